@@ -1,0 +1,76 @@
+#include "CartesianGrid.h"
+
+#include "Runtime.h"
+
+#include <cmath>
+#include <string>
+
+namespace vfm
+{
+namespace
+{
+
+IndexBox WholeBox(const std::array<std::vector<double>, 3>& coordinates)
+{
+  IndexBox box;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = coordinates[a];
+    const std::string name(1, static_cast<char>('x' + a));
+    if (x.size() < 2)
+    {
+      throw InputError("The grid has no cells along " + name + ": a 3D grid of cells is needed.");
+    }
+    for (std::size_t i = 1; i < x.size(); ++i)
+    {
+      if (!(x[i] > x[i - 1]))
+      {
+        throw InputError("The " + name + " coordinates of the grid do not increase at index " +
+          std::to_string(i) + ".");
+      }
+    }
+    box.Upper[a] = static_cast<Index>(x.size()) - 1;
+  }
+  return box;
+}
+
+} // namespace
+
+CartesianGrid::CartesianGrid(
+  std::array<std::vector<double>, 3> coordinates, const IndexBox& owned, int ghostLevels) :
+  X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned)
+{
+  Index stride = 1;
+  for (int a = 0; a < 3; ++a)
+  {
+    this->LocalBox.Lower[a] = std::max(owned.Lower[a] - ghostLevels, this->GlobalBox.Lower[a]);
+    this->LocalBox.Upper[a] = std::min(owned.Upper[a] + ghostLevels, this->GlobalBox.Upper[a]);
+    this->Origin[a] = this->LocalBox.Lower[a] - 1;
+    this->Strides[a] = stride;
+    stride *= this->LocalBox.Size(a) + 2;
+  }
+  this->Entries = stride;
+  for (int c = 0; c < 8; ++c)
+  {
+    this->Corners[c] = (c & 1) * this->Strides[0] + (c >> 1 & 1) * this->Strides[1] +
+      (c >> 2 & 1) * this->Strides[2];
+  }
+}
+
+CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates) :
+  CartesianGrid(coordinates, WholeBox(coordinates))
+{
+}
+
+double CartesianGrid::MeanWidth() const
+{
+  double volume = 1.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    volume *=
+      (this->X[a].back() - this->X[a].front()) / static_cast<double>(this->GlobalBox.Upper[a]);
+  }
+  return std::cbrt(volume);
+}
+
+} // namespace vfm

@@ -1,0 +1,166 @@
+/**
+ * CartesianGrid: a uniform or rectilinear grid of cells, of which this process holds one box plus
+ * ghost levels. Cells and nodes are implicit.
+ *
+ * Indices. (i,j,k) are global. The linear index of the cell (i,j,k) and of the node (i,j,k), its lower
+ * corner, is the same number: their arrays have one shape, the local box with one more layer of cells
+ * on every side. So the eight cells of a node, the eight nodes of a cell and the neighbours of either
+ * are fixed offsets, and every node of the local box has eight cells in memory. The outermost layer
+ * mirrors the cell inside it (SetMirrored), which is what the stages want at the domain boundary.
+ *
+ * Corners of a cell and cells of a node are numbered by bits, x first: c = cx + 2 cy + 4 cz.
+ * Corner c of cell n is node n + Offset(c); cell c of the star of node n is n - Offset(7) + Offset(c).
+ * Faces are numbered -x +x -y +y -z +z = 0..5.
+ *
+ * Keys. NodeKey and CellKey are global, the same on any number of processes.
+ */
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace vfm
+{
+
+using Index = std::int64_t;
+using Index3 = std::array<Index, 3>;
+using Vector3 = std::array<double, 3>;
+
+/// Cells with Lower <= (i,j,k) < Upper.
+struct IndexBox
+{
+  Index3 Lower{ { 0, 0, 0 } };
+  Index3 Upper{ { 0, 0, 0 } };
+
+  Index Size(int axis) const { return this->Upper[axis] - this->Lower[axis]; }
+  Index NumberOfCells() const { return this->Size(0) * this->Size(1) * this->Size(2); }
+  bool Contains(const Index3& c) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      if (c[a] < this->Lower[a] || c[a] >= this->Upper[a])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+class CartesianGrid
+{
+public:
+  /// coordinates: of all nodes of the whole grid, one increasing list an axis (length units of the user).
+  /// owned: the cells whose hexes this process makes. ghostLevels: layers of cells held around them.
+  /// Throws InputError when a list has fewer than two entries or does not increase.
+  CartesianGrid(
+    std::array<std::vector<double>, 3> coordinates, const IndexBox& owned, int ghostLevels = 0);
+
+  /// The whole grid in one process.
+  explicit CartesianGrid(std::array<std::vector<double>, 3> coordinates);
+
+  const IndexBox& Global() const { return this->GlobalBox; }
+  const IndexBox& Owned() const { return this->OwnedBox; }
+  const IndexBox& Local() const { return this->LocalBox; }
+
+  /// Length of every array over cells or nodes.
+  Index NumberOfEntries() const { return this->Entries; }
+  Index Stride(int axis) const { return this->Strides[axis]; }
+  Index Linear(const Index3& p) const
+  {
+    return (p[0] - this->Origin[0]) + (p[1] - this->Origin[1]) * this->Strides[1] +
+      (p[2] - this->Origin[2]) * this->Strides[2];
+  }
+  Index3 Position(Index n) const
+  {
+    const Index k = n / this->Strides[2];
+    const Index j = (n - k * this->Strides[2]) / this->Strides[1];
+    const Index i = n - k * this->Strides[2] - j * this->Strides[1];
+    return { { i + this->Origin[0], j + this->Origin[1], k + this->Origin[2] } };
+  }
+
+  /// From a cell to its corner c.
+  Index CornerOffset(int c) const { return this->Corners[c]; }
+  Index NodeOfCell(Index cell, int c) const { return cell + this->Corners[c]; }
+  /// Cell c of the star of a node: c has the bit of an axis set when the cell lies on its + side.
+  Index CellOfNode(Index node, int c) const { return node + this->Corners[c] - this->Corners[7]; }
+  /// The cell across face f.
+  Index Neighbour(Index cell, int face) const
+  {
+    return (face & 1) ? cell + this->Strides[face / 2] : cell - this->Strides[face / 2];
+  }
+  bool InDomain(const Index3& cell) const { return this->GlobalBox.Contains(cell); }
+
+  Vector3 NodePoint(const Index3& p) const
+  {
+    return { { this->X[0][p[0]], this->X[1][p[1]], this->X[2][p[2]] } };
+  }
+  const std::vector<double>& Coordinates(int axis) const { return this->X[axis]; }
+  double Width(int axis, Index i) const { return this->X[axis][i + 1] - this->X[axis][i]; }
+  double CellVolume(const Index3& c) const
+  {
+    return this->Width(0, c[0]) * this->Width(1, c[1]) * this->Width(2, c[2]);
+  }
+  /// Cube root of the mean cell volume: the length that makes the grid's numbers near 1.
+  double MeanWidth() const;
+
+  Index CellKey(const Index3& c) const
+  {
+    return (c[2] * this->GlobalBox.Upper[1] + c[1]) * this->GlobalBox.Upper[0] + c[0];
+  }
+  Index NodeKey(const Index3& p) const
+  {
+    return (p[2] * (this->GlobalBox.Upper[1] + 1) + p[1]) * (this->GlobalBox.Upper[0] + 1) + p[0];
+  }
+  /// Nodes of one colour have no cell in common: parity of i, j and k, 0..7.
+  static int Colour(const Index3& p)
+  {
+    return static_cast<int>((p[0] & 1) | (p[1] & 1) << 1 | (p[2] & 1) << 2);
+  }
+  /// Bit f set when the node lies on side f of the domain.
+  int DomainSides(const Index3& node) const
+  {
+    int sides = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      sides |= (node[a] == 0) << (2 * a) | (node[a] == this->GlobalBox.Upper[a]) << (2 * a + 1);
+    }
+    return sides;
+  }
+
+  /// Copies each cell on the rim of the local box into the outer layer beside it.
+  template <class Array>
+  void SetMirrored(Array& values) const;
+
+private:
+  std::array<std::vector<double>, 3> X;
+  IndexBox GlobalBox, OwnedBox, LocalBox;
+  Index3 Origin, Strides;
+  std::array<Index, 8> Corners;
+  Index Entries = 0;
+};
+
+template <class Array>
+void CartesianGrid::SetMirrored(Array& values) const
+{
+  const Index3 n{ { this->LocalBox.Size(0) + 2, this->LocalBox.Size(1) + 2,
+    this->LocalBox.Size(2) + 2 } };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    const Index last = (n[axis] - 1) * this->Strides[axis], step = this->Strides[axis];
+    for (Index q = 0; q < n[c]; ++q)
+    {
+      for (Index p = 0; p < n[b]; ++p)
+      {
+        const Index base = p * this->Strides[b] + q * this->Strides[c];
+        values[base] = values[base + step];
+        values[base + last] = values[base + last - step];
+      }
+    }
+  }
+}
+
+} // namespace vfm

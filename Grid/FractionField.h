@@ -1,0 +1,93 @@
+/**
+ * FractionField: the volume fractions of all materials in every cell of the local box, stored sparsely.
+ * A cell filled by one material (or void) is a label; a mixed cell has a short list of (material,
+ * fraction), so a thousand grains cost no thousand arrays.
+ *
+ * Materials are numbered 1..N, void is 0. The fractions of a cell, void included, sum to 1.
+ */
+#pragma once
+
+#include "CartesianGrid.h"
+
+#include <string>
+
+namespace vfm
+{
+
+class FractionField
+{
+public:
+  struct Part
+  {
+    int Material;
+    double Fraction;
+  };
+  struct Range
+  {
+    const Part* First;
+    const Part* Last;
+    const Part* begin() const { return this->First; }
+    const Part* end() const { return this->Last; }
+  };
+
+  /// Every cell void.
+  FractionField(const CartesianGrid& grid, int numberOfMaterials);
+
+  /// Fractions given one array a material. Reader has
+  ///   void Read(int material, Index3 first, Index count, double* values)
+  /// which fills the fractions of material 1..N in count cells along x.
+  /// Fractions within 1e-6 outside [0,1] are clamped; sums up to 1 + 1e-3 are normalised and counted.
+  /// Throws InputError on NaN or infinity, values farther outside, larger sums.
+  class Reader
+  {
+  public:
+    virtual ~Reader() = default;
+    virtual void Read(int material, const Index3& first, Index count, double* values) const = 0;
+    /// For messages.
+    virtual std::string Name(int material) const = 0;
+  };
+  static FractionField FromReader(const CartesianGrid& grid, int numberOfMaterials, const Reader&);
+
+  int NumberOfMaterials() const { return this->Materials; }
+  /// Cells whose sum exceeded 1 by more than rounding and was scaled back.
+  Index NumberOfNormalisedCells() const { return this->Normalised; }
+
+  void SetLabel(Index cell, int label) { this->Entry[cell] = label; }
+  /// parts: fractions of distinct materials >= 1, each > 0, sum <= 1 but for rounding.
+  void SetParts(Index cell, const std::vector<Part>& parts);
+
+  bool IsMixed(Index cell) const { return this->Entry[cell] < 0; }
+  /// The label of a cell that is not mixed.
+  int Label(Index cell) const { return this->Entry[cell]; }
+  /// The parts of a mixed cell in the order of their materials, void first when present.
+  Range Parts(Index cell) const
+  {
+    const Index m = ~static_cast<Index>(this->Entry[cell]);
+    return { this->List.data() + this->Offset[m], this->List.data() + this->Offset[m + 1] };
+  }
+  double Fraction(Index cell, int material) const
+  {
+    if (!this->IsMixed(cell))
+    {
+      return this->Entry[cell] == material ? 1.0 : 0.0;
+    }
+    for (const Part& part : this->Parts(cell))
+    {
+      if (part.Material == material)
+      {
+        return part.Fraction;
+      }
+    }
+    return 0.0;
+  }
+  std::size_t MemoryInBytes() const;
+
+private:
+  int Materials;
+  Index Normalised = 0;
+  std::vector<int> Entry;    // label >= 0, or ~(index of the mixed cell)
+  std::vector<Index> Offset; // mixed cells + 1
+  std::vector<Part> List;
+};
+
+} // namespace vfm
