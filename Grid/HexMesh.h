@@ -54,6 +54,7 @@ struct HexMesh
   Buffer<int> Fragment;          ///< of each hex: face-connected piece, from 1 by lowest cell
   Buffer<float> ScaledJacobian;  ///< verdict's, of each hex; empty unless asked for
   SurfaceQuads Surfaces;
+  std::vector<Index> RowOffset; ///< first hex of each row of owned cells (x fastest), and the end
 };
 
 struct HexMeshReport

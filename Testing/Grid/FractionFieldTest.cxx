@@ -18,7 +18,7 @@ CartesianGrid UnitGrid(int n)
   {
     x.push_back(i);
   }
-  return CartesianGrid({ { x, x, x } });
+  return CartesianGrid(std::array<std::vector<double>, 3>{ { x, x, x } });
 }
 
 /// Fractions of a few cells; 0 elsewhere.

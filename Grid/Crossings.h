@@ -1,0 +1,18 @@
+/**
+ * Stages 4 and 5: gradients of the difference field of a pair, and the crossing of an interface with
+ * a dual edge.
+ */
+#pragma once
+
+#include "Interface.h"
+
+namespace vfm
+{
+
+/// Crossing of the face's dual edge, grid coordinates.
+/// planes: average of the PLIC planes of the two cells, weighted by f (1 - f); a linear interpolation where
+/// neither is mixed. The normal blends the gradients of the two cells (weighted least squares over 3^3).
+Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
+  const InterfaceFace& face, bool planes);
+
+} // namespace vfm

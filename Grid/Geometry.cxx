@@ -1,0 +1,326 @@
+#include "Geometry.h"
+
+#include <algorithm>
+#include <map>
+
+namespace vfm
+{
+namespace
+{
+
+/// Corners (bits) of face f of a hex, around it, normal outward.
+constexpr std::array<std::array<int, 4>, 6> FaceCorners{ { { { 0, 4, 6, 2 } }, { { 1, 3, 7, 5 } },
+  { { 0, 1, 5, 4 } }, { { 2, 6, 7, 3 } }, { { 0, 2, 3, 1 } }, { { 4, 5, 7, 6 } } } };
+
+/// A surface: the volumes on its two sides. 0 is void or unmeshed, -1 - side a side of the domain.
+struct SurfaceKey
+{
+  int First, Second;
+  bool operator<(const SurfaceKey& other) const
+  {
+    return this->First != other.First ? this->First < other.First : this->Second < other.Second;
+  }
+};
+
+struct Quad
+{
+  std::array<Index, 4> Points;
+  SurfaceKey Key;
+  int Materials[2];
+  int Side;
+};
+
+/// Numbers distinct keys from 1 in their order.
+template <class Key>
+class Numbering
+{
+public:
+  explicit Numbering(std::vector<Key> keys) : Keys(std::move(keys))
+  {
+    std::sort(this->Keys.begin(), this->Keys.end());
+    this->Keys.erase(std::unique(this->Keys.begin(), this->Keys.end(),
+                       [](const Key& a, const Key& b) { return !(a < b) && !(b < a); }),
+      this->Keys.end());
+  }
+  int Find(const Key& key) const
+  {
+    return static_cast<int>(
+             std::lower_bound(this->Keys.begin(), this->Keys.end(), key) - this->Keys.begin()) +
+      1;
+  }
+  Index Count() const { return static_cast<Index>(this->Keys.size()); }
+
+private:
+  std::vector<Key> Keys;
+};
+
+class GeometryFinder
+{
+public:
+  GeometryFinder(const CartesianGrid& grid, const LabelArray& labels,
+    const std::vector<Index>& mixed, const Fragments& fragments, const PointNumbering& numbering,
+    HexMesh& mesh) :
+    Grid(grid), Labels(labels), Mixed(mixed), Pieces(fragments), Points(numbering), Mesh(mesh)
+  {
+  }
+
+  void Run(HexMeshReport& report)
+  {
+    this->FillVolumes();
+    this->AddInterfaceQuads();
+    report.NumberOfFragments = this->Pieces.NumberOfFragments();
+    report.NumberOfSurfaces = this->FillSurfaces();
+    this->ClassifyPoints(report);
+  }
+
+private:
+  using SurfaceSet = std::vector<int>;
+
+  /// Calls body(hex, slot, cell) for all hexes; slot 0 core, 1 + face buffer.
+  template <class Body>
+  void ForHexes(const Body& body) const
+  {
+    const IndexBox& box = this->Grid.Owned();
+    Index row = 0;
+    Index3 cell;
+    for (cell[2] = box.Lower[2]; cell[2] < box.Upper[2]; ++cell[2])
+    {
+      for (cell[1] = box.Lower[1]; cell[1] < box.Upper[1]; ++cell[1], ++row)
+      {
+        const Index key = this->Grid.CellKey({ { 0, cell[1], cell[2] } });
+        for (Index h = this->Mesh.RowOffset[row]; h < this->Mesh.RowOffset[row + 1]; ++h)
+        {
+          const Index id = this->Mesh.HexIds[h] - 1;
+          cell[0] = id / 7 - key;
+          body(h, static_cast<int>(id % 7), cell);
+        }
+      }
+    }
+  }
+
+  /// Fragments of hexes and points, and the quads on the sides of the domain.
+  void FillVolumes()
+  {
+    HexMesh& mesh = this->Mesh;
+    mesh.Fragment = Buffer<int>(mesh.HexIds.size());
+    mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
+    mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+    const Index3 last{ { this->Grid.Global().Upper[0] - 1, this->Grid.Global().Upper[1] - 1,
+      this->Grid.Global().Upper[2] - 1 } };
+    Index runEnd = 0, runRow = -1;
+    int fragment = 0;
+    this->ForHexes(
+      [&](Index h, int slot, const Index3& cell)
+      {
+        const Index row = cell[1] + cell[2] * (last[1] + 1);
+        if (row != runRow || cell[0] >= runEnd)
+        {
+          fragment = this->Pieces.FragmentOfCell(cell, runEnd);
+          runRow = row;
+        }
+        mesh.Fragment[h] = fragment;
+        for (int c = 0; c < 8; ++c)
+        {
+          mesh.GeometryId[mesh.Hexes[8 * h + c]] = fragment;
+        }
+        for (int a = 0; a < 3; ++a)
+        {
+          const bool lateral = slot == 0 || (slot - 1) / 2 != a;
+          if (lateral && cell[a] == 0)
+          {
+            this->AddDomainQuad(h, 2 * a);
+          }
+          if (lateral && cell[a] == last[a])
+          {
+            this->AddDomainQuad(h, 2 * a + 1);
+          }
+        }
+      });
+  }
+
+  void AddDomainQuad(Index h, int side)
+  {
+    Quad quad;
+    for (int c = 0; c < 4; ++c)
+    {
+      quad.Points[c] = this->Mesh.Hexes[8 * h + VtkCorner[FaceCorners[side][c]]];
+    }
+    quad.Key = { -1 - side, this->Mesh.Fragment[h] };
+    quad.Materials[0] = 0;
+    quad.Materials[1] = this->Mesh.Material[h];
+    quad.Side = side;
+    this->Quads.push_back(quad);
+  }
+
+  void AddInterfaceQuads()
+  {
+    for (Index node : this->Mixed)
+    {
+      const Index3 upper = this->Grid.Position(node);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Index3 lower = upper;
+        --lower[axis];
+        const int a = this->Labels[node - this->Grid.Stride(axis)], b = this->Labels[node];
+        if (a == b || !this->Grid.Owned().Contains(upper) || !this->Grid.Owned().Contains(lower))
+        {
+          continue;
+        }
+        this->AddInterfaceQuad(node, axis, a < b,
+          a < b ? this->Pieces.FragmentOfCell(lower) : this->Pieces.FragmentOfCell(upper),
+          a < b ? this->Pieces.FragmentOfCell(upper) : this->Pieces.FragmentOfCell(lower));
+        this->Quads.back().Materials[0] = std::min(a, b);
+        this->Quads.back().Materials[1] = std::max(a, b);
+      }
+    }
+  }
+
+  /// first, second: the fragments of the smaller and of the larger label. downward: the smaller label lies below.
+  void AddInterfaceQuad(Index node, int axis, bool downward, int first, int second)
+  {
+    const Index b = this->Grid.Stride((axis + 1) % 3), c = this->Grid.Stride((axis + 2) % 3);
+    Quad quad;
+    quad.Points = { { this->Points.FirstPoint(node), this->Points.FirstPoint(node + b),
+      this->Points.FirstPoint(node + b + c), this->Points.FirstPoint(node + c) } };
+    if (downward)
+    {
+      std::swap(quad.Points[1], quad.Points[3]);
+    }
+    quad.Key = { std::min(first, second), std::max(first, second) };
+    quad.Side = -1;
+    this->Quads.push_back(quad);
+  }
+
+  Index FillSurfaces()
+  {
+    std::vector<SurfaceKey> keys;
+    for (const Quad& quad : this->Quads)
+    {
+      keys.push_back(quad.Key);
+    }
+    const Numbering<SurfaceKey> numbers(std::move(keys));
+    SurfaceQuads& surfaces = this->Mesh.Surfaces;
+    const std::size_t count = this->Quads.size();
+    surfaces.Points = Buffer<Index>(4 * count);
+    surfaces.SurfaceId = Buffer<int>(count);
+    surfaces.MaterialPair = Buffer<int>(2 * count);
+    surfaces.DomainSide = Buffer<int>(count);
+    for (std::size_t q = 0; q < count; ++q)
+    {
+      const Quad& quad = this->Quads[q];
+      std::copy(quad.Points.begin(), quad.Points.end(), surfaces.Points.data() + 4 * q);
+      surfaces.SurfaceId[q] = numbers.Find(quad.Key);
+      std::copy(quad.Materials, quad.Materials + 2, surfaces.MaterialPair.data() + 2 * q);
+      surfaces.DomainSide[q] = quad.Side;
+    }
+    return numbers.Count();
+  }
+
+  void ClassifyPoints(HexMeshReport& report)
+  {
+    const SurfaceQuads& surfaces = this->Mesh.Surfaces;
+    std::vector<std::pair<Index, int>> on; // (point, surface)
+    for (std::size_t q = 0; q < this->Quads.size(); ++q)
+    {
+      for (Index point : this->Quads[q].Points)
+      {
+        on.emplace_back(point, surfaces.SurfaceId[q]);
+        this->Mesh.GeometryDimension[point] = 2;
+        this->Mesh.GeometryId[point] = surfaces.SurfaceId[q];
+      }
+    }
+    std::sort(on.begin(), on.end());
+    on.erase(std::unique(on.begin(), on.end()), on.end());
+    std::map<Index, SurfaceSet> junctions; // points on several surfaces
+    for (std::size_t first = 0, last = 0; first < on.size(); first = last)
+    {
+      while (last < on.size() && on[last].first == on[first].first)
+      {
+        ++last;
+      }
+      for (std::size_t i = first; last - first > 1 && i < last; ++i)
+      {
+        junctions[on[first].first].push_back(on[i].second);
+      }
+    }
+    this->ClassifyJunctions(junctions, report);
+  }
+
+  void ClassifyJunctions(const std::map<Index, SurfaceSet>& junctions, HexMeshReport& report)
+  {
+    std::map<Index, int> edgesAlike, edges; // curve edges at a point with its own set, and all
+    for (const auto& edge : this->FindCurveEdges(junctions))
+    {
+      for (Index point : { edge.first.first, edge.first.second })
+      {
+        ++edges[point];
+        edgesAlike[point] += edge.second == junctions.at(point);
+      }
+    }
+    std::vector<SurfaceSet> sets;
+    for (const auto& junction : junctions)
+    {
+      if (edges[junction.first] == 2 && edgesAlike[junction.first] == 2)
+      {
+        sets.push_back(junction.second);
+      }
+    }
+    const Numbering<SurfaceSet> curves(std::move(sets));
+    for (const auto& junction : junctions)
+    {
+      const bool curve = edges[junction.first] == 2 && edgesAlike[junction.first] == 2;
+      this->Mesh.GeometryDimension[junction.first] = curve ? 1 : 0;
+      this->Mesh.GeometryId[junction.first] =
+        curve ? curves.Find(junction.second) : static_cast<int>(++report.NumberOfVertices);
+    }
+    report.NumberOfCurves = curves.Count();
+  }
+
+  /// The edges of quads where several surfaces meet, with those surfaces.
+  std::map<std::pair<Index, Index>, SurfaceSet> FindCurveEdges(
+    const std::map<Index, SurfaceSet>& junctions) const
+  {
+    std::map<std::pair<Index, Index>, SurfaceSet> edges;
+    for (std::size_t q = 0; q < this->Quads.size(); ++q)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        const Index a = this->Quads[q].Points[c], b = this->Quads[q].Points[(c + 1) % 4];
+        if (junctions.count(a) && junctions.count(b))
+        {
+          SurfaceSet& set = edges[std::minmax(a, b)];
+          const int surface = this->Mesh.Surfaces.SurfaceId[q];
+          const auto at = std::lower_bound(set.begin(), set.end(), surface);
+          if (at == set.end() || *at != surface)
+          {
+            set.insert(at, surface);
+          }
+        }
+      }
+    }
+    for (auto edge = edges.begin(); edge != edges.end();)
+    {
+      edge = edge->second.size() < 2 ? edges.erase(edge) : std::next(edge);
+    }
+    return edges;
+  }
+
+  const CartesianGrid& Grid;
+  const LabelArray& Labels;
+  const std::vector<Index>& Mixed;
+  const Fragments& Pieces;
+  const PointNumbering& Points;
+  HexMesh& Mesh;
+  std::vector<Quad> Quads;
+};
+
+} // namespace
+
+void FindGeometry(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& mixed, const Fragments& fragments, const PointNumbering& numbering,
+  HexMesh& mesh, HexMeshReport& report)
+{
+  GeometryFinder(grid, labels, mixed, fragments, numbering, mesh).Run(report);
+}
+
+} // namespace vfm

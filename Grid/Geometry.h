@@ -1,0 +1,22 @@
+/**
+ * The geometry that the mesh resolves: volumes, surfaces, curves and vertices.
+ *
+ * Volume: a fragment. Surface: the quads between two volumes, between a volume and what is not meshed, or on
+ * one side of the domain. Curve: the edges where the same surfaces meet. Vertex: a point where curves meet or end.
+ * Every mesh point is classified on the lowest-dimensional of them that it lies on.
+ */
+#pragma once
+
+#include "Fragments.h"
+#include "HexTopology.h"
+#include "Interface.h"
+
+namespace vfm
+{
+
+/// Fills mesh.Fragment, mesh.Surfaces, mesh.GeometryDimension and mesh.GeometryId, and the counts of the report.
+void FindGeometry(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& mixed, const Fragments& fragments, const PointNumbering& numbering,
+  HexMesh& mesh, HexMeshReport& report);
+
+} // namespace vfm

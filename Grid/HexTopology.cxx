@@ -1,0 +1,292 @@
+#include "HexTopology.h"
+
+#include "LabelCondition.h"
+
+#include <limits>
+#include <numeric>
+
+namespace vfm
+{
+
+int PointNumbering::MeshedRank(Index node, int label) const
+{
+  const StarLabels star(StarOfNode(this->Grid, this->Labels, node));
+  return star.RankOf(label) - (this->IsMeshed(star.Label[0]) ? 0 : 1);
+}
+
+int PointNumbering::PointsAt(Index node) const
+{
+  if (!this->IsSplit(node))
+  {
+    return this->IsMeshed(this->Labels[node]) ? 1 : 0;
+  }
+  const StarLabels star(StarOfNode(this->Grid, this->Labels, node));
+  return 1 + star.Count - (this->IsMeshed(star.Label[0]) ? 0 : 1);
+}
+
+class HexTopologyBuilder
+{
+public:
+  HexTopologyBuilder(const CartesianGrid& grid, const LabelArray& labels,
+    const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime) :
+    Grid(grid),
+    Labels(labels),
+    Box(grid.Owned()),
+    StairStep(stairStep),
+    Numbering(numbering),
+    Run(runtime),
+    Mixed(grid.NumberOfEntries(), 0)
+  {
+    for (Index node : mixed)
+    {
+      this->Mixed[node] = 1;
+    }
+  }
+
+  HexMesh Build()
+  {
+    this->CheckIds();
+    const Index points = this->CountPoints(), hexes = this->CountHexes();
+    HexMesh& mesh = this->Mesh;
+    mesh.Points = Buffer<double>(3 * points);
+    mesh.PointIds = Buffer<Index>(points);
+    mesh.Hexes = Buffer<Index>(8 * hexes);
+    mesh.HexIds = Buffer<Index>(hexes);
+    mesh.Material = Buffer<int>(hexes);
+    this->OverRows(1, [this](Index j, Index k, Index row) { this->FillPoints(j, k, row); });
+    this->OverRows(0, [this](Index j, Index k, Index row) { this->FillHexes(j, k, row); });
+    return std::move(mesh);
+  }
+
+private:
+  /// Calls body(j, k, row) for the rows of the owned cells (extra 0) or nodes (extra 1).
+  template <class Body>
+  void OverRows(int extra, const Body& body)
+  {
+    const Index ny = this->Box.Size(1) + extra, nz = this->Box.Size(2) + extra;
+    this->Run.For(0, ny * nz,
+      [&](Index first, Index last)
+      {
+        for (Index row = first; row < last; ++row)
+        {
+          body(this->Box.Lower[1] + row % ny, this->Box.Lower[2] + row / ny, row);
+        }
+      });
+  }
+
+  void CheckIds() const
+  {
+    const double nodes = 16.0 * (this->Grid.Global().Upper[0] + 1.0) *
+      (this->Grid.Global().Upper[1] + 1.0) * (this->Grid.Global().Upper[2] + 1.0);
+    if (nodes >= static_cast<double>(std::numeric_limits<Index>::max()))
+    {
+      throw InputError("The grid has more nodes than 64-bit global ids can number.");
+    }
+  }
+
+  int PointsOfNode(Index node) const
+  {
+    if (!this->Mixed[node])
+    {
+      return this->Numbering.IsMeshed(this->Labels[node]) ? 1 : 0;
+    }
+    if (this->StairStep)
+    {
+      return 1;
+    }
+    const StarLabels star(StarOfNode(this->Grid, this->Labels, node));
+    return 1 + star.Count - (this->Numbering.IsMeshed(star.Label[0]) ? 0 : 1);
+  }
+
+  static Index MakeOffsets(std::vector<Index>& counts)
+  {
+    Index total = 0;
+    for (Index& count : counts)
+    {
+      const Index first = total;
+      total += count;
+      count = first;
+    }
+    return total;
+  }
+
+  Index CountPoints()
+  {
+    this->PointOffset.resize((this->Box.Size(1) + 1) * (this->Box.Size(2) + 1));
+    this->OverRows(1,
+      [this](Index j, Index k, Index row)
+      {
+        const Index first = this->Grid.Linear({ { this->Box.Lower[0], j, k } });
+        Index count = 0;
+        for (Index node = first; node <= first + this->Box.Size(0); ++node)
+        {
+          count += this->PointsOfNode(node);
+        }
+        this->PointOffset[row] = count;
+      });
+    const Index total = MakeOffsets(this->PointOffset);
+    if (total > std::numeric_limits<int>::max())
+    {
+      throw InputError("More than 2^31 mesh points on one rank: use more ranks.");
+    }
+    return total;
+  }
+
+  Index CountHexes()
+  {
+    std::vector<Index>& offset = this->Mesh.RowOffset;
+    offset.resize(this->Box.Size(1) * this->Box.Size(2));
+    this->OverRows(0,
+      [&](Index j, Index k, Index row)
+      {
+        const Index first = this->Grid.Linear({ { this->Box.Lower[0], j, k } });
+        Index count = 0;
+        for (Index cell = first; cell < first + this->Box.Size(0); ++cell)
+        {
+          if (this->Numbering.IsMeshed(this->Labels[cell]))
+          {
+            count += 1 + this->CountBufferHexes(cell);
+          }
+        }
+        offset[row] = count;
+      });
+    const Index total = MakeOffsets(offset);
+    offset.push_back(total);
+    return total;
+  }
+
+  int CountBufferHexes(Index cell) const
+  {
+    int count = 0;
+    for (int face = 0; !this->StairStep && face < 6; ++face)
+    {
+      count += this->Labels[this->Grid.Neighbour(cell, face)] != this->Labels[cell];
+    }
+    return count;
+  }
+
+  void FillPoints(Index j, Index k, Index row)
+  {
+    Index3 p{ { this->Box.Lower[0], j, k } };
+    Index node = this->Grid.Linear(p);
+    Index point = this->PointOffset[row];
+    for (; p[0] <= this->Box.Upper[0]; ++p[0], ++node)
+    {
+      const int count = this->PointsOfNode(node);
+      const bool split = this->Mixed[node] && !this->StairStep;
+      this->Numbering.Code[node] = static_cast<int>(split ? ~point : point);
+      if (count > 0)
+      {
+        this->SetPoint(point, this->Grid.NodePoint(p), this->Grid.NodeKey(p), 0);
+      }
+      if (split)
+      {
+        this->FillInnerPoints(p, node, point + 1);
+      }
+      point += count;
+    }
+  }
+
+  void FillInnerPoints(const Index3& p, Index node, Index point)
+  {
+    const std::array<int, 8> star = StarOfNode(this->Grid, this->Labels, node);
+    const StarLabels labels(star);
+    for (int rank = 0; rank < labels.Count; ++rank)
+    {
+      if (!this->Numbering.IsMeshed(labels.Label[rank]))
+      {
+        continue;
+      }
+      const RegionNormals normals = RegionNormalsTable[RegionOfLabel(star, labels.Label[rank])];
+      Vector3 x = this->Grid.NodePoint(p);
+      for (int a = 0; a < 3; ++a)
+      {
+        // a normal occurs only where the node is inside the domain, so both widths exist
+        x[a] += normals.Minus >> a & 1 ? BufferThickness * this->Grid.Width(a, p[a]) : 0.0;
+        x[a] -= normals.Plus >> a & 1 ? BufferThickness * this->Grid.Width(a, p[a] - 1) : 0.0;
+      }
+      this->SetPoint(point++, x, this->Grid.NodeKey(p), 1 + rank);
+    }
+  }
+
+  void SetPoint(Index point, const Vector3& x, Index key, int slot)
+  {
+    std::copy(x.begin(), x.end(), this->Mesh.Points.data() + 3 * point);
+    this->Mesh.PointIds[point] = 16 * key + slot + 1;
+  }
+
+  void FillHexes(Index j, Index k, Index row)
+  {
+    Index3 p{ { this->Box.Lower[0], j, k } };
+    Index cell = this->Grid.Linear(p);
+    Index hex = this->Mesh.RowOffset[row];
+    for (; p[0] < this->Box.Upper[0]; ++p[0], ++cell)
+    {
+      const int label = this->Labels[cell];
+      if (!this->Numbering.IsMeshed(label))
+      {
+        continue;
+      }
+      const Index key = 7 * this->Grid.CellKey(p) + 1;
+      Index inner[8];
+      bool split = false;
+      for (int c = 0; c < 8; ++c)
+      {
+        const Index node = this->Grid.NodeOfCell(cell, c);
+        split = split || this->Numbering.IsSplit(node);
+        inner[c] = this->Numbering.InnerPoint(node, label);
+      }
+      this->SetHex(hex++, inner, key, label);
+      for (int face = 0; split && face < 6; ++face)
+      {
+        if (this->Labels[this->Grid.Neighbour(cell, face)] != label)
+        {
+          this->SetBufferHex(hex++, cell, face, inner, key + 1 + face);
+        }
+      }
+    }
+  }
+
+  /// The corners on the face are its S, the opposite ones the I beside them.
+  void SetBufferHex(Index hex, Index cell, int face, const Index* inner, Index id)
+  {
+    const int bit = 1 << (face / 2);
+    Index corners[8];
+    for (int c = 0; c < 8; ++c)
+    {
+      const int onFace = face & 1 ? c | bit : c & ~bit;
+      corners[c] =
+        c == onFace ? this->Numbering.FirstPoint(this->Grid.NodeOfCell(cell, c)) : inner[onFace];
+    }
+    this->SetHex(hex, corners, id, this->Labels[cell]);
+  }
+
+  void SetHex(Index hex, const Index* corners, Index id, int label)
+  {
+    Index* points = this->Mesh.Hexes.data() + 8 * hex;
+    for (int c = 0; c < 8; ++c)
+    {
+      points[VtkCorner[c]] = corners[c];
+    }
+    this->Mesh.HexIds[hex] = id;
+    this->Mesh.Material[hex] = label;
+  }
+
+  const CartesianGrid& Grid;
+  const LabelArray& Labels;
+  const IndexBox& Box;
+  bool StairStep;
+  PointNumbering& Numbering;
+  Runtime& Run;
+  Buffer<unsigned char> Mixed;
+  std::vector<Index> PointOffset;
+  HexMesh Mesh;
+};
+
+HexMesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime)
+{
+  return HexTopologyBuilder(grid, labels, mixed, stairStep, numbering, runtime).Build();
+}
+
+} // namespace vfm

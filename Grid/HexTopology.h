@@ -1,0 +1,73 @@
+/**
+ * From labels to hexahedra: the points and hexes of the mesh, before anything moves.
+ *
+ * A grid node with one label in its star becomes one point G (none where that label is not meshed).
+ * A mixed node becomes one surface point S, shared by all, and one inner point I per meshed label of
+ * its star, in the order of the labels. A meshed cell becomes its core hex on its eight G or I. Each of
+ * its faces towards another label carries one buffer hex between the face's four I and four S (the
+ * buffer layer, or pillow). Faces on the domain boundary carry none. So
+ *   hexes = meshed cells + one per interface face and meshed side.
+ * In a stair-step mesh mixed nodes are one point like the others and there is no buffer layer.
+ *
+ * Order: points by node, hexes by cell, core first, then the faces -x +x -y +y -z +z; ids ascend.
+ */
+#pragma once
+
+#include "HexMesh.h"
+#include "Labels.h"
+#include "Runtime.h"
+
+namespace vfm
+{
+
+/// Corner of a VTK hexahedron for each corner bit pattern, and back (the same table).
+constexpr std::array<int, 8> VtkCorner{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
+
+/// Thickness of the buffer layer before smoothing, in cell widths.
+constexpr double BufferThickness = 0.125;
+
+/// Where the mesh points of a grid node are.
+class PointNumbering
+{
+public:
+  PointNumbering(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid) :
+    Grid(grid), Labels(labels), MeshVoid(meshVoid), Code(grid.NumberOfEntries())
+  {
+  }
+
+  bool IsMeshed(int label) const { return label > 0 || this->MeshVoid; }
+  /// A node with S and I points. In a stair-step mesh there is none.
+  bool IsSplit(Index node) const { return this->Code[node] < 0; }
+  /// G or S.
+  Index FirstPoint(Index node) const
+  {
+    const int code = this->Code[node];
+    return code < 0 ? ~code : code;
+  }
+  /// G, or the I of the label.
+  Index InnerPoint(Index node, int label) const
+  {
+    const int code = this->Code[node];
+    return code >= 0 ? code : ~code + 1 + this->MeshedRank(node, label);
+  }
+
+  /// How many points a node has: 0, 1, or S and its I.
+  int PointsAt(Index node) const;
+
+private:
+  friend class HexTopologyBuilder;
+  int MeshedRank(Index node, int label) const;
+
+  const CartesianGrid& Grid;
+  const LabelArray& Labels;
+  bool MeshVoid;
+  Buffer<int> Code; // index of G, or ~(index of S)
+};
+
+/// Makes points (grid nodes; I moved inwards by BufferThickness), ids, hexes and materials. mixed: all
+/// mixed nodes (FindMixedNodes). Every corner of every hex has a positive Jacobian when all stars pass the label condition.
+/// Throws InputError when an id does not fit.
+HexMesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime);
+
+} // namespace vfm

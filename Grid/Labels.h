@@ -1,0 +1,46 @@
+/**
+ * One label a cell: the material it is meshed as, 0 void. The array has the shape of CartesianGrid's
+ * cells, its outer layer mirrored.
+ */
+#pragma once
+
+#include "FractionField.h"
+
+namespace vfm
+{
+
+using LabelArray = std::vector<int>;
+
+/// Void where the materials fill less than isoValue, else the material of the largest fraction, ties to
+/// the smaller.
+LabelArray AssignMaterials(
+  const CartesianGrid& grid, const FractionField& fractions, double isoValue);
+
+/// The eight labels around a node.
+inline std::array<int, 8> StarOfNode(
+  const CartesianGrid& grid, const LabelArray& labels, Index node)
+{
+  std::array<int, 8> star;
+  for (int c = 0; c < 8; ++c)
+  {
+    star[c] = labels[grid.CellOfNode(node, c)];
+  }
+  return star;
+}
+
+/// The nodes of the local box with more than one label around them, ascending.
+std::vector<Index> FindMixedNodes(const CartesianGrid& grid, const LabelArray& labels);
+
+struct ResolveReport
+{
+  Index FlippedCells = 0;
+  int Rounds = 0;
+};
+
+/// Changes labels until every star passes the label condition (LabelCondition.h). The result does not
+/// depend on the order of cells: a round flips every cell whose score (violations removed against
+/// fraction given up) beats those of its 26 neighbours.
+ResolveReport ResolveLabels(
+  const CartesianGrid& grid, const FractionField& fractions, LabelArray& labels);
+
+} // namespace vfm

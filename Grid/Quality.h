@@ -1,0 +1,19 @@
+/**
+ * Quality of hexahedra as verdict measures it.
+ */
+#pragma once
+
+#include "HexMesh.h"
+#include "Runtime.h"
+
+namespace vfm
+{
+
+/// Scaled Jacobian of a hex with VTK corner order: the smallest over its 8 corners and its centre of the determinant
+/// over the product of the edge lengths, -1..1 (Knupp 2000; verdict's hex_scaled_jacobian).
+double HexScaledJacobian(const double* points, const Index* hex);
+
+/// Fills mesh.ScaledJacobian, and minimum and mean in the report.
+void ComputeQuality(HexMesh& mesh, Runtime& runtime, HexMeshReport& report);
+
+} // namespace vfm

@@ -1,0 +1,237 @@
+#include "LabelCondition.h"
+#include "Labels.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int GreedyRounds = 60;    // before only label-decreasing flips are allowed
+constexpr double CostOffset = 0.05; // a flip that gives up no fraction still has a price
+
+/// The change of one cell that scores best.
+struct Candidate
+{
+  double Score;
+  int Label;
+  Index Key;
+  bool Beats(const Candidate& other) const
+  {
+    return this->Score > other.Score || (this->Score == other.Score && this->Key < other.Key);
+  }
+};
+
+class Resolver
+{
+public:
+  Resolver(const CartesianGrid& grid, const FractionField& fractions, LabelArray& labels) :
+    Grid(grid), Fractions(fractions), Labels(labels)
+  {
+  }
+
+  ResolveReport Run()
+  {
+    this->Violated = FindMixedNodes(this->Grid, this->Labels);
+    this->KeepViolated();
+    const LabelArray before = this->Violated.empty() ? LabelArray() : this->Labels;
+    ResolveReport report;
+    bool decreasing = false;
+    while (!this->Violated.empty())
+    {
+      decreasing = decreasing || report.Rounds >= GreedyRounds;
+      this->FindCandidates(decreasing);
+      if (this->Candidates.empty())
+      {
+        decreasing = true; // then a violated star always has a candidate
+        continue;
+      }
+      this->Flip();
+      this->KeepViolated();
+      ++report.Rounds;
+    }
+    report.FlippedCells = this->CountChanges(before);
+    return report;
+  }
+
+private:
+  /// The cell in the domain that a star's cell is or mirrors.
+  Index Source(const Index3& cell) const
+  {
+    Index3 inside = cell;
+    for (int a = 0; a < 3; ++a)
+    {
+      inside[a] =
+        std::min(std::max(cell[a], this->Grid.Local().Lower[a]), this->Grid.Local().Upper[a] - 1);
+    }
+    return this->Grid.Linear(inside);
+  }
+
+  /// The cells in the domain around a node; a cell beside the boundary stands for its mirrors.
+  std::array<Index, 8> Cells(const Index3& node) const
+  {
+    std::array<Index, 8> cells;
+    for (int c = 0; c < 8; ++c)
+    {
+      cells[c] = this->Source(
+        { { node[0] - 1 + (c & 1), node[1] - 1 + (c >> 1 & 1), node[2] - 1 + (c >> 2 & 1) } });
+    }
+    return cells;
+  }
+
+  int Violations(Index node) const { return CountViolations(StarOfNode(Grid, Labels, node)); }
+
+  void KeepViolated()
+  {
+    std::vector<Index>& nodes = this->Violated;
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
+                  [this](Index node) { return this->Violations(node) == 0; }),
+      nodes.end());
+  }
+
+  /// Violations removed at the eight nodes of a cell when it takes the label.
+  int Gain(Index cell, const Index3& position, int label) const
+  {
+    int gain = 0;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index node = this->Grid.NodeOfCell(cell, c);
+      std::array<int, 8> star = StarOfNode(this->Grid, this->Labels, node);
+      gain += CountViolations(star);
+      const std::array<Index, 8> cells = this->Cells(
+        { { position[0] + (c & 1), position[1] + (c >> 1 & 1), position[2] + (c >> 2 & 1) } });
+      for (int s = 0; s < 8; ++s)
+      {
+        star[s] = cells[s] == cell ? label : star[s];
+      }
+      gain -= CountViolations(star);
+    }
+    return gain;
+  }
+
+  void Consider(Index cell, int label, bool decreasing)
+  {
+    const int current = this->Labels[cell];
+    if (label == current || (decreasing && label > current))
+    {
+      return;
+    }
+    const Index3 position = this->Grid.Position(cell);
+    const int gain = this->Gain(cell, position, label);
+    if (gain <= 0 && !decreasing)
+    {
+      return;
+    }
+    const double cost = std::max(
+      0.0, this->Fractions.Fraction(cell, current) - this->Fractions.Fraction(cell, label));
+    const Candidate found{ gain / (CostOffset + cost), label, this->Grid.CellKey(position) };
+    const auto at = this->Candidates.emplace(cell, found);
+    Candidate& best = at.first->second;
+    if (found.Score > best.Score || (found.Score == best.Score && label < best.Label))
+    {
+      best = found;
+    }
+  }
+
+  void FindCandidates(bool decreasing)
+  {
+    this->Candidates.clear();
+    std::vector<std::pair<Index, int>> changes;
+    for (Index node : this->Violated)
+    {
+      const StarLabels labels(StarOfNode(this->Grid, this->Labels, node));
+      for (Index cell : this->Cells(this->Grid.Position(node)))
+      {
+        for (int label : labels)
+        {
+          changes.emplace_back(cell, label);
+        }
+      }
+    }
+    std::sort(changes.begin(), changes.end());
+    changes.erase(std::unique(changes.begin(), changes.end()), changes.end());
+    for (const auto& change : changes)
+    {
+      this->Consider(change.first, change.second, decreasing);
+    }
+  }
+
+  bool IsBestAround(Index cell, const Candidate& mine) const
+  {
+    for (int dz = -1; dz <= 1; ++dz)
+    {
+      for (int dy = -1; dy <= 1; ++dy)
+      {
+        for (int dx = -1; dx <= 1; ++dx)
+        {
+          const auto other = this->Candidates.find(
+            cell + dx + dy * this->Grid.Stride(1) + dz * this->Grid.Stride(2));
+          if (other != this->Candidates.end() && other->second.Beats(mine))
+          {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  void Flip()
+  {
+    std::vector<std::pair<Index, int>> flips;
+    for (const auto& candidate : this->Candidates)
+    {
+      if (this->IsBestAround(candidate.first, candidate.second))
+      {
+        flips.emplace_back(candidate.first, candidate.second.Label);
+      }
+    }
+    for (const auto& flip : flips)
+    {
+      this->Labels[flip.first] = flip.second;
+      for (int c = 0; c < 8; ++c)
+      {
+        this->Violated.push_back(this->Grid.NodeOfCell(flip.first, c));
+      }
+    }
+    this->Grid.SetMirrored(this->Labels);
+  }
+
+  Index CountChanges(const LabelArray& before) const
+  {
+    Index count = 0;
+    const IndexBox& box = this->Grid.Owned();
+    for (Index k = box.Lower[2]; !before.empty() && k < box.Upper[2]; ++k)
+    {
+      for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+      {
+        const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
+        for (Index cell = first; cell < first + box.Size(0); ++cell)
+        {
+          count += before[cell] != this->Labels[cell];
+        }
+      }
+    }
+    return count;
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  LabelArray& Labels;
+  std::vector<Index> Violated;
+  std::unordered_map<Index, Candidate> Candidates;
+};
+
+} // namespace
+
+ResolveReport ResolveLabels(
+  const CartesianGrid& grid, const FractionField& fractions, LabelArray& labels)
+{
+  return Resolver(grid, fractions, labels).Run();
+}
+
+} // namespace vfm

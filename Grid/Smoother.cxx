@@ -1,0 +1,209 @@
+#include "Smoother.h"
+
+#include "Vector3.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <atomic>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double TrustRadius = 0.2; // largest step, in cells
+constexpr double Backtrack = 0.4;   // factor of the line search
+constexpr int Backtracks = 8;
+constexpr double Armijo = 1e-4;          // share of the predicted decrease that a step must reach
+constexpr double MoveThatCounts = 0.005; // smaller moves wake no neighbour
+constexpr double ShortestEdge = 0.15;    // l* of the barrier, in cells
+
+using Matrix3 = Eigen::Matrix3d;
+using EigenVector3 = Eigen::Vector3d;
+
+/// Minus the Newton step's direction of descent: H replaced by |H| where it is not positive.
+EigenVector3 SolveNewton(const Matrix3& H, const EigenVector3& g)
+{
+  const Eigen::LLT<Matrix3> cholesky(H);
+  if (cholesky.info() == Eigen::Success)
+  {
+    return -cholesky.solve(g);
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(H);
+  const double floor = 1e-6 * eigen.eigenvalues().cwiseAbs().maxCoeff() + 1e-12;
+  const EigenVector3 inverse = eigen.eigenvalues().cwiseAbs().cwiseMax(floor).cwiseInverse();
+  return -(eigen.eigenvectors() * inverse.asDiagonal() * (eigen.eigenvectors().transpose() * g));
+}
+
+} // namespace
+
+const std::vector<SmoothingStage>& SmoothingRamp()
+{
+  static const std::vector<SmoothingStage> ramp{ { 1, 1.0, 0.1, 5, 0.0 },
+    { 2, 10.0, 0.05, 10, 0.0 }, { 8, 30.0, 0.01, 40, 2e-3 } };
+  return ramp;
+}
+
+Smoother::Smoother(ActiveMesh& mesh, const Interface& interface, const SurfaceTargets& targets,
+  double targetScaledJacobian, Runtime& runtime) :
+  Mesh(mesh),
+  TheInterface(interface),
+  Targets(targets),
+  TargetJacobian(targetScaledJacobian),
+  Run(runtime),
+  Dirty(new unsigned char[mesh.X.size()])
+{
+}
+
+void Smoother::MarkAll()
+{
+  std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);
+}
+
+void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(double)>& report)
+{
+  this->MarkAll();
+  for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
+  {
+    const double move = this->Sweep(stage);
+    report((sweep + 1.0) / stage.Sweeps);
+    if (move < stage.SmallestMove)
+    {
+      break;
+    }
+  }
+}
+
+/// Moves every point once; returns the largest move, in cells.
+double Smoother::Sweep(const SmoothingStage& stage)
+{
+  std::atomic<double> largest(0.0);
+  for (const std::vector<ActiveMesh::Group>& groups : this->Mesh.Colours)
+  {
+    this->Run.For(0, static_cast<Index>(groups.size()),
+      [&](Index first, Index last)
+      {
+        double move = 0.0;
+        for (Index g = first; g < last; ++g)
+        {
+          for (int point = groups[g].First; point < groups[g].Last; ++point)
+          {
+            if (__atomic_load_n(&this->Dirty[point], __ATOMIC_RELAXED))
+            {
+              move = std::max(move, this->MovePoint(point, stage));
+            }
+          }
+        }
+        for (double seen = largest; move > seen && !largest.compare_exchange_weak(seen, move);)
+        {
+        }
+      });
+  }
+  return largest;
+}
+
+/// One guarded Newton step; returns its length in cells.
+double Smoother::MovePoint(int point, const SmoothingStage& stage)
+{
+  __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
+  const BarrierWeights weights{ stage.HalfPower, this->TargetJacobian, stage.Omega, ShortestEdge };
+  Derivatives d = DifferentiateBarrier(this->Mesh, point, weights);
+  this->AddDistance(point, stage.Lambda, d);
+  const std::array<double, 6>& h = d.Hessian;
+  Matrix3 H;
+  H << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
+  EigenVector3 g(d.Gradient[0], d.Gradient[1], d.Gradient[2]);
+  for (int a = 0; a < 3; ++a)
+  {
+    if (this->Mesh.Fixed[point] >> a & 1)
+    {
+      H.row(a).setZero();
+      H.col(a).setZero();
+      H(a, a) = 1.0;
+      g[a] = 0.0;
+    }
+  }
+  const EigenVector3 newton = SolveNewton(H, g);
+  Vector3 step{ { newton[0], newton[1], newton[2] } };
+  const Vector3& widths =
+    this->Mesh.WidthsOf(this->Mesh.Corners[this->Mesh.CornerOffset[point]] >> 3);
+  const double length = Norm(Divided(step, widths));
+  if (!(length > 0.0))
+  {
+    return 0.0;
+  }
+  const double cut = std::min(1.0, TrustRadius / length);
+  const double slope = cut * g.dot(newton);
+  step = cut * step;
+  double t = 1.0;
+  for (int trial = 0; trial <= Backtracks; ++trial, t *= Backtrack)
+  {
+    const Vector3 x = this->Mesh.X[point] + t * step;
+    const double energy =
+      EvaluateBarrier(this->Mesh, point, x, weights) + this->DistanceEnergy(point, x, stage.Lambda);
+    if (energy <= d.Value + Armijo * t * slope)
+    {
+      this->Mesh.X[point] = x;
+      const double move = t * cut * length;
+      if (move > MoveThatCounts)
+      {
+        this->MarkNeighbours(point);
+      }
+      return move;
+    }
+  }
+  return 0.0;
+}
+
+double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) const
+{
+  const Index n = this->Mesh.TargetNode[point];
+  double energy = 0.0;
+  if (n >= 0)
+  {
+    Vector3 gradient;
+    for (Index t = this->TheInterface.PointOffset(n); t < this->TheInterface.PointOffset(n + 1);
+         ++t)
+    {
+      const double distance = this->Targets.Distance(t, x, gradient);
+      energy += lambda * distance * distance;
+    }
+  }
+  return energy;
+}
+
+/// Gauss-Newton: the curvature of the target is left out of the Hessian.
+void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
+{
+  const Index n = this->Mesh.TargetNode[point];
+  if (n < 0)
+  {
+    return;
+  }
+  for (Index t = this->TheInterface.PointOffset(n); t < this->TheInterface.PointOffset(n + 1); ++t)
+  {
+    Vector3 g;
+    const double distance = this->Targets.Distance(t, this->Mesh.X[point], g);
+    d.Value += lambda * distance * distance;
+    d.Gradient = d.Gradient + (2.0 * lambda * distance) * g;
+    const std::array<double, 6> outer{ { g[0] * g[0], g[1] * g[1], g[2] * g[2], g[0] * g[1],
+      g[0] * g[2], g[1] * g[2] } };
+    for (int i = 0; i < 6; ++i)
+    {
+      d.Hessian[i] += 2.0 * lambda * outer[i];
+    }
+  }
+}
+
+void Smoother::MarkNeighbours(int point)
+{
+  for (Index at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
+  {
+    for (int other : this->Mesh.Hexes[this->Mesh.Corners[at] >> 3])
+    {
+      __atomic_store_n(&this->Dirty[other], 1, __ATOMIC_RELAXED);
+    }
+  }
+}
+
+} // namespace vfm

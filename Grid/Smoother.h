@@ -1,0 +1,58 @@
+/**
+ * Smoothing: the barrier energy and the squared distances of the surface points to their targets,
+ * minimised point by point with Newton steps that keep every corner determinant positive.
+ *
+ * Points move in eight colours (parity of their grid node); points of one colour share no hex, so the
+ * result does not depend on the threads. Inside a grid node S moves first, then its I.
+ */
+#pragma once
+
+#include "BarrierEnergy.h"
+#include "SurfaceTargets.h"
+
+#include <memory>
+
+namespace vfm
+{
+
+/// One stage of the ramp from a soft to a hard barrier.
+struct SmoothingStage
+{
+  int HalfPower; ///< p / 2 of the barrier
+  double Lambda; ///< weight of the squared distances
+  double Omega;  ///< weight of the shape term
+  int Sweeps;
+  double SmallestMove; ///< ends the stage when no point moved farther, in cells; 0: all sweeps
+};
+
+class Smoother
+{
+public:
+  /// targetScaledJacobian: s* of the barrier.
+  Smoother(ActiveMesh& mesh, const Interface& interface, const SurfaceTargets& targets,
+    double targetScaledJacobian, Runtime& runtime);
+
+  /// report(fraction) is called after every sweep.
+  void RunStage(const SmoothingStage& stage, const std::function<void(double)>& report);
+
+private:
+  double Sweep(const SmoothingStage& stage);
+  double MovePoint(int point, const SmoothingStage& stage);
+  double DistanceEnergy(int point, const Vector3& x, double lambda) const;
+  void AddDistance(int point, double lambda, Derivatives& d) const;
+  void MarkNeighbours(int point);
+  void MarkAll();
+
+  ActiveMesh& Mesh;
+  const Interface& TheInterface;
+  const SurfaceTargets& Targets;
+  double TargetJacobian;
+  Runtime& Run;
+  /// Set when a point of one of its hexes moved since the point was last looked at.
+  std::unique_ptr<unsigned char[]> Dirty;
+};
+
+/// The ramp of quadric surface smoothing.
+const std::vector<SmoothingStage>& SmoothingRamp();
+
+} // namespace vfm

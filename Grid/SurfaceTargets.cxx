@@ -1,0 +1,276 @@
+#include "SurfaceTargets.h"
+
+#include "Vector3.h"
+
+#include <Eigen/Cholesky>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double LargestOffset = 0.25;
+constexpr double FitRadius = 1.2;      // of the Gaussian weight, in cells
+constexpr double JunctionWeight = 0.3; // of points where several pairs meet
+constexpr double SmallestCosine = 0.2; // between the normals of two points of one fit
+constexpr double LargestHeight = 2.0;  // of a point over the base plane
+constexpr double LinearBeyond = 1.5;   // radius from which a quadric goes on as a plane
+constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 } };
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Two unit vectors that make a frame with n.
+void MakeTangents(const Vector3& n, Vector3& u, Vector3& v)
+{
+  int flat = 0;
+  for (int a = 1; a < 3; ++a)
+  {
+    flat = std::fabs(n[a]) < std::fabs(n[flat]) ? a : flat;
+  }
+  Vector3 axis{ { 0.0, 0.0, 0.0 } };
+  axis[flat] = 1.0;
+  u = Unit(Cross(n, axis));
+  v = Cross(n, u);
+}
+
+/// The nodes reached from a node over at most two interface faces of the pair, itself first.
+std::vector<Index> FindRing(const Interface& interface, Index node, int first, int second)
+{
+  std::vector<Index> ring(1, node);
+  std::size_t begin = 0;
+  for (int depth = 0; depth < 2; ++depth)
+  {
+    const std::size_t end = ring.size();
+    for (; begin < end; ++begin)
+    {
+      const Index n = ring[begin];
+      for (Index at = interface.FaceOffset(n); at < interface.FaceOffset(n + 1); ++at)
+      {
+        const Index face = interface.FaceList()[at];
+        const InterfaceFace& f = interface.Faces()[face];
+        if (f.First() != first || f.Second() != second)
+        {
+          continue;
+        }
+        for (Index other : interface.NodesOfFace(face))
+        {
+          if (std::find(ring.begin(), ring.end(), other) == ring.end())
+          {
+            ring.push_back(other);
+          }
+        }
+      }
+    }
+  }
+  std::sort(ring.begin(), ring.end()); // so that sums do not depend on the walk
+  return ring;
+}
+
+/// The point of the triangle nearest to 0. Ericson (2005), Real-Time Collision Detection, 5.1.5.
+Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 ab = b - a, ac = c - a;
+  const double d1 = -Dot(ab, a), d2 = -Dot(ac, a);
+  if (d1 <= 0.0 && d2 <= 0.0)
+  {
+    return a;
+  }
+  const double d3 = -Dot(ab, b), d4 = -Dot(ac, b);
+  if (d3 >= 0.0 && d4 <= d3)
+  {
+    return b;
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+  {
+    return a + (d1 / (d1 - d3)) * ab;
+  }
+  const double d5 = -Dot(ab, c), d6 = -Dot(ac, c);
+  if (d6 >= 0.0 && d5 <= d6)
+  {
+    return c;
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+  {
+    return a + (d2 / (d2 - d6)) * ac;
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
+  {
+    return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
+  }
+  const double sum = va + vb + vc;
+  return a + (vb / sum) * ab + (vc / sum) * ac;
+}
+
+} // namespace
+
+SurfaceTargets::SurfaceTargets(const Interface& interface, Kind kind, Runtime& runtime) :
+  TheInterface(interface),
+  TheKind(kind),
+  Frames(interface.Points().size()),
+  Facets(kind == Kind::Facets ? interface.Points().size() : 0)
+{
+  runtime.For(0, static_cast<Index>(interface.Nodes().size()),
+    [&](Index first, Index last)
+    {
+      for (Index n = first; n < last; ++n)
+      {
+        for (Index t = interface.PointOffset(n); t < interface.PointOffset(n + 1); ++t)
+        {
+          this->FitQuadric(n, t);
+          if (kind == Kind::Facets)
+          {
+            this->FindFacets(n, t);
+          }
+        }
+      }
+    });
+}
+
+void SurfaceTargets::FitQuadric(Index node, Index target)
+{
+  const SurfacePoint& base = this->TheInterface.Points()[target];
+  const Vector3 widths = this->TheInterface.NodeWidths(this->TheInterface.Nodes()[node]);
+  Frame& frame = this->Frames[target];
+  frame.Base = base.Point;
+  frame.InverseWidths = Divided({ { 1.0, 1.0, 1.0 } }, widths);
+  frame.N = Unit(Scaled(base.Normal, widths));
+  frame.Offset = 0.0;
+  MakeTangents(frame.N, frame.U, frame.V);
+
+  Matrix6 A = Matrix6::Zero();
+  Vector6 b = Vector6::Zero();
+  int used = 0;
+  for (Index n : FindRing(this->TheInterface, node, base.First, base.Second))
+  {
+    const SurfacePoint& point = *this->TheInterface.FindPoint(n, base.First, base.Second);
+    const Vector3 y = Scaled(point.Point - frame.Base, frame.InverseWidths);
+    const double u = Dot(y, frame.U), v = Dot(y, frame.V), w = Dot(y, frame.N);
+    if (std::fabs(w) >= LargestHeight ||
+      Dot(Unit(Scaled(point.Normal, widths)), frame.N) <= SmallestCosine)
+    {
+      continue;
+    }
+    const bool junction =
+      this->TheInterface.PointOffset(n + 1) - this->TheInterface.PointOffset(n) > 1;
+    const double weight = std::exp(-(u * u + v * v) / (2.0 * FitRadius * FitRadius)) *
+      (junction ? JunctionWeight : 1.0);
+    Vector6 row;
+    row << 1.0, u, v, u * u, u * v, v * v;
+    A += weight * row * row.transpose();
+    b += weight * w * row;
+    ++used;
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    A(i, i) += Tikhonov[i];
+  }
+  Vector6 c = Vector6::Zero();
+  if (used >= 6)
+  {
+    c = A.ldlt().solve(b);
+  }
+  else
+  {
+    c.head<3>() = A.topLeftCorner<3, 3>().ldlt().solve(b.head<3>());
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    const double bound = i == 0 ? 1.0 : (i < 3 ? 1e30 : 0.5);
+    frame.C[i] = std::min(std::max(c[i], -bound), bound);
+  }
+}
+
+void SurfaceTargets::FindFacets(Index node, Index target)
+{
+  const SurfacePoint& base = this->TheInterface.Points()[target];
+  std::vector<Index>& facets = this->Facets[target];
+  for (Index n : FindRing(this->TheInterface, node, base.First, base.Second))
+  {
+    for (Index at = this->TheInterface.FaceOffset(n); at < this->TheInterface.FaceOffset(n + 1);
+         ++at)
+    {
+      const Index face = this->TheInterface.FaceList()[at];
+      const InterfaceFace& f = this->TheInterface.Faces()[face];
+      if (f.First() == base.First && f.Second() == base.Second)
+      {
+        facets.push_back(face);
+      }
+    }
+  }
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+}
+
+void SurfaceTargets::Shift(Index target, double shift)
+{
+  Frame& frame = this->Frames[target];
+  const double local = shift * Norm(Scaled(frame.N, frame.InverseWidths));
+  frame.Offset = std::min(std::max(frame.Offset + local, -LargestOffset), LargestOffset);
+}
+
+double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradient) const
+{
+  const Frame& frame = this->Frames[target];
+  const Vector3 y = Scaled(x - frame.Base, frame.InverseWidths);
+  const double d = this->TheKind == Kind::Quadrics ? this->QuadricDistance(frame, y, gradient)
+                                                   : this->FacetDistance(target, y, gradient);
+  gradient = Scaled(gradient, frame.InverseWidths);
+  return d - frame.Offset;
+}
+
+double SurfaceTargets::QuadricDistance(
+  const Frame& frame, const Vector3& y, Vector3& gradient) const
+{
+  const double u = Dot(y, frame.U), v = Dot(y, frame.V), w = Dot(y, frame.N);
+  const std::array<double, 6>& c = frame.C;
+  const double r2 = u * u + v * v;
+  const double shrink = r2 > LinearBeyond * LinearBeyond ? LinearBeyond / std::sqrt(r2) : 1.0;
+  const double uc = shrink * u, vc = shrink * v;
+  const double fu = c[1] + 2.0 * c[3] * uc + c[4] * vc;
+  const double fv = c[2] + c[4] * uc + 2.0 * c[5] * vc;
+  const double f = c[0] + c[1] * uc + c[2] * vc + c[3] * uc * uc + c[4] * uc * vc + c[5] * vc * vc +
+    fu * (u - uc) + fv * (v - vc);
+  const double steep = 1.0 / std::sqrt(1.0 + fu * fu + fv * fv);
+  gradient = steep * (frame.N - fu * frame.U - fv * frame.V);
+  return (w - f) * steep;
+}
+
+double SurfaceTargets::FacetDistance(Index target, const Vector3& y, Vector3& gradient) const
+{
+  const Frame& frame = this->Frames[target];
+  const SurfacePoint& base = this->TheInterface.Points()[target];
+  double best = 1e30;
+  Vector3 nearest{ { 0.0, 0.0, 0.0 } }, normal = frame.N;
+  for (Index face : this->Facets[target])
+  {
+    Vector3 corner[4];
+    int c = 0;
+    for (Index n : this->TheInterface.NodesOfFace(face))
+    {
+      const SurfacePoint& point = *this->TheInterface.FindPoint(n, base.First, base.Second);
+      corner[c++] = Scaled(point.Point - frame.Base, frame.InverseWidths) - y;
+    }
+    const bool along = this->TheInterface.Faces()[face].LowerLabel == base.First;
+    for (int half = 0; half < 2; ++half)
+    {
+      const Vector3 &a = corner[0], &b = corner[1 + half], &d = corner[2 + half];
+      const Vector3 p = NearestOfTriangle(a, b, d);
+      if (Dot(p, p) < best)
+      {
+        best = Dot(p, p);
+        nearest = p;
+        normal = Unit((along ? 1.0 : -1.0) * Cross(b - a, d - a));
+      }
+    }
+  }
+  const double distance = std::sqrt(best);
+  const double sign = Dot(nearest, normal) <= 0.0 ? 1.0 : -1.0;
+  gradient = distance > 1e-6 ? (-sign / distance) * nearest : normal;
+  return sign * distance;
+}
+
+} // namespace vfm

@@ -1,0 +1,72 @@
+/**
+ * Volumes of fragments: what the fractions ask for, what the mesh has, and the shift of the interfaces
+ * that makes them meet.
+ *
+ * Sums run in integers, so they do not depend on the order. Volumes are in grid coordinates
+ * (Interface.h): one mean cell is 1.
+ */
+#pragma once
+
+#include "ActiveMesh.h"
+#include "Fragments.h"
+#include "SurfaceTargets.h"
+
+namespace vfm
+{
+
+/// A sum of doubles that does not depend on their order: in units of 2^-36.
+class ExactSum
+{
+public:
+  void Add(double value) { this->Total += static_cast<Integer>(value * Unit); }
+  void Add(const ExactSum& other) { this->Total += other.Total; }
+  double Value() const { return static_cast<double>(this->Total) / Unit; }
+
+private:
+  __extension__ typedef __int128 Integer;
+  static constexpr double Unit = 68719476736.0;
+  Integer Total = 0;
+};
+
+class FragmentVolumes
+{
+public:
+  FragmentVolumes(const FractionField& fractions, const LabelArray& labels,
+    const Interface& interface, const Fragments& fragments);
+
+  /// Measures the mesh. Without it, volumes are those of the cells.
+  void Measure(const ActiveMesh& mesh);
+
+  /// Shifts the targets by what the last measurement lacks: solves
+  ///   sum_g A_fg (mu_f - mu_g) = target_f - volume_f
+  /// with the areas A of the interfaces, mu = 0 outside, and shifts each interface by mu_f - mu_g.
+  void Correct(SurfaceTargets& targets) const;
+
+  /// Largest |volume - target| / target of a material, and of a fragment of 64 cells or more.
+  double WorstError() const;
+
+  /// Per material from 0, in cells of mean size. Targets count every cell, also where no cell holds the label.
+  std::vector<double> MaterialTargets() const;
+  std::vector<double> MaterialVolumes() const;
+
+private:
+  struct Side
+  {
+    int Lower, Upper; // fragments beside a face, 0 where not meshed
+  };
+  void AddTargets(const FractionField& fractions, const LabelArray& labels);
+  int FragmentNear(const LabelArray& labels, const Index3& cell, int material) const;
+  void ShareOrphans();
+
+  const Interface& TheInterface;
+  const Fragments& TheFragments;
+  std::vector<Side> Sides;                       // of every interface face
+  std::vector<std::array<int, 2>> PairFragments; // of every target: of its first and second label
+  std::vector<double> Targets;                   // by fragment, orphans shared out
+  std::vector<double> CellVolumes;               // by fragment
+  std::vector<double> Swept;                     // by fragment: mesh minus cells
+  std::vector<double> Areas;                     // by interface face
+  std::vector<double> TotalOfMaterial;           // from the fractions
+};
+
+} // namespace vfm

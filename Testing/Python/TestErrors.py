@@ -1,0 +1,243 @@
+"""Input that cannot be meshed gives one clear message and empty outputs; the next run works."""
+import numpy as np
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkUniformGrid,
+    vtkUnstructuredGrid)
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonMath import vtkMatrix3x3
+
+from vfmtest import (
+    GHOST, ORIGIN, SPACING, add_array, ball_and_plate, collect, fraction_image, image, labels, main,
+    producer, run, VolumeFractionToHex)
+
+N = 8
+
+
+def arrays():
+    ball, plate = ball_and_plate(N)
+    return {"ball": ball, "plate": plate}
+
+
+def changed(name, cell, value, dtype=np.float64):
+    """The field with one value changed; cell is (i, j, k)."""
+    values = {key: array.astype(dtype) for key, array in arrays().items()}
+    values[name][cell[::-1]] = value
+    return image(values)
+
+
+def check_error(data, *words, **properties):
+    """The run fails with one message that has all the words, and leaves nothing in the outputs."""
+    result = run(data, **properties)
+    assert len(result.errors) == 1, result.errors
+    for word in words:
+        assert word in result.errors[0], (word, result.errors[0])
+    assert result.mesh.IsA("vtkUnstructuredGrid") and result.surfaces.IsA("vtkPolyData")
+    for output in (result.mesh, result.surfaces):
+        assert output.GetNumberOfCells() == 0 and output.GetNumberOfPoints() == 0
+        assert output.GetCellData().GetNumberOfArrays() == 0
+        assert output.GetFieldData().GetNumberOfArrays() == 0
+
+
+def blocks(*data):
+    result = vtkMultiBlockDataSet()
+    for i, block in enumerate(data):
+        result.SetBlock(i, block)
+    return result
+
+
+def half(part, spacing=SPACING, shift=0.0):
+    """Half of the field along x; shift moves it along x."""
+    values = {name: array[:, :, part * N // 2:(part + 1) * N // 2].copy() for name, array in arrays().items()}
+    data = image(values)
+    data.SetSpacing(spacing)
+    data.SetOrigin(ORIGIN[0] + part * N // 2 * SPACING[0] + shift, *ORIGIN[1:])
+    return data
+
+
+def test_no_array_chosen():
+    check_error(fraction_image(N), "No array is chosen", "VolumeFractionArrays", VolumeFractionArrays=[])
+
+
+def test_both_ways_chosen():
+    check_error(fraction_image(N), "Choose one or the other", "'ball'", MaterialIdArray="ball",
+                VolumeFractionArrays=["plate"])
+
+
+def test_array_that_is_missing():
+    check_error(fraction_image(N), "no numeric cell array 'void'", "'ball', 'plate'",
+                VolumeFractionArrays=["ball", "void"])
+    check_error(fraction_image(N), "no numeric cell array 'id'", MaterialIdArray="id")
+    bad = half(1)
+    bad.GetCellData().RemoveArray("plate")
+    check_error(blocks(half(0), bad), "Block 1 has no numeric cell array 'plate'")
+
+
+def test_array_of_text():
+    data = fraction_image(N)
+    text = vtkStringArray()
+    text.SetName("names")
+    text.SetNumberOfValues(N ** 3)
+    data.GetCellData().AddArray(text)
+    check_error(data, "no numeric cell array 'names'", VolumeFractionArrays=["names"])
+
+
+def test_point_data():
+    data = fraction_image(N)
+    add_array(data.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
+    check_error(data, "'nodal' is point data", "Point Data to Cell Data", VolumeFractionArrays=["nodal"])
+    check_error(data, "'nodal' is point data", MaterialIdArray="nodal")
+
+
+def test_several_components():
+    data = fraction_image(N)
+    add_array(data.GetCellData(), "velocity", np.zeros((N, N, N, 3)))
+    check_error(data, "'velocity' has 3 components", VolumeFractionArrays=["velocity"])
+    add_array(data.GetCellData(), "ids", np.zeros((N, N, N, 2), np.int32))
+    check_error(data, "'ids' has 2 components", MaterialIdArray="ids")
+
+
+def test_array_of_wrong_length():
+    data = fraction_image(N)
+    add_array(data.GetCellData(), "short", np.zeros((2, 2, 2)))
+    check_error(data, "'short' has 8 values for 512 cells", VolumeFractionArrays=["short"])
+
+
+def test_values_that_are_no_fractions():
+    for value, text in ((np.nan, "nan"), (np.inf, "inf"), (-np.inf, "-inf")):
+        check_error(changed("ball", (1, 2, 3), value), "'ball' holds " + text, "cell (1, 2, 3)", "finite")
+    for value in (-1e-5, 1 + 1e-5, 255.0):
+        check_error(changed("plate", (7, 0, 4), value), "'plate' holds", "cell (7, 0, 4)", "[0, 1]")
+    check_error(changed("ball", (0, 0, 7), np.nan, np.float32), "'ball' holds nan", "cell (0, 0, 7)")
+    check_error(changed("ball", (0, 0, 0), 2, np.int32), "'ball' holds 2", "cell (0, 0, 0)")
+
+
+def test_values_that_are_almost_fractions():
+    data = changed("ball", (7, 7, 7), -5e-7)
+    assert not run(data).errors
+    assert not run(changed("plate", (0, 0, 0), 1 + 5e-7)).errors
+
+
+def test_sums_over_one():
+    check_error(changed("ball", (3, 3, 0), 0.25), "cell (3, 3, 0) sum to 1.25", "separate materials")
+    result = run(changed("ball", (3, 3, 0), 5e-4))
+    assert not result.errors
+    assert len(result.warnings) == 1 and "1 cells sum to slightly more than 1" in result.warnings[0]
+    assert result.field("NormalisedCells") == [1]
+
+
+def test_material_ids_that_are_not_whole_numbers():
+    for dtype in (np.float32, np.float64):
+        check_error(image({"id": labels(N).astype(dtype)}), "'id' is of type", "integers", MaterialIdArray="id")
+
+
+def test_material_ids_out_of_range():
+    for value in (-1, 2 ** 31):
+        ids = labels(N).astype(np.int64)
+        ids[6, 5, 4] = value
+        check_error(image({"id": ids}), "'id' holds %d in cell (4, 5, 6)" % value, MaterialIdArray="id")
+
+
+def test_flat_and_empty_grids():
+    flat = vtkImageData()
+    flat.SetDimensions(5, 5, 1)
+    add_array(flat.GetCellData(), "ball", np.zeros((1, 4, 4)))
+    check_error(flat, "flat", "no cells along z", VolumeFractionArrays=["ball"])
+    check_error(blocks(half(0), flat), "Block 1 is flat")
+    check_error(vtkImageData(), "no cells")
+    check_error(vtkMultiBlockDataSet(), "no cells")
+    ghosts = fraction_image(N)
+    add_array(ghosts.GetCellData(), "vtkGhostType", np.full((N, N, N), GHOST), np.uint8)
+    check_error(ghosts, "no cells")
+
+
+def test_turned_image():
+    data = fraction_image(N)
+    turned = vtkMatrix3x3()
+    turned.DeepCopy((0, -1, 0, 1, 0, 0, 0, 0, 1))
+    data.SetDirectionMatrix(turned)
+    check_error(data, "direction matrix")
+
+
+def test_coordinates_that_do_not_increase():
+    data = fraction_image(N)
+    data.SetSpacing(1, -1, 1)
+    check_error(data, "y coordinates do not increase")
+    data.SetSpacing(1, 1, np.nan)
+    check_error(data, "z coordinates do not increase or are not finite")
+
+
+def test_blocks_of_other_kinds():
+    check_error(blocks(half(0), vtkPolyData()), "Block 1 is a vtkPolyData", "Resample To Image")
+    check_error(blocks(vtkUnstructuredGrid()), "Block 0 is a vtkUnstructuredGrid")
+
+
+def test_blocks_that_do_not_tile():
+    fine = half(1, spacing=[s / 2 for s in SPACING])
+    check_error(blocks(half(0), fine), "Block 0 does not fit the other blocks", "same spacing")
+    check_error(blocks(half(0), half(1, shift=0.1 * SPACING[0])), "does not fit", "along x")
+    check_error(blocks(half(0), half(1, shift=2 * SPACING[0])), "leave a gap", "64 of the 576 cells",
+                "cell (4, 0, 0) at (0, 0.5, 2)")
+    check_error(blocks(half(0), half(1, shift=-SPACING[0])), "Block 0 and Block 1 overlap at cell (3, 0, 0)")
+    check_error(blocks(half(0), half(1), half(1)), "Block 1 and Block 2 overlap")
+
+
+def test_ghosts_inside_a_block():
+    ghost = np.zeros((N, N, N), np.uint8)
+    ghost[3, 4, 5] = GHOST
+    check_error(image({**arrays(), "vtkGhostType": ghost}), "ghost cells", "among its own cells")
+
+
+def test_refined_grid():
+    amr = vtkNonOverlappingAMR()
+    amr.Initialize(2, [1, 1])
+    for level in range(2):
+        amr.SetDataSet(level, 0, image(arrays(), kind=vtkUniformGrid))
+    check_error(amr, "AMR", "2 levels", "not supported yet")
+
+
+def test_more_cells_than_ids_can_number():
+    data = vtkImageData()
+    data.SetDimensions(2 ** 20, 2 ** 20, 2 ** 20)
+    check_error(data, "more than 64-bit ids can number")
+
+
+def test_options_out_of_range():
+    for value in (0.0, 1.0, -1.0, 2.0, float("nan")):
+        check_error(fraction_image(N), "IsoValue", IsoValue=value)
+    for value in (-0.1, 1.0, float("nan")):
+        check_error(fraction_image(N), "TargetScaledJacobian", TargetScaledJacobian=value)
+
+
+def test_input_of_another_kind():
+    hexes = VolumeFractionToHex(Input=producer(vtkPolyData()), VolumeFractionArrays=["ball"])
+    collect(hexes.GetClientSideObject())
+    errors = []
+    hexes.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    hexes.UpdatePipeline()
+    assert errors
+
+
+def test_the_same_filter_works_after_an_error():
+    hexes = VolumeFractionToHex(Input=producer(fraction_image(N)), VolumeFractionArrays=["ball", "none"])
+    algorithm = hexes.GetClientSideObject()
+    errors, _ = collect(algorithm)
+    hexes.UpdatePipeline()
+    assert len(errors) == 1 and algorithm.GetOutputDataObject(0).GetNumberOfCells() == 0
+    hexes.VolumeFractionArrays = ["ball", "plate"]
+    hexes.UpdatePipeline()
+    assert len(errors) == 1 and algorithm.GetOutputDataObject(0).GetNumberOfCells() > 0
+    hexes.IsoValue = 7
+    hexes.UpdatePipeline()
+    assert len(errors) == 2 and algorithm.GetOutputDataObject(0).GetNumberOfCells() == 0
+    assert algorithm.GetOutputDataObject(1).GetNumberOfCells() == 0
+
+
+def test_empty_field_is_no_error():
+    nothing = {name: 0 * array for name, array in arrays().items()}
+    result = run(image(nothing))
+    assert not result.errors and result.mesh.GetNumberOfCells() == 0
+    assert len(result.warnings) == 1 and "The mesh is empty" in result.warnings[0]
+    assert result.field("MaterialNames") == ["ball", "plate"]
+
+
+main(globals())

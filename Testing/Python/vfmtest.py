@@ -1,0 +1,155 @@
+"""What the Python tests share: the plugin, small fields, and runs whose messages are collected.
+
+The environment variable VFM_PLUGIN names the plugin. A test is a function test_*; main() runs all.
+"""
+import hashlib
+import os
+import sys
+import time
+import traceback
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+simple.LoadPlugin(os.environ["VFM_PLUGIN"], remote=False, ns=globals())  # defines VolumeFractionToHex
+GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
+SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)  # exact in binary: blocks match bit for bit
+
+
+def ball_and_plate(n=12):
+    """Fractions of a ball on a plate, each (n, n, n) in the order z, y, x; the ball keeps its volume."""
+    s = 4
+    z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s] * 3, indexing="ij")
+    ball = (x - n / 2) ** 2 + (y - n / 2) ** 2 + (z - 0.55 * n) ** 2 < (0.3 * n) ** 2
+    plate = (z < 0.33 * n) & ~ball
+    cells = lambda inside: inside.reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5))
+    return cells(ball), cells(plate)
+
+
+def labels(n=12):
+    """The fullest material of each cell of ball_and_plate(): 0 void, 1 ball, 2 plate."""
+    ball, plate = ball_and_plate(n)
+    return np.where(ball + plate < 0.5, 0, np.where(ball >= plate, 1, 2))
+
+
+def add_array(attributes, name, values, dtype=None):
+    """Adds values, (z, y, x) or (z, y, x, components), as a VTK array."""
+    values = np.asarray(values, dtype=dtype)
+    flat = values.reshape(-1, values.shape[3]) if values.ndim == 4 else values.reshape(-1)
+    array = numpy_to_vtk(np.ascontiguousarray(flat), deep=1)
+    array.SetName(name)
+    attributes.AddArray(array)
+    return array
+
+
+def image(arrays, first=(0, 0, 0), kind=vtkImageData):
+    """An image with cell arrays {name: values (z, y, x)}; first: index of its first node in extent."""
+    values = next(iter(arrays.values()))
+    data = kind()
+    data.SetOrigin(ORIGIN)
+    data.SetSpacing(SPACING)
+    size = values.shape[2::-1]
+    data.SetExtent([e for a in range(3) for e in (first[a], first[a] + size[a])])
+    for name, value in arrays.items():
+        add_array(data.GetCellData(), name, value)
+    return data
+
+
+def fraction_image(n=12, dtype=np.float64):
+    ball, plate = ball_and_plate(n)
+    return image({"ball": ball.astype(dtype), "plate": plate.astype(dtype)})
+
+
+class Result:
+    """Outputs of a run, its error and warning messages, and the time when the mesh was made."""
+
+    def __init__(self, algorithm, errors, warnings):
+        self.mesh = algorithm.GetOutputDataObject(0)
+        self.surfaces = algorithm.GetOutputDataObject(1)
+        self.errors, self.warnings = errors, warnings
+
+    def cells(self, name):
+        return vtk_to_numpy(self.mesh.GetCellData().GetArray(name))
+
+    def points(self, name):
+        return vtk_to_numpy(self.mesh.GetPointData().GetArray(name))
+
+    def field(self, name):
+        array = self.mesh.GetFieldData().GetAbstractArray(name)
+        return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def collect(algorithm):
+    """Lists that the errors and warnings of the algorithm will be added to; they are not shown then."""
+    errors, warnings = [], []
+
+    def on_error(_, __, text):
+        errors.append(text)
+
+    def on_warning(_, __, text):
+        warnings.append(text)
+
+    on_error.CallDataType = on_warning.CallDataType = "string0"
+    algorithm.AddObserver("ErrorEvent", on_error)
+    algorithm.AddObserver("WarningEvent", on_warning)
+    algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    return errors, warnings
+
+
+def producer(data):
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    return source
+
+
+def run(data, **properties):
+    """The filter on data with its messages; fractions 'ball' and 'plate' unless other arrays are named."""
+    if not {"VolumeFractionArrays", "MaterialIdArray"} & set(properties):
+        properties["VolumeFractionArrays"] = ["ball", "plate"]
+    hexes = VolumeFractionToHex(Input=producer(data), **properties)
+    algorithm = hexes.GetClientSideObject()
+    messages = collect(algorithm)
+    hexes.UpdatePipeline()
+    return Result(algorithm, *messages)
+
+
+def mesh_of(data, **properties):
+    """As run(), without any error."""
+    result = run(data, **properties)
+    assert not result.errors, result.errors
+    assert result.mesh.GetNumberOfCells() > 0
+    return result
+
+
+def digest(result):
+    """Hash of everything in both outputs, bit for bit."""
+    sha = hashlib.sha256()
+    for data, cells in ((result.mesh, "GetCells"), (result.surfaces, "GetPolys")):
+        connectivity = getattr(data, cells)().GetConnectivityArray()
+        arrays = [data.GetPoints().GetData(), connectivity]
+        for attributes in (data.GetPointData(), data.GetCellData()):
+            arrays += [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
+        for array in arrays:
+            sha.update(vtk_to_numpy(array).tobytes())
+    return sha.hexdigest()
+
+
+def main(tests):
+    """Runs the functions test_* of a script and leaves with status 1 if one fails."""
+    failed = 0
+    for name, test in list(tests.items()):
+        if not name.startswith("test_"):
+            continue
+        start = time.time()
+        try:
+            test()
+            print("%-60s %.2f s" % (name, time.time() - start))
+        except Exception:
+            failed += 1
+            print("%s FAILED" % name)
+            traceback.print_exc()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(1 if failed else 0)
