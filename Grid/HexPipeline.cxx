@@ -15,7 +15,9 @@ namespace
 
 constexpr int CorrectionRounds = 6;
 constexpr int SweepsPerCorrection = 4;
-constexpr double VolumeTolerance = 2e-4; // relative
+constexpr double VolumeTolerance = 2e-4; // relative, of the rounds with smoothing
+constexpr int Nudges = 4;
+constexpr double FinalTolerance = 1e-7; // relative
 
 /// Names the running stage, times it and tells the progress.
 class StageClock
@@ -66,7 +68,8 @@ double TargetJacobian(const FractionField& fractions, const HexMeshOptions& opti
   return options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : (several ? 0.5 : 0.6);
 }
 
-/// Moves the interfaces until the volumes of the fragments are those of the fractions.
+/// Moves the interfaces until the volumes of the fragments are those of the fractions: shifts the targets and
+/// smooths, then moves the surface points themselves by the little that is left.
 void CorrectVolumes(FragmentVolumes& volumes, SurfaceTargets& targets, const ActiveMesh& active,
   Smoother& smoother, StageClock& clock)
 {
@@ -74,8 +77,13 @@ void CorrectVolumes(FragmentVolumes& volumes, SurfaceTargets& targets, const Act
   stage.Sweeps = SweepsPerCorrection;
   for (int round = 0; round < CorrectionRounds && volumes.WorstError() > VolumeTolerance; ++round)
   {
-    volumes.Correct(targets);
+    targets.Shift(volumes.FindShifts());
     smoother.RunStage(stage, [&](double) { clock.Update(0.8 + 0.02 * round); });
+    volumes.Measure(active);
+  }
+  for (int nudge = 0; nudge < Nudges && volumes.WorstError() > FinalTolerance; ++nudge)
+  {
+    smoother.Nudge(volumes.FindShifts());
     volumes.Measure(active);
   }
 }

@@ -9,7 +9,8 @@ namespace vfm
 namespace
 {
 
-constexpr int GreedyRounds = 60;    // before only label-decreasing flips are allowed
+constexpr int Kicks = 40;           // ways out of dead ends before one order of labels must end it
+constexpr int GreedyRounds = 400;   // likewise
 constexpr double CostOffset = 0.05; // a flip that gives up no fraction still has a price
 
 /// The change of one cell that scores best.
@@ -32,21 +33,24 @@ public:
   {
   }
 
+  /// Greedy rounds remove violations. In a dead end one round of kicks lets cells take a smaller label in an order
+  /// of the labels that turns from kick to kick. At last the order stays, so the sum of labels falls until
+  /// no star is violated: a violated star always has a cell that can take a smaller label of the star.
   ResolveReport Run()
   {
     this->Violated = FindMixedNodes(this->Grid, this->Labels);
     this->KeepViolated();
     const LabelArray before = this->Violated.empty() ? LabelArray() : this->Labels;
     ResolveReport report;
-    bool decreasing = false;
+    int kicks = 0;
     while (!this->Violated.empty())
     {
-      decreasing = decreasing || report.Rounds >= GreedyRounds;
-      this->FindCandidates(decreasing);
+      const bool greedy = kicks <= Kicks && report.Rounds < GreedyRounds;
+      this->FindCandidates(!greedy);
       if (this->Candidates.empty())
       {
-        decreasing = true; // then a violated star always has a candidate
-        continue;
+        this->Turn = ++kicks <= Kicks ? kicks : 0;
+        this->FindCandidates(true);
       }
       this->Flip();
       this->KeepViolated();
@@ -113,10 +117,17 @@ private:
     return gain;
   }
 
+  /// Place of a label in the present order: it begins at label Turn and wraps around.
+  int Order(int label) const
+  {
+    const int count = this->Fractions.NumberOfMaterials() + 1;
+    return (label + count - this->Turn % count) % count;
+  }
+
   void Consider(Index cell, int label, bool decreasing)
   {
     const int current = this->Labels[cell];
-    if (label == current || (decreasing && label > current))
+    if (label == current || (decreasing && this->Order(label) > this->Order(current)))
     {
       return;
     }
@@ -128,7 +139,9 @@ private:
     }
     const double cost = std::max(
       0.0, this->Fractions.Fraction(cell, current) - this->Fractions.Fraction(cell, label));
-    const Candidate found{ gain / (CostOffset + cost), label, this->Grid.CellKey(position) };
+    const double price = CostOffset + cost;
+    const double score = gain > 0 ? gain / price : (gain - 1) * price;
+    const Candidate found{ score, label, this->Grid.CellKey(position) };
     const auto at = this->Candidates.emplace(cell, found);
     Candidate& best = at.first->second;
     if (found.Score > best.Score || (found.Score == best.Score && label < best.Label))
@@ -223,6 +236,7 @@ private:
   const FractionField& Fractions;
   LabelArray& Labels;
   std::vector<Index> Violated;
+  int Turn = 0;
   std::unordered_map<Index, Candidate> Candidates;
 };
 

@@ -4,8 +4,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <atomic>
-
 namespace vfm
 {
 namespace
@@ -16,6 +14,8 @@ constexpr double Backtrack = 0.4;   // factor of the line search
 constexpr int Backtracks = 8;
 constexpr double Armijo = 1e-4;          // share of the predicted decrease that a step must reach
 constexpr double MoveThatCounts = 0.005; // smaller moves wake no neighbour
+constexpr double NudgeRadius = 0.01;     // in mean cells
+constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise the barrier
 constexpr double ShortestEdge = 0.15;    // l* of the barrier, in cells
 
 using Matrix3 = Eigen::Matrix3d;
@@ -74,32 +74,84 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
   }
 }
 
-/// Moves every point once; returns the largest move, in cells.
-double Smoother::Sweep(const SmoothingStage& stage)
+/// Calls move(point) colour by colour; raises largest to what it returns.
+void Smoother::ForPoints(const std::function<double(int)>& move, std::atomic<double>& largest)
 {
-  std::atomic<double> largest(0.0);
   for (const std::vector<ActiveMesh::Group>& groups : this->Mesh.Colours)
   {
     this->Run.For(0, static_cast<Index>(groups.size()),
       [&](Index first, Index last)
       {
-        double move = 0.0;
+        double longest = 0.0;
         for (Index g = first; g < last; ++g)
         {
           for (int point = groups[g].First; point < groups[g].Last; ++point)
           {
-            if (__atomic_load_n(&this->Dirty[point], __ATOMIC_RELAXED))
-            {
-              move = std::max(move, this->MovePoint(point, stage));
-            }
+            longest = std::max(longest, move(point));
           }
         }
-        for (double seen = largest; move > seen && !largest.compare_exchange_weak(seen, move);)
+        for (double seen = largest;
+             longest > seen && !largest.compare_exchange_weak(seen, longest);)
         {
         }
       });
   }
+}
+
+/// Moves every point once; returns the largest move, in cells.
+double Smoother::Sweep(const SmoothingStage& stage)
+{
+  std::atomic<double> largest(0.0);
+  this->ForPoints(
+    [&](int point)
+    {
+      return __atomic_load_n(&this->Dirty[point], __ATOMIC_RELAXED) ? this->MovePoint(point, stage)
+                                                                    : 0.0;
+    },
+    largest);
   return largest;
+}
+
+void Smoother::Nudge(const std::vector<double>& shifts)
+{
+  std::atomic<double> largest(0.0);
+  this->ForPoints(
+    [&](int point)
+    {
+      this->NudgePoint(point, shifts);
+      return 0.0;
+    },
+    largest);
+}
+
+void Smoother::NudgePoint(int point, const std::vector<double>& shifts)
+{
+  const Index n = this->Mesh.TargetNode[point];
+  if (n < 0)
+  {
+    return;
+  }
+  Vector3 step{ { 0.0, 0.0, 0.0 } };
+  for (Index t = this->TheInterface.PointOffset(n); t < this->TheInterface.PointOffset(n + 1); ++t)
+  {
+    Vector3 gradient;
+    this->Targets.Distance(t, this->Mesh.X[point], gradient);
+    step = step + shifts[t] * Unit(gradient);
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
+  }
+  const double length = Norm(step);
+  const Vector3 x =
+    this->Mesh.X[point] + (length > NudgeRadius ? NudgeRadius / length : 1.0) * step;
+  const SmoothingStage& last = SmoothingRamp().back();
+  const BarrierWeights weights{ last.HalfPower, this->TargetJacobian, last.Omega, ShortestEdge };
+  if (EvaluateBarrier(this->Mesh, point, x, weights) <=
+    NudgePrice * EvaluateBarrier(this->Mesh, point, this->Mesh.X[point], weights))
+  {
+    this->Mesh.X[point] = x;
+  }
 }
 
 /// One guarded Newton step; returns its length in cells.

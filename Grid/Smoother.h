@@ -10,6 +10,7 @@
 #include "BarrierEnergy.h"
 #include "SurfaceTargets.h"
 
+#include <atomic>
 #include <memory>
 
 namespace vfm
@@ -35,7 +36,13 @@ public:
   /// report(fraction) is called after every sweep.
   void RunStage(const SmoothingStage& stage, const std::function<void(double)>& report);
 
+  /// Moves every surface point by the shifts of its targets along their normals (grid coordinates), at most
+  /// a hundredth of a cell, where its hexes stay as good.
+  void Nudge(const std::vector<double>& shifts);
+
 private:
+  void ForPoints(const std::function<double(int)>& move, std::atomic<double>& largest);
+  void NudgePoint(int point, const std::vector<double>& shifts);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;

@@ -205,11 +205,14 @@ void SurfaceTargets::FindFacets(Index node, Index target)
   facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
 }
 
-void SurfaceTargets::Shift(Index target, double shift)
+void SurfaceTargets::Shift(const std::vector<double>& shifts)
 {
-  Frame& frame = this->Frames[target];
-  const double local = shift * Norm(Scaled(frame.N, frame.InverseWidths));
-  frame.Offset = std::min(std::max(frame.Offset + local, -LargestOffset), LargestOffset);
+  for (std::size_t t = 0; t < shifts.size(); ++t)
+  {
+    Frame& frame = this->Frames[t];
+    const double local = shifts[t] * Norm(Scaled(frame.N, frame.InverseWidths));
+    frame.Offset = std::min(std::max(frame.Offset + local, -LargestOffset), LargestOffset);
+  }
 }
 
 double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradient) const

@@ -33,9 +33,8 @@ public:
   /// Signed distance of x (grid coordinates); gradient in grid coordinates.
   double Distance(Index target, const Vector3& x, Vector3& gradient) const;
 
-  double Offset(Index target) const { return this->Frames[target].Offset; }
-  /// Adds a shift in grid coordinates, held within a quarter of a cell.
-  void Shift(Index target, double shift);
+  /// Adds to the offset of every target (grid coordinates); offsets stay within a quarter of a cell.
+  void Shift(const std::vector<double>& shifts);
 
 private:
   struct Frame

@@ -168,6 +168,11 @@ void FragmentVolumes::ShareOrphans()
   }
 }
 
+double FragmentVolumes::Lack(std::size_t fragment) const
+{
+  return this->Targets[fragment] - this->CellVolumes[fragment] - this->Swept[fragment];
+}
+
 void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
   std::vector<ExactSum> swept(this->Swept.size());
@@ -188,7 +193,7 @@ void FragmentVolumes::Measure(const ActiveMesh& mesh)
   this->Swept = ValuesOf(swept);
 }
 
-void FragmentVolumes::Correct(SurfaceTargets& targets) const
+std::vector<double> FragmentVolumes::FindShifts() const
 {
   const int count = this->TheFragments.NumberOfFragments();
   std::vector<Eigen::Triplet<double>> entries;
@@ -217,17 +222,16 @@ void FragmentVolumes::Correct(SurfaceTargets& targets) const
   Eigen::VectorXd lack(count);
   for (int f = 0; f < count; ++f)
   {
-    lack[f] = this->Targets[f + 1] - this->CellVolumes[f + 1] - this->Swept[f + 1];
+    lack[f] = this->Lack(f + 1);
   }
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(A);
   const Eigen::VectorXd mu = solver.solve(lack);
-  for (std::size_t t = 0; t < this->PairFragments.size(); ++t)
+  std::vector<double> shifts;
+  for (const std::array<int, 2>& pair : this->PairFragments)
   {
-    const std::array<int, 2>& pair = this->PairFragments[t];
-    const double first = pair[0] > 0 ? mu[pair[0] - 1] : 0.0;
-    const double second = pair[1] > 0 ? mu[pair[1] - 1] : 0.0;
-    targets.Shift(static_cast<Index>(t), first - second);
+    shifts.push_back((pair[0] > 0 ? mu[pair[0] - 1] : 0.0) - (pair[1] > 0 ? mu[pair[1] - 1] : 0.0));
   }
+  return shifts;
 }
 
 double FragmentVolumes::WorstError() const

@@ -37,10 +37,10 @@ public:
   /// Measures the mesh. Without it, volumes are those of the cells.
   void Measure(const ActiveMesh& mesh);
 
-  /// Shifts the targets by what the last measurement lacks: solves
+  /// The shift of every target (grid coordinates) that makes up for what the last measurement lacks: solves
   ///   sum_g A_fg (mu_f - mu_g) = target_f - volume_f
-  /// with the areas A of the interfaces, mu = 0 outside, and shifts each interface by mu_f - mu_g.
-  void Correct(SurfaceTargets& targets) const;
+  /// with the areas A of the interfaces, mu = 0 outside; an interface shifts by mu_f - mu_g.
+  std::vector<double> FindShifts() const;
 
   /// Largest |volume - target| / target of a material, and of a fragment of 64 cells or more.
   double WorstError() const;
@@ -57,6 +57,7 @@ private:
   void AddTargets(const FractionField& fractions, const LabelArray& labels);
   int FragmentNear(const LabelArray& labels, const Index3& cell, int material) const;
   void ShareOrphans();
+  double Lack(std::size_t fragment) const;
 
   const Interface& TheInterface;
   const Fragments& TheFragments;
