@@ -1,0 +1,151 @@
+#include "ShapesClip.h"
+
+#include "Vector3.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+// Corners by bits, x first; faces -x +x -y +y -z +z, counter-clockwise from outside.
+constexpr int BoxFaces[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
+  { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
+
+/// Sorts the corners of a convex polygon counter-clockwise about the normal; drops repeated ones.
+void SortAround(const Vector3& normal, std::vector<Vector3>& points)
+{
+  Vector3 center{ { 0, 0, 0 } };
+  for (const Vector3& p : points)
+  {
+    center = center + (1.0 / static_cast<double>(points.size())) * p;
+  }
+  int axis = 0; // the least along the normal
+  for (int a = 1; a < 3; ++a)
+  {
+    axis = std::abs(normal[a]) < std::abs(normal[axis]) ? a : axis;
+  }
+  Vector3 unit{ { 0, 0, 0 } };
+  unit[axis] = 1.0;
+  const Vector3 u = Cross(normal, unit), v = Cross(normal, u);
+  std::vector<std::pair<double, Vector3>> sorted;
+  sorted.reserve(points.size());
+  for (const Vector3& p : points)
+  {
+    const Vector3 d = p - center;
+    sorted.emplace_back(std::atan2(Dot(v, d), Dot(u, d)), p);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  points.clear();
+  for (const auto& item : sorted)
+  {
+    if (points.empty() || points.back() != item.second)
+    {
+      points.push_back(item.second);
+    }
+  }
+}
+
+/// Ends the face that began at first, or drops it when it is no polygon.
+void CloseFace(ConvexPiece& piece, std::size_t first)
+{
+  if (piece.Points.size() - first < 3)
+  {
+    piece.Points.resize(first);
+    return;
+  }
+  piece.Ends.push_back(piece.Points.size());
+}
+
+} // namespace
+
+ConvexPiece MakeBoxPiece(const Vector3& lower, const Vector3& upper)
+{
+  ConvexPiece piece;
+  piece.Points.reserve(24);
+  for (const auto& face : BoxFaces)
+  {
+    for (int c : face)
+    {
+      piece.Points.push_back({ { c & 1 ? upper[0] : lower[0], c & 2 ? upper[1] : lower[1],
+        c & 4 ? upper[2] : lower[2] } });
+    }
+    piece.Ends.push_back(piece.Points.size());
+  }
+  return piece;
+}
+
+double ComputeVolume(const ConvexPiece& piece)
+{
+  double sum = 0.0;
+  std::size_t first = 0;
+  for (std::size_t end : piece.Ends)
+  {
+    const Vector3 a = piece.Points[first] - piece.Points[0];
+    for (std::size_t i = first + 1; i + 1 < end; ++i)
+    {
+      sum +=
+        Dot(a, Cross(piece.Points[i] - piece.Points[0], piece.Points[i + 1] - piece.Points[0]));
+    }
+    first = end;
+  }
+  return std::max(sum / 6.0, 0.0);
+}
+
+void ClipPiece(const ConvexPiece& piece, const HalfSpace& plane, ConvexPiece& inside,
+  ConvexPiece& outside, std::vector<Vector3>& section)
+{
+  inside.Clear();
+  outside.Clear();
+  section.clear();
+  std::vector<double> height(piece.Points.size());
+  double lowest = INFINITY, highest = -INFINITY;
+  for (std::size_t i = 0; i < height.size(); ++i)
+  {
+    height[i] = Dot(plane.Normal, piece.Points[i]) - plane.Offset;
+    lowest = std::min(lowest, height[i]);
+    highest = std::max(highest, height[i]);
+  }
+  if (highest <= 0.0 || lowest >= 0.0)
+  {
+    (highest <= 0.0 ? inside : outside) = piece;
+    return;
+  }
+  std::size_t first = 0;
+  for (std::size_t end : piece.Ends)
+  {
+    const std::size_t firstInside = inside.Points.size(), firstOutside = outside.Points.size();
+    for (std::size_t i = first; i < end; ++i)
+    {
+      const std::size_t next = i + 1 < end ? i + 1 : first;
+      const bool in = height[i] <= 0.0;
+      (in ? inside : outside).Points.push_back(piece.Points[i]);
+      if (in != (height[next] <= 0.0))
+      {
+        // From the inner end: both faces of the edge get the same point.
+        const std::size_t a = in ? i : next, b = in ? next : i;
+        const Vector3 cut = piece.Points[a] +
+          height[a] / (height[a] - height[b]) * (piece.Points[b] - piece.Points[a]);
+        inside.Points.push_back(cut);
+        outside.Points.push_back(cut);
+        section.push_back(cut);
+      }
+    }
+    CloseFace(inside, firstInside);
+    CloseFace(outside, firstOutside);
+    first = end;
+  }
+  SortAround(plane.Normal, section);
+  if (section.size() < 3)
+  {
+    section.clear();
+    return;
+  }
+  inside.Points.insert(inside.Points.end(), section.begin(), section.end());
+  inside.Ends.push_back(inside.Points.size());
+  outside.Points.insert(outside.Points.end(), section.rbegin(), section.rend());
+  outside.Ends.push_back(outside.Points.size());
+}
+
+} // namespace vfm
