@@ -27,7 +27,7 @@ struct HexMeshOptions
   bool StairStep = false; ///< cells become hexes, nothing is inserted or moved
   Smoothing Method = Smoothing::QuadricSurface;
   double TargetScaledJacobian =
-    0.0;                      ///< [0,1): quality against distance; 0: .6 one material, .5 several
+    0.0;                      ///< [0,1): quality against distance; 0: .55 one material, .5 several
   bool ConserveVolume = true; ///< meet the fractions' volumes; only with IsoValue 0.5
   bool ComputeQuality = true; ///< fill HexMesh::ScaledJacobian
 };

@@ -65,7 +65,7 @@ void CheckOptions(const HexMeshOptions& options)
 double TargetJacobian(const FractionField& fractions, const HexMeshOptions& options)
 {
   const bool several = fractions.NumberOfMaterials() > 1 || options.MeshVoid;
-  return options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : (several ? 0.5 : 0.6);
+  return options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : (several ? 0.5 : 0.55);
 }
 
 /// Moves the interfaces until the volumes of the fragments are those of the fractions: shifts the targets and

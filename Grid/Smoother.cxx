@@ -40,7 +40,7 @@ EigenVector3 SolveNewton(const Matrix3& H, const EigenVector3& g)
 const std::vector<SmoothingStage>& SmoothingRamp()
 {
   static const std::vector<SmoothingStage> ramp{ { 1, 1.0, 0.1, 5, 0.0 },
-    { 2, 10.0, 0.05, 10, 0.0 }, { 8, 30.0, 0.01, 40, 2e-3 } };
+    { 2, 10.0, 0.05, 10, 0.0 }, { 8, 60.0, 0.01, 40, 2e-3 } };
   return ramp;
 }
 

@@ -174,7 +174,7 @@ def test_blocks_of_other_kinds():
 def test_blocks_that_do_not_tile():
     fine = half(1, spacing=[s / 2 for s in SPACING])
     check_error(blocks(half(0), fine), "Block 0 does not fit the other blocks", "same spacing")
-    check_error(blocks(half(0), half(1, shift=0.1 * SPACING[0])), "does not fit", "along x")
+    check_error(blocks(half(0), half(1, shift=-0.1 * SPACING[0])), "does not fit", "along x")
     check_error(blocks(half(0), half(1, shift=2 * SPACING[0])), "leave a gap", "64 of the 576 cells",
                 "cell (4, 0, 0) at (0, 0.5, 2)")
     check_error(blocks(half(0), half(1, shift=-SPACING[0])), "Block 0 and Block 1 overlap at cell (3, 0, 0)")

@@ -1,0 +1,170 @@
+"""The filter in a pipeline: writers, time steps, abort, progress, plain VTK."""
+import os
+import sys
+import tempfile
+
+from paraview import simple
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkIOExodus import vtkExodusIIReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+from vfmtest import collect, digest, fraction_image, main, mesh_of, producer, Result, VolumeFractionToHex
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
+from write_exodus import write_exodus
+
+N = 10
+DATA = fraction_image(N)
+
+
+# A layer that grows by one cell a time step; the same script serves RequestInformation.
+GROWING_INFORMATION = """
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as p
+info = self.GetOutputInformation(0)
+info.Set(p.WHOLE_EXTENT(), (0, 4, 0, 4, 0, 8), 6)
+info.Set(p.TIME_STEPS(), [0.0, 1.0, 2.0], 3)
+info.Set(p.TIME_RANGE(), [0.0, 2.0], 2)
+"""
+GROWING = """
+import numpy as np
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as p
+time = self.GetOutputInformation(0).Get(p.UPDATE_TIME_STEP())
+image = self.GetImageDataOutput()
+image.SetDimensions(5, 5, 9)
+filled = np.repeat(np.arange(8) < 3 + time, 16).astype(float)
+output.CellData.append(filled, "water")
+"""
+
+
+def hex_filter():
+    return VolumeFractionToHex(Input=producer(DATA), VolumeFractionArrays=["ball", "plate"])
+
+
+def count_runs(hexes):
+    runs = []
+    hexes.GetClientSideObject().AddObserver("StartEvent", lambda *_: runs.append(1))
+    return runs
+
+
+def test_one_run_for_both_ports_and_writers():
+    hexes = hex_filter()
+    runs = count_runs(hexes)
+    with tempfile.TemporaryDirectory() as folder:
+        simple.SaveData(os.path.join(folder, "mesh.pvtu"), proxy=hexes)
+        simple.SaveData(os.path.join(folder, "mesh.vtu"), proxy=hexes)
+        simple.SaveData(os.path.join(folder, "surfaces.vtp"), proxy=simple.OutputPort(hexes, 1))
+        hexes.UpdatePipeline()
+        again = simple.XMLPartitionedUnstructuredGridReader(FileName=[os.path.join(folder, "mesh.pvtu")])
+        again.UpdatePipeline()
+        assert again.GetDataInformation().GetNumberOfCells() == hexes.GetDataInformation().GetNumberOfCells()
+    assert len(runs) == 1, len(runs)
+    ghosts = simple.GhostCellsGenerator(Input=hexes, BuildIfRequired=0)
+    ghosts.UpdatePipeline()
+    assert ghosts.GetDataInformation().GetNumberOfCells() == hexes.GetDataInformation().GetNumberOfCells()
+    assert len(runs) == 1, len(runs)
+
+
+def test_vtu_round_trip():
+    result = mesh_of(DATA)
+    hexes = hex_filter()
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mesh.vtu")
+        simple.SaveData(path, proxy=hexes)
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(path)
+        reader.Update()
+    again = mesh_of(DATA)
+    again.mesh = reader.GetOutput()
+    assert digest(again) == digest(result)
+    for name in ("MaterialNames", "MaterialIds", "MeshVolume", "FlippedCells"):
+        assert again.field(name) == result.field(name)
+
+
+def test_exodus_round_trip():
+    result = mesh_of(DATA, MeshVoid=1)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mesh.e")
+        write_exodus(result.mesh, path)
+        reader = vtkExodusIIReader()
+        reader.SetFileName(path)
+        reader.UpdateInformation()
+        reader.GenerateGlobalElementIdArrayOn()
+        reader.SetAllArrayStatus(vtkExodusIIReader.ELEM_BLOCK, 1)
+        reader.Update()
+        blocks = reader.GetOutput().GetBlock(0)
+    assert blocks.GetNumberOfBlocks() == 3
+    ids = []
+    for i, name in enumerate(("Void", "ball", "plate")):
+        assert blocks.GetMetaData(i).Get(blocks.NAME()) == name
+        block = blocks.GetBlock(i)
+        found = [block.GetCellData().GetArray("GlobalElementId").GetValue(c) for c in range(block.GetNumberOfCells())]
+        assert len(found) == (result.cells("MaterialId") == i).sum()
+        assert set(found) == set(result.cells("GlobalCellIds")[result.cells("MaterialId") == i])
+        ids += found
+    assert len(ids) == result.mesh.GetNumberOfCells()
+
+
+def test_progress_and_abort():
+    hexes = hex_filter()
+    algorithm = hexes.GetClientSideObject()
+    seen = []
+
+    def on_progress(caller, _):
+        seen.append((caller.GetProgress(), caller.GetProgressText()))
+        if caller.GetProgress() > stop_at[0]:
+            caller.SetAbortExecute(1)
+
+    algorithm.AddObserver("ProgressEvent", on_progress)
+    errors, _ = collect(algorithm)
+    stop_at = [0.0]
+    algorithm.Update()
+    assert not errors and len([fraction for fraction, _ in seen if 0 < fraction < 1]) == 1, seen
+    for port in range(2):
+        assert algorithm.GetOutputDataObject(port).GetNumberOfPoints() == 0
+    stop_at[0] = 2.0
+    algorithm.SetAbortExecute(0)
+    algorithm.Modified()
+    seen.clear()
+    algorithm.Update()
+    assert not errors and algorithm.GetOutputDataObject(0).GetNumberOfCells() > 0
+    fractions = [fraction for fraction, _ in seen]
+    assert fractions == sorted(fractions) and fractions[0] == 0 and fractions[-1] == 1
+    assert len({text for _, text in seen if text}) >= 3, seen
+
+
+def test_input_is_not_changed():
+    before = [DATA.GetCellData().GetArray(i).GetRange() for i in range(2)]
+    modified = DATA.GetMTime()
+    mesh_of(DATA)
+    assert [DATA.GetCellData().GetArray(i).GetRange() for i in range(2)] == before
+    assert DATA.GetCellData().GetNumberOfArrays() == 2 and DATA.GetMTime() == modified
+
+
+def test_state_survives_a_second_run():
+    hexes = hex_filter()
+    hexes.UpdatePipeline()
+    algorithm = hexes.GetClientSideObject()
+    first = digest(Result(algorithm, [], []))
+    algorithm.Modified()
+    algorithm.Update()
+    assert digest(Result(algorithm, [], [])) == first
+
+
+def test_time_steps():
+    # Last test of the script: ParaView runs the source in this module and hides max, sorted and others.
+    source = simple.ProgrammableSource(
+        OutputDataSetType="vtkImageData", Script=GROWING, ScriptRequestInformation=GROWING_INFORMATION)
+    hexes = VolumeFractionToHex(Input=source, VolumeFractionArrays=["water"])
+    hexes.UpdatePipelineInformation()
+    steps = hexes.GetClientSideObject().GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+    assert list(steps) == [0, 1, 2]
+    for time in (0, 2, 1):
+        hexes.UpdatePipeline(time)
+        information = hexes.GetDataInformation()
+        volume = hexes.FieldData["TargetVolume"].GetRange()[0]
+        assert abs(volume - 16 * (3 + time)) < 1e-9, (time, volume)
+        bounds = information.GetBounds()
+        assert abs(bounds[5] - bounds[4] - (3 + time)) < 0.05, (time, bounds)
+
+
+main(globals())
