@@ -21,25 +21,26 @@ constexpr double AddedSlope = 0.3;
 class CrossingFinder
 {
 public:
-  CrossingFinder(
-    const CartesianGrid& grid, const FractionField& fractions, const InterfaceFace& face) :
+  CrossingFinder(const CartesianGrid& grid, const FractionField& fractions,
+    const InterfaceFace& face, double isoValue) :
     Grid(grid),
     Fractions(fractions),
     Face(face),
     First(face.First()),
     Second(face.Second()),
+    IsoValue(isoValue),
     Scale(1.0 / grid.MeanWidth())
   {
   }
 
-  Crossing Find(bool planes) const
+  Crossing Find() const
   {
     const Side lower = this->MakeSide(this->Face.Node - this->Grid.Stride(this->Face.Axis));
     const Side upper = this->MakeSide(this->Face.Node);
     const double t = this->LinearParameter(lower, upper);
     Crossing crossing;
     crossing.Point = (1.0 - t) * lower.Centre + t * upper.Centre;
-    if (planes)
+    if (this->IsoValue == 0.5)
     {
       this->MoveToPlanes(lower, upper, crossing.Point);
     }
@@ -72,7 +73,7 @@ private:
   double Difference(Index cell) const
   {
     return this->First == 0
-      ? 1.0 - 2.0 * this->Fractions.Fraction(cell, 0)
+      ? 2.0 * (1.0 - this->IsoValue - this->Fractions.Fraction(cell, 0))
       : this->Fractions.Fraction(cell, this->Second) - this->Fractions.Fraction(cell, this->First);
   }
 
@@ -208,15 +209,16 @@ private:
   const FractionField& Fractions;
   const InterfaceFace& Face;
   int First, Second;
+  double IsoValue;
   double Scale;
 };
 
 } // namespace
 
-Crossing FindCrossing(
-  const CartesianGrid& grid, const FractionField& fractions, const InterfaceFace& face, bool planes)
+Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
+  const InterfaceFace& face, double isoValue)
 {
-  return CrossingFinder(grid, fractions, face).Find(planes);
+  return CrossingFinder(grid, fractions, face, isoValue).Find();
 }
 
 } // namespace vfm

@@ -10,9 +10,9 @@ namespace vfm
 {
 
 /// Crossing of the face's dual edge, grid coordinates.
-/// planes: average of the PLIC planes of the two cells, weighted by f (1 - f); a linear interpolation where
-/// neither is mixed. The normal blends the gradients of the two cells (weighted least squares over 3^3).
+/// isoValue 0.5: average of the PLIC planes of the two cells, weighted by f (1 - f); a linear interpolation
+/// where neither is mixed, and for other iso values. The normal blends the gradients of the two cells (weighted least squares over 3^3).
 Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
-  const InterfaceFace& face, bool planes);
+  const InterfaceFace& face, double isoValue);
 
 } // namespace vfm

@@ -131,6 +131,7 @@ HexMesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   const HexMeshOptions& options, Runtime& runtime, HexMeshReport& report)
 {
   CheckOptions(options);
+  report = HexMeshReport();
   StageClock clock(runtime, report);
   clock.Start("Assigning materials", 0.0);
   LabelArray labels = AssignMaterials(grid, fractions, options.IsoValue);
@@ -148,7 +149,7 @@ HexMesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   clock.Start("Finding interfaces", 0.15);
   const bool smooth = !options.StairStep && options.Method != Smoothing::Off;
   const Interface interface(grid, fractions, labels, smooth ? mixed : std::vector<Index>(),
-    options.IsoValue == 0.5, runtime);
+    options.IsoValue, runtime);
   FragmentVolumes volumes(fractions, labels, interface, fragments);
   if (smooth)
   {

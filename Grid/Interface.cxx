@@ -13,7 +13,7 @@ constexpr double SmallestDistance = 0.05; // of a node to a crossing, in cells: 
 } // namespace
 
 Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
-  const LabelArray& labels, std::vector<Index> mixed, bool planes, Runtime& runtime) :
+  const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime) :
   TheGrid(grid), MeanWidth(grid.MeanWidth()), MixedNodes(std::move(mixed))
 {
   this->FindFaces(labels);
@@ -23,7 +23,7 @@ Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
     {
       for (Index f = first; f < last; ++f)
       {
-        this->TheCrossings[f] = FindCrossing(grid, fractions, this->TheFaces[f], planes);
+        this->TheCrossings[f] = FindCrossing(grid, fractions, this->TheFaces[f], isoValue);
       }
     });
   this->FindSurfacePoints(runtime);

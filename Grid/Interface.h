@@ -6,7 +6,7 @@
  * are near cell counts. Local frame of a node or cell: grid coordinates relative to it, divided by its
  * widths, one axis each, so that cells are unit cubes.
  *
- * A pair is two labels a < b. Its difference field is D = 1 - 2 vf_0 for a = 0, else vf_b - vf_a:
+ * A pair is two labels a < b. Its difference field is D = 2 (1 - vf_0 - isoValue) for a = 0, else vf_b - vf_a:
  * negative on the side of a. Normals point from a to b.
  */
 #pragma once
@@ -46,9 +46,8 @@ class Interface
 {
 public:
   /// mixed: FindMixedNodes(grid, labels), after ResolveLabels.
-  /// planes: crossings by PLIC in the mixed cells; otherwise linear interpolation of D between cell centres.
   Interface(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
-    std::vector<Index> mixed, bool planes, Runtime& runtime);
+    std::vector<Index> mixed, double isoValue, Runtime& runtime);
 
   const CartesianGrid& Grid() const { return this->TheGrid; }
   /// The mixed nodes, ascending.

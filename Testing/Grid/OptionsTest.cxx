@@ -1,0 +1,339 @@
+/// Options, grids and the promises that hold for all of them.
+#include "MeshCases.h"
+#include "Quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <thread>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+HexMesh Make(const CartesianGrid& grid, const FractionField& fractions,
+  const HexMeshOptions& options, HexMeshReport& report)
+{
+  Runtime runtime;
+  return MakeHexMesh(grid, fractions, options, runtime, report);
+}
+
+/// Spacing that grows and shrinks: ratio of neighbouring widths up to 1.3, anisotropic.
+CartesianGrid MakeRectilinearGrid(int n)
+{
+  std::array<std::vector<double>, 3> x;
+  for (int a = 0; a < 3; ++a)
+  {
+    double at = 10.0 * a;
+    for (int i = 0; i <= n; ++i)
+    {
+      x[a].push_back(at);
+      at += (1.0 + a) * (1.0 + 0.5 * std::sin(0.5 * i + a));
+    }
+  }
+  return CartesianGrid(x);
+}
+
+/// Cuts every loop in many ranges that run on several threads in no order.
+class ThreadedRuntime : public Runtime
+{
+public:
+  void For(Index first, Index last, const std::function<void(Index, Index)>& body) override
+  {
+    const Index count = last - first, pieces = std::min<Index>(count, 5);
+    std::vector<std::thread> threads;
+    for (Index p = pieces; p-- > 0;)
+    {
+      threads.emplace_back(body, first + count * p / pieces, first + count * (p + 1) / pieces);
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  }
+};
+
+class AbortingRuntime : public Runtime
+{
+public:
+  explicit AbortingRuntime(double when) : When(when) {}
+  void Progress(double fraction, const char*) override
+  {
+    EXPECT_GE(fraction, this->Last);
+    EXPECT_LE(fraction, 1.0);
+    this->Last = fraction;
+    if (fraction >= this->When)
+    {
+      throw Aborted();
+    }
+  }
+
+private:
+  double When, Last = 0.0;
+};
+
+} // namespace
+
+TEST(Options, StairStepMovesNothing)
+{
+  const MeshCase c = MakeMeshCase("ball and plate");
+  HexMeshOptions options;
+  options.StairStep = true;
+  HexMeshReport report;
+  const HexMesh mesh = Make(c.Grid, c.Fractions, options, report);
+  EXPECT_EQ(FindTopologyProblem(mesh), "");
+  for (double x : mesh.Points)
+  {
+    ASSERT_EQ(x, std::floor(x));
+  }
+  for (Index id : mesh.HexIds)
+  {
+    ASSERT_EQ((id - 1) % 7, 0);
+  }
+  EXPECT_EQ(report.MinimumScaledJacobian, 1.0);
+  EXPECT_DOUBLE_EQ(report.MeshVolume[1] + report.MeshVolume[2], mesh.HexIds.size());
+}
+
+TEST(Options, SmoothingOffKeepsTheStairsAndItsVolume)
+{
+  const MeshCase c = MakeMeshCase("sphere 16");
+  HexMeshOptions options;
+  options.Method = Smoothing::Off;
+  HexMeshReport report;
+  const HexMesh mesh = Make(c.Grid, c.Fractions, options, report);
+  EXPECT_EQ(FindTopologyProblem(mesh), "");
+  EXPECT_GE(report.MinimumScaledJacobian, 0.43); // the start's own bound
+  EXPECT_NEAR(MeasureVolume(mesh, 1), report.MeshVolume[1], 1e-9 * report.MeshVolume[1]);
+  EXPECT_EQ(report.MeshVolume[1], std::round(report.MeshVolume[1]));
+}
+
+TEST(Options, MeshVoidFillsTheDomain)
+{
+  const MeshCase c = MakeMeshCase("ball of 3 sectors");
+  HexMeshOptions options;
+  options.MeshVoid = true;
+  HexMeshReport report;
+  const HexMesh mesh = Make(c.Grid, c.Fractions, options, report);
+  EXPECT_EQ(FindTopologyProblem(mesh), "");
+  EXPECT_TRUE(IsPositiveEverywhere(mesh));
+  double volume = 0.0;
+  for (int m = 0; m <= 3; ++m)
+  {
+    volume += MeasureVolume(mesh, m);
+    EXPECT_NEAR(report.MeshVolume[m], report.TargetVolume[m], 1e-5 * report.TargetVolume[m]);
+  }
+  EXPECT_NEAR(volume, 24.0 * 24.0 * 24.0, 1e-8);
+  EXPECT_EQ(report.NumberOfFragments, 4);
+}
+
+TEST(Options, GeometryBasedStaysOnTheFacets)
+{
+  for (const char* name : { "sphere 16", "ball of 3 sectors", "gyroid" })
+  {
+    const MeshCase c = MakeMeshCase(name);
+    HexMeshOptions options;
+    options.Method = Smoothing::GeometryBased;
+    Runtime runtime;
+    const MeshFigures figures = MeasureCase(c, options, runtime);
+    std::printf("geometry based %s", FormatFigures(name, figures).c_str());
+    EXPECT_GE(figures.Report.MinimumScaledJacobian, 0.45) << name;
+    EXPECT_LE(figures.Distance.RootMeanSquare, 0.06) << name;
+    EXPECT_LE(figures.VolumeError, 1e-4) << name;
+  }
+}
+
+TEST(Options, HigherTargetJacobianGivesBetterShapes)
+{
+  const MeshCase c = MakeMeshCase("plate 2 thick");
+  double last = 0.0;
+  for (double target : { 0.4, 0.5, 0.6 })
+  {
+    HexMeshOptions options;
+    options.TargetScaledJacobian = target;
+    HexMeshReport report;
+    Make(c.Grid, c.Fractions, options, report);
+    EXPECT_GT(report.MinimumScaledJacobian, last);
+    last = report.MinimumScaledJacobian;
+  }
+}
+
+TEST(Options, IsoValueMovesTheSurface)
+{
+  const MeshCase c = MakeMeshCase("sphere 16");
+  std::vector<double> volumes;
+  for (double iso : { 0.2, 0.5, 0.8 })
+  {
+    HexMeshOptions options;
+    options.IsoValue = iso;
+    HexMeshReport report;
+    const HexMesh mesh = Make(c.Grid, c.Fractions, options, report);
+    EXPECT_EQ(FindTopologyProblem(mesh), "");
+    volumes.push_back(MeasureVolume(mesh, 1));
+  }
+  EXPECT_GT(volumes[0], 1.05 * volumes[1]);
+  EXPECT_LT(volumes[2], 0.95 * volumes[1]);
+}
+
+TEST(Options, OutOfRangeIsRefused)
+{
+  const MeshCase c = MakeMeshCase("sphere 8");
+  HexMeshOptions iso, target;
+  iso.IsoValue = 1.0;
+  target.TargetScaledJacobian = 1.0;
+  HexMeshReport report;
+  EXPECT_THROW(Make(c.Grid, c.Fractions, iso, report), InputError);
+  EXPECT_THROW(Make(c.Grid, c.Fractions, target, report), InputError);
+}
+
+TEST(Grids, RectilinearAndAnisotropic)
+{
+  const CartesianGrid grid = MakeRectilinearGrid(24);
+  Vector3 middle, radii;
+  for (int a = 0; a < 3; ++a)
+  {
+    middle[a] = 0.5 * (grid.Coordinates(a).front() + grid.Coordinates(a).back());
+    radii[a] = 0.35 * (grid.Coordinates(a).back() - grid.Coordinates(a).front());
+  }
+  const std::vector<Shape> shapes{ MakeEllipsoid(1, middle, radii) };
+  HexMeshReport report;
+  const HexMesh mesh = Make(grid, FractionsOfShapes(grid, shapes), HexMeshOptions(), report);
+  const Distances distances =
+    MeasureDistances(mesh, [&](const Vector3& x) { return SignedDistance(shapes[0], x); });
+  std::printf("ellipsoid on widths .5..1.5 x 1..3 x 1.5..4.5: %zu hexes, scaled Jacobian %.3f / "
+              "%.3f, distance %.3f / %.4f\n",
+    mesh.HexIds.size(), report.MinimumScaledJacobian, report.MeanScaledJacobian, distances.Largest,
+    distances.RootMeanSquare);
+  EXPECT_EQ(FindTopologyProblem(mesh), "");
+  EXPECT_TRUE(IsPositiveEverywhere(mesh));
+  EXPECT_GE(report.MinimumScaledJacobian, 0.45);
+  EXPECT_LE(distances.RootMeanSquare, 0.06 * h);
+  EXPECT_NEAR(MeasureVolume(mesh, 1), report.TargetVolume[1], 1e-5 * report.TargetVolume[1]);
+}
+
+TEST(Grids, OneCellThick)
+{
+  const CartesianGrid grid = MakeUnitGrid(8, 8, 1);
+  const FractionField field = MakeRandomLabels(grid, 2, 0, 3);
+  HexMeshReport report;
+  const HexMesh mesh = Make(grid, field, HexMeshOptions(), report);
+  EXPECT_EQ(FindTopologyProblem(mesh), "");
+  EXPECT_TRUE(IsPositiveEverywhere(mesh));
+}
+
+TEST(Grids, EmptyAndFull)
+{
+  const CartesianGrid grid = MakeUnitGrid(5);
+  for (int label : { 0, 1 })
+  {
+    HexMeshReport report;
+    const HexMesh mesh = Make(
+      grid, MakeLabels(grid, 1, [=](const Index3&) { return label; }), HexMeshOptions(), report);
+    EXPECT_EQ(mesh.HexIds.size(), label * 125u);
+    EXPECT_EQ(report.NumberOfSurfaces, label * 6);
+    EXPECT_EQ(report.NumberOfCurves, label * 12);
+    EXPECT_EQ(report.NumberOfVertices, label * 8);
+  }
+}
+
+TEST(Promises, ThreadsDoNotChangeTheMesh)
+{
+  for (const char* name : { "ball and plate", "polycrystal" })
+  {
+    const MeshCase c = MakeMeshCase(name);
+    HexMeshReport report;
+    Runtime serial;
+    ThreadedRuntime threaded;
+    const HexMesh a = MakeHexMesh(c.Grid, c.Fractions, HexMeshOptions(), serial, report);
+    const HexMesh b = MakeHexMesh(c.Grid, c.Fractions, HexMeshOptions(), threaded, report);
+    EXPECT_TRUE(AreEqual(a, b)) << name;
+  }
+}
+
+TEST(Promises, AbortLeavesAtEveryStage)
+{
+  const MeshCase c = MakeMeshCase("sphere 8");
+  for (double when : { 0.0, 0.05, 0.1, 0.12, 0.15, 0.2, 0.4, 0.8, 0.95 })
+  {
+    AbortingRuntime runtime(when);
+    HexMeshReport report;
+    EXPECT_THROW(MakeHexMesh(c.Grid, c.Fractions, HexMeshOptions(), runtime, report), Aborted);
+  }
+}
+
+TEST(Geometry, SectorsHaveTheirSurfacesCurvesAndVertices)
+{
+  const MeshCase c = MakeMeshCase("ball of 3 sectors");
+  HexMeshReport report;
+  const HexMesh mesh = Make(c.Grid, c.Fractions, HexMeshOptions(), report);
+  EXPECT_EQ(report.NumberOfFragments, 3);
+  EXPECT_EQ(report.NumberOfSurfaces, 6); // 3 outside, 3 between
+  EXPECT_EQ(report.NumberOfCurves, 4);   // 3 meridians, the axis
+  EXPECT_EQ(report.NumberOfVertices, 2); // the poles
+  std::set<Index> onSurface;
+  for (Index p : mesh.Surfaces.Points)
+  {
+    onSurface.insert(p);
+  }
+  for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
+  {
+    EXPECT_EQ(mesh.GeometryDimension[p] < 3, onSurface.count(static_cast<Index>(p)) == 1);
+    EXPECT_GE(mesh.GeometryId[p], 1);
+  }
+}
+
+TEST(Geometry, QuadsPointFromTheSecondMaterialToTheFirst)
+{
+  const MeshCase c = MakeMeshCase("cut cylinder");
+  HexMeshReport report;
+  const HexMesh mesh = Make(c.Grid, c.Fractions, HexMeshOptions(), report);
+  // so the quads of one material are its boundary, outward: the divergence theorem gives its volume
+  double volume = 0.0;
+  for (std::size_t q = 0; q < mesh.Surfaces.DomainSide.size(); ++q)
+  {
+    const double* x[4];
+    for (int p = 0; p < 4; ++p)
+    {
+      x[p] = mesh.Points.data() + 3 * mesh.Surfaces.Points[4 * q + p];
+    }
+    const double d[2][3] = { { x[2][0] - x[0][0], x[2][1] - x[0][1], x[2][2] - x[0][2] },
+      { x[3][0] - x[1][0], x[3][1] - x[1][1], x[3][2] - x[1][2] } };
+    const double area = 0.5 * (d[0][0] * d[1][1] - d[0][1] * d[1][0]); // z component
+    volume += area * 0.25 * (x[0][2] + x[1][2] + x[2][2] + x[3][2]);
+  }
+  EXPECT_NEAR(volume, report.MeshVolume[1], 1e-3 * report.MeshVolume[1]);
+}
+
+TEST(Fragments, AreNumberedByTheirLowestCell)
+{
+  const CartesianGrid grid = MakeUnitGrid(9, 3, 3);
+  const FractionField field =
+    MakeLabels(grid, 2, [](const Index3& p) { return p[0] % 3 == 2 ? 0 : (p[0] < 3 ? 2 : 1); });
+  HexMeshOptions options;
+  options.StairStep = true;
+  HexMeshReport report;
+  const HexMesh mesh = Make(grid, field, options, report);
+  EXPECT_EQ(report.NumberOfFragments, 3);
+  for (std::size_t h = 0; h < mesh.HexIds.size(); ++h)
+  {
+    const Index i = (mesh.HexIds[h] - 1) / 7 % 9;
+    EXPECT_EQ(mesh.Fragment[h], 1 + i / 3);
+    EXPECT_EQ(mesh.Material[h], i < 3 ? 2 : 1);
+  }
+}
+
+TEST(Quality, ScaledJacobianOfKnownHexes)
+{
+  double points[24] = { 0, 0, 0, 2, 0, 0, 2, 3, 0, 0, 3, 0, 0, 0, 4, 2, 0, 4, 2, 3, 4, 0, 3, 4 };
+  const Index hex[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  EXPECT_NEAR(HexScaledJacobian(points, hex), 1.0, 1e-15);
+  for (int c = 4; c < 8; ++c)
+  {
+    points[3 * c] += 4.0; // sheared by 45 degrees
+  }
+  EXPECT_NEAR(HexScaledJacobian(points, hex), std::sqrt(0.5), 1e-15);
+  std::swap(points[0], points[3]);
+  EXPECT_LT(HexScaledJacobian(points, hex), 0.0);
+}
