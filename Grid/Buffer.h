@@ -1,12 +1,11 @@
 /**
- * Buffer: a plain array of T whose memory comes from malloc, so that VTK can adopt it without a copy.
+ * Buffer: a plain array of T whose memory VTK can adopt without a copy (std::free gives it back).
  * Elements are not initialised. Move only.
  */
 #pragma once
 
-#include <cstddef>
-#include <cstdlib>
-#include <new>
+#include "Memory.h"
+
 #include <type_traits>
 #include <utility>
 
@@ -21,12 +20,8 @@ class Buffer
 public:
   Buffer() = default;
   explicit Buffer(std::size_t size) :
-    Data(static_cast<T*>(std::malloc(size ? size * sizeof(T) : 1))), Size(size)
+    Data(static_cast<T*>(AllocateBytes(size * sizeof(T)))), Size(size)
   {
-    if (!this->Data)
-    {
-      throw std::bad_alloc();
-    }
   }
   Buffer(std::size_t size, T value) : Buffer(size)
   {

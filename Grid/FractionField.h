@@ -8,6 +8,7 @@
 #pragma once
 
 #include "CartesianGrid.h"
+#include "Memory.h"
 
 #include <string>
 
@@ -85,8 +86,8 @@ public:
 private:
   int Materials;
   Index Normalised = 0;
-  std::vector<int> Entry;    // label >= 0, or ~(index of the mixed cell)
-  std::vector<Index> Offset; // mixed cells + 1
+  std::vector<int, LargeAllocator<int>> Entry; // label >= 0, or ~(index of the mixed cell)
+  std::vector<Index> Offset;                   // mixed cells + 1
   std::vector<Part> List;
 };
 

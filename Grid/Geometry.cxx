@@ -76,66 +76,88 @@ public:
 private:
   using SurfaceSet = std::vector<int>;
 
-  /// Calls body(hex, slot, cell) for all hexes; slot 0 core, 1 + face buffer.
-  template <class Body>
-  void ForHexes(const Body& body) const
-  {
-    const IndexBox& box = this->Grid.Owned();
-    Index row = 0;
-    Index3 cell;
-    for (cell[2] = box.Lower[2]; cell[2] < box.Upper[2]; ++cell[2])
-    {
-      for (cell[1] = box.Lower[1]; cell[1] < box.Upper[1]; ++cell[1], ++row)
-      {
-        const Index key = this->Grid.CellKey({ { 0, cell[1], cell[2] } });
-        for (Index h = this->Mesh.RowOffset[row]; h < this->Mesh.RowOffset[row + 1]; ++h)
-        {
-          const Index id = this->Mesh.HexIds[h] - 1;
-          cell[0] = id / 7 - key;
-          body(h, static_cast<int>(id % 7), cell);
-        }
-      }
-    }
-  }
-
-  /// Fragments of hexes and points, and the quads on the sides of the domain.
+  /// Fragments of hexes, and the quads on the sides of the domain.
   void FillVolumes()
   {
     HexMesh& mesh = this->Mesh;
     mesh.Fragment = Buffer<int>(mesh.HexIds.size());
     mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
     mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
-    const Index3 last{ { this->Grid.Global().Upper[0] - 1, this->Grid.Global().Upper[1] - 1,
-      this->Grid.Global().Upper[2] - 1 } };
-    Index runEnd = 0, runRow = -1;
-    int fragment = 0;
-    this->ForHexes(
-      [&](Index h, int slot, const Index3& cell)
+    const IndexBox& box = this->Grid.Owned();
+    Index row = 0;
+    for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+    {
+      for (Index j = box.Lower[1]; j < box.Upper[1]; ++j, ++row)
       {
-        const Index row = cell[1] + cell[2] * (last[1] + 1);
-        if (row != runRow || cell[0] >= runEnd)
+        this->FillRow(j, k, mesh.RowOffset[row], mesh.RowOffset[row + 1]);
+      }
+    }
+    this->FillInnerPoints();
+  }
+
+  void FillRow(Index j, Index k, Index first, Index last)
+  {
+    HexMesh& mesh = this->Mesh;
+    const Index key = this->Grid.CellKey({ { 0, j, k } });
+    const Index3& n = this->Grid.Global().Upper;
+    const bool rim = j == 0 || k == 0 || j == n[1] - 1 || k == n[2] - 1;
+    Index runEnd = -1;
+    int fragment = 0;
+    for (Index h = first; h < last; ++h)
+    {
+      const Index id = mesh.HexIds[h] - 1;
+      const Index i = id / 7 - key;
+      if (i >= runEnd)
+      {
+        fragment = this->Pieces.FragmentOfCell({ { i, j, k } }, runEnd);
+      }
+      mesh.Fragment[h] = fragment;
+      mesh.GeometryId[mesh.Hexes[8 * h]] = fragment; // enough for points G inside the domain
+      if (rim || i == 0 || i == n[0] - 1)
+      {
+        this->AddDomainQuads(h, static_cast<int>(id % 7), { { i, j, k } });
+      }
+    }
+  }
+
+  /// Fragments of the points I.
+  void FillInnerPoints()
+  {
+    for (Index node : this->Mixed)
+    {
+      const Index3 p = this->Grid.Position(node);
+      for (int c = 0; this->Points.IsSplit(node) && c < 8; ++c)
+      {
+        const int label = this->Labels[this->Grid.CellOfNode(node, c)];
+        const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1),
+          p[2] - 1 + (c >> 2 & 1) } };
+        if (this->Points.IsMeshed(label) && this->Grid.Owned().Contains(cell))
         {
-          fragment = this->Pieces.FragmentOfCell(cell, runEnd);
-          runRow = row;
+          this->Mesh.GeometryId[this->Points.InnerPoint(node, label)] =
+            this->Pieces.FragmentOfCell(cell);
         }
-        mesh.Fragment[h] = fragment;
-        for (int c = 0; c < 8; ++c)
-        {
-          mesh.GeometryId[mesh.Hexes[8 * h + c]] = fragment;
-        }
-        for (int a = 0; a < 3; ++a)
-        {
-          const bool lateral = slot == 0 || (slot - 1) / 2 != a;
-          if (lateral && cell[a] == 0)
-          {
-            this->AddDomainQuad(h, 2 * a);
-          }
-          if (lateral && cell[a] == last[a])
-          {
-            this->AddDomainQuad(h, 2 * a + 1);
-          }
-        }
-      });
+      }
+    }
+  }
+
+  /// slot: 0 core hex, 1 + face buffer hex, whose faces along its own axis are not on the boundary.
+  void AddDomainQuads(Index h, int slot, const Index3& cell)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      if (slot > 0 && (slot - 1) / 2 == a)
+      {
+        continue;
+      }
+      if (cell[a] == 0)
+      {
+        this->AddDomainQuad(h, 2 * a);
+      }
+      if (cell[a] == this->Grid.Global().Upper[a] - 1)
+      {
+        this->AddDomainQuad(h, 2 * a + 1);
+      }
+    }
   }
 
   void AddDomainQuad(Index h, int side)

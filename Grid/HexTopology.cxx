@@ -229,15 +229,24 @@ private:
       }
       const Index key = 7 * this->Grid.CellKey(p) + 1;
       Index inner[8];
-      bool split = false;
+      int signs = 0;
       for (int c = 0; c < 8; ++c)
       {
-        const Index node = this->Grid.NodeOfCell(cell, c);
-        split = split || this->Numbering.IsSplit(node);
-        inner[c] = this->Numbering.InnerPoint(node, label);
+        const int code = this->Numbering.Code[this->Grid.NodeOfCell(cell, c)];
+        inner[c] = code;
+        signs |= code;
+      }
+      if (signs >= 0) // no node is split
+      {
+        this->SetHex(hex++, inner, key, label);
+        continue;
+      }
+      for (int c = 0; c < 8; ++c)
+      {
+        inner[c] = this->Numbering.InnerPoint(this->Grid.NodeOfCell(cell, c), label);
       }
       this->SetHex(hex++, inner, key, label);
-      for (int face = 0; split && face < 6; ++face)
+      for (int face = 0; face < 6; ++face)
       {
         if (this->Labels[this->Grid.Neighbour(cell, face)] != label)
         {

@@ -51,12 +51,23 @@ void Interface::FindFaces(const LabelArray& labels)
       }
     }
   }
-  this->FacesAt.assign(this->MixedNodes.size() + 1, 0);
-  std::vector<std::array<Index, 4>> nodes(this->TheFaces.size());
-  for (std::size_t f = 0; f < nodes.size(); ++f)
+  this->LinkFaces();
+}
+
+/// The nodes of every face, and the faces of every node.
+void Interface::LinkFaces()
+{
+  for (const InterfaceFace& f : this->TheFaces)
   {
-    nodes[f] = this->NodesOfFace(static_cast<Index>(f));
-    for (Index n : nodes[f])
+    const Index b = this->TheGrid.Stride((f.Axis + 1) % 3);
+    const Index c = this->TheGrid.Stride((f.Axis + 2) % 3);
+    this->FaceNodes.push_back({ { this->Find(f.Node), this->Find(f.Node + b),
+      this->Find(f.Node + b + c), this->Find(f.Node + c) } });
+  }
+  this->FacesAt.assign(this->MixedNodes.size() + 1, 0);
+  for (const auto& nodes : this->FaceNodes)
+  {
+    for (Index n : nodes)
     {
       ++this->FacesAt[n + 1];
     }
@@ -65,24 +76,15 @@ void Interface::FindFaces(const LabelArray& labels)
   {
     this->FacesAt[n] += this->FacesAt[n - 1];
   }
-  this->FacesOfNodes.resize(4 * nodes.size());
+  this->FacesOfNodes.resize(4 * this->FaceNodes.size());
   std::vector<Index> next(this->FacesAt.begin(), this->FacesAt.end() - 1);
-  for (std::size_t f = 0; f < nodes.size(); ++f)
+  for (std::size_t f = 0; f < this->FaceNodes.size(); ++f)
   {
-    for (Index n : nodes[f])
+    for (Index n : this->FaceNodes[f])
     {
       this->FacesOfNodes[next[n]++] = static_cast<Index>(f);
     }
   }
-}
-
-std::array<Index, 4> Interface::NodesOfFace(Index face) const
-{
-  const InterfaceFace& f = this->TheFaces[face];
-  const Index b = this->TheGrid.Stride((f.Axis + 1) % 3),
-              c = this->TheGrid.Stride((f.Axis + 2) % 3);
-  return { { this->Find(f.Node), this->Find(f.Node + b), this->Find(f.Node + b + c),
-    this->Find(f.Node + c) } };
 }
 
 Vector3 Interface::NodePoint(Index node) const

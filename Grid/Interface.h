@@ -58,7 +58,7 @@ public:
   const std::vector<InterfaceFace>& Faces() const { return this->TheFaces; }
   const std::vector<Crossing>& Crossings() const { return this->TheCrossings; }
   /// The four nodes of a face (positions in Nodes()), around it.
-  std::array<Index, 4> NodesOfFace(Index face) const;
+  const std::array<Index, 4>& NodesOfFace(Index face) const { return this->FaceNodes[face]; }
   /// Faces at the n-th node: FaceList()[FaceOffset(n) .. FaceOffset(n + 1)), ascending.
   Index FaceOffset(Index n) const { return this->FacesAt[n]; }
   const std::vector<Index>& FaceList() const { return this->FacesOfNodes; }
@@ -76,6 +76,7 @@ public:
 
 private:
   void FindFaces(const LabelArray& labels);
+  void LinkFaces();
   void FindSurfacePoints(Runtime& runtime);
   void AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) const;
 
@@ -83,6 +84,7 @@ private:
   double MeanWidth;
   std::vector<Index> MixedNodes;
   std::vector<InterfaceFace> TheFaces;
+  std::vector<std::array<Index, 4>> FaceNodes;
   std::vector<Crossing> TheCrossings;
   std::vector<Index> FacesAt, FacesOfNodes;
   std::vector<Index> PointsAt;

@@ -9,7 +9,7 @@
 namespace vfm
 {
 
-using LabelArray = std::vector<int>;
+using LabelArray = std::vector<int, LargeAllocator<int>>;
 
 /// Void where the materials fill less than isoValue, else the material of the largest fraction, ties to
 /// the smaller.

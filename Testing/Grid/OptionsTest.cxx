@@ -202,10 +202,12 @@ TEST(Grids, RectilinearAndAnisotropic)
   const HexMesh mesh = Make(grid, FractionsOfShapes(grid, shapes), HexMeshOptions(), report);
   const Distances distances =
     MeasureDistances(mesh, [&](const Vector3& x) { return SignedDistance(shapes[0], x); });
-  std::printf("ellipsoid on widths .5..1.5 x 1..3 x 1.5..4.5: %zu hexes, scaled Jacobian %.3f / "
-              "%.3f, distance %.3f / %.4f\n",
-    mesh.HexIds.size(), report.MinimumScaledJacobian, report.MeanScaledJacobian, distances.Largest,
-    distances.RootMeanSquare);
+  const double h = grid.MeanWidth();
+  std::printf(
+    "ellipsoid in cells of .5..1.5 x 1..3 x 1.5..4.5: %zu hexes, scaled Jacobian %.3f / %.3f, "
+    "distance %.3f / %.4f mean cells\n",
+    mesh.HexIds.size(), report.MinimumScaledJacobian, report.MeanScaledJacobian,
+    distances.Largest / h, distances.RootMeanSquare / h);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
   EXPECT_TRUE(IsPositiveEverywhere(mesh));
   EXPECT_GE(report.MinimumScaledJacobian, 0.45);

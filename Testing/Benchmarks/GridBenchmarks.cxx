@@ -1,0 +1,215 @@
+/**
+ * Speed and memory of the mesher on one core. The reference run beside each is a plain copy of the arrays of
+ * the mesh it makes: "of_copy" is how many such copies the time is worth.
+ *
+ * With an argument of the form --table, prints the table of figures of the manufactured cases instead.
+ */
+#include "MeshCases.h"
+#include "Vector3.h"
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cstring>
+#include <fstream>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+/// Three concentric spheres of 10, 11 and 12 cm and the outside, as labels, in a cube of n^3.
+FractionField MakeConcentricLabels(const CartesianGrid& grid, Index n)
+{
+  const double cm = static_cast<double>(n) / 26.0;
+  return MakeLabels(grid, 4,
+    [=](const Index3& p)
+    {
+      double r2 = 0.0;
+      for (int a = 0; a < 3; ++a)
+      {
+        const double x = p[a] + 0.5 - 0.5 * n;
+        r2 += x * x / (cm * cm);
+      }
+      return r2 < 100.0 ? 1 : (r2 < 121.0 ? 2 : (r2 < 144.0 ? 3 : 4));
+    });
+}
+
+template <class T>
+std::size_t BytesOf(const Buffer<T>& buffer)
+{
+  return buffer.size() * sizeof(T);
+}
+
+std::size_t BytesOf(const HexMesh& m)
+{
+  return BytesOf(m.Points) + BytesOf(m.PointIds) + BytesOf(m.GeometryDimension) +
+    BytesOf(m.GeometryId) + BytesOf(m.Hexes) + BytesOf(m.HexIds) + BytesOf(m.Material) +
+    BytesOf(m.Fragment) + BytesOf(m.ScaledJacobian);
+}
+
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Seconds to copy as many bytes as the mesh has into fresh memory.
+double TimeCopy(const HexMesh& mesh)
+{
+  const std::size_t bytes = BytesOf(mesh);
+  const Buffer<char> from(bytes, 1);
+  const double begin = Now();
+  Buffer<char> to(bytes);
+  std::memcpy(to.data(), from.data(), bytes);
+  benchmark::DoNotOptimize(to.data());
+  return Now() - begin;
+}
+
+void Report(benchmark::State& state, const CartesianGrid& grid, const HexMesh& mesh,
+  const HexMeshReport& report, double seconds)
+{
+  const double cells = static_cast<double>(grid.Owned().NumberOfCells());
+  state.counters["cells/s"] = cells / seconds;
+  state.counters["hexes"] = static_cast<double>(mesh.HexIds.size());
+  state.counters["hexes/s"] = static_cast<double>(mesh.HexIds.size()) / seconds;
+  state.counters["bytes/cell"] = static_cast<double>(BytesOf(mesh)) / cells;
+  state.counters["min_sj"] = report.MinimumScaledJacobian;
+  state.counters["of_copy"] = seconds / TimeCopy(mesh);
+  std::string shares;
+  for (const HexMeshReport::Stage& stage : report.Stages)
+  {
+    char text[64];
+    std::snprintf(text, sizeof(text), "%s %.0f %%, ", stage.Name, 100.0 * stage.Seconds / seconds);
+    shares += text;
+  }
+  state.SetLabel(shares);
+}
+
+void Run(benchmark::State& state, const CartesianGrid& grid, const FractionField& field,
+  const HexMeshOptions& options)
+{
+  Runtime runtime;
+  HexMeshReport report;
+  HexMesh mesh;
+  double seconds = 1e300;
+  for (auto _ : state)
+  {
+    mesh = HexMesh();
+    const double begin = Now();
+    mesh = MakeHexMesh(grid, field, options, runtime, report);
+    seconds = std::min(seconds, Now() - begin);
+  }
+  Report(state, grid, mesh, report, seconds);
+}
+
+void StairStep(benchmark::State& state)
+{
+  const CartesianGrid grid = MakeUnitGrid(state.range(0));
+  HexMeshOptions options;
+  options.StairStep = true;
+  options.ComputeQuality = false; // all hexes are cells
+  Run(state, grid, MakeConcentricLabels(grid, state.range(0)), options);
+}
+BENCHMARK(StairStep)->Arg(24)->Arg(96)->Arg(240)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void Sphere(benchmark::State& state)
+{
+  const MeshCase c = MakeSphereCase(static_cast<int>(state.range(0)));
+  Run(state, c.Grid, c.Fractions, HexMeshOptions());
+}
+BENCHMARK(Sphere)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void Polycrystal(benchmark::State& state)
+{
+  const MeshCase c =
+    MakePolycrystalCase(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  Run(state, c.Grid, c.Fractions, HexMeshOptions());
+}
+BENCHMARK(Polycrystal)
+  ->Args({ 30, 24 })
+  ->Args({ 1000, 96 })
+  ->Iterations(1)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+
+std::size_t PeakBytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+/// Peak memory of meshing a sphere in n^3 cells, in a process of its own, against input (a double a cell) and output.
+void Memory(benchmark::State& state)
+{
+  const Index n = state.range(0);
+  double result[3] = {};
+  for (auto _ : state)
+  {
+    int ends[2];
+    if (pipe(ends) != 0)
+    {
+      state.SkipWithError("pipe");
+      return;
+    }
+    if (fork() == 0)
+    {
+      const CartesianGrid grid = MakeUnitGrid(n);
+      const Vector3 middle{ { 0.5 * n + 0.1, 0.5 * n + 0.2, 0.5 * n + 0.3 } };
+      // stands for the simulation's array
+      const Buffer<double> input(static_cast<std::size_t>(n * n * n), 0.5);
+      const FractionField field = FractionsOfShapes(grid, { MakeSphere(1, middle, 0.4 * n) });
+      Runtime runtime;
+      HexMeshReport report;
+      const HexMesh mesh = MakeHexMesh(grid, field, HexMeshOptions(), runtime, report);
+      const double sizes[3] = { static_cast<double>(BytesOf(input)),
+        static_cast<double>(BytesOf(mesh)), static_cast<double>(PeakBytes()) };
+      const bool written = write(ends[1], sizes, sizeof(sizes)) == sizeof(sizes);
+      _exit(written ? 0 : 1);
+    }
+    const bool complete = read(ends[0], result, sizeof(result)) == sizeof(result);
+    wait(nullptr);
+    close(ends[0]);
+    close(ends[1]);
+    if (!complete)
+    {
+      state.SkipWithError("the child failed");
+      return;
+    }
+  }
+  state.counters["input_MB"] = result[0] * 1e-6;
+  state.counters["output_MB"] = result[1] * 1e-6;
+  state.counters["peak_MB"] = result[2] * 1e-6;
+  state.counters["peak/(in+out)"] = result[2] / (result[0] + result[1]);
+}
+BENCHMARK(Memory)->Arg(128)->Arg(256)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void PrintTable()
+{
+  Runtime runtime;
+  std::printf("%s", FormatHeader().c_str());
+  for (const std::string& name : ListMeshCases())
+  {
+    std::printf("%s",
+      FormatFigures(name, MeasureCase(MakeMeshCase(name), HexMeshOptions(), runtime)).c_str());
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc > 1 && std::strcmp(argv[1], "--table") == 0)
+  {
+    PrintTable();
+    return 0;
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
