@@ -40,11 +40,11 @@ CartesianGrid::CartesianGrid(
   std::array<std::vector<double>, 3> coordinates, const IndexBox& owned, int ghostLevels) :
   X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned)
 {
+  this->LocalBox = this->GlobalBox; // so that Extended cuts at the domain
+  this->LocalBox = this->Extended(ghostLevels);
   Index stride = 1;
   for (int a = 0; a < 3; ++a)
   {
-    this->LocalBox.Lower[a] = std::max(owned.Lower[a] - ghostLevels, this->GlobalBox.Lower[a]);
-    this->LocalBox.Upper[a] = std::min(owned.Upper[a] + ghostLevels, this->GlobalBox.Upper[a]);
     this->Origin[a] = this->LocalBox.Lower[a] - 1;
     this->Strides[a] = stride;
     stride *= this->LocalBox.Size(a) + 2;
@@ -60,6 +60,17 @@ CartesianGrid::CartesianGrid(
 CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates) :
   CartesianGrid(coordinates, WholeBox(coordinates))
 {
+}
+
+IndexBox CartesianGrid::Extended(int levels) const
+{
+  IndexBox box = this->OwnedBox;
+  for (int a = 0; box.NumberOfCells() > 0 && a < 3; ++a)
+  {
+    box.Lower[a] = std::max(this->OwnedBox.Lower[a] - levels, this->LocalBox.Lower[a]);
+    box.Upper[a] = std::min(this->OwnedBox.Upper[a] + levels, this->LocalBox.Upper[a]);
+  }
+  return box;
 }
 
 double CartesianGrid::MeanWidth() const

@@ -24,6 +24,11 @@
 namespace vfm
 {
 
+/// Ghost levels that the stages need: six around the owned cells.
+constexpr int GhostLevels = 6;
+/// Of those, the levels whose hexes are made too, for smoothing and geometry at the rim of a rank's cells.
+constexpr int HexLevels = 2;
+
 using Index = std::int64_t;
 using Index3 = std::array<Index, 3>;
 using Vector3 = std::array<double, 3>;
@@ -36,6 +41,10 @@ struct IndexBox
 
   Index Size(int axis) const { return this->Upper[axis] - this->Lower[axis]; }
   Index NumberOfCells() const { return this->Size(0) * this->Size(1) * this->Size(2); }
+  bool operator==(const IndexBox& other) const
+  {
+    return this->Lower == other.Lower && this->Upper == other.Upper;
+  }
   bool Contains(const Index3& c) const
   {
     for (int a = 0; a < 3; ++a)
@@ -64,6 +73,9 @@ public:
   const IndexBox& Global() const { return this->GlobalBox; }
   const IndexBox& Owned() const { return this->OwnedBox; }
   const IndexBox& Local() const { return this->LocalBox; }
+  /// The owned cells and up to levels of the ghost levels around them.
+  IndexBox Extended(int levels) const;
+  bool IsAlone() const { return this->OwnedBox == this->GlobalBox; }
 
   /// Length of every array over cells or nodes.
   Index NumberOfEntries() const { return this->Entries; }

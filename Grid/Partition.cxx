@@ -1,0 +1,54 @@
+#include "Partition.h"
+
+namespace vfm
+{
+namespace
+{
+
+IndexBox Intersect(const IndexBox& a, const IndexBox& b)
+{
+  IndexBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Lower[axis] = std::max(a.Lower[axis], b.Lower[axis]);
+    box.Upper[axis] = std::max(std::min(a.Upper[axis], b.Upper[axis]), box.Lower[axis]);
+  }
+  return box;
+}
+
+} // namespace
+
+Partition::Partition(const CartesianGrid& grid, Ranks& ranks) : Grid(grid), TheRanks(ranks)
+{
+  struct Boxes
+  {
+    IndexBox Owned, Local;
+  };
+  const std::vector<Boxes> all =
+    GatherItems(ranks, std::vector<Boxes>{ { grid.Owned(), grid.Local() } });
+  for (int rank = 0; rank < ranks.Count(); ++rank)
+  {
+    const IndexBox outgoing = Intersect(grid.Owned(), all[rank].Local);
+    const IndexBox incoming = Intersect(grid.Local(), all[rank].Owned);
+    if (rank != ranks.Rank() && outgoing.NumberOfCells() + incoming.NumberOfCells() > 0)
+    {
+      this->ThePeers.push_back(rank);
+      this->Owned.push_back(all[rank].Owned);
+      this->Outgoing.push_back(outgoing);
+      this->Incoming.push_back(incoming);
+    }
+  }
+}
+
+int Partition::PeerOfNode(const Index3& node) const
+{
+  const Index3 cell = LowestCell(node);
+  int peer = 0;
+  while (!this->Owned[peer].Contains(cell))
+  {
+    ++peer;
+  }
+  return peer;
+}
+
+} // namespace vfm
