@@ -11,7 +11,6 @@ namespace
 {
 
 constexpr double RangeTolerance = 1e-6; // outside [0,1]
-constexpr double SumTolerance = 1e-3;   // above 1
 constexpr double Negligible = 1e-9;     // fractions below are none
 constexpr Index RowLength = 4096;       // cells read at a time
 
@@ -110,7 +109,7 @@ FractionField FractionField::FromReader(
           {
             sum += part.Fraction;
           }
-          if (sum > 1.0 + SumTolerance)
+          if (sum > 1.0 + reader.SumTolerance())
           {
             std::ostringstream text;
             text << "The volume fractions of " << Where(first, c) << " sum to " << sum

@@ -37,13 +37,15 @@ public:
   /// Fractions given one array a material. Reader has
   ///   void Read(int material, Index3 first, Index count, double* values)
   /// which fills the fractions of material 1..N in count cells along x.
-  /// Fractions within 1e-6 outside [0,1] are clamped; sums up to 1 + 1e-3 are normalised and counted.
+  /// Fractions within 1e-6 outside [0,1] are clamped; sums up to 1 + SumTolerance are normalised and counted.
   /// Throws InputError on NaN or infinity, values farther outside, larger sums.
   class Reader
   {
   public:
     virtual ~Reader() = default;
     virtual void Read(int material, const Index3& first, Index count, double* values) const = 0;
+    /// How far the fractions of a cell may sum above 1.
+    virtual double SumTolerance() const { return 1e-3; }
     /// For messages.
     virtual std::string Name(int material) const = 0;
   };

@@ -37,6 +37,11 @@ def main():
     hexes.Update()
     mesh, surfaces = hexes.GetOutputDataObject(0), hexes.GetOutputDataObject(1)
     assert mesh.GetNumberOfCells() >= 16 and surfaces.GetNumberOfCells() >= 40
+    cells = mesh.GetNumberOfCells()
+    hexes.UpdatePiece(1, 2, 0)
+    assert hexes.GetOutputDataObject(0).GetNumberOfCells() == 0
+    hexes.UpdatePiece(0, 2, 1)
+    assert hexes.GetOutputDataObject(0).GetNumberOfCells() == cells
     time = hexes.GetMTime()
     hexes.AddVolumeFractionArray("bar")
     assert hexes.GetMTime() == time

@@ -1,0 +1,70 @@
+#!/usr/bin/env pvpython
+"""Writes a mesh of Volume Fraction To Hex as an Exodus file with one element block a material.
+
+usage: pvpython write_exodus.py MESH.vtu MESH.e
+
+Blocks are named after the materials (field data MaterialNames). Node and element ids are the mesh's
+GlobalPointIds and GlobalCellIds; all cell and point arrays become element and node variables.
+From Python: write_exodus(mesh, path), mesh a vtkUnstructuredGrid.
+"""
+import sys
+
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet, vtkDataAssembly, vtkDataObject, vtkPartitionedDataSetCollection)
+from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.vtkIOIOSS import vtkIOSSWriter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+
+def extract_material(mesh, material):
+    """The cells of one material as a mesh of their own, ids kept."""
+    threshold = vtkThreshold()
+    threshold.SetInputData(mesh)
+    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.CELL, "MaterialId")
+    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_BETWEEN)
+    threshold.SetLowerThreshold(material)
+    threshold.SetUpperThreshold(material)
+    threshold.Update()
+    part = threshold.GetOutput()
+    part.GetCellData().SetGlobalIds(part.GetCellData().GetArray("GlobalCellIds"))
+    part.GetPointData().SetGlobalIds(part.GetPointData().GetArray("GlobalPointIds"))
+    return part
+
+
+def split_by_material(mesh):
+    """One block a material, with the assembly that the Exodus writer asks for."""
+    names = mesh.GetFieldData().GetAbstractArray("MaterialNames")
+    ids = mesh.GetFieldData().GetArray("MaterialIds")
+    blocks = vtkPartitionedDataSetCollection()
+    assembly = vtkDataAssembly()
+    assembly.SetRootNodeName("IOSS")
+    element_blocks = assembly.AddNode("element_blocks")
+    for i in range(ids.GetNumberOfTuples()):
+        part = extract_material(mesh, ids.GetValue(i))
+        if part.GetNumberOfCells() == 0:
+            continue
+        block = blocks.GetNumberOfPartitionedDataSets()
+        blocks.SetPartition(block, 0, part)
+        blocks.GetMetaData(block).Set(vtkCompositeDataSet.NAME(), names.GetValue(i))
+        node = assembly.AddNode("material_%d" % ids.GetValue(i), element_blocks)
+        assembly.AddDataSetIndex(node, block)
+    blocks.SetDataAssembly(assembly)
+    return blocks
+
+
+def write_exodus(mesh, path):
+    writer = vtkIOSSWriter()
+    writer.SetInputDataObject(split_by_material(mesh))
+    writer.SetFileName(path)
+    writer.PreserveInputEntityGroupsOn()
+    if not writer.Write():
+        raise RuntimeError("cannot write " + path)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(sys.argv[1])
+    reader.Update()
+    write_exodus(reader.GetOutput(), sys.argv[2])

@@ -1,0 +1,32 @@
+/**
+ * FilterRuntime: loops of the Grid code on vtkSMPTools, progress and abort through a vtkAlgorithm.
+ */
+#pragma once
+
+#include "Runtime.h"
+
+#include <string>
+
+class vtkAlgorithm;
+
+namespace vfm
+{
+
+class FilterRuntime : public Runtime
+{
+public:
+  explicit FilterRuntime(vtkAlgorithm* owner) : Owner(owner) {}
+
+  /// An exception in the body is thrown on, once all threads have ended.
+  void For(std::int64_t first, std::int64_t last,
+    const std::function<void(std::int64_t, std::int64_t)>& body) override;
+  void Progress(double fraction, const char* stage) override;
+
+  /// Calls work with vtkSMPTools set to that many threads, 0 for all cores. Exceptions are thrown on.
+  static void WithThreads(int threads, const std::function<void()>& work);
+
+private:
+  vtkAlgorithm* Owner;
+};
+
+} // namespace vfm

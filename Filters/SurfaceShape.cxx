@@ -1,0 +1,140 @@
+#include "SurfaceShape.h"
+
+#include "Runtime.h"
+#include "Vector3.h"
+
+#include "vtkCellArray.h"
+#include "vtkCleanPolyData.h"
+#include "vtkFeatureEdges.h"
+#include "vtkIdList.h"
+#include "vtkImplicitPolyDataDistance.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+
+namespace vfm
+{
+namespace
+{
+
+/// Six times the volume inside, negative when the triangles face inwards.
+double MeasureInside(vtkPolyData* triangles)
+{
+  Vector3 center;
+  triangles->GetCenter(center.data());
+  double sum = 0.0;
+  vtkCellArray* cells = triangles->GetPolys();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < cells->GetNumberOfCells(); ++t)
+  {
+    cells->GetCellAtId(t, ids);
+    Vector3 p[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      triangles->GetPoint(ids->GetId(i), p[i].data());
+      p[i] = p[i] - center;
+    }
+    sum += Dot(p[0], Cross(p[1], p[2]));
+  }
+  return sum;
+}
+
+/// Triangles with cell normals that point out.
+vtkSmartPointer<vtkPolyData> PrepareSurface(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyData> geometry; // no arrays
+  geometry->CopyStructure(surface);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(geometry);
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(triangles->GetOutputPort());
+  vtkNew<vtkTriangleFilter> solidTriangles; // drops what collapsed
+  solidTriangles->SetInputConnection(clean->GetOutputPort());
+  solidTriangles->PassLinesOff();
+  solidTriangles->PassVertsOff();
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(solidTriangles->GetOutputPort());
+  normals->SplittingOff();
+  normals->ConsistencyOn();
+  normals->AutoOrientNormalsOff(); // it would turn the walls of cavities
+  normals->ComputeCellNormalsOn();
+  normals->ComputePointNormalsOff();
+  normals->Update();
+  if (MeasureInside(normals->GetOutput()) < 0.0)
+  {
+    normals->FlipNormalsOn();
+    normals->Update();
+  }
+  return normals->GetOutput();
+}
+
+vtkIdType CountEdges(vtkPolyData* surface, bool boundary)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->SetBoundaryEdges(boundary);
+  edges->SetNonManifoldEdges(!boundary);
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  return edges->GetOutput()->GetNumberOfCells();
+}
+
+void CheckClosed(vtkPolyData* surface)
+{
+  if (surface->GetNumberOfPolys() == 0)
+  {
+    throw InputError("The surface has no polygons.");
+  }
+  if (const vtkIdType open = CountEdges(surface, true))
+  {
+    throw InputError("The surface is open: " + std::to_string(open) +
+      " edges belong to one triangle only. Close its holes first (filter Fill Holes).");
+  }
+  if (const vtkIdType shared = CountEdges(surface, false))
+  {
+    throw InputError("The surface is not manifold: " + std::to_string(shared) +
+      " edges belong to more than two triangles. Separate its parts first.");
+  }
+}
+
+/// The distance by one vtkImplicitPolyDataDistance a thread, as its evaluation is not thread safe.
+class SurfaceDistance
+{
+public:
+  explicit SurfaceDistance(vtkPolyData* surface) : Surface(surface) {}
+
+  double Evaluate(const Vector3& point)
+  {
+    vtkSmartPointer<vtkImplicitPolyDataDistance>& function = this->Functions.Local();
+    if (!function)
+    {
+      vtkNew<vtkPolyData> copy;
+      copy->DeepCopy(this->Surface);
+      function = vtkSmartPointer<vtkImplicitPolyDataDistance>::New();
+      function->SetInput(copy);
+    }
+    double x[3] = { point[0], point[1], point[2] };
+    return function->EvaluateFunction(x);
+  }
+
+private:
+  vtkSmartPointer<vtkPolyData> Surface;
+  vtkSMPThreadLocal<vtkSmartPointer<vtkImplicitPolyDataDistance>> Functions;
+};
+
+} // namespace
+
+Shape MakeSurfaceShape(int material, vtkPolyData* surface)
+{
+  const vtkSmartPointer<vtkPolyData> prepared = PrepareSurface(surface);
+  CheckClosed(prepared);
+  const auto distance = std::make_shared<SurfaceDistance>(prepared);
+  return MakeFunctionShape(
+    material, [distance](const Vector3& point) { return distance->Evaluate(point); });
+}
+
+} // namespace vfm

@@ -1,0 +1,238 @@
+#include "vtkVolumeFractionMeshAlgorithm.h"
+
+#include "FilterRuntime.h"
+#include "HexMesh.h"
+#include "InputBlocks.h"
+#include "InputFields.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <new>
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+// Claimed on the output, so that a later request for ghost levels does not run the filter again.
+// The filter marks no cells as ghosts, whatever is asked.
+constexpr int GhostLevelsClaimed = 4;
+
+} // namespace
+
+vtkCxxSetObjectMacro(vtkVolumeFractionMeshAlgorithm, Controller, vtkMultiProcessController);
+
+vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm()
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkVolumeFractionMeshAlgorithm::~vtkVolumeFractionMeshAlgorithm()
+{
+  this->SetController(nullptr);
+}
+
+void vtkVolumeFractionMeshAlgorithm::AddVolumeFractionArray(const char* name)
+{
+  std::vector<std::string>& names = this->VolumeFractionArrays;
+  if (name && *name && std::find(names.begin(), names.end(), name) == names.end())
+  {
+    names.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkVolumeFractionMeshAlgorithm::ClearVolumeFractionArrays()
+{
+  if (!this->VolumeFractionArrays.empty())
+  {
+    this->VolumeFractionArrays.clear();
+    this->Modified();
+  }
+}
+
+int vtkVolumeFractionMeshAlgorithm::GetNumberOfVolumeFractionArrays()
+{
+  return static_cast<int>(this->VolumeFractionArrays.size());
+}
+
+const char* vtkVolumeFractionMeshAlgorithm::GetVolumeFractionArray(int index)
+{
+  const bool valid = index >= 0 && index < this->GetNumberOfVolumeFractionArrays();
+  return valid ? this->VolumeFractionArrays[index].c_str() : nullptr;
+}
+
+bool vtkVolumeFractionMeshAlgorithm::HasMaterialIdArray() const
+{
+  return !this->MaterialIdArray.empty() && this->MaterialIdArray != "None";
+}
+
+bool vtkVolumeFractionMeshAlgorithm::IsAlone() const
+{
+  return !this->Controller || this->Controller->GetNumberOfProcesses() == 1;
+}
+
+int vtkVolumeFractionMeshAlgorithm::ChooseNumberOfThreads() const
+{
+  return this->NumberOfThreads > 0 || this->IsAlone() ? this->NumberOfThreads : 1;
+}
+
+vfm::HexMeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
+{
+  vfm::HexMeshOptions options;
+  options.IsoValue = this->IsoValue;
+  options.MeshVoid = this->MeshVoid;
+  options.StairStep = this->StairStep;
+  options.Method = static_cast<vfm::Smoothing>(this->Smoothing);
+  options.TargetScaledJacobian = this->TargetScaledJacobian;
+  options.ConserveVolume = this->ConserveVolume;
+  options.ComputeQuality = this->ComputeQuality;
+  return options;
+}
+
+void vtkVolumeFractionMeshAlgorithm::CheckProperties() const
+{
+  if (!this->IsAlone())
+  {
+    throw vfm::InputError(
+      "Meshing on several processes is not supported yet: run ParaView on one process.");
+  }
+  if (this->HasMaterialIdArray() && !this->VolumeFractionArrays.empty())
+  {
+    throw vfm::InputError("Both volume fraction arrays and the material id array '" +
+      this->MaterialIdArray + "' are chosen. Choose one or the other.");
+  }
+  if (!this->HasMaterialIdArray() && this->VolumeFractionArrays.empty())
+  {
+    throw vfm::InputError(
+      "No array is chosen. Choose the cell arrays that hold the volume fraction "
+      "of one material each (VolumeFractionArrays), or the integer cell array "
+      "of material ids (MaterialIdArray).");
+  }
+}
+
+int vtkVolumeFractionMeshAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkVolumeFractionMeshAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+int vtkVolumeFractionMeshAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto levels = Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkInformation* info = outputVector->GetInformationObject(port);
+    info->Set(levels, std::max(info->Get(levels), GhostLevelsClaimed));
+  }
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  input->Set(levels, 0);
+  if (this->IsAlone())
+  {
+    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  }
+  return 1;
+}
+
+int vtkVolumeFractionMeshAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkPolyData* surfaces = vtkPolyData::GetData(outputVector, 1);
+  if (this->IsAlone() &&
+    outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1; // the whole mesh is piece 0
+  }
+  std::string problem;
+  try
+  {
+    vfm::FilterRuntime::WithThreads(
+      this->ChooseNumberOfThreads(), [=] { this->Run(input, mesh, surfaces); });
+    return 1;
+  }
+  catch (const vfm::Aborted&)
+  {
+  }
+  catch (const vfm::InputError& error)
+  {
+    problem = error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem = "Not enough memory for the mesh.";
+  }
+  mesh->Initialize();
+  surfaces->Initialize();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+  return problem.empty() ? 1 : 0;
+}
+
+void vtkVolumeFractionMeshAlgorithm::Run(
+  vtkDataObject* input, vtkUnstructuredGrid* mesh, vtkPolyData* surfaces)
+{
+  this->CheckProperties();
+  vfm::FilterRuntime runtime(this);
+  runtime.Progress(0.0, "Reading input");
+  const vfm::InputBlocks blocks = vfm::FindInputBlocks(input);
+  const vfm::CartesianGrid grid(blocks.Coordinates);
+  const vfm::InputField field = this->HasMaterialIdArray()
+    ? vfm::ReadLabels(grid, blocks, this->MaterialIdArray)
+    : vfm::ReadFractions(grid, blocks, this->VolumeFractionArrays);
+  this->MakeMesh(grid, field, this->GetOptions(), runtime, mesh, surfaces);
+  if (field.Fractions.NumberOfNormalisedCells() > 0)
+  {
+    vtkWarningMacro(<< "The volume fractions of " << field.Fractions.NumberOfNormalisedCells()
+                    << " cells sum to slightly more than 1 and were scaled back.");
+  }
+  if (mesh->GetNumberOfCells() == 0)
+  {
+    vtkWarningMacro("The mesh is empty: no cell is filled by its materials to the iso value.");
+  }
+}
+
+void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VolumeFractionArrays:";
+  for (const std::string& name : this->VolumeFractionArrays)
+  {
+    os << " '" << name << "'";
+  }
+  os << "\n";
+  os << indent << "MaterialIdArray: " << this->MaterialIdArray << "\n";
+  os << indent << "IsoValue: " << this->IsoValue << "\n";
+  os << indent << "MeshVoid: " << this->MeshVoid << "\n";
+  os << indent << "StairStep: " << this->StairStep << "\n";
+  os << indent << "Smoothing: " << this->Smoothing << "\n";
+  os << indent << "TargetScaledJacobian: " << this->TargetScaledJacobian << "\n";
+  os << indent << "ConserveVolume: " << this->ConserveVolume << "\n";
+  os << indent << "ComputeQuality: " << this->ComputeQuality << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
+}

@@ -1,0 +1,192 @@
+/**
+ * @class   vtkVolumeFractionMeshAlgorithm
+ * @brief   base of the filters from cell-centred volume fractions to finite-element meshes
+ *
+ * Input: vtkImageData, vtkUniformGrid, vtkRectilinearGrid, or a composite data set of them whose blocks
+ * tile one grid at one spacing. The materials come from cell arrays, either
+ * - one volume fraction array a material (AddVolumeFractionArray), of any numeric type, values in
+ *   [0,1], or 0..255 when unsigned char; material i is the i-th array added, counted from 1; what the
+ *   arrays of a cell leave of 1 is void; or
+ * - one integer array (MaterialIdArray) that names the material of each cell, 0 for void.
+ *
+ * Ghost cells (vtkGhostType) are dropped. Blanked cells are void.
+ *
+ * Output port 0: the mesh, vtkUnstructuredGrid. Output port 1: its surfaces, vtkPolyData.
+ *
+ * Input that cannot be meshed gives one error message, empty outputs and a failed update.
+ */
+#ifndef vtkVolumeFractionMeshAlgorithm_h
+#define vtkVolumeFractionMeshAlgorithm_h
+
+#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkVolumeFractionMeshFiltersModule.h" // for export macro
+
+#include <string> // for member
+#include <vector> // for member
+
+class vtkMultiProcessController;
+class vtkPolyData;
+
+namespace vfm
+{
+class CartesianGrid;
+class FilterRuntime;
+struct HexMeshOptions;
+struct InputField;
+} // namespace vfm
+
+class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionMeshAlgorithm :
+  public vtkUnstructuredGridAlgorithm
+{
+public:
+  vtkTypeMacro(vtkVolumeFractionMeshAlgorithm, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The cell arrays that hold the volume fraction of one material each, in the order of the materials.
+   * An array that is on the list already is not added again.
+   */
+  void AddVolumeFractionArray(const char* name);
+  void ClearVolumeFractionArrays();
+  int GetNumberOfVolumeFractionArrays();
+  const char* GetVolumeFractionArray(int index);
+  ///@}
+
+  ///@{
+  /**
+   * The integer cell array that names the material of each cell, instead of volume fractions.
+   * Empty, or "None": use volume fractions. Default: empty.
+   */
+  vtkSetStdStringFromCharMacro(MaterialIdArray);
+  vtkGetCharFromStdStringMacro(MaterialIdArray);
+  ///@}
+
+  ///@{
+  /**
+   * A cell is void when its materials fill less than this part of it; in (0,1). Default: 0.5.
+   */
+  vtkSetMacro(IsoValue, double);
+  vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mesh the void too, as material 0. Default: off.
+   */
+  vtkSetMacro(MeshVoid, bool);
+  vtkGetMacro(MeshVoid, bool);
+  vtkBooleanMacro(MeshVoid, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Turn cells into elements and move nothing. Default: off.
+   */
+  vtkSetMacro(StairStep, bool);
+  vtkGetMacro(StairStep, bool);
+  vtkBooleanMacro(StairStep, bool);
+  ///@}
+
+  enum SmoothingType
+  {
+    SMOOTHING_OFF = 0,
+    SMOOTHING_QUADRIC_SURFACE = 1,
+    SMOOTHING_GEOMETRY_BASED = 2
+  };
+
+  ///@{
+  /**
+   * How nodes on surfaces are placed. Default: SMOOTHING_QUADRIC_SURFACE.
+   */
+  vtkSetClampMacro(Smoothing, int, SMOOTHING_OFF, SMOOTHING_GEOMETRY_BASED);
+  vtkGetMacro(Smoothing, int);
+  ///@}
+
+  ///@{
+  /**
+   * The scaled Jacobian that smoothing strives for; in [0,1). Larger values give better elements that
+   * follow the surfaces less closely. 0: chosen by the number of materials. Default: 0.
+   */
+  vtkSetMacro(TargetScaledJacobian, double);
+  vtkGetMacro(TargetScaledJacobian, double);
+  ///@}
+
+  ///@{
+  /**
+   * Shift the surfaces until every material has the volume of its fractions. Default: on.
+   */
+  vtkSetMacro(ConserveVolume, bool);
+  vtkGetMacro(ConserveVolume, bool);
+  vtkBooleanMacro(ConserveVolume, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the cell array ScaledJacobian. Default: on.
+   */
+  vtkSetMacro(ComputeQuality, bool);
+  vtkGetMacro(ComputeQuality, bool);
+  vtkBooleanMacro(ComputeQuality, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to work with. 0: all cores when there is one process, else one. Default: 0.
+   * The mesh does not depend on it.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * The processes among which the input is distributed. Default: the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+protected:
+  vtkVolumeFractionMeshAlgorithm();
+  ~vtkVolumeFractionMeshAlgorithm() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /**
+   * Makes the mesh of the field and fills both outputs. Throws vfm::InputError and vfm::Aborted.
+   */
+  virtual void MakeMesh(const vfm::CartesianGrid& grid, const vfm::InputField& field,
+    const vfm::HexMeshOptions& options, vfm::FilterRuntime& runtime, vtkUnstructuredGrid* mesh,
+    vtkPolyData* surfaces) = 0;
+
+  vtkMultiProcessController* Controller = nullptr;
+  std::vector<std::string> VolumeFractionArrays;
+  std::string MaterialIdArray;
+  double IsoValue = 0.5;
+  bool MeshVoid = false;
+  bool StairStep = false;
+  int Smoothing = SMOOTHING_QUADRIC_SURFACE;
+  double TargetScaledJacobian = 0.0;
+  bool ConserveVolume = true;
+  bool ComputeQuality = true;
+  int NumberOfThreads = 0;
+
+private:
+  vtkVolumeFractionMeshAlgorithm(const vtkVolumeFractionMeshAlgorithm&) = delete;
+  void operator=(const vtkVolumeFractionMeshAlgorithm&) = delete;
+
+  bool HasMaterialIdArray() const;
+  void CheckProperties() const;
+  bool IsAlone() const;
+  int ChooseNumberOfThreads() const;
+  vfm::HexMeshOptions GetOptions() const;
+  void Run(vtkDataObject* input, vtkUnstructuredGrid* mesh, vtkPolyData* surfaces);
+};
+
+#endif

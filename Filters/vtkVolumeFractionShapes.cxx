@@ -1,0 +1,315 @@
+#include "vtkVolumeFractionShapes.h"
+
+#include "FilterRuntime.h"
+#include "ShapesFractions.h"
+#include "ShapesScenes.h"
+#include "ShapesText.h"
+#include "SurfaceShape.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <cmath>
+#include <new>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+vtkStandardNewMacro(vtkVolumeFractionShapes);
+
+namespace
+{
+
+constexpr int Margin = 2; // cells around surfaces to which the grid is fitted
+
+struct Placement
+{
+  double Origin[3], Spacing[3];
+};
+
+Placement PlaceInBounds(const double bounds[6], const int dimensions[3])
+{
+  Placement place;
+  for (int a = 0; a < 3; ++a)
+  {
+    place.Origin[a] = bounds[2 * a];
+    place.Spacing[a] = (bounds[2 * a + 1] - bounds[2 * a]) / dimensions[a];
+  }
+  return place;
+}
+
+/// Cubic cells around all surfaces, centred.
+Placement PlaceAround(const std::vector<vtkPolyData*>& surfaces, const int dimensions[3])
+{
+  vtkBoundingBox box;
+  for (vtkPolyData* surface : surfaces)
+  {
+    box.AddBounds(surface->GetBounds());
+  }
+  if (!box.IsValid())
+  {
+    throw vfm::InputError("FitToInput needs a surface on the input.");
+  }
+  double width = 0.0, center[3];
+  box.GetCenter(center);
+  for (int a = 0; a < 3; ++a)
+  {
+    if (dimensions[a] <= 2 * Margin)
+    {
+      throw vfm::InputError("FitToInput needs Dimensions of at least 5 along every axis.");
+    }
+    width = std::max(width, box.GetLength(a) / (dimensions[a] - 2 * Margin));
+  }
+  Placement place;
+  for (int a = 0; a < 3; ++a)
+  {
+    place.Origin[a] = center[a] - 0.5 * width * dimensions[a];
+    place.Spacing[a] = width;
+  }
+  return place;
+}
+
+/// Writes fractions into the arrays of an image, one a material.
+class ArrayWriter
+{
+public:
+  ArrayWriter(const int extent[6], int materials, vtkImageData* image)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      this->Cells.Lower[a] = extent[2 * a];
+      this->Cells.Upper[a] = extent[2 * a + 1];
+    }
+    for (int m = 1; m <= materials; ++m)
+    {
+      const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+      array->SetName(("Material" + std::to_string(m)).c_str());
+      array->SetNumberOfTuples(image->GetNumberOfCells());
+      array->FillValue(0.0);
+      image->GetCellData()->AddArray(array);
+      this->Values.push_back(array->GetPointer(0));
+    }
+  }
+
+  void Write(const vfm::IndexBox& box, const std::vector<vfm::FractionField::Part>& parts) const
+  {
+    const vfm::IndexBox& all = this->Cells;
+    for (const vfm::FractionField::Part& part : parts)
+    {
+      double* values = this->Values[part.Material - 1];
+      for (vfm::Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+      {
+        for (vfm::Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+        {
+          const vfm::Index row =
+            ((k - all.Lower[2]) * all.Size(1) + j - all.Lower[1]) * all.Size(0) - all.Lower[0];
+          std::fill(values + row + box.Lower[0], values + row + box.Upper[0], part.Fraction);
+        }
+      }
+    }
+  }
+
+  const vfm::IndexBox& GetCells() const { return this->Cells; }
+
+private:
+  vfm::IndexBox Cells;
+  std::vector<double*> Values;
+};
+
+bool HasCells(const int extent[6])
+{
+  return extent[0] < extent[1] && extent[2] < extent[3] && extent[4] < extent[5];
+}
+
+int ChooseNumberOfThreads(int wanted)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool alone = !controller || controller->GetNumberOfProcesses() == 1;
+  return wanted > 0 || alone ? wanted : 1;
+}
+
+} // namespace
+
+vtkVolumeFractionShapes::vtkVolumeFractionShapes()
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+int vtkVolumeFractionShapes::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+std::string vtkVolumeFractionShapes::GetPresetName(int preset)
+{
+  if (preset < 0 || preset > static_cast<int>(vfm::Scene::NumberOfScenes))
+  {
+    return "";
+  }
+  return preset == 0 ? "None" : vfm::GetSceneName(static_cast<vfm::Scene>(preset - 1));
+}
+
+std::string vtkVolumeFractionShapes::FindGridError() const
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    if (this->Dimensions[a] < 1)
+    {
+      return "Dimensions are numbers of cells: each must be at least 1.";
+    }
+    const double edge = this->Bounds[2 * a + 1] - this->Bounds[2 * a];
+    if (!this->FitToInput && !(edge > 0.0 && std::isfinite(edge)))
+    {
+      return "Bounds are empty: every minimum must lie below its maximum.";
+    }
+  }
+  return "";
+}
+
+int vtkVolumeFractionShapes::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const std::string problem = this->FindGridError();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 0;
+  }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const int extent[6] = { 0, this->Dimensions[0], 0, this->Dimensions[1], 0, this->Dimensions[2] };
+  info->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
+  if (!this->FitToInput) // else known with the surfaces
+  {
+    const Placement place = PlaceInBounds(this->Bounds, this->Dimensions);
+    info->Set(vtkDataObject::ORIGIN(), place.Origin, 3);
+    info->Set(vtkDataObject::SPACING(), place.Spacing, 3);
+  }
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+int vtkVolumeFractionShapes::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputVector[0]->GetInformationObject(i);
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return 1;
+}
+
+int vtkVolumeFractionShapes::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  int extent[6];
+  info->Get(Pipeline::UPDATE_EXTENT(), extent);
+  std::string problem;
+  try
+  {
+    vfm::FilterRuntime::WithThreads(ChooseNumberOfThreads(this->NumberOfThreads),
+      [&] { this->Fill(inputVector[0], extent, image); });
+    return 1;
+  }
+  catch (const vfm::Aborted&)
+  {
+  }
+  catch (const vfm::InputError& error)
+  {
+    problem = error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem = "Not enough memory for the volume fractions.";
+  }
+  image->Initialize();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+  return problem.empty() ? 1 : 0;
+}
+
+void vtkVolumeFractionShapes::Fill(
+  vtkInformationVector* inputs, const int extent[6], vtkImageData* image)
+{
+  std::vector<vtkPolyData*> surfaces;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    surfaces.push_back(vtkPolyData::GetData(inputs, i));
+  }
+  const Placement place = this->FitToInput ? PlaceAround(surfaces, this->Dimensions)
+                                           : PlaceInBounds(this->Bounds, this->Dimensions);
+  std::array<std::vector<double>, 3> coordinates;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (int i = 0; i <= this->Dimensions[a]; ++i)
+    {
+      coordinates[a].push_back(place.Origin[a] + i * place.Spacing[a]);
+    }
+  }
+  const vfm::Vector3 lower{ { coordinates[0].front(), coordinates[1].front(),
+    coordinates[2].front() } };
+  const vfm::Vector3 upper{ { coordinates[0].back(), coordinates[1].back(),
+    coordinates[2].back() } };
+  std::vector<vfm::Shape> shapes = vfm::ParseShapes(this->Shapes, lower, upper);
+  if (shapes.empty() && !this->GetPresetName(this->Preset).empty() && this->Preset > 0)
+  {
+    shapes = vfm::MakeScene(static_cast<vfm::Scene>(this->Preset - 1), lower, upper);
+  }
+  for (vtkPolyData* surface : surfaces)
+  {
+    const int next = vfm::CountMaterials(shapes) + 1;
+    shapes.push_back(
+      vfm::MakeSurfaceShape(this->SurfaceMaterial == 0 ? next : this->SurfaceMaterial, surface));
+  }
+  if (shapes.empty())
+  {
+    throw vfm::InputError("There is no shape: choose a preset, write shapes, or give a surface.");
+  }
+  image->SetExtent(const_cast<int*>(extent));
+  image->SetOrigin(place.Origin);
+  image->SetSpacing(place.Spacing);
+  const ArrayWriter writer(extent, vfm::CountMaterials(shapes), image);
+  vfm::FilterRuntime runtime(this);
+  if (HasCells(extent))
+  {
+    vfm::ComputeShapeFractions(coordinates, writer.GetCells(), shapes, this->Tolerance, runtime,
+      [&writer](const vfm::IndexBox& cells, const std::vector<vfm::FractionField::Part>& parts)
+      { writer.Write(cells, parts); });
+  }
+}
+
+void vtkVolumeFractionShapes::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
+     << this->Dimensions[2] << "\n";
+  os << indent << "Bounds:";
+  for (double bound : this->Bounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n";
+  os << indent << "FitToInput: " << this->FitToInput << "\n";
+  os << indent << "Preset: " << this->GetPresetName(this->Preset) << "\n";
+  os << indent << "Shapes: " << this->Shapes << "\n";
+  os << indent << "SurfaceMaterial: " << this->SurfaceMaterial << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+}

@@ -1,0 +1,213 @@
+#!/usr/bin/env pvpython
+"""Meshes the fields in Data and leaves meshes and pictures in a folder.
+
+usage: pvpython demo.py PLUGIN OUT [CASE ...]
+
+For every case: OUT/CASE.vtu, OUT/CASE.e (Exodus, one element block a material), OUT/CASE_surface.png
+(the surface with the edges of the hexahedra) and OUT/CASE_cut.png (the hexahedra inside, coloured by
+scaled Jacobian). What is newer than the input, the plugin and the scripts is kept. Needs an X server.
+"""
+import glob
+import math
+import os
+import sys
+import time
+
+from paraview import simple
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(HERE)
+sys.path.insert(0, os.path.join(ROOT, "Examples"))
+from write_exodus import write_exodus
+
+PICTURE_SIZE = (1600, 1200)
+VIEW_ANGLE = 18  # degrees
+COLOURS = {1: (0.36, 0.62, 0.80), 2: (0.91, 0.62, 0.36)}  # of the materials
+EDGES = (0.13, 0.17, 0.22)
+TEXT = (0.15, 0.15, 0.15)
+
+
+class Case:
+    """A field of Data, how it is meshed, and from where it is seen (direction to the camera, zoom)."""
+
+    def __init__(self, name, file, arrays, camera, zoom, cut_normal, cut_camera, cut_zoom):
+        self.name, self.file, self.arrays = name, os.path.join(ROOT, "Data", file), arrays
+        self.camera, self.zoom = camera, zoom
+        self.cut_normal, self.cut_camera, self.cut_zoom = cut_normal, cut_camera, cut_zoom
+
+
+CASES = [
+    Case("splash", "splash_3500us.vti", ["water"], (0.75, -1.0, 0.65), 1.25, (0, 1, 0), (0.3, -1.0, 0.5), 1.6),
+    Case("ball_and_plate", "ball_and_plate.vti", ["ball", "plate"], (0.7, -1.0, 0.5), 1.25, (0, 1, 0),
+         (0.3, -1.0, 0.35), 1.5),
+]
+
+
+def is_newer(outputs, inputs):
+    """Whether all outputs are there and no input is newer."""
+    if not all(os.path.exists(path) for path in outputs):
+        return False
+    return min(map(os.path.getmtime, outputs)) > max(map(os.path.getmtime, inputs))
+
+
+def read_mesh(path):
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def make_mesh(case, vtu, exodus):
+    source = simple.XMLImageDataReader(FileName=[case.file])
+    hexes = VolumeFractionToHex(Input=source, VolumeFractionArrays=case.arrays)
+    start = time.time()
+    hexes.UpdatePipeline()
+    if hexes.GetDataInformation().GetNumberOfCells() == 0:
+        sys.exit("no mesh of " + case.file)
+    print("%s: %d hexahedra in %.1f s" % (case.name, hexes.GetDataInformation().GetNumberOfCells(), time.time() - start))
+    simple.SaveData(vtu, proxy=hexes, CompressorType="ZLib")
+    write_exodus(read_mesh(vtu), exodus)
+    simple.Delete(hexes)
+    simple.Delete(source)
+
+
+def make_view():
+    view = simple.CreateRenderView()
+    view.ViewSize = PICTURE_SIZE
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Gradient"
+    view.Background, view.Background2 = (1.0, 1.0, 1.0), (0.87, 0.90, 0.94)
+    view.OrientationAxesVisibility = 0
+    view.UseFXAA = 1
+    view.KeyLightIntensity = 0.95
+    return view
+
+
+def aim(view, bounds, direction, zoom):
+    """Looks from the direction at a point somewhat below the middle of the bounds, with z up."""
+    centre = [(bounds[2 * a] + bounds[2 * a + 1]) / 2 for a in range(3)]
+    radius = math.dist(bounds[0::2], bounds[1::2]) / 2
+    centre[2] -= 0.1 * radius
+    length = math.hypot(*direction)
+    distance = radius / math.sin(math.radians(VIEW_ANGLE / 2)) / zoom
+    view.CameraFocalPoint = centre
+    view.CameraPosition = [c + distance * d / length for c, d in zip(centre, direction)]
+    view.CameraViewUp = (0, 0, 1)
+    view.CameraViewAngle = VIEW_ANGLE
+
+
+def show(proxy, view):
+    display = simple.Show(proxy, view)
+    display.SetRepresentationType("Surface With Edges")
+    display.EdgeColor = EDGES
+    display.LineWidth = 1.0
+    display.Ambient, display.Diffuse = 0.25, 0.85
+    display.Specular, display.SpecularPower = 0.1, 20.0
+    return display
+
+
+def draw_surface(case, mesh, bounds, path):
+    """The outside, a colour a material."""
+    view = make_view()
+    for material, colour in COLOURS.items():
+        if material > len(case.arrays):
+            continue
+        part = simple.Threshold(
+            Input=mesh, Scalars=["CELLS", "MaterialId"], LowerThreshold=material, UpperThreshold=material)
+        display = show(part, view)
+        simple.ColorBy(display, None)
+        display.AmbientColor = display.DiffuseColor = colour
+    aim(view, bounds, case.camera, case.zoom)
+    save(view, path)
+
+
+def draw_cut(case, mesh, bounds, lowest, path):
+    """The hexahedra behind a plane, whole, coloured by scaled Jacobian."""
+    view = make_view()
+    # Off the middle by a little, which may be a plane of the grid.
+    origin = [0.495 * bounds[2 * a] + 0.505 * bounds[2 * a + 1] for a in range(3)]
+    half = simple.Clip(Input=mesh, ClipType="Plane", Crinkleclip=1, Invert=0)
+    half.ClipType.Origin, half.ClipType.Normal = origin, case.cut_normal
+    display = show(half, view)
+    simple.ColorBy(display, ("CELLS", "ScaledJacobian"))
+    table = simple.GetColorTransferFunction("ScaledJacobian")
+    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.RescaleTransferFunction(math.floor(10 * lowest) / 10, 1.0)
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = "Scaled Jacobian", ""
+    bar.TitleColor = bar.LabelColor = TEXT
+    bar.TitleFontSize, bar.LabelFontSize = 30, 26
+    bar.ScalarBarThickness, bar.ScalarBarLength = 28, 0.5
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.2f", "%.1f"
+    bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", (0.25, 0.045)
+    display.SetScalarBarVisibility(view, True)
+    aim(view, bounds, case.cut_camera, case.cut_zoom)
+    save(view, path)
+
+
+def save(view, path):
+    simple.Render(view)
+    simple.SaveScreenshot(path, view, ImageResolution=PICTURE_SIZE)
+    simple.Delete(view)
+
+
+def draw(case, vtu, surface, cut):
+    mesh = simple.XMLUnstructuredGridReader(FileName=[vtu])
+    mesh.UpdatePipeline()
+    information = mesh.GetDataInformation()
+    lowest = information.GetCellDataInformation().GetArrayInformation("ScaledJacobian").GetComponentRange(0)[0]
+    draw_surface(case, mesh, information.GetBounds(), surface)
+    draw_cut(case, mesh, information.GetBounds(), lowest, cut)
+
+
+def field(mesh, name):
+    array = mesh.GetFieldData().GetAbstractArray(name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def table_rows(case, mesh):
+    """A row a material: hexahedra, least and mean scaled Jacobian, volume and its error."""
+    materials, quality = mesh.GetCellData().GetArray("MaterialId"), mesh.GetCellData().GetArray("ScaledJacobian")
+    per_material = {material: [] for material in field(mesh, "MaterialIds")}
+    for cell in range(mesh.GetNumberOfCells()):
+        per_material[materials.GetValue(cell)].append(quality.GetValue(cell))
+    columns = zip(per_material.items(), *(field(mesh, name) for name in ("MaterialNames", "MeshVolume", "TargetVolume")))
+    for (_, values), name, volume, target in columns:
+        error = 100 * (volume / target - 1)
+        yield (case.name, name, str(len(values)), "%.3f" % min(values), "%.3f" % (sum(values) / len(values)),
+               "%.6g" % volume, "%+.4f" % error)
+
+
+def print_table(rows):
+    rows = [("field", "material", "hexahedra", "min SJ", "mean SJ", "volume", "error %")] + rows
+    widths = [max(len(row[c]) for row in rows) for c in range(len(rows[0]))]
+    for row in rows:
+        left = "  ".join(cell.ljust(width) for cell, width in zip(row[:2], widths))
+        print(left + "  " + "  ".join(cell.rjust(width) for cell, width in zip(row[2:], widths[2:])))
+
+
+def main(plugin, out, names):
+    simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines VolumeFractionToHex
+    simple._DisableFirstRenderCameraReset()
+    os.makedirs(out, exist_ok=True)
+    code = glob.glob(os.path.join(os.path.dirname(plugin), "*.so"))
+    code += [os.path.abspath(__file__), os.path.join(ROOT, "Examples", "write_exodus.py")]
+    rows = []
+    for case in CASES:
+        if names and case.name not in names:
+            continue
+        vtu, exodus, surface, cut = (
+            os.path.join(out, case.name + ending) for ending in (".vtu", ".e", "_surface.png", "_cut.png"))
+        if not is_newer([vtu, exodus], [case.file] + code):
+            make_mesh(case, vtu, exodus)
+        if not is_newer([surface, cut], [vtu] + code):
+            draw(case, vtu, surface, cut)
+        rows += table_rows(case, read_mesh(vtu))
+    print_table(rows)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2], sys.argv[3:])
