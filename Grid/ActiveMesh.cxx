@@ -24,21 +24,6 @@ bool IsUniform(const CartesianGrid& grid)
   return true;
 }
 
-/// The grid node of a point from its id, and the cell of a hex from its.
-Index3 Unpack(Index key, const Index3& size)
-{
-  return { { key % size[0], key / size[0] % size[1], key / (size[0] * size[1]) } };
-}
-Index3 NodeOfPoint(const CartesianGrid& grid, Index id)
-{
-  const Index3& n = grid.Global().Upper;
-  return Unpack((id - 1) / 16, { { n[0] + 1, n[1] + 1, n[2] + 1 } });
-}
-Index3 CellOfHex(const CartesianGrid& grid, Index id)
-{
-  return Unpack((id - 1) / 7, grid.Global().Upper);
-}
-
 Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell, double scale)
 {
   return (1.0 / scale) *
@@ -48,7 +33,7 @@ Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell, double scale)
 } // namespace
 
 ActiveMesh::ActiveMesh(const Interface& interface, const PointNumbering& numbering,
-  const LabelArray& labels, const HexMesh& mesh)
+  const LabelArray& labels, const Partition& partition, const HexMesh& mesh)
 {
   const CartesianGrid& grid = interface.Grid();
   const std::vector<Index> nodes = this->FindActiveNodes(interface, numbering, labels);
@@ -75,11 +60,11 @@ ActiveMesh::ActiveMesh(const Interface& interface, const PointNumbering& numberi
     this->Fixed.push_back(static_cast<unsigned char>(
       ((sides & 3) != 0) | ((sides >> 2 & 3) != 0) << 1 | ((sides >> 4 & 3) != 0) << 2));
   }
-  this->AddGroups(interface, nodes, numbering, pointOf, mesh);
+  this->AddGroups(interface, nodes, numbering, partition, pointOf, mesh);
   this->ListCorners();
 }
 
-/// Mixed nodes, and the nodes of meshed cells within two cells of one.
+/// Mixed nodes, and the nodes of meshed cells within two cells of one; of those, the nodes of HexBox.
 std::vector<Index> ActiveMesh::FindActiveNodes(
   const Interface& interface, const PointNumbering& numbering, const LabelArray& labels) const
 {
@@ -117,6 +102,18 @@ std::vector<Index> ActiveMesh::FindActiveNodes(
       }
     }
   }
+  const IndexBox box = grid.HexBox();
+  const auto isFar = [&](Index node)
+  {
+    const Index3 p = grid.Position(node);
+    bool inside = box.NumberOfCells() > 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      inside = inside && p[a] >= box.Lower[a] && p[a] <= box.Upper[a];
+    }
+    return !inside;
+  };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), isFar), nodes.end());
   std::sort(nodes.begin(), nodes.end());
   return nodes;
 }
@@ -162,26 +159,27 @@ void ActiveMesh::AddHexes(const CartesianGrid& grid, const HexMesh& mesh, std::v
   }
   if (uniform)
   {
-    this->Widths.push_back(CellWidths(grid, grid.Owned().Lower, scale));
+    this->Widths.push_back(CellWidths(grid, grid.Global().Lower, scale));
   }
 }
 
 void ActiveMesh::AddGroups(const Interface& interface, const std::vector<Index>& nodes,
-  const PointNumbering& numbering, const std::vector<int>& pointOf, const HexMesh& mesh)
+  const PointNumbering& numbering, const Partition& partition, const std::vector<int>& pointOf,
+  const HexMesh& mesh)
 {
   this->TargetNode.assign(this->X.size(), -1);
   this->SurfacePoint.assign(interface.Nodes().size(), -1);
-  std::size_t mixed = 0;
   for (Index node : nodes)
   {
     const Index first = numbering.FirstPoint(node);
     const int count = numbering.PointsAt(node);
-    if (mixed < interface.Nodes().size() && interface.Nodes()[mixed] == node)
+    const Index mixed = interface.Find(node);
+    if (mixed >= 0 && pointOf[first] >= 0)
     {
-      this->TargetNode[pointOf[first]] = static_cast<Index>(mixed);
-      this->SurfacePoint[mixed++] = pointOf[first];
+      this->TargetNode[pointOf[first]] = mixed;
+      this->SurfacePoint[mixed] = pointOf[first];
     }
-    if (count > 0)
+    if (count > 0 && partition.OwnsNode(interface.Grid().Position(node)))
     {
       const Index3 p = NodeOfPoint(interface.Grid(), mesh.PointIds[first]);
       this->Colours[CartesianGrid::Colour(p)].push_back({ pointOf[first], pointOf[first] + count });

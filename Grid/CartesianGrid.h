@@ -75,7 +75,8 @@ public:
   const IndexBox& Local() const { return this->LocalBox; }
   /// The owned cells and up to levels of the ghost levels around them.
   IndexBox Extended(int levels) const;
-  bool IsAlone() const { return this->OwnedBox == this->GlobalBox; }
+  /// The cells whose hexes are made here: the owned ones and those near them.
+  IndexBox HexBox() const { return this->Extended(HexLevels); }
 
   /// Length of every array over cells or nodes.
   Index NumberOfEntries() const { return this->Entries; }

@@ -70,6 +70,18 @@ void FractionField::SetParts(Index cell, const std::vector<Part>& parts)
   {
     this->List.push_back({ part.Material, part.Fraction * scale });
   }
+  this->CloseParts(cell);
+}
+
+void FractionField::CopyParts(Index cell, Range parts)
+{
+  this->List.insert(this->List.end(), parts.begin(), parts.end());
+  this->CloseParts(cell);
+}
+
+/// Gives the parts added last to a cell.
+void FractionField::CloseParts(Index cell)
+{
   this->Entry[cell] = static_cast<int>(~(static_cast<Index>(this->Offset.size()) - 1));
   this->Offset.push_back(static_cast<Index>(this->List.size()));
 }

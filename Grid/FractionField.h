@@ -59,6 +59,9 @@ public:
   /// parts: fractions of distinct materials >= 1, each > 0, sum <= 1 but for rounding.
   void SetParts(Index cell, const std::vector<Part>& parts);
 
+  /// The parts of a mixed cell as Parts() of another field has them, void included: nothing is normalised.
+  void CopyParts(Index cell, Range parts);
+
   bool IsMixed(Index cell) const { return this->Entry[cell] < 0; }
   /// The label of a cell that is not mixed.
   int Label(Index cell) const { return this->Entry[cell]; }
@@ -86,6 +89,8 @@ public:
   std::size_t MemoryInBytes() const;
 
 private:
+  void CloseParts(Index cell);
+
   int Materials;
   Index Normalised = 0;
   std::vector<int, LargeAllocator<int>> Entry; // label >= 0, or ~(index of the mixed cell)

@@ -1,5 +1,8 @@
 #include "Fragments.h"
 
+#include <map>
+#include <numeric>
+
 namespace vfm
 {
 namespace
@@ -25,8 +28,9 @@ void Join(std::vector<Index>& parent, Index a, Index b)
 
 } // namespace
 
-Fragments::Fragments(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid) :
-  Box(grid.Owned()), End(grid.Owned().Upper[0])
+Fragments::Fragments(
+  const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition) :
+  Box(grid.HexBox()), End(this->Box.Upper[0])
 {
   this->MakeRuns(grid, labels);
   std::vector<Index> parent(this->Runs.size());
@@ -48,7 +52,17 @@ Fragments::Fragments(const CartesianGrid& grid, const LabelArray& labels, bool m
       }
     }
   }
-  this->Number(parent, meshVoid);
+  const std::vector<Piece> mine = this->FindPieces(grid, parent, meshVoid);
+  Ranks& ranks = partition.Group();
+  Index offset = 0;
+  const std::vector<Index> counts =
+    GatherItems(ranks, std::vector<Index>{ static_cast<Index>(mine.size()) });
+  for (int rank = 0; rank < ranks.Rank(); ++rank)
+  {
+    offset += counts[rank];
+  }
+  this->Number(
+    GatherItems(ranks, mine), GatherItems(ranks, this->FindSame(grid, partition, offset)), offset);
 }
 
 void Fragments::MakeRuns(const CartesianGrid& grid, const LabelArray& labels)
@@ -88,26 +102,104 @@ void Fragments::JoinRows(Index row, Index other, std::vector<Index>& parent) con
   }
 }
 
-void Fragments::Number(std::vector<Index>& parent, bool meshVoid)
+/// The pieces of this rank's box, in the order of their lowest cell; runs get 1 + their number, for now.
+std::vector<Fragments::Piece> Fragments::FindPieces(
+  const CartesianGrid& grid, std::vector<Index>& parent, bool meshVoid)
 {
-  this->Materials.assign(1, 0);
-  for (std::size_t r = 0; r < this->Runs.size(); ++r)
+  std::vector<Piece> pieces;
+  Index r = 0;
+  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
   {
-    RunOfCells& run = this->Runs[r];
-    if (run.Label == 0 && !meshVoid)
+    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
     {
-      continue;
+      for (; r < this->RowStart[this->Row(j, k) + 1]; ++r)
+      {
+        RunOfCells& run = this->Runs[r];
+        const Index root = FindRoot(parent, r);
+        if (root == r && (run.Label != 0 || meshVoid))
+        {
+          pieces.push_back({ grid.CellKey({ { run.First, j, k } }), run.Label });
+          run.Fragment = static_cast<int>(pieces.size());
+        }
+        else
+        {
+          run.Fragment = root == r ? 0 : this->Runs[root].Fragment;
+        }
+      }
     }
-    const Index root = FindRoot(parent, static_cast<Index>(r));
-    if (root == static_cast<Index>(r))
+  }
+  return pieces;
+}
+
+/// Pairs of pieces of different ranks that hold the same cell. Pieces of this rank are numbered from offset.
+std::vector<std::array<Index, 2>> Fragments::FindSame(
+  const CartesianGrid& grid, const Partition& partition, Index offset) const
+{
+  std::vector<std::array<Index, 2>> same;
+  if (partition.Peers().empty())
+  {
+    return same;
+  }
+  std::vector<Index, LargeAllocator<Index>> pieceOf(grid.NumberOfEntries(), -1);
+  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
+  {
+    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
     {
-      run.Fragment = static_cast<int>(this->Materials.size());
-      this->Materials.push_back(run.Label);
+      const Index row = grid.Linear({ { 0, j, k } });
+      this->ForRuns(j, k,
+        [&](Index first, Index last, int fragment)
+        {
+          std::fill(pieceOf.begin() + row + first, pieceOf.begin() + row + last,
+            fragment > 0 ? offset + fragment - 1 : -1);
+        });
     }
-    else
+  }
+  const auto mine = pieceOf;
+  partition.ExchangeCells(pieceOf,
+    [&](Index cell)
     {
-      run.Fragment = this->Runs[root].Fragment;
-    }
+      if (mine[cell] >= 0)
+      {
+        same.push_back({ { mine[cell], pieceOf[cell] } });
+      }
+    });
+  std::sort(same.begin(), same.end());
+  same.erase(std::unique(same.begin(), same.end()), same.end());
+  return same;
+}
+
+/// Joins the pieces of all ranks and numbers what comes out by the lowest cell.
+void Fragments::Number(
+  const std::vector<Piece>& pieces, const std::vector<std::array<Index, 2>>& same, Index offset)
+{
+  std::vector<Index> parent(pieces.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const auto& pair : same)
+  {
+    Join(parent, pair[0], pair[1]);
+  }
+  std::map<Index, Index> lowest; // root -> lowest cell of the joined piece
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const auto at = lowest.emplace(FindRoot(parent, p), pieces[p].LowestCell).first;
+    at->second = std::min(at->second, pieces[p].LowestCell);
+  }
+  std::vector<std::pair<Index, Index>> order; // lowest cell, root
+  for (const auto& piece : lowest)
+  {
+    order.emplace_back(piece.second, piece.first);
+  }
+  std::sort(order.begin(), order.end());
+  std::map<Index, int> number;
+  this->Materials.assign(1, 0);
+  for (const auto& piece : order)
+  {
+    number[piece.second] = static_cast<int>(this->Materials.size());
+    this->Materials.push_back(static_cast<int>(pieces[piece.second].Label));
+  }
+  for (RunOfCells& run : this->Runs)
+  {
+    run.Fragment = run.Fragment > 0 ? number[FindRoot(parent, offset + run.Fragment - 1)] : 0;
   }
 }
 

@@ -9,15 +9,17 @@
 namespace vfm
 {
 
-/// Piece of every cell, numbered from 1 by the lowest cell; 0 in cells that are not meshed.
+/// Piece of every cell of HexBox, numbered from 1 over all ranks by the lowest cell; 0 in cells that are not meshed.
 /// Stored as runs of equal label along x, so that memory follows the interfaces.
 class Fragments
 {
 public:
-  Fragments(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid);
+  /// Collective. Every rank learns of all pieces of all ranks: 16 bytes a piece and rank that holds a part of it.
+  Fragments(
+    const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition);
 
   int NumberOfFragments() const { return static_cast<int>(this->Materials.size()) - 1; }
-  /// Of a cell in the owned box. runEnd: set to the end of the row's cells of the same fragment.
+  /// Of a cell in HexBox. runEnd: set to the end of the row's cells of the same fragment.
   int FragmentOfCell(const Index3& cell) const;
   int FragmentOfCell(const Index3& cell, Index& runEnd) const;
   int MaterialOfFragment(int fragment) const { return this->Materials[fragment]; }
@@ -47,7 +49,17 @@ private:
   }
   void MakeRuns(const CartesianGrid& grid, const LabelArray& labels);
   void JoinRows(Index row, Index other, std::vector<Index>& parent) const;
-  void Number(std::vector<Index>& parent, bool meshVoid);
+  struct Piece
+  {
+    Index LowestCell; // its key
+    Index Label;
+  };
+  std::vector<Piece> FindPieces(
+    const CartesianGrid& grid, std::vector<Index>& parent, bool meshVoid);
+  std::vector<std::array<Index, 2>> FindSame(
+    const CartesianGrid& grid, const Partition& partition, Index offset) const;
+  void Number(
+    const std::vector<Piece>& pieces, const std::vector<std::array<Index, 2>>& same, Index offset);
 
   IndexBox Box;
   Index End;

@@ -28,6 +28,7 @@ struct Quad
   SurfaceKey Key;
   int Materials[2];
   int Side;
+  bool IsOwned;
 };
 
 /// Numbers distinct keys from 1 in their order.
@@ -49,6 +50,7 @@ public:
       1;
   }
   Index Count() const { return static_cast<Index>(this->Keys.size()); }
+  const std::vector<Key>& All() const { return this->Keys; }
 
 private:
   std::vector<Key> Keys;
@@ -59,8 +61,15 @@ class GeometryFinder
 public:
   GeometryFinder(const CartesianGrid& grid, const LabelArray& labels,
     const std::vector<Index>& mixed, const Fragments& fragments, const PointNumbering& numbering,
-    HexMesh& mesh) :
-    Grid(grid), Labels(labels), Mixed(mixed), Pieces(fragments), Points(numbering), Mesh(mesh)
+    const Partition& partition, HexMesh& mesh) :
+    Grid(grid),
+    Labels(labels),
+    Mixed(mixed),
+    Pieces(fragments),
+    Points(numbering),
+    Parts(partition),
+    Box(grid.HexBox()),
+    Mesh(mesh)
   {
   }
 
@@ -83,7 +92,7 @@ private:
     mesh.Fragment = Buffer<int>(mesh.HexIds.size());
     mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
     mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
-    const IndexBox& box = this->Grid.Owned();
+    const IndexBox& box = this->Box;
     Index row = 0;
     for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
     {
@@ -131,7 +140,7 @@ private:
         const int label = this->Labels[this->Grid.CellOfNode(node, c)];
         const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1),
           p[2] - 1 + (c >> 2 & 1) } };
-        if (this->Points.IsMeshed(label) && this->Grid.Owned().Contains(cell))
+        if (this->Points.IsMeshed(label) && this->Box.Contains(cell))
         {
           this->Mesh.GeometryId[this->Points.InnerPoint(node, label)] =
             this->Pieces.FragmentOfCell(cell);
@@ -151,16 +160,16 @@ private:
       }
       if (cell[a] == 0)
       {
-        this->AddDomainQuad(h, 2 * a);
+        this->AddDomainQuad(h, 2 * a, this->Parts.OwnsCell(cell));
       }
       if (cell[a] == this->Grid.Global().Upper[a] - 1)
       {
-        this->AddDomainQuad(h, 2 * a + 1);
+        this->AddDomainQuad(h, 2 * a + 1, this->Parts.OwnsCell(cell));
       }
     }
   }
 
-  void AddDomainQuad(Index h, int side)
+  void AddDomainQuad(Index h, int side, bool owned)
   {
     Quad quad;
     for (int c = 0; c < 4; ++c)
@@ -171,6 +180,7 @@ private:
     quad.Materials[0] = 0;
     quad.Materials[1] = this->Mesh.Material[h];
     quad.Side = side;
+    quad.IsOwned = owned;
     this->Quads.push_back(quad);
   }
 
@@ -184,7 +194,7 @@ private:
         Index3 lower = upper;
         --lower[axis];
         const int a = this->Labels[node - this->Grid.Stride(axis)], b = this->Labels[node];
-        if (a == b || !this->Grid.Owned().Contains(upper) || !this->Grid.Owned().Contains(lower))
+        if (a == b || !this->Box.Contains(upper) || !this->Box.Contains(lower))
         {
           continue;
         }
@@ -193,6 +203,7 @@ private:
           a < b ? this->Pieces.FragmentOfCell(upper) : this->Pieces.FragmentOfCell(lower));
         this->Quads.back().Materials[0] = std::min(a, b);
         this->Quads.back().Materials[1] = std::max(a, b);
+        this->Quads.back().IsOwned = this->Parts.OwnsCell(this->Points.IsMeshed(a) ? lower : upper);
       }
     }
   }
@@ -220,7 +231,7 @@ private:
     {
       keys.push_back(quad.Key);
     }
-    const Numbering<SurfaceKey> numbers(std::move(keys));
+    const Numbering<SurfaceKey> numbers(this->GatherDistinct(keys));
     SurfaceQuads& surfaces = this->Mesh.Surfaces;
     const std::size_t count = this->Quads.size();
     surfaces.Points = Buffer<Index>(4 * count);
@@ -234,6 +245,7 @@ private:
       surfaces.SurfaceId[q] = numbers.Find(quad.Key);
       std::copy(quad.Materials, quad.Materials + 2, surfaces.MaterialPair.data() + 2 * q);
       surfaces.DomainSide[q] = quad.Side;
+      surfaces.IsOwned.push_back(quad.IsOwned);
     }
     return numbers.Count();
   }
@@ -280,22 +292,59 @@ private:
       }
     }
     std::vector<SurfaceSet> sets;
+    std::vector<Index> ids;
     for (const auto& junction : junctions)
     {
+      const Index id = this->Mesh.PointIds[junction.first];
+      if (!this->Parts.OwnsNode(NodeOfPoint(this->Grid, id)))
+      {
+        continue;
+      }
       if (edges[junction.first] == 2 && edgesAlike[junction.first] == 2)
       {
         sets.push_back(junction.second);
       }
+      else
+      {
+        ids.push_back(id);
+      }
     }
-    const Numbering<SurfaceSet> curves(std::move(sets));
+    const Numbering<SurfaceSet> curves(this->GatherSets(sets));
+    const Numbering<Index> vertices(GatherItems(this->Parts.Group(), ids));
     for (const auto& junction : junctions)
     {
       const bool curve = edges[junction.first] == 2 && edgesAlike[junction.first] == 2;
       this->Mesh.GeometryDimension[junction.first] = curve ? 1 : 0;
       this->Mesh.GeometryId[junction.first] =
-        curve ? curves.Find(junction.second) : static_cast<int>(++report.NumberOfVertices);
+        curve ? curves.Find(junction.second) : vertices.Find(this->Mesh.PointIds[junction.first]);
     }
     report.NumberOfCurves = curves.Count();
+    report.NumberOfVertices = vertices.Count();
+  }
+
+  template <class Key>
+  std::vector<Key> GatherDistinct(const std::vector<Key>& keys) const
+  {
+    return GatherItems(this->Parts.Group(), Numbering<Key>(keys).All());
+  }
+
+  /// The distinct sets of all ranks, sent as their sizes and members one after another.
+  std::vector<SurfaceSet> GatherSets(const std::vector<SurfaceSet>& sets) const
+  {
+    const Numbering<SurfaceSet> distinct(sets);
+    std::vector<int> flat;
+    for (const SurfaceSet& set : distinct.All())
+    {
+      flat.push_back(static_cast<int>(set.size()));
+      flat.insert(flat.end(), set.begin(), set.end());
+    }
+    flat = GatherItems(this->Parts.Group(), flat);
+    std::vector<SurfaceSet> all;
+    for (auto at = flat.begin(); at != flat.end(); at += 1 + *at)
+    {
+      all.emplace_back(at + 1, at + 1 + *at);
+    }
+    return all;
   }
 
   /// The edges of quads where several surfaces meet, with those surfaces.
@@ -332,6 +381,8 @@ private:
   const std::vector<Index>& Mixed;
   const Fragments& Pieces;
   const PointNumbering& Points;
+  const Partition& Parts;
+  IndexBox Box;
   HexMesh& Mesh;
   std::vector<Quad> Quads;
 };
@@ -340,9 +391,9 @@ private:
 
 void FindGeometry(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, const Fragments& fragments, const PointNumbering& numbering,
-  HexMesh& mesh, HexMeshReport& report)
+  const Partition& partition, HexMesh& mesh, HexMeshReport& report)
 {
-  GeometryFinder(grid, labels, mixed, fragments, numbering, mesh).Run(report);
+  GeometryFinder(grid, labels, mixed, fragments, numbering, partition, mesh).Run(report);
 }
 
 } // namespace vfm

@@ -36,10 +36,11 @@ struct HexMeshOptions
 /// The normal of a quad points from the second material of its pair to the first.
 struct SurfaceQuads
 {
-  Buffer<Index> Points;     ///< 4 a quad: indices of mesh points
-  Buffer<int> SurfaceId;    ///< from 1, over all ranks
-  Buffer<int> MaterialPair; ///< 2 a quad, the smaller first; 0 is void or outside
-  Buffer<int> DomainSide;   ///< -1, or 0..5 for -x +x -y +y -z +z
+  Buffer<Index> Points;               ///< 4 a quad: indices of mesh points
+  Buffer<int> SurfaceId;              ///< from 1, over all ranks
+  Buffer<int> MaterialPair;           ///< 2 a quad, the smaller first; 0 is void or outside
+  std::vector<unsigned char> IsOwned; ///< whether the quad belongs to a cell of this rank
+  Buffer<int> DomainSide;             ///< -1, or 0..5 for -x +x -y +y -z +z
 };
 
 struct HexMesh
@@ -54,7 +55,8 @@ struct HexMesh
   Buffer<int> Fragment;          ///< of each hex: face-connected piece, from 1 by lowest cell
   Buffer<float> ScaledJacobian;  ///< verdict's, of each hex; empty unless asked for
   SurfaceQuads Surfaces;
-  std::vector<Index> RowOffset; ///< first hex of each row of owned cells (x fastest), and the end
+  std::vector<Index>
+    RowOffset; ///< first hex of each row of CartesianGrid::HexBox (x fastest), and the end
 };
 
 struct HexMeshReport

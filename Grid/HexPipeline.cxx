@@ -88,8 +88,8 @@ void CorrectVolumes(FragmentVolumes& volumes, SurfaceTargets& targets, const Act
   }
 }
 
-void Smooth(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
-  const Interface& interface, const PointNumbering& numbering, const HexMeshOptions& options,
+void Smooth(const FractionField& fractions, const LabelArray& labels, const Interface& interface,
+  const PointNumbering& numbering, const Partition& partition, const HexMeshOptions& options,
   FragmentVolumes& volumes, HexMesh& mesh, Runtime& runtime, StageClock& clock)
 {
   clock.Start("Fitting surfaces", 0.2);
@@ -97,9 +97,11 @@ void Smooth(const CartesianGrid& grid, const FractionField& fractions, const Lab
     options.Method == Smoothing::GeometryBased ? SurfaceTargets::Kind::Facets
                                                : SurfaceTargets::Kind::Quadrics,
     runtime);
-  ActiveMesh active(interface, numbering, labels, mesh);
+  ActiveMesh active(interface, numbering, labels, partition, mesh);
+  const PointExchange exchange(active, mesh, interface.Grid(), partition);
   clock.Start("Smoothing", 0.25);
-  Smoother smoother(active, interface, targets, TargetJacobian(fractions, options), runtime);
+  Smoother smoother(
+    active, interface, targets, exchange, TargetJacobian(fractions, options), runtime);
   double done = 0.25;
   for (const SmoothingStage& stage : SmoothingRamp())
   {
@@ -113,7 +115,7 @@ void Smooth(const CartesianGrid& grid, const FractionField& fractions, const Lab
     clock.Start("Correcting volumes", 0.8);
     CorrectVolumes(volumes, targets, active, smoother, clock);
   }
-  active.CopyTo(mesh, grid);
+  active.CopyTo(mesh, interface.Grid());
 }
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
@@ -136,7 +138,8 @@ HexMesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   clock.Start("Assigning materials", 0.0);
   LabelArray labels = AssignMaterials(grid, fractions, options.IsoValue);
   clock.Start("Resolving labels", 0.05);
-  const ResolveReport resolved = ResolveLabels(grid, fractions, labels);
+  const Partition partition(grid, runtime.Group());
+  const ResolveReport resolved = ResolveLabels(grid, fractions, labels, partition);
   report.FlippedCells = resolved.FlippedCells;
   report.ResolveRounds = resolved.Rounds;
   clock.Start("Making hexahedra", 0.1);
@@ -144,17 +147,19 @@ HexMesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   PointNumbering numbering(grid, labels, options.MeshVoid);
   HexMesh mesh = BuildHexes(grid, labels, mixed, options.StairStep, numbering, runtime);
   clock.Start("Finding geometry", 0.12);
-  const Fragments fragments(grid, labels, options.MeshVoid);
-  FindGeometry(grid, labels, mixed, fragments, numbering, mesh, report);
+  const Fragments fragments(grid, labels, options.MeshVoid, partition);
+  FindGeometry(grid, labels, mixed, fragments, numbering, partition, mesh, report);
   clock.Start("Finding interfaces", 0.15);
   const bool smooth = !options.StairStep && options.Method != Smoothing::Off;
-  const Interface interface(grid, fractions, labels, smooth ? mixed : std::vector<Index>(),
-    options.IsoValue, runtime);
-  FragmentVolumes volumes(fractions, labels, interface, fragments);
+  const Interface interface(
+    grid, fractions, labels, smooth ? mixed : std::vector<Index>(), options.IsoValue, runtime);
+  FragmentVolumes volumes(fractions, labels, interface, fragments, partition);
   if (smooth)
   {
-    Smooth(grid, fractions, labels, interface, numbering, options, volumes, mesh, runtime, clock);
+    Smooth(
+      fractions, labels, interface, numbering, partition, options, volumes, mesh, runtime, clock);
   }
+  KeepOwned(mesh, grid);
   const double cellVolume = std::pow(grid.MeanWidth(), 3.0);
   report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
   report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);

@@ -7,6 +7,26 @@
 
 namespace vfm
 {
+namespace
+{
+
+Index3 Unpack(Index key, const Index3& size)
+{
+  return { { key % size[0], key / size[0] % size[1], key / (size[0] * size[1]) } };
+}
+
+} // namespace
+
+Index3 NodeOfPoint(const CartesianGrid& grid, Index id)
+{
+  const Index3& n = grid.Global().Upper;
+  return Unpack((id - 1) / 16, { { n[0] + 1, n[1] + 1, n[2] + 1 } });
+}
+
+Index3 CellOfHex(const CartesianGrid& grid, Index id)
+{
+  return Unpack((id - 1) / 7, grid.Global().Upper);
+}
 
 int PointNumbering::MeshedRank(Index node, int label) const
 {
@@ -31,7 +51,7 @@ public:
     const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime) :
     Grid(grid),
     Labels(labels),
-    Box(grid.Owned()),
+    Box(grid.HexBox()),
     StairStep(stairStep),
     Numbering(numbering),
     Run(runtime),
@@ -125,7 +145,7 @@ private:
         this->PointOffset[row] = count;
       });
     const Index total = MakeOffsets(this->PointOffset);
-    if (total > std::numeric_limits<int>::max())
+    if (this->Run.Group().Any(total > std::numeric_limits<int>::max()))
     {
       throw InputError("More than 2^31 mesh points on one rank: use more ranks.");
     }
@@ -283,7 +303,7 @@ private:
 
   const CartesianGrid& Grid;
   const LabelArray& Labels;
-  const IndexBox& Box;
+  IndexBox Box;
   bool StairStep;
   PointNumbering& Numbering;
   Runtime& Run;

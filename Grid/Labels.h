@@ -5,6 +5,7 @@
 #pragma once
 
 #include "FractionField.h"
+#include "Partition.h"
 
 namespace vfm
 {
@@ -39,8 +40,8 @@ struct ResolveReport
 
 /// Changes labels until every star passes the label condition (LabelCondition.h). The result does not
 /// depend on the order of cells: a round flips every cell whose score (violations removed against
-/// fraction given up) beats those of its 26 neighbours.
-ResolveReport ResolveLabels(
-  const CartesianGrid& grid, const FractionField& fractions, LabelArray& labels);
+/// fraction given up) beats those of its 26 neighbours. Ranks flip their own cells and exchange the labels after each round.
+ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
+  LabelArray& labels, const Partition& partition);
 
 } // namespace vfm

@@ -1,8 +1,8 @@
 #include "Quality.h"
 
+#include "ExactSum.h"
 #include "HexTopology.h"
 #include "Vector3.h"
-#include "Volumes.h"
 
 namespace vfm
 {
@@ -54,15 +54,21 @@ void ComputeQuality(HexMesh& mesh, Runtime& runtime, HexMeshReport& report)
           static_cast<float>(HexScaledJacobian(mesh.Points.data(), mesh.Hexes.data() + 8 * h));
       }
     });
-  ExactSum sum;
+  std::vector<ExactSum> sums(2); // of the scaled Jacobians, and their number
   double smallest = 1.0;
   for (float value : mesh.ScaledJacobian)
   {
-    sum.Add(value);
+    sums[0].Add(value);
     smallest = std::min(smallest, static_cast<double>(value));
   }
-  report.MinimumScaledJacobian = count ? smallest : 0.0;
-  report.MeanScaledJacobian = count ? sum.Value() / static_cast<double>(count) : 0.0;
+  sums[1].Add(static_cast<double>(count));
+  const std::vector<double> total = SumOverRanks(sums, runtime.Group());
+  report.MinimumScaledJacobian = -runtime.Group().Max(-smallest);
+  report.MeanScaledJacobian = total[1] > 0.0 ? total[0] / total[1] : 0.0;
+  if (total[1] == 0.0)
+  {
+    report.MinimumScaledJacobian = 0.0;
+  }
 }
 
 } // namespace vfm

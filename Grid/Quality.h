@@ -13,7 +13,7 @@ namespace vfm
 /// over the product of the edge lengths, -1..1 (Knupp 2000; verdict's hex_scaled_jacobian).
 double HexScaledJacobian(const double* points, const Index* hex);
 
-/// Fills mesh.ScaledJacobian, and minimum and mean in the report.
+/// Fills mesh.ScaledJacobian, and minimum and mean over all ranks in the report. Collective.
 void ComputeQuality(HexMesh& mesh, Runtime& runtime, HexMeshReport& report);
 
 } // namespace vfm

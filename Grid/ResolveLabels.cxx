@@ -28,8 +28,9 @@ struct Candidate
 class Resolver
 {
 public:
-  Resolver(const CartesianGrid& grid, const FractionField& fractions, LabelArray& labels) :
-    Grid(grid), Fractions(fractions), Labels(labels)
+  Resolver(const CartesianGrid& grid, const FractionField& fractions, LabelArray& labels,
+    const Partition& partition) :
+    Grid(grid), Fractions(fractions), Labels(labels), Parts(partition), Reach(grid.Extended(1))
   {
   }
 
@@ -40,14 +41,14 @@ public:
   {
     this->Violated = FindMixedNodes(this->Grid, this->Labels);
     this->KeepViolated();
-    const LabelArray before = this->Violated.empty() ? LabelArray() : this->Labels;
+    Ranks& ranks = this->Parts.Group();
     ResolveReport report;
     int kicks = 0;
-    while (!this->Violated.empty())
+    while (ranks.Any(!this->Violated.empty()))
     {
       const bool greedy = kicks <= Kicks && report.Rounds < GreedyRounds;
       this->FindCandidates(!greedy);
-      if (this->Candidates.empty())
+      if (!ranks.Any(!this->Candidates.empty()))
       {
         this->Turn = ++kicks <= Kicks ? kicks : 0;
         this->FindCandidates(true);
@@ -56,7 +57,9 @@ public:
       this->KeepViolated();
       ++report.Rounds;
     }
-    report.FlippedCells = this->CountChanges(before);
+    std::vector<Index> flipped{ this->CountChanges() };
+    ranks.Sum(flipped);
+    report.FlippedCells = flipped[0];
     return report;
   }
 
@@ -85,6 +88,18 @@ private:
     return cells;
   }
 
+  /// Whether a node touches a cell whose change competes with those of the owned cells.
+  bool IsNear(Index node) const
+  {
+    const Index3 p = this->Grid.Position(node);
+    bool near = this->Reach.NumberOfCells() > 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      near = near && p[a] >= this->Reach.Lower[a] && p[a] <= this->Reach.Upper[a];
+    }
+    return near;
+  }
+
   int Violations(Index node) const { return CountViolations(StarOfNode(Grid, Labels, node)); }
 
   void KeepViolated()
@@ -92,8 +107,9 @@ private:
     std::vector<Index>& nodes = this->Violated;
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
-                  [this](Index node) { return this->Violations(node) == 0; }),
+    nodes.erase(
+      std::remove_if(nodes.begin(), nodes.end(),
+        [this](Index node) { return !this->IsNear(node) || this->Violations(node) == 0; }),
       nodes.end());
   }
 
@@ -198,54 +214,52 @@ private:
     std::vector<std::pair<Index, int>> flips;
     for (const auto& candidate : this->Candidates)
     {
-      if (this->IsBestAround(candidate.first, candidate.second))
+      if (this->Parts.OwnsCell(this->Grid.Position(candidate.first)) &&
+        this->IsBestAround(candidate.first, candidate.second))
       {
         flips.emplace_back(candidate.first, candidate.second.Label);
       }
     }
-    for (const auto& flip : flips)
+    const auto addNodes = [this](Index cell)
     {
-      this->Labels[flip.first] = flip.second;
       for (int c = 0; c < 8; ++c)
       {
-        this->Violated.push_back(this->Grid.NodeOfCell(flip.first, c));
+        this->Violated.push_back(this->Grid.NodeOfCell(cell, c));
       }
+    };
+    for (const auto& flip : flips)
+    {
+      this->Original.emplace(flip.first, this->Labels[flip.first]);
+      this->Labels[flip.first] = flip.second;
+      addNodes(flip.first);
     }
+    this->Parts.ExchangeCells(this->Labels, addNodes);
     this->Grid.SetMirrored(this->Labels);
   }
 
-  Index CountChanges(const LabelArray& before) const
+  Index CountChanges() const
   {
-    Index count = 0;
-    const IndexBox& box = this->Grid.Owned();
-    for (Index k = box.Lower[2]; !before.empty() && k < box.Upper[2]; ++k)
-    {
-      for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-      {
-        const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
-        for (Index cell = first; cell < first + box.Size(0); ++cell)
-        {
-          count += before[cell] != this->Labels[cell];
-        }
-      }
-    }
-    return count;
+    return std::count_if(this->Original.begin(), this->Original.end(),
+      [this](const auto& cell) { return this->Labels[cell.first] != cell.second; });
   }
 
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   LabelArray& Labels;
+  const Partition& Parts;
+  IndexBox Reach;
   std::vector<Index> Violated;
+  std::unordered_map<Index, int> Original; // labels of the owned cells that were flipped
   int Turn = 0;
   std::unordered_map<Index, Candidate> Candidates;
 };
 
 } // namespace
 
-ResolveReport ResolveLabels(
-  const CartesianGrid& grid, const FractionField& fractions, LabelArray& labels)
+ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
+  LabelArray& labels, const Partition& partition)
 {
-  return Resolver(grid, fractions, labels).Run();
+  return Resolver(grid, fractions, labels, partition).Run();
 }
 
 } // namespace vfm

@@ -1,8 +1,10 @@
 /**
- * What the stages ask of the program around them: loops over threads, progress, abort.
+ * What the stages ask of the program around them: loops over threads, other ranks, progress, abort.
  * The base class is the serial program; Filters backs it with vtkSMPTools.
  */
 #pragma once
+
+#include "Ranks.h"
 
 #include <cstdint>
 #include <functional>
@@ -40,8 +42,15 @@ public:
     }
   }
 
+  /// The processes that share the grid.
+  virtual Ranks& Group()
+  {
+    static Ranks alone;
+    return alone;
+  }
+
   /// Tells that the named stage is at fraction (0..1) of the whole run.
-  /// Throws Aborted when the user wants to stop. Called by one thread.
+  /// Throws Aborted when the user wants to stop; on one rank only when it is alone. Called by one thread.
   virtual void Progress(double fraction, const char* stage)
   {
     (void)fraction;

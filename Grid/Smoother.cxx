@@ -45,13 +45,15 @@ const std::vector<SmoothingStage>& SmoothingRamp()
 }
 
 Smoother::Smoother(ActiveMesh& mesh, const Interface& interface, const SurfaceTargets& targets,
-  double targetScaledJacobian, Runtime& runtime) :
+  const PointExchange& exchange, double targetScaledJacobian, Runtime& runtime) :
   Mesh(mesh),
   TheInterface(interface),
   Targets(targets),
+  Exchange(exchange),
   TargetJacobian(targetScaledJacobian),
   Run(runtime),
-  Dirty(new unsigned char[mesh.X.size()])
+  Dirty(new unsigned char[mesh.X.size()]),
+  Woke(mesh.X.size(), 0)
 {
 }
 
@@ -74,11 +76,14 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
   }
 }
 
-/// Calls move(point) colour by colour; raises largest to what it returns.
-void Smoother::ForPoints(const std::function<double(int)>& move, std::atomic<double>& largest)
+/// Calls move(point) for the owned points, colour by colour; returns the largest value over all ranks.
+double Smoother::ForPoints(const std::function<double(int)>& move)
 {
-  for (const std::vector<ActiveMesh::Group>& groups : this->Mesh.Colours)
+  std::atomic<double> largest(0.0);
+  std::fill(this->Woke.begin(), this->Woke.end(), 0);
+  for (int colour = 0; colour < 8; ++colour)
   {
+    const std::vector<ActiveMesh::Group>& groups = this->Mesh.Colours[colour];
     this->Run.For(0, static_cast<Index>(groups.size()),
       [&](Index first, Index last)
       {
@@ -95,33 +100,31 @@ void Smoother::ForPoints(const std::function<double(int)>& move, std::atomic<dou
         {
         }
       });
+    this->Exchange.Send(
+      colour, this->Mesh, this->Woke, [this](int point) { this->MarkNeighbours(point); });
   }
+  return this->Run.Group().Max(largest);
 }
 
 /// Moves every point once; returns the largest move, in cells.
 double Smoother::Sweep(const SmoothingStage& stage)
 {
-  std::atomic<double> largest(0.0);
-  this->ForPoints(
+  return this->ForPoints(
     [&](int point)
     {
       return __atomic_load_n(&this->Dirty[point], __ATOMIC_RELAXED) ? this->MovePoint(point, stage)
                                                                     : 0.0;
-    },
-    largest);
-  return largest;
+    });
 }
 
 void Smoother::Nudge(const std::vector<double>& shifts)
 {
-  std::atomic<double> largest(0.0);
   this->ForPoints(
     [&](int point)
     {
       this->NudgePoint(point, shifts);
       return 0.0;
-    },
-    largest);
+    });
 }
 
 void Smoother::NudgePoint(int point, const std::vector<double>& shifts)
@@ -199,6 +202,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
       const double move = t * cut * length;
       if (move > MoveThatCounts)
       {
+        this->Woke[point] = 1;
         this->MarkNeighbours(point);
       }
       return move;

@@ -3,11 +3,12 @@
  * minimised point by point with Newton steps that keep every corner determinant positive.
  *
  * Points move in eight colours (parity of their grid node); points of one colour share no hex, so the
- * result does not depend on the threads. Inside a grid node S moves first, then its I.
+ * result does not depend on the threads, nor on the ranks, which exchange each colour. Inside a grid node S moves first, then its I.
  */
 #pragma once
 
 #include "BarrierEnergy.h"
+#include "PointExchange.h"
 #include "SurfaceTargets.h"
 
 #include <atomic>
@@ -31,7 +32,7 @@ class Smoother
 public:
   /// targetScaledJacobian: s* of the barrier.
   Smoother(ActiveMesh& mesh, const Interface& interface, const SurfaceTargets& targets,
-    double targetScaledJacobian, Runtime& runtime);
+    const PointExchange& exchange, double targetScaledJacobian, Runtime& runtime);
 
   /// report(fraction) is called after every sweep.
   void RunStage(const SmoothingStage& stage, const std::function<void(double)>& report);
@@ -41,7 +42,7 @@ public:
   void Nudge(const std::vector<double>& shifts);
 
 private:
-  void ForPoints(const std::function<double(int)>& move, std::atomic<double>& largest);
+  double ForPoints(const std::function<double(int)>& move);
   void NudgePoint(int point, const std::vector<double>& shifts);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
@@ -53,10 +54,13 @@ private:
   ActiveMesh& Mesh;
   const Interface& TheInterface;
   const SurfaceTargets& Targets;
+  const PointExchange& Exchange;
   double TargetJacobian;
   Runtime& Run;
   /// Set when a point of one of its hexes moved since the point was last looked at.
   std::unique_ptr<unsigned char[]> Dirty;
+  /// Set when the point woke its neighbours in this sweep.
+  std::vector<unsigned char> Woke;
 };
 
 /// The ramp of quadric surface smoothing.

@@ -40,34 +40,35 @@ double AreaOf(const std::array<Vector3, 4>& q)
   return 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1]));
 }
 
-std::vector<double> ValuesOf(const std::vector<ExactSum>& sums)
-{
-  std::vector<double> values;
-  for (const ExactSum& sum : sums)
-  {
-    values.push_back(sum.Value());
-  }
-  return values;
-}
-
 } // namespace
 
 FragmentVolumes::FragmentVolumes(const FractionField& fractions, const LabelArray& labels,
-  const Interface& interface, const Fragments& fragments) :
+  const Interface& interface, const Fragments& fragments, const Partition& partition) :
   TheInterface(interface),
   TheFragments(fragments),
-  Swept(fragments.NumberOfFragments() + 1, 0.0),
-  Areas(interface.Faces().size(), 0.0)
+  Parts(partition),
+  Swept(fragments.NumberOfFragments() + 1, 0.0)
 {
-  const CartesianGrid& grid = interface.Grid();
+  this->FindSides();
+  this->AddTargets(fractions, labels);
+  this->ShareOrphans();
+}
+
+/// The fragments beside every face near the owned cells, and those of every target.
+void FragmentVolumes::FindSides()
+{
+  const Interface& interface = this->TheInterface;
+  const IndexBox box = interface.Grid().HexBox();
   for (const InterfaceFace& face : interface.Faces())
   {
-    const Index3 upper = grid.Position(face.Node);
+    const Index3 upper = interface.Grid().Position(face.Node);
     Index3 lower = upper;
     --lower[face.Axis];
-    this->Sides.push_back({ fragments.FragmentOfCell(lower), fragments.FragmentOfCell(upper) });
+    const bool near = box.Contains(lower) && box.Contains(upper);
+    this->Sides.push_back({ near ? this->TheFragments.FragmentOfCell(lower) : 0,
+      near ? this->TheFragments.FragmentOfCell(upper) : 0, this->Parts.OwnsCell(upper) });
   }
-  this->PairFragments.resize(interface.Points().size());
+  this->PairFragments.resize(interface.Points().size(), { { 0, 0 } });
   for (std::size_t n = 0; n < interface.Nodes().size(); ++n)
   {
     for (Index at = interface.FaceOffset(n); at < interface.FaceOffset(n + 1); ++at)
@@ -82,8 +83,6 @@ FragmentVolumes::FragmentVolumes(const FractionField& fractions, const LabelArra
         ordered ? side.Upper : side.Lower } };
     }
   }
-  this->AddTargets(fractions, labels);
-  this->ShareOrphans();
 }
 
 /// The fragment of the material nearest to a cell that has another label: among the 26 around it.
@@ -97,7 +96,7 @@ int FragmentVolumes::FragmentNear(const LabelArray& labels, const Index3& cell, 
     const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
     const Index3 q{ { cell[0] + d[0], cell[1] + d[1], cell[2] + d[2] } };
     const Index distance = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    if (distance < nearest && grid.Owned().Contains(q) && labels[grid.Linear(q)] == material)
+    if (distance < nearest && grid.HexBox().Contains(q) && labels[grid.Linear(q)] == material)
     {
       best = this->TheFragments.FragmentOfCell(q);
       nearest = distance;
@@ -130,7 +129,8 @@ void FragmentVolumes::AddTargets(const FractionField& fractions, const LabelArra
       this->TheFragments.ForRuns(p[1], p[2],
         [&](Index first, Index last, int fragment)
         {
-          for (p[0] = first; p[0] < last; ++p[0])
+          last = std::min(last, box.Upper[0]);
+          for (p[0] = std::max(first, box.Lower[0]); p[0] < last; ++p[0])
           {
             const Index cell = grid.Linear(p);
             const double volume = grid.CellVolume(p) * scale;
@@ -148,9 +148,10 @@ void FragmentVolumes::AddTargets(const FractionField& fractions, const LabelArra
         });
     }
   }
-  this->Targets = ValuesOf(target);
-  this->CellVolumes = ValuesOf(cells);
-  this->TotalOfMaterial = ValuesOf(total);
+  Ranks& ranks = this->Parts.Group();
+  this->Targets = SumOverRanks(target, ranks);
+  this->CellVolumes = SumOverRanks(cells, ranks);
+  this->TotalOfMaterial = SumOverRanks(total, ranks);
 }
 
 /// Fractions with no cell of their material near go to all fragments of the material alike.
@@ -176,8 +177,14 @@ double FragmentVolumes::Lack(std::size_t fragment) const
 void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
   std::vector<ExactSum> swept(this->Swept.size());
+  std::map<std::pair<int, int>, ExactSum> areas;
   for (std::size_t f = 0; f < this->Sides.size(); ++f)
   {
+    const Side& side = this->Sides[f];
+    if (!side.Counts)
+    {
+      continue;
+    }
     std::array<Vector3, 4> before, after;
     int c = 0;
     for (Index n : this->TheInterface.NodesOfFace(static_cast<Index>(f)))
@@ -186,11 +193,31 @@ void FragmentVolumes::Measure(const ActiveMesh& mesh)
       after[c++] = mesh.X[mesh.SurfacePoint[n]];
     }
     const double volume = VolumeBetween(before, after);
-    swept[this->Sides[f].Lower].Add(volume);
-    swept[this->Sides[f].Upper].Add(-volume);
-    this->Areas[f] = AreaOf(after);
+    swept[side.Lower].Add(volume);
+    swept[side.Upper].Add(-volume);
+    areas[std::minmax(side.Lower, side.Upper)].Add(AreaOf(after));
   }
-  this->Swept = ValuesOf(swept);
+  this->Swept = SumOverRanks(swept, this->Parts.Group());
+  this->GatherAreas(areas);
+}
+
+void FragmentVolumes::GatherAreas(const std::map<std::pair<int, int>, ExactSum>& areas)
+{
+  std::vector<Area> mine;
+  for (const auto& area : areas)
+  {
+    mine.push_back({ area.first.first, area.first.second, area.second });
+  }
+  std::map<std::pair<int, int>, ExactSum> all;
+  for (const Area& area : GatherItems(this->Parts.Group(), mine))
+  {
+    all[{ area.First, area.Second }].Add(area.Value);
+  }
+  this->Areas.clear();
+  for (const auto& area : all)
+  {
+    this->Areas.push_back({ area.first.first, area.first.second, area.second });
+  }
 }
 
 std::vector<double> FragmentVolumes::FindShifts() const
@@ -201,20 +228,21 @@ std::vector<double> FragmentVolumes::FindShifts() const
   {
     entries.emplace_back(f, f, 1e-6); // a fragment that touches nothing
   }
-  for (std::size_t f = 0; f < this->Sides.size(); ++f)
+  for (const Area& area : this->Areas)
   {
-    const int a = this->Sides[f].Lower - 1, b = this->Sides[f].Upper - 1;
+    const int a = area.First - 1, b = area.Second - 1; // -1: not meshed
+    const double value = area.Value.Value();
     for (int side : { a, b })
     {
       if (side >= 0)
       {
-        entries.emplace_back(side, side, this->Areas[f]);
+        entries.emplace_back(side, side, value);
       }
     }
     if (a >= 0 && b >= 0)
     {
-      entries.emplace_back(a, b, -this->Areas[f]);
-      entries.emplace_back(b, a, -this->Areas[f]);
+      entries.emplace_back(a, b, -value);
+      entries.emplace_back(b, a, -value);
     }
   }
   Eigen::SparseMatrix<double> A(count, count);

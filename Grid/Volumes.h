@@ -2,37 +2,28 @@
  * Volumes of fragments: what the fractions ask for, what the mesh has, and the shift of the interfaces
  * that makes them meet.
  *
- * Sums run in integers, so they do not depend on the order. Volumes are in grid coordinates
+ * Sums run in integers over all ranks, so they depend neither on the order nor on the ranks. Every rank holds the
+ * volumes of all fragments and the areas of all pairs of fragments. Volumes are in grid coordinates
  * (Interface.h): one mean cell is 1.
  */
 #pragma once
 
 #include "ActiveMesh.h"
+#include "ExactSum.h"
 #include "Fragments.h"
 #include "SurfaceTargets.h"
+
+#include <map>
 
 namespace vfm
 {
 
-/// A sum of doubles that does not depend on their order: in units of 2^-36.
-class ExactSum
-{
-public:
-  void Add(double value) { this->Total += static_cast<Integer>(value * Unit); }
-  void Add(const ExactSum& other) { this->Total += other.Total; }
-  double Value() const { return static_cast<double>(this->Total) / Unit; }
-
-private:
-  __extension__ typedef __int128 Integer;
-  static constexpr double Unit = 68719476736.0;
-  Integer Total = 0;
-};
-
 class FragmentVolumes
 {
 public:
+  /// Collective, like Measure.
   FragmentVolumes(const FractionField& fractions, const LabelArray& labels,
-    const Interface& interface, const Fragments& fragments);
+    const Interface& interface, const Fragments& fragments, const Partition& partition);
 
   /// Measures the mesh. Without it, volumes are those of the cells.
   void Measure(const ActiveMesh& mesh);
@@ -52,8 +43,16 @@ public:
 private:
   struct Side
   {
-    int Lower, Upper; // fragments beside a face, 0 where not meshed
+    int Lower, Upper; // fragments beside a face; 0 where not meshed, or far from the owned cells
+    bool Counts;      // here: one rank counts each face
   };
+  struct Area // of the interface of two fragments, the smaller first
+  {
+    int First, Second;
+    ExactSum Value;
+  };
+  void FindSides();
+  void GatherAreas(const std::map<std::pair<int, int>, ExactSum>& areas);
   void AddTargets(const FractionField& fractions, const LabelArray& labels);
   int FragmentNear(const LabelArray& labels, const Index3& cell, int material) const;
   void ShareOrphans();
@@ -61,12 +60,13 @@ private:
 
   const Interface& TheInterface;
   const Fragments& TheFragments;
+  const Partition& Parts;
   std::vector<Side> Sides;                       // of every interface face
   std::vector<std::array<int, 2>> PairFragments; // of every target: of its first and second label
   std::vector<double> Targets;                   // by fragment, orphans shared out
   std::vector<double> CellVolumes;               // by fragment
   std::vector<double> Swept;                     // by fragment: mesh minus cells
-  std::vector<double> Areas;                     // by interface face
+  std::vector<Area> Areas;                       // sorted
   std::vector<double> TotalOfMaterial;           // from the fractions
 };
 

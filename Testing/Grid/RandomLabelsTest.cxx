@@ -69,7 +69,7 @@ TEST_P(RandomLabels, MeshIsValid)
     HexMeshReport report;
     const HexMesh mesh = MakeHexMesh(grid, field, options, runtime, report);
     LabelArray labels = AssignMaterials(grid, field, options.IsoValue);
-    ResolveLabels(grid, field, labels);
+    ResolveLabels(grid, field, labels, Partition(grid, runtime.Group()));
     for (Index node : FindMixedNodes(grid, labels))
     {
       ASSERT_EQ(CountViolations(StarOfNode(grid, labels, node)), 0);

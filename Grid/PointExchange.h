@@ -1,0 +1,36 @@
+/**
+ * PointExchange: after a colour has moved, its new positions go to the ranks that hold the points as ghosts.
+ */
+#pragma once
+
+#include "ActiveMesh.h"
+
+namespace vfm
+{
+
+class PointExchange
+{
+public:
+  /// Collective among peers: each asks the owners for the active points that it does not own.
+  PointExchange(const ActiveMesh& active, const HexMesh& mesh, const CartesianGrid& grid,
+    const Partition& partition);
+
+  /// Sends the positions of the points of a colour and receives those of the peers' points.
+  /// flags: of every point; sent along with the points. received(point) is called where a flag was set.
+  void Send(int colour, ActiveMesh& active, const std::vector<unsigned char>& flags,
+    const std::function<void(int)>& received) const;
+
+private:
+  struct Message
+  {
+    Vector3 X;
+    double Flag;
+  };
+  /// Points by peer; both sides list them in the order of their ids.
+  using Lists = std::vector<std::vector<int>>;
+
+  const Partition& Parts;
+  std::array<Lists, 8> Outgoing, Incoming; // by colour
+};
+
+} // namespace vfm
