@@ -1,20 +1,18 @@
 #include "PointExchange.h"
 
+#include <numeric>
+
 namespace vfm
 {
 
 PointExchange::PointExchange(const ActiveMesh& active, const HexMesh& mesh,
   const CartesianGrid& grid, const Partition& partition) :
-  Parts(partition)
+  Group(partition.Group())
 {
   const std::size_t peers = partition.Peers().size();
   const int count = static_cast<int>(active.X.size());
   const auto idOf = [&](int point) { return mesh.PointIds[active.MeshPoint[point]]; };
-  for (int colour = 0; colour < 8; ++colour)
-  {
-    this->Outgoing[colour].resize(peers);
-    this->Incoming[colour].resize(peers);
-  }
+  std::vector<std::array<Link, 8>> links(peers);
   std::vector<std::vector<Index>> wanted(peers);
   for (int point = 0; point < count; ++point)
   {
@@ -23,7 +21,7 @@ PointExchange::PointExchange(const ActiveMesh& active, const HexMesh& mesh,
     {
       const int peer = partition.PeerOfNode(node);
       wanted[peer].push_back(idOf(point));
-      this->Incoming[CartesianGrid::Colour(node)][peer].push_back(point);
+      links[peer][CartesianGrid::Colour(node)].Incoming.push_back(point);
     }
   }
   std::vector<Bytes> requests;
@@ -31,19 +29,28 @@ PointExchange::PointExchange(const ActiveMesh& active, const HexMesh& mesh,
   {
     requests.push_back(ToBytes(ids));
   }
-  requests = partition.Group().Exchange(partition.Peers(), requests);
+  requests = this->Group.Exchange(partition.Peers(), requests);
   std::vector<int> points(count);
-  for (int point = 0; point < count; ++point)
-  {
-    points[point] = point;
-  }
+  std::iota(points.begin(), points.end(), 0);
   for (std::size_t peer = 0; peer < peers; ++peer)
   {
     for (Index id : FromBytes<Index>(requests[peer]))
     {
       const int point = *std::lower_bound(
         points.begin(), points.end(), id, [&](int p, Index key) { return idOf(p) < key; });
-      this->Outgoing[CartesianGrid::Colour(NodeOfPoint(grid, id))][peer].push_back(point);
+      links[peer][CartesianGrid::Colour(NodeOfPoint(grid, id))].Outgoing.push_back(point);
+    }
+  }
+  for (std::size_t peer = 0; peer < peers; ++peer)
+  {
+    for (int colour = 0; colour < 8; ++colour)
+    {
+      Link& link = links[peer][colour];
+      if (!link.Outgoing.empty() || !link.Incoming.empty())
+      {
+        this->Peers[colour].push_back(partition.Peers()[peer]);
+        this->Links[colour].push_back(std::move(link));
+      }
     }
   }
 }
@@ -52,22 +59,22 @@ void PointExchange::Send(int colour, ActiveMesh& active, const std::vector<unsig
   const std::function<void(int)>& received) const
 {
   std::vector<Bytes> messages;
-  for (const std::vector<int>& points : this->Outgoing[colour])
+  for (const Link& link : this->Links[colour])
   {
     std::vector<Message> items;
-    for (int point : points)
+    for (int point : link.Outgoing)
     {
       items.push_back({ active.X[point], flags[point] ? 1.0 : 0.0 });
     }
     messages.push_back(ToBytes(items));
   }
-  messages = this->Parts.Group().Exchange(this->Parts.Peers(), messages);
+  messages = this->Group.Exchange(this->Peers[colour], messages);
   for (std::size_t peer = 0; peer < messages.size(); ++peer)
   {
     const std::vector<Message> items = FromBytes<Message>(messages[peer]);
     for (std::size_t i = 0; i < items.size(); ++i)
     {
-      const int point = this->Incoming[colour][peer][i];
+      const int point = this->Links[colour][peer].Incoming[i];
       active.X[point] = items[i].X;
       if (items[i].Flag > 0.0)
       {

@@ -26,11 +26,15 @@ private:
     Vector3 X;
     double Flag;
   };
-  /// Points by peer; both sides list them in the order of their ids.
-  using Lists = std::vector<std::vector<int>>;
+  /// The points of one colour that go between this rank and another; both list them in the order of their ids.
+  struct Link
+  {
+    std::vector<int> Outgoing, Incoming;
+  };
 
-  const Partition& Parts;
-  std::array<Lists, 8> Outgoing, Incoming; // by colour
+  Ranks& Group;
+  std::array<std::vector<int>, 8> Peers;  // by colour: the ranks with points in common
+  std::array<std::vector<Link>, 8> Links; // by colour and peer
 };
 
 } // namespace vfm

@@ -115,7 +115,14 @@ void StairStep(benchmark::State& state)
   options.ComputeQuality = false; // all hexes are cells
   Run(state, grid, MakeConcentricLabels(grid, state.range(0)), options);
 }
-BENCHMARK(StairStep)->Arg(24)->Arg(96)->Arg(240)->Unit(benchmark::kMillisecond)->UseRealTime();
+// the first run pays for memory that the system has not handed out before
+BENCHMARK(StairStep)
+  ->Arg(24)
+  ->Arg(96)
+  ->Arg(240)
+  ->Iterations(5)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 
 void Sphere(benchmark::State& state)
 {

@@ -1,6 +1,6 @@
 /// The mesh is the same, bit for bit, on any number of ranks and any partition.
 #include "MeshCases.h"
-#include "ThreadRanks.h"
+#include "RankFields.h"
 
 #include <gtest/gtest.h>
 
@@ -11,37 +11,6 @@ using namespace vfm::testing;
 
 namespace
 {
-
-class RankRuntime : public Runtime
-{
-public:
-  explicit RankRuntime(Ranks& ranks) : TheRanks(ranks) {}
-  Ranks& Group() override { return this->TheRanks; }
-
-private:
-  Ranks& TheRanks;
-};
-
-/// Cuts a box in parts along its longest axis, or along one axis; positions are uneven.
-void CutBox(const IndexBox& box, int parts, int axis, std::vector<IndexBox>& boxes)
-{
-  if (parts == 1)
-  {
-    boxes.push_back(box);
-    return;
-  }
-  int a = axis;
-  for (int b = 0; axis < 0 && b < 3; ++b)
-  {
-    a = a < 0 || box.Size(b) > box.Size(a) ? b : a;
-  }
-  const int first = parts / 2;
-  IndexBox low = box, high = box;
-  low.Upper[a] = high.Lower[a] =
-    box.Lower[a] + std::min(box.Size(a), (box.Size(a) * first + parts - 1) / parts);
-  CutBox(low, first, axis, boxes);
-  CutBox(high, parts - first, axis, boxes);
-}
 
 /// What a mesh is made of, by global id.
 struct MergedMesh
@@ -99,33 +68,6 @@ bool operator==(const HexMeshReport& a, const HexMeshReport& b)
     a.MeanScaledJacobian == b.MeanScaledJacobian;
 }
 
-FractionField CopyToLocal(
-  const CartesianGrid& whole, const FractionField& from, const CartesianGrid& grid)
-{
-  FractionField field(grid, from.NumberOfMaterials());
-  const IndexBox& box = grid.Local();
-  Index3 p;
-  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
-    {
-      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
-      {
-        const Index source = whole.Linear(p), cell = grid.Linear(p);
-        if (from.IsMixed(source))
-        {
-          field.CopyParts(cell, from.Parts(source));
-        }
-        else
-        {
-          field.SetLabel(cell, from.Label(source));
-        }
-      }
-    }
-  }
-  return field;
-}
-
 /// Meshes on ranks, each with one of the boxes, and compares with the mesh of one process.
 void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const HexMeshOptions& options)
@@ -140,9 +82,7 @@ void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
   RunOnRanks(count,
     [&](Ranks& ranks)
     {
-      const CartesianGrid grid(
-        { { whole.Coordinates(0), whole.Coordinates(1), whole.Coordinates(2) } },
-        boxes[ranks.Rank()], GhostLevels);
+      const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
       RankRuntime runtime(ranks);
       meshes[ranks.Rank()] =
         MakeHexMesh(grid, CopyToLocal(whole, field, grid), options, runtime, reports[ranks.Rank()]);

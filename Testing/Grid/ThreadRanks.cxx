@@ -46,6 +46,8 @@ std::vector<Bytes> ThreadRanks::Exchange(
 {
   for (std::size_t p = 0; p < peers.size(); ++p)
   {
+    ++this->Counted.Messages;
+    this->Counted.MessageBytes += static_cast<std::int64_t>(outgoing[p].size());
     this->Hub.Put(this->Mine, peers[p], outgoing[p]);
   }
   std::vector<Bytes> incoming;
@@ -56,10 +58,22 @@ std::vector<Bytes> ThreadRanks::Exchange(
   return incoming;
 }
 
+std::vector<Bytes> ThreadRanks::Gather(const Bytes& mine)
+{
+  std::vector<Bytes> all = this->Hub.Gather(this->Mine, mine);
+  ++this->Counted.Gathers;
+  for (const Bytes& bytes : all)
+  {
+    this->Counted.GatheredBytes += static_cast<std::int64_t>(bytes.size());
+  }
+  return all;
+}
+
 void ThreadRanks::Sum(std::vector<std::int64_t>& values)
 {
+  ++this->Counted.Reductions;
   std::vector<std::int64_t> sums(values.size(), 0);
-  for (const Bytes& bytes : this->Gather(ToBytes(values)))
+  for (const Bytes& bytes : this->Hub.Gather(this->Mine, ToBytes(values)))
   {
     const std::vector<std::int64_t> items = FromBytes<std::int64_t>(bytes);
     std::transform(
@@ -70,11 +84,16 @@ void ThreadRanks::Sum(std::vector<std::int64_t>& values)
 
 double ThreadRanks::Max(double value)
 {
-  const std::vector<double> all = GatherItems(*this, std::vector<double>{ value });
-  return *std::max_element(all.begin(), all.end());
+  ++this->Counted.Reductions;
+  double largest = value;
+  for (const Bytes& bytes : this->Hub.Gather(this->Mine, ToBytes(std::vector<double>{ value })))
+  {
+    largest = std::max(largest, FromBytes<double>(bytes)[0]);
+  }
+  return largest;
 }
 
-void RunOnRanks(int count, const std::function<void(Ranks&)>& body)
+void RunOnRanks(int count, const std::function<void(ThreadRanks&)>& body)
 {
   ThreadHub hub(count);
   std::vector<std::thread> threads;

@@ -44,20 +44,25 @@ public:
   int Count() const override { return this->Hub.Count; }
   std::vector<Bytes> Exchange(
     const std::vector<int>& peers, const std::vector<Bytes>& outgoing) override;
-  std::vector<Bytes> Gather(const Bytes& mine) override
-  {
-    return this->Hub.Gather(this->Mine, mine);
-  }
+  std::vector<Bytes> Gather(const Bytes& mine) override;
   void Sum(std::vector<std::int64_t>& values) override;
   double Max(double value) override;
+
+  /// What this rank sent so far. A gather counts with what it brings in.
+  struct Traffic
+  {
+    std::int64_t Messages = 0, MessageBytes = 0, Reductions = 0, Gathers = 0, GatheredBytes = 0;
+  };
+  const Traffic& Sent() const { return this->Counted; }
 
 private:
   ThreadHub& Hub;
   int Mine;
+  Traffic Counted;
 };
 
 /// Runs body(ranks) on count threads at once.
-void RunOnRanks(int count, const std::function<void(Ranks&)>& body);
+void RunOnRanks(int count, const std::function<void(ThreadRanks&)>& body);
 
 } // namespace testing
 } // namespace vfm
