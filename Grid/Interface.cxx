@@ -8,6 +8,8 @@ namespace vfm
 namespace
 {
 
+constexpr double SmallestSlide =
+  0.1; // squared sine of the angle between interface and side of the domain
 constexpr double SmallestDistance = 0.05; // of a node to a crossing, in cells: caps its weight
 
 } // namespace
@@ -167,6 +169,23 @@ void Interface::AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) con
   {
     points[slot].Point = (1.0 / weights[slot]) * points[slot].Point;
     points[slot].Normal = Unit(points[slot].Normal);
+    this->SlideIntoDomain(node, x, points[slot]);
+  }
+}
+
+/// On a side of the domain the point moves in the tangent plane to the nearest place on that side.
+void Interface::SlideIntoDomain(Index node, const Vector3& x, SurfacePoint& point) const
+{
+  const int sides = this->TheGrid.DomainSides(this->TheGrid.Position(node));
+  Vector3 along = point.Normal;
+  for (int a = 0; a < 3; ++a)
+  {
+    along[a] = sides >> (2 * a) & 3 ? 0.0 : along[a];
+  }
+  const double slope = Dot(along, along);
+  if (sides != 0 && slope > SmallestSlide)
+  {
+    point.Point = x - (Dot(x - point.Point, point.Normal) / slope) * along;
   }
 }
 

@@ -78,6 +78,7 @@ private:
   void FindFaces(const LabelArray& labels);
   void LinkFaces();
   void FindSurfacePoints(Runtime& runtime);
+  void SlideIntoDomain(Index node, const Vector3& x, SurfacePoint& point) const;
   void AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) const;
 
   const CartesianGrid& TheGrid;
