@@ -166,6 +166,14 @@ TEST(Ranks, SlabsThinnerThanTheGhostLevels)
   CompareWithSerial(c.Grid, c.Fractions, boxes, HexMeshOptions());
 }
 
+TEST(Ranks, ThirtyThree)
+{
+  const MeshCase c = MakeMeshCase("sphere 16");
+  std::vector<IndexBox> boxes;
+  CutBox(c.Grid.Global(), 33, -1, boxes);
+  CompareWithSerial(c.Grid, c.Fractions, boxes, HexMeshOptions());
+}
+
 TEST(Ranks, StairStepAndSmoothingOff)
 {
   const MeshCase c = MakeMeshCase("sphere 8");
