@@ -2,18 +2,21 @@
 """Writes a mesh of Volume Fraction To Hex as an Exodus file with one element block a material.
 
 usage: pvpython write_exodus.py MESH.vtu MESH.e
+       mpiexec -n P pvbatch --sym write_exodus.py MESH.pvtu MESH.e     writes MESH.e.P.0, MESH.e.P.1, ...
 
 Blocks are named after the materials (field data MaterialNames). Node and element ids are the mesh's
 GlobalPointIds and GlobalCellIds; all cell and point arrays become element and node variables.
-From Python: write_exodus(mesh, path), mesh a vtkUnstructuredGrid.
+From Python: write_exodus(mesh, path), mesh a vtkUnstructuredGrid; on several ranks all call it, each with its piece.
 """
 import sys
 
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkDataAssembly, vtkDataObject, vtkPartitionedDataSetCollection)
 from vtkmodules.vtkFiltersCore import vtkThreshold
 from vtkmodules.vtkIOIOSS import vtkIOSSWriter
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 
 def extract_material(mesh, material):
@@ -31,6 +34,17 @@ def extract_material(mesh, material):
     return part
 
 
+def is_anywhere(part):
+    """Whether any rank has cells of the part."""
+    mine, all_ranks = vtkIdTypeArray(), vtkIdTypeArray()
+    mine.InsertNextValue(part.GetNumberOfCells())
+    all_ranks.DeepCopy(mine)
+    controller = vtkMultiProcessController.GetGlobalController()
+    if controller:
+        controller.AllReduce(mine, all_ranks, vtkCommunicator.SUM_OP)
+    return all_ranks.GetValue(0) > 0
+
+
 def split_by_material(mesh):
     """One block a material, with the assembly that the Exodus writer asks for."""
     names = mesh.GetFieldData().GetAbstractArray("MaterialNames")
@@ -41,7 +55,7 @@ def split_by_material(mesh):
     element_blocks = assembly.AddNode("element_blocks")
     for i in range(ids.GetNumberOfTuples()):
         part = extract_material(mesh, ids.GetValue(i))
-        if part.GetNumberOfCells() == 0:
+        if not is_anywhere(part):
             continue
         block = blocks.GetNumberOfPartitionedDataSets()
         blocks.SetPartition(block, 0, part)
@@ -64,7 +78,11 @@ def write_exodus(mesh, path):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    reader = vtkXMLUnstructuredGridReader()
+    reader = vtkXMLPUnstructuredGridReader() if sys.argv[1].endswith(".pvtu") else vtkXMLUnstructuredGridReader()
     reader.SetFileName(sys.argv[1])
-    reader.Update()
+    ranks = vtkMultiProcessController.GetGlobalController()
+    if ranks:
+        reader.UpdatePiece(ranks.GetLocalProcessId(), ranks.GetNumberOfProcesses(), 0)
+    else:
+        reader.Update()
     write_exodus(reader.GetOutput(), sys.argv[2])

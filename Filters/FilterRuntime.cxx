@@ -72,7 +72,7 @@ void FilterRuntime::Progress(double fraction, const char* stage)
 {
   this->Owner->SetProgressText(stage);
   this->Owner->UpdateProgress(fraction);
-  if (this->Owner->GetAbortExecute())
+  if (this->Owner->GetAbortExecute() && this->Group().Count() == 1)
   {
     throw Aborted();
   }

@@ -1,19 +1,20 @@
 /**
- * InputBlocks: the blocks of a VTK data object that tile one Cartesian grid, and where each block's
- * cells lie in it.
+ * InputBlocks: the blocks of a VTK data object, on any number of ranks, that tile one Cartesian grid, and where
+ * each block's cells lie in it.
  *
  * Taken are vtkImageData, vtkUniformGrid, vtkRectilinearGrid and composite data sets of them, in any
- * order; a vtkUniformGridAMR when only one of its levels holds blocks. Blocks are matched by the
- * coordinates of their nodes, so extents may restart at 0 in every block. Ghost cells
- * (vtkGhostType, DUPLICATECELL) are dropped: they may only form layers on the sides of a block. Blanked
+ * order, dealt to the ranks in any way; a vtkUniformGridAMR when only one of its levels holds blocks. A rank may
+ * have none. Blocks are matched by the coordinates of their nodes, so extents may restart at 0 in every block.
+ * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped: they may only form layers on the sides of a block. Blanked
  * cells (HIDDENCELL) stay and are void.
  *
  * Node coordinates that differ by less than a thousandth of the smallest cell are one; the smallest is
- * kept, so the grid does not depend on the order of the blocks.
+ * kept, so the grid does not depend on the order of the blocks or their ranks.
  */
 #pragma once
 
 #include "CartesianGrid.h"
+#include "Ranks.h"
 
 #include <string>
 #include <vector>
@@ -28,10 +29,11 @@ namespace vfm
 struct InputBlock
 {
   vtkDataSet* Data = nullptr;
-  std::string Name;                               ///< for messages: "The input", "Block 3"
-  vtkUnsignedCharArray* GhostTypes = nullptr;     ///< of all cells of Data, or null
-  Index3 Dimensions{ { 0, 0, 0 } };               ///< cells of Data along each axis
-  IndexBox Kept;                                  ///< cells that are no ghosts, indices within Data
+  int Number = -1;                            ///< in a composite data set, else -1
+  std::string Name;                           ///< for messages: "The input", "Block 3 of rank 1"
+  vtkUnsignedCharArray* GhostTypes = nullptr; ///< of all cells of Data, or null
+  Index3 Dimensions{ { 0, 0, 0 } };           ///< cells of Data along each axis
+  IndexBox Kept;                              ///< cells that are no ghosts, indices within Data
   std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of Kept
   IndexBox Box;                                   ///< Kept in the indices of the global grid
 
@@ -47,16 +49,40 @@ struct InputBlock
   }
 };
 
-struct InputBlocks
+/// The place of a block of any rank.
+struct BlockPlace
 {
-  std::vector<InputBlock> Blocks;
-  std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of the global grid, per axis
-  /// Per layer of cells along z, the blocks that reach into it.
-  std::vector<std::vector<int>> Layers;
+  IndexBox Box; ///< in the indices of the global grid
+  int Rank = 0, Number = -1;
 };
 
-/// Throws InputError on data of another kind, flat or empty grids, rotated images, coordinates that do
-/// not increase, blocks that do not tile one box, and grids whose ids exceed 63 bits.
-InputBlocks FindInputBlocks(vtkDataObject* input);
+struct InputBlocks
+{
+  std::vector<InputBlock> Blocks;                 ///< of this rank
+  std::vector<BlockPlace> Places;                 ///< of all ranks (56 bytes a block), by rank
+  std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of the global grid, per axis
+
+  IndexBox Global() const
+  {
+    const auto cells = [this](int a)
+    { return static_cast<Index>(this->Coordinates[a].size()) - 1; };
+    return { { { 0, 0, 0 } }, { { cells(0), cells(1), cells(2) } } };
+  }
+  /// Of this rank's blocks.
+  std::vector<IndexBox> Boxes() const
+  {
+    std::vector<IndexBox> boxes;
+    for (const InputBlock& block : this->Blocks)
+    {
+      boxes.push_back(block.Box);
+    }
+    return boxes;
+  }
+};
+
+/// Collective; input: this rank's part, null for none. Throws InputError, on all ranks alike, on data of another
+/// kind, flat or empty grids, rotated images, coordinates that do not increase, blocks that do not tile one box,
+/// and grids whose ids exceed 63 bits.
+InputBlocks FindInputBlocks(vtkDataObject* input, Ranks& ranks);
 
 } // namespace vfm

@@ -1,12 +1,14 @@
 /**
- * The material in every cell, read from the cell arrays of the input's blocks without copying them:
- * either one volume fraction array a material, or one integer array of labels.
+ * The materials in the cells of the input, given by either one volume fraction array a material or one integer array
+ * of labels, and their way from the ranks that read them to the ranks that mesh them.
  */
 #pragma once
 
 #include "FractionField.h"
 #include "InputBlocks.h"
+#include "SparseCells.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,17 +24,55 @@ struct Materials
 
 struct InputField
 {
-  FractionField Fractions;
-  Materials Table;
+  FractionField Fractions; ///< of the grid's local box
+  Materials Table;         ///< the same on all ranks
+  Index NormalisedCells;   ///< cells of all ranks whose sum exceeded 1 and was scaled back
 };
 
-/// Fractions of material m from the cell array names[m - 1]: of any type with one component, unsigned
-/// char counting 0..255. Throws InputError on missing arrays and on values that are no fractions.
-InputField ReadFractions(
-  const CartesianGrid& grid, const InputBlocks& input, const std::vector<std::string>& names);
+/// What the cell arrays of this rank's blocks hold. Nothing here communicates.
+class InputCells
+{
+public:
+  virtual ~InputCells() = default;
 
-/// Labels >= 0 from an integer cell array, 0 void. The labels that occur are numbered 1..N in
-/// increasing order. Throws InputError on missing arrays, real types, negative labels.
-InputField ReadLabels(const CartesianGrid& grid, const InputBlocks& input, const std::string& name);
+  /// The cells that are mixed, or differ from the cell before them along an axis of their block.
+  std::vector<Index3> FindInterfaceCells() const;
+
+  /// The cells of a box that lies within a block.
+  virtual SparseCells Extract(const InputBlock& block, const IndexBox& box) const = 0;
+
+  /// The field of the local box: from the arrays where this rank has them, else from what it received; its
+  /// NormalisedCells are the owned ones. Throws InputError on values that are no fractions.
+  virtual InputField MakeField(
+    const CartesianGrid& grid, const std::vector<SparseCells>& received) const = 0;
+
+protected:
+  explicit InputCells(const InputBlocks& input) : Input(input) {}
+
+  /// The materials of a row of cells of a block; Mixed where it has not just one.
+  static constexpr int Mixed = -1;
+  virtual void ReadMaterials(
+    std::size_t block, const Index3& first, Index count, int* materials) const = 0;
+
+  const InputBlocks& Input;
+
+private:
+  void FindInterfaceCells(std::size_t block, std::vector<Index3>& found) const;
+};
+
+/// Collective. Fractions of material m are in the cell array names[m - 1]: of any type with one component, unsigned
+/// char counting 0..255. Throws InputError, on all ranks alike, on missing arrays.
+std::unique_ptr<InputCells> OpenFractions(
+  const InputBlocks& input, const std::vector<std::string>& names, Ranks& ranks);
+
+/// Collective. Labels >= 0 are in an integer cell array, 0 void. The labels that occur on any rank are numbered 1..N in
+/// increasing order. Throws InputError, on all ranks alike, on missing arrays, real types, negative labels.
+std::unique_ptr<InputCells> OpenLabels(
+  const InputBlocks& input, const std::string& name, Ranks& ranks);
+
+/// Collective: the field of the grid's local box, with what it needs of the blocks of other ranks. boxes: the owned
+/// cells of all ranks. Throws InputError, on all ranks alike, on values that are no fractions.
+InputField MakeInputField(const CartesianGrid& grid, const std::vector<IndexBox>& boxes,
+  const InputBlocks& input, const InputCells& cells, Ranks& ranks);
 
 } // namespace vfm

@@ -1,14 +1,18 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
+#include "Agreement.h"
+#include "ControllerRanks.h"
 #include "FilterRuntime.h"
 #include "HexMesh.h"
 #include "InputBlocks.h"
 #include "InputFields.h"
+#include "MakePartition.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkLogger.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
@@ -26,6 +30,16 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 // Claimed on the output, so that a later request for ghost levels does not run the filter again.
 // The filter marks no cells as ghosts, whatever is asked.
 constexpr int GhostLevelsClaimed = 4;
+
+void LogTraffic(const vfm::ControllerRanks& ranks)
+{
+  const vfm::ControllerRanks::Traffic& sent = ranks.GetTraffic();
+  vtkLogF(TRACE,
+    "rank %d sent %lld messages of %lld bytes in %lld exchanges, %lld bytes in %lld collectives",
+    ranks.Rank(), static_cast<long long>(sent.Messages), static_cast<long long>(sent.Bytes),
+    static_cast<long long>(sent.Exchanges), static_cast<long long>(sent.CollectiveBytes),
+    static_cast<long long>(sent.Collectives));
+}
 
 } // namespace
 
@@ -102,11 +116,6 @@ vfm::HexMeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
 
 void vtkVolumeFractionMeshAlgorithm::CheckProperties() const
 {
-  if (!this->IsAlone())
-  {
-    throw vfm::InputError(
-      "Meshing on several processes is not supported yet: run ParaView on one process.");
-  }
   if (this->HasMaterialIdArray() && !this->VolumeFractionArrays.empty())
   {
     throw vfm::InputError("Both volume fraction arrays and the material id array '" +
@@ -147,11 +156,9 @@ int vtkVolumeFractionMeshAlgorithm::RequestUpdateExtent(
   }
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   input->Set(levels, 0);
-  if (this->IsAlone())
-  {
-    input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  }
+  const vfm::ControllerRanks ranks(this->Controller);
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
   return 1;
 }
 
@@ -197,20 +204,27 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vtkDataObject* input, vtkUnstructuredGrid* mesh, vtkPolyData* surfaces)
 {
   this->CheckProperties();
-  vfm::FilterRuntime runtime(this);
+  vfm::ControllerRanks ranks(this->Controller);
+  vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
-  const vfm::InputBlocks blocks = vfm::FindInputBlocks(input);
-  const vfm::CartesianGrid grid(blocks.Coordinates);
-  const vfm::InputField field = this->HasMaterialIdArray()
-    ? vfm::ReadLabels(grid, blocks, this->MaterialIdArray)
-    : vfm::ReadFractions(grid, blocks, this->VolumeFractionArrays);
+  const vfm::InputBlocks blocks = vfm::FindInputBlocks(input, ranks);
+  const std::unique_ptr<vfm::InputCells> cells = this->HasMaterialIdArray()
+    ? vfm::OpenLabels(blocks, this->MaterialIdArray, ranks)
+    : vfm::OpenFractions(blocks, this->VolumeFractionArrays, ranks);
+  const std::vector<vfm::IndexBox> boxes = vfm::MakePartition(
+    blocks.Global(), blocks.Boxes(), [&] { return cells->FindInterfaceCells(); }, ranks);
+  const vfm::CartesianGrid grid(blocks.Coordinates, boxes[ranks.Rank()], vfm::GhostLevels);
+  const vfm::InputField field = vfm::MakeInputField(grid, boxes, blocks, *cells, ranks);
   this->MakeMesh(grid, field, this->GetOptions(), runtime, mesh, surfaces);
-  if (field.Fractions.NumberOfNormalisedCells() > 0)
+  std::vector<vfm::Index> numberOfCells{ mesh->GetNumberOfCells() };
+  ranks.Sum(numberOfCells);
+  LogTraffic(ranks);
+  if (ranks.Rank() == 0 && field.NormalisedCells > 0)
   {
-    vtkWarningMacro(<< "The volume fractions of " << field.Fractions.NumberOfNormalisedCells()
+    vtkWarningMacro(<< "The volume fractions of " << field.NormalisedCells
                     << " cells sum to slightly more than 1 and were scaled back.");
   }
-  if (mesh->GetNumberOfCells() == 0)
+  if (ranks.Rank() == 0 && numberOfCells[0] == 0)
   {
     vtkWarningMacro("The mesh is empty: no cell is filled by its materials to the iso value.");
   }

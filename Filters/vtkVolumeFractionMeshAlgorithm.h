@@ -11,9 +11,14 @@
  *
  * Ghost cells (vtkGhostType) are dropped. Blanked cells are void.
  *
+ * Under MPI the input may be dealt to the processes of the Controller in any way, and some may have none: the cells
+ * are shared out anew, one box a process, unless they already are so. All processes must update together. The mesh,
+ * its ids and its field data do not depend on the number of processes. Each process gets its own cells; points
+ * between processes are repeated with equal GlobalPointIds. A run on several processes cannot be aborted.
+ *
  * Output port 0: the mesh, vtkUnstructuredGrid. Output port 1: its surfaces, vtkPolyData.
  *
- * Input that cannot be meshed gives one error message, empty outputs and a failed update.
+ * Input that cannot be meshed, on any process, gives one error message, empty outputs and a failed update on all.
  */
 #ifndef vtkVolumeFractionMeshAlgorithm_h
 #define vtkVolumeFractionMeshAlgorithm_h

@@ -1,5 +1,6 @@
 #include "vtkVolumeFractionToHex.h"
 
+#include "Agreement.h"
 #include "FilterRuntime.h"
 #include "HexMeshOutput.h"
 #include "HexPipeline.h"
@@ -23,7 +24,10 @@ void vtkVolumeFractionToHex::MakeMesh(const vfm::CartesianGrid& grid, const vfm:
     vtkLogF(TRACE, "%s: %.3f s", stage.Name, stage.Seconds);
   }
   runtime.Progress(0.98, "Filling output");
-  vfm::SetHexMeshOutput(hexes, field.Table, mesh, surfaces);
-  vfm::SetReportOutput(
-    report, field.Table, options, field.Fractions.NumberOfNormalisedCells(), mesh);
+  vfm::WorkTogether(runtime.Group(),
+    [&]
+    {
+      vfm::SetHexMeshOutput(hexes, field.Table, mesh, surfaces);
+      vfm::SetReportOutput(report, field.Table, options, field.NormalisedCells, mesh);
+    });
 }

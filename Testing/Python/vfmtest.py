@@ -12,6 +12,8 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from paraview.modules.vtkRemotingCore import vtkProcessModule
 
 simple.LoadPlugin(os.environ["VFM_PLUGIN"], remote=False, ns=globals())  # defines VolumeFractionToHex
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
@@ -152,4 +154,8 @@ def main(tests):
             traceback.print_exc()
     sys.stdout.flush()
     sys.stderr.flush()
+    controller = vtkMultiProcessController.GetGlobalController()
+    if controller.GetNumberOfProcesses() > 1 and not vtkProcessModule.GetProcessModule().GetSymmetricMPIMode():
+        return  # pvbatch itself ends the other ranks, which run no script
+    controller.Finalize()  # mpiexec complains otherwise
     os._exit(1 if failed else 0)

@@ -1,0 +1,107 @@
+/**
+ * The cell arrays of the input's blocks, read in rows without copying them.
+ */
+#pragma once
+
+#include "InputBlocks.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <string>
+#include <type_traits>
+
+namespace vfm
+{
+
+/// The cell array of that name with one component and a value a cell. Throws InputError when there is none.
+vtkDataArray* FindArray(const InputBlock& block, const std::string& name);
+
+/// Reads count consecutive values of an array, from the value first on.
+template <class Value>
+using RowReader = void (*)(const void* values, Index first, Index count, Value* row);
+
+/// The stored value that stands for 1: fractions of type unsigned char count 0..255, labels never.
+template <class Value>
+constexpr Value StoredOne(bool bytes)
+{
+  return std::is_same<Value, double>::value && bytes ? Value(255) : Value(1);
+}
+
+template <class Value, class Stored>
+void ReadMemory(const void* values, Index first, Index count, Value* row)
+{
+  constexpr Value one = StoredOne<Value>(std::is_same<Stored, unsigned char>::value);
+  const Stored* stored = static_cast<const Stored*>(values) + first;
+  for (Index i = 0; i < count; ++i)
+  {
+    row[i] = static_cast<Value>(stored[i]) / one;
+  }
+}
+
+/// For arrays that are not plain memory; values is the vtkDataArray.
+template <class Value>
+void ReadArray(const void* values, Index first, Index count, Value* row)
+{
+  vtkDataArray* array = static_cast<vtkDataArray*>(const_cast<void*>(values));
+  const Value one = StoredOne<Value>(array->GetDataType() == VTK_UNSIGNED_CHAR);
+  for (Index i = 0; i < count; ++i)
+  {
+    row[i] = static_cast<Value>(array->GetComponent(first + i, 0)) / one;
+  }
+}
+
+/// A cell array of one block.
+template <class Value>
+struct Column
+{
+  const void* Values;
+  RowReader<Value> Read = ReadArray<Value>;
+
+  explicit Column(vtkDataArray* array) : Values(array)
+  {
+    if (array->HasStandardMemoryLayout())
+    {
+      switch (array->GetDataType())
+      {
+        vtkTemplateMacro(this->SetMemory<VTK_TT>(array));
+      }
+    }
+  }
+
+private:
+  template <class Stored>
+  void SetMemory(vtkDataArray* array)
+  {
+    this->Values = array->GetVoidPointer(0);
+    this->Read = ReadMemory<Value, Stored>;
+  }
+};
+
+/// Sets the values of blanked cells in a row of one block to 0.
+template <class Value>
+void ClearHidden(const InputBlock& block, Index first, Index count, Value* row)
+{
+  if (block.GhostTypes)
+  {
+    const unsigned char* types = block.GhostTypes->GetPointer(first);
+    for (Index i = 0; i < count; ++i)
+    {
+      row[i] = (types[i] & vtkDataSetAttributes::HIDDENCELL) ? Value(0) : row[i];
+    }
+  }
+}
+
+/// Reads the values of a row of cells along x of one block, given in the indices of the global grid; those of
+/// blanked cells are 0.
+template <class Value>
+void ReadRow(const InputBlock& block, const Column<Value>& column, const Index3& first, Index count,
+  Value* row)
+{
+  const Index id = block.CellId(first);
+  column.Read(column.Values, id, count, row);
+  ClearHidden(block, id, count, row);
+}
+
+} // namespace vfm

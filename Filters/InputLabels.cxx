@@ -1,0 +1,210 @@
+/**
+ * Input given by one integer array of material labels.
+ */
+#include "Agreement.h"
+#include "InputArrays.h"
+#include "InputFields.h"
+#include "MakePartition.h"
+#include "Runtime.h"
+
+#include <limits>
+#include <sstream>
+#include <unordered_set>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr Index RowLength = 4096; // labels read at a time
+
+void CheckType(vtkDataArray* array, const std::string& name)
+{
+  if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
+  {
+    throw InputError("The material id array '" + name + "' is of type " +
+      array->GetDataTypeAsString() +
+      ": material ids are integers. Convert it (filter Calculator, result array type Int), or "
+      "choose it as a volume fraction array.");
+  }
+}
+
+void CheckLabel(Index label, const std::string& name, const Index3& first, Index offset)
+{
+  if (label < 0 || label > std::numeric_limits<int>::max())
+  {
+    std::ostringstream text;
+    text << "The material id array '" << name << "' holds " << label << " in cell ("
+         << first[0] + offset << ", " << first[1] << ", " << first[2]
+         << "): material ids lie in [0, " << std::numeric_limits<int>::max() << "], 0 is void.";
+    throw InputError(text.str());
+  }
+}
+
+/// Calls visit(first cell, count) for the rows of a box, cut where they are long.
+template <class Visit>
+void VisitRows(const IndexBox& box, const Visit& visit)
+{
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+    {
+      for (Index i = box.Lower[0]; i < box.Upper[0]; i += RowLength)
+      {
+        visit(Index3{ { i, j, k } }, std::min(RowLength, box.Upper[0] - i));
+      }
+    }
+  }
+}
+
+class LabelCells : public InputCells
+{
+public:
+  LabelCells(const InputBlocks& input, const std::string& name) : InputCells(input), Name(name)
+  {
+    for (const InputBlock& block : input.Blocks)
+    {
+      vtkDataArray* array = FindArray(block, name);
+      CheckType(array, name);
+      this->Columns.emplace_back(array);
+    }
+  }
+
+  /// Those that occur here, and 0.
+  std::vector<int> FindLabels() const;
+  /// labels: of all ranks, increasing, 0 first.
+  void SetTable(std::vector<int> labels);
+
+  SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
+  InputField MakeField(
+    const CartesianGrid& grid, const std::vector<SparseCells>& received) const override;
+
+protected:
+  void ReadMaterials(
+    std::size_t block, const Index3& first, Index count, int* materials) const override;
+
+private:
+  std::string Name;
+  std::vector<Column<Index>> Columns; // of each block
+  Materials Table;
+};
+
+std::vector<int> LabelCells::FindLabels() const
+{
+  std::unordered_set<Index> found{ 0 };
+  Index last = 0;
+  std::vector<Index> row(RowLength);
+  for (std::size_t b = 0; b < this->Columns.size(); ++b)
+  {
+    const InputBlock& block = this->Input.Blocks[b];
+    VisitRows(block.Box,
+      [&](const Index3& first, Index count)
+      {
+        ReadRow(block, this->Columns[b], first, count, row.data());
+        for (Index c = 0; c < count; ++c)
+        {
+          if (row[c] != last)
+          {
+            last = row[c];
+            CheckLabel(last, this->Name, first, c);
+            found.insert(last);
+          }
+        }
+      });
+  }
+  return { found.begin(), found.end() };
+}
+
+void LabelCells::SetTable(std::vector<int> labels)
+{
+  this->Table = { { "Void" }, std::move(labels) };
+  for (std::size_t m = 1; m < this->Table.Labels.size(); ++m)
+  {
+    this->Table.Names.push_back("Material " + std::to_string(this->Table.Labels[m]));
+  }
+}
+
+void LabelCells::ReadMaterials(
+  std::size_t block, const Index3& first, Index count, int* materials) const
+{
+  const std::vector<int>& labels = this->Table.Labels;
+  std::vector<Index> row(count);
+  ReadRow(this->Input.Blocks[block], this->Columns[block], first, count, row.data());
+  Index last = 0;
+  int material = 0;
+  for (Index c = 0; c < count; ++c)
+  {
+    if (row[c] != last)
+    {
+      last = row[c];
+      material = static_cast<int>(
+        std::lower_bound(labels.begin(), labels.end(), static_cast<int>(last)) - labels.begin());
+    }
+    materials[c] = material;
+  }
+}
+
+SparseCells LabelCells::Extract(const InputBlock& block, const IndexBox& box) const
+{
+  SparseCells cells;
+  cells.Box = box;
+  cells.Entry.resize(box.NumberOfCells());
+  VisitRows(box,
+    [&](const Index3& first, Index count)
+    {
+      this->ReadMaterials(
+        &block - this->Input.Blocks.data(), first, count, cells.Entry.data() + cells.CellId(first));
+    });
+  return cells;
+}
+
+InputField LabelCells::MakeField(
+  const CartesianGrid& grid, const std::vector<SparseCells>& received) const
+{
+  InputField field{ FractionField(grid, static_cast<int>(this->Table.Labels.size()) - 1),
+    this->Table, 0 };
+  const auto setRow = [&](const Index3& first, Index count, const int* materials)
+  {
+    const Index base = grid.Linear(first);
+    for (Index c = 0; c < count; ++c)
+    {
+      field.Fractions.SetLabel(base + c, materials[c]);
+    }
+  };
+  std::vector<int> row(RowLength);
+  for (std::size_t b = 0; b < this->Columns.size(); ++b)
+  {
+    VisitRows(Intersect(this->Input.Blocks[b].Box, grid.Local()),
+      [&](const Index3& first, Index count)
+      {
+        this->ReadMaterials(b, first, count, row.data());
+        setRow(first, count, row.data());
+      });
+  }
+  for (const SparseCells& cells : received)
+  {
+    VisitRows(Intersect(cells.Box, grid.Local()),
+      [&](const Index3& first, Index count)
+      { setRow(first, count, cells.Entry.data() + cells.CellId(first)); });
+  }
+  return field;
+}
+
+} // namespace
+
+std::unique_ptr<InputCells> OpenLabels(
+  const InputBlocks& input, const std::string& name, Ranks& ranks)
+{
+  std::unique_ptr<LabelCells> cells;
+  std::vector<int> mine;
+  WorkTogether(ranks,
+    [&]
+    {
+      cells = std::make_unique<LabelCells>(input, name);
+      mine = cells->FindLabels();
+    });
+  cells->SetTable(Unite(ranks, std::move(mine)));
+  return cells;
+}
+
+} // namespace vfm

@@ -1,0 +1,159 @@
+"""Input that is wrong on one rank, or over all: the same message on all ranks, empty outputs, and no rank waits.
+
+mpiexec -n 3 pvbatch --sym TestRankErrors.py
+"""
+import zlib
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkUniformGrid)
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+from vfmtest import (
+    ORIGIN, SPACING, ball_and_plate, collect, image, labels, main, producer, run, VolumeFractionToHex)
+
+N = 9
+CONTROLLER = vtkMultiProcessController.GetGlobalController()
+RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
+BALL, PLATE = ball_and_plate(N)
+FIELD = {"ball": BALL, "plate": PLATE, "id": labels(N)}
+
+
+def slab(change=None, rank=RANK, shift=0.0, kind=vtkImageData):
+    """This rank's third of the field along z; change(arrays) may spoil its arrays."""
+    begin, end = N * rank // RANKS, N * (rank + 1) // RANKS
+    arrays = {name: values[begin:end].copy() for name, values in FIELD.items()}
+    if change:
+        change(arrays)
+    data = image(arrays, kind=kind)
+    data.SetOrigin(*ORIGIN[:2], ORIGIN[2] + (begin + shift) * SPACING[2])
+    return data
+
+
+def blocks(*data):
+    result = vtkMultiBlockDataSet()
+    for i, block in enumerate(data):
+        result.SetBlock(i, block)
+    return result
+
+
+def on(rank, change):
+    """The change on one rank, none on the others."""
+    return change if RANK == rank else None
+
+
+def reduced(value, operation):
+    mine, result = vtkIdTypeArray(), vtkIdTypeArray()
+    mine.InsertNextValue(value)
+    result.SetNumberOfValues(1)
+    CONTROLLER.AllReduce(mine, result, operation)
+    return result.GetValue(0)
+
+
+def is_same_everywhere(text):
+    value = zlib.crc32(text.encode())
+    return reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)
+
+
+def check_error(data, *words, **properties):
+    """The run fails on all ranks with one message that has all the words, and leaves nothing in the outputs."""
+    result = run(data, **properties)
+    message = result.errors[0].split("): ", 1)[1] if result.errors else ""
+    same = is_same_everywhere(message)  # by all ranks, before any may fail
+    assert same, message
+    assert len(result.errors) == 1, result.errors
+    for word in words:
+        assert word in message, (word, message)
+    for output in (result.mesh, result.surfaces):
+        assert output.GetNumberOfCells() == 0 and output.GetNumberOfPoints() == 0
+
+
+def set_value(name, cell, value):
+    def change(arrays):
+        arrays[name][cell] = value
+    return change
+
+
+def test_nan_on_one_rank():
+    for rank in range(RANKS):
+        begin = N * rank // RANKS
+        check_error(blocks(slab(on(rank, set_value("ball", (1, 4, 5), np.nan)))), "'ball' holds nan",
+                    "cell (5, 4, %d)" % (begin + 1))
+
+
+def test_bad_values_on_all_ranks():
+    check_error(blocks(slab(set_value("plate", (0, 0, 0), 2.0 + RANK))), "'plate' holds", "cell (0, 0, ")
+
+
+def test_sum_over_one():
+    turned = (RANK + 2) % RANKS  # rank 1 has the lowest slab, full of plate
+    check_error(blocks(slab(on(1, set_value("ball", (0, 1, 2), 1.0)), rank=turned)), "cell (2, 1, 0) sum to 2")
+
+
+def test_labels_out_of_range():
+    check_error(blocks(slab(on(2, set_value("id", (2, 3, 4), -6)))), "'id' holds -6 in cell (4, 3, 8)",
+                MaterialIdArray="id")
+
+
+def test_array_missing_on_one_rank():
+    data = slab()
+    if RANK == 1:
+        data.GetCellData().RemoveArray("plate")
+    check_error(blocks(data), "Block 0 of rank 1 has no numeric cell array 'plate'")
+
+
+def test_other_kind_on_one_rank():
+    check_error(blocks(vtkPolyData() if RANK == 1 else slab()), "Block 0 of rank 1 is a vtkPolyData")
+
+
+def test_gap_between_ranks():
+    check_error(blocks(*([] if RANK == 1 else [slab()])), "leave a gap", "cell (0, 0, 3)")
+    check_error(blocks(slab(shift=3 if RANK == 2 else 0)), "leave a gap", "cell (0, 0, 6)")
+
+
+def test_overlap_of_ranks():
+    check_error(blocks(slab(shift=-1 if RANK == 2 else 0)), "Block 0 of rank 1 and Block 0 of rank 2 overlap")
+
+
+def test_no_cells_on_any_rank():
+    check_error(blocks(), "no cells")
+
+
+def test_levels_on_different_ranks():
+    amr = vtkNonOverlappingAMR()
+    amr.Initialize(2, [1, 1])
+    amr.SetDataSet(RANK % 2, 0, slab(kind=vtkUniformGrid))
+    check_error(amr, "2 levels", "not supported yet")
+
+
+def test_option_out_of_range():
+    check_error(blocks(slab()), "IsoValue", IsoValue=2.0)
+
+
+def test_normalised_cells_are_counted_once():
+    # The cell lies in the ghost levels of all ranks.
+    result = run(blocks(slab(on(0, set_value("ball", (1, 0, 0), 5e-4)))))
+    assert not result.errors and result.field("NormalisedCells") == [1]
+    assert len(result.warnings) == (1 if RANK == 0 else 0), result.warnings
+
+
+def test_empty_field_is_no_error():
+    result = run(blocks(slab(lambda arrays: [array.fill(0) for array in arrays.values()])))
+    assert not result.errors and result.mesh.GetNumberOfCells() == 0
+    assert result.field("MaterialNames") == ["ball", "plate"]
+
+
+def test_the_same_filter_works_after_an_error():
+    hexes = VolumeFractionToHex(Input=producer(blocks(slab())), VolumeFractionArrays=["ball", "none"])
+    algorithm = hexes.GetClientSideObject()
+    errors, _ = collect(algorithm)
+    hexes.UpdatePipeline()
+    assert len(errors) == 1 and algorithm.GetOutputDataObject(0).GetNumberOfCells() == 0
+    hexes.VolumeFractionArrays = ["ball", "plate"]
+    hexes.UpdatePipeline()
+    cells = reduced(algorithm.GetOutputDataObject(0).GetNumberOfCells(), vtkCommunicator.SUM_OP)
+    assert len(errors) == 1 and cells > 100
+
+
+main(globals())

@@ -1,0 +1,65 @@
+"""What a user's script writes on several ranks: mpiexec -n P pvbatch TestRankOutputs.py FOLDER, not --sym.
+
+FOLDER is that of TestRanks.py. Only the first rank runs this script, and the others what it asks of ParaView.
+"""
+import os
+import sys
+
+from paraview import simple
+from vtkmodules.vtkIOLegacy import vtkDataSetReader
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+from compare_meshes import merge, read_pieces
+from vfmtest import main, VolumeFractionToHex
+
+FOLDER = sys.argv[1]
+RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
+READER = simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, "ball_and_plate.vti")])
+HEXES = VolumeFractionToHex(Input=READER, VolumeFractionArrays=["ball", "plate"])
+RUNS = []
+HEXES.GetClientSideObject().AddObserver("StartEvent", lambda *_: RUNS.append(1))
+
+
+def save(name, proxy):
+    path = os.path.join(FOLDER, name)
+    simple.SaveData(path, proxy=proxy)
+    return path
+
+
+def test_pieces():
+    pieces = read_pieces(save("outputs.pvtu", HEXES))
+    assert len(pieces) == RANKS and sum(piece.GetNumberOfCells() > 0 for piece in pieces) > 1
+    mesh = merge(pieces)
+    information = HEXES.GetDataInformation()
+    assert len(mesh["cells"]) == information.GetNumberOfCells() == sum(piece.GetNumberOfCells() for piece in pieces)
+    assert len(mesh["points"]) < information.GetNumberOfPoints()  # points between ranks are in both pieces
+    assert not any(piece.GetCellData().HasArray("vtkGhostType") for piece in pieces)
+
+
+def test_surfaces():
+    assert len(merge(read_pieces(save("outputs.pvtp", simple.OutputPort(HEXES, 1))))["cells"]) > 100
+
+
+def test_one_file():
+    mesh = merge(read_pieces(os.path.join(FOLDER, "outputs.pvtu")))
+    reader = vtkDataSetReader()
+    reader.SetFileName(save("outputs.vtk", HEXES))
+    reader.Update()
+    assert reader.GetOutput().GetNumberOfCells() == len(mesh["cells"])
+    gathered = simple.AggregateDataset(Input=HEXES, NumberOfTargetProcesses=1)
+    pieces = read_pieces(save("gathered.pvtu", gathered))
+    assert len(pieces) == 1 and pieces[0].GetNumberOfPoints() == len(mesh["points"])
+    assert (merge(pieces)["cells"] == mesh["cells"]).all()
+
+
+def test_ghost_cells_made_downstream():
+    ghosts = simple.GhostCellsGenerator(Input=HEXES, BuildIfRequired=0)
+    ghosts.UpdatePipeline()
+    assert ghosts.GetDataInformation().GetNumberOfCells() > HEXES.GetDataInformation().GetNumberOfCells()
+
+
+def test_the_filter_ran_once():
+    assert len(RUNS) == 1, len(RUNS)
+
+
+main(globals())

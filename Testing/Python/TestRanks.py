@@ -1,0 +1,252 @@
+"""The same mesh on any number of ranks and however the input is split: mpiexec -n P pvbatch --sym TestRanks.py FOLDER
+
+One rank meshes every case from one whole image and keeps the result in FOLDER; all other runs, on any number of
+ranks, must give the same mesh bit for bit.
+"""
+import os
+import pickle
+import sys
+
+import numpy as np
+from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkIOExodus import vtkExodusIIReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from compare_meshes import difference, merge, read_pieces
+from vfmtest import (
+    GHOST, ORIGIN, SPACING, ball_and_plate, collect, image, main, producer, VolumeFractionToHex)
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
+from write_exodus import write_exodus
+
+CONTROLLER = vtkMultiProcessController.GetGlobalController()
+RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
+FOLDER = sys.argv[1]
+SPLASH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "splash_3500us.vti")
+
+
+def sphere(n=16):
+    s = 4
+    z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s] * 3, indexing="ij")
+    inside = (x - 0.5 * n) ** 2 + (y - 0.45 * n) ** 2 + (z - 0.55 * n) ** 2 < (0.36 * n) ** 2
+    return {"ball": inside.reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5))}
+
+
+def grains(n=14, count=9):
+    """A polycrystal: fractions of the cells nearest to each of some random points."""
+    s = 3
+    centres = np.random.default_rng(5).random((count, 3)) * n
+    z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s] * 3, indexing="ij")
+    nearest = np.argmin([(x - c[0]) ** 2 + (y - c[1]) ** 2 + (z - c[2]) ** 2 for c in centres], axis=0)
+    return {"grain%d" % g: (nearest == g).reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5)) for g in range(count)}
+
+
+def noise(n=12):
+    return {"id": np.random.default_rng(7).choice([0, 2, 3, 5, 11], (n + 2, n, n + 1)).astype(np.int32)}
+
+
+def splash():
+    """A corner of a real flow field with drops and a crown."""
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(SPLASH)
+    reader.Update()
+    water = vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("water")).reshape(56, 64, 64)
+    return {"water": water[4:26, 20:44, 22:44].copy()}
+
+
+CASES = {
+    "sphere": sphere(), "ball_and_plate": dict(zip(("ball", "plate"), ball_and_plate(16))), "grains": grains(),
+    "noise": noise(), "splash": splash()}
+TINY = "fewer cells than ranks"
+ALL_CASES = {**CASES, TINY: {"id": np.array([[[1, 2], [2, 0]]], np.int32)}}
+
+
+def part(arrays, box, ghosts=0):
+    """The image of a box ((z0, z1), (y0, y1), (x0, x1)), with layers of marked ghost cells that hold rubbish."""
+    size = next(iter(arrays.values())).shape
+    wide = [(max(lower - ghosts, 0), min(upper + ghosts, size[a])) for a, (lower, upper) in enumerate(box)]
+    window = tuple(slice(*span) for span in wide)
+    values = {name: array[window].copy() for name, array in arrays.items()}
+    if ghosts:
+        inside = np.zeros(size, bool)
+        inside[tuple(slice(*span) for span in box)] = True
+        for array in values.values():
+            array[~inside[window]] = 77
+        values["vtkGhostType"] = np.where(inside[window], 0, GHOST).astype(np.uint8)
+    data = image(values)
+    data.SetOrigin([ORIGIN[a] + wide[2 - a][0] * SPACING[a] for a in range(3)])
+    return data
+
+
+def cut(size, counts):
+    """Boxes of a grid of counts boxes along (z, y, x)."""
+    spans = [[(n * i // c, n * (i + 1) // c) for i in range(c)] for n, c in zip(size, counts)]
+    return [(z, y, x) for z in spans[0] for y in spans[1] for x in spans[2]]
+
+
+def full(boxes):
+    return [box for box in boxes if all(lower < upper for lower, upper in box)]
+
+
+def deal(split, size):
+    """The boxes of this rank and the ghost layers around them."""
+    slabs = cut(size, (RANKS, 1, 1))
+    if split == "boxes":
+        grid = {1: (1, 1, 1), 2: (1, 1, 2), 3: (1, 3, 1), 4: (2, 1, 2), 8: (2, 2, 2)}.get(RANKS, (RANKS, 1, 1))
+        return full([cut(size, grid)[RANK]]), 0
+    if split == "scattered":
+        order = np.random.default_rng(3).permutation(8)
+        dealt = [box for i, box in zip(order, cut([n - 3 for n in size], (2, 2, 2))) if i % RANKS == RANK]
+        grow = lambda span, n: (span[0], n if span[1] == n - 3 else span[1])
+        return [tuple(grow(span, n) for span, n in zip(box, size)) for box in dealt][::-1], 0
+    if split == "one rank empty":
+        filled = cut(size, (max(RANKS - 1, 1), 1, 1))
+        return full(filled[RANK:RANK + 1]), 0
+    if split == "all on one rank":
+        return ([] if RANK < RANKS - 1 else cut(size, (1, 1, 1))), 0
+    return full([slabs[RANK]]), 2 if split == "ghosts" else 0
+
+
+def split_input(arrays, split):
+    boxes, ghosts = deal(split, next(iter(arrays.values())).shape)
+    blocks = vtkMultiBlockDataSet()
+    for i, box in enumerate(boxes):
+        blocks.SetBlock(i, part(arrays, box, ghosts))
+    return producer(blocks)
+
+
+def mesh_and_surfaces(source, case, **properties):
+    """Runs the filter, writes both outputs in pieces and merges them; None but on rank 0."""
+    arrays = ALL_CASES[case]
+    chosen = {"MaterialIdArray": "id"} if "id" in arrays else {"VolumeFractionArrays": list(arrays)}
+    hexes = VolumeFractionToHex(Input=source, **chosen, **properties)
+    errors, _ = collect(hexes.GetClientSideObject())
+    result = []
+    for port, kind in enumerate((".pvtu", ".pvtp")):
+        path = os.path.join(FOLDER, "ranks%d%s" % (RANKS, kind))
+        simple.SaveData(path, proxy=simple.OutputPort(hexes, port))
+        assert not errors, errors
+        pieces = read_pieces(path) if RANK == 0 else []
+        assert RANK > 0 or RANKS == 1 or sum(piece.GetNumberOfCells() > 0 for piece in pieces) > 1
+        result.append(merge(pieces) if RANK == 0 else None)
+        CONTROLLER.Barrier()  # the next mesh goes to the same files
+    simple.Delete(hexes)
+    simple.Delete(source)
+    return result
+
+
+def check(case, source, label, **properties):
+    """Compares with the gold, which one rank writes from the whole image."""
+    path = os.path.join(FOLDER, case + (" with void" if properties.get("MeshVoid") else "") + ".gold")
+    result = mesh_and_surfaces(source, case, **properties)
+    if RANK > 0:
+        return
+    if RANKS == 1 and label == "whole":
+        with open(path, "wb") as file:
+            pickle.dump(result, file)
+    with open(path, "rb") as file:
+        gold = pickle.load(file)
+    for port in range(2):
+        problem = difference(result[port], gold[port])
+        assert not problem, "%s, %s, port %d: %s" % (case, label, port, problem)
+    assert len(gold[0]["cells"]) > (0 if case == TINY else 100)
+
+
+def write_inputs():
+    """The whole images, for readers that split them themselves."""
+    for case, arrays in ALL_CASES.items():
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputData(image(arrays))
+        writer.SetFileName(os.path.join(FOLDER, case + ".vti"))
+        writer.Write()
+
+
+def test_whole():
+    if RANKS == 1:
+        os.makedirs(FOLDER, exist_ok=True)
+        write_inputs()
+        for case, arrays in ALL_CASES.items():
+            check(case, producer(image(arrays)), "whole")
+        check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", MeshVoid=1)
+
+
+def test_image_pieces():
+    for case in ALL_CASES:
+        check(case, simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, case + ".vti")]), "image pieces")
+
+
+def check_split(split):
+    if RANKS == 1 and split != "scattered":
+        return  # one block, as in test_whole
+    for case, arrays in CASES.items():
+        check(case, split_input(arrays, split), split)
+
+
+def test_slabs():
+    check_split("slabs")
+
+
+def test_boxes():
+    check_split("boxes")
+
+
+def test_scattered():
+    check_split("scattered")
+
+
+def test_one_rank_empty():
+    check_split("one rank empty")
+
+
+def test_all_on_one_rank():
+    check_split("all on one rank")
+
+
+def test_ghosts():
+    check_split("ghosts")
+
+
+def test_options():
+    arrays = CASES["ball_and_plate"]
+    check("ball_and_plate", split_input(arrays, "scattered"), "void", MeshVoid=1)
+    check("grains", split_input(CASES["grains"], "scattered"), "two threads", NumberOfThreads=2)
+
+
+def test_fewer_cells_than_ranks():
+    check(TINY, split_input(ALL_CASES[TINY], "all on one rank"), "all on one rank")
+
+
+def test_exodus_in_pieces():
+    hexes = VolumeFractionToHex(
+        Input=split_input(CASES["ball_and_plate"], "scattered"), VolumeFractionArrays=["ball", "plate"])
+    hexes.UpdatePipeline()
+    mesh = hexes.GetClientSideObject().GetOutputDataObject(0)
+    path = os.path.join(FOLDER, "mesh%d.e" % RANKS)
+    write_exodus(mesh, path)
+    CONTROLLER.Barrier()
+    if RANK > 0:
+        return
+    found = {"ball": [], "plate": []}
+    for rank in range(RANKS):
+        reader = vtkExodusIIReader()
+        reader.SetFileName(path + (".%d.%d" % (RANKS, rank) if RANKS > 1 else ""))
+        reader.UpdateInformation()
+        reader.GenerateGlobalElementIdArrayOn()
+        reader.SetAllArrayStatus(vtkExodusIIReader.ELEM_BLOCK, 1)
+        reader.Update()
+        blocks = reader.GetOutput().GetBlock(0)
+        assert blocks.GetNumberOfBlocks() == 2
+        for i in range(2):
+            name, block = blocks.GetMetaData(i).Get(blocks.NAME()), blocks.GetBlock(i)
+            if block and block.GetNumberOfCells() > 0:
+                found[name] += list(vtk_to_numpy(block.GetCellData().GetArray("GlobalElementId")))
+    with open(os.path.join(FOLDER, "ball_and_plate.gold"), "rb") as file:
+        cells = pickle.load(file)[0]["cells"]
+    ids = found["ball"] + found["plate"]
+    assert found["ball"] and found["plate"] and len(ids) == len(set(ids)) == len(cells)
+
+
+main(globals())
