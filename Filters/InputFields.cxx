@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 #include <type_traits>
@@ -18,7 +19,8 @@ namespace vfm
 namespace
 {
 
-constexpr Index RowLength = 4096; // labels read at a time
+constexpr Index RowLength = 4096;              // labels read at a time
+constexpr double ByteRounding = 0.50001 / 255; // of a fraction stored as unsigned char
 
 /// Reads count consecutive values of an array, from the value first on.
 template <class Value>
@@ -144,10 +146,14 @@ public:
   {
     for (const InputBlock& block : input.Blocks)
     {
+      int bytes = 0;
       for (const std::string& name : names)
       {
-        this->Columns.emplace_back(FindArray(block, name));
+        vtkDataArray* array = FindArray(block, name);
+        bytes += array->GetDataType() == VTK_UNSIGNED_CHAR;
+        this->Columns.emplace_back(array);
       }
+      this->Bytes = std::max(this->Bytes, bytes);
     }
   }
 
@@ -170,11 +176,18 @@ public:
     }
   }
 
+  /// Fractions of type unsigned char are rounded: 128 + 128 is 256 / 255.
+  double SumTolerance() const override
+  {
+    return std::max(FractionField::Reader::SumTolerance(), ByteRounding * this->Bytes);
+  }
+
   std::string Name(int material) const override { return this->Names[material - 1]; }
 
 private:
   const InputBlocks& Input;
   const std::vector<std::string>& Names;
+  int Bytes = 0;                       // arrays of type unsigned char, in the block that has most
   std::vector<Column<double>> Columns; // of each block, its materials
 };
 
