@@ -11,6 +11,8 @@ namespace vfm
 namespace
 {
 
+constexpr double ByteRounding = 0.50001 / 255; // of a fraction stored as unsigned char
+
 class FractionCells : public InputCells
 {
 public:
@@ -19,12 +21,21 @@ public:
   {
     for (const InputBlock& block : input.Blocks)
     {
+      int bytes = 0;
       for (const std::string& name : names)
       {
-        this->Columns.emplace_back(FindArray(block, name));
+        vtkDataArray* array = FindArray(block, name);
+        bytes += array->GetDataType() == VTK_UNSIGNED_CHAR;
+        this->Columns.emplace_back(array);
       }
+      this->Bytes = std::max(this->Bytes, bytes);
     }
   }
+
+  /// Collective: a rank may be sent what another has as bytes.
+  void AgreeOnBytes(Ranks& ranks) { this->Bytes = static_cast<int>(ranks.Max(this->Bytes)); }
+  /// How far fractions of type unsigned char may sum over 1 by rounding: 128 + 128 is 256 / 255.
+  double RoundingOfSum() const { return ByteRounding * this->Bytes; }
 
   SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
   InputField MakeField(
@@ -46,6 +57,7 @@ protected:
 
 private:
   std::vector<std::string> Names;
+  int Bytes = 0;                       // arrays of type unsigned char, in the block that has most
   std::vector<Column<double>> Columns; // of each block, its materials
 };
 
@@ -79,6 +91,10 @@ public:
           values + (begin - first[0]));
       }
     }
+  }
+  double SumTolerance() const override
+  {
+    return std::max(FractionField::Reader::SumTolerance(), this->Cells.RoundingOfSum());
   }
   std::string Name(int material) const override { return this->Cells.Name(material); }
 
@@ -205,8 +221,9 @@ InputField FractionCells::MakeField(
 std::unique_ptr<InputCells> OpenFractions(
   const InputBlocks& input, const std::vector<std::string>& names, Ranks& ranks)
 {
-  std::unique_ptr<InputCells> cells;
+  std::unique_ptr<FractionCells> cells;
   WorkTogether(ranks, [&] { cells = std::make_unique<FractionCells>(input, names); });
+  cells->AgreeOnBytes(ranks);
   return cells;
 }
 

@@ -308,10 +308,12 @@ Shape MakeVoronoiCell(
   return shape;
 }
 
-Shape MakeFunctionShape(int material, std::function<double(const Vector3&)> distance)
+Shape MakeFunctionShape(int material, std::function<double(const Vector3&)> distance,
+  std::function<double(const Vector3&, const Vector3&)> volumeInBox)
 {
   Shape shape = Place(ShapeKind::Function, "function", material, { { 0, 0, 0 } }, { { 0, 0, 0 } });
   shape.Distance = std::move(distance);
+  shape.VolumeInBox = std::move(volumeInBox);
   return shape;
 }
 

@@ -55,6 +55,8 @@ struct Shape
   std::shared_ptr<const std::vector<Vector3>> Seeds; ///< of the Voronoi diagram
   std::size_t Seed = 0;                              ///< of this cell
   std::function<double(const Vector3&)> Distance;    ///< of ShapeKind::Function
+  /// Exact volume inside the box from lower to upper, or none; of ShapeKind::Function.
+  std::function<double(const Vector3& lower, const Vector3& upper)> VolumeInBox;
 };
 
 Shape MakeSphere(int material, const Vector3& center, double radius);
@@ -78,8 +80,10 @@ Shape MakeGyroid(int material, const Vector3& center, double period, double leve
 /// The points nearer to seeds[seed] than to any other seed.
 Shape MakeVoronoiCell(
   int material, std::shared_ptr<const std::vector<Vector3>> seeds, std::size_t seed);
-/// distance: signed, negative inside, Lipschitz constant 1, callable by several threads at once.
-Shape MakeFunctionShape(int material, std::function<double(const Vector3&)> distance);
+/// distance: signed, negative inside, Lipschitz constant 1. volumeInBox: spares the approximation in boxes that nothing
+/// else cuts. Both callable by several threads at once.
+Shape MakeFunctionShape(int material, std::function<double(const Vector3&)> distance,
+  std::function<double(const Vector3& lower, const Vector3& upper)> volumeInBox = nullptr);
 /// The part of the shape on the side of a plane that its normal points away from.
 Shape CutShape(Shape shape, const Vector3& point, const Vector3& normal);
 

@@ -65,6 +65,7 @@ private:
   bool SelectShape(const Candidates* from, const Candidates::Item& item, const BoxGeometry& box,
     double caution, Candidates& to) const;
   void Recurse(const Candidates& from, const BoxGeometry& box, int depth);
+  bool AddExactly(const Candidates& candidates, const BoxGeometry& box);
   bool FitSurfaces(const Candidates& candidates, const BoxGeometry& box, int depth);
   void CutBox(const Candidates& candidates, const BoxGeometry& box);
   void Add(int shape, double volume);
@@ -189,6 +190,10 @@ void CellWorker::Recurse(const Candidates& from, const BoxGeometry& box, int dep
     }
     return;
   }
+  if (this->AddExactly(candidates, box))
+  {
+    return;
+  }
   if (this->FitSurfaces(candidates, box, depth) || depth == MaximumDepth)
   {
     this->CutBox(candidates, box);
@@ -198,6 +203,25 @@ void CellWorker::Recurse(const Candidates& from, const BoxGeometry& box, int dep
   {
     this->Recurse(candidates, box.Child(c), depth + 1);
   }
+}
+
+/// Where one shape that knows its volume in boxes cuts the box, over void or over a shape that fills it.
+bool CellWorker::AddExactly(const Candidates& candidates, const BoxGeometry& box)
+{
+  const std::vector<Candidates::Item>& items = candidates.Items;
+  const Shape& shape = this->Shapes[items[0].Shape];
+  if (candidates.Surfaces.size() != 1 || candidates.Surfaces[0] != Body || !shape.VolumeInBox)
+  {
+    return false;
+  }
+  const double volume = std::min(
+    std::max(shape.VolumeInBox(box.Center - box.Half, box.Center + box.Half), 0.0), box.Volume());
+  this->Add(items[0].Shape, volume);
+  if (items.size() > 1) // without surfaces of its own
+  {
+    this->Add(items[1].Shape, box.Volume() - volume);
+  }
+  return true;
 }
 
 /// Planes in place of all surfaces; whether they are good enough.

@@ -139,7 +139,7 @@ def draw_cut(case, mesh, bounds, lowest, path):
     bar.TitleColor = bar.LabelColor = TEXT
     bar.TitleFontSize, bar.LabelFontSize = 30, 26
     bar.ScalarBarThickness, bar.ScalarBarLength = 28, 0.5
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.2f", "%.1f"
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.2f", "%.2f"
     bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", (0.25, 0.045)
     display.SetScalarBarVisibility(view, True)
     aim(view, bounds, case.cut_camera, case.cut_zoom)

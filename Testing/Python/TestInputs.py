@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import (
 
 from vfmtest import (
     GHOST, HIDDEN, ORIGIN, SPACING, add_array, ball_and_plate, digest, fraction_image, image, labels,
-    main, mesh_of)
+    main, mesh_of, run)
 
 N = 12
 
@@ -183,6 +183,26 @@ def test_types_of_fractions():
     bytes_ = {"ball": np.floor(255 * ball).astype(np.uint8), "plate": np.floor(255 * plate).astype(np.uint8)}
     reals = {name: values / 255.0 for name, values in bytes_.items()}
     assert digest(mesh_of(image(bytes_))) == digest(mesh_of(image(reals)))
+
+
+def half_and_half(value):
+    """Two materials of type unsigned char that share eight cells with this value each."""
+    shared = np.s_[5:7, 5:7, 5:7]
+    values = {"ball": np.full((N, N, N), 255, np.uint8), "plate": np.zeros((N, N, N), np.uint8)}
+    for name in values:
+        values[name][shared] = value
+    return values
+
+
+def test_rounded_bytes_may_sum_over_one():
+    result = mesh_of(image(half_and_half(128)))  # 256 / 255
+    assert result.field("NormalisedCells") == [8]
+    cell = np.prod(SPACING)
+    assert np.allclose(result.field("TargetVolume"), [(N ** 3 - 4) * cell, 4 * cell], rtol=1e-12)
+    reals = {name: values / 255.0 for name, values in half_and_half(128).items()}
+    for data, text in ((half_and_half(129), "sum to 1.01176"), (reals, "sum to 1.00392")):
+        errors = run(image(data)).errors
+        assert len(errors) == 1 and "cell (5, 5, 5) " + text in errors[0], errors
 
 
 def test_types_of_labels():

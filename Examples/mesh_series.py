@@ -1,0 +1,86 @@
+#!/usr/bin/env pvbatch
+"""Meshes every time step of a file series: one .vtu, and on demand one Exodus file, a step.
+
+usage: pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array water --out meshes [--exodus] dump_*.vti
+       pvbatch mesh_series.py --plugin VolumeFractionMesh.so --material-ids id --out meshes run.pvd
+
+Files of one extension are the steps of one series, in the order of the numbers in their names; a file that holds
+several steps (.pvd) gives all of them. Steps go to OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, one line each on
+standard output. Exit status 1 if a step could not be meshed; the other steps are meshed all the same.
+"""
+import argparse
+import os
+import re
+import sys
+
+from paraview import simple
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from write_exodus import write_exodus
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="+", help="files of the series, or one file that holds it")
+    parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
+    parser.add_argument("--array", action="append", default=[], help="volume fractions of the next material; repeatable")
+    parser.add_argument("--material-ids", metavar="ARRAY", help="integer array of material ids, instead of --array")
+    parser.add_argument("--out", default=".", help="folder of the meshes (default: this one)")
+    parser.add_argument("--name", default="mesh", help="first part of their names (default: mesh)")
+    parser.add_argument("--exodus", action="store_true", help="write .e files too, one element block a material")
+    parser.add_argument("--target", type=float, default=0.0, help="TargetScaledJacobian (default: 0, automatic)")
+    parser.add_argument("--void", action="store_true", help="mesh the void too, as material 0")
+    arguments = parser.parse_args()
+    if bool(arguments.array) == bool(arguments.material_ids):
+        parser.error("give either --array or --material-ids")
+    return arguments
+
+
+def number_key(path):
+    """Orders step_9 before step_10."""
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path)]
+
+
+def find_times(source):
+    """The time steps of the series; one unnamed step when it has none."""
+    source.UpdatePipelineInformation()
+    times = source.TimestepValues
+    return list(times) if hasattr(times, "__len__") and len(times) else [times] if isinstance(times, float) else [None]
+
+
+def report(mesh, path):
+    field = lambda name: mesh.GetFieldData().GetAbstractArray(name)
+    volumes = ", ".join("%s %.6g" % (field("MaterialNames").GetValue(i), field("MeshVolume").GetValue(i))
+                        for i in range(field("MeshVolume").GetNumberOfValues()))
+    lowest = field("MinimumScaledJacobian").GetValue(0)
+    print("%s: %d hexahedra, min scaled Jacobian %.3f, volumes: %s" % (path, mesh.GetNumberOfCells(), lowest, volumes))
+
+
+def main():
+    arguments = parse_arguments()
+    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines VolumeFractionToHex
+    source = simple.OpenDataFile(sorted(arguments.files, key=number_key))
+    if source is None:
+        sys.exit("cannot read " + arguments.files[0])
+    hexes = VolumeFractionToHex(
+        Input=source, VolumeFractionArrays=arguments.array, MaterialIdArray=arguments.material_ids or "None",
+        TargetScaledJacobian=arguments.target, MeshVoid=int(arguments.void))
+    os.makedirs(arguments.out, exist_ok=True)
+    failed = 0
+    for step, time in enumerate(find_times(source)):
+        hexes.UpdatePipeline(*[] if time is None else [time])
+        mesh = hexes.GetClientSideObject().GetOutputDataObject(0)
+        stem = os.path.join(arguments.out, "%s_%04d" % (arguments.name, step))
+        if mesh.GetFieldData().GetAbstractArray("MeshVolume") is None:
+            print("%s: no mesh, see the message above" % stem)
+            failed += 1
+            continue
+        report(mesh, stem + ".vtu")
+        simple.SaveData(stem + ".vtu", proxy=hexes, CompressorType="ZLib")
+        if arguments.exodus:
+            write_exodus(mesh, stem + ".e")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
