@@ -65,6 +65,12 @@ std::array<std::vector<double>, 3> RectilinearCoordinates(vtkRectilinearGrid* gr
   return coordinates;
 }
 
+bool IsFlat(const InputBlock& block)
+{
+  return std::any_of(block.Coordinates.begin(), block.Coordinates.end(),
+    [](const std::vector<double>& x) { return x.size() < 2; });
+}
+
 void CheckCoordinates(const InputBlock& block)
 {
   for (int a = 0; a < 3; ++a)
@@ -162,7 +168,8 @@ void AddBlock(
       ". Image data, uniform grids and rectilinear grids can be meshed; bring other data onto a "
       "grid first (filter Resample To Image).");
   }
-  if (block.Data->GetNumberOfPoints() == 0)
+  const bool isPiece = number < 0 && !isAlone; // flat when there are fewer cells than ranks
+  if (block.Data->GetNumberOfPoints() == 0 || (isPiece && IsFlat(block)))
   {
     return;
   }
