@@ -36,6 +36,17 @@ IndexBox WholeBox(const std::array<std::vector<double>, 3>& coordinates)
 
 } // namespace
 
+IndexBox Intersect(const IndexBox& a, const IndexBox& b)
+{
+  IndexBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Lower[axis] = std::max(a.Lower[axis], b.Lower[axis]);
+    box.Upper[axis] = std::max(std::min(a.Upper[axis], b.Upper[axis]), box.Lower[axis]);
+  }
+  return box;
+}
+
 CartesianGrid::CartesianGrid(
   std::array<std::vector<double>, 3> coordinates, const IndexBox& owned, int ghostLevels) :
   X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned)

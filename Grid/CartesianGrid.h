@@ -58,6 +58,9 @@ struct IndexBox
   }
 };
 
+/// The cells that both boxes hold; a box without cells where there is none.
+IndexBox Intersect(const IndexBox& a, const IndexBox& b);
+
 class CartesianGrid
 {
 public:

@@ -2,21 +2,6 @@
 
 namespace vfm
 {
-namespace
-{
-
-IndexBox Intersect(const IndexBox& a, const IndexBox& b)
-{
-  IndexBox box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.Lower[axis] = std::max(a.Lower[axis], b.Lower[axis]);
-    box.Upper[axis] = std::max(std::min(a.Upper[axis], b.Upper[axis]), box.Lower[axis]);
-  }
-  return box;
-}
-
-} // namespace
 
 Partition::Partition(const CartesianGrid& grid, Ranks& ranks) : Grid(grid), TheRanks(ranks)
 {

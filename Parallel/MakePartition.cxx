@@ -184,17 +184,6 @@ std::vector<Part> CutParts(const std::vector<Part>& parts, Weights& weights, Ran
 
 } // namespace
 
-IndexBox Intersect(const IndexBox& a, const IndexBox& b)
-{
-  IndexBox box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.Lower[axis] = std::max(a.Lower[axis], b.Lower[axis]);
-    box.Upper[axis] = std::max(std::min(a.Upper[axis], b.Upper[axis]), box.Lower[axis]);
-  }
-  return box;
-}
-
 IndexBox Grow(const IndexBox& box, Index levels, const IndexBox& limits)
 {
   IndexBox grown = box;

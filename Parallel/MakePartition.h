@@ -19,8 +19,6 @@ constexpr Index CellWeight = 1, InterfaceCellWeight = 20;
 /// Largest over mean weight of the ranks up to which input stays where it is.
 constexpr double GoodBalance = 1.5;
 
-/// The cells that both boxes hold; a box without cells where there is none.
-IndexBox Intersect(const IndexBox& a, const IndexBox& b);
 /// The box and that many layers of cells around it, cut at the limits. A box without cells gets none.
 IndexBox Grow(const IndexBox& box, Index levels, const IndexBox& limits);
 
