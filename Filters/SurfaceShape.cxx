@@ -1,7 +1,7 @@
 #include "SurfaceShape.h"
 
 #include "Runtime.h"
-#include "Vector3.h"
+#include "ShapesTriangles.h"
 
 #include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
@@ -13,7 +13,6 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
-#include "vtkStaticCellLocator.h"
 #include "vtkTriangleFilter.h"
 
 #include <memory>
@@ -23,26 +22,22 @@ namespace vfm
 namespace
 {
 
-/// Six times the volume inside, negative when the triangles face inwards.
-double MeasureInside(vtkPolyData* triangles)
+std::vector<Triangle> GetTriangles(vtkPolyData* surface)
 {
-  Vector3 center;
-  triangles->GetCenter(center.data());
-  double sum = 0.0;
-  vtkCellArray* cells = triangles->GetPolys();
+  std::vector<Triangle> triangles;
+  vtkCellArray* cells = surface->GetPolys();
   vtkNew<vtkIdList> ids;
   for (vtkIdType t = 0; t < cells->GetNumberOfCells(); ++t)
   {
     cells->GetCellAtId(t, ids);
-    Vector3 p[3];
+    Triangle triangle;
     for (int i = 0; i < 3; ++i)
     {
-      triangles->GetPoint(ids->GetId(i), p[i].data());
-      p[i] = p[i] - center;
+      surface->GetPoint(ids->GetId(i), triangle[i].data());
     }
-    sum += Dot(p[0], Cross(p[1], p[2]));
+    triangles.push_back(triangle);
   }
-  return sum;
+  return triangles;
 }
 
 /// Triangles with cell normals that point out.
@@ -66,7 +61,7 @@ vtkSmartPointer<vtkPolyData> PrepareSurface(vtkPolyData* surface)
   normals->ComputeCellNormalsOn();
   normals->ComputePointNormalsOff();
   normals->Update();
-  if (MeasureInside(normals->GetOutput()) < 0.0)
+  if (TriangleSolid(GetTriangles(normals->GetOutput())).MeasureVolume() < 0.0)
   {
     normals->FlipNormalsOn();
     normals->Update();
@@ -104,128 +99,29 @@ void CheckClosed(vtkPolyData* surface)
   }
 }
 
-/// A convex polygon; a triangle clipped by the six planes of a box has at most nine corners.
-struct Polygon
-{
-  int Size = 0;
-  Vector3 Corners[9];
-};
-
-/// The part where sign * (x[axis] - value) <= 0.
-Polygon ClipPolygon(const Polygon& polygon, int axis, double value, double sign)
-{
-  Polygon part;
-  for (int i = 0; i < polygon.Size; ++i)
-  {
-    const Vector3& a = polygon.Corners[i];
-    const Vector3& b = polygon.Corners[i + 1 < polygon.Size ? i + 1 : 0];
-    const double heightA = sign * (a[axis] - value), heightB = sign * (b[axis] - value);
-    if (heightA <= 0.0)
-    {
-      part.Corners[part.Size++] = a;
-    }
-    if ((heightA <= 0.0) != (heightB <= 0.0))
-    {
-      part.Corners[part.Size++] = a + heightA / (heightA - heightB) * (b - a);
-    }
-  }
-  return part;
-}
-
-/// Integral of x - start over the polygon's shadow on the yz plane; negative where it faces -x.
-/// width: taken for x - start when not negative.
-double IntegrateShadow(const Polygon& polygon, double start, double width)
-{
-  double sum = 0.0;
-  for (int i = 1; i + 1 < polygon.Size; ++i)
-  {
-    const Vector3 &a = polygon.Corners[0], &b = polygon.Corners[i], &c = polygon.Corners[i + 1];
-    const double area = 0.5 * Cross(b - a, c - a)[0];
-    sum += area * (width >= 0.0 ? width : (a[0] + b[0] + c[0]) / 3.0 - start);
-  }
-  return sum;
-}
-
-/// Volume of the points of the box from which the ray to +x hits the triangle, negative where it faces
-/// -x. Summed over a closed surface: the volume inside, as a point is inside when its ray leaves the
-/// solid once more than it enters.
-double MeasureShadowVolume(const Polygon& triangle, const Vector3& lower, const Vector3& upper)
-{
-  Polygon part = triangle;
-  for (int axis = 1; axis < 3; ++axis)
-  {
-    part = ClipPolygon(ClipPolygon(part, axis, lower[axis], -1.0), axis, upper[axis], 1.0);
-  }
-  const Polygon within = ClipPolygon(ClipPolygon(part, 0, lower[0], -1.0), 0, upper[0], 1.0);
-  const Polygon beyond = ClipPolygon(part, 0, upper[0], -1.0);
-  return IntegrateShadow(within, lower[0], -1.0) +
-    IntegrateShadow(beyond, 0.0, upper[0] - lower[0]);
-}
-
-/// Evaluates one surface; one a thread, as the VTK classes inside are not thread safe.
-class SurfaceProbe
+/// The distance by one vtkImplicitPolyDataDistance a thread, as its evaluation is not thread safe.
+class SurfaceDistance
 {
 public:
-  explicit SurfaceProbe(vtkPolyData* surface)
-  {
-    this->Triangles->DeepCopy(surface);
-    this->Distance->SetInput(this->Triangles);
-    this->Locator->SetDataSet(this->Triangles);
-    this->Locator->BuildLocator();
-  }
+  explicit SurfaceDistance(vtkPolyData* surface) : Surface(surface) {}
 
-  double EvaluateDistance(const Vector3& point)
+  double Evaluate(const Vector3& point)
   {
+    vtkSmartPointer<vtkImplicitPolyDataDistance>& function = this->Functions.Local();
+    if (!function)
+    {
+      vtkNew<vtkPolyData> copy;
+      copy->DeepCopy(this->Surface);
+      function = vtkSmartPointer<vtkImplicitPolyDataDistance>::New();
+      function->SetInput(copy);
+    }
     double x[3] = { point[0], point[1], point[2] };
-    return this->Distance->EvaluateFunction(x);
-  }
-
-  double MeasureVolume(const Vector3& lower, const Vector3& upper)
-  {
-    const double* bounds = this->Triangles->GetBounds();
-    double column[6] = { lower[0], std::max(upper[0], bounds[1]), lower[1], upper[1], lower[2],
-      upper[2] };
-    this->Locator->FindCellsWithinBounds(column, this->Cells);
-    double sum = 0.0;
-    for (vtkIdType c = 0; c < this->Cells->GetNumberOfIds(); ++c)
-    {
-      this->Triangles->GetCellPoints(this->Cells->GetId(c), this->Points);
-      Polygon triangle;
-      for (triangle.Size = 0; triangle.Size < 3; ++triangle.Size)
-      {
-        this->Triangles->GetPoint(
-          this->Points->GetId(triangle.Size), triangle.Corners[triangle.Size].data());
-      }
-      sum += MeasureShadowVolume(triangle, lower, upper);
-    }
-    return sum;
-  }
-
-private:
-  vtkNew<vtkPolyData> Triangles;
-  vtkNew<vtkImplicitPolyDataDistance> Distance;
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkIdList> Cells, Points;
-};
-
-class SurfaceProbes
-{
-public:
-  explicit SurfaceProbes(vtkPolyData* surface) : Surface(surface) {}
-
-  SurfaceProbe& Local()
-  {
-    std::shared_ptr<SurfaceProbe>& probe = this->Probes.Local();
-    if (!probe)
-    {
-      probe = std::make_shared<SurfaceProbe>(this->Surface);
-    }
-    return *probe;
+    return function->EvaluateFunction(x);
   }
 
 private:
   vtkSmartPointer<vtkPolyData> Surface;
-  vtkSMPThreadLocal<std::shared_ptr<SurfaceProbe>> Probes;
+  vtkSMPThreadLocal<vtkSmartPointer<vtkImplicitPolyDataDistance>> Functions;
 };
 
 } // namespace
@@ -234,11 +130,17 @@ Shape MakeSurfaceShape(int material, vtkPolyData* surface)
 {
   const vtkSmartPointer<vtkPolyData> prepared = PrepareSurface(surface);
   CheckClosed(prepared);
-  const auto probes = std::make_shared<SurfaceProbes>(prepared);
+  const auto distance = std::make_shared<SurfaceDistance>(prepared);
+  const auto solid = std::make_shared<const TriangleSolid>(GetTriangles(prepared));
+  BoxQueries boxes;
+  boxes.Meets = [solid](const Vector3& lower, const Vector3& upper)
+  { return solid->Meets(lower, upper); };
+  boxes.Volume = [solid](const Vector3& lower, const Vector3& upper)
+  { return solid->MeasureVolume(lower, upper); };
+  boxes.FitPlane = [solid](const Vector3& lower, const Vector3& upper, HalfSpace& plane)
+  { return solid->FitPlane(lower, upper, plane); };
   return MakeFunctionShape(
-    material, [probes](const Vector3& point) { return probes->Local().EvaluateDistance(point); },
-    [probes](const Vector3& lower, const Vector3& upper)
-    { return probes->Local().MeasureVolume(lower, upper); });
+    material, [distance](const Vector3& point) { return distance->Evaluate(point); }, boxes);
 }
 
 } // namespace vfm

@@ -77,6 +77,28 @@ Placement PlaceAround(const std::vector<vtkPolyData*>& surfaces, const int dimen
   return place;
 }
 
+std::array<std::vector<double>, 3> ListCoordinates(const Placement& place, const int dimensions[3])
+{
+  std::array<std::vector<double>, 3> coordinates;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (int i = 0; i <= dimensions[a]; ++i)
+    {
+      coordinates[a].push_back(place.Origin[a] + i * place.Spacing[a]);
+    }
+  }
+  return coordinates;
+}
+
+std::vector<vfm::Shape> MakePreset(int preset, const vfm::Vector3& lower, const vfm::Vector3& upper)
+{
+  if (vtkVolumeFractionShapes::GetPresetName(preset).empty())
+  {
+    throw vfm::InputError("Preset " + std::to_string(preset) + " does not exist.");
+  }
+  return vfm::MakeScene(static_cast<vfm::Scene>(preset - 1), lower, upper);
+}
+
 /// Writes fractions into the arrays of an image, one a material.
 class ArrayWriter
 {
@@ -180,16 +202,18 @@ std::string vtkVolumeFractionShapes::FindGridError() const
 int vtkVolumeFractionShapes::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const std::string problem = this->FindGridError();
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-    return 0;
-  }
+  // A grid that is none is told by RequestData, once.
+  const bool valid = this->FindGridError().empty();
   vtkInformation* info = outputVector->GetInformationObject(0);
-  const int extent[6] = { 0, this->Dimensions[0], 0, this->Dimensions[1], 0, this->Dimensions[2] };
+  int extent[6] = { 0, 0, 0, 0, 0, 0 };
+  for (int a = 0; a < 3 && valid; ++a)
+  {
+    extent[2 * a + 1] = this->Dimensions[a];
+  }
   info->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
-  if (!this->FitToInput) // else known with the surfaces
+  info->Remove(vtkDataObject::ORIGIN());
+  info->Remove(vtkDataObject::SPACING());
+  if (valid && !this->FitToInput) // else known with the surfaces
   {
     const Placement place = PlaceInBounds(this->Bounds, this->Dimensions);
     info->Set(vtkDataObject::ORIGIN(), place.Origin, 3);
@@ -248,6 +272,11 @@ int vtkVolumeFractionShapes::RequestData(
 void vtkVolumeFractionShapes::Fill(
   vtkInformationVector* inputs, const int extent[6], vtkImageData* image)
 {
+  const std::string problem = this->FindGridError();
+  if (!problem.empty())
+  {
+    throw vfm::InputError(problem);
+  }
   std::vector<vtkPolyData*> surfaces;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
@@ -255,28 +284,23 @@ void vtkVolumeFractionShapes::Fill(
   }
   const Placement place = this->FitToInput ? PlaceAround(surfaces, this->Dimensions)
                                            : PlaceInBounds(this->Bounds, this->Dimensions);
-  std::array<std::vector<double>, 3> coordinates;
+  const std::array<std::vector<double>, 3> coordinates = ListCoordinates(place, this->Dimensions);
+  vfm::Vector3 lower, upper;
   for (int a = 0; a < 3; ++a)
   {
-    for (int i = 0; i <= this->Dimensions[a]; ++i)
-    {
-      coordinates[a].push_back(place.Origin[a] + i * place.Spacing[a]);
-    }
+    lower[a] = coordinates[a].front();
+    upper[a] = coordinates[a].back();
   }
-  const vfm::Vector3 lower{ { coordinates[0].front(), coordinates[1].front(),
-    coordinates[2].front() } };
-  const vfm::Vector3 upper{ { coordinates[0].back(), coordinates[1].back(),
-    coordinates[2].back() } };
   std::vector<vfm::Shape> shapes = vfm::ParseShapes(this->Shapes, lower, upper);
-  if (shapes.empty() && !this->GetPresetName(this->Preset).empty() && this->Preset > 0)
+  if (shapes.empty() && this->Preset != 0)
   {
-    shapes = vfm::MakeScene(static_cast<vfm::Scene>(this->Preset - 1), lower, upper);
+    shapes = MakePreset(this->Preset, lower, upper);
   }
   for (vtkPolyData* surface : surfaces)
   {
     const int next = vfm::CountMaterials(shapes) + 1;
-    shapes.push_back(
-      vfm::MakeSurfaceShape(this->SurfaceMaterial == 0 ? next : this->SurfaceMaterial, surface));
+    const int material = this->SurfaceMaterial == 0 ? next : this->SurfaceMaterial;
+    shapes.push_back(vfm::MakeSurfaceShape(material, surface));
   }
   if (shapes.empty())
   {
@@ -286,9 +310,9 @@ void vtkVolumeFractionShapes::Fill(
   image->SetOrigin(place.Origin);
   image->SetSpacing(place.Spacing);
   const ArrayWriter writer(extent, vfm::CountMaterials(shapes), image);
-  vfm::FilterRuntime runtime(this);
   if (HasCells(extent))
   {
+    vfm::FilterRuntime runtime(this);
     vfm::ComputeShapeFractions(coordinates, writer.GetCells(), shapes, this->Tolerance, runtime,
       [&writer](const vfm::IndexBox& cells, const std::vector<vfm::FractionField::Part>& parts)
       { writer.Write(cells, parts); });

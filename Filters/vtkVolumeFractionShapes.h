@@ -2,19 +2,21 @@
  * @class   vtkVolumeFractionShapes
  * @brief   exact volume fractions of solid shapes on a uniform grid
  *
- * Makes an image with one cell array a material, Material1, Material2, ... (double), which holds the part of each
- * cell that the material fills. Shapes are inserted in order: the first keeps its volume, later ones get
- * what is left of each cell, as in the material insertion of shock-physics codes. The shapes come from a
- * preset or from text, then from the closed surfaces on the optional, repeatable input port.
+ * Makes an image with one cell array a material, Material1, Material2, ... (double), which holds
+ * the part of each cell that the material fills. Shapes are inserted in order: the first keeps its
+ * volume, later ones get what is left of each cell, as in the material insertion of shock-physics
+ * codes. The shapes come from a preset or from text, then from the closed surfaces on the optional,
+ * repeatable input port.
  *
- * The grid is given by Dimensions (cells) and Bounds (length units). With FitToInput the grid is instead
- * put around the surfaces, with cubic cells and at least two cells of margin; Dimensions stays as given.
+ * The grid is given by Dimensions (cells) and Bounds (length units). With FitToInput the grid is
+ * instead put around the surfaces, with cubic cells and at least two cells of margin; Dimensions
+ * stays as given.
  *
- * Any extent can be asked for; a cell's fractions depend on neither the extent nor the threads. The surfaces are
- * wanted whole on every process.
+ * Any extent can be asked for; a cell's fractions depend on neither the extent nor the threads. The
+ * surfaces are wanted whole on every process.
  *
- * Errors (one message, empty output, failure): text that is no shape, sizes not above 0, Dimensions below
- * 1, empty Bounds, a surface that is empty, open or not manifold, no shape at all.
+ * Errors (one message, empty output, failure): text that is no shape, sizes not above 0, Dimensions
+ * below 1, empty Bounds, a surface that is empty, open or not manifold, no shape at all.
  */
 #ifndef vtkVolumeFractionShapes_h
 #define vtkVolumeFractionShapes_h
@@ -58,8 +60,8 @@ public:
 
   ///@{
   /**
-   * A ready scene, by number; 0 for none. Default 4, ball and plate. GetPresetName() tells the scenes, and is
-   * empty past the last.
+   * A ready scene, by number; 0 for none. Default 4, ball and plate. GetPresetName() tells the
+   * scenes, and is empty past the last.
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
@@ -68,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Shapes as text, one a line or parted by semicolons, such as `sphere material=1 center=0,0,0 radius=0.4`;
-   * Grid/ShapesText.h tells all. Replaces the preset when not empty.
+   * Shapes as text, one a line or parted by semicolons, such as `sphere material=1 center=0,0,0
+   * radius=0.4`; Grid/ShapesText.h tells all. Replaces the preset when not empty.
    */
   vtkSetStdStringFromCharMacro(Shapes);
   vtkGetCharFromStdStringMacro(Shapes);

@@ -308,12 +308,12 @@ Shape MakeVoronoiCell(
   return shape;
 }
 
-Shape MakeFunctionShape(int material, std::function<double(const Vector3&)> distance,
-  std::function<double(const Vector3&, const Vector3&)> volumeInBox)
+Shape MakeFunctionShape(
+  int material, std::function<double(const Vector3&)> distance, BoxQueries boxes)
 {
   Shape shape = Place(ShapeKind::Function, "function", material, { { 0, 0, 0 } }, { { 0, 0, 0 } });
   shape.Distance = std::move(distance);
-  shape.VolumeInBox = std::move(volumeInBox);
+  shape.Boxes = std::move(boxes);
   return shape;
 }
 

@@ -1,14 +1,14 @@
 /**
  * Solid shapes as implicit functions: what is inserted into a grid to get exact volume fractions.
  *
- * A shape is the intersection of at most one curved body with any number of half-spaces. Functions are
- * negative inside; that of the body changes by no more than the distance walked (Lipschitz constant 1),
- * so one value tells whether a whole box lies on one side.
+ * A shape is the intersection of at most one curved body with any number of half-spaces. Functions
+ * are negative inside; that of the body changes by no more than the distance walked (Lipschitz
+ * constant 1), so one value tells whether a whole box lies on one side.
  *
- * Lengths are those of the grid. Rotations are Euler angles in degrees about x, y, z, in the order of
- * vtkProp3D: matrix Rz Rx Ry, applied before the translation to the center. Cylinder, cone and torus have the
- * local z axis. The makers throw InputError when a size is not positive or a number not finite, or a
- * material is below 1.
+ * Lengths are those of the grid. Rotations are Euler angles in degrees about x, y, z, in the order
+ * of vtkProp3D: matrix Rz Rx Ry, applied before the translation to the center. Cylinder, cone and
+ * torus have the local z axis. The makers throw InputError when a size is not positive or a number
+ * not finite, or a material is below 1.
  */
 #pragma once
 
@@ -42,6 +42,18 @@ enum class ShapeKind
   Function
 };
 
+/// What a shape given by a function may know of a box from lower to upper.
+struct BoxQueries
+{
+  /// Whether the surface may meet the box; false for every box inside a box for which it is false.
+  std::function<bool(const Vector3& lower, const Vector3& upper)> Meets;
+  /// Exact volume inside the shape.
+  std::function<double(const Vector3& lower, const Vector3& upper)> Volume;
+  /// The plane nearest to the surface in the box; returns about the volume between the two, 0 when
+  /// the half-space is the shape there, infinity when the surface is not near any plane.
+  std::function<double(const Vector3& lower, const Vector3& upper, HalfSpace& plane)> FitPlane;
+};
+
 /// Made by the functions below.
 struct Shape
 {
@@ -55,8 +67,7 @@ struct Shape
   std::shared_ptr<const std::vector<Vector3>> Seeds; ///< of the Voronoi diagram
   std::size_t Seed = 0;                              ///< of this cell
   std::function<double(const Vector3&)> Distance;    ///< of ShapeKind::Function
-  /// Exact volume inside the box from lower to upper, or none; of ShapeKind::Function.
-  std::function<double(const Vector3& lower, const Vector3& upper)> VolumeInBox;
+  BoxQueries Boxes;                                  ///< of ShapeKind::Function, or none
 };
 
 Shape MakeSphere(int material, const Vector3& center, double radius);
@@ -80,15 +91,15 @@ Shape MakeGyroid(int material, const Vector3& center, double period, double leve
 /// The points nearer to seeds[seed] than to any other seed.
 Shape MakeVoronoiCell(
   int material, std::shared_ptr<const std::vector<Vector3>> seeds, std::size_t seed);
-/// distance: signed, negative inside, Lipschitz constant 1. volumeInBox: spares the approximation in boxes that nothing
-/// else cuts. Both callable by several threads at once.
-Shape MakeFunctionShape(int material, std::function<double(const Vector3&)> distance,
-  std::function<double(const Vector3& lower, const Vector3& upper)> volumeInBox = nullptr);
+/// distance: signed, negative inside, Lipschitz constant 1. boxes, all or none: spare the
+/// approximation where nothing else cuts a box. All callable by several threads at once.
+Shape MakeFunctionShape(
+  int material, std::function<double(const Vector3&)> distance, BoxQueries boxes = BoxQueries());
 /// The part of the shape on the side of a plane that its normal points away from.
 Shape CutShape(Shape shape, const Vector3& point, const Vector3& normal);
 
-/// Signed distance to the surface, negative inside. Exact; but to first order for the gyroid, and a lower
-/// bound outside near the edges of Voronoi cells and of shapes that were cut.
+/// Signed distance to the surface, negative inside. Exact; but to first order for the gyroid, and a
+/// lower bound outside near the edges of Voronoi cells and of shapes that were cut.
 double SignedDistance(const Shape& shape, const Vector3& point);
 
 /// Whether the shape has a curved body beside its planes.

@@ -3,6 +3,7 @@
 #include "Vector3.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vfm
 {
@@ -12,6 +13,8 @@ namespace
 // Corners by bits, x first; faces -x +x -y +y -z +z, counter-clockwise from outside.
 constexpr int BoxFaces[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
   { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
+
+constexpr double OnPlane = 1e-14; // of the lengths that enter the height
 
 /// Sorts the corners of a convex polygon counter-clockwise about the normal; drops repeated ones.
 void SortAround(const Vector3& normal, std::vector<Vector3>& points)
@@ -58,6 +61,31 @@ void CloseFace(ConvexPiece& piece, std::size_t first)
   piece.Ends.push_back(piece.Points.size());
 }
 
+/// Of the corners over the plane. What is within rounding of the plane is on it: a face that an
+/// earlier plane made must not be cut again by the same plane.
+std::vector<double> MeasureHeights(
+  const ConvexPiece& piece, const HalfSpace& plane, double& lowest, double& highest)
+{
+  std::vector<double> height(piece.Points.size());
+  double size = 0.0;
+  for (const Vector3& p : piece.Points)
+  {
+    const Vector3 d = p - piece.Points[0];
+    size = std::max({ size, std::abs(d[0]), std::abs(d[1]), std::abs(d[2]) });
+  }
+  for (std::size_t i = 0; i < height.size(); ++i)
+  {
+    const Vector3& p = piece.Points[i];
+    height[i] = Dot(plane.Normal, p) - plane.Offset;
+    const double rounding =
+      OnPlane * (size + std::abs(plane.Offset) + std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]));
+    height[i] = std::abs(height[i]) <= rounding && std::isfinite(rounding) ? 0.0 : height[i];
+    lowest = std::min(lowest, height[i]);
+    highest = std::max(highest, height[i]);
+  }
+  return height;
+}
+
 } // namespace
 
 ConvexPiece MakeBoxPiece(const Vector3& lower, const Vector3& upper)
@@ -99,14 +127,8 @@ void ClipPiece(const ConvexPiece& piece, const HalfSpace& plane, ConvexPiece& in
   inside.Clear();
   outside.Clear();
   section.clear();
-  std::vector<double> height(piece.Points.size());
-  double lowest = INFINITY, highest = -INFINITY;
-  for (std::size_t i = 0; i < height.size(); ++i)
-  {
-    height[i] = Dot(plane.Normal, piece.Points[i]) - plane.Offset;
-    lowest = std::min(lowest, height[i]);
-    highest = std::max(highest, height[i]);
-  }
+  double lowest = 0.0, highest = 0.0;
+  const std::vector<double> height = MeasureHeights(piece, plane, lowest, highest);
   if (highest <= 0.0 || lowest >= 0.0)
   {
     (highest <= 0.0 ? inside : outside) = piece;

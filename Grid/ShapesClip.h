@@ -27,8 +27,8 @@ ConvexPiece MakeBoxPiece(const Vector3& lower, const Vector3& upper);
 
 double ComputeVolume(const ConvexPiece& piece);
 
-/// Cuts the piece in two; a part of no extent is empty. section: the polygon of the cut, counter-clockwise about
-/// the normal of the plane, empty when the plane misses the piece.
+/// Cuts the piece in two; a part of no extent is empty. section: the polygon of the cut,
+/// counter-clockwise about the normal of the plane, empty when the plane misses the piece.
 void ClipPiece(const ConvexPiece& piece, const HalfSpace& plane, ConvexPiece& inside,
   ConvexPiece& outside, std::vector<Vector3>& section);
 

@@ -49,8 +49,8 @@ LinearFit FitLinear(const Shape& shape, const BoxGeometry& box)
   return fit;
 }
 
-/// Bound on the volume between plane and surface that the faces of the box cut differently, where the
-/// surface deviates from the plane by no more than deviation.
+/// Bound on the volume between plane and surface that the faces of the box cut differently, where
+/// the surface deviates from the plane by no more than deviation.
 double EstimateRimError(const BoxGeometry& box, const HalfSpace& plane, double deviation)
 {
   double error = 0.0;

@@ -1,5 +1,6 @@
 /**
- * A plane in place of a curved surface within a box, with an estimate of the volume that it gets wrong.
+ * A plane in place of a curved surface within a box, with an estimate of the volume that it gets
+ * wrong.
  */
 #pragma once
 

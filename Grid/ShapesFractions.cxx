@@ -15,15 +15,16 @@ using Parts = std::vector<FractionField::Part>;
 constexpr Index BlockWidth = 16;
 constexpr int MaximumDepth = 10;
 constexpr std::size_t MaximumSurfaces = 24; // cut exactly in one box; else it is halved first
-// What of the sheet error counts: where several surfaces cut the box, as each keeps its mean height only
-// in the box as a whole; and for functions that may have creases, where that mean is less sure.
+// What of the sheet error counts: where several surfaces cut the box, as each keeps its mean height
+// only in the box as a whole; and for functions that may have creases, where that mean is less
+// sure.
 constexpr double SheetOfSeveral = 0.25;
 constexpr double SheetOfFunction = 0.1;
 constexpr double NegligiblePart = 1e-12;
 constexpr int Body = -1; // beside the numbers of the planes
 
-/// The shapes that meet a box, and of each the surfaces that cut it. A shape without surfaces fills the
-/// box and is the last.
+/// The shapes that meet a box, and of each the surfaces that cut it. A shape without surfaces fills
+/// the box and is the last.
 struct Candidates
 {
   struct Item
@@ -66,6 +67,7 @@ private:
     double caution, Candidates& to) const;
   void Recurse(const Candidates& from, const BoxGeometry& box, int depth);
   bool AddExactly(const Candidates& candidates, const BoxGeometry& box);
+  FitError FitBody(const Shape& shape, const BoxGeometry& box, HalfSpace& plane);
   bool FitSurfaces(const Candidates& candidates, const BoxGeometry& box, int depth);
   void CutBox(const Candidates& candidates, const BoxGeometry& box);
   void Add(int shape, double volume);
@@ -82,11 +84,28 @@ private:
   std::vector<Vector3> Section;
 };
 
+/// By the shape's own queries.
+Side ClassifyByQueries(const Shape& shape, const BoxGeometry& box, double caution)
+{
+  const Vector3 half = (caution > 1.0 ? 1.0 + 1e-9 : 1.0) * box.Half;
+  if (shape.Boxes.Meets(box.Center - half, box.Center + half))
+  {
+    return Side::Cut;
+  }
+  const Vector3 core = 1e-3 * box.Half; // all inside or all outside
+  const double volume = shape.Boxes.Volume(box.Center - core, box.Center + core);
+  return volume > 4.0 * core[0] * core[1] * core[2] ? Side::Inside : Side::Outside;
+}
+
 Side CellWorker::Classify(int shape, int surface, const BoxGeometry& box, double caution) const
 {
   double value, reach;
   if (surface == Body)
   {
+    if (this->Shapes[shape].Boxes.Meets)
+    {
+      return ClassifyByQueries(this->Shapes[shape], box, caution);
+    }
     value = EvaluateBody(this->Shapes[shape], box.Center);
     reach = caution * Norm(box.Half);
   }
@@ -205,23 +224,35 @@ void CellWorker::Recurse(const Candidates& from, const BoxGeometry& box, int dep
   }
 }
 
-/// Where one shape that knows its volume in boxes cuts the box, over void or over a shape that fills it.
+/// Where one shape that knows its volume in boxes cuts the box, over void or over a shape that
+/// fills it.
 bool CellWorker::AddExactly(const Candidates& candidates, const BoxGeometry& box)
 {
   const std::vector<Candidates::Item>& items = candidates.Items;
   const Shape& shape = this->Shapes[items[0].Shape];
-  if (candidates.Surfaces.size() != 1 || candidates.Surfaces[0] != Body || !shape.VolumeInBox)
+  if (candidates.Surfaces.size() != 1 || candidates.Surfaces[0] != Body || !shape.Boxes.Volume)
   {
     return false;
   }
   const double volume = std::min(
-    std::max(shape.VolumeInBox(box.Center - box.Half, box.Center + box.Half), 0.0), box.Volume());
+    std::max(shape.Boxes.Volume(box.Center - box.Half, box.Center + box.Half), 0.0), box.Volume());
   this->Add(items[0].Shape, volume);
   if (items.size() > 1) // without surfaces of its own
   {
     this->Add(items[1].Shape, box.Volume() - volume);
   }
   return true;
+}
+
+FitError CellWorker::FitBody(const Shape& shape, const BoxGeometry& box, HalfSpace& plane)
+{
+  if (!shape.Boxes.FitPlane)
+  {
+    return this->Fitter.Fit(shape, box, plane);
+  }
+  FitError error;
+  error.Sheet = shape.Boxes.FitPlane(box.Center - box.Half, box.Center + box.Half, plane);
+  return error;
 }
 
 /// Planes in place of all surfaces; whether they are good enough.
@@ -250,7 +281,7 @@ bool CellWorker::FitSurfaces(const Candidates& candidates, const BoxGeometry& bo
         GetPlane(shape, candidates.Surfaces[s], this->Fitted[s]);
         continue;
       }
-      const FitError fit = this->Fitter.Fit(shape, box, this->Fitted[s]);
+      const FitError fit = this->FitBody(shape, box, this->Fitted[s]);
       error += onSurface * fit.Rim + (sheet > 0.0 ? onEdge * sheet * fit.Sheet : 0.0);
       if (error > this->Tolerance && depth < MaximumDepth)
       {

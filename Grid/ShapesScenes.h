@@ -35,13 +35,14 @@ std::vector<Shape> MakeScene(Scene scene, const Vector3& lower, const Vector3& u
 /// What lies between two parallel planes, half the thickness to either side of the center.
 Shape MakePlate(int material, const Vector3& center, const Vector3& normal, double thickness);
 
-/// A ball in equal sectors about the z axis through its center, materials 1..sectors; the first sector begins at an
-/// angle (degrees from the x axis). sectors >= 2.
+/// A ball in equal sectors about the z axis through its center, materials 1..sectors; the first
+/// sector begins at an angle (degrees from the x axis). sectors >= 2.
 std::vector<Shape> MakeSectors(
   const Vector3& center, double radius, int sectors, double startAngle = 0.0);
 
-/// Voronoi cells of points spread at random, but not too near to each other: materials from firstMaterial on, one a grain. They fill
-/// all space; the points lie in the box. The same random seed gives the same grains everywhere. grains >= 1.
+/// Voronoi cells of points spread at random, but not too near to each other: materials from
+/// firstMaterial on, one a grain. They fill all space; the points lie in the box. The same random
+/// seed gives the same grains everywhere. grains >= 1.
 std::vector<Shape> MakePolycrystal(int firstMaterial, const Vector3& lower, const Vector3& upper,
   int grains, unsigned int randomSeed = 1);
 

@@ -12,10 +12,11 @@
  *   gyroid      period=1 level=0 center=0,0,0 rotation=0,0,0
  *   polycrystal grains=20 seed=1
  *
- * Each may have material=1 and any number of cut=x,y,z,nx,ny,nz, which keeps the part of the shape on the side of
- * the plane through (x,y,z) that the normal points away from. Where a center or rotation is left out it
- * is 0, material 1, level 0, seed 1; sizes and normals are needed. A polycrystal takes a material a grain from its
- * material on. What follows # is a comment. Rotations: see Shapes.h.
+ * Each may have material=1 and any number of cut=x,y,z,nx,ny,nz, which keeps the part of the shape
+ * on the side of the plane through (x,y,z) that the normal points away from. Where a center or
+ * rotation is left out it is 0, material 1, level 0, seed 1; sizes and normals are needed. A
+ * polycrystal takes a material a grain from its material on. What follows # is a comment.
+ * Rotations: see Shapes.h.
  */
 #pragma once
 
@@ -26,7 +27,8 @@
 namespace vfm
 {
 
-/// lower, upper: the domain, where a polycrystal has its seeds. Throws InputError that names line and word.
+/// lower, upper: the domain, where a polycrystal has its seeds. Throws InputError that names line
+/// and word.
 std::vector<Shape> ParseShapes(const std::string& text, const Vector3& lower, const Vector3& upper);
 
 } // namespace vfm
