@@ -1,0 +1,40 @@
+"""Times Volume Fraction To Hex on a gyroid, and the memory that it takes on every rank.
+
+usage: mpiexec --bind-to none -n N pvbatch --sym Examples/time_ranks.py PLUGIN [CELLS an axis, default 128]
+One thread a rank. The time is that of the filter alone, its input ready.
+"""
+import resource
+import sys
+import time
+
+from paraview import simple
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+
+def peak_megabytes():
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def main(plugin, cells=128):
+    cells = int(cells)
+    simple.LoadPlugin(plugin, ns=globals())
+    ranks = vtkMultiProcessController.GetGlobalController()
+    field = simple.VolumeFractionShapes(
+        Shapes="gyroid material=1 center=0.1,0.2,0.3 period=16",
+        Bounds=[0, cells, 0, cells, 0, cells], Dimensions=[cells, cells, cells])
+    field.UpdatePipeline()
+    before = peak_megabytes()
+    hexes = simple.VolumeFractionToHex(
+        Input=field, VolumeFractionArrays=["Material1"], NumberOfThreads=1)
+    ranks.Barrier()
+    start = time.time()
+    hexes.UpdatePipeline()
+    ranks.Barrier()
+    mine = hexes.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
+    print("rank %d of %d: %.2f s, %d hexahedra, memory %.0f MB before, peak %.0f MB" % (
+        ranks.GetLocalProcessId(), ranks.GetNumberOfProcesses(), time.time() - start, mine, before,
+        peak_megabytes()), flush=True)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
