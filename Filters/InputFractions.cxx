@@ -205,14 +205,6 @@ InputField FractionCells::MakeField(
   const LocalReader reader(grid, *this, received);
   InputField field{ FractionField::FromReader(grid, count, reader), std::move(table), 0 };
   field.NormalisedCells = field.Fractions.NumberOfNormalisedCells();
-  if (field.NormalisedCells > 0 && !(grid.Local() == grid.Owned()))
-  {
-    const CartesianGrid owned({ { grid.Coordinates(0), grid.Coordinates(1), grid.Coordinates(2) } },
-      grid.Owned()); // without the ghost levels
-    field.NormalisedCells =
-      FractionField::FromReader(owned, count, LocalReader(owned, *this, received))
-        .NumberOfNormalisedCells();
-  }
   return field;
 }
 

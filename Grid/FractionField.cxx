@@ -128,7 +128,8 @@ FractionField FractionField::FromReader(
                  << ": more than 1. Choose arrays of separate materials.";
             throw InputError(text.str());
           }
-          field.Normalised += sum > 1.0 + RangeTolerance;
+          field.Normalised +=
+            sum > 1.0 + RangeTolerance && grid.Owned().Contains({ { i + c, j, k } });
           field.SetParts(base + c, cells[c]);
           cells[c].clear();
         }

@@ -52,7 +52,7 @@ public:
   static FractionField FromReader(const CartesianGrid& grid, int numberOfMaterials, const Reader&);
 
   int NumberOfMaterials() const { return this->Materials; }
-  /// Cells whose sum exceeded 1 by more than rounding and was scaled back.
+  /// Owned cells whose sum exceeded 1 by more than rounding and was scaled back.
   Index NumberOfNormalisedCells() const { return this->Normalised; }
 
   void SetLabel(Index cell, int label) { this->Entry[cell] = label; }
