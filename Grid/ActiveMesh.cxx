@@ -103,16 +103,7 @@ std::vector<Index> ActiveMesh::FindActiveNodes(
     }
   }
   const IndexBox box = grid.HexBox();
-  const auto isFar = [&](Index node)
-  {
-    const Index3 p = grid.Position(node);
-    bool inside = box.NumberOfCells() > 0;
-    for (int a = 0; a < 3; ++a)
-    {
-      inside = inside && p[a] >= box.Lower[a] && p[a] <= box.Upper[a];
-    }
-    return !inside;
-  };
+  const auto isFar = [&](Index node) { return !box.Touches(grid.Position(node)); };
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), isFar), nodes.end());
   std::sort(nodes.begin(), nodes.end());
   return nodes;

@@ -56,6 +56,16 @@ struct IndexBox
     }
     return true;
   }
+  /// Whether one of the cells has the node as a corner.
+  bool Touches(const Index3& node) const
+  {
+    bool touches = this->NumberOfCells() > 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      touches = touches && node[a] >= this->Lower[a] && node[a] <= this->Upper[a];
+    }
+    return touches;
+  }
 };
 
 /// The cells that both boxes hold; a box without cells where there is none.

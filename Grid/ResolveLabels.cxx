@@ -89,16 +89,7 @@ private:
   }
 
   /// Whether a node touches a cell whose change competes with those of the owned cells.
-  bool IsNear(Index node) const
-  {
-    const Index3 p = this->Grid.Position(node);
-    bool near = this->Reach.NumberOfCells() > 0;
-    for (int a = 0; a < 3; ++a)
-    {
-      near = near && p[a] >= this->Reach.Lower[a] && p[a] <= this->Reach.Upper[a];
-    }
-    return near;
-  }
+  bool IsNear(Index node) const { return this->Reach.Touches(this->Grid.Position(node)); }
 
   int Violations(Index node) const { return CountViolations(StarOfNode(Grid, Labels, node)); }
 

@@ -57,6 +57,11 @@ Smoother::Smoother(ActiveMesh& mesh, const Interface& interface, const SurfaceTa
 {
 }
 
+BarrierWeights Smoother::WeightsOf(const SmoothingStage& stage) const
+{
+  return { stage.HalfPower, this->TargetJacobian, stage.Omega, ShortestEdge };
+}
+
 void Smoother::MarkAll()
 {
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);
@@ -148,8 +153,7 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts)
   const double length = Norm(step);
   const Vector3 x =
     this->Mesh.X[point] + (length > NudgeRadius ? NudgeRadius / length : 1.0) * step;
-  const SmoothingStage& last = SmoothingRamp().back();
-  const BarrierWeights weights{ last.HalfPower, this->TargetJacobian, last.Omega, ShortestEdge };
+  const BarrierWeights weights = this->WeightsOf(SmoothingRamp().back());
   if (EvaluateBarrier(this->Mesh, point, x, weights) <=
     NudgePrice * EvaluateBarrier(this->Mesh, point, this->Mesh.X[point], weights))
   {
@@ -161,7 +165,7 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts)
 double Smoother::MovePoint(int point, const SmoothingStage& stage)
 {
   __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
-  const BarrierWeights weights{ stage.HalfPower, this->TargetJacobian, stage.Omega, ShortestEdge };
+  const BarrierWeights weights = this->WeightsOf(stage);
   Derivatives d = DifferentiateBarrier(this->Mesh, point, weights);
   this->AddDistance(point, stage.Lambda, d);
   const std::array<double, 6>& h = d.Hessian;

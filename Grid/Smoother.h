@@ -49,6 +49,7 @@ private:
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
   void AddDistance(int point, double lambda, Derivatives& d) const;
   void MarkNeighbours(int point);
+  BarrierWeights WeightsOf(const SmoothingStage& stage) const;
   void MarkAll();
 
   ActiveMesh& Mesh;
