@@ -5,9 +5,6 @@
 
 namespace vfm
 {
-namespace
-{
-
 Index FindRoot(std::vector<Index>& parent, Index item)
 {
   while (parent[item] != item)
@@ -18,7 +15,6 @@ Index FindRoot(std::vector<Index>& parent, Index item)
   return item;
 }
 
-/// The lower root wins, so a root is the lowest run of its piece.
 void Join(std::vector<Index>& parent, Index a, Index b)
 {
   a = FindRoot(parent, a);
@@ -26,7 +22,48 @@ void Join(std::vector<Index>& parent, Index a, Index b)
   parent[std::max(a, b)] = std::min(a, b);
 }
 
-} // namespace
+Index OffsetOfPieces(Ranks& ranks, Index count)
+{
+  const std::vector<Index> counts = GatherItems(ranks, std::vector<Index>{ count });
+  return std::accumulate(counts.begin(), counts.begin() + ranks.Rank(), Index(0));
+}
+
+std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePairs& same,
+  Index offset, Ranks& ranks, std::vector<int>& materials)
+{
+  const std::vector<Piece> pieces = GatherItems(ranks, mine);
+  std::vector<Index> parent(pieces.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const auto& pair : GatherItems(ranks, same))
+  {
+    Join(parent, pair[0], pair[1]);
+  }
+  std::map<Index, Index> lowest; // root -> lowest cell of the joined piece
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const auto at = lowest.emplace(FindRoot(parent, p), pieces[p].Lowest).first;
+    at->second = std::min(at->second, pieces[p].Lowest);
+  }
+  std::vector<std::pair<Index, Index>> order; // lowest cell, root
+  for (const auto& piece : lowest)
+  {
+    order.emplace_back(piece.second, piece.first);
+  }
+  std::sort(order.begin(), order.end());
+  std::map<Index, int> number;
+  materials.assign(1, 0);
+  for (const auto& piece : order)
+  {
+    number[piece.second] = static_cast<int>(materials.size());
+    materials.push_back(static_cast<int>(pieces[piece.second].Label));
+  }
+  std::vector<int> fragments;
+  for (std::size_t p = 0; p < mine.size(); ++p)
+  {
+    fragments.push_back(number[FindRoot(parent, offset + static_cast<Index>(p))]);
+  }
+  return fragments;
+}
 
 Fragments::Fragments(
   const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition) :
@@ -54,15 +91,13 @@ Fragments::Fragments(
   }
   const std::vector<Piece> mine = this->FindPieces(grid, parent, meshVoid);
   Ranks& ranks = partition.Group();
-  Index offset = 0;
-  const std::vector<Index> counts =
-    GatherItems(ranks, std::vector<Index>{ static_cast<Index>(mine.size()) });
-  for (int rank = 0; rank < ranks.Rank(); ++rank)
+  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(mine.size()));
+  const std::vector<int> fragments =
+    NumberFragments(mine, this->FindSame(grid, partition, offset), offset, ranks, this->Materials);
+  for (RunOfCells& run : this->Runs)
   {
-    offset += counts[rank];
+    run.Fragment = run.Fragment > 0 ? fragments[run.Fragment - 1] : 0;
   }
-  this->Number(
-    GatherItems(ranks, mine), GatherItems(ranks, this->FindSame(grid, partition, offset)), offset);
 }
 
 void Fragments::MakeRuns(const CartesianGrid& grid, const LabelArray& labels)
@@ -103,7 +138,7 @@ void Fragments::JoinRows(Index row, Index other, std::vector<Index>& parent) con
 }
 
 /// The pieces of this rank's box, in the order of their lowest cell; runs get 1 + their number, for now.
-std::vector<Fragments::Piece> Fragments::FindPieces(
+std::vector<Piece> Fragments::FindPieces(
   const CartesianGrid& grid, std::vector<Index>& parent, bool meshVoid)
 {
   std::vector<Piece> pieces;
@@ -132,10 +167,10 @@ std::vector<Fragments::Piece> Fragments::FindPieces(
 }
 
 /// Pairs of pieces of different ranks that hold the same cell. Pieces of this rank are numbered from offset.
-std::vector<std::array<Index, 2>> Fragments::FindSame(
+PiecePairs Fragments::FindSame(
   const CartesianGrid& grid, const Partition& partition, Index offset) const
 {
-  std::vector<std::array<Index, 2>> same;
+  PiecePairs same;
   if (partition.Peers().empty())
   {
     return same;
@@ -166,41 +201,6 @@ std::vector<std::array<Index, 2>> Fragments::FindSame(
   std::sort(same.begin(), same.end());
   same.erase(std::unique(same.begin(), same.end()), same.end());
   return same;
-}
-
-/// Joins the pieces of all ranks and numbers what comes out by the lowest cell.
-void Fragments::Number(
-  const std::vector<Piece>& pieces, const std::vector<std::array<Index, 2>>& same, Index offset)
-{
-  std::vector<Index> parent(pieces.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  for (const auto& pair : same)
-  {
-    Join(parent, pair[0], pair[1]);
-  }
-  std::map<Index, Index> lowest; // root -> lowest cell of the joined piece
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-  {
-    const auto at = lowest.emplace(FindRoot(parent, p), pieces[p].LowestCell).first;
-    at->second = std::min(at->second, pieces[p].LowestCell);
-  }
-  std::vector<std::pair<Index, Index>> order; // lowest cell, root
-  for (const auto& piece : lowest)
-  {
-    order.emplace_back(piece.second, piece.first);
-  }
-  std::sort(order.begin(), order.end());
-  std::map<Index, int> number;
-  this->Materials.assign(1, 0);
-  for (const auto& piece : order)
-  {
-    number[piece.second] = static_cast<int>(this->Materials.size());
-    this->Materials.push_back(static_cast<int>(pieces[piece.second].Label));
-  }
-  for (RunOfCells& run : this->Runs)
-  {
-    run.Fragment = run.Fragment > 0 ? number[FindRoot(parent, offset + run.Fragment - 1)] : 0;
-  }
 }
 
 int Fragments::FragmentOfCell(const Index3& cell) const

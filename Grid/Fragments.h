@@ -3,11 +3,31 @@
  */
 #pragma once
 
-#include "HexMesh.h"
 #include "Labels.h"
+#include "Mesh.h"
 
 namespace vfm
 {
+
+/// A connected part of a fragment, on one rank.
+struct Piece
+{
+  Index Lowest; ///< id of its lowest cell or element
+  Index Label;
+};
+using PiecePairs = std::vector<std::array<Index, 2>>;
+
+/// The root of an item in a forest of parents, and the union of two trees: the lower root wins.
+Index FindRoot(std::vector<Index>& parent, Index item);
+void Join(std::vector<Index>& parent, Index a, Index b);
+
+/// The number of this rank's first piece when the pieces of all ranks stand in the order of the ranks. Collective.
+Index OffsetOfPieces(Ranks& ranks, Index count);
+
+/// Joins the pieces of all ranks and numbers the fragments from 1 by their lowest cell. same: pairs of pieces (numbers over
+/// all ranks) that are one. Returns the fragment of each of mine; materials: of each fragment, [0] unused. Collective.
+std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePairs& same,
+  Index offset, Ranks& ranks, std::vector<int>& materials);
 
 /// Piece of every cell of HexBox, numbered from 1 over all ranks by the lowest cell; 0 in cells that are not meshed.
 /// Stored as runs of equal label along x, so that memory follows the interfaces.
@@ -22,7 +42,8 @@ public:
   /// Of a cell in HexBox. runEnd: set to the end of the row's cells of the same fragment.
   int FragmentOfCell(const Index3& cell) const;
   int FragmentOfCell(const Index3& cell, Index& runEnd) const;
-  int MaterialOfFragment(int fragment) const { return this->Materials[fragment]; }
+  /// Of every fragment; [0] unused.
+  const std::vector<int>& MaterialsOfFragments() const { return this->Materials; }
 
   /// Calls body(first cell, last cell + 1, fragment) for the runs of row (j, k) in order.
   template <class Body>
@@ -49,17 +70,9 @@ private:
   }
   void MakeRuns(const CartesianGrid& grid, const LabelArray& labels);
   void JoinRows(Index row, Index other, std::vector<Index>& parent) const;
-  struct Piece
-  {
-    Index LowestCell; // its key
-    Index Label;
-  };
   std::vector<Piece> FindPieces(
     const CartesianGrid& grid, std::vector<Index>& parent, bool meshVoid);
-  std::vector<std::array<Index, 2>> FindSame(
-    const CartesianGrid& grid, const Partition& partition, Index offset) const;
-  void Number(
-    const std::vector<Piece>& pieces, const std::vector<std::array<Index, 2>>& same, Index offset);
+  PiecePairs FindSame(const CartesianGrid& grid, const Partition& partition, Index offset) const;
 
   IndexBox Box;
   Index End;

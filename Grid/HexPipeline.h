@@ -4,7 +4,7 @@
 #pragma once
 
 #include "FractionField.h"
-#include "HexMesh.h"
+#include "Mesh.h"
 #include "Runtime.h"
 
 namespace vfm
@@ -12,7 +12,7 @@ namespace vfm
 
 /// Meshes the owned cells of the grid. Throws InputError (options out of range, ids over 63 bits) and Aborted.
 /// The mesh is valid for any labels: every corner of every hex has a positive Jacobian.
-HexMesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
-  const HexMeshOptions& options, Runtime& runtime, HexMeshReport& report);
+Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, Runtime& runtime, MeshReport& report);
 
 } // namespace vfm

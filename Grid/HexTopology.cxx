@@ -7,27 +7,6 @@
 
 namespace vfm
 {
-namespace
-{
-
-Index3 Unpack(Index key, const Index3& size)
-{
-  return { { key % size[0], key / size[0] % size[1], key / (size[0] * size[1]) } };
-}
-
-} // namespace
-
-Index3 NodeOfPoint(const CartesianGrid& grid, Index id)
-{
-  const Index3& n = grid.Global().Upper;
-  return Unpack((id - 1) / 16, { { n[0] + 1, n[1] + 1, n[2] + 1 } });
-}
-
-Index3 CellOfHex(const CartesianGrid& grid, Index id)
-{
-  return Unpack((id - 1) / 7, grid.Global().Upper);
-}
-
 int PointNumbering::MeshedRank(Index node, int label) const
 {
   const StarLabels star(StarOfNode(this->Grid, this->Labels, node));
@@ -63,15 +42,15 @@ public:
     }
   }
 
-  HexMesh Build()
+  Mesh Build()
   {
     this->CheckIds();
     const Index points = this->CountPoints(), hexes = this->CountHexes();
-    HexMesh& mesh = this->Mesh;
+    Mesh& mesh = this->Result;
     mesh.Points = Buffer<double>(3 * points);
     mesh.PointIds = Buffer<Index>(points);
-    mesh.Hexes = Buffer<Index>(8 * hexes);
-    mesh.HexIds = Buffer<Index>(hexes);
+    mesh.Elements = Buffer<Index>(8 * hexes);
+    mesh.ElementIds = Buffer<Index>(hexes);
     mesh.Material = Buffer<int>(hexes);
     this->OverRows(1, [this](Index j, Index k, Index row) { this->FillPoints(j, k, row); });
     this->OverRows(0, [this](Index j, Index k, Index row) { this->FillHexes(j, k, row); });
@@ -145,16 +124,13 @@ private:
         this->PointOffset[row] = count;
       });
     const Index total = MakeOffsets(this->PointOffset);
-    if (this->Run.Group().Any(total > std::numeric_limits<int>::max()))
-    {
-      throw InputError("More than 2^31 mesh points on one rank: use more ranks.");
-    }
+    CheckNumberOfPoints(total, this->Run.Group());
     return total;
   }
 
   Index CountHexes()
   {
-    std::vector<Index>& offset = this->Mesh.RowOffset;
+    std::vector<Index>& offset = this->Result.RowOffset;
     offset.resize(this->Box.Size(1) * this->Box.Size(2));
     this->OverRows(0,
       [&](Index j, Index k, Index row)
@@ -231,15 +207,15 @@ private:
 
   void SetPoint(Index point, const Vector3& x, Index key, int slot)
   {
-    std::copy(x.begin(), x.end(), this->Mesh.Points.data() + 3 * point);
-    this->Mesh.PointIds[point] = 16 * key + slot + 1;
+    std::copy(x.begin(), x.end(), this->Result.Points.data() + 3 * point);
+    this->Result.PointIds[point] = 16 * key + slot + 1;
   }
 
   void FillHexes(Index j, Index k, Index row)
   {
     Index3 p{ { this->Box.Lower[0], j, k } };
     Index cell = this->Grid.Linear(p);
-    Index hex = this->Mesh.RowOffset[row];
+    Index hex = this->Result.RowOffset[row];
     for (; p[0] < this->Box.Upper[0]; ++p[0], ++cell)
     {
       const int label = this->Labels[cell];
@@ -292,13 +268,13 @@ private:
 
   void SetHex(Index hex, const Index* corners, Index id, int label)
   {
-    Index* points = this->Mesh.Hexes.data() + 8 * hex;
+    Index* points = this->Result.Elements.data() + 8 * hex;
     for (int c = 0; c < 8; ++c)
     {
       points[VtkCorner[c]] = corners[c];
     }
-    this->Mesh.HexIds[hex] = id;
-    this->Mesh.Material[hex] = label;
+    this->Result.ElementIds[hex] = id;
+    this->Result.Material[hex] = label;
   }
 
   const CartesianGrid& Grid;
@@ -309,10 +285,10 @@ private:
   Runtime& Run;
   Buffer<unsigned char> Mixed;
   std::vector<Index> PointOffset;
-  HexMesh Mesh;
+  Mesh Result;
 };
 
-HexMesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
+Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime)
 {
   return HexTopologyBuilder(grid, labels, mixed, stairStep, numbering, runtime).Build();

@@ -9,13 +9,13 @@
  *   hexes = meshed cells + one per interface face and meshed side.
  * In a stair-step mesh mixed nodes are one point like the others and there is no buffer layer.
  *
- * Made for CartesianGrid::HexBox; a rank keeps those of its own cells at the end (KeepOwnedHexes).
+ * Made for CartesianGrid::HexBox; a rank keeps those of its own cells at the end (KeepOwned).
  * Order: points by node, hexes by cell, core first, then the faces -x +x -y +y -z +z; ids ascend.
  */
 #pragma once
 
-#include "HexMesh.h"
 #include "Labels.h"
+#include "Mesh.h"
 #include "Runtime.h"
 
 namespace vfm
@@ -26,10 +26,6 @@ constexpr std::array<int, 8> VtkCorner{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
 
 /// Thickness of the buffer layer before smoothing, in cell widths.
 constexpr double BufferThickness = 0.125;
-
-/// The grid node of a point, and the cell of a hex, from their ids.
-Index3 NodeOfPoint(const CartesianGrid& grid, Index id);
-Index3 CellOfHex(const CartesianGrid& grid, Index id);
 
 /// Where the mesh points of a grid node are.
 class PointNumbering
@@ -72,10 +68,7 @@ private:
 /// Makes points (grid nodes; I moved inwards by BufferThickness), ids, hexes and materials. mixed: all
 /// mixed nodes (FindMixedNodes). Every corner of every hex has a positive Jacobian when all stars pass the label condition.
 /// Throws InputError when an id does not fit.
-HexMesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
+Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime);
-
-/// Drops the hexes, points and quads that belong to other ranks' cells.
-void KeepOwned(HexMesh& mesh, const CartesianGrid& grid);
 
 } // namespace vfm

@@ -1,4 +1,4 @@
-#include "HexTopology.h"
+#include "Mesh.h"
 
 namespace vfm
 {
@@ -17,12 +17,12 @@ Buffer<T> Keep(const Buffer<T>& items, const std::vector<Index>& kept, Index wid
   return result;
 }
 
-std::vector<Index> FindOwnedHexes(const HexMesh& mesh, const CartesianGrid& grid)
+std::vector<Index> FindOwnedElements(const Mesh& mesh, const CartesianGrid& grid)
 {
   std::vector<Index> kept;
-  for (std::size_t h = 0; h < mesh.HexIds.size(); ++h)
+  for (std::size_t h = 0; h < mesh.ElementIds.size(); ++h)
   {
-    if (grid.Owned().Contains(CellOfHex(grid, mesh.HexIds[h])))
+    if (grid.Owned().Contains(CellOfElement(grid, mesh, mesh.ElementIds[h])))
     {
       kept.push_back(static_cast<Index>(h));
     }
@@ -40,20 +40,20 @@ void Renumber(Buffer<Index>& points, const std::vector<Index>& numbers)
 
 } // namespace
 
-void KeepOwned(HexMesh& mesh, const CartesianGrid& grid)
+void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
 {
   if (grid.HexBox() == grid.Owned())
   {
     return;
   }
-  const std::vector<Index> hexes = FindOwnedHexes(mesh, grid);
-  mesh.Hexes = Keep(mesh.Hexes, hexes, 8);
-  mesh.HexIds = Keep(mesh.HexIds, hexes);
-  mesh.Material = Keep(mesh.Material, hexes);
-  mesh.Fragment = Keep(mesh.Fragment, hexes);
+  const std::vector<Index> elements = FindOwnedElements(mesh, grid);
+  mesh.Elements = Keep(mesh.Elements, elements, mesh.Corners);
+  mesh.ElementIds = Keep(mesh.ElementIds, elements);
+  mesh.Material = Keep(mesh.Material, elements);
+  mesh.Fragment = Keep(mesh.Fragment, elements);
 
   std::vector<Index> numbers(mesh.PointIds.size(), -1), points;
-  for (Index point : mesh.Hexes)
+  for (Index point : mesh.Elements)
   {
     numbers[point] = 0;
   }
@@ -65,26 +65,26 @@ void KeepOwned(HexMesh& mesh, const CartesianGrid& grid)
       points.push_back(static_cast<Index>(p));
     }
   }
-  Renumber(mesh.Hexes, numbers);
+  Renumber(mesh.Elements, numbers);
   mesh.Points = Keep(mesh.Points, points, 3);
   mesh.PointIds = Keep(mesh.PointIds, points);
   mesh.GeometryDimension = Keep(mesh.GeometryDimension, points);
   mesh.GeometryId = Keep(mesh.GeometryId, points);
 
-  SurfaceQuads& surfaces = mesh.Surfaces;
-  std::vector<Index> quads;
+  SurfaceFacets& surfaces = mesh.Surfaces;
+  std::vector<Index> facets;
   for (std::size_t q = 0; q < surfaces.IsOwned.size(); ++q)
   {
     if (surfaces.IsOwned[q])
     {
-      quads.push_back(static_cast<Index>(q));
+      facets.push_back(static_cast<Index>(q));
     }
   }
-  surfaces.Points = Keep(surfaces.Points, quads, 4);
+  surfaces.Points = Keep(surfaces.Points, facets, mesh.CornersOfFacet());
   Renumber(surfaces.Points, numbers);
-  surfaces.SurfaceId = Keep(surfaces.SurfaceId, quads);
-  surfaces.MaterialPair = Keep(surfaces.MaterialPair, quads, 2);
-  surfaces.DomainSide = Keep(surfaces.DomainSide, quads);
+  surfaces.SurfaceId = Keep(surfaces.SurfaceId, facets);
+  surfaces.MaterialPair = Keep(surfaces.MaterialPair, facets, 2);
+  surfaces.DomainSide = Keep(surfaces.DomainSide, facets);
 }
 
 } // namespace vfm

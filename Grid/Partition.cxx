@@ -25,15 +25,30 @@ Partition::Partition(const CartesianGrid& grid, Ranks& ranks) : Grid(grid), TheR
   }
 }
 
-int Partition::PeerOfNode(const Index3& node) const
+int Partition::PeerOfCell(const Index3& cell) const
 {
-  const Index3 cell = LowestCell(node);
   int peer = 0;
   while (!this->Owned[peer].Contains(cell))
   {
     ++peer;
   }
   return peer;
+}
+
+std::vector<std::vector<Index>> Partition::Request(
+  const std::vector<std::vector<Index>>& wanted) const
+{
+  std::vector<Bytes> messages;
+  for (const std::vector<Index>& ids : wanted)
+  {
+    messages.push_back(ToBytes(ids));
+  }
+  std::vector<std::vector<Index>> asked;
+  for (const Bytes& bytes : this->TheRanks.Exchange(this->ThePeers, messages))
+  {
+    asked.push_back(FromBytes<Index>(bytes));
+  }
+  return asked;
 }
 
 } // namespace vfm

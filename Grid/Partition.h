@@ -22,13 +22,17 @@ public:
   const std::vector<int>& Peers() const { return this->ThePeers; }
   bool OwnsCell(const Index3& cell) const { return this->Grid.Owned().Contains(cell); }
   bool OwnsNode(const Index3& node) const { return this->OwnsCell(LowestCell(node)); }
-  /// Position in Peers() of the owner of a node of the local box that this rank does not own.
-  int PeerOfNode(const Index3& node) const;
+  /// Position in Peers() of the owner of a cell or node of the local box that this rank does not own.
+  int PeerOfCell(const Index3& cell) const;
+  int PeerOfNode(const Index3& node) const { return this->PeerOfCell(LowestCell(node)); }
 
   /// Fills the ghost cells of an array of the grid's shape with the values of their owners.
   /// changed(cell) is called for every ghost cell whose value was another.
   template <class Array, class Changed>
   void ExchangeCells(Array& values, const Changed& changed) const;
+
+  /// Tells each peer which ids this rank wants of it; returns those that each wants of this rank. Collective among peers.
+  std::vector<std::vector<Index>> Request(const std::vector<std::vector<Index>>& wanted) const;
 
 private:
   /// The cell that decides who owns a node: the lowest in the domain.

@@ -5,8 +5,8 @@
 namespace vfm
 {
 
-PointExchange::PointExchange(const ActiveMesh& active, const HexMesh& mesh,
-  const CartesianGrid& grid, const Partition& partition) :
+PointExchange::PointExchange(const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid,
+  const Partition& partition) :
   Group(partition.Group())
 {
   const std::size_t peers = partition.Peers().size();
@@ -16,7 +16,7 @@ PointExchange::PointExchange(const ActiveMesh& active, const HexMesh& mesh,
   std::vector<std::vector<Index>> wanted(peers);
   for (int point = 0; point < count; ++point)
   {
-    const Index3 node = NodeOfPoint(grid, idOf(point));
+    const Index3 node = NodeOfPoint(grid, mesh, idOf(point));
     if (active.IsActive[point] && !partition.OwnsNode(node))
     {
       const int peer = partition.PeerOfNode(node);
@@ -24,21 +24,16 @@ PointExchange::PointExchange(const ActiveMesh& active, const HexMesh& mesh,
       links[peer][CartesianGrid::Colour(node)].Incoming.push_back(point);
     }
   }
-  std::vector<Bytes> requests;
-  for (const std::vector<Index>& ids : wanted)
-  {
-    requests.push_back(ToBytes(ids));
-  }
-  requests = this->Group.Exchange(partition.Peers(), requests);
+  const std::vector<std::vector<Index>> requests = partition.Request(wanted);
   std::vector<int> points(count);
   std::iota(points.begin(), points.end(), 0);
   for (std::size_t peer = 0; peer < peers; ++peer)
   {
-    for (Index id : FromBytes<Index>(requests[peer]))
+    for (Index id : requests[peer])
     {
       const int point = *std::lower_bound(
         points.begin(), points.end(), id, [&](int p, Index key) { return idOf(p) < key; });
-      links[peer][CartesianGrid::Colour(NodeOfPoint(grid, id))].Outgoing.push_back(point);
+      links[peer][CartesianGrid::Colour(NodeOfPoint(grid, mesh, id))].Outgoing.push_back(point);
     }
   }
   for (std::size_t peer = 0; peer < peers; ++peer)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ActiveMesh.h"
+#include "Partition.h"
 
 namespace vfm
 {
@@ -11,8 +12,10 @@ namespace vfm
 class PointExchange
 {
 public:
+  /// Nothing to exchange.
+  explicit PointExchange(Ranks& ranks) : Group(ranks) {}
   /// Collective among peers: each asks the owners for the active points that it does not own.
-  PointExchange(const ActiveMesh& active, const HexMesh& mesh, const CartesianGrid& grid,
+  PointExchange(const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid,
     const Partition& partition);
 
   /// Sends the positions of the points of a colour and receives those of the peers' points.

@@ -2,6 +2,7 @@
 
 #include "ExactSum.h"
 #include "HexTopology.h"
+#include "TetQuality.h"
 #include "Vector3.h"
 
 namespace vfm
@@ -41,17 +42,46 @@ double HexScaledJacobian(const double* points, const Index* hex)
   return std::min(smallest, Normalised(axis[0], axis[1], axis[2]));
 }
 
-void ComputeQuality(HexMesh& mesh, Runtime& runtime, HexMeshReport& report)
+namespace
 {
-  const Index count = static_cast<Index>(mesh.HexIds.size());
+
+/// Smallest and largest dihedral angle, and how many there are in each ten degrees.
+void MeasureAngles(const Mesh& mesh, Ranks& ranks, MeshReport& report)
+{
+  std::vector<std::int64_t> counts(report.DihedralAngles.size(), 0);
+  double smallest = 180.0, largest = 0.0;
+  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
+  {
+    double angles[6];
+    DihedralAngles(mesh.Points.data(), mesh.Elements.data() + 4 * t, angles);
+    for (double angle : angles)
+    {
+      smallest = std::min(smallest, angle);
+      largest = std::max(largest, angle);
+      ++counts[std::min<std::size_t>(static_cast<std::size_t>(angle / 10.0), counts.size() - 1)];
+    }
+  }
+  ranks.Sum(counts);
+  std::copy(counts.begin(), counts.end(), report.DihedralAngles.begin());
+  report.MaximumDihedralAngle = ranks.Max(largest);
+  report.MinimumDihedralAngle = report.MaximumDihedralAngle > 0.0 ? -ranks.Max(-smallest) : 0.0;
+}
+
+} // namespace
+
+void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report)
+{
+  const Index count = static_cast<Index>(mesh.ElementIds.size());
   mesh.ScaledJacobian = Buffer<float>(count);
   runtime.For(0, count,
     [&](Index first, Index last)
     {
       for (Index h = first; h < last; ++h)
       {
+        const Index* element = mesh.Elements.data() + mesh.Corners * h;
         mesh.ScaledJacobian[h] =
-          static_cast<float>(HexScaledJacobian(mesh.Points.data(), mesh.Hexes.data() + 8 * h));
+          static_cast<float>(mesh.Corners == 8 ? HexScaledJacobian(mesh.Points.data(), element)
+                                               : TetScaledJacobian(mesh.Points.data(), element));
       }
     });
   std::vector<ExactSum> sums(2); // of the scaled Jacobians, and their number
@@ -68,6 +98,10 @@ void ComputeQuality(HexMesh& mesh, Runtime& runtime, HexMeshReport& report)
   if (total[1] == 0.0)
   {
     report.MinimumScaledJacobian = 0.0;
+  }
+  if (mesh.Corners == 4)
+  {
+    MeasureAngles(mesh, runtime.Group(), report);
   }
 }
 

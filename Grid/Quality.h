@@ -1,9 +1,9 @@
 /**
- * Quality of hexahedra as verdict measures it.
+ * Quality of elements as verdict measures it.
  */
 #pragma once
 
-#include "HexMesh.h"
+#include "Mesh.h"
 #include "Runtime.h"
 
 namespace vfm
@@ -13,7 +13,7 @@ namespace vfm
 /// over the product of the edge lengths, -1..1 (Knupp 2000; verdict's hex_scaled_jacobian).
 double HexScaledJacobian(const double* points, const Index* hex);
 
-/// Fills mesh.ScaledJacobian, and minimum and mean over all ranks in the report. Collective.
-void ComputeQuality(HexMesh& mesh, Runtime& runtime, HexMeshReport& report);
+/// Fills mesh.ScaledJacobian, and minimum and mean over all ranks in the report; of tets the dihedral angles too. Collective.
+void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report);
 
 } // namespace vfm

@@ -14,7 +14,8 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr int Trials = 8; // points drawn for a grain; the farthest from the others stays
 
 constexpr const char* SceneNames[] = { "Sphere", "Two Spheres", "Ellipsoid", "Ball and Plate",
-  "Three Sectors", "Torus", "Cylinder", "Half Sphere", "Oblique Plate", "Gyroid", "Polycrystal" };
+  "Three Sectors", "Torus", "Cylinder", "Half Sphere", "Oblique Plate", "Gyroid", "Polycrystal",
+  "Eight Shapes" };
 static_assert(
   sizeof(SceneNames) / sizeof(SceneNames[0]) == static_cast<std::size_t>(Scene::NumberOfScenes),
   "one name a scene");
@@ -30,6 +31,29 @@ struct Frame
     return this->Center + this->Half * Vector3{ { x, y, z } };
   }
 };
+
+/// Box, wedge, sphere, cylinder, pyramid, ellipsoid, torus and cone. The wedge leans on the box, the pyramid stands on it,
+/// the cone on the cylinder; the torus lies around the top of the sphere.
+std::vector<Shape> MakeEightShapes(const Frame& f)
+{
+  const double h = f.Half;
+  const Vector3 block{ { 0.8 * h, 0.8 * h, 0.6 * h } };
+  const Shape wedge = CutShape(
+    MakeBox(2, f.At(0.35, -0.45, -0.5), block), f.At(0.35, -0.45, -0.5), { { 0.6, 0.0, 0.8 } });
+  Shape pyramid = MakeBox(5, f.At(-0.45, -0.45, 0.2), { { 0.8 * h, 0.8 * h, 0.8 * h } });
+  for (const Vector3& normal : { Vector3{ { 2.0, 0.0, 1.0 } }, Vector3{ { -2.0, 0.0, 1.0 } },
+         Vector3{ { 0.0, 2.0, 1.0 } }, Vector3{ { 0.0, -2.0, 1.0 } } })
+  {
+    pyramid = CutShape(pyramid, f.At(-0.45, -0.45, 0.6), normal);
+  }
+  return { MakeBox(1, f.At(-0.45, -0.45, -0.5), block), wedge,
+    MakeSphere(3, f.At(0.44, 0.44, -0.4), 0.4 * h),
+    MakeCylinder(4, f.At(-0.46, 0.44, -0.5), 0.38 * h, 0.6 * h), pyramid,
+    MakeEllipsoid(
+      6, f.At(0.45, -0.45, 0.4), { { 0.45 * h, 0.25 * h, 0.3 * h } }, { { 20.0, 35.0, 50.0 } }),
+    MakeTorus(7, f.At(0.44, 0.44, 0.02), 0.32 * h, 0.16 * h),
+    MakeCone(8, f.At(-0.46, 0.44, 0.1), 0.38 * h, 0.12 * h, 0.6 * h) };
+}
 
 } // namespace
 
@@ -68,6 +92,8 @@ std::vector<Shape> MakeScene(Scene scene, const Vector3& lower, const Vector3& u
       return { MakeGyroid(1, f.Center, 1.25 * h) };
     case Scene::Polycrystal:
       return MakePolycrystal(1, lower, upper, 20);
+    case Scene::EightShapes:
+      return MakeEightShapes(f);
     default:
       return { MakeSphere(1, f.Center, 0.75 * h) };
   }

@@ -23,6 +23,7 @@ enum class Scene
   ObliquePlate,
   Gyroid,
   Polycrystal, ///< 20 grains that fill the domain
+  EightShapes, ///< 8 materials: one of each of CTH's bodies, some of which touch
   NumberOfScenes
 };
 

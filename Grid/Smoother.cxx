@@ -16,7 +16,7 @@ constexpr double Armijo = 1e-4;          // share of the predicted decrease that
 constexpr double MoveThatCounts = 0.005; // smaller moves wake no neighbour
 constexpr double NudgeRadius = 0.01;     // in mean cells
 constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise the barrier
-constexpr double ShortestEdge = 0.15;    // l* of the barrier, in cells
+constexpr double LargestOffset = 0.25;   // of an attachment, in cells
 
 using Matrix3 = Eigen::Matrix3d;
 using EigenVector3 = Eigen::Vector3d;
@@ -37,29 +37,16 @@ EigenVector3 SolveNewton(const Matrix3& H, const EigenVector3& g)
 
 } // namespace
 
-const std::vector<SmoothingStage>& SmoothingRamp()
-{
-  static const std::vector<SmoothingStage> ramp{ { 1, 1.0, 0.1, 5, 0.0 },
-    { 2, 10.0, 0.05, 10, 0.0 }, { 8, 60.0, 0.01, 40, 2e-3 } };
-  return ramp;
-}
-
-Smoother::Smoother(ActiveMesh& mesh, const Interface& interface, const SurfaceTargets& targets,
-  const PointExchange& exchange, double targetScaledJacobian, Runtime& runtime) :
+Smoother::Smoother(ActiveMesh& mesh, const SurfaceTargets* targets, const PointExchange& exchange,
+  const ElementEnergy& energy, Runtime& runtime) :
   Mesh(mesh),
-  TheInterface(interface),
   Targets(targets),
   Exchange(exchange),
-  TargetJacobian(targetScaledJacobian),
+  Energy(energy),
   Run(runtime),
   Dirty(new unsigned char[mesh.X.size()]),
   Woke(mesh.X.size(), 0)
 {
-}
-
-BarrierWeights Smoother::WeightsOf(const SmoothingStage& stage) const
-{
-  return { stage.HalfPower, this->TargetJacobian, stage.Omega, ShortestEdge };
 }
 
 void Smoother::MarkAll()
@@ -97,7 +84,7 @@ double Smoother::ForPoints(const std::function<double(int)>& move)
         {
           for (int point = groups[g].First; point < groups[g].Last; ++point)
           {
-            longest = std::max(longest, move(point));
+            longest = std::max(longest, this->Mesh.IsActive[point] ? move(point) : 0.0);
           }
         }
         for (double seen = largest;
@@ -122,29 +109,39 @@ double Smoother::Sweep(const SmoothingStage& stage)
     });
 }
 
-void Smoother::Nudge(const std::vector<double>& shifts)
+void Smoother::Shift(const std::vector<double>& shifts)
+{
+  for (std::size_t i = 0; i < shifts.size(); ++i)
+  {
+    Attachment& a = this->Mesh.Attachments[i];
+    const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
+    a.Offset = std::min(std::max(offset, -LargestOffset), LargestOffset);
+  }
+}
+
+void Smoother::Nudge(const std::vector<double>& shifts, const SmoothingStage& stage)
 {
   this->ForPoints(
     [&](int point)
     {
-      this->NudgePoint(point, shifts);
+      this->NudgePoint(point, shifts, stage);
       return 0.0;
     });
 }
 
-void Smoother::NudgePoint(int point, const std::vector<double>& shifts)
+void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage)
 {
-  const Index n = this->Mesh.TargetNode[point];
-  if (n < 0)
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  if (offsets[point] == offsets[point + 1])
   {
     return;
   }
   Vector3 step{ { 0.0, 0.0, 0.0 } };
-  for (Index t = this->TheInterface.PointOffset(n); t < this->TheInterface.PointOffset(n + 1); ++t)
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
     Vector3 gradient;
-    this->Targets.Distance(t, this->Mesh.X[point], gradient);
-    step = step + shifts[t] * Unit(gradient);
+    this->Targets->Distance(this->Mesh.Attachments[i].Target, this->Mesh.X[point], gradient);
+    step = step + shifts[i] * Unit(gradient);
   }
   for (int a = 0; a < 3; ++a)
   {
@@ -153,9 +150,8 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts)
   const double length = Norm(step);
   const Vector3 x =
     this->Mesh.X[point] + (length > NudgeRadius ? NudgeRadius / length : 1.0) * step;
-  const BarrierWeights weights = this->WeightsOf(SmoothingRamp().back());
-  if (EvaluateBarrier(this->Mesh, point, x, weights) <=
-    NudgePrice * EvaluateBarrier(this->Mesh, point, this->Mesh.X[point], weights))
+  if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
+    NudgePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage))
   {
     this->Mesh.X[point] = x;
   }
@@ -165,8 +161,7 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts)
 double Smoother::MovePoint(int point, const SmoothingStage& stage)
 {
   __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
-  const BarrierWeights weights = this->WeightsOf(stage);
-  Derivatives d = DifferentiateBarrier(this->Mesh, point, weights);
+  Derivatives d = this->Energy.Differentiate(this->Mesh, point, stage);
   this->AddDistance(point, stage.Lambda, d);
   const std::array<double, 6>& h = d.Hessian;
   Matrix3 H;
@@ -185,7 +180,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   const EigenVector3 newton = SolveNewton(H, g);
   Vector3 step{ { newton[0], newton[1], newton[2] } };
   const Vector3& widths =
-    this->Mesh.WidthsOf(this->Mesh.Corners[this->Mesh.CornerOffset[point]] >> 3);
+    this->Mesh.WidthsAt(this->Mesh.CornerList[this->Mesh.CornerOffset[point]]);
   const double length = Norm(Divided(step, widths));
   if (!(length > 0.0))
   {
@@ -198,8 +193,8 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   for (int trial = 0; trial <= Backtracks; ++trial, t *= Backtrack)
   {
     const Vector3 x = this->Mesh.X[point] + t * step;
-    const double energy =
-      EvaluateBarrier(this->Mesh, point, x, weights) + this->DistanceEnergy(point, x, stage.Lambda);
+    const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
+      this->DistanceEnergy(point, x, stage.Lambda);
     if (energy <= d.Value + Armijo * t * slope)
     {
       this->Mesh.X[point] = x;
@@ -217,17 +212,14 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
 
 double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) const
 {
-  const Index n = this->Mesh.TargetNode[point];
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
   double energy = 0.0;
-  if (n >= 0)
+  Vector3 gradient;
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
-    Vector3 gradient;
-    for (Index t = this->TheInterface.PointOffset(n); t < this->TheInterface.PointOffset(n + 1);
-         ++t)
-    {
-      const double distance = this->Targets.Distance(t, x, gradient);
-      energy += lambda * distance * distance;
-    }
+    const Attachment& a = this->Mesh.Attachments[i];
+    const double distance = this->Targets->Distance(a.Target, x, gradient) - a.Offset;
+    energy += lambda * distance * distance;
   }
   return energy;
 }
@@ -235,33 +227,33 @@ double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) cons
 /// Gauss-Newton: the curvature of the target is left out of the Hessian.
 void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
 {
-  const Index n = this->Mesh.TargetNode[point];
-  if (n < 0)
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
   {
-    return;
-  }
-  for (Index t = this->TheInterface.PointOffset(n); t < this->TheInterface.PointOffset(n + 1); ++t)
-  {
+    const Attachment& a = this->Mesh.Attachments[i];
     Vector3 g;
-    const double distance = this->Targets.Distance(t, this->Mesh.X[point], g);
+    const double distance = this->Targets->Distance(a.Target, this->Mesh.X[point], g) - a.Offset;
     d.Value += lambda * distance * distance;
     d.Gradient = d.Gradient + (2.0 * lambda * distance) * g;
     const std::array<double, 6> outer{ { g[0] * g[0], g[1] * g[1], g[2] * g[2], g[0] * g[1],
       g[0] * g[2], g[1] * g[2] } };
-    for (int i = 0; i < 6; ++i)
+    for (int k = 0; k < 6; ++k)
     {
-      d.Hessian[i] += 2.0 * lambda * outer[i];
+      d.Hessian[k] += 2.0 * lambda * outer[k];
     }
   }
 }
 
 void Smoother::MarkNeighbours(int point)
 {
+  const int corners = this->Mesh.Corners;
   for (Index at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
   {
-    for (int other : this->Mesh.Hexes[this->Mesh.Corners[at] >> 3])
+    const Index place = this->Mesh.CornerList[at];
+    const int* element = this->Mesh.Elements.data() + place - place % corners;
+    for (int c = 0; c < corners; ++c)
     {
-      __atomic_store_n(&this->Dirty[other], 1, __ATOMIC_RELAXED);
+      __atomic_store_n(&this->Dirty[element[c]], 1, __ATOMIC_RELAXED);
     }
   }
 }

@@ -1,13 +1,13 @@
 /**
- * Smoothing: the barrier energy and the squared distances of the surface points to their targets,
- * minimised point by point with Newton steps that keep every corner determinant positive.
+ * Smoothing: the barrier energy of the elements and the squared distances of the surface points to their
+ * targets, minimised point by point with Newton steps that keep every element positive.
  *
- * Points move in eight colours (parity of their grid node); points of one colour share no hex, so the
- * result does not depend on the threads, nor on the ranks, which exchange each colour. Inside a grid node S moves first, then its I.
+ * Points move in eight colours (parity of their grid node); points of one colour share no element, so the result
+ * depends neither on the threads nor on the ranks, which exchange each colour. The points of one node move in order.
  */
 #pragma once
 
-#include "BarrierEnergy.h"
+#include "ElementEnergy.h"
 #include "PointExchange.h"
 #include "SurfaceTargets.h"
 
@@ -17,54 +17,45 @@
 namespace vfm
 {
 
-/// One stage of the ramp from a soft to a hard barrier.
-struct SmoothingStage
-{
-  int HalfPower; ///< p / 2 of the barrier
-  double Lambda; ///< weight of the squared distances
-  double Omega;  ///< weight of the shape term
-  int Sweeps;
-  double SmallestMove; ///< ends the stage when no point moved farther, in cells; 0: all sweeps
-};
-
 class Smoother
 {
 public:
-  /// targetScaledJacobian: s* of the barrier.
-  Smoother(ActiveMesh& mesh, const Interface& interface, const SurfaceTargets& targets,
-    const PointExchange& exchange, double targetScaledJacobian, Runtime& runtime);
+  /// targets: nullptr when nothing is attached.
+  Smoother(ActiveMesh& mesh, const SurfaceTargets* targets, const PointExchange& exchange,
+    const ElementEnergy& energy, Runtime& runtime);
 
   /// report(fraction) is called after every sweep.
   void RunStage(const SmoothingStage& stage, const std::function<void(double)>& report);
 
-  /// Moves every surface point by the shifts of its targets along their normals (grid coordinates), at most
-  /// a hundredth of a cell, where its hexes stay as good.
-  void Nudge(const std::vector<double>& shifts);
+  /// Has the point and its neighbours looked at in the next sweep.
+  void Wake(int point) { this->MarkNeighbours(point); }
+
+  /// Adds to the offsets of the attachments (grid coordinates, towards the second label); they stay within a quarter of a cell.
+  void Shift(const std::vector<double>& shifts);
+
+  /// Moves every surface point by the shifts of its attachments along their normals (grid coordinates), at most
+  /// a hundredth of a cell, where its elements stay as good by the energy of a stage.
+  void Nudge(const std::vector<double>& shifts, const SmoothingStage& stage);
 
 private:
   double ForPoints(const std::function<double(int)>& move);
-  void NudgePoint(int point, const std::vector<double>& shifts);
+  void NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
   void AddDistance(int point, double lambda, Derivatives& d) const;
   void MarkNeighbours(int point);
-  BarrierWeights WeightsOf(const SmoothingStage& stage) const;
   void MarkAll();
 
   ActiveMesh& Mesh;
-  const Interface& TheInterface;
-  const SurfaceTargets& Targets;
+  const SurfaceTargets* Targets;
   const PointExchange& Exchange;
-  double TargetJacobian;
+  const ElementEnergy& Energy;
   Runtime& Run;
-  /// Set when a point of one of its hexes moved since the point was last looked at.
+  /// Set when a point of one of its elements moved since the point was last looked at.
   std::unique_ptr<unsigned char[]> Dirty;
   /// Set when the point woke its neighbours in this sweep.
   std::vector<unsigned char> Woke;
 };
-
-/// The ramp of quadric surface smoothing.
-const std::vector<SmoothingStage>& SmoothingRamp();
 
 } // namespace vfm

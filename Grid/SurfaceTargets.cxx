@@ -9,7 +9,6 @@ namespace vfm
 namespace
 {
 
-constexpr double LargestOffset = 0.25;
 constexpr double FitRadius = 1.2;      // of the Gaussian weight, in cells
 constexpr double JunctionWeight = 0.3; // of points where several pairs meet
 constexpr double SmallestCosine = 0.2; // between the normals of two points of one fit
@@ -138,7 +137,6 @@ void SurfaceTargets::FitQuadric(Index node, Index target)
   frame.Base = base.Point;
   frame.InverseWidths = Divided({ { 1.0, 1.0, 1.0 } }, widths);
   frame.N = Unit(Scaled(base.Normal, widths));
-  frame.Offset = 0.0;
   MakeTangents(frame.N, frame.U, frame.V);
 
   Matrix6 A = Matrix6::Zero();
@@ -205,14 +203,10 @@ void SurfaceTargets::FindFacets(Index node, Index target)
   facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
 }
 
-void SurfaceTargets::Shift(const std::vector<double>& shifts)
+double SurfaceTargets::LocalScale(Index target) const
 {
-  for (std::size_t t = 0; t < shifts.size(); ++t)
-  {
-    Frame& frame = this->Frames[t];
-    const double local = shifts[t] * Norm(Scaled(frame.N, frame.InverseWidths));
-    frame.Offset = std::min(std::max(frame.Offset + local, -LargestOffset), LargestOffset);
-  }
+  const Frame& frame = this->Frames[target];
+  return Norm(Scaled(frame.N, frame.InverseWidths));
 }
 
 double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradient) const
@@ -222,7 +216,7 @@ double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradien
   const double d = this->TheKind == Kind::Quadrics ? this->QuadricDistance(frame, y, gradient)
                                                    : this->FacetDistance(target, y, gradient);
   gradient = Scaled(gradient, frame.InverseWidths);
-  return d - frame.Offset;
+  return d;
 }
 
 double SurfaceTargets::QuadricDistance(

@@ -7,7 +7,7 @@
  * Facets: the quads between the surface points of the pair around the node, as triangles.
  *
  * Distances are in the node's local frame (Interface.h), where a cell is a unit cube; positive on the
- * side of the second label. A target's offset moves its zero level towards that side.
+ * side of the second label.
  */
 #pragma once
 
@@ -33,8 +33,8 @@ public:
   /// Signed distance of x (grid coordinates); gradient in grid coordinates.
   double Distance(Index target, const Vector3& x, Vector3& gradient) const;
 
-  /// Adds to the offset of every target (grid coordinates); offsets stay within a quarter of a cell.
-  void Shift(const std::vector<double>& shifts);
+  /// The unit of Distance in grid coordinates, along the normal: distance = length * LocalScale.
+  double LocalScale(Index target) const;
 
 private:
   struct Frame
@@ -43,7 +43,6 @@ private:
     Vector3 InverseWidths; // of the node's local frame
     Vector3 U, V, N;       // unit vectors of the local frame
     std::array<double, 6> C;
-    double Offset;
   };
 
   void FitQuadric(Index node, Index target);

@@ -42,53 +42,9 @@ double AreaOf(const std::array<Vector3, 4>& q)
 
 } // namespace
 
-FragmentVolumes::FragmentVolumes(const FractionField& fractions, const LabelArray& labels,
-  const Interface& interface, const Fragments& fragments, const Partition& partition) :
-  TheInterface(interface),
-  TheFragments(fragments),
-  Parts(partition),
-  Swept(fragments.NumberOfFragments() + 1, 0.0)
+int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
+  const std::function<int(const Index3&)>& fragmentOf)
 {
-  this->FindSides();
-  this->AddTargets(fractions, labels);
-  this->ShareOrphans();
-}
-
-/// The fragments beside every face near the owned cells, and those of every target.
-void FragmentVolumes::FindSides()
-{
-  const Interface& interface = this->TheInterface;
-  const IndexBox box = interface.Grid().HexBox();
-  for (const InterfaceFace& face : interface.Faces())
-  {
-    const Index3 upper = interface.Grid().Position(face.Node);
-    Index3 lower = upper;
-    --lower[face.Axis];
-    const bool near = box.Contains(lower) && box.Contains(upper);
-    this->Sides.push_back({ near ? this->TheFragments.FragmentOfCell(lower) : 0,
-      near ? this->TheFragments.FragmentOfCell(upper) : 0, this->Parts.OwnsCell(upper) });
-  }
-  this->PairFragments.resize(interface.Points().size(), { { 0, 0 } });
-  for (std::size_t n = 0; n < interface.Nodes().size(); ++n)
-  {
-    for (Index at = interface.FaceOffset(n); at < interface.FaceOffset(n + 1); ++at)
-    {
-      const Index f = interface.FaceList()[at];
-      const InterfaceFace& face = interface.Faces()[f];
-      const Index target =
-        interface.FindPoint(n, face.First(), face.Second()) - interface.Points().data();
-      const bool ordered = face.LowerLabel < face.UpperLabel;
-      const Side& side = this->Sides[f];
-      this->PairFragments[target] = { { ordered ? side.Lower : side.Upper,
-        ordered ? side.Upper : side.Lower } };
-    }
-  }
-}
-
-/// The fragment of the material nearest to a cell that has another label: among the 26 around it.
-int FragmentVolumes::FragmentNear(const LabelArray& labels, const Index3& cell, int material) const
-{
-  const CartesianGrid& grid = this->TheInterface.Grid();
   int best = 0;
   Index nearest = 4;
   for (Index c = 0; c < 27; ++c)
@@ -96,61 +52,82 @@ int FragmentVolumes::FragmentNear(const LabelArray& labels, const Index3& cell, 
     const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
     const Index3 q{ { cell[0] + d[0], cell[1] + d[1], cell[2] + d[2] } };
     const Index distance = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    if (distance < nearest && grid.HexBox().Contains(q) && labels[grid.Linear(q)] == material)
+    const int fragment = distance < nearest && grid.HexBox().Contains(q) ? fragmentOf(q) : 0;
+    if (fragment > 0)
     {
-      best = this->TheFragments.FragmentOfCell(q);
+      best = fragment;
       nearest = distance;
     }
   }
   return best;
 }
 
-void FragmentVolumes::AddTargets(const FractionField& fractions, const LabelArray& labels)
+int CellHomes::FindNear(const Index3& cell, int material) const
 {
-  const CartesianGrid& grid = this->TheInterface.Grid();
+  return FindNearestCell(this->Grid, cell,
+    [&](const Index3& q) {
+      return this->Labels[this->Grid.Linear(q)] == material ? this->Pieces.FragmentOfCell(q) : 0;
+    });
+}
+
+FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
+  const std::vector<int>& materials, const FragmentHomes& homes, const Partition& partition) :
+  Materials(materials), Parts(partition), Swept(materials.size(), 0.0)
+{
+  this->AddTargets(grid, fractions, homes);
+  this->ShareOrphans();
+}
+
+void FragmentVolumes::AddTargets(
+  const CartesianGrid& grid, const FractionField& fractions, const FragmentHomes& homes)
+{
   const IndexBox& box = grid.Owned();
-  const double scale = std::pow(this->TheInterface.Scale(), -3.0);
+  const double scale = std::pow(grid.MeanWidth(), -3.0);
   std::vector<ExactSum> target(this->Swept.size()), cells(this->Swept.size()),
     total(fractions.NumberOfMaterials() + 1);
+  const bool voidIsMeshed =
+    std::find(this->Materials.begin() + 1, this->Materials.end(), 0) != this->Materials.end();
   Index3 p;
-  const auto addPart = [&](Index cell, int fragment, int material, double volume)
+  const auto addPart = [&](int fragment, int material, double volume)
   {
     total[material].Add(volume);
-    const int home = labels[cell] == material ? fragment : this->FragmentNear(labels, p, material);
+    const bool own =
+      fragment > 0 ? this->Materials[fragment] == material : material == 0 && !voidIsMeshed;
+    const int home = own ? fragment : homes.FindNear(p, material);
     if (home > 0)
     {
       target[home].Add(volume);
+    }
+  };
+  const auto addRun = [&](Index first, Index last, int fragment)
+  {
+    last = std::min(last, box.Upper[0]);
+    for (p[0] = std::max(first, box.Lower[0]); p[0] < last; ++p[0])
+    {
+      const Index cell = grid.Linear(p);
+      const double volume = grid.CellVolume(p) * scale;
+      cells[fragment].Add(volume);
+      if (!fractions.IsMixed(cell))
+      {
+        addPart(fragment, fractions.Label(cell), volume);
+        continue;
+      }
+      for (const FractionField::Part& part : fractions.Parts(cell))
+      {
+        addPart(fragment, part.Material, part.Fraction * volume);
+      }
     }
   };
   for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
   {
     for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
     {
-      this->TheFragments.ForRuns(p[1], p[2],
-        [&](Index first, Index last, int fragment)
-        {
-          last = std::min(last, box.Upper[0]);
-          for (p[0] = std::max(first, box.Lower[0]); p[0] < last; ++p[0])
-          {
-            const Index cell = grid.Linear(p);
-            const double volume = grid.CellVolume(p) * scale;
-            cells[fragment].Add(volume);
-            if (!fractions.IsMixed(cell))
-            {
-              addPart(cell, fragment, fractions.Label(cell), volume);
-              continue;
-            }
-            for (const FractionField::Part& part : fractions.Parts(cell))
-            {
-              addPart(cell, fragment, part.Material, part.Fraction * volume);
-            }
-          }
-        });
+      homes.ForRuns(p[1], p[2], addRun);
     }
   }
   Ranks& ranks = this->Parts.Group();
   this->Targets = SumOverRanks(target, ranks);
-  this->CellVolumes = SumOverRanks(cells, ranks);
+  this->StartVolumes = SumOverRanks(cells, ranks);
   this->TotalOfMaterial = SumOverRanks(total, ranks);
 }
 
@@ -160,42 +137,35 @@ void FragmentVolumes::ShareOrphans()
   std::vector<double> found(this->TotalOfMaterial.size(), 0.0);
   for (std::size_t f = 1; f < this->Targets.size(); ++f)
   {
-    found[this->TheFragments.MaterialOfFragment(static_cast<int>(f))] += this->Targets[f];
+    found[this->Materials[f]] += this->Targets[f];
   }
   for (std::size_t f = 1; f < this->Targets.size(); ++f)
   {
-    const int m = this->TheFragments.MaterialOfFragment(static_cast<int>(f));
+    const int m = this->Materials[f];
     this->Targets[f] *= found[m] > 0.0 ? this->TotalOfMaterial[m] / found[m] : 1.0;
   }
-}
-
-double FragmentVolumes::Lack(std::size_t fragment) const
-{
-  return this->Targets[fragment] - this->CellVolumes[fragment] - this->Swept[fragment];
 }
 
 void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
   std::vector<ExactSum> swept(this->Swept.size());
   std::map<std::pair<int, int>, ExactSum> areas;
-  for (std::size_t f = 0; f < this->Sides.size(); ++f)
+  for (const InterfaceFacet& facet : mesh.Facets)
   {
-    const Side& side = this->Sides[f];
-    if (!side.Counts)
+    if (!facet.Counts)
     {
       continue;
     }
     std::array<Vector3, 4> before, after;
-    int c = 0;
-    for (Index n : this->TheInterface.NodesOfFace(static_cast<Index>(f)))
+    for (int c = 0; c < 4; ++c)
     {
-      before[c] = this->TheInterface.NodePoint(this->TheInterface.Nodes()[n]);
-      after[c++] = mesh.X[mesh.SurfacePoint[n]];
+      before[c] = mesh.Start[facet.Points[c]];
+      after[c] = mesh.X[facet.Points[c]];
     }
     const double volume = VolumeBetween(before, after);
-    swept[side.Lower].Add(volume);
-    swept[side.Upper].Add(-volume);
-    areas[std::minmax(side.Lower, side.Upper)].Add(AreaOf(after));
+    swept[facet.Lower].Add(volume);
+    swept[facet.Upper].Add(-volume);
+    areas[std::minmax(facet.Lower, facet.Upper)].Add(AreaOf(after));
   }
   this->Swept = SumOverRanks(swept, this->Parts.Group());
   this->GatherAreas(areas);
@@ -220,9 +190,10 @@ void FragmentVolumes::GatherAreas(const std::map<std::pair<int, int>, ExactSum>&
   }
 }
 
-std::vector<double> FragmentVolumes::FindShifts() const
+/// mu of every fragment, [0] outside.
+std::vector<double> FragmentVolumes::SolveForLack() const
 {
-  const int count = this->TheFragments.NumberOfFragments();
+  const int count = static_cast<int>(this->Materials.size()) - 1;
   std::vector<Eigen::Triplet<double>> entries;
   for (int f = 0; f < count; ++f)
   {
@@ -250,14 +221,22 @@ std::vector<double> FragmentVolumes::FindShifts() const
   Eigen::VectorXd lack(count);
   for (int f = 0; f < count; ++f)
   {
-    lack[f] = this->Lack(f + 1);
+    lack[f] = this->Targets[f + 1] - this->StartVolumes[f + 1] - this->Swept[f + 1];
   }
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(A);
   const Eigen::VectorXd mu = solver.solve(lack);
+  std::vector<double> result(1, 0.0);
+  result.insert(result.end(), mu.data(), mu.data() + count);
+  return result;
+}
+
+std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh) const
+{
+  const std::vector<double> mu = this->SolveForLack();
   std::vector<double> shifts;
-  for (const std::array<int, 2>& pair : this->PairFragments)
+  for (const Attachment& a : mesh.Attachments)
   {
-    shifts.push_back((pair[0] > 0 ? mu[pair[0] - 1] : 0.0) - (pair[1] > 0 ? mu[pair[1] - 1] : 0.0));
+    shifts.push_back(mu[a.Fragments[0]] - mu[a.Fragments[1]]);
   }
   return shifts;
 }
@@ -270,7 +249,7 @@ double FragmentVolumes::WorstError() const
     if (this->Targets[f] >= LargeFragment)
     {
       worst = std::max(worst,
-        std::fabs(this->CellVolumes[f] + this->Swept[f] - this->Targets[f]) / this->Targets[f]);
+        std::fabs(this->StartVolumes[f] + this->Swept[f] - this->Targets[f]) / this->Targets[f]);
     }
   }
   const std::vector<double> volumes = this->MaterialVolumes();
@@ -285,18 +264,12 @@ double FragmentVolumes::WorstError() const
   return worst;
 }
 
-std::vector<double> FragmentVolumes::MaterialTargets() const
-{
-  return this->TotalOfMaterial;
-}
-
 std::vector<double> FragmentVolumes::MaterialVolumes() const
 {
   std::vector<double> volumes(this->TotalOfMaterial.size(), 0.0);
   for (std::size_t f = 1; f < this->Targets.size(); ++f)
   {
-    volumes[this->TheFragments.MaterialOfFragment(static_cast<int>(f))] +=
-      this->CellVolumes[f] + this->Swept[f];
+    volumes[this->Materials[f]] += this->StartVolumes[f] + this->Swept[f];
   }
   return volumes;
 }

@@ -11,63 +11,93 @@
 #include "ActiveMesh.h"
 #include "ExactSum.h"
 #include "Fragments.h"
-#include "SurfaceTargets.h"
 
+#include <functional>
 #include <map>
 
 namespace vfm
 {
 
+/// Says to which fragment the material in a cell belongs.
+class FragmentHomes
+{
+public:
+  virtual ~FragmentHomes() = default;
+  /// Calls body(first cell, last cell + 1, fragment) for row (j, k) of HexBox in order; 0 where not meshed.
+  using Body = std::function<void(Index, Index, int)>;
+  virtual void ForRuns(Index j, Index k, const Body& body) const = 0;
+  /// The fragment of a material near a cell whose own fragment has another; 0: none is near.
+  virtual int FindNear(const Index3& cell, int material) const = 0;
+};
+
+/// The first fragment > 0 that fragmentOf gives for the nearest of the 27 cells around a cell and in HexBox; 0: none.
+int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
+  const std::function<int(const Index3&)>& fragmentOf);
+
+/// Where fragments are made of cells.
+class CellHomes : public FragmentHomes
+{
+public:
+  CellHomes(const CartesianGrid& grid, const LabelArray& labels, const Fragments& fragments) :
+    Grid(grid), Labels(labels), Pieces(fragments)
+  {
+  }
+  void ForRuns(Index j, Index k, const Body& body) const override
+  {
+    this->Pieces.ForRuns(j, k, body);
+  }
+  int FindNear(const Index3& cell, int material) const override;
+
+private:
+  const CartesianGrid& Grid;
+  const LabelArray& Labels;
+  const Fragments& Pieces;
+};
+
 class FragmentVolumes
 {
 public:
-  /// Collective, like Measure.
-  FragmentVolumes(const FractionField& fractions, const LabelArray& labels,
-    const Interface& interface, const Fragments& fragments, const Partition& partition);
+  /// materials: of each fragment, [0] unused. Collective, like Measure.
+  FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
+    const std::vector<int>& materials, const FragmentHomes& homes, const Partition& partition);
 
-  /// Measures the mesh. Without it, volumes are those of the cells.
+  /// Says what the mesh has at the start, by fragment over all ranks. Without it: the volumes of the cells.
+  void SetStart(std::vector<double> volumes) { this->StartVolumes = std::move(volumes); }
+
+  /// Measures the mesh: the start and what its facets have swept. Without it, volumes are those of the start.
   void Measure(const ActiveMesh& mesh);
 
-  /// The shift of every target (grid coordinates) that makes up for what the last measurement lacks: solves
+  /// The shift of every attachment (grid coordinates) that makes up for what the last measurement lacks: solves
   ///   sum_g A_fg (mu_f - mu_g) = target_f - volume_f
   /// with the areas A of the interfaces, mu = 0 outside; an interface shifts by mu_f - mu_g.
-  std::vector<double> FindShifts() const;
+  std::vector<double> FindShifts(const ActiveMesh& mesh) const;
 
   /// Largest |volume - target| / target of a material, and of a fragment of 64 cells or more.
   double WorstError() const;
 
   /// Per material from 0, in cells of mean size. Targets count every cell, also where no cell holds the label.
-  std::vector<double> MaterialTargets() const;
+  std::vector<double> MaterialTargets() const { return this->TotalOfMaterial; }
   std::vector<double> MaterialVolumes() const;
 
 private:
-  struct Side
-  {
-    int Lower, Upper; // fragments beside a face; 0 where not meshed, or far from the owned cells
-    bool Counts;      // here: one rank counts each face
-  };
   struct Area // of the interface of two fragments, the smaller first
   {
     int First, Second;
     ExactSum Value;
   };
-  void FindSides();
   void GatherAreas(const std::map<std::pair<int, int>, ExactSum>& areas);
-  void AddTargets(const FractionField& fractions, const LabelArray& labels);
-  int FragmentNear(const LabelArray& labels, const Index3& cell, int material) const;
+  void AddTargets(
+    const CartesianGrid& grid, const FractionField& fractions, const FragmentHomes& homes);
   void ShareOrphans();
-  double Lack(std::size_t fragment) const;
+  std::vector<double> SolveForLack() const;
 
-  const Interface& TheInterface;
-  const Fragments& TheFragments;
+  const std::vector<int>& Materials;
   const Partition& Parts;
-  std::vector<Side> Sides;                       // of every interface face
-  std::vector<std::array<int, 2>> PairFragments; // of every target: of its first and second label
-  std::vector<double> Targets;                   // by fragment, orphans shared out
-  std::vector<double> CellVolumes;               // by fragment
-  std::vector<double> Swept;                     // by fragment: mesh minus cells
-  std::vector<Area> Areas;                       // sorted
-  std::vector<double> TotalOfMaterial;           // from the fractions
+  std::vector<double> Targets;         // by fragment, orphans shared out
+  std::vector<double> StartVolumes;    // by fragment
+  std::vector<double> Swept;           // by fragment, since the start
+  std::vector<Area> Areas;             // sorted
+  std::vector<double> TotalOfMaterial; // from the fractions
 };
 
 } // namespace vfm

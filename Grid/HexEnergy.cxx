@@ -1,14 +1,6 @@
-#include "BarrierEnergy.h"
+#include "HexEnergy.h"
 
-#include <cmath>
-
-// The same source for machines with and without AVX2; no fused multiply-add, so both give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define VFM_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define VFM_CLONES
-#endif
-#define VFM_INLINE inline __attribute__((always_inline))
+#include "Lanes.h"
 
 namespace vfm
 {
@@ -16,36 +8,17 @@ namespace
 {
 
 constexpr double SmallestDeterminant = 1e-9; // of a corner, in cell volumes
+constexpr double ShortestEdge = 0.15;        // l*, in cell widths
 
-/// Lanes 0..2: the corner at the other end of the point's edge along x, y, z. Lane 3: the point's own corner.
-typedef double Lanes __attribute__((vector_size(32)));
-typedef long long Mask __attribute__((vector_size(32)));
-
-struct Lanes3
+struct BarrierWeights
 {
-  Lanes X, Y, Z;
+  int HalfPower; // p / 2, a power of two
+  double Target; // s*
+  double Shape;  // omega
 };
 
-VFM_INLINE Lanes Splat(double a)
-{
-  return Lanes{ a, a, a, a };
-}
-VFM_INLINE Lanes3 Minus(const Lanes3& a, const Lanes3& b)
-{
-  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
-}
-VFM_INLINE Lanes Dot(const Lanes3& a, const Lanes3& b)
-{
-  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
-}
-VFM_INLINE Lanes3 Cross(const Lanes3& a, const Lanes3& b)
-{
-  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
-}
-VFM_INLINE Lanes3 Times(const Lanes& s, const Lanes3& a)
-{
-  return { s * a.X, s * a.Y, s * a.Z };
-}
+// Lanes 0..2: the corner at the other end of the point's edge along x, y, z. Lane 3: the point's own corner.
+
 /// Lane 0 of a, lane 1 of b, lane 2 of c, lane 3 of d.
 VFM_INLINE Lanes Diagonal(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
 {
@@ -54,10 +27,6 @@ VFM_INLINE Lanes Diagonal(const Lanes& a, const Lanes& b, const Lanes& c, const 
 VFM_INLINE Lanes SquareRoot(const Lanes& a)
 {
   return Lanes{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
-}
-VFM_INLINE double Sum(const Lanes& a)
-{
-  return (a[0] + a[1]) + (a[2] + a[3]);
 }
 /// Lanes 0..2 as they are, their sum in lane 3.
 VFM_INLINE Lanes WithSum(const Lanes& a)
@@ -75,14 +44,7 @@ struct Corners
   double Sign;       // of the point's own corner: -1 where its edges form a left-handed frame
 };
 
-VFM_INLINE Lanes3 Pack(const double* a, const double* b, const double* c, const double* d)
-{
-  return { Lanes{ a[0], b[0], c[0], d[0] }, Lanes{ a[1], b[1], c[1], d[1] },
-    Lanes{ a[2], b[2], c[2], d[2] } };
-}
-
-VFM_INLINE Corners GatherCorners(
-  const Vector3* X, const std::array<int, 8>& hex, int corner, const double* x)
+VFM_INLINE Corners GatherCorners(const Vector3* X, const int* hex, int corner, const double* x)
 {
   const double* p1 = X[hex[corner ^ 1]].data();
   const double* p2 = X[hex[corner ^ 2]].data();
@@ -156,7 +118,7 @@ VFM_INLINE Terms ComputeTerms(const Corners& c, const CellScales& k, const Barri
     Diagonal(c.Q0.Z, c.Q1.Z, c.Q2.Z, zero) };
   t.EL = Diagonal(c.L0, c.L1, c.L2, one);
   const Lanes shortness =
-    Splat(weights.ShortestEdge * weights.ShortestEdge) / (t.EL * k.K + Lanes{ 0.0, 0.0, 0.0, 1.0 });
+    Splat(ShortestEdge * ShortestEdge) / (t.EL * k.K + Lanes{ 0.0, 0.0, 0.0, 1.0 });
   const Lanes square = shortness * shortness;
   t.Edge = square * square * Lanes{ 1.0, 1.0, 1.0, 0.0 };
   return t;
@@ -166,28 +128,6 @@ VFM_INLINE bool AllPositive(const Corners& c, const CellScales& k)
 {
   const Mask bad = c.D * k.Volume <= Splat(SmallestDeterminant);
   return !(bad[0] | bad[1] | bad[2] | bad[3]);
-}
-
-struct Accumulator
-{
-  Lanes Value, GX, GY, GZ, XX, YY, ZZ, XY, XZ, YZ;
-};
-
-VFM_INLINE void AddOuter(Accumulator& sum, const Lanes& weight, const Lanes3& a)
-{
-  const Lanes3 wa = Times(weight, a);
-  sum.XX += wa.X * a.X;
-  sum.YY += wa.Y * a.Y;
-  sum.ZZ += wa.Z * a.Z;
-  sum.XY += wa.X * a.Y;
-  sum.XZ += wa.X * a.Z;
-  sum.YZ += wa.Y * a.Z;
-}
-VFM_INLINE void AddGradient(Accumulator& sum, const Lanes& weight, const Lanes3& a)
-{
-  sum.GX += weight * a.X;
-  sum.GY += weight * a.Y;
-  sum.GZ += weight * a.Z;
 }
 
 /// Adds value, gradient and Hessian of the energy of the four corners.
@@ -233,7 +173,12 @@ VFM_INLINE void AddDerivatives(
   sum.ZZ += unit;
 }
 
-} // namespace
+/// The corners of the hex at a place of the corner list, as the point at x sees them.
+VFM_INLINE Corners GatherAt(const ActiveMesh& mesh, Index place, const Vector3& x)
+{
+  return GatherCorners(
+    mesh.X.data(), mesh.Elements.data() + (place & ~7), static_cast<int>(place & 7), x.data());
+}
 
 VFM_CLONES
 double EvaluateBarrier(
@@ -242,10 +187,9 @@ double EvaluateBarrier(
   Lanes sum = Splat(0.0);
   for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
-    const Index hex = mesh.Corners[at] >> 3;
-    const Corners c = GatherCorners(
-      mesh.X.data(), mesh.Hexes[hex], static_cast<int>(mesh.Corners[at] & 7), x.data());
-    const CellScales k = MakeScales(mesh.WidthsOf(hex));
+    const Index place = mesh.CornerList[at];
+    const Corners c = GatherAt(mesh, place, x);
+    const CellScales k = MakeScales(mesh.WidthsAt(place));
     if (!AllPositive(c, k))
     {
       return InvalidEnergy;
@@ -259,20 +203,32 @@ double EvaluateBarrier(
 VFM_CLONES
 Derivatives DifferentiateBarrier(const ActiveMesh& mesh, int point, const BarrierWeights& weights)
 {
-  const Vector3& x = mesh.X[point];
   Accumulator sum{};
   for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
-    const Index hex = mesh.Corners[at] >> 3;
-    const Corners c = GatherCorners(
-      mesh.X.data(), mesh.Hexes[hex], static_cast<int>(mesh.Corners[at] & 7), x.data());
-    AddDerivatives(sum, c, MakeScales(mesh.WidthsOf(hex)), weights);
+    const Index place = mesh.CornerList[at];
+    AddDerivatives(
+      sum, GatherAt(mesh, place, mesh.X[point]), MakeScales(mesh.WidthsAt(place)), weights);
   }
   Derivatives d;
   d.Value = Sum(sum.Value);
   d.Gradient = { { Sum(sum.GX), Sum(sum.GY), Sum(sum.GZ) } };
   d.Hessian = { { Sum(sum.XX), Sum(sum.YY), Sum(sum.ZZ), Sum(sum.XY), Sum(sum.XZ), Sum(sum.YZ) } };
   return d;
+}
+
+} // namespace
+
+double HexEnergy::Evaluate(
+  const ActiveMesh& mesh, int point, const Vector3& x, const SmoothingStage& stage) const
+{
+  return EvaluateBarrier(mesh, point, x, { stage.HalfPower, this->Target, stage.Omega });
+}
+
+Derivatives HexEnergy::Differentiate(
+  const ActiveMesh& mesh, int point, const SmoothingStage& stage) const
+{
+  return DifferentiateBarrier(mesh, point, { stage.HalfPower, this->Target, stage.Omega });
 }
 
 } // namespace vfm

@@ -1,0 +1,196 @@
+#include "HexGeometry.h"
+
+namespace vfm
+{
+namespace
+{
+
+/// Corners (bits) of face f of a hex, around it, normal outward.
+constexpr std::array<std::array<int, 4>, 6> FaceCorners{ { { { 0, 4, 6, 2 } }, { { 1, 3, 7, 5 } },
+  { { 0, 1, 5, 4 } }, { { 2, 6, 7, 3 } }, { { 0, 2, 3, 1 } }, { { 4, 5, 7, 6 } } } };
+
+class HexFacets
+{
+public:
+  HexFacets(const CartesianGrid& grid, const LabelArray& labels, const std::vector<Index>& mixed,
+    const Fragments& fragments, const PointNumbering& numbering, const Partition& partition,
+    Mesh& mesh) :
+    Grid(grid),
+    Labels(labels),
+    Mixed(mixed),
+    Pieces(fragments),
+    Points(numbering),
+    Parts(partition),
+    Box(grid.HexBox()),
+    Result(mesh)
+  {
+  }
+
+  std::vector<Facet> Run()
+  {
+    this->FillVolumes();
+    this->AddInterfaceQuads();
+    return std::move(this->Quads);
+  }
+
+private:
+  /// Fragments of hexes, and the quads on the sides of the domain.
+  void FillVolumes()
+  {
+    Mesh& mesh = this->Result;
+    mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
+    mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
+    mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+    const IndexBox& box = this->Box;
+    Index row = 0;
+    for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+    {
+      for (Index j = box.Lower[1]; j < box.Upper[1]; ++j, ++row)
+      {
+        this->FillRow(j, k, mesh.RowOffset[row], mesh.RowOffset[row + 1]);
+      }
+    }
+    this->FillInnerPoints();
+  }
+
+  void FillRow(Index j, Index k, Index first, Index last)
+  {
+    Mesh& mesh = this->Result;
+    const Index key = this->Grid.CellKey({ { 0, j, k } });
+    const Index3& n = this->Grid.Global().Upper;
+    const bool rim = j == 0 || k == 0 || j == n[1] - 1 || k == n[2] - 1;
+    Index runEnd = -1;
+    int fragment = 0;
+    for (Index h = first; h < last; ++h)
+    {
+      const Index id = mesh.ElementIds[h] - 1;
+      const Index i = id / 7 - key;
+      if (i >= runEnd)
+      {
+        fragment = this->Pieces.FragmentOfCell({ { i, j, k } }, runEnd);
+      }
+      mesh.Fragment[h] = fragment;
+      mesh.GeometryId[mesh.Elements[8 * h]] = fragment; // enough for points G inside the domain
+      if (rim || i == 0 || i == n[0] - 1)
+      {
+        this->AddDomainQuads(h, static_cast<int>(id % 7), { { i, j, k } });
+      }
+    }
+  }
+
+  /// Fragments of the points I.
+  void FillInnerPoints()
+  {
+    for (Index node : this->Mixed)
+    {
+      const Index3 p = this->Grid.Position(node);
+      for (int c = 0; this->Points.IsSplit(node) && c < 8; ++c)
+      {
+        const int label = this->Labels[this->Grid.CellOfNode(node, c)];
+        const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1),
+          p[2] - 1 + (c >> 2 & 1) } };
+        if (this->Points.IsMeshed(label) && this->Box.Contains(cell))
+        {
+          this->Result.GeometryId[this->Points.InnerPoint(node, label)] =
+            this->Pieces.FragmentOfCell(cell);
+        }
+      }
+    }
+  }
+
+  /// slot: 0 core hex, 1 + face buffer hex, whose faces along its own axis are not on the boundary.
+  void AddDomainQuads(Index h, int slot, const Index3& cell)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      if (slot > 0 && (slot - 1) / 2 == a)
+      {
+        continue;
+      }
+      if (cell[a] == 0)
+      {
+        this->AddDomainQuad(h, 2 * a, this->Parts.OwnsCell(cell));
+      }
+      if (cell[a] == this->Grid.Global().Upper[a] - 1)
+      {
+        this->AddDomainQuad(h, 2 * a + 1, this->Parts.OwnsCell(cell));
+      }
+    }
+  }
+
+  void AddDomainQuad(Index h, int side, bool owned)
+  {
+    Facet quad;
+    for (int c = 0; c < 4; ++c)
+    {
+      quad.Points[c] = this->Result.Elements[8 * h + VtkCorner[FaceCorners[side][c]]];
+    }
+    quad.Sides = { { -1 - side, this->Result.Fragment[h] } };
+    quad.Materials = { { 0, this->Result.Material[h] } };
+    quad.DomainSide = side;
+    quad.IsOwned = owned;
+    this->Quads.push_back(quad);
+  }
+
+  void AddInterfaceQuads()
+  {
+    for (Index node : this->Mixed)
+    {
+      const Index3 upper = this->Grid.Position(node);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Index3 lower = upper;
+        --lower[axis];
+        const int a = this->Labels[node - this->Grid.Stride(axis)], b = this->Labels[node];
+        if (a == b || !this->Box.Contains(upper) || !this->Box.Contains(lower))
+        {
+          continue;
+        }
+        this->AddInterfaceQuad(node, axis, a < b,
+          a < b ? this->Pieces.FragmentOfCell(lower) : this->Pieces.FragmentOfCell(upper),
+          a < b ? this->Pieces.FragmentOfCell(upper) : this->Pieces.FragmentOfCell(lower));
+        this->Quads.back().Materials = { { std::min(a, b), std::max(a, b) } };
+        this->Quads.back().IsOwned = this->Parts.OwnsCell(this->Points.IsMeshed(a) ? lower : upper);
+      }
+    }
+  }
+
+  /// first, second: the fragments of the smaller and of the larger label. downward: the smaller label lies below.
+  void AddInterfaceQuad(Index node, int axis, bool downward, int first, int second)
+  {
+    const Index b = this->Grid.Stride((axis + 1) % 3), c = this->Grid.Stride((axis + 2) % 3);
+    Facet quad;
+    quad.Points = { { this->Points.FirstPoint(node), this->Points.FirstPoint(node + b),
+      this->Points.FirstPoint(node + b + c), this->Points.FirstPoint(node + c) } };
+    if (downward)
+    {
+      std::swap(quad.Points[1], quad.Points[3]);
+    }
+    quad.Sides = { { std::min(first, second), std::max(first, second) } };
+    quad.DomainSide = -1;
+    this->Quads.push_back(quad);
+  }
+
+  const CartesianGrid& Grid;
+  const LabelArray& Labels;
+  const std::vector<Index>& Mixed;
+  const Fragments& Pieces;
+  const PointNumbering& Points;
+  const Partition& Parts;
+  IndexBox Box;
+  Mesh& Result;
+  std::vector<Facet> Quads;
+};
+
+} // namespace
+
+void FindHexGeometry(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& mixed, const Fragments& fragments, const PointNumbering& numbering,
+  const Partition& partition, Mesh& mesh, MeshReport& report)
+{
+  const std::vector<Facet> quads =
+    HexFacets(grid, labels, mixed, fragments, numbering, partition, mesh).Run();
+  ClassifyGeometry(quads, grid, partition, mesh, report);
+}
+
+} // namespace vfm

@@ -1,0 +1,51 @@
+#include "Mesh.h"
+
+#include "Runtime.h"
+
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+Index3 Unpack(Index key, const Index3& size)
+{
+  return { { key % size[0], key / size[0] % size[1], key / (size[0] * size[1]) } };
+}
+
+} // namespace
+
+Index3 NodeOfKey(const CartesianGrid& grid, Index key)
+{
+  const Index3& n = grid.Global().Upper;
+  return Unpack(key, { { n[0] + 1, n[1] + 1, n[2] + 1 } });
+}
+
+Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
+{
+  return NodeOfKey(grid, (id - 1) / mesh.PointSlots);
+}
+
+Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
+{
+  const Index key = (id - 1) / mesh.ElementSlots;
+  const Index3& n = grid.Global().Upper;
+  if (mesh.Corners == 8)
+  {
+    return Unpack(key, n);
+  }
+  const Index3 block = NodeOfKey(grid, key);
+  return { { std::min(block[0], n[0] - 1), std::min(block[1], n[1] - 1),
+    std::min(block[2], n[2] - 1) } };
+}
+
+void CheckNumberOfPoints(Index points, Ranks& ranks)
+{
+  if (ranks.Any(points > std::numeric_limits<int>::max()))
+  {
+    throw InputError("More than 2^31 mesh points on one rank: use more ranks.");
+  }
+}
+
+} // namespace vfm

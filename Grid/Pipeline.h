@@ -1,0 +1,74 @@
+/**
+ * What the pipelines of hexahedra and tetrahedra share.
+ */
+#pragma once
+
+#include "Smoother.h"
+#include "Volumes.h"
+
+#include <chrono>
+
+namespace vfm
+{
+
+/// Names the running stage, times it and tells the progress.
+class StageClock
+{
+public:
+  StageClock(Runtime& runtime, MeshReport& report) : Run(runtime), Report(report) {}
+  ~StageClock() { this->Stop(); }
+  void Start(const char* name, double fraction)
+  {
+    this->Stop();
+    this->Report.Stages.push_back({ name, 0.0 });
+    this->Begin = std::chrono::steady_clock::now();
+    this->Run.Progress(fraction, name);
+  }
+  void Update(double fraction) { this->Run.Progress(fraction, this->Report.Stages.back().Name); }
+
+private:
+  void Stop()
+  {
+    if (!this->Report.Stages.empty())
+    {
+      this->Report.Stages.back().Seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begin).count();
+    }
+  }
+  Runtime& Run;
+  MeshReport& Report;
+  std::chrono::steady_clock::time_point Begin;
+};
+
+/// Throws InputError when an option is out of range.
+void CheckOptions(const MeshOptions& options);
+
+/// What improves a mesh; all of it outlives the call.
+struct Improvement
+{
+  ActiveMesh& Active;
+  const SurfaceTargets& Targets;
+  const PointExchange& Exchange;
+  const ElementEnergy& Energy;
+  const SmoothingRamp& Ramp;
+  FragmentVolumes& Volumes;
+  bool ConserveVolume;
+  std::function<void(Smoother&, const SmoothingStage&, int)>
+    AfterSweep;                    ///< with the number of the sweep; may be empty
+  std::function<void()> AfterRamp; ///< before volumes are measured; may be empty
+};
+
+/// Smooths, then moves the interfaces until the volumes of the fragments are those of the fractions. Collective.
+void Improve(const Improvement& what, StageClock& clock, Runtime& runtime);
+
+/// The kind of targets that the options ask for.
+inline SurfaceTargets::Kind KindOfTargets(const MeshOptions& options)
+{
+  return options.Method == Smoothing::GeometryBased ? SurfaceTargets::Kind::Facets
+                                                    : SurfaceTargets::Kind::Quadrics;
+}
+
+/// Volumes per material in length units of the grid.
+void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report);
+
+} // namespace vfm

@@ -1,0 +1,235 @@
+#include "TetPipeline.h"
+
+#include "DiagonalFlips.h"
+#include "Pipeline.h"
+#include "Quality.h"
+#include "TetAttach.h"
+#include "TetFragments.h"
+#include "TetGeometry.h"
+#include "TetImprove.h"
+#ifdef VFM_HAS_TETGEN
+#include "RefillTets.h"
+#endif
+
+#include <memory>
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int LateFlips = 5; // sweeps between two rounds of flips in the last stage
+
+/// Makes the mesh of Cells or Lattice.
+class TetMesher
+{
+public:
+  TetMesher(const CartesianGrid& grid, const FractionField& fractions, const MeshOptions& options,
+    Runtime& runtime, MeshReport& report) :
+    Grid(grid),
+    Fractions(fractions),
+    Options(options),
+    Method(options.Tets == TetMethod::Lattice ? TetMethod::Lattice : TetMethod::Cells),
+    Run(runtime),
+    Report(report),
+    Clock(runtime, report),
+    Parts(grid, runtime.Group())
+  {
+  }
+
+  Mesh Make()
+  {
+    this->Assign();
+    this->Build();
+    this->FindFragments();
+    if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)
+    {
+      this->Smooth();
+    }
+    ReportVolumes(this->Grid, *this->Volumes, this->Report);
+    this->Clock.Start("Finding geometry", 0.9);
+    Mesh& mesh = this->Topology.Tets;
+    FindTetGeometry(this->Faces, this->Grid, this->Parts, mesh, this->Report);
+    KeepOwned(mesh, this->Grid);
+    this->Refill();
+    if (this->Options.ComputeQuality)
+    {
+      this->Clock.Start("Measuring quality", 0.95);
+      ComputeQuality(mesh, this->Run, this->Report);
+    }
+    return std::move(mesh);
+  }
+
+private:
+  void Refill()
+  {
+#ifdef VFM_HAS_TETGEN
+    if (this->Options.Tets == TetMethod::TetGen)
+    {
+      this->Clock.Start("Filling with TetGen", 0.92);
+      RefillTets(
+        this->Topology.Tets, this->Grid, this->Labels, this->Options, this->Run, this->Report);
+    }
+#endif
+  }
+
+  void Assign()
+  {
+    this->Clock.Start("Assigning materials", 0.0);
+    this->Labels = AssignMaterials(this->Grid, this->Fractions, this->Options.IsoValue);
+    this->Clock.Start("Resolving labels", 0.05);
+    const ResolveReport resolved =
+      ResolveLabels(this->Grid, this->Fractions, this->Labels, this->Parts);
+    this->Report.FlippedCells = resolved.FlippedCells;
+    this->Report.ResolveRounds = resolved.Rounds;
+  }
+
+  void Build()
+  {
+    this->Clock.Start("Making tetrahedra", 0.1);
+    this->Topology = this->Method == TetMethod::Lattice
+      ? BuildLatticeTets(this->Grid, this->Fractions, this->Options.IsoValue,
+          this->Options.MeshVoid, this->Parts, this->Run)
+      : BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run);
+    this->Clock.Start("Finding faces", 0.12);
+    this->Faces = FindTetFaces(this->Topology, this->Grid);
+  }
+
+  void FindFragments()
+  {
+    this->Clock.Start("Finding fragments", 0.15);
+    Mesh& mesh = this->Topology.Tets;
+    if (this->Method == TetMethod::Lattice)
+    {
+      const TetFragments fragments(this->Topology, this->Faces, this->Grid, this->Parts);
+      this->Materials = fragments.Materials();
+      this->Volumes = std::make_unique<FragmentVolumes>(
+        this->Grid, this->Fractions, this->Materials, fragments, this->Parts);
+      this->Volumes->SetStart(fragments.MeasureVolumes(mesh, this->Run.Group()));
+    }
+    else
+    {
+      const Fragments fragments(this->Grid, this->Labels, this->Options.MeshVoid, this->Parts);
+      this->Materials = fragments.MaterialsOfFragments();
+      const CellHomes homes(this->Grid, this->Labels, fragments);
+      this->Volumes = std::make_unique<FragmentVolumes>(
+        this->Grid, this->Fractions, this->Materials, homes, this->Parts);
+      this->FillFragments(fragments);
+    }
+    this->Report.NumberOfFragments = static_cast<Index>(this->Materials.size()) - 1;
+  }
+
+  /// The fragment of a tet of Cells is that of its cell: the lower one of an inner face, where both have one label.
+  void FillFragments(const Fragments& fragments)
+  {
+    Mesh& mesh = this->Topology.Tets;
+    mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
+    for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
+    {
+      Index centre = mesh.Elements[4 * t + 3];
+      if ((mesh.PointIds[mesh.Elements[4 * t]] - 1) % TetPointSlots == 1)
+      {
+        centre = mesh.Elements[4 * t];
+      }
+      mesh.Fragment[t] =
+        fragments.FragmentOfCell(NodeOfPoint(this->Grid, mesh, mesh.PointIds[centre]));
+    }
+  }
+
+  void Smooth()
+  {
+    Mesh& mesh = this->Topology.Tets;
+    this->Clock.Start("Finding interfaces", 0.2);
+    const Interface interface(this->Grid, this->Fractions, this->Labels,
+      FindMixedNodes(this->Grid, this->Labels), this->Options.IsoValue, this->Run);
+    const SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
+    ActiveTets active = MakeActiveTets(this->Topology, this->Grid, this->Parts);
+    AttachTets(interface, mesh, this->Faces, this->Method, active);
+    MeasureWithFaces(interface, mesh, this->Faces, this->Grid, this->Parts, active);
+    const PointExchange exchange(active, mesh, this->Grid, this->Parts);
+    const TetEnergy energy(FloorsOf(this->Options));
+    DiagonalFlips flips(mesh, active, energy);
+    Improvement improvement{ active, targets, exchange, energy, TetRamp(), *this->Volumes,
+      this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} };
+    if (this->Method == TetMethod::Cells)
+    {
+      improvement.AfterSweep = [&](Smoother& smoother, const SmoothingStage& stage, int sweep)
+      {
+        if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
+        {
+          flips.Run(stage, [&](int point) { smoother.Wake(point); });
+        }
+      };
+      improvement.AfterRamp = [&]
+      {
+        flips.CopyTo(mesh);
+        this->Faces = FindTetFaces(this->Topology, this->Grid);
+        MeasureWithFaces(interface, mesh, this->Faces, this->Grid, this->Parts, active);
+      };
+    }
+    Improve(improvement, this->Clock, this->Run);
+    active.CopyTo(mesh, this->Grid);
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const MeshOptions& Options;
+  TetMethod Method;
+  Runtime& Run;
+  MeshReport& Report;
+  StageClock Clock;
+  Partition Parts;
+  LabelArray Labels;
+  TetTopology Topology;
+  TetFaces Faces;
+  std::vector<int> Materials; // of the fragments
+  std::unique_ptr<FragmentVolumes> Volumes;
+};
+
+void CheckRange(const char* name, double value, double lowest, double highest)
+{
+  if (!(value >= lowest && value <= highest))
+  {
+    std::ostringstream text;
+    text << name << " is " << value << ": it must lie in [" << lowest << ", " << highest << "].";
+    throw InputError(text.str());
+  }
+}
+
+void CheckTetGenOptions(const MeshOptions& options)
+{
+  if (options.Tets == TetMethod::TetGen && !HasTetGen())
+  {
+    throw InputError(
+      "This build has no TetGen (VFM_ENABLE_TETGEN): choose the method Cells or Lattice.");
+  }
+  const TetGenOptions& tetgen = options.TetGen;
+  CheckRange("RelativeSize", tetgen.RelativeSize, 0.1, 1e6);
+  CheckRange("Growth", tetgen.Growth, 0.0, 1e6);
+  CheckRange("RadiusEdgeRatio", tetgen.RadiusEdgeRatio, 1.0, 100.0);
+  CheckRange("MinimumDihedralAngle", tetgen.MinimumDihedralAngle, 0.0, 60.0);
+  CheckRange("OptimizationLevel", tetgen.OptimizationLevel, 0, 10);
+}
+
+} // namespace
+
+bool HasTetGen()
+{
+#ifdef VFM_HAS_TETGEN
+  return true;
+#else
+  return false;
+#endif
+}
+
+Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, Runtime& runtime, MeshReport& report)
+{
+  CheckOptions(options);
+  CheckTetGenOptions(options);
+  report = MeshReport();
+  return TetMesher(grid, fractions, options, runtime, report).Make();
+}
+
+} // namespace vfm

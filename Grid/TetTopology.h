@@ -1,0 +1,57 @@
+/**
+ * From labels to tetrahedra: points and tets before anything moves. Two ways: Cells and Lattice.
+ *
+ * Both are made of the body-centred lattice of the grid: its nodes are the grid's nodes (vertices) and the centres of
+ * cells. Each face of the grid belongs to the block (i,j,k) of its lowest corner: face `axis` of block b lies
+ * between the cells b - e_axis and b. Around an inner face stand four lattice tets, t = 0..3: the two centres and
+ * an edge of the face; on a face of the domain two, t = 0, 1: the one centre and half of the face, cut by
+ * a diagonal.
+ *
+ * Ids. Every point belongs to the block (i,j,k) in which it starts (its coordinates in cells, rounded down), the
+ * node of that index owns it: id = NodeKey * 64 + slot + 1. Every tet belongs to a face:
+ * id = NodeKey * (12 * PiecesPerTet) + (4 axis + t) * PiecesPerTet + piece + 1.
+ * Points whose blocks have the same parities share no tet (blocks of different index): these are the eight colours.
+ *
+ * Made of the faces whose cells lie in CartesianGrid::HexBox (both, or the one in the domain). Order: points and tets by id.
+ */
+#pragma once
+
+#include "Labels.h"
+#include "Mesh.h"
+#include "Runtime.h"
+
+namespace vfm
+{
+
+constexpr Index TetPointSlots = 64;
+constexpr Index PiecesPerTet = 64;
+constexpr Index TetElementSlots = 12 * PiecesPerTet;
+
+/// Where a point may lie.
+enum class PointPlace : unsigned char
+{
+  Inside,   ///< inside a material and the domain
+  OnDomain, ///< inside a material, on a side of the domain
+  OnInterface
+};
+
+struct TetTopology
+{
+  Mesh Tets;                     ///< points, ids, elements, ids, materials
+  std::vector<PointPlace> Place; ///< of each point
+};
+
+/// Throws InputError when the ids of a grid's tets do not fit.
+void CheckTetIds(const CartesianGrid& grid);
+
+/// Cells: every meshed cell with its centre, cut along its faces. labels: after ResolveLabels. Interfaces are faces of the grid,
+/// each quad cut by the diagonal of its parity.
+TetTopology BuildCellTets(
+  const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime);
+
+/// Lattice: every node of the lattice has a label of its own, from the fractions; lattice tets with several labels are
+/// cut. All tets positive for any fractions. Collective.
+TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fractions,
+  double isoValue, bool meshVoid, const Partition& partition, Runtime& runtime);
+
+} // namespace vfm
