@@ -1,10 +1,14 @@
 #include "FilterRuntime.h"
 
+#include "ControllerRanks.h"
+
 #include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
 #include "vtkSMPTools.h"
 
 #include <exception>
 #include <mutex>
+#include <new>
 
 namespace vfm
 {
@@ -57,6 +61,11 @@ std::string ThreadBackend(int threads)
   return threads == 1 ? "Sequential" : current;
 }
 
+int ChooseThreads(vtkMultiProcessController* controller, int wanted)
+{
+  return wanted > 0 || ControllerRanks(controller).Count() == 1 ? wanted : 1;
+}
+
 } // namespace
 
 void FilterRuntime::For(std::int64_t first, std::int64_t last,
@@ -78,10 +87,37 @@ void FilterRuntime::Progress(double fraction, const char* stage)
   }
 }
 
-void FilterRuntime::WithThreads(int threads, const std::function<void()>& work)
+int FilterRuntime::Execute(vtkAlgorithm* owner, vtkMultiProcessController* controller, int threads,
+  const std::vector<vtkDataObject*>& outputs, const std::function<void()>& work)
 {
-  vtkSMPTools::LocalScope(
-    vtkSMPTools::Config{ threads, ThreadBackend(threads), false }, [&] { work(); });
+  const int count = ChooseThreads(controller, threads);
+  std::string problem;
+  try
+  {
+    vtkSMPTools::LocalScope(
+      vtkSMPTools::Config{ count, ThreadBackend(count), false }, [&] { work(); });
+    return 1;
+  }
+  catch (const Aborted&)
+  {
+  }
+  catch (const InputError& error)
+  {
+    problem = error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem = "Not enough memory.";
+  }
+  for (vtkDataObject* output : outputs)
+  {
+    output->Initialize();
+  }
+  if (!problem.empty())
+  {
+    vtkErrorWithObjectMacro(owner, << problem);
+  }
+  return problem.empty() ? 1 : 0;
 }
 
 } // namespace vfm

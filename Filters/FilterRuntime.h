@@ -1,14 +1,16 @@
 /**
- * FilterRuntime: loops of the Grid code on vtkSMPTools, progress and abort through a vtkAlgorithm, and the ranks
- * that work on one grid.
+ * FilterRuntime: loops of the Grid code on vtkSMPTools, progress and abort through a vtkAlgorithm, the ranks that
+ * work on one grid, and the frame of RequestData around the Grid code.
  */
 #pragma once
 
 #include "Runtime.h"
 
-#include <string>
+#include <vector>
 
 class vtkAlgorithm;
+class vtkDataObject;
+class vtkMultiProcessController;
 
 namespace vfm
 {
@@ -30,8 +32,10 @@ public:
   /// Does not stop when there are several ranks: the others would wait for this one.
   void Progress(double fraction, const char* stage) override;
 
-  /// Calls work with vtkSMPTools set to that many threads, 0 for all cores. Exceptions are thrown on.
-  static void WithThreads(int threads, const std::function<void()>& work);
+  /// Does the work of a RequestData and returns what that returns. When the work throws, the outputs are emptied and, unless
+  /// it was Aborted, the owner reports one error. threads: 0 for all cores on one process, one thread on each of several.
+  static int Execute(vtkAlgorithm* owner, vtkMultiProcessController* controller, int threads,
+    const std::vector<vtkDataObject*>& outputs, const std::function<void()>& work);
 
 private:
   vtkAlgorithm* Owner;

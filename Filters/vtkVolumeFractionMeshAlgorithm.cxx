@@ -3,10 +3,10 @@
 #include "Agreement.h"
 #include "ControllerRanks.h"
 #include "FilterRuntime.h"
-#include "HexMesh.h"
 #include "InputBlocks.h"
 #include "InputFields.h"
 #include "MakePartition.h"
+#include "MeshOutput.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
@@ -20,7 +20,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <new>
 
 namespace
 {
@@ -30,6 +29,14 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 // Claimed on the output, so that a later request for ghost levels does not run the filter again.
 // The filter marks no cells as ghosts, whatever is asked.
 constexpr int GhostLevelsClaimed = 4;
+
+void LogStages(const vfm::MeshReport& report)
+{
+  for (const vfm::MeshReport::Stage& stage : report.Stages)
+  {
+    vtkLogF(TRACE, "%s: %.3f s", stage.Name, stage.Seconds);
+  }
+}
 
 void LogTraffic(const vfm::ControllerRanks& ranks)
 {
@@ -91,19 +98,9 @@ bool vtkVolumeFractionMeshAlgorithm::HasMaterialIdArray() const
   return !this->MaterialIdArray.empty() && this->MaterialIdArray != "None";
 }
 
-bool vtkVolumeFractionMeshAlgorithm::IsAlone() const
+vfm::MeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
 {
-  return !this->Controller || this->Controller->GetNumberOfProcesses() == 1;
-}
-
-int vtkVolumeFractionMeshAlgorithm::ChooseNumberOfThreads() const
-{
-  return this->NumberOfThreads > 0 || this->IsAlone() ? this->NumberOfThreads : 1;
-}
-
-vfm::HexMeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
-{
-  vfm::HexMeshOptions options;
+  vfm::MeshOptions options;
   options.IsoValue = this->IsoValue;
   options.MeshVoid = this->MeshVoid;
   options.StairStep = this->StairStep;
@@ -168,40 +165,17 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputVector, 0);
   vtkPolyData* surfaces = vtkPolyData::GetData(outputVector, 1);
-  if (this->IsAlone() &&
+  if (vfm::ControllerRanks(this->Controller).Count() == 1 &&
     outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1; // the whole mesh is piece 0
   }
-  std::string problem;
-  try
-  {
-    vfm::FilterRuntime::WithThreads(
-      this->ChooseNumberOfThreads(), [=] { this->Run(input, mesh, surfaces); });
-    return 1;
-  }
-  catch (const vfm::Aborted&)
-  {
-  }
-  catch (const vfm::InputError& error)
-  {
-    problem = error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    problem = "Not enough memory for the mesh.";
-  }
-  mesh->Initialize();
-  surfaces->Initialize();
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-  }
-  return problem.empty() ? 1 : 0;
+  return vfm::FilterRuntime::Execute(this, this->Controller, this->NumberOfThreads,
+    { mesh, surfaces }, [=] { this->Run(input, mesh, surfaces); });
 }
 
 void vtkVolumeFractionMeshAlgorithm::Run(
-  vtkDataObject* input, vtkUnstructuredGrid* mesh, vtkPolyData* surfaces)
+  vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces)
 {
   this->CheckProperties();
   vfm::ControllerRanks ranks(this->Controller);
@@ -215,8 +189,18 @@ void vtkVolumeFractionMeshAlgorithm::Run(
     blocks.Global(), blocks.Boxes(), [&] { return cells->FindInterfaceCells(); }, ranks);
   const vfm::CartesianGrid grid(blocks.Coordinates, boxes[ranks.Rank()], vfm::GhostLevels);
   const vfm::InputField field = vfm::MakeInputField(grid, boxes, blocks, *cells, ranks);
-  this->MakeMesh(grid, field, this->GetOptions(), runtime, mesh, surfaces);
-  std::vector<vfm::Index> numberOfCells{ mesh->GetNumberOfCells() };
+  const vfm::MeshOptions options = this->GetOptions();
+  vfm::MeshReport report;
+  vfm::Mesh mesh = this->MakeMesh(grid, field.Fractions, options, runtime, report);
+  LogStages(report);
+  runtime.Progress(0.98, "Filling output");
+  vfm::WorkTogether(ranks,
+    [&]
+    {
+      vfm::SetMeshOutput(mesh, field.Table, output, surfaces);
+      vfm::SetReportOutput(mesh, report, field.Table, options, field.NormalisedCells, output);
+    });
+  std::vector<vfm::Index> numberOfCells{ output->GetNumberOfCells() };
   ranks.Sum(numberOfCells);
   LogTraffic(ranks);
   if (ranks.Rank() == 0 && field.NormalisedCells > 0)

@@ -35,9 +35,11 @@ class vtkPolyData;
 namespace vfm
 {
 class CartesianGrid;
-class FilterRuntime;
-struct HexMeshOptions;
-struct InputField;
+class FractionField;
+class Runtime;
+struct Mesh;
+struct MeshOptions;
+struct MeshReport;
 } // namespace vfm
 
 class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionMeshAlgorithm :
@@ -110,8 +112,9 @@ public:
 
   ///@{
   /**
-   * The scaled Jacobian that smoothing strives for; in [0,1). Larger values give better elements that
-   * follow the surfaces less closely. 0: chosen by the number of materials. Default: 0.
+   * The quality that smoothing strives for; in [0,1): the scaled Jacobian of hexahedra, for tetrahedra see
+   * vtkVolumeFractionToTet. Larger values give better elements that follow the surfaces less closely.
+   * 0: chosen automatically. Default: 0.
    */
   vtkSetMacro(TargetScaledJacobian, double);
   vtkGetMacro(TargetScaledJacobian, double);
@@ -164,11 +167,10 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /**
-   * Makes the mesh of the field and fills both outputs. Throws vfm::InputError and vfm::Aborted.
+   * The mesh of the owned cells of the grid. Throws vfm::InputError and vfm::Aborted. Collective.
    */
-  virtual void MakeMesh(const vfm::CartesianGrid& grid, const vfm::InputField& field,
-    const vfm::HexMeshOptions& options, vfm::FilterRuntime& runtime, vtkUnstructuredGrid* mesh,
-    vtkPolyData* surfaces) = 0;
+  virtual vfm::Mesh MakeMesh(const vfm::CartesianGrid& grid, const vfm::FractionField& fractions,
+    const vfm::MeshOptions& options, vfm::Runtime& runtime, vfm::MeshReport& report) = 0;
 
   vtkMultiProcessController* Controller = nullptr;
   std::vector<std::string> VolumeFractionArrays;
@@ -188,10 +190,8 @@ private:
 
   bool HasMaterialIdArray() const;
   void CheckProperties() const;
-  bool IsAlone() const;
-  int ChooseNumberOfThreads() const;
-  vfm::HexMeshOptions GetOptions() const;
-  void Run(vtkDataObject* input, vtkUnstructuredGrid* mesh, vtkPolyData* surfaces);
+  vfm::MeshOptions GetOptions() const;
+  void Run(vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
 };
 
 #endif

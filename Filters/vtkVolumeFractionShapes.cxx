@@ -19,7 +19,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
-#include <new>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -151,13 +150,6 @@ bool HasCells(const int extent[6])
   return extent[0] < extent[1] && extent[2] < extent[3] && extent[4] < extent[5];
 }
 
-int ChooseNumberOfThreads(int wanted)
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool alone = !controller || controller->GetNumberOfProcesses() == 1;
-  return wanted > 0 || alone ? wanted : 1;
-}
-
 } // namespace
 
 vtkVolumeFractionShapes::vtkVolumeFractionShapes()
@@ -243,30 +235,8 @@ int vtkVolumeFractionShapes::RequestData(
   vtkImageData* image = vtkImageData::GetData(info);
   int extent[6];
   info->Get(Pipeline::UPDATE_EXTENT(), extent);
-  std::string problem;
-  try
-  {
-    vfm::FilterRuntime::WithThreads(ChooseNumberOfThreads(this->NumberOfThreads),
-      [&] { this->Fill(inputVector[0], extent, image); });
-    return 1;
-  }
-  catch (const vfm::Aborted&)
-  {
-  }
-  catch (const vfm::InputError& error)
-  {
-    problem = error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    problem = "Not enough memory for the volume fractions.";
-  }
-  image->Initialize();
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-  }
-  return problem.empty() ? 1 : 0;
+  return vfm::FilterRuntime::Execute(this, vtkMultiProcessController::GetGlobalController(),
+    this->NumberOfThreads, { image }, [&] { this->Fill(inputVector[0], extent, image); });
 }
 
 void vtkVolumeFractionShapes::Fill(

@@ -34,9 +34,8 @@ protected:
   vtkVolumeFractionToHex() = default;
   ~vtkVolumeFractionToHex() override = default;
 
-  void MakeMesh(const vfm::CartesianGrid& grid, const vfm::InputField& field,
-    const vfm::HexMeshOptions& options, vfm::FilterRuntime& runtime, vtkUnstructuredGrid* mesh,
-    vtkPolyData* surfaces) override;
+  vfm::Mesh MakeMesh(const vfm::CartesianGrid& grid, const vfm::FractionField& fractions,
+    const vfm::MeshOptions& options, vfm::Runtime& runtime, vfm::MeshReport& report) override;
 
 private:
   vtkVolumeFractionToHex(const vtkVolumeFractionToHex&) = delete;

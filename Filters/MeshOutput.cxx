@@ -1,4 +1,4 @@
-#include "HexMeshOutput.h"
+#include "MeshOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -20,6 +20,11 @@ namespace
 {
 
 static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit ids");
+
+bool IsTetMesh(const Mesh& mesh)
+{
+  return mesh.Corners == 4;
+}
 
 /// A VTK array that owns the memory of the buffer from now on.
 template <class Array, class T>
@@ -52,12 +57,12 @@ void SetLabels(Buffer<int>& materials, const Materials& table)
   }
 }
 
-/// The points that the quads use, in the order of the mesh; the quads are renumbered.
-void SetSurfacePoints(Buffer<Index>& quads, const Buffer<double>& points, const Buffer<Index>& ids,
+/// The points that the facets use, in the order of the mesh; the facets are renumbered.
+void SetSurfacePoints(Buffer<Index>& facets, const Buffer<double>& points, const Buffer<Index>& ids,
   vtkPolyData* surfaces)
 {
   std::vector<Index> place(ids.size(), 0);
-  for (Index point : quads)
+  for (Index point : facets)
   {
     place[point] = 1;
   }
@@ -76,7 +81,7 @@ void SetSurfacePoints(Buffer<Index>& quads, const Buffer<double>& points, const 
       usedIds[place[p]] = ids[p];
     }
   }
-  for (Index& point : quads)
+  for (Index& point : facets)
   {
     point = place[point];
   }
@@ -104,40 +109,60 @@ void AddFieldCount(vtkFieldData* field, const char* name, Index count)
   AddFieldValues<vtkIdTypeArray>(field, name, std::vector<Index>{ count });
 }
 
-} // namespace
-
-void SetHexMeshOutput(
-  HexMesh& hexes, const Materials& table, vtkUnstructuredGrid* mesh, vtkPolyData* surfaces)
+void AddFieldNumber(vtkFieldData* field, const char* name, double value)
 {
-  SetSurfacePoints(hexes.Surfaces.Points, hexes.Points, hexes.PointIds, surfaces);
-  surfaces->SetPolys(AdoptCells(hexes.Surfaces.Points, 4));
-  SetLabels(hexes.Surfaces.MaterialPair, table);
-  vtkCellData* sides = surfaces->GetCellData();
-  sides->SetScalars(Adopt<vtkIntArray>(hexes.Surfaces.SurfaceId, "SurfaceId"));
-  sides->AddArray(Adopt<vtkIntArray>(hexes.Surfaces.MaterialPair, "MaterialPair", 2));
-  sides->AddArray(Adopt<vtkIntArray>(hexes.Surfaces.DomainSide, "DomainSide"));
-
-  vtkNew<vtkPoints> points;
-  points->SetData(Adopt<vtkDoubleArray>(hexes.Points, "Points", 3));
-  mesh->SetPoints(points);
-  mesh->SetCells(VTK_HEXAHEDRON, AdoptCells(hexes.Hexes, 8));
-  SetLabels(hexes.Material, table);
-  vtkCellData* cells = mesh->GetCellData();
-  cells->SetScalars(Adopt<vtkIntArray>(hexes.Material, "MaterialId"));
-  cells->AddArray(Adopt<vtkIntArray>(hexes.Fragment, "FragmentId"));
-  cells->SetGlobalIds(Adopt<vtkIdTypeArray>(hexes.HexIds, "GlobalCellIds"));
-  if (!hexes.ScaledJacobian.empty())
-  {
-    cells->AddArray(Adopt<vtkFloatArray>(hexes.ScaledJacobian, "ScaledJacobian"));
-  }
-  vtkPointData* nodes = mesh->GetPointData();
-  nodes->SetGlobalIds(Adopt<vtkIdTypeArray>(hexes.PointIds, "GlobalPointIds"));
-  nodes->AddArray(Adopt<vtkIntArray>(hexes.GeometryDimension, "GeometryDimension"));
-  nodes->AddArray(Adopt<vtkIntArray>(hexes.GeometryId, "GeometryId"));
+  AddFieldValues<vtkDoubleArray>(field, name, std::vector<double>{ value });
 }
 
-void SetReportOutput(const HexMeshReport& report, const Materials& table,
-  const HexMeshOptions& options, Index normalisedCells, vtkDataObject* output)
+void AddQuality(vtkFieldData* field, const Mesh& mesh, const MeshReport& report)
+{
+  AddFieldNumber(field, "MinimumScaledJacobian", report.MinimumScaledJacobian);
+  AddFieldNumber(field, "MeanScaledJacobian", report.MeanScaledJacobian);
+  if (IsTetMesh(mesh))
+  {
+    AddFieldNumber(field, "MinimumDihedralAngle", report.MinimumDihedralAngle);
+    AddFieldNumber(field, "MaximumDihedralAngle", report.MaximumDihedralAngle);
+    AddFieldValues<vtkIdTypeArray>(field, "DihedralAngles",
+      std::vector<Index>(report.DihedralAngles.begin(), report.DihedralAngles.end()));
+  }
+}
+
+} // namespace
+
+void SetMeshOutput(
+  Mesh& mesh, const Materials& table, vtkUnstructuredGrid* output, vtkPolyData* surfaces)
+{
+  SurfaceFacets& facets = mesh.Surfaces;
+  SetSurfacePoints(facets.Points, mesh.Points, mesh.PointIds, surfaces);
+  surfaces->SetPolys(AdoptCells(facets.Points, mesh.CornersOfFacet()));
+  SetLabels(facets.MaterialPair, table);
+  vtkCellData* sides = surfaces->GetCellData();
+  sides->SetScalars(Adopt<vtkIntArray>(facets.SurfaceId, "SurfaceId"));
+  sides->AddArray(Adopt<vtkIntArray>(facets.MaterialPair, "MaterialPair", 2));
+  sides->AddArray(Adopt<vtkIntArray>(facets.DomainSide, "DomainSide"));
+
+  vtkNew<vtkPoints> points;
+  points->SetData(Adopt<vtkDoubleArray>(mesh.Points, "Points", 3));
+  output->SetPoints(points);
+  output->SetCells(
+    IsTetMesh(mesh) ? VTK_TETRA : VTK_HEXAHEDRON, AdoptCells(mesh.Elements, mesh.Corners));
+  SetLabels(mesh.Material, table);
+  vtkCellData* cells = output->GetCellData();
+  cells->SetScalars(Adopt<vtkIntArray>(mesh.Material, "MaterialId"));
+  cells->AddArray(Adopt<vtkIntArray>(mesh.Fragment, "FragmentId"));
+  cells->SetGlobalIds(Adopt<vtkIdTypeArray>(mesh.ElementIds, "GlobalCellIds"));
+  if (!mesh.ScaledJacobian.empty())
+  {
+    cells->AddArray(Adopt<vtkFloatArray>(mesh.ScaledJacobian, "ScaledJacobian"));
+  }
+  vtkPointData* nodes = output->GetPointData();
+  nodes->SetGlobalIds(Adopt<vtkIdTypeArray>(mesh.PointIds, "GlobalPointIds"));
+  nodes->AddArray(Adopt<vtkIntArray>(mesh.GeometryDimension, "GeometryDimension"));
+  nodes->AddArray(Adopt<vtkIntArray>(mesh.GeometryId, "GeometryId"));
+}
+
+void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials& table,
+  const MeshOptions& options, Index normalisedCells, vtkDataObject* output)
 {
   const std::size_t first = options.MeshVoid ? 0 : 1;
   vtkFieldData* field = output->GetFieldData();
@@ -163,12 +188,13 @@ void SetReportOutput(const HexMeshReport& report, const Materials& table,
   AddFieldCount(field, "NumberOfSurfaces", report.NumberOfSurfaces);
   AddFieldCount(field, "NumberOfCurves", report.NumberOfCurves);
   AddFieldCount(field, "NumberOfVertices", report.NumberOfVertices);
+  if (IsTetMesh(mesh))
+  {
+    AddFieldCount(field, "RefusedParts", report.RefusedParts);
+  }
   if (options.ComputeQuality)
   {
-    AddFieldValues<vtkDoubleArray>(
-      field, "MinimumScaledJacobian", std::vector<double>{ report.MinimumScaledJacobian });
-    AddFieldValues<vtkDoubleArray>(
-      field, "MeanScaledJacobian", std::vector<double>{ report.MeanScaledJacobian });
+    AddQuality(field, mesh, report);
   }
 }
 

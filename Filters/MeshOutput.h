@@ -1,0 +1,32 @@
+/**
+ * A mesh of hexahedra or tetrahedra as VTK data. The arrays of the mesh are adopted, not copied; they are empty
+ * afterwards.
+ */
+#pragma once
+
+#include "InputFields.h"
+#include "Mesh.h"
+
+class vtkDataObject;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace vfm
+{
+
+/// Fills the output ports of the filter.
+/// mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point data
+/// GlobalPointIds, GeometryDimension, GeometryId.
+/// surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide and point data GlobalPointIds.
+void SetMeshOutput(
+  Mesh& mesh, const Materials& table, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
+
+/// Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume (of each material, void only when
+/// meshed), NormalisedCells, FlippedCells, ResolveRounds, NumberOfFragments, NumberOfSurfaces,
+/// NumberOfCurves, NumberOfVertices, and MinimumScaledJacobian, MeanScaledJacobian if computed.
+/// Of tetrahedra also RefusedParts, and MinimumDihedralAngle, MaximumDihedralAngle, DihedralAngles if computed.
+/// mesh: tells the kind of its elements, its arrays may be gone.
+void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials& table,
+  const MeshOptions& options, Index normalisedCells, vtkDataObject* output);
+
+} // namespace vfm
