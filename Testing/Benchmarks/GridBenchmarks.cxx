@@ -2,9 +2,11 @@
  * Speed and memory of the mesher on one core. The reference run beside each is a plain copy of the arrays of
  * the mesh it makes: "of_copy" is how many such copies the time is worth.
  *
- * With an argument of the form --table, prints the table of figures of the manufactured cases instead.
+ * With the argument --table, prints the table of figures of the manufactured cases instead; with --table-tets
+ * those of tetrahedra, by every method, and their dihedral angles.
  */
 #include "MeshCases.h"
+#include "TetTopology.h"
 #include "Vector3.h"
 
 #include <benchmark/benchmark.h>
@@ -46,10 +48,10 @@ std::size_t BytesOf(const Buffer<T>& buffer)
   return buffer.size() * sizeof(T);
 }
 
-std::size_t BytesOf(const HexMesh& m)
+std::size_t BytesOf(const Mesh& m)
 {
   return BytesOf(m.Points) + BytesOf(m.PointIds) + BytesOf(m.GeometryDimension) +
-    BytesOf(m.GeometryId) + BytesOf(m.Hexes) + BytesOf(m.HexIds) + BytesOf(m.Material) +
+    BytesOf(m.GeometryId) + BytesOf(m.Elements) + BytesOf(m.ElementIds) + BytesOf(m.Material) +
     BytesOf(m.Fragment) + BytesOf(m.ScaledJacobian);
 }
 
@@ -59,7 +61,7 @@ double Now()
 }
 
 /// Seconds to copy as many bytes as the mesh has into fresh memory.
-double TimeCopy(const HexMesh& mesh)
+double TimeCopy(const Mesh& mesh)
 {
   const std::size_t bytes = BytesOf(mesh);
   const Buffer<char> from(bytes, 1);
@@ -70,18 +72,24 @@ double TimeCopy(const HexMesh& mesh)
   return Now() - begin;
 }
 
-void Report(benchmark::State& state, const CartesianGrid& grid, const HexMesh& mesh,
-  const HexMeshReport& report, double seconds)
+void Report(benchmark::State& state, const CartesianGrid& grid, const Mesh& mesh,
+  const MeshReport& report, double seconds)
 {
   const double cells = static_cast<double>(grid.Owned().NumberOfCells());
   state.counters["cells/s"] = cells / seconds;
-  state.counters["hexes"] = static_cast<double>(mesh.HexIds.size());
-  state.counters["hexes/s"] = static_cast<double>(mesh.HexIds.size()) / seconds;
+  const std::string elements = mesh.Corners == 8 ? "hexes" : "tets";
+  state.counters[elements] = static_cast<double>(mesh.ElementIds.size());
+  state.counters[elements + "/s"] = static_cast<double>(mesh.ElementIds.size()) / seconds;
   state.counters["bytes/cell"] = static_cast<double>(BytesOf(mesh)) / cells;
   state.counters["min_sj"] = report.MinimumScaledJacobian;
   state.counters["of_copy"] = seconds / TimeCopy(mesh);
+  if (mesh.Corners == 4)
+  {
+    state.counters["min_dihedral"] = report.MinimumDihedralAngle;
+    state.counters["max_dihedral"] = report.MaximumDihedralAngle;
+  }
   std::string shares;
-  for (const HexMeshReport::Stage& stage : report.Stages)
+  for (const MeshReport::Stage& stage : report.Stages)
   {
     char text[64];
     std::snprintf(text, sizeof(text), "%s %.0f %%, ", stage.Name, 100.0 * stage.Seconds / seconds);
@@ -91,17 +99,17 @@ void Report(benchmark::State& state, const CartesianGrid& grid, const HexMesh& m
 }
 
 void Run(benchmark::State& state, const CartesianGrid& grid, const FractionField& field,
-  const HexMeshOptions& options)
+  const MeshOptions& options, MeshMaker make = MakeHexMesh)
 {
   Runtime runtime;
-  HexMeshReport report, fastest;
-  HexMesh mesh;
+  MeshReport report, fastest;
+  Mesh mesh;
   double seconds = 1e300;
   for (auto _ : state)
   {
-    mesh = HexMesh();
+    mesh = Mesh();
     const double begin = Now();
-    mesh = MakeHexMesh(grid, field, options, runtime, report);
+    mesh = make(grid, field, options, runtime, report);
     const double elapsed = Now() - begin;
     fastest = elapsed < seconds ? report : fastest;
     seconds = std::min(seconds, elapsed);
@@ -112,7 +120,7 @@ void Run(benchmark::State& state, const CartesianGrid& grid, const FractionField
 void StairStep(benchmark::State& state)
 {
   const CartesianGrid grid = MakeUnitGrid(state.range(0));
-  HexMeshOptions options;
+  MeshOptions options;
   options.StairStep = true;
   options.ComputeQuality = false; // all hexes are cells
   Run(state, grid, MakeConcentricLabels(grid, state.range(0)), options);
@@ -129,7 +137,7 @@ BENCHMARK(StairStep)
 void Sphere(benchmark::State& state)
 {
   const MeshCase c = MakeSphereCase(static_cast<int>(state.range(0)));
-  Run(state, c.Grid, c.Fractions, HexMeshOptions());
+  Run(state, c.Grid, c.Fractions, MeshOptions());
 }
 BENCHMARK(Sphere)->Arg(16)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond)->UseRealTime();
 
@@ -137,11 +145,73 @@ void Polycrystal(benchmark::State& state)
 {
   const MeshCase c =
     MakePolycrystalCase(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-  Run(state, c.Grid, c.Fractions, HexMeshOptions());
+  Run(state, c.Grid, c.Fractions, MeshOptions());
 }
 BENCHMARK(Polycrystal)
   ->Args({ 30, 24 })
   ->Args({ 1000, 96 })
+  ->Iterations(1)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+
+MeshOptions OptionsOf(TetMethod method)
+{
+  MeshOptions options;
+  options.Tets = method;
+  return options;
+}
+
+/// Labels to tets alone: nothing moves, nothing is measured.
+void LatticeExtraction(benchmark::State& state)
+{
+  const MeshCase c = MakeSphereCase(static_cast<int>(state.range(0)));
+  Runtime runtime;
+  const Partition partition(c.Grid, runtime.Group());
+  TetTopology topology;
+  double seconds = 1e300;
+  for (auto _ : state)
+  {
+    topology = TetTopology();
+    const double begin = Now();
+    topology = BuildLatticeTets(c.Grid, c.Fractions, 0.5, false, partition, runtime);
+    seconds = std::min(seconds, Now() - begin);
+  }
+  Report(state, c.Grid, topology.Tets, MeshReport(), seconds);
+}
+BENCHMARK(LatticeExtraction)->Arg(32)->Arg(64)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void TetSphere(benchmark::State& state, TetMethod method)
+{
+  const MeshCase c = MakeSphereCase(static_cast<int>(state.range(0)));
+  Run(state, c.Grid, c.Fractions, OptionsOf(method), MakeTetMesh);
+}
+BENCHMARK_CAPTURE(TetSphere, Lattice, TetMethod::Lattice)
+  ->Arg(32)
+  ->Arg(64)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK_CAPTURE(TetSphere, Cells, TetMethod::Cells)
+  ->Arg(64)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+
+void EightShapes(benchmark::State& state, TetMethod method)
+{
+  if (method == TetMethod::TetGen && !HasTetGen())
+  {
+    state.SkipWithError("built without TetGen");
+    return;
+  }
+  const MeshCase c = MakeEightShapesCase();
+  Run(state, c.Grid, c.Fractions, OptionsOf(method), MakeTetMesh);
+}
+BENCHMARK_CAPTURE(EightShapes, Lattice, TetMethod::Lattice)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK_CAPTURE(EightShapes, Cells, TetMethod::Cells)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK_CAPTURE(EightShapes, TetGen, TetMethod::TetGen)
   ->Iterations(1)
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
@@ -174,8 +244,8 @@ void Memory(benchmark::State& state)
       const Buffer<double> input(static_cast<std::size_t>(n * n * n), 0.5);
       const FractionField field = FractionsOfShapes(grid, { MakeSphere(1, middle, 0.4 * n) });
       Runtime runtime;
-      HexMeshReport report;
-      const HexMesh mesh = MakeHexMesh(grid, field, HexMeshOptions(), runtime, report);
+      MeshReport report;
+      const Mesh mesh = MakeHexMesh(grid, field, MeshOptions(), runtime, report);
       const double sizes[3] = { static_cast<double>(BytesOf(input)),
         static_cast<double>(BytesOf(mesh)), static_cast<double>(PeakBytes()) };
       const bool written = write(ends[1], sizes, sizeof(sizes)) == sizeof(sizes);
@@ -204,9 +274,36 @@ void PrintTable()
   std::printf("%s", FormatHeader().c_str());
   for (const std::string& name : ListMeshCases())
   {
-    std::printf("%s",
-      FormatFigures(name, MeasureCase(MakeMeshCase(name), HexMeshOptions(), runtime)).c_str());
+    std::printf(
+      "%s", FormatFigures(name, MeasureCase(MakeMeshCase(name), MeshOptions(), runtime)).c_str());
   }
+}
+
+void PrintTetTable()
+{
+  Runtime runtime;
+  std::string angles = FormatAnglesHeader();
+  std::printf("%s", FormatTetHeader().c_str());
+  const auto print = [&](TetMethod method, const MeshCase& c)
+  {
+    const MeshFigures figures = MeasureCase(c, OptionsOf(method), runtime, MakeTetMesh);
+    std::printf("%s", FormatTetFigures(method, c.Name, figures).c_str());
+    std::fflush(stdout);
+    angles += FormatAngles(method, c.Name, figures.Report);
+  };
+  for (TetMethod method : { TetMethod::Lattice, TetMethod::Cells, TetMethod::TetGen })
+  {
+    if (method == TetMethod::TetGen && !HasTetGen())
+    {
+      continue;
+    }
+    for (const std::string& name : ListMeshCases())
+    {
+      print(method, MakeMeshCase(name));
+    }
+    print(method, MakeEightShapesCase());
+  }
+  std::printf("\n%s", angles.c_str());
 }
 
 } // namespace
@@ -216,6 +313,11 @@ int main(int argc, char** argv)
   if (argc > 1 && std::strcmp(argv[1], "--table") == 0)
   {
     PrintTable();
+    return 0;
+  }
+  if (argc > 1 && std::strcmp(argv[1], "--table-tets") == 0)
+  {
+    PrintTetTable();
     return 0;
   }
   benchmark::Initialize(&argc, argv);

@@ -22,7 +22,7 @@ void PrintTraffic(Index cells, const Index3& ranks)
   const FractionField field =
     FractionsOfShapes(whole, { MakeGyroid(1, { { 0.1, 0.2, 0.3 } }, 16.0) });
   std::vector<ThreadRanks::Traffic> traffic(count);
-  std::vector<HexMeshReport> reports(count);
+  std::vector<MeshReport> reports(count);
   RunOnRanks(count,
     [&](ThreadRanks& group)
     {
@@ -37,7 +37,7 @@ void PrintTraffic(Index cells, const Index3& ranks)
       }
       const CartesianGrid grid = MakeRankGrid(whole, box);
       RankRuntime runtime(group);
-      MakeHexMesh(grid, CopyToLocal(whole, field, grid), HexMeshOptions(), runtime, reports[rank]);
+      MakeHexMesh(grid, CopyToLocal(whole, field, grid), MeshOptions(), runtime, reports[rank]);
       traffic[rank] = group.Sent();
     });
   ThreadRanks::Traffic most;

@@ -1,5 +1,6 @@
 #include "MeshCases.h"
 
+#include "ShapesScenes.h"
 #include "Vector3.h"
 
 #include <chrono>
@@ -159,18 +160,19 @@ const std::map<std::string, std::function<MeshCase()>>& Cases()
   return cases;
 }
 
-/// Points of interface quads of one material pair only, with that pair.
-std::map<Index, std::pair<int, int>> FindPlainPoints(const HexMesh& mesh)
+/// Points of interface facets of one material pair only, with that pair.
+std::map<Index, std::pair<int, int>> FindPlainPoints(const Mesh& mesh)
 {
+  const int corners = mesh.CornersOfFacet();
   std::map<Index, std::pair<int, int>> pairs;
   std::set<Index> junctions;
-  for (std::size_t q = 0; q < mesh.Surfaces.DomainSide.size(); ++q)
+  for (std::size_t f = 0; f < mesh.Surfaces.DomainSide.size(); ++f)
   {
     const std::pair<int, int> pair(
-      mesh.Surfaces.MaterialPair[2 * q], mesh.Surfaces.MaterialPair[2 * q + 1]);
-    for (int c = 0; mesh.Surfaces.DomainSide[q] < 0 && c < 4; ++c)
+      mesh.Surfaces.MaterialPair[2 * f], mesh.Surfaces.MaterialPair[2 * f + 1]);
+    for (int c = 0; mesh.Surfaces.DomainSide[f] < 0 && c < corners; ++c)
     {
-      const auto at = pairs.emplace(mesh.Surfaces.Points[4 * q + c], pair);
+      const auto at = pairs.emplace(mesh.Surfaces.Points[corners * f + c], pair);
       if (at.first->second != pair)
       {
         junctions.insert(at.first->first);
@@ -241,13 +243,29 @@ MeshCase MakePolycrystalCase(int grains, int n, unsigned seed)
     "polycrystal", MakeUnitGrid(n), shapes, distance, { .461, .806, .433, .041, 1e-5 });
 }
 
-MeshFigures MeasureCase(const MeshCase& c, const HexMeshOptions& options, Runtime& runtime)
+MeshCase MakeEightShapesCase(int n)
+{
+  const double size = n;
+  const std::vector<Shape> shapes =
+    MakeScene(Scene::EightShapes, { { 0.0, 0.0, 0.0 } }, { { size, size, size } });
+  const auto distance = [shapes](int a, int b, const Vector3& x)
+  {
+    // every material is one shape; what touches has the surface of either
+    const double second = std::fabs(SignedDistance(shapes[b - 1], x));
+    return a == 0 ? second : std::min(second, std::fabs(SignedDistance(shapes[a - 1], x)));
+  };
+  return MakeCase("eight shapes", MakeUnitGrid(n), shapes, distance, { .4, .8, 1.0, .1, 1e-5 });
+}
+
+MeshFigures MeasureCase(
+  const MeshCase& c, const MeshOptions& options, Runtime& runtime, MeshMaker make)
 {
   MeshFigures figures;
   const auto begin = std::chrono::steady_clock::now();
-  const HexMesh mesh = MakeHexMesh(c.Grid, c.Fractions, options, runtime, figures.Report);
+  figures.Result = make(c.Grid, c.Fractions, options, runtime, figures.Report);
   figures.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  figures.Hexes = mesh.HexIds.size();
+  const Mesh& mesh = figures.Result;
+  figures.Elements = mesh.ElementIds.size();
   figures.Points = mesh.PointIds.size();
   double sum = 0.0;
   const auto points = FindPlainPoints(mesh);
@@ -279,10 +297,55 @@ std::string FormatFigures(const std::string& name, const MeshFigures& f)
 {
   char row[256];
   std::snprintf(row, sizeof(row), "| %s | %zu | %lld | %.3f | %.3f | %.3f/%.4f | %.5f | %.0f |\n",
-    name.c_str(), f.Hexes, static_cast<long long>(f.Report.FlippedCells),
+    name.c_str(), f.Elements, static_cast<long long>(f.Report.FlippedCells),
     f.Report.MinimumScaledJacobian, f.Report.MeanScaledJacobian, f.Distance.Largest,
-    f.Distance.RootMeanSquare, 100.0 * f.VolumeError, f.Hexes / f.Seconds);
+    f.Distance.RootMeanSquare, 100.0 * f.VolumeError, f.Elements / f.Seconds);
   return row;
+}
+
+std::string NameOf(TetMethod method)
+{
+  return method == TetMethod::TetGen ? "TetGen"
+                                     : (method == TetMethod::Cells ? "Cells" : "Lattice");
+}
+
+std::string FormatTetHeader()
+{
+  return "| method | case | tets | dihedral | min SJ | mean SJ | distance max/rms [cells] | "
+         "volume % | tets/s |\n"
+         "|---|---|---|---|---|---|---|---|---|\n";
+}
+
+std::string FormatTetFigures(TetMethod method, const std::string& name, const MeshFigures& f)
+{
+  char row[256];
+  std::snprintf(row, sizeof(row),
+    "| %s | %s | %zu | %.1f - %.1f | %.3f | %.3f | %.3f/%.4f | %.5f | %.0f |\n",
+    NameOf(method).c_str(), name.c_str(), f.Elements, f.Report.MinimumDihedralAngle,
+    f.Report.MaximumDihedralAngle, f.Report.MinimumScaledJacobian, f.Report.MeanScaledJacobian,
+    f.Distance.Largest, f.Distance.RootMeanSquare, 100.0 * f.VolumeError, f.Elements / f.Seconds);
+  return row;
+}
+
+std::string FormatAnglesHeader()
+{
+  std::string header = "| method | case |", line = "|---|---|";
+  for (int bin = 0; bin < 18; ++bin)
+  {
+    header += " " + std::to_string(10 * bin) + " |";
+    line += "---|";
+  }
+  return header + "\n" + line + "\n";
+}
+
+std::string FormatAngles(TetMethod method, const std::string& name, const MeshReport& report)
+{
+  std::string row = "| " + NameOf(method) + " | " + name + " |";
+  for (Index count : report.DihedralAngles)
+  {
+    row += " " + std::to_string(count) + " |";
+  }
+  return row + "\n";
 }
 
 } // namespace testing

@@ -6,6 +6,7 @@
 
 #include "MeshChecks.h"
 #include "ShapesFractions.h"
+#include "TetPipeline.h"
 
 namespace vfm
 {
@@ -31,22 +32,40 @@ MeshCase MakeMeshCase(const std::string& name);
 /// A sphere of a diameter in cells.
 MeshCase MakeSphereCase(int diameter);
 
+/// Scene::EightShapes in n^3 unit cells.
+MeshCase MakeEightShapesCase(int n = 46);
+
 /// grains Voronoi cells fill n^3 unit cells.
 MeshCase MakePolycrystalCase(int grains, int n, unsigned seed = 1);
 
+/// MakeHexMesh or MakeTetMesh.
+using MeshMaker = Mesh (*)(
+  const CartesianGrid&, const FractionField&, const MeshOptions&, Runtime&, MeshReport&);
+
 struct MeshFigures
 {
-  HexMeshReport Report;
-  std::size_t Hexes = 0, Points = 0;
+  Mesh Result;
+  MeshReport Report;
+  std::size_t Elements = 0, Points = 0;
   Distances Distance;       ///< of the interface points between two materials, junctions left out
   double VolumeError = 0.0; ///< largest relative error of a material
   double Seconds = 0.0;
 };
-MeshFigures MeasureCase(const MeshCase& c, const HexMeshOptions& options, Runtime& runtime);
+MeshFigures MeasureCase(
+  const MeshCase& c, const MeshOptions& options, Runtime& runtime, MeshMaker make = MakeHexMesh);
 
 /// A row of the table of figures.
 std::string FormatFigures(const std::string& name, const MeshFigures& figures);
 std::string FormatHeader();
+
+std::string NameOf(TetMethod method);
+/// The same of tets.
+std::string FormatTetFigures(TetMethod method, const std::string& name, const MeshFigures& figures);
+std::string FormatTetHeader();
+
+/// How many dihedral angles lie in each ten degrees.
+std::string FormatAngles(TetMethod method, const std::string& name, const MeshReport& report);
+std::string FormatAnglesHeader();
 
 } // namespace testing
 } // namespace vfm

@@ -14,7 +14,7 @@ TEST_P(MeshCases, ReachesItsFigures)
 {
   const MeshCase c = MakeMeshCase(this->GetParam());
   Runtime runtime;
-  const MeshFigures figures = MeasureCase(c, HexMeshOptions(), runtime);
+  const MeshFigures figures = MeasureCase(c, MeshOptions(), runtime);
   std::printf("%s", FormatFigures(c.Name, figures).c_str());
   EXPECT_GE(figures.Report.MinimumScaledJacobian, c.MinimumJacobian);
   EXPECT_GE(figures.Report.MeanScaledJacobian, c.MeanJacobian);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
 #include <random>
 #include <set>
 
@@ -18,12 +17,30 @@ namespace
 
 using Corners = std::array<Vector3, 8>; // by bits
 
-Corners CornersOf(const HexMesh& mesh, Index hex)
+using TetCorners = std::array<Vector3, 4>;
+
+TetCorners TetCornersOf(const Mesh& mesh, Index tet)
+{
+  TetCorners x;
+  for (int c = 0; c < 4; ++c)
+  {
+    const double* p = mesh.Points.data() + 3 * mesh.Elements[4 * tet + c];
+    x[c] = { { p[0], p[1], p[2] } };
+  }
+  return x;
+}
+
+double SixVolumes(const TetCorners& x)
+{
+  return Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0]));
+}
+
+Corners CornersOf(const Mesh& mesh, Index hex)
 {
   Corners x;
   for (int c = 0; c < 8; ++c)
   {
-    const double* p = mesh.Points.data() + 3 * mesh.Hexes[8 * hex + VtkCorner[c]];
+    const double* p = mesh.Points.data() + 3 * mesh.Elements[8 * hex + VtkCorner[c]];
     x[c] = { { p[0], p[1], p[2] } };
   }
   return x;
@@ -109,81 +126,124 @@ bool IsPositive(const Corners& x, const Vector3& low, const Vector3& high, int d
   return true;
 }
 
+/// Points of a face; of triangles the last is -1.
 using Face = std::array<Index, 4>;
 
+/// Local corners of the faces of an element, in turn.
 constexpr int HexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
   { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+constexpr int TetFaces[4][4] = { { 1, 2, 3, -1 }, { 0, 3, 2, -1 }, { 0, 1, 3, -1 },
+  { 0, 2, 1, -1 } };
 
-/// The hexes of every face, by its sorted points.
-std::map<Face, std::vector<Index>> FacesOf(const HexMesh& mesh)
+int CountFaces(const Mesh& mesh)
 {
-  std::map<Face, std::vector<Index>> faces;
-  for (std::size_t h = 0; h < mesh.HexIds.size(); ++h)
+  return mesh.Corners == 8 ? 6 : 4;
+}
+
+Face FaceOf(const Mesh& mesh, Index element, int side)
+{
+  const int* corners = mesh.Corners == 8 ? HexFaces[side] : TetFaces[side];
+  Face face;
+  for (int c = 0; c < 4; ++c)
   {
-    for (const auto& corners : HexFaces)
+    face[c] = corners[c] < 0 ? -1 : mesh.Elements[mesh.Corners * element + corners[c]];
+  }
+  return face;
+}
+
+/// An element and the number of its face.
+struct Side
+{
+  Index Element;
+  int Number;
+};
+
+/// The elements of every face, by its sorted points.
+std::map<Face, std::vector<Side>> FacesOf(const Mesh& mesh)
+{
+  std::map<Face, std::vector<Side>> faces;
+  for (Index element = 0; element < static_cast<Index>(mesh.ElementIds.size()); ++element)
+  {
+    for (int number = 0; number < CountFaces(mesh); ++number)
     {
-      Face face;
-      for (int c = 0; c < 4; ++c)
-      {
-        face[c] = mesh.Hexes[8 * h + corners[c]];
-      }
+      Face face = FaceOf(mesh, element, number);
       std::sort(face.begin(), face.end());
-      faces[face].push_back(6 * static_cast<Index>(h) + (&corners - HexFaces));
+      faces[face].push_back({ element, number });
     }
   }
   return faces;
 }
 
-/// Each edge on exactly two quads, and the quads at a point connected over the edges at it.
-std::string FindSurfaceProblem(const std::vector<Face>& quads)
+/// The faces of a closed surface, over their edges and points.
+class Surface
 {
-  std::map<std::pair<Index, Index>, std::vector<int>> edges;
-  std::map<Index, std::vector<int>> fans;
-  for (std::size_t q = 0; q < quads.size(); ++q)
+public:
+  /// corners: of a face.
+  Surface(const std::vector<Face>& faces, int corners) : Faces(faces), Corners(corners)
   {
-    for (int c = 0; c < 4; ++c)
+    for (std::size_t f = 0; f < faces.size(); ++f)
     {
-      edges[std::minmax(quads[q][c], quads[q][(c + 1) % 4])].push_back(static_cast<int>(q));
-      fans[quads[q][c]].push_back(static_cast<int>(q));
+      for (int c = 0; c < corners; ++c)
+      {
+        this->Edges[this->EdgeOf(f, c)].push_back(f);
+        this->Fans[faces[f][c]].push_back(f);
+      }
     }
   }
-  for (const auto& edge : edges)
+
+  Index CountOddEdges() const
   {
-    if (edge.second.size() != 2)
-    {
-      return "an edge on " + std::to_string(edge.second.size()) + " faces";
-    }
+    return std::count_if(this->Edges.begin(), this->Edges.end(),
+      [](const auto& edge) { return edge.second.size() != 2; });
   }
-  for (const auto& fan : fans)
+
+  Index CountPinchedPoints() const
   {
-    std::set<int> reached{ fan.second[0] };
-    std::vector<int> front{ fan.second[0] };
+    return std::count_if(this->Fans.begin(), this->Fans.end(),
+      [this](const auto& fan) { return this->IsPinched(fan); });
+  }
+
+private:
+  using Edge = std::pair<Index, Index>;
+
+  Edge EdgeOf(std::size_t face, int corner) const
+  {
+    return std::minmax(this->Faces[face][corner], this->Faces[face][(corner + 1) % this->Corners]);
+  }
+
+  /// Whether the faces at the point are not connected over the edges at it.
+  bool IsPinched(const std::pair<const Index, std::vector<std::size_t>>& fan) const
+  {
+    std::set<std::size_t> reached{ fan.second[0] };
+    std::vector<std::size_t> front{ fan.second[0] };
     while (!front.empty())
     {
-      const int q = front.back();
+      const std::size_t face = front.back();
       front.pop_back();
-      for (int c = 0; c < 4; ++c)
+      for (int c = 0; c < this->Corners; ++c)
       {
-        const Index a = quads[q][c], b = quads[q][(c + 1) % 4];
-        if (a == fan.first || b == fan.first)
+        const Edge edge = this->EdgeOf(face, c);
+        if (edge.first != fan.first && edge.second != fan.first)
         {
-          for (int other : edges[std::minmax(a, b)])
+          continue;
+        }
+        for (std::size_t other : this->Edges.at(edge))
+        {
+          if (reached.insert(other).second)
           {
-            if (reached.insert(other).second)
-            {
-              front.push_back(other);
-            }
+            front.push_back(other);
           }
         }
       }
     }
-    if (reached.size() != fan.second.size())
-    {
-      return "a pinched point";
-    }
+    return reached.size() != fan.second.size();
   }
-  return "";
-}
+
+  const std::vector<Face>& Faces;
+  int Corners;
+  std::map<Edge, std::vector<std::size_t>> Edges;
+  std::map<Index, std::vector<std::size_t>> Fans;
+};
 
 template <class T>
 bool SameContent(const Buffer<T>& a, const Buffer<T>& b)
@@ -239,12 +299,17 @@ FractionField MakeRandomLabels(const CartesianGrid& grid, int materials, int low
     [&](const Index3&) { return lowest + static_cast<int>(engine() % (materials + 1 - lowest)); });
 }
 
-double SmallestCornerDeterminant(const HexMesh& mesh)
+double SmallestCornerDeterminant(const Mesh& mesh)
 {
   double smallest = 1e300;
-  for (std::size_t h = 0; h < mesh.HexIds.size(); ++h)
+  for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)
   {
-    const Corners x = CornersOf(mesh, static_cast<Index>(h));
+    if (mesh.Corners == 4)
+    {
+      smallest = std::min(smallest, SixVolumes(TetCornersOf(mesh, e)));
+      continue;
+    }
+    const Corners x = CornersOf(mesh, e);
     for (int c = 0; c < 8; ++c)
     {
       smallest = std::min(
@@ -254,9 +319,13 @@ double SmallestCornerDeterminant(const HexMesh& mesh)
   return smallest;
 }
 
-bool IsPositiveEverywhere(const HexMesh& mesh)
+bool IsPositiveEverywhere(const Mesh& mesh)
 {
-  for (std::size_t h = 0; h < mesh.HexIds.size(); ++h)
+  if (mesh.Corners == 4)
+  {
+    return SmallestCornerDeterminant(mesh) > 0.0;
+  }
+  for (std::size_t h = 0; h < mesh.ElementIds.size(); ++h)
   {
     if (!IsPositive(CornersOf(mesh, static_cast<Index>(h)), { { 0, 0, 0 } }, { { 1, 1, 1 } }, 4))
     {
@@ -266,79 +335,161 @@ bool IsPositiveEverywhere(const HexMesh& mesh)
   return true;
 }
 
-std::string FindTopologyProblem(const HexMesh& mesh)
+std::string FindConformityProblem(const Mesh& mesh)
 {
-  if (!AreUnique(mesh.HexIds) || !AreUnique(mesh.PointIds))
+  if (!AreUnique(mesh.ElementIds) || !AreUnique(mesh.PointIds))
   {
     return "global ids are not unique";
   }
-  const std::set<Index> used(mesh.Hexes.begin(), mesh.Hexes.end());
+  const std::set<Index> used(mesh.Elements.begin(), mesh.Elements.end());
   if (used.size() != mesh.PointIds.size() || (used.size() && *used.begin() < 0))
   {
     return "unused points";
   }
-  std::map<int, std::vector<Face>> boundaries;
   for (const auto& face : FacesOf(mesh))
   {
     if (face.second.size() > 2)
     {
-      return "a face on more than two hexes";
-    }
-    const int first = mesh.Material[face.second[0] / 6];
-    const int last = face.second.size() == 2 ? mesh.Material[face.second[1] / 6] : -1;
-    Face quad;
-    for (int c = 0; c < 4; ++c)
-    {
-      quad[c] = mesh.Hexes[8 * (face.second[0] / 6) + HexFaces[face.second[0] % 6][c]];
-    }
-    for (int material : { first, last })
-    {
-      if (first != last && material >= 0)
-      {
-        boundaries[material].push_back(quad);
-      }
-    }
-  }
-  for (const auto& boundary : boundaries)
-  {
-    const std::string problem = FindSurfaceProblem(boundary.second);
-    if (!problem.empty())
-    {
-      return "boundary of material " + std::to_string(boundary.first) + ": " + problem;
+      return "a face on more than two elements";
     }
   }
   return "";
 }
 
-double MeasureVolume(const HexMesh& mesh, int material)
+std::map<int, SurfaceDefects> CountBoundaryDefects(const Mesh& mesh)
+{
+  std::map<int, std::vector<Face>> boundaries;
+  for (const auto& face : FacesOf(mesh))
+  {
+    const Side& side = face.second[0];
+    const int first = mesh.Material[side.Element];
+    const int last = face.second.size() == 2 ? mesh.Material[face.second[1].Element] : -1;
+    for (int material : { first, last })
+    {
+      if (first != last && material >= 0)
+      {
+        boundaries[material].push_back(FaceOf(mesh, side.Element, side.Number));
+      }
+    }
+  }
+  std::map<int, SurfaceDefects> defects;
+  for (const auto& boundary : boundaries)
+  {
+    const Surface surface(boundary.second, mesh.CornersOfFacet());
+    defects[boundary.first] = { surface.CountOddEdges(), surface.CountPinchedPoints() };
+  }
+  return defects;
+}
+
+std::string FindTopologyProblem(const Mesh& mesh)
+{
+  const std::string problem = FindConformityProblem(mesh);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  for (const auto& material : CountBoundaryDefects(mesh))
+  {
+    const SurfaceDefects& defects = material.second;
+    if (defects.OddEdges + defects.PinchedPoints > 0)
+    {
+      return "boundary of material " + std::to_string(material.first) + ": " +
+        std::to_string(defects.OddEdges) + " edges not on two faces, " +
+        std::to_string(defects.PinchedPoints) + " pinched points";
+    }
+  }
+  return "";
+}
+
+std::string FindFragmentProblem(const Mesh& mesh)
+{
+  const std::size_t count = mesh.ElementIds.size();
+  std::vector<std::vector<Index>> joined(count);
+  for (const auto& face : FacesOf(mesh))
+  {
+    if (face.second.size() == 2)
+    {
+      const Index a = face.second[0].Element, b = face.second[1].Element;
+      const bool sameMaterial = mesh.Material[a] == mesh.Material[b];
+      if (sameMaterial != (mesh.Fragment[a] == mesh.Fragment[b]))
+      {
+        return sameMaterial ? "two fragments of one material share a face"
+                            : "a fragment of two materials";
+      }
+      if (sameMaterial)
+      {
+        joined[a].push_back(b);
+        joined[b].push_back(a);
+      }
+    }
+  }
+  std::set<int> seen;
+  std::vector<bool> reached(count, false);
+  for (std::size_t first = 0; first < count; ++first)
+  {
+    if (reached[first])
+    {
+      continue;
+    }
+    if (!seen.insert(mesh.Fragment[first]).second)
+    {
+      return "fragment " + std::to_string(mesh.Fragment[first]) + " is not connected by faces";
+    }
+    std::vector<Index> front{ static_cast<Index>(first) };
+    reached[first] = true;
+    while (!front.empty())
+    {
+      const Index at = front.back();
+      front.pop_back();
+      for (Index other : joined[at])
+      {
+        if (!reached[other])
+        {
+          reached[other] = true;
+          front.push_back(other);
+        }
+      }
+    }
+  }
+  return "";
+}
+
+double MeasureVolume(const Mesh& mesh, int material)
 {
   const double low = 0.5 - 0.5 / std::sqrt(3.0);
   double volume = 0.0;
-  for (std::size_t h = 0; h < mesh.HexIds.size(); ++h)
+  for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)
   {
-    if (mesh.Material[h] == material)
+    if (mesh.Material[e] != material)
     {
-      const Corners x = CornersOf(mesh, static_cast<Index>(h));
-      for (int g = 0; g < 8; ++g)
-      {
-        volume +=
-          Jacobian(x, { { g & 1 ? 1 - low : low, g & 2 ? 1 - low : low, g & 4 ? 1 - low : low } }) /
-          8.0;
-      }
+      continue;
+    }
+    if (mesh.Corners == 4)
+    {
+      volume += SixVolumes(TetCornersOf(mesh, e)) / 6.0;
+      continue;
+    }
+    const Corners x = CornersOf(mesh, e);
+    for (int g = 0; g < 8; ++g)
+    {
+      volume +=
+        Jacobian(x, { { g & 1 ? 1 - low : low, g & 2 ? 1 - low : low, g & 4 ? 1 - low : low } }) /
+        8.0;
     }
   }
   return volume;
 }
 
-Distances MeasureDistances(
-  const HexMesh& mesh, const std::function<double(const Vector3&)>& distance)
+Distances MeasureDistances(const Mesh& mesh, const std::function<double(const Vector3&)>& distance)
 {
+  const int corners = mesh.CornersOfFacet();
   std::set<Index> points;
   for (std::size_t q = 0; q < mesh.Surfaces.DomainSide.size(); ++q)
   {
     if (mesh.Surfaces.DomainSide[q] < 0)
     {
-      points.insert(mesh.Surfaces.Points.data() + 4 * q, mesh.Surfaces.Points.data() + 4 * q + 4);
+      const Index* facet = mesh.Surfaces.Points.data() + corners * q;
+      points.insert(facet, facet + corners);
     }
   }
   Distances result;
@@ -353,12 +504,12 @@ Distances MeasureDistances(
   return result;
 }
 
-bool AreEqual(const HexMesh& a, const HexMesh& b)
+bool AreEqual(const Mesh& a, const Mesh& b)
 {
-  return SameContent(a.Points, b.Points) && SameContent(a.PointIds, b.PointIds) &&
-    SameContent(a.Hexes, b.Hexes) && SameContent(a.HexIds, b.HexIds) &&
-    SameContent(a.Material, b.Material) && SameContent(a.Fragment, b.Fragment) &&
-    SameContent(a.GeometryDimension, b.GeometryDimension) &&
+  return a.Corners == b.Corners && SameContent(a.Points, b.Points) &&
+    SameContent(a.PointIds, b.PointIds) && SameContent(a.Elements, b.Elements) &&
+    SameContent(a.ElementIds, b.ElementIds) && SameContent(a.Material, b.Material) &&
+    SameContent(a.Fragment, b.Fragment) && SameContent(a.GeometryDimension, b.GeometryDimension) &&
     SameContent(a.GeometryId, b.GeometryId) && SameContent(a.ScaledJacobian, b.ScaledJacobian) &&
     SameContent(a.Surfaces.Points, b.Surfaces.Points) &&
     SameContent(a.Surfaces.SurfaceId, b.Surfaces.SurfaceId) &&

@@ -1,11 +1,12 @@
 /**
- * Independent checks of a hexahedral mesh: validity, conformity, manifold boundaries.
+ * Independent checks of a hexahedral or tetrahedral mesh: validity, conformity, manifold boundaries.
  */
 #pragma once
 
 #include "HexPipeline.h"
 
 #include <functional>
+#include <map>
 
 namespace vfm
 {
@@ -26,29 +27,42 @@ FractionField MakeLabels(
 /// Random labels lowest..materials.
 FractionField MakeRandomLabels(const CartesianGrid& grid, int materials, int lowest, unsigned seed);
 
-/// Smallest corner determinant over all hexes.
-double SmallestCornerDeterminant(const HexMesh& mesh);
+/// Smallest corner determinant over all hexes; of tets six volumes.
+double SmallestCornerDeterminant(const Mesh& mesh);
 
 /// Whether the trilinear map of every hex has a positive Jacobian everywhere: its Bernstein coefficients
-/// are positive, after subdivision where they are not (Johnen, Remacle, Geuzaine 2013).
-bool IsPositiveEverywhere(const HexMesh& mesh);
+/// are positive, after subdivision where they are not (Johnen, Remacle, Geuzaine 2013). Tets: every volume is positive.
+bool IsPositiveEverywhere(const Mesh& mesh);
 
-/// "" or what is wrong: a face on more than two hexes, an unused point, the boundary of a material that is
-/// no closed 2-manifold, ids that are not unique.
-std::string FindTopologyProblem(const HexMesh& mesh);
+/// "" or what is wrong: a face on more than two elements, an unused point, ids that are not unique.
+std::string FindConformityProblem(const Mesh& mesh);
 
-/// Volume of a material, exact for trilinear hexes.
-double MeasureVolume(const HexMesh& mesh, int material);
+/// Where the boundary of a material is no closed 2-manifold.
+struct SurfaceDefects
+{
+  Index OddEdges = 0;      ///< not on exactly two faces
+  Index PinchedPoints = 0; ///< whose faces are not connected over the edges at them
+};
+/// Of every material of the mesh.
+std::map<int, SurfaceDefects> CountBoundaryDefects(const Mesh& mesh);
 
-/// Distances of the points of all interface quads to the nearest of the given surfaces.
+/// FindConformityProblem, or a boundary with defects.
+std::string FindTopologyProblem(const Mesh& mesh);
+
+/// "" or what is wrong: a fragment that its faces do not connect, two of one material that share a face.
+std::string FindFragmentProblem(const Mesh& mesh);
+
+/// Volume of a material, exact for tets and trilinear hexes.
+double MeasureVolume(const Mesh& mesh, int material);
+
+/// Distances of the points of all interface facets to the nearest of the given surfaces.
 struct Distances
 {
   double Largest = 0.0, RootMeanSquare = 0.0;
 };
-Distances MeasureDistances(
-  const HexMesh& mesh, const std::function<double(const Vector3&)>& distance);
+Distances MeasureDistances(const Mesh& mesh, const std::function<double(const Vector3&)>& distance);
 
-bool AreEqual(const HexMesh& a, const HexMesh& b);
+bool AreEqual(const Mesh& a, const Mesh& b);
 
 } // namespace testing
 } // namespace vfm

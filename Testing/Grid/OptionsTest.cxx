@@ -14,8 +14,8 @@ using namespace vfm::testing;
 namespace
 {
 
-HexMesh Make(const CartesianGrid& grid, const FractionField& fractions,
-  const HexMeshOptions& options, HexMeshReport& report)
+Mesh Make(const CartesianGrid& grid, const FractionField& fractions, const MeshOptions& options,
+  MeshReport& report)
 {
   Runtime runtime;
   return MakeHexMesh(grid, fractions, options, runtime, report);
@@ -80,30 +80,30 @@ private:
 TEST(Options, StairStepMovesNothing)
 {
   const MeshCase c = MakeMeshCase("ball and plate");
-  HexMeshOptions options;
+  MeshOptions options;
   options.StairStep = true;
-  HexMeshReport report;
-  const HexMesh mesh = Make(c.Grid, c.Fractions, options, report);
+  MeshReport report;
+  const Mesh mesh = Make(c.Grid, c.Fractions, options, report);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
   for (double x : mesh.Points)
   {
     ASSERT_EQ(x, std::floor(x));
   }
-  for (Index id : mesh.HexIds)
+  for (Index id : mesh.ElementIds)
   {
     ASSERT_EQ((id - 1) % 7, 0);
   }
   EXPECT_EQ(report.MinimumScaledJacobian, 1.0);
-  EXPECT_DOUBLE_EQ(report.MeshVolume[1] + report.MeshVolume[2], mesh.HexIds.size());
+  EXPECT_DOUBLE_EQ(report.MeshVolume[1] + report.MeshVolume[2], mesh.ElementIds.size());
 }
 
 TEST(Options, SmoothingOffKeepsTheStairsAndItsVolume)
 {
   const MeshCase c = MakeMeshCase("sphere 16");
-  HexMeshOptions options;
+  MeshOptions options;
   options.Method = Smoothing::Off;
-  HexMeshReport report;
-  const HexMesh mesh = Make(c.Grid, c.Fractions, options, report);
+  MeshReport report;
+  const Mesh mesh = Make(c.Grid, c.Fractions, options, report);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
   EXPECT_GE(report.MinimumScaledJacobian, 0.43); // the start's own bound
   EXPECT_NEAR(MeasureVolume(mesh, 1), report.MeshVolume[1], 1e-9 * report.MeshVolume[1]);
@@ -113,10 +113,10 @@ TEST(Options, SmoothingOffKeepsTheStairsAndItsVolume)
 TEST(Options, MeshVoidFillsTheDomain)
 {
   const MeshCase c = MakeMeshCase("ball of 3 sectors");
-  HexMeshOptions options;
+  MeshOptions options;
   options.MeshVoid = true;
-  HexMeshReport report;
-  const HexMesh mesh = Make(c.Grid, c.Fractions, options, report);
+  MeshReport report;
+  const Mesh mesh = Make(c.Grid, c.Fractions, options, report);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
   EXPECT_TRUE(IsPositiveEverywhere(mesh));
   double volume = 0.0;
@@ -134,7 +134,7 @@ TEST(Options, GeometryBasedStaysOnTheFacets)
   for (const char* name : { "sphere 16", "ball of 3 sectors", "gyroid" })
   {
     const MeshCase c = MakeMeshCase(name);
-    HexMeshOptions options;
+    MeshOptions options;
     options.Method = Smoothing::GeometryBased;
     Runtime runtime;
     const MeshFigures figures = MeasureCase(c, options, runtime);
@@ -151,9 +151,9 @@ TEST(Options, HigherTargetJacobianGivesBetterShapes)
   double last = 0.0;
   for (double target : { 0.4, 0.5, 0.6 })
   {
-    HexMeshOptions options;
+    MeshOptions options;
     options.TargetScaledJacobian = target;
-    HexMeshReport report;
+    MeshReport report;
     Make(c.Grid, c.Fractions, options, report);
     EXPECT_GT(report.MinimumScaledJacobian, last);
     last = report.MinimumScaledJacobian;
@@ -166,10 +166,10 @@ TEST(Options, IsoValueMovesTheSurface)
   std::vector<double> volumes;
   for (double iso : { 0.2, 0.5, 0.8 })
   {
-    HexMeshOptions options;
+    MeshOptions options;
     options.IsoValue = iso;
-    HexMeshReport report;
-    const HexMesh mesh = Make(c.Grid, c.Fractions, options, report);
+    MeshReport report;
+    const Mesh mesh = Make(c.Grid, c.Fractions, options, report);
     EXPECT_EQ(FindTopologyProblem(mesh), "");
     volumes.push_back(MeasureVolume(mesh, 1));
   }
@@ -180,10 +180,10 @@ TEST(Options, IsoValueMovesTheSurface)
 TEST(Options, OutOfRangeIsRefused)
 {
   const MeshCase c = MakeMeshCase("sphere 8");
-  HexMeshOptions iso, target;
+  MeshOptions iso, target;
   iso.IsoValue = 1.0;
   target.TargetScaledJacobian = 1.0;
-  HexMeshReport report;
+  MeshReport report;
   EXPECT_THROW(Make(c.Grid, c.Fractions, iso, report), InputError);
   EXPECT_THROW(Make(c.Grid, c.Fractions, target, report), InputError);
 }
@@ -198,15 +198,15 @@ TEST(Grids, RectilinearAndAnisotropic)
     radii[a] = 0.35 * (grid.Coordinates(a).back() - grid.Coordinates(a).front());
   }
   const std::vector<Shape> shapes{ MakeEllipsoid(1, middle, radii) };
-  HexMeshReport report;
-  const HexMesh mesh = Make(grid, FractionsOfShapes(grid, shapes), HexMeshOptions(), report);
+  MeshReport report;
+  const Mesh mesh = Make(grid, FractionsOfShapes(grid, shapes), MeshOptions(), report);
   const Distances distances =
     MeasureDistances(mesh, [&](const Vector3& x) { return SignedDistance(shapes[0], x); });
   const double h = grid.MeanWidth();
   std::printf(
     "ellipsoid in cells of .5..1.5 x 1..3 x 1.5..4.5: %zu hexes, scaled Jacobian %.3f / %.3f, "
     "distance %.3f / %.4f mean cells\n",
-    mesh.HexIds.size(), report.MinimumScaledJacobian, report.MeanScaledJacobian,
+    mesh.ElementIds.size(), report.MinimumScaledJacobian, report.MeanScaledJacobian,
     distances.Largest / h, distances.RootMeanSquare / h);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
   EXPECT_TRUE(IsPositiveEverywhere(mesh));
@@ -219,8 +219,8 @@ TEST(Grids, OneCellThick)
 {
   const CartesianGrid grid = MakeUnitGrid(8, 8, 1);
   const FractionField field = MakeRandomLabels(grid, 2, 0, 3);
-  HexMeshReport report;
-  const HexMesh mesh = Make(grid, field, HexMeshOptions(), report);
+  MeshReport report;
+  const Mesh mesh = Make(grid, field, MeshOptions(), report);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
   EXPECT_TRUE(IsPositiveEverywhere(mesh));
 }
@@ -230,10 +230,10 @@ TEST(Grids, EmptyAndFull)
   const CartesianGrid grid = MakeUnitGrid(5);
   for (int label : { 0, 1 })
   {
-    HexMeshReport report;
-    const HexMesh mesh = Make(
-      grid, MakeLabels(grid, 1, [=](const Index3&) { return label; }), HexMeshOptions(), report);
-    EXPECT_EQ(mesh.HexIds.size(), label * 125u);
+    MeshReport report;
+    const Mesh mesh =
+      Make(grid, MakeLabels(grid, 1, [=](const Index3&) { return label; }), MeshOptions(), report);
+    EXPECT_EQ(mesh.ElementIds.size(), label * 125u);
     EXPECT_EQ(report.NumberOfSurfaces, label * 6);
     EXPECT_EQ(report.NumberOfCurves, label * 12);
     EXPECT_EQ(report.NumberOfVertices, label * 8);
@@ -245,11 +245,11 @@ TEST(Promises, ThreadsDoNotChangeTheMesh)
   for (const char* name : { "ball and plate", "polycrystal" })
   {
     const MeshCase c = MakeMeshCase(name);
-    HexMeshReport report;
+    MeshReport report;
     Runtime serial;
     ThreadedRuntime threaded;
-    const HexMesh a = MakeHexMesh(c.Grid, c.Fractions, HexMeshOptions(), serial, report);
-    const HexMesh b = MakeHexMesh(c.Grid, c.Fractions, HexMeshOptions(), threaded, report);
+    const Mesh a = MakeHexMesh(c.Grid, c.Fractions, MeshOptions(), serial, report);
+    const Mesh b = MakeHexMesh(c.Grid, c.Fractions, MeshOptions(), threaded, report);
     EXPECT_TRUE(AreEqual(a, b)) << name;
   }
 }
@@ -260,16 +260,16 @@ TEST(Promises, AbortLeavesAtEveryStage)
   for (double when : { 0.0, 0.05, 0.1, 0.12, 0.15, 0.2, 0.4, 0.8, 0.95 })
   {
     AbortingRuntime runtime(when);
-    HexMeshReport report;
-    EXPECT_THROW(MakeHexMesh(c.Grid, c.Fractions, HexMeshOptions(), runtime, report), Aborted);
+    MeshReport report;
+    EXPECT_THROW(MakeHexMesh(c.Grid, c.Fractions, MeshOptions(), runtime, report), Aborted);
   }
 }
 
 TEST(Geometry, SectorsHaveTheirSurfacesCurvesAndVertices)
 {
   const MeshCase c = MakeMeshCase("ball of 3 sectors");
-  HexMeshReport report;
-  const HexMesh mesh = Make(c.Grid, c.Fractions, HexMeshOptions(), report);
+  MeshReport report;
+  const Mesh mesh = Make(c.Grid, c.Fractions, MeshOptions(), report);
   EXPECT_EQ(report.NumberOfFragments, 3);
   EXPECT_EQ(report.NumberOfSurfaces, 6); // 3 outside, 3 between
   EXPECT_EQ(report.NumberOfCurves, 4);   // 3 meridians, the axis
@@ -289,8 +289,8 @@ TEST(Geometry, SectorsHaveTheirSurfacesCurvesAndVertices)
 TEST(Geometry, QuadsPointFromTheSecondMaterialToTheFirst)
 {
   const MeshCase c = MakeMeshCase("cut cylinder");
-  HexMeshReport report;
-  const HexMesh mesh = Make(c.Grid, c.Fractions, HexMeshOptions(), report);
+  MeshReport report;
+  const Mesh mesh = Make(c.Grid, c.Fractions, MeshOptions(), report);
   // so the quads of one material are its boundary, outward: the divergence theorem gives its volume
   double volume = 0.0;
   for (std::size_t q = 0; q < mesh.Surfaces.DomainSide.size(); ++q)
@@ -313,14 +313,14 @@ TEST(Fragments, AreNumberedByTheirLowestCell)
   const CartesianGrid grid = MakeUnitGrid(9, 3, 3);
   const FractionField field =
     MakeLabels(grid, 2, [](const Index3& p) { return p[0] % 3 == 2 ? 0 : (p[0] < 3 ? 2 : 1); });
-  HexMeshOptions options;
+  MeshOptions options;
   options.StairStep = true;
-  HexMeshReport report;
-  const HexMesh mesh = Make(grid, field, options, report);
+  MeshReport report;
+  const Mesh mesh = Make(grid, field, options, report);
   EXPECT_EQ(report.NumberOfFragments, 3);
-  for (std::size_t h = 0; h < mesh.HexIds.size(); ++h)
+  for (std::size_t h = 0; h < mesh.ElementIds.size(); ++h)
   {
-    const Index i = (mesh.HexIds[h] - 1) / 7 % 9;
+    const Index i = (mesh.ElementIds[h] - 1) / 7 % 9;
     EXPECT_EQ(mesh.Fragment[h], 1 + i / 3);
     EXPECT_EQ(mesh.Material[h], i < 3 ? 2 : 1);
   }

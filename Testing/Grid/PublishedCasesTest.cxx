@@ -32,22 +32,22 @@ CartesianGrid MakeCube(double half, Index cells)
 
 struct Result
 {
-  HexMesh Mesh;
-  HexMeshReport Report;
+  Mesh Hexes;
+  MeshReport Report;
 };
 
 Result MeshShapes(const char* name, const CartesianGrid& grid, const std::vector<Shape>& shapes)
 {
   Result result;
   Runtime runtime;
-  result.Mesh =
-    MakeHexMesh(grid, FractionsOfShapes(grid, shapes), HexMeshOptions(), runtime, result.Report);
+  result.Hexes =
+    MakeHexMesh(grid, FractionsOfShapes(grid, shapes), MeshOptions(), runtime, result.Report);
   std::printf("%s: %zu hexes, %zu nodes, scaled Jacobian %.3f / %.3f, volume off %.5f %%\n", name,
-    result.Mesh.HexIds.size(), result.Mesh.PointIds.size(), result.Report.MinimumScaledJacobian,
-    result.Report.MeanScaledJacobian,
-    100.0 * (MeasureVolume(result.Mesh, 1) / result.Report.TargetVolume[1] - 1.0));
-  EXPECT_EQ(FindTopologyProblem(result.Mesh), "");
-  EXPECT_TRUE(IsPositiveEverywhere(result.Mesh));
+    result.Hexes.ElementIds.size(), result.Hexes.PointIds.size(),
+    result.Report.MinimumScaledJacobian, result.Report.MeanScaledJacobian,
+    100.0 * (MeasureVolume(result.Hexes, 1) / result.Report.TargetVolume[1] - 1.0));
+  EXPECT_EQ(FindTopologyProblem(result.Hexes), "");
+  EXPECT_TRUE(IsPositiveEverywhere(result.Hexes));
   return result;
 }
 
@@ -59,7 +59,7 @@ TEST(PublishedCases, ConcentricSpheres)
 {
   const Result r = MeshShapes(
     "two spheres", MakeCube(16.0, 16), { MakeSphere(1, Origin, 5.0), MakeSphere(2, Origin, 10.0) });
-  EXPECT_EQ(r.Mesh.HexIds.size(), 1224u);
+  EXPECT_EQ(r.Hexes.ElementIds.size(), 1224u);
   EXPECT_GE(r.Report.MinimumScaledJacobian, 0.50);
 }
 
@@ -70,8 +70,8 @@ TEST(PublishedCases, Capsule)
   const Result r = MeshShapes("capsule", grid,
     { MakeSphere(1, Origin, 1.0), MakeSphere(1, { { 2.0, 0.0, 0.0 } }, 1.0),
       MakeCylinder(1, { { 1.0, 0.0, 0.0 } }, 1.0, 2.0, { { 0.0, 90.0, 0.0 } }) });
-  EXPECT_EQ(r.Mesh.HexIds.size(), 6832u);
-  EXPECT_EQ(r.Mesh.PointIds.size(), 7941u);
+  EXPECT_EQ(r.Hexes.ElementIds.size(), 6832u);
+  EXPECT_EQ(r.Hexes.PointIds.size(), 7941u);
   EXPECT_GE(r.Report.MinimumScaledJacobian, 0.60);
 }
 
@@ -79,8 +79,8 @@ TEST(PublishedCases, UnitSphere)
 {
   const Result r =
     MeshShapes("unit sphere", MakeCube(1.240409, 26), { MakeSphere(1, Origin, 1.0) });
-  EXPECT_EQ(r.Mesh.HexIds.size(), 6768u);
-  EXPECT_EQ(r.Mesh.PointIds.size(), 7827u);
+  EXPECT_EQ(r.Hexes.ElementIds.size(), 6768u);
+  EXPECT_EQ(r.Hexes.PointIds.size(), 7827u);
   EXPECT_GE(r.Report.MinimumScaledJacobian, 0.65);
   EXPECT_GE(r.Report.MeanScaledJacobian, 0.90);
 }
@@ -92,9 +92,9 @@ TEST(PublishedCases, HalfSphereAtThreeResolutions)
   {
     const Result r = MeshShapes(
       "sphere of radius .5", MakeCube(0.75, count.first), { MakeSphere(1, Origin, 0.5) });
-    EXPECT_EQ(r.Mesh.HexIds.size(), count.second);
+    EXPECT_EQ(r.Hexes.ElementIds.size(), count.second);
     const double exact = 4.0 / 3.0 * M_PI * 0.125;
-    EXPECT_NEAR(MeasureVolume(r.Mesh, 1), exact, 1e-4 * exact);
+    EXPECT_NEAR(MeasureVolume(r.Hexes, 1), exact, 1e-4 * exact);
   }
 }
 
@@ -102,6 +102,6 @@ TEST(PublishedCases, SphereInItsOwnBox)
 {
   const Result r =
     MeshShapes("sphere in its box", MakeCube(1.0, 4), { MakeSphere(1, Origin, 1.0) });
-  EXPECT_EQ(r.Mesh.HexIds.size(), 80u);
+  EXPECT_EQ(r.Hexes.ElementIds.size(), 80u);
   EXPECT_GE(r.Report.MinimumScaledJacobian, 0.6);
 }

@@ -23,7 +23,7 @@ class RandomLabels : public ::testing::TestWithParam<Case>
 {
 };
 
-/// Hexes by the law: cells with a meshed label, and one for each interface face and meshed side.
+/// Elements by the law: cells with a meshed label, and one for each interface face and meshed side.
 std::size_t CountByLaw(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid)
 {
   std::size_t count = 0;
@@ -63,19 +63,19 @@ TEST_P(RandomLabels, MeshIsValid)
     const Index n = 3 + seed % 7;
     const CartesianGrid grid = MakeUnitGrid(n, n + seed % 3, n + seed % 2);
     const FractionField field = MakeRandomLabels(grid, c.Materials, c.Lowest, seed);
-    HexMeshOptions options;
+    MeshOptions options;
     options.MeshVoid = c.MeshVoid;
     Runtime runtime;
-    HexMeshReport report;
-    const HexMesh mesh = MakeHexMesh(grid, field, options, runtime, report);
+    MeshReport report;
+    const Mesh mesh = MakeHexMesh(grid, field, options, runtime, report);
     LabelArray labels = AssignMaterials(grid, field, options.IsoValue);
     ResolveLabels(grid, field, labels, Partition(grid, runtime.Group()));
     for (Index node : FindMixedNodes(grid, labels))
     {
       ASSERT_EQ(CountViolations(StarOfNode(grid, labels, node)), 0);
     }
-    ASSERT_EQ(mesh.HexIds.size(), CountByLaw(grid, labels, c.MeshVoid)) << "seed " << seed;
-    if (mesh.HexIds.empty())
+    ASSERT_EQ(mesh.ElementIds.size(), CountByLaw(grid, labels, c.MeshVoid)) << "seed " << seed;
+    if (mesh.ElementIds.empty())
     {
       continue;
     }
@@ -111,11 +111,11 @@ TEST(RandomLabels, StartIsValidForEveryAcceptedStar)
         const int c = static_cast<int>((p[0] > 1) | (p[1] > 1) << 1 | (p[2] > 1) << 2);
         return 1 + (region >> c & 1);
       });
-    HexMeshOptions options;
+    MeshOptions options;
     options.Method = Smoothing::Off;
     Runtime runtime;
-    HexMeshReport report;
-    const HexMesh mesh = MakeHexMesh(grid, field, options, runtime, report);
+    MeshReport report;
+    const Mesh mesh = MakeHexMesh(grid, field, options, runtime, report);
     ASSERT_EQ(report.FlippedCells, 0) << region;
     ASSERT_GT(SmallestCornerDeterminant(mesh), 0.0) << region;
     ASSERT_EQ(FindTopologyProblem(mesh), "") << region;

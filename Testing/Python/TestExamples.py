@@ -51,7 +51,7 @@ def test_all_steps_in_order():
             write_image(fraction_image(size), os.path.join(folder, "dump_%d.vti" % step))
         result = run_script(folder, "--array", "ball", "--array", "plate", "--exodus")
         assert result.returncode == 0, result
-        assert result.stdout.count("hexahedra") == 3
+        assert result.stdout.count(" elements") == 3
         sizes = []
         for step in range(3):
             mesh = read_vtu(folder, "mesh_%04d.vtu" % step)
@@ -61,6 +61,17 @@ def test_all_steps_in_order():
             assert blocks == {"ball": ids.count(1), "plate": ids.count(2)}, blocks
             sizes.append(mesh.GetNumberOfCells())
         assert sizes == sorted(sizes) and sizes[0] < sizes[2], sizes  # dump_9 comes before dump_10
+
+
+def test_tetrahedra():
+    with tempfile.TemporaryDirectory() as folder:
+        write_image(fraction_image(8), os.path.join(folder, "dump_0.vti"))
+        result = run_script(folder, "--array", "ball", "--array", "plate", "--exodus", "--tets", "Cells")
+        assert result.returncode == 0, result
+        mesh = read_vtu(folder, "mesh_0000.vtu")
+        assert mesh.GetCellType(0) == 10
+        blocks = block_sizes(os.path.join(folder, "out", "mesh_0000.e"))
+        assert set(blocks) == {"ball", "plate"} and sum(blocks.values()) == mesh.GetNumberOfCells(), blocks
 
 
 def test_steps_that_cannot_be_meshed():

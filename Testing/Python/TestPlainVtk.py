@@ -1,4 +1,4 @@
-"""The filter as a class of plain VTK Python, without ParaView's proxies."""
+"""The filters as classes of plain VTK Python, without ParaView's proxies."""
 import os
 import sys
 
@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 sys.path.insert(0, os.environ["VFM_WRAPPERS"])
-from volumefractionmesh.vtkVolumeFractionMeshFilters import vtkVolumeFractionToHex
+from volumefractionmesh.vtkVolumeFractionMeshFilters import vtkVolumeFractionToHex, vtkVolumeFractionToTet
 
 
 def field():
@@ -19,6 +19,21 @@ def field():
     array.SetName("bar")
     data.GetCellData().AddArray(array)
     return data
+
+
+def check_tets():
+    tets = vtkVolumeFractionToTet()
+    assert tets.GetMethod() == (tets.METHOD_TETGEN if tets.HasTetGen() else tets.METHOD_LATTICE)
+    tets.SetMethod(99)
+    assert tets.GetMethod() == tets.METHOD_LATTICE
+    tets.SetMethod(tets.METHOD_CELLS)
+    tets.SetRelativeSize(0.5)
+    assert "Method: 1" in str(tets) and "RelativeSize: 0.5" in str(tets)
+    tets.AddVolumeFractionArray("bar")
+    tets.SetInputData(field())
+    tets.Update()
+    mesh, surfaces = tets.GetOutputDataObject(0), tets.GetOutputDataObject(1)
+    assert mesh.GetCellType(0) == 10 and mesh.GetNumberOfCells() > 100 and surfaces.GetNumberOfCells() >= 80
 
 
 def main():
@@ -46,6 +61,7 @@ def main():
     hexes.AddVolumeFractionArray("bar")
     assert hexes.GetMTime() == time
     assert "VolumeFractionArrays: 'bar'" in str(hexes)
+    check_tets()
     print("%d hexahedra, %d quadrilaterals" % (mesh.GetNumberOfCells(), surfaces.GetNumberOfCells()))
 
 

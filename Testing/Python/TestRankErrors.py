@@ -5,13 +5,14 @@ mpiexec -n 3 pvbatch --sym TestRankErrors.py
 import zlib
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkUniformGrid)
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from vfmtest import (
-    ORIGIN, SPACING, ball_and_plate, collect, image, labels, main, producer, run, VolumeFractionToHex)
+    ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, image, labels, main, producer, reduced, run,
+    VolumeFractionToHex,
+    VolumeFractionToTet)
 
 N = 9
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
@@ -41,14 +42,6 @@ def blocks(*data):
 def on(rank, change):
     """The change on one rank, none on the others."""
     return change if RANK == rank else None
-
-
-def reduced(value, operation):
-    mine, result = vtkIdTypeArray(), vtkIdTypeArray()
-    mine.InsertNextValue(value)
-    result.SetNumberOfValues(1)
-    CONTROLLER.AllReduce(mine, result, operation)
-    return result.GetValue(0)
 
 
 def is_same_everywhere(text):
@@ -129,6 +122,12 @@ def test_levels_on_different_ranks():
 
 def test_option_out_of_range():
     check_error(blocks(slab()), "IsoValue", IsoValue=2.0)
+    check_error(blocks(slab()), "IsoValue", make=VolumeFractionToTet, Method="Cells", IsoValue=2.0)
+
+
+def test_tetgen_that_was_not_built_in():
+    if "TetGen" not in TET_METHODS:
+        check_error(blocks(slab()), "no TetGen", "Lattice", make=VolumeFractionToTet, Method="TetGen")
 
 
 def test_normalised_cells_are_counted_once():

@@ -1,23 +1,25 @@
 """The same mesh on any number of ranks and however the input is split: mpiexec -n P pvbatch --sym TestRanks.py FOLDER
 
 One rank meshes every case from one whole image and keeps the result in FOLDER; all other runs, on any number of
-ranks, must give the same mesh bit for bit.
+ranks, must give the same mesh bit for bit. Of tetrahedra by TetGen only the surfaces.
 """
 import os
 import pickle
 import sys
+import traceback
 
 import numpy as np
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from compare_meshes import difference, merge, read_pieces
+from compare_meshes import difference, joined, merge, piece_of, read_pieces
 from vfmtest import (
-    GHOST, ORIGIN, SPACING, ball_and_plate, collect, image, main, producer, VolumeFractionToHex)
+    GHOST, ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, image, main, producer, reduced, surface_faces,
+    tet_volumes, VolumeFractionToHex, VolumeFractionToTet)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
 from write_exodus import write_exodus
@@ -61,6 +63,8 @@ CASES = {
     "sphere": sphere(), "ball_and_plate": dict(zip(("ball", "plate"), ball_and_plate(16))), "grains": grains(),
     "noise": noise(), "splash": splash()}
 TINY = "fewer cells than ranks"
+TET_CASES = [("ball_and_plate", "Cells", "scattered"), ("sphere", "Lattice", "slabs"), ("grains", "Lattice", "scattered"),
+             ("noise", "Cells", "slabs")]
 ALL_CASES = {**CASES, TINY: {"id": np.array([[[1, 2], [2, 0]]], np.int32)}}
 
 
@@ -119,40 +123,56 @@ def split_input(arrays, split):
 
 
 def mesh_and_surfaces(source, case, **properties):
-    """Runs the filter, writes both outputs in pieces and merges them; None but on rank 0."""
+    """Runs the filter, that of tetrahedra when a method is given; both outputs in pieces, none but on rank 0."""
     arrays = ALL_CASES[case]
     chosen = {"MaterialIdArray": "id"} if "id" in arrays else {"VolumeFractionArrays": list(arrays)}
-    hexes = VolumeFractionToHex(Input=source, **chosen, **properties)
-    errors, _ = collect(hexes.GetClientSideObject())
+    make = VolumeFractionToTet if "Method" in properties else VolumeFractionToHex
+    mesher = make(Input=source, **chosen, **properties)
+    errors, _ = collect(mesher.GetClientSideObject())
     result = []
     for port, kind in enumerate((".pvtu", ".pvtp")):
         path = os.path.join(FOLDER, "ranks%d%s" % (RANKS, kind))
-        simple.SaveData(path, proxy=simple.OutputPort(hexes, port))
+        simple.SaveData(path, proxy=simple.OutputPort(mesher, port))
         assert not errors, errors
         pieces = read_pieces(path) if RANK == 0 else []
         assert RANK > 0 or RANKS == 1 or sum(piece.GetNumberOfCells() > 0 for piece in pieces) > 1
-        result.append(merge(pieces) if RANK == 0 else None)
+        result.append(pieces)
         CONTROLLER.Barrier()  # the next mesh goes to the same files
-    simple.Delete(hexes)
+    simple.Delete(mesher)
     simple.Delete(source)
     return result
 
 
-def check(case, source, label, **properties):
-    """Compares with the gold, which one rank writes from the whole image."""
-    path = os.path.join(FOLDER, case + (" with void" if properties.get("MeshVoid") else "") + ".gold")
-    result = mesh_and_surfaces(source, case, **properties)
-    if RANK > 0:
-        return
+def compare_with_gold(outputs, name, label):
+    """What differs, or an empty text. One rank writes the gold, from the whole image."""
+    path = os.path.join(FOLDER, name + ".gold")
+    result = [merge(pieces) for pieces in outputs]
     if RANKS == 1 and label == "whole":
         with open(path, "wb") as file:
             pickle.dump(result, file)
     with open(path, "rb") as file:
         gold = pickle.load(file)
-    for port in range(2):
-        problem = difference(result[port], gold[port])
-        assert not problem, "%s, %s, port %d: %s" % (case, label, port, problem)
-    assert len(gold[0]["cells"]) > (0 if case == TINY else 100)
+    assert len(gold[0]["cells"]) > (0 if name == TINY else 100)
+    for port, (one, other) in enumerate(zip(result, gold)):
+        problem = difference(one, other)
+        if problem:
+            return "%s, %s, output %d: %s" % (name, label, port, problem)
+    return ""
+
+
+def on_first_rank(work):
+    """Calls work on rank 0, whose problem, when it returns one, is that of all ranks: they go on together."""
+    try:
+        problem = work() if RANK == 0 else ""
+    except Exception:
+        problem = traceback.format_exc()
+    assert reduced(int(bool(problem)), vtkCommunicator.MAX_OP) == 0, problem or "see rank 0"
+
+
+def check(case, source, label, **properties):
+    outputs = mesh_and_surfaces(source, case, **properties)
+    parts = [case, properties.get("Method"), "with void" if properties.get("MeshVoid") else None]
+    on_first_rank(lambda: compare_with_gold(outputs, " ".join(filter(None, parts)), label))
 
 
 def write_inputs():
@@ -171,6 +191,8 @@ def test_whole():
         for case, arrays in ALL_CASES.items():
             check(case, producer(image(arrays)), "whole")
         check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", MeshVoid=1)
+        for case, method, _ in TET_CASES:
+            check(case, producer(image(CASES[case])), "whole", Method=method)
 
 
 def test_image_pieces():
@@ -213,6 +235,29 @@ def test_options():
     arrays = CASES["ball_and_plate"]
     check("ball_and_plate", split_input(arrays, "scattered"), "void", MeshVoid=1)
     check("grains", split_input(CASES["grains"], "scattered"), "two threads", NumberOfThreads=2)
+
+
+def test_tets():
+    for case, method, split in TET_CASES:
+        check(case, split_input(CASES[case], split), split, Method=method)
+
+
+def check_conforming(meshes, surfaces):
+    """The pieces together: no tetrahedron is turned, and the faces that do not lie between two are those of the surfaces."""
+    points, cells = (joined(parts) for parts in zip(*[piece_of(mesh) for mesh in meshes if mesh.GetNumberOfCells() > 0]))
+    ids, first = np.unique(points["GlobalPointIds"], return_index=True)
+    assert tet_volumes(points["Points"][first], np.searchsorted(ids, cells["Connectivity"])).min() > 0
+    facets = joined([piece_of(surface)[1] for surface in surfaces if surface.GetNumberOfCells() > 0])["Connectivity"]
+    assert set(map(tuple, np.sort(facets, axis=1).tolist())) == set(surface_faces(cells["Connectivity"], cells["MaterialId"]))
+
+
+def test_tetgen():
+    if "TetGen" not in TET_METHODS:
+        return
+    case = "ball_and_plate"
+    meshes, surfaces = mesh_and_surfaces(split_input(CASES[case], "scattered"), case, Method="TetGen")
+    on_first_rank(lambda: check_conforming(meshes, surfaces))
+    on_first_rank(lambda: compare_with_gold([surfaces], case + " TetGen", "whole" if RANKS == 1 else "scattered"))
 
 
 def test_fewer_cells_than_ranks():

@@ -100,7 +100,7 @@ def test_every_preset_of_the_menu_is_the_one_named():
         "Sphere": [ball(0.75)], "Two Spheres": [2 * ball(0.4)], "Ellipsoid": [ball(1) * 0.8 * 0.5 * 0.35],
         "Ball and Plate": [ball(0.5), 1.6 * 1.6 * 0.4], "Three Sectors": [ball(0.75) / 3] * 3,
         "Torus": [2 * math.pi ** 2 * 0.55 * 0.25 ** 2], "Half Sphere": [ball(0.75) / 2], "Gyroid": [4]}
-    counts = {"Cylinder": 1, "Oblique Plate": 1, "Polycrystal": 20}
+    counts = {"Cylinder": 1, "Oblique Plate": 1, "Polycrystal": 20, "Eight Shapes": 8}
     names = list(VolumeFractionShapes().GetProperty("Preset").Available)
     assert set(names) == {"None"} | set(volumes) | set(counts), names
     for name in names[1:]:

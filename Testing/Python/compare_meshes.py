@@ -47,7 +47,8 @@ def piece_of(data):
     cells = arrays_of(data.GetCellData())
     grid = data.IsA("vtkUnstructuredGrid")
     connectivity = (data.GetCells() if grid else data.GetPolys()).GetConnectivityArray()
-    cells["Connectivity"] = points["GlobalPointIds"][vtk_to_numpy(connectivity)].reshape(-1, 8 if grid else 4)
+    ids = points["GlobalPointIds"][vtk_to_numpy(connectivity)]
+    cells["Connectivity"] = ids.reshape(data.GetNumberOfCells(), -1)
     return points, cells
 
 

@@ -12,11 +12,14 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 
-simple.LoadPlugin(os.environ["VFM_PLUGIN"], remote=False, ns=globals())  # defines VolumeFractionToHex
+simple.LoadPlugin(os.environ["VFM_PLUGIN"], remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
+HEX_FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
+TET_FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
 SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)  # exact in binary: blocks match bit for bit
 
 
@@ -64,6 +67,15 @@ def fraction_image(n=12, dtype=np.float64):
     return image({"ball": ball.astype(dtype), "plate": plate.astype(dtype)})
 
 
+def reduced(value, operation):
+    """A whole number of each rank made one."""
+    mine, result = vtkIdTypeArray(), vtkIdTypeArray()
+    mine.InsertNextValue(value)
+    result.SetNumberOfValues(1)
+    vtkMultiProcessController.GetGlobalController().AllReduce(mine, result, operation)
+    return result.GetValue(0)
+
+
 class Result:
     """Outputs of a run, its error and warning messages, and the time when the mesh was made."""
 
@@ -81,6 +93,54 @@ class Result:
     def field(self, name):
         array = self.mesh.GetFieldData().GetAbstractArray(name)
         return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def elements(result):
+    """Corners of each hexahedron or tetrahedron."""
+    connectivity = vtk_to_numpy(result.mesh.GetCells().GetConnectivityArray())
+    return connectivity.reshape(result.mesh.GetNumberOfCells(), -1)
+
+
+def facets(result):
+    """Corners of each quadrilateral or triangle of the surfaces."""
+    connectivity = vtk_to_numpy(result.surfaces.GetPolys().GetConnectivityArray())
+    return connectivity.reshape(result.surfaces.GetNumberOfCells(), -1)
+
+
+def tet_volumes(points, tets):
+    p = points[tets]
+    return np.einsum("ij,ij->i", p[:, 1] - p[:, 0], np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 0])) / 6
+
+
+def face_owners(cells, materials):
+    """The materials of the elements at each face: {sorted corners: [material, ...]}."""
+    table = HEX_FACES if cells.shape[1] == 8 else TET_FACES
+    faces = np.sort(cells[:, table].reshape(-1, table.shape[1]), axis=1)
+    owners = {}
+    for face, owner in zip(map(tuple, faces.tolist()), np.repeat(materials, len(table)).tolist()):
+        owners.setdefault(face, []).append(owner)
+    assert max(map(len, owners.values())) <= 2, "a face is on more than two elements"
+    return owners
+
+
+def surface_faces(cells, materials):
+    """The two materials, 0 for none, of each face on one side of which there is another material or nothing."""
+    return {face: tuple(sorted(pair if len(pair) == 2 else pair + [0])) for face, pair in face_owners(cells, materials).items()
+            if len(pair) == 1 or pair[0] != pair[1]}
+
+
+def check_surfaces(result):
+    """Port 1 holds each interface face and each face on the domain's sides once, with its materials."""
+    expected = surface_faces(result.points("GlobalPointIds")[elements(result)], result.cells("MaterialId"))
+    ids = vtk_to_numpy(result.surfaces.GetPointData().GetGlobalIds())
+    faces = list(map(tuple, np.sort(ids[facets(result)], axis=1).tolist()))
+    assert len(faces) == len(set(faces)) and set(faces) == set(expected)
+    pairs = vtk_to_numpy(result.surfaces.GetCellData().GetArray("MaterialPair"))
+    assert np.all(pairs[:, 0] <= pairs[:, 1])
+    side = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide"))
+    for face, pair, s in zip(faces, pairs, side):
+        if s < 0:
+            assert expected[face] == tuple(pair), (face, pair)
 
 
 def collect(algorithm):
@@ -106,20 +166,25 @@ def producer(data):
     return source
 
 
-def run(data, **properties):
-    """The filter on data with its messages; fractions 'ball' and 'plate' unless other arrays are named."""
+def has_tetgen():
+    return bool(VolumeFractionToTet(Input=simple.Wavelet()).GetPropertyValue("HasTetGen"))
+
+
+def run(data, make=None, **properties):
+    """The filter, VolumeFractionToHex or make, on data with its messages; fractions 'ball' and 'plate' unless other
+    arrays are named."""
     if not {"VolumeFractionArrays", "MaterialIdArray"} & set(properties):
         properties["VolumeFractionArrays"] = ["ball", "plate"]
-    hexes = VolumeFractionToHex(Input=producer(data), **properties)
-    algorithm = hexes.GetClientSideObject()
+    mesher = (make or VolumeFractionToHex)(Input=producer(data), **properties)
+    algorithm = mesher.GetClientSideObject()
     messages = collect(algorithm)
-    hexes.UpdatePipeline()
+    mesher.UpdatePipeline()
     return Result(algorithm, *messages)
 
 
-def mesh_of(data, **properties):
+def mesh_of(data, make=None, **properties):
     """As run(), without any error."""
-    result = run(data, **properties)
+    result = run(data, make, **properties)
     assert not result.errors, result.errors
     assert result.mesh.GetNumberOfCells() > 0
     return result
@@ -136,6 +201,9 @@ def digest(result):
         for array in arrays:
             sha.update(vtk_to_numpy(array).tobytes())
     return sha.hexdigest()
+
+
+TET_METHODS = (["TetGen"] if has_tetgen() else []) + ["Cells", "Lattice"]  # those that were built
 
 
 def main(tests):

@@ -1,0 +1,205 @@
+"""Tetrahedra: properties of the filter, angles, volumes, what cannot be meshed. What both filters have in common is in
+TestOutputs.py."""
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from vfmtest import (
+    SPACING, TET_METHODS, ball_and_plate, digest, elements, face_owners, facets, fraction_image, image, labels, main,
+    mesh_of, producer, run, tet_volumes, VolumeFractionToTet)
+
+N = 12
+DATA = fraction_image(N)
+HAS_TETGEN = "TetGen" in TET_METHODS
+DEFAULTS = {
+    "VolumeFractionArrays": [], "MaterialIdArray": "None", "IsoValue": 0.5, "MeshVoid": 0, "StairStep": 0,
+    "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
+    "NumberOfThreads": 0, "Method": "TetGen" if HAS_TETGEN else "Lattice", "RelativeSize": 1.0,
+    "Growth": 0.3, "RadiusEdgeRatio": 1.4, "MinimumDihedralAngle": 10.0, "OptimizationLevel": 4}
+OUT_OF_RANGE = {
+    "RelativeSize": (0.0, -1.0), "Growth": (-0.1,), "RadiusEdgeRatio": (0.9,), "MinimumDihedralAngle": (-1.0, 61.0),
+    "OptimizationLevel": (-1, 11)}
+FACE_PAIRS = [(a, b) for a in range(4) for b in range(a)]  # the faces at each of the six edges
+
+
+def tets_of(data, **properties):
+    return mesh_of(data, VolumeFractionToTet, **properties)
+
+
+MESHES = {method: tets_of(DATA, Method=method) for method in TET_METHODS}
+
+
+def dihedral_angles(result):
+    """Degrees, six a tetrahedron."""
+    p = vtk_to_numpy(result.mesh.GetPoints().GetData())[elements(result)]
+    faces = [(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)]  # opposite to each corner, normals outward
+    normals = [np.cross(p[:, b] - p[:, a], p[:, c] - p[:, a]) for a, b, c in faces]
+    normals = [normal / np.linalg.norm(normal, axis=1)[:, None] for normal in normals]
+    cosines = [-np.einsum("ij,ij->i", normals[a], normals[b]) for a, b in FACE_PAIRS]
+    return np.degrees(np.arccos(np.clip(cosines, -1, 1)))
+
+
+def check_mesh(result):
+    """Positive volumes that sum to the materials', and faces on at most two tetrahedra."""
+    volume = tet_volumes(vtk_to_numpy(result.mesh.GetPoints().GetData()), elements(result))
+    material = result.cells("MaterialId")
+    assert volume.min() > 0
+    for label, expected in zip(result.field("MaterialIds"), result.field("MeshVolume")):
+        assert abs(volume[material == label].sum() - expected) < 1e-9 * expected
+    face_owners(elements(result), material)
+
+
+def test_names_and_defaults():
+    tets = VolumeFractionToTet(Input=producer(fraction_image(4)))
+    assert set(tets.ListProperties()) == {"Input", "HasTetGen"} | set(DEFAULTS)
+    for name, value in DEFAULTS.items():
+        assert getattr(tets, name) == value, (name, getattr(tets, name))
+
+
+def test_default_method():
+    assert digest(tets_of(DATA)) == digest(MESHES[DEFAULTS["Method"]])
+
+
+def test_every_method():
+    assert len({digest(result) for result in MESHES.values()}) == len(TET_METHODS)
+    for method, result in MESHES.items():
+        check_mesh(result)
+        assert result.field("RefusedParts") == [0], method
+        assert not result.warnings
+
+
+def test_dihedral_angles():
+    for method, result in MESHES.items():
+        angles = dihedral_angles(result)
+        assert abs(result.field("MinimumDihedralAngle")[0] - angles.min()) < 1e-6
+        assert abs(result.field("MaximumDihedralAngle")[0] - angles.max()) < 1e-6
+        counts = result.field("DihedralAngles")
+        assert len(counts) == 18 and sum(counts) == angles.size
+        expected, _ = np.histogram(angles, np.arange(0, 181, 10))
+        assert np.abs(np.cumsum(counts) - np.cumsum(expected)).max() <= 0.02 * angles.size  # right angles are on a limit
+        assert angles.min() > {"TetGen": 10, "Cells": 15, "Lattice": 20}[method], (method, angles.min())  # cells are 1 x 1 x 2
+
+
+def test_without_quality():
+    result = tets_of(DATA, Method="Cells", ComputeQuality=0)
+    assert not result.mesh.GetCellData().HasArray("ScaledJacobian")
+    field = result.mesh.GetFieldData()
+    for name in ("MinimumScaledJacobian", "MinimumDihedralAngle", "MaximumDihedralAngle", "DihedralAngles"):
+        assert not field.HasArray(name), name
+    assert field.HasArray("RefusedParts")
+
+
+def test_hexahedra_have_no_angles():
+    field = mesh_of(DATA).mesh.GetFieldData()
+    for name in ("MinimumDihedralAngle", "MaximumDihedralAngle", "DihedralAngles", "RefusedParts"):
+        assert not field.HasArray(name), name
+
+
+def test_cells_has_the_faces_of_the_hexahedra():
+    """Two triangles for each quadrilateral inside the domain."""
+    inside = lambda result: (vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0).sum()
+    assert inside(MESHES["Cells"]) == 2 * inside(mesh_of(DATA))
+
+
+def test_stair_step():
+    cells = labels(N)
+    volume = (cells > 0).sum() * np.prod(SPACING)
+    for method in TET_METHODS:
+        result = tets_of(image({"id": cells}), MaterialIdArray="id", Method=method, StairStep=1)
+        check_mesh(result)
+        if method != "Lattice":  # whose surfaces lie between the cells
+            assert abs(sum(result.field("MeshVolume")) - volume) < 1e-9 * volume
+
+
+def test_mesh_void():
+    whole = N ** 3 * np.prod(SPACING)
+    for method in TET_METHODS:
+        result = tets_of(DATA, Method=method, MeshVoid=1)
+        check_mesh(result)
+        assert set(result.cells("MaterialId")) == {0, 1, 2}
+        assert result.field("MaterialNames") == ["Void", "ball", "plate"]
+        assert abs(sum(result.field("MeshVolume")) - whole) < 1e-9 * whole
+
+
+def test_smoothing():
+    for method in TET_METHODS:
+        off, facet_based = (tets_of(DATA, Method=method, Smoothing=kind) for kind in ("Off", "Geometry Based"))
+        assert len({digest(result) for result in (off, facet_based, MESHES[method])}) == 3
+        for result in (off, facet_based):
+            check_mesh(result)
+
+
+def test_target_scaled_jacobian_is_a_sine():
+    for method in ("Cells", "Lattice"):
+        low = tets_of(DATA, Method=method, TargetScaledJacobian=0.25)
+        assert low.field("MinimumDihedralAngle")[0] < MESHES[method].field("MinimumDihedralAngle")[0]  # automatic: over 0.5
+
+
+def test_conserve_volume():
+    for method in ("Cells", "Lattice"):
+        free = tets_of(DATA, Method=method, ConserveVolume=0)
+        errors = [max(abs(mesh / target - 1) for mesh, target in zip(result.field("MeshVolume"), result.field("TargetVolume")))
+                  for result in (MESHES[method], free)]
+        assert errors[0] < 1e-3 < errors[1] < 0.1, errors
+
+
+def test_number_of_threads_does_not_change_the_mesh():
+    for method in TET_METHODS:
+        for threads in (1, 3):
+            assert digest(tets_of(DATA, Method=method, NumberOfThreads=threads)) == digest(MESHES[method])
+
+
+def test_properties_of_tetgen():
+    if not HAS_TETGEN:
+        return
+    count = lambda **properties: tets_of(DATA, Method="TetGen", **properties).mesh.GetNumberOfCells()
+    usual = MESHES["TetGen"].mesh.GetNumberOfCells()
+    assert count(Growth=0.0) > usual
+    assert count(RelativeSize=0.6) > usual > count(RelativeSize=2.0)
+    assert count(RadiusEdgeRatio=1.1) > usual
+    assert count(MinimumDihedralAngle=0.0) < usual
+    assert digest(tets_of(DATA, Method="TetGen", OptimizationLevel=0)) != digest(MESHES["TetGen"])
+
+
+def test_tetgen_keeps_the_surfaces_of_cells():
+    if HAS_TETGEN:
+        cells, tetgen = MESHES["Cells"], MESHES["TetGen"]
+        assert facets(cells).shape == facets(tetgen).shape
+        points = [vtk_to_numpy(result.surfaces.GetPoints().GetData()) for result in (cells, tetgen)]
+        assert np.array_equal(*[np.unique(p, axis=0) for p in points])
+
+
+def check_error(*words, data=DATA, **properties):
+    result = run(data, VolumeFractionToTet, **properties)
+    assert len(result.errors) == 1 and all(word in result.errors[0] for word in words), result.errors
+    assert result.mesh.GetNumberOfPoints() == 0 and result.surfaces.GetNumberOfPoints() == 0
+
+
+def test_options_out_of_range():
+    check_error("IsoValue", IsoValue=0.0)
+    check_error("TargetScaledJacobian", TargetScaledJacobian=1.0)
+    for name, values in OUT_OF_RANGE.items():
+        for value in values:
+            check_error(name, Method="Cells", **{name: value})
+
+
+def test_tetgen_that_was_not_built_in():
+    if not HAS_TETGEN:
+        check_error("no TetGen", "Lattice", Method="TetGen")
+
+
+def test_input_that_cannot_be_meshed():
+    check_error("No array is chosen", VolumeFractionArrays=[])
+    ball, plate = ball_and_plate(N)
+    ball[3, 4, 5] = np.nan
+    check_error("'ball' holds nan", data=image({"ball": ball, "plate": plate}))
+
+
+def test_empty_field_is_no_error():
+    nothing = image({name: np.zeros((N, N, N)) for name in ("ball", "plate")})
+    for method in TET_METHODS:
+        result = run(nothing, VolumeFractionToTet, Method=method)
+        assert not result.errors and result.mesh.GetNumberOfCells() == 0
+        assert len(result.warnings) == 1 and "The mesh is empty" in result.warnings[0]
+
+
+main(globals())
