@@ -29,6 +29,7 @@ def parse_arguments():
     parser.add_argument("--name", default="mesh", help="first part of their names (default: mesh)")
     parser.add_argument("--exodus", action="store_true", help="write .e files too, one element block a material")
     parser.add_argument("--target", type=float, default=0.0, help="TargetScaledJacobian (default: 0, automatic)")
+    parser.add_argument("--tets", choices=("TetGen", "Cells", "Lattice"), help="tetrahedra, by this method")
     parser.add_argument("--void", action="store_true", help="mesh the void too, as material 0")
     arguments = parser.parse_args()
     if bool(arguments.array) == bool(arguments.material_ids):
@@ -53,30 +54,31 @@ def report(mesh, path):
     volumes = ", ".join("%s %.6g" % (field("MaterialNames").GetValue(i), field("MeshVolume").GetValue(i))
                         for i in range(field("MeshVolume").GetNumberOfValues()))
     lowest = field("MinimumScaledJacobian").GetValue(0)
-    print("%s: %d hexahedra, min scaled Jacobian %.3f, volumes: %s" % (path, mesh.GetNumberOfCells(), lowest, volumes))
+    print("%s: %d elements, min scaled Jacobian %.3f, volumes: %s" % (path, mesh.GetNumberOfCells(), lowest, volumes))
 
 
 def main():
     arguments = parse_arguments()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines VolumeFractionToHex
+    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
     source = simple.OpenDataFile(sorted(arguments.files, key=number_key))
     if source is None:
         sys.exit("cannot read " + arguments.files[0])
-    hexes = VolumeFractionToHex(
-        Input=source, VolumeFractionArrays=arguments.array, MaterialIdArray=arguments.material_ids or "None",
-        TargetScaledJacobian=arguments.target, MeshVoid=int(arguments.void))
+    mesher = VolumeFractionToTet(Input=source, Method=arguments.tets) if arguments.tets else VolumeFractionToHex(Input=source)
+    mesher.VolumeFractionArrays = arguments.array
+    mesher.MaterialIdArray = arguments.material_ids or "None"
+    mesher.TargetScaledJacobian, mesher.MeshVoid = arguments.target, int(arguments.void)
     os.makedirs(arguments.out, exist_ok=True)
     failed = 0
     for step, time in enumerate(find_times(source)):
-        hexes.UpdatePipeline(*[] if time is None else [time])
-        mesh = hexes.GetClientSideObject().GetOutputDataObject(0)
+        mesher.UpdatePipeline(*[] if time is None else [time])
+        mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
         stem = os.path.join(arguments.out, "%s_%04d" % (arguments.name, step))
         if mesh.GetFieldData().GetAbstractArray("MeshVolume") is None:
             print("%s: no mesh, see the message above" % stem)
             failed += 1
             continue
         report(mesh, stem + ".vtu")
-        simple.SaveData(stem + ".vtu", proxy=hexes, CompressorType="ZLib")
+        simple.SaveData(stem + ".vtu", proxy=mesher, CompressorType="ZLib")
         if arguments.exodus:
             write_exodus(mesh, stem + ".e")
     sys.exit(1 if failed else 0)

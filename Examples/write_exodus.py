@@ -1,5 +1,5 @@
 #!/usr/bin/env pvpython
-"""Writes a mesh of Volume Fraction To Hex as an Exodus file with one element block a material.
+"""Writes a mesh of Volume Fraction To Hex or To Tet as an Exodus file with one element block a material.
 
 usage: pvpython write_exodus.py MESH.vtu MESH.e
        mpiexec -n P pvbatch --sym write_exodus.py MESH.pvtu MESH.e     writes MESH.e.P.0, MESH.e.P.1, ...

@@ -5,7 +5,8 @@ usage: pvpython demo.py PLUGIN OUT [CASE ...]
 
 For every case: OUT/CASE.vtu, OUT/CASE.e (Exodus, one element block a material), OUT/CASE_surface.png
 (the surface with the edges of the hexahedra) and OUT/CASE_cut.png (the hexahedra inside, coloured by
-scaled Jacobian). What is newer than the input, the plugin and the scripts is kept. Needs an X server.
+scaled Jacobian); and of tetrahedra OUT/CASE_tets.vtu, OUT/CASE_tets.e and OUT/CASE_tets_cut.png. What is
+newer than the input, the plugin and the scripts is kept. Needs an X server.
 """
 import glob
 import math
@@ -31,15 +32,16 @@ TEXT = (0.15, 0.15, 0.15)
 class Case:
     """A field of Data, how it is meshed, and from where it is seen (direction to the camera, zoom)."""
 
-    def __init__(self, name, file, arrays, camera, zoom, cut_normal, cut_camera, cut_zoom):
+    def __init__(self, name, file, arrays, tet_method, camera, zoom, cut_normal, cut_camera, cut_zoom):
         self.name, self.file, self.arrays = name, os.path.join(ROOT, "Data", file), arrays
+        self.tet_method = tet_method  # TetGen becomes Cells where it was not built in
         self.camera, self.zoom = camera, zoom
         self.cut_normal, self.cut_camera, self.cut_zoom = cut_normal, cut_camera, cut_zoom
 
 
 CASES = [
-    Case("splash", "splash_3500us.vti", ["water"], (0.75, -1.0, 0.65), 1.25, (0, 1, 0), (0.3, -1.0, 0.5), 1.6),
-    Case("ball_and_plate", "ball_and_plate.vti", ["ball", "plate"], (0.7, -1.0, 0.5), 1.25, (0, 1, 0),
+    Case("splash", "splash_3500us.vti", ["water"], "TetGen", (0.75, -1.0, 0.65), 1.25, (0, 1, 0), (0.3, -1.0, 0.5), 1.6),
+    Case("ball_and_plate", "ball_and_plate.vti", ["ball", "plate"], "Lattice", (0.7, -1.0, 0.5), 1.25, (0, 1, 0),
          (0.3, -1.0, 0.35), 1.5),
 ]
 
@@ -58,17 +60,28 @@ def read_mesh(path):
     return reader.GetOutput()
 
 
-def make_mesh(case, vtu, exodus):
+def hex_filter(case, source):
+    return VolumeFractionToHex(Input=source, VolumeFractionArrays=case.arrays)
+
+
+def tet_filter(case, source):
+    tets = VolumeFractionToTet(Input=source, VolumeFractionArrays=case.arrays)
+    tets.Method = "Cells" if case.tet_method == "TetGen" and not tets.GetPropertyValue("HasTetGen") else case.tet_method
+    return tets
+
+
+def make_mesh(case, make_filter, vtu, exodus):
     source = simple.XMLImageDataReader(FileName=[case.file])
-    hexes = VolumeFractionToHex(Input=source, VolumeFractionArrays=case.arrays)
+    mesher = make_filter(case, source)
     start = time.time()
-    hexes.UpdatePipeline()
-    if hexes.GetDataInformation().GetNumberOfCells() == 0:
+    mesher.UpdatePipeline()
+    elements = mesher.GetDataInformation().GetNumberOfCells()
+    if elements == 0:
         sys.exit("no mesh of " + case.file)
-    print("%s: %d hexahedra in %.1f s" % (case.name, hexes.GetDataInformation().GetNumberOfCells(), time.time() - start))
-    simple.SaveData(vtu, proxy=hexes, CompressorType="ZLib")
+    print("%s: %d elements in %.1f s" % (os.path.basename(vtu), elements, time.time() - start))
+    simple.SaveData(vtu, proxy=mesher, CompressorType="ZLib")
     write_exodus(read_mesh(vtu), exodus)
-    simple.Delete(hexes)
+    simple.Delete(mesher)
     simple.Delete(source)
 
 
@@ -107,7 +120,7 @@ def show(proxy, view):
     return display
 
 
-def draw_surface(case, mesh, bounds, path):
+def draw_surface(case, mesh, path):
     """The outside, a colour a material."""
     view = make_view()
     for material, colour in COLOURS.items():
@@ -118,12 +131,15 @@ def draw_surface(case, mesh, bounds, path):
         display = show(part, view)
         simple.ColorBy(display, None)
         display.AmbientColor = display.DiffuseColor = colour
-    aim(view, bounds, case.camera, case.zoom)
+    aim(view, mesh.GetDataInformation().GetBounds(), case.camera, case.zoom)
     save(view, path)
 
 
-def draw_cut(case, mesh, bounds, lowest, path):
-    """The hexahedra behind a plane, whole, coloured by scaled Jacobian."""
+def draw_cut(case, mesh, path):
+    """The elements behind a plane, whole, coloured by scaled Jacobian."""
+    information = mesh.GetDataInformation()
+    bounds = information.GetBounds()
+    lowest = information.GetCellDataInformation().GetArrayInformation("ScaledJacobian").GetComponentRange(0)[0]
     view = make_view()
     # Off the middle by a little, which may be a plane of the grid.
     origin = [0.495 * bounds[2 * a] + 0.505 * bounds[2 * a + 1] for a in range(3)]
@@ -152,13 +168,10 @@ def save(view, path):
     simple.Delete(view)
 
 
-def draw(case, vtu, surface, cut):
+def open_mesh(vtu):
     mesh = simple.XMLUnstructuredGridReader(FileName=[vtu])
     mesh.UpdatePipeline()
-    information = mesh.GetDataInformation()
-    lowest = information.GetCellDataInformation().GetArrayInformation("ScaledJacobian").GetComponentRange(0)[0]
-    draw_surface(case, mesh, information.GetBounds(), surface)
-    draw_cut(case, mesh, information.GetBounds(), lowest, cut)
+    return mesh
 
 
 def field(mesh, name):
@@ -166,21 +179,21 @@ def field(mesh, name):
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
 
 
-def table_rows(case, mesh):
-    """A row a material: hexahedra, least and mean scaled Jacobian, volume and its error."""
+def table_rows(name, mesh):
+    """A row a material: elements, least and mean scaled Jacobian, volume and its error."""
     materials, quality = mesh.GetCellData().GetArray("MaterialId"), mesh.GetCellData().GetArray("ScaledJacobian")
     per_material = {material: [] for material in field(mesh, "MaterialIds")}
     for cell in range(mesh.GetNumberOfCells()):
         per_material[materials.GetValue(cell)].append(quality.GetValue(cell))
     columns = zip(per_material.items(), *(field(mesh, name) for name in ("MaterialNames", "MeshVolume", "TargetVolume")))
-    for (_, values), name, volume, target in columns:
+    for (_, values), material, volume, target in columns:
         error = 100 * (volume / target - 1)
-        yield (case.name, name, str(len(values)), "%.3f" % min(values), "%.3f" % (sum(values) / len(values)),
+        yield (name, material, str(len(values)), "%.3f" % min(values), "%.3f" % (sum(values) / len(values)),
                "%.6g" % volume, "%+.4f" % error)
 
 
 def print_table(rows):
-    rows = [("field", "material", "hexahedra", "min SJ", "mean SJ", "volume", "error %")] + rows
+    rows = [("mesh", "material", "elements", "min SJ", "mean SJ", "volume", "error %")] + rows
     widths = [max(len(row[c]) for row in rows) for c in range(len(rows[0]))]
     for row in rows:
         left = "  ".join(cell.ljust(width) for cell, width in zip(row[:2], widths))
@@ -188,7 +201,7 @@ def print_table(rows):
 
 
 def main(plugin, out, names):
-    simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines VolumeFractionToHex
+    simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
     simple._DisableFirstRenderCameraReset()
     os.makedirs(out, exist_ok=True)
     code = glob.glob(os.path.join(os.path.dirname(plugin), "*.so"))
@@ -197,13 +210,16 @@ def main(plugin, out, names):
     for case in CASES:
         if names and case.name not in names:
             continue
-        vtu, exodus, surface, cut = (
-            os.path.join(out, case.name + ending) for ending in (".vtu", ".e", "_surface.png", "_cut.png"))
-        if not is_newer([vtu, exodus], [case.file] + code):
-            make_mesh(case, vtu, exodus)
-        if not is_newer([surface, cut], [vtu] + code):
-            draw(case, vtu, surface, cut)
-        rows += table_rows(case, read_mesh(vtu))
+        for name, make_filter in ((case.name, hex_filter), (case.name + "_tets", tet_filter)):
+            vtu, exodus, surface, cut = (
+                os.path.join(out, name + ending) for ending in (".vtu", ".e", "_surface.png", "_cut.png"))
+            if not is_newer([vtu, exodus], [case.file] + code):
+                make_mesh(case, make_filter, vtu, exodus)
+            if not is_newer([cut], [vtu] + code):
+                draw_cut(case, open_mesh(vtu), cut)
+            if make_filter is hex_filter and not is_newer([surface], [vtu] + code):
+                draw_surface(case, open_mesh(vtu), surface)
+            rows += table_rows(name, read_mesh(vtu))
     print_table(rows)
 
 
