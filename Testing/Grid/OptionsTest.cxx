@@ -1,6 +1,7 @@
 /// Options, grids and the promises that hold for all of them.
 #include "MeshCases.h"
 #include "Quality.h"
+#include "TetPipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -251,6 +252,14 @@ TEST(Promises, ThreadsDoNotChangeTheMesh)
     const Mesh a = MakeHexMesh(c.Grid, c.Fractions, MeshOptions(), serial, report);
     const Mesh b = MakeHexMesh(c.Grid, c.Fractions, MeshOptions(), threaded, report);
     EXPECT_TRUE(AreEqual(a, b)) << name;
+    for (TetMethod method : { TetMethod::Cells, TetMethod::Lattice })
+    {
+      MeshOptions options;
+      options.Tets = method;
+      const Mesh p = MakeTetMesh(c.Grid, c.Fractions, options, serial, report);
+      const Mesh q = MakeTetMesh(c.Grid, c.Fractions, options, threaded, report);
+      EXPECT_TRUE(AreEqual(p, q)) << name << " as tets";
+    }
   }
 }
 
@@ -259,9 +268,10 @@ TEST(Promises, AbortLeavesAtEveryStage)
   const MeshCase c = MakeMeshCase("sphere 8");
   for (double when : { 0.0, 0.05, 0.1, 0.12, 0.15, 0.2, 0.4, 0.8, 0.95 })
   {
-    AbortingRuntime runtime(when);
+    AbortingRuntime runtime(when), another(when);
     MeshReport report;
     EXPECT_THROW(MakeHexMesh(c.Grid, c.Fractions, MeshOptions(), runtime, report), Aborted);
+    EXPECT_THROW(MakeTetMesh(c.Grid, c.Fractions, MeshOptions(), another, report), Aborted);
   }
 }
 
