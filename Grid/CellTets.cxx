@@ -2,16 +2,12 @@
 
 #include "LatticeStencils.h"
 
-#include <limits>
 #include <numeric>
 
 namespace vfm
 {
 namespace
 {
-
-/// Slots of the points in their block.
-constexpr Index VertexSlot = 0, CentreSlot = 1;
 
 class CellTetBuilder
 {
@@ -28,7 +24,7 @@ public:
     mesh.Corners = 4;
     mesh.PointSlots = TetPointSlots;
     mesh.ElementSlots = TetElementSlots;
-    CheckTetIds(this->Grid);
+    CheckIds(this->Grid, TetElementSlots);
     this->FirstPoint = Buffer<int>(this->Grid.NumberOfEntries(), -1);
     this->MakePoints();
     const Index tets = this->CountTets();
@@ -199,7 +195,7 @@ private:
   Index Centre(Index cell) const
   {
     const Index first = this->FirstPoint[cell];
-    return first + (this->Result.Tets.PointIds[first] % TetPointSlots == VertexSlot + 1);
+    return first + (SlotOfPoint(this->Result.Tets.PointIds[first]) == VertexSlot);
   }
 
   void FillTets(Index j, Index k, Index row)
@@ -284,19 +280,6 @@ private:
 };
 
 } // namespace
-
-void CheckTetIds(const CartesianGrid& grid)
-{
-  double ids = static_cast<double>(TetElementSlots);
-  for (Index n : grid.Global().Upper)
-  {
-    ids *= static_cast<double>(n + 1);
-  }
-  if (ids >= static_cast<double>(std::numeric_limits<Index>::max()))
-  {
-    throw InputError("The grid has more nodes than 64-bit global ids can number.");
-  }
-}
 
 TetTopology BuildCellTets(
   const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime)

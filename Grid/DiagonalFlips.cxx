@@ -24,7 +24,7 @@ DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEner
     }
     const Index point = active.MeshPoint[active.Elements[4 * first]];
     const bool isHalf =
-      (mesh.PointIds[point] - 1) % TetPointSlots == 0; // else a centre comes first
+      SlotOfPoint(mesh.PointIds[point]) == VertexSlot; // else a centre comes first
     if (isHalf && (last - first) % 2 == 0)
     {
       this->Quads.push_back({ static_cast<Index>(first), static_cast<int>(last - first) / 2 });

@@ -1,27 +1,12 @@
 #include "Fragments.h"
 
+#include "DisjointSets.h"
+
 #include <map>
 #include <numeric>
 
 namespace vfm
 {
-Index FindRoot(std::vector<Index>& parent, Index item)
-{
-  while (parent[item] != item)
-  {
-    parent[item] = parent[parent[item]];
-    item = parent[item];
-  }
-  return item;
-}
-
-void Join(std::vector<Index>& parent, Index a, Index b)
-{
-  a = FindRoot(parent, a);
-  b = FindRoot(parent, b);
-  parent[std::max(a, b)] = std::min(a, b);
-}
-
 Index OffsetOfPieces(Ranks& ranks, Index count)
 {
   const std::vector<Index> counts = GatherItems(ranks, std::vector<Index>{ count });

@@ -17,10 +17,6 @@ struct Piece
 };
 using PiecePairs = std::vector<std::array<Index, 2>>;
 
-/// The root of an item in a forest of parents, and the union of two trees: the lower root wins.
-Index FindRoot(std::vector<Index>& parent, Index item);
-void Join(std::vector<Index>& parent, Index a, Index b);
-
 /// The number of this rank's first piece when the pieces of all ranks stand in the order of the ranks. Collective.
 Index OffsetOfPieces(Ranks& ranks, Index count);
 

@@ -2,7 +2,6 @@
 
 #include "LabelCondition.h"
 
-#include <limits>
 #include <numeric>
 
 namespace vfm
@@ -44,7 +43,7 @@ public:
 
   Mesh Build()
   {
-    this->CheckIds();
+    CheckIds(this->Grid, this->Result.PointSlots);
     const Index points = this->CountPoints(), hexes = this->CountHexes();
     Mesh& mesh = this->Result;
     mesh.Points = Buffer<double>(3 * points);
@@ -71,16 +70,6 @@ private:
           body(this->Box.Lower[1] + row % ny, this->Box.Lower[2] + row / ny, row);
         }
       });
-  }
-
-  void CheckIds() const
-  {
-    const double nodes = 16.0 * (this->Grid.Global().Upper[0] + 1.0) *
-      (this->Grid.Global().Upper[1] + 1.0) * (this->Grid.Global().Upper[2] + 1.0);
-    if (nodes >= static_cast<double>(std::numeric_limits<Index>::max()))
-    {
-      throw InputError("The grid has more nodes than 64-bit global ids can number.");
-    }
   }
 
   int PointsOfNode(Index node) const

@@ -491,7 +491,7 @@ private:
 TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fractions,
   double isoValue, bool meshVoid, const Partition& partition, Runtime& runtime)
 {
-  CheckTetIds(grid);
+  CheckIds(grid, TetElementSlots);
   LatticeNodes nodes(grid, fractions, isoValue, runtime);
   for (;;)
   {
@@ -505,7 +505,7 @@ TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fra
     for (Index id : pinched)
     {
       const Index3 block = NodeOfPoint(grid, topology.Tets, id);
-      const bool isVertex = (id - 1) % TetPointSlots == 0;
+      const bool isVertex = SlotOfPoint(id) == VertexSlot;
       if (isVertex ? grid.HexBox().Touches(block) : grid.HexBox().Contains(block))
       {
         nodes.Tame({ isVertex ? LatticeNodes::Vertex : LatticeNodes::Centre, block });

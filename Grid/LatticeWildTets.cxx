@@ -1,5 +1,7 @@
 #include "LatticeWildTets.h"
 
+#include "Mesh.h"
+
 namespace vfm
 {
 namespace
@@ -99,11 +101,7 @@ private:
     for (std::size_t t = 0; t < this->Tets.size(); ++t)
     {
       const WildTet& tet = this->Tets[t];
-      Index3 cell = tet.Block;
-      for (int a = 0; a < 3; ++a)
-      {
-        cell[a] = std::min(cell[a], this->Grid.Global().Upper[a] - 1);
-      }
+      const Index3 cell = CellOfBlock(this->Grid, tet.Block);
       if (this->Parts.OwnsCell(cell))
       {
         this->Owned.push_back(static_cast<int>(t));

@@ -2,8 +2,8 @@
  * Wild tets: lattice tets whose nodes are all wild, so that their labels are their own.
  *
  * They begin with the label by the mean of their nodes' fractions. Then they take the label that most of their face
- * neighbours show, so that interfaces are less ragged: if two or more of the four show it, and more than
- * show the tet's own; ties to the smaller. All at once, for ten rounds or until none changes.
+ * neighbours show, so that interfaces are less ragged, if more of the four show it than show the tet's own; ties
+ * to the smaller. All at once, for ten rounds or until none changes.
  */
 #pragma once
 

@@ -35,9 +35,27 @@ Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
   {
     return Unpack(key, n);
   }
-  const Index3 block = NodeOfKey(grid, key);
-  return { { std::min(block[0], n[0] - 1), std::min(block[1], n[1] - 1),
-    std::min(block[2], n[2] - 1) } };
+  return CellOfBlock(grid, NodeOfKey(grid, key));
+}
+
+Index3 CellOfBlock(const CartesianGrid& grid, const Index3& node)
+{
+  const Index3& n = grid.Global().Upper;
+  return { { std::min(node[0], n[0] - 1), std::min(node[1], n[1] - 1),
+    std::min(node[2], n[2] - 1) } };
+}
+
+void CheckIds(const CartesianGrid& grid, Index slots)
+{
+  double ids = static_cast<double>(slots);
+  for (Index n : grid.Global().Upper)
+  {
+    ids *= static_cast<double>(n + 1);
+  }
+  if (ids >= static_cast<double>(std::numeric_limits<Index>::max()))
+  {
+    throw InputError("The grid has more nodes than 64-bit global ids can number.");
+  }
 }
 
 void CheckNumberOfPoints(Index points, Ranks& ranks)

@@ -92,6 +92,10 @@ Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id);
 /// The cell of an element, from its id. Tets: the cell above their face, in the domain.
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
 
+/// The cell of the grid at a node, clamped on the upper sides of the domain.
+Index3 CellOfBlock(const CartesianGrid& grid, const Index3& node);
+/// Throws InputError when ids of so many slots a node do not fit.
+void CheckIds(const CartesianGrid& grid, Index slots);
 /// Throws InputError on all ranks when there are more points than 32 bits number on any. Collective.
 void CheckNumberOfPoints(Index points, Ranks& ranks);
 

@@ -1,6 +1,6 @@
 #include "PinchedNodes.h"
 
-#include "Fragments.h"
+#include "DisjointSets.h"
 
 #include <numeric>
 #include <tuple>
@@ -106,7 +106,7 @@ std::vector<Index> FindPinchedNodes(
   std::vector<Index> nodes;
   for (Index point : pinched)
   {
-    const bool isNode = (mesh.PointIds[point] - 1) % TetPointSlots < 2;
+    const bool isNode = SlotOfPoint(mesh.PointIds[point]) <= CentreSlot;
     if (isNode && topology.Place[point] == PointPlace::OnInterface)
     {
       nodes.push_back(mesh.PointIds[point]);

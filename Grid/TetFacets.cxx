@@ -1,14 +1,12 @@
 #include "TetFacets.h"
 
 #include "ActiveMesh.h"
+#include "TetQuality.h"
 
 namespace vfm
 {
 namespace
 {
-
-/// The corners of the face opposite to each corner, normal outward.
-constexpr int FaceOf[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 struct HalfFace
 {
@@ -24,7 +22,7 @@ struct HalfFace
 HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
 {
   const Index* tet = mesh.Elements.data() + 4 * t;
-  const int* face = FaceOf[corner];
+  const int* face = FaceOfTet[corner];
   HalfFace half{ { { tet[face[0]], tet[face[1]], tet[face[2]] } }, t, corner };
   std::sort(half.Key.begin(), half.Key.end());
   return half;
@@ -99,7 +97,7 @@ TetFaces FindTetFaces(const TetTopology& topology, const CartesianGrid& grid)
       }
     }
     const Index* tet = mesh.Elements.data() + 4 * inner->Tet;
-    const int* corners = FaceOf[inner->Corner];
+    const int* corners = FaceOfTet[inner->Corner];
     faces.Facets.push_back({ { { tet[corners[0]], tet[corners[1]], tet[corners[2]] } }, inner->Tet,
       outer ? outer->Tet : -1, outer ? -1 : DomainSideOf(topology, grid, *inner) });
   }
@@ -126,7 +124,7 @@ std::vector<std::array<Index, 3>> FindBoundary(const Mesh& mesh, const std::vect
       continue;
     }
     const Index* tet = mesh.Elements.data() + 4 * halves[h].Tet;
-    const int* face = FaceOf[halves[h].Corner];
+    const int* face = FaceOfTet[halves[h].Corner];
     faces.push_back({ { tet[face[0]], tet[face[1]], tet[face[2]] } });
   }
   return faces;

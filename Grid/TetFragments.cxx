@@ -1,5 +1,6 @@
 #include "TetFragments.h"
 
+#include "DisjointSets.h"
 #include "ExactSum.h"
 #include "Vector3.h"
 
@@ -12,7 +13,7 @@ namespace
 
 bool IsCentre(const Mesh& mesh, Index point)
 {
-  return (mesh.PointIds[point] - 1) % TetPointSlots == 1;
+  return SlotOfPoint(mesh.PointIds[point]) == CentreSlot;
 }
 
 /// Whether the point is a node of the lattice inside a material: all tets at it are of one fragment.
@@ -71,9 +72,8 @@ std::vector<Index> TetFragments::JoinTets(const TetTopology& topology, const Tet
   return parent;
 }
 
-std::vector<Piece> TetFragments::FindPieces(const Mesh& mesh, const std::vector<Index>& forest)
+std::vector<Piece> TetFragments::FindPieces(const Mesh& mesh, std::vector<Index> parent)
 {
-  std::vector<Index> parent = forest;
   std::vector<Piece> pieces;
   for (std::size_t t = 0; t < parent.size(); ++t)
   {

@@ -40,7 +40,7 @@ private:
     }
   };
   std::vector<Index> JoinTets(const TetTopology& topology, const TetFaces& faces) const;
-  std::vector<Piece> FindPieces(const Mesh& mesh, const std::vector<Index>& parent);
+  std::vector<Piece> FindPieces(const Mesh& mesh, std::vector<Index> parent);
   PiecePairs FindSame(const TetTopology& topology, Index offset) const;
   PiecePairs FindSameTets(const TetTopology& topology, Index offset) const;
   void FindHomes(const TetTopology& topology);

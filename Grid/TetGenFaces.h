@@ -4,6 +4,7 @@
 #pragma once
 
 #include "TetGenSurface.h"
+#include "TetQuality.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,9 +17,6 @@ namespace tetfill
 
 /// A tet's determinant is larger than this times its longest edge cubed.
 constexpr double FlatTet = 1e-9;
-
-/// Corners of the face opposite to each corner of a positive tet, seen from outside counterclockwise.
-constexpr int FaceOfTet[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 inline double Determinant(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {

@@ -12,6 +12,7 @@
 #endif
 
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace vfm
@@ -128,7 +129,7 @@ private:
     for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
     {
       Index centre = mesh.Elements[4 * t + 3];
-      if ((mesh.PointIds[mesh.Elements[4 * t]] - 1) % TetPointSlots == 1)
+      if (SlotOfPoint(mesh.PointIds[mesh.Elements[4 * t]]) == CentreSlot)
       {
         centre = mesh.Elements[4 * t];
       }
@@ -149,21 +150,22 @@ private:
     MeasureWithFaces(interface, mesh, this->Faces, this->Grid, this->Parts, active);
     const PointExchange exchange(active, mesh, this->Grid, this->Parts);
     const TetEnergy energy(FloorsOf(this->Options));
-    DiagonalFlips flips(mesh, active, energy);
+    std::optional<DiagonalFlips> flips;
     Improvement improvement{ active, targets, exchange, energy, TetRamp(), *this->Volumes,
       this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} };
     if (this->Method == TetMethod::Cells)
     {
+      flips.emplace(mesh, active, energy);
       improvement.AfterSweep = [&](Smoother& smoother, const SmoothingStage& stage, int sweep)
       {
         if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
         {
-          flips.Run(stage, [&](int point) { smoother.Wake(point); });
+          flips->Run(stage, [&](int point) { smoother.Wake(point); });
         }
       };
       improvement.AfterRamp = [&]
       {
-        flips.CopyTo(mesh);
+        flips->CopyTo(mesh);
         this->Faces = FindTetFaces(this->Topology, this->Grid);
         MeasureWithFaces(interface, mesh, this->Faces, this->Grid, this->Parts, active);
       };

@@ -9,6 +9,9 @@
 namespace vfm
 {
 
+/// Corners of the face opposite to each corner of a positive tet, counterclockwise as seen from outside.
+constexpr int FaceOfTet[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+
 /// sqrt(2) 6 V over the largest product, over the four corners, of the lengths of the three edges there: -1..1, 1 in the regular tet
 /// (Knupp 2000; verdict's tet_scaled_jacobian). 0 where no corner has three edges of some length (there verdict gives 1e30).
 double TetScaledJacobian(const double* points, const Index* tet);

@@ -27,6 +27,14 @@ constexpr Index TetPointSlots = 64;
 constexpr Index PiecesPerTet = 64;
 constexpr Index TetElementSlots = 12 * PiecesPerTet;
 
+/// Slots of the nodes of the lattice: vertices and centres.
+constexpr Index VertexSlot = 0, CentreSlot = 1;
+/// The slot of a point from its id.
+inline Index SlotOfPoint(Index id)
+{
+  return (id - 1) % TetPointSlots;
+}
+
 /// Where a point may lie.
 enum class PointPlace : unsigned char
 {
@@ -40,9 +48,6 @@ struct TetTopology
   Mesh Tets;                     ///< points, ids, elements, ids, materials
   std::vector<PointPlace> Place; ///< of each point
 };
-
-/// Throws InputError when the ids of a grid's tets do not fit.
-void CheckTetIds(const CartesianGrid& grid);
 
 /// Cells: every meshed cell with its centre, cut along its faces. labels: after ResolveLabels. Interfaces are faces of the grid,
 /// each quad cut by the diagonal of its parity.
