@@ -1,9 +1,8 @@
 #include "Crossings.h"
 
+#include "GradientFit.h"
 #include "Plic.h"
 #include "Vector3.h"
-
-#include <Eigen/Cholesky>
 
 namespace vfm
 {
@@ -92,31 +91,21 @@ private:
     return side;
   }
 
-  /// Least squares over the cells of 3^3 in the domain, weights 1 / distance^2.
+  /// Over the cells of 3^3 in the domain.
   Vector3 Gradient(const Side& side, const Index3& p) const
   {
-    Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    GradientFit fit;
     for (int c = 0; c < 27; ++c)
     {
       const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
       const Index3 q{ { p[0] + d[0], p[1] + d[1], p[2] + d[2] } };
-      if (c == 13 || !this->Grid.InDomain(q))
+      if (c != 13 && this->Grid.InDomain(q))
       {
-        continue;
+        fit.Add(Divided(this->CellCentre(q) - side.Centre, side.Widths),
+          this->Difference(this->Grid.Linear(q)) - side.D);
       }
-      const Vector3 r = Divided(this->CellCentre(q) - side.Centre, side.Widths);
-      const Eigen::Vector3d x(r[0], r[1], r[2]);
-      const double w = 1.0 / x.squaredNorm();
-      A += w * x * x.transpose();
-      b += w * (this->Difference(this->Grid.Linear(q)) - side.D) * x;
     }
-    for (int a = 0; a < 3; ++a)
-    {
-      A(a, a) += A(a, a) == 0.0; // a grid one cell thick
-    }
-    const Eigen::Vector3d g = A.ldlt().solve(b);
-    return { { g[0], g[1], g[2] } };
+    return fit.Solve();
   }
 
   /// Where D changes sign along the dual edge, 0 at the lower cell, 1 at the upper.

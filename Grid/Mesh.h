@@ -68,7 +68,7 @@ struct Mesh
 {
   int Corners = 8;               ///< of an element: 8 hexes, 4 tets
   Index PointSlots = 16;         ///< point id = node key * PointSlots + slot + 1 (NodeOfPoint)
-  Index ElementSlots = 7;        ///< element id = key * ElementSlots + slot + 1 (CellOfElement)
+  Index ElementSlots = 7;        ///< element id = key * ElementSlots + slot + 1 (CellOfElement); 0: counted
   Buffer<double> Points;         ///< xyz a point, length units of the grid
   Buffer<Index> PointIds;        ///< global, from 1, ascending
   Buffer<int> GeometryDimension; ///< of each point: 3 volume, 2 surface, 1 curve, 0 vertex
@@ -89,7 +89,7 @@ struct Mesh
 Index3 NodeOfKey(const CartesianGrid& grid, Index key);
 /// The grid node that owns a point, from its id. Tets: the node of the block in which it starts.
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id);
-/// The cell of an element, from its id. Tets: the cell above their face, in the domain.
+/// The cell of an element, from its id. Tets: the cell above their face, in the domain. Those of TetGen have none.
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
 
 /// The cell of the grid at a node, clamped on the upper sides of the domain.

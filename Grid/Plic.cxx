@@ -7,31 +7,26 @@ namespace vfm
 namespace
 {
 
-constexpr double Flat = 1e-9; // components of n/|n|_1 below are taken as 0
-
 double Cube(double x)
 {
   return x > 0.0 ? x * x * x : 0.0;
 }
-double Square(double x)
-{
-  return x > 0.0 ? x * x : 0.0;
-}
 
 /// Volume of the unit cube [0,1]^3 where m.x < alpha, m >= 0 ascending with sum 1, alpha <= 1/2.
+/// By cases, none of which subtracts what a small m has made large.
 double VolumeOfCorner(const Vector3& m, double alpha)
 {
-  if (m[1] < Flat)
+  if (alpha < m[0])
   {
-    return alpha / m[2];
+    return Cube(alpha) / (6.0 * m[0] * m[1] * m[2]);
   }
-  if (m[0] < Flat)
+  if (alpha < m[0] + m[1])
   {
-    return (Square(alpha) - Square(alpha - m[1]) - Square(alpha - m[2])) / (2.0 * m[1] * m[2]);
+    const double prism = 3.0 * alpha * (alpha - m[0]) + m[0] * m[0];
+    const double beyond = alpha > m[1] ? (Cube(alpha - m[1]) + Cube(alpha - m[2])) / m[0] : 0.0;
+    return (prism - beyond) / (6.0 * m[1] * m[2]);
   }
-  const double sum = Cube(alpha) - Cube(alpha - m[0]) - Cube(alpha - m[1]) - Cube(alpha - m[2]) +
-    Cube(alpha - m[0] - m[1]) + Cube(alpha - m[0] - m[2]) + Cube(alpha - m[1] - m[2]);
-  return sum / (6.0 * m[0] * m[1] * m[2]);
+  return (2.0 * alpha - m[0] - m[1]) / (2.0 * m[2]);
 }
 
 /// n as ascending magnitudes with sum 1; returns the sum of the magnitudes.

@@ -265,6 +265,7 @@ private:
   {
     Mesh& mesh = this->Old;
     const std::size_t count = this->Tets.size();
+    mesh.ElementSlots = 0;
     mesh.Elements = Buffer<Index>(4 * count);
     mesh.ElementIds = Buffer<Index>(count);
     mesh.Material = Buffer<int>(count);

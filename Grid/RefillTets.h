@@ -13,7 +13,7 @@ namespace vfm
 {
 
 /// mesh: of Cells, smoothed, the tets of this rank only. What TetGen refuses stays as it is and is counted in
-/// report.RefusedParts. New points and all tets get ids after those of Cells, by rank. Collective.
+/// report.RefusedParts. New points get ids after those of Cells, all tets ids from 1, both by rank. Collective.
 void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
   const MeshOptions& options, Runtime& runtime, MeshReport& report);
 

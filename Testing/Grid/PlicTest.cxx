@@ -1,0 +1,71 @@
+/// Volumes of a cell below a plane.
+#include "Plic.h"
+#include "ShapesClip.h"
+#include "Vector3.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace vfm;
+
+namespace
+{
+
+class Random
+{
+public:
+  double operator()(double low, double high)
+  {
+    return low + (high - low) * (static_cast<double>(this->Engine()) + 0.5) / 4294967296.0;
+  }
+
+private:
+  std::mt19937 Engine{ 1 };
+};
+
+double ClippedVolume(const Vector3& n, double d)
+{
+  const ConvexPiece box = MakeBoxPiece({ { -0.5, -0.5, -0.5 } }, { { 0.5, 0.5, 0.5 } });
+  ConvexPiece below, above;
+  std::vector<Vector3> section;
+  ClipPiece(box, { Unit(n), d / Norm(n) }, below, above, section);
+  return ComputeVolume(below);
+}
+
+} // namespace
+
+TEST(Plic, VolumesAreThoseOfPolyhedra)
+{
+  Random random;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const Vector3 n{ { random(-1, 1), random(-1, 1), i % 3 ? random(-1, 1) : 0.0 } };
+    const double d = random(-1.2, 1.2);
+    ASSERT_NEAR(VolumeBelowPlane(n, d), ClippedVolume(n, d), 1e-12)
+      << ::testing::PrintToString(n) << d;
+  }
+}
+
+/// Components of any smallness: nothing is lost in differences.
+TEST(Plic, VolumesOfPlanesAlongTheGrid)
+{
+  Random random;
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double a = std::pow(10.0, random(-13, -3)), b = std::pow(10.0, random(-13, -3));
+    const double d = random(-0.49, 0.49);
+    ASSERT_NEAR(VolumeBelowPlane({ { a, -b, 1.0 } }, d), 0.5 + d, 1e-15) << a << " " << b;
+  }
+}
+
+TEST(Plic, PlanesHaveTheirVolume)
+{
+  Random random;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const Vector3 n{ { random(-1, 1), random(-1, 1), std::pow(10.0, random(-12, 0)) } };
+    const double fraction = random(0, 1);
+    ASSERT_NEAR(VolumeBelowPlane(n, PlaneOfVolume(n, fraction)), fraction, 1e-11);
+  }
+}

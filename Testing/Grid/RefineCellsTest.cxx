@@ -1,0 +1,451 @@
+/// Refinement before meshing: what a cell holds stays in its children, what is flat stays exact, ranks agree.
+#include "RefineCells.h"
+#include "MeshCases.h"
+#include "RankFields.h"
+#include "ShapesScenes.h"
+#include "Vector3.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+/// Widths that vary by up to 1.3 from cell to cell and differ by axis.
+CartesianGrid MakeUnevenGrid(int n)
+{
+  std::array<std::vector<double>, 3> x;
+  for (int a = 0; a < 3; ++a)
+  {
+    double at = 0.0;
+    for (int i = 0; i <= n; ++i)
+    {
+      x[a].push_back(at);
+      at += (1.0 + 0.5 * a) * (1.0 + 0.25 * std::sin(0.9 * i + a));
+    }
+  }
+  return CartesianGrid(x);
+}
+
+Vector3 MiddleOf(const CartesianGrid& grid)
+{
+  Vector3 middle;
+  for (int a = 0; a < 3; ++a)
+  {
+    middle[a] = 0.5 * (grid.Coordinates(a).front() + grid.Coordinates(a).back());
+  }
+  return middle;
+}
+
+template <class Body>
+void ForCells(const IndexBox& box, const Body& body)
+{
+  Index3 p;
+  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
+  {
+    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
+    {
+      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
+      {
+        body(p);
+      }
+    }
+  }
+}
+
+RefinedCells Refine(const CartesianGrid& grid, const FractionField& field)
+{
+  Runtime runtime;
+  return RefineCells(grid, field, runtime);
+}
+
+/// Half of the cells pure, the others of random parts, some of them tiny.
+FractionField MakeRandomFractions(const CartesianGrid& grid, int materials, unsigned seed)
+{
+  FractionField field(grid, materials);
+  std::mt19937 engine(seed);
+  const auto random = [&engine] { return (static_cast<double>(engine()) + 0.5) / 4294967296.0; };
+  ForCells(grid.Local(),
+    [&](const Index3& p)
+    {
+      const Index cell = grid.Linear(p);
+      if (random() < 0.5)
+      {
+        field.SetLabel(cell, static_cast<int>(random() * (materials + 1)));
+        return;
+      }
+      std::vector<FractionField::Part> parts;
+      double rest = 1.0;
+      for (int m = 1; m <= materials; ++m)
+      {
+        const double fraction = rest * std::pow(random(), random() < 0.2 ? 12.0 : 1.0);
+        if (fraction > 1e-9 && random() < 0.7)
+        {
+          parts.push_back({ m, fraction });
+          rest -= fraction;
+        }
+      }
+      field.SetParts(cell, parts);
+    });
+  return field;
+}
+
+/// Largest difference between the fractions of a cell and the mean of those of its children.
+double LargestLoss(const CartesianGrid& grid, const FractionField& field, const RefinedCells& fine)
+{
+  double largest = 0.0;
+  ForCells(grid.Owned(),
+    [&](const Index3& p)
+    {
+      for (int m = 0; m <= field.NumberOfMaterials(); ++m)
+      {
+        double sum = 0.0;
+        for (int c = 0; c < 8; ++c)
+        {
+          const Index child = fine.Grid.Linear(
+            { { 2 * p[0] + (c & 1), 2 * p[1] + (c >> 1 & 1), 2 * p[2] + (c >> 2) } });
+          sum += fine.Fractions.Fraction(child, m);
+        }
+        largest = std::max(largest, std::fabs(sum / 8.0 - field.Fraction(grid.Linear(p), m)));
+      }
+    });
+  return largest;
+}
+
+/// How far the fractions of refined cells are from those of the shapes themselves.
+struct Deviation
+{
+  double Largest = 0.0, Sum = 0.0;
+  Index Children = 0; ///< of mixed cells
+  double Mean() const { return this->Sum / static_cast<double>(this->Children); }
+};
+
+Deviation CompareWithExact(const CartesianGrid& grid, const std::vector<Shape>& shapes)
+{
+  const FractionField field = FractionsOfShapes(grid, shapes);
+  const RefinedCells fine = Refine(grid, field);
+  Deviation deviation;
+  ForCells(fine.Grid.Owned(),
+    [&](const Index3& p)
+    {
+      std::vector<double> exact(CountMaterials(shapes) + 1, 0.0);
+      exact[0] = 1.0;
+      for (const FractionField::Part& part : ComputeShapeParts(shapes, fine.Grid.NodePoint(p),
+             fine.Grid.NodePoint({ { p[0] + 1, p[1] + 1, p[2] + 1 } })))
+      {
+        exact[part.Material] = part.Fraction;
+        exact[0] -= part.Fraction;
+      }
+      double largest = 0.0;
+      for (int m = 0; m < static_cast<int>(exact.size()); ++m)
+      {
+        largest =
+          std::max(largest, std::fabs(fine.Fractions.Fraction(fine.Grid.Linear(p), m) - exact[m]));
+      }
+      deviation.Largest = std::max(deviation.Largest, largest);
+      if (field.IsMixed(grid.Linear({ { p[0] / 2, p[1] / 2, p[2] / 2 } })))
+      {
+        deviation.Sum += largest;
+        ++deviation.Children;
+      }
+    });
+  return deviation;
+}
+
+/// Whether both hold the same parts, bit for bit.
+bool HaveSameParts(const FractionField& a, Index i, const FractionField& b, Index j)
+{
+  if (a.IsMixed(i) != b.IsMixed(j))
+  {
+    return false;
+  }
+  return a.IsMixed(i)
+    ? std::equal(a.Parts(i).begin(), a.Parts(i).end(), b.Parts(j).begin(), b.Parts(j).end(),
+        [](const FractionField::Part& p, const FractionField::Part& q)
+        { return p.Material == q.Material && p.Fraction == q.Fraction; })
+    : a.Label(i) == b.Label(j);
+}
+
+const std::vector<Vector3> Normals{ { { 1, 0, 0 } }, { { 0, -1, 0 } }, { { 0, 0, 1 } },
+  { { 1, 1, 0 } }, { { 1, 2, 3 } }, { { -3, 1, 0.2 } }, { { 0.01, 0.02, -1 } }, { { 1, 1, 1 } },
+  { { -5, 0, 2 } } };
+
+/// A mesh by ids: coordinates of points, points of elements.
+struct MeshById
+{
+  std::map<Index, std::array<double, 3>> Points;
+  std::map<Index, std::vector<Index>> Elements;
+
+  void Add(const Mesh& mesh)
+  {
+    for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
+    {
+      const double* x = mesh.Points.data() + 3 * p;
+      this->Points[mesh.PointIds[p]] = { { x[0], x[1], x[2] } };
+    }
+    for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
+    {
+      std::vector<Index>& ids = this->Elements[mesh.ElementIds[e]];
+      for (int c = 0; c < mesh.Corners; ++c)
+      {
+        ids.push_back(mesh.PointIds[mesh.Elements[mesh.Corners * e + c]]);
+      }
+    }
+  }
+};
+
+/// Refines and meshes on as many ranks as there are boxes.
+MeshById MeshOnRanks(const CartesianGrid& whole, const FractionField& field,
+  const std::vector<IndexBox>& boxes, int times, MeshMaker make)
+{
+  std::vector<Mesh> meshes(boxes.size());
+  RunOnRanks(static_cast<int>(boxes.size()),
+    [&](Ranks& ranks)
+    {
+      const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
+      RankRuntime runtime(ranks);
+      RefinedCells cells{ grid, CopyToLocal(whole, field, grid) };
+      for (int i = 0; i < times; ++i)
+      {
+        cells = RefineCells(cells.Grid, cells.Fractions, runtime);
+      }
+      MeshReport report;
+      meshes[ranks.Rank()] = make(cells.Grid, cells.Fractions, MeshOptions(), runtime, report);
+    });
+  MeshById merged;
+  for (const Mesh& mesh : meshes)
+  {
+    merged.Add(mesh);
+  }
+  return merged;
+}
+
+} // namespace
+
+TEST(RefineCells, HalvesTheWidths)
+{
+  const CartesianGrid grid = MakeUnevenGrid(5);
+  const CartesianGrid fine = Refine(grid, FractionField(grid, 1)).Grid;
+  EXPECT_EQ(fine.Global().Upper, (Index3{ { 10, 10, 10 } }));
+  for (int a = 0; a < 3; ++a)
+  {
+    for (Index i = 0; i < 5; ++i)
+    {
+      EXPECT_EQ(fine.Coordinates(a)[2 * i], grid.Coordinates(a)[i]);
+      EXPECT_NEAR(fine.Width(a, 2 * i), 0.5 * grid.Width(a, i), 1e-14);
+      EXPECT_NEAR(fine.Width(a, 2 * i + 1), 0.5 * grid.Width(a, i), 1e-14);
+    }
+  }
+}
+
+TEST(RefineCells, LabelsGoToTheChildren)
+{
+  const CartesianGrid grid = MakeUnitGrid(7, 6, 5);
+  const FractionField field = MakeRandomLabels(grid, 3, 0, 2);
+  const RefinedCells fine = Refine(grid, field);
+  ForCells(fine.Grid.Owned(),
+    [&](const Index3& p)
+    {
+      const Index child = fine.Grid.Linear(p);
+      ASSERT_FALSE(fine.Fractions.IsMixed(child));
+      ASSERT_EQ(fine.Fractions.Label(child),
+        field.Label(grid.Linear({ { p[0] / 2, p[1] / 2, p[2] / 2 } })));
+    });
+}
+
+TEST(RefineCells, KeepsTheVolumesOfEveryCell)
+{
+  for (int materials = 1; materials <= 5; ++materials)
+  {
+    const CartesianGrid grid = materials % 2 ? MakeUnevenGrid(8) : MakeUnitGrid(9, 7, 1);
+    const FractionField field = MakeRandomFractions(grid, materials, materials);
+    const RefinedCells fine = Refine(grid, field);
+    EXPECT_LT(LargestLoss(grid, field, fine), 1e-12) << materials << " materials";
+    ForCells(fine.Grid.Owned(),
+      [&](const Index3& p)
+      {
+        const Index cell = fine.Grid.Linear(p);
+        if (!fine.Fractions.IsMixed(cell))
+        {
+          return;
+        }
+        double sum = 0.0;
+        int last = -1;
+        for (const FractionField::Part& part : fine.Fractions.Parts(cell))
+        {
+          ASSERT_GT(part.Fraction, 0.0);
+          ASSERT_GT(part.Material, last) << "parts are in order";
+          last = part.Material;
+          sum += part.Fraction;
+        }
+        ASSERT_NEAR(sum, 1.0, 1e-13);
+      });
+  }
+}
+
+TEST(RefineCells, HalfSpacesStayExact)
+{
+  for (const CartesianGrid& grid : { MakeUnitGrid(8), MakeUnevenGrid(8) })
+  {
+    for (const Vector3& normal : Normals)
+    {
+      const Vector3 point = MiddleOf(grid) + Vector3{ { 0.13, -0.21, 0.37 } };
+      const std::vector<Shape> half{ MakeHalfSpace(1, point, normal) };
+      const std::vector<Shape> filled{ MakeHalfSpace(1, point, normal),
+        MakeHalfSpace(2, point, -1.0 * normal) };
+      EXPECT_LT(CompareWithExact(grid, half).Largest, 1e-10) << ::testing::PrintToString(normal);
+      EXPECT_LT(CompareWithExact(grid, filled).Largest, 1e-10) << ::testing::PrintToString(normal);
+    }
+  }
+}
+
+/// Two materials side by side, split by a plane across, below a plane up.
+std::vector<Shape> MakeCutHalfSpace(const Vector3& point, const Vector3& up, const Vector3& across)
+{
+  const Shape below = MakeHalfSpace(1, point, up);
+  Shape right = CutShape(below, point, -1.0 * across);
+  right.Material = 2;
+  return { CutShape(below, point, across), right };
+}
+
+TEST(RefineCells, ThreePartsStayNear)
+{
+  for (const CartesianGrid& grid : { MakeUnitGrid(8), MakeUnevenGrid(8) })
+  {
+    const Vector3 point = MiddleOf(grid) + Vector3{ { 0.13, -0.21, 0.37 } };
+    const auto straight = MakeCutHalfSpace(point, { { 0, 0, 1 } }, { { 3, 1, 0 } });
+    EXPECT_LT(CompareWithExact(grid, straight).Largest, 1e-10);
+    const auto oblique = MakeCutHalfSpace(point, { { 1, 2, 3 } }, { { 3, 0, -1 } });
+    EXPECT_LT(CompareWithExact(grid, oblique).Largest, 0.06);
+  }
+}
+
+/// Films of about a cell are found too, unless they lie within one layer of cells: then nothing tells where.
+TEST(RefineCells, FilmsStayNear)
+{
+  const std::map<double, double> largest{ { 0.6, 0.08 }, { 0.9, 0.02 }, { 1.2, 1e-3 } };
+  for (const auto& entry : largest)
+  {
+    for (const CartesianGrid& grid : { MakeUnitGrid(8), MakeUnevenGrid(8) })
+    {
+      double sum = 0.0;
+      for (const Vector3& normal : Normals)
+      {
+        const Vector3 point = MiddleOf(grid) + Vector3{ { 0.13, -0.21, 0.37 } };
+        const Shape film = MakePlate(1, point, normal, entry.first * grid.MeanWidth());
+        sum += CompareWithExact(grid, { film }).Mean();
+      }
+      EXPECT_LT(sum / static_cast<double>(Normals.size()), entry.second)
+        << "thickness " << entry.first;
+    }
+  }
+}
+
+TEST(RefineCells, FilmsOfAGridOneCellThickStayNear)
+{
+  const CartesianGrid grid = MakeUnitGrid(10, 10, 1);
+  const Vector3 point = MiddleOf(grid) + Vector3{ { 0.13, -0.21, 0.0 } };
+  EXPECT_LT(CompareWithExact(grid, { MakePlate(1, point, { { 1, 2, 0 } }, 0.9) }).Mean(), 0.01);
+}
+
+TEST(RefineCells, RefusesGridsWhoseIdsWouldNotFit)
+{
+  std::vector<double> x(140001);
+  std::iota(x.begin(), x.end(), 0.0);
+  const CartesianGrid grid({ { x, x, x } }, { { { 5, 5, 5 } }, { { 6, 6, 6 } } }, GhostLevels);
+  EXPECT_THROW(Refine(grid, FractionField(grid, 1)), InputError);
+}
+
+TEST(RefineCells, RanksHoldWhatTheWholeGridHolds)
+{
+  const CartesianGrid whole = MakeUnevenGrid(8);
+  const FractionField field = MakeRandomFractions(whole, 3, 7);
+  RefinedCells all = Refine(whole, field);
+  all = Refine(all.Grid, all.Fractions);
+  for (int ranks : { 2, 8 })
+  {
+    std::vector<IndexBox> boxes;
+    CutBox(whole.Global(), ranks, -1, boxes);
+    boxes.push_back(IndexBox()); // a rank without cells
+    for (const IndexBox& box : boxes)
+    {
+      const CartesianGrid grid = MakeRankGrid(whole, box);
+      RefinedCells part = Refine(grid, CopyToLocal(whole, field, grid));
+      part = Refine(part.Grid, part.Fractions);
+      for (int a = 0; a < 3; ++a)
+      {
+        EXPECT_EQ(part.Grid.Owned().Lower[a], 4 * box.Lower[a]);
+        EXPECT_EQ(part.Grid.Owned().Upper[a], 4 * box.Upper[a]);
+        EXPECT_TRUE(box.NumberOfCells() == 0 ||
+          part.Grid.Local().Lower[a] == std::max<Index>(4 * box.Lower[a] - GhostLevels, 0));
+      }
+      EXPECT_EQ(part.Grid.Global().Upper, all.Grid.Global().Upper);
+      Index differences = 0;
+      ForCells(part.Grid.Local(),
+        [&](const Index3& p)
+        {
+          differences +=
+            !HaveSameParts(part.Fractions, part.Grid.Linear(p), all.Fractions, all.Grid.Linear(p));
+        });
+      EXPECT_EQ(differences, 0) << ranks << " ranks";
+    }
+  }
+}
+
+TEST(RefineCells, MeshesDoNotDependOnTheRanks)
+{
+  const MeshCase sphere = MakeSphereCase(4), grains = MakePolycrystalCase(5, 7);
+  const CartesianGrid noiseGrid = MakeUnitGrid(5, 4, 6);
+  const FractionField noise = MakeRandomFractions(noiseGrid, 3, 4);
+  const auto compare =
+    [](const CartesianGrid& grid, const FractionField& field, int times, MeshMaker make)
+  {
+    const MeshById alone = MeshOnRanks(grid, field, { grid.Global() }, times, make);
+    EXPECT_FALSE(alone.Elements.empty());
+    for (int ranks : { 2, 3, 4 })
+    {
+      std::vector<IndexBox> boxes;
+      CutBox(grid.Global(), ranks, ranks == 3 ? 0 : -1, boxes);
+      const MeshById merged = MeshOnRanks(grid, field, boxes, times, make);
+      EXPECT_TRUE(merged.Points == alone.Points) << ranks << " ranks";
+      EXPECT_TRUE(merged.Elements == alone.Elements) << ranks << " ranks";
+    }
+  };
+  compare(sphere.Grid, sphere.Fractions, 2, MakeHexMesh);
+  compare(grains.Grid, grains.Fractions, 1, MakeHexMesh);
+  compare(noiseGrid, noise, 1, MakeHexMesh);
+  compare(noiseGrid, noise, 1, MakeTetMesh);
+}
+
+TEST(RefineCells, MeshesComeNearerToTheSurface)
+{
+  Runtime runtime;
+  std::printf("%s", FormatHeader().c_str());
+  for (const char* name : { "sphere 8", "sphere 16", "plate 2 thick", "ball of 3 sectors" })
+  {
+    const MeshCase c = MakeMeshCase(name);
+    const RefinedCells fine = Refine(c.Grid, c.Fractions);
+    MeshCase refined = c;
+    refined.Grid = fine.Grid;
+    refined.Fractions = fine.Fractions;
+    const MeshFigures before = MeasureCase(c, MeshOptions(), runtime);
+    const MeshFigures after = MeasureCase(refined, MeshOptions(), runtime);
+    std::printf("%s%s", FormatFigures(name, before).c_str(),
+      FormatFigures(std::string(name) + ", refined", after).c_str());
+    EXPECT_EQ(FindTopologyProblem(after.Result), "");
+    EXPECT_GT(SmallestCornerDeterminant(after.Result), 0.0);
+    EXPECT_LT(after.Distance.RootMeanSquare, 0.6 * before.Distance.RootMeanSquare);
+    EXPECT_LT(after.VolumeError, 1e-5);
+    for (std::size_t m = 1; m < before.Report.TargetVolume.size(); ++m)
+    {
+      EXPECT_NEAR(after.Report.TargetVolume[m] / before.Report.TargetVolume[m], 1.0, 1e-9);
+    }
+  }
+}
