@@ -134,6 +134,10 @@ std::vector<Bytes> ControllerRanks::MakeIncoming(
 std::vector<Bytes> ControllerRanks::Exchange(
   const std::vector<int>& peers, const std::vector<Bytes>& outgoing)
 {
+  if (peers.empty())
+  {
+    return {};
+  }
   ++this->Sent.Exchanges;
   for (const Bytes& bytes : outgoing)
   {

@@ -14,11 +14,11 @@ namespace
 constexpr int Hops = 2;                 // face neighbours, then edges, then corners
 constexpr double TouchTolerance = 1e-6; // of the box's size
 
-bool Touches(const RankBox& a, const RankBox& b)
+bool IsNear(const RankBox& a, const RankBox& b, double reach)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double slack = TouchTolerance * (a.Upper[axis] - a.Lower[axis]);
+    const double slack = reach + TouchTolerance * (a.Upper[axis] - a.Lower[axis]);
     if (a.Lower[axis] > b.Upper[axis] + slack || b.Lower[axis] > a.Upper[axis] + slack)
     {
       return false;
@@ -74,47 +74,59 @@ void CheckMutual(const RankBox& mine, const std::vector<int>& peers, Ranks& rank
   }
 }
 
+/// One hop: tells the peers what this rank knows, and learns what is near. Whether anything was new.
+bool LearnBoxes(const RankBox& mine, const std::vector<int>& peers, double reach, Ranks& ranks,
+  std::map<int, RankBox>& known)
+{
+  std::vector<RankBox> told;
+  for (const auto& box : known)
+  {
+    told.push_back(box.second);
+  }
+  const std::size_t before = known.size();
+  for (const Bytes& message :
+    ranks.Exchange(peers, std::vector<Bytes>(peers.size(), ToBytes(told))))
+  {
+    for (const RankBox& box : FromBytes<RankBox>(message))
+    {
+      if (IsNear(mine, box, reach))
+      {
+        known.emplace(box.Rank, box);
+      }
+    }
+  }
+  return known.size() > before;
+}
+
+void CheckTouch(
+  const RankBox& mine, const std::vector<int>& peers, const std::map<int, RankBox>& known)
+{
+  for (int peer : peers)
+  {
+    const auto found = known.find(peer);
+    if (found == known.end() || !IsNear(mine, found->second, 0.0))
+    {
+      throw InputError("Rank " + std::to_string(mine.Rank) + " names " + std::to_string(peer) +
+        " as a face neighbour, but their boxes do not touch.");
+    }
+  }
+}
+
 } // namespace
 
 std::vector<RankBox> FindNeighbours(
-  const RankBox& mine, const std::array<int, 6>& faces, Ranks& ranks)
+  const RankBox& mine, const std::array<int, 6>& faces, Ranks& ranks, double reach)
 {
   std::vector<int> peers;
   WorkTogether(ranks, [&] { peers = ListPeers(mine, faces, ranks.Count()); });
   CheckMutual(mine, peers, ranks);
   std::map<int, RankBox> known{ { mine.Rank, mine } };
-  for (int hop = 0; hop <= Hops; ++hop)
+  bool isNew = true;
+  for (int hop = 0; hop <= Hops || ranks.Any(isNew); ++hop)
   {
-    std::vector<RankBox> told;
-    for (const auto& box : known)
-    {
-      told.push_back(box.second);
-    }
-    const std::vector<Bytes> received =
-      ranks.Exchange(peers, std::vector<Bytes>(peers.size(), ToBytes(told)));
-    for (std::size_t p = 0; p < received.size(); ++p)
-    {
-      for (const RankBox& box : FromBytes<RankBox>(received[p]))
-      {
-        if (Touches(mine, box))
-        {
-          known.emplace(box.Rank, box);
-        }
-      }
-    }
+    isNew = LearnBoxes(mine, peers, reach, ranks, known);
   }
-  WorkTogether(ranks,
-    [&]
-    {
-      for (int peer : peers)
-      {
-        if (!known.count(peer))
-        {
-          throw InputError("Rank " + std::to_string(mine.Rank) + " names " + std::to_string(peer) +
-            " as a face neighbour, but their boxes do not touch.");
-        }
-      }
-    });
+  WorkTogether(ranks, [&] { CheckTouch(mine, peers, known); });
   known.erase(mine.Rank);
   std::vector<RankBox> neighbours;
   for (const auto& box : known)

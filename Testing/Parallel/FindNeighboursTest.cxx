@@ -100,6 +100,34 @@ TEST(FindNeighbours, AllThatTouch)
   }
 }
 
+TEST(FindNeighbours, ReachOverThinBoxes)
+{
+  constexpr int slabs = 9;
+  const auto slab = [](int rank) {
+    return RankBox{ rank, { { 0, 0, 2.0 * rank } }, { { 9, 9, 2.0 * rank + 2 } } };
+  };
+  RunOnRanks(slabs,
+    [&](Ranks& ranks)
+    {
+      const int rank = ranks.Rank();
+      const std::array<int, 6> faces{ { -1, -1, -1, -1, rank - 1,
+        rank + 1 < slabs ? rank + 1 : -1 } };
+      std::vector<int> expected, got;
+      for (int other = 0; other < slabs; ++other)
+      {
+        if (other != rank && std::abs(other - rank) <= 4) // 6 off is three slabs between
+        {
+          expected.push_back(other);
+        }
+      }
+      for (const RankBox& box : FindNeighbours(slab(rank), faces, ranks, 6.0))
+      {
+        got.push_back(box.Rank);
+      }
+      EXPECT_EQ(got, expected) << "rank " << rank;
+    });
+}
+
 TEST(FindNeighbours, WrongNeighboursAreRefusedOnEveryRank)
 {
   for (const std::string& message : MessagesWith(5, 1, 99))
