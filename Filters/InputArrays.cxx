@@ -24,31 +24,36 @@ std::string ArrayNames(vtkDataSetAttributes* attributes)
 
 } // namespace
 
-vtkDataArray* FindArray(const InputBlock& block, const std::string& name)
+vtkDataArray* FindCellArray(const InputBlock& block, const std::string& name)
 {
   vtkDataArray* array = block.Data->GetCellData()->GetArray(name.c_str());
   if (!array && block.Data->GetPointData()->HasArray(name.c_str()))
   {
     throw InputError("'" + name +
-      "' is point data. Volume fractions and material ids are cell "
-      "data: apply the filter Point Data to Cell Data first.");
+      "' is point data. Cell data is needed: apply the filter Point Data to Cell Data first.");
   }
   if (!array)
   {
     throw InputError(block.Name + " has no numeric cell array '" + name +
       "'. Its cell arrays: " + ArrayNames(block.Data->GetCellData()) + ".");
   }
-  if (array->GetNumberOfComponents() != 1)
-  {
-    throw InputError("The cell array '" + name + "' has " +
-      std::to_string(array->GetNumberOfComponents()) +
-      " components: an array with one value a cell is needed.");
-  }
   if (array->GetNumberOfTuples() != block.Data->GetNumberOfCells())
   {
     throw InputError(block.Name + ": the cell array '" + name + "' has " +
       std::to_string(array->GetNumberOfTuples()) + " values for " +
       std::to_string(block.Data->GetNumberOfCells()) + " cells.");
+  }
+  return array;
+}
+
+vtkDataArray* FindArray(const InputBlock& block, const std::string& name)
+{
+  vtkDataArray* array = FindCellArray(block, name);
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw InputError("The cell array '" + name + "' has " +
+      std::to_string(array->GetNumberOfComponents()) +
+      " components: an array with one value a cell is needed.");
   }
   return array;
 }

@@ -2,6 +2,7 @@
 
 #include "Agreement.h"
 #include "CollectBlocks.h"
+#include "FindNeighbours.h"
 #include "MakePartition.h"
 #include "Runtime.h"
 
@@ -206,14 +207,13 @@ void CheckIds(const InputBlocks& input)
   }
 }
 
-} // namespace
-
-InputBlocks FindInputBlocks(vtkDataObject* data, Ranks& ranks)
+/// Collective: the blocks of this rank in the grid of all.
+InputBlocks FindOwnBlocks(vtkDataObject* data, Ranks& ranks)
 {
-  const bool isAlone = ranks.Count() == 1;
   InputBlocks input;
   CheckLevels(Unite(ranks, FindUsedLevels(data)));
-  WorkTogether(ranks, [&] { input.Blocks = CollectBlocks(data, ranks.Rank(), isAlone); });
+  WorkTogether(
+    ranks, [&] { input.Blocks = CollectBlocks(data, ranks.Rank(), ranks.Count() == 1); });
   if (!ranks.Any(!input.Blocks.empty()))
   {
     Refuse("The input has no cells. Volume fractions on a 3D grid of cells are needed.");
@@ -224,9 +224,84 @@ InputBlocks FindInputBlocks(vtkDataObject* data, Ranks& ranks)
   }
   CheckIds(input);
   WorkTogether(ranks, [&input] { PlaceBlocks(input); });
+  return input;
+}
+
+/// The places of this rank's block and of those that the neighbours have, by rank.
+std::vector<BlockPlace> FindPlacesAround(
+  const IndexBox& box, const std::array<int, 6>& faces, Ranks& ranks)
+{
+  RankBox mine{ ranks.Rank(), {}, {} };
+  for (int a = 0; a < 3; ++a)
+  {
+    mine.Lower[a] = static_cast<double>(box.Lower[a]);
+    mine.Upper[a] = static_cast<double>(box.Upper[a]);
+  }
+  std::vector<BlockPlace> places{ { box, mine.Rank, -1 } };
+  for (const RankBox& other : FindNeighbours(mine, faces, ranks, GhostLevels))
+  {
+    BlockPlace place{ {}, other.Rank, -1 };
+    for (int a = 0; a < 3; ++a)
+    {
+      place.Box.Lower[a] = static_cast<Index>(other.Lower[a]);
+      place.Box.Upper[a] = static_cast<Index>(other.Upper[a]);
+    }
+    places.push_back(place);
+  }
+  std::sort(places.begin(), places.end(),
+    [](const BlockPlace& a, const BlockPlace& b) { return a.Rank < b.Rank; });
+  return places;
+}
+
+/// Overlaps must have been ruled out.
+void CheckGhostCells(const InputBlocks& input, int rank)
+{
+  const IndexBox local = Grow(input.Blocks[0].Box, GhostLevels, input.Global());
+  Index missing = local.NumberOfCells();
+  for (const BlockPlace& place : input.Places)
+  {
+    missing -= Intersect(place.Box, local).NumberOfCells();
+  }
+  if (missing > 0)
+  {
+    Refuse("The face neighbours of rank " + std::to_string(rank) + " do not lead to " +
+      std::to_string(missing) +
+      " of the cells around its box. Every side of a box that is not on the side of the "
+      "whole grid needs the rank across it.");
+  }
+}
+
+} // namespace
+
+InputBlocks FindInputBlocks(vtkDataObject* data, Ranks& ranks)
+{
+  InputBlocks input = FindOwnBlocks(data, ranks);
   input.Places = GatherPlaces(input.Blocks, ranks);
-  CheckOverlaps(input.Places, isAlone);
+  CheckOverlaps(input.Places, ranks.Count() == 1);
   CheckGaps(input);
+  return input;
+}
+
+InputBlocks FindNeighbourBlocks(vtkDataObject* data, const std::array<int, 6>& faces, Ranks& ranks)
+{
+  InputBlocks input = FindOwnBlocks(data, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      if (input.Blocks.size() != 1)
+      {
+        Refuse("Rank " + std::to_string(ranks.Rank()) + " has " +
+          std::to_string(input.Blocks.size()) +
+          " blocks. With face neighbours every rank must have one.");
+      }
+    });
+  input.Places = FindPlacesAround(input.Blocks[0].Box, faces, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      CheckOverlaps(input.Places, ranks.Count() == 1);
+      CheckGhostCells(input, ranks.Rank());
+    });
   return input;
 }
 

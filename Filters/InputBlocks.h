@@ -8,6 +8,9 @@
  * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped: they may only form layers on the sides of a block. Blanked
  * cells (HIDDENCELL) stay and are void.
  *
+ * Where a host code knows the ranks across the faces of its box, the blocks of the ranks around are found from these
+ * alone (FindNeighbourBlocks), and every rank meshes the cells that it has.
+ *
  * Node coordinates that differ by less than a thousandth of the smallest cell are one; the smallest is
  * kept, so the grid does not depend on the order of the blocks or their ranks.
  */
@@ -49,7 +52,7 @@ struct InputBlock
   }
 };
 
-/// The place of a block of any rank.
+/// The place of a block of any rank, or the cells that a rank meshes.
 struct BlockPlace
 {
   IndexBox Box; ///< in the indices of the global grid
@@ -58,8 +61,8 @@ struct BlockPlace
 
 struct InputBlocks
 {
-  std::vector<InputBlock> Blocks;                 ///< of this rank
-  std::vector<BlockPlace> Places;                 ///< of all ranks (56 bytes a block), by rank
+  std::vector<InputBlock> Blocks; ///< of this rank
+  std::vector<BlockPlace> Places; ///< of all ranks, or those near (56 bytes a block), by rank
   std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of the global grid, per axis
 
   IndexBox Global() const
@@ -84,5 +87,11 @@ struct InputBlocks
 /// kind, flat or empty grids, rotated images, coordinates that do not increase, blocks that do not tile one box,
 /// and grids whose ids exceed 63 bits.
 InputBlocks FindInputBlocks(vtkDataObject* input, Ranks& ranks);
+
+/// Collective; the same, every rank having one block. faces: the ranks across -x +x -y +y -z +z of it, or -1. Places: of
+/// this rank and of those that hold its ghost cells. Throws InputError, on all ranks alike, when neighbours do not
+/// match (FindNeighbours) or do not hold all ghost cells, too.
+InputBlocks FindNeighbourBlocks(
+  vtkDataObject* input, const std::array<int, 6>& faces, Ranks& ranks);
 
 } // namespace vfm

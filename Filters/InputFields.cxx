@@ -1,6 +1,7 @@
 #include "InputFields.h"
 
 #include "Agreement.h"
+#include "InputRoute.h"
 #include "MakePartition.h"
 
 #include <optional>
@@ -48,40 +49,6 @@ void InputCells::FindInterfaceCells(std::size_t block, std::vector<Index3>& foun
 namespace
 {
 
-/// Who talks to whom about the input.
-struct Route
-{
-  std::vector<int> Peers;       // ascending
-  std::vector<IndexBox> Wanted; // by each peer: its local box
-};
-
-Route FindRoute(const CartesianGrid& grid, const std::vector<IndexBox>& boxes,
-  const InputBlocks& input, int myRank)
-{
-  std::vector<bool> sendsToMe(boxes.size(), false);
-  for (const BlockPlace& place : input.Places)
-  {
-    if (Intersect(place.Box, grid.Local()).NumberOfCells() > 0)
-    {
-      sendsToMe[place.Rank] = true;
-    }
-  }
-  Route route;
-  for (int rank = 0; rank < static_cast<int>(boxes.size()); ++rank)
-  {
-    const IndexBox local = Grow(boxes[rank], GhostLevels, grid.Global());
-    const bool wants = std::any_of(input.Blocks.begin(), input.Blocks.end(),
-      [&local](const InputBlock& block)
-      { return Intersect(block.Box, local).NumberOfCells() > 0; });
-    if (rank != myRank && (wants || sendsToMe[rank]))
-    {
-      route.Peers.push_back(rank);
-      route.Wanted.push_back(local);
-    }
-  }
-  return route;
-}
-
 Bytes PackFor(const IndexBox& wanted, const InputBlocks& input, const InputCells& cells)
 {
   std::vector<SparseCells> packets;
@@ -98,7 +65,7 @@ Bytes PackFor(const IndexBox& wanted, const InputBlocks& input, const InputCells
 
 /// What the local box needs of the blocks of other ranks.
 std::vector<SparseCells> ExchangeInput(
-  const Route& route, const InputBlocks& input, const InputCells& cells, Ranks& ranks)
+  const InputRoute& route, const InputBlocks& input, const InputCells& cells, Ranks& ranks)
 {
   std::vector<Bytes> outgoing;
   WorkTogether(ranks,
@@ -122,11 +89,24 @@ std::vector<SparseCells> ExchangeInput(
 
 } // namespace
 
-InputField MakeInputField(const CartesianGrid& grid, const std::vector<IndexBox>& boxes,
+std::vector<BlockPlace> ShareOutCells(
+  const InputBlocks& input, const InputCells& cells, Ranks& ranks)
+{
+  const std::vector<IndexBox> boxes = MakePartition(
+    input.Global(), input.Boxes(), [&cells] { return cells.FindInterfaceCells(); }, ranks);
+  std::vector<BlockPlace> owners;
+  for (const IndexBox& box : boxes)
+  {
+    owners.push_back({ box, static_cast<int>(owners.size()), -1 });
+  }
+  return owners;
+}
+
+InputField MakeInputField(const CartesianGrid& grid, const std::vector<BlockPlace>& owners,
   const InputBlocks& input, const InputCells& cells, Ranks& ranks)
 {
   const std::vector<SparseCells> received =
-    ExchangeInput(FindRoute(grid, boxes, input, ranks.Rank()), input, cells, ranks);
+    ExchangeInput(FindInputRoute(owners, input, ranks.Rank()), input, cells, ranks);
   std::optional<InputField> field;
   WorkTogether(ranks, [&] { field = cells.MakeField(grid, received); });
   std::vector<Index> normalised{ field->NormalisedCells };

@@ -70,9 +70,13 @@ std::unique_ptr<InputCells> OpenFractions(
 std::unique_ptr<InputCells> OpenLabels(
   const InputBlocks& input, const std::string& name, Ranks& ranks);
 
-/// Collective: the field of the grid's local box, with what it needs of the blocks of other ranks. boxes: the owned
-/// cells of all ranks. Throws InputError, on all ranks alike, on values that are no fractions.
-InputField MakeInputField(const CartesianGrid& grid, const std::vector<IndexBox>& boxes,
+/// Collective: the cells that each rank meshes, by rank (MakePartition).
+std::vector<BlockPlace> ShareOutCells(
+  const InputBlocks& input, const InputCells& cells, Ranks& ranks);
+
+/// Collective: the field of the grid's local box, with what it needs of the blocks of other ranks. owners: the cells
+/// that the ranks mesh, of all ranks or those near. Throws InputError, on all ranks alike, on values that are no fractions.
+InputField MakeInputField(const CartesianGrid& grid, const std::vector<BlockPlace>& owners,
   const InputBlocks& input, const InputCells& cells, Ranks& ranks);
 
 } // namespace vfm

@@ -5,9 +5,12 @@
 #include "FilterRuntime.h"
 #include "InputBlocks.h"
 #include "InputFields.h"
-#include "MakePartition.h"
+#include "InputRoute.h"
 #include "MeshOutput.h"
+#include "RefineCells.h"
+#include "StateArrays.h"
 
+#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -30,6 +33,39 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 // The filter marks no cells as ghosts, whatever is asked.
 constexpr int GhostLevelsClaimed = 4;
 
+void AddName(const char* name, std::vector<std::string>& names, vtkObject* owner)
+{
+  if (name && *name && std::find(names.begin(), names.end(), name) == names.end())
+  {
+    names.emplace_back(name);
+    owner->Modified();
+  }
+}
+
+void ClearNames(std::vector<std::string>& names, vtkObject* owner)
+{
+  if (!names.empty())
+  {
+    names.clear();
+    owner->Modified();
+  }
+}
+
+const char* NameAt(const std::vector<std::string>& names, int index)
+{
+  const bool valid = index >= 0 && index < static_cast<int>(names.size());
+  return valid ? names[index].c_str() : nullptr;
+}
+
+void PrintNames(ostream& os, const std::vector<std::string>& names)
+{
+  for (const std::string& name : names)
+  {
+    os << " '" << name << "'";
+  }
+  os << "\n";
+}
+
 void LogStages(const vfm::MeshReport& report)
 {
   for (const vfm::MeshReport::Stage& stage : report.Stages)
@@ -46,6 +82,19 @@ void LogTraffic(const vfm::ControllerRanks& ranks)
     ranks.Rank(), static_cast<long long>(sent.Messages), static_cast<long long>(sent.Bytes),
     static_cast<long long>(sent.Exchanges), static_cast<long long>(sent.CollectiveBytes),
     static_cast<long long>(sent.Collectives));
+}
+
+/// Collective: the choice of all ranks between neighbours that are known and cells that are shared out.
+bool AgreeOn(bool knowsNeighbours, vfm::Ranks& ranks)
+{
+  std::vector<vfm::Index> count{ knowsNeighbours ? 1 : 0 };
+  ranks.Sum(count);
+  if (count[0] > 0 && count[0] < ranks.Count())
+  {
+    throw vfm::InputError("Only " + std::to_string(count[0]) + " of " +
+      std::to_string(ranks.Count()) + " ranks name their face neighbours. All must, or none.");
+  }
+  return knowsNeighbours;
 }
 
 } // namespace
@@ -65,21 +114,12 @@ vtkVolumeFractionMeshAlgorithm::~vtkVolumeFractionMeshAlgorithm()
 
 void vtkVolumeFractionMeshAlgorithm::AddVolumeFractionArray(const char* name)
 {
-  std::vector<std::string>& names = this->VolumeFractionArrays;
-  if (name && *name && std::find(names.begin(), names.end(), name) == names.end())
-  {
-    names.emplace_back(name);
-    this->Modified();
-  }
+  AddName(name, this->VolumeFractionArrays, this);
 }
 
 void vtkVolumeFractionMeshAlgorithm::ClearVolumeFractionArrays()
 {
-  if (!this->VolumeFractionArrays.empty())
-  {
-    this->VolumeFractionArrays.clear();
-    this->Modified();
-  }
+  ClearNames(this->VolumeFractionArrays, this);
 }
 
 int vtkVolumeFractionMeshAlgorithm::GetNumberOfVolumeFractionArrays()
@@ -89,8 +129,40 @@ int vtkVolumeFractionMeshAlgorithm::GetNumberOfVolumeFractionArrays()
 
 const char* vtkVolumeFractionMeshAlgorithm::GetVolumeFractionArray(int index)
 {
-  const bool valid = index >= 0 && index < this->GetNumberOfVolumeFractionArrays();
-  return valid ? this->VolumeFractionArrays[index].c_str() : nullptr;
+  return NameAt(this->VolumeFractionArrays, index);
+}
+
+void vtkVolumeFractionMeshAlgorithm::AddStateArray(const char* name)
+{
+  AddName(name, this->StateArrays, this);
+}
+
+void vtkVolumeFractionMeshAlgorithm::ClearStateArrays()
+{
+  ClearNames(this->StateArrays, this);
+}
+
+int vtkVolumeFractionMeshAlgorithm::GetNumberOfStateArrays()
+{
+  return static_cast<int>(this->StateArrays.size());
+}
+
+const char* vtkVolumeFractionMeshAlgorithm::GetStateArray(int index)
+{
+  return NameAt(this->StateArrays, index);
+}
+
+void vtkVolumeFractionMeshAlgorithm::SetFaceNeighbours(const int ranks[6])
+{
+  std::copy_n(ranks, 6, this->FaceNeighbours.begin());
+  this->HasFaceNeighbours = true;
+  this->Modified();
+}
+
+void vtkVolumeFractionMeshAlgorithm::ClearFaceNeighbours()
+{
+  this->HasFaceNeighbours = false;
+  this->Modified();
 }
 
 bool vtkVolumeFractionMeshAlgorithm::HasMaterialIdArray() const
@@ -174,6 +246,22 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
     { mesh, surfaces }, [=] { this->Run(input, mesh, surfaces); });
 }
 
+void vtkVolumeFractionMeshAlgorithm::Refine(
+  vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime) const
+{
+  for (int step = 0; step < this->Refinement; ++step)
+  {
+    runtime.Progress(0.0, "Refining cells");
+    vfm::WorkTogether(runtime.Group(),
+      [&]
+      {
+        vfm::RefinedCells refined = vfm::RefineCells(grid, fractions, runtime);
+        grid = std::move(refined.Grid);
+        fractions = std::move(refined.Fractions);
+      });
+  }
+}
+
 void vtkVolumeFractionMeshAlgorithm::Run(
   vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces)
 {
@@ -181,24 +269,36 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::ControllerRanks ranks(this->Controller);
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
-  const vfm::InputBlocks blocks = vfm::FindInputBlocks(input, ranks);
+  const bool knowsNeighbours = AgreeOn(this->HasFaceNeighbours, ranks);
+  const vfm::InputBlocks blocks = knowsNeighbours
+    ? vfm::FindNeighbourBlocks(input, this->FaceNeighbours, ranks)
+    : vfm::FindInputBlocks(input, ranks);
   const std::unique_ptr<vfm::InputCells> cells = this->HasMaterialIdArray()
     ? vfm::OpenLabels(blocks, this->MaterialIdArray, ranks)
     : vfm::OpenFractions(blocks, this->VolumeFractionArrays, ranks);
-  const std::vector<vfm::IndexBox> boxes = vfm::MakePartition(
-    blocks.Global(), blocks.Boxes(), [&] { return cells->FindInterfaceCells(); }, ranks);
-  const vfm::CartesianGrid grid(blocks.Coordinates, boxes[ranks.Rank()], vfm::GhostLevels);
-  const vfm::InputField field = vfm::MakeInputField(grid, boxes, blocks, *cells, ranks);
+  const vfm::StateArrays states(blocks, this->StateArrays, ranks);
+  const std::vector<vfm::BlockPlace> owners =
+    knowsNeighbours ? blocks.Places : vfm::ShareOutCells(blocks, *cells, ranks);
+  vfm::CartesianGrid grid(
+    blocks.Coordinates, vfm::BoxOfRank(owners, ranks.Rank()), vfm::GhostLevels);
+  vfm::InputField field = vfm::MakeInputField(grid, owners, blocks, *cells, ranks);
+  this->Refine(grid, field.Fractions, runtime);
   const vfm::MeshOptions options = this->GetOptions();
   vfm::MeshReport report;
   vfm::Mesh mesh = this->MakeMesh(grid, field.Fractions, options, runtime, report);
   LogStages(report);
   runtime.Progress(0.98, "Filling output");
+  const std::vector<vtkSmartPointer<vtkDataArray>> carried =
+    states.Carry(mesh, grid, field.Fractions, this->Refinement, owners, runtime);
   vfm::WorkTogether(ranks,
     [&]
     {
       vfm::SetMeshOutput(mesh, field.Table, output, surfaces);
       vfm::SetReportOutput(mesh, report, field.Table, options, field.NormalisedCells, output);
+      for (vtkDataArray* array : carried)
+      {
+        output->GetCellData()->AddArray(array);
+      }
     });
   std::vector<vfm::Index> numberOfCells{ output->GetNumberOfCells() };
   ranks.Sum(numberOfCells);
@@ -218,12 +318,11 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VolumeFractionArrays:";
-  for (const std::string& name : this->VolumeFractionArrays)
-  {
-    os << " '" << name << "'";
-  }
-  os << "\n";
+  PrintNames(os, this->VolumeFractionArrays);
   os << indent << "MaterialIdArray: " << this->MaterialIdArray << "\n";
+  os << indent << "StateArrays:";
+  PrintNames(os, this->StateArrays);
+  os << indent << "Refinement: " << this->Refinement << "\n";
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "MeshVoid: " << this->MeshVoid << "\n";
   os << indent << "StairStep: " << this->StairStep << "\n";
@@ -232,5 +331,11 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConserveVolume: " << this->ConserveVolume << "\n";
   os << indent << "ComputeQuality: " << this->ComputeQuality << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "FaceNeighbours:";
+  for (std::size_t f = 0; this->HasFaceNeighbours && f < this->FaceNeighbours.size(); ++f)
+  {
+    os << " " << this->FaceNeighbours[f];
+  }
+  os << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

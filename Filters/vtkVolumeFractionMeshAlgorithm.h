@@ -15,6 +15,8 @@
  * are shared out anew, one box a process, unless they already are so. All processes must update together. The mesh,
  * its ids and its field data do not depend on the number of processes. Each process gets its own cells; points
  * between processes are repeated with equal GlobalPointIds. A run on several processes cannot be aborted.
+ * A host code that knows the processes across the faces of its boxes says so (FaceNeighbours); each then meshes its own
+ * cells.
  *
  * Output port 0: the mesh, vtkUnstructuredGrid. Output port 1: its surfaces, vtkPolyData.
  *
@@ -26,6 +28,7 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 #include "vtkVolumeFractionMeshFiltersModule.h" // for export macro
 
+#include <array>  // for member
 #include <string> // for member
 #include <vector> // for member
 
@@ -71,10 +74,37 @@ public:
 
   ///@{
   /**
+   * Cell arrays of any numeric type and number of components (velocity, density, temperature) that the mesh carries
+   * along as cell arrays of the same name, type and components, piecewise constant: each element has the values of one
+   * cell, unchanged. That is the cell that holds its centroid (the mean of its corners), if the element's
+   * material fills at least half of it; else, of that cell and its 26 neighbours, the one with the greatest fraction
+   * of the element's material, of equal ones that with the nearest centre, then that with the lowest index. An
+   * element that smoothing moved over more than five cells looks in the fifth.
+   * All blocks need them, of one type and number of components. Blanked cells have the values of their arrays.
+   * A name that is on the list already is not added again. Default: none.
+   */
+  void AddStateArray(const char* name);
+  void ClearStateArrays();
+  int GetNumberOfStateArrays();
+  const char* GetStateArray(int index);
+  ///@}
+
+  ///@{
+  /**
    * A cell is void when its materials fill less than this part of it; in (0,1). Default: 0.5.
    */
   vtkSetMacro(IsoValue, double);
   vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * Halve the cells along each axis this many times before meshing, 0 to 3: thin parts get more elements across. Each
+   * time makes eight times as many elements. Mixed cells are divided by planes that keep the volume of every material.
+   * Labels (MaterialIdArray) tell of no planes: their steps stay. Default: 0.
+   */
+  vtkSetClampMacro(Refinement, int, 0, 3);
+  vtkGetMacro(Refinement, int);
   ///@}
 
   ///@{
@@ -155,6 +185,16 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
+  ///@{
+  /**
+   * The processes across -x +x -y +y -z +z of this process' block, or -1 on the sides of the whole grid. Every
+   * process then has one block and meshes its cells, and ghost cells come from the processes around, found from these six.
+   * All processes must set them, or none. Default: not set, and the cells are shared out.
+   */
+  void SetFaceNeighbours(const int ranks[6]);
+  void ClearFaceNeighbours();
+  ///@}
+
 protected:
   vtkVolumeFractionMeshAlgorithm();
   ~vtkVolumeFractionMeshAlgorithm() override;
@@ -175,7 +215,9 @@ protected:
   vtkMultiProcessController* Controller = nullptr;
   std::vector<std::string> VolumeFractionArrays;
   std::string MaterialIdArray;
+  std::vector<std::string> StateArrays;
   double IsoValue = 0.5;
+  int Refinement = 0;
   bool MeshVoid = false;
   bool StairStep = false;
   int Smoothing = SMOOTHING_QUADRIC_SURFACE;
@@ -183,6 +225,8 @@ protected:
   bool ConserveVolume = true;
   bool ComputeQuality = true;
   int NumberOfThreads = 0;
+  bool HasFaceNeighbours = false;
+  std::array<int, 6> FaceNeighbours{ { -1, -1, -1, -1, -1, -1 } };
 
 private:
   vtkVolumeFractionMeshAlgorithm(const vtkVolumeFractionMeshAlgorithm&) = delete;
@@ -191,6 +235,7 @@ private:
   bool HasMaterialIdArray() const;
   void CheckProperties() const;
   vfm::MeshOptions GetOptions() const;
+  void Refine(vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime) const;
   void Run(vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
 };
 

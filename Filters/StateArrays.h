@@ -1,0 +1,51 @@
+/**
+ * StateArrays: cell arrays of the input whose values the elements of the mesh carry, piecewise constant: each element
+ * has the values of one cell (StateCells.h), from whichever rank reads that cell.
+ */
+#pragma once
+
+#include "FractionField.h"
+#include "InputBlocks.h"
+#include "Mesh.h"
+#include "Runtime.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+
+namespace vfm
+{
+
+/// What the values of an array are; the same on all ranks.
+struct StateLayout
+{
+  int Type = 0; ///< VTK_DOUBLE and the like
+  int Components = 1;
+  std::vector<std::string> ComponentNames; ///< empty, or one a component, "" where it has none
+};
+
+class StateArrays
+{
+public:
+  /// Collective. names: distinct cell arrays of any numeric type and number of components. Throws InputError, on all ranks
+  /// alike, when a block has none, blocks disagree on type or components, or the mesh itself has an array of that name.
+  /// input must outlive this. Component names: those of the lowest rank's first block.
+  StateArrays(const InputBlocks& input, const std::vector<std::string>& names, Ranks& ranks);
+
+  /// Collective: an array of each name, layout as in the input, a tuple an element, in the order of the elements.
+  /// mesh: of this rank's owned cells, grid and fractions those it was made of: the input halved refinement times.
+  /// owners: the cells of the input that the ranks mesh. Ghost cells give nothing, blanked cells what their arrays hold. Ranks send each other what their local boxes need; nothing is sent without names.
+  std::vector<vtkSmartPointer<vtkDataArray>> Carry(const Mesh& mesh, const CartesianGrid& grid,
+    const FractionField& fractions, int refinement, const std::vector<BlockPlace>& owners,
+    Runtime& runtime) const;
+
+private:
+  const InputBlocks& Input;
+  std::vector<std::string> Names;
+  std::vector<StateLayout> Layouts; // of each name
+};
+
+} // namespace vfm

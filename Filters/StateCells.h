@@ -1,0 +1,40 @@
+/**
+ * The cell of the grid from which an element takes its state (velocity, density, temperature).
+ *
+ * The rule. It is the cell that holds the element's centroid, the mean of its corners (between two cells the
+ * upper one), if the element's material fills at least half of it. Else it is, of that cell and its 26 neighbours in
+ * the domain, the one with the greatest fraction of the element's material; of equal ones that whose centre is nearest
+ * to the centroid; of those still equal the one with the lowest index. Void counts as a material: what the others leave.
+ * So an element beside an interface takes the state of its own material and not what lies across.
+ *
+ * Where smoothing has carried a centroid over more than StateReach cells along an axis, as it may across the thin cells
+ * of a graded grid, the rule goes by the cell that many from the one the element was made of (CellOfElement; of TetGen's
+ * tets, which have none, from the rank's cells). So ghost levels suffice, and ranks change nothing.
+ */
+#pragma once
+
+#include "FractionField.h"
+#include "Mesh.h"
+#include "Runtime.h"
+
+#include <vector>
+
+namespace vfm
+{
+
+/// Cells along each axis from the one that an element was made of to the farthest whose neighbours are asked.
+constexpr int StateReach = GhostLevels - 1;
+
+/// The place of a cell in arrays over the cells of a box, x fastest.
+inline Index PlaceInBox(const IndexBox& box, const Index3& cell)
+{
+  return ((cell[2] - box.Lower[2]) * box.Size(1) + cell[1] - box.Lower[1]) * box.Size(0) + cell[0] -
+    box.Lower[0];
+}
+
+/// Of each element the place of its cell in grid.Local(), which has GhostLevels. mesh: of the owned cells, its materials
+/// by their number. The same cells on any number of ranks and threads.
+std::vector<Index> FindStateCells(
+  const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);
+
+} // namespace vfm
