@@ -1,0 +1,101 @@
+/**
+ * HostGrid: what a host code (a simulation) holds on one rank, in plain terms, and the same as VTK data without a
+ * copy. Knows neither MPI nor Catalyst: the C interface and every in-situ adaptor start from it.
+ *
+ * Cells are numbered (i,j,k) over the whole grid, from 0. The values of a box are those of its cells alone, x fastest:
+ * value (i,j,k) of component c is values[((k * ny + j) * nx + i) * components + c], i, j, k from the box's lower corner.
+ */
+#pragma once
+
+#include "CartesianGrid.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkMultiBlockDataSet;
+
+namespace vfm
+{
+
+enum class HostType
+{
+  Double,
+  Float,
+  Int,
+  UnsignedChar
+};
+
+/// Values of the host, one tuple of components a cell. They must stay where they are as long as the VTK data lives,
+/// and are never written to. An unsigned char array named vtkGhostType marks cells that are copies of another box's.
+struct HostArray
+{
+  std::string Name;
+  int Components = 1;
+  HostType Type = HostType::Double;
+  const void* Values = nullptr;
+};
+
+struct HostBox
+{
+  IndexBox Cells;
+  std::vector<HostArray> Arrays;
+};
+
+/// A uniform grid, of which this rank holds some boxes, or none. Node (i,j,k) is at Origin + (i,j,k) * Spacing.
+struct HostGrid
+{
+  Vector3 Origin{ { 0, 0, 0 } };  ///< of the whole grid, same on all ranks
+  Vector3 Spacing{ { 1, 1, 1 } }; ///< edges of a cell
+  Index3 Cells{ { 0, 0, 0 } };    ///< of the whole grid along x, y, z
+  std::vector<HostBox> Boxes;
+};
+
+/// The kind of array for values of the host's type.
+template <class T>
+constexpr HostType HostTypeOf();
+template <>
+constexpr HostType HostTypeOf<double>()
+{
+  return HostType::Double;
+}
+template <>
+constexpr HostType HostTypeOf<float>()
+{
+  return HostType::Float;
+}
+template <>
+constexpr HostType HostTypeOf<int>()
+{
+  return HostType::Int;
+}
+template <>
+constexpr HostType HostTypeOf<unsigned char>()
+{
+  return HostType::UnsignedChar;
+}
+
+/// An array of the host's values. name: not empty; values: one tuple of components for every cell of its box.
+template <class T>
+HostArray MakeHostArray(const std::string& name, const T* values, int components = 1)
+{
+  return { name, components, HostTypeOf<T>(), values };
+}
+
+/// Throws InputError that names what is wrong: spacing that is not positive, numbers that are not finite, no cells,
+/// more cells along an axis than an int counts; a box that is empty or leaves the grid; an array without name, values
+/// or components, or twice in a box.
+void CheckHostGrid(const HostGrid& grid);
+
+/// The box as an image whose extent counts the nodes of the whole grid and whose origin is the grid's: coordinates are
+/// the same bits on every rank. Its cell arrays are the host's memory. Throws InputError as CheckHostGrid does.
+vtkSmartPointer<vtkImageData> MakeImage(const HostGrid& grid, const HostBox& box);
+
+/// All boxes as blocks first, first + 1, ... of total blocks; the others, those of other ranks, are null.
+/// Throws InputError as CheckHostGrid does.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(
+  const HostGrid& grid, unsigned int first, unsigned int total);
+
+} // namespace vfm

@@ -1,0 +1,186 @@
+#include "MesherOptions.h"
+
+#include "ParseText.h"
+#include "Runtime.h"
+
+#include "vtkVolumeFractionMeshAlgorithm.h"
+#include "vtkVolumeFractionToTet.h"
+
+#include <functional>
+#include <limits>
+#include <type_traits>
+
+namespace vfm
+{
+namespace
+{
+
+using Mesher = vtkVolumeFractionMeshAlgorithm;
+using TetMesher = vtkVolumeFractionToTet;
+
+constexpr double Above0 = std::numeric_limits<double>::min();
+constexpr double Below1 = 1.0 - std::numeric_limits<double>::epsilon() / 2;
+constexpr double Largest = std::numeric_limits<double>::max();
+
+struct MesherOption
+{
+  std::string Name;
+  std::string Allowed; ///< for messages: "it takes ..."
+  std::string Default;
+  bool OnlyTets;
+  std::function<bool(Mesher&, const std::string&)> Set; ///< false: the value is not allowed
+};
+
+/// parse: from text to std::optional of a value that is allowed.
+template <class Owner, class Value, class Parse>
+MesherOption MakeOption(const char* name, const std::string& allowed, const char* byDefault,
+  void (Owner::*set)(Value), Parse parse)
+{
+  return { name, allowed, byDefault, std::is_same<Owner, TetMesher>::value,
+    [set, parse](Mesher& mesher, const std::string& text)
+    {
+      const auto value = parse(text);
+      if (value)
+      {
+        (dynamic_cast<Owner&>(mesher).*set)(*value);
+      }
+      return value.has_value();
+    } };
+}
+
+template <class Owner>
+MesherOption Number(const char* name, const std::string& allowed, const char* byDefault,
+  void (Owner::*set)(double), double least, double most)
+{
+  return MakeOption(name, allowed, byDefault, set,
+    [least, most](const std::string& text) { return ParseNumber(text, least, most); });
+}
+
+template <class Owner>
+MesherOption Count(
+  const char* name, const char* byDefault, void (Owner::*set)(int), int least, int most)
+{
+  const std::string upTo =
+    most == std::numeric_limits<int>::max() ? " or more" : " to " + std::to_string(most);
+  return MakeOption(name, "a whole number, " + std::to_string(least) + upTo, byDefault, set,
+    [least, most](const std::string& text) { return ParseCount(text, least, most); });
+}
+
+template <class Owner>
+MesherOption Switch(const char* name, const char* byDefault, void (Owner::*set)(bool))
+{
+  return MakeOption(name, "on or off", byDefault, set, ParseSwitch);
+}
+
+/// The first word is number 0.
+template <class Owner>
+MesherOption Choice(const char* name, const char* byDefault, void (Owner::*set)(int),
+  const std::vector<std::string>& words)
+{
+  const std::string numbers = "0 to " + std::to_string(words.size() - 1);
+  return MakeOption(name, JoinTexts(words) + " (or " + numbers + ")", byDefault, set,
+    [words](const std::string& text) { return ParseChoice(text, words); });
+}
+
+const std::vector<MesherOption>& Options()
+{
+  static const std::vector<MesherOption> options{
+    Number("IsoValue", "a number above 0 and below 1", "0.5", &Mesher::SetIsoValue, Above0, Below1),
+    Switch("MeshVoid", "off", &Mesher::SetMeshVoid),
+    Switch("StairStep", "off", &Mesher::SetStairStep),
+    Choice("Smoothing", "QuadricSurface", &Mesher::SetSmoothing,
+      { "Off", "QuadricSurface", "GeometryBased" }),
+    Number("TargetScaledJacobian", "a number from 0 (automatic) to below 1", "0",
+      &Mesher::SetTargetScaledJacobian, 0.0, Below1),
+    Switch("ConserveVolume", "on", &Mesher::SetConserveVolume),
+    Switch("ComputeQuality", "on", &Mesher::SetComputeQuality),
+    Count("NumberOfThreads", "0", &Mesher::SetNumberOfThreads, 0, std::numeric_limits<int>::max()),
+    Count("Refinement", "0", &Mesher::SetRefinement, 0, 3),
+    Choice("Method", TetMesher::HasTetGen() ? "TetGen" : "Lattice", &TetMesher::SetMethod,
+      { "TetGen", "Cells", "Lattice" }),
+    Number("RelativeSize", "a number, 0.1 or more", "1", &TetMesher::SetRelativeSize, 0.1, Largest),
+    Number("Growth", "a number, 0 or more", "0.3", &TetMesher::SetGrowth, 0.0, Largest),
+    Number("RadiusEdgeRatio", "a number, 1 or more", "1.4", &TetMesher::SetRadiusEdgeRatio, 1.0,
+      Largest),
+    Number("MinimumDihedralAngle", "a number of degrees, 0 to 60", "10",
+      &TetMesher::SetMinimumDihedralAngle, 0.0, 60.0),
+    Count("OptimizationLevel", "4", &TetMesher::SetOptimizationLevel, 0, 10),
+  };
+  return options;
+}
+
+/// Null when no mesher has it.
+const MesherOption* FindOption(const std::string& name)
+{
+  for (const MesherOption& option : Options())
+  {
+    if (IsSameWord(option.Name, name))
+    {
+      return &option;
+    }
+  }
+  return nullptr;
+}
+
+bool IsOptionOf(Mesher& mesher, const MesherOption& option)
+{
+  return !option.OnlyTets || TetMesher::SafeDownCast(&mesher);
+}
+
+std::string ListNames(Mesher& mesher)
+{
+  std::vector<std::string> names;
+  for (const MesherOption& option : Options())
+  {
+    if (IsOptionOf(mesher, option))
+    {
+      names.push_back(option.Name);
+    }
+  }
+  return JoinTexts(names);
+}
+
+} // namespace
+
+bool IsMesherOption(Mesher& mesher, const std::string& name)
+{
+  const MesherOption* option = FindOption(name);
+  return option && IsOptionOf(mesher, *option);
+}
+
+void SetMesherOption(Mesher& mesher, const std::string& name, const std::string& value)
+{
+  const MesherOption* option = FindOption(name);
+  if (!option)
+  {
+    throw InputError("There is no option '" + name + "' (given '" + value +
+      "'). The options are: " + ListNames(mesher) + ".");
+  }
+  if (!IsOptionOf(mesher, *option))
+  {
+    throw InputError("The option " + option->Name + " (given '" + value +
+      "') is one of tetrahedra, and hexahedra are asked for. Their options are: " +
+      ListNames(mesher) + ".");
+  }
+  if (!option->Set(mesher, value))
+  {
+    throw InputError("The option " + option->Name + " cannot be '" + value + "': it takes " +
+      option->Allowed + ".");
+  }
+}
+
+std::vector<std::string> ListMesherOptions(Mesher& mesher)
+{
+  std::vector<std::string> lines;
+  for (const MesherOption& option : Options())
+  {
+    if (IsOptionOf(mesher, option))
+    {
+      lines.push_back(option.Name + ": " + option.Allowed + "; default " + option.Default +
+        (option.OnlyTets ? "; tetrahedra only" : ""));
+    }
+  }
+  return lines;
+}
+
+} // namespace vfm

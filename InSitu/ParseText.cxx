@@ -1,0 +1,102 @@
+#include "ParseText.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace vfm
+{
+namespace
+{
+
+/// Lower case without spaces.
+std::string Plain(const std::string& text)
+{
+  std::string plain;
+  for (char c : text)
+  {
+    if (c != ' ')
+    {
+      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
+  return plain;
+}
+
+template <class Value>
+std::optional<Value> Parse(const std::string& text, Value least, Value most)
+{
+  Value value{};
+  const char* end = text.data() + text.size();
+  const std::from_chars_result result = std::from_chars(text.data(), end, value);
+  const bool isGood = result.ec == std::errc() && result.ptr == end;
+  return isGood && value >= least && value <= most ? std::optional<Value>(value) : std::nullopt;
+}
+
+} // namespace
+
+bool IsSameWord(const std::string& one, const std::string& other)
+{
+  return Plain(one) == Plain(other);
+}
+
+std::optional<double> ParseNumber(const std::string& text, double least, double most)
+{
+  return Parse(text, least, most);
+}
+
+std::optional<int> ParseCount(const std::string& text, int least, int most)
+{
+  return Parse(text, least, most);
+}
+
+std::optional<bool> ParseSwitch(const std::string& text)
+{
+  const std::vector<std::string> words{ "off", "on", "false", "true", "no", "yes", "0", "1" };
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    if (IsSameWord(text, words[i]))
+    {
+      return i % 2 == 1;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<int> ParseChoice(const std::string& text, const std::vector<std::string>& words)
+{
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    if (IsSameWord(text, words[i]))
+    {
+      return static_cast<int>(i);
+    }
+  }
+  return ParseCount(text, 0, static_cast<int>(words.size()) - 1);
+}
+
+std::string JoinTexts(const std::vector<std::string>& texts)
+{
+  std::string joined;
+  for (const std::string& text : texts)
+  {
+    joined += (joined.empty() ? "" : ", ") + text;
+  }
+  return joined;
+}
+
+std::vector<std::string> SplitText(const std::string& text)
+{
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();)
+  {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const std::size_t first = part.find_first_not_of(' ');
+    parts.push_back(
+      first == std::string::npos ? "" : part.substr(first, part.find_last_not_of(' ') - first + 1));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+} // namespace vfm

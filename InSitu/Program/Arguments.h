@@ -1,0 +1,42 @@
+/**
+ * Arguments: the command line of sculptor, and its help.
+ */
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vfm
+{
+
+enum class Command
+{
+  Mesh,
+  Test,
+  Help,
+  Version
+};
+
+struct Arguments
+{
+  Command Task = Command::Mesh;
+  std::string Input, Output;
+  std::vector<std::string> Fractions; ///< cell arrays; empty: found in the input
+  std::string Labels;                 ///< cell array; empty: fractions
+  std::vector<std::string> Materials; ///< numbers or names of those to mesh; empty: all
+  std::vector<std::string> State;     ///< cell arrays that the elements get
+  bool Tets = false;
+  std::vector<std::pair<std::string, std::string>> Options; ///< of the mesher, in their order
+  std::optional<int> Step;                                  ///< of the input's times, from 0
+  std::optional<double> Time;
+  bool Quiet = false;
+};
+
+/// words: without the program's name. Throws ProgramError (WrongArguments).
+Arguments ParseArguments(const std::vector<std::string>& words);
+
+std::string GetHelp();
+
+} // namespace vfm

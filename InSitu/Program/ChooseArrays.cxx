@@ -1,0 +1,255 @@
+#include "ChooseArrays.h"
+
+#include "Agreement.h"
+#include "InputGrids.h"
+#include "ParseText.h"
+#include "SpyPlotInput.h"
+#include "Stage.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkNew.h"
+#include "vtkSignedCharArray.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <set>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double Tolerance = 1e-6; // outside of [0, 1], as the filter takes it
+constexpr std::size_t ListedLabels = 20;
+
+bool Lists(const std::vector<std::string>& names, const std::string& name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool IsFraction(const ArrayInfo& array)
+{
+  const bool isBytes = array.Type == VTK_UNSIGNED_CHAR;
+  const bool isReal = array.Type == VTK_FLOAT || array.Type == VTK_DOUBLE;
+  return array.Components == 1 &&
+    (isBytes || (isReal && array.Least >= -Tolerance && array.Most <= 1.0 + Tolerance));
+}
+
+/// In the order of their material numbers.
+std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arrays)
+{
+  std::vector<std::string> names;
+  for (const ArrayInfo& array : arrays)
+  {
+    if (IsSpyPlotFraction(array.Name))
+    {
+      names.push_back(array.Name);
+    }
+  }
+  const auto number = [](const std::string& name)
+  { return std::atoi(name.c_str() + name.rfind(' ') + 1); };
+  std::stable_sort(names.begin(), names.end(),
+    [&number](const std::string& a, const std::string& b) { return number(a) < number(b); });
+  return names;
+}
+
+/// state: arrays that are taken for no fractions because they are asked for as states.
+ChosenArrays FindFractions(
+  const std::vector<ArrayInfo>& arrays, const std::vector<std::string>& state)
+{
+  ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", state,
+    "named Material volume fraction - N" };
+  if (chosen.Fractions.empty())
+  {
+    chosen.How = "all cell arrays with values in [0, 1]";
+    for (const ArrayInfo& array : arrays)
+    {
+      if (IsFraction(array) && !Lists(state, array.Name))
+      {
+        chosen.Fractions.push_back(array.Name);
+      }
+    }
+  }
+  if (chosen.Fractions.empty())
+  {
+    throw ProgramError(ExitCode::UnreadableInput,
+      "No cell array of the input holds volume fractions: numbers in [0, 1] of type float or "
+      "double, or "
+      "unsigned char. Its cell arrays: " +
+        (arrays.empty() ? "none" : ListArrays(arrays)) +
+        ". Name them (--fractions A,B,..), or an integer array of materials (--labels ARRAY).");
+  }
+  return chosen;
+}
+
+/// The place of a material in the list of arrays.
+std::size_t FindMaterial(const std::string& material, const std::vector<std::string>& fractions)
+{
+  const auto name = std::find(fractions.begin(), fractions.end(), material);
+  if (name != fractions.end())
+  {
+    return name - fractions.begin();
+  }
+  const auto number = ParseCount(material, 1, static_cast<int>(fractions.size()));
+  if (!number)
+  {
+    std::vector<std::string> known;
+    for (std::size_t m = 0; m < fractions.size(); ++m)
+    {
+      known.push_back(std::to_string(m + 1) + " " + fractions[m]);
+    }
+    throw ProgramError(ExitCode::WrongArguments,
+      "There is no material '" + material +
+        "' (--material). The materials are: " + JoinTexts(known) + ".");
+  }
+  return *number - 1;
+}
+
+void ReplaceByZeros(vtkDataSet* grid, const std::string& name)
+{
+  vtkNew<vtkSignedCharArray> zeros; // the smallest type that does not count 0..255
+  zeros->SetName(name.c_str());
+  zeros->SetNumberOfTuples(grid->GetNumberOfCells());
+  zeros->Fill(0);
+  grid->GetCellData()->AddArray(zeros);
+}
+
+void CheckState(const ChosenArrays& arrays, const std::string& name)
+{
+  if (Lists(arrays.State, name))
+  {
+    throw ProgramError(ExitCode::WrongArguments,
+      "The elements cannot carry '" + name + "' (--state): --material leaves materials of it out.");
+  }
+}
+
+void KeepFractions(
+  vtkDataObject* data, const ChosenArrays& arrays, const std::vector<std::string>& materials)
+{
+  const std::vector<std::string>& fractions = arrays.Fractions;
+  std::set<std::size_t> kept;
+  for (const std::string& material : materials)
+  {
+    kept.insert(FindMaterial(material, fractions));
+  }
+  for (std::size_t m = 0; m < fractions.size(); ++m)
+  {
+    if (kept.count(m) > 0)
+    {
+      continue;
+    }
+    CheckState(arrays, fractions[m]);
+    for (vtkDataSet* grid : GetGrids(data))
+    {
+      if (grid->GetCellData()->HasArray(fractions[m].c_str()))
+      {
+        ReplaceByZeros(grid, fractions[m]);
+      }
+    }
+  }
+}
+
+/// Sets labels that are not kept to 0; the labels that were found are added to found.
+void KeepLabels(
+  vtkDataSet* grid, const std::string& name, const std::set<int>& kept, std::set<int>& found)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return; // the mesher's message tells
+  }
+  vtkSmartPointer<vtkDataArray> changed;
+  changed.TakeReference(array->NewInstance());
+  changed->DeepCopy(array);
+  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+  {
+    const int label = static_cast<int>(array->GetComponent(cell, 0));
+    found.insert(label);
+    if (kept.count(label) == 0)
+    {
+      changed->SetComponent(cell, 0, 0.0);
+    }
+  }
+  grid->GetCellData()->AddArray(changed);
+}
+
+std::set<int> ParseLabels(const std::vector<std::string>& materials)
+{
+  std::set<int> labels;
+  for (const std::string& material : materials)
+  {
+    const auto label = ParseCount(material, 1, std::numeric_limits<int>::max());
+    if (!label)
+    {
+      throw ProgramError(ExitCode::WrongArguments,
+        "'" + material + "' is no label (--material): labels are whole numbers from 1.");
+    }
+    labels.insert(*label);
+  }
+  return labels;
+}
+
+void CheckLabels(const std::set<int>& kept, const std::vector<int>& found, const std::string& name)
+{
+  for (int label : kept)
+  {
+    if (!std::binary_search(found.begin(), found.end(), label))
+    {
+      std::vector<std::string> known;
+      for (std::size_t i = 0; i < std::min(found.size(), ListedLabels); ++i)
+      {
+        known.push_back(std::to_string(found[i]));
+      }
+      throw ProgramError(ExitCode::WrongArguments,
+        "There is no material " + std::to_string(label) + " (--material) in the array '" + name +
+          "'. It holds " + JoinTexts(known) + (found.size() > ListedLabels ? ", ..." : "") + ".");
+    }
+  }
+}
+
+} // namespace
+
+ChosenArrays ChooseArrays(vtkDataObject* data, const Arguments& arguments, Ranks& ranks)
+{
+  if (!arguments.Labels.empty())
+  {
+    return { {}, arguments.Labels, arguments.State, "labels" };
+  }
+  if (!arguments.Fractions.empty())
+  {
+    return { arguments.Fractions, "", arguments.State, "as asked" };
+  }
+  return FindFractions(FindCellArrays(data, ranks), arguments.State);
+}
+
+void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
+  const std::vector<std::string>& materials, Ranks& ranks)
+{
+  if (materials.empty())
+  {
+    return;
+  }
+  if (arrays.Labels.empty())
+  {
+    WorkInStage(ranks, ExitCode::WrongArguments, [&] { KeepFractions(data, arrays, materials); });
+    return;
+  }
+  CheckState(arrays, arrays.Labels);
+  const std::set<int> kept = ParseLabels(materials);
+  std::set<int> found;
+  WorkInStage(ranks, ExitCode::InternalError,
+    [&]
+    {
+      for (vtkDataSet* grid : GetGrids(data))
+      {
+        KeepLabels(grid, arrays.Labels, kept, found);
+      }
+    });
+  const std::vector<int> mine(found.begin(), found.end());
+  CheckLabels(kept, Unite(ranks, mine), arrays.Labels);
+}
+
+} // namespace vfm

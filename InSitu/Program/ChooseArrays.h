@@ -1,0 +1,35 @@
+/**
+ * ChooseArrays: which cell arrays hold the materials, and which materials are meshed.
+ */
+#pragma once
+
+#include "Arguments.h"
+#include "Ranks.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace vfm
+{
+
+struct ChosenArrays
+{
+  std::vector<std::string> Fractions; ///< of material 1, 2, ...; empty: labels
+  std::string Labels;
+  std::vector<std::string> State; ///< that the elements carry along
+  std::string How;                ///< for the user: why these
+};
+
+/// Collective: what the arguments name, else what fits. Throws ProgramError (UnreadableInput), which lists the arrays that
+/// are there, when nothing does.
+ChosenArrays ChooseArrays(vtkDataObject* data, const Arguments& arguments, Ranks& ranks);
+
+/// Collective: makes cells of materials that the list (numbers or names of arrays) does not name void, by replacing
+/// cell arrays of data. An empty list keeps all. Throws ProgramError (WrongArguments) on a material that is not there, and when the
+/// elements are to carry an array that would be replaced.
+void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
+  const std::vector<std::string>& materials, Ranks& ranks);
+
+} // namespace vfm

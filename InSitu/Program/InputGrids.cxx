@@ -1,0 +1,147 @@
+#include "InputGrids.h"
+
+#include "ParseText.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace vfm
+{
+namespace
+{
+
+void Merge(std::vector<ArrayInfo>& list, const ArrayInfo& info)
+{
+  const auto found = std::find_if(
+    list.begin(), list.end(), [&info](const ArrayInfo& other) { return other.Name == info.Name; });
+  if (found == list.end())
+  {
+    list.push_back(info);
+    return;
+  }
+  found->Least = std::min(found->Least, info.Least);
+  found->Most = std::max(found->Most, info.Most);
+}
+
+std::vector<ArrayInfo> FindOwnArrays(vtkDataObject* data)
+{
+  std::vector<ArrayInfo> list;
+  for (vtkDataSet* grid : GetGrids(data))
+  {
+    vtkCellData* cells = grid->GetCellData();
+    for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = cells->GetArray(i);
+      if (array && array->GetName() && array->GetName() != std::string("vtkGhostType"))
+      {
+        const double* range = array->GetRange(0);
+        Merge(list,
+          { array->GetName(), array->GetDataType(), array->GetNumberOfComponents(), range[0],
+            range[1] });
+      }
+    }
+  }
+  return list;
+}
+
+/// Numbers and name of an array as one message.
+struct Packed
+{
+  int Type, Components;
+  double Least, Most;
+  std::size_t NameLength;
+};
+
+Bytes Pack(const std::vector<ArrayInfo>& list)
+{
+  Bytes bytes;
+  for (const ArrayInfo& info : list)
+  {
+    const Bytes numbers = ToBytes(std::vector<Packed>{
+      { info.Type, info.Components, info.Least, info.Most, info.Name.size() } });
+    bytes.insert(bytes.end(), numbers.begin(), numbers.end());
+    bytes.insert(bytes.end(), info.Name.begin(), info.Name.end());
+  }
+  return bytes;
+}
+
+void Unpack(const Bytes& bytes, std::vector<ArrayInfo>& list)
+{
+  for (auto at = bytes.begin(); at != bytes.end();)
+  {
+    const Packed numbers = FromBytes<Packed>(Bytes(at, at + sizeof(Packed)))[0];
+    at += sizeof(Packed);
+    Merge(list,
+      { std::string(at, at + numbers.NameLength), numbers.Type, numbers.Components, numbers.Least,
+        numbers.Most });
+    at += numbers.NameLength;
+  }
+}
+
+std::string Describe(const ArrayInfo& info)
+{
+  char values[80];
+  std::snprintf(values, sizeof(values), "%g to %g", info.Least, info.Most);
+  return info.Name + " (" + vtkImageScalarTypeNameMacro(info.Type) + ", " +
+    (info.Components == 1 ? values : std::to_string(info.Components) + " components") + ")";
+}
+
+} // namespace
+
+std::vector<vtkDataSet*> GetGrids(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> grids;
+  const auto add = [&grids](vtkDataObject* object)
+  {
+    vtkDataSet* grid = vtkDataSet::SafeDownCast(object);
+    if (grid && grid->GetNumberOfCells() > 0)
+    {
+      grids.push_back(grid);
+    }
+  };
+  if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      add(it->GetCurrentDataObject());
+    }
+  }
+  else
+  {
+    add(data);
+  }
+  return grids;
+}
+
+std::vector<ArrayInfo> FindCellArrays(vtkDataObject* data, Ranks& ranks)
+{
+  std::vector<ArrayInfo> list;
+  for (const Bytes& bytes : ranks.Gather(Pack(FindOwnArrays(data))))
+  {
+    Unpack(bytes, list);
+  }
+  return list;
+}
+
+std::string ListArrays(const std::vector<ArrayInfo>& arrays)
+{
+  std::vector<std::string> texts;
+  for (const ArrayInfo& info : arrays)
+  {
+    texts.push_back(Describe(info));
+  }
+  return JoinTexts(texts);
+}
+
+} // namespace vfm

@@ -1,0 +1,94 @@
+#include "PointCounts.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+struct PartPoint
+{
+  Index Part, Id;
+  bool operator<(const PartPoint& other) const
+  {
+    return this->Part != other.Part ? this->Part < other.Part : this->Id < other.Id;
+  }
+  bool operator==(const PartPoint& other) const
+  {
+    return this->Part == other.Part && this->Id == other.Id;
+  }
+};
+
+void Tidy(std::vector<PartPoint>& points)
+{
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+std::vector<PartPoint> FindOwnPoints(vtkUnstructuredGrid* mesh, const std::vector<int>& partOf)
+{
+  std::vector<PartPoint> found;
+  auto ids = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetGlobalIds());
+  for (std::size_t e = 0; e < partOf.size(); ++e)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    mesh->GetCells()->GetCellAtId(static_cast<vtkIdType>(e), size, points);
+    for (vtkIdType c = 0; c < size; ++c)
+    {
+      found.push_back({ partOf[e], ids->GetValue(points[c]) });
+    }
+  }
+  Tidy(found);
+  return found;
+}
+
+/// The points whose ids are this rank's to count.
+std::vector<PartPoint> DealPoints(const std::vector<PartPoint>& own, Ranks& ranks)
+{
+  std::vector<std::vector<PartPoint>> shares(ranks.Count());
+  for (const PartPoint& point : own)
+  {
+    shares[point.Id % ranks.Count()].push_back(point);
+  }
+  std::vector<int> peers;
+  std::vector<Bytes> outgoing;
+  for (int rank = 0; rank < ranks.Count(); ++rank)
+  {
+    if (rank != ranks.Rank())
+    {
+      peers.push_back(rank);
+      outgoing.push_back(ToBytes(shares[rank]));
+    }
+  }
+  std::vector<PartPoint> mine = std::move(shares[ranks.Rank()]);
+  for (const Bytes& bytes : ranks.Exchange(peers, outgoing))
+  {
+    const std::vector<PartPoint> more = FromBytes<PartPoint>(bytes);
+    mine.insert(mine.end(), more.begin(), more.end());
+  }
+  Tidy(mine);
+  return mine;
+}
+
+} // namespace
+
+std::vector<Index> CountPoints(vtkUnstructuredGrid* mesh, const std::vector<int>& partOf,
+  std::size_t numberOfParts, Ranks& ranks)
+{
+  std::vector<std::int64_t> counts(numberOfParts, 0);
+  for (const PartPoint& point : DealPoints(FindOwnPoints(mesh, partOf), ranks))
+  {
+    ++counts[point.Part];
+  }
+  ranks.Sum(counts);
+  return counts;
+}
+
+} // namespace vfm

@@ -1,0 +1,136 @@
+/**
+ * The table of a summary.
+ */
+#include "Summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::size_t ListedFragments = 10;
+constexpr std::size_t ListedMaterials = 50;
+
+template <class... Values>
+std::string Print(const char* format, Values... values)
+{
+  char text[256];
+  std::snprintf(text, sizeof(text), format, values...);
+  return text;
+}
+
+std::string PrintQuality(const MeshSummary& summary, const PartSummary& part)
+{
+  return summary.HasQuality && part.Elements > 0
+    ? Print("%8.4f%9.4f", part.MinimumQuality, part.MeanQuality)
+    : Print("%8s%9s", "-", "-");
+}
+
+std::string PrintPart(const MeshSummary& summary, const std::string& name, const PartSummary& part)
+{
+  return Print("%-28.28s%12lld%12lld", name.c_str(), static_cast<long long>(part.Elements),
+           static_cast<long long>(part.Points)) +
+    PrintQuality(summary, part) + Print("%14.6g", part.Volume);
+}
+
+std::string PrintError(const PartSummary& part)
+{
+  const double error = 100.0 * (part.Volume - part.TargetVolume) / part.TargetVolume;
+  return part.TargetVolume > 0.0 ? Print("%14.6g%+11.5f %%", part.TargetVolume, error)
+                                 : Print("%14.6g%13s", part.TargetVolume, "-");
+}
+
+std::string PrintHead(const char* what)
+{
+  return Print(
+    "%-28s%12s%12s%8s%9s%14s", what, "elements", "points", "min SJ", "mean SJ", "volume");
+}
+
+void PrintMaterials(const MeshSummary& summary, std::ostream& to)
+{
+  to << PrintHead("material") << Print("%14s%13s", "target", "error") << "\n";
+  const std::size_t listed = std::min(summary.Materials.size(), ListedMaterials);
+  for (std::size_t m = 0; m < listed; ++m)
+  {
+    const PartSummary& part = summary.Materials[m];
+    to << PrintPart(summary, std::to_string(part.Material) + " " + part.Name, part)
+       << PrintError(part) << "\n";
+  }
+  if (listed < summary.Materials.size())
+  {
+    to << "and " << summary.Materials.size() - listed << " more materials\n";
+  }
+  to << PrintPart(summary, "all", summary.Total) << PrintError(summary.Total) << "\n";
+}
+
+/// The largest by volume.
+void PrintFragments(const MeshSummary& summary, std::ostream& to)
+{
+  std::vector<std::size_t> order(summary.Fragments.size());
+  for (std::size_t f = 0; f < order.size(); ++f)
+  {
+    order[f] = f;
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&summary](std::size_t a, std::size_t b)
+    { return summary.Fragments[a].Volume > summary.Fragments[b].Volume; });
+  to << PrintHead("fragment") << "\n";
+  const std::size_t listed = std::min(order.size(), ListedFragments);
+  for (std::size_t f = 0; f < listed; ++f)
+  {
+    const PartSummary& part = summary.Fragments[order[f]];
+    to << PrintPart(summary,
+            std::to_string(order[f] + 1) + " of material " + std::to_string(part.Material), part)
+       << "\n";
+  }
+  if (listed < order.size())
+  {
+    to << "and " << order.size() - listed << " smaller fragments\n";
+  }
+}
+
+void PrintAngles(const MeshSummary& summary, std::ostream& to)
+{
+  to << Print(
+    "dihedral angles: %.2f to %.2f degrees\n", summary.MinimumAngle, summary.MaximumAngle);
+  for (std::size_t i = 0; i < summary.Angles.size(); ++i)
+  {
+    if (summary.Angles[i] > 0)
+    {
+      to << Print("%7d to %3d%12lld\n", static_cast<int>(10 * i), static_cast<int>(10 * i + 10),
+        static_cast<long long>(summary.Angles[i]));
+    }
+  }
+}
+
+} // namespace
+
+void PrintSummary(const MeshSummary& summary, const std::vector<StageTime>& times, std::ostream& to)
+{
+  PrintMaterials(summary, to);
+  to << "\n";
+  PrintFragments(summary, to);
+  to << "\n";
+  if (summary.IsTets && summary.HasQuality)
+  {
+    PrintAngles(summary, to);
+    to << "\n";
+  }
+  if (times.empty())
+  {
+    return;
+  }
+  to << "seconds:";
+  for (const StageTime& time : times)
+  {
+    to << " " << time.Name << Print(" %.2f", time.Seconds);
+  }
+  to << "\n";
+}
+
+} // namespace vfm

@@ -1,0 +1,35 @@
+/**
+ * ReadInput: the files that VTK reads, each rank its piece.
+ */
+#pragma once
+
+#include "Arguments.h"
+#include "Ranks.h"
+
+#include "vtkSmartPointer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace vfm
+{
+
+struct Input
+{
+  vtkSmartPointer<vtkDataObject> Data; ///< of this rank
+  std::optional<double> Time;          ///< of the step that was read, where the file has times
+};
+
+/// Such as ".vti".
+std::vector<std::string> GetInputSuffixes();
+/// Throws ProgramError (WrongArguments) when files of that name are not read.
+void CheckInputSuffix(const std::string& path);
+
+/// Collective. Of SpyPlot files only the arrays that the arguments name, or the volume fractions, are read.
+/// Throws ProgramError (UnreadableInput).
+Input ReadInput(const Arguments& arguments, Ranks& ranks);
+
+} // namespace vfm

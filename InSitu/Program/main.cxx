@@ -1,0 +1,144 @@
+/**
+ * sculptor: meshes volume fractions in a file, on any number of MPI ranks.
+ */
+#include "Arguments.h"
+#include "BuiltInTest.h"
+#include "ChooseArrays.h"
+#include "ControllerRanks.h"
+#include "MakeMesh.h"
+#include "ParseText.h"
+#include "ReadInput.h"
+#include "Stage.h"
+#include "Summary.h"
+#include "WriteMesh.h"
+
+#include "vtkMPI.h"
+#include "vtkMPIController.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeFractionMeshAlgorithm.h"
+
+#include <chrono>
+#include <iostream>
+
+namespace vfm
+{
+namespace
+{
+
+/// Seconds since it was last asked, of the slowest rank. Collective.
+class StageTimes
+{
+public:
+  explicit StageTimes(Ranks& ranks) : Group(ranks) {}
+  void Add(const char* name)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    this->Times.push_back(
+      { name, this->Group.Max(std::chrono::duration<double>(now - this->Last).count()) });
+    this->Last = std::chrono::steady_clock::now();
+  }
+  const std::vector<StageTime>& Get() const { return this->Times; }
+
+private:
+  Ranks& Group;
+  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
+  std::vector<StageTime> Times;
+};
+
+void PrintHead(const Arguments& arguments, const Input& input, const ChosenArrays& arrays)
+{
+  std::cout << arguments.Input << " -> " << arguments.Output << "\n";
+  if (input.Time)
+  {
+    std::cout << "time " << *input.Time << "\n";
+  }
+  std::cout << "materials from "
+            << (arrays.Labels.empty() ? JoinTexts(arrays.Fractions) : arrays.Labels) << " ("
+            << arrays.How << ")\n\n";
+}
+
+void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
+{
+  ControllerRanks ranks(controller);
+  StageTimes times(ranks);
+  const auto mesher = MakeMesher(arguments);
+  WorkInStage(ranks, ExitCode::UnwritableOutput, [&] { CheckOutputFolder(arguments.Output); });
+  const Input input = ReadInput(arguments, ranks);
+  const ChosenArrays arrays = ChooseArrays(input.Data, arguments, ranks);
+  KeepMaterials(input.Data, arrays, arguments.Materials, ranks);
+  times.Add("read");
+  const auto mesh = MakeMesh(*mesher, input.Data, arrays, arguments.Quiet, controller);
+  times.Add("mesh");
+  WriteMesh(mesh, arguments.Output, controller);
+  times.Add("write");
+  if (!arguments.Quiet)
+  {
+    const MeshSummary summary = Summarise(mesh, ranks);
+    if (ranks.Rank() == 0)
+    {
+      PrintHead(arguments, input, arrays);
+      PrintSummary(summary, times.Get(), std::cout);
+    }
+  }
+}
+
+ExitCode Work(const Arguments& arguments, vtkMultiProcessController* controller)
+{
+  const bool isFirst = controller->GetLocalProcessId() == 0;
+  switch (arguments.Task)
+  {
+    case Command::Help:
+      std::cout << (isFirst ? GetHelp() : "");
+      break;
+    case Command::Version:
+      std::cout << (isFirst ? "sculptor " VFM_VERSION "\n" : "");
+      break;
+    case Command::Test:
+      return RunBuiltInTest(arguments, controller) ? ExitCode::Good : ExitCode::RefusedMesh;
+    case Command::Mesh:
+      MeshFile(arguments, controller);
+      break;
+  }
+  return ExitCode::Good;
+}
+
+ExitCode Run(const std::vector<std::string>& words, vtkMultiProcessController* controller)
+{
+  try
+  {
+    return Work(ParseArguments(words), controller);
+  }
+  catch (const ProgramError& error) // on all ranks
+  {
+    if (controller->GetLocalProcessId() == 0)
+    {
+      std::cerr << "sculptor: " << error.what() << "\n";
+    }
+    return error.Code;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "sculptor: internal error: " << error.what() << std::endl;
+    if (controller->GetNumberOfProcesses() > 1)
+    {
+      MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::InternalError)); // others may wait
+    }
+    return ExitCode::InternalError;
+  }
+}
+
+} // namespace
+} // namespace vfm
+
+int main(int argc, char* argv[])
+{
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv, 0);
+  vtkMultiProcessController::SetGlobalController(controller);
+  const vfm::ExitCode code = vfm::Run(std::vector<std::string>(argv + 1, argv + argc), controller);
+  std::cout.flush();
+  vtkMultiProcessController::SetGlobalController(nullptr);
+  controller->Finalize();
+  return static_cast<int>(code);
+}

@@ -1,0 +1,158 @@
+/**
+ * Sculptor.h: hexahedral and tetrahedral meshes from the volume fractions of a running simulation, for C and Fortran
+ * (module sculptor in sculptor.f90). Link libsculptor; needs VTK's libraries, no ParaView server.
+ *
+ * The calls c_* are those of the appendix of Owen, Staten: "Parallel octree-based hexahedral mesh generation for Eulerian
+ * to Lagrangian conversion", SAND2010-6400; those named sculptor_* add what the report's interface lacks.
+ *
+ * Every call returns one of SculptorCode; sculptor_error_text() tells more. No call ends the process.
+ * "Collective": all ranks of the communicator must call, and what is wrong on one rank is refused on all, with the same
+ * code and text. Alone is a wrong handle, which names no communicator: only its own rank learns of it.
+ *
+ * Arrays over cells hold those of this rank's box alone, x fastest, no ghost cells; they are not copied and must stay as
+ * they are until the mesh is made. Coordinates are x y z a node, in the unit of the bounding box. Nodes of an element
+ * are in the order of VTK and Exodus (HEX8, TET4). Node numbers count this rank's nodes, from 0, or from 1 after
+ * sculptor_set_option(s, "IndexBase", "1"). Nodes that ranks share occur on each, with the same global id.
+ */
+#ifndef Sculptor_h
+#define Sculptor_h
+
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define SCULPTOR_EXPORT
+#else
+#define SCULPTOR_EXPORT __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+  enum SculptorCode
+  {
+    SCULPTOR_OK = 0,
+    SCULPTOR_ERROR_HANDLE = 1,   /* no such sculptor: never created, or deleted */
+    SCULPTOR_ERROR_ARGUMENT = 2, /* a null pointer, a number out of range, an unknown name */
+    SCULPTOR_ERROR_INPUT =
+      3, /* data that cannot be meshed: NaN, boxes or neighbours that do not match, ... */
+    SCULPTOR_ERROR_NO_MESH = 4, /* asked for a mesh before one was made */
+    SCULPTOR_ERROR_SIZE = 5, /* too large for the int of the report's calls: use sculptor_get_* */
+    SCULPTOR_ERROR_FILE = 6, /* a file cannot be written */
+    SCULPTOR_ERROR_MEMORY = 7,
+    SCULPTOR_ERROR_INTERNAL = 8
+  };
+
+  /* ---- the report's calls ---- */
+
+  /* A new sculptor; its number, from 1, goes to *sculptor. */
+  SCULPTOR_EXPORT int c_create_sculptor(int* sculptor);
+
+  /* Frees a sculptor and all arrays that it gave. Collective (a communicator is freed). */
+  SCULPTOR_EXPORT int c_delete_sculptor(int sculptor);
+
+  /* Makes the mesh of one material. Collective.
+   * bounding_box: of this rank's cells, xmin ymin zmin xmax ymax zmax. All boxes must tile one box, with cells of one size.
+   * xint, yint, zint: cells of this rank along each axis, at least 1.
+   * vfrac: xint * yint * zint volume fractions in [0,1].
+   * neighbours: the ranks across -x +x -y +y -z +z, -1 where the whole grid ends.
+   * auto_refine: how many times cells are halved before meshing, 0 to 3.
+   * stair_step: not 0: cells become elements and nothing moves.
+   * smooth: 0 off, 1 quadric surfaces, 2 geometry based.
+   * tet_mesh: 0 hexahedra, else tetrahedra.
+   * Options set by name before stay, but for Refinement, StairStep, Smoothing; materials and states are replaced. */
+  SCULPTOR_EXPORT int c_mesh_from_data(int sculptor, const double* bounding_box, int xint, int yint,
+    int zint, const double* vfrac, const int* neighbours, int auto_refine, int stair_step,
+    int smooth, int tet_mesh);
+
+  /* How many nodes, hexahedra and tetrahedra this rank has. */
+  SCULPTOR_EXPORT int c_get_free_totals(
+    int sculptor, int* num_nodes, int* num_hexes, int* num_tets);
+
+  /* This rank's mesh. coordinates: 3 a node; connectivity: 8 a hexahedron (4 a tetrahedron); both allocated by the
+   * caller from c_get_free_totals. A pointer may be null where its total is 0. */
+  SCULPTOR_EXPORT int c_get_free_hexes(int sculptor, double* coordinates, int* connectivity);
+  SCULPTOR_EXPORT int c_get_free_tets(int sculptor, double* coordinates, int* connectivity);
+
+  /* Face-connected pieces of one material over all ranks, numbered from 1; the same on all ranks. */
+  SCULPTOR_EXPORT int c_get_num_fragments(int sculptor, int* num_fragments);
+
+  /* This rank's part of a fragment, maybe nothing; its nodes are numbered on their own, in the order of all nodes. */
+  SCULPTOR_EXPORT int c_get_fragment_totals(
+    int sculptor, int fragment, int* num_nodes, int* num_hexes, int* num_tets);
+  SCULPTOR_EXPORT int c_get_fragment_hexes(
+    int sculptor, int fragment, double* coordinates, int* connectivity);
+  SCULPTOR_EXPORT int c_get_fragment_tets(
+    int sculptor, int fragment, double* coordinates, int* connectivity);
+
+  /* ---- before the mesh ---- */
+
+  /* The ranks that work together: a Fortran communicator, from C MPI_Comm_c2f(communicator). Not called: MPI_COMM_WORLD if
+   * MPI runs, else this process alone. It is duplicated when the mesh is made, so no message meets the host's. */
+  SCULPTOR_EXPORT int sculptor_set_communicator(int sculptor, int communicator);
+
+  /* A property of the filters by its name: IsoValue, MeshVoid, StairStep, Smoothing, TargetScaledJacobian,
+   * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement; of tetrahedra alone Method, RelativeSize, ...; and IndexBase
+   * (0 or 1). All ranks must set the same. */
+  SCULPTOR_EXPORT int sculptor_set_option(int sculptor, const char* name, const char* value);
+
+  /* This rank's cells, as in c_mesh_from_data. intervals: 3, each at least 1. */
+  SCULPTOR_EXPORT int sculptor_set_box(
+    int sculptor, const double* bounding_box, const int* intervals);
+
+  /* The six neighbours, as in c_mesh_from_data; null: not known, and this rank may get the elements of others' cells. */
+  SCULPTOR_EXPORT int sculptor_set_neighbours(int sculptor, const int* neighbours);
+
+  /* The next material, its number from 1 in the order of the calls: its volume fractions. */
+  SCULPTOR_EXPORT int sculptor_add_material(int sculptor, const char* name, const double* vfrac);
+
+  /* Instead of volume fractions: the number of the material in each cell, 0 for void. */
+  SCULPTOR_EXPORT int sculptor_set_material_ids(int sculptor, const int* ids);
+
+  /* Values of the cells that go to the elements: velocity, density, ... components values a cell. */
+  SCULPTOR_EXPORT int sculptor_add_state(
+    int sculptor, const char* name, int components, const double* values);
+
+  /* Forgets materials and states, for the next time step; box, neighbours and options stay. */
+  SCULPTOR_EXPORT int sculptor_clear_fields(int sculptor);
+
+  /* Makes the mesh of all materials. tet_mesh: 0 hexahedra, else tetrahedra. Collective. */
+  SCULPTOR_EXPORT int sculptor_make_mesh(int sculptor, int tet_mesh);
+
+  /* ---- the mesh: pointers into the sculptor, good until the next mesh or the end, not to be freed ---- */
+
+  /* corners: 8 or 4, of each element. */
+  SCULPTOR_EXPORT int sculptor_get_counts(
+    int sculptor, int64_t* points, int64_t* elements, int* corners);
+  SCULPTOR_EXPORT int sculptor_get_points(int sculptor, const double** coordinates);
+  /* Always from 0, whatever the IndexBase. */
+  SCULPTOR_EXPORT int sculptor_get_elements(int sculptor, const int64_t** connectivity);
+  /* Global ids from 1, with gaps; the same on any number of ranks. */
+  SCULPTOR_EXPORT int sculptor_get_point_ids(int sculptor, const int64_t** ids);
+  SCULPTOR_EXPORT int sculptor_get_element_ids(int sculptor, const int64_t** ids);
+  /* Of each element. */
+  SCULPTOR_EXPORT int sculptor_get_materials(int sculptor, const int** ids);
+  SCULPTOR_EXPORT int sculptor_get_fragments(int sculptor, const int** ids);
+  SCULPTOR_EXPORT int sculptor_get_state(
+    int sculptor, const char* name, int* components, const double** values);
+  /* A number of the whole mesh by its name: TargetVolume, MeshVolume (index: 0 for the first material), NumberOfFragments,
+   * MinimumScaledJacobian, MeanScaledJacobian, FlippedCells, ... (index 0). */
+  SCULPTOR_EXPORT int sculptor_get_number(int sculptor, const char* name, int index, double* value);
+
+  /* Writes the mesh of all ranks, the kind by the ending: .vtu, .pvtu, Exodus .e .exo .ex2. Collective. */
+  SCULPTOR_EXPORT int sculptor_write(int sculptor, const char* path);
+
+  /* ---- what went wrong ---- */
+
+  /* Of the last call with that sculptor that failed; of handle 0 or a wrong one, of the last such call of this thread.
+   * Never null; good until the next call. */
+  SCULPTOR_EXPORT const char* sculptor_error_text(int sculptor);
+  /* Warnings of the last mesh, a line each; maybe empty. */
+  SCULPTOR_EXPORT const char* sculptor_warning_text(int sculptor);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,384 @@
+#include "SculptorSession.h"
+
+#include "Agreement.h"
+#include "ControllerRanks.h"
+#include "MesherOptions.h"
+#include "Runtime.h"
+#include "Sculptor.h"
+#include "Stage.h"
+#include "WriteMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkDummyController.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeFractionToHex.h"
+#include "vtkVolumeFractionToTet.h"
+
+#include <cmath>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr const char* MaterialIdName = "MaterialIds";
+constexpr double LargestHash = 0x1p53; // what a double counts
+
+/// Collective: throws on all ranks when their texts differ.
+void AgreeOn(const std::string& text, Ranks& ranks)
+{
+  const double hash = std::fmod(static_cast<double>(std::hash<std::string>()(text)), LargestHash);
+  if (ranks.Max(hash) != -ranks.Max(-hash))
+  {
+    throw InputError(
+      "The ranks do not agree on the names of materials and states, on options, or on hexahedra or "
+      "tetrahedra.");
+  }
+}
+
+/// Of a failure to write.
+int CodeOf(ExitCode code)
+{
+  switch (code)
+  {
+    case ExitCode::WrongArguments:
+      return SCULPTOR_ERROR_ARGUMENT;
+    case ExitCode::UnwritableOutput:
+      return SCULPTOR_ERROR_FILE;
+    default:
+      return SCULPTOR_ERROR_INTERNAL;
+  }
+}
+
+/// Work whose errors tell the rank, where there are several.
+std::function<void()> NameRank(const Ranks& ranks, const std::function<void()>& work)
+{
+  return [&ranks, work]
+  {
+    try
+    {
+      work();
+    }
+    catch (const InputError& error)
+    {
+      const std::string rank = "Rank " + std::to_string(ranks.Rank()) + ": ";
+      throw InputError((ranks.Count() > 1 ? rank : "") + error.what());
+    }
+  };
+}
+
+vtkDataArray* FindMeshArray(vtkFieldData* arrays, const std::string& name)
+{
+  vtkDataArray* array = arrays->GetArray(name.c_str());
+  if (!array)
+  {
+    throw InputError("The mesh has no values named '" + name + "'.");
+  }
+  return array;
+}
+
+template <class T>
+const T* ValuesOf(vtkFieldData* arrays, const char* name)
+{
+  return static_cast<const T*>(FindMeshArray(arrays, name)->GetVoidPointer(0));
+}
+
+} // namespace
+
+SculptorSession::SculptorSession() = default;
+SculptorSession::~SculptorSession() = default;
+
+void SculptorSession::SetOption(const std::string& name, const std::string& value)
+{
+  if (name == "IndexBase")
+  {
+    if (value != "0" && value != "1")
+    {
+      throw InputError("IndexBase is '" + value + "'; it must be 0 or 1.");
+    }
+    this->IndexBase = value == "1" ? 1 : 0;
+    return;
+  }
+  SetMesherOption(*this->Tets, name, value);
+  if (IsMesherOption(*this->Hexes, name))
+  {
+    SetMesherOption(*this->Hexes, name, value);
+  }
+  this->Options[name] = value;
+}
+
+void SculptorSession::SetBox(const double* bounds, const int* intervals)
+{
+  this->Cells.emplace();
+  for (int a = 0; a < 3; ++a)
+  {
+    this->Cells->Lower[a] = bounds[a];
+    this->Cells->Upper[a] = bounds[3 + a];
+    this->Cells->Intervals[a] = intervals[a];
+  }
+}
+
+void SculptorSession::SetNeighbours(const int* ranks)
+{
+  this->Neighbours.reset();
+  if (ranks)
+  {
+    this->Neighbours.emplace();
+    std::copy_n(ranks, 6, this->Neighbours->begin());
+  }
+}
+
+void SculptorSession::AddMaterial(const std::string& name, const double* fractions)
+{
+  this->Materials.push_back(MakeHostArray(name, fractions));
+}
+
+void SculptorSession::SetMaterialIds(const int* ids)
+{
+  this->MaterialIds = ids;
+}
+
+void SculptorSession::AddState(const std::string& name, int components, const double* values)
+{
+  this->States.push_back(MakeHostArray(name, values, components));
+}
+
+void SculptorSession::ClearFields()
+{
+  this->Materials.clear();
+  this->States.clear();
+  this->MaterialIds = nullptr;
+}
+
+vtkVolumeFractionMeshAlgorithm* SculptorSession::GetMesher(bool tets) const
+{
+  return tets ? static_cast<vtkVolumeFractionMeshAlgorithm*>(this->Tets) : this->Hexes;
+}
+
+void SculptorSession::CheckFields() const
+{
+  if (!this->Cells)
+  {
+    throw InputError("No box of cells is set (sculptor_set_box).");
+  }
+  CheckBoundedCells(*this->Cells);
+  if (this->Materials.empty() == !this->MaterialIds)
+  {
+    throw InputError(
+      "Give either the volume fractions of materials (sculptor_add_material) or material ids "
+      "(sculptor_set_material_ids).");
+  }
+}
+
+/// What all ranks must have alike.
+std::string SculptorSession::Describe(bool tets) const
+{
+  std::string text = tets ? "tets" : "hexes";
+  for (const std::vector<HostArray>* arrays : { &this->Materials, &this->States })
+  {
+    text += '\n';
+    for (const HostArray& array : *arrays)
+    {
+      text += array.Name + '\t' + std::to_string(array.Components) + '\t';
+    }
+  }
+  for (const auto& option : this->Options)
+  {
+    text += '\n' + option.first + '=' + option.second;
+  }
+  return text + (this->MaterialIds ? "\nids" : "");
+}
+
+void SculptorSession::Configure(
+  vtkVolumeFractionMeshAlgorithm* mesher, vtkMultiProcessController* controller)
+{
+  mesher->SetController(controller);
+  mesher->ClearVolumeFractionArrays();
+  mesher->ClearStateArrays();
+  mesher->SetMaterialIdArray(this->MaterialIds ? MaterialIdName : "");
+  for (const HostArray& array : this->Materials)
+  {
+    mesher->AddVolumeFractionArray(array.Name.c_str());
+  }
+  for (const HostArray& array : this->States)
+  {
+    mesher->AddStateArray(array.Name.c_str());
+  }
+  if (this->Neighbours)
+  {
+    mesher->SetFaceNeighbours(this->Neighbours->data());
+  }
+  else
+  {
+    mesher->ClearFaceNeighbours();
+  }
+}
+
+/// Keeps the output alone: neither the host's arrays nor the surfaces.
+void SculptorSession::Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid& grid)
+{
+  VtkMessages messages;
+  messages.Watch(mesher);
+  mesher->SetInputDataObject(MakeBlocks(grid, 0, 1));
+  const bool isDone = mesher->GetExecutive()->Update();
+  mesher->SetInputDataObject(nullptr);
+  vtkUnstructuredGrid* output = mesher->GetOutput();
+  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  mesh->ShallowCopy(output);
+  mesher->GetOutputDataObject(0)->Initialize();
+  mesher->GetOutputDataObject(1)->Initialize();
+  for (const std::string& warning : messages.GetWarnings())
+  {
+    this->WarningText += warning + "\n";
+  }
+  if (messages.HasErrors() || !isDone)
+  {
+    const std::string text =
+      messages.HasErrors() ? messages.GetErrorText() : "The mesh could not be made.";
+    const bool isMemory = text.find("Not enough memory") == 0;
+    throw SculptorError(isMemory ? SCULPTOR_ERROR_MEMORY : SCULPTOR_ERROR_INPUT, text);
+  }
+  this->Mesh = mesh;
+}
+
+/// The host's fields on the grid of all ranks. Collective.
+HostGrid SculptorSession::PlaceFields(Ranks& ranks) const
+{
+  HostGrid grid = PlaceHostBox(*this->Cells, ranks);
+  std::vector<HostArray>& arrays = grid.Boxes[0].Arrays;
+  arrays = this->Materials;
+  arrays.insert(arrays.end(), this->States.begin(), this->States.end());
+  if (this->MaterialIds)
+  {
+    arrays.push_back(MakeHostArray(MaterialIdName, this->MaterialIds));
+  }
+  return grid;
+}
+
+void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
+{
+  this->Mesh = nullptr;
+  this->Parts.reset();
+  this->WarningText.clear();
+  vtkMultiProcessController* controller = this->Communicator.GetController();
+  ControllerRanks ranks(controller);
+  WorkTogether(ranks,
+    NameRank(ranks,
+      [&]
+      {
+        prepare();
+        this->CheckFields();
+      }));
+  AgreeOn(this->Describe(tets), ranks);
+  try
+  {
+    const HostGrid grid = this->PlaceFields(ranks);
+    WorkTogether(ranks, NameRank(ranks, [&grid] { CheckHostGrid(grid); }));
+    vtkVolumeFractionMeshAlgorithm* mesher = this->GetMesher(tets);
+    this->Configure(mesher, controller);
+    this->Run(mesher, grid);
+  }
+  catch (const InputError& error)
+  {
+    throw SculptorError(SCULPTOR_ERROR_INPUT, error.what());
+  }
+}
+
+vtkUnstructuredGrid* SculptorSession::GetMesh() const
+{
+  if (!this->Mesh)
+  {
+    throw SculptorError(SCULPTOR_ERROR_NO_MESH, "There is no mesh yet, or the last one failed.");
+  }
+  return this->Mesh;
+}
+
+const FragmentParts& SculptorSession::GetFragmentParts()
+{
+  vtkUnstructuredGrid* mesh = this->GetMesh();
+  if (!this->Parts)
+  {
+    this->Parts.emplace(mesh);
+  }
+  return *this->Parts;
+}
+
+int SculptorSession::GetNumberOfFragments() const
+{
+  return static_cast<int>(this->GetNumber("NumberOfFragments", 0));
+}
+
+template <class T>
+const T* SculptorSession::GetCellValues(const char* name) const
+{
+  return ValuesOf<T>(this->GetMesh()->GetCellData(), name);
+}
+
+template <class T>
+const T* SculptorSession::GetPointValues(const char* name) const
+{
+  return ValuesOf<T>(this->GetMesh()->GetPointData(), name);
+}
+
+template const int* SculptorSession::GetCellValues<int>(const char*) const;
+template const std::int64_t* SculptorSession::GetCellValues<std::int64_t>(const char*) const;
+template const std::int64_t* SculptorSession::GetPointValues<std::int64_t>(const char*) const;
+
+vtkDoubleArray* SculptorSession::GetState(const std::string& name) const
+{
+  auto* array =
+    vtkDoubleArray::SafeDownCast(this->GetMesh()->GetCellData()->GetArray(name.c_str()));
+  if (!array)
+  {
+    throw InputError("The mesh has no state named '" + name + "'.");
+  }
+  return array;
+}
+
+double SculptorSession::GetNumber(const std::string& name, int index) const
+{
+  vtkDataArray* values = FindMeshArray(this->GetMesh()->GetFieldData(), name);
+  if (index < 0 || index >= values->GetNumberOfTuples())
+  {
+    throw InputError("'" + name + "' has " + std::to_string(values->GetNumberOfTuples()) +
+      " values, counted from 0; asked for " + std::to_string(index) + ".");
+  }
+  return values->GetComponent(index, 0);
+}
+
+void SculptorSession::Write(const char* path)
+{
+  vtkUnstructuredGrid* mesh = this->GetMesh(); // all ranks have one, or none
+  vtkMultiProcessController* controller = this->Communicator.GetController();
+  vtkNew<vtkDummyController> alone;
+  controller = controller ? controller : alone;
+  ControllerRanks ranks(controller);
+  try
+  {
+    WorkInStage(ranks, ExitCode::WrongArguments,
+      [&]
+      {
+        if (!path)
+        {
+          throw InputError("path is a null pointer.");
+        }
+        CheckOutputSuffix(path);
+        CheckOutputFolder(path);
+      });
+    WriteMesh(mesh, path, controller);
+  }
+  catch (const ProgramError& error)
+  {
+    throw SculptorError(CodeOf(error.Code), error.what());
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,97 @@
+/**
+ * SculptorSession: what stands behind a handle of the C interface: the fields that a host gave, the mesh made of them
+ * by the filters, and the arrays that the host asks for. Throws InputError on wrong arguments and SculptorError on the rest.
+ */
+#pragma once
+
+#include "FragmentParts.h"
+#include "HostCommunicator.h"
+#include "HostGrid.h"
+#include "PlaceHostBox.h"
+#include "VtkMessages.h"
+
+#include "vtkNew.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+class vtkDoubleArray;
+class vtkUnstructuredGrid;
+class vtkVolumeFractionMeshAlgorithm;
+class vtkVolumeFractionToHex;
+class vtkVolumeFractionToTet;
+
+namespace vfm
+{
+
+/// A failure that is no wrong argument, with its SculptorCode.
+struct SculptorError : std::runtime_error
+{
+  SculptorError(int code, const std::string& message) : std::runtime_error(message), Code(code) {}
+  int Code;
+};
+
+class SculptorSession
+{
+public:
+  SculptorSession();
+  ~SculptorSession();
+
+  void SetCommunicator(int communicator) { this->Communicator.Set(communicator); }
+  /// Of the filters, or IndexBase.
+  void SetOption(const std::string& name, const std::string& value);
+  /// What is missing or wrong here is told by MakeMesh, on all ranks.
+  void SetBox(const double* bounds, const int* intervals);
+  /// Null: not known.
+  void SetNeighbours(const int* ranks);
+  void AddMaterial(const std::string& name, const double* fractions);
+  void SetMaterialIds(const int* ids);
+  void AddState(const std::string& name, int components, const double* values);
+  void ClearFields();
+  /// Collective. prepare: sets fields and options; when it fails on any rank, all fail.
+  void MakeMesh(bool tets, const std::function<void()>& prepare);
+
+  /// The mesh and its parts; throw SculptorError when there is none.
+  vtkUnstructuredGrid* GetMesh() const;
+  const FragmentParts& GetFragmentParts();
+  int GetNumberOfFragments() const;
+  /// The values of a cell or point array by name, of the type T that it must have.
+  template <class T>
+  const T* GetCellValues(const char* name) const;
+  template <class T>
+  const T* GetPointValues(const char* name) const;
+  /// A state that was carried along.
+  vtkDoubleArray* GetState(const std::string& name) const;
+  double GetNumber(const std::string& name, int index) const;
+  /// Collective.
+  void Write(const char* path);
+
+  int GetIndexBase() const { return this->IndexBase; }
+  const std::string& GetWarningText() const { return this->WarningText; }
+  std::string ErrorText; ///< of the last call that failed
+
+private:
+  vtkVolumeFractionMeshAlgorithm* GetMesher(bool tets) const;
+  void CheckFields() const;
+  std::string Describe(bool tets) const;
+  HostGrid PlaceFields(Ranks& ranks) const;
+  void Configure(vtkVolumeFractionMeshAlgorithm* mesher, vtkMultiProcessController* controller);
+  void Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid& grid);
+
+  HostCommunicator Communicator;
+  vtkNew<vtkVolumeFractionToHex> Hexes;
+  vtkNew<vtkVolumeFractionToTet> Tets;
+  std::map<std::string, std::string> Options; // set by name, to compare between ranks
+  int IndexBase = 0;
+  std::optional<BoundedCells> Cells;
+  std::optional<std::array<int, 6>> Neighbours;
+  std::vector<HostArray> Materials, States;
+  const int* MaterialIds = nullptr;
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+  std::optional<FragmentParts> Parts; // made when first asked for
+  std::string WarningText;
+};
+
+} // namespace vfm

@@ -1,0 +1,40 @@
+/**
+ * Stage: what programs and hosts are told when reading, meshing or writing fails, and steps of work that all ranks end alike.
+ */
+#pragma once
+
+#include "Ranks.h"
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace vfm
+{
+
+/// Also the exit status of the program sculptor.
+enum class ExitCode
+{
+  Good = 0,
+  WrongArguments = 1,
+  UnreadableInput = 2,
+  RefusedMesh = 3,
+  UnwritableOutput = 4,
+  InternalError = 5 ///< also lack of memory
+};
+
+/// Ends the program; thrown on all ranks, with the same code and message.
+struct ProgramError : std::runtime_error
+{
+  ProgramError(ExitCode code, const std::string& message) : std::runtime_error(message), Code(code)
+  {
+  }
+  ExitCode Code;
+};
+
+/// Collective: every rank does its work, which must not wait for other ranks unless VTK does so inside. When it fails on
+/// any rank, all throw ProgramError with the message and code of the lowest that failed: code for a std::exception,
+/// InternalError for lack of memory, a ProgramError's own.
+void WorkInStage(Ranks& ranks, ExitCode code, const std::function<void()>& work);
+
+} // namespace vfm

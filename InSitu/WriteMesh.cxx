@@ -1,0 +1,160 @@
+#include "WriteMesh.h"
+
+#include "ControllerRanks.h"
+#include "ExodusBlocks.h"
+#include "FileSuffix.h"
+#include "GatherMesh.h"
+#include "Stage.h"
+#include "VtkMessages.h"
+
+#include "vtkErrorCode.h"
+#include "vtkIOSSWriter.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPUnstructuredGridWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+
+namespace vfm
+{
+namespace
+{
+
+using Writer = bool (*)(
+  vtkUnstructuredGrid*, const char* path, vtkMultiProcessController*, VtkMessages&);
+
+struct Format
+{
+  const char* Suffix;
+  Writer Write; ///< collective; false, or an error among the messages, when it fails
+};
+
+/// Throws std::runtime_error, which tells why, where the writer knows it: its messages are less plain.
+bool RunWriter(vtkXMLWriterBase* writer, const char* path, VtkMessages& messages)
+{
+  messages.Watch(writer);
+  writer->SetFileName(path);
+  writer->SetDataModeToBinary(); // inline: with Debian's newer expat VTK 9.2 reads no appended data
+  const bool isGood = writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw std::runtime_error(vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  }
+  return isGood;
+}
+
+bool WriteVtu(vtkUnstructuredGrid* mesh, const char* path, vtkMultiProcessController* controller,
+  VtkMessages& messages)
+{
+  ControllerRanks ranks(controller);
+  const vtkSmartPointer<vtkUnstructuredGrid> whole = GatherMesh(mesh, ranks);
+  if (ranks.Rank() > 0)
+  {
+    return true;
+  }
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(whole);
+  return RunWriter(writer, path, messages);
+}
+
+bool WritePvtu(vtkUnstructuredGrid* mesh, const char* path, vtkMultiProcessController* controller,
+  VtkMessages& messages)
+{
+  vtkNew<vtkXMLPUnstructuredGridWriter> writer;
+  writer->SetController(controller);
+  writer->SetInputData(mesh);
+  writer->SetUseSubdirectory(true);
+  writer->SetNumberOfPieces(controller->GetNumberOfProcesses());
+  writer->SetStartPiece(controller->GetLocalProcessId());
+  writer->SetEndPiece(controller->GetLocalProcessId());
+  return RunWriter(writer, path, messages);
+}
+
+bool WriteExodus(vtkUnstructuredGrid* mesh, const char* path, vtkMultiProcessController* controller,
+  VtkMessages& messages)
+{
+  ControllerRanks ranks(controller);
+  const auto blocks = MakeExodusBlocks(mesh, ranks);
+  vtkNew<vtkIOSSWriter> writer;
+  messages.Watch(writer);
+  writer->SetController(controller);
+  writer->SetInputDataObject(blocks);
+  writer->SetFileName(path);
+  writer->SetPreserveInputEntityGroups(true);
+  return writer->Write();
+}
+
+constexpr Format Formats[] = { { ".vtu", WriteVtu }, { ".pvtu", WritePvtu }, { ".e", WriteExodus },
+  { ".ex2", WriteExodus }, { ".exo", WriteExodus } };
+
+const Format* FindFormat(const std::string& path)
+{
+  const auto found = std::find_if(std::begin(Formats), std::end(Formats),
+    [&path](const Format& format) { return HasSuffix(path, format.Suffix); });
+  return found == std::end(Formats) ? nullptr : found;
+}
+
+} // namespace
+
+std::vector<std::string> GetOutputSuffixes()
+{
+  std::vector<std::string> suffixes;
+  for (const Format& format : Formats)
+  {
+    suffixes.emplace_back(format.Suffix);
+  }
+  return suffixes;
+}
+
+void CheckOutputSuffix(const std::string& path)
+{
+  if (!FindFormat(path))
+  {
+    throw ProgramError(ExitCode::WrongArguments,
+      "The output " + path + " is of an unknown kind. Written are " +
+        JoinTexts(GetOutputSuffixes()) + ".");
+  }
+}
+
+void CheckOutputFolder(const std::string& path)
+{
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  {
+    throw ProgramError(ExitCode::UnwritableOutput,
+      "Cannot write the output " + path + ": " + std::strerror(errno) + ".");
+  }
+}
+
+void WriteMesh(
+  vtkUnstructuredGrid* mesh, const std::string& path, vtkMultiProcessController* controller)
+{
+  ControllerRanks ranks(controller);
+  VtkMessages messages;
+  const VtkSilence silence(messages);
+  try
+  {
+    WorkInStage(ranks, ExitCode::UnwritableOutput,
+      [&]
+      {
+        if (!FindFormat(path)->Write(mesh, path.c_str(), controller, messages) ||
+          messages.HasErrors())
+        {
+          throw std::runtime_error(messages.GetErrorText());
+        }
+      });
+  }
+  catch (const ProgramError& error)
+  {
+    throw ProgramError(error.Code, "Cannot write the output " + path + ": " + error.what());
+  }
+}
+
+} // namespace vfm

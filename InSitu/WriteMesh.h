@@ -1,0 +1,27 @@
+/**
+ * WriteMesh: the mesh of all ranks as files.
+ */
+#pragma once
+
+#include <string>
+#include <vector>
+
+class vtkMultiProcessController;
+class vtkUnstructuredGrid;
+
+namespace vfm
+{
+
+/// Such as ".vtu".
+std::vector<std::string> GetOutputSuffixes();
+/// Throws ProgramError (WrongArguments) when files of that name are not written.
+void CheckOutputSuffix(const std::string& path);
+/// Throws ProgramError (UnwritableOutput) when the folder is not there or cannot be written to.
+void CheckOutputFolder(const std::string& path);
+
+/// Collective: .vtu, one file of the whole mesh, which rank 0 gathers; .pvtu with one piece a rank; Exodus, one file a
+/// rank (path.N.RANK when there are several). Throws ProgramError (UnwritableOutput).
+void WriteMesh(
+  vtkUnstructuredGrid* mesh, const std::string& path, vtkMultiProcessController* controller);
+
+} // namespace vfm
