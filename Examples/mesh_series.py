@@ -78,7 +78,7 @@ def main():
             failed += 1
             continue
         report(mesh, stem + ".vtu")
-        simple.SaveData(stem + ".vtu", proxy=mesher, CompressorType="ZLib")
+        simple.SaveData(stem + ".vtu", proxy=mesher, DataMode="Binary", CompressorType="ZLib")
         if arguments.exodus:
             write_exodus(mesh, stem + ".e")
     sys.exit(1 if failed else 0)

@@ -1,0 +1,214 @@
+#include "DumpSink.h"
+
+#include <climits>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+
+namespace impact
+{
+namespace
+{
+
+struct Array
+{
+  const char* Name;
+  int Components;
+  const double* Values; // null: only described
+};
+
+std::vector<Array> ListArrays(const Fields& f)
+{
+  return { { "ball", 1, f.Ball }, { "plate", 1, f.Plate }, { "velocity", 3, f.Velocity },
+    { "density", 1, f.Density }, { "damage", 1, f.Damage } };
+}
+
+template <class T>
+std::string ToText(const std::array<T, 3>& values)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << values[0] << " " << values[1] << " " << values[2];
+  return text.str();
+}
+
+/// VTK's order: lowest and highest point an axis.
+std::array<std::int64_t, 6> ExtentOf(const Index3& lower, const Index3& upper)
+{
+  return { lower[0], upper[0], lower[1], upper[1], lower[2], upper[2] };
+}
+
+std::string ToText(const std::int64_t* extent)
+{
+  std::ostringstream text;
+  for (int i = 0; i < 6; ++i)
+  {
+    text << (i ? " " : "") << extent[i];
+  }
+  return text.str();
+}
+
+std::string NameFile(std::int64_t step, int rank)
+{
+  char name[64];
+  std::snprintf(name, sizeof name, "impact_%04lld", static_cast<long long>(step));
+  return rank < 0 ? name + std::string(".pvti") : name + ("_" + std::to_string(rank) + ".vti");
+}
+
+std::string OpenFile(const char* type)
+{
+  return std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"") + type +
+    "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n";
+}
+
+void Save(const std::string& path, const std::function<void(std::ostream&)>& write)
+{
+  std::ofstream file(path, std::ios::binary);
+  write(file);
+  file.close();
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+/// Collective: when the work fails on any rank, all throw the message of the lowest that failed.
+void WorkTogether(const Domain& grid, const std::function<void()>& work)
+{
+  std::string error;
+  try
+  {
+    work();
+  }
+  catch (const std::exception& e)
+  {
+    error = e.what();
+  }
+  int failed = error.empty() ? INT_MAX : grid.GetRank(), first = INT_MAX;
+  MPI_Allreduce(&failed, &first, 1, MPI_INT, MPI_MIN, grid.GetCommunicator());
+  if (first < INT_MAX)
+  {
+    int size = static_cast<int>(error.size());
+    MPI_Bcast(&size, 1, MPI_INT, first, grid.GetCommunicator());
+    error.resize(size);
+    MPI_Bcast(&error[0], size, MPI_CHAR, first, grid.GetCommunicator());
+    throw std::runtime_error(error);
+  }
+}
+
+/// The bytes of the numbers after their count, as VTK's inline binary data.
+std::string ToBase64(const double* values, std::int64_t count)
+{
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::uint64_t size = count * sizeof(double);
+  std::vector<unsigned char> bytes(sizeof size + size);
+  std::memcpy(bytes.data(), &size, sizeof size);
+  std::memcpy(bytes.data() + sizeof size, values, size);
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  bytes.resize(bytes.size() + padding);
+  std::string text;
+  text.reserve(bytes.size() / 3 * 4);
+  for (std::size_t b = 0; b < bytes.size(); b += 3)
+  {
+    const unsigned int three = bytes[b] << 16 | bytes[b + 1] << 8 | bytes[b + 2];
+    for (int shift = 18; shift >= 0; shift -= 6)
+    {
+      text += digits[three >> shift & 63];
+    }
+  }
+  text.replace(text.size() - padding, padding, padding, '=');
+  return text;
+}
+
+} // namespace
+
+DumpSink::DumpSink(const Domain& domain, const std::string& folder) : Grid(domain), Folder(folder)
+{
+  WorkTogether(domain, [&] { std::filesystem::create_directories(folder); });
+}
+
+void DumpSink::Take(const Fields& fields)
+{
+  const std::array<std::int64_t, 6> extent = ExtentOf(fields.Lower, fields.Upper);
+  int ranks = 0;
+  MPI_Comm_size(this->Grid.GetCommunicator(), &ranks);
+  std::vector<std::int64_t> extents(6 * ranks);
+  MPI_Gather(
+    extent.data(), 6, MPI_INT64_T, extents.data(), 6, MPI_INT64_T, 0, this->Grid.GetCommunicator());
+  WorkTogether(this->Grid,
+    [&]
+    {
+      this->WritePiece(fields);
+      if (this->Grid.GetRank() == 0)
+      {
+        this->WriteIndex(fields, extents);
+        this->WriteTimes(fields);
+      }
+    });
+}
+
+void DumpSink::WritePiece(const Fields& fields) const
+{
+  const std::string extent = ToText(ExtentOf(fields.Lower, fields.Upper).data());
+  Save(this->PathOf(NameFile(fields.Step, this->Grid.GetRank())),
+    [&](std::ostream& file)
+    {
+      file << OpenFile("ImageData") << "<ImageData WholeExtent=\"" << extent << "\" Origin=\""
+           << ToText(fields.Origin) << "\" Spacing=\"" << ToText(fields.Spacing)
+           << "\">\n<Piece Extent=\"" << extent << "\">\n<CellData>\n";
+      for (const Array& array : ListArrays(fields))
+      {
+        file << "<DataArray type=\"Float64\" Name=\"" << array.Name << "\" NumberOfComponents=\""
+             << array.Components << "\" format=\"binary\">\n"
+             << ToBase64(array.Values, array.Components * fields.NumberOfCells())
+             << "\n</DataArray>\n";
+      }
+      file << "</CellData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
+    });
+}
+
+void DumpSink::WriteIndex(const Fields& fields, const std::vector<std::int64_t>& extents) const
+{
+  Save(this->PathOf(NameFile(fields.Step, -1)),
+    [&](std::ostream& file)
+    {
+      file << OpenFile("PImageData") << "<PImageData GhostLevel=\"0\" WholeExtent=\""
+           << ToText(ExtentOf({ 0, 0, 0 }, fields.GlobalCells).data()) << "\" Origin=\""
+           << ToText(fields.Origin) << "\" Spacing=\"" << ToText(fields.Spacing)
+           << "\">\n<PCellData>\n";
+      for (const Array& array : ListArrays(fields))
+      {
+        file << "<PDataArray type=\"Float64\" Name=\"" << array.Name << "\" NumberOfComponents=\""
+             << array.Components << "\"/>\n";
+      }
+      file << "</PCellData>\n";
+      for (std::size_t rank = 0; rank < extents.size() / 6; ++rank)
+      {
+        file << "<Piece Extent=\"" << ToText(extents.data() + 6 * rank) << "\" Source=\""
+             << NameFile(fields.Step, static_cast<int>(rank)) << "\"/>\n";
+      }
+      file << "</PImageData>\n</VTKFile>\n";
+    });
+}
+
+void DumpSink::WriteTimes(const Fields& fields)
+{
+  std::ostringstream line;
+  line.precision(17);
+  line << "<DataSet timestep=\"" << fields.Time << "\" file=\"" << NameFile(fields.Step, -1)
+       << "\"/>\n";
+  this->Times += line.str();
+  Save(this->PathOf("impact.pvd"),
+    [&](std::ostream& file)
+    {
+      file << OpenFile("Collection") << "<Collection>\n"
+           << this->Times << "</Collection>\n</VTKFile>\n";
+    });
+}
+
+} // namespace impact
