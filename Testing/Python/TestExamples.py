@@ -14,6 +14,7 @@ SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "E
 
 def write_image(data, path):
     writer = vtkXMLImageDataWriter()
+    writer.SetDataModeToBinary()
     writer.SetInputData(data)
     writer.SetFileName(path)
     assert writer.Write()

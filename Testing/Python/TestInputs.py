@@ -5,24 +5,13 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkBitArray
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkOverlappingAMR, vtkAMRBox,
-    vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkRectilinearGrid, vtkUniformGrid)
+    vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkUniformGrid)
 
 from vfmtest import (
     GHOST, HIDDEN, ORIGIN, SPACING, add_array, ball_and_plate, digest, fraction_image, image, labels,
-    main, mesh_of, run)
+    main, mesh_of, rectilinear, run)
 
 N = 12
-
-
-def rectilinear(arrays, coordinates):
-    grid = vtkRectilinearGrid()
-    grid.SetDimensions([len(x) for x in coordinates])
-    for x, setter in zip(coordinates, ("X", "Y", "Z")):
-        holder = vtkImageData().GetFieldData()
-        getattr(grid, "Set%sCoordinates" % setter)(add_array(holder, setter, np.array(x)))
-    for name, value in arrays.items():
-        add_array(grid.GetCellData(), name, value)
-    return grid
 
 
 def uniform_coordinates():

@@ -3,12 +3,13 @@ import numpy as np
 from paraview.simple import Wavelet
 
 from vfmtest import (
-    SPACING, ball_and_plate, digest, fraction_image, image, labels, main, mesh_of, producer, run,
-    VolumeFractionToHex)
+    SPACING, ball_and_plate, check_surfaces, digest, fraction_image, image, labels, main, mesh_of, producer, run,
+    VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
 DEFAULTS = {
-    "VolumeFractionArrays": [], "MaterialIdArray": "None", "IsoValue": 0.5, "MeshVoid": 0, "StairStep": 0,
+    "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5, "Refinement": 0, "MeshVoid": 0,
+    "StairStep": 0,
     "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
     "NumberOfThreads": 0}
 DATA = fraction_image(N)
@@ -17,6 +18,22 @@ REFERENCE = mesh_of(DATA)
 
 def total_volume(result):
     return sum(result.field("MeshVolume"))
+
+
+def volume_error(result):
+    pairs = zip(result.field("MeshVolume"), result.field("TargetVolume"))
+    return max(abs(mesh - target) / target for mesh, target in pairs)
+
+
+def film(thickness, n=12, s=8):
+    """Fractions of an oblique film, its thickness in cells."""
+    z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s - n / 2] * 3, indexing="ij")
+    inside = np.abs((x + 2 * y + 3 * z) / 14 ** 0.5 - 0.1) < thickness / 2
+    return image({"film": inside.reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5))})
+
+
+def mesh_of_film(thickness, refinement):
+    return mesh_of(film(thickness), VolumeFractionArrays=["film"], Refinement=refinement)
 
 
 def test_names_and_defaults():
@@ -50,6 +67,35 @@ def test_stair_step():
     assert abs(total_volume(result) - volume) < 1e-9 * volume
 
 
+def test_refinement():
+    refined = mesh_of(DATA, Refinement=1)
+    assert 6 < refined.mesh.GetNumberOfCells() / REFERENCE.mesh.GetNumberOfCells() < 9
+    assert np.allclose(refined.field("TargetVolume"), REFERENCE.field("TargetVolume"), rtol=1e-9)
+    assert volume_error(refined) < 1e-6
+    assert refined.cells("ScaledJacobian").min() > 0.4
+    check_surfaces(refined)
+    assert digest(mesh_of(DATA, Refinement=1, NumberOfThreads=3)) == digest(refined)
+    tets = mesh_of(DATA, VolumeFractionToTet, Method="Lattice", Refinement=1)
+    assert np.allclose(tets.field("TargetVolume"), REFERENCE.field("TargetVolume"), rtol=1e-9)
+    assert tets.cells("ScaledJacobian").min() > 0
+
+
+def test_refinement_of_labels():
+    arrays = {"id": labels(4)}
+    cells = mesh_of(image(arrays), MaterialIdArray="id", StairStep=1).mesh.GetNumberOfCells()
+    for refinement in (1, 2, 3):
+        fine = mesh_of(image(arrays), MaterialIdArray="id", StairStep=1, Refinement=refinement)
+        assert fine.mesh.GetNumberOfCells() == 8 ** refinement * cells
+
+
+def test_refinement_mends_films():
+    torn, whole = mesh_of_film(0.8, 0), mesh_of_film(0.8, 1)
+    assert torn.field("NumberOfFragments")[0] > 10 and volume_error(torn) > 0.1
+    assert whole.field("NumberOfFragments")[0] == 1 and volume_error(whole) < 1e-6
+    assert mesh_of_film(0.4, 1).field("NumberOfFragments")[0] > 1  # thinner than the halved cells
+    assert mesh_of_film(0.4, 2).field("NumberOfFragments")[0] == 1
+
+
 def test_mesh_void():
     result = mesh_of(DATA, MeshVoid=1)
     assert set(result.cells("MaterialId")) == {0, 1, 2}
@@ -81,11 +127,8 @@ def test_target_scaled_jacobian():
 
 
 def test_conserve_volume():
-    def error(result):
-        pairs = zip(result.field("MeshVolume"), result.field("TargetVolume"))
-        return max(abs(mesh - target) / target for mesh, target in pairs)
     free = mesh_of(DATA, ConserveVolume=0)
-    assert error(REFERENCE) < 1e-3 < error(free) < 0.1
+    assert volume_error(REFERENCE) < 1e-3 < volume_error(free) < 0.1
 
 
 def test_compute_quality():

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-from vfmtest import collect, digest, fraction_image, main, mesh_of, producer, Result, VolumeFractionToHex
+from vfmtest import collect, digest, fraction_image, main, mesh_of, producer, Result, save_data, VolumeFractionToHex
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
 from write_exodus import write_exodus
@@ -50,9 +50,9 @@ def test_one_run_for_both_ports_and_writers():
     hexes = hex_filter()
     runs = count_runs(hexes)
     with tempfile.TemporaryDirectory() as folder:
-        simple.SaveData(os.path.join(folder, "mesh.pvtu"), proxy=hexes)
-        simple.SaveData(os.path.join(folder, "mesh.vtu"), proxy=hexes)
-        simple.SaveData(os.path.join(folder, "surfaces.vtp"), proxy=simple.OutputPort(hexes, 1))
+        save_data(os.path.join(folder, "mesh.pvtu"), hexes)
+        save_data(os.path.join(folder, "mesh.vtu"), hexes)
+        save_data(os.path.join(folder, "surfaces.vtp"), simple.OutputPort(hexes, 1))
         hexes.UpdatePipeline()
         again = simple.XMLPartitionedUnstructuredGridReader(FileName=[os.path.join(folder, "mesh.pvtu")])
         again.UpdatePipeline()
@@ -69,7 +69,7 @@ def test_vtu_round_trip():
     hexes = hex_filter()
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mesh.vtu")
-        simple.SaveData(path, proxy=hexes)
+        save_data(path, hexes)
         reader = vtkXMLUnstructuredGridReader()
         reader.SetFileName(path)
         reader.Update()

@@ -3,7 +3,7 @@ import os
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 sys.path.insert(0, os.environ["VFM_WRAPPERS"])
@@ -45,6 +45,12 @@ def main():
         hexes.AddVolumeFractionArray(name)
     assert hexes.GetNumberOfVolumeFractionArrays() == 1
     assert hexes.GetVolumeFractionArray(0) == "bar" and hexes.GetVolumeFractionArray(1) is None
+    hexes.AddStateArray("rest")
+    hexes.ClearStateArrays()
+    for name in ("bar", "bar", ""):
+        hexes.AddStateArray(name)
+    assert hexes.GetNumberOfStateArrays() == 1
+    assert hexes.GetStateArray(0) == "bar" and hexes.GetStateArray(1) is None
     hexes.SetSmoothing(99)
     assert hexes.GetSmoothing() == hexes.SMOOTHING_GEOMETRY_BASED
     hexes.SetSmoothing(hexes.SMOOTHING_QUADRIC_SURFACE)
@@ -60,7 +66,8 @@ def main():
     time = hexes.GetMTime()
     hexes.AddVolumeFractionArray("bar")
     assert hexes.GetMTime() == time
-    assert "VolumeFractionArrays: 'bar'" in str(hexes)
+    assert "VolumeFractionArrays: 'bar'" in str(hexes) and "StateArrays: 'bar'" in str(hexes)
+    assert set(vtk_to_numpy(mesh.GetCellData().GetArray("bar"))) == {1.0}
     check_tets()
     print("%d hexahedra, %d quadrilaterals" % (mesh.GetNumberOfCells(), surfaces.GetNumberOfCells()))
 

@@ -96,6 +96,43 @@ def test_array_missing_on_one_rank():
     check_error(blocks(data), "Block 0 of rank 1 has no numeric cell array 'plate'")
 
 
+def set_state(dtype, components):
+    def change(arrays):
+        arrays["state"] = np.zeros((*arrays["ball"].shape, components), dtype)
+    return change
+
+
+def test_state_arrays_of_different_layouts():
+    for one, other, words in (
+            ((np.float64, 3), (np.float32, 3), ("3 components of type float,", "3 components of type double")),
+            ((np.float32, 2), (np.float32, 1), ("1 component of type float,", "2 components of type float"))):
+        for rank in (1, 2):
+            change = set_state(*(other if RANK == rank else one))
+            check_error(blocks(slab(change)), "Block 0 of rank %d: the state array 'state' has" % rank, *words,
+                        StateArrays=["ball", "state"])
+    change = set_state(np.uint8, 1 + min(RANK, 1))
+    check_error(blocks(slab(change)), "Block 0 of rank 1: the state array 'state'", StateArrays=["state"])
+
+
+def test_state_array_missing_on_one_rank():
+    for rank in range(RANKS):
+        change = None if RANK == rank else set_state(np.float64, 1)
+        check_error(blocks(slab(change)), "Block 0 of rank %d has no numeric cell array 'state'" % rank, StateArrays=["state"])
+
+
+def test_state_array_with_a_name_of_the_mesh():
+    check_error(blocks(slab()), "state array 'FragmentId'", StateArrays=["ball", "FragmentId"])
+
+
+def test_state_arrays_of_ranks_without_blocks():
+    change = set_state(np.int16, 2)
+    data = [slab(change, rank) for rank in range(RANKS)] if RANK == 1 else []
+    result = run(blocks(*data), StateArrays=["state"])
+    array = result.mesh.GetCellData().GetArray("state")
+    fits = not result.errors and array.GetNumberOfComponents() == 2 and array.GetNumberOfTuples() == result.mesh.GetNumberOfCells()
+    assert reduced(int(fits), vtkCommunicator.MIN_OP) == 1, result.errors
+
+
 def test_other_kind_on_one_rank():
     check_error(blocks(vtkPolyData() if RANK == 1 else slab()), "Block 0 of rank 1 is a vtkPolyData")
 

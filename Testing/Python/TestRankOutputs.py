@@ -10,7 +10,7 @@ from vtkmodules.vtkIOLegacy import vtkDataSetReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from compare_meshes import merge, read_pieces
-from vfmtest import main, VolumeFractionToHex
+from vfmtest import main, save_data, VolumeFractionToHex
 
 FOLDER = sys.argv[1]
 RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
@@ -22,7 +22,7 @@ HEXES.GetClientSideObject().AddObserver("StartEvent", lambda *_: RUNS.append(1))
 
 def save(name, proxy):
     path = os.path.join(FOLDER, name)
-    simple.SaveData(path, proxy=proxy)
+    save_data(path, proxy)
     return path
 
 

@@ -11,7 +11,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from compare_meshes import merge, read_pieces
-from vfmtest import SPACING, collect, image, main, VolumeFractionToHex
+from vfmtest import SPACING, collect, image, main, save_data, VolumeFractionToHex
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK = CONTROLLER.GetLocalProcessId()
@@ -31,6 +31,7 @@ def write_dumps():
     os.makedirs(FOLDER, exist_ok=True)
     for dump in range(DUMPS):
         writer = vtkXMLImageDataWriter()
+        writer.SetDataModeToBinary()
         writer.SetInputData(image({"ball": np.clip(radius(dump) - distance + 0.5, 0, 1)}))
         writer.SetFileName(os.path.join(FOLDER, "dump%d.vti" % dump))
         writer.Write()
@@ -53,7 +54,7 @@ def test_time_series():
     memory = []
     for dump in list(range(DUMPS)) + list(range(DUMPS)):
         hexes.UpdatePipeline(dump)
-        simple.SaveData(path, proxy=hexes)
+        save_data(path, hexes)
         field = hexes.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
         volume, target = (field.GetArray(name).GetValue(0) for name in ("MeshVolume", "TargetVolume"))
         exact = 4 / 3 * np.pi * radius(dump) ** 3 * np.prod(SPACING)

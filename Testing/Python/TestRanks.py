@@ -18,7 +18,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from compare_meshes import difference, joined, merge, piece_of, read_pieces
 from vfmtest import (
-    GHOST, ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, image, main, producer, reduced, surface_faces,
+    GHOST, ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, image, main, producer, reduced, save_data, surface_faces,
     tet_volumes, VolumeFractionToHex, VolumeFractionToTet)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
@@ -59,9 +59,17 @@ def splash():
     return {"water": water[4:26, 20:44, 22:44].copy()}
 
 
+def with_state(arrays):
+    """The arrays with those of STATE, random."""
+    size, random = next(iter(arrays.values())).shape, np.random.default_rng(9)
+    return {**arrays, "velocity": random.normal(size=(*size, 3)).astype(np.float32), "number": random.integers(2 ** 60, size=size)}
+
+
+STATE = ["velocity", "number"]  # carried along
 CASES = {
     "sphere": sphere(), "ball_and_plate": dict(zip(("ball", "plate"), ball_and_plate(16))), "grains": grains(),
     "noise": noise(), "splash": splash()}
+CASES = {case: with_state(arrays) for case, arrays in CASES.items()}
 TINY = "fewer cells than ranks"
 TET_CASES = [("ball_and_plate", "Cells", "scattered"), ("sphere", "Lattice", "slabs"), ("grains", "Lattice", "scattered"),
              ("noise", "Cells", "slabs")]
@@ -125,14 +133,16 @@ def split_input(arrays, split):
 def mesh_and_surfaces(source, case, **properties):
     """Runs the filter, that of tetrahedra when a method is given; both outputs in pieces, none but on rank 0."""
     arrays = ALL_CASES[case]
-    chosen = {"MaterialIdArray": "id"} if "id" in arrays else {"VolumeFractionArrays": list(arrays)}
+    fractions = [name for name in arrays if name not in STATE]
+    chosen = {"MaterialIdArray": "id"} if "id" in arrays else {"VolumeFractionArrays": fractions}
+    chosen["StateArrays"] = [name for name in STATE if name in arrays]
     make = VolumeFractionToTet if "Method" in properties else VolumeFractionToHex
     mesher = make(Input=source, **chosen, **properties)
     errors, _ = collect(mesher.GetClientSideObject())
     result = []
     for port, kind in enumerate((".pvtu", ".pvtp")):
         path = os.path.join(FOLDER, "ranks%d%s" % (RANKS, kind))
-        simple.SaveData(path, proxy=simple.OutputPort(mesher, port))
+        save_data(path, simple.OutputPort(mesher, port))
         assert not errors, errors
         pieces = read_pieces(path) if RANK == 0 else []
         assert RANK > 0 or RANKS == 1 or sum(piece.GetNumberOfCells() > 0 for piece in pieces) > 1
@@ -171,7 +181,8 @@ def on_first_rank(work):
 
 def check(case, source, label, **properties):
     outputs = mesh_and_surfaces(source, case, **properties)
-    parts = [case, properties.get("Method"), "with void" if properties.get("MeshVoid") else None]
+    parts = [case, properties.get("Method"), "with void" if properties.get("MeshVoid") else None,
+             "refined" if properties.get("Refinement") else None]
     on_first_rank(lambda: compare_with_gold(outputs, " ".join(filter(None, parts)), label))
 
 
@@ -179,6 +190,7 @@ def write_inputs():
     """The whole images, for readers that split them themselves."""
     for case, arrays in ALL_CASES.items():
         writer = vtkXMLImageDataWriter()
+        writer.SetDataModeToBinary()
         writer.SetInputData(image(arrays))
         writer.SetFileName(os.path.join(FOLDER, case + ".vti"))
         writer.Write()
@@ -191,6 +203,7 @@ def test_whole():
         for case, arrays in ALL_CASES.items():
             check(case, producer(image(arrays)), "whole")
         check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", MeshVoid=1)
+        check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", Refinement=1)
         for case, method, _ in TET_CASES:
             check(case, producer(image(CASES[case])), "whole", Method=method)
 
@@ -235,6 +248,10 @@ def test_options():
     arrays = CASES["ball_and_plate"]
     check("ball_and_plate", split_input(arrays, "scattered"), "void", MeshVoid=1)
     check("grains", split_input(CASES["grains"], "scattered"), "two threads", NumberOfThreads=2)
+
+
+def test_refinement():
+    check("ball_and_plate", split_input(CASES["ball_and_plate"], "scattered"), "scattered", Refinement=1)
 
 
 def test_tets():

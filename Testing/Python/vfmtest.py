@@ -11,7 +11,7 @@ import traceback
 import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from paraview.modules.vtkRemotingCore import vtkProcessModule
@@ -60,6 +60,18 @@ def image(arrays, first=(0, 0, 0), kind=vtkImageData):
     for name, value in arrays.items():
         add_array(data.GetCellData(), name, value)
     return data
+
+
+def rectilinear(arrays, coordinates):
+    """A grid with cell arrays {name: values (z, y, x)} and these node coordinates, x y z."""
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions([len(x) for x in coordinates])
+    for x, setter in zip(coordinates, ("X", "Y", "Z")):
+        holder = vtkImageData().GetFieldData()
+        getattr(grid, "Set%sCoordinates" % setter)(add_array(holder, setter, np.array(x)))
+    for name, value in arrays.items():
+        add_array(grid.GetCellData(), name, value)
+    return grid
 
 
 def fraction_image(n=12, dtype=np.float64):
@@ -164,6 +176,11 @@ def producer(data):
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(data)
     return source
+
+
+def save_data(path, proxy):
+    """Saves inline: expat since 2.6, and Debian's since 2.5.0-1+deb12u2, keeps VTK 9.2 from reading appended data."""
+    simple.SaveData(path, proxy=proxy, DataMode="Binary")
 
 
 def has_tetgen():

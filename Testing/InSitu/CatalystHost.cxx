@@ -1,0 +1,209 @@
+/**
+ * A small simulation with Catalyst inside, for TestCatalyst.py: a ball sinks into a plate, on 14 x 12 x 10 cells.
+ *
+ * usage: CatalystHost [--boxes N] [--bad-step S] SCRIPT ...
+ * Takes 4 steps. The grid is cut along x into N boxes (default: two a rank), dealt out to the ranks in turn. In step S
+ * the last rank hands over a box outside of the grid. Prints a line for every step, and at the end how many were made
+ * for the scripts. Exit status 0: every step went well; 3: some did not; 4: the ranks were told different things.
+ *
+ * The adaptor may use the fields only while it is called: after it they are overwritten.
+ */
+#include "CatalystAdaptor.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+namespace
+{
+
+using namespace vfm;
+
+constexpr Index3 Cells{ { 14, 12, 10 } };
+constexpr Vector3 Origin{ { -0.7, 0.3, 2.1 } }, Spacing{ { 0.1, 0.125, 0.11 } };
+constexpr int Steps = 4, Samples = 4;
+
+struct Options
+{
+  int Boxes = 0, BadStep = -1;
+  std::vector<std::string> Scripts;
+};
+
+/// Fields of one box. The part of a cell in a body is that of its samples; all numbers are exact in binary.
+struct Box
+{
+  IndexBox Cells;
+  std::vector<double> Ball, Velocity;
+  std::vector<float> Plate;
+  std::vector<int> Labels;
+
+  void Set(int step);
+  void Spoil();
+};
+
+double PartInBall(const Index3& cell, int step)
+{
+  const double centre[3] = { 5.5 + 0.5 * step, 6.0, 6.5 - 0.25 * step };
+  int inside = 0;
+  for (int s = 0; s < Samples * Samples * Samples; ++s)
+  {
+    const int at[3] = { s % Samples, s / Samples % Samples, s / (Samples * Samples) };
+    double distance = 0.0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const double x = static_cast<double>(cell[a]) + (at[a] + 0.5) / Samples - centre[a];
+      distance += x * x;
+    }
+    inside += distance < 10.5625;
+  }
+  return inside / static_cast<double>(Samples * Samples * Samples);
+}
+
+void Box::Set(int step)
+{
+  *this = Box{ this->Cells, {}, {}, {}, {} };
+  for (Index k = this->Cells.Lower[2]; k < this->Cells.Upper[2]; ++k)
+  {
+    for (Index j = this->Cells.Lower[1]; j < this->Cells.Upper[1]; ++j)
+    {
+      for (Index i = this->Cells.Lower[0]; i < this->Cells.Upper[0]; ++i)
+      {
+        const double ball = PartInBall({ { i, j, k } }, step);
+        const double plate = k < 3 ? 1.0 - ball : 0.0;
+        this->Ball.push_back(ball);
+        this->Plate.push_back(static_cast<float>(plate));
+        this->Labels.push_back(ball + plate < 0.5 ? 0 : ball >= plate ? 1 : 2);
+        this->Velocity.insert(this->Velocity.end(), { 0.5 * ball, 0.0, -0.25 * ball });
+      }
+    }
+  }
+}
+
+void Box::Spoil()
+{
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  this->Ball.assign(this->Ball.size(), nothing);
+  this->Velocity.assign(this->Velocity.size(), nothing);
+  this->Plate.assign(this->Plate.size(), static_cast<float>(nothing));
+  this->Labels.assign(this->Labels.size(), -1);
+}
+
+Options ParseOptions(int argc, char** argv)
+{
+  Options options;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string name = argv[i];
+    if (name == "--boxes" && i + 1 < argc)
+    {
+      options.Boxes = std::atoi(argv[++i]);
+    }
+    else if (name == "--bad-step" && i + 1 < argc)
+    {
+      options.BadStep = std::atoi(argv[++i]);
+    }
+    else
+    {
+      options.Scripts.push_back(name);
+    }
+  }
+  return options;
+}
+
+std::vector<Box> MakeBoxes(int count, int rank, int ranks)
+{
+  std::vector<Box> boxes;
+  for (int b = rank; b < count; b += ranks)
+  {
+    Box box;
+    box.Cells.Lower = { { Cells[0] * b / count, 0, 0 } };
+    box.Cells.Upper = { { Cells[0] * (b + 1) / count, Cells[1], Cells[2] } };
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+HostGrid Describe(const std::vector<Box>& boxes)
+{
+  HostGrid grid{ Origin, Spacing, Cells, {} };
+  for (const Box& box : boxes)
+  {
+    grid.Boxes.push_back({ box.Cells,
+      { MakeHostArray("ball", box.Ball.data()), MakeHostArray("plate", box.Plate.data()),
+        MakeHostArray("id", box.Labels.data()),
+        MakeHostArray("velocity", box.Velocity.data(), 3) } });
+  }
+  return grid;
+}
+
+/// The global numbers; and where the first box's ball is in memory, for scripts that look for it.
+std::vector<HostNumber> FindNumbers(int step, const std::vector<Box>& boxes)
+{
+  const double address =
+    boxes.empty() ? 0.0 : reinterpret_cast<std::uintptr_t>(boxes[0].Ball.data());
+  return { { "Fragments", step < 2 ? 2.0 : 1.0 }, { "BallAddress", address } };
+}
+
+bool IsSameOnAllRanks(std::string text)
+{
+  const std::string mine = text;
+  int size = static_cast<int>(text.size()), same = 0;
+  MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  text.resize(size);
+  MPI_Bcast(&text[0], size, MPI_CHAR, 0, MPI_COMM_WORLD);
+  const int equal = text == mine;
+  MPI_Allreduce(&equal, &same, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  return same > 0;
+}
+
+int Run(const Options& options)
+{
+  int rank = 0, ranks = 1, status = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  std::vector<Box> boxes = MakeBoxes(options.Boxes > 0 ? options.Boxes : 2 * ranks, rank, ranks);
+  CatalystAdaptor catalyst(MPI_COMM_WORLD, options.Scripts);
+  for (int step = 0; step < Steps; ++step)
+  {
+    for (Box& box : boxes)
+    {
+      box.Set(step);
+    }
+    HostGrid grid = Describe(boxes);
+    if (step == options.BadStep && rank == ranks - 1)
+    {
+      grid.Boxes.at(0).Cells.Upper[0] = Cells[0] + 1;
+    }
+    const bool done =
+      catalyst.Process(grid, 0.125 * step, step, FindNumbers(step, boxes), step + 1 == Steps);
+    for (Box& box : boxes)
+    {
+      box.Spoil();
+    }
+    if (!IsSameOnAllRanks((done ? "done" : "failed") + catalyst.GetError()))
+    {
+      return 4;
+    }
+    status = done ? status : 3;
+    if (rank == 0)
+    {
+      std::printf(
+        "host: step %d %s %s\n", step, done ? "done" : "failed:", catalyst.GetError().c_str());
+    }
+  }
+  if (rank == 0)
+  {
+    std::printf("host: %d steps made\n", catalyst.GetNumberOfStepsMade());
+  }
+  return status;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  MPI_Init(&argc, &argv);
+  const int status = Run(ParseOptions(argc, argv));
+  MPI_Finalize();
+  return status;
+}

@@ -1,0 +1,37 @@
+/**
+ * HostFields: what a host code with a regular layout of ranks would hand over: a ball on a plate, with a state, on this
+ * rank's box of a grid of 18 x 12 x 15 cells.
+ */
+#pragma once
+
+#include "CartesianGrid.h"
+
+#include <mpi.h>
+
+namespace vfm
+{
+namespace testing
+{
+
+struct HostFields
+{
+  /// The box of a rank of the layout that MPI_Dims_create chooses.
+  HostFields(int rank, int ranks);
+
+  IndexBox Cells;
+  std::array<double, 6> Bounds;
+  std::array<int, 3> Intervals;
+  std::array<int, 6> Neighbours;
+  std::vector<double> Ball, Plate, Velocity; ///< 1, 1, 3 components
+  std::vector<int> Labels;                   ///< 0 void, 1 ball, 2 plate
+};
+
+constexpr Index3 HostCells{ { 18, 12, 15 } };
+constexpr Vector3 HostOrigin{ { -1.0, 0.5, 2.0 } }, HostSpacing{ { 0.1, 0.125, 0.11 } };
+
+/// Of this rank and their number, in MPI_COMM_WORLD.
+int MyRank();
+int NumberOfRanks();
+
+} // namespace testing
+} // namespace vfm

@@ -1,0 +1,12 @@
+/// Runs the tests on every rank; fails where any rank fails.
+#include <gtest/gtest.h>
+#include <mpi.h>
+
+int main(int argc, char** argv)
+{
+  MPI_Init(&argc, &argv);
+  ::testing::InitGoogleTest(&argc, argv);
+  const int result = RUN_ALL_TESTS();
+  MPI_Finalize();
+  return result;
+}

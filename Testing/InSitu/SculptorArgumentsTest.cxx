@@ -1,0 +1,225 @@
+/// Wrong arguments of the C interface: a code and a text, and the host goes on.
+#include "HostFields.h"
+#include "Sculptor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using vfm::testing::HostFields;
+using vfm::testing::MyRank;
+using vfm::testing::NumberOfRanks;
+
+namespace
+{
+
+constexpr int WrongHandle = 987654;
+
+class SculptorArguments : public ::testing::Test
+{
+protected:
+  void SetUp() override { ASSERT_EQ(c_create_sculptor(&this->Sculptor), SCULPTOR_OK); }
+  void TearDown() override { EXPECT_EQ(c_delete_sculptor(this->Sculptor), SCULPTOR_OK); }
+
+  /// The report's call with this rank's fields, as the test has changed them.
+  int Mesh(int refine = 0, int smooth = 1)
+  {
+    const HostFields& f = this->Fields;
+    return c_mesh_from_data(this->Sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
+      f.Intervals[2], f.Ball.data(), f.Neighbours.data(), refine, 0, smooth, 0);
+  }
+  /// Whether the error text holds the words, and a mesh can be made after it.
+  void ExpectText(const std::string& words)
+  {
+    const std::string text = sculptor_error_text(this->Sculptor);
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+    int nodes = 0, hexes = 0, tets = 0;
+    EXPECT_EQ(c_get_free_totals(this->Sculptor, &nodes, &hexes, &tets), SCULPTOR_ERROR_NO_MESH);
+    this->Fields = HostFields(MyRank(), NumberOfRanks());
+    EXPECT_EQ(this->Mesh(), SCULPTOR_OK) << sculptor_error_text(this->Sculptor);
+  }
+
+  int Sculptor = 0;
+  HostFields Fields{ MyRank(), NumberOfRanks() };
+  const bool IsLast = MyRank() == NumberOfRanks() - 1; // some things are wrong there alone
+};
+
+} // namespace
+
+TEST_F(SculptorArguments, WrongHandles)
+{
+  int number = 0;
+  const double* coordinates = nullptr;
+  EXPECT_EQ(c_get_num_fragments(WrongHandle, &number), SCULPTOR_ERROR_HANDLE);
+  EXPECT_NE(std::string(sculptor_error_text(0)).find("987654"), std::string::npos);
+  EXPECT_EQ(c_delete_sculptor(0), SCULPTOR_ERROR_HANDLE);
+  EXPECT_EQ(sculptor_get_points(-1, &coordinates), SCULPTOR_ERROR_HANDLE);
+  int deleted = 0;
+  ASSERT_EQ(c_create_sculptor(&deleted), SCULPTOR_OK);
+  ASSERT_EQ(c_delete_sculptor(deleted), SCULPTOR_OK);
+  EXPECT_EQ(c_delete_sculptor(deleted), SCULPTOR_ERROR_HANDLE);
+  EXPECT_EQ(c_create_sculptor(nullptr), SCULPTOR_ERROR_ARGUMENT);
+}
+
+TEST_F(SculptorArguments, NullFractionsOnOneRank)
+{
+  const HostFields& f = this->Fields;
+  EXPECT_EQ(
+    c_mesh_from_data(this->Sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
+      f.Intervals[2], this->IsLast ? nullptr : f.Ball.data(), f.Neighbours.data(), 0, 0, 1, 0),
+    SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("vfrac is a null pointer");
+}
+
+TEST_F(SculptorArguments, NullBoxAndNeighbours)
+{
+  const HostFields& f = this->Fields;
+  EXPECT_EQ(c_mesh_from_data(this->Sculptor, nullptr, f.Intervals[0], f.Intervals[1],
+              f.Intervals[2], f.Ball.data(), f.Neighbours.data(), 0, 0, 1, 0),
+    SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("bounding_box is a null pointer");
+  EXPECT_EQ(c_mesh_from_data(this->Sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
+              f.Intervals[2], f.Ball.data(), nullptr, 0, 0, 1, 0),
+    SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("neighbours is a null pointer");
+}
+
+TEST_F(SculptorArguments, NoCells)
+{
+  this->Fields.Intervals[0] = this->IsLast ? 0 : this->Fields.Intervals[0];
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("xint is 0");
+}
+
+TEST_F(SculptorArguments, BoxInsideOut)
+{
+  std::swap(this->Fields.Bounds[1], this->Fields.Bounds[4]);
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("bounding box");
+}
+
+TEST_F(SculptorArguments, NumbersOutOfRange)
+{
+  EXPECT_EQ(this->Mesh(17), SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("Refinement");
+  EXPECT_EQ(this->Mesh(0, 3), SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("Smoothing");
+}
+
+TEST_F(SculptorArguments, FractionsThatAreNone)
+{
+  this->Fields.Ball[7] =
+    this->IsLast ? std::numeric_limits<double>::quiet_NaN() : this->Fields.Ball[7];
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_INPUT);
+  this->ExpectText("material");
+  this->Fields.Ball[0] = 1.5;
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_INPUT);
+  this->ExpectText("1.5");
+}
+
+TEST_F(SculptorArguments, NeighboursThatDoNotMatch)
+{
+  if (this->IsLast)
+  {
+    this->Fields.Neighbours[5] = 99;
+  }
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_INPUT);
+  this->ExpectText("99");
+  if (NumberOfRanks() == 1)
+  {
+    return;
+  }
+  if (this->IsLast)
+  {
+    this->Fields.Neighbours.fill(-1);
+  }
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_INPUT);
+  this->ExpectText("does not name it");
+  this->Fields.Neighbours.fill(-1);
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_INPUT);
+  this->ExpectText("do not lead to");
+}
+
+TEST_F(SculptorArguments, BoxesThatDoNotMatch)
+{
+  if (NumberOfRanks() == 1)
+  {
+    GTEST_SKIP() << "needs two ranks";
+  }
+  if (this->IsLast)
+  {
+    this->Fields.Bounds[5] += 0.3 * vfm::testing::HostSpacing[2];
+  }
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_INPUT);
+  this->ExpectText("along z");
+}
+
+TEST_F(SculptorArguments, RanksThatDoNotAgree)
+{
+  if (NumberOfRanks() == 1)
+  {
+    GTEST_SKIP() << "needs two ranks";
+  }
+  EXPECT_EQ(
+    sculptor_set_option(this->Sculptor, "IsoValue", this->IsLast ? "0.4" : "0.5"), SCULPTOR_OK);
+  EXPECT_EQ(this->Mesh(), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(sculptor_set_option(this->Sculptor, "IsoValue", "0.5"), SCULPTOR_OK);
+  this->ExpectText("do not agree");
+}
+
+TEST_F(SculptorArguments, WhatIsMissing)
+{
+  EXPECT_EQ(sculptor_make_mesh(this->Sculptor, 0), SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("No box");
+  EXPECT_EQ(sculptor_clear_fields(this->Sculptor), SCULPTOR_OK);
+  EXPECT_EQ(sculptor_make_mesh(this->Sculptor, 0), SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("volume fractions");
+}
+
+TEST_F(SculptorArguments, NamesThatAreUnknown)
+{
+  EXPECT_EQ(sculptor_set_option(this->Sculptor, "Smothing", "Off"), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_NE(std::string(sculptor_error_text(this->Sculptor)).find("Smothing"), std::string::npos);
+  EXPECT_EQ(sculptor_set_option(this->Sculptor, "IsoValue", "half"), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(sculptor_set_option(this->Sculptor, nullptr, "1"), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(sculptor_set_option(this->Sculptor, "IndexBase", "2"), SCULPTOR_ERROR_ARGUMENT);
+  ASSERT_EQ(this->Mesh(), SCULPTOR_OK);
+  double value = 0;
+  int components = 0;
+  const double* values = nullptr;
+  EXPECT_EQ(sculptor_get_number(this->Sculptor, "MeshVolumes", 0, &value), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(sculptor_get_number(this->Sculptor, "MeshVolume", 1, &value), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(
+    sculptor_get_state(this->Sculptor, "velocity", &components, &values), SCULPTOR_ERROR_ARGUMENT);
+}
+
+TEST_F(SculptorArguments, GettersWithoutMeshOrPlace)
+{
+  int fragments = 0, nodes = 0, hexes = 0, tets = 0;
+  EXPECT_EQ(c_get_num_fragments(this->Sculptor, &fragments), SCULPTOR_ERROR_NO_MESH);
+  EXPECT_EQ(c_get_free_hexes(this->Sculptor, nullptr, nullptr), SCULPTOR_ERROR_NO_MESH);
+  ASSERT_EQ(this->Mesh(), SCULPTOR_OK);
+  EXPECT_EQ(c_get_free_hexes(this->Sculptor, nullptr, nullptr), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(c_get_free_totals(this->Sculptor, &nodes, nullptr, &tets), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(
+    c_get_fragment_totals(this->Sculptor, 0, &nodes, &hexes, &tets), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(
+    c_get_fragment_totals(this->Sculptor, 2, &nodes, &hexes, &tets), SCULPTOR_ERROR_ARGUMENT);
+}
+
+TEST_F(SculptorArguments, NoCommunicator)
+{
+  EXPECT_EQ(sculptor_set_communicator(this->Sculptor, MPI_Comm_c2f(MPI_COMM_NULL)),
+    SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("no communicator");
+}
+
+TEST_F(SculptorArguments, FilesThatCannotBeWritten)
+{
+  EXPECT_EQ(sculptor_write(this->Sculptor, "mesh.pvtu"), SCULPTOR_ERROR_NO_MESH);
+  ASSERT_EQ(this->Mesh(), SCULPTOR_OK);
+  EXPECT_EQ(sculptor_write(this->Sculptor, nullptr), SCULPTOR_ERROR_ARGUMENT);
+  EXPECT_EQ(sculptor_write(this->Sculptor, "/no/such/folder/mesh.pvtu"), SCULPTOR_ERROR_FILE);
+  EXPECT_EQ(sculptor_write(this->Sculptor, "mesh.stl"), SCULPTOR_ERROR_ARGUMENT);
+}

@@ -1,0 +1,174 @@
+/// The meshes of the report's calls.
+#include "HostFields.h"
+#include "Sculptor.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using vfm::testing::HostFields;
+using vfm::testing::MyRank;
+using vfm::testing::NumberOfRanks;
+
+namespace
+{
+
+/// Volume of a tetrahedron.
+double VolumeOfTet(const double* a, const double* b, const double* c, const double* d)
+{
+  double u[3], v[3], w[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] = b[i] - a[i];
+    v[i] = c[i] - a[i];
+    w[i] = d[i] - a[i];
+  }
+  return (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+           u[2] * (v[0] * w[1] - v[1] * w[0])) /
+    6.0;
+}
+
+/// Sum of the corner tetrahedra: positive volume needs nodes in the right order and base.
+double SumOfVolumes(const std::vector<double>& coordinates, const std::vector<int>& connectivity,
+  int corners, int base)
+{
+  const int tets[5][4] = { { 0, 1, 3, 4 }, { 1, 2, 3, 6 }, { 1, 4, 5, 6 }, { 3, 4, 6, 7 },
+    { 1, 3, 4, 6 } };
+  double sum = 0.0;
+  for (std::size_t first = 0; first < connectivity.size(); first += corners)
+  {
+    const auto at = [&](int c)
+    { return coordinates.data() + 3 * (connectivity[first + c] - base); };
+    for (int t = 0; t < (corners == 8 ? 5 : 1); ++t)
+    {
+      const int* tet = tets[t];
+      const double volume = corners == 8
+        ? VolumeOfTet(at(tet[0]), at(tet[1]), at(tet[2]), at(tet[3]))
+        : VolumeOfTet(at(0), at(1), at(2), at(3));
+      EXPECT_GT(volume, 0.0);
+      sum += volume;
+    }
+  }
+  return sum;
+}
+
+double SumOverRanks(double mine)
+{
+  double sum = 0.0;
+  MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  return sum;
+}
+
+class SculptorMesh : public ::testing::TestWithParam<int> // whether tetrahedra
+{
+protected:
+  void SetUp() override
+  {
+    ASSERT_EQ(c_create_sculptor(&this->Sculptor), SCULPTOR_OK);
+    sculptor_set_option(this->Sculptor, "IndexBase", "1");
+    sculptor_set_option(this->Sculptor, "Method", "Lattice");
+  }
+  void TearDown() override { EXPECT_EQ(c_delete_sculptor(this->Sculptor), SCULPTOR_OK); }
+
+  const HostFields Fields{ MyRank(), NumberOfRanks() };
+  int Sculptor = 0;
+};
+
+} // namespace
+
+TEST_P(SculptorMesh, FreeMeshAndFragments)
+{
+  const bool tet = GetParam() != 0;
+  const HostFields& f = this->Fields;
+  // The plate with a ball-shaped hole, and nothing of the ball: one fragment.
+  const auto method = tet ? c_get_free_tets : c_get_free_hexes;
+  const auto fragmentMethod = tet ? c_get_fragment_tets : c_get_fragment_hexes;
+  const int corners = tet ? 4 : 8;
+  ASSERT_EQ(c_mesh_from_data(this->Sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
+              f.Intervals[2], f.Plate.data(), f.Neighbours.data(), 0, 0, 1, GetParam()),
+    SCULPTOR_OK)
+    << sculptor_error_text(this->Sculptor);
+  int nodes = 0, hexes = 0, tets = 0, fragments = 0;
+  ASSERT_EQ(c_get_free_totals(this->Sculptor, &nodes, &hexes, &tets), SCULPTOR_OK);
+  EXPECT_EQ(tet ? hexes : tets, 0);
+  std::vector<double> coordinates(3 * nodes);
+  std::vector<int> connectivity(corners * (tet ? tets : hexes));
+  ASSERT_EQ(method(this->Sculptor, coordinates.data(), connectivity.data()), SCULPTOR_OK);
+  double volume = 0;
+  ASSERT_EQ(sculptor_get_number(this->Sculptor, "MeshVolume", 0, &volume), SCULPTOR_OK);
+  // Hexahedra have curved faces, which five tets cut off: their sum is the volume but for that.
+  EXPECT_NEAR(
+    SumOverRanks(SumOfVolumes(coordinates, connectivity, corners, 1)), volume, 0.01 * volume);
+
+  ASSERT_EQ(c_get_num_fragments(this->Sculptor, &fragments), SCULPTOR_OK);
+  ASSERT_EQ(fragments, 1);
+  int ownNodes = 0, ownHexes = 0, ownTets = 0;
+  ASSERT_EQ(c_get_fragment_totals(this->Sculptor, 1, &ownNodes, &ownHexes, &ownTets), SCULPTOR_OK);
+  EXPECT_EQ(ownNodes, nodes);
+  EXPECT_EQ(ownHexes, hexes);
+  EXPECT_EQ(ownTets, tets);
+  std::vector<double> ownCoordinates(coordinates.size());
+  std::vector<int> ownConnectivity(connectivity.size());
+  ASSERT_EQ(
+    fragmentMethod(this->Sculptor, 1, ownCoordinates.data(), ownConnectivity.data()), SCULPTOR_OK);
+  EXPECT_EQ(ownCoordinates, coordinates);
+  EXPECT_EQ(ownConnectivity, connectivity);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SculptorMesh, ::testing::Values(0, 1));
+
+TEST(SculptorFragments, SeveralFragmentsSplitTheMesh)
+{
+  const HostFields f(MyRank(), NumberOfRanks());
+  std::vector<double> layers(f.Ball.size()); // two slabs with a gap
+  for (std::size_t cell = 0; cell < layers.size(); ++cell)
+  {
+    const double x = f.Velocity[3 * cell];
+    layers[cell] = x < 6 || x >= 11 ? 1.0 : 0.0;
+  }
+  int sculptor = 0, fragments = 0, nodes = 0, hexes = 0, tets = 0;
+  ASSERT_EQ(c_create_sculptor(&sculptor), SCULPTOR_OK);
+  ASSERT_EQ(c_mesh_from_data(sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
+              f.Intervals[2], layers.data(), f.Neighbours.data(), 0, 1, 1, 0),
+    SCULPTOR_OK)
+    << sculptor_error_text(sculptor);
+  ASSERT_EQ(c_get_num_fragments(sculptor, &fragments), SCULPTOR_OK);
+  ASSERT_EQ(fragments, 2);
+  ASSERT_EQ(c_get_free_totals(sculptor, &nodes, &hexes, &tets), SCULPTOR_OK);
+  int sum = 0;
+  const double slabs[2] = { 6, 7 }; // cells thick
+  for (int fragment = 1; fragment <= 2; ++fragment)
+  {
+    int partNodes = 0, partHexes = 0;
+    ASSERT_EQ(
+      c_get_fragment_totals(sculptor, fragment, &partNodes, &partHexes, &tets), SCULPTOR_OK);
+    std::vector<double> coordinates(3 * partNodes);
+    std::vector<int> connectivity(8 * partHexes);
+    ASSERT_EQ(c_get_fragment_hexes(sculptor, fragment, coordinates.data(), connectivity.data()),
+      SCULPTOR_OK);
+    std::set<int> used(connectivity.begin(), connectivity.end());
+    EXPECT_EQ(static_cast<int>(used.size()), partNodes); // no node of another fragment
+    const double cell =
+      vfm::testing::HostSpacing[0] * vfm::testing::HostSpacing[1] * vfm::testing::HostSpacing[2];
+    const double volume = SumOverRanks(SumOfVolumes(coordinates, connectivity, 8, 0));
+    EXPECT_NEAR(volume, slabs[fragment - 1] * 12 * 15 * cell, 1e-9);
+    sum += partHexes;
+  }
+  EXPECT_EQ(sum, hexes);
+  EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+}
+
+TEST(SculptorRefinement, RefinedStairStepHasEightTimesTheHexes)
+{
+  const HostFields f(MyRank(), NumberOfRanks());
+  std::vector<double> full(f.Ball.size(), 1.0);
+  int sculptor = 0, nodes = 0, hexes = 0, tets = 0;
+  ASSERT_EQ(c_create_sculptor(&sculptor), SCULPTOR_OK);
+  ASSERT_EQ(c_mesh_from_data(sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
+              f.Intervals[2], full.data(), f.Neighbours.data(), 1, 1, 1, 0),
+    SCULPTOR_OK)
+    << sculptor_error_text(sculptor);
+  ASSERT_EQ(c_get_free_totals(sculptor, &nodes, &hexes, &tets), SCULPTOR_OK);
+  EXPECT_EQ(hexes, 8 * f.Cells.NumberOfCells());
+  EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+}

@@ -1,0 +1,254 @@
+"""Catalyst in a small simulation, CatalystHost: Examples/catalyst_mesh.py makes the filter's own meshes on any number of
+ranks, at the steps that are chosen; scripts that fail leave the simulation alive. With --picture, under an X server: a
+picture of the mesh.
+
+Environment: VFM_PLUGIN, the plugin; VFM_CATALYST_HOST, the simulation.
+"""
+import os
+import re
+import sys
+import tempfile
+
+import numpy as np
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "Python"))
+from compare_meshes import difference, merge, read_pieces
+from mpi_run import mpi_run
+from vfmtest import image, main, mesh_of, VolumeFractionToTet
+
+EXAMPLE = os.path.join(HERE, "..", "..", "Examples", "catalyst_mesh.py")
+CELLS, ORIGIN, SPACING = (14, 12, 10), (-0.7, 0.3, 2.1), (0.1, 0.125, 0.11)  # those of the host
+STEPS, SAMPLES = 4, 4
+NO_DISPLAY = "no pictures: no X server"
+
+# Catalyst scripts. The host's ball must be the host's memory; other ranks' blocks are null.
+ZERO_COPY = """
+from paraview.simple import TrivialProducer
+from vtkmodules.util.numpy_support import vtk_to_numpy
+producer = TrivialProducer(registrationName="input")
+def catalyst_execute(info):
+    grid = producer.GetClientSideObject().GetOutputDataObject(0)
+    address = grid.GetFieldData().GetArray("BallAddress").GetValue(0)
+    blocks = [grid.GetBlock(b) for b in range(grid.GetNumberOfBlocks())]
+    mine = [block for block in blocks if block]
+    found = vtk_to_numpy(mine[0].GetCellData().GetArray("ball")).__array_interface__["data"][0] if mine else 0
+    print("rank has %d of %d blocks at %#x, handed over %#x" % (len(mine), len(blocks), found, int(address)), flush=True)
+    assert found == address
+"""
+WANTS_NOTHING = """
+def RequestDataDescription(description):
+    pass
+def catalyst_execute(info):
+    print("executed")
+"""
+RAISES_AT_STEP_1 = """
+def catalyst_execute(info):
+    if info.timestep == 1:
+        raise ValueError("a script\\n that fails")
+    print("executed", info.timestep)
+"""
+RAISES_ON_LAST_RANK = """
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+def catalyst_execute(info):
+    ranks = vtkMultiProcessController.GetGlobalController()
+    if ranks.GetLocalProcessId() == ranks.GetNumberOfProcesses() - 1:
+        raise ValueError("only here")
+"""
+RAISES_IN_INITIALIZE = """
+def catalyst_initialize():
+    raise KeyError("cannot begin")
+"""
+RAISES_IN_FINALIZE = """
+def catalyst_finalize():
+    raise KeyError("cannot end")
+def catalyst_execute(info):
+    pass
+"""
+EXITS = "import sys\ndef catalyst_execute(info):\n    sys.exit(7)\n"
+EXITS_AT_IMPORT = "import sys\nsys.exit(7)\n"
+NO_PYTHON = "def catalyst_execute(info:\n"
+
+
+def part_in_ball(step):
+    z, y, x = np.meshgrid(*[(np.arange(n * SAMPLES) + 0.5) / SAMPLES for n in CELLS[::-1]], indexing="ij")
+    centre = (5.5 + 0.5 * step, 6.0, 6.5 - 0.25 * step)
+    inside = (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2 < 10.5625
+    shape = [n for size in CELLS[::-1] for n in (size, SAMPLES)]
+    return inside.reshape(shape).mean(axis=(1, 3, 5))
+
+
+def field(step):
+    """The host's fields of a step as one image."""
+    ball = part_in_ball(step)
+    plate = np.where(np.arange(CELLS[2])[:, None, None] < 3, 1.0 - ball, 0.0)
+    labels = np.where(ball + plate < 0.5, 0, np.where(ball >= plate, 1, 2))
+    data = image({"ball": ball, "plate": plate.astype(np.float32), "id": labels.astype(np.int32)})
+    data.SetOrigin(ORIGIN)
+    data.SetSpacing(SPACING)
+    return data
+
+
+def run_host(ranks, scripts, *options, **settings):
+    return mpi_run(ranks, [os.environ["VFM_CATALYST_HOST"], *options, *scripts], 300, without=() if PICTURE else ("DISPLAY",),
+                   **{"VFM_" + key: value for key, value in settings.items()})
+
+
+def run_code(ranks, *codes, options=()):
+    """Runs the host with scripts of these codes, named script0.py and so on."""
+    with tempfile.TemporaryDirectory() as folder:
+        paths = [os.path.join(folder, "script%d.py" % i) for i in range(len(codes))]
+        for path, code in zip(paths, codes):
+            with open(path, "w") as file:
+                file.write("# script-version: 2.0\n" + code)
+        return run_host(ranks, paths, *options)
+
+
+def run_example(ranks, out, *options, **settings):
+    """Runs the host with the example; the steps that it meshed."""
+    result = run_host(ranks, [EXAMPLE], *options, OUT=out, **settings)
+    assert result.returncode == 0, result
+    assert "Traceback" not in result.stderr and "ERR|" not in result.stderr, result.stderr
+    assert result.stdout.count("host: step") == STEPS, result.stdout
+    steps = sorted(int(re.sub(r"\D", "", name)) for name in os.listdir(out) if name.endswith(".pvtu"))
+    assert steps == [int(step) for step in re.findall(r"mesh_(\d+).pvtu: \d+ elements", result.stdout)], result.stdout
+    return steps, result
+
+
+def expect_mesh(out, step, ranks, gold):
+    """The mesh of the step in the files is that of the filter, bit for bit, on several ranks in as many pieces."""
+    pieces = read_pieces(os.path.join(out, "mesh_%06d.pvtu" % step))
+    assert len(pieces) == ranks
+    for piece in pieces:
+        assert piece.GetFieldData().GetArray("Fragments").GetValue(0) == (2.0 if step < 2 else 1.0)
+        for name in ("Fragments", "BallAddress", "__CatalystChannel__", "TimeValue"):  # of the input
+            piece.GetFieldData().RemoveArray(name)
+    differs = difference(merge(pieces), merge([gold]))
+    assert not differs, differs
+
+
+def test_meshes_are_those_of_the_filter():
+    golds = [mesh_of(field(step)).mesh for step in range(STEPS)]
+    assert len({gold.GetNumberOfCells() for gold in golds}) > 1  # the ball moves
+    for ranks, boxes in ((1, 3), (2, 1), (4, 7)):  # of two ranks and one box, the last is empty
+        with tempfile.TemporaryDirectory() as out:
+            steps, result = run_example(ranks, out, "--boxes", str(boxes))
+            assert steps == list(range(STEPS))
+            assert result.stdout.count(NO_DISPLAY) == 1 and "4 steps made" in result.stdout, result.stdout
+            for step in steps:
+                expect_mesh(out, step, ranks, golds[step])
+            times = re.findall(r'timestep="([^"]*)" file="([^"]*)"', open(os.path.join(out, "mesh.pvd")).read())
+            assert times == [(repr(0.125 * s), "mesh_%06d.pvtu" % s) for s in steps], times
+
+
+def test_labels_tets_and_exodus():
+    gold = mesh_of(field(2), VolumeFractionToTet, MaterialIdArray="id", Method="Cells").mesh
+    with tempfile.TemporaryDirectory() as out:
+        steps, result = run_example(2, out, LABELS="id", TETS="Cells", STEPS="2", EXODUS="1", PICTURE="0")
+        assert steps == [2] and NO_DISPLAY not in result.stdout
+        assert "2 steps made" in result.stdout, result.stdout  # that one and, whatever is wanted, the last
+        expect_mesh(out, 2, 2, gold)
+        exodus = sorted(name for name in os.listdir(out) if ".e." in name)
+        assert exodus == ["mesh_000002.e.2.0", "mesh_000002.e.2.1"], exodus
+
+
+def test_triggers():
+    plate = [3 * CELLS[0] * CELLS[1] - part_in_ball(step)[:3].sum() for step in range(STEPS)]  # the ball sinks in
+    limit = 0.5 * (plate[-2] + plate[-1])
+    assert plate[0] > limit > plate[-1] and plate == sorted(plate)[::-1], plate
+    expected = {"Fragments changes": [0, 2], "Fragments < 1.5": [2], "sum plate < %r" % limit: [3],
+                "max velocity > 0.1": [0], "max velocity > 100": [], "min ball < 0": []}
+    with tempfile.TemporaryDirectory() as out:
+        steps, result = run_example(2, out, TRIGGER=";".join(expected))
+        assert steps == [0, 2, 3]
+        lines = re.findall(r"mesh_(\d+).pvtu: .* \((.*)\)", result.stdout)
+        reasons = {int(step): text.split("; ") for step, text in lines}
+        for trigger, fired in expected.items():
+            assert [step for step in steps if trigger in reasons[step]] == fired, (trigger, reasons)
+    with tempfile.TemporaryDirectory() as out:
+        assert run_example(1, out, TRIGGER="Fragments < 1.5", EVERY="3")[0] == [0, 2, 3]
+
+
+def test_arrays_are_the_hosts_memory():
+    for ranks, options in ((1, ()), (2, ()), (2, ("--boxes", "1"))):
+        result = run_code(ranks, ZERO_COPY, options=options)
+        assert result.returncode == 0 and result.stdout.count("handed over") == STEPS, result  # the first rank prints
+
+
+def test_nothing_is_made_that_nobody_wants():
+    result = run_code(2, WANTS_NOTHING, options=("--bad-step", "1"))
+    # The last step is always handed over; a wrong grid before is never looked at.
+    assert result.returncode == 0 and "host: 1 steps made" in result.stdout, result
+
+
+def expect_failure(result, text, failed, made, others=()):
+    """The host lived to the end; the failed steps and no others told the text on all ranks; others: failed otherwise."""
+    assert result.returncode == 3, result
+    for step in range(STEPS):
+        told = re.search(r"host: step %d (.*?)\n(?=host:|executed|catalyst_mesh|$)" % step, result.stdout, re.DOTALL)
+        line = told.group(1)
+        assert (text in line) == (step in failed), (step, line)
+        assert line.startswith("failed" if step in failed or step in others else "done"), (step, line)
+    assert "host: %d steps made" % made in result.stdout, result.stdout
+
+
+def test_failing_scripts_leave_the_host_alive():
+    every = list(range(STEPS))
+    expect_failure(run_code(2, RAISES_ON_LAST_RANK), "script0.py: ValueError: only here", every, 4)
+    result = run_code(2, RAISES_AT_STEP_1, EXITS)
+    expect_failure(result, "script0.py: ValueError: a script that fails", [1], 4, others=every)
+    expect_failure(result, "script1.py: SystemExit: 7", every, 4)
+    assert "Traceback" in result.stderr and result.stdout.count("executed") == 3, result  # the first rank prints
+    result = run_code(2, EXITS_AT_IMPORT, NO_PYTHON, RAISES_IN_INITIALIZE)
+    for text in ("script0.py: SystemExit: 7", "script1.py: SyntaxError", "script2.py: KeyError: 'cannot begin'"):
+        expect_failure(result, text, every, 0)
+    result = run_code(2, RAISES_IN_FINALIZE)
+    assert result.returncode == 0 and "cannot end" in result.stderr, result
+
+
+def test_missing_script():
+    every = list(range(STEPS))
+    expect_failure(run_host(2, ["/no/such/script.py"]), "Script /no/such/script.py cannot be read", every, 0)
+    # Others run all the same.
+    with tempfile.TemporaryDirectory() as out:
+        result = run_host(1, ["/no/such/script.py", EXAMPLE], OUT=out, STEPS="1", PICTURE="0")
+        expect_failure(result, "Script /no/such/script.py cannot be read", every, 2)
+        expect_mesh(out, 1, 1, mesh_of(field(1)).mesh)
+
+
+def test_wrong_grids_and_settings():
+    folder = tempfile.TemporaryDirectory()
+    result = run_host(2, [EXAMPLE], "--bad-step", "2", OUT=folder.name, PICTURE="0")
+    expect_failure(result, "[3, 15) x [0, 12) x [0, 10) leaves the grid along x", [2], 3)
+    for settings, text in (
+            ({"ARRAYS": "ball,steel"}, "no mesh of step 0: "), ({"TRIGGER": "Holes changes"}, "no number 'Holes'"),
+            ({"TRIGGER": "sum steel > 1"}, "no cell array 'steel'"), ({"TRIGGER": "more fragments"}, "cannot read 'more"),
+            ({"PLUGIN": "/no/plugin.so"}, "")):
+        result = run_host(1, [EXAMPLE], OUT=folder.name, **settings)
+        assert result.returncode == 3 and "host: step 0 failed: Script " in result.stdout, result
+        assert text in result.stdout and result.stdout.count("host: step") == STEPS, result
+
+
+def check_picture():
+    for ranks in (1, 2):
+        with tempfile.TemporaryDirectory() as out:
+            steps, result = run_example(ranks, out, STEPS="0,3")
+            assert NO_DISPLAY not in result.stdout, result.stdout
+            pictures = []
+            for step in steps:
+                reader = vtkPNGReader()
+                reader.SetFileName(os.path.join(out, "mesh_%06d.png" % step))
+                reader.Update()
+                pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)[:, :3]
+                blue, brown = pixels[:, 2] - pixels[:, 0] > 40, pixels[:, 0] - pixels[:, 2] > 40
+                share = blue.mean(), brown.mean()  # ball and plate, whatever the light
+                print("%d ranks, step %d: %.4f of the picture blue, %.4f brown" % (ranks, step, *share))
+                assert 0.01 < share[0] < 0.3 and 0.05 < share[1] < 0.6, share
+                pictures.append(pixels)
+            assert (pictures[0] != pictures[1]).any()
+
+
+PICTURE = "--picture" in sys.argv
+main({"test_picture": check_picture} if PICTURE else globals())

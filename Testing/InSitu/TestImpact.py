@@ -1,0 +1,145 @@
+"""The small simulation of Examples/impact, meshed while it runs by the C interface and by Catalyst on 1, 2 and 4 ranks: the
+meshes are those that the filter makes of the dumped fields, bit for bit, and the fragments are the connected components
+of the fields.
+
+usage: pvpython TestImpact.py IMPACT PLUGIN FOLDER [catalyst]
+Also prints the fragments over time, and what meshing takes beside a step of the simulation.
+"""
+import glob
+import os
+import re
+import shutil
+import sys
+
+import numpy as np
+from paraview import simple
+from scipy import ndimage
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+sys.path.insert(0, os.path.join(ROOT, "Testing", "Python"))
+from compare_meshes import difference, merge, read_pieces
+from mpi_run import mpi_run
+
+RANKS = (1, 2, 4)
+CELLS, END_TIME, EVERY = "40", "2.6", "60"
+STATES = ["velocity", "damage"]
+
+
+def run_impact(impact, plugin, folder, ranks, catalyst):
+    """Runs the simulation; what it printed."""
+    shutil.rmtree(folder, ignore_errors=True)
+    for name in ("dump", "sculptor", "catalyst"):
+        os.makedirs(os.path.join(folder, name))
+    command = [impact, "--cells", CELLS, "--time", END_TIME, "--every", EVERY, "--dump", os.path.join(folder, "dump"),
+               "--sculptor", os.path.join(folder, "sculptor")]
+    if catalyst:
+        command += ["--catalyst", os.path.join(ROOT, "Examples", "catalyst_mesh.py")]
+    run = mpi_run(ranks, command, 500, VFM_PLUGIN=plugin, VFM_ARRAYS="ball,plate", VFM_NAME="impact", VFM_PICTURE="0",
+                  VFM_OUT=os.path.join(folder, "catalyst"))
+    if run.returncode != 0:
+        sys.exit("impact on %d ranks failed:\n%s%s" % (ranks, run.stdout, run.stderr))
+    return run.stdout
+
+
+def step_of(path):
+    return int(re.search(r"_(\d+)\.\w+$", path).group(1))
+
+
+def files_by_step(folder, ending):
+    return {step_of(path): path for path in glob.glob(os.path.join(folder, "impact_*" + ending))}
+
+
+def mesh_of(dump, states):
+    """The filter's mesh of a dump, as a data set of its own."""
+    source = simple.XMLPartitionedImageDataReader(FileName=[dump])
+    mesher = VolumeFractionToHex(Input=source, VolumeFractionArrays=["ball", "plate"], StateArrays=states)
+    mesher.UpdatePipeline()
+    output = mesher.GetClientSideObject().GetOutputDataObject(0)
+    mesh = output.NewInstance()
+    mesh.DeepCopy(output)
+    simple.Delete(mesher)
+    simple.Delete(source)
+    return mesh
+
+
+def count_components(labels):
+    """Face-connected components of ball and plate in cells labelled 0 void, 1 ball, 2 plate."""
+    return [ndimage.label(labels == material)[1] for material in (1, 2)]
+
+
+def labels_of_field(dump):
+    """Of each cell (z, y, x) the fullest material."""
+    source = simple.XMLPartitionedImageDataReader(FileName=[dump])
+    source.UpdatePipeline()
+    image = source.GetClientSideObject().GetOutputDataObject(0)
+    size = [n - 1 for n in reversed(image.GetDimensions())]
+    ball, plate = (vtk_to_numpy(image.GetCellData().GetArray(name)).reshape(size) for name in ("ball", "plate"))
+    labels = np.where(ball + plate < 0.5, 0, np.where(ball >= plate, 1, 2))
+    simple.Delete(source)
+    return labels
+
+
+def labels_of_mesh(mesh, size):
+    """Of each cell the material that it was meshed as: that of the hexahedron in its middle."""
+    ids, materials = (vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("GlobalCellIds", "MaterialId"))
+    cells, slots = np.divmod(ids - 1, 7)
+    labels = np.zeros(np.prod(size), int)
+    labels[cells[slots == 0]] = materials[slots == 0]
+    return labels.reshape(size)
+
+
+def fragments_of(mesh):
+    """Fragments of ball and of plate."""
+    materials, fragments = (vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("MaterialId", "FragmentId"))
+    return [len(np.unique(fragments[materials == material])) for material in (1, 2)]
+
+
+def check_same(path, expected, what):
+    mesh = merge(read_pieces(path))
+    if what == "Catalyst":
+        mesh["field"] = expected["field"]  # Catalyst adds its own
+    problem = difference(mesh, expected)
+    assert not problem, "%s, %s: %s" % (what, path, problem)
+
+
+def check_fragments(mesh, dump, step):
+    """Fragments are the components of the cells as they were meshed; those of the field itself differ where cells were
+    flipped to another label for the sake of a manifold."""
+    field = labels_of_field(dump)
+    meshed = labels_of_mesh(mesh, field.shape)
+    fragments, components, raw = fragments_of(mesh), count_components(meshed), count_components(field)
+    flips = mesh.GetFieldData().GetArray("FlippedCells").GetValue(0)
+    print("step %5d: fragments %3d ball, %3d plate; components of the cells as meshed %3d, %3d; of the field %3d, %3d; "
+          "%d cells flipped" % (step, *fragments, *components, *raw, flips))
+    assert fragments == components, (fragments, components)
+    assert (field != meshed).sum() <= flips, ((field != meshed).sum(), flips)
+    return fragments
+
+
+def main(impact, plugin, folder, catalyst):
+    simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines VolumeFractionToHex
+    outputs = {ranks: run_impact(impact, plugin, os.path.join(folder, str(ranks)), ranks, catalyst) for ranks in RANKS}
+    first = os.path.join(folder, str(RANKS[0]))
+    dumps = files_by_step(os.path.join(first, "dump"), ".pvti")
+    assert len(dumps) >= 4, dumps
+    series = []
+    for step, dump in sorted(dumps.items()):
+        mesh = mesh_of(dump, STATES)
+        series.append(check_fragments(mesh, dump, step))
+        with_states, without = merge([mesh]), merge([mesh_of(dump, [])]) if catalyst else None
+        for ranks in RANKS:
+            here = os.path.join(folder, str(ranks))
+            check_same(files_by_step(os.path.join(here, "sculptor"), ".pvtu")[step], with_states, "C interface")
+            if catalyst:
+                check_same(files_by_step(os.path.join(here, "catalyst"), ".pvtu")[step], without, "Catalyst")
+    assert series[0] == [1, 1] and series[-1][0] > 1, "the ball does not go from one piece to several: %s" % series
+    for ranks, text in outputs.items():
+        print("-- %d rank(s)\n%s" % (ranks, text))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    main(*sys.argv[1:4], len(sys.argv) > 4)

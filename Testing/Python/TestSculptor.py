@@ -1,0 +1,601 @@
+"""The program sculptor (VFM_SCULPTOR) on several ranks: its meshes are those of the filters, its messages and exit codes."""
+import ctypes
+import os
+import re
+import tempfile
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import (
+    vtkAMRBox, vtkMultiBlockDataSet, vtkOverlappingAMR, vtkRectilinearGrid, vtkUniformGrid)
+from vtkmodules.vtkIOIOSS import vtkIOSSReader
+from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter, vtkXMLUniformGridAMRWriter)
+
+from compare_meshes import difference, merge, read_pieces
+from mpi_run import mpi_run
+from spyplot import Block, split, write_spyplot
+from vfmtest import (
+    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, fraction_image, image, labels,
+    main, mesh_of, rectilinear)
+
+SCULPTOR = os.environ["VFM_SCULPTOR"]
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
+SPLASH = os.path.join(DATA, "splash_2000us.vti")
+SPY = "Material volume fraction - %d"
+BOXES = [209, 302], [1136, 1450]  # elements and points of sculptor test, as it is and refined
+
+
+def sculptor(*arguments, ranks=1, folder=None):
+    """Runs the program without a terminal; standard error is without what mpiexec says."""
+    return mpi_run(ranks, [SCULPTOR, *arguments], 60, folder)
+
+
+def mesh_file(path, output, *arguments, ranks=1):
+    """Meshes a file and returns the standard output."""
+    result = sculptor("--input", path, "--output", output, *arguments, ranks=ranks)
+    assert result.returncode == 0 and result.stderr == "", result
+    return result.stdout
+
+
+def refused(code, text, *arguments, ranks=1):
+    """The program ends with that code and one message that has the text."""
+    result = sculptor(*arguments, ranks=ranks)
+    lines = result.stderr.splitlines()
+    assert result.returncode == code, (code, result)
+    assert len(lines) == 1 and lines[0].startswith("sculptor: ") and text in lines[0], (text, result)
+    assert result.stdout == "", result
+
+
+def write(data, path, writer=vtkXMLImageDataWriter, pieces=0):
+    it = writer()
+    it.SetInputData(data)
+    it.SetFileName(path)
+    it.SetDataModeToBinary()
+    if pieces:
+        it.SetNumberOfPieces(pieces)
+        it.SetEndPiece(pieces - 1)
+    assert it.Write()
+    return path
+
+
+def filter_mesh(path, tets=False, **properties):
+    """What the filter makes of a file."""
+    make = VolumeFractionToTet if tets else VolumeFractionToHex
+    mesher = make(Input=simple.OpenDataFile(path), **properties)
+    mesher.UpdatePipeline()
+    mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
+    assert mesh.GetNumberOfCells() > 0
+    return mesh
+
+
+def check_same(output, mesh):
+    problem = difference(merge(read_pieces(output)), merge([mesh]))
+    assert not problem, "%s: %s" % (output, problem)
+
+
+def in_folder(test):
+    """A test that gets a new folder."""
+    def run_test():
+        with tempfile.TemporaryDirectory() as folder:
+            test(lambda name: os.path.join(folder, name))
+    return run_test
+
+
+@in_folder
+def test_same_as_filter(at):
+    hexes = filter_mesh(BALL_AND_PLATE, VolumeFractionArrays=["ball", "plate"])
+    for ranks, name in ((1, "whole.vtu"), (4, "pieces.pvtu")):
+        mesh_file(BALL_AND_PLATE, at(name), ranks=ranks)
+        check_same(at(name), hexes)
+    assert len(read_pieces(at("pieces.pvtu"))) == 4
+    mesh_file(SPLASH, at("splash.vtu"), "--fractions", "water", ranks=2)
+    check_same(at("splash.vtu"), filter_mesh(SPLASH, VolumeFractionArrays=["water"]))
+
+
+@in_folder
+def test_one_file_is_that_of_one_rank(at):
+    path = write(fraction_image(), at("in.vti"))
+    for ranks in (1, 3):
+        mesh_file(path, at("%d.vtu" % ranks), ranks=ranks)
+    with open(at("1.vtu"), "rb") as one, open(at("3.vtu"), "rb") as three:
+        assert one.read() == three.read()
+
+
+@in_folder
+def test_options(at):
+    path = write(fraction_image(), at("in.vti"))
+    both = dict(VolumeFractionArrays=["ball", "plate"])
+    cases = [
+        (["--stairstep"], dict(StairStep=1)),
+        (["--no-smooth"], dict(Smoothing="Off")),
+        (["--smooth", "2"], dict(Smoothing="Geometry Based")),
+        (["--smooth=geometrybased"], dict(Smoothing="Geometry Based")),
+        (["--refine", "1"], dict(Refinement=1)),
+        (["--iso", "0.3", "--void"], dict(IsoValue=0.3, MeshVoid=1)),
+        (["--set", "targetscaledjacobian=.3", "ConserveVolume=off"], dict(TargetScaledJacobian=0.3, ConserveVolume=0)),
+        (["--set", "ComputeQuality=no", "--set", "NumberOfThreads=2"], dict(ComputeQuality=0, NumberOfThreads=2)),
+        (["--tetmesh", "lattice"], dict(tets=True, Method="Lattice")),
+        (["--set", "Method=1", "--tetmesh"], dict(tets=True, Method="Cells")),
+    ]
+    plain = merge([filter_mesh(path, **both)])
+    for arguments, properties in cases:
+        mesh_file(path, at("out.vtu"), *arguments)
+        mesh = filter_mesh(path, **both, **properties)
+        assert difference(merge([mesh]), plain), "%s changes nothing" % arguments
+        check_same(at("out.vtu"), mesh)
+
+
+def write_formats(at):
+    """The same field in every format that can be written here: {name: path}; blocks are one by one in x."""
+    ball, plate = ball_and_plate()
+    arrays = {"ball": ball, "plate": plate}
+    whole = image(arrays)
+    parts = [image({name: value[:, :, span] for name, value in arrays.items()}, first)
+             for span, first in ((slice(0, 5), (0, 0, 0)), (slice(5, 12), (5, 0, 0)))]
+    blocks = vtkMultiBlockDataSet()
+    for i, part in enumerate(parts):
+        blocks.SetBlock(i, part)
+    grid = vtkRectilinearGrid()
+    grid.SetExtent(whole.GetExtent())
+    for a, set_nodes in enumerate((grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates)):
+        set_nodes(add_array(vtkMultiBlockDataSet().GetFieldData(), "x", ORIGIN[a] + SPACING[a] * np.arange(13.0)))
+    grid.GetCellData().ShallowCopy(whole.GetCellData())
+    return {
+        "vti": write(whole, at("image.vti")),
+        "pvti": write(whole, at("pieces.pvti"), vtkXMLPImageDataWriter, pieces=3),
+        "vtr": write(grid, at("grid.vtr"), vtkXMLRectilinearGridWriter),
+        "vtm": write(blocks, at("blocks.vtm"), vtkXMLMultiBlockDataWriter),
+        "vthb": write(amr(parts), at("level.vthb"), vtkXMLUniformGridAMRWriter),
+        "refined": write(amr(parts, fine=True), at("refined.vthb"), vtkXMLUniformGridAMRWriter),
+    }
+
+
+def uniform(part, spacing):
+    """The image with its origin at its first node, as AMR wants it."""
+    grid = vtkUniformGrid()
+    first = part.GetExtent()[::2]
+    grid.SetOrigin([ORIGIN[a] + SPACING[a] * first[a] for a in range(3)])
+    grid.SetSpacing(spacing)
+    grid.SetDimensions(part.GetDimensions())
+    grid.GetCellData().ShallowCopy(part.GetCellData())
+    return grid
+
+
+def amr(parts, fine=False):
+    levels = [[uniform(part, SPACING) for part in parts]]
+    if fine:
+        levels.append([uniform(parts[0], [h / 2 for h in SPACING])])
+    data = vtkOverlappingAMR()
+    data.Initialize(len(levels), [len(level) for level in levels])
+    data.SetOrigin(ORIGIN)
+    data.SetGridDescription(8)
+    for level, grids in enumerate(levels):
+        data.SetSpacing(level, grids[0].GetSpacing())
+        data.SetRefinementRatio(level, 2)
+        for i, grid in enumerate(grids):
+            box = vtkAMRBox(grid.GetOrigin(), grid.GetDimensions(), grid.GetSpacing(), ORIGIN)
+            data.SetAMRBox(level, i, box)
+            data.SetDataSet(level, i, grid)
+    data.GenerateParentChildInformation()
+    return data
+
+
+@in_folder
+def test_formats(at):
+    paths = write_formats(at)
+    refined = paths.pop("refined")
+    mesh = filter_mesh(paths["vti"], VolumeFractionArrays=["ball", "plate"])
+    for kind, path in paths.items():
+        mesh_file(path, at("out.vtu"), ranks=3)
+        check_same(at("out.vtu"), mesh)
+    mesh_file(paths["vtm"], at("out.vtu"))
+    check_same(at("out.vtu"), mesh)
+    for ranks in (1, 2):
+        refused(3, "refined (AMR)", "--input", refined, "--output", at("no.vtu"), ranks=ranks)
+
+
+@in_folder
+def test_fewer_cells_than_ranks(at):
+    path = write(image({"full": np.ones((2, 2, 2))}), at("tiny.vti"))
+    for kind, ranks in (("vtu", 12), ("pvtu", 9)):
+        mesh_file(path, at("tiny." + kind), ranks=ranks)
+        check_same(at("tiny." + kind), filter_mesh(path, VolumeFractionArrays=["full"]))
+
+
+@in_folder
+def test_empty_mesh(at):
+    path = write(image({"ball": np.zeros((4, 4, 4))}), at("in.vti"))
+    for kind, ranks in (("vtu", 1), ("vtu", 2), ("pvtu", 2), ("e", 2)):
+        result = sculptor("--input", path, "--output", at("out." + kind), ranks=ranks)
+        assert result.returncode == 0 and result.stderr.count("warning: The mesh is empty") == 1, result
+
+
+def read_exodus(path):
+    """{block: (element ids, {node id: coordinates})}; the reader finds the files of the other ranks."""
+    reader = vtkIOSSReader()
+    reader.SetFileName(path)
+    reader.Update()
+    blocks = reader.GetOutputDataObject(0)
+    found = {}
+    for i in range(blocks.GetNumberOfPartitionedDataSets()):
+        for p in range(blocks.GetNumberOfPartitions(i)):
+            part = blocks.GetPartition(i, p)
+            if part and part.GetNumberOfCells() > 0:
+                elements, nodes = found.setdefault(blocks.GetMetaData(i).Get(blocks.NAME()), ([], {}))
+                elements += vtk_to_numpy(part.GetCellData().GetGlobalIds()).tolist()
+                ids = vtk_to_numpy(part.GetPointData().GetGlobalIds()).tolist()
+                nodes.update(zip(ids, map(tuple, vtk_to_numpy(part.GetPoints().GetData()).tolist())))
+    return found
+
+
+@in_folder
+def test_exodus(at):
+    path = write(fraction_image(), at("in.vti"))
+    mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"])
+    cells = {name: vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("GlobalCellIds", "MaterialId")}
+    ids = vtk_to_numpy(mesh.GetPointData().GetGlobalIds()).tolist()
+    points = dict(zip(ids, map(tuple, vtk_to_numpy(mesh.GetPoints().GetData()).tolist())))
+    for ranks, kind in ((1, ".e"), (2, ".ex2"), (3, ".exo")):
+        output = at("mesh%d%s" % (ranks, kind))
+        mesh_file(path, output, ranks=ranks)
+        assert ranks == 1 or sum(name.startswith("mesh%d" % ranks) for name in os.listdir(at(""))) == ranks
+        found = read_exodus(output if ranks == 1 else "%s.%d.0" % (output, ranks))
+        assert set(found) == {"ball", "plate"}
+        for material, name in enumerate(("ball", "plate"), 1):
+            assert sorted(found[name][0]) == sorted(cells["GlobalCellIds"][cells["MaterialId"] == material].tolist())
+        assert {**found["ball"][1], **found["plate"][1]} == points
+
+
+def names_of(output):
+    field = read_pieces(output)[0].GetFieldData()
+    names = field.GetAbstractArray("MaterialNames")
+    return [names.GetValue(i) for i in range(names.GetNumberOfValues())]
+
+
+@in_folder
+def test_arrays_are_found(at):
+    ball, plate = ball_and_plate()
+    data = image({"pressure": 1e5 * ball, "plate": plate})
+    add_array(data.GetCellData(), "ball", np.floor(255 * ball), np.uint8)
+    add_array(data.GetCellData(), "velocity", np.zeros((12, 12, 12, 3)))
+    add_array(data.GetCellData(), "count", np.ones((12, 12, 12)), np.int32)
+    path = write(data, at("in.vti"))
+    text = mesh_file(path, at("out.vtu"), ranks=2)
+    assert names_of(at("out.vtu")) == ["plate", "ball"]
+    assert "materials from plate, ball (all cell arrays with values in [0, 1])" in text
+    mesh_file(path, at("out.vtu"), "--fractions", "ball, plate")
+    assert names_of(at("out.vtu")) == ["ball", "plate"]
+
+    spy = {"Material volume fraction - %d" % i: value for i, value in ((10, plate), (9, ball))}
+    path = write(image({"other": ball, **spy}), at("spy.vti"))
+    mesh_file(path, at("out.vtu"))
+    assert names_of(at("out.vtu")) == ["Material volume fraction - 9", "Material volume fraction - 10"]
+
+    path = write(image({"pressure": 1e5 * ball}), at("none.vti"))
+    refused(2, "pressure (double, 0 to 100000)", "--input", path, "--output", at("no.vtu"), ranks=2)
+
+
+def materials_of(output):
+    return set(vtk_to_numpy(read_pieces(output)[0].GetCellData().GetArray("MaterialId")).tolist())
+
+
+@in_folder
+def test_material(at):
+    ball, plate = ball_and_plate()
+    path = write(image({"ball": ball, "plate": plate}), at("in.vti"))
+    alone = filter_mesh(write(image({"ball": 0 * ball, "plate": plate}), at("plate.vti")),
+                        VolumeFractionArrays=["ball", "plate"])
+    for material, ranks in (("2", 1), ("plate", 3)):
+        mesh_file(path, at("out.vtu"), "--material", material, ranks=ranks)
+        assert materials_of(at("out.vtu")) == {2}
+        check_same(at("out.vtu"), alone)
+    for material in ("1,plate", "all"):
+        mesh_file(path, at("out.vtu"), "--material", material)
+        check_same(at("out.vtu"), filter_mesh(path, VolumeFractionArrays=["ball", "plate"]))
+    refused(1, "The materials are: 1 ball, 2 plate", "--input", path, "--output", at("no.vtu"), "--material", "3", ranks=2)
+
+
+@in_folder
+def test_labels(at):
+    path = write(image({"id": 5 * labels()}), at("in.vti"))
+    mesh_file(path, at("out.vtu"), "--labels", "id", ranks=2)
+    check_same(at("out.vtu"), filter_mesh(path, MaterialIdArray="id"))
+    mesh_file(path, at("out.vtu"), "--labels", "id", "--material", "10", ranks=2)
+    assert materials_of(at("out.vtu")) == {10}
+    refused(1, "It holds 0, 5, 10.", "--input", path, "--output", at("no.vtu"), "--labels", "id", "--material", "7")
+
+
+@in_folder
+def test_state(at):
+    ball, plate = ball_and_plate()
+    states = {"damage": 0.5 * ball + plate, "velocity": np.stack([ball, plate, ball + plate], axis=3)}
+    path = write(image({"ball": ball, "plate": plate, **states}), at("in.vti"))
+    mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"], StateArrays=list(states))
+    for ranks in (1, 3):
+        mesh_file(path, at("out.vtu"), "--state", "damage,velocity", ranks=ranks)  # damage is no material then
+        check_same(at("out.vtu"), mesh)
+    files = ["--input", path, "--output", at("no.vtu")]
+    refused(1, "cannot carry 'ball'", *files, "--fractions", "ball,plate", "--state", "ball", "--material", "2", ranks=2)
+
+
+def reads_appended_data():
+    """Whether VTK 9.2 reads them with this expat (see save_data in vfmtest.py)."""
+    return not hasattr(ctypes.CDLL("libexpat.so.1"), "XML_SetReparseDeferralEnabled")
+
+
+@in_folder
+def test_times(at):
+    if not reads_appended_data():
+        return  # and several times need them
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(at("times.vti"))
+    writer.SetNumberOfTimeSteps(2)
+    steps = [image({"ball": value}) for value in (ball_and_plate()[0], ball_and_plate()[0][::-1])]
+    for step in steps:  # VTK's reader forgets these of files with times
+        step.SetOrigin(0, 0, 0)
+        step.SetSpacing(1, 1, 1)
+    writer.SetInputData(steps[0])
+    writer.Start()
+    for time, step in enumerate(steps):  # it counts the times, whatever their values are
+        writer.SetInputData(step)
+        writer.WriteNextTime(time)
+    writer.Stop()
+    first, second = (mesh_of(step, VolumeFractionArrays=["ball"]).mesh for step in steps)
+    for arguments, mesh in (([], first), (["--step", "1"], second), (["--time", "0.4"], first), (["--time", "0.6"], second)):
+        text = mesh_file(at("times.vti"), at("out.vtu"), *arguments, ranks=2)
+        assert "time %d\n" % (mesh is second) in text
+        check_same(at("out.vtu"), mesh)
+    refused(2, "no step 2: it has 2", "--input", at("times.vti"), "--output", at("no.vtu"), "--step", "2", ranks=2)
+
+
+def rows(text):
+    """The lines of the tables: {name: numbers}."""
+    found = {}
+    for line in text.splitlines():
+        numbers = line[28:].replace("%", "").split()
+        if len(numbers) >= 5 and numbers[0].isdigit():
+            found[line[:28].strip()] = [float(n) if n != "-" else None for n in numbers]
+    return found
+
+
+@in_folder
+def test_table(at):
+    path = write(fraction_image(), at("in.vti"))
+    mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"])
+    texts = [mesh_file(path, at("out.vtu"), ranks=ranks) for ranks in (1, 2, 4)]
+    tables = [text[:text.index("seconds:")] for text in texts]
+    assert tables[0] == tables[1] == tables[2]
+    assert re.search(r"^seconds: read \d+\.\d\d mesh \d+\.\d\d write \d+\.\d\d$", texts[2], re.MULTILINE)
+    quality, material, fragment = (
+        vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("ScaledJacobian", "MaterialId", "FragmentId"))
+    connectivity = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 8)
+    field = {name: vtk_to_numpy(mesh.GetFieldData().GetArray(name)) for name in ("MeshVolume", "TargetVolume")}
+    table = rows(tables[0])
+    assert set(table) >= {"1 ball", "2 plate", "all"} and len(table) == 3 + fragment.max(), table
+
+    def check(row, cells, volume):
+        expected = [cells.sum(), len(np.unique(connectivity[cells])), quality[cells].min(), quality[cells].mean(), volume]
+        assert np.allclose(row[:5], expected, rtol=6e-6, atol=6e-5), (row, expected)
+
+    for m, name in enumerate(("1 ball", "2 plate")):
+        check(table[name], material == m + 1, field["MeshVolume"][m])
+        assert np.allclose(table[name][5], field["TargetVolume"][m], rtol=6e-6) and abs(table[name][6]) < 0.01
+    check(table["all"], material > 0, field["MeshVolume"].sum())
+    for f in range(1, fragment.max() + 1):
+        m = material[fragment == f][0]
+        assert (material[fragment == f] == m).all()
+        if (fragment[material == m] == f).all():
+            check(table["%d of material %d" % (f, m)], fragment == f, field["MeshVolume"][m - 1])
+
+
+@in_folder
+def test_table_of_many_fragments(at):
+    drops = np.zeros((13, 13, 13))
+    drops[1::3, 1::3, 1:4:3] = 1
+    text = mesh_file(write(image({"drops": drops}), at("in.vti")), at("out.vtu"), "--stairstep", ranks=2)
+    assert "and 6 smaller fragments" in text and text.count(" of material 1") == 10, text
+    assert rows(text)["all"][:2] == [16, 128]
+
+
+@in_folder
+def test_table_of_tets(at):
+    path = write(fraction_image(), at("in.vti"))
+    mesh = filter_mesh(path, tets=True, VolumeFractionArrays=["ball", "plate"], Method="Lattice")
+    text = mesh_file(path, at("out.vtu"), "--tetmesh", "Lattice", ranks=2)
+    angles = [mesh.GetFieldData().GetArray(name).GetValue(0) for name in ("MinimumDihedralAngle", "MaximumDihedralAngle")]
+    assert "dihedral angles: %.2f to %.2f degrees" % tuple(angles) in text
+    counts = [int(n) for n in re.findall(r"^ +\d+ to +\d+ +(\d+)$", text, re.MULTILINE)]
+    assert sum(counts) == 6 * mesh.GetNumberOfCells()
+    volumes = vtk_to_numpy(mesh.GetFieldData().GetArray("MeshVolume"))
+    assert np.allclose([rows(text)[name][4] for name in ("1 ball", "2 plate")], volumes, rtol=6e-6)
+
+
+@in_folder
+def test_quiet(at):
+    assert mesh_file(write(fraction_image(), at("in.vti")), at("out.vtu"), "--quiet", ranks=2) == ""
+
+
+def test_help():
+    for ranks in (1, 2):
+        result = sculptor("--help", ranks=ranks)
+        assert result.returncode == 0 and result.stderr == "" and result.stdout.count("usage:") == 1
+        for word in ("--material", "--stairstep", "--tetmesh", "TargetScaledJacobian", "RelativeSize", ".pvti", "Exit codes"):
+            assert word in result.stdout, word
+    assert re.fullmatch(r"sculptor \d+\.\d+\.\d+\n", sculptor("--version").stdout)
+
+
+@in_folder
+def test_wrong_arguments(at):
+    path = write(fraction_image(8), at("in.vti"))
+    files = ["--input", path, "--output", at("no.vtu")]
+    cases = [
+        ([], "--input FILE is missing"),
+        (files + ["--wrong"], "'--wrong' is no option"),
+        (files + ["--fractions", "a,,b"], "empty name"),
+        (files + ["--fractions", "a,a"], "'a' twice"),
+        (files + ["--fractions", "a", "--labels", "b"], "exclude each other"),
+        (files + ["--time", "2s"], "takes a number"),
+        (files + ["--iso", "0.3", "--iso", "0.4"], "given twice"),
+        (files + ["--iso", "0,5"], "IsoValue cannot be '0,5'"),
+        (files + ["--smooth", "3"], "QuadricSurface"),
+        (files + ["--set", "IsoValue"], "Option=Value"),
+        (files + ["--set", "Wrong=1"], "There is no option 'Wrong'"),
+        (files + ["--tetmesh", "Wrong"], "Method cannot be 'Wrong'"),
+        (["--input", "in.xyz", "--output", at("no.vtu")], "Read are .vti"),
+        (["--input", path, "--output", at("no.stl")], "Written are .vtu"),
+        (["test", "--input", path], "sculptor test takes"),
+    ]
+    for arguments, text in cases:
+        refused(1, text, *arguments)
+    refused(1, "one of tetrahedra", *files, "--set", "Method=Cells", ranks=3)
+    assert not os.path.exists(at("no.vtu"))
+
+
+@in_folder
+def test_unreadable_input(at):
+    path = write(fraction_image(), at("in.vti"))
+    with open(path, "rb") as file:
+        content = file.read()
+    for name, part in (("empty", b""), ("text", b"no grid\n"), ("cut", content[:-200])):
+        with open(at(name + ".vti"), "wb") as file:
+            file.write(part)
+    os.mkdir(at("folder.vti"))
+    for name, text in (("missing", "No such file"), ("folder", "Is a directory"), ("empty", "Cannot read the input"),
+                       ("text", "Cannot read the input"), ("cut", "Cannot read the input")):
+        for ranks in ((1, 3) if name in ("missing", "cut") else (2,)):
+            refused(2, text, "--input", at(name + ".vti"), "--output", at("no.vtu"), ranks=ranks)
+    refused(2, "no times", "--input", path, "--output", at("no.vtu"), "--time", "1", ranks=2)
+    refused(2, "no step 1", "--input", path, "--output", at("no.vtu"), "--step", "1")
+
+
+@in_folder
+def test_refused_input(at):
+    ball = ball_and_plate()[0].copy()
+    ball[2, 3, 11] = 1.5  # on the last rank only
+    path = write(image({"ball": ball}), at("in.vti"))
+    for ranks in (1, 3):
+        files = ["--input", path, "--output", at("no.vtu")]
+        refused(3, "'ball' holds 1.5 in cell", *files, "--fractions", "ball", ranks=ranks)
+        refused(3, "no numeric cell array 'wrong'", *files, "--fractions", "wrong", ranks=ranks)
+        refused(3, "of type double", *files, "--labels", "ball", ranks=ranks)
+    assert not os.path.exists(at("no.vtu"))
+
+
+@in_folder
+def test_unwritable_output(at):
+    path = write(fraction_image(8), at("in.vti"))
+    os.symlink("/dev/full", at("full.vtu"))
+    for name in ("folder.vtu", "folder.pvtu"):
+        os.mkdir(at(name))
+    for name, text in (("missing/out.vtu", "No such file"), ("folder.vtu", "directory"), ("folder.pvtu", "directory"),
+                       ("full.vtu", "No space left")):
+        refused(4, text, "--input", path, "--output", at(name), ranks=2)
+    refused(4, "No space left", "--input", path, "--output", at("full.vtu"))
+
+
+@in_folder
+def test_built_in_test(at):
+    for ranks in (1, 4, 12):
+        result = sculptor("test", "--output", at("boxes.vtu"), ranks=ranks)
+        assert result.returncode == 0 and result.stderr == "" and result.stdout.endswith("\nPASS\n"), result
+        assert "WRONG" not in result.stdout and result.stdout.count("right:") == 16
+        for text, counts in zip(result.stdout.split("Refined 1"), BOXES):
+            assert rows(text)["all"][:2] == counts, text
+        mesh = read_pieces(at("boxes.vtu"))[0]
+        assert mesh.GetNumberOfCells() == BOXES[1][0]
+        assert set(vtk_to_numpy(mesh.GetCellData().GetArray("FragmentId")).tolist()) == {1, 2}
+    assert sculptor("test", "--quiet", "--refine", "2", ranks=2).stdout == "PASS\n"
+
+
+def spyplot_steps():
+    """Two times of a ball and a plate with a velocity, float32 as in the files."""
+    ball, plate = ball_and_plate()
+    steps = ((ball, plate), (ball[::-1], plate))
+    return [{name: value.astype(np.float32) for name, value in (
+        ("Pressure", 1e5 * b), (SPY % 1, b), (SPY % 2, np.minimum(p, 1 - b)), ("X velocity", b - p))} for b, p in steps]
+
+
+def needs_spyplot(test):
+    """Without ParaView's reader there is nothing to test."""
+    def run_test():
+        if ".spcth" in sculptor("--help").stdout:
+            test()
+    return run_test
+
+
+def spyplot_mesh(steps, step, nodes=None, **properties):
+    data = rectilinear(steps[step], nodes) if nodes else image(steps[step])
+    return mesh_of(data, VolumeFractionArrays=[SPY % 1, SPY % 2], **properties).mesh
+
+
+def check_spyplot(output, mesh):
+    """As check_same(), but for what ParaView's reader says of blocks in the field data."""
+    pieces = read_pieces(output)
+    for piece in pieces:
+        for name in ("GlobalBounds", "GlobalBoxSize", "MinLevel", "MinLevelSpacing"):
+            piece.GetFieldData().RemoveArray(name)
+    problem = difference(merge(pieces), merge([mesh]))
+    assert not problem, "%s: %s" % (output, problem)
+
+
+@needs_spyplot
+@in_folder
+def test_spyplot_blocks(at):
+    steps = spyplot_steps()
+    nodes = [x + h * np.arange(13) for x, h in zip(ORIGIN, SPACING)]
+    meshes = [spyplot_mesh(steps, step, StateArrays=["X velocity"]) for step in (0, 1)]
+    assert difference(merge(meshes[:1]), merge(meshes[1:]))
+    for counts, files, version, ranks in (
+            ((2, 1, 2), 1, 105, 1), ((2, 1, 2), 2, 103, 3), ((2, 1, 2), 4, 101, 2), ((1, 1, 1), 1, 105, 3)):
+        path = write_spyplot(at(""), "blocks", [0, 2e-6], split(nodes, steps, counts), files, version)
+        for arguments, step in (([], 0), (["--step", "1"], 1), (["--time", "1.5e-6"], 1)):
+            text = mesh_file(path, at("out.vtu"), "--state", "X velocity", *arguments, ranks=ranks)
+            assert "time %g\n" % (2e-6 * step) in text
+            check_spyplot(at("out.vtu"), meshes[step])
+    assert sculptor("--input", "blocks.spcth", "--output", "near.vtu", folder=at("")).returncode == 0
+    refused(2, "no step 2: it has 2", "--input", path, "--output", at("no.vtu"), "--step", "2", ranks=2)
+
+
+@needs_spyplot
+@in_folder
+def test_spyplot_flat_mesh(at):
+    """Nodes that are no binary fractions: those of the mesh are of the float32 ones in the file."""
+    steps = spyplot_steps()
+    nodes = [(x + np.arange(13) * 0.1).astype(np.float32) for x in (-0.35, 0.2, 1.7)]
+    for counts, files, ranks in (((1, 1, 1), 1, 2), ((2, 1, 2), 4, 1), ((2, 1, 2), 4, 3)):
+        path = write_spyplot(at(""), "flat", [0, 1], split(nodes, steps, counts), files)
+        mesh_file(path, at("out.vtu"), ranks=ranks)
+        check_spyplot(at("out.vtu"), spyplot_mesh(steps, 0, nodes))
+
+
+@needs_spyplot
+@in_folder
+def test_spyplot_refused(at):
+    steps = spyplot_steps()
+    nodes = [x + h * np.arange(13) for x, h in zip(ORIGIN, SPACING)]
+    blocks = split(nodes, steps, (2, 1, 2))
+    path = write_spyplot(at(""), "case", [0, 1], blocks, files=2)
+    for change, text in (
+            (lambda: os.remove(path + ".1"), "case.spcth.1 that it names is missing or damaged"),
+            (lambda: os.truncate(path + ".0", 3000), "case.spcth.0 that it names is missing or damaged"),
+            (lambda: os.truncate(path, len("spycase\n")), "names no files")):
+        change()
+        for ranks in (1, 3):
+            refused(2, text, "--input", path, "--output", at("no.vtu"), ranks=ranks)
+    write_spyplot(at(""), "case", [0], split(nodes, steps[:1], (2, 1, 2)), files=2)
+    os.rename(path + ".1", at("short"))
+    write_spyplot(at(""), "case", [0, 1], blocks, files=2)
+    os.rename(at("short"), path + ".1")
+    refused(2, "hold different times", "--input", path, "--output", at("no.vtu"), ranks=2)
+    fine = [np.linspace(x[0], x[-1], 25) for x in nodes]
+    blocks += [Block(block.coordinates, block.steps, level=1) for block in split(fine, [
+        {name: np.kron(value, np.ones((2, 2, 2))) for name, value in step.items()} for step in steps], (4, 4, 4))[:2]]
+    path = write_spyplot(at(""), "refined", [0, 1], blocks)
+    refused(3, "refined (AMR)", "--input", path, "--output", at("no.vtu"), ranks=2)
+
+
+main(globals())
