@@ -28,6 +28,7 @@ def main(plugin, path):
     writer = vtkXMLImageDataWriter()
     writer.SetInputData(image)
     writer.SetFileName(path)
+    writer.SetDataModeToBinary()
     writer.SetCompressorTypeToZLib()
     if not writer.Write():
         sys.exit("cannot write " + path)

@@ -57,8 +57,7 @@ def main(case, time, out):
     writer = vtkXMLImageDataWriter()
     writer.SetInputData(image)
     writer.SetFileName(out)
-    writer.SetDataModeToAppended()
-    writer.EncodeAppendedDataOff()
+    writer.SetDataModeToBinary()
     writer.SetCompressorTypeToZLib()
     writer.SetCompressionLevel(9)
     assert writer.Write() == 1
