@@ -79,7 +79,7 @@ def make_mesh(case, make_filter, vtu, exodus):
     if elements == 0:
         sys.exit("no mesh of " + case.file)
     print("%s: %d elements in %.1f s" % (os.path.basename(vtu), elements, time.time() - start))
-    simple.SaveData(vtu, proxy=mesher, CompressorType="ZLib")
+    simple.SaveData(vtu, proxy=mesher, DataMode="Binary", CompressorType="ZLib")
     write_exodus(read_mesh(vtu), exodus)
     simple.Delete(mesher)
     simple.Delete(source)
