@@ -66,10 +66,11 @@ struct SurfaceFacets
 
 struct Mesh
 {
-  int Corners = 8;               ///< of an element: 8 hexes, 4 tets
-  Index PointSlots = 16;         ///< point id = node key * PointSlots + slot + 1 (NodeOfPoint)
-  Index ElementSlots = 7;        ///< element id = key * ElementSlots + slot + 1 (CellOfElement); 0: counted
-  Buffer<double> Points;         ///< xyz a point, length units of the grid
+  int Corners = 8;       ///< of an element: 8 hexes, 4 tets
+  Index PointSlots = 16; ///< point id = node key * PointSlots + slot + 1 (NodeOfPoint)
+  Index ElementSlots =
+    7;                   ///< element id = key * ElementSlots + slot + 1 (CellOfElement); 0: counted
+  Buffer<double> Points; ///< xyz a point, length units of the grid
   Buffer<Index> PointIds;        ///< global, from 1, ascending
   Buffer<int> GeometryDimension; ///< of each point: 3 volume, 2 surface, 1 curve, 0 vertex
   Buffer<int> GeometryId;        ///< from 1 within its dimension; in volumes the fragment
