@@ -179,7 +179,7 @@ def producer(data):
 
 
 def save_data(path, proxy):
-    """Saves inline: expat since 2.6, and Debian's since 2.5.0-1+deb12u2, keeps VTK 9.2 from reading appended data."""
+    """Saves inline: expat since 2.6, and Debian's 2.5.0-1+deb12u5, keeps VTK 9.2 from reading appended data."""
     simple.SaveData(path, proxy=proxy, DataMode="Binary")
 
 
