@@ -180,7 +180,7 @@ def producer(data):
 
 def save_data(path, proxy):
     """Saves inline: expat since 2.6, and Debian's 2.5.0-1+deb12u5, keeps VTK 9.2 from reading appended data."""
-    simple.SaveData(path, proxy=proxy, DataMode="Binary")
+    simple.SaveData(path, proxy=proxy, **({} if path.endswith(".vtk") else {"DataMode": "Binary"}))
 
 
 def has_tetgen():
