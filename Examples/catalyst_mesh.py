@@ -32,14 +32,13 @@ import sys
 import numpy as np
 from paraview import catalyst, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 sys.path[:0] = [HERE, os.path.join(ROOT, "scripts")]
-from write_exodus import write_exodus
+from write_exodus import reduced, write_exodus
 
 PLUGIN = os.path.join(ROOT, "build", "lib", "VolumeFractionMesh.so")
 ARRAYS = "ball,plate"
@@ -71,15 +70,6 @@ def setting(name):
 
 def names_of(text):
     return [part.strip() for part in text.split(",") if part.strip()]
-
-
-def reduced(value, operation):
-    """A number of each rank made one."""
-    mine, result = vtkDoubleArray(), vtkDoubleArray()
-    mine.InsertNextValue(value)
-    result.SetNumberOfValues(1)
-    vtkMultiProcessController.GetGlobalController().AllReduce(mine, result, operation)
-    return result.GetValue(0)
 
 
 def is_first_rank():

@@ -10,7 +10,7 @@ From Python: write_exodus(mesh, path), mesh a vtkUnstructuredGrid; on several ra
 """
 import sys
 
-from vtkmodules.vtkCommonCore import vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet, vtkDataAssembly, vtkDataObject, vtkPartitionedDataSetCollection)
 from vtkmodules.vtkFiltersCore import vtkThreshold
@@ -34,15 +34,20 @@ def extract_material(mesh, material):
     return part
 
 
-def is_anywhere(part):
-    """Whether any rank has cells of the part."""
-    mine, all_ranks = vtkIdTypeArray(), vtkIdTypeArray()
-    mine.InsertNextValue(part.GetNumberOfCells())
+def reduced(value, operation):
+    """A number of each rank made one."""
+    mine, all_ranks = vtkDoubleArray(), vtkDoubleArray()
+    mine.InsertNextValue(value)
     all_ranks.DeepCopy(mine)
     controller = vtkMultiProcessController.GetGlobalController()
     if controller:
-        controller.AllReduce(mine, all_ranks, vtkCommunicator.SUM_OP)
-    return all_ranks.GetValue(0) > 0
+        controller.AllReduce(mine, all_ranks, operation)
+    return all_ranks.GetValue(0)
+
+
+def is_anywhere(part):
+    """Whether any rank has cells of the part."""
+    return reduced(part.GetNumberOfCells(), vtkCommunicator.SUM_OP) > 0
 
 
 def split_by_material(mesh):

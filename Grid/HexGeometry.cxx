@@ -84,13 +84,14 @@ private:
     for (Index node : this->Mixed)
     {
       const Index3 p = this->Grid.Position(node);
-      for (int c = 0; c < 8; ++c)
+      // Nodes of no cell in the box have no numbers.
+      const bool isSplit = this->Box.Touches(p) && this->Points.IsSplit(node);
+      for (int c = 0; isSplit && c < 8; ++c)
       {
         const int label = this->Labels[this->Grid.CellOfNode(node, c)];
         const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1),
           p[2] - 1 + (c >> 2 & 1) } };
-        // Nodes of no cell in the box have no numbers.
-        if (this->Box.Contains(cell) && this->Points.IsMeshed(label) && this->Points.IsSplit(node))
+        if (this->Points.IsMeshed(label) && this->Box.Contains(cell))
         {
           this->Result.GeometryId[this->Points.InnerPoint(node, label)] =
             this->Pieces.FragmentOfCell(cell);

@@ -241,10 +241,8 @@ void SculptorSession::Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid
   }
   if (messages.HasErrors() || !isDone)
   {
-    const std::string text =
-      messages.HasErrors() ? messages.GetErrorText() : "The mesh could not be made.";
-    const bool isMemory = text.find("Not enough memory") == 0;
-    throw SculptorError(isMemory ? SCULPTOR_ERROR_MEMORY : SCULPTOR_ERROR_INPUT, text);
+    throw SculptorError(messages.TellsLackOfMemory() ? SCULPTOR_ERROR_MEMORY : SCULPTOR_ERROR_INPUT,
+      messages.HasErrors() ? messages.GetErrorText() : "The mesh could not be made.");
   }
   this->Mesh = mesh;
 }

@@ -69,9 +69,9 @@ void CheckErrors(const VtkMessages& messages)
 {
   if (messages.HasErrors())
   {
-    const std::string text = messages.GetErrorText();
-    const bool isMemory = text.compare(0, 17, "Not enough memory") == 0;
-    throw ProgramError(isMemory ? ExitCode::InternalError : ExitCode::RefusedMesh, text);
+    throw ProgramError(
+      messages.TellsLackOfMemory() ? ExitCode::InternalError : ExitCode::RefusedMesh,
+      messages.GetErrorText());
   }
 }
 

@@ -44,14 +44,13 @@ struct PartSums
   ExactSum Quality, Volume; ///< volumes in units of the mean element of the mesh
 };
 
-/// The parts of this rank's elements; partOf: from 0, of each element.
-std::vector<PartSums> SumParts(
-  vtkUnstructuredGrid* mesh, const std::vector<int>& partOf, std::size_t numberOfParts, double unit)
+/// The parts of this rank's elements; volumes, partOf: of each element, parts from 0.
+std::vector<PartSums> SumParts(vtkUnstructuredGrid* mesh, const std::vector<double>& volumes,
+  const std::vector<int>& partOf, std::size_t numberOfParts, double unit)
 {
   std::vector<PartSums> parts(numberOfParts);
   vtkDataArray* quality = mesh->GetCellData()->GetArray("ScaledJacobian");
   vtkDataArray* material = mesh->GetCellData()->GetArray("MaterialId");
-  const std::vector<double> volumes = FindElementVolumes(mesh);
   for (std::size_t e = 0; e < partOf.size(); ++e)
   {
     PartSums& part = parts[partOf[e]];
@@ -106,10 +105,11 @@ std::vector<PartSummary> UniteParts(
 }
 
 /// The parts of a mesh that a number of each element tells.
-std::vector<PartSummary> SummariseParts(vtkUnstructuredGrid* mesh, const std::vector<int>& partOf,
-  std::size_t numberOfParts, double unit, Ranks& ranks)
+std::vector<PartSummary> SummariseParts(vtkUnstructuredGrid* mesh,
+  const std::vector<double>& volumes, const std::vector<int>& partOf, std::size_t numberOfParts,
+  double unit, Ranks& ranks)
 {
-  return UniteParts(SumParts(mesh, partOf, numberOfParts, unit),
+  return UniteParts(SumParts(mesh, volumes, partOf, numberOfParts, unit),
     CountPoints(mesh, partOf, numberOfParts, ranks), unit, ranks);
 }
 
@@ -160,19 +160,20 @@ MeshSummary Summarise(vtkUnstructuredGrid* mesh, Ranks& ranks)
   const std::vector<double> ids = GetField(mesh, "MaterialIds");
   const double unit = FindUnit(GetField(mesh, "MeshVolume"), mesh->GetNumberOfCells(), ranks);
   const auto fragments = static_cast<std::size_t>(GetNumber(mesh, "NumberOfFragments"));
+  const std::vector<double> volumes = FindElementVolumes(mesh);
   MeshSummary summary;
   summary.IsTets = mesh->GetFieldData()->HasArray("RefusedParts");
   summary.HasQuality = mesh->GetFieldData()->HasArray("MinimumScaledJacobian");
-  summary.Materials = SummariseParts(mesh,
+  summary.Materials = SummariseParts(mesh, volumes,
     FindParts(mesh, "MaterialId",
       [&ids](int id)
       { return static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()); }),
     ids.size(), unit, ranks);
   NameMaterials(mesh, ids, summary.Materials);
-  summary.Fragments = SummariseParts(
-    mesh, FindParts(mesh, "FragmentId", [](int id) { return id - 1; }), fragments, unit, ranks);
+  summary.Fragments = SummariseParts(mesh, volumes,
+    FindParts(mesh, "FragmentId", [](int id) { return id - 1; }), fragments, unit, ranks);
   summary.Total =
-    SummariseParts(mesh, std::vector<int>(mesh->GetNumberOfCells(), 0), 1, unit, ranks)[0];
+    SummariseParts(mesh, volumes, std::vector<int>(mesh->GetNumberOfCells(), 0), 1, unit, ranks)[0];
   for (const PartSummary& material : summary.Materials)
   {
     summary.Total.TargetVolume += material.TargetVolume;
