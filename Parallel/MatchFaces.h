@@ -1,0 +1,23 @@
+/**
+ * MatchFaces: what lies behind the faces of elements, also where that is on another rank.
+ */
+#pragma once
+
+#include "CartesianGrid.h"
+#include "Ranks.h"
+
+namespace vfm
+{
+
+/// The global point ids of the corners of a quadrilateral or triangle, ascending; the first of a triangle is -1.
+using FaceIds = std::array<Index, 4>;
+
+constexpr int NothingBehind = -1;
+
+/// Collective. values: >= 0, of the element to which each face belongs (its material, its fragment). Returns, for each
+/// face, the value of the element on its other side on any rank, or NothingBehind. Throws InputError, on all ranks alike, when a
+/// face belongs to more than two elements of one rank, or has no partner on each of three ranks.
+std::vector<int> MatchFaces(
+  const std::vector<FaceIds>& faces, const std::vector<int>& values, Ranks& ranks);
+
+} // namespace vfm
