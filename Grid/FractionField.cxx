@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr double RangeTolerance = 1e-6; // outside [0,1]
+constexpr double SumTolerance = 1e-3;   // above 1, at least
 constexpr double Negligible = 1e-9;     // fractions below are none
 constexpr Index RowLength = 4096;       // cells read at a time
 
@@ -34,6 +35,38 @@ double CheckedFraction(double value, const FractionField::Reader& reader, int ma
     throw InputError(text.str());
   }
   return std::min(std::max(value, 0.0), 1.0);
+}
+
+/// Whether the parts of a cell sum above 1 by more than the rounding of their materials explains.
+bool IsOverfull(const std::vector<FractionField::Part>& parts, const FractionField::Reader& reader,
+  int numberOfMaterials, const Index3& first, Index offset)
+{
+  double sum = 0.0;
+  for (const FractionField::Part& part : parts)
+  {
+    sum += part.Fraction;
+  }
+  if (sum <= 1.0 + RangeTolerance)
+  {
+    return false;
+  }
+  double ofParts = RangeTolerance, ofAll = 0.0;
+  for (const FractionField::Part& part : parts)
+  {
+    ofParts += reader.Rounding(part.Material);
+  }
+  for (int m = 1; m <= numberOfMaterials; ++m)
+  {
+    ofAll += reader.Rounding(m);
+  }
+  if (sum > 1.0 + std::max(SumTolerance, ofAll))
+  {
+    std::ostringstream text;
+    text << "The volume fractions of " << Where(first, offset) << " sum to " << sum
+         << ": more than 1. Choose arrays of separate materials.";
+    throw InputError(text.str());
+  }
+  return sum > 1.0 + ofParts;
 }
 
 } // namespace
@@ -116,20 +149,8 @@ FractionField FractionField::FromReader(
         const Index base = grid.Linear(first);
         for (Index c = 0; c < count; ++c)
         {
-          double sum = 0.0;
-          for (const Part& part : cells[c])
-          {
-            sum += part.Fraction;
-          }
-          if (sum > 1.0 + reader.SumTolerance())
-          {
-            std::ostringstream text;
-            text << "The volume fractions of " << Where(first, c) << " sum to " << sum
-                 << ": more than 1. Choose arrays of separate materials.";
-            throw InputError(text.str());
-          }
-          field.Normalised +=
-            sum > 1.0 + RangeTolerance && grid.Owned().Contains({ { i + c, j, k } });
+          field.Normalised += IsOverfull(cells[c], reader, numberOfMaterials, first, c) &&
+            grid.Owned().Contains({ { i + c, j, k } });
           field.SetParts(base + c, cells[c]);
           cells[c].clear();
         }

@@ -37,22 +37,23 @@ public:
   /// Fractions given one array a material. Reader has
   ///   void Read(int material, Index3 first, Index count, double* values)
   /// which fills the fractions of material 1..N in count cells along x.
-  /// Fractions within 1e-6 outside [0,1] are clamped; sums up to 1 + SumTolerance are normalised and counted.
-  /// Throws InputError on NaN or infinity, values farther outside, larger sums.
+  /// Fractions within 1e-6 outside [0,1] are clamped. Sums above 1 are normalised, and counted where rounding does not
+  /// explain them. Throws InputError on NaN or infinity, values farther outside, sums above 1 by more than 1e-3 and by
+  /// more than the rounding of all materials.
   class Reader
   {
   public:
     virtual ~Reader() = default;
     virtual void Read(int material, const Index3& first, Index count, double* values) const = 0;
-    /// How far the fractions of a cell may sum above 1.
-    virtual double SumTolerance() const { return 1e-3; }
+    /// How far the type that stores the fractions of a material may have rounded one of them up.
+    virtual double Rounding(int /*material*/) const { return 0.0; }
     /// For messages.
     virtual std::string Name(int material) const = 0;
   };
   static FractionField FromReader(const CartesianGrid& grid, int numberOfMaterials, const Reader&);
 
   int NumberOfMaterials() const { return this->Materials; }
-  /// Owned cells whose sum exceeded 1 by more than rounding and was scaled back.
+  /// Owned cells whose sum exceeded 1 by more than rounding explains, and was scaled back.
   Index NumberOfNormalisedCells() const { return this->Normalised; }
 
   void SetLabel(Index cell, int label) { this->Entry[cell] = label; }

@@ -2,18 +2,12 @@
 
 namespace vfm
 {
-namespace
-{
 
-int MaterialOfCell(const FractionField& fractions, Index cell, double isoValue)
+int MaterialOfParts(FractionField::Range parts, double isoValue)
 {
-  if (!fractions.IsMixed(cell))
-  {
-    return fractions.Label(cell);
-  }
   int best = 0;
   double largest = 0.0, empty = 0.0;
-  for (const FractionField::Part& part : fractions.Parts(cell))
+  for (const FractionField::Part& part : parts)
   {
     if (part.Material == 0)
     {
@@ -28,8 +22,6 @@ int MaterialOfCell(const FractionField& fractions, Index cell, double isoValue)
   return empty > 1.0 - isoValue ? 0 : best;
 }
 
-} // namespace
-
 LabelArray AssignMaterials(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue)
 {
@@ -42,7 +34,8 @@ LabelArray AssignMaterials(
       const Index first = grid.Linear({ { box.Lower[0], j, k } });
       for (Index cell = first; cell < first + box.Size(0); ++cell)
       {
-        labels[cell] = MaterialOfCell(fractions, cell, isoValue);
+        labels[cell] = fractions.IsMixed(cell) ? MaterialOfParts(fractions.Parts(cell), isoValue)
+                                               : fractions.Label(cell);
       }
     }
   }

@@ -7,8 +7,9 @@ namespace vfm
 namespace
 {
 
-constexpr double DiagonalReach = 0.45; // of an edge from a vertex to a centre
-constexpr double AxisReach = 0.30;     // of an edge along an axis
+// Off round numbers: on a plane of the input that lies there rounding would decide for each node anew.
+constexpr double DiagonalReach = 0.45 - 1e-6; // of an edge from a vertex to a centre
+constexpr double AxisReach = 0.30 - 1e-6;     // of an edge along an axis
 
 void AddTo(std::vector<FractionField::Part>& sum, int material, double fraction)
 {

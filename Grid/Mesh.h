@@ -107,8 +107,10 @@ struct MeshReport
 {
   std::vector<double>
     TargetVolume; ///< per material from 0: sum of its fractions (length units cubed)
-  std::vector<double> MeshVolume; ///< per material from 0: of its elements
-  Index FlippedCells = 0;         ///< labels changed to make the interfaces manifold
+  std::vector<double> MeshVolume;             ///< per material from 0: of its elements
+  std::vector<double> FragmentTargetVolume;   ///< by fragment, [0] unused
+  Index RemovedRegions = 0, RemovedCells = 0; ///< small ones given to what is around them
+  Index FlippedCells = 0;                     ///< labels changed to make the interfaces manifold
   int ResolveRounds = 0;
   Index NumberOfFragments = 0;
   Index NumberOfSurfaces = 0, NumberOfCurves = 0, NumberOfVertices = 0;

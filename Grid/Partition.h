@@ -26,6 +26,14 @@ public:
   int PeerOfCell(const Index3& cell) const;
   int PeerOfNode(const Index3& node) const { return this->PeerOfCell(LowestCell(node)); }
 
+  /// Sends each peer what pack(box) makes of my cells that it holds as ghosts; unpack(box, bytes) gets what came for mine.
+  template <class Pack, class Unpack>
+  void ExchangeBoxes(const Pack& pack, const Unpack& unpack) const;
+
+  /// Calls body(cell) for the cells of a box, x fastest.
+  template <class Body>
+  void ForCells(const IndexBox& box, const Body& body) const;
+
   /// Fills the ghost cells of an array of the grid's shape with the values of their owners.
   /// changed(cell) is called for every ghost cell whose value was another.
   template <class Array, class Changed>
@@ -41,8 +49,6 @@ private:
     return { { std::max<Index>(node[0] - 1, 0), std::max<Index>(node[1] - 1, 0),
       std::max<Index>(node[2] - 1, 0) } };
   }
-  template <class Body>
-  void ForCells(const IndexBox& box, const Body& body) const;
 
   const CartesianGrid& Grid;
   Ranks& TheRanks;
@@ -68,33 +74,47 @@ void Partition::ForCells(const IndexBox& box, const Body& body) const
   }
 }
 
-template <class Array, class Changed>
-void Partition::ExchangeCells(Array& values, const Changed& changed) const
+template <class Pack, class Unpack>
+void Partition::ExchangeBoxes(const Pack& pack, const Unpack& unpack) const
 {
-  using Value = typename Array::value_type;
   std::vector<Bytes> outgoing;
   for (const IndexBox& box : this->Outgoing)
   {
-    std::vector<Value> items;
-    this->ForCells(box, [&](Index cell) { items.push_back(values[cell]); });
-    outgoing.push_back(ToBytes(items));
+    outgoing.push_back(pack(box));
   }
   const std::vector<Bytes> incoming = this->TheRanks.Exchange(this->ThePeers, outgoing);
   for (std::size_t p = 0; p < incoming.size(); ++p)
   {
-    const std::vector<Value> items = FromBytes<Value>(incoming[p]);
-    std::size_t at = 0;
-    this->ForCells(this->Incoming[p],
-      [&](Index cell)
-      {
-        if (values[cell] != items[at])
-        {
-          values[cell] = items[at];
-          changed(cell);
-        }
-        ++at;
-      });
+    unpack(this->Incoming[p], incoming[p]);
   }
+}
+
+template <class Array, class Changed>
+void Partition::ExchangeCells(Array& values, const Changed& changed) const
+{
+  using Value = typename Array::value_type;
+  this->ExchangeBoxes(
+    [&](const IndexBox& box)
+    {
+      std::vector<Value> items;
+      this->ForCells(box, [&](Index cell) { items.push_back(values[cell]); });
+      return ToBytes(items);
+    },
+    [&](const IndexBox& box, const Bytes& bytes)
+    {
+      const std::vector<Value> items = FromBytes<Value>(bytes);
+      std::size_t at = 0;
+      this->ForCells(box,
+        [&](Index cell)
+        {
+          if (values[cell] != items[at])
+          {
+            values[cell] = items[at];
+            changed(cell);
+          }
+          ++at;
+        });
+    });
 }
 
 } // namespace vfm

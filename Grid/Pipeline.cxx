@@ -94,6 +94,7 @@ void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, Me
   const double cellVolume = std::pow(grid.MeanWidth(), 3.0);
   report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
   report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);
+  report.FragmentTargetVolume = Multiplied(volumes.FragmentTargets(), cellVolume);
 }
 
 } // namespace vfm

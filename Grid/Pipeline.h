@@ -68,7 +68,7 @@ inline SurfaceTargets::Kind KindOfTargets(const MeshOptions& options)
                                                     : SurfaceTargets::Kind::Quadrics;
 }
 
-/// Volumes per material in length units of the grid.
+/// Volumes per material and fragment in length units of the grid.
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report);
 
 } // namespace vfm

@@ -2,8 +2,6 @@
 
 #include "Vector3.h"
 
-#include <Eigen/SparseCholesky>
-
 namespace vfm
 {
 namespace
@@ -149,7 +147,7 @@ void FragmentVolumes::ShareOrphans()
 void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
   std::vector<ExactSum> swept(this->Swept.size());
-  std::map<std::pair<int, int>, ExactSum> areas;
+  PairSumMap areas;
   for (const InterfaceFacet& facet : mesh.Facets)
   {
     if (!facet.Counts)
@@ -168,71 +166,23 @@ void FragmentVolumes::Measure(const ActiveMesh& mesh)
     areas[std::minmax(facet.Lower, facet.Upper)].Add(AreaOf(after));
   }
   this->Swept = SumOverRanks(swept, this->Parts.Group());
-  this->GatherAreas(areas);
-}
-
-void FragmentVolumes::GatherAreas(const std::map<std::pair<int, int>, ExactSum>& areas)
-{
-  std::vector<Area> mine;
-  for (const auto& area : areas)
-  {
-    mine.push_back({ area.first.first, area.first.second, area.second });
-  }
-  std::map<std::pair<int, int>, ExactSum> all;
-  for (const Area& area : GatherItems(this->Parts.Group(), mine))
-  {
-    all[{ area.First, area.Second }].Add(area.Value);
-  }
-  this->Areas.clear();
-  for (const auto& area : all)
-  {
-    this->Areas.push_back({ area.first.first, area.first.second, area.second });
-  }
+  this->Areas = GatherPairSums(areas, this->Parts.Group());
 }
 
 /// mu of every fragment, [0] outside.
-std::vector<double> FragmentVolumes::SolveForLack() const
+std::vector<double> FragmentVolumes::FindPotentials() const
 {
-  const int count = static_cast<int>(this->Materials.size()) - 1;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int f = 0; f < count; ++f)
+  std::vector<double> lack(this->Targets.size(), 0.0);
+  for (std::size_t f = 1; f < lack.size(); ++f)
   {
-    entries.emplace_back(f, f, 1e-6); // a fragment that touches nothing
+    lack[f] = this->Targets[f] - this->StartVolumes[f] - this->Swept[f];
   }
-  for (const Area& area : this->Areas)
-  {
-    const int a = area.First - 1, b = area.Second - 1; // -1: not meshed
-    const double value = area.Value.Value();
-    for (int side : { a, b })
-    {
-      if (side >= 0)
-      {
-        entries.emplace_back(side, side, value);
-      }
-    }
-    if (a >= 0 && b >= 0)
-    {
-      entries.emplace_back(a, b, -value);
-      entries.emplace_back(b, a, -value);
-    }
-  }
-  Eigen::SparseMatrix<double> A(count, count);
-  A.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd lack(count);
-  for (int f = 0; f < count; ++f)
-  {
-    lack[f] = this->Targets[f + 1] - this->StartVolumes[f + 1] - this->Swept[f + 1];
-  }
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(A);
-  const Eigen::VectorXd mu = solver.solve(lack);
-  std::vector<double> result(1, 0.0);
-  result.insert(result.end(), mu.data(), mu.data() + count);
-  return result;
+  return SolveForLack(this->Areas, lack);
 }
 
 std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh) const
 {
-  const std::vector<double> mu = this->SolveForLack();
+  const std::vector<double> mu = this->FindPotentials();
   std::vector<double> shifts;
   for (const Attachment& a : mesh.Attachments)
   {

@@ -9,11 +9,10 @@
 #pragma once
 
 #include "ActiveMesh.h"
-#include "ExactSum.h"
 #include "Fragments.h"
+#include "PairSums.h"
 
 #include <functional>
-#include <map>
 
 namespace vfm
 {
@@ -78,25 +77,21 @@ public:
   /// Per material from 0, in cells of mean size. Targets count every cell, also where no cell holds the label.
   std::vector<double> MaterialTargets() const { return this->TotalOfMaterial; }
   std::vector<double> MaterialVolumes() const;
+  /// By fragment, [0] unused, in cells of mean size: its cells' fractions, and its share of those near no fragment.
+  const std::vector<double>& FragmentTargets() const { return this->Targets; }
 
 private:
-  struct Area // of the interface of two fragments, the smaller first
-  {
-    int First, Second;
-    ExactSum Value;
-  };
-  void GatherAreas(const std::map<std::pair<int, int>, ExactSum>& areas);
   void AddTargets(
     const CartesianGrid& grid, const FractionField& fractions, const FragmentHomes& homes);
   void ShareOrphans();
-  std::vector<double> SolveForLack() const;
+  std::vector<double> FindPotentials() const;
 
   const std::vector<int>& Materials;
   const Partition& Parts;
   std::vector<double> Targets;         // by fragment, orphans shared out
   std::vector<double> StartVolumes;    // by fragment
   std::vector<double> Swept;           // by fragment, since the start
-  std::vector<Area> Areas;             // sorted
+  std::vector<PairSum> Areas;          // of the interfaces of two fragments
   std::vector<double> TotalOfMaterial; // from the fractions
 };
 

@@ -25,6 +25,7 @@ CartesianGrid UnitGrid(int n)
 struct MapReader : FractionField::Reader
 {
   std::map<std::pair<int, Index3>, double> Values;
+  double Rounded = 0.0;
   void Read(int material, const Index3& first, Index count, double* values) const override
   {
     for (Index c = 0; c < count; ++c)
@@ -33,6 +34,7 @@ struct MapReader : FractionField::Reader
       values[c] = it == this->Values.end() ? 0.0 : it->second;
     }
   }
+  double Rounding(int) const override { return this->Rounded; }
   std::string Name(int material) const override { return "m" + std::to_string(material); }
 };
 
@@ -84,6 +86,21 @@ TEST(FractionField, NormalisesSmallExcessAndRefusesLarge)
   reader.Values[{ 2, { { 1, 1, 1 } } }] = 0.6;
   EXPECT_NE(ErrorOf(reader).find("cell (1, 1, 1) sum to 1.1"), std::string::npos)
     << ErrorOf(reader);
+}
+
+TEST(FractionField, CountsOnlyWhatRoundingDoesNotExplain)
+{
+  const double step = 1.0 / 255;
+  MapReader reader;
+  reader.Rounded = 0.50001 * step;
+  reader.Values[{ 1, { { 1, 1, 1 } } }] = reader.Values[{ 2, { { 1, 1, 1 } } }] = 128 * step;
+  const CartesianGrid grid = UnitGrid(3);
+  const FractionField field = FractionField::FromReader(grid, 3, reader);
+  EXPECT_EQ(field.NumberOfNormalisedCells(), 0);
+  EXPECT_DOUBLE_EQ(field.Fraction(grid.Linear({ { 1, 1, 1 } }), 2), 0.5);
+  reader.Values[{ 1, { { 1, 1, 1 } } }] += 0.4 * step;
+  EXPECT_EQ(FractionField::FromReader(grid, 3, reader).NumberOfNormalisedCells(), 1);
+  EXPECT_NE(ErrorOf(reader), ""); // of two materials only
 }
 
 TEST(FractionField, RefusesValuesThatAreNoFractions)

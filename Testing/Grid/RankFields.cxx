@@ -1,5 +1,9 @@
 #include "RankFields.h"
 
+#include <atomic>
+#include <cmath>
+#include <random>
+
 namespace vfm
 {
 namespace testing
@@ -50,6 +54,96 @@ FractionField CopyToLocal(
     }
   }
   return field;
+}
+
+CartesianGrid MakeUnevenGrid(int n)
+{
+  std::array<std::vector<double>, 3> x;
+  for (int a = 0; a < 3; ++a)
+  {
+    double at = 0.0;
+    for (int i = 0; i <= n; ++i)
+    {
+      x[a].push_back(at);
+      at += (1.0 + 0.5 * a) * (1.0 + 0.25 * std::sin(0.9 * i + a));
+    }
+  }
+  return CartesianGrid(x);
+}
+
+bool HaveSameParts(const FractionField& a, Index i, const FractionField& b, Index j)
+{
+  if (a.IsMixed(i) != b.IsMixed(j))
+  {
+    return false;
+  }
+  return a.IsMixed(i)
+    ? std::equal(a.Parts(i).begin(), a.Parts(i).end(), b.Parts(j).begin(), b.Parts(j).end(),
+        [](const FractionField::Part& p, const FractionField::Part& q)
+        { return p.Material == q.Material && p.Fraction == q.Fraction; })
+    : a.Label(i) == b.Label(j);
+}
+
+FractionField MakePatchyFractions(const CartesianGrid& grid, int materials, unsigned seed)
+{
+  FractionField field(grid, materials);
+  std::mt19937 engine(seed);
+  const auto random = [&engine] { return (static_cast<double>(engine()) + 0.5) / 4294967296.0; };
+  ForCells(grid.Local(),
+    [&](const Index3& p)
+    {
+      const Index cell = grid.Linear(p);
+      if (random() < 0.5)
+      {
+        field.SetLabel(cell, static_cast<int>(random() * (materials + 1)));
+        return;
+      }
+      std::vector<FractionField::Part> parts;
+      double rest = 1.0;
+      for (int m = 1; m <= materials; ++m)
+      {
+        const double fraction = rest * std::pow(random(), random() < 0.2 ? 12.0 : 1.0);
+        if (fraction > 1e-9 && random() < 0.7)
+        {
+          parts.push_back({ m, fraction });
+          rest -= fraction;
+        }
+      }
+      field.SetParts(cell, parts);
+    });
+  return field;
+}
+
+std::string FindRankProblem(
+  const CartesianGrid& whole, const FractionField& field, const FieldChange& change)
+{
+  Runtime alone;
+  FractionField expected = field;
+  change(whole, Partition(whole, alone.Group()), alone, expected);
+  for (const std::array<int, 2>& cut :
+    { std::array<int, 2>{ { 2, -1 } }, { { 3, 0 } }, { { 4, -1 } }, { { 8, -1 } }, { { 6, 2 } } })
+  {
+    std::vector<IndexBox> boxes;
+    CutBox(whole.Global(), cut[0], cut[1], boxes);
+    boxes.push_back(IndexBox());
+    std::atomic<Index> differences{ 0 };
+    RunOnRanks(static_cast<int>(boxes.size()),
+      [&](Ranks& ranks)
+      {
+        RankRuntime runtime(ranks);
+        const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
+        FractionField mine = CopyToLocal(whole, field, grid);
+        change(grid, Partition(grid, ranks), runtime, mine);
+        ForCells(grid.Local(),
+          [&](const Index3& p)
+          { differences += !HaveSameParts(mine, grid.Linear(p), expected, whole.Linear(p)); });
+      });
+    if (differences > 0)
+    {
+      return std::to_string(cut[0]) + " ranks: " + std::to_string(differences) + " other cells";
+    }
+  }
+  return "";
 }
 
 } // namespace testing

@@ -1,9 +1,10 @@
 /**
- * Grids and fields cut for ranks that are threads.
+ * Grids and fields, also cut for ranks that are threads.
  */
 #pragma once
 
 #include "HexPipeline.h"
+#include "Partition.h"
 #include "ThreadRanks.h"
 
 namespace vfm
@@ -34,6 +35,41 @@ inline CartesianGrid MakeRankGrid(const CartesianGrid& whole, const IndexBox& bo
 /// The part of a field of the whole grid that a rank holds.
 FractionField CopyToLocal(
   const CartesianGrid& whole, const FractionField& from, const CartesianGrid& grid);
+
+/// n cells along each axis; widths vary by up to 1.3 from cell to cell and differ by axis.
+CartesianGrid MakeUnevenGrid(int n);
+
+/// Whether both hold the same parts, bit for bit.
+bool HaveSameParts(const FractionField& a, Index i, const FractionField& b, Index j);
+
+/// Calls body(position) for the cells of a box, x fastest.
+template <class Body>
+void ForCells(const IndexBox& box, const Body& body)
+{
+  Index3 p;
+  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
+  {
+    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
+    {
+      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
+      {
+        body(p);
+      }
+    }
+  }
+}
+
+/// Half of the cells pure, the others of random parts, some of them tiny.
+FractionField MakePatchyFractions(const CartesianGrid& grid, int materials, unsigned seed);
+
+/// What changes a field; fractions: of the local box.
+using FieldChange = std::function<void(const CartesianGrid& grid, const Partition& partition,
+  Runtime& runtime, FractionField& fractions)>;
+
+/// "", or on how many ranks a change gives another field, ghost cells included, than on one. Tries 2, 3, 4 and 8 ranks, slabs,
+/// and a rank without cells.
+std::string FindRankProblem(
+  const CartesianGrid& whole, const FractionField& field, const FieldChange& change);
 
 } // namespace testing
 } // namespace vfm

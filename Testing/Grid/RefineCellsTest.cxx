@@ -10,29 +10,12 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <random>
 
 using namespace vfm;
 using namespace vfm::testing;
 
 namespace
 {
-
-/// Widths that vary by up to 1.3 from cell to cell and differ by axis.
-CartesianGrid MakeUnevenGrid(int n)
-{
-  std::array<std::vector<double>, 3> x;
-  for (int a = 0; a < 3; ++a)
-  {
-    double at = 0.0;
-    for (int i = 0; i <= n; ++i)
-    {
-      x[a].push_back(at);
-      at += (1.0 + 0.5 * a) * (1.0 + 0.25 * std::sin(0.9 * i + a));
-    }
-  }
-  return CartesianGrid(x);
-}
 
 Vector3 MiddleOf(const CartesianGrid& grid)
 {
@@ -44,57 +27,10 @@ Vector3 MiddleOf(const CartesianGrid& grid)
   return middle;
 }
 
-template <class Body>
-void ForCells(const IndexBox& box, const Body& body)
-{
-  Index3 p;
-  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
-    {
-      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
-      {
-        body(p);
-      }
-    }
-  }
-}
-
 RefinedCells Refine(const CartesianGrid& grid, const FractionField& field)
 {
   Runtime runtime;
   return RefineCells(grid, field, runtime);
-}
-
-/// Half of the cells pure, the others of random parts, some of them tiny.
-FractionField MakeRandomFractions(const CartesianGrid& grid, int materials, unsigned seed)
-{
-  FractionField field(grid, materials);
-  std::mt19937 engine(seed);
-  const auto random = [&engine] { return (static_cast<double>(engine()) + 0.5) / 4294967296.0; };
-  ForCells(grid.Local(),
-    [&](const Index3& p)
-    {
-      const Index cell = grid.Linear(p);
-      if (random() < 0.5)
-      {
-        field.SetLabel(cell, static_cast<int>(random() * (materials + 1)));
-        return;
-      }
-      std::vector<FractionField::Part> parts;
-      double rest = 1.0;
-      for (int m = 1; m <= materials; ++m)
-      {
-        const double fraction = rest * std::pow(random(), random() < 0.2 ? 12.0 : 1.0);
-        if (fraction > 1e-9 && random() < 0.7)
-        {
-          parts.push_back({ m, fraction });
-          rest -= fraction;
-        }
-      }
-      field.SetParts(cell, parts);
-    });
-  return field;
 }
 
 /// Largest difference between the fractions of a cell and the mean of those of its children.
@@ -157,20 +93,6 @@ Deviation CompareWithExact(const CartesianGrid& grid, const std::vector<Shape>& 
       }
     });
   return deviation;
-}
-
-/// Whether both hold the same parts, bit for bit.
-bool HaveSameParts(const FractionField& a, Index i, const FractionField& b, Index j)
-{
-  if (a.IsMixed(i) != b.IsMixed(j))
-  {
-    return false;
-  }
-  return a.IsMixed(i)
-    ? std::equal(a.Parts(i).begin(), a.Parts(i).end(), b.Parts(j).begin(), b.Parts(j).end(),
-        [](const FractionField::Part& p, const FractionField::Part& q)
-        { return p.Material == q.Material && p.Fraction == q.Fraction; })
-    : a.Label(i) == b.Label(j);
 }
 
 const std::vector<Vector3> Normals{ { { 1, 0, 0 } }, { { 0, -1, 0 } }, { { 0, 0, 1 } },
@@ -265,7 +187,7 @@ TEST(RefineCells, KeepsTheVolumesOfEveryCell)
   for (int materials = 1; materials <= 5; ++materials)
   {
     const CartesianGrid grid = materials % 2 ? MakeUnevenGrid(8) : MakeUnitGrid(9, 7, 1);
-    const FractionField field = MakeRandomFractions(grid, materials, materials);
+    const FractionField field = MakePatchyFractions(grid, materials, materials);
     const RefinedCells fine = Refine(grid, field);
     EXPECT_LT(LargestLoss(grid, field, fine), 1e-12) << materials << " materials";
     ForCells(fine.Grid.Owned(),
@@ -366,7 +288,7 @@ TEST(RefineCells, RefusesGridsWhoseIdsWouldNotFit)
 TEST(RefineCells, RanksHoldWhatTheWholeGridHolds)
 {
   const CartesianGrid whole = MakeUnevenGrid(8);
-  const FractionField field = MakeRandomFractions(whole, 3, 7);
+  const FractionField field = MakePatchyFractions(whole, 3, 7);
   RefinedCells all = Refine(whole, field);
   all = Refine(all.Grid, all.Fractions);
   for (int ranks : { 2, 8 })
@@ -403,7 +325,7 @@ TEST(RefineCells, MeshesDoNotDependOnTheRanks)
 {
   const MeshCase sphere = MakeSphereCase(4), grains = MakePolycrystalCase(5, 7);
   const CartesianGrid noiseGrid = MakeUnitGrid(5, 4, 6);
-  const FractionField noise = MakeRandomFractions(noiseGrid, 3, 4);
+  const FractionField noise = MakePatchyFractions(noiseGrid, 3, 4);
   const auto compare =
     [](const CartesianGrid& grid, const FractionField& field, int times, MeshMaker make)
   {

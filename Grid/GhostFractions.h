@@ -1,0 +1,15 @@
+/**
+ * The fractions of ghost cells, from the ranks that own them.
+ */
+#pragma once
+
+#include "FractionField.h"
+#include "Partition.h"
+
+namespace vfm
+{
+
+/// Sets the ghost cells of a field to what it is in the cells of their owners. Collective.
+void FillGhosts(const Partition& partition, FractionField& fractions);
+
+} // namespace vfm
