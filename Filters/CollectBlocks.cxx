@@ -1,5 +1,6 @@
 #include "CollectBlocks.h"
 
+#include "RecogniseGrid.h"
 #include "Runtime.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -10,9 +11,11 @@
 #include "vtkMatrix3x3.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUniformGrid.h"
 #include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 #include <sstream>
@@ -146,10 +149,28 @@ bool DropGhosts(InputBlock& block)
   return kept > 0;
 }
 
+/// The data when it gives its cells by their corners, else null.
+vtkPointSet* FindCorners(vtkDataObject* data)
+{
+  if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return grid;
+  }
+  return vtkStructuredGrid::SafeDownCast(data);
+}
+
 /// Appends the block unless it has no cells but ghosts.
 void AddBlock(
   vtkDataObject* data, int number, int rank, bool isAlone, std::vector<InputBlock>& blocks)
 {
+  if (vtkPointSet* corners = FindCorners(data))
+  {
+    for (InputBlock& box : RecogniseGrid(corners, number, NameBlock(number, rank, isAlone)))
+    {
+      blocks.push_back(std::move(box));
+    }
+    return;
+  }
   InputBlock block;
   block.Data = vtkDataSet::SafeDownCast(data);
   block.Number = number;
@@ -165,8 +186,8 @@ void AddBlock(
   else
   {
     Refuse(block.Name + " is a " + data->GetClassName() +
-      ". Image data, uniform grids and rectilinear grids can be meshed; bring other data onto a "
-      "grid first (filter Resample To Image).");
+      ". Image data, uniform grids, rectilinear grids and hexahedra that form a Cartesian grid can "
+      "be meshed; bring other data onto a grid first (filter Resample To Image).");
   }
   const bool isPiece = number < 0 && !isAlone; // flat when there are fewer cells than ranks
   if (block.Data->GetNumberOfPoints() == 0 || (isPiece && IsFlat(block)))

@@ -14,9 +14,9 @@ std::string NameBlock(int number, int rank, bool isAlone);
 /// The levels of an AMR that hold blocks here; none for other data.
 std::vector<int> FindUsedLevels(vtkDataObject* input);
 
-/// The blocks that have cells which are no ghosts, with Data, Name, Number, GhostTypes, Dimensions, Kept and
-/// Coordinates set. input: null for none. Throws InputError on data of another kind, flat grids, rotated images,
-/// coordinates that do not increase, ghost cells in the middle of a block.
+/// The blocks that have cells which are no ghosts, with all but Box set. input: null for none. Throws InputError on data of another
+/// kind, flat grids, rotated images, coordinates that do not increase, ghost cells in the middle of a block, and as
+/// RecogniseGrid does.
 std::vector<InputBlock> CollectBlocks(vtkDataObject* input, int rank, bool isAlone);
 
 } // namespace vfm

@@ -1,5 +1,6 @@
 #include "InputArrays.h"
 
+#include "CellOrder.h"
 #include "Runtime.h"
 
 #include "vtkCellData.h"
@@ -43,7 +44,7 @@ vtkDataArray* FindCellArray(const InputBlock& block, const std::string& name)
       std::to_string(array->GetNumberOfTuples()) + " values for " +
       std::to_string(block.Data->GetNumberOfCells()) + " cells.");
   }
-  return array;
+  return block.Order ? block.Order->Arrange(array) : array;
 }
 
 vtkDataArray* FindArray(const InputBlock& block, const std::string& name)

@@ -15,7 +15,7 @@
 namespace vfm
 {
 
-/// The cell array of that name with a tuple a cell. Throws InputError when there is none of numbers.
+/// The cell array of that name with a tuple a cell, in the order of the block. Throws InputError when there is none of numbers.
 vtkDataArray* FindCellArray(const InputBlock& block, const std::string& name);
 
 /// The cell array of that name with one component and a value a cell. Throws InputError when there is none.

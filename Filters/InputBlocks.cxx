@@ -4,6 +4,7 @@
 #include "CollectBlocks.h"
 #include "FindNeighbours.h"
 #include "MakePartition.h"
+#include "NodeCoordinates.h"
 #include "Runtime.h"
 
 #include <limits>
@@ -14,7 +15,6 @@ namespace vfm
 namespace
 {
 
-constexpr double MatchTolerance = 1e-3;   // of the smallest cell width
 constexpr double LargestNodeKey = 0x1p59; // node ids are key * 16 + slot, in 63 bits
 constexpr const char* AxisNames[3] = { "x", "y", "z" };
 
@@ -58,28 +58,20 @@ double FindSmallestWidth(const std::vector<InputBlock>& blocks, int axis)
 /// Collective: node coordinates of all blocks along an axis, those that are close merged.
 std::vector<double> MergeCoordinates(const std::vector<InputBlock>& blocks, int axis, Ranks& ranks)
 {
-  const double tolerance = -ranks.Max(-FindSmallestWidth(blocks, axis)) * MatchTolerance;
-  std::vector<double> mine, merged;
+  const double width = -ranks.Max(-FindSmallestWidth(blocks, axis));
+  std::vector<double> mine;
   for (const InputBlock& block : blocks)
   {
     mine.insert(mine.end(), block.Coordinates[axis].begin(), block.Coordinates[axis].end());
   }
-  for (double x : Unite(ranks, std::move(mine)))
-  {
-    if (merged.empty() || x - merged.back() > tolerance)
-    {
-      merged.push_back(x);
-    }
-  }
-  return merged;
+  return MergeClose(Unite(ranks, std::move(mine)), width);
 }
 
 /// Finds the cells of the block along an axis of the global grid.
 void PlaceBlock(InputBlock& block, int axis, const std::vector<double>& global)
 {
   const std::vector<double>& x = block.Coordinates[axis];
-  auto node = [&global](double value)
-  { return std::upper_bound(global.begin(), global.end(), value) - global.begin() - 1; };
+  const auto node = [&global](double value) { return FindNode(global, value); };
   block.Box.Lower[axis] = node(x.front());
   block.Box.Upper[axis] = node(x.back());
   for (std::size_t i = 0; i < x.size(); ++i)

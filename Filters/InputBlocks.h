@@ -2,11 +2,12 @@
  * InputBlocks: the blocks of a VTK data object, on any number of ranks, that tile one Cartesian grid, and where
  * each block's cells lie in it.
  *
- * Taken are vtkImageData, vtkUniformGrid, vtkRectilinearGrid and composite data sets of them, in any
- * order, dealt to the ranks in any way; a vtkUniformGridAMR when only one of its levels holds blocks. A rank may
- * have none. Blocks are matched by the coordinates of their nodes, so extents may restart at 0 in every block.
- * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped: they may only form layers on the sides of a block. Blanked
- * cells (HIDDENCELL) stay and are void.
+ * Taken are vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid and vtkStructuredGrid whose cells are
+ * those of a Cartesian grid (RecogniseGrid), and composite data sets of them, in any order, dealt to the ranks in any way; a
+ * vtkUniformGridAMR when only one of its levels holds blocks. A rank may have none. Blocks are matched by the coordinates of
+ * their nodes, so extents may restart at 0 in every block.
+ * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped: in images and rectilinear grids they may only form layers on the
+ * sides of a block. Blanked cells (HIDDENCELL) stay and are void.
  *
  * Where a host code knows the ranks across the faces of its box, the blocks of the ranks around are found from these
  * alone (FindNeighbourBlocks), and every rank meshes the cells that it has.
@@ -19,6 +20,7 @@
 #include "CartesianGrid.h"
 #include "Ranks.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,18 +31,23 @@ class vtkUnsignedCharArray;
 namespace vfm
 {
 
+class CellOrder;
+
+/// A data set, or of one that does not lie in the order of a grid one of the boxes that it was cut into.
 struct InputBlock
 {
   vtkDataSet* Data = nullptr;
   int Number = -1;                            ///< in a composite data set, else -1
   std::string Name;                           ///< for messages: "The input", "Block 3 of rank 1"
-  vtkUnsignedCharArray* GhostTypes = nullptr; ///< of all cells of Data, or null
-  Index3 Dimensions{ { 0, 0, 0 } };           ///< cells of Data along each axis
-  IndexBox Kept;                              ///< cells that are no ghosts, indices within Data
+  vtkUnsignedCharArray* GhostTypes = nullptr; ///< of all cells of Data, in Order, or null
+  std::shared_ptr<CellOrder> Order;           ///< of the cells of Data; null: as they are
+  Index FirstCell = 0;                        ///< of the block in that order
+  Index3 Dimensions{ { 0, 0, 0 } };           ///< cells of the block along each axis
+  IndexBox Kept; ///< cells that are no ghosts, indices within the block
   std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of Kept
   IndexBox Box;                                   ///< Kept in the indices of the global grid
 
-  /// Position in Data's cell arrays of a cell given in the indices of the global grid.
+  /// Position in the cell arrays (FindCellArray) of a cell given in the indices of the global grid.
   Index CellId(const Index3& cell) const
   {
     Index id = 0;
@@ -48,7 +55,7 @@ struct InputBlock
     {
       id = id * this->Dimensions[a] + (cell[a] - this->Box.Lower[a] + this->Kept.Lower[a]);
     }
-    return id;
+    return this->FirstCell + id;
   }
 };
 
@@ -84,8 +91,8 @@ struct InputBlocks
 };
 
 /// Collective; input: this rank's part, null for none. Throws InputError, on all ranks alike, on data of another
-/// kind, flat or empty grids, rotated images, coordinates that do not increase, blocks that do not tile one box,
-/// and grids whose ids exceed 63 bits.
+/// kind, flat or empty grids, rotated images, coordinates that do not increase, hexahedra that are no cells of a Cartesian grid,
+/// blocks that do not tile one box, and grids whose ids exceed 63 bits.
 InputBlocks FindInputBlocks(vtkDataObject* input, Ranks& ranks);
 
 /// Collective; the same, every rank having one block. faces: the ranks across -x +x -y +y -z +z of it, or -1. Places: of

@@ -17,25 +17,23 @@ class FractionCells : public InputCells
 {
 public:
   FractionCells(const InputBlocks& input, const std::vector<std::string>& names) :
-    InputCells(input), Names(names)
+    InputCells(input), Names(names), Bytes(names.size(), 0)
   {
     for (const InputBlock& block : input.Blocks)
     {
-      int bytes = 0;
-      for (const std::string& name : names)
+      for (std::size_t m = 0; m < names.size(); ++m)
       {
-        vtkDataArray* array = FindArray(block, name);
-        bytes += array->GetDataType() == VTK_UNSIGNED_CHAR;
+        vtkDataArray* array = FindArray(block, names[m]);
+        this->Bytes[m] += array->GetDataType() == VTK_UNSIGNED_CHAR;
         this->Columns.emplace_back(array);
       }
-      this->Bytes = std::max(this->Bytes, bytes);
     }
   }
 
   /// Collective: a rank may be sent what another has as bytes.
-  void AgreeOnBytes(Ranks& ranks) { this->Bytes = static_cast<int>(ranks.Max(this->Bytes)); }
-  /// How far fractions of type unsigned char may sum over 1 by rounding: 128 + 128 is 256 / 255.
-  double RoundingOfSum() const { return ByteRounding * this->Bytes; }
+  void AgreeOnBytes(Ranks& ranks) { ranks.Sum(this->Bytes); }
+  /// Of fractions of type unsigned char: 128 + 128 is 256 / 255.
+  double Rounding(int material) const { return this->Bytes[material - 1] > 0 ? ByteRounding : 0.0; }
 
   SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
   InputField MakeField(
@@ -57,7 +55,7 @@ protected:
 
 private:
   std::vector<std::string> Names;
-  int Bytes = 0;                       // arrays of type unsigned char, in the block that has most
+  std::vector<Index> Bytes;            // of each material, its arrays of type unsigned char
   std::vector<Column<double>> Columns; // of each block, its materials
 };
 
@@ -92,10 +90,7 @@ public:
       }
     }
   }
-  double SumTolerance() const override
-  {
-    return std::max(FractionField::Reader::SumTolerance(), this->Cells.RoundingOfSum());
-  }
+  double Rounding(int material) const override { return this->Cells.Rounding(material); }
   std::string Name(int material) const override { return this->Cells.Name(material); }
 
 private:

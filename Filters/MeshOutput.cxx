@@ -181,7 +181,13 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
   AddFieldValues<vtkIntArray>(field, "MaterialIds", meshed(table.Labels));
   AddFieldValues<vtkDoubleArray>(field, "TargetVolume", meshed(report.TargetVolume));
   AddFieldValues<vtkDoubleArray>(field, "MeshVolume", meshed(report.MeshVolume));
+  const std::vector<double>& fragments = report.FragmentTargetVolume;
+  AddFieldValues<vtkDoubleArray>(field, "FragmentTargetVolume",
+    std::vector<double>(
+      fragments.begin() + std::min<std::size_t>(1, fragments.size()), fragments.end()));
   AddFieldCount(field, "NormalisedCells", normalisedCells);
+  AddFieldCount(field, "RemovedRegions", report.RemovedRegions);
+  AddFieldCount(field, "RemovedCells", report.RemovedCells);
   AddFieldCount(field, "FlippedCells", report.FlippedCells);
   AddFieldCount(field, "ResolveRounds", report.ResolveRounds);
   AddFieldCount(field, "NumberOfFragments", report.NumberOfFragments);
@@ -196,6 +202,17 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
   {
     AddQuality(field, mesh, report);
   }
+}
+
+void SetDomainOutput(const CartesianGrid& grid, vtkDataObject* output)
+{
+  std::vector<double> bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds.push_back(grid.Coordinates(axis).front());
+    bounds.push_back(grid.Coordinates(axis).back());
+  }
+  AddFieldValues<vtkDoubleArray>(output->GetFieldData(), "DomainBounds", bounds);
 }
 
 } // namespace vfm

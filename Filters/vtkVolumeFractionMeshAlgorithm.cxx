@@ -8,6 +8,8 @@
 #include "InputRoute.h"
 #include "MeshOutput.h"
 #include "RefineCells.h"
+#include "SmallRegions.h"
+#include "SmoothLabels.h"
 #include "StateArrays.h"
 
 #include "vtkCellData.h"
@@ -32,6 +34,7 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 // Claimed on the output, so that a later request for ghost levels does not run the filter again.
 // The filter marks no cells as ghosts, whatever is asked.
 constexpr int GhostLevelsClaimed = 4;
+constexpr double LabelVolumeTolerance = 1e-6; // relative, of smoothed labels
 
 void AddName(const char* name, std::vector<std::string>& names, vtkObject* owner)
 {
@@ -202,9 +205,11 @@ void vtkVolumeFractionMeshAlgorithm::CheckProperties() const
 int vtkVolumeFractionMeshAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  for (const char* type : { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid",
+         "vtkUnstructuredGrid", "vtkCompositeDataSet" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
   return 1;
 }
 
@@ -246,6 +251,32 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
     { mesh, surfaces }, [=] { this->Run(input, mesh, surfaces); });
 }
 
+/// Removes small regions and smooths labels, as asked.
+vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::ClearFractions(
+  const vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime)
+{
+  const vfm::Partition partition(grid, runtime.Group());
+  vfm::RemovedRegions removed;
+  if (this->MinimumRegionCells > 1)
+  {
+    runtime.Progress(0.0, "Removing small regions");
+    removed =
+      vfm::RemoveSmallRegions(grid, this->MinimumRegionCells, this->IsoValue, partition, fractions);
+  }
+  if (this->LabelSmoothing > 0 && this->HasMaterialIdArray())
+  {
+    runtime.Progress(0.0, "Smoothing labels");
+    const double error =
+      vfm::SmoothLabels(grid, this->LabelSmoothing, partition, runtime, fractions);
+    if (partition.Group().Rank() == 0 && error > LabelVolumeTolerance)
+    {
+      vtkWarningMacro(<< "Smoothing could not keep the volumes of all labels: the worst is off by "
+                      << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.");
+    }
+  }
+  return removed;
+}
+
 void vtkVolumeFractionMeshAlgorithm::Refine(
   vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime) const
 {
@@ -282,10 +313,13 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::CartesianGrid grid(
     blocks.Coordinates, vfm::BoxOfRank(owners, ranks.Rank()), vfm::GhostLevels);
   vfm::InputField field = vfm::MakeInputField(grid, owners, blocks, *cells, ranks);
+  const vfm::RemovedRegions removed = this->ClearFractions(grid, field.Fractions, runtime);
   this->Refine(grid, field.Fractions, runtime);
   const vfm::MeshOptions options = this->GetOptions();
   vfm::MeshReport report;
   vfm::Mesh mesh = this->MakeMesh(grid, field.Fractions, options, runtime, report);
+  report.RemovedRegions = removed.Regions;
+  report.RemovedCells = removed.Cells;
   LogStages(report);
   runtime.Progress(0.98, "Filling output");
   const std::vector<vtkSmartPointer<vtkDataArray>> carried =
@@ -295,6 +329,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
     {
       vfm::SetMeshOutput(mesh, field.Table, output, surfaces);
       vfm::SetReportOutput(mesh, report, field.Table, options, field.NormalisedCells, output);
+      vfm::SetDomainOutput(grid, output);
       for (vtkDataArray* array : carried)
       {
         output->GetCellData()->AddArray(array);
@@ -322,6 +357,8 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialIdArray: " << this->MaterialIdArray << "\n";
   os << indent << "StateArrays:";
   PrintNames(os, this->StateArrays);
+  os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
+  os << indent << "MinimumRegionCells: " << this->MinimumRegionCells << "\n";
   os << indent << "Refinement: " << this->Refinement << "\n";
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "MeshVoid: " << this->MeshVoid << "\n";

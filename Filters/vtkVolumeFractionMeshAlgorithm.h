@@ -2,8 +2,9 @@
  * @class   vtkVolumeFractionMeshAlgorithm
  * @brief   base of the filters from cell-centred volume fractions to finite-element meshes
  *
- * Input: vtkImageData, vtkUniformGrid, vtkRectilinearGrid, or a composite data set of them whose blocks
- * tile one grid at one spacing. The materials come from cell arrays, either
+ * Input: vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid or vtkStructuredGrid whose cells are those
+ * of a Cartesian grid (hexahedra or voxels with sides along the axes, in any order, as Exodus files hold them), or a composite
+ * data set of them whose blocks tile one grid. Cells of less than three dimensions are left out. The materials come from cell arrays, either
  * - one volume fraction array a material (AddVolumeFractionArray), of any numeric type, values in
  *   [0,1], or 0..255 when unsigned char; material i is the i-th array added, counted from 1; what the
  *   arrays of a cell leave of 1 is void; or
@@ -43,6 +44,7 @@ class Runtime;
 struct Mesh;
 struct MeshOptions;
 struct MeshReport;
+struct RemovedRegions;
 } // namespace vfm
 
 class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionMeshAlgorithm :
@@ -99,9 +101,28 @@ public:
 
   ///@{
   /**
+   * Smooth the steps that labels (MaterialIdArray) make, by this many passes of an average over the cells around, 0 to 10: cells
+   * at interfaces become mixed, each filled most by its own label, and every label keeps the volume of its cells. 2 or 3 serve
+   * most labels; more rounds off edges. 0: off. Volume fractions are not smoothed. Default: 0.
+   */
+  vtkSetClampMacro(LabelSmoothing, int, 0, 10);
+  vtkGetMacro(LabelSmoothing, int);
+  ///@}
+
+  ///@{
+  /**
+   * A region, cells of one material or of void connected over faces, of fewer cells than this is given to the material or
+   * void with which it shares the most faces: no spray, no crumbs, no small cavities. 0: all stay. Default: 0.
+   */
+  vtkSetClampMacro(MinimumRegionCells, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MinimumRegionCells, int);
+  ///@}
+
+  ///@{
+  /**
    * Halve the cells along each axis this many times before meshing, 0 to 3: thin parts get more elements across. Each
    * time makes eight times as many elements. Mixed cells are divided by planes that keep the volume of every material.
-   * Labels (MaterialIdArray) tell of no planes: their steps stay. Default: 0.
+   * Labels (MaterialIdArray) tell of no planes: their steps stay, unless LabelSmoothing is on. Default: 0.
    */
   vtkSetClampMacro(Refinement, int, 0, 3);
   vtkGetMacro(Refinement, int);
@@ -217,6 +238,8 @@ protected:
   std::string MaterialIdArray;
   std::vector<std::string> StateArrays;
   double IsoValue = 0.5;
+  int LabelSmoothing = 0;
+  int MinimumRegionCells = 0;
   int Refinement = 0;
   bool MeshVoid = false;
   bool StairStep = false;
@@ -235,6 +258,8 @@ private:
   bool HasMaterialIdArray() const;
   void CheckProperties() const;
   vfm::MeshOptions GetOptions() const;
+  vfm::RemovedRegions ClearFractions(
+    const vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime);
   void Refine(vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime) const;
   void Run(vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
 };

@@ -1,0 +1,407 @@
+#include "RecogniseGrid.h"
+
+#include "CellOrder.h"
+#include "NodeCoordinates.h"
+#include "Runtime.h"
+
+#include "vtkCellData.h"
+#include "vtkCellTypes.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <tuple>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr const char* AxisNames[3] = { "x", "y", "z" };
+constexpr int Corners = 8;
+constexpr const char* Advice =
+  " Hexahedra must be the cells of a Cartesian grid: turn a rotated grid "
+  "back (filter Transform), bring other meshes onto a grid (filter "
+  "Resample To Image).";
+
+/// A cell and its place among the nodes of its data set.
+struct PlacedCell
+{
+  std::array<int, 3> Place;
+  vtkIdType Id;
+
+  bool operator<(const PlacedCell& other) const
+  {
+    return std::tie(this->Place[2], this->Place[1], this->Place[0]) <
+      std::tie(other.Place[2], other.Place[1], other.Place[0]);
+  }
+};
+
+/// The hexahedra of a data set and the nodes of their grid.
+class Hexahedra
+{
+public:
+  Hexahedra(vtkPointSet* data, const std::string& name) : Data(data), Name(name)
+  {
+    this->FindCells();
+    this->FindWidths();
+    this->FindNodes();
+  }
+
+  const std::vector<double>& Coordinates(int axis) const { return this->X[axis]; }
+
+  /// In the order of the grid.
+  std::vector<PlacedCell> Place();
+
+private:
+  using Box = std::array<std::array<double, 2>, 3>;
+
+  void FindCells();
+  void FindWidths();
+  void FindNodes();
+  Box FindBox(vtkIdType cell);
+  const vtkIdType* FindPoints(vtkIdType cell);
+  bool IsPlaced(PlacedCell& cell);
+  [[noreturn]] void Refuse(vtkIdType cell, const std::string& what) const;
+  void CheckSides(vtkIdType cell);
+  [[noreturn]] void RefusePlace(vtkIdType cell);
+
+  vtkPointSet* Data;
+  const std::string& Name;
+  std::vector<vtkIdType> Cells;
+  std::array<double, 3> Width{}; // of the smallest cell
+  std::array<std::vector<double>, 3> X;
+  std::array<std::vector<int>, 3> Nodes; // of each point, its position in X
+  vtkNew<vtkIdList> Points;              // of the cell last asked for
+};
+
+void Hexahedra::Refuse(vtkIdType cell, const std::string& what) const
+{
+  throw InputError(this->Name + ": cell " + std::to_string(cell) + " " + what);
+}
+
+void Hexahedra::FindCells()
+{
+  vtkStructuredGrid* grid = vtkStructuredGrid::SafeDownCast(this->Data);
+  const bool isStructured = grid && grid->GetDataDimension() == 3; // blanked cells have no type
+  vtkUnsignedCharArray* ghosts = this->Data->GetCellGhostArray();
+  for (vtkIdType cell = 0; cell < this->Data->GetNumberOfCells(); ++cell)
+  {
+    const int type = isStructured ? VTK_HEXAHEDRON : this->Data->GetCellType(cell);
+    const bool isHex = type == VTK_HEXAHEDRON || type == VTK_VOXEL;
+    if (!isHex && vtkCellTypes::GetDimension(static_cast<unsigned char>(type)) == 3)
+    {
+      this->Refuse(cell,
+        std::string("is a ") + vtkCellTypes::GetClassNameFromTypeId(type) +
+          ". Only hexahedra and voxels that are the cells of a Cartesian grid can be meshed: bring "
+          "other cells onto a grid first (filter Resample To Image).");
+    }
+    if (isHex && !(ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL)))
+    {
+      this->Cells.push_back(cell);
+    }
+  }
+}
+
+const vtkIdType* Hexahedra::FindPoints(vtkIdType cell)
+{
+  vtkIdType count = 0;
+  const vtkIdType* points = nullptr;
+  this->Data->GetCellPoints(cell, count, points, this->Points);
+  return points;
+}
+
+Hexahedra::Box Hexahedra::FindBox(vtkIdType cell)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box box;
+  box.fill({ { infinity, -infinity } });
+  const vtkIdType* points = this->FindPoints(cell);
+  for (int c = 0; c < Corners; ++c)
+  {
+    double point[3];
+    this->Data->GetPoint(points[c], point);
+    for (int a = 0; a < 3; ++a)
+    {
+      if (!std::isfinite(point[a]))
+      {
+        this->Refuse(
+          cell, "has a corner that is not finite, its point " + std::to_string(points[c]) + ".");
+      }
+      box[a] = { { std::min(box[a][0], point[a]), std::max(box[a][1], point[a]) } };
+    }
+  }
+  return box;
+}
+
+void Hexahedra::FindWidths()
+{
+  this->Width.fill(std::numeric_limits<double>::infinity());
+  for (vtkIdType cell : this->Cells)
+  {
+    const Box box = this->FindBox(cell);
+    for (int a = 0; a < 3; ++a)
+    {
+      const double width = box[a][1] - box[a][0];
+      if (!(width > 0.0))
+      {
+        this->Refuse(cell, std::string("is flat along ") + AxisNames[a] + "." + Advice);
+      }
+      this->Width[a] = std::min(this->Width[a], width);
+    }
+  }
+}
+
+void Hexahedra::FindNodes()
+{
+  std::vector<char> isUsed(this->Data->GetNumberOfPoints(), 0);
+  for (vtkIdType cell : this->Cells)
+  {
+    const vtkIdType* points = this->FindPoints(cell);
+    std::for_each(points, points + Corners, [&isUsed](vtkIdType point) { isUsed[point] = 1; });
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    std::vector<double> all(isUsed.size(), 0.0), used;
+    for (std::size_t p = 0; p < isUsed.size(); ++p)
+    {
+      if (isUsed[p])
+      {
+        all[p] = this->Data->GetPoint(static_cast<vtkIdType>(p))[a];
+        used.push_back(all[p]);
+      }
+    }
+    std::sort(used.begin(), used.end());
+    this->X[a] = MergeClose(used, this->Width[a]);
+    this->Nodes[a].resize(all.size());
+    std::transform(all.begin(), all.end(), this->Nodes[a].begin(),
+      [&](double x) { return static_cast<int>(FindNode(this->X[a], x)); });
+  }
+}
+
+/// Sets the place of the cell, whose corners must be those of the box between two neighbouring nodes of each axis.
+bool Hexahedra::IsPlaced(PlacedCell& cell)
+{
+  const vtkIdType* points = this->FindPoints(cell.Id);
+  for (int a = 0; a < 3; ++a)
+  {
+    cell.Place[a] = this->Nodes[a][points[0]];
+    for (int c = 1; c < Corners; ++c)
+    {
+      cell.Place[a] = std::min(cell.Place[a], this->Nodes[a][points[c]]);
+    }
+  }
+  unsigned int found = 0; // a bit a corner
+  for (int c = 0; c < Corners; ++c)
+  {
+    int corner = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const int step = this->Nodes[a][points[c]] - cell.Place[a];
+      if (step > 1)
+      {
+        return false;
+      }
+      corner |= step << a;
+    }
+    found |= 1u << corner;
+  }
+  return found == 255u;
+}
+
+/// All corners lie on the sides of the cell's box.
+void Hexahedra::CheckSides(vtkIdType cell)
+{
+  const Box box = this->FindBox(cell);
+  const vtkIdType* points = this->FindPoints(cell);
+  std::ostringstream text;
+  for (int c = 0; c < Corners; ++c)
+  {
+    double point[3];
+    this->Data->GetPoint(points[c], point);
+    for (int a = 0; a < 3; ++a)
+    {
+      if (std::min(point[a] - box[a][0], box[a][1] - point[a]) > MatchTolerance * this->Width[a])
+      {
+        text << "is no box with sides along the axes: its point " << points[c] << " at ("
+             << point[0] << ", " << point[1] << ", " << point[2] << ") lies between its "
+             << AxisNames[a] << " sides at " << box[a][0] << " and " << box[a][1] << "." << Advice;
+        this->Refuse(cell, text.str());
+      }
+    }
+  }
+}
+
+/// Of cells whose sides are good: why a cell has no place.
+void Hexahedra::RefusePlace(vtkIdType cell)
+{
+  const Box box = this->FindBox(cell);
+  std::ostringstream text;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = this->X[a];
+    const Index node = FindNode(x, box[a][0]);
+    if (FindNode(x, box[a][1]) > node + 1)
+    {
+      text
+        << "does not fit the other cells along " << AxisNames[a] << ": another cell has a node at "
+        << x[node + 1] << ", between its sides at " << box[a][0] << " and " << box[a][1]
+        << ". All cells must lie on one Cartesian grid; refined (AMR) grids are not supported yet.";
+      this->Refuse(cell, text.str());
+    }
+  }
+  this->Refuse(cell, std::string("has two corners in the same place.") + Advice);
+}
+
+std::vector<PlacedCell> Hexahedra::Place()
+{
+  std::vector<PlacedCell> placed;
+  placed.reserve(this->Cells.size());
+  for (vtkIdType id : this->Cells)
+  {
+    placed.push_back({ {}, id });
+    if (!this->IsPlaced(placed.back()))
+    {
+      for (vtkIdType cell : this->Cells) // a bent cell may be why others have no place
+      {
+        this->CheckSides(cell);
+      }
+      this->RefusePlace(id);
+    }
+  }
+  std::stable_sort(placed.begin(), placed.end());
+  for (std::size_t p = 1; p < placed.size(); ++p)
+  {
+    if (placed[p].Place == placed[p - 1].Place)
+    {
+      this->Refuse(placed[p - 1].Id,
+        "and cell " + std::to_string(placed[p].Id) +
+          " lie in the same place. Cells must not overlap, except ghost cells that the array "
+          "vtkGhostType marks.");
+    }
+  }
+  return placed;
+}
+
+/// A box of cells; each of its rows along x is a run of the list of placed cells.
+struct CutBox
+{
+  IndexBox Box;
+  std::vector<std::size_t> Rows; // where they begin in the list, y before z
+};
+
+/// Makes one box of those that follow on each other along an axis and are the same along the axes before it. boxes: in the
+/// order of their first cells, z before y before x.
+std::vector<CutBox> Join(std::vector<CutBox> boxes, int axis)
+{
+  std::vector<CutBox> joined;
+  std::map<std::vector<Index>, std::size_t> open; // what follows on a box -> its number
+  for (CutBox& box : boxes)
+  {
+    std::vector<Index> key;
+    for (int a = 0; a < 3; ++a)
+    {
+      key.push_back(box.Box.Lower[a]);
+      key.push_back(a < axis ? box.Box.Upper[a] : 0);
+    }
+    std::size_t number = joined.size();
+    const auto found = open.find(key);
+    if (found == open.end())
+    {
+      joined.push_back(std::move(box));
+    }
+    else
+    {
+      number = found->second;
+      joined[number].Box.Upper[axis] = box.Box.Upper[axis];
+      joined[number].Rows.insert(joined[number].Rows.end(), box.Rows.begin(), box.Rows.end());
+      open.erase(found);
+    }
+    key[2 * axis] = joined[number].Box.Upper[axis];
+    open[key] = number;
+  }
+  return joined;
+}
+
+std::vector<CutBox> CutIntoBoxes(const std::vector<PlacedCell>& cells)
+{
+  std::vector<CutBox> rows;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+  {
+    const std::array<int, 3>& place = cells[c].Place;
+    const bool follows = !rows.empty() && rows.back().Box.Upper[0] == place[0] &&
+      rows.back().Box.Lower[1] == place[1] && rows.back().Box.Lower[2] == place[2];
+    if (!follows)
+    {
+      const Index3 lower{ { place[0], place[1], place[2] } };
+      rows.push_back({ { lower, { { lower[0], lower[1] + 1, lower[2] + 1 } } }, { c } });
+    }
+    ++rows.back().Box.Upper[0];
+  }
+  return Join(Join(std::move(rows), 1), 2);
+}
+
+/// Null where that is the order of the data set.
+std::shared_ptr<CellOrder> MakeOrder(
+  const std::vector<PlacedCell>& cells, const std::vector<CutBox>& boxes, vtkPointSet* data)
+{
+  std::vector<vtkIdType> order;
+  order.reserve(cells.size());
+  bool isSame = static_cast<vtkIdType>(cells.size()) == data->GetNumberOfCells();
+  for (const CutBox& box : boxes)
+  {
+    for (std::size_t row : box.Rows)
+    {
+      for (Index i = 0; i < box.Box.Size(0); ++i)
+      {
+        isSame = isSame && cells[row + i].Id == static_cast<vtkIdType>(order.size());
+        order.push_back(cells[row + i].Id);
+      }
+    }
+  }
+  return isSame ? nullptr : std::make_shared<CellOrder>(order);
+}
+
+} // namespace
+
+std::vector<InputBlock> RecogniseGrid(vtkPointSet* data, int number, const std::string& name)
+{
+  Hexahedra hexahedra(data, name);
+  const std::vector<PlacedCell> cells = hexahedra.Place();
+  const std::vector<CutBox> boxes = CutIntoBoxes(cells);
+  const std::shared_ptr<CellOrder> order = MakeOrder(cells, boxes, data);
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  if (ghosts && order)
+  {
+    ghosts = vtkUnsignedCharArray::SafeDownCast(order->Arrange(ghosts));
+  }
+  std::vector<InputBlock> blocks;
+  Index first = 0;
+  for (const CutBox& box : boxes)
+  {
+    InputBlock block;
+    block.Data = data;
+    block.Number = number;
+    block.Name = name;
+    block.GhostTypes = ghosts;
+    block.Order = order;
+    block.FirstCell = first;
+    for (int a = 0; a < 3; ++a)
+    {
+      block.Dimensions[a] = box.Box.Size(a);
+      const auto x = hexahedra.Coordinates(a).begin() + box.Box.Lower[a];
+      block.Coordinates[a] = std::vector<double>(x, x + block.Dimensions[a] + 1);
+    }
+    block.Kept.Upper = block.Dimensions;
+    blocks.push_back(std::move(block));
+    first += box.Box.NumberOfCells();
+  }
+  return blocks;
+}
+
+} // namespace vfm
