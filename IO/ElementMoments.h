@@ -1,0 +1,24 @@
+/**
+ * ElementMoments: exact volumes and centroids of hexahedra (trilinear) and tetrahedra.
+ */
+#pragma once
+
+#include "Vector3.h"
+
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace vfm
+{
+
+struct ElementMoments
+{
+  double Volume;  ///< length units cubed
+  Vector3 Moment; ///< the integral of the position: the centroid times the volume
+};
+
+/// Of each element.
+std::vector<ElementMoments> FindElementMoments(vtkUnstructuredGrid* mesh);
+
+} // namespace vfm

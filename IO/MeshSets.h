@@ -1,0 +1,56 @@
+/**
+ * MeshSets: the side sets and node sets of a mesh, found from the mesh alone.
+ *
+ * Side sets: one for each ordered pair of materials that touch, "ball_to_plate", which holds the faces of the elements of the first
+ * that lie against the second, and "ball_to_Void" for its free surface; and one a side of the domain, "x_min" to "z_max", of all
+ * materials. Node sets: one a side of the domain. Faces on the domain are in no set of a pair.
+ */
+#pragma once
+
+#include "Ranks.h"
+
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace vfm
+{
+
+struct MeshSide
+{
+  vtkIdType Cell; ///< of the mesh of this rank
+  int Face;       ///< as vtkHexahedron and vtkTetra number them
+};
+
+struct SideSet
+{
+  int Id;
+  std::string Name;
+  std::vector<MeshSide> Sides; ///< of this rank, ascending
+};
+
+struct NodeSet
+{
+  int Id;
+  std::string Name;
+  std::vector<vtkIdType> Points; ///< of this rank, ascending
+};
+
+struct MeshSets
+{
+  std::vector<SideSet> SideSets;
+  std::vector<NodeSet> NodeSets;
+};
+
+/// Collective: the sets that are not empty on all ranks together, the same list of ids and names on each. Ids: 1 to 6 of the
+/// sides of the domain, x_min first; first * 1000 + second of two materials with ids below 1,000 (a greater power of ten for
+/// greater ids; counted from 7 where that does not fit 31 bits); the void is 0 as the second, FindVoidId() as the first.
+/// mesh: of hexahedra or tetrahedra, with the cell array MaterialId, GlobalPointIds and the field data of the filters, which must
+/// be the same on all ranks, also those without elements (ShareHead); without DomainBounds nothing is on the domain. Throws InputError, on all ranks alike, when an array is missing or a face belongs to
+/// more than two elements.
+MeshSets FindMeshSets(vtkUnstructuredGrid* mesh, Ranks& ranks);
+
+} // namespace vfm

@@ -1,0 +1,136 @@
+#include "NumPyHeader.h"
+
+#include "OpenFile.h"
+#include "Runtime.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr char Magic[] = "\x93NUMPY";
+constexpr std::size_t MagicSize = 6, LongestHeader = 1 << 20;
+
+bool IsLittleEndianMachine()
+{
+  const std::uint16_t one = 1;
+  char first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+[[noreturn]] void RefuseHeader(const std::string& text)
+{
+  throw InputError("its NumPy header has no " + text + ".");
+}
+
+/// What follows the key in the header, a Python dictionary of constants.
+std::string FindValue(const std::string& header, const std::string& key)
+{
+  std::size_t place = std::min(header.find("'" + key + "'"), header.find("\"" + key + "\""));
+  place = place == std::string::npos ? place : header.find(':', place);
+  place = place == std::string::npos ? place : header.find_first_not_of(" ", place + 1);
+  if (place == std::string::npos)
+  {
+    RefuseHeader("'" + key + "'");
+  }
+  return header.substr(place);
+}
+
+/// The text in quotes at the begin; empty for a list of fields.
+std::string ParseType(const std::string& value)
+{
+  const std::size_t end = value.find(value[0], 1);
+  const bool isQuoted = (value[0] == '\'' || value[0] == '"') && end != std::string::npos;
+  return isQuoted ? value.substr(1, end - 1) : "";
+}
+
+std::vector<Index> ParseShape(const std::string& value)
+{
+  std::vector<Index> shape;
+  const std::size_t end = value.find(')');
+  if (value[0] != '(' || end == std::string::npos)
+  {
+    RefuseHeader("shape");
+  }
+  for (const char *next = value.data() + 1, *last = value.data() + end; next < last;)
+  {
+    if (*next == ' ' || *next == ',' || *next == 'L') // L: Python 2
+    {
+      ++next;
+      continue;
+    }
+    Index size = 0;
+    const auto [stop, error] = std::from_chars(next, last, size);
+    if (error != std::errc() || size < 0)
+    {
+      RefuseHeader("shape of whole numbers");
+    }
+    shape.push_back(size);
+    next = stop;
+  }
+  return shape;
+}
+
+void SetType(const std::string& type, NumPyHeader& header)
+{
+  header.Type = type;
+  const std::size_t kind = type.find_first_not_of("<>|=");
+  if (kind == std::string::npos)
+  {
+    return; // Kind stays 0
+  }
+  header.Kind = type[kind];
+  std::from_chars(type.data() + kind + 1, type.data() + type.size(), header.Size);
+  header.SwapBytes = type[0] == (IsLittleEndianMachine() ? '>' : '<');
+}
+
+/// The length of the header's text, little endian.
+std::size_t ReadLength(std::istream& stream, int bytes)
+{
+  std::size_t length = 0;
+  for (int i = 0; i < bytes; ++i)
+  {
+    length |= static_cast<std::size_t>(static_cast<unsigned char>(stream.get())) << 8 * i;
+  }
+  return length;
+}
+
+} // namespace
+
+NumPyHeader ReadNumPyHeader(const std::string& path)
+{
+  std::ifstream stream = OpenFile(path);
+  char start[MagicSize + 2] = {};
+  stream.read(start, sizeof(start));
+  if (!stream || std::memcmp(start, Magic, MagicSize) != 0)
+  {
+    throw InputError("it is no NumPy file: it does not begin with \\x93NUMPY and a version.");
+  }
+  const int version = static_cast<unsigned char>(start[MagicSize]);
+  if (version < 1 || version > 3)
+  {
+    throw InputError(
+      "it is a NumPy file of version " + std::to_string(version) + "; versions 1 to 3 are read.");
+  }
+  const std::size_t length = ReadLength(stream, version == 1 ? 2 : 4);
+  std::string text(stream && length <= LongestHeader ? length : 0, ' ');
+  stream.read(&text[0], static_cast<std::streamsize>(text.size()));
+  if (!stream || text.empty())
+  {
+    throw InputError("its NumPy header is cut short.");
+  }
+  NumPyHeader header;
+  header.Offset = stream.tellg();
+  SetType(ParseType(FindValue(text, "descr")), header);
+  header.Fortran = FindValue(text, "fortran_order").compare(0, 4, "True") == 0;
+  header.Shape = ParseShape(FindValue(text, "shape"));
+  return header;
+}
+
+} // namespace vfm

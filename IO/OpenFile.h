@@ -1,0 +1,28 @@
+/**
+ * OpenFile: a file for reading.
+ */
+#pragma once
+
+#include "Runtime.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+namespace vfm
+{
+
+/// Throws InputError, which tells why but not the path.
+inline std::ifstream OpenFile(const std::string& path)
+{
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (stream.peek() == std::ifstream::traits_type::eof()) // folders open, but cannot be read
+  {
+    throw InputError((errno ? std::strerror(errno) : std::string("the file is empty")) + ".");
+  }
+  return stream;
+}
+
+} // namespace vfm

@@ -1,0 +1,210 @@
+#include "ReadLabelText.h"
+
+#include "OpenFile.h"
+#include "VoxelRows.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <vector>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::size_t BufferSize = 1 << 20;
+constexpr std::ptrdiff_t LongestNumber = 64; // in letters
+constexpr std::ptrdiff_t ShownLetters = 24;
+
+bool IsSpace(char c)
+{
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/// Calls work(begin, end) on the parts of a file, from its begin to the byte last.
+template <class Work>
+void ForParts(const std::string& path, Index last, const Work& work)
+{
+  std::ifstream stream = OpenFile(path);
+  std::vector<char> part(BufferSize);
+  for (Index left = last; left > 0 && stream; left -= stream.gcount())
+  {
+    stream.read(part.data(), std::min<Index>(left, BufferSize));
+    work(part.data(), part.data() + stream.gcount());
+  }
+}
+
+Index CountValues(const std::string& path)
+{
+  Index count = 0;
+  bool afterSpace = true;
+  ForParts(path, std::numeric_limits<Index>::max(),
+    [&](const char* begin, const char* end)
+    {
+      for (const char* c = begin; c < end; ++c)
+      {
+        const bool isSpace = IsSpace(*c);
+        count += afterSpace && !isSpace;
+        afterSpace = isSpace;
+      }
+    });
+  return count;
+}
+
+/// The labels of a file one by one.
+class LabelStream
+{
+public:
+  explicit LabelStream(const std::string& path) :
+    Path(path), Stream(OpenFile(path)), Buffer(BufferSize), Next(Buffer.data()), End(Buffer.data())
+  {
+  }
+
+  /// False at the end of the file.
+  bool Read(int& label)
+  {
+    while (this->SkipSpaces() && this->End - this->Next < LongestNumber && this->Fill())
+    {
+    }
+    if (this->Next == this->End)
+    {
+      return false;
+    }
+    const auto [stop, error] = std::from_chars(this->Next, this->End, label);
+    if (error != std::errc() || label < 0 || (stop < this->End && !IsSpace(*stop)))
+    {
+      this->Refuse();
+    }
+    this->Next = stop;
+    return true;
+  }
+
+private:
+  /// Skips what is in memory; always true.
+  bool SkipSpaces()
+  {
+    while (this->Next < this->End && IsSpace(*this->Next))
+    {
+      ++this->Next;
+    }
+    return true;
+  }
+
+  /// Puts more of the file behind what is left in memory; false at its end.
+  bool Fill()
+  {
+    const std::ptrdiff_t left = this->End - this->Next;
+    std::copy(this->Next, this->End, this->Buffer.data());
+    this->Offset += this->Next - this->Buffer.data();
+    this->Next = this->Buffer.data();
+    this->Stream.read(this->Buffer.data() + left, static_cast<std::streamsize>(BufferSize) - left);
+    this->End = this->Next + left + this->Stream.gcount();
+    return this->Stream.gcount() > 0;
+  }
+
+  [[noreturn]] void Refuse() const
+  {
+    const char* end = std::find_if(this->Next, this->End, IsSpace);
+    Index number = 0;
+    const auto [stop, error] = std::from_chars(this->Next, end, number);
+    std::string word(this->Next, std::min(end, this->Next + ShownLetters));
+    std::replace_if(
+      word.begin(), word.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    Index line = 1;
+    ForParts(this->Path, this->Offset + (this->Next - this->Buffer.data()),
+      [&line](const char* first, const char* last) { line += std::count(first, last, '\n'); });
+    const std::string where = "line " + std::to_string(line) + ": ";
+    if (stop == end && error != std::errc::invalid_argument)
+    {
+      throw InputError(where + "the label " + word +
+        (word[0] == '-' ? " is negative." : " is larger than 2147483647."));
+    }
+    throw InputError(where + "'" + word + (end - this->Next > ShownLetters ? ".." : "") +
+      "' is no whole number. (With numpy.savetxt: fmt='%d'.)");
+  }
+
+  std::string Path;
+  std::ifstream Stream;
+  std::vector<char> Buffer;
+  const char *Next, *End;
+  Index Offset = 0; ///< of the buffer in the file
+};
+
+[[noreturn]] void RefuseCount(const VoxelFile& file)
+{
+  const Index values = CountValues(file.Path);
+  throw InputError("it holds " + std::to_string(values) +
+    (values == 1 ? " value, but " : " values, but ") + DescribeCells(file.Cells) + " cells are " +
+    std::to_string(file.Cells[0] * file.Cells[1] * file.Cells[2]) + ".");
+}
+
+[[noreturn]] void AskForCells(const VoxelFile& file)
+{
+  const Index values = CountValues(file.Path);
+  const Index edge = std::lround(std::cbrt(static_cast<double>(values)));
+  throw InputError(
+    "a text of voxels does not tell its size. Set Dimensions, the numbers of cells along "
+    "x, y and z; it holds " +
+    std::to_string(values) + " values" +
+    (edge > 0 && edge * edge * edge == values
+        ? ", as " + DescribeCells({ edge, edge, edge }) + " cells have."
+        : "."));
+}
+
+} // namespace
+
+void CheckLabelCount(const VoxelFile& file)
+{
+  const Index3& cells = file.Cells;
+  if (*std::min_element(cells.begin(), cells.end()) < 1)
+  {
+    AskForCells(file);
+  }
+  const double wanted = static_cast<double>(cells[0]) * cells[1] * cells[2];
+  if (wanted > static_cast<double>(std::numeric_limits<Index>::max() / 2))
+  {
+    throw InputError(DescribeCells(cells) + " cells are too many.");
+  }
+  // Every value has a digit and a space, but for the last.
+  if (static_cast<Index>(std::filesystem::file_size(file.Path)) <
+    2 * cells[0] * cells[1] * cells[2] - 1)
+  {
+    RefuseCount(file);
+  }
+}
+
+void ReadLabelText(const VoxelFile& file, const IndexBox& box, int* labels)
+{
+  LabelStream stream(file.Path);
+  const VoxelRows rows(file, box);
+  int label = 0;
+  for (Index plane = 0; plane < rows.Planes(); ++plane)
+  {
+    for (Index row = 0; row < rows.RowsInPlane(); ++row)
+    {
+      const VoxelRows::Part part = rows.Find(plane, row);
+      int* to = labels + part.Cell;
+      for (Index i = 0; i < rows.Length(); ++i)
+      {
+        if (!stream.Read(label))
+        {
+          RefuseCount(file);
+        }
+        if (i >= part.First && i < part.Last)
+        {
+          *to = label;
+          to += part.Stride;
+        }
+      }
+    }
+  }
+  if (stream.Read(label))
+  {
+    RefuseCount(file);
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,160 @@
+#include "ReadVoxels.h"
+
+#include "OpenFile.h"
+#include "ReadLabelText.h"
+#include "VoxelRows.h"
+
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace vfm
+{
+namespace
+{
+
+template <class Value>
+Value SwapBytes(Value value)
+{
+  char bytes[sizeof(Value)];
+  std::memcpy(bytes, &value, sizeof(Value));
+  std::reverse(bytes, bytes + sizeof(Value));
+  std::memcpy(&value, bytes, sizeof(Value));
+  return value;
+}
+
+/// Whether values of this type can be no label.
+template <class Stored>
+constexpr bool CanBeWrong()
+{
+  return std::is_integral<Stored>::value &&
+    (std::is_signed<Stored>::value || sizeof(Stored) >= sizeof(int));
+}
+
+template <class Stored>
+bool IsWrong(Stored value)
+{
+  if constexpr (CanBeWrong<Stored>())
+  {
+    constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<int>::max());
+    return value < Stored(0) || static_cast<std::uint64_t>(value) > most;
+  }
+  return false;
+}
+
+template <class Stored>
+[[noreturn]] void RefuseLabel(const Index3& cell, Stored value)
+{
+  throw InputError("the label of cell (" + std::to_string(cell[0]) + ", " +
+    std::to_string(cell[1]) + ", " + std::to_string(cell[2]) + ") is " + std::to_string(value) +
+    ". Labels are whole numbers from 0 to 2147483647.");
+}
+
+/// Reads an array of a NumPy file, from where the stream is to the array's end.
+template <class Stored, class Kept>
+void ReadArray(std::istream& stream, bool swap, const VoxelRows& rows, void* cells)
+{
+  Kept* kept = static_cast<Kept*>(cells);
+  std::vector<Stored> values(rows.Length());
+  const std::streamsize size = values.size() * sizeof(Stored);
+  for (Index plane = 0; plane < rows.Planes(); ++plane)
+  {
+    if (!CanBeWrong<Stored>() && !rows.HasPlane(plane))
+    {
+      stream.seekg(size * rows.RowsInPlane(), std::ios::cur);
+      continue;
+    }
+    for (Index row = 0; row < rows.RowsInPlane(); ++row)
+    {
+      stream.read(reinterpret_cast<char*>(values.data()), size);
+      if (!stream)
+      {
+        throw InputError("its values cannot be read to the end.");
+      }
+      if (swap)
+      {
+        std::transform(values.begin(), values.end(), values.begin(), SwapBytes<Stored>);
+      }
+      const auto wrong = std::find_if(values.begin(), values.end(), IsWrong<Stored>);
+      if (wrong != values.end())
+      {
+        RefuseLabel(rows.Cell(plane, row, wrong - values.begin()), *wrong);
+      }
+      const VoxelRows::Part part = rows.Find(plane, row);
+      Kept* to = kept + part.Cell;
+      for (Index i = part.First; i < part.Last; ++i, to += part.Stride)
+      {
+        *to = static_cast<Kept>(values[i]);
+      }
+    }
+  }
+}
+
+/// How values of a type are read, and what they become.
+struct ValueType
+{
+  char Kind;
+  int Size;
+  int VtkType;
+  void (*Read)(std::istream& stream, bool swap, const VoxelRows& rows, void* cells);
+};
+
+constexpr ValueType ValueTypes[] = {
+  { 'b', 1, VTK_UNSIGNED_CHAR, ReadArray<std::uint8_t, unsigned char> },
+  { 'u', 1, VTK_UNSIGNED_CHAR, ReadArray<std::uint8_t, unsigned char> },
+  { 'i', 1, VTK_SIGNED_CHAR, ReadArray<std::int8_t, signed char> },
+  { 'u', 2, VTK_UNSIGNED_SHORT, ReadArray<std::uint16_t, unsigned short> },
+  { 'i', 2, VTK_SHORT, ReadArray<std::int16_t, short> },
+  { 'u', 4, VTK_INT, ReadArray<std::uint32_t, int> },
+  { 'i', 4, VTK_INT, ReadArray<std::int32_t, int> },
+  { 'u', 8, VTK_INT, ReadArray<std::uint64_t, int> },
+  { 'i', 8, VTK_INT, ReadArray<std::int64_t, int> },
+  { 'f', 4, VTK_FLOAT, ReadArray<float, float> },
+  { 'f', 8, VTK_DOUBLE, ReadArray<double, double> },
+};
+
+vtkSmartPointer<vtkDataArray> MakeArray(int type, const std::string& name, const IndexBox& box)
+{
+  const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(box.NumberOfCells());
+  return array;
+}
+
+std::vector<vtkSmartPointer<vtkDataArray>> ReadNumPy(const VoxelFile& file, const IndexBox& box)
+{
+  const NumPyHeader& header = *file.NumPy;
+  const ValueType& type = *std::find_if(std::begin(ValueTypes), std::end(ValueTypes),
+    [&header](const ValueType& t) { return t.Kind == header.Kind && t.Size == header.Size; });
+  std::ifstream stream = OpenFile(file.Path);
+  const VoxelRows rows(file, box);
+  const Index arrays = header.Shape.size() == 4 ? header.Shape[0] : 0;
+  const std::string name = file.IsFractions() ? "VolumeFraction" : "MaterialId";
+  std::vector<vtkSmartPointer<vtkDataArray>> result;
+  const Index size = file.Cells[0] * file.Cells[1] * file.Cells[2] * header.Size;
+  for (Index i = 0; i < std::max<Index>(arrays, 1); ++i)
+  {
+    stream.seekg(header.Offset + i * size);
+    result.push_back(MakeArray(type.VtkType, name + (arrays ? std::to_string(i + 1) : ""), box));
+    type.Read(stream, header.SwapBytes, rows, result.back()->GetVoidPointer(0));
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<vtkSmartPointer<vtkDataArray>> ReadVoxels(const VoxelFile& file, const IndexBox& box)
+{
+  if (file.NumPy)
+  {
+    return ReadNumPy(file, box);
+  }
+  CheckLabelCount(file); // before memory is asked for
+  const vtkSmartPointer<vtkDataArray> array = MakeArray(VTK_INT, "MaterialId", box);
+  ReadLabelText(file, box, static_cast<int*>(array->GetVoidPointer(0)));
+  return { array };
+}
+
+} // namespace vfm

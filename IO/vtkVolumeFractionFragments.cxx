@@ -1,0 +1,87 @@
+#include "vtkVolumeFractionFragments.h"
+
+#include "ControllerRanks.h"
+#include "FragmentTable.h"
+#include "Runtime.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkVolumeFractionFragments);
+vtkCxxSetObjectMacro(vtkVolumeFractionFragments, Controller, vtkMultiProcessController);
+
+vtkVolumeFractionFragments::vtkVolumeFractionFragments()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkVolumeFractionFragments::~vtkVolumeFractionFragments()
+{
+  this->SetController(nullptr);
+}
+
+void vtkVolumeFractionFragments::AddDensityArray(const char* name)
+{
+  if (name && *name)
+  {
+    this->DensityArrays.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkVolumeFractionFragments::ClearDensityArrays()
+{
+  this->DensityArrays.clear();
+  this->Modified();
+}
+
+int vtkVolumeFractionFragments::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkVolumeFractionFragments::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  const vfm::ControllerRanks ranks(this->Controller);
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+int vtkVolumeFractionFragments::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  try
+  {
+    vfm::ControllerRanks ranks(this->Controller);
+    vfm::MakeFragmentTable(vtkUnstructuredGrid::GetData(inputVector[0]), this->DensityArrays, ranks,
+      vtkTable::GetData(outputVector));
+    return 1;
+  }
+  catch (const vfm::InputError& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}
+
+void vtkVolumeFractionFragments::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DensityArrays:";
+  for (const std::string& name : this->DensityArrays)
+  {
+    os << " '" << name << "'";
+  }
+  os << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
+}

@@ -1,0 +1,65 @@
+#include "vtkVolumeFractionMeshWriter.h"
+
+#include "ControllerRanks.h"
+#include "Runtime.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkCxxSetObjectMacro(vtkVolumeFractionMeshWriter, Controller, vtkMultiProcessController);
+
+vtkVolumeFractionMeshWriter::vtkVolumeFractionMeshWriter()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkVolumeFractionMeshWriter::~vtkVolumeFractionMeshWriter()
+{
+  this->SetController(nullptr);
+}
+
+int vtkVolumeFractionMeshWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+vtkTypeBool vtkVolumeFractionMeshWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    const vfm::ControllerRanks ranks(this->Controller);
+    vtkInformation* input = inputVector[0]->GetInformationObject(0);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+void vtkVolumeFractionMeshWriter::WriteData()
+{
+  vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
+  try
+  {
+    vfm::ControllerRanks ranks(this->Controller);
+    this->WriteMesh(mesh, this->FileName, ranks);
+  }
+  catch (const vfm::InputError& error)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("Cannot write " << this->FileName << ": " << error.what());
+  }
+}
+
+void vtkVolumeFractionMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
+}
