@@ -140,7 +140,8 @@ extern "C"
    * MinimumScaledJacobian, MeanScaledJacobian, FlippedCells, ... (index 0). */
   SCULPTOR_EXPORT int sculptor_get_number(int sculptor, const char* name, int index, double* value);
 
-  /* Writes the mesh of all ranks, the kind by the ending: .vtu, .pvtu, Exodus .e .exo .ex2. Collective. */
+  /* Writes the mesh of all ranks, the kind by the ending: .vtu, .pvtu, Exodus .e .exo .ex2, Abaqus and
+   * CalculiX .inp. Collective. */
   SCULPTOR_EXPORT int sculptor_write(int sculptor, const char* path);
 
   /* ---- what went wrong ---- */

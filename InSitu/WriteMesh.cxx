@@ -1,17 +1,16 @@
 #include "WriteMesh.h"
 
 #include "ControllerRanks.h"
-#include "ExodusBlocks.h"
 #include "FileSuffix.h"
 #include "GatherMesh.h"
 #include "Stage.h"
 #include "VtkMessages.h"
+#include "WriteAbaqus.h"
+#include "WriteExodus.h"
 
 #include "vtkErrorCode.h"
-#include "vtkIOSSWriter.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPUnstructuredGridWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
@@ -32,7 +31,8 @@ using Writer = bool (*)(
 struct Format
 {
   const char* Suffix;
-  Writer Write; ///< collective; false, or an error among the messages, when it fails
+  Writer Write;       ///< collective; false, or an error among the messages, when it fails
+  Writer WriteSingle; ///< one file from several ranks; null when there is none such
 };
 
 /// Throws std::runtime_error, which tells why, where the writer knows it: its messages are less plain.
@@ -76,22 +76,29 @@ bool WritePvtu(vtkUnstructuredGrid* mesh, const char* path, vtkMultiProcessContr
   return RunWriter(writer, path, messages);
 }
 
-bool WriteExodus(vtkUnstructuredGrid* mesh, const char* path, vtkMultiProcessController* controller,
-  VtkMessages& messages)
+template <ExodusParts parts>
+bool WriteExodusFiles(
+  vtkUnstructuredGrid* mesh, const char* path, vtkMultiProcessController* controller, VtkMessages&)
 {
   ControllerRanks ranks(controller);
-  const auto blocks = MakeExodusBlocks(mesh, ranks);
-  vtkNew<vtkIOSSWriter> writer;
-  messages.Watch(writer);
-  writer->SetController(controller);
-  writer->SetInputDataObject(blocks);
-  writer->SetFileName(path);
-  writer->SetPreserveInputEntityGroups(true);
-  return writer->Write();
+  WriteExodus(mesh, path, ranks, parts);
+  return true;
 }
 
-constexpr Format Formats[] = { { ".vtu", WriteVtu }, { ".pvtu", WritePvtu }, { ".e", WriteExodus },
-  { ".ex2", WriteExodus }, { ".exo", WriteExodus } };
+bool WriteInp(
+  vtkUnstructuredGrid* mesh, const char* path, vtkMultiProcessController* controller, VtkMessages&)
+{
+  ControllerRanks ranks(controller);
+  WriteAbaqus(mesh, path, ranks);
+  return true;
+}
+
+constexpr Writer WriteExodusParts = WriteExodusFiles<ExodusParts::OneARank>;
+constexpr Writer WriteExodusFile = WriteExodusFiles<ExodusParts::One>;
+
+constexpr Format Formats[] = { { ".vtu", WriteVtu, WriteVtu }, { ".pvtu", WritePvtu, nullptr },
+  { ".e", WriteExodusParts, WriteExodusFile }, { ".ex2", WriteExodusParts, WriteExodusFile },
+  { ".exo", WriteExodusParts, WriteExodusFile }, { ".inp", WriteInp, WriteInp } };
 
 const Format* FindFormat(const std::string& path)
 {
@@ -112,13 +119,19 @@ std::vector<std::string> GetOutputSuffixes()
   return suffixes;
 }
 
-void CheckOutputSuffix(const std::string& path)
+void CheckOutputSuffix(const std::string& path, OutputFiles files)
 {
-  if (!FindFormat(path))
+  const Format* format = FindFormat(path);
+  if (!format)
   {
     throw ProgramError(ExitCode::WrongArguments,
       "The output " + path + " is of an unknown kind. Written are " +
         JoinTexts(GetOutputSuffixes()) + ".");
+  }
+  if (files == OutputFiles::Single && !format->WriteSingle)
+  {
+    throw ProgramError(
+      ExitCode::WrongArguments, "The output " + path + " is always several files.");
   }
 }
 
@@ -133,9 +146,11 @@ void CheckOutputFolder(const std::string& path)
   }
 }
 
-void WriteMesh(
-  vtkUnstructuredGrid* mesh, const std::string& path, vtkMultiProcessController* controller)
+void WriteMesh(vtkUnstructuredGrid* mesh, const std::string& path,
+  vtkMultiProcessController* controller, OutputFiles files)
 {
+  const Format& format = *FindFormat(path);
+  const Writer write = files == OutputFiles::Single ? format.WriteSingle : format.Write;
   ControllerRanks ranks(controller);
   VtkMessages messages;
   const VtkSilence silence(messages);
@@ -144,8 +159,7 @@ void WriteMesh(
     WorkInStage(ranks, ExitCode::UnwritableOutput,
       [&]
       {
-        if (!FindFormat(path)->Write(mesh, path.c_str(), controller, messages) ||
-          messages.HasErrors())
+        if (!write(mesh, path.c_str(), controller, messages) || messages.HasErrors())
         {
           throw std::runtime_error(messages.GetErrorText());
         }

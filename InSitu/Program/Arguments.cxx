@@ -1,5 +1,6 @@
 #include "Arguments.h"
 
+#include "FileSuffix.h"
 #include "MesherOptions.h"
 #include "ParseText.h"
 #include "ReadInput.h"
@@ -131,6 +132,52 @@ void TakeMaterials(Arguments& to, Words& words, const std::string& option)
   }
 }
 
+/// Three values with commas between them.
+template <class Value>
+Taker TakeThree(std::optional<std::array<Value, 3>> Arguments::*member, Value least, Value most,
+  std::function<std::optional<Value>(const std::string&, Value, Value)> parse, const char* what)
+{
+  return [=](Arguments& to, Words& words, const std::string& option)
+  {
+    const std::string text = words.TakeValue(option);
+    const std::vector<std::string> parts = SplitText(text);
+    std::array<Value, 3> values{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto value = parts.size() == 3 ? parse(parts[i], least, most) : std::nullopt;
+      if (!value)
+      {
+        Refuse(option + " takes three " + what + " with commas between them, not '" + text + "'.");
+      }
+      values[i] = *value;
+    }
+    to.*member = values;
+  };
+}
+
+Taker TakeDimensions()
+{
+  return TakeThree<int>(
+    &Arguments::Dimensions, 1, std::numeric_limits<int>::max() - 1, ParseCount, "numbers of cells");
+}
+
+Taker TakeLengths(
+  std::optional<std::array<double, 3>> Arguments::*member, double least, const char* what)
+{
+  return TakeThree<double>(member, least, std::numeric_limits<double>::max(), ParseNumber, what);
+}
+
+void TakeAxisOrder(Arguments& to, Words& words, const std::string& option)
+{
+  const std::string text = words.TakeValue(option);
+  to.AxisOrder = ParseChoice(text, { "xyz", "xzy", "yxz", "yzx", "zxy", "zyx" });
+  if (!to.AxisOrder)
+  {
+    Refuse(
+      option + " takes xyz, xzy, yxz, yzx, zxy or zyx, or its number from 0, not '" + text + "'.");
+  }
+}
+
 void TakeTets(Arguments& to, Words& words, const std::string&)
 {
   to.Tets = true;
@@ -163,6 +210,13 @@ const std::vector<Option>& Options()
   static const std::vector<Option> options{
     { "--input", "FILE", "what to mesh", TakeText(&Arguments::Input) },
     { "--output", "FILE", "where the mesh goes", TakeText(&Arguments::Output) },
+    { "--dimensions", "NX,NY,NZ", "numbers of cells of a .spn file", TakeDimensions() },
+    { "--origin", "X,Y,Z", "lower corner of a .spn or .npy file, default 0,0,0",
+      TakeLengths(&Arguments::Origin, std::numeric_limits<double>::lowest(), "numbers") },
+    { "--spacing", "X,Y,Z", "edges of its cells, default 1,1,1",
+      TakeLengths(&Arguments::Spacing, std::numeric_limits<double>::min(), "numbers above 0") },
+    { "--axis-order", "ORDER",
+      "its array's indices, xyz (default) to zyx, as Sculpt's spn_xyz_order", TakeAxisOrder },
     { "--fractions", "A,B,..", "cell arrays, the volume fraction of one material each",
       TakeNames(&Arguments::Fractions) },
     { "--labels", "ARRAY", "instead: integer cell array that names the material of each cell",
@@ -172,6 +226,11 @@ const std::vector<Option>& Options()
       TakeMaterials },
     { "--state", "A,B,..", "cell arrays that the elements carry along: velocity, temperature",
       TakeNames(&Arguments::State) },
+    { "--fragments", "FILE.csv", "a table of the fragments too: volumes, centroids, neighbours",
+      TakeText(&Arguments::Fragments) },
+    { "--density", "A,..",
+      "cell arrays of mass per volume, one or one a material, for masses in that table",
+      TakeNames(&Arguments::Densities) },
     { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
       TakeTets },
     { "--stairstep", "", "cells become elements, nothing moves", SetOption("StairStep", "on") },
@@ -179,11 +238,18 @@ const std::vector<Option>& Options()
     { "--no-smooth", "", "the same as --smooth Off", SetOption("Smoothing", "Off") },
     { "--iso", "V", "a cell filled less than this is void", TakeOption("IsoValue") },
     { "--void", "", "mesh the void too, as material 0", SetOption("MeshVoid", "on") },
+    { "--label-smoothing", "N",
+      "smooth the steps of labels by N passes of an average, 0 to 10; 2 or 3 do well",
+      TakeOption("LabelSmoothing") },
+    { "--minimum-region", "N", "regions of fewer than N cells go to what is around them",
+      TakeOption("MinimumRegionCells") },
     { "--refine", "N", "halve the cells N times before they are meshed, 0 to 3",
       TakeOption("Refinement") },
     { "--set", "Option=Value ..", "any option of the mesher, see below", TakeSettings },
     { "--step", "N", "which time of the input, from 0", TakeStep },
     { "--time", "T", "the time of the input nearest to T", TakeTime },
+    { "--single-file", "", "Exodus from several ranks as one file, which the first rank gathers",
+      [](Arguments& to, Words&, const std::string&) { to.SingleFile = true; } },
     { "--quiet", "", "no progress and no table",
       [](Arguments& to, Words&, const std::string&) { to.Quiet = true; } },
     { "--help", "", "this text",
@@ -211,6 +277,24 @@ bool IsGivenTwice(const std::string& name, std::set<std::string>& seen)
   return name != "--set" && !seen.insert(name == "--no-smooth" ? "--smooth" : name).second;
 }
 
+void CheckVoxels(const Arguments& from)
+{
+  const bool isText = HasSuffix(from.Input, ".spn");
+  if (isText && !from.Dimensions)
+  {
+    Refuse(
+      "The input " + from.Input + " does not tell its size: --dimensions NX,NY,NZ is missing.");
+  }
+  if (!isText && from.Dimensions)
+  {
+    Refuse("--dimensions is for .spn files.");
+  }
+  if (!isText && !HasSuffix(from.Input, ".npy") && (from.Origin || from.Spacing || from.AxisOrder))
+  {
+    Refuse("--origin, --spacing and --axis-order are for .spn and .npy files.");
+  }
+}
+
 void CheckMesh(const Arguments& from)
 {
   if (from.Input.empty() || from.Output.empty())
@@ -225,8 +309,25 @@ void CheckMesh(const Arguments& from)
   {
     Refuse("--step and --time exclude each other.");
   }
+  if (!from.Densities.empty() && from.Fragments.empty())
+  {
+    Refuse("--density is for the table of --fragments.");
+  }
   CheckInputSuffix(from.Input);
-  CheckOutputSuffix(from.Output);
+  CheckVoxels(from);
+  CheckOutputSuffix(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
+}
+
+/// Densities reach the table as arrays of the mesh.
+void AddDensities(Arguments& to)
+{
+  for (const std::string& name : to.Densities)
+  {
+    if (std::find(to.State.begin(), to.State.end(), name) == to.State.end())
+    {
+      to.State.push_back(name);
+    }
+  }
 }
 
 /// The test makes its own input and asks for hexahedra with defaults.
@@ -264,6 +365,7 @@ Examples
   sculptor --input impact.spcth --output impact.e
   mpiexec -n 8 sculptor --input splash.vti --fractions water --output splash.pvtu
   sculptor --input grains.vti --labels grain --tetmesh Lattice --output grains.e
+  sculptor --input grains.spn --dimensions 20,20,20 --spacing 0.1,0.1,0.1 --output grains.e
   sculptor --input parts.vti --material 2 --set TargetScaledJacobian=0.4 --output second.vtu
 )";
 
@@ -300,6 +402,7 @@ Arguments ParseArguments(const std::vector<std::string>& given)
   else
   {
     CheckMesh(arguments);
+    AddDensities(arguments);
   }
   return arguments;
 }
@@ -314,13 +417,17 @@ std::string GetHelp()
   {
     text += "  " + Padded(option.Name + " " + option.Value, 26) + option.Help + "\n";
   }
-  text += "\nInput: " + JoinTexts(GetInputSuffixes()) + "\n";
+  text += "\nInput: " + JoinTexts(GetInputSuffixes()) +
+    "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; of FILE.N.RANK any "
+    "one stands for all\n";
   text += "Output: " + JoinTexts(GetOutputSuffixes()) +
-    "\n  .vtu is one file, also from several ranks; Exodus from N ranks is one file a rank, "
-    "FILE.N.RANK\n";
+    "\n  .vtu and .inp (Abaqus, CalculiX) are one file, also from several ranks; Exodus from N "
+    "ranks is "
+    "one file a rank,\n  FILE.N.RANK\n";
   text += "Without --fractions and --labels: the arrays 'Material volume fraction - N', else all "
           "cell arrays of float,\n"
-          "double or unsigned char with values in [0, 1] (unsigned char: 0..255).\n";
+          "double or unsigned char with values in [0, 1] (unsigned char: 0..255), else the labels "
+          "'MaterialId'.\n";
   text += "sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL.\n";
   text += "\nOptions of the mesher, for --set\n";
   vtkNew<vtkVolumeFractionToTet> mesher;

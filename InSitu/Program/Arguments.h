@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +24,11 @@ struct Arguments
 {
   Command Task = Command::Mesh;
   std::string Input, Output;
+  std::optional<std::array<int, 3>> Dimensions;         ///< of voxels: cells along x, y and z
+  std::optional<std::array<double, 3>> Origin, Spacing; ///< of voxels
+  std::optional<int> AxisOrder;                         ///< of voxels, vfm::AxisOrder
+  std::string Fragments;                                ///< file of their table; empty: none
+  std::vector<std::string> Densities; ///< cell arrays, for the masses of fragments
   std::vector<std::string> Fractions; ///< cell arrays; empty: found in the input
   std::string Labels;                 ///< cell array; empty: fractions
   std::vector<std::string> Materials; ///< numbers or names of those to mesh; empty: all
@@ -31,6 +37,7 @@ struct Arguments
   std::vector<std::pair<std::string, std::string>> Options; ///< of the mesher, in their order
   std::optional<int> Step;                                  ///< of the input's times, from 0
   std::optional<double> Time;
+  bool SingleFile = false; ///< also from several ranks
   bool Quiet = false;
 };
 

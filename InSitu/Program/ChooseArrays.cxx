@@ -24,10 +24,17 @@ namespace
 
 constexpr double Tolerance = 1e-6; // outside of [0, 1], as the filter takes it
 constexpr std::size_t ListedLabels = 20;
+constexpr const char* LabelsName = "MaterialId"; // as readers of voxels, and the meshes, name them
 
 bool Lists(const std::vector<std::string>& names, const std::string& name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool IsMaterialId(const ArrayInfo& array)
+{
+  return array.Name == LabelsName && array.Components == 1 && array.Type != VTK_FLOAT &&
+    array.Type != VTK_DOUBLE;
 }
 
 bool IsFraction(const ArrayInfo& array)
@@ -57,7 +64,7 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
 }
 
 /// state: arrays that are taken for no fractions because they are asked for as states.
-ChosenArrays FindFractions(
+ChosenArrays FindMaterials(
   const std::vector<ArrayInfo>& arrays, const std::vector<std::string>& state)
 {
   ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", state,
@@ -67,11 +74,15 @@ ChosenArrays FindFractions(
     chosen.How = "all cell arrays with values in [0, 1]";
     for (const ArrayInfo& array : arrays)
     {
-      if (IsFraction(array) && !Lists(state, array.Name))
+      if (IsFraction(array) && !IsMaterialId(array) && !Lists(state, array.Name))
       {
         chosen.Fractions.push_back(array.Name);
       }
     }
+  }
+  if (chosen.Fractions.empty() && std::any_of(arrays.begin(), arrays.end(), IsMaterialId))
+  {
+    return { {}, LabelsName, state, "labels" };
   }
   if (chosen.Fractions.empty())
   {
@@ -222,7 +233,7 @@ ChosenArrays ChooseArrays(vtkDataObject* data, const Arguments& arguments, Ranks
   {
     return { arguments.Fractions, "", arguments.State, "as asked" };
   }
-  return FindFractions(FindCellArrays(data, ranks), arguments.State);
+  return FindMaterials(FindCellArrays(data, ranks), arguments.State);
 }
 
 void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,

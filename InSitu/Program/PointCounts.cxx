@@ -1,5 +1,7 @@
 #include "PointCounts.h"
 
+#include "ExchangeAll.h"
+
 #include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
@@ -57,21 +59,16 @@ std::vector<PartPoint> DealPoints(const std::vector<PartPoint>& own, Ranks& rank
   {
     shares[point.Id % ranks.Count()].push_back(point);
   }
-  std::vector<int> peers;
-  std::vector<Bytes> outgoing;
-  for (int rank = 0; rank < ranks.Count(); ++rank)
+  std::vector<Bytes> messages;
+  for (const std::vector<PartPoint>& share : shares)
   {
-    if (rank != ranks.Rank())
-    {
-      peers.push_back(rank);
-      outgoing.push_back(ToBytes(shares[rank]));
-    }
+    messages.push_back(ToBytes(share));
   }
-  std::vector<PartPoint> mine = std::move(shares[ranks.Rank()]);
-  for (const Bytes& bytes : ranks.Exchange(peers, outgoing))
+  std::vector<PartPoint> mine;
+  for (const Bytes& bytes : ExchangeAll(std::move(messages), ranks))
   {
-    const std::vector<PartPoint> more = FromBytes<PartPoint>(bytes);
-    mine.insert(mine.end(), more.begin(), more.end());
+    const std::vector<PartPoint> some = FromBytes<PartPoint>(bytes);
+    mine.insert(mine.end(), some.begin(), some.end());
   }
   Tidy(mine);
   return mine;

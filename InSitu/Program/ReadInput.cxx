@@ -1,15 +1,17 @@
 #include "ReadInput.h"
 
+#include "ExodusInput.h"
 #include "FileSuffix.h"
 #include "ParseText.h"
+#include "ReaderSteps.h"
+#include "Runtime.h"
 #include "SpyPlotInput.h"
 #include "Stage.h"
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
-#include "vtkInformation.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVolumeFractionVoxelReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
@@ -18,20 +20,15 @@
 #include "vtkXMLUniformGridAMRReader.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cmath>
-#include <cstring>
-#include <fstream>
+#include <cstdio>
+#include <fcntl.h>
 #include <functional>
-#include <iostream>
-#include <sstream>
+#include <unistd.h>
 
 namespace vfm
 {
 namespace
 {
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 struct Format
 {
@@ -59,6 +56,26 @@ vtkSmartPointer<vtkAlgorithm> MakeAmrReader(const Arguments& arguments)
   return reader;
 }
 
+vtkSmartPointer<vtkAlgorithm> MakeVoxelReader(const Arguments& arguments)
+{
+  auto reader = vtkSmartPointer<vtkVolumeFractionVoxelReader>::New();
+  reader->SetFileName(arguments.Input.c_str());
+  if (arguments.Dimensions)
+  {
+    reader->SetDimensions(arguments.Dimensions->data());
+  }
+  if (arguments.Origin)
+  {
+    reader->SetOrigin(arguments.Origin->data());
+  }
+  if (arguments.Spacing)
+  {
+    reader->SetSpacing(arguments.Spacing->data());
+  }
+  reader->SetAxisOrder(arguments.AxisOrder.value_or(reader->GetAxisOrder()));
+  return reader;
+}
+
 const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats = []
@@ -71,10 +88,12 @@ const std::vector<Format>& Formats()
       MakeFormat<vtkXMLMultiBlockDataReader>(".vtm"),
       { ".vthb", MakeAmrReader },
       { ".vth", MakeAmrReader },
+      { ".spn", MakeVoxelReader },
+      { ".npy", MakeVoxelReader },
     };
     if (HasSpyPlotReader())
     {
-      list.push_back({ ".spcth", MakeSpyPlotReader });
+      list.push_back({ SpyPlotSuffix, MakeSpyPlotReader });
     }
     return list;
   }();
@@ -89,75 +108,41 @@ const Format* FindFormat(const std::string& path)
   return found == formats.end() ? nullptr : &*found;
 }
 
-[[noreturn]] void Refuse(const std::string& message)
+/// Does a check, the errors of which do not name the input.
+void CheckInput(const std::string& path, const std::function<void()>& check)
 {
-  throw ProgramError(ExitCode::UnreadableInput, message);
-}
-
-void CheckFile(const std::string& path)
-{
-  std::ifstream file(path);
-  file.peek(); // folders open, but cannot be read
-  if (!file)
+  try
   {
-    Refuse("Cannot read the input " + path + ": " +
-      (errno ? std::strerror(errno) : "the file is empty") + ".");
+    check();
+  }
+  catch (const InputError& error)
+  {
+    RefuseInput("Cannot read the input " + path + ": " + error.what());
   }
 }
 
-std::vector<double> GetTimes(vtkAlgorithm* reader)
-{
-  vtkInformation* info = reader->GetOutputInformation(0);
-  const double* times = info->Get(Pipeline::TIME_STEPS());
-  return times ? std::vector<double>(times, times + info->Length(Pipeline::TIME_STEPS()))
-               : std::vector<double>();
-}
-
-/// Nothing where the file has no times.
-std::optional<double> ChooseTime(const Arguments& arguments, const std::vector<double>& times)
-{
-  const std::size_t step = arguments.Step.value_or(0);
-  if (step >= std::max<std::size_t>(times.size(), 1))
-  {
-    Refuse("The input " + arguments.Input + " has no step " + std::to_string(step) + ": it has " +
-      std::to_string(std::max<std::size_t>(times.size(), 1)) + ", counted from 0.");
-  }
-  if (times.empty())
-  {
-    if (arguments.Time)
-    {
-      Refuse("The input " + arguments.Input + " has no times, so --time cannot choose one.");
-    }
-    return std::nullopt;
-  }
-  if (!arguments.Time)
-  {
-    return times[step];
-  }
-  return *std::min_element(times.begin(), times.end(),
-    [&arguments](double a, double b)
-    { return std::abs(a - *arguments.Time) < std::abs(b - *arguments.Time); });
-}
-
-void CheckErrors(const VtkMessages& messages, const std::string& path)
-{
-  if (messages.HasErrors())
-  {
-    Refuse("Cannot read the input " + path + ": " + messages.GetErrorText());
-  }
-}
-
-/// While this lives std::cerr prints nothing: there VTK's AMR data sets warn where a rank has no blocks of a SpyPlot file.
-class QuietCerr
+/// While this lives nothing is written to the standard error: VTK's AMR data sets warn there where a rank has no blocks of a
+/// SpyPlot file, the Exodus library tells in many lines what the reader's message tells in one.
+class QuietStandardError
 {
 public:
-  QuietCerr() = default;
-  ~QuietCerr() { std::cerr.rdbuf(this->Buffer); }
-  QuietCerr(const QuietCerr&) = delete;
-  QuietCerr& operator=(const QuietCerr&) = delete;
+  QuietStandardError() : Kept(dup(STDERR_FILENO))
+  {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDERR_FILENO);
+    close(nowhere);
+  }
+  ~QuietStandardError()
+  {
+    std::fflush(stderr);
+    dup2(this->Kept, STDERR_FILENO);
+    close(this->Kept);
+  }
+  QuietStandardError(const QuietStandardError&) = delete;
+  QuietStandardError& operator=(const QuietStandardError&) = delete;
 
 private:
-  std::streambuf* Buffer = std::cerr.rdbuf(nullptr);
+  int Kept;
 };
 
 } // namespace
@@ -169,12 +154,14 @@ std::vector<std::string> GetInputSuffixes()
   {
     suffixes.emplace_back(format.Suffix);
   }
+  const std::vector<std::string> exodus = GetExodusSuffixes();
+  suffixes.insert(suffixes.end(), exodus.begin(), exodus.end());
   return suffixes;
 }
 
 void CheckInputSuffix(const std::string& path)
 {
-  if (!FindFormat(path))
+  if (!FindFormat(path) && !IsExodusFile(path))
   {
     throw ProgramError(ExitCode::WrongArguments,
       "The input " + path + " is of an unknown kind. Read are " + JoinTexts(GetInputSuffixes()) +
@@ -186,30 +173,37 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
 {
   VtkMessages messages;
   const VtkSilence silence(messages);
-  const QuietCerr quiet;
+  const QuietStandardError quiet;
+  if (IsExodusFile(arguments.Input))
+  {
+    return ReadExodus(arguments, messages, ranks);
+  }
   vtkSmartPointer<vtkAlgorithm> reader;
+  std::vector<SpyPlotFile> files; // of this rank
   Input input;
   WorkInStage(ranks, ExitCode::UnreadableInput,
     [&]
     {
-      CheckFile(arguments.Input);
+      CheckInputFile(arguments.Input);
+      CheckInput(
+        arguments.Input, [&] { files = OpenSpyPlotFiles(arguments, ranks.Rank(), ranks.Count()); });
       reader = FindFormat(arguments.Input)->MakeReader(arguments);
       messages.Watch(reader);
-      const std::string problem = ranks.Rank() > 0 ? "" : FindSpyPlotProblem(reader, arguments);
-      if (!problem.empty())
-      {
-        Refuse("Cannot read the input " + arguments.Input + ": " + problem +
-          (messages.HasErrors() ? " " + messages.GetErrorText() : ""));
-      }
     });
   WorkInStage(ranks, ExitCode::UnreadableInput,
     [&]
     {
       reader->UpdateInformation();
-      CheckErrors(messages, arguments.Input);
+      CheckReaderErrors(messages, arguments.Input);
       input.Time = ChooseTime(arguments, GetTimes(reader));
     });
   ChooseSpyPlotArrays(reader, arguments, ranks);
+  WorkInStage(ranks, ExitCode::UnreadableInput,
+    [&]
+    {
+      CheckInput(
+        arguments.Input, [&] { CheckSpyPlotArrays(files, input.Time.value_or(0.0), arguments); });
+    });
   WorkInStage(ranks, ExitCode::UnreadableInput,
     [&]
     {
@@ -221,7 +215,7 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
       {
         reader->UpdatePiece(ranks.Rank(), ranks.Count(), 0);
       }
-      CheckErrors(messages, arguments.Input);
+      CheckReaderErrors(messages, arguments.Input);
       input.Data = reader->GetOutputDataObject(0);
     });
   return input;

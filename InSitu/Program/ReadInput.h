@@ -5,23 +5,13 @@
 
 #include "Arguments.h"
 #include "Ranks.h"
+#include "ReaderSteps.h"
 
-#include "vtkSmartPointer.h"
-
-#include <optional>
 #include <string>
 #include <vector>
 
-class vtkDataObject;
-
 namespace vfm
 {
-
-struct Input
-{
-  vtkSmartPointer<vtkDataObject> Data; ///< of this rank
-  std::optional<double> Time;          ///< of the step that was read, where the file has times
-};
 
 /// Such as ".vti".
 std::vector<std::string> GetInputSuffixes();

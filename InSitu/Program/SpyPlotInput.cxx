@@ -1,18 +1,19 @@
 #include "SpyPlotInput.h"
 
+#include "FileSuffix.h"
+#include "Runtime.h"
+
 #include "vtkAlgorithm.h"
 
 #include <algorithm>
-
-#ifdef VFM_HAS_SPYPLOT
-#include "vtkDataArraySelection.h"
-#include "vtkNew.h"
-#include "vtkSpyPlotReader.h"
-#include "vtkSpyPlotUniReader.h"
-
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+
+#ifdef VFM_HAS_SPYPLOT
+#include "vtkSpyPlotReader.h"
+
+#include <cstring>
 #endif
 
 namespace vfm
@@ -20,9 +21,6 @@ namespace vfm
 namespace
 {
 
-constexpr const char* FractionPrefix = "Material volume fraction - ";
-
-#ifdef VFM_HAS_SPYPLOT
 bool IsWanted(const std::string& name, const Arguments& arguments)
 {
   const auto lists = [&name](const std::vector<std::string>& names)
@@ -39,48 +37,80 @@ std::vector<std::string> FindFiles(const std::string& path)
   std::ifstream stream(path, std::ios::binary);
   std::string line;
   std::getline(stream, line);
-  std::vector<std::string> files;
   if (line.compare(0, 7, "spydata") == 0)
   {
-    files.push_back(path);
+    return { path };
   }
-  else if (line.compare(0, 7, "spycase") == 0)
+  if (line.compare(0, 7, "spycase") != 0)
   {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    while (std::getline(stream, line))
+    throw InputError("it is no SpyPlot file: it begins neither with spycase nor with spydata.");
+  }
+  std::vector<std::string> files;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  while (std::getline(stream, line))
+  {
+    line.resize(line.size() - (!line.empty() && line.back() == '\r'));
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (!line.empty() && begin == std::string::npos)
     {
-      const std::size_t begin = std::min(line.find_first_not_of(" \t\r"), line.size());
-      line = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
-      if (!line.empty() && line[0] != '#')
-      {
-        files.push_back((folder / line).string());
-      }
+      throw InputError("a line of it holds blanks only, which ParaView's reader cannot read.");
     }
+    if (!line.empty() && line[begin] != '#')
+    {
+      line = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+      files.push_back((folder / line).string());
+    }
+  }
+  if (files.empty())
+  {
+    throw InputError("it names no files.");
   }
   return files;
 }
-
-/// How many times a binary file holds; 0 when it cannot be read, VTK's messages tell why.
-int CountTimes(const std::string& file)
-{
-  vtkNew<vtkDataArraySelection> selection;
-  auto reader = vtkSmartPointer<vtkSpyPlotUniReader>::New();
-  reader->SetCellArraySelection(selection);
-  reader->SetFileName(file.c_str());
-  if (!reader->ReadInformation())
-  {
-    reader->Register(nullptr); // lives on: its destructor trips over what it has read in part
-    return 0;
-  }
-  return reader->GetTimeStepRange()[1] + 1;
-}
-#endif
 
 } // namespace
 
 bool IsSpyPlotFraction(const std::string& name)
 {
-  return name.compare(0, std::string(FractionPrefix).size(), FractionPrefix) == 0;
+  // "Material volume fraction - 1", of newer files "Volume Fraction - 1"; these ParaView's reader takes for fractions.
+  static const std::regex pattern(".*[vV]olume [fF]raction - [0-9]+");
+  return std::regex_match(name, pattern);
+}
+
+std::vector<SpyPlotFile> OpenSpyPlotFiles(const Arguments& arguments, int rank, int ranks)
+{
+  std::vector<SpyPlotFile> mine;
+  if (!HasSuffix(arguments.Input, SpyPlotSuffix))
+  {
+    return mine;
+  }
+  const std::vector<std::string> files = FindFiles(arguments.Input);
+  const SpyPlotFile first(files[0]);
+  for (std::size_t f = rank; f < files.size(); f += ranks)
+  {
+    mine.emplace_back(files[f]);
+    if (mine.back().Times() != first.Times())
+    {
+      throw InputError(
+        "its files hold different times, see " + files[0] + " and " + files[f] + ".");
+    }
+    if (mine.back().Names() != first.Names())
+    {
+      throw InputError(
+        "its files hold different arrays, see " + files[0] + " and " + files[f] + ".");
+    }
+  }
+  return mine;
+}
+
+void CheckSpyPlotArrays(
+  const std::vector<SpyPlotFile>& files, double time, const Arguments& arguments)
+{
+  for (const SpyPlotFile& file : files)
+  {
+    file.CheckArrays(
+      time, [&arguments](const std::string& name) { return IsWanted(name, arguments); });
+  }
 }
 
 #ifdef VFM_HAS_SPYPLOT
@@ -97,31 +127,6 @@ vtkSmartPointer<vtkAlgorithm> MakeSpyPlotReader(const Arguments& arguments)
   reader->SetFileName(std::filesystem::absolute(arguments.Input).c_str());
   reader->SetMergeXYZComponents(0); // arrays keep the names that the user reads in the file
   return reader;
-}
-
-std::string FindSpyPlotProblem(vtkAlgorithm* algorithm, const Arguments& arguments)
-{
-  if (!vtkSpyPlotReader::SafeDownCast(algorithm))
-  {
-    return "";
-  }
-  const std::vector<std::string> files = FindFiles(arguments.Input);
-  int first = 0; // number of times in the first file
-  for (const std::string& file : files)
-  {
-    const int times = CountTimes(file);
-    first = first ? first : times;
-    if (times == 0)
-    {
-      return "the file " + file + " that it names is missing or damaged.";
-    }
-    if (times != first)
-    {
-      return "its files hold different times, " + file + " " + std::to_string(times) + " and " +
-        files[0] + " " + std::to_string(first) + ".";
-    }
-  }
-  return files.empty() ? "it names no files." : "";
 }
 
 void ChooseSpyPlotArrays(vtkAlgorithm* algorithm, const Arguments& arguments, Ranks& ranks)
@@ -156,11 +161,6 @@ bool HasSpyPlotReader()
 vtkSmartPointer<vtkAlgorithm> MakeSpyPlotReader(const Arguments&)
 {
   return nullptr;
-}
-
-std::string FindSpyPlotProblem(vtkAlgorithm*, const Arguments&)
-{
-  return "";
 }
 
 void ChooseSpyPlotArrays(vtkAlgorithm*, const Arguments&, Ranks&) {}

@@ -5,28 +5,36 @@
 
 #include "Arguments.h"
 #include "Ranks.h"
+#include "SpyPlotFile.h"
 
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 
 namespace vfm
 {
 
+constexpr const char* SpyPlotSuffix = ".spcth";
+
 bool HasSpyPlotReader();
 
 /// Whether an array of that name is the volume fraction of a material in a SpyPlot file.
 bool IsSpyPlotFraction(const std::string& name);
 
+/// On one rank, before all read: the share of this rank in the binary files of a case, checked. Throws InputError when one is
+/// missing, damaged, or holds other times or arrays than the first: ParaView's reader would crash or leave out blocks, and
+/// does not tell the other ranks. Empty for inputs of other kinds.
+std::vector<SpyPlotFile> OpenSpyPlotFiles(const Arguments& arguments, int rank, int ranks);
+
+/// On one rank: checks the values of what ChooseSpyPlotArrays() chooses. Throws InputError.
+void CheckSpyPlotArrays(
+  const std::vector<SpyPlotFile>& files, double time, const Arguments& arguments);
+
 /// Only where HasSpyPlotReader().
 vtkSmartPointer<vtkAlgorithm> MakeSpyPlotReader(const Arguments& arguments);
-
-/// On one rank: what is wrong with the files of a case, or an empty text, before all ranks read them: the reader crashes
-/// or leaves out blocks when one of several files is bad, and does not tell the other ranks when the first one is. Empty
-/// for readers of other files. VTK's messages tell more.
-std::string FindSpyPlotProblem(vtkAlgorithm* reader, const Arguments& arguments);
 
 /// Collective: has the reader, when it is one of SpyPlot files, read the arrays of the arguments, or the volume fractions,
 /// and no others, and not as bytes. Its information must be up to date.

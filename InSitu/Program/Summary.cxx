@@ -1,6 +1,7 @@
 #include "Summary.h"
 
-#include "ElementVolumes.h"
+#include "Agreement.h"
+#include "ElementMoments.h"
 #include "ExactSum.h"
 #include "PointCounts.h"
 
@@ -44,9 +45,10 @@ struct PartSums
   ExactSum Quality, Volume; ///< volumes in units of the mean element of the mesh
 };
 
-/// The parts of this rank's elements; volumes, partOf: of each element, parts from 0.
-std::vector<PartSums> SumParts(vtkUnstructuredGrid* mesh, const std::vector<double>& volumes,
-  const std::vector<int>& partOf, std::size_t numberOfParts, double unit)
+/// The parts of this rank's elements; moments, partOf: of each element, parts from 0.
+std::vector<PartSums> SumParts(vtkUnstructuredGrid* mesh,
+  const std::vector<ElementMoments>& moments, const std::vector<int>& partOf,
+  std::size_t numberOfParts, double unit)
 {
   std::vector<PartSums> parts(numberOfParts);
   vtkDataArray* quality = mesh->GetCellData()->GetArray("ScaledJacobian");
@@ -57,7 +59,7 @@ std::vector<PartSums> SumParts(vtkUnstructuredGrid* mesh, const std::vector<doub
     const vtkIdType id = static_cast<vtkIdType>(e);
     ++part.Elements;
     part.Material = static_cast<int>(material->GetComponent(id, 0));
-    part.Volume.Add(volumes[e] / unit);
+    part.Volume.Add(moments[e].Volume / unit);
     if (quality)
     {
       part.Minimum = std::min(part.Minimum, quality->GetComponent(id, 0));
@@ -85,12 +87,7 @@ std::vector<PartSummary> UniteParts(
   ranks.Sum(elements);
   const std::vector<double> qualities = SumOverRanks(quality, ranks);
   const std::vector<double> volumes = SumOverRanks(volume, ranks);
-  for (const Bytes& bytes : ranks.Gather(ToBytes(extremes)))
-  {
-    const std::vector<double> others = FromBytes<double>(bytes);
-    std::transform(others.begin(), others.end(), extremes.begin(), extremes.begin(),
-      [](double a, double b) { return std::max(a, b); });
-  }
+  MaxOfEach(extremes, ranks);
   std::vector<PartSummary> united(parts.size());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
@@ -106,10 +103,10 @@ std::vector<PartSummary> UniteParts(
 
 /// The parts of a mesh that a number of each element tells.
 std::vector<PartSummary> SummariseParts(vtkUnstructuredGrid* mesh,
-  const std::vector<double>& volumes, const std::vector<int>& partOf, std::size_t numberOfParts,
-  double unit, Ranks& ranks)
+  const std::vector<ElementMoments>& moments, const std::vector<int>& partOf,
+  std::size_t numberOfParts, double unit, Ranks& ranks)
 {
-  return UniteParts(SumParts(mesh, volumes, partOf, numberOfParts, unit),
+  return UniteParts(SumParts(mesh, moments, partOf, numberOfParts, unit),
     CountPoints(mesh, partOf, numberOfParts, ranks), unit, ranks);
 }
 
@@ -160,20 +157,20 @@ MeshSummary Summarise(vtkUnstructuredGrid* mesh, Ranks& ranks)
   const std::vector<double> ids = GetField(mesh, "MaterialIds");
   const double unit = FindUnit(GetField(mesh, "MeshVolume"), mesh->GetNumberOfCells(), ranks);
   const auto fragments = static_cast<std::size_t>(GetNumber(mesh, "NumberOfFragments"));
-  const std::vector<double> volumes = FindElementVolumes(mesh);
+  const std::vector<ElementMoments> moments = FindElementMoments(mesh);
   MeshSummary summary;
   summary.IsTets = mesh->GetFieldData()->HasArray("RefusedParts");
   summary.HasQuality = mesh->GetFieldData()->HasArray("MinimumScaledJacobian");
-  summary.Materials = SummariseParts(mesh, volumes,
+  summary.Materials = SummariseParts(mesh, moments,
     FindParts(mesh, "MaterialId",
       [&ids](int id)
       { return static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()); }),
     ids.size(), unit, ranks);
   NameMaterials(mesh, ids, summary.Materials);
-  summary.Fragments = SummariseParts(mesh, volumes,
+  summary.Fragments = SummariseParts(mesh, moments,
     FindParts(mesh, "FragmentId", [](int id) { return id - 1; }), fragments, unit, ranks);
   summary.Total =
-    SummariseParts(mesh, volumes, std::vector<int>(mesh->GetNumberOfCells(), 0), 1, unit, ranks)[0];
+    SummariseParts(mesh, moments, std::vector<int>(mesh->GetNumberOfCells(), 0), 1, unit, ranks)[0];
   for (const PartSummary& material : summary.Materials)
   {
     summary.Total.TargetVolume += material.TargetVolume;

@@ -5,16 +5,22 @@
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
 #include "ControllerRanks.h"
+#include "FragmentTable.h"
 #include "MakeMesh.h"
 #include "ParseText.h"
 #include "ReadInput.h"
+#include "Runtime.h"
 #include "Stage.h"
 #include "Summary.h"
 #include "WriteMesh.h"
+#include "WriteTable.h"
 
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
 #include "vtkMPI.h"
 #include "vtkMPIController.h"
 #include "vtkNew.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
@@ -58,19 +64,61 @@ void PrintHead(const Arguments& arguments, const Input& input, const ChosenArray
             << arrays.How << ")\n\n";
 }
 
+void WriteFragments(vtkUnstructuredGrid* mesh, const Arguments& arguments, Ranks& ranks)
+{
+  if (arguments.Fragments.empty())
+  {
+    return;
+  }
+  vtkNew<vtkTable> table;
+  WorkInStage(ranks, ExitCode::UnreadableInput,
+    [&] { MakeFragmentTable(mesh, arguments.Densities, ranks, table); });
+  WorkInStage(ranks, ExitCode::UnwritableOutput,
+    [&]
+    {
+      if (ranks.Rank() > 0)
+      {
+        return;
+      }
+      try
+      {
+        WriteTable(table, arguments.Fragments);
+      }
+      catch (const InputError& error)
+      {
+        throw InputError(
+          "Cannot write the table " + arguments.Fragments + ": " + error.what() + ".");
+      }
+    });
+}
+
 void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
 {
   ControllerRanks ranks(controller);
   StageTimes times(ranks);
   const auto mesher = MakeMesher(arguments);
-  WorkInStage(ranks, ExitCode::UnwritableOutput, [&] { CheckOutputFolder(arguments.Output); });
+  WorkInStage(ranks, ExitCode::UnwritableOutput,
+    [&]
+    {
+      CheckOutputFolder(arguments.Output);
+      if (!arguments.Fragments.empty())
+      {
+        CheckOutputFolder(arguments.Fragments);
+      }
+    });
   const Input input = ReadInput(arguments, ranks);
   const ChosenArrays arrays = ChooseArrays(input.Data, arguments, ranks);
   KeepMaterials(input.Data, arrays, arguments.Materials, ranks);
   times.Add("read");
   const auto mesh = MakeMesh(*mesher, input.Data, arrays, arguments.Quiet, controller);
+  if (input.Time)
+  {
+    mesh->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *input.Time);
+  }
   times.Add("mesh");
-  WriteMesh(mesh, arguments.Output, controller);
+  WriteMesh(mesh, arguments.Output, controller,
+    arguments.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
+  WriteFragments(mesh, arguments, ranks);
   times.Add("write");
   if (!arguments.Quiet)
   {

@@ -1,0 +1,332 @@
+#include "ExodusInput.h"
+
+#include "Agreement.h"
+#include "FileSuffix.h"
+#include "InputGrids.h"
+#include "NetcdfHeader.h"
+#include "ParseText.h"
+#include "Stage.h"
+#include "VtkMessages.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataArraySelection.h"
+#include "vtkDataSet.h"
+#include "vtkIOSSReader.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <regex>
+#include <set>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr const char* BlockIds = "object_id"; // of the element blocks, as the reader calls it
+
+struct DecomposedName
+{
+  std::string Base; // FILE of FILE.N.RANK
+  int Count;        // N
+  std::string CountText;
+  std::size_t RankDigits; // ranks may begin with zeros
+};
+
+/// Nothing for the name of a file that is alone.
+std::optional<DecomposedName> ParseDecomposedName(const std::string& path)
+{
+  static const std::regex pattern("(.+)\\.([0-9]{1,6})\\.([0-9]{1,6})");
+  std::smatch match;
+  if (!std::regex_match(path, match, pattern))
+  {
+    return std::nullopt;
+  }
+  const int count = std::stoi(match[2]), rank = std::stoi(match[3]);
+  if (rank >= count)
+  {
+    return std::nullopt;
+  }
+  return DecomposedName{ match[1], count, match[2], match[3].str().size() };
+}
+
+std::vector<std::string> FindFiles(const std::string& path)
+{
+  const auto name = ParseDecomposedName(path);
+  if (!name)
+  {
+    return { path };
+  }
+  std::vector<std::string> files;
+  for (int f = 0; f < name->Count; ++f)
+  {
+    const std::string rank = std::to_string(f);
+    const std::size_t zeros = name->RankDigits - std::min(name->RankDigits, rank.size());
+    files.push_back(name->Base + "." + name->CountText + "." + std::string(zeros, '0') + rank);
+  }
+  return files;
+}
+
+/// VTK's reader reads what is cut off as zeros, and nothing of a file with fewer times than the first.
+void CheckWhole(const std::string& path, const std::string& first)
+{
+  const auto header = ReadNetcdfHeader(path), other = ReadNetcdfHeader(first);
+  if (header && static_cast<std::int64_t>(std::filesystem::file_size(path)) < header->Size)
+  {
+    RefuseInput("Cannot read the input " + path + ": the file is cut off or damaged.");
+  }
+  if (header && other && header->Records != other->Records)
+  {
+    RefuseInput("Cannot read the input " + path + ": it holds " + std::to_string(header->Records) +
+      " times, but " + first + " holds " + std::to_string(other->Records) + ".");
+  }
+}
+
+/// Of one file. first: of those that belong together, the only one whose times VTK's reader takes.
+vtkSmartPointer<vtkIOSSReader> MakeReader(
+  const std::string& file, const std::string& first, bool readsBlockIds)
+{
+  auto reader = vtkSmartPointer<vtkIOSSReader>::New();
+  reader->SetController(nullptr); // ranks do not wait for each other when one of their files is bad
+  reader->SetDatabaseTypeOverride("exodusII");
+  reader->ScanForRelatedFilesOff();
+  reader->AddProperty("ENABLE_FIELD_RECOGNITION", "OFF"); // names stay those in the file
+  reader->ApplyDisplacementsOff();
+  reader->ReadGlobalFieldsOff();
+  reader->ReadQAAndInformationRecordsOff();
+  reader->SetReadIds(readsBlockIds);
+  reader->AddFileName(first.c_str());
+  if (file != first)
+  {
+    reader->AddFileName(file.c_str());
+  }
+  return reader;
+}
+
+/// The files of a rank and their readers.
+class ExodusFiles
+{
+public:
+  ExodusFiles(const Arguments& from, VtkMessages& messages) : From(from), Messages(messages)
+  {
+    const auto asksFor = [](const std::vector<std::string>& names)
+    { return std::find(names.begin(), names.end(), BlockIds) != names.end(); };
+    this->ReadsBlockIds = from.Labels == BlockIds || asksFor(from.State);
+  }
+
+  /// Reads what files hold. first: of those of all ranks.
+  void Open(const std::vector<std::string>& paths, const std::string& first)
+  {
+    for (const std::string& path : paths)
+    {
+      CheckWhole(path, first);
+      this->Paths.push_back(path);
+      this->Readers.push_back(MakeReader(path, first, this->ReadsBlockIds));
+      this->Messages.Watch(this->Readers.back());
+      this->Readers.back()->UpdateInformation();
+      CheckReaderErrors(this->Messages, path);
+    }
+  }
+
+  /// None on a rank without files.
+  std::vector<double> FindTimes() const
+  {
+    return this->Readers.empty() ? std::vector<double>() : GetTimes(this->Readers[0]);
+  }
+
+  /// The element variables of all files, each name ended by a zero.
+  Bytes CollectNames() const
+  {
+    Bytes names;
+    for (vtkIOSSReader* reader : this->Readers)
+    {
+      vtkDataArraySelection* fields = reader->GetElementBlockFieldSelection();
+      for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+      {
+        const std::string name = fields->GetArrayName(i);
+        names.insert(names.end(), name.c_str(), name.c_str() + name.size() + 1);
+      }
+    }
+    return names;
+  }
+
+  /// The element blocks, with the variables of these names.
+  vtkSmartPointer<vtkDataObject> Read(
+    const std::vector<std::string>& names, const std::optional<double>& time)
+  {
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    for (std::size_t f = 0; f < this->Readers.size(); ++f)
+    {
+      vtkIOSSReader* reader = this->Readers[f];
+      reader->GetNodeBlockFieldSelection()->DisableAllArrays();
+      reader->GetElementBlockFieldSelection()->DisableAllArrays();
+      for (const std::string& name : names)
+      {
+        reader->GetElementBlockFieldSelection()->EnableArray(name.c_str());
+      }
+      const int pieces = reader->GetNumberOfFileNames(); // the last is that of the file
+      if (time)
+      {
+        reader->UpdateTimeStep(*time, pieces - 1, pieces);
+      }
+      else
+      {
+        reader->UpdatePiece(pieces - 1, pieces, 0);
+      }
+      CheckReaderErrors(this->Messages, this->Paths[f]);
+      for (vtkDataSet* grid : GetGrids(reader->GetOutputDataObject(0)))
+      {
+        blocks->SetBlock(blocks->GetNumberOfBlocks(), grid);
+      }
+    }
+    return blocks;
+  }
+
+private:
+  const Arguments& From;
+  VtkMessages& Messages;
+  bool ReadsBlockIds;
+  std::vector<std::string> Paths;
+  std::vector<vtkSmartPointer<vtkIOSSReader>> Readers;
+};
+
+/// Those of a rank: ranks that follow on each other have files that follow on each other.
+std::vector<std::string> DealFiles(const std::vector<std::string>& paths, Ranks& ranks)
+{
+  const auto begin = [&](int rank)
+  { return paths.begin() + (paths.size() * rank + ranks.Count() - 1) / ranks.Count(); };
+  return { begin(ranks.Rank()), begin(ranks.Rank() + 1) };
+}
+
+/// Collective: the times of the files.
+std::vector<double> AgreeOnTimes(const ExodusFiles& files, Ranks& ranks)
+{
+  for (const Bytes& bytes : ranks.Gather(ToBytes(files.FindTimes())))
+  {
+    if (!bytes.empty())
+    {
+      return FromBytes<double>(bytes);
+    }
+  }
+  return {};
+}
+
+/// Collective: the element variables that any file has.
+std::vector<std::string> UniteNames(const ExodusFiles& files, Ranks& ranks)
+{
+  std::set<std::string> names;
+  for (const Bytes& bytes : ranks.Gather(files.CollectNames()))
+  {
+    for (auto at = bytes.begin(); at != bytes.end();)
+    {
+      const auto end = std::find(at, bytes.end(), '\0');
+      names.emplace(at, end);
+      at = end + 1;
+    }
+  }
+  return { names.begin(), names.end() };
+}
+
+/// The names of the arguments, or all where they name no materials.
+std::vector<std::string> ChooseNames(
+  const Arguments& arguments, const std::vector<std::string>& known)
+{
+  std::vector<std::string> asked = arguments.Fractions;
+  asked.insert(asked.end(), arguments.State.begin(), arguments.State.end());
+  if (!arguments.Labels.empty())
+  {
+    asked.push_back(arguments.Labels);
+  }
+  for (const std::string& name : asked)
+  {
+    if (name != BlockIds && !std::binary_search(known.begin(), known.end(), name))
+    {
+      RefuseInput("The input " + arguments.Input + " has no element variable '" + name +
+        "'. It has: " + (known.empty() ? "none" : JoinTexts(known)) + ".");
+    }
+  }
+  return arguments.Fractions.empty() && arguments.Labels.empty() ? known : asked;
+}
+
+/// The values as integers, or null when one is not.
+vtkSmartPointer<vtkIntArray> MakeLabels(vtkDataArray* array)
+{
+  auto labels = vtkSmartPointer<vtkIntArray>::New();
+  labels->SetName(array->GetName());
+  labels->SetNumberOfTuples(array->GetNumberOfTuples());
+  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+  {
+    const double value = array->GetComponent(cell, 0);
+    if (!(std::abs(value) <= std::numeric_limits<int>::max()) || value != std::floor(value))
+    {
+      return nullptr;
+    }
+    labels->SetValue(cell, static_cast<int>(value));
+  }
+  return labels;
+}
+
+void ConvertLabels(vtkDataObject* data, const std::string& name)
+{
+  for (vtkDataSet* grid : GetGrids(data))
+  {
+    vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
+    const auto labels = array && array->GetNumberOfComponents() == 1 ? MakeLabels(array) : nullptr;
+    if (labels) // else the mesher's message tells
+    {
+      grid->GetCellData()->AddArray(labels);
+    }
+  }
+}
+
+} // namespace
+
+std::vector<std::string> GetExodusSuffixes()
+{
+  return { ".e", ".ex2", ".exo", ".exii", ".g" };
+}
+
+bool IsExodusFile(const std::string& path)
+{
+  const auto name = ParseDecomposedName(path);
+  const std::vector<std::string> suffixes = GetExodusSuffixes();
+  return std::any_of(suffixes.begin(), suffixes.end(),
+    [&](const std::string& suffix) { return HasSuffix(name ? name->Base : path, suffix); });
+}
+
+Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
+{
+  const std::vector<std::string> paths = FindFiles(arguments.Input);
+  WorkInStage(ranks, ExitCode::UnreadableInput,
+    [&]
+    {
+      const std::string role =
+        paths.size() > 1 ? " (one of " + std::to_string(paths.size()) + " files)" : "";
+      for (std::size_t f = 0; ranks.Rank() == 0 && f < paths.size(); ++f)
+      {
+        CheckInputFile(paths[f], role);
+      }
+    });
+  ExodusFiles files(arguments, messages);
+  WorkInStage(
+    ranks, ExitCode::UnreadableInput, [&] { files.Open(DealFiles(paths, ranks), paths[0]); });
+  const std::vector<double> times = AgreeOnTimes(files, ranks);
+  const std::vector<std::string> names = ChooseNames(arguments, UniteNames(files, ranks));
+  Input input;
+  input.Time = ChooseTime(arguments, times);
+  WorkInStage(ranks, ExitCode::UnreadableInput,
+    [&]
+    {
+      input.Data = files.Read(names, input.Time);
+      ConvertLabels(input.Data, arguments.Labels);
+    });
+  return input;
+}
+
+} // namespace vfm

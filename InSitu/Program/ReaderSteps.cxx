@@ -1,0 +1,80 @@
+#include "ReaderSteps.h"
+
+#include "Stage.h"
+#include "VtkMessages.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace vfm
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+void RefuseInput(const std::string& message)
+{
+  throw ProgramError(ExitCode::UnreadableInput, message);
+}
+
+void CheckInputFile(const std::string& path, const std::string& role)
+{
+  errno = 0; // of what failed before
+  std::ifstream file(path);
+  if (file.peek() == std::ifstream::traits_type::eof()) // folders open, but cannot be read
+  {
+    RefuseInput("Cannot read the input " + path + role + ": " +
+      (errno ? std::strerror(errno) : "the file is empty") + ".");
+  }
+}
+
+std::vector<double> GetTimes(vtkAlgorithm* reader)
+{
+  vtkInformation* info = reader->GetOutputInformation(0);
+  const double* times = info->Get(Pipeline::TIME_STEPS());
+  return times ? std::vector<double>(times, times + info->Length(Pipeline::TIME_STEPS()))
+               : std::vector<double>();
+}
+
+std::optional<double> ChooseTime(const Arguments& arguments, const std::vector<double>& times)
+{
+  const std::size_t step = arguments.Step.value_or(0);
+  if (step >= std::max<std::size_t>(times.size(), 1))
+  {
+    RefuseInput("The input " + arguments.Input + " has no step " + std::to_string(step) +
+      ": it has " + std::to_string(std::max<std::size_t>(times.size(), 1)) + ", counted from 0.");
+  }
+  if (times.empty())
+  {
+    if (arguments.Time)
+    {
+      RefuseInput("The input " + arguments.Input + " has no times, so --time cannot choose one.");
+    }
+    return std::nullopt;
+  }
+  if (!arguments.Time)
+  {
+    return times[step];
+  }
+  return *std::min_element(times.begin(), times.end(),
+    [&arguments](double a, double b)
+    { return std::abs(a - *arguments.Time) < std::abs(b - *arguments.Time); });
+}
+
+void CheckReaderErrors(const VtkMessages& messages, const std::string& path)
+{
+  if (messages.HasErrors())
+  {
+    const std::string text = messages.GetErrorText(), prefix = "Cannot read " + path;
+    const bool tellsPath = text.compare(0, prefix.size(), prefix) == 0;
+    RefuseInput(tellsPath ? text : "Cannot read the input " + path + ": " + text);
+  }
+}
+
+} // namespace vfm

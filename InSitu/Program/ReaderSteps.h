@@ -1,0 +1,42 @@
+/**
+ * ReaderSteps: what reading any kind of file takes and gives: the file, the time, the reader's errors.
+ */
+#pragma once
+
+#include "Arguments.h"
+
+#include "vtkSmartPointer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataObject;
+
+namespace vfm
+{
+
+class VtkMessages;
+
+struct Input
+{
+  vtkSmartPointer<vtkDataObject> Data; ///< of this rank
+  std::optional<double> Time;          ///< of the step that was read, where the file has times
+};
+
+/// Throws ProgramError (UnreadableInput), as all that follows.
+[[noreturn]] void RefuseInput(const std::string& message);
+
+/// The file can be opened and is not empty. role: follows the path in the message.
+void CheckInputFile(const std::string& path, const std::string& role = "");
+
+/// Of a reader whose information is up to date; none where its file has no times.
+std::vector<double> GetTimes(vtkAlgorithm* reader);
+
+/// The one that the arguments ask for, else the first; nothing where the file has no times.
+std::optional<double> ChooseTime(const Arguments& arguments, const std::vector<double>& times);
+
+void CheckReaderErrors(const VtkMessages& messages, const std::string& path);
+
+} // namespace vfm
