@@ -19,7 +19,7 @@ Settings: the values below, or environment variables of the simulation:
                   NAME > VALUE              ... has passed the value; also NAME < VALUE
                   sum ARRAY > VALUE         the sum of a cell array over all cells has; also min, max; vectors by length
   VFM_TETS      tetrahedra by this method, TetGen, Cells or Lattice; empty: hexahedra
-  VFM_EXODUS    1: NAME_SSSSSS.e too, on N ranks NAME_SSSSSS.e.N.0 and so on
+  VFM_EXODUS    1: NAME_SSSSSS.e too, with side sets, on N ranks NAME_SSSSSS.e.N.0 and so on
   VFM_PICTURE   1: NAME_SSSSSS.png too, where there is an X server (DISPLAY)
   VFM_CAMERA    direction from the grid to the camera, three numbers between commas
   VFM_ZOOM      size in the picture
@@ -32,13 +32,14 @@ import sys
 import numpy as np
 from paraview import catalyst, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 sys.path[:0] = [HERE, os.path.join(ROOT, "scripts")]
-from write_exodus import reduced, write_exodus
+from write_exodus import write_exodus
 
 PLUGIN = os.path.join(ROOT, "build", "lib", "VolumeFractionMesh.so")
 ARRAYS = "ball,plate"
@@ -74,6 +75,15 @@ def names_of(text):
 
 def is_first_rank():
     return vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 0
+
+
+def reduced(value, operation):
+    """A number of each rank made one."""
+    mine, all_ranks = vtkDoubleArray(), vtkDoubleArray()
+    mine.InsertNextValue(value)
+    all_ranks.DeepCopy(mine)
+    vtkMultiProcessController.GetGlobalController().AllReduce(mine, all_ranks, operation)
+    return all_ranks.GetValue(0)
 
 
 def say(text):

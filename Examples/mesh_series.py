@@ -1,11 +1,13 @@
 #!/usr/bin/env pvbatch
-"""Meshes every time step of a file series: one .vtu, and on demand one Exodus file, a step.
+"""Meshes every time step of a file series: one .vtu, and on demand one Exodus file and one table of fragments, a step.
 
 usage: pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array water --out meshes [--exodus] dump_*.vti
        pvbatch mesh_series.py --plugin VolumeFractionMesh.so --material-ids id --out meshes run.pvd
+       pvbatch mesh_series.py --plugin VolumeFractionMesh.so --out meshes impact.spcth
 
 Files of one extension are the steps of one series, in the order of the numbers in their names; a file that holds
-several steps (.pvd) gives all of them. Steps go to OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, one line each on
+several steps (.pvd, .spcth) gives all of them. Without --array and --material-ids a SpyPlot case (.spcth) is meshed by its
+arrays 'Material volume fraction - N'. Steps go to OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, one line each on
 standard output. Exit status 1 if a step could not be meshed; the other steps are meshed all the same.
 """
 import argparse
@@ -27,19 +29,41 @@ def parse_arguments():
     parser.add_argument("--material-ids", metavar="ARRAY", help="integer array of material ids, instead of --array")
     parser.add_argument("--out", default=".", help="folder of the meshes (default: this one)")
     parser.add_argument("--name", default="mesh", help="first part of their names (default: mesh)")
-    parser.add_argument("--exodus", action="store_true", help="write .e files too, one element block a material")
+    parser.add_argument("--exodus", action="store_true", help="write .e files too, with blocks and side sets; not of empty meshes")
+    parser.add_argument("--fragments", action="store_true", help="write a table of the fragments too, .csv")
     parser.add_argument("--target", type=float, default=0.0, help="TargetScaledJacobian (default: 0, automatic)")
     parser.add_argument("--tets", choices=("TetGen", "Cells", "Lattice"), help="tetrahedra, by this method")
     parser.add_argument("--void", action="store_true", help="mesh the void too, as material 0")
     arguments = parser.parse_args()
-    if bool(arguments.array) == bool(arguments.material_ids):
+    if arguments.array and arguments.material_ids or not (
+            arguments.array or arguments.material_ids or is_spyplot(arguments.files)):
         parser.error("give either --array or --material-ids")
     return arguments
+
+
+def is_spyplot(files):
+    return files[0].endswith(".spcth")
 
 
 def number_key(path):
     """Orders step_9 before step_10."""
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path)]
+
+
+def open_series(files, arrays):
+    """The reader of the files; of a SpyPlot case it reads these arrays, or the volume fractions, whose names are added then."""
+    if not is_spyplot(files):
+        return simple.OpenDataFile(sorted(files, key=number_key))
+    if len(files) > 1:
+        sys.exit("give one SpyPlot case file: it holds all steps")
+    source = simple.OpenDataFile(files[0])
+    if source is None:
+        return None
+    fractions = [name for name in source.CellArrays.Available if re.search(r"[vV]olume [fF]raction - \d+$", name)]
+    arrays += [] if arrays else sorted(fractions, key=number_key)
+    source.CellArrays = arrays
+    source.DownConvertVolumeFraction = 0  # not before the files are open: ParaView 5.11 forgets it otherwise
+    return source
 
 
 def find_times(source):
@@ -59,18 +83,21 @@ def report(mesh, path):
 
 def main():
     arguments = parse_arguments()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
-    source = simple.OpenDataFile(sorted(arguments.files, key=number_key))
+    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines the filters
+    arrays = [arguments.material_ids] if arguments.material_ids else arguments.array
+    source = open_series(arguments.files, arrays)
     if source is None:
         sys.exit("cannot read " + arguments.files[0])
     mesher = VolumeFractionToTet(Input=source, Method=arguments.tets) if arguments.tets else VolumeFractionToHex(Input=source)
     mesher.VolumeFractionArrays = arguments.array
     mesher.MaterialIdArray = arguments.material_ids or "None"
     mesher.TargetScaledJacobian, mesher.MeshVoid = arguments.target, int(arguments.void)
+    fragments = VolumeFractionFragments(Input=mesher)
     os.makedirs(arguments.out, exist_ok=True)
     failed = 0
     for step, time in enumerate(find_times(source)):
-        mesher.UpdatePipeline(*[] if time is None else [time])
+        at_time = [] if time is None else [time]
+        mesher.UpdatePipeline(*at_time)
         mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
         stem = os.path.join(arguments.out, "%s_%04d" % (arguments.name, step))
         if mesh.GetFieldData().GetAbstractArray("MeshVolume") is None:
@@ -79,8 +106,11 @@ def main():
             continue
         report(mesh, stem + ".vtu")
         simple.SaveData(stem + ".vtu", proxy=mesher, DataMode="Binary", CompressorType="ZLib")
-        if arguments.exodus:
+        if arguments.exodus and mesh.GetNumberOfCells() > 0:
             write_exodus(mesh, stem + ".e")
+        if arguments.fragments:
+            fragments.UpdatePipeline(*at_time)
+            simple.SaveData(stem + ".csv", proxy=fragments, Precision=16, UseScientificNotation=1)
     sys.exit(1 if failed else 0)
 
 
