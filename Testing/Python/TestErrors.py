@@ -1,8 +1,8 @@
 """Input that cannot be meshed gives one clear message and empty outputs; the next run works."""
 import numpy as np
 from vtkmodules.vtkCommonDataModel import (
-    vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkUniformGrid,
-    vtkUnstructuredGrid)
+    vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkTable,
+    vtkUniformGrid)
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonMath import vtkMatrix3x3
 
@@ -168,7 +168,7 @@ def test_coordinates_that_do_not_increase():
 
 def test_blocks_of_other_kinds():
     check_error(blocks(half(0), vtkPolyData()), "Block 1 is a vtkPolyData", "Resample To Image")
-    check_error(blocks(vtkUnstructuredGrid()), "Block 0 is a vtkUnstructuredGrid")
+    check_error(blocks(vtkTable()), "Block 0 is a vtkTable")
 
 
 def test_blocks_that_do_not_tile():

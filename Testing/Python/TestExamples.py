@@ -1,15 +1,20 @@
-"""Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be."""
+"""Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be; ball_under_pressure.py
+solves where CalculiX is installed."""
+import csv
 import os
+import shutil
 import subprocess
 import tempfile
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOIOSS import vtkIOSSReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader
 
-from vfmtest import fraction_image, image, main
+from vfmtest import fraction_image, image, main, tet_volumes
 
-SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "mesh_series.py")
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples")
+SCRIPT = os.path.join(EXAMPLES, "mesh_series.py")
 
 
 def write_image(data, path):
@@ -50,7 +55,7 @@ def test_all_steps_in_order():
     with tempfile.TemporaryDirectory() as folder:
         for step, size in ((2, 8), (10, 12), (9, 10)):
             write_image(fraction_image(size), os.path.join(folder, "dump_%d.vti" % step))
-        result = run_script(folder, "--array", "ball", "--array", "plate", "--exodus")
+        result = run_script(folder, "--array", "ball", "--array", "plate", "--exodus", "--fragments")
         assert result.returncode == 0, result
         assert result.stdout.count(" elements") == 3
         sizes = []
@@ -60,6 +65,8 @@ def test_all_steps_in_order():
             ids = [materials.GetValue(i) for i in range(mesh.GetNumberOfCells())]
             blocks = block_sizes(os.path.join(folder, "out", "mesh_%04d.e" % step))
             assert blocks == {"ball": ids.count(1), "plate": ids.count(2)}, blocks
+            with open(os.path.join(folder, "out", "mesh_%04d.csv" % step), newline="") as file:
+                assert {row["Material"]: int(row["Elements"]) for row in csv.DictReader(file)} == blocks
             sizes.append(mesh.GetNumberOfCells())
         assert sizes == sorted(sizes) and sizes[0] < sizes[2], sizes  # dump_9 comes before dump_10
 
@@ -95,6 +102,31 @@ def test_arguments():
     with tempfile.TemporaryDirectory() as folder:
         assert run_script(folder).returncode == 2
         assert run_script(folder, "--array", "a", "--material-ids", "b", "x.vti").returncode == 2
+
+
+def test_ball_under_pressure():
+    """Of a block under pressure from above the mean of the stress along z is minus the pressure, whatever is in it."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "out")
+        result = subprocess.run(
+            ["pvpython", os.path.join(EXAMPLES, "ball_under_pressure.py"), "--plugin", os.environ["VFM_PLUGIN"], "--cells", "8",
+             "--tets", "Lattice", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        assert os.path.getsize(os.path.join(out, "ball.inp")) > os.path.getsize(os.path.join(out, "press.inp")) > 0
+        if not shutil.which("ccx"):
+            assert result.returncode == 1 and "is not installed" in result.stderr, result
+            return
+        assert result.returncode == 0 and "reaction below 4e+07 N" in result.stdout, result
+        mesh = read_vtu(folder, "press.vtu")
+        cells = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 4)
+        volumes = tet_volumes(vtk_to_numpy(mesh.GetPoints().GetData()), cells)
+        stress, equivalent = (vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("Stress", "VonMises"))
+        mean = (volumes[:, None] * stress).sum(axis=0) / volumes.sum()
+        assert np.allclose(mean[:3], [0, 0, -1e7], atol=10), mean
+        ball = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId")) == 1
+        assert equivalent[ball].mean() > 1.5 * equivalent[~ball].mean()
+        upper = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2] == 1
+        sinks = -vtk_to_numpy(mesh.GetPointData().GetArray("Displacement"))[upper, 2].mean()
+        assert 0.5 < sinks / (2 * 1e7 / 3e9) < 0.99, sinks  # less than a block of epoxy
 
 
 main(globals())

@@ -8,9 +8,9 @@ from vfmtest import (
 
 N = 12
 DEFAULTS = {
-    "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5, "Refinement": 0, "MeshVoid": 0,
-    "StairStep": 0,
-    "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
+    "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5,
+    "LabelSmoothing": 0, "MinimumRegionCells": 0, "Refinement": 0, "MeshVoid": 0,
+    "StairStep": 0, "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
     "NumberOfThreads": 0}
 DATA = fraction_image(N)
 REFERENCE = mesh_of(DATA)

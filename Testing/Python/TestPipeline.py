@@ -8,6 +8,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
+from exodus_dump import Dump
 from vfmtest import collect, digest, fraction_image, main, mesh_of, producer, Result, save_data, VolumeFractionToHex
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
@@ -94,14 +95,27 @@ def test_exodus_round_trip():
         blocks = reader.GetOutput().GetBlock(0)
     assert blocks.GetNumberOfBlocks() == 3
     ids = []
-    for i, name in enumerate(("Void", "ball", "plate")):
+    for i, (material, name) in enumerate(((1, "ball"), (2, "plate"), (0, "Void"))):  # the void's number is the greatest
         assert blocks.GetMetaData(i).Get(blocks.NAME()) == name
         block = blocks.GetBlock(i)
         found = [block.GetCellData().GetArray("GlobalElementId").GetValue(c) for c in range(block.GetNumberOfCells())]
-        assert len(found) == (result.cells("MaterialId") == i).sum()
-        assert set(found) == set(result.cells("GlobalCellIds")[result.cells("MaterialId") == i])
+        assert len(found) == (result.cells("MaterialId") == material).sum()
+        assert set(found) == set(result.cells("GlobalCellIds")[result.cells("MaterialId") == material])
         ids += found
     assert len(ids) == result.mesh.GetNumberOfCells()
+
+
+def test_exodus_series():
+    """One file a time, each with its time."""
+    source = simple.ProgrammableSource(
+        OutputDataSetType="vtkImageData", Script=GROWING, ScriptRequestInformation=GROWING_INFORMATION)
+    hexes = VolumeFractionToHex(Input=source, VolumeFractionArrays=["water"])
+    with tempfile.TemporaryDirectory() as folder:
+        simple.SaveData(os.path.join(folder, "mesh.exo"), proxy=hexes, Writetimestepsasfileseries=1)
+        dumps = [Dump(os.path.join(folder, "mesh_%d.exo" % step)) for step in range(3)]
+        assert len(os.listdir(folder)) == 3 + os.path.exists(os.path.join(folder, "mesh.exo.series"))
+    assert [dump.get("time_whole")[0] for dump in dumps] == [0, 1, 2]
+    assert dumps[0].size("num_elem") < dumps[1].size("num_elem") < dumps[2].size("num_elem")
 
 
 def test_progress_and_abort():

@@ -1,13 +1,16 @@
-"""The filters as classes of plain VTK Python, without ParaView's proxies."""
+"""The filters and the Exodus writer as classes of plain VTK Python, without ParaView's proxies."""
 import os
 import sys
+import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
 sys.path.insert(0, os.environ["VFM_WRAPPERS"])
 from volumefractionmesh.vtkVolumeFractionMeshFilters import vtkVolumeFractionToHex, vtkVolumeFractionToTet
+from volumefractionmesh.vtkVolumeFractionMeshIO import vtkVolumeFractionExodusWriter
 
 
 def field():
@@ -34,6 +37,24 @@ def check_tets():
     tets.Update()
     mesh, surfaces = tets.GetOutputDataObject(0), tets.GetOutputDataObject(1)
     assert mesh.GetCellType(0) == 10 and mesh.GetNumberOfCells() > 100 and surfaces.GetNumberOfCells() >= 80
+
+
+def check_exodus(mesh):
+    writer = vtkVolumeFractionExodusWriter()
+    assert not writer.GetSingleFile() and "SingleFile: 0" in str(writer)
+    with tempfile.TemporaryDirectory() as folder:
+        writer.SetInputData(mesh)
+        writer.SetFileName(os.path.join(folder, "mesh.exo"))
+        assert writer.Write() == 1
+        reader = vtkExodusIIReader()
+        reader.SetFileName(writer.GetFileName())
+        reader.UpdateInformation()
+        assert reader.GetObjectName(reader.ELEM_BLOCK, 0) == "bar" and reader.GetTotalNumberOfElements() == mesh.GetNumberOfCells()
+        assert reader.GetObjectName(reader.SIDE_SET, 0) == "bar_to_Void"
+        writer.SetFileName(os.path.join(folder, "missing", "mesh.exo"))
+        messages = []
+        writer.AddObserver("ErrorEvent", lambda *_: messages.append(1))
+        assert writer.Write() == 0 and len(messages) == 1
 
 
 def main():
@@ -69,6 +90,7 @@ def main():
     assert "VolumeFractionArrays: 'bar'" in str(hexes) and "StateArrays: 'bar'" in str(hexes)
     assert set(vtk_to_numpy(mesh.GetCellData().GetArray("bar"))) == {1.0}
     check_tets()
+    check_exodus(mesh)
     print("%d hexahedra, %d quadrilaterals" % (mesh.GetNumberOfCells(), surfaces.GetNumberOfCells()))
 
 

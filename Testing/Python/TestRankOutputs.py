@@ -10,6 +10,7 @@ from vtkmodules.vtkIOLegacy import vtkDataSetReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from compare_meshes import merge, read_pieces
+from inp_file import InpFile
 from vfmtest import main, save_data, VolumeFractionToHex
 
 FOLDER = sys.argv[1]
@@ -50,6 +51,13 @@ def test_one_file():
     pieces = read_pieces(save("gathered.pvtu", gathered))
     assert len(pieces) == 1 and pieces[0].GetNumberOfPoints() == len(mesh["points"])
     assert (merge(pieces)["cells"] == mesh["cells"]).all()
+
+
+def test_abaqus():
+    path = os.path.join(FOLDER, "outputs.inp")
+    simple.SaveData(path, proxy=HEXES)
+    file, mesh = InpFile(path), merge(read_pieces(os.path.join(FOLDER, "outputs.pvtu")))
+    assert len(file.nodes) == len(mesh["points"]) and len(file.elements) == len(mesh["cells"])
 
 
 def test_ghost_cells_made_downstream():

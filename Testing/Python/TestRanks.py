@@ -73,6 +73,7 @@ CASES = {case: with_state(arrays) for case, arrays in CASES.items()}
 TINY = "fewer cells than ranks"
 TET_CASES = [("ball_and_plate", "Cells", "scattered"), ("sphere", "Lattice", "slabs"), ("grains", "Lattice", "scattered"),
              ("noise", "Cells", "slabs")]
+CLEARED = [("noise", {"MinimumRegionCells": 8, "LabelSmoothing": 7}), ("splash", {"MinimumRegionCells": 20})]
 ALL_CASES = {**CASES, TINY: {"id": np.array([[[1, 2], [2, 0]]], np.int32)}}
 
 
@@ -182,7 +183,7 @@ def on_first_rank(work):
 def check(case, source, label, **properties):
     outputs = mesh_and_surfaces(source, case, **properties)
     parts = [case, properties.get("Method"), "with void" if properties.get("MeshVoid") else None,
-             "refined" if properties.get("Refinement") else None]
+             "refined" if properties.get("Refinement") else None, "cleared" if properties.get("MinimumRegionCells") else None]
     on_first_rank(lambda: compare_with_gold(outputs, " ".join(filter(None, parts)), label))
 
 
@@ -204,6 +205,8 @@ def test_whole():
             check(case, producer(image(arrays)), "whole")
         check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", MeshVoid=1)
         check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", Refinement=1)
+        for case, properties in CLEARED:
+            check(case, producer(image(CASES[case])), "whole", **properties)
         for case, method, _ in TET_CASES:
             check(case, producer(image(CASES[case])), "whole", Method=method)
 
@@ -252,6 +255,12 @@ def test_options():
 
 def test_refinement():
     check("ball_and_plate", split_input(CASES["ball_and_plate"], "scattered"), "scattered", Refinement=1)
+
+
+def test_regions_and_label_smoothing():
+    for case, properties in CLEARED:
+        for split in ("slabs", "scattered"):
+            check(case, split_input(CASES[case], split), split, **properties)
 
 
 def test_tets():

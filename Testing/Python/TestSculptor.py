@@ -2,7 +2,6 @@
 import ctypes
 import os
 import re
-import tempfile
 
 import numpy as np
 from paraview import simple
@@ -15,51 +14,15 @@ from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter, vtkXMLUniformGridAMRWriter)
 
 from compare_meshes import difference, merge, read_pieces
-from mpi_run import mpi_run
-from spyplot import Block, split, write_spyplot
+from sculptor_program import check_same, mesh_file, refused, sculptor
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, fraction_image, image, labels,
-    main, mesh_of, rectilinear)
+    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, fraction_image, image, in_folder,
+    labels, main, mesh_of, write)
 
-SCULPTOR = os.environ["VFM_SCULPTOR"]
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
 SPLASH = os.path.join(DATA, "splash_2000us.vti")
-SPY = "Material volume fraction - %d"
 BOXES = [209, 302], [1136, 1450]  # elements and points of sculptor test, as it is and refined
-
-
-def sculptor(*arguments, ranks=1, folder=None):
-    """Runs the program without a terminal; standard error is without what mpiexec says."""
-    return mpi_run(ranks, [SCULPTOR, *arguments], 60, folder)
-
-
-def mesh_file(path, output, *arguments, ranks=1):
-    """Meshes a file and returns the standard output."""
-    result = sculptor("--input", path, "--output", output, *arguments, ranks=ranks)
-    assert result.returncode == 0 and result.stderr == "", result
-    return result.stdout
-
-
-def refused(code, text, *arguments, ranks=1):
-    """The program ends with that code and one message that has the text."""
-    result = sculptor(*arguments, ranks=ranks)
-    lines = result.stderr.splitlines()
-    assert result.returncode == code, (code, result)
-    assert len(lines) == 1 and lines[0].startswith("sculptor: ") and text in lines[0], (text, result)
-    assert result.stdout == "", result
-
-
-def write(data, path, writer=vtkXMLImageDataWriter, pieces=0):
-    it = writer()
-    it.SetInputData(data)
-    it.SetFileName(path)
-    it.SetDataModeToBinary()
-    if pieces:
-        it.SetNumberOfPieces(pieces)
-        it.SetEndPiece(pieces - 1)
-    assert it.Write()
-    return path
 
 
 def filter_mesh(path, tets=False, **properties):
@@ -70,19 +33,6 @@ def filter_mesh(path, tets=False, **properties):
     mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
     assert mesh.GetNumberOfCells() > 0
     return mesh
-
-
-def check_same(output, mesh):
-    problem = difference(merge(read_pieces(output)), merge([mesh]))
-    assert not problem, "%s: %s" % (output, problem)
-
-
-def in_folder(test):
-    """A test that gets a new folder."""
-    def run_test():
-        with tempfile.TemporaryDirectory() as folder:
-            test(lambda name: os.path.join(folder, name))
-    return run_test
 
 
 @in_folder
@@ -126,6 +76,19 @@ def test_options(at):
         mesh_file(path, at("out.vtu"), *arguments)
         mesh = filter_mesh(path, **both, **properties)
         assert difference(merge([mesh]), plain), "%s changes nothing" % arguments
+        check_same(at("out.vtu"), mesh)
+
+
+@in_folder
+def test_options_of_labels(at):
+    ids = labels()
+    ids[10, 1, 1] = 2
+    path = write(image({"id": ids}), at("in.vti"))
+    for arguments, properties in (
+            (["--label-smoothing", "2"], dict(LabelSmoothing=2)), (["--minimum-region", "2"], dict(MinimumRegionCells=2))):
+        mesh_file(path, at("out.vtu"), "--labels", "id", *arguments, ranks=2)
+        mesh = filter_mesh(path, MaterialIdArray="id", **properties)
+        assert difference(merge([mesh]), merge([filter_mesh(path, MaterialIdArray="id")])), "%s changes nothing" % arguments
         check_same(at("out.vtu"), mesh)
 
 
@@ -209,9 +172,14 @@ def test_fewer_cells_than_ranks(at):
 @in_folder
 def test_empty_mesh(at):
     path = write(image({"ball": np.zeros((4, 4, 4))}), at("in.vti"))
-    for kind, ranks in (("vtu", 1), ("vtu", 2), ("pvtu", 2), ("e", 2)):
+    for kind, ranks in (("vtu", 1), ("vtu", 2), ("pvtu", 2)):
         result = sculptor("--input", path, "--output", at("out." + kind), ranks=ranks)
         assert result.returncode == 0 and result.stderr.count("warning: The mesh is empty") == 1, result
+    result = sculptor("--input", path, "--output", at("out.inp"), ranks=2)
+    assert result.returncode == 4 and "The mesh is empty." in result.stderr and not os.path.exists(at("out.inp")), result
+    for ranks in (1, 2):
+        result = sculptor("--input", path, "--output", at("out.e"), ranks=ranks)
+        assert result.returncode == 4 and result.stderr.count("sculptor: Cannot write the output") == 1, result
 
 
 def read_exodus(path):
@@ -348,7 +316,7 @@ def test_times(at):
     for arguments, mesh in (([], first), (["--step", "1"], second), (["--time", "0.4"], first), (["--time", "0.6"], second)):
         text = mesh_file(at("times.vti"), at("out.vtu"), *arguments, ranks=2)
         assert "time %d\n" % (mesh is second) in text
-        check_same(at("out.vtu"), mesh)
+        check_same(at("out.vtu"), mesh, int(mesh is second))
     refused(2, "no step 2: it has 2", "--input", at("times.vti"), "--output", at("no.vtu"), "--step", "2", ranks=2)
 
 
@@ -423,7 +391,8 @@ def test_help():
     for ranks in (1, 2):
         result = sculptor("--help", ranks=ranks)
         assert result.returncode == 0 and result.stderr == "" and result.stdout.count("usage:") == 1
-        for word in ("--material", "--stairstep", "--tetmesh", "TargetScaledJacobian", "RelativeSize", ".pvti", "Exit codes"):
+        for word in ("--material", "--stairstep", "--tetmesh", "--label-smoothing", "--minimum-region", "MinimumRegionCells",
+                     "TargetScaledJacobian", "RelativeSize", ".pvti", ".inp", "Exit codes"):
             assert word in result.stdout, word
     assert re.fullmatch(r"sculptor \d+\.\d+\.\d+\n", sculptor("--version").stdout)
 
@@ -440,6 +409,8 @@ def test_wrong_arguments(at):
         (files + ["--fractions", "a", "--labels", "b"], "exclude each other"),
         (files + ["--time", "2s"], "takes a number"),
         (files + ["--iso", "0.3", "--iso", "0.4"], "given twice"),
+        (files + ["--label-smoothing", "11"], "LabelSmoothing cannot be '11'"),
+        (files + ["--minimum-region", "-1"], "MinimumRegionCells cannot be '-1'"),
         (files + ["--iso", "0,5"], "IsoValue cannot be '0,5'"),
         (files + ["--smooth", "3"], "QuadricSurface"),
         (files + ["--set", "IsoValue"], "Option=Value"),
@@ -447,6 +418,7 @@ def test_wrong_arguments(at):
         (files + ["--tetmesh", "Wrong"], "Method cannot be 'Wrong'"),
         (["--input", "in.xyz", "--output", at("no.vtu")], "Read are .vti"),
         (["--input", path, "--output", at("no.stl")], "Written are .vtu"),
+        (["--input", path, "--output", at("no.stl")], ".inp"),
         (["test", "--input", path], "sculptor test takes"),
     ]
     for arguments, text in cases:
@@ -495,6 +467,9 @@ def test_unwritable_output(at):
                        ("full.vtu", "No space left")):
         refused(4, text, "--input", path, "--output", at(name), ranks=2)
     refused(4, "No space left", "--input", path, "--output", at("full.vtu"))
+    os.symlink("/dev/full", at("full.inp"))
+    for ranks in (1, 2):
+        refused(4, "No space left", "--input", path, "--output", at("full.inp"), ranks=ranks)
 
 
 @in_folder
@@ -509,93 +484,6 @@ def test_built_in_test(at):
         assert mesh.GetNumberOfCells() == BOXES[1][0]
         assert set(vtk_to_numpy(mesh.GetCellData().GetArray("FragmentId")).tolist()) == {1, 2}
     assert sculptor("test", "--quiet", "--refine", "2", ranks=2).stdout == "PASS\n"
-
-
-def spyplot_steps():
-    """Two times of a ball and a plate with a velocity, float32 as in the files."""
-    ball, plate = ball_and_plate()
-    steps = ((ball, plate), (ball[::-1], plate))
-    return [{name: value.astype(np.float32) for name, value in (
-        ("Pressure", 1e5 * b), (SPY % 1, b), (SPY % 2, np.minimum(p, 1 - b)), ("X velocity", b - p))} for b, p in steps]
-
-
-def needs_spyplot(test):
-    """Without ParaView's reader there is nothing to test."""
-    def run_test():
-        if ".spcth" in sculptor("--help").stdout:
-            test()
-    return run_test
-
-
-def spyplot_mesh(steps, step, nodes=None, **properties):
-    data = rectilinear(steps[step], nodes) if nodes else image(steps[step])
-    return mesh_of(data, VolumeFractionArrays=[SPY % 1, SPY % 2], **properties).mesh
-
-
-def check_spyplot(output, mesh):
-    """As check_same(), but for what ParaView's reader says of blocks in the field data."""
-    pieces = read_pieces(output)
-    for piece in pieces:
-        for name in ("GlobalBounds", "GlobalBoxSize", "MinLevel", "MinLevelSpacing"):
-            piece.GetFieldData().RemoveArray(name)
-    problem = difference(merge(pieces), merge([mesh]))
-    assert not problem, "%s: %s" % (output, problem)
-
-
-@needs_spyplot
-@in_folder
-def test_spyplot_blocks(at):
-    steps = spyplot_steps()
-    nodes = [x + h * np.arange(13) for x, h in zip(ORIGIN, SPACING)]
-    meshes = [spyplot_mesh(steps, step, StateArrays=["X velocity"]) for step in (0, 1)]
-    assert difference(merge(meshes[:1]), merge(meshes[1:]))
-    for counts, files, version, ranks in (
-            ((2, 1, 2), 1, 105, 1), ((2, 1, 2), 2, 103, 3), ((2, 1, 2), 4, 101, 2), ((1, 1, 1), 1, 105, 3)):
-        path = write_spyplot(at(""), "blocks", [0, 2e-6], split(nodes, steps, counts), files, version)
-        for arguments, step in (([], 0), (["--step", "1"], 1), (["--time", "1.5e-6"], 1)):
-            text = mesh_file(path, at("out.vtu"), "--state", "X velocity", *arguments, ranks=ranks)
-            assert "time %g\n" % (2e-6 * step) in text
-            check_spyplot(at("out.vtu"), meshes[step])
-    assert sculptor("--input", "blocks.spcth", "--output", "near.vtu", folder=at("")).returncode == 0
-    refused(2, "no step 2: it has 2", "--input", path, "--output", at("no.vtu"), "--step", "2", ranks=2)
-
-
-@needs_spyplot
-@in_folder
-def test_spyplot_flat_mesh(at):
-    """Nodes that are no binary fractions: those of the mesh are of the float32 ones in the file."""
-    steps = spyplot_steps()
-    nodes = [(x + np.arange(13) * 0.1).astype(np.float32) for x in (-0.35, 0.2, 1.7)]
-    for counts, files, ranks in (((1, 1, 1), 1, 2), ((2, 1, 2), 4, 1), ((2, 1, 2), 4, 3)):
-        path = write_spyplot(at(""), "flat", [0, 1], split(nodes, steps, counts), files)
-        mesh_file(path, at("out.vtu"), ranks=ranks)
-        check_spyplot(at("out.vtu"), spyplot_mesh(steps, 0, nodes))
-
-
-@needs_spyplot
-@in_folder
-def test_spyplot_refused(at):
-    steps = spyplot_steps()
-    nodes = [x + h * np.arange(13) for x, h in zip(ORIGIN, SPACING)]
-    blocks = split(nodes, steps, (2, 1, 2))
-    path = write_spyplot(at(""), "case", [0, 1], blocks, files=2)
-    for change, text in (
-            (lambda: os.remove(path + ".1"), "case.spcth.1 that it names is missing or damaged"),
-            (lambda: os.truncate(path + ".0", 3000), "case.spcth.0 that it names is missing or damaged"),
-            (lambda: os.truncate(path, len("spycase\n")), "names no files")):
-        change()
-        for ranks in (1, 3):
-            refused(2, text, "--input", path, "--output", at("no.vtu"), ranks=ranks)
-    write_spyplot(at(""), "case", [0], split(nodes, steps[:1], (2, 1, 2)), files=2)
-    os.rename(path + ".1", at("short"))
-    write_spyplot(at(""), "case", [0, 1], blocks, files=2)
-    os.rename(at("short"), path + ".1")
-    refused(2, "hold different times", "--input", path, "--output", at("no.vtu"), ranks=2)
-    fine = [np.linspace(x[0], x[-1], 25) for x in nodes]
-    blocks += [Block(block.coordinates, block.steps, level=1) for block in split(fine, [
-        {name: np.kron(value, np.ones((2, 2, 2))) for name, value in step.items()} for step in steps], (4, 4, 4))[:2]]
-    path = write_spyplot(at(""), "refined", [0, 1], blocks)
-    refused(3, "refined (AMR)", "--input", path, "--output", at("no.vtu"), ranks=2)
 
 
 main(globals())

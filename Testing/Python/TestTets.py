@@ -4,15 +4,15 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vfmtest import (
-    SPACING, TET_METHODS, ball_and_plate, digest, elements, face_owners, facets, fraction_image, image, labels, main,
+    ORIGIN, SPACING, TET_METHODS, ball_and_plate, digest, elements, face_owners, facets, fraction_image, image, labels, main,
     mesh_of, producer, run, tet_volumes, VolumeFractionToTet)
 
 N = 12
 DATA = fraction_image(N)
 HAS_TETGEN = "TetGen" in TET_METHODS
 DEFAULTS = {
-    "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5, "Refinement": 0, "MeshVoid": 0,
-    "StairStep": 0,
+    "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5,
+    "LabelSmoothing": 0, "MinimumRegionCells": 0, "Refinement": 0, "MeshVoid": 0, "StairStep": 0,
     "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
     "NumberOfThreads": 0, "Method": "TetGen" if HAS_TETGEN else "Lattice", "RelativeSize": 1.0,
     "Growth": 0.3, "RadiusEdgeRatio": 1.4, "MinimumDihedralAngle": 10.0, "OptimizationLevel": 4}
@@ -201,6 +201,18 @@ def test_empty_field_is_no_error():
         result = run(nothing, VolumeFractionToTet, Method=method)
         assert not result.errors and result.mesh.GetNumberOfCells() == 0
         assert len(result.warnings) == 1 and "The mesh is empty" in result.warnings[0]
+
+
+def test_planes_on_round_numbers():
+    """Two layers that meet at 0.3 of a cell, where a lattice node is as near as nodes may be that the interface goes through."""
+    n = 8
+    for height in (4.3, 4.7):
+        low = np.broadcast_to(np.clip(height - np.arange(n), 0, 1)[:, None, None], (n, n, n)).copy()
+        result = mesh_of(image({"low": low, "high": 1 - low}), make=VolumeFractionToTet, Method="Lattice", VolumeFractionArrays=["low", "high"])
+        between = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0
+        z = vtk_to_numpy(result.surfaces.GetPoints().GetData())[np.unique(facets(result)[between]), 2]
+        off = np.abs((z - ORIGIN[2]) / SPACING[2] - height)
+        assert off.max() < 0.06, off.max()
 
 
 main(globals())

@@ -5,6 +5,7 @@ The environment variable VFM_PLUGIN names the plugin. A test is a function test_
 import hashlib
 import os
 import sys
+import tempfile
 import time
 import traceback
 
@@ -13,6 +14,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 
@@ -181,6 +183,27 @@ def producer(data):
 def save_data(path, proxy):
     """Saves inline: expat since 2.6, and Debian's 2.5.0-1+deb12u5, keeps VTK 9.2 from reading appended data."""
     simple.SaveData(path, proxy=proxy, **({} if path.endswith(".vtk") else {"DataMode": "Binary"}))
+
+
+def write(data, path, writer=vtkXMLImageDataWriter, pieces=0):
+    """Writes a data set as a file of the XML formats and returns the path."""
+    it = writer()
+    it.SetInputData(data)
+    it.SetFileName(path)
+    it.SetDataModeToBinary()
+    if pieces:
+        it.SetNumberOfPieces(pieces)
+        it.SetEndPiece(pieces - 1)
+    assert it.Write()
+    return path
+
+
+def in_folder(test):
+    """A test that gets a new folder."""
+    def run_test():
+        with tempfile.TemporaryDirectory() as folder:
+            test(lambda name: os.path.join(folder, name))
+    return run_test
 
 
 def has_tetgen():

@@ -1,0 +1,384 @@
+"""Meshes as Exodus files: what another reader (ncdump) and ParaView's read is the mesh, in one file and in parts."""
+import os
+import resource
+import tempfile
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkIOExodus import vtkExodusIIReader
+from vtkmodules.vtkIOIOSS import vtkIOSSReader
+
+import exodus_dump
+from exodus_dump import Dump, check_parts, join, side_corners
+from mesh_sets import AXES, array, elements_of, find_sets, material_names
+from mpi_run import mpi_run
+from spyplot import split, write_spyplot
+from vfmtest import (
+    ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, fraction_image, image, labels, main, mesh_of, producer,
+    save_data, VolumeFractionToHex, VolumeFractionToTet)
+
+SCULPTOR = os.environ["VFM_SCULPTOR"]
+CELLS = {"make": VolumeFractionToTet, "Method": "Cells"}
+SPY = "Material volume fraction - %d"
+
+
+def in_folder(test):
+    """Gives the test a function that makes paths in a folder of its own."""
+    def run_test():
+        with tempfile.TemporaryDirectory() as folder:
+            test(lambda name: os.path.join(folder, name))
+    return run_test
+
+
+def writer_of(mesh, path, **properties):
+    return servermanager.writers.VolumeFractionExodusWriter(Input=producer(mesh), FileName=path, **properties)
+
+
+def write(mesh, path, **properties):
+    """The errors of the writer."""
+    writer = writer_of(mesh, path, **properties)
+    errors, _ = collect(writer.GetClientSideObject().GetWriter())
+    writer.UpdatePipeline()
+    return errors
+
+
+def columns(attributes):
+    """The variables that a file has of the arrays: vectors by X, Y, Z; no ids."""
+    result = {}
+    for i in range(attributes.GetNumberOfArrays()):
+        name, values = attributes.GetArrayName(i), vtk_to_numpy(attributes.GetArray(i)).astype(float)
+        if not name.startswith("Global"):
+            result.update({name: values} if values.ndim == 1 else {name + "_" + axis: values[:, a] for a, axis in enumerate("XYZ")})
+    return np.array([result[name] for name in sorted(result)]).T.tolist()
+
+
+def expected(mesh):
+    """What join() gives of a mesh in memory, but for the global numbers."""
+    ids = array(mesh.GetPointData(), "GlobalPointIds")
+    materials, names = array(mesh.GetCellData(), "MaterialId"), material_names(mesh)
+    void = max(max(names), materials.max()) + 1
+    block_of = lambda material: int(material) or int(void)
+    sides, nodes = find_sets(mesh)
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).tolist()
+    cells = zip(array(mesh.GetCellData(), "GlobalCellIds").tolist(), materials, ids[elements_of(mesh)].tolist(),
+                columns(mesh.GetCellData()))
+    return {"blocks": {block_of(m): names[m] for m in set(materials.tolist())}, "sides": sides, "node sets": nodes,
+            "nodes": {i: (*p, *v) for i, p, v in zip(ids.tolist(), points, columns(mesh.GetPointData()))},
+            "elements": {i: (block_of(m), tuple(c), *v) for i, m, c, v in cells}}
+
+
+def check(dumps, mesh, wanted=None):
+    """The files hold the mesh; wanted: expected(mesh), where it is known."""
+    found, wanted = join(dumps), wanted or expected(mesh)
+    for part, items in wanted.items():
+        assert found[part] == items, (part, len(found[part]), len(items))
+    field = mesh.GetFieldData()
+    for name in ("MinimumScaledJacobian", "NumberOfFragments"):
+        assert found["globals"][name] == field.GetArray(name).GetTuple1(0)
+    for dump in dumps:
+        assert dump.get("qa_records")[0] == "VolumeFractionMesh"
+        assert dump.sizes["time_step"] == 1 and dump.attributes["connect1:elem_type"] == ("HEX8" if mesh.GetCellType(0) == 12 else "TETRA")
+
+
+def area_vectors(faces):
+    """Of faces (n, 3 or 4, 3)."""
+    return np.cross(faces[:, 2] - faces[:, 0], faces[:, -1] - faces[:, 1] if faces.shape[1] == 4 else faces[:, 1] - faces[:, 0]) / (
+        2 if faces.shape[1] == 4 else -2)
+
+
+def surface_areas(result, names):
+    """{name of a side set: sum of the area vectors} by the second output of the filter."""
+    surfaces, sums = result.surfaces, {}
+    points = vtk_to_numpy(surfaces.GetPoints().GetData())
+    facets = vtk_to_numpy(surfaces.GetPolys().GetConnectivityArray()).reshape(surfaces.GetNumberOfCells(), -1)
+    areas = area_vectors(points[facets])
+    pairs, sides = (array(surfaces.GetCellData(), name) for name in ("MaterialPair", "DomainSide"))
+    for area, (low, high), side in zip(areas, pairs.tolist(), sides.tolist()):
+        keys = [(AXES[side], 1)] if side >= 0 else [("%s_to_%s" % (names[high], names[low]), 1)]  # the normal leaves the second
+        if side < 0 and low > 0:
+            keys.append(("%s_to_%s" % (names[low], names[high]), -1))
+        for key, sign in keys:
+            sums[key] = sums.get(key, 0) + sign * area
+    return sums
+
+
+def check_areas(path, result):
+    """The faces of each side set, from the file, point out of their elements and have the area of the surfaces."""
+    dump = Dump(path)
+    elements, points = dump.elements(), dump.points()
+    sums = surface_areas(result, material_names(result.mesh))
+    assert set(dump.names("ss")) == set(sums), (dump.names("ss"), set(sums))
+    for i, name in enumerate(dump.names("ss")):
+        faces = points[np.array(side_corners(dump, i, elements))]
+        middles = points[np.array([elements[e][1] for e in dump.sides(i)[0]])].mean(axis=1)
+        areas = area_vectors(faces)
+        assert (np.einsum("ij,ij->i", areas, faces.mean(axis=1) - middles) > 0).all(), name
+        assert np.allclose(areas.sum(axis=0), sums[name], rtol=1e-12, atol=1e-12), (name, areas.sum(axis=0), sums[name])
+
+
+def velocity_field():
+    data = fraction_image()
+    velocity = numpy_to_vtk(np.random.default_rng(3).normal(size=(12 ** 3, 3)), deep=1)
+    velocity.SetName("velocity")
+    data.GetCellData().AddArray(velocity)
+    return data
+
+
+@in_folder
+def test_one_file(at):
+    data = velocity_field()
+    cases = ({}, {"MeshVoid": 1}, {"StairStep": 1}, CELLS, {"make": VolumeFractionToTet, "Method": "Lattice"}, {**CELLS, "MeshVoid": 1})
+    for i, properties in enumerate(cases):
+        result = mesh_of(data, StateArrays=["velocity"], **properties)
+        path = at("mesh%d.exo" % i)
+        assert not write(result.mesh, path) and exodus_dump.kind(path) == "64-bit offset"
+        check([Dump(path)], result.mesh)
+        assert (3 in join([Dump(path)])["blocks"]) == ("MeshVoid" in properties)
+        if "MeshVoid" not in properties:
+            check_areas(path, result)
+
+
+@in_folder
+def test_save_data_takes_this_writer(at):
+    hexes = VolumeFractionToHex(Input=producer(fraction_image(8)), VolumeFractionArrays=["ball", "plate"])
+    simple.SaveData(at("mesh.exo"), proxy=hexes)
+    check([Dump(at("mesh.exo"))], hexes.GetClientSideObject().GetOutputDataObject(0))
+    assert os.listdir(at("")) == ["mesh.exo"]
+
+
+def ioss(path):
+    reader = vtkIOSSReader()
+    reader.SetFileName(path)
+    reader.UpdateInformation()
+    for kind in range(reader.NUMBER_OF_ENTITY_TYPES):
+        reader.GetEntitySelection(kind).EnableAllArrays()
+    reader.Update()
+    found = {}
+    data = reader.GetOutputDataObject(0)
+    for i in range(data.GetNumberOfPartitionedDataSets()):
+        for p in range(data.GetNumberOfPartitions(i)):
+            if data.GetPartition(i, p):
+                found.setdefault(data.GetMetaData(i).Get(data.NAME()), []).append(data.GetPartition(i, p))
+    return found
+
+
+@in_folder
+def test_paraview_reads_it(at):
+    result = mesh_of(velocity_field(), StateArrays=["velocity"])
+    write(result.mesh, at("mesh.exo"))
+    parts, (sides, nodes) = ioss(at("mesh.exo")), find_sets(result.mesh)
+    for material, name in material_names(result.mesh).items():
+        if material:
+            block, chosen = parts[name][0], result.cells("MaterialId") == material
+            ids = array(block.GetCellData(), "ids")
+            velocities = dict(zip(ids.tolist(), array(block.GetCellData(), "velocity").tolist()))  # of three components
+            wanted = zip(result.cells("GlobalCellIds")[chosen].tolist(), result.cells("velocity")[chosen].tolist())
+            assert velocities == dict(wanted)
+    for sets in (sides, nodes):
+        for (_, name), items in sets.items():
+            assert len(items) in [part.GetNumberOfCells() for part in parts[name.lower()]], name  # IOSS knows no capitals
+    reader = vtkExodusIIReader()
+    reader.SetFileName(at("mesh.exo"))
+    reader.UpdateInformation()
+    for kind, names in ((reader.ELEM_BLOCK, ["ball", "plate"]), (reader.SIDE_SET, [name for _, name in sorted(sides)]),
+                        (reader.NODE_SET, [name for _, name in sorted(nodes)])):
+        assert [reader.GetObjectName(kind, i) for i in range(reader.GetNumberOfObjects(kind))] == names
+        for i in range(len(names)):
+            reader.SetObjectStatus(kind, i, 1)
+    reader.Update()
+    for i, (_, items) in enumerate(sorted(sides.items())):
+        assert reader.GetOutput().GetBlock(4).GetBlock(i).GetNumberOfCells() == len(items)
+
+
+@in_folder
+def test_wide_ids(at):
+    """Ids above 2^31, as tets of large grids have them, and above 2^53, where doubles are no longer exact."""
+    for shift in (2 ** 31, 2 ** 62):
+        mesh = vtkUnstructuredGrid()
+        mesh.DeepCopy(mesh_of(fraction_image(8)).mesh)
+        for data, name in ((mesh.GetPointData(), "GlobalPointIds"), (mesh.GetCellData(), "GlobalCellIds")):
+            array(data, name)[:] += shift
+        assert not write(mesh, at("wide.exo")) and exodus_dump.kind(at("wide.exo")) == "netCDF-4"
+        dump = Dump(at("wide.exo"))
+        assert dump.types["node_num_map"] == dump.types["elem_num_map"] == "int64"
+        check([dump], mesh)
+        assert array(ioss(at("wide.exo"))["ball"][0].GetPointData(), "ids").min() >= shift
+
+
+@in_folder
+def test_pieces_that_one_process_reads(at):
+    """Points between pieces are there once."""
+    result = mesh_of(fraction_image())
+    save_data(at("mesh.vtu"), producer(result.mesh))
+    assert mpi_run(2, [SCULPTOR, "--input", vti(at, fraction_image()), "--output", at("mesh.pvtu")], 60).returncode == 0
+    for name in ("mesh.vtu", "mesh.pvtu"):
+        reader = simple.OpenDataFile(at(name))
+        simple.SaveData(at(name + ".exo"), proxy=reader)
+        check([Dump(at(name + ".exo"))], result.mesh)
+
+
+@in_folder
+def test_names(at):
+    """Names longer than the library takes, and those that differ by capitals only, end with the number."""
+    ball, plate = ball_and_plate(8)
+    names = ["m" * 300, "Iron", "IRON"]
+    half = np.where(np.arange(8) < 4, 1.0, 0.0)
+    result = mesh_of(image({names[0]: ball, names[1]: plate * half, names[2]: plate * (1 - half)}), VolumeFractionArrays=names)
+    assert not write(result.mesh, at("mesh.exo"))
+    dump = Dump(at("mesh.exo"))
+    assert sorted(dump.names("eb")) == sorted(["m" * 253 + "_1", "Iron", "IRON_3"]), dump.names("eb")
+    for kind in ("eb", "ss", "ns"):
+        lower = [name.lower() for name in dump.names(kind)]
+        assert len(set(lower)) == len(lower) and max(map(len, lower)) <= 255
+    assert len(ioss(at("mesh.exo"))) >= 3
+
+
+@in_folder
+def test_material_ids(at):
+    """Ids of four digits need a greater factor; those near 2^31 are counted."""
+    for high, factor in ((4711, 10000), (2 ** 31 - 1, None)):
+        ids = np.where(labels(8) == 2, high, labels(8)).astype(np.int32)
+        result = mesh_of(image({"id": ids}), MaterialIdArray="id")
+        assert not write(result.mesh, at("mesh.exo"))
+        dump = Dump(at("mesh.exo"))
+        assert dump.get("eb_prop1").tolist() == [1, high]
+        pairs = dict(zip(dump.names("ss"), dump.get("ss_prop1").tolist()))
+        order = [pairs[name] for name in dump.names("ss") if "_to_" in name]
+        assert order == ([factor, factor + high, high * factor, high * factor + 1] if factor else [7, 8, 9, 10]), pairs
+    result = mesh_of(image({"id": ids}), MaterialIdArray="id", MeshVoid=1)
+    errors = write(result.mesh, at("none.exo"))
+    assert len(errors) == 1 and "No number is left for the void" in errors[0], errors
+
+
+def vti(at, data, name="in.vti"):
+    save_data(at(name), producer(data))
+    return at(name)
+
+
+@in_folder
+def test_refused(at):
+    mesh = mesh_of(fraction_image(8)).mesh
+    copy = lambda: (lambda other: other.DeepCopy(mesh) or other)(vtkUnstructuredGrid())
+    no_material, zero, mixed = copy(), copy(), copy()
+    no_material.GetCellData().RemoveArray("MaterialId")
+    array(zero.GetPointData(), "GlobalPointIds")[:] -= 100
+    cells = mixed.GetCellTypesArray()
+    cells.SetValue(0, 10)
+    os.mkdir(at("folder.exo"))
+    os.symlink("/dev/full", at("full.exo"))
+    for data, name, text in (
+            (no_material, "a.exo", "no array MaterialId"), (zero, "b.exo", "must be 1 or more"),
+            (mixed, "c.exo", "all hexahedra or all tetrahedra"), (vtkUnstructuredGrid(), "d.exo", "The mesh is empty"),
+            (mesh, "no/e.exo", "No such file or directory"), (mesh, "folder.exo", "Is a directory"),
+            (mesh, "full.exo", "No space left on device")):
+        errors = write(data, at(name))
+        assert len(errors) == 1 and text in errors[0], (name, errors)
+    assert set(os.listdir(at(""))) <= {"folder.exo", "full.exo"}, os.listdir(at(""))
+
+
+@in_folder
+def test_file_that_was_begun_is_removed(at):
+    mesh = mesh_of(fraction_image()).mesh
+    write(mesh, at("mesh.exo"))
+    size = os.path.getsize(at("mesh.exo"))
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    for part in (0.1, 0.5, 0.99):
+        resource.setrlimit(resource.RLIMIT_FSIZE, (int(part * size), limits[1]))
+        errors = write(mesh, at("mesh.exo"))
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        assert len(errors) == 1 and "File too large" in errors[0], errors
+        assert os.listdir(at("")) == []
+
+
+def without_date(path):
+    """The bytes of a file; date and time of the QA record blanked."""
+    with open(path, "rb") as file:
+        content = file.read()
+    for text in Dump(path).get("qa_records")[2:]:
+        assert content.count(text.encode()) == 1
+        content = content.replace(text.encode(), b"-" * len(text))
+    return content
+
+
+def check_ranks(at, path, mesh, *arguments):
+    """sculptor's files on one and several ranks hold the mesh, in parts and as one file."""
+    wanted = expected(mesh)
+    x_min = sum(len(items) for key, items in wanted["sides"].items() if key[1] == "x_min")
+    for ranks in (1, 2, 3):
+        output = at("mesh%d.exo" % ranks)
+        result = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", output, *arguments], 60)
+        assert result.returncode == 0 and result.stderr == "", result
+        names = [output] if ranks == 1 else ["%s.%d.%d" % (output, ranks, rank) for rank in range(ranks)]
+        dumps = [Dump(name) for name in names]
+        check(dumps, mesh, wanted)
+        if ranks > 1:
+            check_parts(dumps)
+            single = at("single%d.exo" % ranks)
+            result = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", single, "--single-file", *arguments], 60)
+            assert result.returncode == 0 and without_date(single) == without_date(at("mesh1.exo")), result
+            parts = ioss(names[-1])  # any of them
+            assert sum(part.GetNumberOfCells() for part in parts["x_min"] if part.GetCellType(0) != 1) == x_min  # 1: node set
+
+
+@in_folder
+def test_ranks(at):
+    path = vti(at, fraction_image())
+    check_ranks(at, path, mesh_of(fraction_image()).mesh)
+    check_ranks(at, path, mesh_of(fraction_image(), **CELLS, MeshVoid=1).mesh, "--tetmesh", "Cells", "--void")
+
+
+@in_folder
+def test_spyplot(at):
+    """From files of CTH to files of Exodus, with a vector and a number that the elements carry along."""
+    if ".spcth" not in mpi_run(1, [SCULPTOR, "--help"], 60).stdout:
+        return
+    ball, plate = ball_and_plate()
+    step = {"Pressure": 1e5 * ball, SPY % 1: ball, SPY % 2: np.minimum(plate, 1 - ball)}
+    step = {name: value.astype(np.float32) for name, value in step.items()}
+    nodes = [x + h * np.arange(13) for x, h in zip(ORIGIN, SPACING)]
+    path = write_spyplot(at(""), "case", [2e-6], split(nodes, [step], (2, 1, 2)), 2)
+    for properties, arguments in (({}, []), (CELLS, ["--tetmesh", "Cells"])):
+        mesh = mesh_of(image(step), VolumeFractionArrays=[SPY % 1, SPY % 2], StateArrays=["Pressure"], **properties).mesh
+        check_ranks(at, path, mesh, "--state", "Pressure", *arguments)
+        assert Dump(at("mesh1.exo")).get("time_whole").tolist() == [2e-6]
+        assert sorted(join([Dump(at("mesh1.exo"))])["blocks"].values()) == [SPY % 1, SPY % 2]
+
+
+@in_folder
+def test_ranks_without_elements(at):
+    """More ranks than there are cells; names and arrays are the same in all parts."""
+    data = image({"id": np.array([[[1, 2], [2, 0]]], np.int32)})
+    path, mesh = vti(at, data), mesh_of(data, MaterialIdArray="id").mesh
+    result = mpi_run(12, [SCULPTOR, "--input", path, "--labels", "id", "--output", at("mesh.exo")], 60)
+    assert result.returncode == 0 and result.stderr == "", result
+    dumps = [Dump(at("mesh.exo.12.%02d" % rank)) for rank in range(12)]
+    assert min(dump.size("num_elem") for dump in dumps) == 0
+    found, wanted = join(dumps), expected(mesh)
+    assert all(found[part] == items for part, items in wanted.items()), (found, wanted)
+    check_parts(dumps)
+    for dump in dumps:
+        for kind in ("eb", "ss", "ns"):
+            assert dump.names(kind) == dumps[0].names(kind)
+        assert dump.get("name_elem_var") == dumps[0].get("name_elem_var") and dump.globals() == dumps[0].globals()
+    blocks = ioss(at("mesh.exo.12.03"))  # IOSS knows neither capitals nor spaces
+    names = [name.lower().replace(" ", "_") for name in wanted["blocks"].values()]
+    assert sum(part.GetNumberOfCells() for name in names for part in blocks[name]) == len(wanted["elements"]), blocks
+
+
+@in_folder
+def test_ranks_fail_alike(at):
+    """A part that cannot be written takes the others with it."""
+    path = vti(at, fraction_image(8))
+    os.symlink("/dev/full", at("full.exo.3.1"))
+    result = mpi_run(3, [SCULPTOR, "--input", path, "--output", at("full.exo")], 60)
+    assert result.returncode == 4 and result.stderr.count("sculptor:") == 1, result
+    assert "full.exo.3.1: No space left on device" in result.stderr, result
+    assert set(os.listdir(at(""))) <= {"full.exo.3.1", "in.vti"}, os.listdir(at(""))
+    result = mpi_run(1, [SCULPTOR, "--input", path, "--output", at("mesh.pvtu"), "--single-file"], 60)
+    assert result.returncode == 1 and "always several files" in result.stderr, result
+
+
+main(globals())

@@ -1,0 +1,355 @@
+"""Exodus files, and other hexahedra that form a Cartesian grid, as input: the meshes of the image, bit for bit, from ParaView's
+readers and the program sculptor on several ranks; and what is said about other meshes and damaged files."""
+import functools
+import os
+import shutil
+import tempfile
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import (
+    VTK_QUAD, VTK_TETRA, VTK_VOXEL, vtkMultiBlockDataSet, vtkStructuredGrid, vtkUnstructuredGrid)
+
+import exodus_grids
+import sculptor_program
+from compare_meshes import difference, merge, read_pieces
+from exodus_grids import GRADED, N, TIMES, UNIFORM, fields, hexes, shuffled, write_exodus
+from mpi_run import mpi_run
+from vfmtest import (
+    GHOST, HIDDEN, VolumeFractionToTet, add_array, digest, image, in_folder, main, mesh_of, rectilinear, run)
+
+FRACTIONS = ["MAT_10", "MAT_20"]
+CHOSEN = {"VolumeFractionArrays": FRACTIONS, "StateArrays": ["number"]}
+ALL = np.arange(N ** 3)
+
+
+def blocks(*data):
+    result = vtkMultiBlockDataSet()
+    for i, block in enumerate(data):
+        result.SetBlock(i, block)
+    return result
+
+
+def of_grid(step=0, coordinates=UNIFORM, **properties):
+    return mesh_of(rectilinear(fields(step), coordinates), **{**CHOSEN, **properties})
+
+
+def check_same(data, expected, **properties):
+    assert digest(mesh_of(data, **{**CHOSEN, **properties})) == digest(expected)
+
+
+def test_order_of_cells():
+    expected = of_grid()
+    check_same(image(fields()), expected)
+    for cells in (ALL, shuffled(), ALL[::-1], ALL.reshape(N, N, N).T.ravel()):
+        check_same(hexes(fields(), cells), expected)
+    check_same(hexes(fields(), shuffled(), kind=VTK_VOXEL), expected)
+
+
+def test_blocks():
+    cells = shuffled()
+    expected = of_grid()
+    check_same(blocks(*[hexes(fields(), part) for part in np.split(cells, [5, 600, 601])]), expected)
+    left = np.flatnonzero(ALL % N < 5)
+    right = image({name: values[:, :, 5:] for name, values in fields().items()})
+    right.SetOrigin(UNIFORM[0][5], UNIFORM[1][0], UNIFORM[2][0])
+    check_same(blocks(right, None, hexes(fields(), left)), expected)
+
+
+def test_spacing_and_options():
+    graded = hexes(fields(), shuffled(), GRADED)
+    for properties in ({}, {"Refinement": 1}, {"make": VolumeFractionToTet, "Method": "Cells"}, {"MeshVoid": 1}):
+        check_same(graded, of_grid(coordinates=GRADED, **properties), **properties)
+
+
+def test_float_coordinates():
+    """Nodes of cells that are wide apart in a file may differ by rounding; one tenth is not exact."""
+    tenths = [0.1 * np.arange(N + 1.0)] * 3
+    data = hexes(fields(), shuffled(), tenths)
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    points += np.random.default_rng(2).uniform(0, 1e-6, points.shape)
+    exact = [np.array([points[np.abs(points[:, a] - x) < 0.01, a].min() for x in tenths[a]]) for a in range(3)]
+    check_same(data, of_grid(coordinates=exact))
+
+
+def test_labels():
+    ids = np.random.default_rng(3).choice([0, 2, 5], (N, N, N)).astype(np.int32)
+    expected = mesh_of(image({"id": ids}), MaterialIdArray="id", StateArrays=["id"])
+    check_same(hexes({"id": ids}, shuffled()), expected, MaterialIdArray="id", StateArrays=["id"], VolumeFractionArrays=[])
+
+
+def test_state_arrays():
+    generator = np.random.default_rng(4)
+    state = {"v": generator.normal(size=(N, N, N, 3)).astype(np.float32), "n": generator.integers(0, 9, (N, N, N)).astype(np.int16)}
+    expected = of_grid()
+    cells = shuffled()
+    result = mesh_of(hexes({**fields(), **state}, cells), **{**CHOSEN, "StateArrays": ["number", "v", "n"]})
+    place = expected.cells("number").astype(int)
+    for name, values in state.items():
+        found = result.cells(name)
+        assert found.dtype == values.dtype and (found == values.reshape(N ** 3, *values.shape[3:])[place]).all()
+
+
+def test_ghosts():
+    """Ghost cells hold rubbish, blanked cells are void."""
+    cells = shuffled()
+    types = np.zeros((N, N, N), np.uint8)
+    types[4:6, 3:9, 3:9] = HIDDEN
+    data = image({**fields(), "vtkGhostType": types})
+    check_same(hexes({**fields(), "vtkGhostType": types}, cells), mesh_of(data, **CHOSEN))
+    parts = []
+    for mine, others in ((cells[:800], cells[800:900]), (cells[800:], cells[100:200])):
+        types = np.zeros(N ** 3, np.uint8)
+        types[others] = GHOST
+        arrays = {name: np.where(types.reshape(N, N, N) > 0, 77.0, values) for name, values in fields().items()}
+        mixed = np.random.default_rng(1).permutation(np.concatenate([mine, others]))
+        parts.append(hexes({**arrays, "vtkGhostType": types.reshape(N, N, N)}, mixed))
+    check_same(blocks(*parts), of_grid())
+
+
+def quads(kind=VTK_QUAD, count=4):
+    grid = vtkUnstructuredGrid()
+    points = vtkPoints()
+    for point in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 1))[:count]:
+        points.InsertNextPoint(point)
+    grid.SetPoints(points)
+    grid.InsertNextCell(kind, count, list(range(count)))
+    return grid
+
+
+def test_cells_of_less_dimensions_are_left_out():
+    expected = of_grid()
+    check_same(blocks(quads(), hexes(fields(), shuffled()), vtkUnstructuredGrid()), expected)
+    data = hexes(fields(), shuffled())
+    data.InsertNextCell(VTK_QUAD, 4, [0, 500, 3, 7])
+    for name in fields():
+        data.GetCellData().GetArray(name).InsertNextTuple1(77)
+    data.GetCellData().SetGlobalIds(None)
+    check_same(data, expected)
+
+
+def structured(coordinates):
+    grid = vtkStructuredGrid()
+    size = [len(x) for x in coordinates]
+    grid.SetDimensions(size)
+    nodes = np.stack(np.meshgrid(*coordinates, indexing="ij"), axis=-1).transpose(2, 1, 0, 3).reshape(-1, 3)
+    points = vtkPoints()
+    for node in nodes:
+        points.InsertNextPoint(node)
+    grid.SetPoints(points)
+    return grid
+
+
+def test_structured_grid():
+    data = structured(GRADED)
+    for name, values in fields().items():
+        add_array(data.GetCellData(), name, values)
+    expected = of_grid(coordinates=GRADED)
+    check_same(data, expected)
+    flipped = structured([GRADED[0][::-1], *GRADED[1:]])
+    for name, values in fields().items():
+        add_array(flipped.GetCellData(), name, values[:, :, ::-1])
+    check_same(flipped, expected)
+    data.BlankCell(600)
+    types = np.zeros(N ** 3, np.uint8)
+    types[600] = HIDDEN
+    check_same(data, mesh_of(rectilinear({**fields(), "vtkGhostType": types.reshape(N, N, N)}, GRADED), **CHOSEN))
+
+
+def check_error(data, *words, **properties):
+    result = run(data, **{**CHOSEN, **properties})
+    assert len(result.errors) == 1, result.errors
+    for word in words:
+        assert word in result.errors[0], (word, result.errors[0])
+    assert result.mesh.GetNumberOfCells() == 0
+
+
+def moved(change, cells=ALL):
+    """The hexahedra with change(points) made."""
+    data = hexes(fields(), cells)
+    change(vtk_to_numpy(data.GetPoints().GetData()))
+    return data
+
+
+def turn(points):
+    points[:] = points @ np.array([[0.8, 0.6, 0], [-0.6, 0.8, 0], [0, 0, 1]])
+
+
+def set_point(point, axis, value):
+    def change(points):
+        points[point, axis] = value
+    return change
+
+
+def test_other_shapes():
+    check_error(moved(set_point(0, 0, -0.9)), "The input: cell 0 is no box", "its point 0 at (-0.9, 0.5, 2)", "Transform")
+    check_error(moved(turn), "cell 0 is no box with sides along the axes", "Transform", "Resample To Image")
+    check_error(moved(set_point(14, 2, np.nan)), "corner that is not finite", "point 14")
+    check_error(moved(lambda points: points.__setitem__((slice(None), 1), 3.0)), "cell 0 is flat along y")
+    data = hexes(fields(), ALL)
+    vtk_to_numpy(data.GetCells().GetConnectivityArray())[8] = 2  # corner 0 of cell 1 becomes its corner 1
+    check_error(data, "cell 1 has two corners in the same place")
+
+
+def test_other_cells():
+    check_error(quads(VTK_TETRA), "The input: cell 0 is a vtkTetra", "Resample To Image")
+    check_error(blocks(hexes(fields(), ALL), quads(VTK_TETRA)), "Block 1: cell 0 is a vtkTetra")
+    check_error(quads(), "no cells", "3D grid of cells")
+    check_error(blocks(quads(), quads()), "no cells", "3D grid of cells")
+
+
+def test_cells_that_do_not_tile():
+    check_error(hexes(fields(), np.delete(ALL, [40, 400])), "leave a gap: 2 of the 1728", "cell (4, 3, 0)")
+    check_error(hexes(fields(), np.append(ALL, 77)), "cell 77 and cell 1728 lie in the same place")
+    check_error(blocks(hexes(fields(), ALL[:300]), hexes(fields(), ALL[299:])), "Block 0 and Block 1 overlap", "cell (11, 0, 2)")
+    half = [np.linspace(x[0], x[-1], 2 * N + 1) for x in UNIFORM]
+    fine = hexes({name: np.repeat(np.repeat(np.repeat(v, 2, 0), 2, 1), 2, 2) for name, v in fields().items()}, [0, 1], half)
+    check_error(blocks(fine, hexes(fields(), ALL[1:])), "Block 1 does not fit the other blocks along", "refined (AMR)")
+
+
+def test_missing_arrays():
+    data = hexes(fields(), shuffled())
+    check_error(data, "has no numeric cell array 'MAT_30'. Its cell arrays: 'ids', 'MAT_10', 'MAT_20', 'number'",
+                VolumeFractionArrays=["MAT_30"])
+    check_error(data, "has no numeric cell array 'heat'", StateArrays=["heat"])
+
+
+def pvbatch(ranks, *words):
+    result = mpi_run(ranks, ["pvbatch", *(["--sym"] if ranks > 1 else []), exodus_grids.__file__, *words], 120)
+    assert result.returncode == 0 and "ERR|" not in result.stderr, result
+
+
+def sculptor(path, output, *arguments, ranks=1):
+    return sculptor_program.sculptor("--input", path, "--output", output, *arguments, ranks=ranks)
+
+
+FOLDER = tempfile.TemporaryDirectory()
+
+
+@functools.lru_cache()
+def files():
+    """Files of the same grid: {kind: path}."""
+    at = lambda name: os.path.join(FOLDER.name, name)
+    cells = shuffled()
+    pvbatch(3, "write", at("parts.e"))
+    return {
+        "one": write_exodus(at("one.exo"), lambda step: {"all": hexes(fields(step), ALL)}),
+        "blocks": write_exodus(at("blocks.g"), lambda step: {
+            name: hexes(fields(step), part) for name, part in zip("zay", np.split(cells, [600, 601]))}),
+        "parts": at("parts.e.3.0"),
+    }
+
+
+def check_pieces(pieces, expected, label):
+    """What the reader says of its file is field data of the mesh as well."""
+    for piece in pieces:
+        field = piece.GetFieldData()
+        for name in [field.GetArrayName(i) for i in range(field.GetNumberOfArrays())]:
+            if not expected.mesh.GetFieldData().HasArray(name):
+                field.RemoveArray(name)
+    problem = difference(merge(pieces), merge([expected.mesh]))
+    assert not problem, "%s: %s" % (label, problem)
+
+
+def check_file(output, expected, label):
+    check_pieces(read_pieces(output), expected, label)
+
+
+@in_folder
+def test_readers_of_paraview(at):
+    expected = [of_grid(step) for step in range(len(TIMES))]
+    assert digest(expected[0]) != digest(expected[1])
+    for kind, path in files().items():
+        for reader in ("OpenDataFile", "IOSSReader", "ExodusIIReader"):
+            for step in range(len(TIMES)):
+                mesher = exodus_grids.mesh_of_reader(reader, step, path)
+                mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
+                check_pieces([mesh], expected[step], (kind, reader, step))
+    for ranks, reader, kind in ((2, "IOSSReader", "blocks"), (3, "ExodusIIReader", "parts"), (3, "OpenDataFile", "parts")):
+        pvbatch(ranks, "mesh", reader, "1", files()[kind], at("out.pvtu"))
+        check_file(at("out.pvtu"), expected[1], (kind, reader, ranks))
+
+
+@in_folder
+def test_sculptor(at):
+    expected = [of_grid(step) for step in range(len(TIMES))]
+    asked = ("--fractions", "MAT_10,MAT_20", "--state", "number", "--quiet")
+    for kind, path in files().items():
+        for ranks, step, words in ((1, 0, ()), (2, 1, ("--time", "1.9")), (3, 0, ()), (4, 1, ("--step", "1"))):
+            result = sculptor(path.replace("3.0", "3.1"), at("out.vtu"), *asked, *words, ranks=ranks)  # any part stands for all
+            assert result.returncode == 0 and result.stderr == "", result
+            check_file(at("out.vtu"), expected[step], (kind, ranks, words))
+        result = sculptor(path, at("out.vtu"))
+        assert "materials from MAT_10, MAT_20 (all cell arrays" in result.stdout and "time 0.5" in result.stdout, result
+
+
+@in_folder
+def test_sculptor_labels(at):
+    """Element variables are real; a label array of whole numbers is taken all the same, and so are the ids of the blocks."""
+    ids = np.random.default_rng(3).choice([0, 2, 5], (N, N, N))
+    expected = mesh_of(image({"MAT": ids.astype(np.int32)}), MaterialIdArray="MAT")
+    cells = shuffled()
+    path = write_exodus(at("in.e"), lambda step: {"all": hexes({"MAT": ids.astype(float)}, cells)})
+    assert sculptor(path, at("out.vtu"), "--labels", "MAT").returncode == 0
+    check_file(at("out.vtu"), expected, "labels")
+    path = write_exodus(at("in.e"), lambda step: {
+        "five": hexes({}, ALL[ids.ravel() == 5]), "rest": hexes({}, ALL[ids.ravel() != 5])}, [0.0])
+    expected = mesh_of(image({"object_id": np.where(ids == 5, 1, 2).astype(np.int32)}), MaterialIdArray="object_id")
+    assert sculptor(path, at("out.vtu"), "--labels", "object_id").returncode == 0
+    check_file(at("out.vtu"), expected, "ids of blocks")
+    path = write_exodus(at("in.e"), lambda step: {"all": hexes({"MAT": ids + 0.5}, cells)})
+    refused(3, "'MAT' is of type double", path, at("no.vtu"), "--labels", "MAT")
+
+
+def refused(code, text, path, output, *arguments, ranks=1):
+    sculptor_program.refused(code, text, "--input", path, "--output", output, *arguments, ranks=ranks)
+
+
+@in_folder
+def test_sculptor_refuses(at):
+    no = at("no.vtu")
+    for ranks, kind in ((1, "one"), (1, "parts"), (2, "parts"), (3, "blocks")):
+        path = files()[kind]
+        refused(2, "has no element variable 'MAT_30'. It has: MAT_10, MAT_20, number.", path, no, "--fractions", "MAT_30", ranks=ranks)
+        refused(2, "has no element variable 'heat'", path, no, "--state", "heat", ranks=ranks)
+        refused(2, "has no step 2: it has 2, counted from 0", path, no, "--step", "2", ranks=ranks)
+    refused(2, "absent.e: No such file", at("absent.e"), no)
+    refused(1, "unknown kind", at("parts.e.3.3"), no)
+    skewed = write_exodus(at("skewed.e"), lambda step: {"all": moved(turn)}, [0.0])
+    refused(3, "Block 0 of rank 0: cell 0 is no box", skewed, no, "--fractions", "MAT_10", ranks=3)
+
+
+@in_folder
+def test_damaged_files(at):
+    no = at("no.vtu")
+    with open(files()["blocks"], "rb") as file:
+        whole = file.read()
+    for length in [0, 3, 100, 2000] + [len(whole) * i // 5 for i in range(1, 5)] + [len(whole) - 9]:
+        with open(at("cut.e"), "wb") as file:
+            file.write(whole[:length])
+        refused(2, "Cannot read the input " + at("cut.e"), at("cut.e"), no, "--fractions", "MAT_10")
+    with open(at("cut.e"), "wb") as file:
+        file.write(b"no Exodus file at all" * 100)
+    refused(2, "Cannot read the input " + at("cut.e"), at("cut.e"), no)
+
+
+@in_folder
+def test_damaged_parts(at):
+    no = at("no.vtu")
+    part = [at("parts.e.3.%d" % rank) for rank in range(3)]
+    for rank, counts in enumerate(((1, 3), (2, 3), (4,))):
+        for path in part:
+            shutil.copy(os.path.join(FOLDER.name, os.path.basename(path)), path)
+        os.remove(part[rank])
+        for ranks in counts:
+            refused(2, "parts.e.3.%d (one of 3 files): No such file" % rank, part[(rank + 1) % 3], no, ranks=ranks)
+        with open(os.path.join(FOLDER.name, "parts.e.3.%d" % rank), "rb") as whole, open(part[rank], "wb") as cut:
+            cut.write(whole.read()[:-20000])
+        for ranks in counts:
+            refused(2, "parts.e.3.%d: the file is cut off" % rank, part[0], no, ranks=ranks)
+        shutil.copy(write_exodus(at("other.e"), lambda step: {"left": hexes(fields(), ALL)}, [0.5]), part[rank])
+        refused(2, "it holds %d times, but " % (1 if rank else 2), part[2], no, ranks=counts[0])
+
+
+main(globals())

@@ -1,0 +1,136 @@
+"""Labels without steps, and small regions removed: properties of the filters."""
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from vfmtest import (
+    ORIGIN, SPACING, TET_METHODS, check_surfaces, digest, facets, fraction_image, image, labels, main, mesh_of, run,
+    VolumeFractionToTet)
+
+N = 16
+CELL = np.prod(SPACING)
+BALL_SIZE = 18, 30, 30  # cells along z, y, x
+MIDDLE, RADIUS = np.array(ORIGIN) + np.array(SPACING) * (15.1, 15.2, 9.05), 3.2
+
+
+def ball_labels():
+    """A ball in cells twice as long along z as along x and y, by their centres."""
+    axes = [ORIGIN[a] + SPACING[a] * (np.arange(BALL_SIZE[2 - a]) + 0.5) for a in range(3)]
+    z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
+    distance = np.sqrt((x - MIDDLE[0]) ** 2 + (y - MIDDLE[1]) ** 2 + (z - MIDDLE[2]) ** 2)
+    return (7 * (distance < RADIUS)).astype(np.int32)
+
+
+def crumbs():
+    """A block of 3 on a block of 5, with a cavity of three cells, and in the void a pair of 3 and a single 5."""
+    ids = np.zeros((N, N, N), np.int32)
+    ids[2:7, 3:13, 3:13], ids[7:12, 3:13, 3:13] = 5, 3
+    ids[9, 8, 6:9] = 0
+    ids[14, 14, 6:8], ids[14, 2, 2] = 3, 5
+    return ids
+
+
+BALL, CRUMBS = ball_labels(), crumbs()
+
+
+def mesh_labels(ids, make=None, **properties):
+    return mesh_of(image({"id": ids}), make, MaterialIdArray="id", **properties)
+
+
+def rms_distance(result):
+    points = vtk_to_numpy(result.surfaces.GetPoints().GetData())
+    return np.sqrt(np.mean((np.linalg.norm(points[np.unique(facets(result))] - MIDDLE, axis=1) - RADIUS) ** 2))
+
+
+def check_volumes(result, ids):
+    """Targets are the volumes of the cells, and met."""
+    for material, target, volume in zip(*map(result.field, ("MaterialIds", "TargetVolume", "MeshVolume"))):
+        expected = (ids == material).sum() * CELL
+        assert abs(target - expected) < 1e-6 * expected, (material, target, expected)
+        assert abs(volume - expected) < 1e-5 * expected, (material, volume, expected)
+
+
+def test_label_smoothing():
+    kinds = [{}] + [{"make": VolumeFractionToTet, "Method": method} for method in TET_METHODS]
+    for kind in kinds:
+        steps, smooth = (mesh_labels(BALL, LabelSmoothing=passes, **kind) for passes in (0, 2))
+        assert rms_distance(smooth) < 0.7 * rms_distance(steps), (kind, rms_distance(smooth), rms_distance(steps))
+        assert not smooth.warnings
+        check_volumes(smooth, BALL)
+        assert smooth.cells("ScaledJacobian").min() > 0 and set(smooth.cells("MaterialId")) == {7}
+    check_surfaces(mesh_labels(CRUMBS, LabelSmoothing=2))
+
+
+def test_labels_stay():
+    for ids in (BALL, CRUMBS):
+        steps, smooth = (mesh_labels(ids, StairStep=1, LabelSmoothing=passes) for passes in (0, 4))
+        assert digest(steps) == digest(smooth)
+
+
+def test_volumes_of_noise():
+    noise = np.random.default_rng(2).choice([0, 2, 3, 9], (7, 8, 9)).astype(np.int32)
+    steps, smooth = (mesh_labels(noise, StairStep=1, LabelSmoothing=passes) for passes in (0, 4))
+    assert np.allclose(steps.field("TargetVolume"), smooth.field("TargetVolume"), rtol=1e-6)
+    assert not smooth.warnings
+
+
+def test_refinement_of_smooth_labels():
+    rough, fine = (mesh_labels(BALL, Refinement=1, LabelSmoothing=passes, ConserveVolume=0) for passes in (0, 2))
+    assert rms_distance(fine) < 0.7 * rms_distance(rough)
+    assert np.allclose(fine.field("TargetVolume"), rough.field("TargetVolume"), rtol=1e-6)
+
+
+def test_fractions_are_not_smoothed():
+    data = fraction_image()
+    assert digest(mesh_of(data, LabelSmoothing=5)) == digest(mesh_of(data))
+
+
+def test_threads():
+    reference = digest(mesh_labels(CRUMBS, LabelSmoothing=2, MinimumRegionCells=3, NumberOfThreads=1))
+    for threads in (2, 5):
+        assert digest(mesh_labels(CRUMBS, LabelSmoothing=2, MinimumRegionCells=3, NumberOfThreads=threads)) == reference
+
+
+def test_minimum_region():
+    for minimum, regions, cells in ((0, 0, 0), (1, 0, 0), (2, 1, 1), (3, 2, 3), (4, 3, 6)):
+        for smoothing in (0, 2):
+            result = mesh_labels(CRUMBS, MinimumRegionCells=minimum, LabelSmoothing=smoothing)
+            assert result.field("RemovedRegions") == [regions] and result.field("RemovedCells") == [cells]
+            assert result.field("NumberOfFragments") == [4 - min(regions, 2)]
+    whole = CRUMBS.copy()
+    whole[9, 8, 6:9], whole[14] = 3, 0
+    check_volumes(result, whole)
+
+
+def test_minimum_region_of_fractions():
+    """Spray goes with the fractions in the cells around it; what is far from it stays."""
+    water = np.zeros((N, N, N))
+    water[:5], water[5] = 1.0, 0.3
+    volume = water.sum()
+    water[10, 8, 7:10] = 0.8, 0.9, 0.4
+    result = mesh_of(image({"water": water}), VolumeFractionArrays=["water"], MinimumRegionCells=3)
+    assert result.field("RemovedRegions") == [1] and result.field("RemovedCells") == [2]
+    assert result.field("NumberOfFragments") == [1]
+    assert abs(result.field("TargetVolume")[0] - volume * CELL) < 1e-9 * volume * CELL
+    kept = mesh_of(image({"water": water}), VolumeFractionArrays=["water"])
+    assert kept.field("RemovedRegions") == [0] and kept.field("NumberOfFragments") == [2]
+
+
+def test_iso_value_decides_what_a_region_is():
+    water = np.zeros((8, 8, 8))
+    water[:3] = 1.0
+    water[5, 5, 5] = 0.4
+    for iso, regions in ((0.5, 0), (0.3, 1)):
+        result = mesh_of(image({"water": water}), VolumeFractionArrays=["water"], MinimumRegionCells=2, IsoValue=iso)
+        assert result.field("RemovedRegions") == [regions], iso
+
+
+def test_all_too_small():
+    """What is left of a grid is one region, here void: an empty mesh and a word about it."""
+    ids = np.zeros((6, 6, 6), np.int32)
+    ids[2:4, 2:4, 2:4] = 1
+    result = run(image({"id": ids}), MaterialIdArray="id", MinimumRegionCells=1000, LabelSmoothing=2)
+    assert result.mesh.GetNumberOfCells() == 0 and not result.errors
+    assert any("empty" in warning for warning in result.warnings)
+
+
+main(globals())

@@ -1,0 +1,56 @@
+"""Side sets and node sets of a mesh by brute force, for tests."""
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from vfmtest import HEX_FACES, TET_FACES
+
+AXES = [axis + end for axis in "xyz" for end in ("_min", "_max")]
+
+
+def array(attributes, name):
+    return vtk_to_numpy(attributes.GetArray(name))
+
+
+def elements_of(mesh):
+    return vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(mesh.GetNumberOfCells(), -1)
+
+
+def material_names(mesh):
+    """{id: name}, 0 the void."""
+    field = mesh.GetFieldData()
+    names, ids = field.GetAbstractArray("MaterialNames"), field.GetArray("MaterialIds")
+    return {0: "Void", **{int(ids.GetTuple1(i)): names.GetValue(i) for i in range(names.GetNumberOfValues())}}
+
+
+def on_sides(mesh):
+    """Whether each point is on each of the six sides of the domain."""
+    points, bounds = vtk_to_numpy(mesh.GetPoints().GetData()), array(mesh.GetFieldData(), "DomainBounds")
+    return np.stack([points[:, side // 2] == bounds[side] for side in range(6)], axis=1)
+
+
+def find_sets(mesh):
+    """({(id, name): set of (element id, sorted point ids)}, {(id, name): set of point ids}) of a whole mesh."""
+    cells, ids = elements_of(mesh), array(mesh.GetPointData(), "GlobalPointIds")
+    table = HEX_FACES if cells.shape[1] == 8 else TET_FACES
+    materials, names = array(mesh.GetCellData(), "MaterialId").tolist(), material_names(mesh)
+    cell_ids, sides = array(mesh.GetCellData(), "GlobalCellIds").tolist(), on_sides(mesh)
+    void = max(max(materials), max(names)) + 1
+    owners = {}
+    for element, cell in enumerate(cells):
+        for face in cell[table]:
+            owners.setdefault(tuple(sorted(ids[face].tolist())), []).append((element, face))
+    side_sets = {}
+    for points, at in owners.items():
+        for element, face in at:
+            behind = [materials[other] for other, _ in at if other != element]
+            if behind == [materials[element]]:
+                continue
+            full = np.flatnonzero(sides[face].all(axis=0))
+            if not behind and len(full):
+                key = (int(full[0]) + 1, AXES[full[0]])
+            else:
+                one, other = materials[element], (behind or [0])[0]
+                key = ((one or void) * 1000 + other, "%s_to_%s" % (names[one], names[other]))
+            side_sets.setdefault(key, set()).add((cell_ids[element], points))
+    node_sets = {(s + 1, AXES[s]): set(ids[sides[:, s]].tolist()) for s in range(6) if sides[:, s].any()}
+    return side_sets, node_sets

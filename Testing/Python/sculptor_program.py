@@ -1,0 +1,40 @@
+"""Runs of the program sculptor (VFM_SCULPTOR) on some ranks, for tests."""
+import os
+
+from compare_meshes import difference, merge, read_pieces
+from mpi_run import mpi_run
+
+SCULPTOR = os.environ["VFM_SCULPTOR"]
+
+
+def sculptor(*arguments, ranks=1, folder=None):
+    """Runs the program without a terminal; standard error is without what mpiexec says."""
+    return mpi_run(ranks, [SCULPTOR, *arguments], 60, folder)
+
+
+def mesh_file(path, output, *arguments, ranks=1):
+    """Meshes a file and returns the standard output."""
+    result = sculptor("--input", path, "--output", output, *arguments, ranks=ranks)
+    assert result.returncode == 0 and result.stderr == "", result
+    return result.stdout
+
+
+def refused(code, text, *arguments, ranks=1):
+    """The program ends with that code and one message that has the text."""
+    result = sculptor(*arguments, ranks=ranks)
+    lines = result.stderr.splitlines()
+    assert result.returncode == code, (code, result)
+    assert len(lines) == 1 and lines[0].startswith("sculptor: ") and text in lines[0], (text, result)
+    assert result.stdout == "", result
+
+
+def check_same(output, mesh, time=None, besides=()):
+    """The file holds the mesh, and its time when it has one; besides: field data that it has beside the mesh's."""
+    pieces = read_pieces(output)
+    for piece in pieces:
+        field = piece.GetFieldData()
+        assert (field.GetArray("TimeValue").GetTuple1(0) if time is not None else field.GetArray("TimeValue")) == time
+        for name in ("TimeValue", *besides):
+            field.RemoveArray(name)
+    problem = difference(merge(pieces), merge([mesh]))
+    assert not problem, "%s: %s" % (output, problem)
