@@ -3,10 +3,11 @@
 
 usage: pvpython demo.py PLUGIN OUT [CASE ...]
 
-For every case: OUT/CASE.vtu, OUT/CASE.e (Exodus, one element block a material), OUT/CASE_surface.png
-(the surface with the edges of the hexahedra) and OUT/CASE_cut.png (the hexahedra inside, coloured by
-scaled Jacobian); and of tetrahedra OUT/CASE_tets.vtu, OUT/CASE_tets.e and OUT/CASE_tets_cut.png. What is
-newer than the input, the plugin and the scripts is kept. Needs an X server.
+For every case: OUT/CASE.vtu, OUT/CASE.e (Exodus with element blocks, side sets and node sets), OUT/CASE.inp (Abaqus and
+CalculiX), OUT/CASE.csv (the table of fragments), OUT/CASE_surface.png (the surface with the edges of the hexahedra)
+and OUT/CASE_cut.png (the hexahedra inside, coloured by scaled Jacobian); and of tetrahedra the same with CASE_tets,
+without the picture of the surface. What is newer than the input, the plugin and the scripts is kept. Needs an X
+server.
 """
 import glob
 import math
@@ -70,7 +71,7 @@ def tet_filter(case, source):
     return tets
 
 
-def make_mesh(case, make_filter, vtu, exodus):
+def make_mesh(case, make_filter, vtu, exodus, abaqus, table):
     source = simple.XMLImageDataReader(FileName=[case.file])
     mesher = make_filter(case, source)
     start = time.time()
@@ -81,6 +82,8 @@ def make_mesh(case, make_filter, vtu, exodus):
     print("%s: %d elements in %.1f s" % (os.path.basename(vtu), elements, time.time() - start))
     simple.SaveData(vtu, proxy=mesher, DataMode="Binary", CompressorType="ZLib")
     write_exodus(read_mesh(vtu), exodus)
+    simple.SaveData(abaqus, proxy=mesher)
+    simple.SaveData(table, proxy=VolumeFractionFragments(Input=mesher), Precision=16, UseScientificNotation=1)
     simple.Delete(mesher)
     simple.Delete(source)
 
@@ -201,7 +204,7 @@ def print_table(rows):
 
 
 def main(plugin, out, names):
-    simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
+    simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines the filters
     simple._DisableFirstRenderCameraReset()
     os.makedirs(out, exist_ok=True)
     code = glob.glob(os.path.join(os.path.dirname(plugin), "*.so"))
@@ -211,10 +214,10 @@ def main(plugin, out, names):
         if names and case.name not in names:
             continue
         for name, make_filter in ((case.name, hex_filter), (case.name + "_tets", tet_filter)):
-            vtu, exodus, surface, cut = (
-                os.path.join(out, name + ending) for ending in (".vtu", ".e", "_surface.png", "_cut.png"))
-            if not is_newer([vtu, exodus], [case.file] + code):
-                make_mesh(case, make_filter, vtu, exodus)
+            vtu, exodus, abaqus, table, surface, cut = (
+                os.path.join(out, name + ending) for ending in (".vtu", ".e", ".inp", ".csv", "_surface.png", "_cut.png"))
+            if not is_newer([vtu, exodus, abaqus, table], [case.file] + code):
+                make_mesh(case, make_filter, vtu, exodus, abaqus, table)
             if not is_newer([cut], [vtu] + code):
                 draw_cut(case, open_mesh(vtu), cut)
             if make_filter is hex_filter and not is_newer([surface], [vtu] + code):
