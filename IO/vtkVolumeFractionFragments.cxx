@@ -2,13 +2,13 @@
 
 #include "ControllerRanks.h"
 #include "FragmentTable.h"
+#include "RequestPiece.h"
 #include "Runtime.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -49,11 +49,7 @@ int vtkVolumeFractionFragments::FillInputPortInformation(int, vtkInformation* in
 int vtkVolumeFractionFragments::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  const vfm::ControllerRanks ranks(this->Controller);
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  vfm::RequestPiece(this->Controller, inputVector);
   return 1;
 }
 

@@ -1,6 +1,7 @@
 #include "vtkVolumeFractionMeshWriter.h"
 
 #include "ControllerRanks.h"
+#include "RequestPiece.h"
 #include "Runtime.h"
 
 #include "vtkErrorCode.h"
@@ -33,11 +34,7 @@ vtkTypeBool vtkVolumeFractionMeshWriter::ProcessRequest(
 {
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
-    const vfm::ControllerRanks ranks(this->Controller);
-    vtkInformation* input = inputVector[0]->GetInformationObject(0);
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    vfm::RequestPiece(this->Controller, inputVector);
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }

@@ -1,5 +1,6 @@
 #include "ReaderSteps.h"
 
+#include "OpenFile.h"
 #include "Stage.h"
 #include "VtkMessages.h"
 
@@ -8,10 +9,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 namespace vfm
 {
@@ -25,12 +23,13 @@ void RefuseInput(const std::string& message)
 
 void CheckInputFile(const std::string& path, const std::string& role)
 {
-  errno = 0; // of what failed before
-  std::ifstream file(path);
-  if (file.peek() == std::ifstream::traits_type::eof()) // folders open, but cannot be read
+  try
   {
-    RefuseInput("Cannot read the input " + path + role + ": " +
-      (errno ? std::strerror(errno) : "the file is empty") + ".");
+    OpenFile(path);
+  }
+  catch (const InputError& error)
+  {
+    RefuseInput("Cannot read the input " + path + role + ": " + error.what());
   }
 }
 

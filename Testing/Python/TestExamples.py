@@ -8,10 +8,9 @@ import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOIOSS import vtkIOSSReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader
 
-from vfmtest import fraction_image, image, main, tet_volumes
+from vfmtest import exodus_parts, fraction_image, image, main, tet_volumes
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples")
 SCRIPT = os.path.join(EXAMPLES, "mesh_series.py")
@@ -40,15 +39,7 @@ def read_vtu(folder, name):
 
 def block_sizes(path):
     """Elements of each block of an Exodus file by its name."""
-    reader = vtkIOSSReader()
-    reader.SetFileName(path)
-    reader.Update()
-    blocks = reader.GetOutputDataObject(0)
-    sizes = {}
-    for i in range(blocks.GetNumberOfPartitionedDataSets()):
-        if blocks.GetPartition(i, 0):
-            sizes[blocks.GetMetaData(i).Get(blocks.NAME())] = blocks.GetPartition(i, 0).GetNumberOfCells()
-    return sizes
+    return {name: part.GetNumberOfCells() for name, part in exodus_parts(path)}
 
 
 def test_all_steps_in_order():

@@ -8,7 +8,6 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
     vtkAMRBox, vtkMultiBlockDataSet, vtkOverlappingAMR, vtkRectilinearGrid, vtkUniformGrid)
-from vtkmodules.vtkIOIOSS import vtkIOSSReader
 from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter, vtkXMLUniformGridAMRWriter)
@@ -16,8 +15,8 @@ from vtkmodules.vtkIOXML import (
 from compare_meshes import difference, merge, read_pieces
 from sculptor_program import check_same, mesh_file, refused, sculptor
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, fraction_image, image, in_folder,
-    labels, main, mesh_of, write)
+    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, exodus_parts, fraction_image, image,
+    in_folder, labels, main, mesh_of, write)
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
@@ -183,20 +182,13 @@ def test_empty_mesh(at):
 
 
 def read_exodus(path):
-    """{block: (element ids, {node id: coordinates})}; the reader finds the files of the other ranks."""
-    reader = vtkIOSSReader()
-    reader.SetFileName(path)
-    reader.Update()
-    blocks = reader.GetOutputDataObject(0)
+    """{block: (element ids, {node id: coordinates})}"""
     found = {}
-    for i in range(blocks.GetNumberOfPartitionedDataSets()):
-        for p in range(blocks.GetNumberOfPartitions(i)):
-            part = blocks.GetPartition(i, p)
-            if part and part.GetNumberOfCells() > 0:
-                elements, nodes = found.setdefault(blocks.GetMetaData(i).Get(blocks.NAME()), ([], {}))
-                elements += vtk_to_numpy(part.GetCellData().GetGlobalIds()).tolist()
-                ids = vtk_to_numpy(part.GetPointData().GetGlobalIds()).tolist()
-                nodes.update(zip(ids, map(tuple, vtk_to_numpy(part.GetPoints().GetData()).tolist())))
+    for name, part in exodus_parts(path):
+        elements, nodes = found.setdefault(name, ([], {}))
+        elements += vtk_to_numpy(part.GetCellData().GetGlobalIds()).tolist()
+        ids = vtk_to_numpy(part.GetPointData().GetGlobalIds()).tolist()
+        nodes.update(zip(ids, map(tuple, vtk_to_numpy(part.GetPoints().GetData()).tolist())))
     return found
 
 

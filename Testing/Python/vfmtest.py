@@ -14,6 +14,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
+from vtkmodules.vtkIOIOSS import vtkIOSSReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from paraview.modules.vtkRemotingCore import vtkProcessModule
@@ -196,6 +197,19 @@ def write(data, path, writer=vtkXMLImageDataWriter, pieces=0):
         it.SetEndPiece(pieces - 1)
     assert it.Write()
     return path
+
+
+def exodus_parts(path):
+    """The parts with elements of an Exodus file and those of the other ranks, which the reader finds: (block's name, part)."""
+    reader = vtkIOSSReader()
+    reader.SetFileName(path)
+    reader.Update()
+    blocks = reader.GetOutputDataObject(0)
+    for i in range(blocks.GetNumberOfPartitionedDataSets()):
+        for p in range(blocks.GetNumberOfPartitions(i)):
+            part = blocks.GetPartition(i, p)
+            if part and part.GetNumberOfCells() > 0:
+                yield blocks.GetMetaData(i).Get(blocks.NAME()), part
 
 
 def in_folder(test):

@@ -1,0 +1,25 @@
+/**
+ * RequestPiece: what filters and writers of meshes ask of their input.
+ */
+#pragma once
+
+#include "ControllerRanks.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+namespace vfm
+{
+
+/// This process' piece of the first input, without ghost cells.
+inline void RequestPiece(vtkMultiProcessController* controller, vtkInformationVector** inputVector)
+{
+  const ControllerRanks ranks(controller);
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+} // namespace vfm
