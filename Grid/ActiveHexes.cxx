@@ -14,11 +14,11 @@ std::vector<Index> FindActiveNodes(
   const Interface& interface, const PointNumbering& numbering, const LabelArray& labels)
 {
   const CartesianGrid& grid = interface.Grid();
-  Buffer<unsigned char> seen(grid.NumberOfEntries(), 0);
+  PagedArray<unsigned char> seen(grid, 0);
   std::vector<Index> nodes = interface.Nodes();
   for (Index node : nodes)
   {
-    seen[node] = 1;
+    seen.Set(node, 1);
   }
   std::size_t begin = 0;
   for (int ring = 0; ring < Rings; ++ring)
@@ -40,7 +40,7 @@ std::vector<Index> FindActiveNodes(
           const Index other = grid.NodeOfCell(cell, corner);
           if (!seen[other])
           {
-            seen[other] = 1;
+            seen.Set(other, 1);
             nodes.push_back(other);
           }
         }
@@ -82,6 +82,7 @@ void AddHexes(
     }
   }
   const bool uniform = IsUniform(grid);
+  active.Elements.reserve(8 * hexes.size());
   for (Index h : hexes)
   {
     for (int c = 0; c < 8; ++c)

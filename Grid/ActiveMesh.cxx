@@ -90,6 +90,16 @@ void ActiveMesh::ListCorners()
   }
 }
 
+std::vector<unsigned char> ActiveMesh::ListMoved(const Mesh& mesh) const
+{
+  std::vector<unsigned char> moved(mesh.PointIds.size(), 0);
+  for (std::size_t p = 0; p < this->X.size(); ++p)
+  {
+    moved[this->MeshPoint[p]] = this->IsActive[p];
+  }
+  return moved;
+}
+
 void ActiveMesh::CopyTo(Mesh& mesh, const CartesianGrid& grid) const
 {
   const double scale = grid.MeanWidth();

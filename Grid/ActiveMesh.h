@@ -69,6 +69,8 @@ struct ActiveMesh
   void ListCorners();
   /// Appends a point at x (grid units of the user), which is where it starts.
   void AddPoint(const CartesianGrid& grid, const Mesh& mesh, Index meshPoint, bool active);
+  /// Of each point of the mesh: whether it is active.
+  std::vector<unsigned char> ListMoved(const Mesh& mesh) const;
   /// Writes the coordinates of the active points back into the mesh; fixed coordinates stay untouched.
   void CopyTo(Mesh& mesh, const CartesianGrid& grid) const;
 };

@@ -108,18 +108,21 @@ public:
     FractionField& to) const
   {
     auto next = mixed.begin();
+    FractionField::RowWriter row(to);
+    row.Start(this->Grid.Linear({ { box.Lower[0], j, k } }));
     for (Index i = box.Lower[0]; i < box.Upper[0]; ++i)
     {
       const Index3 p{ { i, j, k } };
       const Index cell = this->Grid.Linear(p);
       if (this->IsPure(cell, FindShares(this->Grid, this->Axis, p[this->Axis])))
       {
-        to.SetLabel(cell, this->From.Label(cell));
+        row.AddLabel(this->From.Label(cell));
         continue;
       }
-      to.CopyParts(cell, { next->data(), next->data() + next->size() });
+      row.CopyParts({ next->data(), next->data() + next->size() });
       ++next;
     }
+    row.Finish();
   }
 
 private:

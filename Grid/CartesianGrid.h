@@ -6,7 +6,7 @@
  * corner, is the same number: their arrays have one shape, the local box with one more layer of cells
  * on every side. So the eight cells of a node, the eight nodes of a cell and the neighbours of either
  * are fixed offsets, and every node of the local box has eight cells in memory. The outermost layer
- * mirrors the cell inside it (SetMirrored), which is what the stages want at the domain boundary.
+ * mirrors the cell inside it where the stages want a value beyond the domain boundary (labels).
  *
  * Corners of a cell and cells of a node are numbered by bits, x first: c = cx + 2 cy + 4 cz.
  * Corner c of cell n is node n + Offset(c); cell c of the star of node n is n - Offset(7) + Offset(c).
@@ -56,6 +56,12 @@ struct IndexBox
     }
     return true;
   }
+  /// Position of a cell of the box in an array over them, x fastest.
+  Index Offset(const Index3& c) const
+  {
+    return ((c[2] - this->Lower[2]) * this->Size(1) + c[1] - this->Lower[1]) * this->Size(0) +
+      c[0] - this->Lower[0];
+  }
   /// Whether one of the cells has the node as a corner.
   bool Touches(const Index3& node) const
   {
@@ -68,8 +74,32 @@ struct IndexBox
   }
 };
 
+/// Calls body(position) for the cells of a box, x fastest.
+template <class Body>
+void ForCells(const IndexBox& box, const Body& body)
+{
+  Index3 p;
+  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
+  {
+    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
+    {
+      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
+      {
+        body(static_cast<const Index3&>(p));
+      }
+    }
+  }
+}
+
 /// The cells that both boxes hold; a box without cells where there is none.
 IndexBox Intersect(const IndexBox& a, const IndexBox& b);
+
+/// The place of a cell in arrays over the cells of a box, x fastest.
+inline Index PlaceInBox(const IndexBox& box, const Index3& cell)
+{
+  return ((cell[2] - box.Lower[2]) * box.Size(1) + cell[1] - box.Lower[1]) * box.Size(0) + cell[0] -
+    box.Lower[0];
+}
 
 class CartesianGrid
 {
@@ -156,9 +186,9 @@ public:
     return sides;
   }
 
-  /// Copies each cell on the rim of the local box into the outer layer beside it.
-  template <class Array>
-  void SetMirrored(Array& values) const;
+  /// Calls body(n) for the cells of the outer layer that mirror a cell: none but at the rim of the local box.
+  template <class Body>
+  void ForMirrors(Index cell, const Body& body) const;
 
 private:
   std::array<std::vector<double>, 3> X;
@@ -168,22 +198,26 @@ private:
   Index Entries = 0;
 };
 
-template <class Array>
-void CartesianGrid::SetMirrored(Array& values) const
+template <class Body>
+void CartesianGrid::ForMirrors(Index cell, const Body& body) const
 {
-  const Index3 n{ { this->LocalBox.Size(0) + 2, this->LocalBox.Size(1) + 2,
-    this->LocalBox.Size(2) + 2 } };
-  for (int axis = 0; axis < 3; ++axis)
+  const Index3 p = this->Position(cell);
+  Index3 low, high;
+  for (int a = 0; a < 3; ++a)
   {
-    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
-    const Index last = (n[axis] - 1) * this->Strides[axis], step = this->Strides[axis];
-    for (Index q = 0; q < n[c]; ++q)
+    low[a] = p[a] == this->LocalBox.Lower[a] ? -1 : 0;
+    high[a] = p[a] == this->LocalBox.Upper[a] - 1 ? 1 : 0;
+  }
+  for (Index z = low[2]; z <= high[2]; ++z)
+  {
+    for (Index y = low[1]; y <= high[1]; ++y)
     {
-      for (Index p = 0; p < n[b]; ++p)
+      for (Index x = low[0]; x <= high[0]; ++x)
       {
-        const Index base = p * this->Strides[b] + q * this->Strides[c];
-        values[base] = values[base + step];
-        values[base + last] = values[base + last - step];
+        if (x != 0 || y != 0 || z != 0)
+        {
+          body(cell + x + y * this->Strides[1] + z * this->Strides[2]);
+        }
       }
     }
   }

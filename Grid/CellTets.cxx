@@ -1,6 +1,7 @@
 #include "TetTopology.h"
 
 #include "LatticeStencils.h"
+#include "OuterTets.h"
 
 #include <numeric>
 
@@ -12,9 +13,9 @@ namespace
 class CellTetBuilder
 {
 public:
-  CellTetBuilder(
-    const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime) :
-    Grid(grid), Labels(labels), Box(grid.HexBox()), MeshVoid(meshVoid), Run(runtime)
+  CellTetBuilder(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
+    Runtime& runtime, const OuterTets* outer) :
+    Grid(grid), Labels(labels), Box(grid.HexBox()), MeshVoid(meshVoid), Run(runtime), Outer(outer)
   {
   }
 
@@ -27,11 +28,18 @@ public:
     CheckIds(this->Grid, TetElementSlots);
     this->FirstPoint = Buffer<int>(this->Grid.NumberOfEntries(), -1);
     this->MakePoints();
-    const Index tets = this->CountTets();
+    const Index fineTets = this->CountTets();
+    const Index tets = fineTets + (this->Outer ? this->Outer->NumberOfTets() : 0);
     mesh.Elements = Buffer<Index>(4 * tets);
     mesh.ElementIds = Buffer<Index>(tets);
     mesh.Material = Buffer<int>(tets);
     this->OverRows([this](Index j, Index k, Index row) { this->FillTets(j, k, row); });
+    if (this->Outer)
+    {
+      this->Outer->Fill(this->Result, this->FinePoints, fineTets,
+        [this](Index at, Index slot)
+        { return slot == CentreSlot ? this->Centre(at) : Index(this->FirstPoint[at]); });
+    }
     return std::move(this->Result);
   }
 
@@ -45,6 +53,11 @@ private:
   };
 
   bool IsMeshed(int label) const { return label > 0 || (label == 0 && this->MeshVoid); }
+
+  bool IsFine(const Index3& cell) const
+  {
+    return !this->Outer || this->Outer->Levels().IsFine(cell);
+  }
 
   /// Calls body(j, k, row) for the rows of nodes.
   template <class Body>
@@ -65,8 +78,11 @@ private:
   /// Bits of the slots that a block uses.
   int SlotsOf(const Index3& p, Index node) const
   {
-    int slots = this->Box.Contains(p) && this->IsMeshed(this->Labels[node]) ? 1 << CentreSlot : 0;
-    for (int c = 0; c < 8; ++c)
+    const bool isCentre =
+      this->Box.Contains(p) && this->IsMeshed(this->Labels[node]) && this->IsFine(p);
+    int slots = isCentre << CentreSlot;
+    const bool isVertex = !this->Outer || this->Outer->Levels().TouchesFine(p);
+    for (int c = 0; isVertex && c < 8; ++c)
     {
       const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } };
       const bool meshed =
@@ -101,11 +117,13 @@ private:
           });
       });
     std::partial_sum(offset.begin(), offset.end(), offset.begin());
-    CheckNumberOfPoints(offset.back(), this->Run.Group());
+    this->FinePoints = offset.back();
+    const Index points = this->FinePoints + (this->Outer ? this->Outer->NumberOfPoints() : 0);
+    CheckNumberOfPoints(points, this->Run.Group());
     Mesh& mesh = this->Result.Tets;
-    mesh.Points = Buffer<double>(3 * offset.back());
-    mesh.PointIds = Buffer<Index>(offset.back());
-    this->Result.Place.assign(offset.back(), PointPlace::Inside);
+    mesh.Points = Buffer<double>(3 * points);
+    mesh.PointIds = Buffer<Index>(points);
+    this->Result.Place.assign(points, PointPlace::Inside);
     this->OverRows(
       [&](Index j, Index k, Index row)
       {
@@ -151,7 +169,7 @@ private:
                  : (this->Grid.DomainSides(p) != 0 ? PointPlace::OnDomain : PointPlace::Inside);
   }
 
-  /// Calls body(face) for the faces of a row of blocks whose cells are all in the box, in the order of ids.
+  /// Calls body(face) for the faces of a row of blocks whose cells are all fine and in the box, in the order of ids.
   template <class Body>
   void OverFaces(Index j, Index k, const Body& body) const
   {
@@ -166,7 +184,8 @@ private:
           const bool inLower = below[axis] >= 0;
           const bool inUpper = p[axis] < this->Grid.Global().Upper[axis];
           if (p[u] < this->Box.Upper[u] && p[v] < this->Box.Upper[v] &&
-            (!inLower || this->Box.Contains(below)) && (!inUpper || this->Box.Contains(p)))
+            (!inLower || (this->Box.Contains(below) && this->IsFine(below))) &&
+            (!inUpper || (this->Box.Contains(p) && this->IsFine(p))))
           {
             body(Face{ p, node, axis, inLower ? this->Labels[node - this->Grid.Stride(axis)] : -1,
               inUpper ? this->Labels[node] : -1 });
@@ -274,17 +293,36 @@ private:
   IndexBox Box;
   bool MeshVoid;
   Runtime& Run;
-  Buffer<int> FirstPoint;      // of each block
+  const OuterTets* Outer; // null: all cells are fine
+  Buffer<int> FirstPoint; // of each block
+  Index FinePoints = 0;
   std::vector<Index> FirstTet; // of each row
   TetTopology Result;
 };
 
 } // namespace
 
-TetTopology BuildCellTets(
-  const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime)
+TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
+  Runtime& runtime, const OuterTets* outer)
 {
-  return CellTetBuilder(grid, labels, meshVoid, runtime).Build();
+  return CellTetBuilder(grid, labels, meshVoid, runtime, outer).Build();
+}
+
+bool IsCentre(const Mesh& mesh, Index pointId)
+{
+  return mesh.Levels && mesh.Levels->IsOuterPoint(pointId, mesh.PointSlots)
+    ? mesh.Levels->IsOuterCentre(pointId, mesh.PointSlots)
+    : SlotOfPoint(pointId) == CentreSlot;
+}
+
+Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId)
+{
+  if (!mesh.Levels || !mesh.Levels->IsOuterPoint(pointId, mesh.PointSlots))
+  {
+    return NodeOfPoint(grid, mesh, pointId);
+  }
+  const RefinedLattice::Place place = mesh.Levels->CellOfOuterCentre(pointId, mesh.PointSlots);
+  return mesh.Levels->NearestCell(place.Level, place.At);
 }
 
 } // namespace vfm

@@ -2,6 +2,7 @@
 
 #include "LayerFit.h"
 #include "ShapesClip.h"
+#include "SharpFractions.h"
 #include "Vector3.h"
 
 #include <numeric>
@@ -97,7 +98,7 @@ class Splitter
 {
 public:
   Splitter(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell) :
-    Fractions(fractions), Parts(fractions.Parts(grid.Linear(cell)))
+    Grid(grid), Cell(cell), Fractions(fractions), Parts(fractions.Parts(grid.Linear(cell)))
   {
     this->AddAround(grid, cell, grid.Linear(cell), { { 0, 0, 0 } });
     for (int c = 0; c < 27; ++c)
@@ -243,13 +244,10 @@ private:
       TryFilms(choice.Samples, choice.Fit, cut);
     }
     const double fraction = this->Parts.First[cut].Fraction;
-    std::vector<OctantFractions> octants(2, OctantFractions{});
-    for (int c = 0; c < 8; ++c)
-    {
-      octants[cut][c] = choice.Fit.IsFound
-        ? FractionInLayer(choice.Fit.Region, OctantCentre(c), OctantSize)
-        : fraction;
-    }
+    std::vector<OctantFractions> octants(2);
+    octants[cut] = choice.Fit.IsFound && choice.Fit.Error <= GoodFit
+      ? FindOctants(choice.Fit.Region)
+      : this->ShareSmoothly(cut);
     Correct(octants[cut], Full, fraction);
     for (int c = 0; c < 8; ++c)
     {
@@ -258,6 +256,26 @@ private:
       octants[1 - cut][c] = 1.0 - value;
     }
     return octants;
+  }
+
+  static OctantFractions FindOctants(const Layer& layer)
+  {
+    OctantFractions octants;
+    for (int c = 0; c < 8; ++c)
+    {
+      octants[c] = FractionInLayer(layer, OctantCentre(c), OctantSize);
+    }
+    return octants;
+  }
+
+  /// Of edges, corners, rods and balls, which no plane fits.
+  OctantFractions ShareSmoothly(std::size_t part) const
+  {
+    const FractionField::Part& first = this->Parts.First[part];
+    const std::vector<double> weights(this->Fractions.NumberOfMaterials() + 1, 1.0);
+    const std::vector<MaterialPatch> patches = MakePatches(this->Grid, this->Fractions, this->Cell,
+      { first.Material, this->Parts.First[1 - part].Material }, weights);
+    return ShareOctants(patches[0], patches[1], first.Fraction);
   }
 
   /// A film of either part.
@@ -327,6 +345,8 @@ private:
     }
   }
 
+  const CartesianGrid& Grid;
+  const Index3 Cell;
   const FractionField& Fractions;
   const FractionField::Range Parts;
   std::vector<Around> Cells; // first the cell itself

@@ -16,6 +16,7 @@ class ExactSum
 public:
   void Add(double value) { this->Total += static_cast<Integer>(value * Unit); }
   void Add(const ExactSum& other) { this->Total += other.Total; }
+  void Subtract(const ExactSum& other) { this->Total -= other.Total; }
   double Value() const { return static_cast<double>(this->Total) / Unit; }
 
   /// Two 64-bit numbers whose sums over fewer than 2^23 ranks are exact, and back.

@@ -72,11 +72,22 @@ bool IsOverfull(const std::vector<FractionField::Part>& parts, const FractionFie
 } // namespace
 
 FractionField::FractionField(const CartesianGrid& grid, int numberOfMaterials) :
-  Materials(numberOfMaterials), Entry(grid.NumberOfEntries(), 0), Offset(1, 0)
+  Materials(numberOfMaterials), Entry(grid, 0), Offset(1, 0)
 {
 }
 
 void FractionField::SetParts(Index cell, const std::vector<Part>& parts)
+{
+  this->Entry.Set(cell, this->StoreParts(parts));
+}
+
+void FractionField::CopyParts(Index cell, Range parts)
+{
+  this->Entry.Set(cell, this->StoreCopy(parts));
+}
+
+/// Stores the parts of a cell and returns its entry.
+int FractionField::StoreParts(const std::vector<Part>& parts)
 {
   double sum = 0.0;
   for (const Part& part : parts)
@@ -86,13 +97,11 @@ void FractionField::SetParts(Index cell, const std::vector<Part>& parts)
   const double rest = 1.0 - sum;
   if (parts.empty())
   {
-    this->Entry[cell] = 0;
-    return;
+    return 0;
   }
   if (parts.size() == 1 && rest <= Negligible)
   {
-    this->Entry[cell] = parts[0].Material;
-    return;
+    return parts[0].Material;
   }
   const double scale = rest <= Negligible ? 1.0 / sum : 1.0;
   if (rest > Negligible)
@@ -103,20 +112,72 @@ void FractionField::SetParts(Index cell, const std::vector<Part>& parts)
   {
     this->List.push_back({ part.Material, part.Fraction * scale });
   }
-  this->CloseParts(cell);
+  return this->CloseParts();
 }
 
-void FractionField::CopyParts(Index cell, Range parts)
+int FractionField::StoreCopy(Range parts)
 {
   this->List.insert(this->List.end(), parts.begin(), parts.end());
-  this->CloseParts(cell);
+  return this->CloseParts();
 }
 
-/// Gives the parts added last to a cell.
-void FractionField::CloseParts(Index cell)
+/// The entry of a cell that gets the parts added last.
+int FractionField::CloseParts()
 {
-  this->Entry[cell] = static_cast<int>(~(static_cast<Index>(this->Offset.size()) - 1));
   this->Offset.push_back(static_cast<Index>(this->List.size()));
+  return static_cast<int>(~(static_cast<Index>(this->Offset.size()) - 2));
+}
+
+void FractionField::RowWriter::Start(Index first)
+{
+  this->First = first;
+}
+
+void FractionField::RowWriter::AddLabel(int label, Index count)
+{
+  if (count < PagedArray<int>::PageSize)
+  {
+    this->Entries.insert(this->Entries.end(), count, label);
+    return;
+  }
+  this->Finish();
+  PagedArray<int>& entry = this->Field.Entry;
+  const Index last = this->First + count;
+  const bool isAtStart = entry.InRow(this->First) == 1;
+  const bool isAtEnd = entry.InRow(last) == entry.RowLength() - 1;
+  entry.Fill(this->First - isAtStart, last + isAtEnd, label);
+  this->First = last;
+}
+
+void FractionField::RowWriter::AddParts(const std::vector<Part>& parts)
+{
+  this->Entries.push_back(this->Field.StoreParts(parts));
+}
+
+void FractionField::RowWriter::CopyParts(Range parts)
+{
+  this->Entries.push_back(this->Field.StoreCopy(parts));
+}
+
+void FractionField::RowWriter::Finish()
+{
+  if (this->Entries.empty())
+  {
+    return;
+  }
+  PagedArray<int>& entry = this->Field.Entry;
+  const Index last = this->First + static_cast<Index>(this->Entries.size());
+  entry.Write(this->First, last, this->Entries.data());
+  if (entry.InRow(this->First) == 1 && this->Entries.front() >= 0)
+  {
+    entry.Fill(this->First - 1, this->First, this->Entries.front());
+  }
+  if (entry.InRow(last) == entry.RowLength() - 1 && this->Entries.back() >= 0)
+  {
+    entry.Fill(last, last + 1, this->Entries.back());
+  }
+  this->First = last;
+  this->Entries.clear();
 }
 
 FractionField FractionField::FromReader(
@@ -126,6 +187,7 @@ FractionField FractionField::FromReader(
   const IndexBox& box = grid.Local();
   std::vector<double> values(RowLength);
   std::vector<std::vector<Part>> cells(RowLength);
+  RowWriter row(field);
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
     for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
@@ -146,14 +208,15 @@ FractionField FractionField::FromReader(
             }
           }
         }
-        const Index base = grid.Linear(first);
+        row.Start(grid.Linear(first));
         for (Index c = 0; c < count; ++c)
         {
           field.Normalised += IsOverfull(cells[c], reader, numberOfMaterials, first, c) &&
             grid.Owned().Contains({ { i + c, j, k } });
-          field.SetParts(base + c, cells[c]);
+          row.AddParts(cells[c]);
           cells[c].clear();
         }
+        row.Finish();
       }
     }
   }
@@ -162,7 +225,7 @@ FractionField FractionField::FromReader(
 
 std::size_t FractionField::MemoryInBytes() const
 {
-  return this->Entry.capacity() * sizeof(int) + this->Offset.capacity() * sizeof(Index) +
+  return this->Entry.MemoryInBytes() + this->Offset.capacity() * sizeof(Index) +
     this->List.capacity() * sizeof(Part);
 }
 

@@ -7,8 +7,7 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
-#include "Memory.h"
+#include "PagedArray.h"
 
 #include <string>
 
@@ -56,12 +55,33 @@ public:
   /// Owned cells whose sum exceeded 1 by more than rounding explains, and was scaled back.
   Index NumberOfNormalisedCells() const { return this->Normalised; }
 
-  void SetLabel(Index cell, int label) { this->Entry[cell] = label; }
+  void SetLabel(Index cell, int label) { this->Entry.Set(cell, label); }
   /// parts: fractions of distinct materials >= 1, each > 0, sum <= 1 but for rounding.
   void SetParts(Index cell, const std::vector<Part>& parts);
 
   /// The parts of a mixed cell as Parts() of another field has them, void included: nothing is normalised.
   void CopyParts(Index cell, Range parts);
+
+  /// Sets cells of a row one after the other, faster and in less memory than cell by cell. The layer around the local box
+  /// may get the labels of the cells beside it, so that rows of one label stay alike.
+  class RowWriter
+  {
+  public:
+    explicit RowWriter(FractionField& field) : Field(field) {}
+    /// first: the first cell.
+    void Start(Index first);
+    void AddLabel(int label, Index count = 1);
+    /// Like SetParts and CopyParts.
+    void AddParts(const std::vector<Part>& parts);
+    void CopyParts(Range parts);
+    /// To be called after the last cell.
+    void Finish();
+
+  private:
+    FractionField& Field;
+    Index First = 0;
+    std::vector<int> Entries; // of the cells from First
+  };
 
   bool IsMixed(Index cell) const { return this->Entry[cell] < 0; }
   /// The label of a cell that is not mixed.
@@ -76,7 +96,7 @@ public:
   {
     if (!this->IsMixed(cell))
     {
-      return this->Entry[cell] == material ? 1.0 : 0.0;
+      return this->Label(cell) == material ? 1.0 : 0.0;
     }
     for (const Part& part : this->Parts(cell))
     {
@@ -87,15 +107,35 @@ public:
     }
     return 0.0;
   }
+  /// Visits the cells [first, last) of a row in order: pure(begin, end, label) for some of the same label, each(begin, end)
+  /// for others.
+  template <class Pure, class Each>
+  void Visit(Index first, Index last, const Pure& pure, const Each& each) const
+  {
+    this->Entry.Visit(
+      first, last,
+      [&](Index begin, Index end, int entry)
+      {
+        if (entry >= 0)
+        {
+          pure(begin, end, entry);
+          return;
+        }
+        each(begin, end);
+      },
+      [&](Index begin, Index end, const int*) { each(begin, end); });
+  }
   std::size_t MemoryInBytes() const;
 
 private:
-  void CloseParts(Index cell);
+  int StoreParts(const std::vector<Part>& parts);
+  int StoreCopy(Range parts);
+  int CloseParts();
 
   int Materials;
   Index Normalised = 0;
-  std::vector<int, LargeAllocator<int>> Entry; // label >= 0, or ~(index of the mixed cell)
-  std::vector<Index> Offset;                   // mixed cells + 1
+  PagedArray<int> Entry;     // label >= 0, or ~(index of the mixed cell)
+  std::vector<Index> Offset; // mixed cells + 1
   std::vector<Part> List;
 };
 

@@ -92,14 +92,23 @@ void Fragments::MakeRuns(const CartesianGrid& grid, const LabelArray& labels)
   {
     for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
     {
-      const int* row = labels.data() + grid.Linear({ { this->Box.Lower[0], j, k } });
-      for (Index i = 0; i < this->Box.Size(0); ++i)
+      const Index row = grid.Linear({ { this->Box.Lower[0], j, k } });
+      const auto add = [&](Index cell, int label)
       {
-        if (i == 0 || row[i] != row[i - 1])
+        if (cell == row || this->Runs.back().Label != label)
         {
-          this->Runs.push_back({ this->Box.Lower[0] + i, row[i], 0 });
+          this->Runs.push_back({ this->Box.Lower[0] + cell - row, label, 0 });
         }
-      }
+      };
+      labels.Visit(
+        row, row + this->Box.Size(0), [&](Index begin, Index, int label) { add(begin, label); },
+        [&](Index begin, Index end, const int* values)
+        {
+          for (Index cell = begin; cell < end; ++cell)
+          {
+            add(cell, values[cell - begin]);
+          }
+        });
       this->RowStart.push_back(static_cast<Index>(this->Runs.size()));
     }
   }
@@ -160,7 +169,7 @@ PiecePairs Fragments::FindSame(
   {
     return same;
   }
-  std::vector<Index, LargeAllocator<Index>> pieceOf(grid.NumberOfEntries(), -1);
+  PagedArray<Index> pieceOf(grid, -1);
   for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
   {
     for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
@@ -168,19 +177,17 @@ PiecePairs Fragments::FindSame(
       const Index row = grid.Linear({ { 0, j, k } });
       this->ForRuns(j, k,
         [&](Index first, Index last, int fragment)
-        {
-          std::fill(pieceOf.begin() + row + first, pieceOf.begin() + row + last,
-            fragment > 0 ? offset + fragment - 1 : -1);
-        });
+        { pieceOf.Fill(row + first, row + last, fragment > 0 ? offset + fragment - 1 : -1); });
     }
   }
   const auto mine = pieceOf;
   partition.ExchangeCells(pieceOf,
     [&](Index cell)
     {
-      if (mine[cell] >= 0)
+      const std::array<Index, 2> pair{ { mine[cell], pieceOf[cell] } };
+      if (pair[0] >= 0 && (same.empty() || same.back() != pair))
       {
-        same.push_back({ { mine[cell], pieceOf[cell] } });
+        same.push_back(pair);
       }
     });
   std::sort(same.begin(), same.end());

@@ -7,50 +7,70 @@ namespace
 
 using Part = FractionField::Part;
 
-/// A label, or ~(how many parts), of every cell; then the parts.
+/// How many bytes the entries take; a label, or ~(how many parts), of every cell; the parts.
 Bytes PackBox(const FractionField& fractions, const Partition& partition, const IndexBox& box)
 {
-  std::vector<int> entries;
+  RunCoder<int> entries;
   std::vector<Part> parts;
-  partition.ForCells(box,
-    [&](Index cell)
+  const auto add = [&](Index cell)
+  {
+    if (!fractions.IsMixed(cell))
     {
-      if (!fractions.IsMixed(cell))
-      {
-        entries.push_back(fractions.Label(cell));
-        return;
-      }
-      const FractionField::Range own = fractions.Parts(cell);
-      entries.push_back(~static_cast<int>(own.end() - own.begin()));
-      parts.insert(parts.end(), own.begin(), own.end());
+      entries.Add(fractions.Label(cell));
+      return;
+    }
+    const FractionField::Range own = fractions.Parts(cell);
+    entries.Add(~static_cast<int>(own.end() - own.begin()));
+    parts.insert(parts.end(), own.begin(), own.end());
+  };
+  partition.ForRows(box,
+    [&](Index first, Index last)
+    {
+      fractions.Visit(
+        first, last, [&](Index begin, Index end, int label) { entries.AddRun(label, end - begin); },
+        [&](Index begin, Index end)
+        {
+          for (Index cell = begin; cell < end; ++cell)
+          {
+            add(cell);
+          }
+        });
     });
-  const Bytes first = ToBytes(entries), rest = ToBytes(parts);
-  Bytes bytes(first.size() + rest.size());
-  std::copy(rest.begin(), rest.end(), std::copy(first.begin(), first.end(), bytes.begin()));
+  const Bytes coded = ToBytes(entries.Coded());
+  Bytes bytes = ToBytes(std::vector<Index>{ static_cast<Index>(coded.size()) });
+  bytes.insert(bytes.end(), coded.begin(), coded.end());
+  const Bytes rest = ToBytes(parts);
+  bytes.insert(bytes.end(), rest.begin(), rest.end());
   return bytes;
 }
 
 void UnpackBox(
   const Bytes& bytes, const Partition& partition, const IndexBox& box, FractionField& fractions)
 {
-  const auto middle = bytes.begin() + box.NumberOfCells() * sizeof(int);
-  const std::vector<int> entries = FromBytes<int>(Bytes(bytes.begin(), middle));
+  const auto first = bytes.begin() + sizeof(Index);
+  const auto middle = first + FromBytes<Index>(Bytes(bytes.begin(), first))[0];
+  RunReader<int> entries(FromBytes<int>(Bytes(first, middle)));
   const std::vector<Part> parts = FromBytes<Part>(Bytes(middle, bytes.end()));
-  const int* entry = entries.data();
   const Part* part = parts.data();
-  partition.ForCells(box,
-    [&](Index cell)
+  FractionField::RowWriter row(fractions);
+  const auto add = [&](int entry)
+  {
+    if (entry >= 0)
     {
-      if (*entry >= 0)
-      {
-        fractions.SetLabel(cell, *entry);
-      }
-      else
-      {
-        fractions.CopyParts(cell, { part, part + ~*entry });
-        part += ~*entry;
-      }
-      ++entry;
+      row.AddLabel(entry);
+      return;
+    }
+    row.CopyParts({ part, part + ~entry });
+    part += ~entry;
+  };
+  partition.ForRows(box,
+    [&](Index begin, Index end)
+    {
+      row.Start(begin);
+      entries.Read(
+        end - begin, [&](Index count, int label) { row.AddLabel(label, count); },
+        [&](Index count, const int* values) { std::for_each(values, values + count, add); });
+      row.Finish();
     });
 }
 

@@ -1,5 +1,8 @@
 #include "HexGeometry.h"
 
+#include "ActiveMesh.h"
+#include "RefinedGrid.h"
+
 namespace vfm
 {
 namespace
@@ -50,7 +53,41 @@ private:
         this->FillRow(j, k, mesh.RowOffset[row], mesh.RowOffset[row + 1]);
       }
     }
+    for (Index h = mesh.RowOffset.back(); h < static_cast<Index>(mesh.ElementIds.size()); ++h)
+    {
+      this->FillOuterHex(h);
+    }
     this->FillInnerPoints();
+  }
+
+  void FillOuterHex(Index h)
+  {
+    Mesh& mesh = this->Result;
+    const RefinedGrid& levels = *mesh.Levels;
+    const RefinedLattice::Place place =
+      levels.CellOfOuterElement(mesh.ElementIds[h], mesh.ElementSlots);
+    const Index3 cell = levels.NearestCell(place.Level, place.At);
+    const bool isNear = this->Box.Contains(cell); // the others only serve smoothing
+    const int fragment = isNear ? this->Pieces.FragmentOfCell(cell) : 0;
+    mesh.Fragment[h] = fragment;
+    std::array<int, 8> sides;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index point = mesh.Elements[8 * h + VtkCorner[c]];
+      mesh.GeometryId[point] = isNear ? fragment : mesh.GeometryId[point];
+      sides[c] = FindDomainSides(this->Grid, mesh.Points.data() + 3 * point);
+    }
+    for (const std::array<int, 4>& face : FaceCorners)
+    {
+      const int common = sides[face[0]] & sides[face[1]] & sides[face[2]] & sides[face[3]];
+      for (int side = 0; isNear && common != 0 && side < 6; ++side)
+      {
+        if (common >> side & 1)
+        {
+          this->AddDomainQuad(h, face, side, this->Parts.OwnsCell(cell));
+        }
+      }
+    }
   }
 
   void FillRow(Index j, Index k, Index first, Index last)
@@ -86,9 +123,10 @@ private:
       const Index3 p = this->Grid.Position(node);
       // Nodes of no cell in the box have no numbers.
       const bool isSplit = this->Box.Touches(p) && this->Points.IsSplit(node);
+      const std::array<int, 8> star = StarOfNode(this->Grid, this->Labels, node);
       for (int c = 0; isSplit && c < 8; ++c)
       {
-        const int label = this->Labels[this->Grid.CellOfNode(node, c)];
+        const int label = star[c];
         const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1),
           p[2] - 1 + (c >> 2 & 1) } };
         if (this->Points.IsMeshed(label) && this->Box.Contains(cell))
@@ -111,21 +149,21 @@ private:
       }
       if (cell[a] == 0)
       {
-        this->AddDomainQuad(h, 2 * a, this->Parts.OwnsCell(cell));
+        this->AddDomainQuad(h, FaceCorners[2 * a], 2 * a, this->Parts.OwnsCell(cell));
       }
       if (cell[a] == this->Grid.Global().Upper[a] - 1)
       {
-        this->AddDomainQuad(h, 2 * a + 1, this->Parts.OwnsCell(cell));
+        this->AddDomainQuad(h, FaceCorners[2 * a + 1], 2 * a + 1, this->Parts.OwnsCell(cell));
       }
     }
   }
 
-  void AddDomainQuad(Index h, int side, bool owned)
+  void AddDomainQuad(Index h, const std::array<int, 4>& face, int side, bool owned)
   {
     Facet quad;
     for (int c = 0; c < 4; ++c)
     {
-      quad.Points[c] = this->Result.Elements[8 * h + VtkCorner[FaceCorners[side][c]]];
+      quad.Points[c] = this->Result.Elements[8 * h + VtkCorner[face[c]]];
     }
     quad.Sides = { { -1 - side, this->Result.Fragment[h] } };
     quad.Materials = { { 0, this->Result.Material[h] } };

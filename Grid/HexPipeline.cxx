@@ -3,6 +3,7 @@
 #include "ActiveHexes.h"
 #include "HexEnergy.h"
 #include "HexGeometry.h"
+#include "OuterSmoothing.h"
 #include "Pipeline.h"
 #include "Quality.h"
 
@@ -37,8 +38,11 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   report.ResolveRounds = resolved.Rounds;
   clock.Start("Making hexahedra", 0.1);
   const std::vector<Index> mixed = FindMixedNodes(grid, labels);
-  PointNumbering numbering(grid, labels, options.MeshVoid);
-  Mesh mesh = BuildHexes(grid, labels, mixed, options.StairStep, numbering, runtime);
+  PointNumbering numbering(grid, labels, options.MeshVoid, options.Levels.Refinements > 0);
+  const LevelHexes levels = MakeLevels(grid, labels, mixed, options, runtime);
+  Mesh mesh =
+    BuildHexes(grid, labels, mixed, options.StairStep, numbering, runtime, levels.Outer.get());
+  mesh.Levels = levels.Grid;
   clock.Start("Finding geometry", 0.12);
   const Fragments fragments(grid, labels, options.MeshVoid, partition);
   report.NumberOfFragments = fragments.NumberOfFragments();
@@ -47,6 +51,7 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   const bool smooth = !options.StairStep && options.Method != Smoothing::Off;
   const CellHomes homes(grid, labels, fragments);
   FragmentVolumes volumes(grid, fractions, fragments.MaterialsOfFragments(), homes, partition);
+  std::vector<unsigned char> moved;
   if (smooth)
   {
     const Interface interface(grid, fractions, labels, mixed, options.IsoValue, runtime);
@@ -59,8 +64,16 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
               options.ConserveVolume && options.IsoValue == 0.5, {}, {} },
       clock, runtime);
     active.CopyTo(mesh, grid);
+    moved = levels.Outer ? active.ListMoved(mesh) : moved;
+  }
+  if (smooth && levels.Outer)
+  {
+    clock.Start("Smoothing transitions", 0.9);
+    ReleaseFreeMemory();
+    SmoothOuter(*levels.Outer, moved, mesh, runtime);
   }
   KeepOwned(mesh, grid);
+  ReportLevels(mesh, runtime.Group(), report);
   ReportVolumes(grid, volumes, report);
   if (options.ComputeQuality)
   {

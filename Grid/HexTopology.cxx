@@ -1,8 +1,7 @@
 #include "HexTopology.h"
 
 #include "LabelCondition.h"
-
-#include <numeric>
+#include "OuterHexes.h"
 
 namespace vfm
 {
@@ -26,25 +25,26 @@ class HexTopologyBuilder
 {
 public:
   HexTopologyBuilder(const CartesianGrid& grid, const LabelArray& labels,
-    const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime) :
+    const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
+    OuterHexes* outer) :
     Grid(grid),
     Labels(labels),
     Box(grid.HexBox()),
     StairStep(stairStep),
     Numbering(numbering),
     Run(runtime),
-    Mixed(grid.NumberOfEntries(), 0)
+    Outer(outer),
+    Mixed(mixed)
   {
-    for (Index node : mixed)
-    {
-      this->Mixed[node] = 1;
-    }
   }
 
   Mesh Build()
   {
     CheckIds(this->Grid, this->Result.PointSlots);
-    const Index points = this->CountPoints(), hexes = this->CountHexes();
+    const Index finePoints = this->CountPoints(), fineHexes = this->CountHexes();
+    const Index points = finePoints + (this->Outer ? this->Outer->NumberOfPoints() : 0);
+    const Index hexes = fineHexes + (this->Outer ? this->Outer->NumberOfHexes() : 0);
+    CheckNumberOfPoints(points, this->Run.Group());
     Mesh& mesh = this->Result;
     mesh.Points = Buffer<double>(3 * points);
     mesh.PointIds = Buffer<Index>(points);
@@ -53,6 +53,11 @@ public:
     mesh.Material = Buffer<int>(hexes);
     this->OverRows(1, [this](Index j, Index k, Index row) { this->FillPoints(j, k, row); });
     this->OverRows(0, [this](Index j, Index k, Index row) { this->FillHexes(j, k, row); });
+    if (this->Outer)
+    {
+      this->Outer->Fill(mesh, finePoints, fineHexes,
+        [this](const Index3& node) { return this->Numbering.FirstPoint(this->Grid.Linear(node)); });
+    }
     return std::move(mesh);
   }
 
@@ -72,9 +77,55 @@ private:
       });
   }
 
-  int PointsOfNode(Index node) const
+  /// Calls visit(p, cell) for the cells of a row that are hexes of their own.
+  template <class Visitor>
+  void ForCells(Index j, Index k, const Visitor& visit) const
   {
-    if (!this->Mixed[node])
+    const auto visitRun = [&](Index first, Index last)
+    {
+      Index3 p{ { first, j, k } };
+      for (Index cell = this->Grid.Linear(p); p[0] < last; ++p[0], ++cell)
+      {
+        visit(p, cell);
+      }
+    };
+    if (!this->Outer)
+    {
+      visitRun(this->Box.Lower[0], this->Box.Upper[0]);
+      return;
+    }
+    this->Outer->Levels().ForFineCells(j, k, this->Box.Lower[0], this->Box.Upper[0], visitRun);
+  }
+
+  /// Calls visit(p, node, whether it is mixed) for the nodes of such cells in a row.
+  template <class Visitor>
+  void ForNodes(Index j, Index k, const Visitor& visit) const
+  {
+    const Index start = this->Grid.Linear({ { this->Box.Lower[0], j, k } });
+    auto mixed = std::lower_bound(this->Mixed.begin(), this->Mixed.end(), start);
+    const auto visitRun = [&](Index first, Index last)
+    {
+      Index3 p{ { first, j, k } };
+      for (Index node = this->Grid.Linear(p); p[0] < last; ++p[0], ++node)
+      {
+        while (mixed != this->Mixed.end() && *mixed < node)
+        {
+          ++mixed;
+        }
+        visit(p, node, mixed != this->Mixed.end() && *mixed == node);
+      }
+    };
+    if (!this->Outer)
+    {
+      visitRun(this->Box.Lower[0], this->Box.Upper[0] + 1);
+      return;
+    }
+    this->Outer->Levels().ForFineNodes(j, k, this->Box.Lower[0], this->Box.Upper[0] + 1, visitRun);
+  }
+
+  int PointsOfNode(Index node, bool isMixed) const
+  {
+    if (!isMixed)
     {
       return this->Numbering.IsMeshed(this->Labels[node]) ? 1 : 0;
     }
@@ -104,17 +155,13 @@ private:
     this->OverRows(1,
       [this](Index j, Index k, Index row)
       {
-        const Index first = this->Grid.Linear({ { this->Box.Lower[0], j, k } });
         Index count = 0;
-        for (Index node = first; node <= first + this->Box.Size(0); ++node)
-        {
-          count += this->PointsOfNode(node);
-        }
+        this->ForNodes(j, k,
+          [&](const Index3&, Index node, bool isMixed)
+          { count += this->PointsOfNode(node, isMixed); });
         this->PointOffset[row] = count;
       });
-    const Index total = MakeOffsets(this->PointOffset);
-    CheckNumberOfPoints(total, this->Run.Group());
-    return total;
+    return MakeOffsets(this->PointOffset);
   }
 
   Index CountHexes()
@@ -124,15 +171,15 @@ private:
     this->OverRows(0,
       [&](Index j, Index k, Index row)
       {
-        const Index first = this->Grid.Linear({ { this->Box.Lower[0], j, k } });
         Index count = 0;
-        for (Index cell = first; cell < first + this->Box.Size(0); ++cell)
-        {
-          if (this->Numbering.IsMeshed(this->Labels[cell]))
+        this->ForCells(j, k,
+          [&](const Index3&, Index cell)
           {
-            count += 1 + this->CountBufferHexes(cell);
-          }
-        }
+            if (this->Numbering.IsMeshed(this->Labels[cell]))
+            {
+              count += 1 + this->CountBufferHexes(cell);
+            }
+          });
         offset[row] = count;
       });
     const Index total = MakeOffsets(offset);
@@ -152,24 +199,23 @@ private:
 
   void FillPoints(Index j, Index k, Index row)
   {
-    Index3 p{ { this->Box.Lower[0], j, k } };
-    Index node = this->Grid.Linear(p);
     Index point = this->PointOffset[row];
-    for (; p[0] <= this->Box.Upper[0]; ++p[0], ++node)
-    {
-      const int count = this->PointsOfNode(node);
-      const bool split = this->Mixed[node] && !this->StairStep;
-      this->Numbering.Code[node] = static_cast<int>(split ? ~point : point);
-      if (count > 0)
+    this->ForNodes(j, k,
+      [&](const Index3& p, Index node, bool isMixed)
       {
-        this->SetPoint(point, this->Grid.NodePoint(p), this->Grid.NodeKey(p), 0);
-      }
-      if (split)
-      {
-        this->FillInnerPoints(p, node, point + 1);
-      }
-      point += count;
-    }
+        const int count = this->PointsOfNode(node, isMixed);
+        const bool split = isMixed && !this->StairStep;
+        this->Numbering.SetCode(node, static_cast<int>(split ? ~point : point));
+        if (count > 0)
+        {
+          this->SetPoint(point, this->Grid.NodePoint(p), this->Grid.NodeKey(p), 0);
+        }
+        if (split)
+        {
+          this->FillInnerPoints(p, node, point + 1);
+        }
+        point += count;
+      });
   }
 
   void FillInnerPoints(const Index3& p, Index node, Index point)
@@ -202,43 +248,48 @@ private:
 
   void FillHexes(Index j, Index k, Index row)
   {
-    Index3 p{ { this->Box.Lower[0], j, k } };
-    Index cell = this->Grid.Linear(p);
     Index hex = this->Result.RowOffset[row];
-    for (; p[0] < this->Box.Upper[0]; ++p[0], ++cell)
-    {
-      const int label = this->Labels[cell];
-      if (!this->Numbering.IsMeshed(label))
+    this->ForCells(j, k,
+      [&](const Index3& p, Index cell)
       {
-        continue;
-      }
-      const Index key = 7 * this->Grid.CellKey(p) + 1;
-      Index inner[8];
-      int signs = 0;
-      for (int c = 0; c < 8; ++c)
-      {
-        const int code = this->Numbering.Code[this->Grid.NodeOfCell(cell, c)];
-        inner[c] = code;
-        signs |= code;
-      }
-      if (signs >= 0) // no node is split
-      {
-        this->SetHex(hex++, inner, key, label);
-        continue;
-      }
-      for (int c = 0; c < 8; ++c)
-      {
-        inner[c] = this->Numbering.InnerPoint(this->Grid.NodeOfCell(cell, c), label);
-      }
-      this->SetHex(hex++, inner, key, label);
-      for (int face = 0; face < 6; ++face)
-      {
-        if (this->Labels[this->Grid.Neighbour(cell, face)] != label)
+        if (this->Numbering.IsMeshed(this->Labels[cell]))
         {
-          this->SetBufferHex(hex++, cell, face, inner, key + 1 + face);
+          hex = this->FillCell(p, cell, hex);
         }
+      });
+  }
+
+  /// Writes the hexes of a cell from one on; returns the next.
+  Index FillCell(const Index3& p, Index cell, Index hex)
+  {
+    const int label = this->Labels[cell];
+    const Index key = 7 * this->Grid.CellKey(p) + 1;
+    Index inner[8];
+    int signs = 0;
+    for (int c = 0; c < 8; ++c)
+    {
+      const int code = this->Numbering.CodeOf(this->Grid.NodeOfCell(cell, c));
+      inner[c] = code;
+      signs |= code;
+    }
+    if (signs >= 0) // no node is split
+    {
+      this->SetHex(hex++, inner, key, label);
+      return hex;
+    }
+    for (int c = 0; c < 8; ++c)
+    {
+      inner[c] = this->Numbering.InnerPoint(this->Grid.NodeOfCell(cell, c), label);
+    }
+    this->SetHex(hex++, inner, key, label);
+    for (int face = 0; face < 6; ++face)
+    {
+      if (this->Labels[this->Grid.Neighbour(cell, face)] != label)
+      {
+        this->SetBufferHex(hex++, cell, face, inner, key + 1 + face);
       }
     }
+    return hex;
   }
 
   /// The corners on the face are its S, the opposite ones the I beside them.
@@ -272,15 +323,17 @@ private:
   bool StairStep;
   PointNumbering& Numbering;
   Runtime& Run;
-  Buffer<unsigned char> Mixed;
+  OuterHexes* Outer;               // null: all cells are hexes of their own
+  const std::vector<Index>& Mixed; // ascending
   std::vector<Index> PointOffset;
   Mesh Result;
 };
 
 Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
-  const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime)
+  const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
+  OuterHexes* outer)
 {
-  return HexTopologyBuilder(grid, labels, mixed, stairStep, numbering, runtime).Build();
+  return HexTopologyBuilder(grid, labels, mixed, stairStep, numbering, runtime, outer).Build();
 }
 
 } // namespace vfm

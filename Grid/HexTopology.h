@@ -9,6 +9,8 @@
  *   hexes = meshed cells + one per interface face and meshed side.
  * In a stair-step mesh mixed nodes are one point like the others and there is no buffer layer.
  *
+ * In a refined grid this is so for the fine cells alone; the outer hexes follow (OuterHexes.h).
+ *
  * Made for CartesianGrid::HexBox; a rank keeps those of its own cells at the end (KeepOwned).
  * Order: points by node, hexes by cell, core first, then the faces -x +x -y +y -z +z; ids ascend.
  */
@@ -31,24 +33,34 @@ constexpr double BufferThickness = 0.125;
 class PointNumbering
 {
 public:
-  PointNumbering(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid) :
-    Grid(grid), Labels(labels), MeshVoid(meshVoid), Code(grid.NumberOfEntries())
+  /// isRefined: whether only some cells are hexes of their own: memory follows those.
+  PointNumbering(
+    const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, bool isRefined) :
+    Grid(grid), Labels(labels), MeshVoid(meshVoid)
   {
+    if (isRefined)
+    {
+      this->SomeCodes = PagedArray<int>(grid, 0);
+    }
+    else
+    {
+      this->Codes = Buffer<int>(grid.NumberOfEntries());
+    }
   }
 
   bool IsMeshed(int label) const { return label > 0 || this->MeshVoid; }
   /// A node with S and I points. In a stair-step mesh there is none.
-  bool IsSplit(Index node) const { return this->Code[node] < 0; }
+  bool IsSplit(Index node) const { return this->CodeOf(node) < 0; }
   /// G or S.
   Index FirstPoint(Index node) const
   {
-    const int code = this->Code[node];
+    const int code = this->CodeOf(node);
     return code < 0 ? ~code : code;
   }
   /// G, or the I of the label.
   Index InnerPoint(Index node, int label) const
   {
-    const int code = this->Code[node];
+    const int code = this->CodeOf(node);
     return code >= 0 ? code : ~code + 1 + this->MeshedRank(node, label);
   }
 
@@ -58,17 +70,35 @@ public:
 private:
   friend class HexTopologyBuilder;
   int MeshedRank(Index node, int label) const;
+  int CodeOf(Index node) const
+  {
+    return this->Codes.empty() ? this->SomeCodes[node] : this->Codes[node];
+  }
+  void SetCode(Index node, int code)
+  {
+    if (this->Codes.empty())
+    {
+      this->SomeCodes.Set(node, code);
+      return;
+    }
+    this->Codes[node] = code;
+  }
 
   const CartesianGrid& Grid;
   const LabelArray& Labels;
   bool MeshVoid;
-  Buffer<int> Code; // index of G, or ~(index of S)
+  // index of G, or ~(index of S), of each node: one of both
+  Buffer<int> Codes;
+  PagedArray<int> SomeCodes;
 };
+
+class OuterHexes;
 
 /// Makes points (grid nodes; I moved inwards by BufferThickness), ids, hexes and materials. mixed: all
 /// mixed nodes (FindMixedNodes). Every corner of every hex has a positive Jacobian when all stars pass the label condition.
-/// Throws InputError when an id does not fit.
+/// outer: of a refined grid, else null. Throws InputError when an id does not fit.
 Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
-  const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime);
+  const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
+  OuterHexes* outer = nullptr);
 
 } // namespace vfm

@@ -10,7 +10,7 @@
 namespace vfm
 {
 
-using LabelArray = std::vector<int, LargeAllocator<int>>;
+using LabelArray = PagedArray<int>;
 
 /// The label of a mixed cell: void where the materials fill less than isoValue, else the material of the largest fraction,
 /// ties to the smaller. parts: in the order of their materials.
@@ -25,9 +25,12 @@ inline std::array<int, 8> StarOfNode(
   const CartesianGrid& grid, const LabelArray& labels, Index node)
 {
   std::array<int, 8> star;
-  for (int c = 0; c < 8; ++c)
+  const Index first = grid.CellOfNode(node, 0), i = labels.InRow(first);
+  for (int c = 0; c < 8; c += 2)
   {
-    star[c] = labels[grid.CellOfNode(node, c)];
+    const LabelArray::RowView row = labels.Row(first + grid.CornerOffset(c));
+    star[c] = row[i];
+    star[c + 1] = row[i + 1];
   }
   return star;
 }

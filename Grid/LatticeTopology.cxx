@@ -3,6 +3,7 @@
 #include "LatticeNodes.h"
 #include "LatticeStencils.h"
 #include "LatticeWildTets.h"
+#include "OuterTets.h"
 #include "PinchedNodes.h"
 
 #include <atomic>
@@ -18,12 +19,13 @@ class LatticeTetBuilder
 {
 public:
   LatticeTetBuilder(const CartesianGrid& grid, const LatticeNodes& nodes, bool meshVoid,
-    const Partition& partition, Runtime& runtime) :
+    const Partition& partition, Runtime& runtime, const OuterTets* outer) :
     Grid(grid),
     Box(grid.HexBox()),
     MeshVoid(meshVoid),
     Parts(partition),
     Run(runtime),
+    Outer(outer),
     Tables(LatticeTables::Get()),
     Nodes(nodes),
     Slots(grid.NumberOfEntries()),
@@ -35,6 +37,10 @@ public:
   TetTopology Build()
   {
     this->Rows.resize(this->NumberOfRows());
+    if (this->Outer)
+    {
+      this->OverRows([this](Row& row) { this->MarkBesideOuter(row); });
+    }
     this->OverRows([this](Row& row) { this->Count(row); });
     this->SettleWildTets();
     this->MakePoints();
@@ -122,7 +128,57 @@ private:
       differs |= (centres[-this->Grid.Stride(a)] ^ label) | (block[a] == this->Box.Lower[a]) |
         (block[a] == this->Box.Upper[a]);
     }
-    return !differs;
+    return !differs && this->HasFineFaces(block);
+  }
+
+  bool IsFine(const Index3& cell) const
+  {
+    return !this->Outer || this->Outer->Levels().IsFine(cell);
+  }
+
+  /// Whether the cells at the face along an axis are fine.
+  bool IsFineFace(const Index3& block, int axis) const
+  {
+    Index3 below = block;
+    --below[axis];
+    return this->IsFine(block) && this->IsFine(below); // beyond the domain as inside
+  }
+
+  bool HasFineFaces(const Index3& block) const
+  {
+    return !this->Outer ||
+      (this->IsFineFace(block, 0) && this->IsFineFace(block, 1) && this->IsFineFace(block, 2));
+  }
+
+  /// Points that outer tets have in common with fine cells: at the rim no other tets may have them.
+  void MarkBesideOuter(const Row& row)
+  {
+    Index3 p{ { this->Box.Lower[0], row.J, row.K } };
+    Index n = this->Grid.Linear(p);
+    const RefinedGrid& levels = this->Outer->Levels();
+    for (; p[0] <= this->Box.Upper[0]; ++p[0], ++n)
+    {
+      bool isBeside = false;
+      for (int c = 0; c < 8; ++c)
+      {
+        isBeside = isBeside ||
+          !levels.IsFine({ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } });
+      }
+      if (!isBeside || !levels.TouchesFine(p) ||
+        !this->IsMeshed(this->Nodes.Labels(LatticeNodes::Vertex)[n]))
+      {
+        continue;
+      }
+      this->Mark(n, 1);
+      for (int c = 0; c < 8; ++c)
+      {
+        const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } };
+        if (this->Box.Contains(cell) && levels.IsFine(cell))
+        {
+          this->Mark(this->Grid.Linear(cell), 2);
+        }
+      }
+    }
   }
 
   /// Calls whole(block, n) where all tets of a block have one label, else cut(block, n, shape, t, labels) for every lattice
@@ -158,7 +214,8 @@ private:
   int FirstShape(const Index3& block, int axis, int& count) const
   {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const bool isFace = block[u] < this->Box.Upper[u] && block[v] < this->Box.Upper[v];
+    const bool isFace = block[u] < this->Box.Upper[u] && block[v] < this->Box.Upper[v] &&
+      this->IsFineFace(block, axis);
     const bool atLower = block[axis] == 0, atUpper = block[axis] == this->Grid.Global().Upper[axis];
     if (atLower || atUpper)
     {
@@ -306,6 +363,8 @@ private:
     {
       row.Points = std::exchange(total, total + row.Points);
     }
+    this->FinePoints = total;
+    total += this->Outer ? this->Outer->NumberOfPoints() : 0;
     CheckNumberOfPoints(total, this->Run.Group());
     Mesh& mesh = this->Result.Tets;
     mesh.Corners = 4;
@@ -365,11 +424,18 @@ private:
     {
       row.Tets = std::exchange(total, total + row.Tets);
     }
+    const Index fineTets = total;
+    total += this->Outer ? this->Outer->NumberOfTets() : 0;
     Mesh& mesh = this->Result.Tets;
     mesh.Elements = Buffer<Index>(4 * total);
     mesh.ElementIds = Buffer<Index>(total);
     mesh.Material = Buffer<int>(total);
     this->OverRows([this](Row& row) { this->FillTets(row); });
+    if (this->Outer)
+    {
+      this->Outer->Fill(this->Result, this->FinePoints, fineTets,
+        [this](Index block, Index slot) { return this->PointAt(block, static_cast<int>(slot)); });
+    }
   }
 
   Index PointAt(Index block, int slot) const
@@ -475,6 +541,7 @@ private:
   bool MeshVoid;
   const Partition& Parts;
   Runtime& Run;
+  const OuterTets* Outer; // null: all cells are fine
   const LatticeTables& Tables;
   const LatticeNodes& Nodes;
   std::array<PlacedShape, LatticeTables::Shapes> Shapes;
@@ -482,6 +549,7 @@ private:
   /// By block: the slots in use, and the first point.
   std::vector<std::atomic<std::uint64_t>, LargeAllocator<std::atomic<std::uint64_t>>> Slots;
   std::vector<int, LargeAllocator<int>> FirstPoint;
+  Index FinePoints = 0;
   TetTopology Result;
 };
 
@@ -489,13 +557,15 @@ private:
 
 /// Ends: every round tames a node, and where none is wild nothing is pinched.
 TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fractions,
-  double isoValue, bool meshVoid, const Partition& partition, Runtime& runtime)
+  double isoValue, bool meshVoid, const Partition& partition, Runtime& runtime,
+  const OuterTets* outer)
 {
   CheckIds(grid, TetElementSlots);
   LatticeNodes nodes(grid, fractions, isoValue, runtime);
   for (;;)
   {
-    TetTopology topology = LatticeTetBuilder(grid, nodes, meshVoid, partition, runtime).Build();
+    TetTopology topology =
+      LatticeTetBuilder(grid, nodes, meshVoid, partition, runtime, outer).Build();
     const std::vector<Index> pinched =
       GatherItems(runtime.Group(), FindPinchedNodes(topology, grid, partition));
     if (pinched.empty())
@@ -512,6 +582,39 @@ TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fra
       }
     }
   }
+}
+
+std::vector<Index> FindLatticeInterfaces(
+  const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime)
+{
+  const LatticeNodes nodes(grid, fractions, isoValue, runtime);
+  const int* vertices = nodes.Labels(LatticeNodes::Vertex);
+  const int* centres = nodes.Labels(LatticeNodes::Centre);
+  const IndexBox box = grid.HexBox();
+  std::vector<Index> found;
+  Index3 p;
+  for (p[2] = box.Lower[2]; box.NumberOfCells() > 0 && p[2] <= box.Upper[2]; ++p[2])
+  {
+    for (p[1] = box.Lower[1]; p[1] <= box.Upper[1]; ++p[1])
+    {
+      for (p[0] = box.Lower[0]; p[0] <= box.Upper[0]; ++p[0])
+      {
+        const Index n = grid.Linear(p);
+        bool differs = vertices[n] == LatticeNodes::Wild;
+        for (int c = 0; c < 8; ++c)
+        {
+          const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } };
+          differs =
+            differs || (box.Contains(cell) && centres[grid.CellOfNode(n, c)] != vertices[n]);
+        }
+        if (differs)
+        {
+          found.push_back(n);
+        }
+      }
+    }
+  }
+  return found;
 }
 
 } // namespace vfm

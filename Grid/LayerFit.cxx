@@ -20,6 +20,8 @@ constexpr double SmallestStep = 1e-9;   // the next would be of the order of rou
 constexpr double SmallestGain = 0.01;   // of the squared error, relative
 constexpr double SmallestSlope = 1e-12; // gradients below are none
 constexpr double Damping = 1e-9;
+constexpr double CloseFit = 0.01;   // error from which a film is sought from other places too
+constexpr double OtherPlace = 0.25; // of its middle
 
 /// The half thickness for which the layer around the plane n.x = middle fills a part of the cell.
 double ThicknessOfVolume(const Vector3& n, double middle, double fraction)
@@ -101,14 +103,8 @@ private:
   Trial TryBeside(const Trial& from, const Vector3& step) const
   {
     const Vector3& n = from.Region.Normal;
-    int axis = 0; // the least along the normal
-    for (int a = 1; a < 3; ++a)
-    {
-      axis = std::fabs(n[a]) < std::fabs(n[axis]) ? a : axis;
-    }
-    Vector3 unit{ { 0.0, 0.0, 0.0 } };
-    unit[axis] = 1.0;
-    const Vector3 u = Unit(Cross(n, unit)), v = Cross(n, u);
+    Vector3 u, v;
+    MakeTangents(n, u, v);
     return this->Try(Unit(n + step[0] * u + step[1] * v), from.Middle + step[2]);
   }
 
@@ -233,7 +229,18 @@ LayerFit FitFilm(const std::vector<FractionSample>& samples)
   Vector3 normal;
   double middle = 0.0;
   FindFilm(samples, normal, middle);
-  return Fitter(samples, true).Fit(normal, middle);
+  const Fitter fitter(samples, true);
+  LayerFit best = fitter.Fit(normal, middle);
+  // steps stop where a film that lies in the cell alone stays the same wherever in it
+  for (double shift : { -OtherPlace, OtherPlace })
+  {
+    if (best.Error > CloseFit)
+    {
+      const LayerFit other = fitter.Fit(normal, middle + shift);
+      best = other.Error < best.Error ? other : best;
+    }
+  }
+  return best;
 }
 
 } // namespace vfm

@@ -11,6 +11,9 @@
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace vfm
 {
@@ -39,6 +42,14 @@ inline void* AllocateBytes(std::size_t bytes)
     throw std::bad_alloc();
   }
   return memory;
+}
+
+/// Gives freed memory back to the system, which malloc may keep up to 64 MB of.
+inline void ReleaseFreeMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 /// For std::vector.

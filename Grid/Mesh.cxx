@@ -1,5 +1,6 @@
 #include "Mesh.h"
 
+#include "RefinedGrid.h"
 #include "Runtime.h"
 
 #include <limits>
@@ -14,6 +15,12 @@ Index3 Unpack(Index key, const Index3& size)
   return { { key % size[0], key / size[0] % size[1], key / (size[0] * size[1]) } };
 }
 
+bool IsOuter(const Mesh& mesh, Index element)
+{
+  return mesh.Corners == 8 ? mesh.Levels->IsOuterElement(element, mesh.ElementSlots)
+                           : mesh.Levels->IsOuterTet(element, mesh.ElementSlots);
+}
+
 } // namespace
 
 Index3 NodeOfKey(const CartesianGrid& grid, Index key)
@@ -24,11 +31,22 @@ Index3 NodeOfKey(const CartesianGrid& grid, Index key)
 
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
+  if (mesh.Levels && mesh.Levels->IsOuterPoint(id, mesh.PointSlots))
+  {
+    return mesh.Levels->NodeOfOuterPoint(id, mesh.PointSlots);
+  }
   return NodeOfKey(grid, (id - 1) / mesh.PointSlots);
 }
 
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
+  if (mesh.Levels && IsOuter(mesh, id))
+  {
+    const RefinedLattice::Place cell = mesh.Corners == 8
+      ? mesh.Levels->CellOfOuterElement(id, mesh.ElementSlots)
+      : mesh.Levels->CellOfOuterTet(id, mesh.ElementSlots);
+    return mesh.Levels->FinestNode(cell.Level, cell.At);
+  }
   const Index key = (id - 1) / mesh.ElementSlots;
   const Index3& n = grid.Global().Upper;
   if (mesh.Corners == 8)

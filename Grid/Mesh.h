@@ -8,10 +8,13 @@
 #include "CartesianGrid.h"
 #include "Ranks.h"
 
+#include <memory>
 #include <string>
 
 namespace vfm
 {
+
+class RefinedGrid;
 
 /// How surface nodes are placed.
 enum class Smoothing
@@ -39,6 +42,15 @@ struct TetGenOptions
   int OptimizationLevel = 4;          ///< 0..10: of TetGen's flips and smoothing
 };
 
+/// Where cells may be coarser than those of the grid given to the pipelines (RefinedGrid.h).
+struct LevelPlan
+{
+  int Refinements = 0; ///< base cells are 2^Refinements cells of the grid along each axis
+  int FineLayers = 2;  ///< >= 2: cells of the grid kept around those at an interface
+  std::vector<std::vector<Index>>
+    Octets; ///< to refine besides: of each refinement, those of this rank (RefinedLattice::OctetKey)
+};
+
 struct MeshOptions
 {
   double IsoValue = 0.5;  ///< (0,1): a cell is void when its materials fill less than this
@@ -51,6 +63,7 @@ struct MeshOptions
   bool ComputeQuality = true; ///< fill Mesh::ScaledJacobian
   TetMethod Tets = TetMethod::Lattice; ///< of tetrahedral meshes
   TetGenOptions TetGen;                ///< of TetMethod::TetGen
+  LevelPlan Levels;
 };
 
 /// The faces between two volumes, or on a side of the domain: quads of hexes, triangles of tets.
@@ -80,8 +93,9 @@ struct Mesh
   Buffer<int> Fragment; ///< of each element: face-connected piece, numbered from 1 over all ranks
   Buffer<float> ScaledJacobian; ///< verdict's, of each element; empty unless asked for
   SurfaceFacets Surfaces;
-  std::vector<Index>
-    RowOffset; ///< of hexes: the first of each row of CartesianGrid::HexBox (x fastest), and the end
+  std::vector<Index> RowOffset; ///< of hexes of the grid's own cells: the first of each row of
+                                ///< CartesianGrid::HexBox (x fastest), and the end
+  std::shared_ptr<const RefinedGrid> Levels; ///< null: all hexes are those of the grid's own cells
 
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
 };
@@ -120,6 +134,14 @@ struct MeshReport
          MaximumDihedralAngle = 0.0;      ///< degrees, of tets, when asked for
   std::array<Index, 18> DihedralAngles{}; ///< of tets: how many in each ten degrees, when asked for
   Index RefusedParts = 0;                 ///< parts that TetGen refused and that Cells meshed
+  struct Level
+  {
+    Index Octets = 0; ///< refined to the next level
+    Index Added = 0;  ///< of those, the ones that were not asked for but that transitions need
+    Index Cells = 0;  ///< elements that are, or are made in, whole cells of the level
+  };
+  std::vector<Level> Levels; ///< from the base; empty without refinements
+  Index TransitionCells = 0; ///< elements of transitions
   struct Stage
   {
     const char* Name;

@@ -5,8 +5,9 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
+#include "PagedArray.h"
 #include "Ranks.h"
+#include "RunCoding.h"
 
 namespace vfm
 {
@@ -33,11 +34,14 @@ public:
   /// Calls body(cell) for the cells of a box, x fastest.
   template <class Body>
   void ForCells(const IndexBox& box, const Body& body) const;
+  /// Calls body(first, last) for the rows of cells of a box in order.
+  template <class Body>
+  void ForRows(const IndexBox& box, const Body& body) const;
 
   /// Fills the ghost cells of an array of the grid's shape with the values of their owners.
   /// changed(cell) is called for every ghost cell whose value was another.
-  template <class Array, class Changed>
-  void ExchangeCells(Array& values, const Changed& changed) const;
+  template <class T, class Changed>
+  void ExchangeCells(PagedArray<T>& values, const Changed& changed) const;
 
   /// Tells each peer which ids this rank wants of it; returns those that each wants of this rank. Collective among peers.
   std::vector<std::vector<Index>> Request(const std::vector<std::vector<Index>>& wanted) const;
@@ -59,19 +63,29 @@ private:
 };
 
 template <class Body>
-void Partition::ForCells(const IndexBox& box, const Body& body) const
+void Partition::ForRows(const IndexBox& box, const Body& body) const
 {
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
     for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
     {
       const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
-      for (Index cell = first; cell < first + box.Size(0); ++cell)
+      body(first, first + box.Size(0));
+    }
+  }
+}
+
+template <class Body>
+void Partition::ForCells(const IndexBox& box, const Body& body) const
+{
+  this->ForRows(box,
+    [&](Index first, Index last)
+    {
+      for (Index cell = first; cell < last; ++cell)
       {
         body(cell);
       }
-    }
-  }
+    });
 }
 
 template <class Pack, class Unpack>
@@ -89,32 +103,78 @@ void Partition::ExchangeBoxes(const Pack& pack, const Unpack& unpack) const
   }
 }
 
-template <class Array, class Changed>
-void Partition::ExchangeCells(Array& values, const Changed& changed) const
+/// Adds the indices in [first, last), of one row, that have another value.
+template <class T>
+void FindOthers(
+  const PagedArray<T>& values, Index first, Index last, T value, std::vector<Index>& others)
 {
-  using Value = typename Array::value_type;
-  this->ExchangeBoxes(
-    [&](const IndexBox& box)
+  values.Visit(
+    first, last,
+    [&](Index begin, Index end, T own)
     {
-      std::vector<Value> items;
-      this->ForCells(box, [&](Index cell) { items.push_back(values[cell]); });
-      return ToBytes(items);
+      for (Index n = begin; own != value && n < end; ++n)
+      {
+        others.push_back(n);
+      }
     },
-    [&](const IndexBox& box, const Bytes& bytes)
+    [&](Index begin, Index end, const T* own)
     {
-      const std::vector<Value> items = FromBytes<Value>(bytes);
-      std::size_t at = 0;
-      this->ForCells(box,
-        [&](Index cell)
+      for (Index n = begin; n < end; ++n)
+      {
+        if (own[n - begin] != value)
         {
-          if (values[cell] != items[at])
-          {
-            values[cell] = items[at];
-            changed(cell);
-          }
-          ++at;
-        });
+          others.push_back(n);
+        }
+      }
     });
+}
+
+template <class T, class Changed>
+void Partition::ExchangeCells(PagedArray<T>& values, const Changed& changed) const
+{
+  const auto pack = [&](const IndexBox& box)
+  {
+    RunCoder<T> coder;
+    this->ForRows(box,
+      [&](Index first, Index last)
+      {
+        values.Visit(
+          first, last, [&](Index begin, Index end, T value) { coder.AddRun(value, end - begin); },
+          [&](Index begin, Index end, const T* own)
+          { std::for_each(own, own + (end - begin), [&](T value) { coder.Add(value); }); });
+      });
+    return ToBytes(coder.Coded());
+  };
+  std::vector<Index> others;
+  const auto unpack = [&](const IndexBox& box, const Bytes& bytes)
+  {
+    RunReader<T> reader(FromBytes<T>(bytes));
+    this->ForRows(box,
+      [&](Index first, Index last)
+      {
+        others.clear();
+        Index at = first;
+        reader.Read(
+          last - first,
+          [&](Index count, T value)
+          {
+            FindOthers(values, at, at + count, value, others);
+            values.Fill(at, at + count, value);
+            at += count;
+          },
+          [&](Index count, const T* items)
+          {
+            for (Index c = 0; c < count; ++c)
+            {
+              FindOthers(values, at + c, at + c + 1, items[c], others);
+            }
+            values.Write(at, at + count, items);
+            at += count;
+          });
+        std::for_each(others.begin(), others.end(), changed);
+      });
+  };
+  this->ExchangeBoxes(pack, unpack);
 }
 
 } // namespace vfm

@@ -1,5 +1,7 @@
 #include "Pipeline.h"
 
+#include "TetTopology.h"
+
 #include <cmath>
 
 namespace vfm
@@ -55,6 +57,99 @@ void CheckOptions(const MeshOptions& options)
     throw InputError("TargetScaledJacobian is " + std::to_string(options.TargetScaledJacobian) +
       ": it must lie in [0, 1), 0 chooses it automatically.");
   }
+  if (options.Levels.Refinements < 0 || options.Levels.FineLayers < 2)
+  {
+    throw InputError("FineLayers is " + std::to_string(options.Levels.FineLayers) +
+      " and there are " + std::to_string(options.Levels.Refinements) +
+      " refinements: at least 2 layers and 0 refinements are needed.");
+  }
+}
+
+LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& interfaces, const MeshOptions& options, Runtime& runtime, bool asCubes)
+{
+  LevelHexes levels;
+  if (options.Levels.Refinements > 0)
+  {
+    levels.Grid =
+      std::make_shared<const RefinedGrid>(grid, options.Levels, interfaces, runtime.Group());
+    levels.Outer =
+      std::make_unique<OuterHexes>(*levels.Grid, labels, options.MeshVoid, runtime, asCubes);
+    ReleaseFreeMemory();
+  }
+  return levels;
+}
+
+namespace
+{
+
+/// Whole cells of each level, then transition hexes. Tets: of those whose centres are points.
+std::vector<std::int64_t> CountHexes(const Mesh& mesh)
+{
+  const RefinedGrid& levels = *mesh.Levels;
+  const int refinements = levels.NumberOfRefinements();
+  std::vector<std::int64_t> hexes(refinements + 2, 0);
+  const auto countOuter = [&](const RefinedLattice::Place& cell)
+  {
+    const bool isWhole = !levels.Octets().IsTouched(cell.Level, cell.At);
+    ++hexes[isWhole ? cell.Level : refinements + 1];
+  };
+  if (mesh.Corners == 8)
+  {
+    for (Index id : mesh.ElementIds)
+    {
+      if (levels.IsOuterElement(id, mesh.ElementSlots))
+      {
+        countOuter(levels.CellOfOuterElement(id, mesh.ElementSlots));
+      }
+      else
+      {
+        ++hexes[refinements];
+      }
+    }
+    return hexes;
+  }
+  for (Index id : mesh.PointIds)
+  {
+    if (!IsCentre(mesh, id))
+    {
+      continue;
+    }
+    const bool isOwned = levels.Finest().Owned().Contains(CellOfCentre(levels.Finest(), mesh, id));
+    if (isOwned && levels.IsOuterPoint(id, mesh.PointSlots))
+    {
+      countOuter(levels.CellOfOuterCentre(id, mesh.PointSlots));
+    }
+    else
+    {
+      hexes[refinements] += isOwned;
+    }
+  }
+  return hexes;
+}
+
+} // namespace
+
+void ReportLevels(const Mesh& mesh, Ranks& ranks, MeshReport& report)
+{
+  if (!mesh.Levels)
+  {
+    return;
+  }
+  const int refinements = mesh.Levels->NumberOfRefinements();
+  std::vector<std::int64_t> hexes = CountHexes(mesh);
+  ranks.Sum(hexes);
+  for (int level = 0; level <= refinements; ++level)
+  {
+    report.Levels.push_back({ 0, 0, hexes[level] });
+    if (level < refinements)
+    {
+      const OctetSets::LevelReport& octets = mesh.Levels->Octets().Report(level);
+      report.Levels.back().Added = octets.Margin + octets.Pinches;
+      report.Levels.back().Octets = octets.Wanted + octets.Margin + octets.Pinches;
+    }
+  }
+  report.TransitionCells = hexes[refinements + 1];
 }
 
 void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)

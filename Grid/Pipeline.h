@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "OuterHexes.h"
 #include "Smoother.h"
 #include "Volumes.h"
 
@@ -67,6 +68,22 @@ inline SurfaceTargets::Kind KindOfTargets(const MeshOptions& options)
   return options.Method == Smoothing::GeometryBased ? SurfaceTargets::Kind::Facets
                                                     : SurfaceTargets::Kind::Quadrics;
 }
+
+/// A refined grid and its outer hexes; null without refinements.
+struct LevelHexes
+{
+  std::shared_ptr<const RefinedGrid> Grid;
+  std::unique_ptr<OuterHexes> Outer;
+};
+
+/// Makes the levels that the options ask for. interfaces: as in RefinedGrid. asCubes: as in OuterHexes. Collective. Throws InputError as RefinedGrid and
+/// OuterHexes do.
+LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& interfaces, const MeshOptions& options, Runtime& runtime,
+  bool asCubes = false);
+
+/// Octets and hexes of each level, over all ranks; mesh: the owned hexes or tets. Collective.
+void ReportLevels(const Mesh& mesh, Ranks& ranks, MeshReport& report);
 
 /// Volumes per material and fragment in length units of the grid.
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report);

@@ -1,39 +1,55 @@
 #include "PointExchange.h"
 
-#include <numeric>
-
 namespace vfm
 {
+namespace
+{
+
+std::vector<PointExchange::Entry> ListPoints(
+  const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid)
+{
+  std::vector<PointExchange::Entry> entries;
+  for (int point = 0; point < static_cast<int>(active.X.size()); ++point)
+  {
+    const Index id = mesh.PointIds[active.MeshPoint[point]];
+    const Index3 node = NodeOfPoint(grid, mesh, id);
+    entries.push_back(
+      { point, id, node, CartesianGrid::Colour(node), active.IsActive[point] != 0 });
+  }
+  return entries;
+}
+
+} // namespace
 
 PointExchange::PointExchange(const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid,
   const Partition& partition) :
+  PointExchange(ListPoints(active, mesh, grid), partition)
+{
+}
+
+PointExchange::PointExchange(const std::vector<Entry>& entries, const Partition& partition) :
   Group(partition.Group())
 {
   const std::size_t peers = partition.Peers().size();
-  const int count = static_cast<int>(active.X.size());
-  const auto idOf = [&](int point) { return mesh.PointIds[active.MeshPoint[point]]; };
   std::vector<std::array<Link, 8>> links(peers);
   std::vector<std::vector<Index>> wanted(peers);
-  for (int point = 0; point < count; ++point)
+  for (const Entry& entry : entries)
   {
-    const Index3 node = NodeOfPoint(grid, mesh, idOf(point));
-    if (active.IsActive[point] && !partition.OwnsNode(node))
+    if (entry.IsWanted && !partition.OwnsNode(entry.Node))
     {
-      const int peer = partition.PeerOfNode(node);
-      wanted[peer].push_back(idOf(point));
-      links[peer][CartesianGrid::Colour(node)].Incoming.push_back(point);
+      const int peer = partition.PeerOfNode(entry.Node);
+      wanted[peer].push_back(entry.Id);
+      links[peer][entry.Colour].Incoming.push_back(entry.Point);
     }
   }
   const std::vector<std::vector<Index>> requests = partition.Request(wanted);
-  std::vector<int> points(count);
-  std::iota(points.begin(), points.end(), 0);
   for (std::size_t peer = 0; peer < peers; ++peer)
   {
     for (Index id : requests[peer])
     {
-      const int point = *std::lower_bound(
-        points.begin(), points.end(), id, [&](int p, Index key) { return idOf(p) < key; });
-      links[peer][CartesianGrid::Colour(NodeOfPoint(grid, mesh, id))].Outgoing.push_back(point);
+      const Entry& entry = *std::lower_bound(
+        entries.begin(), entries.end(), id, [](const Entry& e, Index key) { return e.Id < key; });
+      links[peer][entry.Colour].Outgoing.push_back(entry.Point);
     }
   }
   for (std::size_t peer = 0; peer < peers; ++peer)

@@ -18,6 +18,17 @@ public:
   PointExchange(const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid,
     const Partition& partition);
 
+  struct Entry
+  {
+    int Point;   ///< of the active mesh
+    Index Id;    ///< global
+    Index3 Node; ///< whose owner moves the point
+    int Colour;
+    bool IsWanted; ///< whether the point moves, so that ranks that do not own it ask for it
+  };
+  /// The same for any points; entries: by ascending id. Collective among peers.
+  PointExchange(const std::vector<Entry>& entries, const Partition& partition);
+
   /// Sends the positions of the points of a colour and receives those of the peers' points.
   /// flags: of every point; sent along with the points. received(point) is called where a flag was set.
   void Send(int colour, ActiveMesh& active, const std::vector<unsigned char>& flags,

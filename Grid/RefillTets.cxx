@@ -3,6 +3,7 @@
 #include "ActiveMesh.h"
 
 #include "Fragments.h"
+#include "RefinedGrid.h"
 #include "TetFacets.h"
 #include "TetGenFill.h"
 #include "TetImprove.h"
@@ -242,8 +243,9 @@ private:
       geometry[p] = mesh.GeometryId[kept[p]];
     }
     const Index3& n = this->Grid.Global().Upper;
-    Index id = (n[0] + 1) * (n[1] + 1) * (n[2] + 1) * mesh.PointSlots + 1 +
-      OffsetOfPieces(ranks, static_cast<Index>(this->Added.size()));
+    Index id = mesh.Levels ? mesh.Levels->EndOfPointIds(mesh.PointSlots)
+                           : (n[0] + 1) * (n[1] + 1) * (n[2] + 1) * mesh.PointSlots + 1;
+    id += OffsetOfPieces(ranks, static_cast<Index>(this->Added.size()));
     for (std::size_t p = 0; p < this->Added.size(); ++p)
     {
       const NewPoint& added = this->Added[p];

@@ -211,8 +211,10 @@ private:
         flips.emplace_back(candidate.first, candidate.second.Label);
       }
     }
-    const auto addNodes = [this](Index cell)
+    const auto update = [this](Index cell)
     {
+      const int label = this->Labels[cell];
+      this->Grid.ForMirrors(cell, [&](Index mirror) { this->Labels.Set(mirror, label); });
       for (int c = 0; c < 8; ++c)
       {
         this->Violated.push_back(this->Grid.NodeOfCell(cell, c));
@@ -221,11 +223,10 @@ private:
     for (const auto& flip : flips)
     {
       this->Original.emplace(flip.first, this->Labels[flip.first]);
-      this->Labels[flip.first] = flip.second;
-      addNodes(flip.first);
+      this->Labels.Set(flip.first, flip.second);
+      update(flip.first);
     }
-    this->Parts.ExchangeCells(this->Labels, addNodes);
-    this->Grid.SetMirrored(this->Labels);
+    this->Parts.ExchangeCells(this->Labels, update);
   }
 
   Index CountChanges() const

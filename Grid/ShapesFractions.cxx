@@ -457,13 +457,14 @@ FractionField FractionsOfShapes(const CartesianGrid& grid, const std::vector<Sha
   int materials, double tolerance, Runtime& runtime)
 {
   FractionField field(grid, materials > 0 ? materials : CountMaterials(shapes));
+  FractionField::RowWriter row(field);
   std::vector<std::pair<Index, Parts>> mixed;
   std::mutex mutex;
   const auto sink = [&](const IndexBox& cells, const Parts& parts)
   {
+    const std::lock_guard<std::mutex> lock(mutex);
     if (parts.size() > 1 || parts[0].Fraction < 1.0)
     {
-      const std::lock_guard<std::mutex> lock(mutex);
       mixed.emplace_back(grid.Linear(cells.Lower), parts);
       return;
     }
@@ -471,10 +472,9 @@ FractionField FractionsOfShapes(const CartesianGrid& grid, const std::vector<Sha
     {
       for (Index j = cells.Lower[1]; j < cells.Upper[1]; ++j)
       {
-        for (Index i = cells.Lower[0]; i < cells.Upper[0]; ++i)
-        {
-          field.SetLabel(grid.Linear({ { i, j, k } }), parts[0].Material);
-        }
+        row.Start(grid.Linear({ { cells.Lower[0], j, k } }));
+        row.AddLabel(parts[0].Material, cells.Size(0));
+        row.Finish();
       }
     }
   };

@@ -12,6 +12,9 @@ constexpr int SamplesAlong = 4; // an edge of an octant where three materials me
 constexpr double Nudge = 1e-3;  // of a difference, to measure its rate
 constexpr double Flat = 1e-12;  // a difference with a smaller slope has no plane
 constexpr double OctantPart = 0.125;
+constexpr double LargestShift =
+  8.0; // fields differ by no more than 1 at cells, so by less than that between
+constexpr double SmallestShift = 1e-12;
 
 using Corners = std::array<double, 8>;
 
@@ -242,6 +245,43 @@ std::vector<FractionField::Part> FindSharpFractions(
     }
   }
   return parts;
+}
+
+std::array<double, 8> ShareOctants(
+  const MaterialPatch& first, const MaterialPatch& second, double fraction)
+{
+  std::vector<Difference> differences;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    differences.emplace_back(CornersOfOctant(first, octant), CornersOfOctant(second, octant));
+  }
+  const auto share = [&differences](double shift, std::array<double, 8>& parts)
+  {
+    double sum = 0.0;
+    for (int octant = 0; octant < 8; ++octant)
+    {
+      parts[octant] = differences[octant].PartAbove(shift);
+      sum += OctantPart * parts[octant];
+    }
+    return sum;
+  };
+  double low = -LargestShift, high = LargestShift;
+  std::array<double, 8> less{}, more{}, trial;
+  double lessSum = share(low, less), moreSum = share(high, more);
+  while (high - low > SmallestShift)
+  {
+    const double middle = 0.5 * (low + high), sum = share(middle, trial);
+    (sum < fraction ? low : high) = middle;
+    (sum < fraction ? less : more) = trial;
+    (sum < fraction ? lessSum : moreSum) = sum;
+  }
+  // where the fields run side by side the sum jumps: in between
+  const double t = moreSum > lessSum ? (fraction - lessSum) / (moreSum - lessSum) : 0.0;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    less[octant] += t * (more[octant] - less[octant]);
+  }
+  return less;
 }
 
 } // namespace vfm

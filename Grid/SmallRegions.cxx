@@ -348,23 +348,28 @@ std::vector<Part> RegionRemover::ChangeParts(const Index3& p, int oldLabel, int 
 FractionField RegionRemover::Apply() const
 {
   FractionField result(this->Grid, this->Fractions.NumberOfMaterials());
+  FractionField::RowWriter row(result);
+  const IndexBox& box = this->Grid.Owned();
   this->ForOwnedCells(
     [&](const Index3& p, Index cell, int region)
     {
+      if (p[0] == box.Lower[0])
+      {
+        row.Finish();
+        row.Start(cell);
+      }
       const int label = this->NewMaterials[region];
-      if (!this->Fractions.IsMixed(cell))
+      const std::vector<Part> parts = this->Fractions.IsMixed(cell)
+        ? this->ChangeParts(p, this->Labels[cell], label)
+        : std::vector<Part>();
+      if (parts.size() > 1)
       {
-        result.SetLabel(cell, label);
+        row.CopyParts({ parts.data(), parts.data() + parts.size() });
         return;
       }
-      const std::vector<Part> parts = this->ChangeParts(p, this->Labels[cell], label);
-      if (parts.size() == 1)
-      {
-        result.SetLabel(cell, label);
-        return;
-      }
-      result.CopyParts(cell, { parts.data(), parts.data() + parts.size() });
+      row.AddLabel(label);
     });
+  row.Finish();
   return result;
 }
 

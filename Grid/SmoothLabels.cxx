@@ -112,12 +112,12 @@ LabelSmoother::LabelSmoother(const CartesianGrid& grid, const FractionField& lab
   Last(this->Lack.size())
 {
   const double scale = std::pow(grid.MeanWidth(), -3.0);
-  std::vector<unsigned char> isActive(grid.NumberOfEntries(), 0);
+  PagedArray<unsigned char> isActive(grid, 0);
   for (Index node : FindMixedNodes(grid, this->Labels))
   {
     for (int c = 0; c < 8; ++c)
     {
-      isActive[grid.CellOfNode(node, c)] = 1;
+      isActive.Set(grid.CellOfNode(node, c), 1);
     }
   }
   std::vector<ExactSum> totals(this->Lack.size());

@@ -19,20 +19,6 @@ constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 }
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Two unit vectors that make a frame with n.
-void MakeTangents(const Vector3& n, Vector3& u, Vector3& v)
-{
-  int flat = 0;
-  for (int a = 1; a < 3; ++a)
-  {
-    flat = std::fabs(n[a]) < std::fabs(n[flat]) ? a : flat;
-  }
-  Vector3 axis{ { 0.0, 0.0, 0.0 } };
-  axis[flat] = 1.0;
-  u = Unit(Cross(n, axis));
-  v = Cross(n, u);
-}
-
 /// The nodes reached from a node over at most two interface faces of the pair, itself first.
 std::vector<Index> FindRing(const Interface& interface, Index node, int first, int second)
 {

@@ -2,6 +2,7 @@
 
 #include "DisjointSets.h"
 #include "ExactSum.h"
+#include "RefinedGrid.h"
 #include "Vector3.h"
 
 #include <numeric>
@@ -11,15 +12,43 @@ namespace vfm
 namespace
 {
 
-bool IsCentre(const Mesh& mesh, Index point)
+bool IsCentrePoint(const Mesh& mesh, Index point)
 {
-  return SlotOfPoint(mesh.PointIds[point]) == CentreSlot;
+  return IsCentre(mesh, mesh.PointIds[point]);
 }
 
 /// Whether the point is a node of the lattice inside a material: all tets at it are of one fragment.
 bool IsAnchor(const TetTopology& topology, Index point)
 {
   return topology.Place[point] != PointPlace::OnInterface;
+}
+
+/// Calls visit(cells, tet) for the anchored centres: the cells of HexBox that the centre stands for, and a tet at it.
+template <class Visitor>
+void ForCentres(const TetTopology& topology, const CartesianGrid& grid, const Visitor& visit)
+{
+  const Mesh& mesh = topology.Tets;
+  std::vector<Index> tetOf(mesh.PointIds.size(), -1);
+  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+  {
+    tetOf[mesh.Elements[at]] = static_cast<Index>(at / 4);
+  }
+  for (std::size_t p = 0; p < tetOf.size(); ++p)
+  {
+    const Index id = mesh.PointIds[p];
+    if (tetOf[p] < 0 || !IsCentre(mesh, id) || !IsAnchor(topology, static_cast<Index>(p)))
+    {
+      continue;
+    }
+    const Index3 cell = NodeOfPoint(grid, mesh, id);
+    IndexBox cells{ cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
+    if (mesh.Levels && mesh.Levels->IsOuterPoint(id, mesh.PointSlots))
+    {
+      const RefinedLattice::Place place = mesh.Levels->CellOfOuterCentre(id, mesh.PointSlots);
+      cells = Intersect(mesh.Levels->FinestCells(place.Level, place.At), grid.HexBox());
+    }
+    visit(cells, tetOf[p]);
+  }
 }
 
 } // namespace
@@ -99,21 +128,14 @@ PiecePairs TetFragments::FindSame(const TetTopology& topology, Index offset) con
   {
     return same;
   }
-  const Mesh& mesh = topology.Tets;
-  std::vector<Index> pieceOf(this->Grid.NumberOfEntries(), -1);
-  for (std::size_t t = 0; t < this->PieceOf.size(); ++t)
-  {
-    for (int c = 0; c < 4; ++c)
+  PagedArray<Index> pieceOf(this->Grid, -1);
+  ForCentres(topology, this->Grid,
+    [&](const IndexBox& cells, Index tet)
     {
-      const Index point = mesh.Elements[4 * t + c];
-      if (IsCentre(mesh, point) && IsAnchor(topology, point))
-      {
-        pieceOf[this->Grid.Linear(NodeOfPoint(this->Grid, mesh, mesh.PointIds[point]))] =
-          offset + this->PieceOf[t];
-      }
-    }
-  }
-  const std::vector<Index> mine = pieceOf;
+      this->Parts.ForRows(cells,
+        [&](Index first, Index last) { pieceOf.Fill(first, last, offset + this->PieceOf[tet]); });
+    });
+  const PagedArray<Index> mine = pieceOf;
   this->Parts.ExchangeCells(pieceOf,
     [&](Index cell)
     {
@@ -139,8 +161,8 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
     const Index* points = mesh.Elements.data() + 4 * t;
     const Index3 cell = CellOfElement(this->Grid, mesh, mesh.ElementIds[t]);
     if (!this->Parts.OwnsCell(cell) &&
-      std::none_of(
-        points, points + 4, [&](Index p) { return IsCentre(mesh, p) && IsAnchor(topology, p); }))
+      std::none_of(points, points + 4,
+        [&](Index p) { return IsCentrePoint(mesh, p) && IsAnchor(topology, p); }))
     {
       const int peer = this->Parts.PeerOfCell(cell);
       ids[peer].push_back(mesh.ElementIds[t]);
@@ -175,19 +197,20 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
 void TetFragments::FindHomes(const TetTopology& topology)
 {
   const Mesh& mesh = topology.Tets;
-  this->FragmentOfCentre.assign(this->Grid.NumberOfEntries(), 0);
+  this->FragmentOfCentre = PagedArray<int>(this->Grid, 0);
+  ForCentres(topology, this->Grid,
+    [&](const IndexBox& cells, Index tet)
+    {
+      this->Parts.ForRows(cells,
+        [&](Index first, Index last)
+        { this->FragmentOfCentre.Fill(first, last, mesh.Fragment[tet]); });
+    });
   for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
   {
     bool cut = false;
     for (int c = 0; c < 4; ++c)
     {
-      const Index point = mesh.Elements[4 * t + c];
-      cut = cut || !IsAnchor(topology, point);
-      if (IsCentre(mesh, point) && IsAnchor(topology, point))
-      {
-        this->FragmentOfCentre[this->Grid.Linear(
-          NodeOfPoint(this->Grid, mesh, mesh.PointIds[point]))] = mesh.Fragment[t];
-      }
+      cut = cut || !IsAnchor(topology, mesh.Elements[4 * t + c]);
     }
     if (cut)
     {

@@ -48,10 +48,10 @@ private:
 
   const CartesianGrid& Grid;
   const Partition& Parts;
-  std::vector<int> PieceOf;          // of each tet
-  std::vector<int> MaterialOf;       // of each fragment
-  std::vector<int> FragmentOfCentre; // by cell; 0 where the centre lies on an interface
-  std::vector<Home> Homes;           // sorted
+  std::vector<int> PieceOf;         // of each tet
+  std::vector<int> MaterialOf;      // of each fragment
+  PagedArray<int> FragmentOfCentre; // by cell; 0 where the centre lies on an interface
+  std::vector<Home> Homes;          // sorted
 };
 
 } // namespace vfm

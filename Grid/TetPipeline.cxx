@@ -1,6 +1,7 @@
 #include "TetPipeline.h"
 
 #include "DiagonalFlips.h"
+#include "OuterTets.h"
 #include "Pipeline.h"
 #include "Quality.h"
 #include "TetAttach.h"
@@ -53,6 +54,7 @@ public:
     Mesh& mesh = this->Topology.Tets;
     FindTetGeometry(this->Faces, this->Grid, this->Parts, mesh, this->Report);
     KeepOwned(mesh, this->Grid);
+    ReportLevels(mesh, this->Run.Group(), this->Report);
     this->Refill();
     if (this->Options.ComputeQuality)
     {
@@ -89,12 +91,39 @@ private:
   void Build()
   {
     this->Clock.Start("Making tetrahedra", 0.1);
+    const TetEnergy energy(FloorsOf(this->Options));
+    std::unique_ptr<OuterTets> outer;
+    LabelArray own;
+    const LevelHexes levels = this->MakeTetLevels(own);
+    if (levels.Outer)
+    {
+      outer = std::make_unique<OuterTets>(*levels.Outer, energy, this->Run);
+    }
     this->Topology = this->Method == TetMethod::Lattice
       ? BuildLatticeTets(this->Grid, this->Fractions, this->Options.IsoValue,
-          this->Options.MeshVoid, this->Parts, this->Run)
-      : BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run);
+          this->Options.MeshVoid, this->Parts, this->Run, outer.get())
+      : BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, outer.get());
+    this->Topology.Tets.Levels = levels.Grid;
     this->Clock.Start("Finding faces", 0.12);
     this->Faces = FindTetFaces(this->Topology, this->Grid);
+  }
+
+  /// own: for labels of cells that must outlive the result. The lattice goes by labels before any was flipped, and by those of its vertices.
+  LevelHexes MakeTetLevels(LabelArray& own) const
+  {
+    if (this->Options.Levels.Refinements == 0)
+    {
+      return {};
+    }
+    if (this->Method == TetMethod::Cells)
+    {
+      return MakeLevels(this->Grid, this->Labels, FindMixedNodes(this->Grid, this->Labels),
+        this->Options, this->Run, true);
+    }
+    own = AssignMaterials(this->Grid, this->Fractions, this->Options.IsoValue);
+    return MakeLevels(this->Grid, own,
+      FindLatticeInterfaces(this->Grid, this->Fractions, this->Options.IsoValue, this->Run),
+      this->Options, this->Run, true);
   }
 
   void FindFragments()
@@ -129,12 +158,12 @@ private:
     for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
     {
       Index centre = mesh.Elements[4 * t + 3];
-      if (SlotOfPoint(mesh.PointIds[mesh.Elements[4 * t]]) == CentreSlot)
+      if (IsCentre(mesh, mesh.PointIds[mesh.Elements[4 * t]]))
       {
         centre = mesh.Elements[4 * t];
       }
       mesh.Fragment[t] =
-        fragments.FragmentOfCell(NodeOfPoint(this->Grid, mesh, mesh.PointIds[centre]));
+        fragments.FragmentOfCell(CellOfCentre(this->Grid, mesh, mesh.PointIds[centre]));
     }
   }
 

@@ -49,5 +49,18 @@ inline Vector3 Divided(const Vector3& a, const Vector3& b)
 {
   return { { a[0] / b[0], a[1] / b[1], a[2] / b[2] } };
 }
+/// Two unit vectors that make a frame with n.
+inline void MakeTangents(const Vector3& n, Vector3& u, Vector3& v)
+{
+  int flat = 0;
+  for (int a = 1; a < 3; ++a)
+  {
+    flat = std::fabs(n[a]) < std::fabs(n[flat]) ? a : flat;
+  }
+  Vector3 axis{ { 0.0, 0.0, 0.0 } };
+  axis[flat] = 1.0;
+  u = Unit(Cross(n, axis));
+  v = Cross(n, u);
+}
 
 } // namespace vfm

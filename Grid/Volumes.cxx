@@ -1,5 +1,6 @@
 #include "Volumes.h"
 
+#include "RowVolumes.h"
 #include "Vector3.h"
 
 namespace vfm
@@ -68,65 +69,135 @@ int CellHomes::FindNear(const Index3& cell, int material) const
     });
 }
 
+namespace
+{
+
+/// Adds up what the owned cells ask for.
+class TargetSums
+{
+public:
+  TargetSums(const CartesianGrid& grid, const FractionField& fractions,
+    const std::vector<int>& materials, const FragmentHomes& homes) :
+    Targets(materials.size()),
+    Cells(materials.size()),
+    Totals(fractions.NumberOfMaterials() + 1),
+    Grid(grid),
+    Fractions(fractions),
+    Materials(materials),
+    Homes(homes),
+    Volumes(grid),
+    VoidIsMeshed(std::find(materials.begin() + 1, materials.end(), 0) != materials.end())
+  {
+  }
+
+  void AddRow(Index j, Index k)
+  {
+    this->Volumes.Start(j, k);
+    this->Homes.ForRuns(j, k,
+      [&](Index first, Index last, int fragment) { this->AddRun(first, last, j, k, fragment); });
+  }
+
+  std::vector<ExactSum> Targets; // by fragment, [0] none
+  std::vector<ExactSum> Cells;   // by fragment
+  std::vector<ExactSum> Totals;  // by material
+
+private:
+  bool IsOwn(int fragment, int material) const
+  {
+    return fragment > 0 ? this->Materials[fragment] == material
+                        : material == 0 && !this->VoidIsMeshed;
+  }
+
+  template <class Volume>
+  void Add(int fragment, int material, const Volume& volume)
+  {
+    this->Totals[material].Add(volume);
+    if (fragment > 0)
+    {
+      this->Targets[fragment].Add(volume);
+    }
+  }
+
+  void AddPart(const Index3& p, int fragment, int material, double volume)
+  {
+    this->Add(this->IsOwn(fragment, material) ? fragment : this->Homes.FindNear(p, material),
+      material, volume);
+  }
+
+  void AddCell(const Index3& p, int fragment)
+  {
+    const Index cell = this->Grid.Linear(p);
+    const double volume = this->Volumes.OfCell(p);
+    if (!this->Fractions.IsMixed(cell))
+    {
+      this->AddPart(p, fragment, this->Fractions.Label(cell), volume);
+      return;
+    }
+    for (const FractionField::Part& part : this->Fractions.Parts(cell))
+    {
+      this->AddPart(p, fragment, part.Material, part.Fraction * volume);
+    }
+  }
+
+  void AddRun(Index first, Index last, Index j, Index k, int fragment)
+  {
+    first = std::max(first, this->Grid.Owned().Lower[0]);
+    last = std::min(last, this->Grid.Owned().Upper[0]);
+    if (first >= last)
+    {
+      return;
+    }
+    this->Cells[fragment].Add(this->Volumes.Of(first, last));
+    const Index row = this->Grid.Linear({ { 0, j, k } });
+    const auto addCells = [&](Index begin, Index end)
+    {
+      for (Index cell = begin; cell < end; ++cell)
+      {
+        this->AddCell({ { cell - row, j, k } }, fragment);
+      }
+    };
+    this->Fractions.Visit(
+      row + first, row + last,
+      [&](Index begin, Index end, int label)
+      {
+        if (this->IsOwn(fragment, label))
+        {
+          this->Add(fragment, label, this->Volumes.Of(begin - row, end - row));
+          return;
+        }
+        addCells(begin, end);
+      },
+      addCells);
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const std::vector<int>& Materials;
+  const FragmentHomes& Homes;
+  RowVolumes Volumes;
+  bool VoidIsMeshed;
+};
+
+} // namespace
+
 FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
   const std::vector<int>& materials, const FragmentHomes& homes, const Partition& partition) :
   Materials(materials), Parts(partition), Swept(materials.size(), 0.0)
 {
-  this->AddTargets(grid, fractions, homes);
-  this->ShareOrphans();
-}
-
-void FragmentVolumes::AddTargets(
-  const CartesianGrid& grid, const FractionField& fractions, const FragmentHomes& homes)
-{
   const IndexBox& box = grid.Owned();
-  const double scale = std::pow(grid.MeanWidth(), -3.0);
-  std::vector<ExactSum> target(this->Swept.size()), cells(this->Swept.size()),
-    total(fractions.NumberOfMaterials() + 1);
-  const bool voidIsMeshed =
-    std::find(this->Materials.begin() + 1, this->Materials.end(), 0) != this->Materials.end();
-  Index3 p;
-  const auto addPart = [&](int fragment, int material, double volume)
+  TargetSums sums(grid, fractions, materials, homes);
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
-    total[material].Add(volume);
-    const bool own =
-      fragment > 0 ? this->Materials[fragment] == material : material == 0 && !voidIsMeshed;
-    const int home = own ? fragment : homes.FindNear(p, material);
-    if (home > 0)
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
     {
-      target[home].Add(volume);
-    }
-  };
-  const auto addRun = [&](Index first, Index last, int fragment)
-  {
-    last = std::min(last, box.Upper[0]);
-    for (p[0] = std::max(first, box.Lower[0]); p[0] < last; ++p[0])
-    {
-      const Index cell = grid.Linear(p);
-      const double volume = grid.CellVolume(p) * scale;
-      cells[fragment].Add(volume);
-      if (!fractions.IsMixed(cell))
-      {
-        addPart(fragment, fractions.Label(cell), volume);
-        continue;
-      }
-      for (const FractionField::Part& part : fractions.Parts(cell))
-      {
-        addPart(fragment, part.Material, part.Fraction * volume);
-      }
-    }
-  };
-  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
-    {
-      homes.ForRuns(p[1], p[2], addRun);
+      sums.AddRow(j, k);
     }
   }
-  Ranks& ranks = this->Parts.Group();
-  this->Targets = SumOverRanks(target, ranks);
-  this->StartVolumes = SumOverRanks(cells, ranks);
-  this->TotalOfMaterial = SumOverRanks(total, ranks);
+  Ranks& ranks = partition.Group();
+  this->Targets = SumOverRanks(sums.Targets, ranks);
+  this->StartVolumes = SumOverRanks(sums.Cells, ranks);
+  this->TotalOfMaterial = SumOverRanks(sums.Totals, ranks);
+  this->ShareOrphans();
 }
 
 /// Fractions with no cell of their material near go to all fragments of the material alike.

@@ -81,8 +81,6 @@ public:
   const std::vector<double>& FragmentTargets() const { return this->Targets; }
 
 private:
-  void AddTargets(
-    const CartesianGrid& grid, const FractionField& fractions, const FragmentHomes& homes);
   void ShareOrphans();
   std::vector<double> FindPotentials() const;
 
