@@ -13,7 +13,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUniformGrid.h"
-#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -207,25 +206,6 @@ std::string NameBlock(int number, int rank, bool isAlone)
 {
   const std::string name = number < 0 ? "The input" : "Block " + std::to_string(number);
   return isAlone ? name : name + " of rank " + std::to_string(rank);
-}
-
-std::vector<int> FindUsedLevels(vtkDataObject* input)
-{
-  std::vector<int> levels;
-  vtkUniformGridAMR* amr = vtkUniformGridAMR::SafeDownCast(input);
-  for (unsigned int level = 0; amr && level < amr->GetNumberOfLevels(); ++level)
-  {
-    bool used = false;
-    for (unsigned int i = 0; i < amr->GetNumberOfDataSets(level); ++i)
-    {
-      used = used || amr->GetDataSet(level, i);
-    }
-    if (used)
-    {
-      levels.push_back(static_cast<int>(level));
-    }
-  }
-  return levels;
 }
 
 std::vector<InputBlock> CollectBlocks(vtkDataObject* input, int rank, bool isAlone)

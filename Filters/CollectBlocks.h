@@ -11,9 +11,6 @@ namespace vfm
 /// For messages. number: of the block in a composite data set, or -1 for an input that is no composite.
 std::string NameBlock(int number, int rank, bool isAlone);
 
-/// The levels of an AMR that hold blocks here; none for other data.
-std::vector<int> FindUsedLevels(vtkDataObject* input);
-
 /// The blocks that have cells which are no ghosts, with all but Box set. input: null for none. Throws InputError on data of another
 /// kind, flat grids, rotated images, coordinates that do not increase, ghost cells in the middle of a block, and as
 /// RecogniseGrid does.

@@ -3,9 +3,9 @@
  * each block's cells lie in it.
  *
  * Taken are vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid and vtkStructuredGrid whose cells are
- * those of a Cartesian grid (RecogniseGrid), and composite data sets of them, in any order, dealt to the ranks in any way; a
- * vtkUniformGridAMR when only one of its levels holds blocks. A rank may have none. Blocks are matched by the coordinates of
- * their nodes, so extents may restart at 0 in every block.
+ * those of a Cartesian grid (RecogniseGrid), and composite data sets of them, in any order, dealt to the ranks in any way. A rank
+ * may have none. Blocks are matched by the coordinates of their nodes, so extents may restart at 0 in every block. Those of
+ * several levels are sorted by InputLevels.h.
  * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped: in images and rectilinear grids they may only form layers on the
  * sides of a block. Blanked cells (HIDDENCELL) stay and are void.
  *
@@ -20,13 +20,15 @@
 #include "CartesianGrid.h"
 #include "Ranks.h"
 
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
 #include <memory>
 #include <string>
 #include <vector>
 
 class vtkDataObject;
 class vtkDataSet;
-class vtkUnsignedCharArray;
 
 namespace vfm
 {
@@ -37,12 +39,12 @@ class CellOrder;
 struct InputBlock
 {
   vtkDataSet* Data = nullptr;
-  int Number = -1;                            ///< in a composite data set, else -1
-  std::string Name;                           ///< for messages: "The input", "Block 3 of rank 1"
-  vtkUnsignedCharArray* GhostTypes = nullptr; ///< of all cells of Data, in Order, or null
-  std::shared_ptr<CellOrder> Order;           ///< of the cells of Data; null: as they are
-  Index FirstCell = 0;                        ///< of the block in that order
-  Index3 Dimensions{ { 0, 0, 0 } };           ///< cells of the block along each axis
+  int Number = -1;  ///< in a composite data set, else -1
+  std::string Name; ///< for messages: "The input", "Block 3 of rank 1"
+  vtkSmartPointer<vtkUnsignedCharArray> GhostTypes; ///< of all cells of Data, in Order, or null
+  std::shared_ptr<CellOrder> Order;                 ///< of the cells of Data; null: as they are
+  Index FirstCell = 0;                              ///< of the block in that order
+  Index3 Dimensions{ { 0, 0, 0 } };                 ///< cells of the block along each axis
   IndexBox Kept; ///< cells that are no ghosts, indices within the block
   std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of Kept
   IndexBox Box;                                   ///< Kept in the indices of the global grid
@@ -90,15 +92,22 @@ struct InputBlocks
   }
 };
 
-/// Collective; input: this rank's part, null for none. Throws InputError, on all ranks alike, on data of another
-/// kind, flat or empty grids, rotated images, coordinates that do not increase, hexahedra that are no cells of a Cartesian grid,
-/// blocks that do not tile one box, and grids whose ids exceed 63 bits.
-InputBlocks FindInputBlocks(vtkDataObject* input, Ranks& ranks);
+/// Collective; data: this rank's part, null for none. Result: this rank's blocks with all but Box set. Throws InputError, on all
+/// ranks alike, on data of another kind, flat or empty grids, rotated images, coordinates that do not increase, hexahedra that
+/// are no cells of a Cartesian grid.
+std::vector<InputBlock> CollectAllBlocks(vtkDataObject* data, Ranks& ranks);
+
+/// Collective: whether no block has nodes between those of another.
+bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks);
+
+/// Collective; blocks: of this rank. Throws InputError, on all ranks alike, on blocks that do not tile one box and grids whose
+/// ids exceed 63 bits.
+InputBlocks FindInputBlocks(std::vector<InputBlock> blocks, Ranks& ranks);
 
 /// Collective; the same, every rank having one block. faces: the ranks across -x +x -y +y -z +z of it, or -1. Places: of
 /// this rank and of those that hold its ghost cells. Throws InputError, on all ranks alike, when neighbours do not
 /// match (FindNeighbours) or do not hold all ghost cells, too.
 InputBlocks FindNeighbourBlocks(
-  vtkDataObject* input, const std::array<int, 6>& faces, Ranks& ranks);
+  std::vector<InputBlock> blocks, const std::array<int, 6>& faces, Ranks& ranks);
 
 } // namespace vfm

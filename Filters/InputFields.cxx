@@ -2,9 +2,6 @@
 
 #include "Agreement.h"
 #include "InputRoute.h"
-#include "MakePartition.h"
-
-#include <optional>
 
 namespace vfm
 {
@@ -63,10 +60,12 @@ Bytes PackFor(const IndexBox& wanted, const InputBlocks& input, const InputCells
   return PackCells(packets);
 }
 
-/// What the local box needs of the blocks of other ranks.
-std::vector<SparseCells> ExchangeInput(
-  const InputRoute& route, const InputBlocks& input, const InputCells& cells, Ranks& ranks)
+} // namespace
+
+std::vector<SparseCells> ReceiveCells(const std::vector<BlockPlace>& owners,
+  const InputBlocks& input, const InputCells& cells, Index ghostLevels, Ranks& ranks)
 {
+  const InputRoute route = FindInputRoute(owners, input, ranks.Rank(), ghostLevels);
   std::vector<Bytes> outgoing;
   WorkTogether(ranks,
     [&]
@@ -85,34 +84,6 @@ std::vector<SparseCells> ExchangeInput(
     }
   }
   return received;
-}
-
-} // namespace
-
-std::vector<BlockPlace> ShareOutCells(
-  const InputBlocks& input, const InputCells& cells, Ranks& ranks)
-{
-  const std::vector<IndexBox> boxes = MakePartition(
-    input.Global(), input.Boxes(), [&cells] { return cells.FindInterfaceCells(); }, ranks);
-  std::vector<BlockPlace> owners;
-  for (const IndexBox& box : boxes)
-  {
-    owners.push_back({ box, static_cast<int>(owners.size()), -1 });
-  }
-  return owners;
-}
-
-InputField MakeInputField(const CartesianGrid& grid, const std::vector<BlockPlace>& owners,
-  const InputBlocks& input, const InputCells& cells, Ranks& ranks)
-{
-  const std::vector<SparseCells> received =
-    ExchangeInput(FindInputRoute(owners, input, ranks.Rank()), input, cells, ranks);
-  std::optional<InputField> field;
-  WorkTogether(ranks, [&] { field = cells.MakeField(grid, received); });
-  std::vector<Index> normalised{ field->NormalisedCells };
-  ranks.Sum(normalised);
-  field->NormalisedCells = normalised[0];
-  return std::move(*field);
 }
 
 } // namespace vfm

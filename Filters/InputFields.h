@@ -26,7 +26,7 @@ struct InputField
 {
   FractionField Fractions; ///< of the grid's local box
   Materials Table;         ///< the same on all ranks
-  Index NormalisedCells;   ///< cells of all ranks whose sum exceeded 1 and was scaled back
+  Index NormalisedCells;   ///< cells whose sum exceeded 1 and was scaled back
 };
 
 /// What the cell arrays of this rank's blocks hold. Nothing here communicates.
@@ -41,8 +41,8 @@ public:
   /// The cells of a box that lies within a block.
   virtual SparseCells Extract(const InputBlock& block, const IndexBox& box) const = 0;
 
-  /// The field of the local box: from the arrays where this rank has them, else from what it received; its
-  /// NormalisedCells are the owned ones. Throws InputError on values that are no fractions.
+  /// The field of the local box: from the arrays where this rank has them, else from what it received, void where nobody has;
+  /// its NormalisedCells are the owned ones. Throws InputError on values that are no fractions.
   virtual InputField MakeField(
     const CartesianGrid& grid, const std::vector<SparseCells>& received) const = 0;
 
@@ -60,23 +60,23 @@ private:
   void FindInterfaceCells(std::size_t block, std::vector<Index3>& found) const;
 };
 
+/// Of the blocks of each level.
+using LevelCells = std::vector<std::unique_ptr<InputCells>>;
+
 /// Collective. Fractions of material m are in the cell array names[m - 1]: of any type with one component, unsigned
-/// char counting 0..255. Throws InputError, on all ranks alike, on missing arrays.
-std::unique_ptr<InputCells> OpenFractions(
-  const InputBlocks& input, const std::vector<std::string>& names, Ranks& ranks);
+/// char counting 0..255. levels must outlive the result. Throws InputError, on all ranks alike, on missing arrays.
+LevelCells OpenFractions(
+  const std::vector<InputBlocks>& levels, const std::vector<std::string>& names, Ranks& ranks);
 
-/// Collective. Labels >= 0 are in an integer cell array, 0 void. The labels that occur on any rank are numbered 1..N in
-/// increasing order. Throws InputError, on all ranks alike, on missing arrays, real types, negative labels.
-std::unique_ptr<InputCells> OpenLabels(
-  const InputBlocks& input, const std::string& name, Ranks& ranks);
+/// Collective. Labels >= 0 are in an integer cell array, 0 void. The labels that occur on any rank and level are numbered
+/// 1..N in increasing order. levels must outlive the result. Throws InputError, on all ranks alike, on missing arrays, real types,
+/// negative labels.
+LevelCells OpenLabels(
+  const std::vector<InputBlocks>& levels, const std::string& name, Ranks& ranks);
 
-/// Collective: the cells that each rank meshes, by rank (MakePartition).
-std::vector<BlockPlace> ShareOutCells(
-  const InputBlocks& input, const InputCells& cells, Ranks& ranks);
-
-/// Collective: the field of the grid's local box, with what it needs of the blocks of other ranks. owners: the cells
-/// that the ranks mesh, of all ranks or those near. Throws InputError, on all ranks alike, on values that are no fractions.
-InputField MakeInputField(const CartesianGrid& grid, const std::vector<BlockPlace>& owners,
-  const InputBlocks& input, const InputCells& cells, Ranks& ranks);
+/// Collective: what the cells that this rank meshes, and ghost cells around them, need of the blocks of other ranks. owners: the
+/// cells that the ranks mesh, of all ranks or those near.
+std::vector<SparseCells> ReceiveCells(const std::vector<BlockPlace>& owners,
+  const InputBlocks& input, const InputCells& cells, Index ghostLevels, Ranks& ranks);
 
 } // namespace vfm

@@ -4,7 +4,8 @@
 #include "Agreement.h"
 #include "InputArrays.h"
 #include "InputFields.h"
-#include "MakePartition.h"
+
+#include <functional>
 
 namespace vfm
 {
@@ -30,8 +31,10 @@ public:
     }
   }
 
-  /// Collective: a rank may be sent what another has as bytes.
-  void AgreeOnBytes(Ranks& ranks) { ranks.Sum(this->Bytes); }
+  /// Of each material, how many of its arrays are of type unsigned char; of all ranks once set, as a rank may be sent what
+  /// another has as bytes.
+  const std::vector<Index>& GetBytes() const { return this->Bytes; }
+  void SetBytes(std::vector<Index> bytes) { this->Bytes = std::move(bytes); }
   /// Of fractions of type unsigned char: 128 + 128 is 256 / 255.
   double Rounding(int material) const { return this->Bytes[material - 1] > 0 ? ByteRounding : 0.0; }
 
@@ -55,7 +58,7 @@ protected:
 
 private:
   std::vector<std::string> Names;
-  std::vector<Index> Bytes;            // of each material, its arrays of type unsigned char
+  std::vector<Index> Bytes;
   std::vector<Column<double>> Columns; // of each block, its materials
 };
 
@@ -79,6 +82,7 @@ public:
 
   void Read(int material, const Index3& first, Index count, double* values) const override
   {
+    std::fill_n(values, count, 0.0);
     for (const Source& source : this->Layers[first[2] - this->Lowest])
     {
       const Index begin = std::max(first[0], source.Box.Lower[0]);
@@ -205,12 +209,29 @@ InputField FractionCells::MakeField(
 
 } // namespace
 
-std::unique_ptr<InputCells> OpenFractions(
-  const InputBlocks& input, const std::vector<std::string>& names, Ranks& ranks)
+LevelCells OpenFractions(
+  const std::vector<InputBlocks>& levels, const std::vector<std::string>& names, Ranks& ranks)
 {
-  std::unique_ptr<FractionCells> cells;
-  WorkTogether(ranks, [&] { cells = std::make_unique<FractionCells>(input, names); });
-  cells->AgreeOnBytes(ranks);
+  LevelCells cells;
+  std::vector<FractionCells*> opened;
+  std::vector<Index> bytes(names.size(), 0);
+  WorkTogether(ranks,
+    [&]
+    {
+      for (const InputBlocks& level : levels)
+      {
+        auto own = std::make_unique<FractionCells>(level, names);
+        std::transform(
+          bytes.begin(), bytes.end(), own->GetBytes().begin(), bytes.begin(), std::plus<>());
+        opened.push_back(own.get());
+        cells.push_back(std::move(own));
+      }
+    });
+  ranks.Sum(bytes);
+  for (FractionCells* own : opened)
+  {
+    own->SetBytes(bytes);
+  }
   return cells;
 }
 

@@ -4,7 +4,6 @@
 #include "Agreement.h"
 #include "InputArrays.h"
 #include "InputFields.h"
-#include "MakePartition.h"
 #include "Runtime.h"
 
 #include <limits>
@@ -163,13 +162,15 @@ InputField LabelCells::MakeField(
 {
   InputField field{ FractionField(grid, static_cast<int>(this->Table.Labels.size()) - 1),
     this->Table, 0 };
+  FractionField::RowWriter writer(field.Fractions);
   const auto setRow = [&](const Index3& first, Index count, const int* materials)
   {
-    const Index base = grid.Linear(first);
+    writer.Start(grid.Linear(first));
     for (Index c = 0; c < count; ++c)
     {
-      field.Fractions.SetLabel(base + c, materials[c]);
+      writer.AddLabel(materials[c]);
     }
+    writer.Finish();
   };
   std::vector<int> row(RowLength);
   for (std::size_t b = 0; b < this->Columns.size(); ++b)
@@ -192,18 +193,28 @@ InputField LabelCells::MakeField(
 
 } // namespace
 
-std::unique_ptr<InputCells> OpenLabels(
-  const InputBlocks& input, const std::string& name, Ranks& ranks)
+LevelCells OpenLabels(const std::vector<InputBlocks>& levels, const std::string& name, Ranks& ranks)
 {
-  std::unique_ptr<LabelCells> cells;
-  std::vector<int> mine;
+  LevelCells cells;
+  std::vector<LabelCells*> opened;
+  std::vector<int> labels;
   WorkTogether(ranks,
     [&]
     {
-      cells = std::make_unique<LabelCells>(input, name);
-      mine = cells->FindLabels();
+      for (const InputBlocks& level : levels)
+      {
+        auto own = std::make_unique<LabelCells>(level, name);
+        const std::vector<int> found = own->FindLabels();
+        labels.insert(labels.end(), found.begin(), found.end());
+        opened.push_back(own.get());
+        cells.push_back(std::move(own));
+      }
     });
-  cells->SetTable(Unite(ranks, std::move(mine)));
+  labels = Unite(ranks, std::move(labels));
+  for (LabelCells* own : opened)
+  {
+    own->SetTable(labels);
+  }
   return cells;
 }
 

@@ -8,10 +8,10 @@ namespace vfm
 {
 
 InputRoute FindInputRoute(
-  const std::vector<BlockPlace>& owners, const InputBlocks& input, int myRank)
+  const std::vector<BlockPlace>& owners, const InputBlocks& input, int myRank, Index ghostLevels)
 {
-  const auto needs = [&input](const IndexBox& owned)
-  { return Grow(owned, GhostLevels, input.Global()); };
+  const auto needs = [&](const IndexBox& owned)
+  { return Grow(owned, ghostLevels, input.Global()); };
   const IndexBox mine = needs(BoxOfRank(owners, myRank));
   std::set<int> senders;
   for (const BlockPlace& place : input.Places)

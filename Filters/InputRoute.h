@@ -13,12 +13,12 @@ struct InputRoute
 {
   std::vector<int> Peers; ///< ascending
   std::vector<IndexBox>
-    Wanted; ///< by each peer: the cells that it meshes and GhostLevels around them
+    Wanted; ///< by each peer: the cells that it meshes and ghost cells around them
 };
 
 /// owners: the cells that the ranks mesh, of all ranks or those near.
-InputRoute FindInputRoute(
-  const std::vector<BlockPlace>& owners, const InputBlocks& input, int myRank);
+InputRoute FindInputRoute(const std::vector<BlockPlace>& owners, const InputBlocks& input,
+  int myRank, Index ghostLevels = GhostLevels);
 
 /// The box of a rank in such a list; it must be there.
 const IndexBox& BoxOfRank(const std::vector<BlockPlace>& owners, int rank);

@@ -127,6 +127,26 @@ void AddQuality(vtkFieldData* field, const Mesh& mesh, const MeshReport& report)
   }
 }
 
+/// Of a mesh of several levels.
+void AddLevels(vtkFieldData* field, const MeshReport& report)
+{
+  if (report.Levels.empty())
+  {
+    return;
+  }
+  std::vector<Index> octets, added, cells;
+  for (const MeshReport::Level& level : report.Levels)
+  {
+    octets.push_back(level.Octets);
+    added.push_back(level.Added);
+    cells.push_back(level.Cells);
+  }
+  AddFieldValues<vtkIdTypeArray>(field, "LevelOctets", octets);
+  AddFieldValues<vtkIdTypeArray>(field, "AddedOctets", added);
+  AddFieldValues<vtkIdTypeArray>(field, "LevelCells", cells);
+  AddFieldCount(field, "TransitionCells", report.TransitionCells);
+}
+
 } // namespace
 
 void SetMeshOutput(
@@ -198,6 +218,7 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
   {
     AddFieldCount(field, "RefusedParts", report.RefusedParts);
   }
+  AddLevels(field, report);
   if (options.ComputeQuality)
   {
     AddQuality(field, mesh, report);

@@ -248,10 +248,11 @@ void Hexahedra::RefusePlace(vtkIdType cell)
     const Index node = FindNode(x, box[a][0]);
     if (FindNode(x, box[a][1]) > node + 1)
     {
-      text
-        << "does not fit the other cells along " << AxisNames[a] << ": another cell has a node at "
-        << x[node + 1] << ", between its sides at " << box[a][0] << " and " << box[a][1]
-        << ". All cells must lie on one Cartesian grid; refined (AMR) grids are not supported yet.";
+      text << "does not fit the other cells along " << AxisNames[a]
+           << ": another cell has a node at " << x[node + 1] << ", between its sides at "
+           << box[a][0] << " and " << box[a][1]
+           << ". All cells of a block must lie on one Cartesian grid; of a refined one (AMR) give "
+              "every level its own blocks.";
       this->Refuse(cell, text.str());
     }
   }

@@ -1,12 +1,12 @@
 #include "StateArrays.h"
 
 #include "Agreement.h"
-#include "Buffer.h"
 #include "InputArrays.h"
 #include "InputRoute.h"
-#include "MakePartition.h"
 #include "StateCells.h"
 
+#include <deque>
+#include <memory>
 #include <sstream>
 
 namespace vfm
@@ -177,70 +177,109 @@ void VisitRows(const IndexBox& box, const Visit& visit)
   }
 }
 
-/// The values of an array in the cells of a box, x fastest, as plain memory.
-struct BoxValues
-{
-  IndexBox Box;
-  std::size_t TupleSize;
-  char* Values;
-
-  char* At(const Index3& cell) const
-  {
-    return this->Values + PlaceInBox(this->Box, cell) * this->TupleSize;
-  }
-  /// The cells that the block has too.
-  void CopyFrom(const InputBlock& block, const std::string& name) const
-  {
-    vtkDataArray* array = FindCellArray(block, name);
-    const IndexBox common = Intersect(block.Box, this->Box);
-    VisitRows(common,
-      [&](const Index3& first) {
-        CopyTuples(array, block.CellId(first), common.Size(0), this->TupleSize, this->At(first));
-      });
-  }
-  /// All cells of a box within this one.
-  void CopyFrom(const BoxValues& part) const
-  {
-    VisitRows(part.Box,
-      [&](const Index3& first)
-      { std::memcpy(this->At(first), part.At(first), part.Box.Size(0) * this->TupleSize); });
-  }
-};
-
-/// Sends the parts of blocks that other ranks need, and receives what this rank needs.
-class StateExchange
+/// An array as plain memory, in its carrier's type: its own, or a copy of the cells of one block.
+class PlainTuples
 {
 public:
-  StateExchange(const InputBlocks& input, const std::vector<std::string>& names,
+  PlainTuples(vtkDataArray* array, Index first, Index count, std::size_t size)
+  {
+    if (array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT)
+    {
+      this->Values =
+        static_cast<const char*>(array->GetVoidPointer(first * array->GetNumberOfComponents()));
+      return;
+    }
+    this->Copy.resize(count * size);
+    CopyTuples(array, first, count, size, this->Copy.data());
+  }
+  const char* Data() const { return this->Values ? this->Values : this->Copy.data(); }
+
+private:
+  const char* Values = nullptr;
+  Bytes Copy;
+};
+
+/// The cells of a block of this rank, or of a part of one that another sent, and the values of the arrays there.
+struct StateSource
+{
+  IndexBox Box, Stored; ///< the cells; those of the arrays, of which they are some
+  std::vector<const char*> Values;
+
+  Index Place(const Index3& cell) const { return PlaceInBox(this->Stored, cell); }
+};
+
+/// The values of all arrays in the cells of one level that this rank needs.
+class LevelValues
+{
+public:
+  LevelValues(const InputBlocks& input, const std::vector<std::string>& names,
     const std::vector<StateLayout>& layouts) :
     Input(input), Names(names), Layouts(layouts)
   {
   }
 
-  /// Collective. Result: of each array the parts from other ranks.
-  std::vector<std::vector<BoxValues>> Run(const InputRoute& route, Ranks& ranks)
+  /// Collective: sends the parts of blocks that other ranks need, and receives what this rank needs.
+  void Exchange(const InputRoute& route, Ranks& ranks)
   {
     std::vector<Bytes> outgoing;
     WorkTogether(ranks,
       [&]
       {
+        this->AddBlocks();
         for (const IndexBox& wanted : route.Wanted)
         {
           outgoing.push_back(this->Pack(wanted));
         }
       });
     this->Messages = ranks.Exchange(route.Peers, outgoing);
-    return this->Unpack();
+    for (const Bytes& message : this->Messages)
+    {
+      this->AddParts(message);
+    }
+  }
+
+  /// What has the values of a cell, or null.
+  const StateSource* Find(const Index3& cell)
+  {
+    if (this->Last < this->Sources.size() && this->Sources[this->Last].Box.Contains(cell))
+    {
+      return &this->Sources[this->Last];
+    }
+    const auto found = std::find_if(this->Sources.begin(), this->Sources.end(),
+      [&cell](const StateSource& source) { return source.Box.Contains(cell); });
+    this->Last = found - this->Sources.begin();
+    return found == this->Sources.end() ? nullptr : &*found;
   }
 
 private:
+  void AddBlocks()
+  {
+    for (const InputBlock& block : this->Input.Blocks)
+    {
+      StateSource source;
+      source.Box = block.Box;
+      for (int a = 0; a < 3; ++a)
+      {
+        source.Stored.Lower[a] = block.Box.Lower[a] - block.Kept.Lower[a];
+        source.Stored.Upper[a] = source.Stored.Lower[a] + block.Dimensions[a];
+      }
+      for (std::size_t a = 0; a < this->Names.size(); ++a)
+      {
+        this->Tuples.emplace_back(FindCellArray(block, this->Names[a]), block.FirstCell,
+          source.Stored.NumberOfCells(), TupleSize(this->Layouts[a]));
+        source.Values.push_back(this->Tuples.back().Data());
+      }
+      this->Sources.push_back(std::move(source));
+    }
+  }
+
   /// Of each block the box that is wanted, then its values, one array after the other.
   Bytes Pack(const IndexBox& wanted) const
   {
     Bytes message;
-    for (const InputBlock& block : this->Input.Blocks)
+    for (const StateSource& source : this->Sources)
     {
-      const IndexBox box = Intersect(block.Box, wanted);
+      const IndexBox box = Intersect(source.Box, wanted);
       if (box.NumberOfCells() == 0)
       {
         continue;
@@ -249,51 +288,90 @@ private:
       message.insert(message.end(), first, first + sizeof(box));
       for (std::size_t a = 0; a < this->Names.size(); ++a)
       {
-        const std::size_t size = TupleSize(this->Layouts[a]), at = message.size();
-        message.resize(at + box.NumberOfCells() * size);
-        BoxValues{ box, size, message.data() + at }.CopyFrom(block, this->Names[a]);
+        const std::size_t size = TupleSize(this->Layouts[a]);
+        VisitRows(box,
+          [&](const Index3& cell)
+          {
+            const char* row = source.Values[a] + source.Place(cell) * size;
+            message.insert(message.end(), row, row + box.Size(0) * size);
+          });
       }
     }
     return message;
   }
 
-  std::vector<std::vector<BoxValues>> Unpack()
+  void AddParts(const Bytes& message)
   {
-    std::vector<std::vector<BoxValues>> parts(this->Layouts.size());
-    for (Bytes& message : this->Messages)
+    for (std::size_t at = 0; at < message.size();)
     {
-      for (std::size_t at = 0; at < message.size();)
+      StateSource source;
+      std::memcpy(&source.Box, message.data() + at, sizeof(source.Box));
+      source.Stored = source.Box;
+      at += sizeof(source.Box);
+      for (const StateLayout& layout : this->Layouts)
       {
-        IndexBox box;
-        std::memcpy(&box, message.data() + at, sizeof(box));
-        at += sizeof(box);
-        for (std::size_t a = 0; a < parts.size(); ++a)
-        {
-          parts[a].push_back({ box, TupleSize(this->Layouts[a]), message.data() + at });
-          at += box.NumberOfCells() * parts[a].back().TupleSize;
-        }
+        source.Values.push_back(message.data() + at);
+        at += source.Box.NumberOfCells() * TupleSize(layout);
       }
+      this->Sources.push_back(std::move(source));
     }
-    return parts;
   }
 
   const InputBlocks& Input;
   const std::vector<std::string>& Names;
   const std::vector<StateLayout>& Layouts;
-  std::vector<Bytes> Messages; // the parts point into them
+  std::deque<PlainTuples> Tuples;
+  std::vector<Bytes> Messages; // some sources point into them
+  std::vector<StateSource> Sources;
+  std::size_t Last = 0; // the source found last: elements lie near each other
 };
 
-/// The array of the mesh: of each element the values at its cell's place.
+/// The cell at a place in a box (PlaceInBox).
+Index3 CellAt(const IndexBox& box, Index place)
+{
+  const Index nx = box.Size(0), ny = box.Size(1);
+  return { { place % nx + box.Lower[0], place / nx % ny + box.Lower[1],
+    place / (nx * ny) + box.Lower[2] } };
+}
+
+/// Where the values of an element are.
+struct StatePlace
+{
+  const StateSource* Source;
+  Index Place;
+};
+
+/// The finest cell of the input around the middle of a cell of a level. values: of each level.
+StatePlace FindPlace(
+  const Index3& cell, int level, std::vector<std::unique_ptr<LevelValues>>& values)
+{
+  const int finest = static_cast<int>(values.size()) - 1;
+  for (int l = finest; l >= 0; --l)
+  {
+    Index3 own = cell;
+    for (Index& i : own)
+    {
+      i = l <= level ? i >> (level - l) : (2 * i + 1) << (l - level - 1);
+    }
+    if (const StateSource* source = values[l]->Find(own))
+    {
+      return { source, source->Place(own) };
+    }
+  }
+  throw InputError("A cell of the input has no state."); // the levels fill a box
+}
+
+/// The array of the mesh: number: of the array among all.
 vtkSmartPointer<vtkDataArray> MakeOutput(const StateLayout& layout, const std::string& name,
-  const char* values, const std::vector<Index>& cells)
+  std::size_t number, const std::vector<StatePlace>& places)
 {
   const std::size_t size = TupleSize(layout);
-  const Index count = static_cast<Index>(cells.size());
+  const Index count = static_cast<Index>(places.size());
   auto array = MakeArray(CarrierType(layout.Type), layout.Components, count);
   char* to = static_cast<char*>(array->GetVoidPointer(0));
-  for (Index cell : cells)
+  for (const StatePlace& place : places)
   {
-    std::memcpy(to, values + cell * size, size);
+    std::memcpy(to, place.Source->Values[number] + place.Place * size, size);
     to += size;
   }
   if (layout.Type == VTK_BIT)
@@ -313,20 +391,10 @@ vtkSmartPointer<vtkDataArray> MakeOutput(const StateLayout& layout, const std::s
   return array;
 }
 
-/// From a cell's place in a box of a grid that was refined to the place of the cell of the input around it.
-Index PlaceOfParent(Index place, const IndexBox& refined, int refinement, const IndexBox& box)
-{
-  const Index nx = refined.Size(0), ny = refined.Size(1);
-  const Index3 cell{ { (place % nx + refined.Lower[0]) >> refinement,
-    (place / nx % ny + refined.Lower[1]) >> refinement,
-    (place / (nx * ny) + refined.Lower[2]) >> refinement } };
-  return PlaceInBox(box, cell);
-}
-
 } // namespace
 
 StateArrays::StateArrays(
-  const InputBlocks& input, const std::vector<std::string>& names, Ranks& ranks) :
+  const InputLevels& input, const std::vector<std::string>& names, Ranks& ranks) :
   Input(input), Names(names)
 {
   if (names.empty())
@@ -338,31 +406,36 @@ StateArrays::StateArrays(
     [&]
     {
       CheckNames(names);
-      for (const InputBlock& block : input.Blocks)
-      {
-        for (const std::string& name : names)
-        {
-          mine.push_back(LayoutOf(FindCellArray(block, name)));
-        }
-      }
+      this->VisitArrays([&](const InputBlock& block, std::size_t a)
+        { mine.push_back(LayoutOf(FindCellArray(block, names[a]))); });
     });
   mine.resize(std::min(mine.size(), names.size())); // those of the first block
   this->Layouts = AgreeOnLayouts(mine, names.size(), ranks);
   WorkTogether(ranks,
     [&]
     {
-      for (const InputBlock& block : input.Blocks)
-      {
-        for (std::size_t a = 0; a < names.size(); ++a)
-        {
-          CheckLayout(block, names[a], this->Layouts[a]);
-        }
-      }
+      this->VisitArrays([&](const InputBlock& block, std::size_t a)
+        { CheckLayout(block, names[a], this->Layouts[a]); });
     });
 }
 
+void StateArrays::VisitArrays(
+  const std::function<void(const InputBlock&, std::size_t)>& visit) const
+{
+  for (const InputBlocks& level : this->Input.Levels)
+  {
+    for (const InputBlock& block : level.Blocks)
+    {
+      for (std::size_t a = 0; a < this->Names.size(); ++a)
+      {
+        visit(block, a);
+      }
+    }
+  }
+}
+
 std::vector<vtkSmartPointer<vtkDataArray>> StateArrays::Carry(const Mesh& mesh,
-  const CartesianGrid& grid, const FractionField& fractions, int refinement,
+  const CartesianGrid& grid, const FractionField& fractions, int level,
   const std::vector<BlockPlace>& owners, Runtime& runtime) const
 {
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;
@@ -371,32 +444,26 @@ std::vector<vtkSmartPointer<vtkDataArray>> StateArrays::Carry(const Mesh& mesh,
     return arrays;
   }
   Ranks& ranks = runtime.Group();
-  StateExchange exchange(this->Input, this->Names, this->Layouts);
-  const std::vector<std::vector<BoxValues>> parts =
-    exchange.Run(FindInputRoute(owners, this->Input, ranks.Rank()), ranks);
+  std::vector<std::unique_ptr<LevelValues>> values;
+  for (int l = 0; l <= this->Input.Finest(); ++l)
+  {
+    const InputBlocks& input = this->Input.Levels[l];
+    values.push_back(std::make_unique<LevelValues>(input, this->Names, this->Layouts));
+    values.back()->Exchange(FindInputRoute(ChangeLevel(owners, l), input, ranks.Rank(),
+                              Index(GhostLevels) << std::max(l - level, 0)),
+      ranks);
+  }
   WorkTogether(ranks,
     [&]
     {
-      const IndexBox box = Grow(BoxOfRank(owners, ranks.Rank()), GhostLevels, this->Input.Global());
-      std::vector<Index> cells = FindStateCells(mesh, grid, fractions, runtime);
-      for (Index& cell : cells)
+      std::vector<StatePlace> places;
+      for (Index cell : FindStateCells(mesh, grid, fractions, runtime))
       {
-        cell = PlaceOfParent(cell, grid.Local(), refinement, box);
+        places.push_back(FindPlace(CellAt(grid.Local(), cell), level, values));
       }
       for (std::size_t a = 0; a < this->Names.size(); ++a)
       {
-        const std::size_t size = TupleSize(this->Layouts[a]);
-        Buffer<char> memory(box.NumberOfCells() * size);
-        const BoxValues values{ box, size, memory.data() };
-        for (const InputBlock& block : this->Input.Blocks)
-        {
-          values.CopyFrom(block, this->Names[a]);
-        }
-        for (const BoxValues& part : parts[a])
-        {
-          values.CopyFrom(part);
-        }
-        arrays.push_back(MakeOutput(this->Layouts[a], this->Names[a], memory.data(), cells));
+        arrays.push_back(MakeOutput(this->Layouts[a], this->Names[a], a, places));
       }
     });
   return arrays;

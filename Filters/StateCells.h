@@ -25,13 +25,6 @@ namespace vfm
 /// Cells along each axis from the one that an element was made of to the farthest whose neighbours are asked.
 constexpr int StateReach = GhostLevels - 1;
 
-/// The place of a cell in arrays over the cells of a box, x fastest.
-inline Index PlaceInBox(const IndexBox& box, const Index3& cell)
-{
-  return ((cell[2] - box.Lower[2]) * box.Size(1) + cell[1] - box.Lower[1]) * box.Size(0) + cell[0] -
-    box.Lower[0];
-}
-
 /// Of each element the place of its cell in grid.Local(), which has GhostLevels. mesh: of the owned cells, its materials
 /// by their number. The same cells on any number of ranks and threads.
 std::vector<Index> FindStateCells(

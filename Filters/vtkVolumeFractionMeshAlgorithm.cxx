@@ -3,9 +3,10 @@
 #include "Agreement.h"
 #include "ControllerRanks.h"
 #include "FilterRuntime.h"
-#include "InputBlocks.h"
 #include "InputFields.h"
-#include "InputRoute.h"
+#include "InputLevels.h"
+#include "LevelFields.h"
+#include "LevelSetup.h"
 #include "MeshOutput.h"
 #include "RefineCells.h"
 #include "SmallRegions.h"
@@ -277,20 +278,47 @@ vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::ClearFractions(
   return removed;
 }
 
-void vtkVolumeFractionMeshAlgorithm::Refine(
-  vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime) const
+/// Collective.
+vfm::LevelSetup vtkVolumeFractionMeshAlgorithm::SetUpLevels(
+  const vfm::InputLevels& input, vfm::Ranks& ranks) const
 {
-  for (int step = 0; step < this->Refinement; ++step)
+  const int alignment = this->HasFaceNeighbours
+    ? vfm::CountAlignedLevels(input.Levels[0].Boxes(), ranks)
+    : vfm::AnyLevel;
+  const vfm::LevelSetup setup = vfm::DecideLevels(static_cast<vfm::Refinement>(this->Refinement),
+    this->MaximumLevel, input.Levels[0].Coordinates, input.Finest(), alignment);
+  if (ranks.Rank() == 0 && !setup.Warning.empty())
   {
-    runtime.Progress(0.0, "Refining cells");
-    vfm::WorkTogether(runtime.Group(),
-      [&]
-      {
-        vfm::RefinedCells refined = vfm::RefineCells(grid, fractions, runtime);
-        grid = std::move(refined.Grid);
-        fractions = std::move(refined.Fractions);
-      });
+    vtkWarningMacro(<< setup.Warning);
   }
+  return setup;
+}
+
+/// Collective: makes the grid as fine as the finest cells of the mesh; returns how many levels there are above the coarsest.
+vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& setup, int inputFinest,
+  vfm::LevelFields& fields, vfm::Runtime& runtime) const
+{
+  int finer = setup.Finest - std::min(setup.Finest, inputFinest);
+  if (this->Refinement == REFINEMENT_AUTOMATIC && finer > 0)
+  {
+    runtime.Progress(0.0, "Looking for places to refine");
+    vfm::RefinementCriteria criteria;
+    criteria.ThinCells = this->ThinCells;
+    criteria.CurvaturePerCell = this->CurvaturePerCell;
+    criteria.FlippedCells = this->RefineFlippedCells;
+    criteria.InterfaceLayers = this->InterfaceLayers;
+    criteria.MaximumLevel = finer;
+    finer = vfm::FindFinerLevels(fields, criteria, this->IsoValue, runtime);
+  }
+  vfm::RefineFields(fields, finer, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
+  vfm::LevelPlan plan;
+  plan.FineLayers = this->FineLayers;
+  if (!setup.IsUniform)
+  {
+    plan.Refinements = std::min(setup.Finest, inputFinest) - setup.Base + finer;
+    plan.Octets = std::move(fields.Octets);
+  }
+  return plan;
 }
 
 void vtkVolumeFractionMeshAlgorithm::Run(
@@ -301,21 +329,25 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
   const bool knowsNeighbours = AgreeOn(this->HasFaceNeighbours, ranks);
-  const vfm::InputBlocks blocks = knowsNeighbours
-    ? vfm::FindNeighbourBlocks(input, this->FaceNeighbours, ranks)
-    : vfm::FindInputBlocks(input, ranks);
-  const std::unique_ptr<vfm::InputCells> cells = this->HasMaterialIdArray()
-    ? vfm::OpenLabels(blocks, this->MaterialIdArray, ranks)
-    : vfm::OpenFractions(blocks, this->VolumeFractionArrays, ranks);
-  const vfm::StateArrays states(blocks, this->StateArrays, ranks);
+  const vfm::InputLevels levels = knowsNeighbours
+    ? vfm::FindNeighbourLevels(input, this->FaceNeighbours, ranks)
+    : vfm::FindInputLevels(input, ranks);
+  const vfm::LevelCells cells = this->HasMaterialIdArray()
+    ? vfm::OpenLabels(levels.Levels, this->MaterialIdArray, ranks)
+    : vfm::OpenFractions(levels.Levels, this->VolumeFractionArrays, ranks);
+  const vfm::StateArrays states(levels, this->StateArrays, ranks);
+  const vfm::LevelSetup setup = this->SetUpLevels(levels, ranks);
   const std::vector<vfm::BlockPlace> owners =
-    knowsNeighbours ? blocks.Places : vfm::ShareOutCells(blocks, *cells, ranks);
-  vfm::CartesianGrid grid(
-    blocks.Coordinates, vfm::BoxOfRank(owners, ranks.Rank()), vfm::GhostLevels);
-  vfm::InputField field = vfm::MakeInputField(grid, owners, blocks, *cells, ranks);
-  const vfm::RemovedRegions removed = this->ClearFractions(grid, field.Fractions, runtime);
-  this->Refine(grid, field.Fractions, runtime);
-  const vfm::MeshOptions options = this->GetOptions();
+    knowsNeighbours ? levels.Levels[0].Places : vfm::ShareOutCells(levels, cells, setup, ranks);
+  vfm::LevelFields fields = vfm::MakeLevelFields(
+    levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
+  const vfm::RemovedRegions removed =
+    this->ClearFractions(fields.Grid, fields.Field.Fractions, runtime);
+  vfm::MeshOptions options = this->GetOptions();
+  options.Levels = this->Refine(setup, levels.Finest(), fields, runtime);
+  const int finest = setup.IsUniform ? setup.Finest : setup.Base + options.Levels.Refinements;
+  const vfm::CartesianGrid& grid = fields.Grid;
+  const vfm::InputField& field = fields.Field;
   vfm::MeshReport report;
   vfm::Mesh mesh = this->MakeMesh(grid, field.Fractions, options, runtime, report);
   report.RemovedRegions = removed.Regions;
@@ -323,7 +355,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   LogStages(report);
   runtime.Progress(0.98, "Filling output");
   const std::vector<vtkSmartPointer<vtkDataArray>> carried =
-    states.Carry(mesh, grid, field.Fractions, this->Refinement, owners, runtime);
+    states.Carry(mesh, grid, field.Fractions, finest, owners, runtime);
   vfm::WorkTogether(ranks,
     [&]
     {
@@ -360,6 +392,13 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
   os << indent << "MinimumRegionCells: " << this->MinimumRegionCells << "\n";
   os << indent << "Refinement: " << this->Refinement << "\n";
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "FineLayers: " << this->FineLayers << "\n";
+  os << indent << "ChildFractions: " << this->ChildFractions << "\n";
+  os << indent << "ThinCells: " << this->ThinCells << "\n";
+  os << indent << "CurvaturePerCell: " << this->CurvaturePerCell << "\n";
+  os << indent << "RefineFlippedCells: " << this->RefineFlippedCells << "\n";
+  os << indent << "InterfaceLayers: " << this->InterfaceLayers << "\n";
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "MeshVoid: " << this->MeshVoid << "\n";
   os << indent << "StairStep: " << this->StairStep << "\n";

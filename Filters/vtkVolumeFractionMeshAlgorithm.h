@@ -4,7 +4,8 @@
  *
  * Input: vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid or vtkStructuredGrid whose cells are those
  * of a Cartesian grid (hexahedra or voxels with sides along the axes, in any order, as Exodus files hold them), or a composite
- * data set of them whose blocks tile one grid. Cells of less than three dimensions are left out. The materials come from cell arrays, either
+ * data set of them whose blocks tile one grid, or several levels of a refined one: vtkOverlappingAMR, vtkNonOverlappingAMR and
+ * any other whose blocks' cells are 2, 4, 8 .. times as wide as those of the finest. Where finer blocks are coarser data are ignored. Cells of less than three dimensions are left out. The materials come from cell arrays, either
  * - one volume fraction array a material (AddVolumeFractionArray), of any numeric type, values in
  *   [0,1], or 0..255 when unsigned char; material i is the i-th array added, counted from 1; what the
  *   arrays of a cell leave of 1 is void; or
@@ -40,8 +41,13 @@ namespace vfm
 {
 class CartesianGrid;
 class FractionField;
+class Ranks;
 class Runtime;
+struct InputLevels;
+struct LevelFields;
+struct LevelSetup;
 struct Mesh;
+struct LevelPlan;
 struct MeshOptions;
 struct MeshReport;
 struct RemovedRegions;
@@ -118,14 +124,81 @@ public:
   vtkGetMacro(MinimumRegionCells, int);
   ///@}
 
+  enum RefinementType
+  {
+    REFINEMENT_OFF = 0,
+    REFINEMENT_INPUT_LEVELS = 1,
+    REFINEMENT_AUTOMATIC = 2,
+    REFINEMENT_COARSEN = 3,
+    REFINEMENT_UNIFORM = 4
+  };
+
   ///@{
   /**
-   * Halve the cells along each axis this many times before meshing, 0 to 3: thin parts get more elements across. Each
-   * time makes eight times as many elements. Mixed cells are divided by planes that keep the volume of every material.
-   * Labels (MaterialIdArray) tell of no planes: their steps stay, unless LabelSmoothing is on. Default: 0.
+   * Where the mesh is finer than elsewhere. Each level halves the cells of the one before along every axis.
+   * REFINEMENT_OFF: nowhere; all cells are those of the coarsest level of the input.
+   * REFINEMENT_INPUT_LEVELS: where the input is, which is nowhere unless it has several levels (AMR).
+   * REFINEMENT_AUTOMATIC: where criteria want it; the coarsest level of the input is that of the mesh.
+   * REFINEMENT_COARSEN: near interfaces; the finest level of the input is that of the mesh, cells away from interfaces get larger.
+   * REFINEMENT_UNIFORM: everywhere, so that thin parts get more elements across: each level makes eight times as many.
+   * Default: REFINEMENT_INPUT_LEVELS.
    */
-  vtkSetClampMacro(Refinement, int, 0, 3);
+  vtkSetClampMacro(Refinement, int, REFINEMENT_OFF, REFINEMENT_UNIFORM);
   vtkGetMacro(Refinement, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many levels finer than the coarsest the mesh has at most, 0 to 10. Finer data are averaged. -1: all that the input has, by
+   * REFINEMENT_COARSEN as many as its sizes allow, but no more than 3 beyond those of the input, by REFINEMENT_AUTOMATIC and
+   * REFINEMENT_UNIFORM of an input of one level 1. Default: -1.
+   */
+  vtkSetClampMacro(MaximumLevel, int, -1, 10);
+  vtkGetMacro(MaximumLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many of the finest cells lie at least between an interface and larger cells; 2 or more. Default: 2.
+   */
+  vtkSetClampMacro(FineLayers, int, 2, 64);
+  vtkGetMacro(FineLayers, int);
+  ///@}
+
+  enum ChildFractionsType
+  {
+    CHILD_FRACTIONS_PLANES = 0,
+    CHILD_FRACTIONS_PARENT = 1
+  };
+
+  ///@{
+  /**
+   * What the halves of a mixed cell hold where the input has no finer data: parts cut by planes that keep the volume of every
+   * material, or the fractions of the cell. Labels (MaterialIdArray) tell of no planes: their steps stay, unless LabelSmoothing is
+   * on. Default: CHILD_FRACTIONS_PLANES.
+   */
+  vtkSetClampMacro(ChildFractions, int, CHILD_FRACTIONS_PLANES, CHILD_FRACTIONS_PARENT);
+  vtkGetMacro(ChildFractions, int);
+  ///@}
+
+  ///@{
+  /**
+   * What REFINEMENT_AUTOMATIC looks for, on the finest level of the input; 0: not. All interfaces get the level that the
+   * neediest place wants, up to MaximumLevel.
+   * ThinCells: films, gaps, rods and small bodies thinner than so many cells, at most 3, until they are no longer. Default: 2.
+   * CurvaturePerCell: interfaces that turn by more than so many radians over a cell, until they turn by less. Default: 0.
+   * RefineFlippedCells: cells whose material had to be changed to make the interfaces manifold; once. Default: off.
+   * InterfaceLayers: all cells within so many layers of an interface, to MaximumLevel. Default: 0.
+   */
+  vtkSetClampMacro(ThinCells, double, 0.0, 3.0);
+  vtkGetMacro(ThinCells, double);
+  vtkSetClampMacro(CurvaturePerCell, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CurvaturePerCell, double);
+  vtkSetMacro(RefineFlippedCells, bool);
+  vtkGetMacro(RefineFlippedCells, bool);
+  vtkBooleanMacro(RefineFlippedCells, bool);
+  vtkSetClampMacro(InterfaceLayers, int, 0, 64);
+  vtkGetMacro(InterfaceLayers, int);
   ///@}
 
   ///@{
@@ -240,7 +313,13 @@ protected:
   double IsoValue = 0.5;
   int LabelSmoothing = 0;
   int MinimumRegionCells = 0;
-  int Refinement = 0;
+  int Refinement = REFINEMENT_INPUT_LEVELS;
+  int MaximumLevel = -1;
+  int FineLayers = 2;
+  int ChildFractions = CHILD_FRACTIONS_PLANES;
+  double ThinCells = 2.0, CurvaturePerCell = 0.0;
+  bool RefineFlippedCells = false;
+  int InterfaceLayers = 0;
   bool MeshVoid = false;
   bool StairStep = false;
   int Smoothing = SMOOTHING_QUADRIC_SURFACE;
@@ -260,7 +339,9 @@ private:
   vfm::MeshOptions GetOptions() const;
   vfm::RemovedRegions ClearFractions(
     const vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime);
-  void Refine(vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime) const;
+  vfm::LevelSetup SetUpLevels(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
+  vfm::LevelPlan Refine(const vfm::LevelSetup& setup, int inputFinest, vfm::LevelFields& fields,
+    vfm::Runtime& runtime) const;
   void Run(vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
 };
 

@@ -196,7 +196,7 @@ IndexBox Grow(const IndexBox& box, Index levels, const IndexBox& limits)
 }
 
 std::vector<IndexBox> MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
-  const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks)
+  const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks, bool mayStay)
 {
   if (ranks.Count() == 1)
   {
@@ -205,7 +205,7 @@ std::vector<IndexBox> MakePartition(const IndexBox& global, const std::vector<In
   std::vector<Index3> cells;
   WorkTogether(ranks, [&] { cells = findInterfaceCells(); });
   Weights weights(blocks, std::move(cells));
-  if (IsPartition(blocks, weights, ranks))
+  if (mayStay && IsPartition(blocks, weights, ranks))
   {
     return GatherItems(ranks, std::vector<IndexBox>{ FindBounds(blocks) });
   }

@@ -27,8 +27,10 @@ IndexBox Grow(const IndexBox& box, Index levels, const IndexBox& limits);
 /// and the weights are balanced, those boxes are the partition.
 /// findInterfaceCells: lists those of this rank's cells that weigh more; it must not communicate. Its exceptions are
 /// thrown on all ranks (WorkTogether). Not called when there is one rank.
+/// mayStay: false: never those boxes; blocks may then overlap and leave gaps.
 /// Memory and messages a rank: 48 bytes a rank of all, and 8 bytes a plane of the boxes that are being cut.
 std::vector<IndexBox> MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
-  const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks);
+  const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks,
+  bool mayStay = true);
 
 } // namespace vfm

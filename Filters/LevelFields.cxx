@@ -1,0 +1,376 @@
+#include "LevelFields.h"
+
+#include "Agreement.h"
+#include "GhostFractions.h"
+#include "InputRoute.h"
+#include "MakePartition.h"
+#include "RefinedLattice.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr Index ChunkCells = 8; // along an axis, of those that are averaged at a time
+
+using Part = FractionField::Part;
+
+void CopyCell(const FractionField& from, Index cell, FractionField& to, Index other)
+{
+  if (from.IsMixed(cell))
+  {
+    to.CopyParts(other, from.Parts(cell));
+  }
+  else
+  {
+    to.SetLabel(other, from.Label(cell));
+  }
+}
+
+/// The mean of some cells, in their order.
+class Mean
+{
+public:
+  void Add(const FractionField& field, Index cell, double weight)
+  {
+    if (!field.IsMixed(cell))
+    {
+      this->Add({ field.Label(cell), weight });
+      return;
+    }
+    for (const Part& part : field.Parts(cell))
+    {
+      this->Add({ part.Material, part.Fraction * weight });
+    }
+  }
+
+  void Set(FractionField& field, Index cell)
+  {
+    if (this->Parts.size() == 1)
+    {
+      field.SetLabel(cell, this->Parts[0].Material);
+      return;
+    }
+    std::sort(this->Parts.begin(), this->Parts.end(),
+      [](const Part& a, const Part& b) { return a.Material < b.Material; });
+    field.CopyParts(cell, { this->Parts.data(), this->Parts.data() + this->Parts.size() });
+  }
+
+private:
+  void Add(const Part& part)
+  {
+    const auto found = std::find_if(this->Parts.begin(), this->Parts.end(),
+      [&part](const Part& own) { return own.Material == part.Material; });
+    if (found == this->Parts.end())
+    {
+      this->Parts.push_back(part);
+      return;
+    }
+    found->Fraction += part.Fraction;
+  }
+
+  std::vector<Part> Parts;
+};
+
+/// Sets the cells of a box that finer ones cover to the means of these.
+void AverageCells(const CartesianGrid& fineGrid, const FractionField& fine, const LevelCover& cover,
+  const IndexBox& box, const CartesianGrid& grid, FractionField& field)
+{
+  ForCells(box,
+    [&](const Index3& cell)
+    {
+      if (cover.Has(ChildOfCell(cell, 0))) // then the others, too (CheckCover)
+      {
+        Mean mean;
+        for (int c = 0; c < 8; ++c)
+        {
+          mean.Add(fine, fineGrid.Linear(ChildOfCell(cell, c)), 0.125);
+        }
+        mean.Set(field, grid.Linear(cell));
+      }
+    });
+}
+
+/// What the blocks hold, level by level, where this rank needs it.
+class LevelData
+{
+public:
+  /// Collective. top: the finest level that is kept; of finer ones the owned cells are received alone.
+  LevelData(const InputLevels& input, const LevelCells& cells,
+    const std::vector<BlockPlace>& owners, int top, Ranks& ranks) :
+    Input(input), Cells(cells)
+  {
+    for (int level = 0; level <= input.Finest(); ++level)
+    {
+      this->Received.push_back(ReceiveCells(ChangeLevel(owners, level), input.Levels[level],
+        *cells[level], level > top ? 0 : GhostLevels, ranks));
+    }
+  }
+
+  InputField MakeField(int level, const CartesianGrid& grid) const
+  {
+    return this->Cells[level]->MakeField(grid, this->Received[level]);
+  }
+
+  /// Sets the cells of a box that finer blocks cover to the means of what these hold; returns how many finer cells were normalised.
+  Index Average(
+    int level, const IndexBox& box, const CartesianGrid& grid, FractionField& field) const
+  {
+    Index normalised = 0;
+    for (const IndexBox& chunk : CutInChunks(box))
+    {
+      const IndexBox finerBox = ChangeLevel(chunk, 1);
+      const LevelCover cover(this->Input, level + 1, finerBox);
+      if (!cover.IsEmpty())
+      {
+        const CartesianGrid finerGrid(this->Input.Levels[level + 1].Coordinates, finerBox);
+        InputField finer = this->MakeField(level + 1, finerGrid);
+        normalised += finer.NormalisedCells;
+        if (level + 1 < this->Input.Finest())
+        {
+          normalised += this->Average(level + 1, finerBox, finerGrid, finer.Fractions);
+        }
+        AverageCells(finerGrid, finer.Fractions, cover, chunk, grid, field);
+      }
+    }
+    return normalised;
+  }
+
+private:
+  static std::vector<IndexBox> CutInChunks(const IndexBox& box)
+  {
+    std::vector<IndexBox> chunks;
+    for (Index k = box.Lower[2]; k < box.Upper[2]; k += ChunkCells)
+    {
+      for (Index j = box.Lower[1]; j < box.Upper[1]; j += ChunkCells)
+      {
+        for (Index i = box.Lower[0]; i < box.Upper[0]; i += ChunkCells)
+        {
+          chunks.push_back(Intersect(
+            { { { i, j, k } }, { { i + ChunkCells, j + ChunkCells, k + ChunkCells } } }, box));
+        }
+      }
+    }
+    return chunks;
+  }
+
+  const InputLevels& Input;
+  const LevelCells& Cells;
+  std::vector<std::vector<SparseCells>> Received; // of each level
+};
+
+/// Makes the fields of the levels 0 .. top, then that of top from them.
+class FieldMaker
+{
+public:
+  FieldMaker(const InputLevels& input, const LevelCells& cells, const LevelSetup& setup,
+    const std::vector<BlockPlace>& owners, Runtime& runtime) :
+    Input(input), Run(runtime), Top(std::min(setup.Finest, input.Finest()))
+  {
+    const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
+    WorkTogether(runtime.Group(), [&] { CheckCover(input, owned); });
+    const LevelData data(input, cells, owners, this->Top, runtime.Group());
+    WorkTogether(runtime.Group(),
+      [&]
+      {
+        const auto coordinates =
+          CoordinatesOfLevel(input.Levels[0].Coordinates, 0, std::min(setup.Base, 0));
+        for (int level = 0; level <= this->Top; ++level)
+        {
+          this->Grids.emplace_back(CoordinatesOfLevel(coordinates, std::min(setup.Base, 0), level),
+            ChangeLevel(owned, level), GhostLevels);
+          this->Fields.push_back(data.MakeField(level, this->Grids[level]));
+          this->Normalised += this->Fields[level].NormalisedCells;
+        }
+        if (this->Top < input.Finest())
+        {
+          this->Normalised += data.Average(this->Top, this->Grids[this->Top].Owned(),
+            this->Grids[this->Top], this->Fields[this->Top].Fractions);
+        }
+      });
+    this->Average();
+  }
+
+  /// Collective.
+  InputField MakeField(ChildRule rule)
+  {
+    InputField field = std::move(this->Fields[0]);
+    WorkTogether(this->Run.Group(),
+      [&]
+      {
+        for (int level = 0; level < this->Top; ++level)
+        {
+          this->Refine(level, rule, field.Fractions);
+        }
+      });
+    std::vector<Index> normalised{ this->Normalised };
+    this->Run.Group().Sum(normalised);
+    field.NormalisedCells = normalised[0];
+    return field;
+  }
+
+  const CartesianGrid& Grid() const { return this->Grids.back(); }
+
+private:
+  /// Collective: from fine to coarse.
+  void Average()
+  {
+    for (int level = std::min(this->Top, this->Input.Finest() - 1); level >= 0; --level)
+    {
+      const CartesianGrid& grid = this->Grids[level];
+      FractionField& field = this->Fields[level].Fractions;
+      if (level < this->Top)
+      {
+        const CartesianGrid& finer = this->Grids[level + 1];
+        const LevelCover cover(this->Input, level + 1, finer.Owned());
+        AverageCells(finer, this->Fields[level + 1].Fractions, cover, grid.Owned(), grid, field);
+      }
+      FillGhosts(Partition(grid, this->Run.Group()), field);
+    }
+  }
+
+  /// From the fractions of a level to those of the next.
+  void Refine(int level, ChildRule rule, FractionField& fractions)
+  {
+    const CartesianGrid& finer = this->Grids[level + 1];
+    const LevelCover cover(this->Input, level + 1, finer.Local());
+    RefinedCells refined = RefineCells(this->Grids[level], fractions, this->Run, rule,
+      [&cover](const Index3& cell) { return cover.Has(ChildOfCell(cell, 0)); });
+    const FractionField& data = this->Fields[level + 1].Fractions;
+    ForCells(finer.Local(),
+      [&](const Index3& cell)
+      {
+        if (cover.Has(cell))
+        {
+          CopyCell(data, finer.Linear(cell), refined.Fractions, refined.Grid.Linear(cell));
+        }
+      });
+    fractions = std::move(refined.Fractions);
+  }
+
+  const InputLevels& Input;
+  Runtime& Run;
+  const int Top;
+  std::vector<CartesianGrid> Grids;
+  std::vector<InputField> Fields;
+  Index Normalised = 0;
+};
+
+/// Keys of the octets of cells of a level, in a box, that finer blocks cover.
+std::vector<Index> FindOctets(const InputLevels& input, int level, const IndexBox& owned,
+  const RefinedLattice& lattice, int step)
+{
+  std::vector<Index> keys;
+  const LevelCover cover(input, level + 1, ChangeLevel(owned, 1));
+  ForCells(owned,
+    [&](const Index3& cell)
+    {
+      if (cover.Has(ChildOfCell(cell, 0)))
+      {
+        keys.push_back(lattice.OctetKey(step, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } }));
+      }
+    });
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+/// Whether boxes of level 0 consist of whole cells of a coarser one.
+bool AreAligned(const std::vector<IndexBox>& boxes, int levels)
+{
+  return std::all_of(boxes.begin(), boxes.end(),
+    [levels](const IndexBox& box)
+    { return ChangeLevel(ChangeLevel(box, -levels), levels) == box; });
+}
+
+} // namespace
+
+std::vector<BlockPlace> ShareOutCells(
+  const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks)
+{
+  const int coarser = std::max(-setup.Base, 0);
+  std::vector<IndexBox> held;
+  for (int level = 0; level <= input.Finest(); ++level)
+  {
+    for (const IndexBox& box : input.Levels[level].Boxes())
+    {
+      held.push_back(ChangeLevel(box, -level - coarser));
+    }
+  }
+  const bool mayStay =
+    input.Finest() == 0 && !ranks.Any(!AreAligned(input.Levels[0].Boxes(), coarser));
+  const auto findInterfaceCells = [&]
+  {
+    std::vector<Index3> found;
+    for (int level = 0; level <= input.Finest(); ++level)
+    {
+      for (Index3 cell : cells[level]->FindInterfaceCells())
+      {
+        for (Index& i : cell)
+        {
+          i >>= level + coarser;
+        }
+        found.push_back(cell);
+      }
+    }
+    return found;
+  };
+  std::vector<BlockPlace> owners;
+  for (const IndexBox& box : MakePartition(
+         ChangeLevel(input.Levels[0].Global(), -coarser), held, findInterfaceCells, ranks, mayStay))
+  {
+    owners.push_back({ ChangeLevel(box, coarser), static_cast<int>(owners.size()), -1 });
+  }
+  return owners;
+}
+
+LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
+  const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime)
+{
+  FieldMaker maker(input, cells, setup, owners, runtime);
+  InputField field = maker.MakeField(rule);
+  const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
+  const int top = std::min(setup.Finest, input.Finest());
+  LevelFields result{ CartesianGrid(CoordinatesOfLevel(input.Levels[0].Coordinates, 0, setup.Base),
+                        ChangeLevel(owned, setup.Base), GhostLevels),
+    maker.Grid(), std::move(field), {} };
+  const RefinedLattice lattice(result.Base, setup.Finest - setup.Base);
+  for (int level = setup.Base; level < top; ++level)
+  {
+    result.Octets.push_back(setup.TakesInputLevels
+        ? FindOctets(input, level, ChangeLevel(owned, level), lattice, level - setup.Base)
+        : std::vector<Index>());
+  }
+  return result;
+}
+
+int FindFinerLevels(
+  LevelFields& fields, const RefinementCriteria& criteria, double isoValue, Runtime& runtime)
+{
+  const Partition partition(fields.Grid, runtime.Group());
+  const RefinementWishes wishes =
+    FindRefinement(fields.Grid, fields.Field.Fractions, criteria, isoValue, partition, runtime);
+  const RefinedLattice lattice(fields.Grid, wishes.Refinements);
+  for (std::vector<Index>& octets : FindWantedOctets(lattice, wishes))
+  {
+    fields.Octets.push_back(std::move(octets)); // keys are those of the lattice over Base
+  }
+  return wishes.Refinements;
+}
+
+void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runtime)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    runtime.Progress(0.0, "Refining cells");
+    WorkTogether(runtime.Group(),
+      [&]
+      {
+        RefinedCells refined = RefineCells(fields.Grid, fields.Field.Fractions, runtime, rule);
+        fields.Grid = std::move(refined.Grid);
+        fields.Field.Fractions = std::move(refined.Fractions);
+      });
+  }
+}
+
+} // namespace vfm

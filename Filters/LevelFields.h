@@ -1,0 +1,47 @@
+/**
+ * LevelFields: the fractions of the grid that is meshed, from the blocks of all levels of the input.
+ *
+ * First from fine to coarse: a cell that finer blocks cover has the mean of its eight halves. Then from coarse to fine:
+ * halves of cells that no finer block covers are made by RefineCells. So every material keeps the volume that the finest data
+ * have of it, to rounding, on every level. Each rank averages its own cells, and gets its ghost cells from their owners: the same on any number of ranks.
+ */
+#pragma once
+
+#include "InputFields.h"
+#include "InputLevels.h"
+#include "LevelSetup.h"
+#include "RefineCells.h"
+#include "RefinementCriteria.h"
+#include "Runtime.h"
+
+namespace vfm
+{
+
+struct LevelFields
+{
+  CartesianGrid Base; ///< of level LevelSetup::Base
+  CartesianGrid
+    Grid; ///< of LevelSetup::Finest or, where that is coarser, of the finest level of the input
+  InputField Field; ///< of Grid
+  /// Of each refinement between Base and Grid the octets (RefinedLattice::OctetKey) of this rank's cells that finer blocks
+  /// cover, ascending; empty lists unless the mesh takes the input's levels.
+  std::vector<std::vector<Index>> Octets;
+};
+
+/// Collective: the cells of level 0 that each rank meshes, by rank (MakePartition): whole cells of the base.
+std::vector<BlockPlace> ShareOutCells(
+  const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks);
+
+/// Collective. owners: the cells of level 0 that the ranks mesh, of all ranks or those near. Throws InputError, on all ranks
+/// alike, on values that are no fractions, and as CheckCover does.
+LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
+  const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime);
+
+/// Collective: how many levels finer than Grid the criteria want; adds the octets that they want to refine.
+int FindFinerLevels(
+  LevelFields& fields, const RefinementCriteria& criteria, double isoValue, Runtime& runtime);
+
+/// Collective: halves all cells of Grid so many times.
+void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runtime);
+
+} // namespace vfm
