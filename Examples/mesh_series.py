@@ -4,10 +4,12 @@
 usage: pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array water --out meshes [--exodus] dump_*.vti
        pvbatch mesh_series.py --plugin VolumeFractionMesh.so --material-ids id --out meshes run.pvd
        pvbatch mesh_series.py --plugin VolumeFractionMesh.so --out meshes impact.spcth
+       pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array phi --out meshes plt*
 
 Files of one extension are the steps of one series, in the order of the numbers in their names; a file that holds
 several steps (.pvd, .spcth) gives all of them. Without --array and --material-ids a SpyPlot case (.spcth) is meshed by its
-arrays 'Material volume fraction - N'. Steps go to OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, one line each on
+arrays 'Material volume fraction - N'. Of refined data (.vthb, AMReX plotfiles, .hierarchy of Enzo, .flash) all levels are
+read. Steps go to OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, one line each on
 standard output. Exit status 1 if a step could not be meshed; the other steps are meshed all the same.
 """
 import argparse
@@ -41,6 +43,10 @@ def parse_arguments():
     return arguments
 
 
+# ParaView takes such files for particles otherwise.
+GRID_READERS = {".hierarchy": "EnzoReader", ".flash": "FlashReader"}
+
+
 def is_spyplot(files):
     return files[0].endswith(".spcth")
 
@@ -50,10 +56,22 @@ def number_key(path):
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path)]
 
 
+def open_files(files, arrays):
+    """The reader; one of refined data reads all levels and these arrays."""
+    grids = GRID_READERS.get(os.path.splitext(files[0])[1])
+    source = getattr(simple, grids)(FileNames=files) if grids else simple.OpenDataFile(files)
+    properties = source.ListProperties() if source else []
+    if "DefaultNumberOfLevels" in properties:
+        source.DefaultNumberOfLevels = 0  # all
+    if "Level" in properties:
+        source.Level, source.CellArrayStatus = 100, arrays
+    return source
+
+
 def open_series(files, arrays):
     """The reader of the files; of a SpyPlot case it reads these arrays, or the volume fractions, whose names are added then."""
     if not is_spyplot(files):
-        return simple.OpenDataFile(sorted(files, key=number_key))
+        return open_files(sorted(files, key=number_key), arrays)
     if len(files) > 1:
         sys.exit("give one SpyPlot case file: it holds all steps")
     source = simple.OpenDataFile(files[0])

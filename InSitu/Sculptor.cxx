@@ -149,6 +149,16 @@ const double* CoordinatesOf(vtkUnstructuredGrid* mesh)
 }
 
 /// Nodes, hexahedra and tetrahedra.
+int NotNegative(int value, const char* name)
+{
+  if (value < 0)
+  {
+    throw InputError(
+      std::string(name) + " is " + std::to_string(value) + "; it must be 0 or more.");
+  }
+  return value;
+}
+
 void SetTotals(
   Index points, Index elements, int corners, int* numNodes, int* numHexes, int* numTets)
 {
@@ -245,7 +255,9 @@ int c_mesh_from_data(int sculptor, const double* bounding_box, int xint, int yin
           session.SetNeighbours(NotNull(neighbours, "neighbours"));
           session.ClearFields();
           session.AddMaterial("material", NotNull(vfrac, "vfrac"));
-          session.SetOption("Refinement", std::to_string(auto_refine));
+          session.SetOption("Refinement", "Automatic");
+          session.SetOption(
+            "MaximumLevel", std::to_string(NotNegative(auto_refine, "auto_refine")));
           session.SetOption("StairStep", stair_step ? "1" : "0");
           session.SetOption("Smoothing", std::to_string(smooth));
         });

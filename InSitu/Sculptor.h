@@ -57,11 +57,11 @@ extern "C"
    * xint, yint, zint: cells of this rank along each axis, at least 1.
    * vfrac: xint * yint * zint volume fractions in [0,1].
    * neighbours: the ranks across -x +x -y +y -z +z, -1 where the whole grid ends.
-   * auto_refine: how many times cells are halved before meshing, 0 to 3.
+   * auto_refine: how many times cells are halved where the shape needs it (Refinement Automatic), 0 to 10.
    * stair_step: not 0: cells become elements and nothing moves.
    * smooth: 0 off, 1 quadric surfaces, 2 geometry based.
    * tet_mesh: 0 hexahedra, else tetrahedra.
-   * Options set by name before stay, but for Refinement, StairStep, Smoothing; materials and states are replaced. */
+   * Options set by name before stay, but for Refinement, MaximumLevel, StairStep, Smoothing; materials and states are replaced. */
   SCULPTOR_EXPORT int c_mesh_from_data(int sculptor, const double* bounding_box, int xint, int yint,
     int zint, const double* vfrac, const int* neighbours, int auto_refine, int stair_step,
     int smooth, int tet_mesh);
@@ -93,7 +93,7 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_set_communicator(int sculptor, int communicator);
 
   /* A property of the filters by its name: IsoValue, MeshVoid, StairStep, Smoothing, TargetScaledJacobian,
-   * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement; of tetrahedra alone Method, RelativeSize, ...; and IndexBase
+   * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement, MaximumLevel; of tetrahedra alone Method, RelativeSize, ...; and IndexBase
    * (0 or 1). All ranks must set the same. */
   SCULPTOR_EXPORT int sculptor_set_option(int sculptor, const char* name, const char* value);
 

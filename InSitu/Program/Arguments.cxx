@@ -88,6 +88,12 @@ Taker SetOption(const char* name, const char* value)
   { to.Options.emplace_back(name, value); };
 }
 
+void TakeRefine(Arguments& to, Words& words, const std::string& option)
+{
+  to.Options.emplace_back("Refinement", "Uniform");
+  to.Options.emplace_back("MaximumLevel", words.TakeValue(option));
+}
+
 void TakeSettings(Arguments& to, Words& words, const std::string& option)
 {
   do
@@ -243,8 +249,7 @@ const std::vector<Option>& Options()
       TakeOption("LabelSmoothing") },
     { "--minimum-region", "N", "regions of fewer than N cells go to what is around them",
       TakeOption("MinimumRegionCells") },
-    { "--refine", "N", "halve the cells N times before they are meshed, 0 to 3",
-      TakeOption("Refinement") },
+    { "--refine", "N", "halve all cells N times before they are meshed, 0 to 10", TakeRefine },
     { "--set", "Option=Value ..", "any option of the mesher, see below", TakeSettings },
     { "--step", "N", "which time of the input, from 0", TakeStep },
     { "--time", "T", "the time of the input nearest to T", TakeTime },
@@ -419,7 +424,7 @@ std::string GetHelp()
   }
   text += "\nInput: " + JoinTexts(GetInputSuffixes()) +
     "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; of FILE.N.RANK any "
-    "one stands for all\n";
+    "one stands for all\n  AMReX: the folder of a plotfile\n";
   text += "Output: " + JoinTexts(GetOutputSuffixes()) +
     "\n  .vtu and .inp (Abaqus, CalculiX) are one file, also from several ranks; Exodus from N "
     "ranks is "

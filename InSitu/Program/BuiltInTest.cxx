@@ -147,7 +147,7 @@ std::vector<Arguments> PlanRuns(const Arguments& given)
   Arguments refined = given;
   if (given.Options.empty())
   {
-    refined.Options.emplace_back("Refinement", "1");
+    refined.Options = { { "Refinement", "Uniform" }, { "MaximumLevel", "1" } };
   }
   return { plain, refined };
 }
@@ -167,11 +167,11 @@ bool RunBuiltInTest(const Arguments& arguments, vtkMultiProcessController* contr
     const MeshSummary summary = Summarise(mesh, ranks);
     if (to)
     {
-      *to << (run.Options.empty() ? "As it is" : "\nRefined " + run.Options[0].second) << "\n";
+      *to << (run.Options.empty() ? "As it is" : "\nRefined " + run.Options[1].second) << "\n";
       PrintSummary(summary, {}, *to);
     }
     CheckParts(summary, checks);
-    CheckCounts(summary, mesher->GetRefinement(), checks);
+    CheckCounts(summary, std::max(mesher->GetMaximumLevel(), 0), checks);
   }
   if (!arguments.Output.empty())
   {

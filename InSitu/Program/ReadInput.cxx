@@ -1,5 +1,6 @@
 #include "ReadInput.h"
 
+#include "AmrexInput.h"
 #include "ExodusInput.h"
 #include "FileSuffix.h"
 #include "ParseText.h"
@@ -23,6 +24,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <functional>
+#include <iostream>
 #include <unistd.h>
 
 namespace vfm
@@ -102,6 +104,11 @@ const std::vector<Format>& Formats()
 
 const Format* FindFormat(const std::string& path)
 {
+  static const Format plotfile{ "", MakeAmrexReader };
+  if (IsAmrexFolder(path))
+  {
+    return &plotfile;
+  }
   const auto& formats = Formats();
   const auto found = std::find_if(formats.begin(), formats.end(),
     [&path](const Format& format) { return HasSuffix(path, format.Suffix); });
@@ -121,27 +128,38 @@ void CheckInput(const std::string& path, const std::function<void()>& check)
   }
 }
 
-/// While this lives nothing is written to the standard error: VTK's AMR data sets warn there where a rank has no blocks of a
-/// SpyPlot file, the Exodus library tells in many lines what the reader's message tells in one.
-class QuietStandardError
+/// While this lives nothing is written to a standard stream: on the one for errors VTK's AMR data sets warn where a rank has no
+/// blocks of a SpyPlot file, and the Exodus library tells in many lines what the reader's message tells in one; on the other
+/// VTK counts the blocks of plotfiles.
+class QuietStream
 {
 public:
-  QuietStandardError() : Kept(dup(STDERR_FILENO))
+  QuietStream(int descriptor, std::FILE* file) :
+    Descriptor(descriptor), File(file), Kept(dup(descriptor))
   {
+    this->Flush();
     const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDERR_FILENO);
+    dup2(nowhere, descriptor);
     close(nowhere);
   }
-  ~QuietStandardError()
+  ~QuietStream()
   {
-    std::fflush(stderr);
-    dup2(this->Kept, STDERR_FILENO);
+    this->Flush();
+    dup2(this->Kept, this->Descriptor);
     close(this->Kept);
   }
-  QuietStandardError(const QuietStandardError&) = delete;
-  QuietStandardError& operator=(const QuietStandardError&) = delete;
+  QuietStream(const QuietStream&) = delete;
+  QuietStream& operator=(const QuietStream&) = delete;
 
 private:
+  void Flush()
+  {
+    std::cout.flush();
+    std::fflush(this->File);
+  }
+
+  int Descriptor;
+  std::FILE* File;
   int Kept;
 };
 
@@ -165,7 +183,7 @@ void CheckInputSuffix(const std::string& path)
   {
     throw ProgramError(ExitCode::WrongArguments,
       "The input " + path + " is of an unknown kind. Read are " + JoinTexts(GetInputSuffixes()) +
-        ".");
+        ", and folders of AMReX plotfiles.");
   }
 }
 
@@ -173,7 +191,7 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
 {
   VtkMessages messages;
   const VtkSilence silence(messages);
-  const QuietStandardError quiet;
+  const QuietStream errors(STDERR_FILENO, stderr), output(STDOUT_FILENO, stdout);
   if (IsExodusFile(arguments.Input))
   {
     return ReadExodus(arguments, messages, ranks);
@@ -184,9 +202,13 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
   WorkInStage(ranks, ExitCode::UnreadableInput,
     [&]
     {
-      CheckInputFile(arguments.Input);
-      CheckInput(
-        arguments.Input, [&] { files = OpenSpyPlotFiles(arguments, ranks.Rank(), ranks.Count()); });
+      CheckInputFile(arguments.Input + (IsAmrexFolder(arguments.Input) ? "/Header" : ""));
+      CheckInput(arguments.Input,
+        [&]
+        {
+          CheckAmrexFolder(arguments, ranks);
+          files = OpenSpyPlotFiles(arguments, ranks.Rank(), ranks.Count());
+        });
       reader = FindFormat(arguments.Input)->MakeReader(arguments);
       messages.Watch(reader);
     });
@@ -198,6 +220,7 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
       input.Time = ChooseTime(arguments, GetTimes(reader));
     });
   ChooseSpyPlotArrays(reader, arguments, ranks);
+  ChooseAmrexArrays(reader, arguments);
   WorkInStage(ranks, ExitCode::UnreadableInput,
     [&]
     {

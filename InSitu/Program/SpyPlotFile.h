@@ -26,6 +26,8 @@ public:
   explicit SpyPlotFile(const std::string& path);
 
   const std::string& Path() const { return this->FilePath; }
+  /// Whether it has one block alone: then ParaView's reader takes all files for those of a flat mesh.
+  bool IsFlat() const { return this->NumberOfBlocks == 1; }
   std::vector<double> Times() const;
   /// Names of the arrays that every time holds, in alphabetical order.
   const std::vector<std::string>& Names() const { return this->ArrayNames; }

@@ -94,6 +94,11 @@ std::vector<SpyPlotFile> OpenSpyPlotFiles(const Arguments& arguments, int rank, 
       throw InputError(
         "its files hold different times, see " + files[0] + " and " + files[f] + ".");
     }
+    if (mine.back().IsFlat() != first.IsFlat())
+    {
+      throw InputError("of its files some have one block and others several, see " + files[0] +
+        " and " + files[f] + ". ParaView's reader takes either a flat mesh or one of blocks.");
+    }
     if (mine.back().Names() != first.Names())
     {
       throw InputError(

@@ -1,0 +1,62 @@
+#include "AmrexInput.h"
+
+#include "AmrexPlotfile.h"
+
+#include "vtkAMReXGridReader.h"
+
+#include <filesystem>
+#include <limits>
+#include <set>
+
+namespace vfm
+{
+
+bool IsAmrexFolder(const std::string& path)
+{
+  std::error_code error; // of a path that cannot be looked at: no
+  return std::filesystem::is_regular_file(path + "/Header", error);
+}
+
+void CheckAmrexFolder(const Arguments& arguments, Ranks& ranks)
+{
+  if (!IsAmrexFolder(arguments.Input))
+  {
+    return;
+  }
+  const AmrexPlotfile file(arguments.Input);
+  for (int block = ranks.Rank(); block < file.NumberOfBlocks(); block += ranks.Count())
+  {
+    file.CheckBlock(block);
+  }
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeAmrexReader(const Arguments& arguments)
+{
+  auto reader = vtkSmartPointer<vtkAMReXGridReader>::New();
+  reader->SetFileName(arguments.Input.c_str());
+  reader->SetMaxLevel(std::numeric_limits<int>::max());
+  return reader;
+}
+
+void ChooseAmrexArrays(vtkAlgorithm* algorithm, const Arguments& arguments)
+{
+  vtkAMReXGridReader* reader = vtkAMReXGridReader::SafeDownCast(algorithm);
+  std::set<std::string> named(arguments.Fractions.begin(), arguments.Fractions.end());
+  named.insert(arguments.State.begin(), arguments.State.end());
+  named.insert(arguments.Labels);
+  std::size_t found = named.count("");
+  for (int i = 0; reader && i < reader->GetNumberOfCellArrays(); ++i)
+  {
+    found += named.count(reader->GetCellArrayName(i));
+  }
+  // Of one that is not there the mesher's message lists those that are.
+  const bool takesAll =
+    (arguments.Fractions.empty() && arguments.Labels.empty()) || found < named.size();
+  for (int i = 0; reader && i < reader->GetNumberOfCellArrays(); ++i)
+  {
+    const std::string name = reader->GetCellArrayName(i);
+    reader->SetCellArrayStatus(name.c_str(), takesAll || named.count(name) > 0);
+  }
+}
+
+} // namespace vfm
