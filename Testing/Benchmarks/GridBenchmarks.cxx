@@ -5,19 +5,16 @@
  * With the argument --table, prints the table of figures of the manufactured cases instead; with --table-tets
  * those of tetrahedra, by every method, and their dihedral angles.
  */
+#include "MeasureAlone.h"
 #include "MeshCases.h"
+#include "RefineCells.h"
 #include "TetTopology.h"
 #include "Vector3.h"
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <cstring>
 #include <fstream>
-
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -53,11 +50,6 @@ std::size_t BytesOf(const Mesh& m)
   return BytesOf(m.Points) + BytesOf(m.PointIds) + BytesOf(m.GeometryDimension) +
     BytesOf(m.GeometryId) + BytesOf(m.Elements) + BytesOf(m.ElementIds) + BytesOf(m.Material) +
     BytesOf(m.Fragment) + BytesOf(m.ScaledJacobian);
-}
-
-double Now()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// Seconds to copy as many bytes as the mesh has into fresh memory.
@@ -216,50 +208,32 @@ BENCHMARK_CAPTURE(EightShapes, TetGen, TetMethod::TetGen)
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 
-std::size_t PeakBytes()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
-
-/// Peak memory of meshing a sphere in n^3 cells, in a process of its own, against input (a double a cell) and output.
+/// Peak memory of meshing a sphere in n^3 cells, against input (a double a cell) and output.
 void Memory(benchmark::State& state)
 {
   const Index n = state.range(0);
-  double result[3] = {};
+  std::vector<double> result;
   for (auto _ : state)
   {
-    int ends[2];
-    if (pipe(ends) != 0)
-    {
-      state.SkipWithError("pipe");
-      return;
-    }
-    if (fork() == 0)
-    {
-      const CartesianGrid grid = MakeUnitGrid(n);
-      const Vector3 middle{ { 0.5 * n + 0.1, 0.5 * n + 0.2, 0.5 * n + 0.3 } };
-      // stands for the simulation's array
-      const Buffer<double> input(static_cast<std::size_t>(n * n * n), 0.5);
-      const FractionField field = FractionsOfShapes(grid, { MakeSphere(1, middle, 0.4 * n) });
-      Runtime runtime;
-      MeshReport report;
-      const Mesh mesh = MakeHexMesh(grid, field, MeshOptions(), runtime, report);
-      const double sizes[3] = { static_cast<double>(BytesOf(input)),
-        static_cast<double>(BytesOf(mesh)), static_cast<double>(PeakBytes()) };
-      const bool written = write(ends[1], sizes, sizeof(sizes)) == sizeof(sizes);
-      _exit(written ? 0 : 1);
-    }
-    const bool complete = read(ends[0], result, sizeof(result)) == sizeof(result);
-    wait(nullptr);
-    close(ends[0]);
-    close(ends[1]);
-    if (!complete)
-    {
-      state.SkipWithError("the child failed");
-      return;
-    }
+    result = MeasureAlone(3,
+      [&]
+      {
+        const CartesianGrid grid = MakeUnitGrid(n);
+        const Vector3 middle{ { 0.5 * n + 0.1, 0.5 * n + 0.2, 0.5 * n + 0.3 } };
+        // stands for the simulation's array
+        const Buffer<double> input(static_cast<std::size_t>(n * n * n), 0.5);
+        const FractionField field = FractionsOfShapes(grid, { MakeSphere(1, middle, 0.4 * n) });
+        Runtime runtime;
+        MeshReport report;
+        const Mesh mesh = MakeHexMesh(grid, field, MeshOptions(), runtime, report);
+        return std::vector<double>{ static_cast<double>(BytesOf(input)),
+          static_cast<double>(BytesOf(mesh)), static_cast<double>(PeakBytes()) };
+      });
+  }
+  if (result.empty())
+  {
+    state.SkipWithError("the child failed");
+    return;
   }
   state.counters["input_MB"] = result[0] * 1e-6;
   state.counters["output_MB"] = result[1] * 1e-6;
@@ -267,6 +241,71 @@ void Memory(benchmark::State& state)
   state.counters["peak/(in+out)"] = result[2] / (result[0] + result[1]);
 }
 BENCHMARK(Memory)->Arg(128)->Arg(256)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Bytes a finest cell of fractions and labels of n^3 cells halved `times` times, where a ball makes about 1 % of the cells
+/// near an interface (within two). ms: of halving, assigning, resolving, finding mixed nodes.
+void FinestCells(benchmark::State& state)
+{
+  const Index n = state.range(0);
+  std::vector<double> result;
+  for (auto _ : state)
+  {
+    result = MeasureAlone(8,
+      [&]
+      {
+        CartesianGrid grid = MakeUnitGrid(n);
+        const double radius = std::sqrt(0.01 * static_cast<double>(n * n * n) / (4.0 * M_PI * 5.0));
+        const Vector3 middle{ { 0.5 * n + 0.1, 0.5 * n + 0.2, 0.5 * n + 0.3 } };
+        FractionField field = FractionsOfShapes(grid, { MakeSphere(1, middle, radius) });
+        const double before = static_cast<double>(PeakBytes());
+        Runtime runtime;
+        double now = Now();
+        const auto lap = [&]
+        {
+          const double then = std::exchange(now, Now());
+          return 1e3 * (now - then);
+        };
+        for (Index time = 0; time < state.range(1); ++time)
+        {
+          RefinedCells refined = RefineCells(grid, field, runtime);
+          grid = std::move(refined.Grid);
+          field = std::move(refined.Fractions);
+        }
+        const double halving = lap();
+        LabelArray labels = AssignMaterials(grid, field, 0.5);
+        const double assigning = lap();
+        ResolveLabels(grid, field, labels, Partition(grid, runtime.Group()));
+        const double resolving = lap();
+        benchmark::DoNotOptimize(FindMixedNodes(grid, labels));
+        const double finding = lap();
+        return std::vector<double>{ static_cast<double>(grid.Owned().NumberOfCells()),
+          static_cast<double>(field.MemoryInBytes()), static_cast<double>(labels.MemoryInBytes()),
+          static_cast<double>(PeakBytes()) - before, halving, assigning, resolving, finding };
+      });
+  }
+  if (result.empty())
+  {
+    state.SkipWithError("the child failed");
+    return;
+  }
+  state.counters["cells"] = result[0];
+  state.counters["fractions_B/cell"] = result[1] / result[0];
+  state.counters["labels_B/cell"] = result[2] / result[0];
+  state.counters["both_MB"] = (result[1] + result[2]) * 1e-6;
+  state.counters["peak_growth_MB"] = result[3] * 1e-6;
+  state.counters["halve_ms"] = result[4];
+  state.counters["assign_ms"] = result[5];
+  state.counters["resolve_ms"] = result[6];
+  state.counters["mixed_ms"] = result[7];
+}
+BENCHMARK(FinestCells)
+  ->Args({ 128, 0 })
+  ->Args({ 256, 0 })
+  ->Args({ 256, 1 })
+  ->Args({ 256, 2 })
+  ->Iterations(1)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 
 void PrintTable()
 {

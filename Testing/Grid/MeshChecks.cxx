@@ -278,15 +278,19 @@ FractionField MakeLabels(
 {
   FractionField field(grid, materials);
   const IndexBox& box = grid.Owned();
+  FractionField::RowWriter row(field);
   Index3 p;
   for (p[2] = 0; p[2] < box.Upper[2]; ++p[2])
   {
     for (p[1] = 0; p[1] < box.Upper[1]; ++p[1])
     {
-      for (p[0] = 0; p[0] < box.Upper[0]; ++p[0])
+      p[0] = 0;
+      row.Start(grid.Linear(p));
+      for (; p[0] < box.Upper[0]; ++p[0])
       {
-        field.SetLabel(grid.Linear(p), label(p));
+        row.AddLabel(label(p));
       }
+      row.Finish();
     }
   }
   return field;

@@ -42,23 +42,6 @@ CartesianGrid MakeUnevenGrid(int n);
 /// Whether both hold the same parts, bit for bit.
 bool HaveSameParts(const FractionField& a, Index i, const FractionField& b, Index j);
 
-/// Calls body(position) for the cells of a box, x fastest.
-template <class Body>
-void ForCells(const IndexBox& box, const Body& body)
-{
-  Index3 p;
-  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
-    {
-      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
-      {
-        body(p);
-      }
-    }
-  }
-}
-
 /// Half of the cells pure, the others of random parts, some of them tiny.
 FractionField MakePatchyFractions(const CartesianGrid& grid, int materials, unsigned seed);
 

@@ -102,7 +102,9 @@ TEST_F(SculptorArguments, BoxInsideOut)
 TEST_F(SculptorArguments, NumbersOutOfRange)
 {
   EXPECT_EQ(this->Mesh(17), SCULPTOR_ERROR_ARGUMENT);
-  this->ExpectText("Refinement");
+  this->ExpectText("MaximumLevel");
+  EXPECT_EQ(this->Mesh(-1), SCULPTOR_ERROR_ARGUMENT);
+  this->ExpectText("auto_refine is -1");
   EXPECT_EQ(this->Mesh(0, 3), SCULPTOR_ERROR_ARGUMENT);
   this->ExpectText("Smoothing");
 }

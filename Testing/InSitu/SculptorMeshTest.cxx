@@ -158,17 +158,28 @@ TEST(SculptorFragments, SeveralFragmentsSplitTheMesh)
   EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
 }
 
-TEST(SculptorRefinement, RefinedStairStepHasEightTimesTheHexes)
+/// auto_refine halves cells that are too thin, and no others.
+TEST(SculptorRefinement, HalvesThinLayersOnly)
 {
   const HostFields f(MyRank(), NumberOfRanks());
-  std::vector<double> full(f.Ball.size(), 1.0);
-  int sculptor = 0, nodes = 0, hexes = 0, tets = 0;
-  ASSERT_EQ(c_create_sculptor(&sculptor), SCULPTOR_OK);
-  ASSERT_EQ(c_mesh_from_data(sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
-              f.Intervals[2], full.data(), f.Neighbours.data(), 1, 1, 1, 0),
-    SCULPTOR_OK)
-    << sculptor_error_text(sculptor);
-  ASSERT_EQ(c_get_free_totals(sculptor, &nodes, &hexes, &tets), SCULPTOR_OK);
-  EXPECT_EQ(hexes, 8 * f.Cells.NumberOfCells());
-  EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+  for (double height : { 1.0, 5.0 })
+  {
+    std::vector<double> layer(f.Ball.size());
+    int cells = 0;
+    for (std::size_t cell = 0; cell < layer.size(); ++cell)
+    {
+      const double z = f.Velocity[3 * cell + 2];
+      layer[cell] = z >= 5 && z < 5 + height ? 1.0 : 0.0;
+      cells += layer[cell] > 0.0 ? 1 : 0;
+    }
+    int sculptor = 0, nodes = 0, hexes = 0, tets = 0;
+    ASSERT_EQ(c_create_sculptor(&sculptor), SCULPTOR_OK);
+    ASSERT_EQ(c_mesh_from_data(sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
+                f.Intervals[2], layer.data(), f.Neighbours.data(), 1, 1, 1, 0),
+      SCULPTOR_OK)
+      << sculptor_error_text(sculptor);
+    ASSERT_EQ(c_get_free_totals(sculptor, &nodes, &hexes, &tets), SCULPTOR_OK);
+    EXPECT_EQ(hexes, height > 2.0 ? cells : 8 * cells) << height;
+    EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+  }
 }

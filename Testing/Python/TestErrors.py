@@ -173,7 +173,7 @@ def test_blocks_of_other_kinds():
 
 def test_blocks_that_do_not_tile():
     fine = half(1, spacing=[s / 2 for s in SPACING])
-    check_error(blocks(half(0), fine), "Block 0 does not fit the other blocks", "same spacing")
+    check_error(blocks(half(0), fine), "leave a gap", "of level 0")
     check_error(blocks(half(0), half(1, shift=-0.1 * SPACING[0])), "does not fit", "along x")
     check_error(blocks(half(0), half(1, shift=2 * SPACING[0])), "leave a gap", "64 of the 576 cells",
                 "cell (4, 0, 0) at (0, 0.5, 2)")
@@ -187,12 +187,12 @@ def test_ghosts_inside_a_block():
     check_error(image({**arrays(), "vtkGhostType": ghost}), "ghost cells", "among its own cells")
 
 
-def test_refined_grid():
+def test_levels_of_one_width():
     amr = vtkNonOverlappingAMR()
     amr.Initialize(2, [1, 1])
     for level in range(2):
         amr.SetDataSet(level, 0, image(arrays(), kind=vtkUniformGrid))
-    check_error(amr, "AMR", "2 levels", "not supported yet")
+    check_error(amr, "Block 0 and Block 1 overlap at cell (0, 0, 0)")
 
 
 def test_more_cells_than_ids_can_number():

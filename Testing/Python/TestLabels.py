@@ -4,7 +4,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, check_surfaces, digest, facets, fraction_image, image, labels, main, mesh_of, run,
-    VolumeFractionToTet)
+    uniform, VolumeFractionToTet)
 
 N = 16
 CELL = np.prod(SPACING)
@@ -74,7 +74,7 @@ def test_volumes_of_noise():
 
 
 def test_refinement_of_smooth_labels():
-    rough, fine = (mesh_labels(BALL, Refinement=1, LabelSmoothing=passes, ConserveVolume=0) for passes in (0, 2))
+    rough, fine = (mesh_labels(BALL, **uniform(1), LabelSmoothing=passes, ConserveVolume=0) for passes in (0, 2))
     assert rms_distance(fine) < 0.7 * rms_distance(rough)
     assert np.allclose(fine.field("TargetVolume"), rough.field("TargetVolume"), rtol=1e-6)
 

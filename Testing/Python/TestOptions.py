@@ -4,12 +4,13 @@ from paraview.simple import Wavelet
 
 from vfmtest import (
     SPACING, ball_and_plate, check_surfaces, digest, fraction_image, image, labels, main, mesh_of, producer, run,
-    VolumeFractionToHex, VolumeFractionToTet)
+    uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
 DEFAULTS = {
     "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5,
-    "LabelSmoothing": 0, "MinimumRegionCells": 0, "Refinement": 0, "MeshVoid": 0,
+    "LabelSmoothing": 0, "MinimumRegionCells": 0, "Refinement": "Input Levels", "MaximumLevel": -1, "FineLayers": 2, "ChildFractions": "Planes", "ThinCells": 2.0,
+    "CurvaturePerCell": 0.0, "RefineFlippedCells": 0, "InterfaceLayers": 0, "MeshVoid": 0,
     "StairStep": 0, "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
     "NumberOfThreads": 0}
 DATA = fraction_image(N)
@@ -33,7 +34,7 @@ def film(thickness, n=12, s=8):
 
 
 def mesh_of_film(thickness, refinement):
-    return mesh_of(film(thickness), VolumeFractionArrays=["film"], Refinement=refinement)
+    return mesh_of(film(thickness), VolumeFractionArrays=["film"], **uniform(refinement))
 
 
 def test_names_and_defaults():
@@ -68,14 +69,14 @@ def test_stair_step():
 
 
 def test_refinement():
-    refined = mesh_of(DATA, Refinement=1)
+    refined = mesh_of(DATA, **uniform(1))
     assert 6 < refined.mesh.GetNumberOfCells() / REFERENCE.mesh.GetNumberOfCells() < 9
     assert np.allclose(refined.field("TargetVolume"), REFERENCE.field("TargetVolume"), rtol=1e-9)
     assert volume_error(refined) < 1e-6
     assert refined.cells("ScaledJacobian").min() > 0.4
     check_surfaces(refined)
-    assert digest(mesh_of(DATA, Refinement=1, NumberOfThreads=3)) == digest(refined)
-    tets = mesh_of(DATA, VolumeFractionToTet, Method="Lattice", Refinement=1)
+    assert digest(mesh_of(DATA, **uniform(1), NumberOfThreads=3)) == digest(refined)
+    tets = mesh_of(DATA, VolumeFractionToTet, Method="Lattice", **uniform(1))
     assert np.allclose(tets.field("TargetVolume"), REFERENCE.field("TargetVolume"), rtol=1e-9)
     assert tets.cells("ScaledJacobian").min() > 0
 
@@ -84,7 +85,7 @@ def test_refinement_of_labels():
     arrays = {"id": labels(4)}
     cells = mesh_of(image(arrays), MaterialIdArray="id", StairStep=1).mesh.GetNumberOfCells()
     for refinement in (1, 2, 3):
-        fine = mesh_of(image(arrays), MaterialIdArray="id", StairStep=1, Refinement=refinement)
+        fine = mesh_of(image(arrays), MaterialIdArray="id", StairStep=1, **uniform(refinement))
         assert fine.mesh.GetNumberOfCells() == 8 ** refinement * cells
 
 

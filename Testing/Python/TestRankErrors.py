@@ -151,10 +151,12 @@ def test_no_cells_on_any_rank():
 
 
 def test_levels_on_different_ranks():
-    amr = vtkNonOverlappingAMR()
+    amr, part = vtkNonOverlappingAMR(), slab(kind=vtkUniformGrid)
     amr.Initialize(2, [1, 1])
-    amr.SetDataSet(RANK % 2, 0, slab(kind=vtkUniformGrid))
-    check_error(amr, "2 levels", "not supported yet")
+    amr.SetDataSet(RANK % 2, 0, part)
+    if RANK == 1:
+        part.SetSpacing([h / 2 for h in SPACING])
+    check_error(amr, "leave a gap", "of level 0")
 
 
 def test_option_out_of_range():

@@ -12,7 +12,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from compare_meshes import difference, merge, read_pieces
 from spyplot import split, write_spyplot
 from spyplot_cases import LAYOUTS, NODES, SPY, STATE, TIMES, data_of_step, refined_blocks, steps, without_reader_fields
-from vfmtest import VolumeFractionToHex, collect, main, producer, reduced, save_data
+from vfmtest import VolumeFractionToHex, collect, main, producer, reduced, save_data, uniform
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -66,13 +66,15 @@ def test_same_as_image():
 
 
 def test_refined():
-    reader = simple.OpenDataFile(write_case("refined", refined_blocks(), files=2))
-    reader.CellArrays = SPY
-    hexes = VolumeFractionToHex(Input=reader, VolumeFractionArrays=SPY)
-    errors, _ = collect(hexes.GetClientSideObject())
-    hexes.UpdatePipeline()
-    right = len(errors) == 1 and "refined (AMR) and has blocks on 2 levels" in errors[0]
-    assert reduced(int(right), vtkCommunicator.SUM_OP) == RANKS, errors
+    """The fine blocks repeat the coarse cells."""
+    properties = dict(StateArrays=[STATE], ChildFractions="Parent")
+    path = write_case("refined", refined_blocks(), files=2)
+    whole = producer(data_of_step(0) if RANK == 0 else vtkImageData())
+    reference = merged(save(whole, 0, **properties, **uniform(1)))
+    CONTROLLER.Barrier()
+    reader = simple.OpenDataFile(path)
+    reader.CellArrays, reader.DownConvertVolumeFraction = [*SPY, STATE], 0
+    check(save(reader, 0, **properties, **uniform(-1)), reference, "refined")
 
 
 main(globals())

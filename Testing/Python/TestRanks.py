@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from compare_meshes import difference, joined, merge, piece_of, read_pieces
 from vfmtest import (
     GHOST, ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, image, main, producer, reduced, save_data, surface_faces,
-    tet_volumes, VolumeFractionToHex, VolumeFractionToTet)
+    tet_volumes, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
 from write_exodus import write_exodus
@@ -183,7 +183,7 @@ def on_first_rank(work):
 def check(case, source, label, **properties):
     outputs = mesh_and_surfaces(source, case, **properties)
     parts = [case, properties.get("Method"), "with void" if properties.get("MeshVoid") else None,
-             "refined" if properties.get("Refinement") else None, "cleared" if properties.get("MinimumRegionCells") else None]
+             "refined" if properties.get("MaximumLevel") else None, "cleared" if properties.get("MinimumRegionCells") else None]
     on_first_rank(lambda: compare_with_gold(outputs, " ".join(filter(None, parts)), label))
 
 
@@ -204,7 +204,7 @@ def test_whole():
         for case, arrays in ALL_CASES.items():
             check(case, producer(image(arrays)), "whole")
         check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", MeshVoid=1)
-        check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", Refinement=1)
+        check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", **uniform(1))
         for case, properties in CLEARED:
             check(case, producer(image(CASES[case])), "whole", **properties)
         for case, method, _ in TET_CASES:
@@ -254,7 +254,7 @@ def test_options():
 
 
 def test_refinement():
-    check("ball_and_plate", split_input(CASES["ball_and_plate"], "scattered"), "scattered", Refinement=1)
+    check("ball_and_plate", split_input(CASES["ball_and_plate"], "scattered"), "scattered", **uniform(1))
 
 
 def test_regions_and_label_smoothing():

@@ -16,7 +16,7 @@ from compare_meshes import difference, merge, read_pieces
 from sculptor_program import check_same, mesh_file, refused, sculptor
 from vfmtest import (
     ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, exodus_parts, fraction_image, image,
-    in_folder, labels, main, mesh_of, write)
+    in_folder, labels, main, mesh_of, uniform, write)
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
@@ -27,7 +27,10 @@ BOXES = [209, 302], [1136, 1450]  # elements and points of sculptor test, as it 
 def filter_mesh(path, tets=False, **properties):
     """What the filter makes of a file."""
     make = VolumeFractionToTet if tets else VolumeFractionToHex
-    mesher = make(Input=simple.OpenDataFile(path), **properties)
+    reader = simple.OpenDataFile(path)
+    if path.endswith(".vthb"):
+        reader.DefaultNumberOfLevels = 0  # all
+    mesher = make(Input=reader, **properties)
     mesher.UpdatePipeline()
     mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
     assert mesh.GetNumberOfCells() > 0
@@ -63,7 +66,7 @@ def test_options(at):
         (["--no-smooth"], dict(Smoothing="Off")),
         (["--smooth", "2"], dict(Smoothing="Geometry Based")),
         (["--smooth=geometrybased"], dict(Smoothing="Geometry Based")),
-        (["--refine", "1"], dict(Refinement=1)),
+        (["--refine", "1"], uniform(1)),
         (["--iso", "0.3", "--void"], dict(IsoValue=0.3, MeshVoid=1)),
         (["--set", "targetscaledjacobian=.3", "ConserveVolume=off"], dict(TargetScaledJacobian=0.3, ConserveVolume=0)),
         (["--set", "ComputeQuality=no", "--set", "NumberOfThreads=2"], dict(ComputeQuality=0, NumberOfThreads=2)),
@@ -116,7 +119,7 @@ def write_formats(at):
     }
 
 
-def uniform(part, spacing):
+def uniform_grid(part, spacing):
     """The image with its origin at its first node, as AMR wants it."""
     grid = vtkUniformGrid()
     first = part.GetExtent()[::2]
@@ -128,9 +131,10 @@ def uniform(part, spacing):
 
 
 def amr(parts, fine=False):
-    levels = [[uniform(part, SPACING) for part in parts]]
+    levels = [[uniform_grid(part, SPACING) for part in parts]]
     if fine:
-        levels.append([uniform(parts[0], [h / 2 for h in SPACING])])
+        arrays = {name: value[:12, :12, :8] for name, value in zip(("ball", "plate"), ball_and_plate(24))}
+        levels.append([uniform_grid(image(arrays), [h / 2 for h in SPACING])])
     data = vtkOverlappingAMR()
     data.Initialize(len(levels), [len(level) for level in levels])
     data.SetOrigin(ORIGIN)
@@ -156,8 +160,10 @@ def test_formats(at):
         check_same(at("out.vtu"), mesh)
     mesh_file(paths["vtm"], at("out.vtu"))
     check_same(at("out.vtu"), mesh)
-    for ranks in (1, 2):
-        refused(3, "refined (AMR)", "--input", refined, "--output", at("no.vtu"), ranks=ranks)
+    mesh = filter_mesh(refined, VolumeFractionArrays=["ball", "plate"], Refinement="Uniform")
+    for ranks in (1, 3):
+        mesh_file(refined, at("out.vtu"), "--set", "Refinement=Uniform", ranks=ranks)
+        check_same(at("out.vtu"), mesh)
 
 
 @in_folder

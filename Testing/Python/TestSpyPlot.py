@@ -11,7 +11,7 @@ from sculptor_program import mesh_file, refused, sculptor
 from spyplot import GROUP, Fields, header, split, write_spyplot
 from spyplot_cases import (
     LAYOUTS, NODES, SPY, STATE, TIMES, UNEVEN_NODES, data_of_step, refined_blocks, steps, without_reader_fields)
-from vfmtest import VolumeFractionToHex, VolumeFractionToTet, collect, in_folder, main, mesh_of
+from vfmtest import VolumeFractionToHex, VolumeFractionToTet, collect, in_folder, main, mesh_of, uniform
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 IMPACT = os.path.join(HERE, "..", "..", "Data", "impact.spcth")
@@ -68,11 +68,14 @@ def test_reader_into_tets(at):
 
 @in_folder
 def test_reader_refined(at):
-    hexes = VolumeFractionToHex(
-        Input=open_case(write_spyplot(at(""), "refined", TIMES, refined_blocks())), VolumeFractionArrays=SPY)
-    errors, _ = collect(hexes.GetClientSideObject())
-    hexes.UpdatePipeline()
-    assert len(errors) == 1 and "refined (AMR) and has blocks on 2 levels" in errors[0], errors
+    """The fine blocks repeat the coarse cells."""
+    for step in (0, 1):
+        hexes = VolumeFractionToHex(
+            Input=open_case(write_spyplot(at(""), "refined", TIMES, refined_blocks())), VolumeFractionArrays=SPY,
+            StateArrays=[STATE], ChildFractions="Parent", **uniform(-1))
+        hexes.UpdatePipeline(TIMES[step])
+        check_equal(hexes.GetClientSideObject().GetOutputDataObject(0),
+                    mesh_of_step(step, StateArrays=[STATE], ChildFractions="Parent", **uniform(1)), step)
 
 
 def impact_mesh(time):
@@ -136,7 +139,10 @@ def test_sculptor_blocks(at):
     assert sculptor("--input", "blocks.spcth", "--output", "near.vtu", folder=at("")).returncode == 0
     refused(2, "no step 2: it has 2", "--input", path, "--output", at("no.vtu"), "--step", "2", ranks=2)
     path = write_spyplot(at(""), "refined", TIMES, refined_blocks())
-    refused(3, "refined (AMR)", "--input", path, "--output", at("no.vtu"), ranks=2)
+    settings = ["Refinement=Uniform", "ChildFractions=Parent"]
+    for ranks in (1, 3):
+        mesh_file(path, at("out.vtu"), "--set", *settings, ranks=ranks)
+        check_output(at("out.vtu"), mesh_of_step(0, ChildFractions="Parent", **uniform(1)))
 
 
 @in_folder

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from state_rule import graded_coordinates, of_labels, specks, state_cells, with_void
 from vfmtest import (
     GHOST, HIDDEN, ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, digest, elements, fraction_image, image, labels,
-    main, mesh_of, producer, rectilinear, run, VolumeFractionToHex, VolumeFractionToTet)
+    main, mesh_of, producer, rectilinear, run, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
 NUMBERS = np.arange(N ** 3, dtype=np.int64).reshape(N, N, N)
@@ -69,7 +69,7 @@ def test_halves_of_cells_keep_the_values_of_the_whole():
     ids = labels(N)
     for refinement in (1, 2):
         result = mesh_of(
-            with_numbers({"id": ids}), MaterialIdArray="id", StateArrays=["number"], StairStep=1, Refinement=refinement)
+            with_numbers({"id": ids}), MaterialIdArray="id", StateArrays=["number"], StairStep=1, **uniform(refinement))
         assert (np.sort(result.cells("number")) == np.repeat(NUMBERS[ids > 0], 8 ** refinement)).all()
         centres = vtk_to_numpy(result.mesh.GetPoints().GetData())[elements(result)].mean(axis=1)
         i, j, k = ((centres - ORIGIN) / SPACING).astype(int).T

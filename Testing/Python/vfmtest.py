@@ -22,6 +22,7 @@ from paraview.modules.vtkRemotingCore import vtkProcessModule
 simple.LoadPlugin(os.environ["VFM_PLUGIN"], remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
 HEX_FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
+HEX_EDGES = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]])  # at each corner
 TET_FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
 SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)  # exact in binary: blocks match bit for bit
 
@@ -158,6 +159,60 @@ def check_surfaces(result):
             assert expected[face] == tuple(pair), (face, pair)
 
 
+def points_of(result):
+    return vtk_to_numpy(result.mesh.GetPoints().GetData())
+
+
+def domain_faces(result, faces):
+    """Which faces, rows of points of the mesh, lie in whole on a side of the domain."""
+    on = [points_of(result)[:, side // 2] == bound for side, bound in enumerate(result.field("DomainBounds"))]
+    return np.any([side[faces].all(axis=1) for side in on], axis=0)
+
+
+def hex_volumes(points, hexes):
+    """Exact volumes: both cuts of each face into triangles count half."""
+    volumes = np.zeros(len(hexes))
+    for face in HEX_FACES:
+        a, b, c, d = (points[hexes[:, corner]] for corner in face)
+        for p, q, r in ((a, b, c), (a, c, d), (a, b, d), (b, c, d)):
+            volumes += np.einsum("ij,ij->i", p, np.cross(q, r)) / 12
+    return volumes
+
+
+def check_hexes(result):
+    """The mesh is conforming and valid, as far as it is quick to tell: faces are on two hexes, or on one at the domain's sides
+    or beside what is not meshed; every corner is positive; the volumes are those reported; surfaces hold the faces they must."""
+    points, cells = points_of(result), elements(result)
+    assert len(np.unique(result.points("GlobalPointIds"))) == len(points) == len(np.unique(cells))
+    corner = points[cells]
+    edges = corner[:, HEX_EDGES] - corner[:, :, None]
+    assert (np.einsum("hci,hci->hc", edges[:, :, 0], np.cross(edges[:, :, 1], edges[:, :, 2])) > 0).all(), "a corner is not positive"
+    faces = np.sort(cells[:, HEX_FACES].reshape(-1, 4), axis=1)
+    distinct, first, which, counts = np.unique(faces, axis=0, return_index=True, return_inverse=True, return_counts=True)
+    assert counts.max() <= 2, "a face is on more than two hexes"
+    material = np.repeat(result.cells("MaterialId"), 6)
+    sums = np.bincount(which.ravel(), weights=material, minlength=len(counts)).astype(int)
+    other = np.where(counts == 1, 0, sums - material[first])
+    on_domain = domain_faces(result, distinct)
+    assert (result.points("GeometryDimension")[distinct[counts == 1]] < 3).all() and (
+        0 not in result.field("MaterialIds") or on_domain[counts == 1].all()), "there is a crack"
+    is_surface = (counts == 1) | (other != material[first])
+    ids = result.points("GlobalPointIds")
+    surface_ids = vtk_to_numpy(result.surfaces.GetPointData().GetGlobalIds())
+    own = np.sort(surface_ids[facets(result)], axis=1)
+    expected = np.sort(ids[distinct[is_surface]], axis=1)
+    order, own_order = np.lexsort(expected.T), np.lexsort(own.T)
+    assert np.array_equal(expected[order], own[own_order]), "the surfaces have other faces"
+    pairs = np.sort(np.stack([material[first], other], axis=1)[is_surface], axis=1)[order]
+    inner = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide"))[own_order] < 0
+    assert np.array_equal(inner, ~on_domain[is_surface][order]), "a single face is inside the domain"
+    assert np.array_equal(pairs[inner], vtk_to_numpy(result.surfaces.GetCellData().GetArray("MaterialPair"))[own_order][inner])
+    volumes = hex_volumes(points, cells)
+    for i, expected_volume in zip(result.field("MaterialIds"), result.field("MeshVolume")):
+        volume = volumes[result.cells("MaterialId") == i].sum()
+        assert np.isclose(volume, expected_volume, rtol=1e-9), (i, volume, expected_volume)
+
+
 def collect(algorithm):
     """Lists that the errors and warnings of the algorithm will be added to; they are not shown then."""
     errors, warnings = [], []
@@ -242,6 +297,11 @@ def mesh_of(data, make=None, **properties):
     assert not result.errors, result.errors
     assert result.mesh.GetNumberOfCells() > 0
     return result
+
+
+def uniform(levels):
+    """Properties that halve all cells of an image so many times."""
+    return {"Refinement": "Uniform", "MaximumLevel": levels}
 
 
 def digest(result):

@@ -1,0 +1,56 @@
+/**
+ * What benchmarks measure with: the clock, the peak memory of a process, and processes of their own.
+ */
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace vfm
+{
+namespace testing
+{
+
+/// Seconds.
+inline double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+inline std::size_t PeakBytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+/// What measure() returns, which runs in a process of its own, so that its peak memory is its own; empty where that fails.
+template <class Measure>
+std::vector<double> MeasureAlone(std::size_t count, const Measure& measure)
+{
+  int ends[2];
+  if (pipe(ends) != 0)
+  {
+    return {};
+  }
+  const ssize_t bytes = static_cast<ssize_t>(count * sizeof(double));
+  if (fork() == 0)
+  {
+    const std::vector<double> values = measure();
+    _exit(write(ends[1], values.data(), bytes) == bytes ? 0 : 1);
+  }
+  close(ends[1]);
+  std::vector<double> values(count);
+  const bool complete = read(ends[0], values.data(), bytes) == bytes;
+  wait(nullptr);
+  close(ends[0]);
+  return complete ? values : std::vector<double>();
+}
+
+} // namespace testing
+} // namespace vfm

@@ -1,0 +1,221 @@
+/// Octet sets: closed by the rules, keys that come back, the energy that untangles.
+#include "MeshChecks.h"
+#include "RefinedChecks.h"
+#include "UntangleEnergy.h"
+#include "Vector3.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+bool Has(const OctetSets& sets, int level, Index i, Index j, Index k)
+{
+  return sets.HasOctet(level, { { i, j, k } });
+}
+
+/// Two octets on a diagonal of a plane and none of the five around its middle.
+Index CountPinches(const OctetSets& sets, int level)
+{
+  Index pinches = 0;
+  for (Index key : sets.Keys(level))
+  {
+    const Index3 p = sets.Lattice().OctetOfKey(level, key);
+    for (int n = 0; n < 6; ++n)
+    {
+      const int b = (n / 2 + 1) % 3, c = (n / 2 + 2) % 3;
+      const Index s = n % 2 ? 1 : -1;
+      const auto has = [&](Index u, Index v)
+      {
+        Index3 q = p;
+        q[b] += u;
+        q[c] += v * s;
+        return sets.HasOctet(level, q);
+      };
+      pinches += has(2, 2) && !has(1, 1) && !has(0, 1) && !has(1, 0) && !has(2, 1) && !has(1, 2);
+    }
+  }
+  return pinches;
+}
+
+/// Octets whose 18 neighbours are not all cells that the level below refined.
+Index CountBareOctets(const OctetSets& sets, int level)
+{
+  Index bare = 0;
+  for (Index key : sets.Keys(level))
+  {
+    const Index3 p = sets.Lattice().OctetOfKey(level, key);
+    for (int n = 0; n < 27; ++n)
+    {
+      const Index3 q{ { p[0] + n % 3 - 1, p[1] + n / 3 % 3 - 1, p[2] + n / 9 - 1 } };
+      const bool corner = q[0] != p[0] && q[1] != p[1] && q[2] != p[2];
+      bare += !corner && sets.Lattice().HasCell(level - 1, q) && !sets.IsRefined(level - 1, q);
+    }
+  }
+  return bare;
+}
+
+} // namespace
+
+TEST(OctetSets, FillsAPinch)
+{
+  const RefinedCase c = MakeOctetCase("pinch", { { 12, 12, 12 } },
+    [](const Index3& q) {
+      return q == Index3{ { 1, 1, 3 } } || q == Index3{ { 3, 3, 3 } };
+    });
+  const OctetSets sets(*c.Lattice, c.Wanted);
+  EXPECT_EQ(sets.Keys(0).size(), 3u);
+  EXPECT_TRUE(Has(sets, 0, 2, 2, 3));
+  EXPECT_EQ(sets.Report(0).Wanted, 2);
+  EXPECT_EQ(sets.Report(0).Pinches, 1);
+  EXPECT_EQ(sets.Report(0).Rounds, 1);
+}
+
+TEST(OctetSets, AddsTheMargin)
+{
+  const CartesianGrid grid = MakeUnitGrid(12);
+  const RefinedLattice lattice(grid, 2);
+  const OctetSets sets(lattice, { {}, { lattice.OctetKey(1, { { 5, 5, 5 } }) } });
+  // cell (5,5,5) and its neighbours but the corners: octets 2 and 3 along each axis, not (3,3,3)
+  EXPECT_EQ(sets.Keys(0).size(), 7u);
+  EXPECT_FALSE(Has(sets, 0, 3, 3, 3));
+  EXPECT_EQ(sets.Report(0).Margin, 7);
+  EXPECT_EQ(sets.Report(1).Margin + sets.Report(1).Pinches, 0);
+}
+
+TEST(OctetSets, AreClosed)
+{
+  for (unsigned seed = 1; seed <= 40; ++seed)
+  {
+    const int levels = 1 + seed % 3;
+    const Index n = levels == 1 ? 22 : levels == 2 ? 13 : 7;
+    const RefinedCase c = MakeRandomCase({ { n, n + 2, n } }, levels, 0.01 * (1 + seed % 9), seed);
+    auto wanted = c.Wanted;
+    std::mt19937 random(seed);
+    for (auto& keys : wanted)
+    {
+      keys.insert(keys.end(), keys.begin(), keys.begin() + keys.size() / 2);
+      std::shuffle(keys.begin(), keys.end(), random);
+    }
+    const OctetSets sets(*c.Lattice, c.Wanted), shuffled(*c.Lattice, wanted);
+    for (int level = 0; level < levels; ++level)
+    {
+      EXPECT_EQ(CountPinches(sets, level), 0);
+      EXPECT_EQ(level > 0 ? CountBareOctets(sets, level) : 0, 0);
+      EXPECT_TRUE(sets.Keys(level) == shuffled.Keys(level));
+      const OctetSets::LevelReport& r = sets.Report(level);
+      EXPECT_EQ(static_cast<Index>(sets.Keys(level).size()), r.Wanted + r.Margin + r.Pinches);
+      for (Index key : c.Wanted[level])
+      {
+        EXPECT_TRUE(sets.HasOctet(level, c.Lattice->OctetOfKey(level, key)));
+      }
+    }
+  }
+}
+
+TEST(RefinedLattice, KeysComeBack)
+{
+  const CartesianGrid grid = MakeUnitGrid(5, 7, 3);
+  const RefinedLattice lattice(grid, 2);
+  Index lastNode = -1, lastHex = -1;
+  for (int level = 0; level <= 2; ++level)
+  {
+    for (Index k = 0; k <= lattice.Cells(level, 2); ++k)
+    {
+      for (Index j = 0; j <= lattice.Cells(level, 1); ++j)
+      {
+        for (Index i = 0; i <= lattice.Cells(level, 0); ++i)
+        {
+          const Index3 at{ { i, j, k } };
+          const Index key = lattice.NodeKey(level, at, 26);
+          ASSERT_EQ(lattice.NodeKey(level, at, 0), lastNode + 1);
+          lastNode = key;
+          const RefinedLattice::Place node = lattice.NodeOfKey(key);
+          ASSERT_TRUE(node.Level == level && node.At == at && node.Slot == 26);
+          const RefinedLattice::Place lattice0 = lattice.NodeOfKey(lattice.LatticeKey(level, at));
+          ASSERT_EQ(lattice.NodePoint(lattice0.Level, lattice0.At), lattice.NodePoint(level, at));
+          if (lattice.HasCell(level, at))
+          {
+            ASSERT_EQ(lattice.HexKey(level, at, 0), lastHex + 1);
+            lastHex = lattice.HexKey(level, at, 342);
+            const RefinedLattice::Place hex = lattice.HexOfKey(lastHex);
+            ASSERT_TRUE(hex.Level == level && hex.At == at && hex.Slot == 342);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(RefinedLattice, RefusesKeysThatDoNotFit)
+{
+  const CartesianGrid grid = MakeUnitGrid(1000);
+  EXPECT_NO_THROW(RefinedLattice(grid, 7));
+  EXPECT_THROW(RefinedLattice(grid, 8), InputError);
+  EXPECT_THROW(RefinedLattice(grid, 60), InputError);
+}
+
+TEST(RefinedLattice, LatticeCoordinatesComeBack)
+{
+  const CartesianGrid grid({ { { 0.0, 1.0, 3.0 }, { -1.0, 0.5 }, { 2.0, 2.5, 2.75, 4.0 } } });
+  const RefinedLattice lattice(grid, 1);
+  const Vector3 x{ { 1.25, 0.5, 2.5 } };
+  EXPECT_EQ(lattice.ToPoint(x), (Vector3{ { 1.5, -0.25, 3.375 } }));
+  EXPECT_EQ(lattice.FromPoint(lattice.ToPoint(x)), x);
+  EXPECT_EQ(lattice.ToPoint({ { 2.0, 1.0, 3.0 } }), (Vector3{ { 3.0, 0.5, 4.0 } }));
+  EXPECT_EQ(lattice.FromPoint({ { 3.0, 0.5, 4.0 } }), (Vector3{ { 2.0, 1.0, 3.0 } }));
+}
+
+/// Gradient and Hessian against differences, with hexes on both sides of inversion.
+TEST(UntangleEnergy, DerivativesAreRight)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-0.6, 0.6);
+  UntangleEnergy energy;
+  const SmoothingStage stage{ 1, 0.0, 0.3, 1, 0.0 };
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    energy.SetRegularisation(trial % 2 ? 0.05 : 0.3);
+    ActiveMesh mesh;
+    for (int c = 0; c < 8; ++c)
+    {
+      mesh.X.push_back(
+        { { (c & 1) + any(random), (c >> 1 & 1) + any(random), (c >> 2) + any(random) } });
+      mesh.IsActive.push_back(1);
+      mesh.Elements.push_back(c);
+    }
+    mesh.Widths = { { { 1.0, 1.3, 0.8 } } };
+    mesh.ListCorners();
+    const int point = trial % 8;
+    const Derivatives d = energy.Differentiate(mesh, point, stage);
+    const Vector3 x = mesh.X[point];
+    EXPECT_NEAR(d.Value, energy.Evaluate(mesh, point, x, stage), 1e-12 * d.Value);
+    const double h = 1e-6;
+    const int entry[3][3] = { { 0, 3, 4 }, { 3, 1, 5 }, { 4, 5, 2 } };
+    for (int a = 0; a < 3; ++a)
+    {
+      Vector3 low = x, high = x;
+      low[a] -= h;
+      high[a] += h;
+      const double slope =
+        (energy.Evaluate(mesh, point, high, stage) - energy.Evaluate(mesh, point, low, stage)) /
+        (2.0 * h);
+      EXPECT_NEAR(d.Gradient[a], slope, 1e-4 * (d.Value + std::fabs(slope)));
+      mesh.X[point] = low;
+      const Derivatives before = energy.Differentiate(mesh, point, stage);
+      mesh.X[point] = high;
+      const Derivatives after = energy.Differentiate(mesh, point, stage);
+      mesh.X[point] = x;
+      for (int b = 0; b < 3; ++b)
+      {
+        const double curvature = (after.Gradient[b] - before.Gradient[b]) / (2.0 * h);
+        EXPECT_NEAR(d.Hessian[entry[a][b]], curvature, 1e-3 * (d.Value + std::fabs(curvature)));
+      }
+    }
+  }
+}

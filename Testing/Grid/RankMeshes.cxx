@@ -1,0 +1,219 @@
+#include "RankMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace vfm
+{
+namespace testing
+{
+namespace
+{
+
+bool AreEqual(const MeshReport& a, const MeshReport& b)
+{
+  return a.TargetVolume == b.TargetVolume && a.MeshVolume == b.MeshVolume &&
+    a.FlippedCells == b.FlippedCells && a.ResolveRounds == b.ResolveRounds &&
+    a.NumberOfFragments == b.NumberOfFragments && a.NumberOfSurfaces == b.NumberOfSurfaces &&
+    a.NumberOfCurves == b.NumberOfCurves && a.NumberOfVertices == b.NumberOfVertices &&
+    a.MinimumScaledJacobian == b.MinimumScaledJacobian &&
+    a.MeanScaledJacobian == b.MeanScaledJacobian &&
+    a.MinimumDihedralAngle == b.MinimumDihedralAngle &&
+    a.MaximumDihedralAngle == b.MaximumDihedralAngle && a.DihedralAngles == b.DihedralAngles &&
+    a.RefusedParts == b.RefusedParts;
+}
+
+} // namespace
+
+void MergedMesh::Add(const Mesh& m)
+{
+  this->Corners = m.Corners;
+  for (std::size_t p = 0; p < m.PointIds.size(); ++p)
+  {
+    const std::array<double, 5> point{ { m.Points[3 * p], m.Points[3 * p + 1], m.Points[3 * p + 2],
+      1.0 * m.GeometryDimension[p], 1.0 * m.GeometryId[p] } };
+    const auto at = this->Points.emplace(m.PointIds[p], point);
+    this->Conflicts += at.first->second != point;
+  }
+  for (std::size_t e = 0; e < m.ElementIds.size(); ++e)
+  {
+    std::array<double, 11> element{};
+    for (int c = 0; c < m.Corners; ++c)
+    {
+      element[c] = static_cast<double>(m.PointIds[m.Elements[m.Corners * e + c]]);
+    }
+    element[8] = m.Material[e];
+    element[9] = m.Fragment[e];
+    element[10] = m.ScaledJacobian[e];
+    this->Conflicts += !this->Elements.emplace(m.ElementIds[e], element).second;
+  }
+  const SurfaceFacets& s = m.Surfaces;
+  const int corners = m.CornersOfFacet();
+  for (std::size_t f = 0; f < s.SurfaceId.size(); ++f)
+  {
+    std::array<Index, 4> points{};
+    for (int c = 0; c < corners; ++c)
+    {
+      points[c] = m.PointIds[s.Points[corners * f + c]];
+    }
+    this->Conflicts += !this->Facets
+                          .emplace(points,
+                            std::array<int, 4>{ { s.SurfaceId[f], s.MaterialPair[2 * f],
+                              s.MaterialPair[2 * f + 1], s.DomainSide[f] } })
+                          .second;
+  }
+}
+
+Mesh MergedMesh::Join() const
+{
+  Mesh mesh;
+  mesh.Corners = this->Corners;
+  mesh.Points = Buffer<double>(3 * this->Points.size());
+  mesh.PointIds = Buffer<Index>(this->Points.size());
+  mesh.Elements = Buffer<Index>(this->Corners * this->Elements.size());
+  mesh.ElementIds = Buffer<Index>(this->Elements.size());
+  mesh.Material = Buffer<int>(this->Elements.size());
+  mesh.Fragment = Buffer<int>(this->Elements.size());
+  std::map<Index, Index> places;
+  for (const auto& point : this->Points)
+  {
+    const Index at = static_cast<Index>(places.size());
+    std::copy_n(point.second.begin(), 3, mesh.Points.data() + 3 * at);
+    mesh.PointIds[at] = point.first;
+    places[point.first] = at;
+  }
+  Index at = 0;
+  for (const auto& element : this->Elements)
+  {
+    for (int c = 0; c < this->Corners; ++c)
+    {
+      mesh.Elements[this->Corners * at + c] = places.at(static_cast<Index>(element.second[c]));
+    }
+    mesh.ElementIds[at] = element.first;
+    mesh.Material[at] = static_cast<int>(element.second[8]);
+    mesh.Fragment[at] = static_cast<int>(element.second[9]);
+    ++at;
+  }
+  return mesh;
+}
+
+Meshes MakeBoth(const CartesianGrid& whole, const FractionField& field,
+  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
+{
+  Runtime alone;
+  Meshes both;
+  both.Serial.Add(make(whole, field, options, alone, both.SerialReport));
+  const int count = static_cast<int>(boxes.size());
+  std::vector<Mesh> meshes(count);
+  both.Reports.resize(count);
+  RunOnRanks(count,
+    [&](Ranks& ranks)
+    {
+      const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
+      RankRuntime runtime(ranks);
+      meshes[ranks.Rank()] =
+        make(grid, CopyToLocal(whole, field, grid), options, runtime, both.Reports[ranks.Rank()]);
+    });
+  for (const Mesh& mesh : meshes)
+  {
+    both.Merged.Add(mesh);
+  }
+  EXPECT_EQ(both.Serial.Conflicts, 0);
+  EXPECT_EQ(both.Merged.Conflicts, 0);
+  return both;
+}
+
+void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
+  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
+{
+  SCOPED_TRACE(make == MakeHexMesh ? "hexes" : NameOf(options.Tets));
+  const Meshes both = MakeBoth(whole, field, boxes, options, make);
+  const auto same = [&](const MeshReport& report) { return AreEqual(report, both.SerialReport); };
+  EXPECT_EQ(std::count_if(both.Reports.begin(), both.Reports.end(), same),
+    static_cast<std::ptrdiff_t>(boxes.size()))
+    << "reports as of one process";
+  EXPECT_GT(both.Serial.Elements.size(), 0u);
+  EXPECT_EQ(CountDifferences(both.Merged.Points, both.Serial.Points), 0u) << "points";
+  EXPECT_EQ(CountDifferences(both.Merged.Elements, both.Serial.Elements), 0u) << "elements";
+  EXPECT_EQ(CountDifferences(both.Merged.Facets, both.Serial.Facets), 0u) << "facets";
+}
+
+std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh)
+{
+  const int corners = mesh.CornersOfFacet();
+  std::map<Index, std::array<double, 3>> points;
+  for (std::size_t f = 0; f < mesh.Surfaces.SurfaceId.size(); ++f)
+  {
+    for (int c = 0; mesh.Surfaces.DomainSide[f] < 0 && c < corners; ++c)
+    {
+      const Index p = mesh.Surfaces.Points[corners * f + c];
+      points[mesh.PointIds[p]] = { { mesh.Points[3 * p], mesh.Points[3 * p + 1],
+        mesh.Points[3 * p + 2] } };
+    }
+  }
+  return points;
+}
+
+FractionField MakeBlockLabels(const CartesianGrid& grid, int refinements, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::map<std::array<Index, 3>, int> labels;
+  return MakeLabels(grid, 2,
+    [&](const Index3& p)
+    {
+      const Index3 block{ { p[0] >> refinements, p[1] >> refinements, p[2] >> refinements } };
+      const auto at = labels.emplace(block, 0);
+      if (at.second)
+      {
+        at.first->second = random() % 40 == 0 ? static_cast<int>(random() % 3) : 1;
+      }
+      return at.first->second;
+    });
+}
+
+std::vector<std::vector<Index>> MakeRandomOctets(
+  const CartesianGrid& grid, int refinements, double chance, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<std::vector<Index>> octets(refinements);
+  for (int level = 0; level < refinements; ++level)
+  {
+    Index count = 1;
+    for (Index n : grid.Global().Upper)
+    {
+      count *= ((n >> (refinements - level)) + 1) / 2;
+    }
+    for (Index key = 0; key < count; ++key)
+    {
+      if (random() < chance * 4294967296.0)
+      {
+        octets[level].push_back(key);
+      }
+    }
+  }
+  return octets;
+}
+
+std::vector<IndexBox> CutBaseBox(const CartesianGrid& grid, int refinements, int ranks, int axis)
+{
+  IndexBox base;
+  for (int a = 0; a < 3; ++a)
+  {
+    base.Upper[a] = grid.Global().Upper[a] >> refinements;
+  }
+  std::vector<IndexBox> boxes;
+  CutBox(base, ranks, axis, boxes);
+  for (IndexBox& box : boxes)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      box.Lower[a] <<= refinements;
+      box.Upper[a] <<= refinements;
+    }
+  }
+  return boxes;
+}
+
+} // namespace testing
+} // namespace vfm

@@ -1,0 +1,76 @@
+/**
+ * Meshes made on one rank and on several, to be compared; what to refine in them.
+ */
+#pragma once
+
+#include "MeshCases.h"
+#include "RankFields.h"
+
+#include <map>
+
+namespace vfm
+{
+namespace testing
+{
+
+/// What a mesh is made of, by global id. Tets leave the last places empty.
+struct MergedMesh
+{
+  std::map<Index, std::array<double, 5>> Points;    // coordinates, dimension, geometry
+  std::map<Index, std::array<double, 11>> Elements; // ids of points, material, fragment, quality
+  std::map<std::array<Index, 4>, std::array<int, 4>> Facets;
+  int Corners = 0;
+  int Conflicts = 0;
+
+  void Add(const Mesh& m);
+  /// As one mesh, without its facets.
+  Mesh Join() const;
+};
+
+struct Meshes
+{
+  MergedMesh Serial, Merged;
+  MeshReport SerialReport;
+  std::vector<MeshReport> Reports; // of the ranks
+};
+
+/// Meshes alone, and on ranks, each with one of the boxes.
+Meshes MakeBoth(const CartesianGrid& whole, const FractionField& field,
+  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make);
+
+/// Expects the same mesh and reports.
+void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
+  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make = MakeHexMesh);
+
+/// Entries of one map that the other has not, or has with another value.
+template <class Map>
+std::size_t CountDifferences(const Map& a, const Map& b)
+{
+  const auto missing = [](const Map& from, const Map& in)
+  {
+    return std::count_if(from.begin(), from.end(),
+      [&](const auto& entry)
+      {
+        const auto at = in.find(entry.first);
+        return at == in.end() || at->second != entry.second;
+      });
+  };
+  return static_cast<std::size_t>(std::max(missing(a, b), missing(b, a)));
+}
+
+/// Coordinates by id of the points of facets between materials; those on the domain's sides may differ between meshes.
+std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh);
+
+/// Labels in blocks of 2^refinements cells: a fortieth of them random, of void and two materials, the others material 1.
+FractionField MakeBlockLabels(const CartesianGrid& grid, int refinements, unsigned seed);
+
+/// Octets of every level, with a chance (LevelPlan::Octets).
+std::vector<std::vector<Index>> MakeRandomOctets(
+  const CartesianGrid& grid, int refinements, double chance, unsigned seed);
+
+/// CutBox in whole base cells.
+std::vector<IndexBox> CutBaseBox(
+  const CartesianGrid& grid, int refinements, int ranks, int axis = -1);
+
+} // namespace testing
+} // namespace vfm

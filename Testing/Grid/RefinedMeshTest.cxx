@@ -1,0 +1,168 @@
+/// Meshes with coarser cells away from interfaces: valid, conforming, and at the interfaces those of the uniform grid.
+#include "RankMeshes.h"
+#include "RefinedChecks.h"
+
+#include "RefinedGrid.h"
+
+#include <gtest/gtest.h>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+MeshOptions Coarsened(int refinements)
+{
+  MeshOptions options;
+  options.Levels.Refinements = refinements;
+  return options;
+}
+
+void ExpectValid(const Mesh& mesh)
+{
+  EXPECT_EQ(FindTopologyProblem(mesh), "");
+  EXPECT_EQ(FindFragmentProblem(mesh), "");
+  EXPECT_GT(SmallestCornerDeterminant(mesh), 0.0);
+  EXPECT_TRUE(IsPositiveEverywhere(mesh));
+}
+
+struct CoarseCase
+{
+  std::string Name;
+  int Refinements;
+  bool MeshVoid;
+};
+
+void PrintTo(const CoarseCase& c, std::ostream* out)
+{
+  *out << c.Name << ", " << c.Refinements << " refinements";
+}
+
+class CoarsenedShapes : public ::testing::TestWithParam<CoarseCase>
+{
+};
+
+} // namespace
+
+TEST_P(CoarsenedShapes, InterfacesAreThoseOfTheUniformMesh)
+{
+  const MeshCase c = MakeMeshCase(this->GetParam().Name);
+  Runtime runtime;
+  MeshReport report, fineReport;
+  MeshOptions options = Coarsened(this->GetParam().Refinements);
+  options.MeshVoid = this->GetParam().MeshVoid;
+  const Mesh mesh = MakeHexMesh(c.Grid, c.Fractions, options, runtime, report);
+  options.Levels = LevelPlan();
+  const Mesh fine = MakeHexMesh(c.Grid, c.Fractions, options, runtime, fineReport);
+  ExpectValid(mesh);
+  EXPECT_EQ(InterfacePoints(mesh), InterfacePoints(fine));
+  EXPECT_EQ(report.NumberOfFragments, fineReport.NumberOfFragments);
+  EXPECT_EQ(report.NumberOfSurfaces, fineReport.NumberOfSurfaces);
+  EXPECT_EQ(report.NumberOfCurves, fineReport.NumberOfCurves);
+  EXPECT_EQ(report.NumberOfVertices, fineReport.NumberOfVertices);
+  EXPECT_EQ(report.MeshVolume, fineReport.MeshVolume);
+  for (int m = 1; m < static_cast<int>(report.MeshVolume.size()); ++m)
+  {
+    EXPECT_NEAR(MeasureVolume(mesh, m) / report.MeshVolume[m], 1.0, 1e-9);
+  }
+  std::printf("%-24s %d refinements: %8zu hexes of %8zu, %7lld in transitions, min SJ %.3f (%.3f), "
+              "mean %.3f (%.3f)\n",
+    c.Name.c_str(), this->GetParam().Refinements, mesh.ElementIds.size(), fine.ElementIds.size(),
+    static_cast<long long>(report.TransitionCells), report.MinimumScaledJacobian,
+    fineReport.MinimumScaledJacobian, report.MeanScaledJacobian, fineReport.MeanScaledJacobian);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, CoarsenedShapes,
+  ::testing::Values(CoarseCase{ "sphere 8", 1, true }, CoarseCase{ "sphere 32", 1, true },
+    CoarseCase{ "half sphere", 1, true }, CoarseCase{ "half sphere", 2, true },
+    CoarseCase{ "ball and plate", 1, true }, CoarseCase{ "ball and plate", 3, true },
+    CoarseCase{ "ball of 3 sectors", 2, true }, CoarseCase{ "torus", 2, true },
+    CoarseCase{ "plate 5 thick", 3, true }, CoarseCase{ "polycrystal", 1, false }),
+  [](const ::testing::TestParamInfo<CoarseCase>& info)
+  {
+    std::string name = info.param.Name + "_" + std::to_string(info.param.Refinements) +
+      (info.param.MeshVoid ? "_void" : "");
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+  });
+
+/// Of ten seeds each.
+class RandomOctets : public ::testing::TestWithParam<unsigned>
+{
+};
+
+TEST_P(RandomOctets, MeshIsValid)
+{
+  double worst = 1.0;
+  for (unsigned seed = 10 * this->GetParam(); seed < 10 * this->GetParam() + 10; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const int refinements = 1 + static_cast<int>(seed % 3 == 0);
+    const Index n = refinements == 1 ? 16 : 24;
+    const CartesianGrid grid = MakeUnitGrid(n, n + 4 * (seed % 3), n);
+    MeshOptions options = Coarsened(refinements);
+    options.MeshVoid = seed % 5 == 0;
+    options.Levels.Octets = MakeRandomOctets(grid, refinements, .02 * (1 + seed % 4), seed);
+    Runtime runtime;
+    MeshReport report;
+    const Mesh mesh =
+      MakeHexMesh(grid, MakeBlockLabels(grid, refinements, seed), options, runtime, report);
+    EXPECT_EQ(FindTopologyProblem(mesh), "");
+    EXPECT_EQ(FindFragmentProblem(mesh), "");
+    EXPECT_GT(SmallestCornerDeterminant(mesh), 0.0);
+    worst = std::min(worst, report.MinimumScaledJacobian);
+  }
+  std::printf("smallest scaled Jacobian of ten random meshes: %.3f\n", worst);
+  EXPECT_GT(worst, 0.45);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomOctets, ::testing::Range(0u, 10u));
+
+namespace
+{
+
+struct LevelRanks
+{
+  const char* Mesh;
+  int Refinements, Ranks, Axis;
+};
+
+void PrintTo(const LevelRanks& c, std::ostream* out)
+{
+  *out << c.Mesh << ", " << c.Refinements << " refinements, " << c.Ranks << " ranks";
+}
+
+class RefinedRanks : public ::testing::TestWithParam<LevelRanks>
+{
+};
+
+} // namespace
+
+TEST_P(RefinedRanks, SameMesh)
+{
+  const LevelRanks& c = this->GetParam();
+  const bool noise = std::string(c.Mesh) == "noise";
+  const MeshCase shape = MakeMeshCase(noise ? "sphere 8" : c.Mesh);
+  const CartesianGrid cube = MakeUnitGrid(24, 16, 32);
+  const CartesianGrid& grid = noise ? cube : shape.Grid;
+  const FractionField field = noise ? MakeBlockLabels(cube, c.Refinements, 3) : shape.Fractions;
+  MeshOptions options = Coarsened(c.Refinements);
+  options.MeshVoid = true;
+  if (noise)
+  {
+    options.Levels.Octets = MakeRandomOctets(grid, c.Refinements, .02, 7);
+  }
+  std::vector<IndexBox> boxes = CutBaseBox(grid, c.Refinements, c.Ranks, c.Axis);
+  if (c.Ranks == 3)
+  {
+    boxes.insert(boxes.begin() + 1, IndexBox());
+  }
+  CompareWithSerial(grid, field, boxes, options);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, RefinedRanks,
+  ::testing::Values(LevelRanks{ "ball and plate", 1, 2, -1 },
+    LevelRanks{ "ball and plate", 2, 8, -1 }, LevelRanks{ "ball and plate", 3, 4, -1 },
+    LevelRanks{ "half sphere", 1, 3, 0 }, LevelRanks{ "noise", 1, 8, -1 },
+    LevelRanks{ "noise", 2, 4, 2 }, LevelRanks{ "noise", 3, 3, -1 }));

@@ -1,0 +1,478 @@
+/// Which cells ask to be halved: thin things do and thick ones do not, curvature, flipped labels, layers, octets, ranks.
+#include "RefinementCriteria.h"
+#include "InterfaceCurvature.h"
+#include "Labels.h"
+#include "MeshChecks.h"
+#include "OctetSets.h"
+#include "RankFields.h"
+#include "ShapesFractions.h"
+#include "ShapesScenes.h"
+#include "ThinFeatures.h"
+#include "Vector3.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <set>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+constexpr int Cells = 20;
+const Vector3 Middle{ { 10.13, 9.79, 10.37 } };
+const Vector3 Turn{ { 33.0, 21.0, 10.0 } };
+const std::vector<Vector3> Normals{ { { 1, 0, 0 } }, { { 1, 2, 3 } }, { { 0.2, 1, 0.1 } },
+  { { 1, 1, 1 } }, { { 1, 1, 0 } } };
+
+FractionField Fill(const CartesianGrid& grid, const std::vector<Shape>& shapes)
+{
+  return FractionsOfShapes(grid, shapes);
+}
+
+RefinementWishes Ask(
+  const CartesianGrid& grid, const FractionField& field, const RefinementCriteria& criteria)
+{
+  Runtime runtime;
+  return FindRefinement(grid, field, criteria, 0.5, Partition(grid, runtime.Group()), runtime);
+}
+
+RefinementCriteria ThinOnly(double cells, int level)
+{
+  RefinementCriteria criteria;
+  criteria.ThinCells = cells;
+  criteria.MaximumLevel = level;
+  return criteria;
+}
+
+RefinementCriteria LabelsOnly(bool flipped, int layers)
+{
+  RefinementCriteria criteria = ThinOnly(0.0, 2);
+  criteria.FlippedCells = flipped;
+  criteria.InterfaceLayers = layers;
+  return criteria;
+}
+
+RefinementCriteria AllCriteria()
+{
+  RefinementCriteria criteria = ThinOnly(2.0, 3);
+  criteria.CurvaturePerCell = 0.3;
+  criteria.FlippedCells = true;
+  criteria.InterfaceLayers = 2;
+  return criteria;
+}
+
+std::map<Index, int> ToMap(const std::vector<RefinementWish>& wishes)
+{
+  std::map<Index, int> map;
+  for (const RefinementWish& wish : wishes)
+  {
+    EXPECT_TRUE(map.emplace(wish.Cell, wish.Halvings).second);
+  }
+  return map;
+}
+
+/// How thick the region of a material is at each cell that holds more than a part of it, sorted.
+std::vector<double> Thicknesses(
+  const CartesianGrid& grid, const FractionField& field, int material, double part)
+{
+  std::vector<double> all;
+  ForCells(grid.Owned(),
+    [&](const Index3& p)
+    {
+      if (field.Fraction(grid.Linear(p), material) > part)
+      {
+        all.push_back(FindThickness(grid, field, p, material, LargestThickness));
+      }
+    });
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Of the cells that a surface goes through the part that asks for so many halvings or more. Those near the sides of the domain
+/// are left out: there an oblique plate and its mirror image are one thick edge.
+double PartThatAsks(const CartesianGrid& grid, const RefinementWishes& wishes, int halvings,
+  const std::function<bool(const Index3&)>& goesThrough)
+{
+  const std::map<Index, int> map = ToMap(wishes.Cells);
+  Index cells = 0, asking = 0;
+  ForCells({ { { 4, 4, 4 } }, { { Cells - 4, Cells - 4, Cells - 4 } } },
+    [&](const Index3& p)
+    {
+      if (goesThrough(p))
+      {
+        const auto at = map.find(grid.CellKey(p));
+        ++cells;
+        asking += at != map.end() && at->second >= halvings;
+      }
+    });
+  EXPECT_GT(cells, 0);
+  return static_cast<double>(asking) / static_cast<double>(cells);
+}
+
+/// Whether a plane through Middle cuts a cell.
+bool Cuts(const Vector3& normal, const Index3& p)
+{
+  double distance = 0.0, half = 0.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    distance += normal[a] * (static_cast<double>(p[a]) + 0.5 - Middle[a]);
+    half += 0.5 * std::fabs(normal[a]);
+  }
+  return std::fabs(distance) < 0.98 * half;
+}
+
+} // namespace
+
+TEST(ThinFeatures, TellTheThicknessOfFilms)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  for (double thickness : { 0.4, 0.7, 1.0, 1.5, 2.0 })
+  {
+    for (const Vector3& normal : Normals)
+    {
+      const FractionField film = Fill(grid, { MakePlate(1, Middle, normal, thickness) });
+      const std::vector<double> found = Thicknesses(grid, film, 1, 1e-3);
+      const double median = found[found.size() / 2];
+      EXPECT_NEAR(median, thickness, 0.25) << ::testing::PrintToString(normal);
+      EXPECT_GT(found.front(), 0.75 * thickness) << ::testing::PrintToString(normal);
+    }
+  }
+}
+
+TEST(ThinFeatures, GapsAreAsThickAsFilms)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  const Vector3 normal = Unit({ { 1, 2, 3 } });
+  const FractionField field = Fill(grid,
+    { MakeHalfSpace(1, Middle - 0.5 * normal, normal),
+      MakeHalfSpace(2, Middle + 0.5 * normal, -1.0 * normal) });
+  const std::vector<double> gap = Thicknesses(grid, field, 0, 1e-3);
+  EXPECT_NEAR(gap[gap.size() / 2], 1.0, 0.2);
+  EXPECT_GT(Thicknesses(grid, field, 1, 1e-3).front(), 2.5);
+  EXPECT_GT(Thicknesses(grid, field, 2, 1e-3).front(), 2.5);
+}
+
+TEST(ThinFeatures, ThickBodiesAreThickEverywhere)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  const double size = 12.0;
+  for (const Shape& shape : { MakeSphere(1, Middle, 2.5), MakeSphere(1, Middle, 6.0),
+         MakeBox(1, Middle, { { size, size, size } }),
+         MakeBox(1, Middle, { { size, size, size } }, Turn),
+         MakeCylinder(1, Middle, 3.0, size, Turn), MakeTorus(1, Middle, 6.0, 2.0, Turn) })
+  {
+    const FractionField field = Fill(grid, { shape });
+    EXPECT_GT(Thicknesses(grid, field, 1, 1e-3).front(), 2.0) << static_cast<int>(shape.Kind);
+    EXPECT_GT(Thicknesses(grid, field, 0, 1e-3).front(), 2.0) << static_cast<int>(shape.Kind);
+    EXPECT_EQ(Ask(grid, field, ThinOnly(2.0, 2)).AllCells, 0) << static_cast<int>(shape.Kind);
+  }
+}
+
+TEST(ThinFeatures, RodsAndBallsThinnerThanTwoCellsAreThin)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  for (double diameter : { 0.7, 1.0, 1.5 })
+  {
+    for (const Shape& shape : { MakeSphere(1, Middle, 0.5 * diameter),
+           MakeCylinder(1, Middle, 0.5 * diameter, 12.0, Turn) })
+    {
+      const FractionField field = Fill(grid, { shape });
+      const std::vector<double> found = Thicknesses(grid, field, 1, 1e-3);
+      EXPECT_LT(found.back(), 1.1 * diameter);
+      EXPECT_GT(Ask(grid, field, ThinOnly(2.0, 1)).ThinCells, 0);
+    }
+  }
+}
+
+TEST(ThinFeatures, TheSidesOfTheDomainAreMirrors)
+{
+  const CartesianGrid grid = MakeUnitGrid(8);
+  const FractionField field = Fill(grid, { MakeHalfSpace(1, { { 0.6, 0, 0 } }, { { 1, 0, 0 } }) });
+  EXPECT_NEAR(FindThickness(grid, field, { { 0, 4, 4 } }, 1, LargestThickness), 1.2, 0.05);
+}
+
+TEST(Curvature, IsThatOfBalls)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  Runtime runtime;
+  // too much where few cells tell the shape
+  const std::map<double, double> ratios{ { 2.0, 1.6 }, { 3.0, 1.3 }, { 5.0, 1.15 }, { 8.0, 1.06 } };
+  for (const auto& entry : ratios)
+  {
+    const FractionField ball = Fill(grid, { MakeSphere(1, Middle, entry.first) });
+    const std::vector<CellCurvature> found = FindCurvatures(grid, ball, runtime);
+    ASSERT_FALSE(found.empty());
+    for (const CellCurvature& c : found)
+    {
+      EXPECT_GT(c.Curvature * entry.first, 0.98) << entry.first;
+      EXPECT_LT(c.Curvature * entry.first, entry.second) << entry.first;
+    }
+  }
+}
+
+TEST(Curvature, PlanesHaveNone)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  Runtime runtime;
+  for (const Vector3& normal : Normals)
+  {
+    const FractionField field = Fill(grid, { MakeHalfSpace(1, Middle, normal) });
+    for (const CellCurvature& c : FindCurvatures(grid, field, runtime))
+    {
+      EXPECT_LT(c.Curvature, 0.15) << ::testing::PrintToString(normal);
+    }
+  }
+}
+
+TEST(Curvature, SurvivesNoise)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  Runtime runtime;
+  const FractionField ball = Fill(grid, { MakeSphere(1, Middle, 6.0) });
+  FractionField noisy(grid, 1);
+  ForCells(grid.Local(),
+    [&](const Index3& p)
+    {
+      const Index cell = grid.Linear(p);
+      const double noise = 0.02 * std::sin(12.9898 * p[0] + 78.233 * p[1] + 37.719 * p[2]);
+      const double fraction = ball.Fraction(cell, 1);
+      if (ball.IsMixed(cell))
+      {
+        noisy.SetParts(cell, { { 1, std::min(std::max(fraction + noise, 1e-6), 1.0 - 1e-6) } });
+      }
+      else
+      {
+        noisy.SetLabel(cell, ball.Label(cell));
+      }
+    });
+  std::vector<double> found;
+  for (const CellCurvature& c : FindCurvatures(grid, noisy, runtime))
+  {
+    found.push_back(c.Curvature);
+  }
+  std::sort(found.begin(), found.end());
+  EXPECT_NEAR(found[found.size() / 2], 1.0 / 6.0, 0.03);
+  EXPECT_LT(found[found.size() * 19 / 20], 0.3);
+}
+
+TEST(RefinementCriteria, EveryCellOfAThinPlateAsks)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  const std::map<double, int> halvings{ { 0.4, 2 }, { 1.0, 1 }, { 1.5, 1 } };
+  for (const auto& entry : halvings)
+  {
+    for (const Vector3& normal : Normals)
+    {
+      const FractionField field = Fill(grid, { MakePlate(1, Middle, normal, entry.first) });
+      const RefinementWishes wishes = Ask(grid, field, ThinOnly(2.0, 3));
+      EXPECT_GE(PartThatAsks(grid, wishes, entry.second,
+                  [&normal](const Index3& p) { return Cuts(normal, p); }),
+        0.99)
+        << entry.first << " " << ::testing::PrintToString(normal);
+      EXPECT_GE(wishes.Refinements, entry.second);
+      EXPECT_EQ(Ask(grid, field, ThinOnly(2.0, 1)).Refinements, 1);
+    }
+  }
+}
+
+TEST(RefinementCriteria, FilmsBetweenMaterialsAreFoundToo)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  const Vector3 normal{ { 1, 2, 3 } };
+  const FractionField field = Fill(grid,
+    { MakePlate(3, Middle, normal, 1.0), MakeHalfSpace(1, Middle, normal),
+      MakeHalfSpace(2, Middle, -1.0 * normal) });
+  const RefinementWishes wishes = Ask(grid, field, ThinOnly(2.0, 1));
+  EXPECT_GE(
+    PartThatAsks(grid, wishes, 1, [&normal](const Index3& p) { return Cuts(normal, p); }), 0.99);
+}
+
+TEST(RefinementCriteria, OneLayerOfPureCellsIsThin)
+{
+  const CartesianGrid grid = MakeUnitGrid(9);
+  const FractionField field = MakeLabels(grid, 1, [](const Index3& p) { return p[2] == 4; });
+  const RefinementWishes wishes = Ask(grid, field, ThinOnly(2.0, 1));
+  EXPECT_EQ(wishes.ThinCells, 81);
+  EXPECT_EQ(wishes.AllCells, 81);
+}
+
+TEST(RefinementCriteria, SpecksAskForNothing)
+{
+  const CartesianGrid grid = MakeUnitGrid(9);
+  FractionField field(grid, 1);
+  field.SetParts(grid.Linear({ { 4, 4, 4 } }), { { 1, 1e-4 } });
+  EXPECT_EQ(Ask(grid, field, ThinOnly(2.0, 3)).AllCells, 0);
+}
+
+TEST(RefinementCriteria, SmallRadiiAskForHalvings)
+{
+  const CartesianGrid grid = MakeUnitGrid(Cells);
+  RefinementCriteria criteria = ThinOnly(0.0, 3);
+  criteria.CurvaturePerCell = 0.25;
+  const auto ask = [&](double radius)
+  { return Ask(grid, Fill(grid, { MakeSphere(1, Middle, radius) }), criteria); };
+  EXPECT_EQ(ask(8.0).AllCells, 0);
+  const RefinementWishes small = ask(3.0), smaller = ask(1.5);
+  EXPECT_EQ(small.Refinements, 1);
+  EXPECT_GT(small.CurvedCells, 100);
+  EXPECT_EQ(small.CurvedCells, small.AllCells);
+  EXPECT_EQ(smaller.Refinements, 2);
+}
+
+TEST(RefinementCriteria, FlippedCellsAskForOne)
+{
+  const CartesianGrid grid = MakeUnitGrid(10);
+  const FractionField field = MakeRandomLabels(grid, 2, 0, 5);
+  Runtime runtime;
+  const LabelArray before = AssignMaterials(grid, field, 0.5);
+  LabelArray after = before;
+  ResolveLabels(grid, field, after, Partition(grid, runtime.Group()));
+  std::map<Index, int> expected;
+  ForCells(grid.Owned(),
+    [&](const Index3& p)
+    {
+      if (before[grid.Linear(p)] != after[grid.Linear(p)])
+      {
+        expected[grid.CellKey(p)] = 1;
+      }
+    });
+  const RefinementWishes wishes = Ask(grid, field, LabelsOnly(true, 0));
+  EXPECT_FALSE(expected.empty());
+  EXPECT_TRUE(ToMap(wishes.Cells) == expected);
+  EXPECT_EQ(wishes.FlippedCells, static_cast<Index>(expected.size()));
+}
+
+TEST(RefinementCriteria, LayersCountFromTheInterface)
+{
+  const CartesianGrid grid = MakeUnitGrid(12);
+  const FractionField field = MakeLabels(
+    grid, 1, [](const Index3& p) { return p[0] >= 4 && p[0] < 7 && p[1] >= 4 && p[2] < 5; });
+  for (int layers = 0; layers <= 5; ++layers)
+  {
+    const RefinementWishes wishes = Ask(grid, field, LabelsOnly(false, layers));
+    const std::map<Index, int> map = ToMap(wishes.Cells);
+    ForCells(grid.Owned(),
+      [&](const Index3& p)
+      {
+        bool isNear = false; // another label within so many cells
+        ForCells(grid.Owned(),
+          [&](const Index3& q)
+          {
+            Index distance = 0;
+            for (int a = 0; a < 3; ++a)
+            {
+              distance = std::max<Index>(distance, std::abs(p[a] - q[a]));
+            }
+            isNear = isNear ||
+              (distance <= layers && field.Label(grid.Linear(p)) != field.Label(grid.Linear(q)));
+          });
+        ASSERT_EQ(map.count(grid.CellKey(p)) > 0, isNear) << layers;
+        ASSERT_TRUE(!isNear || map.at(grid.CellKey(p)) == 2);
+      });
+  }
+}
+
+TEST(RefinementCriteria, OctetsHoldWhatIsWanted)
+{
+  const CartesianGrid grid = MakeUnitGrid(7, 6, 5);
+  const RefinedLattice lattice(grid, 3);
+  RefinementWishes wishes;
+  wishes.Refinements = 3;
+  wishes.Cells = { { grid.CellKey({ { 1, 2, 3 } }), 1 }, { grid.CellKey({ { 2, 2, 3 } }), 2 },
+    { grid.CellKey({ { 6, 5, 4 } }), 3 } };
+  const std::vector<std::vector<Index>> octets = FindWantedOctets(lattice, wishes);
+  ASSERT_EQ(octets.size(), 3u);
+  std::vector<std::set<Index>> expected(3);
+  for (const RefinementWish& wish : wishes.Cells)
+  {
+    const Index3 at{ { wish.Cell % 7, wish.Cell / 7 % 6, wish.Cell / 42 } };
+    for (int level = 0; level < wish.Halvings; ++level)
+    {
+      // all cells of the level inside
+      const Index along = Index(1) << level;
+      ForCells({ { { 0, 0, 0 } }, { { along, along, along } } },
+        [&](const Index3& d)
+        {
+          expected[level].insert(lattice.OctetKey(level,
+            { { (at[0] * along + d[0]) / 2, (at[1] * along + d[1]) / 2,
+              (at[2] * along + d[2]) / 2 } }));
+        });
+    }
+  }
+  for (int level = 0; level < 3; ++level)
+  {
+    EXPECT_TRUE(octets[level] == std::vector<Index>(expected[level].begin(), expected[level].end()))
+      << level;
+  }
+  EXPECT_EQ(OctetSets(lattice, octets).Report(2).Wanted, 8);
+}
+
+TEST(RefinementCriteria, RanksAgree)
+{
+  const CartesianGrid whole = MakeUnevenGrid(14);
+  const double size = whole.Coordinates(0).back();
+  const Vector3 middle{ { 0.5 * size, 0.7 * size, 0.9 * size } };
+  const FractionField field = Fill(
+    whole, { MakePlate(1, middle, { { 1, 2, 3 } }, 1.2), MakeSphere(2, 0.6 * middle, 0.2 * size) });
+  const RefinementWishes alone = Ask(whole, field, AllCriteria());
+  ASSERT_GT(alone.ThinCells, 0);
+  ASSERT_GT(alone.CurvedCells, 0);
+  ASSERT_GT(alone.NearCells, 0);
+  ASSERT_GT(alone.AllCells, 0);
+  for (int ranks : { 2, 3, 4, 8 })
+  {
+    std::vector<IndexBox> boxes;
+    CutBox(whole.Global(), ranks, ranks == 3 ? 0 : -1, boxes);
+    boxes.push_back(IndexBox()); // a rank without cells
+    std::map<Index, int> merged;
+    std::mutex lock;
+    RunOnRanks(static_cast<int>(boxes.size()),
+      [&](Ranks& group)
+      {
+        RankRuntime runtime(group);
+        const CartesianGrid grid = MakeRankGrid(whole, boxes[group.Rank()]);
+        const RefinementWishes mine = FindRefinement(grid, CopyToLocal(whole, field, grid),
+          AllCriteria(), 0.5, Partition(grid, group), runtime);
+        const std::lock_guard<std::mutex> guard(lock);
+        EXPECT_EQ(mine.Refinements, alone.Refinements);
+        EXPECT_EQ(mine.ThinCells, alone.ThinCells);
+        EXPECT_EQ(mine.CurvedCells, alone.CurvedCells);
+        EXPECT_EQ(mine.FlippedCells, alone.FlippedCells);
+        EXPECT_EQ(mine.NearCells, alone.NearCells);
+        EXPECT_EQ(mine.AllCells, alone.AllCells);
+        for (const auto& wish : ToMap(mine.Cells))
+        {
+          EXPECT_TRUE(merged.insert(wish).second);
+        }
+      });
+    EXPECT_TRUE(merged == ToMap(alone.Cells)) << ranks << " ranks";
+  }
+}
+
+TEST(RefinementCriteria, NothingIsAskedWhenAllIsOff)
+{
+  const CartesianGrid grid = MakeUnitGrid(8);
+  const FractionField field = MakeRandomLabels(grid, 2, 0, 1);
+  EXPECT_EQ(Ask(grid, field, LabelsOnly(false, 0)).AllCells, 0);
+  RefinementCriteria criteria = AllCriteria();
+  criteria.MaximumLevel = 0;
+  EXPECT_EQ(Ask(grid, field, criteria).AllCells, 0);
+  EXPECT_EQ(Ask(grid, field, criteria).Refinements, 0);
+}
+
+TEST(RefinementCriteria, RefusesWhatIsOutOfRange)
+{
+  const CartesianGrid grid = MakeUnitGrid(4);
+  const FractionField field(grid, 1);
+  EXPECT_THROW(Ask(grid, field, ThinOnly(3.5, 1)), InputError);
+  EXPECT_THROW(Ask(grid, field, ThinOnly(std::nan(""), 1)), InputError);
+  EXPECT_THROW(Ask(grid, field, ThinOnly(2.0, -1)), InputError);
+  RefinementCriteria criteria;
+  criteria.CurvaturePerCell = std::nan("");
+  EXPECT_THROW(Ask(grid, field, criteria), InputError);
+}

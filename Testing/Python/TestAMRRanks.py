@@ -1,0 +1,53 @@
+"""Refined input (AMR) on several ranks, its blocks dealt at random: mpiexec -n P pvbatch --sym TestAMRRanks.py FOLDER
+
+One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bit for bit, and alike messages for bad input.
+"""
+import os
+import sys
+
+from vtkmodules.vtkParallelCore import vtkCommunicator
+
+from amr_cases import N, fields, multiblock, nested
+from gold_meshes import RANK, RANKS, check_gold, dealt, make_folder
+from vfmtest import VolumeFractionToHex, VolumeFractionToTet, collect, main, producer, reduced, uniform
+
+FOLDER = os.path.join(sys.argv[1], "amr")
+FIELDS = fields(2)
+CASES = {
+    "uniform": uniform(-1), "averaged": {"Refinement": "Off"}, "one level": {"Refinement": "Input Levels", "MaximumLevel": 1},
+    "beyond": {**uniform(3), "StairStep": 1}, "parent": {**uniform(-1), "ChildFractions": "Parent"}, "coarsen": {"Refinement": "Coarsen"},
+    "tets": {**uniform(-1), "Method": "Lattice"}}
+
+
+def test_same_mesh():
+    make_folder(FOLDER)
+    for name, properties in CASES.items():
+        for seed in (0, 1) if RANKS > 1 else (0,):
+            make = VolumeFractionToTet if "Method" in properties else VolumeFractionToHex
+            data = multiblock(FIELDS, dealt(nested(), seed))
+            check_gold(make(Input=producer(data), StateArrays=["number"], VolumeFractionArrays=["ball", "plate"], **properties),
+                       FOLDER, name, seed == 0)
+
+
+def check_error(blocks, all_fields, *texts, **properties):
+    """One message, the same on all ranks."""
+    hexes = VolumeFractionToHex(Input=producer(multiblock(all_fields, blocks)), VolumeFractionArrays=["ball", "plate"], **properties)
+    errors, _ = collect(hexes.GetClientSideObject())
+    hexes.UpdatePipeline()
+    right = len(errors) == 1 and all(text in errors[0] for text in texts)
+    assert reduced(int(right), vtkCommunicator.SUM_OP) == RANKS, (errors, texts)
+
+
+def test_errors():
+    blocks, whole = nested(), ((0, N),) * 3
+    deal = lambda blocks: [block for i, block in enumerate(blocks) if i % RANKS == RANK]
+    check_error(deal(blocks[1:]), FIELDS, "leave a gap", "cell (0, 0, 0) of level 0")
+    check_error(deal([(0, whole), (1, ((2, 5), (2, 6), (2, 6)))]), FIELDS, "Finer blocks cover only a part of cell (1, 1, 2)")
+    check_error(deal(blocks + blocks[-1:]), FIELDS, "overlap")
+    less = [FIELDS[0], {"ball": FIELDS[1]["ball"]}]
+    check_error(deal([(0, whole), (1, ((2, 6),) * 3)]), less, "has no numeric cell array 'plate'")
+    bad = [FIELDS[0], {**FIELDS[1], "ball": FIELDS[1]["ball"] + 1.5}]
+    check_error(deal([(0, whole), (1, ((2, 6),) * 3)]), bad, "Volume fraction array 'ball' holds")
+
+
+main(globals())

@@ -1,0 +1,87 @@
+"""Meshes of several levels on several ranks, blocks dealt at random: mpiexec -n P pvbatch --sym TestRefinementRanks.py FOLDER
+
+One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bit for bit, and alike warnings.
+"""
+import os
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkParallelCore import vtkCommunicator
+
+from amr_cases import cut, fields, multiblock, nested
+from gold_meshes import RANK, RANKS, check_gold, dealt, make_folder
+from vfmtest import VolumeFractionToHex, ball_and_plate, collect, main, producer, reduced
+
+FOLDER = os.path.join(sys.argv[1], "refinement")
+NAMES = {"VolumeFractionArrays": ["ball", "plate"]}
+
+
+def sphere(n):
+    """One that the domain cuts."""
+    z, y, x = np.meshgrid(*[np.arange(n) + 0.5] * 3, indexing="ij")
+    distance = np.sqrt((x - 0.3 * n) ** 2 + (y - 0.6 * n) ** 2 + (z - 0.5 * n) ** 2)
+    return {"ball": np.clip(0.45 * n + 0.5 - distance, 0, 1)}
+
+
+def numbered(arrays):
+    size = next(iter(arrays.values())).shape
+    return {**arrays, "number": np.arange(np.prod(size)).reshape(size)}
+
+
+def noise():
+    """Random labels beside a block of one."""
+    ids = np.random.default_rng(7).choice([0, 2, 3], (8, 8, 8))
+    return {"id": np.pad(ids, ((0, 0), (0, 0), (0, 8)), constant_values=2).astype(np.int32)}
+
+
+def image_blocks(n):
+    return [(0, box) for box in cut(n, 3)]
+
+
+def two(n):
+    return dict(zip(("ball", "plate"), ball_and_plate(n)))
+
+
+SPHERE, TWO, SMALL, NOISE = ([numbered(arrays)] for arrays in (sphere(24), two(28), two(12), noise()))
+HALF = [(0, ((0, 8), (0, 8), (0, 7))), (0, ((0, 3), (0, 8), (7, 16))), (0, ((3, 8), (0, 8), (7, 16)))]
+CASES = {  # fields, blocks, properties
+    "input levels": (fields(2), nested(), NAMES),
+    "input levels and void": (fields(2), nested(), {**NAMES, "MeshVoid": 1, "FineLayers": 3}),
+    "automatic on input levels": (fields(1), nested(1), {**NAMES, "Refinement": "Automatic", "MaximumLevel": 2, "InterfaceLayers": 1}),
+    "coarsened once": (SPHERE, image_blocks(24), {"VolumeFractionArrays": ["ball"], "Refinement": "Coarsen", "MaximumLevel": 1}),
+    "coarsened thrice": (SPHERE, image_blocks(24), {"VolumeFractionArrays": ["ball"], "Refinement": "Coarsen", "MeshVoid": 1}),
+    "two materials": (TWO, image_blocks(28), {**NAMES, "Refinement": "Coarsen", "MaximumLevel": 2, "MeshVoid": 1}),
+    "noise": (NOISE, HALF, {"MaterialIdArray": "id", "Refinement": "Automatic", "RefineFlippedCells": 1}),
+    "stairs": (SMALL, image_blocks(12), {**NAMES, "Refinement": "Automatic", "InterfaceLayers": 2, "MaximumLevel": 2, "StairStep": 1}),
+}
+
+
+def mesher_of(name, seed):
+    all_fields, blocks, properties = CASES[name]
+    return VolumeFractionToHex(Input=producer(multiblock(all_fields, dealt(blocks, seed))), StateArrays=["number"], **properties)
+
+
+def test_same_mesh():
+    make_folder(FOLDER)
+    for name in CASES:
+        for seed in (0, 1) if RANKS in (2, 3) else (0,):
+            mesher = mesher_of(name, seed)
+            check_gold(mesher, FOLDER, name, seed == 0)
+            levels = mesher.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
+            cells = vtk_to_numpy(levels.GetArray("LevelCells"))  # of all ranks
+            assert cells[-1] > 0 and cells[:-1].sum() + levels.GetArray("TransitionCells").GetValue(0) > 0, (name, cells)
+
+
+def test_warning():
+    """One, of the first rank."""
+    blocks = [(0, ((0, 4), (0, 12), (0, 8))), (0, ((4, 16), (0, 12), (0, 8)))]
+    data = multiblock([{"ball": np.ones((16, 12, 8))}], [block for i, block in enumerate(blocks) if i % RANKS == RANK])
+    hexes = VolumeFractionToHex(Input=producer(data), VolumeFractionArrays=["ball"], Refinement="Coarsen", MaximumLevel=3)
+    errors, warnings = collect(hexes.GetClientSideObject())
+    hexes.UpdatePipeline()
+    right = not errors and len(warnings) == (RANK == 0) and all("12 cells along y" in text for text in warnings)
+    assert reduced(int(right), vtkCommunicator.SUM_OP) == RANKS, (errors, warnings)
+
+
+main(globals())

@@ -1,0 +1,135 @@
+"""What the tests of refined input (AMR) share: a ball and a plate on several levels, and the data sets that hold them.
+
+A block is (level, box): a box ((z0, z1), (y0, y1), (x0, x1)) of cells of that level.
+"""
+import numpy as np
+from vtkmodules.vtkCommonDataModel import (
+    vtkAMRBox, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkOverlappingAMR, vtkPartitionedDataSet,
+    vtkPartitionedDataSetCollection, vtkUniformGrid)
+
+from vfmtest import ORIGIN, SPACING, ball_and_plate, image, rectilinear
+
+N = 6  # cells of level 0 along each axis
+
+
+def means(values, ratio=2):
+    """The mean of each ratio^3 cells."""
+    shape = [n for count in values.shape for n in (count // ratio, ratio)]
+    return values.reshape(shape).mean(axis=(1, 3, 5))
+
+
+def doubled(values):
+    return values.repeat(2, 0).repeat(2, 1).repeat(2, 2)
+
+
+def fields(levels, n=N):
+    """Arrays of each level, those of coarser ones the means of those of the finest; "number" tells level and cell."""
+    result = [dict(zip(("ball", "plate"), ball_and_plate(n << levels)))]
+    for _ in range(levels):
+        result.insert(0, {name: means(values) for name, values in result[0].items()})
+    for level, arrays in enumerate(result):
+        size = arrays["ball"].shape
+        arrays["number"] = level * 10 ** 6 + np.arange(np.prod(size)).reshape(size)
+    return result
+
+
+def spacing(level):
+    return [h / 2 ** level for h in SPACING]
+
+
+def block_of(all_fields, block, extra=None, kind=vtkUniformGrid):
+    """The grid of a block; extra: more arrays of the whole level."""
+    level, box = block
+    window = tuple(slice(*span) for span in box)
+    arrays = {name: np.ascontiguousarray(values[window]) for name, values in {**all_fields[level], **(extra or {})}.items()}
+    h = spacing(level)
+    origin = [ORIGIN[a] + box[2 - a][0] * h[a] for a in range(3)]
+    if kind == "rectilinear":
+        return rectilinear(arrays, [origin[a] + h[a] * np.arange(box[2 - a][1] - box[2 - a][0] + 1) for a in range(3)])
+    grid = image(arrays, kind=kind)
+    grid.SetOrigin(origin)
+    grid.SetSpacing(h)
+    return grid
+
+
+def cut(n, counts):
+    """The boxes of counts parts an axis of n cells."""
+    spans = [(n * i // counts, n * (i + 1) // counts) for i in range(counts)]
+    return [(z, y, x) for z in spans for y in spans for x in spans]
+
+
+def everywhere(levels, parts=2):
+    """Blocks of every level that fill it."""
+    return [(level, box) for level in range(levels + 1) for box in cut(N << level, parts)]
+
+
+def nested(levels=2):
+    """Level 0 everywhere, the others in the middle and, of level 1, at a corner of the domain."""
+    blocks = [(0, box) for box in cut(N, 2)]
+    if levels > 0:
+        blocks += [(1, ((2, 12), (2, 10), (2, 6))), (1, ((2, 12), (2, 10), (6, 10))), (1, ((0, 4), (10, 12), (10, 12)))]
+    if levels > 1:
+        blocks += [(2, ((8, 20), (6, 18), (8, 16)))]
+    return blocks
+
+
+def multiblock(all_fields, blocks, kind=vtkUniformGrid, extra=None):
+    data = vtkMultiBlockDataSet()
+    for i, block in enumerate(blocks):
+        data.SetBlock(i, block_of(all_fields, block, extra and extra[block[0]], kind))
+    return data
+
+
+def collection(all_fields, blocks):
+    data = vtkPartitionedDataSetCollection()
+    for i, block in enumerate(blocks):
+        part = vtkPartitionedDataSet()
+        part.SetPartition(0, block_of(all_fields, block))
+        data.SetPartitionedDataSet(i, part)
+    return data
+
+
+def by_level(all_fields, blocks, extra=None):
+    grids = [[] for _ in range(max(level for level, _ in blocks) + 1)]
+    for block in blocks:
+        grids[block[0]].append(block_of(all_fields, block, extra and extra[block[0]]))
+    return grids
+
+
+def non_overlapping(all_fields, blocks):
+    """Leaves out the blocks that finer ones cover; blocks must be cut so that they can."""
+    return amr_data(by_level(all_fields, blocks))
+
+
+def overlapping(all_fields, blocks, extra=None, ratio=2):
+    return amr_data([level for level in by_level(all_fields, blocks, extra) if level], ratio)
+
+
+def amr_data(grids, ratio=None):
+    """The uniform grids of each level, coarsest first, as vtkOverlappingAMR of that ratio, or vtkNonOverlappingAMR."""
+    data = vtkOverlappingAMR() if ratio else vtkNonOverlappingAMR()
+    data.Initialize(len(grids), [len(level) for level in grids])
+    if ratio:
+        data.SetOrigin(ORIGIN)
+        data.SetGridDescription(8)  # VTK_XYZ_GRID
+    for level, own in enumerate(grids):
+        if ratio:
+            data.SetSpacing(level, own[0].GetSpacing())
+            data.SetRefinementRatio(level, ratio)
+        for i, grid in enumerate(own):
+            if ratio:
+                data.SetAMRBox(level, i, vtkAMRBox(grid.GetOrigin(), grid.GetDimensions(), grid.GetSpacing(), ORIGIN))
+            data.SetDataSet(level, i, grid)
+    if ratio:
+        data.GenerateParentChildInformation()
+    return data
+
+
+def cover(blocks, levels, level):
+    """Whether each cell of a level is covered by blocks of that level or a finer one."""
+    result = np.zeros((N << level,) * 3, bool)
+    for own, box in blocks:
+        if level <= own <= levels:
+            shift = own - level
+            result[tuple(slice(a >> shift, -(-b >> shift)) for a, b in box)] = True
+    return result
