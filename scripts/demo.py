@@ -21,6 +21,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 sys.path.insert(0, os.path.join(ROOT, "Examples"))
+import gerris_to_vthb
 from write_exodus import write_exodus
 
 PICTURE_SIZE = (1600, 1200)
@@ -44,6 +45,7 @@ CASES = [
     Case("splash", "splash_3500us.vti", ["water"], "TetGen", (0.75, -1.0, 0.65), 1.25, (0, 1, 0), (0.3, -1.0, 0.5), 1.6),
     Case("ball_and_plate", "ball_and_plate.vti", ["ball", "plate"], "Lattice", (0.7, -1.0, 0.5), 1.25, (0, 1, 0),
          (0.3, -1.0, 0.35), 1.5),
+    Case("drop", "Gerris/impact_0.24.txt.gz", ["T"], "Lattice", (0.7, -1.0, 0.7), 1.25, (0, 1, 0), (0.3, -1.0, 0.3), 1.5),
 ]
 
 
@@ -71,8 +73,16 @@ def tet_filter(case, source):
     return tets
 
 
-def make_mesh(case, make_filter, vtu, exodus, abaqus, table):
-    source = simple.XMLImageDataReader(FileName=[case.file])
+def open_field(case, out):
+    """An image, or all levels of what Gerris wrote."""
+    if case.file.endswith(".vti"):
+        return simple.XMLImageDataReader(FileName=[case.file])
+    levels = os.path.join(out, case.name + ".vthb")
+    gerris_to_vthb.main(case.file, levels)
+    return simple.XMLUniformGridAMRReader(FileName=[levels], DefaultNumberOfLevels=0)
+
+
+def make_mesh(case, source, make_filter, vtu, exodus, abaqus, table):
     mesher = make_filter(case, source)
     start = time.time()
     mesher.UpdatePipeline()
@@ -208,7 +218,8 @@ def main(plugin, out, names):
     simple._DisableFirstRenderCameraReset()
     os.makedirs(out, exist_ok=True)
     code = glob.glob(os.path.join(os.path.dirname(plugin), "*.so"))
-    code += [os.path.abspath(__file__), os.path.join(ROOT, "Examples", "write_exodus.py")]
+    code += [os.path.abspath(__file__)]
+    code += [os.path.join(ROOT, "Examples", name) for name in ("write_exodus.py", "gerris_to_vthb.py")]
     rows = []
     for case in CASES:
         if names and case.name not in names:
@@ -217,7 +228,7 @@ def main(plugin, out, names):
             vtu, exodus, abaqus, table, surface, cut = (
                 os.path.join(out, name + ending) for ending in (".vtu", ".e", ".inp", ".csv", "_surface.png", "_cut.png"))
             if not is_newer([vtu, exodus, abaqus, table], [case.file] + code):
-                make_mesh(case, make_filter, vtu, exodus, abaqus, table)
+                make_mesh(case, open_field(case, out), make_filter, vtu, exodus, abaqus, table)
             if not is_newer([cut], [vtu] + code):
                 draw_cut(case, open_mesh(vtu), cut)
             if make_filter is hex_filter and not is_newer([surface], [vtu] + code):
