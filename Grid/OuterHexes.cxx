@@ -184,6 +184,19 @@ void OuterHexes::NumberPoints()
     });
 }
 
+/// Leaves only what Refined tells of.
+void OuterHexes::DropParts()
+{
+  RefinedMesh kept;
+  kept.PointKeys.swap(this->TheRefined.PointKeys);
+  kept.Places.swap(this->TheRefined.Places);
+  kept.TouchedCells.swap(this->TheRefined.TouchedCells);
+  this->TheRefined = std::move(kept);
+  this->NodeNumber = Buffer<int>();
+  std::vector<int>().swap(this->PointNumber);
+  std::vector<unsigned char>().swap(this->Wanted);
+}
+
 /// Writes the hexes one after another.
 class OuterHexes::Writer
 {
@@ -253,8 +266,7 @@ void OuterHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePo
   Writer writer(*this, mesh, firstPoint, firstHex, finePoint);
   this->ForHexes(
     [&](const Index3& cell) { writer.AddCell(cell); }, [&](Index hex) { writer.AddHex(hex); });
-  this->NodeNumber = Buffer<int>();
-  std::vector<int>().swap(this->PointNumber);
+  this->DropParts();
 }
 
 } // namespace vfm

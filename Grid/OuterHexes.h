@@ -24,7 +24,7 @@ public:
     bool asCubes = false);
 
   const RefinedGrid& Levels() const { return this->Grid; }
-  /// What they are made of; its points as they were before the last smoothing.
+  /// What they are made of. After Fill only the keys and places of the points, and the touched cells.
   const RefinedMesh& Refined() const { return this->TheRefined; }
   /// Of those that no finest cell of HexBox has.
   Index NumberOfPoints() const { return this->PointCount; }
@@ -44,6 +44,7 @@ private:
   bool IsWanted(const RefinedLattice::Place& cell) const;
   int& NumberOf(Index point, const RefinedLattice::Place& place);
   int Sort(int level, const Index3& node) const;
+  void DropParts();
   void MarkPoints();
   void NumberPoints();
   template <class OnCell, class OnHex>

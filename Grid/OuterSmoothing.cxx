@@ -18,15 +18,48 @@ constexpr double TargetScaledJacobian = 0.7;
 const SmoothingRamp Ramp{ { 1, 0.0, 0.1, 5, 1e-3 }, { 2, 0.0, 0.05, 8, 1e-3 },
   { 8, 0.0, 0.01, 25, 1e-3 } };
 
+/// The base nodes at cells that are refined or beside one, and those at the rim, whose cells are not all known. All others,
+/// most of them, stay.
+std::vector<bool> FindNodesNearRefined(const OuterHexes& outer)
+{
+  const CartesianGrid& base = outer.Levels().Base();
+  std::vector<bool> isNear(base.NumberOfEntries(), false);
+  for (Index key : outer.Refined().TouchedCells)
+  {
+    const Index cell =
+      base.Linear(outer.Levels().Lattice().HexOfKey(RefinedLattice::HexSlots * key).At);
+    for (int c = 0; c < 8; ++c)
+    {
+      isNear[base.NodeOfCell(cell, c)] = true;
+    }
+  }
+  const IndexBox box = base.Extended(1);
+  Index3 p;
+  for (p[2] = box.Lower[2]; box.NumberOfCells() > 0 && p[2] <= box.Upper[2]; ++p[2])
+  {
+    for (p[1] = box.Lower[1]; p[1] <= box.Upper[1]; ++p[1])
+    {
+      const bool isSide = p[1] == box.Lower[1] || p[1] == box.Upper[1] || p[2] == box.Lower[2] ||
+        p[2] == box.Upper[2];
+      const Index step = isSide ? 1 : box.Size(0); // only the ends of inner rows
+      for (p[0] = box.Lower[0]; p[0] <= box.Upper[0]; p[0] += step)
+      {
+        isNear[base.Linear(p)] = true;
+      }
+    }
+  }
+  return isNear;
+}
+
 /// The points that stem from nodes of one level, and the hexes at them.
 class LevelSmoother
 {
 public:
   LevelSmoother(const OuterHexes& outer, int level, const std::vector<unsigned char>& isFrozen,
-    Mesh& mesh, const Partition& partition) :
+    const std::vector<bool>& isNear, Mesh& mesh, const Partition& partition) :
     Levels(outer.Levels()), Refined(outer.Refined()), Level(level), Result(mesh), Parts(partition)
   {
-    this->FindMoving(isFrozen);
+    this->FindMoving(isFrozen, isNear);
     this->AddHexes();
     this->Active.FixOnDomain(this->Levels.Finest(), mesh);
     this->Active.AttachmentOffset.assign(this->Active.X.size() + 1, 0);
@@ -62,7 +95,7 @@ private:
     bool IsFrozen;
   };
 
-  void FindMoving(const std::vector<unsigned char>& isFrozen);
+  void FindMoving(const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear);
   bool TouchesFinerLevels(Index key) const;
   void AddHexes();
   int AddPoint(Index meshPoint, bool moves);
@@ -104,7 +137,8 @@ bool LevelSmoother::TouchesFinerLevels(Index key) const
   return false;
 }
 
-void LevelSmoother::FindMoving(const std::vector<unsigned char>& isFrozen)
+void LevelSmoother::FindMoving(
+  const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear)
 {
   const RefinedLattice& lattice = this->Levels.Lattice();
   const std::vector<Index>& keys = this->Refined.PointKeys;
@@ -116,6 +150,11 @@ void LevelSmoother::FindMoving(const std::vector<unsigned char>& isFrozen)
       continue;
     }
     const Index key = this->Levels.KeyOfPoint(id, this->Result.PointSlots);
+    const RefinedLattice::Place node = lattice.NodeOfKey(key);
+    if (node.Level == 0 && node.Slot == 0 && !isNear[this->Levels.Base().Linear(node.At)])
+    {
+      continue;
+    }
     const auto at = std::lower_bound(keys.begin(), keys.end(), key);
     const Index place = at != keys.end() && *at == key ? this->Refined.Places[at - keys.begin()]
                                                        : PlaceOfNode(this->Levels.Octets(), key);
@@ -206,9 +245,10 @@ void SmoothOuter(
   const OuterHexes& outer, const std::vector<unsigned char>& isFrozen, Mesh& mesh, Runtime& runtime)
 {
   const Partition partition(outer.Levels().Base(), runtime.Group());
+  const std::vector<bool> isNear = FindNodesNearRefined(outer);
   for (int level = 0; level < outer.Levels().NumberOfRefinements(); ++level)
   {
-    LevelSmoother(outer, level, isFrozen, mesh, partition).Run(runtime);
+    LevelSmoother(outer, level, isFrozen, isNear, mesh, partition).Run(runtime);
   }
 }
 

@@ -3,6 +3,7 @@
  * from its surface; alone, and with the void around it.
  *
  * usage: RefinedSphere [n, default 64] [refinements, default 2] [--levels: mesh only those, not all cells fine]
+ *   [--counts: interfaces stay as they start]
  */
 #include "MeshCases.h"
 #include "Vector3.h"
@@ -60,12 +61,12 @@ void PrintDetails(const MeshReport& report)
 int main(int argc, char** argv)
 {
   std::vector<int> numbers;
-  bool levelsOnly = false;
+  bool levelsOnly = false, counts = false;
   for (int a = 1; a < argc; ++a)
   {
-    const bool isFlag = std::strcmp(argv[a], "--levels") == 0;
-    levelsOnly = levelsOnly || isFlag;
-    if (!isFlag)
+    levelsOnly = levelsOnly || std::strcmp(argv[a], "--levels") == 0;
+    counts = counts || std::strcmp(argv[a], "--counts") == 0;
+    if (argv[a][0] != '-')
     {
       numbers.push_back(std::atoi(argv[a]));
     }
@@ -83,6 +84,7 @@ int main(int argc, char** argv)
   {
     MeshOptions options;
     options.MeshVoid = meshVoid;
+    options.Method = counts ? Smoothing::Off : options.Method;
     const std::string name = meshVoid ? "all" : "ball";
     std::size_t uniform = 0;
     if (!levelsOnly)
