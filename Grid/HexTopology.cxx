@@ -101,18 +101,22 @@ private:
   template <class Visitor>
   void ForNodes(Index j, Index k, const Visitor& visit) const
   {
-    const Index start = this->Grid.Linear({ { this->Box.Lower[0], j, k } });
-    auto mixed = std::lower_bound(this->Mixed.begin(), this->Mixed.end(), start);
     const auto visitRun = [&](Index first, Index last)
     {
       Index3 p{ { first, j, k } };
-      for (Index node = this->Grid.Linear(p); p[0] < last; ++p[0], ++node)
+      Index node = this->Grid.Linear(p);
+      const Index end = node + last - first;
+      auto mixed = std::lower_bound(this->Mixed.begin(), this->Mixed.end(), node);
+      Index next = mixed == this->Mixed.end() ? end : *mixed;
+      for (; node < end; ++p[0], ++node)
       {
-        while (mixed != this->Mixed.end() && *mixed < node)
+        const bool isMixed = node == next;
+        if (isMixed)
         {
           ++mixed;
+          next = mixed == this->Mixed.end() ? end : *mixed;
         }
-        visit(p, node, mixed != this->Mixed.end() && *mixed == node);
+        visit(p, node, isMixed);
       }
     };
     if (!this->Outer)
