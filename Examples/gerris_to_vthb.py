@@ -21,9 +21,9 @@ def read_cells(path):
     """Names of the fields, centres (n, 3) as parts of the box, and values (n, fields)."""
     with (gzip.open if path.endswith(".gz") else open)(path, "rt") as file:
         names = [word.partition(":")[2] for word in file.readline().lstrip("# ").split() if ":" in word]
+        if names[:3] != ["x", "y", "z"]:
+            raise SystemExit("%s has no cells of Gerris in three dimensions." % path)
         table = np.loadtxt(file, ndmin=2)
-    if names[:3] != ["x", "y", "z"]:
-        raise SystemExit("%s has no cells of Gerris in three dimensions." % path)
     return names[3:], table[:, :3] - LOWER, table[:, 3:len(names)]
 
 
