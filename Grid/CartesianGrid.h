@@ -56,12 +56,6 @@ struct IndexBox
     }
     return true;
   }
-  /// Position of a cell of the box in an array over them, x fastest.
-  Index Offset(const Index3& c) const
-  {
-    return ((c[2] - this->Lower[2]) * this->Size(1) + c[1] - this->Lower[1]) * this->Size(0) +
-      c[0] - this->Lower[0];
-  }
   /// Whether one of the cells has the node as a corner.
   bool Touches(const Index3& node) const
   {
@@ -99,6 +93,12 @@ inline Index PlaceInBox(const IndexBox& box, const Index3& cell)
 {
   return ((cell[2] - box.Lower[2]) * box.Size(1) + cell[1] - box.Lower[1]) * box.Size(0) + cell[0] -
     box.Lower[0];
+}
+
+/// The node at corner c of a cell, numbered by bits.
+inline Index3 CornerOfCell(const Index3& cell, int c)
+{
+  return { { cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2 & 1) } };
 }
 
 class CartesianGrid

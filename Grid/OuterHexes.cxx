@@ -12,11 +12,6 @@ namespace
 
 constexpr int UnknownLabel = -1;
 
-Index3 CornerOfCell(const Index3& cell, int c)
-{
-  return { { cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2) } };
-}
-
 } // namespace
 
 OuterHexes::OuterHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,

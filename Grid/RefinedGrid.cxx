@@ -105,8 +105,8 @@ void RefinedGrid::MarkFine()
     const Index3 q = this->TheLattice.OctetOfKey(level, key);
     if (this->Marked.Contains(q))
     {
-      this->Fine[this->Marked.Offset(q)] = 1;
-      this->HasFine[this->Marked.Offset(q) / this->Marked.Size(0)] = 1;
+      this->Fine[PlaceInBox(this->Marked, q)] = 1;
+      this->HasFine[PlaceInBox(this->Marked, q) / this->Marked.Size(0)] = 1;
     }
   }
 }
@@ -135,7 +135,7 @@ bool RefinedGrid::IsFine(const Index3& cell) const
   {
     q[a] = std::min(std::max(cell[a], box.Lower[a]), box.Upper[a] - 1) >> OctetShift;
   }
-  return this->Fine[this->Marked.Offset(q)];
+  return this->Fine[PlaceInBox(this->Marked, q)];
 }
 
 bool RefinedGrid::TouchesFine(const Index3& node) const

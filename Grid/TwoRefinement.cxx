@@ -1,22 +1,13 @@
 #include "TwoRefinement.h"
 
 #include "HexTopology.h"
+#include "RefineCells.h"
 #include "SlabPillow.h"
 
 namespace vfm
 {
 namespace
 {
-
-Index3 Child(const Index3& p, int c)
-{
-  return { { 2 * p[0] + (c & 1), 2 * p[1] + (c >> 1 & 1), 2 * p[2] + (c >> 2) } };
-}
-
-Index3 Corner(const Index3& p, int c)
-{
-  return { { p[0] + (c & 1), p[1] + (c >> 1 & 1), p[2] + (c >> 2) } };
-}
 
 /// The cells of a level at a node.
 struct CellsAround
@@ -29,7 +20,7 @@ CellsAround LookAround(const OctetSets& sets, int level, const Index3& node)
   CellsAround around{ true, false };
   for (int c = 0; c < 8; ++c)
   {
-    const Index3 cell = Corner({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
+    const Index3 cell = CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
     if (sets.Lattice().HasCell(level, cell))
     {
       const bool isTransition = !sets.IsRefined(level, cell) && sets.IsTouched(level, cell);
@@ -103,10 +94,10 @@ std::vector<RefinedMeshBuilder::Point> RefinedMeshBuilder::NamePoints(
     {
       continue;
     }
-    const Index3 child = Child(cell, ChildOfHex(cell, hex.Slot));
+    const Index3 child = ChildOfCell(cell, ChildOfHex(cell, hex.Slot));
     for (int c = 0; c < 8; ++c)
     {
-      const Index3 node = Corner(child, c);
+      const Index3 node = CornerOfCell(child, c);
       const PillowedLevel::Node& from = mesh.Nodes[hex.Nodes[c]];
       Point& point = points[hex.Nodes[c]];
       if (from.Slot > 0 && point.FreePlace >= 0 &&
@@ -177,7 +168,7 @@ void RefinedMeshBuilder::AddLevel(int level)
         this->AddPoint(hex.Nodes[c], points, isUsed);
       }
     }
-    const Index3 child = Child(cell, ChildOfHex(cell, hex.Slot));
+    const Index3 child = ChildOfCell(cell, ChildOfHex(cell, hex.Slot));
     if (withChildren && !this->Sets.IsTouched(level + 1, child))
     {
       this->AddHex(this->Lattice.HexKey(level + 1, child, 0), false, hex, points, isUsed);
