@@ -1,5 +1,6 @@
 #include "ActiveMesh.h"
 
+#include "RefinedGrid.h"
 #include "Vector3.h"
 
 namespace vfm
@@ -24,6 +25,18 @@ Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
 {
   return (1.0 / grid.MeanWidth()) *
     Vector3{ { grid.Width(0, cell[0]), grid.Width(1, cell[1]), grid.Width(2, cell[2]) } };
+}
+
+Vector3 WidthsOfHex(const RefinedGrid& levels, const Mesh& mesh, Index hex)
+{
+  const Index id = mesh.ElementIds[hex];
+  const CartesianGrid& grid = levels.Finest();
+  if (!levels.IsOuterElement(id, mesh.ElementSlots))
+  {
+    return CellWidths(grid, CellOfElement(grid, mesh, id));
+  }
+  const RefinedLattice::Place cell = levels.CellOfOuterElement(id, mesh.ElementSlots);
+  return (1.0 / grid.MeanWidth()) * levels.Lattice().CellWidths(cell.Level, cell.At);
 }
 
 Vector3 ToGrid(const CartesianGrid& grid, const double* point)

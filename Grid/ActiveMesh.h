@@ -52,8 +52,8 @@ struct ActiveMesh
     CornerOffset; ///< corners at a point: CornerList[CornerOffset[p] .. CornerOffset[p + 1])
   std::vector<Index>
     CornerList; ///< places in Elements, ascending; none at points that are not active
-  std::array<std::vector<Group>, 8>
-    Colours; ///< of the owned nodes; groups of one colour share no element
+  /// Of the owned nodes; groups of one colour share no element. As many colours on all ranks.
+  std::vector<std::vector<Group>> Colours = std::vector<std::vector<Group>>(8);
   std::vector<Index> AttachmentOffset; ///< of each point, as CornerOffset
   std::vector<Attachment> Attachments;
   std::vector<InterfaceFacet> Facets;
@@ -85,5 +85,7 @@ Vector3 ToGrid(const CartesianGrid& grid, const double* point);
 bool IsUniform(const CartesianGrid& grid);
 /// Widths of a cell, grid coordinates.
 Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell);
+/// The same of the cell of any level that a hex is or lies in; hex: its index.
+Vector3 WidthsOfHex(const RefinedGrid& levels, const Mesh& mesh, Index hex);
 
 } // namespace vfm

@@ -26,34 +26,6 @@ Shares FindShares(const CartesianGrid& grid, int axis, Index i)
     0.25 * std::min(width, grid.Width(axis, i + 1)) / width };
 }
 
-FractionField::Range PartsOf(const FractionField& fractions, Index cell, Part& whole)
-{
-  if (fractions.IsMixed(cell))
-  {
-    return fractions.Parts(cell);
-  }
-  whole = { fractions.Label(cell), 1.0 };
-  return { &whole, &whole + 1 };
-}
-
-/// Adds the parts to a list in the order of their materials.
-void AddParts(FractionField::Range parts, double share, std::vector<Part>& sum)
-{
-  std::size_t at = 0;
-  for (const Part& part : parts)
-  {
-    while (at < sum.size() && sum[at].Material < part.Material)
-    {
-      ++at;
-    }
-    if (at == sum.size() || sum[at].Material != part.Material)
-    {
-      sum.insert(sum.begin() + at, { part.Material, 0.0 });
-    }
-    sum[at].Fraction += share * part.Fraction;
-  }
-}
-
 /// Averages along one axis, row by row.
 class RowAverage
 {

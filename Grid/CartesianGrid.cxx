@@ -47,9 +47,9 @@ IndexBox Intersect(const IndexBox& a, const IndexBox& b)
   return box;
 }
 
-CartesianGrid::CartesianGrid(
-  std::array<std::vector<double>, 3> coordinates, const IndexBox& owned, int ghostLevels) :
-  X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned)
+CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
+  int ghostLevels, int hexLevels) :
+  X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned), HexGhosts(hexLevels)
 {
   this->LocalBox = this->GlobalBox; // so that Extended cuts at the domain
   this->LocalBox = this->Extended(ghostLevels);

@@ -26,7 +26,7 @@ namespace vfm
 
 /// Ghost levels that the stages need: six around the owned cells.
 constexpr int GhostLevels = 6;
-/// Of those, the levels whose hexes are made too, for smoothing and geometry at the rim of a rank's cells.
+/// Of those, the levels whose hexes are made too, for smoothing and geometry at the rim of a rank's cells; more where interfaces cross levels.
 constexpr int HexLevels = 2;
 
 using Index = std::int64_t;
@@ -105,10 +105,11 @@ class CartesianGrid
 {
 public:
   /// coordinates: of all nodes of the whole grid, one increasing list an axis (length units of the user).
-  /// owned: the cells whose hexes this process makes. ghostLevels: layers of cells held around them.
+  /// owned: the cells whose hexes this process makes. ghostLevels: layers of cells held around them. hexLevels: of those, the layers
+  /// whose hexes are made too.
   /// Throws InputError when a list has fewer than two entries or does not increase.
-  CartesianGrid(
-    std::array<std::vector<double>, 3> coordinates, const IndexBox& owned, int ghostLevels = 0);
+  CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
+    int ghostLevels = 0, int hexLevels = HexLevels);
 
   /// The whole grid in one process.
   explicit CartesianGrid(std::array<std::vector<double>, 3> coordinates);
@@ -119,7 +120,7 @@ public:
   /// The owned cells and up to levels of the ghost levels around them.
   IndexBox Extended(int levels) const;
   /// The cells whose hexes are made here: the owned ones and those near them.
-  IndexBox HexBox() const { return this->Extended(HexLevels); }
+  IndexBox HexBox() const { return this->Extended(this->HexGhosts); }
 
   /// Length of every array over cells or nodes.
   Index NumberOfEntries() const { return this->Entries; }
@@ -196,6 +197,7 @@ private:
   Index3 Origin, Strides;
   std::array<Index, 8> Corners;
   Index Entries = 0;
+  int HexGhosts;
 };
 
 template <class Body>

@@ -16,6 +16,7 @@ constexpr double SteepPlane =
 constexpr double SmallestSlope =
   0.02; // n.axis of the crossing's normal below: turned by AddedSlope
 constexpr double AddedSlope = 0.3;
+constexpr Index SearchRadius = 2; // of FindCrossingNear, in cells
 
 class CrossingFinder
 {
@@ -202,12 +203,82 @@ private:
   double Scale;
 };
 
+/// A face by its place from another one.
+struct FaceStep
+{
+  Index3 Node;
+  int Axis;
+};
+
+/// To the faces at most SearchRadius away from one across an axis, the nearest first.
+std::vector<FaceStep> MakeSteps(int axis)
+{
+  std::vector<FaceStep> steps;
+  IndexBox box;
+  box.Lower.fill(-SearchRadius);
+  box.Upper.fill(SearchRadius + 1);
+  ForCells(box,
+    [&](const Index3& p)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        steps.push_back({ p, a });
+      }
+    });
+  const auto square = [axis](const FaceStep& step) // of the distance of middles, in half cells
+  {
+    Index sum = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const Index halves = 2 * step.Node[a] + (a == axis) - (a == step.Axis);
+      sum += halves * halves;
+    }
+    return sum;
+  };
+  std::stable_sort(steps.begin(), steps.end(),
+    [&](const FaceStep& a, const FaceStep& b) { return square(a) < square(b); });
+  return steps;
+}
+
+int LabelOfCell(const FractionField& fractions, Index cell, double isoValue)
+{
+  return fractions.IsMixed(cell) ? MaterialOfParts(fractions.Parts(cell), isoValue)
+                                 : fractions.Label(cell);
+}
+
 } // namespace
 
 Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
   const InterfaceFace& face, double isoValue)
 {
   return CrossingFinder(grid, fractions, face, isoValue).Find();
+}
+
+Crossing FindCrossingNear(const CartesianGrid& grid, const FractionField& fractions,
+  const InterfaceFace& face, double isoValue)
+{
+  static const std::array<std::vector<FaceStep>, 3> steps{ { MakeSteps(0), MakeSteps(1),
+    MakeSteps(2) } };
+  const Index3 p = grid.Position(face.Node);
+  for (const FaceStep& step : steps[face.Axis])
+  {
+    const Index3 upper{ { p[0] + step.Node[0], p[1] + step.Node[1], p[2] + step.Node[2] } };
+    Index3 lower = upper;
+    --lower[step.Axis];
+    if (!grid.Local().Contains(upper) || !grid.Local().Contains(lower))
+    {
+      continue;
+    }
+    const Index node = grid.Linear(upper);
+    const InterfaceFace other{ node, step.Axis,
+      LabelOfCell(fractions, node - grid.Stride(step.Axis), isoValue),
+      LabelOfCell(fractions, node, isoValue) };
+    if (other.First() == face.First() && other.Second() == face.Second())
+    {
+      return FindCrossing(grid, fractions, other, isoValue);
+    }
+  }
+  return FindCrossing(grid, fractions, face, isoValue);
 }
 
 } // namespace vfm

@@ -15,4 +15,9 @@ namespace vfm
 Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
   const InterfaceFace& face, double isoValue);
 
+/// The same of the nearest face where the fractions of the cells tell the pair, at most two cells away along each axis; where there is
+/// none, FindCrossing. For faces of cells whose labels are not those that their fractions tell.
+Crossing FindCrossingNear(const CartesianGrid& grid, const FractionField& fractions,
+  const InterfaceFace& face, double isoValue);
+
 } // namespace vfm

@@ -223,6 +223,23 @@ FractionField FractionField::FromReader(
   return field;
 }
 
+void AddParts(FractionField::Range parts, double share, std::vector<FractionField::Part>& sum)
+{
+  std::size_t at = 0;
+  for (const FractionField::Part& part : parts)
+  {
+    while (at < sum.size() && sum[at].Material < part.Material)
+    {
+      ++at;
+    }
+    if (at == sum.size() || sum[at].Material != part.Material)
+    {
+      sum.insert(sum.begin() + at, { part.Material, 0.0 });
+    }
+    sum[at].Fraction += share * part.Fraction;
+  }
+}
+
 std::size_t FractionField::MemoryInBytes() const
 {
   return this->Entry.MemoryInBytes() + this->Offset.capacity() * sizeof(Index) +

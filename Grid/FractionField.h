@@ -139,4 +139,19 @@ private:
   std::vector<Part> List;
 };
 
+/// The parts of a cell; whole holds that of one that is not mixed.
+inline FractionField::Range PartsOf(
+  const FractionField& fractions, Index cell, FractionField::Part& whole)
+{
+  if (fractions.IsMixed(cell))
+  {
+    return fractions.Parts(cell);
+  }
+  whole = { fractions.Label(cell), 1.0 };
+  return { &whole, &whole + 1 };
+}
+
+/// Adds a share of the parts to a list in the order of its materials.
+void AddParts(FractionField::Range parts, double share, std::vector<FractionField::Part>& sum);
+
 } // namespace vfm

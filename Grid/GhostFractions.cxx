@@ -82,4 +82,40 @@ void FillGhosts(const Partition& partition, FractionField& fractions)
     [&](const IndexBox& box, const Bytes& bytes) { UnpackBox(bytes, partition, box, fractions); });
 }
 
+FractionField CopyWithGhosts(
+  const CartesianGrid& from, const FractionField& fractions, const CartesianGrid& to, Ranks& ranks)
+{
+  FractionField result(to, fractions.NumberOfMaterials());
+  const IndexBox& box = from.Owned();
+  FractionField::RowWriter writer(result);
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+    {
+      const Index first = from.Linear({ { box.Lower[0], j, k } });
+      writer.Start(to.Linear({ { box.Lower[0], j, k } }));
+      const auto copyCells = [&](Index begin, Index end)
+      {
+        for (Index cell = begin; cell < end; ++cell)
+        {
+          if (fractions.IsMixed(cell))
+          {
+            writer.CopyParts(fractions.Parts(cell));
+          }
+          else
+          {
+            writer.AddLabel(fractions.Label(cell));
+          }
+        }
+      };
+      fractions.Visit(
+        first, first + box.Size(0),
+        [&](Index begin, Index end, int label) { writer.AddLabel(label, end - begin); }, copyCells);
+      writer.Finish();
+    }
+  }
+  FillGhosts(Partition(to, ranks), result);
+  return result;
+}
+
 } // namespace vfm

@@ -1,7 +1,7 @@
 #include "HexGeometry.h"
 
 #include "ActiveMesh.h"
-#include "RefinedGrid.h"
+#include "OuterHexes.h"
 
 namespace vfm
 {
@@ -17,13 +17,14 @@ class HexFacets
 public:
   HexFacets(const CartesianGrid& grid, const LabelArray& labels, const std::vector<Index>& mixed,
     const Fragments& fragments, const PointNumbering& numbering, const Partition& partition,
-    Mesh& mesh) :
+    const OuterHexes* outer, Mesh& mesh) :
     Grid(grid),
     Labels(labels),
     Mixed(mixed),
     Pieces(fragments),
     Points(numbering),
     Parts(partition),
+    Outer(outer),
     Box(grid.HexBox()),
     Result(mesh)
   {
@@ -33,6 +34,10 @@ public:
   {
     this->FillVolumes();
     this->AddInterfaceQuads();
+    if (this->Outer && this->Outer->Splits())
+    {
+      this->AddOuterQuads();
+    }
     return std::move(this->Quads);
   }
 
@@ -182,7 +187,8 @@ private:
         Index3 lower = upper;
         --lower[axis];
         const int a = this->Labels[node - this->Grid.Stride(axis)], b = this->Labels[node];
-        if (a == b || !this->Box.Contains(upper) || !this->Box.Contains(lower))
+        if (a == b || !this->Box.Contains(upper) || !this->Box.Contains(lower) ||
+          !this->TouchesFine(lower, upper))
         {
           continue;
         }
@@ -191,6 +197,45 @@ private:
           a < b ? this->Pieces.FragmentOfCell(upper) : this->Pieces.FragmentOfCell(lower));
         this->Quads.back().Materials = { { std::min(a, b), std::max(a, b) } };
         this->Quads.back().IsOwned = this->Parts.OwnsCell(this->Points.IsMeshed(a) ? lower : upper);
+      }
+    }
+  }
+
+  bool TouchesFine(const Index3& lower, const Index3& upper) const
+  {
+    const RefinedGrid* levels = this->Result.Levels.get();
+    return !levels || levels->IsFine(lower) || levels->IsFine(upper);
+  }
+
+  /// Faces of which no side is a finest cell.
+  void AddOuterQuads()
+  {
+    const RefinedGrid& levels = *this->Result.Levels;
+    for (const SplitNodes::Face& face : this->Outer->Splits()->Faces())
+    {
+      Facet quad;
+      bool isNear = true;
+      for (int side = 0; side < 2; ++side)
+      {
+        const RefinedLattice::Place& place = face.Sides[side].Cell;
+        const Index3 cell = levels.NearestCell(place.Level, place.At);
+        isNear = isNear && place.Level < levels.NumberOfRefinements() && this->Box.Contains(cell);
+        quad.Sides[side] = isNear ? this->Pieces.FragmentOfCell(cell) : 0;
+        quad.Materials[side] = face.Sides[side].Label;
+      }
+      for (int c = 0; c < 4; ++c)
+      {
+        quad.Points[c] = this->Outer->SplitPoints()[face.Nodes[(4 - c) % 4]];
+        isNear = isNear && quad.Points[c] >= 0;
+      }
+      if (isNear)
+      {
+        const bool isFirst = this->Points.IsMeshed(face.Sides[0].Label);
+        const RefinedLattice::Place& place = face.Sides[isFirst ? 0 : 1].Cell;
+        quad.IsOwned = this->Parts.OwnsCell(levels.FinestNode(place.Level, place.At));
+        quad.DomainSide = -1;
+        std::sort(quad.Sides.begin(), quad.Sides.end());
+        this->Quads.push_back(quad);
       }
     }
   }
@@ -217,6 +262,7 @@ private:
   const Fragments& Pieces;
   const PointNumbering& Points;
   const Partition& Parts;
+  const OuterHexes* Outer; // null without levels
   IndexBox Box;
   Mesh& Result;
   std::vector<Facet> Quads;
@@ -226,10 +272,10 @@ private:
 
 void FindHexGeometry(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, const Fragments& fragments, const PointNumbering& numbering,
-  const Partition& partition, Mesh& mesh, MeshReport& report)
+  const Partition& partition, const OuterHexes* outer, Mesh& mesh, MeshReport& report)
 {
   const std::vector<Facet> quads =
-    HexFacets(grid, labels, mixed, fragments, numbering, partition, mesh).Run();
+    HexFacets(grid, labels, mixed, fragments, numbering, partition, outer, mesh).Run();
   ClassifyGeometry(quads, grid, partition, mesh, report);
 }
 

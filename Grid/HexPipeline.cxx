@@ -1,8 +1,11 @@
 #include "HexPipeline.h"
 
 #include "ActiveHexes.h"
-#include "HexEnergy.h"
+#include "ActiveLevelHexes.h"
+#include "GhostFractions.h"
+#include "GuardedHexEnergy.h"
 #include "HexGeometry.h"
+#include "LeafVolumes.h"
 #include "OuterSmoothing.h"
 #include "Pipeline.h"
 #include "Quality.h"
@@ -21,6 +24,166 @@ double TargetJacobian(const FractionField& fractions, const MeshOptions& options
   return options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : (several ? 0.5 : 0.55);
 }
 
+/// The stages, on a grid with as many ghost levels as they need.
+class HexStages
+{
+public:
+  HexStages(const CartesianGrid& grid, const FractionField& fractions, const MeshOptions& options,
+    Runtime& runtime, MeshReport& report) :
+    Grid(grid),
+    Fractions(fractions),
+    Options(options),
+    Run(runtime),
+    Report(report),
+    Clock(runtime, report),
+    Parts(grid, runtime.Group())
+  {
+  }
+
+  Mesh MakeMesh();
+
+private:
+  void FindLabels();
+  /// Both return which points of the mesh have been moved, where there are levels.
+  std::vector<unsigned char> SmoothHexes(const PointNumbering& numbering,
+    const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh);
+  std::vector<unsigned char> SmoothLevelHexes(const PointNumbering& numbering,
+    const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh);
+  void ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets,
+    const PointExchange& exchange, FragmentVolumes& volumes);
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const MeshOptions& Options;
+  Runtime& Run;
+  MeshReport& Report;
+  StageClock Clock;
+  const Partition Parts;
+  LabelledGrid Labelled;
+};
+
+void HexStages::FindLabels()
+{
+  this->Clock.Start("Assigning materials", 0.0);
+  if (HasLevelsByPlace(this->Options))
+  {
+    LabelLeaves(this->Grid, this->Fractions, this->Options, this->Parts, this->Run, this->Report,
+      this->Labelled);
+    return;
+  }
+  LabelledGrid& result = this->Labelled;
+  result.Labels = AssignMaterials(this->Grid, this->Fractions, this->Options.IsoValue);
+  this->Clock.Start("Resolving labels", 0.05);
+  const ResolveReport resolved =
+    ResolveLabels(this->Grid, this->Fractions, result.Labels, this->Parts);
+  this->Report.FlippedCells = resolved.FlippedCells;
+  this->Report.ResolveRounds = resolved.Rounds;
+  this->Clock.Start("Making hexahedra", 0.1);
+  result.Mixed = FindMixedNodes(this->Grid, result.Labels);
+  result.Levels = MakeLevels(this->Grid, result.Labels, result.Mixed, this->Options, this->Run);
+}
+
+void HexStages::ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets,
+  const PointExchange& exchange, FragmentVolumes& volumes)
+{
+  const double target = TargetJacobian(this->Fractions, this->Options);
+  const HexEnergy plain(target);
+  const GuardedHexEnergy guarded(target);
+  const bool hasSplits = this->Labelled.Levels.Outer && this->Labelled.Levels.Outer->Splits();
+  const ElementEnergy& energy = hasSplits ? guarded : plain;
+  Improve({ active, targets, exchange, energy, Ramp, volumes,
+            this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },
+    this->Clock, this->Run);
+}
+
+std::vector<unsigned char> HexStages::SmoothHexes(
+  const PointNumbering& numbering, const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh)
+{
+  const Interface interface(this->Grid, this->Fractions, this->Labelled.Labels,
+    this->Labelled.Mixed, this->Options.IsoValue, this->Run);
+  this->Clock.Start("Fitting surfaces", 0.2);
+  const SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
+  ActiveMesh active =
+    MakeActiveHexes(interface, numbering, this->Labelled.Labels, fragments, this->Parts, mesh);
+  const PointExchange exchange(active, mesh, this->Grid, this->Parts);
+  this->ImproveHexes(active, targets, exchange, volumes);
+  active.CopyTo(mesh, this->Grid);
+  return this->Labelled.Levels.Outer ? active.ListMoved(mesh) : std::vector<unsigned char>();
+}
+
+std::vector<unsigned char> HexStages::SmoothLevelHexes(
+  const PointNumbering& numbering, const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh)
+{
+  const LevelInterfaces interfaces(*this->Labelled.Levels.Grid, this->Fractions,
+    this->Labelled.Labels, this->Options.IsoValue, this->Run);
+  this->Clock.Start("Fitting surfaces", 0.2);
+  const SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
+  ActiveLevelHexes hexes = MakeActiveLevelHexes(interfaces, *this->Labelled.Levels.Outer,
+    this->Labelled.Labels, this->Labelled.Mixed, numbering, fragments, this->Parts, mesh);
+  const PointExchange exchange(
+    hexes.Entries, this->Parts, static_cast<int>(hexes.Active.Colours.size()));
+  std::vector<PointExchange::Entry>().swap(hexes.Entries);
+  this->ImproveHexes(hexes.Active, targets, exchange, volumes);
+  hexes.Active.CopyTo(mesh, this->Grid);
+  return hexes.Active.ListMoved(mesh);
+}
+
+Mesh HexStages::MakeMesh()
+{
+  this->FindLabels();
+  const LabelArray& labels = this->Labelled.Labels;
+  OuterHexes* outer = this->Labelled.Levels.Outer.get();
+  PointNumbering numbering(this->Grid, labels, this->Options.MeshVoid, outer != nullptr);
+  Mesh mesh = BuildHexes(
+    this->Grid, labels, this->Labelled.Mixed, this->Options.StairStep, numbering, this->Run, outer);
+  mesh.Levels = this->Labelled.Levels.Grid;
+  this->Clock.Start("Finding geometry", 0.12);
+  const Fragments fragments(this->Grid, labels, this->Options.MeshVoid, this->Parts);
+  this->Report.NumberOfFragments = fragments.NumberOfFragments();
+  FindHexGeometry(this->Grid, labels, this->Labelled.Mixed, fragments, numbering, this->Parts,
+    outer, mesh, this->Report);
+  this->Clock.Start("Finding interfaces", 0.15);
+  const bool hasSplits = outer && outer->Splits();
+  const std::unique_ptr<FragmentHomes> homes = hasSplits
+    ? std::make_unique<LeafHomes>(*mesh.Levels, labels, fragments)
+    : std::make_unique<CellHomes>(this->Grid, labels, fragments);
+  FragmentVolumes volumes(
+    this->Grid, this->Fractions, fragments.MaterialsOfFragments(), *homes, this->Parts);
+  if (hasSplits)
+  {
+    volumes.SetStart(MeasureHexes(
+      mesh, this->Grid, static_cast<int>(fragments.MaterialsOfFragments().size()) - 1, this->Run));
+  }
+  if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)
+  {
+    const std::vector<unsigned char> moved = hasSplits
+      ? this->SmoothLevelHexes(numbering, fragments, volumes, mesh)
+      : this->SmoothHexes(numbering, fragments, volumes, mesh);
+    if (outer)
+    {
+      this->Clock.Start("Smoothing transitions", 0.9);
+      ReleaseFreeMemory();
+      SmoothOuter(*outer, moved, mesh, this->Run);
+    }
+  }
+  KeepOwned(mesh, this->Grid);
+  ReportLevels(mesh, this->Run.Group(), this->Report);
+  ReportVolumes(this->Grid, volumes, this->Report);
+  if (this->Options.ComputeQuality)
+  {
+    this->Clock.Start("Measuring quality", 0.95);
+    ComputeQuality(mesh, this->Run, this->Report);
+  }
+  return mesh;
+}
+
+/// With the ghost levels of the base: what moves with a node of the base is at hexes as far as a base cell away.
+CartesianGrid WithLevels(const CartesianGrid& grid, int refinements)
+{
+  return CartesianGrid({ { grid.Coordinates(0), grid.Coordinates(1), grid.Coordinates(2) } },
+    grid.Owned(), GhostLevels << refinements, std::max(HexLevels, 1 << refinements));
+}
+
 } // namespace
 
 Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
@@ -28,59 +191,14 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
 {
   CheckOptions(options);
   report = MeshReport();
-  StageClock clock(runtime, report);
-  clock.Start("Assigning materials", 0.0);
-  LabelArray labels = AssignMaterials(grid, fractions, options.IsoValue);
-  clock.Start("Resolving labels", 0.05);
-  const Partition partition(grid, runtime.Group());
-  const ResolveReport resolved = ResolveLabels(grid, fractions, labels, partition);
-  report.FlippedCells = resolved.FlippedCells;
-  report.ResolveRounds = resolved.Rounds;
-  clock.Start("Making hexahedra", 0.1);
-  const std::vector<Index> mixed = FindMixedNodes(grid, labels);
-  PointNumbering numbering(grid, labels, options.MeshVoid, options.Levels.Refinements > 0);
-  const LevelHexes levels = MakeLevels(grid, labels, mixed, options, runtime);
-  Mesh mesh =
-    BuildHexes(grid, labels, mixed, options.StairStep, numbering, runtime, levels.Outer.get());
-  mesh.Levels = levels.Grid;
-  clock.Start("Finding geometry", 0.12);
-  const Fragments fragments(grid, labels, options.MeshVoid, partition);
-  report.NumberOfFragments = fragments.NumberOfFragments();
-  FindHexGeometry(grid, labels, mixed, fragments, numbering, partition, mesh, report);
-  clock.Start("Finding interfaces", 0.15);
-  const bool smooth = !options.StairStep && options.Method != Smoothing::Off;
-  const CellHomes homes(grid, labels, fragments);
-  FragmentVolumes volumes(grid, fractions, fragments.MaterialsOfFragments(), homes, partition);
-  std::vector<unsigned char> moved;
-  if (smooth)
+  const CartesianGrid wide = WithLevels(grid, options.Levels.Refinements);
+  const bool isWide = grid.Local() == wide.Local() && grid.HexBox() == wide.HexBox();
+  if (!HasLevelsByPlace(options) || !runtime.Group().Any(!isWide))
   {
-    const Interface interface(grid, fractions, labels, mixed, options.IsoValue, runtime);
-    clock.Start("Fitting surfaces", 0.2);
-    const SurfaceTargets targets(interface, KindOfTargets(options), runtime);
-    ActiveMesh active = MakeActiveHexes(interface, numbering, labels, fragments, partition, mesh);
-    const PointExchange exchange(active, mesh, grid, partition);
-    const HexEnergy energy(TargetJacobian(fractions, options));
-    Improve({ active, targets, exchange, energy, Ramp, volumes,
-              options.ConserveVolume && options.IsoValue == 0.5, {}, {} },
-      clock, runtime);
-    active.CopyTo(mesh, grid);
-    moved = levels.Outer ? active.ListMoved(mesh) : moved;
+    return HexStages(grid, fractions, options, runtime, report).MakeMesh();
   }
-  if (smooth && levels.Outer)
-  {
-    clock.Start("Smoothing transitions", 0.9);
-    ReleaseFreeMemory();
-    SmoothOuter(*levels.Outer, moved, mesh, runtime);
-  }
-  KeepOwned(mesh, grid);
-  ReportLevels(mesh, runtime.Group(), report);
-  ReportVolumes(grid, volumes, report);
-  if (options.ComputeQuality)
-  {
-    clock.Start("Measuring quality", 0.95);
-    ComputeQuality(mesh, runtime, report);
-  }
-  return mesh;
+  const FractionField ghosted = CopyWithGhosts(grid, fractions, wide, runtime.Group());
+  return HexStages(wide, ghosted, options, runtime, report).MakeMesh();
 }
 
 } // namespace vfm

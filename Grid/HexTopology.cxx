@@ -5,6 +5,21 @@
 
 namespace vfm
 {
+Vector3 StartOfInnerPoint(
+  const CartesianGrid& grid, const LabelArray& labels, const Index3& node, int label)
+{
+  const std::array<int, 8> star = StarOfNode(grid, labels, grid.Linear(node));
+  const RegionNormals normals = RegionNormalsTable[RegionOfLabel(star, label)];
+  Vector3 x = grid.NodePoint(node);
+  for (int a = 0; a < 3; ++a)
+  {
+    // a normal occurs only where the node is inside the domain, so both widths exist
+    x[a] += normals.Minus >> a & 1 ? BufferThickness * grid.Width(a, node[a]) : 0.0;
+    x[a] -= normals.Plus >> a & 1 ? BufferThickness * grid.Width(a, node[a] - 1) : 0.0;
+  }
+  return x;
+}
+
 int PointNumbering::MeshedRank(Index node, int label) const
 {
   const StarLabels star(StarOfNode(this->Grid, this->Labels, node));
@@ -56,7 +71,11 @@ public:
     if (this->Outer)
     {
       this->Outer->Fill(mesh, finePoints, fineHexes,
-        [this](const Index3& node) { return this->Numbering.FirstPoint(this->Grid.Linear(node)); });
+        [this](Index node, int label)
+        {
+          return label == UnknownLabel ? this->Numbering.FirstPoint(node)
+                                       : this->Numbering.InnerPoint(node, label);
+        });
     }
     return std::move(mesh);
   }
@@ -224,22 +243,14 @@ private:
 
   void FillInnerPoints(const Index3& p, Index node, Index point)
   {
-    const std::array<int, 8> star = StarOfNode(this->Grid, this->Labels, node);
-    const StarLabels labels(star);
+    const StarLabels labels(StarOfNode(this->Grid, this->Labels, node));
     for (int rank = 0; rank < labels.Count; ++rank)
     {
       if (!this->Numbering.IsMeshed(labels.Label[rank]))
       {
         continue;
       }
-      const RegionNormals normals = RegionNormalsTable[RegionOfLabel(star, labels.Label[rank])];
-      Vector3 x = this->Grid.NodePoint(p);
-      for (int a = 0; a < 3; ++a)
-      {
-        // a normal occurs only where the node is inside the domain, so both widths exist
-        x[a] += normals.Minus >> a & 1 ? BufferThickness * this->Grid.Width(a, p[a]) : 0.0;
-        x[a] -= normals.Plus >> a & 1 ? BufferThickness * this->Grid.Width(a, p[a] - 1) : 0.0;
-      }
+      const Vector3 x = StartOfInnerPoint(this->Grid, this->Labels, p, labels.Label[rank]);
       this->SetPoint(point++, x, this->Grid.NodeKey(p), 1 + rank);
     }
   }
@@ -268,7 +279,7 @@ private:
   {
     const int label = this->Labels[cell];
     const Index key = 7 * this->Grid.CellKey(p) + 1;
-    Index inner[8];
+    std::array<Index, 8> inner, surface;
     int signs = 0;
     for (int c = 0; c < 8; ++c)
     {
@@ -283,6 +294,7 @@ private:
     }
     for (int c = 0; c < 8; ++c)
     {
+      surface[c] = this->Numbering.FirstPoint(this->Grid.NodeOfCell(cell, c));
       inner[c] = this->Numbering.InnerPoint(this->Grid.NodeOfCell(cell, c), label);
     }
     this->SetHex(hex++, inner, key, label);
@@ -290,27 +302,13 @@ private:
     {
       if (this->Labels[this->Grid.Neighbour(cell, face)] != label)
       {
-        this->SetBufferHex(hex++, cell, face, inner, key + 1 + face);
+        this->SetHex(hex++, BufferHex(surface, inner, face), key + 1 + face, label);
       }
     }
     return hex;
   }
 
-  /// The corners on the face are its S, the opposite ones the I beside them.
-  void SetBufferHex(Index hex, Index cell, int face, const Index* inner, Index id)
-  {
-    const int bit = 1 << (face / 2);
-    Index corners[8];
-    for (int c = 0; c < 8; ++c)
-    {
-      const int onFace = face & 1 ? c | bit : c & ~bit;
-      corners[c] =
-        c == onFace ? this->Numbering.FirstPoint(this->Grid.NodeOfCell(cell, c)) : inner[onFace];
-    }
-    this->SetHex(hex, corners, id, this->Labels[cell]);
-  }
-
-  void SetHex(Index hex, const Index* corners, Index id, int label)
+  void SetHex(Index hex, const std::array<Index, 8>& corners, Index id, int label)
   {
     Index* points = this->Result.Elements.data() + 8 * hex;
     for (int c = 0; c < 8; ++c)

@@ -29,6 +29,25 @@ constexpr std::array<int, 8> VtkCorner{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
 /// Thickness of the buffer layer before smoothing, in cell widths.
 constexpr double BufferThickness = 0.125;
 
+/// Where the inner point of a label starts at a node; the node itself where the label alone is around it.
+Vector3 StartOfInnerPoint(
+  const CartesianGrid& grid, const LabelArray& labels, const Index3& node, int label);
+
+/// The corners of the buffer hex on a face of a core hex: those on the face of the surface, the opposite ones inner ones.
+/// Numbered by bits.
+template <class T>
+std::array<T, 8> BufferHex(const std::array<T, 8>& surface, const std::array<T, 8>& inner, int face)
+{
+  const int bit = 1 << (face / 2);
+  std::array<T, 8> corners;
+  for (int c = 0; c < 8; ++c)
+  {
+    const int onFace = face & 1 ? c | bit : c & ~bit;
+    corners[c] = c == onFace ? surface[c] : inner[onFace];
+  }
+  return corners;
+}
+
 /// Where the mesh points of a grid node are.
 class PointNumbering
 {

@@ -15,17 +15,23 @@ constexpr double SmallestDistance = 0.05; // of a node to a crossing, in cells: 
 } // namespace
 
 Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
-  const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime) :
+  const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime,
+  const std::vector<Index>& steps) :
   TheGrid(grid), MeanWidth(grid.MeanWidth()), MixedNodes(std::move(mixed))
 {
   this->FindFaces(labels);
   this->TheCrossings.resize(this->TheFaces.size());
+  const auto isStep = [&](Index cell)
+  { return std::binary_search(steps.begin(), steps.end(), cell); };
   runtime.For(0, static_cast<Index>(this->TheFaces.size()),
     [&](Index first, Index last)
     {
       for (Index f = first; f < last; ++f)
       {
-        this->TheCrossings[f] = FindCrossing(grid, fractions, this->TheFaces[f], isoValue);
+        const InterfaceFace& face = this->TheFaces[f];
+        this->TheCrossings[f] = isStep(face.Node) || isStep(face.Node - grid.Stride(face.Axis))
+          ? FindCrossingNear(grid, fractions, face, isoValue)
+          : FindCrossing(grid, fractions, face, isoValue);
       }
     });
   this->FindSurfacePoints(runtime);
@@ -49,23 +55,30 @@ void Interface::FindFaces(const LabelArray& labels)
       const int a = labels[node - this->TheGrid.Stride(axis)], b = labels[node];
       if (a != b && this->TheGrid.Local().Contains(p) && this->TheGrid.Local().Contains(lower))
       {
-        this->TheFaces.push_back({ node, axis, a, b });
+        this->AddFace({ node, axis, a, b });
       }
     }
   }
   this->LinkFaces();
 }
 
-/// The nodes of every face, and the faces of every node.
+/// Adds a face and its nodes, unless one of them is not listed.
+void Interface::AddFace(const InterfaceFace& face)
+{
+  const Index b = this->TheGrid.Stride((face.Axis + 1) % 3);
+  const Index c = this->TheGrid.Stride((face.Axis + 2) % 3);
+  const std::array<Index, 4> nodes{ { this->Find(face.Node), this->Find(face.Node + b),
+    this->Find(face.Node + b + c), this->Find(face.Node + c) } };
+  if (std::find(nodes.begin(), nodes.end(), -1) == nodes.end())
+  {
+    this->TheFaces.push_back(face);
+    this->FaceNodes.push_back(nodes);
+  }
+}
+
+/// The faces of every node.
 void Interface::LinkFaces()
 {
-  for (const InterfaceFace& f : this->TheFaces)
-  {
-    const Index b = this->TheGrid.Stride((f.Axis + 1) % 3);
-    const Index c = this->TheGrid.Stride((f.Axis + 2) % 3);
-    this->FaceNodes.push_back({ { this->Find(f.Node), this->Find(f.Node + b),
-      this->Find(f.Node + b + c), this->Find(f.Node + c) } });
-  }
   this->FacesAt.assign(this->MixedNodes.size() + 1, 0);
   for (const auto& nodes : this->FaceNodes)
   {

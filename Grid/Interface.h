@@ -45,9 +45,12 @@ struct SurfacePoint
 class Interface
 {
 public:
-  /// mixed: FindMixedNodes(grid, labels), after ResolveLabels.
+  /// mixed: FindMixedNodes(grid, labels), after ResolveLabels, or some of them, ascending: then faces with a node that is not
+  /// among them are left out. steps: cells, ascending, that have another label than their fractions tell because they are part of a
+  /// coarser cell: their faces get the crossings of faces nearby (FindCrossingNear).
   Interface(const CartesianGrid& grid, const FractionField& fractions, const LabelArray& labels,
-    std::vector<Index> mixed, double isoValue, Runtime& runtime);
+    std::vector<Index> mixed, double isoValue, Runtime& runtime,
+    const std::vector<Index>& steps = {});
 
   const CartesianGrid& Grid() const { return this->TheGrid; }
   /// The mixed nodes, ascending.
@@ -76,6 +79,7 @@ public:
 
 private:
   void FindFaces(const LabelArray& labels);
+  void AddFace(const InterfaceFace& face);
   void LinkFaces();
   void FindSurfacePoints(Runtime& runtime);
   void SlideIntoDomain(Index node, const Vector3& x, SurfacePoint& point) const;

@@ -10,6 +10,8 @@
 namespace vfm
 {
 
+class RefinedGrid;
+
 using LabelArray = PagedArray<int>;
 
 /// The label of a mixed cell: void where the materials fill less than isoValue, else the material of the largest fraction,
@@ -35,19 +37,29 @@ inline std::array<int, 8> StarOfNode(
   return star;
 }
 
+/// Cell c of the star of a node, numbered by bits.
+inline Index3 CellOfStar(const Index3& node, int c)
+{
+  return CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
+}
+
 /// The nodes of the local box with more than one label around them, ascending.
 std::vector<Index> FindMixedNodes(const CartesianGrid& grid, const LabelArray& labels);
 
 struct ResolveReport
 {
-  Index FlippedCells = 0;
+  Index FlippedCells = 0; ///< cells, or leaves, that have another label than before
   int Rounds = 0;
+  std::vector<Index3>
+    DearFlips; ///< lowest cells of owned leaves, coarser than the grid's cells, whose flip moves the interface far
 };
 
 /// Changes labels until every star passes the label condition (LabelCondition.h). The result does not
 /// depend on the order of cells: a round flips every cell whose score (violations removed against
 /// fraction given up) beats those of its 26 neighbours. Ranks flip their own cells and exchange the labels after each round.
+/// leaves: where given, leaves flip as a whole, and a leaf competes with all that share a node with it; labels must be alike
+/// within each (AssignLeafMaterials), and the grid needs 3 base cells of ghosts.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
-  LabelArray& labels, const Partition& partition);
+  LabelArray& labels, const Partition& partition, const RefinedGrid* leaves = nullptr);
 
 } // namespace vfm

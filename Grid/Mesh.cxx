@@ -38,22 +38,24 @@ Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
   return NodeOfKey(grid, (id - 1) / mesh.PointSlots);
 }
 
-Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
+IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
   if (mesh.Levels && IsOuter(mesh, id))
   {
     const RefinedLattice::Place cell = mesh.Corners == 8
       ? mesh.Levels->CellOfOuterElement(id, mesh.ElementSlots)
       : mesh.Levels->CellOfOuterTet(id, mesh.ElementSlots);
-    return mesh.Levels->FinestNode(cell.Level, cell.At);
+    return mesh.Levels->FinestCells(cell.Level, cell.At);
   }
   const Index key = (id - 1) / mesh.ElementSlots;
   const Index3& n = grid.Global().Upper;
-  if (mesh.Corners == 8)
-  {
-    return Unpack(key, n);
-  }
-  return CellOfBlock(grid, NodeOfKey(grid, key));
+  const Index3 cell = mesh.Corners == 8 ? Unpack(key, n) : CellOfBlock(grid, NodeOfKey(grid, key));
+  return { cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
+}
+
+Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
+{
+  return CellsOfElement(grid, mesh, id).Lower;
 }
 
 Index3 CellOfBlock(const CartesianGrid& grid, const Index3& node)

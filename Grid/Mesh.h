@@ -46,7 +46,10 @@ struct TetGenOptions
 struct LevelPlan
 {
   int Refinements = 0; ///< base cells are 2^Refinements cells of the grid along each axis
-  int FineLayers = 2;  ///< >= 2: cells of the grid kept around those at an interface
+  bool FineInterfaces =
+    true; ///< all interfaces get cells of the grid; false: where Octets are alone, so interfaces cross levels
+  int FineLayers =
+    2; ///< >= 2: cells of the grid kept around those at an interface, where these get them
   std::vector<std::vector<Index>>
     Octets; ///< to refine besides: of each refinement, those of this rank (RefinedLattice::OctetKey)
 };
@@ -104,7 +107,10 @@ struct Mesh
 Index3 NodeOfKey(const CartesianGrid& grid, Index key);
 /// The grid node that owns a point, from its id. Tets: the node of the block in which it starts.
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id);
-/// The cell of an element, from its id. Tets: the cell above their face, in the domain. Those of TetGen have none.
+/// The cells of the grid that an element was made of, one or those of a coarser cell, from its id. Tets: above their face, in the
+/// domain. Those of TetGen have none.
+IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
+/// The lowest of them.
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
 
 /// The cell of the grid at a node, clamped on the upper sides of the domain.
@@ -142,6 +148,8 @@ struct MeshReport
   };
   std::vector<Level> Levels; ///< from the base; empty without refinements
   Index TransitionCells = 0; ///< elements of transitions
+  int LevelRounds =
+    0; ///< in which cells between levels by place were refined: where labels had to be changed, or no valid mesh starts
   struct Stage
   {
     const char* Name;

@@ -7,22 +7,22 @@
 
 namespace vfm
 {
-namespace
-{
-
-constexpr int UnknownLabel = -1;
-
-} // namespace
-
 OuterHexes::OuterHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,
-  Runtime& runtime, bool asCubes) :
+  Runtime& runtime, bool asCubes, bool split) :
   Grid(grid),
   Labels(labels),
   MeshVoid(meshVoid),
-  TheRefined(MakeRefinedMesh(grid.Octets(), grid.Base().Extended(1), false)),
+  HasBuffers(split),
+  Region(grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2)),
+  TheRefined(MakeRefinedMesh(grid.Octets(), this->Region, false)),
   NodeNumber(grid.Base().NumberOfEntries(), Unused)
 {
   SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, asCubes);
+  if (!grid.HasFineInterfaces())
+  {
+    this->TheSplits =
+      std::make_unique<SplitNodes>(grid, this->TheRefined, this->Region, labels, meshVoid);
+  }
   for (Index key : this->TheRefined.HexKeys)
   {
     this->Wanted.push_back(this->IsWanted(grid.Lattice().HexOfKey(key)));
@@ -31,20 +31,14 @@ OuterHexes::OuterHexes(const RefinedGrid& grid, const LabelArray& labels, bool m
   this->NumberPoints();
 }
 
-int OuterHexes::LabelOf(const RefinedLattice::Place& cell) const
-{
-  const CartesianGrid& finest = this->Grid.Finest();
-  const Index3 nearest = this->Grid.NearestCell(cell.Level, cell.At);
-  return finest.Local().Contains(nearest) ? this->Labels[finest.Linear(nearest)] : UnknownLabel;
-}
-
 /// Points on or in owned cells need all hexes in the cells around the one of the coarser level that they stem from. Where
 /// the label of such a cell is too far away to be known, its hexes are wanted if its points are.
 bool OuterHexes::IsWanted(const RefinedLattice::Place& cell) const
 {
-  const bool isNear = cell.Level == 0 ||
-    this->Grid.IsNear(cell.Level - 1, { { cell.At[0] >> 1, cell.At[1] >> 1, cell.At[2] >> 1 } });
-  return isNear && (this->MeshVoid || this->LabelOf(cell) != 0);
+  const bool isNear = cell.Level == 0
+    ? this->Grid.IsNear(0, cell.At)
+    : this->Grid.IsNear(cell.Level - 1, { { cell.At[0] >> 1, cell.At[1] >> 1, cell.At[2] >> 1 } });
+  return isNear && (this->MeshVoid || LabelOfLeaf(this->Grid, this->Labels, cell) != 0);
 }
 
 /// Calls onCell(base cell) and onHex(hex of Refined) for all wanted hexes, by key.
@@ -64,7 +58,7 @@ void OuterHexes::ForHexes(const OnCell& onCell, const OnHex& onHex) const
       }
     }
   };
-  ForUntouchedCells(base, base.Extended(1), this->TheRefined,
+  ForUntouchedCells(base, this->Region, this->TheRefined,
     [&](const Index3& cell)
     {
       visitUpTo(lattice.HexKey(0, cell, 0));
@@ -84,20 +78,38 @@ int& OuterHexes::NumberOf(Index point, const RefinedLattice::Place& place)
 }
 
 /// Whether a node of the lattice is a point of the finest cells.
-int OuterHexes::Sort(int level, const Index3& node) const
+bool OuterHexes::IsPointOfFine(int level, const Index3& node) const
 {
   const Index3 finest = this->Grid.FinestNode(level, node);
-  return this->Grid.Finest().HexBox().Touches(finest) && this->Grid.TouchesFine(finest) ? Fine
-                                                                                        : Used;
+  return this->Grid.Finest().HexBox().Touches(finest) && this->Grid.TouchesFine(finest);
+}
+
+/// How many points a node has.
+int OuterHexes::CountPoints(Index key) const
+{
+  const Index n = this->HasBuffers ? this->FindSplit(key) : -1;
+  return n < 0 ? 1
+               : 1 +
+      static_cast<int>(std::count_if(this->TheSplits->LabelsBegin(n), this->TheSplits->LabelsEnd(n),
+        [this](int label) { return label > 0 || this->MeshVoid; }));
 }
 
 void OuterHexes::MarkPoints()
 {
   const RefinedLattice& lattice = this->Grid.Lattice();
   this->PointNumber.assign(this->TheRefined.PointKeys.size(), Unused);
-  const auto markCell = [&](const Index3& cell)
+  const auto countHexes = [&](Index key)
   {
     ++this->HexCount;
+    const int faces = this->BufferFaces(key);
+    for (int face = 0; face < 6; ++face)
+    {
+      this->HexCount += faces >> face & 1;
+    }
+  };
+  const auto markCell = [&](const Index3& cell)
+  {
+    countHexes(lattice.HexKey(0, cell, 0));
     for (int c = 0; c < 8; ++c)
     {
       const Index3 node = CornerOfCell(cell, c);
@@ -107,7 +119,7 @@ void OuterHexes::MarkPoints()
   };
   const auto markHex = [&](Index hex)
   {
-    ++this->HexCount;
+    countHexes(this->TheRefined.HexKeys[hex]);
     for (Index at = 8 * hex; at < 8 * hex + 8; ++at)
     {
       const Index point = this->TheRefined.Hexes[at];
@@ -158,7 +170,7 @@ void OuterHexes::ForPoints(const Visitor& visit)
       visit(number, key, base.NodePoint(p));
     }
   };
-  IndexBox nodes = base.Extended(1);
+  IndexBox nodes = this->Region;
   for (Index& upper : nodes.Upper)
   {
     upper += nodes.NumberOfCells() > 0;
@@ -170,11 +182,12 @@ void OuterHexes::ForPoints(const Visitor& visit)
 void OuterHexes::NumberPoints()
 {
   this->ForPoints(
-    [this](int& number, Index, const Vector3&)
+    [this](int& number, Index key, const Vector3&)
     {
       if (number != Fine)
       {
-        number = static_cast<int>(this->PointCount++);
+        number = static_cast<int>(this->PointCount);
+        this->PointCount += this->CountPoints(key);
       }
     });
 }
@@ -192,7 +205,7 @@ void OuterHexes::DropParts()
   std::vector<unsigned char>().swap(this->Wanted);
 }
 
-/// Writes the hexes one after another.
+/// Writes points and hexes one after another.
 class OuterHexes::Writer
 {
 public:
@@ -202,42 +215,111 @@ public:
   {
   }
 
+  /// The points of a node that no finest cell has; number: of the first.
+  void AddPoints(int number, Index key, const Vector3& x)
+  {
+    Index point = this->FirstPoint + number;
+    this->SetPoint(point++, key, 0, x);
+    const Index n = this->Outer.FindSplit(key);
+    if (n < 0)
+    {
+      return;
+    }
+    this->Outer.SplitPoint[n] = this->FirstPoint + number;
+    const SplitNodes& splits = *this->Outer.TheSplits;
+    int rank = 0;
+    for (const int* label = splits.LabelsBegin(n); label != splits.LabelsEnd(n); ++label, ++rank)
+    {
+      if (this->Outer.HasBuffers && this->IsMeshed(*label))
+      {
+        this->SetPoint(point++, key, 1 + rank, splits.InnerPoint(n, rank));
+      }
+    }
+  }
+
   void AddCell(const Index3& cell)
   {
+    const RefinedLattice& lattice = this->Outer.Grid.Lattice();
+    this->Start({ 0, cell, 0 });
     for (int c = 0; c < 8; ++c)
     {
       const Index3 node = CornerOfCell(cell, c);
-      this->SetCorner(
-        VtkCorner[c], this->Outer.NodeNumber[this->Outer.Grid.Base().Linear(node)], 0, node);
+      this->SetCorner(c, this->Outer.NodeNumber[this->Outer.Grid.Base().Linear(node)],
+        { 0, node, 0 }, lattice.NodeKey(0, node, 0));
     }
-    this->Finish(this->Outer.Grid.Lattice().HexKey(0, cell, 0), { 0, cell, 0 });
+    this->Finish(lattice.HexKey(0, cell, 0));
   }
 
   void AddHex(Index hex)
   {
     const RefinedMesh& refined = this->Outer.TheRefined;
     const RefinedLattice& lattice = this->Outer.Grid.Lattice();
+    this->Start(lattice.HexOfKey(refined.HexKeys[hex]));
     for (int c = 0; c < 8; ++c)
     {
-      const Index point = refined.Hexes[8 * hex + c];
+      const Index point = refined.Hexes[8 * hex + VtkCorner[c]];
       const RefinedLattice::Place place = lattice.NodeOfKey(refined.PointKeys[point]);
-      this->SetCorner(c, this->Outer.NumberOf(point, place), place.Level, place.At);
+      this->SetCorner(c, this->Outer.NumberOf(point, place), place, refined.PointKeys[point]);
     }
-    this->Finish(refined.HexKeys[hex], lattice.HexOfKey(refined.HexKeys[hex]));
+    this->Finish(refined.HexKeys[hex]);
   }
 
 private:
-  void SetCorner(int corner, int number, int level, const Index3& node)
+  bool IsMeshed(int label) const { return label > 0 || this->Outer.MeshVoid; }
+
+  void SetPoint(Index point, Index key, int slot, const Vector3& x)
   {
-    this->Result.Elements[8 * this->Hex + corner] = number == Fine
-      ? this->FindFine(this->Outer.Grid.FinestNode(level, node))
-      : this->FirstPoint + number;
+    std::copy(x.begin(), x.end(), this->Result.Points.data() + 3 * point);
+    this->Result.PointIds[point] = this->Outer.Grid.PointId(key, this->Result.PointSlots, slot);
   }
 
-  void Finish(Index key, const RefinedLattice::Place& cell)
+  void Start(const RefinedLattice::Place& cell)
   {
-    this->Result.ElementIds[this->Hex] = this->Outer.Grid.ElementId(key, this->Result.ElementSlots);
-    this->Result.Material[this->Hex] = this->Outer.LabelOf(cell);
+    this->Label = LabelOfLeaf(this->Outer.Grid, this->Outer.Labels, cell);
+  }
+
+  void SetCorner(int corner, int number, const RefinedLattice::Place& node, Index key)
+  {
+    Index &first = this->First[corner], &inner = this->Inner[corner];
+    if (number == Fine)
+    {
+      const CartesianGrid& finest = this->Outer.Grid.Finest();
+      const Index p = finest.Linear(this->Outer.Grid.FinestNode(node.Level, node.At));
+      first = this->FindFine(p, UnknownLabel);
+      inner = this->FindFine(p, this->Label);
+      return;
+    }
+    first = inner = this->FirstPoint + number;
+    const Index n = this->Outer.HasBuffers ? this->Outer.FindSplit(key) : -1;
+    if (n >= 0)
+    {
+      const SplitNodes& splits = *this->Outer.TheSplits;
+      inner += 1 + splits.RankOf(n, this->Label) - (this->IsMeshed(*splits.LabelsBegin(n)) ? 0 : 1);
+    }
+  }
+
+  void Finish(Index key)
+  {
+    this->SetHex(key, 0, this->Inner);
+    const int faces = this->Outer.BufferFaces(key);
+    for (int face = 0; face < 6; ++face)
+    {
+      if (faces >> face & 1)
+      {
+        this->SetHex(key, 1 + face, BufferHex(this->First, this->Inner, face));
+      }
+    }
+  }
+
+  void SetHex(Index key, int slot, const std::array<Index, 8>& corners)
+  {
+    for (int c = 0; c < 8; ++c)
+    {
+      this->Result.Elements[8 * this->Hex + VtkCorner[c]] = corners[c];
+    }
+    this->Result.ElementIds[this->Hex] =
+      this->Outer.Grid.ElementId(key, this->Result.ElementSlots, slot);
+    this->Result.Material[this->Hex] = this->Label;
     ++this->Hex;
   }
 
@@ -245,22 +327,54 @@ private:
   Mesh& Result;
   Index FirstPoint, Hex;
   const FinePoint& FindFine;
+  int Label = UnknownLabel;              // of the hex at work
+  std::array<Index, 8> First{}, Inner{}; // its points, numbered by bits
 };
+
+/// The inner points of finest cells beside these hexes: they must be inside their labels here, too.
+void OuterHexes::PlaceFinePoints(Mesh& mesh, const FinePoint& finePoint)
+{
+  const RefinedLattice& lattice = this->Grid.Lattice();
+  for (Index n = 0; n < this->TheSplits->Count(); ++n)
+  {
+    const RefinedLattice::Place node = lattice.NodeOfKey(this->TheSplits->Key(n));
+    if (node.Slot != 0 || !this->IsPointOfFine(node.Level, node.At))
+    {
+      continue;
+    }
+    const Index p = this->Grid.Finest().Linear(this->Grid.FinestNode(node.Level, node.At));
+    this->SplitPoint[n] = finePoint(p, UnknownLabel);
+    int rank = 0;
+    for (const int* label = this->TheSplits->LabelsBegin(n); label != this->TheSplits->LabelsEnd(n);
+         ++label, ++rank)
+    {
+      if (this->HasBuffers && (*label > 0 || this->MeshVoid))
+      {
+        const Vector3& x = this->TheSplits->InnerPoint(n, rank);
+        std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * finePoint(p, *label));
+      }
+    }
+  }
+}
 
 void OuterHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint)
 {
+  this->SplitPoint.assign(this->TheSplits ? this->TheSplits->Count() : 0, -1);
+  Writer writer(*this, mesh, firstPoint, firstHex, finePoint);
   this->ForPoints(
     [&](int number, Index key, const Vector3& x)
     {
       if (number != Fine)
       {
-        std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * (firstPoint + number));
-        mesh.PointIds[firstPoint + number] = this->Grid.PointId(key, mesh.PointSlots);
+        writer.AddPoints(number, key, x);
       }
     });
-  Writer writer(*this, mesh, firstPoint, firstHex, finePoint);
   this->ForHexes(
     [&](const Index3& cell) { writer.AddCell(cell); }, [&](Index hex) { writer.AddHex(hex); });
+  if (this->TheSplits)
+  {
+    this->PlaceFinePoints(mesh, finePoint);
+  }
   this->DropParts();
 }
 

@@ -1,7 +1,8 @@
 #include "OuterSmoothing.h"
 
-#include "HexEnergy.h"
+#include "GuardedHexEnergy.h"
 #include "HexTopology.h"
+#include "Quality.h"
 #include "Smoother.h"
 #include "TransitionSmoothing.h"
 #include "Vector3.h"
@@ -15,8 +16,8 @@ namespace
 
 constexpr double TargetScaledJacobian = 0.7;
 
-const SmoothingRamp Ramp{ { 1, 0.0, 0.1, 5, 1e-3 }, { 2, 0.0, 0.05, 8, 1e-3 },
-  { 8, 0.0, 0.01, 25, 1e-3 } };
+const SmoothingStage AllHexes{ 2, 0.0, 0.05, 8, 1e-3 }, PoorHexes{ 8, 0.0, 0.01, 25, 1e-3 };
+constexpr double GoodScaledJacobian = 0.75; // at least: no poor hex
 
 /// The base nodes at cells that are refined or beside one, and those at the rim, whose cells are not all known. All others,
 /// most of them, stay.
@@ -51,15 +52,19 @@ std::vector<bool> FindNodesNearRefined(const OuterHexes& outer)
   return isNear;
 }
 
-/// The points that stem from nodes of one level, and the hexes at them.
-class LevelSmoother
+/// The points that move, and the hexes at them.
+class OuterSmoother
 {
 public:
-  LevelSmoother(const OuterHexes& outer, int level, const std::vector<unsigned char>& isFrozen,
-    const std::vector<bool>& isNear, Mesh& mesh, const Partition& partition) :
-    Levels(outer.Levels()), Refined(outer.Refined()), Level(level), Result(mesh), Parts(partition)
+  OuterSmoother(const OuterHexes& outer, const std::vector<unsigned char>& isFrozen, Mesh& mesh,
+    const Partition& partition) :
+    Levels(outer.Levels()),
+    Refined(outer.Refined()),
+    HasSplits(outer.Splits() != nullptr),
+    Result(mesh),
+    Parts(partition)
   {
-    this->FindMoving(isFrozen, isNear);
+    this->FindMoving(isFrozen, FindNodesNearRefined(outer));
     this->AddHexes();
     this->Active.FixOnDomain(this->Levels.Finest(), mesh);
     this->Active.AttachmentOffset.assign(this->Active.X.size() + 1, 0);
@@ -69,19 +74,18 @@ public:
 
   void Run(Runtime& runtime)
   {
-    std::vector<PointExchange::Entry> entries;
-    for (const Mover& mover : this->Movers)
-    {
-      entries.push_back({ mover.Point, mover.Place, OwnerNode(mover.At),
-        CartesianGrid::Colour(mover.At.At), true });
-    }
-    const PointExchange exchange(entries, this->Parts);
-    const HexEnergy energy(TargetScaledJacobian);
+    const PointExchange exchange(
+      this->ListEntries(), this->Parts, static_cast<int>(this->Active.Colours.size()));
+    std::vector<Mover>().swap(this->Movers);
+    const HexEnergy plain(TargetScaledJacobian);
+    const GuardedHexEnergy guarded(TargetScaledJacobian);
+    const ElementEnergy& energy = this->HasSplits ? guarded : plain;
     Smoother smoother(this->Active, nullptr, exchange, energy, runtime);
-    for (const SmoothingStage& stage : Ramp)
-    {
-      smoother.RunStage(stage, [](double) {});
-    }
+    smoother.RunStage(AllHexes, [](double) {});
+    std::vector<unsigned char> isActive = this->ListPointsOfPoorHexes();
+    this->Active.IsActive.swap(isActive);
+    smoother.RunStage(PoorHexes, [](double) {});
+    this->Active.IsActive.swap(isActive);
     this->Active.CopyTo(this->Result, this->Levels.Finest());
   }
 
@@ -95,26 +99,31 @@ private:
     bool IsFrozen;
   };
 
+  /// A hex may have points that stem from nodes of two levels.
+  static int ColourOf(const RefinedLattice::Place& node)
+  {
+    return 8 * node.Level + CartesianGrid::Colour(node.At);
+  }
   void FindMoving(const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear);
-  bool TouchesFinerLevels(Index key) const;
+  bool TouchesFinerLevels(Index key, int next) const;
   void AddHexes();
   int AddPoint(Index meshPoint, bool moves);
-  Vector3 WidthsOf(Index hex) const;
   void AddGroups();
+  std::vector<PointExchange::Entry> ListEntries() const;
+  std::vector<unsigned char> ListPointsOfPoorHexes() const;
 
   const RefinedGrid& Levels;
   const RefinedMesh& Refined;
-  int Level;
+  const bool HasSplits;
   Mesh& Result;
   const Partition& Parts;
   std::vector<Mover> Movers; // by place: the points of one node in turn
   ActiveMesh Active;
 };
 
-/// Whether cells of the next level at a lattice node are refined once more: their hexes are not known around it.
-bool LevelSmoother::TouchesFinerLevels(Index key) const
+/// Whether cells of a level at a lattice node of it are refined once more: their hexes are not known around it.
+bool OuterSmoother::TouchesFinerLevels(Index key, int next) const
 {
-  const int next = this->Level + 1;
   if (next >= this->Levels.NumberOfRefinements())
   {
     return false;
@@ -137,7 +146,7 @@ bool LevelSmoother::TouchesFinerLevels(Index key) const
   return false;
 }
 
-void LevelSmoother::FindMoving(
+void OuterSmoother::FindMoving(
   const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear)
 {
   const RefinedLattice& lattice = this->Levels.Lattice();
@@ -158,8 +167,7 @@ void LevelSmoother::FindMoving(
     const auto at = std::lower_bound(keys.begin(), keys.end(), key);
     const Index place = at != keys.end() && *at == key ? this->Refined.Places[at - keys.begin()]
                                                        : PlaceOfNode(this->Levels.Octets(), key);
-    if (place >= 0 && lattice.NodeOfKey(place).Level == this->Level &&
-      !this->TouchesFinerLevels(key))
+    if (place >= 0 && !this->TouchesFinerLevels(key, lattice.NodeOfKey(place).Level + 1))
     {
       this->Movers.push_back(
         { place, lattice.NodeOfKey(place), static_cast<Index>(p), -1, isFrozen[p] != 0 });
@@ -170,7 +178,7 @@ void LevelSmoother::FindMoving(
 }
 
 /// The movers first, then the other points of their hexes.
-void LevelSmoother::AddHexes()
+void OuterSmoother::AddHexes()
 {
   std::unordered_map<Index, int> pointOf; // few of the mesh's points
   std::vector<bool> isMoving(this->Result.PointIds.size(), false);
@@ -181,45 +189,40 @@ void LevelSmoother::AddHexes()
     pointOf.emplace(mover.MeshPoint, mover.Point);
     isMoving[mover.MeshPoint] = true;
   }
+  std::vector<Index> hexes;
   for (std::size_t h = 0; h < this->Result.ElementIds.size(); ++h)
   {
     const Index* hex = this->Result.Elements.data() + 8 * h;
-    if (std::none_of(hex, hex + 8, [&](Index p) { return isMoving[p]; }))
+    if (std::any_of(hex, hex + 8, [&](Index p) { return isMoving[p]; }))
     {
-      continue;
+      hexes.push_back(static_cast<Index>(h));
     }
+  }
+  this->Active.Elements.reserve(8 * hexes.size());
+  this->Active.Widths.reserve(hexes.size());
+  for (Index h : hexes)
+  {
+    const Index* hex = this->Result.Elements.data() + 8 * h;
     for (int c = 0; c < 8; ++c)
     {
       const auto at = pointOf.try_emplace(hex[VtkCorner[c]], -1).first;
       at->second = at->second < 0 ? this->AddPoint(at->first, false) : at->second;
       this->Active.Elements.push_back(at->second);
     }
-    this->Active.Widths.push_back(this->WidthsOf(static_cast<Index>(h)));
+    this->Active.Widths.push_back(WidthsOfHex(this->Levels, this->Result, static_cast<Index>(h)));
   }
 }
 
-int LevelSmoother::AddPoint(Index meshPoint, bool moves)
+int OuterSmoother::AddPoint(Index meshPoint, bool moves)
 {
   this->Active.AddPoint(this->Levels.Finest(), this->Result, meshPoint, moves);
   return static_cast<int>(this->Active.X.size()) - 1;
 }
 
-/// Of the cell that a hex is, or lies in; grid coordinates.
-Vector3 LevelSmoother::WidthsOf(Index hex) const
-{
-  const Index id = this->Result.ElementIds[hex];
-  const CartesianGrid& grid = this->Levels.Finest();
-  if (!this->Levels.IsOuterElement(id, this->Result.ElementSlots))
-  {
-    return CellWidths(grid, CellOfElement(grid, this->Result, id));
-  }
-  const RefinedLattice::Place cell = this->Levels.CellOfOuterElement(id, this->Result.ElementSlots);
-  return (1.0 / grid.MeanWidth()) * this->Levels.Lattice().CellWidths(cell.Level, cell.At);
-}
-
 /// Only the points that this rank owns move here.
-void LevelSmoother::AddGroups()
+void OuterSmoother::AddGroups()
 {
+  this->Active.Colours.resize(8 * this->Levels.NumberOfRefinements());
   Index last = -1;
   for (const Mover& mover : this->Movers)
   {
@@ -227,8 +230,7 @@ void LevelSmoother::AddGroups()
     {
       continue;
     }
-    std::vector<ActiveMesh::Group>& groups =
-      this->Active.Colours[CartesianGrid::Colour(mover.At.At)];
+    std::vector<ActiveMesh::Group>& groups = this->Active.Colours[ColourOf(mover.At)];
     const Index node = mover.Place / RefinedLattice::NodeSlots;
     if (node != last)
     {
@@ -239,17 +241,45 @@ void LevelSmoother::AddGroups()
   }
 }
 
+std::vector<PointExchange::Entry> OuterSmoother::ListEntries() const
+{
+  std::vector<PointExchange::Entry> entries;
+  entries.reserve(this->Movers.size());
+  for (const Mover& mover : this->Movers)
+  {
+    entries.push_back({ mover.Point, mover.Place, OwnerNode(mover.At), ColourOf(mover.At), true });
+  }
+  return entries;
+}
+
+/// Of each point: whether it moves and has a poor hex. All hexes of owned points are known, so ranks agree.
+std::vector<unsigned char> OuterSmoother::ListPointsOfPoorHexes() const
+{
+  std::vector<unsigned char> isListed(this->Active.X.size(), 0);
+  for (auto points = this->Active.Elements.begin(); points != this->Active.Elements.end();
+       points += 8)
+  {
+    std::array<Index, 8> hex;
+    for (int c = 0; c < 8; ++c)
+    {
+      hex[VtkCorner[c]] = points[c];
+    }
+    if (HexScaledJacobian(this->Active.X[0].data(), hex.data()) < GoodScaledJacobian)
+    {
+      std::for_each(
+        points, points + 8, [&](int point) { isListed[point] = this->Active.IsActive[point]; });
+    }
+  }
+  return isListed;
+}
+
 } // namespace
 
 void SmoothOuter(
   const OuterHexes& outer, const std::vector<unsigned char>& isFrozen, Mesh& mesh, Runtime& runtime)
 {
   const Partition partition(outer.Levels().Base(), runtime.Group());
-  const std::vector<bool> isNear = FindNodesNearRefined(outer);
-  for (int level = 0; level < outer.Levels().NumberOfRefinements(); ++level)
-  {
-    LevelSmoother(outer, level, isFrozen, isNear, mesh, partition).Run(runtime);
-  }
+  OuterSmoother(outer, isFrozen, mesh, partition).Run(runtime);
 }
 
 } // namespace vfm

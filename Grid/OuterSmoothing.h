@@ -2,7 +2,9 @@
  * OuterSmoothing: the last smoothing of a refined grid. All points of transition hexes and those beside them move, also the
  * ones that they share with cells, whose hexes are then no exact boxes any more. Points that the interfaces moved stay.
  *
- * Level by level, since the points that stem from the nodes of one level move by colour as in TransitionSmoothing.h.
+ * The points of all levels take part in each sweep, for where two levels meet neither has room alone. Colours are those of
+ * TransitionSmoothing.h, level after level: a hex there has points that stem from nodes of both. At last only the
+ * points of hexes that are still poor move.
  */
 #pragma once
 

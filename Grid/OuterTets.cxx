@@ -54,7 +54,6 @@ bool OuterTets::IsNear(const RefinedLattice::Place& cell) const
 /// Corners are ~(linear index) at vertices of fine cells, as long as those have no numbers.
 void OuterTets::TakeHexes(OuterHexes& hexes)
 {
-  const CartesianGrid& grid = this->Grid.Finest();
   const Index count = hexes.NumberOfHexes(), points = hexes.NumberOfPoints();
   Mesh mesh;
   mesh.PointSlots = TetPointSlots;
@@ -63,10 +62,11 @@ void OuterTets::TakeHexes(OuterHexes& hexes)
   mesh.Elements = Buffer<Index>(8 * count);
   mesh.ElementIds = Buffer<Index>(count);
   mesh.Material = Buffer<int>(count);
-  hexes.Fill(mesh, 0, 0, [&](const Index3& node) { return ~grid.Linear(node); });
+  hexes.Fill(mesh, 0, 0, [](Index node, int) { return ~node; });
   for (Index h = 0; h < count; ++h)
   {
-    const Index key = mesh.ElementIds[h] - this->Grid.ElementId(0, mesh.ElementSlots);
+    const Index key =
+      (mesh.ElementIds[h] - this->Grid.ElementId(0, mesh.ElementSlots)) / mesh.ElementSlots;
     const RefinedLattice::Place cell = this->Grid.Lattice().HexOfKey(key);
     if (!this->IsNear(cell))
     {

@@ -73,10 +73,10 @@ void OuterTets::Improver::AddCandidates(const Partition& partition)
 {
   const RefinedLattice& lattice = this->Tets.Grid.Lattice();
   const Mesh& local = this->Tets.Local;
-  const Index firstKey = this->Tets.Grid.OuterPointId(0, TetPointSlots);
   for (int p = 0; p < this->Tets.HexPoints; ++p)
   {
-    const RefinedLattice::Place node = lattice.NodeOfKey(local.PointIds[p] - firstKey);
+    const RefinedLattice::Place node =
+      lattice.NodeOfKey(this->Tets.Grid.KeyOfPoint(local.PointIds[p], TetPointSlots));
     if (node.Level == this->Level && node.Slot > 0)
     {
       this->Candidates.push_back({ node, local.PointIds[p], p });

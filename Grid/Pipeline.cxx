@@ -1,5 +1,6 @@
 #include "Pipeline.h"
 
+#include "LeafLabels.h"
 #include "TetTopology.h"
 
 #include <cmath>
@@ -9,6 +10,8 @@ namespace vfm
 namespace
 {
 
+constexpr int FlipRounds =
+  4; // in which cells between levels are refined where labels had to be changed
 constexpr int CorrectionRounds = 6;
 constexpr int SweepsPerCorrection = 4;
 constexpr double VolumeTolerance = 2e-4; // relative, of the rounds with smoothing
@@ -78,6 +81,76 @@ LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
     ReleaseFreeMemory();
   }
   return levels;
+}
+
+namespace
+{
+
+/// Adds to a plan what has no valid start; whether any rank had some.
+bool AddBadOctets(const SplitNodes& splits, LevelPlan& plan, Ranks& ranks)
+{
+  bool found = false;
+  for (std::size_t level = 0; level < splits.BadOctets().size(); ++level)
+  {
+    const std::vector<Index>& bad = splits.BadOctets()[level];
+    plan.Octets[level].insert(plan.Octets[level].end(), bad.begin(), bad.end());
+    found = found || !bad.empty();
+  }
+  return ranks.Any(found);
+}
+
+/// Adds transition cells whose label had to be changed at a price; whether any rank had some. In finer cells it costs less.
+bool AddFlippedOctets(
+  const RefinedGrid& levels, const std::vector<Index3>& flips, LevelPlan& plan, Ranks& ranks)
+{
+  bool found = false;
+  for (const Index3& cell : flips)
+  {
+    const RefinedLattice::Place leaf = levels.LeafOf(cell);
+    if (levels.Octets().IsTouched(leaf.Level, leaf.At))
+    {
+      plan.Octets[leaf.Level].push_back(levels.Lattice().OctetKey(
+        leaf.Level, { { leaf.At[0] >> 1, leaf.At[1] >> 1, leaf.At[2] >> 1 } }));
+      found = true;
+    }
+  }
+  return ranks.Any(found);
+}
+
+} // namespace
+
+void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
+  LabelledGrid& result)
+{
+  LevelPlan plan = options.Levels;
+  plan.Octets.resize(plan.Refinements);
+  for (;;)
+  {
+    result.Levels.Outer.reset();
+    result.Levels.Grid =
+      std::make_shared<const RefinedGrid>(grid, plan, std::vector<Index>(), runtime.Group());
+    result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, options.IsoValue);
+    const ResolveReport resolved =
+      ResolveLabels(grid, fractions, result.Labels, partition, result.Levels.Grid.get());
+    report.FlippedCells = resolved.FlippedCells;
+    report.ResolveRounds = resolved.Rounds;
+    if (report.LevelRounds < FlipRounds &&
+      AddFlippedOctets(*result.Levels.Grid, resolved.DearFlips, plan, runtime.Group()))
+    {
+      ++report.LevelRounds;
+      continue;
+    }
+    result.Levels.Outer = std::make_unique<OuterHexes>(
+      *result.Levels.Grid, result.Labels, options.MeshVoid, runtime, false, !options.StairStep);
+    if (options.StairStep || !AddBadOctets(*result.Levels.Outer->Splits(), plan, runtime.Group()))
+    {
+      break;
+    }
+    ++report.LevelRounds;
+  }
+  result.Mixed = FindMixedNodes(grid, result.Labels);
+  ReleaseFreeMemory();
 }
 
 namespace

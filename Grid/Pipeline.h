@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Labels.h"
 #include "OuterHexes.h"
 #include "Smoother.h"
 #include "Volumes.h"
@@ -75,6 +76,29 @@ struct LevelHexes
   std::shared_ptr<const RefinedGrid> Grid;
   std::unique_ptr<OuterHexes> Outer;
 };
+
+/// Whether interfaces may run through cells of several levels.
+inline bool HasLevelsByPlace(const MeshOptions& options)
+{
+  return options.Levels.Refinements > 0 && !options.Levels.FineInterfaces;
+}
+
+/// What meshes are made of: labels that pass the label condition, and the levels, which refer to them.
+struct LabelledGrid
+{
+  LabelledGrid() = default;
+  LabelledGrid(const LabelledGrid&) = delete;
+  LabelledGrid& operator=(const LabelledGrid&) = delete;
+
+  LabelArray Labels;
+  std::vector<Index> Mixed; ///< nodes of the grid with several labels around
+  LevelHexes Levels;
+};
+
+/// Of levels by place: leaves are refined until a valid mesh starts everywhere. Collective. Throws InputError as MakeLevels does.
+void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
+  LabelledGrid& result);
 
 /// Makes the levels that the options ask for. interfaces: as in RefinedGrid. asCubes: as in OuterHexes. Collective. Throws InputError as RefinedGrid and
 /// OuterHexes do.

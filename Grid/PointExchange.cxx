@@ -27,11 +27,12 @@ PointExchange::PointExchange(const ActiveMesh& active, const Mesh& mesh, const C
 {
 }
 
-PointExchange::PointExchange(const std::vector<Entry>& entries, const Partition& partition) :
-  Group(partition.Group())
+PointExchange::PointExchange(
+  const std::vector<Entry>& entries, const Partition& partition, int colours) :
+  Group(partition.Group()), Peers(colours), Links(colours)
 {
   const std::size_t peers = partition.Peers().size();
-  std::vector<std::array<Link, 8>> links(peers);
+  std::vector<std::vector<Link>> links(peers, std::vector<Link>(colours));
   std::vector<std::vector<Index>> wanted(peers);
   for (const Entry& entry : entries)
   {
@@ -54,7 +55,7 @@ PointExchange::PointExchange(const std::vector<Entry>& entries, const Partition&
   }
   for (std::size_t peer = 0; peer < peers; ++peer)
   {
-    for (int colour = 0; colour < 8; ++colour)
+    for (int colour = 0; colour < colours; ++colour)
     {
       Link& link = links[peer][colour];
       if (!link.Outgoing.empty() || !link.Incoming.empty())

@@ -13,7 +13,7 @@ class PointExchange
 {
 public:
   /// Nothing to exchange.
-  explicit PointExchange(Ranks& ranks) : Group(ranks) {}
+  explicit PointExchange(Ranks& ranks) : Group(ranks), Peers(8), Links(8) {}
   /// Collective among peers: each asks the owners for the active points that it does not own.
   PointExchange(const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid,
     const Partition& partition);
@@ -27,7 +27,7 @@ public:
     bool IsWanted; ///< whether the point moves, so that ranks that do not own it ask for it
   };
   /// The same for any points; entries: by ascending id. Collective among peers.
-  PointExchange(const std::vector<Entry>& entries, const Partition& partition);
+  PointExchange(const std::vector<Entry>& entries, const Partition& partition, int colours = 8);
 
   /// Sends the positions of the points of a colour and receives those of the peers' points.
   /// flags: of every point; sent along with the points. received(point) is called where a flag was set.
@@ -47,8 +47,8 @@ private:
   };
 
   Ranks& Group;
-  std::array<std::vector<int>, 8> Peers;  // by colour: the ranks with points in common
-  std::array<std::vector<Link>, 8> Links; // by colour and peer
+  std::vector<std::vector<int>> Peers;  // by colour: the ranks with points in common
+  std::vector<std::vector<Link>> Links; // by colour and peer
 };
 
 } // namespace vfm

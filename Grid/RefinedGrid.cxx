@@ -1,50 +1,24 @@
 #include "RefinedGrid.h"
 
-#include "Runtime.h"
+#include "CoarsenFields.h"
 
 namespace vfm
 {
 namespace
 {
 
-constexpr int BaseGhostLevels = 2;
-
-/// The grid whose cells are 2^refinements cells of a grid along each axis.
-CartesianGrid CoarsenGrid(const CartesianGrid& grid, int refinements)
-{
-  const Index factor = Index(1) << refinements;
-  std::array<std::vector<double>, 3> coordinates;
-  IndexBox owned;
-  for (int a = 0; a < 3; ++a)
-  {
-    for (Index n : { grid.Global().Upper[a], grid.Owned().Lower[a], grid.Owned().Upper[a] })
-    {
-      if (n % factor != 0)
-      {
-        throw InputError("A grid of " + std::to_string(grid.Global().Upper[a]) +
-          " cells along an axis, or a rank's part of it, does not consist of blocks of " +
-          std::to_string(factor) + ": use fewer levels.");
-      }
-    }
-    for (Index i = 0; i <= grid.Global().Upper[a]; i += factor)
-    {
-      coordinates[a].push_back(grid.Coordinates(a)[i]);
-    }
-    owned.Lower[a] = grid.Owned().Lower[a] / factor;
-    owned.Upper[a] = grid.Owned().Upper[a] / factor;
-  }
-  return CartesianGrid(std::move(coordinates), owned, BaseGhostLevels);
-}
+constexpr int BaseGhostLevels = 3; // one more than the base cells whose hexes are made
 
 } // namespace
 
 RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
   const std::vector<Index>& interfaces, Ranks& ranks) :
   FinestGrid(finest),
-  BaseGrid(CoarsenGrid(finest, plan.Refinements)),
+  BaseGrid(CoarsenGrid(finest, plan.Refinements, BaseGhostLevels)),
   TheLattice(this->BaseGrid, plan.Refinements,
     { { finest.Coordinates(0), finest.Coordinates(1), finest.Coordinates(2) } }),
-  Sets(this->TheLattice, this->GatherOctets(plan, interfaces, ranks))
+  Sets(this->TheLattice, this->GatherOctets(plan, interfaces, ranks)),
+  FineInterfaces(plan.FineInterfaces)
 {
   this->MarkFine();
 }
@@ -80,8 +54,11 @@ std::vector<std::vector<Index>> RefinedGrid::GatherOctets(
 {
   std::vector<std::vector<Index>> octets = plan.Octets;
   octets.resize(plan.Refinements);
-  const std::vector<Index> around = this->FindOctets(interfaces, plan.FineLayers);
-  octets.back().insert(octets.back().end(), around.begin(), around.end());
+  if (plan.FineInterfaces)
+  {
+    const std::vector<Index> around = this->FindOctets(interfaces, plan.FineLayers);
+    octets.back().insert(octets.back().end(), around.begin(), around.end());
+  }
   for (std::vector<Index>& keys : octets)
   {
     keys = GatherItems(ranks, keys);
@@ -151,6 +128,20 @@ bool RefinedGrid::TouchesFine(const Index3& node) const
   return false;
 }
 
+RefinedLattice::Place RefinedGrid::LeafOf(const Index3& finestCell) const
+{
+  RefinedLattice::Place leaf{ 0, finestCell, 0 };
+  for (;; ++leaf.Level)
+  {
+    const int shift = this->NumberOfRefinements() - leaf.Level;
+    leaf.At = { { finestCell[0] >> shift, finestCell[1] >> shift, finestCell[2] >> shift } };
+    if (shift == 0 || !this->Sets.IsRefined(leaf.Level, leaf.At))
+    {
+      return leaf;
+    }
+  }
+}
+
 IndexBox RefinedGrid::FinestCells(int level, const Index3& cell) const
 {
   IndexBox box;
@@ -204,22 +195,23 @@ Index NumberOfCells(const CartesianGrid& grid)
 
 } // namespace
 
-Index RefinedGrid::OuterPointId(Index key, Index slots) const
+Index RefinedGrid::OuterPointId(Index key, Index slots, int slot) const
 {
-  return NumberOfNodes(this->FinestGrid) * slots + key + 1;
+  return (NumberOfNodes(this->FinestGrid) + key) * slots + slot + 1;
 }
 
-Index RefinedGrid::PointId(Index key, Index slots) const
+Index RefinedGrid::PointId(Index key, Index slots, int slot) const
 {
   const RefinedLattice::Place place = this->TheLattice.NodeOfKey(key);
   const Index3 node = this->FinestNode(place.Level, place.At);
-  return place.Slot == 0 && this->TouchesFine(node) ? this->FinestGrid.NodeKey(node) * slots + 1
-                                                    : this->OuterPointId(key, slots);
+  return place.Slot == 0 && this->TouchesFine(node)
+    ? this->FinestGrid.NodeKey(node) * slots + slot + 1
+    : this->OuterPointId(key, slots, slot);
 }
 
-Index RefinedGrid::ElementId(Index key, Index slots) const
+Index RefinedGrid::ElementId(Index key, Index slots, int slot) const
 {
-  return NumberOfCells(this->FinestGrid) * slots + key + 1;
+  return (NumberOfCells(this->FinestGrid) + key) * slots + slot + 1;
 }
 
 bool RefinedGrid::IsOuterPoint(Index id, Index slots) const
@@ -234,7 +226,7 @@ bool RefinedGrid::IsOuterElement(Index id, Index slots) const
 
 Index RefinedGrid::KeyOfPoint(Index id, Index slots) const
 {
-  return this->IsOuterPoint(id, slots) ? id - NumberOfNodes(this->FinestGrid) * slots - 1
+  return this->IsOuterPoint(id, slots) ? (id - 1) / slots - NumberOfNodes(this->FinestGrid)
                                        : this->TheLattice.LatticeKey(this->NumberOfRefinements(),
                                            NodeOfKey(this->FinestGrid, (id - 1) / slots));
 }
@@ -252,7 +244,7 @@ Index3 RefinedGrid::NodeOfOuterPoint(Index id, Index slots) const
 
 RefinedLattice::Place RefinedGrid::CellOfOuterElement(Index id, Index slots) const
 {
-  return this->TheLattice.HexOfKey(id - NumberOfCells(this->FinestGrid) * slots - 1);
+  return this->TheLattice.HexOfKey((id - 1) / slots - NumberOfCells(this->FinestGrid));
 }
 
 Index RefinedGrid::CentreId(Index hexKey, Index slots) const
@@ -260,7 +252,7 @@ Index RefinedGrid::CentreId(Index hexKey, Index slots) const
   const Index nodeKeys = this->TheLattice.NodeKey(this->NumberOfRefinements(),
                            this->FinestGrid.Global().Upper, RefinedLattice::NodeSlots - 1) +
     1;
-  return NumberOfNodes(this->FinestGrid) * slots + nodeKeys + hexKey + 1;
+  return (NumberOfNodes(this->FinestGrid) + nodeKeys) * slots + hexKey + 1;
 }
 
 Index RefinedGrid::TetId(Index hexKey, Index number, Index slots) const

@@ -21,7 +21,7 @@ class RefinedGrid
 {
 public:
   /// interfaces: the nodes of the finest grid that must have fine cells around, plan.FineLayers more than those at the node;
-  /// linear indices, those at owned cells count. Keeps a reference to the grid. Throws InputError when its boxes are not
+  /// linear indices, those at owned cells count; none are looked at unless plan.FineInterfaces. Throws InputError when its boxes are not
   /// whole base cells, or keys do not fit. Collective.
   RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
     const std::vector<Index>& interfaces, Ranks& ranks);
@@ -33,11 +33,16 @@ public:
   const RefinedLattice& Lattice() const { return this->TheLattice; }
   const OctetSets& Octets() const { return this->Sets; }
   int NumberOfRefinements() const { return this->TheLattice.NumberOfRefinements(); }
+  /// Whether all cells at interfaces are finest ones.
+  bool HasFineInterfaces() const { return this->FineInterfaces; }
 
   /// Whether a finest cell of the local box, or the one that a cell beside the domain mirrors, is a hex of its own.
   bool IsFine(const Index3& cell) const;
   /// Whether a cell at a node of the finest grid is a hex of its own.
   bool TouchesFine(const Index3& node) const;
+
+  /// The leaf that a finest cell of the domain is or lies in: the coarsest cell around it that is not refined. Slot 0.
+  RefinedLattice::Place LeafOf(const Index3& finestCell) const;
 
   /// Calls visit(begin, end) for the runs of such cells in [first, last) of row j, k, and for the runs of nodes at such
   /// cells. Rows without any cost nothing.
@@ -56,14 +61,14 @@ public:
   Index3 NearestCell(int level, const Index3& cell) const;
 
   /// Ids in a mesh with so many slots a node or cell of the finest grid, of what has a key in the lattice.
-  Index PointId(Index key, Index slots) const;
-  Index ElementId(Index key, Index slots) const;
+  Index PointId(Index key, Index slots, int slot = 0) const;
+  Index ElementId(Index key, Index slots, int slot = 0) const;
   /// Whether a point is a node of the lattice or a copy of one: no point of an interface.
   bool IsLatticePoint(Index id, Index slots) const
   {
     return this->IsOuterPoint(id, slots) || (id - 1) % slots == 0;
   }
-  /// The key of such a point in the lattice.
+  /// The key of such a point, or of the node that it was split from, in the lattice.
   Index KeyOfPoint(Index id, Index slots) const;
   /// The node, and lowest cell, of the finest grid that such a point or element of the outer hexes stems from; ids above
   /// those of the finest cells.
@@ -74,7 +79,7 @@ public:
 
   /// The same of tets (OuterTets.h): points that no finest cell of HexBox has go by their keys, the centres of outer hexes are points after all others, a tet is number 0..23 of a hex.
   static constexpr Index TetsOfHex = 24;
-  Index OuterPointId(Index key, Index slots) const;
+  Index OuterPointId(Index key, Index slots, int slot = 0) const;
   Index CentreId(Index hexKey, Index slots) const;
   Index TetId(Index hexKey, Index number, Index slots) const;
   bool IsOuterCentre(Index id, Index slots) const;
@@ -93,12 +98,13 @@ private:
   template <class Visitor>
   void ForFineOctets(const std::array<Index, 4>& rows, const Visitor& visit) const;
 
-  const CartesianGrid& FinestGrid;
+  CartesianGrid FinestGrid;
   CartesianGrid BaseGrid;
   RefinedLattice TheLattice;
   OctetSets Sets;
   static constexpr int OctetShift = 2; // an octet is four finest cells along each axis
 
+  bool FineInterfaces;
   IndexBox Marked;                    // octets of the last refinement over the local box
   std::vector<unsigned char> Fine;    // of each of them
   std::vector<unsigned char> HasFine; // of each row of them

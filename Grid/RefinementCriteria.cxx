@@ -292,24 +292,31 @@ RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& 
 }
 
 std::vector<std::vector<Index>> FindWantedOctets(
-  const RefinedLattice& lattice, const RefinementWishes& wishes)
+  const RefinedLattice& lattice, const RefinementWishes& wishes, int layers)
 {
   const Index nx = lattice.Cells(0, 0), ny = lattice.Cells(0, 1);
   std::vector<std::vector<Index>> octets(wishes.Refinements);
   for (const RefinementWish& wish : wishes.Cells)
   {
     const Index3 cell{ { wish.Cell % nx, wish.Cell / nx % ny, wish.Cell / nx / ny } };
-    octets[0].push_back(lattice.OctetKey(0, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } }));
-    for (int level = 1; level < wish.Halvings; ++level)
+    IndexBox children; // of the level that the cell wants, and those around
+    for (int a = 0; a < 3; ++a)
     {
-      // an octet of a level is a cell of the one before
-      const Index along = Index(1) << (level - 1);
-      for (Index n = 0; n < along * along * along; ++n)
+      children.Lower[a] = std::max<Index>((cell[a] << wish.Halvings) - layers, 0);
+      children.Upper[a] =
+        std::min(((cell[a] + 1) << wish.Halvings) + layers, lattice.Cells(wish.Halvings, a));
+    }
+    for (int level = 0; level < wish.Halvings; ++level)
+    {
+      const int shift = wish.Halvings - level + 1; // an octet is two cells of its level
+      IndexBox around;
+      for (int a = 0; a < 3; ++a)
       {
-        octets[level].push_back(lattice.OctetKey(level,
-          { { cell[0] * along + n % along, cell[1] * along + n / along % along,
-            cell[2] * along + n / (along * along) } }));
+        around.Lower[a] = children.Lower[a] >> shift;
+        around.Upper[a] = ((children.Upper[a] - 1) >> shift) + 1;
       }
+      ForCells(
+        around, [&](const Index3& q) { octets[level].push_back(lattice.OctetKey(level, q)); });
     }
   }
   for (std::vector<Index>& keys : octets)

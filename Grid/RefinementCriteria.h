@@ -52,8 +52,9 @@ RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& 
   Runtime& runtime);
 
 /// The octets of each refinement (RefinedLattice::OctetKey) that hold what this rank's cells want to be halved, ascending: what
-/// OctetSets asks for. lattice: of the same grid, with at least wishes.Refinements refinements.
+/// OctetSets asks for. lattice: of the same grid, with at least wishes.Refinements refinements. layers: so many more cells around,
+/// of the level that the place wants; >= 0.
 std::vector<std::vector<Index>> FindWantedOctets(
-  const RefinedLattice& lattice, const RefinementWishes& wishes);
+  const RefinedLattice& lattice, const RefinementWishes& wishes, int layers = 0);
 
 } // namespace vfm

@@ -73,7 +73,7 @@ double Smoother::ForPoints(const std::function<double(int)>& move)
 {
   std::atomic<double> largest(0.0);
   std::fill(this->Woke.begin(), this->Woke.end(), 0);
-  for (int colour = 0; colour < 8; ++colour)
+  for (int colour = 0; colour < static_cast<int>(this->Mesh.Colours.size()); ++colour)
   {
     const std::vector<ActiveMesh::Group>& groups = this->Mesh.Colours[colour];
     this->Run.For(0, static_cast<Index>(groups.size()),

@@ -2,7 +2,7 @@
  * Smoothing: the barrier energy of the elements and the squared distances of the surface points to their
  * targets, minimised point by point with Newton steps that keep every element positive.
  *
- * Points move in eight colours (parity of their grid node); points of one colour share no element, so the result
+ * Points move by colour (parity of their grid node); points of one colour share no element, so the result
  * depends neither on the threads nor on the ranks, which exchange each colour. The points of one node move in order.
  */
 #pragma once

@@ -93,33 +93,64 @@ Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
 } // namespace
 
 SurfaceTargets::SurfaceTargets(const Interface& interface, Kind kind, Runtime& runtime) :
-  TheInterface(interface),
-  TheKind(kind),
-  Frames(interface.Points().size()),
-  Facets(kind == Kind::Facets ? interface.Points().size() : 0)
+  SurfaceTargets(std::vector<const Interface*>{ &interface }, kind, runtime)
 {
+}
+
+SurfaceTargets::SurfaceTargets(
+  const std::vector<const Interface*>& interfaces, Kind kind, Runtime& runtime) :
+  TheKind(kind)
+{
+  Index count = 0;
+  for (const Interface* interface : interfaces)
+  {
+    this->Levels.push_back({ interface, interface->Scale() / interfaces.back()->Scale(), count });
+    count += static_cast<Index>(interface->Points().size());
+  }
+  this->Frames.resize(count);
+  this->Facets.resize(kind == Kind::Facets ? count : 0);
+  for (const Level& level : this->Levels)
+  {
+    this->FitLevel(level, runtime);
+  }
+}
+
+void SurfaceTargets::FitLevel(const Level& level, Runtime& runtime)
+{
+  const Interface& interface = *level.Source;
   runtime.For(0, static_cast<Index>(interface.Nodes().size()),
     [&](Index first, Index last)
     {
       for (Index n = first; n < last; ++n)
       {
-        for (Index t = interface.PointOffset(n); t < interface.PointOffset(n + 1); ++t)
+        for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
         {
-          this->FitQuadric(n, t);
-          if (kind == Kind::Facets)
+          this->FitQuadric(level, n, p);
+          if (this->TheKind == Kind::Facets)
           {
-            this->FindFacets(n, t);
+            this->FindFacets(level, n, p);
           }
         }
       }
     });
 }
 
-void SurfaceTargets::FitQuadric(Index node, Index target)
+const SurfaceTargets::Level& SurfaceTargets::LevelOf(Index target) const
 {
-  const SurfacePoint& base = this->TheInterface.Points()[target];
-  const Vector3 widths = this->TheInterface.NodeWidths(this->TheInterface.Nodes()[node]);
-  Frame& frame = this->Frames[target];
+  auto level = this->Levels.end() - 1;
+  while (level->First > target)
+  {
+    --level;
+  }
+  return *level;
+}
+
+void SurfaceTargets::FitQuadric(const Level& level, Index node, Index point)
+{
+  const Interface& interface = *level.Source;
+  const SurfacePoint& base = interface.Points()[point];
+  const Vector3 widths = interface.NodeWidths(interface.Nodes()[node]);
+  Frame frame; // in grid coordinates of its own grid until it is stored
   frame.Base = base.Point;
   frame.InverseWidths = Divided({ { 1.0, 1.0, 1.0 } }, widths);
   frame.N = Unit(Scaled(base.Normal, widths));
@@ -128,18 +159,17 @@ void SurfaceTargets::FitQuadric(Index node, Index target)
   Matrix6 A = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
   int used = 0;
-  for (Index n : FindRing(this->TheInterface, node, base.First, base.Second))
+  for (Index n : FindRing(interface, node, base.First, base.Second))
   {
-    const SurfacePoint& point = *this->TheInterface.FindPoint(n, base.First, base.Second);
-    const Vector3 y = Scaled(point.Point - frame.Base, frame.InverseWidths);
+    const SurfacePoint& other = *interface.FindPoint(n, base.First, base.Second);
+    const Vector3 y = Scaled(other.Point - frame.Base, frame.InverseWidths);
     const double u = Dot(y, frame.U), v = Dot(y, frame.V), w = Dot(y, frame.N);
     if (std::fabs(w) >= LargestHeight ||
-      Dot(Unit(Scaled(point.Normal, widths)), frame.N) <= SmallestCosine)
+      Dot(Unit(Scaled(other.Normal, widths)), frame.N) <= SmallestCosine)
     {
       continue;
     }
-    const bool junction =
-      this->TheInterface.PointOffset(n + 1) - this->TheInterface.PointOffset(n) > 1;
+    const bool junction = interface.PointOffset(n + 1) - interface.PointOffset(n) > 1;
     const double weight = std::exp(-(u * u + v * v) / (2.0 * FitRadius * FitRadius)) *
       (junction ? JunctionWeight : 1.0);
     Vector6 row;
@@ -166,19 +196,22 @@ void SurfaceTargets::FitQuadric(Index node, Index target)
     const double bound = i == 0 ? 1.0 : (i < 3 ? 1e30 : 0.5);
     frame.C[i] = std::min(std::max(c[i], -bound), bound);
   }
+  frame.Base = level.Ratio * frame.Base;
+  frame.InverseWidths = (1.0 / level.Ratio) * frame.InverseWidths;
+  this->Frames[level.First + point] = frame;
 }
 
-void SurfaceTargets::FindFacets(Index node, Index target)
+void SurfaceTargets::FindFacets(const Level& level, Index node, Index point)
 {
-  const SurfacePoint& base = this->TheInterface.Points()[target];
-  std::vector<Index>& facets = this->Facets[target];
-  for (Index n : FindRing(this->TheInterface, node, base.First, base.Second))
+  const Interface& interface = *level.Source;
+  const SurfacePoint& base = interface.Points()[point];
+  std::vector<Index>& facets = this->Facets[level.First + point];
+  for (Index n : FindRing(interface, node, base.First, base.Second))
   {
-    for (Index at = this->TheInterface.FaceOffset(n); at < this->TheInterface.FaceOffset(n + 1);
-         ++at)
+    for (Index at = interface.FaceOffset(n); at < interface.FaceOffset(n + 1); ++at)
     {
-      const Index face = this->TheInterface.FaceList()[at];
-      const InterfaceFace& f = this->TheInterface.Faces()[face];
+      const Index face = interface.FaceList()[at];
+      const InterfaceFace& f = interface.Faces()[face];
       if (f.First() == base.First && f.Second() == base.Second)
       {
         facets.push_back(face);
@@ -225,30 +258,44 @@ double SurfaceTargets::QuadricDistance(
 double SurfaceTargets::FacetDistance(Index target, const Vector3& y, Vector3& gradient) const
 {
   const Frame& frame = this->Frames[target];
-  const SurfacePoint& base = this->TheInterface.Points()[target];
-  double best = 1e30;
+  const Level& level = this->LevelOf(target);
+  const Interface& interface = *level.Source;
+  const SurfacePoint& base = interface.Points()[target - level.First];
+  const bool skipsFolds = this->Levels.size() > 1; // steps of coarser cells fold quads
+  constexpr double None = 1e30;
+  double best = None;
   Vector3 nearest{ { 0.0, 0.0, 0.0 } }, normal = frame.N;
   for (Index face : this->Facets[target])
   {
     Vector3 corner[4];
     int c = 0;
-    for (Index n : this->TheInterface.NodesOfFace(face))
+    for (Index n : interface.NodesOfFace(face))
     {
-      const SurfacePoint& point = *this->TheInterface.FindPoint(n, base.First, base.Second);
-      corner[c++] = Scaled(point.Point - frame.Base, frame.InverseWidths) - y;
+      const SurfacePoint& point = *interface.FindPoint(n, base.First, base.Second);
+      corner[c++] = Scaled(level.Ratio * point.Point - frame.Base, frame.InverseWidths) - y;
     }
-    const bool along = this->TheInterface.Faces()[face].LowerLabel == base.First;
+    const bool along = interface.Faces()[face].LowerLabel == base.First;
     for (int half = 0; half < 2; ++half)
     {
       const Vector3 &a = corner[0], &b = corner[1 + half], &d = corner[2 + half];
       const Vector3 p = NearestOfTriangle(a, b, d);
       if (Dot(p, p) < best)
       {
+        const Vector3 across = Unit((along ? 1.0 : -1.0) * Cross(b - a, d - a));
+        if (skipsFolds && Dot(across, frame.N) <= SmallestCosine)
+        {
+          continue;
+        }
         best = Dot(p, p);
         nearest = p;
-        normal = Unit((along ? 1.0 : -1.0) * Cross(b - a, d - a));
+        normal = across;
       }
     }
+  }
+  if (best == None)
+  {
+    gradient = frame.N;
+    return Dot(y, frame.N);
   }
   const double distance = std::sqrt(best);
   const double sign = Dot(nearest, normal) <= 0.0 ? 1.0 : -1.0;

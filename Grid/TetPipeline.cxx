@@ -260,7 +260,9 @@ Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
   CheckOptions(options);
   CheckTetGenOptions(options);
   report = MeshReport();
-  return TetMesher(grid, fractions, options, runtime, report).Make();
+  MeshOptions own = options;
+  own.Levels.FineInterfaces = true; // tets know no others
+  return TetMesher(grid, fractions, own, runtime, report).Make();
 }
 
 } // namespace vfm

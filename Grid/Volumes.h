@@ -47,7 +47,7 @@ public:
   }
   int FindNear(const Index3& cell, int material) const override;
 
-private:
+protected:
   const CartesianGrid& Grid;
   const LabelArray& Labels;
   const Fragments& Pieces;
