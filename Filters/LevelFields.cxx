@@ -344,14 +344,14 @@ LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   return result;
 }
 
-int FindFinerLevels(
-  LevelFields& fields, const RefinementCriteria& criteria, double isoValue, Runtime& runtime)
+int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
+  int layers, Runtime& runtime)
 {
   const Partition partition(fields.Grid, runtime.Group());
   const RefinementWishes wishes =
     FindRefinement(fields.Grid, fields.Field.Fractions, criteria, isoValue, partition, runtime);
   const RefinedLattice lattice(fields.Grid, wishes.Refinements);
-  for (std::vector<Index>& octets : FindWantedOctets(lattice, wishes))
+  for (std::vector<Index>& octets : FindWantedOctets(lattice, wishes, layers))
   {
     fields.Octets.push_back(std::move(octets)); // keys are those of the lattice over Base
   }

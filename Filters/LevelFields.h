@@ -37,9 +37,10 @@ std::vector<BlockPlace> ShareOutCells(
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
-/// Collective: how many levels finer than Grid the criteria want; adds the octets that they want to refine.
-int FindFinerLevels(
-  LevelFields& fields, const RefinementCriteria& criteria, double isoValue, Runtime& runtime);
+/// Collective: how many levels finer than Grid the criteria want; adds the octets that they want to refine, and those of so many
+/// layers of cells around (FindWantedOctets).
+int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
+  int layers, Runtime& runtime);
 
 /// Collective: halves all cells of Grid so many times.
 void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runtime);

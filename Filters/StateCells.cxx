@@ -54,33 +54,42 @@ double SquaredDistance(const CartesianGrid& grid, const Index3& cell, const Vect
   return sum;
 }
 
-/// Of a cell and its neighbours the one that holds most of the material.
-Index3 FindFullest(const CartesianGrid& grid, const FractionField& fractions, const Index3& middle,
-  const Vector3& centroid, int material)
+/// The cell that holds most of an element's material, of those that it was compared with.
+class FullestCell
 {
-  const IndexBox around = Grow(BoxOf(middle), 1, grid.Global());
-  Index3 best = middle;
-  double bestFraction = -1.0, bestDistance = 0.0;
-  for (Index k = around.Lower[2]; k < around.Upper[2]; ++k)
+public:
+  FullestCell(const CartesianGrid& grid, const FractionField& fractions, const Vector3& centroid,
+    int material) :
+    Grid(grid), Fractions(fractions), Centroid(centroid), Material(material)
   {
-    for (Index j = around.Lower[1]; j < around.Upper[1]; ++j)
-    {
-      for (Index i = around.Lower[0]; i < around.Upper[0]; ++i)
-      {
-        const Index3 cell{ { i, j, k } };
-        const double fraction = fractions.Fraction(grid.Linear(cell), material);
-        const double distance = SquaredDistance(grid, cell, centroid);
-        if (fraction > bestFraction || (fraction == bestFraction && distance < bestDistance))
-        {
-          best = cell;
-          bestFraction = fraction;
-          bestDistance = distance;
-        }
-      }
-    }
   }
-  return best;
-}
+
+  void Compare(const IndexBox& cells)
+  {
+    ForCells(cells,
+      [this](const Index3& cell)
+      {
+        const double fraction = this->Fractions.Fraction(this->Grid.Linear(cell), this->Material);
+        const double distance = SquaredDistance(this->Grid, cell, this->Centroid);
+        if (fraction > this->Fraction || (fraction == this->Fraction && distance < this->Distance))
+        {
+          this->Cell = cell;
+          this->Fraction = fraction;
+          this->Distance = distance;
+        }
+      });
+  }
+
+  Index3 Cell{};
+  double Fraction = -1.0;
+
+private:
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const Vector3& Centroid;
+  const int Material;
+  double Distance = 0.0;
+};
 
 /// Applies the rule to the elements of a mesh.
 class StateRule
@@ -94,23 +103,32 @@ public:
   Index3 Choose(Index element) const
   {
     const Vector3 centroid = FindCentroid(this->TheMesh, element);
-    const Index3 cell = FindCell(this->Grid, this->Reach(element), centroid);
+    const IndexBox own = this->FindOwn(element);
+    const IndexBox reach =
+      this->TheMesh.ElementSlots == 0 ? own : Grow(own, StateReach, this->Grid.Global());
+    const Index3 cell = FindCell(this->Grid, reach, centroid);
     const int material = this->TheMesh.Material[element];
-    return this->Fractions.Fraction(this->Grid.Linear(cell), material) >= EnoughFraction
-      ? cell
-      : FindFullest(this->Grid, this->Fractions, cell, centroid, material);
+    if (this->Fractions.Fraction(this->Grid.Linear(cell), material) >= EnoughFraction)
+    {
+      return cell;
+    }
+    FullestCell fullest(this->Grid, this->Fractions, centroid, material);
+    fullest.Compare(Grow(BoxOf(cell), 1, this->Grid.Global()));
+    const bool isCoarse = this->TheMesh.ElementSlots > 0 && own.NumberOfCells() > 1;
+    if (isCoarse && fullest.Fraction < EnoughFraction)
+    {
+      fullest.Compare(own);
+    }
+    return fullest.Cell;
   }
 
 private:
-  /// The cells in which the centroid may lie.
-  IndexBox Reach(Index element) const
+  /// The cells that the element was made of; of TetGen's tets all that the rank knows but for the last.
+  IndexBox FindOwn(Index element) const
   {
-    if (this->TheMesh.ElementSlots == 0)
-    {
-      return this->Grid.Extended(StateReach);
-    }
-    const Index3 cell = CellOfElement(this->Grid, this->TheMesh, this->TheMesh.ElementIds[element]);
-    return Grow(BoxOf(cell), StateReach, this->Grid.Global());
+    return this->TheMesh.ElementSlots == 0
+      ? this->Grid.Extended(StateReach)
+      : CellsOfElement(this->Grid, this->TheMesh, this->TheMesh.ElementIds[element]);
   }
 
   const Mesh& TheMesh;

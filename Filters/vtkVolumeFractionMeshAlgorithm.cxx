@@ -308,10 +308,12 @@ vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& set
     criteria.FlippedCells = this->RefineFlippedCells;
     criteria.InterfaceLayers = this->InterfaceLayers;
     criteria.MaximumLevel = finer;
-    finer = vfm::FindFinerLevels(fields, criteria, this->IsoValue, runtime);
+    const int layers = this->KeepsInterfacesFine() ? 0 : this->FineLayers;
+    finer = vfm::FindFinerLevels(fields, criteria, this->IsoValue, layers, runtime);
   }
   vfm::RefineFields(fields, finer, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
   vfm::LevelPlan plan;
+  plan.FineInterfaces = this->KeepsInterfacesFine();
   plan.FineLayers = this->FineLayers;
   if (!setup.IsUniform)
   {
@@ -393,6 +395,7 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumRegionCells: " << this->MinimumRegionCells << "\n";
   os << indent << "Refinement: " << this->Refinement << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "FineInterfaces: " << this->FineInterfaces << "\n";
   os << indent << "FineLayers: " << this->FineLayers << "\n";
   os << indent << "ChildFractions: " << this->ChildFractions << "\n";
   os << indent << "ThinCells: " << this->ThinCells << "\n";

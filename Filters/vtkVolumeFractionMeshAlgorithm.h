@@ -159,7 +159,20 @@ public:
 
   ///@{
   /**
-   * How many of the finest cells lie at least between an interface and larger cells; 2 or more. Default: 2.
+   * Whether all interfaces get the finest cells. Off: cells are only as fine as the input's levels (REFINEMENT_INPUT_LEVELS) or the
+   * criteria (REFINEMENT_AUTOMATIC, with FineLayers of the cells that a place wants around it) ask at each place, and interfaces
+   * run through coarser cells and transitions. REFINEMENT_COARSEN asks nowhere: its mesh then has cells of its coarsest level
+   * alone. Hexahedra only: interfaces of tetrahedra always get the finest cells. Default: on.
+   */
+  vtkSetMacro(FineInterfaces, bool);
+  vtkGetMacro(FineInterfaces, bool);
+  vtkBooleanMacro(FineInterfaces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many of the finest cells lie at least between an interface, or with FineInterfaces off a place where a criterion asks for
+   * them, and larger cells; 2 or more. Default: 2.
    */
   vtkSetClampMacro(FineLayers, int, 2, 64);
   vtkGetMacro(FineLayers, int);
@@ -184,7 +197,7 @@ public:
   ///@{
   /**
    * What REFINEMENT_AUTOMATIC looks for, on the finest level of the input; 0: not. All interfaces get the level that the
-   * neediest place wants, up to MaximumLevel.
+   * neediest place wants, up to MaximumLevel; with FineInterfaces off each place what it wants.
    * ThinCells: films, gaps, rods and small bodies thinner than so many cells, at most 3, until they are no longer. Default: 2.
    * CurvaturePerCell: interfaces that turn by more than so many radians over a cell, until they turn by less. Default: 0.
    * RefineFlippedCells: cells whose material had to be changed to make the interfaces manifold; once. Default: off.
@@ -306,6 +319,11 @@ protected:
   virtual vfm::Mesh MakeMesh(const vfm::CartesianGrid& grid, const vfm::FractionField& fractions,
     const vfm::MeshOptions& options, vfm::Runtime& runtime, vfm::MeshReport& report) = 0;
 
+  /**
+   * Whether interfaces get the finest cells in this kind of mesh.
+   */
+  virtual bool KeepsInterfacesFine() const { return this->FineInterfaces; }
+
   vtkMultiProcessController* Controller = nullptr;
   std::vector<std::string> VolumeFractionArrays;
   std::string MaterialIdArray;
@@ -315,6 +333,7 @@ protected:
   int MinimumRegionCells = 0;
   int Refinement = REFINEMENT_INPUT_LEVELS;
   int MaximumLevel = -1;
+  bool FineInterfaces = true;
   int FineLayers = 2;
   int ChildFractions = CHILD_FRACTIONS_PLANES;
   double ThinCells = 2.0, CurvaturePerCell = 0.0;

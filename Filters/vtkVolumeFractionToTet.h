@@ -17,7 +17,8 @@
  * surfaces are the same, the tetrahedra between them follow the partition.
  *
  * See vtkVolumeFractionMeshAlgorithm for the input and the properties. TargetScaledJacobian is here the sine of
- * the acute dihedral angles that smoothing strives for: .5 is 30 degrees; 0: a little more than .5.
+ * the acute dihedral angles that smoothing strives for: .5 is 30 degrees; 0: a little more than .5. FineInterfaces has
+ * no effect: all interfaces get the finest cells.
  *
  * Port 0, tetrahedra of all materials, with the arrays of vtkVolumeFractionToHex. Field data also:
  * MinimumDihedralAngle, MaximumDihedralAngle (double, degrees) and DihedralAngles (vtkIdType, 18 values: how many
@@ -107,6 +108,8 @@ protected:
 
   vfm::Mesh MakeMesh(const vfm::CartesianGrid& grid, const vfm::FractionField& fractions,
     const vfm::MeshOptions& options, vfm::Runtime& runtime, vfm::MeshReport& report) override;
+
+  bool KeepsInterfacesFine() const override { return true; }
 
   int Method;
   double RelativeSize = 1.0;

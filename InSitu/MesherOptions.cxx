@@ -102,6 +102,7 @@ const std::vector<MesherOption>& Options()
       { "Off", "InputLevels", "Automatic", "Coarsen", "Uniform" }),
     MakeOption("MaximumLevel", "a whole number, -1 (automatic) to 10", "-1",
       &Mesher::SetMaximumLevel, [](const std::string& text) { return ParseCount(text, -1, 10); }),
+    Switch("FineInterfaces", "on", &Mesher::SetFineInterfaces),
     Count("FineLayers", "2", &Mesher::SetFineLayers, 2, 64),
     Choice("ChildFractions", "Planes", &Mesher::SetChildFractions, { "Planes", "Parent" }),
     Number("ThinCells", "a number from 0 (off) to 3", "2", &Mesher::SetThinCells, 0.0, 3.0),
