@@ -3,7 +3,7 @@
  * small ball, whose octets are about 1 % of the cells. Each runs in a process of its own.
  *
  * usage: RefinedMemory [n, default 64] [n ...] [--block: the ball is tiny, a block beside it is refined]
- * [--stages: when each began, and the peak then]
+ * [--place: the ball is large, a block that its surface runs through is refined alone] [--stages: when each began, and the peak then]
  */
 #include "MeasureAlone.h"
 #include "MeshCases.h"
@@ -46,27 +46,43 @@ private:
   const char* Last = nullptr;
 };
 
-/// Octets of a cube of 1 % of n^3 cells, in a corner.
-std::vector<Index> ListBlock(Index n)
+/// What is refined, and beside what.
+enum class Scene
+{
+  Shell, // all interfaces, of a small ball
+  Block, // a block beside a tiny ball
+  Place  // a block through which the surface of a large ball runs
+};
+
+constexpr double LargeRadius = 0.36; // of n
+
+/// Octets of a cube of 1 % of n^3 cells, from a corner or around the end of the large ball along x.
+std::vector<Index> ListBlock(Index n, Scene scene)
 {
   const CartesianGrid grid = MakeUnitGrid(n);
   const RefinedLattice lattice(grid, 1);
   const Index size = std::llround(0.5 * std::cbrt(RefinedShare) * static_cast<double>(n));
-  std::vector<Index> keys;
-  for (Index at = 0; at < size * size * size; ++at)
+  Index3 first{ { 1, 1, 1 } };
+  if (scene == Scene::Place)
   {
-    keys.push_back(
-      lattice.OctetKey(0, { { at % size + 1, at / size % size + 1, at / size / size + 1 } }));
+    const Index middle = n / 4 - size / 2;
+    first = { { middle + std::llround(0.5 * LargeRadius * static_cast<double>(n)), middle,
+      middle } };
   }
+  std::vector<Index> keys;
+  const IndexBox box{ first, { { first[0] + size, first[1] + size, first[2] + size } } };
+  ForCells(box, [&](const Index3& q) { keys.push_back(lattice.OctetKey(0, q)); });
   return keys;
 }
 
 /// Peak bytes, seconds, hexes, refined cells, transition hexes.
-std::vector<double> MeshBall(Index n, int refinements, bool block, bool stages)
+std::vector<double> MeshBall(Index n, int refinements, Scene scene, bool stages)
 {
   CartesianGrid grid = MakeUnitGrid(n);
   const double cells = std::pow(static_cast<double>(n), 3.0);
-  const double radius = block ? 4.0 : std::sqrt(RefinedShare * cells / CellsPerSquare);
+  const double radius = scene == Scene::Block ? 4.0
+    : scene == Scene::Place                   ? LargeRadius * static_cast<double>(n)
+                                              : std::sqrt(RefinedShare * cells / CellsPerSquare);
   const double middle = 0.5 * n;
   FractionField field = FractionsOfShapes(
     grid, { MakeSphere(1, { { middle + 0.1, middle + 0.2, middle + 0.3 } }, radius) });
@@ -75,9 +91,10 @@ std::vector<double> MeshBall(Index n, int refinements, bool block, bool stages)
   MeshOptions options;
   options.MeshVoid = true;
   options.Levels.Refinements = refinements;
-  if (block && refinements > 0)
+  if (scene != Scene::Shell && refinements > 0)
   {
-    options.Levels.Octets = { ListBlock(n) };
+    options.Levels.Octets = { ListBlock(n, scene) };
+    options.Levels.FineInterfaces = scene == Scene::Block;
   }
   const double begin = Now();
   for (int level = 0; level < refinements; ++level)
@@ -94,11 +111,11 @@ std::vector<double> MeshBall(Index n, int refinements, bool block, bool stages)
     refined, static_cast<double>(report.TransitionCells) };
 }
 
-void PrintRow(Index n, bool block, bool stages)
+void PrintRow(Index n, Scene scene, bool stages)
 {
-  const std::vector<double> base = MeasureAlone(5, [&] { return MeshBall(n, 0, block, stages); });
+  const std::vector<double> base = MeasureAlone(5, [&] { return MeshBall(n, 0, scene, stages); });
   const std::vector<double> refined =
-    MeasureAlone(5, [&] { return MeshBall(n, 1, block, stages); });
+    MeasureAlone(5, [&] { return MeshBall(n, 1, scene, stages); });
   if (base.empty() || refined.empty())
   {
     std::printf("| %lld^3 | failed |\n", static_cast<long long>(n));
@@ -118,11 +135,14 @@ void PrintRow(Index n, bool block, bool stages)
 int main(int argc, char** argv)
 {
   std::vector<Index> sizes;
-  bool stages = false, block = false;
+  bool stages = false;
+  Scene scene = Scene::Shell;
   for (int a = 1; a < argc; ++a)
   {
     stages = stages || std::strcmp(argv[a], "--stages") == 0;
-    block = block || std::strcmp(argv[a], "--block") == 0;
+    scene = std::strcmp(argv[a], "--block") == 0 ? Scene::Block
+      : std::strcmp(argv[a], "--place") == 0     ? Scene::Place
+                                                 : scene;
     if (argv[a][0] != '-')
     {
       sizes.push_back(std::atoll(argv[a]));
@@ -138,7 +158,7 @@ int main(int argc, char** argv)
   std::fflush(stdout);
   for (Index n : sizes)
   {
-    PrintRow(n, block, stages);
+    PrintRow(n, scene, stages);
   }
   return 0;
 }

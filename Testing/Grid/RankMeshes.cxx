@@ -172,6 +172,25 @@ FractionField MakeBlockLabels(const CartesianGrid& grid, int refinements, unsign
     });
 }
 
+FractionField MakeNearTies(const CartesianGrid& grid, double share, unsigned seed)
+{
+  std::mt19937 random(seed);
+  FractionField field(grid, 3);
+  ForCells(grid.Local(),
+    [&](const Index3& p)
+    {
+      const bool isRandom = random() < share * 4294967296.0;
+      const int most = isRandom ? 1 + static_cast<int>(random() % 3) : 1;
+      std::vector<FractionField::Part> parts;
+      for (int m = 1; m <= 3; ++m)
+      {
+        parts.push_back({ m, m == most ? 0.34 : 0.33 });
+      }
+      field.SetParts(grid.Linear(p), parts);
+    });
+  return field;
+}
+
 std::vector<std::vector<Index>> MakeRandomOctets(
   const CartesianGrid& grid, int refinements, double chance, unsigned seed)
 {

@@ -64,6 +64,10 @@ std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh);
 /// Labels in blocks of 2^refinements cells: a fortieth of them random, of void and two materials, the others material 1.
 FractionField MakeBlockLabels(const CartesianGrid& grid, int refinements, unsigned seed);
 
+/// Three materials, all nearly equal in every cell: the most by a hair is material 1 or, in a share of the cells, a random one. Labels are
+/// noise that costs next to nothing to change, so coarser cells and transitions stay where they are wanted.
+FractionField MakeNearTies(const CartesianGrid& grid, double share, unsigned seed);
+
 /// Octets of every level, with a chance (LevelPlan::Octets).
 std::vector<std::vector<Index>> MakeRandomOctets(
   const CartesianGrid& grid, int refinements, double chance, unsigned seed);

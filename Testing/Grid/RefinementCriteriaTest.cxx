@@ -377,6 +377,41 @@ TEST(RefinementCriteria, LayersCountFromTheInterface)
   }
 }
 
+namespace
+{
+
+/// Of each level, the octets of all cells of the level that a place wants, in it and so many layers around.
+std::vector<std::set<Index>> OctetsAround(
+  const RefinedLattice& lattice, const RefinementWishes& wishes, int layers)
+{
+  std::vector<std::set<Index>> octets(wishes.Refinements);
+  const CartesianGrid& grid = lattice.Base();
+  for (const RefinementWish& wish : wishes.Cells)
+  {
+    const Index nx = grid.Global().Upper[0], ny = grid.Global().Upper[1];
+    const Index3 cell{ { wish.Cell % nx, wish.Cell / nx % ny, wish.Cell / (nx * ny) } };
+    const Index along = (Index(1) << wish.Halvings) + 2 * layers;
+    ForCells({ { { 0, 0, 0 } }, { { along, along, along } } },
+      [&](const Index3& d)
+      {
+        Index3 p;
+        for (int a = 0; a < 3; ++a)
+        {
+          p[a] = (cell[a] << wish.Halvings) + d[a] - layers;
+        }
+        for (int level = 0; level < wish.Halvings && lattice.HasCell(wish.Halvings, p); ++level)
+        {
+          const int shift = wish.Halvings - level + 1;
+          octets[level].insert(
+            lattice.OctetKey(level, { { p[0] >> shift, p[1] >> shift, p[2] >> shift } }));
+        }
+      });
+  }
+  return octets;
+}
+
+} // namespace
+
 TEST(RefinementCriteria, OctetsHoldWhatIsWanted)
 {
   const CartesianGrid grid = MakeUnitGrid(7, 6, 5);
@@ -385,31 +420,19 @@ TEST(RefinementCriteria, OctetsHoldWhatIsWanted)
   wishes.Refinements = 3;
   wishes.Cells = { { grid.CellKey({ { 1, 2, 3 } }), 1 }, { grid.CellKey({ { 2, 2, 3 } }), 2 },
     { grid.CellKey({ { 6, 5, 4 } }), 3 } };
-  const std::vector<std::vector<Index>> octets = FindWantedOctets(lattice, wishes);
-  ASSERT_EQ(octets.size(), 3u);
-  std::vector<std::set<Index>> expected(3);
-  for (const RefinementWish& wish : wishes.Cells)
+  for (int layers : { 0, 1, 2, 3, 5, 9 })
   {
-    const Index3 at{ { wish.Cell % 7, wish.Cell / 7 % 6, wish.Cell / 42 } };
-    for (int level = 0; level < wish.Halvings; ++level)
+    const std::vector<std::vector<Index>> octets = FindWantedOctets(lattice, wishes, layers);
+    const std::vector<std::set<Index>> expected = OctetsAround(lattice, wishes, layers);
+    ASSERT_EQ(octets.size(), 3u);
+    for (int level = 0; level < 3; ++level)
     {
-      // all cells of the level inside
-      const Index along = Index(1) << level;
-      ForCells({ { { 0, 0, 0 } }, { { along, along, along } } },
-        [&](const Index3& d)
-        {
-          expected[level].insert(lattice.OctetKey(level,
-            { { (at[0] * along + d[0]) / 2, (at[1] * along + d[1]) / 2,
-              (at[2] * along + d[2]) / 2 } }));
-        });
+      EXPECT_TRUE(
+        octets[level] == std::vector<Index>(expected[level].begin(), expected[level].end()))
+        << layers << " layers, level " << level;
     }
   }
-  for (int level = 0; level < 3; ++level)
-  {
-    EXPECT_TRUE(octets[level] == std::vector<Index>(expected[level].begin(), expected[level].end()))
-      << level;
-  }
-  EXPECT_EQ(OctetSets(lattice, octets).Report(2).Wanted, 8);
+  EXPECT_EQ(OctetSets(lattice, FindWantedOctets(lattice, wishes)).Report(2).Wanted, 8);
 }
 
 TEST(RefinementCriteria, RanksAgree)

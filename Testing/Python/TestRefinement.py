@@ -376,7 +376,7 @@ def test_sculptor(at):
         result = mesh_of(data, **properties)
         mesh_file(at("data.vti"), at("out.vtu"), "--fractions", "ball,plate", *options, ranks=2)
         check_same(at("out.vtu"), result.mesh)
-    for word in ("Refinement=Coarse", "MaximumLevel=many", "FineLayers=1.5", "RefineFlippedCells=perhaps", "ThinCells=x"):
+    for word in ("Refinement=Coarse", "MaximumLevel=many", "FineLayers=1.5", "FineInterfaces=perhaps", "RefineFlippedCells=perhaps", "ThinCells=x"):
         refused(1, word.split("=")[0], "--input", at("data.vti"), "--output", at("no.vtu"), "--set", word)
 
 

@@ -12,7 +12,7 @@ DATA = fraction_image(N)
 HAS_TETGEN = "TetGen" in TET_METHODS
 DEFAULTS = {
     "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5,
-    "LabelSmoothing": 0, "MinimumRegionCells": 0, "Refinement": "Input Levels", "MaximumLevel": -1, "FineLayers": 2, "ChildFractions": "Planes",
+    "LabelSmoothing": 0, "MinimumRegionCells": 0, "Refinement": "Input Levels", "MaximumLevel": -1, "FineInterfaces": 1, "FineLayers": 2, "ChildFractions": "Planes",
     "ThinCells": 2.0, "CurvaturePerCell": 0.0, "RefineFlippedCells": 0, "InterfaceLayers": 0, "MeshVoid": 0, "StairStep": 0,
     "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
     "NumberOfThreads": 0, "Method": "TetGen" if HAS_TETGEN else "Lattice", "RelativeSize": 1.0,
@@ -59,6 +59,14 @@ def test_names_and_defaults():
 
 def test_default_method():
     assert digest(tets_of(DATA)) == digest(MESHES[DEFAULTS["Method"]])
+
+
+def test_fine_interfaces_are_for_hexahedra():
+    for refinement in ("Coarsen", "Automatic"):
+        properties = {"Method": "Lattice", "Refinement": refinement, "InterfaceLayers": 1, "StairStep": 1}
+        fine, asked = (tets_of(DATA, FineInterfaces=on, **properties) for on in (1, 0))
+        assert digest(fine) == digest(asked), refinement
+        assert max(fine.field("LevelOctets")) > 0
 
 
 def test_every_method():
