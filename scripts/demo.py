@@ -34,9 +34,10 @@ TEXT = (0.15, 0.15, 0.15)
 class Case:
     """A field of Data, how it is meshed, and from where it is seen (direction to the camera, zoom)."""
 
-    def __init__(self, name, file, arrays, tet_method, camera, zoom, cut_normal, cut_camera, cut_zoom):
+    def __init__(self, name, file, arrays, tet_method, camera, zoom, cut_normal, cut_camera, cut_zoom, options=None):
         self.name, self.file, self.arrays = name, os.path.join(ROOT, "Data", file), arrays
         self.tet_method = tet_method  # TetGen becomes Cells where it was not built in
+        self.options = options or {}  # properties of both filters
         self.camera, self.zoom = camera, zoom
         self.cut_normal, self.cut_camera, self.cut_zoom = cut_normal, cut_camera, cut_zoom
 
@@ -46,6 +47,8 @@ CASES = [
     Case("ball_and_plate", "ball_and_plate.vti", ["ball", "plate"], "Lattice", (0.7, -1.0, 0.5), 1.25, (0, 1, 0),
          (0.3, -1.0, 0.35), 1.5),
     Case("drop", "Gerris/impact_0.24.txt.gz", ["T"], "Lattice", (0.7, -1.0, 0.7), 1.25, (0, 1, 0), (0.3, -1.0, 0.3), 1.5),
+    Case("fin", "fin.vti", ["body"], "Cells", (0.5, -1.0, 0.8), 1.3, (0, 1, 0), (0.2, -1.0, 0.3), 1.5,
+         {"Refinement": "Automatic", "FineInterfaces": 0}),
 ]
 
 
@@ -64,11 +67,11 @@ def read_mesh(path):
 
 
 def hex_filter(case, source):
-    return VolumeFractionToHex(Input=source, VolumeFractionArrays=case.arrays)
+    return VolumeFractionToHex(Input=source, VolumeFractionArrays=case.arrays, **case.options)
 
 
 def tet_filter(case, source):
-    tets = VolumeFractionToTet(Input=source, VolumeFractionArrays=case.arrays)
+    tets = VolumeFractionToTet(Input=source, VolumeFractionArrays=case.arrays, **case.options)
     tets.Method = "Cells" if case.tet_method == "TetGen" and not tets.GetPropertyValue("HasTetGen") else case.tet_method
     return tets
 
