@@ -3,8 +3,9 @@
  *
  * The stages see the CartesianGrid of the finest level. The base grid's cells are 2^refinements finest ones along each axis.
  * Where an octet of the last refinement is refined (OctetSets.h) the finest cells are hexes of their own; everywhere else
- * stand the outer hexes: coarser cells, and the transition hexes between levels (OuterHexes.h). All cells near interfaces are
- * fine, so what finds, resolves and moves interfaces meets no outer hexes.
+ * stand the outer hexes: coarser cells, and the transition hexes between levels (OuterHexes.h). Where all interfaces get
+ * finest cells, what finds, resolves and moves interfaces meets no outer hexes; otherwise labels belong to leaves (LeafOf), and
+ * interfaces run through outer hexes too (SplitNodes.h).
  *
  * Ids: the points and elements of finest cells have those of a mesh without levels; those of the outer hexes follow, by the
  * keys of RefinedLattice. A lattice node that a fine cell has as a corner is a point of that cell.
