@@ -130,7 +130,7 @@ struct MeshReport
   std::vector<double> MeshVolume;             ///< per material from 0: of its elements
   std::vector<double> FragmentTargetVolume;   ///< by fragment, [0] unused
   Index RemovedRegions = 0, RemovedCells = 0; ///< small ones given to what is around them
-  Index FlippedCells = 0;                     ///< labels of cells or leaves changed to make the interfaces manifold
+  Index FlippedCells = 0; ///< labels of cells or leaves changed to make the interfaces manifold
   int ResolveRounds = 0;
   Index NumberOfFragments = 0;
   Index NumberOfSurfaces = 0, NumberOfCurves = 0, NumberOfVertices = 0;
