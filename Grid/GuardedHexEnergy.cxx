@@ -15,9 +15,8 @@ using Corners = std::array<const double*, 8>; // of a hex, by bits
 /// edges, one an axis, adds to the coefficient whose indices are the sums of theirs. Lanes: of the edges along z, by corner.
 struct EdgeProducts
 {
-  Lanes
-    Of[2][2]
-      [3]; // by the place of the y edge along x, of the x edge along y, and the sum of both along z
+  /// By the place of the y edge along x, of the x edge along y, and the sum of both along z.
+  Lanes Of[2][2][3];
 };
 
 VFM_INLINE Lanes3 SplatEdge(const double* from, const double* to)

@@ -111,10 +111,10 @@ private:
 };
 
 /// Gives cells of a level the labels of the leaves, where they are to have them. finest: of the finest grid, 2^halvings times as fine.
-class LeafLabels
+class LeafLabelSetter
 {
 public:
-  LeafLabels(const CartesianGrid& finest, const LabelArray& finestLabels, int halvings,
+  LeafLabelSetter(const CartesianGrid& finest, const LabelArray& finestLabels, int halvings,
     const CartesianGrid& grid, LevelCells& cells, LabelArray& labels) :
     Finest(finest),
     FinestLabels(finestLabels),
@@ -242,7 +242,7 @@ void LevelInterfaces::AddLevel(int level, const CartesianGrid& grid, const Fract
   LabelArray own = AssignMaterials(grid, fractions, isoValue);
   const int halvings = this->Levels.NumberOfRefinements() - level;
   const std::vector<Index> steps =
-    LeafLabels(this->Levels.Finest(), labels, halvings, grid, cells, own).Apply();
+    LeafLabelSetter(this->Levels.Finest(), labels, halvings, grid, cells, own).Apply();
   std::vector<Index> nodes = FindMixedNodes(grid, own);
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
                 [&](Index node) { return !cells.IsNear(grid.Position(node)); }),
