@@ -167,7 +167,7 @@ Mesh HexStages::MakeMesh()
     }
   }
   KeepOwned(mesh, this->Grid);
-  ReportLevels(mesh, this->Run.Group(), this->Report);
+  ReportLevels(mesh, this->Run.Group(), this->Report, this->Labelled.AskedOctets);
   ReportVolumes(this->Grid, volumes, this->Report);
   if (this->Options.ComputeQuality)
   {

@@ -130,6 +130,10 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
     result.Levels.Outer.reset();
     result.Levels.Grid =
       std::make_shared<const RefinedGrid>(grid, plan, std::vector<Index>(), runtime.Group());
+    for (int level = static_cast<int>(result.AskedOctets.size()); level < plan.Refinements; ++level)
+    {
+      result.AskedOctets.push_back(result.Levels.Grid->Octets().Report(level).Wanted);
+    }
     result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, options.IsoValue);
     const ResolveReport resolved =
       ResolveLabels(grid, fractions, result.Labels, partition, result.Levels.Grid.get());
@@ -203,7 +207,8 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
 
 } // namespace
 
-void ReportLevels(const Mesh& mesh, Ranks& ranks, MeshReport& report)
+void ReportLevels(
+  const Mesh& mesh, Ranks& ranks, MeshReport& report, const std::vector<Index>& asked)
 {
   if (!mesh.Levels)
   {
@@ -218,8 +223,9 @@ void ReportLevels(const Mesh& mesh, Ranks& ranks, MeshReport& report)
     if (level < refinements)
     {
       const OctetSets::LevelReport& octets = mesh.Levels->Octets().Report(level);
-      report.Levels.back().Added = octets.Margin + octets.Pinches;
+      const Index wanted = asked.empty() ? octets.Wanted : asked[level];
       report.Levels.back().Octets = octets.Wanted + octets.Margin + octets.Pinches;
+      report.Levels.back().Added = report.Levels.back().Octets - wanted;
     }
   }
   report.TransitionCells = hexes[refinements + 1];

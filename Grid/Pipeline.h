@@ -93,6 +93,8 @@ struct LabelledGrid
   LabelArray Labels;
   std::vector<Index> Mixed; ///< nodes of the grid with several labels around
   LevelHexes Levels;
+  std::vector<Index>
+    AskedOctets; ///< of levels by place: how many were asked for, of each refinement
 };
 
 /// Of levels by place: leaves are refined until a valid mesh starts everywhere. Collective. Throws InputError as MakeLevels does.
@@ -106,8 +108,9 @@ LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& interfaces, const MeshOptions& options, Runtime& runtime,
   bool asCubes = false);
 
-/// Octets and hexes of each level, over all ranks; mesh: the owned hexes or tets. Collective.
-void ReportLevels(const Mesh& mesh, Ranks& ranks, MeshReport& report);
+/// Octets and hexes of each level, over all ranks; mesh: the owned hexes or tets; asked: LabelledGrid::AskedOctets. Collective.
+void ReportLevels(
+  const Mesh& mesh, Ranks& ranks, MeshReport& report, const std::vector<Index>& asked = {});
 
 /// Volumes per material and fragment in length units of the grid.
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report);

@@ -84,6 +84,10 @@ TEST_P(CrossingShapes, MeshIsValidAndNear)
   EXPECT_EQ(FindTopologyProblem(f.Result), "");
   EXPECT_EQ(FindFragmentProblem(f.Result), "");
   EXPECT_TRUE(IsPositiveEverywhere(f.Result));
+  const Index asked = static_cast<Index>(options.Levels.Octets.back().size());
+  const MeshReport::Level& last = f.Report.Levels[p.Refinements - 1];
+  EXPECT_EQ(last.Octets - last.Added, asked);
+  EXPECT_EQ(last.Added > 0, f.Report.LevelRounds > 0);
   // In cells of the base, where most of these interfaces are.
   const double width = 1 << p.Refinements;
   EXPECT_GT(f.Report.MinimumScaledJacobian, p.LeastJacobian);
