@@ -4,10 +4,10 @@
  * A node of the hexes with several labels around it is split, as a mixed grid node is (HexTopology.h): into a surface point S at
  * its place, and an inner point I for each label around it. In a regular star the label condition says where each I may
  * stand; in an irregular one that is tested: the corner normals of a label's interface faces at the node, outward, must have
- * a common visible direction d, all n.d > 0. Then S - t d is inside the label for small t. d is opposite to the point of the
+ * a common visible direction d, all n.d > 0. Then S - t d is inside the label for small t. d is the direction of the point of the
  * normals' convex hull nearest to 0, which makes the smallest n.d as large as can be.
  *
- * Where there is none, or a corner of a hex at such a node would not be positive, the leaves around want to be refined: in
+ * Where there is none, or a hex at such a node would not be positive everywhere, the leaves around want to be refined: in
  * cells that are fine all around the label condition holds, so this ends.
  */
 #pragma once
@@ -28,8 +28,8 @@ public:
   /// A face between two labels; not both sides are finest cells.
   struct Face
   {
-    std::array<Index, 4>
-      Nodes; ///< numbers of split nodes, around it; the normal points out of the first side
+    /// Numbers of split nodes, around it; the normal points out of the first side.
+    std::array<Index, 4> Nodes;
     std::array<Side, 2> Sides; ///< the first has the smaller label
   };
 
