@@ -1,5 +1,7 @@
 #include "ActiveLevelHexes.h"
 
+#include "TransitionSmoothing.h"
+
 namespace vfm
 {
 namespace
@@ -109,7 +111,6 @@ private:
   int AddPoint(Index meshPoint, bool isActive);
   void AddGroups();
   Index3 OwnerOf(const Place& node) const { return this->Levels.FinestNode(node.Level, node.At); }
-  int ColourOf(const Place& node) const { return 8 * node.Level + CartesianGrid::Colour(node.At); }
   void AddFineFaces();
   void AddOuterFaces();
   void AddFace(const std::array<Index, 4>& meshPoints, const std::array<int, 2>& labels,
@@ -148,11 +149,7 @@ RefinedLattice::Place ActiveLevelBuilder::FindNode(Index id) const
     return finest;
   }
   const Index key = this->Levels.KeyOfPoint(id, this->Input.PointSlots);
-  const std::vector<Index>& keys = this->Outer.Refined().PointKeys;
-  const auto at = std::lower_bound(keys.begin(), keys.end(), key);
-  const Index place = at != keys.end() && *at == key
-    ? this->Outer.Refined().Places[at - keys.begin()]
-    : PlaceOfNode(this->Levels.Octets(), key);
+  const Index place = PlaceOfPoint(this->Levels.Octets(), this->Outer.Refined(), key);
   if (place >= 0)
   {
     return lattice.NodeOfKey(place);
@@ -220,7 +217,7 @@ void ActiveLevelBuilder::AddHexes()
       continue;
     }
     this->Result.Entries.push_back({ point, this->Input.PointIds[mover.MeshPoint],
-      this->OwnerOf(mover.Node), this->ColourOf(mover.Node), true });
+      this->OwnerOf(mover.Node), ColourOfNode(mover.Node), true });
   }
   std::vector<Index> hexes;
   for (Index h = 0; h < static_cast<Index>(this->Input.ElementIds.size()); ++h)
@@ -258,7 +255,7 @@ void ActiveLevelBuilder::AddGroups()
     {
       continue;
     }
-    std::vector<ActiveMesh::Group>& groups = active.Colours[this->ColourOf(mover.Node)];
+    std::vector<ActiveMesh::Group>& groups = active.Colours[ColourOfNode(mover.Node)];
     if (mover.Key != last)
     {
       groups.push_back({ point, point });

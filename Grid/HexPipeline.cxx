@@ -89,8 +89,7 @@ void HexStages::ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets,
   const double target = TargetJacobian(this->Fractions, this->Options);
   const HexEnergy plain(target);
   const GuardedHexEnergy guarded(target);
-  const bool hasSplits = this->Labelled.Levels.Outer && this->Labelled.Levels.Outer->Splits();
-  const ElementEnergy& energy = hasSplits ? guarded : plain;
+  const ElementEnergy& energy = HasLevelsByPlace(this->Options) ? guarded : plain;
   Improve({ active, targets, exchange, energy, Ramp, volumes,
             this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },
     this->Clock, this->Run);
@@ -143,20 +142,19 @@ Mesh HexStages::MakeMesh()
   FindHexGeometry(this->Grid, labels, this->Labelled.Mixed, fragments, numbering, this->Parts,
     outer, mesh, this->Report);
   this->Clock.Start("Finding interfaces", 0.15);
-  const bool hasSplits = outer && outer->Splits();
-  const std::unique_ptr<FragmentHomes> homes = hasSplits
+  const bool isByPlace = HasLevelsByPlace(this->Options);
+  const std::unique_ptr<FragmentHomes> homes = isByPlace
     ? std::make_unique<LeafHomes>(*mesh.Levels, labels, fragments)
     : std::make_unique<CellHomes>(this->Grid, labels, fragments);
   FragmentVolumes volumes(
     this->Grid, this->Fractions, fragments.MaterialsOfFragments(), *homes, this->Parts);
-  if (hasSplits)
+  if (isByPlace)
   {
-    volumes.SetStart(MeasureHexes(
-      mesh, this->Grid, static_cast<int>(fragments.MaterialsOfFragments().size()) - 1, this->Run));
+    volumes.SetStart(MeasureHexes(mesh, this->Grid, fragments.NumberOfFragments(), this->Run));
   }
   if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)
   {
-    const std::vector<unsigned char> moved = hasSplits
+    const std::vector<unsigned char> moved = isByPlace
       ? this->SmoothLevelHexes(numbering, fragments, volumes, mesh)
       : this->SmoothHexes(numbering, fragments, volumes, mesh);
     if (outer)
@@ -191,9 +189,13 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
 {
   CheckOptions(options);
   report = MeshReport();
+  if (!HasLevelsByPlace(options))
+  {
+    return HexStages(grid, fractions, options, runtime, report).MakeMesh();
+  }
   const CartesianGrid wide = WithLevels(grid, options.Levels.Refinements);
   const bool isWide = grid.Local() == wide.Local() && grid.HexBox() == wide.HexBox();
-  if (!HasLevelsByPlace(options) || !runtime.Group().Any(!isWide))
+  if (!runtime.Group().Any(!isWide))
   {
     return HexStages(grid, fractions, options, runtime, report).MakeMesh();
   }

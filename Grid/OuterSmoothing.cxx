@@ -99,11 +99,6 @@ private:
     bool IsFrozen;
   };
 
-  /// A hex may have points that stem from nodes of two levels.
-  static int ColourOf(const RefinedLattice::Place& node)
-  {
-    return 8 * node.Level + CartesianGrid::Colour(node.At);
-  }
   void FindMoving(const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear);
   bool TouchesFinerLevels(Index key, int next) const;
   void AddHexes();
@@ -150,7 +145,6 @@ void OuterSmoother::FindMoving(
   const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear)
 {
   const RefinedLattice& lattice = this->Levels.Lattice();
-  const std::vector<Index>& keys = this->Refined.PointKeys;
   for (std::size_t p = 0; p < this->Result.PointIds.size(); ++p)
   {
     const Index id = this->Result.PointIds[p];
@@ -164,9 +158,7 @@ void OuterSmoother::FindMoving(
     {
       continue;
     }
-    const auto at = std::lower_bound(keys.begin(), keys.end(), key);
-    const Index place = at != keys.end() && *at == key ? this->Refined.Places[at - keys.begin()]
-                                                       : PlaceOfNode(this->Levels.Octets(), key);
+    const Index place = PlaceOfPoint(this->Levels.Octets(), this->Refined, key);
     if (place >= 0 && !this->TouchesFinerLevels(key, lattice.NodeOfKey(place).Level + 1))
     {
       this->Movers.push_back(
@@ -230,7 +222,7 @@ void OuterSmoother::AddGroups()
     {
       continue;
     }
-    std::vector<ActiveMesh::Group>& groups = this->Active.Colours[ColourOf(mover.At)];
+    std::vector<ActiveMesh::Group>& groups = this->Active.Colours[ColourOfNode(mover.At)];
     const Index node = mover.Place / RefinedLattice::NodeSlots;
     if (node != last)
     {
@@ -247,7 +239,8 @@ std::vector<PointExchange::Entry> OuterSmoother::ListEntries() const
   entries.reserve(this->Movers.size());
   for (const Mover& mover : this->Movers)
   {
-    entries.push_back({ mover.Point, mover.Place, OwnerNode(mover.At), ColourOf(mover.At), true });
+    entries.push_back(
+      { mover.Point, mover.Place, OwnerNode(mover.At), ColourOfNode(mover.At), true });
   }
   return entries;
 }

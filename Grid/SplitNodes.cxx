@@ -56,9 +56,9 @@ public:
   void Run()
   {
     this->SplitAll();
-    this->SortResults();
+    this->SortFaces();
     this->CheckHexes();
-    this->SortResults();
+    this->SortOctets();
   }
 
 private:
@@ -89,7 +89,8 @@ private:
   int FacesAt(const Hex& hex) const;
   bool IsPositive(const Hex& hex) const;
   void WantFiner(const Star& star);
-  void SortResults();
+  void SortFaces();
+  void SortOctets();
 
   const Hex& HexOf(const Corner& at) const { return this->Stars.Hexes()[at.Hex]; }
   bool IsMeshed(int label) const { return label > 0 || this->MeshVoid; }
@@ -283,9 +284,10 @@ void SplitNodesBuilder::PlaceInnerPoints(
   const Vector3 widths = this->Stars.WidthsAt(star);
   const Vector3 x =
     star.empty() ? Vector3{} : this->Stars.PointAt(this->HexOf(star[0]), star[0].Bits);
+  const int sides = this->Stars.DomainSides(n);
   for (int label : labels)
   {
-    const VisibleDirection out = this->FindOutward(label, this->Stars.DomainSides(n), normals);
+    const VisibleDirection out = this->FindOutward(label, sides, normals);
     isBad = isBad || (this->IsMeshed(label) && out.Margin < SmallestMargin);
     const double length = BufferThickness / std::max(out.Margin, ThinnestMargin);
     this->Result.Labels.push_back(label);
@@ -401,7 +403,8 @@ void SplitNodesBuilder::CheckHexes()
   }
 }
 
-void SplitNodesBuilder::SortResults()
+/// One entry a hex.
+void SplitNodesBuilder::SortFaces()
 {
   std::vector<std::pair<Index, int>>& faces = this->Result.HexFaces;
   std::sort(faces.begin(), faces.end());
@@ -416,6 +419,10 @@ void SplitNodesBuilder::SortResults()
     faces[count++] = face;
   }
   faces.resize(count);
+}
+
+void SplitNodesBuilder::SortOctets()
+{
   for (std::vector<Index>& octets : this->Result.Octets)
   {
     std::sort(octets.begin(), octets.end());

@@ -23,6 +23,12 @@ namespace vfm
 /// The base node whose owner moves a point that stems from a node: the owner of the lowest cell there.
 Index3 OwnerNode(const RefinedLattice::Place& place);
 
+/// The colour of the points that stem from a node, among those of all levels, eight a level.
+inline int ColourOfNode(const RefinedLattice::Place& place)
+{
+  return 8 * place.Level + CartesianGrid::Colour(place.At);
+}
+
 struct TransitionReport
 {
   Index InvertedHexes = 0; ///< with a corner that is not positive, before; over all ranks

@@ -257,6 +257,13 @@ Index PlaceOfNode(const OctetSets& sets, Index key)
   return -1;
 }
 
+Index PlaceOfPoint(const OctetSets& sets, const RefinedMesh& mesh, Index key)
+{
+  const auto at = std::lower_bound(mesh.PointKeys.begin(), mesh.PointKeys.end(), key);
+  return at != mesh.PointKeys.end() && *at == key ? mesh.Places[at - mesh.PointKeys.begin()]
+                                                  : PlaceOfNode(sets, key);
+}
+
 RefinedMesh MakeRefinedMesh(const OctetSets& sets, const IndexBox& box, bool withFinest)
 {
   RefinedMeshBuilder builder(sets, box, withFinest);

@@ -43,6 +43,9 @@ struct RefinedMesh
 /// node itself are looked at; on the level before, it may stem from another one (RefinedMesh::Places).
 Index PlaceOfNode(const OctetSets& sets, Index key);
 
+/// The same of any point, of the mesh or not: where the mesh has it, as the mesh knows it.
+Index PlaceOfPoint(const OctetSets& sets, const RefinedMesh& mesh, Index key);
+
 /// The hexes in a box of base cells, before anything is untangled: all but those of untouched base cells. withFinest:
 /// false leaves out the cells of the last level, and those of their points that have no place and no other hex.
 RefinedMesh MakeRefinedMesh(const OctetSets& sets, const IndexBox& box, bool withFinest = true);
