@@ -1,7 +1,7 @@
 #include "BlockChecks.h"
 
+#include "Base/Runtime.h"
 #include "CollectBlocks.h"
-#include "Runtime.h"
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 #include "CollectBlocks.h"
 
+#include "Base/Runtime.h"
 #include "RecogniseGrid.h"
-#include "Runtime.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"

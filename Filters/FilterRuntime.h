@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "InputArrays.h"
 
+#include "Base/Runtime.h"
 #include "CellOrder.h"
-#include "Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

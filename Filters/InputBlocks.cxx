@@ -1,12 +1,12 @@
 #include "InputBlocks.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "BlockChecks.h"
 #include "CollectBlocks.h"
 #include "FindNeighbours.h"
 #include "MakePartition.h"
 #include "NodeCoordinates.h"
-#include "Runtime.h"
 
 #include <limits>
 #include <sstream>

@@ -17,8 +17,8 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
-#include "Ranks.h"
+#include "Base/CartesianGrid.h"
+#include "Base/Ranks.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"

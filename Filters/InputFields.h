@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "FractionField.h"
+#include "Fractions/FractionField.h"
 #include "InputBlocks.h"
 #include "SparseCells.h"
 

@@ -2,9 +2,9 @@
  * Input given by one integer array of material labels.
  */
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "InputArrays.h"
 #include "InputFields.h"
-#include "Runtime.h"
 
 #include <limits>
 #include <sstream>

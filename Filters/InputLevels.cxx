@@ -1,11 +1,11 @@
 #include "InputLevels.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "BlockChecks.h"
+#include "Fractions/RefineCells.h"
 #include "NodeCoordinates.h"
-#include "RefineCells.h"
-#include "RefinedLattice.h"
-#include "Runtime.h"
+#include "Octree/RefinedLattice.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"

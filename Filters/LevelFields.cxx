@@ -1,10 +1,10 @@
 #include "LevelFields.h"
 
 #include "Agreement.h"
-#include "GhostFractions.h"
+#include "Fractions/GhostFractions.h"
 #include "InputRoute.h"
 #include "MakePartition.h"
-#include "RefinedLattice.h"
+#include "Octree/RefinedLattice.h"
 
 namespace vfm
 {

@@ -7,12 +7,12 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
+#include "Fractions/RefineCells.h"
 #include "InputFields.h"
 #include "InputLevels.h"
+#include "Labels/RefinementCriteria.h"
 #include "LevelSetup.h"
-#include "RefineCells.h"
-#include "RefinementCriteria.h"
-#include "Runtime.h"
 
 namespace vfm
 {

@@ -1,7 +1,7 @@
 #include "LevelSetup.h"
 
+#include "Fractions/RefineCells.h"
 #include "NodeCoordinates.h"
-#include "RefineCells.h"
 
 #include <cmath>
 

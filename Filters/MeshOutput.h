@@ -5,7 +5,8 @@
 #pragma once
 
 #include "InputFields.h"
-#include "Mesh.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/MeshReport.h"
 
 class vtkDataObject;
 class vtkPolyData;

@@ -1,8 +1,8 @@
 #include "RecogniseGrid.h"
 
+#include "Base/Runtime.h"
 #include "CellOrder.h"
 #include "NodeCoordinates.h"
-#include "Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkCellTypes.h"

@@ -4,10 +4,10 @@
  */
 #pragma once
 
-#include "FractionField.h"
+#include "Base/Runtime.h"
+#include "Fractions/FractionField.h"
 #include "InputLevels.h"
-#include "Mesh.h"
-#include "Runtime.h"
+#include "Mesh/Mesh.h"
 
 #include "vtkSmartPointer.h"
 

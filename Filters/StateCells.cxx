@@ -105,7 +105,7 @@ public:
     const Vector3 centroid = FindCentroid(this->TheMesh, element);
     const IndexBox own = this->FindOwn(element);
     const IndexBox reach =
-      this->TheMesh.ElementSlots == 0 ? own : Grow(own, StateReach, this->Grid.Global());
+      this->TheMesh.Ids.ElementSlots == 0 ? own : Grow(own, StateReach, this->Grid.Global());
     const Index3 cell = FindCell(this->Grid, reach, centroid);
     const int material = this->TheMesh.Material[element];
     if (this->Fractions.Fraction(this->Grid.Linear(cell), material) >= EnoughFraction)
@@ -114,7 +114,7 @@ public:
     }
     FullestCell fullest(this->Grid, this->Fractions, centroid, material);
     fullest.Compare(Grow(BoxOf(cell), 1, this->Grid.Global()));
-    const bool isCoarse = this->TheMesh.ElementSlots > 0 && own.NumberOfCells() > 1;
+    const bool isCoarse = this->TheMesh.Ids.ElementSlots > 0 && own.NumberOfCells() > 1;
     if (isCoarse && fullest.Fraction < EnoughFraction)
     {
       fullest.Compare(own);
@@ -126,7 +126,7 @@ private:
   /// The cells that the element was made of; of TetGen's tets all that the rank knows but for the last.
   IndexBox FindOwn(Index element) const
   {
-    return this->TheMesh.ElementSlots == 0
+    return this->TheMesh.Ids.ElementSlots == 0
       ? this->Grid.Extended(StateReach)
       : CellsOfElement(this->Grid, this->TheMesh, this->TheMesh.ElementIds[element]);
   }

@@ -14,9 +14,9 @@
  */
 #pragma once
 
-#include "FractionField.h"
-#include "Mesh.h"
-#include "Runtime.h"
+#include "Base/Runtime.h"
+#include "Fractions/FractionField.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "SurfaceShape.h"
 
-#include "Runtime.h"
-#include "ShapesTriangles.h"
+#include "Base/Runtime.h"
+#include "Shapes/ShapesTriangles.h"
 
 #include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"

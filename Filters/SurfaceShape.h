@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Shapes.h"
+#include "Shapes/Shapes.h"
 
 class vtkPolyData;
 

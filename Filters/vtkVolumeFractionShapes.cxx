@@ -1,9 +1,9 @@
 #include "vtkVolumeFractionShapes.h"
 
 #include "FilterRuntime.h"
-#include "ShapesFractions.h"
-#include "ShapesScenes.h"
-#include "ShapesText.h"
+#include "Shapes/ShapesFractions.h"
+#include "Shapes/ShapesScenes.h"
+#include "Shapes/ShapesText.h"
 #include "SurfaceShape.h"
 
 #include "vtkBoundingBox.h"

@@ -1,14 +1,14 @@
 #include "HexPipeline.h"
 
-#include "ActiveHexes.h"
-#include "ActiveLevelHexes.h"
-#include "GhostFractions.h"
-#include "GuardedHexEnergy.h"
-#include "HexGeometry.h"
-#include "LeafVolumes.h"
-#include "OuterSmoothing.h"
+#include "Fractions/GhostFractions.h"
+#include "Hex/ActiveHexes.h"
+#include "Hex/ActiveLevelHexes.h"
+#include "Hex/HexGeometry.h"
+#include "Hex/OuterSmoothing.h"
+#include "Mesh/Quality.h"
 #include "Pipeline.h"
-#include "Quality.h"
+#include "Smoothing/GuardedHexEnergy.h"
+#include "Smoothing/LeafVolumes.h"
 
 namespace vfm
 {

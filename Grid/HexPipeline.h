@@ -3,9 +3,11 @@
  */
 #pragma once
 
-#include "FractionField.h"
-#include "Mesh.h"
-#include "Runtime.h"
+#include "Base/Options.h"
+#include "Base/Runtime.h"
+#include "Fractions/FractionField.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/MeshReport.h"
 
 namespace vfm
 {

@@ -1,7 +1,7 @@
 #include "Pipeline.h"
 
-#include "LeafLabels.h"
-#include "TetTopology.h"
+#include "Labels/LeafLabels.h"
+#include "Tet/TetTopology.h"
 
 #include <cmath>
 
@@ -175,9 +175,9 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
   {
     for (Index id : mesh.ElementIds)
     {
-      if (levels.IsOuterElement(id, mesh.ElementSlots))
+      if (levels.IsOuterElement(id, mesh.Ids.ElementSlots))
       {
-        countOuter(levels.CellOfOuterElement(id, mesh.ElementSlots));
+        countOuter(levels.CellOfOuterElement(id, mesh.Ids.ElementSlots));
       }
       else
       {
@@ -193,9 +193,9 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
       continue;
     }
     const bool isOwned = levels.Finest().Owned().Contains(CellOfCentre(levels.Finest(), mesh, id));
-    if (isOwned && levels.IsOuterPoint(id, mesh.PointSlots))
+    if (isOwned && levels.IsOuterPoint(id, mesh.Ids.PointSlots))
     {
-      countOuter(levels.CellOfOuterCentre(id, mesh.PointSlots));
+      countOuter(levels.CellOfOuterCentre(id, mesh.Ids.PointSlots));
     }
     else
     {

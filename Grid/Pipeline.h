@@ -3,10 +3,10 @@
  */
 #pragma once
 
-#include "Labels.h"
-#include "OuterHexes.h"
-#include "Smoother.h"
-#include "Volumes.h"
+#include "Hex/OuterHexes.h"
+#include "Labels/Labels.h"
+#include "Smoothing/Smoother.h"
+#include "Smoothing/Volumes.h"
 
 #include <chrono>
 

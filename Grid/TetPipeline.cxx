@@ -1,15 +1,15 @@
 #include "TetPipeline.h"
 
-#include "DiagonalFlips.h"
-#include "OuterTets.h"
+#include "Mesh/Quality.h"
 #include "Pipeline.h"
-#include "Quality.h"
-#include "TetAttach.h"
-#include "TetFragments.h"
-#include "TetGeometry.h"
-#include "TetImprove.h"
+#include "Tet/DiagonalFlips.h"
+#include "Tet/OuterTets.h"
+#include "Tet/TetAttach.h"
+#include "Tet/TetFragments.h"
+#include "Tet/TetGeometry.h"
+#include "Tet/TetImprove.h"
 #ifdef VFM_HAS_TETGEN
-#include "RefillTets.h"
+#include "Tet/RefillTets.h"
 #endif
 
 #include <memory>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Vector3.h"
+#include "Base/Vector3.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "ExodusFile.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include "vtk_exodusII.h"
 

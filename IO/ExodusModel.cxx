@@ -1,11 +1,11 @@
 #include "ExodusModel.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "MaterialIds.h"
 #include "MaterialNames.h"
 #include "MeshArrays.h"
 #include "OrderMesh.h"
-#include "Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,12 +1,12 @@
 #include "FragmentTable.h"
 
 #include "Agreement.h"
+#include "Base/ExactSum.h"
+#include "Base/Runtime.h"
 #include "ElementMoments.h"
-#include "ExactSum.h"
 #include "MaterialNames.h"
 #include "MeshArrays.h"
 #include "MeshFaces.h"
-#include "Runtime.h"
 #include "ShareHead.h"
 
 #include "vtkCellArray.h"

@@ -1,8 +1,8 @@
 #include "MaterialIds.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "MeshArrays.h"
-#include "Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,10 +1,10 @@
 #include "MeshSets.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "MaterialIds.h"
 #include "MaterialNames.h"
 #include "MeshFaces.h"
-#include "Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "Ranks.h"
+#include "Base/Ranks.h"
 
 #include "vtkType.h"
 

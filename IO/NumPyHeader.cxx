@@ -1,7 +1,7 @@
 #include "NumPyHeader.h"
 
+#include "Base/Runtime.h"
 #include "OpenFile.h"
-#include "Runtime.h"
 
 #include <algorithm>
 #include <charconv>

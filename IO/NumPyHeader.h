@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
+#include "Base/CartesianGrid.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include <cerrno>
 #include <cstring>

@@ -1,9 +1,9 @@
 #include "OrderMesh.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "GatherMesh.h"
 #include "MeshArrays.h"
-#include "Runtime.h"
 #include "ShareHead.h"
 
 #include "vtkCellData.h"

@@ -1,8 +1,8 @@
 #include "ShareHead.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "PackMesh.h"
-#include "Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Ranks.h"
+#include "Base/Ranks.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,6 +1,6 @@
 #include "TextFile.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include <cerrno>
 #include <charconv>

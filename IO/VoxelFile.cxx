@@ -1,7 +1,7 @@
 #include "VoxelFile.h"
 
+#include "Base/Runtime.h"
 #include "OpenFile.h"
-#include "Runtime.h"
 
 #include <algorithm>
 #include <filesystem>

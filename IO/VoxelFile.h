@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
+#include "Base/CartesianGrid.h"
 #include "NumPyHeader.h"
 
 #include <array>

@@ -2,11 +2,11 @@
 
 #include "AbaqusText.h"
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "GatherMesh.h"
 #include "MaterialNames.h"
 #include "MeshArrays.h"
 #include "MeshSets.h"
-#include "Runtime.h"
 #include "TextFile.h"
 
 #include "vtkCellArray.h"

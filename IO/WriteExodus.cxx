@@ -1,10 +1,10 @@
 #include "WriteExodus.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "ExodusFile.h"
 #include "ExodusModel.h"
 #include "OrderMesh.h"
-#include "Runtime.h"
 #include "WriteNemesis.h"
 
 #include "vtkCellArray.h"

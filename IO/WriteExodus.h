@@ -8,7 +8,7 @@
  */
 #pragma once
 
-#include "Ranks.h"
+#include "Base/Ranks.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 #include "vtkVolumeFractionFragments.h"
 
+#include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "FragmentTable.h"
 #include "RequestPiece.h"
-#include "Runtime.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -1,8 +1,8 @@
 #include "vtkVolumeFractionMeshWriter.h"
 
+#include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "RequestPiece.h"
-#include "Runtime.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"

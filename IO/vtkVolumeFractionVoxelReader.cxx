@@ -1,9 +1,9 @@
 #include "vtkVolumeFractionVoxelReader.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "ReadVoxels.h"
-#include "Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,6 +1,6 @@
 #include "HostCommunicator.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include "vtkMPI.h"
 #include "vtkMPICommunicator.h"

@@ -1,6 +1,6 @@
 #include "HostGrid.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

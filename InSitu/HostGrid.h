@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
+#include "Base/CartesianGrid.h"
 
 #include "vtkSmartPointer.h"
 

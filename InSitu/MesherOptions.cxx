@@ -1,7 +1,7 @@
 #include "MesherOptions.h"
 
+#include "Base/Runtime.h"
 #include "ParseText.h"
-#include "Runtime.h"
 
 #include "vtkVolumeFractionMeshAlgorithm.h"
 #include "vtkVolumeFractionToTet.h"

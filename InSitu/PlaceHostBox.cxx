@@ -1,7 +1,7 @@
 #include "PlaceHostBox.h"
 
 #include "Agreement.h"
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include <cmath>
 #include <sstream>

@@ -3,7 +3,7 @@
  */
 #include "Sculptor.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 #include "SculptorSession.h"
 
 #include "vtkCellArray.h"

@@ -1,9 +1,9 @@
 #include "SculptorSession.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "MesherOptions.h"
-#include "Runtime.h"
 #include "Sculptor.h"
 #include "Stage.h"
 #include "WriteMesh.h"

@@ -1,6 +1,6 @@
 #include "Agreement.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include <new>
 #include <string>

@@ -1,6 +1,6 @@
 #include "ControllerRanks.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include "vtkCommunicator.h"
 #include "vtkMPIController.h"

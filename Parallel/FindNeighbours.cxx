@@ -1,7 +1,7 @@
 #include "FindNeighbours.h"
 
 #include "Agreement.h"
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include <map>
 #include <string>

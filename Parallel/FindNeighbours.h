@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
-#include "Ranks.h"
+#include "Base/CartesianGrid.h"
+#include "Base/Ranks.h"
 
 namespace vfm
 {

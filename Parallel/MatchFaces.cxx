@@ -1,8 +1,8 @@
 #include "MatchFaces.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "ExchangeAll.h"
-#include "Runtime.h"
 
 #include <algorithm>
 #include <numeric>

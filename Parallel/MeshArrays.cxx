@@ -1,6 +1,6 @@
 #include "MeshArrays.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"

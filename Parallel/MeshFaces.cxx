@@ -1,8 +1,8 @@
 #include "MeshFaces.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "MeshArrays.h"
-#include "Runtime.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
-#include "Ranks.h"
+#include "Base/CartesianGrid.h"
+#include "Base/Ranks.h"
 
 #include <map>
 #include <vector>

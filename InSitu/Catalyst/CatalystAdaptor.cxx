@@ -1,9 +1,9 @@
 #include "CatalystAdaptor.h"
 
 #include "Agreement.h"
+#include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "PythonGuard.h"
-#include "Runtime.h"
 #include "ScriptPipeline.h"
 
 #include "vtkCPDataDescription.h"

@@ -8,7 +8,7 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
+#include "Base/CartesianGrid.h"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 #include "BuiltInTest.h"
 
-#include "CartesianGrid.h"
+#include "Base/CartesianGrid.h"
 #include "ControllerRanks.h"
 #include "MakeMesh.h"
 #include "Stage.h"

@@ -1,8 +1,8 @@
 #include "MakeMesh.h"
 
+#include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "MesherOptions.h"
-#include "Runtime.h"
 #include "Stage.h"
 #include "VtkMessages.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Arguments.h"
-#include "Ranks.h"
+#include "Base/Ranks.h"
 #include "ReaderSteps.h"
 
 #include <string>

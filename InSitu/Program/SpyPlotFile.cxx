@@ -1,6 +1,6 @@
 #include "SpyPlotFile.h"
 
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include <algorithm>
 #include <cerrno>

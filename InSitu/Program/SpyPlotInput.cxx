@@ -1,7 +1,7 @@
 #include "SpyPlotInput.h"
 
+#include "Base/Runtime.h"
 #include "FileSuffix.h"
-#include "Runtime.h"
 
 #include "vtkAlgorithm.h"
 

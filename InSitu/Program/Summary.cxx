@@ -1,8 +1,8 @@
 #include "Summary.h"
 
 #include "Agreement.h"
+#include "Base/ExactSum.h"
 #include "ElementMoments.h"
-#include "ExactSum.h"
 #include "PointCounts.h"
 
 #include "vtkCellData.h"

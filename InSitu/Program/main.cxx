@@ -2,6 +2,7 @@
  * sculptor: meshes volume fractions in a file, on any number of MPI ranks.
  */
 #include "Arguments.h"
+#include "Base/Runtime.h"
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
 #include "ControllerRanks.h"
@@ -9,7 +10,6 @@
 #include "MakeMesh.h"
 #include "ParseText.h"
 #include "ReadInput.h"
-#include "Runtime.h"
 #include "Stage.h"
 #include "Summary.h"
 #include "WriteMesh.h"

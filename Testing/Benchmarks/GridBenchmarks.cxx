@@ -5,11 +5,11 @@
  * With the argument --table, prints the table of figures of the manufactured cases instead; with --table-tets
  * those of tetrahedra, by every method, and their dihedral angles.
  */
+#include "Base/Vector3.h"
+#include "Fractions/RefineCells.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
-#include "RefineCells.h"
-#include "TetTopology.h"
-#include "Vector3.h"
+#include "Tet/TetTopology.h"
 
 #include <benchmark/benchmark.h>
 

@@ -5,10 +5,10 @@
  * usage: RefinedMemory [n, default 64] [n ...] [--block: the ball is tiny, a block beside it is refined]
  * [--place: the ball is large, a block that its surface runs through is refined alone] [--stages: when each began, and the peak then]
  */
+#include "Fractions/RefineCells.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
-#include "RefineCells.h"
-#include "RefinedLattice.h"
+#include "Octree/RefinedLattice.h"
 
 #include <cmath>
 #include <cstdlib>

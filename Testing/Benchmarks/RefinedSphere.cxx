@@ -5,8 +5,8 @@
  * usage: RefinedSphere [n, default 64] [refinements, default 2] [--levels: mesh only those, not all cells fine]
  *   [--counts: interfaces stay as they start]
  */
+#include "Base/Vector3.h"
 #include "MeshCases.h"
-#include "Vector3.h"
 
 #include <cmath>
 #include <cstdlib>

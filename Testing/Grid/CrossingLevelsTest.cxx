@@ -2,9 +2,9 @@
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
 
-#include "GuardedHexEnergy.h"
-#include "RefinedLattice.h"
-#include "Vector3.h"
+#include "Base/Vector3.h"
+#include "Octree/RefinedLattice.h"
+#include "Smoothing/GuardedHexEnergy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "FractionField.h"
-#include "Runtime.h"
+#include "Fractions/FractionField.h"
+#include "Base/Runtime.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "LabelCondition.h"
+#include "Labels/LabelCondition.h"
 
 #include <gtest/gtest.h>
 

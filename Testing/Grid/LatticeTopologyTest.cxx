@@ -1,10 +1,10 @@
 /// The lattice's tets: valid and conforming at the start for any fractions, the same on any ranks.
+#include "Base/Vector3.h"
+#include "Mesh/TetQuality.h"
 #include "MeshChecks.h"
 #include "RankFields.h"
-#include "ShapesFractions.h"
-#include "TetQuality.h"
-#include "TetTopology.h"
-#include "Vector3.h"
+#include "Shapes/ShapesFractions.h"
+#include "Tet/TetTopology.h"
 
 #include <gtest/gtest.h>
 

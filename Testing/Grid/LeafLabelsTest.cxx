@@ -1,8 +1,8 @@
 /// Labels of leaves: by mean fractions, alike within each leaf, every star passing, the same on any ranks.
 #include "RankMeshes.h"
 
-#include "LabelCondition.h"
-#include "LeafLabels.h"
+#include "Labels/LabelCondition.h"
+#include "Labels/LeafLabels.h"
 
 #include <gtest/gtest.h>
 

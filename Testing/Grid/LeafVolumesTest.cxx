@@ -1,10 +1,10 @@
 /// Volumes where labels belong to leaves: fragments near a leaf, their targets, and the hexes at the start.
-#include "LeafVolumes.h"
-#include "Partition.h"
+#include "Smoothing/LeafVolumes.h"
+#include "Base/Partition.h"
 #include "RankMeshes.h"
 
-#include "HexTopology.h"
-#include "OuterHexes.h"
+#include "Hex/HexTopology.h"
+#include "Hex/OuterHexes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 /// Interfaces and targets on the grids of several levels: near the true surface, alike on parts of the grid.
 #include "RankMeshes.h"
 
-#include "CoarsenFields.h"
-#include "LevelInterfaces.h"
-#include "SurfaceTargets.h"
-#include "Vector3.h"
+#include "Base/Vector3.h"
+#include "Fractions/CoarsenFields.h"
+#include "Interface/LevelInterfaces.h"
+#include "Interface/SurfaceTargets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 /// Octet sets: closed by the rules, keys that come back, the energy that untangles.
+#include "Base/Vector3.h"
 #include "MeshChecks.h"
 #include "RefinedChecks.h"
-#include "UntangleEnergy.h"
-#include "Vector3.h"
+#include "Smoothing/UntangleEnergy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Options, grids and the promises that hold for all of them.
+#include "Mesh/Quality.h"
 #include "MeshCases.h"
-#include "Quality.h"
 #include "TetPipeline.h"
 
 #include <gtest/gtest.h>

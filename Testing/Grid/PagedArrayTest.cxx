@@ -1,8 +1,8 @@
 /// PagedArray and RunCoding against plain vectors.
-#include "FractionField.h"
-#include "Labels.h"
+#include "Base/RunCoding.h"
+#include "Fractions/FractionField.h"
+#include "Labels/Labels.h"
 #include "MeshChecks.h"
-#include "RunCoding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 /// Volumes of a cell below a plane.
-#include "Plic.h"
-#include "ShapesClip.h"
-#include "Vector3.h"
+#include "Base/Plic.h"
+#include "Base/ConvexClip.h"
+#include "Base/Vector3.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 /// Whatever the labels, the mesh is valid, conforming, and every material has a closed manifold boundary.
 #include "MeshChecks.h"
 
-#include "LabelCondition.h"
-#include "Labels.h"
+#include "Labels/LabelCondition.h"
+#include "Labels/Labels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 /// Refinement before meshing: what a cell holds stays in its children, what is flat stays exact, ranks agree.
-#include "RefineCells.h"
+#include "Fractions/RefineCells.h"
+#include "Base/Vector3.h"
 #include "MeshCases.h"
 #include "RankFields.h"
-#include "ShapesScenes.h"
-#include "Vector3.h"
+#include "Shapes/ShapesScenes.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
 
-#include "RefinedGrid.h"
+#include "Octree/RefinedGrid.h"
 
 #include <gtest/gtest.h>
 

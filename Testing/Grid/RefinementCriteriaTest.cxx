@@ -1,14 +1,14 @@
 /// Which cells ask to be halved: thin things do and thick ones do not, curvature, flipped labels, layers, octets, ranks.
-#include "RefinementCriteria.h"
-#include "InterfaceCurvature.h"
-#include "Labels.h"
+#include "Labels/RefinementCriteria.h"
+#include "Base/Vector3.h"
+#include "Fractions/InterfaceCurvature.h"
+#include "Fractions/ThinFeatures.h"
+#include "Labels/Labels.h"
 #include "MeshChecks.h"
-#include "OctetSets.h"
+#include "Octree/OctetSets.h"
 #include "RankFields.h"
-#include "ShapesFractions.h"
-#include "ShapesScenes.h"
-#include "ThinFeatures.h"
-#include "Vector3.h"
+#include "Shapes/ShapesFractions.h"
+#include "Shapes/ShapesScenes.h"
 
 #include <gtest/gtest.h>
 

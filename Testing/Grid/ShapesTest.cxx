@@ -1,11 +1,11 @@
 /**
  * Shapes: distances and volume fractions against closed forms.
  */
-#include "Plic.h"
-#include "ShapesFractions.h"
-#include "ShapesScenes.h"
-#include "ShapesTriangles.h"
-#include "Vector3.h"
+#include "Base/Plic.h"
+#include "Base/Vector3.h"
+#include "Shapes/ShapesFractions.h"
+#include "Shapes/ShapesScenes.h"
+#include "Shapes/ShapesTriangles.h"
 
 #include <gtest/gtest.h>
 

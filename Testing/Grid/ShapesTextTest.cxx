@@ -1,10 +1,10 @@
 /**
  * Shapes as text, and the ready scenes.
  */
-#include "ShapesText.h"
-#include "Runtime.h"
-#include "ShapesFractions.h"
-#include "ShapesScenes.h"
+#include "Shapes/ShapesText.h"
+#include "Base/Runtime.h"
+#include "Shapes/ShapesFractions.h"
+#include "Shapes/ShapesScenes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Small regions removed: crumbs, cavities, noise, spray; ranks agree.
-#include "SmallRegions.h"
-#include "Labels.h"
+#include "Labels/SmallRegions.h"
+#include "Labels/Labels.h"
 #include "MeshChecks.h"
 #include "RankFields.h"
 

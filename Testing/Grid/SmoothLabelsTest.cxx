@@ -1,9 +1,9 @@
 /// Fractions from labels: nearer to the true surface than the steps, labels and volumes kept, ranks agree.
-#include "SmoothLabels.h"
-#include "Labels.h"
+#include "Labels/SmoothLabels.h"
+#include "Base/Vector3.h"
+#include "Labels/Labels.h"
 #include "MeshCases.h"
 #include "RankFields.h"
-#include "Vector3.h"
 
 #include <gtest/gtest.h>
 

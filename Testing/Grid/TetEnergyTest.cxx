@@ -1,5 +1,5 @@
-#include "TetEnergy.h"
-#include "Vector3.h"
+#include "Smoothing/TetEnergy.h"
+#include "Base/Vector3.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 /**
  * TetGenFill: closed surfaces of many kinds are filled and their triangles kept; wrong ones are refused.
  */
-#include "TetGenFill.h"
+#include "Tet/TetGenFill.h"
 
-#include "Runtime.h"
-#include "Vector3.h"
+#include "Base/Runtime.h"
+#include "Base/Vector3.h"
 
 #include <gtest/gtest.h>
 

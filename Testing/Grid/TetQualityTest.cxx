@@ -1,5 +1,5 @@
-#include "TetQuality.h"
-#include "Vector3.h"
+#include "Mesh/TetQuality.h"
+#include "Base/Vector3.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 /// Thin films and rods: what refinement before meshing makes of them.
+#include "Base/Vector3.h"
+#include "Fractions/RefineCells.h"
 #include "MeshCases.h"
-#include "RefineCells.h"
-#include "ShapesScenes.h"
-#include "Vector3.h"
+#include "Shapes/ShapesScenes.h"
 
 #include <gtest/gtest.h>
 

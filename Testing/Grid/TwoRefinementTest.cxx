@@ -1,7 +1,7 @@
 /// Meshes across levels: conforming, exact where refined, positive, good, and the same in every part.
+#include "Fractions/RefineCells.h"
 #include "MeshChecks.h"
 #include "RankFields.h"
-#include "RefineCells.h"
 #include "RefinedChecks.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "CartesianGrid.h"
+#include "Base/CartesianGrid.h"
 
 #include <mpi.h>
 

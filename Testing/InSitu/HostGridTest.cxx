@@ -2,7 +2,7 @@
  * HostGrid: VTK data that is the host's memory, at the same place on every rank; clear errors for wrong grids.
  */
 #include "HostGrid.h"
-#include "Runtime.h"
+#include "Base/Runtime.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,6 +1,6 @@
 /// Neighbours over faces, edges and corners, found from the face neighbours.
 #include "FindNeighbours.h"
-#include "Runtime.h"
+#include "Base/Runtime.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 /// What lies behind faces, and which points ranks share, whatever the ranks.
 #include "MatchFaces.h"
-#include "Runtime.h"
+#include "Base/Runtime.h"
 #include "SharedPoints.h"
 #include "ThreadRanks.h"
 

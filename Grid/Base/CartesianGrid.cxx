@@ -1,0 +1,98 @@
+#include "Base/CartesianGrid.h"
+
+#include "Base/Runtime.h"
+
+#include <cmath>
+#include <string>
+
+namespace vfm
+{
+namespace
+{
+
+IndexBox WholeBox(const std::array<std::vector<double>, 3>& coordinates)
+{
+  IndexBox box;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = coordinates[a];
+    const std::string name(1, static_cast<char>('x' + a));
+    if (x.size() < 2)
+    {
+      throw InputError("The grid has no cells along " + name + ": a 3D grid of cells is needed.");
+    }
+    for (std::size_t i = 1; i < x.size(); ++i)
+    {
+      if (!(x[i] > x[i - 1]))
+      {
+        throw InputError("The " + name + " coordinates of the grid do not increase at index " +
+          std::to_string(i) + ".");
+      }
+    }
+    box.Upper[a] = static_cast<Index>(x.size()) - 1;
+  }
+  return box;
+}
+
+} // namespace
+
+IndexBox Intersect(const IndexBox& a, const IndexBox& b)
+{
+  IndexBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Lower[axis] = std::max(a.Lower[axis], b.Lower[axis]);
+    box.Upper[axis] = std::max(std::min(a.Upper[axis], b.Upper[axis]), box.Lower[axis]);
+  }
+  return box;
+}
+
+CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
+  int ghostLevels, int hexLevels) :
+  X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned), HexGhosts(hexLevels)
+{
+  this->LocalBox = this->GlobalBox; // so that Extended cuts at the domain
+  this->LocalBox = this->Extended(ghostLevels);
+  Index stride = 1;
+  for (int a = 0; a < 3; ++a)
+  {
+    this->Origin[a] = this->LocalBox.Lower[a] - 1;
+    this->Strides[a] = stride;
+    stride *= this->LocalBox.Size(a) + 2;
+  }
+  this->Entries = stride;
+  for (int c = 0; c < 8; ++c)
+  {
+    this->Corners[c] = (c & 1) * this->Strides[0] + (c >> 1 & 1) * this->Strides[1] +
+      (c >> 2 & 1) * this->Strides[2];
+  }
+}
+
+CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates) :
+  CartesianGrid(coordinates, WholeBox(coordinates))
+{
+}
+
+IndexBox CartesianGrid::Extended(int levels) const
+{
+  IndexBox box = this->OwnedBox;
+  for (int a = 0; box.NumberOfCells() > 0 && a < 3; ++a)
+  {
+    box.Lower[a] = std::max(this->OwnedBox.Lower[a] - levels, this->LocalBox.Lower[a]);
+    box.Upper[a] = std::min(this->OwnedBox.Upper[a] + levels, this->LocalBox.Upper[a]);
+  }
+  return box;
+}
+
+double CartesianGrid::MeanWidth() const
+{
+  double volume = 1.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    volume *=
+      (this->X[a].back() - this->X[a].front()) / static_cast<double>(this->GlobalBox.Upper[a]);
+  }
+  return std::cbrt(volume);
+}
+
+} // namespace vfm

@@ -1,0 +1,58 @@
+/**
+ * ExactSum: a sum of doubles that does not depend on their order.
+ */
+#pragma once
+
+#include "Base/Ranks.h"
+
+#include <vector>
+
+namespace vfm
+{
+
+/// In units of 2^-36, 128 bits wide.
+class ExactSum
+{
+public:
+  void Add(double value) { this->Total += static_cast<Integer>(value * Unit); }
+  void Add(const ExactSum& other) { this->Total += other.Total; }
+  void Subtract(const ExactSum& other) { this->Total -= other.Total; }
+  double Value() const { return static_cast<double>(this->Total) / Unit; }
+
+  /// Two 64-bit numbers whose sums over fewer than 2^23 ranks are exact, and back.
+  std::int64_t High() const { return static_cast<std::int64_t>(this->Total >> LowBits); }
+  std::int64_t Low() const { return static_cast<std::int64_t>(this->Total & LowMask); }
+  void Set(std::int64_t high, std::int64_t low)
+  {
+    this->Total = static_cast<Integer>(high) * (LowMask + 1) + low;
+  }
+
+private:
+  __extension__ typedef __int128 Integer;
+  static constexpr double Unit = 68719476736.0;
+  static constexpr int LowBits = 40;
+  static constexpr Integer LowMask = (static_cast<Integer>(1) << LowBits) - 1;
+  Integer Total = 0;
+};
+
+/// The values of the sums over all ranks.
+inline std::vector<double> SumOverRanks(const std::vector<ExactSum>& sums, Ranks& ranks)
+{
+  std::vector<std::int64_t> parts;
+  for (const ExactSum& sum : sums)
+  {
+    parts.push_back(sum.High());
+    parts.push_back(sum.Low());
+  }
+  ranks.Sum(parts);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    ExactSum sum;
+    sum.Set(parts[2 * i], parts[2 * i + 1]);
+    values.push_back(sum.Value());
+  }
+  return values;
+}
+
+} // namespace vfm

@@ -1,0 +1,66 @@
+/**
+ * What the pipelines are asked for.
+ */
+#pragma once
+
+#include "Base/CartesianGrid.h"
+
+#include <vector>
+
+namespace vfm
+{
+
+/// How surface nodes are placed.
+enum class Smoothing
+{
+  Off,            ///< valid start positions: the stair-step interface with a thin buffer layer
+  QuadricSurface, ///< barrier energy, surface nodes drawn to local quadrics of the true interface
+  GeometryBased   ///< barrier energy, surface nodes kept on the facets of the unsmoothed interface
+};
+
+/// How tetrahedra are made.
+enum class TetMethod
+{
+  TetGen, ///< the smoothed interfaces of Cells as constrained surfaces, filled by TetGen
+  Cells,  ///< a body-centred lattice of the cells; the interfaces are those of the hex mesh
+  Lattice ///< a body-centred lattice of cell centres and nodes, cut where labels differ
+};
+
+/// What TetGen is asked for.
+struct TetGenOptions
+{
+  double RelativeSize = 1.0;    ///< > 0: edge length at the interfaces, in cells
+  double Growth = 0.3;          ///< >= 0: by how much it grows over each cell of distance from them
+  double RadiusEdgeRatio = 1.4; ///< >= 1: largest circumradius over shortest edge
+  double MinimumDihedralAngle = 10.0; ///< 0..60 degrees: what refinement strives for
+  int OptimizationLevel = 4;          ///< 0..10: of TetGen's flips and smoothing
+};
+
+/// Where cells may be coarser than those of the grid given to the pipelines (RefinedGrid.h).
+struct LevelPlan
+{
+  int Refinements = 0; ///< base cells are 2^Refinements cells of the grid along each axis
+  bool FineInterfaces =
+    true; ///< all interfaces get cells of the grid; false: where Octets are alone, so interfaces cross levels
+  int FineLayers =
+    2; ///< >= 2: cells of the grid kept around those at an interface, where these get them
+  std::vector<std::vector<Index>>
+    Octets; ///< to refine besides: of each refinement, those of this rank (RefinedLattice::OctetKey)
+};
+
+struct MeshOptions
+{
+  double IsoValue = 0.5;  ///< (0,1): a cell is void when its materials fill less than this
+  bool MeshVoid = false;  ///< mesh the void too, as material 0
+  bool StairStep = false; ///< cells become hexes, nothing is inserted or moved
+  Smoothing Method = Smoothing::QuadricSurface;
+  double TargetScaledJacobian =
+    0.0;                      ///< [0,1): quality against distance; 0: .55 one material, .5 several
+  bool ConserveVolume = true; ///< meet the fractions' volumes; only with IsoValue 0.5
+  bool ComputeQuality = true; ///< fill Mesh::ScaledJacobian
+  TetMethod Tets = TetMethod::Lattice; ///< of tetrahedral meshes
+  TetGenOptions TetGen;                ///< of TetMethod::TetGen
+  LevelPlan Levels;
+};
+
+} // namespace vfm

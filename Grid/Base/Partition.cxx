@@ -1,0 +1,54 @@
+#include "Base/Partition.h"
+
+namespace vfm
+{
+
+Partition::Partition(const CartesianGrid& grid, Ranks& ranks) : Grid(grid), TheRanks(ranks)
+{
+  struct Boxes
+  {
+    IndexBox Owned, Local;
+  };
+  const std::vector<Boxes> all =
+    GatherItems(ranks, std::vector<Boxes>{ { grid.Owned(), grid.Local() } });
+  for (int rank = 0; rank < ranks.Count(); ++rank)
+  {
+    const IndexBox outgoing = Intersect(grid.Owned(), all[rank].Local);
+    const IndexBox incoming = Intersect(grid.Local(), all[rank].Owned);
+    if (rank != ranks.Rank() && outgoing.NumberOfCells() + incoming.NumberOfCells() > 0)
+    {
+      this->ThePeers.push_back(rank);
+      this->Owned.push_back(all[rank].Owned);
+      this->Outgoing.push_back(outgoing);
+      this->Incoming.push_back(incoming);
+    }
+  }
+}
+
+int Partition::PeerOfCell(const Index3& cell) const
+{
+  int peer = 0;
+  while (!this->Owned[peer].Contains(cell))
+  {
+    ++peer;
+  }
+  return peer;
+}
+
+std::vector<std::vector<Index>> Partition::Request(
+  const std::vector<std::vector<Index>>& wanted) const
+{
+  std::vector<Bytes> messages;
+  for (const std::vector<Index>& ids : wanted)
+  {
+    messages.push_back(ToBytes(ids));
+  }
+  std::vector<std::vector<Index>> asked;
+  for (const Bytes& bytes : this->TheRanks.Exchange(this->ThePeers, messages))
+  {
+    asked.push_back(FromBytes<Index>(bytes));
+  }
+  return asked;
+}
+
+} // namespace vfm

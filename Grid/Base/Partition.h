@@ -1,0 +1,180 @@
+/**
+ * Partition: which rank owns which box of the grid, and the exchange of cell values with the ranks around.
+ *
+ * The rank that owns the lowest-index cell at a node owns the node. A rank whose box is empty owns nothing.
+ */
+#pragma once
+
+#include "Base/PagedArray.h"
+#include "Base/Ranks.h"
+#include "Base/RunCoding.h"
+
+namespace vfm
+{
+
+class Partition
+{
+public:
+  /// Collective: gathers the owned boxes (48 bytes a rank, the only thing here that grows with the ranks).
+  Partition(const CartesianGrid& grid, Ranks& ranks);
+
+  Ranks& Group() const { return this->TheRanks; }
+  /// Ranks whose owned cells this one holds as ghosts, or the other way round; ascending.
+  const std::vector<int>& Peers() const { return this->ThePeers; }
+  bool OwnsCell(const Index3& cell) const { return this->Grid.Owned().Contains(cell); }
+  bool OwnsNode(const Index3& node) const { return this->OwnsCell(LowestCell(node)); }
+  /// Position in Peers() of the owner of a cell or node of the local box that this rank does not own.
+  int PeerOfCell(const Index3& cell) const;
+  int PeerOfNode(const Index3& node) const { return this->PeerOfCell(LowestCell(node)); }
+
+  /// Sends each peer what pack(box) makes of my cells that it holds as ghosts; unpack(box, bytes) gets what came for mine.
+  template <class Pack, class Unpack>
+  void ExchangeBoxes(const Pack& pack, const Unpack& unpack) const;
+
+  /// Calls body(cell) for the cells of a box, x fastest.
+  template <class Body>
+  void ForCells(const IndexBox& box, const Body& body) const;
+  /// Calls body(first, last) for the rows of cells of a box in order.
+  template <class Body>
+  void ForRows(const IndexBox& box, const Body& body) const;
+
+  /// Fills the ghost cells of an array of the grid's shape with the values of their owners.
+  /// changed(cell) is called for every ghost cell whose value was another.
+  template <class T, class Changed>
+  void ExchangeCells(PagedArray<T>& values, const Changed& changed) const;
+
+  /// Tells each peer which ids this rank wants of it; returns those that each wants of this rank. Collective among peers.
+  std::vector<std::vector<Index>> Request(const std::vector<std::vector<Index>>& wanted) const;
+
+private:
+  /// The cell that decides who owns a node: the lowest in the domain.
+  static Index3 LowestCell(const Index3& node)
+  {
+    return { { std::max<Index>(node[0] - 1, 0), std::max<Index>(node[1] - 1, 0),
+      std::max<Index>(node[2] - 1, 0) } };
+  }
+
+  const CartesianGrid& Grid;
+  Ranks& TheRanks;
+  std::vector<int> ThePeers;
+  std::vector<IndexBox> Owned;    // of each peer
+  std::vector<IndexBox> Outgoing; // my cells that each peer holds as ghosts
+  std::vector<IndexBox> Incoming; // its cells that I hold
+};
+
+template <class Body>
+void Partition::ForRows(const IndexBox& box, const Body& body) const
+{
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+    {
+      const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
+      body(first, first + box.Size(0));
+    }
+  }
+}
+
+template <class Body>
+void Partition::ForCells(const IndexBox& box, const Body& body) const
+{
+  this->ForRows(box,
+    [&](Index first, Index last)
+    {
+      for (Index cell = first; cell < last; ++cell)
+      {
+        body(cell);
+      }
+    });
+}
+
+template <class Pack, class Unpack>
+void Partition::ExchangeBoxes(const Pack& pack, const Unpack& unpack) const
+{
+  std::vector<Bytes> outgoing;
+  for (const IndexBox& box : this->Outgoing)
+  {
+    outgoing.push_back(pack(box));
+  }
+  const std::vector<Bytes> incoming = this->TheRanks.Exchange(this->ThePeers, outgoing);
+  for (std::size_t p = 0; p < incoming.size(); ++p)
+  {
+    unpack(this->Incoming[p], incoming[p]);
+  }
+}
+
+/// Adds the indices in [first, last), of one row, that have another value.
+template <class T>
+void FindOthers(
+  const PagedArray<T>& values, Index first, Index last, T value, std::vector<Index>& others)
+{
+  values.Visit(
+    first, last,
+    [&](Index begin, Index end, T own)
+    {
+      for (Index n = begin; own != value && n < end; ++n)
+      {
+        others.push_back(n);
+      }
+    },
+    [&](Index begin, Index end, const T* own)
+    {
+      for (Index n = begin; n < end; ++n)
+      {
+        if (own[n - begin] != value)
+        {
+          others.push_back(n);
+        }
+      }
+    });
+}
+
+template <class T, class Changed>
+void Partition::ExchangeCells(PagedArray<T>& values, const Changed& changed) const
+{
+  const auto pack = [&](const IndexBox& box)
+  {
+    RunCoder<T> coder;
+    this->ForRows(box,
+      [&](Index first, Index last)
+      {
+        values.Visit(
+          first, last, [&](Index begin, Index end, T value) { coder.AddRun(value, end - begin); },
+          [&](Index begin, Index end, const T* own)
+          { std::for_each(own, own + (end - begin), [&](T value) { coder.Add(value); }); });
+      });
+    return ToBytes(coder.Coded());
+  };
+  std::vector<Index> others;
+  const auto unpack = [&](const IndexBox& box, const Bytes& bytes)
+  {
+    RunReader<T> reader(FromBytes<T>(bytes));
+    this->ForRows(box,
+      [&](Index first, Index last)
+      {
+        others.clear();
+        Index at = first;
+        reader.Read(
+          last - first,
+          [&](Index count, T value)
+          {
+            FindOthers(values, at, at + count, value, others);
+            values.Fill(at, at + count, value);
+            at += count;
+          },
+          [&](Index count, const T* items)
+          {
+            for (Index c = 0; c < count; ++c)
+            {
+              FindOthers(values, at + c, at + c + 1, items[c], others);
+            }
+            values.Write(at, at + count, items);
+            at += count;
+          });
+        std::for_each(others.begin(), others.end(), changed);
+      });
+  };
+  this->ExchangeBoxes(pack, unpack);
+}
+
+} // namespace vfm

@@ -1,0 +1,63 @@
+/**
+ * RowVolumes: exact sums of the volumes of cells along x, without a visit to each cell.
+ */
+#pragma once
+
+#include "Base/CartesianGrid.h"
+#include "Base/ExactSum.h"
+
+#include <cmath>
+#include <map>
+
+namespace vfm
+{
+
+/// Sums of the volumes of cells in a row, in mean cells. Rows with cells of the same widths share theirs.
+class RowVolumes
+{
+public:
+  explicit RowVolumes(const CartesianGrid& grid) :
+    Grid(grid), Scale(std::pow(grid.MeanWidth(), -3.0))
+  {
+  }
+
+  double OfCell(const Index3& p) const { return this->Grid.CellVolume(p) * this->Scale; }
+  /// Goes to row (j, k) of the owned cells.
+  void Start(Index j, Index k)
+  {
+    if (this->Known.size() >= MostRows)
+    {
+      this->Known.clear();
+    }
+    const auto at = this->Known.try_emplace({ this->Grid.Width(1, j), this->Grid.Width(2, k) });
+    this->Row = &at.first->second;
+    const IndexBox& box = this->Grid.Owned();
+    if (at.second)
+    {
+      this->Row->resize(1);
+      for (Index i = box.Lower[0]; i < box.Upper[0]; ++i)
+      {
+        ExactSum sum = this->Row->back();
+        sum.Add(this->OfCell({ { i, j, k } }));
+        this->Row->push_back(sum);
+      }
+    }
+  }
+  /// Of the owned cells from `first` to before `last` of the row.
+  ExactSum Of(Index first, Index last) const
+  {
+    const Index lower = this->Grid.Owned().Lower[0];
+    ExactSum sum = (*this->Row)[last - lower];
+    sum.Subtract((*this->Row)[first - lower]);
+    return sum;
+  }
+
+private:
+  static constexpr std::size_t MostRows = 256;
+  const CartesianGrid& Grid;
+  double Scale;
+  std::map<std::array<double, 2>, std::vector<ExactSum>> Known; // up to each cell, by widths
+  std::vector<ExactSum>* Row = nullptr;
+};
+
+} // namespace vfm

@@ -1,0 +1,61 @@
+/**
+ * What the stages ask of the program around them: loops over threads, other ranks, progress, abort.
+ * The base class is the serial program; Filters backs it with vtkSMPTools.
+ */
+#pragma once
+
+#include "Base/Ranks.h"
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace vfm
+{
+
+/// The input cannot be meshed; what() tells which array, which value, where, what to do.
+struct InputError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Thrown out of a stage when the user asked to stop.
+struct Aborted : std::runtime_error
+{
+  Aborted() : std::runtime_error("aborted") {}
+};
+
+class Runtime
+{
+public:
+  virtual ~Runtime() = default;
+
+  /// Calls body(begin, end) on disjoint ranges that cover [first, last), possibly at the same time.
+  /// No result may depend on how the range is cut.
+  virtual void For(std::int64_t first, std::int64_t last,
+    const std::function<void(std::int64_t, std::int64_t)>& body)
+  {
+    if (first < last)
+    {
+      body(first, last);
+    }
+  }
+
+  /// The processes that share the grid.
+  virtual Ranks& Group()
+  {
+    static Ranks alone;
+    return alone;
+  }
+
+  /// Tells that the named stage is at fraction (0..1) of the whole run.
+  /// Throws Aborted when the user wants to stop; on one rank only when it is alone. Called by one thread.
+  virtual void Progress(double fraction, const char* stage)
+  {
+    (void)fraction;
+    (void)stage;
+  }
+};
+
+} // namespace vfm

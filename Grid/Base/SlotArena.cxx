@@ -1,0 +1,48 @@
+#include "Base/SlotArena.h"
+
+#include "Base/Memory.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+// A block is as large as all before it, so that little is left unused.
+constexpr std::size_t SmallestBlock = std::size_t(1) << 12, LargestBlock = std::size_t(1) << 22;
+
+} // namespace
+
+SlotArena::~SlotArena()
+{
+  for (void* block : this->Blocks)
+  {
+    std::free(block);
+  }
+}
+
+void* SlotArena::Take()
+{
+  if (!this->Spare.empty())
+  {
+    void* slot = this->Spare.back();
+    this->Spare.pop_back();
+    return slot;
+  }
+  if (this->Left == 0)
+  {
+    const std::size_t bytes = std::min(std::max(this->BlockBytes, SmallestBlock), LargestBlock);
+    this->Left = std::max<std::size_t>(bytes / this->SlotBytes, 1);
+    this->Blocks.push_back(nullptr); // so that a block is never without its place in the list
+    this->Blocks.back() = AllocateBytes(this->Left * this->SlotBytes);
+    this->BlockBytes += this->Left * this->SlotBytes;
+    this->Next = static_cast<char*>(this->Blocks.back());
+  }
+  --this->Left;
+  void* slot = this->Next;
+  this->Next += this->SlotBytes;
+  return slot;
+}
+
+} // namespace vfm

@@ -1,0 +1,363 @@
+#include "Fractions/ChildFractions.h"
+
+#include "Base/ConvexClip.h"
+#include "Base/Vector3.h"
+#include "Fractions/LayerFit.h"
+#include "Fractions/SharpFractions.h"
+
+#include <numeric>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double GoodFit = 0.1;       // rms error of fractions: the surface is no film
+constexpr double FilmAdvantage = 0.6; // of a plane's error: a film must fit so much better
+constexpr double Nothing = 1e-13;     // fractions below are none
+constexpr double Tie = 1e-12;         // of one half: is one, so that a flat face gets one label
+
+Vector3 OctantCentre(int c)
+{
+  return { { c & 1 ? 0.25 : -0.25, c & 2 ? 0.25 : -0.25, c & 4 ? 0.25 : -0.25 } };
+}
+constexpr Vector3 OctantSize{ { 0.5, 0.5, 0.5 } };
+constexpr OctantFractions Full{ { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 } };
+
+/// Makes the fractions sum to 8 times that of the cell: they are off by the rounding of planes. room: the most an
+/// octant can hold.
+void Correct(OctantFractions& values, const OctantFractions& room, double fraction)
+{
+  double missing = 8.0 * fraction, weights = 0.0;
+  for (int c = 0; c < 8; ++c)
+  {
+    double& value = values[c];
+    value = value < Nothing ? 0.0 : (value > room[c] - Nothing ? room[c] : value);
+    missing -= value;
+    weights += value * (room[c] - value);
+  }
+  for (int c = 0; weights > 0.0 && c < 8; ++c)
+  {
+    const double share = values[c] * (room[c] - values[c]) / weights;
+    values[c] = std::min(std::max(values[c] + share * missing, 0.0), room[c]);
+  }
+}
+
+/// What planes have left of a cell.
+class Remainder
+{
+public:
+  Remainder() : Whole(MakeBoxPiece({ { -0.5, -0.5, -0.5 } }, { { 0.5, 0.5, 0.5 } }))
+  {
+    for (int c = 0; c < 8; ++c)
+    {
+      const Vector3 centre = OctantCentre(c);
+      this->Octants[c] = MakeBoxPiece(centre - 0.5 * OctantSize, centre + 0.5 * OctantSize);
+    }
+  }
+
+  /// Cuts off the volume below the plane of a normal; returns how it is spread over the octants.
+  OctantFractions CutOff(const Vector3& normal, double volume)
+  {
+    const HalfSpace plane{ normal, this->FindOffset(normal, volume) };
+    OctantFractions values;
+    for (int c = 0; c < 8; ++c)
+    {
+      values[c] = 8.0 * this->Cut(this->Octants[c], plane);
+      std::swap(this->Octants[c], this->Above);
+    }
+    this->Cut(this->Whole, plane);
+    std::swap(this->Whole, this->Above);
+    return values;
+  }
+
+private:
+  double FindOffset(const Vector3& normal, double volume)
+  {
+    double low = -1.0, high = 1.0;
+    while (high - low > 1e-12)
+    {
+      const double middle = 0.5 * (low + high);
+      (this->Cut(this->Whole, { normal, middle }) < volume ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+
+  double Cut(const ConvexPiece& piece, const HalfSpace& plane)
+  {
+    ClipPiece(piece, plane, this->Below, this->Above, this->Section);
+    return ComputeVolume(this->Below);
+  }
+
+  ConvexPiece Whole, Below, Above;
+  std::array<ConvexPiece, 8> Octants;
+  std::vector<Vector3> Section;
+};
+
+class Splitter
+{
+public:
+  Splitter(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell) :
+    Grid(grid), Cell(cell), Fractions(fractions), Parts(fractions.Parts(grid.Linear(cell)))
+  {
+    this->AddAround(grid, cell, grid.Linear(cell), { { 0, 0, 0 } });
+    for (int c = 0; c < 27; ++c)
+    {
+      const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
+      const Index3 q{ { cell[0] + d[0], cell[1] + d[1], cell[2] + d[2] } };
+      if (c != 13 && grid.InDomain(q))
+      {
+        this->AddAround(grid, cell, grid.Linear(q), d);
+      }
+    }
+  }
+
+  std::vector<OctantFractions> Split() const
+  {
+    const auto count = this->Parts.Last - this->Parts.First;
+    return count == 2 ? this->SplitInTwo() : this->CutOneByOne();
+  }
+
+private:
+  struct Around
+  {
+    Index Cell;
+    Vector3 Centre, Size; // in the frame of the cell
+  };
+
+  void AddAround(const CartesianGrid& grid, const Index3& middle, Index cell, const Index3& d)
+  {
+    Around around{ cell, {}, {} };
+    for (int a = 0; a < 3; ++a)
+    {
+      const double width = grid.Width(a, middle[a]);
+      const double own = grid.Width(a, middle[a] + d[a]);
+      around.Size[a] = own / width;
+      around.Centre[a] = 0.5 * static_cast<double>(d[a]) * (1.0 + around.Size[a]);
+    }
+    this->Cells.push_back(around);
+  }
+
+  /// A part among some, itself included, where the cells hold any of them.
+  std::vector<FractionSample> Sample(int material, const std::vector<int>& among) const
+  {
+    std::vector<FractionSample> samples;
+    for (const Around& around : this->Cells)
+    {
+      double sum = 0.0;
+      for (int part : among)
+      {
+        sum += this->Fractions.Fraction(around.Cell, part);
+      }
+      if (sum > 0.0)
+      {
+        samples.push_back({ around.Centre, around.Size,
+          std::min(this->Fractions.Fraction(around.Cell, material) / sum, 1.0), sum });
+      }
+    }
+    return samples;
+  }
+
+  /// A part against all else.
+  std::vector<FractionSample> Sample(int material) const
+  {
+    std::vector<FractionSample> samples;
+    for (const Around& around : this->Cells)
+    {
+      samples.push_back(
+        { around.Centre, around.Size, this->Fractions.Fraction(around.Cell, material), 1.0 });
+    }
+    return samples;
+  }
+
+  bool HasOthersAround() const
+  {
+    return std::any_of(this->Cells.begin(), this->Cells.end(),
+      [this](const Around& around)
+      {
+        double sum = 0.0;
+        for (const FractionField::Part& part : this->Parts)
+        {
+          sum += this->Fractions.Fraction(around.Cell, part.Material);
+        }
+        return sum < 1.0 - 1e-9;
+      });
+  }
+
+  /// A part to be cut off by a plane.
+  struct Choice
+  {
+    std::size_t Place; // among those that are left
+    std::vector<FractionSample> Samples;
+    LayerFit Fit;
+    double Score = 0.0; // the less the better
+  };
+
+  /// The part that a plane divides best from the others that are left (positions in Parts), or first from all else.
+  Choice Choose(const std::vector<std::size_t>& left, bool isFirst) const
+  {
+    const bool isPair = left.size() == 2, knowsOthers = isFirst && this->HasOthersAround();
+    std::vector<int> materials;
+    for (std::size_t position : left)
+    {
+      materials.push_back(this->Parts.First[position].Material);
+    }
+    std::vector<Choice> choices;
+    for (std::size_t place = 0; place < left.size(); ++place)
+    {
+      const bool isNew = place == 0 || !isPair; // of a pair either part gives the same plane
+      if (isFirst && (isNew || knowsOthers))
+      {
+        choices.push_back({ place, this->Sample(materials[place]), {} });
+      }
+      if (isNew && (!isFirst || (isPair && knowsOthers)))
+      {
+        choices.push_back({ place, this->Sample(materials[place], materials), {} });
+      }
+    }
+    for (Choice& choice : choices)
+    {
+      choice.Fit = FitHalfSpace(choice.Samples);
+      choice.Score = choice.Fit.IsFound ? choice.Fit.Error + this->Doubt(choice.Samples) : 2.0;
+    }
+    return *std::min_element(choices.begin(), choices.end(),
+      [](const Choice& a, const Choice& b) { return a.Score < b.Score; });
+  }
+
+  /// Cells that tell nothing count as off by what a good fit may be.
+  double Doubt(const std::vector<FractionSample>& samples) const
+  {
+    double known = 0.0;
+    for (const FractionSample& sample : samples)
+    {
+      known += sample.Weight;
+    }
+    return GoodFit * (1.0 - known / static_cast<double>(this->Cells.size()));
+  }
+
+  std::vector<OctantFractions> SplitInTwo() const
+  {
+    Choice choice = this->Choose({ 0, 1 }, true);
+    std::size_t cut = choice.Place; // the part within the layer
+    if (!choice.Fit.IsFound || choice.Fit.Error > GoodFit)
+    {
+      TryFilms(choice.Samples, choice.Fit, cut);
+    }
+    const double fraction = this->Parts.First[cut].Fraction;
+    std::vector<OctantFractions> octants(2);
+    octants[cut] = choice.Fit.IsFound && choice.Fit.Error <= GoodFit
+      ? FindOctants(choice.Fit.Region)
+      : this->ShareSmoothly(cut);
+    Correct(octants[cut], Full, fraction);
+    for (int c = 0; c < 8; ++c)
+    {
+      double& value = octants[cut][c];
+      value = std::fabs(value - 0.5) < Tie ? 0.5 : value;
+      octants[1 - cut][c] = 1.0 - value;
+    }
+    return octants;
+  }
+
+  static OctantFractions FindOctants(const Layer& layer)
+  {
+    OctantFractions octants;
+    for (int c = 0; c < 8; ++c)
+    {
+      octants[c] = FractionInLayer(layer, OctantCentre(c), OctantSize);
+    }
+    return octants;
+  }
+
+  /// Of edges, corners, rods and balls, which no plane fits.
+  OctantFractions ShareSmoothly(std::size_t part) const
+  {
+    const FractionField::Part& first = this->Parts.First[part];
+    const std::vector<double> weights(this->Fractions.NumberOfMaterials() + 1, 1.0);
+    const std::vector<MaterialPatch> patches = MakePatches(this->Grid, this->Fractions, this->Cell,
+      { first.Material, this->Parts.First[1 - part].Material }, weights);
+    return ShareOctants(patches[0], patches[1], first.Fraction);
+  }
+
+  /// A film of either part.
+  static void TryFilms(std::vector<FractionSample> samples, LayerFit& fit, std::size_t& cut)
+  {
+    double largest = fit.IsFound ? FilmAdvantage * fit.Error : 2.0;
+    for (std::size_t part : { cut, 1 - cut })
+    {
+      const LayerFit film = FitFilm(samples);
+      if (film.Error < largest)
+      {
+        fit = film;
+        cut = part;
+        largest = film.Error;
+      }
+      for (FractionSample& sample : samples)
+      {
+        sample.Value = 1.0 - sample.Value;
+      }
+    }
+  }
+
+  std::vector<OctantFractions> CutOneByOne() const
+  {
+    const std::size_t count = this->Parts.Last - this->Parts.First;
+    std::vector<OctantFractions> octants(count);
+    std::vector<std::size_t> left(count); // positions in Parts
+    std::iota(left.begin(), left.end(), std::size_t(0));
+    OctantFractions room = Full;
+    Remainder remainder;
+    while (left.size() > 1)
+    {
+      const Choice choice = this->Choose(left, left.size() == count);
+      if (!choice.Fit.IsFound)
+      {
+        break;
+      }
+      const std::size_t position = left[choice.Place];
+      const double fraction = this->Parts.First[position].Fraction;
+      octants[position] = remainder.CutOff(choice.Fit.Region.Normal, fraction);
+      Correct(octants[position], room, fraction);
+      for (int c = 0; c < 8; ++c)
+      {
+        room[c] -= octants[position][c];
+      }
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(choice.Place));
+    }
+    this->Share(left, room, octants);
+    return octants;
+  }
+
+  /// The parts that are left fill the room evenly.
+  void Share(const std::vector<std::size_t>& left, const OctantFractions& room,
+    std::vector<OctantFractions>& octants) const
+  {
+    double sum = 0.0;
+    for (std::size_t position : left)
+    {
+      sum += this->Parts.First[position].Fraction;
+    }
+    for (std::size_t position : left)
+    {
+      for (int c = 0; c < 8; ++c)
+      {
+        octants[position][c] = room[c] * (this->Parts.First[position].Fraction / sum);
+      }
+    }
+  }
+
+  const CartesianGrid& Grid;
+  const Index3 Cell;
+  const FractionField& Fractions;
+  const FractionField::Range Parts;
+  std::vector<Around> Cells; // first the cell itself
+};
+
+} // namespace
+
+std::vector<OctantFractions> SplitCell(
+  const CartesianGrid& grid, const FractionField& fractions, const Index3& cell)
+{
+  return Splitter(grid, fractions, cell).Split();
+}
+
+} // namespace vfm

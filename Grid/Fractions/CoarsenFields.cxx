@@ -1,0 +1,260 @@
+#include "Fractions/CoarsenFields.h"
+
+namespace vfm
+{
+namespace
+{
+
+using Part = FractionField::Part;
+
+constexpr int Mixed = -1; // label of cells of several parts, or of several labels
+
+/// Cells from the end of the run before, up to End, in a row.
+struct Run
+{
+  Index End;
+  int Label;
+};
+using Runs = std::vector<Run>;
+
+void AddRun(Index end, int label, Runs& runs)
+{
+  if (!runs.empty() && runs.back().Label == label)
+  {
+    runs.back().End = end;
+    return;
+  }
+  runs.push_back({ end, label });
+}
+
+/// The runs of the cells [first, last) of a row; ends count from first.
+void FindRuns(const FractionField& fractions, Index first, Index last, Runs& runs)
+{
+  runs.clear();
+  fractions.Visit(
+    first, last, [&](Index, Index end, int label) { AddRun(end - first, label, runs); },
+    [&](Index begin, Index end)
+    {
+      for (Index cell = begin; cell < end; ++cell)
+      {
+        const int label = fractions.IsMixed(cell) ? Mixed : fractions.Label(cell);
+        AddRun(cell + 1 - first, label, runs);
+      }
+    });
+}
+
+/// Runs where two rows agree keep their label, the others are mixed.
+void Merge(const Runs& a, const Runs& b, Runs& merged)
+{
+  merged.clear();
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();)
+  {
+    const Index end = std::min(a[i].End, b[j].End);
+    AddRun(end, a[i].Label == b[j].Label ? a[i].Label : Mixed, merged);
+    i += a[i].End == end;
+    j += b[j].End == end;
+  }
+}
+
+/// A row of coarse cells: runs of them, and the parts of those that are mixed, in their order.
+struct CoarseRow
+{
+  Runs Pieces;
+  std::vector<std::vector<Part>> Parts;
+};
+
+class Coarsener
+{
+public:
+  Coarsener(const CartesianGrid& grid, const FractionField& fractions, int halvings,
+    const CartesianGrid& coarse) :
+    Grid(grid), Fractions(fractions), Coarse(coarse), Factor(Index(1) << halvings)
+  {
+  }
+
+  void MakeRow(Index j, Index k, CoarseRow& row) const
+  {
+    row = CoarseRow();
+    const IndexBox& box = this->Coarse.Local();
+    Index begin = 0;
+    for (const Run& run : this->MergeRows(j, k))
+    {
+      // whole cells of the run; those that it shares with the one before are mixed
+      const Index first = (begin + this->Factor - 1) / this->Factor, last = run.End / this->Factor;
+      if (run.Label != Mixed && first < last)
+      {
+        this->AddMixed(first, row.Pieces);
+        AddRun(last, run.Label, row.Pieces);
+      }
+      begin = run.End;
+    }
+    this->AddMixed(box.Size(0), row.Pieces);
+    begin = 0;
+    for (const Run& run : row.Pieces)
+    {
+      for (Index i = begin; run.Label == Mixed && i < run.End; ++i)
+      {
+        row.Parts.push_back(this->Average({ { box.Lower[0] + i, j, k } }));
+      }
+      begin = run.End;
+    }
+  }
+
+private:
+  static void AddMixed(Index end, Runs& pieces)
+  {
+    if ((pieces.empty() ? 0 : pieces.back().End) < end)
+    {
+      AddRun(end, Mixed, pieces);
+    }
+  }
+
+  /// Of the rows of the grid's cells in a row of coarse ones.
+  Runs MergeRows(Index j, Index k) const
+  {
+    const IndexBox& box = this->Coarse.Local();
+    Runs all, row, merged;
+    for (Index z = k * this->Factor; z < (k + 1) * this->Factor; ++z)
+    {
+      for (Index y = j * this->Factor; y < (j + 1) * this->Factor; ++y)
+      {
+        const Index first = this->Grid.Linear({ { box.Lower[0] * this->Factor, y, z } });
+        FindRuns(this->Fractions, first, first + box.Size(0) * this->Factor, row);
+        if (all.empty())
+        {
+          all.swap(row);
+          continue;
+        }
+        Merge(all, row, merged);
+        all.swap(merged);
+      }
+    }
+    return all;
+  }
+
+  std::vector<Part> Average(const Index3& cell) const
+  {
+    IndexBox box;
+    for (int a = 0; a < 3; ++a)
+    {
+      box.Lower[a] = cell[a] * this->Factor;
+      box.Upper[a] = box.Lower[a] + this->Factor;
+    }
+    std::vector<Part> sum;
+    ForCells(box,
+      [&](const Index3& p)
+      {
+        double share = 1.0;
+        for (int a = 0; a < 3; ++a)
+        {
+          share *= this->Grid.Width(a, p[a]) / this->Coarse.Width(a, cell[a]);
+        }
+        Part whole;
+        AddParts(PartsOf(this->Fractions, this->Grid.Linear(p), whole), share, sum);
+      });
+    return sum;
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const CartesianGrid& Coarse;
+  Index Factor;
+};
+
+void StoreRow(const CoarseRow& row, FractionField::RowWriter& writer)
+{
+  auto parts = row.Parts.begin();
+  Index begin = 0;
+  for (const Run& run : row.Pieces)
+  {
+    if (run.Label != Mixed)
+    {
+      writer.AddLabel(run.Label, run.End - begin);
+    }
+    for (Index i = begin; run.Label == Mixed && i < run.End; ++i, ++parts)
+    {
+      writer.CopyParts({ parts->data(), parts->data() + parts->size() });
+    }
+    begin = run.End;
+  }
+}
+
+} // namespace
+
+CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLevels)
+{
+  const Index factor = Index(1) << halvings;
+  std::array<std::vector<double>, 3> coordinates;
+  IndexBox owned;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (Index n : { grid.Global().Upper[a], grid.Owned().Lower[a], grid.Owned().Upper[a] })
+    {
+      if (n % factor != 0)
+      {
+        throw InputError("A grid of " + std::to_string(grid.Global().Upper[a]) +
+          " cells along an axis, or a rank's part of it, does not consist of blocks of " +
+          std::to_string(factor) + ": use fewer levels.");
+      }
+    }
+    for (Index i = 0; i <= grid.Global().Upper[a]; i += factor)
+    {
+      coordinates[a].push_back(grid.Coordinates(a)[i]);
+    }
+    owned.Lower[a] = grid.Owned().Lower[a] / factor;
+    owned.Upper[a] = grid.Owned().Upper[a] / factor;
+  }
+  return CartesianGrid(std::move(coordinates), owned, ghostLevels);
+}
+
+int CountCoarseGhosts(const CartesianGrid& grid, int halvings, int most)
+{
+  Index levels = most;
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index low = grid.Local().Lower[a], high = grid.Local().Upper[a];
+    if (low > 0)
+    {
+      levels = std::min(levels, (grid.Owned().Lower[a] - low) >> halvings);
+    }
+    if (high < grid.Global().Upper[a])
+    {
+      levels = std::min(levels, (high - grid.Owned().Upper[a]) >> halvings);
+    }
+  }
+  return static_cast<int>(levels);
+}
+
+FractionField CoarsenFractions(const CartesianGrid& grid, const FractionField& fractions,
+  int halvings, const CartesianGrid& coarse, Runtime& runtime)
+{
+  FractionField field(coarse, fractions.NumberOfMaterials());
+  const Coarsener coarsener(grid, fractions, halvings, coarse);
+  const IndexBox& box = coarse.Local();
+  if (box.NumberOfCells() == 0)
+  {
+    return field;
+  }
+  std::vector<CoarseRow> rows(box.Size(1)); // of a layer
+  FractionField::RowWriter writer(field);
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    runtime.For(0, box.Size(1),
+      [&](Index first, Index last)
+      {
+        for (Index row = first; row < last; ++row)
+        {
+          coarsener.MakeRow(box.Lower[1] + row, k, rows[row]);
+        }
+      });
+    for (Index row = 0; row < box.Size(1); ++row)
+    {
+      writer.Start(coarse.Linear({ { box.Lower[0], box.Lower[1] + row, k } }));
+      StoreRow(rows[row], writer);
+      writer.Finish();
+    }
+  }
+  return field;
+}
+
+} // namespace vfm

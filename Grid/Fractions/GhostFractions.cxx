@@ -1,0 +1,121 @@
+#include "Fractions/GhostFractions.h"
+
+namespace vfm
+{
+namespace
+{
+
+using Part = FractionField::Part;
+
+/// How many bytes the entries take; a label, or ~(how many parts), of every cell; the parts.
+Bytes PackBox(const FractionField& fractions, const Partition& partition, const IndexBox& box)
+{
+  RunCoder<int> entries;
+  std::vector<Part> parts;
+  const auto add = [&](Index cell)
+  {
+    if (!fractions.IsMixed(cell))
+    {
+      entries.Add(fractions.Label(cell));
+      return;
+    }
+    const FractionField::Range own = fractions.Parts(cell);
+    entries.Add(~static_cast<int>(own.end() - own.begin()));
+    parts.insert(parts.end(), own.begin(), own.end());
+  };
+  partition.ForRows(box,
+    [&](Index first, Index last)
+    {
+      fractions.Visit(
+        first, last, [&](Index begin, Index end, int label) { entries.AddRun(label, end - begin); },
+        [&](Index begin, Index end)
+        {
+          for (Index cell = begin; cell < end; ++cell)
+          {
+            add(cell);
+          }
+        });
+    });
+  const Bytes coded = ToBytes(entries.Coded());
+  Bytes bytes = ToBytes(std::vector<Index>{ static_cast<Index>(coded.size()) });
+  bytes.insert(bytes.end(), coded.begin(), coded.end());
+  const Bytes rest = ToBytes(parts);
+  bytes.insert(bytes.end(), rest.begin(), rest.end());
+  return bytes;
+}
+
+void UnpackBox(
+  const Bytes& bytes, const Partition& partition, const IndexBox& box, FractionField& fractions)
+{
+  const auto first = bytes.begin() + sizeof(Index);
+  const auto middle = first + FromBytes<Index>(Bytes(bytes.begin(), first))[0];
+  RunReader<int> entries(FromBytes<int>(Bytes(first, middle)));
+  const std::vector<Part> parts = FromBytes<Part>(Bytes(middle, bytes.end()));
+  const Part* part = parts.data();
+  FractionField::RowWriter row(fractions);
+  const auto add = [&](int entry)
+  {
+    if (entry >= 0)
+    {
+      row.AddLabel(entry);
+      return;
+    }
+    row.CopyParts({ part, part + ~entry });
+    part += ~entry;
+  };
+  partition.ForRows(box,
+    [&](Index begin, Index end)
+    {
+      row.Start(begin);
+      entries.Read(
+        end - begin, [&](Index count, int label) { row.AddLabel(label, count); },
+        [&](Index count, const int* values) { std::for_each(values, values + count, add); });
+      row.Finish();
+    });
+}
+
+} // namespace
+
+void FillGhosts(const Partition& partition, FractionField& fractions)
+{
+  partition.ExchangeBoxes([&](const IndexBox& box) { return PackBox(fractions, partition, box); },
+    [&](const IndexBox& box, const Bytes& bytes) { UnpackBox(bytes, partition, box, fractions); });
+}
+
+FractionField CopyWithGhosts(
+  const CartesianGrid& from, const FractionField& fractions, const CartesianGrid& to, Ranks& ranks)
+{
+  FractionField result(to, fractions.NumberOfMaterials());
+  const IndexBox& box = from.Owned();
+  FractionField::RowWriter writer(result);
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+    {
+      const Index first = from.Linear({ { box.Lower[0], j, k } });
+      writer.Start(to.Linear({ { box.Lower[0], j, k } }));
+      const auto copyCells = [&](Index begin, Index end)
+      {
+        for (Index cell = begin; cell < end; ++cell)
+        {
+          if (fractions.IsMixed(cell))
+          {
+            writer.CopyParts(fractions.Parts(cell));
+          }
+          else
+          {
+            writer.AddLabel(fractions.Label(cell));
+          }
+        }
+      };
+      fractions.Visit(
+        first, first + box.Size(0),
+        [&](Index begin, Index end, int label) { writer.AddLabel(label, end - begin); }, copyCells);
+      writer.Finish();
+    }
+  }
+  FillGhosts(Partition(to, ranks), result);
+  return result;
+}
+
+} // namespace vfm

@@ -1,0 +1,246 @@
+#include "Fractions/LayerFit.h"
+
+#include "Base/GradientFit.h"
+#include "Base/Plic.h"
+#include "Base/Vector3.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int LargestSteps = 12;
+constexpr double Difference = 1e-5;     // of the unknowns, for derivatives
+constexpr double LongestStep = 0.5;     // of the unknowns
+constexpr double SmallestStep = 1e-9;   // the next would be of the order of rounding
+constexpr double SmallestGain = 0.01;   // of the squared error, relative
+constexpr double SmallestSlope = 1e-12; // gradients below are none
+constexpr double Damping = 1e-9;
+constexpr double CloseFit = 0.01;   // error from which a film is sought from other places too
+constexpr double OtherPlace = 0.25; // of its middle
+
+/// The half thickness for which the layer around the plane n.x = middle fills a part of the cell.
+double ThicknessOfVolume(const Vector3& n, double middle, double fraction)
+{
+  double low = 0.0;
+  double high = std::fabs(middle) + 0.5 * (std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]));
+  while (high - low > 1e-13)
+  {
+    const double half = 0.5 * (low + high);
+    const double volume = VolumeBelowPlane(n, middle + half) - VolumeBelowPlane(n, middle - half);
+    (volume < fraction ? low : high) = half;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Gauss-Newton over two angles of the normal and, of films, the place of the middle.
+class Fitter
+{
+public:
+  Fitter(const std::vector<FractionSample>& samples, bool isFilm) :
+    Samples(samples), IsFilm(isFilm), Unknowns(isFilm ? 3 : 2)
+  {
+  }
+
+  LayerFit Fit(const Vector3& normal, double middle) const
+  {
+    Trial best = this->Try(normal, middle);
+    for (int step = 0; step < LargestSteps && this->Improve(best); ++step)
+    {
+    }
+    double weights = 0.0;
+    for (std::size_t i = 1; i < this->Samples.size(); ++i)
+    {
+      weights += this->Samples[i].Weight;
+    }
+    LayerFit fit;
+    fit.IsFound = true;
+    fit.Region = best.Region;
+    fit.Error = weights > 0.0 ? std::sqrt(best.SquaredError / weights) : 0.0;
+    return fit;
+  }
+
+private:
+  struct Trial
+  {
+    Layer Region;
+    double Middle = 0.0;
+    std::vector<double> Errors; // of the samples
+    double SquaredError = 0.0;  // weighted sum
+  };
+
+  /// The layer with the cell's volume.
+  Trial Try(const Vector3& normal, double middle) const
+  {
+    Trial trial;
+    trial.Middle = middle;
+    const double inside = this->Samples[0].Value;
+    if (this->IsFilm)
+    {
+      const double half = ThicknessOfVolume(normal, middle, inside);
+      trial.Region = { normal, middle - half, middle + half };
+    }
+    else
+    {
+      trial.Region = { normal, -std::numeric_limits<double>::infinity(),
+        PlaneOfVolume(normal, inside) };
+    }
+    trial.Errors.reserve(this->Samples.size());
+    for (const FractionSample& sample : this->Samples)
+    {
+      const double error = FractionInLayer(trial.Region, sample.Centre, sample.Size) - sample.Value;
+      trial.Errors.push_back(error);
+      trial.SquaredError += sample.Weight * error * error;
+    }
+    return trial;
+  }
+
+  /// The trial whose unknowns differ from those of another: two turns and a shift.
+  Trial TryBeside(const Trial& from, const Vector3& step) const
+  {
+    const Vector3& n = from.Region.Normal;
+    Vector3 u, v;
+    MakeTangents(n, u, v);
+    return this->Try(Unit(n + step[0] * u + step[1] * v), from.Middle + step[2]);
+  }
+
+  Vector3 FindStep(const Trial& from) const
+  {
+    std::array<Trial, 3> beside;
+    for (int a = 0; a < this->Unknowns; ++a)
+    {
+      Vector3 step{ { 0.0, 0.0, 0.0 } };
+      step[a] = Difference;
+      beside[a] = this->TryBeside(from, step);
+    }
+    Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < this->Samples.size(); ++i)
+    {
+      Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+      for (int a = 0; a < this->Unknowns; ++a)
+      {
+        slope[a] = (beside[a].Errors[i] - from.Errors[i]) / Difference;
+      }
+      A += this->Samples[i].Weight * slope * slope.transpose();
+      b -= this->Samples[i].Weight * from.Errors[i] * slope;
+    }
+    const double damping = Damping * A.trace() + std::numeric_limits<double>::min();
+    for (int a = 0; a < 3; ++a)
+    {
+      A(a, a) += damping;
+    }
+    const Eigen::Vector3d step = A.ldlt().solve(b);
+    const double length = step.norm();
+    const double scale = length > LongestStep ? LongestStep / length : 1.0;
+    return { { scale * step[0], scale * step[1], scale * step[2] } };
+  }
+
+  /// Whether another step may help.
+  bool Improve(Trial& best) const
+  {
+    Vector3 step = this->FindStep(best);
+    for (int halving = 0; halving < 4; ++halving, step = 0.3 * step)
+    {
+      Trial trial = this->TryBeside(best, step);
+      if (trial.SquaredError < best.SquaredError)
+      {
+        const bool helped = trial.SquaredError < (1.0 - SmallestGain) * best.SquaredError;
+        best = std::move(trial);
+        return helped && Norm(step) > SmallestStep;
+      }
+    }
+    return false;
+  }
+
+  const std::vector<FractionSample>& Samples;
+  const bool IsFilm;
+  const int Unknowns;
+};
+
+/// The filled volume's place and least direction, measured against the spread of the cells themselves.
+void FindFilm(const std::vector<FractionSample>& samples, Vector3& normal, double& middle)
+{
+  double mass = 0.0, weights = 0.0;
+  Vector3 centre{ { 0.0, 0.0, 0.0 } }, centreOfCells{ { 0.0, 0.0, 0.0 } };
+  for (const FractionSample& s : samples)
+  {
+    mass += s.Weight * s.Value;
+    weights += s.Weight;
+    centre = centre + (s.Weight * s.Value) * s.Centre;
+    centreOfCells = centreOfCells + s.Weight * s.Centre;
+  }
+  centre = (1.0 / mass) * centre;
+  centreOfCells = (1.0 / weights) * centreOfCells;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d spread = Eigen::Vector3d::Zero();
+  for (const FractionSample& s : samples)
+  {
+    const Vector3 r = s.Centre - centre, q = s.Centre - centreOfCells;
+    const Eigen::Vector3d x(r[0], r[1], r[2]), y(q[0], q[1], q[2]);
+    inertia += s.Weight * s.Value / mass * x * x.transpose();
+    spread += s.Weight / weights * y.cwiseAbs2();
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    if (spread[a] <= 0.0) // a grid one cell thick: no film lies across it
+    {
+      spread[a] = inertia(a, a) = 1.0;
+    }
+  }
+  const Eigen::Vector3d scale = spread.cwiseSqrt().cwiseInverse();
+  const Eigen::Matrix3d relative = scale.asDiagonal() * inertia * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(relative);
+  const Eigen::Vector3d n = scale.asDiagonal() * solver.eigenvectors().col(0);
+  normal = Unit({ { n[0], n[1], n[2] } });
+  middle = Dot(normal, centre);
+}
+
+} // namespace
+
+double FractionInLayer(const Layer& layer, const Vector3& centre, const Vector3& size)
+{
+  const Vector3 n = Scaled(layer.Normal, size);
+  const double shift = Dot(layer.Normal, centre);
+  return VolumeBelowPlane(n, layer.Upper - shift) - VolumeBelowPlane(n, layer.Lower - shift);
+}
+
+LayerFit FitHalfSpace(const std::vector<FractionSample>& samples)
+{
+  GradientFit gradient;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+  {
+    gradient.Add(samples[i].Centre, samples[i].Value - samples[0].Value, samples[i].Weight);
+  }
+  const Vector3 slope = gradient.Solve();
+  if (!(Norm(slope) > SmallestSlope))
+  {
+    return LayerFit();
+  }
+  return Fitter(samples, false).Fit(Unit(-1.0 * slope), 0.0);
+}
+
+LayerFit FitFilm(const std::vector<FractionSample>& samples)
+{
+  Vector3 normal;
+  double middle = 0.0;
+  FindFilm(samples, normal, middle);
+  const Fitter fitter(samples, true);
+  LayerFit best = fitter.Fit(normal, middle);
+  // steps stop where a film that lies in the cell alone stays the same wherever in it
+  for (double shift : { -OtherPlace, OtherPlace })
+  {
+    if (best.Error > CloseFit)
+    {
+      const LayerFit other = fitter.Fit(normal, middle + shift);
+      best = other.Error < best.Error ? other : best;
+    }
+  }
+  return best;
+}
+
+} // namespace vfm

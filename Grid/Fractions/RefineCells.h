@@ -1,0 +1,45 @@
+/**
+ * Every cell of a grid cut in 2x2x2, and the fractions of the halves.
+ */
+#pragma once
+
+#include "Base/Runtime.h"
+#include "Fractions/FractionField.h"
+
+#include <functional>
+
+namespace vfm
+{
+
+/// How a mixed cell is shared out to its halves.
+enum class ChildRule
+{
+  Planes, ///< by planes that keep every volume (ChildFractions.h)
+  Parent  ///< each gets the fractions of the cell
+};
+
+struct RefinedCells
+{
+  CartesianGrid Grid;
+  FractionField Fractions;
+};
+
+/// Node coordinates along an axis with the middles of all cells between.
+std::vector<double> HalveWidths(const std::vector<double>& coordinates);
+
+/// Half c of a cell along each axis: bit a set on the + side of axis a.
+inline Index3 ChildOfCell(const Index3& cell, int c)
+{
+  return { { 2 * cell[0] + (c & 1), 2 * cell[1] + (c >> 1 & 1), 2 * cell[2] + (c >> 2 & 1) } };
+}
+
+/// The owned cells halved along each axis, with GhostLevels levels of half cells around them. grid: the whole domain,
+/// or a rank's part with ghost levels of its own: four are read. Pure cells give their label to their children, mixed
+/// ones fractions that average to theirs. The same on any number of ranks and threads; nothing is
+/// communicated. skips(cell): whether the halves of a cell are not wanted, they are void then; may be empty.
+/// Throws InputError when the finer grid has too many nodes for 64-bit ids, or coordinates too near to halve.
+RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractions,
+  Runtime& runtime, ChildRule rule = ChildRule::Planes,
+  const std::function<bool(const Index3&)>& skips = {});
+
+} // namespace vfm

@@ -1,0 +1,287 @@
+#include "Fractions/SharpFractions.h"
+
+#include "Base/Plic.h"
+#include "Base/Vector3.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int SamplesAlong = 4; // an edge of an octant where three materials meet
+constexpr double Nudge = 1e-3;  // of a difference, to measure its rate
+constexpr double Flat = 1e-12;  // a difference with a smaller slope has no plane
+constexpr double OctantPart = 0.125;
+constexpr double LargestShift =
+  8.0; // fields differ by no more than 1 at cells, so by less than that between
+constexpr double SmallestShift = 1e-12;
+
+using Corners = std::array<double, 8>;
+
+Corners CornersOfOctant(const MaterialPatch& patch, int octant)
+{
+  Corners corners;
+  for (int c = 0; c < 8; ++c)
+  {
+    const int x = (octant & 1) + (c & 1), y = (octant >> 1 & 1) + (c >> 1 & 1);
+    const int z = (octant >> 2 & 1) + (c >> 2 & 1);
+    corners[c] = patch.Values[x + 3 * y + 9 * z];
+  }
+  return corners;
+}
+
+/// Whether a has no less than b in the whole octant: a difference that is trilinear has its extremes at corners.
+bool Covers(const Corners& a, const Corners& b)
+{
+  for (int c = 0; c < 8; ++c)
+  {
+    if (a[c] < b[c])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+struct Contender
+{
+  std::size_t Patch;
+  Corners Values;
+  double Part; // of the octant
+};
+
+/// Those that no other covers; of equal ones the first.
+std::vector<Contender> FindContenders(const std::vector<MaterialPatch>& patches, int octant)
+{
+  std::vector<Contender> found;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    const Contender next{ p, CornersOfOctant(patches[p], octant), 0.0 };
+    const auto covers = [&next](const Contender& other)
+    { return Covers(other.Values, next.Values); };
+    if (std::none_of(found.begin(), found.end(), covers))
+    {
+      const auto covered = [&next](const Contender& other)
+      { return Covers(next.Values, other.Values); };
+      found.erase(std::remove_if(found.begin(), found.end(), covered), found.end());
+      found.push_back(next);
+    }
+  }
+  return found;
+}
+
+/// The difference of two contenders as a plane in the unit cube around 0: Mean + Slope.x
+struct Difference
+{
+  double Mean = 0.0;
+  Vector3 Slope{ { 0.0, 0.0, 0.0 } };
+
+  Difference(const Corners& a, const Corners& b)
+  {
+    for (int c = 0; c < 8; ++c)
+    {
+      const double d = a[c] - b[c];
+      this->Mean += 0.125 * d;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Slope[axis] += (c >> axis & 1) ? 0.25 * d : -0.25 * d;
+      }
+    }
+  }
+  /// The part of the cube where it is above -shift.
+  double PartAbove(double shift) const
+  {
+    return Norm(this->Slope) > Flat ? VolumeBelowPlane(-1.0 * this->Slope, this->Mean + shift)
+                                    : (this->Mean + shift >= 0.0 ? 1.0 : 0.0);
+  }
+};
+
+void PartByPlane(std::vector<Contender>& two, const std::vector<MaterialPatch>& patches,
+  std::vector<PairRate>* rates)
+{
+  const Difference difference(two[0].Values, two[1].Values);
+  two[0].Part = difference.PartAbove(0.0);
+  two[1].Part = 1.0 - two[0].Part;
+  if (!rates)
+  {
+    return;
+  }
+  double value = 0.0; // of either field where they are equal, about
+  for (int c = 0; c < 8; ++c)
+  {
+    value += 0.0625 * (two[0].Values[c] + two[1].Values[c]);
+  }
+  const double step = Nudge * Norm(difference.Slope);
+  const double rate = step > 0.0
+    ? (difference.PartAbove(step) - difference.PartAbove(-step)) / (2.0 * step) * value
+    : 0.0;
+  rates->push_back(
+    { patches[two[0].Patch].Material, patches[two[1].Patch].Material, OctantPart * rate });
+}
+
+double Trilinear(const Corners& values, const Vector3& x)
+{
+  double result = 0.0;
+  for (int c = 0; c < 8; ++c)
+  {
+    result += values[c] * ((c & 1) ? x[0] : 1.0 - x[0]) * ((c & 2) ? x[1] : 1.0 - x[1]) *
+      ((c & 4) ? x[2] : 1.0 - x[2]);
+  }
+  return result;
+}
+
+void PartBySamples(std::vector<Contender>& several)
+{
+  constexpr int count = SamplesAlong * SamplesAlong * SamplesAlong;
+  std::vector<int> wins(several.size(), 0);
+  for (int s = 0; s < count; ++s)
+  {
+    const Vector3 x{ { (s % SamplesAlong + 0.5) / SamplesAlong,
+      (s / SamplesAlong % SamplesAlong + 0.5) / SamplesAlong,
+      (s / (SamplesAlong * SamplesAlong) + 0.5) / SamplesAlong } };
+    std::size_t best = 0;
+    double most = -1.0;
+    for (std::size_t c = 0; c < several.size(); ++c)
+    {
+      const double value = Trilinear(several[c].Values, x);
+      if (value > most)
+      {
+        most = value;
+        best = c;
+      }
+    }
+    ++wins[best];
+  }
+  for (std::size_t c = 0; c < several.size(); ++c)
+  {
+    several[c].Part = static_cast<double>(wins[c]) / count;
+  }
+}
+
+/// From the values in the middle of three cells in a row to those on the sides and in the middle of the second. On a side of
+/// the domain the field goes on as inside, so that planes stay planes.
+void Interpolate(const CartesianGrid& grid, int axis, Index i, std::array<double, 27>& values)
+{
+  const Index last = grid.Global().Upper[axis] - 1;
+  const double width = grid.Width(axis, i);
+  const double below = grid.Width(axis, std::max<Index>(i - 1, 0));
+  const double above = grid.Width(axis, std::min(i + 1, last));
+  const int step = axis == 0 ? 1 : (axis == 1 ? 3 : 9);
+  for (int v = 0; v < 27; ++v)
+  {
+    if (v / step % 3 == 1)
+    {
+      const double middle = values[v];
+      const double low = (values[v - step] * width + middle * below) / (below + width);
+      const double high = (values[v + step] * width + middle * above) / (above + width);
+      values[v - step] = i == 0 ? 2.0 * middle - high : low;
+      values[v + step] = i == last ? 2.0 * middle - low : high;
+    }
+  }
+}
+
+} // namespace
+
+std::vector<MaterialPatch> MakePatches(const CartesianGrid& grid, const FractionField& smooth,
+  const Index3& cell, const std::vector<int>& materials, const std::vector<double>& weights)
+{
+  std::array<Index, 27> around;
+  for (int v = 0; v < 27; ++v)
+  {
+    Index3 q{ { cell[0] + v % 3 - 1, cell[1] + v / 3 % 3 - 1, cell[2] + v / 9 - 1 } };
+    for (int a = 0; a < 3; ++a)
+    {
+      q[a] = std::min(std::max<Index>(q[a], 0), grid.Global().Upper[a] - 1);
+    }
+    around[v] = grid.Linear(q);
+  }
+  std::vector<MaterialPatch> patches;
+  for (int material : materials)
+  {
+    patches.push_back({ material, {} });
+    std::array<double, 27>& values = patches.back().Values;
+    for (int v = 0; v < 27; ++v)
+    {
+      values[v] = weights[material] * smooth.Fraction(around[v], material);
+    }
+    for (int a = 0; a < 3; ++a)
+    {
+      Interpolate(grid, a, cell[a], values);
+    }
+  }
+  return patches;
+}
+
+std::vector<FractionField::Part> FindSharpFractions(
+  const std::vector<MaterialPatch>& patches, std::vector<PairRate>* rates)
+{
+  std::vector<double> fractions(patches.size(), 0.0);
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    std::vector<Contender> contenders = FindContenders(patches, octant);
+    if (contenders.size() == 1)
+    {
+      contenders[0].Part = 1.0;
+    }
+    else if (contenders.size() == 2)
+    {
+      PartByPlane(contenders, patches, rates);
+    }
+    else
+    {
+      PartBySamples(contenders);
+    }
+    for (const Contender& c : contenders)
+    {
+      fractions[c.Patch] += OctantPart * c.Part;
+    }
+  }
+  std::vector<FractionField::Part> parts;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    if (fractions[p] > 0.0)
+    {
+      parts.push_back({ patches[p].Material, fractions[p] });
+    }
+  }
+  return parts;
+}
+
+std::array<double, 8> ShareOctants(
+  const MaterialPatch& first, const MaterialPatch& second, double fraction)
+{
+  std::vector<Difference> differences;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    differences.emplace_back(CornersOfOctant(first, octant), CornersOfOctant(second, octant));
+  }
+  const auto share = [&differences](double shift, std::array<double, 8>& parts)
+  {
+    double sum = 0.0;
+    for (int octant = 0; octant < 8; ++octant)
+    {
+      parts[octant] = differences[octant].PartAbove(shift);
+      sum += OctantPart * parts[octant];
+    }
+    return sum;
+  };
+  double low = -LargestShift, high = LargestShift;
+  std::array<double, 8> less{}, more{}, trial;
+  double lessSum = share(low, less), moreSum = share(high, more);
+  while (high - low > SmallestShift)
+  {
+    const double middle = 0.5 * (low + high), sum = share(middle, trial);
+    (sum < fraction ? low : high) = middle;
+    (sum < fraction ? less : more) = trial;
+    (sum < fraction ? lessSum : moreSum) = sum;
+  }
+  // where the fields run side by side the sum jumps: in between
+  const double t = moreSum > lessSum ? (fraction - lessSum) / (moreSum - lessSum) : 0.0;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    less[octant] += t * (more[octant] - less[octant]);
+  }
+  return less;
+}
+
+} // namespace vfm

@@ -1,0 +1,243 @@
+#include "Fractions/ThinFeatures.h"
+
+#include "Base/Vector3.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double Step = 0.25;       // along the line, in cells
+constexpr double Climb = 1.5;       // how far the largest fraction is sought
+constexpr double Drop = 0.1;        // of a fraction: less is the unevenness of cells
+constexpr double Nothing = 0.02;    // a fraction with which a region ends
+constexpr double SmallSlope = 1e-9; // a trace of squared gradients below is none
+
+/// The fractions of one material around a cell.
+class Surroundings
+{
+public:
+  Surroundings(
+    const CartesianGrid& grid, const FractionField& fractions, const Index3& cell, int material) :
+    Grid(grid), Fractions(fractions), Cell(cell), Material(material)
+  {
+  }
+
+  double At(const Index3& d) const
+  {
+    Index3 q;
+    for (int a = 0; a < 3; ++a)
+    {
+      q[a] = this->Mirrored(this->Cell[a] + d[a], this->Grid.Global().Upper[a]);
+    }
+    return this->Fractions.Fraction(this->Grid.Linear(q), this->Material);
+  }
+
+  /// Linear along each axis between the middles of cells; x: from the middle of the cell.
+  double At(const Vector3& x) const
+  {
+    Index3 lower;
+    Vector3 part;
+    for (int a = 0; a < 3; ++a)
+    {
+      const double low = std::floor(x[a]);
+      lower[a] = static_cast<Index>(low);
+      part[a] = x[a] - low;
+    }
+    double value = 0.0;
+    for (int c = 0; c < 8; ++c)
+    {
+      double weight = 1.0;
+      Index3 d = lower;
+      for (int a = 0; a < 3; ++a)
+      {
+        const bool isUpper = c >> a & 1;
+        weight *= isUpper ? part[a] : 1.0 - part[a];
+        d[a] += isUpper;
+      }
+      value += weight > 0.0 ? weight * this->At(d) : 0.0;
+    }
+    return value;
+  }
+
+  Vector3 GradientAt(const Index3& d) const
+  {
+    Vector3 gradient;
+    for (int a = 0; a < 3; ++a)
+    {
+      Index3 low = d, high = d;
+      --low[a];
+      ++high[a];
+      gradient[a] = 0.5 * (this->At(high) - this->At(low));
+    }
+    return gradient;
+  }
+
+private:
+  static Index Mirrored(Index i, Index count)
+  {
+    while (i < 0 || i >= count)
+    {
+      i = i < 0 ? -1 - i : 2 * count - 1 - i;
+    }
+    return i;
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const Index3 Cell;
+  const int Material;
+};
+
+/// The direction in which fractions change the most around the cell; 0 where they do not. The squares of the gradients tell
+/// that of films, where gradients of both sides cancel; their mean tells the inward direction at edges.
+Vector3 FindDirection(const Surroundings& around)
+{
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double weights = 0.0;
+  for (int c = 0; c < 27; ++c)
+  {
+    const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
+    const double weight = 1.0 / static_cast<double>(1 + d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const Vector3 gradient = around.GradientAt(d);
+    const Eigen::Vector3d g(gradient[0], gradient[1], gradient[2]);
+    squares += weight * g * g.transpose();
+    sum += weight * g;
+    weights += weight;
+  }
+  squares += sum * sum.transpose() / weights;
+  if (!(squares.trace() > SmallSlope))
+  {
+    return { { 0.0, 0.0, 0.0 } };
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(squares);
+  const Eigen::Vector3d n = solver.eigenvectors().col(2);
+  return Unit({ { n[0], n[1], n[2] } });
+}
+
+/// Fractions along a line through the cell.
+class Line
+{
+public:
+  Line(const Surroundings& around, const Vector3& direction) : Around(around), Direction(direction)
+  {
+    double most = 0.0;
+    for (double n : direction)
+    {
+      most = std::max(most, std::fabs(n));
+    }
+    this->Last = static_cast<int>((ThicknessReach - 2) / most / Step);
+  }
+
+  /// The step with the largest fraction that is reached without a drop.
+  int FindPeak() const
+  {
+    int peak = 0;
+    double largest = this->At(0);
+    for (int sign : { 1, -1 })
+    {
+      double top = this->At(0);
+      for (int s = sign; std::abs(s) * Step <= Climb; s += sign)
+      {
+        const double value = this->At(s);
+        if (value < top - Drop)
+        {
+          break;
+        }
+        top = std::max(top, value);
+        if (value > largest)
+        {
+          largest = value;
+          peak = s;
+        }
+      }
+    }
+    return peak;
+  }
+
+  /// The sum from a step on to the end of the region, that step counted half; or enough when it is not less.
+  double SumFrom(int first, int sign, double enough) const
+  {
+    double low = this->At(first), sum = 0.5 * Step * low, sumAtLow = sum;
+    for (int s = first + sign; std::abs(s) <= this->Last && sum < enough; s += sign)
+    {
+      const double value = this->At(s);
+      if (value > low + Drop)
+      {
+        return sumAtLow;
+      }
+      sum += Step * value;
+      if (value <= low)
+      {
+        low = value;
+        sumAtLow = sum - 0.5 * Step * value;
+      }
+      if (value < Nothing)
+      {
+        break;
+      }
+    }
+    return std::min(sum, enough);
+  }
+
+private:
+  double At(int step) const { return this->Around.At((Step * step) * this->Direction); }
+
+  const Surroundings& Around;
+  const Vector3 Direction;
+  int Last; // step within reach
+};
+
+/// Through one cell.
+double MeasureLine(const Surroundings& around, double enough)
+{
+  const Vector3 direction = FindDirection(around);
+  if (Norm(direction) == 0.0)
+  {
+    return enough;
+  }
+  const Line line(around, direction);
+  const int peak = line.FindPeak();
+  const double forward = line.SumFrom(peak, 1, enough);
+  return forward < enough ? std::min(forward + line.SumFrom(peak, -1, enough), enough) : enough;
+}
+
+/// The cell with the largest fraction among a cell and the 26 around it; of equal ones the cell itself, then the first.
+Index3 FindFullest(const CartesianGrid& grid, const Surroundings& around, const Index3& cell)
+{
+  double largest = around.At(Index3{ { 0, 0, 0 } });
+  Index3 fullest = cell;
+  for (int c = 0; c < 27; ++c)
+  {
+    const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
+    const Index3 q{ { cell[0] + d[0], cell[1] + d[1], cell[2] + d[2] } };
+    if (grid.InDomain(q) && around.At(d) > largest)
+    {
+      largest = around.At(d);
+      fullest = q;
+    }
+  }
+  return fullest;
+}
+
+} // namespace
+
+double FindThickness(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell,
+  int material, double enough)
+{
+  const Surroundings around(grid, fractions, cell, material);
+  const double thickness = MeasureLine(around, enough);
+  if (!(thickness < enough))
+  {
+    return enough;
+  }
+  const Index3 fullest = FindFullest(grid, around, cell);
+  return fullest == cell
+    ? thickness
+    : std::max(thickness, MeasureLine(Surroundings(grid, fractions, fullest, material), enough));
+}
+
+} // namespace vfm

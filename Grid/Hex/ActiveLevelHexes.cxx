@@ -1,0 +1,421 @@
+#include "Hex/ActiveLevelHexes.h"
+
+#include "Hex/TransitionSmoothing.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr Index Rings = 2; // cells around interfaces whose points move
+
+/// Which nodes of a level lie near interfaces.
+class NodesNear
+{
+public:
+  /// mixed: nodes of the finest grid; shift: halvings from the level to it; rings: cells of the level.
+  NodesNear(const CartesianGrid& finest, const std::vector<Index>& mixed, int shift, Index rings)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      this->Box.Lower[a] = finest.Local().Lower[a] >> shift;
+      this->Box.Upper[a] = (finest.Local().Upper[a] >> shift) + 1;
+    }
+    this->Marked.assign(this->Box.NumberOfCells(), false);
+    std::vector<bool> seen(this->Marked.size(), false);
+    for (Index node : mixed)
+    {
+      const Index3 p = finest.Position(node);
+      const Index3 q{ { p[0] >> shift, p[1] >> shift, p[2] >> shift } };
+      const Index place = PlaceInBox(this->Box, q);
+      if (!seen[place])
+      {
+        seen[place] = true;
+        const IndexBox around{ { { q[0] - rings, q[1] - rings, q[2] - rings } },
+          { { q[0] + rings + 1, q[1] + rings + 1, q[2] + rings + 1 } } };
+        ForCells(Intersect(around, this->Box),
+          [&](const Index3& near) { this->Marked[PlaceInBox(this->Box, near)] = true; });
+      }
+    }
+  }
+  bool Has(const Index3& node) const
+  {
+    return this->Box.Contains(node) && this->Marked[PlaceInBox(this->Box, node)];
+  }
+
+private:
+  IndexBox Box; // of nodes
+  std::vector<bool> Marked;
+};
+
+class ActiveLevelBuilder
+{
+public:
+  ActiveLevelBuilder(const LevelInterfaces& interfaces, const OuterHexes& outer,
+    const LabelArray& labels, const std::vector<Index>& mixed, const PointNumbering& numbering,
+    const Fragments& fragments, const Partition& partition, const Mesh& mesh) :
+    Interfaces(interfaces),
+    Outer(outer),
+    Levels(outer.Levels()),
+    Finest(outer.Levels().Finest()),
+    Labels(labels),
+    Mixed(mixed),
+    Numbering(numbering),
+    Pieces(fragments),
+    Parts(partition),
+    Input(mesh),
+    Around(this->Finest, mixed, this->Levels.NumberOfRefinements(), Rings + 1)
+  {
+    for (int level = 0; level <= this->Levels.NumberOfRefinements(); ++level)
+    {
+      this->Near.emplace_back(
+        this->Finest, mixed, this->Levels.NumberOfRefinements() - level, Rings);
+    }
+  }
+
+  ActiveLevelHexes Build()
+  {
+    this->FindMovers();
+    this->AddHexes();
+    this->Result.Active.FixOnDomain(this->Finest, this->Input);
+    this->AddGroups();
+    this->Result.Active.ListCorners();
+    this->AddFineFaces();
+    this->AddOuterFaces();
+    this->SetAttachments();
+    std::sort(this->Result.Entries.begin(), this->Result.Entries.end(),
+      [](const auto& a, const auto& b) { return a.Id < b.Id; });
+    return std::move(this->Result);
+  }
+
+private:
+  /// A point of the mesh and the node that it moves with.
+  struct Mover
+  {
+    RefinedLattice::Place Node;
+    Index Key; // of the node
+    Index MeshPoint;
+  };
+  /// The target of a pair of labels at an active point.
+  struct Drawn
+  {
+    int Point;
+    Attachment To;
+  };
+  using Place = RefinedLattice::Place;
+
+  Place FindNode(Index id) const;
+  bool IsFineAround(const Index3& node) const;
+  void FindMovers();
+  void AddHexes();
+  int AddPoint(Index meshPoint, bool isActive);
+  void AddGroups();
+  Index3 OwnerOf(const Place& node) const { return this->Levels.FinestNode(node.Level, node.At); }
+  void AddFineFaces();
+  void AddOuterFaces();
+  void AddFace(const std::array<Index, 4>& meshPoints, const std::array<int, 2>& labels,
+    const std::array<int, 2>& fragments, bool counts);
+  void Draw(Index meshPoint, int point, const std::array<int, 2>& labels,
+    const std::array<int, 2>& fragments);
+  void SetAttachments();
+
+  const LevelInterfaces& Interfaces;
+  const OuterHexes& Outer;
+  const RefinedGrid& Levels;
+  const CartesianGrid& Finest;
+  const LabelArray& Labels;
+  const std::vector<Index>& Mixed;
+  const PointNumbering& Numbering;
+  const Fragments& Pieces;
+  const Partition& Parts;
+  const Mesh& Input;
+  const NodesNear Around;      // base nodes beyond which nothing is active
+  std::vector<NodesNear> Near; // of each level
+  std::vector<Mover> Movers;   // by node
+  std::vector<int> PointOf;    // of each mesh point, or -1
+  std::vector<Drawn> Attached;
+  ActiveLevelHexes Result;
+};
+
+/// The node that a point moves with.
+RefinedLattice::Place ActiveLevelBuilder::FindNode(Index id) const
+{
+  const RefinedLattice& lattice = this->Levels.Lattice();
+  const bool isOuter = this->Levels.IsOuterPoint(id, this->Input.Ids.PointSlots);
+  const Place finest{ this->Levels.NumberOfRefinements(),
+    NodeOfPoint(this->Finest, this->Input, id), 0 };
+  if (!isOuter && this->IsFineAround(finest.At))
+  {
+    return finest;
+  }
+  const Index key = this->Levels.KeyOfPoint(id, this->Input.Ids.PointSlots);
+  const Index place = PlaceOfPoint(this->Levels.Octets(), this->Outer.Refined(), key);
+  if (place >= 0)
+  {
+    return lattice.NodeOfKey(place);
+  }
+  return isOuter ? lattice.NodeOfKey(key) : finest;
+}
+
+/// Whether all cells at a node are finest ones.
+bool ActiveLevelBuilder::IsFineAround(const Index3& node) const
+{
+  for (int c = 0; c < 8; ++c)
+  {
+    if (!this->Levels.IsFine(CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void ActiveLevelBuilder::FindMovers()
+{
+  const RefinedLattice& lattice = this->Levels.Lattice();
+  for (std::size_t p = 0; p < this->Input.PointIds.size(); ++p)
+  {
+    const Index id = this->Input.PointIds[p];
+    const Index3 own = NodeOfPoint(this->Finest, this->Input, id);
+    const int shift = this->Levels.NumberOfRefinements();
+    if (!this->Around.Has({ { own[0] >> shift, own[1] >> shift, own[2] >> shift } }))
+    {
+      continue;
+    }
+    const Place node = this->FindNode(id);
+    if (this->Near[node.Level].Has(node.At))
+    {
+      this->Movers.push_back(
+        { node, lattice.NodeKey(node.Level, node.At, 0), static_cast<Index>(p) });
+    }
+  }
+  std::sort(this->Movers.begin(), this->Movers.end(),
+    [this](const Mover& a, const Mover& b)
+    {
+      return a.Key != b.Key ? a.Key < b.Key
+                            : this->Input.PointIds[a.MeshPoint] < this->Input.PointIds[b.MeshPoint];
+    });
+}
+
+int ActiveLevelBuilder::AddPoint(Index meshPoint, bool isActive)
+{
+  ActiveMesh& active = this->Result.Active;
+  active.AddPoint(this->Finest, this->Input, meshPoint, isActive);
+  return this->PointOf[meshPoint] = static_cast<int>(active.X.size()) - 1;
+}
+
+/// The movers first, then the other points of their hexes.
+void ActiveLevelBuilder::AddHexes()
+{
+  this->PointOf.assign(this->Input.PointIds.size(), -1);
+  ActiveMesh& active = this->Result.Active;
+  for (const Mover& mover : this->Movers)
+  {
+    const int point = this->AddPoint(mover.MeshPoint, true);
+    if (this->Parts.Peers().empty())
+    {
+      continue;
+    }
+    this->Result.Entries.push_back({ point, this->Input.PointIds[mover.MeshPoint],
+      this->OwnerOf(mover.Node), ColourOfNode(mover.Node), true });
+  }
+  std::vector<Index> hexes;
+  for (Index h = 0; h < static_cast<Index>(this->Input.ElementIds.size()); ++h)
+  {
+    const Index* hex = this->Input.Elements.data() + 8 * h;
+    if (std::any_of(hex, hex + 8, [&](Index p) { return this->PointOf[p] >= 0; }))
+    {
+      hexes.push_back(h);
+    }
+  }
+  active.Elements.reserve(8 * hexes.size());
+  active.Widths.reserve(hexes.size());
+  for (Index h : hexes)
+  {
+    const Index* hex = this->Input.Elements.data() + 8 * h;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index p = hex[VtkCorner[c]];
+      active.Elements.push_back(
+        this->PointOf[p] >= 0 ? this->PointOf[p] : this->AddPoint(p, false));
+    }
+    active.Widths.push_back(WidthsOfHex(this->Levels, this->Input, h));
+  }
+}
+
+void ActiveLevelBuilder::AddGroups()
+{
+  ActiveMesh& active = this->Result.Active;
+  active.Colours.resize(8 * (this->Levels.NumberOfRefinements() + 1));
+  Index last = -1;
+  for (int point = 0; point < static_cast<int>(this->Movers.size()); ++point)
+  {
+    const Mover& mover = this->Movers[point];
+    if (!this->Parts.OwnsNode(this->OwnerOf(mover.Node)))
+    {
+      continue;
+    }
+    std::vector<ActiveMesh::Group>& groups = active.Colours[ColourOfNode(mover.Node)];
+    if (mover.Key != last)
+    {
+      groups.push_back({ point, point });
+      last = mover.Key;
+    }
+    ++groups.back().Last;
+  }
+}
+
+/// Draws a surface point to the target of the pair at its node, once.
+void ActiveLevelBuilder::Draw(
+  Index meshPoint, int point, const std::array<int, 2>& labels, const std::array<int, 2>& fragments)
+{
+  const Index id = this->Input.PointIds[meshPoint];
+  const int refinements = this->Levels.NumberOfRefinements();
+  Index target = -1;
+  if (!this->Levels.IsOuterPoint(id, this->Input.Ids.PointSlots))
+  {
+    target = this->Interfaces.FindTarget(
+      refinements, NodeOfPoint(this->Finest, this->Input, id), labels[0], labels[1]);
+  }
+  if (target < 0)
+  {
+    const Place node = this->FindNode(id);
+    target = this->Interfaces.FindTarget(node.Level, node.At, labels[0], labels[1]);
+  }
+  if (target >= 0)
+  {
+    Drawn drawn{ point, { target } };
+    drawn.To.Fragments = fragments;
+    this->Attached.push_back(drawn);
+  }
+}
+
+/// labels, fragments: of the smaller label first; the normal points to it.
+void ActiveLevelBuilder::AddFace(const std::array<Index, 4>& meshPoints,
+  const std::array<int, 2>& labels, const std::array<int, 2>& fragments, bool counts)
+{
+  InterfaceFacet facet{ {}, fragments[1], fragments[0], counts };
+  bool isComplete = true;
+  for (int c = 0; c < 4; ++c)
+  {
+    const int point = meshPoints[c] < 0 ? -1 : this->PointOf[meshPoints[c]];
+    facet.Points[c] = point;
+    isComplete = isComplete && point >= 0;
+    if (point >= 0 && this->Result.Active.IsActive[point])
+    {
+      this->Draw(meshPoints[c], point, labels, fragments);
+    }
+  }
+  if (isComplete)
+  {
+    this->Result.Active.Facets.push_back(facet);
+  }
+}
+
+/// Faces of finest cells.
+void ActiveLevelBuilder::AddFineFaces()
+{
+  const IndexBox box = this->Finest.HexBox();
+  for (Index node : this->Mixed)
+  {
+    const Index3 upper = this->Finest.Position(node);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Index3 lower = upper;
+      --lower[axis];
+      const int below = this->Labels[node - this->Finest.Stride(axis)], above = this->Labels[node];
+      if (below == above || !box.Contains(upper) || !box.Contains(lower) ||
+        (!this->Levels.IsFine(lower) && !this->Levels.IsFine(upper)))
+      {
+        continue;
+      }
+      const Index b = this->Finest.Stride((axis + 1) % 3), c = this->Finest.Stride((axis + 2) % 3);
+      std::array<Index, 4> points;
+      int at = 0;
+      for (Index corner : { node, node + b, node + b + c, node + c })
+      {
+        points[at++] = this->Numbering.FirstPoint(corner);
+      }
+      const bool isUp = below > above; // the normal
+      if (!isUp)
+      {
+        std::swap(points[1], points[3]);
+      }
+      this->AddFace(points, { { std::min(below, above), std::max(below, above) } },
+        { { this->Pieces.FragmentOfCell(isUp ? upper : lower),
+          this->Pieces.FragmentOfCell(isUp ? lower : upper) } },
+        this->Parts.OwnsCell(upper));
+    }
+  }
+}
+
+/// Faces of which no side is a finest cell.
+void ActiveLevelBuilder::AddOuterFaces()
+{
+  for (const SplitNodes::Face& face : this->Outer.Splits()->Faces())
+  {
+    std::array<int, 2> labels, fragments;
+    bool isOuter = true;
+    for (int side = 0; side < 2; ++side)
+    {
+      const Place& place = face.Sides[side].Cell;
+      const Index3 cell = this->Levels.NearestCell(place.Level, place.At);
+      isOuter = isOuter && place.Level < this->Levels.NumberOfRefinements();
+      labels[side] = face.Sides[side].Label;
+      fragments[side] =
+        this->Finest.HexBox().Contains(cell) ? this->Pieces.FragmentOfCell(cell) : 0;
+    }
+    if (!isOuter)
+    {
+      continue;
+    }
+    std::array<Index, 4> points;
+    for (int c = 0; c < 4; ++c)
+    {
+      points[c] = this->Outer.SplitPoints()[face.Nodes[(4 - c) % 4]];
+    }
+    const Place& first = face.Sides[0].Cell;
+    this->AddFace(points, labels, fragments,
+      this->Parts.OwnsCell(this->Levels.FinestNode(first.Level, first.At)));
+  }
+}
+
+void ActiveLevelBuilder::SetAttachments()
+{
+  const auto before = [](const Drawn& a, const Drawn& b)
+  { return a.Point != b.Point ? a.Point < b.Point : a.To.Target < b.To.Target; };
+  std::stable_sort(this->Attached.begin(), this->Attached.end(), before);
+  ActiveMesh& active = this->Result.Active;
+  auto next = this->Attached.begin();
+  for (int point = 0; point < static_cast<int>(active.X.size()); ++point)
+  {
+    active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
+    for (; next != this->Attached.end() && next->Point == point; ++next)
+    {
+      const bool isNew =
+        active.AttachmentOffset.back() == static_cast<Index>(active.Attachments.size()) ||
+        active.Attachments.back().Target != next->To.Target;
+      if (isNew)
+      {
+        active.Attachments.push_back(next->To);
+      }
+      else if (active.Attachments.back().Fragments == std::array<int, 2>{})
+      {
+        active.Attachments.back().Fragments = next->To.Fragments;
+      }
+    }
+  }
+  active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
+}
+
+} // namespace
+
+ActiveLevelHexes MakeActiveLevelHexes(const LevelInterfaces& interfaces, const OuterHexes& outer,
+  const LabelArray& labels, const std::vector<Index>& mixed, const PointNumbering& numbering,
+  const Fragments& fragments, const Partition& partition, const Mesh& mesh)
+{
+  return ActiveLevelBuilder(interfaces, outer, labels, mixed, numbering, fragments, partition, mesh)
+    .Build();
+}
+
+} // namespace vfm

@@ -1,0 +1,381 @@
+#include "Hex/OuterHexes.h"
+
+#include "Hex/HexTopology.h"
+#include "Hex/TransitionSmoothing.h"
+
+#include <limits>
+
+namespace vfm
+{
+OuterHexes::OuterHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,
+  Runtime& runtime, bool asCubes, bool split) :
+  Grid(grid),
+  Labels(labels),
+  MeshVoid(meshVoid),
+  HasBuffers(split),
+  Region(grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2)),
+  TheRefined(MakeRefinedMesh(grid.Octets(), this->Region, false)),
+  NodeNumber(grid.Base().NumberOfEntries(), Unused)
+{
+  SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, asCubes);
+  if (!grid.HasFineInterfaces())
+  {
+    this->TheSplits =
+      std::make_unique<SplitNodes>(grid, this->TheRefined, this->Region, labels, meshVoid);
+  }
+  for (Index key : this->TheRefined.HexKeys)
+  {
+    this->Wanted.push_back(this->IsWanted(grid.Lattice().HexOfKey(key)));
+  }
+  this->MarkPoints();
+  this->NumberPoints();
+}
+
+/// Points on or in owned cells need all hexes in the cells around the one of the coarser level that they stem from. Where
+/// the label of such a cell is too far away to be known, its hexes are wanted if its points are.
+bool OuterHexes::IsWanted(const RefinedLattice::Place& cell) const
+{
+  const bool isNear = cell.Level == 0
+    ? this->Grid.IsNear(0, cell.At)
+    : this->Grid.IsNear(cell.Level - 1, { { cell.At[0] >> 1, cell.At[1] >> 1, cell.At[2] >> 1 } });
+  return isNear && (this->MeshVoid || LabelOfLeaf(this->Grid, this->Labels, cell) != 0);
+}
+
+/// Calls onCell(base cell) and onHex(hex of Refined) for all wanted hexes, by key.
+template <class OnCell, class OnHex>
+void OuterHexes::ForHexes(const OnCell& onCell, const OnHex& onHex) const
+{
+  const RefinedLattice& lattice = this->Grid.Lattice();
+  const CartesianGrid& base = this->Grid.Base();
+  Index hex = 0;
+  const auto visitUpTo = [&](Index key)
+  {
+    for (; hex < this->TheRefined.NumberOfHexes() && this->TheRefined.HexKeys[hex] < key; ++hex)
+    {
+      if (this->Wanted[hex])
+      {
+        onHex(hex);
+      }
+    }
+  };
+  ForUntouchedCells(base, this->Region, this->TheRefined,
+    [&](const Index3& cell)
+    {
+      visitUpTo(lattice.HexKey(0, cell, 0));
+      if (this->IsWanted({ 0, cell, 0 }))
+      {
+        onCell(cell);
+      }
+    });
+  visitUpTo(std::numeric_limits<Index>::max());
+}
+
+/// Of a point of Refined.
+int& OuterHexes::NumberOf(Index point, const RefinedLattice::Place& place)
+{
+  return place.Level == 0 && place.Slot == 0 ? this->NodeNumber[this->Grid.Base().Linear(place.At)]
+                                             : this->PointNumber[point];
+}
+
+/// Whether a node of the lattice is a point of the finest cells.
+bool OuterHexes::IsPointOfFine(int level, const Index3& node) const
+{
+  const Index3 finest = this->Grid.FinestNode(level, node);
+  return this->Grid.Finest().HexBox().Touches(finest) && this->Grid.TouchesFine(finest);
+}
+
+/// How many points a node has.
+int OuterHexes::CountPoints(Index key) const
+{
+  const Index n = this->HasBuffers ? this->FindSplit(key) : -1;
+  return n < 0 ? 1
+               : 1 +
+      static_cast<int>(std::count_if(this->TheSplits->LabelsBegin(n), this->TheSplits->LabelsEnd(n),
+        [this](int label) { return label > 0 || this->MeshVoid; }));
+}
+
+void OuterHexes::MarkPoints()
+{
+  const RefinedLattice& lattice = this->Grid.Lattice();
+  this->PointNumber.assign(this->TheRefined.PointKeys.size(), Unused);
+  const auto countHexes = [&](Index key)
+  {
+    ++this->HexCount;
+    const int faces = this->BufferFaces(key);
+    for (int face = 0; face < 6; ++face)
+    {
+      this->HexCount += faces >> face & 1;
+    }
+  };
+  const auto markCell = [&](const Index3& cell)
+  {
+    countHexes(lattice.HexKey(0, cell, 0));
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index3 node = CornerOfCell(cell, c);
+      int& number = this->NodeNumber[this->Grid.Base().Linear(node)];
+      number = number == Unused ? this->Sort(0, node) : number;
+    }
+  };
+  const auto markHex = [&](Index hex)
+  {
+    countHexes(this->TheRefined.HexKeys[hex]);
+    for (Index at = 8 * hex; at < 8 * hex + 8; ++at)
+    {
+      const Index point = this->TheRefined.Hexes[at];
+      const RefinedLattice::Place place = lattice.NodeOfKey(this->TheRefined.PointKeys[point]);
+      int& number = this->NumberOf(point, place);
+      number = place.Slot > 0 ? Used
+        : number == Unused    ? this->Sort(place.Level, place.At)
+                              : number;
+    }
+  };
+  this->ForHexes(markCell, markHex);
+}
+
+/// Calls visit(number, key, position) for all points that are used, by key.
+template <class Visitor>
+void OuterHexes::ForPoints(const Visitor& visit)
+{
+  const CartesianGrid& base = this->Grid.Base();
+  const std::vector<Index>& keys = this->TheRefined.PointKeys;
+  Index point = 0;
+  const auto visitPoint = [&](int& number)
+  {
+    const double* x = this->TheRefined.Points.data() + 3 * point;
+    if (number != Unused)
+    {
+      visit(number, keys[point], Vector3{ { x[0], x[1], x[2] } });
+    }
+  };
+  const auto visitUpTo = [&](Index key)
+  {
+    for (; point < this->TheRefined.NumberOfPoints() && keys[point] < key; ++point)
+    {
+      visitPoint(this->PointNumber[point]);
+    }
+  };
+  const auto visitNode = [&](const Index3& p)
+  {
+    const Index key = this->Grid.Lattice().NodeKey(0, p, 0);
+    int& number = this->NodeNumber[base.Linear(p)];
+    visitUpTo(key);
+    if (point < this->TheRefined.NumberOfPoints() && keys[point] == key)
+    {
+      visitPoint(number);
+      ++point;
+    }
+    else if (number != Unused)
+    {
+      visit(number, key, base.NodePoint(p));
+    }
+  };
+  IndexBox nodes = this->Region;
+  for (Index& upper : nodes.Upper)
+  {
+    upper += nodes.NumberOfCells() > 0;
+  }
+  ForCells(nodes, visitNode);
+  visitUpTo(std::numeric_limits<Index>::max());
+}
+
+void OuterHexes::NumberPoints()
+{
+  this->ForPoints(
+    [this](int& number, Index key, const Vector3&)
+    {
+      if (number != Fine)
+      {
+        number = static_cast<int>(this->PointCount);
+        this->PointCount += this->CountPoints(key);
+      }
+    });
+}
+
+/// Leaves only what Refined tells of.
+void OuterHexes::DropParts()
+{
+  RefinedMesh kept;
+  kept.PointKeys.swap(this->TheRefined.PointKeys);
+  kept.Places.swap(this->TheRefined.Places);
+  kept.TouchedCells.swap(this->TheRefined.TouchedCells);
+  this->TheRefined = std::move(kept);
+  this->NodeNumber = Buffer<int>();
+  std::vector<int>().swap(this->PointNumber);
+  std::vector<unsigned char>().swap(this->Wanted);
+}
+
+/// Writes points and hexes one after another.
+class OuterHexes::Writer
+{
+public:
+  Writer(
+    OuterHexes& outer, Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint) :
+    Outer(outer), Result(mesh), FirstPoint(firstPoint), Hex(firstHex), FindFine(finePoint)
+  {
+  }
+
+  /// The points of a node that no finest cell has; number: of the first.
+  void AddPoints(int number, Index key, const Vector3& x)
+  {
+    Index point = this->FirstPoint + number;
+    this->SetPoint(point++, key, 0, x);
+    const Index n = this->Outer.FindSplit(key);
+    if (n < 0)
+    {
+      return;
+    }
+    this->Outer.SplitPoint[n] = this->FirstPoint + number;
+    const SplitNodes& splits = *this->Outer.TheSplits;
+    int rank = 0;
+    for (const int* label = splits.LabelsBegin(n); label != splits.LabelsEnd(n); ++label, ++rank)
+    {
+      if (this->Outer.HasBuffers && this->IsMeshed(*label))
+      {
+        this->SetPoint(point++, key, 1 + rank, splits.InnerPoint(n, rank));
+      }
+    }
+  }
+
+  void AddCell(const Index3& cell)
+  {
+    const RefinedLattice& lattice = this->Outer.Grid.Lattice();
+    this->Start({ 0, cell, 0 });
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index3 node = CornerOfCell(cell, c);
+      this->SetCorner(c, this->Outer.NodeNumber[this->Outer.Grid.Base().Linear(node)],
+        { 0, node, 0 }, lattice.NodeKey(0, node, 0));
+    }
+    this->Finish(lattice.HexKey(0, cell, 0));
+  }
+
+  void AddHex(Index hex)
+  {
+    const RefinedMesh& refined = this->Outer.TheRefined;
+    const RefinedLattice& lattice = this->Outer.Grid.Lattice();
+    this->Start(lattice.HexOfKey(refined.HexKeys[hex]));
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index point = refined.Hexes[8 * hex + VtkCorner[c]];
+      const RefinedLattice::Place place = lattice.NodeOfKey(refined.PointKeys[point]);
+      this->SetCorner(c, this->Outer.NumberOf(point, place), place, refined.PointKeys[point]);
+    }
+    this->Finish(refined.HexKeys[hex]);
+  }
+
+private:
+  bool IsMeshed(int label) const { return label > 0 || this->Outer.MeshVoid; }
+
+  void SetPoint(Index point, Index key, int slot, const Vector3& x)
+  {
+    std::copy(x.begin(), x.end(), this->Result.Points.data() + 3 * point);
+    this->Result.PointIds[point] = this->Outer.Grid.PointId(key, this->Result.Ids.PointSlots, slot);
+  }
+
+  void Start(const RefinedLattice::Place& cell)
+  {
+    this->Label = LabelOfLeaf(this->Outer.Grid, this->Outer.Labels, cell);
+  }
+
+  void SetCorner(int corner, int number, const RefinedLattice::Place& node, Index key)
+  {
+    Index &first = this->First[corner], &inner = this->Inner[corner];
+    if (number == Fine)
+    {
+      const CartesianGrid& finest = this->Outer.Grid.Finest();
+      const Index p = finest.Linear(this->Outer.Grid.FinestNode(node.Level, node.At));
+      first = this->FindFine(p, UnknownLabel);
+      inner = this->FindFine(p, this->Label);
+      return;
+    }
+    first = inner = this->FirstPoint + number;
+    const Index n = this->Outer.HasBuffers ? this->Outer.FindSplit(key) : -1;
+    if (n >= 0)
+    {
+      const SplitNodes& splits = *this->Outer.TheSplits;
+      inner += 1 + splits.RankOf(n, this->Label) - (this->IsMeshed(*splits.LabelsBegin(n)) ? 0 : 1);
+    }
+  }
+
+  void Finish(Index key)
+  {
+    this->SetHex(key, 0, this->Inner);
+    const int faces = this->Outer.BufferFaces(key);
+    for (int face = 0; face < 6; ++face)
+    {
+      if (faces >> face & 1)
+      {
+        this->SetHex(key, 1 + face, BufferHex(this->First, this->Inner, face));
+      }
+    }
+  }
+
+  void SetHex(Index key, int slot, const std::array<Index, 8>& corners)
+  {
+    for (int c = 0; c < 8; ++c)
+    {
+      this->Result.Elements[8 * this->Hex + VtkCorner[c]] = corners[c];
+    }
+    this->Result.ElementIds[this->Hex] =
+      this->Outer.Grid.ElementId(key, this->Result.Ids.ElementSlots, slot);
+    this->Result.Material[this->Hex] = this->Label;
+    ++this->Hex;
+  }
+
+  OuterHexes& Outer;
+  Mesh& Result;
+  Index FirstPoint, Hex;
+  const FinePoint& FindFine;
+  int Label = UnknownLabel;              // of the hex at work
+  std::array<Index, 8> First{}, Inner{}; // its points, numbered by bits
+};
+
+/// The inner points of finest cells beside these hexes: they must be inside their labels here, too.
+void OuterHexes::PlaceFinePoints(Mesh& mesh, const FinePoint& finePoint)
+{
+  const RefinedLattice& lattice = this->Grid.Lattice();
+  for (Index n = 0; n < this->TheSplits->Count(); ++n)
+  {
+    const RefinedLattice::Place node = lattice.NodeOfKey(this->TheSplits->Key(n));
+    if (node.Slot != 0 || !this->IsPointOfFine(node.Level, node.At))
+    {
+      continue;
+    }
+    const Index p = this->Grid.Finest().Linear(this->Grid.FinestNode(node.Level, node.At));
+    this->SplitPoint[n] = finePoint(p, UnknownLabel);
+    int rank = 0;
+    for (const int* label = this->TheSplits->LabelsBegin(n); label != this->TheSplits->LabelsEnd(n);
+         ++label, ++rank)
+    {
+      if (this->HasBuffers && (*label > 0 || this->MeshVoid))
+      {
+        const Vector3& x = this->TheSplits->InnerPoint(n, rank);
+        std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * finePoint(p, *label));
+      }
+    }
+  }
+}
+
+void OuterHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint)
+{
+  this->SplitPoint.assign(this->TheSplits ? this->TheSplits->Count() : 0, -1);
+  Writer writer(*this, mesh, firstPoint, firstHex, finePoint);
+  this->ForPoints(
+    [&](int number, Index key, const Vector3& x)
+    {
+      if (number != Fine)
+      {
+        writer.AddPoints(number, key, x);
+      }
+    });
+  this->ForHexes(
+    [&](const Index3& cell) { writer.AddCell(cell); }, [&](Index hex) { writer.AddHex(hex); });
+  if (this->TheSplits)
+  {
+    this->PlaceFinePoints(mesh, finePoint);
+  }
+  this->DropParts();
+}
+
+} // namespace vfm

@@ -1,0 +1,90 @@
+/**
+ * OuterHexes: the hexes of a refined grid that are no finest cells: coarser cells, and transition hexes between levels.
+ * Each lies in a cell of its level, and has the label of that cell. Where interfaces run through them they are split as
+ * finest cells are (SplitNodes.h): the hex itself on inner points, and a buffer hex on each face towards another label.
+ *
+ * Made for the owned base cells and those around them; a rank keeps its own at the end (KeepOwned).
+ * Order: points and hexes by their keys in RefinedLattice, after those of the finest cells; ids ascend among the owned.
+ */
+#pragma once
+
+#include "Base/Runtime.h"
+#include "Hex/SplitNodes.h"
+#include "Labels/Labels.h"
+#include "Octree/RefinedGrid.h"
+
+namespace vfm
+{
+
+class OuterHexes
+{
+public:
+  /// Makes and smooths the transitions. Only hexes of labels that are meshed count. Collective. Throws InputError as
+  /// SmoothTransitions does; asCubes as there. split: whether interfaces through these hexes get
+  /// points and buffer hexes of their own.
+  OuterHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime,
+    bool asCubes = false, bool split = true);
+
+  const RefinedGrid& Levels() const { return this->Grid; }
+  /// What they are made of. After Fill only the keys and places of the points, and the touched cells.
+  const RefinedMesh& Refined() const { return this->TheRefined; }
+  /// Of those that no finest cell of HexBox has.
+  Index NumberOfPoints() const { return this->PointCount; }
+  Index NumberOfHexes() const { return this->HexCount; }
+
+  /// The index of the mesh point of a node (linear index) that a finest cell has: the inner one of a label or, of UnknownLabel, the
+  /// first.
+  using FinePoint = std::function<Index(Index node, int label)>;
+
+  /// Interfaces through these hexes; null where there are none.
+  const SplitNodes* Splits() const { return this->TheSplits.get(); }
+  /// After Fill: the index of the point S of each split node, its I follow; -1 where it is no point of the mesh.
+  const std::vector<Index>& SplitPoints() const { return this->SplitPoint; }
+
+  /// Writes points, hexes, their ids and materials into a mesh, from those positions on. Once only.
+  void Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint);
+
+private:
+  static constexpr int Unused = -1, Used = -2, Fine = -3;
+
+  class Writer;
+
+  bool IsWanted(const RefinedLattice::Place& cell) const;
+  /// The number of the split node with a key, or -1.
+  Index FindSplit(Index key) const { return this->TheSplits ? this->TheSplits->Find(key) : -1; }
+  /// Bits of the faces of a hex that have buffer hexes.
+  int BufferFaces(Index hexKey) const
+  {
+    return this->TheSplits && this->HasBuffers ? this->TheSplits->FacesOfHex(hexKey) : 0;
+  }
+  int CountPoints(Index key) const;
+  bool IsPointOfFine(int level, const Index3& node) const;
+  void PlaceFinePoints(Mesh& mesh, const FinePoint& finePoint);
+  int& NumberOf(Index point, const RefinedLattice::Place& place);
+  int Sort(int level, const Index3& node) const
+  {
+    return this->IsPointOfFine(level, node) ? Fine : Used;
+  }
+  void DropParts();
+  void MarkPoints();
+  void NumberPoints();
+  template <class OnCell, class OnHex>
+  void ForHexes(const OnCell& onCell, const OnHex& onHex) const;
+  template <class Visitor>
+  void ForPoints(const Visitor& visit);
+
+  const RefinedGrid& Grid;
+  const LabelArray& Labels;
+  bool MeshVoid;
+  bool HasBuffers;
+  IndexBox Region;                   // base cells whose hexes are made
+  RefinedMesh TheRefined;            // without the finest cells; wanted or not
+  std::vector<unsigned char> Wanted; // of each hex of TheRefined
+  Buffer<int> NodeNumber;            // of base nodes: index of the point, or what it is
+  std::vector<int> PointNumber;      // of points of TheRefined that are no base nodes
+  std::unique_ptr<SplitNodes> TheSplits;
+  std::vector<Index> SplitPoint;
+  Index PointCount = 0, HexCount = 0;
+};
+
+} // namespace vfm

@@ -1,0 +1,326 @@
+#include "Hex/TransitionSmoothing.h"
+
+#include "Base/Vector3.h"
+#include "Hex/HexTopology.h"
+#include "Mesh/Quality.h"
+#include "Smoothing/HexEnergy.h"
+#include "Smoothing/Smoother.h"
+#include "Smoothing/UntangleEnergy.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double TargetScaledJacobian = 0.6;
+constexpr double SmallestDeterminant = 1e-8; // of a corner, in cell volumes
+/// Below it corners take part in untangling: from nearly flat hexes the barrier finds poor minima.
+constexpr double FlatDeterminant = 1e-3;
+constexpr int UntangleSweeps = 24;
+constexpr double LargestEps = 0.05, SmallestEps = 1e-3; // halved after each sweep, in cell volumes
+constexpr double ShapeWeight = 0.3;                     // of untangling
+
+const SmoothingRamp Ramp{ { 1, 0.0, 0.1, 5, 1e-3 }, { 2, 0.0, 0.05, 8, 1e-3 },
+  { 8, 0.0, 0.01, 25, 1e-3 } };
+
+/// Numbered as in RefinedMesh::FreePoints.
+std::vector<PointExchange::Entry> ListFreePoints(
+  const RefinedLattice& lattice, const RefinedMesh& mesh)
+{
+  std::vector<PointExchange::Entry> entries;
+  for (const RefinedMesh::FreePoint& point : mesh.FreePoints)
+  {
+    const RefinedLattice::Place place = lattice.NodeOfKey(point.Place);
+    entries.push_back({ static_cast<int>(entries.size()), point.Place, OwnerNode(place),
+      CartesianGrid::Colour(place.At), true });
+  }
+  return entries;
+}
+
+/// The transition hexes and the points that move, in lattice coordinates or in lengths over the mean width.
+class TransitionMesh
+{
+public:
+  TransitionMesh(
+    const RefinedLattice& lattice, RefinedMesh& mesh, const Partition& partition, bool inLattice) :
+    Lattice(lattice),
+    Refined(mesh),
+    Parts(partition),
+    InLattice(inLattice),
+    Scale(lattice.Base().MeanWidth()),
+    Exchange(ListFreePoints(lattice, mesh), partition)
+  {
+    this->AddFreePoints();
+    this->AddHexes();
+    this->Active.Start = this->Active.X;
+    this->Active.AttachmentOffset.assign(this->Active.X.size() + 1, 0);
+    this->Active.ListCorners();
+    this->IsFree = this->Active.IsActive;
+  }
+
+  void Untangle(Runtime& runtime, TransitionReport& report);
+  void Smooth(Runtime& runtime);
+  void CopyBack() const;
+
+private:
+  void AddPoint(Index point, bool isFree);
+  void AddFreePoints();
+  void AddHexes();
+  void AddCell(const RefinedLattice::Place& cell);
+  double SmallestCorner(std::size_t hex) const;
+  void ActivateFlat(Index& flat, Index& inverted);
+
+  const RefinedLattice& Lattice;
+  RefinedMesh& Refined;
+  const Partition& Parts;
+  bool InLattice;
+  double Scale;
+  PointExchange Exchange;
+  ActiveMesh Active; // free points first, in the order of RefinedMesh::FreePoints
+  std::vector<unsigned char> IsFree;
+  std::vector<unsigned char> IsOwned; // of each hex: whether this rank counts it
+};
+
+void TransitionMesh::AddPoint(Index point, bool isFree)
+{
+  const int sides = this->Refined.DomainSides[point];
+  const double* p = this->Refined.Points.data() + 3 * point;
+  const Vector3 x{ { p[0], p[1], p[2] } };
+  this->Active.X.push_back(
+    this->InLattice ? this->Lattice.FromPoint(x) : ToGrid(this->Lattice.Base(), p));
+  this->Active.MeshPoint.push_back(point);
+  this->Active.IsActive.push_back(isFree);
+  this->Active.Fixed.push_back(static_cast<unsigned char>(
+    ((sides & 3) != 0) | ((sides & 12) != 0) << 1 | ((sides & 48) != 0) << 2));
+}
+
+/// Only those that this rank owns get a colour, so only they move here.
+void TransitionMesh::AddFreePoints()
+{
+  Index last = -1;
+  for (const RefinedMesh::FreePoint& point : this->Refined.FreePoints)
+  {
+    const int at = static_cast<int>(this->Active.X.size());
+    const Index node = point.Place / RefinedLattice::NodeSlots;
+    const RefinedLattice::Place place = this->Lattice.NodeOfKey(point.Place);
+    if (this->Parts.OwnsNode(OwnerNode(place)))
+    {
+      std::vector<ActiveMesh::Group>& groups =
+        this->Active.Colours[CartesianGrid::Colour(place.At)];
+      if (node != last)
+      {
+        groups.push_back({ at, at });
+        last = node;
+      }
+      ++groups.back().Last;
+    }
+    this->AddPoint(point.Point, true);
+  }
+}
+
+void TransitionMesh::AddHexes()
+{
+  std::vector<int> indices(this->Refined.NumberOfPoints(), -1);
+  for (std::size_t p = 0; p < this->Active.MeshPoint.size(); ++p)
+  {
+    indices[this->Active.MeshPoint[p]] = static_cast<int>(p);
+  }
+  for (Index h = 0; h < this->Refined.NumberOfHexes(); ++h)
+  {
+    if (!this->Refined.IsTransition[h])
+    {
+      continue;
+    }
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index point = this->Refined.Hexes[8 * h + VtkCorner[c]];
+      if (indices[point] < 0)
+      {
+        indices[point] = static_cast<int>(this->Active.X.size());
+        this->AddPoint(point, false);
+      }
+      this->Active.Elements.push_back(indices[point]);
+    }
+    this->AddCell(this->Lattice.HexOfKey(this->Refined.HexKeys[h]));
+  }
+}
+
+/// What is known of a hex from the cell that it is a part of.
+void TransitionMesh::AddCell(const RefinedLattice::Place& cell)
+{
+  const double width = std::ldexp(1.0, -cell.Level);
+  this->Active.Widths.push_back(this->InLattice
+      ? Vector3{ { width, width, width } }
+      : (1.0 / this->Scale) * this->Lattice.CellWidths(cell.Level, cell.At));
+  this->IsOwned.push_back(this->Parts.OwnsCell(
+    { { cell.At[0] >> cell.Level, cell.At[1] >> cell.Level, cell.At[2] >> cell.Level } }));
+}
+
+/// Smallest corner determinant of a hex, in cell volumes.
+double TransitionMesh::SmallestCorner(std::size_t hex) const
+{
+  const Vector3& widths = this->Active.WidthsAt(static_cast<Index>(8 * hex));
+  const int* points = this->Active.Elements.data() + 8 * hex;
+  double smallest = 1e300;
+  for (int c = 0; c < 8; ++c)
+  {
+    const auto edge = [&](int a)
+    {
+      return Divided(
+        this->Active.X[points[c | 1 << a]] - this->Active.X[points[c & ~(1 << a)]], widths);
+    };
+    smallest = std::min(smallest, Dot(edge(0), Cross(edge(1), edge(2))));
+  }
+  return smallest;
+}
+
+/// Leaves only the free points of flat and inverted hexes active; counts the hexes.
+void TransitionMesh::ActivateFlat(Index& flat, Index& inverted)
+{
+  flat = inverted = 0;
+  std::fill(this->Active.IsActive.begin(), this->Active.IsActive.end(), 0);
+  for (std::size_t h = 0; 8 * h < this->Active.Elements.size(); ++h)
+  {
+    const double smallest = this->SmallestCorner(h);
+    inverted += this->IsOwned[h] && smallest <= SmallestDeterminant;
+    if (smallest > FlatDeterminant)
+    {
+      continue;
+    }
+    ++flat;
+    for (int c = 0; c < 8; ++c)
+    {
+      const int point = this->Active.Elements[8 * h + c];
+      this->Active.IsActive[point] = this->IsFree[point];
+    }
+  }
+}
+
+void TransitionMesh::Untangle(Runtime& runtime, TransitionReport& report)
+{
+  UntangleEnergy energy;
+  Smoother smoother(this->Active, nullptr, this->Exchange, energy, runtime);
+  double eps = LargestEps;
+  for (int sweep = 0; sweep <= UntangleSweeps; ++sweep)
+  {
+    Index flat;
+    this->ActivateFlat(flat, report.StillInverted);
+    if (sweep == 0)
+    {
+      report.InvertedHexes += report.StillInverted;
+    }
+    if (sweep == UntangleSweeps || !runtime.Group().Any(flat > 0))
+    {
+      break;
+    }
+    energy.SetRegularisation(eps);
+    eps = std::max(0.5 * eps, SmallestEps);
+    smoother.RunStage({ 1, 0.0, ShapeWeight, 1, 0.0 }, [](double) {});
+    ++report.UntangleSweeps;
+  }
+  this->Active.IsActive = this->IsFree;
+}
+
+void TransitionMesh::Smooth(Runtime& runtime)
+{
+  const HexEnergy energy(TargetScaledJacobian);
+  Smoother smoother(this->Active, nullptr, this->Exchange, energy, runtime);
+  for (const SmoothingStage& stage : Ramp)
+  {
+    smoother.RunStage(stage, [](double) {});
+  }
+}
+
+void TransitionMesh::CopyBack() const
+{
+  const CartesianGrid& grid = this->Lattice.Base();
+  for (std::size_t n = 0; n < this->Refined.FreePoints.size(); ++n)
+  {
+    const Vector3 x =
+      this->InLattice ? this->Lattice.ToPoint(this->Active.X[n]) : this->Scale * this->Active.X[n];
+    for (int a = 0; a < 3; ++a)
+    {
+      if (!(this->Active.Fixed[n] >> a & 1))
+      {
+        this->Refined.Points[3 * this->Active.MeshPoint[n] + a] =
+          this->InLattice ? x[a] : grid.Coordinates(a)[0] + x[a];
+      }
+    }
+  }
+}
+
+/// Over the transition hexes of all ranks.
+double SmallestScaledJacobian(const RefinedMesh& mesh, Ranks& ranks)
+{
+  double smallest = 1.0;
+  for (Index h = 0; h < mesh.NumberOfHexes(); ++h)
+  {
+    if (mesh.IsTransition[h])
+    {
+      smallest =
+        std::min(smallest, HexScaledJacobian(mesh.Points.data(), mesh.Hexes.data() + 8 * h));
+    }
+  }
+  return -ranks.Max(-smallest);
+}
+
+bool HasCubes(const CartesianGrid& grid)
+{
+  const double width = grid.Width(0, 0);
+  return IsUniform(grid) && std::fabs(grid.Width(1, 0) - width) < 1e-9 * width &&
+    std::fabs(grid.Width(2, 0) - width) < 1e-9 * width;
+}
+
+void MovePoints(const RefinedLattice& lattice, RefinedMesh& mesh, const Partition& partition,
+  bool inLattice, bool smooth, Runtime& runtime, TransitionReport& report)
+{
+  TransitionMesh transitions(lattice, mesh, partition, inLattice);
+  transitions.Untangle(runtime, report);
+  if (runtime.Group().Any(report.StillInverted > 0))
+  {
+    throw InputError("The transition between refined and other cells cannot be untangled. "
+                     "Refine other cells, or all.");
+  }
+  if (smooth)
+  {
+    transitions.Smooth(runtime);
+  }
+  transitions.CopyBack();
+}
+
+} // namespace
+
+Index3 OwnerNode(const RefinedLattice::Place& place)
+{
+  Index3 node;
+  for (int a = 0; a < 3; ++a)
+  {
+    node[a] = (std::max<Index>(place.At[a] - 1, 0) >> place.Level) + 1;
+  }
+  return node;
+}
+
+TransitionReport SmoothTransitions(
+  const RefinedLattice& lattice, RefinedMesh& mesh, Runtime& runtime, bool smooth, bool asCubes)
+{
+  CheckNumberOfPoints(mesh.NumberOfPoints(), runtime.Group());
+  const Partition partition(lattice.Base(), runtime.Group());
+  TransitionReport report;
+  MovePoints(lattice, mesh, partition, true, smooth, runtime, report);
+  if (!asCubes && !HasCubes(lattice.Base()))
+  {
+    const std::vector<double> points = mesh.Points;
+    const double before = SmallestScaledJacobian(mesh, runtime.Group());
+    MovePoints(lattice, mesh, partition, false, smooth, runtime, report);
+    if (before > 0.0 && SmallestScaledJacobian(mesh, runtime.Group()) < before)
+    {
+      mesh.Points = points; // cells so oblong that some centres suffer
+    }
+  }
+  std::vector<std::int64_t> inverted{ report.InvertedHexes };
+  runtime.Group().Sum(inverted);
+  report.InvertedHexes = inverted[0];
+  return report;
+}
+
+} // namespace vfm

@@ -1,0 +1,284 @@
+#include "Interface/Crossings.h"
+
+#include "Base/GradientFit.h"
+#include "Base/Plic.h"
+#include "Base/Vector3.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double PureFraction = 0.003; // a cell nearer to 0 or 1 carries no plane
+constexpr double PairShare = 0.3;      // nor one where the pair fills less
+constexpr double SteepPlane =
+  0.25; // n.axis below: the plane's foot instead of its cut with the edge
+constexpr double SmallestSlope =
+  0.02; // n.axis of the crossing's normal below: turned by AddedSlope
+constexpr double AddedSlope = 0.3;
+constexpr Index SearchRadius = 2; // of FindCrossingNear, in cells
+
+class CrossingFinder
+{
+public:
+  CrossingFinder(const CartesianGrid& grid, const FractionField& fractions,
+    const InterfaceFace& face, double isoValue) :
+    Grid(grid),
+    Fractions(fractions),
+    Face(face),
+    First(face.First()),
+    Second(face.Second()),
+    IsoValue(isoValue),
+    Scale(1.0 / grid.MeanWidth())
+  {
+  }
+
+  Crossing Find() const
+  {
+    const Side lower = this->MakeSide(this->Face.Node - this->Grid.Stride(this->Face.Axis));
+    const Side upper = this->MakeSide(this->Face.Node);
+    const double t = this->LinearParameter(lower, upper);
+    Crossing crossing;
+    crossing.Point = (1.0 - t) * lower.Centre + t * upper.Centre;
+    if (this->IsoValue == 0.5)
+    {
+      this->MoveToPlanes(lower, upper, crossing.Point);
+    }
+    crossing.Normal = this->BlendNormals(lower, upper, t);
+    return crossing;
+  }
+
+private:
+  /// One of the two cells of the dual edge.
+  struct Side
+  {
+    Index Cell;
+    Vector3 Centre;   // grid coordinates
+    Vector3 Widths;   // grid coordinates
+    double D;         // difference field
+    Vector3 Gradient; // of D in the cell's frame
+  };
+
+  Vector3 CellCentre(const Index3& p) const
+  {
+    Vector3 c;
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>& x = this->Grid.Coordinates(a);
+      c[a] = (0.5 * (x[p[a]] + x[p[a] + 1]) - x[0]) * this->Scale;
+    }
+    return c;
+  }
+
+  double Difference(Index cell) const
+  {
+    return this->First == 0
+      ? 2.0 * (1.0 - this->IsoValue - this->Fractions.Fraction(cell, 0))
+      : this->Fractions.Fraction(cell, this->Second) - this->Fractions.Fraction(cell, this->First);
+  }
+
+  Side MakeSide(Index cell) const
+  {
+    Side side;
+    const Index3 p = this->Grid.Position(cell);
+    side.Cell = cell;
+    side.Centre = this->CellCentre(p);
+    for (int a = 0; a < 3; ++a)
+    {
+      side.Widths[a] = this->Grid.Width(a, p[a]) * this->Scale;
+    }
+    side.D = this->Difference(cell);
+    side.Gradient = this->Gradient(side, p);
+    return side;
+  }
+
+  /// Over the cells of 3^3 in the domain.
+  Vector3 Gradient(const Side& side, const Index3& p) const
+  {
+    GradientFit fit;
+    for (int c = 0; c < 27; ++c)
+    {
+      const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
+      const Index3 q{ { p[0] + d[0], p[1] + d[1], p[2] + d[2] } };
+      if (c != 13 && this->Grid.InDomain(q))
+      {
+        fit.Add(Divided(this->CellCentre(q) - side.Centre, side.Widths),
+          this->Difference(this->Grid.Linear(q)) - side.D);
+      }
+    }
+    return fit.Solve();
+  }
+
+  /// Where D changes sign along the dual edge, 0 at the lower cell, 1 at the upper.
+  double LinearParameter(const Side& lower, const Side& upper) const
+  {
+    const double sign = this->Face.LowerLabel == this->First ? 1.0 : -1.0;
+    const double a = sign * lower.D, b = sign * upper.D; // a < 0 < b unless a cell was flipped
+    if (a <= 0.0 && b >= 0.0 && a < b)
+    {
+      return a / (a - b);
+    }
+    return a > 0.0 && b > 0.0 ? 0.0 : (a < 0.0 && b < 0.0 ? 1.0 : 0.5);
+  }
+
+  /// The pair's share of the cell filled by its first label; false where the cell carries no plane.
+  bool PlaneFraction(const Side& side, double& fraction) const
+  {
+    if (this->First == 0)
+    {
+      fraction = this->Fractions.Fraction(side.Cell, 0);
+    }
+    else
+    {
+      const double a = this->Fractions.Fraction(side.Cell, this->First);
+      const double b = this->Fractions.Fraction(side.Cell, this->Second);
+      if (a + b < PairShare)
+      {
+        return false;
+      }
+      fraction = a / (a + b);
+    }
+    return fraction > PureFraction && fraction < 1.0 - PureFraction && Norm(side.Gradient) > 1e-12;
+  }
+
+  /// The cut of the cell's plane with the dual edge.
+  Vector3 CutOfPlane(const Side& side, double fraction) const
+  {
+    const Vector3 n = Unit(side.Gradient);
+    const double d = PlaneOfVolume(n, fraction);
+    const double slope =
+      this->Face.LowerLabel == this->First ? n[this->Face.Axis] : -n[this->Face.Axis];
+    Vector3 foot = d * n;
+    if (slope >= SteepPlane)
+    {
+      foot = { { 0.0, 0.0, 0.0 } };
+      foot[this->Face.Axis] = d / n[this->Face.Axis];
+    }
+    return side.Centre + Scaled(side.Widths, foot);
+  }
+
+  void MoveToPlanes(const Side& lower, const Side& upper, Vector3& point) const
+  {
+    Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    double weights = 0.0;
+    for (const Side* side : { &lower, &upper })
+    {
+      double f = 0.0;
+      if (this->PlaneFraction(*side, f))
+      {
+        const double w = f * (1.0 - f) + 0.01;
+        sum = sum + w * this->CutOfPlane(*side, f);
+        weights += w;
+      }
+    }
+    if (weights > 0.0)
+    {
+      point = (1.0 / weights) * sum;
+    }
+  }
+
+  Vector3 BlendNormals(const Side& lower, const Side& upper, double t) const
+  {
+    const Vector3 widths = 0.5 * (lower.Widths + upper.Widths);
+    Vector3 n = Unit((1.0 - t) * Scaled(widths, Divided(lower.Gradient, lower.Widths)) +
+      t * Scaled(widths, Divided(upper.Gradient, upper.Widths)));
+    const double sign = this->Face.LowerLabel == this->First ? 1.0 : -1.0;
+    if (sign * n[this->Face.Axis] < SmallestSlope)
+    {
+      n[this->Face.Axis] += sign * AddedSlope;
+      if (sign * n[this->Face.Axis] <= 0.0) // gradients that contradict the labels
+      {
+        n = { { 0.0, 0.0, 0.0 } };
+        n[this->Face.Axis] = sign;
+      }
+    }
+    return Unit(Divided(n, widths));
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const InterfaceFace& Face;
+  int First, Second;
+  double IsoValue;
+  double Scale;
+};
+
+/// A face by its place from another one.
+struct FaceStep
+{
+  Index3 Node;
+  int Axis;
+};
+
+/// To the faces at most SearchRadius away from one across an axis, the nearest first.
+std::vector<FaceStep> MakeSteps(int axis)
+{
+  std::vector<FaceStep> steps;
+  IndexBox box;
+  box.Lower.fill(-SearchRadius);
+  box.Upper.fill(SearchRadius + 1);
+  ForCells(box,
+    [&](const Index3& p)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        steps.push_back({ p, a });
+      }
+    });
+  const auto square = [axis](const FaceStep& step) // of the distance of middles, in half cells
+  {
+    Index sum = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const Index halves = 2 * step.Node[a] + (a == axis) - (a == step.Axis);
+      sum += halves * halves;
+    }
+    return sum;
+  };
+  std::stable_sort(steps.begin(), steps.end(),
+    [&](const FaceStep& a, const FaceStep& b) { return square(a) < square(b); });
+  return steps;
+}
+
+int LabelOfCell(const FractionField& fractions, Index cell, double isoValue)
+{
+  return fractions.IsMixed(cell) ? MaterialOfParts(fractions.Parts(cell), isoValue)
+                                 : fractions.Label(cell);
+}
+
+} // namespace
+
+Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
+  const InterfaceFace& face, double isoValue)
+{
+  return CrossingFinder(grid, fractions, face, isoValue).Find();
+}
+
+Crossing FindCrossingNear(const CartesianGrid& grid, const FractionField& fractions,
+  const InterfaceFace& face, double isoValue)
+{
+  static const std::array<std::vector<FaceStep>, 3> steps{ { MakeSteps(0), MakeSteps(1),
+    MakeSteps(2) } };
+  const Index3 p = grid.Position(face.Node);
+  for (const FaceStep& step : steps[face.Axis])
+  {
+    const Index3 upper{ { p[0] + step.Node[0], p[1] + step.Node[1], p[2] + step.Node[2] } };
+    Index3 lower = upper;
+    --lower[step.Axis];
+    if (!grid.Local().Contains(upper) || !grid.Local().Contains(lower))
+    {
+      continue;
+    }
+    const Index node = grid.Linear(upper);
+    const InterfaceFace other{ node, step.Axis,
+      LabelOfCell(fractions, node - grid.Stride(step.Axis), isoValue),
+      LabelOfCell(fractions, node, isoValue) };
+    if (other.First() == face.First() && other.Second() == face.Second())
+    {
+      return FindCrossing(grid, fractions, other, isoValue);
+    }
+  }
+  return FindCrossing(grid, fractions, face, isoValue);
+}
+
+} // namespace vfm

@@ -1,0 +1,23 @@
+/**
+ * Stages 4 and 5: gradients of the difference field of a pair, and the crossing of an interface with
+ * a dual edge.
+ */
+#pragma once
+
+#include "Interface/Interface.h"
+
+namespace vfm
+{
+
+/// Crossing of the face's dual edge, grid coordinates.
+/// isoValue 0.5: average of the PLIC planes of the two cells, weighted by f (1 - f); a linear interpolation
+/// where neither is mixed, and for other iso values. The normal blends the gradients of the two cells (weighted least squares over 3^3).
+Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
+  const InterfaceFace& face, double isoValue);
+
+/// The same of the nearest face where the fractions of the cells tell the pair, at most two cells away along each axis; where there is
+/// none, FindCrossing. For faces of cells whose labels are not those that their fractions tell.
+Crossing FindCrossingNear(const CartesianGrid& grid, const FractionField& fractions,
+  const InterfaceFace& face, double isoValue);
+
+} // namespace vfm

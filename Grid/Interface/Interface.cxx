@@ -1,0 +1,218 @@
+#include "Interface/Interface.h"
+
+#include "Base/Vector3.h"
+#include "Interface/Crossings.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double SmallestSlide =
+  0.1; // squared sine of the angle between interface and side of the domain
+constexpr double SmallestDistance = 0.05; // of a node to a crossing, in cells: caps its weight
+
+} // namespace
+
+Interface::Interface(const CartesianGrid& grid, const FractionField& fractions,
+  const LabelArray& labels, std::vector<Index> mixed, double isoValue, Runtime& runtime,
+  const std::vector<Index>& steps) :
+  TheGrid(grid), MeanWidth(grid.MeanWidth()), MixedNodes(std::move(mixed))
+{
+  this->FindFaces(labels);
+  this->TheCrossings.resize(this->TheFaces.size());
+  const auto isStep = [&](Index cell)
+  { return std::binary_search(steps.begin(), steps.end(), cell); };
+  runtime.For(0, static_cast<Index>(this->TheFaces.size()),
+    [&](Index first, Index last)
+    {
+      for (Index f = first; f < last; ++f)
+      {
+        const InterfaceFace& face = this->TheFaces[f];
+        this->TheCrossings[f] = isStep(face.Node) || isStep(face.Node - grid.Stride(face.Axis))
+          ? FindCrossingNear(grid, fractions, face, isoValue)
+          : FindCrossing(grid, fractions, face, isoValue);
+      }
+    });
+  this->FindSurfacePoints(runtime);
+}
+
+Index Interface::Find(Index node) const
+{
+  const auto at = std::lower_bound(this->MixedNodes.begin(), this->MixedNodes.end(), node);
+  return at != this->MixedNodes.end() && *at == node ? at - this->MixedNodes.begin() : -1;
+}
+
+void Interface::FindFaces(const LabelArray& labels)
+{
+  for (Index node : this->MixedNodes)
+  {
+    const Index3 p = this->TheGrid.Position(node);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Index3 lower = p;
+      --lower[axis];
+      const int a = labels[node - this->TheGrid.Stride(axis)], b = labels[node];
+      if (a != b && this->TheGrid.Local().Contains(p) && this->TheGrid.Local().Contains(lower))
+      {
+        this->AddFace({ node, axis, a, b });
+      }
+    }
+  }
+  this->LinkFaces();
+}
+
+/// Adds a face and its nodes, unless one of them is not listed.
+void Interface::AddFace(const InterfaceFace& face)
+{
+  const Index b = this->TheGrid.Stride((face.Axis + 1) % 3);
+  const Index c = this->TheGrid.Stride((face.Axis + 2) % 3);
+  const std::array<Index, 4> nodes{ { this->Find(face.Node), this->Find(face.Node + b),
+    this->Find(face.Node + b + c), this->Find(face.Node + c) } };
+  if (std::find(nodes.begin(), nodes.end(), -1) == nodes.end())
+  {
+    this->TheFaces.push_back(face);
+    this->FaceNodes.push_back(nodes);
+  }
+}
+
+/// The faces of every node.
+void Interface::LinkFaces()
+{
+  this->FacesAt.assign(this->MixedNodes.size() + 1, 0);
+  for (const auto& nodes : this->FaceNodes)
+  {
+    for (Index n : nodes)
+    {
+      ++this->FacesAt[n + 1];
+    }
+  }
+  for (std::size_t n = 1; n < this->FacesAt.size(); ++n)
+  {
+    this->FacesAt[n] += this->FacesAt[n - 1];
+  }
+  this->FacesOfNodes.resize(4 * this->FaceNodes.size());
+  std::vector<Index> next(this->FacesAt.begin(), this->FacesAt.end() - 1);
+  for (std::size_t f = 0; f < this->FaceNodes.size(); ++f)
+  {
+    for (Index n : this->FaceNodes[f])
+    {
+      this->FacesOfNodes[next[n]++] = static_cast<Index>(f);
+    }
+  }
+}
+
+Vector3 Interface::NodePoint(Index node) const
+{
+  const Index3 p = this->TheGrid.Position(node);
+  Vector3 x = this->TheGrid.NodePoint(p);
+  for (int a = 0; a < 3; ++a)
+  {
+    x[a] = (x[a] - this->TheGrid.Coordinates(a)[0]) / this->MeanWidth;
+  }
+  return x;
+}
+
+Vector3 Interface::NodeWidths(Index node) const
+{
+  const Index3 p = this->TheGrid.Position(node);
+  Vector3 widths;
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index low = std::max<Index>(p[a] - 1, 0);
+    const Index high = std::min(p[a], this->TheGrid.Global().Upper[a] - 1);
+    widths[a] =
+      0.5 * (this->TheGrid.Width(a, low) + this->TheGrid.Width(a, high)) / this->MeanWidth;
+  }
+  return widths;
+}
+
+void Interface::FindSurfacePoints(Runtime& runtime)
+{
+  const Index count = static_cast<Index>(this->MixedNodes.size());
+  std::vector<std::vector<SurfacePoint>> found(count);
+  runtime.For(0, count,
+    [&](Index first, Index last)
+    {
+      for (Index n = first; n < last; ++n)
+      {
+        this->AddSurfacePoints(n, found[n]);
+      }
+    });
+  this->PointsAt.assign(1, 0);
+  for (const auto& points : found)
+  {
+    this->SurfacePoints.insert(this->SurfacePoints.end(), points.begin(), points.end());
+    this->PointsAt.push_back(static_cast<Index>(this->SurfacePoints.size()));
+  }
+}
+
+/// For every pair at the node: the node projected onto the planes of the pair's crossings around it,
+/// averaged with weights 1 / distance^2.
+void Interface::AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) const
+{
+  const Index node = this->MixedNodes[n];
+  const Vector3 x = this->NodePoint(node), widths = this->NodeWidths(node);
+  std::vector<double> weights;
+  for (Index at = this->FacesAt[n]; at < this->FacesAt[n + 1]; ++at)
+  {
+    const Index f = this->FacesOfNodes[at];
+    const int a = this->TheFaces[f].First(), b = this->TheFaces[f].Second();
+    std::size_t slot = 0;
+    while (slot < points.size() &&
+      (points[slot].First < a || (points[slot].First == a && points[slot].Second < b)))
+    {
+      ++slot;
+    }
+    if (slot == points.size() || points[slot].First != a || points[slot].Second != b)
+    {
+      points.insert(points.begin() + slot, { a, b, { { 0.0, 0.0, 0.0 } }, { { 0.0, 0.0, 0.0 } } });
+      weights.insert(weights.begin() + slot, 0.0);
+    }
+    const Crossing& crossing = this->TheCrossings[f];
+    const Vector3 away = x - crossing.Point;
+    const double distance = std::max(Norm(Divided(away, widths)), SmallestDistance);
+    const double w = 1.0 / (distance * distance);
+    points[slot].Point =
+      points[slot].Point + w * (x - Dot(away, crossing.Normal) * crossing.Normal);
+    points[slot].Normal = points[slot].Normal + w * crossing.Normal;
+    weights[slot] += w;
+  }
+  for (std::size_t slot = 0; slot < points.size(); ++slot)
+  {
+    points[slot].Point = (1.0 / weights[slot]) * points[slot].Point;
+    points[slot].Normal = Unit(points[slot].Normal);
+    this->SlideIntoDomain(node, x, points[slot]);
+  }
+}
+
+/// On a side of the domain the point moves in the tangent plane to the nearest place on that side.
+void Interface::SlideIntoDomain(Index node, const Vector3& x, SurfacePoint& point) const
+{
+  const int sides = this->TheGrid.DomainSides(this->TheGrid.Position(node));
+  Vector3 along = point.Normal;
+  for (int a = 0; a < 3; ++a)
+  {
+    along[a] = sides >> (2 * a) & 3 ? 0.0 : along[a];
+  }
+  const double slope = Dot(along, along);
+  if (sides != 0 && slope > SmallestSlide)
+  {
+    point.Point = x - (Dot(x - point.Point, point.Normal) / slope) * along;
+  }
+}
+
+const SurfacePoint* Interface::FindPoint(Index n, int first, int second) const
+{
+  for (Index p = this->PointsAt[n]; p < this->PointsAt[n + 1]; ++p)
+  {
+    const SurfacePoint& point = this->SurfacePoints[p];
+    if (point.First == first && point.Second == second)
+    {
+      return &point;
+    }
+  }
+  return nullptr;
+}
+
+} // namespace vfm

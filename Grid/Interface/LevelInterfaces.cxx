@@ -1,0 +1,291 @@
+#include "Interface/LevelInterfaces.h"
+
+#include "Fractions/CoarsenFields.h"
+
+#include <unordered_map>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int LevelGhosts = GhostLevels + 2; // which FindCrossingNear needs besides, above the base
+constexpr Index SearchRadius = 2;            // of FindTarget, in cells
+constexpr Index NearOctets = 2; // around that of a node: 3 cells around the node, and more
+
+/// What the cells of a level are. Those of an octet (RefinedLattice.h) are alike.
+class LevelCells
+{
+public:
+  LevelCells(const RefinedGrid& levels, int level) : Levels(levels), Level(level) {}
+
+  bool IsLeaf(const Index3& cell) const
+  {
+    return !this->IsInCoarserLeaf(cell) && !this->IsRefined(cell);
+  }
+
+  /// Whether a cell is a leaf or lies in a coarser one that touches a leaf of the level.
+  bool HasLeafLabel(const Index3& cell)
+  {
+    return !this->IsRefined(cell) && (!this->IsInCoarserLeaf(cell) || this->TouchesLeaf(cell));
+  }
+
+  /// Whether a leaf is near the octet of a node.
+  bool IsNear(const Index3& node)
+  {
+    Index3 octet;
+    IndexBox box;
+    for (int a = 0; a < 3; ++a)
+    {
+      octet[a] = std::min(node[a], this->Size(a) - 1) >> 1;
+      box.Lower[a] = 2 * octet[a];
+      box.Upper[a] = 2 * octet[a] + 2;
+    }
+    const auto at = this->Near.try_emplace(this->Lattice().OctetKey(this->Level, octet), false);
+    if (at.second)
+    {
+      at.first->second = this->HasLeafAround(box, NearOctets);
+    }
+    return at.first->second;
+  }
+
+private:
+  const RefinedLattice& Lattice() const { return this->Levels.Lattice(); }
+  Index Size(int axis) const { return this->Lattice().Cells(this->Level, axis); }
+  bool IsRefined(const Index3& cell) const
+  {
+    return this->Level < this->Levels.NumberOfRefinements() &&
+      this->Levels.Octets().IsRefined(this->Level, cell);
+  }
+  bool IsInCoarserLeaf(const Index3& cell) const
+  {
+    return this->Level > 0 &&
+      !this->Levels.Octets().IsRefined(
+        this->Level - 1, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } });
+  }
+
+  /// Of the coarser leaf that a cell lies in.
+  bool TouchesLeaf(const Index3& cell)
+  {
+    const RefinedLattice::Place leaf =
+      this->Levels.LeafOf(this->Levels.FinestCells(this->Level, cell).Lower);
+    const auto at =
+      this->Touching.try_emplace(this->Lattice().HexKey(leaf.Level, leaf.At, 0), false);
+    if (at.second)
+    {
+      IndexBox box;
+      for (int a = 0; a < 3; ++a)
+      {
+        box.Lower[a] = leaf.At[a] << (this->Level - leaf.Level);
+        box.Upper[a] = (leaf.At[a] + 1) << (this->Level - leaf.Level);
+      }
+      at.first->second = this->HasLeafAround(box, 1);
+    }
+    return at.first->second;
+  }
+
+  /// Whether a leaf is in a box of octets, given in cells, or in so many octets around it.
+  bool HasLeafAround(const IndexBox& box, Index octets) const
+  {
+    const Index width = 2 * octets;
+    Index3 p;
+    for (p[2] = box.Lower[2] - width; p[2] < box.Upper[2] + width; p[2] += 2)
+    {
+      for (p[1] = box.Lower[1] - width; p[1] < box.Upper[1] + width; p[1] += 2)
+      {
+        for (p[0] = box.Lower[0] - width; p[0] < box.Upper[0] + width; p[0] += 2)
+        {
+          if (this->Lattice().HasCell(this->Level, p) && this->IsLeaf(p))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  const RefinedGrid& Levels;
+  int Level;
+  std::unordered_map<Index, bool> Near, Touching; // of the octets and leaves that were asked for
+};
+
+/// Gives cells of a level the labels of the leaves, where they are to have them. finest: of the finest grid, 2^halvings times as fine.
+class LeafLabelSetter
+{
+public:
+  LeafLabelSetter(const CartesianGrid& finest, const LabelArray& finestLabels, int halvings,
+    const CartesianGrid& grid, LevelCells& cells, LabelArray& labels) :
+    Finest(finest),
+    FinestLabels(finestLabels),
+    Halvings(halvings),
+    Grid(grid),
+    Cells(cells),
+    Labels(labels)
+  {
+  }
+
+  /// Returns the cells in coarser leaves that got another label, ascending.
+  std::vector<Index> Apply()
+  {
+    const IndexBox& box = this->Grid.Local();
+    for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+    {
+      for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+      {
+        this->ApplyToRow({ { box.Lower[0], j, k } });
+      }
+    }
+    return std::move(this->Steps);
+  }
+
+private:
+  /// Cells whose label is that of their lowest finest cell are passed over, in runs.
+  void ApplyToRow(const Index3& start)
+  {
+    const Index row = this->Grid.Linear(start), size = this->Grid.Local().Size(0);
+    const Index finestRow = this->Finest.Linear(
+      { { start[0] << this->Halvings, start[1] << this->Halvings, start[2] << this->Halvings } });
+    const Index round = (Index(1) << this->Halvings) - 1;
+    const auto cellFrom = [&](Index finest)
+    { return row + ((finest - finestRow + round) >> this->Halvings); };
+    std::vector<std::array<Index, 2>> others; // cells and their leaves' labels
+    std::vector<Index> found;
+    this->FinestLabels.Visit(
+      finestRow, finestRow + (size << this->Halvings),
+      [&](Index begin, Index end, int label)
+      {
+        found.clear();
+        FindOthers(this->Labels, cellFrom(begin), cellFrom(end), label, found);
+        for (Index cell : found)
+        {
+          others.push_back({ { cell, label } });
+        }
+      },
+      [&](Index begin, Index end, const int* values)
+      {
+        for (Index cell = cellFrom(begin); cell < cellFrom(end); ++cell)
+        {
+          const int label = values[finestRow + ((cell - row) << this->Halvings) - begin];
+          if (this->Labels[cell] != label)
+          {
+            others.push_back({ { cell, label } });
+          }
+        }
+      });
+    for (const std::array<Index, 2>& other : others)
+    {
+      this->Set(other[0], static_cast<int>(other[1]));
+    }
+  }
+
+  void Set(Index cell, int label)
+  {
+    if (this->Cells.HasLeafLabel(this->Grid.Position(cell)))
+    {
+      this->Labels.Set(cell, label);
+      this->Grid.ForMirrors(cell, [&](Index mirror) { this->Labels.Set(mirror, label); });
+      if (!this->Cells.IsLeaf(this->Grid.Position(cell)))
+      {
+        this->Steps.push_back(cell);
+      }
+    }
+  }
+
+  const CartesianGrid& Finest;
+  const LabelArray& FinestLabels;
+  int Halvings;
+  const CartesianGrid& Grid;
+  LevelCells& Cells;
+  LabelArray& Labels;
+  std::vector<Index> Steps;
+};
+
+/// Steps from a node to those at most SearchRadius away along each axis, the shortest first.
+std::vector<Index3> MakeSteps()
+{
+  std::vector<Index3> steps;
+  IndexBox box;
+  box.Lower.fill(-SearchRadius);
+  box.Upper.fill(SearchRadius + 1);
+  ForCells(box, [&](const Index3& p) { steps.push_back(p); });
+  const auto square = [](const Index3& p) { return p[0] * p[0] + p[1] * p[1] + p[2] * p[2]; };
+  std::stable_sort(steps.begin(), steps.end(),
+    [&](const Index3& a, const Index3& b) { return square(a) < square(b); });
+  return steps;
+}
+
+} // namespace
+
+LevelInterfaces::LevelInterfaces(const RefinedGrid& levels, const FractionField& fractions,
+  const LabelArray& labels, double isoValue, Runtime& runtime) :
+  Levels(levels), FirstPoint(1, 0)
+{
+  const CartesianGrid& finest = levels.Finest();
+  for (int level = 0; level < levels.NumberOfRefinements(); ++level)
+  {
+    const int halvings = levels.NumberOfRefinements() - level;
+    this->Grids.push_back(
+      CoarsenGrid(finest, halvings, CountCoarseGhosts(finest, halvings, LevelGhosts)));
+    const CartesianGrid& grid = this->Grids.back();
+    this->AddLevel(level, grid, CoarsenFractions(finest, fractions, halvings, grid, runtime),
+      labels, isoValue, runtime);
+  }
+  this->AddLevel(levels.NumberOfRefinements(), finest, fractions, labels, isoValue, runtime);
+}
+
+/// labels: of the finest grid.
+void LevelInterfaces::AddLevel(int level, const CartesianGrid& grid, const FractionField& fractions,
+  const LabelArray& labels, double isoValue, Runtime& runtime)
+{
+  LevelCells cells(this->Levels, level);
+  LabelArray own = AssignMaterials(grid, fractions, isoValue);
+  const int halvings = this->Levels.NumberOfRefinements() - level;
+  const std::vector<Index> steps =
+    LeafLabelSetter(this->Levels.Finest(), labels, halvings, grid, cells, own).Apply();
+  std::vector<Index> nodes = FindMixedNodes(grid, own);
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
+                [&](Index node) { return !cells.IsNear(grid.Position(node)); }),
+    nodes.end());
+  this->Interfaces.push_back(
+    std::make_unique<Interface>(grid, fractions, own, std::move(nodes), isoValue, runtime, steps));
+  this->FirstPoint.push_back(
+    this->FirstPoint.back() + static_cast<Index>(this->Interfaces.back()->Points().size()));
+}
+
+std::vector<const Interface*> LevelInterfaces::All() const
+{
+  std::vector<const Interface*> all;
+  for (const auto& interface : this->Interfaces)
+  {
+    all.push_back(interface.get());
+  }
+  return all;
+}
+
+/// The number of the surface point of a pair at a node itself, or -1.
+Index LevelInterfaces::FindPoint(int level, const Index3& node, int first, int second) const
+{
+  const Interface& interface = this->Of(level);
+  const Index n =
+    interface.Grid().Local().Touches(node) ? interface.Find(interface.Grid().Linear(node)) : -1;
+  const SurfacePoint* point = n < 0 ? nullptr : interface.FindPoint(n, first, second);
+  return point ? this->FirstPoint[level] + (point - interface.Points().data()) : -1;
+}
+
+Index LevelInterfaces::FindTarget(int level, const Index3& node, int first, int second) const
+{
+  static const std::vector<Index3> steps = MakeSteps();
+  for (const Index3& step : steps) // the first leads nowhere
+  {
+    const Index found = this->FindPoint(
+      level, { { node[0] + step[0], node[1] + step[1], node[2] + step[2] } }, first, second);
+    if (found >= 0)
+    {
+      return found;
+    }
+  }
+  return -1;
+}
+
+} // namespace vfm

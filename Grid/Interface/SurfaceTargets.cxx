@@ -1,0 +1,306 @@
+#include "Interface/SurfaceTargets.h"
+
+#include "Base/Vector3.h"
+
+#include <Eigen/Cholesky>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double FitRadius = 1.2;      // of the Gaussian weight, in cells
+constexpr double JunctionWeight = 0.3; // of points where several pairs meet
+constexpr double SmallestCosine = 0.2; // between the normals of two points of one fit
+constexpr double LargestHeight = 2.0;  // of a point over the base plane
+constexpr double LinearBeyond = 1.5;   // radius from which a quadric goes on as a plane
+constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 } };
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// The nodes reached from a node over at most two interface faces of the pair, itself first.
+std::vector<Index> FindRing(const Interface& interface, Index node, int first, int second)
+{
+  std::vector<Index> ring(1, node);
+  std::size_t begin = 0;
+  for (int depth = 0; depth < 2; ++depth)
+  {
+    const std::size_t end = ring.size();
+    for (; begin < end; ++begin)
+    {
+      const Index n = ring[begin];
+      for (Index at = interface.FaceOffset(n); at < interface.FaceOffset(n + 1); ++at)
+      {
+        const Index face = interface.FaceList()[at];
+        const InterfaceFace& f = interface.Faces()[face];
+        if (f.First() != first || f.Second() != second)
+        {
+          continue;
+        }
+        for (Index other : interface.NodesOfFace(face))
+        {
+          if (std::find(ring.begin(), ring.end(), other) == ring.end())
+          {
+            ring.push_back(other);
+          }
+        }
+      }
+    }
+  }
+  std::sort(ring.begin(), ring.end()); // so that sums do not depend on the walk
+  return ring;
+}
+
+/// The point of the triangle nearest to 0. Ericson (2005), Real-Time Collision Detection, 5.1.5.
+Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 ab = b - a, ac = c - a;
+  const double d1 = -Dot(ab, a), d2 = -Dot(ac, a);
+  if (d1 <= 0.0 && d2 <= 0.0)
+  {
+    return a;
+  }
+  const double d3 = -Dot(ab, b), d4 = -Dot(ac, b);
+  if (d3 >= 0.0 && d4 <= d3)
+  {
+    return b;
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+  {
+    return a + (d1 / (d1 - d3)) * ab;
+  }
+  const double d5 = -Dot(ab, c), d6 = -Dot(ac, c);
+  if (d6 >= 0.0 && d5 <= d6)
+  {
+    return c;
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+  {
+    return a + (d2 / (d2 - d6)) * ac;
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
+  {
+    return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
+  }
+  const double sum = va + vb + vc;
+  return a + (vb / sum) * ab + (vc / sum) * ac;
+}
+
+} // namespace
+
+SurfaceTargets::SurfaceTargets(const Interface& interface, Kind kind, Runtime& runtime) :
+  SurfaceTargets(std::vector<const Interface*>{ &interface }, kind, runtime)
+{
+}
+
+SurfaceTargets::SurfaceTargets(
+  const std::vector<const Interface*>& interfaces, Kind kind, Runtime& runtime) :
+  TheKind(kind)
+{
+  Index count = 0;
+  for (const Interface* interface : interfaces)
+  {
+    this->Levels.push_back({ interface, interface->Scale() / interfaces.back()->Scale(), count });
+    count += static_cast<Index>(interface->Points().size());
+  }
+  this->Frames.resize(count);
+  this->Facets.resize(kind == Kind::Facets ? count : 0);
+  for (const Level& level : this->Levels)
+  {
+    this->FitLevel(level, runtime);
+  }
+}
+
+void SurfaceTargets::FitLevel(const Level& level, Runtime& runtime)
+{
+  const Interface& interface = *level.Source;
+  runtime.For(0, static_cast<Index>(interface.Nodes().size()),
+    [&](Index first, Index last)
+    {
+      for (Index n = first; n < last; ++n)
+      {
+        for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
+        {
+          this->FitQuadric(level, n, p);
+          if (this->TheKind == Kind::Facets)
+          {
+            this->FindFacets(level, n, p);
+          }
+        }
+      }
+    });
+}
+
+const SurfaceTargets::Level& SurfaceTargets::LevelOf(Index target) const
+{
+  auto level = this->Levels.end() - 1;
+  while (level->First > target)
+  {
+    --level;
+  }
+  return *level;
+}
+
+void SurfaceTargets::FitQuadric(const Level& level, Index node, Index point)
+{
+  const Interface& interface = *level.Source;
+  const SurfacePoint& base = interface.Points()[point];
+  const Vector3 widths = interface.NodeWidths(interface.Nodes()[node]);
+  Frame frame; // in grid coordinates of its own grid until it is stored
+  frame.Base = base.Point;
+  frame.InverseWidths = Divided({ { 1.0, 1.0, 1.0 } }, widths);
+  frame.N = Unit(Scaled(base.Normal, widths));
+  MakeTangents(frame.N, frame.U, frame.V);
+
+  Matrix6 A = Matrix6::Zero();
+  Vector6 b = Vector6::Zero();
+  int used = 0;
+  for (Index n : FindRing(interface, node, base.First, base.Second))
+  {
+    const SurfacePoint& other = *interface.FindPoint(n, base.First, base.Second);
+    const Vector3 y = Scaled(other.Point - frame.Base, frame.InverseWidths);
+    const double u = Dot(y, frame.U), v = Dot(y, frame.V), w = Dot(y, frame.N);
+    if (std::fabs(w) >= LargestHeight ||
+      Dot(Unit(Scaled(other.Normal, widths)), frame.N) <= SmallestCosine)
+    {
+      continue;
+    }
+    const bool junction = interface.PointOffset(n + 1) - interface.PointOffset(n) > 1;
+    const double weight = std::exp(-(u * u + v * v) / (2.0 * FitRadius * FitRadius)) *
+      (junction ? JunctionWeight : 1.0);
+    Vector6 row;
+    row << 1.0, u, v, u * u, u * v, v * v;
+    A += weight * row * row.transpose();
+    b += weight * w * row;
+    ++used;
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    A(i, i) += Tikhonov[i];
+  }
+  Vector6 c = Vector6::Zero();
+  if (used >= 6)
+  {
+    c = A.ldlt().solve(b);
+  }
+  else
+  {
+    c.head<3>() = A.topLeftCorner<3, 3>().ldlt().solve(b.head<3>());
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    const double bound = i == 0 ? 1.0 : (i < 3 ? 1e30 : 0.5);
+    frame.C[i] = std::min(std::max(c[i], -bound), bound);
+  }
+  frame.Base = level.Ratio * frame.Base;
+  frame.InverseWidths = (1.0 / level.Ratio) * frame.InverseWidths;
+  this->Frames[level.First + point] = frame;
+}
+
+void SurfaceTargets::FindFacets(const Level& level, Index node, Index point)
+{
+  const Interface& interface = *level.Source;
+  const SurfacePoint& base = interface.Points()[point];
+  std::vector<Index>& facets = this->Facets[level.First + point];
+  for (Index n : FindRing(interface, node, base.First, base.Second))
+  {
+    for (Index at = interface.FaceOffset(n); at < interface.FaceOffset(n + 1); ++at)
+    {
+      const Index face = interface.FaceList()[at];
+      const InterfaceFace& f = interface.Faces()[face];
+      if (f.First() == base.First && f.Second() == base.Second)
+      {
+        facets.push_back(face);
+      }
+    }
+  }
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+}
+
+double SurfaceTargets::LocalScale(Index target) const
+{
+  const Frame& frame = this->Frames[target];
+  return Norm(Scaled(frame.N, frame.InverseWidths));
+}
+
+double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradient) const
+{
+  const Frame& frame = this->Frames[target];
+  const Vector3 y = Scaled(x - frame.Base, frame.InverseWidths);
+  const double d = this->TheKind == Kind::Quadrics ? this->QuadricDistance(frame, y, gradient)
+                                                   : this->FacetDistance(target, y, gradient);
+  gradient = Scaled(gradient, frame.InverseWidths);
+  return d;
+}
+
+double SurfaceTargets::QuadricDistance(
+  const Frame& frame, const Vector3& y, Vector3& gradient) const
+{
+  const double u = Dot(y, frame.U), v = Dot(y, frame.V), w = Dot(y, frame.N);
+  const std::array<double, 6>& c = frame.C;
+  const double r2 = u * u + v * v;
+  const double shrink = r2 > LinearBeyond * LinearBeyond ? LinearBeyond / std::sqrt(r2) : 1.0;
+  const double uc = shrink * u, vc = shrink * v;
+  const double fu = c[1] + 2.0 * c[3] * uc + c[4] * vc;
+  const double fv = c[2] + c[4] * uc + 2.0 * c[5] * vc;
+  const double f = c[0] + c[1] * uc + c[2] * vc + c[3] * uc * uc + c[4] * uc * vc + c[5] * vc * vc +
+    fu * (u - uc) + fv * (v - vc);
+  const double steep = 1.0 / std::sqrt(1.0 + fu * fu + fv * fv);
+  gradient = steep * (frame.N - fu * frame.U - fv * frame.V);
+  return (w - f) * steep;
+}
+
+double SurfaceTargets::FacetDistance(Index target, const Vector3& y, Vector3& gradient) const
+{
+  const Frame& frame = this->Frames[target];
+  const Level& level = this->LevelOf(target);
+  const Interface& interface = *level.Source;
+  const SurfacePoint& base = interface.Points()[target - level.First];
+  const bool skipsFolds = this->Levels.size() > 1; // steps of coarser cells fold quads
+  constexpr double None = 1e30;
+  double best = None;
+  Vector3 nearest{ { 0.0, 0.0, 0.0 } }, normal = frame.N;
+  for (Index face : this->Facets[target])
+  {
+    Vector3 corner[4];
+    int c = 0;
+    for (Index n : interface.NodesOfFace(face))
+    {
+      const SurfacePoint& point = *interface.FindPoint(n, base.First, base.Second);
+      corner[c++] = Scaled(level.Ratio * point.Point - frame.Base, frame.InverseWidths) - y;
+    }
+    const bool along = interface.Faces()[face].LowerLabel == base.First;
+    for (int half = 0; half < 2; ++half)
+    {
+      const Vector3 &a = corner[0], &b = corner[1 + half], &d = corner[2 + half];
+      const Vector3 p = NearestOfTriangle(a, b, d);
+      if (Dot(p, p) < best)
+      {
+        const Vector3 across = Unit((along ? 1.0 : -1.0) * Cross(b - a, d - a));
+        if (skipsFolds && Dot(across, frame.N) <= SmallestCosine)
+        {
+          continue;
+        }
+        best = Dot(p, p);
+        nearest = p;
+        normal = across;
+      }
+    }
+  }
+  if (best == None)
+  {
+    gradient = frame.N;
+    return Dot(y, frame.N);
+  }
+  const double distance = std::sqrt(best);
+  const double sign = Dot(nearest, normal) <= 0.0 ? 1.0 : -1.0;
+  gradient = distance > 1e-6 ? (-sign / distance) * nearest : normal;
+  return sign * distance;
+}
+
+} // namespace vfm

@@ -1,0 +1,72 @@
+/**
+ * What surface nodes are drawn to: for every surface node and every pair of labels that meets there, a
+ * local model of the pair's interface and the signed distance to it.
+ *
+ * Quadric: w = c0 + c1 u + c2 v + c3 u^2 + c4 u v + c5 v^2 in a frame at the surface point, fitted to the
+ * surface points of the pair within two rings of interface faces; beyond 1.5 cells it continues linearly.
+ * Facets: the quads between the surface points of the pair around the node, as triangles.
+ *
+ * Distances are in the node's local frame (Interface.h), where a cell is a unit cube; positive on the
+ * side of the second label.
+ *
+ * Interfaces may be those of several grids, each coarser than the one after it (LevelInterfaces.h). All positions and gradients are then in
+ * the grid coordinates of the last one; distances stay in cells of the target's own grid.
+ */
+#pragma once
+
+#include "Interface/Interface.h"
+
+namespace vfm
+{
+
+class SurfaceTargets
+{
+public:
+  enum class Kind
+  {
+    Quadrics,
+    Facets
+  };
+
+  SurfaceTargets(const Interface& interface, Kind kind, Runtime& runtime);
+  /// interfaces: of grids of the same domain, the finest last; at least one. Keeps the pointers.
+  SurfaceTargets(const std::vector<const Interface*>& interfaces, Kind kind, Runtime& runtime);
+
+  /// Targets are numbered like Interface::Points(), those of the first interface first.
+  Index Count() const { return static_cast<Index>(this->Frames.size()); }
+
+  /// Signed distance of x (grid coordinates); gradient in grid coordinates.
+  double Distance(Index target, const Vector3& x, Vector3& gradient) const;
+
+  /// The unit of Distance in grid coordinates, along the normal: distance = length * LocalScale.
+  double LocalScale(Index target) const;
+
+private:
+  struct Level
+  {
+    const Interface* Source;
+    double Ratio; // of its grid coordinates to those of the finest grid
+    Index First;  // of its targets
+  };
+  struct Frame
+  {
+    Vector3 Base;          // grid coordinates of the finest grid
+    Vector3 InverseWidths; // of the node's local frame, in the same
+    Vector3 U, V, N;       // unit vectors of the local frame
+    std::array<double, 6> C;
+  };
+
+  void FitLevel(const Level& level, Runtime& runtime);
+  void FitQuadric(const Level& level, Index node, Index point);
+  void FindFacets(const Level& level, Index node, Index point);
+  const Level& LevelOf(Index target) const;
+  double QuadricDistance(const Frame& frame, const Vector3& y, Vector3& gradient) const;
+  double FacetDistance(Index target, const Vector3& y, Vector3& gradient) const;
+
+  Kind TheKind;
+  std::vector<Level> Levels;
+  std::vector<Frame> Frames;
+  std::vector<std::vector<Index>> Facets; // faces of its interface around each target
+};
+
+} // namespace vfm

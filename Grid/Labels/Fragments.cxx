@@ -1,0 +1,215 @@
+#include "Labels/Fragments.h"
+
+#include "Base/DisjointSets.h"
+
+#include <map>
+#include <numeric>
+
+namespace vfm
+{
+Index OffsetOfPieces(Ranks& ranks, Index count)
+{
+  const std::vector<Index> counts = GatherItems(ranks, std::vector<Index>{ count });
+  return std::accumulate(counts.begin(), counts.begin() + ranks.Rank(), Index(0));
+}
+
+std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePairs& same,
+  Index offset, Ranks& ranks, std::vector<int>& materials)
+{
+  const std::vector<Piece> pieces = GatherItems(ranks, mine);
+  std::vector<Index> parent(pieces.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const auto& pair : GatherItems(ranks, same))
+  {
+    Join(parent, pair[0], pair[1]);
+  }
+  std::map<Index, Index> lowest; // root -> lowest cell of the joined piece
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const auto at = lowest.emplace(FindRoot(parent, p), pieces[p].Lowest).first;
+    at->second = std::min(at->second, pieces[p].Lowest);
+  }
+  std::vector<std::pair<Index, Index>> order; // lowest cell, root
+  for (const auto& piece : lowest)
+  {
+    order.emplace_back(piece.second, piece.first);
+  }
+  std::sort(order.begin(), order.end());
+  std::map<Index, int> number;
+  materials.assign(1, 0);
+  for (const auto& piece : order)
+  {
+    number[piece.second] = static_cast<int>(materials.size());
+    materials.push_back(static_cast<int>(pieces[piece.second].Label));
+  }
+  std::vector<int> fragments;
+  for (std::size_t p = 0; p < mine.size(); ++p)
+  {
+    fragments.push_back(number[FindRoot(parent, offset + static_cast<Index>(p))]);
+  }
+  return fragments;
+}
+
+Fragments::Fragments(
+  const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition) :
+  Box(grid.HexBox()), End(this->Box.Upper[0])
+{
+  this->MakeRuns(grid, labels);
+  std::vector<Index> parent(this->Runs.size());
+  for (std::size_t r = 0; r < parent.size(); ++r)
+  {
+    parent[r] = static_cast<Index>(r);
+  }
+  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
+  {
+    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
+    {
+      if (j > this->Box.Lower[1])
+      {
+        this->JoinRows(this->Row(j, k), this->Row(j - 1, k), parent);
+      }
+      if (k > this->Box.Lower[2])
+      {
+        this->JoinRows(this->Row(j, k), this->Row(j, k - 1), parent);
+      }
+    }
+  }
+  const std::vector<Piece> mine = this->FindPieces(grid, parent, meshVoid);
+  Ranks& ranks = partition.Group();
+  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(mine.size()));
+  const std::vector<int> fragments =
+    NumberFragments(mine, this->FindSame(grid, partition, offset), offset, ranks, this->Materials);
+  for (RunOfCells& run : this->Runs)
+  {
+    run.Fragment = run.Fragment > 0 ? fragments[run.Fragment - 1] : 0;
+  }
+}
+
+void Fragments::MakeRuns(const CartesianGrid& grid, const LabelArray& labels)
+{
+  this->RowStart.push_back(0);
+  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
+  {
+    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
+    {
+      const Index row = grid.Linear({ { this->Box.Lower[0], j, k } });
+      const auto add = [&](Index cell, int label)
+      {
+        if (cell == row || this->Runs.back().Label != label)
+        {
+          this->Runs.push_back({ this->Box.Lower[0] + cell - row, label, 0 });
+        }
+      };
+      labels.Visit(
+        row, row + this->Box.Size(0), [&](Index begin, Index, int label) { add(begin, label); },
+        [&](Index begin, Index end, const int* values)
+        {
+          for (Index cell = begin; cell < end; ++cell)
+          {
+            add(cell, values[cell - begin]);
+          }
+        });
+      this->RowStart.push_back(static_cast<Index>(this->Runs.size()));
+    }
+  }
+}
+
+void Fragments::JoinRows(Index row, Index other, std::vector<Index>& parent) const
+{
+  Index a = this->RowStart[row], b = this->RowStart[other];
+  const Index aEnd = this->RowStart[row + 1], bEnd = this->RowStart[other + 1];
+  while (a < aEnd && b < bEnd)
+  {
+    if (this->Runs[a].Label == this->Runs[b].Label)
+    {
+      Join(parent, a, b);
+    }
+    const Index aNext = a + 1 < aEnd ? this->Runs[a + 1].First : this->End;
+    const Index bNext = b + 1 < bEnd ? this->Runs[b + 1].First : this->End;
+    a += aNext <= bNext;
+    b += bNext <= aNext;
+  }
+}
+
+/// The pieces of this rank's box, in the order of their lowest cell; runs get 1 + their number, for now.
+std::vector<Piece> Fragments::FindPieces(
+  const CartesianGrid& grid, std::vector<Index>& parent, bool meshVoid)
+{
+  std::vector<Piece> pieces;
+  Index r = 0;
+  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
+  {
+    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
+    {
+      for (; r < this->RowStart[this->Row(j, k) + 1]; ++r)
+      {
+        RunOfCells& run = this->Runs[r];
+        const Index root = FindRoot(parent, r);
+        if (root == r && (run.Label != 0 || meshVoid))
+        {
+          pieces.push_back({ grid.CellKey({ { run.First, j, k } }), run.Label });
+          run.Fragment = static_cast<int>(pieces.size());
+        }
+        else
+        {
+          run.Fragment = root == r ? 0 : this->Runs[root].Fragment;
+        }
+      }
+    }
+  }
+  return pieces;
+}
+
+/// Pairs of pieces of different ranks that hold the same cell. Pieces of this rank are numbered from offset.
+PiecePairs Fragments::FindSame(
+  const CartesianGrid& grid, const Partition& partition, Index offset) const
+{
+  PiecePairs same;
+  if (partition.Peers().empty())
+  {
+    return same;
+  }
+  PagedArray<Index> pieceOf(grid, -1);
+  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
+  {
+    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
+    {
+      const Index row = grid.Linear({ { 0, j, k } });
+      this->ForRuns(j, k,
+        [&](Index first, Index last, int fragment)
+        { pieceOf.Fill(row + first, row + last, fragment > 0 ? offset + fragment - 1 : -1); });
+    }
+  }
+  const auto mine = pieceOf;
+  partition.ExchangeCells(pieceOf,
+    [&](Index cell)
+    {
+      const std::array<Index, 2> pair{ { mine[cell], pieceOf[cell] } };
+      if (pair[0] >= 0 && (same.empty() || same.back() != pair))
+      {
+        same.push_back(pair);
+      }
+    });
+  std::sort(same.begin(), same.end());
+  same.erase(std::unique(same.begin(), same.end()), same.end());
+  return same;
+}
+
+int Fragments::FragmentOfCell(const Index3& cell) const
+{
+  Index runEnd;
+  return this->FragmentOfCell(cell, runEnd);
+}
+
+int Fragments::FragmentOfCell(const Index3& cell, Index& runEnd) const
+{
+  const Index row = this->Row(cell[1], cell[2]);
+  const auto first = this->Runs.begin() + this->RowStart[row];
+  const auto last = this->Runs.begin() + this->RowStart[row + 1];
+  const auto next = std::upper_bound(
+    first, last, cell[0], [](Index i, const RunOfCells& run) { return i < run.First; });
+  runEnd = next == last ? this->End : next->First;
+  return std::prev(next)->Fragment;
+}
+
+} // namespace vfm

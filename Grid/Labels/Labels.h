@@ -1,0 +1,65 @@
+/**
+ * One label a cell: the material it is meshed as, 0 void. The array has the shape of CartesianGrid's
+ * cells, its outer layer mirrored.
+ */
+#pragma once
+
+#include "Base/Partition.h"
+#include "Fractions/FractionField.h"
+
+namespace vfm
+{
+
+class RefinedGrid;
+
+using LabelArray = PagedArray<int>;
+
+/// The label of a mixed cell: void where the materials fill less than isoValue, else the material of the largest fraction,
+/// ties to the smaller. parts: in the order of their materials.
+int MaterialOfParts(FractionField::Range parts, double isoValue);
+
+/// The labels of all cells of the local box; of a pure one its own.
+LabelArray AssignMaterials(
+  const CartesianGrid& grid, const FractionField& fractions, double isoValue);
+
+/// The eight labels around a node.
+inline std::array<int, 8> StarOfNode(
+  const CartesianGrid& grid, const LabelArray& labels, Index node)
+{
+  std::array<int, 8> star;
+  const Index first = grid.CellOfNode(node, 0), i = labels.InRow(first);
+  for (int c = 0; c < 8; c += 2)
+  {
+    const LabelArray::RowView row = labels.Row(first + grid.CornerOffset(c));
+    star[c] = row[i];
+    star[c + 1] = row[i + 1];
+  }
+  return star;
+}
+
+/// Cell c of the star of a node, numbered by bits.
+inline Index3 CellOfStar(const Index3& node, int c)
+{
+  return CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
+}
+
+/// The nodes of the local box with more than one label around them, ascending.
+std::vector<Index> FindMixedNodes(const CartesianGrid& grid, const LabelArray& labels);
+
+struct ResolveReport
+{
+  Index FlippedCells = 0; ///< cells, or leaves, that have another label than before
+  int Rounds = 0;
+  std::vector<Index3>
+    DearFlips; ///< lowest cells of owned leaves, coarser than the grid's cells, whose flip moves the interface far
+};
+
+/// Changes labels until every star passes the label condition (LabelCondition.h). The result does not
+/// depend on the order of cells: a round flips every cell whose score (violations removed against
+/// fraction given up) beats those of its 26 neighbours. Ranks flip their own cells and exchange the labels after each round.
+/// leaves: where given, leaves flip as a whole, and a leaf competes with all that share a node with it; labels must be alike
+/// within each (AssignLeafMaterials), and the grid needs 3 base cells of ghosts.
+ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
+  LabelArray& labels, const Partition& partition, const RefinedGrid* leaves = nullptr);
+
+} // namespace vfm

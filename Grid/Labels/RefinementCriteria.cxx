@@ -1,0 +1,329 @@
+#include "Labels/RefinementCriteria.h"
+
+#include "Fractions/InterfaceCurvature.h"
+#include "Fractions/ThinFeatures.h"
+#include "Labels/Labels.h"
+
+#include <cmath>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double Slack = 0.15; // of a halving: so much is not worth one (a tenth of a length)
+constexpr double Speck = 0.05; // cells: what is thinner cannot be resolved and asks for nothing
+static_assert(
+  ThicknessReach <= GhostLevels && CurvatureReach <= GhostLevels, "cells that are read");
+
+/// How many halvings, 0..most, multiply the cells across a length by about a factor.
+int HalvingsFor(double factor, int most)
+{
+  const double wanted = std::ceil(std::log2(factor) - Slack);
+  return static_cast<int>(std::min(std::max(wanted, 0.0), static_cast<double>(most)));
+}
+
+void CheckCriteria(const RefinementCriteria& criteria)
+{
+  if (!(criteria.ThinCells <= LargestThickness))
+  {
+    throw InputError("Thin features are those below " + std::to_string(criteria.ThinCells) +
+      " cells: give at most " + std::to_string(LargestThickness) + ".");
+  }
+  if (std::isnan(criteria.CurvaturePerCell))
+  {
+    throw InputError("The curvature per cell is not a number.");
+  }
+  if (criteria.MaximumLevel < 0)
+  {
+    throw InputError("The maximum level is " + std::to_string(criteria.MaximumLevel) +
+      ": it must not be negative.");
+  }
+}
+
+/// Calls body(position, linear index) for the cells of a box, x fastest.
+template <class Body>
+void ForBox(const CartesianGrid& grid, const IndexBox& box, const Body& body)
+{
+  Index3 p;
+  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
+  {
+    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
+    {
+      p[0] = box.Lower[0];
+      const Index first = grid.Linear(p);
+      for (; p[0] < box.Upper[0]; ++p[0])
+      {
+        body(p, first + p[0] - box.Lower[0]);
+      }
+    }
+  }
+}
+
+/// Asks one criterion after another.
+class Inquiry
+{
+public:
+  Inquiry(const CartesianGrid& grid, const FractionField& fractions,
+    const RefinementCriteria& criteria, double isoValue, const Partition& partition,
+    Runtime& runtime) :
+    Grid(grid),
+    Fractions(fractions),
+    Criteria(criteria),
+    IsoValue(isoValue),
+    ThePartition(partition),
+    Run(runtime)
+  {
+  }
+
+  RefinementWishes Ask()
+  {
+    if (this->Criteria.MaximumLevel > 0)
+    {
+      this->AskThickness();
+      this->AskCurvature();
+      this->AskLabels();
+    }
+    RefinementWishes& result = this->Result;
+    this->Tidy();
+    std::vector<std::int64_t> counts{ result.ThinCells, result.CurvedCells, result.FlippedCells,
+      result.NearCells, static_cast<std::int64_t>(result.Cells.size()) };
+    this->ThePartition.Group().Sum(counts);
+    result.ThinCells = counts[0];
+    result.CurvedCells = counts[1];
+    result.FlippedCells = counts[2];
+    result.NearCells = counts[3];
+    result.AllCells = counts[4];
+    int most = 0;
+    for (const RefinementWish& wish : result.Cells)
+    {
+      most = std::max(most, wish.Halvings);
+    }
+    result.Refinements = static_cast<int>(this->ThePartition.Group().Max(most));
+    return std::move(result);
+  }
+
+private:
+  void Wish(const Index3& cell, int halvings, Index& count)
+  {
+    if (halvings > 0)
+    {
+      this->Result.Cells.push_back({ this->Grid.CellKey(cell), halvings });
+      ++count;
+    }
+  }
+
+  /// Of each cell the most halvings, in the order of keys.
+  void Tidy()
+  {
+    std::vector<RefinementWish>& cells = this->Result.Cells;
+    std::sort(cells.begin(), cells.end(),
+      [](const RefinementWish& a, const RefinementWish& b)
+      { return a.Cell != b.Cell ? a.Cell < b.Cell : a.Halvings > b.Halvings; });
+    cells.erase(
+      std::unique(cells.begin(), cells.end(),
+        [](const RefinementWish& a, const RefinementWish& b) { return a.Cell == b.Cell; }),
+      cells.end());
+  }
+
+  /// Whether what is around a pure cell is not the same.
+  bool IsBesideOthers(const Index3& p, Index cell) const
+  {
+    for (int c = 0; c < 27; ++c)
+    {
+      const Index3 q{ { p[0] + c % 3 - 1, p[1] + c / 3 % 3 - 1, p[2] + c / 9 - 1 } };
+      if (this->Grid.InDomain(q))
+      {
+        const Index other = this->Grid.Linear(q);
+        if (this->Fractions.IsMixed(other) ||
+          this->Fractions.Label(other) != this->Fractions.Label(cell))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// The most halvings that a part of the cell wants.
+  int HalvingsForThickness(const Index3& p, Index cell) const
+  {
+    const double enough = this->Criteria.ThinCells;
+    const auto halvings = [&](int material)
+    {
+      const double thickness = FindThickness(this->Grid, this->Fractions, p, material, enough);
+      return thickness < Speck ? 0 : HalvingsFor(enough / thickness, this->Criteria.MaximumLevel);
+    };
+    if (!this->Fractions.IsMixed(cell))
+    {
+      return halvings(this->Fractions.Label(cell));
+    }
+    int most = 0;
+    for (const FractionField::Part& part : this->Fractions.Parts(cell))
+    {
+      most = std::max(most, halvings(part.Material));
+    }
+    return most;
+  }
+
+  void AskThickness()
+  {
+    if (!(this->Criteria.ThinCells > 0.0))
+    {
+      return;
+    }
+    std::vector<Index3> cells;
+    ForBox(this->Grid, this->Grid.Owned(),
+      [&](const Index3& p, Index cell)
+      {
+        if (this->Fractions.IsMixed(cell) || this->IsBesideOthers(p, cell))
+        {
+          cells.push_back(p);
+        }
+      });
+    std::vector<int> halvings(cells.size());
+    this->Run.For(0, static_cast<Index>(cells.size()),
+      [&](Index begin, Index end)
+      {
+        for (Index n = begin; n < end; ++n)
+        {
+          halvings[n] = this->HalvingsForThickness(cells[n], this->Grid.Linear(cells[n]));
+        }
+      });
+    for (std::size_t n = 0; n < cells.size(); ++n)
+    {
+      this->Wish(cells[n], halvings[n], this->Result.ThinCells);
+    }
+  }
+
+  void AskCurvature()
+  {
+    if (!(this->Criteria.CurvaturePerCell > 0.0))
+    {
+      return;
+    }
+    for (const CellCurvature& c : FindCurvatures(this->Grid, this->Fractions, this->Run))
+    {
+      const double factor = c.Curvature / this->Criteria.CurvaturePerCell;
+      this->Wish(this->Grid.Position(c.Cell), HalvingsFor(factor, this->Criteria.MaximumLevel),
+        this->Result.CurvedCells);
+    }
+  }
+
+  void AskLabels()
+  {
+    if (!this->Criteria.FlippedCells && this->Criteria.InterfaceLayers <= 0)
+    {
+      return;
+    }
+    const LabelArray before = AssignMaterials(this->Grid, this->Fractions, this->IsoValue);
+    LabelArray labels = before;
+    ResolveLabels(this->Grid, this->Fractions, labels, this->ThePartition);
+    ForBox(this->Grid, this->Grid.Owned(),
+      [&](const Index3& p, Index cell)
+      {
+        this->Wish(p, this->Criteria.FlippedCells && labels[cell] != before[cell],
+          this->Result.FlippedCells);
+      });
+    if (this->Criteria.InterfaceLayers > 0)
+    {
+      const PagedArray<int> isNear = this->FindNear(labels);
+      ForBox(this->Grid, this->Grid.Owned(),
+        [&](const Index3& p, Index cell)
+        { this->Wish(p, isNear[cell] ? this->Criteria.MaximumLevel : 0, this->Result.NearCells); });
+    }
+  }
+
+  /// Whether each owned cell lies within the layers: cells at nodes with several labels, then cells at those.
+  PagedArray<int> FindNear(const LabelArray& labels) const
+  {
+    PagedArray<int> isNear(this->Grid, 0);
+    for (Index node : FindMixedNodes(this->Grid, labels))
+    {
+      this->MarkAround(node, isNear);
+    }
+    this->ThePartition.ExchangeCells(isNear, [](Index) {});
+    for (int layer = 1; layer < this->Criteria.InterfaceLayers; ++layer)
+    {
+      const PagedArray<int> before = isNear;
+      ForBox(this->Grid, this->Grid.Local(),
+        [&](const Index3&, Index cell)
+        {
+          for (int c = 0; before[cell] && c < 8; ++c)
+          {
+            this->MarkAround(this->Grid.NodeOfCell(cell, c), isNear);
+          }
+        });
+      this->ThePartition.ExchangeCells(isNear, [](Index) {});
+    }
+    return isNear;
+  }
+
+  void MarkAround(Index node, PagedArray<int>& marks) const
+  {
+    for (int c = 0; c < 8; ++c)
+    {
+      marks.Set(this->Grid.CellOfNode(node, c), 1);
+    }
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const RefinementCriteria& Criteria;
+  const double IsoValue;
+  const Partition& ThePartition;
+  Runtime& Run;
+  RefinementWishes Result;
+};
+
+void SortOnce(std::vector<Index>& keys)
+{
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+}
+
+} // namespace
+
+RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
+  const RefinementCriteria& criteria, double isoValue, const Partition& partition, Runtime& runtime)
+{
+  CheckCriteria(criteria);
+  return Inquiry(grid, fractions, criteria, isoValue, partition, runtime).Ask();
+}
+
+std::vector<std::vector<Index>> FindWantedOctets(
+  const RefinedLattice& lattice, const RefinementWishes& wishes, int layers)
+{
+  const Index nx = lattice.Cells(0, 0), ny = lattice.Cells(0, 1);
+  std::vector<std::vector<Index>> octets(wishes.Refinements);
+  for (const RefinementWish& wish : wishes.Cells)
+  {
+    const Index3 cell{ { wish.Cell % nx, wish.Cell / nx % ny, wish.Cell / nx / ny } };
+    IndexBox children; // of the level that the cell wants, and those around
+    for (int a = 0; a < 3; ++a)
+    {
+      children.Lower[a] = std::max<Index>((cell[a] << wish.Halvings) - layers, 0);
+      children.Upper[a] =
+        std::min(((cell[a] + 1) << wish.Halvings) + layers, lattice.Cells(wish.Halvings, a));
+    }
+    for (int level = 0; level < wish.Halvings; ++level)
+    {
+      const int shift = wish.Halvings - level + 1; // an octet is two cells of its level
+      IndexBox around;
+      for (int a = 0; a < 3; ++a)
+      {
+        around.Lower[a] = children.Lower[a] >> shift;
+        around.Upper[a] = ((children.Upper[a] - 1) >> shift) + 1;
+      }
+      ForCells(
+        around, [&](const Index3& q) { octets[level].push_back(lattice.OctetKey(level, q)); });
+    }
+  }
+  for (std::vector<Index>& keys : octets)
+  {
+    SortOnce(keys);
+  }
+  return octets;
+}
+
+} // namespace vfm

@@ -1,0 +1,60 @@
+/**
+ * Which cells of a grid ask to be halved, and how often, from the fractions: what decides the levels of a refined grid.
+ *
+ * Lengths are counted in cells; those of uneven grids count as cubes. The same on any number of ranks and threads.
+ */
+#pragma once
+
+#include "Base/Partition.h"
+#include "Base/Runtime.h"
+#include "Fractions/FractionField.h"
+#include "Octree/RefinedLattice.h"
+
+namespace vfm
+{
+
+/// What asks for halvings; 0 or less: off.
+struct RefinementCriteria
+{
+  /// Films, gaps, rods and small bodies thinner than so many cells, at most LargestThickness (ThinFeatures.h), until
+  /// they are no longer.
+  double ThinCells = 2.0;
+  /// Interfaces that turn by more than so many radians over a cell (0.5: a radius of two cells), until they turn by less.
+  double CurvaturePerCell = 0.0;
+  /// Cells whose labels the label condition changes: once.
+  bool FlippedCells = false;
+  /// Cells within so many layers of an interface, the cells at it the first: to the maximum level.
+  int InterfaceLayers = 0;
+  /// The most halvings.
+  int MaximumLevel = 1;
+};
+
+/// A cell that wants to be halved.
+struct RefinementWish
+{
+  Index Cell;   ///< CartesianGrid::CellKey
+  int Halvings; ///< 1..MaximumLevel
+};
+
+struct RefinementWishes
+{
+  std::vector<RefinementWish> Cells; ///< owned, ascending
+  int Refinements = 0;               ///< the most halvings on any rank
+  // how many cells each criterion asks for, over all ranks; some by several
+  Index ThinCells = 0, CurvedCells = 0, FlippedCells = 0, NearCells = 0;
+  Index AllCells = 0;
+};
+
+/// Asks the criteria. grid: with ghost levels (GhostLevels); isoValue: of the labels, as in MeshOptions.
+/// Throws InputError when a criterion is out of range. Collective.
+RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
+  const RefinementCriteria& criteria, double isoValue, const Partition& partition,
+  Runtime& runtime);
+
+/// The octets of each refinement (RefinedLattice::OctetKey) that hold what this rank's cells want to be halved, ascending: what
+/// OctetSets asks for. lattice: of the same grid, with at least wishes.Refinements refinements. layers: so many more cells around,
+/// of the level that the place wants; >= 0.
+std::vector<std::vector<Index>> FindWantedOctets(
+  const RefinedLattice& lattice, const RefinementWishes& wishes, int layers = 0);
+
+} // namespace vfm

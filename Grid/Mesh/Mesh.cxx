@@ -1,0 +1,58 @@
+#include "Mesh/Mesh.h"
+
+#include "Base/Runtime.h"
+#include "Octree/RefinedGrid.h"
+
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+bool IsOuter(const Mesh& mesh, Index element)
+{
+  return mesh.Corners == 8 ? mesh.Levels->IsOuterElement(element, mesh.Ids.ElementSlots)
+                           : mesh.Levels->IsOuterTet(element, mesh.Ids.ElementSlots);
+}
+
+} // namespace
+
+Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
+{
+  if (mesh.Levels && mesh.Levels->IsOuterPoint(id, mesh.Ids.PointSlots))
+  {
+    return mesh.Levels->NodeOfOuterPoint(id, mesh.Ids.PointSlots);
+  }
+  return grid.NodeOfKey((id - 1) / mesh.Ids.PointSlots);
+}
+
+IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
+{
+  if (mesh.Levels && IsOuter(mesh, id))
+  {
+    const RefinedLattice::Place cell = mesh.Corners == 8
+      ? mesh.Levels->CellOfOuterElement(id, mesh.Ids.ElementSlots)
+      : mesh.Levels->CellOfOuterTet(id, mesh.Ids.ElementSlots);
+    return mesh.Levels->FinestCells(cell.Level, cell.At);
+  }
+  const Index key = (id - 1) / mesh.Ids.ElementSlots;
+  const Index3 cell =
+    mesh.Corners == 8 ? grid.CellOfKey(key) : grid.CellOfBlock(grid.NodeOfKey(key));
+  return { cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
+}
+
+Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
+{
+  return CellsOfElement(grid, mesh, id).Lower;
+}
+
+void CheckNumberOfPoints(Index points, Ranks& ranks)
+{
+  if (ranks.Any(points > std::numeric_limits<int>::max()))
+  {
+    throw InputError("More than 2^31 mesh points on one rank: use more ranks.");
+  }
+}
+
+} // namespace vfm

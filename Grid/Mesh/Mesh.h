@@ -1,0 +1,65 @@
+/**
+ * A hexahedral or tetrahedral mesh as plain arrays, ready to be adopted by vtkUnstructuredGrid.
+ */
+#pragma once
+
+#include "Base/Buffer.h"
+#include "Base/CartesianGrid.h"
+#include "Base/GlobalIds.h"
+#include "Base/Ranks.h"
+
+#include <memory>
+#include <string>
+
+namespace vfm
+{
+
+class RefinedGrid;
+
+/// The faces between two volumes, or on a side of the domain: quads of hexes, triangles of tets.
+/// The normal of a facet points from the second material of its pair to the first.
+struct SurfaceFacets
+{
+  Buffer<Index> Points;               ///< Mesh::CornersOfFacet a facet: indices of mesh points
+  Buffer<int> SurfaceId;              ///< from 1, over all ranks
+  Buffer<int> MaterialPair;           ///< 2 a facet, the smaller first; 0 is void or outside
+  std::vector<unsigned char> IsOwned; ///< whether this rank writes the facet
+  Buffer<int> DomainSide;             ///< -1, or 0..5 for -x +x -y +y -z +z
+};
+
+struct Mesh
+{
+  int Corners = 8;               ///< of an element: 8 hexes, 4 tets
+  IdScheme Ids = HexIds;         ///< of points and elements
+  Buffer<double> Points;         ///< xyz a point, length units of the grid
+  Buffer<Index> PointIds;        ///< global, from 1, ascending
+  Buffer<int> GeometryDimension; ///< of each point: 3 volume, 2 surface, 1 curve, 0 vertex
+  Buffer<int> GeometryId;        ///< from 1 within its dimension; in volumes the fragment
+  Buffer<Index> Elements;        ///< point indices, Corners an element, VTK order
+  Buffer<Index> ElementIds;      ///< global, from 1, ascending
+  Buffer<int> Material;          ///< of each element; 0 void
+  Buffer<int> Fragment; ///< of each element: face-connected piece, numbered from 1 over all ranks
+  Buffer<float> ScaledJacobian; ///< verdict's, of each element; empty unless asked for
+  SurfaceFacets Surfaces;
+  std::vector<Index> RowOffset; ///< of hexes of the grid's own cells: the first of each row of
+                                ///< CartesianGrid::HexBox (x fastest), and the end
+  std::shared_ptr<const RefinedGrid> Levels; ///< null: all hexes are those of the grid's own cells
+
+  int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
+};
+
+/// The grid node that owns a point, from its id. Tets: the node of the block in which it starts.
+Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id);
+/// The cells of the grid that an element was made of, one or those of a coarser cell, from its id. Tets: above their face, in the
+/// domain. Those of TetGen have none.
+IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
+/// The lowest of them.
+Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
+
+/// Throws InputError on all ranks when there are more points than 32 bits number on any. Collective.
+void CheckNumberOfPoints(Index points, Ranks& ranks);
+
+/// Drops the elements, points and facets that belong to other ranks' cells.
+void KeepOwned(Mesh& mesh, const CartesianGrid& grid);
+
+} // namespace vfm

@@ -1,0 +1,50 @@
+/**
+ * What was measured while a mesh was made.
+ */
+#pragma once
+
+#include "Base/CartesianGrid.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace vfm
+{
+
+struct MeshReport
+{
+  std::vector<double>
+    TargetVolume; ///< per material from 0: sum of its fractions (length units cubed)
+  std::vector<double> MeshVolume;             ///< per material from 0: of its elements
+  std::vector<double> FragmentTargetVolume;   ///< by fragment, [0] unused
+  Index RemovedRegions = 0, RemovedCells = 0; ///< small ones given to what is around them
+  Index FlippedCells = 0; ///< labels of cells or leaves changed to make the interfaces manifold
+  int ResolveRounds = 0;
+  Index NumberOfFragments = 0;
+  Index NumberOfSurfaces = 0, NumberOfCurves = 0, NumberOfVertices = 0;
+  double MinimumScaledJacobian = 0.0; ///< over the elements, when asked for
+  double MeanScaledJacobian = 0.0;
+  double MinimumDihedralAngle = 0.0,
+         MaximumDihedralAngle = 0.0;      ///< degrees, of tets, when asked for
+  std::array<Index, 18> DihedralAngles{}; ///< of tets: how many in each ten degrees, when asked for
+  Index RefusedParts = 0;                 ///< parts that TetGen refused and that Cells meshed
+  struct Level
+  {
+    Index Octets = 0; ///< refined to the next level
+    Index Added = 0;  ///< of those, the ones that were not asked for but that transitions need
+    Index Cells = 0;  ///< elements that are, or are made in, whole cells of the level
+  };
+  std::vector<Level> Levels; ///< from the base; empty without refinements
+  Index TransitionCells = 0; ///< elements of transitions
+  int LevelRounds =
+    0; ///< in which cells between levels by place were refined: where labels had to be changed, or no valid mesh starts
+  struct Stage
+  {
+    const char* Name;
+    double Seconds;
+  };
+  std::vector<Stage> Stages; ///< in the order they ran
+};
+
+} // namespace vfm

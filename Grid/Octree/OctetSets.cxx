@@ -1,0 +1,128 @@
+#include "Octree/OctetSets.h"
+
+#include <iterator>
+
+namespace vfm
+{
+namespace
+{
+
+void SortUnique(std::vector<Index>& keys)
+{
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+}
+
+/// Adds sorted keys to sorted keys; returns how many were new.
+Index Merge(std::vector<Index>& set, const std::vector<Index>& added)
+{
+  std::vector<Index> all;
+  std::set_union(set.begin(), set.end(), added.begin(), added.end(), std::back_inserter(all));
+  all.swap(set);
+  return static_cast<Index>(set.size() - all.size());
+}
+
+Index3 Moved(Index3 p, int b, Index alongB, int c, Index alongC)
+{
+  p[b] += alongB;
+  p[c] += alongC;
+  return p;
+}
+
+} // namespace
+
+OctetSets::OctetSets(const RefinedLattice& lattice, std::vector<std::vector<Index>> wanted) :
+  TheLattice(lattice), Sets(std::move(wanted)), Reports(lattice.NumberOfRefinements())
+{
+  this->Sets.resize(this->Reports.size());
+  for (int level = this->NumberOfRefinements() - 1; level >= 0; --level)
+  {
+    SortUnique(this->Sets[level]);
+    this->Reports[level].Wanted = static_cast<Index>(this->Sets[level].size());
+    if (level + 1 < this->NumberOfRefinements())
+    {
+      this->AddMargin(level);
+    }
+    this->ClosePinches(level);
+  }
+}
+
+bool OctetSets::HasOctet(int level, const Index3& octet) const
+{
+  const std::vector<Index>& set = this->Sets[level];
+  return this->TheLattice.HasOctet(level, octet) &&
+    std::binary_search(set.begin(), set.end(), this->TheLattice.OctetKey(level, octet));
+}
+
+int OctetSets::FindSlabs(int level, const Index3& cell) const
+{
+  const Index3 octet{ { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } };
+  if (this->HasOctet(level, octet))
+  {
+    return 7;
+  }
+  int slabs = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const int b = (a + 1) % 3, c = (a + 2) % 3;
+    const Index nearB = cell[b] & 1 ? 1 : -1, nearC = cell[c] & 1 ? 1 : -1;
+    const bool in = this->HasOctet(level, Moved(octet, b, nearB, c, 0)) ||
+      this->HasOctet(level, Moved(octet, b, 0, c, nearC)) ||
+      this->HasOctet(level, Moved(octet, b, nearB, c, nearC));
+    slabs |= in << a;
+  }
+  return slabs;
+}
+
+/// The octets of a level that those of the next one need.
+void OctetSets::AddMargin(int level)
+{
+  std::vector<Index> needed;
+  for (Index key : this->Sets[level + 1])
+  {
+    const Index3 cell = this->TheLattice.OctetOfKey(level + 1, key);
+    for (int n = 0; n < 27; ++n)
+    {
+      const Index3 step{ { n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 } };
+      const Index3 other{ { cell[0] + step[0], cell[1] + step[1], cell[2] + step[2] } };
+      if ((step[0] == 0 || step[1] == 0 || step[2] == 0) && this->TheLattice.HasCell(level, other))
+      {
+        needed.push_back(
+          this->TheLattice.OctetKey(level, { { other[0] >> 1, other[1] >> 1, other[2] >> 1 } }));
+      }
+    }
+  }
+  SortUnique(needed);
+  this->Reports[level].Margin = Merge(this->Sets[level], needed);
+}
+
+void OctetSets::ClosePinches(int level)
+{
+  std::vector<Index> front = this->Sets[level]; // a pinch has an end among those of the last round
+  while (!front.empty())
+  {
+    std::vector<Index> added;
+    for (Index key : front)
+    {
+      const Index3 p = this->TheLattice.OctetOfKey(level, key);
+      for (int n = 0; n < 12; ++n)
+      {
+        const int b = (n / 4 + 1) % 3, c = (n / 4 + 2) % 3;
+        const Index u = n & 1 ? 1 : -1, v = n & 2 ? 1 : -1;
+        const auto has = [&](Index alongB, Index alongC)
+        { return this->HasOctet(level, Moved(p, b, alongB * u, c, alongC * v)); };
+        if (has(2, 2) && !has(1, 1) && !has(1, 0) && !has(0, 1) && !has(2, 1) && !has(1, 2))
+        {
+          added.push_back(this->TheLattice.OctetKey(level, Moved(p, b, u, c, v)));
+        }
+      }
+    }
+    SortUnique(added);
+    const Index count = Merge(this->Sets[level], added);
+    this->Reports[level].Pinches += count;
+    this->Reports[level].Rounds += count > 0;
+    front = std::move(added);
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,296 @@
+#include "Octree/RefinedGrid.h"
+
+#include "Fractions/CoarsenFields.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int BaseGhostLevels = 3; // one more than the base cells whose hexes are made
+
+} // namespace
+
+RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
+  const std::vector<Index>& interfaces, Ranks& ranks) :
+  FinestGrid(finest),
+  BaseGrid(CoarsenGrid(finest, plan.Refinements, BaseGhostLevels)),
+  TheLattice(this->BaseGrid, plan.Refinements,
+    { { finest.Coordinates(0), finest.Coordinates(1), finest.Coordinates(2) } }),
+  Sets(this->TheLattice, this->GatherOctets(plan, interfaces, ranks)),
+  FineInterfaces(plan.FineInterfaces)
+{
+  this->MarkFine();
+}
+
+/// The octets of the last refinement around nodes.
+std::vector<Index> RefinedGrid::FindOctets(const std::vector<Index>& interfaces, int layers) const
+{
+  const int level = this->NumberOfRefinements() - 1;
+  const IndexBox& global = this->FinestGrid.Global();
+  std::vector<Index> keys;
+  for (Index node : interfaces)
+  {
+    const Index3 p = this->FinestGrid.Position(node);
+    if (!this->FinestGrid.Owned().Touches(p))
+    {
+      continue;
+    }
+    IndexBox octets;
+    for (int a = 0; a < 3; ++a)
+    {
+      octets.Lower[a] = std::max<Index>(p[a] - 1 - layers, 0) >> OctetShift;
+      octets.Upper[a] = (std::min(p[a] + layers, global.Upper[a] - 1) >> OctetShift) + 1;
+    }
+    ForCells(octets, [&](const Index3& q) { keys.push_back(this->TheLattice.OctetKey(level, q)); });
+  }
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+std::vector<std::vector<Index>> RefinedGrid::GatherOctets(
+  const LevelPlan& plan, const std::vector<Index>& interfaces, Ranks& ranks) const
+{
+  std::vector<std::vector<Index>> octets = plan.Octets;
+  octets.resize(plan.Refinements);
+  if (plan.FineInterfaces)
+  {
+    const std::vector<Index> around = this->FindOctets(interfaces, plan.FineLayers);
+    octets.back().insert(octets.back().end(), around.begin(), around.end());
+  }
+  for (std::vector<Index>& keys : octets)
+  {
+    keys = GatherItems(ranks, keys);
+  }
+  return octets;
+}
+
+void RefinedGrid::MarkFine()
+{
+  const int level = this->NumberOfRefinements() - 1;
+  const IndexBox& box = this->FinestGrid.Local();
+  for (int a = 0; a < 3; ++a)
+  {
+    this->Marked.Lower[a] = box.Lower[a] >> OctetShift;
+    this->Marked.Upper[a] = ((box.Upper[a] - 1) >> OctetShift) + 1;
+  }
+  this->Fine.assign(this->Marked.NumberOfCells(), 0);
+  this->HasFine.assign(this->Marked.Size(1) * this->Marked.Size(2), 0);
+  for (Index key : this->Sets.Keys(level))
+  {
+    const Index3 q = this->TheLattice.OctetOfKey(level, key);
+    if (this->Marked.Contains(q))
+    {
+      this->Fine[PlaceInBox(this->Marked, q)] = 1;
+      this->HasFine[PlaceInBox(this->Marked, q) / this->Marked.Size(0)] = 1;
+    }
+  }
+}
+
+/// The row of octets that holds a row of finest cells, or the one that a row beside the domain mirrors.
+Index RefinedGrid::RowOfOctets(Index j, Index k) const
+{
+  const auto octet = [this](int a, Index i)
+  {
+    const IndexBox& box = this->FinestGrid.Local();
+    return (std::min(std::max(i, box.Lower[a]), box.Upper[a] - 1) >> OctetShift) -
+      this->Marked.Lower[a];
+  };
+  return octet(2, k) * this->Marked.Size(1) + octet(1, j);
+}
+
+bool RefinedGrid::IsFine(const Index3& cell) const
+{
+  const IndexBox& box = this->FinestGrid.Local();
+  if (box.NumberOfCells() == 0)
+  {
+    return false;
+  }
+  Index3 q;
+  for (int a = 0; a < 3; ++a)
+  {
+    q[a] = std::min(std::max(cell[a], box.Lower[a]), box.Upper[a] - 1) >> OctetShift;
+  }
+  return this->Fine[PlaceInBox(this->Marked, q)];
+}
+
+bool RefinedGrid::TouchesFine(const Index3& node) const
+{
+  for (int c = 0; c < 8; ++c)
+  {
+    if (this->IsFine(
+          { { node[0] - 1 + (c & 1), node[1] - 1 + (c >> 1 & 1), node[2] - 1 + (c >> 2) } }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+RefinedLattice::Place RefinedGrid::LeafOf(const Index3& finestCell) const
+{
+  RefinedLattice::Place leaf{ 0, finestCell, 0 };
+  for (;; ++leaf.Level)
+  {
+    const int shift = this->NumberOfRefinements() - leaf.Level;
+    leaf.At = { { finestCell[0] >> shift, finestCell[1] >> shift, finestCell[2] >> shift } };
+    if (shift == 0 || !this->Sets.IsRefined(leaf.Level, leaf.At))
+    {
+      return leaf;
+    }
+  }
+}
+
+IndexBox RefinedGrid::FinestCells(int level, const Index3& cell) const
+{
+  IndexBox box;
+  box.Lower = this->FinestNode(level, cell);
+  box.Upper = this->FinestNode(level, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } });
+  return box;
+}
+
+Index3 RefinedGrid::FinestNode(int level, const Index3& node) const
+{
+  const int shift = this->NumberOfRefinements() - level;
+  return { { node[0] << shift, node[1] << shift, node[2] << shift } };
+}
+
+bool RefinedGrid::IsNear(int level, const Index3& cell) const
+{
+  const IndexBox box = this->FinestCells(level, cell);
+  const IndexBox& owned = this->FinestGrid.Owned();
+  bool near = owned.NumberOfCells() > 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    near = near && box.Lower[a] <= owned.Upper[a] && owned.Lower[a] <= box.Upper[a];
+  }
+  return near;
+}
+
+Index3 RefinedGrid::NearestCell(int level, const Index3& cell) const
+{
+  const IndexBox box = this->FinestCells(level, cell);
+  const IndexBox& owned = this->FinestGrid.Owned();
+  Index3 nearest;
+  for (int a = 0; a < 3; ++a)
+  {
+    nearest[a] = std::min(std::max(owned.Lower[a], box.Lower[a]), box.Upper[a] - 1);
+  }
+  return nearest;
+}
+
+namespace
+{
+
+Index NumberOfNodes(const CartesianGrid& grid)
+{
+  return grid.NodeKey(grid.Global().Upper) + 1;
+}
+
+Index NumberOfCells(const CartesianGrid& grid)
+{
+  return grid.Global().NumberOfCells();
+}
+
+} // namespace
+
+Index RefinedGrid::OuterPointId(Index key, Index slots, int slot) const
+{
+  return (NumberOfNodes(this->FinestGrid) + key) * slots + slot + 1;
+}
+
+Index RefinedGrid::PointId(Index key, Index slots, int slot) const
+{
+  const RefinedLattice::Place place = this->TheLattice.NodeOfKey(key);
+  const Index3 node = this->FinestNode(place.Level, place.At);
+  return place.Slot == 0 && this->TouchesFine(node)
+    ? this->FinestGrid.NodeKey(node) * slots + slot + 1
+    : this->OuterPointId(key, slots, slot);
+}
+
+Index RefinedGrid::ElementId(Index key, Index slots, int slot) const
+{
+  return (NumberOfCells(this->FinestGrid) + key) * slots + slot + 1;
+}
+
+bool RefinedGrid::IsOuterPoint(Index id, Index slots) const
+{
+  return id > NumberOfNodes(this->FinestGrid) * slots;
+}
+
+bool RefinedGrid::IsOuterElement(Index id, Index slots) const
+{
+  return id > NumberOfCells(this->FinestGrid) * slots;
+}
+
+Index RefinedGrid::KeyOfPoint(Index id, Index slots) const
+{
+  return this->IsOuterPoint(id, slots) ? (id - 1) / slots - NumberOfNodes(this->FinestGrid)
+                                       : this->TheLattice.LatticeKey(this->NumberOfRefinements(),
+                                           this->FinestGrid.NodeOfKey((id - 1) / slots));
+}
+
+Index3 RefinedGrid::NodeOfOuterPoint(Index id, Index slots) const
+{
+  if (this->IsOuterCentre(id, slots))
+  {
+    const RefinedLattice::Place cell = this->CellOfOuterCentre(id, slots);
+    return this->FinestCells(cell.Level, cell.At).Upper; // so the cell's owner owns the centre
+  }
+  const RefinedLattice::Place place = this->TheLattice.NodeOfKey(this->KeyOfPoint(id, slots));
+  return this->FinestNode(place.Level, place.At);
+}
+
+RefinedLattice::Place RefinedGrid::CellOfOuterElement(Index id, Index slots) const
+{
+  return this->TheLattice.HexOfKey((id - 1) / slots - NumberOfCells(this->FinestGrid));
+}
+
+Index RefinedGrid::CentreId(Index hexKey, Index slots) const
+{
+  const Index nodeKeys = this->TheLattice.NodeKey(this->NumberOfRefinements(),
+                           this->FinestGrid.Global().Upper, RefinedLattice::NodeSlots - 1) +
+    1;
+  return (NumberOfNodes(this->FinestGrid) + nodeKeys) * slots + hexKey + 1;
+}
+
+Index RefinedGrid::TetId(Index hexKey, Index number, Index slots) const
+{
+  return NumberOfNodes(this->FinestGrid) * slots + TetsOfHex * hexKey + number + 1;
+}
+
+bool RefinedGrid::IsOuterCentre(Index id, Index slots) const
+{
+  return id >= this->CentreId(0, slots);
+}
+
+bool RefinedGrid::IsOuterTet(Index id, Index slots) const
+{
+  return id >= this->TetId(0, 0, slots);
+}
+
+RefinedLattice::Place RefinedGrid::CellOfOuterCentre(Index id, Index slots) const
+{
+  return this->TheLattice.HexOfKey(id - this->CentreId(0, slots));
+}
+
+RefinedLattice::Place RefinedGrid::CellOfOuterTet(Index id, Index slots) const
+{
+  return this->TheLattice.HexOfKey((id - this->TetId(0, 0, slots)) / TetsOfHex);
+}
+
+Index RefinedGrid::EndOfPointIds(Index slots) const
+{
+  Index3 last;
+  for (int a = 0; a < 3; ++a)
+  {
+    last[a] = this->FinestGrid.Global().Upper[a] - 1;
+  }
+  return this->CentreId(
+           this->TheLattice.HexKey(this->NumberOfRefinements(), last, RefinedLattice::HexSlots - 1),
+           slots) +
+    1;
+}
+
+} // namespace vfm

@@ -1,0 +1,178 @@
+/**
+ * RefinedGrid: which cells of a grid stay fine, and where coarser cells take their place.
+ *
+ * The stages see the CartesianGrid of the finest level. The base grid's cells are 2^refinements finest ones along each axis.
+ * Where an octet of the last refinement is refined (OctetSets.h) the finest cells are hexes of their own; everywhere else
+ * stand the outer hexes: coarser cells, and the transition hexes between levels (OuterHexes.h). Where all interfaces get
+ * finest cells, what finds, resolves and moves interfaces meets no outer hexes; otherwise labels belong to leaves (LeafOf), and
+ * interfaces run through outer hexes too (SplitNodes.h).
+ *
+ * Ids: the points and elements of finest cells have those of a mesh without levels; those of the outer hexes follow, by the
+ * keys of RefinedLattice. A lattice node that a fine cell has as a corner is a point of that cell.
+ */
+#pragma once
+
+#include "Base/Options.h"
+#include "Base/Ranks.h"
+#include "Octree/OctetSets.h"
+
+namespace vfm
+{
+
+class RefinedGrid
+{
+public:
+  /// interfaces: the nodes of the finest grid that must have fine cells around, plan.FineLayers more than those at the node;
+  /// linear indices, those at owned cells count; none are looked at unless plan.FineInterfaces. Throws InputError when its boxes are not
+  /// whole base cells, or keys do not fit. Collective.
+  RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
+    const std::vector<Index>& interfaces, Ranks& ranks);
+  RefinedGrid(const RefinedGrid&) = delete;
+  RefinedGrid& operator=(const RefinedGrid&) = delete;
+
+  const CartesianGrid& Finest() const { return this->FinestGrid; }
+  const CartesianGrid& Base() const { return this->BaseGrid; }
+  const RefinedLattice& Lattice() const { return this->TheLattice; }
+  const OctetSets& Octets() const { return this->Sets; }
+  int NumberOfRefinements() const { return this->TheLattice.NumberOfRefinements(); }
+  /// Whether all cells at interfaces are finest ones.
+  bool HasFineInterfaces() const { return this->FineInterfaces; }
+
+  /// Whether a finest cell of the local box, or the one that a cell beside the domain mirrors, is a hex of its own.
+  bool IsFine(const Index3& cell) const;
+  /// Whether a cell at a node of the finest grid is a hex of its own.
+  bool TouchesFine(const Index3& node) const;
+
+  /// The leaf that a finest cell of the domain is or lies in: the coarsest cell around it that is not refined. Slot 0.
+  RefinedLattice::Place LeafOf(const Index3& finestCell) const;
+
+  /// Calls visit(begin, end) for the runs of such cells in [first, last) of row j, k, and for the runs of nodes at such
+  /// cells. Rows without any cost nothing.
+  template <class Visitor>
+  void ForFineCells(Index j, Index k, Index first, Index last, const Visitor& visit) const;
+  template <class Visitor>
+  void ForFineNodes(Index j, Index k, Index first, Index last, const Visitor& visit) const;
+
+  /// The finest cells of a cell of a level.
+  IndexBox FinestCells(int level, const Index3& cell) const;
+  /// The node of the finest grid that a node of a level is.
+  Index3 FinestNode(int level, const Index3& node) const;
+  /// Whether a cell of a level is one of the owned ones or has a node or more in common with one.
+  bool IsNear(int level, const Index3& cell) const;
+  /// Of the finest cells of a cell, the one nearest to the owned ones.
+  Index3 NearestCell(int level, const Index3& cell) const;
+
+  /// Ids in a mesh with so many slots a node or cell of the finest grid, of what has a key in the lattice.
+  Index PointId(Index key, Index slots, int slot = 0) const;
+  Index ElementId(Index key, Index slots, int slot = 0) const;
+  /// Whether a point is a node of the lattice or a copy of one: no point of an interface.
+  bool IsLatticePoint(Index id, Index slots) const
+  {
+    return this->IsOuterPoint(id, slots) || (id - 1) % slots == 0;
+  }
+  /// The key of such a point, or of the node that it was split from, in the lattice.
+  Index KeyOfPoint(Index id, Index slots) const;
+  /// The node, and lowest cell, of the finest grid that such a point or element of the outer hexes stems from; ids above
+  /// those of the finest cells.
+  bool IsOuterPoint(Index id, Index slots) const;
+  bool IsOuterElement(Index id, Index slots) const;
+  Index3 NodeOfOuterPoint(Index id, Index slots) const;
+  RefinedLattice::Place CellOfOuterElement(Index id, Index slots) const;
+
+  /// The same of tets (OuterTets.h): points that no finest cell of HexBox has go by their keys, the centres of outer hexes are points after all others, a tet is number 0..23 of a hex.
+  static constexpr Index TetsOfHex = 24;
+  Index OuterPointId(Index key, Index slots, int slot = 0) const;
+  Index CentreId(Index hexKey, Index slots) const;
+  Index TetId(Index hexKey, Index number, Index slots) const;
+  bool IsOuterCentre(Index id, Index slots) const;
+  bool IsOuterTet(Index id, Index slots) const;
+  RefinedLattice::Place CellOfOuterCentre(Index id, Index slots) const;
+  RefinedLattice::Place CellOfOuterTet(Index id, Index slots) const;
+  /// Larger than the id of any point of tets.
+  Index EndOfPointIds(Index slots) const;
+
+private:
+  std::vector<Index> FindOctets(const std::vector<Index>& interfaces, int layers) const;
+  std::vector<std::vector<Index>> GatherOctets(
+    const LevelPlan& plan, const std::vector<Index>& interfaces, Ranks& ranks) const;
+  void MarkFine();
+  Index RowOfOctets(Index j, Index k) const;
+  template <class Visitor>
+  void ForFineOctets(const std::array<Index, 4>& rows, const Visitor& visit) const;
+
+  CartesianGrid FinestGrid;
+  CartesianGrid BaseGrid;
+  RefinedLattice TheLattice;
+  OctetSets Sets;
+  static constexpr int OctetShift = 2; // an octet is four finest cells along each axis
+
+  bool FineInterfaces;
+  IndexBox Marked;                    // octets of the last refinement over the local box
+  std::vector<unsigned char> Fine;    // of each of them
+  std::vector<unsigned char> HasFine; // of each row of them
+};
+
+/// Calls visit(begin, end) for the runs of octets where one of some rows is refined, in cells.
+template <class Visitor>
+void RefinedGrid::ForFineOctets(const std::array<Index, 4>& rows, const Visitor& visit) const
+{
+  const auto hasFine = [this](Index row) { return this->HasFine[row] != 0; };
+  if (this->HasFine.empty() || std::none_of(rows.begin(), rows.end(), hasFine))
+  {
+    return;
+  }
+  const Index size = this->Marked.Size(0), start = this->Marked.Lower[0];
+  const auto isFine = [&](Index q)
+  {
+    return std::any_of(
+      rows.begin(), rows.end(), [&](Index row) { return this->Fine[row * size + q] != 0; });
+  };
+  for (Index q = 0; q < size; ++q)
+  {
+    const Index begin = q;
+    while (q < size && isFine(q))
+    {
+      ++q;
+    }
+    if (q > begin)
+    {
+      visit((start + begin) << OctetShift, (start + q) << OctetShift);
+    }
+  }
+}
+
+template <class Visitor>
+void RefinedGrid::ForFineCells(
+  Index j, Index k, Index first, Index last, const Visitor& visit) const
+{
+  const Index row = this->RowOfOctets(j, k);
+  this->ForFineOctets({ { row, row, row, row } },
+    [&](Index begin, Index end)
+    {
+      begin = std::max(begin, first);
+      end = std::min(end, last);
+      if (begin < end)
+      {
+        visit(begin, end);
+      }
+    });
+}
+
+template <class Visitor>
+void RefinedGrid::ForFineNodes(
+  Index j, Index k, Index first, Index last, const Visitor& visit) const
+{
+  this->ForFineOctets({ { this->RowOfOctets(j - 1, k - 1), this->RowOfOctets(j, k - 1),
+                        this->RowOfOctets(j - 1, k), this->RowOfOctets(j, k) } },
+    [&](Index begin, Index end)
+    {
+      begin = std::max(begin, first);
+      end = std::min(end + 1, last);
+      if (begin < end)
+      {
+        visit(begin, end);
+      }
+    });
+}
+
+} // namespace vfm

@@ -1,0 +1,208 @@
+#include "Octree/RefinedLattice.h"
+
+#include "Base/Runtime.h"
+#include "Fractions/RefineCells.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+Index Linear(const Index3& p, Index nx, Index ny)
+{
+  return (p[2] * ny + p[1]) * nx + p[0];
+}
+
+Index3 Position(Index n, Index nx, Index ny)
+{
+  return { { n % nx, n / nx % ny, n / nx / ny } };
+}
+
+/// The level whose keys begin at or before the key.
+int LevelOf(const std::vector<Index>& offsets, Index key)
+{
+  return static_cast<int>(std::upper_bound(offsets.begin(), offsets.end(), key) - offsets.begin()) -
+    1;
+}
+
+/// Throws InputError when keys do not fit.
+void CheckKeys(const CartesianGrid& base, int refinements)
+{
+  // Twice, since the coarser levels together take less than a level.
+  double bound = 2.0 * static_cast<double>(RefinedLattice::HexSlots);
+  for (Index n : base.Global().Upper)
+  {
+    bound *= std::ldexp(static_cast<double>(n), refinements) + 1.0;
+  }
+  if (bound >= static_cast<double>(std::numeric_limits<Index>::max()))
+  {
+    throw InputError("The refined grid has more nodes than 64-bit keys can number: refine less.");
+  }
+}
+
+/// Of the nodes of the finest level, when all cells are halved.
+std::array<std::vector<double>, 3> HalveOften(const CartesianGrid& base, int refinements)
+{
+  CheckKeys(base, refinements);
+  std::array<std::vector<double>, 3> finest;
+  for (int a = 0; a < 3; ++a)
+  {
+    finest[a] = base.Coordinates(a);
+    for (int level = 0; level < refinements; ++level)
+    {
+      finest[a] = HalveWidths(finest[a]);
+    }
+  }
+  return finest;
+}
+
+} // namespace
+
+RefinedLattice::RefinedLattice(const CartesianGrid& base, int refinements) :
+  RefinedLattice(base, refinements, HalveOften(base, refinements))
+{
+}
+
+RefinedLattice::RefinedLattice(
+  const CartesianGrid& base, int refinements, std::array<std::vector<double>, 3> finest) :
+  Grid(base), X(std::move(finest))
+{
+  CheckKeys(base, refinements);
+  Index nodes = 0, hexes = 0;
+  for (int level = 0; level <= refinements; ++level)
+  {
+    this->NodeOffset.push_back(nodes);
+    this->HexOffset.push_back(hexes);
+    Index n = 1, c = 1;
+    for (int a = 0; a < 3; ++a)
+    {
+      c *= this->Cells(level, a);
+      n *= this->Cells(level, a) + 1;
+    }
+    nodes += n * NodeSlots;
+    hexes += c * HexSlots;
+  }
+}
+
+bool RefinedLattice::HasCell(int level, const Index3& cell) const
+{
+  bool has = true;
+  for (int a = 0; a < 3; ++a)
+  {
+    has = has && cell[a] >= 0 && cell[a] < this->Cells(level, a);
+  }
+  return has;
+}
+
+bool RefinedLattice::HasOctet(int level, const Index3& octet) const
+{
+  return this->HasCell(level, { { 2 * octet[0], 2 * octet[1], 2 * octet[2] } });
+}
+
+Vector3 RefinedLattice::NodePoint(int level, const Index3& node) const
+{
+  return { { this->Coordinate(level, 0, node[0]), this->Coordinate(level, 1, node[1]),
+    this->Coordinate(level, 2, node[2]) } };
+}
+
+Vector3 RefinedLattice::ToPoint(const Vector3& x) const
+{
+  const int levels = this->NumberOfRefinements();
+  Vector3 point;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double fine = std::ldexp(x[a], levels);
+    const Index last = this->Cells(levels, a) - 1;
+    const Index cell = std::min(std::max<Index>(static_cast<Index>(std::floor(fine)), 0), last);
+    const double low = this->X[a][cell];
+    point[a] = low + (fine - static_cast<double>(cell)) * (this->X[a][cell + 1] - low);
+  }
+  return point;
+}
+
+Vector3 RefinedLattice::FromPoint(const Vector3& point) const
+{
+  Vector3 x;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& nodes = this->X[a];
+    const Index cell =
+      std::upper_bound(nodes.begin() + 1, nodes.end() - 1, point[a]) - nodes.begin() - 1;
+    const double fine =
+      static_cast<double>(cell) + (point[a] - nodes[cell]) / (nodes[cell + 1] - nodes[cell]);
+    x[a] = std::ldexp(fine, -this->NumberOfRefinements());
+  }
+  return x;
+}
+
+Vector3 RefinedLattice::CellWidths(int level, const Index3& cell) const
+{
+  Vector3 widths;
+  for (int a = 0; a < 3; ++a)
+  {
+    widths[a] = this->Coordinate(level, a, cell[a] + 1) - this->Coordinate(level, a, cell[a]);
+  }
+  return widths;
+}
+
+int RefinedLattice::DomainSides(int level, const Index3& node) const
+{
+  int sides = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    sides |= (node[a] == 0) << (2 * a) | (node[a] == this->Cells(level, a)) << (2 * a + 1);
+  }
+  return sides;
+}
+
+Index RefinedLattice::OctetKey(int level, const Index3& octet) const
+{
+  return Linear(octet, this->Octets(level, 0), this->Octets(level, 1));
+}
+
+Index3 RefinedLattice::OctetOfKey(int level, Index key) const
+{
+  return Position(key, this->Octets(level, 0), this->Octets(level, 1));
+}
+
+Index RefinedLattice::NodeKey(int level, const Index3& node, int slot) const
+{
+  return this->NodeOffset[level] +
+    NodeSlots * Linear(node, this->Cells(level, 0) + 1, this->Cells(level, 1) + 1) + slot;
+}
+
+Index RefinedLattice::LatticeKey(int level, Index3 node) const
+{
+  for (; level > 0 && !((node[0] | node[1] | node[2]) & 1); --level)
+  {
+    node = { { node[0] / 2, node[1] / 2, node[2] / 2 } };
+  }
+  return this->NodeKey(level, node, 0);
+}
+
+Index RefinedLattice::HexKey(int level, const Index3& cell, int slot) const
+{
+  return this->HexOffset[level] +
+    HexSlots * Linear(cell, this->Cells(level, 0), this->Cells(level, 1)) + slot;
+}
+
+RefinedLattice::Place RefinedLattice::NodeOfKey(Index key) const
+{
+  const int level = LevelOf(this->NodeOffset, key);
+  const Index at = key - this->NodeOffset[level];
+  return { level, Position(at / NodeSlots, this->Cells(level, 0) + 1, this->Cells(level, 1) + 1),
+    static_cast<int>(at % NodeSlots) };
+}
+
+RefinedLattice::Place RefinedLattice::HexOfKey(Index key) const
+{
+  const int level = LevelOf(this->HexOffset, key);
+  const Index at = key - this->HexOffset[level];
+  return { level, Position(at / HexSlots, this->Cells(level, 0), this->Cells(level, 1)),
+    static_cast<int>(at % HexSlots) };
+}
+
+} // namespace vfm

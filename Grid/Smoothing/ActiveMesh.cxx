@@ -1,0 +1,131 @@
+#include "Smoothing/ActiveMesh.h"
+
+#include "Base/Vector3.h"
+#include "Octree/RefinedGrid.h"
+
+namespace vfm
+{
+
+bool IsUniform(const CartesianGrid& grid)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    for (Index i = 1; i < grid.Global().Upper[a]; ++i)
+    {
+      if (std::fabs(grid.Width(a, i) - grid.Width(a, 0)) > 1e-9 * grid.Width(a, 0))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
+{
+  return (1.0 / grid.MeanWidth()) *
+    Vector3{ { grid.Width(0, cell[0]), grid.Width(1, cell[1]), grid.Width(2, cell[2]) } };
+}
+
+Vector3 WidthsOfHex(const RefinedGrid& levels, const Mesh& mesh, Index hex)
+{
+  const Index id = mesh.ElementIds[hex];
+  const CartesianGrid& grid = levels.Finest();
+  if (!levels.IsOuterElement(id, mesh.Ids.ElementSlots))
+  {
+    return CellWidths(grid, CellOfElement(grid, mesh, id));
+  }
+  const RefinedLattice::Place cell = levels.CellOfOuterElement(id, mesh.Ids.ElementSlots);
+  return (1.0 / grid.MeanWidth()) * levels.Lattice().CellWidths(cell.Level, cell.At);
+}
+
+Vector3 ToGrid(const CartesianGrid& grid, const double* point)
+{
+  const double scale = grid.MeanWidth();
+  Vector3 x;
+  for (int a = 0; a < 3; ++a)
+  {
+    x[a] = (point[a] - grid.Coordinates(a)[0]) / scale;
+  }
+  return x;
+}
+
+void ActiveMesh::AddPoint(const CartesianGrid& grid, const Mesh& mesh, Index meshPoint, bool active)
+{
+  const Vector3 x = ToGrid(grid, mesh.Points.data() + 3 * meshPoint);
+  this->X.push_back(x);
+  this->Start.push_back(x);
+  this->MeshPoint.push_back(meshPoint);
+  this->IsActive.push_back(active);
+}
+
+int FindDomainSides(const CartesianGrid& grid, const double* point)
+{
+  int sides = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    sides |= (point[a] == grid.Coordinates(a).front()) << (2 * a) |
+      (point[a] == grid.Coordinates(a).back()) << (2 * a + 1);
+  }
+  return sides;
+}
+
+void ActiveMesh::FixOnDomain(const CartesianGrid& grid, const Mesh& mesh)
+{
+  for (Index p : this->MeshPoint)
+  {
+    const int sides = FindDomainSides(grid, mesh.Points.data() + 3 * p);
+    this->Fixed.push_back(static_cast<unsigned char>(
+      ((sides & 3) != 0) | ((sides >> 2 & 3) != 0) << 1 | ((sides >> 4 & 3) != 0) << 2));
+  }
+}
+
+void ActiveMesh::ListCorners()
+{
+  this->CornerOffset.assign(this->X.size() + 1, 0);
+  for (int p : this->Elements)
+  {
+    this->CornerOffset[p + 1] += this->IsActive[p];
+  }
+  for (std::size_t p = 1; p < this->CornerOffset.size(); ++p)
+  {
+    this->CornerOffset[p] += this->CornerOffset[p - 1];
+  }
+  this->CornerList.resize(this->CornerOffset.back());
+  std::vector<Index> next(this->CornerOffset.begin(), this->CornerOffset.end() - 1);
+  for (std::size_t place = 0; place < this->Elements.size(); ++place)
+  {
+    const int p = this->Elements[place];
+    if (this->IsActive[p])
+    {
+      this->CornerList[next[p]++] = static_cast<Index>(place);
+    }
+  }
+}
+
+std::vector<unsigned char> ActiveMesh::ListMoved(const Mesh& mesh) const
+{
+  std::vector<unsigned char> moved(mesh.PointIds.size(), 0);
+  for (std::size_t p = 0; p < this->X.size(); ++p)
+  {
+    moved[this->MeshPoint[p]] = this->IsActive[p];
+  }
+  return moved;
+}
+
+void ActiveMesh::CopyTo(Mesh& mesh, const CartesianGrid& grid) const
+{
+  const double scale = grid.MeanWidth();
+  for (std::size_t p = 0; p < this->X.size(); ++p)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      if (this->IsActive[p] && !(this->Fixed[p] >> a & 1))
+      {
+        mesh.Points[3 * this->MeshPoint[p] + a] = grid.Coordinates(a)[0] + scale * this->X[p][a];
+      }
+    }
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,36 @@
+/**
+ * The barrier energy of hexes.
+ *
+ *   E = sum over hex corners [ (s* / SJ)^p + omega ((tr T^T T) / 3)^(3/2) / det T ]
+ *     + sum over hex edge ends (l* / |e|)^8
+ *
+ * SJ is the scaled Jacobian of the corner (its determinant over the product of its edge lengths), T maps
+ * the corner of the grid cell to the hex corner (so T = 1 in an undeformed cell, which may be a box), |e|
+ * is in widths of the cell along that edge. All three grow without bound as a corner degenerates, so a
+ * descent that starts valid stays valid. After Garanzha et al. (2021), Knupp (2001).
+ *
+ * In one point each corner determinant is affine and each squared edge quadratic, so gradient and Hessian are
+ * closed form. The four corners that a point of a hex takes part in are computed side by side.
+ */
+#pragma once
+
+#include "Smoothing/ElementEnergy.h"
+
+namespace vfm
+{
+
+class HexEnergy : public ElementEnergy
+{
+public:
+  /// targetScaledJacobian: s*.
+  explicit HexEnergy(double targetScaledJacobian) : Target(targetScaledJacobian) {}
+  double Evaluate(const ActiveMesh& mesh, int point, const Vector3& x,
+    const SmoothingStage& stage) const override;
+  Derivatives Differentiate(
+    const ActiveMesh& mesh, int point, const SmoothingStage& stage) const override;
+
+private:
+  double Target;
+};
+
+} // namespace vfm

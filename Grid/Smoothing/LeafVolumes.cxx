@@ -1,0 +1,149 @@
+#include "Smoothing/LeafVolumes.h"
+
+#include "Base/HexVolume.h"
+#include "Fractions/RefineCells.h"
+
+#include <limits>
+
+namespace vfm
+{
+
+/// Looks at the leaves around one. Only those that touch it count: of other ranks' cells no more may be known here.
+class LeafHomes::Search
+{
+public:
+  Search(const LeafHomes& homes, const RefinedLattice::Place& leaf, int material) :
+    Homes(homes),
+    Material(material),
+    Leaf(leaf),
+    LeafBox(homes.Levels.FinestCells(leaf.Level, leaf.At)),
+    HexBox(homes.Levels.Finest().HexBox())
+  {
+  }
+
+  int Run()
+  {
+    for (Index c = 0; c < 27; ++c)
+    {
+      this->Visit(this->Leaf.Level,
+        { { this->Leaf.At[0] + c % 3 - 1, this->Leaf.At[1] + c / 3 % 3 - 1,
+          this->Leaf.At[2] + c / 9 - 1 } });
+    }
+    return this->Best;
+  }
+
+private:
+  /// A cell as large as the leaf, or a part of it.
+  void Visit(int level, const Index3& cell)
+  {
+    const RefinedGrid& levels = this->Homes.Levels;
+    const IndexBox box = levels.FinestCells(level, cell);
+    if (!levels.Lattice().HasCell(level, cell) || !this->TouchesLeaf(box))
+    {
+      return;
+    }
+    if (level == levels.NumberOfRefinements() || !levels.Octets().IsRefined(level, cell))
+    {
+      this->Compare(box);
+      return;
+    }
+    for (int c = 0; c < 8; ++c)
+    {
+      this->Visit(level + 1, ChildOfCell(cell, c));
+    }
+  }
+
+  bool TouchesLeaf(const IndexBox& box) const
+  {
+    bool touches = true;
+    for (int a = 0; a < 3; ++a)
+    {
+      touches =
+        touches && box.Lower[a] <= this->LeafBox.Upper[a] && this->LeafBox.Lower[a] <= box.Upper[a];
+    }
+    return touches;
+  }
+
+  /// All cells of the box are alike; some lie in HexBox, since the leaf is owned.
+  void Compare(const IndexBox& box)
+  {
+    const Index3 cell = Intersect(box, this->HexBox).Lower;
+    if (this->Homes.Labels[this->Homes.Grid.Linear(cell)] != this->Material)
+    {
+      return;
+    }
+    Index distance = 0; // of the centres, in quarters of a squared cell
+    for (int a = 0; a < 3; ++a)
+    {
+      const Index d = box.Lower[a] + box.Upper[a] - this->LeafBox.Lower[a] - this->LeafBox.Upper[a];
+      distance += d * d;
+    }
+    const int fragment = distance < this->Nearest ? this->Homes.Pieces.FragmentOfCell(cell) : 0;
+    if (fragment > 0)
+    {
+      this->Best = fragment;
+      this->Nearest = distance;
+    }
+  }
+
+  const LeafHomes& Homes;
+  const int Material;
+  const RefinedLattice::Place Leaf;
+  const IndexBox LeafBox, HexBox;
+  int Best = 0;
+  Index Nearest = std::numeric_limits<Index>::max();
+};
+
+int LeafHomes::FindNear(const Index3& cell, int material) const
+{
+  return Search(*this, this->Levels.LeafOf(cell), material).Run();
+}
+
+namespace
+{
+
+/// In mean cells. From the first corner, so that coordinates may be large.
+double VolumeOfHex(const Mesh& mesh, const Index* hex, double scale)
+{
+  std::array<Vector3, 8> x;
+  for (int c = 0; c < 8; ++c)
+  {
+    std::copy_n(mesh.Points.data() + 3 * hex[c], 3, x[c].begin());
+  }
+  std::array<Vector3, 4> lower, upper;
+  for (int c = 0; c < 4; ++c)
+  {
+    lower[c] = scale * (x[c] - x[0]);
+    upper[c] = scale * (x[c + 4] - x[0]);
+  }
+  return VolumeBetween(lower, upper);
+}
+
+} // namespace
+
+std::vector<double> MeasureHexes(
+  const Mesh& mesh, const CartesianGrid& grid, int fragments, Runtime& runtime)
+{
+  const Index count = static_cast<Index>(mesh.ElementIds.size());
+  const double scale = 1.0 / grid.MeanWidth();
+  std::vector<double> volumes(count, 0.0);
+  runtime.For(0, count,
+    [&](Index begin, Index end)
+    {
+      for (Index h = begin; h < end; ++h)
+      {
+        if (grid.Owned().Contains(CellOfElement(grid, mesh, mesh.ElementIds[h])))
+        {
+          volumes[h] = VolumeOfHex(mesh, mesh.Elements.data() + 8 * h, scale);
+        }
+      }
+    });
+  std::vector<ExactSum> sums(fragments + 1);
+  for (Index h = 0; h < count; ++h)
+  {
+    sums[mesh.Fragment[h]].Add(volumes[h]);
+  }
+  return SumOverRanks(sums, runtime.Group());
+}
+
+} // namespace vfm

@@ -1,0 +1,261 @@
+#include "Smoothing/Smoother.h"
+
+#include "Base/Vector3.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double TrustRadius = 0.2; // largest step, in cells
+constexpr double Backtrack = 0.4;   // factor of the line search
+constexpr int Backtracks = 8;
+constexpr double Armijo = 1e-4;          // share of the predicted decrease that a step must reach
+constexpr double MoveThatCounts = 0.005; // smaller moves wake no neighbour
+constexpr double NudgeRadius = 0.01;     // in mean cells
+constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise the barrier
+constexpr double LargestOffset = 0.25;   // of an attachment, in cells
+
+using Matrix3 = Eigen::Matrix3d;
+using EigenVector3 = Eigen::Vector3d;
+
+/// Minus the Newton step's direction of descent: H replaced by |H| where it is not positive.
+EigenVector3 SolveNewton(const Matrix3& H, const EigenVector3& g)
+{
+  const Eigen::LLT<Matrix3> cholesky(H);
+  if (cholesky.info() == Eigen::Success)
+  {
+    return -cholesky.solve(g);
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(H);
+  const double floor = 1e-6 * eigen.eigenvalues().cwiseAbs().maxCoeff() + 1e-12;
+  const EigenVector3 inverse = eigen.eigenvalues().cwiseAbs().cwiseMax(floor).cwiseInverse();
+  return -(eigen.eigenvectors() * inverse.asDiagonal() * (eigen.eigenvectors().transpose() * g));
+}
+
+} // namespace
+
+Smoother::Smoother(ActiveMesh& mesh, const SurfaceTargets* targets, const PointExchange& exchange,
+  const ElementEnergy& energy, Runtime& runtime) :
+  Mesh(mesh),
+  Targets(targets),
+  Exchange(exchange),
+  Energy(energy),
+  Run(runtime),
+  Dirty(new unsigned char[mesh.X.size()]),
+  Woke(mesh.X.size(), 0)
+{
+}
+
+void Smoother::MarkAll()
+{
+  std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);
+}
+
+void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(double)>& report)
+{
+  this->MarkAll();
+  for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
+  {
+    const double move = this->Sweep(stage);
+    report((sweep + 1.0) / stage.Sweeps);
+    if (move < stage.SmallestMove)
+    {
+      break;
+    }
+  }
+}
+
+/// Calls move(point) for the owned points, colour by colour; returns the largest value over all ranks.
+double Smoother::ForPoints(const std::function<double(int)>& move)
+{
+  std::atomic<double> largest(0.0);
+  std::fill(this->Woke.begin(), this->Woke.end(), 0);
+  for (int colour = 0; colour < static_cast<int>(this->Mesh.Colours.size()); ++colour)
+  {
+    const std::vector<ActiveMesh::Group>& groups = this->Mesh.Colours[colour];
+    this->Run.For(0, static_cast<Index>(groups.size()),
+      [&](Index first, Index last)
+      {
+        double longest = 0.0;
+        for (Index g = first; g < last; ++g)
+        {
+          for (int point = groups[g].First; point < groups[g].Last; ++point)
+          {
+            longest = std::max(longest, this->Mesh.IsActive[point] ? move(point) : 0.0);
+          }
+        }
+        for (double seen = largest;
+             longest > seen && !largest.compare_exchange_weak(seen, longest);)
+        {
+        }
+      });
+    this->Exchange.Send(
+      colour, this->Mesh, this->Woke, [this](int point) { this->MarkNeighbours(point); });
+  }
+  return this->Run.Group().Max(largest);
+}
+
+/// Moves every point once; returns the largest move, in cells.
+double Smoother::Sweep(const SmoothingStage& stage)
+{
+  return this->ForPoints(
+    [&](int point)
+    {
+      return __atomic_load_n(&this->Dirty[point], __ATOMIC_RELAXED) ? this->MovePoint(point, stage)
+                                                                    : 0.0;
+    });
+}
+
+void Smoother::Shift(const std::vector<double>& shifts)
+{
+  for (std::size_t i = 0; i < shifts.size(); ++i)
+  {
+    Attachment& a = this->Mesh.Attachments[i];
+    const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
+    a.Offset = std::min(std::max(offset, -LargestOffset), LargestOffset);
+  }
+}
+
+void Smoother::Nudge(const std::vector<double>& shifts, const SmoothingStage& stage)
+{
+  this->ForPoints(
+    [&](int point)
+    {
+      this->NudgePoint(point, shifts, stage);
+      return 0.0;
+    });
+}
+
+void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage)
+{
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  if (offsets[point] == offsets[point + 1])
+  {
+    return;
+  }
+  Vector3 step{ { 0.0, 0.0, 0.0 } };
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+  {
+    Vector3 gradient;
+    this->Targets->Distance(this->Mesh.Attachments[i].Target, this->Mesh.X[point], gradient);
+    step = step + shifts[i] * Unit(gradient);
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
+  }
+  const double length = Norm(step);
+  const Vector3 x =
+    this->Mesh.X[point] + (length > NudgeRadius ? NudgeRadius / length : 1.0) * step;
+  if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
+    NudgePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage))
+  {
+    this->Mesh.X[point] = x;
+  }
+}
+
+/// One guarded Newton step; returns its length in cells.
+double Smoother::MovePoint(int point, const SmoothingStage& stage)
+{
+  __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
+  Derivatives d = this->Energy.Differentiate(this->Mesh, point, stage);
+  this->AddDistance(point, stage.Lambda, d);
+  const std::array<double, 6>& h = d.Hessian;
+  Matrix3 H;
+  H << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
+  EigenVector3 g(d.Gradient[0], d.Gradient[1], d.Gradient[2]);
+  for (int a = 0; a < 3; ++a)
+  {
+    if (this->Mesh.Fixed[point] >> a & 1)
+    {
+      H.row(a).setZero();
+      H.col(a).setZero();
+      H(a, a) = 1.0;
+      g[a] = 0.0;
+    }
+  }
+  const EigenVector3 newton = SolveNewton(H, g);
+  Vector3 step{ { newton[0], newton[1], newton[2] } };
+  const Vector3& widths =
+    this->Mesh.WidthsAt(this->Mesh.CornerList[this->Mesh.CornerOffset[point]]);
+  const double length = Norm(Divided(step, widths));
+  if (!(length > 0.0))
+  {
+    return 0.0;
+  }
+  const double cut = std::min(1.0, TrustRadius / length);
+  const double slope = cut * g.dot(newton);
+  step = cut * step;
+  double t = 1.0;
+  for (int trial = 0; trial <= Backtracks; ++trial, t *= Backtrack)
+  {
+    const Vector3 x = this->Mesh.X[point] + t * step;
+    const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
+      this->DistanceEnergy(point, x, stage.Lambda);
+    if (energy <= d.Value + Armijo * t * slope)
+    {
+      this->Mesh.X[point] = x;
+      const double move = t * cut * length;
+      if (move > MoveThatCounts)
+      {
+        this->Woke[point] = 1;
+        this->MarkNeighbours(point);
+      }
+      return move;
+    }
+  }
+  return 0.0;
+}
+
+double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) const
+{
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  double energy = 0.0;
+  Vector3 gradient;
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+  {
+    const Attachment& a = this->Mesh.Attachments[i];
+    const double distance = this->Targets->Distance(a.Target, x, gradient) - a.Offset;
+    energy += lambda * distance * distance;
+  }
+  return energy;
+}
+
+/// Gauss-Newton: the curvature of the target is left out of the Hessian.
+void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
+{
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+  {
+    const Attachment& a = this->Mesh.Attachments[i];
+    Vector3 g;
+    const double distance = this->Targets->Distance(a.Target, this->Mesh.X[point], g) - a.Offset;
+    d.Value += lambda * distance * distance;
+    d.Gradient = d.Gradient + (2.0 * lambda * distance) * g;
+    const std::array<double, 6> outer{ { g[0] * g[0], g[1] * g[1], g[2] * g[2], g[0] * g[1],
+      g[0] * g[2], g[1] * g[2] } };
+    for (int k = 0; k < 6; ++k)
+    {
+      d.Hessian[k] += 2.0 * lambda * outer[k];
+    }
+  }
+}
+
+void Smoother::MarkNeighbours(int point)
+{
+  const int corners = this->Mesh.Corners;
+  for (Index at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
+  {
+    const Index place = this->Mesh.CornerList[at];
+    const int* element = this->Mesh.Elements.data() + place - place % corners;
+    for (int c = 0; c < corners; ++c)
+    {
+      __atomic_store_n(&this->Dirty[element[c]], 1, __ATOMIC_RELAXED);
+    }
+  }
+}
+
+} // namespace vfm

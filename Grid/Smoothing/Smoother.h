@@ -1,0 +1,61 @@
+/**
+ * Smoothing: the barrier energy of the elements and the squared distances of the surface points to their
+ * targets, minimised point by point with Newton steps that keep every element positive.
+ *
+ * Points move by colour (parity of their grid node); points of one colour share no element, so the result
+ * depends neither on the threads nor on the ranks, which exchange each colour. The points of one node move in order.
+ */
+#pragma once
+
+#include "Interface/SurfaceTargets.h"
+#include "Smoothing/ElementEnergy.h"
+#include "Smoothing/PointExchange.h"
+
+#include <atomic>
+#include <memory>
+
+namespace vfm
+{
+
+class Smoother
+{
+public:
+  /// targets: nullptr when nothing is attached.
+  Smoother(ActiveMesh& mesh, const SurfaceTargets* targets, const PointExchange& exchange,
+    const ElementEnergy& energy, Runtime& runtime);
+
+  /// report(fraction) is called after every sweep.
+  void RunStage(const SmoothingStage& stage, const std::function<void(double)>& report);
+
+  /// Has the point and its neighbours looked at in the next sweep.
+  void Wake(int point) { this->MarkNeighbours(point); }
+
+  /// Adds to the offsets of the attachments (grid coordinates, towards the second label); they stay within a quarter of a cell.
+  void Shift(const std::vector<double>& shifts);
+
+  /// Moves every surface point by the shifts of its attachments along their normals (grid coordinates), at most
+  /// a hundredth of a cell, where its elements stay as good by the energy of a stage.
+  void Nudge(const std::vector<double>& shifts, const SmoothingStage& stage);
+
+private:
+  double ForPoints(const std::function<double(int)>& move);
+  void NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
+  double Sweep(const SmoothingStage& stage);
+  double MovePoint(int point, const SmoothingStage& stage);
+  double DistanceEnergy(int point, const Vector3& x, double lambda) const;
+  void AddDistance(int point, double lambda, Derivatives& d) const;
+  void MarkNeighbours(int point);
+  void MarkAll();
+
+  ActiveMesh& Mesh;
+  const SurfaceTargets* Targets;
+  const PointExchange& Exchange;
+  const ElementEnergy& Energy;
+  Runtime& Run;
+  /// Set when a point of one of its elements moved since the point was last looked at.
+  std::unique_ptr<unsigned char[]> Dirty;
+  /// Set when the point woke its neighbours in this sweep.
+  std::vector<unsigned char> Woke;
+};
+
+} // namespace vfm

@@ -1,0 +1,274 @@
+#include "Smoothing/Volumes.h"
+
+#include "Base/HexVolume.h"
+#include "Base/RowVolumes.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double LargeFragment = 64.0; // cells; smaller ones do not count in WorstError
+
+double AreaOf(const std::array<Vector3, 4>& q)
+{
+  return 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1]));
+}
+
+} // namespace
+
+int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
+  const std::function<int(const Index3&)>& fragmentOf)
+{
+  int best = 0;
+  Index nearest = 4;
+  for (Index c = 0; c < 27; ++c)
+  {
+    const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
+    const Index3 q{ { cell[0] + d[0], cell[1] + d[1], cell[2] + d[2] } };
+    const Index distance = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const int fragment = distance < nearest && grid.HexBox().Contains(q) ? fragmentOf(q) : 0;
+    if (fragment > 0)
+    {
+      best = fragment;
+      nearest = distance;
+    }
+  }
+  return best;
+}
+
+int CellHomes::FindNear(const Index3& cell, int material) const
+{
+  return FindNearestCell(this->Grid, cell,
+    [&](const Index3& q) {
+      return this->Labels[this->Grid.Linear(q)] == material ? this->Pieces.FragmentOfCell(q) : 0;
+    });
+}
+
+namespace
+{
+
+/// Adds up what the owned cells ask for.
+class TargetSums
+{
+public:
+  TargetSums(const CartesianGrid& grid, const FractionField& fractions,
+    const std::vector<int>& materials, const FragmentHomes& homes) :
+    Targets(materials.size()),
+    Cells(materials.size()),
+    Totals(fractions.NumberOfMaterials() + 1),
+    Grid(grid),
+    Fractions(fractions),
+    Materials(materials),
+    Homes(homes),
+    Volumes(grid),
+    VoidIsMeshed(std::find(materials.begin() + 1, materials.end(), 0) != materials.end())
+  {
+  }
+
+  void AddRow(Index j, Index k)
+  {
+    this->Volumes.Start(j, k);
+    this->Homes.ForRuns(j, k,
+      [&](Index first, Index last, int fragment) { this->AddRun(first, last, j, k, fragment); });
+  }
+
+  std::vector<ExactSum> Targets; // by fragment, [0] none
+  std::vector<ExactSum> Cells;   // by fragment
+  std::vector<ExactSum> Totals;  // by material
+
+private:
+  bool IsOwn(int fragment, int material) const
+  {
+    return fragment > 0 ? this->Materials[fragment] == material
+                        : material == 0 && !this->VoidIsMeshed;
+  }
+
+  template <class Volume>
+  void Add(int fragment, int material, const Volume& volume)
+  {
+    this->Totals[material].Add(volume);
+    if (fragment > 0)
+    {
+      this->Targets[fragment].Add(volume);
+    }
+  }
+
+  void AddPart(const Index3& p, int fragment, int material, double volume)
+  {
+    this->Add(this->IsOwn(fragment, material) ? fragment : this->Homes.FindNear(p, material),
+      material, volume);
+  }
+
+  void AddCell(const Index3& p, int fragment)
+  {
+    const Index cell = this->Grid.Linear(p);
+    const double volume = this->Volumes.OfCell(p);
+    if (!this->Fractions.IsMixed(cell))
+    {
+      this->AddPart(p, fragment, this->Fractions.Label(cell), volume);
+      return;
+    }
+    for (const FractionField::Part& part : this->Fractions.Parts(cell))
+    {
+      this->AddPart(p, fragment, part.Material, part.Fraction * volume);
+    }
+  }
+
+  void AddRun(Index first, Index last, Index j, Index k, int fragment)
+  {
+    first = std::max(first, this->Grid.Owned().Lower[0]);
+    last = std::min(last, this->Grid.Owned().Upper[0]);
+    if (first >= last)
+    {
+      return;
+    }
+    this->Cells[fragment].Add(this->Volumes.Of(first, last));
+    const Index row = this->Grid.Linear({ { 0, j, k } });
+    const auto addCells = [&](Index begin, Index end)
+    {
+      for (Index cell = begin; cell < end; ++cell)
+      {
+        this->AddCell({ { cell - row, j, k } }, fragment);
+      }
+    };
+    this->Fractions.Visit(
+      row + first, row + last,
+      [&](Index begin, Index end, int label)
+      {
+        if (this->IsOwn(fragment, label))
+        {
+          this->Add(fragment, label, this->Volumes.Of(begin - row, end - row));
+          return;
+        }
+        addCells(begin, end);
+      },
+      addCells);
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const std::vector<int>& Materials;
+  const FragmentHomes& Homes;
+  RowVolumes Volumes;
+  bool VoidIsMeshed;
+};
+
+} // namespace
+
+FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
+  const std::vector<int>& materials, const FragmentHomes& homes, const Partition& partition) :
+  Materials(materials), Parts(partition), Swept(materials.size(), 0.0)
+{
+  const IndexBox& box = grid.Owned();
+  TargetSums sums(grid, fractions, materials, homes);
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+    {
+      sums.AddRow(j, k);
+    }
+  }
+  Ranks& ranks = partition.Group();
+  this->Targets = SumOverRanks(sums.Targets, ranks);
+  this->StartVolumes = SumOverRanks(sums.Cells, ranks);
+  this->TotalOfMaterial = SumOverRanks(sums.Totals, ranks);
+  this->ShareOrphans();
+}
+
+/// Fractions with no cell of their material near go to all fragments of the material alike.
+void FragmentVolumes::ShareOrphans()
+{
+  std::vector<double> found(this->TotalOfMaterial.size(), 0.0);
+  for (std::size_t f = 1; f < this->Targets.size(); ++f)
+  {
+    found[this->Materials[f]] += this->Targets[f];
+  }
+  for (std::size_t f = 1; f < this->Targets.size(); ++f)
+  {
+    const int m = this->Materials[f];
+    this->Targets[f] *= found[m] > 0.0 ? this->TotalOfMaterial[m] / found[m] : 1.0;
+  }
+}
+
+void FragmentVolumes::Measure(const ActiveMesh& mesh)
+{
+  std::vector<ExactSum> swept(this->Swept.size());
+  PairSumMap areas;
+  for (const InterfaceFacet& facet : mesh.Facets)
+  {
+    if (!facet.Counts)
+    {
+      continue;
+    }
+    std::array<Vector3, 4> before, after;
+    for (int c = 0; c < 4; ++c)
+    {
+      before[c] = mesh.Start[facet.Points[c]];
+      after[c] = mesh.X[facet.Points[c]];
+    }
+    const double volume = VolumeBetween(before, after);
+    swept[facet.Lower].Add(volume);
+    swept[facet.Upper].Add(-volume);
+    areas[std::minmax(facet.Lower, facet.Upper)].Add(AreaOf(after));
+  }
+  this->Swept = SumOverRanks(swept, this->Parts.Group());
+  this->Areas = GatherPairSums(areas, this->Parts.Group());
+}
+
+/// mu of every fragment, [0] outside.
+std::vector<double> FragmentVolumes::FindPotentials() const
+{
+  std::vector<double> lack(this->Targets.size(), 0.0);
+  for (std::size_t f = 1; f < lack.size(); ++f)
+  {
+    lack[f] = this->Targets[f] - this->StartVolumes[f] - this->Swept[f];
+  }
+  return SolveForLack(this->Areas, lack);
+}
+
+std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh) const
+{
+  const std::vector<double> mu = this->FindPotentials();
+  std::vector<double> shifts;
+  for (const Attachment& a : mesh.Attachments)
+  {
+    shifts.push_back(mu[a.Fragments[0]] - mu[a.Fragments[1]]);
+  }
+  return shifts;
+}
+
+double FragmentVolumes::WorstError() const
+{
+  double worst = 0.0;
+  for (std::size_t f = 1; f < this->Targets.size(); ++f)
+  {
+    if (this->Targets[f] >= LargeFragment)
+    {
+      worst = std::max(worst,
+        std::fabs(this->StartVolumes[f] + this->Swept[f] - this->Targets[f]) / this->Targets[f]);
+    }
+  }
+  const std::vector<double> volumes = this->MaterialVolumes();
+  for (std::size_t m = 1; m < volumes.size(); ++m)
+  {
+    if (volumes[m] > 0.0)
+    {
+      worst = std::max(
+        worst, std::fabs(volumes[m] - this->TotalOfMaterial[m]) / this->TotalOfMaterial[m]);
+    }
+  }
+  return worst;
+}
+
+std::vector<double> FragmentVolumes::MaterialVolumes() const
+{
+  std::vector<double> volumes(this->TotalOfMaterial.size(), 0.0);
+  for (std::size_t f = 1; f < this->Targets.size(); ++f)
+  {
+    volumes[this->Materials[f]] += this->StartVolumes[f] + this->Swept[f];
+  }
+  return volumes;
+}
+
+} // namespace vfm

@@ -1,0 +1,111 @@
+#include "Tet/DiagonalFlips.h"
+
+#include <cmath>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double SmallestGain = 1e-6; // relative, of a flip
+
+} // namespace
+
+/// The halves of a quad stand side by side, those of its lower side first (CellTets.cxx).
+DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEnergy& energy) :
+  Active(active), Energy(energy)
+{
+  const auto faceOf = [&](std::size_t tet)
+  { return (mesh.ElementIds[active.MeshElement[tet]] - 1) / (4 * PiecesPerTet); };
+  for (std::size_t first = 0, last = 0; first < active.MeshElement.size(); first = last)
+  {
+    for (last = first; last < active.MeshElement.size() && faceOf(last) == faceOf(first); ++last)
+    {
+    }
+    const Index point = active.MeshPoint[active.Elements[4 * first]];
+    const bool isHalf =
+      SlotOfPoint(mesh.PointIds[point]) == VertexSlot; // else a centre comes first
+    if (isHalf && (last - first) % 2 == 0)
+    {
+      this->Quads.push_back({ static_cast<Index>(first), static_cast<int>(last - first) / 2 });
+    }
+  }
+}
+
+DiagonalFlips::Tets DiagonalFlips::TetsOf(const Quad& quad) const
+{
+  Tets tets;
+  for (int t = 0; t < 4; ++t) // those of the one side twice
+  {
+    std::copy_n(
+      this->Active.Elements.begin() + 4 * (quad.First + t % (2 * quad.Sides)), 4, tets[t].begin());
+  }
+  return tets;
+}
+
+/// From (q0 q1 q2 c) (q0 q2 q3 c) to (q1 q2 q3 c) (q1 q3 q0 c).
+DiagonalFlips::Tets DiagonalFlips::Flipped(const Tets& tets)
+{
+  Tets flipped;
+  for (int side = 0; side < 4; side += 2)
+  {
+    const std::array<int, 4>&a = tets[side], &b = tets[side + 1];
+    flipped[side] = { { a[1], a[2], b[2], a[3] } };
+    flipped[side + 1] = { { a[1], b[2], a[0], a[3] } };
+  }
+  return flipped;
+}
+
+double DiagonalFlips::EnergyOf(
+  const Quad& quad, const Tets& tets, const SmoothingStage& stage) const
+{
+  Vector3 corners[4][4];
+  for (int t = 0; t < 4; ++t)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      corners[t][c] = this->Active.X[tets[t][c]];
+    }
+  }
+  const std::array<double, 4> energies =
+    this->Energy.OfTets(corners, this->Active.WidthsAt(4 * quad.First), stage);
+  return (energies[0] + energies[1]) + (energies[2] + energies[3]);
+}
+
+void DiagonalFlips::Run(const SmoothingStage& stage, const std::function<void(int)>& changed)
+{
+  std::vector<Index> flipped;
+  for (const Quad& quad : this->Quads)
+  {
+    const Tets tets = this->TetsOf(quad), other = Flipped(tets);
+    const double before = this->EnergyOf(quad, tets, stage);
+    if (this->EnergyOf(quad, other, stage) < before - SmallestGain * std::fabs(before))
+    {
+      for (int t = 0; t < 2 * quad.Sides; ++t)
+      {
+        std::copy(
+          other[t].begin(), other[t].end(), this->Active.Elements.begin() + 4 * (quad.First + t));
+      }
+      flipped.insert(flipped.end(), other[0].begin(), other[0].end());
+    }
+  }
+  if (!flipped.empty())
+  {
+    this->Active.ListCorners();
+    std::for_each(flipped.begin(), flipped.end(), changed);
+  }
+}
+
+void DiagonalFlips::CopyTo(Mesh& mesh) const
+{
+  for (std::size_t t = 0; t < this->Active.MeshElement.size(); ++t)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      mesh.Elements[4 * this->Active.MeshElement[t] + c] =
+        this->Active.MeshPoint[this->Active.Elements[4 * t + c]];
+    }
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,308 @@
+#include "Tet/LatticeNodes.h"
+
+#include <cmath>
+
+namespace vfm
+{
+namespace
+{
+
+// Off round numbers: on a plane of the input that lies there rounding would decide for each node anew.
+constexpr double DiagonalReach = 0.45 - 1e-6; // of an edge from a vertex to a centre
+constexpr double AxisReach = 0.30 - 1e-6;     // of an edge along an axis
+
+void AddTo(std::vector<FractionField::Part>& sum, int material, double fraction)
+{
+  for (FractionField::Part& part : sum)
+  {
+    if (part.Material == material)
+    {
+      part.Fraction += fraction;
+      return;
+    }
+  }
+  sum.push_back({ material, fraction });
+}
+
+} // namespace
+
+LatticeNodes::LatticeNodes(
+  const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime) :
+  Grid(grid), Fractions(fractions), VoidLevel(1.0 - isoValue), Run(runtime)
+{
+  // Longer by the way across a cell, so that all of the upper side have neighbours in memory.
+  const Index size = grid.NumberOfEntries() + grid.CornerOffset(7);
+  for (auto& labels : this->Label)
+  {
+    labels.assign(size, Wild);
+  }
+  this->OverRows(grid.Local(), 0, [this](Index j, Index k) { this->LabelCentres(j, k); });
+  const IndexBox box = grid.Extended(GhostLevels - 1);
+  this->OverRows(box, 1, [&](Index j, Index k) { this->LabelVertices(box, j, k); });
+  // Each pass looks one level farther than it writes.
+  this->Snap(Centre, 0, HexLevels + 3);
+  this->Snap(Centre, 1, HexLevels + 2);
+  this->Snap(Vertex, 0, HexLevels + 1);
+  this->Snap(Vertex, 1, HexLevels);
+}
+
+void LatticeNodes::Tame(const Node& node)
+{
+  this->Label[node.Type][this->Grid.Linear(node.Position)] =
+    this->LabelOfMean({ { node, node, node, node } });
+}
+
+/// Calls body(j, k) for the rows of the cells of a box (extra 0) or of its vertices (extra 1).
+template <class Body>
+void LatticeNodes::OverRows(const IndexBox& box, int extra, const Body& body)
+{
+  if (box.NumberOfCells() == 0)
+  {
+    return;
+  }
+  const Index ny = box.Size(1) + extra, nz = box.Size(2) + extra;
+  this->Run.For(0, ny * nz,
+    [&](Index first, Index last)
+    {
+      for (Index row = first; row < last; ++row)
+      {
+        body(box.Lower[1] + row % ny, box.Lower[2] + row / ny);
+      }
+    });
+}
+
+void LatticeNodes::LabelCentres(Index j, Index k)
+{
+  const IndexBox& box = this->Grid.Local();
+  const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
+  Parts parts;
+  for (Index cell = first; cell < first + box.Size(0); ++cell)
+  {
+    if (!this->Fractions.IsMixed(cell))
+    {
+      this->Label[Centre][cell] = this->Fractions.Label(cell);
+      continue;
+    }
+    const FractionField::Range range = this->Fractions.Parts(cell);
+    parts.assign(range.begin(), range.end());
+    this->Label[Centre][cell] = this->LabelOfParts(parts);
+  }
+}
+
+void LatticeNodes::LabelVertices(const IndexBox& box, Index j, Index k)
+{
+  const IndexBox& local = this->Grid.Local();
+  const Index count = box.Size(0) + 1;
+  Index rows[4]; // of the cells around, from one before the first vertex
+  for (int c = 0; c < 4; ++c)
+  {
+    const Index y = std::min(std::max(j - 1 + (c & 1), local.Lower[1]), local.Upper[1] - 1);
+    const Index z = std::min(std::max(k - 1 + (c >> 1), local.Lower[2]), local.Upper[2] - 1);
+    rows[c] = this->Grid.Linear({ { box.Lower[0] - 1, y, z } });
+  }
+  const auto pureLabel = [&](Index i) // of the four cells of column i, or -1
+  {
+    const Index x = box.Lower[0] - 1 + i;
+    i += (x < local.Lower[0]) - (x >= local.Upper[0]);
+    const int label =
+      this->Fractions.IsMixed(rows[0] + i) ? -1 : this->Fractions.Label(rows[0] + i);
+    bool same = label >= 0;
+    for (int c = 1; c < 4 && same; ++c)
+    {
+      same = !this->Fractions.IsMixed(rows[c] + i) && this->Fractions.Label(rows[c] + i) == label;
+    }
+    return same ? label : -1;
+  };
+  int* labels = &this->Label[Vertex][this->Grid.Linear({ { box.Lower[0], j, k } })];
+  Parts sum;
+  int before = pureLabel(0);
+  for (Index i = 0; i < count; ++i)
+  {
+    const int after = pureLabel(i + 1);
+    labels[i] = before;
+    if (before < 0 || before != after)
+    {
+      sum.clear();
+      this->AddParts({ Vertex, { { box.Lower[0] + i, j, k } } }, 1.0, sum);
+      labels[i] = this->LabelOfParts(sum);
+    }
+    before = after;
+  }
+}
+
+/// The cells around a vertex, those outside the domain replaced by the nearest inside.
+std::array<Index, 8> LatticeNodes::StarOf(const Index3& vertex) const
+{
+  const IndexBox& box = this->Grid.Local();
+  Index low[3], high[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    const Index cell = vertex[a] - box.Lower[a] + 1; // counted from the origin of the arrays
+    low[a] = std::max<Index>(cell - 1, 1) * this->Grid.Stride(a);
+    high[a] = std::min<Index>(cell, box.Size(a)) * this->Grid.Stride(a);
+  }
+  std::array<Index, 8> star;
+  for (int c = 0; c < 8; ++c)
+  {
+    star[c] = (c & 1 ? high[0] : low[0]) + (c & 2 ? high[1] : low[1]) + (c & 4 ? high[2] : low[2]);
+  }
+  return star;
+}
+
+void LatticeNodes::AddParts(const Node& node, double weight, Parts& sum) const
+{
+  const auto addCell = [&](Index cell, double factor)
+  {
+    if (!this->Fractions.IsMixed(cell))
+    {
+      AddTo(sum, this->Fractions.Label(cell), factor);
+      return;
+    }
+    for (const FractionField::Part& part : this->Fractions.Parts(cell))
+    {
+      AddTo(sum, part.Material, factor * part.Fraction);
+    }
+  };
+  if (node.Type == Centre)
+  {
+    addCell(this->Grid.Linear(node.Position), weight);
+    return;
+  }
+  for (Index cell : this->StarOf(node.Position))
+  {
+    addCell(cell, 0.125 * weight);
+  }
+}
+
+int LatticeNodes::LabelOfParts(const Parts& parts) const
+{
+  int best = 0;
+  double largest = 0.0;
+  for (const FractionField::Part& part : parts)
+  {
+    if (part.Material == 0)
+    {
+      if (part.Fraction > this->VoidLevel)
+      {
+        return 0;
+      }
+    }
+    else if (part.Fraction > largest || (part.Fraction == largest && part.Material < best))
+    {
+      largest = part.Fraction;
+      best = part.Material;
+    }
+  }
+  return best;
+}
+
+int LatticeNodes::LabelOfMean(const std::array<Node, 4>& nodes) const
+{
+  Parts sum;
+  for (const Node& node : nodes)
+  {
+    this->AddParts(node, 0.25, sum);
+  }
+  return this->LabelOfParts(sum);
+}
+
+double LatticeNodes::Fraction(const Node& node, int material) const
+{
+  if (node.Type == Centre)
+  {
+    return this->Fractions.Fraction(this->Grid.Linear(node.Position), material);
+  }
+  double sum = 0.0;
+  for (Index cell : this->StarOf(node.Position))
+  {
+    sum += this->Fractions.Fraction(cell, material);
+  }
+  return 0.125 * sum;
+}
+
+/// By how much a node is of its label rather than of the other, the measure of distance to their interface.
+double LatticeNodes::Lead(const Node& node, int label, int other) const
+{
+  if (label == 0 || other == 0)
+  {
+    return std::abs(this->Fraction(node, 0) - this->VoidLevel);
+  }
+  return std::max(this->Fraction(node, label) - this->Fraction(node, other), 0.0);
+}
+
+/// Makes nodes of one kind and parity wild, on the cells of Extended(level) or on their vertices.
+void LatticeNodes::Snap(Kind kind, int parity, int level)
+{
+  const int extra = kind == Vertex;
+  const IndexBox box = this->Grid.Extended(level);
+  Index offsets[14]; // to all neighbours: of the other kind, then along the axes
+  const int* neighbours[14];
+  for (int c = 0; c < 14; ++c)
+  {
+    const Index step = this->Grid.Stride(c < 8 ? 0 : (c - 8) / 2);
+    offsets[c] = c < 8 ? this->Grid.CornerOffset(c) - extra * this->Grid.CornerOffset(7)
+                       : (c & 1 ? step : -step);
+    neighbours[c] = this->Label[c < 8 ? 1 - kind : kind].data() + offsets[c];
+  }
+  this->OverRows(box, extra,
+    [&](Index j, Index k)
+    {
+      const Index begin = box.Lower[0] + ((box.Lower[0] + j + k + parity) & 1);
+      Index n = this->Grid.Linear({ { begin, j, k } });
+      for (Index i = begin; i < box.Upper[0] + extra; i += 2, n += 2)
+      {
+        const int label = this->Label[kind][n];
+        int differs = 0;
+        for (const int* neighbour : neighbours)
+        {
+          differs |= neighbour[n] ^ label;
+        }
+        if (differs && this->IsNearInterface({ kind, { { i, j, k } } }, n))
+        {
+          this->Label[kind][n] = Wild;
+        }
+      }
+    });
+}
+
+bool LatticeNodes::IsNearInterface(const Node& node, Index n) const
+{
+  const Kind otherKind = node.Type == Vertex ? Centre : Vertex;
+  const int label = this->Label[node.Type][n];
+  const auto isNear = [&](const Node& other, int otherLabel, double reach)
+  {
+    if (otherLabel == Wild || otherLabel == label)
+    {
+      return false;
+    }
+    const double here = this->Lead(node, label, otherLabel);
+    const double there = this->Lead(other, otherLabel, label);
+    return here + there > 0.0 && here / (here + there) < reach;
+  };
+  const Index back = node.Type == Vertex ? 1 : 0;
+  for (int c = 0; c < 8; ++c)
+  {
+    Node other{ otherKind, node.Position };
+    for (int a = 0; a < 3; ++a)
+    {
+      other.Position[a] += (c >> a & 1) - back;
+    }
+    const Index m = n + this->Grid.CornerOffset(c) - back * this->Grid.CornerOffset(7);
+    if (isNear(other, this->Label[otherKind][m], DiagonalReach))
+    {
+      return true;
+    }
+  }
+  for (int face = 0; face < 6; ++face)
+  {
+    Node other = node;
+    other.Position[face / 2] += face & 1 ? 1 : -1;
+    if (isNear(other, this->Label[node.Type][this->Grid.Neighbour(n, face)], AxisReach))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace vfm

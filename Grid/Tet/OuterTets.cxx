@@ -1,0 +1,430 @@
+#include "Tet/OuterTets.h"
+
+#include "Base/Vector3.h"
+#include "Hex/HexTopology.h"
+#include "Tet/TetImprove.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double SmallestGain = 1e-6; // relative, by which another way must be better
+
+} // namespace
+
+OuterTets::OuterTets(OuterHexes& hexes, const TetEnergy& energy, Runtime& runtime) :
+  Grid(hexes.Levels()), Energy(energy)
+{
+  constexpr Index hexKeys = RefinedLattice::HexSlots * 8 / 7; // of all levels, a finest cell
+  CheckIds(this->Grid.Finest(), TetIds.ElementSlots + RefinedGrid::TetsOfHex * hexKeys);
+  this->TakeHexes(hexes);
+  CheckNumberOfPoints(this->NumberOfPoints(), runtime.Group());
+  this->AddFinePoints();
+  this->AddCentres();
+  this->FindFaces();
+  this->ChooseWays(runtime);
+  if (runtime.Group().Any(this->HasBadTets()))
+  {
+    throw InputError(
+      "The transition between refined and other cells cannot be cut into tetrahedra. "
+      "Refine other cells, or all.");
+  }
+  this->Improve(runtime);
+  this->ChooseWays(runtime);
+}
+
+/// Whether the hexes in a cell share a node with owned ones, or might.
+bool OuterTets::IsNear(const RefinedLattice::Place& cell) const
+{
+  const IndexBox box = this->Grid.FinestCells(cell.Level, cell.At);
+  const IndexBox& owned = this->Grid.Finest().Owned();
+  bool near = owned.NumberOfCells() > 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    near = near && box.Lower[a] <= owned.Upper[a] && owned.Lower[a] <= box.Upper[a];
+  }
+  return near;
+}
+
+/// Corners are ~(linear index) at vertices of fine cells, as long as those have no numbers.
+void OuterTets::TakeHexes(OuterHexes& hexes)
+{
+  const Index count = hexes.NumberOfHexes(), points = hexes.NumberOfPoints();
+  Mesh mesh;
+  mesh.Ids = TetIds;
+  mesh.Points = Buffer<double>(3 * points);
+  mesh.PointIds = Buffer<Index>(points);
+  mesh.Elements = Buffer<Index>(8 * count);
+  mesh.ElementIds = Buffer<Index>(count);
+  mesh.Material = Buffer<int>(count);
+  hexes.Fill(mesh, 0, 0, [](Index node, int) { return ~node; });
+  for (Index h = 0; h < count; ++h)
+  {
+    const Index key =
+      (mesh.ElementIds[h] - this->Grid.ElementId(0, mesh.Ids.ElementSlots)) / mesh.Ids.ElementSlots;
+    const RefinedLattice::Place cell = this->Grid.Lattice().HexOfKey(key);
+    if (!this->IsNear(cell))
+    {
+      continue;
+    }
+    this->Hexes.push_back(
+      { key, cell, mesh.Material[h], !this->Grid.Octets().IsTouched(cell.Level, cell.At), {} });
+    for (int c = 0; c < 8; ++c)
+    {
+      this->Hexes.back().Corners[c] = static_cast<int>(mesh.Elements[8 * h + VtkCorner[c]]);
+    }
+  }
+  this->HexPoints = static_cast<int>(points);
+  this->Local.Points = std::move(mesh.Points);
+  this->Local.PointIds = Buffer<Index>(points + this->Hexes.size());
+  for (Index p = 0; p < points; ++p)
+  {
+    this->Local.PointIds[p] = this->Grid.OuterPointId(
+      this->Grid.KeyOfPoint(mesh.PointIds[p], TetIds.PointSlots), TetIds.PointSlots);
+  }
+  for (std::size_t h = 0; h < this->Hexes.size(); ++h)
+  {
+    this->Local.PointIds[points + h] = this->Grid.CentreId(this->Hexes[h].Key, TetIds.PointSlots);
+  }
+}
+
+Vector3 OuterTets::PointAt(int point) const
+{
+  return ToGrid(this->Grid.Finest(), this->Local.Points.data() + 3 * point);
+}
+
+int OuterTets::FindFine(Index code) const
+{
+  const auto at = std::lower_bound(this->FineCodes.begin(), this->FineCodes.end(), code);
+  return at != this->FineCodes.end() && *at == code
+    ? static_cast<int>(this->NumberOfPoints() + (at - this->FineCodes.begin()))
+    : -1;
+}
+
+/// Vertices of fine cells that outer hexes have, and the centres of the fine cells at them.
+void OuterTets::AddFinePoints()
+{
+  const CartesianGrid& grid = this->Grid.Finest();
+  const IndexBox box = grid.HexBox();
+  for (const Hex& hex : this->Hexes)
+  {
+    for (Index corner : hex.Corners)
+    {
+      if (corner < 0)
+      {
+        this->FineCodes.push_back(2 * ~corner + VertexSlot);
+      }
+    }
+  }
+  std::sort(this->FineCodes.begin(), this->FineCodes.end());
+  this->FineCodes.erase(
+    std::unique(this->FineCodes.begin(), this->FineCodes.end()), this->FineCodes.end());
+  const std::size_t vertices = this->FineCodes.size();
+  for (std::size_t v = 0; v < vertices; ++v)
+  {
+    const Index node = this->FineCodes[v] / 2;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index cell = grid.CellOfNode(node, c);
+      const Index3 at = grid.Position(cell);
+      if (box.Contains(at) && this->Grid.IsFine(at))
+      {
+        this->FineCodes.push_back(2 * cell + CentreSlot);
+      }
+    }
+  }
+  std::sort(this->FineCodes.begin(), this->FineCodes.end());
+  this->FineCodes.erase(
+    std::unique(this->FineCodes.begin(), this->FineCodes.end()), this->FineCodes.end());
+  const Index known = this->NumberOfPoints();
+  Buffer<double> points(3 * (known + this->FineCodes.size()));
+  std::copy(this->Local.Points.begin(), this->Local.Points.end(), points.begin()); // those of hexes
+  this->Local.Points = std::move(points);
+  for (std::size_t f = 0; f < this->FineCodes.size(); ++f)
+  {
+    const Index3 at = grid.Position(this->FineCodes[f] / 2);
+    Vector3 x = grid.NodePoint(at);
+    for (int a = 0; this->FineCodes[f] % 2 == CentreSlot && a < 3; ++a)
+    {
+      x[a] = 0.5 * (x[a] + grid.Coordinates(a)[at[a] + 1]);
+    }
+    std::copy(x.begin(), x.end(), this->Local.Points.data() + 3 * (known + f));
+  }
+}
+
+void OuterTets::AddCentres()
+{
+  for (std::size_t h = 0; h < this->Hexes.size(); ++h)
+  {
+    Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    for (Index& corner : this->Hexes[h].Corners)
+    {
+      corner = corner < 0 ? this->FindFine(2 * ~corner + VertexSlot) : corner;
+      const double* x = this->Local.Points.data() + 3 * corner;
+      sum = sum + Vector3{ { x[0], x[1], x[2] } };
+    }
+    const Vector3 centre = 0.125 * sum;
+    std::copy(centre.begin(), centre.end(), this->Local.Points.data() + 3 * (this->HexPoints + h));
+  }
+}
+
+std::vector<OuterTets::Face> OuterTets::ListFaces() const
+{
+  std::vector<Face> faces;
+  faces.reserve(6 * this->Hexes.size());
+  for (std::size_t h = 0; h < this->Hexes.size(); ++h)
+  {
+    for (int side = 0; side < 6; ++side)
+    {
+      Face face{ static_cast<int>(h), side, -1, {}, this->Hexes[h].IsWhole, 0 };
+      for (int c = 0; c < 4; ++c)
+      {
+        face.Corners[c] = static_cast<int>(this->Hexes[h].Corners[FaceCorners[side][c]]);
+      }
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+/// Pairs the faces of hexes. Those of the rim, where it is not known what lies beyond, are left out.
+void OuterTets::FindFaces()
+{
+  struct Half
+  {
+    std::array<int, 4> Key; // the corners, ascending
+    int Face;
+    bool operator<(const Half& other) const
+    {
+      return this->Key != other.Key ? this->Key < other.Key : this->Face < other.Face;
+    }
+  };
+  std::vector<Face> faces = this->ListFaces();
+  std::vector<Half> halves;
+  halves.reserve(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    halves.push_back({ faces[f].Corners, static_cast<int>(f) });
+    std::sort(halves.back().Key.begin(), halves.back().Key.end());
+  }
+  std::sort(halves.begin(), halves.end());
+  std::vector<unsigned char> isSecond(faces.size(), 0);
+  for (std::size_t h = 1; h < halves.size(); ++h)
+  {
+    if (halves[h].Key == halves[h - 1].Key)
+    {
+      Face& face = faces[halves[h - 1].Face];
+      const Face& other = faces[halves[h].Face];
+      face.Centre = this->HexPoints + other.Hex;
+      face.IsPlain = face.IsPlain && other.IsPlain;
+      isSecond[halves[h].Face] = 1;
+    }
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (!isSecond[f])
+    {
+      this->AddFace(faces[f]);
+    }
+  }
+}
+
+void OuterTets::AddFace(Face face)
+{
+  if (face.Centre < 0)
+  {
+    int sides = 63;
+    for (int p : face.Corners)
+    {
+      sides &= FindDomainSides(this->Grid.Finest(), this->Local.Points.data() + 3 * p);
+    }
+    if (sides == 0)
+    {
+      face.Centre = this->FineCentreBeyond(face);
+      if (face.Centre < 0)
+      {
+        return;
+      }
+    }
+    else
+    {
+      const Index3& at = this->Hexes[face.Hex].Cell.At;
+      face.Way = 1 + static_cast<int>((at[0] + at[1] + at[2]) & 1);
+    }
+  }
+  this->Faces.push_back(face);
+}
+
+/// The centre of the fine cell that shares a face with an outer hex; -1: there is none.
+int OuterTets::FineCentreBeyond(const Face& face) const
+{
+  const CartesianGrid& grid = this->Grid.Finest();
+  IndexBox quad;
+  for (int c = 0; c < 4; ++c)
+  {
+    const Index at = face.Corners[c] - this->NumberOfPoints();
+    if (at < 0)
+    {
+      return -1;
+    }
+    const Index3 node = grid.Position(this->FineCodes[at] / 2);
+    for (int a = 0; a < 3; ++a)
+    {
+      quad.Lower[a] = c == 0 ? node[a] : std::min(quad.Lower[a], node[a]);
+      quad.Upper[a] = c == 0 ? node[a] : std::max(quad.Upper[a], node[a]);
+    }
+  }
+  const RefinedLattice::Place& place = this->Hexes[face.Hex].Cell;
+  const IndexBox own = this->Grid.FinestCells(place.Level, place.At);
+  Index3 cell = quad.Lower;
+  int across = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const bool isFlat = quad.Size(a) == 0;
+    if (quad.Size(a) > 1 ||
+      (isFlat && quad.Lower[a] > own.Lower[a] && quad.Lower[a] < own.Upper[a]))
+    {
+      return -1;
+    }
+    across += isFlat;
+    cell[a] -= isFlat && quad.Lower[a] == own.Lower[a];
+  }
+  return across == 1 && grid.InDomain(cell) ? this->FindFine(2 * grid.Linear(cell) + CentreSlot)
+                                            : -1;
+}
+
+/// The tets of a face, cut in one of the ways; on a face of the domain two.
+int OuterTets::TetsOf(const Face& face, int way, Tet tets[4]) const
+{
+  std::array<int, 4> q = face.Corners;
+  const int centre = this->HexPoints + face.Hex;
+  if (way == 0)
+  {
+    for (int t = 0; t < 4; ++t)
+    {
+      tets[t] = { { centre, face.Centre, q[t], q[(t + 1) % 4] } };
+    }
+    return 4;
+  }
+  std::rotate(q.begin(), q.begin() + way - 1, q.end());
+  tets[0] = { { q[0], q[3], q[2], centre } };
+  tets[1] = { { q[0], q[2], q[1], centre } };
+  if (face.Centre < 0)
+  {
+    return 2;
+  }
+  tets[2] = { { q[0], q[1], q[2], face.Centre } };
+  tets[3] = { { q[0], q[2], q[3], face.Centre } };
+  return 4;
+}
+
+Vector3 OuterTets::WidthsOf(const Face& face) const
+{
+  const RefinedLattice::Place& cell = this->Hexes[face.Hex].Cell;
+  return (1.0 / this->Grid.Finest().MeanWidth()) *
+    this->Grid.Lattice().CellWidths(cell.Level, cell.At);
+}
+
+double OuterTets::EnergyOf(const Face& face, int way) const
+{
+  Tet tets[4];
+  const int count = this->TetsOf(face, way, tets);
+  Vector3 corners[4][4];
+  for (int t = 0; t < 4; ++t)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      corners[t][c] = this->PointAt(tets[t % count][c]); // two of them twice
+    }
+  }
+  const std::array<double, 4> e =
+    this->Energy.OfTets(corners, this->WidthsOf(face), TetRamp().back());
+  return std::max({ e[0], e[1], e[2], e[3] }) >= InvalidEnergy ? InvalidEnergy
+                                                               : (e[0] + e[1]) + (e[2] + e[3]);
+}
+
+/// Of a face: the present way unless another is better.
+int OuterTets::BestWay(const Face& face) const
+{
+  if (face.IsPlain)
+  {
+    return face.Way;
+  }
+  int best = face.Way;
+  double lowest = this->EnergyOf(face, best);
+  for (int way = face.Centre < 0; way < 3; ++way)
+  {
+    const double energy = way == face.Way ? lowest : this->EnergyOf(face, way);
+    if (energy < lowest - SmallestGain * std::fabs(lowest))
+    {
+      lowest = energy;
+      best = way;
+    }
+  }
+  return best;
+}
+
+void OuterTets::ChooseWays(Runtime& runtime)
+{
+  runtime.For(0, static_cast<Index>(this->Faces.size()),
+    [this](Index first, Index last)
+    {
+      for (Index f = first; f < last; ++f)
+      {
+        this->Faces[f].Way = this->BestWay(this->Faces[f]);
+      }
+    });
+}
+
+bool OuterTets::HasBadTets() const
+{
+  return std::any_of(this->Faces.begin(), this->Faces.end(),
+    [this](const Face& face) { return this->EnergyOf(face, face.Way) >= InvalidEnergy; });
+}
+
+Index OuterTets::NumberOfTets() const
+{
+  Index count = 0;
+  for (const Face& face : this->Faces)
+  {
+    count += face.Centre < 0 ? 2 : 4;
+  }
+  return count;
+}
+
+void OuterTets::Fill(
+  TetTopology& topology, Index firstPoint, Index firstTet, const FinePoint& finePoint) const
+{
+  Mesh& mesh = topology.Tets;
+  const Index own = this->NumberOfPoints();
+  std::copy_n(this->Local.Points.begin(), 3 * own, mesh.Points.data() + 3 * firstPoint);
+  std::copy_n(this->Local.PointIds.begin(), own, mesh.PointIds.data() + firstPoint);
+  for (Index p = 0; p < own; ++p)
+  {
+    const bool onDomain =
+      FindDomainSides(this->Grid.Finest(), this->Local.Points.data() + 3 * p) != 0;
+    topology.Place[firstPoint + p] = onDomain ? PointPlace::OnDomain : PointPlace::Inside;
+  }
+  Index at = firstTet;
+  for (const Face& face : this->Faces)
+  {
+    Tet tets[4];
+    const int count = this->TetsOf(face, face.Way, tets);
+    for (int t = 0; t < count; ++t, ++at)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        const int point = tets[t][c];
+        const Index code = point < own ? 0 : this->FineCodes[point - own];
+        mesh.Elements[4 * at + c] =
+          point < own ? firstPoint + point : finePoint(code / 2, code % 2);
+      }
+      mesh.ElementIds[at] =
+        this->Grid.TetId(this->Hexes[face.Hex].Key, 4 * face.Side + t, mesh.Ids.ElementSlots);
+      mesh.Material[at] = this->Hexes[face.Hex].Material;
+    }
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,96 @@
+/**
+ * OuterTets: the tets of a refined grid where its hexes are no finest cells (OuterHexes.h).
+ *
+ * They are made as those of the finest cells: around a face between two hexes, one of them an outer one, stand four tets;
+ * between a face of the domain and the centre of its hex two. Centres are the means of the corners. Around a face there are
+ * three ways to cut: in four tets around the edge between the centres, or on either side in two along a diagonal. All three
+ * have the same outside, so each face takes the one of the smallest energy (TetEnergy), which depends on its own two hexes
+ * alone. Whole cells keep the first way.
+ *
+ * Then the centres and free points of transition hexes move where tets are poor, level by level.
+ *
+ * Ids: RefinedGrid::CentreId and TetId; a tet belongs to the hex of the smaller key. Order: as the ids. The same bit for bit
+ * on any number of ranks, like TransitionSmoothing.
+ */
+#pragma once
+
+#include "Hex/OuterHexes.h"
+#include "Smoothing/TetEnergy.h"
+#include "Tet/TetTopology.h"
+
+namespace vfm
+{
+
+class OuterTets
+{
+public:
+  /// Keeps a reference to the grid of the hexes. Throws InputError on all ranks when a tet is not positive. Collective.
+  OuterTets(OuterHexes& hexes, const TetEnergy& energy, Runtime& runtime);
+
+  const RefinedGrid& Levels() const { return this->Grid; }
+  /// Of those that no finest cell of HexBox has.
+  Index NumberOfPoints() const { return static_cast<Index>(this->Local.PointIds.size()); }
+  Index NumberOfTets() const;
+
+  /// The index of the mesh point of a vertex of the finest grid or of a centre of a fine cell; linear: of its block.
+  using FinePoint = std::function<Index(Index linear, Index slot)>;
+  /// Writes points, places, tets, their ids and materials, from those positions on.
+  void Fill(
+    TetTopology& topology, Index firstPoint, Index firstTet, const FinePoint& finePoint) const;
+
+private:
+  using Tet = std::array<int, 4>;
+
+  struct Hex
+  {
+    Index Key;
+    RefinedLattice::Place Cell;
+    int Material;
+    bool IsWhole;                 // an untouched cell
+    std::array<Index, 8> Corners; // local points, by bits
+  };
+  struct Face
+  {
+    int Hex, Side;
+    int Centre;                 // of the hex beyond; -1 on the domain
+    std::array<int, 4> Corners; // around it, against the clock as seen from beyond
+    bool IsPlain;               // between whole cells, or of one
+    int Way; // 0 around the edge between the centres, 1 + k along the diagonal from corner k
+  };
+  /// A point that may move, and the lattice node that it goes with.
+  struct Candidate
+  {
+    RefinedLattice::Place Node;
+    Index Id;
+    int Point;
+  };
+  class Improver;
+
+  bool IsNear(const RefinedLattice::Place& cell) const;
+  Vector3 PointAt(int point) const;
+  Vector3 WidthsOf(const Face& face) const;
+  void TakeHexes(OuterHexes& hexes);
+  void AddFinePoints();
+  void FindFaces();
+  std::vector<Face> ListFaces() const;
+  void AddFace(Face face);
+  int FineCentreBeyond(const Face& face) const;
+  void AddCentres();
+  int TetsOf(const Face& face, int way, Tet tets[4]) const;
+  double EnergyOf(const Face& face, int way) const;
+  int BestWay(const Face& face) const;
+  void ChooseWays(Runtime& runtime);
+  bool HasBadTets() const;
+  int FindFine(Index code) const;
+  void Improve(Runtime& runtime);
+
+  const RefinedGrid& Grid;
+  const TetEnergy& Energy;
+  Mesh Local;        // points: those of outer hexes, centres, fine ones; ids of all but the last
+  int HexPoints = 0; // where the centres begin
+  std::vector<Index> FineCodes; // of the fine points, ascending: 2 linear + slot
+  std::vector<Hex> Hexes;       // by key
+  std::vector<Face> Faces;      // by hex and side
+};
+
+} // namespace vfm

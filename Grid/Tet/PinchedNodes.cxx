@@ -1,0 +1,120 @@
+#include "Tet/PinchedNodes.h"
+
+#include "Base/DisjointSets.h"
+
+#include <numeric>
+#include <tuple>
+
+namespace vfm
+{
+namespace
+{
+
+/// A triangle of the boundary of a material, as one of its points sees it.
+struct Corner
+{
+  int Material;
+  Index Point;
+  std::array<Index, 2> Others;
+  bool operator<(const Corner& other) const
+  {
+    return std::tie(this->Material, this->Point, this->Others) <
+      std::tie(other.Material, other.Point, other.Others);
+  }
+};
+
+std::vector<Corner> ListCorners(const TetTopology& topology, const TetFaces& faces)
+{
+  std::vector<Corner> corners;
+  const Mesh& mesh = topology.Tets;
+  for (const TetFacet& facet : faces.Facets)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const Index point = facet.Points[c];
+      for (Index tet : { facet.Inner, facet.Outer })
+      {
+        if (tet >= 0 && topology.Place[point] == PointPlace::OnInterface)
+        {
+          corners.push_back({ mesh.Material[tet], point,
+            { { facet.Points[(c + 1) % 3], facet.Points[(c + 2) % 3] } } });
+        }
+      }
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// Adds the points that pinch the triangles around one point: others that are not on two of them; where the fan is
+/// not one, the point itself.
+void CheckFan(const Corner* first, const Corner* last, std::vector<Index>& pinched)
+{
+  std::vector<Index> ends;
+  for (const Corner* corner = first; corner != last; ++corner)
+  {
+    ends.insert(ends.end(), corner->Others.begin(), corner->Others.end());
+  }
+  std::vector<Index> rim = ends;
+  std::sort(rim.begin(), rim.end());
+  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+  std::vector<Index> parent(rim.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto placeOf = [&](Index point)
+  { return std::lower_bound(rim.begin(), rim.end(), point) - rim.begin(); };
+  for (std::size_t e = 0; e < ends.size(); e += 2)
+  {
+    Join(parent, placeOf(ends[e]), placeOf(ends[e + 1]));
+  }
+  bool whole = true;
+  for (std::size_t i = 0; i < rim.size(); ++i)
+  {
+    whole = whole && FindRoot(parent, static_cast<Index>(i)) == 0;
+    if (std::count(ends.begin(), ends.end(), rim[i]) != 2)
+    {
+      whole = false;
+      pinched.push_back(rim[i]);
+    }
+  }
+  if (!whole)
+  {
+    pinched.push_back(first->Point);
+  }
+}
+
+} // namespace
+
+std::vector<Index> FindPinchedNodes(
+  const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
+{
+  const Mesh& mesh = topology.Tets;
+  const std::vector<Corner> corners = ListCorners(topology, FindTetFaces(topology, grid));
+  std::vector<Index> pinched;
+  for (std::size_t first = 0, last = 0; first < corners.size(); first = last)
+  {
+    const Corner& corner = corners[first];
+    for (last = first; last < corners.size() && corners[last].Material == corner.Material &&
+         corners[last].Point == corner.Point;
+         ++last)
+    {
+    }
+    if (partition.OwnsNode(NodeOfPoint(grid, mesh, mesh.PointIds[corner.Point])))
+    {
+      CheckFan(&corner, corners.data() + last, pinched);
+    }
+  }
+  std::vector<Index> nodes;
+  for (Index point : pinched)
+  {
+    const bool isNode = SlotOfPoint(mesh.PointIds[point]) <= CentreSlot;
+    if (isNode && topology.Place[point] == PointPlace::OnInterface)
+    {
+      nodes.push_back(mesh.PointIds[point]);
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+} // namespace vfm

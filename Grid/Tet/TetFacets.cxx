@@ -1,0 +1,133 @@
+#include "Tet/TetFacets.h"
+
+#include "Mesh/TetQuality.h"
+#include "Smoothing/ActiveMesh.h"
+
+namespace vfm
+{
+namespace
+{
+
+struct HalfFace
+{
+  std::array<Index, 3> Key; // its points, ascending
+  Index Tet;
+  int Corner; // opposite
+  bool operator<(const HalfFace& other) const
+  {
+    return this->Key != other.Key ? this->Key < other.Key : this->Tet < other.Tet;
+  }
+};
+
+HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
+{
+  const Index* tet = mesh.Elements.data() + 4 * t;
+  const int* face = FaceOfTet[corner];
+  HalfFace half{ { { tet[face[0]], tet[face[1]], tet[face[2]] } }, t, corner };
+  std::sort(half.Key.begin(), half.Key.end());
+  return half;
+}
+
+/// Faces whose points may all lie on interfaces or sides of the domain: no others can.
+std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
+{
+  const Mesh& mesh = topology.Tets;
+  std::vector<HalfFace> faces;
+  const Index count = static_cast<Index>(mesh.ElementIds.size());
+  for (Index t = 0; t < count; ++t)
+  {
+    const Index* tet = mesh.Elements.data() + 4 * t;
+    int inside = 0;
+    for (int c = 0; c < 4; ++c)
+    {
+      inside += topology.Place[tet[c]] == PointPlace::Inside;
+    }
+    for (int c = 0; inside <= 1 && c < 4; ++c)
+    {
+      if (inside == 1 && topology.Place[tet[c]] != PointPlace::Inside)
+      {
+        continue;
+      }
+      faces.push_back(MakeHalfFace(mesh, t, c));
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+int DomainSideOf(const TetTopology& topology, const CartesianGrid& grid, const HalfFace& face)
+{
+  int sides = 63;
+  for (Index p : face.Key)
+  {
+    sides &= FindDomainSides(grid, topology.Tets.Points.data() + 3 * p);
+  }
+  for (int side = 0; side < 6; ++side)
+  {
+    if (sides >> side & 1)
+    {
+      return side;
+    }
+  }
+  return -1;
+}
+
+} // namespace
+
+TetFaces FindTetFaces(const TetTopology& topology, const CartesianGrid& grid)
+{
+  const Mesh& mesh = topology.Tets;
+  const std::vector<HalfFace> halves = ListHalfFaces(topology);
+  TetFaces faces;
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    const HalfFace* inner = &halves[h];
+    const HalfFace* outer = nullptr;
+    if (h + 1 < halves.size() && halves[h + 1].Key == inner->Key)
+    {
+      outer = &halves[++h];
+      if (mesh.Material[inner->Tet] == mesh.Material[outer->Tet])
+      {
+        faces.Joined.push_back({ { inner->Tet, outer->Tet } });
+        continue;
+      }
+      if (mesh.Material[inner->Tet] < mesh.Material[outer->Tet])
+      {
+        std::swap(inner, outer);
+      }
+    }
+    const Index* tet = mesh.Elements.data() + 4 * inner->Tet;
+    const int* corners = FaceOfTet[inner->Corner];
+    faces.Facets.push_back({ { { tet[corners[0]], tet[corners[1]], tet[corners[2]] } }, inner->Tet,
+      outer ? outer->Tet : -1, outer ? -1 : DomainSideOf(topology, grid, *inner) });
+  }
+  return faces;
+}
+
+std::vector<std::array<Index, 3>> FindBoundary(const Mesh& mesh, const std::vector<Index>& tets)
+{
+  std::vector<HalfFace> halves;
+  for (Index t : tets)
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      halves.push_back(MakeHalfFace(mesh, t, c));
+    }
+  }
+  std::sort(halves.begin(), halves.end());
+  std::vector<std::array<Index, 3>> faces;
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    if (h + 1 < halves.size() && halves[h + 1].Key == halves[h].Key)
+    {
+      ++h;
+      continue;
+    }
+    const Index* tet = mesh.Elements.data() + 4 * halves[h].Tet;
+    const int* face = FaceOfTet[halves[h].Corner];
+    faces.push_back({ { tet[face[0]], tet[face[1]], tet[face[2]] } });
+  }
+  return faces;
+}
+
+} // namespace vfm

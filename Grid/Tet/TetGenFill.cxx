@@ -1,0 +1,424 @@
+#include "Tet/TetGenFill.h"
+
+#include "Base/Runtime.h"
+#include "Tet/TetGenFaces.h"
+#include "Tet/TetGenImprove.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#define TETLIBRARY
+#include <tetgen.h>
+
+namespace vfm
+{
+
+extern const int TetGenTerminateIsLinked; // of TetGenTerminate.cxx
+
+using namespace tetfill;
+
+namespace
+{
+
+/// A tet is split when its longest edge is longer than this many wished lengths.
+/// Chosen so that the mean edge has the wished length.
+const double LongestOverWished = 1.55;
+/// Dihedral angle from which flips, smoothing and splits of slivers try to improve a tet, degrees.
+const double LargestDihedral = 140.0;
+/// Limit on new points: for each point of the surface, and added to that.
+const int NewPointsPerPoint = 50, NewPointsAtLeast = 10000;
+
+/// TetGen's input; the arrays are ours, not its.
+class Input
+{
+public:
+  Input(const LocalPart& local, const std::vector<Vector3>& holes) :
+    Points(local.Points),
+    Holes(holes),
+    Triangles(local.Triangles),
+    Polygons(local.Triangles.size()),
+    Facets(local.Triangles.size())
+  {
+    for (std::size_t i = 0; i < this->Facets.size(); ++i)
+    {
+      this->Polygons[i] = { this->Triangles[i].data(), 3 };
+      this->Facets[i] = { &this->Polygons[i], 1, nullptr, 0 };
+    }
+    this->Io.pointlist = this->Points[0].data();
+    this->Io.numberofpoints = static_cast<int>(this->Points.size());
+    this->Io.facetlist = this->Facets.data();
+    this->Io.numberoffacets = static_cast<int>(this->Facets.size());
+    this->Io.holelist = this->Holes.empty() ? nullptr : this->Holes[0].data();
+    this->Io.numberofholes = static_cast<int>(this->Holes.size());
+  }
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+  ~Input() { this->Io.initialize(); }
+
+  tetgenio Io;
+
+private:
+  std::vector<Vector3> Points, Holes;
+  std::vector<Triangle> Triangles;
+  std::vector<tetgenio::polygon> Polygons;
+  std::vector<tetgenio::facet> Facets;
+};
+
+/// What the callback, a plain function, needs to know. Set under the mutex.
+struct Wish
+{
+  const SizeFunction* Size;
+  const LocalPart* Local;
+};
+thread_local const Wish* CurrentWish = nullptr;
+
+bool IsTooLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
+{
+  const REAL* corner[4] = { a, b, c, d };
+  Vector3 centre{};
+  double longest = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int x = 0; x < 3; ++x)
+    {
+      centre[x] += 0.25 * corner[i][x];
+    }
+    for (int j = 0; j < i; ++j)
+    {
+      const Vector3 edge{ { corner[i][0] - corner[j][0], corner[i][1] - corner[j][1],
+        corner[i][2] - corner[j][2] } };
+      longest = std::max(longest, Dot(edge, edge));
+    }
+  }
+  const LocalPart& local = *CurrentWish->Local;
+  const double wished = (*CurrentWish->Size)(local.ToWorld(centre));
+  return wished > 0.0 &&
+    std::ldexp(std::sqrt(longest), local.Exponent) > LongestOverWished * wished;
+}
+
+tetgenbehavior Switches(const TetGenOptions& options, int limit)
+{
+  tetgenbehavior b;
+  b.plc = 1;
+  b.quiet = 1;
+  b.nobisect = 1;   // -Y: no new points on the surface
+  b.nojettison = 1; // points keep their numbers
+  b.nomergefacet = b.nomergevertex = 1;
+  b.nofacewritten = 1;
+  b.regionattrib = 1;
+  b.quality = 1;
+  b.minratio = options.RadiusEdgeRatio;
+  b.mindihedral = options.MinimumDihedralAngle;
+  b.optlevel = options.OptimizationLevel;
+  b.optmaxdihedral = LargestDihedral;
+  b.optminsmtdihed = LargestDihedral;
+  b.optminslidihed = LargestDihedral;
+  b.steinerleft = limit;
+  return b;
+}
+
+/// Triangles that cross, as TetGen sees it with exact arithmetic. Asked first: they are what its asserts
+/// do not survive.
+std::string CheckCrossings(const LocalPart& local)
+{
+  Input input(local, {});
+  tetgenio output;
+  tetgenbehavior b;
+  b.plc = 1;
+  b.quiet = 1;
+  b.diagnose = 1;
+  b.nojettison = 1;
+  b.nomergefacet = b.nomergevertex = 1;
+  tetrahedralize(&b, &input.Io, &output);
+  if (output.numberoftrifaces == 0)
+  {
+    return "";
+  }
+  const Vector3 p = local.ToWorld(local.Points[output.trifacelist[0]]);
+  return Text("the surface crosses itself near (%g, %g, %g)", p[0], p[1], p[2]);
+}
+
+/// Copies TetGen's output: new points behind the partPoints of the part.
+std::string TakeOutput(
+  const tetgenio& output, const LocalPart& local, std::size_t partPoints, TetGenFill& fill)
+{
+  const int old = static_cast<int>(local.Points.size());
+  if (output.numberoftetrahedra == 0 || output.numberofpoints < old || output.numberofcorners != 4)
+  {
+    return "TetGen made no tetrahedra";
+  }
+  fill.Points.resize(partPoints);
+  fill.Tets.clear();
+  std::vector<int> index(local.PartPoint);
+  for (int i = 0; i < output.numberofpoints; ++i)
+  {
+    const double* x = output.pointlist + 3 * i;
+    const Vector3 p{ { x[0], x[1], x[2] } };
+    if (i < old && p != local.Points[i])
+    {
+      return "TetGen moved a point of the surface";
+    }
+    if (i >= old)
+    {
+      index.push_back(static_cast<int>(fill.Points.size()));
+      fill.Points.push_back(local.ToWorld(p));
+    }
+  }
+  for (int i = 0; i < output.numberoftetrahedra; ++i)
+  {
+    Tet tet;
+    for (int k = 0; k < 4; ++k)
+    {
+      const int p = output.tetrahedronlist[4 * i + k];
+      if (p < 0 || p >= output.numberofpoints)
+      {
+        return "TetGen made a tetrahedron of points that there are not";
+      }
+      tet[k] = index[p];
+    }
+    fill.Tets.push_back(tet);
+  }
+  return "";
+}
+
+/// Connects tets over faces that are not of the surface. False if a face has too many tets, or tets on one
+/// side, or is of the surface and of no tet.
+bool Connect(const std::vector<Face>& faces, Sets& sets)
+{
+  bool isGood = true;
+  ForGroups(faces,
+    [&](const Face* first, const Face* last)
+    {
+      const bool isSurface = first->Owner < 0;
+      const long tetCount = (last - first) - isSurface;
+      isGood = isGood && (tetCount == 1 || (tetCount == 2 && last[-1].IsOdd != last[-2].IsOdd));
+      if (!isSurface && tetCount == 2)
+      {
+        sets.Join(first[0].Owner, first[1].Owner);
+      }
+    });
+  return isGood;
+}
+
+/// Drops the tets of pinched holes. Checks that the rest has the surface as its boundary, all of it and
+/// nothing else, and lies on its inner side.
+std::string KeepInside(const TetGenPart& part, std::vector<Tet>& tets)
+{
+  const std::vector<Face> faces = SortedFaces(part, tets);
+  Sets sets(tets.size());
+  if (!Connect(faces, sets))
+  {
+    return "TetGen did not keep the surface";
+  }
+  enum : unsigned char
+  {
+    Inside = 1,
+    Outside = 2,
+    Open = 4
+  };
+  std::vector<unsigned char> side(tets.size(), 0);
+  std::size_t innerSides = 0;
+  ForGroups(faces,
+    [&](const Face* first, const Face* last)
+    {
+      const bool isSurface = first->Owner < 0;
+      for (const Face* face = first + isSurface; face < last; ++face)
+      {
+        const bool isInside = isSurface && face->IsOdd == first->IsOdd;
+        const bool isOpen = !isSurface && last - first == 1;
+        side[sets.Root(face->Owner)] |= isOpen ? Open : isInside ? Inside : isSurface ? Outside : 0;
+        innerSides += isInside;
+      }
+    });
+  if (innerSides != part.Triangles.size())
+  {
+    return "TetGen left a part of the region empty";
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < tets.size(); ++i)
+  {
+    const unsigned char found = side[sets.Root(static_cast<int>(i))];
+    if ((found & Inside) && found != Inside)
+    {
+      return "TetGen left the region";
+    }
+    if (found == Inside)
+    {
+      tets[kept++] = tets[i];
+    }
+  }
+  tets.resize(kept);
+  return "";
+}
+
+/// All tets positive by a margin, and their volume that inside the surface.
+std::string CheckVolumes(const LocalPart& local, const TetGenFill& fill)
+{
+  const std::vector<Vector3> points = LocalPoints(local, fill);
+  double volume = 0.0;
+  for (const Tet& t : fill.Tets)
+  {
+    const double det = Determinant(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
+    double longest = 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      for (int m = 0; m < k; ++m)
+      {
+        longest = std::max(longest, Norm(points[t[k]] - points[t[m]]));
+      }
+    }
+    if (!(det > FlatTet * longest * longest * longest)) // also true of NaN
+    {
+      const Vector3& p = fill.Points[t[0]];
+      return Text("TetGen left a flat tetrahedron at (%g, %g, %g)", p[0], p[1], p[2]);
+    }
+    volume += det / 6.0;
+  }
+  return std::abs(volume - local.Volume) <= 1e-9 * local.Volume + 1e-14 * local.Area
+    ? ""
+    : Text("TetGen filled %.9g of the volume", volume / local.Volume);
+}
+
+/// Drops new points that no tet has.
+void DropUnused(std::size_t old, TetGenFill& fill)
+{
+  std::vector<int> index(fill.Points.size(), -1);
+  for (const Tet& tet : fill.Tets)
+  {
+    for (const int p : tet)
+    {
+      index[p] = 0;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < fill.Points.size(); ++i)
+  {
+    if (i < old || index[i] == 0)
+    {
+      fill.Points[kept] = fill.Points[i];
+      index[i] = static_cast<int>(kept++);
+    }
+  }
+  fill.Points.resize(kept);
+  for (Tet& tet : fill.Tets)
+  {
+    for (int& p : tet)
+    {
+      p = index[p];
+    }
+  }
+}
+
+const char* Reason(int code)
+{
+  switch (code)
+  {
+    case 1:
+      return "TetGen ran out of memory";
+    case 2:
+      return "TetGen found an error of its own";
+    case 3:
+      return "TetGen found that the surface crosses itself";
+    case 4:
+    case 5:
+      return "TetGen found points or triangles of the surface too near to each other";
+    default:
+      return "TetGen found an error in the surface";
+  }
+}
+
+std::string RunOnce(const LocalPart& local, std::size_t partPoints, const TetGenOptions& options,
+  const SizeFunction& size, TetGenFill& fill)
+{
+  const int old = static_cast<int>(local.Points.size());
+  const int limit = NewPointsAtLeast + NewPointsPerPoint * old;
+  Input input(local, HoleSeeds(local));
+  const Wish wish{ &size, &local };
+  if (size)
+  {
+    CurrentWish = &wish;
+    input.Io.tetunsuitable = &IsTooLarge;
+  }
+  tetgenbehavior b = Switches(options, limit);
+  tetgenio output;
+  tetrahedralize(&b, &input.Io, &output);
+  fill.Complete = output.numberofpoints - old < limit;
+  return TakeOutput(output, local, partPoints, fill);
+}
+
+/// TetGen itself: one at a time.
+std::string Run(const LocalPart& local, std::size_t partPoints, const TetGenOptions& options,
+  const SizeFunction& size, TetGenFill& fill)
+{
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const std::string crossing = CheckCrossings(local);
+  if (!crossing.empty())
+  {
+    return crossing;
+  }
+  std::string refusal = RunOnce(local, partPoints, options, size, fill);
+  if (refusal.empty() && !fill.Complete)
+  {
+    // Mostly a bound on angles that the surface does not allow: once more without.
+    TetGenOptions modest = options;
+    modest.MinimumDihedralAngle = 0.0;
+    modest.RadiusEdgeRatio = std::max(2.0, options.RadiusEdgeRatio);
+    refusal = RunOnce(local, partPoints, modest, size, fill);
+    fill.Complete = false;
+  }
+  return refusal;
+}
+
+std::string Fill(
+  const TetGenPart& part, const TetGenOptions& options, const SizeFunction& size, TetGenFill& fill)
+{
+  LocalPart local;
+  std::string refusal = MakeLocalPart(part, local);
+  fill.Points = part.Points;
+  refusal = refusal.empty() ? Run(local, part.Points.size(), options, size, fill) : refusal;
+  refusal = refusal.empty() ? KeepInside(part, fill.Tets) : refusal;
+  if (refusal.empty() && Improve(part, local, fill))
+  {
+    refusal = KeepInside(part, fill.Tets);
+  }
+  refusal = refusal.empty() ? CheckVolumes(local, fill) : refusal;
+  if (refusal.empty())
+  {
+    DropUnused(part.Points.size(), fill);
+  }
+  return refusal;
+}
+
+} // namespace
+
+TetGenFill FillWithTetGen(
+  const TetGenPart& part, const TetGenOptions& options, const SizeFunction& size)
+{
+  TetGenFill fill;
+  try
+  {
+    fill.Refusal = TetGenTerminateIsLinked ? Fill(part, options, size, fill) : "";
+  }
+  catch (const int code)
+  {
+    fill.Refusal = Reason(code);
+  }
+  catch (const Aborted&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    fill.Refusal = std::string("TetGen failed: ") + error.what();
+  }
+  if (!fill.Refusal.empty())
+  {
+    fill.Points.clear();
+    fill.Tets.clear();
+  }
+  return fill;
+}
+
+} // namespace vfm

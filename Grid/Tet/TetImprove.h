@@ -1,0 +1,20 @@
+/**
+ * Improvement of a tetrahedral mesh whose boundary stays.
+ */
+#pragma once
+
+#include "Base/Options.h"
+#include "Smoothing/TetEnergy.h"
+
+namespace vfm
+{
+
+/// The floors that the options ask for, and the ramp of tetrahedra.
+TetQualityFloors FloorsOf(const MeshOptions& options);
+const SmoothingRamp& TetRamp();
+
+/// Moves the points after the first `fixed`. Points in units of cells.
+void ImproveInside(const TetEnergy& energy, std::size_t fixed,
+  const std::vector<std::array<int, 4>>& tets, std::vector<Vector3>& points);
+
+} // namespace vfm
