@@ -50,9 +50,9 @@ def fill_levels(centres, levels, values):
         exist[level] = np.zeros((n, n, n), bool)
         filled[level] = np.zeros((n, n, n, values.shape[1]))
         if level + 1 in exist:
-            octets = lambda a: a.reshape(n, 2, n, 2, n, 2, *a.shape[3:])
-            exist[level] = octets(exist[level + 1]).all(axis=(1, 3, 5))
-            filled[level] = octets(filled[level + 1]).mean(axis=(1, 3, 5))
+            families = lambda a: a.reshape(n, 2, n, 2, n, 2, *a.shape[3:])
+            exist[level] = families(exist[level + 1]).all(axis=(1, 3, 5))
+            filled[level] = families(filled[level + 1]).mean(axis=(1, 3, 5))
         exist[level][z, y, x] = True
         filled[level][z, y, x] = values[leaves]
     return exist, filled

@@ -112,7 +112,7 @@ std::vector<BlockPlace> FindPlacesAround(
     mine.Upper[a] = static_cast<double>(box.Upper[a]);
   }
   std::vector<BlockPlace> places{ { box, mine.Rank, -1 } };
-  for (const RankBox& other : FindNeighbours(mine, faces, ranks, GhostLevels))
+  for (const RankBox& other : FindNeighbours(mine, faces, ranks, GhostLayers))
   {
     BlockPlace place{ {}, other.Rank, -1 };
     for (int a = 0; a < 3; ++a)
@@ -130,7 +130,7 @@ std::vector<BlockPlace> FindPlacesAround(
 /// Overlaps must have been ruled out.
 void CheckGhostCells(const InputBlocks& input, int rank)
 {
-  const IndexBox local = Grow(input.Blocks[0].Box, GhostLevels, input.Global());
+  const IndexBox local = Grow(input.Blocks[0].Box, GhostLayers, input.Global());
   Index missing = local.NumberOfCells();
   for (const BlockPlace& place : input.Places)
   {

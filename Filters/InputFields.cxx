@@ -63,9 +63,9 @@ Bytes PackFor(const IndexBox& wanted, const InputBlocks& input, const InputCells
 } // namespace
 
 std::vector<SparseCells> ReceiveCells(const std::vector<BlockPlace>& owners,
-  const InputBlocks& input, const InputCells& cells, Index ghostLevels, Ranks& ranks)
+  const InputBlocks& input, const InputCells& cells, Index ghostLayers, Ranks& ranks)
 {
-  const InputRoute route = FindInputRoute(owners, input, ranks.Rank(), ghostLevels);
+  const InputRoute route = FindInputRoute(owners, input, ranks.Rank(), ghostLayers);
   std::vector<Bytes> outgoing;
   WorkTogether(ranks,
     [&]

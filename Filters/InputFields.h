@@ -77,6 +77,6 @@ LevelCells OpenLabels(
 /// Collective: what the cells that this rank meshes, and ghost cells around them, need of the blocks of other ranks. owners: the
 /// cells that the ranks mesh, of all ranks or those near.
 std::vector<SparseCells> ReceiveCells(const std::vector<BlockPlace>& owners,
-  const InputBlocks& input, const InputCells& cells, Index ghostLevels, Ranks& ranks);
+  const InputBlocks& input, const InputCells& cells, Index ghostLayers, Ranks& ranks);
 
 } // namespace vfm

@@ -5,7 +5,7 @@
 #include "BlockChecks.h"
 #include "Fractions/RefineCells.h"
 #include "NodeCoordinates.h"
-#include "Octree/RefinedLattice.h"
+#include "Octree/OctreeKeys.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -189,7 +189,7 @@ InputLevels MakeLevels(const std::vector<InputBlock>& blocks, const std::vector<
     input.Levels[0].Coordinates[axis] = FindBaseNodes(blocks, levels, axis, coarsest[axis], ranks);
   }
   const CartesianGrid base(input.Levels[0].Coordinates);
-  const RefinedLattice lattice(base, finest); // throws when there are too many nodes
+  const OctreeKeys lattice(base, finest); // throws when there are too many nodes
   for (int level = 1; level <= finest; ++level)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -348,7 +348,7 @@ LevelCover::LevelCover(const InputLevels& input, int level, const IndexBox& box)
       const IndexBox common = Intersect(ChangeLevel(place.Box, level - finer), box);
       if (common.NumberOfCells() > 0)
       {
-        ForCells(common, [&](const Index3& cell) { this->Covered[PlaceInBox(box, cell)] = true; });
+        ForCells(common, [&](const Index3& cell) { this->Covered[IndexInBox(box, cell)] = true; });
       }
     }
   }

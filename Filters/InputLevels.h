@@ -2,7 +2,7 @@
  * InputLevels: the blocks of an input, sorted by the levels of a refined grid (AMR), and where their cells lie in the grid of
  * their level.
  *
- * Level 0 has the widest cells; each level halves the cells of the one before along every axis (RefinedLattice.h). The level of
+ * Level 0 has the widest cells; each level halves the cells of the one before along every axis (OctreeKeys.h). The level of
  * a block follows from its cells' widths alone, so any composite data set serves, and blocks of ratio 4 lie two levels up;
  * levels between may have no blocks. Blocks of several levels have cells of equal widths; those of one level may be graded.
  *
@@ -40,7 +40,7 @@ class LevelCover
 public:
   LevelCover(const InputLevels& input, int level, const IndexBox& box);
 
-  bool Has(const Index3& cell) const { return this->Covered[PlaceInBox(this->Box, cell)]; }
+  bool Has(const Index3& cell) const { return this->Covered[IndexInBox(this->Box, cell)]; }
   /// Whether there is none.
   bool IsEmpty() const
   {

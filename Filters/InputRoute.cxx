@@ -8,10 +8,10 @@ namespace vfm
 {
 
 InputRoute FindInputRoute(
-  const std::vector<BlockPlace>& owners, const InputBlocks& input, int myRank, Index ghostLevels)
+  const std::vector<BlockPlace>& owners, const InputBlocks& input, int myRank, Index ghostLayers)
 {
   const auto needs = [&](const IndexBox& owned)
-  { return Grow(owned, ghostLevels, input.Global()); };
+  { return Grow(owned, ghostLayers, input.Global()); };
   const IndexBox mine = needs(BoxOfRank(owners, myRank));
   std::set<int> senders;
   for (const BlockPlace& place : input.Places)

@@ -18,7 +18,7 @@ struct InputRoute
 
 /// owners: the cells that the ranks mesh, of all ranks or those near.
 InputRoute FindInputRoute(const std::vector<BlockPlace>& owners, const InputBlocks& input,
-  int myRank, Index ghostLevels = GhostLevels);
+  int myRank, Index ghostLayers = GhostLayers);
 
 /// The box of a rank in such a list; it must be there.
 const IndexBox& BoxOfRank(const std::vector<BlockPlace>& owners, int rank);

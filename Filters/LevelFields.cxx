@@ -4,7 +4,7 @@
 #include "Fractions/GhostFractions.h"
 #include "InputRoute.h"
 #include "MakePartition.h"
-#include "Octree/RefinedLattice.h"
+#include "Octree/OctreeKeys.h"
 
 namespace vfm
 {
@@ -103,7 +103,7 @@ public:
     for (int level = 0; level <= input.Finest(); ++level)
     {
       this->Received.push_back(ReceiveCells(ChangeLevel(owners, level), input.Levels[level],
-        *cells[level], level > top ? 0 : GhostLevels, ranks));
+        *cells[level], level > top ? 0 : GhostLayers, ranks));
     }
   }
 
@@ -178,7 +178,7 @@ public:
         for (int level = 0; level <= this->Top; ++level)
         {
           this->Grids.emplace_back(CoordinatesOfLevel(coordinates, std::min(setup.Base, 0), level),
-            ChangeLevel(owned, level), GhostLevels);
+            ChangeLevel(owned, level), GhostLayers);
           this->Fields.push_back(data.MakeField(level, this->Grids[level]));
           this->Normalised += this->Fields[level].NormalisedCells;
         }
@@ -256,9 +256,9 @@ private:
   Index Normalised = 0;
 };
 
-/// Keys of the octets of cells of a level, in a box, that finer blocks cover.
-std::vector<Index> FindOctets(const InputLevels& input, int level, const IndexBox& owned,
-  const RefinedLattice& lattice, int step)
+/// Keys of the families of cells of a level, in a box, that finer blocks cover.
+std::vector<Index> FindFamilies(
+  const InputLevels& input, int level, const IndexBox& owned, const OctreeKeys& lattice, int step)
 {
   std::vector<Index> keys;
   const LevelCover cover(input, level + 1, ChangeLevel(owned, 1));
@@ -267,7 +267,7 @@ std::vector<Index> FindOctets(const InputLevels& input, int level, const IndexBo
     {
       if (cover.Has(ChildOfCell(cell, 0)))
       {
-        keys.push_back(lattice.OctetKey(step, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } }));
+        keys.push_back(lattice.FamilyKey(step, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } }));
       }
     });
   std::sort(keys.begin(), keys.end());
@@ -332,13 +332,13 @@ LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
   const int top = std::min(setup.Finest, input.Finest());
   LevelFields result{ CartesianGrid(CoordinatesOfLevel(input.Levels[0].Coordinates, 0, setup.Base),
-                        ChangeLevel(owned, setup.Base), GhostLevels),
+                        ChangeLevel(owned, setup.Base), GhostLayers),
     maker.Grid(), std::move(field), {} };
-  const RefinedLattice lattice(result.Base, setup.Finest - setup.Base);
+  const OctreeKeys lattice(result.Base, setup.Finest - setup.Base);
   for (int level = setup.Base; level < top; ++level)
   {
-    result.Octets.push_back(setup.TakesInputLevels
-        ? FindOctets(input, level, ChangeLevel(owned, level), lattice, level - setup.Base)
+    result.Families.push_back(setup.TakesInputLevels
+        ? FindFamilies(input, level, ChangeLevel(owned, level), lattice, level - setup.Base)
         : std::vector<Index>());
   }
   return result;
@@ -350,10 +350,10 @@ int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, dou
   const Partition partition(fields.Grid, runtime.Group());
   const RefinementWishes wishes =
     FindRefinement(fields.Grid, fields.Field.Fractions, criteria, isoValue, partition, runtime);
-  const RefinedLattice lattice(fields.Grid, wishes.Refinements);
-  for (std::vector<Index>& octets : FindWantedOctets(lattice, wishes, layers))
+  const OctreeKeys lattice(fields.Grid, wishes.Refinements);
+  for (std::vector<Index>& families : FindWantedFamilies(lattice, wishes, layers))
   {
-    fields.Octets.push_back(std::move(octets)); // keys are those of the lattice over Base
+    fields.Families.push_back(std::move(families)); // keys are those of the lattice over Base
   }
   return wishes.Refinements;
 }

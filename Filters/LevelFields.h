@@ -23,9 +23,9 @@ struct LevelFields
   CartesianGrid
     Grid; ///< of LevelSetup::Finest or, where that is coarser, of the finest level of the input
   InputField Field; ///< of Grid
-  /// Of each refinement between Base and Grid the octets (RefinedLattice::OctetKey) of this rank's cells that finer blocks
+  /// Of each refinement between Base and Grid the families (OctreeKeys::FamilyKey) of this rank's cells that finer blocks
   /// cover, ascending; empty lists unless the mesh takes the input's levels.
-  std::vector<std::vector<Index>> Octets;
+  std::vector<std::vector<Index>> Families;
 };
 
 /// Collective: the cells of level 0 that each rank meshes, by rank (MakePartition): whole cells of the base.
@@ -37,8 +37,8 @@ std::vector<BlockPlace> ShareOutCells(
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
-/// Collective: how many levels finer than Grid the criteria want; adds the octets that they want to refine, and those of so many
-/// layers of cells around (FindWantedOctets).
+/// Collective: how many levels finer than Grid the criteria want; adds the families that they want to refine, and those of so many
+/// layers of cells around (FindWantedFamilies).
 int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
   int layers, Runtime& runtime);
 

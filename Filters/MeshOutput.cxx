@@ -134,15 +134,15 @@ void AddLevels(vtkFieldData* field, const MeshReport& report)
   {
     return;
   }
-  std::vector<Index> octets, added, cells;
+  std::vector<Index> families, added, cells;
   for (const MeshReport::Level& level : report.Levels)
   {
-    octets.push_back(level.Octets);
+    families.push_back(level.Families);
     added.push_back(level.Added);
     cells.push_back(level.Cells);
   }
-  AddFieldValues<vtkIdTypeArray>(field, "LevelOctets", octets);
-  AddFieldValues<vtkIdTypeArray>(field, "AddedOctets", added);
+  AddFieldValues<vtkIdTypeArray>(field, "RefinedCells", families);
+  AddFieldValues<vtkIdTypeArray>(field, "CellsAddedForBalance", added);
   AddFieldValues<vtkIdTypeArray>(field, "LevelCells", cells);
   AddFieldCount(field, "TransitionCells", report.TransitionCells);
 }

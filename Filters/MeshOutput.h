@@ -5,6 +5,7 @@
 #pragma once
 
 #include "InputFields.h"
+#include "Base/Options.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
 

@@ -205,7 +205,7 @@ struct StateSource
   IndexBox Box, Stored; ///< the cells; those of the arrays, of which they are some
   std::vector<const char*> Values;
 
-  Index Place(const Index3& cell) const { return PlaceInBox(this->Stored, cell); }
+  Index Place(const Index3& cell) const { return IndexInBox(this->Stored, cell); }
 };
 
 /// The values of all arrays in the cells of one level that this rank needs.
@@ -326,7 +326,7 @@ private:
   std::size_t Last = 0; // the source found last: elements lie near each other
 };
 
-/// The cell at a place in a box (PlaceInBox).
+/// The cell at a place in a box (IndexInBox).
 Index3 CellAt(const IndexBox& box, Index place)
 {
   const Index nx = box.Size(0), ny = box.Size(1);
@@ -450,7 +450,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> StateArrays::Carry(const Mesh& mesh,
     const InputBlocks& input = this->Input.Levels[l];
     values.push_back(std::make_unique<LevelValues>(input, this->Names, this->Layouts));
     values.back()->Exchange(FindInputRoute(ChangeLevel(owners, l), input, ranks.Rank(),
-                              Index(GhostLevels) << std::max(l - level, 0)),
+                              Index(GhostLayers) << std::max(l - level, 0)),
       ranks);
   }
   WorkTogether(ranks,

@@ -148,7 +148,7 @@ std::vector<Index> FindStateCells(
     {
       for (Index e = begin; e < end; ++e)
       {
-        cells[e] = PlaceInBox(grid.Local(), rule.Choose(e));
+        cells[e] = IndexInBox(grid.Local(), rule.Choose(e));
       }
     });
   return cells;

@@ -10,7 +10,7 @@
  *
  * Where smoothing has carried a centroid over more than StateReach cells along an axis, as it may across the thin cells
  * of a graded grid, the rule goes by the cell that many from those the element was made of (CellsOfElement; of TetGen's
- * tets, which have none, from the rank's cells). So ghost levels suffice, and ranks change nothing.
+ * tets, which have none, from the rank's cells). So ghost layers suffice, and ranks change nothing.
  */
 #pragma once
 
@@ -24,9 +24,9 @@ namespace vfm
 {
 
 /// Cells along each axis from the one that an element was made of to the farthest whose neighbours are asked.
-constexpr int StateReach = GhostLevels - 1;
+constexpr int StateReach = GhostLayers - 1;
 
-/// Of each element the place of its cell in grid.Local(), which has GhostLevels. mesh: of the owned cells, its materials
+/// Of each element the place of its cell in grid.Local(), which has GhostLayers. mesh: of the owned cells, its materials
 /// by their number. The same cells on any number of ranks and threads.
 std::vector<Index> FindStateCells(
   const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);

@@ -32,9 +32,9 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// Claimed on the output, so that a later request for ghost levels does not run the filter again.
+// Claimed on the output, so that a later request for ghost layers does not run the filter again.
 // The filter marks no cells as ghosts, whatever is asked.
-constexpr int GhostLevelsClaimed = 4;
+constexpr int GhostLayersClaimed = 4;
 constexpr double LabelVolumeTolerance = 1e-6; // relative, of smoothed labels
 
 void AddName(const char* name, std::vector<std::string>& names, vtkObject* owner)
@@ -227,7 +227,7 @@ int vtkVolumeFractionMeshAlgorithm::RequestUpdateExtent(
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkInformation* info = outputVector->GetInformationObject(port);
-    info->Set(levels, std::max(info->Get(levels), GhostLevelsClaimed));
+    info->Set(levels, std::max(info->Get(levels), GhostLayersClaimed));
   }
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   input->Set(levels, 0);
@@ -318,7 +318,7 @@ vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& set
   if (!setup.IsUniform)
   {
     plan.Refinements = std::min(setup.Finest, inputFinest) - setup.Base + finer;
-    plan.Octets = std::move(fields.Octets);
+    plan.Families = std::move(fields.Families);
   }
   return plan;
 }

@@ -3,8 +3,8 @@
 #include "Fractions/GhostFractions.h"
 #include "Hex/ActiveHexes.h"
 #include "Hex/ActiveLevelHexes.h"
+#include "Hex/CoarseSmoothing.h"
 #include "Hex/HexGeometry.h"
-#include "Hex/OuterSmoothing.h"
 #include "Mesh/Quality.h"
 #include "Pipeline.h"
 #include "Smoothing/GuardedHexEnergy.h"
@@ -24,7 +24,7 @@ double TargetJacobian(const FractionField& fractions, const MeshOptions& options
   return options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : (several ? 0.5 : 0.55);
 }
 
-/// The stages, on a grid with as many ghost levels as they need.
+/// The stages, on a grid with as many ghost layers as they need.
 class HexStages
 {
 public:
@@ -65,7 +65,7 @@ private:
 void HexStages::FindLabels()
 {
   this->Clock.Start("Assigning materials", 0.0);
-  if (HasLevelsByPlace(this->Options))
+  if (InterfacesCrossLevels(this->Options))
   {
     LabelLeaves(this->Grid, this->Fractions, this->Options, this->Parts, this->Run, this->Report,
       this->Labelled);
@@ -89,7 +89,7 @@ void HexStages::ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets,
   const double target = TargetJacobian(this->Fractions, this->Options);
   const HexEnergy plain(target);
   const GuardedHexEnergy guarded(target);
-  const ElementEnergy& energy = HasLevelsByPlace(this->Options) ? guarded : plain;
+  const ElementEnergy& energy = InterfacesCrossLevels(this->Options) ? guarded : plain;
   Improve({ active, targets, exchange, energy, Ramp, volumes,
             this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },
     this->Clock, this->Run);
@@ -107,7 +107,7 @@ std::vector<unsigned char> HexStages::SmoothHexes(
   const PointExchange exchange(active, mesh, this->Grid, this->Parts);
   this->ImproveHexes(active, targets, exchange, volumes);
   active.CopyTo(mesh, this->Grid);
-  return this->Labelled.Levels.Outer ? active.ListMoved(mesh) : std::vector<unsigned char>();
+  return this->Labelled.Levels.Coarse ? active.ListMoved(mesh) : std::vector<unsigned char>();
 }
 
 std::vector<unsigned char> HexStages::SmoothLevelHexes(
@@ -117,7 +117,7 @@ std::vector<unsigned char> HexStages::SmoothLevelHexes(
     this->Labelled.Labels, this->Options.IsoValue, this->Run);
   this->Clock.Start("Fitting surfaces", 0.2);
   const SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
-  ActiveLevelHexes hexes = MakeActiveLevelHexes(interfaces, *this->Labelled.Levels.Outer,
+  ActiveLevelHexes hexes = MakeActiveLevelHexes(interfaces, *this->Labelled.Levels.Coarse,
     this->Labelled.Labels, this->Labelled.Mixed, numbering, fragments, this->Parts, mesh);
   const PointExchange exchange(
     hexes.Entries, this->Parts, static_cast<int>(hexes.Active.Colours.size()));
@@ -131,41 +131,41 @@ Mesh HexStages::MakeMesh()
 {
   this->FindLabels();
   const LabelArray& labels = this->Labelled.Labels;
-  OuterHexes* outer = this->Labelled.Levels.Outer.get();
-  PointNumbering numbering(this->Grid, labels, this->Options.MeshVoid, outer != nullptr);
-  Mesh mesh = BuildHexes(
-    this->Grid, labels, this->Labelled.Mixed, this->Options.StairStep, numbering, this->Run, outer);
+  CoarseHexes* coarse = this->Labelled.Levels.Coarse.get();
+  PointNumbering numbering(this->Grid, labels, this->Options.MeshVoid, coarse != nullptr);
+  Mesh mesh = BuildHexes(this->Grid, labels, this->Labelled.Mixed, this->Options.StairStep,
+    numbering, this->Run, coarse);
   mesh.Levels = this->Labelled.Levels.Grid;
   this->Clock.Start("Finding geometry", 0.12);
   const Fragments fragments(this->Grid, labels, this->Options.MeshVoid, this->Parts);
   this->Report.NumberOfFragments = fragments.NumberOfFragments();
   FindHexGeometry(this->Grid, labels, this->Labelled.Mixed, fragments, numbering, this->Parts,
-    outer, mesh, this->Report);
+    coarse, mesh, this->Report);
   this->Clock.Start("Finding interfaces", 0.15);
-  const bool isByPlace = HasLevelsByPlace(this->Options);
-  const std::unique_ptr<FragmentHomes> homes = isByPlace
-    ? std::make_unique<LeafHomes>(*mesh.Levels, labels, fragments)
-    : std::make_unique<CellHomes>(this->Grid, labels, fragments);
+  const bool crossesLevels = InterfacesCrossLevels(this->Options);
+  const std::unique_ptr<FragmentLocator> locator = crossesLevels
+    ? std::make_unique<LeafLocator>(*mesh.Levels, labels, fragments)
+    : std::make_unique<CellLocator>(this->Grid, labels, fragments);
   FragmentVolumes volumes(
-    this->Grid, this->Fractions, fragments.MaterialsOfFragments(), *homes, this->Parts);
-  if (isByPlace)
+    this->Grid, this->Fractions, fragments.MaterialsOfFragments(), *locator, this->Parts);
+  if (crossesLevels)
   {
     volumes.SetStart(MeasureHexes(mesh, this->Grid, fragments.NumberOfFragments(), this->Run));
   }
   if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)
   {
-    const std::vector<unsigned char> moved = isByPlace
+    const std::vector<unsigned char> moved = crossesLevels
       ? this->SmoothLevelHexes(numbering, fragments, volumes, mesh)
       : this->SmoothHexes(numbering, fragments, volumes, mesh);
-    if (outer)
+    if (coarse)
     {
       this->Clock.Start("Smoothing transitions", 0.9);
       ReleaseFreeMemory();
-      SmoothOuter(*outer, moved, mesh, this->Run);
+      SmoothCoarse(*coarse, moved, mesh, this->Run);
     }
   }
   KeepOwned(mesh, this->Grid);
-  ReportLevels(mesh, this->Run.Group(), this->Report, this->Labelled.AskedOctets);
+  ReportLevels(mesh, this->Run.Group(), this->Report, this->Labelled.AskedFamilies);
   ReportVolumes(this->Grid, volumes, this->Report);
   if (this->Options.ComputeQuality)
   {
@@ -175,11 +175,11 @@ Mesh HexStages::MakeMesh()
   return mesh;
 }
 
-/// With the ghost levels of the base: what moves with a node of the base is at hexes as far as a base cell away.
+/// With the ghost layers of the base: what moves with a node of the base is at hexes as far as a base cell away.
 CartesianGrid WithLevels(const CartesianGrid& grid, int refinements)
 {
   return CartesianGrid({ { grid.Coordinates(0), grid.Coordinates(1), grid.Coordinates(2) } },
-    grid.Owned(), GhostLevels << refinements, std::max(HexLevels, 1 << refinements));
+    grid.Owned(), GhostLayers << refinements, std::max(HexLayers, 1 << refinements));
 }
 
 } // namespace
@@ -189,7 +189,7 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
 {
   CheckOptions(options);
   report = MeshReport();
-  if (!HasLevelsByPlace(options))
+  if (!InterfacesCrossLevels(options))
   {
     return HexStages(grid, fractions, options, runtime, report).MakeMesh();
   }

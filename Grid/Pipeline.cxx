@@ -76,8 +76,8 @@ LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
   {
     levels.Grid =
       std::make_shared<const RefinedGrid>(grid, options.Levels, interfaces, runtime.Group());
-    levels.Outer =
-      std::make_unique<OuterHexes>(*levels.Grid, labels, options.MeshVoid, runtime, asCubes);
+    levels.Coarse =
+      std::make_unique<CoarseHexes>(*levels.Grid, labels, options.MeshVoid, runtime, asCubes);
     ReleaseFreeMemory();
   }
   return levels;
@@ -87,29 +87,29 @@ namespace
 {
 
 /// Adds to a plan what has no valid start; whether any rank had some.
-bool AddBadOctets(const SplitNodes& splits, LevelPlan& plan, Ranks& ranks)
+bool AddBadFamilies(const SplitNodes& splits, LevelPlan& plan, Ranks& ranks)
 {
   bool found = false;
-  for (std::size_t level = 0; level < splits.BadOctets().size(); ++level)
+  for (std::size_t level = 0; level < splits.BadFamilies().size(); ++level)
   {
-    const std::vector<Index>& bad = splits.BadOctets()[level];
-    plan.Octets[level].insert(plan.Octets[level].end(), bad.begin(), bad.end());
+    const std::vector<Index>& bad = splits.BadFamilies()[level];
+    plan.Families[level].insert(plan.Families[level].end(), bad.begin(), bad.end());
     found = found || !bad.empty();
   }
   return ranks.Any(found);
 }
 
 /// Adds transition cells whose label had to be changed at a price; whether any rank had some. In finer cells it costs less.
-bool AddFlippedOctets(
+bool AddFlippedFamilies(
   const RefinedGrid& levels, const std::vector<Index3>& flips, LevelPlan& plan, Ranks& ranks)
 {
   bool found = false;
   for (const Index3& cell : flips)
   {
-    const RefinedLattice::Place leaf = levels.LeafOf(cell);
-    if (levels.Octets().IsTouched(leaf.Level, leaf.At))
+    const OctreeKeys::LevelIndex leaf = levels.LeafOf(cell);
+    if (levels.Families().IsTouched(leaf.Level, leaf.At))
     {
-      plan.Octets[leaf.Level].push_back(levels.Lattice().OctetKey(
+      plan.Families[leaf.Level].push_back(levels.Lattice().FamilyKey(
         leaf.Level, { { leaf.At[0] >> 1, leaf.At[1] >> 1, leaf.At[2] >> 1 } }));
       found = true;
     }
@@ -124,15 +124,16 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
   LabelledGrid& result)
 {
   LevelPlan plan = options.Levels;
-  plan.Octets.resize(plan.Refinements);
+  plan.Families.resize(plan.Refinements);
   for (;;)
   {
-    result.Levels.Outer.reset();
+    result.Levels.Coarse.reset();
     result.Levels.Grid =
       std::make_shared<const RefinedGrid>(grid, plan, std::vector<Index>(), runtime.Group());
-    for (int level = static_cast<int>(result.AskedOctets.size()); level < plan.Refinements; ++level)
+    for (int level = static_cast<int>(result.AskedFamilies.size()); level < plan.Refinements;
+         ++level)
     {
-      result.AskedOctets.push_back(result.Levels.Grid->Octets().Report(level).Wanted);
+      result.AskedFamilies.push_back(result.Levels.Grid->Families().Report(level).Wanted);
     }
     result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, options.IsoValue);
     const ResolveReport resolved =
@@ -140,14 +141,15 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
     report.FlippedCells = resolved.FlippedCells;
     report.ResolveRounds = resolved.Rounds;
     if (report.LevelRounds < FlipRounds &&
-      AddFlippedOctets(*result.Levels.Grid, resolved.DearFlips, plan, runtime.Group()))
+      AddFlippedFamilies(*result.Levels.Grid, resolved.CostlyFlips, plan, runtime.Group()))
     {
       ++report.LevelRounds;
       continue;
     }
-    result.Levels.Outer = std::make_unique<OuterHexes>(
+    result.Levels.Coarse = std::make_unique<CoarseHexes>(
       *result.Levels.Grid, result.Labels, options.MeshVoid, runtime, false, !options.StairStep);
-    if (options.StairStep || !AddBadOctets(*result.Levels.Outer->Splits(), plan, runtime.Group()))
+    if (options.StairStep ||
+      !AddBadFamilies(*result.Levels.Coarse->Splits(), plan, runtime.Group()))
     {
       break;
     }
@@ -166,18 +168,18 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
   const RefinedGrid& levels = *mesh.Levels;
   const int refinements = levels.NumberOfRefinements();
   std::vector<std::int64_t> hexes(refinements + 2, 0);
-  const auto countOuter = [&](const RefinedLattice::Place& cell)
+  const auto countCoarse = [&](const OctreeKeys::LevelIndex& cell)
   {
-    const bool isWhole = !levels.Octets().IsTouched(cell.Level, cell.At);
+    const bool isWhole = !levels.Families().IsTouched(cell.Level, cell.At);
     ++hexes[isWhole ? cell.Level : refinements + 1];
   };
   if (mesh.Corners == 8)
   {
     for (Index id : mesh.ElementIds)
     {
-      if (levels.IsOuterElement(id, mesh.Ids.ElementSlots))
+      if (levels.IsCoarseElement(id, mesh.Ids.ElementSlots))
       {
-        countOuter(levels.CellOfOuterElement(id, mesh.Ids.ElementSlots));
+        countCoarse(levels.CellOfCoarseElement(id, mesh.Ids.ElementSlots));
       }
       else
       {
@@ -193,9 +195,9 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
       continue;
     }
     const bool isOwned = levels.Finest().Owned().Contains(CellOfCentre(levels.Finest(), mesh, id));
-    if (isOwned && levels.IsOuterPoint(id, mesh.Ids.PointSlots))
+    if (isOwned && levels.IsCoarsePoint(id, mesh.Ids.PointSlots))
     {
-      countOuter(levels.CellOfOuterCentre(id, mesh.Ids.PointSlots));
+      countCoarse(levels.CellOfCoarseCentre(id, mesh.Ids.PointSlots));
     }
     else
     {
@@ -222,10 +224,10 @@ void ReportLevels(
     report.Levels.push_back({ 0, 0, hexes[level] });
     if (level < refinements)
     {
-      const OctetSets::LevelReport& octets = mesh.Levels->Octets().Report(level);
-      const Index wanted = asked.empty() ? octets.Wanted : asked[level];
-      report.Levels.back().Octets = octets.Wanted + octets.Margin + octets.Pinches;
-      report.Levels.back().Added = report.Levels.back().Octets - wanted;
+      const OctantFamilies::LevelReport& families = mesh.Levels->Families().Report(level);
+      const Index wanted = asked.empty() ? families.Wanted : asked[level];
+      report.Levels.back().Families = families.Wanted + families.Balance + families.NonManifold;
+      report.Levels.back().Added = report.Levels.back().Families - wanted;
     }
   }
   report.TransitionCells = hexes[refinements + 1];

@@ -3,8 +3,9 @@
  */
 #pragma once
 
-#include "Hex/OuterHexes.h"
+#include "Hex/CoarseHexes.h"
 #include "Labels/Labels.h"
+#include "Mesh/MeshReport.h"
 #include "Smoothing/Smoother.h"
 #include "Smoothing/Volumes.h"
 
@@ -70,15 +71,15 @@ inline SurfaceTargets::Kind KindOfTargets(const MeshOptions& options)
                                                     : SurfaceTargets::Kind::Quadrics;
 }
 
-/// A refined grid and its outer hexes; null without refinements.
+/// A refined grid and its coarse hexes; null without refinements.
 struct LevelHexes
 {
   std::shared_ptr<const RefinedGrid> Grid;
-  std::unique_ptr<OuterHexes> Outer;
+  std::unique_ptr<CoarseHexes> Coarse;
 };
 
 /// Whether interfaces may run through cells of several levels.
-inline bool HasLevelsByPlace(const MeshOptions& options)
+inline bool InterfacesCrossLevels(const MeshOptions& options)
 {
   return options.Levels.Refinements > 0 && !options.Levels.FineInterfaces;
 }
@@ -94,21 +95,21 @@ struct LabelledGrid
   std::vector<Index> Mixed; ///< nodes of the grid with several labels around
   LevelHexes Levels;
   std::vector<Index>
-    AskedOctets; ///< of levels by place: how many were asked for, of each refinement
+    AskedFamilies; ///< where interfaces cross levels: how many were asked for, of each refinement
 };
 
-/// Of levels by place: leaves are refined until a valid mesh starts everywhere. Collective. Throws InputError as MakeLevels does.
+/// Where interfaces cross levels: leaves are refined until a valid mesh starts everywhere. Collective. Throws InputError as MakeLevels does.
 void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
   LabelledGrid& result);
 
-/// Makes the levels that the options ask for. interfaces: as in RefinedGrid. asCubes: as in OuterHexes. Collective. Throws InputError as RefinedGrid and
-/// OuterHexes do.
+/// Makes the levels that the options ask for. interfaces: as in RefinedGrid. asCubes: as in CoarseHexes. Collective. Throws InputError as RefinedGrid and
+/// CoarseHexes do.
 LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& interfaces, const MeshOptions& options, Runtime& runtime,
   bool asCubes = false);
 
-/// Octets and hexes of each level, over all ranks; mesh: the owned hexes or tets; asked: LabelledGrid::AskedOctets. Collective.
+/// Families and hexes of each level, over all ranks; mesh: the owned hexes or tets; asked: LabelledGrid::AskedFamilies. Collective.
 void ReportLevels(
   const Mesh& mesh, Ranks& ranks, MeshReport& report, const std::vector<Index>& asked = {});
 

@@ -2,8 +2,8 @@
 
 #include "Mesh/Quality.h"
 #include "Pipeline.h"
+#include "Tet/CoarseTets.h"
 #include "Tet/DiagonalFlips.h"
-#include "Tet/OuterTets.h"
 #include "Tet/TetAttach.h"
 #include "Tet/TetFragments.h"
 #include "Tet/TetGeometry.h"
@@ -92,17 +92,17 @@ private:
   {
     this->Clock.Start("Making tetrahedra", 0.1);
     const TetEnergy energy(FloorsOf(this->Options));
-    std::unique_ptr<OuterTets> outer;
+    std::unique_ptr<CoarseTets> coarse;
     LabelArray own;
     const LevelHexes levels = this->MakeTetLevels(own);
-    if (levels.Outer)
+    if (levels.Coarse)
     {
-      outer = std::make_unique<OuterTets>(*levels.Outer, energy, this->Run);
+      coarse = std::make_unique<CoarseTets>(*levels.Coarse, energy, this->Run);
     }
     this->Topology = this->Method == TetMethod::Lattice
       ? BuildLatticeTets(this->Grid, this->Fractions, this->Options.IsoValue,
-          this->Options.MeshVoid, this->Parts, this->Run, outer.get())
-      : BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, outer.get());
+          this->Options.MeshVoid, this->Parts, this->Run, coarse.get())
+      : BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, coarse.get());
     this->Topology.Tets.Levels = levels.Grid;
     this->Clock.Start("Finding faces", 0.12);
     this->Faces = FindTetFaces(this->Topology, this->Grid);
@@ -142,9 +142,9 @@ private:
     {
       const Fragments fragments(this->Grid, this->Labels, this->Options.MeshVoid, this->Parts);
       this->Materials = fragments.MaterialsOfFragments();
-      const CellHomes homes(this->Grid, this->Labels, fragments);
+      const CellLocator locator(this->Grid, this->Labels, fragments);
       this->Volumes = std::make_unique<FragmentVolumes>(
-        this->Grid, this->Fractions, this->Materials, homes, this->Parts);
+        this->Grid, this->Fractions, this->Materials, locator, this->Parts);
       this->FillFragments(fragments);
     }
     this->Report.NumberOfFragments = static_cast<Index>(this->Materials.size()) - 1;

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "Base/ConvexClip.h"
+#include "Shapes/Shapes.h"
 
 namespace vfm
 {

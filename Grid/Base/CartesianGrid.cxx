@@ -48,11 +48,11 @@ IndexBox Intersect(const IndexBox& a, const IndexBox& b)
 }
 
 CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
-  int ghostLevels, int hexLevels) :
-  X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned), HexGhosts(hexLevels)
+  int ghostLayers, int hexLayers) :
+  X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned), HexGhosts(hexLayers)
 {
   this->LocalBox = this->GlobalBox; // so that Extended cuts at the domain
-  this->LocalBox = this->Extended(ghostLevels);
+  this->LocalBox = this->Extended(ghostLayers);
   Index stride = 1;
   for (int a = 0; a < 3; ++a)
   {

@@ -1,6 +1,6 @@
 /**
  * CartesianGrid: a uniform or rectilinear grid of cells, of which this process holds one box plus
- * ghost levels. Cells and nodes are implicit.
+ * ghost layers. Cells and nodes are implicit.
  *
  * Indices. (i,j,k) are global. The linear index of the cell (i,j,k) and of the node (i,j,k), its lower
  * corner, is the same number: their arrays have one shape, the local box with one more layer of cells
@@ -25,9 +25,9 @@ namespace vfm
 {
 
 /// Ghost levels that the stages need: six around the owned cells.
-constexpr int GhostLevels = 6;
+constexpr int GhostLayers = 6;
 /// Of those, the levels whose hexes are made too, for smoothing and geometry at the rim of a rank's cells; more where interfaces cross levels.
-constexpr int HexLevels = 2;
+constexpr int HexLayers = 2;
 
 using Index = std::int64_t;
 using Index3 = std::array<Index, 3>;
@@ -88,8 +88,8 @@ void ForCells(const IndexBox& box, const Body& body)
 /// The cells that both boxes hold; a box without cells where there is none.
 IndexBox Intersect(const IndexBox& a, const IndexBox& b);
 
-/// The place of a cell in arrays over the cells of a box, x fastest.
-inline Index PlaceInBox(const IndexBox& box, const Index3& cell)
+/// The index of a cell in arrays over the cells of a box, x fastest.
+inline Index IndexInBox(const IndexBox& box, const Index3& cell)
 {
   return ((cell[2] - box.Lower[2]) * box.Size(1) + cell[1] - box.Lower[1]) * box.Size(0) + cell[0] -
     box.Lower[0];
@@ -105,11 +105,11 @@ class CartesianGrid
 {
 public:
   /// coordinates: of all nodes of the whole grid, one increasing list an axis (length units of the user).
-  /// owned: the cells whose hexes this process makes. ghostLevels: layers of cells held around them. hexLevels: of those, the layers
+  /// owned: the cells whose hexes this process makes. ghostLayers: layers of cells held around them. hexLayers: of those, the layers
   /// whose hexes are made too.
   /// Throws InputError when a list has fewer than two entries or does not increase.
   CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
-    int ghostLevels = 0, int hexLevels = HexLevels);
+    int ghostLayers = 0, int hexLayers = HexLayers);
 
   /// The whole grid in one process.
   explicit CartesianGrid(std::array<std::vector<double>, 3> coordinates);
@@ -117,7 +117,7 @@ public:
   const IndexBox& Global() const { return this->GlobalBox; }
   const IndexBox& Owned() const { return this->OwnedBox; }
   const IndexBox& Local() const { return this->LocalBox; }
-  /// The owned cells and up to levels of the ghost levels around them.
+  /// The owned cells and up to levels of the ghost layers around them.
   IndexBox Extended(int levels) const;
   /// The cells whose hexes are made here: the owned ones and those near them.
   IndexBox HexBox() const { return this->Extended(this->HexGhosts); }

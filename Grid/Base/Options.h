@@ -41,11 +41,11 @@ struct LevelPlan
 {
   int Refinements = 0; ///< base cells are 2^Refinements cells of the grid along each axis
   bool FineInterfaces =
-    true; ///< all interfaces get cells of the grid; false: where Octets are alone, so interfaces cross levels
+    true; ///< all interfaces get cells of the grid; false: where Families are alone, so interfaces cross levels
   int FineLayers =
     2; ///< >= 2: cells of the grid kept around those at an interface, where these get them
   std::vector<std::vector<Index>>
-    Octets; ///< to refine besides: of each refinement, those of this rank (RefinedLattice::OctetKey)
+    Families; ///< to refine besides: of each refinement, those of this rank (OctreeKeys::FamilyKey)
 };
 
 struct MeshOptions

@@ -77,7 +77,7 @@ public:
   }
   RowView Row(Index n) const { return RowView(this->Rows[this->RowOf(n)]); }
   Index RowLength() const { return this->Length; }
-  /// Place of an index in its row.
+  /// Position of an index in its row.
   Index InRow(Index n) const { return n - this->RowOf(n) * this->Length; }
 
   void Set(Index n, T value);

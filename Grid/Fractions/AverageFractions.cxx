@@ -134,13 +134,13 @@ FractionField AverageAlong(const CartesianGrid& grid, const FractionField& from,
 FractionField AverageFractions(const CartesianGrid& grid, FractionField fractions, int passes,
   const Partition& partition, Runtime& runtime)
 {
-  int levels = GhostLevels; // in which the fractions are right
+  int levels = GhostLayers; // in which the fractions are right
   for (int pass = 0; pass < passes; ++pass)
   {
     if (levels == 1)
     {
       FillGhosts(partition, fractions);
-      levels = GhostLevels;
+      levels = GhostLayers;
     }
     IndexBox box = grid.Extended(levels);
     --levels;

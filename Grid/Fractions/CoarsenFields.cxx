@@ -181,7 +181,7 @@ void StoreRow(const CoarseRow& row, FractionField::RowWriter& writer)
 
 } // namespace
 
-CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLevels)
+CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLayers)
 {
   const Index factor = Index(1) << halvings;
   std::array<std::vector<double>, 3> coordinates;
@@ -204,7 +204,7 @@ CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLeve
     owned.Lower[a] = grid.Owned().Lower[a] / factor;
     owned.Upper[a] = grid.Owned().Upper[a] / factor;
   }
-  return CartesianGrid(std::move(coordinates), owned, ghostLevels);
+  return CartesianGrid(std::move(coordinates), owned, ghostLayers);
 }
 
 int CountCoarseGhosts(const CartesianGrid& grid, int halvings, int most)

@@ -9,11 +9,11 @@
 namespace vfm
 {
 
-/// The grid whose cells are 2^halvings cells of a grid along each axis, with the same owned cells and so many ghost levels of its
+/// The grid whose cells are 2^halvings cells of a grid along each axis, with the same owned cells and so many ghost layers of its
 /// own. Throws InputError when whole cells do not make up the grid and the owned box.
-CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLevels);
+CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLayers);
 
-/// Of the ghost levels of such a grid, the most that the grid's local box holds whole, not above a bound.
+/// Of the ghost layers of such a grid, the most that the grid's local box holds whole, not above a bound.
 int CountCoarseGhosts(const CartesianGrid& grid, int halvings, int most);
 
 /// Means of the fractions of a grid, weighted with volumes, on CoarsenGrid(grid, halvings, g); the grid must hold all cells of its

@@ -8,7 +8,7 @@ namespace vfm
 namespace
 {
 
-constexpr int ReadLevels = GhostLevels / 2; // coarse ghost levels whose cells are cut
+constexpr int ReadLevels = GhostLayers / 2; // coarse ghost layers whose cells are cut
 
 IndexBox Doubled(const IndexBox& box)
 {
@@ -28,7 +28,7 @@ CartesianGrid HalveCells(const CartesianGrid& grid)
   {
     halved[a] = HalveWidths(grid.Coordinates(a));
   }
-  return CartesianGrid(std::move(halved), Doubled(grid.Owned()), GhostLevels);
+  return CartesianGrid(std::move(halved), Doubled(grid.Owned()), GhostLayers);
 }
 
 /// The four rows of children of a row of cells.

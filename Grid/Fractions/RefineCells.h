@@ -33,8 +33,8 @@ inline Index3 ChildOfCell(const Index3& cell, int c)
   return { { 2 * cell[0] + (c & 1), 2 * cell[1] + (c >> 1 & 1), 2 * cell[2] + (c >> 2 & 1) } };
 }
 
-/// The owned cells halved along each axis, with GhostLevels levels of half cells around them. grid: the whole domain,
-/// or a rank's part with ghost levels of its own: four are read. Pure cells give their label to their children, mixed
+/// The owned cells halved along each axis, with GhostLayers levels of half cells around them. grid: the whole domain,
+/// or a rank's part with ghost layers of its own: four are read. Pure cells give their label to their children, mixed
 /// ones fractions that average to theirs. The same on any number of ranks and threads; nothing is
 /// communicated. skips(cell): whether the halves of a cell are not wanted, they are void then; may be empty.
 /// Throws InputError when the finer grid has too many nodes for 64-bit ids, or coordinates too near to halve.

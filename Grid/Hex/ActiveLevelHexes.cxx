@@ -27,20 +27,20 @@ public:
     {
       const Index3 p = finest.Position(node);
       const Index3 q{ { p[0] >> shift, p[1] >> shift, p[2] >> shift } };
-      const Index place = PlaceInBox(this->Box, q);
-      if (!seen[place])
+      const Index at = IndexInBox(this->Box, q);
+      if (!seen[at])
       {
-        seen[place] = true;
+        seen[at] = true;
         const IndexBox around{ { { q[0] - rings, q[1] - rings, q[2] - rings } },
           { { q[0] + rings + 1, q[1] + rings + 1, q[2] + rings + 1 } } };
         ForCells(Intersect(around, this->Box),
-          [&](const Index3& near) { this->Marked[PlaceInBox(this->Box, near)] = true; });
+          [&](const Index3& near) { this->Marked[IndexInBox(this->Box, near)] = true; });
       }
     }
   }
   bool Has(const Index3& node) const
   {
-    return this->Box.Contains(node) && this->Marked[PlaceInBox(this->Box, node)];
+    return this->Box.Contains(node) && this->Marked[IndexInBox(this->Box, node)];
   }
 
 private:
@@ -51,13 +51,13 @@ private:
 class ActiveLevelBuilder
 {
 public:
-  ActiveLevelBuilder(const LevelInterfaces& interfaces, const OuterHexes& outer,
+  ActiveLevelBuilder(const LevelInterfaces& interfaces, const CoarseHexes& coarse,
     const LabelArray& labels, const std::vector<Index>& mixed, const PointNumbering& numbering,
     const Fragments& fragments, const Partition& partition, const Mesh& mesh) :
     Interfaces(interfaces),
-    Outer(outer),
-    Levels(outer.Levels()),
-    Finest(outer.Levels().Finest()),
+    Coarse(coarse),
+    Levels(coarse.Levels()),
+    Finest(coarse.Levels().Finest()),
     Labels(labels),
     Mixed(mixed),
     Numbering(numbering),
@@ -81,7 +81,7 @@ public:
     this->AddGroups();
     this->Result.Active.ListCorners();
     this->AddFineFaces();
-    this->AddOuterFaces();
+    this->AddCoarseFaces();
     this->SetAttachments();
     std::sort(this->Result.Entries.begin(), this->Result.Entries.end(),
       [](const auto& a, const auto& b) { return a.Id < b.Id; });
@@ -92,7 +92,7 @@ private:
   /// A point of the mesh and the node that it moves with.
   struct Mover
   {
-    RefinedLattice::Place Node;
+    OctreeKeys::LevelIndex Node;
     Index Key; // of the node
     Index MeshPoint;
   };
@@ -102,17 +102,17 @@ private:
     int Point;
     Attachment To;
   };
-  using Place = RefinedLattice::Place;
+  using Anchor = OctreeKeys::LevelIndex;
 
-  Place FindNode(Index id) const;
+  Anchor FindNode(Index id) const;
   bool IsFineAround(const Index3& node) const;
   void FindMovers();
   void AddHexes();
   int AddPoint(Index meshPoint, bool isActive);
   void AddGroups();
-  Index3 OwnerOf(const Place& node) const { return this->Levels.FinestNode(node.Level, node.At); }
+  Index3 OwnerOf(const Anchor& node) const { return this->Levels.FinestNode(node.Level, node.At); }
   void AddFineFaces();
-  void AddOuterFaces();
+  void AddCoarseFaces();
   void AddFace(const std::array<Index, 4>& meshPoints, const std::array<int, 2>& labels,
     const std::array<int, 2>& fragments, bool counts);
   void Draw(Index meshPoint, int point, const std::array<int, 2>& labels,
@@ -120,7 +120,7 @@ private:
   void SetAttachments();
 
   const LevelInterfaces& Interfaces;
-  const OuterHexes& Outer;
+  const CoarseHexes& Coarse;
   const RefinedGrid& Levels;
   const CartesianGrid& Finest;
   const LabelArray& Labels;
@@ -138,23 +138,23 @@ private:
 };
 
 /// The node that a point moves with.
-RefinedLattice::Place ActiveLevelBuilder::FindNode(Index id) const
+OctreeKeys::LevelIndex ActiveLevelBuilder::FindNode(Index id) const
 {
-  const RefinedLattice& lattice = this->Levels.Lattice();
-  const bool isOuter = this->Levels.IsOuterPoint(id, this->Input.Ids.PointSlots);
-  const Place finest{ this->Levels.NumberOfRefinements(),
+  const OctreeKeys& lattice = this->Levels.Lattice();
+  const bool isCoarse = this->Levels.IsCoarsePoint(id, this->Input.Ids.PointSlots);
+  const Anchor finest{ this->Levels.NumberOfRefinements(),
     NodeOfPoint(this->Finest, this->Input, id), 0 };
-  if (!isOuter && this->IsFineAround(finest.At))
+  if (!isCoarse && this->IsFineAround(finest.At))
   {
     return finest;
   }
   const Index key = this->Levels.KeyOfPoint(id, this->Input.Ids.PointSlots);
-  const Index place = PlaceOfPoint(this->Levels.Octets(), this->Outer.Refined(), key);
-  if (place >= 0)
+  const Index anchor = AnchorOfPoint(this->Levels.Families(), this->Coarse.Refined(), key);
+  if (anchor >= 0)
   {
-    return lattice.NodeOfKey(place);
+    return lattice.NodeOfKey(anchor);
   }
-  return isOuter ? lattice.NodeOfKey(key) : finest;
+  return isCoarse ? lattice.NodeOfKey(key) : finest;
 }
 
 /// Whether all cells at a node are finest ones.
@@ -172,7 +172,7 @@ bool ActiveLevelBuilder::IsFineAround(const Index3& node) const
 
 void ActiveLevelBuilder::FindMovers()
 {
-  const RefinedLattice& lattice = this->Levels.Lattice();
+  const OctreeKeys& lattice = this->Levels.Lattice();
   for (std::size_t p = 0; p < this->Input.PointIds.size(); ++p)
   {
     const Index id = this->Input.PointIds[p];
@@ -182,7 +182,7 @@ void ActiveLevelBuilder::FindMovers()
     {
       continue;
     }
-    const Place node = this->FindNode(id);
+    const Anchor node = this->FindNode(id);
     if (this->Near[node.Level].Has(node.At))
     {
       this->Movers.push_back(
@@ -272,14 +272,14 @@ void ActiveLevelBuilder::Draw(
   const Index id = this->Input.PointIds[meshPoint];
   const int refinements = this->Levels.NumberOfRefinements();
   Index target = -1;
-  if (!this->Levels.IsOuterPoint(id, this->Input.Ids.PointSlots))
+  if (!this->Levels.IsCoarsePoint(id, this->Input.Ids.PointSlots))
   {
     target = this->Interfaces.FindTarget(
       refinements, NodeOfPoint(this->Finest, this->Input, id), labels[0], labels[1]);
   }
   if (target < 0)
   {
-    const Place node = this->FindNode(id);
+    const Anchor node = this->FindNode(id);
     target = this->Interfaces.FindTarget(node.Level, node.At, labels[0], labels[1]);
   }
   if (target >= 0)
@@ -350,31 +350,31 @@ void ActiveLevelBuilder::AddFineFaces()
 }
 
 /// Faces of which no side is a finest cell.
-void ActiveLevelBuilder::AddOuterFaces()
+void ActiveLevelBuilder::AddCoarseFaces()
 {
-  for (const SplitNodes::Face& face : this->Outer.Splits()->Faces())
+  for (const SplitNodes::Face& face : this->Coarse.Splits()->Faces())
   {
     std::array<int, 2> labels, fragments;
-    bool isOuter = true;
+    bool isCoarse = true;
     for (int side = 0; side < 2; ++side)
     {
-      const Place& place = face.Sides[side].Cell;
-      const Index3 cell = this->Levels.NearestCell(place.Level, place.At);
-      isOuter = isOuter && place.Level < this->Levels.NumberOfRefinements();
+      const Anchor& leaf = face.Sides[side].Cell;
+      const Index3 cell = this->Levels.NearestCell(leaf.Level, leaf.At);
+      isCoarse = isCoarse && leaf.Level < this->Levels.NumberOfRefinements();
       labels[side] = face.Sides[side].Label;
       fragments[side] =
         this->Finest.HexBox().Contains(cell) ? this->Pieces.FragmentOfCell(cell) : 0;
     }
-    if (!isOuter)
+    if (!isCoarse)
     {
       continue;
     }
     std::array<Index, 4> points;
     for (int c = 0; c < 4; ++c)
     {
-      points[c] = this->Outer.SplitPoints()[face.Nodes[(4 - c) % 4]];
+      points[c] = this->Coarse.SplitPoints()[face.Nodes[(4 - c) % 4]];
     }
-    const Place& first = face.Sides[0].Cell;
+    const Anchor& first = face.Sides[0].Cell;
     this->AddFace(points, labels, fragments,
       this->Parts.OwnsCell(this->Levels.FinestNode(first.Level, first.At)));
   }
@@ -410,11 +410,12 @@ void ActiveLevelBuilder::SetAttachments()
 
 } // namespace
 
-ActiveLevelHexes MakeActiveLevelHexes(const LevelInterfaces& interfaces, const OuterHexes& outer,
+ActiveLevelHexes MakeActiveLevelHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse,
   const LabelArray& labels, const std::vector<Index>& mixed, const PointNumbering& numbering,
   const Fragments& fragments, const Partition& partition, const Mesh& mesh)
 {
-  return ActiveLevelBuilder(interfaces, outer, labels, mixed, numbering, fragments, partition, mesh)
+  return ActiveLevelBuilder(
+    interfaces, coarse, labels, mixed, numbering, fragments, partition, mesh)
     .Build();
 }
 

@@ -1,6 +1,6 @@
 #include "Hex/HexGeometry.h"
 
-#include "Hex/OuterHexes.h"
+#include "Hex/CoarseHexes.h"
 #include "Smoothing/ActiveMesh.h"
 
 namespace vfm
@@ -13,14 +13,14 @@ class HexFacets
 public:
   HexFacets(const CartesianGrid& grid, const LabelArray& labels, const std::vector<Index>& mixed,
     const Fragments& fragments, const PointNumbering& numbering, const Partition& partition,
-    const OuterHexes* outer, Mesh& mesh) :
+    const CoarseHexes* coarse, Mesh& mesh) :
     Grid(grid),
     Labels(labels),
     Mixed(mixed),
     Pieces(fragments),
     Points(numbering),
     Parts(partition),
-    Outer(outer),
+    Coarse(coarse),
     Box(grid.HexBox()),
     Result(mesh)
   {
@@ -30,9 +30,9 @@ public:
   {
     this->FillVolumes();
     this->AddInterfaceQuads();
-    if (this->Outer && this->Outer->Splits())
+    if (this->Coarse && this->Coarse->Splits())
     {
-      this->AddOuterQuads();
+      this->AddCoarseQuads();
     }
     return std::move(this->Quads);
   }
@@ -56,18 +56,18 @@ private:
     }
     for (Index h = mesh.RowOffset.back(); h < static_cast<Index>(mesh.ElementIds.size()); ++h)
     {
-      this->FillOuterHex(h);
+      this->FillCoarseHex(h);
     }
     this->FillInnerPoints();
   }
 
-  void FillOuterHex(Index h)
+  void FillCoarseHex(Index h)
   {
     Mesh& mesh = this->Result;
     const RefinedGrid& levels = *mesh.Levels;
-    const RefinedLattice::Place place =
-      levels.CellOfOuterElement(mesh.ElementIds[h], mesh.Ids.ElementSlots);
-    const Index3 cell = levels.NearestCell(place.Level, place.At);
+    const OctreeKeys::LevelIndex leaf =
+      levels.CellOfCoarseElement(mesh.ElementIds[h], mesh.Ids.ElementSlots);
+    const Index3 cell = levels.NearestCell(leaf.Level, leaf.At);
     const bool isNear = this->Box.Contains(cell); // the others only serve smoothing
     const int fragment = isNear ? this->Pieces.FragmentOfCell(cell) : 0;
     mesh.Fragment[h] = fragment;
@@ -204,31 +204,31 @@ private:
   }
 
   /// Faces of which no side is a finest cell.
-  void AddOuterQuads()
+  void AddCoarseQuads()
   {
     const RefinedGrid& levels = *this->Result.Levels;
-    for (const SplitNodes::Face& face : this->Outer->Splits()->Faces())
+    for (const SplitNodes::Face& face : this->Coarse->Splits()->Faces())
     {
       Facet quad;
       bool isNear = true;
       for (int side = 0; side < 2; ++side)
       {
-        const RefinedLattice::Place& place = face.Sides[side].Cell;
-        const Index3 cell = levels.NearestCell(place.Level, place.At);
-        isNear = isNear && place.Level < levels.NumberOfRefinements() && this->Box.Contains(cell);
+        const OctreeKeys::LevelIndex& leaf = face.Sides[side].Cell;
+        const Index3 cell = levels.NearestCell(leaf.Level, leaf.At);
+        isNear = isNear && leaf.Level < levels.NumberOfRefinements() && this->Box.Contains(cell);
         quad.Sides[side] = isNear ? this->Pieces.FragmentOfCell(cell) : 0;
         quad.Materials[side] = face.Sides[side].Label;
       }
       for (int c = 0; c < 4; ++c)
       {
-        quad.Points[c] = this->Outer->SplitPoints()[face.Nodes[(4 - c) % 4]];
+        quad.Points[c] = this->Coarse->SplitPoints()[face.Nodes[(4 - c) % 4]];
         isNear = isNear && quad.Points[c] >= 0;
       }
       if (isNear)
       {
         const bool isFirst = this->Points.IsMeshed(face.Sides[0].Label);
-        const RefinedLattice::Place& place = face.Sides[isFirst ? 0 : 1].Cell;
-        quad.IsOwned = this->Parts.OwnsCell(levels.FinestNode(place.Level, place.At));
+        const OctreeKeys::LevelIndex& leaf = face.Sides[isFirst ? 0 : 1].Cell;
+        quad.IsOwned = this->Parts.OwnsCell(levels.FinestNode(leaf.Level, leaf.At));
         quad.DomainSide = -1;
         std::sort(quad.Sides.begin(), quad.Sides.end());
         this->Quads.push_back(quad);
@@ -258,7 +258,7 @@ private:
   const Fragments& Pieces;
   const PointNumbering& Points;
   const Partition& Parts;
-  const OuterHexes* Outer; // null without levels
+  const CoarseHexes* Coarse; // null without levels
   IndexBox Box;
   Mesh& Result;
   std::vector<Facet> Quads;
@@ -268,10 +268,10 @@ private:
 
 void FindHexGeometry(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, const Fragments& fragments, const PointNumbering& numbering,
-  const Partition& partition, const OuterHexes* outer, Mesh& mesh, MeshReport& report)
+  const Partition& partition, const CoarseHexes* coarse, Mesh& mesh, MeshReport& report)
 {
   const std::vector<Facet> quads =
-    HexFacets(grid, labels, mixed, fragments, numbering, partition, outer, mesh).Run();
+    HexFacets(grid, labels, mixed, fragments, numbering, partition, coarse, mesh).Run();
   ClassifyGeometry(quads, grid, partition, mesh, report);
 }
 

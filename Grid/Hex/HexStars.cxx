@@ -9,7 +9,7 @@ namespace vfm
 {
 
 int LabelOfLeaf(
-  const RefinedGrid& grid, const LabelArray& labels, const RefinedLattice::Place& cell)
+  const RefinedGrid& grid, const LabelArray& labels, const OctreeKeys::LevelIndex& cell)
 {
   const Index3 nearest = grid.NearestCell(cell.Level, cell.At);
   return grid.Finest().Local().Contains(nearest) ? labels[grid.Finest().Linear(nearest)]
@@ -27,7 +27,7 @@ HexStars::HexStars(const RefinedGrid& grid, const RefinedMesh& refined, const In
 {
   for (Index key : refined.TouchedCells)
   {
-    this->IsTouched[PlaceInBox(region, this->Lattice.HexOfKey(HexSlots * key).At)] = true;
+    this->IsTouched[IndexInBox(region, this->Lattice.HexOfKey(HexSlots * key).At)] = true;
   }
   this->FindNodes();
   this->GatherHexes();
@@ -42,7 +42,7 @@ Index HexStars::Find(Index key) const
 
 int HexStars::DomainSides(Index n) const
 {
-  const RefinedLattice::Place node = this->Lattice.NodeOfKey(this->Keys[n]);
+  const OctreeKeys::LevelIndex node = this->Lattice.NodeOfKey(this->Keys[n]);
   if (node.Slot == 0)
   {
     return this->Lattice.DomainSides(node.Level, node.At);
@@ -74,9 +74,9 @@ void HexStars::FindNodes()
   const CartesianGrid& finest = this->Grid.Finest();
   for (std::size_t p = 0; p < keys.size(); ++p)
   {
-    const RefinedLattice::Place place = this->Lattice.NodeOfKey(keys[p]);
-    const Index3 node = this->Grid.FinestNode(place.Level, place.At);
-    for (int c = 0; place.Slot == 0 && c < 8; ++c)
+    const OctreeKeys::LevelIndex index = this->Lattice.NodeOfKey(keys[p]);
+    const Index3 node = this->Grid.FinestNode(index.Level, index.At);
+    for (int c = 0; index.Slot == 0 && c < 8; ++c)
     {
       const Index3 cell = CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
       if (this->IsFineCell(cell))
@@ -136,7 +136,7 @@ void HexStars::CompareBaseCells(std::vector<int>& least, std::vector<int>& most)
 
 HexStars::Hex HexStars::MakeHex(Kind kind, Index id) const
 {
-  RefinedLattice::Place cell;
+  OctreeKeys::LevelIndex cell;
   Index key = -1;
   switch (kind)
   {
@@ -199,7 +199,7 @@ void HexStars::GatherHexes()
     std::vector<Index> cells;
     for (Index key : this->Keys)
     {
-      const RefinedLattice::Place node = this->Lattice.NodeOfKey(key);
+      const OctreeKeys::LevelIndex node = this->Lattice.NodeOfKey(key);
       if (node.Slot == 0)
       {
         this->AddCells(kind, node.Level, node.At, cells);

@@ -15,7 +15,7 @@ constexpr int UnknownLabel = -1;
 
 /// The label of a leaf, or of a cell that a hex of it lies in.
 int LabelOfLeaf(
-  const RefinedGrid& grid, const LabelArray& labels, const RefinedLattice::Place& cell);
+  const RefinedGrid& grid, const LabelArray& labels, const OctreeKeys::LevelIndex& cell);
 
 class HexStars
 {
@@ -33,8 +33,8 @@ public:
   /// What a face of a hex has on one side.
   struct Side
   {
-    RefinedLattice::Place Cell; ///< that the hex is, or lies in
-    Index HexKey;               ///< RefinedLattice::HexKey; -1: a finest cell
+    OctreeKeys::LevelIndex Cell; ///< that the hex is, or lies in
+    Index HexKey;                ///< OctreeKeys::HexKey; -1: a finest cell
     int Label;
   };
   struct Hex
@@ -51,7 +51,7 @@ public:
   };
   using Star = std::vector<Corner>;
 
-  /// Keys of the nodes (RefinedLattice::NodeOfKey), ascending; they are numbered by their place.
+  /// Keys of the nodes (OctreeKeys::NodeOfKey), ascending; they are numbered by their place.
   const std::vector<Index>& Nodes() const { return this->Keys; }
   /// The number of the node with a key, or -1.
   Index Find(Index key) const;
@@ -72,7 +72,7 @@ public:
   int DomainSides(Index n) const;
 
 private:
-  static constexpr Index HexSlots = RefinedLattice::HexSlots;
+  static constexpr Index HexSlots = OctreeKeys::HexSlots;
 
   void FindNodes();
   void CompareBaseCells(std::vector<int>& least, std::vector<int>& most);
@@ -82,7 +82,7 @@ private:
   void LinkHexes();
   bool IsBaseTouched(const Index3& cell) const
   {
-    return this->IsTouched[PlaceInBox(this->Region, cell)];
+    return this->IsTouched[IndexInBox(this->Region, cell)];
   }
   bool IsFineCell(const Index3& cell) const
   {
@@ -90,7 +90,7 @@ private:
   }
 
   const RefinedGrid& Grid;
-  const RefinedLattice& Lattice;
+  const OctreeKeys& Lattice;
   const RefinedMesh& Refined;
   const IndexBox Region;
   const LabelArray& Labels;

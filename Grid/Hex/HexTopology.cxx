@@ -1,6 +1,6 @@
 #include "Hex/HexTopology.h"
 
-#include "Hex/OuterHexes.h"
+#include "Hex/CoarseHexes.h"
 #include "Labels/LabelCondition.h"
 
 namespace vfm
@@ -41,14 +41,14 @@ class HexTopologyBuilder
 public:
   HexTopologyBuilder(const CartesianGrid& grid, const LabelArray& labels,
     const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
-    OuterHexes* outer) :
+    CoarseHexes* coarse) :
     Grid(grid),
     Labels(labels),
     Box(grid.HexBox()),
     StairStep(stairStep),
     Numbering(numbering),
     Run(runtime),
-    Outer(outer),
+    Coarse(coarse),
     Mixed(mixed)
   {
   }
@@ -57,8 +57,8 @@ public:
   {
     CheckIds(this->Grid, this->Result.Ids.PointSlots);
     const Index finePoints = this->CountPoints(), fineHexes = this->CountHexes();
-    const Index points = finePoints + (this->Outer ? this->Outer->NumberOfPoints() : 0);
-    const Index hexes = fineHexes + (this->Outer ? this->Outer->NumberOfHexes() : 0);
+    const Index points = finePoints + (this->Coarse ? this->Coarse->NumberOfPoints() : 0);
+    const Index hexes = fineHexes + (this->Coarse ? this->Coarse->NumberOfHexes() : 0);
     CheckNumberOfPoints(points, this->Run.Group());
     Mesh& mesh = this->Result;
     mesh.Points = Buffer<double>(3 * points);
@@ -68,9 +68,9 @@ public:
     mesh.Material = Buffer<int>(hexes);
     this->OverRows(1, [this](Index j, Index k, Index row) { this->FillPoints(j, k, row); });
     this->OverRows(0, [this](Index j, Index k, Index row) { this->FillHexes(j, k, row); });
-    if (this->Outer)
+    if (this->Coarse)
     {
-      this->Outer->Fill(mesh, finePoints, fineHexes,
+      this->Coarse->Fill(mesh, finePoints, fineHexes,
         [this](Index node, int label)
         {
           return label == UnknownLabel ? this->Numbering.FirstPoint(node)
@@ -108,12 +108,12 @@ private:
         visit(p, cell);
       }
     };
-    if (!this->Outer)
+    if (!this->Coarse)
     {
       visitRun(this->Box.Lower[0], this->Box.Upper[0]);
       return;
     }
-    this->Outer->Levels().ForFineCells(j, k, this->Box.Lower[0], this->Box.Upper[0], visitRun);
+    this->Coarse->Levels().ForFineCells(j, k, this->Box.Lower[0], this->Box.Upper[0], visitRun);
   }
 
   /// Calls visit(p, node, whether it is mixed) for the nodes of such cells in a row.
@@ -138,12 +138,12 @@ private:
         visit(p, node, isMixed);
       }
     };
-    if (!this->Outer)
+    if (!this->Coarse)
     {
       visitRun(this->Box.Lower[0], this->Box.Upper[0] + 1);
       return;
     }
-    this->Outer->Levels().ForFineNodes(j, k, this->Box.Lower[0], this->Box.Upper[0] + 1, visitRun);
+    this->Coarse->Levels().ForFineNodes(j, k, this->Box.Lower[0], this->Box.Upper[0] + 1, visitRun);
   }
 
   int PointsOfNode(Index node, bool isMixed) const
@@ -325,7 +325,7 @@ private:
   bool StairStep;
   PointNumbering& Numbering;
   Runtime& Run;
-  OuterHexes* Outer;               // null: all cells are hexes of their own
+  CoarseHexes* Coarse;             // null: all cells are hexes of their own
   const std::vector<Index>& Mixed; // ascending
   std::vector<Index> PointOffset;
   Mesh Result;
@@ -333,9 +333,9 @@ private:
 
 Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
-  OuterHexes* outer)
+  CoarseHexes* coarse)
 {
-  return HexTopologyBuilder(grid, labels, mixed, stairStep, numbering, runtime, outer).Build();
+  return HexTopologyBuilder(grid, labels, mixed, stairStep, numbering, runtime, coarse).Build();
 }
 
 } // namespace vfm

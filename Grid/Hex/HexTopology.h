@@ -9,7 +9,7 @@
  *   hexes = meshed cells + one per interface face and meshed side.
  * In a stair-step mesh mixed nodes are one point like the others and there is no buffer layer.
  *
- * In a refined grid this is so for the fine cells alone; the outer hexes follow (OuterHexes.h).
+ * In a refined grid this is so for the fine cells alone; the coarse hexes follow (CoarseHexes.h).
  *
  * Made for CartesianGrid::HexBox; a rank keeps those of its own cells at the end (KeepOwned).
  * Order: points by node, hexes by cell, core first, then the faces -x +x -y +y -z +z; ids ascend.
@@ -109,13 +109,13 @@ private:
   PagedArray<int> SomeCodes;
 };
 
-class OuterHexes;
+class CoarseHexes;
 
 /// Makes points (grid nodes; I moved inwards by BufferThickness), ids, hexes and materials. mixed: all
 /// mixed nodes (FindMixedNodes). Every corner of every hex has a positive Jacobian when all stars pass the label condition.
-/// outer: of a refined grid, else null. Throws InputError when an id does not fit.
+/// coarse: of a refined grid, else null. Throws InputError when an id does not fit.
 Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
-  OuterHexes* outer = nullptr);
+  CoarseHexes* coarse = nullptr);
 
 } // namespace vfm

@@ -50,7 +50,7 @@ public:
     Result(result)
   {
     result.Keys = stars.Nodes();
-    result.Octets.resize(grid.NumberOfRefinements());
+    result.Families.resize(grid.NumberOfRefinements());
   }
 
   void Run()
@@ -58,7 +58,7 @@ public:
     this->SplitAll();
     this->SortFaces();
     this->CheckHexes();
-    this->SortOctets();
+    this->SortFamilies();
   }
 
 private:
@@ -90,7 +90,7 @@ private:
   bool IsPositive(const Hex& hex) const;
   void WantFiner(const Star& star);
   void SortFaces();
-  void SortOctets();
+  void SortFamilies();
 
   const Hex& HexOf(const Corner& at) const { return this->Stars.Hexes()[at.Hex]; }
   bool IsMeshed(int label) const { return label > 0 || this->MeshVoid; }
@@ -103,7 +103,7 @@ private:
   Vector3 InnerAt(const Hex& hex, int corner) const;
 
   const RefinedGrid& Grid;
-  const RefinedLattice& Lattice;
+  const OctreeKeys& Lattice;
   const HexStars& Stars;
   const LabelArray& Labels;
   const bool MeshVoid;
@@ -306,7 +306,7 @@ void SplitNodesBuilder::PlaceInnerPoints(
 bool SplitNodesBuilder::HasLatticeLabels(Index n, const std::vector<int>& labels) const
 {
   const CartesianGrid& finest = this->Grid.Finest();
-  const RefinedLattice::Place node = this->Lattice.NodeOfKey(this->Result.Keys[n]);
+  const OctreeKeys::LevelIndex node = this->Lattice.NodeOfKey(this->Result.Keys[n]);
   const Index3 p = this->Grid.FinestNode(node.Level, node.At);
   if (node.Slot != 0 || !finest.Local().Touches(p) || !this->Grid.TouchesFine(p))
   {
@@ -321,10 +321,10 @@ void SplitNodesBuilder::WantFiner(const Star& star)
 {
   for (const Corner& at : star)
   {
-    const RefinedLattice::Place& cell = this->HexOf(at).Side.Cell;
+    const OctreeKeys::LevelIndex& cell = this->HexOf(at).Side.Cell;
     if (cell.Level < this->Grid.NumberOfRefinements())
     {
-      this->Result.Octets[cell.Level].push_back(this->Lattice.OctetKey(
+      this->Result.Families[cell.Level].push_back(this->Lattice.FamilyKey(
         cell.Level, { { cell.At[0] >> 1, cell.At[1] >> 1, cell.At[2] >> 1 } }));
     }
   }
@@ -421,12 +421,12 @@ void SplitNodesBuilder::SortFaces()
   faces.resize(count);
 }
 
-void SplitNodesBuilder::SortOctets()
+void SplitNodesBuilder::SortFamilies()
 {
-  for (std::vector<Index>& octets : this->Result.Octets)
+  for (std::vector<Index>& families : this->Result.Families)
   {
-    std::sort(octets.begin(), octets.end());
-    octets.erase(std::unique(octets.begin(), octets.end()), octets.end());
+    std::sort(families.begin(), families.end());
+    families.erase(std::unique(families.begin(), families.end()), families.end());
   }
 }
 

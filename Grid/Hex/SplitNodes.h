@@ -34,7 +34,7 @@ public:
   };
 
   Index Count() const { return static_cast<Index>(this->Keys.size()); }
-  /// The number of the node with a key (RefinedLattice::NodeOfKey), or -1 where it is not split.
+  /// The number of the node with a key (OctreeKeys::NodeOfKey), or -1 where it is not split.
   Index Find(Index key) const;
   Index Key(Index n) const { return this->Keys[n]; }
   /// The labels around a node, ascending.
@@ -51,8 +51,8 @@ public:
   /// Bit f set when face f (-x +x -y +y -z +z) of a hex of the refined mesh or of an untouched base cell is on an interface.
   int FacesOfHex(Index hexKey) const;
 
-  /// Octets that owned cells want to refine because no valid mesh would start there: of each refinement, ascending.
-  const std::vector<std::vector<Index>>& BadOctets() const { return this->Octets; }
+  /// Families that owned cells want to refine because no valid mesh would start there: of each refinement, ascending.
+  const std::vector<std::vector<Index>>& BadFamilies() const { return this->Families; }
 
 private:
   friend class SplitNodesBuilder;
@@ -62,7 +62,7 @@ private:
   std::vector<Vector3> Inner; // of each label
   std::vector<Face> TheFaces;
   std::vector<std::pair<Index, int>> HexFaces; // hex key, faces; ascending
-  std::vector<std::vector<Index>> Octets;
+  std::vector<std::vector<Index>> Families;
 };
 
 } // namespace vfm

@@ -24,15 +24,14 @@ const SmoothingRamp Ramp{ { 1, 0.0, 0.1, 5, 1e-3 }, { 2, 0.0, 0.05, 8, 1e-3 },
   { 8, 0.0, 0.01, 25, 1e-3 } };
 
 /// Numbered as in RefinedMesh::FreePoints.
-std::vector<PointExchange::Entry> ListFreePoints(
-  const RefinedLattice& lattice, const RefinedMesh& mesh)
+std::vector<PointExchange::Entry> ListFreePoints(const OctreeKeys& lattice, const RefinedMesh& mesh)
 {
   std::vector<PointExchange::Entry> entries;
   for (const RefinedMesh::FreePoint& point : mesh.FreePoints)
   {
-    const RefinedLattice::Place place = lattice.NodeOfKey(point.Place);
-    entries.push_back({ static_cast<int>(entries.size()), point.Place, OwnerNode(place),
-      CartesianGrid::Colour(place.At), true });
+    const OctreeKeys::LevelIndex anchor = lattice.NodeOfKey(point.Anchor);
+    entries.push_back({ static_cast<int>(entries.size()), point.Anchor, OwnerNode(anchor),
+      CartesianGrid::Colour(anchor.At), true });
   }
   return entries;
 }
@@ -42,7 +41,7 @@ class TransitionMesh
 {
 public:
   TransitionMesh(
-    const RefinedLattice& lattice, RefinedMesh& mesh, const Partition& partition, bool inLattice) :
+    const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& partition, bool inLattice) :
     Lattice(lattice),
     Refined(mesh),
     Parts(partition),
@@ -66,11 +65,11 @@ private:
   void AddPoint(Index point, bool isFree);
   void AddFreePoints();
   void AddHexes();
-  void AddCell(const RefinedLattice::Place& cell);
+  void AddCell(const OctreeKeys::LevelIndex& cell);
   double SmallestCorner(std::size_t hex) const;
   void ActivateFlat(Index& flat, Index& inverted);
 
-  const RefinedLattice& Lattice;
+  const OctreeKeys& Lattice;
   RefinedMesh& Refined;
   const Partition& Parts;
   bool InLattice;
@@ -101,12 +100,12 @@ void TransitionMesh::AddFreePoints()
   for (const RefinedMesh::FreePoint& point : this->Refined.FreePoints)
   {
     const int at = static_cast<int>(this->Active.X.size());
-    const Index node = point.Place / RefinedLattice::NodeSlots;
-    const RefinedLattice::Place place = this->Lattice.NodeOfKey(point.Place);
-    if (this->Parts.OwnsNode(OwnerNode(place)))
+    const Index node = point.Anchor / OctreeKeys::NodeSlots;
+    const OctreeKeys::LevelIndex anchor = this->Lattice.NodeOfKey(point.Anchor);
+    if (this->Parts.OwnsNode(OwnerNode(anchor)))
     {
       std::vector<ActiveMesh::Group>& groups =
-        this->Active.Colours[CartesianGrid::Colour(place.At)];
+        this->Active.Colours[CartesianGrid::Colour(anchor.At)];
       if (node != last)
       {
         groups.push_back({ at, at });
@@ -146,7 +145,7 @@ void TransitionMesh::AddHexes()
 }
 
 /// What is known of a hex from the cell that it is a part of.
-void TransitionMesh::AddCell(const RefinedLattice::Place& cell)
+void TransitionMesh::AddCell(const OctreeKeys::LevelIndex& cell)
 {
   const double width = std::ldexp(1.0, -cell.Level);
   this->Active.Widths.push_back(this->InLattice
@@ -271,7 +270,7 @@ bool HasCubes(const CartesianGrid& grid)
     std::fabs(grid.Width(2, 0) - width) < 1e-9 * width;
 }
 
-void MovePoints(const RefinedLattice& lattice, RefinedMesh& mesh, const Partition& partition,
+void MovePoints(const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& partition,
   bool inLattice, bool smooth, Runtime& runtime, TransitionReport& report)
 {
   TransitionMesh transitions(lattice, mesh, partition, inLattice);
@@ -290,18 +289,18 @@ void MovePoints(const RefinedLattice& lattice, RefinedMesh& mesh, const Partitio
 
 } // namespace
 
-Index3 OwnerNode(const RefinedLattice::Place& place)
+Index3 OwnerNode(const OctreeKeys::LevelIndex& anchor)
 {
   Index3 node;
   for (int a = 0; a < 3; ++a)
   {
-    node[a] = (std::max<Index>(place.At[a] - 1, 0) >> place.Level) + 1;
+    node[a] = (std::max<Index>(anchor.At[a] - 1, 0) >> anchor.Level) + 1;
   }
   return node;
 }
 
 TransitionReport SmoothTransitions(
-  const RefinedLattice& lattice, RefinedMesh& mesh, Runtime& runtime, bool smooth, bool asCubes)
+  const OctreeKeys& lattice, RefinedMesh& mesh, Runtime& runtime, bool smooth, bool asCubes)
 {
   CheckNumberOfPoints(mesh.NumberOfPoints(), runtime.Group());
   const Partition partition(lattice.Base(), runtime.Group());

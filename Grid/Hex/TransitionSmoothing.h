@@ -6,7 +6,7 @@
  * of HexEnergy. All other points stay: refined cells and untouched ones are exact boxes.
  *
  * Both happen in lattice coordinates, where all cells of a level are cubes: whether untangling succeeds depends on the
- * octets alone. Where the cells are no cubes both follow in length units, from that start, and stay if they help.
+ * families alone. Where the cells are no cubes both follow in length units, from that start, and stay if they help.
  *
  * Colours are the parities of the lattice nodes that the points stem from: the points of a hex stem from corners of one
  * cell, so points of one colour share no hex unless they share their node. Each rank moves the points that it owns and
@@ -21,12 +21,12 @@ namespace vfm
 {
 
 /// The base node whose owner moves a point that stems from a node: the owner of the lowest cell there.
-Index3 OwnerNode(const RefinedLattice::Place& place);
+Index3 OwnerNode(const OctreeKeys::LevelIndex& anchor);
 
 /// The colour of the points that stem from a node, among those of all levels, eight a level.
-inline int ColourOfNode(const RefinedLattice::Place& place)
+inline int ColourOfNode(const OctreeKeys::LevelIndex& anchor)
 {
-  return 8 * place.Level + CartesianGrid::Colour(place.At);
+  return 8 * anchor.Level + CartesianGrid::Colour(anchor.At);
 }
 
 struct TransitionReport
@@ -38,9 +38,9 @@ struct TransitionReport
 
 /// mesh: of the owned cells of the lattice's grid and those around them (CartesianGrid::Extended(1) or more).
 /// smooth: false stops after untangling. asCubes: what is best where all cells are cubes, whatever their widths; then tets
-/// are positive too (OuterTets.h). Throws InputError on all ranks when some hexes stay inverted or a
+/// are positive too (CoarseTets.h). Throws InputError on all ranks when some hexes stay inverted or a
 /// rank has more than 2^31 points. Collective.
-TransitionReport SmoothTransitions(const RefinedLattice& lattice, RefinedMesh& mesh,
-  Runtime& runtime, bool smooth = true, bool asCubes = false);
+TransitionReport SmoothTransitions(const OctreeKeys& lattice, RefinedMesh& mesh, Runtime& runtime,
+  bool smooth = true, bool asCubes = false);
 
 } // namespace vfm

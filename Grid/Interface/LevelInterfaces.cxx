@@ -9,11 +9,11 @@ namespace vfm
 namespace
 {
 
-constexpr int LevelGhosts = GhostLevels + 2; // which FindCrossingNear needs besides, above the base
+constexpr int LevelGhosts = GhostLayers + 2; // which FindCrossingNear needs besides, above the base
 constexpr Index SearchRadius = 2;            // of FindTarget, in cells
-constexpr Index NearOctets = 2; // around that of a node: 3 cells around the node, and more
+constexpr Index NearFamilies = 2; // around that of a node: 3 cells around the node, and more
 
-/// What the cells of a level are. Those of an octet (RefinedLattice.h) are alike.
+/// What the cells of a level are. Those of a family (OctreeKeys.h) are alike.
 class LevelCells
 {
 public:
@@ -30,44 +30,44 @@ public:
     return !this->IsRefined(cell) && (!this->IsInCoarserLeaf(cell) || this->TouchesLeaf(cell));
   }
 
-  /// Whether a leaf is near the octet of a node.
+  /// Whether a leaf is near the family of a node.
   bool IsNear(const Index3& node)
   {
-    Index3 octet;
+    Index3 family;
     IndexBox box;
     for (int a = 0; a < 3; ++a)
     {
-      octet[a] = std::min(node[a], this->Size(a) - 1) >> 1;
-      box.Lower[a] = 2 * octet[a];
-      box.Upper[a] = 2 * octet[a] + 2;
+      family[a] = std::min(node[a], this->Size(a) - 1) >> 1;
+      box.Lower[a] = 2 * family[a];
+      box.Upper[a] = 2 * family[a] + 2;
     }
-    const auto at = this->Near.try_emplace(this->Lattice().OctetKey(this->Level, octet), false);
+    const auto at = this->Near.try_emplace(this->Lattice().FamilyKey(this->Level, family), false);
     if (at.second)
     {
-      at.first->second = this->HasLeafAround(box, NearOctets);
+      at.first->second = this->HasLeafAround(box, NearFamilies);
     }
     return at.first->second;
   }
 
 private:
-  const RefinedLattice& Lattice() const { return this->Levels.Lattice(); }
+  const OctreeKeys& Lattice() const { return this->Levels.Lattice(); }
   Index Size(int axis) const { return this->Lattice().Cells(this->Level, axis); }
   bool IsRefined(const Index3& cell) const
   {
     return this->Level < this->Levels.NumberOfRefinements() &&
-      this->Levels.Octets().IsRefined(this->Level, cell);
+      this->Levels.Families().IsRefined(this->Level, cell);
   }
   bool IsInCoarserLeaf(const Index3& cell) const
   {
     return this->Level > 0 &&
-      !this->Levels.Octets().IsRefined(
+      !this->Levels.Families().IsRefined(
         this->Level - 1, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } });
   }
 
   /// Of the coarser leaf that a cell lies in.
   bool TouchesLeaf(const Index3& cell)
   {
-    const RefinedLattice::Place leaf =
+    const OctreeKeys::LevelIndex leaf =
       this->Levels.LeafOf(this->Levels.FinestCells(this->Level, cell).Lower);
     const auto at =
       this->Touching.try_emplace(this->Lattice().HexKey(leaf.Level, leaf.At, 0), false);
@@ -84,10 +84,10 @@ private:
     return at.first->second;
   }
 
-  /// Whether a leaf is in a box of octets, given in cells, or in so many octets around it.
-  bool HasLeafAround(const IndexBox& box, Index octets) const
+  /// Whether a leaf is in a box of families, given in cells, or in so many families around it.
+  bool HasLeafAround(const IndexBox& box, Index families) const
   {
-    const Index width = 2 * octets;
+    const Index width = 2 * families;
     Index3 p;
     for (p[2] = box.Lower[2] - width; p[2] < box.Upper[2] + width; p[2] += 2)
     {
@@ -107,7 +107,7 @@ private:
 
   const RefinedGrid& Levels;
   int Level;
-  std::unordered_map<Index, bool> Near, Touching; // of the octets and leaves that were asked for
+  std::unordered_map<Index, bool> Near, Touching; // of the families and leaves that were asked for
 };
 
 /// Gives cells of a level the labels of the leaves, where they are to have them. finest: of the finest grid, 2^halvings times as fine.

@@ -20,8 +20,8 @@ namespace vfm
 class LevelInterfaces
 {
 public:
-  /// fractions, labels: of the finest grid, in all its ghost levels; labels are resolved, and those of all cells of a leaf are alike.
-  /// The finest grid needs GhostLevels base cells around the owned ones to make the same on any number of ranks. Keeps a reference to
+  /// fractions, labels: of the finest grid, in all its ghost layers; labels are resolved, and those of all cells of a leaf are alike.
+  /// The finest grid needs GhostLayers base cells around the owned ones to make the same on any number of ranks. Keeps a reference to
   /// levels.
   LevelInterfaces(const RefinedGrid& levels, const FractionField& fractions,
     const LabelArray& labels, double isoValue, Runtime& runtime);

@@ -51,7 +51,7 @@ struct ResolveReport
   Index FlippedCells = 0; ///< cells, or leaves, that have another label than before
   int Rounds = 0;
   std::vector<Index3>
-    DearFlips; ///< lowest cells of owned leaves, coarser than the grid's cells, whose flip moves the interface far
+    CostlyFlips; ///< lowest cells of owned leaves, coarser than the grid's cells, whose flip moves the interface far
 };
 
 /// Changes labels until every star passes the label condition (LabelCondition.h). The result does not

@@ -49,7 +49,7 @@ std::vector<FractionField::Part> MeanParts(
 
 IndexBox LabelUnits::LeafCells(const Index3& cell) const
 {
-  const RefinedLattice::Place leaf = this->Leaves->LeafOf(cell);
+  const OctreeKeys::LevelIndex leaf = this->Leaves->LeafOf(cell);
   return Intersect(this->Leaves->FinestCells(leaf.Level, leaf.At), this->Grid.Local());
 }
 

@@ -14,7 +14,7 @@ namespace
 constexpr double Slack = 0.15; // of a halving: so much is not worth one (a tenth of a length)
 constexpr double Speck = 0.05; // cells: what is thinner cannot be resolved and asks for nothing
 static_assert(
-  ThicknessReach <= GhostLevels && CurvatureReach <= GhostLevels, "cells that are read");
+  ThicknessReach <= GhostLayers && CurvatureReach <= GhostLayers, "cells that are read");
 
 /// How many halvings, 0..most, multiply the cells across a length by about a factor.
 int HalvingsFor(double factor, int most)
@@ -291,11 +291,11 @@ RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& 
   return Inquiry(grid, fractions, criteria, isoValue, partition, runtime).Ask();
 }
 
-std::vector<std::vector<Index>> FindWantedOctets(
-  const RefinedLattice& lattice, const RefinementWishes& wishes, int layers)
+std::vector<std::vector<Index>> FindWantedFamilies(
+  const OctreeKeys& lattice, const RefinementWishes& wishes, int layers)
 {
   const Index nx = lattice.Cells(0, 0), ny = lattice.Cells(0, 1);
-  std::vector<std::vector<Index>> octets(wishes.Refinements);
+  std::vector<std::vector<Index>> families(wishes.Refinements);
   for (const RefinementWish& wish : wishes.Cells)
   {
     const Index3 cell{ { wish.Cell % nx, wish.Cell / nx % ny, wish.Cell / nx / ny } };
@@ -308,7 +308,7 @@ std::vector<std::vector<Index>> FindWantedOctets(
     }
     for (int level = 0; level < wish.Halvings; ++level)
     {
-      const int shift = wish.Halvings - level + 1; // an octet is two cells of its level
+      const int shift = wish.Halvings - level + 1; // a family is two cells of its level
       IndexBox around;
       for (int a = 0; a < 3; ++a)
       {
@@ -316,14 +316,14 @@ std::vector<std::vector<Index>> FindWantedOctets(
         around.Upper[a] = ((children.Upper[a] - 1) >> shift) + 1;
       }
       ForCells(
-        around, [&](const Index3& q) { octets[level].push_back(lattice.OctetKey(level, q)); });
+        around, [&](const Index3& q) { families[level].push_back(lattice.FamilyKey(level, q)); });
     }
   }
-  for (std::vector<Index>& keys : octets)
+  for (std::vector<Index>& keys : families)
   {
     SortOnce(keys);
   }
-  return octets;
+  return families;
 }
 
 } // namespace vfm

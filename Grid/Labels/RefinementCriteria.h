@@ -8,7 +8,7 @@
 #include "Base/Partition.h"
 #include "Base/Runtime.h"
 #include "Fractions/FractionField.h"
-#include "Octree/RefinedLattice.h"
+#include "Octree/OctreeKeys.h"
 
 namespace vfm
 {
@@ -45,16 +45,16 @@ struct RefinementWishes
   Index AllCells = 0;
 };
 
-/// Asks the criteria. grid: with ghost levels (GhostLevels); isoValue: of the labels, as in MeshOptions.
+/// Asks the criteria. grid: with ghost layers (GhostLayers); isoValue: of the labels, as in MeshOptions.
 /// Throws InputError when a criterion is out of range. Collective.
 RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
   const RefinementCriteria& criteria, double isoValue, const Partition& partition,
   Runtime& runtime);
 
-/// The octets of each refinement (RefinedLattice::OctetKey) that hold what this rank's cells want to be halved, ascending: what
-/// OctetSets asks for. lattice: of the same grid, with at least wishes.Refinements refinements. layers: so many more cells around,
+/// The families of each refinement (OctreeKeys::FamilyKey) that hold what this rank's cells want to be halved, ascending: what
+/// OctantFamilies asks for. lattice: of the same grid, with at least wishes.Refinements refinements. layers: so many more cells around,
 /// of the level that the place wants; >= 0.
-std::vector<std::vector<Index>> FindWantedOctets(
-  const RefinedLattice& lattice, const RefinementWishes& wishes, int layers = 0);
+std::vector<std::vector<Index>> FindWantedFamilies(
+  const OctreeKeys& lattice, const RefinementWishes& wishes, int layers = 0);
 
 } // namespace vfm

@@ -9,9 +9,9 @@ namespace vfm
 namespace
 {
 
-constexpr int Kicks = 40;           // ways out of dead ends before one order of labels must end it
+constexpr int Perturbations = 40;   // ways out of dead ends before one order of labels must end it
 constexpr int GreedyRounds = 400;   // likewise
-constexpr double DearCost = 0.3;    // of a flip, in cells of the grid
+constexpr double CostlyFlip = 0.3;  // of a flip, in cells of the grid
 constexpr double CostOffset = 0.05; // a flip that gives up no fraction still has a price
 
 /// The change of one unit that scores best.
@@ -64,8 +64,8 @@ public:
   {
   }
 
-  /// Greedy rounds remove violations. In a dead end one round of kicks lets units take a smaller label in an order
-  /// of the labels that turns from kick to kick. At last the order stays, so the sum of the units' labels falls until
+  /// Greedy rounds remove violations. In a dead end one round of perturbations lets units take a smaller label in an order
+  /// of the labels that turns from perturbation to perturbation. At last the order stays, so the sum of the units' labels falls until
   /// no star is violated: a violated star has several labels, hence a unit that can take a smaller label of the star; the best
   /// of all candidates flips, and units that flip at once have no star in common.
   ResolveReport Run()
@@ -74,14 +74,14 @@ public:
     this->KeepViolated();
     Ranks& ranks = this->Parts.Group();
     ResolveReport report;
-    int kicks = 0;
+    int perturbations = 0;
     while (ranks.Any(!this->Violated.empty()))
     {
-      const bool greedy = kicks <= Kicks && report.Rounds < GreedyRounds;
+      const bool greedy = perturbations <= Perturbations && report.Rounds < GreedyRounds;
       this->FindCandidates(!greedy);
       if (!ranks.Any(!this->Candidates.empty()))
       {
-        this->Turn = ++kicks <= Kicks ? kicks : 0;
+        this->Turn = ++perturbations <= Perturbations ? perturbations : 0;
         this->FindCandidates(true);
       }
       this->Flip();
@@ -91,7 +91,7 @@ public:
     std::vector<Index> flipped{ this->CountChanges() };
     ranks.Sum(flipped);
     report.FlippedCells = flipped[0];
-    report.DearFlips = this->FindDearFlips();
+    report.CostlyFlips = this->FindCostlyFlips();
     return report;
   }
 
@@ -273,14 +273,15 @@ private:
       });
   }
 
-  /// Units of several cells whose flip moves the interface by more than DearCost.
-  std::vector<Index3> FindDearFlips() const
+  /// Units of several cells whose flip moves the interface by more than CostlyFlip.
+  std::vector<Index3> FindCostlyFlips() const
   {
     std::vector<Index3> flips;
     for (const auto& unit : this->Original)
     {
       const IndexBox cells = this->Units.CellsOf(unit.first);
-      if (cells.Size(0) > 1 && this->Cost(cells, unit.second, this->Labels[unit.first]) > DearCost)
+      if (cells.Size(0) > 1 &&
+        this->Cost(cells, unit.second, this->Labels[unit.first]) > CostlyFlip)
       {
         flips.push_back(cells.Lower);
       }

@@ -10,30 +10,30 @@ namespace vfm
 namespace
 {
 
-bool IsOuter(const Mesh& mesh, Index element)
+bool IsCoarse(const Mesh& mesh, Index element)
 {
-  return mesh.Corners == 8 ? mesh.Levels->IsOuterElement(element, mesh.Ids.ElementSlots)
-                           : mesh.Levels->IsOuterTet(element, mesh.Ids.ElementSlots);
+  return mesh.Corners == 8 ? mesh.Levels->IsCoarseElement(element, mesh.Ids.ElementSlots)
+                           : mesh.Levels->IsCoarseTet(element, mesh.Ids.ElementSlots);
 }
 
 } // namespace
 
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
-  if (mesh.Levels && mesh.Levels->IsOuterPoint(id, mesh.Ids.PointSlots))
+  if (mesh.Levels && mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
   {
-    return mesh.Levels->NodeOfOuterPoint(id, mesh.Ids.PointSlots);
+    return mesh.Levels->NodeOfCoarsePoint(id, mesh.Ids.PointSlots);
   }
   return grid.NodeOfKey((id - 1) / mesh.Ids.PointSlots);
 }
 
 IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
-  if (mesh.Levels && IsOuter(mesh, id))
+  if (mesh.Levels && IsCoarse(mesh, id))
   {
-    const RefinedLattice::Place cell = mesh.Corners == 8
-      ? mesh.Levels->CellOfOuterElement(id, mesh.Ids.ElementSlots)
-      : mesh.Levels->CellOfOuterTet(id, mesh.Ids.ElementSlots);
+    const OctreeKeys::LevelIndex cell = mesh.Corners == 8
+      ? mesh.Levels->CellOfCoarseElement(id, mesh.Ids.ElementSlots)
+      : mesh.Levels->CellOfCoarseTet(id, mesh.Ids.ElementSlots);
     return mesh.Levels->FinestCells(cell.Level, cell.At);
   }
   const Index key = (id - 1) / mesh.Ids.ElementSlots;

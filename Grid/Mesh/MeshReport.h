@@ -31,14 +31,14 @@ struct MeshReport
   Index RefusedParts = 0;                 ///< parts that TetGen refused and that Cells meshed
   struct Level
   {
-    Index Octets = 0; ///< refined to the next level
-    Index Added = 0;  ///< of those, the ones that were not asked for but that transitions need
-    Index Cells = 0;  ///< elements that are, or are made in, whole cells of the level
+    Index Families = 0; ///< refined to the next level
+    Index Added = 0;    ///< of those, the ones that were not asked for but that transitions need
+    Index Cells = 0;    ///< elements that are, or are made in, whole cells of the level
   };
   std::vector<Level> Levels; ///< from the base; empty without refinements
   Index TransitionCells = 0; ///< elements of transitions
   int LevelRounds =
-    0; ///< in which cells between levels by place were refined: where labels had to be changed, or no valid mesh starts
+    0; ///< in which cells between levels were refined: where labels had to be changed, or no valid mesh starts
   struct Stage
   {
     const char* Name;

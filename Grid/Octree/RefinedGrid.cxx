@@ -7,24 +7,24 @@ namespace vfm
 namespace
 {
 
-constexpr int BaseGhostLevels = 3; // one more than the base cells whose hexes are made
+constexpr int BaseGhostLayers = 3; // one more than the base cells whose hexes are made
 
 } // namespace
 
 RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
   const std::vector<Index>& interfaces, Ranks& ranks) :
   FinestGrid(finest),
-  BaseGrid(CoarsenGrid(finest, plan.Refinements, BaseGhostLevels)),
+  BaseGrid(CoarsenGrid(finest, plan.Refinements, BaseGhostLayers)),
   TheLattice(this->BaseGrid, plan.Refinements,
     { { finest.Coordinates(0), finest.Coordinates(1), finest.Coordinates(2) } }),
-  Sets(this->TheLattice, this->GatherOctets(plan, interfaces, ranks)),
+  Sets(this->TheLattice, this->GatherFamilies(plan, interfaces, ranks)),
   FineInterfaces(plan.FineInterfaces)
 {
   this->MarkFine();
 }
 
-/// The octets of the last refinement around nodes.
-std::vector<Index> RefinedGrid::FindOctets(const std::vector<Index>& interfaces, int layers) const
+/// The families of the last refinement around nodes.
+std::vector<Index> RefinedGrid::FindFamilies(const std::vector<Index>& interfaces, int layers) const
 {
   const int level = this->NumberOfRefinements() - 1;
   const IndexBox& global = this->FinestGrid.Global();
@@ -36,34 +36,35 @@ std::vector<Index> RefinedGrid::FindOctets(const std::vector<Index>& interfaces,
     {
       continue;
     }
-    IndexBox octets;
+    IndexBox families;
     for (int a = 0; a < 3; ++a)
     {
-      octets.Lower[a] = std::max<Index>(p[a] - 1 - layers, 0) >> OctetShift;
-      octets.Upper[a] = (std::min(p[a] + layers, global.Upper[a] - 1) >> OctetShift) + 1;
+      families.Lower[a] = std::max<Index>(p[a] - 1 - layers, 0) >> FamilyShift;
+      families.Upper[a] = (std::min(p[a] + layers, global.Upper[a] - 1) >> FamilyShift) + 1;
     }
-    ForCells(octets, [&](const Index3& q) { keys.push_back(this->TheLattice.OctetKey(level, q)); });
+    ForCells(
+      families, [&](const Index3& q) { keys.push_back(this->TheLattice.FamilyKey(level, q)); });
   }
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   return keys;
 }
 
-std::vector<std::vector<Index>> RefinedGrid::GatherOctets(
+std::vector<std::vector<Index>> RefinedGrid::GatherFamilies(
   const LevelPlan& plan, const std::vector<Index>& interfaces, Ranks& ranks) const
 {
-  std::vector<std::vector<Index>> octets = plan.Octets;
-  octets.resize(plan.Refinements);
+  std::vector<std::vector<Index>> families = plan.Families;
+  families.resize(plan.Refinements);
   if (plan.FineInterfaces)
   {
-    const std::vector<Index> around = this->FindOctets(interfaces, plan.FineLayers);
-    octets.back().insert(octets.back().end(), around.begin(), around.end());
+    const std::vector<Index> around = this->FindFamilies(interfaces, plan.FineLayers);
+    families.back().insert(families.back().end(), around.begin(), around.end());
   }
-  for (std::vector<Index>& keys : octets)
+  for (std::vector<Index>& keys : families)
   {
     keys = GatherItems(ranks, keys);
   }
-  return octets;
+  return families;
 }
 
 void RefinedGrid::MarkFine()
@@ -72,32 +73,32 @@ void RefinedGrid::MarkFine()
   const IndexBox& box = this->FinestGrid.Local();
   for (int a = 0; a < 3; ++a)
   {
-    this->Marked.Lower[a] = box.Lower[a] >> OctetShift;
-    this->Marked.Upper[a] = ((box.Upper[a] - 1) >> OctetShift) + 1;
+    this->Marked.Lower[a] = box.Lower[a] >> FamilyShift;
+    this->Marked.Upper[a] = ((box.Upper[a] - 1) >> FamilyShift) + 1;
   }
   this->Fine.assign(this->Marked.NumberOfCells(), 0);
   this->HasFine.assign(this->Marked.Size(1) * this->Marked.Size(2), 0);
   for (Index key : this->Sets.Keys(level))
   {
-    const Index3 q = this->TheLattice.OctetOfKey(level, key);
+    const Index3 q = this->TheLattice.FamilyOfKey(level, key);
     if (this->Marked.Contains(q))
     {
-      this->Fine[PlaceInBox(this->Marked, q)] = 1;
-      this->HasFine[PlaceInBox(this->Marked, q) / this->Marked.Size(0)] = 1;
+      this->Fine[IndexInBox(this->Marked, q)] = 1;
+      this->HasFine[IndexInBox(this->Marked, q) / this->Marked.Size(0)] = 1;
     }
   }
 }
 
-/// The row of octets that holds a row of finest cells, or the one that a row beside the domain mirrors.
-Index RefinedGrid::RowOfOctets(Index j, Index k) const
+/// The row of families that holds a row of finest cells, or the one that a row beside the domain mirrors.
+Index RefinedGrid::RowOfFamilies(Index j, Index k) const
 {
-  const auto octet = [this](int a, Index i)
+  const auto family = [this](int a, Index i)
   {
     const IndexBox& box = this->FinestGrid.Local();
-    return (std::min(std::max(i, box.Lower[a]), box.Upper[a] - 1) >> OctetShift) -
+    return (std::min(std::max(i, box.Lower[a]), box.Upper[a] - 1) >> FamilyShift) -
       this->Marked.Lower[a];
   };
-  return octet(2, k) * this->Marked.Size(1) + octet(1, j);
+  return family(2, k) * this->Marked.Size(1) + family(1, j);
 }
 
 bool RefinedGrid::IsFine(const Index3& cell) const
@@ -110,9 +111,9 @@ bool RefinedGrid::IsFine(const Index3& cell) const
   Index3 q;
   for (int a = 0; a < 3; ++a)
   {
-    q[a] = std::min(std::max(cell[a], box.Lower[a]), box.Upper[a] - 1) >> OctetShift;
+    q[a] = std::min(std::max(cell[a], box.Lower[a]), box.Upper[a] - 1) >> FamilyShift;
   }
-  return this->Fine[PlaceInBox(this->Marked, q)];
+  return this->Fine[IndexInBox(this->Marked, q)];
 }
 
 bool RefinedGrid::TouchesFine(const Index3& node) const
@@ -128,9 +129,9 @@ bool RefinedGrid::TouchesFine(const Index3& node) const
   return false;
 }
 
-RefinedLattice::Place RefinedGrid::LeafOf(const Index3& finestCell) const
+OctreeKeys::LevelIndex RefinedGrid::LeafOf(const Index3& finestCell) const
 {
-  RefinedLattice::Place leaf{ 0, finestCell, 0 };
+  OctreeKeys::LevelIndex leaf{ 0, finestCell, 0 };
   for (;; ++leaf.Level)
   {
     const int shift = this->NumberOfRefinements() - leaf.Level;
@@ -195,18 +196,18 @@ Index NumberOfCells(const CartesianGrid& grid)
 
 } // namespace
 
-Index RefinedGrid::OuterPointId(Index key, Index slots, int slot) const
+Index RefinedGrid::CoarsePointId(Index key, Index slots, int slot) const
 {
   return (NumberOfNodes(this->FinestGrid) + key) * slots + slot + 1;
 }
 
 Index RefinedGrid::PointId(Index key, Index slots, int slot) const
 {
-  const RefinedLattice::Place place = this->TheLattice.NodeOfKey(key);
-  const Index3 node = this->FinestNode(place.Level, place.At);
-  return place.Slot == 0 && this->TouchesFine(node)
+  const OctreeKeys::LevelIndex index = this->TheLattice.NodeOfKey(key);
+  const Index3 node = this->FinestNode(index.Level, index.At);
+  return index.Slot == 0 && this->TouchesFine(node)
     ? this->FinestGrid.NodeKey(node) * slots + slot + 1
-    : this->OuterPointId(key, slots, slot);
+    : this->CoarsePointId(key, slots, slot);
 }
 
 Index RefinedGrid::ElementId(Index key, Index slots, int slot) const
@@ -214,35 +215,35 @@ Index RefinedGrid::ElementId(Index key, Index slots, int slot) const
   return (NumberOfCells(this->FinestGrid) + key) * slots + slot + 1;
 }
 
-bool RefinedGrid::IsOuterPoint(Index id, Index slots) const
+bool RefinedGrid::IsCoarsePoint(Index id, Index slots) const
 {
   return id > NumberOfNodes(this->FinestGrid) * slots;
 }
 
-bool RefinedGrid::IsOuterElement(Index id, Index slots) const
+bool RefinedGrid::IsCoarseElement(Index id, Index slots) const
 {
   return id > NumberOfCells(this->FinestGrid) * slots;
 }
 
 Index RefinedGrid::KeyOfPoint(Index id, Index slots) const
 {
-  return this->IsOuterPoint(id, slots) ? (id - 1) / slots - NumberOfNodes(this->FinestGrid)
-                                       : this->TheLattice.LatticeKey(this->NumberOfRefinements(),
-                                           this->FinestGrid.NodeOfKey((id - 1) / slots));
+  return this->IsCoarsePoint(id, slots) ? (id - 1) / slots - NumberOfNodes(this->FinestGrid)
+                                        : this->TheLattice.LatticeKey(this->NumberOfRefinements(),
+                                            this->FinestGrid.NodeOfKey((id - 1) / slots));
 }
 
-Index3 RefinedGrid::NodeOfOuterPoint(Index id, Index slots) const
+Index3 RefinedGrid::NodeOfCoarsePoint(Index id, Index slots) const
 {
-  if (this->IsOuterCentre(id, slots))
+  if (this->IsCoarseCentre(id, slots))
   {
-    const RefinedLattice::Place cell = this->CellOfOuterCentre(id, slots);
+    const OctreeKeys::LevelIndex cell = this->CellOfCoarseCentre(id, slots);
     return this->FinestCells(cell.Level, cell.At).Upper; // so the cell's owner owns the centre
   }
-  const RefinedLattice::Place place = this->TheLattice.NodeOfKey(this->KeyOfPoint(id, slots));
-  return this->FinestNode(place.Level, place.At);
+  const OctreeKeys::LevelIndex index = this->TheLattice.NodeOfKey(this->KeyOfPoint(id, slots));
+  return this->FinestNode(index.Level, index.At);
 }
 
-RefinedLattice::Place RefinedGrid::CellOfOuterElement(Index id, Index slots) const
+OctreeKeys::LevelIndex RefinedGrid::CellOfCoarseElement(Index id, Index slots) const
 {
   return this->TheLattice.HexOfKey((id - 1) / slots - NumberOfCells(this->FinestGrid));
 }
@@ -250,7 +251,7 @@ RefinedLattice::Place RefinedGrid::CellOfOuterElement(Index id, Index slots) con
 Index RefinedGrid::CentreId(Index hexKey, Index slots) const
 {
   const Index nodeKeys = this->TheLattice.NodeKey(this->NumberOfRefinements(),
-                           this->FinestGrid.Global().Upper, RefinedLattice::NodeSlots - 1) +
+                           this->FinestGrid.Global().Upper, OctreeKeys::NodeSlots - 1) +
     1;
   return (NumberOfNodes(this->FinestGrid) + nodeKeys) * slots + hexKey + 1;
 }
@@ -260,22 +261,22 @@ Index RefinedGrid::TetId(Index hexKey, Index number, Index slots) const
   return NumberOfNodes(this->FinestGrid) * slots + TetsOfHex * hexKey + number + 1;
 }
 
-bool RefinedGrid::IsOuterCentre(Index id, Index slots) const
+bool RefinedGrid::IsCoarseCentre(Index id, Index slots) const
 {
   return id >= this->CentreId(0, slots);
 }
 
-bool RefinedGrid::IsOuterTet(Index id, Index slots) const
+bool RefinedGrid::IsCoarseTet(Index id, Index slots) const
 {
   return id >= this->TetId(0, 0, slots);
 }
 
-RefinedLattice::Place RefinedGrid::CellOfOuterCentre(Index id, Index slots) const
+OctreeKeys::LevelIndex RefinedGrid::CellOfCoarseCentre(Index id, Index slots) const
 {
   return this->TheLattice.HexOfKey(id - this->CentreId(0, slots));
 }
 
-RefinedLattice::Place RefinedGrid::CellOfOuterTet(Index id, Index slots) const
+OctreeKeys::LevelIndex RefinedGrid::CellOfCoarseTet(Index id, Index slots) const
 {
   return this->TheLattice.HexOfKey((id - this->TetId(0, 0, slots)) / TetsOfHex);
 }
@@ -288,7 +289,7 @@ Index RefinedGrid::EndOfPointIds(Index slots) const
     last[a] = this->FinestGrid.Global().Upper[a] - 1;
   }
   return this->CentreId(
-           this->TheLattice.HexKey(this->NumberOfRefinements(), last, RefinedLattice::HexSlots - 1),
+           this->TheLattice.HexKey(this->NumberOfRefinements(), last, OctreeKeys::HexSlots - 1),
            slots) +
     1;
 }

@@ -2,19 +2,19 @@
  * RefinedGrid: which cells of a grid stay fine, and where coarser cells take their place.
  *
  * The stages see the CartesianGrid of the finest level. The base grid's cells are 2^refinements finest ones along each axis.
- * Where an octet of the last refinement is refined (OctetSets.h) the finest cells are hexes of their own; everywhere else
- * stand the outer hexes: coarser cells, and the transition hexes between levels (OuterHexes.h). Where all interfaces get
- * finest cells, what finds, resolves and moves interfaces meets no outer hexes; otherwise labels belong to leaves (LeafOf), and
- * interfaces run through outer hexes too (SplitNodes.h).
+ * Where a family of the last refinement is refined (OctantFamilies.h) the finest cells are hexes of their own; everywhere else
+ * stand the coarse hexes: coarser cells, and the transition hexes between levels (CoarseHexes.h). Where all interfaces get
+ * finest cells, what finds, resolves and moves interfaces meets no coarse hexes; otherwise labels belong to leaves (LeafOf), and
+ * interfaces run through coarse hexes too (SplitNodes.h).
  *
- * Ids: the points and elements of finest cells have those of a mesh without levels; those of the outer hexes follow, by the
- * keys of RefinedLattice. A lattice node that a fine cell has as a corner is a point of that cell.
+ * Ids: the points and elements of finest cells have those of a mesh without levels; those of the coarse hexes follow, by the
+ * keys of OctreeKeys. A lattice node that a fine cell has as a corner is a point of that cell.
  */
 #pragma once
 
 #include "Base/Options.h"
 #include "Base/Ranks.h"
-#include "Octree/OctetSets.h"
+#include "Octree/OctantFamilies.h"
 
 namespace vfm
 {
@@ -32,8 +32,8 @@ public:
 
   const CartesianGrid& Finest() const { return this->FinestGrid; }
   const CartesianGrid& Base() const { return this->BaseGrid; }
-  const RefinedLattice& Lattice() const { return this->TheLattice; }
-  const OctetSets& Octets() const { return this->Sets; }
+  const OctreeKeys& Lattice() const { return this->TheLattice; }
+  const OctantFamilies& Families() const { return this->Sets; }
   int NumberOfRefinements() const { return this->TheLattice.NumberOfRefinements(); }
   /// Whether all cells at interfaces are finest ones.
   bool HasFineInterfaces() const { return this->FineInterfaces; }
@@ -44,7 +44,7 @@ public:
   bool TouchesFine(const Index3& node) const;
 
   /// The leaf that a finest cell of the domain is or lies in: the coarsest cell around it that is not refined. Slot 0.
-  RefinedLattice::Place LeafOf(const Index3& finestCell) const;
+  OctreeKeys::LevelIndex LeafOf(const Index3& finestCell) const;
 
   /// Calls visit(begin, end) for the runs of such cells in [first, last) of row j, k, and for the runs of nodes at such
   /// cells. Rows without any cost nothing.
@@ -68,53 +68,53 @@ public:
   /// Whether a point is a node of the lattice or a copy of one: no point of an interface.
   bool IsLatticePoint(Index id, Index slots) const
   {
-    return this->IsOuterPoint(id, slots) || (id - 1) % slots == 0;
+    return this->IsCoarsePoint(id, slots) || (id - 1) % slots == 0;
   }
   /// The key of such a point, or of the node that it was split from, in the lattice.
   Index KeyOfPoint(Index id, Index slots) const;
-  /// The node, and lowest cell, of the finest grid that such a point or element of the outer hexes stems from; ids above
+  /// The node, and lowest cell, of the finest grid that such a point or element of the coarse hexes stems from; ids above
   /// those of the finest cells.
-  bool IsOuterPoint(Index id, Index slots) const;
-  bool IsOuterElement(Index id, Index slots) const;
-  Index3 NodeOfOuterPoint(Index id, Index slots) const;
-  RefinedLattice::Place CellOfOuterElement(Index id, Index slots) const;
+  bool IsCoarsePoint(Index id, Index slots) const;
+  bool IsCoarseElement(Index id, Index slots) const;
+  Index3 NodeOfCoarsePoint(Index id, Index slots) const;
+  OctreeKeys::LevelIndex CellOfCoarseElement(Index id, Index slots) const;
 
-  /// The same of tets (OuterTets.h): points that no finest cell of HexBox has go by their keys, the centres of outer hexes are points after all others, a tet is number 0..23 of a hex.
+  /// The same of tets (CoarseTets.h): points that no finest cell of HexBox has go by their keys, the centres of coarse hexes are points after all others, a tet is number 0..23 of a hex.
   static constexpr Index TetsOfHex = 24;
-  Index OuterPointId(Index key, Index slots, int slot = 0) const;
+  Index CoarsePointId(Index key, Index slots, int slot = 0) const;
   Index CentreId(Index hexKey, Index slots) const;
   Index TetId(Index hexKey, Index number, Index slots) const;
-  bool IsOuterCentre(Index id, Index slots) const;
-  bool IsOuterTet(Index id, Index slots) const;
-  RefinedLattice::Place CellOfOuterCentre(Index id, Index slots) const;
-  RefinedLattice::Place CellOfOuterTet(Index id, Index slots) const;
+  bool IsCoarseCentre(Index id, Index slots) const;
+  bool IsCoarseTet(Index id, Index slots) const;
+  OctreeKeys::LevelIndex CellOfCoarseCentre(Index id, Index slots) const;
+  OctreeKeys::LevelIndex CellOfCoarseTet(Index id, Index slots) const;
   /// Larger than the id of any point of tets.
   Index EndOfPointIds(Index slots) const;
 
 private:
-  std::vector<Index> FindOctets(const std::vector<Index>& interfaces, int layers) const;
-  std::vector<std::vector<Index>> GatherOctets(
+  std::vector<Index> FindFamilies(const std::vector<Index>& interfaces, int layers) const;
+  std::vector<std::vector<Index>> GatherFamilies(
     const LevelPlan& plan, const std::vector<Index>& interfaces, Ranks& ranks) const;
   void MarkFine();
-  Index RowOfOctets(Index j, Index k) const;
+  Index RowOfFamilies(Index j, Index k) const;
   template <class Visitor>
-  void ForFineOctets(const std::array<Index, 4>& rows, const Visitor& visit) const;
+  void ForFineFamilies(const std::array<Index, 4>& rows, const Visitor& visit) const;
 
   CartesianGrid FinestGrid;
   CartesianGrid BaseGrid;
-  RefinedLattice TheLattice;
-  OctetSets Sets;
-  static constexpr int OctetShift = 2; // an octet is four finest cells along each axis
+  OctreeKeys TheLattice;
+  OctantFamilies Sets;
+  static constexpr int FamilyShift = 2; // a family is four finest cells along each axis
 
   bool FineInterfaces;
-  IndexBox Marked;                    // octets of the last refinement over the local box
+  IndexBox Marked;                    // families of the last refinement over the local box
   std::vector<unsigned char> Fine;    // of each of them
   std::vector<unsigned char> HasFine; // of each row of them
 };
 
-/// Calls visit(begin, end) for the runs of octets where one of some rows is refined, in cells.
+/// Calls visit(begin, end) for the runs of families where one of some rows is refined, in cells.
 template <class Visitor>
-void RefinedGrid::ForFineOctets(const std::array<Index, 4>& rows, const Visitor& visit) const
+void RefinedGrid::ForFineFamilies(const std::array<Index, 4>& rows, const Visitor& visit) const
 {
   const auto hasFine = [this](Index row) { return this->HasFine[row] != 0; };
   if (this->HasFine.empty() || std::none_of(rows.begin(), rows.end(), hasFine))
@@ -136,7 +136,7 @@ void RefinedGrid::ForFineOctets(const std::array<Index, 4>& rows, const Visitor&
     }
     if (q > begin)
     {
-      visit((start + begin) << OctetShift, (start + q) << OctetShift);
+      visit((start + begin) << FamilyShift, (start + q) << FamilyShift);
     }
   }
 }
@@ -145,8 +145,8 @@ template <class Visitor>
 void RefinedGrid::ForFineCells(
   Index j, Index k, Index first, Index last, const Visitor& visit) const
 {
-  const Index row = this->RowOfOctets(j, k);
-  this->ForFineOctets({ { row, row, row, row } },
+  const Index row = this->RowOfFamilies(j, k);
+  this->ForFineFamilies({ { row, row, row, row } },
     [&](Index begin, Index end)
     {
       begin = std::max(begin, first);
@@ -162,8 +162,8 @@ template <class Visitor>
 void RefinedGrid::ForFineNodes(
   Index j, Index k, Index first, Index last, const Visitor& visit) const
 {
-  this->ForFineOctets({ { this->RowOfOctets(j - 1, k - 1), this->RowOfOctets(j, k - 1),
-                        this->RowOfOctets(j - 1, k), this->RowOfOctets(j, k) } },
+  this->ForFineFamilies({ { this->RowOfFamilies(j - 1, k - 1), this->RowOfFamilies(j, k - 1),
+                          this->RowOfFamilies(j - 1, k), this->RowOfFamilies(j, k) } },
     [&](Index begin, Index end)
     {
       begin = std::max(begin, first);

@@ -17,7 +17,7 @@ constexpr int PowersOf3[3] = { 1, 3, 9 }, PowersOf7[3] = { 1, 7, 49 };
 class AxisPillow
 {
 public:
-  AxisPillow(const OctetSets& sets, int level, int axis, const std::vector<int>& slabs,
+  AxisPillow(const OctantFamilies& sets, int level, int axis, const std::vector<int>& slabs,
     PillowedLevel& mesh) :
     Sets(sets),
     Level(level),
@@ -76,7 +76,7 @@ private:
   void InsertHexes();
   bool ComesBefore(int a, int b) const;
 
-  const OctetSets& Sets;
+  const OctantFamilies& Sets;
   int Level, Axis;
   PillowedLevel& Mesh;
   std::vector<unsigned char> Inside;      // of each hex: whether it belongs to the slab's set
@@ -300,13 +300,13 @@ void AxisPillow::InsertHexes()
 }
 
 /// The touched cells of a box, ascending by key of their hexes.
-std::vector<Index3> ListTouchedCells(const OctetSets& sets, int level, const IndexBox& box)
+std::vector<Index3> ListTouchedCells(const OctantFamilies& sets, int level, const IndexBox& box)
 {
-  const RefinedLattice& lattice = sets.Lattice();
+  const OctreeKeys& lattice = sets.Lattice();
   std::vector<Index> keys;
   for (Index key : sets.Keys(level))
   {
-    const Index3 octet = lattice.OctetOfKey(level, key);
+    const Index3 family = lattice.FamilyOfKey(level, key);
     for (int n = 0; n < 64; ++n)
     {
       const Index3 step{ { n % 4 - 1, n / 4 % 4 - 1, n / 16 - 1 } };
@@ -314,7 +314,7 @@ std::vector<Index3> ListTouchedCells(const OctetSets& sets, int level, const Ind
       int away = 0;
       for (int a = 0; a < 3; ++a)
       {
-        cell[a] = 2 * octet[a] + step[a];
+        cell[a] = 2 * family[a] + step[a];
         away += step[a] < 0 || step[a] > 1;
       }
       if (away < 3 && box.Contains(cell) && lattice.HasCell(level, cell))
@@ -334,9 +334,9 @@ std::vector<Index3> ListTouchedCells(const OctetSets& sets, int level, const Ind
 }
 
 /// A hex a cell.
-PillowedLevel MakeCells(const OctetSets& sets, int level, const IndexBox& box)
+PillowedLevel MakeCells(const OctantFamilies& sets, int level, const IndexBox& box)
 {
-  const RefinedLattice& lattice = sets.Lattice();
+  const OctreeKeys& lattice = sets.Lattice();
   PillowedLevel mesh;
   mesh.Cells = ListTouchedCells(sets, level, box);
   std::vector<Index> keys;
@@ -389,7 +389,7 @@ int ChildOfHex(const Index3& cell, int slot)
   return child;
 }
 
-PillowedLevel PillowSlabs(const OctetSets& sets, int level, const IndexBox& box)
+PillowedLevel PillowSlabs(const OctantFamilies& sets, int level, const IndexBox& box)
 {
   IndexBox wide;
   for (int a = 0; a < 3; ++a)

@@ -1,8 +1,8 @@
 /**
  * SlabPillow: one level of two-refinement. Refined cells become eight, the cells around them transition hexes.
  *
- * For each axis in turn: the two layers of octets of index t form a slab. The hexes of the slab that are refined or beside
- * a refined octet of it get a pillow: each outer face of that set gets a new hex, each node of such a face a copy, the
+ * For each axis in turn: the two layers of families of index t form a slab. The hexes of the slab that are refined or beside
+ * a refined family of it get a pillow: each outer face of that set gets a new hex, each node of such a face a copy, the
  * hexes inside keep the copies. Refined cells are split in two layers that way, and pillowing keeps any mesh conforming.
  * After three axes a refined cell is its eight children; a cell that shares a face with one has about seven hexes, an edge
  * four. The sheets are those of Owen, Shih, Ernst, "A template-based approach for parallel hexahedral two-refinement"
@@ -20,7 +20,7 @@
  */
 #pragma once
 
-#include "Octree/OctetSets.h"
+#include "Octree/OctantFamilies.h"
 
 namespace vfm
 {
@@ -32,7 +32,7 @@ struct PillowedLevel
     Index3 Base; ///< the lattice node it stems from
     int Slot;
     int Sides; ///< of the domain, a bit each
-    Vector3 X; ///< lattice coordinates (RefinedLattice::ToPoint)
+    Vector3 X; ///< lattice coordinates (OctreeKeys::ToPoint)
   };
   struct Hex
   {
@@ -50,6 +50,6 @@ struct PillowedLevel
 int ChildOfHex(const Index3& cell, int slot);
 
 /// Refines the cells of a level in a box of its cells and around it. Inside the box all is as in the whole grid.
-PillowedLevel PillowSlabs(const OctetSets& sets, int level, const IndexBox& box);
+PillowedLevel PillowSlabs(const OctantFamilies& sets, int level, const IndexBox& box);
 
 } // namespace vfm

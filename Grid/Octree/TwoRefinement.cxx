@@ -15,7 +15,7 @@ struct CellsAround
   bool AreTransitions, HaveTransition; ///< whether all, or any, consist of transition hexes
 };
 
-CellsAround LookAround(const OctetSets& sets, int level, const Index3& node)
+CellsAround LookAround(const OctantFamilies& sets, int level, const Index3& node)
 {
   CellsAround around{ true, false };
   for (int c = 0; c < 8; ++c)
@@ -35,7 +35,7 @@ CellsAround LookAround(const OctetSets& sets, int level, const Index3& node)
 class RefinedMeshBuilder
 {
 public:
-  RefinedMeshBuilder(const OctetSets& sets, const IndexBox& box, bool withFinest) :
+  RefinedMeshBuilder(const OctantFamilies& sets, const IndexBox& box, bool withFinest) :
     Sets(sets), Lattice(sets.Lattice()), Box(box), WithFinest(withFinest)
   {
   }
@@ -47,10 +47,10 @@ private:
   struct Point
   {
     Index Key;
-    Index FreePlace; // of free points, else -1
+    Index FreeAnchor; // of free points, else -1
     int Sides;
     Vector3 X;
-    bool HasPlace; // among PlacesOfChildren
+    bool HasAnchor; // among AnchorsOfChildren
   };
   struct Hex
   {
@@ -60,19 +60,19 @@ private:
   };
 
   std::vector<Point> NamePoints(int level, const PillowedLevel& mesh);
-  Index FindPlace(const Point& point) const;
+  Index FindAnchor(const Point& point) const;
   void AddPoint(int point, const std::vector<Point>& points, std::vector<unsigned char>& isUsed);
   void AddHex(Index key, bool isTransition, const PillowedLevel::Hex& hex,
     const std::vector<Point>& points, std::vector<unsigned char>& isUsed);
 
-  const OctetSets& Sets;
-  const RefinedLattice& Lattice;
+  const OctantFamilies& Sets;
+  const OctreeKeys& Lattice;
   IndexBox Box;
   bool WithFinest;
   std::vector<Point> Points;
   std::vector<Hex> Hexes;
   std::vector<Index> TouchedCells;
-  std::vector<std::pair<Index, Index>> PlacesOfChildren; // key of a node of the next level, place
+  std::vector<std::pair<Index, Index>> AnchorsOfChildren; // key of a node of the next level, anchor
 };
 
 /// The points of a level's nodes. Those of refined cells are nodes of the next level's lattice.
@@ -82,10 +82,10 @@ std::vector<RefinedMeshBuilder::Point> RefinedMeshBuilder::NamePoints(
   std::vector<Point> points;
   for (const PillowedLevel::Node& node : mesh.Nodes)
   {
-    const Index place = this->Lattice.NodeKey(level, node.Base, node.Slot);
+    const Index anchor = this->Lattice.NodeKey(level, node.Base, node.Slot);
     const bool isFree = node.Slot > 0 || LookAround(this->Sets, level, node.Base).AreTransitions;
-    points.push_back({ node.Slot > 0 ? place : this->Lattice.LatticeKey(level, node.Base),
-      isFree ? place : -1, node.Sides, this->Lattice.ToPoint(node.X), false });
+    points.push_back({ node.Slot > 0 ? anchor : this->Lattice.LatticeKey(level, node.Base),
+      isFree ? anchor : -1, node.Sides, this->Lattice.ToPoint(node.X), false });
   }
   for (const PillowedLevel::Hex& hex : mesh.Hexes)
   {
@@ -100,15 +100,15 @@ std::vector<RefinedMeshBuilder::Point> RefinedMeshBuilder::NamePoints(
       const Index3 node = CornerOfCell(child, c);
       const PillowedLevel::Node& from = mesh.Nodes[hex.Nodes[c]];
       Point& point = points[hex.Nodes[c]];
-      if (from.Slot > 0 && point.FreePlace >= 0 &&
+      if (from.Slot > 0 && point.FreeAnchor >= 0 &&
         LookAround(this->Sets, level, from.Base).HaveTransition)
       {
-        this->PlacesOfChildren.emplace_back(
-          this->Lattice.LatticeKey(level + 1, node), point.FreePlace);
-        point.HasPlace = true;
+        this->AnchorsOfChildren.emplace_back(
+          this->Lattice.LatticeKey(level + 1, node), point.FreeAnchor);
+        point.HasAnchor = true;
       }
       point.Key = this->Lattice.LatticeKey(level + 1, node);
-      point.FreePlace = -1;
+      point.FreeAnchor = -1;
       point.X = this->Lattice.NodePoint(level + 1, node); // halves, without rounding on the way
     }
   }
@@ -163,7 +163,7 @@ void RefinedMeshBuilder::AddLevel(int level)
     }
     for (int c = 0; !withChildren && c < 8; ++c)
     {
-      if (points[hex.Nodes[c]].HasPlace)
+      if (points[hex.Nodes[c]].HasAnchor)
       {
         this->AddPoint(hex.Nodes[c], points, isUsed);
       }
@@ -183,24 +183,24 @@ void RefinedMeshBuilder::AddLevel(int level)
   }
 }
 
-Index RefinedMeshBuilder::FindPlace(const Point& point) const
+Index RefinedMeshBuilder::FindAnchor(const Point& point) const
 {
   if (this->Lattice.NodeOfKey(point.Key).Slot > 0)
   {
     return point.Key;
   }
-  const auto at = std::lower_bound(this->PlacesOfChildren.begin(), this->PlacesOfChildren.end(),
+  const auto at = std::lower_bound(this->AnchorsOfChildren.begin(), this->AnchorsOfChildren.end(),
     std::make_pair(point.Key, Index(0)));
-  return at != this->PlacesOfChildren.end() && at->first == point.Key
+  return at != this->AnchorsOfChildren.end() && at->first == point.Key
     ? at->second
-    : PlaceOfNode(this->Sets, point.Key);
+    : AnchorOfNode(this->Sets, point.Key);
 }
 
 RefinedMesh RefinedMeshBuilder::Finish()
 {
   const auto byKey = [](const auto& a, const auto& b) { return a.Key < b.Key; };
   std::sort(this->Points.begin(), this->Points.end(), byKey);
-  std::sort(this->PlacesOfChildren.begin(), this->PlacesOfChildren.end());
+  std::sort(this->AnchorsOfChildren.begin(), this->AnchorsOfChildren.end());
   this->Points.erase(std::unique(this->Points.begin(), this->Points.end(),
                        [](const Point& a, const Point& b) { return a.Key == b.Key; }),
     this->Points.end());
@@ -209,24 +209,24 @@ RefinedMesh RefinedMeshBuilder::Finish()
   mesh.TouchedCells = std::move(this->TouchedCells);
   mesh.Points.reserve(3 * this->Points.size());
   mesh.PointKeys.reserve(this->Points.size());
-  mesh.Places.reserve(this->Points.size());
+  mesh.Anchors.reserve(this->Points.size());
   mesh.DomainSides.reserve(this->Points.size());
   mesh.Hexes.reserve(8 * this->Hexes.size());
   mesh.HexKeys.reserve(this->Hexes.size());
   mesh.IsTransition.reserve(this->Hexes.size());
   for (const Point& point : this->Points)
   {
-    if (point.FreePlace >= 0)
+    if (point.FreeAnchor >= 0)
     {
-      mesh.FreePoints.push_back({ static_cast<int>(mesh.PointKeys.size()), point.FreePlace });
+      mesh.FreePoints.push_back({ static_cast<int>(mesh.PointKeys.size()), point.FreeAnchor });
     }
-    mesh.Places.push_back(this->FindPlace(point));
+    mesh.Anchors.push_back(this->FindAnchor(point));
     mesh.PointKeys.push_back(point.Key);
     mesh.DomainSides.push_back(static_cast<unsigned char>(point.Sides));
     mesh.Points.insert(mesh.Points.end(), point.X.begin(), point.X.end());
   }
   std::sort(mesh.FreePoints.begin(), mesh.FreePoints.end(),
-    [](const auto& a, const auto& b) { return a.Place < b.Place; });
+    [](const auto& a, const auto& b) { return a.Anchor < b.Anchor; });
   for (const Hex& hex : this->Hexes)
   {
     mesh.HexKeys.push_back(hex.Key);
@@ -242,9 +242,9 @@ RefinedMesh RefinedMeshBuilder::Finish()
 
 } // namespace
 
-Index PlaceOfNode(const OctetSets& sets, Index key)
+Index AnchorOfNode(const OctantFamilies& sets, Index key)
 {
-  const RefinedLattice::Place node = sets.Lattice().NodeOfKey(key);
+  const OctreeKeys::LevelIndex node = sets.Lattice().NodeOfKey(key);
   for (int level = node.Level; level < sets.NumberOfRefinements(); ++level)
   {
     const int shift = level - node.Level;
@@ -257,14 +257,14 @@ Index PlaceOfNode(const OctetSets& sets, Index key)
   return -1;
 }
 
-Index PlaceOfPoint(const OctetSets& sets, const RefinedMesh& mesh, Index key)
+Index AnchorOfPoint(const OctantFamilies& sets, const RefinedMesh& mesh, Index key)
 {
   const auto at = std::lower_bound(mesh.PointKeys.begin(), mesh.PointKeys.end(), key);
-  return at != mesh.PointKeys.end() && *at == key ? mesh.Places[at - mesh.PointKeys.begin()]
-                                                  : PlaceOfNode(sets, key);
+  return at != mesh.PointKeys.end() && *at == key ? mesh.Anchors[at - mesh.PointKeys.begin()]
+                                                  : AnchorOfNode(sets, key);
 }
 
-RefinedMesh MakeRefinedMesh(const OctetSets& sets, const IndexBox& box, bool withFinest)
+RefinedMesh MakeRefinedMesh(const OctantFamilies& sets, const IndexBox& box, bool withFinest)
 {
   RefinedMeshBuilder builder(sets, box, withFinest);
   for (int level = 0; level < sets.NumberOfRefinements(); ++level)

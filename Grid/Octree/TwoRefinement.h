@@ -1,16 +1,16 @@
 /**
  * TwoRefinement: a conforming mesh of hexes across the levels of a refined Cartesian grid.
  *
- * Every cell of a refined octet is eight cells of the next level, exact ones; a cell of one level that shares a face or an
+ * Every cell of a refined family is eight cells of the next level, exact ones; a cell of one level that shares a face or an
  * edge with a refined one of that level becomes transition hexes, which join both sides without hanging nodes. All other
- * cells of the base grid stay and are not stored: memory follows the refined octets.
+ * cells of the base grid stay and are not stored: memory follows the refined families.
  *
- * A part of the mesh is made from the closed octet sets alone, without the rest and without communication; points and
+ * A part of the mesh is made from the closed family sets alone, without the rest and without communication; points and
  * hexes are the same bit for bit in every part that has them.
  */
 #pragma once
 
-#include "Octree/OctetSets.h"
+#include "Octree/OctantFamilies.h"
 
 namespace vfm
 {
@@ -20,17 +20,17 @@ struct RefinedMesh
   /// A point that only transition hexes have; all others are nodes of the lattice and stay there.
   struct FreePoint
   {
-    int Point;   ///< index
-    Index Place; ///< RefinedLattice::NodeKey on the level of its hexes, also of lattice nodes
+    int Point;    ///< index
+    Index Anchor; ///< OctreeKeys::NodeKey on the level of its hexes, also of lattice nodes
   };
 
   std::vector<double> Points;              ///< xyz a point, length units of the grid
-  std::vector<Index> PointKeys;            ///< ascending (RefinedLattice::NodeOfKey)
+  std::vector<Index> PointKeys;            ///< ascending (OctreeKeys::NodeOfKey)
   std::vector<unsigned char> DomainSides;  ///< of each point: bit f set on side f of the domain
-  std::vector<FreePoint> FreePoints;       ///< by Place: the copies of one lattice node in turn
-  std::vector<Index> Places;               ///< of each point (PlaceOfNode)
+  std::vector<FreePoint> FreePoints;       ///< by Anchor: the copies of one lattice node in turn
+  std::vector<Index> Anchors;              ///< of each point (AnchorOfNode)
   std::vector<Index> Hexes;                ///< 8 point indices a hex, VTK order
-  std::vector<Index> HexKeys;              ///< ascending (RefinedLattice::HexOfKey)
+  std::vector<Index> HexKeys;              ///< ascending (OctreeKeys::HexOfKey)
   std::vector<unsigned char> IsTransition; ///< of each hex; else it is a cell of a level above 0
   std::vector<Index> TouchedCells; ///< keys of the base cells that hexes stand for, ascending
 
@@ -39,17 +39,18 @@ struct RefinedMesh
 };
 
 /// Of a point, given the key of the node that it is: the node from which it stems and that is a corner of a cell of transition
-/// hexes, as RefinedLattice::NodeKey on the coarsest level where there is one; -1: there is none. Here the levels that have the
-/// node itself are looked at; on the level before, it may stem from another one (RefinedMesh::Places).
-Index PlaceOfNode(const OctetSets& sets, Index key);
+/// hexes, as OctreeKeys::NodeKey on the coarsest level where there is one; -1: there is none. Here the levels that have the
+/// node itself are looked at; on the level before, it may stem from another one (RefinedMesh::Anchors).
+Index AnchorOfNode(const OctantFamilies& sets, Index key);
 
 /// The same of any point, of the mesh or not: where the mesh has it, as the mesh knows it.
-Index PlaceOfPoint(const OctetSets& sets, const RefinedMesh& mesh, Index key);
+Index AnchorOfPoint(const OctantFamilies& sets, const RefinedMesh& mesh, Index key);
 
 /// The hexes in a box of base cells, before anything is untangled: all but those of untouched base cells. withFinest:
-/// false leaves out the cells of the last level, and those of their points that have no place and no other hex.
-RefinedMesh MakeRefinedMesh(const OctetSets& sets, const IndexBox& box, bool withFinest = true);
-inline RefinedMesh MakeRefinedMesh(const OctetSets& sets)
+/// false leaves out the cells of the last level, and those of their points that have no anchor and no other hex.
+RefinedMesh MakeRefinedMesh(
+  const OctantFamilies& sets, const IndexBox& box, bool withFinest = true);
+inline RefinedMesh MakeRefinedMesh(const OctantFamilies& sets)
 {
   return MakeRefinedMesh(sets, sets.Lattice().Base().Global());
 }

@@ -31,11 +31,11 @@ Vector3 WidthsOfHex(const RefinedGrid& levels, const Mesh& mesh, Index hex)
 {
   const Index id = mesh.ElementIds[hex];
   const CartesianGrid& grid = levels.Finest();
-  if (!levels.IsOuterElement(id, mesh.Ids.ElementSlots))
+  if (!levels.IsCoarseElement(id, mesh.Ids.ElementSlots))
   {
     return CellWidths(grid, CellOfElement(grid, mesh, id));
   }
-  const RefinedLattice::Place cell = levels.CellOfOuterElement(id, mesh.Ids.ElementSlots);
+  const OctreeKeys::LevelIndex cell = levels.CellOfCoarseElement(id, mesh.Ids.ElementSlots);
   return (1.0 / grid.MeanWidth()) * levels.Lattice().CellWidths(cell.Level, cell.At);
 }
 
@@ -93,12 +93,12 @@ void ActiveMesh::ListCorners()
   }
   this->CornerList.resize(this->CornerOffset.back());
   std::vector<Index> next(this->CornerOffset.begin(), this->CornerOffset.end() - 1);
-  for (std::size_t place = 0; place < this->Elements.size(); ++place)
+  for (std::size_t position = 0; position < this->Elements.size(); ++position)
   {
-    const int p = this->Elements[place];
+    const int p = this->Elements[position];
     if (this->IsActive[p])
     {
-      this->CornerList[next[p]++] = static_cast<Index>(place);
+      this->CornerList[next[p]++] = static_cast<Index>(position);
     }
   }
 }

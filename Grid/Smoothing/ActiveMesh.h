@@ -51,17 +51,17 @@ struct ActiveMesh
   std::vector<Index>
     CornerOffset; ///< corners at a point: CornerList[CornerOffset[p] .. CornerOffset[p + 1])
   std::vector<Index>
-    CornerList; ///< places in Elements, ascending; none at points that are not active
+    CornerList; ///< positions in Elements, ascending; none at points that are not active
   /// Of the owned nodes; groups of one colour share no element. As many colours on all ranks.
   std::vector<std::vector<Group>> Colours = std::vector<std::vector<Group>>(8);
   std::vector<Index> AttachmentOffset; ///< of each point, as CornerOffset
   std::vector<Attachment> Attachments;
   std::vector<InterfaceFacet> Facets;
 
-  /// place: in Elements.
-  const Vector3& WidthsAt(Index place) const
+  /// position: in Elements.
+  const Vector3& WidthsAt(Index position) const
   {
-    return this->Widths[this->Widths.size() == 1 ? 0 : place / this->Corners];
+    return this->Widths[this->Widths.size() == 1 ? 0 : position / this->Corners];
   }
   /// Fills Fixed: points on a side of the domain stay on it.
   void FixOnDomain(const CartesianGrid& grid, const Mesh& mesh);

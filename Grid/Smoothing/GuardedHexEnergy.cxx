@@ -15,7 +15,7 @@ using Corners = std::array<const double*, 8>; // of a hex, by bits
 /// edges, one an axis, adds to the coefficient whose indices are the sums of theirs. Lanes: of the edges along z, by corner.
 struct EdgeProducts
 {
-  /// By the place of the y edge along x, of the x edge along y, and the sum of both along z.
+  /// By the position of the y edge along x, of the x edge along y, and the sum of both along z.
   Lanes Of[2][2][3];
 };
 
@@ -82,16 +82,16 @@ VFM_INLINE double SmallestOf(const EdgeProducts& products)
   return smallest;
 }
 
-/// Of the hex at a place of the corner list when the point there stands at x.
-VFM_INLINE EdgeProducts ProductsAt(const ActiveMesh& mesh, Index place, const Vector3& x)
+/// Of the hex at a position of the corner list when the point there stands at x.
+VFM_INLINE EdgeProducts ProductsAt(const ActiveMesh& mesh, Index position, const Vector3& x)
 {
   Corners corners;
-  const int* hex = mesh.Elements.data() + (place & ~7);
+  const int* hex = mesh.Elements.data() + (position & ~7);
   for (int c = 0; c < 8; ++c)
   {
     corners[c] = mesh.X[hex[c]].data();
   }
-  corners[place & 7] = x.data();
+  corners[position & 7] = x.data();
   return MakeProducts(corners);
 }
 
@@ -101,16 +101,16 @@ bool MayStandAt(const ActiveMesh& mesh, int point, const Vector3& x)
 {
   for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
-    const Index place = mesh.CornerList[at];
-    const Vector3& widths = mesh.WidthsAt(place);
+    const Index position = mesh.CornerList[at];
+    const Vector3& widths = mesh.WidthsAt(position);
     const double least = LeastCoefficient * widths[0] * widths[1] * widths[2];
-    const EdgeProducts products = ProductsAt(mesh, place, x);
+    const EdgeProducts products = ProductsAt(mesh, position, x);
     if (BoundOf(products) > least)
     {
       continue;
     }
     const double smallest = SmallestOf(products);
-    if (!(smallest > least || smallest >= SmallestOf(ProductsAt(mesh, place, mesh.X[point]))))
+    if (!(smallest > least || smallest >= SmallestOf(ProductsAt(mesh, position, mesh.X[point]))))
     {
       return false;
     }

@@ -173,11 +173,11 @@ VFM_INLINE void AddDerivatives(
   sum.ZZ += unit;
 }
 
-/// The corners of the hex at a place of the corner list, as the point at x sees them.
-VFM_INLINE Corners GatherAt(const ActiveMesh& mesh, Index place, const Vector3& x)
+/// The corners of the hex at a position of the corner list, as the point at x sees them.
+VFM_INLINE Corners GatherAt(const ActiveMesh& mesh, Index position, const Vector3& x)
 {
-  return GatherCorners(
-    mesh.X.data(), mesh.Elements.data() + (place & ~7), static_cast<int>(place & 7), x.data());
+  return GatherCorners(mesh.X.data(), mesh.Elements.data() + (position & ~7),
+    static_cast<int>(position & 7), x.data());
 }
 
 VFM_CLONES
@@ -187,9 +187,9 @@ double EvaluateBarrier(
   Lanes sum = Splat(0.0);
   for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
-    const Index place = mesh.CornerList[at];
-    const Corners c = GatherAt(mesh, place, x);
-    const CellScales k = MakeScales(mesh.WidthsAt(place));
+    const Index position = mesh.CornerList[at];
+    const Corners c = GatherAt(mesh, position, x);
+    const CellScales k = MakeScales(mesh.WidthsAt(position));
     if (!AllPositive(c, k))
     {
       return InvalidEnergy;
@@ -206,9 +206,9 @@ Derivatives DifferentiateBarrier(const ActiveMesh& mesh, int point, const Barrie
   Accumulator sum{};
   for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
-    const Index place = mesh.CornerList[at];
+    const Index position = mesh.CornerList[at];
     AddDerivatives(
-      sum, GatherAt(mesh, place, mesh.X[point]), MakeScales(mesh.WidthsAt(place)), weights);
+      sum, GatherAt(mesh, position, mesh.X[point]), MakeScales(mesh.WidthsAt(position)), weights);
   }
   Derivatives d;
   d.Value = Sum(sum.Value);

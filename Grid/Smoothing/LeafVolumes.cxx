@@ -9,15 +9,15 @@ namespace vfm
 {
 
 /// Looks at the leaves around one. Only those that touch it count: of other ranks' cells no more may be known here.
-class LeafHomes::Search
+class LeafLocator::Search
 {
 public:
-  Search(const LeafHomes& homes, const RefinedLattice::Place& leaf, int material) :
-    Homes(homes),
+  Search(const LeafLocator& locator, const OctreeKeys::LevelIndex& leaf, int material) :
+    Locator(locator),
     Material(material),
     Leaf(leaf),
-    LeafBox(homes.Levels.FinestCells(leaf.Level, leaf.At)),
-    HexBox(homes.Levels.Finest().HexBox())
+    LeafBox(locator.Levels.FinestCells(leaf.Level, leaf.At)),
+    HexBox(locator.Levels.Finest().HexBox())
   {
   }
 
@@ -36,13 +36,13 @@ private:
   /// A cell as large as the leaf, or a part of it.
   void Visit(int level, const Index3& cell)
   {
-    const RefinedGrid& levels = this->Homes.Levels;
+    const RefinedGrid& levels = this->Locator.Levels;
     const IndexBox box = levels.FinestCells(level, cell);
     if (!levels.Lattice().HasCell(level, cell) || !this->TouchesLeaf(box))
     {
       return;
     }
-    if (level == levels.NumberOfRefinements() || !levels.Octets().IsRefined(level, cell))
+    if (level == levels.NumberOfRefinements() || !levels.Families().IsRefined(level, cell))
     {
       this->Compare(box);
       return;
@@ -68,7 +68,7 @@ private:
   void Compare(const IndexBox& box)
   {
     const Index3 cell = Intersect(box, this->HexBox).Lower;
-    if (this->Homes.Labels[this->Homes.Grid.Linear(cell)] != this->Material)
+    if (this->Locator.Labels[this->Locator.Grid.Linear(cell)] != this->Material)
     {
       return;
     }
@@ -78,7 +78,7 @@ private:
       const Index d = box.Lower[a] + box.Upper[a] - this->LeafBox.Lower[a] - this->LeafBox.Upper[a];
       distance += d * d;
     }
-    const int fragment = distance < this->Nearest ? this->Homes.Pieces.FragmentOfCell(cell) : 0;
+    const int fragment = distance < this->Nearest ? this->Locator.Pieces.FragmentOfCell(cell) : 0;
     if (fragment > 0)
     {
       this->Best = fragment;
@@ -86,15 +86,15 @@ private:
     }
   }
 
-  const LeafHomes& Homes;
+  const LeafLocator& Locator;
   const int Material;
-  const RefinedLattice::Place Leaf;
+  const OctreeKeys::LevelIndex Leaf;
   const IndexBox LeafBox, HexBox;
   int Best = 0;
   Index Nearest = std::numeric_limits<Index>::max();
 };
 
-int LeafHomes::FindNear(const Index3& cell, int material) const
+int LeafLocator::FindNear(const Index3& cell, int material) const
 {
   return Search(*this, this->Levels.LeafOf(cell), material).Run();
 }

@@ -11,13 +11,13 @@
 namespace vfm
 {
 
-/// Like CellHomes, but what is near are the leaves that touch the leaf of the cell; in a leaf that is a finest cell
+/// Like CellLocator, but what is near are the leaves that touch the leaf of the cell; in a leaf that is a finest cell
 /// among finest cells the same.
-class LeafHomes : public CellHomes
+class LeafLocator : public CellLocator
 {
 public:
-  LeafHomes(const RefinedGrid& levels, const LabelArray& labels, const Fragments& fragments) :
-    CellHomes(levels.Finest(), labels, fragments), Levels(levels)
+  LeafLocator(const RefinedGrid& levels, const LabelArray& labels, const Fragments& fragments) :
+    CellLocator(levels.Finest(), labels, fragments), Levels(levels)
   {
   }
   /// Of an owned cell. The leaf whose centre is nearest to that of the cell's leaf, of coarser ones what a leaf as large as the

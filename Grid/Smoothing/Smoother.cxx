@@ -249,8 +249,8 @@ void Smoother::MarkNeighbours(int point)
   const int corners = this->Mesh.Corners;
   for (Index at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
   {
-    const Index place = this->Mesh.CornerList[at];
-    const int* element = this->Mesh.Elements.data() + place - place % corners;
+    const Index position = this->Mesh.CornerList[at];
+    const int* element = this->Mesh.Elements.data() + position - position % corners;
     for (int c = 0; c < corners; ++c)
     {
       __atomic_store_n(&this->Dirty[element[c]], 1, __ATOMIC_RELAXED);

@@ -146,12 +146,12 @@ void ForCorners(const ActiveMesh& mesh, int point, const Vector3& x, const Visit
 {
   for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
-    const Index place = mesh.CornerList[at];
-    const int* hex = mesh.Elements.data() + (place & ~7);
-    const int moving = static_cast<int>(place & 7);
+    const Index position = mesh.CornerList[at];
+    const int* hex = mesh.Elements.data() + (position & ~7);
+    const int moving = static_cast<int>(position & 7);
     for (int corner : { moving, moving ^ 1, moving ^ 2, moving ^ 4 })
     {
-      visit(MakeCorner(mesh, hex, corner, moving, x, mesh.WidthsAt(place)));
+      visit(MakeCorner(mesh, hex, corner, moving, x, mesh.WidthsAt(position)));
     }
   }
 }

@@ -37,7 +37,7 @@ int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   return best;
 }
 
-int CellHomes::FindNear(const Index3& cell, int material) const
+int CellLocator::FindNear(const Index3& cell, int material) const
 {
   return FindNearestCell(this->Grid, cell,
     [&](const Index3& q) {
@@ -53,14 +53,14 @@ class TargetSums
 {
 public:
   TargetSums(const CartesianGrid& grid, const FractionField& fractions,
-    const std::vector<int>& materials, const FragmentHomes& homes) :
+    const std::vector<int>& materials, const FragmentLocator& locator) :
     Targets(materials.size()),
     Cells(materials.size()),
     Totals(fractions.NumberOfMaterials() + 1),
     Grid(grid),
     Fractions(fractions),
     Materials(materials),
-    Homes(homes),
+    Locator(locator),
     Volumes(grid),
     VoidIsMeshed(std::find(materials.begin() + 1, materials.end(), 0) != materials.end())
   {
@@ -69,7 +69,7 @@ public:
   void AddRow(Index j, Index k)
   {
     this->Volumes.Start(j, k);
-    this->Homes.ForRuns(j, k,
+    this->Locator.ForRuns(j, k,
       [&](Index first, Index last, int fragment) { this->AddRun(first, last, j, k, fragment); });
   }
 
@@ -96,7 +96,7 @@ private:
 
   void AddPart(const Index3& p, int fragment, int material, double volume)
   {
-    this->Add(this->IsOwn(fragment, material) ? fragment : this->Homes.FindNear(p, material),
+    this->Add(this->IsOwn(fragment, material) ? fragment : this->Locator.FindNear(p, material),
       material, volume);
   }
 
@@ -149,7 +149,7 @@ private:
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   const std::vector<int>& Materials;
-  const FragmentHomes& Homes;
+  const FragmentLocator& Locator;
   RowVolumes Volumes;
   bool VoidIsMeshed;
 };
@@ -157,11 +157,11 @@ private:
 } // namespace
 
 FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-  const std::vector<int>& materials, const FragmentHomes& homes, const Partition& partition) :
+  const std::vector<int>& materials, const FragmentLocator& locator, const Partition& partition) :
   Materials(materials), Parts(partition), Swept(materials.size(), 0.0)
 {
   const IndexBox& box = grid.Owned();
-  TargetSums sums(grid, fractions, materials, homes);
+  TargetSums sums(grid, fractions, materials, locator);
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
     for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)

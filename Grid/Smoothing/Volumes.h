@@ -18,10 +18,10 @@ namespace vfm
 {
 
 /// Says to which fragment the material in a cell belongs.
-class FragmentHomes
+class FragmentLocator
 {
 public:
-  virtual ~FragmentHomes() = default;
+  virtual ~FragmentLocator() = default;
   /// Calls body(first cell, last cell + 1, fragment) for row (j, k) of HexBox in order; 0 where not meshed.
   using Body = std::function<void(Index, Index, int)>;
   virtual void ForRuns(Index j, Index k, const Body& body) const = 0;
@@ -34,10 +34,10 @@ int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   const std::function<int(const Index3&)>& fragmentOf);
 
 /// Where fragments are made of cells.
-class CellHomes : public FragmentHomes
+class CellLocator : public FragmentLocator
 {
 public:
-  CellHomes(const CartesianGrid& grid, const LabelArray& labels, const Fragments& fragments) :
+  CellLocator(const CartesianGrid& grid, const LabelArray& labels, const Fragments& fragments) :
     Grid(grid), Labels(labels), Pieces(fragments)
   {
   }
@@ -58,7 +58,7 @@ class FragmentVolumes
 public:
   /// materials: of each fragment, [0] unused. Collective, like Measure.
   FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-    const std::vector<int>& materials, const FragmentHomes& homes, const Partition& partition);
+    const std::vector<int>& materials, const FragmentLocator& locator, const Partition& partition);
 
   /// Says what the mesh has at the start, by fragment over all ranks. Without it: the volumes of the cells.
   void SetStart(std::vector<double> volumes) { this->StartVolumes = std::move(volumes); }

@@ -108,7 +108,7 @@ ActiveTets MakeActiveTets(
   std::vector<unsigned char> moving(mesh.PointIds.size());
   for (std::size_t p = 0; p < moving.size(); ++p)
   {
-    moving[p] = topology.Place[p] == PointPlace::OnInterface;
+    moving[p] = topology.Positions[p] == PointPosition::OnInterface;
   }
   moving = Spread(mesh, moving);
   LearnMoving(grid, mesh, partition, moving);

@@ -1,7 +1,7 @@
 #include "Tet/TetTopology.h"
 
+#include "Tet/CoarseTets.h"
 #include "Tet/LatticeStencils.h"
-#include "Tet/OuterTets.h"
 
 #include <numeric>
 
@@ -14,8 +14,8 @@ class CellTetBuilder
 {
 public:
   CellTetBuilder(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-    Runtime& runtime, const OuterTets* outer) :
-    Grid(grid), Labels(labels), Box(grid.HexBox()), MeshVoid(meshVoid), Run(runtime), Outer(outer)
+    Runtime& runtime, const CoarseTets* coarse) :
+    Grid(grid), Labels(labels), Box(grid.HexBox()), MeshVoid(meshVoid), Run(runtime), Coarse(coarse)
   {
   }
 
@@ -28,14 +28,14 @@ public:
     this->FirstPoint = Buffer<int>(this->Grid.NumberOfEntries(), -1);
     this->MakePoints();
     const Index fineTets = this->CountTets();
-    const Index tets = fineTets + (this->Outer ? this->Outer->NumberOfTets() : 0);
+    const Index tets = fineTets + (this->Coarse ? this->Coarse->NumberOfTets() : 0);
     mesh.Elements = Buffer<Index>(4 * tets);
     mesh.ElementIds = Buffer<Index>(tets);
     mesh.Material = Buffer<int>(tets);
     this->OverRows([this](Index j, Index k, Index row) { this->FillTets(j, k, row); });
-    if (this->Outer)
+    if (this->Coarse)
     {
-      this->Outer->Fill(this->Result, this->FinePoints, fineTets,
+      this->Coarse->Fill(this->Result, this->FinePoints, fineTets,
         [this](Index at, Index slot)
         { return slot == CentreSlot ? this->Centre(at) : Index(this->FirstPoint[at]); });
     }
@@ -55,7 +55,7 @@ private:
 
   bool IsFine(const Index3& cell) const
   {
-    return !this->Outer || this->Outer->Levels().IsFine(cell);
+    return !this->Coarse || this->Coarse->Levels().IsFine(cell);
   }
 
   /// Calls body(j, k, row) for the rows of nodes.
@@ -80,7 +80,7 @@ private:
     const bool isCentre =
       this->Box.Contains(p) && this->IsMeshed(this->Labels[node]) && this->IsFine(p);
     int slots = isCentre << CentreSlot;
-    const bool isVertex = !this->Outer || this->Outer->Levels().TouchesFine(p);
+    const bool isVertex = !this->Coarse || this->Coarse->Levels().TouchesFine(p);
     for (int c = 0; isVertex && c < 8; ++c)
     {
       const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } };
@@ -117,12 +117,12 @@ private:
       });
     std::partial_sum(offset.begin(), offset.end(), offset.begin());
     this->FinePoints = offset.back();
-    const Index points = this->FinePoints + (this->Outer ? this->Outer->NumberOfPoints() : 0);
+    const Index points = this->FinePoints + (this->Coarse ? this->Coarse->NumberOfPoints() : 0);
     CheckNumberOfPoints(points, this->Run.Group());
     Mesh& mesh = this->Result.Tets;
     mesh.Points = Buffer<double>(3 * points);
     mesh.PointIds = Buffer<Index>(points);
-    this->Result.Place.assign(points, PointPlace::Inside);
+    this->Result.Positions.assign(points, PointPosition::Inside);
     this->OverRows(
       [&](Index j, Index k, Index row)
       {
@@ -153,19 +153,20 @@ private:
       mesh.PointIds[point] = TetIds.PointSlots * this->Grid.NodeKey(p) + slot + 1;
       if (slot == VertexSlot)
       {
-        this->Result.Place[point] = this->PlaceOf(p, node);
+        this->Result.Positions[point] = this->PositionOf(p, node);
       }
       ++point;
     }
   }
 
-  PointPlace PlaceOf(const Index3& p, Index node) const
+  PointPosition PositionOf(const Index3& p, Index node) const
   {
     const std::array<int, 8> star = StarOfNode(this->Grid, this->Labels, node);
     const bool mixed =
       std::any_of(star.begin(), star.end(), [&](int label) { return label != star[0]; });
-    return mixed ? PointPlace::OnInterface
-                 : (this->Grid.DomainSides(p) != 0 ? PointPlace::OnDomain : PointPlace::Inside);
+    return mixed
+      ? PointPosition::OnInterface
+      : (this->Grid.DomainSides(p) != 0 ? PointPosition::OnDomain : PointPosition::Inside);
   }
 
   /// Calls body(face) for the faces of a row of blocks whose cells are all fine and in the box, in the order of ids.
@@ -292,8 +293,8 @@ private:
   IndexBox Box;
   bool MeshVoid;
   Runtime& Run;
-  const OuterTets* Outer; // null: all cells are fine
-  Buffer<int> FirstPoint; // of each block
+  const CoarseTets* Coarse; // null: all cells are fine
+  Buffer<int> FirstPoint;   // of each block
   Index FinePoints = 0;
   std::vector<Index> FirstTet; // of each row
   TetTopology Result;
@@ -302,26 +303,26 @@ private:
 } // namespace
 
 TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  Runtime& runtime, const OuterTets* outer)
+  Runtime& runtime, const CoarseTets* coarse)
 {
-  return CellTetBuilder(grid, labels, meshVoid, runtime, outer).Build();
+  return CellTetBuilder(grid, labels, meshVoid, runtime, coarse).Build();
 }
 
 bool IsCentre(const Mesh& mesh, Index pointId)
 {
-  return mesh.Levels && mesh.Levels->IsOuterPoint(pointId, mesh.Ids.PointSlots)
-    ? mesh.Levels->IsOuterCentre(pointId, mesh.Ids.PointSlots)
+  return mesh.Levels && mesh.Levels->IsCoarsePoint(pointId, mesh.Ids.PointSlots)
+    ? mesh.Levels->IsCoarseCentre(pointId, mesh.Ids.PointSlots)
     : SlotOfPoint(pointId) == CentreSlot;
 }
 
 Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId)
 {
-  if (!mesh.Levels || !mesh.Levels->IsOuterPoint(pointId, mesh.Ids.PointSlots))
+  if (!mesh.Levels || !mesh.Levels->IsCoarsePoint(pointId, mesh.Ids.PointSlots))
   {
     return NodeOfPoint(grid, mesh, pointId);
   }
-  const RefinedLattice::Place place = mesh.Levels->CellOfOuterCentre(pointId, mesh.Ids.PointSlots);
-  return mesh.Levels->NearestCell(place.Level, place.At);
+  const OctreeKeys::LevelIndex leaf = mesh.Levels->CellOfCoarseCentre(pointId, mesh.Ids.PointSlots);
+  return mesh.Levels->NearestCell(leaf.Level, leaf.At);
 }
 
 } // namespace vfm

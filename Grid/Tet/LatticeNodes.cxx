@@ -34,19 +34,19 @@ LatticeNodes::LatticeNodes(
   const Index size = grid.NumberOfEntries() + grid.CornerOffset(7);
   for (auto& labels : this->Label)
   {
-    labels.assign(size, Wild);
+    labels.assign(size, Snapped);
   }
   this->OverRows(grid.Local(), 0, [this](Index j, Index k) { this->LabelCentres(j, k); });
-  const IndexBox box = grid.Extended(GhostLevels - 1);
+  const IndexBox box = grid.Extended(GhostLayers - 1);
   this->OverRows(box, 1, [&](Index j, Index k) { this->LabelVertices(box, j, k); });
   // Each pass looks one level farther than it writes.
-  this->Snap(Centre, 0, HexLevels + 3);
-  this->Snap(Centre, 1, HexLevels + 2);
-  this->Snap(Vertex, 0, HexLevels + 1);
-  this->Snap(Vertex, 1, HexLevels);
+  this->Snap(Centre, 0, HexLayers + 3);
+  this->Snap(Centre, 1, HexLayers + 2);
+  this->Snap(Vertex, 0, HexLayers + 1);
+  this->Snap(Vertex, 1, HexLayers);
 }
 
-void LatticeNodes::Tame(const Node& node)
+void LatticeNodes::Unsnap(const Node& node)
 {
   this->Label[node.Type][this->Grid.Linear(node.Position)] =
     this->LabelOfMean({ { node, node, node, node } });
@@ -230,7 +230,7 @@ double LatticeNodes::Lead(const Node& node, int label, int other) const
   return std::max(this->Fraction(node, label) - this->Fraction(node, other), 0.0);
 }
 
-/// Makes nodes of one kind and parity wild, on the cells of Extended(level) or on their vertices.
+/// Makes nodes of one kind and parity snapped, on the cells of Extended(level) or on their vertices.
 void LatticeNodes::Snap(Kind kind, int parity, int level)
 {
   const int extra = kind == Vertex;
@@ -259,7 +259,7 @@ void LatticeNodes::Snap(Kind kind, int parity, int level)
         }
         if (differs && this->IsNearInterface({ kind, { { i, j, k } } }, n))
         {
-          this->Label[kind][n] = Wild;
+          this->Label[kind][n] = Snapped;
         }
       }
     });
@@ -271,7 +271,7 @@ bool LatticeNodes::IsNearInterface(const Node& node, Index n) const
   const int label = this->Label[node.Type][n];
   const auto isNear = [&](const Node& other, int otherLabel, double reach)
   {
-    if (otherLabel == Wild || otherLabel == label)
+    if (otherLabel == Snapped || otherLabel == label)
     {
       return false;
     }

@@ -1,13 +1,13 @@
 /**
- * LatticeNodes: the labels of the nodes of the body-centred lattice, and which of them are wild.
+ * LatticeNodes: the labels of the nodes of the body-centred lattice, and which of them are snapped.
  *
  * A node is a vertex of the grid or the centre of a cell. The fractions of a centre are those of its cell, the
  * fractions of a vertex the mean of its eight cells (clamped at the domain). Void where void is more than
  * 1 - isoValue, else the material of the largest fraction, ties to the smaller.
  *
- * A node is wild when an interface passes near to it: on some edge to a node of another label, not wild, the
- * interface lies within the first 45 % (vertex to centre) or 30 % (along an axis). A wild node has no
- * label: the interface may run through it, and lattice tets around it need fewer cuts. Nodes become wild in
+ * A node is snapped when an interface passes near to it: on some edge to a node of another label, not snapped, the
+ * interface lies within the first 45 % (vertex to centre) or 30 % (along an axis). A snapped node has no
+ * label: the interface may run through it, and lattice tets around it need fewer cuts. Nodes become snapped in
  * four passes: even cells, odd cells, even vertices, odd vertices (parity of i + j + k). No two nodes of
  * one pass share a lattice edge, so the result depends on neither order nor ranks.
  */
@@ -22,8 +22,8 @@ namespace vfm
 class LatticeNodes
 {
 public:
-  /// What stands for the label of wild nodes, and of nodes outside the domain.
-  static constexpr int Wild = -1;
+  /// What stands for the label of snapped nodes, and of nodes outside the domain.
+  static constexpr int Snapped = -1;
   enum Kind
   {
     Vertex,
@@ -41,8 +41,8 @@ public:
   /// Labels by linear index of the grid. Valid on the cells of CartesianGrid::HexBox and their vertices.
   const int* Labels(Kind kind) const { return this->Label[kind].data(); }
 
-  /// Takes a node of HexBox out of the wild: it gets its label.
-  void Tame(const Node& node);
+  /// Takes a node of HexBox out of the snapped: it gets its label.
+  void Unsnap(const Node& node);
 
   /// The label by the mean of the fractions of four nodes.
   int LabelOfMean(const std::array<Node, 4>& nodes) const;

@@ -126,7 +126,7 @@ int Orientation(const std::array<std::uint8_t, 4>& sets)
 class StencilMaker
 {
 public:
-  /// classes: 0 for wild nodes, else nodes of one number have one label.
+  /// classes: 0 for snapped nodes, else nodes of one number have one label.
   StencilMaker(const LatticeTet& tet, const std::array<int, 4>& classes) : Tet(tet)
   {
     for (int i = 0; i < 4; ++i)
@@ -181,16 +181,16 @@ private:
 
   void AddRegion(int members)
   {
-    const int wild = this->Members[0], tame = 15 & ~wild;
-    const std::array<int, 4> w = Split(wild);
-    if (CountNodes(tame) == 2)
+    const int snapped = this->Members[0], free = 15 & ~snapped;
+    const std::array<int, 4> w = Split(snapped);
+    if (CountNodes(free) == 2)
     {
-      this->Add(w[0], w[1], members, tame);
+      this->Add(w[0], w[1], members, free);
       return;
     }
-    if (CountNodes(tame) == 3)
+    if (CountNodes(free) == 3)
     {
-      this->AddFan(wild, this->OnFace(tame, members));
+      this->AddFan(snapped, this->OnFace(free, members));
       return;
     }
     std::vector<Polygon> sides;
@@ -253,7 +253,7 @@ private:
     }
   }
 
-  /// The interface between two regions of a tet without wild nodes.
+  /// The interface between two regions of a tet without snapped nodes.
   Polygon Between(int a, int b) const
   {
     const int rest = 15 & ~(a | b), both = CountNodes(a) + CountNodes(b);
@@ -391,7 +391,7 @@ void LatticeTables::AddShape(int shape, const std::array<HalfPoint, 4>& nodes, i
   }
 }
 
-/// A stencil of every shape for every way in which four labels may be wild or equal.
+/// A stencil of every shape for every way in which four labels may be snapped or equal.
 void LatticeTables::AddPatterns()
 {
   std::vector<std::array<int, 4>> patterns;

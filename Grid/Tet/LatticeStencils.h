@@ -43,7 +43,7 @@ struct LatticeStencil
 {
   struct Region
   {
-    int Node;             ///< one of its nodes with a label; -1 when all are wild
+    int Node;             ///< one of its nodes with a label; -1 when all are snapped
     int First, Last;      ///< its tets
     std::uint32_t Points; ///< bit s: it has the point of set s
   };
@@ -74,7 +74,7 @@ public:
 
   const LatticeTet& Shape(int shape) const { return this->Tets[shape]; }
 
-  /// labels: of the nodes, -1 wild. Points of the stencil are fanned from those of the smallest id.
+  /// labels: of the nodes, -1 snapped. Points of the stencil are fanned from those of the smallest id.
   const LatticeStencil& Stencil(int shape, const std::array<int, 4>& labels) const
   {
     return this->Stencils[shape * Patterns + this->PatternOfCode[Code(labels)]];
@@ -91,12 +91,12 @@ private:
     std::array<HalfPoint, 4> Nodes;
   };
 
-  static constexpr int Patterns = 52; // of equal labels and wild nodes
+  static constexpr int Patterns = 52; // of equal labels and snapped nodes
 
   LatticeTables();
   void AddShape(int shape, const std::array<HalfPoint, 4>& nodes, int domain);
   void AddPatterns();
-  /// Which labels are wild and which equal.
+  /// Which labels are snapped and which equal.
   static int Code(const std::array<int, 4>& l)
   {
     return (l[0] < 0) | (l[1] < 0) << 1 | (l[2] < 0) << 2 | (l[3] < 0) << 3 | (l[0] == l[1]) << 4 |

@@ -1,10 +1,10 @@
 #include "Tet/TetTopology.h"
 
+#include "Tet/CoarseTets.h"
 #include "Tet/LatticeNodes.h"
+#include "Tet/LatticeSnappedTets.h"
 #include "Tet/LatticeStencils.h"
-#include "Tet/LatticeWildTets.h"
-#include "Tet/OuterTets.h"
-#include "Tet/PinchedNodes.h"
+#include "Tet/NonManifoldNodes.h"
 
 #include <atomic>
 #include <bitset>
@@ -19,13 +19,13 @@ class LatticeTetBuilder
 {
 public:
   LatticeTetBuilder(const CartesianGrid& grid, const LatticeNodes& nodes, bool meshVoid,
-    const Partition& partition, Runtime& runtime, const OuterTets* outer) :
+    const Partition& partition, Runtime& runtime, const CoarseTets* coarse) :
     Grid(grid),
     Box(grid.HexBox()),
     MeshVoid(meshVoid),
     Parts(partition),
     Run(runtime),
-    Outer(outer),
+    Coarse(coarse),
     Tables(LatticeTables::Get()),
     Nodes(nodes),
     Slots(grid.NumberOfEntries()),
@@ -37,12 +37,12 @@ public:
   TetTopology Build()
   {
     this->Rows.resize(this->NumberOfRows());
-    if (this->Outer)
+    if (this->Coarse)
     {
-      this->OverRows([this](Row& row) { this->MarkBesideOuter(row); });
+      this->OverRows([this](Row& row) { this->MarkBesideCoarse(row); });
     }
     this->OverRows([this](Row& row) { this->Count(row); });
-    this->SettleWildTets();
+    this->SettleSnappedTets();
     this->MakePoints();
     this->MakeTets();
     return std::move(this->Result);
@@ -54,8 +54,8 @@ private:
   {
     Index J = 0, K = 0;
     Index Points = 0, Tets = 0; // how many; then the first
-    std::vector<WildTet> Wild;
-    std::vector<WildFace> Faces;
+    std::vector<SnappedTet> Snapped;
+    std::vector<SnappedFace> Faces;
   };
 
   /// A shape on this grid.
@@ -133,7 +133,7 @@ private:
 
   bool IsFine(const Index3& cell) const
   {
-    return !this->Outer || this->Outer->Levels().IsFine(cell);
+    return !this->Coarse || this->Coarse->Levels().IsFine(cell);
   }
 
   /// Whether the cells at the face along an axis are fine.
@@ -146,16 +146,16 @@ private:
 
   bool HasFineFaces(const Index3& block) const
   {
-    return !this->Outer ||
+    return !this->Coarse ||
       (this->IsFineFace(block, 0) && this->IsFineFace(block, 1) && this->IsFineFace(block, 2));
   }
 
-  /// Points that outer tets have in common with fine cells: at the rim no other tets may have them.
-  void MarkBesideOuter(const Row& row)
+  /// Points that coarse tets have in common with fine cells: at the rim no other tets may have them.
+  void MarkBesideCoarse(const Row& row)
   {
     Index3 p{ { this->Box.Lower[0], row.J, row.K } };
     Index n = this->Grid.Linear(p);
-    const RefinedGrid& levels = this->Outer->Levels();
+    const RefinedGrid& levels = this->Coarse->Levels();
     for (; p[0] <= this->Box.Upper[0]; ++p[0], ++n)
     {
       bool isBeside = false;
@@ -277,14 +277,14 @@ private:
     Row& row, const Index3& block, Index n, int shape, int tet, const std::array<int, 4>& labels)
   {
     const PlacedShape& placed = this->Shapes[shape];
-    const int wild =
+    const int snapped =
       (labels[0] < 0) | (labels[1] < 0) << 1 | (labels[2] < 0) << 2 | (labels[3] < 0) << 3;
     const Index key = this->Grid.NodeKey(block);
     const auto faceId = [&](int set)
     { return TetIds.PointSlots * (key + placed.Key[set]) + placed.Slot[set] + 1; };
-    if (wild == 15)
+    if (snapped == 15)
     {
-      row.Wild.push_back({ key * TetIds.ElementSlots + tet * PiecesPerTet + 1, block, shape,
+      row.Snapped.push_back({ key * TetIds.ElementSlots + tet * PiecesPerTet + 1, block, shape,
         this->LabelOfMean(block, shape), { { faceId(14), faceId(13), faceId(11), faceId(7) } } });
       return;
     }
@@ -298,9 +298,9 @@ private:
         this->MarkSets(placed, n, region.Points);
       }
     }
-    if (wild == 14 || wild == 13 || wild == 11 || wild == 7)
+    if (snapped == 14 || snapped == 13 || snapped == 11 || snapped == 7)
     {
-      row.Faces.push_back({ faceId(wild), labels[stencil.List[0].Node] });
+      row.Faces.push_back({ faceId(snapped), labels[stencil.List[0].Node] });
     }
   }
 
@@ -320,21 +320,21 @@ private:
   }
 
   /// Collective.
-  void SettleWildTets()
+  void SettleSnappedTets()
   {
-    std::vector<WildTet> tets;
-    std::vector<WildFace> faces;
+    std::vector<SnappedTet> tets;
+    std::vector<SnappedFace> faces;
     for (Row& row : this->Rows)
     {
-      tets.insert(tets.end(), row.Wild.begin(), row.Wild.end());
+      tets.insert(tets.end(), row.Snapped.begin(), row.Snapped.end());
       faces.insert(faces.end(), row.Faces.begin(), row.Faces.end());
       row.Faces = {};
     }
-    vfm::SettleWildTets(tets, faces, this->Grid, this->Parts);
+    vfm::SettleSnappedTets(tets, faces, this->Grid, this->Parts);
     auto next = tets.begin();
     for (Row& row : this->Rows)
     {
-      for (WildTet& tet : row.Wild)
+      for (SnappedTet& tet : row.Snapped)
       {
         tet.Label = (next++)->Label;
         if (this->IsMeshed(tet.Label))
@@ -364,14 +364,14 @@ private:
       row.Points = std::exchange(total, total + row.Points);
     }
     this->FinePoints = total;
-    total += this->Outer ? this->Outer->NumberOfPoints() : 0;
+    total += this->Coarse ? this->Coarse->NumberOfPoints() : 0;
     CheckNumberOfPoints(total, this->Run.Group());
     Mesh& mesh = this->Result.Tets;
     mesh.Corners = 4;
     mesh.Ids = TetIds;
     mesh.Points = Buffer<double>(3 * total);
     mesh.PointIds = Buffer<Index>(total);
-    this->Result.Place.resize(total);
+    this->Result.Positions.resize(total);
     this->OverRows([this](Row& row) { this->FillPoints(row); });
   }
 
@@ -399,21 +399,22 @@ private:
           const Vector3 x = this->Tables.StartOf(this->Grid, block, slot);
           std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * point);
           mesh.PointIds[point] = id + slot;
-          this->Result.Place[point] = this->PlaceOf(block, n, slot);
+          this->Result.Positions[point] = this->PositionOf(block, n, slot);
           ++point;
         }
       }
     }
   }
 
-  PointPlace PlaceOf(const Index3& block, Index n, int slot) const
+  PointPosition PositionOf(const Index3& block, Index n, int slot) const
   {
-    if (slot > 1 || this->Nodes.Labels(LatticeNodes::Kind(slot))[n] == LatticeNodes::Wild)
+    if (slot > 1 || this->Nodes.Labels(LatticeNodes::Kind(slot))[n] == LatticeNodes::Snapped)
     {
-      return PointPlace::OnInterface;
+      return PointPosition::OnInterface;
     }
-    return slot == LatticeNodes::Vertex && this->Grid.DomainSides(block) != 0 ? PointPlace::OnDomain
-                                                                              : PointPlace::Inside;
+    return slot == LatticeNodes::Vertex && this->Grid.DomainSides(block) != 0
+      ? PointPosition::OnDomain
+      : PointPosition::Inside;
   }
 
   void MakeTets()
@@ -424,15 +425,15 @@ private:
       row.Tets = std::exchange(total, total + row.Tets);
     }
     const Index fineTets = total;
-    total += this->Outer ? this->Outer->NumberOfTets() : 0;
+    total += this->Coarse ? this->Coarse->NumberOfTets() : 0;
     Mesh& mesh = this->Result.Tets;
     mesh.Elements = Buffer<Index>(4 * total);
     mesh.ElementIds = Buffer<Index>(total);
     mesh.Material = Buffer<int>(total);
     this->OverRows([this](Row& row) { this->FillTets(row); });
-    if (this->Outer)
+    if (this->Coarse)
     {
-      this->Outer->Fill(this->Result, this->FinePoints, fineTets,
+      this->Coarse->Fill(this->Result, this->FinePoints, fineTets,
         [this](Index block, Index slot) { return this->PointAt(block, static_cast<int>(slot)); });
     }
   }
@@ -448,7 +449,7 @@ private:
   {
     const int* centres = this->Nodes.Labels(LatticeNodes::Centre);
     Index tet = row.Tets;
-    auto wild = row.Wild.begin();
+    auto snapped = row.Snapped.begin();
     this->OverTets(
       row,
       [&](const Index3& block, Index n)
@@ -463,9 +464,10 @@ private:
       [&](const Index3& block, Index n, int shape, int slot, const std::array<int, 4>& labels)
       {
         const Index id = this->Grid.NodeKey(block) * TetIds.ElementSlots + slot * PiecesPerTet + 1;
-        const int ownLabel = labels[0] + labels[1] + labels[2] + labels[3] == 4 * LatticeNodes::Wild
-          ? (wild++)->Label
-          : LatticeNodes::Wild;
+        const int ownLabel =
+          labels[0] + labels[1] + labels[2] + labels[3] == 4 * LatticeNodes::Snapped
+          ? (snapped++)->Label
+          : LatticeNodes::Snapped;
         this->FillCut(tet, n, shape, id, labels, ownLabel);
       });
   }
@@ -492,7 +494,7 @@ private:
     }
   }
 
-  /// The pieces of a lattice tet; ownLabel: when all nodes are wild.
+  /// The pieces of a lattice tet; ownLabel: when all nodes are snapped.
   void FillCut(
     Index& tet, Index n, int shape, Index id, const std::array<int, 4>& labels, int ownLabel)
   {
@@ -541,7 +543,7 @@ private:
   bool MeshVoid;
   const Partition& Parts;
   Runtime& Run;
-  const OuterTets* Outer; // null: all cells are fine
+  const CoarseTets* Coarse; // null: all cells are fine
   const LatticeTables& Tables;
   const LatticeNodes& Nodes;
   std::array<PlacedShape, LatticeTables::Shapes> Shapes;
@@ -555,30 +557,30 @@ private:
 
 } // namespace
 
-/// Ends: every round tames a node, and where none is wild nothing is pinched.
+/// Ends: every round unsnaps a node, and where none is snapped nothing is non-manifold.
 TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fractions,
   double isoValue, bool meshVoid, const Partition& partition, Runtime& runtime,
-  const OuterTets* outer)
+  const CoarseTets* coarse)
 {
   CheckIds(grid, TetIds.ElementSlots);
   LatticeNodes nodes(grid, fractions, isoValue, runtime);
   for (;;)
   {
     TetTopology topology =
-      LatticeTetBuilder(grid, nodes, meshVoid, partition, runtime, outer).Build();
-    const std::vector<Index> pinched =
-      GatherItems(runtime.Group(), FindPinchedNodes(topology, grid, partition));
-    if (pinched.empty())
+      LatticeTetBuilder(grid, nodes, meshVoid, partition, runtime, coarse).Build();
+    const std::vector<Index> nonManifold =
+      GatherItems(runtime.Group(), FindNonManifoldNodes(topology, grid, partition));
+    if (nonManifold.empty())
     {
       return topology;
     }
-    for (Index id : pinched)
+    for (Index id : nonManifold)
     {
       const Index3 block = NodeOfPoint(grid, topology.Tets, id);
       const bool isVertex = SlotOfPoint(id) == VertexSlot;
       if (isVertex ? grid.HexBox().Touches(block) : grid.HexBox().Contains(block))
       {
-        nodes.Tame({ isVertex ? LatticeNodes::Vertex : LatticeNodes::Centre, block });
+        nodes.Unsnap({ isVertex ? LatticeNodes::Vertex : LatticeNodes::Centre, block });
       }
     }
   }
@@ -600,7 +602,7 @@ std::vector<Index> FindLatticeInterfaces(
       for (p[0] = box.Lower[0]; p[0] <= box.Upper[0]; ++p[0])
       {
         const Index n = grid.Linear(p);
-        bool differs = vertices[n] == LatticeNodes::Wild;
+        bool differs = vertices[n] == LatticeNodes::Snapped;
         for (int c = 0; c < 8; ++c)
         {
           const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } };

@@ -122,7 +122,7 @@ std::vector<Part> FindParts(const Mesh& mesh, const CartesianGrid& grid)
   parts.erase(
     std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return part.Tets.empty(); }),
     parts.end());
-  std::vector<int> place(mesh.PointIds.size(), -1);
+  std::vector<int> position(mesh.PointIds.size(), -1);
   for (Part& part : parts)
   {
     for (const std::array<Index, 3>& face : FindBoundary(mesh, part.Tets))
@@ -131,19 +131,19 @@ std::vector<Part> FindParts(const Mesh& mesh, const CartesianGrid& grid)
       for (int c = 0; c < 3; ++c)
       {
         const Index p = face[c];
-        if (place[p] < 0)
+        if (position[p] < 0)
         {
-          place[p] = static_cast<int>(part.Points.size());
+          position[p] = static_cast<int>(part.Points.size());
           part.Points.push_back(p);
           part.Surface.Points.push_back(ToGrid(grid, mesh.Points.data() + 3 * p));
         }
-        triangle[c] = place[p];
+        triangle[c] = position[p];
       }
       part.Surface.Triangles.push_back(triangle);
     }
     for (Index p : part.Points)
     {
-      place[p] = -1;
+      position[p] = -1;
     }
   }
   return parts;

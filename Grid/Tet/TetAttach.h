@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/Options.h"
 #include "Tet/ActiveTets.h"
 #include "Tet/TetFacets.h"
 

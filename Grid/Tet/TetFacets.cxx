@@ -40,11 +40,11 @@ std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
     int inside = 0;
     for (int c = 0; c < 4; ++c)
     {
-      inside += topology.Place[tet[c]] == PointPlace::Inside;
+      inside += topology.Positions[tet[c]] == PointPosition::Inside;
     }
     for (int c = 0; inside <= 1 && c < 4; ++c)
     {
-      if (inside == 1 && topology.Place[tet[c]] != PointPlace::Inside)
+      if (inside == 1 && topology.Positions[tet[c]] != PointPosition::Inside)
       {
         continue;
       }

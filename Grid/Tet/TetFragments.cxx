@@ -20,7 +20,7 @@ bool IsCentrePoint(const Mesh& mesh, Index point)
 /// Whether the point is a node of the lattice inside a material: all tets at it are of one fragment.
 bool IsAnchor(const TetTopology& topology, Index point)
 {
-  return topology.Place[point] != PointPlace::OnInterface;
+  return topology.Positions[point] != PointPosition::OnInterface;
 }
 
 /// Calls visit(cells, tet) for the anchored centres: the cells of HexBox that the centre stands for, and a tet at it.
@@ -42,10 +42,10 @@ void ForCentres(const TetTopology& topology, const CartesianGrid& grid, const Vi
     }
     const Index3 cell = NodeOfPoint(grid, mesh, id);
     IndexBox cells{ cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
-    if (mesh.Levels && mesh.Levels->IsOuterPoint(id, mesh.Ids.PointSlots))
+    if (mesh.Levels && mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
     {
-      const RefinedLattice::Place place = mesh.Levels->CellOfOuterCentre(id, mesh.Ids.PointSlots);
-      cells = Intersect(mesh.Levels->FinestCells(place.Level, place.At), grid.HexBox());
+      const OctreeKeys::LevelIndex leaf = mesh.Levels->CellOfCoarseCentre(id, mesh.Ids.PointSlots);
+      cells = Intersect(mesh.Levels->FinestCells(leaf.Level, leaf.At), grid.HexBox());
     }
     visit(cells, tetOf[p]);
   }
@@ -68,7 +68,7 @@ TetFragments::TetFragments(TetTopology& topology, const TetFaces& faces, const C
   {
     mesh.Fragment[t] = fragments[this->PieceOf[t]];
   }
-  this->FindHomes(topology);
+  this->FindLocations(topology);
 }
 
 /// The forest of tets: joined by the anchors that they share, else by faces.
@@ -194,7 +194,7 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
   return same;
 }
 
-void TetFragments::FindHomes(const TetTopology& topology)
+void TetFragments::FindLocations(const TetTopology& topology)
 {
   const Mesh& mesh = topology.Tets;
   this->FragmentOfCentre = PagedArray<int>(this->Grid, 0);
@@ -214,14 +214,14 @@ void TetFragments::FindHomes(const TetTopology& topology)
     }
     if (cut)
     {
-      this->AddHomes(mesh, static_cast<Index>(t));
+      this->AddLocations(mesh, static_cast<Index>(t));
     }
   }
-  std::sort(this->Homes.begin(), this->Homes.end());
+  std::sort(this->Locations.begin(), this->Locations.end());
 }
 
 /// In the cells beside its face.
-void TetFragments::AddHomes(const Mesh& mesh, Index tet)
+void TetFragments::AddLocations(const Mesh& mesh, Index tet)
 {
   const Index id = mesh.ElementIds[tet] - 1;
   Index3 cell = this->Grid.NodeOfKey(id / TetIds.ElementSlots);
@@ -229,7 +229,8 @@ void TetFragments::AddHomes(const Mesh& mesh, Index tet)
   {
     if (this->Grid.InDomain(cell))
     {
-      this->Homes.push_back({ this->Grid.Linear(cell), mesh.Material[tet], mesh.Fragment[tet] });
+      this->Locations.push_back(
+        { this->Grid.Linear(cell), mesh.Material[tet], mesh.Fragment[tet] });
     }
   }
 }
@@ -272,12 +273,12 @@ void TetFragments::ForRuns(Index j, Index k, const Body& body) const
 /// In the cell itself, else around the nearest centre.
 int TetFragments::FindNear(const Index3& cell, int material) const
 {
-  const auto home = std::lower_bound(
-    this->Homes.begin(), this->Homes.end(), Home{ this->Grid.Linear(cell), material, 0 });
-  if (home != this->Homes.end() && home->Cell == this->Grid.Linear(cell) &&
-    home->Material == material)
+  const auto location = std::lower_bound(this->Locations.begin(), this->Locations.end(),
+    Location{ this->Grid.Linear(cell), material, 0 });
+  if (location != this->Locations.end() && location->Cell == this->Grid.Linear(cell) &&
+    location->Material == material)
   {
-    return home->Fragment;
+    return location->Fragment;
   }
   return FindNearestCell(this->Grid, cell,
     [&](const Index3& q)

@@ -12,7 +12,7 @@ namespace vfm
 {
 
 /// Face-connected pieces of one material of a lattice mesh, numbered from 1 over all ranks by their lowest tet.
-class TetFragments : public FragmentHomes
+class TetFragments : public FragmentLocator
 {
 public:
   /// Fills mesh.Fragment. Collective.
@@ -29,11 +29,11 @@ public:
 
 private:
   /// A fragment in a cell with several.
-  struct Home
+  struct Location
   {
     Index Cell;
     int Material, Fragment;
-    bool operator<(const Home& other) const
+    bool operator<(const Location& other) const
     {
       return std::tie(this->Cell, this->Material, this->Fragment) <
         std::tie(other.Cell, other.Material, other.Fragment);
@@ -43,15 +43,15 @@ private:
   std::vector<Piece> FindPieces(const Mesh& mesh, std::vector<Index> parent);
   PiecePairs FindSame(const TetTopology& topology, Index offset) const;
   PiecePairs FindSameTets(const TetTopology& topology, Index offset) const;
-  void FindHomes(const TetTopology& topology);
-  void AddHomes(const Mesh& mesh, Index tet);
+  void FindLocations(const TetTopology& topology);
+  void AddLocations(const Mesh& mesh, Index tet);
 
   const CartesianGrid& Grid;
   const Partition& Parts;
   std::vector<int> PieceOf;         // of each tet
   std::vector<int> MaterialOf;      // of each fragment
   PagedArray<int> FragmentOfCentre; // by cell; 0 where the centre lies on an interface
-  std::vector<Home> Homes;          // sorted
+  std::vector<Location> Locations;  // sorted
 };
 
 } // namespace vfm

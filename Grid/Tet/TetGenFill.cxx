@@ -201,7 +201,7 @@ bool Connect(const std::vector<Face>& faces, Sets& sets)
   return isGood;
 }
 
-/// Drops the tets of pinched holes. Checks that the rest has the surface as its boundary, all of it and
+/// Drops the tets of non-manifold holes. Checks that the rest has the surface as its boundary, all of it and
 /// nothing else, and lies on its inner side.
 std::string KeepInside(const TetGenPart& part, std::vector<Tet>& tets)
 {

@@ -7,6 +7,7 @@
  */
 #pragma once
 
+#include "Base/Options.h"
 #include "Mesh/Mesh.h"
 
 #include <functional>

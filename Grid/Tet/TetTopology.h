@@ -12,7 +12,7 @@
  * id = NodeKey * (12 * PiecesPerTet) + (4 axis + t) * PiecesPerTet + piece + 1.
  * Points whose blocks have the same parities share no tet (blocks of different index): these are the eight colours.
  *
- * In a refined grid this is so for faces of fine cells alone; the outer tets follow (OuterTets.h).
+ * In a refined grid this is so for faces of fine cells alone; the coarse tets follow (CoarseTets.h).
  *
  * Made of the faces whose cells lie in CartesianGrid::HexBox (both, or the one in the domain). Order: points and tets by id.
  */
@@ -34,39 +34,39 @@ inline Index SlotOfPoint(Index id)
 }
 
 /// Where a point may lie.
-enum class PointPlace : unsigned char
+enum class PointPosition : unsigned char
 {
   Inside,   ///< inside a material and the domain
   OnDomain, ///< inside a material, on a side of the domain
   OnInterface
 };
 
-class OuterTets;
+class CoarseTets;
 
 struct TetTopology
 {
-  Mesh Tets;                     ///< points, ids, elements, ids, materials
-  std::vector<PointPlace> Place; ///< of each point
+  Mesh Tets;                            ///< points, ids, elements, ids, materials
+  std::vector<PointPosition> Positions; ///< of each point
 };
 
 /// Cells: every meshed cell with its centre, cut along its faces. labels: after ResolveLabels. Interfaces are faces of the grid,
-/// each quad cut by the diagonal of its parity. outer: of a refined grid, else null.
+/// each quad cut by the diagonal of its parity. coarse: of a refined grid, else null.
 TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  Runtime& runtime, const OuterTets* outer = nullptr);
+  Runtime& runtime, const CoarseTets* coarse = nullptr);
 
 /// Lattice: every node of the lattice has a label of its own, from the fractions; lattice tets with several labels are
-/// cut. All tets positive for any fractions. outer: of a refined grid whose interfaces are those of FindLatticeInterfaces.
+/// cut. All tets positive for any fractions. coarse: of a refined grid whose interfaces are those of FindLatticeInterfaces.
 /// Collective.
 TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fractions,
   double isoValue, bool meshVoid, const Partition& partition, Runtime& runtime,
-  const OuterTets* outer = nullptr);
+  const CoarseTets* coarse = nullptr);
 
-/// The vertices of the cells of HexBox that differ in label from a centre around them or are wild or beside a wild
+/// The vertices of the cells of HexBox that differ in label from a centre around them or are snapped or beside a snapped
 /// centre: only lattice tets at such vertices are cut or move. Linear indices, ascending.
 std::vector<Index> FindLatticeInterfaces(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime);
 
-/// Whether a point is the centre of a cell of the grid or of an outer hex.
+/// Whether a point is the centre of a cell of the grid or of an coarse hex.
 bool IsCentre(const Mesh& mesh, Index pointId);
 /// Of a centre: the finest cell, of those of its hex the nearest to the owned ones.
 Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId);

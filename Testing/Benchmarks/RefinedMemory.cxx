@@ -1,6 +1,6 @@
 /**
  * What refining a little costs: peak memory and time of meshing all of n^3 cells, and of the same halved once around a
- * small ball, whose octets are about 1 % of the cells. Each runs in a process of its own.
+ * small ball, whose families are about 1 % of the cells. Each runs in a process of its own.
  *
  * usage: RefinedMemory [n, default 64] [n ...] [--block: the ball is tiny, a block beside it is refined]
  * [--place: the ball is large, a block that its surface runs through is refined alone] [--stages: when each began, and the peak then]
@@ -8,7 +8,7 @@
 #include "Fractions/RefineCells.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
-#include "Octree/RefinedLattice.h"
+#include "Octree/OctreeKeys.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +21,7 @@ namespace
 {
 
 constexpr double RefinedShare = 0.01;
-/// Octets around a sphere of r cells hold about this times r^2 of them.
+/// Families around a sphere of r cells hold about this times r^2 of them.
 constexpr double CellsPerSquare = 85.0;
 
 /// Tells at each step of a stage when it began and the peak so far.
@@ -56,11 +56,11 @@ enum class Scene
 
 constexpr double LargeRadius = 0.36; // of n
 
-/// Octets of a cube of 1 % of n^3 cells, from a corner or around the end of the large ball along x.
+/// Families of a cube of 1 % of n^3 cells, from a corner or around the end of the large ball along x.
 std::vector<Index> ListBlock(Index n, Scene scene)
 {
   const CartesianGrid grid = MakeUnitGrid(n);
-  const RefinedLattice lattice(grid, 1);
+  const OctreeKeys lattice(grid, 1);
   const Index size = std::llround(0.5 * std::cbrt(RefinedShare) * static_cast<double>(n));
   Index3 first{ { 1, 1, 1 } };
   if (scene == Scene::Place)
@@ -71,7 +71,7 @@ std::vector<Index> ListBlock(Index n, Scene scene)
   }
   std::vector<Index> keys;
   const IndexBox box{ first, { { first[0] + size, first[1] + size, first[2] + size } } };
-  ForCells(box, [&](const Index3& q) { keys.push_back(lattice.OctetKey(0, q)); });
+  ForCells(box, [&](const Index3& q) { keys.push_back(lattice.FamilyKey(0, q)); });
   return keys;
 }
 
@@ -93,7 +93,7 @@ std::vector<double> MeshBall(Index n, int refinements, Scene scene, bool stages)
   options.Levels.Refinements = refinements;
   if (scene != Scene::Shell && refinements > 0)
   {
-    options.Levels.Octets = { ListBlock(n, scene) };
+    options.Levels.Families = { ListBlock(n, scene) };
     options.Levels.FineInterfaces = scene == Scene::Block;
   }
   const double begin = Now();
@@ -106,7 +106,7 @@ std::vector<double> MeshBall(Index n, int refinements, Scene scene, bool stages)
   const Mesh mesh = MakeHexMesh(grid, field, options, runtime, report);
   const double seconds = Now() - begin;
   const double refined =
-    report.Levels.empty() ? 0.0 : 8.0 * static_cast<double>(report.Levels[0].Octets);
+    report.Levels.empty() ? 0.0 : 8.0 * static_cast<double>(report.Levels[0].Families);
   return { static_cast<double>(PeakBytes()), seconds, static_cast<double>(mesh.ElementIds.size()),
     refined, static_cast<double>(report.TransitionCells) };
 }

@@ -42,8 +42,8 @@ void PrintDetails(const MeshReport& report)
   for (std::size_t level = 0; level < report.Levels.size(); ++level)
   {
     const MeshReport::Level& l = report.Levels[level];
-    std::printf("    level %zu: %lld octets refined (%lld added), %lld cells\n", level,
-      static_cast<long long>(l.Octets), static_cast<long long>(l.Added),
+    std::printf("    level %zu: %lld families refined (%lld added), %lld cells\n", level,
+      static_cast<long long>(l.Families), static_cast<long long>(l.Added),
       static_cast<long long>(l.Cells));
   }
   if (!report.Levels.empty())

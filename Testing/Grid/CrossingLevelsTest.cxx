@@ -3,7 +3,7 @@
 #include "RefinedChecks.h"
 
 #include "Base/Vector3.h"
-#include "Octree/RefinedLattice.h"
+#include "Octree/OctreeKeys.h"
 #include "Smoothing/GuardedHexEnergy.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ MeshOptions CrossingOptions(int refinements)
   return options;
 }
 
-/// Octets of every level in the lower part of the domain along x, that of each level shorter than the one before.
+/// Families of every level in the lower part of the domain along x, that of each level shorter than the one before.
 std::vector<std::vector<Index>> RefineBelow(
   const CartesianGrid& grid, int refinements, double share)
 {
@@ -37,19 +37,19 @@ std::vector<std::vector<Index>> RefineBelow(
     }
   }
   const CartesianGrid base(coordinates);
-  const RefinedLattice lattice(base, refinements);
-  std::vector<std::vector<Index>> octets(refinements);
+  const OctreeKeys lattice(base, refinements);
+  std::vector<std::vector<Index>> families(refinements);
   for (int level = 0; level < refinements; ++level)
   {
     IndexBox box;
     for (int a = 0; a < 3; ++a)
     {
-      box.Upper[a] = lattice.Octets(level, a);
+      box.Upper[a] = lattice.Families(level, a);
     }
     box.Upper[0] = static_cast<Index>(share * static_cast<double>(box.Upper[0])) - level;
-    ForCells(box, [&](const Index3& q) { octets[level].push_back(lattice.OctetKey(level, q)); });
+    ForCells(box, [&](const Index3& q) { families[level].push_back(lattice.FamilyKey(level, q)); });
   }
-  return octets;
+  return families;
 }
 
 struct CrossingCase
@@ -79,14 +79,14 @@ TEST_P(CrossingShapes, MeshIsValidAndNear)
   Runtime runtime;
   MeshOptions options = CrossingOptions(p.Refinements);
   options.MeshVoid = p.MeshVoid;
-  options.Levels.Octets = RefineBelow(c.Grid, p.Refinements, p.Share);
+  options.Levels.Families = RefineBelow(c.Grid, p.Refinements, p.Share);
   const MeshFigures f = MeasureCase(c, options, runtime);
   EXPECT_EQ(FindTopologyProblem(f.Result), "");
   EXPECT_EQ(FindFragmentProblem(f.Result), "");
   EXPECT_TRUE(IsPositiveEverywhere(f.Result));
-  const Index asked = static_cast<Index>(options.Levels.Octets.back().size());
+  const Index asked = static_cast<Index>(options.Levels.Families.back().size());
   const MeshReport::Level& last = f.Report.Levels[p.Refinements - 1];
-  EXPECT_EQ(last.Octets - last.Added, asked);
+  EXPECT_EQ(last.Families - last.Added, asked);
   EXPECT_EQ(last.Added > 0, f.Report.LevelRounds > 0);
   // In cells of the base, where most of these interfaces are.
   const double width = 1 << p.Refinements;
@@ -106,7 +106,7 @@ TEST(CrossingStairs, MeshIsConforming)
   MeshReport report;
   MeshOptions options = CrossingOptions(1);
   options.StairStep = true;
-  options.Levels.Octets = RefineBelow(c.Grid, 1, .5);
+  options.Levels.Families = RefineBelow(c.Grid, 1, .5);
   const Mesh mesh = MakeHexMesh(c.Grid, c.Fractions, options, runtime, report);
   EXPECT_EQ(FindTopologyProblem(mesh), "");
   EXPECT_EQ(FindFragmentProblem(mesh), "");
@@ -144,13 +144,13 @@ FractionField MakeNoise(const CartesianGrid& grid, bool isTies, unsigned seed)
 }
 
 /// Of ten seeds each.
-class CrossingOctets : public ::testing::TestWithParam<unsigned>
+class CrossingFamilies : public ::testing::TestWithParam<unsigned>
 {
 };
 
 } // namespace
 
-TEST_P(CrossingOctets, MeshIsValid)
+TEST_P(CrossingFamilies, MeshIsValid)
 {
   double worst = 1.0;
   int rounds = 0;
@@ -164,7 +164,7 @@ TEST_P(CrossingOctets, MeshIsValid)
       refinements == 1 ? MakeUnitGrid(n, 8 + 2 * (seed % 3), 10) : MakeUnitGrid(8, 12, 12);
     MeshOptions options = CrossingOptions(refinements);
     options.MeshVoid = seed % 5 == 0;
-    options.Levels.Octets = MakeRandomOctets(grid, refinements, .05 * (1 + seed % 4), seed);
+    options.Levels.Families = MakeRandomFamilies(grid, refinements, .05 * (1 + seed % 4), seed);
     Runtime runtime;
     MeshReport report;
     const Mesh mesh =
@@ -183,7 +183,7 @@ TEST_P(CrossingOctets, MeshIsValid)
   EXPECT_GT(transitions, 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, CrossingOctets, ::testing::Range(0u, 10u));
+INSTANTIATE_TEST_SUITE_P(Seeds, CrossingFamilies, ::testing::Range(0u, 10u));
 
 namespace
 {
@@ -222,8 +222,8 @@ TEST_P(CrossingRanks, SameMesh)
   const FractionField field = isNoise ? MakeNoise(grid, isTies, c.Seed) : shape.Fractions;
   MeshOptions options = CrossingOptions(c.Refinements);
   options.MeshVoid = true;
-  options.Levels.Octets = isNoise
-    ? MakeRandomOctets(grid, c.Refinements, c.Refinements == 3 ? .05 : .1, c.Seed + 4)
+  options.Levels.Families = isNoise
+    ? MakeRandomFamilies(grid, c.Refinements, c.Refinements == 3 ? .05 : .1, c.Seed + 4)
     : RefineBelow(grid, c.Refinements, .5);
   std::vector<IndexBox> boxes = CutBaseBox(grid, c.Refinements, c.Ranks, c.Axis);
   if (c.Ranks == 3)

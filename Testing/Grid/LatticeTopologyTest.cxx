@@ -69,7 +69,7 @@ FractionField MakeRandomFractions(const CartesianGrid& grid, int materials, unsi
 struct Sums
 {
   std::size_t Tets = 0;
-  int PinchedEdges = 0;
+  int NonManifoldEdges = 0;
   double Lowest = 180.0, Highest = 0.0; // dihedral angles of cubic cells
 };
 
@@ -115,7 +115,7 @@ std::map<int, std::vector<Triangle>> BoundariesOf(const Mesh& mesh)
 }
 
 /// Edges where the boundary of a material touches itself.
-int CountPinchedEdges(const Mesh& mesh)
+int CountNonManifoldEdges(const Mesh& mesh)
 {
   int count = 0;
   for (const auto& boundary : BoundariesOf(mesh))
@@ -152,8 +152,8 @@ void CheckPoints(const CartesianGrid& grid, const TetTopology& topology, bool is
       onDomain = onDomain || x == grid.Coordinates(a).front() || x == grid.Coordinates(a).back();
       EXPECT_TRUE(!isUnit || block[a] == static_cast<Index>(std::floor(x + 1e-9)));
     }
-    EXPECT_TRUE(topology.Place[p] != PointPlace::Inside || !onDomain);
-    EXPECT_TRUE(topology.Place[p] != PointPlace::OnDomain || onDomain);
+    EXPECT_TRUE(topology.Positions[p] != PointPosition::Inside || !onDomain);
+    EXPECT_TRUE(topology.Positions[p] != PointPosition::OnDomain || onDomain);
   }
 }
 
@@ -195,14 +195,14 @@ void Check(const CartesianGrid& grid, const FractionField& fractions, bool meshV
   {
     EXPECT_NEAR(volume / (length(0) * length(1) * length(2)), 1.0, 1e-12);
   }
-  sums.PinchedEdges += CountPinchedEdges(topology.Tets);
+  sums.NonManifoldEdges += CountNonManifoldEdges(topology.Tets);
   sums.Tets += topology.Tets.ElementIds.size();
 }
 
 void Print(const std::string& name, const Sums& sums)
 {
-  std::printf("%s: %zu tets, dihedral angles %.2f to %.2f, %d pinched edges\n", name.c_str(),
-    sums.Tets, sums.Lowest, sums.Highest, sums.PinchedEdges);
+  std::printf("%s: %zu tets, dihedral angles %.2f to %.2f, %d non-manifold edges\n", name.c_str(),
+    sums.Tets, sums.Lowest, sums.Highest, sums.NonManifoldEdges);
 }
 
 /// Corners: id, coordinates, place. Tets by id: material and corners.
@@ -226,7 +226,7 @@ void Collect(const CartesianGrid& grid, const TetTopology& topology, TetsById& t
       const Index p = mesh.Elements[4 * t + c];
       const double* x = mesh.Points.data() + 3 * p;
       tets[id].second[c] = { { static_cast<double>(mesh.PointIds[p]), x[0], x[1], x[2],
-        static_cast<double>(topology.Place[p]) } };
+        static_cast<double>(topology.Positions[p]) } };
     }
   }
 }
@@ -265,7 +265,7 @@ TEST(LatticeTopology, SphereStartsWithFairAngles)
   Print("sphere", sums);
   EXPECT_GT(sums.Lowest, 18.0);
   EXPECT_LT(sums.Highest, 147.0);
-  EXPECT_EQ(sums.PinchedEdges, 0);
+  EXPECT_EQ(sums.NonManifoldEdges, 0);
 }
 
 TEST(LatticeTopology, RanksMakeTheTetsOfOneProcess)

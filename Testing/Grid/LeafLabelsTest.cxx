@@ -35,7 +35,7 @@ struct LeafGrid
   }
   Index3 LowestOfLeaf(const Index3& cell) const
   {
-    const RefinedLattice::Place leaf = this->Levels.LeafOf(cell);
+    const OctreeKeys::LevelIndex leaf = this->Levels.LeafOf(cell);
     return this->Levels.FinestCells(leaf.Level, leaf.At).Lower;
   }
 
@@ -43,20 +43,20 @@ struct LeafGrid
   const RefinedGrid Levels;
 };
 
-LevelPlan MakePlan(int refinements, std::vector<std::vector<Index>> octets)
+LevelPlan MakePlan(int refinements, std::vector<std::vector<Index>> families)
 {
   LevelPlan plan;
   plan.Refinements = refinements;
   plan.FineInterfaces = false;
-  plan.Octets = std::move(octets);
+  plan.Families = std::move(families);
   return plan;
 }
 
-/// Octets of the last refinement that have isWanted(position of their lowest finest cell).
+/// Families of the last refinement that have isWanted(position of their lowest finest cell).
 LevelPlan MakePlan(
   const CartesianGrid& grid, int refinements, const std::function<bool(const Index3&)>& isWanted)
 {
-  std::vector<std::vector<Index>> octets(refinements);
+  std::vector<std::vector<Index>> families(refinements);
   IndexBox box;
   for (int a = 0; a < 3; ++a)
   {
@@ -67,10 +67,10 @@ LevelPlan MakePlan(
     {
       if (isWanted({ { 4 * q[0], 4 * q[1], 4 * q[2] } }))
       {
-        octets.back().push_back(PlaceInBox(box, q));
+        families.back().push_back(IndexInBox(box, q));
       }
     });
-  return MakePlan(refinements, std::move(octets));
+  return MakePlan(refinements, std::move(families));
 }
 
 /// "", or where labels differ within a leaf or from what they mirror, or where a star fails.
@@ -211,7 +211,7 @@ CartesianGrid MakeUnevenBox(const Index3& cells)
 
 LevelPlan MakeRandomPlan(const CartesianGrid& grid, int refinements, unsigned seed)
 {
-  return MakePlan(refinements, MakeRandomOctets(grid, refinements, .02 * (seed % 8), seed));
+  return MakePlan(refinements, MakeRandomFamilies(grid, refinements, .02 * (seed % 8), seed));
 }
 
 } // namespace
@@ -240,7 +240,7 @@ TEST_P(RandomLeaves, LabelsAreThoseOfTheMeans)
           wrong += label != ofCells[grid.Linear(p)];
           return;
         }
-        const RefinedLattice::Place leaf = levels.Levels.LeafOf(p);
+        const OctreeKeys::LevelIndex leaf = levels.Levels.LeafOf(p);
         const IndexBox cells = levels.Levels.FinestCells(leaf.Level, leaf.At);
         const auto sums = SumFractions(grid, fractions, cells);
         const double small = 1e-12 * sums.second;
@@ -378,7 +378,7 @@ TEST_P(LeafRanks, HaveTheLabelsOfOne)
       {
         const LeafGrid mine(
           CartesianGrid({ { whole.Coordinates(0), whole.Coordinates(1), whole.Coordinates(2) } },
-            boxes[ranks.Rank()], GhostLevels << c.Refinements),
+            boxes[ranks.Rank()], GhostLayers << c.Refinements),
           ranks.Rank() == 0 ? plan : MakePlan(c.Refinements, {}), ranks);
         const FractionField fractions = CopyToLocal(whole, field, mine.Finest);
         LabelArray labels = mine.Assign(fractions);

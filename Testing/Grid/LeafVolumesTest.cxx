@@ -3,8 +3,8 @@
 #include "Base/Partition.h"
 #include "RankMeshes.h"
 
+#include "Hex/CoarseHexes.h"
 #include "Hex/HexTopology.h"
-#include "Hex/OuterHexes.h"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@ using namespace vfm::testing;
 namespace
 {
 
-LevelPlan MakePlan(int refinements, const std::vector<std::vector<Index>>& octets)
+LevelPlan MakePlan(int refinements, const std::vector<std::vector<Index>>& families)
 {
   LevelPlan plan;
   plan.Refinements = refinements;
   plan.FineInterfaces = false;
-  plan.Octets = octets;
+  plan.Families = families;
   return plan;
 }
 
@@ -34,7 +34,7 @@ LabelArray LabelLeaves(const RefinedGrid& levels, const std::function<int(const 
   ForCells(grid.Local(),
     [&](const Index3& p)
     {
-      const RefinedLattice::Place leaf = levels.LeafOf(p);
+      const OctreeKeys::LevelIndex leaf = levels.LeafOf(p);
       const Index cell = grid.Linear(p);
       const int value = label(levels.FinestNode(leaf.Level, leaf.At));
       labels.Set(cell, value);
@@ -58,10 +58,10 @@ struct RandomLeaves
     const CartesianGrid& grid, int refinements, double chance, unsigned seed, Ranks& ranks) :
     ThePartition(grid, ranks),
     Levels(
-      grid, MakePlan(refinements, MakeRandomOctets(grid, refinements, chance, seed)), {}, ranks),
+      grid, MakePlan(refinements, MakeRandomFamilies(grid, refinements, chance, seed)), {}, ranks),
     Labels(LabelLeaves(this->Levels, [&](const Index3& p) { return RandomLabel(grid, p, seed); })),
     Pieces(grid, this->Labels, seed % 2 == 0, this->ThePartition),
-    Homes(this->Levels, this->Labels, this->Pieces)
+    Locator(this->Levels, this->Labels, this->Pieces)
   {
   }
 
@@ -69,12 +69,12 @@ struct RandomLeaves
   RefinedGrid Levels;
   LabelArray Labels;
   Fragments Pieces;
-  LeafHomes Homes;
+  LeafLocator Locator;
 };
 
 /// The fragments of a material that touch a leaf, by the squared distance of centres as FindNear tells.
 std::map<Index, std::set<int>> FindTouching(
-  const RandomLeaves& leaves, const RefinedLattice::Place& leaf, int material)
+  const RandomLeaves& leaves, const OctreeKeys::LevelIndex& leaf, int material)
 {
   const CartesianGrid& grid = leaves.Levels.Finest();
   const IndexBox own = leaves.Levels.FinestCells(leaf.Level, leaf.At);
@@ -108,12 +108,12 @@ std::map<Index, std::set<int>> FindTouching(
 
 } // namespace
 
-TEST(LeafHomes, AreThoseOfCellsWhereAllCellsAreFine)
+TEST(LeafLocator, AreThoseOfCellsWhereAllCellsAreFine)
 {
   const CartesianGrid grid = MakeUnitGrid(8, 12, 16);
   Ranks alone;
   const RandomLeaves leaves(grid, 1, 1.0, 4, alone);
-  const CellHomes cells(grid, leaves.Labels, leaves.Pieces);
+  const CellLocator cells(grid, leaves.Labels, leaves.Pieces);
   int found = 0, missed = 0;
   ForCells(grid.Global(),
     [&](const Index3& p)
@@ -124,7 +124,7 @@ TEST(LeafHomes, AreThoseOfCellsWhereAllCellsAreFine)
         if (material != leaves.Labels[grid.Linear(p)])
         {
           const int fragment = cells.FindNear(p, material);
-          ASSERT_EQ(leaves.Homes.FindNear(p, material), fragment);
+          ASSERT_EQ(leaves.Locator.FindNear(p, material), fragment);
           ++(fragment > 0 ? found : missed);
         }
       }
@@ -132,7 +132,7 @@ TEST(LeafHomes, AreThoseOfCellsWhereAllCellsAreFine)
   EXPECT_GT(found, 0);
 }
 
-TEST(LeafHomes, AreTheNearestLeaves)
+TEST(LeafLocator, AreTheNearestLeaves)
 {
   Ranks alone;
   std::set<int> levels; // of leaves with finer ones beside, and of all
@@ -148,7 +148,7 @@ TEST(LeafHomes, AreTheNearestLeaves)
     ForCells(grid.Global(),
       [&](const Index3& p)
       {
-        const RefinedLattice::Place leaf = leaves.Levels.LeafOf(p);
+        const OctreeKeys::LevelIndex leaf = leaves.Levels.LeafOf(p);
         levels.insert(leaf.Level);
         for (int material = 0; material < 3; ++material)
         {
@@ -156,7 +156,7 @@ TEST(LeafHomes, AreTheNearestLeaves)
           {
             continue;
           }
-          const int fragment = leaves.Homes.FindNear(p, material);
+          const int fragment = leaves.Locator.FindNear(p, material);
           const auto known = ofLeaf.insert(
             { { { leaf.Level, leaf.At[0], leaf.At[1], leaf.At[2], material } }, fragment });
           ASSERT_EQ(known.first->second, fragment);
@@ -173,7 +173,7 @@ TEST(LeafHomes, AreTheNearestLeaves)
   EXPECT_GT(missed, 0);
 }
 
-TEST(LeafHomes, GiveACoarseLeafToThePieceBeside)
+TEST(LeafLocator, GiveACoarseLeafToThePieceBeside)
 {
   // two bodies of material 2: one beside the leaf at x 4..8 that holds a fifth of it everywhere, one far away
   const CartesianGrid grid = MakeUnitGrid(24, 4, 4);
@@ -190,19 +190,19 @@ TEST(LeafHomes, GiveACoarseLeafToThePieceBeside)
   const Fragments pieces(grid, labels, false, partition);
   const int beside = pieces.FragmentOfCell({ { 0, 0, 0 } }),
             far = pieces.FragmentOfCell({ { 20, 0, 0 } });
-  const auto targets = [&](const FragmentHomes& homes)
+  const auto targets = [&](const FragmentLocator& locator)
   {
-    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), homes, partition)
+    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, partition)
       .FragmentTargets();
   };
-  const std::vector<double> leaves = targets(LeafHomes(levels, labels, pieces));
+  const std::vector<double> leaves = targets(LeafLocator(levels, labels, pieces));
   EXPECT_NEAR(leaves[beside], 64.0 + 12.8, 1e-9);
   EXPECT_NEAR(leaves[far], 64.0, 1e-9);
-  const std::vector<double> cells = targets(CellHomes(grid, labels, pieces));
+  const std::vector<double> cells = targets(CellLocator(grid, labels, pieces));
   EXPECT_GT(cells[far], 68.0); // most of the fifth is near no cell of a body: both get a share
 }
 
-TEST(LeafHomes, RanksAgree)
+TEST(LeafLocator, RanksAgree)
 {
   for (int refinements : { 1, 2, 3 })
   {
@@ -213,7 +213,7 @@ TEST(LeafHomes, RanksAgree)
     {
       const RandomLeaves leaves(grid, refinements, 0.05, 6, ranks);
       return FragmentVolumes(grid, CopyToLocal(whole, field, grid),
-        leaves.Pieces.MaterialsOfFragments(), leaves.Homes, leaves.ThePartition)
+        leaves.Pieces.MaterialsOfFragments(), leaves.Locator, leaves.ThePartition)
         .FragmentTargets();
     };
     Ranks alone;
@@ -235,19 +235,19 @@ TEST(LeafHomes, RanksAgree)
 namespace
 {
 
-/// Stairs where octets on one side of the plane x = 16 alone are refined: material 1 below, void above.
+/// Stairs where families on one side of the plane x = 16 alone are refined: material 1 below, void above.
 struct Stairs
 {
   Stairs(const CartesianGrid& grid, Runtime& runtime) :
     Levels(
-      std::make_shared<RefinedGrid>(grid, MakePlan(2, { {}, ListOctets(grid, runtime.Group()) }),
+      std::make_shared<RefinedGrid>(grid, MakePlan(2, { {}, ListFamilies(grid, runtime.Group()) }),
         std::vector<Index>(), runtime.Group())),
     Labels(LabelLeaves(*this->Levels, [](const Index3& p) { return p[0] < 16 ? 1 : 0; }))
   {
     PointNumbering numbering(grid, this->Labels, true, true);
-    OuterHexes outer(*this->Levels, this->Labels, true, runtime);
+    CoarseHexes coarse(*this->Levels, this->Labels, true, runtime);
     this->Hexes = BuildHexes(
-      grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, &outer);
+      grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, &coarse);
     this->Hexes.Levels = this->Levels;
     this->Hexes.Fragment = Buffer<int>(this->Hexes.ElementIds.size());
     for (std::size_t h = 0; h < this->Hexes.ElementIds.size(); ++h)
@@ -256,8 +256,8 @@ struct Stairs
     }
   }
 
-  /// Keys of octets of 4x4x4 cells, of the first rank alone: RefinedGrid gathers them.
-  static std::vector<Index> ListOctets(const CartesianGrid& grid, Ranks& ranks)
+  /// Keys of families of 4x4x4 cells, of the first rank alone: RefinedGrid gathers them.
+  static std::vector<Index> ListFamilies(const CartesianGrid& grid, Ranks& ranks)
   {
     const Index nx = grid.Global().Upper[0] / 4, ny = grid.Global().Upper[1] / 4;
     std::vector<Index> keys;

@@ -18,25 +18,25 @@ constexpr Index Cells = 96; // of the finest grid, along each axis
 constexpr double Radius = 33.0;
 const Vector3 Centre{ { 48.3, 48.1, 47.8 } };
 
-/// The octets in the half x < middle, each refinement less deep than the one before.
+/// The families in the half x < middle, each refinement less deep than the one before.
 LevelPlan HalfPlan(const CartesianGrid& grid, int refinements)
 {
   LevelPlan plan;
   plan.Refinements = refinements;
   plan.FineInterfaces = false;
   const CartesianGrid base = CoarsenGrid(grid, refinements, 0);
-  const RefinedLattice lattice(base, refinements);
+  const OctreeKeys lattice(base, refinements);
   for (int level = 0; level < refinements; ++level)
   {
-    IndexBox octets;
+    IndexBox families;
     for (int a = 0; a < 3; ++a)
     {
-      octets.Upper[a] = grid.Global().Upper[a] >> (refinements - level + 1);
+      families.Upper[a] = grid.Global().Upper[a] >> (refinements - level + 1);
     }
-    octets.Upper[0] = octets.Upper[0] * (refinements - level) / (refinements + 1);
-    plan.Octets.emplace_back();
-    ForCells(
-      octets, [&](const Index3& q) { plan.Octets.back().push_back(lattice.OctetKey(level, q)); });
+    families.Upper[0] = families.Upper[0] * (refinements - level) / (refinements + 1);
+    plan.Families.emplace_back();
+    ForCells(families,
+      [&](const Index3& q) { plan.Families.back().push_back(lattice.FamilyKey(level, q)); });
   }
   return plan;
 }
@@ -52,13 +52,13 @@ LabelArray MakeBlockyLabels(const RefinedGrid& levels, const FractionField& frac
   {
     const int halvings = refinements - level;
     const CartesianGrid coarse =
-      CoarsenGrid(grid, halvings, CountCoarseGhosts(grid, halvings, GhostLevels));
+      CoarsenGrid(grid, halvings, CountCoarseGhosts(grid, halvings, GhostLayers));
     const FractionField means = CoarsenFractions(grid, fractions, halvings, coarse, runtime);
     const LabelArray own = AssignMaterials(coarse, means, 0.5);
     ForCells(grid.Local(),
       [&](const Index3& cell)
       {
-        const RefinedLattice::Place leaf = levels.LeafOf(cell);
+        const OctreeKeys::LevelIndex leaf = levels.LeafOf(cell);
         if (leaf.Level == level && coarse.Local().Contains(leaf.At))
         {
           labels.Set(grid.Linear(cell), own[coarse.Linear(leaf.At)]);
@@ -284,7 +284,7 @@ TEST_P(LevelParts, SameAsOfTheWhole)
   for (const IndexBox& box : CutBaseBox(grid, refinements, 3, 1)) // across the borders of levels
   {
     const CartesianGrid local({ { grid.Coordinates(0), grid.Coordinates(1), grid.Coordinates(2) } },
-      box, GhostLevels << refinements);
+      box, GhostLayers << refinements);
     ASSERT_LT(local.Local().NumberOfCells(), grid.Local().NumberOfCells());
     const LevelCase part(local, CopyToLocal(grid, fractions, local), plan, this->GetParam());
     for (int level = 0; level <= refinements; ++level)

@@ -118,7 +118,7 @@ TEST(Ranks, OneRankMayBeEmpty)
   }
 }
 
-TEST(Ranks, SlabsThinnerThanTheGhostLevels)
+TEST(Ranks, SlabsThinnerThanTheGhostLayers)
 {
   const MeshCase c = MakeMeshCase("sphere 8");
   std::vector<IndexBox> boxes;

@@ -296,7 +296,7 @@ TEST(RefineCells, RefusesGridsWhoseIdsWouldNotFit)
 {
   std::vector<double> x(140001);
   std::iota(x.begin(), x.end(), 0.0);
-  const CartesianGrid grid({ { x, x, x } }, { { { 5, 5, 5 } }, { { 6, 6, 6 } } }, GhostLevels);
+  const CartesianGrid grid({ { x, x, x } }, { { { 5, 5, 5 } }, { { 6, 6, 6 } } }, GhostLayers);
   EXPECT_THROW(Refine(grid, FractionField(grid, 1)), InputError);
 }
 
@@ -321,7 +321,7 @@ TEST(RefineCells, RanksHoldWhatTheWholeGridHolds)
         EXPECT_EQ(part.Grid.Owned().Lower[a], 4 * box.Lower[a]);
         EXPECT_EQ(part.Grid.Owned().Upper[a], 4 * box.Upper[a]);
         EXPECT_TRUE(box.NumberOfCells() == 0 ||
-          part.Grid.Local().Lower[a] == std::max<Index>(4 * box.Lower[a] - GhostLevels, 0));
+          part.Grid.Local().Lower[a] == std::max<Index>(4 * box.Lower[a] - GhostLayers, 0));
       }
       EXPECT_EQ(part.Grid.Global().Upper, all.Grid.Global().Upper);
       Index differences = 0;

@@ -103,11 +103,11 @@ TEST(CoarsenedBall, HexesAreGoodWhereLevelsMeet)
 }
 
 /// Of ten seeds each.
-class RandomOctets : public ::testing::TestWithParam<unsigned>
+class RandomFamilies : public ::testing::TestWithParam<unsigned>
 {
 };
 
-TEST_P(RandomOctets, MeshIsValid)
+TEST_P(RandomFamilies, MeshIsValid)
 {
   double worst = 1.0;
   for (unsigned seed = 10 * this->GetParam(); seed < 10 * this->GetParam() + 10; ++seed)
@@ -118,7 +118,7 @@ TEST_P(RandomOctets, MeshIsValid)
     const CartesianGrid grid = MakeUnitGrid(n, n + 4 * (seed % 3), n);
     MeshOptions options = Coarsened(refinements);
     options.MeshVoid = seed % 5 == 0;
-    options.Levels.Octets = MakeRandomOctets(grid, refinements, .02 * (1 + seed % 4), seed);
+    options.Levels.Families = MakeRandomFamilies(grid, refinements, .02 * (1 + seed % 4), seed);
     Runtime runtime;
     MeshReport report;
     const Mesh mesh =
@@ -132,7 +132,7 @@ TEST_P(RandomOctets, MeshIsValid)
   EXPECT_GT(worst, 0.51);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomOctets, ::testing::Range(0u, 10u));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomFamilies, ::testing::Range(0u, 10u));
 
 namespace
 {
@@ -166,7 +166,7 @@ TEST_P(RefinedRanks, SameMesh)
   options.MeshVoid = true;
   if (noise)
   {
-    options.Levels.Octets = MakeRandomOctets(grid, c.Refinements, .02, 7);
+    options.Levels.Families = MakeRandomFamilies(grid, c.Refinements, .02, 7);
   }
   std::vector<IndexBox> boxes = CutBaseBox(grid, c.Refinements, c.Ranks, c.Axis);
   if (c.Ranks == 3)

@@ -189,7 +189,7 @@ void CheckRandom(TetMethod method, int refinements, unsigned seed, Worst& worst)
   MeshOptions options = OptionsOf(method, refinements);
   options.MeshVoid = true;
   const double chances[] = { 0.02, 0.1, 0.3 };
-  options.Levels.Octets = MakeRandomOctets(grid, refinements, chances[seed % 3], seed);
+  options.Levels.Families = MakeRandomFamilies(grid, refinements, chances[seed % 3], seed);
   Runtime runtime;
   MeshReport report;
   const Mesh mesh = MakeTetMesh(grid, field, options, runtime, report);
@@ -210,7 +210,7 @@ void PrintWorst(const char* name, const Worst& worst)
 
 } // namespace
 
-TEST(RefinedTets, RandomOctetsAreValid)
+TEST(RefinedTets, RandomFamiliesAreValid)
 {
   for (TetMethod method : { TetMethod::Cells, TetMethod::Lattice })
   {
@@ -227,7 +227,7 @@ TEST(RefinedTets, RandomOctetsAreValid)
   }
 }
 
-TEST(RefinedTets, AllOctetsGiveTheUniformMesh)
+TEST(RefinedTets, AllFamiliesGiveTheUniformMesh)
 {
   const CartesianGrid grid = MakeUnitGrid(12, 10, 8);
   const IndexBox block{ { { 2, 3, 1 } }, { { 7, 6, 5 } } };
@@ -236,7 +236,7 @@ TEST(RefinedTets, AllOctetsGiveTheUniformMesh)
   {
     MeshOptions options = OptionsOf(method, 1);
     options.MeshVoid = true;
-    options.Levels.Octets = MakeRandomOctets(grid, 1, 1.0, 1);
+    options.Levels.Families = MakeRandomFamilies(grid, 1, 1.0, 1);
     Runtime runtime;
     MeshReport report;
     const Mesh mesh = MakeTetMesh(grid, field, options, runtime, report);
@@ -281,8 +281,9 @@ TEST(RefinedTets, FewWhereLittleHappens)
       report.MaximumDihedralAngle);
     for (const MeshReport::Level& level : report.Levels)
     {
-      std::printf("  %lld octets (%lld added), %lld cells\n", static_cast<long long>(level.Octets),
-        static_cast<long long>(level.Added), static_cast<long long>(level.Cells));
+      std::printf("  %lld families (%lld added), %lld cells\n",
+        static_cast<long long>(level.Families), static_cast<long long>(level.Added),
+        static_cast<long long>(level.Cells));
     }
   }
 }
@@ -305,7 +306,7 @@ TEST(RefinedTets, StretchedCells)
   {
     MeshOptions options = OptionsOf(method, 2);
     options.MeshVoid = true;
-    options.Levels.Octets = MakeRandomOctets(grid, 2, 0.1, 5);
+    options.Levels.Families = MakeRandomFamilies(grid, 2, 0.1, 5);
     Runtime runtime;
     MeshReport report;
     const Mesh mesh = MakeTetMesh(grid, field, options, runtime, report);
@@ -335,7 +336,7 @@ TEST(RefinedTets, SameOnAnyNumberOfRanks)
       SCOPED_TRACE(std::to_string(c.Refinements) + " refinements on " + std::to_string(c.Ranks));
       MeshOptions options = OptionsOf(method, c.Refinements);
       options.MeshVoid = c.Ranks != 2;
-      options.Levels.Octets = MakeRandomOctets(grid, c.Refinements, .02, 7);
+      options.Levels.Families = MakeRandomFamilies(grid, c.Refinements, .02, 7);
       std::vector<IndexBox> boxes = CutBaseBox(grid, c.Refinements, c.Ranks);
       if (c.Ranks == 3)
       {

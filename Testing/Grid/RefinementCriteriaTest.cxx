@@ -1,11 +1,11 @@
-/// Which cells ask to be halved: thin things do and thick ones do not, curvature, flipped labels, layers, octets, ranks.
+/// Which cells ask to be halved: thin things do and thick ones do not, curvature, flipped labels, layers, families, ranks.
 #include "Labels/RefinementCriteria.h"
 #include "Base/Vector3.h"
 #include "Fractions/InterfaceCurvature.h"
 #include "Fractions/ThinFeatures.h"
 #include "Labels/Labels.h"
 #include "MeshChecks.h"
-#include "Octree/OctetSets.h"
+#include "Octree/OctantFamilies.h"
 #include "RankFields.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesScenes.h"
@@ -380,11 +380,11 @@ TEST(RefinementCriteria, LayersCountFromTheInterface)
 namespace
 {
 
-/// Of each level, the octets of all cells of the level that a place wants, in it and so many layers around.
-std::vector<std::set<Index>> OctetsAround(
-  const RefinedLattice& lattice, const RefinementWishes& wishes, int layers)
+/// Of each level, the families of all cells of the level that a place wants, in it and so many layers around.
+std::vector<std::set<Index>> FamiliesAround(
+  const OctreeKeys& lattice, const RefinementWishes& wishes, int layers)
 {
-  std::vector<std::set<Index>> octets(wishes.Refinements);
+  std::vector<std::set<Index>> families(wishes.Refinements);
   const CartesianGrid& grid = lattice.Base();
   for (const RefinementWish& wish : wishes.Cells)
   {
@@ -402,37 +402,37 @@ std::vector<std::set<Index>> OctetsAround(
         for (int level = 0; level < wish.Halvings && lattice.HasCell(wish.Halvings, p); ++level)
         {
           const int shift = wish.Halvings - level + 1;
-          octets[level].insert(
-            lattice.OctetKey(level, { { p[0] >> shift, p[1] >> shift, p[2] >> shift } }));
+          families[level].insert(
+            lattice.FamilyKey(level, { { p[0] >> shift, p[1] >> shift, p[2] >> shift } }));
         }
       });
   }
-  return octets;
+  return families;
 }
 
 } // namespace
 
-TEST(RefinementCriteria, OctetsHoldWhatIsWanted)
+TEST(RefinementCriteria, FamiliesHoldWhatIsWanted)
 {
   const CartesianGrid grid = MakeUnitGrid(7, 6, 5);
-  const RefinedLattice lattice(grid, 3);
+  const OctreeKeys lattice(grid, 3);
   RefinementWishes wishes;
   wishes.Refinements = 3;
   wishes.Cells = { { grid.CellKey({ { 1, 2, 3 } }), 1 }, { grid.CellKey({ { 2, 2, 3 } }), 2 },
     { grid.CellKey({ { 6, 5, 4 } }), 3 } };
   for (int layers : { 0, 1, 2, 3, 5, 9 })
   {
-    const std::vector<std::vector<Index>> octets = FindWantedOctets(lattice, wishes, layers);
-    const std::vector<std::set<Index>> expected = OctetsAround(lattice, wishes, layers);
-    ASSERT_EQ(octets.size(), 3u);
+    const std::vector<std::vector<Index>> families = FindWantedFamilies(lattice, wishes, layers);
+    const std::vector<std::set<Index>> expected = FamiliesAround(lattice, wishes, layers);
+    ASSERT_EQ(families.size(), 3u);
     for (int level = 0; level < 3; ++level)
     {
       EXPECT_TRUE(
-        octets[level] == std::vector<Index>(expected[level].begin(), expected[level].end()))
+        families[level] == std::vector<Index>(expected[level].begin(), expected[level].end()))
         << layers << " layers, level " << level;
     }
   }
-  EXPECT_EQ(OctetSets(lattice, FindWantedOctets(lattice, wishes)).Report(2).Wanted, 8);
+  EXPECT_EQ(OctantFamilies(lattice, FindWantedFamilies(lattice, wishes)).Report(2).Wanted, 8);
 }
 
 TEST(RefinementCriteria, RanksAgree)

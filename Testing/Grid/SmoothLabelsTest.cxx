@@ -204,7 +204,7 @@ TEST(SmoothLabels, NothingToSmooth)
 
 TEST(SmoothLabels, RanksAgree)
 {
-  for (int passes : { 2, 7, 10 }) // more than the ghost levels, too
+  for (int passes : { 2, 7, 10 }) // more than the ghost layers, too
   {
     for (int seed : { 1, 2 })
     {

@@ -149,11 +149,11 @@ TEST(TetChecks, FindWhatIsWrong)
   const Mesh edge = makeMesh({ 0, 1, 2, 3, 0, 1, 4, 5 });
   EXPECT_EQ(FindConformityProblem(edge), "");
   EXPECT_EQ(CountBoundaryDefects(edge).at(1).OddEdges, 1);
-  EXPECT_EQ(CountBoundaryDefects(edge).at(1).PinchedPoints, 0);
+  EXPECT_EQ(CountBoundaryDefects(edge).at(1).NonManifoldPoints, 0);
   EXPECT_NE(FindFragmentProblem(edge), "");
   const Mesh point = makeMesh({ 0, 1, 2, 3, 0, 4, 5, 6 });
   EXPECT_EQ(CountBoundaryDefects(point).at(1).OddEdges, 0);
-  EXPECT_EQ(CountBoundaryDefects(point).at(1).PinchedPoints, 1);
+  EXPECT_EQ(CountBoundaryDefects(point).at(1).NonManifoldPoints, 1);
   EXPECT_NE(FindConformityProblem(makeMesh({ 0, 1, 2, 3, 1, 2, 3, 4, 1, 2, 3, 5 })), "");
   EXPECT_NE(FindConformityProblem(makeMesh({ 0, 1, 2, 4 })), "");
 }

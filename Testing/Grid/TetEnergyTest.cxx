@@ -44,11 +44,11 @@ void SwapTwoPairs(int* tet, int bits)
 void ListCornersOfCentre(ActiveMesh& mesh)
 {
   mesh.CornerList.clear();
-  for (Index place = 0; place < static_cast<Index>(mesh.Elements.size()); ++place)
+  for (Index position = 0; position < static_cast<Index>(mesh.Elements.size()); ++position)
   {
-    if (mesh.Elements[place] == 0)
+    if (mesh.Elements[position] == 0)
     {
-      mesh.CornerList.push_back(place);
+      mesh.CornerList.push_back(position);
     }
   }
   mesh.CornerOffset.assign(mesh.X.size() + 1, static_cast<Index>(mesh.CornerList.size()));
@@ -169,14 +169,14 @@ double Definition(
 double DefinitionAtCentre(const ActiveMesh& mesh, const SmoothingStage& stage)
 {
   double energy = 0.0;
-  for (Index place : mesh.CornerList)
+  for (Index position : mesh.CornerList)
   {
     Vector3 corners[4];
     for (int c = 0; c < 4; ++c)
     {
-      corners[c] = mesh.X[mesh.Elements[place / 4 * 4 + c]];
+      corners[c] = mesh.X[mesh.Elements[position / 4 * 4 + c]];
     }
-    energy += Definition(corners, mesh.WidthsAt(place), stage, static_cast<int>(place % 4));
+    energy += Definition(corners, mesh.WidthsAt(position), stage, static_cast<int>(position % 4));
   }
   return energy;
 }

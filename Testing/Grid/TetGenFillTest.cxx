@@ -377,7 +377,7 @@ TEST(TetGenFill, CubesThatTouch)
 }
 
 /// Holes that touch each other, or the outside, at an edge or a corner.
-TEST(TetGenFill, PinchedHoles)
+TEST(TetGenFill, NonManifoldHoles)
 {
   const std::vector<std::vector<Cell>> removed = { { { { 1, 1, 1 } }, { { 2, 2, 1 } } },
     { { { 1, 1, 1 } }, { { 2, 2, 2 } } }, { { { 0, 0, 1 } }, { { 1, 1, 1 } } },

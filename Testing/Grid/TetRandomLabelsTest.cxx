@@ -81,7 +81,7 @@ TEST_P(TetRandomLabels, MeshIsValid)
     for (const auto& material : CountBoundaryDefects(mesh))
     {
       worst.Defects.OddEdges += material.second.OddEdges;
-      worst.Defects.PinchedPoints += material.second.PinchedPoints;
+      worst.Defects.NonManifoldPoints += material.second.NonManifoldPoints;
     }
     if (options.MeshVoid || !hasVoid)
     {
@@ -99,14 +99,15 @@ TEST_P(TetRandomLabels, MeshIsValid)
     worst.RefusedParts += report.RefusedParts;
     worst.Fragments += report.NumberOfFragments;
   }
-  std::printf("dihedral %.1f - %.1f, smallest determinant %.2e, boundaries with %lld pinched edges "
-              "and %lld points, %lld of %lld parts refused\n",
+  std::printf(
+    "dihedral %.1f - %.1f, smallest determinant %.2e, boundaries with %lld non-manifold edges "
+    "and %lld points, %lld of %lld parts refused\n",
     worst.SmallestAngle, worst.LargestAngle, worst.Determinant,
     static_cast<long long>(worst.Defects.OddEdges),
-    static_cast<long long>(worst.Defects.PinchedPoints), static_cast<long long>(worst.RefusedParts),
-    static_cast<long long>(worst.Fragments));
+    static_cast<long long>(worst.Defects.NonManifoldPoints),
+    static_cast<long long>(worst.RefusedParts), static_cast<long long>(worst.Fragments));
   EXPECT_EQ(worst.Defects.OddEdges, 0);
-  EXPECT_EQ(worst.Defects.PinchedPoints, 0);
+  EXPECT_EQ(worst.Defects.NonManifoldPoints, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Materials, TetRandomLabels, ::testing::ValuesIn(ListCases()),

@@ -18,15 +18,15 @@ namespace
 {
 
 /// Every cell of the grid, and seven more for each refined one.
-Index CountIdealHexes(const OctetSets& sets)
+Index CountIdealHexes(const OctantFamilies& sets)
 {
-  const RefinedLattice& lattice = sets.Lattice();
+  const OctreeKeys& lattice = sets.Lattice();
   Index count = lattice.Base().Global().NumberOfCells();
   for (int level = 0; level < sets.NumberOfRefinements(); ++level)
   {
     for (Index key : sets.Keys(level))
     {
-      const Index3 q = lattice.OctetOfKey(level, key);
+      const Index3 q = lattice.FamilyOfKey(level, key);
       for (int n = 0; n < 8; ++n)
       {
         const Index3 cell{ { 2 * q[0] + (n & 1), 2 * q[1] + (n >> 1 & 1), 2 * q[2] + (n >> 2) } };
@@ -42,24 +42,24 @@ double SecondsSince(const std::chrono::steady_clock::time_point& start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::string DescribeSets(const OctetSets& sets)
+std::string DescribeSets(const OctantFamilies& sets)
 {
   std::string text;
   for (int level = 0; level < sets.NumberOfRefinements(); ++level)
   {
-    const OctetSets::LevelReport& r = sets.Report(level);
+    const OctantFamilies::LevelReport& r = sets.Report(level);
     text += (level ? " " : "") + std::to_string(sets.Keys(level).size()) + " (" +
-      std::to_string(r.Wanted) + "+" + std::to_string(r.Margin) + "+" + std::to_string(r.Pinches) +
-      ")";
+      std::to_string(r.Wanted) + "+" + std::to_string(r.Balance) + "+" +
+      std::to_string(r.NonManifold) + ")";
   }
   return text;
 }
 
 void PrintHeader()
 {
-  std::printf(
-    "| octets | padded (asked+margin+pinch) | hexes | ideal | ratio | transition | inverted "
-    "| sweeps | SJ start | min | p1 | mean | s to make, smooth |\n");
+  std::printf("| families | padded (asked+balance+non-manifold) | hexes | ideal | ratio | "
+              "transition | inverted "
+              "| sweeps | SJ start | min | p1 | mean | s to make, smooth |\n");
 }
 
 /// Its transition hexes.
@@ -91,7 +91,7 @@ void CheckCase(
 {
   SCOPED_TRACE(c.Name);
   const auto begin = std::chrono::steady_clock::now();
-  const OctetSets sets(*c.Lattice, c.Wanted);
+  const OctantFamilies sets(*c.Lattice, c.Wanted);
   RefinedMesh mesh = MakeRefinedMesh(sets);
   const double makeSeconds = SecondsSince(begin);
   const WholeMesh start = AddUntouchedCells(*c.Lattice, mesh);
@@ -126,7 +126,7 @@ void CheckCase(
   }
 }
 
-/// The octets of a case in a grid of other widths.
+/// The families of a case in a grid of other widths.
 RefinedCase Stretch(RefinedCase c, const Vector3& widths, double growth)
 {
   std::array<std::vector<double>, 3> x;
@@ -144,7 +144,7 @@ RefinedCase Stretch(RefinedCase c, const Vector3& widths, double growth)
   c.Name += name;
   const int levels = c.Lattice->NumberOfRefinements();
   c.Grid = std::make_shared<CartesianGrid>(x);
-  c.Lattice = std::make_shared<RefinedLattice>(*c.Grid, levels);
+  c.Lattice = std::make_shared<OctreeKeys>(*c.Grid, levels);
   return c;
 }
 
@@ -154,15 +154,15 @@ IndexBox MakeBox(Index low, Index high)
 }
 
 /// "" or how a part differs from the whole mesh, in the hexes of a box of base cells.
-std::string CompareParts(const RefinedLattice& lattice, const RefinedMesh& whole,
-  const RefinedMesh& part, const IndexBox& box)
+std::string CompareParts(
+  const OctreeKeys& lattice, const RefinedMesh& whole, const RefinedMesh& part, const IndexBox& box)
 {
   const auto list = [&](const RefinedMesh& mesh)
   {
     std::map<Index, std::vector<double>> hexes; // key: point keys and coordinates
     for (Index h = 0; h < mesh.NumberOfHexes(); ++h)
     {
-      const RefinedLattice::Place place = lattice.HexOfKey(mesh.HexKeys[h]);
+      const OctreeKeys::LevelIndex place = lattice.HexOfKey(mesh.HexKeys[h]);
       const int l = place.Level;
       if (!box.Contains({ { place.At[0] >> l, place.At[1] >> l, place.At[2] >> l } }))
       {
@@ -228,7 +228,7 @@ TEST(TwoRefinement, Shapes)
   }
 }
 
-TEST(TwoRefinement, HundredsOfRandomOctets)
+TEST(TwoRefinement, HundredsOfRandomFamilies)
 {
   const double chances[] = { 0.02, 0.05, 0.1, 0.3, 0.5, 0.7 };
   for (unsigned seed = 1; seed <= 100; ++seed)
@@ -261,9 +261,9 @@ TEST(TwoRefinement, OtherCells)
 TEST(TwoRefinement, RefinesAsRefineCellsDoes)
 {
   const RefinedCase c =
-    Stretch(MakeOctetCase("all", { { 5, 4, 3 } }, [](const Index3&) { return true; }),
+    Stretch(MakeFamilyCase("all", { { 5, 4, 3 } }, [](const Index3&) { return true; }),
       { { 0.1, 0.7, 0.3 } }, 1.1);
-  const RefinedLattice lattice(*c.Grid, 2);
+  const OctreeKeys lattice(*c.Grid, 2);
   Runtime runtime;
   RefinedCells cells{ *c.Grid, FractionField(*c.Grid, 1) };
   for (int level = 1; level <= 2; ++level)
@@ -279,7 +279,7 @@ TEST(TwoRefinement, RefinesAsRefineCellsDoes)
   }
 }
 
-/// What a rank makes of its cells is what the whole mesh has there; untangling reads two octets around.
+/// What a rank makes of its cells is what the whole mesh has there; untangling reads two families around.
 TEST(TwoRefinement, PartsAreThoseOfTheWhole)
 {
   Runtime runtime;
@@ -288,7 +288,7 @@ TEST(TwoRefinement, PartsAreThoseOfTheWhole)
     const int levels = 1 + seed % 2;
     const RefinedCase c = MakeRandomCase(
       { { 14, 14, 14 } }, levels, (levels == 1 ? 0.05 : 0.01) * (1 + seed % 5), seed);
-    const OctetSets sets(*c.Lattice, c.Wanted);
+    const OctantFamilies sets(*c.Lattice, c.Wanted);
     RefinedMesh whole = MakeRefinedMesh(sets);
     for (const IndexBox& box : { MakeBox(6, 8), MakeBox(0, 5), MakeBox(5, 14), MakeBox(7, 8) })
     {
@@ -304,7 +304,7 @@ TEST(TwoRefinement, PartsAreThoseOfTheWhole)
 TEST(TwoRefinement, UntouchedCellsAreTheRest)
 {
   const RefinedCase c = MakeRandomCase({ { 10, 9, 8 } }, 1, 0.05, 4);
-  const OctetSets sets(*c.Lattice, c.Wanted);
+  const OctantFamilies sets(*c.Lattice, c.Wanted);
   const IndexBox box{ { { 2, 0, 3 } }, { { 10, 5, 7 } } };
   const RefinedMesh mesh = MakeRefinedMesh(sets, box);
   Index untouched = 0, expected = 0;
@@ -329,19 +329,19 @@ TEST(TwoRefinement, ColoursAreIndependent)
   for (const RefinedCase& c : { MakeRandomCase({ { 14, 14, 14 } }, 1, 0.15, 5),
          MakeRandomCase({ { 10, 9, 10 } }, 2, 0.03, 6) })
   {
-    const OctetSets sets(*c.Lattice, c.Wanted);
+    const OctantFamilies sets(*c.Lattice, c.Wanted);
     const RefinedMesh mesh = MakeRefinedMesh(sets);
     std::vector<Index> place(mesh.NumberOfPoints(), -1);
     for (const RefinedMesh::FreePoint& point : mesh.FreePoints)
     {
-      place[point.Point] = point.Place;
+      place[point.Point] = point.Anchor;
     }
     const auto colour = [&](Index p) { return CartesianGrid::Colour(c.Lattice->NodeOfKey(p).At); };
     for (Index at = 0; at < 64 * mesh.NumberOfHexes(); ++at)
     {
       const Index a = place[mesh.Hexes[at / 64 * 8 + at % 8]];
       const Index b = place[mesh.Hexes[at / 64 * 8 + at / 8 % 8]];
-      if (a >= 0 && b >= 0 && a / RefinedLattice::NodeSlots != b / RefinedLattice::NodeSlots)
+      if (a >= 0 && b >= 0 && a / OctreeKeys::NodeSlots != b / OctreeKeys::NodeSlots)
       {
         ASSERT_NE(colour(a), colour(b));
       }
@@ -353,7 +353,7 @@ TEST(TwoRefinement, ColoursAreIndependent)
 TEST(TwoRefinement, ThreadsChangeNothing)
 {
   const RefinedCase c = MakeRandomCase({ { 10, 10, 10 } }, 1, 0.2, 7);
-  const OctetSets sets(*c.Lattice, c.Wanted);
+  const OctantFamilies sets(*c.Lattice, c.Wanted);
   RefinedMesh one = MakeRefinedMesh(sets), three = one;
   Runtime serial;
   ThreadedRuntime threaded;
@@ -369,7 +369,7 @@ TEST(TwoRefinement, RanksChangeNothing)
     { MakeRandomCase({ { 12, 10, 11 } }, 1, 0.15, 8), MakeRandomCase({ { 8, 9, 10 } }, 2, 0.02, 9),
       Stretch(MakeRandomCase({ { 10, 10, 10 } }, 1, 0.1, 10), { { 1.0, 1.3, 0.7 } }, 1.03) })
   {
-    const OctetSets sets(*c.Lattice, c.Wanted);
+    const OctantFamilies sets(*c.Lattice, c.Wanted);
     RefinedMesh whole = MakeRefinedMesh(sets);
     Runtime serial;
     const TransitionReport alone = SmoothTransitions(*c.Lattice, whole, serial);
@@ -384,8 +384,8 @@ TEST(TwoRefinement, RanksChangeNothing)
         [&](Ranks& ranks)
         {
           const CartesianGrid grid = MakeRankGrid(*c.Grid, boxes[ranks.Rank()]);
-          const RefinedLattice lattice(grid, c.Lattice->NumberOfRefinements());
-          const OctetSets own(lattice, c.Wanted);
+          const OctreeKeys lattice(grid, c.Lattice->NumberOfRefinements());
+          const OctantFamilies own(lattice, c.Wanted);
           RefinedMesh part = MakeRefinedMesh(own, grid.Extended(1));
           RankRuntime runtime(ranks);
           const TransitionReport report = SmoothTransitions(lattice, part, runtime);

@@ -182,7 +182,7 @@ def test_gerris_run(at):
         check_volumes(result, [0.314048])
         sizes.append(result.mesh.GetNumberOfCells())
     print("elements of the drop:", dict(zip(MODES, sizes)))
-    assert sizes[0] < sizes[1] < 0.6 * sizes[2], sizes  # single cells of the octree are refined by octets
+    assert sizes[0] < sizes[1] < 0.6 * sizes[2], sizes  # single cells of the octree are refined by families
     run = subprocess.run(command[:2] + [os.path.join(DATA, "README.md"), at("no.vthb")], stderr=subprocess.PIPE, text=True)
     assert run.returncode == 1 and "has no cells of Gerris in three dimensions" in run.stderr, run
 

@@ -170,7 +170,7 @@ def test_tetgen_that_was_not_built_in():
 
 
 def test_normalised_cells_are_counted_once():
-    # The cell lies in the ghost levels of all ranks.
+    # The cell lies in the ghost layers of all ranks.
     result = run(blocks(slab(on(0, set_value("ball", (1, 0, 0), 5e-4)))))
     assert not result.errors and result.field("NormalisedCells") == [1]
     assert len(result.warnings) == (1 if RANK == 0 else 0), result.warnings

@@ -72,9 +72,9 @@ def check_levels(result, levels):
     """The counts of the levels add up."""
     counts = result.field("LevelCells")
     assert len(counts) == levels + 1 and sum(counts) + result.field("TransitionCells")[0] == number_of_hexes(result), counts
-    for name in ("LevelOctets", "AddedOctets"):
+    for name in ("RefinedCells", "CellsAddedForBalance"):
         assert len(result.field(name)) == levels + 1 and min(result.field(name)) >= 0
-    assert all(a <= b for a, b in zip(result.field("AddedOctets"), result.field("LevelOctets")))
+    assert all(a <= b for a, b in zip(result.field("CellsAddedForBalance"), result.field("RefinedCells")))
 
 
 def refined_mesh(data, levels, **properties):

@@ -197,10 +197,10 @@ public:
       [](const auto& edge) { return edge.second.size() != 2; });
   }
 
-  Index CountPinchedPoints() const
+  Index CountNonManifoldPoints() const
   {
     return std::count_if(this->Fans.begin(), this->Fans.end(),
-      [this](const auto& fan) { return this->IsPinched(fan); });
+      [this](const auto& fan) { return this->IsNonManifold(fan); });
   }
 
 private:
@@ -212,7 +212,7 @@ private:
   }
 
   /// Whether the faces at the point are not connected over the edges at it.
-  bool IsPinched(const std::pair<const Index, std::vector<std::size_t>>& fan) const
+  bool IsNonManifold(const std::pair<const Index, std::vector<std::size_t>>& fan) const
   {
     std::set<std::size_t> reached{ fan.second[0] };
     std::vector<std::size_t> front{ fan.second[0] };
@@ -380,7 +380,7 @@ std::map<int, SurfaceDefects> CountBoundaryDefects(const Mesh& mesh)
   for (const auto& boundary : boundaries)
   {
     const Surface surface(boundary.second, mesh.CornersOfFacet());
-    defects[boundary.first] = { surface.CountOddEdges(), surface.CountPinchedPoints() };
+    defects[boundary.first] = { surface.CountOddEdges(), surface.CountNonManifoldPoints() };
   }
   return defects;
 }
@@ -395,11 +395,11 @@ std::string FindTopologyProblem(const Mesh& mesh)
   for (const auto& material : CountBoundaryDefects(mesh))
   {
     const SurfaceDefects& defects = material.second;
-    if (defects.OddEdges + defects.PinchedPoints > 0)
+    if (defects.OddEdges + defects.NonManifoldPoints > 0)
     {
       return "boundary of material " + std::to_string(material.first) + ": " +
         std::to_string(defects.OddEdges) + " edges not on two faces, " +
-        std::to_string(defects.PinchedPoints) + " pinched points";
+        std::to_string(defects.NonManifoldPoints) + " non-manifold points";
     }
   }
   return "";

@@ -40,8 +40,8 @@ std::string FindConformityProblem(const Mesh& mesh);
 /// Where the boundary of a material is no closed 2-manifold.
 struct SurfaceDefects
 {
-  Index OddEdges = 0;      ///< not on exactly two faces
-  Index PinchedPoints = 0; ///< whose faces are not connected over the edges at them
+  Index OddEdges = 0;          ///< not on exactly two faces
+  Index NonManifoldPoints = 0; ///< whose faces are not connected over the edges at them
 };
 /// Of every material of the mesh.
 std::map<int, SurfaceDefects> CountBoundaryDefects(const Mesh& mesh);

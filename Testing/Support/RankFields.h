@@ -29,7 +29,7 @@ void CutBox(const IndexBox& box, int parts, int axis, std::vector<IndexBox>& box
 inline CartesianGrid MakeRankGrid(const CartesianGrid& whole, const IndexBox& box)
 {
   return CartesianGrid(
-    { { whole.Coordinates(0), whole.Coordinates(1), whole.Coordinates(2) } }, box, GhostLevels);
+    { { whole.Coordinates(0), whole.Coordinates(1), whole.Coordinates(2) } }, box, GhostLayers);
 }
 
 /// The part of a field of the whole grid that a rank holds.

@@ -191,11 +191,11 @@ FractionField MakeNearTies(const CartesianGrid& grid, double share, unsigned see
   return field;
 }
 
-std::vector<std::vector<Index>> MakeRandomOctets(
+std::vector<std::vector<Index>> MakeRandomFamilies(
   const CartesianGrid& grid, int refinements, double chance, unsigned seed)
 {
   std::mt19937 random(seed);
-  std::vector<std::vector<Index>> octets(refinements);
+  std::vector<std::vector<Index>> families(refinements);
   for (int level = 0; level < refinements; ++level)
   {
     Index count = 1;
@@ -207,11 +207,11 @@ std::vector<std::vector<Index>> MakeRandomOctets(
     {
       if (random() < chance * 4294967296.0)
       {
-        octets[level].push_back(key);
+        families[level].push_back(key);
       }
     }
   }
-  return octets;
+  return families;
 }
 
 std::vector<IndexBox> CutBaseBox(const CartesianGrid& grid, int refinements, int ranks, int axis)

@@ -68,8 +68,8 @@ FractionField MakeBlockLabels(const CartesianGrid& grid, int refinements, unsign
 /// noise that costs next to nothing to change, so coarser cells and transitions stay where they are wanted.
 FractionField MakeNearTies(const CartesianGrid& grid, double share, unsigned seed);
 
-/// Octets of every level, with a chance (LevelPlan::Octets).
-std::vector<std::vector<Index>> MakeRandomOctets(
+/// Families of every level, with a chance (LevelPlan::Families).
+std::vector<std::vector<Index>> MakeRandomFamilies(
   const CartesianGrid& grid, int refinements, double chance, unsigned seed);
 
 /// CutBox in whole base cells.

@@ -22,19 +22,19 @@ RefinedCase MakeEmptyCase(const std::string& name, const Index3& n, int levels)
   RefinedCase made;
   made.Name = name;
   made.Grid = std::make_shared<CartesianGrid>(MakeUnitGrid(n[0], n[1], n[2]));
-  made.Lattice = std::make_shared<RefinedLattice>(*made.Grid, levels);
+  made.Lattice = std::make_shared<OctreeKeys>(*made.Grid, levels);
   made.Wanted.resize(levels);
   return made;
 }
 
 template <class Visitor>
-void ForOctets(const RefinedLattice& lattice, int level, const Visitor& visit)
+void ForFamilies(const OctreeKeys& lattice, int level, const Visitor& visit)
 {
-  for (Index k = 0; k < lattice.Octets(level, 2); ++k)
+  for (Index k = 0; k < lattice.Families(level, 2); ++k)
   {
-    for (Index j = 0; j < lattice.Octets(level, 1); ++j)
+    for (Index j = 0; j < lattice.Families(level, 1); ++j)
     {
-      for (Index i = 0; i < lattice.Octets(level, 0); ++i)
+      for (Index i = 0; i < lattice.Families(level, 0); ++i)
       {
         visit(Index3{ { i, j, k } });
       }
@@ -42,13 +42,13 @@ void ForOctets(const RefinedLattice& lattice, int level, const Visitor& visit)
   }
 }
 
-/// The octet at each corner, in the middle of an edge or of a face along each axis, of a grid of n octets.
+/// The family at each corner, in the middle of an edge or of a face along each axis, of a grid of n families.
 bool IsOnDomain(const Index3& q, Index n)
 {
-  const std::set<Index3> octets{ { { 0, 0, 0 } }, { { n - 1, n - 1, n - 1 } }, { { n / 2, 0, 0 } },
-    { { n - 1, n / 2, 0 } }, { { 0, n - 1, n / 2 } }, { { n / 2, n / 2, 0 } },
+  const std::set<Index3> families{ { { 0, 0, 0 } }, { { n - 1, n - 1, n - 1 } },
+    { { n / 2, 0, 0 } }, { { n - 1, n / 2, 0 } }, { { 0, n - 1, n / 2 } }, { { n / 2, n / 2, 0 } },
     { { n - 1, n / 2, n / 2 } }, { { n / 2, n - 1, n / 2 } } };
-  return octets.count(q) > 0;
+  return families.count(q) > 0;
 }
 
 bool InBlock(const Index3& q, Index low, Index high)
@@ -202,16 +202,16 @@ double HexVolume(const WholeMesh& mesh, const std::array<int, 8>& hex)
 
 } // namespace
 
-RefinedCase MakeOctetCase(
+RefinedCase MakeFamilyCase(
   const std::string& name, const Index3& n, const std::function<bool(const Index3&)>& wanted)
 {
   RefinedCase made = MakeEmptyCase(name, n, 1);
-  ForOctets(*made.Lattice, 0,
+  ForFamilies(*made.Lattice, 0,
     [&](const Index3& q)
     {
       if (wanted(q))
       {
-        made.Wanted[0].push_back(made.Lattice->OctetKey(0, q));
+        made.Wanted[0].push_back(made.Lattice->FamilyKey(0, q));
       }
     });
   return made;
@@ -224,12 +224,12 @@ RefinedCase MakeRandomCase(const Index3& n, int levels, double chance, unsigned 
     name, sizeof name, "random %g, %d, %d levels", chance, static_cast<int>(n[0]), levels);
   RefinedCase made = MakeEmptyCase(name, n, levels);
   std::mt19937 random(seed);
-  ForOctets(*made.Lattice, levels - 1,
+  ForFamilies(*made.Lattice, levels - 1,
     [&](const Index3& q)
     {
       if (random() < chance * 4294967296.0)
       {
-        made.Wanted[levels - 1].push_back(made.Lattice->OctetKey(levels - 1, q));
+        made.Wanted[levels - 1].push_back(made.Lattice->FamilyKey(levels - 1, q));
       }
     });
   return made;
@@ -241,7 +241,7 @@ RefinedCase MakeShellCase(Index n, int levels)
     (levels > 1 ? " levels" : " level");
   RefinedCase made = MakeEmptyCase(name, { { n, n, n } }, levels);
   const int level = levels - 1;
-  ForOctets(*made.Lattice, level,
+  ForFamilies(*made.Lattice, level,
     [&](const Index3& q)
     {
       double nearest = 0.0, farthest = 0.0;
@@ -257,7 +257,7 @@ RefinedCase MakeShellCase(Index n, int levels)
       const double radius = 0.36 * n;
       if (nearest < radius * radius && farthest > radius * radius)
       {
-        made.Wanted[level].push_back(made.Lattice->OctetKey(level, q));
+        made.Wanted[level].push_back(made.Lattice->FamilyKey(level, q));
       }
     });
   return made;
@@ -268,35 +268,36 @@ std::vector<RefinedCase> MakeShapeCases()
   const auto inBox = [](const Index3& q) { return InBlock(q, 1, 5); };
   const Index3 twelve{ { 12, 12, 12 } };
   return {
-    MakeOctetCase("one octet", { { 8, 8, 8 } },
+    MakeFamilyCase("one family", { { 8, 8, 8 } },
       [](const Index3& q) {
         return q == Index3{ { 1, 2, 1 } };
       }),
-    MakeOctetCase("box", twelve, inBox),
-    MakeOctetCase("L", twelve, [&](const Index3& q) { return inBox(q) && (q[0] < 3 || q[1] < 3); }),
-    MakeOctetCase("L3", twelve, [&](const Index3& q) { return inBox(q) && !InBlock(q, 3, 5); }),
-    MakeOctetCase("all but one octet", twelve,
+    MakeFamilyCase("box", twelve, inBox),
+    MakeFamilyCase(
+      "L", twelve, [&](const Index3& q) { return inBox(q) && (q[0] < 3 || q[1] < 3); }),
+    MakeFamilyCase("L3", twelve, [&](const Index3& q) { return inBox(q) && !InBlock(q, 3, 5); }),
+    MakeFamilyCase("all but one family", twelve,
       [](const Index3& q) {
         return q != Index3{ { 3, 2, 3 } };
       }),
-    MakeOctetCase(
+    MakeFamilyCase(
       "checkerboard", twelve, [](const Index3& q) { return (q[0] + q[1] + q[2]) % 2 == 0; }),
-    MakeOctetCase("every third diagonal", twelve,
+    MakeFamilyCase("every third diagonal", twelve,
       [](const Index3& q) { return (q[0] + q[1] + q[2]) % 3 == 0; }),
-    MakeOctetCase("two diagonal lines", { { 24, 24, 24 } },
+    MakeFamilyCase("two diagonal lines", { { 24, 24, 24 } },
       [](const Index3& q)
       { return q[2] == 5 && InBlock(q, 2, 10) && (q[0] == q[1] || q[0] == q[1] + 4); }),
-    MakeOctetCase(
+    MakeFamilyCase(
       "domain corner, edges, faces", twelve, [](const Index3& q) { return IsOnDomain(q, 6); }),
-    MakeOctetCase(
+    MakeFamilyCase(
       "the same, odd", { { 11, 11, 11 } }, [](const Index3& q) { return IsOnDomain(q, 6); }),
-    MakeOctetCase(
+    MakeFamilyCase(
       "one cell thick", { { 9, 8, 1 } }, [](const Index3& q) { return q[0] == 2 && q[1] < 3; }),
-    MakeOctetCase("all, odd", { { 5, 4, 3 } }, [](const Index3&) { return true; }),
+    MakeFamilyCase("all, odd", { { 5, 4, 3 } }, [](const Index3&) { return true; }),
   };
 }
 
-WholeMesh AddUntouchedCells(const RefinedLattice& lattice, const RefinedMesh& mesh)
+WholeMesh AddUntouchedCells(const OctreeKeys& lattice, const RefinedMesh& mesh)
 {
   WholeMesh whole;
   whole.PointKeys = mesh.PointKeys;
@@ -373,9 +374,9 @@ std::string FindTopologyProblem(const CartesianGrid& grid, const WholeMesh& mesh
   return euler == 1 ? FindLinkProblem(mesh) : "Euler characteristic " + std::to_string(euler);
 }
 
-std::string FindChildProblem(const OctetSets& sets, const WholeMesh& mesh)
+std::string FindChildProblem(const OctantFamilies& sets, const WholeMesh& mesh)
 {
-  const RefinedLattice& lattice = sets.Lattice();
+  const OctreeKeys& lattice = sets.Lattice();
   std::map<Index, std::size_t> hexes;
   std::size_t regular = 0;
   for (std::size_t h = 0; h < mesh.HexKeys.size(); ++h)
@@ -387,7 +388,7 @@ std::string FindChildProblem(const OctetSets& sets, const WholeMesh& mesh)
   {
     for (Index key : sets.Keys(level))
     {
-      const Index3 q = lattice.OctetOfKey(level, key);
+      const Index3 q = lattice.FamilyOfKey(level, key);
       for (int n = 0; n < 64; ++n)
       {
         const Index3 cell{ { 4 * q[0] + n % 4, 4 * q[1] + n / 4 % 4, 4 * q[2] + n / 16 } };

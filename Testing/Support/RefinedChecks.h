@@ -1,5 +1,5 @@
 /**
- * Independent checks of a mesh across levels, and the sets of octets to try.
+ * Independent checks of a mesh across levels, and the sets of families to try.
  */
 #pragma once
 
@@ -14,21 +14,21 @@ namespace vfm
 namespace testing
 {
 
-/// A set of octets to refine, and the grid and lattice it belongs to.
+/// A set of families to refine, and the grid and lattice it belongs to.
 struct RefinedCase
 {
   std::string Name;
   std::shared_ptr<CartesianGrid> Grid;
-  std::shared_ptr<RefinedLattice> Lattice;
-  std::vector<std::vector<Index>> Wanted; ///< octet keys by level
+  std::shared_ptr<OctreeKeys> Lattice;
+  std::vector<std::vector<Index>> Wanted; ///< family keys by level
 };
 
-/// One level: the octets of a grid of n cells for which wanted(octet) holds.
-RefinedCase MakeOctetCase(
+/// One level: the families of a grid of n cells for which wanted(family) holds.
+RefinedCase MakeFamilyCase(
   const std::string& name, const Index3& n, const std::function<bool(const Index3&)>& wanted);
-/// Octets of the finest of several levels, each with a chance.
+/// Families of the finest of several levels, each with a chance.
 RefinedCase MakeRandomCase(const Index3& n, int levels, double chance, unsigned seed);
-/// The octets of the finest of several levels that the sphere of radius .36 n in the middle cuts.
+/// The families of the finest of several levels that the sphere of radius .36 n in the middle cuts.
 RefinedCase MakeShellCase(Index n, int levels);
 /// Those of the table in Documentation, without random ones and shells.
 std::vector<RefinedCase> MakeShapeCases();
@@ -41,13 +41,13 @@ struct WholeMesh
   std::vector<std::array<int, 8>> Hexes; ///< by corner bits
   std::vector<unsigned char> IsTransition;
 };
-WholeMesh AddUntouchedCells(const RefinedLattice& lattice, const RefinedMesh& mesh);
+WholeMesh AddUntouchedCells(const OctreeKeys& lattice, const RefinedMesh& mesh);
 
 /// "" or what is wrong: faces on more than two hexes, single faces inside the domain, links of points that are no sphere
 /// or disc, an Euler characteristic other than 1, keys that are not unique, unused points.
 std::string FindTopologyProblem(const CartesianGrid& grid, const WholeMesh& mesh);
 /// "" or a child of a refined cell that is missing or not exact; whether the other hexes are transition hexes.
-std::string FindChildProblem(const OctetSets& sets, const WholeMesh& mesh);
+std::string FindChildProblem(const OctantFamilies& sets, const WholeMesh& mesh);
 /// Over all hexes, in mean volumes of the cells of the base grid.
 double SmallestCornerDeterminant(const CartesianGrid& grid, const WholeMesh& mesh);
 /// Of the mesh, exact for trilinear hexes, over the volume of the domain, less 1.

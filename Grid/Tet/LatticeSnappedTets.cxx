@@ -1,4 +1,4 @@
-#include "Tet/LatticeWildTets.h"
+#include "Tet/LatticeSnappedTets.h"
 
 #include "Mesh/Mesh.h"
 
@@ -9,10 +9,10 @@ namespace
 
 constexpr int Rounds = 10;
 
-class WildTetLabels
+class SnappedTetLabels
 {
 public:
-  WildTetLabels(std::vector<WildTet>& tets, const std::vector<WildFace>& faces,
+  SnappedTetLabels(std::vector<SnappedTet>& tets, const std::vector<SnappedFace>& faces,
     const CartesianGrid& grid, const Partition& partition) :
     Tets(tets), Grid(grid), Parts(partition), Around(tets.size())
   {
@@ -55,7 +55,7 @@ private:
     int Label = -1;
   };
 
-  void FindNeighbours(const std::vector<WildFace>& faces)
+  void FindNeighbours(const std::vector<SnappedFace>& faces)
   {
     struct Side
     {
@@ -82,7 +82,7 @@ private:
         this->Around[b.Tet][b.Node].Tet = a.Tet;
       }
     }
-    for (const WildFace& face : faces)
+    for (const SnappedFace& face : faces)
     {
       const auto side = std::lower_bound(
         sides.begin(), sides.end(), face.Id, [](const Side& s, Index id) { return s.Face < id; });
@@ -100,7 +100,7 @@ private:
     this->Incoming.resize(wanted.size());
     for (std::size_t t = 0; t < this->Tets.size(); ++t)
     {
-      const WildTet& tet = this->Tets[t];
+      const SnappedTet& tet = this->Tets[t];
       const Index3 cell = this->Grid.CellOfBlock(tet.Block);
       if (this->Parts.OwnsCell(cell))
       {
@@ -117,7 +117,7 @@ private:
       for (Index id : ids)
       {
         const auto tet = std::lower_bound(this->Tets.begin(), this->Tets.end(), id,
-          [](const WildTet& t, Index key) { return t.Id < key; });
+          [](const SnappedTet& t, Index key) { return t.Id < key; });
         this->Outgoing.back().push_back(static_cast<int>(tet - this->Tets.begin()));
       }
     }
@@ -170,7 +170,7 @@ private:
     }
   }
 
-  std::vector<WildTet>& Tets; // by id
+  std::vector<SnappedTet>& Tets; // by id
   const CartesianGrid& Grid;
   const Partition& Parts;
   std::vector<std::array<Neighbour, 4>> Around;
@@ -180,10 +180,10 @@ private:
 
 } // namespace
 
-void SettleWildTets(std::vector<WildTet>& tets, const std::vector<WildFace>& faces,
+void SettleSnappedTets(std::vector<SnappedTet>& tets, const std::vector<SnappedFace>& faces,
   const CartesianGrid& grid, const Partition& partition)
 {
-  WildTetLabels(tets, faces, grid, partition).Settle();
+  SnappedTetLabels(tets, faces, grid, partition).Settle();
 }
 
 } // namespace vfm

@@ -1,4 +1,4 @@
-#include "Tet/PinchedNodes.h"
+#include "Tet/NonManifoldNodes.h"
 
 #include "Base/DisjointSets.h"
 
@@ -34,7 +34,7 @@ std::vector<Corner> ListCorners(const TetTopology& topology, const TetFaces& fac
       const Index point = facet.Points[c];
       for (Index tet : { facet.Inner, facet.Outer })
       {
-        if (tet >= 0 && topology.Place[point] == PointPlace::OnInterface)
+        if (tet >= 0 && topology.Positions[point] == PointPosition::OnInterface)
         {
           corners.push_back({ mesh.Material[tet], point,
             { { facet.Points[(c + 1) % 3], facet.Points[(c + 2) % 3] } } });
@@ -48,7 +48,7 @@ std::vector<Corner> ListCorners(const TetTopology& topology, const TetFaces& fac
 
 /// Adds the points that pinch the triangles around one point: others that are not on two of them; where the fan is
 /// not one, the point itself.
-void CheckFan(const Corner* first, const Corner* last, std::vector<Index>& pinched)
+void CheckFan(const Corner* first, const Corner* last, std::vector<Index>& nonManifold)
 {
   std::vector<Index> ends;
   for (const Corner* corner = first; corner != last; ++corner)
@@ -73,23 +73,23 @@ void CheckFan(const Corner* first, const Corner* last, std::vector<Index>& pinch
     if (std::count(ends.begin(), ends.end(), rim[i]) != 2)
     {
       whole = false;
-      pinched.push_back(rim[i]);
+      nonManifold.push_back(rim[i]);
     }
   }
   if (!whole)
   {
-    pinched.push_back(first->Point);
+    nonManifold.push_back(first->Point);
   }
 }
 
 } // namespace
 
-std::vector<Index> FindPinchedNodes(
+std::vector<Index> FindNonManifoldNodes(
   const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
 {
   const Mesh& mesh = topology.Tets;
   const std::vector<Corner> corners = ListCorners(topology, FindTetFaces(topology, grid));
-  std::vector<Index> pinched;
+  std::vector<Index> nonManifold;
   for (std::size_t first = 0, last = 0; first < corners.size(); first = last)
   {
     const Corner& corner = corners[first];
@@ -100,14 +100,14 @@ std::vector<Index> FindPinchedNodes(
     }
     if (partition.OwnsNode(NodeOfPoint(grid, mesh, mesh.PointIds[corner.Point])))
     {
-      CheckFan(&corner, corners.data() + last, pinched);
+      CheckFan(&corner, corners.data() + last, nonManifold);
     }
   }
   std::vector<Index> nodes;
-  for (Index point : pinched)
+  for (Index point : nonManifold)
   {
     const bool isNode = SlotOfPoint(mesh.PointIds[point]) <= CentreSlot;
-    if (isNode && topology.Place[point] == PointPlace::OnInterface)
+    if (isNode && topology.Positions[point] == PointPosition::OnInterface)
     {
       nodes.push_back(mesh.PointIds[point]);
     }

@@ -1,4 +1,4 @@
-#include "Octree/RefinedLattice.h"
+#include "Octree/OctreeKeys.h"
 
 #include "Base/Runtime.h"
 #include "Fractions/RefineCells.h"
@@ -32,7 +32,7 @@ int LevelOf(const std::vector<Index>& offsets, Index key)
 void CheckKeys(const CartesianGrid& base, int refinements)
 {
   // Twice, since the coarser levels together take less than a level.
-  double bound = 2.0 * static_cast<double>(RefinedLattice::HexSlots);
+  double bound = 2.0 * static_cast<double>(OctreeKeys::HexSlots);
   for (Index n : base.Global().Upper)
   {
     bound *= std::ldexp(static_cast<double>(n), refinements) + 1.0;
@@ -61,12 +61,12 @@ std::array<std::vector<double>, 3> HalveOften(const CartesianGrid& base, int ref
 
 } // namespace
 
-RefinedLattice::RefinedLattice(const CartesianGrid& base, int refinements) :
-  RefinedLattice(base, refinements, HalveOften(base, refinements))
+OctreeKeys::OctreeKeys(const CartesianGrid& base, int refinements) :
+  OctreeKeys(base, refinements, HalveOften(base, refinements))
 {
 }
 
-RefinedLattice::RefinedLattice(
+OctreeKeys::OctreeKeys(
   const CartesianGrid& base, int refinements, std::array<std::vector<double>, 3> finest) :
   Grid(base), X(std::move(finest))
 {
@@ -87,7 +87,7 @@ RefinedLattice::RefinedLattice(
   }
 }
 
-bool RefinedLattice::HasCell(int level, const Index3& cell) const
+bool OctreeKeys::HasCell(int level, const Index3& cell) const
 {
   bool has = true;
   for (int a = 0; a < 3; ++a)
@@ -97,18 +97,18 @@ bool RefinedLattice::HasCell(int level, const Index3& cell) const
   return has;
 }
 
-bool RefinedLattice::HasOctet(int level, const Index3& octet) const
+bool OctreeKeys::HasFamily(int level, const Index3& family) const
 {
-  return this->HasCell(level, { { 2 * octet[0], 2 * octet[1], 2 * octet[2] } });
+  return this->HasCell(level, { { 2 * family[0], 2 * family[1], 2 * family[2] } });
 }
 
-Vector3 RefinedLattice::NodePoint(int level, const Index3& node) const
+Vector3 OctreeKeys::NodePoint(int level, const Index3& node) const
 {
   return { { this->Coordinate(level, 0, node[0]), this->Coordinate(level, 1, node[1]),
     this->Coordinate(level, 2, node[2]) } };
 }
 
-Vector3 RefinedLattice::ToPoint(const Vector3& x) const
+Vector3 OctreeKeys::ToPoint(const Vector3& x) const
 {
   const int levels = this->NumberOfRefinements();
   Vector3 point;
@@ -123,7 +123,7 @@ Vector3 RefinedLattice::ToPoint(const Vector3& x) const
   return point;
 }
 
-Vector3 RefinedLattice::FromPoint(const Vector3& point) const
+Vector3 OctreeKeys::FromPoint(const Vector3& point) const
 {
   Vector3 x;
   for (int a = 0; a < 3; ++a)
@@ -138,7 +138,7 @@ Vector3 RefinedLattice::FromPoint(const Vector3& point) const
   return x;
 }
 
-Vector3 RefinedLattice::CellWidths(int level, const Index3& cell) const
+Vector3 OctreeKeys::CellWidths(int level, const Index3& cell) const
 {
   Vector3 widths;
   for (int a = 0; a < 3; ++a)
@@ -148,7 +148,7 @@ Vector3 RefinedLattice::CellWidths(int level, const Index3& cell) const
   return widths;
 }
 
-int RefinedLattice::DomainSides(int level, const Index3& node) const
+int OctreeKeys::DomainSides(int level, const Index3& node) const
 {
   int sides = 0;
   for (int a = 0; a < 3; ++a)
@@ -158,23 +158,23 @@ int RefinedLattice::DomainSides(int level, const Index3& node) const
   return sides;
 }
 
-Index RefinedLattice::OctetKey(int level, const Index3& octet) const
+Index OctreeKeys::FamilyKey(int level, const Index3& family) const
 {
-  return Linear(octet, this->Octets(level, 0), this->Octets(level, 1));
+  return Linear(family, this->Families(level, 0), this->Families(level, 1));
 }
 
-Index3 RefinedLattice::OctetOfKey(int level, Index key) const
+Index3 OctreeKeys::FamilyOfKey(int level, Index key) const
 {
-  return Position(key, this->Octets(level, 0), this->Octets(level, 1));
+  return Position(key, this->Families(level, 0), this->Families(level, 1));
 }
 
-Index RefinedLattice::NodeKey(int level, const Index3& node, int slot) const
+Index OctreeKeys::NodeKey(int level, const Index3& node, int slot) const
 {
   return this->NodeOffset[level] +
     NodeSlots * Linear(node, this->Cells(level, 0) + 1, this->Cells(level, 1) + 1) + slot;
 }
 
-Index RefinedLattice::LatticeKey(int level, Index3 node) const
+Index OctreeKeys::LatticeKey(int level, Index3 node) const
 {
   for (; level > 0 && !((node[0] | node[1] | node[2]) & 1); --level)
   {
@@ -183,13 +183,13 @@ Index RefinedLattice::LatticeKey(int level, Index3 node) const
   return this->NodeKey(level, node, 0);
 }
 
-Index RefinedLattice::HexKey(int level, const Index3& cell, int slot) const
+Index OctreeKeys::HexKey(int level, const Index3& cell, int slot) const
 {
   return this->HexOffset[level] +
     HexSlots * Linear(cell, this->Cells(level, 0), this->Cells(level, 1)) + slot;
 }
 
-RefinedLattice::Place RefinedLattice::NodeOfKey(Index key) const
+OctreeKeys::LevelIndex OctreeKeys::NodeOfKey(Index key) const
 {
   const int level = LevelOf(this->NodeOffset, key);
   const Index at = key - this->NodeOffset[level];
@@ -197,7 +197,7 @@ RefinedLattice::Place RefinedLattice::NodeOfKey(Index key) const
     static_cast<int>(at % NodeSlots) };
 }
 
-RefinedLattice::Place RefinedLattice::HexOfKey(Index key) const
+OctreeKeys::LevelIndex OctreeKeys::HexOfKey(Index key) const
 {
   const int level = LevelOf(this->HexOffset, key);
   const Index at = key - this->HexOffset[level];

@@ -1,5 +1,5 @@
-/// OuterTets::Improve: moves centres and free points of transition hexes where tets are poor.
-#include "Tet/OuterTets.h"
+/// CoarseTets::Improve: moves centres and free points of transition hexes where tets are poor.
+#include "Tet/CoarseTets.h"
 
 #include "Base/Vector3.h"
 #include "Hex/TransitionSmoothing.h"
@@ -11,10 +11,10 @@ namespace vfm
 {
 
 /// Of one level: the points that may move, and the tets at them.
-class OuterTets::Improver
+class CoarseTets::Improver
 {
 public:
-  Improver(OuterTets& tets, int level) :
+  Improver(CoarseTets& tets, int level) :
     Tets(tets), Level(level), IndexOf(tets.Local.Points.size() / 3, -1)
   {
   }
@@ -56,10 +56,10 @@ private:
   void AddCandidates(const Partition& partition);
   void AddTets();
   void Activate(const Partition& partition);
-  bool HasPoorAngle(std::size_t place) const;
+  bool HasPoorAngle(std::size_t position) const;
   std::vector<PointExchange::Entry> ListEntries() const;
 
-  OuterTets& Tets;
+  CoarseTets& Tets;
   int Level;
   std::vector<int> IndexOf;          // of local points in Active
   std::vector<Candidate> Candidates; // the first points of Active
@@ -69,13 +69,13 @@ private:
 
 /// Copies of lattice nodes go with their node, centres of transition hexes with the upper node of their cell: so points of
 /// one colour share no tet unless they go with one node, and the owner of a cell has all tets at its points.
-void OuterTets::Improver::AddCandidates(const Partition& partition)
+void CoarseTets::Improver::AddCandidates(const Partition& partition)
 {
-  const RefinedLattice& lattice = this->Tets.Grid.Lattice();
+  const OctreeKeys& lattice = this->Tets.Grid.Lattice();
   const Mesh& local = this->Tets.Local;
   for (int p = 0; p < this->Tets.HexPoints; ++p)
   {
-    const RefinedLattice::Place node =
+    const OctreeKeys::LevelIndex node =
       lattice.NodeOfKey(this->Tets.Grid.KeyOfPoint(local.PointIds[p], TetIds.PointSlots));
     if (node.Level == this->Level && node.Slot > 0)
     {
@@ -84,7 +84,7 @@ void OuterTets::Improver::AddCandidates(const Partition& partition)
   }
   for (std::size_t h = 0; h < this->Tets.Hexes.size(); ++h)
   {
-    RefinedLattice::Place cell = this->Tets.Hexes[h].Cell;
+    OctreeKeys::LevelIndex cell = this->Tets.Hexes[h].Cell;
     if (cell.Level == this->Level && !this->Tets.Hexes[h].IsWhole)
     {
       const int p = this->Tets.HexPoints + static_cast<int>(h);
@@ -115,7 +115,7 @@ void OuterTets::Improver::AddCandidates(const Partition& partition)
   }
 }
 
-void OuterTets::Improver::AddTets()
+void CoarseTets::Improver::AddTets()
 {
   const int candidates = static_cast<int>(this->Candidates.size());
   this->Active.Corners = 4;
@@ -143,15 +143,15 @@ void OuterTets::Improver::AddTets()
   }
 }
 
-/// Measured like the energy, in widths of its cell. place: of the tet in Active.Elements.
-bool OuterTets::Improver::HasPoorAngle(std::size_t place) const
+/// Measured like the energy, in widths of its cell. position: of the tet in Active.Elements.
+bool CoarseTets::Improver::HasPoorAngle(std::size_t position) const
 {
   const Index corners[4] = { 0, 1, 2, 3 };
   double points[12], angles[6];
   for (int c = 0; c < 4; ++c)
   {
-    const Vector3 x = Divided(this->Active.X[this->Active.Elements[place + c]],
-      this->Active.WidthsAt(static_cast<Index>(place)));
+    const Vector3 x = Divided(this->Active.X[this->Active.Elements[position + c]],
+      this->Active.WidthsAt(static_cast<Index>(position)));
     std::copy(x.begin(), x.end(), points + 3 * c);
   }
   DihedralAngles(points, corners, angles);
@@ -160,7 +160,7 @@ bool OuterTets::Improver::HasPoorAngle(std::size_t place) const
 }
 
 /// The candidates of poor tets move. Those of other ranks count as moving here: their owners know.
-void OuterTets::Improver::Activate(const Partition& partition)
+void CoarseTets::Improver::Activate(const Partition& partition)
 {
   const std::size_t candidates = this->Candidates.size();
   std::vector<unsigned char>& isActive = this->Active.IsActive;
@@ -180,7 +180,7 @@ void OuterTets::Improver::Activate(const Partition& partition)
   }
 }
 
-std::vector<PointExchange::Entry> OuterTets::Improver::ListEntries() const
+std::vector<PointExchange::Entry> CoarseTets::Improver::ListEntries() const
 {
   std::vector<PointExchange::Entry> entries;
   for (std::size_t p = 0; p < this->Candidates.size(); ++p)
@@ -195,7 +195,7 @@ std::vector<PointExchange::Entry> OuterTets::Improver::ListEntries() const
 }
 
 /// Level by level: points of one colour and different levels might share a tet. Collective.
-void OuterTets::Improve(Runtime& runtime)
+void CoarseTets::Improve(Runtime& runtime)
 {
   const Partition partition(this->Grid.Base(), runtime.Group());
   for (int level = 0; level < this->Grid.NumberOfRefinements(); ++level)

@@ -1,4 +1,4 @@
-#include "Hex/OuterSmoothing.h"
+#include "Hex/CoarseSmoothing.h"
 
 #include "Base/Vector3.h"
 #include "Hex/HexTopology.h"
@@ -21,14 +21,14 @@ constexpr double GoodScaledJacobian = 0.75; // at least: no poor hex
 
 /// The base nodes at cells that are refined or beside one, and those at the rim, whose cells are not all known. All others,
 /// most of them, stay.
-std::vector<bool> FindNodesNearRefined(const OuterHexes& outer)
+std::vector<bool> FindNodesNearRefined(const CoarseHexes& coarse)
 {
-  const CartesianGrid& base = outer.Levels().Base();
+  const CartesianGrid& base = coarse.Levels().Base();
   std::vector<bool> isNear(base.NumberOfEntries(), false);
-  for (Index key : outer.Refined().TouchedCells)
+  for (Index key : coarse.Refined().TouchedCells)
   {
     const Index cell =
-      base.Linear(outer.Levels().Lattice().HexOfKey(RefinedLattice::HexSlots * key).At);
+      base.Linear(coarse.Levels().Lattice().HexOfKey(OctreeKeys::HexSlots * key).At);
     for (int c = 0; c < 8; ++c)
     {
       isNear[base.NodeOfCell(cell, c)] = true;
@@ -53,18 +53,18 @@ std::vector<bool> FindNodesNearRefined(const OuterHexes& outer)
 }
 
 /// The points that move, and the hexes at them.
-class OuterSmoother
+class CoarseSmoother
 {
 public:
-  OuterSmoother(const OuterHexes& outer, const std::vector<unsigned char>& isFrozen, Mesh& mesh,
+  CoarseSmoother(const CoarseHexes& coarse, const std::vector<unsigned char>& isFrozen, Mesh& mesh,
     const Partition& partition) :
-    Levels(outer.Levels()),
-    Refined(outer.Refined()),
-    HasSplits(outer.Splits() != nullptr),
+    Levels(coarse.Levels()),
+    Refined(coarse.Refined()),
+    HasSplits(coarse.Splits() != nullptr),
     Result(mesh),
     Parts(partition)
   {
-    this->FindMoving(isFrozen, FindNodesNearRefined(outer));
+    this->FindMoving(isFrozen, FindNodesNearRefined(coarse));
     this->AddHexes();
     this->Active.FixOnDomain(this->Levels.Finest(), mesh);
     this->Active.AttachmentOffset.assign(this->Active.X.size() + 1, 0);
@@ -92,8 +92,8 @@ public:
 private:
   struct Mover
   {
-    Index Place;
-    RefinedLattice::Place At;
+    Index Anchor;
+    OctreeKeys::LevelIndex At;
     Index MeshPoint;
     int Point; // of Active
     bool IsFrozen;
@@ -112,28 +112,28 @@ private:
   const bool HasSplits;
   Mesh& Result;
   const Partition& Parts;
-  std::vector<Mover> Movers; // by place: the points of one node in turn
+  std::vector<Mover> Movers; // by anchor: the points of one node in turn
   ActiveMesh Active;
 };
 
 /// Whether cells of a level at a lattice node of it are refined once more: their hexes are not known around it.
-bool OuterSmoother::TouchesFinerLevels(Index key, int next) const
+bool CoarseSmoother::TouchesFinerLevels(Index key, int next) const
 {
   if (next >= this->Levels.NumberOfRefinements())
   {
     return false;
   }
-  const RefinedLattice& lattice = this->Levels.Lattice();
-  const RefinedLattice::Place place = lattice.NodeOfKey(key);
-  const int shift = next - place.Level;
-  for (int c = 0; place.Slot == 0 && c < 8; ++c)
+  const OctreeKeys& lattice = this->Levels.Lattice();
+  const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
+  const int shift = next - node.Level;
+  for (int c = 0; node.Slot == 0 && c < 8; ++c)
   {
     Index3 cell;
     for (int a = 0; a < 3; ++a)
     {
-      cell[a] = (place.At[a] << shift) - 1 + (c >> a & 1);
+      cell[a] = (node.At[a] << shift) - 1 + (c >> a & 1);
     }
-    if (lattice.HasCell(next, cell) && this->Levels.Octets().IsRefined(next, cell))
+    if (lattice.HasCell(next, cell) && this->Levels.Families().IsRefined(next, cell))
     {
       return true;
     }
@@ -141,10 +141,10 @@ bool OuterSmoother::TouchesFinerLevels(Index key, int next) const
   return false;
 }
 
-void OuterSmoother::FindMoving(
+void CoarseSmoother::FindMoving(
   const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear)
 {
-  const RefinedLattice& lattice = this->Levels.Lattice();
+  const OctreeKeys& lattice = this->Levels.Lattice();
   for (std::size_t p = 0; p < this->Result.PointIds.size(); ++p)
   {
     const Index id = this->Result.PointIds[p];
@@ -153,24 +153,24 @@ void OuterSmoother::FindMoving(
       continue;
     }
     const Index key = this->Levels.KeyOfPoint(id, this->Result.Ids.PointSlots);
-    const RefinedLattice::Place node = lattice.NodeOfKey(key);
+    const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
     if (node.Level == 0 && node.Slot == 0 && !isNear[this->Levels.Base().Linear(node.At)])
     {
       continue;
     }
-    const Index place = PlaceOfPoint(this->Levels.Octets(), this->Refined, key);
-    if (place >= 0 && !this->TouchesFinerLevels(key, lattice.NodeOfKey(place).Level + 1))
+    const Index anchor = AnchorOfPoint(this->Levels.Families(), this->Refined, key);
+    if (anchor >= 0 && !this->TouchesFinerLevels(key, lattice.NodeOfKey(anchor).Level + 1))
     {
       this->Movers.push_back(
-        { place, lattice.NodeOfKey(place), static_cast<Index>(p), -1, isFrozen[p] != 0 });
+        { anchor, lattice.NodeOfKey(anchor), static_cast<Index>(p), -1, isFrozen[p] != 0 });
     }
   }
   std::sort(this->Movers.begin(), this->Movers.end(),
-    [](const Mover& a, const Mover& b) { return a.Place < b.Place; });
+    [](const Mover& a, const Mover& b) { return a.Anchor < b.Anchor; });
 }
 
 /// The movers first, then the other points of their hexes.
-void OuterSmoother::AddHexes()
+void CoarseSmoother::AddHexes()
 {
   std::unordered_map<Index, int> pointOf; // few of the mesh's points
   std::vector<bool> isMoving(this->Result.PointIds.size(), false);
@@ -205,14 +205,14 @@ void OuterSmoother::AddHexes()
   }
 }
 
-int OuterSmoother::AddPoint(Index meshPoint, bool moves)
+int CoarseSmoother::AddPoint(Index meshPoint, bool moves)
 {
   this->Active.AddPoint(this->Levels.Finest(), this->Result, meshPoint, moves);
   return static_cast<int>(this->Active.X.size()) - 1;
 }
 
 /// Only the points that this rank owns move here.
-void OuterSmoother::AddGroups()
+void CoarseSmoother::AddGroups()
 {
   this->Active.Colours.resize(8 * this->Levels.NumberOfRefinements());
   Index last = -1;
@@ -223,7 +223,7 @@ void OuterSmoother::AddGroups()
       continue;
     }
     std::vector<ActiveMesh::Group>& groups = this->Active.Colours[ColourOfNode(mover.At)];
-    const Index node = mover.Place / RefinedLattice::NodeSlots;
+    const Index node = mover.Anchor / OctreeKeys::NodeSlots;
     if (node != last)
     {
       groups.push_back({ mover.Point, mover.Point });
@@ -233,20 +233,20 @@ void OuterSmoother::AddGroups()
   }
 }
 
-std::vector<PointExchange::Entry> OuterSmoother::ListEntries() const
+std::vector<PointExchange::Entry> CoarseSmoother::ListEntries() const
 {
   std::vector<PointExchange::Entry> entries;
   entries.reserve(this->Movers.size());
   for (const Mover& mover : this->Movers)
   {
     entries.push_back(
-      { mover.Point, mover.Place, OwnerNode(mover.At), ColourOfNode(mover.At), true });
+      { mover.Point, mover.Anchor, OwnerNode(mover.At), ColourOfNode(mover.At), true });
   }
   return entries;
 }
 
 /// Of each point: whether it moves and has a poor hex. All hexes of owned points are known, so ranks agree.
-std::vector<unsigned char> OuterSmoother::ListPointsOfPoorHexes() const
+std::vector<unsigned char> CoarseSmoother::ListPointsOfPoorHexes() const
 {
   std::vector<unsigned char> isListed(this->Active.X.size(), 0);
   for (auto points = this->Active.Elements.begin(); points != this->Active.Elements.end();
@@ -268,11 +268,11 @@ std::vector<unsigned char> OuterSmoother::ListPointsOfPoorHexes() const
 
 } // namespace
 
-void SmoothOuter(
-  const OuterHexes& outer, const std::vector<unsigned char>& isFrozen, Mesh& mesh, Runtime& runtime)
+void SmoothCoarse(const CoarseHexes& coarse, const std::vector<unsigned char>& isFrozen, Mesh& mesh,
+  Runtime& runtime)
 {
-  const Partition partition(outer.Levels().Base(), runtime.Group());
-  OuterSmoother(outer, isFrozen, mesh, partition).Run(runtime);
+  const Partition partition(coarse.Levels().Base(), runtime.Group());
+  CoarseSmoother(coarse, isFrozen, mesh, partition).Run(runtime);
 }
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * Wild tets: lattice tets whose nodes are all wild, so that their labels are their own.
+ * Snapped tets: lattice tets whose nodes are all snapped, so that their labels are their own.
  *
  * They begin with the label by the mean of their nodes' fractions. Then they take the label that most of their face
  * neighbours show, so that interfaces are less ragged, if more of the four show it than show the tet's own; ties
@@ -12,7 +12,7 @@
 namespace vfm
 {
 
-struct WildTet
+struct SnappedTet
 {
   Index Id; ///< of its first piece
   Index3 Block;
@@ -21,8 +21,8 @@ struct WildTet
   std::array<Index, 4> Faces; ///< across its nodes: ids of the points in the triangles
 };
 
-/// A triangle of wild nodes of a lattice tet whose fourth node has a label.
-struct WildFace
+/// A triangle of snapped nodes of a lattice tet whose fourth node has a label.
+struct SnappedFace
 {
   Index Id;
   int Label;
@@ -30,7 +30,7 @@ struct WildFace
 
 /// tets: of CartesianGrid::HexBox, by id. faces: of the lattice tets there. Those of other ranks are told by their
 /// owners, the ranks of the cells above their faces. Collective.
-void SettleWildTets(std::vector<WildTet>& tets, const std::vector<WildFace>& faces,
+void SettleSnappedTets(std::vector<SnappedTet>& tets, const std::vector<SnappedFace>& faces,
   const CartesianGrid& grid, const Partition& partition);
 
 } // namespace vfm

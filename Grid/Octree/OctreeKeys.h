@@ -1,8 +1,8 @@
 /**
- * RefinedLattice: the cells and nodes of all levels of a refined Cartesian grid, and the keys of what refinement makes.
+ * OctreeKeys: the cells and nodes of all levels of a refined Cartesian grid, and the keys of what refinement makes.
  *
  * Level 0 is the base grid; each level cuts the cells of the one before in two along every axis: in halves, as RefineCells
- * does, with the same coordinates bit for bit, or where the coordinates of the finest level say. An octet of level l is the cells 2q .. 2q + 1 of it along each axis: a cell of level
+ * does, with the same coordinates bit for bit, or where the coordinates of the finest level say. A family of level l is the cells 2q .. 2q + 1 of it along each axis: a cell of level
  * l - 1, or where level 0 has an odd number of cells, one whose upper half lies outside.
  *
  * Keys are global and need no communication. They number, level by level,
@@ -17,13 +17,13 @@
 namespace vfm
 {
 
-class RefinedLattice
+class OctreeKeys
 {
 public:
   static constexpr Index NodeSlots = 27, HexSlots = 343;
 
   /// A node or cell of a level, and its slot.
-  struct Place
+  struct LevelIndex
   {
     int Level;
     Index3 At;
@@ -32,18 +32,17 @@ public:
 
   /// refinements: how many levels there are above level 0. Keeps a reference to the grid. Throws InputError
   /// when keys do not fit.
-  RefinedLattice(const CartesianGrid& base, int refinements);
+  OctreeKeys(const CartesianGrid& base, int refinements);
   /// finest: coordinates of the nodes of the finest level, where they are not halves.
-  RefinedLattice(
-    const CartesianGrid& base, int refinements, std::array<std::vector<double>, 3> finest);
+  OctreeKeys(const CartesianGrid& base, int refinements, std::array<std::vector<double>, 3> finest);
 
   const CartesianGrid& Base() const { return this->Grid; }
   int NumberOfRefinements() const { return static_cast<int>(this->NodeOffset.size()) - 1; }
 
   Index Cells(int level, int axis) const { return this->Grid.Global().Upper[axis] << level; }
-  Index Octets(int level, int axis) const { return (this->Cells(level, axis) + 1) / 2; }
+  Index Families(int level, int axis) const { return (this->Cells(level, axis) + 1) / 2; }
   bool HasCell(int level, const Index3& cell) const;
-  bool HasOctet(int level, const Index3& octet) const;
+  bool HasFamily(int level, const Index3& family) const;
 
   /// Length units of the grid.
   double Coordinate(int level, int axis, Index i) const
@@ -58,14 +57,14 @@ public:
   /// Bit f set when the node lies on side f of the domain.
   int DomainSides(int level, const Index3& node) const;
 
-  Index OctetKey(int level, const Index3& octet) const;
-  Index3 OctetOfKey(int level, Index key) const;
+  Index FamilyKey(int level, const Index3& family) const;
+  Index3 FamilyOfKey(int level, Index key) const;
   /// The key of a copy, or with slot 0 of the node as one of its level; LatticeKey is what the mesh calls the latter.
   Index NodeKey(int level, const Index3& node, int slot) const;
   Index LatticeKey(int level, Index3 node) const;
   Index HexKey(int level, const Index3& cell, int slot) const;
-  Place NodeOfKey(Index key) const;
-  Place HexOfKey(Index key) const;
+  LevelIndex NodeOfKey(Index key) const;
+  LevelIndex HexOfKey(Index key) const;
 
 private:
   const CartesianGrid& Grid;

@@ -1,32 +1,33 @@
 /**
- * OuterHexes: the hexes of a refined grid that are no finest cells: coarser cells, and transition hexes between levels.
+ * CoarseHexes: the hexes of a refined grid that are no finest cells: coarser cells, and transition hexes between levels.
  * Each lies in a cell of its level, and has the label of that cell. Where interfaces run through them they are split as
  * finest cells are (SplitNodes.h): the hex itself on inner points, and a buffer hex on each face towards another label.
  *
  * Made for the owned base cells and those around them; a rank keeps its own at the end (KeepOwned).
- * Order: points and hexes by their keys in RefinedLattice, after those of the finest cells; ids ascend among the owned.
+ * Order: points and hexes by their keys in OctreeKeys, after those of the finest cells; ids ascend among the owned.
  */
 #pragma once
 
 #include "Base/Runtime.h"
 #include "Hex/SplitNodes.h"
 #include "Labels/Labels.h"
+#include "Mesh/Mesh.h"
 #include "Octree/RefinedGrid.h"
 
 namespace vfm
 {
 
-class OuterHexes
+class CoarseHexes
 {
 public:
   /// Makes and smooths the transitions. Only hexes of labels that are meshed count. Collective. Throws InputError as
   /// SmoothTransitions does; asCubes as there. split: whether interfaces through these hexes get
   /// points and buffer hexes of their own.
-  OuterHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime,
+  CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime,
     bool asCubes = false, bool split = true);
 
   const RefinedGrid& Levels() const { return this->Grid; }
-  /// What they are made of. After Fill only the keys and places of the points, and the touched cells.
+  /// What they are made of. After Fill only the keys and anchors of the points, and the touched cells.
   const RefinedMesh& Refined() const { return this->TheRefined; }
   /// Of those that no finest cell of HexBox has.
   Index NumberOfPoints() const { return this->PointCount; }
@@ -49,7 +50,7 @@ private:
 
   class Writer;
 
-  bool IsWanted(const RefinedLattice::Place& cell) const;
+  bool IsWanted(const OctreeKeys::LevelIndex& cell) const;
   /// The number of the split node with a key, or -1.
   Index FindSplit(Index key) const { return this->TheSplits ? this->TheSplits->Find(key) : -1; }
   /// Bits of the faces of a hex that have buffer hexes.
@@ -59,8 +60,8 @@ private:
   }
   int CountPoints(Index key) const;
   bool IsPointOfFine(int level, const Index3& node) const;
-  void PlaceFinePoints(Mesh& mesh, const FinePoint& finePoint);
-  int& NumberOf(Index point, const RefinedLattice::Place& place);
+  void SetFinePoints(Mesh& mesh, const FinePoint& finePoint);
+  int& NumberOf(Index point, const OctreeKeys::LevelIndex& index);
   int Sort(int level, const Index3& node) const
   {
     return this->IsPointOfFine(level, node) ? Fine : Used;

@@ -1,4 +1,4 @@
-#include "Tet/OuterTets.h"
+#include "Tet/CoarseTets.h"
 
 #include "Base/Vector3.h"
 #include "Hex/HexTopology.h"
@@ -13,10 +13,10 @@ constexpr double SmallestGain = 1e-6; // relative, by which another way must be 
 
 } // namespace
 
-OuterTets::OuterTets(OuterHexes& hexes, const TetEnergy& energy, Runtime& runtime) :
+CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime) :
   Grid(hexes.Levels()), Energy(energy)
 {
-  constexpr Index hexKeys = RefinedLattice::HexSlots * 8 / 7; // of all levels, a finest cell
+  constexpr Index hexKeys = OctreeKeys::HexSlots * 8 / 7; // of all levels, a finest cell
   CheckIds(this->Grid.Finest(), TetIds.ElementSlots + RefinedGrid::TetsOfHex * hexKeys);
   this->TakeHexes(hexes);
   CheckNumberOfPoints(this->NumberOfPoints(), runtime.Group());
@@ -35,7 +35,7 @@ OuterTets::OuterTets(OuterHexes& hexes, const TetEnergy& energy, Runtime& runtim
 }
 
 /// Whether the hexes in a cell share a node with owned ones, or might.
-bool OuterTets::IsNear(const RefinedLattice::Place& cell) const
+bool CoarseTets::IsNear(const OctreeKeys::LevelIndex& cell) const
 {
   const IndexBox box = this->Grid.FinestCells(cell.Level, cell.At);
   const IndexBox& owned = this->Grid.Finest().Owned();
@@ -48,7 +48,7 @@ bool OuterTets::IsNear(const RefinedLattice::Place& cell) const
 }
 
 /// Corners are ~(linear index) at vertices of fine cells, as long as those have no numbers.
-void OuterTets::TakeHexes(OuterHexes& hexes)
+void CoarseTets::TakeHexes(CoarseHexes& hexes)
 {
   const Index count = hexes.NumberOfHexes(), points = hexes.NumberOfPoints();
   Mesh mesh;
@@ -63,13 +63,13 @@ void OuterTets::TakeHexes(OuterHexes& hexes)
   {
     const Index key =
       (mesh.ElementIds[h] - this->Grid.ElementId(0, mesh.Ids.ElementSlots)) / mesh.Ids.ElementSlots;
-    const RefinedLattice::Place cell = this->Grid.Lattice().HexOfKey(key);
+    const OctreeKeys::LevelIndex cell = this->Grid.Lattice().HexOfKey(key);
     if (!this->IsNear(cell))
     {
       continue;
     }
     this->Hexes.push_back(
-      { key, cell, mesh.Material[h], !this->Grid.Octets().IsTouched(cell.Level, cell.At), {} });
+      { key, cell, mesh.Material[h], !this->Grid.Families().IsTouched(cell.Level, cell.At), {} });
     for (int c = 0; c < 8; ++c)
     {
       this->Hexes.back().Corners[c] = static_cast<int>(mesh.Elements[8 * h + VtkCorner[c]]);
@@ -80,7 +80,7 @@ void OuterTets::TakeHexes(OuterHexes& hexes)
   this->Local.PointIds = Buffer<Index>(points + this->Hexes.size());
   for (Index p = 0; p < points; ++p)
   {
-    this->Local.PointIds[p] = this->Grid.OuterPointId(
+    this->Local.PointIds[p] = this->Grid.CoarsePointId(
       this->Grid.KeyOfPoint(mesh.PointIds[p], TetIds.PointSlots), TetIds.PointSlots);
   }
   for (std::size_t h = 0; h < this->Hexes.size(); ++h)
@@ -89,12 +89,12 @@ void OuterTets::TakeHexes(OuterHexes& hexes)
   }
 }
 
-Vector3 OuterTets::PointAt(int point) const
+Vector3 CoarseTets::PointAt(int point) const
 {
   return ToGrid(this->Grid.Finest(), this->Local.Points.data() + 3 * point);
 }
 
-int OuterTets::FindFine(Index code) const
+int CoarseTets::FindFine(Index code) const
 {
   const auto at = std::lower_bound(this->FineCodes.begin(), this->FineCodes.end(), code);
   return at != this->FineCodes.end() && *at == code
@@ -102,8 +102,8 @@ int OuterTets::FindFine(Index code) const
     : -1;
 }
 
-/// Vertices of fine cells that outer hexes have, and the centres of the fine cells at them.
-void OuterTets::AddFinePoints()
+/// Vertices of fine cells that coarse hexes have, and the centres of the fine cells at them.
+void CoarseTets::AddFinePoints()
 {
   const CartesianGrid& grid = this->Grid.Finest();
   const IndexBox box = grid.HexBox();
@@ -153,7 +153,7 @@ void OuterTets::AddFinePoints()
   }
 }
 
-void OuterTets::AddCentres()
+void CoarseTets::AddCentres()
 {
   for (std::size_t h = 0; h < this->Hexes.size(); ++h)
   {
@@ -169,7 +169,7 @@ void OuterTets::AddCentres()
   }
 }
 
-std::vector<OuterTets::Face> OuterTets::ListFaces() const
+std::vector<CoarseTets::Face> CoarseTets::ListFaces() const
 {
   std::vector<Face> faces;
   faces.reserve(6 * this->Hexes.size());
@@ -189,7 +189,7 @@ std::vector<OuterTets::Face> OuterTets::ListFaces() const
 }
 
 /// Pairs the faces of hexes. Those of the rim, where it is not known what lies beyond, are left out.
-void OuterTets::FindFaces()
+void CoarseTets::FindFaces()
 {
   struct Half
   {
@@ -230,7 +230,7 @@ void OuterTets::FindFaces()
   }
 }
 
-void OuterTets::AddFace(Face face)
+void CoarseTets::AddFace(Face face)
 {
   if (face.Centre < 0)
   {
@@ -256,8 +256,8 @@ void OuterTets::AddFace(Face face)
   this->Faces.push_back(face);
 }
 
-/// The centre of the fine cell that shares a face with an outer hex; -1: there is none.
-int OuterTets::FineCentreBeyond(const Face& face) const
+/// The centre of the fine cell that shares a face with an coarse hex; -1: there is none.
+int CoarseTets::FineCentreBeyond(const Face& face) const
 {
   const CartesianGrid& grid = this->Grid.Finest();
   IndexBox quad;
@@ -275,8 +275,8 @@ int OuterTets::FineCentreBeyond(const Face& face) const
       quad.Upper[a] = c == 0 ? node[a] : std::max(quad.Upper[a], node[a]);
     }
   }
-  const RefinedLattice::Place& place = this->Hexes[face.Hex].Cell;
-  const IndexBox own = this->Grid.FinestCells(place.Level, place.At);
+  const OctreeKeys::LevelIndex& leaf = this->Hexes[face.Hex].Cell;
+  const IndexBox own = this->Grid.FinestCells(leaf.Level, leaf.At);
   Index3 cell = quad.Lower;
   int across = 0;
   for (int a = 0; a < 3; ++a)
@@ -295,7 +295,7 @@ int OuterTets::FineCentreBeyond(const Face& face) const
 }
 
 /// The tets of a face, cut in one of the ways; on a face of the domain two.
-int OuterTets::TetsOf(const Face& face, int way, Tet tets[4]) const
+int CoarseTets::TetsOf(const Face& face, int way, Tet tets[4]) const
 {
   std::array<int, 4> q = face.Corners;
   const int centre = this->HexPoints + face.Hex;
@@ -319,14 +319,14 @@ int OuterTets::TetsOf(const Face& face, int way, Tet tets[4]) const
   return 4;
 }
 
-Vector3 OuterTets::WidthsOf(const Face& face) const
+Vector3 CoarseTets::WidthsOf(const Face& face) const
 {
-  const RefinedLattice::Place& cell = this->Hexes[face.Hex].Cell;
+  const OctreeKeys::LevelIndex& cell = this->Hexes[face.Hex].Cell;
   return (1.0 / this->Grid.Finest().MeanWidth()) *
     this->Grid.Lattice().CellWidths(cell.Level, cell.At);
 }
 
-double OuterTets::EnergyOf(const Face& face, int way) const
+double CoarseTets::EnergyOf(const Face& face, int way) const
 {
   Tet tets[4];
   const int count = this->TetsOf(face, way, tets);
@@ -345,7 +345,7 @@ double OuterTets::EnergyOf(const Face& face, int way) const
 }
 
 /// Of a face: the present way unless another is better.
-int OuterTets::BestWay(const Face& face) const
+int CoarseTets::BestWay(const Face& face) const
 {
   if (face.IsPlain)
   {
@@ -365,7 +365,7 @@ int OuterTets::BestWay(const Face& face) const
   return best;
 }
 
-void OuterTets::ChooseWays(Runtime& runtime)
+void CoarseTets::ChooseWays(Runtime& runtime)
 {
   runtime.For(0, static_cast<Index>(this->Faces.size()),
     [this](Index first, Index last)
@@ -377,13 +377,13 @@ void OuterTets::ChooseWays(Runtime& runtime)
     });
 }
 
-bool OuterTets::HasBadTets() const
+bool CoarseTets::HasBadTets() const
 {
   return std::any_of(this->Faces.begin(), this->Faces.end(),
     [this](const Face& face) { return this->EnergyOf(face, face.Way) >= InvalidEnergy; });
 }
 
-Index OuterTets::NumberOfTets() const
+Index CoarseTets::NumberOfTets() const
 {
   Index count = 0;
   for (const Face& face : this->Faces)
@@ -393,7 +393,7 @@ Index OuterTets::NumberOfTets() const
   return count;
 }
 
-void OuterTets::Fill(
+void CoarseTets::Fill(
   TetTopology& topology, Index firstPoint, Index firstTet, const FinePoint& finePoint) const
 {
   Mesh& mesh = topology.Tets;
@@ -404,7 +404,7 @@ void OuterTets::Fill(
   {
     const bool onDomain =
       FindDomainSides(this->Grid.Finest(), this->Local.Points.data() + 3 * p) != 0;
-    topology.Place[firstPoint + p] = onDomain ? PointPlace::OnDomain : PointPlace::Inside;
+    topology.Positions[firstPoint + p] = onDomain ? PointPosition::OnDomain : PointPosition::Inside;
   }
   Index at = firstTet;
   for (const Face& face : this->Faces)

@@ -1,4 +1,4 @@
-/// Octet sets: closed by the rules, keys that come back, the energy that untangles.
+/// Family sets: closed by the rules, keys that come back, the energy that untangles.
 #include "Base/Vector3.h"
 #include "MeshChecks.h"
 #include "RefinedChecks.h"
@@ -14,18 +14,18 @@ using namespace vfm::testing;
 namespace
 {
 
-bool Has(const OctetSets& sets, int level, Index i, Index j, Index k)
+bool Has(const OctantFamilies& sets, int level, Index i, Index j, Index k)
 {
-  return sets.HasOctet(level, { { i, j, k } });
+  return sets.HasFamily(level, { { i, j, k } });
 }
 
-/// Two octets on a diagonal of a plane and none of the five around its middle.
-Index CountPinches(const OctetSets& sets, int level)
+/// Two families on a diagonal of a plane and none of the five around its middle.
+Index CountNonManifoldEdges(const OctantFamilies& sets, int level)
 {
-  Index pinches = 0;
+  Index edges = 0;
   for (Index key : sets.Keys(level))
   {
-    const Index3 p = sets.Lattice().OctetOfKey(level, key);
+    const Index3 p = sets.Lattice().FamilyOfKey(level, key);
     for (int n = 0; n < 6; ++n)
     {
       const int b = (n / 2 + 1) % 3, c = (n / 2 + 2) % 3;
@@ -35,21 +35,21 @@ Index CountPinches(const OctetSets& sets, int level)
         Index3 q = p;
         q[b] += u;
         q[c] += v * s;
-        return sets.HasOctet(level, q);
+        return sets.HasFamily(level, q);
       };
-      pinches += has(2, 2) && !has(1, 1) && !has(0, 1) && !has(1, 0) && !has(2, 1) && !has(1, 2);
+      edges += has(2, 2) && !has(1, 1) && !has(0, 1) && !has(1, 0) && !has(2, 1) && !has(1, 2);
     }
   }
-  return pinches;
+  return edges;
 }
 
-/// Octets whose 18 neighbours are not all cells that the level below refined.
-Index CountBareOctets(const OctetSets& sets, int level)
+/// Families whose 18 neighbours are not all cells that the level below refined.
+Index CountBareFamilies(const OctantFamilies& sets, int level)
 {
   Index bare = 0;
   for (Index key : sets.Keys(level))
   {
-    const Index3 p = sets.Lattice().OctetOfKey(level, key);
+    const Index3 p = sets.Lattice().FamilyOfKey(level, key);
     for (int n = 0; n < 27; ++n)
     {
       const Index3 q{ { p[0] + n % 3 - 1, p[1] + n / 3 % 3 - 1, p[2] + n / 9 - 1 } };
@@ -62,33 +62,33 @@ Index CountBareOctets(const OctetSets& sets, int level)
 
 } // namespace
 
-TEST(OctetSets, FillsAPinch)
+TEST(OctantFamilies, FillsANonManifoldEdge)
 {
-  const RefinedCase c = MakeOctetCase("pinch", { { 12, 12, 12 } },
+  const RefinedCase c = MakeFamilyCase("non-manifold", { { 12, 12, 12 } },
     [](const Index3& q) {
       return q == Index3{ { 1, 1, 3 } } || q == Index3{ { 3, 3, 3 } };
     });
-  const OctetSets sets(*c.Lattice, c.Wanted);
+  const OctantFamilies sets(*c.Lattice, c.Wanted);
   EXPECT_EQ(sets.Keys(0).size(), 3u);
   EXPECT_TRUE(Has(sets, 0, 2, 2, 3));
   EXPECT_EQ(sets.Report(0).Wanted, 2);
-  EXPECT_EQ(sets.Report(0).Pinches, 1);
+  EXPECT_EQ(sets.Report(0).NonManifold, 1);
   EXPECT_EQ(sets.Report(0).Rounds, 1);
 }
 
-TEST(OctetSets, AddsTheMargin)
+TEST(OctantFamilies, AddsTheBalance)
 {
   const CartesianGrid grid = MakeUnitGrid(12);
-  const RefinedLattice lattice(grid, 2);
-  const OctetSets sets(lattice, { {}, { lattice.OctetKey(1, { { 5, 5, 5 } }) } });
-  // cell (5,5,5) and its neighbours but the corners: octets 2 and 3 along each axis, not (3,3,3)
+  const OctreeKeys lattice(grid, 2);
+  const OctantFamilies sets(lattice, { {}, { lattice.FamilyKey(1, { { 5, 5, 5 } }) } });
+  // cell (5,5,5) and its neighbours but the corners: families 2 and 3 along each axis, not (3,3,3)
   EXPECT_EQ(sets.Keys(0).size(), 7u);
   EXPECT_FALSE(Has(sets, 0, 3, 3, 3));
-  EXPECT_EQ(sets.Report(0).Margin, 7);
-  EXPECT_EQ(sets.Report(1).Margin + sets.Report(1).Pinches, 0);
+  EXPECT_EQ(sets.Report(0).Balance, 7);
+  EXPECT_EQ(sets.Report(1).Balance + sets.Report(1).NonManifold, 0);
 }
 
-TEST(OctetSets, AreClosed)
+TEST(OctantFamilies, AreClosed)
 {
   for (unsigned seed = 1; seed <= 40; ++seed)
   {
@@ -102,26 +102,26 @@ TEST(OctetSets, AreClosed)
       keys.insert(keys.end(), keys.begin(), keys.begin() + keys.size() / 2);
       std::shuffle(keys.begin(), keys.end(), random);
     }
-    const OctetSets sets(*c.Lattice, c.Wanted), shuffled(*c.Lattice, wanted);
+    const OctantFamilies sets(*c.Lattice, c.Wanted), shuffled(*c.Lattice, wanted);
     for (int level = 0; level < levels; ++level)
     {
-      EXPECT_EQ(CountPinches(sets, level), 0);
-      EXPECT_EQ(level > 0 ? CountBareOctets(sets, level) : 0, 0);
+      EXPECT_EQ(CountNonManifoldEdges(sets, level), 0);
+      EXPECT_EQ(level > 0 ? CountBareFamilies(sets, level) : 0, 0);
       EXPECT_TRUE(sets.Keys(level) == shuffled.Keys(level));
-      const OctetSets::LevelReport& r = sets.Report(level);
-      EXPECT_EQ(static_cast<Index>(sets.Keys(level).size()), r.Wanted + r.Margin + r.Pinches);
+      const OctantFamilies::LevelReport& r = sets.Report(level);
+      EXPECT_EQ(static_cast<Index>(sets.Keys(level).size()), r.Wanted + r.Balance + r.NonManifold);
       for (Index key : c.Wanted[level])
       {
-        EXPECT_TRUE(sets.HasOctet(level, c.Lattice->OctetOfKey(level, key)));
+        EXPECT_TRUE(sets.HasFamily(level, c.Lattice->FamilyOfKey(level, key)));
       }
     }
   }
 }
 
-TEST(RefinedLattice, KeysComeBack)
+TEST(OctreeKeys, KeysComeBack)
 {
   const CartesianGrid grid = MakeUnitGrid(5, 7, 3);
-  const RefinedLattice lattice(grid, 2);
+  const OctreeKeys lattice(grid, 2);
   Index lastNode = -1, lastHex = -1;
   for (int level = 0; level <= 2; ++level)
   {
@@ -135,15 +135,15 @@ TEST(RefinedLattice, KeysComeBack)
           const Index key = lattice.NodeKey(level, at, 26);
           ASSERT_EQ(lattice.NodeKey(level, at, 0), lastNode + 1);
           lastNode = key;
-          const RefinedLattice::Place node = lattice.NodeOfKey(key);
+          const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
           ASSERT_TRUE(node.Level == level && node.At == at && node.Slot == 26);
-          const RefinedLattice::Place lattice0 = lattice.NodeOfKey(lattice.LatticeKey(level, at));
+          const OctreeKeys::LevelIndex lattice0 = lattice.NodeOfKey(lattice.LatticeKey(level, at));
           ASSERT_EQ(lattice.NodePoint(lattice0.Level, lattice0.At), lattice.NodePoint(level, at));
           if (lattice.HasCell(level, at))
           {
             ASSERT_EQ(lattice.HexKey(level, at, 0), lastHex + 1);
             lastHex = lattice.HexKey(level, at, 342);
-            const RefinedLattice::Place hex = lattice.HexOfKey(lastHex);
+            const OctreeKeys::LevelIndex hex = lattice.HexOfKey(lastHex);
             ASSERT_TRUE(hex.Level == level && hex.At == at && hex.Slot == 342);
           }
         }
@@ -152,18 +152,18 @@ TEST(RefinedLattice, KeysComeBack)
   }
 }
 
-TEST(RefinedLattice, RefusesKeysThatDoNotFit)
+TEST(OctreeKeys, RefusesKeysThatDoNotFit)
 {
   const CartesianGrid grid = MakeUnitGrid(1000);
-  EXPECT_NO_THROW(RefinedLattice(grid, 7));
-  EXPECT_THROW(RefinedLattice(grid, 8), InputError);
-  EXPECT_THROW(RefinedLattice(grid, 60), InputError);
+  EXPECT_NO_THROW(OctreeKeys(grid, 7));
+  EXPECT_THROW(OctreeKeys(grid, 8), InputError);
+  EXPECT_THROW(OctreeKeys(grid, 60), InputError);
 }
 
-TEST(RefinedLattice, LatticeCoordinatesComeBack)
+TEST(OctreeKeys, LatticeCoordinatesComeBack)
 {
   const CartesianGrid grid({ { { 0.0, 1.0, 3.0 }, { -1.0, 0.5 }, { 2.0, 2.5, 2.75, 4.0 } } });
-  const RefinedLattice lattice(grid, 1);
+  const OctreeKeys lattice(grid, 1);
   const Vector3 x{ { 1.25, 0.5, 2.5 } };
   EXPECT_EQ(lattice.ToPoint(x), (Vector3{ { 1.5, -0.25, 3.375 } }));
   EXPECT_EQ(lattice.FromPoint(lattice.ToPoint(x)), x);

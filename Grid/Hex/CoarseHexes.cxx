@@ -1,4 +1,4 @@
-#include "Hex/OuterHexes.h"
+#include "Hex/CoarseHexes.h"
 
 #include "Hex/HexTopology.h"
 #include "Hex/TransitionSmoothing.h"
@@ -7,14 +7,14 @@
 
 namespace vfm
 {
-OuterHexes::OuterHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,
+CoarseHexes::CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,
   Runtime& runtime, bool asCubes, bool split) :
   Grid(grid),
   Labels(labels),
   MeshVoid(meshVoid),
   HasBuffers(split),
   Region(grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2)),
-  TheRefined(MakeRefinedMesh(grid.Octets(), this->Region, false)),
+  TheRefined(MakeRefinedMesh(grid.Families(), this->Region, false)),
   NodeNumber(grid.Base().NumberOfEntries(), Unused)
 {
   SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, asCubes);
@@ -33,7 +33,7 @@ OuterHexes::OuterHexes(const RefinedGrid& grid, const LabelArray& labels, bool m
 
 /// Points on or in owned cells need all hexes in the cells around the one of the coarser level that they stem from. Where
 /// the label of such a cell is too far away to be known, its hexes are wanted if its points are.
-bool OuterHexes::IsWanted(const RefinedLattice::Place& cell) const
+bool CoarseHexes::IsWanted(const OctreeKeys::LevelIndex& cell) const
 {
   const bool isNear = cell.Level == 0
     ? this->Grid.IsNear(0, cell.At)
@@ -43,9 +43,9 @@ bool OuterHexes::IsWanted(const RefinedLattice::Place& cell) const
 
 /// Calls onCell(base cell) and onHex(hex of Refined) for all wanted hexes, by key.
 template <class OnCell, class OnHex>
-void OuterHexes::ForHexes(const OnCell& onCell, const OnHex& onHex) const
+void CoarseHexes::ForHexes(const OnCell& onCell, const OnHex& onHex) const
 {
-  const RefinedLattice& lattice = this->Grid.Lattice();
+  const OctreeKeys& lattice = this->Grid.Lattice();
   const CartesianGrid& base = this->Grid.Base();
   Index hex = 0;
   const auto visitUpTo = [&](Index key)
@@ -71,21 +71,21 @@ void OuterHexes::ForHexes(const OnCell& onCell, const OnHex& onHex) const
 }
 
 /// Of a point of Refined.
-int& OuterHexes::NumberOf(Index point, const RefinedLattice::Place& place)
+int& CoarseHexes::NumberOf(Index point, const OctreeKeys::LevelIndex& index)
 {
-  return place.Level == 0 && place.Slot == 0 ? this->NodeNumber[this->Grid.Base().Linear(place.At)]
+  return index.Level == 0 && index.Slot == 0 ? this->NodeNumber[this->Grid.Base().Linear(index.At)]
                                              : this->PointNumber[point];
 }
 
 /// Whether a node of the lattice is a point of the finest cells.
-bool OuterHexes::IsPointOfFine(int level, const Index3& node) const
+bool CoarseHexes::IsPointOfFine(int level, const Index3& node) const
 {
   const Index3 finest = this->Grid.FinestNode(level, node);
   return this->Grid.Finest().HexBox().Touches(finest) && this->Grid.TouchesFine(finest);
 }
 
 /// How many points a node has.
-int OuterHexes::CountPoints(Index key) const
+int CoarseHexes::CountPoints(Index key) const
 {
   const Index n = this->HasBuffers ? this->FindSplit(key) : -1;
   return n < 0 ? 1
@@ -94,9 +94,9 @@ int OuterHexes::CountPoints(Index key) const
         [this](int label) { return label > 0 || this->MeshVoid; }));
 }
 
-void OuterHexes::MarkPoints()
+void CoarseHexes::MarkPoints()
 {
-  const RefinedLattice& lattice = this->Grid.Lattice();
+  const OctreeKeys& lattice = this->Grid.Lattice();
   this->PointNumber.assign(this->TheRefined.PointKeys.size(), Unused);
   const auto countHexes = [&](Index key)
   {
@@ -123,10 +123,10 @@ void OuterHexes::MarkPoints()
     for (Index at = 8 * hex; at < 8 * hex + 8; ++at)
     {
       const Index point = this->TheRefined.Hexes[at];
-      const RefinedLattice::Place place = lattice.NodeOfKey(this->TheRefined.PointKeys[point]);
-      int& number = this->NumberOf(point, place);
-      number = place.Slot > 0 ? Used
-        : number == Unused    ? this->Sort(place.Level, place.At)
+      const OctreeKeys::LevelIndex index = lattice.NodeOfKey(this->TheRefined.PointKeys[point]);
+      int& number = this->NumberOf(point, index);
+      number = index.Slot > 0 ? Used
+        : number == Unused    ? this->Sort(index.Level, index.At)
                               : number;
     }
   };
@@ -135,7 +135,7 @@ void OuterHexes::MarkPoints()
 
 /// Calls visit(number, key, position) for all points that are used, by key.
 template <class Visitor>
-void OuterHexes::ForPoints(const Visitor& visit)
+void CoarseHexes::ForPoints(const Visitor& visit)
 {
   const CartesianGrid& base = this->Grid.Base();
   const std::vector<Index>& keys = this->TheRefined.PointKeys;
@@ -179,7 +179,7 @@ void OuterHexes::ForPoints(const Visitor& visit)
   visitUpTo(std::numeric_limits<Index>::max());
 }
 
-void OuterHexes::NumberPoints()
+void CoarseHexes::NumberPoints()
 {
   this->ForPoints(
     [this](int& number, Index key, const Vector3&)
@@ -193,11 +193,11 @@ void OuterHexes::NumberPoints()
 }
 
 /// Leaves only what Refined tells of.
-void OuterHexes::DropParts()
+void CoarseHexes::DropParts()
 {
   RefinedMesh kept;
   kept.PointKeys.swap(this->TheRefined.PointKeys);
-  kept.Places.swap(this->TheRefined.Places);
+  kept.Anchors.swap(this->TheRefined.Anchors);
   kept.TouchedCells.swap(this->TheRefined.TouchedCells);
   this->TheRefined = std::move(kept);
   this->NodeNumber = Buffer<int>();
@@ -206,12 +206,12 @@ void OuterHexes::DropParts()
 }
 
 /// Writes points and hexes one after another.
-class OuterHexes::Writer
+class CoarseHexes::Writer
 {
 public:
   Writer(
-    OuterHexes& outer, Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint) :
-    Outer(outer), Result(mesh), FirstPoint(firstPoint), Hex(firstHex), FindFine(finePoint)
+    CoarseHexes& coarse, Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint) :
+    Coarse(coarse), Result(mesh), FirstPoint(firstPoint), Hex(firstHex), FindFine(finePoint)
   {
   }
 
@@ -220,17 +220,17 @@ public:
   {
     Index point = this->FirstPoint + number;
     this->SetPoint(point++, key, 0, x);
-    const Index n = this->Outer.FindSplit(key);
+    const Index n = this->Coarse.FindSplit(key);
     if (n < 0)
     {
       return;
     }
-    this->Outer.SplitPoint[n] = this->FirstPoint + number;
-    const SplitNodes& splits = *this->Outer.TheSplits;
+    this->Coarse.SplitPoint[n] = this->FirstPoint + number;
+    const SplitNodes& splits = *this->Coarse.TheSplits;
     int rank = 0;
     for (const int* label = splits.LabelsBegin(n); label != splits.LabelsEnd(n); ++label, ++rank)
     {
-      if (this->Outer.HasBuffers && this->IsMeshed(*label))
+      if (this->Coarse.HasBuffers && this->IsMeshed(*label))
       {
         this->SetPoint(point++, key, 1 + rank, splits.InnerPoint(n, rank));
       }
@@ -239,12 +239,12 @@ public:
 
   void AddCell(const Index3& cell)
   {
-    const RefinedLattice& lattice = this->Outer.Grid.Lattice();
+    const OctreeKeys& lattice = this->Coarse.Grid.Lattice();
     this->Start({ 0, cell, 0 });
     for (int c = 0; c < 8; ++c)
     {
       const Index3 node = CornerOfCell(cell, c);
-      this->SetCorner(c, this->Outer.NodeNumber[this->Outer.Grid.Base().Linear(node)],
+      this->SetCorner(c, this->Coarse.NodeNumber[this->Coarse.Grid.Base().Linear(node)],
         { 0, node, 0 }, lattice.NodeKey(0, node, 0));
     }
     this->Finish(lattice.HexKey(0, cell, 0));
@@ -252,48 +252,49 @@ public:
 
   void AddHex(Index hex)
   {
-    const RefinedMesh& refined = this->Outer.TheRefined;
-    const RefinedLattice& lattice = this->Outer.Grid.Lattice();
+    const RefinedMesh& refined = this->Coarse.TheRefined;
+    const OctreeKeys& lattice = this->Coarse.Grid.Lattice();
     this->Start(lattice.HexOfKey(refined.HexKeys[hex]));
     for (int c = 0; c < 8; ++c)
     {
       const Index point = refined.Hexes[8 * hex + VtkCorner[c]];
-      const RefinedLattice::Place place = lattice.NodeOfKey(refined.PointKeys[point]);
-      this->SetCorner(c, this->Outer.NumberOf(point, place), place, refined.PointKeys[point]);
+      const OctreeKeys::LevelIndex index = lattice.NodeOfKey(refined.PointKeys[point]);
+      this->SetCorner(c, this->Coarse.NumberOf(point, index), index, refined.PointKeys[point]);
     }
     this->Finish(refined.HexKeys[hex]);
   }
 
 private:
-  bool IsMeshed(int label) const { return label > 0 || this->Outer.MeshVoid; }
+  bool IsMeshed(int label) const { return label > 0 || this->Coarse.MeshVoid; }
 
   void SetPoint(Index point, Index key, int slot, const Vector3& x)
   {
     std::copy(x.begin(), x.end(), this->Result.Points.data() + 3 * point);
-    this->Result.PointIds[point] = this->Outer.Grid.PointId(key, this->Result.Ids.PointSlots, slot);
+    this->Result.PointIds[point] =
+      this->Coarse.Grid.PointId(key, this->Result.Ids.PointSlots, slot);
   }
 
-  void Start(const RefinedLattice::Place& cell)
+  void Start(const OctreeKeys::LevelIndex& cell)
   {
-    this->Label = LabelOfLeaf(this->Outer.Grid, this->Outer.Labels, cell);
+    this->Label = LabelOfLeaf(this->Coarse.Grid, this->Coarse.Labels, cell);
   }
 
-  void SetCorner(int corner, int number, const RefinedLattice::Place& node, Index key)
+  void SetCorner(int corner, int number, const OctreeKeys::LevelIndex& node, Index key)
   {
     Index &first = this->First[corner], &inner = this->Inner[corner];
     if (number == Fine)
     {
-      const CartesianGrid& finest = this->Outer.Grid.Finest();
-      const Index p = finest.Linear(this->Outer.Grid.FinestNode(node.Level, node.At));
+      const CartesianGrid& finest = this->Coarse.Grid.Finest();
+      const Index p = finest.Linear(this->Coarse.Grid.FinestNode(node.Level, node.At));
       first = this->FindFine(p, UnknownLabel);
       inner = this->FindFine(p, this->Label);
       return;
     }
     first = inner = this->FirstPoint + number;
-    const Index n = this->Outer.HasBuffers ? this->Outer.FindSplit(key) : -1;
+    const Index n = this->Coarse.HasBuffers ? this->Coarse.FindSplit(key) : -1;
     if (n >= 0)
     {
-      const SplitNodes& splits = *this->Outer.TheSplits;
+      const SplitNodes& splits = *this->Coarse.TheSplits;
       inner += 1 + splits.RankOf(n, this->Label) - (this->IsMeshed(*splits.LabelsBegin(n)) ? 0 : 1);
     }
   }
@@ -301,7 +302,7 @@ private:
   void Finish(Index key)
   {
     this->SetHex(key, 0, this->Inner);
-    const int faces = this->Outer.BufferFaces(key);
+    const int faces = this->Coarse.BufferFaces(key);
     for (int face = 0; face < 6; ++face)
     {
       if (faces >> face & 1)
@@ -318,12 +319,12 @@ private:
       this->Result.Elements[8 * this->Hex + VtkCorner[c]] = corners[c];
     }
     this->Result.ElementIds[this->Hex] =
-      this->Outer.Grid.ElementId(key, this->Result.Ids.ElementSlots, slot);
+      this->Coarse.Grid.ElementId(key, this->Result.Ids.ElementSlots, slot);
     this->Result.Material[this->Hex] = this->Label;
     ++this->Hex;
   }
 
-  OuterHexes& Outer;
+  CoarseHexes& Coarse;
   Mesh& Result;
   Index FirstPoint, Hex;
   const FinePoint& FindFine;
@@ -332,12 +333,12 @@ private:
 };
 
 /// The inner points of finest cells beside these hexes: they must be inside their labels here, too.
-void OuterHexes::PlaceFinePoints(Mesh& mesh, const FinePoint& finePoint)
+void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoint& finePoint)
 {
-  const RefinedLattice& lattice = this->Grid.Lattice();
+  const OctreeKeys& lattice = this->Grid.Lattice();
   for (Index n = 0; n < this->TheSplits->Count(); ++n)
   {
-    const RefinedLattice::Place node = lattice.NodeOfKey(this->TheSplits->Key(n));
+    const OctreeKeys::LevelIndex node = lattice.NodeOfKey(this->TheSplits->Key(n));
     if (node.Slot != 0 || !this->IsPointOfFine(node.Level, node.At))
     {
       continue;
@@ -357,7 +358,7 @@ void OuterHexes::PlaceFinePoints(Mesh& mesh, const FinePoint& finePoint)
   }
 }
 
-void OuterHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint)
+void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint)
 {
   this->SplitPoint.assign(this->TheSplits ? this->TheSplits->Count() : 0, -1);
   Writer writer(*this, mesh, firstPoint, firstHex, finePoint);
@@ -373,7 +374,7 @@ void OuterHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePo
     [&](const Index3& cell) { writer.AddCell(cell); }, [&](Index hex) { writer.AddHex(hex); });
   if (this->TheSplits)
   {
-    this->PlaceFinePoints(mesh, finePoint);
+    this->SetFinePoints(mesh, finePoint);
   }
   this->DropParts();
 }

@@ -1,7 +1,7 @@
 /**
- * OuterTets: the tets of a refined grid where its hexes are no finest cells (OuterHexes.h).
+ * CoarseTets: the tets of a refined grid where its hexes are no finest cells (CoarseHexes.h).
  *
- * They are made as those of the finest cells: around a face between two hexes, one of them an outer one, stand four tets;
+ * They are made as those of the finest cells: around a face between two hexes, one of them a coarse one, stand four tets;
  * between a face of the domain and the centre of its hex two. Centres are the means of the corners. Around a face there are
  * three ways to cut: in four tets around the edge between the centres, or on either side in two along a diagonal. All three
  * have the same outside, so each face takes the one of the smallest energy (TetEnergy), which depends on its own two hexes
@@ -14,18 +14,18 @@
  */
 #pragma once
 
-#include "Hex/OuterHexes.h"
+#include "Hex/CoarseHexes.h"
 #include "Smoothing/TetEnergy.h"
 #include "Tet/TetTopology.h"
 
 namespace vfm
 {
 
-class OuterTets
+class CoarseTets
 {
 public:
   /// Keeps a reference to the grid of the hexes. Throws InputError on all ranks when a tet is not positive. Collective.
-  OuterTets(OuterHexes& hexes, const TetEnergy& energy, Runtime& runtime);
+  CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }
   /// Of those that no finest cell of HexBox has.
@@ -34,7 +34,7 @@ public:
 
   /// The index of the mesh point of a vertex of the finest grid or of a centre of a fine cell; linear: of its block.
   using FinePoint = std::function<Index(Index linear, Index slot)>;
-  /// Writes points, places, tets, their ids and materials, from those positions on.
+  /// Writes points, their positions, tets, their ids and materials, from those positions on.
   void Fill(
     TetTopology& topology, Index firstPoint, Index firstTet, const FinePoint& finePoint) const;
 
@@ -44,7 +44,7 @@ private:
   struct Hex
   {
     Index Key;
-    RefinedLattice::Place Cell;
+    OctreeKeys::LevelIndex Cell;
     int Material;
     bool IsWhole;                 // an untouched cell
     std::array<Index, 8> Corners; // local points, by bits
@@ -60,16 +60,16 @@ private:
   /// A point that may move, and the lattice node that it goes with.
   struct Candidate
   {
-    RefinedLattice::Place Node;
+    OctreeKeys::LevelIndex Node;
     Index Id;
     int Point;
   };
   class Improver;
 
-  bool IsNear(const RefinedLattice::Place& cell) const;
+  bool IsNear(const OctreeKeys::LevelIndex& cell) const;
   Vector3 PointAt(int point) const;
   Vector3 WidthsOf(const Face& face) const;
-  void TakeHexes(OuterHexes& hexes);
+  void TakeHexes(CoarseHexes& hexes);
   void AddFinePoints();
   void FindFaces();
   std::vector<Face> ListFaces() const;
@@ -86,7 +86,7 @@ private:
 
   const RefinedGrid& Grid;
   const TetEnergy& Energy;
-  Mesh Local;        // points: those of outer hexes, centres, fine ones; ids of all but the last
+  Mesh Local;        // points: those of coarse hexes, centres, fine ones; ids of all but the last
   int HexPoints = 0; // where the centres begin
   std::vector<Index> FineCodes; // of the fine points, ascending: 2 linear + slot
   std::vector<Hex> Hexes;       // by key

@@ -8,9 +8,9 @@
 namespace vfm
 {
 
-/// Ids of the wild nodes at the points of owned blocks around which the boundary of some meshed material is not
+/// Ids of the snapped nodes at the points of owned blocks around which the boundary of some meshed material is not
 /// one fan of triangles, and at the other ends of edges there that are not on two triangles of it.
-std::vector<Index> FindPinchedNodes(
+std::vector<Index> FindNonManifoldNodes(
   const TetTopology& topology, const CartesianGrid& grid, const Partition& partition);
 
 } // namespace vfm

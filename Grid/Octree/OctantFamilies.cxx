@@ -1,4 +1,4 @@
-#include "Octree/OctetSets.h"
+#include "Octree/OctantFamilies.h"
 
 #include <iterator>
 
@@ -31,7 +31,7 @@ Index3 Moved(Index3 p, int b, Index alongB, int c, Index alongC)
 
 } // namespace
 
-OctetSets::OctetSets(const RefinedLattice& lattice, std::vector<std::vector<Index>> wanted) :
+OctantFamilies::OctantFamilies(const OctreeKeys& lattice, std::vector<std::vector<Index>> wanted) :
   TheLattice(lattice), Sets(std::move(wanted)), Reports(lattice.NumberOfRefinements())
 {
   this->Sets.resize(this->Reports.size());
@@ -41,23 +41,23 @@ OctetSets::OctetSets(const RefinedLattice& lattice, std::vector<std::vector<Inde
     this->Reports[level].Wanted = static_cast<Index>(this->Sets[level].size());
     if (level + 1 < this->NumberOfRefinements())
     {
-      this->AddMargin(level);
+      this->AddBalance(level);
     }
-    this->ClosePinches(level);
+    this->CloseNonManifoldEdges(level);
   }
 }
 
-bool OctetSets::HasOctet(int level, const Index3& octet) const
+bool OctantFamilies::HasFamily(int level, const Index3& family) const
 {
   const std::vector<Index>& set = this->Sets[level];
-  return this->TheLattice.HasOctet(level, octet) &&
-    std::binary_search(set.begin(), set.end(), this->TheLattice.OctetKey(level, octet));
+  return this->TheLattice.HasFamily(level, family) &&
+    std::binary_search(set.begin(), set.end(), this->TheLattice.FamilyKey(level, family));
 }
 
-int OctetSets::FindSlabs(int level, const Index3& cell) const
+int OctantFamilies::FindSlabs(int level, const Index3& cell) const
 {
-  const Index3 octet{ { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } };
-  if (this->HasOctet(level, octet))
+  const Index3 family{ { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } };
+  if (this->HasFamily(level, family))
   {
     return 7;
   }
@@ -66,21 +66,21 @@ int OctetSets::FindSlabs(int level, const Index3& cell) const
   {
     const int b = (a + 1) % 3, c = (a + 2) % 3;
     const Index nearB = cell[b] & 1 ? 1 : -1, nearC = cell[c] & 1 ? 1 : -1;
-    const bool in = this->HasOctet(level, Moved(octet, b, nearB, c, 0)) ||
-      this->HasOctet(level, Moved(octet, b, 0, c, nearC)) ||
-      this->HasOctet(level, Moved(octet, b, nearB, c, nearC));
+    const bool in = this->HasFamily(level, Moved(family, b, nearB, c, 0)) ||
+      this->HasFamily(level, Moved(family, b, 0, c, nearC)) ||
+      this->HasFamily(level, Moved(family, b, nearB, c, nearC));
     slabs |= in << a;
   }
   return slabs;
 }
 
-/// The octets of a level that those of the next one need.
-void OctetSets::AddMargin(int level)
+/// The families of a level that those of the next one need.
+void OctantFamilies::AddBalance(int level)
 {
   std::vector<Index> needed;
   for (Index key : this->Sets[level + 1])
   {
-    const Index3 cell = this->TheLattice.OctetOfKey(level + 1, key);
+    const Index3 cell = this->TheLattice.FamilyOfKey(level + 1, key);
     for (int n = 0; n < 27; ++n)
     {
       const Index3 step{ { n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 } };
@@ -88,38 +88,39 @@ void OctetSets::AddMargin(int level)
       if ((step[0] == 0 || step[1] == 0 || step[2] == 0) && this->TheLattice.HasCell(level, other))
       {
         needed.push_back(
-          this->TheLattice.OctetKey(level, { { other[0] >> 1, other[1] >> 1, other[2] >> 1 } }));
+          this->TheLattice.FamilyKey(level, { { other[0] >> 1, other[1] >> 1, other[2] >> 1 } }));
       }
     }
   }
   SortUnique(needed);
-  this->Reports[level].Margin = Merge(this->Sets[level], needed);
+  this->Reports[level].Balance = Merge(this->Sets[level], needed);
 }
 
-void OctetSets::ClosePinches(int level)
+void OctantFamilies::CloseNonManifoldEdges(int level)
 {
-  std::vector<Index> front = this->Sets[level]; // a pinch has an end among those of the last round
+  std::vector<Index> front =
+    this->Sets[level]; // a non-manifold edge has an end among those of the last round
   while (!front.empty())
   {
     std::vector<Index> added;
     for (Index key : front)
     {
-      const Index3 p = this->TheLattice.OctetOfKey(level, key);
+      const Index3 p = this->TheLattice.FamilyOfKey(level, key);
       for (int n = 0; n < 12; ++n)
       {
         const int b = (n / 4 + 1) % 3, c = (n / 4 + 2) % 3;
         const Index u = n & 1 ? 1 : -1, v = n & 2 ? 1 : -1;
         const auto has = [&](Index alongB, Index alongC)
-        { return this->HasOctet(level, Moved(p, b, alongB * u, c, alongC * v)); };
+        { return this->HasFamily(level, Moved(p, b, alongB * u, c, alongC * v)); };
         if (has(2, 2) && !has(1, 1) && !has(1, 0) && !has(0, 1) && !has(2, 1) && !has(1, 2))
         {
-          added.push_back(this->TheLattice.OctetKey(level, Moved(p, b, u, c, v)));
+          added.push_back(this->TheLattice.FamilyKey(level, Moved(p, b, u, c, v)));
         }
       }
     }
     SortUnique(added);
     const Index count = Merge(this->Sets[level], added);
-    this->Reports[level].Pinches += count;
+    this->Reports[level].NonManifold += count;
     this->Reports[level].Rounds += count > 0;
     front = std::move(added);
   }
