@@ -2,13 +2,15 @@
 
 #include "Fractions/GhostFractions.h"
 #include "Hex/ActiveHexes.h"
-#include "Hex/ActiveLevelHexes.h"
 #include "Hex/CoarseSmoothing.h"
-#include "Hex/HexGeometry.h"
+#include "Hex/HexFacets.h"
+#include "Hex/MeasureHexes.h"
+#include "Mesh/Geometry.h"
 #include "Mesh/Quality.h"
 #include "Pipeline.h"
+#include "Smoothing/Attach.h"
+#include "Smoothing/CellLocator.h"
 #include "Smoothing/GuardedHexEnergy.h"
-#include "Smoothing/LeafVolumes.h"
 
 namespace vfm
 {
@@ -44,13 +46,10 @@ public:
 
 private:
   void FindLabels();
-  /// Both return which points of the mesh have been moved, where there are levels.
-  std::vector<unsigned char> SmoothHexes(const PointNumbering& numbering,
-    const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh);
-  std::vector<unsigned char> SmoothLevelHexes(const PointNumbering& numbering,
-    const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh);
-  void ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets,
-    const PointExchange& exchange, FragmentVolumes& volumes);
+  FragmentVolumes FindVolumes(const Fragments& fragments, const Mesh& mesh);
+  /// Returns which points of the mesh may have been moved.
+  std::vector<unsigned char> Smooth(
+    const std::vector<Facet>& facets, FragmentVolumes& volumes, Mesh& mesh);
 
   const CartesianGrid& Grid;
   const FractionField& Fractions;
@@ -83,85 +82,67 @@ void HexStages::FindLabels()
   result.Levels = MakeLevels(this->Grid, result.Labels, result.Mixed, this->Options, this->Run);
 }
 
-void HexStages::ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets,
-  const PointExchange& exchange, FragmentVolumes& volumes)
+FragmentVolumes HexStages::FindVolumes(const Fragments& fragments, const Mesh& mesh)
 {
+  const CellLocator locator(*mesh.Levels, this->Labelled.Labels, fragments);
+  FragmentVolumes volumes(
+    this->Grid, this->Fractions, fragments.MaterialsOfFragments(), locator, this->Parts);
+  if (!mesh.Levels->HasFineInterfaces())
+  {
+    volumes.SetStart(MeasureHexes(mesh, this->Grid, fragments.NumberOfFragments(), this->Run));
+  }
+  return volumes;
+}
+
+std::vector<unsigned char> HexStages::Smooth(
+  const std::vector<Facet>& facets, FragmentVolumes& volumes, Mesh& mesh)
+{
+  const CoarseHexes& coarse = *this->Labelled.Levels.Coarse;
+  const LevelInterfaces interfaces(*mesh.Levels, this->Fractions, this->Labelled.Labels,
+    this->Labelled.Mixed, this->Options.IsoValue, this->Run);
+  this->Clock.Start("Fitting surfaces", 0.2);
+  const SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
+  ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh);
+  AttachHexes(interfaces, coarse, mesh, facets, active);
+  SetFacets(facets, active);
   const double target = TargetJacobian(this->Fractions, this->Options);
   const HexEnergy plain(target);
   const GuardedHexEnergy guarded(target);
-  const ElementEnergy& energy = InterfacesCrossLevels(this->Options) ? guarded : plain;
-  Improve({ active, targets, exchange, energy, Ramp, volumes,
+  const ElementEnergy& energy = mesh.Levels->HasFineInterfaces() ? plain : guarded;
+  Improve({ active, targets, energy, Ramp, volumes,
             this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },
     this->Clock, this->Run);
-}
-
-std::vector<unsigned char> HexStages::SmoothHexes(
-  const PointNumbering& numbering, const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh)
-{
-  const Interface interface(this->Grid, this->Fractions, this->Labelled.Labels,
-    this->Labelled.Mixed, this->Options.IsoValue, this->Run);
-  this->Clock.Start("Fitting surfaces", 0.2);
-  const SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
-  ActiveMesh active =
-    MakeActiveHexes(interface, numbering, this->Labelled.Labels, fragments, this->Parts, mesh);
-  const PointExchange exchange(active, mesh, this->Grid, this->Parts);
-  this->ImproveHexes(active, targets, exchange, volumes);
   active.CopyTo(mesh, this->Grid);
-  return this->Labelled.Levels.Coarse ? active.ListMoved(mesh) : std::vector<unsigned char>();
-}
-
-std::vector<unsigned char> HexStages::SmoothLevelHexes(
-  const PointNumbering& numbering, const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh)
-{
-  const LevelInterfaces interfaces(*this->Labelled.Levels.Grid, this->Fractions,
-    this->Labelled.Labels, this->Options.IsoValue, this->Run);
-  this->Clock.Start("Fitting surfaces", 0.2);
-  const SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
-  ActiveLevelHexes hexes = MakeActiveLevelHexes(interfaces, *this->Labelled.Levels.Coarse,
-    this->Labelled.Labels, this->Labelled.Mixed, numbering, fragments, this->Parts, mesh);
-  const PointExchange exchange(
-    hexes.Entries, this->Parts, static_cast<int>(hexes.Active.Colours.size()));
-  std::vector<PointExchange::Entry>().swap(hexes.Entries);
-  this->ImproveHexes(hexes.Active, targets, exchange, volumes);
-  hexes.Active.CopyTo(mesh, this->Grid);
-  return hexes.Active.ListMoved(mesh);
+  return active.ListMoved(mesh);
 }
 
 Mesh HexStages::MakeMesh()
 {
   this->FindLabels();
   const LabelArray& labels = this->Labelled.Labels;
-  CoarseHexes* coarse = this->Labelled.Levels.Coarse.get();
-  PointNumbering numbering(this->Grid, labels, this->Options.MeshVoid, coarse != nullptr);
+  CoarseHexes& coarse = *this->Labelled.Levels.Coarse;
+  PointNumbering numbering(
+    this->Grid, labels, this->Options.MeshVoid, !coarse.Levels().IsUniform());
   Mesh mesh = BuildHexes(this->Grid, labels, this->Labelled.Mixed, this->Options.StairStep,
     numbering, this->Run, coarse);
   mesh.Levels = this->Labelled.Levels.Grid;
   this->Clock.Start("Finding geometry", 0.12);
   const Fragments fragments(this->Grid, labels, this->Options.MeshVoid, this->Parts);
   this->Report.NumberOfFragments = fragments.NumberOfFragments();
-  FindHexGeometry(this->Grid, labels, this->Labelled.Mixed, fragments, numbering, this->Parts,
-    coarse, mesh, this->Report);
+  FillFragments(this->Labelled, numbering, fragments, mesh);
+  const std::vector<Facet> facets =
+    FindHexFacets(this->Labelled, numbering, fragments, this->Parts, mesh);
+  ClassifyGeometry(facets, this->Grid, this->Parts, mesh, this->Report);
   this->Clock.Start("Finding interfaces", 0.15);
-  const bool crossesLevels = InterfacesCrossLevels(this->Options);
-  const std::unique_ptr<FragmentLocator> locator = crossesLevels
-    ? std::make_unique<LeafLocator>(*mesh.Levels, labels, fragments)
-    : std::make_unique<CellLocator>(this->Grid, labels, fragments);
-  FragmentVolumes volumes(
-    this->Grid, this->Fractions, fragments.MaterialsOfFragments(), *locator, this->Parts);
-  if (crossesLevels)
-  {
-    volumes.SetStart(MeasureHexes(mesh, this->Grid, fragments.NumberOfFragments(), this->Run));
-  }
+  FragmentVolumes volumes = this->FindVolumes(fragments, mesh);
   if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)
   {
-    const std::vector<unsigned char> moved = crossesLevels
-      ? this->SmoothLevelHexes(numbering, fragments, volumes, mesh)
-      : this->SmoothHexes(numbering, fragments, volumes, mesh);
-    if (coarse)
+    const std::vector<unsigned char> moved = this->Smooth(facets, volumes, mesh);
+    if (!mesh.Levels->IsUniform())
     {
       this->Clock.Start("Smoothing transitions", 0.9);
       ReleaseFreeMemory();
-      SmoothCoarse(*coarse, moved, mesh, this->Run);
+      SmoothCoarse(coarse, moved, mesh, this->Run);
     }
   }
   KeepOwned(mesh, this->Grid);

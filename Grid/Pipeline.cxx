@@ -72,12 +72,12 @@ LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& interfaces, const MeshOptions& options, Runtime& runtime, bool asCubes)
 {
   LevelHexes levels;
-  if (options.Levels.Refinements > 0)
+  levels.Grid =
+    std::make_shared<const RefinedGrid>(grid, options.Levels, interfaces, runtime.Group());
+  levels.Coarse =
+    std::make_unique<CoarseHexes>(*levels.Grid, labels, options.MeshVoid, runtime, asCubes);
+  if (!levels.Grid->IsUniform())
   {
-    levels.Grid =
-      std::make_shared<const RefinedGrid>(grid, options.Levels, interfaces, runtime.Group());
-    levels.Coarse =
-      std::make_unique<CoarseHexes>(*levels.Grid, labels, options.MeshVoid, runtime, asCubes);
     ReleaseFreeMemory();
   }
   return levels;
@@ -212,7 +212,7 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
 void ReportLevels(
   const Mesh& mesh, Ranks& ranks, MeshReport& report, const std::vector<Index>& asked)
 {
-  if (!mesh.Levels)
+  if (mesh.Levels->IsUniform())
   {
     return;
   }

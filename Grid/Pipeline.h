@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Hex/CoarseHexes.h"
+#include "Hex/LabelledGrid.h"
 #include "Labels/Labels.h"
 #include "Mesh/MeshReport.h"
 #include "Smoothing/Smoother.h"
@@ -71,32 +71,11 @@ inline SurfaceTargets::Kind KindOfTargets(const MeshOptions& options)
                                                     : SurfaceTargets::Kind::Quadrics;
 }
 
-/// A refined grid and its coarse hexes; null without refinements.
-struct LevelHexes
-{
-  std::shared_ptr<const RefinedGrid> Grid;
-  std::unique_ptr<CoarseHexes> Coarse;
-};
-
 /// Whether interfaces may run through cells of several levels.
 inline bool InterfacesCrossLevels(const MeshOptions& options)
 {
   return options.Levels.Refinements > 0 && !options.Levels.FineInterfaces;
 }
-
-/// What meshes are made of: labels that pass the label condition, and the levels, which refer to them.
-struct LabelledGrid
-{
-  LabelledGrid() = default;
-  LabelledGrid(const LabelledGrid&) = delete;
-  LabelledGrid& operator=(const LabelledGrid&) = delete;
-
-  LabelArray Labels;
-  std::vector<Index> Mixed; ///< nodes of the grid with several labels around
-  LevelHexes Levels;
-  std::vector<Index>
-    AskedFamilies; ///< where interfaces cross levels: how many were asked for, of each refinement
-};
 
 /// Where interfaces cross levels: leaves are refined until a valid mesh starts everywhere. Collective. Throws InputError as MakeLevels does.
 void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,

@@ -1,12 +1,14 @@
 #include "TetPipeline.h"
 
+#include "Mesh/Geometry.h"
 #include "Mesh/Quality.h"
 #include "Pipeline.h"
+#include "Smoothing/Attach.h"
+#include "Smoothing/CellLocator.h"
 #include "Tet/CoarseTets.h"
 #include "Tet/DiagonalFlips.h"
 #include "Tet/TetAttach.h"
 #include "Tet/TetFragments.h"
-#include "Tet/TetGeometry.h"
 #include "Tet/TetImprove.h"
 #ifdef VFM_HAS_TETGEN
 #include "Tet/RefillTets.h"
@@ -52,7 +54,8 @@ public:
     ReportVolumes(this->Grid, *this->Volumes, this->Report);
     this->Clock.Start("Finding geometry", 0.9);
     Mesh& mesh = this->Topology.Tets;
-    FindTetGeometry(this->Faces, this->Grid, this->Parts, mesh, this->Report);
+    FillInside(mesh);
+    ClassifyGeometry(this->ListFacets(), this->Grid, this->Parts, mesh, this->Report);
     KeepOwned(mesh, this->Grid);
     ReportLevels(mesh, this->Run.Group(), this->Report);
     this->Refill();
@@ -65,6 +68,21 @@ public:
   }
 
 private:
+  /// The fragment of the points inside it.
+  static void FillInside(Mesh& mesh)
+  {
+    mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+    for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+    {
+      mesh.GeometryId[mesh.Elements[at]] = mesh.Fragment[at / 4];
+    }
+  }
+
+  std::vector<Facet> ListFacets() const
+  {
+    return vfm::ListFacets(this->Faces, this->Grid, this->Parts, this->Topology.Tets);
+  }
+
   void Refill()
   {
 #ifdef VFM_HAS_TETGEN
@@ -95,7 +113,7 @@ private:
     std::unique_ptr<CoarseTets> coarse;
     LabelArray own;
     const LevelHexes levels = this->MakeTetLevels(own);
-    if (levels.Coarse)
+    if (this->Options.Levels.Refinements > 0)
     {
       coarse = std::make_unique<CoarseTets>(*levels.Coarse, energy, this->Run);
     }
@@ -113,7 +131,7 @@ private:
   {
     if (this->Options.Levels.Refinements == 0)
     {
-      return {};
+      return MakeLevels(this->Grid, this->Labels, {}, this->Options, this->Run);
     }
     if (this->Method == TetMethod::Cells)
     {
@@ -142,7 +160,7 @@ private:
     {
       const Fragments fragments(this->Grid, this->Labels, this->Options.MeshVoid, this->Parts);
       this->Materials = fragments.MaterialsOfFragments();
-      const CellLocator locator(this->Grid, this->Labels, fragments);
+      const CellLocator locator(*this->Topology.Tets.Levels, this->Labels, fragments);
       this->Volumes = std::make_unique<FragmentVolumes>(
         this->Grid, this->Fractions, this->Materials, locator, this->Parts);
       this->FillFragments(fragments);
@@ -175,8 +193,9 @@ private:
       FindMixedNodes(this->Grid, this->Labels), this->Options.IsoValue, this->Run);
     const SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
     ActiveTets active = MakeActiveTets(this->Topology, this->Grid, this->Parts);
-    AttachTets(interface, mesh, this->Faces, this->Method, active);
-    MeasureWithFaces(interface, mesh, this->Faces, this->Grid, this->Parts, active);
+    const std::vector<Facet> facets = this->ListFacets();
+    AttachTets(interface, mesh, facets, this->Method, active);
+    SetFacets(facets, active);
     const PointExchange exchange(active, mesh, this->Grid, this->Parts);
     const TetEnergy energy(FloorsOf(this->Options));
     std::optional<DiagonalFlips> flips;
@@ -196,7 +215,7 @@ private:
       {
         flips->CopyTo(mesh);
         this->Faces = FindTetFaces(this->Topology, this->Grid);
-        MeasureWithFaces(interface, mesh, this->Faces, this->Grid, this->Parts, active);
+        SetFacets(this->ListFacets(), active);
       };
     }
     Improve(improvement, this->Clock, this->Run);

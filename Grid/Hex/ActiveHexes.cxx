@@ -1,5 +1,8 @@
 #include "Hex/ActiveHexes.h"
 
+#include "Hex/NodesNear.h"
+#include "Hex/TransitionSmoothing.h"
+#include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Attach.h"
 
 namespace vfm
@@ -7,154 +10,102 @@ namespace vfm
 namespace
 {
 
-constexpr int Rings = 2;
+constexpr Index Rings = 2; // cells around interfaces whose points move
 
-/// Mixed nodes, and the nodes of meshed cells within two cells of one; of those, the nodes of HexBox.
-std::vector<Index> FindActiveNodes(
-  const Interface& interface, const PointNumbering& numbering, const LabelArray& labels)
+/// Which points move, and with which nodes.
+class MoverFinder
 {
-  const CartesianGrid& grid = interface.Grid();
-  PagedArray<unsigned char> seen(grid, 0);
-  std::vector<Index> nodes = interface.Nodes();
-  for (Index node : nodes)
+public:
+  MoverFinder(const LabelledGrid& labelled, const Mesh& mesh) :
+    Coarse(*labelled.Levels.Coarse),
+    Levels(*labelled.Levels.Grid),
+    Input(mesh),
+    Halvings(this->Levels.HasFineInterfaces() ? 0 : this->Levels.NumberOfRefinements())
   {
-    seen.Set(node, 1);
-  }
-  std::size_t begin = 0;
-  for (int ring = 0; ring < Rings; ++ring)
-  {
-    for (const std::size_t end = nodes.size(); begin < end; ++begin)
+    for (int halvings = 0; halvings <= this->Halvings; ++halvings)
     {
-      const Index node = nodes[begin];
-      const Index3 p = grid.Position(node);
-      for (int c = 0; c < 8; ++c)
+      this->Near.emplace_back(this->Levels.Finest(), labelled.Mixed, halvings, Rings);
+    }
+    if (this->Halvings > 0)
+    {
+      this->Near.emplace_back(this->Levels.Finest(), labelled.Mixed, this->Halvings, Rings + 1);
+    }
+  }
+
+  std::vector<Mover> Find() const
+  {
+    std::vector<Mover> movers;
+    for (std::size_t p = 0; p < this->Input.PointIds.size(); ++p)
+    {
+      const Index id = this->Input.PointIds[p];
+      if (!this->MayMove(id))
       {
-        const Index3 q{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2 & 1) } };
-        const Index cell = grid.CellOfNode(node, c);
-        if (!grid.Local().Contains(q) || !numbering.IsMeshed(labels[cell]))
-        {
-          continue;
-        }
-        for (int corner = 0; corner < 8; ++corner)
-        {
-          const Index other = grid.NodeOfCell(cell, corner);
-          if (!seen[other])
-          {
-            seen.Set(other, 1);
-            nodes.push_back(other);
-          }
-        }
+        continue;
+      }
+      const OctreeKeys::LevelIndex node = this->Coarse.AnchorOf(this->Input, id);
+      const int halvings = this->Levels.NumberOfRefinements() - node.Level;
+      if (halvings <= this->Halvings && this->Near[halvings].Has(node.At))
+      {
+        movers.push_back(
+          { static_cast<Index>(p), id, this->Levels.Lattice().NodeKey(node.Level, node.At, 0),
+            this->Levels.FinestNode(node.Level, node.At), ColourOfNode(node) });
       }
     }
+    return movers;
   }
-  const IndexBox box = grid.HexBox();
-  const auto isFar = [&](Index node) { return !box.Touches(grid.Position(node)); };
-  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), isFar), nodes.end());
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
 
-/// Points that are active, of the mesh.
-constexpr int NotNumbered = -2;
+private:
+  bool MayMove(Index id) const
+  {
+    const Index3 node = NodeOfPoint(this->Levels.Finest(), this->Input, id);
+    const int shift = this->Halvings;
+    return this->Near.back().Has({ { node[0] >> shift, node[1] >> shift, node[2] >> shift } });
+  }
 
-/// The hexes with an active point, and all their points in the order of the mesh.
-void AddHexes(
-  const CartesianGrid& grid, const Mesh& mesh, std::vector<int>& pointOf, ActiveMesh& active)
-{
-  const Index count = static_cast<Index>(mesh.ElementIds.size());
-  std::vector<Index> hexes;
-  std::vector<unsigned char> used(mesh.PointIds.size(), 0);
-  for (Index h = 0; h < count; ++h)
-  {
-    const Index* points = mesh.Elements.data() + 8 * h;
-    if (std::any_of(points, points + 8, [&](Index p) { return pointOf[p] == NotNumbered; }))
-    {
-      hexes.push_back(h);
-      std::for_each(points, points + 8, [&](Index p) { used[p] = 1; });
-    }
-  }
-  for (std::size_t p = 0; p < used.size(); ++p)
-  {
-    if (used[p])
-    {
-      active.AddPoint(grid, mesh, static_cast<Index>(p), pointOf[p] == NotNumbered);
-      pointOf[p] = static_cast<int>(active.X.size()) - 1;
-    }
-  }
-  const bool uniform = IsUniform(grid);
-  active.Elements.reserve(8 * hexes.size());
-  for (Index h : hexes)
-  {
-    for (int c = 0; c < 8; ++c)
-    {
-      active.Elements.push_back(pointOf[mesh.Elements[8 * h + VtkCorner[c]]]);
-    }
-    if (!uniform)
-    {
-      active.Widths.push_back(CellWidths(grid, CellOfElement(grid, mesh, mesh.ElementIds[h])));
-    }
-  }
-  if (uniform)
-  {
-    active.Widths.push_back(CellWidths(grid, grid.Global().Lower));
-  }
-}
-
-void AddGroups(const CartesianGrid& grid, const std::vector<Index>& nodes,
-  const PointNumbering& numbering, const Partition& partition, const std::vector<int>& pointOf,
-  ActiveMesh& active)
-{
-  for (Index node : nodes)
-  {
-    const Index first = numbering.FirstPoint(node);
-    const int count = numbering.PointsAt(node);
-    const Index3 p = grid.Position(node);
-    if (count > 0 && partition.OwnsNode(p))
-    {
-      active.Colours[CartesianGrid::Colour(p)].push_back(
-        { pointOf[first], pointOf[first] + count });
-    }
-  }
-}
-
-/// The point S of every interface node; -1 far from the owned cells.
-std::vector<int> FindSurfacePoints(const Interface& interface, const PointNumbering& numbering,
-  const std::vector<Index>& nodes, const std::vector<int>& pointOf)
-{
-  std::vector<int> points(interface.Nodes().size(), -1);
-  for (Index node : nodes)
-  {
-    const Index mixed = interface.Find(node);
-    if (mixed >= 0)
-    {
-      points[mixed] = pointOf[numbering.FirstPoint(node)];
-    }
-  }
-  return points;
-}
+  const CoarseHexes& Coarse;
+  const RefinedGrid& Levels;
+  const Mesh& Input;
+  const int Halvings; // from the coarsest level with interfaces to the finest
+  std::vector<NodesNear>
+    Near; // by halvings; the last, of the coarsest, is wide enough for all points that move
+};
 
 } // namespace
 
-ActiveMesh MakeActiveHexes(const Interface& interface, const PointNumbering& numbering,
-  const LabelArray& labels, const Fragments& fragments, const Partition& partition,
-  const Mesh& mesh)
+ActiveMesh MakeActiveHexes(
+  const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh)
 {
-  const CartesianGrid& grid = interface.Grid();
-  const std::vector<Index> nodes = FindActiveNodes(interface, numbering, labels);
-  std::vector<int> pointOf(mesh.PointIds.size(), -1);
-  for (Index node : nodes)
-  {
-    std::fill_n(
-      pointOf.begin() + numbering.FirstPoint(node), numbering.PointsAt(node), NotNumbered);
-  }
-  ActiveMesh active;
-  AddHexes(grid, mesh, pointOf, active);
-  active.FixOnDomain(grid, mesh);
-  AddGroups(grid, nodes, numbering, partition, pointOf, active);
-  active.ListCorners();
-  const std::vector<int> surface = FindSurfacePoints(interface, numbering, nodes, pointOf);
-  AttachToNodes(interface, surface, fragments, partition, active);
+  const RefinedGrid& levels = *labelled.Levels.Grid;
+  ActiveMeshBuilder builder(8, mesh.PointIds.size(), MoverFinder(labelled, mesh).Find());
+  const std::vector<Index> hexes = builder.AddAround(mesh);
+  ActiveMesh active = builder.Finish(&partition, 8 * (levels.NumberOfRefinements() + 1));
+  active.Widths = levels.IsUniform() ? WidthsOfCells(levels.Finest(), mesh, hexes)
+                                     : WidthsOfHexes(levels, mesh, hexes);
+  active.PlacePoints(levels.Finest(), mesh);
   return active;
+}
+
+void AttachHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse, const Mesh& mesh,
+  const std::vector<Facet>& facets, ActiveMesh& active)
+{
+  const RefinedGrid& levels = coarse.Levels();
+  const auto findTarget = [&](int point, const std::array<int, 2>& labels)
+  {
+    const Index id = mesh.PointIds[active.MeshPoint[point]];
+    Index target = -1;
+    if (!levels.IsCoarsePoint(id, mesh.Ids.PointSlots))
+    {
+      target = interfaces.FindTarget(
+        levels.NumberOfRefinements(), NodeOfPoint(levels.Finest(), mesh, id), labels);
+    }
+    if (target < 0)
+    {
+      const OctreeKeys::LevelIndex node = coarse.AnchorOf(mesh, id);
+      target = interfaces.FindTarget(node.Level, node.At, labels);
+    }
+    return target;
+  };
+  AttachToFacets(facets, findTarget, active);
 }
 
 } // namespace vfm

@@ -9,14 +9,15 @@ namespace vfm
 {
 CoarseHexes::CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,
   Runtime& runtime, bool asCubes, bool split) :
-  Grid(grid),
-  Labels(labels),
-  MeshVoid(meshVoid),
-  HasBuffers(split),
-  Region(grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2)),
-  TheRefined(MakeRefinedMesh(grid.Families(), this->Region, false)),
-  NodeNumber(grid.Base().NumberOfEntries(), Unused)
+  Grid(grid), Labels(labels), MeshVoid(meshVoid), HasBuffers(split)
 {
+  if (grid.IsUniform())
+  {
+    return;
+  }
+  this->Region = grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2);
+  this->TheRefined = MakeRefinedMesh(grid.Families(), this->Region, false);
+  this->NodeNumber = Buffer<int>(grid.Base().NumberOfEntries(), Unused);
   SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, asCubes);
   if (!grid.HasFineInterfaces())
   {
@@ -190,6 +191,24 @@ void CoarseHexes::NumberPoints()
         this->PointCount += this->CountPoints(key);
       }
     });
+}
+
+OctreeKeys::LevelIndex CoarseHexes::AnchorOf(const Mesh& mesh, Index pointId) const
+{
+  const bool isCoarse = this->Grid.IsCoarsePoint(pointId, mesh.Ids.PointSlots);
+  const OctreeKeys::LevelIndex finest{ this->Grid.NumberOfRefinements(),
+    NodeOfPoint(this->Grid.Finest(), mesh, pointId), 0 };
+  if (!isCoarse && this->Grid.IsFineAround(finest.At))
+  {
+    return finest;
+  }
+  const Index key = this->Grid.KeyOfPoint(pointId, mesh.Ids.PointSlots);
+  const Index anchor = AnchorOfPoint(this->Grid.Families(), this->TheRefined, key);
+  if (anchor >= 0)
+  {
+    return this->Grid.Lattice().NodeOfKey(anchor);
+  }
+  return isCoarse ? this->Grid.Lattice().NodeOfKey(key) : finest;
 }
 
 /// Leaves only what Refined tells of.

@@ -20,7 +20,7 @@ namespace vfm
 class CoarseHexes
 {
 public:
-  /// Makes and smooths the transitions. Only hexes of labels that are meshed count. Collective. Throws InputError as
+  /// Makes and smooths the transitions; of a grid without refinements there are none. Only hexes of labels that are meshed count. Collective. Throws InputError as
   /// SmoothTransitions does; asCubes as there. split: whether interfaces through these hexes get
   /// points and buffer hexes of their own.
   CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime,
@@ -36,6 +36,10 @@ public:
   /// The index of the mesh point of a node (linear index) that a finest cell has: the inner one of a label or, of UnknownLabel, the
   /// first.
   using FinePoint = std::function<Index(Index node, int label)>;
+
+  /// The node of a level that a point of a mesh of these and the finest hexes moves with: of finest cells alone its own, else the one that
+  /// it stems from (RefinedMesh::Anchors).
+  OctreeKeys::LevelIndex AnchorOf(const Mesh& mesh, Index pointId) const;
 
   /// Interfaces through these hexes; null where there are none.
   const SplitNodes* Splits() const { return this->TheSplits.get(); }

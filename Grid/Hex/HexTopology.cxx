@@ -41,7 +41,7 @@ class HexTopologyBuilder
 public:
   HexTopologyBuilder(const CartesianGrid& grid, const LabelArray& labels,
     const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
-    CoarseHexes* coarse) :
+    CoarseHexes& coarse) :
     Grid(grid),
     Labels(labels),
     Box(grid.HexBox()),
@@ -57,8 +57,8 @@ public:
   {
     CheckIds(this->Grid, this->Result.Ids.PointSlots);
     const Index finePoints = this->CountPoints(), fineHexes = this->CountHexes();
-    const Index points = finePoints + (this->Coarse ? this->Coarse->NumberOfPoints() : 0);
-    const Index hexes = fineHexes + (this->Coarse ? this->Coarse->NumberOfHexes() : 0);
+    const Index points = finePoints + this->Coarse.NumberOfPoints();
+    const Index hexes = fineHexes + this->Coarse.NumberOfHexes();
     CheckNumberOfPoints(points, this->Run.Group());
     Mesh& mesh = this->Result;
     mesh.Points = Buffer<double>(3 * points);
@@ -68,15 +68,12 @@ public:
     mesh.Material = Buffer<int>(hexes);
     this->OverRows(1, [this](Index j, Index k, Index row) { this->FillPoints(j, k, row); });
     this->OverRows(0, [this](Index j, Index k, Index row) { this->FillHexes(j, k, row); });
-    if (this->Coarse)
-    {
-      this->Coarse->Fill(mesh, finePoints, fineHexes,
-        [this](Index node, int label)
-        {
-          return label == UnknownLabel ? this->Numbering.FirstPoint(node)
-                                       : this->Numbering.InnerPoint(node, label);
-        });
-    }
+    this->Coarse.Fill(mesh, finePoints, fineHexes,
+      [this](Index node, int label)
+      {
+        return label == UnknownLabel ? this->Numbering.FirstPoint(node)
+                                     : this->Numbering.InnerPoint(node, label);
+      });
     return std::move(mesh);
   }
 
@@ -108,12 +105,7 @@ private:
         visit(p, cell);
       }
     };
-    if (!this->Coarse)
-    {
-      visitRun(this->Box.Lower[0], this->Box.Upper[0]);
-      return;
-    }
-    this->Coarse->Levels().ForFineCells(j, k, this->Box.Lower[0], this->Box.Upper[0], visitRun);
+    this->Coarse.Levels().ForFineCells(j, k, this->Box.Lower[0], this->Box.Upper[0], visitRun);
   }
 
   /// Calls visit(p, node, whether it is mixed) for the nodes of such cells in a row.
@@ -138,12 +130,7 @@ private:
         visit(p, node, isMixed);
       }
     };
-    if (!this->Coarse)
-    {
-      visitRun(this->Box.Lower[0], this->Box.Upper[0] + 1);
-      return;
-    }
-    this->Coarse->Levels().ForFineNodes(j, k, this->Box.Lower[0], this->Box.Upper[0] + 1, visitRun);
+    this->Coarse.Levels().ForFineNodes(j, k, this->Box.Lower[0], this->Box.Upper[0] + 1, visitRun);
   }
 
   int PointsOfNode(Index node, bool isMixed) const
@@ -325,7 +312,7 @@ private:
   bool StairStep;
   PointNumbering& Numbering;
   Runtime& Run;
-  CoarseHexes* Coarse;             // null: all cells are hexes of their own
+  CoarseHexes& Coarse;
   const std::vector<Index>& Mixed; // ascending
   std::vector<Index> PointOffset;
   Mesh Result;
@@ -333,7 +320,7 @@ private:
 
 Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
-  CoarseHexes* coarse)
+  CoarseHexes& coarse)
 {
   return HexTopologyBuilder(grid, labels, mixed, stairStep, numbering, runtime, coarse).Build();
 }

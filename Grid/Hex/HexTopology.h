@@ -113,9 +113,9 @@ class CoarseHexes;
 
 /// Makes points (grid nodes; I moved inwards by BufferThickness), ids, hexes and materials. mixed: all
 /// mixed nodes (FindMixedNodes). Every corner of every hex has a positive Jacobian when all stars pass the label condition.
-/// coarse: of a refined grid, else null. Throws InputError when an id does not fit.
+/// coarse: the hexes beside those of finest cells. Throws InputError when an id does not fit.
 Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
-  CoarseHexes* coarse = nullptr);
+  CoarseHexes& coarse);
 
 } // namespace vfm

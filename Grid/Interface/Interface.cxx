@@ -45,30 +45,17 @@ Index Interface::Find(Index node) const
 
 void Interface::FindFaces(const LabelArray& labels)
 {
-  for (Index node : this->MixedNodes)
-  {
-    const Index3 p = this->TheGrid.Position(node);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      Index3 lower = p;
-      --lower[axis];
-      const int a = labels[node - this->TheGrid.Stride(axis)], b = labels[node];
-      if (a != b && this->TheGrid.Local().Contains(p) && this->TheGrid.Local().Contains(lower))
-      {
-        this->AddFace({ node, axis, a, b });
-      }
-    }
-  }
+  ForInterfaceFaces(this->TheGrid, labels, this->MixedNodes, this->TheGrid.Local(),
+    [this](const InterfaceFace& face, const Index3&, const Index3&) { this->AddFace(face); });
   this->LinkFaces();
 }
 
 /// Adds a face and its nodes, unless one of them is not listed.
 void Interface::AddFace(const InterfaceFace& face)
 {
-  const Index b = this->TheGrid.Stride((face.Axis + 1) % 3);
-  const Index c = this->TheGrid.Stride((face.Axis + 2) % 3);
-  const std::array<Index, 4> nodes{ { this->Find(face.Node), this->Find(face.Node + b),
-    this->Find(face.Node + b + c), this->Find(face.Node + c) } };
+  std::array<Index, 4> nodes = NodesOfFace(this->TheGrid, face);
+  std::transform(
+    nodes.begin(), nodes.end(), nodes.begin(), [this](Index node) { return this->Find(node); });
   if (std::find(nodes.begin(), nodes.end(), -1) == nodes.end())
   {
     this->TheFaces.push_back(face);

@@ -12,20 +12,10 @@
 #pragma once
 
 #include "Base/Runtime.h"
-#include "Labels/Labels.h"
+#include "Labels/InterfaceFaces.h"
 
 namespace vfm
 {
-
-/// A face between two labels, named by its lowest node and its axis; its cells are node - stride and node.
-struct InterfaceFace
-{
-  Index Node;
-  int Axis;
-  int LowerLabel, UpperLabel; ///< of the cell on the - and on the + side
-  int First() const { return std::min(this->LowerLabel, this->UpperLabel); }
-  int Second() const { return std::max(this->LowerLabel, this->UpperLabel); }
-};
 
 /// Where the interface crosses the dual edge of a face, grid coordinates.
 struct Crossing
@@ -61,7 +51,7 @@ public:
   const std::vector<InterfaceFace>& Faces() const { return this->TheFaces; }
   const std::vector<Crossing>& Crossings() const { return this->TheCrossings; }
   /// The four nodes of a face (positions in Nodes()), around it.
-  const std::array<Index, 4>& NodesOfFace(Index face) const { return this->FaceNodes[face]; }
+  const std::array<Index, 4>& CornersOfFace(Index face) const { return this->FaceNodes[face]; }
   /// Faces at the n-th node: FaceList()[FaceOffset(n) .. FaceOffset(n + 1)), ascending.
   Index FaceOffset(Index n) const { return this->FacesAt[n]; }
   const std::vector<Index>& FaceList() const { return this->FacesOfNodes; }

@@ -218,10 +218,16 @@ std::vector<Index3> MakeSteps()
 } // namespace
 
 LevelInterfaces::LevelInterfaces(const RefinedGrid& levels, const FractionField& fractions,
-  const LabelArray& labels, double isoValue, Runtime& runtime) :
+  const LabelArray& labels, const std::vector<Index>& mixed, double isoValue, Runtime& runtime) :
   Levels(levels), FirstPoint(1, 0)
 {
   const CartesianGrid& finest = levels.Finest();
+  if (levels.HasFineInterfaces())
+  {
+    this->Interfaces.push_back(
+      std::make_unique<Interface>(finest, fractions, labels, mixed, isoValue, runtime));
+    return;
+  }
   for (int level = 0; level < levels.NumberOfRefinements(); ++level)
   {
     const int halvings = levels.NumberOfRefinements() - level;
@@ -264,22 +270,25 @@ std::vector<const Interface*> LevelInterfaces::All() const
 }
 
 /// The number of the surface point of a pair at a node itself, or -1.
-Index LevelInterfaces::FindPoint(int level, const Index3& node, int first, int second) const
+Index LevelInterfaces::FindPoint(
+  int level, const Index3& node, const std::array<int, 2>& labels) const
 {
   const Interface& interface = this->Of(level);
   const Index n =
     interface.Grid().Local().Touches(node) ? interface.Find(interface.Grid().Linear(node)) : -1;
-  const SurfacePoint* point = n < 0 ? nullptr : interface.FindPoint(n, first, second);
-  return point ? this->FirstPoint[level] + (point - interface.Points().data()) : -1;
+  const SurfacePoint* point = n < 0 ? nullptr : interface.FindPoint(n, labels[0], labels[1]);
+  return point ? this->FirstPoint[this->PositionOf(level)] + (point - interface.Points().data())
+               : -1;
 }
 
-Index LevelInterfaces::FindTarget(int level, const Index3& node, int first, int second) const
+Index LevelInterfaces::FindTarget(
+  int level, const Index3& node, const std::array<int, 2>& labels) const
 {
   static const std::vector<Index3> steps = MakeSteps();
   for (const Index3& step : steps) // the first leads nowhere
   {
     const Index found = this->FindPoint(
-      level, { { node[0] + step[0], node[1] + step[1], node[2] + step[2] } }, first, second);
+      level, { { node[0] + step[0], node[1] + step[1], node[2] + step[2] } }, labels);
     if (found >= 0)
     {
       return found;

@@ -8,8 +8,14 @@ namespace vfm
 namespace
 {
 
-/// A surface: what lies on its two sides (Facet).
+/// A surface: what lies on its two sides, the smaller first: fragments, 0 not meshed, -1 - side beyond a side of the domain.
 using SurfaceKey = std::array<int, 2>;
+
+SurfaceKey KeyOf(const Facet& facet)
+{
+  const int before = facet.DomainSide < 0 ? facet.Fragments[1] : -1 - facet.DomainSide;
+  return { { std::min(facet.Fragments[0], before), std::max(facet.Fragments[0], before) } };
+}
 
 /// Numbers distinct keys from 1 in their order.
 template <class Key>
@@ -61,7 +67,7 @@ private:
     {
       if (facet.IsOwned) // what is beyond the rim is not known
       {
-        keys.push_back(facet.Sides);
+        keys.push_back(KeyOf(facet));
       }
     }
     const Numbering<SurfaceKey> numbers(this->GatherDistinct(keys));
@@ -74,19 +80,32 @@ private:
     for (std::size_t q = 0; q < count; ++q)
     {
       const Facet& facet = this->Facets[q];
-      std::copy_n(facet.Points.begin(), this->Corners, surfaces.Points.data() + this->Corners * q);
-      surfaces.SurfaceId[q] = numbers.Find(facet.Sides);
-      std::copy(
-        facet.Materials.begin(), facet.Materials.end(), surfaces.MaterialPair.data() + 2 * q);
+      this->SetFacet(q, facet);
+      surfaces.SurfaceId[q] = numbers.Find(KeyOf(facet));
       surfaces.DomainSide[q] = facet.DomainSide;
       surfaces.IsOwned.push_back(facet.IsOwned);
     }
     return numbers.Count();
   }
 
+  /// The smaller material first; the normal points to it.
+  void SetFacet(std::size_t q, const Facet& facet)
+  {
+    Index* points = this->Result.Surfaces.Points.data() + this->Corners * q;
+    std::copy_n(facet.Points.begin(), this->Corners, points);
+    int* pair = this->Result.Surfaces.MaterialPair.data() + 2 * q;
+    std::reverse_copy(facet.Materials.begin(), facet.Materials.end(), pair);
+    if (pair[0] > pair[1])
+    {
+      std::swap(pair[0], pair[1]);
+      std::swap(points[1], points[this->Corners - 1]);
+    }
+  }
+
   void ClassifyPoints(MeshReport& report)
   {
     const SurfaceFacets& surfaces = this->Result.Surfaces;
+    this->Result.GeometryDimension = Buffer<int>(this->Result.PointIds.size(), 3);
     std::vector<std::pair<Index, int>> on; // (point, surface)
     for (std::size_t q = 0; q < this->Facets.size(); ++q)
     {

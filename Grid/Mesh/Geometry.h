@@ -9,26 +9,15 @@
 #pragma once
 
 #include "Base/Partition.h"
+#include "Mesh/Facet.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
 
 namespace vfm
 {
 
-/// A face of elements on a surface.
-struct Facet
-{
-  std::array<Index, 4> Points; ///< of the mesh; three in triangles
-  std::array<int, 2>
-    Sides; ///< fragments, the smaller first; 0 not meshed, -1 - side beyond a side of the domain
-  std::array<int, 2>
-    Materials;    ///< the smaller first; the normal points from the second to the first
-  int DomainSide; ///< -1, or 0..5
-  bool IsOwned;   ///< this rank writes it
-};
-
-/// Fills mesh.Surfaces, GeometryDimension and GeometryId of the points on facets, and the counts of the report.
-/// Collective.
+/// Fills mesh.Surfaces, mesh.GeometryDimension, mesh.GeometryId of the points on facets (inside volumes they are their fragments),
+/// and the counts of the report. Collective.
 void ClassifyGeometry(const std::vector<Facet>& facets, const CartesianGrid& grid,
   const Partition& partition, Mesh& mesh, MeshReport& report);
 

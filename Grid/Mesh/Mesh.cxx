@@ -20,7 +20,7 @@ bool IsCoarse(const Mesh& mesh, Index element)
 
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
-  if (mesh.Levels && mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
+  if (mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
   {
     return mesh.Levels->NodeOfCoarsePoint(id, mesh.Ids.PointSlots);
   }
@@ -29,7 +29,7 @@ Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
 
 IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
-  if (mesh.Levels && IsCoarse(mesh, id))
+  if (IsCoarse(mesh, id))
   {
     const OctreeKeys::LevelIndex cell = mesh.Corners == 8
       ? mesh.Levels->CellOfCoarseElement(id, mesh.Ids.ElementSlots)

@@ -43,7 +43,7 @@ struct Mesh
   SurfaceFacets Surfaces;
   std::vector<Index> RowOffset; ///< of hexes of the grid's own cells: the first of each row of
                                 ///< CartesianGrid::HexBox (x fastest), and the end
-  std::shared_ptr<const RefinedGrid> Levels; ///< null: all hexes are those of the grid's own cells
+  std::shared_ptr<const RefinedGrid> Levels; ///< which cells of the grid they are; never null
 
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
 };

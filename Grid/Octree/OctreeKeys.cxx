@@ -70,7 +70,10 @@ OctreeKeys::OctreeKeys(
   const CartesianGrid& base, int refinements, std::array<std::vector<double>, 3> finest) :
   Grid(base), X(std::move(finest))
 {
-  CheckKeys(base, refinements);
+  if (refinements > 0)
+  {
+    CheckKeys(base, refinements);
+  }
   Index nodes = 0, hexes = 0;
   for (int level = 0; level <= refinements; ++level)
   {

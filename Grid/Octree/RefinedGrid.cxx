@@ -18,9 +18,12 @@ RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
   TheLattice(this->BaseGrid, plan.Refinements,
     { { finest.Coordinates(0), finest.Coordinates(1), finest.Coordinates(2) } }),
   Sets(this->TheLattice, this->GatherFamilies(plan, interfaces, ranks)),
-  FineInterfaces(plan.FineInterfaces)
+  FineInterfaces(plan.FineInterfaces || plan.Refinements == 0)
 {
-  this->MarkFine();
+  if (!this->IsUniform())
+  {
+    this->MarkFine();
+  }
 }
 
 /// The families of the last refinement around nodes.
@@ -55,7 +58,7 @@ std::vector<std::vector<Index>> RefinedGrid::GatherFamilies(
 {
   std::vector<std::vector<Index>> families = plan.Families;
   families.resize(plan.Refinements);
-  if (plan.FineInterfaces)
+  if (plan.FineInterfaces && plan.Refinements > 0)
   {
     const std::vector<Index> around = this->FindFamilies(interfaces, plan.FineLayers);
     families.back().insert(families.back().end(), around.begin(), around.end());
@@ -104,9 +107,9 @@ Index RefinedGrid::RowOfFamilies(Index j, Index k) const
 bool RefinedGrid::IsFine(const Index3& cell) const
 {
   const IndexBox& box = this->FinestGrid.Local();
-  if (box.NumberOfCells() == 0)
+  if (this->IsUniform() || box.NumberOfCells() == 0)
   {
-    return false;
+    return this->IsUniform();
   }
   Index3 q;
   for (int a = 0; a < 3; ++a)
@@ -116,17 +119,14 @@ bool RefinedGrid::IsFine(const Index3& cell) const
   return this->Fine[IndexInBox(this->Marked, q)];
 }
 
-bool RefinedGrid::TouchesFine(const Index3& node) const
+int RefinedGrid::CountFineAround(const Index3& node) const
 {
+  int count = 0;
   for (int c = 0; c < 8; ++c)
   {
-    if (this->IsFine(
-          { { node[0] - 1 + (c & 1), node[1] - 1 + (c >> 1 & 1), node[2] - 1 + (c >> 2) } }))
-    {
-      return true;
-    }
+    count += this->IsFine(CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c));
   }
-  return false;
+  return count;
 }
 
 OctreeKeys::LevelIndex RefinedGrid::LeafOf(const Index3& finestCell) const
@@ -283,6 +283,10 @@ OctreeKeys::LevelIndex RefinedGrid::CellOfCoarseTet(Index id, Index slots) const
 
 Index RefinedGrid::EndOfPointIds(Index slots) const
 {
+  if (this->IsUniform())
+  {
+    return NumberOfNodes(this->FinestGrid) * slots + 1;
+  }
   Index3 last;
   for (int a = 0; a < 3; ++a)
   {

@@ -1,5 +1,5 @@
 /**
- * RefinedGrid: which cells of a grid stay fine, and where coarser cells take their place.
+ * RefinedGrid: which cells of a grid stay fine, and where coarser cells take their place. Without refinements all stay.
  *
  * The stages see the CartesianGrid of the finest level. The base grid's cells are 2^refinements finest ones along each axis.
  * Where a family of the last refinement is refined (OctantFamilies.h) the finest cells are hexes of their own; everywhere else
@@ -37,11 +37,16 @@ public:
   int NumberOfRefinements() const { return this->TheLattice.NumberOfRefinements(); }
   /// Whether all cells at interfaces are finest ones.
   bool HasFineInterfaces() const { return this->FineInterfaces; }
+  /// Whether all cells are finest ones: a grid without refinements.
+  bool IsUniform() const { return this->NumberOfRefinements() == 0; }
 
   /// Whether a finest cell of the local box, or the one that a cell beside the domain mirrors, is a hex of its own.
   bool IsFine(const Index3& cell) const;
   /// Whether a cell at a node of the finest grid is a hex of its own.
-  bool TouchesFine(const Index3& node) const;
+  bool TouchesFine(const Index3& node) const { return this->CountFineAround(node) > 0; }
+
+  /// Whether all of them are.
+  bool IsFineAround(const Index3& node) const { return this->CountFineAround(node) == 8; }
 
   /// The leaf that a finest cell of the domain is or lies in: the coarsest cell around it that is not refined. Slot 0.
   OctreeKeys::LevelIndex LeafOf(const Index3& finestCell) const;
@@ -92,6 +97,8 @@ public:
   Index EndOfPointIds(Index slots) const;
 
 private:
+  /// Of the eight cells at a node.
+  int CountFineAround(const Index3& node) const;
   std::vector<Index> FindFamilies(const std::vector<Index>& interfaces, int layers) const;
   std::vector<std::vector<Index>> GatherFamilies(
     const LevelPlan& plan, const std::vector<Index>& interfaces, Ranks& ranks) const;
@@ -145,6 +152,11 @@ template <class Visitor>
 void RefinedGrid::ForFineCells(
   Index j, Index k, Index first, Index last, const Visitor& visit) const
 {
+  if (this->IsUniform())
+  {
+    visit(first, last);
+    return;
+  }
   const Index row = this->RowOfFamilies(j, k);
   this->ForFineFamilies({ { row, row, row, row } },
     [&](Index begin, Index end)
@@ -162,6 +174,11 @@ template <class Visitor>
 void RefinedGrid::ForFineNodes(
   Index j, Index k, Index first, Index last, const Visitor& visit) const
 {
+  if (this->IsUniform())
+  {
+    visit(first, last);
+    return;
+  }
   this->ForFineFamilies({ { this->RowOfFamilies(j - 1, k - 1), this->RowOfFamilies(j, k - 1),
                           this->RowOfFamilies(j - 1, k), this->RowOfFamilies(j, k) } },
     [&](Index begin, Index end)

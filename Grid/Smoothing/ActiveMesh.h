@@ -23,12 +23,11 @@ struct Attachment
   double Offset = 0.0; ///< by which its zero level moves to the second label; in the target's frame
 };
 
-/// A face between two fragments: what volumes are measured with.
+/// A face between two fragments: what volumes are measured with, on one rank each.
 struct InterfaceFacet
 {
-  std::array<int, 4> Points; ///< around it; the last twice in triangles
-  int Lower, Upper;          ///< fragments behind and before it (by the normal); 0 where not meshed
-  bool Counts;               ///< here: one rank counts each facet
+  std::array<int, 4> Points;    ///< around it; the last twice in triangles
+  std::array<int, 2> Fragments; ///< behind and before it (by the normal); 0 where not meshed
 };
 
 struct ActiveMesh
@@ -43,6 +42,7 @@ struct ActiveMesh
   std::vector<Vector3> X;           ///< of every point
   std::vector<Vector3> Start;       ///< where each point started
   std::vector<Index> MeshPoint;     ///< its index in the mesh
+  std::vector<int> PointOf;         ///< of each mesh point: its index here, or -1
   std::vector<unsigned char> Fixed; ///< bit a: coordinate a stays
   std::vector<unsigned char> IsActive; ///< of every point
   std::vector<int> Elements;           ///< Corners points an element

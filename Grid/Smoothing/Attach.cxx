@@ -5,76 +5,122 @@ namespace vfm
 namespace
 {
 
-/// The fragments below and above a face; 0 where not meshed, or far from the owned cells.
-std::array<int, 2> FragmentsOfFace(
-  const CartesianGrid& grid, const Fragments& fragments, const InterfaceFace& face)
+/// A pair of labels that meets at a point, the smaller first, and the fragments there.
+struct Pair
 {
-  const Index3 upper = grid.Position(face.Node);
-  Index3 lower = upper;
-  --lower[face.Axis];
-  if (!grid.HexBox().Contains(lower) || !grid.HexBox().Contains(upper))
+  std::array<int, 2> Labels, Fragments;
+  bool operator<(const Pair& other) const
   {
-    return { { 0, 0 } };
+    return this->Labels != other.Labels ? this->Labels < other.Labels
+                                        : this->Fragments < other.Fragments;
   }
-  return { { fragments.FragmentOfCell(lower), fragments.FragmentOfCell(upper) } };
+};
+
+Pair PairOf(const Facet& facet)
+{
+  Pair pair{ facet.Materials, facet.Fragments };
+  if (pair.Labels[0] > pair.Labels[1])
+  {
+    std::swap(pair.Labels[0], pair.Labels[1]);
+    std::swap(pair.Fragments[0], pair.Fragments[1]);
+  }
+  return pair;
 }
 
-void AddAttachments(const Interface& interface, const std::vector<int>& points, ActiveMesh& active)
+/// Calls visit(point) for the points of a facet of an interface that move.
+template <class Visitor>
+void ForMoving(const Facet& facet, const ActiveMesh& active, const Visitor& visit)
 {
-  std::vector<Index> nodeOf(active.X.size(), -1);
-  for (std::size_t n = 0; n < points.size(); ++n)
+  const std::size_t corners = facet.Points[2] == facet.Points[3] ? 3 : 4;
+  for (std::size_t c = 0; facet.DomainSide < 0 && c < corners; ++c)
   {
-    if (points[n] >= 0)
+    const int point = active.PointOf[facet.Points[c]];
+    if (point >= 0 && active.IsActive[point])
     {
-      nodeOf[points[n]] = static_cast<Index>(n);
+      visit(point);
     }
   }
-  for (Index n : nodeOf)
-  {
-    active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
-    for (Index t = n < 0 ? 0 : interface.PointOffset(n); n >= 0 && t < interface.PointOffset(n + 1);
-         ++t)
-    {
-      active.Attachments.push_back({ t });
-    }
-  }
-  active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
 }
+
+/// The pairs at each moving point, one entry a facet.
+class PairsAtPoints
+{
+public:
+  PairsAtPoints(const std::vector<Facet>& facets, const ActiveMesh& active) :
+    Facets(facets), Begin(active.X.size() + 1, 0)
+  {
+    for (const Facet& facet : facets)
+    {
+      ForMoving(facet, active, [this](int point) { ++this->Begin[point + 1]; });
+    }
+    for (std::size_t p = 1; p < this->Begin.size(); ++p)
+    {
+      this->Begin[p] += this->Begin[p - 1];
+    }
+    this->List.resize(this->Begin.back());
+    std::vector<Index> next(this->Begin.begin(), this->Begin.end() - 1);
+    for (std::size_t f = 0; f < facets.size(); ++f)
+    {
+      ForMoving(
+        facets[f], active, [&](int point) { this->List[next[point]++] = static_cast<int>(f); });
+    }
+  }
+
+  /// The distinct pairs of labels at a point, ascending, each with its smallest fragments.
+  void Find(int point, std::vector<Pair>& pairs) const
+  {
+    pairs.clear();
+    for (Index at = this->Begin[point]; at < this->Begin[point + 1]; ++at)
+    {
+      pairs.push_back(PairOf(this->Facets[this->List[at]]));
+    }
+    std::sort(pairs.begin(), pairs.end());
+    const auto alike = [](const Pair& a, const Pair& b) { return a.Labels == b.Labels; };
+    pairs.erase(std::unique(pairs.begin(), pairs.end(), alike), pairs.end());
+  }
+
+private:
+  const std::vector<Facet>& Facets;
+  std::vector<Index> Begin;
+  std::vector<int> List;
+};
 
 } // namespace
 
-void AttachToNodes(const Interface& interface, const std::vector<int>& points,
-  const Fragments& fragments, const Partition& partition, ActiveMesh& active)
+void AttachToFacets(
+  const std::vector<Facet>& facets, const FindTarget& findTarget, ActiveMesh& active)
 {
-  AddAttachments(interface, points, active);
-  for (std::size_t f = 0; f < interface.Faces().size(); ++f)
+  const PairsAtPoints at(facets, active);
+  std::vector<Pair> pairs;
+  active.AttachmentOffset.assign(1, 0);
+  for (int point = 0; point < static_cast<int>(active.X.size()); ++point)
   {
-    const InterfaceFace& face = interface.Faces()[f];
-    const std::array<int, 2> sides = FragmentsOfFace(interface.Grid(), fragments, face);
-    InterfaceFacet facet{ {}, sides[0], sides[1],
-      partition.OwnsCell(interface.Grid().Position(face.Node)) };
-    bool complete = true;
-    for (int c = 0; c < 4; ++c)
+    at.Find(point, pairs);
+    for (const Pair& pair : pairs)
     {
-      const Index n = interface.NodesOfFace(static_cast<Index>(f))[c];
-      const int point = points[n];
-      facet.Points[c] = point;
-      complete = complete && point >= 0;
-      if (point < 0)
+      const Index target = findTarget(point, pair.Labels);
+      if (target >= 0)
       {
-        continue;
+        active.Attachments.push_back({ target, pair.Fragments });
       }
-      const bool ordered = face.LowerLabel < face.UpperLabel;
-      const Index pair = interface.FindPoint(n, face.First(), face.Second()) -
-        interface.Points().data() - interface.PointOffset(n);
-      active.Attachments[active.AttachmentOffset[point] + pair].Fragments = {
-        { sides[ordered ? 0 : 1], sides[ordered ? 1 : 0] }
-      };
     }
-    if (complete)
+    active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
+  }
+}
+
+void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active)
+{
+  active.Facets.clear();
+  for (const Facet& facet : facets)
+  {
+    if (facet.DomainSide >= 0 || !facet.IsOwned)
     {
-      active.Facets.push_back(facet);
+      continue;
     }
+    InterfaceFacet measured{ {}, facet.Fragments };
+    std::transform(facet.Points.begin(), facet.Points.end(), measured.Points.begin(),
+      [&](Index point) { return active.PointOf[point]; });
+    active.Facets.push_back(measured);
   }
 }
 

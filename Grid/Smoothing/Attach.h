@@ -1,19 +1,25 @@
 /**
- * Ties an active mesh to its interfaces: which targets its surface points are drawn to, and the facets that volumes are
- * measured with.
+ * Ties an active mesh to its interfaces: which targets its points are drawn to, and the facets that volumes are measured with.
  */
 #pragma once
 
-#include "Base/Partition.h"
-#include "Labels/Fragments.h"
+#include "Mesh/Facet.h"
 #include "Smoothing/ActiveMesh.h"
+
+#include <functional>
 
 namespace vfm
 {
 
-/// Where the surface points are the mixed nodes, points[n] the point of the n-th node of the interface or -1: each is drawn to
-/// the targets of its node, and every interface face is a facet (a quad).
-void AttachToNodes(const Interface& interface, const std::vector<int>& points,
-  const Fragments& fragments, const Partition& partition, ActiveMesh& active);
+/// The target (SurfaceTargets) of a pair of labels, the smaller first, at a point of an active mesh; -1: none, the point stays free of
+/// that pair.
+using FindTarget = std::function<Index(int point, const std::array<int, 2>& labels)>;
+
+/// Draws the points that move to the target of each pair of labels whose interface has a facet there.
+void AttachToFacets(
+  const std::vector<Facet>& facets, const FindTarget& findTarget, ActiveMesh& active);
+
+/// Fills ActiveMesh::Facets with the owned facets of interfaces.
+void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active);
 
 } // namespace vfm

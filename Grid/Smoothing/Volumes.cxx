@@ -37,14 +37,6 @@ int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   return best;
 }
 
-int CellLocator::FindNear(const Index3& cell, int material) const
-{
-  return FindNearestCell(this->Grid, cell,
-    [&](const Index3& q) {
-      return this->Labels[this->Grid.Linear(q)] == material ? this->Pieces.FragmentOfCell(q) : 0;
-    });
-}
-
 namespace
 {
 
@@ -197,20 +189,17 @@ void FragmentVolumes::Measure(const ActiveMesh& mesh)
   PairSumMap areas;
   for (const InterfaceFacet& facet : mesh.Facets)
   {
-    if (!facet.Counts)
-    {
-      continue;
-    }
-    std::array<Vector3, 4> before, after;
+    std::array<Vector3, 4> start, now;
     for (int c = 0; c < 4; ++c)
     {
-      before[c] = mesh.Start[facet.Points[c]];
-      after[c] = mesh.X[facet.Points[c]];
+      start[c] = mesh.Start[facet.Points[c]];
+      now[c] = mesh.X[facet.Points[c]];
     }
-    const double volume = VolumeBetween(before, after);
-    swept[facet.Lower].Add(volume);
-    swept[facet.Upper].Add(-volume);
-    areas[std::minmax(facet.Lower, facet.Upper)].Add(AreaOf(after));
+    const double volume = VolumeBetween(start, now);
+    const auto& [behind, before] = facet.Fragments;
+    swept[behind].Add(volume);
+    swept[before].Add(-volume);
+    areas[std::minmax(behind, before)].Add(AreaOf(now));
   }
   this->Swept = SumOverRanks(swept, this->Parts.Group());
   this->Areas = GatherPairSums(areas, this->Parts.Group());

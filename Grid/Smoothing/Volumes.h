@@ -33,26 +33,6 @@ public:
 int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   const std::function<int(const Index3&)>& fragmentOf);
 
-/// Where fragments are made of cells.
-class CellLocator : public FragmentLocator
-{
-public:
-  CellLocator(const CartesianGrid& grid, const LabelArray& labels, const Fragments& fragments) :
-    Grid(grid), Labels(labels), Pieces(fragments)
-  {
-  }
-  void ForRuns(Index j, Index k, const Body& body) const override
-  {
-    this->Pieces.ForRuns(j, k, body);
-  }
-  int FindNear(const Index3& cell, int material) const override;
-
-protected:
-  const CartesianGrid& Grid;
-  const LabelArray& Labels;
-  const Fragments& Pieces;
-};
-
 class FragmentVolumes
 {
 public:

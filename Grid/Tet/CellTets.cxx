@@ -310,14 +310,14 @@ TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, b
 
 bool IsCentre(const Mesh& mesh, Index pointId)
 {
-  return mesh.Levels && mesh.Levels->IsCoarsePoint(pointId, mesh.Ids.PointSlots)
+  return mesh.Levels->IsCoarsePoint(pointId, mesh.Ids.PointSlots)
     ? mesh.Levels->IsCoarseCentre(pointId, mesh.Ids.PointSlots)
     : SlotOfPoint(pointId) == CentreSlot;
 }
 
 Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId)
 {
-  if (!mesh.Levels || !mesh.Levels->IsCoarsePoint(pointId, mesh.Ids.PointSlots))
+  if (!mesh.Levels->IsCoarsePoint(pointId, mesh.Ids.PointSlots))
   {
     return NodeOfPoint(grid, mesh, pointId);
   }

@@ -27,7 +27,7 @@ std::vector<Corner> ListCorners(const TetTopology& topology, const TetFaces& fac
 {
   std::vector<Corner> corners;
   const Mesh& mesh = topology.Tets;
-  for (const TetFacet& facet : faces.Facets)
+  for (const TetFace& facet : faces.Faces)
   {
     for (int c = 0; c < 3; ++c)
     {

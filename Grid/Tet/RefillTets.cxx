@@ -242,10 +242,8 @@ private:
       dimension[p] = mesh.GeometryDimension[kept[p]];
       geometry[p] = mesh.GeometryId[kept[p]];
     }
-    const Index3& n = this->Grid.Global().Upper;
-    Index id = mesh.Levels ? mesh.Levels->EndOfPointIds(mesh.Ids.PointSlots)
-                           : (n[0] + 1) * (n[1] + 1) * (n[2] + 1) * mesh.Ids.PointSlots + 1;
-    id += OffsetOfPieces(ranks, static_cast<Index>(this->Added.size()));
+    Index id = mesh.Levels->EndOfPointIds(mesh.Ids.PointSlots) +
+      OffsetOfPieces(ranks, static_cast<Index>(this->Added.size()));
     for (std::size_t p = 0; p < this->Added.size(); ++p)
     {
       const NewPoint& added = this->Added[p];

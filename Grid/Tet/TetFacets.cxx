@@ -98,10 +98,27 @@ TetFaces FindTetFaces(const TetTopology& topology, const CartesianGrid& grid)
     }
     const Index* tet = mesh.Elements.data() + 4 * inner->Tet;
     const int* corners = FaceOfTet[inner->Corner];
-    faces.Facets.push_back({ { { tet[corners[0]], tet[corners[1]], tet[corners[2]] } }, inner->Tet,
+    faces.Faces.push_back({ { { tet[corners[0]], tet[corners[1]], tet[corners[2]] } }, inner->Tet,
       outer ? outer->Tet : -1, outer ? -1 : DomainSideOf(topology, grid, *inner) });
   }
   return faces;
+}
+
+std::vector<Facet> ListFacets(
+  const TetFaces& faces, const CartesianGrid& grid, const Partition& partition, const Mesh& mesh)
+{
+  std::vector<Facet> facets;
+  facets.reserve(faces.Faces.size());
+  for (const TetFace& face : faces.Faces)
+  {
+    const bool isAlone = face.Outer < 0;
+    const Index writer = isAlone ? face.Inner : std::min(face.Inner, face.Outer);
+    facets.push_back({ { { face.Points[0], face.Points[1], face.Points[2], face.Points[2] } },
+      { { mesh.Material[face.Inner], isAlone ? 0 : mesh.Material[face.Outer] } },
+      { { mesh.Fragment[face.Inner], isAlone ? 0 : mesh.Fragment[face.Outer] } }, face.DomainSide,
+      partition.OwnsCell(CellOfElement(grid, mesh, mesh.ElementIds[writer])) });
+  }
+  return facets;
 }
 
 std::vector<std::array<Index, 3>> FindBoundary(const Mesh& mesh, const std::vector<Index>& tets)

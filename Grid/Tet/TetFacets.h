@@ -3,13 +3,15 @@
  */
 #pragma once
 
+#include "Base/Partition.h"
+#include "Mesh/Facet.h"
 #include "Tet/TetTopology.h"
 
 namespace vfm
 {
 
-/// A triangle between two materials, or on a side of the domain.
-struct TetFacet
+/// A triangle between two materials, or on a side of the domain, and its tets.
+struct TetFace
 {
   std::array<Index, 3> Points; ///< normal out of Inner
   Index Inner;                 ///< the tet of the larger material, or the only one
@@ -19,12 +21,16 @@ struct TetFacet
 
 struct TetFaces
 {
-  std::vector<TetFacet> Facets;
+  std::vector<TetFace> Faces;
   std::vector<std::array<Index, 2>>
     Joined; ///< tets of one material on both sides of a face whose points may lie on interfaces
 };
 
 TetFaces FindTetFaces(const TetTopology& topology, const CartesianGrid& grid);
+
+/// What the faces are once the tets have fragments.
+std::vector<Facet> ListFacets(
+  const TetFaces& faces, const CartesianGrid& grid, const Partition& partition, const Mesh& mesh);
 
 /// The boundary of some tets of a mesh, normals outward.
 std::vector<std::array<Index, 3>> FindBoundary(const Mesh& mesh, const std::vector<Index>& tets);

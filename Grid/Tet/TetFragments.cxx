@@ -42,7 +42,7 @@ void ForCentres(const TetTopology& topology, const CartesianGrid& grid, const Vi
     }
     const Index3 cell = NodeOfPoint(grid, mesh, id);
     IndexBox cells{ cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
-    if (mesh.Levels && mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
+    if (mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
     {
       const OctreeKeys::LevelIndex leaf = mesh.Levels->CellOfCoarseCentre(id, mesh.Ids.PointSlots);
       cells = Intersect(mesh.Levels->FinestCells(leaf.Level, leaf.At), grid.HexBox());

@@ -1,10 +1,11 @@
 /// Volumes where labels belong to leaves: fragments near a leaf, their targets, and the hexes at the start.
-#include "Smoothing/LeafVolumes.h"
 #include "Base/Partition.h"
 #include "RankMeshes.h"
+#include "Smoothing/CellLocator.h"
 
 #include "Hex/CoarseHexes.h"
 #include "Hex/HexTopology.h"
+#include "Hex/MeasureHexes.h"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +70,7 @@ struct RandomLeaves
   RefinedGrid Levels;
   LabelArray Labels;
   Fragments Pieces;
-  LeafLocator Locator;
+  CellLocator Locator;
 };
 
 /// The fragments of a material that touch a leaf, by the squared distance of centres as FindNear tells.
@@ -108,12 +109,13 @@ std::map<Index, std::set<int>> FindTouching(
 
 } // namespace
 
-TEST(LeafLocator, AreThoseOfCellsWhereAllCellsAreFine)
+TEST(CellLocator, AreThoseOfCellsWhereAllCellsAreFine)
 {
   const CartesianGrid grid = MakeUnitGrid(8, 12, 16);
   Ranks alone;
   const RandomLeaves leaves(grid, 1, 1.0, 4, alone);
-  const CellLocator cells(grid, leaves.Labels, leaves.Pieces);
+  const RefinedGrid uniform(grid, LevelPlan(), {}, alone);
+  const CellLocator cells(uniform, leaves.Labels, leaves.Pieces);
   int found = 0, missed = 0;
   ForCells(grid.Global(),
     [&](const Index3& p)
@@ -132,7 +134,7 @@ TEST(LeafLocator, AreThoseOfCellsWhereAllCellsAreFine)
   EXPECT_GT(found, 0);
 }
 
-TEST(LeafLocator, AreTheNearestLeaves)
+TEST(CellLocator, AreTheNearestLeaves)
 {
   Ranks alone;
   std::set<int> levels; // of leaves with finer ones beside, and of all
@@ -173,7 +175,7 @@ TEST(LeafLocator, AreTheNearestLeaves)
   EXPECT_GT(missed, 0);
 }
 
-TEST(LeafLocator, GiveACoarseLeafToThePieceBeside)
+TEST(CellLocator, GiveACoarseLeafToThePieceBeside)
 {
   // two bodies of material 2: one beside the leaf at x 4..8 that holds a fifth of it everywhere, one far away
   const CartesianGrid grid = MakeUnitGrid(24, 4, 4);
@@ -195,14 +197,15 @@ TEST(LeafLocator, GiveACoarseLeafToThePieceBeside)
     return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, partition)
       .FragmentTargets();
   };
-  const std::vector<double> leaves = targets(LeafLocator(levels, labels, pieces));
+  const std::vector<double> leaves = targets(CellLocator(levels, labels, pieces));
   EXPECT_NEAR(leaves[beside], 64.0 + 12.8, 1e-9);
   EXPECT_NEAR(leaves[far], 64.0, 1e-9);
-  const std::vector<double> cells = targets(CellLocator(grid, labels, pieces));
+  const std::vector<double> cells =
+    targets(CellLocator(RefinedGrid(grid, LevelPlan(), {}, runtime.Group()), labels, pieces));
   EXPECT_GT(cells[far], 68.0); // most of the fifth is near no cell of a body: both get a share
 }
 
-TEST(LeafLocator, RanksAgree)
+TEST(CellLocator, RanksAgree)
 {
   for (int refinements : { 1, 2, 3 })
   {
@@ -247,7 +250,7 @@ struct Stairs
     PointNumbering numbering(grid, this->Labels, true, true);
     CoarseHexes coarse(*this->Levels, this->Labels, true, runtime);
     this->Hexes = BuildHexes(
-      grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, &coarse);
+      grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, coarse);
     this->Hexes.Levels = this->Levels;
     this->Hexes.Fragment = Buffer<int>(this->Hexes.ElementIds.size());
     for (std::size_t h = 0; h < this->Hexes.ElementIds.size(); ++h)

@@ -74,7 +74,8 @@ struct LevelCase
   LevelCase(const CartesianGrid& grid, const FractionField& fractions, const LevelPlan& plan,
     SurfaceTargets::Kind kind) :
     Levels(grid, plan, {}, Run.Group()),
-    Interfaces(Levels, fractions, MakeBlockyLabels(Levels, fractions), 0.5, Run),
+    Labels(MakeBlockyLabels(Levels, fractions)),
+    Interfaces(Levels, fractions, Labels, FindMixedNodes(Levels.Finest(), Labels), 0.5, Run),
     Targets(Interfaces.All(), kind, Run)
   {
   }
@@ -95,6 +96,7 @@ struct LevelCase
 
   Runtime Run;
   RefinedGrid Levels;
+  LabelArray Labels;
   LevelInterfaces Interfaces;
   SurfaceTargets Targets;
 };
@@ -168,7 +170,7 @@ TEST_P(LevelTargets, LieOnTheSphere)
         // half a cell outside, so in the void; normals point from there into the sphere
         const Vector3 outside = x + (.5 * scale / Norm(away)) * away;
         EXPECT_NEAR(levels.Targets.Distance(first + p, outside, gradient), -.5, .06);
-        EXPECT_EQ(levels.Interfaces.FindTarget(level, node, 0, 1), first + p);
+        EXPECT_EQ(levels.Interfaces.FindTarget(level, node, { { 0, 1 } }), first + p);
         largest = std::max(largest, std::fabs(d));
         farthest = std::max(farthest, std::fabs(distance));
         squares += d * d;
@@ -209,7 +211,7 @@ TEST(LevelInterfaces, FindsTheNearestTarget)
       continue;
     }
     ++tried;
-    const Index target = levels.Interfaces.FindTarget(0, p, 0, 1);
+    const Index target = levels.Interfaces.FindTarget(0, p, { { 0, 1 } });
     ASSERT_GE(target, 0);
     Index nearest = 100, own = 100; // squares
     for (Index n = 0; n < static_cast<Index>(interface.Nodes().size()); ++n)
@@ -227,9 +229,10 @@ TEST(LevelInterfaces, FindsTheNearestTarget)
     EXPECT_EQ(own, nearest);
   }
   EXPECT_GT(tried, 10);
-  EXPECT_EQ(levels.Interfaces.FindTarget(0, { { 12, 12, 12 } }, 0, 1), -1);
+  EXPECT_EQ(levels.Interfaces.FindTarget(0, { { 12, 12, 12 } }, { { 0, 1 } }), -1);
   EXPECT_EQ(
-    levels.Interfaces.FindTarget(0, interface.Grid().Position(interface.Nodes()[0]), 0, 2), -1);
+    levels.Interfaces.FindTarget(0, interface.Grid().Position(interface.Nodes()[0]), { { 0, 2 } }),
+    -1);
 }
 
 /// The gradient is that of the distance; distances are in cells of the level, so a step along the gradient of one finest cell is less
@@ -297,8 +300,8 @@ TEST_P(LevelParts, SameAsOfTheWhole)
         {
           continue;
         }
-        const Index a = whole.Interfaces.FindTarget(level, p, 0, 1);
-        const Index b = part.Interfaces.FindTarget(level, p, 0, 1);
+        const Index a = whole.Interfaces.FindTarget(level, p, { { 0, 1 } });
+        const Index b = part.Interfaces.FindTarget(level, p, { { 0, 1 } });
         ASSERT_GE(a, 0);
         ASSERT_GE(b, 0);
         const Vector3 x =

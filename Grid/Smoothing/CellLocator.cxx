@@ -1,6 +1,5 @@
-#include "Smoothing/LeafVolumes.h"
+#include "Smoothing/CellLocator.h"
 
-#include "Base/HexVolume.h"
 #include "Fractions/RefineCells.h"
 
 #include <limits>
@@ -9,10 +8,10 @@ namespace vfm
 {
 
 /// Looks at the leaves around one. Only those that touch it count: of other ranks' cells no more may be known here.
-class LeafLocator::Search
+class CellLocator::Search
 {
 public:
-  Search(const LeafLocator& locator, const OctreeKeys::LevelIndex& leaf, int material) :
+  Search(const CellLocator& locator, const OctreeKeys::LevelIndex& leaf, int material) :
     Locator(locator),
     Material(material),
     Leaf(leaf),
@@ -86,7 +85,7 @@ private:
     }
   }
 
-  const LeafLocator& Locator;
+  const CellLocator& Locator;
   const int Material;
   const OctreeKeys::LevelIndex Leaf;
   const IndexBox LeafBox, HexBox;
@@ -94,56 +93,16 @@ private:
   Index Nearest = std::numeric_limits<Index>::max();
 };
 
-int LeafLocator::FindNear(const Index3& cell, int material) const
+int CellLocator::FindNear(const Index3& cell, int material) const
 {
-  return Search(*this, this->Levels.LeafOf(cell), material).Run();
-}
-
-namespace
-{
-
-/// In mean cells. From the first corner, so that coordinates may be large.
-double VolumeOfHex(const Mesh& mesh, const Index* hex, double scale)
-{
-  std::array<Vector3, 8> x;
-  for (int c = 0; c < 8; ++c)
+  if (!this->Levels.HasFineInterfaces())
   {
-    std::copy_n(mesh.Points.data() + 3 * hex[c], 3, x[c].begin());
+    return Search(*this, this->Levels.LeafOf(cell), material).Run();
   }
-  std::array<Vector3, 4> lower, upper;
-  for (int c = 0; c < 4; ++c)
-  {
-    lower[c] = scale * (x[c] - x[0]);
-    upper[c] = scale * (x[c + 4] - x[0]);
-  }
-  return VolumeBetween(lower, upper);
-}
-
-} // namespace
-
-std::vector<double> MeasureHexes(
-  const Mesh& mesh, const CartesianGrid& grid, int fragments, Runtime& runtime)
-{
-  const Index count = static_cast<Index>(mesh.ElementIds.size());
-  const double scale = 1.0 / grid.MeanWidth();
-  std::vector<double> volumes(count, 0.0);
-  runtime.For(0, count,
-    [&](Index begin, Index end)
-    {
-      for (Index h = begin; h < end; ++h)
-      {
-        if (grid.Owned().Contains(CellOfElement(grid, mesh, mesh.ElementIds[h])))
-        {
-          volumes[h] = VolumeOfHex(mesh, mesh.Elements.data() + 8 * h, scale);
-        }
-      }
+  return FindNearestCell(this->Grid, cell,
+    [&](const Index3& q) {
+      return this->Labels[this->Grid.Linear(q)] == material ? this->Pieces.FragmentOfCell(q) : 0;
     });
-  std::vector<ExactSum> sums(fragments + 1);
-  for (Index h = 0; h < count; ++h)
-  {
-    sums[mesh.Fragment[h]].Add(volumes[h]);
-  }
-  return SumOverRanks(sums, runtime.Group());
 }
 
 } // namespace vfm

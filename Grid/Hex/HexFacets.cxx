@@ -1,0 +1,275 @@
+#include "Hex/HexFacets.h"
+
+#include "Labels/InterfaceFaces.h"
+#include "Smoothing/ActiveMesh.h"
+
+namespace vfm
+{
+namespace
+{
+
+/// Calls visit(j, k, first hex, last hex + 1) for the rows of cells in HexBox.
+template <class Visitor>
+void ForRowsOfHexes(const IndexBox& box, const Mesh& mesh, const Visitor& visit)
+{
+  Index row = 0;
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j, ++row)
+    {
+      visit(j, k, mesh.RowOffset[row], mesh.RowOffset[row + 1]);
+    }
+  }
+}
+
+/// Calls visit(hex, finest cell in it that is nearest to the owned ones) for the coarse hexes with such a cell in HexBox.
+template <class Visitor>
+void ForCoarseHexes(const Mesh& mesh, const Visitor& visit)
+{
+  const RefinedGrid& levels = *mesh.Levels;
+  for (Index h = mesh.RowOffset.back(); h < static_cast<Index>(mesh.ElementIds.size()); ++h)
+  {
+    const OctreeKeys::LevelIndex leaf =
+      levels.CellOfCoarseElement(mesh.ElementIds[h], mesh.Ids.ElementSlots);
+    const Index3 cell = levels.NearestCell(leaf.Level, leaf.At);
+    if (levels.Finest().HexBox().Contains(cell)) // the others only serve smoothing
+    {
+      visit(h, cell);
+    }
+  }
+}
+
+void FillRow(const CartesianGrid& grid, const Fragments& fragments, Index j, Index k, Index first,
+  Index last, Mesh& mesh)
+{
+  const Index key = grid.CellKey({ { 0, j, k } });
+  Index runEnd = -1;
+  int fragment = 0;
+  for (Index h = first; h < last; ++h)
+  {
+    const Index i = (mesh.ElementIds[h] - 1) / HexIds.ElementSlots - key;
+    if (i >= runEnd)
+    {
+      fragment = fragments.FragmentOfCell({ { i, j, k } }, runEnd);
+    }
+    mesh.Fragment[h] = fragment;
+    mesh.GeometryId[mesh.Elements[8 * h]] = fragment; // enough for points G inside the domain
+  }
+}
+
+/// Fragments of the points I.
+void FillInnerPoints(const LabelledGrid& labelled, const PointNumbering& numbering,
+  const Fragments& fragments, Mesh& mesh)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  const IndexBox box = grid.HexBox();
+  for (Index node : labelled.Mixed)
+  {
+    const Index3 p = grid.Position(node);
+    // Nodes of no cell in the box have no numbers.
+    const bool isSplit = box.Touches(p) && numbering.IsSplit(node);
+    const std::array<int, 8> star = StarOfNode(grid, labelled.Labels, node);
+    for (int c = 0; isSplit && c < 8; ++c)
+    {
+      const Index3 cell = CellOfStar(p, c);
+      if (numbering.IsMeshed(star[c]) && box.Contains(cell))
+      {
+        mesh.GeometryId[numbering.InnerPoint(node, star[c])] = fragments.FragmentOfCell(cell);
+      }
+    }
+  }
+}
+
+class HexFacetFinder
+{
+public:
+  HexFacetFinder(const LabelledGrid& labelled, const PointNumbering& numbering,
+    const Fragments& fragments, const Partition& partition, const Mesh& mesh) :
+    Labelled(labelled),
+    Levels(*labelled.Levels.Grid),
+    Grid(this->Levels.Finest()),
+    Numbering(numbering),
+    Pieces(fragments),
+    Parts(partition),
+    Input(mesh),
+    Box(this->Grid.HexBox())
+  {
+  }
+
+  std::vector<Facet> Find()
+  {
+    ForRowsOfHexes(this->Box, this->Input,
+      [this](Index j, Index k, Index first, Index last)
+      { this->AddDomainFacets(j, k, first, last); });
+    ForCoarseHexes(
+      this->Input, [this](Index hex, const Index3& cell) { this->AddDomainFacets(hex, cell); });
+    ForInterfaceFaces(this->Grid, this->Labelled.Labels, this->Labelled.Mixed, this->Box,
+      [this](const InterfaceFace& face, const Index3& lower, const Index3& upper)
+      { this->AddFineFacet(face, lower, upper); });
+    if (const SplitNodes* splits = this->Labelled.Levels.Coarse->Splits())
+    {
+      for (const SplitNodes::Face& face : splits->Faces())
+      {
+        this->AddCoarseFacet(face);
+      }
+    }
+    return std::move(this->Found);
+  }
+
+private:
+  /// Of the hexes of a row of finest cells.
+  void AddDomainFacets(Index j, Index k, Index first, Index last)
+  {
+    const Index key = this->Grid.CellKey({ { 0, j, k } });
+    const Index3& n = this->Grid.Global().Upper;
+    const bool isRim = j == 0 || k == 0 || j == n[1] - 1 || k == n[2] - 1;
+    for (Index h = first; h < last; ++h)
+    {
+      const Index id = this->Input.ElementIds[h] - 1;
+      const Index i = id / HexIds.ElementSlots - key;
+      if (isRim || i == 0 || i == n[0] - 1)
+      {
+        this->AddDomainFacets(h, static_cast<int>(id % HexIds.ElementSlots), { { i, j, k } });
+      }
+    }
+  }
+
+  /// slot: 0 core hex, 1 + face buffer hex, whose faces along its own axis are not on the boundary.
+  void AddDomainFacets(Index hex, int slot, const Index3& cell)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      if (slot > 0 && (slot - 1) / 2 == a)
+      {
+        continue;
+      }
+      if (cell[a] == 0)
+      {
+        this->AddDomainFacet(hex, 2 * a, 2 * a, cell);
+      }
+      if (cell[a] == this->Grid.Global().Upper[a] - 1)
+      {
+        this->AddDomainFacet(hex, 2 * a + 1, 2 * a + 1, cell);
+      }
+    }
+  }
+
+  /// Of a coarse hex, which may lie in its cell in any way.
+  void AddDomainFacets(Index hex, const Index3& cell)
+  {
+    std::array<int, 8> sides;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index point = this->Input.Elements[8 * hex + VtkCorner[c]];
+      sides[c] = FindDomainSides(this->Grid, this->Input.Points.data() + 3 * point);
+    }
+    for (int f = 0; f < 6; ++f)
+    {
+      const std::array<int, 4>& face = FaceCorners[f];
+      const int common = sides[face[0]] & sides[face[1]] & sides[face[2]] & sides[face[3]];
+      for (int side = 0; common != 0 && side < 6; ++side)
+      {
+        if (common >> side & 1)
+        {
+          this->AddDomainFacet(hex, f, side, cell);
+        }
+      }
+    }
+  }
+
+  void AddDomainFacet(Index hex, int face, int side, const Index3& cell)
+  {
+    Facet facet{ {}, { { this->Input.Material[hex], 0 } }, { { this->Input.Fragment[hex], 0 } },
+      side, this->Parts.OwnsCell(cell) };
+    for (int c = 0; c < 4; ++c)
+    {
+      facet.Points[c] = this->Input.Elements[8 * hex + VtkCorner[FaceCorners[face][c]]];
+    }
+    this->Found.push_back(facet);
+  }
+
+  /// Of a face with a finest cell on a side.
+  void AddFineFacet(const InterfaceFace& face, const Index3& lower, const Index3& upper)
+  {
+    if (!this->Levels.IsFine(lower) && !this->Levels.IsFine(upper))
+    {
+      return;
+    }
+    Facet facet{ {}, { { face.LowerLabel, face.UpperLabel } },
+      { { this->Pieces.FragmentOfCell(lower), this->Pieces.FragmentOfCell(upper) } }, -1,
+      this->Parts.OwnsCell(this->Numbering.IsMeshed(face.LowerLabel) ? lower : upper) };
+    const std::array<Index, 4> nodes = NodesOfFace(this->Grid, face);
+    std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
+      [this](Index node) { return this->Numbering.FirstPoint(node); });
+    this->Found.push_back(facet);
+  }
+
+  /// Of a face between two coarse hexes.
+  void AddCoarseFacet(const SplitNodes::Face& face)
+  {
+    Facet facet{ {}, {}, {}, -1, false };
+    for (int c = 0; c < 4; ++c)
+    {
+      facet.Points[c] = this->Labelled.Levels.Coarse->SplitPoints()[face.Nodes[c]];
+      if (facet.Points[c] < 0)
+      {
+        return;
+      }
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      const OctreeKeys::LevelIndex& leaf = face.Sides[side].Cell;
+      const Index3 cell = this->Levels.NearestCell(leaf.Level, leaf.At);
+      if (leaf.Level == this->Levels.NumberOfRefinements() || !this->Box.Contains(cell))
+      {
+        return;
+      }
+      facet.Materials[side] = face.Sides[side].Label;
+      facet.Fragments[side] = this->Pieces.FragmentOfCell(cell);
+    }
+    const int writer = this->Numbering.IsMeshed(facet.Materials[0]) ? 0 : 1;
+    const OctreeKeys::LevelIndex& leaf = face.Sides[writer].Cell;
+    facet.IsOwned = this->Parts.OwnsCell(this->Levels.FinestNode(leaf.Level, leaf.At));
+    this->Found.push_back(facet);
+  }
+
+  const LabelledGrid& Labelled;
+  const RefinedGrid& Levels;
+  const CartesianGrid& Grid;
+  const PointNumbering& Numbering;
+  const Fragments& Pieces;
+  const Partition& Parts;
+  const Mesh& Input;
+  const IndexBox Box;
+  std::vector<Facet> Found;
+};
+
+} // namespace
+
+void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering,
+  const Fragments& fragments, Mesh& mesh)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
+  std::fill(mesh.Fragment.begin() + mesh.RowOffset.back(), mesh.Fragment.end(), 0);
+  mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+  ForRowsOfHexes(grid.HexBox(), mesh,
+    [&](Index j, Index k, Index first, Index last)
+    { FillRow(grid, fragments, j, k, first, last, mesh); });
+  ForCoarseHexes(mesh,
+    [&](Index hex, const Index3& cell)
+    {
+      mesh.Fragment[hex] = fragments.FragmentOfCell(cell);
+      std::for_each(mesh.Elements.data() + 8 * hex, mesh.Elements.data() + 8 * hex + 8,
+        [&](Index point) { mesh.GeometryId[point] = mesh.Fragment[hex]; });
+    });
+  FillInnerPoints(labelled, numbering, fragments, mesh);
+}
+
+std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
+  const Fragments& fragments, const Partition& partition, const Mesh& mesh)
+{
+  return HexFacetFinder(labelled, numbering, fragments, partition, mesh).Find();
+}
+
+} // namespace vfm

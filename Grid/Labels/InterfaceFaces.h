@@ -1,0 +1,50 @@
+/**
+ * The faces of cells between two labels.
+ */
+#pragma once
+
+#include "Labels/Labels.h"
+
+namespace vfm
+{
+
+/// A face between two labels, named by its lowest node and its axis; its cells are node - stride and node.
+struct InterfaceFace
+{
+  Index Node;
+  int Axis;
+  int LowerLabel, UpperLabel; ///< of the cell on the - and on the + side
+  int First() const { return std::min(this->LowerLabel, this->UpperLabel); }
+  int Second() const { return std::max(this->LowerLabel, this->UpperLabel); }
+};
+
+/// Its nodes, around its axis.
+inline std::array<Index, 4> NodesOfFace(const CartesianGrid& grid, const InterfaceFace& face)
+{
+  const Index b = grid.Stride((face.Axis + 1) % 3), c = grid.Stride((face.Axis + 2) % 3);
+  return { { face.Node, face.Node + b, face.Node + b + c, face.Node + c } };
+}
+
+/// Calls visit(face, lower cell, upper cell) for the faces whose cells both lie in a box, by node and axis.
+/// mixed: FindMixedNodes, or some of them.
+template <class Visitor>
+void ForInterfaceFaces(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& mixed, const IndexBox& box, const Visitor& visit)
+{
+  for (Index node : mixed)
+  {
+    const Index3 upper = grid.Position(node);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Index3 lower = upper;
+      --lower[axis];
+      const int below = labels[node - grid.Stride(axis)], above = labels[node];
+      if (below != above && box.Contains(upper) && box.Contains(lower))
+      {
+        visit(InterfaceFace{ node, axis, below, above }, lower, upper);
+      }
+    }
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,23 @@
+/**
+ * The faces of a mesh that matter: those on interfaces and on sides of the domain. They are found once, by topology (HexFacets,
+ * TetFacets); what needs interfaces of the mesh reads the list: geometry, attachment, volumes.
+ */
+#pragma once
+
+#include "Base/CartesianGrid.h"
+
+namespace vfm
+{
+
+/// A face of elements between two materials, or on a side of the domain. "Behind" and "before" it: where its normal comes from and
+/// where it points.
+struct Facet
+{
+  std::array<Index, 4> Points;  ///< of the mesh, around it; the last twice in triangles
+  std::array<int, 2> Materials; ///< behind and before it; 0: void, or beyond the domain
+  std::array<int, 2> Fragments; ///< the same; 0: not meshed, or beyond the domain
+  int DomainSide;               ///< -1, or 0..5 for -x +x -y +y -z +z
+  bool IsOwned;                 ///< one rank writes it and measures with it
+};
+
+} // namespace vfm
