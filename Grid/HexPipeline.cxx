@@ -49,8 +49,7 @@ private:
     const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh);
   std::vector<unsigned char> SmoothLevelHexes(const PointNumbering& numbering,
     const Fragments& fragments, FragmentVolumes& volumes, Mesh& mesh);
-  void ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets,
-    const PointExchange& exchange, FragmentVolumes& volumes);
+  void ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets, FragmentVolumes& volumes);
 
   const CartesianGrid& Grid;
   const FractionField& Fractions;
@@ -83,14 +82,14 @@ void HexStages::FindLabels()
   result.Levels = MakeLevels(this->Grid, result.Labels, result.Mixed, this->Options, this->Run);
 }
 
-void HexStages::ImproveHexes(ActiveMesh& active, const SurfaceTargets& targets,
-  const PointExchange& exchange, FragmentVolumes& volumes)
+void HexStages::ImproveHexes(
+  ActiveMesh& active, const SurfaceTargets& targets, FragmentVolumes& volumes)
 {
   const double target = TargetJacobian(this->Fractions, this->Options);
   const HexEnergy plain(target);
   const GuardedHexEnergy guarded(target);
   const ElementEnergy& energy = InterfacesCrossLevels(this->Options) ? guarded : plain;
-  Improve({ active, targets, exchange, energy, Ramp, volumes,
+  Improve({ active, targets, energy, Ramp, volumes,
             this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },
     this->Clock, this->Run);
 }
@@ -104,8 +103,7 @@ std::vector<unsigned char> HexStages::SmoothHexes(
   const SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
   ActiveMesh active =
     MakeActiveHexes(interface, numbering, this->Labelled.Labels, fragments, this->Parts, mesh);
-  const PointExchange exchange(active, mesh, this->Grid, this->Parts);
-  this->ImproveHexes(active, targets, exchange, volumes);
+  this->ImproveHexes(active, targets, volumes);
   active.CopyTo(mesh, this->Grid);
   return this->Labelled.Levels.Coarse ? active.ListMoved(mesh) : std::vector<unsigned char>();
 }
@@ -117,14 +115,11 @@ std::vector<unsigned char> HexStages::SmoothLevelHexes(
     this->Labelled.Labels, this->Options.IsoValue, this->Run);
   this->Clock.Start("Fitting surfaces", 0.2);
   const SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
-  ActiveLevelHexes hexes = MakeActiveLevelHexes(interfaces, *this->Labelled.Levels.Coarse,
+  ActiveMesh active = MakeActiveLevelHexes(interfaces, *this->Labelled.Levels.Coarse,
     this->Labelled.Labels, this->Labelled.Mixed, numbering, fragments, this->Parts, mesh);
-  const PointExchange exchange(
-    hexes.Entries, this->Parts, static_cast<int>(hexes.Active.Colours.size()));
-  std::vector<PointExchange::Entry>().swap(hexes.Entries);
-  this->ImproveHexes(hexes.Active, targets, exchange, volumes);
-  hexes.Active.CopyTo(mesh, this->Grid);
-  return hexes.Active.ListMoved(mesh);
+  this->ImproveHexes(active, targets, volumes);
+  active.CopyTo(mesh, this->Grid);
+  return active.ListMoved(mesh);
 }
 
 Mesh HexStages::MakeMesh()

@@ -177,10 +177,9 @@ private:
     ActiveTets active = MakeActiveTets(this->Topology, this->Grid, this->Parts);
     AttachTets(interface, mesh, this->Faces, this->Method, active);
     MeasureWithFaces(interface, mesh, this->Faces, this->Grid, this->Parts, active);
-    const PointExchange exchange(active, mesh, this->Grid, this->Parts);
     const TetEnergy energy(FloorsOf(this->Options));
     std::optional<DiagonalFlips> flips;
-    Improvement improvement{ active, targets, exchange, energy, TetRamp(), *this->Volumes,
+    Improvement improvement{ active, targets, energy, TetRamp(), *this->Volumes,
       this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} };
     if (this->Method == TetMethod::Cells)
     {

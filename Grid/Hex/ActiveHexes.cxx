@@ -1,5 +1,6 @@
 #include "Hex/ActiveHexes.h"
 
+#include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Attach.h"
 
 namespace vfm
@@ -54,67 +55,21 @@ std::vector<Index> FindActiveNodes(
   return nodes;
 }
 
-/// Points that are active, of the mesh.
-constexpr int NotNumbered = -2;
-
-/// The hexes with an active point, and all their points in the order of the mesh.
-void AddHexes(
-  const CartesianGrid& grid, const Mesh& mesh, std::vector<int>& pointOf, ActiveMesh& active)
+/// The points of the nodes.
+std::vector<Mover> ListMovers(const CartesianGrid& grid, const std::vector<Index>& nodes,
+  const PointNumbering& numbering, const Mesh& mesh)
 {
-  const Index count = static_cast<Index>(mesh.ElementIds.size());
-  std::vector<Index> hexes;
-  std::vector<unsigned char> used(mesh.PointIds.size(), 0);
-  for (Index h = 0; h < count; ++h)
-  {
-    const Index* points = mesh.Elements.data() + 8 * h;
-    if (std::any_of(points, points + 8, [&](Index p) { return pointOf[p] == NotNumbered; }))
-    {
-      hexes.push_back(h);
-      std::for_each(points, points + 8, [&](Index p) { used[p] = 1; });
-    }
-  }
-  for (std::size_t p = 0; p < used.size(); ++p)
-  {
-    if (used[p])
-    {
-      active.AddPoint(grid, mesh, static_cast<Index>(p), pointOf[p] == NotNumbered);
-      pointOf[p] = static_cast<int>(active.X.size()) - 1;
-    }
-  }
-  const bool uniform = IsUniform(grid);
-  active.Elements.reserve(8 * hexes.size());
-  for (Index h : hexes)
-  {
-    for (int c = 0; c < 8; ++c)
-    {
-      active.Elements.push_back(pointOf[mesh.Elements[8 * h + VtkCorner[c]]]);
-    }
-    if (!uniform)
-    {
-      active.Widths.push_back(CellWidths(grid, CellOfElement(grid, mesh, mesh.ElementIds[h])));
-    }
-  }
-  if (uniform)
-  {
-    active.Widths.push_back(CellWidths(grid, grid.Global().Lower));
-  }
-}
-
-void AddGroups(const CartesianGrid& grid, const std::vector<Index>& nodes,
-  const PointNumbering& numbering, const Partition& partition, const std::vector<int>& pointOf,
-  ActiveMesh& active)
-{
+  std::vector<Mover> movers;
   for (Index node : nodes)
   {
-    const Index first = numbering.FirstPoint(node);
-    const int count = numbering.PointsAt(node);
+    const Index first = numbering.FirstPoint(node), end = first + numbering.PointsAt(node);
     const Index3 p = grid.Position(node);
-    if (count > 0 && partition.OwnsNode(p))
+    for (Index point = first; point < end; ++point)
     {
-      active.Colours[CartesianGrid::Colour(p)].push_back(
-        { pointOf[first], pointOf[first] + count });
+      movers.push_back({ point, mesh.PointIds[point], node, p, CartesianGrid::Colour(p) });
     }
   }
+  return movers;
 }
 
 /// The point S of every interface node; -1 far from the owned cells.
@@ -141,18 +96,12 @@ ActiveMesh MakeActiveHexes(const Interface& interface, const PointNumbering& num
 {
   const CartesianGrid& grid = interface.Grid();
   const std::vector<Index> nodes = FindActiveNodes(interface, numbering, labels);
-  std::vector<int> pointOf(mesh.PointIds.size(), -1);
-  for (Index node : nodes)
-  {
-    std::fill_n(
-      pointOf.begin() + numbering.FirstPoint(node), numbering.PointsAt(node), NotNumbered);
-  }
-  ActiveMesh active;
-  AddHexes(grid, mesh, pointOf, active);
-  active.FixOnDomain(grid, mesh);
-  AddGroups(grid, nodes, numbering, partition, pointOf, active);
-  active.ListCorners();
-  const std::vector<int> surface = FindSurfacePoints(interface, numbering, nodes, pointOf);
+  ActiveMeshBuilder builder(8, mesh.PointIds.size(), ListMovers(grid, nodes, numbering, mesh));
+  const std::vector<Index> hexes = builder.AddAround(mesh);
+  ActiveMesh active = builder.Finish(&partition);
+  active.Widths = WidthsOfCells(grid, mesh, hexes);
+  active.PlacePoints(grid, mesh);
+  const std::vector<int> surface = FindSurfacePoints(interface, numbering, nodes, active.PointOf);
   AttachToNodes(interface, surface, fragments, partition, active);
   return active;
 }

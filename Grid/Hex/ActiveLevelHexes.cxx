@@ -1,6 +1,7 @@
 #include "Hex/ActiveLevelHexes.h"
 
 #include "Hex/TransitionSmoothing.h"
+#include "Smoothing/ActiveMeshBuilder.h"
 
 namespace vfm
 {
@@ -73,29 +74,20 @@ public:
     }
   }
 
-  ActiveLevelHexes Build()
+  ActiveMesh Build()
   {
-    this->FindMovers();
-    this->AddHexes();
-    this->Result.Active.FixOnDomain(this->Finest, this->Input);
-    this->AddGroups();
-    this->Result.Active.ListCorners();
+    ActiveMeshBuilder builder(8, this->Input.PointIds.size(), this->FindMovers());
+    const std::vector<Index> hexes = builder.AddAround(this->Input);
+    this->Result = builder.Finish(&this->Parts, 8 * (this->Levels.NumberOfRefinements() + 1));
+    this->Result.Widths = WidthsOfHexes(this->Levels, this->Input, hexes);
+    this->Result.PlacePoints(this->Finest, this->Input);
     this->AddFineFaces();
     this->AddCoarseFaces();
     this->SetAttachments();
-    std::sort(this->Result.Entries.begin(), this->Result.Entries.end(),
-      [](const auto& a, const auto& b) { return a.Id < b.Id; });
     return std::move(this->Result);
   }
 
 private:
-  /// A point of the mesh and the node that it moves with.
-  struct Mover
-  {
-    OctreeKeys::LevelIndex Node;
-    Index Key; // of the node
-    Index MeshPoint;
-  };
   /// The target of a pair of labels at an active point.
   struct Drawn
   {
@@ -106,11 +98,7 @@ private:
 
   Anchor FindNode(Index id) const;
   bool IsFineAround(const Index3& node) const;
-  void FindMovers();
-  void AddHexes();
-  int AddPoint(Index meshPoint, bool isActive);
-  void AddGroups();
-  Index3 OwnerOf(const Anchor& node) const { return this->Levels.FinestNode(node.Level, node.At); }
+  std::vector<Mover> FindMovers() const;
   void AddFineFaces();
   void AddCoarseFaces();
   void AddFace(const std::array<Index, 4>& meshPoints, const std::array<int, 2>& labels,
@@ -131,10 +119,8 @@ private:
   const Mesh& Input;
   const NodesNear Around;      // base nodes beyond which nothing is active
   std::vector<NodesNear> Near; // of each level
-  std::vector<Mover> Movers;   // by node
-  std::vector<int> PointOf;    // of each mesh point, or -1
   std::vector<Drawn> Attached;
-  ActiveLevelHexes Result;
+  ActiveMesh Result;
 };
 
 /// The node that a point moves with.
@@ -170,14 +156,14 @@ bool ActiveLevelBuilder::IsFineAround(const Index3& node) const
   return true;
 }
 
-void ActiveLevelBuilder::FindMovers()
+std::vector<Mover> ActiveLevelBuilder::FindMovers() const
 {
-  const OctreeKeys& lattice = this->Levels.Lattice();
+  const int shift = this->Levels.NumberOfRefinements();
+  std::vector<Mover> movers;
   for (std::size_t p = 0; p < this->Input.PointIds.size(); ++p)
   {
     const Index id = this->Input.PointIds[p];
     const Index3 own = NodeOfPoint(this->Finest, this->Input, id);
-    const int shift = this->Levels.NumberOfRefinements();
     if (!this->Around.Has({ { own[0] >> shift, own[1] >> shift, own[2] >> shift } }))
     {
       continue;
@@ -185,84 +171,12 @@ void ActiveLevelBuilder::FindMovers()
     const Anchor node = this->FindNode(id);
     if (this->Near[node.Level].Has(node.At))
     {
-      this->Movers.push_back(
-        { node, lattice.NodeKey(node.Level, node.At, 0), static_cast<Index>(p) });
+      movers.push_back(
+        { static_cast<Index>(p), id, this->Levels.Lattice().NodeKey(node.Level, node.At, 0),
+          this->Levels.FinestNode(node.Level, node.At), ColourOfNode(node) });
     }
   }
-  std::sort(this->Movers.begin(), this->Movers.end(),
-    [this](const Mover& a, const Mover& b)
-    {
-      return a.Key != b.Key ? a.Key < b.Key
-                            : this->Input.PointIds[a.MeshPoint] < this->Input.PointIds[b.MeshPoint];
-    });
-}
-
-int ActiveLevelBuilder::AddPoint(Index meshPoint, bool isActive)
-{
-  ActiveMesh& active = this->Result.Active;
-  active.AddPoint(this->Finest, this->Input, meshPoint, isActive);
-  return this->PointOf[meshPoint] = static_cast<int>(active.X.size()) - 1;
-}
-
-/// The movers first, then the other points of their hexes.
-void ActiveLevelBuilder::AddHexes()
-{
-  this->PointOf.assign(this->Input.PointIds.size(), -1);
-  ActiveMesh& active = this->Result.Active;
-  for (const Mover& mover : this->Movers)
-  {
-    const int point = this->AddPoint(mover.MeshPoint, true);
-    if (this->Parts.Peers().empty())
-    {
-      continue;
-    }
-    this->Result.Entries.push_back({ point, this->Input.PointIds[mover.MeshPoint],
-      this->OwnerOf(mover.Node), ColourOfNode(mover.Node), true });
-  }
-  std::vector<Index> hexes;
-  for (Index h = 0; h < static_cast<Index>(this->Input.ElementIds.size()); ++h)
-  {
-    const Index* hex = this->Input.Elements.data() + 8 * h;
-    if (std::any_of(hex, hex + 8, [&](Index p) { return this->PointOf[p] >= 0; }))
-    {
-      hexes.push_back(h);
-    }
-  }
-  active.Elements.reserve(8 * hexes.size());
-  active.Widths.reserve(hexes.size());
-  for (Index h : hexes)
-  {
-    const Index* hex = this->Input.Elements.data() + 8 * h;
-    for (int c = 0; c < 8; ++c)
-    {
-      const Index p = hex[VtkCorner[c]];
-      active.Elements.push_back(
-        this->PointOf[p] >= 0 ? this->PointOf[p] : this->AddPoint(p, false));
-    }
-    active.Widths.push_back(WidthsOfHex(this->Levels, this->Input, h));
-  }
-}
-
-void ActiveLevelBuilder::AddGroups()
-{
-  ActiveMesh& active = this->Result.Active;
-  active.Colours.resize(8 * (this->Levels.NumberOfRefinements() + 1));
-  Index last = -1;
-  for (int point = 0; point < static_cast<int>(this->Movers.size()); ++point)
-  {
-    const Mover& mover = this->Movers[point];
-    if (!this->Parts.OwnsNode(this->OwnerOf(mover.Node)))
-    {
-      continue;
-    }
-    std::vector<ActiveMesh::Group>& groups = active.Colours[ColourOfNode(mover.Node)];
-    if (mover.Key != last)
-    {
-      groups.push_back({ point, point });
-      last = mover.Key;
-    }
-    ++groups.back().Last;
-  }
+  return movers;
 }
 
 /// Draws a surface point to the target of the pair at its node, once.
@@ -298,17 +212,17 @@ void ActiveLevelBuilder::AddFace(const std::array<Index, 4>& meshPoints,
   bool isComplete = true;
   for (int c = 0; c < 4; ++c)
   {
-    const int point = meshPoints[c] < 0 ? -1 : this->PointOf[meshPoints[c]];
+    const int point = meshPoints[c] < 0 ? -1 : this->Result.PointOf[meshPoints[c]];
     facet.Points[c] = point;
     isComplete = isComplete && point >= 0;
-    if (point >= 0 && this->Result.Active.IsActive[point])
+    if (point >= 0 && this->Result.IsActive[point])
     {
       this->Draw(meshPoints[c], point, labels, fragments);
     }
   }
   if (isComplete)
   {
-    this->Result.Active.Facets.push_back(facet);
+    this->Result.Facets.push_back(facet);
   }
 }
 
@@ -385,15 +299,14 @@ void ActiveLevelBuilder::SetAttachments()
   const auto before = [](const Drawn& a, const Drawn& b)
   { return a.Point != b.Point ? a.Point < b.Point : a.To.Target < b.To.Target; };
   std::stable_sort(this->Attached.begin(), this->Attached.end(), before);
-  ActiveMesh& active = this->Result.Active;
+  ActiveMesh& active = this->Result;
   auto next = this->Attached.begin();
   for (int point = 0; point < static_cast<int>(active.X.size()); ++point)
   {
-    active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
     for (; next != this->Attached.end() && next->Point == point; ++next)
     {
       const bool isNew =
-        active.AttachmentOffset.back() == static_cast<Index>(active.Attachments.size()) ||
+        active.AttachmentOffset[point] == static_cast<Index>(active.Attachments.size()) ||
         active.Attachments.back().Target != next->To.Target;
       if (isNew)
       {
@@ -404,13 +317,13 @@ void ActiveLevelBuilder::SetAttachments()
         active.Attachments.back().Fragments = next->To.Fragments;
       }
     }
+    active.AttachmentOffset[point + 1] = static_cast<Index>(active.Attachments.size());
   }
-  active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
 }
 
 } // namespace
 
-ActiveLevelHexes MakeActiveLevelHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse,
+ActiveMesh MakeActiveLevelHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse,
   const LabelArray& labels, const std::vector<Index>& mixed, const PointNumbering& numbering,
   const Fragments& fragments, const Partition& partition, const Mesh& mesh)
 {

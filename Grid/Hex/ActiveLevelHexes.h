@@ -11,19 +11,13 @@
 #include "Hex/HexTopology.h"
 #include "Interface/LevelInterfaces.h"
 #include "Labels/Fragments.h"
-#include "Smoothing/PointExchange.h"
+#include "Smoothing/ActiveMesh.h"
 
 namespace vfm
 {
 
-struct ActiveLevelHexes
-{
-  ActiveMesh Active;
-  std::vector<PointExchange::Entry> Entries; ///< of its points, by id; none where no rank is near
-};
-
 /// mesh: as CoarseHexes::Fill left it. mixed: all mixed nodes of the finest grid. Points of the interface are drawn to the targets of their level.
-ActiveLevelHexes MakeActiveLevelHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse,
+ActiveMesh MakeActiveLevelHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse,
   const LabelArray& labels, const std::vector<Index>& mixed, const PointNumbering& numbering,
   const Fragments& fragments, const Partition& partition, const Mesh& mesh);
 

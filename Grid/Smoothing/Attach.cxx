@@ -29,16 +29,16 @@ void AddAttachments(const Interface& interface, const std::vector<int>& points, 
       nodeOf[points[n]] = static_cast<Index>(n);
     }
   }
-  for (Index n : nodeOf)
+  for (std::size_t p = 0; p < nodeOf.size(); ++p)
   {
-    active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
+    const Index n = nodeOf[p];
     for (Index t = n < 0 ? 0 : interface.PointOffset(n); n >= 0 && t < interface.PointOffset(n + 1);
          ++t)
     {
       active.Attachments.push_back({ t });
     }
+    active.AttachmentOffset[p + 1] = static_cast<Index>(active.Attachments.size());
   }
-  active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
 }
 
 } // namespace

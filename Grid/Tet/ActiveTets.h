@@ -13,7 +13,6 @@ namespace vfm
 struct ActiveTets : ActiveMesh
 {
   std::vector<Index> MeshElement; ///< of each tet: its index in the mesh
-  std::vector<int> PointOf;       ///< of each mesh point: its index here, or -1
 };
 
 /// Points, tets and groups of points, of Cells or Lattice. Collective among peers.

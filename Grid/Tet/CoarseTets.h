@@ -57,13 +57,6 @@ private:
     bool IsPlain;               // between whole cells, or of one
     int Way; // 0 around the edge between the centres, 1 + k along the diagonal from corner k
   };
-  /// A point that may move, and the lattice node that it goes with.
-  struct Candidate
-  {
-    OctreeKeys::LevelIndex Node;
-    Index Id;
-    int Point;
-  };
   class Improver;
 
   bool IsNear(const OctreeKeys::LevelIndex& cell) const;

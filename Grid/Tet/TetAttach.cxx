@@ -93,7 +93,6 @@ void AttachTets(const Interface& interface, const Mesh& mesh, const TetFaces& fa
   std::size_t next = 0;
   for (int p = 0; p < static_cast<int>(active.X.size()); ++p)
   {
-    active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
     for (; next < pairs.size() && pairs[next].Point == p; ++next)
     {
       const std::array<int, 2>& labels = pairs[next].Labels;
@@ -108,8 +107,8 @@ void AttachTets(const Interface& interface, const Mesh& mesh, const TetFaces& fa
         active.Attachments.push_back({ target });
       }
     }
+    active.AttachmentOffset[p + 1] = static_cast<Index>(active.Attachments.size());
   }
-  active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
 }
 
 void MeasureWithFaces(const Interface& interface, const Mesh& mesh, const TetFaces& faces,
