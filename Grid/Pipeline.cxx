@@ -236,7 +236,7 @@ void ReportLevels(
 void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
 {
   clock.Start("Smoothing", 0.25);
-  Smoother smoother(what.Active, &what.Targets, what.Exchange, what.Energy, runtime);
+  Smoother smoother(what.Active, &what.Targets, what.Energy, runtime);
   double done = 0.25;
   for (const SmoothingStage& stage : what.Ramp)
   {

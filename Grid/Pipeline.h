@@ -51,7 +51,6 @@ struct Improvement
 {
   ActiveMesh& Active;
   const SurfaceTargets& Targets;
-  const PointExchange& Exchange;
   const ElementEnergy& Energy;
   const SmoothingRamp& Ramp;
   FragmentVolumes& Volumes;

@@ -121,7 +121,6 @@ private:
       ? BuildLatticeTets(this->Grid, this->Fractions, this->Options.IsoValue,
           this->Options.MeshVoid, this->Parts, this->Run, coarse.get())
       : BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, coarse.get());
-    this->Topology.Tets.Levels = levels.Grid;
     this->Clock.Start("Finding faces", 0.12);
     this->Faces = FindTetFaces(this->Topology, this->Grid);
   }
@@ -196,10 +195,9 @@ private:
     const std::vector<Facet> facets = this->ListFacets();
     AttachTets(interface, mesh, facets, this->Method, active);
     SetFacets(facets, active);
-    const PointExchange exchange(active, mesh, this->Grid, this->Parts);
     const TetEnergy energy(FloorsOf(this->Options));
     std::optional<DiagonalFlips> flips;
-    Improvement improvement{ active, targets, exchange, energy, TetRamp(), *this->Volumes,
+    Improvement improvement{ active, targets, energy, TetRamp(), *this->Volumes,
       this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} };
     if (this->Method == TetMethod::Cells)
     {

@@ -4,10 +4,9 @@
 #include "Hex/HexTopology.h"
 #include "Hex/TransitionSmoothing.h"
 #include "Mesh/Quality.h"
+#include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/GuardedHexEnergy.h"
 #include "Smoothing/Smoother.h"
-
-#include <unordered_map>
 
 namespace vfm
 {
@@ -61,26 +60,26 @@ public:
     Levels(coarse.Levels()),
     Refined(coarse.Refined()),
     HasSplits(coarse.Splits() != nullptr),
-    Result(mesh),
-    Parts(partition)
+    Result(mesh)
   {
-    this->FindMoving(isFrozen, FindNodesNearRefined(coarse));
-    this->AddHexes();
-    this->Active.FixOnDomain(this->Levels.Finest(), mesh);
-    this->Active.AttachmentOffset.assign(this->Active.X.size() + 1, 0);
-    this->Active.ListCorners();
-    this->AddGroups();
+    ActiveMeshBuilder builder(
+      8, mesh.PointIds.size(), this->FindMovers(FindNodesNearRefined(coarse)));
+    const std::vector<Index> hexes = builder.AddAround(mesh);
+    this->Active = builder.Finish(&partition, 8 * this->Levels.NumberOfRefinements());
+    this->Active.Widths = WidthsOfHexes(this->Levels, mesh, hexes);
+    this->Active.PlacePoints(this->Levels.Finest(), mesh);
+    for (std::size_t p = 0; p < this->Active.MeshPoint.size(); ++p)
+    {
+      this->Active.IsActive[p] &= !isFrozen[this->Active.MeshPoint[p]];
+    }
   }
 
   void Run(Runtime& runtime)
   {
-    const PointExchange exchange(
-      this->ListEntries(), this->Parts, static_cast<int>(this->Active.Colours.size()));
-    std::vector<Mover>().swap(this->Movers);
     const HexEnergy plain(TargetScaledJacobian);
     const GuardedHexEnergy guarded(TargetScaledJacobian);
     const ElementEnergy& energy = this->HasSplits ? guarded : plain;
-    Smoother smoother(this->Active, nullptr, exchange, energy, runtime);
+    Smoother smoother(this->Active, nullptr, energy, runtime);
     smoother.RunStage(AllHexes, [](double) {});
     std::vector<unsigned char> isActive = this->ListPointsOfPoorHexes();
     this->Active.IsActive.swap(isActive);
@@ -90,29 +89,14 @@ public:
   }
 
 private:
-  struct Mover
-  {
-    Index Anchor;
-    OctreeKeys::LevelIndex At;
-    Index MeshPoint;
-    int Point; // of Active
-    bool IsFrozen;
-  };
-
-  void FindMoving(const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear);
+  std::vector<Mover> FindMovers(const std::vector<bool>& isNear) const;
   bool TouchesFinerLevels(Index key, int next) const;
-  void AddHexes();
-  int AddPoint(Index meshPoint, bool moves);
-  void AddGroups();
-  std::vector<PointExchange::Entry> ListEntries() const;
   std::vector<unsigned char> ListPointsOfPoorHexes() const;
 
   const RefinedGrid& Levels;
   const RefinedMesh& Refined;
   const bool HasSplits;
   Mesh& Result;
-  const Partition& Parts;
-  std::vector<Mover> Movers; // by anchor: the points of one node in turn
   ActiveMesh Active;
 };
 
@@ -141,9 +125,10 @@ bool CoarseSmoother::TouchesFinerLevels(Index key, int next) const
   return false;
 }
 
-void CoarseSmoother::FindMoving(
-  const std::vector<unsigned char>& isFrozen, const std::vector<bool>& isNear)
+/// Also those that stay: other ranks may ask for them.
+std::vector<Mover> CoarseSmoother::FindMovers(const std::vector<bool>& isNear) const
 {
+  std::vector<Mover> movers;
   const OctreeKeys& lattice = this->Levels.Lattice();
   for (std::size_t p = 0; p < this->Result.PointIds.size(); ++p)
   {
@@ -159,90 +144,18 @@ void CoarseSmoother::FindMoving(
       continue;
     }
     const Index anchor = AnchorOfPoint(this->Levels.Families(), this->Refined, key);
-    if (anchor >= 0 && !this->TouchesFinerLevels(key, lattice.NodeOfKey(anchor).Level + 1))
-    {
-      this->Movers.push_back(
-        { anchor, lattice.NodeOfKey(anchor), static_cast<Index>(p), -1, isFrozen[p] != 0 });
-    }
-  }
-  std::sort(this->Movers.begin(), this->Movers.end(),
-    [](const Mover& a, const Mover& b) { return a.Anchor < b.Anchor; });
-}
-
-/// The movers first, then the other points of their hexes.
-void CoarseSmoother::AddHexes()
-{
-  std::unordered_map<Index, int> pointOf; // few of the mesh's points
-  std::vector<bool> isMoving(this->Result.PointIds.size(), false);
-  pointOf.reserve(2 * this->Movers.size());
-  for (Mover& mover : this->Movers)
-  {
-    mover.Point = this->AddPoint(mover.MeshPoint, !mover.IsFrozen);
-    pointOf.emplace(mover.MeshPoint, mover.Point);
-    isMoving[mover.MeshPoint] = true;
-  }
-  std::vector<Index> hexes;
-  for (std::size_t h = 0; h < this->Result.ElementIds.size(); ++h)
-  {
-    const Index* hex = this->Result.Elements.data() + 8 * h;
-    if (std::any_of(hex, hex + 8, [&](Index p) { return isMoving[p]; }))
-    {
-      hexes.push_back(static_cast<Index>(h));
-    }
-  }
-  this->Active.Elements.reserve(8 * hexes.size());
-  this->Active.Widths.reserve(hexes.size());
-  for (Index h : hexes)
-  {
-    const Index* hex = this->Result.Elements.data() + 8 * h;
-    for (int c = 0; c < 8; ++c)
-    {
-      const auto at = pointOf.try_emplace(hex[VtkCorner[c]], -1).first;
-      at->second = at->second < 0 ? this->AddPoint(at->first, false) : at->second;
-      this->Active.Elements.push_back(at->second);
-    }
-    this->Active.Widths.push_back(WidthsOfHex(this->Levels, this->Result, static_cast<Index>(h)));
-  }
-}
-
-int CoarseSmoother::AddPoint(Index meshPoint, bool moves)
-{
-  this->Active.AddPoint(this->Levels.Finest(), this->Result, meshPoint, moves);
-  return static_cast<int>(this->Active.X.size()) - 1;
-}
-
-/// Only the points that this rank owns move here.
-void CoarseSmoother::AddGroups()
-{
-  this->Active.Colours.resize(8 * this->Levels.NumberOfRefinements());
-  Index last = -1;
-  for (const Mover& mover : this->Movers)
-  {
-    if (!this->Parts.OwnsNode(OwnerNode(mover.At)))
+    if (anchor < 0)
     {
       continue;
     }
-    std::vector<ActiveMesh::Group>& groups = this->Active.Colours[ColourOfNode(mover.At)];
-    const Index node = mover.Anchor / OctreeKeys::NodeSlots;
-    if (node != last)
+    const OctreeKeys::LevelIndex at = lattice.NodeOfKey(anchor);
+    if (!this->TouchesFinerLevels(key, at.Level + 1))
     {
-      groups.push_back({ mover.Point, mover.Point });
-      last = node;
+      movers.push_back({ static_cast<Index>(p), anchor, anchor / OctreeKeys::NodeSlots,
+        OwnerNode(at), ColourOfNode(at) });
     }
-    ++groups.back().Last;
   }
-}
-
-std::vector<PointExchange::Entry> CoarseSmoother::ListEntries() const
-{
-  std::vector<PointExchange::Entry> entries;
-  entries.reserve(this->Movers.size());
-  for (const Mover& mover : this->Movers)
-  {
-    entries.push_back(
-      { mover.Point, mover.Anchor, OwnerNode(mover.At), ColourOfNode(mover.At), true });
-  }
-  return entries;
+  return movers;
 }
 
 /// Of each point: whether it moves and has a poor hex. All hexes of owned points are known, so ranks agree.

@@ -3,6 +3,7 @@
 #include "Base/Vector3.h"
 #include "Hex/HexTopology.h"
 #include "Mesh/Quality.h"
+#include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/HexEnergy.h"
 #include "Smoothing/Smoother.h"
 #include "Smoothing/UntangleEnergy.h"
@@ -23,17 +24,17 @@ constexpr double ShapeWeight = 0.3;                     // of untangling
 const SmoothingRamp Ramp{ { 1, 0.0, 0.1, 5, 1e-3 }, { 2, 0.0, 0.05, 8, 1e-3 },
   { 8, 0.0, 0.01, 25, 1e-3 } };
 
-/// Numbered as in RefinedMesh::FreePoints.
-std::vector<PointExchange::Entry> ListFreePoints(const OctreeKeys& lattice, const RefinedMesh& mesh)
+/// The free points, in their order.
+std::vector<Mover> ListMovers(const OctreeKeys& lattice, const RefinedMesh& mesh)
 {
-  std::vector<PointExchange::Entry> entries;
+  std::vector<Mover> movers;
   for (const RefinedMesh::FreePoint& point : mesh.FreePoints)
   {
     const OctreeKeys::LevelIndex anchor = lattice.NodeOfKey(point.Anchor);
-    entries.push_back({ static_cast<int>(entries.size()), point.Anchor, OwnerNode(anchor),
-      CartesianGrid::Colour(anchor.At), true });
+    movers.push_back({ point.Point, point.Anchor, point.Anchor / OctreeKeys::NodeSlots,
+      OwnerNode(anchor), CartesianGrid::Colour(anchor.At) });
   }
-  return entries;
+  return movers;
 }
 
 /// The transition hexes and the points that move, in lattice coordinates or in lengths over the mean width.
@@ -46,14 +47,21 @@ public:
     Refined(mesh),
     Parts(partition),
     InLattice(inLattice),
-    Scale(lattice.Base().MeanWidth()),
-    Exchange(ListFreePoints(lattice, mesh), partition)
+    Scale(lattice.Base().MeanWidth())
   {
-    this->AddFreePoints();
-    this->AddHexes();
-    this->Active.Start = this->Active.X;
-    this->Active.AttachmentOffset.assign(this->Active.X.size() + 1, 0);
-    this->Active.ListCorners();
+    ActiveMeshBuilder builder(8, mesh.NumberOfPoints(), ListMovers(lattice, mesh));
+    std::vector<Vector3> widths;
+    for (Index h = 0; h < mesh.NumberOfHexes(); ++h)
+    {
+      if (mesh.IsTransition[h])
+      {
+        builder.Add(mesh.Hexes.data() + 8 * h);
+        widths.push_back(this->AddCell(lattice.HexOfKey(mesh.HexKeys[h])));
+      }
+    }
+    this->Active = builder.Finish(&partition);
+    this->Active.Widths = std::move(widths);
+    this->PlacePoints();
     this->IsFree = this->Active.IsActive;
   }
 
@@ -62,10 +70,8 @@ public:
   void CopyBack() const;
 
 private:
-  void AddPoint(Index point, bool isFree);
-  void AddFreePoints();
-  void AddHexes();
-  void AddCell(const OctreeKeys::LevelIndex& cell);
+  Vector3 AddCell(const OctreeKeys::LevelIndex& cell);
+  void PlacePoints();
   double SmallestCorner(std::size_t hex) const;
   void ActivateFlat(Index& flat, Index& inverted);
 
@@ -74,85 +80,32 @@ private:
   const Partition& Parts;
   bool InLattice;
   double Scale;
-  PointExchange Exchange;
   ActiveMesh Active; // free points first, in the order of RefinedMesh::FreePoints
   std::vector<unsigned char> IsFree;
   std::vector<unsigned char> IsOwned; // of each hex: whether this rank counts it
 };
 
-void TransitionMesh::AddPoint(Index point, bool isFree)
+/// Counts a hex as that of the owner of its cell; returns its widths.
+Vector3 TransitionMesh::AddCell(const OctreeKeys::LevelIndex& cell)
 {
-  const int sides = this->Refined.DomainSides[point];
-  const double* p = this->Refined.Points.data() + 3 * point;
-  const Vector3 x{ { p[0], p[1], p[2] } };
-  this->Active.X.push_back(
-    this->InLattice ? this->Lattice.FromPoint(x) : ToGrid(this->Lattice.Base(), p));
-  this->Active.MeshPoint.push_back(point);
-  this->Active.IsActive.push_back(isFree);
-  this->Active.Fixed.push_back(static_cast<unsigned char>(
-    ((sides & 3) != 0) | ((sides & 12) != 0) << 1 | ((sides & 48) != 0) << 2));
-}
-
-/// Only those that this rank owns get a colour, so only they move here.
-void TransitionMesh::AddFreePoints()
-{
-  Index last = -1;
-  for (const RefinedMesh::FreePoint& point : this->Refined.FreePoints)
-  {
-    const int at = static_cast<int>(this->Active.X.size());
-    const Index node = point.Anchor / OctreeKeys::NodeSlots;
-    const OctreeKeys::LevelIndex anchor = this->Lattice.NodeOfKey(point.Anchor);
-    if (this->Parts.OwnsNode(OwnerNode(anchor)))
-    {
-      std::vector<ActiveMesh::Group>& groups =
-        this->Active.Colours[CartesianGrid::Colour(anchor.At)];
-      if (node != last)
-      {
-        groups.push_back({ at, at });
-        last = node;
-      }
-      ++groups.back().Last;
-    }
-    this->AddPoint(point.Point, true);
-  }
-}
-
-void TransitionMesh::AddHexes()
-{
-  std::vector<int> indices(this->Refined.NumberOfPoints(), -1);
-  for (std::size_t p = 0; p < this->Active.MeshPoint.size(); ++p)
-  {
-    indices[this->Active.MeshPoint[p]] = static_cast<int>(p);
-  }
-  for (Index h = 0; h < this->Refined.NumberOfHexes(); ++h)
-  {
-    if (!this->Refined.IsTransition[h])
-    {
-      continue;
-    }
-    for (int c = 0; c < 8; ++c)
-    {
-      const Index point = this->Refined.Hexes[8 * h + VtkCorner[c]];
-      if (indices[point] < 0)
-      {
-        indices[point] = static_cast<int>(this->Active.X.size());
-        this->AddPoint(point, false);
-      }
-      this->Active.Elements.push_back(indices[point]);
-    }
-    this->AddCell(this->Lattice.HexOfKey(this->Refined.HexKeys[h]));
-  }
-}
-
-/// What is known of a hex from the cell that it is a part of.
-void TransitionMesh::AddCell(const OctreeKeys::LevelIndex& cell)
-{
-  const double width = std::ldexp(1.0, -cell.Level);
-  this->Active.Widths.push_back(this->InLattice
-      ? Vector3{ { width, width, width } }
-      : (1.0 / this->Scale) * this->Lattice.CellWidths(cell.Level, cell.At));
   this->IsOwned.push_back(this->Parts.OwnsCell(
     { { cell.At[0] >> cell.Level, cell.At[1] >> cell.Level, cell.At[2] >> cell.Level } }));
+  const double width = std::ldexp(1.0, -cell.Level);
+  return this->InLattice ? Vector3{ { width, width, width } }
+                         : (1.0 / this->Scale) * this->Lattice.CellWidths(cell.Level, cell.At);
+}
+
+void TransitionMesh::PlacePoints()
+{
+  for (std::size_t n = 0; n < this->Active.MeshPoint.size(); ++n)
+  {
+    const Index point = this->Active.MeshPoint[n];
+    const double* p = this->Refined.Points.data() + 3 * point;
+    this->Active.X[n] = this->InLattice ? this->Lattice.FromPoint({ { p[0], p[1], p[2] } })
+                                        : ToGrid(this->Lattice.Base(), p);
+    this->Active.Fixed[n] = FixedOnSides(this->Refined.DomainSides[point]);
+  }
+  this->Active.Start = this->Active.X;
 }
 
 /// Smallest corner determinant of a hex, in cell volumes.
@@ -198,7 +151,7 @@ void TransitionMesh::ActivateFlat(Index& flat, Index& inverted)
 void TransitionMesh::Untangle(Runtime& runtime, TransitionReport& report)
 {
   UntangleEnergy energy;
-  Smoother smoother(this->Active, nullptr, this->Exchange, energy, runtime);
+  Smoother smoother(this->Active, nullptr, energy, runtime);
   double eps = LargestEps;
   for (int sweep = 0; sweep <= UntangleSweeps; ++sweep)
   {
@@ -223,11 +176,7 @@ void TransitionMesh::Untangle(Runtime& runtime, TransitionReport& report)
 void TransitionMesh::Smooth(Runtime& runtime)
 {
   const HexEnergy energy(TargetScaledJacobian);
-  Smoother smoother(this->Active, nullptr, this->Exchange, energy, runtime);
-  for (const SmoothingStage& stage : Ramp)
-  {
-    smoother.RunStage(stage, [](double) {});
-  }
+  Smoother(this->Active, nullptr, energy, runtime).RunRamp(Ramp);
 }
 
 void TransitionMesh::CopyBack() const

@@ -38,7 +38,7 @@ std::vector<Index> FindRing(const Interface& interface, Index node, int first, i
         {
           continue;
         }
-        for (Index other : interface.NodesOfFace(face))
+        for (Index other : interface.CornersOfFace(face))
         {
           if (std::find(ring.begin(), ring.end(), other) == ring.end())
           {
@@ -269,7 +269,7 @@ double SurfaceTargets::FacetDistance(Index target, const Vector3& y, Vector3& gr
   {
     Vector3 corner[4];
     int c = 0;
-    for (Index n : interface.NodesOfFace(face))
+    for (Index n : interface.CornersOfFace(face))
     {
       const SurfacePoint& point = *interface.FindPoint(n, base.First, base.Second);
       corner[c++] = Scaled(level.Ratio * point.Point - frame.Base, frame.InverseWidths) - y;

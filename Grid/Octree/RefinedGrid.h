@@ -16,10 +16,12 @@
 #include "Base/Ranks.h"
 #include "Octree/OctantFamilies.h"
 
+#include <memory>
+
 namespace vfm
 {
 
-class RefinedGrid
+class RefinedGrid : public std::enable_shared_from_this<RefinedGrid>
 {
 public:
   /// interfaces: the nodes of the finest grid that must have fine cells around, plan.FineLayers more than those at the node;
@@ -27,6 +29,10 @@ public:
   /// whole base cells, or keys do not fit. Collective.
   RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
     const std::vector<Index>& interfaces, Ranks& ranks);
+  /// Without refinements.
+  RefinedGrid(const CartesianGrid& grid, Ranks& ranks) : RefinedGrid(grid, LevelPlan(), {}, ranks)
+  {
+  }
   RefinedGrid(const RefinedGrid&) = delete;
   RefinedGrid& operator=(const RefinedGrid&) = delete;
 

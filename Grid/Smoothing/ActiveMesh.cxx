@@ -5,6 +5,17 @@
 
 namespace vfm
 {
+namespace
+{
+
+/// Grid coordinates.
+Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
+{
+  return (1.0 / grid.MeanWidth()) *
+    Vector3{ { grid.Width(0, cell[0]), grid.Width(1, cell[1]), grid.Width(2, cell[2]) } };
+}
+
+} // namespace
 
 bool IsUniform(const CartesianGrid& grid)
 {
@@ -21,22 +32,42 @@ bool IsUniform(const CartesianGrid& grid)
   return true;
 }
 
-Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
+std::vector<Vector3> WidthsOfCells(
+  const CartesianGrid& grid, const Mesh& mesh, const std::vector<Index>& elements)
 {
-  return (1.0 / grid.MeanWidth()) *
-    Vector3{ { grid.Width(0, cell[0]), grid.Width(1, cell[1]), grid.Width(2, cell[2]) } };
+  if (IsUniform(grid))
+  {
+    return { CellWidths(grid, grid.Global().Lower) };
+  }
+  std::vector<Vector3> widths;
+  widths.reserve(elements.size());
+  for (Index element : elements)
+  {
+    widths.push_back(CellWidths(grid, CellOfElement(grid, mesh, mesh.ElementIds[element])));
+  }
+  return widths;
 }
 
-Vector3 WidthsOfHex(const RefinedGrid& levels, const Mesh& mesh, Index hex)
+std::vector<Vector3> WidthsOfHexes(
+  const RefinedGrid& levels, const Mesh& mesh, const std::vector<Index>& hexes)
 {
-  const Index id = mesh.ElementIds[hex];
   const CartesianGrid& grid = levels.Finest();
-  if (!levels.IsCoarseElement(id, mesh.Ids.ElementSlots))
+  std::vector<Vector3> widths;
+  widths.reserve(hexes.size());
+  for (Index hex : hexes)
   {
-    return CellWidths(grid, CellOfElement(grid, mesh, id));
+    const Index id = mesh.ElementIds[hex];
+    if (levels.IsCoarseElement(id, mesh.Ids.ElementSlots))
+    {
+      const OctreeKeys::LevelIndex cell = levels.CellOfCoarseElement(id, mesh.Ids.ElementSlots);
+      widths.push_back((1.0 / grid.MeanWidth()) * levels.Lattice().CellWidths(cell.Level, cell.At));
+    }
+    else
+    {
+      widths.push_back(CellWidths(grid, CellOfElement(grid, mesh, id)));
+    }
   }
-  const OctreeKeys::LevelIndex cell = levels.CellOfCoarseElement(id, mesh.Ids.ElementSlots);
-  return (1.0 / grid.MeanWidth()) * levels.Lattice().CellWidths(cell.Level, cell.At);
+  return widths;
 }
 
 Vector3 ToGrid(const CartesianGrid& grid, const double* point)
@@ -50,15 +81,6 @@ Vector3 ToGrid(const CartesianGrid& grid, const double* point)
   return x;
 }
 
-void ActiveMesh::AddPoint(const CartesianGrid& grid, const Mesh& mesh, Index meshPoint, bool active)
-{
-  const Vector3 x = ToGrid(grid, mesh.Points.data() + 3 * meshPoint);
-  this->X.push_back(x);
-  this->Start.push_back(x);
-  this->MeshPoint.push_back(meshPoint);
-  this->IsActive.push_back(active);
-}
-
 int FindDomainSides(const CartesianGrid& grid, const double* point)
 {
   int sides = 0;
@@ -70,14 +92,21 @@ int FindDomainSides(const CartesianGrid& grid, const double* point)
   return sides;
 }
 
-void ActiveMesh::FixOnDomain(const CartesianGrid& grid, const Mesh& mesh)
+unsigned char FixedOnSides(int sides)
 {
-  for (Index p : this->MeshPoint)
+  return static_cast<unsigned char>(
+    ((sides & 3) != 0) | ((sides >> 2 & 3) != 0) << 1 | ((sides >> 4 & 3) != 0) << 2);
+}
+
+void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
+{
+  for (std::size_t p = 0; p < this->MeshPoint.size(); ++p)
   {
-    const int sides = FindDomainSides(grid, mesh.Points.data() + 3 * p);
-    this->Fixed.push_back(static_cast<unsigned char>(
-      ((sides & 3) != 0) | ((sides >> 2 & 3) != 0) << 1 | ((sides >> 4 & 3) != 0) << 2));
+    const double* point = mesh.Points.data() + 3 * this->MeshPoint[p];
+    this->X[p] = ToGrid(grid, point);
+    this->Fixed[p] = FixedOnSides(FindDomainSides(grid, point));
   }
+  this->Start = this->X;
 }
 
 void ActiveMesh::ListCorners()

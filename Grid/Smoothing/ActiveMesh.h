@@ -1,16 +1,17 @@
 /**
  * ActiveMesh: the part of a mesh that smoothing moves, and the rim that it needs, as compact arrays. The cost of
- * smoothing follows the interfaces, not the volume. ActiveHexes and ActiveTets fill it.
+ * smoothing follows the interfaces, not the volume. ActiveMeshBuilder fills it.
  *
  * A rank moves the points of the nodes it owns; those of its neighbours come from them (PointExchange.h).
  *
- * Points come in the order of their ids, so that sums over the elements of a point run in id order.
- * Coordinates are grid coordinates (Interface.h).
+ * The points that may move come first, by node and id. Elements come in the order of their ids, and so do sums over those of
+ * a point. Coordinates are grid coordinates (Interface.h).
  */
 #pragma once
 
 #include "Interface/Interface.h"
 #include "Mesh/Mesh.h"
+#include "Smoothing/PointExchange.h"
 
 namespace vfm
 {
@@ -38,12 +39,13 @@ struct ActiveMesh
     int First, Last;
   };
 
-  int Corners = 8;                  ///< of an element: hexes 8, numbered by bits, x first; tets 4
-  std::vector<Vector3> X;           ///< of every point
-  std::vector<Vector3> Start;       ///< where each point started
-  std::vector<Index> MeshPoint;     ///< its index in the mesh
-  std::vector<int> PointOf;         ///< of each mesh point: its index here, or -1
-  std::vector<unsigned char> Fixed; ///< bit a: coordinate a stays
+  int Corners = 8;              ///< of an element: hexes 8, numbered by bits, x first; tets 4
+  std::vector<Vector3> X;       ///< of every point
+  std::vector<Vector3> Start;   ///< where each point started
+  std::vector<Index> MeshPoint; ///< its index in the mesh
+  std::vector<int>
+    PointOf; ///< of each mesh point: its index here, or -1; may go once all is attached
+  std::vector<unsigned char> Fixed;    ///< bit a: coordinate a stays
   std::vector<unsigned char> IsActive; ///< of every point
   std::vector<int> Elements;           ///< Corners points an element
   std::vector<Vector3>
@@ -53,7 +55,8 @@ struct ActiveMesh
   std::vector<Index>
     CornerList; ///< positions in Elements, ascending; none at points that are not active
   /// Of the owned nodes; groups of one colour share no element. As many colours on all ranks.
-  std::vector<std::vector<Group>> Colours = std::vector<std::vector<Group>>(8);
+  std::vector<std::vector<Group>> Colours;
+  PointExchange Exchange;              ///< of the points that move
   std::vector<Index> AttachmentOffset; ///< of each point, as CornerOffset
   std::vector<Attachment> Attachments;
   std::vector<InterfaceFacet> Facets;
@@ -63,12 +66,10 @@ struct ActiveMesh
   {
     return this->Widths[this->Widths.size() == 1 ? 0 : position / this->Corners];
   }
-  /// Fills Fixed: points on a side of the domain stay on it.
-  void FixOnDomain(const CartesianGrid& grid, const Mesh& mesh);
+  /// Fills X, Start and Fixed: the points are where the mesh has them, and stay on the sides of the domain.
+  void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);
   /// Fills CornerOffset and CornerList from Elements.
   void ListCorners();
-  /// Appends a point at x (grid units of the user), which is where it starts.
-  void AddPoint(const CartesianGrid& grid, const Mesh& mesh, Index meshPoint, bool active);
   /// Of each point of the mesh: whether it is active.
   std::vector<unsigned char> ListMoved(const Mesh& mesh) const;
   /// Writes the coordinates of the active points back into the mesh; fixed coordinates stay untouched.
@@ -77,15 +78,19 @@ struct ActiveMesh
 
 /// Bit f set when a point (length units of the grid) lies on side f of the domain.
 int FindDomainSides(const CartesianGrid& grid, const double* point);
+/// ActiveMesh::Fixed of a point on such sides.
+unsigned char FixedOnSides(int sides);
 
 /// Grid coordinates of a point in length units of the grid.
 Vector3 ToGrid(const CartesianGrid& grid, const double* point);
 
 /// Whether all cells have the same widths.
 bool IsUniform(const CartesianGrid& grid);
-/// Widths of a cell, grid coordinates.
-Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell);
-/// The same of the cell of any level that a hex is or lies in; hex: its index.
-Vector3 WidthsOfHex(const RefinedGrid& levels, const Mesh& mesh, Index hex);
+/// ActiveMesh::Widths of elements of finest cells.
+std::vector<Vector3> WidthsOfCells(
+  const CartesianGrid& grid, const Mesh& mesh, const std::vector<Index>& elements);
+/// The same of hexes of any level: of the cell that each is or lies in.
+std::vector<Vector3> WidthsOfHexes(
+  const RefinedGrid& levels, const Mesh& mesh, const std::vector<Index>& hexes);
 
 } // namespace vfm

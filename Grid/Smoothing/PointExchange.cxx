@@ -1,60 +1,66 @@
 #include "Smoothing/PointExchange.h"
 
+#include <numeric>
+
 namespace vfm
 {
 namespace
 {
 
-std::vector<PointExchange::Entry> ListPoints(
-  const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid)
+/// Indices of the movers, by id.
+class MoversById
 {
-  std::vector<PointExchange::Entry> entries;
-  for (int point = 0; point < static_cast<int>(active.X.size()); ++point)
+public:
+  explicit MoversById(const std::vector<Mover>& movers) : Movers(movers), Order(movers.size())
   {
-    const Index id = mesh.PointIds[active.MeshPoint[point]];
-    const Index3 node = NodeOfPoint(grid, mesh, id);
-    entries.push_back(
-      { point, id, node, CartesianGrid::Colour(node), active.IsActive[point] != 0 });
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    std::sort(this->Order.begin(), this->Order.end(),
+      [&](int a, int b) { return movers[a].Id < movers[b].Id; });
   }
-  return entries;
-}
+  int Find(Index id) const
+  {
+    return *std::lower_bound(this->Order.begin(), this->Order.end(), id,
+      [this](int mover, Index key) { return this->Movers[mover].Id < key; });
+  }
+
+private:
+  const std::vector<Mover>& Movers;
+  std::vector<int> Order;
+};
 
 } // namespace
 
-PointExchange::PointExchange(const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid,
-  const Partition& partition) :
-  PointExchange(ListPoints(active, mesh, grid), partition)
-{
-}
-
 PointExchange::PointExchange(
-  const std::vector<Entry>& entries, const Partition& partition, int colours) :
-  Group(partition.Group()), Peers(colours), Links(colours)
+  const std::vector<Mover>& movers, const Partition& partition, int colours) :
+  Group(&partition.Group())
 {
   const std::size_t peers = partition.Peers().size();
+  if (peers == 0)
+  {
+    return;
+  }
   std::vector<std::vector<Link>> links(peers, std::vector<Link>(colours));
   std::vector<std::vector<Index>> wanted(peers);
-  for (const Entry& entry : entries)
+  for (std::size_t m = 0; m < movers.size(); ++m)
   {
-    if (entry.IsWanted && !partition.OwnsNode(entry.Node))
+    if (!partition.OwnsNode(movers[m].Owner))
     {
-      const int peer = partition.PeerOfNode(entry.Node);
-      wanted[peer].push_back(entry.Id);
-      links[peer][entry.Colour].Incoming.push_back(entry.Point);
+      const int peer = partition.PeerOfNode(movers[m].Owner);
+      wanted[peer].push_back(movers[m].Id);
+      links[peer][movers[m].Colour].Incoming.push_back(static_cast<int>(m));
     }
   }
+  const MoversById byId(movers);
   const std::vector<std::vector<Index>> requests = partition.Request(wanted);
+  this->Peers.resize(colours);
+  this->Links.resize(colours);
   for (std::size_t peer = 0; peer < peers; ++peer)
   {
     for (Index id : requests[peer])
     {
-      const Entry& entry = *std::lower_bound(
-        entries.begin(), entries.end(), id, [](const Entry& e, Index key) { return e.Id < key; });
-      links[peer][entry.Colour].Outgoing.push_back(entry.Point);
+      const int mover = byId.Find(id);
+      links[peer][movers[mover].Colour].Outgoing.push_back(mover);
     }
-  }
-  for (std::size_t peer = 0; peer < peers; ++peer)
-  {
     for (int colour = 0; colour < colours; ++colour)
     {
       Link& link = links[peer][colour];
@@ -67,30 +73,34 @@ PointExchange::PointExchange(
   }
 }
 
-void PointExchange::Send(int colour, ActiveMesh& active, const std::vector<unsigned char>& flags,
-  const std::function<void(int)>& received) const
+void PointExchange::Send(int colour, std::vector<Vector3>& points,
+  const std::vector<unsigned char>& flags, const std::function<void(int)>& received) const
 {
+  if (this->Links.empty())
+  {
+    return;
+  }
   std::vector<Bytes> messages;
   for (const Link& link : this->Links[colour])
   {
     std::vector<Message> items;
-    for (int point : link.Outgoing)
+    for (int mover : link.Outgoing)
     {
-      items.push_back({ active.X[point], flags[point] ? 1.0 : 0.0 });
+      items.push_back({ points[mover], flags[mover] ? 1.0 : 0.0 });
     }
     messages.push_back(ToBytes(items));
   }
-  messages = this->Group.Exchange(this->Peers[colour], messages);
+  messages = this->Group->Exchange(this->Peers[colour], messages);
   for (std::size_t peer = 0; peer < messages.size(); ++peer)
   {
     const std::vector<Message> items = FromBytes<Message>(messages[peer]);
     for (std::size_t i = 0; i < items.size(); ++i)
     {
-      const int point = this->Links[colour][peer].Incoming[i];
-      active.X[point] = items[i].X;
+      const int mover = this->Links[colour][peer].Incoming[i];
+      points[mover] = items[i].X;
       if (items[i].Flag > 0.0)
       {
-        received(point);
+        received(mover);
       }
     }
   }

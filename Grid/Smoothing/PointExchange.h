@@ -4,34 +4,34 @@
 #pragma once
 
 #include "Base/Partition.h"
-#include "Smoothing/ActiveMesh.h"
+#include "Base/Vector3.h"
+
+#include <functional>
 
 namespace vfm
 {
+
+/// A point that moves, and the node that it moves with: the points of one node move one after another.
+struct Mover
+{
+  Index MeshPoint; ///< its index in the mesh
+  Index Id;        ///< the same on all ranks; points of one node move in this order
+  Index Node;      ///< key of the node
+  Index3 Owner;    ///< node of the partition's grid: who owns it moves the point
+  int Colour;      ///< of the node
+};
 
 class PointExchange
 {
 public:
   /// Nothing to exchange.
-  explicit PointExchange(Ranks& ranks) : Group(ranks), Peers(8), Links(8) {}
-  /// Collective among peers: each asks the owners for the active points that it does not own.
-  PointExchange(const ActiveMesh& active, const Mesh& mesh, const CartesianGrid& grid,
-    const Partition& partition);
+  PointExchange() = default;
+  /// Each rank asks the owners for the movers that it does not own; those know them. Collective among peers.
+  PointExchange(const std::vector<Mover>& movers, const Partition& partition, int colours);
 
-  struct Entry
-  {
-    int Point;   ///< of the active mesh
-    Index Id;    ///< global
-    Index3 Node; ///< whose owner moves the point
-    int Colour;
-    bool IsWanted; ///< whether the point moves, so that ranks that do not own it ask for it
-  };
-  /// The same for any points; entries: by ascending id. Collective among peers.
-  PointExchange(const std::vector<Entry>& entries, const Partition& partition, int colours = 8);
-
-  /// Sends the positions of the points of a colour and receives those of the peers' points.
-  /// flags: of every point; sent along with the points. received(point) is called where a flag was set.
-  void Send(int colour, ActiveMesh& active, const std::vector<unsigned char>& flags,
+  /// Sends the positions of the movers of a colour and receives those of the peers' movers.
+  /// points, flags: those of the movers come first, in their order; flags are sent along. received(mover) is called where a flag was set.
+  void Send(int colour, std::vector<Vector3>& points, const std::vector<unsigned char>& flags,
     const std::function<void(int)>& received) const;
 
 private:
@@ -40,15 +40,15 @@ private:
     Vector3 X;
     double Flag;
   };
-  /// The points of one colour that go between this rank and another; both list them in the order of their ids.
+  /// The movers of one colour that go between this rank and another; both list them in the order in which they were asked for.
   struct Link
   {
     std::vector<int> Outgoing, Incoming;
   };
 
-  Ranks& Group;
-  std::vector<std::vector<int>> Peers;  // by colour: the ranks with points in common
-  std::vector<std::vector<Link>> Links; // by colour and peer
+  Ranks* Group = nullptr;
+  std::vector<std::vector<int>> Peers;  // by colour: the ranks with movers in common
+  std::vector<std::vector<Link>> Links; // by colour and peer; none without peers
 };
 
 } // namespace vfm

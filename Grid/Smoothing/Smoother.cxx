@@ -37,11 +37,10 @@ EigenVector3 SolveNewton(const Matrix3& H, const EigenVector3& g)
 
 } // namespace
 
-Smoother::Smoother(ActiveMesh& mesh, const SurfaceTargets* targets, const PointExchange& exchange,
-  const ElementEnergy& energy, Runtime& runtime) :
+Smoother::Smoother(
+  ActiveMesh& mesh, const SurfaceTargets* targets, const ElementEnergy& energy, Runtime& runtime) :
   Mesh(mesh),
   Targets(targets),
-  Exchange(exchange),
   Energy(energy),
   Run(runtime),
   Dirty(new unsigned char[mesh.X.size()]),
@@ -65,6 +64,14 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
     {
       break;
     }
+  }
+}
+
+void Smoother::RunRamp(const SmoothingRamp& ramp)
+{
+  for (const SmoothingStage& stage : ramp)
+  {
+    this->RunStage(stage, [](double) {});
   }
 }
 
@@ -92,8 +99,8 @@ double Smoother::ForPoints(const std::function<double(int)>& move)
         {
         }
       });
-    this->Exchange.Send(
-      colour, this->Mesh, this->Woke, [this](int point) { this->MarkNeighbours(point); });
+    this->Mesh.Exchange.Send(
+      colour, this->Mesh.X, this->Woke, [this](int point) { this->MarkNeighbours(point); });
   }
   return this->Run.Group().Max(largest);
 }

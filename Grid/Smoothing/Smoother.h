@@ -9,7 +9,6 @@
 
 #include "Interface/SurfaceTargets.h"
 #include "Smoothing/ElementEnergy.h"
-#include "Smoothing/PointExchange.h"
 
 #include <atomic>
 #include <memory>
@@ -21,11 +20,14 @@ class Smoother
 {
 public:
   /// targets: nullptr when nothing is attached.
-  Smoother(ActiveMesh& mesh, const SurfaceTargets* targets, const PointExchange& exchange,
-    const ElementEnergy& energy, Runtime& runtime);
+  Smoother(
+    ActiveMesh& mesh, const SurfaceTargets* targets, const ElementEnergy& energy, Runtime& runtime);
 
   /// report(fraction) is called after every sweep.
   void RunStage(const SmoothingStage& stage, const std::function<void(double)>& report);
+
+  /// The same, stage by stage.
+  void RunRamp(const SmoothingRamp& ramp);
 
   /// Has the point and its neighbours looked at in the next sweep.
   void Wake(int point) { this->MarkNeighbours(point); }
@@ -49,7 +51,6 @@ private:
 
   ActiveMesh& Mesh;
   const SurfaceTargets* Targets;
-  const PointExchange& Exchange;
   const ElementEnergy& Energy;
   Runtime& Run;
   /// Set when a point of one of its elements moved since the point was last looked at.

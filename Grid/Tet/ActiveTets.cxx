@@ -1,5 +1,7 @@
 #include "Tet/ActiveTets.h"
 
+#include "Smoothing/ActiveMeshBuilder.h"
+
 #include <iterator>
 
 namespace vfm
@@ -77,31 +79,8 @@ void LearnMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& p
   }
 }
 
-/// One group a block, all its points in order: they may share tets.
-void AddGroups(
-  const CartesianGrid& grid, const Mesh& mesh, const Partition& partition, ActiveTets& active)
-{
-  const int count = static_cast<int>(active.X.size());
-  const auto blockOf = [&](int p)
-  { return (mesh.PointIds[active.MeshPoint[p]] - 1) / mesh.Ids.PointSlots; };
-  for (int first = 0, last = 0; first < count; first = last)
-  {
-    bool moves = false;
-    for (last = first; last < count && blockOf(last) == blockOf(first); ++last)
-    {
-      moves = moves || active.IsActive[last];
-    }
-    const Index3 node = NodeOfPoint(grid, mesh, mesh.PointIds[active.MeshPoint[first]]);
-    if (moves && partition.OwnsNode(node))
-    {
-      active.Colours[CartesianGrid::Colour(node)].push_back({ first, last });
-    }
-  }
-}
-
-} // namespace
-
-ActiveTets MakeActiveTets(
+/// The points that may lie on interfaces, and those of the tets around them. Points of one block may share tets: they move in turn.
+std::vector<Mover> FindMovers(
   const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
 {
   const Mesh& mesh = topology.Tets;
@@ -112,39 +91,31 @@ ActiveTets MakeActiveTets(
   }
   moving = Spread(mesh, moving);
   LearnMoving(grid, mesh, partition, moving);
-  const std::vector<unsigned char> used = Spread(mesh, moving);
-  ActiveTets active;
-  active.Corners = 4;
-  active.PointOf.assign(mesh.PointIds.size(), -1);
-  for (std::size_t p = 0; p < used.size(); ++p)
+  std::vector<Mover> movers;
+  for (std::size_t p = 0; p < moving.size(); ++p)
   {
-    if (used[p])
+    if (moving[p])
     {
-      active.PointOf[p] = static_cast<int>(active.X.size());
-      active.AddPoint(grid, mesh, static_cast<Index>(p), moving[p]);
+      const Index id = mesh.PointIds[p];
+      const Index3 node = NodeOfPoint(grid, mesh, id);
+      movers.push_back({ static_cast<Index>(p), id, (id - 1) / mesh.Ids.PointSlots, node,
+        CartesianGrid::Colour(node) });
     }
   }
-  const bool uniform = IsUniform(grid);
-  active.Widths.assign(uniform, CellWidths(grid, grid.Global().Lower));
-  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
-  {
-    if (!HasPoint(mesh, static_cast<Index>(t), moving))
-    {
-      continue;
-    }
-    active.MeshElement.push_back(static_cast<Index>(t));
-    for (int c = 0; c < 4; ++c)
-    {
-      active.Elements.push_back(active.PointOf[mesh.Elements[4 * t + c]]);
-    }
-    if (!uniform)
-    {
-      active.Widths.push_back(CellWidths(grid, CellOfElement(grid, mesh, mesh.ElementIds[t])));
-    }
-  }
-  active.FixOnDomain(grid, mesh);
-  AddGroups(grid, mesh, partition, active);
-  active.ListCorners();
+  return movers;
+}
+
+} // namespace
+
+ActiveTets MakeActiveTets(
+  const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
+{
+  const Mesh& mesh = topology.Tets;
+  ActiveMeshBuilder builder(4, mesh.PointIds.size(), FindMovers(topology, grid, partition));
+  std::vector<Index> tets = builder.AddAround(mesh);
+  ActiveTets active{ builder.Finish(&partition), std::move(tets) };
+  active.Widths = WidthsOfCells(grid, mesh, active.MeshElement);
+  active.PlacePoints(grid, mesh);
   return active;
 }
 

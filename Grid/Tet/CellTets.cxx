@@ -24,6 +24,7 @@ public:
     Mesh& mesh = this->Result.Tets;
     mesh.Corners = 4;
     mesh.Ids = TetIds;
+    mesh.Levels = LevelsOf(this->Coarse, this->Grid, this->Run);
     CheckIds(this->Grid, TetIds.ElementSlots);
     this->FirstPoint = Buffer<int>(this->Grid.NumberOfEntries(), -1);
     this->MakePoints();

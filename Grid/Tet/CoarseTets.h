@@ -21,6 +21,12 @@
 namespace vfm
 {
 
+class CoarseTets;
+
+/// The refined grid of coarse tets; without them one without refinements.
+std::shared_ptr<const RefinedGrid> LevelsOf(
+  const CoarseTets* coarse, const CartesianGrid& grid, Runtime& runtime);
+
 class CoarseTets
 {
 public:
@@ -56,13 +62,6 @@ private:
     std::array<int, 4> Corners; // around it, against the clock as seen from beyond
     bool IsPlain;               // between whole cells, or of one
     int Way; // 0 around the edge between the centres, 1 + k along the diagonal from corner k
-  };
-  /// A point that may move, and the lattice node that it goes with.
-  struct Candidate
-  {
-    OctreeKeys::LevelIndex Node;
-    Index Id;
-    int Point;
   };
   class Improver;
 

@@ -4,6 +4,7 @@
 #include "Base/Vector3.h"
 #include "Hex/TransitionSmoothing.h"
 #include "Mesh/TetQuality.h"
+#include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Smoother.h"
 #include "Tet/TetImprove.h"
 
@@ -14,131 +15,86 @@ namespace vfm
 class CoarseTets::Improver
 {
 public:
-  Improver(CoarseTets& tets, int level) :
-    Tets(tets), Level(level), IndexOf(tets.Local.Points.size() / 3, -1)
+  /// Collective among peers.
+  Improver(CoarseTets& tets, int level, const Partition& partition) : Tets(tets)
   {
+    ActiveMeshBuilder builder(4, tets.Local.Points.size() / 3, this->FindMovers(level));
+    std::vector<Vector3> widths;
+    this->AddTets(builder, widths);
+    this->Active = builder.Finish(&partition);
+    this->Active.Widths = std::move(widths);
+    this->Active.PlacePoints(tets.Grid.Finest(), tets.Local);
   }
 
   /// Collective.
-  void Run(const Partition& partition, Runtime& runtime)
+  void Run(Runtime& runtime)
   {
-    this->AddCandidates(partition);
-    this->AddTets();
-    this->Activate(partition);
-    if (!runtime.Group().Any(this->IsPoor))
+    if (runtime.Group().Any(this->ActivatePoor()))
     {
-      return;
+      Smoother(this->Active, nullptr, this->Tets.Energy, runtime).RunRamp(TetRamp());
+      this->Active.CopyTo(this->Tets.Local, this->Tets.Grid.Finest());
     }
-    const CartesianGrid& grid = this->Tets.Grid.Finest();
-    ActiveMesh& active = this->Active;
-    active.Start = active.X;
-    active.AttachmentOffset.assign(active.X.size() + 1, 0);
-    active.FixOnDomain(grid, this->Tets.Local);
-    active.ListCorners();
-    const PointExchange exchange(this->ListEntries(), partition);
-    Smoother smoother(active, nullptr, exchange, this->Tets.Energy, runtime);
-    for (const SmoothingStage& stage : TetRamp())
-    {
-      smoother.RunStage(stage, [](double) {});
-    }
-    active.CopyTo(this->Tets.Local, grid);
   }
 
 private:
   static constexpr double PoorAngle = 20.0; // degrees off 0 or 180, of a dihedral angle
 
-  void AddPoint(int point)
-  {
-    this->IndexOf[point] = static_cast<int>(this->Active.X.size());
-    this->Active.AddPoint(this->Tets.Grid.Finest(), this->Tets.Local, point, false);
-  }
-
-  void AddCandidates(const Partition& partition);
-  void AddTets();
-  void Activate(const Partition& partition);
+  std::vector<Mover> FindMovers(int level) const;
+  void AddTets(ActiveMeshBuilder& builder, std::vector<Vector3>& widths) const;
+  bool ActivatePoor();
   bool HasPoorAngle(std::size_t position) const;
-  std::vector<PointExchange::Entry> ListEntries() const;
 
   CoarseTets& Tets;
-  int Level;
-  std::vector<int> IndexOf;          // of local points in Active
-  std::vector<Candidate> Candidates; // the first points of Active
   ActiveMesh Active;
-  bool IsPoor = false;
 };
 
 /// Copies of lattice nodes go with their node, centres of transition hexes with the upper node of their cell: so points of
 /// one colour share no tet unless they go with one node, and the owner of a cell has all tets at its points.
-void CoarseTets::Improver::AddCandidates(const Partition& partition)
+std::vector<Mover> CoarseTets::Improver::FindMovers(int level) const
 {
   const OctreeKeys& lattice = this->Tets.Grid.Lattice();
   const Mesh& local = this->Tets.Local;
+  std::vector<Mover> movers;
+  const auto add = [&](int point, const OctreeKeys::LevelIndex& node)
+  {
+    movers.push_back({ point, local.PointIds[point], lattice.NodeKey(level, node.At, 0),
+      OwnerNode(node), CartesianGrid::Colour(node.At) });
+  };
   for (int p = 0; p < this->Tets.HexPoints; ++p)
   {
     const OctreeKeys::LevelIndex node =
       lattice.NodeOfKey(this->Tets.Grid.KeyOfPoint(local.PointIds[p], TetIds.PointSlots));
-    if (node.Level == this->Level && node.Slot > 0)
+    if (node.Level == level && node.Slot > 0)
     {
-      this->Candidates.push_back({ node, local.PointIds[p], p });
+      add(p, node);
     }
   }
   for (std::size_t h = 0; h < this->Tets.Hexes.size(); ++h)
   {
     OctreeKeys::LevelIndex cell = this->Tets.Hexes[h].Cell;
-    if (cell.Level == this->Level && !this->Tets.Hexes[h].IsWhole)
+    if (cell.Level == level && !this->Tets.Hexes[h].IsWhole)
     {
-      const int p = this->Tets.HexPoints + static_cast<int>(h);
       cell.At = { { cell.At[0] + 1, cell.At[1] + 1, cell.At[2] + 1 } };
-      this->Candidates.push_back({ cell, local.PointIds[p], p });
+      add(this->Tets.HexPoints + static_cast<int>(h), cell);
     }
   }
-  const auto keyOf = [&](const Candidate& c) { return lattice.NodeKey(this->Level, c.Node.At, 0); };
-  std::sort(this->Candidates.begin(), this->Candidates.end(),
-    [&](const Candidate& a, const Candidate& b)
-    {
-      const Index first = keyOf(a), second = keyOf(b);
-      return first != second ? first < second : a.Id < b.Id;
-    });
-  for (std::size_t first = 0, last = 0; first < this->Candidates.size(); first = last)
-  {
-    const Index3& node = this->Candidates[first].Node.At;
-    for (last = first; last < this->Candidates.size() && this->Candidates[last].Node.At == node;
-         ++last)
-    {
-      this->AddPoint(this->Candidates[last].Point);
-    }
-    if (partition.OwnsNode(OwnerNode(this->Candidates[first].Node)))
-    {
-      this->Active.Colours[CartesianGrid::Colour(node)].push_back(
-        { static_cast<int>(first), static_cast<int>(last) });
-    }
-  }
+  return movers;
 }
 
-void CoarseTets::Improver::AddTets()
+/// Those at movers.
+void CoarseTets::Improver::AddTets(ActiveMeshBuilder& builder, std::vector<Vector3>& widths) const
 {
-  const int candidates = static_cast<int>(this->Candidates.size());
-  this->Active.Corners = 4;
   for (const Face& face : this->Tets.Faces)
   {
     Tet tets[4];
     const int count = face.IsPlain ? 0 : this->Tets.TetsOf(face, face.Way, tets);
     for (int t = 0; t < count; ++t)
     {
-      if (std::none_of(tets[t].begin(), tets[t].end(),
-            [&](int p) { return this->IndexOf[p] >= 0 && this->IndexOf[p] < candidates; }))
+      if (builder.HasMover(tets[t].data()))
       {
-        continue;
+        builder.Add(tets[t].data());
+        widths.push_back(this->Tets.WidthsOf(face));
       }
-      for (int p : tets[t])
-      {
-        if (this->IndexOf[p] < 0)
-        {
-          this->AddPoint(p);
-        }
-        this->Active.Elements.push_back(this->IndexOf[p]);
-      }
-      this->Active.Widths.push_back(this->Tets.WidthsOf(face));
     }
   }
 }
@@ -159,39 +115,29 @@ bool CoarseTets::Improver::HasPoorAngle(std::size_t position) const
     angles, angles + 6, [](double angle) { return std::min(angle, 180.0 - angle) < PoorAngle; });
 }
 
-/// The candidates of poor tets move. Those of other ranks count as moving here: their owners know.
-void CoarseTets::Improver::Activate(const Partition& partition)
+/// Of the movers of this rank those of poor tets move; returns whether there are poor tets.
+bool CoarseTets::Improver::ActivatePoor()
 {
-  const std::size_t candidates = this->Candidates.size();
-  std::vector<unsigned char>& isActive = this->Active.IsActive;
+  std::vector<unsigned char> isPoor(this->Active.X.size(), 0);
+  bool found = false;
   for (std::size_t t = 0; t < this->Active.Elements.size(); t += 4)
   {
-    const bool isPoor = this->HasPoorAngle(t);
-    this->IsPoor = this->IsPoor || isPoor;
-    for (int c = 0; isPoor && c < 4; ++c)
+    if (this->HasPoorAngle(t))
     {
-      const int p = this->Active.Elements[t + c];
-      isActive[p] = static_cast<std::size_t>(p) < candidates;
+      found = true;
+      std::for_each(this->Active.Elements.begin() + t, this->Active.Elements.begin() + t + 4,
+        [&](int point) { isPoor[point] = 1; });
     }
   }
-  for (std::size_t p = 0; p < candidates; ++p)
+  for (const std::vector<ActiveMesh::Group>& groups : this->Active.Colours)
   {
-    isActive[p] = isActive[p] || !partition.OwnsNode(OwnerNode(this->Candidates[p].Node));
+    for (const ActiveMesh::Group& group : groups)
+    {
+      std::copy(isPoor.begin() + group.First, isPoor.begin() + group.Last,
+        this->Active.IsActive.begin() + group.First);
+    }
   }
-}
-
-std::vector<PointExchange::Entry> CoarseTets::Improver::ListEntries() const
-{
-  std::vector<PointExchange::Entry> entries;
-  for (std::size_t p = 0; p < this->Candidates.size(); ++p)
-  {
-    const Candidate& candidate = this->Candidates[p];
-    entries.push_back({ static_cast<int>(p), candidate.Id, OwnerNode(candidate.Node),
-      CartesianGrid::Colour(candidate.Node.At), true });
-  }
-  std::sort(
-    entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.Id < b.Id; });
-  return entries;
+  return found;
 }
 
 /// Level by level: points of one colour and different levels might share a tet. Collective.
@@ -200,7 +146,7 @@ void CoarseTets::Improve(Runtime& runtime)
   const Partition partition(this->Grid.Base(), runtime.Group());
   for (int level = 0; level < this->Grid.NumberOfRefinements(); ++level)
   {
-    Improver(*this, level).Run(partition, runtime);
+    Improver(*this, level, partition).Run(runtime);
   }
 }
 

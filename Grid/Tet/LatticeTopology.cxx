@@ -369,6 +369,7 @@ private:
     Mesh& mesh = this->Result.Tets;
     mesh.Corners = 4;
     mesh.Ids = TetIds;
+    mesh.Levels = LevelsOf(this->Coarse, this->Grid, this->Run);
     mesh.Points = Buffer<double>(3 * total);
     mesh.PointIds = Buffer<Index>(total);
     this->Result.Positions.resize(total);

@@ -1,5 +1,6 @@
 #include "Tet/TetImprove.h"
 
+#include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Smoother.h"
 
 namespace vfm
@@ -26,28 +27,28 @@ const SmoothingRamp& TetRamp()
 void ImproveInside(const TetEnergy& energy, std::size_t fixed,
   const std::vector<std::array<int, 4>>& tets, std::vector<Vector3>& points)
 {
-  ActiveMesh active;
-  active.Corners = 4;
-  active.X = points;
-  active.Fixed.assign(points.size(), 0);
-  active.IsActive.assign(points.size(), 1);
-  std::fill_n(active.IsActive.begin(), fixed, 0);
+  std::vector<Mover> movers;
+  for (std::size_t p = fixed; p < points.size(); ++p)
+  {
+    movers.push_back({ static_cast<Index>(p), static_cast<Index>(p), 0, {}, 0 });
+  }
+  ActiveMeshBuilder builder(4, points.size(), std::move(movers));
   for (const std::array<int, 4>& tet : tets)
   {
-    active.Elements.insert(active.Elements.end(), tet.begin(), tet.end());
+    builder.Add(tet.data());
   }
+  ActiveMesh active = builder.Finish(nullptr);
   active.Widths.assign(1, { { 1.0, 1.0, 1.0 } });
-  active.AttachmentOffset.assign(points.size() + 1, 0);
-  active.Colours[0].push_back({ static_cast<int>(fixed), static_cast<int>(points.size()) });
-  active.ListCorners();
-  Runtime alone;
-  const PointExchange exchange(alone.Group());
-  Smoother smoother(active, nullptr, exchange, energy, alone);
-  for (const SmoothingStage& stage : TetRamp())
+  for (std::size_t p = 0; p < active.X.size(); ++p)
   {
-    smoother.RunStage(stage, [](double) {});
+    active.X[p] = points[active.MeshPoint[p]];
   }
-  points = active.X;
+  Runtime alone;
+  Smoother(active, nullptr, energy, alone).RunRamp(TetRamp());
+  for (std::size_t p = 0; p < active.X.size(); ++p)
+  {
+    points[active.MeshPoint[p]] = active.X[p];
+  }
 }
 
 } // namespace vfm

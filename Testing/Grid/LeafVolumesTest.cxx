@@ -114,7 +114,7 @@ TEST(CellLocator, AreThoseOfCellsWhereAllCellsAreFine)
   const CartesianGrid grid = MakeUnitGrid(8, 12, 16);
   Ranks alone;
   const RandomLeaves leaves(grid, 1, 1.0, 4, alone);
-  const RefinedGrid uniform(grid, LevelPlan(), {}, alone);
+  const RefinedGrid uniform(grid, alone);
   const CellLocator cells(uniform, leaves.Labels, leaves.Pieces);
   int found = 0, missed = 0;
   ForCells(grid.Global(),
@@ -201,7 +201,7 @@ TEST(CellLocator, GiveACoarseLeafToThePieceBeside)
   EXPECT_NEAR(leaves[beside], 64.0 + 12.8, 1e-9);
   EXPECT_NEAR(leaves[far], 64.0, 1e-9);
   const std::vector<double> cells =
-    targets(CellLocator(RefinedGrid(grid, LevelPlan(), {}, runtime.Group()), labels, pieces));
+    targets(CellLocator(RefinedGrid(grid, runtime.Group()), labels, pieces));
   EXPECT_GT(cells[far], 68.0); // most of the fifth is near no cell of a body: both get a share
 }
 

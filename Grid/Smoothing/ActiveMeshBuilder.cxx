@@ -1,0 +1,83 @@
+#include "Smoothing/ActiveMeshBuilder.h"
+
+namespace vfm
+{
+
+ActiveMeshBuilder::ActiveMeshBuilder(int corners, std::size_t points, std::vector<Mover> movers) :
+  Movers(std::move(movers))
+{
+  std::sort(this->Movers.begin(), this->Movers.end(),
+    [](const Mover& a, const Mover& b)
+    { return a.Node != b.Node ? a.Node < b.Node : a.Id < b.Id; });
+  this->Result.Corners = corners;
+  this->Result.PointOf.assign(points, -1);
+  this->Result.MeshPoint.reserve(this->Movers.size());
+  for (const Mover& mover : this->Movers)
+  {
+    this->AddPoint(mover.MeshPoint);
+  }
+}
+
+int ActiveMeshBuilder::AddPoint(Index meshPoint)
+{
+  const int point = static_cast<int>(this->Result.MeshPoint.size());
+  this->Result.MeshPoint.push_back(meshPoint);
+  return this->Result.PointOf[meshPoint] = point;
+}
+
+std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh)
+{
+  std::vector<Index> elements;
+  for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
+  {
+    if (this->HasMover(mesh.Elements.data() + mesh.Corners * e))
+    {
+      elements.push_back(static_cast<Index>(e));
+    }
+  }
+  this->Result.Elements.reserve(mesh.Corners * elements.size());
+  for (Index e : elements)
+  {
+    this->Add(mesh.Elements.data() + mesh.Corners * e);
+  }
+  return elements;
+}
+
+/// Of the owned movers alone: only they move here.
+void ActiveMeshBuilder::AddGroups(const Partition* partition)
+{
+  const int count = static_cast<int>(this->Movers.size());
+  for (int first = 0, last = 0; first < count; first = last)
+  {
+    const Mover& mover = this->Movers[first];
+    while (last < count && this->Movers[last].Node == mover.Node)
+    {
+      ++last;
+    }
+    if (!partition || partition->OwnsNode(mover.Owner))
+    {
+      this->Result.Colours[mover.Colour].push_back({ first, last });
+    }
+  }
+}
+
+ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours)
+{
+  const std::size_t points = this->Result.MeshPoint.size();
+  this->Result.X.resize(points);
+  this->Result.Fixed.assign(points, 0);
+  this->Result.IsActive.assign(points, 0);
+  std::fill_n(this->Result.IsActive.begin(), this->Movers.size(), 1);
+  this->Result.AttachmentOffset.assign(points + 1, 0);
+  this->Result.Colours.resize(colours);
+  this->AddGroups(partition);
+  if (partition)
+  {
+    this->Result.Exchange = PointExchange(this->Movers, *partition, colours);
+  }
+  std::vector<Mover>().swap(this->Movers);
+  this->Result.ListCorners();
+  return std::move(this->Result);
+}
+
+} // namespace vfm
