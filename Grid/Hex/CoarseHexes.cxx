@@ -32,8 +32,9 @@ CoarseHexes::CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool
   this->NumberPoints();
 }
 
-/// Points on or in owned cells need all hexes in the cells around the one of the coarser level that they stem from. Where
-/// the label of such a cell is too far away to be known, its hexes are wanted if its points are.
+/// Whether the hexes of a cell are made here: the cell of the level before around it is owned or touches an owned one. So all
+/// hexes at a point that moves here are known, for none lies more than one level below the node that the point stems from.
+/// Hexes of void need not be made; labels too far away to be known count as meshed.
 bool CoarseHexes::IsWanted(const OctreeKeys::LevelIndex& cell) const
 {
   const bool isNear = cell.Level == 0

@@ -100,7 +100,8 @@ private:
   ActiveMesh Active;
 };
 
-/// Whether cells of a level at a lattice node of it are refined once more: their hexes are not known around it.
+/// Whether a cell of the level `next` at a lattice node is refined. The hexes in it lie two levels below the node that the
+/// point moves with, so the owner may not know all of them: the point stays.
 bool CoarseSmoother::TouchesFinerLevels(Index key, int next) const
 {
   if (next >= this->Levels.NumberOfRefinements())

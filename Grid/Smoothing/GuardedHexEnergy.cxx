@@ -11,8 +11,10 @@ constexpr double LeastCoefficient = 1e-6; // in cell volumes
 
 using Corners = std::array<const double*, 8>; // of a hex, by bits
 
-/// The derivative along an axis is bilinear in the other two: its coefficients are the four edges along the axis. Each product of three
-/// edges, one an axis, adds to the coefficient whose indices are the sums of theirs. Lanes: of the edges along z, by corner.
+/// The Jacobian of a trilinear hex is the sum of all products dx . (dy x dz) of three of its edges, one along each axis.
+/// An edge has a position, 0 or 1, along each of the two other axes. The sums of these, along each axis of two edges, are the
+/// indices of the coefficient to which the product adds: 0, 1 or 2 along each axis, 27 in all. Lanes: of the edges along z, by
+/// the corner at their lower end.
 struct EdgeProducts
 {
   /// By the position of the y edge along x, of the x edge along y, and the sum of both along z.
