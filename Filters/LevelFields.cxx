@@ -1,6 +1,7 @@
 #include "LevelFields.h"
 
 #include "Agreement.h"
+#include "Fractions/FractionSum.h"
 #include "Fractions/GhostFractions.h"
 #include "InputRoute.h"
 #include "MakePartition.h"
@@ -13,65 +14,6 @@ namespace
 
 constexpr Index ChunkCells = 8; // along an axis, of those that are averaged at a time
 
-using Part = FractionField::Part;
-
-void CopyCell(const FractionField& from, Index cell, FractionField& to, Index other)
-{
-  if (from.IsMixed(cell))
-  {
-    to.CopyParts(other, from.Parts(cell));
-  }
-  else
-  {
-    to.SetLabel(other, from.Label(cell));
-  }
-}
-
-/// The mean of some cells, in their order.
-class Mean
-{
-public:
-  void Add(const FractionField& field, Index cell, double weight)
-  {
-    if (!field.IsMixed(cell))
-    {
-      this->Add({ field.Label(cell), weight });
-      return;
-    }
-    for (const Part& part : field.Parts(cell))
-    {
-      this->Add({ part.Material, part.Fraction * weight });
-    }
-  }
-
-  void Set(FractionField& field, Index cell)
-  {
-    if (this->Parts.size() == 1)
-    {
-      field.SetLabel(cell, this->Parts[0].Material);
-      return;
-    }
-    std::sort(this->Parts.begin(), this->Parts.end(),
-      [](const Part& a, const Part& b) { return a.Material < b.Material; });
-    field.CopyParts(cell, { this->Parts.data(), this->Parts.data() + this->Parts.size() });
-  }
-
-private:
-  void Add(const Part& part)
-  {
-    const auto found = std::find_if(this->Parts.begin(), this->Parts.end(),
-      [&part](const Part& own) { return own.Material == part.Material; });
-    if (found == this->Parts.end())
-    {
-      this->Parts.push_back(part);
-      return;
-    }
-    found->Fraction += part.Fraction;
-  }
-
-  std::vector<Part> Parts;
-};
-
 /// Sets the cells of a box that finer ones cover to the means of these.
 void AverageCells(const CartesianGrid& fineGrid, const FractionField& fine, const LevelCover& cover,
   const IndexBox& box, const CartesianGrid& grid, FractionField& field)
@@ -81,12 +23,12 @@ void AverageCells(const CartesianGrid& fineGrid, const FractionField& fine, cons
     {
       if (cover.Has(ChildOfCell(cell, 0))) // then the others, too (CheckCover)
       {
-        Mean mean;
+        FractionSum mean;
         for (int c = 0; c < 8; ++c)
         {
           mean.Add(fine, fineGrid.Linear(ChildOfCell(cell, c)), 0.125);
         }
-        mean.Set(field, grid.Linear(cell));
+        field.CopyParts(grid.Linear(cell), mean.Parts());
       }
     });
 }
@@ -242,7 +184,7 @@ private:
       {
         if (cover.Has(cell))
         {
-          CopyCell(data, finer.Linear(cell), refined.Fractions, refined.Grid.Linear(cell));
+          refined.Fractions.CopyCell(refined.Grid.Linear(cell), data, finer.Linear(cell));
         }
       });
     fractions = std::move(refined.Fractions);

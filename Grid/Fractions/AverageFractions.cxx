@@ -1,13 +1,12 @@
 #include "Fractions/AverageFractions.h"
 
+#include "Fractions/FractionSum.h"
 #include "Fractions/GhostFractions.h"
 
 namespace vfm
 {
 namespace
 {
-
-using Part = FractionField::Part;
 
 /// What a cell takes from its two neighbours along an axis.
 struct Shares
@@ -44,24 +43,22 @@ public:
       (shares.Upper == 0.0 || same(cell + step));
   }
 
-  void Average(Index cell, const Shares& shares, std::vector<Part>& sum) const
+  void Average(Index cell, const Shares& shares, FractionSum& sum) const
   {
     const Index step = this->Grid.Stride(this->Axis);
-    Part whole;
-    AddParts(PartsOf(this->From, cell, whole), 1.0 - (shares.Lower + shares.Upper), sum);
+    sum.Add(this->From, cell, 1.0 - (shares.Lower + shares.Upper));
     if (shares.Lower > 0.0)
     {
-      AddParts(PartsOf(this->From, cell - step, whole), shares.Lower, sum);
+      sum.Add(this->From, cell - step, shares.Lower);
     }
     if (shares.Upper > 0.0)
     {
-      AddParts(PartsOf(this->From, cell + step, whole), shares.Upper, sum);
+      sum.Add(this->From, cell + step, shares.Upper);
     }
   }
 
-  /// The parts of the cells of a layer along z that are not pure, row by row, x fastest.
-  void AverageRow(
-    const IndexBox& box, Index j, Index k, std::vector<std::vector<Part>>& mixed) const
+  /// The cells of a layer along z that are not pure, row by row, x fastest.
+  void AverageRow(const IndexBox& box, Index j, Index k, std::vector<FractionSum>& mixed) const
   {
     for (Index i = box.Lower[0]; i < box.Upper[0]; ++i)
     {
@@ -76,7 +73,7 @@ public:
     }
   }
 
-  void StoreRow(const IndexBox& box, Index j, Index k, const std::vector<std::vector<Part>>& mixed,
+  void StoreRow(const IndexBox& box, Index j, Index k, const std::vector<FractionSum>& mixed,
     FractionField& to) const
   {
     auto next = mixed.begin();
@@ -91,8 +88,7 @@ public:
         row.AddLabel(this->From.Label(cell));
         continue;
       }
-      row.CopyParts({ next->data(), next->data() + next->size() });
-      ++next;
+      row.CopyParts((next++)->Parts());
     }
     row.Finish();
   }
@@ -109,7 +105,7 @@ FractionField AverageAlong(const CartesianGrid& grid, const FractionField& from,
   FractionField to(grid, from.NumberOfMaterials());
   const RowAverage average(grid, from, axis);
   const Index rows = std::max<Index>(box.Size(1), 0);
-  std::vector<std::vector<std::vector<Part>>> mixed(rows); // of a layer
+  std::vector<std::vector<FractionSum>> mixed(rows); // of a layer
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
     runtime.For(0, rows,

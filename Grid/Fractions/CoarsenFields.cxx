@@ -1,11 +1,11 @@
 #include "Fractions/CoarsenFields.h"
 
+#include "Fractions/FractionSum.h"
+
 namespace vfm
 {
 namespace
 {
-
-using Part = FractionField::Part;
 
 constexpr int Mixed = -1; // label of cells of several parts, or of several labels
 
@@ -56,11 +56,11 @@ void Merge(const Runs& a, const Runs& b, Runs& merged)
   }
 }
 
-/// A row of coarse cells: runs of them, and the parts of those that are mixed, in their order.
+/// A row of coarse cells: runs of them, and those that are mixed, in their order.
 struct CoarseRow
 {
   Runs Pieces;
-  std::vector<std::vector<Part>> Parts;
+  std::vector<FractionSum> Mixed;
 };
 
 class Coarsener
@@ -94,7 +94,7 @@ public:
     {
       for (Index i = begin; run.Label == Mixed && i < run.End; ++i)
       {
-        row.Parts.push_back(this->Average({ { box.Lower[0] + i, j, k } }));
+        row.Mixed.push_back(this->Average({ { box.Lower[0] + i, j, k } }));
       }
       begin = run.End;
     }
@@ -132,7 +132,7 @@ private:
     return all;
   }
 
-  std::vector<Part> Average(const Index3& cell) const
+  FractionSum Average(const Index3& cell) const
   {
     IndexBox box;
     for (int a = 0; a < 3; ++a)
@@ -140,7 +140,7 @@ private:
       box.Lower[a] = cell[a] * this->Factor;
       box.Upper[a] = box.Lower[a] + this->Factor;
     }
-    std::vector<Part> sum;
+    FractionSum sum;
     ForCells(box,
       [&](const Index3& p)
       {
@@ -149,8 +149,7 @@ private:
         {
           share *= this->Grid.Width(a, p[a]) / this->Coarse.Width(a, cell[a]);
         }
-        Part whole;
-        AddParts(PartsOf(this->Fractions, this->Grid.Linear(p), whole), share, sum);
+        sum.Add(this->Fractions, this->Grid.Linear(p), share);
       });
     return sum;
   }
@@ -163,7 +162,7 @@ private:
 
 void StoreRow(const CoarseRow& row, FractionField::RowWriter& writer)
 {
-  auto parts = row.Parts.begin();
+  auto sum = row.Mixed.begin();
   Index begin = 0;
   for (const Run& run : row.Pieces)
   {
@@ -171,9 +170,9 @@ void StoreRow(const CoarseRow& row, FractionField::RowWriter& writer)
     {
       writer.AddLabel(run.Label, run.End - begin);
     }
-    for (Index i = begin; run.Label == Mixed && i < run.End; ++i, ++parts)
+    for (Index i = begin; run.Label == Mixed && i < run.End; ++i, ++sum)
     {
-      writer.CopyParts({ parts->data(), parts->data() + parts->size() });
+      writer.CopyParts(sum->Parts());
     }
     begin = run.End;
   }

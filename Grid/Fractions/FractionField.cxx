@@ -86,6 +86,12 @@ void FractionField::CopyParts(Index cell, Range parts)
   this->Entry.Set(cell, this->StoreCopy(parts));
 }
 
+void FractionField::CopyCell(Index cell, const FractionField& from, Index other)
+{
+  this->Entry.Set(
+    cell, from.IsMixed(other) ? this->StoreCopy(from.Parts(other)) : from.Label(other));
+}
+
 /// Stores the parts of a cell and returns its entry.
 int FractionField::StoreParts(const std::vector<Part>& parts)
 {
@@ -117,6 +123,10 @@ int FractionField::StoreParts(const std::vector<Part>& parts)
 
 int FractionField::StoreCopy(Range parts)
 {
+  if (parts.end() - parts.begin() == 1)
+  {
+    return parts.First->Material;
+  }
   this->List.insert(this->List.end(), parts.begin(), parts.end());
   return this->CloseParts();
 }
@@ -157,6 +167,16 @@ void FractionField::RowWriter::AddParts(const std::vector<Part>& parts)
 void FractionField::RowWriter::CopyParts(Range parts)
 {
   this->Entries.push_back(this->Field.StoreCopy(parts));
+}
+
+void FractionField::RowWriter::CopyCell(const FractionField& from, Index other)
+{
+  if (from.IsMixed(other))
+  {
+    this->CopyParts(from.Parts(other));
+    return;
+  }
+  this->AddLabel(from.Label(other));
 }
 
 void FractionField::RowWriter::Finish()
@@ -223,21 +243,23 @@ FractionField FractionField::FromReader(
   return field;
 }
 
-void AddParts(FractionField::Range parts, double share, std::vector<FractionField::Part>& sum)
+int MaterialOfParts(FractionField::Range parts, double isoValue)
 {
-  std::size_t at = 0;
+  int best = 0;
+  double largest = 0.0, empty = 0.0;
   for (const FractionField::Part& part : parts)
   {
-    while (at < sum.size() && sum[at].Material < part.Material)
+    if (part.Material == 0)
     {
-      ++at;
+      empty = part.Fraction;
     }
-    if (at == sum.size() || sum[at].Material != part.Material)
+    else if (part.Fraction > largest)
     {
-      sum.insert(sum.begin() + at, { part.Material, 0.0 });
+      largest = part.Fraction;
+      best = part.Material;
     }
-    sum[at].Fraction += share * part.Fraction;
   }
+  return empty > 1.0 - isoValue ? 0 : best;
 }
 
 std::size_t FractionField::MemoryInBytes() const

@@ -26,6 +26,8 @@ public:
   {
     const Part* First;
     const Part* Last;
+    Range(const Part* first, const Part* last) : First(first), Last(last) {}
+    Range(const std::vector<Part>& parts) : Range(parts.data(), parts.data() + parts.size()) {}
     const Part* begin() const { return this->First; }
     const Part* end() const { return this->Last; }
   };
@@ -59,8 +61,10 @@ public:
   /// parts: fractions of distinct materials >= 1, each > 0, sum <= 1 but for rounding.
   void SetParts(Index cell, const std::vector<Part>& parts);
 
-  /// The parts of a mixed cell as Parts() of another field has them, void included: nothing is normalised.
+  /// The parts of a cell as Parts() of another field has them, void included: nothing is normalised. Of one part its label.
   void CopyParts(Index cell, Range parts);
+  /// What a cell of another field holds.
+  void CopyCell(Index cell, const FractionField& from, Index other);
 
   /// Sets cells of a row one after the other, faster and in less memory than cell by cell. The layer around the local box
   /// may get the labels of the cells beside it, so that rows of one label stay alike.
@@ -74,6 +78,7 @@ public:
     /// Like SetParts and CopyParts.
     void AddParts(const std::vector<Part>& parts);
     void CopyParts(Range parts);
+    void CopyCell(const FractionField& from, Index other);
     /// To be called after the last cell.
     void Finish();
 
@@ -94,11 +99,13 @@ public:
   }
   double Fraction(Index cell, int material) const
   {
-    if (!this->IsMixed(cell))
-    {
-      return this->Label(cell) == material ? 1.0 : 0.0;
-    }
-    for (const Part& part : this->Parts(cell))
+    return this->IsMixed(cell) ? FractionOf(this->Parts(cell), material)
+                               : (this->Label(cell) == material ? 1.0 : 0.0);
+  }
+  /// Of a material among some parts.
+  static double FractionOf(Range parts, int material)
+  {
+    for (const Part& part : parts)
     {
       if (part.Material == material)
       {
@@ -139,19 +146,15 @@ private:
   std::vector<Part> List;
 };
 
-/// The parts of a cell; whole holds that of one that is not mixed.
-inline FractionField::Range PartsOf(
-  const FractionField& fractions, Index cell, FractionField::Part& whole)
-{
-  if (fractions.IsMixed(cell))
-  {
-    return fractions.Parts(cell);
-  }
-  whole = { fractions.Label(cell), 1.0 };
-  return { &whole, &whole + 1 };
-}
+/// The label of a mixed cell: void where the materials fill less than isoValue, else the material of the largest fraction,
+/// ties to the smaller. parts: in the order of their materials.
+int MaterialOfParts(FractionField::Range parts, double isoValue);
 
-/// Adds a share of the parts to a list in the order of its materials.
-void AddParts(FractionField::Range parts, double share, std::vector<FractionField::Part>& sum);
+/// The label of a cell, of a pure one its own.
+inline int MaterialOfCell(const FractionField& fractions, Index cell, double isoValue)
+{
+  return fractions.IsMixed(cell) ? MaterialOfParts(fractions.Parts(cell), isoValue)
+                                 : fractions.Label(cell);
+}
 
 } // namespace vfm

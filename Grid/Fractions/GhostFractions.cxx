@@ -98,14 +98,7 @@ FractionField CopyWithGhosts(
       {
         for (Index cell = begin; cell < end; ++cell)
         {
-          if (fractions.IsMixed(cell))
-          {
-            writer.CopyParts(fractions.Parts(cell));
-          }
-          else
-          {
-            writer.AddLabel(fractions.Label(cell));
-          }
+          writer.CopyCell(fractions, cell);
         }
       };
       fractions.Visit(

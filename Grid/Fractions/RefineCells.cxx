@@ -86,12 +86,7 @@ private:
         own.push_back({ parts.First[p].Material, octants[p][c] });
       }
     }
-    if (own.size() == 1)
-    {
-      this->Rows[c / 2].AddLabel(own[0].Material);
-      return;
-    }
-    this->Rows[c / 2].CopyParts({ own.data(), own.data() + own.size() });
+    this->Rows[c / 2].CopyParts(own);
   }
 
   const FractionField& Fractions;

@@ -240,12 +240,6 @@ std::vector<FaceStep> MakeSteps(int axis)
   return steps;
 }
 
-int LabelOfCell(const FractionField& fractions, Index cell, double isoValue)
-{
-  return fractions.IsMixed(cell) ? MaterialOfParts(fractions.Parts(cell), isoValue)
-                                 : fractions.Label(cell);
-}
-
 } // namespace
 
 Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
@@ -271,8 +265,8 @@ Crossing FindCrossingNear(const CartesianGrid& grid, const FractionField& fracti
     }
     const Index node = grid.Linear(upper);
     const InterfaceFace other{ node, step.Axis,
-      LabelOfCell(fractions, node - grid.Stride(step.Axis), isoValue),
-      LabelOfCell(fractions, node, isoValue) };
+      MaterialOfCell(fractions, node - grid.Stride(step.Axis), isoValue),
+      MaterialOfCell(fractions, node, isoValue) };
     if (other.First() == face.First() && other.Second() == face.Second())
     {
       return FindCrossing(grid, fractions, other, isoValue);

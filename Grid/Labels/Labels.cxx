@@ -85,25 +85,6 @@ void AddMixedNodes(Index first, Index size, const FourRows& rows, std::vector<In
 
 } // namespace
 
-int MaterialOfParts(FractionField::Range parts, double isoValue)
-{
-  int best = 0;
-  double largest = 0.0, empty = 0.0;
-  for (const FractionField::Part& part : parts)
-  {
-    if (part.Material == 0)
-    {
-      empty = part.Fraction;
-    }
-    else if (part.Fraction > largest)
-    {
-      largest = part.Fraction;
-      best = part.Material;
-    }
-  }
-  return empty > 1.0 - isoValue ? 0 : best;
-}
-
 LabelArray AssignMaterials(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue)
 {
@@ -126,9 +107,7 @@ LabelArray AssignMaterials(
           values.clear();
           for (Index cell = begin; cell < end; ++cell)
           {
-            values.push_back(fractions.IsMixed(cell)
-                ? MaterialOfParts(fractions.Parts(cell), isoValue)
-                : fractions.Label(cell));
+            values.push_back(MaterialOfCell(fractions, cell, isoValue));
           }
           if (begin == first)
           {

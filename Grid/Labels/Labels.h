@@ -14,10 +14,6 @@ class RefinedGrid;
 
 using LabelArray = PagedArray<int>;
 
-/// The label of a mixed cell: void where the materials fill less than isoValue, else the material of the largest fraction,
-/// ties to the smaller. parts: in the order of their materials.
-int MaterialOfParts(FractionField::Range parts, double isoValue);
-
 /// The labels of all cells of the local box; of a pure one its own.
 LabelArray AssignMaterials(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue);

@@ -1,74 +1,14 @@
 #include "Labels/LeafLabels.h"
 
+#include "Fractions/FractionSum.h"
+
 namespace vfm
 {
-namespace
-{
-
-/// The mean fractions of a box of cells, as FractionField::Parts.
-std::vector<FractionField::Part> MeanParts(
-  const CartesianGrid& grid, const FractionField& fractions, const IndexBox& cells)
-{
-  std::vector<FractionField::Part> parts;
-  double volume = 0.0;
-  const auto add = [&](int material, double amount)
-  {
-    const auto at = std::lower_bound(parts.begin(), parts.end(), material,
-      [](const FractionField::Part& part, int m) { return part.Material < m; });
-    if (at != parts.end() && at->Material == material)
-    {
-      at->Fraction += amount;
-      return;
-    }
-    parts.insert(at, { material, amount });
-  };
-  ForCells(cells,
-    [&](const Index3& p)
-    {
-      const Index cell = grid.Linear(p);
-      const double cellVolume = grid.CellVolume(p);
-      volume += cellVolume;
-      if (!fractions.IsMixed(cell))
-      {
-        add(fractions.Label(cell), cellVolume);
-        return;
-      }
-      for (const FractionField::Part& part : fractions.Parts(cell))
-      {
-        add(part.Material, cellVolume * part.Fraction);
-      }
-    });
-  for (FractionField::Part& part : parts)
-  {
-    part.Fraction /= volume;
-  }
-  return parts;
-}
-
-} // namespace
 
 IndexBox LabelUnits::LeafCells(const Index3& cell) const
 {
   const OctreeKeys::LevelIndex leaf = this->Leaves->LeafOf(cell);
   return Intersect(this->Leaves->FinestCells(leaf.Level, leaf.At), this->Grid.Local());
-}
-
-double MeanFraction(
-  const CartesianGrid& grid, const FractionField& fractions, const IndexBox& cells, int material)
-{
-  if (cells.NumberOfCells() == 1)
-  {
-    return fractions.Fraction(grid.Linear(cells.Lower), material); // the division would round
-  }
-  double amount = 0.0, volume = 0.0;
-  ForCells(cells,
-    [&](const Index3& p)
-    {
-      const double cellVolume = grid.CellVolume(p);
-      volume += cellVolume;
-      amount += cellVolume * fractions.Fraction(grid.Linear(p), material);
-    });
-  return amount / volume;
 }
 
 void FillLabels(const CartesianGrid& grid, const IndexBox& cells, int label, LabelArray& labels)
@@ -112,9 +52,7 @@ LabelArray AssignLeafMaterials(
   for (Index unit : mixed)
   {
     const IndexBox cells = units.CellsOf(unit);
-    const std::vector<FractionField::Part> parts = MeanParts(grid, fractions, cells);
-    const int label = MaterialOfParts({ parts.data(), parts.data() + parts.size() }, isoValue);
-    FillLabels(grid, cells, label, labels);
+    FillLabels(grid, cells, MeanOfCells(grid, fractions, cells).Material(isoValue), labels);
   }
   return labels;
 }

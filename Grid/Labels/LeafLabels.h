@@ -68,11 +68,6 @@ private:
   const RefinedGrid* Leaves;
 };
 
-/// Fraction of a material, 0 void, in a box of cells: their mean, weighted by volumes; of one cell its own,
-/// bit for bit.
-double MeanFraction(
-  const CartesianGrid& grid, const FractionField& fractions, const IndexBox& cells, int material);
-
 /// Gives the cells of a box of the local box a label, and the cells that mirror them.
 void FillLabels(const CartesianGrid& grid, const IndexBox& cells, int label, LabelArray& labels);
 

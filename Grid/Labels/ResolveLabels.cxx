@@ -1,3 +1,4 @@
+#include "Fractions/FractionSum.h"
 #include "Labels/LabelCondition.h"
 #include "Labels/LeafLabels.h"
 
@@ -177,10 +178,9 @@ private:
   /// The fraction that a unit gives up times its width: how far the interface moves, in cells of the grid.
   double Cost(const IndexBox& cells, int current, int label) const
   {
+    const FractionSum mean = MeanOfCells(this->Grid, this->Fractions, cells);
     return static_cast<double>(cells.Size(0)) *
-      std::max(0.0,
-        MeanFraction(this->Grid, this->Fractions, cells, current) -
-          MeanFraction(this->Grid, this->Fractions, cells, label));
+      std::max(0.0, mean.Fraction(current) - mean.Fraction(label));
   }
 
   void FindCandidates(bool decreasing)

@@ -297,11 +297,6 @@ std::vector<RegionRemover::Change> RegionRemover::FindChanges(const Index3& cell
   return changes;
 }
 
-int LabelOf(const std::vector<Part>& parts, double isoValue)
-{
-  return MaterialOfParts({ parts.data(), parts.data() + parts.size() }, isoValue);
-}
-
 /// Moves a fraction; in the order of materials again.
 std::vector<Part> Moved(std::vector<Part> parts, int from, int to)
 {
@@ -335,10 +330,10 @@ std::vector<Part> RegionRemover::ChangeParts(const Index3& p, int oldLabel, int 
   {
     std::vector<Part> moved = Moved(parts, change.From, change.To);
     const bool isOwn = oldLabel != label && change.From == oldLabel;
-    const bool isKept = isOwn || LabelOf(moved, this->IsoValue) == label;
+    const bool isKept = isOwn || MaterialOfParts(moved, this->IsoValue) == label;
     parts = isKept ? moved : Moved(parts, change.From, label);
   }
-  if (LabelOf(parts, this->IsoValue) != label)
+  if (MaterialOfParts(parts, this->IsoValue) != label)
   {
     parts = { { label, 1.0 } }; // three materials, none of which fills half
   }
@@ -359,15 +354,12 @@ FractionField RegionRemover::Apply() const
         row.Start(cell);
       }
       const int label = this->NewMaterials[region];
-      const std::vector<Part> parts = this->Fractions.IsMixed(cell)
-        ? this->ChangeParts(p, this->Labels[cell], label)
-        : std::vector<Part>();
-      if (parts.size() > 1)
+      if (!this->Fractions.IsMixed(cell))
       {
-        row.CopyParts({ parts.data(), parts.data() + parts.size() });
+        row.AddLabel(label);
         return;
       }
-      row.AddLabel(label);
+      row.CopyParts(this->ChangeParts(p, this->Labels[cell], label));
     });
   row.Finish();
   return result;

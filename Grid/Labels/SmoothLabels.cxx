@@ -348,11 +348,7 @@ void LabelSmoother::Store(FractionField& labels) const
         parts.push_back(part);
       }
     }
-    if (parts.size() > 1)
-    {
-      labels.CopyParts(
-        this->Grid.Linear(cell.Position), { parts.data(), parts.data() + parts.size() });
-    }
+    labels.CopyParts(this->Grid.Linear(cell.Position), parts);
   }
 }
 

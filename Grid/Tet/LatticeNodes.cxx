@@ -11,24 +11,11 @@ namespace
 constexpr double DiagonalReach = 0.45 - 1e-6; // of an edge from a vertex to a centre
 constexpr double AxisReach = 0.30 - 1e-6;     // of an edge along an axis
 
-void AddTo(std::vector<FractionField::Part>& sum, int material, double fraction)
-{
-  for (FractionField::Part& part : sum)
-  {
-    if (part.Material == material)
-    {
-      part.Fraction += fraction;
-      return;
-    }
-  }
-  sum.push_back({ material, fraction });
-}
-
 } // namespace
 
 LatticeNodes::LatticeNodes(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime) :
-  Grid(grid), Fractions(fractions), VoidLevel(1.0 - isoValue), Run(runtime)
+  Grid(grid), Fractions(fractions), IsoValue(isoValue), Run(runtime)
 {
   // Longer by the way across a cell, so that all of the upper side have neighbours in memory.
   const Index size = grid.NumberOfEntries() + grid.CornerOffset(7);
@@ -75,17 +62,9 @@ void LatticeNodes::LabelCentres(Index j, Index k)
 {
   const IndexBox& box = this->Grid.Local();
   const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
-  Parts parts;
   for (Index cell = first; cell < first + box.Size(0); ++cell)
   {
-    if (!this->Fractions.IsMixed(cell))
-    {
-      this->Label[Centre][cell] = this->Fractions.Label(cell);
-      continue;
-    }
-    const FractionField::Range range = this->Fractions.Parts(cell);
-    parts.assign(range.begin(), range.end());
-    this->Label[Centre][cell] = this->LabelOfParts(parts);
+    this->Label[Centre][cell] = MaterialOfCell(this->Fractions, cell, this->IsoValue);
   }
 }
 
@@ -114,7 +93,7 @@ void LatticeNodes::LabelVertices(const IndexBox& box, Index j, Index k)
     return same ? label : -1;
   };
   int* labels = &this->Label[Vertex][this->Grid.Linear({ { box.Lower[0], j, k } })];
-  Parts sum;
+  FractionSum sum;
   int before = pureLabel(0);
   for (Index i = 0; i < count; ++i)
   {
@@ -122,9 +101,9 @@ void LatticeNodes::LabelVertices(const IndexBox& box, Index j, Index k)
     labels[i] = before;
     if (before < 0 || before != after)
     {
-      sum.clear();
+      sum.Clear();
       this->AddParts({ Vertex, { { box.Lower[0] + i, j, k } } }, 1.0, sum);
-      labels[i] = this->LabelOfParts(sum);
+      labels[i] = sum.Material(this->IsoValue);
     }
     before = after;
   }
@@ -149,61 +128,27 @@ std::array<Index, 8> LatticeNodes::StarOf(const Index3& vertex) const
   return star;
 }
 
-void LatticeNodes::AddParts(const Node& node, double weight, Parts& sum) const
+void LatticeNodes::AddParts(const Node& node, double weight, FractionSum& sum) const
 {
-  const auto addCell = [&](Index cell, double factor)
-  {
-    if (!this->Fractions.IsMixed(cell))
-    {
-      AddTo(sum, this->Fractions.Label(cell), factor);
-      return;
-    }
-    for (const FractionField::Part& part : this->Fractions.Parts(cell))
-    {
-      AddTo(sum, part.Material, factor * part.Fraction);
-    }
-  };
   if (node.Type == Centre)
   {
-    addCell(this->Grid.Linear(node.Position), weight);
+    sum.Add(this->Fractions, this->Grid.Linear(node.Position), weight);
     return;
   }
   for (Index cell : this->StarOf(node.Position))
   {
-    addCell(cell, 0.125 * weight);
+    sum.Add(this->Fractions, cell, 0.125 * weight);
   }
-}
-
-int LatticeNodes::LabelOfParts(const Parts& parts) const
-{
-  int best = 0;
-  double largest = 0.0;
-  for (const FractionField::Part& part : parts)
-  {
-    if (part.Material == 0)
-    {
-      if (part.Fraction > this->VoidLevel)
-      {
-        return 0;
-      }
-    }
-    else if (part.Fraction > largest || (part.Fraction == largest && part.Material < best))
-    {
-      largest = part.Fraction;
-      best = part.Material;
-    }
-  }
-  return best;
 }
 
 int LatticeNodes::LabelOfMean(const std::array<Node, 4>& nodes) const
 {
-  Parts sum;
+  FractionSum sum;
   for (const Node& node : nodes)
   {
     this->AddParts(node, 0.25, sum);
   }
-  return this->LabelOfParts(sum);
+  return sum.Material(this->IsoValue);
 }
 
 double LatticeNodes::Fraction(const Node& node, int material) const
@@ -225,7 +170,7 @@ double LatticeNodes::Lead(const Node& node, int label, int other) const
 {
   if (label == 0 || other == 0)
   {
-    return std::abs(this->Fraction(node, 0) - this->VoidLevel);
+    return std::abs(this->Fraction(node, 0) - (1.0 - this->IsoValue));
   }
   return std::max(this->Fraction(node, label) - this->Fraction(node, other), 0.0);
 }

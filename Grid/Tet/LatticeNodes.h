@@ -14,7 +14,7 @@
 #pragma once
 
 #include "Base/Runtime.h"
-#include "Fractions/FractionField.h"
+#include "Fractions/FractionSum.h"
 
 namespace vfm
 {
@@ -48,14 +48,12 @@ public:
   int LabelOfMean(const std::array<Node, 4>& nodes) const;
 
 private:
-  using Parts = std::vector<FractionField::Part>;
   template <class Body>
   void OverRows(const IndexBox& box, int extra, const Body& body);
   void LabelCentres(Index j, Index k);
   void LabelVertices(const IndexBox& box, Index j, Index k);
   std::array<Index, 8> StarOf(const Index3& vertex) const;
-  void AddParts(const Node& node, double weight, Parts& sum) const;
-  int LabelOfParts(const Parts& parts) const;
+  void AddParts(const Node& node, double weight, FractionSum& sum) const;
   double Fraction(const Node& node, int material) const;
   double Lead(const Node& node, int label, int other) const;
   void Snap(Kind kind, int parity, int level);
@@ -63,7 +61,7 @@ private:
 
   const CartesianGrid& Grid;
   const FractionField& Fractions;
-  double VoidLevel; // more void than this is void
+  double IsoValue;
   Runtime& Run;
   std::array<std::vector<int, LargeAllocator<int>>, 2> Label; // of each kind
 };

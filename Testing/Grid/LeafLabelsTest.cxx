@@ -1,6 +1,7 @@
 /// Labels of leaves: by mean fractions, alike within each leaf, every star passing, the same on any ranks.
 #include "RankMeshes.h"
 
+#include "Fractions/FractionSum.h"
 #include "Labels/LabelCondition.h"
 #include "Labels/LeafLabels.h"
 
@@ -248,7 +249,7 @@ TEST_P(RandomLeaves, LabelsAreThoseOfTheMeans)
         wrong += label == 0 ? sums.first[0] < (1.0 - IsoValue) * sums.second - small
                             : sums.first[0] > (1.0 - IsoValue) * sums.second + small ||
             sums.first[label] < *largest - small;
-        wrong += std::abs(MeanFraction(grid, fractions, cells, label) * sums.second -
+        wrong += std::abs(MeanOfCells(grid, fractions, cells).Fraction(label) * sums.second -
                    sums.first[label]) > small;
       });
     EXPECT_EQ(wrong, 0);

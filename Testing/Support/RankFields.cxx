@@ -41,15 +41,7 @@ FractionField CopyToLocal(
     {
       for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
       {
-        const Index source = whole.Linear(p), cell = grid.Linear(p);
-        if (from.IsMixed(source))
-        {
-          field.CopyParts(cell, from.Parts(source));
-        }
-        else
-        {
-          field.SetLabel(cell, from.Label(source));
-        }
+        field.CopyCell(grid.Linear(p), from, whole.Linear(p));
       }
     }
   }

@@ -1,0 +1,66 @@
+#include "Fractions/FractionSum.h"
+
+namespace vfm
+{
+
+void FractionSum::Add(const FractionField& fractions, Index cell, double share)
+{
+  std::size_t at = 0;
+  const auto add = [&](const FractionField::Part& part)
+  {
+    while (at < this->List.size() && this->List[at].Material < part.Material)
+    {
+      ++at;
+    }
+    if (at == this->List.size() || this->List[at].Material != part.Material)
+    {
+      this->List.insert(this->List.begin() + at, { part.Material, 0.0 });
+    }
+    this->List[at].Fraction += share * part.Fraction;
+  };
+  if (!fractions.IsMixed(cell))
+  {
+    add({ fractions.Label(cell), 1.0 });
+    return;
+  }
+  for (const FractionField::Part& part : fractions.Parts(cell))
+  {
+    add(part);
+  }
+}
+
+void FractionSum::Divide(double by)
+{
+  for (FractionField::Part& part : this->List)
+  {
+    part.Fraction /= by;
+  }
+}
+
+double FractionSum::Fraction(int material) const
+{
+  return FractionField::FractionOf(this->List, material);
+}
+
+FractionSum MeanOfCells(
+  const CartesianGrid& grid, const FractionField& fractions, const IndexBox& cells)
+{
+  FractionSum mean;
+  if (cells.NumberOfCells() == 1)
+  {
+    mean.Add(fractions, grid.Linear(cells.Lower), 1.0);
+    return mean;
+  }
+  double volume = 0.0;
+  ForCells(cells,
+    [&](const Index3& p)
+    {
+      const double cellVolume = grid.CellVolume(p);
+      volume += cellVolume;
+      mean.Add(fractions, grid.Linear(p), cellVolume);
+    });
+  mean.Divide(volume);
+  return mean;
+}
+
+} // namespace vfm
