@@ -2,6 +2,7 @@
 #include "Smoothing/LeafVolumes.h"
 #include "Base/Partition.h"
 #include "RankMeshes.h"
+#include "Sweep.h"
 
 #include "Hex/CoarseHexes.h"
 #include "Hex/HexTopology.h"
@@ -137,7 +138,7 @@ TEST(LeafLocator, AreTheNearestLeaves)
   Ranks alone;
   std::set<int> levels; // of leaves with finer ones beside, and of all
   int missed = 0;
-  for (unsigned seed = 0; seed < 6; ++seed)
+  for (unsigned seed : ListSeeds(6))
   {
     SCOPED_TRACE(seed);
     const int refinements = seed < 2 ? 1 : 2 + static_cast<int>(seed % 2);
@@ -169,8 +170,11 @@ TEST(LeafLocator, AreTheNearestLeaves)
         }
       });
   }
-  EXPECT_EQ(levels.size(), 4u);
-  EXPECT_GT(missed, 0);
+  if (IsWholeSweep())
+  {
+    EXPECT_EQ(levels.size(), 4u);
+    EXPECT_GT(missed, 0);
+  }
 }
 
 TEST(LeafLocator, GiveACoarseLeafToThePieceBeside)

@@ -1,6 +1,7 @@
 /// Tets with coarser cells away from interfaces: valid, conforming, and at the interfaces those of the uniform grid.
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
+#include "Sweep.h"
 
 #include "Octree/RefinedGrid.h"
 
@@ -217,7 +218,7 @@ TEST(RefinedTets, RandomFamiliesAreValid)
     for (int refinements : { 1, 2 })
     {
       Worst worst;
-      for (unsigned seed = 0; seed < (refinements == 1 ? 12u : 4u); ++seed)
+      for (unsigned seed : ListSeeds(refinements == 1 ? 12 : 4))
       {
         CheckRandom(method, refinements, seed, worst);
       }
