@@ -234,7 +234,7 @@ TEST_P(CrossingRanks, SameMesh)
   {
     boxes.insert(boxes.begin() + 1, IndexBox());
   }
-  CompareWithSerial(grid, field, boxes, options);
+  CompareWithSerial(grid, field, { boxes }, options);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, CrossingRanks,

@@ -278,8 +278,7 @@ TEST(LatticeTopology, RanksMakeTheTetsOfOneProcess)
     const FractionField field = MakeRandomFractions(whole, count, count);
     TetsById serial, merged;
     Collect(whole, BuildAlone(whole, field, meshVoid), serial);
-    std::vector<IndexBox> boxes;
-    CutBox(whole.Global(), count, count == 3 ? 0 : -1, boxes);
+    std::vector<IndexBox> boxes = CutBox(whole.Global(), count, count == 3 ? 0 : -1);
     std::vector<TetTopology> parts(count);
     RunOnRanks(count,
       [&](ThreadRanks& ranks)

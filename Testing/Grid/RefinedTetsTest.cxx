@@ -343,7 +343,7 @@ TEST(RefinedTets, SameOnAnyNumberOfRanks)
       {
         boxes.insert(boxes.begin() + 1, IndexBox());
       }
-      CompareWithSerial(grid, field, boxes, options, MakeTetMesh);
+      CompareWithSerial(grid, field, { boxes }, options, MakeTetMesh);
     }
   }
 }
@@ -358,7 +358,7 @@ TEST(RefinedTets, SphereOnRanks)
       MeshOptions options = OptionsOf(method, 1);
       options.MeshVoid = meshVoid;
       CompareWithSerial(
-        c.Grid, c.Fractions, CutBaseBox(c.Grid, 1, meshVoid ? 3 : 8), options, MakeTetMesh);
+        c.Grid, c.Fractions, { CutBaseBox(c.Grid, 1, meshVoid ? 3 : 8) }, options, MakeTetMesh);
     }
   }
 }
@@ -372,9 +372,11 @@ TEST(RefinedTets, PartsOfTetGenMatch)
   const MeshCase c = MakeMeshCase("half sphere");
   MeshOptions options = OptionsOf(TetMethod::TetGen, 2);
   options.MeshVoid = true;
-  const Meshes both = MakeBoth(c.Grid, c.Fractions, CutBaseBox(c.Grid, 2, 4), options, MakeTetMesh);
-  const Mesh merged = both.Merged.Join();
+  const RankMesh alone = MakeAlone(c.Grid, c.Fractions, options, MakeTetMesh);
+  const RankMesh made =
+    MakeOnRanks(c.Grid, c.Fractions, CutBaseBox(c.Grid, 2, 4), options, MakeTetMesh);
+  const Mesh merged = made.Merged.Join();
   ExpectValid(merged);
   ExpectFull(merged, c.Grid, 1);
-  EXPECT_EQ(CountDifferences(both.Merged.Facets, both.Serial.Facets), 0u) << "facets";
+  EXPECT_EQ(CountDifferences(made.Merged.Facets, alone.Merged.Facets), 0u) << "facets";
 }

@@ -377,8 +377,7 @@ TEST(TwoRefinement, RanksChangeNothing)
     EXPECT_GT(alone.InvertedHexes, 0);
     for (int count : { 2, 3, 4, 8 })
     {
-      std::vector<IndexBox> boxes;
-      CutBox(c.Grid->Global(), count, count == 3 ? 0 : -1, boxes);
+      std::vector<IndexBox> boxes = CutBox(c.Grid->Global(), count, count == 3 ? 0 : -1);
       boxes.push_back(IndexBox()); // a rank without cells
       std::vector<std::string> problems(boxes.size());
       RunOnRanks(static_cast<int>(boxes.size()),
