@@ -15,6 +15,12 @@ set(DOXYGEN_EXTRACT_STATIC YES)
 set(DOXYGEN_SORT_MEMBER_DOCS NO)
 set(DOXYGEN_MACRO_EXPANSION YES)
 set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
+set(DOXYGEN_PREDEFINED
+  "vtkTypeMacro(type,base)="
+  "vtkBooleanMacro(name,type)="
+  "vtkSetMacro(name,type)=virtual void Set##name(type value)"
+  "vtkSetClampMacro(name,type,least,most)=virtual void Set##name(type value)"
+  "vtkGetMacro(name,type)=virtual type Get##name()")
 set(DOXYGEN_HAVE_DOT NO)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_WARN_IF_UNDOCUMENTED NO) # not every parameter needs a word
