@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include "InputFields.h"
 #include "Base/Options.h"
+#include "InputFields.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
 

@@ -153,8 +153,9 @@ IndexBox RefinedGrid::FinestCells(int level, const Index3& cell) const
 
 Index3 RefinedGrid::FinestNode(int level, const Index3& node) const
 {
-  const int shift = this->NumberOfRefinements() - level;
-  return { { node[0] << shift, node[1] << shift, node[2] << shift } };
+  // A node may lie below the grid: a negative number must not be shifted.
+  const Index width = Index(1) << (this->NumberOfRefinements() - level);
+  return { { node[0] * width, node[1] * width, node[2] * width } };
 }
 
 bool RefinedGrid::IsNear(int level, const Index3& cell) const

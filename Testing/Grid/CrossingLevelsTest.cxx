@@ -1,6 +1,7 @@
 /// Meshes whose interfaces run through cells of several levels (LevelPlan::FineInterfaces false).
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
+#include "Sweep.h"
 
 #include "Base/Vector3.h"
 #include "Octree/OctreeKeys.h"
@@ -143,7 +144,7 @@ FractionField MakeNoise(const CartesianGrid& grid, bool isTies, unsigned seed)
                 : MakeRandomLabels(grid, 2, 0, seed);
 }
 
-/// Of ten seeds each.
+/// Ten parts of one sweep.
 class CrossingFamilies : public ::testing::TestWithParam<unsigned>
 {
 };
@@ -155,7 +156,7 @@ TEST_P(CrossingFamilies, MeshIsValid)
   double worst = 1.0;
   int rounds = 0;
   Index transitions = 0;
-  for (unsigned seed = 10 * this->GetParam(); seed < 10 * this->GetParam() + 10; ++seed)
+  for (unsigned seed : ListSeeds(100, this->GetParam(), 10))
   {
     SCOPED_TRACE(seed);
     const int refinements = 1 + static_cast<int>(seed % 3 == 0);
@@ -177,10 +178,13 @@ TEST_P(CrossingFamilies, MeshIsValid)
     transitions += report.TransitionCells;
   }
   std::printf(
-    "smallest scaled Jacobian of ten random meshes: %.3f, at most %d rounds, %lld transitions\n",
-    worst, rounds, static_cast<long long>(transitions));
+    "smallest scaled Jacobian of random meshes: %.3f, at most %d rounds, %lld transitions\n", worst,
+    rounds, static_cast<long long>(transitions));
   EXPECT_GT(worst, 0.4);
-  EXPECT_GT(transitions, 1000);
+  if (IsWholeSweep())
+  {
+    EXPECT_GT(transitions, 1000);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CrossingFamilies, ::testing::Range(0u, 10u));
@@ -230,7 +234,7 @@ TEST_P(CrossingRanks, SameMesh)
   {
     boxes.insert(boxes.begin() + 1, IndexBox());
   }
-  CompareWithSerial(grid, field, boxes, options);
+  CompareWithSerial(grid, field, { boxes }, options);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, CrossingRanks,

@@ -4,6 +4,7 @@
 #include "MeshChecks.h"
 #include "RankFields.h"
 #include "Shapes/ShapesFractions.h"
+#include "Sweep.h"
 #include "Tet/TetTopology.h"
 
 #include <gtest/gtest.h>
@@ -238,7 +239,7 @@ TEST(LatticeTopology, AnyFractionsGiveValidTets)
   for (int materials = 1; materials <= 5; ++materials)
   {
     Sums withVoid, filled, mixed;
-    for (unsigned seed = 0; seed < 60; ++seed)
+    for (unsigned seed : ListSeeds(60))
     {
       const Index nx = 1 + seed % 5, ny = 1 + seed / 5 % 4, nz = 2 + seed % 4;
       const CartesianGrid grid = seed % 3 ? MakeUnitGrid(nx, ny, nz) : MakeUnevenGrid(nx, ny, nz);
@@ -277,8 +278,7 @@ TEST(LatticeTopology, RanksMakeTheTetsOfOneProcess)
     const FractionField field = MakeRandomFractions(whole, count, count);
     TetsById serial, merged;
     Collect(whole, BuildAlone(whole, field, meshVoid), serial);
-    std::vector<IndexBox> boxes;
-    CutBox(whole.Global(), count, count == 3 ? 0 : -1, boxes);
+    std::vector<IndexBox> boxes = CutBox(whole.Global(), count, count == 3 ? 0 : -1);
     std::vector<TetTopology> parts(count);
     RunOnRanks(count,
       [&](ThreadRanks& ranks)

@@ -1,5 +1,6 @@
 /// Labels of leaves: by mean fractions, alike within each leaf, every star passing, the same on any ranks.
 #include "RankMeshes.h"
+#include "Sweep.h"
 
 #include "Fractions/FractionSum.h"
 #include "Labels/LabelCondition.h"
@@ -220,7 +221,7 @@ LevelPlan MakeRandomPlan(const CartesianGrid& grid, int refinements, unsigned se
 TEST_P(RandomLeaves, LabelsAreThoseOfTheMeans)
 {
   const int refinements = this->GetParam().Refinements, materials = this->GetParam().Materials;
-  for (unsigned seed = 0; seed < 12; ++seed)
+  for (unsigned seed : ListSeeds(12))
   {
     SCOPED_TRACE(seed);
     Runtime runtime;
@@ -261,7 +262,7 @@ TEST_P(RandomLeaves, AreResolved)
   const int refinements = this->GetParam().Refinements, materials = this->GetParam().Materials;
   Index flips = 0, coarse = 0;
   int rounds = 0;
-  for (unsigned seed = 0; seed < 36; ++seed)
+  for (unsigned seed : ListSeeds(36))
   {
     SCOPED_TRACE(seed);
     const Index base = 3 + seed % 4;
@@ -281,8 +282,11 @@ TEST_P(RandomLeaves, AreResolved)
   }
   std::printf("%lld leaves flipped, %lld of them coarser ones, at most %d rounds\n",
     static_cast<long long>(flips), static_cast<long long>(coarse), rounds);
-  EXPECT_GT(coarse, 0);
-  EXPECT_GT(flips, coarse);
+  if (IsWholeSweep())
+  {
+    EXPECT_GT(coarse, 0);
+    EXPECT_GT(flips, coarse);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, RandomLeaves,
@@ -291,7 +295,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, RandomLeaves,
 
 TEST(LeafLabels, OfFineCellsAloneAreThoseOfCells)
 {
-  for (unsigned seed = 0; seed < 6; ++seed)
+  for (unsigned seed : ListSeeds(6))
   {
     SCOPED_TRACE(seed);
     Runtime runtime;
@@ -359,7 +363,7 @@ class LeafRanks : public ::testing::TestWithParam<RankCase>
 TEST_P(LeafRanks, HaveTheLabelsOfOne)
 {
   const RankCase& c = this->GetParam();
-  for (unsigned seed = 0; seed < 6; ++seed)
+  for (unsigned seed : ListSeeds(6))
   {
     SCOPED_TRACE(seed);
     const CartesianGrid whole = // longer than ghosts reach

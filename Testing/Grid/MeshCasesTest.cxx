@@ -1,4 +1,4 @@
-/// Manufactured shapes: quality, distance to the truth, volume.
+/// Manufactured shapes: quality, distance to the truth, volume, topology.
 #include "MeshCases.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +16,9 @@ TEST_P(MeshCases, ReachesItsFigures)
   Runtime runtime;
   const MeshFigures figures = MeasureCase(c, MeshOptions(), runtime);
   std::printf("%s", FormatFigures(c.Name, figures).c_str());
+  EXPECT_EQ(FindTopologyProblem(figures.Result), "");
+  EXPECT_EQ(FindFragmentProblem(figures.Result), "");
+  EXPECT_TRUE(IsPositiveEverywhere(figures.Result));
   EXPECT_GE(figures.Report.MinimumScaledJacobian, c.MinimumJacobian);
   EXPECT_GE(figures.Report.MeanScaledJacobian, c.MeanJacobian);
   EXPECT_LE(figures.Distance.Largest, c.LargestDistance);

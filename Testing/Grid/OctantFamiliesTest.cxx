@@ -3,6 +3,7 @@
 #include "MeshChecks.h"
 #include "RefinedChecks.h"
 #include "Smoothing/UntangleEnergy.h"
+#include "Sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -90,7 +91,7 @@ TEST(OctantFamilies, AddsTheBalance)
 
 TEST(OctantFamilies, AreClosed)
 {
-  for (unsigned seed = 1; seed <= 40; ++seed)
+  for (unsigned seed : ListSeeds(40))
   {
     const int levels = 1 + seed % 3;
     const Index n = levels == 1 ? 22 : levels == 2 ? 13 : 7;

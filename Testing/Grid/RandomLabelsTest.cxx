@@ -1,5 +1,6 @@
 /// Whatever the labels, the mesh is valid, conforming, and every material has a closed manifold boundary.
 #include "MeshChecks.h"
+#include "Sweep.h"
 
 #include "Labels/LabelCondition.h"
 #include "Labels/Labels.h"
@@ -57,7 +58,7 @@ std::size_t CountByLaw(const CartesianGrid& grid, const LabelArray& labels, bool
 TEST_P(RandomLabels, MeshIsValid)
 {
   double worstJacobian = 1.0, worstDeterminant = 1e300;
-  for (unsigned seed = 0; seed < 40; ++seed)
+  for (unsigned seed : ListSeeds(40))
   {
     const Case& c = this->GetParam();
     const Index n = 3 + seed % 7;

@@ -17,8 +17,6 @@ enum class Kind
   Lattice
 };
 
-constexpr Kind TetKinds[] = { Kind::Cells, Kind::Lattice };
-
 MeshMaker MakerOf(Kind kind)
 {
   return kind == Kind::Hexes ? MakeHexMesh : MakeTetMesh;
@@ -44,117 +42,97 @@ std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh)
   return points;
 }
 
+/// A field and how its grid is cut.
 struct RankCase
 {
-  Kind Elements;
   std::string Mesh;
-  int Ranks;
-  int Axis; // of slabs, -1 boxes
+  std::vector<std::vector<IndexBox>> (*Cuts)(const IndexBox&);
+  bool MeshVoid = false;
 };
+
+std::vector<std::vector<IndexBox>> CutInSlabs(const IndexBox& box)
+{
+  return { CutBox(box, 3, 0), CutBox(box, 4, 2) };
+}
+
+std::vector<std::vector<IndexBox>> CutInBlocks(const IndexBox& box)
+{
+  return { CutBox(box, 2), CutBox(box, 8) };
+}
+
+std::vector<std::vector<IndexBox>> CutInBoth(const IndexBox& box)
+{
+  return { CutBox(box, 2), CutBox(box, 3, 0), CutBox(box, 4, 2), CutBox(box, 8) };
+}
+
+std::vector<std::vector<IndexBox>> CutInMany(const IndexBox& box)
+{
+  return { CutBox(box, 2), CutBox(box, 3, 0), CutBox(box, 4, 2), CutBox(box, 8), CutBox(box, 33) };
+}
+
+/// A rank without cells, and slabs thinner than the ghost layers.
+std::vector<std::vector<IndexBox>> CutOddly(const IndexBox& box)
+{
+  std::vector<std::vector<IndexBox>> cuts{ CutBox(box, 2), CutBox(box, 14, 1) };
+  cuts[0].insert(cuts[0].begin() + 1, IndexBox());
+  return cuts;
+}
+
+using RankParameters = std::tuple<Kind, RankCase>;
 
 void PrintTo(const RankCase& c, std::ostream* out)
 {
-  *out << c.Mesh << " on " << c.Ranks << " ranks";
+  *out << c.Mesh;
 }
 
-class RanksTest : public ::testing::TestWithParam<RankCase>
+class RanksTest : public ::testing::TestWithParam<RankParameters>
 {
 };
-
-std::vector<RankCase> MakeRankCases()
-{
-  std::vector<RankCase> cases;
-  for (Kind kind : { Kind::Hexes, Kind::Cells, Kind::Lattice })
-  {
-    for (const char* mesh : { "sphere 16", "ball of 3 sectors", "noise", "polycrystal" })
-    {
-      for (int ranks : { 2, 3, 4, 8 })
-      {
-        cases.push_back({ kind, mesh, ranks, ranks == 3 ? 0 : (ranks == 4 ? 2 : -1) });
-      }
-    }
-  }
-  return cases;
-}
 
 } // namespace
 
 TEST_P(RanksTest, SameMesh)
 {
-  const RankCase& c = this->GetParam();
-  const bool noise = c.Mesh == "noise", grains = c.Mesh == "polycrystal";
+  const Kind kind = std::get<0>(this->GetParam());
+  const RankCase& c = std::get<1>(this->GetParam());
+  const bool noise = c.Mesh == "noise", grains = c.Mesh == "12 grains";
   const CartesianGrid cube = MakeUnitGrid(12, 11, 13);
   const MeshCase shape =
     grains ? MakePolycrystalCase(12, 14) : MakeMeshCase(noise ? "sphere 8" : c.Mesh);
   const CartesianGrid& grid = noise ? cube : shape.Grid;
   const FractionField field = noise ? MakeRandomLabels(cube, 4, 0, 5) : shape.Fractions;
-  std::vector<IndexBox> boxes;
-  CutBox(grid.Global(), c.Ranks, c.Axis, boxes);
-  MeshOptions options = OptionsOf(c.Elements);
-  options.MeshVoid = noise && c.Ranks == 2;
-  CompareWithSerial(grid, field, boxes, options, MakerOf(c.Elements));
+  MeshOptions options = OptionsOf(kind);
+  options.MeshVoid = c.MeshVoid;
+  CompareWithSerial(grid, field, c.Cuts(grid.Global()), options, MakerOf(kind));
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, RanksTest, ::testing::ValuesIn(MakeRankCases()),
-  [](const ::testing::TestParamInfo<RankCase>& info)
+INSTANTIATE_TEST_SUITE_P(Cases, RanksTest,
+  ::testing::Combine(::testing::Values(Kind::Hexes, Kind::Cells, Kind::Lattice),
+    ::testing::Values(RankCase{ "sphere 8", CutOddly }, RankCase{ "sphere 16", CutInMany },
+      RankCase{ "ball of 3 sectors", CutInBoth }, RankCase{ "12 grains", CutInBoth },
+      RankCase{ "noise", CutInSlabs }, RankCase{ "noise", CutInBlocks, true })),
+  [](const ::testing::TestParamInfo<RankParameters>& info)
   {
-    const Kind kind = info.param.Elements;
-    std::string name = kind == Kind::Hexes ? "" : "Tets_" + NameOf(OptionsOf(kind).Tets) + "_";
-    name += info.param.Mesh + "_" + std::to_string(info.param.Ranks);
+    const Kind kind = std::get<0>(info.param);
+    const RankCase& c = std::get<1>(info.param);
+    std::string name = (kind == Kind::Hexes ? "Hexes" : NameOf(OptionsOf(kind).Tets)) + "_" +
+      c.Mesh + (c.MeshVoid ? "_and_void" : "");
     std::replace(name.begin(), name.end(), ' ', '_');
     return name;
   });
 
-TEST(Ranks, OneRankMayBeEmpty)
-{
-  const MeshCase c = MakeMeshCase("sphere 8");
-  std::vector<IndexBox> boxes;
-  CutBox(c.Grid.Global(), 2, -1, boxes);
-  boxes.insert(boxes.begin() + 1, IndexBox());
-  CompareWithSerial(c.Grid, c.Fractions, boxes, MeshOptions());
-  for (Kind kind : TetKinds)
-  {
-    CompareWithSerial(c.Grid, c.Fractions, boxes, OptionsOf(kind), MakeTetMesh);
-  }
-}
-
-TEST(Ranks, SlabsThinnerThanTheGhostLayers)
-{
-  const MeshCase c = MakeMeshCase("sphere 8");
-  std::vector<IndexBox> boxes;
-  CutBox(c.Grid.Global(), 14, 1, boxes);
-  CompareWithSerial(c.Grid, c.Fractions, boxes, MeshOptions());
-  for (Kind kind : TetKinds)
-  {
-    CompareWithSerial(c.Grid, c.Fractions, boxes, OptionsOf(kind), MakeTetMesh);
-  }
-}
-
-TEST(Ranks, ThirtyThree)
-{
-  const MeshCase c = MakeMeshCase("sphere 16");
-  std::vector<IndexBox> boxes;
-  CutBox(c.Grid.Global(), 33, -1, boxes);
-  CompareWithSerial(c.Grid, c.Fractions, boxes, MeshOptions());
-  for (Kind kind : TetKinds)
-  {
-    CompareWithSerial(c.Grid, c.Fractions, boxes, OptionsOf(kind), MakeTetMesh);
-  }
-}
-
 TEST(Ranks, StairStepAndSmoothingOff)
 {
   const MeshCase c = MakeMeshCase("sphere 8");
-  std::vector<IndexBox> boxes;
-  CutBox(c.Grid.Global(), 4, -1, boxes);
+  const std::vector<std::vector<IndexBox>> cuts{ CutBox(c.Grid.Global(), 4) };
   for (Kind kind : { Kind::Hexes, Kind::Cells, Kind::Lattice })
   {
     MeshOptions options = OptionsOf(kind);
     options.StairStep = true;
-    CompareWithSerial(c.Grid, c.Fractions, boxes, options, MakerOf(kind));
+    CompareWithSerial(c.Grid, c.Fractions, cuts, options, MakerOf(kind));
     options.StairStep = false;
     options.Method = Smoothing::Off;
-    CompareWithSerial(c.Grid, c.Fractions, boxes, options, MakerOf(kind));
+    CompareWithSerial(c.Grid, c.Fractions, cuts, options, MakerOf(kind));
   }
 }
 
@@ -172,33 +150,34 @@ TEST(Ranks, PartsOfTetGenMatch)
       grains ? MakePolycrystalCase(12, 14) : MakeMeshCase(noise ? "sphere 8" : name);
     const CartesianGrid& grid = noise ? cube : shape.Grid;
     const FractionField field = noise ? MakeRandomLabels(cube, 3, 0, 5) : shape.Fractions;
+    MeshOptions options;
+    options.Tets = TetMethod::TetGen;
+    const RankMesh alone = MakeAlone(grid, field, options, MakeTetMesh);
+    const Mesh serial = alone.Merged.Join();
     for (int ranks : { 1, 2, 4 })
     {
       SCOPED_TRACE(name + (" on " + std::to_string(ranks)));
-      std::vector<IndexBox> boxes;
-      CutBox(grid.Global(), ranks, -1, boxes);
-      MeshOptions options;
-      options.Tets = TetMethod::TetGen;
-      const Meshes both = MakeBoth(grid, field, boxes, options, MakeTetMesh);
-      const Mesh serial = both.Serial.Join(), merged = both.Merged.Join();
+      const RankMesh made =
+        MakeOnRanks(grid, field, CutBox(grid.Global(), ranks), options, MakeTetMesh);
+      const Mesh merged = made.Merged.Join();
       EXPECT_EQ(FindTopologyProblem(merged), "");
       EXPECT_EQ(FindFragmentProblem(merged), "");
       EXPECT_GT(SmallestCornerDeterminant(merged), 0.0);
-      EXPECT_EQ(CountDifferences(both.Merged.Facets, both.Serial.Facets), 0u) << "facets";
-      EXPECT_EQ(CountDifferences(PointsOfFacets(both.Merged), PointsOfFacets(both.Serial)), 0u)
+      EXPECT_EQ(CountDifferences(made.Merged.Facets, alone.Merged.Facets), 0u) << "facets";
+      EXPECT_EQ(CountDifferences(PointsOfFacets(made.Merged), PointsOfFacets(alone.Merged)), 0u)
         << "points of facets";
       for (int m = 1; m <= field.NumberOfMaterials(); ++m)
       {
         const double volume = MeasureVolume(serial, m);
         EXPECT_NEAR(MeasureVolume(merged, m), volume, 1e-9 * volume) << "material " << m;
-        for (const MeshReport& report : both.Reports)
+        for (const MeshReport& report : made.Reports)
         {
           EXPECT_NEAR(report.MeshVolume[m], volume, 1e-9 * volume) << "material " << m;
         }
       }
       std::printf("%s on %d ranks: %zu tets, dihedral %.1f - %.1f, %lld parts refused\n", name,
-        ranks, both.Merged.Elements.size(), both.Reports[0].MinimumDihedralAngle,
-        both.Reports[0].MaximumDihedralAngle, static_cast<long long>(both.Reports[0].RefusedParts));
+        ranks, made.Merged.Elements.size(), made.Reports[0].MinimumDihedralAngle,
+        made.Reports[0].MaximumDihedralAngle, static_cast<long long>(made.Reports[0].RefusedParts));
     }
   }
 }

@@ -308,8 +308,7 @@ TEST(RefineCells, RanksHoldWhatTheWholeGridHolds)
   all = Refine(all.Grid, all.Fractions);
   for (int ranks : { 2, 8 })
   {
-    std::vector<IndexBox> boxes;
-    CutBox(whole.Global(), ranks, -1, boxes);
+    std::vector<IndexBox> boxes = CutBox(whole.Global(), ranks);
     boxes.push_back(IndexBox()); // a rank without cells
     for (const IndexBox& box : boxes)
     {
@@ -348,8 +347,7 @@ TEST(RefineCells, MeshesDoNotDependOnTheRanks)
     EXPECT_FALSE(alone.Elements.empty());
     for (int ranks : { 2, 3, 4 })
     {
-      std::vector<IndexBox> boxes;
-      CutBox(grid.Global(), ranks, ranks == 3 ? 0 : -1, boxes);
+      std::vector<IndexBox> boxes = CutBox(grid.Global(), ranks, ranks == 3 ? 0 : -1);
       const MeshById merged = MeshOnRanks(grid, field, boxes, times, make);
       EXPECT_TRUE(merged.Points == alone.Points) << ranks << " ranks";
       EXPECT_TRUE(merged.Elements == alone.Elements) << ranks << " ranks";

@@ -1,6 +1,7 @@
 /// Tets with coarser cells away from interfaces: valid, conforming, and at the interfaces those of the uniform grid.
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
+#include "Sweep.h"
 
 #include "Octree/RefinedGrid.h"
 
@@ -217,7 +218,7 @@ TEST(RefinedTets, RandomFamiliesAreValid)
     for (int refinements : { 1, 2 })
     {
       Worst worst;
-      for (unsigned seed = 0; seed < (refinements == 1 ? 12u : 4u); ++seed)
+      for (unsigned seed : ListSeeds(refinements == 1 ? 12 : 4))
       {
         CheckRandom(method, refinements, seed, worst);
       }
@@ -342,7 +343,7 @@ TEST(RefinedTets, SameOnAnyNumberOfRanks)
       {
         boxes.insert(boxes.begin() + 1, IndexBox());
       }
-      CompareWithSerial(grid, field, boxes, options, MakeTetMesh);
+      CompareWithSerial(grid, field, { boxes }, options, MakeTetMesh);
     }
   }
 }
@@ -357,7 +358,7 @@ TEST(RefinedTets, SphereOnRanks)
       MeshOptions options = OptionsOf(method, 1);
       options.MeshVoid = meshVoid;
       CompareWithSerial(
-        c.Grid, c.Fractions, CutBaseBox(c.Grid, 1, meshVoid ? 3 : 8), options, MakeTetMesh);
+        c.Grid, c.Fractions, { CutBaseBox(c.Grid, 1, meshVoid ? 3 : 8) }, options, MakeTetMesh);
     }
   }
 }
@@ -371,9 +372,11 @@ TEST(RefinedTets, PartsOfTetGenMatch)
   const MeshCase c = MakeMeshCase("half sphere");
   MeshOptions options = OptionsOf(TetMethod::TetGen, 2);
   options.MeshVoid = true;
-  const Meshes both = MakeBoth(c.Grid, c.Fractions, CutBaseBox(c.Grid, 2, 4), options, MakeTetMesh);
-  const Mesh merged = both.Merged.Join();
+  const RankMesh alone = MakeAlone(c.Grid, c.Fractions, options, MakeTetMesh);
+  const RankMesh made =
+    MakeOnRanks(c.Grid, c.Fractions, CutBaseBox(c.Grid, 2, 4), options, MakeTetMesh);
+  const Mesh merged = made.Merged.Join();
   ExpectValid(merged);
   ExpectFull(merged, c.Grid, 1);
-  EXPECT_EQ(CountDifferences(both.Merged.Facets, both.Serial.Facets), 0u) << "facets";
+  EXPECT_EQ(CountDifferences(made.Merged.Facets, alone.Merged.Facets), 0u) << "facets";
 }

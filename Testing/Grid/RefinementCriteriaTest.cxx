@@ -449,8 +449,7 @@ TEST(RefinementCriteria, RanksAgree)
   ASSERT_GT(alone.AllCells, 0);
   for (int ranks : { 2, 3, 4, 8 })
   {
-    std::vector<IndexBox> boxes;
-    CutBox(whole.Global(), ranks, ranks == 3 ? 0 : -1, boxes);
+    std::vector<IndexBox> boxes = CutBox(whole.Global(), ranks, ranks == 3 ? 0 : -1);
     boxes.push_back(IndexBox()); // a rank without cells
     std::map<Index, int> merged;
     std::mutex lock;

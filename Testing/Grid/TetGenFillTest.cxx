@@ -5,6 +5,7 @@
 
 #include "Base/Runtime.h"
 #include "Base/Vector3.h"
+#include "Sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -285,7 +286,7 @@ void Print(const char* what, const TetGenFill& fill)
 }
 
 /// Cubes grown from one, each face to face with one before.
-TetGenPart Jagged(int seed)
+TetGenPart Jagged(unsigned seed)
 {
   std::mt19937 random(seed);
   std::set<Cell> cells{ { { 0, 0, 0 } } };
@@ -400,7 +401,7 @@ TEST(TetGenFill, NonManifoldHoles)
 
 TEST(TetGenFill, JaggedSurfaces)
 {
-  for (int seed = 0; seed < 20; ++seed)
+  for (unsigned seed : vfm::testing::ListSeeds(20))
   {
     const TetGenPart part = Jagged(seed);
     const TetGenFill fill = Fill(part, Constant(1.0));

@@ -1,5 +1,6 @@
 /// Whatever the labels, the tets are positive and conforming, boundaries are closed manifolds and fragments are what they say.
 #include "MeshCases.h"
+#include "Sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,7 @@ TEST_P(TetRandomLabels, MeshIsValid)
 {
   const Case& c = this->GetParam();
   Worst worst;
-  for (unsigned seed = 0; seed < c.Seeds; ++seed)
+  for (unsigned seed : ListSeeds(c.Seeds))
   {
     const bool hasVoid = seed % 2 == 0;
     const Index n = c.Smallest + seed % (c.Method == TetMethod::TetGen ? 5 : 7);

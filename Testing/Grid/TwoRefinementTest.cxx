@@ -3,6 +3,7 @@
 #include "MeshChecks.h"
 #include "RankFields.h"
 #include "RefinedChecks.h"
+#include "Sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -231,7 +232,7 @@ TEST(TwoRefinement, Shapes)
 TEST(TwoRefinement, HundredsOfRandomFamilies)
 {
   const double chances[] = { 0.02, 0.05, 0.1, 0.3, 0.5, 0.7 };
-  for (unsigned seed = 1; seed <= 100; ++seed)
+  for (unsigned seed : ListSeeds(100))
   {
     const Index n = seed % 2 ? 8 : 7;
     CheckCase(MakeRandomCase({ { n, 8, n + 1 } }, 1, chances[seed % 6], seed), 0.5, false);
@@ -283,7 +284,7 @@ TEST(TwoRefinement, RefinesAsRefineCellsDoes)
 TEST(TwoRefinement, PartsAreThoseOfTheWhole)
 {
   Runtime runtime;
-  for (unsigned seed = 1; seed <= 24; ++seed)
+  for (unsigned seed : ListSeeds(24))
   {
     const int levels = 1 + seed % 2;
     const RefinedCase c = MakeRandomCase(
@@ -376,8 +377,7 @@ TEST(TwoRefinement, RanksChangeNothing)
     EXPECT_GT(alone.InvertedHexes, 0);
     for (int count : { 2, 3, 4, 8 })
     {
-      std::vector<IndexBox> boxes;
-      CutBox(c.Grid->Global(), count, count == 3 ? 0 : -1, boxes);
+      std::vector<IndexBox> boxes = CutBox(c.Grid->Global(), count, count == 3 ? 0 : -1);
       boxes.push_back(IndexBox()); // a rank without cells
       std::vector<std::string> problems(boxes.size());
       RunOnRanks(static_cast<int>(boxes.size()),

@@ -34,6 +34,8 @@ check_memory() { # usage: check_memory PROGRAM
   done
 }
 
+prefix/bin/sculptor --version > version.out
+expect "^sculptor $(pkg-config --modversion sculptor)\$" version.out
 prefix/bin/sculptor test > sculptor.out
 expect "^PASS" sculptor.out
 

@@ -74,7 +74,7 @@ TINY = "fewer cells than ranks"
 TET_CASES = [("ball_and_plate", "Cells", "scattered"), ("sphere", "Lattice", "slabs"), ("grains", "Lattice", "scattered"),
              ("noise", "Cells", "slabs")]
 CLEARED = [("noise", {"MinimumRegionCells": 8, "LabelSmoothing": 7}), ("splash", {"MinimumRegionCells": 20})]
-ALL_CASES = {**CASES, TINY: {"id": np.array([[[1, 2], [2, 0]]], np.int32)}}
+ALL_CASES = {**CASES, TINY: {"id": np.array([[[1, 2, 0]]], np.int32)}}
 
 
 def part(arrays, box, ghosts=0):

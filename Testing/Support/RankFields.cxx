@@ -9,12 +9,11 @@ namespace vfm
 namespace testing
 {
 
-void CutBox(const IndexBox& box, int parts, int axis, std::vector<IndexBox>& boxes)
+std::vector<IndexBox> CutBox(const IndexBox& box, int parts, int axis)
 {
   if (parts == 1)
   {
-    boxes.push_back(box);
-    return;
+    return { box };
   }
   int a = axis;
   for (int b = 0; axis < 0 && b < 3; ++b)
@@ -25,8 +24,10 @@ void CutBox(const IndexBox& box, int parts, int axis, std::vector<IndexBox>& box
   IndexBox low = box, high = box;
   low.Upper[a] = high.Lower[a] =
     box.Lower[a] + std::min(box.Size(a), (box.Size(a) * first + parts - 1) / parts);
-  CutBox(low, first, axis, boxes);
-  CutBox(high, parts - first, axis, boxes);
+  std::vector<IndexBox> boxes = CutBox(low, first, axis);
+  const std::vector<IndexBox> others = CutBox(high, parts - first, axis);
+  boxes.insert(boxes.end(), others.begin(), others.end());
+  return boxes;
 }
 
 FractionField CopyToLocal(
@@ -115,8 +116,7 @@ std::string FindRankProblem(
   for (const std::array<int, 2>& cut :
     { std::array<int, 2>{ { 2, -1 } }, { { 3, 0 } }, { { 4, -1 } }, { { 8, -1 } }, { { 6, 2 } } })
   {
-    std::vector<IndexBox> boxes;
-    CutBox(whole.Global(), cut[0], cut[1], boxes);
+    std::vector<IndexBox> boxes = CutBox(whole.Global(), cut[0], cut[1]);
     boxes.push_back(IndexBox());
     std::atomic<Index> differences{ 0 };
     RunOnRanks(static_cast<int>(boxes.size()),

@@ -22,8 +22,8 @@ private:
   Ranks& TheRanks;
 };
 
-/// Cuts a box in parts along its longest axis each time (axis -1), or along one axis. Adds them to boxes.
-void CutBox(const IndexBox& box, int parts, int axis, std::vector<IndexBox>& boxes);
+/// Cuts a box in parts along its longest axis each time (axis -1), or along one axis.
+std::vector<IndexBox> CutBox(const IndexBox& box, int parts, int axis = -1);
 
 /// The grid of a rank that owns a box.
 inline CartesianGrid MakeRankGrid(const CartesianGrid& whole, const IndexBox& box)

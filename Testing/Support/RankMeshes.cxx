@@ -98,45 +98,58 @@ Mesh MergedMesh::Join() const
   return mesh;
 }
 
-Meshes MakeBoth(const CartesianGrid& whole, const FractionField& field,
-  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
+RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
+  const MeshOptions& options, MeshMaker make)
 {
   Runtime alone;
-  Meshes both;
-  both.Serial.Add(make(whole, field, options, alone, both.SerialReport));
+  RankMesh made;
+  made.Reports.resize(1);
+  made.Merged.Add(make(whole, field, options, alone, made.Reports[0]));
+  EXPECT_EQ(made.Merged.Conflicts, 0);
+  return made;
+}
+
+RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
+  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
+{
   const int count = static_cast<int>(boxes.size());
   std::vector<Mesh> meshes(count);
-  both.Reports.resize(count);
+  RankMesh made;
+  made.Reports.resize(count);
   RunOnRanks(count,
     [&](Ranks& ranks)
     {
       const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
       RankRuntime runtime(ranks);
       meshes[ranks.Rank()] =
-        make(grid, CopyToLocal(whole, field, grid), options, runtime, both.Reports[ranks.Rank()]);
+        make(grid, CopyToLocal(whole, field, grid), options, runtime, made.Reports[ranks.Rank()]);
     });
   for (const Mesh& mesh : meshes)
   {
-    both.Merged.Add(mesh);
+    made.Merged.Add(mesh);
   }
-  EXPECT_EQ(both.Serial.Conflicts, 0);
-  EXPECT_EQ(both.Merged.Conflicts, 0);
-  return both;
+  EXPECT_EQ(made.Merged.Conflicts, 0);
+  return made;
 }
 
 void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
-  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
+  const std::vector<std::vector<IndexBox>>& cuts, const MeshOptions& options, MeshMaker make)
 {
   SCOPED_TRACE(make == MakeHexMesh ? "hexes" : NameOf(options.Tets));
-  const Meshes both = MakeBoth(whole, field, boxes, options, make);
-  const auto same = [&](const MeshReport& report) { return AreEqual(report, both.SerialReport); };
-  EXPECT_EQ(std::count_if(both.Reports.begin(), both.Reports.end(), same),
-    static_cast<std::ptrdiff_t>(boxes.size()))
-    << "reports as of one process";
-  EXPECT_GT(both.Serial.Elements.size(), 0u);
-  EXPECT_EQ(CountDifferences(both.Merged.Points, both.Serial.Points), 0u) << "points";
-  EXPECT_EQ(CountDifferences(both.Merged.Elements, both.Serial.Elements), 0u) << "elements";
-  EXPECT_EQ(CountDifferences(both.Merged.Facets, both.Serial.Facets), 0u) << "facets";
+  const RankMesh alone = MakeAlone(whole, field, options, make);
+  EXPECT_GT(alone.Merged.Elements.size(), 0u);
+  for (const std::vector<IndexBox>& boxes : cuts)
+  {
+    SCOPED_TRACE(std::to_string(boxes.size()) + " ranks");
+    const RankMesh made = MakeOnRanks(whole, field, boxes, options, make);
+    const auto same = [&](const MeshReport& report) { return AreEqual(report, alone.Reports[0]); };
+    EXPECT_EQ(std::count_if(made.Reports.begin(), made.Reports.end(), same),
+      static_cast<std::ptrdiff_t>(boxes.size()))
+      << "reports as of one process";
+    EXPECT_EQ(CountDifferences(made.Merged.Points, alone.Merged.Points), 0u) << "points";
+    EXPECT_EQ(CountDifferences(made.Merged.Elements, alone.Merged.Elements), 0u) << "elements";
+    EXPECT_EQ(CountDifferences(made.Merged.Facets, alone.Merged.Facets), 0u) << "facets";
+  }
 }
 
 std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh)
@@ -221,8 +234,7 @@ std::vector<IndexBox> CutBaseBox(const CartesianGrid& grid, int refinements, int
   {
     base.Upper[a] = grid.Global().Upper[a] >> refinements;
   }
-  std::vector<IndexBox> boxes;
-  CutBox(base, ranks, axis, boxes);
+  std::vector<IndexBox> boxes = CutBox(base, ranks, axis);
   for (IndexBox& box : boxes)
   {
     for (int a = 0; a < 3; ++a)

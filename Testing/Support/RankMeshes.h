@@ -27,20 +27,22 @@ struct MergedMesh
   Mesh Join() const;
 };
 
-struct Meshes
+struct RankMesh
 {
-  MergedMesh Serial, Merged;
-  MeshReport SerialReport;
+  MergedMesh Merged;
   std::vector<MeshReport> Reports; // of the ranks
 };
 
-/// Meshes alone, and on ranks, each with one of the boxes.
-Meshes MakeBoth(const CartesianGrid& whole, const FractionField& field,
+RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
+  const MeshOptions& options, MeshMaker make);
+/// Each rank with one of the boxes.
+RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make);
 
-/// Expects the same mesh and reports.
+/// Expects the mesh and report of one process, however the grid is cut in boxes.
 void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
-  const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make = MakeHexMesh);
+  const std::vector<std::vector<IndexBox>>& cuts, const MeshOptions& options,
+  MeshMaker make = MakeHexMesh);
 
 /// Entries of one map that the other has not, or has with another value.
 template <class Map>

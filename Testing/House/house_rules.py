@@ -1,0 +1,128 @@
+"""The rules of the house: who may include whom, what Grid may know, how long files grow."""
+import os
+import re
+
+# Rooms of Grid, bottom to top: an include goes down only. The root, Grid itself, is above them all.
+ROOMS = ("Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Smoothing", "Hex", "Tet")
+GRID = tuple("Grid/" + room for room in ROOMS) + ("Grid",)
+
+# What a folder may include besides itself.
+ALLOWED = {place: GRID[:level] for level, place in enumerate(GRID)}
+ALLOWED.update({
+    "Shapes": ("Grid/Base", "Grid/Fractions"),
+    "Parallel": ("Grid/Base",),
+    "IO": ("Grid/Base", "Parallel"),
+    "Filters": ("Grid/Base", "Grid/Fractions", "Grid/Octree", "Grid/Labels", "Grid/Mesh", "Grid", "Shapes", "Parallel"),
+    "InSitu": ("Grid/Base", "Parallel", "IO", "Filters"),
+    "Plugin": (),
+    "Examples": ("InSitu",),
+    "Testing/Support": GRID + ("Shapes",),
+    "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
+    "Testing/Benchmarks": GRID + ("Shapes", "Testing/Support"),
+    "Testing/Parallel": ("Grid/Base", "Parallel", "Testing/Support"),
+    "Testing/InSitu": ("Grid/Base", "Filters", "InSitu"),
+})
+
+# Folders without VTK and MPI.
+PLAIN = GRID + ("Shapes", "Testing/Support", "Testing/Grid", "Testing/Benchmarks")
+FOREIGN = re.compile(r"(vtk|mpi|paraview|pv|pq)", re.IGNORECASE)
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
+
+CODE = (".h", ".cxx", ".c")
+SOURCES = CODE + (".f90", ".py", ".xml", ".txt", ".cmake")
+LONGEST = 650 # lines
+MOST_AT_ROOT = 8 # files beside the rooms
+
+
+def read_tree(root):
+    """The lines of all sources by path; Grid's other files without lines."""
+    tree = {}
+    for folder, folders, files in os.walk(root):
+        folders[:] = [f for f in folders if not f.startswith((".", "build")) and f not in ("out", "__pycache__")]
+        if "CMakeCache.txt" in files:
+            folders[:], files = [], []
+        for name in files:
+            path = os.path.relpath(os.path.join(folder, name), root).replace(os.sep, "/")
+            if name.endswith(SOURCES):
+                with open(os.path.join(root, path), encoding="utf-8") as file:
+                    tree[path] = file.readlines()
+            elif path.startswith("Grid/"):
+                tree[path] = []
+    return tree
+
+
+def place_of(path):
+    """The room or folder of a file."""
+    folders = path.split("/")[:-1]
+    return "/".join(folders[:2 if folders[:1] in (["Grid"], ["Testing"]) else 1])
+
+
+def find_file(tree, folders, path, name):
+    """The file that an include names: beside the including one, or in one of the folders; None without one."""
+    beside = os.path.normpath(os.path.join(os.path.dirname(path), name))
+    if beside in tree:
+        return beside
+    found = [os.path.join(folder, name) for folder in folders if os.path.join(folder, name) in tree]
+    return min(found, key=lambda other: (place_of(other) != place_of(path), other), default=None)
+
+
+def list_includes(tree):
+    """Of the code: (path, "path:line", bracket, name, file or None). Rooms are no folders to search."""
+    folders = {os.path.dirname(path) for path in tree} - set(GRID[:-1]) | {""}
+    for path in sorted(tree):
+        for number, line in enumerate(tree[path] if path.endswith(CODE) else (), 1):
+            match = INCLUDE.match(line)
+            if match:
+                bracket, name = match.groups()
+                yield path, "%s:%d" % (path, number), bracket, name, find_file(tree, folders, path, name)
+
+
+def find_include_problem(path, bracket, name, file):
+    """"" or what is wrong with an include."""
+    place = place_of(path)
+    if place in PLAIN and FOREIGN.match(name):
+        return "%s knows neither VTK nor MPI: %s" % (place, name)
+    if file is None or bracket == "<":
+        return "there is no %s" % name if bracket == '"' and place in PLAIN else ""
+    other = place_of(file)
+    if other in GRID[:-1] and name != file[len("Grid/"):]:
+        return "%s does not name its room" % name
+    if other != place and other not in ALLOWED.get(place, ()):
+        return "%s must not include %s of %s" % (place, name, other)
+    return ""
+
+
+def find_circles(tree):
+    """Each circle of includes once."""
+    after = {}
+    for path, _, bracket, _, file in list_includes(tree):
+        if bracket == '"' and file:
+            after.setdefault(path, []).append(file)
+    done, problems = set(), []
+
+    def visit(path, trail):
+        if path in trail:
+            problems.append("circle: " + " > ".join(trail[trail.index(path):] + [path]))
+        elif path not in done:
+            for other in after.get(path, ()):
+                visit(other, trail + [path])
+            done.add(path)
+
+    for path in sorted(after):
+        visit(path, [])
+    return problems
+
+
+def find_problems(tree):
+    """All that breaks a rule."""
+    problems = ["%s has %d lines" % (path, len(lines)) for path, lines in sorted(tree.items()) if len(lines) > LONGEST]
+    places = {place_of(path) for path in tree if path.endswith(CODE)}
+    problems += ["%s is not in the table" % place for place in sorted(places - set(ALLOWED))]
+    at_root = [path for path in tree if place_of(path) == "Grid"]
+    if len(at_root) > MOST_AT_ROOT:
+        problems.append("Grid's root has %d files" % len(at_root))
+    for path, at, bracket, name, file in list_includes(tree):
+        problem = find_include_problem(path, bracket, name, file)
+        if problem:
+            problems.append("%s: %s" % (at, problem))
+    return problems + find_circles(tree)
