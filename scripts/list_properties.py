@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes Documentation/properties.md: the properties of all filters, sources, readers and writers, as the server manager's XML tells them.
 
-usage: scripts/list_properties           writes it
-       scripts/list_properties --check   fails when it is not what would be written
+usage: scripts/list_properties.py           writes it
+       scripts/list_properties.py --check   fails when it is not what would be written
 """
 import os
 import re
@@ -15,9 +15,8 @@ FILES = ["VolumeFractionMesh.xml", "VolumeFractionToTet.xml.in", "VolumeFraction
          "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
 HEAD = """# Properties
 
-Written by `scripts/list_properties` from the XML in `Plugin`; the test `Properties` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
-words. *advanced*: shown after a click on the gear beside the search line. What the choices are good for is told in the [user guide](user-guide.md#properties) and in [refined grids](refinement.md).
-"""
+Written by `scripts/list_properties.py` from the XML in `Plugin`; the test `Properties` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
+words. *advanced*: shown after a click on the gear beside the search line. What the choices are good for is told in the [user guide](user-guide.md#properties) and in [refined grids](refinement.md)."""
 BUILT = {"@VFM_DEFAULT_TET_METHOD@": "TetGen where it was built in, else Lattice"}
 
 
@@ -118,7 +117,7 @@ def main(arguments):
     if arguments == ["--check"]:
         with open(PAGE, encoding="utf-8") as file:
             if file.read() != page:
-                sys.exit("Documentation/properties.md is not current: run scripts/list_properties")
+                sys.exit("Documentation/properties.md is not current: run scripts/list_properties.py")
         return
     if arguments:
         sys.exit(__doc__)
