@@ -74,8 +74,8 @@ LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
   LevelHexes levels;
   levels.Grid =
     std::make_shared<const RefinedGrid>(grid, options.Levels, interfaces, runtime.Group());
-  levels.Coarse =
-    std::make_unique<CoarseHexes>(*levels.Grid, labels, options.MeshVoid, runtime, asCubes);
+  levels.Coarse = std::make_unique<CoarseHexes>(
+    *levels.Grid, labels, CoarseHexes::Options{ options.MeshVoid, asCubes, true }, runtime);
   if (!levels.Grid->IsUniform())
   {
     ReleaseFreeMemory();
@@ -146,8 +146,8 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
       ++report.LevelRounds;
       continue;
     }
-    result.Levels.Coarse = std::make_unique<CoarseHexes>(
-      *result.Levels.Grid, result.Labels, options.MeshVoid, runtime, false, !options.StairStep);
+    result.Levels.Coarse = std::make_unique<CoarseHexes>(*result.Levels.Grid, result.Labels,
+      CoarseHexes::Options{ options.MeshVoid, false, !options.StairStep }, runtime);
     if (options.StairStep ||
       !AddBadFamilies(*result.Levels.Coarse->Splits(), plan, runtime.Group()))
     {

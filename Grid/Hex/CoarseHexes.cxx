@@ -7,9 +7,10 @@
 
 namespace vfm
 {
-CoarseHexes::CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid,
-  Runtime& runtime, bool asCubes, bool split) :
-  Grid(grid), Labels(labels), MeshVoid(meshVoid), HasBuffers(split)
+
+CoarseHexes::CoarseHexes(
+  const RefinedGrid& grid, const LabelArray& labels, const Options& options, Runtime& runtime) :
+  Grid(grid), Labels(labels), MeshVoid(options.MeshVoid), HasBuffers(options.HasBuffers)
 {
   if (grid.IsUniform())
   {
@@ -18,11 +19,11 @@ CoarseHexes::CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool
   this->Region = grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2);
   this->TheRefined = MakeRefinedMesh(grid.Families(), this->Region, false);
   this->NodeNumber = Buffer<int>(grid.Base().NumberOfEntries(), Unused);
-  SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, asCubes);
+  SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, options.AsCubes);
   if (!grid.HasFineInterfaces())
   {
     this->TheSplits =
-      std::make_unique<SplitNodes>(grid, this->TheRefined, this->Region, labels, meshVoid);
+      std::make_unique<SplitNodes>(grid, this->TheRefined, this->Region, labels, options.MeshVoid);
   }
   for (Index key : this->TheRefined.HexKeys)
   {
@@ -32,9 +33,9 @@ CoarseHexes::CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool
   this->NumberPoints();
 }
 
-/// Whether the hexes of a cell are made here: the cell of the level before around it is owned or touches an owned one. So all
-/// hexes at a point that moves here are known, for none lies more than one level below the node that the point stems from.
-/// Hexes of void need not be made; labels too far away to be known count as meshed.
+/// A point on or in an owned cell is placed by all hexes around it. These lie in cells of its level around the cell of the level
+/// before that it was made in, so a cell is wanted where its parent is near. Void is not wanted unless it is meshed; the label of a
+/// cell that lies beyond the local box is not known, and its hexes are made.
 bool CoarseHexes::IsWanted(const OctreeKeys::LevelIndex& cell) const
 {
   const bool isNear = cell.Level == 0
@@ -229,9 +230,9 @@ void CoarseHexes::DropParts()
 class CoarseHexes::Writer
 {
 public:
-  Writer(
-    CoarseHexes& coarse, Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint) :
-    Coarse(coarse), Result(mesh), FirstPoint(firstPoint), Hex(firstHex), FindFine(finePoint)
+  Writer(CoarseHexes& coarse, Mesh& mesh, Index firstPoint, Index firstHex,
+    const FinePoints& finePoints) :
+    Coarse(coarse), Result(mesh), FirstPoint(firstPoint), Hex(firstHex), Finest(finePoints)
   {
   }
 
@@ -306,8 +307,8 @@ private:
     {
       const CartesianGrid& finest = this->Coarse.Grid.Finest();
       const Index p = finest.Linear(this->Coarse.Grid.FinestNode(node.Level, node.At));
-      first = this->FindFine(p, UnknownLabel);
-      inner = this->FindFine(p, this->Label);
+      first = this->Finest.First(p);
+      inner = this->Finest.Inner(p, this->Label);
       return;
     }
     first = inner = this->FirstPoint + number;
@@ -347,13 +348,13 @@ private:
   CoarseHexes& Coarse;
   Mesh& Result;
   Index FirstPoint, Hex;
-  const FinePoint& FindFine;
+  const FinePoints& Finest;
   int Label = UnknownLabel;              // of the hex at work
   std::array<Index, 8> First{}, Inner{}; // its points, numbered by bits
 };
 
 /// The inner points of finest cells beside these hexes: they must be inside their labels here, too.
-void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoint& finePoint)
+void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoints& finePoints)
 {
   const OctreeKeys& lattice = this->Grid.Lattice();
   for (Index n = 0; n < this->TheSplits->Count(); ++n)
@@ -364,7 +365,7 @@ void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoint& finePoint)
       continue;
     }
     const Index p = this->Grid.Finest().Linear(this->Grid.FinestNode(node.Level, node.At));
-    this->SplitPoint[n] = finePoint(p, UnknownLabel);
+    this->SplitPoint[n] = finePoints.First(p);
     int rank = 0;
     for (const int* label = this->TheSplits->LabelsBegin(n); label != this->TheSplits->LabelsEnd(n);
          ++label, ++rank)
@@ -372,16 +373,16 @@ void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoint& finePoint)
       if (this->HasBuffers && (*label > 0 || this->MeshVoid))
       {
         const Vector3& x = this->TheSplits->InnerPoint(n, rank);
-        std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * finePoint(p, *label));
+        std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * finePoints.Inner(p, *label));
       }
     }
   }
 }
 
-void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint)
+void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoints& finePoints)
 {
   this->SplitPoint.assign(this->TheSplits ? this->TheSplits->Count() : 0, -1);
-  Writer writer(*this, mesh, firstPoint, firstHex, finePoint);
+  Writer writer(*this, mesh, firstPoint, firstHex, finePoints);
   this->ForPoints(
     [&](int number, Index key, const Vector3& x)
     {
@@ -394,7 +395,7 @@ void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FineP
     [&](const Index3& cell) { writer.AddCell(cell); }, [&](Index hex) { writer.AddHex(hex); });
   if (this->TheSplits)
   {
-    this->SetFinePoints(mesh, finePoint);
+    this->SetFinePoints(mesh, finePoints);
   }
   this->DropParts();
 }

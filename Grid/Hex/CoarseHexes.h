@@ -20,22 +20,31 @@ namespace vfm
 class CoarseHexes
 {
 public:
-  /// Makes and smooths the transitions; of a grid without refinements there are none. Only hexes of labels that are meshed count. Collective. Throws InputError as
-  /// SmoothTransitions does; asCubes as there. split: whether interfaces through these hexes get
-  /// points and buffer hexes of their own.
-  CoarseHexes(const RefinedGrid& grid, const LabelArray& labels, bool meshVoid, Runtime& runtime,
-    bool asCubes = false, bool split = true);
+  struct Options
+  {
+    bool MeshVoid = false;  ///< else there are no hexes of label 0
+    bool AsCubes = false;   ///< smooths transitions as if all cells were cubes (SmoothTransitions)
+    bool HasBuffers = true; ///< splits hexes on interfaces; else these run between unsplit ones
+  };
+
+  /// Makes and smooths the transitions; of a grid without refinements there are no coarse hexes. Collective. Throws InputError as
+  /// SmoothTransitions does.
+  CoarseHexes(
+    const RefinedGrid& grid, const LabelArray& labels, const Options& options, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }
-  /// What they are made of. After Fill only the keys and anchors of the points, and the touched cells.
+  /// What they are made of; once they are written only the keys and anchors of the points, and the touched cells.
   const RefinedMesh& Refined() const { return this->TheRefined; }
   /// Of those that no finest cell of HexBox has.
   Index NumberOfPoints() const { return this->PointCount; }
   Index NumberOfHexes() const { return this->HexCount; }
 
-  /// The index of the mesh point of a node (linear index) that a finest cell has: the inner one of a label or, of UnknownLabel, the
-  /// first.
-  using FinePoint = std::function<Index(Index node, int label)>;
+  /// Which mesh points the nodes of finest cells have; nodes by linear index.
+  struct FinePoints
+  {
+    std::function<Index(Index node)> First;            ///< the only one, or the one on interfaces
+    std::function<Index(Index node, int label)> Inner; ///< the one that hexes of a label have
+  };
 
   /// The node of a level that a point of a mesh of these and the finest hexes moves with: of finest cells alone its own, else the one that
   /// it stems from (RefinedMesh::Anchors).
@@ -43,11 +52,12 @@ public:
 
   /// Interfaces through these hexes; null where there are none.
   const SplitNodes* Splits() const { return this->TheSplits.get(); }
-  /// After Fill: the index of the point S of each split node, its I follow; -1 where it is no point of the mesh.
+  /// Once they are written: the index in the mesh of the point S of each split node, its I follow; -1 where it is no point.
   const std::vector<Index>& SplitPoints() const { return this->SplitPoint; }
 
-  /// Writes points, hexes, their ids and materials into a mesh, from those positions on. Once only.
-  void Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoint& finePoint);
+  /// Writes points, hexes, their ids and materials into a mesh, from those positions on. To be called once, as it drops what it
+  /// has written.
+  void Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoints& finePoints);
 
 private:
   static constexpr int Unused = -1, Used = -2, Fine = -3;
@@ -64,7 +74,7 @@ private:
   }
   int CountPoints(Index key) const;
   bool IsPointOfFine(int level, const Index3& node) const;
-  void SetFinePoints(Mesh& mesh, const FinePoint& finePoint);
+  void SetFinePoints(Mesh& mesh, const FinePoints& finePoints);
   int& NumberOf(Index point, const OctreeKeys::LevelIndex& index);
   int Sort(int level, const Index3& node) const
   {

@@ -18,37 +18,23 @@ constexpr double TargetScaledJacobian = 0.7;
 const SmoothingStage AllHexes{ 2, 0.0, 0.05, 8, 1e-3 }, PoorHexes{ 8, 0.0, 0.01, 25, 1e-3 };
 constexpr double GoodScaledJacobian = 0.75; // at least: no poor hex
 
-/// The base nodes at cells that are refined or beside one, and those at the rim, whose cells are not all known. All others,
-/// most of them, stay.
-std::vector<bool> FindNodesNearRefined(const CoarseHexes& coarse)
+/// The base nodes, most of them, at which all cells are known and none is refined or beside a refined one: they stay.
+std::vector<bool> FindNodesFarFromRefined(const CoarseHexes& coarse)
 {
   const CartesianGrid& base = coarse.Levels().Base();
-  std::vector<bool> isNear(base.NumberOfEntries(), false);
+  std::vector<bool> isFar(base.NumberOfEntries(), false);
+  IndexBox inside = base.Extended(1);
+  inside.Lower = CornerOfCell(inside.Lower, 7); // nodes: none at the rim
+  ForCells(inside, [&](const Index3& node) { isFar[base.Linear(node)] = true; });
   for (Index key : coarse.Refined().TouchedCells)
   {
-    const Index cell =
-      base.Linear(coarse.Levels().Lattice().HexOfKey(OctreeKeys::HexSlots * key).At);
+    const Index3 cell = coarse.Levels().Lattice().HexOfKey(OctreeKeys::HexSlots * key).At;
     for (int c = 0; c < 8; ++c)
     {
-      isNear[base.NodeOfCell(cell, c)] = true;
+      isFar[base.Linear(CornerOfCell(cell, c))] = false;
     }
   }
-  const IndexBox box = base.Extended(1);
-  Index3 p;
-  for (p[2] = box.Lower[2]; box.NumberOfCells() > 0 && p[2] <= box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] <= box.Upper[1]; ++p[1])
-    {
-      const bool isSide = p[1] == box.Lower[1] || p[1] == box.Upper[1] || p[2] == box.Lower[2] ||
-        p[2] == box.Upper[2];
-      const Index step = isSide ? 1 : box.Size(0); // only the ends of inner rows
-      for (p[0] = box.Lower[0]; p[0] <= box.Upper[0]; p[0] += step)
-      {
-        isNear[base.Linear(p)] = true;
-      }
-    }
-  }
-  return isNear;
+  return isFar;
 }
 
 /// The points that move, and the hexes at them.
@@ -57,13 +43,10 @@ class CoarseSmoother
 public:
   CoarseSmoother(const CoarseHexes& coarse, const std::vector<unsigned char>& isFrozen, Mesh& mesh,
     const Partition& partition) :
-    Levels(coarse.Levels()),
-    Refined(coarse.Refined()),
-    HasSplits(coarse.Splits() != nullptr),
-    Result(mesh)
+    Levels(coarse.Levels()), Refined(coarse.Refined()), Result(mesh)
   {
     ActiveMeshBuilder builder(
-      8, mesh.PointIds.size(), this->FindMovers(FindNodesNearRefined(coarse)));
+      8, mesh.PointIds.size(), this->FindMovers(FindNodesFarFromRefined(coarse)));
     const std::vector<Index> hexes = builder.AddAround(mesh);
     this->Active = builder.Finish(&partition, 8 * this->Levels.NumberOfRefinements());
     this->Active.Widths = WidthsOfHexes(this->Levels, mesh, hexes);
@@ -78,7 +61,7 @@ public:
   {
     const HexEnergy plain(TargetScaledJacobian);
     const GuardedHexEnergy guarded(TargetScaledJacobian);
-    const ElementEnergy& energy = this->HasSplits ? guarded : plain;
+    const ElementEnergy& energy = this->Levels.HasFineInterfaces() ? plain : guarded;
     Smoother smoother(this->Active, nullptr, energy, runtime);
     smoother.RunStage(AllHexes, [](double) {});
     std::vector<unsigned char> isActive = this->ListPointsOfPoorHexes();
@@ -89,13 +72,12 @@ public:
   }
 
 private:
-  std::vector<Mover> FindMovers(const std::vector<bool>& isNear) const;
+  std::vector<Mover> FindMovers(const std::vector<bool>& isFar) const;
   bool TouchesFinerLevels(Index key, int next) const;
   std::vector<unsigned char> ListPointsOfPoorHexes() const;
 
   const RefinedGrid& Levels;
   const RefinedMesh& Refined;
-  const bool HasSplits;
   Mesh& Result;
   ActiveMesh Active;
 };
@@ -127,7 +109,7 @@ bool CoarseSmoother::TouchesFinerLevels(Index key, int next) const
 }
 
 /// Also those that stay: other ranks may ask for them.
-std::vector<Mover> CoarseSmoother::FindMovers(const std::vector<bool>& isNear) const
+std::vector<Mover> CoarseSmoother::FindMovers(const std::vector<bool>& isFar) const
 {
   std::vector<Mover> movers;
   const OctreeKeys& lattice = this->Levels.Lattice();
@@ -140,7 +122,7 @@ std::vector<Mover> CoarseSmoother::FindMovers(const std::vector<bool>& isNear) c
     }
     const Index key = this->Levels.KeyOfPoint(id, this->Result.Ids.PointSlots);
     const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
-    if (node.Level == 0 && node.Slot == 0 && !isNear[this->Levels.Base().Linear(node.At)])
+    if (node.Level == 0 && node.Slot == 0 && isFar[this->Levels.Base().Linear(node.At)])
     {
       continue;
     }

@@ -69,11 +69,8 @@ public:
     this->OverRows(1, [this](Index j, Index k, Index row) { this->FillPoints(j, k, row); });
     this->OverRows(0, [this](Index j, Index k, Index row) { this->FillHexes(j, k, row); });
     this->Coarse.Fill(mesh, finePoints, fineHexes,
-      [this](Index node, int label)
-      {
-        return label == UnknownLabel ? this->Numbering.FirstPoint(node)
-                                     : this->Numbering.InnerPoint(node, label);
-      });
+      { [this](Index node) { return this->Numbering.FirstPoint(node); },
+        [this](Index node, int label) { return this->Numbering.InnerPoint(node, label); } });
     return std::move(mesh);
   }
 

@@ -21,8 +21,8 @@ public:
   {
     this->Pieces.ForRuns(j, k, body);
   }
-  /// Of an owned cell. The nearest cell; or the leaf whose centre is nearest to that of the cell's leaf, where of coarser leaves
-  /// counts what a leaf as large as the cell's covers. Of equal ones the first, x fastest.
+  /// Of an owned cell. Looks at the cells around its leaf, of the level of that leaf, and in refined ones at the leaves that touch
+  /// it. Of those with the material the one whose centre is nearest to that of the leaf counts; of equal ones the first, x fastest.
   int FindNear(const Index3& cell, int material) const override;
 
 private:

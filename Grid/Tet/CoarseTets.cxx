@@ -65,7 +65,8 @@ void CoarseTets::TakeHexes(CoarseHexes& hexes)
   mesh.Elements = Buffer<Index>(8 * count);
   mesh.ElementIds = Buffer<Index>(count);
   mesh.Material = Buffer<int>(count);
-  hexes.Fill(mesh, 0, 0, [](Index node, int) { return ~node; });
+  hexes.Fill(
+    mesh, 0, 0, { [](Index node) { return ~node; }, [](Index node, int) { return ~node; } });
   for (Index h = 0; h < count; ++h)
   {
     const Index key =

@@ -252,7 +252,7 @@ struct Stairs
     Labels(LabelLeaves(*this->Levels, [](const Index3& p) { return p[0] < 16 ? 1 : 0; }))
   {
     PointNumbering numbering(grid, this->Labels, true, true);
-    CoarseHexes coarse(*this->Levels, this->Labels, true, runtime);
+    CoarseHexes coarse(*this->Levels, this->Labels, { true }, runtime);
     this->Hexes = BuildHexes(
       grid, this->Labels, FindMixedNodes(grid, this->Labels), true, numbering, runtime, coarse);
     this->Hexes.Levels = this->Levels;
