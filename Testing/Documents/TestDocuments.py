@@ -118,6 +118,8 @@ class Documents(unittest.TestCase):
                 # What stands before a slash is an instance; a star stands for it too.
                 if not any(fnmatch.fnmatchcase(prefix + name, pattern) for name in tests for prefix in ("", "All/")):
                     problems.append("%s: no test %s" % (page, pattern))
+            problems += ["%s: no test %s" % (page, name) for name in re.findall(r"\bctest\b[^`\n]* -R ([\w.]+)", text)
+                         if not glob.glob(os.path.join(ROOT, "Testing", "*", "Test%s*.py" % name.split(".")[-1]))]
         self.check(problems)
 
     def test_fractions_begin_with_zero(self):
