@@ -17,14 +17,14 @@ def peak_megabytes():
 
 def main(plugin, cells=128):
     cells = int(cells)
-    simple.LoadPlugin(plugin, ns=globals())
+    simple.LoadPlugin(plugin, ns=globals())  # defines the source and the filter
     ranks = vtkMultiProcessController.GetGlobalController()
-    field = simple.VolumeFractionShapes(
+    field = VolumeFractionShapes(
         Shapes="gyroid material=1 center=0.1,0.2,0.3 period=16",
         Bounds=[0, cells, 0, cells, 0, cells], Dimensions=[cells, cells, cells])
     field.UpdatePipeline()
     before = peak_megabytes()
-    hexes = simple.VolumeFractionToHex(
+    hexes = VolumeFractionToHex(
         Input=field, VolumeFractionArrays=["Material1"], NumberOfThreads=1)
     ranks.Barrier()
     start = time.time()

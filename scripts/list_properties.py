@@ -15,7 +15,7 @@ FILES = ["VolumeFractionMesh.xml", "VolumeFractionToTet.xml.in", "VolumeFraction
          "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
 HEAD = """# Properties
 
-Written by `scripts/list_properties.py` from the XML in `Plugin`; the test `Properties` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
+Written by `scripts/list_properties.py` from the XML in `Plugin`; the test `documents` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
 words. *advanced*: shown after a click on the gear beside the search line. What the choices are good for is told in the [user guide](user-guide.md#properties) and in [refined grids](refinement.md)."""
 BUILT = {"@VFM_DEFAULT_TET_METHOD@": "TetGen where it was built in, else Lattice"}
 

@@ -1,18 +1,21 @@
 """Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be; ball_under_pressure.py
-solves where CalculiX is installed."""
+solves where CalculiX is installed; time_ranks.py times two ranks. The fields of Data and the demo can be made again."""
 import csv
 import os
+import re
 import shutil
 import subprocess
 import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader
 
-from vfmtest import exodus_parts, fraction_image, image, main, tet_volumes
+from mpi_run import mpi_run
+from vfmtest import exodus_parts, fraction_image, image, in_folder, main, tet_volumes
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples")
+DATA = os.path.join(EXAMPLES, "..", "Data")
 SCRIPT = os.path.join(EXAMPLES, "mesh_series.py")
 
 
@@ -22,6 +25,13 @@ def write_image(data, path):
     writer.SetInputData(data)
     writer.SetFileName(path)
     assert writer.Write()
+
+
+def read_image(path):
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
 
 
 def run_script(folder, *options):
@@ -118,6 +128,37 @@ def test_ball_under_pressure():
         upper = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2] == 1
         sinks = -vtk_to_numpy(mesh.GetPointData().GetArray("Displacement"))[upper, 2].mean()
         assert 0.5 < sinks / (2 * 1e7 / 3e9) < 0.99, sinks  # less than a block of epoxy
+
+
+@in_folder
+def test_shapes_of_the_data(path):
+    """Data/shapes.py makes the fields again that are in Data."""
+    for scene, arrays in (("fin", ["body"]), ("ball_and_plate", ["ball", "plate"])):
+        made = path(scene + ".vti")
+        subprocess.run(["pvpython", os.path.join(DATA, "shapes.py"), os.environ["VFM_PLUGIN"], scene, made], check=True)
+        fields = [read_image(made), read_image(os.path.join(DATA, scene + ".vti"))]
+        for array in arrays:
+            new, old = (vtk_to_numpy(field.GetCellData().GetArray(array)) for field in fields)
+            assert np.allclose(new, old, rtol=0, atol=1e-6), (scene, array)
+
+
+@in_folder
+def test_demo(path):
+    """One case of the demo: meshes in all formats, and pictures."""
+    result = subprocess.run(
+        ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "pvpython", os.path.join(DATA, "..", "scripts", "demo.py"),
+         os.environ["VFM_PLUGIN"], path("out"), "fin"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    assert result.returncode == 0 and "Traceback" not in result.stdout, result.stdout
+    names = ["fin" + kind + ending for kind in ("", "_tets") for ending in (".vtu", ".e", ".inp", ".csv", "_cut.png")]
+    assert sorted(os.listdir(path("out"))) == sorted(names + ["fin_surface.png"])
+    assert re.search(r"^fin +body +10368 +0\.574 ", result.stdout, re.MULTILINE), result.stdout
+
+
+def test_time_on_ranks():
+    result = mpi_run(2, ["pvbatch", "--sym", os.path.join(EXAMPLES, "time_ranks.py"), os.environ["VFM_PLUGIN"], "12"], 200)
+    rows = re.findall(r"rank (\d) of 2: [\d.]+ s, (\d+) hexahedra, memory \d+ MB before, peak \d+ MB", result.stdout)
+    assert result.returncode == 0 and sorted(rank for rank, _ in rows) == ["0", "1"], result
+    assert all(int(hexes) > 100 for _, hexes in rows), rows
 
 
 main(globals())

@@ -1,0 +1,163 @@
+"""The documents agree with the tree: links, names of files, commands and tests, the table of properties, the rooms of Grid."""
+import fnmatch
+import glob
+import os
+import re
+import sys
+import unittest
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "scripts"))
+import list_properties
+
+PAGES = sorted(os.path.relpath(path, ROOT) for folder in ("", "Documentation", "Data")
+               for path in glob.glob(os.path.join(ROOT, folder, "*.md")))
+CODE = re.compile(r"^```.*?^```$|^ {4}.*?$", re.DOTALL | re.MULTILINE)
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+QUOTED = re.compile(r"`([^`\n]+)`")
+TOPS = ("Data", "Documentation", "Examples", "Filters", "Grid", "IO", "InSitu", "Parallel", "Plugin", "Shapes", "Testing", "scripts")
+NAMED = re.compile(r"(?<![\w./-])(?:%s)/[\w./*-]*\w" % "|".join(TOPS))
+BARE_FRACTION = re.compile(r"(?<![\w.\])*])\.\d")
+ENDINGS = ("", ".h", ".cxx", ".py")
+LONGEST_README = 120
+
+
+def read(path):
+    with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+        return file.read()
+
+
+def prose(path):
+    """A page without its code."""
+    return CODE.sub("", read(path))
+
+
+def anchor(heading):
+    """As GitHub makes them."""
+    return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
+
+
+def anchors(path):
+    return {anchor(heading) for heading in re.findall(r"^#+ (.*)$", read(path), re.MULTILINE)}
+
+
+def stems(folder):
+    """Names of the sources of a folder, without their endings."""
+    return {os.path.splitext(name)[0] for name in os.listdir(os.path.join(ROOT, folder)) if name.endswith((".h", ".cxx"))}
+
+
+def rooms():
+    return ["Grid/" + name for name in os.listdir(os.path.join(ROOT, "Grid")) if os.path.isdir(os.path.join(ROOT, "Grid", name))]
+
+
+def texts(ending, *folders):
+    """Of all files of these folders whose names end so."""
+    for folder in folders:
+        for path, _, names in os.walk(os.path.join(ROOT, folder)):
+            yield from (read(os.path.join(path, name)) for name in names if name.endswith(ending))
+
+
+def google_tests():
+    """Suite.Test of all sources; parametrised and switched-off ones too."""
+    found = set()
+    for text in texts(".cxx", "Testing"):
+        found.update(".".join(names) for names in re.findall(r"\bTEST(?:_[FP])?\((\w+),\s*(\w+)\)", text))
+    return found
+
+
+class Documents(unittest.TestCase):
+    def check(self, problems):
+        self.assertGreater(len(PAGES), 10)
+        self.assertFalse(problems, "\n" + "\n".join(problems))
+
+    def test_links(self):
+        problems = []
+        for page in PAGES:
+            for link in LINK.findall(prose(page)):
+                file, _, heading = link.partition("#")
+                target = os.path.normpath(os.path.join(os.path.dirname(page), file)) if file else page
+                if "://" not in link and not os.path.exists(os.path.join(ROOT, target)):
+                    problems.append("%s: there is no %s" % (page, link))
+                elif heading and "://" not in link and heading not in anchors(target):
+                    problems.append("%s: no heading %s" % (page, link))
+        self.check(problems)
+
+    def test_named_files_exist(self):
+        problems = []
+        for page in PAGES:
+            for name in NAMED.findall(read(page)):
+                if not any(glob.glob(os.path.join(ROOT, name + ending)) for ending in ENDINGS):
+                    problems.append("%s: there is no %s" % (page, name))
+        self.check(problems)
+
+    def test_pictures_are_shown(self):
+        shown = {os.path.basename(link) for page in PAGES for link in LINK.findall(read(page))}
+        self.check(sorted(set(os.listdir(os.path.join(ROOT, "Documentation", "gallery"))) - shown))
+
+    def test_every_file_of_grid_is_named(self):
+        named = set(QUOTED.findall(read("Documentation/architecture.md")))
+        folders = ["Grid", "Shapes"] + rooms()
+        self.assertIn("Grid/Tet", folders)
+        self.check(["%s/%s is in no table" % (folder, stem) for folder in folders for stem in sorted(stems(folder) - named)])
+
+    def test_tables_name_no_other_file(self):
+        page = read("Documentation/architecture.md")
+        tables = page[page.index("## Rooms of Grid"):page.index("## The stages")]
+        cells = [line.split("|")[1] for line in tables.splitlines() if line.startswith("| `")]
+        self.assertGreater(len(cells), 20)
+        known = set().union(*map(stems, ["Grid", "Shapes"] + rooms()))
+        self.check(sorted(set(QUOTED.findall(" ".join(cells))) - known))
+
+    def test_programs_and_tests_exist(self):
+        tests, problems = google_tests(), []
+        targets = " ".join(texts("CMakeLists.txt", *TOPS))
+        for page in PAGES:
+            text = read(page)
+            problems += ["%s: no program %s" % (page, name) for name in re.findall(r"build/bin/(\w+)", text) if not re.search(r"\b%s\b" % name, targets)]
+            for pattern in re.findall(r"--gtest_filter='([^']+)'", text):
+                # What stands before a slash is an instance; a star stands for it too.
+                if not any(fnmatch.fnmatchcase(prefix + name, pattern) for name in tests for prefix in ("", "All/")):
+                    problems.append("%s: no test %s" % (page, pattern))
+            problems += ["%s: no test %s" % (page, name) for name in re.findall(r"\bctest\b[^`\n]* -R ([\w.]+)", text)
+                         if not glob.glob(os.path.join(ROOT, "Testing", "*", "Test%s*.py" % name.split(".")[-1]))]
+        self.check(problems)
+
+    def test_fractions_begin_with_zero(self):
+        problems = []
+        for page in PAGES:
+            problems += ["%s: %s" % (page, line.strip()) for line in prose(page).splitlines() if BARE_FRACTION.search(QUOTED.sub("", line))]
+        self.check(problems)
+
+    def test_properties_are_current(self):
+        self.assertEqual(read("Documentation/properties.md"), list_properties.make_page(), "run scripts/list_properties.py")
+
+    def test_readme_is_short(self):
+        self.assertLessEqual(read("README.md").count("\n"), LONGEST_README)
+
+
+class Searches(unittest.TestCase):
+    """What the tests above look for is found."""
+
+    def test_fraction(self):
+        for text in (" .7 cell", "(.2, 1)", "| .113 |", "-.5"):
+            self.assertTrue(BARE_FRACTION.search(text), text)
+        for text in ("0.7", "mesh.e.4.0", "1.5", "[..](x).2"):
+            self.assertFalse(BARE_FRACTION.search(text), text)
+
+    def test_named_file(self):
+        self.assertEqual(NAMED.findall("see `Grid/Base/Ranks.h`, `build/Data/x` and Examples/impact."), ["Grid/Base/Ranks.h", "Examples/impact"])
+
+    def test_anchor(self):
+        self.assertEqual(anchor("Sculpt's published cases"), "sculpts-published-cases")
+        self.assertEqual(anchor("Refined grids (AMR)"), "refined-grids-amr")
+
+    def test_property_table(self):
+        page = list_properties.make_page()
+        for row in ("| Method | TetGen, Cells, Lattice | TetGen where it was built in, else Lattice |", "| MeshVoid | on, off | off |",
+                    "| IsoValue *advanced* | number, 0.01 to 0.99 | 0.5 |", "| Dimensions | 3 whole numbers, 0 or more | 0 0 0 |"):
+            self.assertIn(row, page)
+        self.assertNotIn("FileName", page)
+
+
+if __name__ == "__main__":
+    unittest.main()
