@@ -17,17 +17,17 @@ bool vtkVolumeFractionToTet::HasTetGen()
 }
 
 vfm::Mesh vtkVolumeFractionToTet::MakeMesh(const vfm::CartesianGrid& grid,
-  const vfm::FractionField& fractions, const vfm::MeshOptions& common, vfm::Runtime& runtime,
+  const vfm::FractionField& fractions, const vfm::MeshOptions& options, vfm::Runtime& runtime,
   vfm::MeshReport& report)
 {
-  vfm::MeshOptions options = common;
-  options.Tets = static_cast<vfm::TetMethod>(this->Method);
-  options.TetGen.RelativeSize = this->RelativeSize;
-  options.TetGen.Growth = this->Growth;
-  options.TetGen.RadiusEdgeRatio = this->RadiusEdgeRatio;
-  options.TetGen.MinimumDihedralAngle = this->MinimumDihedralAngle;
-  options.TetGen.OptimizationLevel = this->OptimizationLevel;
-  vfm::Mesh mesh = vfm::MakeTetMesh(grid, fractions, options, runtime, report);
+  vfm::MeshOptions own = options;
+  own.Tets = static_cast<vfm::TetMethod>(this->Method);
+  own.TetGen.RelativeSize = this->RelativeSize;
+  own.TetGen.Growth = this->Growth;
+  own.TetGen.RadiusEdgeRatio = this->RadiusEdgeRatio;
+  own.TetGen.MinimumDihedralAngle = this->MinimumDihedralAngle;
+  own.TetGen.OptimizationLevel = this->OptimizationLevel;
+  vfm::Mesh mesh = vfm::MakeTetMesh(grid, fractions, own, runtime, report);
   if (report.RefusedParts > 0 && runtime.Group().Rank() == 0)
   {
     vtkWarningMacro(<< "TetGen refused " << report.RefusedParts
