@@ -148,8 +148,7 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
     }
     result.Levels.Coarse = std::make_unique<CoarseHexes>(*result.Levels.Grid, result.Labels,
       CoarseHexes::Options{ options.MeshVoid, false, !options.StairStep }, runtime);
-    if (options.StairStep ||
-      !AddBadFamilies(*result.Levels.Coarse->Splits(), plan, runtime.Group()))
+    if (options.StairStep || !AddBadFamilies(result.Levels.Coarse->Splits(), plan, runtime.Group()))
     {
       break;
     }

@@ -22,8 +22,7 @@ CoarseHexes::CoarseHexes(
   SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, options.AsCubes);
   if (!grid.HasFineInterfaces())
   {
-    this->TheSplits =
-      std::make_unique<SplitNodes>(grid, this->TheRefined, this->Region, labels, options.MeshVoid);
+    this->TheSplits = SplitNodes(grid, this->TheRefined, this->Region, labels, options.MeshVoid);
   }
   for (Index key : this->TheRefined.HexKeys)
   {
@@ -93,7 +92,7 @@ int CoarseHexes::CountPoints(Index key) const
   const Index n = this->HasBuffers ? this->FindSplit(key) : -1;
   return n < 0 ? 1
                : 1 +
-      static_cast<int>(std::count_if(this->TheSplits->LabelsBegin(n), this->TheSplits->LabelsEnd(n),
+      static_cast<int>(std::count_if(this->TheSplits.LabelsBegin(n), this->TheSplits.LabelsEnd(n),
         [this](int label) { return label > 0 || this->MeshVoid; }));
 }
 
@@ -247,7 +246,7 @@ public:
       return;
     }
     this->Coarse.SplitPoint[n] = this->FirstPoint + number;
-    const SplitNodes& splits = *this->Coarse.TheSplits;
+    const SplitNodes& splits = this->Coarse.TheSplits;
     int rank = 0;
     for (const int* label = splits.LabelsBegin(n); label != splits.LabelsEnd(n); ++label, ++rank)
     {
@@ -315,7 +314,7 @@ private:
     const Index n = this->Coarse.HasBuffers ? this->Coarse.FindSplit(key) : -1;
     if (n >= 0)
     {
-      const SplitNodes& splits = *this->Coarse.TheSplits;
+      const SplitNodes& splits = this->Coarse.TheSplits;
       inner += 1 + splits.RankOf(n, this->Label) - (this->IsMeshed(*splits.LabelsBegin(n)) ? 0 : 1);
     }
   }
@@ -357,9 +356,9 @@ private:
 void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoints& finePoints)
 {
   const OctreeKeys& lattice = this->Grid.Lattice();
-  for (Index n = 0; n < this->TheSplits->Count(); ++n)
+  for (Index n = 0; n < this->TheSplits.Count(); ++n)
   {
-    const OctreeKeys::LevelIndex node = lattice.NodeOfKey(this->TheSplits->Key(n));
+    const OctreeKeys::LevelIndex node = lattice.NodeOfKey(this->TheSplits.Key(n));
     if (node.Slot != 0 || !this->IsPointOfFine(node.Level, node.At))
     {
       continue;
@@ -367,12 +366,12 @@ void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoints& finePoints)
     const Index p = this->Grid.Finest().Linear(this->Grid.FinestNode(node.Level, node.At));
     this->SplitPoint[n] = finePoints.First(p);
     int rank = 0;
-    for (const int* label = this->TheSplits->LabelsBegin(n); label != this->TheSplits->LabelsEnd(n);
+    for (const int* label = this->TheSplits.LabelsBegin(n); label != this->TheSplits.LabelsEnd(n);
          ++label, ++rank)
     {
       if (this->HasBuffers && (*label > 0 || this->MeshVoid))
       {
-        const Vector3& x = this->TheSplits->InnerPoint(n, rank);
+        const Vector3& x = this->TheSplits.InnerPoint(n, rank);
         std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * finePoints.Inner(p, *label));
       }
     }
@@ -381,7 +380,7 @@ void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoints& finePoints)
 
 void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoints& finePoints)
 {
-  this->SplitPoint.assign(this->TheSplits ? this->TheSplits->Count() : 0, -1);
+  this->SplitPoint.assign(this->TheSplits.Count(), -1);
   Writer writer(*this, mesh, firstPoint, firstHex, finePoints);
   this->ForPoints(
     [&](int number, Index key, const Vector3& x)
@@ -393,10 +392,7 @@ void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FineP
     });
   this->ForHexes(
     [&](const Index3& cell) { writer.AddCell(cell); }, [&](Index hex) { writer.AddHex(hex); });
-  if (this->TheSplits)
-  {
-    this->SetFinePoints(mesh, finePoints);
-  }
+  this->SetFinePoints(mesh, finePoints);
   this->DropParts();
 }
 

@@ -50,8 +50,8 @@ public:
   /// it stems from (RefinedMesh::Anchors).
   OctreeKeys::LevelIndex AnchorOf(const Mesh& mesh, Index pointId) const;
 
-  /// Interfaces through these hexes; null where there are none.
-  const SplitNodes* Splits() const { return this->TheSplits.get(); }
+  /// Interfaces through these hexes; none where all cells at interfaces are finest ones.
+  const SplitNodes& Splits() const { return this->TheSplits; }
   /// Once they are written: the index in the mesh of the point S of each split node, its I follow; -1 where it is no point.
   const std::vector<Index>& SplitPoints() const { return this->SplitPoint; }
 
@@ -66,11 +66,11 @@ private:
 
   bool IsWanted(const OctreeKeys::LevelIndex& cell) const;
   /// The number of the split node with a key, or -1.
-  Index FindSplit(Index key) const { return this->TheSplits ? this->TheSplits->Find(key) : -1; }
+  Index FindSplit(Index key) const { return this->TheSplits.Find(key); }
   /// Bits of the faces of a hex that have buffer hexes.
   int BufferFaces(Index hexKey) const
   {
-    return this->TheSplits && this->HasBuffers ? this->TheSplits->FacesOfHex(hexKey) : 0;
+    return this->HasBuffers ? this->TheSplits.FacesOfHex(hexKey) : 0;
   }
   int CountPoints(Index key) const;
   bool IsPointOfFine(int level, const Index3& node) const;
@@ -97,7 +97,7 @@ private:
   std::vector<unsigned char> Wanted; // of each hex of TheRefined
   Buffer<int> NodeNumber;            // of base nodes: index of the point, or what it is
   std::vector<int> PointNumber;      // of points of TheRefined that are no base nodes
-  std::unique_ptr<SplitNodes> TheSplits;
+  SplitNodes TheSplits;
   std::vector<Index> SplitPoint;
   Index PointCount = 0, HexCount = 0;
 };

@@ -106,12 +106,9 @@ public:
     ForInterfaceFaces(this->Grid, this->Labelled.Labels, this->Labelled.Mixed, this->Box,
       [this](const InterfaceFace& face, const Index3& lower, const Index3& upper)
       { this->AddFineFacet(face, lower, upper); });
-    if (const SplitNodes* splits = this->Labelled.Levels.Coarse->Splits())
+    for (const SplitNodes::Face& face : this->Labelled.Levels.Coarse->Splits().Faces())
     {
-      for (const SplitNodes::Face& face : splits->Faces())
-      {
-        this->AddCoarseFacet(face);
-      }
+      this->AddCoarseFacet(face);
     }
     return std::move(this->Found);
   }

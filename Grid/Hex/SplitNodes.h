@@ -20,6 +20,8 @@ namespace vfm
 class SplitNodes
 {
 public:
+  /// None.
+  SplitNodes() = default;
   /// refined: the hexes of the base cells of region, without the finest ones. labels: of the finest grid, alike in each leaf.
   SplitNodes(const RefinedGrid& grid, const RefinedMesh& refined, const IndexBox& region,
     const LabelArray& labels, bool meshVoid);
