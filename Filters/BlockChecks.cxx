@@ -12,18 +12,6 @@ namespace
 
 constexpr double LargestNodeKey = 0x1p59; // node ids are key * 16 + slot, in 63 bits
 
-[[noreturn]] void Refuse(const std::string& message)
-{
-  throw InputError(message);
-}
-
-std::string Text(const Index3& cell)
-{
-  std::ostringstream text;
-  text << "cell (" << cell[0] << ", " << cell[1] << ", " << cell[2] << ")";
-  return text.str();
-}
-
 /// The first cell that no block holds, given that there is one.
 Index3 FindGap(const IndexBox& global, const std::vector<BlockPlace>& places)
 {
@@ -83,7 +71,8 @@ void CheckOverlaps(std::vector<BlockPlace> places, bool isAlone)
       const IndexBox common = Intersect(a, places[q].Box);
       if (common.NumberOfCells() > 0)
       {
-        Refuse(name(places[p]) + " and " + name(places[q]) + " overlap at " + Text(common.Lower) +
+        throw InputError(name(places[p]) + " and " + name(places[q]) + " overlap at " +
+          TextOf(common.Lower) +
           " of their common grid. Blocks must not overlap, except in ghost cells that the array "
           "vtkGhostType marks.");
       }
@@ -104,10 +93,10 @@ void CheckGaps(const InputBlocks& input)
     const Index3 gap = FindGap(input.Global(), input.Places);
     std::ostringstream text;
     text << "The blocks leave a gap: " << filled - cells << " of the " << filled
-         << " cells of their common grid are in no block, the first is " << Text(gap) << " at ("
+         << " cells of their common grid are in no block, the first is " << TextOf(gap) << " at ("
          << input.Coordinates[0][gap[0]] << ", " << input.Coordinates[1][gap[1]] << ", "
          << input.Coordinates[2][gap[2]] << "). Blocks must fill a box.";
-    Refuse(text.str());
+    throw InputError(text.str());
   }
 }
 
@@ -123,7 +112,7 @@ void CheckIds(const InputBlocks& input)
     std::ostringstream text;
     text << "The grid has " << nodes << " nodes, more than 64-bit ids can number ("
          << LargestNodeKey << "). Mesh a part of it (filter Extract Subset).";
-    Refuse(text.str());
+    throw InputError(text.str());
   }
 }
 

@@ -1,6 +1,7 @@
 #include "CollectBlocks.h"
 
 #include "Base/Runtime.h"
+#include "NodeCoordinates.h"
 #include "RecogniseGrid.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -24,18 +25,11 @@ namespace vfm
 namespace
 {
 
-constexpr const char* AxisNames[3] = { "x", "y", "z" };
-
-[[noreturn]] void Refuse(const std::string& message)
-{
-  throw InputError(message);
-}
-
 std::array<std::vector<double>, 3> ImageCoordinates(vtkImageData* image, const std::string& name)
 {
   if (!image->GetDirectionMatrix()->IsIdentity())
   {
-    Refuse(name +
+    throw InputError(name +
       " is an image with a rotated direction matrix. Set the direction matrix to the "
       "identity and rotate the mesh instead (filter Transform).");
   }
@@ -80,7 +74,7 @@ void CheckCoordinates(const InputBlock& block)
     const std::vector<double>& x = block.Coordinates[a];
     if (x.size() < 2)
     {
-      Refuse(block.Name + " is flat: it has no cells along " + AxisNames[a] +
+      throw InputError(block.Name + " is flat: it has no cells along " + AxisNames[a] +
         ". Volume fractions on a 3D grid of cells are needed.");
     }
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -91,7 +85,7 @@ void CheckCoordinates(const InputBlock& block)
         text << block.Name << ": the " << AxisNames[a]
              << " coordinates do not increase or are not finite at node " << i << " (" << x[i]
              << ").";
-        Refuse(text.str());
+        throw InputError(text.str());
       }
     }
   }
@@ -113,29 +107,23 @@ bool DropGhosts(InputBlock& block)
   const unsigned char* types = block.GhostTypes->GetPointer(0);
   IndexBox box{ block.Dimensions, { { 0, 0, 0 } } };
   Index kept = 0, id = 0;
-  for (Index k = 0; k < block.Dimensions[2]; ++k)
-  {
-    for (Index j = 0; j < block.Dimensions[1]; ++j)
+  ForCells({ { { 0, 0, 0 } }, block.Dimensions },
+    [&](const Index3& cell)
     {
-      for (Index i = 0; i < block.Dimensions[0]; ++i, ++id)
+      if (types[id++] & vtkDataSetAttributes::DUPLICATECELL)
       {
-        if (types[id] & vtkDataSetAttributes::DUPLICATECELL)
-        {
-          continue;
-        }
-        ++kept;
-        const Index3 cell{ { i, j, k } };
-        for (int a = 0; a < 3; ++a)
-        {
-          box.Lower[a] = std::min(box.Lower[a], cell[a]);
-          box.Upper[a] = std::max(box.Upper[a], cell[a] + 1);
-        }
+        return;
       }
-    }
-  }
+      ++kept;
+      for (int a = 0; a < 3; ++a)
+      {
+        box.Lower[a] = std::min(box.Lower[a], cell[a]);
+        box.Upper[a] = std::max(box.Upper[a], cell[a] + 1);
+      }
+    });
   if (kept > 0 && kept != box.NumberOfCells())
   {
-    Refuse(block.Name +
+    throw InputError(block.Name +
       " has ghost cells (vtkGhostType) among its own cells. Ghost cells may only "
       "form layers on the sides of a block.");
   }
@@ -184,7 +172,7 @@ void AddBlock(
   }
   else
   {
-    Refuse(block.Name + " is a " + data->GetClassName() +
+    throw InputError(block.Name + " is a " + data->GetClassName() +
       ". Image data, uniform grids, rectilinear grids and hexahedra that form a Cartesian grid can "
       "be meshed; bring other data onto a grid first (filter Resample To Image).");
   }

@@ -16,13 +16,6 @@ namespace vfm
 namespace
 {
 
-constexpr const char* AxisNames[3] = { "x", "y", "z" };
-
-[[noreturn]] void Refuse(const std::string& message)
-{
-  throw InputError(message);
-}
-
 double FindSmallestWidth(const std::vector<InputBlock>& blocks, int axis)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -71,7 +64,7 @@ bool PlaceBlock(InputBlock& block, int axis, const std::vector<double>& global)
   text << block.Name << " does not fit the other blocks along " << AxisNames[axis] << " near "
        << x[i] << ": another block has nodes between its own. All blocks must lie on one grid "
        << "with the same spacing, or be levels of a refined one (AMR).";
-  Refuse(text.str());
+  throw InputError(text.str());
 }
 
 /// Collective: the blocks of this rank in the grid of all.
@@ -138,7 +131,7 @@ void CheckGhostCells(const InputBlocks& input, int rank)
   }
   if (missing > 0)
   {
-    Refuse("The face neighbours of rank " + std::to_string(rank) + " do not lead to " +
+    throw InputError("The face neighbours of rank " + std::to_string(rank) + " do not lead to " +
       std::to_string(missing) +
       " of the cells around its box. Every side of a box that is not on the side of the "
       "whole grid needs the rank across it.");
@@ -153,7 +146,7 @@ std::vector<InputBlock> CollectAllBlocks(vtkDataObject* data, Ranks& ranks)
   WorkTogether(ranks, [&] { blocks = CollectBlocks(data, ranks.Rank(), ranks.Count() == 1); });
   if (!ranks.Any(!blocks.empty()))
   {
-    Refuse("The input has no cells. Volume fractions on a 3D grid of cells are needed.");
+    throw InputError("The input has no cells. Volume fractions on a 3D grid of cells are needed.");
   }
   return blocks;
 }
@@ -190,7 +183,7 @@ InputBlocks FindNeighbourBlocks(
     {
       if (input.Blocks.size() != 1)
       {
-        Refuse("Rank " + std::to_string(ranks.Rank()) + " has " +
+        throw InputError("Rank " + std::to_string(ranks.Rank()) + " has " +
           std::to_string(input.Blocks.size()) +
           " blocks. With face neighbours every rank must have one.");
       }

@@ -22,9 +22,8 @@ void InputCells::FindInterfaceCells(std::size_t block, std::vector<Index3>& foun
   const Index n = box.Size(0), plane = n * box.Size(1);
   std::vector<int> last(plane),
     row(n); // last: the row before, and above it what is left of the plane before
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  ForRows(box,
+    [&](Index j, Index k)
     {
       int* below = last.data() + (j - box.Lower[1]) * n;
       this->ReadMaterials(block, { { box.Lower[0], j, k } }, n, row.data());
@@ -39,8 +38,7 @@ void InputCells::FindInterfaceCells(std::size_t block, std::vector<Index3>& foun
         }
       }
       std::copy(row.begin(), row.end(), below);
-    }
-  }
+    });
 }
 
 namespace

@@ -166,9 +166,8 @@ SparseCells FractionCells::Extract(const InputBlock& block, const IndexBox& box)
   cells.Box = box;
   std::vector<double> values(box.Size(0));
   std::vector<std::vector<Item>> row(box.Size(0));
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  ForRows(box,
+    [&](Index j, Index k)
     {
       for (int m = 1; m <= this->NumberOfMaterials(); ++m)
       {
@@ -186,8 +185,7 @@ SparseCells FractionCells::Extract(const InputBlock& block, const IndexBox& box)
         cells.AddCell(items);
         items.clear();
       }
-    }
-  }
+    });
   return cells;
 }
 

@@ -33,9 +33,9 @@ void CheckLabel(Index label, const std::string& name, const Index3& first, Index
   if (label < 0 || label > std::numeric_limits<int>::max())
   {
     std::ostringstream text;
-    text << "The material id array '" << name << "' holds " << label << " in cell ("
-         << first[0] + offset << ", " << first[1] << ", " << first[2]
-         << "): material ids lie in [0, " << std::numeric_limits<int>::max() << "], 0 is void.";
+    text << "The material id array '" << name << "' holds " << label << " in "
+         << TextOf({ { first[0] + offset, first[1], first[2] } }) << ": material ids lie in [0, "
+         << std::numeric_limits<int>::max() << "], 0 is void.";
     throw InputError(text.str());
   }
 }
@@ -44,16 +44,14 @@ void CheckLabel(Index label, const std::string& name, const Index3& first, Index
 template <class Visit>
 void VisitRows(const IndexBox& box, const Visit& visit)
 {
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  ForRows(box,
+    [&](Index j, Index k)
     {
       for (Index i = box.Lower[0]; i < box.Upper[0]; i += RowLength)
       {
         visit(Index3{ { i, j, k } }, std::min(RowLength, box.Upper[0] - i));
       }
-    }
-  }
+    });
 }
 
 class LabelCells : public InputCells

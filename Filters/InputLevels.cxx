@@ -20,14 +20,8 @@ namespace vfm
 namespace
 {
 
-constexpr const char* AxisNames[3] = { "x", "y", "z" };
 constexpr double LevelTolerance = 0.01; // of the logarithm of a ratio of widths
 constexpr int MostLevels = 30;
-
-[[noreturn]] void Refuse(const std::string& message)
-{
-  throw InputError(message);
-}
 
 double MeanWidth(const InputBlock& block, int axis)
 {
@@ -69,7 +63,7 @@ int FindLevel(const InputBlock& block, const Vector3& coarsest)
         << AxisNames[axis] << ", where the widest of the input are " << coarsest[axis]
         << ". Levels of a refined grid (AMR) must differ by the factor 2, 4, 8 and so on, the same "
            "along x, y and z.";
-      Refuse(text.str());
+      throw InputError(text.str());
     }
   }
   return level;
@@ -136,7 +130,7 @@ std::vector<double> FindBaseNodes(const std::vector<InputBlock>& blocks,
          << (x.empty() ? lower : x.back()) << ": no block has the next node of level 0, " << width
          << " farther. Levels of a refined grid "
             "(AMR) must lie on one grid, and together fill a box.";
-    Refuse(text.str());
+    throw InputError(text.str());
   }
   return x;
 }
@@ -170,7 +164,7 @@ void PlaceOnLevel(InputBlock& block, int level, const InputBlocks& grid)
              << x[i] << ": its cells are those of level " << level
              << " of a refined grid (AMR), but the nearest node of that level is at "
              << all[FindNearest(all, x[i])] << ".";
-        Refuse(text.str());
+        throw InputError(text.str());
       }
     }
   }
@@ -192,11 +186,7 @@ InputLevels MakeLevels(const std::vector<InputBlock>& blocks, const std::vector<
   const OctreeKeys lattice(base, finest); // throws when there are too many nodes
   for (int level = 1; level <= finest; ++level)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      input.Levels[level].Coordinates[axis] =
-        HalveWidths(input.Levels[level - 1].Coordinates[axis]);
-    }
+    input.Levels[level].Coordinates = HalveWidths(input.Levels[level - 1].Coordinates);
   }
   CheckIds(input.Levels.back());
   return input;
@@ -238,14 +228,12 @@ private:
   void Hide(InputBlock& block, const IndexBox& box)
   {
     block.GhostTypes = this->FindCopy(block);
-    for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-    {
-      for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+    ForRows(box,
+      [&](Index j, Index k)
       {
         unsigned char* row = block.GhostTypes->GetPointer(block.CellId({ { box.Lower[0], j, k } }));
         std::fill_n(row, box.Size(0), static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL));
-      }
-    }
+      });
   }
 
   /// The array of the block to write in, shared by the boxes of one data set.
@@ -306,8 +294,7 @@ InputLevels SortByLevels(std::vector<InputBlock> blocks, const Vector3& coarsest
 std::string TextOf(const InputLevels& input, int level, const Index3& cell)
 {
   std::ostringstream text;
-  text << "cell (" << cell[0] << ", " << cell[1] << ", " << cell[2] << ") of level " << level
-       << " at (";
+  text << vfm::TextOf(cell) << " of level " << level << " at (";
   for (int axis = 0; axis < 3; ++axis)
   {
     text << (axis > 0 ? ", " : "") << input.Levels[level].Coordinates[axis][cell[axis]];
@@ -316,18 +303,6 @@ std::string TextOf(const InputLevels& input, int level, const Index3& cell)
 }
 
 } // namespace
-
-IndexBox ChangeLevel(const IndexBox& box, int levels)
-{
-  IndexBox result;
-  for (int a = 0; a < 3; ++a)
-  {
-    const Index roundUp = levels < 0 ? (Index(1) << -levels) - 1 : 0;
-    result.Lower[a] = levels < 0 ? box.Lower[a] >> -levels : box.Lower[a] << levels;
-    result.Upper[a] = levels < 0 ? (box.Upper[a] + roundUp) >> -levels : box.Upper[a] << levels;
-  }
-  return result;
-}
 
 std::vector<BlockPlace> ChangeLevel(std::vector<BlockPlace> places, int levels)
 {
@@ -345,11 +320,8 @@ LevelCover::LevelCover(const InputLevels& input, int level, const IndexBox& box)
   {
     for (const BlockPlace& place : input.Levels[finer].Places)
     {
-      const IndexBox common = Intersect(ChangeLevel(place.Box, level - finer), box);
-      if (common.NumberOfCells() > 0)
-      {
-        ForCells(common, [&](const Index3& cell) { this->Covered[IndexInBox(box, cell)] = true; });
-      }
+      ForCells(Intersect(ChangeLevel(place.Box, level - finer), box),
+        [&](const Index3& cell) { this->Covered[IndexInBox(box, cell)] = true; });
     }
   }
 }
@@ -394,7 +366,7 @@ void CheckCover(const InputLevels& input, const IndexBox& box)
     {
       if (!base.Has(cell))
       {
-        Refuse("The blocks leave a gap: " + TextOf(input, 0, cell) +
+        throw InputError("The blocks leave a gap: " + TextOf(input, 0, cell) +
           " is in no block. All levels together must fill a box.");
       }
     });
@@ -411,7 +383,7 @@ void CheckCover(const InputLevels& input, const IndexBox& box)
         }
         if (covered > 0 && covered < 8)
         {
-          Refuse("Finer blocks cover only a part of " + TextOf(input, level, cell) +
+          throw InputError("Finer blocks cover only a part of " + TextOf(input, level, cell) +
             ". Blocks of a refined grid (AMR) must cover whole cells of the level before, and "
             "leave no gap.");
         }

@@ -28,10 +28,7 @@ struct InputLevels
   int Finest() const { return static_cast<int>(this->Levels.size()) - 1; }
 };
 
-/// The cells of a level, halved levels times; negative: the coarser ones of which the box holds a part.
-IndexBox ChangeLevel(const IndexBox& box, int levels);
-
-/// The same of all places.
+/// Of all places.
 std::vector<BlockPlace> ChangeLevel(std::vector<BlockPlace> places, int levels);
 
 /// The cells of a box of some level that hold data of that level or of a finer one.

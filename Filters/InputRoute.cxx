@@ -1,7 +1,5 @@
 #include "InputRoute.h"
 
-#include "MakePartition.h"
-
 #include <set>
 
 namespace vfm

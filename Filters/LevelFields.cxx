@@ -1,6 +1,7 @@
 #include "LevelFields.h"
 
 #include "Agreement.h"
+#include "Base/Sorted.h"
 #include "Fractions/FractionSum.h"
 #include "Fractions/GhostFractions.h"
 #include "InputRoute.h"
@@ -12,7 +13,8 @@ namespace vfm
 namespace
 {
 
-constexpr Index ChunkCells = 8; // along an axis, of those that are averaged at a time
+constexpr int ChunkLevels =
+  3; // chunks that are averaged at a time have so many halvings of their cells
 
 /// Sets the cells of a box that finer ones cover to the means of these.
 void AverageCells(const CartesianGrid& fineGrid, const FractionField& fine, const LevelCover& cover,
@@ -59,43 +61,28 @@ public:
     int level, const IndexBox& box, const CartesianGrid& grid, FractionField& field) const
   {
     Index normalised = 0;
-    for (const IndexBox& chunk : CutInChunks(box))
-    {
-      const IndexBox finerBox = ChangeLevel(chunk, 1);
-      const LevelCover cover(this->Input, level + 1, finerBox);
-      if (!cover.IsEmpty())
+    ForCells(ChangeLevel(box, -ChunkLevels),
+      [&](const Index3& place)
       {
-        const CartesianGrid finerGrid(this->Input.Levels[level + 1].Coordinates, finerBox);
-        InputField finer = this->MakeField(level + 1, finerGrid);
-        normalised += finer.NormalisedCells;
-        if (level + 1 < this->Input.Finest())
+        const IndexBox chunk = Intersect(ChangeLevel(BoxOfCell(place), ChunkLevels), box);
+        const IndexBox finerBox = ChangeLevel(chunk, 1);
+        const LevelCover cover(this->Input, level + 1, finerBox);
+        if (!cover.IsEmpty())
         {
-          normalised += this->Average(level + 1, finerBox, finerGrid, finer.Fractions);
+          const CartesianGrid finerGrid(this->Input.Levels[level + 1].Coordinates, finerBox);
+          InputField finer = this->MakeField(level + 1, finerGrid);
+          normalised += finer.NormalisedCells;
+          if (level + 1 < this->Input.Finest())
+          {
+            normalised += this->Average(level + 1, finerBox, finerGrid, finer.Fractions);
+          }
+          AverageCells(finerGrid, finer.Fractions, cover, chunk, grid, field);
         }
-        AverageCells(finerGrid, finer.Fractions, cover, chunk, grid, field);
-      }
-    }
+      });
     return normalised;
   }
 
 private:
-  static std::vector<IndexBox> CutInChunks(const IndexBox& box)
-  {
-    std::vector<IndexBox> chunks;
-    for (Index k = box.Lower[2]; k < box.Upper[2]; k += ChunkCells)
-    {
-      for (Index j = box.Lower[1]; j < box.Upper[1]; j += ChunkCells)
-      {
-        for (Index i = box.Lower[0]; i < box.Upper[0]; i += ChunkCells)
-        {
-          chunks.push_back(Intersect(
-            { { { i, j, k } }, { { i + ChunkCells, j + ChunkCells, k + ChunkCells } } }, box));
-        }
-      }
-    }
-    return chunks;
-  }
-
   const InputLevels& Input;
   const LevelCells& Cells;
   std::vector<std::vector<SparseCells>> Received; // of each level
@@ -115,11 +102,10 @@ public:
     WorkTogether(runtime.Group(),
       [&]
       {
-        const auto coordinates =
-          CoordinatesOfLevel(input.Levels[0].Coordinates, 0, std::min(setup.Base, 0));
+        const auto coordinates = HalveWidths(input.Levels[0].Coordinates, std::min(setup.Base, 0));
         for (int level = 0; level <= this->Top; ++level)
         {
-          this->Grids.emplace_back(CoordinatesOfLevel(coordinates, std::min(setup.Base, 0), level),
+          this->Grids.emplace_back(HalveWidths(coordinates, level - std::min(setup.Base, 0)),
             ChangeLevel(owned, level), GhostLayers);
           this->Fields.push_back(data.MakeField(level, this->Grids[level]));
           this->Normalised += this->Fields[level].NormalisedCells;
@@ -209,11 +195,10 @@ std::vector<Index> FindFamilies(
     {
       if (cover.Has(ChildOfCell(cell, 0)))
       {
-        keys.push_back(lattice.FamilyKey(step, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } }));
+        keys.push_back(lattice.FamilyKey(step, ParentOfCell(cell)));
       }
     });
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  SortUnique(keys);
   return keys;
 }
 
@@ -273,7 +258,7 @@ LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   InputField field = maker.MakeField(rule);
   const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
   const int top = std::min(setup.Finest, input.Finest());
-  LevelFields result{ CartesianGrid(CoordinatesOfLevel(input.Levels[0].Coordinates, 0, setup.Base),
+  LevelFields result{ CartesianGrid(HalveWidths(input.Levels[0].Coordinates, setup.Base),
                         ChangeLevel(owned, setup.Base), GhostLayers),
     maker.Grid(), std::move(field), {} };
   const OctreeKeys lattice(result.Base, setup.Finest - setup.Base);

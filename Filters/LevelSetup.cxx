@@ -1,6 +1,5 @@
 #include "LevelSetup.h"
 
-#include "Fractions/RefineCells.h"
 #include "NodeCoordinates.h"
 
 #include <cmath>
@@ -11,7 +10,6 @@ namespace
 {
 
 constexpr int LevelsOfCoarsening = 3; // unless more are asked for
-constexpr const char* AxisNames[3] = { "x", "y", "z" };
 
 /// Whether the nodes left out lie in the middle of their neighbours.
 bool AreHalves(const std::vector<double>& x, Index step)
@@ -113,29 +111,6 @@ LevelSetup DecideLevels(Refinement how, int maximumLevel,
       break;
   }
   return setup;
-}
-
-std::array<std::vector<double>, 3> CoordinatesOfLevel(
-  std::array<std::vector<double>, 3> coordinates, int given, int wanted)
-{
-  for (std::vector<double>& x : coordinates)
-  {
-    for (int level = given; level < wanted; ++level)
-    {
-      x = HalveWidths(x);
-    }
-    if (wanted < given)
-    {
-      const std::size_t step = std::size_t(1) << (given - wanted);
-      std::vector<double> joined;
-      for (std::size_t i = 0; i < x.size(); i += step)
-      {
-        joined.push_back(x[i]);
-      }
-      x = std::move(joined);
-    }
-  }
-  return coordinates;
 }
 
 } // namespace vfm

@@ -46,8 +46,4 @@ int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks);
 LevelSetup DecideLevels(Refinement how, int maximumLevel,
   const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment);
 
-/// Node coordinates of a level of which those of another are given.
-std::array<std::vector<double>, 3> CoordinatesOfLevel(
-  std::array<std::vector<double>, 3> coordinates, int given, int wanted);
-
 } // namespace vfm

@@ -11,6 +11,9 @@
 namespace vfm
 {
 
+/// For messages.
+constexpr const char* AxisNames[3] = { "x", "y", "z" };
+
 /// Node coordinates that differ by less than this part of the smallest cell width are one.
 constexpr double MatchTolerance = 1e-3;
 

@@ -22,7 +22,6 @@ namespace vfm
 namespace
 {
 
-constexpr const char* AxisNames[3] = { "x", "y", "z" };
 constexpr int Corners = 8;
 constexpr const char* Advice =
   " Hexahedra must be the cells of a Cartesian grid: turn a rotated grid "

@@ -150,33 +150,6 @@ void CopyValues(vtkDataArray* from, Index first, vtkDataArray* to)
   }
 }
 
-/// Copies tuples of an array, in its carrier's type, to plain memory; size: bytes of a tuple.
-void CopyTuples(vtkDataArray* array, Index first, Index count, std::size_t size, char* to)
-{
-  const int type = array->GetDataType(), components = array->GetNumberOfComponents();
-  if (array->HasStandardMemoryLayout() && type != VTK_BIT)
-  {
-    std::memcpy(to, array->GetVoidPointer(first * components), count * size);
-    return;
-  }
-  const auto plain = MakeArray(CarrierType(type), components, count);
-  CopyValues(array, first, plain);
-  std::memcpy(to, plain->GetVoidPointer(0), count * size);
-}
-
-/// Calls visit(first cell) for the rows along x of a box.
-template <class Visit>
-void VisitRows(const IndexBox& box, const Visit& visit)
-{
-  for (Index k = box.Lower[2]; box.NumberOfCells() > 0 && k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-    {
-      visit(Index3{ { box.Lower[0], j, k } });
-    }
-  }
-}
-
 /// An array as plain memory, in its carrier's type: its own, or a copy of the cells of one block.
 class PlainTuples
 {
@@ -189,8 +162,11 @@ public:
         static_cast<const char*>(array->GetVoidPointer(first * array->GetNumberOfComponents()));
       return;
     }
-    this->Copy.resize(count * size);
-    CopyTuples(array, first, count, size, this->Copy.data());
+    const auto plain =
+      MakeArray(CarrierType(array->GetDataType()), array->GetNumberOfComponents(), count);
+    CopyValues(array, first, plain);
+    const char* values = static_cast<const char*>(plain->GetVoidPointer(0));
+    this->Copy.assign(values, values + count * size);
   }
   const char* Data() const { return this->Values ? this->Values : this->Copy.data(); }
 
@@ -289,10 +265,10 @@ private:
       for (std::size_t a = 0; a < this->Names.size(); ++a)
       {
         const std::size_t size = TupleSize(this->Layouts[a]);
-        VisitRows(box,
-          [&](const Index3& cell)
+        ForRows(box,
+          [&](Index j, Index k)
           {
-            const char* row = source.Values[a] + source.Place(cell) * size;
+            const char* row = source.Values[a] + source.Place({ { box.Lower[0], j, k } }) * size;
             message.insert(message.end(), row, row + box.Size(0) * size);
           });
       }
@@ -325,14 +301,6 @@ private:
   std::vector<StateSource> Sources;
   std::size_t Last = 0; // the source found last: elements lie near each other
 };
-
-/// The cell at a place in a box (IndexInBox).
-Index3 CellAt(const IndexBox& box, Index place)
-{
-  const Index nx = box.Size(0), ny = box.Size(1);
-  return { { place % nx + box.Lower[0], place / nx % ny + box.Lower[1],
-    place / (nx * ny) + box.Lower[2] } };
-}
 
 /// Where the values of an element are.
 struct StatePlace
@@ -459,7 +427,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> StateArrays::Carry(const Mesh& mesh,
       std::vector<StatePlace> places;
       for (Index cell : FindStateCells(mesh, grid, fractions, runtime))
       {
-        places.push_back(FindPlace(CellAt(grid.Local(), cell), level, values));
+        places.push_back(FindPlace(CellInBox(grid.Local(), cell), level, values));
       }
       for (std::size_t a = 0; a < this->Names.size(); ++a)
       {

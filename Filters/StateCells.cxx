@@ -1,6 +1,6 @@
 #include "StateCells.h"
 
-#include "MakePartition.h"
+#include "Base/Vector3.h"
 
 namespace vfm
 {
@@ -14,31 +14,10 @@ Vector3 FindCentroid(const Mesh& mesh, Index element)
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
   for (int c = 0; c < mesh.Corners; ++c)
   {
-    const double* point = mesh.Points.data() + 3 * mesh.Elements[mesh.Corners * element + c];
-    for (int a = 0; a < 3; ++a)
-    {
-      sum[a] += point[a];
-    }
+    const double* x = mesh.Points.data() + 3 * mesh.Elements[mesh.Corners * element + c];
+    sum = sum + Vector3{ { x[0], x[1], x[2] } };
   }
-  return { { sum[0] / mesh.Corners, sum[1] / mesh.Corners, sum[2] / mesh.Corners } };
-}
-
-IndexBox BoxOf(const Index3& cell)
-{
-  return { cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
-}
-
-/// The cell of a box that holds a point, or the nearest.
-Index3 FindCell(const CartesianGrid& grid, const IndexBox& box, const Vector3& point)
-{
-  Index3 cell;
-  for (int a = 0; a < 3; ++a)
-  {
-    const std::vector<double>& x = grid.Coordinates(a);
-    const Index i = std::upper_bound(x.begin(), x.end(), point[a]) - x.begin() - 1;
-    cell[a] = std::min(std::max(i, box.Lower[a]), box.Upper[a] - 1);
-  }
-  return cell;
+  return (1.0 / mesh.Corners) * sum; // 4 or 8: exact
 }
 
 /// From the centre of a cell, squared.
@@ -106,14 +85,14 @@ public:
     const IndexBox own = this->FindOwn(element);
     const IndexBox reach =
       this->TheMesh.Ids.ElementSlots == 0 ? own : Grow(own, StateReach, this->Grid.Global());
-    const Index3 cell = FindCell(this->Grid, reach, centroid);
+    const Index3 cell = reach.Nearest(this->Grid.CellAt(centroid));
     const int material = this->TheMesh.Material[element];
     if (this->Fractions.Fraction(this->Grid.Linear(cell), material) >= EnoughFraction)
     {
       return cell;
     }
     FullestCell fullest(this->Grid, this->Fractions, centroid, material);
-    fullest.Compare(Grow(BoxOf(cell), 1, this->Grid.Global()));
+    fullest.Compare(Grow(BoxOfCell(cell), 1, this->Grid.Global()));
     const bool isCoarse = this->TheMesh.Ids.ElementSlots > 0 && own.NumberOfCells() > 1;
     if (isCoarse && fullest.Fraction < EnoughFraction)
     {
@@ -143,14 +122,8 @@ std::vector<Index> FindStateCells(
 {
   const StateRule rule(mesh, grid, fractions);
   std::vector<Index> cells(mesh.Material.size());
-  runtime.For(0, static_cast<Index>(cells.size()),
-    [&](Index begin, Index end)
-    {
-      for (Index e = begin; e < end; ++e)
-      {
-        cells[e] = IndexInBox(grid.Local(), rule.Choose(e));
-      }
-    });
+  ForEach(
+    runtime, cells.size(), [&](Index e) { cells[e] = IndexInBox(grid.Local(), rule.Choose(e)); });
   return cells;
 }
 

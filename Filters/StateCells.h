@@ -26,7 +26,7 @@ namespace vfm
 /// Cells along each axis from the one that an element was made of to the farthest whose neighbours are asked.
 constexpr int StateReach = GhostLayers - 1;
 
-/// Of each element the place of its cell in grid.Local(), which has GhostLayers. mesh: of the owned cells, its materials
+/// Of each element the place of its cell in grid.Local(), which has GhostLayers or more. mesh: of the owned cells, its materials
 /// by their number. The same cells on any number of ranks and threads.
 std::vector<Index> FindStateCells(
   const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);

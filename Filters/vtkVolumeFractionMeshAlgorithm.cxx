@@ -3,6 +3,7 @@
 #include "Agreement.h"
 #include "ControllerRanks.h"
 #include "FilterRuntime.h"
+#include "Fractions/GhostFractions.h"
 #include "Fractions/RefineCells.h"
 #include "InputFields.h"
 #include "InputLevels.h"
@@ -294,7 +295,7 @@ vfm::LevelSetup vtkVolumeFractionMeshAlgorithm::SetUpLevels(
   return setup;
 }
 
-/// Collective: makes the grid as fine as the finest cells of the mesh; returns how many levels there are above the coarsest.
+/// Collective: makes the grid as fine as the finest cells of the mesh, with the ghost layers that meshing needs.
 vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& setup, int inputFinest,
   vfm::LevelFields& fields, vfm::Runtime& runtime) const
 {
@@ -319,6 +320,10 @@ vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& set
   {
     plan.Refinements = std::min(setup.Finest, inputFinest) - setup.Base + finer;
     plan.Families = std::move(fields.Families);
+  }
+  if (vfm::InterfacesCrossLevels(plan))
+  {
+    vfm::WidenGrid(vfm::LayersFor(plan), runtime.Group(), fields.Grid, fields.Field.Fractions);
   }
   return plan;
 }

@@ -122,19 +122,15 @@ public:
 
   void Write(const vfm::IndexBox& box, const std::vector<vfm::FractionField::Part>& parts) const
   {
-    const vfm::IndexBox& all = this->Cells;
     for (const vfm::FractionField::Part& part : parts)
     {
       double* values = this->Values[part.Material - 1];
-      for (vfm::Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-      {
-        for (vfm::Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+      vfm::ForRows(box,
+        [&](vfm::Index j, vfm::Index k)
         {
-          const vfm::Index row =
-            ((k - all.Lower[2]) * all.Size(1) + j - all.Lower[1]) * all.Size(0) - all.Lower[0];
-          std::fill(values + row + box.Lower[0], values + row + box.Upper[0], part.Fraction);
-        }
-      }
+          const vfm::Index row = vfm::IndexInBox(this->Cells, { { box.Lower[0], j, k } });
+          std::fill_n(values + row, box.Size(0), part.Fraction);
+        });
     }
   }
 

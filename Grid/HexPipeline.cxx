@@ -1,6 +1,5 @@
 #include "HexPipeline.h"
 
-#include "Fractions/GhostFractions.h"
 #include "Hex/ActiveHexes.h"
 #include "Hex/CoarseSmoothing.h"
 #include "Hex/HexFacets.h"
@@ -11,6 +10,8 @@
 #include "Smoothing/Attach.h"
 #include "Smoothing/CellLocator.h"
 #include "Smoothing/GuardedHexEnergy.h"
+
+#include <stdexcept>
 
 namespace vfm
 {
@@ -156,11 +157,12 @@ Mesh HexStages::MakeMesh()
   return mesh;
 }
 
-/// With the ghost layers of the base: what moves with a node of the base is at hexes as far as a base cell away.
-CartesianGrid WithLevels(const CartesianGrid& grid, int refinements)
+/// More ghost layers do no harm.
+bool HasLayers(const CartesianGrid& grid, const GridLayers& layers)
 {
-  return CartesianGrid({ { grid.Coordinates(0), grid.Coordinates(1), grid.Coordinates(2) } },
-    grid.Owned(), GhostLayers << refinements, std::max(HexLayers, 1 << refinements));
+  const IndexBox needed = Grow(grid.Owned(), layers.Ghosts, grid.Global());
+  return Intersect(needed, grid.Local()) == needed &&
+    grid.HexBox() == Grow(grid.Owned(), layers.Hexes, grid.Global());
 }
 
 } // namespace
@@ -170,18 +172,11 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
 {
   CheckOptions(options);
   report = MeshReport();
-  if (!InterfacesCrossLevels(options))
+  if (!HasLayers(grid, LayersFor(options.Levels)))
   {
-    return HexStages(grid, fractions, options, runtime, report).MakeMesh();
+    throw std::logic_error("The grid has fewer ghost layers than LayersFor asks for.");
   }
-  const CartesianGrid wide = WithLevels(grid, options.Levels.Refinements);
-  const bool isWide = grid.Local() == wide.Local() && grid.HexBox() == wide.HexBox();
-  if (!runtime.Group().Any(!isWide))
-  {
-    return HexStages(grid, fractions, options, runtime, report).MakeMesh();
-  }
-  const FractionField ghosted = CopyWithGhosts(grid, fractions, wide, runtime.Group());
-  return HexStages(wide, ghosted, options, runtime, report).MakeMesh();
+  return HexStages(grid, fractions, options, runtime, report).MakeMesh();
 }
 
 } // namespace vfm

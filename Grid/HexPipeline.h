@@ -12,7 +12,7 @@
 namespace vfm
 {
 
-/// Meshes the owned cells of the grid. Throws InputError (options out of range, ids over 63 bits) and Aborted.
+/// Meshes the owned cells of a grid with the ghost layers that LayersFor(options.Levels) tells. Throws InputError (options out of range, ids over 63 bits) and Aborted.
 /// The mesh is valid for any labels: every corner of every hex has a positive Jacobian.
 Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, Runtime& runtime, MeshReport& report);

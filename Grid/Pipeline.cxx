@@ -109,8 +109,8 @@ bool AddFlippedFamilies(
     const OctreeKeys::LevelIndex leaf = levels.LeafOf(cell);
     if (levels.Families().IsTouched(leaf.Level, leaf.At))
     {
-      plan.Families[leaf.Level].push_back(levels.Lattice().FamilyKey(
-        leaf.Level, { { leaf.At[0] >> 1, leaf.At[1] >> 1, leaf.At[2] >> 1 } }));
+      plan.Families[leaf.Level].push_back(
+        levels.Lattice().FamilyKey(leaf.Level, ParentOfCell(leaf.At)));
       found = true;
     }
   }
@@ -125,6 +125,7 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
 {
   LevelPlan plan = options.Levels;
   plan.Families.resize(plan.Refinements);
+  const LabelArray ofCells = AssignMaterials(grid, fractions, options.IsoValue);
   for (;;)
   {
     result.Levels.Coarse.reset();
@@ -135,7 +136,7 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
     {
       result.AskedFamilies.push_back(result.Levels.Grid->Families().Report(level).Wanted);
     }
-    result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, options.IsoValue);
+    result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
     const ResolveReport resolved =
       ResolveLabels(grid, fractions, result.Labels, partition, result.Levels.Grid.get());
     report.FlippedCells = resolved.FlippedCells;

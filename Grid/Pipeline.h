@@ -70,12 +70,6 @@ inline SurfaceTargets::Kind KindOfTargets(const MeshOptions& options)
                                                     : SurfaceTargets::Kind::Quadrics;
 }
 
-/// Whether interfaces may run through cells of several levels.
-inline bool InterfacesCrossLevels(const MeshOptions& options)
-{
-  return options.Levels.Refinements > 0 && !options.Levels.FineInterfaces;
-}
-
 /// Where interfaces cross levels: leaves are refined until a valid mesh starts everywhere. Collective. Throws InputError as MakeLevels does.
 void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,

@@ -5,8 +5,10 @@
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/CellLocator.h"
+#include "Tet/CellTets.h"
 #include "Tet/CoarseTets.h"
 #include "Tet/DiagonalFlips.h"
+#include "Tet/LatticeTopology.h"
 #include "Tet/TetAttach.h"
 #include "Tet/TetFragments.h"
 #include "Tet/TetImprove.h"
@@ -99,6 +101,11 @@ private:
   {
     this->Clock.Start("Assigning materials", 0.0);
     this->Labels = AssignMaterials(this->Grid, this->Fractions, this->Options.IsoValue);
+    if (this->HasLevels() && this->Method == TetMethod::Lattice)
+    {
+      this->LabelsOfLevels =
+        this->Labels; // before any is flipped: the lattice does not know of flips
+    }
     this->Clock.Start("Resolving labels", 0.05);
     const ResolveReport resolved =
       ResolveLabels(this->Grid, this->Fractions, this->Labels, this->Parts);
@@ -110,36 +117,47 @@ private:
   {
     this->Clock.Start("Making tetrahedra", 0.1);
     const TetEnergy energy(FloorsOf(this->Options));
+    std::optional<LatticeNodes> nodes;
+    if (this->Method == TetMethod::Lattice)
+    {
+      nodes.emplace(this->Grid, this->Fractions, this->Options.IsoValue, this->Run);
+    }
+    const LevelHexes levels = this->MakeTetLevels(nodes);
     std::unique_ptr<CoarseTets> coarse;
-    LabelArray own;
-    const LevelHexes levels = this->MakeTetLevels(own);
-    if (this->Options.Levels.Refinements > 0)
+    if (this->HasLevels())
     {
       coarse = std::make_unique<CoarseTets>(*levels.Coarse, energy, this->Run);
     }
-    this->Topology = this->Method == TetMethod::Lattice
-      ? BuildLatticeTets(this->Grid, this->Fractions, this->Options.IsoValue,
-          this->Options.MeshVoid, this->Parts, this->Run, coarse.get())
-      : BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, coarse.get());
-    this->Clock.Start("Finding faces", 0.12);
-    this->Faces = FindTetFaces(this->Topology, this->Grid);
+    if (nodes)
+    {
+      LatticeTets tets = BuildLatticeTets(
+        this->Grid, *nodes, this->Options.MeshVoid, this->Parts, this->Run, coarse.get());
+      this->Topology = std::move(tets.Topology);
+      this->Faces = std::move(tets.Faces);
+    }
+    else
+    {
+      this->Topology =
+        BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, coarse.get());
+      this->Clock.Start("Finding faces", 0.12);
+      this->Faces = FindTetFaces(this->Topology, this->Grid);
+    }
   }
 
-  /// own: for labels of cells that must outlive the result. The lattice goes by labels before any was flipped, and by those of its vertices.
-  LevelHexes MakeTetLevels(LabelArray& own) const
+  bool HasLevels() const
   {
-    if (this->Options.Levels.Refinements == 0)
+    return this->Options.Levels.Refinements > 0;
+  }
+
+  /// nodes: of Lattice.
+  LevelHexes MakeTetLevels(const std::optional<LatticeNodes>& nodes) const
+  {
+    if (!this->HasLevels())
     {
       return MakeLevels(this->Grid, this->Labels, {}, this->Options, this->Run);
     }
-    if (this->Method == TetMethod::Cells)
-    {
-      return MakeLevels(this->Grid, this->Labels, FindMixedNodes(this->Grid, this->Labels),
-        this->Options, this->Run, true);
-    }
-    own = AssignMaterials(this->Grid, this->Fractions, this->Options.IsoValue);
-    return MakeLevels(this->Grid, own,
-      FindLatticeInterfaces(this->Grid, this->Fractions, this->Options.IsoValue, this->Run),
+    return MakeLevels(this->Grid, nodes ? this->LabelsOfLevels : this->Labels,
+      nodes ? FindLatticeInterfaces(this->Grid, *nodes) : FindMixedNodes(this->Grid, this->Labels),
       this->Options, this->Run, true);
   }
 
@@ -228,7 +246,7 @@ private:
   MeshReport& Report;
   StageClock Clock;
   Partition Parts;
-  LabelArray Labels;
+  LabelArray Labels, LabelsOfLevels;
   TetTopology Topology;
   TetFaces Faces;
   std::vector<int> Materials; // of the fragments

@@ -148,7 +148,6 @@ const double* CoordinatesOf(vtkUnstructuredGrid* mesh)
     : nullptr;
 }
 
-/// Nodes, hexahedra and tetrahedra.
 int NotNegative(int value, const char* name)
 {
   if (value < 0)
@@ -159,6 +158,7 @@ int NotNegative(int value, const char* name)
   return value;
 }
 
+/// Nodes, hexahedra and tetrahedra.
 void SetTotals(
   Index points, Index elements, int corners, int* numNodes, int* numHexes, int* numTets)
 {

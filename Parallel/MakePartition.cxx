@@ -184,17 +184,6 @@ std::vector<Part> CutParts(const std::vector<Part>& parts, Weights& weights, Ran
 
 } // namespace
 
-IndexBox Grow(const IndexBox& box, Index levels, const IndexBox& limits)
-{
-  IndexBox grown = box;
-  for (int axis = 0; box.NumberOfCells() > 0 && axis < 3; ++axis)
-  {
-    grown.Lower[axis] -= levels;
-    grown.Upper[axis] += levels;
-  }
-  return Intersect(grown, limits);
-}
-
 std::vector<IndexBox> MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
   const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks, bool mayStay)
 {

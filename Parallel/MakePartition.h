@@ -19,9 +19,6 @@ constexpr Index CellWeight = 1, InterfaceCellWeight = 20;
 /// Largest over mean weight of the ranks up to which input stays where it is.
 constexpr double GoodBalance = 1.5;
 
-/// The box and that many layers of cells around it, cut at the limits. A box without cells gets none.
-IndexBox Grow(const IndexBox& box, Index levels, const IndexBox& limits);
-
 /// The box of each rank, the same list on all ranks. Boxes are disjoint, fill global, and may be empty.
 /// blocks: the cells that this rank holds; those of all ranks fill global once. When they form one box on every rank
 /// and the weights are balanced, those boxes are the partition.

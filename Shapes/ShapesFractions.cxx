@@ -439,8 +439,7 @@ void ComputeShapeFractions(const std::array<std::vector<double>, 3>& coordinates
     BlockWorker worker(coordinates, shapes, tolerance, sink);
     for (std::int64_t n = first; n < last; ++n)
     {
-      const Index3 position{ { n % blocks[0], n / blocks[0] % blocks[1],
-        n / (blocks[0] * blocks[1]) } };
+      const Index3 position = CellInBox({ {}, blocks }, n);
       IndexBox cells;
       for (int a = 0; a < 3; ++a)
       {
@@ -468,19 +467,15 @@ FractionField FractionsOfShapes(const CartesianGrid& grid, const std::vector<Sha
       mixed.emplace_back(grid.Linear(cells.Lower), parts);
       return;
     }
-    for (Index k = cells.Lower[2]; k < cells.Upper[2]; ++k)
-    {
-      for (Index j = cells.Lower[1]; j < cells.Upper[1]; ++j)
+    ForRows(cells,
+      [&](Index j, Index k)
       {
         row.Start(grid.Linear({ { cells.Lower[0], j, k } }));
         row.AddLabel(parts[0].Material, cells.Size(0));
         row.Finish();
-      }
-    }
+      });
   };
-  const std::array<std::vector<double>, 3> coordinates{ { grid.Coordinates(0), grid.Coordinates(1),
-    grid.Coordinates(2) } };
-  ComputeShapeFractions(coordinates, grid.Local(), shapes, tolerance, runtime, sink);
+  ComputeShapeFractions(grid.Coordinates(), grid.Local(), shapes, tolerance, runtime, sink);
   std::sort(
     mixed.begin(), mixed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& cell : mixed)

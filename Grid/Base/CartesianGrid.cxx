@@ -36,17 +36,6 @@ IndexBox WholeBox(const std::array<std::vector<double>, 3>& coordinates)
 
 } // namespace
 
-IndexBox Intersect(const IndexBox& a, const IndexBox& b)
-{
-  IndexBox box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.Lower[axis] = std::max(a.Lower[axis], b.Lower[axis]);
-    box.Upper[axis] = std::max(std::min(a.Upper[axis], b.Upper[axis]), box.Lower[axis]);
-  }
-  return box;
-}
-
 CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
   int ghostLayers, int hexLayers) :
   X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned), HexGhosts(hexLayers)
@@ -75,13 +64,18 @@ CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates) :
 
 IndexBox CartesianGrid::Extended(int levels) const
 {
-  IndexBox box = this->OwnedBox;
-  for (int a = 0; box.NumberOfCells() > 0 && a < 3; ++a)
+  return Grow(this->OwnedBox, levels, this->LocalBox);
+}
+
+Index3 CartesianGrid::CellAt(const Vector3& point) const
+{
+  Index3 cell;
+  for (int a = 0; a < 3; ++a)
   {
-    box.Lower[a] = std::max(this->OwnedBox.Lower[a] - levels, this->LocalBox.Lower[a]);
-    box.Upper[a] = std::min(this->OwnedBox.Upper[a] + levels, this->LocalBox.Upper[a]);
+    cell[a] =
+      std::upper_bound(this->X[a].begin(), this->X[a].end(), point[a]) - this->X[a].begin() - 1;
   }
-  return box;
+  return cell;
 }
 
 double CartesianGrid::MeanWidth() const

@@ -8,7 +8,6 @@
  * are fixed offsets, and every node of the local box has eight cells in memory. The outermost layer
  * mirrors the cell inside it where the stages want a value beyond the domain boundary (labels).
  *
- * Corners of a cell and cells of a node are numbered by bits, x first: c = cx + 2 cy + 4 cz.
  * Corner c of cell n is node n + Offset(c); cell c of the star of node n is n - Offset(7) + Offset(c).
  * Faces are numbered -x +x -y +y -z +z = 0..5.
  *
@@ -16,90 +15,16 @@
  */
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <vector>
+#include "Base/IndexBox.h"
 
 namespace vfm
 {
 
-/// Ghost levels that the stages need: six around the owned cells.
+/// Layers of ghost cells that the stages need around the owned cells. What a stage reads and writes is derived from these two.
 constexpr int GhostLayers = 6;
-/// Of those, the levels whose hexes are made too, for smoothing and geometry at the rim of a rank's cells; more where interfaces cross levels.
+/// Of those, the layers whose hexes are made too, for smoothing and geometry at the rim of a rank's cells. Where interfaces cross
+/// levels both are more: LayersFor (Options.h).
 constexpr int HexLayers = 2;
-
-using Index = std::int64_t;
-using Index3 = std::array<Index, 3>;
-using Vector3 = std::array<double, 3>;
-
-/// Cells with Lower <= (i,j,k) < Upper.
-struct IndexBox
-{
-  Index3 Lower{ { 0, 0, 0 } };
-  Index3 Upper{ { 0, 0, 0 } };
-
-  Index Size(int axis) const { return this->Upper[axis] - this->Lower[axis]; }
-  Index NumberOfCells() const { return this->Size(0) * this->Size(1) * this->Size(2); }
-  bool operator==(const IndexBox& other) const
-  {
-    return this->Lower == other.Lower && this->Upper == other.Upper;
-  }
-  bool Contains(const Index3& c) const
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      if (c[a] < this->Lower[a] || c[a] >= this->Upper[a])
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-  /// Whether one of the cells has the node as a corner.
-  bool Touches(const Index3& node) const
-  {
-    bool touches = this->NumberOfCells() > 0;
-    for (int a = 0; a < 3; ++a)
-    {
-      touches = touches && node[a] >= this->Lower[a] && node[a] <= this->Upper[a];
-    }
-    return touches;
-  }
-};
-
-/// Calls body(position) for the cells of a box, x fastest.
-template <class Body>
-void ForCells(const IndexBox& box, const Body& body)
-{
-  Index3 p;
-  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
-    {
-      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
-      {
-        body(static_cast<const Index3&>(p));
-      }
-    }
-  }
-}
-
-/// The cells that both boxes hold; a box without cells where there is none.
-IndexBox Intersect(const IndexBox& a, const IndexBox& b);
-
-/// The index of a cell in arrays over the cells of a box, x fastest.
-inline Index IndexInBox(const IndexBox& box, const Index3& cell)
-{
-  return ((cell[2] - box.Lower[2]) * box.Size(1) + cell[1] - box.Lower[1]) * box.Size(0) + cell[0] -
-    box.Lower[0];
-}
-
-/// The node at corner c of a cell, numbered by bits.
-inline Index3 CornerOfCell(const Index3& cell, int c)
-{
-  return { { cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2 & 1) } };
-}
 
 class CartesianGrid
 {
@@ -154,6 +79,9 @@ public:
   {
     return { { this->X[0][p[0]], this->X[1][p[1]], this->X[2][p[2]] } };
   }
+  /// The cell that holds a point, between two cells the upper one; beside the domain one beside it.
+  Index3 CellAt(const Vector3& point) const;
+  const std::array<std::vector<double>, 3>& Coordinates() const { return this->X; }
   const std::vector<double>& Coordinates(int axis) const { return this->X[axis]; }
   double Width(int axis, Index i) const { return this->X[axis][i + 1] - this->X[axis][i]; }
   double CellVolume(const Index3& c) const

@@ -3,10 +3,19 @@
  */
 #pragma once
 
-#include "Base/CartesianGrid.h"
+#include "Base/IndexBox.h"
+
+#include <numeric>
 
 namespace vfm
 {
+
+inline std::vector<Index> MakeSets(std::size_t count)
+{
+  std::vector<Index> parent(count);
+  std::iota(parent.begin(), parent.end(), 0);
+  return parent;
+}
 
 inline Index FindRoot(std::vector<Index>& parent, Index item)
 {

@@ -63,4 +63,34 @@ struct MeshOptions
   LevelPlan Levels;
 };
 
+/// Whether interfaces may run through cells of several levels.
+inline bool InterfacesCrossLevels(const LevelPlan& levels)
+{
+  return levels.Refinements > 0 && !levels.FineInterfaces;
+}
+inline bool InterfacesCrossLevels(const MeshOptions& options)
+{
+  return InterfacesCrossLevels(options.Levels);
+}
+
+/// Layers of cells around the owned ones.
+struct GridLayers
+{
+  int Ghosts = GhostLayers; ///< that are held
+  int Hexes = HexLayers;    ///< of these, that are meshed too
+};
+
+/// The layers that a grid needs to be meshed. Where interfaces cross levels these are layers of the base, since what moves with a
+/// node of the base is at hexes as far as a base cell away.
+inline GridLayers LayersFor(const LevelPlan& levels)
+{
+  GridLayers layers;
+  if (InterfacesCrossLevels(levels))
+  {
+    layers.Ghosts = GhostLayers << levels.Refinements;
+    layers.Hexes = std::max(HexLayers, 1 << levels.Refinements);
+  }
+  return layers;
+}
+
 } // namespace vfm

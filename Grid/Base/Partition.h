@@ -65,14 +65,12 @@ private:
 template <class Body>
 void Partition::ForRows(const IndexBox& box, const Body& body) const
 {
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  vfm::ForRows(box,
+    [&](Index j, Index k)
     {
       const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
       body(first, first + box.Size(0));
-    }
-  }
+    });
 }
 
 template <class Body>

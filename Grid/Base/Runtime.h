@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "Base/IndexBox.h"
 #include "Base/Ranks.h"
 
 #include <cstdint>
@@ -57,5 +58,28 @@ public:
     (void)stage;
   }
 };
+
+/// Calls body(i) for 0 .. count - 1, possibly several at the same time.
+template <class Count, class Body>
+void ForEach(Runtime& runtime, Count count, const Body& body)
+{
+  runtime.For(0, static_cast<Index>(count),
+    [&body](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        body(i);
+      }
+    });
+}
+
+/// Calls body(j, k, number) for the rows along x of a box, numbered with y fastest, possibly several at the same time.
+template <class Body>
+void ForRows(Runtime& runtime, const IndexBox& box, const Body& body)
+{
+  const Index ny = box.Size(1);
+  ForEach(runtime, box.NumberOfCells() > 0 ? ny * box.Size(2) : 0,
+    [&](Index row) { body(box.Lower[1] + row % ny, box.Lower[2] + row / ny, row); });
+}
 
 } // namespace vfm

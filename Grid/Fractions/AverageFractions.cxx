@@ -108,14 +108,11 @@ FractionField AverageAlong(const CartesianGrid& grid, const FractionField& from,
   std::vector<std::vector<FractionSum>> mixed(rows); // of a layer
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
-    runtime.For(0, rows,
-      [&](Index begin, Index end)
+    ForEach(runtime, rows,
+      [&](Index row)
       {
-        for (Index row = begin; row < end; ++row)
-        {
-          mixed[row].clear();
-          average.AverageRow(box, box.Lower[1] + row, k, mixed[row]);
-        }
+        mixed[row].clear();
+        average.AverageRow(box, box.Lower[1] + row, k, mixed[row]);
       });
     for (Index row = 0; row < rows; ++row)
     {
@@ -130,17 +127,17 @@ FractionField AverageAlong(const CartesianGrid& grid, const FractionField& from,
 FractionField AverageFractions(const CartesianGrid& grid, FractionField fractions, int passes,
   const Partition& partition, Runtime& runtime)
 {
-  int levels = GhostLayers; // in which the fractions are right
+  int layers = GhostLayers; // in which the fractions are right
   for (int pass = 0; pass < passes; ++pass)
   {
-    if (levels == 1)
+    if (layers == 1)
     {
       FillGhosts(partition, fractions);
-      levels = GhostLayers;
+      layers = GhostLayers;
     }
-    IndexBox box = grid.Extended(levels);
-    --levels;
-    const IndexBox inner = grid.Extended(levels);
+    IndexBox box = grid.Extended(layers);
+    --layers;
+    const IndexBox inner = grid.Extended(layers);
     for (int axis = 0; axis < 3; ++axis)
     {
       box.Lower[axis] = inner.Lower[axis];

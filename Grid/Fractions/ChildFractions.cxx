@@ -103,8 +103,8 @@ public:
     this->AddAround(grid, cell, grid.Linear(cell), { { 0, 0, 0 } });
     for (int c = 0; c < 27; ++c)
     {
-      const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
-      const Index3 q{ { cell[0] + d[0], cell[1] + d[1], cell[2] + d[2] } };
+      const Index3 d = StepAround(c);
+      const Index3 q = CellAround(cell, c);
       if (c != 13 && grid.InDomain(q))
       {
         this->AddAround(grid, cell, grid.Linear(q), d);

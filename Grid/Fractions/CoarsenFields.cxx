@@ -1,6 +1,7 @@
 #include "Fractions/CoarsenFields.h"
 
 #include "Fractions/FractionSum.h"
+#include "Fractions/RefineCells.h"
 
 namespace vfm
 {
@@ -68,7 +69,11 @@ class Coarsener
 public:
   Coarsener(const CartesianGrid& grid, const FractionField& fractions, int halvings,
     const CartesianGrid& coarse) :
-    Grid(grid), Fractions(fractions), Coarse(coarse), Factor(Index(1) << halvings)
+    Grid(grid),
+    Fractions(fractions),
+    Coarse(coarse),
+    Halvings(halvings),
+    Factor(Index(1) << halvings)
   {
   }
 
@@ -114,34 +119,27 @@ private:
   {
     const IndexBox& box = this->Coarse.Local();
     Runs all, row, merged;
-    for (Index z = k * this->Factor; z < (k + 1) * this->Factor; ++z)
-    {
-      for (Index y = j * this->Factor; y < (j + 1) * this->Factor; ++y)
+    const IndexBox rows{ { { box.Lower[0], j, k } }, { { box.Upper[0], j + 1, k + 1 } } };
+    ForRows(ChangeLevel(rows, this->Halvings),
+      [&](Index y, Index z)
       {
         const Index first = this->Grid.Linear({ { box.Lower[0] * this->Factor, y, z } });
         FindRuns(this->Fractions, first, first + box.Size(0) * this->Factor, row);
         if (all.empty())
         {
           all.swap(row);
-          continue;
+          return;
         }
         Merge(all, row, merged);
         all.swap(merged);
-      }
-    }
+      });
     return all;
   }
 
   FractionSum Average(const Index3& cell) const
   {
-    IndexBox box;
-    for (int a = 0; a < 3; ++a)
-    {
-      box.Lower[a] = cell[a] * this->Factor;
-      box.Upper[a] = box.Lower[a] + this->Factor;
-    }
     FractionSum sum;
-    ForCells(box,
+    ForCells(ChangeLevel(BoxOfCell(cell), this->Halvings),
       [&](const Index3& p)
       {
         double share = 1.0;
@@ -157,6 +155,7 @@ private:
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   const CartesianGrid& Coarse;
+  int Halvings;
   Index Factor;
 };
 
@@ -183,8 +182,6 @@ void StoreRow(const CoarseRow& row, FractionField::RowWriter& writer)
 CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLayers)
 {
   const Index factor = Index(1) << halvings;
-  std::array<std::vector<double>, 3> coordinates;
-  IndexBox owned;
   for (int a = 0; a < 3; ++a)
   {
     for (Index n : { grid.Global().Upper[a], grid.Owned().Lower[a], grid.Owned().Upper[a] })
@@ -196,14 +193,9 @@ CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLaye
           std::to_string(factor) + ": use fewer levels.");
       }
     }
-    for (Index i = 0; i <= grid.Global().Upper[a]; i += factor)
-    {
-      coordinates[a].push_back(grid.Coordinates(a)[i]);
-    }
-    owned.Lower[a] = grid.Owned().Lower[a] / factor;
-    owned.Upper[a] = grid.Owned().Upper[a] / factor;
   }
-  return CartesianGrid(std::move(coordinates), owned, ghostLayers);
+  return CartesianGrid(
+    HalveWidths(grid.Coordinates(), -halvings), ChangeLevel(grid.Owned(), -halvings), ghostLayers);
 }
 
 int CountCoarseGhosts(const CartesianGrid& grid, int halvings, int most)
@@ -238,14 +230,8 @@ FractionField CoarsenFractions(const CartesianGrid& grid, const FractionField& f
   FractionField::RowWriter writer(field);
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
-    runtime.For(0, box.Size(1),
-      [&](Index first, Index last)
-      {
-        for (Index row = first; row < last; ++row)
-        {
-          coarsener.MakeRow(box.Lower[1] + row, k, rows[row]);
-        }
-      });
+    ForEach(runtime, box.Size(1),
+      [&](Index row) { coarsener.MakeRow(box.Lower[1] + row, k, rows[row]); });
     for (Index row = 0; row < box.Size(1); ++row)
     {
       writer.Start(coarse.Linear({ { box.Lower[0], box.Lower[1] + row, k } }));

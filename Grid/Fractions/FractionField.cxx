@@ -15,21 +15,14 @@ constexpr double SumTolerance = 1e-3;   // above 1, at least
 constexpr double Negligible = 1e-9;     // fractions below are none
 constexpr Index RowLength = 4096;       // cells read at a time
 
-std::string Where(const Index3& first, Index offset)
-{
-  std::ostringstream text;
-  text << "cell (" << first[0] + offset << ", " << first[1] << ", " << first[2] << ")";
-  return text.str();
-}
-
-double CheckedFraction(double value, const FractionField::Reader& reader, int material,
-  const Index3& first, Index offset)
+double CheckedFraction(
+  double value, const FractionField::Reader& reader, int material, const Index3& cell)
 {
   if (!(value >= -RangeTolerance && value <= 1.0 + RangeTolerance))
   {
     std::ostringstream text;
     text << "Volume fraction array '" << reader.Name(material) << "' holds " << value << " in "
-         << Where(first, offset) << ": "
+         << TextOf(cell) << ": "
          << (std::isfinite(value) ? "volume fractions lie in [0, 1]."
                                   : "volume fractions must be finite numbers.");
     throw InputError(text.str());
@@ -39,7 +32,7 @@ double CheckedFraction(double value, const FractionField::Reader& reader, int ma
 
 /// Whether the parts of a cell sum above 1 by more than the rounding of their materials explains.
 bool IsOverfull(const std::vector<FractionField::Part>& parts, const FractionField::Reader& reader,
-  int numberOfMaterials, const Index3& first, Index offset)
+  int numberOfMaterials, const Index3& cell)
 {
   double sum = 0.0;
   for (const FractionField::Part& part : parts)
@@ -62,7 +55,7 @@ bool IsOverfull(const std::vector<FractionField::Part>& parts, const FractionFie
   if (sum > 1.0 + std::max(SumTolerance, ofAll))
   {
     std::ostringstream text;
-    text << "The volume fractions of " << Where(first, offset) << " sum to " << sum
+    text << "The volume fractions of " << TextOf(cell) << " sum to " << sum
          << ": more than 1. Choose arrays of separate materials.";
     throw InputError(text.str());
   }
@@ -208,38 +201,41 @@ FractionField FractionField::FromReader(
   std::vector<double> values(RowLength);
   std::vector<std::vector<Part>> cells(RowLength);
   RowWriter row(field);
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  const auto readRow = [&](const Index3& first, Index count)
   {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+    const auto cellAt = [&first](Index c) {
+      return Index3{ { first[0] + c, first[1], first[2] } };
+    };
+    for (int m = 1; m <= numberOfMaterials; ++m)
+    {
+      reader.Read(m, first, count, values.data());
+      for (Index c = 0; c < count; ++c)
+      {
+        const double value = CheckedFraction(values[c], reader, m, cellAt(c));
+        if (value > Negligible)
+        {
+          cells[c].push_back({ m, value });
+        }
+      }
+    }
+    row.Start(grid.Linear(first));
+    for (Index c = 0; c < count; ++c)
+    {
+      field.Normalised += IsOverfull(cells[c], reader, numberOfMaterials, cellAt(c)) &&
+        grid.Owned().Contains(cellAt(c));
+      row.AddParts(cells[c]);
+      cells[c].clear();
+    }
+    row.Finish();
+  };
+  ForRows(box,
+    [&](Index j, Index k)
     {
       for (Index i = box.Lower[0]; i < box.Upper[0]; i += RowLength)
       {
-        const Index3 first{ { i, j, k } };
-        const Index count = std::min(RowLength, box.Upper[0] - i);
-        for (int m = 1; m <= numberOfMaterials; ++m)
-        {
-          reader.Read(m, first, count, values.data());
-          for (Index c = 0; c < count; ++c)
-          {
-            const double value = CheckedFraction(values[c], reader, m, first, c);
-            if (value > Negligible)
-            {
-              cells[c].push_back({ m, value });
-            }
-          }
-        }
-        row.Start(grid.Linear(first));
-        for (Index c = 0; c < count; ++c)
-        {
-          field.Normalised += IsOverfull(cells[c], reader, numberOfMaterials, first, c) &&
-            grid.Owned().Contains({ { i + c, j, k } });
-          row.AddParts(cells[c]);
-          cells[c].clear();
-        }
-        row.Finish();
+        readRow({ { i, j, k } }, std::min(RowLength, box.Upper[0] - i));
       }
-    }
-  }
+    });
   return field;
 }
 

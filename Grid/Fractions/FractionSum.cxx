@@ -5,27 +5,14 @@ namespace vfm
 
 void FractionSum::Add(const FractionField& fractions, Index cell, double share)
 {
-  std::size_t at = 0;
-  const auto add = [&](const FractionField::Part& part)
-  {
-    while (at < this->List.size() && this->List[at].Material < part.Material)
-    {
-      ++at;
-    }
-    if (at == this->List.size() || this->List[at].Material != part.Material)
-    {
-      this->List.insert(this->List.begin() + at, { part.Material, 0.0 });
-    }
-    this->List[at].Fraction += share * part.Fraction;
-  };
   if (!fractions.IsMixed(cell))
   {
-    add({ fractions.Label(cell), 1.0 });
+    PartOf(this->List, fractions.Label(cell)).Fraction += share;
     return;
   }
   for (const FractionField::Part& part : fractions.Parts(cell))
   {
-    add(part);
+    PartOf(this->List, part.Material).Fraction += share * part.Fraction;
   }
 }
 

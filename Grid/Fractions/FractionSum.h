@@ -8,6 +8,17 @@
 namespace vfm
 {
 
+/// The part of a material in a list in the order of materials, added with 0 where it has none.
+inline FractionField::Part& PartOf(std::vector<FractionField::Part>& parts, int material)
+{
+  auto at = parts.begin();
+  while (at != parts.end() && at->Material < material)
+  {
+    ++at;
+  }
+  return at != parts.end() && at->Material == material ? *at : *parts.insert(at, { material, 0.0 });
+}
+
 class FractionSum
 {
 public:

@@ -74,6 +74,33 @@ void UnpackBox(
     });
 }
 
+/// The fractions of the owned cells, on a grid that owns the same.
+FractionField CopyOwned(
+  const CartesianGrid& from, const FractionField& fractions, const CartesianGrid& to)
+{
+  FractionField result(to, fractions.NumberOfMaterials());
+  const IndexBox& box = from.Owned();
+  FractionField::RowWriter writer(result);
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      const Index first = from.Linear({ { box.Lower[0], j, k } });
+      writer.Start(to.Linear({ { box.Lower[0], j, k } }));
+      fractions.Visit(
+        first, first + box.Size(0),
+        [&](Index begin, Index end, int label) { writer.AddLabel(label, end - begin); },
+        [&](Index begin, Index end)
+        {
+          for (Index cell = begin; cell < end; ++cell)
+          {
+            writer.CopyCell(fractions, cell);
+          }
+        });
+      writer.Finish();
+    });
+  return result;
+}
+
 } // namespace
 
 void FillGhosts(const Partition& partition, FractionField& fractions)
@@ -82,33 +109,17 @@ void FillGhosts(const Partition& partition, FractionField& fractions)
     [&](const IndexBox& box, const Bytes& bytes) { UnpackBox(bytes, partition, box, fractions); });
 }
 
-FractionField CopyWithGhosts(
-  const CartesianGrid& from, const FractionField& fractions, const CartesianGrid& to, Ranks& ranks)
+void WidenGrid(
+  const GridLayers& layers, Ranks& ranks, CartesianGrid& grid, FractionField& fractions)
 {
-  FractionField result(to, fractions.NumberOfMaterials());
-  const IndexBox& box = from.Owned();
-  FractionField::RowWriter writer(result);
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  CartesianGrid wide(grid.Coordinates(), grid.Owned(), layers.Ghosts, layers.Hexes);
+  if (!ranks.Any(!(grid.Local() == wide.Local() && grid.HexBox() == wide.HexBox())))
   {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-    {
-      const Index first = from.Linear({ { box.Lower[0], j, k } });
-      writer.Start(to.Linear({ { box.Lower[0], j, k } }));
-      const auto copyCells = [&](Index begin, Index end)
-      {
-        for (Index cell = begin; cell < end; ++cell)
-        {
-          writer.CopyCell(fractions, cell);
-        }
-      };
-      fractions.Visit(
-        first, first + box.Size(0),
-        [&](Index begin, Index end, int label) { writer.AddLabel(label, end - begin); }, copyCells);
-      writer.Finish();
-    }
+    return;
   }
-  FillGhosts(Partition(to, ranks), result);
-  return result;
+  fractions = CopyOwned(grid, fractions, wide);
+  grid = std::move(wide);
+  FillGhosts(Partition(grid, ranks), fractions);
 }
 
 } // namespace vfm

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/Options.h"
 #include "Base/Partition.h"
 #include "Fractions/FractionField.h"
 
@@ -12,8 +13,8 @@ namespace vfm
 /// Sets the ghost cells of a field to what it is in the cells of their owners. Collective.
 void FillGhosts(const Partition& partition, FractionField& fractions);
 
-/// The fractions of a grid on one with the same owned cells and other ghost layers. Collective.
-FractionField CopyWithGhosts(
-  const CartesianGrid& from, const FractionField& fractions, const CartesianGrid& to, Ranks& ranks);
+/// Gives a grid so many layers, and fractions in them; nothing where it has them on all ranks. Collective.
+void WidenGrid(
+  const GridLayers& layers, Ranks& ranks, CartesianGrid& grid, FractionField& fractions);
 
 } // namespace vfm

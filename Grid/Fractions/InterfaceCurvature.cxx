@@ -3,6 +3,7 @@
 #include "Base/ConvexClip.h"
 #include "Base/GradientFit.h"
 #include "Base/Plic.h"
+#include "Base/Sorted.h"
 #include "Base/Vector3.h"
 
 #include <Eigen/Eigenvalues>
@@ -56,20 +57,14 @@ template <class Body>
 void ForMixedCells(
   const CartesianGrid& grid, const FractionField& fractions, const IndexBox& box, const Body& body)
 {
-  Index3 p;
-  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
+  ForCells(box,
+    [&](const Index3& p)
     {
-      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
+      if (fractions.IsMixed(grid.Linear(p)))
       {
-        if (fractions.IsMixed(grid.Linear(p)))
-        {
-          body(p);
-        }
+        body(p);
       }
-    }
-  }
+    });
 }
 
 /// Cuts cells by the planes that the gradients of fractions give.
@@ -89,8 +84,7 @@ public:
     GradientFit gradient;
     for (int c = 0; c < 27; ++c)
     {
-      const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
-      const Index3 q{ { cell[0] + d[0], cell[1] + d[1], cell[2] + d[2] } };
+      const Index3 d = StepAround(c), q = CellAround(cell, c);
       if (c != 13 && this->Grid.InDomain(q))
       {
         gradient.Add(
@@ -152,9 +146,8 @@ public:
   /// The plane of a part in a cell, or null.
   const CellPlane* Find(Index cell, int material) const
   {
-    const auto at = std::lower_bound(this->Cells.begin(), this->Cells.end(), cell);
-    return at == this->Cells.end() || *at != cell ? nullptr
-                                                  : this->Get(at - this->Cells.begin(), material);
+    const Index n = FindSorted(this->Cells, cell);
+    return n < 0 ? nullptr : this->Get(n, material);
   }
 
   /// Calls body(offset from the cell, plane) for the planes of a material around a cell, x fastest.
@@ -266,18 +259,15 @@ std::vector<CellCurvature> FindCurvatures(
     [&](const Index3& p) {
       curvatures.push_back({ grid.Linear(p), -1.0 });
     });
-  runtime.For(0, static_cast<Index>(curvatures.size()),
-    [&](Index begin, Index end)
+  ForEach(runtime, curvatures.size(),
+    [&](Index n)
     {
-      for (Index n = begin; n < end; ++n)
+      const Index cell = curvatures[n].Cell;
+      const FractionField::Range parts = fractions.Parts(cell);
+      if (parts.end() - parts.begin() == 2) // of both the same
       {
-        const Index cell = curvatures[n].Cell;
-        const FractionField::Range parts = fractions.Parts(cell);
-        if (parts.end() - parts.begin() == 2) // of both the same
-        {
-          curvatures[n].Curvature =
-            FitCurvature(planes, grid.Position(cell), cell, parts.begin()[1].Material);
-        }
+        curvatures[n].Curvature =
+          FitCurvature(planes, grid.Position(cell), cell, parts.begin()[1].Material);
       }
     });
   curvatures.erase(std::remove_if(curvatures.begin(), curvatures.end(),

@@ -8,28 +8,7 @@ namespace vfm
 namespace
 {
 
-constexpr int ReadLevels = GhostLayers / 2; // coarse ghost layers whose cells are cut
-
-IndexBox Doubled(const IndexBox& box)
-{
-  IndexBox doubled;
-  for (int a = 0; a < 3; ++a)
-  {
-    doubled.Lower[a] = 2 * box.Lower[a];
-    doubled.Upper[a] = 2 * box.Upper[a];
-  }
-  return doubled;
-}
-
-CartesianGrid HalveCells(const CartesianGrid& grid)
-{
-  std::array<std::vector<double>, 3> halved;
-  for (int a = 0; a < 3; ++a)
-  {
-    halved[a] = HalveWidths(grid.Coordinates(a));
-  }
-  return CartesianGrid(std::move(halved), Doubled(grid.Owned()), GhostLayers);
-}
+constexpr int ReadLayers = GhostLayers / 2; // coarse ghost layers whose cells are cut
 
 /// The four rows of children of a row of cells.
 class ChildRows
@@ -167,7 +146,7 @@ void RefineLayer(const CartesianGrid& grid, const FractionField& fractions, Inde
   Runtime& runtime, ChildRule rule, const std::function<bool(const Index3&)>& skips,
   RefinedCells& refined)
 {
-  const IndexBox box = grid.Extended(ReadLevels);
+  const IndexBox box = grid.Extended(ReadLayers);
   std::vector<CellRun> runs;
   for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
   {
@@ -186,14 +165,8 @@ void RefineLayer(const CartesianGrid& grid, const FractionField& fractions, Inde
     }
   }
   std::vector<std::vector<OctantFractions>> octants(mixed.size());
-  runtime.For(0, static_cast<Index>(mixed.size()),
-    [&](Index begin, Index end)
-    {
-      for (Index m = begin; m < end; ++m)
-      {
-        octants[m] = ShareOut(grid, fractions, grid.Position(mixed[m]), rule);
-      }
-    });
+  ForEach(runtime, mixed.size(),
+    [&](Index m) { octants[m] = ShareOut(grid, fractions, grid.Position(mixed[m]), rule); });
   ChildRows children(fractions, refined);
   auto run = runs.begin();
   auto split = octants.begin();
@@ -216,26 +189,44 @@ void RefineLayer(const CartesianGrid& grid, const FractionField& fractions, Inde
 
 } // namespace
 
-std::vector<double> HalveWidths(const std::vector<double>& coordinates)
+std::array<std::vector<double>, 3> HalveWidths(
+  std::array<std::vector<double>, 3> coordinates, int times)
 {
-  std::vector<double> halved;
-  for (std::size_t i = 0; i + 1 < coordinates.size(); ++i)
+  for (std::vector<double>& x : coordinates)
   {
-    halved.push_back(coordinates[i]);
-    halved.push_back(coordinates[i] + 0.5 * (coordinates[i + 1] - coordinates[i]));
+    for (int time = 0; time < times; ++time)
+    {
+      std::vector<double> halved;
+      for (std::size_t i = 0; i + 1 < x.size(); ++i)
+      {
+        halved.push_back(x[i]);
+        halved.push_back(x[i] + 0.5 * (x[i + 1] - x[i]));
+      }
+      halved.push_back(x.back());
+      x = std::move(halved);
+    }
+    const std::size_t step = std::size_t(1) << std::max(-times, 0);
+    std::vector<double> joined;
+    for (std::size_t i = 0; step > 1 && i < x.size(); i += step)
+    {
+      joined.push_back(x[i]);
+    }
+    if (step > 1)
+    {
+      x = std::move(joined);
+    }
   }
-  halved.push_back(coordinates.back());
-  return halved;
+  return coordinates;
 }
 
 RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractions,
   Runtime& runtime, ChildRule rule, const std::function<bool(const Index3&)>& skips)
 {
-  CartesianGrid halved = HalveCells(grid);
+  CartesianGrid halved(HalveWidths(grid.Coordinates()), ChangeLevel(grid.Owned(), 1), GhostLayers);
   CheckIds(halved, TetIds.ElementSlots);
   FractionField field(halved, fractions.NumberOfMaterials());
   RefinedCells refined{ std::move(halved), std::move(field) };
-  const IndexBox box = grid.Extended(ReadLevels);
+  const IndexBox box = grid.Extended(ReadLayers);
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
     RefineLayer(grid, fractions, k, runtime, rule, skips, refined);

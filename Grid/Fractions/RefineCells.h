@@ -24,16 +24,11 @@ struct RefinedCells
   FractionField Fractions;
 };
 
-/// Node coordinates along an axis with the middles of all cells between.
-std::vector<double> HalveWidths(const std::vector<double>& coordinates);
+/// The node coordinates of a grid whose cells are halved along each axis, so many times; negative: joined in twos.
+std::array<std::vector<double>, 3> HalveWidths(
+  std::array<std::vector<double>, 3> coordinates, int times = 1);
 
-/// Half c of a cell along each axis: bit a set on the + side of axis a.
-inline Index3 ChildOfCell(const Index3& cell, int c)
-{
-  return { { 2 * cell[0] + (c & 1), 2 * cell[1] + (c >> 1 & 1), 2 * cell[2] + (c >> 2 & 1) } };
-}
-
-/// The owned cells halved along each axis, with GhostLayers levels of half cells around them. grid: the whole domain,
+/// The owned cells halved along each axis, with GhostLayers layers of half cells around them. grid: the whole domain,
 /// or a rank's part with ghost layers of its own: four are read. Pure cells give their label to their children, mixed
 /// ones fractions that average to theirs. The same on any number of ranks and threads; nothing is
 /// communicated. skips(cell): whether the halves of a cell are not wanted, they are void then; may be empty.

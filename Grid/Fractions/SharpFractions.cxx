@@ -188,12 +188,7 @@ std::vector<MaterialPatch> MakePatches(const CartesianGrid& grid, const Fraction
   std::array<Index, 27> around;
   for (int v = 0; v < 27; ++v)
   {
-    Index3 q{ { cell[0] + v % 3 - 1, cell[1] + v / 3 % 3 - 1, cell[2] + v / 9 - 1 } };
-    for (int a = 0; a < 3; ++a)
-    {
-      q[a] = std::min(std::max<Index>(q[a], 0), grid.Global().Upper[a] - 1);
-    }
-    around[v] = grid.Linear(q);
+    around[v] = grid.Linear(grid.Global().Nearest(CellAround(cell, v)));
   }
   std::vector<MaterialPatch> patches;
   for (int material : materials)

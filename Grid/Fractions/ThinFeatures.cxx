@@ -100,7 +100,7 @@ Vector3 FindDirection(const Surroundings& around)
   double weights = 0.0;
   for (int c = 0; c < 27; ++c)
   {
-    const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
+    const Index3 d = StepAround(c);
     const double weight = 1.0 / static_cast<double>(1 + d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     const Vector3 gradient = around.GradientAt(d);
     const Eigen::Vector3d g(gradient[0], gradient[1], gradient[2]);
@@ -212,8 +212,8 @@ Index3 FindFullest(const CartesianGrid& grid, const Surroundings& around, const 
   Index3 fullest = cell;
   for (int c = 0; c < 27; ++c)
   {
-    const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
-    const Index3 q{ { cell[0] + d[0], cell[1] + d[1], cell[2] + d[2] } };
+    const Index3 d = StepAround(c);
+    const Index3 q = CellAround(cell, c);
     if (grid.InDomain(q) && around.At(d) > largest)
     {
       largest = around.At(d);

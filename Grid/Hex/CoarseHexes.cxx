@@ -37,37 +37,53 @@ CoarseHexes::CoarseHexes(
 /// cell that lies beyond the local box is not known, and its hexes are made.
 bool CoarseHexes::IsWanted(const OctreeKeys::LevelIndex& cell) const
 {
-  const bool isNear = cell.Level == 0
-    ? this->Grid.IsNear(0, cell.At)
-    : this->Grid.IsNear(cell.Level - 1, { { cell.At[0] >> 1, cell.At[1] >> 1, cell.At[2] >> 1 } });
+  const bool isNear = cell.Level == 0 ? this->Grid.IsNear(0, cell.At)
+                                      : this->Grid.IsNear(cell.Level - 1, ParentOfCell(cell.At));
   return isNear && (this->MeshVoid || LabelOfLeaf(this->Grid, this->Labels, cell) != 0);
 }
 
-/// Calls onCell(base cell) and onHex(hex of Refined) for all wanted hexes, by key.
-template <class OnCell, class OnHex>
-void CoarseHexes::ForHexes(const OnCell& onCell, const OnHex& onHex) const
+/// Calls visit(key, cell, corners) for all wanted hexes, by key.
+template <class Visitor>
+void CoarseHexes::ForHexes(const Visitor& visit)
 {
   const OctreeKeys& lattice = this->Grid.Lattice();
   const CartesianGrid& base = this->Grid.Base();
+  std::array<Corner, 8> corners;
   Index hex = 0;
-  const auto visitUpTo = [&](Index key)
+  const auto visitUpTo = [&](Index end)
   {
-    for (; hex < this->TheRefined.NumberOfHexes() && this->TheRefined.HexKeys[hex] < key; ++hex)
+    for (; hex < this->TheRefined.NumberOfHexes() && this->TheRefined.HexKeys[hex] < end; ++hex)
     {
+      for (int c = 0; this->Wanted[hex] && c < 8; ++c)
+      {
+        const Index point = this->TheRefined.Hexes[8 * hex + VtkCorner[c]];
+        const Index key = this->TheRefined.PointKeys[point];
+        const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
+        corners[c] = { &this->NumberOf(point, node), node, key };
+      }
       if (this->Wanted[hex])
       {
-        onHex(hex);
+        const Index key = this->TheRefined.HexKeys[hex];
+        visit(key, lattice.HexOfKey(key), corners);
       }
     }
   };
   ForUntouchedCells(base, this->Region, this->TheRefined,
     [&](const Index3& cell)
     {
-      visitUpTo(lattice.HexKey(0, cell, 0));
-      if (this->IsWanted({ 0, cell, 0 }))
+      const Index key = lattice.HexKey(0, cell, 0);
+      visitUpTo(key);
+      if (!this->IsWanted({ 0, cell, 0 }))
       {
-        onCell(cell);
+        return;
       }
+      for (int c = 0; c < 8; ++c)
+      {
+        const Index3 node = CornerOfCell(cell, c);
+        corners[c] = { &this->NodeNumber[base.Linear(node)], { 0, node, 0 },
+          lattice.NodeKey(0, node, 0) };
+      }
+      visit(key, OctreeKeys::LevelIndex{ 0, cell, 0 }, corners);
     });
   visitUpTo(std::numeric_limits<Index>::max());
 }
@@ -79,11 +95,12 @@ int& CoarseHexes::NumberOf(Index point, const OctreeKeys::LevelIndex& index)
                                              : this->PointNumber[point];
 }
 
-/// Whether a node of the lattice is a point of the finest cells.
-bool CoarseHexes::IsPointOfFine(int level, const Index3& node) const
+/// Whether a point is a node of the lattice that finest cells have, too.
+bool CoarseHexes::IsPointOfFine(const OctreeKeys::LevelIndex& node) const
 {
-  const Index3 finest = this->Grid.FinestNode(level, node);
-  return this->Grid.Finest().HexBox().Touches(finest) && this->Grid.TouchesFine(finest);
+  const Index3 finest = this->Grid.FinestNode(node.Level, node.At);
+  return node.Slot == 0 && this->Grid.Finest().HexBox().Touches(finest) &&
+    this->Grid.TouchesFine(finest);
 }
 
 /// How many points a node has.
@@ -93,46 +110,29 @@ int CoarseHexes::CountPoints(Index key) const
   return n < 0 ? 1
                : 1 +
       static_cast<int>(std::count_if(this->TheSplits.LabelsBegin(n), this->TheSplits.LabelsEnd(n),
-        [this](int label) { return label > 0 || this->MeshVoid; }));
+        [this](int label) { return IsMeshed(label, this->MeshVoid); }));
 }
 
 void CoarseHexes::MarkPoints()
 {
-  const OctreeKeys& lattice = this->Grid.Lattice();
   this->PointNumber.assign(this->TheRefined.PointKeys.size(), Unused);
-  const auto countHexes = [&](Index key)
-  {
-    ++this->HexCount;
-    const int faces = this->BufferFaces(key);
-    for (int face = 0; face < 6; ++face)
+  this->ForHexes(
+    [this](Index key, const OctreeKeys::LevelIndex&, const std::array<Corner, 8>& corners)
     {
-      this->HexCount += faces >> face & 1;
-    }
-  };
-  const auto markCell = [&](const Index3& cell)
-  {
-    countHexes(lattice.HexKey(0, cell, 0));
-    for (int c = 0; c < 8; ++c)
-    {
-      const Index3 node = CornerOfCell(cell, c);
-      int& number = this->NodeNumber[this->Grid.Base().Linear(node)];
-      number = number == Unused ? this->Sort(0, node) : number;
-    }
-  };
-  const auto markHex = [&](Index hex)
-  {
-    countHexes(this->TheRefined.HexKeys[hex]);
-    for (Index at = 8 * hex; at < 8 * hex + 8; ++at)
-    {
-      const Index point = this->TheRefined.Hexes[at];
-      const OctreeKeys::LevelIndex index = lattice.NodeOfKey(this->TheRefined.PointKeys[point]);
-      int& number = this->NumberOf(point, index);
-      number = index.Slot > 0 ? Used
-        : number == Unused    ? this->Sort(index.Level, index.At)
-                              : number;
-    }
-  };
-  this->ForHexes(markCell, markHex);
+      ++this->HexCount;
+      const int faces = this->BufferFaces(key);
+      for (int face = 0; face < 6; ++face)
+      {
+        this->HexCount += faces >> face & 1;
+      }
+      for (const Corner& corner : corners)
+      {
+        if (*corner.Number == Unused)
+        {
+          *corner.Number = this->IsPointOfFine(corner.Node) ? Fine : Used;
+        }
+      }
+    });
 }
 
 /// Calls visit(number, key, position) for all points that are used, by key.
@@ -172,12 +172,7 @@ void CoarseHexes::ForPoints(const Visitor& visit)
       visit(number, key, base.NodePoint(p));
     }
   };
-  IndexBox nodes = this->Region;
-  for (Index& upper : nodes.Upper)
-  {
-    upper += nodes.NumberOfCells() > 0;
-  }
-  ForCells(nodes, visitNode);
+  ForCells(NodesOf(this->Region), visitNode);
   visitUpTo(std::numeric_limits<Index>::max());
 }
 
@@ -250,77 +245,20 @@ public:
     int rank = 0;
     for (const int* label = splits.LabelsBegin(n); label != splits.LabelsEnd(n); ++label, ++rank)
     {
-      if (this->Coarse.HasBuffers && this->IsMeshed(*label))
+      if (this->Coarse.HasBuffers && IsMeshed(*label, this->Coarse.MeshVoid))
       {
         this->SetPoint(point++, key, 1 + rank, splits.InnerPoint(n, rank));
       }
     }
   }
 
-  void AddCell(const Index3& cell)
-  {
-    const OctreeKeys& lattice = this->Coarse.Grid.Lattice();
-    this->Start({ 0, cell, 0 });
-    for (int c = 0; c < 8; ++c)
-    {
-      const Index3 node = CornerOfCell(cell, c);
-      this->SetCorner(c, this->Coarse.NodeNumber[this->Coarse.Grid.Base().Linear(node)],
-        { 0, node, 0 }, lattice.NodeKey(0, node, 0));
-    }
-    this->Finish(lattice.HexKey(0, cell, 0));
-  }
-
-  void AddHex(Index hex)
-  {
-    const RefinedMesh& refined = this->Coarse.TheRefined;
-    const OctreeKeys& lattice = this->Coarse.Grid.Lattice();
-    this->Start(lattice.HexOfKey(refined.HexKeys[hex]));
-    for (int c = 0; c < 8; ++c)
-    {
-      const Index point = refined.Hexes[8 * hex + VtkCorner[c]];
-      const OctreeKeys::LevelIndex index = lattice.NodeOfKey(refined.PointKeys[point]);
-      this->SetCorner(c, this->Coarse.NumberOf(point, index), index, refined.PointKeys[point]);
-    }
-    this->Finish(refined.HexKeys[hex]);
-  }
-
-private:
-  bool IsMeshed(int label) const { return label > 0 || this->Coarse.MeshVoid; }
-
-  void SetPoint(Index point, Index key, int slot, const Vector3& x)
-  {
-    std::copy(x.begin(), x.end(), this->Result.Points.data() + 3 * point);
-    this->Result.PointIds[point] =
-      this->Coarse.Grid.PointId(key, this->Result.Ids.PointSlots, slot);
-  }
-
-  void Start(const OctreeKeys::LevelIndex& cell)
+  void AddHex(Index key, const OctreeKeys::LevelIndex& cell, const std::array<Corner, 8>& corners)
   {
     this->Label = LabelOfLeaf(this->Coarse.Grid, this->Coarse.Labels, cell);
-  }
-
-  void SetCorner(int corner, int number, const OctreeKeys::LevelIndex& node, Index key)
-  {
-    Index &first = this->First[corner], &inner = this->Inner[corner];
-    if (number == Fine)
+    for (int c = 0; c < 8; ++c)
     {
-      const CartesianGrid& finest = this->Coarse.Grid.Finest();
-      const Index p = finest.Linear(this->Coarse.Grid.FinestNode(node.Level, node.At));
-      first = this->Finest.First(p);
-      inner = this->Finest.Inner(p, this->Label);
-      return;
+      this->SetCorner(c, corners[c]);
     }
-    first = inner = this->FirstPoint + number;
-    const Index n = this->Coarse.HasBuffers ? this->Coarse.FindSplit(key) : -1;
-    if (n >= 0)
-    {
-      const SplitNodes& splits = this->Coarse.TheSplits;
-      inner += 1 + splits.RankOf(n, this->Label) - (this->IsMeshed(*splits.LabelsBegin(n)) ? 0 : 1);
-    }
-  }
-
-  void Finish(Index key)
-  {
     this->SetHex(key, 0, this->Inner);
     const int faces = this->Coarse.BufferFaces(key);
     for (int face = 0; face < 6; ++face)
@@ -329,6 +267,34 @@ private:
       {
         this->SetHex(key, 1 + face, BufferHex(this->First, this->Inner, face));
       }
+    }
+  }
+
+private:
+  void SetPoint(Index point, Index key, int slot, const Vector3& x)
+  {
+    std::copy(x.begin(), x.end(), this->Result.Points.data() + 3 * point);
+    this->Result.PointIds[point] =
+      this->Coarse.Grid.PointId(key, this->Result.Ids.PointSlots, slot);
+  }
+
+  void SetCorner(int c, const Corner& corner)
+  {
+    Index &first = this->First[c], &inner = this->Inner[c];
+    if (*corner.Number == Fine)
+    {
+      const Index p = this->Coarse.FinestNode(corner.Node);
+      first = this->Finest.First(p);
+      inner = this->Finest.Inner(p, this->Label);
+      return;
+    }
+    first = inner = this->FirstPoint + *corner.Number;
+    const Index n = this->Coarse.HasBuffers ? this->Coarse.FindSplit(corner.Key) : -1;
+    if (n >= 0)
+    {
+      const SplitNodes& splits = this->Coarse.TheSplits;
+      inner += 1 + splits.RankOf(n, this->Label) -
+        (IsMeshed(*splits.LabelsBegin(n), this->Coarse.MeshVoid) ? 0 : 1);
     }
   }
 
@@ -359,17 +325,17 @@ void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoints& finePoints)
   for (Index n = 0; n < this->TheSplits.Count(); ++n)
   {
     const OctreeKeys::LevelIndex node = lattice.NodeOfKey(this->TheSplits.Key(n));
-    if (node.Slot != 0 || !this->IsPointOfFine(node.Level, node.At))
+    if (!this->IsPointOfFine(node))
     {
       continue;
     }
-    const Index p = this->Grid.Finest().Linear(this->Grid.FinestNode(node.Level, node.At));
+    const Index p = this->FinestNode(node);
     this->SplitPoint[n] = finePoints.First(p);
     int rank = 0;
     for (const int* label = this->TheSplits.LabelsBegin(n); label != this->TheSplits.LabelsEnd(n);
          ++label, ++rank)
     {
-      if (this->HasBuffers && (*label > 0 || this->MeshVoid))
+      if (this->HasBuffers && IsMeshed(*label, this->MeshVoid))
       {
         const Vector3& x = this->TheSplits.InnerPoint(n, rank);
         std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * finePoints.Inner(p, *label));
@@ -390,9 +356,31 @@ void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FineP
         writer.AddPoints(number, key, x);
       }
     });
-  this->ForHexes(
-    [&](const Index3& cell) { writer.AddCell(cell); }, [&](Index hex) { writer.AddHex(hex); });
+  this->ForHexes([&](Index key, const OctreeKeys::LevelIndex& cell,
+                   const std::array<Corner, 8>& corners) { writer.AddHex(key, cell, corners); });
   this->SetFinePoints(mesh, finePoints);
+  this->DropParts();
+}
+
+void CoarseHexes::TakeApart(const PointVisitor& onPoint, const HexVisitor& onHex)
+{
+  this->ForPoints(
+    [&](int number, Index key, const Vector3& x)
+    {
+      if (number != Fine)
+      {
+        onPoint(key, x);
+      }
+    });
+  this->ForHexes(
+    [&](Index key, const OctreeKeys::LevelIndex& cell, const std::array<Corner, 8>& corners)
+    {
+      std::array<Index, 8> points;
+      std::transform(corners.begin(), corners.end(), points.begin(),
+        [this](const Corner& corner)
+        { return *corner.Number == Fine ? ~this->FinestNode(corner.Node) : *corner.Number; });
+      onHex(key, cell, LabelOfLeaf(this->Grid, this->Labels, cell), points);
+    });
   this->DropParts();
 }
 

@@ -59,9 +59,23 @@ public:
   /// has written.
   void Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoints& finePoints);
 
+  using PointVisitor = std::function<void(Index key, const Vector3& x)>;
+  using HexVisitor = std::function<void(
+    Index key, const OctreeKeys::LevelIndex& cell, int label, const std::array<Index, 8>& corners)>;
+  /// Instead of Fill, of hexes that are not split: gives points and hexes one by one. corners: numbered by bits, positions in the
+  /// order of the points, or ~(linear index) of a node that a finest cell has.
+  void TakeApart(const PointVisitor& onPoint, const HexVisitor& onHex);
+
 private:
   static constexpr int Unused = -1, Used = -2, Fine = -3;
 
+  /// Of a hex, numbered by bits.
+  struct Corner
+  {
+    int* Number; // index of the point, or what it is
+    OctreeKeys::LevelIndex Node;
+    Index Key;
+  };
   class Writer;
 
   bool IsWanted(const OctreeKeys::LevelIndex& cell) const;
@@ -73,18 +87,19 @@ private:
     return this->HasBuffers ? this->TheSplits.FacesOfHex(hexKey) : 0;
   }
   int CountPoints(Index key) const;
-  bool IsPointOfFine(int level, const Index3& node) const;
+  bool IsPointOfFine(const OctreeKeys::LevelIndex& node) const;
+  /// Linear index of the finest grid.
+  Index FinestNode(const OctreeKeys::LevelIndex& node) const
+  {
+    return this->Grid.Finest().Linear(this->Grid.FinestNode(node.Level, node.At));
+  }
   void SetFinePoints(Mesh& mesh, const FinePoints& finePoints);
   int& NumberOf(Index point, const OctreeKeys::LevelIndex& index);
-  int Sort(int level, const Index3& node) const
-  {
-    return this->IsPointOfFine(level, node) ? Fine : Used;
-  }
   void DropParts();
   void MarkPoints();
   void NumberPoints();
-  template <class OnCell, class OnHex>
-  void ForHexes(const OnCell& onCell, const OnHex& onHex) const;
+  template <class Visitor>
+  void ForHexes(const Visitor& visit);
   template <class Visitor>
   void ForPoints(const Visitor& visit);
 

@@ -1,5 +1,6 @@
 #include "Hex/HexStars.h"
 
+#include "Base/Sorted.h"
 #include "Hex/HexTopology.h"
 
 #include <limits>
@@ -36,8 +37,7 @@ HexStars::HexStars(const RefinedGrid& grid, const RefinedMesh& refined, const In
 
 Index HexStars::Find(Index key) const
 {
-  const auto at = std::lower_bound(this->Keys.begin(), this->Keys.end(), key);
-  return at != this->Keys.end() && *at == key ? at - this->Keys.begin() : -1;
+  return FindSorted(this->Keys, key);
 }
 
 int HexStars::DomainSides(Index n) const
@@ -47,9 +47,7 @@ int HexStars::DomainSides(Index n) const
   {
     return this->Lattice.DomainSides(node.Level, node.At);
   }
-  const std::vector<Index>& keys = this->Refined.PointKeys;
-  return this->Refined
-    .DomainSides[std::lower_bound(keys.begin(), keys.end(), this->Keys[n]) - keys.begin()];
+  return this->Refined.DomainSides[FindSorted(this->Refined.PointKeys, this->Keys[n])];
 }
 
 /// The points of Refined with several labels around them, and base nodes at untouched cells likewise.
@@ -78,7 +76,7 @@ void HexStars::FindNodes()
     const Index3 node = this->Grid.FinestNode(index.Level, index.At);
     for (int c = 0; index.Slot == 0 && c < 8; ++c)
     {
-      const Index3 cell = CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
+      const Index3 cell = CellOfStar(node, c);
       if (this->IsFineCell(cell))
       {
         see(static_cast<Index>(p), this->Labels[finest.Linear(cell)]);
@@ -93,14 +91,12 @@ void HexStars::FindNodes()
       this->Keys.push_back(keys[p]);
     }
   }
-  std::sort(this->Keys.begin(), this->Keys.end());
-  this->Keys.erase(std::unique(this->Keys.begin(), this->Keys.end()), this->Keys.end());
+  SortUnique(this->Keys);
 }
 
 /// Faces between base cells of which one is untouched: nodes that only such cells have are split at once.
 void HexStars::CompareBaseCells(std::vector<int>& least, std::vector<int>& most)
 {
-  const std::vector<Index>& keys = this->Refined.PointKeys;
   ForCells(this->Region,
     [&](const Index3& cell)
     {
@@ -120,14 +116,14 @@ void HexStars::CompareBaseCells(std::vector<int>& least, std::vector<int>& most)
           if (c >> axis & 1)
           {
             const Index key = this->Lattice.NodeKey(0, CornerOfCell(cell, c), 0);
-            const auto at = std::lower_bound(keys.begin(), keys.end(), key);
-            if (at == keys.end() || *at != key)
+            const Index point = FindSorted(this->Refined.PointKeys, key);
+            if (point < 0)
             {
               this->Keys.push_back(key);
               continue;
             }
-            least[at - keys.begin()] = -1; // whatever else is around
-            most[at - keys.begin()] = std::max(most[at - keys.begin()], 0);
+            least[point] = -1; // whatever else is around
+            most[point] = std::max(most[point], 0);
           }
         }
       }
@@ -163,7 +159,7 @@ void HexStars::AddCells(Kind kind, int level, const Index3& node, std::vector<In
   {
     if (kind == Kind::Base)
     {
-      const Index3 cell = CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
+      const Index3 cell = CellOfStar(node, c);
       if (level == 0 && this->Region.Contains(cell) && !this->IsBaseTouched(cell))
       {
         cells.push_back(this->Grid.Base().CellKey(cell));
@@ -205,8 +201,7 @@ void HexStars::GatherHexes()
         this->AddCells(kind, node.Level, node.At, cells);
       }
     }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    SortUnique(cells);
     for (Index cell : cells)
     {
       this->TheHexes.push_back(this->MakeHex(kind, cell));

@@ -66,8 +66,10 @@ public:
     mesh.Elements = Buffer<Index>(8 * hexes);
     mesh.ElementIds = Buffer<Index>(hexes);
     mesh.Material = Buffer<int>(hexes);
-    this->OverRows(1, [this](Index j, Index k, Index row) { this->FillPoints(j, k, row); });
-    this->OverRows(0, [this](Index j, Index k, Index row) { this->FillHexes(j, k, row); });
+    ForRows(this->Run, NodesOf(this->Box),
+      [this](Index j, Index k, Index row) { this->FillPoints(j, k, row); });
+    ForRows(
+      this->Run, this->Box, [this](Index j, Index k, Index row) { this->FillHexes(j, k, row); });
     this->Coarse.Fill(mesh, finePoints, fineHexes,
       { [this](Index node) { return this->Numbering.FirstPoint(node); },
         [this](Index node, int label) { return this->Numbering.InnerPoint(node, label); } });
@@ -75,21 +77,6 @@ public:
   }
 
 private:
-  /// Calls body(j, k, row) for the rows of the owned cells (extra 0) or nodes (extra 1).
-  template <class Body>
-  void OverRows(int extra, const Body& body)
-  {
-    const Index ny = this->Box.Size(1) + extra, nz = this->Box.Size(2) + extra;
-    this->Run.For(0, ny * nz,
-      [&](Index first, Index last)
-      {
-        for (Index row = first; row < last; ++row)
-        {
-          body(this->Box.Lower[1] + row % ny, this->Box.Lower[2] + row / ny, row);
-        }
-      });
-  }
-
   /// Calls visit(p, cell) for the cells of a row that are hexes of their own.
   template <class Visitor>
   void ForCells(Index j, Index k, const Visitor& visit) const
@@ -159,7 +146,7 @@ private:
   Index CountPoints()
   {
     this->PointOffset.resize((this->Box.Size(1) + 1) * (this->Box.Size(2) + 1));
-    this->OverRows(1,
+    ForRows(this->Run, NodesOf(this->Box),
       [this](Index j, Index k, Index row)
       {
         Index count = 0;
@@ -175,7 +162,7 @@ private:
   {
     std::vector<Index>& offset = this->Result.RowOffset;
     offset.resize(this->Box.Size(1) * this->Box.Size(2));
-    this->OverRows(0,
+    ForRows(this->Run, this->Box,
       [&](Index j, Index k, Index row)
       {
         Index count = 0;

@@ -65,7 +65,7 @@ public:
     }
   }
 
-  bool IsMeshed(int label) const { return label > 0 || this->MeshVoid; }
+  bool IsMeshed(int label) const { return vfm::IsMeshed(label, this->MeshVoid); }
   /// A node with S and I points. In a stair-step mesh there is none.
   bool IsSplit(Index node) const { return this->CodeOf(node) < 0; }
   /// G or S.

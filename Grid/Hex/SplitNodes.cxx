@@ -1,6 +1,7 @@
 #include "Hex/SplitNodes.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Sorted.h"
 #include "Base/Vector3.h"
 #include "Base/VisibleDirection.h"
 #include "Hex/HexTopology.h"
@@ -20,8 +21,7 @@ constexpr double SmallestDeterminant = 1e-4; // of a hex at the start, in volume
 
 Index SplitNodes::Find(Index key) const
 {
-  const auto at = std::lower_bound(this->Keys.begin(), this->Keys.end(), key);
-  return at != this->Keys.end() && *at == key ? at - this->Keys.begin() : -1;
+  return FindSorted(this->Keys, key);
 }
 
 int SplitNodes::RankOf(Index n, int label) const
@@ -93,7 +93,6 @@ private:
   void SortFamilies();
 
   const Hex& HexOf(const Corner& at) const { return this->Stars.Hexes()[at.Hex]; }
-  bool IsMeshed(int label) const { return label > 0 || this->MeshVoid; }
   /// Owned hexes have all hexes around them in the region.
   bool IsOwned(const Hex& hex) const
   {
@@ -176,11 +175,7 @@ void SplitNodesBuilder::SplitNode(Index n, const Star& star)
 bool SplitNodesBuilder::IsTorn(
   const Star& star, const std::vector<std::pair<Index, Index>>& joined) const
 {
-  std::vector<Index> parent(star.size());
-  for (std::size_t i = 0; i < parent.size(); ++i)
-  {
-    parent[i] = static_cast<Index>(i);
-  }
+  std::vector<Index> parent = MakeSets(star.size());
   for (const auto& pair : joined)
   {
     Join(parent, pair.first, pair.second);
@@ -252,8 +247,7 @@ std::vector<int> SplitNodesBuilder::ListLabels(const Star& star) const
   {
     labels.push_back(this->HexOf(at).Side.Label);
   }
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  SortUnique(labels);
   return labels;
 }
 
@@ -288,7 +282,7 @@ void SplitNodesBuilder::PlaceInnerPoints(
   for (int label : labels)
   {
     const VisibleDirection out = this->FindOutward(label, sides, normals);
-    isBad = isBad || (this->IsMeshed(label) && out.Margin < SmallestMargin);
+    isBad = isBad || (IsMeshed(label, this->MeshVoid) && out.Margin < SmallestMargin);
     const double length = BufferThickness / std::max(out.Margin, ThinnestMargin);
     this->Result.Labels.push_back(label);
     this->Result.Inner.push_back(x - Scaled(widths, length * out.Direction));
@@ -324,8 +318,8 @@ void SplitNodesBuilder::WantFiner(const Star& star)
     const OctreeKeys::LevelIndex& cell = this->HexOf(at).Side.Cell;
     if (cell.Level < this->Grid.NumberOfRefinements())
     {
-      this->Result.Families[cell.Level].push_back(this->Lattice.FamilyKey(
-        cell.Level, { { cell.At[0] >> 1, cell.At[1] >> 1, cell.At[2] >> 1 } }));
+      this->Result.Families[cell.Level].push_back(
+        this->Lattice.FamilyKey(cell.Level, ParentOfCell(cell.At)));
     }
   }
 }
@@ -388,7 +382,7 @@ void SplitNodesBuilder::CheckHexes()
 {
   for (const Hex& hex : this->Stars.Hexes())
   {
-    if (!this->IsOwned(hex) || !this->IsMeshed(hex.Side.Label) || this->IsPositive(hex))
+    if (!this->IsOwned(hex) || !IsMeshed(hex.Side.Label, this->MeshVoid) || this->IsPositive(hex))
     {
       continue;
     }
@@ -425,8 +419,7 @@ void SplitNodesBuilder::SortFamilies()
 {
   for (std::vector<Index>& families : this->Result.Families)
   {
-    std::sort(families.begin(), families.end());
-    families.erase(std::unique(families.begin(), families.end()), families.end());
+    SortUnique(families);
   }
 }
 

@@ -1,6 +1,5 @@
 /**
- * Stages 4 and 5: gradients of the difference field of a pair, and the crossing of an interface with
- * a dual edge.
+ * Where an interface between two labels crosses the line between the middles of two cells.
  */
 #pragma once
 

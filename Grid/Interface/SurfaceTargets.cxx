@@ -1,5 +1,6 @@
 #include "Interface/SurfaceTargets.h"
 
+#include "Base/Sorted.h"
 #include "Base/Vector3.h"
 
 #include <Eigen/Cholesky>
@@ -118,18 +119,15 @@ SurfaceTargets::SurfaceTargets(
 void SurfaceTargets::FitLevel(const Level& level, Runtime& runtime)
 {
   const Interface& interface = *level.Source;
-  runtime.For(0, static_cast<Index>(interface.Nodes().size()),
-    [&](Index first, Index last)
+  ForEach(runtime, interface.Nodes().size(),
+    [&](Index n)
     {
-      for (Index n = first; n < last; ++n)
+      for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
       {
-        for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
+        this->FitQuadric(level, n, p);
+        if (this->TheKind == Kind::Facets)
         {
-          this->FitQuadric(level, n, p);
-          if (this->TheKind == Kind::Facets)
-          {
-            this->FindFacets(level, n, p);
-          }
+          this->FindFacets(level, n, p);
         }
       }
     });
@@ -218,8 +216,7 @@ void SurfaceTargets::FindFacets(const Level& level, Index node, Index point)
       }
     }
   }
-  std::sort(facets.begin(), facets.end());
-  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  SortUnique(facets);
 }
 
 double SurfaceTargets::LocalScale(Index target) const

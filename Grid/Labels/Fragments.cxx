@@ -1,12 +1,14 @@
 #include "Labels/Fragments.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Sorted.h"
 
 #include <map>
 #include <numeric>
 
 namespace vfm
 {
+
 Index OffsetOfPieces(Ranks& ranks, Index count)
 {
   const std::vector<Index> counts = GatherItems(ranks, std::vector<Index>{ count });
@@ -17,8 +19,7 @@ std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePair
   Index offset, Ranks& ranks, std::vector<int>& materials)
 {
   const std::vector<Piece> pieces = GatherItems(ranks, mine);
-  std::vector<Index> parent(pieces.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<Index> parent = MakeSets(pieces.size());
   for (const auto& pair : GatherItems(ranks, same))
   {
     Join(parent, pair[0], pair[1]);
@@ -55,14 +56,9 @@ Fragments::Fragments(
   Box(grid.HexBox()), End(this->Box.Upper[0])
 {
   this->MakeRuns(grid, labels);
-  std::vector<Index> parent(this->Runs.size());
-  for (std::size_t r = 0; r < parent.size(); ++r)
-  {
-    parent[r] = static_cast<Index>(r);
-  }
-  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
-  {
-    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
+  std::vector<Index> parent = MakeSets(this->Runs.size());
+  ForRows(this->Box,
+    [&](Index j, Index k)
     {
       if (j > this->Box.Lower[1])
       {
@@ -72,8 +68,7 @@ Fragments::Fragments(
       {
         this->JoinRows(this->Row(j, k), this->Row(j, k - 1), parent);
       }
-    }
-  }
+    });
   const std::vector<Piece> mine = this->FindPieces(grid, parent, meshVoid);
   Ranks& ranks = partition.Group();
   const Index offset = OffsetOfPieces(ranks, static_cast<Index>(mine.size()));
@@ -88,9 +83,8 @@ Fragments::Fragments(
 void Fragments::MakeRuns(const CartesianGrid& grid, const LabelArray& labels)
 {
   this->RowStart.push_back(0);
-  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
-  {
-    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
+  ForRows(this->Box,
+    [&](Index j, Index k)
     {
       const Index row = grid.Linear({ { this->Box.Lower[0], j, k } });
       const auto add = [&](Index cell, int label)
@@ -110,8 +104,7 @@ void Fragments::MakeRuns(const CartesianGrid& grid, const LabelArray& labels)
           }
         });
       this->RowStart.push_back(static_cast<Index>(this->Runs.size()));
-    }
-  }
+    });
 }
 
 void Fragments::JoinRows(Index row, Index other, std::vector<Index>& parent) const
@@ -137,15 +130,14 @@ std::vector<Piece> Fragments::FindPieces(
 {
   std::vector<Piece> pieces;
   Index r = 0;
-  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
-  {
-    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
+  ForRows(this->Box,
+    [&](Index j, Index k)
     {
       for (; r < this->RowStart[this->Row(j, k) + 1]; ++r)
       {
         RunOfCells& run = this->Runs[r];
         const Index root = FindRoot(parent, r);
-        if (root == r && (run.Label != 0 || meshVoid))
+        if (root == r && IsMeshed(run.Label, meshVoid))
         {
           pieces.push_back({ grid.CellKey({ { run.First, j, k } }), run.Label });
           run.Fragment = static_cast<int>(pieces.size());
@@ -155,8 +147,7 @@ std::vector<Piece> Fragments::FindPieces(
           run.Fragment = root == r ? 0 : this->Runs[root].Fragment;
         }
       }
-    }
-  }
+    });
   return pieces;
 }
 
@@ -170,16 +161,14 @@ PiecePairs Fragments::FindSame(
     return same;
   }
   PagedArray<Index> pieceOf(grid, -1);
-  for (Index k = this->Box.Lower[2]; k < this->Box.Upper[2]; ++k)
-  {
-    for (Index j = this->Box.Lower[1]; j < this->Box.Upper[1]; ++j)
+  ForRows(this->Box,
+    [&](Index j, Index k)
     {
       const Index row = grid.Linear({ { 0, j, k } });
       this->ForRuns(j, k,
         [&](Index first, Index last, int fragment)
         { pieceOf.Fill(row + first, row + last, fragment > 0 ? offset + fragment - 1 : -1); });
-    }
-  }
+    });
   const auto mine = pieceOf;
   partition.ExchangeCells(pieceOf,
     [&](Index cell)
@@ -190,8 +179,7 @@ PiecePairs Fragments::FindSame(
         same.push_back(pair);
       }
     });
-  std::sort(same.begin(), same.end());
-  same.erase(std::unique(same.begin(), same.end()), same.end());
+  SortUnique(same);
   return same;
 }
 

@@ -11,19 +11,16 @@ using FourRows = std::array<LabelArray::RowView, 4>;
 void MirrorRows(const CartesianGrid& grid, LabelArray& labels)
 {
   const IndexBox& box = grid.Local();
-  for (Index k = box.Lower[2] - 1; k <= box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1] - 1; j <= box.Upper[1]; ++j)
+  const IndexBox rim{ CellOfStar(box.Lower, 0), CornerOfCell(box.Upper, 7) };
+  ForRows(rim,
+    [&](Index j, Index k)
     {
-      const Index inJ = std::min(std::max(j, box.Lower[1]), box.Upper[1] - 1);
-      const Index inK = std::min(std::max(k, box.Lower[2]), box.Upper[2] - 1);
-      if (inJ != j || inK != k)
+      const Index3 row{ { box.Lower[0], j, k } }, inside = box.Nearest(row);
+      if (inside != row)
       {
-        labels.CopyRow(
-          grid.Linear({ { box.Lower[0], inJ, inK } }), grid.Linear({ { box.Lower[0], j, k } }));
+        labels.CopyRow(grid.Linear(inside), grid.Linear(row));
       }
-    }
-  }
+    });
 }
 
 /// Whether four rows, the p-th pages of four rows, are known to be of one and the same label.
@@ -91,9 +88,8 @@ LabelArray AssignMaterials(
   LabelArray labels(grid, 0);
   const IndexBox& box = grid.Local();
   std::vector<int> values;
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  ForRows(box,
+    [&](Index j, Index k)
     {
       const Index first = grid.Linear({ { box.Lower[0], j, k } }), last = first + box.Size(0);
       // each run with its mirrored cell, so that rows of one label are written as such
@@ -116,8 +112,7 @@ LabelArray AssignMaterials(
           values.push_back(values.back()); // read only where it is the mirrored cell
           labels.Write(begins(begin), ends(end), values.data());
         });
-    }
-  }
+    });
   MirrorRows(grid, labels);
   return labels;
 }
@@ -126,9 +121,8 @@ std::vector<Index> FindMixedNodes(const CartesianGrid& grid, const LabelArray& l
 {
   std::vector<Index> mixed;
   const IndexBox& box = grid.Local();
-  for (Index k = box.Lower[2]; k <= box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j <= box.Upper[1]; ++j)
+  ForRows(NodesOf(box),
+    [&](Index j, Index k)
     {
       const Index first = grid.Linear({ { box.Lower[0] - 1, j, k } });
       const Index y = grid.Stride(1), z = grid.Stride(2);
@@ -136,8 +130,7 @@ std::vector<Index> FindMixedNodes(const CartesianGrid& grid, const LabelArray& l
         { { labels.Row(first), labels.Row(first - y), labels.Row(first - z),
           labels.Row(first - y - z) } },
         mixed);
-    }
-  }
+    });
   return mixed;
 }
 

@@ -18,6 +18,12 @@ using LabelArray = PagedArray<int>;
 LabelArray AssignMaterials(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue);
 
+/// Whether elements are made of a label; of -1, which stands for none, never.
+inline bool IsMeshed(int label, bool meshVoid)
+{
+  return label > 0 || (label == 0 && meshVoid);
+}
+
 /// The eight labels around a node.
 inline std::array<int, 8> StarOfNode(
   const CartesianGrid& grid, const LabelArray& labels, Index node)
@@ -31,12 +37,6 @@ inline std::array<int, 8> StarOfNode(
     star[c + 1] = row[i + 1];
   }
   return star;
-}
-
-/// Cell c of the star of a node, numbered by bits.
-inline Index3 CellOfStar(const Index3& node, int c)
-{
-  return CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
 }
 
 /// The nodes of the local box with more than one label around them, ascending.

@@ -1,5 +1,6 @@
 #include "Labels/LeafLabels.h"
 
+#include "Base/Sorted.h"
 #include "Fractions/FractionSum.h"
 
 namespace vfm
@@ -19,23 +20,20 @@ void FillLabels(const CartesianGrid& grid, const IndexBox& cells, int label, Lab
     box.Lower[a] -= cells.Lower[a] == grid.Local().Lower[a];
     box.Upper[a] += cells.Upper[a] == grid.Local().Upper[a];
   }
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  ForRows(box,
+    [&](Index j, Index k)
     {
       const Index first = grid.Linear({ { box.Lower[0], j, k } });
       labels.Fill(first, first + box.Size(0), label);
-    }
-  }
+    });
 }
 
 /// A leaf whose finest cells all have one label has it by its mean, too: where one material is the largest in each cell it is
 /// so in their sum, likewise void. So only leaves with a mixed node inside need their mean.
 LabelArray AssignLeafMaterials(
-  const RefinedGrid& levels, const FractionField& fractions, double isoValue)
+  const RefinedGrid& levels, const FractionField& fractions, LabelArray labels, double isoValue)
 {
   const CartesianGrid& grid = levels.Finest();
-  LabelArray labels = AssignMaterials(grid, fractions, isoValue);
   const LabelUnits units(grid, &levels);
   std::vector<Index> mixed;
   for (Index node : FindMixedNodes(grid, labels))
@@ -47,8 +45,7 @@ LabelArray AssignLeafMaterials(
       mixed.push_back(unit);
     }
   }
-  std::sort(mixed.begin(), mixed.end());
-  mixed.erase(std::unique(mixed.begin(), mixed.end()), mixed.end());
+  SortUnique(mixed);
   for (Index unit : mixed)
   {
     const IndexBox cells = units.CellsOf(unit);

@@ -24,15 +24,14 @@ public:
   /// The unit of a cell of the local box, or of the one that a cell beside it mirrors.
   Index UnitOf(const Index3& cell) const
   {
-    const Index3 inside = this->Inside(cell);
+    const Index3 inside = this->Grid.Local().Nearest(cell);
     return this->IsCell(inside) ? this->Grid.Linear(inside)
                                 : this->Grid.Linear(this->LeafCells(inside).Lower);
   }
   IndexBox CellsOf(Index unit) const
   {
     const Index3 p = this->Grid.Position(unit);
-    return this->IsCell(p) ? IndexBox{ p, { { p[0] + 1, p[1] + 1, p[2] + 1 } } }
-                           : this->LeafCells(p);
+    return this->IsCell(p) ? BoxOfCell(p) : this->LeafCells(p);
   }
   /// The cells of the star of a node on the surface of a unit that belong to the unit or mirror it: a mask of eight bits.
   int RegionAt(const Index3& node, const IndexBox& cells) const
@@ -50,17 +49,6 @@ public:
   }
 
 private:
-  /// The cell of the local box that a cell is or mirrors.
-  Index3 Inside(const Index3& cell) const
-  {
-    const IndexBox& box = this->Grid.Local();
-    Index3 inside;
-    for (int a = 0; a < 3; ++a)
-    {
-      inside[a] = std::min(std::max(cell[a], box.Lower[a]), box.Upper[a] - 1);
-    }
-    return inside;
-  }
   bool IsCell(const Index3& cell) const { return !this->Leaves || this->Leaves->IsFine(cell); }
   IndexBox LeafCells(const Index3& cell) const;
 
@@ -71,8 +59,8 @@ private:
 /// Gives the cells of a box of the local box a label, and the cells that mirror them.
 void FillLabels(const CartesianGrid& grid, const IndexBox& cells, int label, LabelArray& labels);
 
-/// AssignMaterials of the leaves, by their mean fractions. fractions: of levels.Finest().
+/// AssignMaterials of the leaves, by their mean fractions. fractions, labels: of the cells of levels.Finest().
 LabelArray AssignLeafMaterials(
-  const RefinedGrid& levels, const FractionField& fractions, double isoValue);
+  const RefinedGrid& levels, const FractionField& fractions, LabelArray labels, double isoValue);
 
 } // namespace vfm

@@ -1,5 +1,6 @@
 #include "Labels/RefinementCriteria.h"
 
+#include "Base/Sorted.h"
 #include "Fractions/InterfaceCurvature.h"
 #include "Fractions/ThinFeatures.h"
 #include "Labels/Labels.h"
@@ -38,25 +39,6 @@ void CheckCriteria(const RefinementCriteria& criteria)
   {
     throw InputError("The maximum level is " + std::to_string(criteria.MaximumLevel) +
       ": it must not be negative.");
-  }
-}
-
-/// Calls body(position, linear index) for the cells of a box, x fastest.
-template <class Body>
-void ForBox(const CartesianGrid& grid, const IndexBox& box, const Body& body)
-{
-  Index3 p;
-  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
-    {
-      p[0] = box.Lower[0];
-      const Index first = grid.Linear(p);
-      for (; p[0] < box.Upper[0]; ++p[0])
-      {
-        body(p, first + p[0] - box.Lower[0]);
-      }
-    }
   }
 }
 
@@ -131,7 +113,7 @@ private:
   {
     for (int c = 0; c < 27; ++c)
     {
-      const Index3 q{ { p[0] + c % 3 - 1, p[1] + c / 3 % 3 - 1, p[2] + c / 9 - 1 } };
+      const Index3 q = CellAround(p, c);
       if (this->Grid.InDomain(q))
       {
         const Index other = this->Grid.Linear(q);
@@ -173,23 +155,19 @@ private:
       return;
     }
     std::vector<Index3> cells;
-    ForBox(this->Grid, this->Grid.Owned(),
-      [&](const Index3& p, Index cell)
+    ForCells(this->Grid.Owned(),
+      [&](const Index3& p)
       {
+        const Index cell = this->Grid.Linear(p);
         if (this->Fractions.IsMixed(cell) || this->IsBesideOthers(p, cell))
         {
           cells.push_back(p);
         }
       });
     std::vector<int> halvings(cells.size());
-    this->Run.For(0, static_cast<Index>(cells.size()),
-      [&](Index begin, Index end)
-      {
-        for (Index n = begin; n < end; ++n)
-        {
-          halvings[n] = this->HalvingsForThickness(cells[n], this->Grid.Linear(cells[n]));
-        }
-      });
+    ForEach(this->Run, cells.size(),
+      [&](Index n)
+      { halvings[n] = this->HalvingsForThickness(cells[n], this->Grid.Linear(cells[n])); });
     for (std::size_t n = 0; n < cells.size(); ++n)
     {
       this->Wish(cells[n], halvings[n], this->Result.ThinCells);
@@ -219,18 +197,22 @@ private:
     const LabelArray before = AssignMaterials(this->Grid, this->Fractions, this->IsoValue);
     LabelArray labels = before;
     ResolveLabels(this->Grid, this->Fractions, labels, this->ThePartition);
-    ForBox(this->Grid, this->Grid.Owned(),
-      [&](const Index3& p, Index cell)
+    ForCells(this->Grid.Owned(),
+      [&](const Index3& p)
       {
+        const Index cell = this->Grid.Linear(p);
         this->Wish(p, this->Criteria.FlippedCells && labels[cell] != before[cell],
           this->Result.FlippedCells);
       });
     if (this->Criteria.InterfaceLayers > 0)
     {
       const PagedArray<int> isNear = this->FindNear(labels);
-      ForBox(this->Grid, this->Grid.Owned(),
-        [&](const Index3& p, Index cell)
-        { this->Wish(p, isNear[cell] ? this->Criteria.MaximumLevel : 0, this->Result.NearCells); });
+      ForCells(this->Grid.Owned(),
+        [&](const Index3& p)
+        {
+          const int halvings = isNear[this->Grid.Linear(p)] ? this->Criteria.MaximumLevel : 0;
+          this->Wish(p, halvings, this->Result.NearCells);
+        });
     }
   }
 
@@ -246,8 +228,8 @@ private:
     for (int layer = 1; layer < this->Criteria.InterfaceLayers; ++layer)
     {
       const PagedArray<int> before = isNear;
-      ForBox(this->Grid, this->Grid.Local(),
-        [&](const Index3&, Index cell)
+      this->ThePartition.ForCells(this->Grid.Local(),
+        [&](Index cell)
         {
           for (int c = 0; before[cell] && c < 8; ++c)
           {
@@ -276,12 +258,6 @@ private:
   RefinementWishes Result;
 };
 
-void SortOnce(std::vector<Index>& keys)
-{
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-}
-
 } // namespace
 
 RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
@@ -294,34 +270,24 @@ RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& 
 std::vector<std::vector<Index>> FindWantedFamilies(
   const OctreeKeys& lattice, const RefinementWishes& wishes, int layers)
 {
-  const Index nx = lattice.Cells(0, 0), ny = lattice.Cells(0, 1);
   std::vector<std::vector<Index>> families(wishes.Refinements);
   for (const RefinementWish& wish : wishes.Cells)
   {
-    const Index3 cell{ { wish.Cell % nx, wish.Cell / nx % ny, wish.Cell / nx / ny } };
-    IndexBox children; // of the level that the cell wants, and those around
-    for (int a = 0; a < 3; ++a)
-    {
-      children.Lower[a] = std::max<Index>((cell[a] << wish.Halvings) - layers, 0);
-      children.Upper[a] =
-        std::min(((cell[a] + 1) << wish.Halvings) + layers, lattice.Cells(wish.Halvings, a));
-    }
+    // of the level that the cell wants, and those around
+    const IndexBox children =
+      Grow(ChangeLevel(BoxOfCell(lattice.Base().CellOfKey(wish.Cell)), wish.Halvings), layers,
+        ChangeLevel(lattice.Base().Global(), wish.Halvings));
     for (int level = 0; level < wish.Halvings; ++level)
     {
-      const int shift = wish.Halvings - level + 1; // a family is two cells of its level
-      IndexBox around;
-      for (int a = 0; a < 3; ++a)
-      {
-        around.Lower[a] = children.Lower[a] >> shift;
-        around.Upper[a] = ((children.Upper[a] - 1) >> shift) + 1;
-      }
+      const IndexBox around =
+        ChangeLevel(children, level - wish.Halvings - 1); // a family is two cells of its level
       ForCells(
         around, [&](const Index3& q) { families[level].push_back(lattice.FamilyKey(level, q)); });
     }
   }
   for (std::vector<Index>& keys : families)
   {
-    SortOnce(keys);
+    SortUnique(keys);
   }
   return families;
 }

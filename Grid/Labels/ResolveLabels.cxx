@@ -1,3 +1,4 @@
+#include "Base/Sorted.h"
 #include "Fractions/FractionSum.h"
 #include "Labels/LabelCondition.h"
 #include "Labels/LeafLabels.h"
@@ -31,12 +32,7 @@ struct Candidate
 template <class Body>
 void ForSurfaceNodes(const IndexBox& cells, const Body& body)
 {
-  IndexBox nodes = cells;
-  for (Index& n : nodes.Upper)
-  {
-    ++n;
-  }
-  ForCells(nodes,
+  ForCells(NodesOf(cells),
     [&](const Index3& node)
     {
       bool isInside = true;
@@ -106,8 +102,7 @@ private:
   void KeepViolated()
   {
     std::vector<Index>& nodes = this->Violated;
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    SortUnique(nodes);
     nodes.erase(
       std::remove_if(nodes.begin(), nodes.end(),
         [this](Index node) { return !this->IsNear(node) || this->Violations(node) == 0; }),
@@ -200,8 +195,7 @@ private:
         }
       }
     }
-    std::sort(changes.begin(), changes.end());
-    changes.erase(std::unique(changes.begin(), changes.end()), changes.end());
+    SortUnique(changes);
     std::vector<int> allowed;
     for (std::size_t n = 0; n < changes.size();)
     {
@@ -224,14 +218,8 @@ private:
   /// Whether a candidate beats those of all units around that share a node with it.
   bool IsBestAround(const IndexBox& cells, const Candidate& mine) const
   {
-    IndexBox around = cells;
-    for (int a = 0; a < 3; ++a)
-    {
-      around.Lower[a] -= 1;
-      around.Upper[a] += 1;
-    }
     bool isBest = true;
-    ForCells(around,
+    ForCells({ CellOfStar(cells.Lower, 0), CornerOfCell(cells.Upper, 7) },
       [&](const Index3& cell)
       {
         if (isBest && !cells.Contains(cell))

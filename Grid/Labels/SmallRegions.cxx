@@ -1,5 +1,7 @@
 #include "Labels/SmallRegions.h"
 
+#include "Base/DisjointSets.h"
+#include "Fractions/FractionSum.h"
 #include "Fractions/GhostFractions.h"
 #include "Labels/Fragments.h"
 
@@ -31,13 +33,12 @@ public:
   std::vector<int> Merge();
 
 private:
-  Index Root(Index region);
   int ChooseMaterial(Index region, std::set<Index>& joined);
   void Join(Index region, Index other);
 
   std::vector<int> Material; // of roots
   std::vector<Index> Cells;  // of roots
-  std::vector<Index> Parent; // forest of regions
+  std::vector<Index> Parent; // sets of regions
   Index MinimumCells;
   std::map<Index, std::map<Index, Index>>
     Faces; // of small roots, by regions that need not be roots
@@ -45,25 +46,15 @@ private:
 
 RegionGraph::RegionGraph(std::vector<int> materials, std::vector<Index> cells, Index minimumCells,
   const std::vector<SharedFaces>& shared) :
-  Material(std::move(materials)), Cells(std::move(cells)), MinimumCells(minimumCells)
+  Material(std::move(materials)),
+  Cells(std::move(cells)),
+  Parent(MakeSets(this->Material.size())),
+  MinimumCells(minimumCells)
 {
-  for (std::size_t r = 0; r < this->Material.size(); ++r)
-  {
-    this->Parent.push_back(static_cast<Index>(r));
-  }
   for (const SharedFaces& faces : shared)
   {
     this->Faces[faces.Region][faces.Other] += faces.Count;
   }
-}
-
-Index RegionGraph::Root(Index region)
-{
-  while (this->Parent[region] != region)
-  {
-    region = this->Parent[region] = this->Parent[this->Parent[region]];
-  }
-  return region;
 }
 
 /// The material with the most faces around a region; joined: the regions of it there. -1: there is nothing around.
@@ -72,7 +63,7 @@ int RegionGraph::ChooseMaterial(Index region, std::set<Index>& joined)
   std::map<int, Index> faces; // by material
   for (const auto& shared : this->Faces[region])
   {
-    const Index other = this->Root(shared.first);
+    const Index other = FindRoot(this->Parent, shared.first);
     if (other != region)
     {
       faces[this->Material[other]] += shared.second;
@@ -85,7 +76,7 @@ int RegionGraph::ChooseMaterial(Index region, std::set<Index>& joined)
   }
   for (const auto& shared : this->Faces[region])
   {
-    const Index other = this->Root(shared.first);
+    const Index other = FindRoot(this->Parent, shared.first);
     if (other != region && this->Material[other] == best)
     {
       joined.insert(other);
@@ -98,7 +89,7 @@ int RegionGraph::ChooseMaterial(Index region, std::set<Index>& joined)
 void RegionGraph::Join(Index region, Index other)
 {
   const Index root = std::min(region, other), child = std::max(region, other);
-  this->Parent[child] = root;
+  vfm::Join(this->Parent, root, child);
   this->Cells[root] += this->Cells[child];
   const auto old = this->Faces.find(child);
   if (old != this->Faces.end())
@@ -146,7 +137,7 @@ std::vector<int> RegionGraph::Merge()
   std::vector<int> materials;
   for (std::size_t r = 0; r < this->Material.size(); ++r)
   {
-    materials.push_back(this->Material[this->Root(static_cast<Index>(r))]);
+    materials.push_back(this->Material[FindRoot(this->Parent, static_cast<Index>(r))]);
   }
   return materials;
 }
@@ -197,9 +188,8 @@ template <class Body>
 void RegionRemover::ForOwnedCells(const Body& body) const
 {
   const IndexBox& box = this->Grid.Owned();
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  ForRows(box,
+    [&](Index j, Index k)
     {
       this->Regions.ForRuns(j, k,
         [&](Index first, Index last, int region)
@@ -210,8 +200,7 @@ void RegionRemover::ForOwnedCells(const Body& body) const
             body(Index3{ { i, j, k } }, this->Grid.Linear({ { i, j, k } }), region);
           }
         });
-    }
-  }
+    });
 }
 
 /// Of each region, over all ranks.
@@ -276,7 +265,7 @@ std::vector<RegionRemover::Change> RegionRemover::FindChanges(const Index3& cell
   std::set<int> around;
   for (int v = 0; v < 27; ++v)
   {
-    const Index3 q{ { cell[0] + v % 3 - 1, cell[1] + v / 3 % 3 - 1, cell[2] + v / 9 - 1 } };
+    const Index3 q = CellAround(cell, v);
     if (v != 13 && this->Grid.InDomain(q))
     {
       around.insert(this->Regions.FragmentOfCell(q));
@@ -308,16 +297,7 @@ std::vector<Part> Moved(std::vector<Part> parts, int from, int to)
   }
   const double fraction = source->Fraction;
   parts.erase(source);
-  auto at = parts.begin();
-  while (at != parts.end() && at->Material < to)
-  {
-    ++at;
-  }
-  if (at == parts.end() || at->Material != to)
-  {
-    at = parts.insert(at, { to, 0.0 });
-  }
-  at->Fraction += fraction;
+  PartOf(parts, to).Fraction += fraction;
   return parts;
 }
 

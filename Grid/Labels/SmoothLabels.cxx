@@ -1,7 +1,9 @@
 #include "Labels/SmoothLabels.h"
 
 #include "Base/PairSums.h"
+#include "Base/Sorted.h"
 #include "Fractions/AverageFractions.h"
+#include "Fractions/FractionSum.h"
 #include "Fractions/GhostFractions.h"
 #include "Fractions/SharpFractions.h"
 #include "Labels/Labels.h"
@@ -167,43 +169,24 @@ void LabelSmoother::Visit(const Body& body)
 std::vector<int> LabelSmoother::LabelsAround(const Index3& cell) const
 {
   std::vector<int> found;
-  const Index first = this->Grid.Linear(cell) - this->Grid.CornerOffset(7);
   for (int v = 0; v < 27; ++v)
   {
-    found.push_back(
-      this
-        ->Labels[first + v % 3 + v / 3 % 3 * this->Grid.Stride(1) + v / 9 * this->Grid.Stride(2)]);
+    found.push_back(this->Labels[this->Grid.Linear(CellAround(cell, v))]);
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  SortUnique(found);
   return found;
 }
 
 double OwnFraction(const ActiveCell& cell)
 {
-  for (const Part& part : cell.Parts)
-  {
-    if (part.Material == cell.Label)
-    {
-      return part.Fraction;
-    }
-  }
-  return 0.0;
+  return FractionField::FractionOf(cell.Parts, cell.Label);
 }
 
 /// A cell's own label gets its floor, the others in proportion what is left.
 void RaiseOwn(ActiveCell& cell)
 {
   const double scale = (1.0 - cell.Floor) / (1.0 - OwnFraction(cell));
-  auto at = cell.Parts.begin();
-  while (at != cell.Parts.end() && at->Material < cell.Label)
-  {
-    ++at;
-  }
-  if (at == cell.Parts.end() || at->Material != cell.Label)
-  {
-    cell.Parts.insert(at, { cell.Label, 0.0 });
-  }
+  PartOf(cell.Parts, cell.Label);
   for (Part& part : cell.Parts)
   {
     part.Fraction = part.Material == cell.Label ? cell.Floor : part.Fraction * scale;

@@ -1,5 +1,7 @@
 #include "Mesh/Geometry.h"
 
+#include "Base/Sorted.h"
+
 #include <algorithm>
 #include <map>
 
@@ -22,13 +24,7 @@ template <class Key>
 class Numbering
 {
 public:
-  explicit Numbering(std::vector<Key> keys) : Keys(std::move(keys))
-  {
-    std::sort(this->Keys.begin(), this->Keys.end());
-    this->Keys.erase(std::unique(this->Keys.begin(), this->Keys.end(),
-                       [](const Key& a, const Key& b) { return !(a < b) && !(b < a); }),
-      this->Keys.end());
-  }
+  explicit Numbering(std::vector<Key> keys) : Keys(std::move(keys)) { SortUnique(this->Keys); }
   int Find(const Key& key) const
   {
     return static_cast<int>(
@@ -117,8 +113,7 @@ private:
         this->Result.GeometryId[point] = surfaces.SurfaceId[q];
       }
     }
-    std::sort(on.begin(), on.end());
-    on.erase(std::unique(on.begin(), on.end()), on.end());
+    SortUnique(on);
     std::map<Index, SurfaceSet> junctions; // points on several surfaces
     for (std::size_t first = 0, last = 0; first < on.size(); first = last)
     {

@@ -37,9 +37,7 @@ IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
     return mesh.Levels->FinestCells(cell.Level, cell.At);
   }
   const Index key = (id - 1) / mesh.Ids.ElementSlots;
-  const Index3 cell =
-    mesh.Corners == 8 ? grid.CellOfKey(key) : grid.CellOfBlock(grid.NodeOfKey(key));
-  return { cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
+  return BoxOfCell(mesh.Corners == 8 ? grid.CellOfKey(key) : grid.CellOfBlock(grid.NodeOfKey(key)));
 }
 
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)

@@ -50,8 +50,8 @@ struct Mesh
 
 /// The grid node that owns a point, from its id. Tets: the node of the block in which it starts.
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id);
-/// The cells of the grid that an element was made of, one or those of a coarser cell, from its id. Tets: above their face, in the
-/// domain. Those of TetGen have none.
+/// The cells of the grid that an element was made of, from its id: one, or those that a coarser cell holds. A tet stands around
+/// a face of the grid: the cell above that face, on an upper side of the domain the one below. TetGen's tets know none.
 IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
 /// The lowest of them.
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);

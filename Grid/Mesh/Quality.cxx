@@ -73,16 +73,13 @@ void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report)
 {
   const Index count = static_cast<Index>(mesh.ElementIds.size());
   mesh.ScaledJacobian = Buffer<float>(count);
-  runtime.For(0, count,
-    [&](Index first, Index last)
+  ForEach(runtime, count,
+    [&](Index h)
     {
-      for (Index h = first; h < last; ++h)
-      {
-        const Index* element = mesh.Elements.data() + mesh.Corners * h;
-        mesh.ScaledJacobian[h] =
-          static_cast<float>(mesh.Corners == 8 ? HexScaledJacobian(mesh.Points.data(), element)
-                                               : TetScaledJacobian(mesh.Points.data(), element));
-      }
+      const Index* element = mesh.Elements.data() + mesh.Corners * h;
+      mesh.ScaledJacobian[h] =
+        static_cast<float>(mesh.Corners == 8 ? HexScaledJacobian(mesh.Points.data(), element)
+                                             : TetScaledJacobian(mesh.Points.data(), element));
     });
   std::vector<ExactSum> sums(2); // of the scaled Jacobians, and their number
   double smallest = 1.0;

@@ -1,17 +1,13 @@
 #include "Octree/OctantFamilies.h"
 
+#include "Base/Sorted.h"
+
 #include <iterator>
 
 namespace vfm
 {
 namespace
 {
-
-void SortUnique(std::vector<Index>& keys)
-{
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-}
 
 /// Adds sorted keys to sorted keys; returns how many were new.
 Index Merge(std::vector<Index>& set, const std::vector<Index>& added)
@@ -56,7 +52,7 @@ bool OctantFamilies::HasFamily(int level, const Index3& family) const
 
 int OctantFamilies::FindSlabs(int level, const Index3& cell) const
 {
-  const Index3 family{ { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } };
+  const Index3 family = ParentOfCell(cell);
   if (this->HasFamily(level, family))
   {
     return 7;
@@ -83,12 +79,10 @@ void OctantFamilies::AddBalance(int level)
     const Index3 cell = this->TheLattice.FamilyOfKey(level + 1, key);
     for (int n = 0; n < 27; ++n)
     {
-      const Index3 step{ { n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 } };
-      const Index3 other{ { cell[0] + step[0], cell[1] + step[1], cell[2] + step[2] } };
+      const Index3 step = StepAround(n), other = CellAround(cell, n);
       if ((step[0] == 0 || step[1] == 0 || step[2] == 0) && this->TheLattice.HasCell(level, other))
       {
-        needed.push_back(
-          this->TheLattice.FamilyKey(level, { { other[0] >> 1, other[1] >> 1, other[2] >> 1 } }));
+        needed.push_back(this->TheLattice.FamilyKey(level, ParentOfCell(other)));
       }
     }
   }

@@ -4,8 +4,9 @@
  * The sets are closed, so that refinement makes a mesh:
  *   balance  a family of level l + 1, which is a cell of level l, and the 18 cells that share a face or an edge with it lie
  *           in refined families of level l;
- *   manifold   two refined families on the diagonal of 3x3 families of a plane have a third among the five that surround the
- *           diagonal's middle. Otherwise their rings of transition hexes would touch along an edge only.
+ *   manifold  where two refined families lie at opposite corners of 3x3 families of a plane, one of the five between
+ *           (all but the two other corners) is refined, too. Otherwise the transition hexes around the one and around the
+ *           other would have an edge in common and no face: a non-manifold edge.
  * Closing goes from the finest level down. Families are added in rounds, each from the sets of the round before, so the
  * result does not depend on any order. After Owen, Shih, Ernst (2017) in substance; the rule of non-manifold edges was found by testing.
  *
@@ -43,7 +44,7 @@ public:
   /// Whether the family of a cell is refined.
   bool IsRefined(int level, const Index3& cell) const
   {
-    return this->HasFamily(level, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } });
+    return this->HasFamily(level, ParentOfCell(cell));
   }
   /// Bit a set when the cell takes part in pillowing along axis a: it is in the slab of a refined family, and in it or
   /// beside it. The cell must be in the domain.

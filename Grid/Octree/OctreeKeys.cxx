@@ -47,16 +47,7 @@ void CheckKeys(const CartesianGrid& base, int refinements)
 std::array<std::vector<double>, 3> HalveOften(const CartesianGrid& base, int refinements)
 {
   CheckKeys(base, refinements);
-  std::array<std::vector<double>, 3> finest;
-  for (int a = 0; a < 3; ++a)
-  {
-    finest[a] = base.Coordinates(a);
-    for (int level = 0; level < refinements; ++level)
-    {
-      finest[a] = HalveWidths(finest[a]);
-    }
-  }
-  return finest;
+  return HalveWidths(base.Coordinates(), refinements);
 }
 
 } // namespace

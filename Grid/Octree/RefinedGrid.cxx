@@ -1,5 +1,6 @@
 #include "Octree/RefinedGrid.h"
 
+#include "Base/Sorted.h"
 #include "Fractions/CoarsenFields.h"
 
 namespace vfm
@@ -30,7 +31,6 @@ RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
 std::vector<Index> RefinedGrid::FindFamilies(const std::vector<Index>& interfaces, int layers) const
 {
   const int level = this->NumberOfRefinements() - 1;
-  const IndexBox& global = this->FinestGrid.Global();
   std::vector<Index> keys;
   for (Index node : interfaces)
   {
@@ -39,17 +39,11 @@ std::vector<Index> RefinedGrid::FindFamilies(const std::vector<Index>& interface
     {
       continue;
     }
-    IndexBox families;
-    for (int a = 0; a < 3; ++a)
-    {
-      families.Lower[a] = std::max<Index>(p[a] - 1 - layers, 0) >> FamilyShift;
-      families.Upper[a] = (std::min(p[a] + layers, global.Upper[a] - 1) >> FamilyShift) + 1;
-    }
-    ForCells(
-      families, [&](const Index3& q) { keys.push_back(this->TheLattice.FamilyKey(level, q)); });
+    const IndexBox around{ CellOfStar(p, 0), CornerOfCell(p, 7) };
+    ForCells(ChangeLevel(Grow(around, layers, this->FinestGrid.Global()), -FamilyShift),
+      [&](const Index3& q) { keys.push_back(this->TheLattice.FamilyKey(level, q)); });
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  SortUnique(keys);
   return keys;
 }
 
@@ -74,11 +68,7 @@ void RefinedGrid::MarkFine()
 {
   const int level = this->NumberOfRefinements() - 1;
   const IndexBox& box = this->FinestGrid.Local();
-  for (int a = 0; a < 3; ++a)
-  {
-    this->Marked.Lower[a] = box.Lower[a] >> FamilyShift;
-    this->Marked.Upper[a] = ((box.Upper[a] - 1) >> FamilyShift) + 1;
-  }
+  this->Marked = ChangeLevel(box, -FamilyShift);
   this->Fine.assign(this->Marked.NumberOfCells(), 0);
   this->HasFine.assign(this->Marked.Size(1) * this->Marked.Size(2), 0);
   for (Index key : this->Sets.Keys(level))
@@ -111,10 +101,10 @@ bool RefinedGrid::IsFine(const Index3& cell) const
   {
     return this->IsUniform();
   }
-  Index3 q;
-  for (int a = 0; a < 3; ++a)
+  Index3 q = box.Nearest(cell);
+  for (Index& i : q)
   {
-    q[a] = std::min(std::max(cell[a], box.Lower[a]), box.Upper[a] - 1) >> FamilyShift;
+    i >>= FamilyShift;
   }
   return this->Fine[IndexInBox(this->Marked, q)];
 }
@@ -124,7 +114,7 @@ int RefinedGrid::CountFineAround(const Index3& node) const
   int count = 0;
   for (int c = 0; c < 8; ++c)
   {
-    count += this->IsFine(CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c));
+    count += this->IsFine(CellOfStar(node, c));
   }
   return count;
 }
@@ -145,10 +135,7 @@ OctreeKeys::LevelIndex RefinedGrid::LeafOf(const Index3& finestCell) const
 
 IndexBox RefinedGrid::FinestCells(int level, const Index3& cell) const
 {
-  IndexBox box;
-  box.Lower = this->FinestNode(level, cell);
-  box.Upper = this->FinestNode(level, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } });
-  return box;
+  return ChangeLevel(BoxOfCell(cell), this->NumberOfRefinements() - level);
 }
 
 Index3 RefinedGrid::FinestNode(int level, const Index3& node) const
@@ -172,14 +159,7 @@ bool RefinedGrid::IsNear(int level, const Index3& cell) const
 
 Index3 RefinedGrid::NearestCell(int level, const Index3& cell) const
 {
-  const IndexBox box = this->FinestCells(level, cell);
-  const IndexBox& owned = this->FinestGrid.Owned();
-  Index3 nearest;
-  for (int a = 0; a < 3; ++a)
-  {
-    nearest[a] = std::min(std::max(owned.Lower[a], box.Lower[a]), box.Upper[a] - 1);
-  }
-  return nearest;
+  return this->FinestCells(level, cell).Nearest(this->FinestGrid.Owned().Lower);
 }
 
 namespace

@@ -1,5 +1,6 @@
 #include "Octree/SlabPillow.h"
 
+#include "Base/Sorted.h"
 #include "Base/Vector3.h"
 
 #include <tuple>
@@ -323,8 +324,7 @@ std::vector<Index3> ListTouchedCells(const OctantFamilies& sets, int level, cons
       }
     }
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  SortUnique(keys);
   std::vector<Index3> cells;
   for (Index key : keys)
   {
@@ -341,10 +341,7 @@ PillowedLevel MakeCells(const OctantFamilies& sets, int level, const IndexBox& b
   mesh.Cells = ListTouchedCells(sets, level, box);
   std::vector<Index> keys;
   const auto cornerKey = [&](const Index3& cell, int c)
-  {
-    return lattice.NodeKey(
-      level, { { cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2) } }, 0);
-  };
+  { return lattice.NodeKey(level, CornerOfCell(cell, c), 0); };
   for (const Index3& cell : mesh.Cells)
   {
     for (int c = 0; c < 8; ++c)
@@ -352,8 +349,7 @@ PillowedLevel MakeCells(const OctantFamilies& sets, int level, const IndexBox& b
       keys.push_back(cornerKey(cell, c));
     }
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  SortUnique(keys);
   for (Index key : keys)
   {
     const Index3 node = lattice.NodeOfKey(key).At;
@@ -367,8 +363,7 @@ PillowedLevel MakeCells(const OctantFamilies& sets, int level, const IndexBox& b
     PillowedLevel::Hex hex{ {}, static_cast<int>(n), 0 };
     for (int c = 0; c < 8; ++c)
     {
-      hex.Nodes[c] = static_cast<int>(
-        std::lower_bound(keys.begin(), keys.end(), cornerKey(mesh.Cells[n], c)) - keys.begin());
+      hex.Nodes[c] = static_cast<int>(FindSorted(keys, cornerKey(mesh.Cells[n], c)));
     }
     mesh.Hexes.push_back(hex);
   }

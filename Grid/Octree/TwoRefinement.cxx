@@ -1,7 +1,7 @@
 #include "Octree/TwoRefinement.h"
 
 #include "Base/HexNumbering.h"
-#include "Fractions/RefineCells.h"
+#include "Base/Sorted.h"
 #include "Octree/SlabPillow.h"
 
 namespace vfm
@@ -20,7 +20,7 @@ CellsAround LookAround(const OctantFamilies& sets, int level, const Index3& node
   CellsAround around{ true, false };
   for (int c = 0; c < 8; ++c)
   {
-    const Index3 cell = CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
+    const Index3 cell = CellOfStar(node, c);
     if (sets.Lattice().HasCell(level, cell))
     {
       const bool isTransition = !sets.IsRefined(level, cell) && sets.IsTouched(level, cell);
@@ -139,12 +139,7 @@ void RefinedMeshBuilder::AddHex(Index key, bool isTransition, const PillowedLeve
 
 void RefinedMeshBuilder::AddLevel(int level)
 {
-  IndexBox box;
-  for (int a = 0; a < 3; ++a)
-  {
-    box.Lower[a] = this->Box.Lower[a] * (Index(1) << level);
-    box.Upper[a] = this->Box.Upper[a] * (Index(1) << level);
-  }
+  const IndexBox box = ChangeLevel(this->Box, level);
   const PillowedLevel mesh = PillowSlabs(this->Sets, level, box);
   const std::vector<Point> points = this->NamePoints(level, mesh);
   std::vector<unsigned char> isUsed(points.size(), 0);
@@ -233,8 +228,7 @@ RefinedMesh RefinedMeshBuilder::Finish()
     mesh.IsTransition.push_back(hex.IsTransition);
     for (Index key : hex.PointKeys)
     {
-      mesh.Hexes.push_back(std::lower_bound(mesh.PointKeys.begin(), mesh.PointKeys.end(), key) -
-        mesh.PointKeys.begin());
+      mesh.Hexes.push_back(FindSorted(mesh.PointKeys, key));
     }
   }
   return mesh;
@@ -259,9 +253,8 @@ Index AnchorOfNode(const OctantFamilies& sets, Index key)
 
 Index AnchorOfPoint(const OctantFamilies& sets, const RefinedMesh& mesh, Index key)
 {
-  const auto at = std::lower_bound(mesh.PointKeys.begin(), mesh.PointKeys.end(), key);
-  return at != mesh.PointKeys.end() && *at == key ? mesh.Anchors[at - mesh.PointKeys.begin()]
-                                                  : AnchorOfNode(sets, key);
+  const Index point = FindSorted(mesh.PointKeys, key);
+  return point < 0 ? AnchorOfNode(sets, key) : mesh.Anchors[point];
 }
 
 RefinedMesh MakeRefinedMesh(const OctantFamilies& sets, const IndexBox& box, bool withFinest)

@@ -38,9 +38,10 @@ struct RefinedMesh
   Index NumberOfHexes() const { return static_cast<Index>(this->HexKeys.size()); }
 };
 
-/// Of a point, given the key of the node that it is: the node from which it stems and that is a corner of a cell of transition
-/// hexes, as OctreeKeys::NodeKey on the coarsest level where there is one; -1: there is none. Here the levels that have the
-/// node itself are looked at; on the level before, it may stem from another one (RefinedMesh::Anchors).
+/// The anchor of a point is the lattice node with which it moves when transition hexes are smoothed: a corner of a cell that
+/// consists of transition hexes. A lattice node is its own anchor on the coarsest level where it is such a corner. Given
+/// the key of a node, returns its anchor as OctreeKeys::NodeKey on that level; -1: on none. A node that appears only when the cells
+/// of the level before are cut may have an anchor there, another node: RefinedMesh::Anchors knows these.
 Index AnchorOfNode(const OctantFamilies& sets, Index key);
 
 /// The same of any point, of the mesh or not: where the mesh has it, as the mesh knows it.

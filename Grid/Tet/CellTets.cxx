@@ -1,4 +1,4 @@
-#include "Tet/TetTopology.h"
+#include "Tet/CellTets.h"
 
 #include "Tet/CoarseTets.h"
 #include "Tet/LatticeStencils.h"
@@ -15,7 +15,13 @@ class CellTetBuilder
 public:
   CellTetBuilder(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
     Runtime& runtime, const CoarseTets* coarse) :
-    Grid(grid), Labels(labels), Box(grid.HexBox()), MeshVoid(meshVoid), Run(runtime), Coarse(coarse)
+    Grid(grid),
+    Labels(labels),
+    Box(grid.HexBox()),
+    Nodes(NodesOf(this->Box)),
+    MeshVoid(meshVoid),
+    Run(runtime),
+    Coarse(coarse)
   {
   }
 
@@ -33,7 +39,8 @@ public:
     mesh.Elements = Buffer<Index>(4 * tets);
     mesh.ElementIds = Buffer<Index>(tets);
     mesh.Material = Buffer<int>(tets);
-    this->OverRows([this](Index j, Index k, Index row) { this->FillTets(j, k, row); });
+    ForRows(
+      this->Run, this->Nodes, [this](Index j, Index k, Index row) { this->FillTets(j, k, row); });
     if (this->Coarse)
     {
       this->Coarse->Fill(this->Result, this->FinePoints, fineTets,
@@ -52,41 +59,23 @@ private:
     int Lower, Upper; // labels of the cells; -1 outside the domain
   };
 
-  bool IsMeshed(int label) const { return label > 0 || (label == 0 && this->MeshVoid); }
-
   bool IsFine(const Index3& cell) const
   {
     return !this->Coarse || this->Coarse->Levels().IsFine(cell);
-  }
-
-  /// Calls body(j, k, row) for the rows of nodes.
-  template <class Body>
-  void OverRows(const Body& body)
-  {
-    const Index ny = this->Box.Size(1) + 1;
-    const Index rows = this->Box.NumberOfCells() > 0 ? ny * (this->Box.Size(2) + 1) : 0;
-    this->Run.For(0, rows,
-      [&](Index first, Index last)
-      {
-        for (Index row = first; row < last; ++row)
-        {
-          body(this->Box.Lower[1] + row % ny, this->Box.Lower[2] + row / ny, row);
-        }
-      });
   }
 
   /// Bits of the slots that a block uses.
   int SlotsOf(const Index3& p, Index node) const
   {
     const bool isCentre =
-      this->Box.Contains(p) && this->IsMeshed(this->Labels[node]) && this->IsFine(p);
+      this->Box.Contains(p) && IsMeshed(this->Labels[node], this->MeshVoid) && this->IsFine(p);
     int slots = isCentre << CentreSlot;
     const bool isVertex = !this->Coarse || this->Coarse->Levels().TouchesFine(p);
     for (int c = 0; isVertex && c < 8; ++c)
     {
-      const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } };
-      const bool meshed =
-        this->Box.Contains(cell) && this->IsMeshed(this->Labels[this->Grid.CellOfNode(node, c)]);
+      const Index3 cell = CellOfStar(p, c);
+      const bool meshed = this->Box.Contains(cell) &&
+        IsMeshed(this->Labels[this->Grid.CellOfNode(node, c)], this->MeshVoid);
       slots |= meshed << VertexSlot;
     }
     return slots;
@@ -105,8 +94,8 @@ private:
 
   void MakePoints()
   {
-    std::vector<Index> offset((this->Box.Size(1) + 1) * (this->Box.Size(2) + 1) + 1, 0);
-    this->OverRows(
+    std::vector<Index> offset(this->Nodes.Size(1) * this->Nodes.Size(2) + 1, 0);
+    ForRows(this->Run, this->Nodes,
       [&](Index j, Index k, Index row)
       {
         this->OverBlocks(j, k,
@@ -124,7 +113,7 @@ private:
     mesh.Points = Buffer<double>(3 * points);
     mesh.PointIds = Buffer<Index>(points);
     this->Result.Positions.assign(points, PointPosition::Inside);
-    this->OverRows(
+    ForRows(this->Run, this->Nodes,
       [&](Index j, Index k, Index row)
       {
         Index point = offset[row];
@@ -197,15 +186,15 @@ private:
 
   Index CountTets()
   {
-    this->FirstTet.assign(
-      this->Box.NumberOfCells() > 0 ? (this->Box.Size(1) + 1) * (this->Box.Size(2) + 1) + 1 : 1, 0);
-    this->OverRows(
+    this->FirstTet.assign(this->Nodes.Size(1) * this->Nodes.Size(2) + 1, 0);
+    ForRows(this->Run, this->Nodes,
       [this](Index j, Index k, Index row)
       {
         this->OverFaces(j, k,
-          [&](const Face& face) {
+          [&](const Face& face)
+          {
             this->FirstTet[row + 1] +=
-              2 * (this->IsMeshed(face.Lower) + this->IsMeshed(face.Upper));
+              2 * (IsMeshed(face.Lower, this->MeshVoid) + IsMeshed(face.Upper, this->MeshVoid));
           });
       });
     std::partial_sum(this->FirstTet.begin(), this->FirstTet.end(), this->FirstTet.begin());
@@ -246,7 +235,7 @@ private:
   /// Four tets around the edge between the centres.
   void FillInnerFace(const Face& face, Index& tet)
   {
-    if (!this->IsMeshed(face.Lower))
+    if (!IsMeshed(face.Lower, this->MeshVoid))
     {
       return;
     }
@@ -263,7 +252,7 @@ private:
   /// (q0 q1 q2) and (q0 q2 q3) as seen from the centre against the clock: what DiagonalFlips relies on.
   void FillHalves(const Face& face, int label, int firstPiece, Index& tet)
   {
-    if (!this->IsMeshed(label))
+    if (!IsMeshed(label, this->MeshVoid))
     {
       return;
     }
@@ -291,7 +280,7 @@ private:
 
   const CartesianGrid& Grid;
   const LabelArray& Labels;
-  IndexBox Box;
+  IndexBox Box, Nodes;
   bool MeshVoid;
   Runtime& Run;
   const CoarseTets* Coarse; // null: all cells are fine
@@ -307,23 +296,6 @@ TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, b
   Runtime& runtime, const CoarseTets* coarse)
 {
   return CellTetBuilder(grid, labels, meshVoid, runtime, coarse).Build();
-}
-
-bool IsCentre(const Mesh& mesh, Index pointId)
-{
-  return mesh.Levels->IsCoarsePoint(pointId, mesh.Ids.PointSlots)
-    ? mesh.Levels->IsCoarseCentre(pointId, mesh.Ids.PointSlots)
-    : SlotOfPoint(pointId) == CentreSlot;
-}
-
-Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId)
-{
-  if (!mesh.Levels->IsCoarsePoint(pointId, mesh.Ids.PointSlots))
-  {
-    return NodeOfPoint(grid, mesh, pointId);
-  }
-  const OctreeKeys::LevelIndex leaf = mesh.Levels->CellOfCoarseCentre(pointId, mesh.Ids.PointSlots);
-  return mesh.Levels->NearestCell(leaf.Level, leaf.At);
 }
 
 } // namespace vfm

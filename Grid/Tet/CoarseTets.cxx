@@ -1,7 +1,8 @@
 #include "Tet/CoarseTets.h"
 
+#include "Base/HexNumbering.h"
+#include "Base/Sorted.h"
 #include "Base/Vector3.h"
-#include "Hex/HexTopology.h"
 #include "Tet/TetImprove.h"
 
 namespace vfm
@@ -41,60 +42,33 @@ CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& run
   this->ChooseWays(runtime);
 }
 
-/// Whether the hexes in a cell share a node with owned ones, or might.
-bool CoarseTets::IsNear(const OctreeKeys::LevelIndex& cell) const
-{
-  const IndexBox box = this->Grid.FinestCells(cell.Level, cell.At);
-  const IndexBox& owned = this->Grid.Finest().Owned();
-  bool near = owned.NumberOfCells() > 0;
-  for (int a = 0; a < 3; ++a)
-  {
-    near = near && box.Lower[a] <= owned.Upper[a] && owned.Lower[a] <= box.Upper[a];
-  }
-  return near;
-}
-
 /// Corners are ~(linear index) at vertices of fine cells, as long as those have no numbers.
 void CoarseTets::TakeHexes(CoarseHexes& hexes)
 {
-  const Index count = hexes.NumberOfHexes(), points = hexes.NumberOfPoints();
-  Mesh mesh;
-  mesh.Ids = TetIds;
-  mesh.Points = Buffer<double>(3 * points);
-  mesh.PointIds = Buffer<Index>(points);
-  mesh.Elements = Buffer<Index>(8 * count);
-  mesh.ElementIds = Buffer<Index>(count);
-  mesh.Material = Buffer<int>(count);
-  hexes.Fill(
-    mesh, 0, 0, { [](Index node) { return ~node; }, [](Index node, int) { return ~node; } });
-  for (Index h = 0; h < count; ++h)
-  {
-    const Index key =
-      (mesh.ElementIds[h] - this->Grid.ElementId(0, mesh.Ids.ElementSlots)) / mesh.Ids.ElementSlots;
-    const OctreeKeys::LevelIndex cell = this->Grid.Lattice().HexOfKey(key);
-    if (!this->IsNear(cell))
+  this->Local.Points = Buffer<double>(3 * hexes.NumberOfPoints());
+  std::vector<Index> ids;
+  hexes.TakeApart(
+    [&](Index key, const Vector3& x)
     {
-      continue;
-    }
-    this->Hexes.push_back(
-      { key, cell, mesh.Material[h], !this->Grid.Families().IsTouched(cell.Level, cell.At), {} });
-    for (int c = 0; c < 8; ++c)
+      std::copy(x.begin(), x.end(), this->Local.Points.data() + 3 * ids.size());
+      ids.push_back(this->Grid.CoarsePointId(key, TetIds.PointSlots));
+    },
+    [&](
+      Index key, const OctreeKeys::LevelIndex& cell, int label, const std::array<Index, 8>& corners)
     {
-      this->Hexes.back().Corners[c] = static_cast<int>(mesh.Elements[8 * h + VtkCorner[c]]);
-    }
-  }
-  this->HexPoints = static_cast<int>(points);
-  this->Local.Points = std::move(mesh.Points);
-  this->Local.PointIds = Buffer<Index>(points + this->Hexes.size());
-  for (Index p = 0; p < points; ++p)
+      if (this->Grid.IsNear(cell.Level, cell.At))
+      {
+        const bool isWhole = !this->Grid.Families().IsTouched(cell.Level, cell.At);
+        this->Hexes.push_back({ key, cell, label, isWhole, corners });
+      }
+    });
+  this->HexPoints = static_cast<int>(ids.size());
+  for (const Hex& hex : this->Hexes)
   {
-    this->Local.PointIds[p] = this->Grid.CoarsePointId(
-      this->Grid.KeyOfPoint(mesh.PointIds[p], TetIds.PointSlots), TetIds.PointSlots);
+    ids.push_back(this->Grid.CentreId(hex.Key, TetIds.PointSlots));
   }
-  for (std::size_t h = 0; h < this->Hexes.size(); ++h)
-  {
-    this->Local.PointIds[points + h] = this->Grid.CentreId(this->Hexes[h].Key, TetIds.PointSlots);
-  }
+  this->Local.PointIds = Buffer<Index>(ids.size());
+  std::copy(ids.begin(), ids.end(), this->Local.PointIds.begin());
 }
 
 Vector3 CoarseTets::PointAt(int point) const
@@ -104,10 +78,8 @@ Vector3 CoarseTets::PointAt(int point) const
 
 int CoarseTets::FindFine(Index code) const
 {
-  const auto at = std::lower_bound(this->FineCodes.begin(), this->FineCodes.end(), code);
-  return at != this->FineCodes.end() && *at == code
-    ? static_cast<int>(this->NumberOfPoints() + (at - this->FineCodes.begin()))
-    : -1;
+  const Index at = FindSorted(this->FineCodes, code);
+  return at < 0 ? -1 : static_cast<int>(this->NumberOfPoints() + at);
 }
 
 /// Vertices of fine cells that coarse hexes have, and the centres of the fine cells at them.
@@ -125,9 +97,7 @@ void CoarseTets::AddFinePoints()
       }
     }
   }
-  std::sort(this->FineCodes.begin(), this->FineCodes.end());
-  this->FineCodes.erase(
-    std::unique(this->FineCodes.begin(), this->FineCodes.end()), this->FineCodes.end());
+  SortUnique(this->FineCodes);
   const std::size_t vertices = this->FineCodes.size();
   for (std::size_t v = 0; v < vertices; ++v)
   {
@@ -142,9 +112,7 @@ void CoarseTets::AddFinePoints()
       }
     }
   }
-  std::sort(this->FineCodes.begin(), this->FineCodes.end());
-  this->FineCodes.erase(
-    std::unique(this->FineCodes.begin(), this->FineCodes.end()), this->FineCodes.end());
+  SortUnique(this->FineCodes);
   const Index known = this->NumberOfPoints();
   Buffer<double> points(3 * (known + this->FineCodes.size()));
   std::copy(this->Local.Points.begin(), this->Local.Points.end(), points.begin()); // those of hexes
@@ -375,14 +343,8 @@ int CoarseTets::BestWay(const Face& face) const
 
 void CoarseTets::ChooseWays(Runtime& runtime)
 {
-  runtime.For(0, static_cast<Index>(this->Faces.size()),
-    [this](Index first, Index last)
-    {
-      for (Index f = first; f < last; ++f)
-      {
-        this->Faces[f].Way = this->BestWay(this->Faces[f]);
-      }
-    });
+  ForEach(runtime, this->Faces.size(),
+    [this](Index f) { this->Faces[f].Way = this->BestWay(this->Faces[f]); });
 }
 
 bool CoarseTets::HasBadTets() const

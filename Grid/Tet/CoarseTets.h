@@ -65,7 +65,6 @@ private:
   };
   class Improver;
 
-  bool IsNear(const OctreeKeys::LevelIndex& cell) const;
   Vector3 PointAt(int point) const;
   Vector3 WidthsOf(const Face& face) const;
   void TakeHexes(CoarseHexes& hexes);

@@ -23,9 +23,9 @@ LatticeNodes::LatticeNodes(
   {
     labels.assign(size, Snapped);
   }
-  this->OverRows(grid.Local(), 0, [this](Index j, Index k) { this->LabelCentres(j, k); });
+  ForRows(runtime, grid.Local(), [this](Index j, Index k, Index) { this->LabelCentres(j, k); });
   const IndexBox box = grid.Extended(GhostLayers - 1);
-  this->OverRows(box, 1, [&](Index j, Index k) { this->LabelVertices(box, j, k); });
+  ForRows(runtime, NodesOf(box), [&](Index j, Index k, Index) { this->LabelVertices(box, j, k); });
   // Each pass looks one level farther than it writes.
   this->Snap(Centre, 0, HexLayers + 3);
   this->Snap(Centre, 1, HexLayers + 2);
@@ -37,25 +37,6 @@ void LatticeNodes::Unsnap(const Node& node)
 {
   this->Label[node.Type][this->Grid.Linear(node.Position)] =
     this->LabelOfMean({ { node, node, node, node } });
-}
-
-/// Calls body(j, k) for the rows of the cells of a box (extra 0) or of its vertices (extra 1).
-template <class Body>
-void LatticeNodes::OverRows(const IndexBox& box, int extra, const Body& body)
-{
-  if (box.NumberOfCells() == 0)
-  {
-    return;
-  }
-  const Index ny = box.Size(1) + extra, nz = box.Size(2) + extra;
-  this->Run.For(0, ny * nz,
-    [&](Index first, Index last)
-    {
-      for (Index row = first; row < last; ++row)
-      {
-        body(box.Lower[1] + row % ny, box.Lower[2] + row / ny);
-      }
-    });
 }
 
 void LatticeNodes::LabelCentres(Index j, Index k)
@@ -75,9 +56,8 @@ void LatticeNodes::LabelVertices(const IndexBox& box, Index j, Index k)
   Index rows[4]; // of the cells around, from one before the first vertex
   for (int c = 0; c < 4; ++c)
   {
-    const Index y = std::min(std::max(j - 1 + (c & 1), local.Lower[1]), local.Upper[1] - 1);
-    const Index z = std::min(std::max(k - 1 + (c >> 1), local.Lower[2]), local.Upper[2] - 1);
-    rows[c] = this->Grid.Linear({ { box.Lower[0] - 1, y, z } });
+    const Index3 cell = local.Nearest({ { box.Lower[0], j - 1 + (c & 1), k - 1 + (c >> 1) } });
+    rows[c] = this->Grid.Linear({ { box.Lower[0] - 1, cell[1], cell[2] } });
   }
   const auto pureLabel = [&](Index i) // of the four cells of column i, or -1
   {
@@ -179,7 +159,7 @@ double LatticeNodes::Lead(const Node& node, int label, int other) const
 void LatticeNodes::Snap(Kind kind, int parity, int level)
 {
   const int extra = kind == Vertex;
-  const IndexBox box = this->Grid.Extended(level);
+  const IndexBox cells = this->Grid.Extended(level), box = extra ? NodesOf(cells) : cells;
   Index offsets[14]; // to all neighbours: of the other kind, then along the axes
   const int* neighbours[14];
   for (int c = 0; c < 14; ++c)
@@ -189,12 +169,12 @@ void LatticeNodes::Snap(Kind kind, int parity, int level)
                        : (c & 1 ? step : -step);
     neighbours[c] = this->Label[c < 8 ? 1 - kind : kind].data() + offsets[c];
   }
-  this->OverRows(box, extra,
-    [&](Index j, Index k)
+  ForRows(this->Run, box,
+    [&](Index j, Index k, Index)
     {
       const Index begin = box.Lower[0] + ((box.Lower[0] + j + k + parity) & 1);
       Index n = this->Grid.Linear({ { begin, j, k } });
-      for (Index i = begin; i < box.Upper[0] + extra; i += 2, n += 2)
+      for (Index i = begin; i < box.Upper[0]; i += 2, n += 2)
       {
         const int label = this->Label[kind][n];
         int differs = 0;
@@ -227,11 +207,8 @@ bool LatticeNodes::IsNearInterface(const Node& node, Index n) const
   const Index back = node.Type == Vertex ? 1 : 0;
   for (int c = 0; c < 8; ++c)
   {
-    Node other{ otherKind, node.Position };
-    for (int a = 0; a < 3; ++a)
-    {
-      other.Position[a] += (c >> a & 1) - back;
-    }
+    const Node other{ otherKind,
+      back ? CellOfStar(node.Position, c) : CornerOfCell(node.Position, c) };
     const Index m = n + this->Grid.CornerOffset(c) - back * this->Grid.CornerOffset(7);
     if (isNear(other, this->Label[otherKind][m], DiagonalReach))
     {

@@ -48,8 +48,6 @@ public:
   int LabelOfMean(const std::array<Node, 4>& nodes) const;
 
 private:
-  template <class Body>
-  void OverRows(const IndexBox& box, int extra, const Body& body);
   void LabelCentres(Index j, Index k);
   void LabelVertices(const IndexBox& box, Index j, Index k);
   std::array<Index, 8> StarOf(const Index3& vertex) const;

@@ -1,7 +1,6 @@
-#include "Tet/TetTopology.h"
+#include "Tet/LatticeTopology.h"
 
 #include "Tet/CoarseTets.h"
-#include "Tet/LatticeNodes.h"
 #include "Tet/LatticeSnappedTets.h"
 #include "Tet/LatticeStencils.h"
 #include "Tet/NonManifoldNodes.h"
@@ -36,7 +35,7 @@ public:
 
   TetTopology Build()
   {
-    this->Rows.resize(this->NumberOfRows());
+    ForRows(NodesOf(this->Box), [this](Index j, Index k) { this->Rows.emplace_back(j, k); });
     if (this->Coarse)
     {
       this->OverRows([this](Row& row) { this->MarkBesideCoarse(row); });
@@ -52,7 +51,8 @@ private:
   /// The blocks of one row along x.
   struct Row
   {
-    Index J = 0, K = 0;
+    Row(Index j, Index k) : J(j), K(k) {}
+    Index J, K;
     Index Points = 0, Tets = 0; // how many; then the first
     std::vector<SnappedTet> Snapped;
     std::vector<SnappedFace> Faces;
@@ -89,28 +89,11 @@ private:
     }
   }
 
-  Index NumberOfRows() const
-  {
-    return this->Box.NumberOfCells() == 0 ? 0 : (this->Box.Size(1) + 1) * (this->Box.Size(2) + 1);
-  }
-
   template <class Body>
   void OverRows(const Body& body)
   {
-    const Index ny = this->Box.Size(1) + 1;
-    this->Run.For(0, this->NumberOfRows(),
-      [&](Index first, Index last)
-      {
-        for (Index row = first; row < last; ++row)
-        {
-          this->Rows[row].J = this->Box.Lower[1] + row % ny;
-          this->Rows[row].K = this->Box.Lower[2] + row / ny;
-          body(this->Rows[row]);
-        }
-      });
+    ForEach(this->Run, this->Rows.size(), [&](Index row) { body(this->Rows[row]); });
   }
-
-  bool IsMeshed(int label) const { return label > 0 || this->MeshVoid; }
 
   /// Whether all lattice tets around a block's three faces have one label.
   bool IsUniform(Index n, const Index3& block) const
@@ -161,18 +144,17 @@ private:
       bool isBeside = false;
       for (int c = 0; c < 8; ++c)
       {
-        isBeside = isBeside ||
-          !levels.IsFine({ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } });
+        isBeside = isBeside || !levels.IsFine(CellOfStar(p, c));
       }
       if (!isBeside || !levels.TouchesFine(p) ||
-        !this->IsMeshed(this->Nodes.Labels(LatticeNodes::Vertex)[n]))
+        !IsMeshed(this->Nodes.Labels(LatticeNodes::Vertex)[n], this->MeshVoid))
       {
         continue;
       }
       this->Mark(n, 1);
       for (int c = 0; c < 8; ++c)
       {
-        const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } };
+        const Index3 cell = CellOfStar(p, c);
         if (this->Box.Contains(cell) && levels.IsFine(cell))
         {
           this->Mark(this->Grid.Linear(cell), 2);
@@ -255,7 +237,7 @@ private:
       row,
       [&](const Index3&, Index n)
       {
-        if (this->IsMeshed(centres[n]))
+        if (IsMeshed(centres[n], this->MeshVoid))
         {
           row.Tets += 12;
           for (int c = 0; c < 8; ++c)
@@ -292,7 +274,7 @@ private:
     for (int r = 0; r < stencil.Count; ++r)
     {
       const LatticeStencil::Region& region = stencil.List[r];
-      if (this->IsMeshed(labels[region.Node]))
+      if (IsMeshed(labels[region.Node], this->MeshVoid))
       {
         row.Tets += region.Last - region.First;
         this->MarkSets(placed, n, region.Points);
@@ -337,7 +319,7 @@ private:
       for (SnappedTet& tet : row.Snapped)
       {
         tet.Label = (next++)->Label;
-        if (this->IsMeshed(tet.Label))
+        if (IsMeshed(tet.Label, this->MeshVoid))
         {
           ++row.Tets;
           this->MarkSets(this->Shapes[tet.Shape], this->Grid.Linear(tet.Block),
@@ -455,7 +437,7 @@ private:
       row,
       [&](const Index3& block, Index n)
       {
-        if (this->IsMeshed(centres[n]))
+        if (IsMeshed(centres[n], this->MeshVoid))
         {
           this->FillUniform(
             tet, n, this->Grid.NodeKey(block) * TetIds.ElementSlots + 1, centres[n]);
@@ -517,7 +499,7 @@ private:
       const int label = labelOf(order[r]);
       for (int piece = region.First; piece < region.Last; ++piece, ++id)
       {
-        if (this->IsMeshed(label))
+        if (IsMeshed(label, this->MeshVoid))
         {
           std::array<Index, 4> points;
           for (int i = 0; i < 4; ++i)
@@ -559,25 +541,24 @@ private:
 } // namespace
 
 /// Ends: every round unsnaps a node, and where none is snapped nothing is non-manifold.
-TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fractions,
-  double isoValue, bool meshVoid, const Partition& partition, Runtime& runtime,
-  const CoarseTets* coarse)
+LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, bool meshVoid,
+  const Partition& partition, Runtime& runtime, const CoarseTets* coarse)
 {
   CheckIds(grid, TetIds.ElementSlots);
-  LatticeNodes nodes(grid, fractions, isoValue, runtime);
   for (;;)
   {
-    TetTopology topology =
-      LatticeTetBuilder(grid, nodes, meshVoid, partition, runtime, coarse).Build();
-    const std::vector<Index> nonManifold =
-      GatherItems(runtime.Group(), FindNonManifoldNodes(topology, grid, partition));
+    LatticeTets tets;
+    tets.Topology = LatticeTetBuilder(grid, nodes, meshVoid, partition, runtime, coarse).Build();
+    tets.Faces = FindTetFaces(tets.Topology, grid);
+    const std::vector<Index> nonManifold = GatherItems(
+      runtime.Group(), FindNonManifoldNodes(tets.Topology, tets.Faces, grid, partition));
     if (nonManifold.empty())
     {
-      return topology;
+      return tets;
     }
     for (Index id : nonManifold)
     {
-      const Index3 block = NodeOfPoint(grid, topology.Tets, id);
+      const Index3 block = NodeOfPoint(grid, tets.Topology.Tets, id);
       const bool isVertex = SlotOfPoint(id) == VertexSlot;
       if (isVertex ? grid.HexBox().Touches(block) : grid.HexBox().Contains(block))
       {
@@ -587,36 +568,27 @@ TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fra
   }
 }
 
-std::vector<Index> FindLatticeInterfaces(
-  const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime)
+std::vector<Index> FindLatticeInterfaces(const CartesianGrid& grid, const LatticeNodes& nodes)
 {
-  const LatticeNodes nodes(grid, fractions, isoValue, runtime);
   const int* vertices = nodes.Labels(LatticeNodes::Vertex);
   const int* centres = nodes.Labels(LatticeNodes::Centre);
   const IndexBox box = grid.HexBox();
   std::vector<Index> found;
-  Index3 p;
-  for (p[2] = box.Lower[2]; box.NumberOfCells() > 0 && p[2] <= box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] <= box.Upper[1]; ++p[1])
+  ForCells(NodesOf(box),
+    [&](const Index3& p)
     {
-      for (p[0] = box.Lower[0]; p[0] <= box.Upper[0]; ++p[0])
+      const Index n = grid.Linear(p);
+      bool differs = vertices[n] == LatticeNodes::Snapped;
+      for (int c = 0; c < 8; ++c)
       {
-        const Index n = grid.Linear(p);
-        bool differs = vertices[n] == LatticeNodes::Snapped;
-        for (int c = 0; c < 8; ++c)
-        {
-          const Index3 cell{ { p[0] - 1 + (c & 1), p[1] - 1 + (c >> 1 & 1), p[2] - 1 + (c >> 2) } };
-          differs =
-            differs || (box.Contains(cell) && centres[grid.CellOfNode(n, c)] != vertices[n]);
-        }
-        if (differs)
-        {
-          found.push_back(n);
-        }
+        differs = differs ||
+          (box.Contains(CellOfStar(p, c)) && centres[grid.CellOfNode(n, c)] != vertices[n]);
       }
-    }
-  }
+      if (differs)
+      {
+        found.push_back(n);
+      }
+    });
   return found;
 }
 

@@ -1,8 +1,8 @@
 #include "Tet/NonManifoldNodes.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Sorted.h"
 
-#include <numeric>
 #include <tuple>
 
 namespace vfm
@@ -56,15 +56,11 @@ void CheckFan(const Corner* first, const Corner* last, std::vector<Index>& nonMa
     ends.insert(ends.end(), corner->Others.begin(), corner->Others.end());
   }
   std::vector<Index> rim = ends;
-  std::sort(rim.begin(), rim.end());
-  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
-  std::vector<Index> parent(rim.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto placeOf = [&](Index point)
-  { return std::lower_bound(rim.begin(), rim.end(), point) - rim.begin(); };
+  SortUnique(rim);
+  std::vector<Index> parent = MakeSets(rim.size());
   for (std::size_t e = 0; e < ends.size(); e += 2)
   {
-    Join(parent, placeOf(ends[e]), placeOf(ends[e + 1]));
+    Join(parent, FindSorted(rim, ends[e]), FindSorted(rim, ends[e + 1]));
   }
   bool whole = true;
   for (std::size_t i = 0; i < rim.size(); ++i)
@@ -84,11 +80,11 @@ void CheckFan(const Corner* first, const Corner* last, std::vector<Index>& nonMa
 
 } // namespace
 
-std::vector<Index> FindNonManifoldNodes(
-  const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
+std::vector<Index> FindNonManifoldNodes(const TetTopology& topology, const TetFaces& faces,
+  const CartesianGrid& grid, const Partition& partition)
 {
   const Mesh& mesh = topology.Tets;
-  const std::vector<Corner> corners = ListCorners(topology, FindTetFaces(topology, grid));
+  const std::vector<Corner> corners = ListCorners(topology, faces);
   std::vector<Index> nonManifold;
   for (std::size_t first = 0, last = 0; first < corners.size(); first = last)
   {
@@ -112,8 +108,7 @@ std::vector<Index> FindNonManifoldNodes(
       nodes.push_back(mesh.PointIds[point]);
     }
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  SortUnique(nodes);
   return nodes;
 }
 

@@ -3,14 +3,16 @@
  */
 #pragma once
 
+#include "Base/Partition.h"
 #include "Tet/TetFacets.h"
 
 namespace vfm
 {
 
-/// Ids of the snapped nodes at the points of owned blocks around which the boundary of some meshed material is not
-/// one fan of triangles, and at the other ends of edges there that are not on two triangles of it.
-std::vector<Index> FindNonManifoldNodes(
-  const TetTopology& topology, const CartesianGrid& grid, const Partition& partition);
+/// The boundary of a material is a manifold where the triangles around each of its points form one fan, closed or ended by
+/// sides of the domain, and each edge has two of them. Looks at the points of owned blocks. Returns the ids of the snapped
+/// nodes that break the rule: points with no fan, and other ends of edges with another number of triangles.
+std::vector<Index> FindNonManifoldNodes(const TetTopology& topology, const TetFaces& faces,
+  const CartesianGrid& grid, const Partition& partition);
 
 } // namespace vfm

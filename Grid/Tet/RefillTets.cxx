@@ -36,14 +36,15 @@ public:
   /// x: grid coordinates.
   double operator()(const Vector3& x) const
   {
-    Index3 cell;
+    Vector3 point;
+    for (int a = 0; a < 3; ++a)
+    {
+      point[a] = this->Grid.Coordinates(a)[0] + x[a] * this->Grid.MeanWidth();
+    }
+    const Index3 cell = this->Grid.Local().Nearest(this->Grid.CellAt(point));
     double volume = 1.0;
     for (int a = 0; a < 3; ++a)
     {
-      const std::vector<double>& nodes = this->Grid.Coordinates(a);
-      const double at = nodes[0] + x[a] * this->Grid.MeanWidth();
-      const Index i = std::upper_bound(nodes.begin(), nodes.end(), at) - nodes.begin() - 1;
-      cell[a] = std::min(std::max(i, this->Grid.Local().Lower[a]), this->Grid.Local().Upper[a] - 1);
       volume *= this->Grid.Width(a, cell[a]) / this->Grid.MeanWidth();
     }
     return std::cbrt(volume) * this->Options.RelativeSize *
@@ -56,26 +57,19 @@ private:
   std::vector<Index> FindInterfaceCells(const LabelArray& labels)
   {
     std::vector<Index> cells;
-    const IndexBox& box = this->Grid.Local();
-    Index3 p;
-    for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-    {
-      for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
+    ForCells(this->Grid.Local(),
+      [&](const Index3& p)
       {
-        for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
+        const Index cell = this->Grid.Linear(p);
+        for (int face = 0; face < 6 && this->Layer[cell] == Far; ++face)
         {
-          const Index cell = this->Grid.Linear(p);
-          for (int face = 0; face < 6 && this->Layer[cell] == Far; ++face)
+          if (labels[this->Grid.Neighbour(cell, face)] != labels[cell])
           {
-            if (labels[this->Grid.Neighbour(cell, face)] != labels[cell])
-            {
-              this->Layer[cell] = 0;
-              cells.push_back(cell);
-            }
+            this->Layer[cell] = 0;
+            cells.push_back(cell);
           }
         }
-      }
-    }
+      });
     return cells;
   }
 

@@ -1,5 +1,6 @@
 #include "Tet/TetAttach.h"
 
+#include "Base/Sorted.h"
 #include "Base/Vector3.h"
 #include "Smoothing/Attach.h"
 
@@ -16,20 +17,17 @@ Index FindNearestTarget(const Interface& interface, const Index3& block, const V
 {
   const CartesianGrid& grid = interface.Grid();
   const std::vector<Index>& nodes = interface.Nodes();
-  Index3 low, high; // nodes
-  for (int a = 0; a < 3; ++a)
-  {
-    low[a] = std::max(block[a] - 1, grid.Local().Lower[a]);
-    high[a] = std::min(block[a] + 2, grid.Local().Upper[a]);
-  }
+  const IndexBox cells =
+    Intersect({ CellOfStar(block, 0), CornerOfCell(CornerOfCell(block, 7), 7) },
+      grid.Local()); // around the nodes
   Index best = -1;
   double nearest = std::numeric_limits<double>::max();
-  for (Index k = low[2]; k <= high[2]; ++k)
-  {
-    for (Index j = low[1]; j <= high[1]; ++j)
+  ForRows(NodesOf(cells),
+    [&](Index j, Index k)
     {
-      const Index last = grid.Linear({ { high[0], j, k } });
-      auto node = std::lower_bound(nodes.begin(), nodes.end(), grid.Linear({ { low[0], j, k } }));
+      const Index last = grid.Linear({ { cells.Upper[0], j, k } });
+      auto node =
+        std::lower_bound(nodes.begin(), nodes.end(), grid.Linear({ { cells.Lower[0], j, k } }));
       for (; node != nodes.end() && *node <= last; ++node)
       {
         const SurfacePoint* point = interface.FindPoint(node - nodes.begin(), labels[0], labels[1]);
@@ -40,8 +38,7 @@ Index FindNearestTarget(const Interface& interface, const Index3& block, const V
           best = point - interface.Points().data();
         }
       }
-    }
-  }
+    });
   return best;
 }
 

@@ -2,10 +2,9 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/ExactSum.h"
+#include "Base/Sorted.h"
 #include "Base/Vector3.h"
 #include "Octree/RefinedGrid.h"
-
-#include <numeric>
 
 namespace vfm
 {
@@ -41,7 +40,7 @@ void ForCentres(const TetTopology& topology, const CartesianGrid& grid, const Vi
       continue;
     }
     const Index3 cell = NodeOfPoint(grid, mesh, id);
-    IndexBox cells{ cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
+    IndexBox cells = BoxOfCell(cell);
     if (mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
     {
       const OctreeKeys::LevelIndex leaf = mesh.Levels->CellOfCoarseCentre(id, mesh.Ids.PointSlots);
@@ -75,8 +74,7 @@ TetFragments::TetFragments(TetTopology& topology, const TetFaces& faces, const C
 std::vector<Index> TetFragments::JoinTets(const TetTopology& topology, const TetFaces& faces) const
 {
   const Mesh& mesh = topology.Tets;
-  std::vector<Index> parent(mesh.ElementIds.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<Index> parent = MakeSets(mesh.ElementIds.size());
   std::vector<Index> tetOf(mesh.PointIds.size(), -1);
   for (std::size_t t = 0; t < parent.size(); ++t)
   {
@@ -146,8 +144,7 @@ PiecePairs TetFragments::FindSame(const TetTopology& topology, Index offset) con
     });
   const PiecePairs tets = this->FindSameTets(topology, offset);
   same.insert(same.end(), tets.begin(), tets.end());
-  std::sort(same.begin(), same.end());
-  same.erase(std::unique(same.begin(), same.end()), same.end());
+  SortUnique(same);
   return same;
 }
 
@@ -175,9 +172,7 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
     std::vector<Index> pieces;
     for (Index id : asked)
     {
-      const Index t = std::lower_bound(mesh.ElementIds.begin(), mesh.ElementIds.end(), id) -
-        mesh.ElementIds.begin();
-      pieces.push_back(offset + this->PieceOf[t]);
+      pieces.push_back(offset + this->PieceOf[FindSorted(mesh.ElementIds, id)]);
     }
     answers.push_back(ToBytes(pieces));
   }

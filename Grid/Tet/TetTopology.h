@@ -1,5 +1,5 @@
 /**
- * From labels to tetrahedra: points and tets before anything moves. Two ways: Cells and Lattice.
+ * From labels to tetrahedra: points and tets before anything moves. Two ways: Cells (CellTets.h) and Lattice (LatticeTopology.h).
  *
  * Both are made of the body-centred lattice of the grid: its nodes are the grid's nodes (vertices) and the centres of
  * cells. Each face of the grid belongs to the block (i,j,k) of its lowest corner: face `axis` of block b lies
@@ -18,8 +18,6 @@
  */
 #pragma once
 
-#include "Base/Runtime.h"
-#include "Labels/Labels.h"
 #include "Mesh/Mesh.h"
 
 namespace vfm
@@ -41,32 +39,13 @@ enum class PointPosition : unsigned char
   OnInterface
 };
 
-class CoarseTets;
-
 struct TetTopology
 {
   Mesh Tets;                            ///< points, ids, elements, ids, materials
   std::vector<PointPosition> Positions; ///< of each point
 };
 
-/// Cells: every meshed cell with its centre, cut along its faces. labels: after ResolveLabels. Interfaces are faces of the grid,
-/// each quad cut by the diagonal of its parity. coarse: of a refined grid, else null.
-TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  Runtime& runtime, const CoarseTets* coarse = nullptr);
-
-/// Lattice: every node of the lattice has a label of its own, from the fractions; lattice tets with several labels are
-/// cut. All tets positive for any fractions. coarse: of a refined grid whose interfaces are those of FindLatticeInterfaces.
-/// Collective.
-TetTopology BuildLatticeTets(const CartesianGrid& grid, const FractionField& fractions,
-  double isoValue, bool meshVoid, const Partition& partition, Runtime& runtime,
-  const CoarseTets* coarse = nullptr);
-
-/// The vertices of the cells of HexBox that differ in label from a centre around them or are snapped or beside a snapped
-/// centre: only lattice tets at such vertices are cut or move. Linear indices, ascending.
-std::vector<Index> FindLatticeInterfaces(
-  const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime);
-
-/// Whether a point is the centre of a cell of the grid or of an coarse hex.
+/// Whether a point is the centre of a cell of the grid or of a coarse hex.
 bool IsCentre(const Mesh& mesh, Index pointId);
 /// Of a centre: the finest cell, of those of its hex the nearest to the owned ones.
 Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId);

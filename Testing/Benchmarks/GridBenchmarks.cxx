@@ -9,7 +9,7 @@
 #include "Fractions/RefineCells.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
-#include "Tet/TetTopology.h"
+#include "Tet/LatticeTopology.h"
 
 #include <benchmark/benchmark.h>
 
@@ -165,7 +165,8 @@ void LatticeExtraction(benchmark::State& state)
   {
     topology = TetTopology();
     const double begin = Now();
-    topology = BuildLatticeTets(c.Grid, c.Fractions, 0.5, false, partition, runtime);
+    LatticeNodes nodes(c.Grid, c.Fractions, 0.5, runtime);
+    topology = BuildLatticeTets(c.Grid, nodes, false, partition, runtime).Topology;
     seconds = std::min(seconds, Now() - begin);
   }
   Report(state, c.Grid, topology.Tets, MeshReport(), seconds);

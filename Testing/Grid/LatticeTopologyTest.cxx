@@ -1,11 +1,11 @@
 /// The lattice's tets: valid and conforming at the start for any fractions, the same on any ranks.
+#include "Tet/LatticeTopology.h"
 #include "Base/Vector3.h"
 #include "Mesh/TetQuality.h"
 #include "MeshChecks.h"
 #include "RankFields.h"
 #include "Shapes/ShapesFractions.h"
 #include "Sweep.h"
-#include "Tet/TetTopology.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,8 @@ TetTopology BuildAlone(const CartesianGrid& grid, const FractionField& fractions
 {
   Runtime runtime;
   const Partition partition(grid, runtime.Group());
-  return BuildLatticeTets(grid, fractions, 0.5, meshVoid, partition, runtime);
+  LatticeNodes nodes(grid, fractions, 0.5, runtime);
+  return BuildLatticeTets(grid, nodes, meshVoid, partition, runtime).Topology;
 }
 
 CartesianGrid MakeUnevenGrid(Index nx, Index ny, Index nz)
@@ -286,8 +287,9 @@ TEST(LatticeTopology, RanksMakeTheTetsOfOneProcess)
         const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
         RankRuntime runtime(ranks);
         const Partition partition(grid, ranks);
-        parts[ranks.Rank()] = BuildLatticeTets(
-          grid, CopyToLocal(whole, field, grid), 0.5, meshVoid, partition, runtime);
+        const FractionField own = CopyToLocal(whole, field, grid);
+        LatticeNodes nodes(grid, own, 0.5, runtime);
+        parts[ranks.Rank()] = BuildLatticeTets(grid, nodes, meshVoid, partition, runtime).Topology;
       });
     for (int rank = 0; rank < count; ++rank)
     {

@@ -28,7 +28,8 @@ struct LeafGrid
   }
   LabelArray Assign(const FractionField& fractions) const
   {
-    return AssignLeafMaterials(this->Levels, fractions, IsoValue);
+    return AssignLeafMaterials(
+      this->Levels, fractions, AssignMaterials(this->Finest, fractions, IsoValue), IsoValue);
   }
   ResolveReport Resolve(const FractionField& fractions, Ranks& ranks, LabelArray& labels) const
   {

@@ -35,17 +35,7 @@ FractionField CopyToLocal(
 {
   FractionField field(grid, from.NumberOfMaterials());
   const IndexBox& box = grid.Local();
-  Index3 p;
-  for (p[2] = box.Lower[2]; p[2] < box.Upper[2]; ++p[2])
-  {
-    for (p[1] = box.Lower[1]; p[1] < box.Upper[1]; ++p[1])
-    {
-      for (p[0] = box.Lower[0]; p[0] < box.Upper[0]; ++p[0])
-      {
-        field.CopyCell(grid.Linear(p), from, whole.Linear(p));
-      }
-    }
-  }
+  ForCells(box, [&](const Index3& p) { field.CopyCell(grid.Linear(p), from, whole.Linear(p)); });
   return field;
 }
 

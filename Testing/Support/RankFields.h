@@ -26,10 +26,10 @@ private:
 std::vector<IndexBox> CutBox(const IndexBox& box, int parts, int axis = -1);
 
 /// The grid of a rank that owns a box.
-inline CartesianGrid MakeRankGrid(const CartesianGrid& whole, const IndexBox& box)
+inline CartesianGrid MakeRankGrid(
+  const CartesianGrid& whole, const IndexBox& box, const GridLayers& layers = {})
 {
-  return CartesianGrid(
-    { { whole.Coordinates(0), whole.Coordinates(1), whole.Coordinates(2) } }, box, GhostLayers);
+  return CartesianGrid(whole.Coordinates(), box, layers.Ghosts, layers.Hexes);
 }
 
 /// The part of a field of the whole grid that a rank holds.

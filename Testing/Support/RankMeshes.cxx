@@ -112,6 +112,7 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make)
 {
+  const GridLayers layers = make == MakeHexMesh ? LayersFor(options.Levels) : GridLayers();
   const int count = static_cast<int>(boxes.size());
   std::vector<Mesh> meshes(count);
   RankMesh made;
@@ -119,7 +120,7 @@ RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   RunOnRanks(count,
     [&](Ranks& ranks)
     {
-      const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()]);
+      const CartesianGrid grid = MakeRankGrid(whole, boxes[ranks.Rank()], layers);
       RankRuntime runtime(ranks);
       meshes[ranks.Rank()] =
         make(grid, CopyToLocal(whole, field, grid), options, runtime, made.Reports[ranks.Rank()]);

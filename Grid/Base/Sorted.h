@@ -1,0 +1,28 @@
+/**
+ * Sorted lists.
+ */
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace vfm
+{
+
+/// Sorts a list and leaves one of equal items.
+template <class List>
+void SortUnique(List& items)
+{
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+/// The position of an item in a sorted list, or -1.
+template <class List, class Item>
+std::int64_t FindSorted(const List& items, const Item& item)
+{
+  const auto at = std::lower_bound(items.begin(), items.end(), item);
+  return at != items.end() && *at == item ? at - items.begin() : -1;
+}
+
+} // namespace vfm
