@@ -106,6 +106,7 @@ std::vector<unsigned char> HexStages::Smooth(
   ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh);
   AttachHexes(interfaces, coarse, mesh, facets, active);
   SetFacets(facets, active);
+  std::vector<int>().swap(active.PointOf);
   const double target = TargetJacobian(this->Fractions, this->Options);
   const HexEnergy plain(target);
   const GuardedHexEnergy guarded(target);

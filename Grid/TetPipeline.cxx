@@ -123,22 +123,18 @@ private:
       nodes.emplace(this->Grid, this->Fractions, this->Options.IsoValue, this->Run);
     }
     const LevelHexes levels = this->MakeTetLevels(nodes);
-    std::unique_ptr<CoarseTets> coarse;
-    if (this->HasLevels())
-    {
-      coarse = std::make_unique<CoarseTets>(*levels.Coarse, energy, this->Run);
-    }
+    const CoarseTets coarse(*levels.Coarse, energy, this->Run);
     if (nodes)
     {
       LatticeTets tets = BuildLatticeTets(
-        this->Grid, *nodes, this->Options.MeshVoid, this->Parts, this->Run, coarse.get());
+        this->Grid, *nodes, this->Options.MeshVoid, this->Parts, this->Run, coarse);
       this->Topology = std::move(tets.Topology);
       this->Faces = std::move(tets.Faces);
     }
     else
     {
       this->Topology =
-        BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, coarse.get());
+        BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, coarse);
       this->Clock.Start("Finding faces", 0.12);
       this->Faces = FindTetFaces(this->Topology, this->Grid);
     }

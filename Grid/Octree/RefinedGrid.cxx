@@ -19,7 +19,8 @@ RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
   TheLattice(this->BaseGrid, plan.Refinements,
     { { finest.Coordinates(0), finest.Coordinates(1), finest.Coordinates(2) } }),
   Sets(this->TheLattice, this->GatherFamilies(plan, interfaces, ranks)),
-  FineInterfaces(plan.FineInterfaces || plan.Refinements == 0)
+  Uniform(plan.Refinements == 0),
+  FineInterfaces(plan.FineInterfaces || this->Uniform)
 {
   if (!this->IsUniform())
   {
@@ -94,12 +95,12 @@ Index RefinedGrid::RowOfFamilies(Index j, Index k) const
   return family(2, k) * this->Marked.Size(1) + family(1, j);
 }
 
-bool RefinedGrid::IsFine(const Index3& cell) const
+bool RefinedGrid::IsMarked(const Index3& cell) const
 {
   const IndexBox& box = this->FinestGrid.Local();
-  if (this->IsUniform() || box.NumberOfCells() == 0)
+  if (box.NumberOfCells() == 0)
   {
-    return this->IsUniform();
+    return false;
   }
   Index3 q = box.Nearest(cell);
   for (Index& i : q)

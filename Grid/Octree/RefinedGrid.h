@@ -44,15 +44,21 @@ public:
   /// Whether all cells at interfaces are finest ones.
   bool HasFineInterfaces() const { return this->FineInterfaces; }
   /// Whether all cells are finest ones: a grid without refinements.
-  bool IsUniform() const { return this->NumberOfRefinements() == 0; }
+  bool IsUniform() const { return this->Uniform; }
 
   /// Whether a finest cell of the local box, or the one that a cell beside the domain mirrors, is a hex of its own.
-  bool IsFine(const Index3& cell) const;
+  bool IsFine(const Index3& cell) const { return this->Uniform || this->IsMarked(cell); }
   /// Whether a cell at a node of the finest grid is a hex of its own.
-  bool TouchesFine(const Index3& node) const { return this->CountFineAround(node) > 0; }
+  bool TouchesFine(const Index3& node) const
+  {
+    return this->Uniform || this->CountFineAround(node) > 0;
+  }
 
   /// Whether all of them are.
-  bool IsFineAround(const Index3& node) const { return this->CountFineAround(node) == 8; }
+  bool IsFineAround(const Index3& node) const
+  {
+    return this->Uniform || this->CountFineAround(node) == 8;
+  }
 
   /// The leaf that a finest cell of the domain is or lies in: the coarsest cell around it that is not refined. Slot 0.
   OctreeKeys::LevelIndex LeafOf(const Index3& finestCell) const;
@@ -103,6 +109,7 @@ public:
   Index EndOfPointIds(Index slots) const;
 
 private:
+  bool IsMarked(const Index3& cell) const;
   /// Of the eight cells at a node.
   int CountFineAround(const Index3& node) const;
   std::vector<Index> FindFamilies(const std::vector<Index>& interfaces, int layers) const;
@@ -119,7 +126,7 @@ private:
   OctantFamilies Sets;
   static constexpr int FamilyShift = 2; // a family is four finest cells along each axis
 
-  bool FineInterfaces;
+  bool Uniform, FineInterfaces;
   IndexBox Marked;                    // families of the last refinement over the local box
   std::vector<unsigned char> Fine;    // of each of them
   std::vector<unsigned char> HasFine; // of each row of them

@@ -14,7 +14,7 @@ class CellTetBuilder
 {
 public:
   CellTetBuilder(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-    Runtime& runtime, const CoarseTets* coarse) :
+    Runtime& runtime, const CoarseTets& coarse) :
     Grid(grid),
     Labels(labels),
     Box(grid.HexBox()),
@@ -30,23 +30,20 @@ public:
     Mesh& mesh = this->Result.Tets;
     mesh.Corners = 4;
     mesh.Ids = TetIds;
-    mesh.Levels = LevelsOf(this->Coarse, this->Grid, this->Run);
+    mesh.Levels = this->Coarse.Levels().shared_from_this();
     CheckIds(this->Grid, TetIds.ElementSlots);
     this->FirstPoint = Buffer<int>(this->Grid.NumberOfEntries(), -1);
     this->MakePoints();
     const Index fineTets = this->CountTets();
-    const Index tets = fineTets + (this->Coarse ? this->Coarse->NumberOfTets() : 0);
+    const Index tets = fineTets + this->Coarse.NumberOfTets();
     mesh.Elements = Buffer<Index>(4 * tets);
     mesh.ElementIds = Buffer<Index>(tets);
     mesh.Material = Buffer<int>(tets);
     ForRows(
       this->Run, this->Nodes, [this](Index j, Index k, Index row) { this->FillTets(j, k, row); });
-    if (this->Coarse)
-    {
-      this->Coarse->Fill(this->Result, this->FinePoints, fineTets,
-        [this](Index at, Index slot)
-        { return slot == CentreSlot ? this->Centre(at) : Index(this->FirstPoint[at]); });
-    }
+    this->Coarse.Fill(this->Result, this->FinePoints, fineTets,
+      [this](Index at, Index slot)
+      { return slot == CentreSlot ? this->Centre(at) : Index(this->FirstPoint[at]); });
     return std::move(this->Result);
   }
 
@@ -59,10 +56,7 @@ private:
     int Lower, Upper; // labels of the cells; -1 outside the domain
   };
 
-  bool IsFine(const Index3& cell) const
-  {
-    return !this->Coarse || this->Coarse->Levels().IsFine(cell);
-  }
+  bool IsFine(const Index3& cell) const { return this->Coarse.Levels().IsFine(cell); }
 
   /// Bits of the slots that a block uses.
   int SlotsOf(const Index3& p, Index node) const
@@ -70,7 +64,7 @@ private:
     const bool isCentre =
       this->Box.Contains(p) && IsMeshed(this->Labels[node], this->MeshVoid) && this->IsFine(p);
     int slots = isCentre << CentreSlot;
-    const bool isVertex = !this->Coarse || this->Coarse->Levels().TouchesFine(p);
+    const bool isVertex = this->Coarse.Levels().TouchesFine(p);
     for (int c = 0; isVertex && c < 8; ++c)
     {
       const Index3 cell = CellOfStar(p, c);
@@ -107,7 +101,7 @@ private:
       });
     std::partial_sum(offset.begin(), offset.end(), offset.begin());
     this->FinePoints = offset.back();
-    const Index points = this->FinePoints + (this->Coarse ? this->Coarse->NumberOfPoints() : 0);
+    const Index points = this->FinePoints + this->Coarse.NumberOfPoints();
     CheckNumberOfPoints(points, this->Run.Group());
     Mesh& mesh = this->Result.Tets;
     mesh.Points = Buffer<double>(3 * points);
@@ -283,8 +277,8 @@ private:
   IndexBox Box, Nodes;
   bool MeshVoid;
   Runtime& Run;
-  const CoarseTets* Coarse; // null: all cells are fine
-  Buffer<int> FirstPoint;   // of each block
+  const CoarseTets& Coarse;
+  Buffer<int> FirstPoint; // of each block
   Index FinePoints = 0;
   std::vector<Index> FirstTet; // of each row
   TetTopology Result;
@@ -293,7 +287,7 @@ private:
 } // namespace
 
 TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-  Runtime& runtime, const CoarseTets* coarse)
+  Runtime& runtime, const CoarseTets& coarse)
 {
   return CellTetBuilder(grid, labels, meshVoid, runtime, coarse).Build();
 }

@@ -14,16 +14,13 @@ constexpr double SmallestGain = 1e-6; // relative, by which another way must be 
 
 } // namespace
 
-std::shared_ptr<const RefinedGrid> LevelsOf(
-  const CoarseTets* coarse, const CartesianGrid& grid, Runtime& runtime)
-{
-  return coarse ? coarse->Levels().shared_from_this()
-                : std::make_shared<const RefinedGrid>(grid, runtime.Group());
-}
-
 CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime) :
   Grid(hexes.Levels()), Energy(energy)
 {
+  if (this->Grid.IsUniform())
+  {
+    return;
+  }
   constexpr Index hexKeys = OctreeKeys::HexSlots * 8 / 7; // of all levels, a finest cell
   CheckIds(this->Grid.Finest(), TetIds.ElementSlots + RefinedGrid::TetsOfHex * hexKeys);
   this->TakeHexes(hexes);

@@ -21,16 +21,10 @@
 namespace vfm
 {
 
-class CoarseTets;
-
-/// The refined grid of coarse tets; without them one without refinements.
-std::shared_ptr<const RefinedGrid> LevelsOf(
-  const CoarseTets* coarse, const CartesianGrid& grid, Runtime& runtime);
-
 class CoarseTets
 {
 public:
-  /// Keeps a reference to the grid of the hexes. Throws InputError on all ranks when a tet is not positive. Collective.
+  /// None without refinements. Keeps a reference to the grid of the hexes. Throws InputError on all ranks when a tet is not positive. Collective.
   CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }

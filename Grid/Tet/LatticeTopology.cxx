@@ -18,13 +18,14 @@ class LatticeTetBuilder
 {
 public:
   LatticeTetBuilder(const CartesianGrid& grid, const LatticeNodes& nodes, bool meshVoid,
-    const Partition& partition, Runtime& runtime, const CoarseTets* coarse) :
+    const Partition& partition, Runtime& runtime, const CoarseTets& coarse) :
     Grid(grid),
     Box(grid.HexBox()),
     MeshVoid(meshVoid),
     Parts(partition),
     Run(runtime),
     Coarse(coarse),
+    Levels(coarse.Levels()),
     Tables(LatticeTables::Get()),
     Nodes(nodes),
     Slots(grid.NumberOfEntries()),
@@ -36,7 +37,7 @@ public:
   TetTopology Build()
   {
     ForRows(NodesOf(this->Box), [this](Index j, Index k) { this->Rows.emplace_back(j, k); });
-    if (this->Coarse)
+    if (!this->Levels.IsUniform())
     {
       this->OverRows([this](Row& row) { this->MarkBesideCoarse(row); });
     }
@@ -114,22 +115,17 @@ private:
     return !differs && this->HasFineFaces(block);
   }
 
-  bool IsFine(const Index3& cell) const
-  {
-    return !this->Coarse || this->Coarse->Levels().IsFine(cell);
-  }
-
   /// Whether the cells at the face along an axis are fine.
   bool IsFineFace(const Index3& block, int axis) const
   {
     Index3 below = block;
     --below[axis];
-    return this->IsFine(block) && this->IsFine(below); // beyond the domain as inside
+    return this->Levels.IsFine(block) && this->Levels.IsFine(below); // beyond the domain as inside
   }
 
   bool HasFineFaces(const Index3& block) const
   {
-    return !this->Coarse ||
+    return this->Levels.IsUniform() ||
       (this->IsFineFace(block, 0) && this->IsFineFace(block, 1) && this->IsFineFace(block, 2));
   }
 
@@ -138,15 +134,14 @@ private:
   {
     Index3 p{ { this->Box.Lower[0], row.J, row.K } };
     Index n = this->Grid.Linear(p);
-    const RefinedGrid& levels = this->Coarse->Levels();
     for (; p[0] <= this->Box.Upper[0]; ++p[0], ++n)
     {
       bool isBeside = false;
       for (int c = 0; c < 8; ++c)
       {
-        isBeside = isBeside || !levels.IsFine(CellOfStar(p, c));
+        isBeside = isBeside || !this->Levels.IsFine(CellOfStar(p, c));
       }
-      if (!isBeside || !levels.TouchesFine(p) ||
+      if (!isBeside || !this->Levels.TouchesFine(p) ||
         !IsMeshed(this->Nodes.Labels(LatticeNodes::Vertex)[n], this->MeshVoid))
       {
         continue;
@@ -155,7 +150,7 @@ private:
       for (int c = 0; c < 8; ++c)
       {
         const Index3 cell = CellOfStar(p, c);
-        if (this->Box.Contains(cell) && levels.IsFine(cell))
+        if (this->Box.Contains(cell) && this->Levels.IsFine(cell))
         {
           this->Mark(this->Grid.Linear(cell), 2);
         }
@@ -346,12 +341,12 @@ private:
       row.Points = std::exchange(total, total + row.Points);
     }
     this->FinePoints = total;
-    total += this->Coarse ? this->Coarse->NumberOfPoints() : 0;
+    total += this->Coarse.NumberOfPoints();
     CheckNumberOfPoints(total, this->Run.Group());
     Mesh& mesh = this->Result.Tets;
     mesh.Corners = 4;
     mesh.Ids = TetIds;
-    mesh.Levels = LevelsOf(this->Coarse, this->Grid, this->Run);
+    mesh.Levels = this->Levels.shared_from_this();
     mesh.Points = Buffer<double>(3 * total);
     mesh.PointIds = Buffer<Index>(total);
     this->Result.Positions.resize(total);
@@ -408,17 +403,14 @@ private:
       row.Tets = std::exchange(total, total + row.Tets);
     }
     const Index fineTets = total;
-    total += this->Coarse ? this->Coarse->NumberOfTets() : 0;
+    total += this->Coarse.NumberOfTets();
     Mesh& mesh = this->Result.Tets;
     mesh.Elements = Buffer<Index>(4 * total);
     mesh.ElementIds = Buffer<Index>(total);
     mesh.Material = Buffer<int>(total);
     this->OverRows([this](Row& row) { this->FillTets(row); });
-    if (this->Coarse)
-    {
-      this->Coarse->Fill(this->Result, this->FinePoints, fineTets,
-        [this](Index block, Index slot) { return this->PointAt(block, static_cast<int>(slot)); });
-    }
+    this->Coarse.Fill(this->Result, this->FinePoints, fineTets,
+      [this](Index block, Index slot) { return this->PointAt(block, static_cast<int>(slot)); });
   }
 
   Index PointAt(Index block, int slot) const
@@ -526,7 +518,8 @@ private:
   bool MeshVoid;
   const Partition& Parts;
   Runtime& Run;
-  const CoarseTets* Coarse; // null: all cells are fine
+  const CoarseTets& Coarse;
+  const RefinedGrid& Levels;
   const LatticeTables& Tables;
   const LatticeNodes& Nodes;
   std::array<PlacedShape, LatticeTables::Shapes> Shapes;
@@ -542,7 +535,7 @@ private:
 
 /// Ends: every round unsnaps a node, and where none is snapped nothing is non-manifold.
 LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, bool meshVoid,
-  const Partition& partition, Runtime& runtime, const CoarseTets* coarse)
+  const Partition& partition, Runtime& runtime, const CoarseTets& coarse)
 {
   CheckIds(grid, TetIds.ElementSlots);
   for (;;)

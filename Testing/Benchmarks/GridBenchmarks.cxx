@@ -9,6 +9,7 @@
 #include "Fractions/RefineCells.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
+#include "NoCoarseTets.h"
 #include "Tet/LatticeTopology.h"
 
 #include <benchmark/benchmark.h>
@@ -166,7 +167,9 @@ void LatticeExtraction(benchmark::State& state)
     topology = TetTopology();
     const double begin = Now();
     LatticeNodes nodes(c.Grid, c.Fractions, 0.5, runtime);
-    topology = BuildLatticeTets(c.Grid, nodes, false, partition, runtime).Topology;
+    topology =
+      BuildLatticeTets(c.Grid, nodes, false, partition, runtime, NoCoarseTets(c.Grid, runtime).Tets)
+        .Topology;
     seconds = std::min(seconds, Now() - begin);
   }
   Report(state, c.Grid, topology.Tets, MeshReport(), seconds);

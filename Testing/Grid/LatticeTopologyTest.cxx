@@ -3,6 +3,7 @@
 #include "Base/Vector3.h"
 #include "Mesh/TetQuality.h"
 #include "MeshChecks.h"
+#include "NoCoarseTets.h"
 #include "RankFields.h"
 #include "Shapes/ShapesFractions.h"
 #include "Sweep.h"
@@ -27,7 +28,9 @@ TetTopology BuildAlone(const CartesianGrid& grid, const FractionField& fractions
   Runtime runtime;
   const Partition partition(grid, runtime.Group());
   LatticeNodes nodes(grid, fractions, 0.5, runtime);
-  return BuildLatticeTets(grid, nodes, meshVoid, partition, runtime).Topology;
+  return BuildLatticeTets(
+    grid, nodes, meshVoid, partition, runtime, NoCoarseTets(grid, runtime).Tets)
+    .Topology;
 }
 
 CartesianGrid MakeUnevenGrid(Index nx, Index ny, Index nz)
@@ -289,7 +292,9 @@ TEST(LatticeTopology, RanksMakeTheTetsOfOneProcess)
         const Partition partition(grid, ranks);
         const FractionField own = CopyToLocal(whole, field, grid);
         LatticeNodes nodes(grid, own, 0.5, runtime);
-        parts[ranks.Rank()] = BuildLatticeTets(grid, nodes, meshVoid, partition, runtime).Topology;
+        parts[ranks.Rank()] = BuildLatticeTets(
+          grid, nodes, meshVoid, partition, runtime, NoCoarseTets(grid, runtime).Tets)
+                                .Topology;
       });
     for (int rank = 0; rank < count; ++rank)
     {

@@ -2,19 +2,20 @@
 
 usage: VFM_PLUGIN=build/lib/VolumeFractionMesh.so pvpython mesh_digests.py > new.txt
        mpiexec -n 3 pvbatch --sym mesh_digests.py > new3.txt
-On several ranks each piece counts, in the order of the ranks. A change that is to keep every bit prints the same before and after.
+On several ranks the first one has the input, and each piece counts, in the order of the ranks. A change that is to keep every bit prints the same before and after.
 """
 import hashlib
 import os
 
 import numpy as np
 from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from amr_cases import fields, nested, overlapping
-from vfmtest import TET_METHODS, VolumeFractionToTet, ball_and_plate, digest, image, labels, main, mesh_of, rectilinear, run
+from amr_cases import fields, multiblock, nested, overlapping
+from vfmtest import TET_METHODS, VolumeFractionToTet, ball_and_plate, digest, image, labels, main, rectilinear, run
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -52,7 +53,7 @@ def fractions(n=16):
 
 
 def levels(count=2):
-    return overlapping(fields(count), nested(count))
+    return (overlapping if RANKS == 1 else multiblock)(fields(count), nested(count))
 
 
 BOTH, GRAINS, ID = {}, {"VolumeFractionArrays": ["g%d" % g for g in range(11)]}, {"MaterialIdArray": "id"}
@@ -80,7 +81,14 @@ TETS = [
 
 
 def print_digest(name, data, make, properties):
-    mine = digest(mesh_of(data, make, **properties) if RANKS == 1 else run(data, make, **properties))
+    if RANKS > 1:
+        blocks = vtkMultiBlockDataSet()
+        if RANK == 0:
+            blocks.SetBlock(0, data)
+        data = blocks
+    result = run(data, make, **properties)
+    assert not result.errors and (RANKS > 1 or result.mesh.GetNumberOfCells() > 0), (name, result.errors)
+    mine = digest(result)
     gathered = [mine]
     if RANKS > 1:
         from mpi4py import MPI  # of Debian, like ParaView
