@@ -141,12 +141,7 @@ private:
     const RefinedGrid& levels = this->Coarse->Levels();
     for (; p[0] <= this->Box.Upper[0]; ++p[0], ++n)
     {
-      bool isBeside = false;
-      for (int c = 0; c < 8; ++c)
-      {
-        isBeside = isBeside || !levels.IsFine(CellOfStar(p, c));
-      }
-      if (!isBeside || !levels.TouchesFine(p) ||
+      if (levels.IsFineAround(p) || !levels.TouchesFine(p) ||
         !IsMeshed(this->Nodes.Labels(LatticeNodes::Vertex)[n], this->MeshVoid))
       {
         continue;
