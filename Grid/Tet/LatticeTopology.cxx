@@ -136,12 +136,7 @@ private:
     Index n = this->Grid.Linear(p);
     for (; p[0] <= this->Box.Upper[0]; ++p[0], ++n)
     {
-      bool isBeside = false;
-      for (int c = 0; c < 8; ++c)
-      {
-        isBeside = isBeside || !this->Levels.IsFine(CellOfStar(p, c));
-      }
-      if (!isBeside || !this->Levels.TouchesFine(p) ||
+      if (this->Levels.IsFineAround(p) || !this->Levels.TouchesFine(p) ||
         !IsMeshed(this->Nodes.Labels(LatticeNodes::Vertex)[n], this->MeshVoid))
       {
         continue;
