@@ -1,6 +1,6 @@
 """Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be; ball_under_pressure.py
-solves where CalculiX is installed; write_exodus.py writes a mesh that was saved before; time_ranks.py
-times two ranks. The fields of Data and the demo can be made again."""
+solves where CalculiX is installed; write_exodus.py writes a mesh that was saved before; time_ranks.py times two ranks. The
+fields of Data and the demo can be made again."""
 import csv
 import os
 import re
