@@ -243,7 +243,7 @@ TEST(LatticeTopology, AnyFractionsGiveValidTets)
   for (int materials = 1; materials <= 5; ++materials)
   {
     Sums withVoid, filled, mixed;
-    for (unsigned seed : ListSeeds(60))
+    for (unsigned seed : ListSeeds(30))
     {
       const Index nx = 1 + seed % 5, ny = 1 + seed / 5 % 4, nz = 2 + seed % 4;
       const CartesianGrid grid = seed % 3 ? MakeUnitGrid(nx, ny, nz) : MakeUnevenGrid(nx, ny, nz);

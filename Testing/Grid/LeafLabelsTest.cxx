@@ -263,7 +263,7 @@ TEST_P(RandomLeaves, AreResolved)
   const int refinements = this->GetParam().Refinements, materials = this->GetParam().Materials;
   Index flips = 0, coarse = 0;
   int rounds = 0;
-  for (unsigned seed : ListSeeds(36))
+  for (unsigned seed : ListSeeds(18))
   {
     SCOPED_TRACE(seed);
     const Index base = 3 + seed % 4;
@@ -364,7 +364,7 @@ class LeafRanks : public ::testing::TestWithParam<RankCase>
 TEST_P(LeafRanks, HaveTheLabelsOfOne)
 {
   const RankCase& c = this->GetParam();
-  for (unsigned seed : ListSeeds(6))
+  for (unsigned seed : ListSeeds(3))
   {
     SCOPED_TRACE(seed);
     const CartesianGrid whole = // longer than ghosts reach

@@ -58,7 +58,7 @@ std::size_t CountByLaw(const CartesianGrid& grid, const LabelArray& labels, bool
 TEST_P(RandomLabels, MeshIsValid)
 {
   double worstJacobian = 1.0, worstDeterminant = 1e300;
-  for (unsigned seed : ListSeeds(40))
+  for (unsigned seed : ListSeeds(20))
   {
     const Case& c = this->GetParam();
     const Index n = 3 + seed % 7;

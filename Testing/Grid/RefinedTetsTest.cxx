@@ -218,7 +218,7 @@ TEST(RefinedTets, RandomFamiliesAreValid)
     for (int refinements : { 1, 2 })
     {
       Worst worst;
-      for (unsigned seed : ListSeeds(refinements == 1 ? 12 : 4))
+      for (unsigned seed : ListSeeds(refinements == 1 ? 6 : 3))
       {
         CheckRandom(method, refinements, seed, worst);
       }

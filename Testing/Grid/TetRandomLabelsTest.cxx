@@ -34,8 +34,8 @@ std::vector<Case> ListCases()
   std::vector<Case> cases;
   for (int materials = 1; materials <= 5; ++materials)
   {
-    cases.push_back({ TetMethod::Cells, materials, 20, 3 });
-    cases.push_back({ TetMethod::Lattice, materials, 20, 3 });
+    cases.push_back({ TetMethod::Cells, materials, 10, 3 });
+    cases.push_back({ TetMethod::Lattice, materials, 10, 3 });
     if (HasTetGen())
     {
       cases.push_back({ TetMethod::TetGen, materials, 10, 2 });

@@ -229,10 +229,10 @@ TEST(TwoRefinement, Shapes)
   }
 }
 
-TEST(TwoRefinement, HundredsOfRandomFamilies)
+TEST(TwoRefinement, RandomFamilies)
 {
   const double chances[] = { 0.02, 0.05, 0.1, 0.3, 0.5, 0.7 };
-  for (unsigned seed : ListSeeds(100))
+  for (unsigned seed : ListSeeds(50))
   {
     const Index n = seed % 2 ? 8 : 7;
     CheckCase(MakeRandomCase({ { n, 8, n + 1 } }, 1, chances[seed % 6], seed), 0.5, false);
@@ -284,7 +284,7 @@ TEST(TwoRefinement, RefinesAsRefineCellsDoes)
 TEST(TwoRefinement, PartsAreThoseOfTheWhole)
 {
   Runtime runtime;
-  for (unsigned seed : ListSeeds(24))
+  for (unsigned seed : ListSeeds(12))
   {
     const int levels = 1 + seed % 2;
     const RefinedCase c = MakeRandomCase(

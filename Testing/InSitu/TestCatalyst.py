@@ -92,7 +92,7 @@ def field(step):
 
 
 def run_host(ranks, scripts, *options, **settings):
-    return mpi_run(ranks, [os.environ["VFM_CATALYST_HOST"], *options, *scripts], 300, without=() if PICTURE else ("DISPLAY",),
+    return mpi_run(ranks, [os.environ["VFM_CATALYST_HOST"], *options, *scripts], without=() if PICTURE else ("DISPLAY",),
                    **{"VFM_" + key: value for key, value in settings.items()})
 
 

@@ -36,7 +36,7 @@ def run_impact(impact, plugin, folder, ranks, catalyst):
                "--sculptor", os.path.join(folder, "sculptor")]
     if catalyst:
         command += ["--catalyst", os.path.join(ROOT, "Examples", "catalyst_mesh.py")]
-    run = mpi_run(ranks, command, 500, VFM_PLUGIN=plugin, VFM_ARRAYS="ball,plate", VFM_NAME="impact", VFM_PICTURE="0",
+    run = mpi_run(ranks, command, VFM_PLUGIN=plugin, VFM_ARRAYS="ball,plate", VFM_NAME="impact", VFM_PICTURE="0",
                   VFM_OUT=os.path.join(folder, "catalyst"))
     if run.returncode != 0:
         sys.exit("impact on %d ranks failed:\n%s%s" % (ranks, run.stdout, run.stderr))

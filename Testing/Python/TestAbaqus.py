@@ -184,7 +184,7 @@ def test_same_bytes_on_all_ranks(at):
         result = mesh_of(fraction_image(), **kind)
         assert not write_inp(result.mesh, at("filter.inp"))
         for ranks in (1, 2, 3):
-            run = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", at("%d.inp" % ranks), *arguments], 60)
+            run = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", at("%d.inp" % ranks), *arguments])
             assert run.returncode == 0 and run.stderr == "", run
             check_same_bytes(at("filter.inp"), at("%d.inp" % ranks))
 
@@ -198,7 +198,7 @@ def check_same_bytes(one, other):
 def test_pieces_read_by_one_rank(at):
     """Points between the pieces are there twice, cells are in another order, and the mesh is whole again."""
     path = write(fraction_image(), at("in.vti"))
-    assert mpi_run(3, [SCULPTOR, "--input", path, "--output", at("mesh.pvtu")], 60).returncode == 0
+    assert mpi_run(3, [SCULPTOR, "--input", path, "--output", at("mesh.pvtu")]).returncode == 0
     mesh = simple.OpenDataFile(at("mesh.pvtu"))
     simple.SaveData(at("pieces.inp"), proxy=mesh)
     whole = mesh_of(fraction_image()).mesh

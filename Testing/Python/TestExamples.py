@@ -1,5 +1,6 @@
 """Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be; ball_under_pressure.py
-solves where CalculiX is installed; time_ranks.py times two ranks. The fields of Data and the demo can be made again."""
+solves where CalculiX is installed; write_exodus.py writes a mesh that was saved before; time_ranks.py times two ranks. The
+fields of Data and the demo can be made again."""
 import csv
 import os
 import re
@@ -9,10 +10,11 @@ import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter)
 
 from mpi_run import mpi_run
-from vfmtest import exodus_parts, fraction_image, image, in_folder, main, tet_volumes
+from vfmtest import exodus_parts, fraction_image, image, in_folder, main, mesh_of, tet_volumes, write
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples")
 DATA = os.path.join(EXAMPLES, "..", "Data")
@@ -154,8 +156,18 @@ def test_demo(path):
     assert re.search(r"^fin +body +10368 +0\.574 ", result.stdout, re.MULTILINE), result.stdout
 
 
+@in_folder
+def test_write_exodus(path):
+    mesh = mesh_of(fraction_image(8)).mesh
+    saved = write(mesh, path("mesh.vtu"), vtkXMLUnstructuredGridWriter)
+    result = mpi_run(1, ["pvpython", os.path.join(EXAMPLES, "write_exodus.py"), saved, path("mesh.exo")])
+    assert result.returncode == 0, result
+    materials = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId")).tolist()
+    assert block_sizes(path("mesh.exo")) == {"ball": materials.count(1), "plate": materials.count(2)}
+
+
 def test_time_on_ranks():
-    result = mpi_run(2, ["pvbatch", "--sym", os.path.join(EXAMPLES, "time_ranks.py"), os.environ["VFM_PLUGIN"], "12"], 200)
+    result = mpi_run(2, ["pvbatch", "--sym", os.path.join(EXAMPLES, "time_ranks.py"), os.environ["VFM_PLUGIN"], "12"])
     rows = re.findall(r"rank (\d) of 2: [\d.]+ s, (\d+) hexahedra, memory \d+ MB before, peak \d+ MB", result.stdout)
     assert result.returncode == 0 and sorted(rank for rank, _ in rows) == ["0", "1"], result
     assert all(int(hexes) > 100 for _, hexes in rows), rows

@@ -213,7 +213,7 @@ def test_pieces_that_one_process_reads(at):
     """Points between pieces are there once."""
     result = mesh_of(fraction_image())
     save_data(at("mesh.vtu"), producer(result.mesh))
-    assert mpi_run(2, [SCULPTOR, "--input", vti(at, fraction_image()), "--output", at("mesh.pvtu")], 60).returncode == 0
+    assert mpi_run(2, [SCULPTOR, "--input", vti(at, fraction_image()), "--output", at("mesh.pvtu")]).returncode == 0
     for name in ("mesh.vtu", "mesh.pvtu"):
         reader = simple.OpenDataFile(at(name))
         simple.SaveData(at(name + ".exo"), proxy=reader)
@@ -309,7 +309,7 @@ def check_ranks(at, path, mesh, *arguments):
     x_min = sum(len(items) for key, items in wanted["sides"].items() if key[1] == "x_min")
     for ranks in (1, 2, 3):
         output = at("mesh%d.exo" % ranks)
-        result = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", output, *arguments], 60)
+        result = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", output, *arguments])
         assert result.returncode == 0 and result.stderr == "", result
         names = [output] if ranks == 1 else ["%s.%d.%d" % (output, ranks, rank) for rank in range(ranks)]
         dumps = [Dump(name) for name in names]
@@ -317,7 +317,7 @@ def check_ranks(at, path, mesh, *arguments):
         if ranks > 1:
             check_parts(dumps)
             single = at("single%d.exo" % ranks)
-            result = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", single, "--single-file", *arguments], 60)
+            result = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", single, "--single-file", *arguments])
             assert result.returncode == 0 and without_date(single) == without_date(at("mesh1.exo")), result
             parts = ioss(names[-1])  # any of them
             assert sum(part.GetNumberOfCells() for part in parts["x_min"] if part.GetCellType(0) != 1) == x_min  # 1: node set
@@ -333,7 +333,7 @@ def test_ranks(at):
 @in_folder
 def test_spyplot(at):
     """From files of CTH to files of Exodus, with a vector and a number that the elements carry along."""
-    if ".spcth" not in mpi_run(1, [SCULPTOR, "--help"], 60).stdout:
+    if ".spcth" not in mpi_run(1, [SCULPTOR, "--help"]).stdout:
         return
     ball, plate = ball_and_plate()
     step = {"Pressure": 1e5 * ball, SPY % 1: ball, SPY % 2: np.minimum(plate, 1 - ball)}
@@ -352,7 +352,7 @@ def test_ranks_without_elements(at):
     """More ranks than there are cells; names and arrays are the same in all parts."""
     data = image({"id": np.array([[[1, 2], [2, 0]]], np.int32)})
     path, mesh = vti(at, data), mesh_of(data, MaterialIdArray="id").mesh
-    result = mpi_run(12, [SCULPTOR, "--input", path, "--labels", "id", "--output", at("mesh.exo")], 60)
+    result = mpi_run(12, [SCULPTOR, "--input", path, "--labels", "id", "--output", at("mesh.exo")])
     assert result.returncode == 0 and result.stderr == "", result
     dumps = [Dump(at("mesh.exo.12.%02d" % rank)) for rank in range(12)]
     assert min(dump.size("num_elem") for dump in dumps) == 0
@@ -373,11 +373,11 @@ def test_ranks_fail_alike(at):
     """A part that cannot be written takes the others with it."""
     path = vti(at, fraction_image(8))
     os.symlink("/dev/full", at("full.exo.3.1"))
-    result = mpi_run(3, [SCULPTOR, "--input", path, "--output", at("full.exo")], 60)
+    result = mpi_run(3, [SCULPTOR, "--input", path, "--output", at("full.exo")])
     assert result.returncode == 4 and result.stderr.count("sculptor:") == 1, result
     assert "full.exo.3.1: No space left on device" in result.stderr, result
     assert set(os.listdir(at(""))) <= {"full.exo.3.1", "in.vti"}, os.listdir(at(""))
-    result = mpi_run(1, [SCULPTOR, "--input", path, "--output", at("mesh.pvtu"), "--single-file"], 60)
+    result = mpi_run(1, [SCULPTOR, "--input", path, "--output", at("mesh.pvtu"), "--single-file"])
     assert result.returncode == 1 and "always several files" in result.stderr, result
 
 

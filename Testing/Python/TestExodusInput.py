@@ -216,7 +216,7 @@ def test_missing_arrays():
 
 
 def pvbatch(ranks, *words):
-    result = mpi_run(ranks, ["pvbatch", *(["--sym"] if ranks > 1 else []), exodus_grids.__file__, *words], 120)
+    result = mpi_run(ranks, ["pvbatch", *(["--sym"] if ranks > 1 else []), exodus_grids.__file__, *words])
     assert result.returncode == 0 and "ERR|" not in result.stderr, result
 
 

@@ -179,7 +179,7 @@ def test_sculptor():
         simple.SaveData(path, proxy=producer(data), DataMode="Binary")
         command = [os.environ["VFM_SCULPTOR"], "--input", path, "--output", os.path.join(folder, "out.vtu")]
         for ranks in (1, 2):
-            result = mpi_run(ranks, command + ["--fragments", output, "--density", "density"], 60)
+            result = mpi_run(ranks, command + ["--fragments", output, "--density", "density"])
             assert result.returncode == 0, result.stderr
             with open(output, newline="") as file:
                 rows = list(csv.DictReader(file))
@@ -189,7 +189,7 @@ def test_sculptor():
                 (["--fragments", os.path.join(folder, "none", "f.csv")], 4, "Cannot write the output"),
                 (["--fragments", folder], 4, "Cannot write the table"),
                 (["--fragments", output, "--density", "nothing"], 3, "nothing")):
-            result = mpi_run(2, command + extra, 60)
+            result = mpi_run(2, command + extra)
             assert result.returncode == code and result.stderr.count(text) == 1, result
 
 

@@ -101,7 +101,7 @@ def test_same_mesh_by_sculptor(at):
         for arguments in ([text, *SIZED], [array], [turned_text, *SIZED, "--axis-order", "zyx"]):
             for ranks in (1, 3):
                 output = at("out.vtu")
-                result = mpi_run(ranks, [SCULPTOR, "--input", *arguments, *PLACED, *options, "--output", output], 60)
+                result = mpi_run(ranks, [SCULPTOR, "--input", *arguments, *PLACED, *options, "--output", output])
                 assert result.returncode == 0 and result.stderr == "", result
                 assert "materials from MaterialId (labels)" in result.stdout
                 check_same(merge(read_pieces(output)), gold, (arguments, ranks))
@@ -111,7 +111,7 @@ def test_same_mesh_by_sculptor(at):
 @in_folder
 def test_sculptor_keeps_materials(at):
     path = write_numpy(at("a.npy"), GRAINS)
-    result = mpi_run(1, [SCULPTOR, "--input", path, *PLACED, "--material", "2,3", "--output", at("out.vtu")], 60)
+    result = mpi_run(1, [SCULPTOR, "--input", path, *PLACED, "--material", "2,3", "--output", at("out.vtu")])
     assert result.returncode == 0, result
     data = image({"MaterialId": np.where(np.isin(turned(GRAINS, "ZYX"), (2, 3)), turned(GRAINS, "ZYX"), 0).astype(np.int32)})
     check_same(merge(read_pieces(at("out.vtu"))), merge([mesh_of(data, MaterialIdArray="MaterialId").mesh]), "2,3")
@@ -194,7 +194,7 @@ def test_fractions(at):
                                 VolumeFractionArrays=["VolumeFraction1", "VolumeFraction2"])
     hexes.UpdatePipeline()
     check_same(merge([hexes.GetClientSideObject().GetOutputDataObject(0)]), gold, "proxy")
-    result = mpi_run(3, [SCULPTOR, "--input", at("two.npy"), *PLACED, "--output", at("out.vtu")], 60)
+    result = mpi_run(3, [SCULPTOR, "--input", at("two.npy"), *PLACED, "--output", at("out.vtu")])
     assert result.returncode == 0 and "VolumeFraction1, VolumeFraction2" in result.stdout, result
     check_same(merge(read_pieces(at("out.vtu"))), gold, "sculptor")
     for dtype, kind in ((">f4", 10), ("<f8", 11)):
@@ -340,7 +340,7 @@ def test_refused_arrays(at):
 @in_folder
 def test_refused_by_sculptor(at):
     def refused(code, text, *arguments, ranks=1):
-        result = mpi_run(ranks, [SCULPTOR, *arguments, "--output", at("out.vtu")], 60)
+        result = mpi_run(ranks, [SCULPTOR, *arguments, "--output", at("out.vtu")])
         lines = result.stderr.splitlines()
         assert result.returncode == code and len(lines) == 1 and text in lines[0] and result.stdout == "", (text, result)
 

@@ -9,7 +9,7 @@ SCULPTOR = os.environ["VFM_SCULPTOR"]
 
 def sculptor(*arguments, ranks=1, folder=None):
     """Runs the program without a terminal; standard error is without what mpiexec says."""
-    return mpi_run(ranks, [SCULPTOR, *arguments], 60, folder)
+    return mpi_run(ranks, [SCULPTOR, *arguments], folder)
 
 
 def mesh_file(path, output, *arguments, ranks=1):
