@@ -138,35 +138,28 @@ TriangleSolid::TriangleSolid(std::vector<Triangle> triangles) : Triangles(std::m
   const double count = static_cast<double>(this->Triangles.size());
   this->Bins = std::min(1 + static_cast<int>(std::sqrt(count)), MaximumBins);
 
-  // Count, then fill.
-  const auto forBins = [this](std::size_t t, const auto& visit)
-  {
-    const std::array<int, 2> y =
-      this->FindBins(0, this->Boxes[t].Lower[1], this->Boxes[t].Upper[1]);
-    const std::array<int, 2> z =
-      this->FindBins(1, this->Boxes[t].Lower[2], this->Boxes[t].Upper[2]);
-    for (int k = z[0]; k <= z[1]; ++k)
+  this->Members = MakeGroups<int>(static_cast<std::size_t>(this->Bins) * this->Bins,
+    [this](const auto& visit)
     {
-      for (int j = y[0]; j <= y[1]; ++j)
+      for (std::size_t t = 0; t < this->Triangles.size(); ++t)
       {
-        visit(k * this->Bins + j);
+        this->ForBins(this->Boxes[t], [&](int bin) { visit(bin, static_cast<int>(t)); });
       }
+    });
+}
+
+/// Calls visit(bin) for the bins that a box meets.
+template <class Visitor>
+void TriangleSolid::ForBins(const Bounds& box, const Visitor& visit) const
+{
+  const std::array<int, 2> y = this->FindBins(0, box.Lower[1], box.Upper[1]);
+  const std::array<int, 2> z = this->FindBins(1, box.Lower[2], box.Upper[2]);
+  for (int k = z[0]; k <= z[1]; ++k)
+  {
+    for (int j = y[0]; j <= y[1]; ++j)
+    {
+      visit(k * this->Bins + j);
     }
-  };
-  this->First.assign(static_cast<std::size_t>(this->Bins) * this->Bins + 1, 0);
-  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
-  {
-    forBins(t, [this](int bin) { ++this->First[bin + 1]; });
-  }
-  for (std::size_t b = 1; b < this->First.size(); ++b)
-  {
-    this->First[b] += this->First[b - 1];
-  }
-  this->Members.resize(this->First.back());
-  std::vector<std::size_t> next = this->First;
-  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
-  {
-    forBins(t, [&](int bin) { this->Members[next[bin]++] = static_cast<int>(t); });
   }
 }
 
@@ -201,9 +194,9 @@ void TriangleSolid::VisitColumn(
     for (int j = y[0]; j <= y[1]; ++j)
     {
       const int bin = k * this->Bins + j;
-      for (std::size_t m = this->First[bin]; m < this->First[bin + 1]; ++m)
+      for (Index m = this->Members.Begin[bin]; m < this->Members.Begin[bin + 1]; ++m)
       {
-        const Bounds& box = this->Boxes[this->Members[m]];
+        const Bounds& box = this->Boxes[this->Members.Items[m]];
         if (box.Upper[0] < lower[0] || box.Lower[1] > upper[1] || box.Upper[1] < lower[1] ||
           box.Lower[2] > upper[2] || box.Upper[2] < lower[2])
         {
@@ -212,7 +205,7 @@ void TriangleSolid::VisitColumn(
         // A triangle of several bins counts in the first that it shares with the column.
         if (j == std::max(y[0], this->FindBins(0, box.Lower[1], box.Lower[1])[0]) &&
           k == std::max(z[0], this->FindBins(1, box.Lower[2], box.Lower[2])[0]) &&
-          visit(this->Members[m]))
+          visit(this->Members.Items[m]))
         {
           return;
         }

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/Groups.h"
 #include "Shapes/Shapes.h"
 
 namespace vfm
@@ -36,6 +37,8 @@ private:
     Vector3 Lower, Upper;
   };
   /// Bins that an interval along y (0) or z (1) overlaps, from first to last.
+  template <class Visitor>
+  void ForBins(const Bounds& box, const Visitor& visit) const;
   std::array<int, 2> FindBins(int axis, double low, double high) const;
   /// Calls visit(triangle) for triangles whose bounds overlap the box but for its upper x, each
   /// once, until it returns true.
@@ -45,9 +48,8 @@ private:
   std::vector<Triangle> Triangles;
   std::vector<Bounds> Boxes; // of the triangles
   Bounds All;
-  int Bins = 1;                   // along y and z
-  std::vector<std::size_t> First; // of each bin in Members
-  std::vector<int> Members;
+  int Bins = 1;        // along y and z
+  Groups<int> Members; // triangles by bin
 };
 
 } // namespace vfm

@@ -47,7 +47,17 @@ void Interface::FindFaces(const LabelArray& labels)
 {
   ForInterfaceFaces(this->TheGrid, labels, this->MixedNodes, this->TheGrid.Local(),
     [this](const InterfaceFace& face, const Index3&, const Index3&) { this->AddFace(face); });
-  this->LinkFaces();
+  this->FacesOfNodes = MakeGroups<Index>(this->MixedNodes.size(),
+    [this](const auto& visit)
+    {
+      for (std::size_t f = 0; f < this->FaceNodes.size(); ++f)
+      {
+        for (Index n : this->FaceNodes[f])
+        {
+          visit(n, static_cast<Index>(f));
+        }
+      }
+    });
 }
 
 /// Adds a face and its nodes, unless one of them is not listed.
@@ -60,32 +70,6 @@ void Interface::AddFace(const InterfaceFace& face)
   {
     this->TheFaces.push_back(face);
     this->FaceNodes.push_back(nodes);
-  }
-}
-
-/// The faces of every node.
-void Interface::LinkFaces()
-{
-  this->FacesAt.assign(this->MixedNodes.size() + 1, 0);
-  for (const auto& nodes : this->FaceNodes)
-  {
-    for (Index n : nodes)
-    {
-      ++this->FacesAt[n + 1];
-    }
-  }
-  for (std::size_t n = 1; n < this->FacesAt.size(); ++n)
-  {
-    this->FacesAt[n] += this->FacesAt[n - 1];
-  }
-  this->FacesOfNodes.resize(4 * this->FaceNodes.size());
-  std::vector<Index> next(this->FacesAt.begin(), this->FacesAt.end() - 1);
-  for (std::size_t f = 0; f < this->FaceNodes.size(); ++f)
-  {
-    for (Index n : this->FaceNodes[f])
-    {
-      this->FacesOfNodes[next[n]++] = static_cast<Index>(f);
-    }
   }
 }
 
@@ -141,9 +125,9 @@ void Interface::AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) con
   const Index node = this->MixedNodes[n];
   const Vector3 x = this->NodePoint(node), widths = this->NodeWidths(node);
   std::vector<double> weights;
-  for (Index at = this->FacesAt[n]; at < this->FacesAt[n + 1]; ++at)
+  for (Index at = this->FaceOffset(n); at < this->FaceOffset(n + 1); ++at)
   {
-    const Index f = this->FacesOfNodes[at];
+    const Index f = this->FaceList()[at];
     const int a = this->TheFaces[f].First(), b = this->TheFaces[f].Second();
     std::size_t slot = 0;
     while (slot < points.size() &&

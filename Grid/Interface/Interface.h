@@ -11,6 +11,7 @@
  */
 #pragma once
 
+#include "Base/Groups.h"
 #include "Base/Runtime.h"
 #include "Labels/InterfaceFaces.h"
 
@@ -53,8 +54,8 @@ public:
   /// The four nodes of a face (positions in Nodes()), around it.
   const std::array<Index, 4>& CornersOfFace(Index face) const { return this->FaceNodes[face]; }
   /// Faces at the n-th node: FaceList()[FaceOffset(n) .. FaceOffset(n + 1)), ascending.
-  Index FaceOffset(Index n) const { return this->FacesAt[n]; }
-  const std::vector<Index>& FaceList() const { return this->FacesOfNodes; }
+  Index FaceOffset(Index n) const { return this->FacesOfNodes.Begin[n]; }
+  const std::vector<Index>& FaceList() const { return this->FacesOfNodes.Items; }
 
   /// Surface points of the n-th node: Points()[PointOffset(n) .. PointOffset(n + 1)), by pair.
   Index PointOffset(Index n) const { return this->PointsAt[n]; }
@@ -70,7 +71,6 @@ public:
 private:
   void FindFaces(const LabelArray& labels);
   void AddFace(const InterfaceFace& face);
-  void LinkFaces();
   void FindSurfacePoints(Runtime& runtime);
   void SlideIntoDomain(Index node, const Vector3& x, SurfacePoint& point) const;
   void AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) const;
@@ -81,7 +81,7 @@ private:
   std::vector<InterfaceFace> TheFaces;
   std::vector<std::array<Index, 4>> FaceNodes;
   std::vector<Crossing> TheCrossings;
-  std::vector<Index> FacesAt, FacesOfNodes;
+  Groups<Index> FacesOfNodes;
   std::vector<Index> PointsAt;
   std::vector<SurfacePoint> SurfacePoints;
 };

@@ -33,25 +33,18 @@ public:
   /// Whether a leaf is near the family of a node.
   bool IsNear(const Index3& node)
   {
-    Index3 family;
-    IndexBox box;
-    for (int a = 0; a < 3; ++a)
-    {
-      family[a] = std::min(node[a], this->Size(a) - 1) >> 1;
-      box.Lower[a] = 2 * family[a];
-      box.Upper[a] = 2 * family[a] + 2;
-    }
+    const Index3 family =
+      ParentOfCell(ChangeLevel(this->Levels.Base().Global(), this->Level).Nearest(node));
     const auto at = this->Near.try_emplace(this->Lattice().FamilyKey(this->Level, family), false);
     if (at.second)
     {
-      at.first->second = this->HasLeafAround(box, NearFamilies);
+      at.first->second = this->HasLeafAround(BoxOfCell(family), NearFamilies);
     }
     return at.first->second;
   }
 
 private:
   const OctreeKeys& Lattice() const { return this->Levels.Lattice(); }
-  Index Size(int axis) const { return this->Lattice().Cells(this->Level, axis); }
   bool IsRefined(const Index3& cell) const
   {
     return this->Level < this->Levels.NumberOfRefinements() &&
@@ -60,8 +53,7 @@ private:
   bool IsInCoarserLeaf(const Index3& cell) const
   {
     return this->Level > 0 &&
-      !this->Levels.Families().IsRefined(
-        this->Level - 1, { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } });
+      !this->Levels.Families().IsRefined(this->Level - 1, ParentOfCell(cell));
   }
 
   /// Of the coarser leaf that a cell lies in.
@@ -73,36 +65,21 @@ private:
       this->Touching.try_emplace(this->Lattice().HexKey(leaf.Level, leaf.At, 0), false);
     if (at.second)
     {
-      IndexBox box;
-      for (int a = 0; a < 3; ++a)
-      {
-        box.Lower[a] = leaf.At[a] << (this->Level - leaf.Level);
-        box.Upper[a] = (leaf.At[a] + 1) << (this->Level - leaf.Level);
-      }
-      at.first->second = this->HasLeafAround(box, 1);
+      // a leaf of the level before is one family
+      const IndexBox families = ChangeLevel(BoxOfCell(leaf.At), this->Level - 1 - leaf.Level);
+      at.first->second = this->HasLeafAround(families, 1);
     }
     return at.first->second;
   }
 
-  /// Whether a leaf is in a box of families, given in cells, or in so many families around it.
-  bool HasLeafAround(const IndexBox& box, Index families) const
+  /// Whether a leaf is in a box of families or in so many families around it.
+  bool HasLeafAround(const IndexBox& families, Index around) const
   {
-    const Index width = 2 * families;
-    Index3 p;
-    for (p[2] = box.Lower[2] - width; p[2] < box.Upper[2] + width; p[2] += 2)
-    {
-      for (p[1] = box.Lower[1] - width; p[1] < box.Upper[1] + width; p[1] += 2)
-      {
-        for (p[0] = box.Lower[0] - width; p[0] < box.Upper[0] + width; p[0] += 2)
-        {
-          if (this->Lattice().HasCell(this->Level, p) && this->IsLeaf(p))
-          {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
+    const IndexBox all = ChangeLevel(ChangeLevel(this->Levels.Base().Global(), this->Level), -1);
+    bool found = false;
+    ForCells(Grow(families, around, all),
+      [&](const Index3& family) { found = found || this->IsLeaf(ChildOfCell(family, 0)); });
+    return found;
   }
 
   const RefinedGrid& Levels;
@@ -129,13 +106,7 @@ public:
   std::vector<Index> Apply()
   {
     const IndexBox& box = this->Grid.Local();
-    for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-    {
-      for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-      {
-        this->ApplyToRow({ { box.Lower[0], j, k } });
-      }
-    }
+    ForRows(box, [&](Index j, Index k) { this->ApplyToRow({ { box.Lower[0], j, k } }); });
     return std::move(this->Steps);
   }
 

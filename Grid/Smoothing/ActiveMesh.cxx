@@ -1,5 +1,6 @@
 #include "Smoothing/ActiveMesh.h"
 
+#include "Base/Groups.h"
 #include "Base/Vector3.h"
 #include "Octree/RefinedGrid.h"
 
@@ -111,25 +112,20 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
 
 void ActiveMesh::ListCorners()
 {
-  this->CornerOffset.assign(this->X.size() + 1, 0);
-  for (int p : this->Elements)
-  {
-    this->CornerOffset[p + 1] += this->IsActive[p];
-  }
-  for (std::size_t p = 1; p < this->CornerOffset.size(); ++p)
-  {
-    this->CornerOffset[p] += this->CornerOffset[p - 1];
-  }
-  this->CornerList.resize(this->CornerOffset.back());
-  std::vector<Index> next(this->CornerOffset.begin(), this->CornerOffset.end() - 1);
-  for (std::size_t position = 0; position < this->Elements.size(); ++position)
-  {
-    const int p = this->Elements[position];
-    if (this->IsActive[p])
+  Groups<Index> corners = MakeGroups<Index>(this->X.size(),
+    [this](const auto& visit)
     {
-      this->CornerList[next[p]++] = static_cast<Index>(position);
-    }
-  }
+      for (std::size_t position = 0; position < this->Elements.size(); ++position)
+      {
+        const int p = this->Elements[position];
+        if (this->IsActive[p])
+        {
+          visit(p, static_cast<Index>(position));
+        }
+      }
+    });
+  this->CornerOffset = std::move(corners.Begin);
+  this->CornerList = std::move(corners.Items);
 }
 
 std::vector<unsigned char> ActiveMesh::ListMoved(const Mesh& mesh) const

@@ -1,5 +1,7 @@
 #include "Smoothing/Attach.h"
 
+#include "Base/Groups.h"
+
 namespace vfm
 {
 namespace
@@ -42,60 +44,42 @@ void ForMoving(const Facet& facet, const ActiveMesh& active, const Visitor& visi
   }
 }
 
-/// The pairs at each moving point, one entry a facet.
-class PairsAtPoints
+/// The facets at each point that moves.
+Groups<int> FindFacetsAt(const std::vector<Facet>& facets, const ActiveMesh& active)
 {
-public:
-  PairsAtPoints(const std::vector<Facet>& facets, const ActiveMesh& active) :
-    Facets(facets), Begin(active.X.size() + 1, 0)
-  {
-    for (const Facet& facet : facets)
+  return MakeGroups<int>(active.X.size(),
+    [&](const auto& visit)
     {
-      ForMoving(facet, active, [this](int point) { ++this->Begin[point + 1]; });
-    }
-    for (std::size_t p = 1; p < this->Begin.size(); ++p)
-    {
-      this->Begin[p] += this->Begin[p - 1];
-    }
-    this->List.resize(this->Begin.back());
-    std::vector<Index> next(this->Begin.begin(), this->Begin.end() - 1);
-    for (std::size_t f = 0; f < facets.size(); ++f)
-    {
-      ForMoving(
-        facets[f], active, [&](int point) { this->List[next[point]++] = static_cast<int>(f); });
-    }
-  }
+      for (std::size_t f = 0; f < facets.size(); ++f)
+      {
+        ForMoving(facets[f], active, [&](int point) { visit(point, static_cast<int>(f)); });
+      }
+    });
+}
 
-  /// The distinct pairs of labels at a point, ascending, each with its smallest fragments.
-  void Find(int point, std::vector<Pair>& pairs) const
-  {
-    pairs.clear();
-    for (Index at = this->Begin[point]; at < this->Begin[point + 1]; ++at)
-    {
-      pairs.push_back(PairOf(this->Facets[this->List[at]]));
-    }
-    std::sort(pairs.begin(), pairs.end());
-    const auto alike = [](const Pair& a, const Pair& b) { return a.Labels == b.Labels; };
-    pairs.erase(std::unique(pairs.begin(), pairs.end(), alike), pairs.end());
-  }
-
-private:
-  const std::vector<Facet>& Facets;
-  std::vector<Index> Begin;
-  std::vector<int> List;
-};
+/// The distinct pairs of labels of some facets, ascending, each with its smallest fragments.
+void FindPairs(
+  const std::vector<Facet>& facets, const int* begin, const int* end, std::vector<Pair>& pairs)
+{
+  pairs.clear();
+  std::for_each(begin, end, [&](int facet) { pairs.push_back(PairOf(facets[facet])); });
+  std::sort(pairs.begin(), pairs.end());
+  const auto alike = [](const Pair& a, const Pair& b) { return a.Labels == b.Labels; };
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), alike), pairs.end());
+}
 
 } // namespace
 
 void AttachToFacets(
   const std::vector<Facet>& facets, const FindTarget& findTarget, ActiveMesh& active)
 {
-  const PairsAtPoints at(facets, active);
+  const Groups<int> at = FindFacetsAt(facets, active);
   std::vector<Pair> pairs;
   active.AttachmentOffset.assign(1, 0);
   for (int point = 0; point < static_cast<int>(active.X.size()); ++point)
   {
-    at.Find(point, pairs);
+    FindPairs(
+      facets, at.Items.data() + at.Begin[point], at.Items.data() + at.Begin[point + 1], pairs);
     for (const Pair& pair : pairs)
     {
       const Index target = findTarget(point, pair.Labels);

@@ -1,0 +1,36 @@
+/**
+ * Groups: items of numbered groups in one array, those of a group together.
+ */
+#pragma once
+
+#include "Base/IndexBox.h"
+
+namespace vfm
+{
+
+template <class Item>
+struct Groups
+{
+  std::vector<Index> Begin; ///< of each group in Items, and the end
+  std::vector<Item> Items;  ///< in a group in the order in which they were told
+};
+
+/// forItems(visit) calls visit(group, item) for all items, the same each time: they are counted, then written.
+template <class Item, class ForItems>
+Groups<Item> MakeGroups(std::size_t count, const ForItems& forItems)
+{
+  Groups<Item> groups;
+  std::vector<Index>& begin = groups.Begin;
+  begin.assign(count + 1, 0);
+  forItems([&](Index group, Item) { ++begin[group + 1]; });
+  for (std::size_t g = 1; g <= count; ++g)
+  {
+    begin[g] += begin[g - 1];
+  }
+  groups.Items.resize(begin.back());
+  std::vector<Index> next(begin.begin(), begin.end() - 1);
+  forItems([&](Index group, Item item) { groups.Items[next[group]++] = item; });
+  return groups;
+}
+
+} // namespace vfm
