@@ -18,6 +18,6 @@ constexpr int NothingBehind = -1;
 /// face, the value of the element on its other side on any rank, or NothingBehind. Throws InputError, on all ranks alike, when a
 /// face belongs to more than two elements of one rank, or has no partner on each of three ranks.
 std::vector<int> MatchFaces(
-  const std::vector<FaceIds>& faces, const std::vector<int>& values, Ranks& ranks);
+  const std::vector<FaceIds>& ids, const std::vector<int>& values, Ranks& ranks);
 
 } // namespace vfm
