@@ -3,9 +3,8 @@
 #include "Hex/ActiveHexes.h"
 #include "Hex/CoarseSmoothing.h"
 #include "Hex/HexFacets.h"
-#include "Hex/MeasureHexes.h"
 #include "Mesh/Geometry.h"
-#include "Mesh/Quality.h"
+#include "Mesh/MeasureFragments.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/CellLocator.h"
@@ -28,20 +27,10 @@ double TargetJacobian(const FractionField& fractions, const MeshOptions& options
 }
 
 /// The stages, on a grid with as many ghost layers as they need.
-class HexStages
+class HexStages : private MeshStages
 {
 public:
-  HexStages(const CartesianGrid& grid, const FractionField& fractions, const MeshOptions& options,
-    Runtime& runtime, MeshReport& report) :
-    Grid(grid),
-    Fractions(fractions),
-    Options(options),
-    Run(runtime),
-    Report(report),
-    Clock(runtime, report),
-    Parts(grid, runtime.Group())
-  {
-  }
+  using MeshStages::MeshStages;
 
   Mesh MakeMesh();
 
@@ -52,13 +41,6 @@ private:
   std::vector<unsigned char> Smooth(
     const std::vector<Facet>& facets, FragmentVolumes& volumes, Mesh& mesh);
 
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const MeshOptions& Options;
-  Runtime& Run;
-  MeshReport& Report;
-  StageClock Clock;
-  const Partition Parts;
   LabelledGrid Labelled;
 };
 
@@ -73,11 +55,7 @@ void HexStages::FindLabels()
   }
   LabelledGrid& result = this->Labelled;
   result.Labels = AssignMaterials(this->Grid, this->Fractions, this->Options.IsoValue);
-  this->Clock.Start("Resolving labels", 0.05);
-  const ResolveReport resolved =
-    ResolveLabels(this->Grid, this->Fractions, result.Labels, this->Parts);
-  this->Report.FlippedCells = resolved.FlippedCells;
-  this->Report.ResolveRounds = resolved.Rounds;
+  this->Resolve(result.Labels);
   this->Clock.Start("Making hexahedra", 0.1);
   result.Mixed = FindMixedNodes(this->Grid, result.Labels);
   result.Levels = MakeLevels(this->Grid, result.Labels, result.Mixed, this->Options, this->Run);
@@ -90,7 +68,7 @@ FragmentVolumes HexStages::FindVolumes(const Fragments& fragments, const Mesh& m
     this->Grid, this->Fractions, fragments.MaterialsOfFragments(), locator, this->Parts);
   if (!mesh.Levels->HasFineInterfaces())
   {
-    volumes.SetStart(MeasureHexes(mesh, this->Grid, fragments.NumberOfFragments(), this->Run));
+    volumes.SetStart(MeasureFragments(mesh, this->Grid, fragments.NumberOfFragments(), this->Run));
   }
   return volumes;
 }
@@ -150,11 +128,7 @@ Mesh HexStages::MakeMesh()
   KeepOwned(mesh, this->Grid);
   ReportLevels(mesh, this->Run.Group(), this->Report, this->Labelled.AskedFamilies);
   ReportVolumes(this->Grid, volumes, this->Report);
-  if (this->Options.ComputeQuality)
-  {
-    this->Clock.Start("Measuring quality", 0.95);
-    ComputeQuality(mesh, this->Run, this->Report);
-  }
+  this->MeasureQuality(mesh);
   return mesh;
 }
 

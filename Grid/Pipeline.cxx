@@ -1,6 +1,7 @@
 #include "Pipeline.h"
 
 #include "Labels/LeafLabels.h"
+#include "Mesh/Quality.h"
 #include "Tet/TetTopology.h"
 
 #include <cmath>
@@ -47,6 +48,23 @@ void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clo
 }
 
 } // namespace
+
+void MeshStages::Resolve(LabelArray& labels)
+{
+  this->Clock.Start("Resolving labels", 0.05);
+  const ResolveReport resolved = ResolveLabels(this->Grid, this->Fractions, labels, this->Parts);
+  this->Report.FlippedCells = resolved.FlippedCells;
+  this->Report.ResolveRounds = resolved.Rounds;
+}
+
+void MeshStages::MeasureQuality(Mesh& mesh)
+{
+  if (this->Options.ComputeQuality)
+  {
+    this->Clock.Start("Measuring quality", 0.95);
+    ComputeQuality(mesh, this->Run, this->Report);
+  }
+}
 
 void CheckOptions(const MeshOptions& options)
 {

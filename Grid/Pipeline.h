@@ -43,6 +43,35 @@ private:
   std::chrono::steady_clock::time_point Begin;
 };
 
+/// What the stages of hexahedra and tetrahedra are given, and those that both have.
+class MeshStages
+{
+public:
+  MeshStages(const CartesianGrid& grid, const FractionField& fractions, const MeshOptions& options,
+    Runtime& runtime, MeshReport& report) :
+    Grid(grid),
+    Fractions(fractions),
+    Options(options),
+    Run(runtime),
+    Report(report),
+    Clock(runtime, report),
+    Parts(grid, runtime.Group())
+  {
+  }
+
+protected:
+  void Resolve(LabelArray& labels);
+  void MeasureQuality(Mesh& mesh);
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const MeshOptions& Options;
+  Runtime& Run;
+  MeshReport& Report;
+  StageClock Clock;
+  const Partition Parts;
+};
+
 /// Throws InputError when an option is out of range.
 void CheckOptions(const MeshOptions& options);
 

@@ -1,7 +1,7 @@
 #include "TetPipeline.h"
 
 #include "Mesh/Geometry.h"
-#include "Mesh/Quality.h"
+#include "Mesh/MeasureFragments.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/CellLocator.h"
@@ -28,21 +28,10 @@ namespace
 constexpr int LateFlips = 5; // sweeps between two rounds of flips in the last stage
 
 /// Makes the mesh of Cells or Lattice.
-class TetMesher
+class TetMesher : private MeshStages
 {
 public:
-  TetMesher(const CartesianGrid& grid, const FractionField& fractions, const MeshOptions& options,
-    Runtime& runtime, MeshReport& report) :
-    Grid(grid),
-    Fractions(fractions),
-    Options(options),
-    Method(options.Tets == TetMethod::Lattice ? TetMethod::Lattice : TetMethod::Cells),
-    Run(runtime),
-    Report(report),
-    Clock(runtime, report),
-    Parts(grid, runtime.Group())
-  {
-  }
+  using MeshStages::MeshStages;
 
   Mesh Make()
   {
@@ -61,11 +50,7 @@ public:
     KeepOwned(mesh, this->Grid);
     ReportLevels(mesh, this->Run.Group(), this->Report);
     this->Refill();
-    if (this->Options.ComputeQuality)
-    {
-      this->Clock.Start("Measuring quality", 0.95);
-      ComputeQuality(mesh, this->Run, this->Report);
-    }
+    this->MeasureQuality(mesh);
     return std::move(mesh);
   }
 
@@ -106,11 +91,7 @@ private:
       this->LabelsOfLevels =
         this->Labels; // before any is flipped: the lattice does not know of flips
     }
-    this->Clock.Start("Resolving labels", 0.05);
-    const ResolveReport resolved =
-      ResolveLabels(this->Grid, this->Fractions, this->Labels, this->Parts);
-    this->Report.FlippedCells = resolved.FlippedCells;
-    this->Report.ResolveRounds = resolved.Rounds;
+    this->Resolve(this->Labels);
   }
 
   void Build()
@@ -167,7 +148,8 @@ private:
       this->Materials = fragments.Materials();
       this->Volumes = std::make_unique<FragmentVolumes>(
         this->Grid, this->Fractions, this->Materials, fragments, this->Parts);
-      this->Volumes->SetStart(fragments.MeasureVolumes(mesh, this->Run.Group()));
+      this->Volumes->SetStart(MeasureFragments(
+        mesh, this->Grid, static_cast<int>(this->Materials.size()) - 1, this->Run));
     }
     else
     {
@@ -234,14 +216,8 @@ private:
     active.CopyTo(mesh, this->Grid);
   }
 
-  const CartesianGrid& Grid;
-  const FractionField& Fractions;
-  const MeshOptions& Options;
-  TetMethod Method;
-  Runtime& Run;
-  MeshReport& Report;
-  StageClock Clock;
-  Partition Parts;
+  const TetMethod Method =
+    this->Options.Tets == TetMethod::Lattice ? TetMethod::Lattice : TetMethod::Cells;
   LabelArray Labels, LabelsOfLevels;
   TetTopology Topology;
   TetFaces Faces;

@@ -109,6 +109,20 @@ public:
   Index EndOfPointIds(Index slots) const;
 
 private:
+  /// A visitor of runs of cells that visits what of them, and of so many entries after them, lies in [first, last).
+  template <class Visitor>
+  static auto CutAt(Index first, Index last, Index after, const Visitor& visit)
+  {
+    return [=, &visit](Index begin, Index end)
+    {
+      begin = std::max(begin, first);
+      end = std::min(end + after, last);
+      if (begin < end)
+      {
+        visit(begin, end);
+      }
+    };
+  }
   bool IsMarked(const Index3& cell) const;
   /// Of the eight cells at a node.
   int CountFineAround(const Index3& node) const;
@@ -171,16 +185,7 @@ void RefinedGrid::ForFineCells(
     return;
   }
   const Index row = this->RowOfFamilies(j, k);
-  this->ForFineFamilies({ { row, row, row, row } },
-    [&](Index begin, Index end)
-    {
-      begin = std::max(begin, first);
-      end = std::min(end, last);
-      if (begin < end)
-      {
-        visit(begin, end);
-      }
-    });
+  this->ForFineFamilies({ { row, row, row, row } }, CutAt(first, last, 0, visit));
 }
 
 template <class Visitor>
@@ -194,15 +199,7 @@ void RefinedGrid::ForFineNodes(
   }
   this->ForFineFamilies({ { this->RowOfFamilies(j - 1, k - 1), this->RowOfFamilies(j, k - 1),
                           this->RowOfFamilies(j - 1, k), this->RowOfFamilies(j, k) } },
-    [&](Index begin, Index end)
-    {
-      begin = std::max(begin, first);
-      end = std::min(end + 1, last);
-      if (begin < end)
-      {
-        visit(begin, end);
-      }
-    });
+    CutAt(first, last, 1, visit));
 }
 
 } // namespace vfm

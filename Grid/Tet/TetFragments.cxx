@@ -230,26 +230,6 @@ void TetFragments::AddLocations(const Mesh& mesh, Index tet)
   }
 }
 
-std::vector<double> TetFragments::MeasureVolumes(const Mesh& mesh, Ranks& ranks) const
-{
-  std::vector<ExactSum> sums(this->MaterialOf.size());
-  const double scale = std::pow(this->Grid.MeanWidth(), -3.0) / 6.0;
-  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
-  {
-    if (!this->Parts.OwnsCell(CellOfElement(this->Grid, mesh, mesh.ElementIds[t])))
-    {
-      continue;
-    }
-    Vector3 x[4];
-    for (int c = 0; c < 4; ++c)
-    {
-      std::copy_n(mesh.Points.data() + 3 * mesh.Elements[4 * t + c], 3, x[c].begin());
-    }
-    sums[mesh.Fragment[t]].Add(scale * Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0])));
-  }
-  return SumOverRanks(sums, ranks);
-}
-
 void TetFragments::ForRuns(Index j, Index k, const Body& body) const
 {
   const IndexBox box = this->Grid.HexBox();

@@ -21,8 +21,6 @@ public:
 
   /// Of every fragment; [0] unused.
   const std::vector<int>& Materials() const { return this->MaterialOf; }
-  /// Of the owned tets as they stand, by fragment over all ranks, in cells of mean size. Collective.
-  std::vector<double> MeasureVolumes(const Mesh& mesh, Ranks& ranks) const;
 
   void ForRuns(Index j, Index k, const Body& body) const override;
   int FindNear(const Index3& cell, int material) const override;

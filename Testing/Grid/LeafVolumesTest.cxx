@@ -6,7 +6,7 @@
 
 #include "Hex/CoarseHexes.h"
 #include "Hex/HexTopology.h"
-#include "Hex/MeasureHexes.h"
+#include "Mesh/MeasureFragments.h"
 
 #include <gtest/gtest.h>
 
@@ -287,7 +287,7 @@ TEST(LeafVolumes, HexesHaveWhatTheyHave)
   const CartesianGrid grid = MakeUnitGrid(32, 24, 24);
   Runtime runtime;
   const Stairs stairs(grid, runtime);
-  const std::vector<double> volumes = MeasureHexes(stairs.Hexes, grid, 2, runtime);
+  const std::vector<double> volumes = MeasureFragments(stairs.Hexes, grid, 2, runtime);
   ASSERT_EQ(volumes.size(), 3u);
   EXPECT_EQ(volumes[0], 0.0);
   EXPECT_NEAR(volumes[1], MeasureVolume(stairs.Hexes, 1), 1e-6);
@@ -302,7 +302,7 @@ TEST(LeafVolumes, HexesHaveWhatTheyHave)
       {
         RankRuntime run(ranks);
         const CartesianGrid mine = MakeRankGrid(grid, boxes[ranks.Rank()]);
-        EXPECT_TRUE(MeasureHexes(Stairs(mine, run).Hexes, mine, 2, run) == volumes) << count;
+        EXPECT_TRUE(MeasureFragments(Stairs(mine, run).Hexes, mine, 2, run) == volumes) << count;
       });
   }
 }
@@ -327,7 +327,7 @@ TEST(LeafVolumes, UnitsAreMeanCells)
   MeshReport report;
   const Mesh mesh = MakeHexMesh(grid, shape.Fractions, options, runtime, report);
   const std::vector<double> volumes =
-    MeasureHexes(mesh, grid, static_cast<int>(report.NumberOfFragments), runtime);
+    MeasureFragments(mesh, grid, static_cast<int>(report.NumberOfFragments), runtime);
   ASSERT_EQ(report.NumberOfFragments, 2);
   for (std::size_t h = 0; h < mesh.ElementIds.size(); ++h)
   {
