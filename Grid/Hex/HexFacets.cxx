@@ -13,13 +13,12 @@ template <class Visitor>
 void ForRowsOfHexes(const IndexBox& box, const Mesh& mesh, const Visitor& visit)
 {
   Index row = 0;
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j, ++row)
+  ForRows(box,
+    [&](Index j, Index k)
     {
       visit(j, k, mesh.RowOffset[row], mesh.RowOffset[row + 1]);
-    }
-  }
+      ++row;
+    });
 }
 
 /// Calls visit(hex, finest cell in it that is nearest to the owned ones) for the coarse hexes with such a cell in HexBox.

@@ -152,15 +152,8 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
   const std::vector<int>& materials, const FragmentLocator& locator, const Partition& partition) :
   Materials(materials), Parts(partition), Swept(materials.size(), 0.0)
 {
-  const IndexBox& box = grid.Owned();
   TargetSums sums(grid, fractions, materials, locator);
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-    {
-      sums.AddRow(j, k);
-    }
-  }
+  ForRows(grid.Owned(), [&](Index j, Index k) { sums.AddRow(j, k); });
   Ranks& ranks = partition.Group();
   this->Targets = SumOverRanks(sums.Targets, ranks);
   this->StartVolumes = SumOverRanks(sums.Cells, ranks);

@@ -70,11 +70,16 @@ std::vector<std::vector<IndexBox>> CutInMany(const IndexBox& box)
   return { CutBox(box, 2), CutBox(box, 3, 0), CutBox(box, 4, 2), CutBox(box, 8), CutBox(box, 33) };
 }
 
-/// A rank without cells, and slabs thinner than the ghost layers.
+/// Ranks without cells, along all axes or one, and slabs thinner than the ghost layers.
 std::vector<std::vector<IndexBox>> CutOddly(const IndexBox& box)
 {
   std::vector<std::vector<IndexBox>> cuts{ CutBox(box, 2), CutBox(box, 14, 1) };
   cuts[0].insert(cuts[0].begin() + 1, IndexBox());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cuts[0].push_back(box);
+    cuts[0].back().Lower[axis] = box.Upper[axis];
+  }
   return cuts;
 }
 
