@@ -188,9 +188,7 @@ private:
       FindMixedNodes(this->Grid, this->Labels), this->Options.IsoValue, this->Run);
     const SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
     ActiveTets active = MakeActiveTets(this->Topology, this->Grid, this->Parts);
-    const std::vector<Facet> facets = this->ListFacets();
-    AttachTets(interface, mesh, facets, this->Method, active);
-    SetFacets(facets, active);
+    this->Attach(interface, active);
     const TetEnergy energy(FloorsOf(this->Options));
     std::optional<DiagonalFlips> flips;
     Improvement improvement{ active, targets, energy, TetRamp(), *this->Volumes,
@@ -214,6 +212,13 @@ private:
     }
     Improve(improvement, this->Clock, this->Run);
     active.CopyTo(mesh, this->Grid);
+  }
+
+  void Attach(const Interface& interface, ActiveMesh& active)
+  {
+    const std::vector<Facet> facets = this->ListFacets();
+    AttachTets(interface, this->Topology.Tets, facets, this->Method, active);
+    SetFacets(facets, active);
   }
 
   const TetMethod Method =
