@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "Base/CartesianGrid.h"
+#include "Base/IndexBox.h"
 
 #include "vtkSmartPointer.h"
 
