@@ -79,8 +79,8 @@ ActiveMesh MakeActiveHexes(
   ActiveMeshBuilder builder(8, mesh.PointIds.size(), MoverFinder(labelled, mesh).Find());
   const std::vector<Index> hexes = builder.AddAround(mesh);
   ActiveMesh active = builder.Finish(&partition, 8 * (levels.NumberOfRefinements() + 1));
-  active.Widths = levels.IsUniform() ? WidthsOfCells(levels.Finest(), mesh, hexes)
-                                     : WidthsOfHexes(levels, mesh, hexes);
+  active.Widths = levels.HasFineInterfaces() ? WidthsOfCells(levels.Finest(), mesh, hexes)
+                                             : WidthsOfHexes(levels, mesh, hexes);
   active.PlacePoints(levels.Finest(), mesh);
   return active;
 }
