@@ -29,19 +29,6 @@ MeshOptions OptionsOf(Kind kind)
   return options;
 }
 
-std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh)
-{
-  std::map<Index, std::array<double, 5>> points;
-  for (const auto& facet : mesh.Facets)
-  {
-    for (int c = 0; c < (mesh.Corners == 8 ? 4 : 3); ++c)
-    {
-      points[facet.first[c]] = mesh.Points.at(facet.first[c]);
-    }
-  }
-  return points;
-}
-
 /// A field and how its grid is cut.
 struct RankCase
 {

@@ -35,13 +35,15 @@ double SixVolumes(const TetCorners& x)
   return Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0]));
 }
 
+/// From the first corner: nothing cancels far from the origin.
 Corners CornersOf(const Mesh& mesh, Index hex)
 {
   Corners x;
+  const double* first = mesh.Points.data() + 3 * mesh.Elements[8 * hex];
   for (int c = 0; c < 8; ++c)
   {
     const double* p = mesh.Points.data() + 3 * mesh.Elements[8 * hex + VtkCorner[c]];
-    x[c] = { { p[0], p[1], p[2] } };
+    x[c] = { { p[0] - first[0], p[1] - first[1], p[2] - first[2] } };
   }
   return x;
 }
@@ -340,6 +342,13 @@ bool IsPositiveEverywhere(const Mesh& mesh)
   return true;
 }
 
+double SmallestCoefficient(const Mesh& mesh, Index element)
+{
+  return mesh.Corners == 4
+    ? SixVolumes(TetCornersOf(mesh, element))
+    : SmallestCoefficient(CornersOf(mesh, element), { { 0, 0, 0 } }, { { 1, 1, 1 } });
+}
+
 std::string FindConformityProblem(const Mesh& mesh)
 {
   if (!AreUnique(mesh.ElementIds) || !AreUnique(mesh.PointIds))
@@ -457,6 +466,44 @@ std::string FindFragmentProblem(const Mesh& mesh)
     }
   }
   return "";
+}
+
+std::string FindFacetProblem(const Mesh& mesh)
+{
+  const SurfaceFacets& surfaces = mesh.Surfaces;
+  const int corners = mesh.CornersOfFacet();
+  std::map<Face, std::size_t> facets;
+  for (std::size_t f = 0; f < surfaces.SurfaceId.size(); ++f)
+  {
+    Face facet{ { -1, -1, -1, -1 } };
+    std::copy_n(surfaces.Points.data() + corners * f, corners, facet.begin());
+    std::sort(facet.begin(), facet.end());
+    if (!facets.emplace(facet, f).second)
+    {
+      return "a facet twice";
+    }
+  }
+  for (const auto& face : FacesOf(mesh))
+  {
+    const Index first = face.second.front().Element, last = face.second.back().Element;
+    if (first != last && mesh.Fragment[first] == mesh.Fragment[last])
+    {
+      continue;
+    }
+    const auto at = facets.find(face.first);
+    if (at == facets.end())
+    {
+      return "face " + std::to_string(last - first) + " between fragments that is no facet";
+    }
+    const int a = first == last ? 0 : mesh.Material[first], b = mesh.Material[last];
+    const int* own = surfaces.MaterialPair.data() + 2 * at->second;
+    if (own[0] != std::min(a, b) || own[1] != std::max(a, b))
+    {
+      return "a facet with materials that are not beside it";
+    }
+    facets.erase(at);
+  }
+  return facets.empty() ? "" : "a facet that is no face between fragments";
 }
 
 double MeasureVolume(const Mesh& mesh, int material)

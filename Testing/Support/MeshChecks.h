@@ -34,6 +34,9 @@ double SmallestCornerDeterminant(const Mesh& mesh);
 /// are positive, after subdivision where they are not (Johnen, Remacle, Geuzaine 2013). Tets: every volume is positive.
 bool IsPositiveEverywhere(const Mesh& mesh);
 
+/// Smallest of the 27 Bernstein coefficients of a hex's Jacobian, a bound below it; six volumes of a tet.
+double SmallestCoefficient(const Mesh& mesh, Index element);
+
 /// "" or what is wrong: a face on more than two elements, an unused point, ids that are not unique.
 std::string FindConformityProblem(const Mesh& mesh);
 
@@ -51,6 +54,9 @@ std::string FindTopologyProblem(const Mesh& mesh);
 
 /// "" or what is wrong: a fragment that its faces do not connect, two of one material that share a face.
 std::string FindFragmentProblem(const Mesh& mesh);
+
+/// "" or what is wrong: facets that are not, one by one, the faces between fragments and those of one element alone.
+std::string FindFacetProblem(const Mesh& mesh);
 
 /// Volume of a material, exact for tets and trilinear hexes.
 double MeasureVolume(const Mesh& mesh, int material);

@@ -133,6 +133,21 @@ RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   return made;
 }
 
+std::string FindDifference(const RankMesh& made, const RankMesh& alone)
+{
+  const auto same = [&](const MeshReport& report) { return AreEqual(report, alone.Reports[0]); };
+  std::string text;
+  const auto add = [&](std::size_t count, const char* what)
+  { text += count > 0 ? std::to_string(count) + " " + what + ", " : ""; };
+  add(CountDifferences(made.Merged.Points, alone.Merged.Points), "points");
+  add(CountDifferences(made.Merged.Elements, alone.Merged.Elements), "elements");
+  add(CountDifferences(made.Merged.Facets, alone.Merged.Facets), "facets");
+  add(
+    made.Reports.size() - std::count_if(made.Reports.begin(), made.Reports.end(), same), "reports");
+  add(made.Merged.Conflicts + alone.Merged.Conflicts, "conflicts");
+  return text.empty() ? "" : text + "not as of one process";
+}
+
 void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
   const std::vector<std::vector<IndexBox>>& cuts, const MeshOptions& options, MeshMaker make)
 {
@@ -142,15 +157,21 @@ void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
   for (const std::vector<IndexBox>& boxes : cuts)
   {
     SCOPED_TRACE(std::to_string(boxes.size()) + " ranks");
-    const RankMesh made = MakeOnRanks(whole, field, boxes, options, make);
-    const auto same = [&](const MeshReport& report) { return AreEqual(report, alone.Reports[0]); };
-    EXPECT_EQ(std::count_if(made.Reports.begin(), made.Reports.end(), same),
-      static_cast<std::ptrdiff_t>(boxes.size()))
-      << "reports as of one process";
-    EXPECT_EQ(CountDifferences(made.Merged.Points, alone.Merged.Points), 0u) << "points";
-    EXPECT_EQ(CountDifferences(made.Merged.Elements, alone.Merged.Elements), 0u) << "elements";
-    EXPECT_EQ(CountDifferences(made.Merged.Facets, alone.Merged.Facets), 0u) << "facets";
+    EXPECT_EQ(FindDifference(MakeOnRanks(whole, field, boxes, options, make), alone), "");
   }
+}
+
+std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh)
+{
+  std::map<Index, std::array<double, 5>> points;
+  for (const auto& facet : mesh.Facets)
+  {
+    for (int c = 0; c < (mesh.Corners == 8 ? 4 : 3); ++c)
+    {
+      points[facet.first[c]] = mesh.Points.at(facet.first[c]);
+    }
+  }
+  return points;
 }
 
 std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh)

@@ -39,6 +39,9 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make);
 
+/// "", or how many points, elements, facets and reports are not, bit for bit, those of one process.
+std::string FindDifference(const RankMesh& made, const RankMesh& alone);
+
 /// Expects the mesh and report of one process, however the grid is cut in boxes.
 void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
   const std::vector<std::vector<IndexBox>>& cuts, const MeshOptions& options,
@@ -59,6 +62,9 @@ std::size_t CountDifferences(const Map& a, const Map& b)
   };
   return static_cast<std::size_t>(std::max(missing(a, b), missing(b, a)));
 }
+
+/// What is known of the points of facets, by id.
+std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh);
 
 /// Coordinates by id of the points of facets between materials; those on the domain's sides may differ between meshes.
 std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh);

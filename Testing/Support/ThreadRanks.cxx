@@ -1,6 +1,7 @@
 #include "ThreadRanks.h"
 
 #include <algorithm>
+#include <exception>
 #include <thread>
 
 namespace vfm
@@ -97,18 +98,33 @@ void RunOnRanks(int count, const std::function<void(ThreadRanks&)>& body)
 {
   ThreadHub hub(count);
   std::vector<std::thread> threads;
+  std::vector<std::exception_ptr> thrown(count);
   for (int rank = 0; rank < count; ++rank)
   {
     threads.emplace_back(
-      [&hub, &body, rank]
+      [&hub, &body, &thrown, rank]
       {
-        ThreadRanks ranks(hub, rank);
-        body(ranks);
+        try
+        {
+          ThreadRanks ranks(hub, rank);
+          body(ranks);
+        }
+        catch (...)
+        {
+          thrown[rank] = std::current_exception();
+        }
       });
   }
   for (std::thread& thread : threads)
   {
     thread.join();
+  }
+  for (const std::exception_ptr& error : thrown)
+  {
+    if (error)
+    {
+      std::rethrow_exception(error);
+    }
   }
 }
 

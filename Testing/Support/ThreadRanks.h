@@ -61,7 +61,7 @@ private:
   Traffic Counted;
 };
 
-/// Runs body(ranks) on count threads at once.
+/// Runs body(ranks) on count threads at once. Throws what the lowest rank threw, once all have ended.
 void RunOnRanks(int count, const std::function<void(ThreadRanks&)>& body);
 
 } // namespace testing

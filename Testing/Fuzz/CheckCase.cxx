@@ -1,0 +1,165 @@
+#include "CheckCase.h"
+
+#include "TetPipeline.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace vfm
+{
+namespace testing
+{
+namespace
+{
+
+constexpr double VolumeTolerance = 1e-9; // relative, of the domain
+
+std::string Describe(const char* what, double value, Index id)
+{
+  char text[120];
+  std::snprintf(text, sizeof text, "%s %.3g, id %lld", what, value, static_cast<long long>(id));
+  return text;
+}
+
+double VolumeOf(const CartesianGrid& grid, const IndexBox& box)
+{
+  double volume = 1.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    volume *= grid.Coordinates(a)[box.Upper[a]] - grid.Coordinates(a)[box.Lower[a]];
+  }
+  return volume;
+}
+
+bool KnowsCells(const FuzzCase& c)
+{
+  return c.Make == MakeHexMesh || c.Options.Tets != TetMethod::TetGen;
+}
+
+/// Jacobians in volumes of the cells that the elements were made of; of TetGen in the grid's mean volume.
+std::string FindJacobianProblem(const FuzzCase& c, const Mesh& mesh, FuzzResult& result)
+{
+  const double mean = std::pow(c.Grid.MeanWidth(), 3.0);
+  Index worst = 0;
+  for (Index e = 0; e < static_cast<Index>(mesh.ElementIds.size()); ++e)
+  {
+    const double volume =
+      KnowsCells(c) ? VolumeOf(c.Grid, CellsOfElement(c.Grid, mesh, mesh.ElementIds[e])) : mean;
+    const double coefficient = SmallestCoefficient(mesh, e) / volume;
+    if (!(coefficient >= result.Coefficient)) // nor NaN
+    {
+      result.Coefficient = coefficient;
+      worst = mesh.ElementIds[e];
+    }
+  }
+  return mesh.ElementIds.empty() || result.Coefficient > 0.0
+    ? ""
+    : Describe("smallest coefficient", result.Coefficient, worst);
+}
+
+/// In widths of the cells at the side.
+std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
+{
+  double farthest = 0.0;
+  Index id = 0;
+  for (std::size_t at = 0; at < mesh.Points.size(); ++at)
+  {
+    const int axis = static_cast<int>(at % 3);
+    const std::vector<double>& x = grid.Coordinates(axis);
+    const double below = (x.front() - mesh.Points[at]) / grid.Width(axis, 0);
+    const double above =
+      (mesh.Points[at] - x.back()) / grid.Width(axis, static_cast<Index>(x.size()) - 2);
+    if (!(std::max(below, above) <= farthest))
+    {
+      farthest = std::max(below, above);
+      id = mesh.PointIds[at / 3];
+    }
+  }
+  return farthest == 0.0 ? "" : Describe("outside the domain by", farthest, id);
+}
+
+/// The materials have the volumes that the report tells, and fill the domain where nothing is left out.
+std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
+{
+  const double domain = VolumeOf(c.Grid, c.Grid.Global());
+  double all = 0.0;
+  for (int m = c.Options.MeshVoid ? 0 : 1; m <= c.Fractions.NumberOfMaterials(); ++m)
+  {
+    const double volume = MeasureVolume(mesh, m);
+    all += volume;
+    if (!(std::fabs(volume - report.MeshVolume[m]) <= VolumeTolerance * domain))
+    {
+      return Describe("volume of a material off by", volume / report.MeshVolume[m] - 1.0, m);
+    }
+  }
+  return c.Options.MeshVoid && !(std::fabs(all / domain - 1.0) <= VolumeTolerance)
+    ? Describe("volume of the domain off by", all / domain - 1.0, 0)
+    : "";
+}
+
+/// The first of the problems that there is.
+std::string FirstOf(std::initializer_list<std::string> problems)
+{
+  const auto at = std::find_if(
+    problems.begin(), problems.end(), [](const std::string& text) { return !text.empty(); });
+  return at == problems.end() ? "" : *at;
+}
+
+std::string FindMeshProblem(
+  const FuzzCase& c, const Mesh& mesh, const MeshReport& report, FuzzResult& result)
+{
+  return FirstOf(
+    { FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh), FindFragmentProblem(mesh),
+      FindFacetProblem(mesh), FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report) });
+}
+
+/// TetGen fills rank by rank: its surfaces alone are the same.
+std::string FindSurfaceDifference(const MergedMesh& made, const MergedMesh& alone)
+{
+  const std::size_t facets = CountDifferences(made.Facets, alone.Facets);
+  const std::size_t points = CountDifferences(PointsOfFacets(made), PointsOfFacets(alone));
+  return facets + points == 0
+    ? ""
+    : std::to_string(facets) + " facets, " + std::to_string(points) + " of their points";
+}
+
+std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
+{
+  const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, c.Make);
+  if (KnowsCells(c))
+  {
+    return FindDifference(made, alone);
+  }
+  const Mesh merged = made.Merged.Join();
+  FuzzResult unused;
+  return FirstOf({ FindSurfaceDifference(made.Merged, alone.Merged),
+    FindJacobianProblem(c, merged, unused), FindTopologyProblem(merged),
+    FindFragmentProblem(merged), FindVolumeProblem(c, merged, made.Reports[0]) });
+}
+
+} // namespace
+
+FuzzResult CheckCase(const FuzzCase& c)
+{
+  FuzzResult result;
+  Runtime runtime;
+  RankMesh alone;
+  alone.Reports.resize(1);
+  const Mesh mesh = c.Make(c.Grid, c.Fractions, c.Options, runtime, alone.Reports[0]);
+  result.Elements = static_cast<Index>(mesh.ElementIds.size());
+  result.Problem = FindMeshProblem(c, mesh, alone.Reports[0], result);
+  if (result.Elements > 0)
+  {
+    result.ScaledJacobian = alone.Reports[0].MinimumScaledJacobian;
+  }
+  if (!c.Boxes.empty())
+  {
+    alone.Merged.Add(mesh);
+    const std::string problem = FindRanksProblem(c, alone);
+    result.Problem += problem.empty() ? "" : " ranks: " + problem;
+  }
+  return result;
+}
+
+} // namespace testing
+} // namespace vfm

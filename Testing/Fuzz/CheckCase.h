@@ -1,0 +1,25 @@
+/**
+ * Everything that is promised of a mesh, checked in a random case.
+ */
+#pragma once
+
+#include "FuzzCase.h"
+
+namespace vfm
+{
+namespace testing
+{
+
+struct FuzzResult
+{
+  std::string Problem; ///< "" or what is wrong
+  Index Elements = 0;
+  double Coefficient = 1e300;    ///< smallest of the elements' Jacobians, in volumes of their cells
+  double ScaledJacobian = 1e300; ///< smallest
+};
+
+/// Makes the mesh of a case on one rank and on its ranks.
+FuzzResult CheckCase(const FuzzCase& c);
+
+} // namespace testing
+} // namespace vfm

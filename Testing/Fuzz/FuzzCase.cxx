@@ -1,0 +1,250 @@
+#include "FuzzCase.h"
+
+#include "Fractions/RefineCells.h"
+#include "FuzzFields.h"
+#include "FuzzGrids.h"
+#include "Labels/RefinementCriteria.h"
+#include "TetPipeline.h"
+
+#include <cstdio>
+
+namespace vfm
+{
+namespace testing
+{
+namespace
+{
+
+constexpr double LeastWork = 6.0, MostWork = 3000.0; // finest cells, about, and ranks count
+constexpr int MostCells = 12;                        // along an axis, of the base
+
+std::string ToText(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// What decides how much there is to do.
+struct Extent
+{
+  int Refinements, Ranks;
+  bool IsAutomatic; ///< refined where the fractions ask for it, else at random
+};
+
+/// Cells of the base along each axis: fewer where they are halved or ranks make them several times.
+Index3 DrawSize(const Extent& extent, RandomDraw& draw)
+{
+  const double work =
+    draw.Scale(LeastWork, MostWork) / ((1 << 2 * extent.Refinements) * (1 + extent.Ranks));
+  Index3 cells;
+  double product = 1.0;
+  for (Index& n : cells)
+  {
+    n = draw.Whole(1, MostCells);
+    product *= static_cast<double>(n);
+  }
+  while (product > std::max(work, 1.0))
+  {
+    Index& longest = *std::max_element(cells.begin(), cells.end());
+    product *= static_cast<double>(longest - 1) / static_cast<double>(longest);
+    --longest;
+  }
+  return cells;
+}
+
+Extent DrawExtent(RandomDraw& draw)
+{
+  Extent extent;
+  extent.Refinements = draw.Chance(0.5) ? 0 : (draw.Chance(0.75) ? 1 : 2);
+  extent.IsAutomatic = draw.Chance(0.4);
+  extent.Ranks = draw.Chance(0.6) ? 1 : draw.Whole(2, 4);
+  return extent;
+}
+
+void DrawOptions(MeshOptions& options, RandomDraw& draw, std::string& words)
+{
+  if (draw.Chance(0.2))
+  {
+    options.IsoValue = draw.Pick({ 0.01, 0.3, 0.499, 0.7, 0.99 });
+  }
+  options.MeshVoid = draw.Chance(0.4);
+  options.StairStep = draw.Chance(0.04);
+  options.Method = draw.Chance(0.75) ? Smoothing::QuadricSurface
+                                     : draw.Pick({ Smoothing::GeometryBased, Smoothing::Off });
+  options.TargetScaledJacobian = draw.Chance(0.8) ? 0.0 : draw.Between(0.0, 0.99);
+  options.ConserveVolume = draw.Chance(0.8);
+  words += options.MeshVoid ? ", void meshed" : "";
+  words += options.StairStep ? ", stair step" : "";
+  words += options.Method == Smoothing::Off ? ", smoothing off" : "";
+  words += options.Method == Smoothing::GeometryBased ? ", geometry based" : "";
+  words += options.ConserveVolume ? "" : ", volumes free";
+  words += options.IsoValue == 0.5 ? "" : ", iso value " + ToText(options.IsoValue);
+  words +=
+    options.TargetScaledJacobian == 0.0 ? "" : ", target " + ToText(options.TargetScaledJacobian);
+}
+
+TetGenOptions DrawTetGen(RandomDraw& draw)
+{
+  TetGenOptions options;
+  if (draw.Chance(0.5))
+  {
+    options.RelativeSize = draw.Scale(0.5, 5.0);
+    options.Growth = draw.Between(0.0, 1.0);
+    options.RadiusEdgeRatio = draw.Between(1.1, 3.0);
+    options.MinimumDihedralAngle = draw.Between(0.0, 20.0);
+    options.OptimizationLevel = draw.Whole(0, 10);
+  }
+  return options;
+}
+
+/// Hexes half the time.
+MeshMaker DrawMethod(MeshOptions& options, RandomDraw& draw, std::string& words)
+{
+  if (draw.Chance(0.55))
+  {
+    words += "hexes";
+    return MakeHexMesh;
+  }
+  const bool isTetGen = HasTetGen() && draw.Chance(0.1);
+  options.Tets = isTetGen ? TetMethod::TetGen : draw.Pick({ TetMethod::Lattice, TetMethod::Cells });
+  options.TetGen = DrawTetGen(draw);
+  words += NameOf(options.Tets);
+  return MakeTetMesh;
+}
+
+RefinementCriteria DrawCriteria(int most, RandomDraw& draw)
+{
+  RefinementCriteria criteria;
+  criteria.MaximumLevel = most;
+  criteria.CurvaturePerCell = draw.Pick({ 0.0, 0.3 });
+  criteria.FlippedCells = draw.Chance(0.5);
+  criteria.InterfaceLayers = draw.Pick({ 0, 0, 1, 3 });
+  return criteria;
+}
+
+/// Halves the cells, as often as they ask for it, and keeps where they did.
+void RefineWhereAsked(const Extent& extent, RandomDraw& draw, FuzzCase& c)
+{
+  Runtime runtime;
+  LevelPlan& plan = c.Options.Levels;
+  const Partition partition(c.Grid, runtime.Group());
+  const RefinementWishes wishes = FindRefinement(c.Grid, c.Fractions,
+    DrawCriteria(extent.Refinements, draw), c.Options.IsoValue, partition, runtime);
+  plan.Refinements = wishes.Refinements;
+  plan.Families =
+    FindWantedFamilies(OctreeKeys(c.Grid, wishes.Refinements), wishes, draw.Whole(0, 1));
+  const ChildRule rule = draw.Pick({ ChildRule::Planes, ChildRule::Parent });
+  for (int step = 0; step < wishes.Refinements; ++step)
+  {
+    RefinedCells refined = RefineCells(c.Grid, c.Fractions, runtime, rule);
+    c.Grid = std::move(refined.Grid);
+    c.Fractions = std::move(refined.Fractions);
+  }
+  c.Words += ", " + std::to_string(wishes.Refinements) + " refinements where asked";
+}
+
+void DrawFamilies(const Extent& extent, RandomDraw& draw, FuzzCase& c)
+{
+  const double chance = draw.Pick({ 0.0, 0.05, 0.2, 0.5, 1.0 });
+  c.Options.Levels.Refinements = extent.Refinements;
+  c.Options.Levels.Families = MakeRandomFamilies(c.Grid, extent.Refinements, chance, draw.Seed());
+  c.Words += ", " + std::to_string(extent.Refinements) + " refinements of " + ToText(chance) +
+    " of the families";
+}
+
+void DrawPlan(RandomDraw& draw, FuzzCase& c)
+{
+  LevelPlan& plan = c.Options.Levels;
+  plan.FineInterfaces = draw.Chance(0.4);
+  plan.FineLayers = draw.Pick({ 2, 2, 3, 5 });
+  c.Words += plan.FineInterfaces || c.Make != MakeHexMesh
+    ? ", " + std::to_string(plan.FineLayers) + " fine layers"
+    : ", crossing";
+}
+
+void DrawBoxes(const Extent& extent, RandomDraw& draw, FuzzCase& c)
+{
+  const int axis = draw.Whole(-1, 2);
+  c.Boxes = CutBaseBox(c.Grid, c.Options.Levels.Refinements, extent.Ranks, axis);
+  if (draw.Chance(0.2))
+  {
+    c.Boxes.insert(c.Boxes.begin() + draw.Whole(0, extent.Ranks), IndexBox());
+  }
+  c.Words += ", " + std::to_string(c.Boxes.size()) + " ranks" +
+    (axis < 0 ? "" : std::string(" along ") + "xyz"[axis]);
+}
+
+void PrintList(const char* name, const std::vector<double>& values)
+{
+  std::printf("%s", name);
+  for (double value : values)
+  {
+    std::printf(" %.17g", value);
+  }
+  std::printf("\n");
+}
+
+} // namespace
+
+FuzzCase MakeFuzzCase(unsigned seed)
+{
+  RandomDraw draw(seed);
+  const Extent extent = DrawExtent(draw);
+  MeshOptions options;
+  std::string words;
+  const MeshMaker make = DrawMethod(options, draw, words);
+  DrawOptions(options, draw, words);
+  const FuzzGrid base = DrawGrid(DrawSize(extent, draw), draw);
+  const bool isAsked = extent.Refinements > 0 && extent.IsAutomatic;
+  const CartesianGrid grid =
+    isAsked ? base.Grid : CartesianGrid(HalveWidths(base.Grid.Coordinates(), extent.Refinements));
+  const int materials = draw.Chance(0.3) ? 1 : draw.Whole(2, 6);
+  std::string kind;
+  FractionField field = DrawField(grid, materials, draw, kind);
+  FuzzCase c{ kind, kind + " of " + std::to_string(materials) + " in " + base.Words + ", " + words,
+    grid, std::move(field), options, make, {}, base.HasCubes };
+  if (extent.Refinements > 0)
+  {
+    DrawPlan(draw, c);
+    isAsked ? RefineWhereAsked(extent, draw, c) : DrawFamilies(extent, draw, c);
+  }
+  if (extent.Ranks > 1)
+  {
+    DrawBoxes(extent, draw, c);
+  }
+  return c;
+}
+
+void PrintCase(const FuzzCase& c)
+{
+  const char* const names[] = { "x", "y", "z" };
+  for (int a = 0; a < 3; ++a)
+  {
+    PrintList(names[a], c.Grid.Coordinates(a));
+  }
+  for (std::size_t level = 0; level < c.Options.Levels.Families.size(); ++level)
+  {
+    std::printf("families of level %zu:", level);
+    for (Index key : c.Options.Levels.Families[level])
+    {
+      std::printf(" %lld", static_cast<long long>(key));
+    }
+    std::printf("\n");
+  }
+  ForCells(c.Grid.Global(),
+    [&](const Index3& p)
+    {
+      const Index cell = c.Grid.Linear(p);
+      std::printf("cell %lld %lld %lld:", static_cast<long long>(p[0]),
+        static_cast<long long>(p[1]), static_cast<long long>(p[2]));
+      for (int m = 0; m <= c.Fractions.NumberOfMaterials(); ++m)
+      {
+        std::printf(" %.17g", c.Fractions.Fraction(cell, m));
+      }
+      std::printf("\n");
+    });
+}
+
+} // namespace testing
+} // namespace vfm

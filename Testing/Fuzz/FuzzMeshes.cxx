@@ -1,0 +1,214 @@
+/**
+ * Random cases of the mesher, each checked in full:
+ *
+ *   FuzzMeshes [--seed S] [--count N] [--print]
+ *
+ * runs the seeds S .. S + N - 1, prints a line for each that fails and a table at the end, and returns 1 if any failed. The
+ * seeds run in a process of their own, so that one that crashes or never ends is a failure like others. A single seed runs
+ * in this process (for a debugger); --print writes its input first.
+ */
+#include "Outcome.h"
+
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+using namespace vfm::testing;
+
+namespace
+{
+
+constexpr int PatienceMs = 300000; // for one case
+
+struct Arguments
+{
+  unsigned First = 0, Count = 1;
+  bool Prints = false;
+};
+
+unsigned ReadNumber(const char* text)
+{
+  char* end = nullptr;
+  const unsigned long value = std::strtoul(text, &end, 10);
+  if (end == text || *end || value > 4294967295UL)
+  {
+    throw std::invalid_argument(std::string(text) + " is no number");
+  }
+  return static_cast<unsigned>(value);
+}
+
+Arguments ReadArguments(int argc, char** argv)
+{
+  Arguments arguments;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string name = argv[i];
+    if (name == "--print")
+    {
+      arguments.Prints = true;
+    }
+    else if ((name == "--seed" || name == "--count") && i + 1 < argc)
+    {
+      (name == "--seed" ? arguments.First : arguments.Count) = ReadNumber(argv[++i]);
+    }
+    else
+    {
+      throw std::invalid_argument("FuzzMeshes [--seed S] [--count N] [--print]");
+    }
+  }
+  return arguments;
+}
+
+/// A process that runs seeds and tells of each before and after.
+class Worker
+{
+public:
+  Worker(unsigned first, unsigned end)
+  {
+    int ends[2];
+    std::fflush(nullptr);
+    if (pipe(ends) != 0 || (this->Process = fork()) < 0)
+    {
+      throw std::runtime_error("no process for the seeds");
+    }
+    if (this->Process == 0)
+    {
+      close(ends[0]);
+      for (unsigned seed = first; seed != end; ++seed)
+      {
+        const auto tell = [&](const Outcome& outcome)
+        {
+          if (write(ends[1], &outcome, sizeof outcome) != sizeof outcome)
+          {
+            std::_Exit(1);
+          }
+        };
+        tell(RunSeed(seed, tell));
+      }
+      std::_Exit(0);
+    }
+    close(ends[1]);
+    this->Pipe = ends[0];
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  ~Worker() { close(this->Pipe); }
+
+  /// The next that it tells; false when there is none, for a reason that Stop tells.
+  bool Listen(Outcome& outcome)
+  {
+    std::size_t got = 0;
+    pollfd ready{ this->Pipe, POLLIN, 0 };
+    while (got < sizeof outcome)
+    {
+      if (poll(&ready, 1, PatienceMs) <= 0)
+      {
+        this->IsLate = true;
+        return false;
+      }
+      const ssize_t more =
+        read(this->Pipe, reinterpret_cast<char*>(&outcome) + got, sizeof outcome - got);
+      if (more <= 0)
+      {
+        return false;
+      }
+      got += static_cast<std::size_t>(more);
+    }
+    return true;
+  }
+
+  /// How the process ended: "" or what went wrong.
+  std::string Stop()
+  {
+    if (this->IsLate)
+    {
+      kill(this->Process, SIGKILL);
+    }
+    int status = 0;
+    waitpid(this->Process, &status, 0);
+    if (this->IsLate)
+    {
+      return "no end within " + std::to_string(PatienceMs / 1000) + " s";
+    }
+    return WIFSIGNALED(status) ? std::string("crash: ") + strsignal(WTERMSIG(status))
+                               : (WEXITSTATUS(status) == 0 ? "" : "the process gave up");
+  }
+
+private:
+  pid_t Process = 0;
+  int Pipe = -1;
+  bool IsLate = false;
+};
+
+/// Runs seeds, by a new process after each that ends one.
+void RunSeeds(unsigned first, unsigned end, Summary& summary)
+{
+  while (first != end)
+  {
+    Worker worker(first, end);
+    Outcome last, told;
+    last.Seed = first;
+    while (worker.Listen(told))
+    {
+      last = told;
+      if (told.HasEnded)
+      {
+        summary.Add(told);
+        last = Outcome();
+        last.Seed = first = told.Seed + 1;
+      }
+    }
+    const std::string problem = worker.Stop();
+    if (!problem.empty())
+    {
+      std::snprintf(last.Problem, sizeof last.Problem, "%s", problem.c_str());
+      summary.Add(last);
+      first = last.Seed + 1;
+    }
+  }
+}
+
+void RunAlone(unsigned seed, bool prints, Summary& summary)
+{
+  if (prints)
+  {
+    PrintCase(MakeFuzzCase(seed));
+  }
+  summary.Add(RunSeed(seed,
+    [](const Outcome& outcome)
+    {
+      std::printf("seed %u: %s, %s\n", outcome.Seed, outcome.Method, outcome.Words);
+      std::fflush(stdout);
+    }));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    const Arguments arguments = ReadArguments(argc, argv);
+    Summary summary;
+    if (arguments.Count == 1)
+    {
+      RunAlone(arguments.First, arguments.Prints, summary);
+    }
+    else
+    {
+      RunSeeds(arguments.First, arguments.First + arguments.Count, summary);
+    }
+    summary.Print();
+    return summary.Failures() > 0 ? 1 : 0;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

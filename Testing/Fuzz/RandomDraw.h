@@ -1,0 +1,48 @@
+/**
+ * Random numbers of a seed, the same on every machine.
+ */
+#pragma once
+
+#include <cmath>
+#include <random>
+
+namespace vfm
+{
+namespace testing
+{
+
+class RandomDraw
+{
+public:
+  explicit RandomDraw(unsigned seed) : Engine(seed) {}
+
+  /// In (low, high).
+  double Between(double low, double high)
+  {
+    return low + (high - low) * (static_cast<double>(this->Engine()) + 0.5) / 4294967296.0;
+  }
+  /// In (low, high), its logarithm evenly spread; 0 < low.
+  double Scale(double low, double high)
+  {
+    return std::exp(this->Between(std::log(low), std::log(high)));
+  }
+  /// low..high.
+  int Whole(int low, int high)
+  {
+    return low + static_cast<int>(this->Engine() % static_cast<unsigned>(high - low + 1));
+  }
+  bool Chance(double share) { return this->Between(0.0, 1.0) < share; }
+  /// One of some values.
+  template <class T>
+  T Pick(std::initializer_list<T> values)
+  {
+    return values.begin()[this->Whole(0, static_cast<int>(values.size()) - 1)];
+  }
+  unsigned Seed() { return static_cast<unsigned>(this->Engine()); }
+
+private:
+  std::mt19937 Engine;
+};
+
+} // namespace testing
+} // namespace vfm
