@@ -111,8 +111,9 @@ Vector3 OctreeKeys::ToPoint(const Vector3& x) const
     const double fine = std::ldexp(x[a], levels);
     const Index last = this->Cells(levels, a) - 1;
     const Index cell = std::min(std::max<Index>(static_cast<Index>(std::floor(fine)), 0), last);
-    const double low = this->X[a][cell];
-    point[a] = low + (fine - static_cast<double>(cell)) * (this->X[a][cell + 1] - low);
+    const double low = this->X[a][cell], high = this->X[a][cell + 1];
+    const double part = fine - static_cast<double>(cell);
+    point[a] = part == 1.0 ? high : low + part * (high - low); // on the upper side exactly
   }
   return point;
 }
