@@ -8,7 +8,7 @@
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/CellLocator.h"
-#include "Smoothing/GuardedHexEnergy.h"
+#include "Smoothing/HexEnergy.h"
 
 #include <stdexcept>
 
@@ -85,10 +85,7 @@ std::vector<unsigned char> HexStages::Smooth(
   AttachHexes(interfaces, coarse, mesh, facets, active);
   SetFacets(facets, active);
   std::vector<int>().swap(active.PointOf);
-  const double target = TargetJacobian(this->Fractions, this->Options);
-  const HexEnergy plain(target);
-  const GuardedHexEnergy guarded(target);
-  const ElementEnergy& energy = mesh.Levels->HasFineInterfaces() ? plain : guarded;
+  const HexEnergy energy(TargetJacobian(this->Fractions, this->Options));
   Improve({ active, targets, energy, Ramp, volumes,
             this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },
     this->Clock, this->Run);

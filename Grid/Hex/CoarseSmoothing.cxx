@@ -5,7 +5,7 @@
 #include "Hex/TransitionSmoothing.h"
 #include "Mesh/Quality.h"
 #include "Smoothing/ActiveMeshBuilder.h"
-#include "Smoothing/GuardedHexEnergy.h"
+#include "Smoothing/HexEnergy.h"
 #include "Smoothing/Smoother.h"
 
 namespace vfm
@@ -59,9 +59,7 @@ public:
 
   void Run(Runtime& runtime)
   {
-    const HexEnergy plain(TargetScaledJacobian);
-    const GuardedHexEnergy guarded(TargetScaledJacobian);
-    const ElementEnergy& energy = this->Levels.HasFineInterfaces() ? plain : guarded;
+    const HexEnergy energy(TargetScaledJacobian);
     Smoother smoother(this->Active, nullptr, energy, runtime);
     smoother.RunStage(AllHexes, [](double) {});
     std::vector<unsigned char> isActive = this->ListPointsOfPoorHexes();

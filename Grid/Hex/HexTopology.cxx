@@ -13,9 +13,13 @@ Vector3 StartOfInnerPoint(
   Vector3 x = grid.NodePoint(node);
   for (int a = 0; a < 3; ++a)
   {
+    if (((normals.Minus | normals.Plus) >> a & 1) == 0)
+    {
+      continue;
+    }
     // a normal occurs only where the node is inside the domain, so both widths exist
-    x[a] += normals.Minus >> a & 1 ? BufferThickness * grid.Width(a, node[a]) : 0.0;
-    x[a] -= normals.Plus >> a & 1 ? BufferThickness * grid.Width(a, node[a] - 1) : 0.0;
+    const double width = std::min(grid.Width(a, node[a] - 1), grid.Width(a, node[a]));
+    x[a] += (normals.Minus >> a & 1 ? BufferThickness : -BufferThickness) * width;
   }
   return x;
 }

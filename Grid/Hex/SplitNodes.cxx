@@ -6,7 +6,7 @@
 #include "Base/VisibleDirection.h"
 #include "Hex/HexTopology.h"
 #include "Labels/LabelCondition.h"
-#include "Smoothing/GuardedHexEnergy.h"
+#include "Smoothing/HexCoefficients.h"
 
 namespace vfm
 {

@@ -42,6 +42,11 @@ public:
   /// The same at its present place, with derivatives. There the elements must be positive.
   virtual Derivatives Differentiate(
     const ActiveMesh& mesh, int point, const SmoothingStage& stage) const = 0;
+
+  /// What moves must keep although the energy does not see it. Of all elements on this rank.
+  virtual bool IsKept(const ActiveMesh&, Runtime&) const { return true; }
+  /// Of those at a point, when it stands at x.
+  virtual bool KeepsAt(const ActiveMesh&, int, const Vector3&) const { return true; }
 };
 
 } // namespace vfm

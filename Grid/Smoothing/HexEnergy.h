@@ -6,8 +6,8 @@
  *
  * SJ is the scaled Jacobian of the corner (its determinant over the product of its edge lengths), T maps
  * the corner of the grid cell to the hex corner (so T = 1 in an undeformed cell, which may be a box), |e|
- * is in widths of the cell along that edge. All three grow without bound as a corner degenerates, so a
- * descent that starts valid stays valid. After Garanzha et al. (2021), Knupp (2001).
+ * is in widths of the cell along that edge. All three grow without bound as a corner degenerates, so corners stay
+ * valid in a descent that starts valid; between them the Smoother keeps the coefficients positive (HexCoefficients.h). After Garanzha et al. (2021), Knupp (2001).
  *
  * In one point each corner determinant is affine and each squared edge quadratic, so gradient and Hessian are
  * closed form. The four corners that a point of a hex takes part in are computed side by side.
@@ -15,6 +15,7 @@
 #pragma once
 
 #include "Smoothing/ElementEnergy.h"
+#include "Smoothing/HexCoefficients.h"
 
 namespace vfm
 {
@@ -28,6 +29,14 @@ public:
     const SmoothingStage& stage) const override;
   Derivatives Differentiate(
     const ActiveMesh& mesh, int point, const SmoothingStage& stage) const override;
+  bool IsKept(const ActiveMesh& mesh, Runtime& runtime) const override
+  {
+    return HavePositiveCoefficients(mesh, runtime);
+  }
+  bool KeepsAt(const ActiveMesh& mesh, int point, const Vector3& x) const override
+  {
+    return KeepPositiveCoefficients(mesh, point, x);
+  }
 
 private:
   double Target;

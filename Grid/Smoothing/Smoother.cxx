@@ -53,18 +53,35 @@ void Smoother::MarkAll()
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);
 }
 
+/// Moves points; once more from where they were, each move looked at, when that lost what must be kept.
+void Smoother::MoveAndCheck(const std::function<void()>& move)
+{
+  const std::vector<Vector3> before = this->IsGuarded ? std::vector<Vector3>() : this->Mesh.X;
+  move();
+  if (!this->IsGuarded && this->Run.Group().Any(!this->Energy.IsKept(this->Mesh, this->Run)))
+  {
+    this->Mesh.X = before;
+    this->IsGuarded = true;
+    move();
+  }
+}
+
 void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(double)>& report)
 {
-  this->MarkAll();
-  for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
-  {
-    const double move = this->Sweep(stage);
-    report((sweep + 1.0) / stage.Sweeps);
-    if (move < stage.SmallestMove)
+  this->MoveAndCheck(
+    [&]
     {
-      break;
-    }
-  }
+      this->MarkAll();
+      for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
+      {
+        const double move = this->Sweep(stage);
+        report((sweep + 1.0) / stage.Sweeps);
+        if (move < stage.SmallestMove)
+        {
+          break;
+        }
+      }
+    });
 }
 
 void Smoother::RunRamp(const SmoothingRamp& ramp)
@@ -128,12 +145,12 @@ void Smoother::Shift(const std::vector<double>& shifts)
 
 void Smoother::Nudge(const std::vector<double>& shifts, const SmoothingStage& stage)
 {
-  this->ForPoints(
-    [&](int point)
-    {
-      this->NudgePoint(point, shifts, stage);
-      return 0.0;
-    });
+  const auto nudge = [&](int point)
+  {
+    this->NudgePoint(point, shifts, stage);
+    return 0.0;
+  };
+  this->MoveAndCheck([&] { this->ForPoints(nudge); });
 }
 
 void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage)
@@ -158,7 +175,8 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const Sm
   const Vector3 x =
     this->Mesh.X[point] + (length > NudgeRadius ? NudgeRadius / length : 1.0) * step;
   if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
-    NudgePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage))
+      NudgePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) &&
+    this->MayMove(point, x))
   {
     this->Mesh.X[point] = x;
   }
@@ -202,7 +220,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     const Vector3 x = this->Mesh.X[point] + t * step;
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
       this->DistanceEnergy(point, x, stage.Lambda);
-    if (energy <= d.Value + Armijo * t * slope)
+    if (energy <= d.Value + Armijo * t * slope && this->MayMove(point, x))
     {
       this->Mesh.X[point] = x;
       const double move = t * cut * length;

@@ -4,6 +4,9 @@
  *
  * Points move by colour (parity of their grid node); points of one colour share no element, so the result
  * depends neither on the threads nor on the ranks, which exchange each colour. The points of one node move in order.
+ *
+ * What elements keep that the energy does not see (hexes: to be positive between their corners) is looked at after each stage. Where
+ * it got lost the stage begins anew, and from then on each move is looked at.
  */
 #pragma once
 
@@ -40,12 +43,17 @@ public:
   void Nudge(const std::vector<double>& shifts, const SmoothingStage& stage);
 
 private:
+  void MoveAndCheck(const std::function<void()>& move);
   double ForPoints(const std::function<double(int)>& move);
   void NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
   void AddDistance(int point, double lambda, Derivatives& d) const;
+  bool MayMove(int point, const Vector3& x) const
+  {
+    return !this->IsGuarded || this->Energy.KeepsAt(this->Mesh, point, x);
+  }
   void MarkNeighbours(int point);
   void MarkAll();
 
@@ -53,6 +61,7 @@ private:
   const SurfaceTargets* Targets;
   const ElementEnergy& Energy;
   Runtime& Run;
+  bool IsGuarded = false; // whether each move is looked at
   /// Set when a point of one of its elements moved since the point was last looked at.
   std::unique_ptr<unsigned char[]> Dirty;
   /// Set when the point woke its neighbours in this sweep.

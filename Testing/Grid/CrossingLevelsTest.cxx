@@ -5,7 +5,7 @@
 
 #include "Base/Vector3.h"
 #include "Octree/OctreeKeys.h"
-#include "Smoothing/GuardedHexEnergy.h"
+#include "Smoothing/HexCoefficients.h"
 
 #include <gtest/gtest.h>
 

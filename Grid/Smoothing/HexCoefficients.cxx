@@ -1,0 +1,211 @@
+#include "Smoothing/HexCoefficients.h"
+
+#include "Base/Lanes.h"
+
+#include <atomic>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double LeastCoefficient = 1e-6; // in cell volumes
+
+using Corners = std::array<const double*, 8>; // of a hex, by bits
+
+/// The four edges along each axis. Lanes: along x by the bits (z, y) of their ends, along y by (z, x), along z by (x, y).
+struct Edges
+{
+  Lanes3 X, Y, Z;
+};
+
+VFM_INLINE Lanes Shuffle(const Lanes& a, const Lanes& b, const Mask& from)
+{
+  return __builtin_shuffle(a, b, from);
+}
+
+VFM_INLINE void SplitEdges(const Lanes& low, const Lanes& high, Lanes& x, Lanes& y, Lanes& z)
+{
+  x = Shuffle(low, high, Mask{ 1, 5, 3, 7 }) - Shuffle(low, high, Mask{ 0, 4, 2, 6 });
+  y = Shuffle(low, high, Mask{ 2, 6, 3, 7 }) - Shuffle(low, high, Mask{ 0, 4, 1, 5 });
+  z = high - low;
+}
+
+VFM_INLINE Edges MakeEdges(const Corners& c)
+{
+  const Lanes3 low = Pack(c[0], c[1], c[2], c[3]), high = Pack(c[4], c[5], c[6], c[7]);
+  Edges e;
+  SplitEdges(low.X, high.X, e.X.X, e.Y.X, e.Z.X);
+  SplitEdges(low.Y, high.Y, e.X.Y, e.Y.Y, e.Z.Y);
+  SplitEdges(low.Z, high.Z, e.X.Z, e.Y.Z, e.Z.Z);
+  return e;
+}
+
+/// The Jacobian of a trilinear hex is the sum of all products dx . (dy x dz) of three of its edges, one along each axis.
+/// An edge has a position, 0 or 1, along each of the two other axes. The sums of these, along each axis of two edges, are the
+/// indices of the coefficient to which the product adds: 0, 1 or 2 along each axis, 27 in all. Lanes: of the edges along z.
+struct EdgeProducts
+{
+  /// By the position of the y edge along x, of the x edge along y, and the sum of both along z.
+  Lanes Of[2][2][3];
+};
+
+template <int N>
+VFM_INLINE Lanes3 SplatLane(const Lanes3& a)
+{
+  constexpr Mask Lane{ N, N, N, N };
+  return { __builtin_shuffle(a.X, Lane), __builtin_shuffle(a.Y, Lane),
+    __builtin_shuffle(a.Z, Lane) };
+}
+
+/// Of the y edges at a position along x, the first below the second: both with all x and z edges.
+VFM_INLINE void AddProducts(
+  const Edges& edges, const Lanes3& low, const Lanes3& high, Lanes products[2][3])
+{
+  const Lanes3 first = Cross(low, edges.Z), second = Cross(high, edges.Z);
+  const auto add = [&](const Lanes3& lowX, const Lanes3& highX, Lanes* of)
+  {
+    of[0] = Dot(lowX, first);
+    of[1] = Splat(0.5) * (Dot(lowX, second) + Dot(highX, first));
+    of[2] = Dot(highX, second);
+  };
+  add(SplatLane<0>(edges.X), SplatLane<1>(edges.X), products[0]);
+  add(SplatLane<2>(edges.X), SplatLane<3>(edges.X), products[1]);
+}
+
+VFM_INLINE EdgeProducts MakeProducts(const Edges& edges)
+{
+  EdgeProducts products;
+  AddProducts(edges, SplatLane<0>(edges.Y), SplatLane<1>(edges.Y), products.Of[0]);
+  AddProducts(edges, SplatLane<2>(edges.Y), SplatLane<3>(edges.Y), products.Of[1]);
+  return products;
+}
+
+VFM_INLINE Lanes MinOf(const Lanes& a, const Lanes& b)
+{
+  return a < b ? a : b;
+}
+
+/// No coefficient is smaller.
+VFM_INLINE double BoundOf(const EdgeProducts& products)
+{
+  Lanes least = products.Of[0][0][0];
+  for (int n = 1; n < 12; ++n)
+  {
+    least = MinOf(least, products.Of[n / 6][n / 3 % 2][n % 3]);
+  }
+  return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+}
+
+VFM_INLINE double SmallestOf(const EdgeProducts& products)
+{
+  double smallest = 1e300;
+  for (int k = 0; k < 3; ++k)
+  {
+    double sums[3][3]{};
+    for (int n = 0; n < 16; ++n)
+    {
+      sums[(n & 1) + (n >> 2 & 1)][(n >> 1 & 1) + (n >> 3)] +=
+        products.Of[n >> 2 & 1][n >> 3][k][n & 3];
+    }
+    for (int n = 0; n < 9; ++n)
+    {
+      const double weight = (n % 3 == 1 ? 0.5 : 1.0) * (n / 3 == 1 ? 0.5 : 1.0);
+      smallest = std::min(smallest, weight * sums[n % 3][n / 3]);
+    }
+  }
+  return smallest;
+}
+
+VFM_INLINE Corners CornersOf(const ActiveMesh& mesh, Index firstPosition)
+{
+  Corners corners;
+  for (int c = 0; c < 8; ++c)
+  {
+    corners[c] = mesh.X[mesh.Elements[firstPosition + c]].data();
+  }
+  return corners;
+}
+
+/// What the coefficients of the hex at a position must exceed.
+VFM_INLINE double LeastAt(const ActiveMesh& mesh, Index position)
+{
+  const Vector3& widths = mesh.WidthsAt(position);
+  return LeastCoefficient * widths[0] * widths[1] * widths[2];
+}
+
+VFM_INLINE bool Exceeds(const EdgeProducts& products, double least)
+{
+  return BoundOf(products) > least || SmallestOf(products) > least;
+}
+
+VFM_CLONES
+bool HexesExceed(const ActiveMesh& mesh, Index first, Index last)
+{
+  for (Index hex = first; hex < last; ++hex)
+  {
+    const Index position = 8 * hex;
+    if (!Exceeds(MakeProducts(MakeEdges(CornersOf(mesh, position))), LeastAt(mesh, position)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+VFM_CLONES
+bool MayStandAt(const ActiveMesh& mesh, int point, const Vector3& x)
+{
+  for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
+  {
+    const Index position = mesh.CornerList[at];
+    Corners corners = CornersOf(mesh, position & ~7);
+    const EdgeProducts now = MakeProducts(MakeEdges(corners));
+    corners[position & 7] = x.data();
+    const EdgeProducts then = MakeProducts(MakeEdges(corners));
+    if (!Exceeds(then, LeastAt(mesh, position)) && !(SmallestOf(then) >= SmallestOf(now)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+VFM_CLONES
+double FindSmallest(const Corners& corners)
+{
+  return SmallestOf(MakeProducts(MakeEdges(corners)));
+}
+
+} // namespace
+
+double SmallestCoefficient(const std::array<Vector3, 8>& corners)
+{
+  Corners pointers;
+  for (int c = 0; c < 8; ++c)
+  {
+    pointers[c] = corners[c].data();
+  }
+  return FindSmallest(pointers);
+}
+
+bool HavePositiveCoefficients(const ActiveMesh& mesh, Runtime& runtime)
+{
+  std::atomic<bool> positive(true);
+  runtime.For(0, static_cast<Index>(mesh.Elements.size() / 8),
+    [&](Index first, Index last)
+    {
+      if (!HexesExceed(mesh, first, last))
+      {
+        positive = false;
+      }
+    });
+  return positive;
+}
+
+bool KeepPositiveCoefficients(const ActiveMesh& mesh, int point, const Vector3& x)
+{
+  return MayStandAt(mesh, point, x);
+}
+
+} // namespace vfm
