@@ -145,7 +145,7 @@ void ActiveMesh::CopyTo(Mesh& mesh, const CartesianGrid& grid) const
   {
     for (int a = 0; a < 3; ++a)
     {
-      if (this->IsActive[p] && !(this->Fixed[p] >> a & 1))
+      if (this->IsActive[p] && this->X[p][a] != this->Start[p][a])
       {
         mesh.Points[3 * this->MeshPoint[p] + a] = grid.Coordinates(a)[0] + scale * this->X[p][a];
       }

@@ -72,7 +72,7 @@ struct ActiveMesh
   void ListCorners();
   /// Of each point of the mesh: whether it is active.
   std::vector<unsigned char> ListMoved(const Mesh& mesh) const;
-  /// Writes the coordinates of the active points back into the mesh; fixed coordinates stay untouched.
+  /// Writes the coordinates of the active points back into the mesh; those that did not change stay untouched, on all ranks alike.
   void CopyTo(Mesh& mesh, const CartesianGrid& grid) const;
 };
 
