@@ -9,6 +9,8 @@ namespace vfm
 namespace
 {
 
+constexpr double SideClearance = 0.01; // of points that do not lie on a side, in cells
+
 /// Grid coordinates.
 Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
 {
@@ -108,6 +110,14 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
     this->Fixed[p] = FixedOnSides(FindDomainSides(grid, point));
   }
   this->Start = this->X;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = grid.Coordinates(a);
+    const Index last = grid.Global().Upper[a] - 1;
+    const double scale = 1.0 / grid.MeanWidth();
+    this->Lower[a] = scale * SideClearance * grid.Width(a, 0);
+    this->Upper[a] = scale * (x.back() - x.front() - SideClearance * grid.Width(a, last));
+  }
 }
 
 void ActiveMesh::ListCorners()

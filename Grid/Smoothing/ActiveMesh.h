@@ -45,7 +45,9 @@ struct ActiveMesh
   std::vector<Index> MeshPoint; ///< its index in the mesh
   std::vector<int>
     PointOf; ///< of each mesh point: its index here, or -1; may go once all is attached
-  std::vector<unsigned char> Fixed;    ///< bit a: coordinate a stays
+  std::vector<unsigned char> Fixed; ///< bit a: coordinate a stays
+  /// Coordinates that are not fixed stay within: where void is not meshed nothing else holds points back.
+  Vector3 Lower{ { -1e300, -1e300, -1e300 } }, Upper{ { 1e300, 1e300, 1e300 } };
   std::vector<unsigned char> IsActive; ///< of every point
   std::vector<int> Elements;           ///< Corners points an element
   std::vector<Vector3>
@@ -66,7 +68,8 @@ struct ActiveMesh
   {
     return this->Widths[this->Widths.size() == 1 ? 0 : position / this->Corners];
   }
-  /// Fills X, Start and Fixed: the points are where the mesh has them, and stay on the sides of the domain.
+  /// Fills X, Start, Fixed, Lower and Upper: the points are where the mesh has them, and stay on the sides of the domain or a little
+  /// inside of them.
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);
   /// Fills CornerOffset and CornerList from Elements.
   void ListCorners();

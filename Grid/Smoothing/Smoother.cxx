@@ -35,6 +35,22 @@ EigenVector3 SolveNewton(const Matrix3& H, const EigenVector3& g)
   return -(eigen.eigenvectors() * inverse.asDiagonal() * (eigen.eigenvectors().transpose() * g));
 }
 
+/// The same along the axes that are not held.
+EigenVector3 SolveFor(int held, Matrix3& H, EigenVector3& g)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    if (held >> a & 1)
+    {
+      H.row(a).setZero();
+      H.col(a).setZero();
+      H(a, a) = 1.0;
+      g[a] = 0.0;
+    }
+  }
+  return SolveNewton(H, g);
+}
+
 } // namespace
 
 Smoother::Smoother(
@@ -172,8 +188,7 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const Sm
     step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
   }
   const double length = Norm(step);
-  const Vector3 x =
-    this->Mesh.X[point] + (length > NudgeRadius ? NudgeRadius / length : 1.0) * step;
+  const Vector3 x = this->Moved(point, (length > NudgeRadius ? NudgeRadius / length : 1.0) * step);
   if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
       NudgePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) &&
     this->MayMove(point, x))
@@ -192,18 +207,13 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   Matrix3 H;
   H << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
   EigenVector3 g(d.Gradient[0], d.Gradient[1], d.Gradient[2]);
-  for (int a = 0; a < 3; ++a)
-  {
-    if (this->Mesh.Fixed[point] >> a & 1)
-    {
-      H.row(a).setZero();
-      H.col(a).setZero();
-      H(a, a) = 1.0;
-      g[a] = 0.0;
-    }
-  }
-  const EigenVector3 newton = SolveNewton(H, g);
+  EigenVector3 newton = SolveFor(this->Mesh.Fixed[point], H, g);
   Vector3 step{ { newton[0], newton[1], newton[2] } };
+  if (const int held = this->HeldAxes(point, step))
+  {
+    newton = SolveFor(this->Mesh.Fixed[point] | held, H, g);
+    step = { { newton[0], newton[1], newton[2] } };
+  }
   const Vector3& widths =
     this->Mesh.WidthsAt(this->Mesh.CornerList[this->Mesh.CornerOffset[point]]);
   const double length = Norm(Divided(step, widths));
@@ -217,7 +227,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   double t = 1.0;
   for (int trial = 0; trial <= Backtracks; ++trial, t *= Backtrack)
   {
-    const Vector3 x = this->Mesh.X[point] + t * step;
+    const Vector3 x = this->Moved(point, t * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
       this->DistanceEnergy(point, x, stage.Lambda);
     if (energy <= d.Value + Armijo * t * slope && this->MayMove(point, x))
@@ -233,6 +243,38 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     }
   }
   return 0.0;
+}
+
+/// Bit a: the point is as far along axis a as it may, and would go on.
+int Smoother::HeldAxes(int point, const Vector3& step) const
+{
+  int held = 0;
+  const Vector3& x = this->Mesh.X[point];
+  for (int a = 0; a < 3; ++a)
+  {
+    const bool isHeld = (step[a] < 0.0 && x[a] <= this->Mesh.Lower[a]) ||
+      (step[a] > 0.0 && x[a] >= this->Mesh.Upper[a]);
+    held |= isHeld << a;
+  }
+  return held & ~this->Mesh.Fixed[point];
+}
+
+/// Where a step takes the point, as far as it may go. Where it stands beyond, it stays or comes back.
+Vector3 Smoother::Moved(int point, const Vector3& step) const
+{
+  Vector3 x = this->Mesh.X[point] + step;
+  for (int a = 0; a < 3; ++a)
+  {
+    if (step[a] < 0.0)
+    {
+      x[a] = std::max(x[a], std::min(this->Mesh.Lower[a], this->Mesh.X[point][a]));
+    }
+    else if (step[a] > 0.0)
+    {
+      x[a] = std::min(x[a], std::max(this->Mesh.Upper[a], this->Mesh.X[point][a]));
+    }
+  }
+  return x;
 }
 
 double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) const

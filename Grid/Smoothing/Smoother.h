@@ -48,6 +48,8 @@ private:
   void NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
+  int HeldAxes(int point, const Vector3& step) const;
+  Vector3 Moved(int point, const Vector3& step) const;
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
   void AddDistance(int point, double lambda, Derivatives& d) const;
   bool MayMove(int point, const Vector3& x) const
