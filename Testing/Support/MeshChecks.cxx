@@ -128,136 +128,109 @@ bool IsPositive(const Corners& x, const Vector3& low, const Vector3& high, int d
   return true;
 }
 
-/// Points of a face; of triangles the last is -1.
-using Face = std::array<Index, 4>;
-
-/// Local corners of the faces of an element, in turn.
-constexpr int HexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
-  { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
-constexpr int TetFaces[4][4] = { { 1, 2, 3, -1 }, { 0, 3, 2, -1 }, { 0, 1, 3, -1 },
-  { 0, 2, 1, -1 } };
-
-int CountFaces(const Mesh& mesh)
+struct Bounds
 {
-  return mesh.Corners == 8 ? 6 : 4;
+  Vector3 Lower{ { 1e300, 1e300, 1e300 } }, Upper{ { -1e300, -1e300, -1e300 } };
+  bool Contain(const Vector3& x) const
+  {
+    return x[0] >= this->Lower[0] && x[0] <= this->Upper[0] && x[1] >= this->Lower[1] &&
+      x[1] <= this->Upper[1] && x[2] >= this->Lower[2] && x[2] <= this->Upper[2];
+  }
+};
+
+Vector3 PointOf(const Mesh& mesh, Index point)
+{
+  const double* x = mesh.Points.data() + 3 * point;
+  return { { x[0], x[1], x[2] } };
 }
 
-Face FaceOf(const Mesh& mesh, Index element, int side)
+std::vector<Bounds> BoundsOfElements(const Mesh& mesh)
 {
-  const int* corners = mesh.Corners == 8 ? HexFaces[side] : TetFaces[side];
-  Face face;
+  std::vector<Bounds> bounds(mesh.ElementIds.size());
+  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+  {
+    Bounds& own = bounds[at / mesh.Corners];
+    const Vector3 x = PointOf(mesh, mesh.Elements[at]);
+    for (int a = 0; a < 3; ++a)
+    {
+      own.Lower[a] = std::min(own.Lower[a], x[a]);
+      own.Upper[a] = std::max(own.Upper[a], x[a]);
+    }
+  }
+  return bounds;
+}
+
+/// How deep a point lies inside a tet: its smallest barycentric coordinate, negative outside.
+double DepthInTet(const TetCorners& x, const Vector3& point)
+{
+  double depth = 1.0;
+  const double volume = SixVolumes(x);
   for (int c = 0; c < 4; ++c)
   {
-    face[c] = corners[c] < 0 ? -1 : mesh.Elements[mesh.Corners * element + corners[c]];
+    TetCorners part = x;
+    part[c] = point;
+    depth = std::min(depth, SixVolumes(part) / volume);
   }
-  return face;
+  return depth;
 }
 
-/// An element and the number of its face.
-struct Side
+/// The same of a hex: from the nearest of its faces, in its widths. Newton's method; outside where that does not end.
+double DepthInHex(const Corners& x, const Vector3& point)
 {
-  Index Element;
-  int Number;
-};
-
-/// The elements of every face, by its sorted points.
-std::map<Face, std::vector<Side>> FacesOf(const Mesh& mesh)
-{
-  std::map<Face, std::vector<Side>> faces;
-  for (Index element = 0; element < static_cast<Index>(mesh.ElementIds.size()); ++element)
+  Vector3 at{ { 0.5, 0.5, 0.5 } };
+  for (int step = 0; step < 20; ++step)
   {
-    for (int number = 0; number < CountFaces(mesh); ++number)
+    Vector3 rest = point;
+    for (int c = 0; c < 8; ++c)
     {
-      Face face = FaceOf(mesh, element, number);
-      std::sort(face.begin(), face.end());
-      faces[face].push_back({ element, number });
+      rest = rest -
+        ((c & 1 ? at[0] : 1.0 - at[0]) * (c & 2 ? at[1] : 1.0 - at[1]) *
+          (c & 4 ? at[2] : 1.0 - at[2])) *
+          x[c];
+    }
+    const Vector3 d[3] = { Derivative(x, 0, at), Derivative(x, 1, at), Derivative(x, 2, at) };
+    const double jacobian = Dot(d[0], Cross(d[1], d[2]));
+    Vector3 move;
+    for (int a = 0; a < 3; ++a)
+    {
+      move[a] = Dot(rest, Cross(d[(a + 1) % 3], d[(a + 2) % 3])) / jacobian;
+    }
+    at = at + move;
+    if (Norm(move) < 1e-9)
+    {
+      return std::min({ at[0], at[1], at[2], 1.0 - at[0], 1.0 - at[1], 1.0 - at[2] });
+    }
+    if (!(Norm(at) < 10.0))
+    {
+      break;
     }
   }
-  return faces;
+  return -1.0;
 }
 
-/// The faces of a closed surface, over their edges and points.
-class Surface
+/// Points of facets of meshed materials to what is not meshed, but for the sides of the domain.
+std::set<Index> ListFreePoints(const Mesh& mesh)
 {
-public:
-  /// corners: of a face.
-  Surface(const std::vector<Face>& faces, int corners) : Faces(faces), Corners(corners)
+  std::set<Index> points;
+  const int corners = mesh.CornersOfFacet();
+  const bool hasVoid =
+    std::find(mesh.Material.begin(), mesh.Material.end(), 0) != mesh.Material.end();
+  for (std::size_t f = 0; !hasVoid && f < mesh.Surfaces.SurfaceId.size(); ++f)
   {
-    for (std::size_t f = 0; f < faces.size(); ++f)
+    if (mesh.Surfaces.DomainSide[f] < 0 && mesh.Surfaces.MaterialPair[2 * f] == 0)
     {
-      for (int c = 0; c < corners; ++c)
-      {
-        this->Edges[this->EdgeOf(f, c)].push_back(f);
-        this->Fans[faces[f][c]].push_back(f);
-      }
+      const Index* facet = mesh.Surfaces.Points.data() + corners * f;
+      points.insert(facet, facet + corners);
     }
   }
-
-  Index CountOddEdges() const
-  {
-    return std::count_if(this->Edges.begin(), this->Edges.end(),
-      [](const auto& edge) { return edge.second.size() != 2; });
-  }
-
-  Index CountNonManifoldPoints() const
-  {
-    return std::count_if(this->Fans.begin(), this->Fans.end(),
-      [this](const auto& fan) { return this->IsNonManifold(fan); });
-  }
-
-private:
-  using Edge = std::pair<Index, Index>;
-
-  Edge EdgeOf(std::size_t face, int corner) const
-  {
-    return std::minmax(this->Faces[face][corner], this->Faces[face][(corner + 1) % this->Corners]);
-  }
-
-  /// Whether the faces at the point are not connected over the edges at it.
-  bool IsNonManifold(const std::pair<const Index, std::vector<std::size_t>>& fan) const
-  {
-    std::set<std::size_t> reached{ fan.second[0] };
-    std::vector<std::size_t> front{ fan.second[0] };
-    while (!front.empty())
-    {
-      const std::size_t face = front.back();
-      front.pop_back();
-      for (int c = 0; c < this->Corners; ++c)
-      {
-        const Edge edge = this->EdgeOf(face, c);
-        if (edge.first != fan.first && edge.second != fan.first)
-        {
-          continue;
-        }
-        for (std::size_t other : this->Edges.at(edge))
-        {
-          if (reached.insert(other).second)
-          {
-            front.push_back(other);
-          }
-        }
-      }
-    }
-    return reached.size() != fan.second.size();
-  }
-
-  const std::vector<Face>& Faces;
-  int Corners;
-  std::map<Edge, std::vector<std::size_t>> Edges;
-  std::map<Index, std::vector<std::size_t>> Fans;
-};
+  return points;
+}
 
 template <class T>
 bool SameContent(const Buffer<T>& a, const Buffer<T>& b)
 {
   return a.size() == b.size() &&
     (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
-template <class T>
-bool AreUnique(const Buffer<T>& ids)
-{
-  return std::set<T>(ids.begin(), ids.end()).size() == ids.size();
 }
 
 } // namespace
@@ -349,161 +322,27 @@ double SmallestCoefficient(const Mesh& mesh, Index element)
     : SmallestCoefficient(CornersOf(mesh, element), { { 0, 0, 0 } }, { { 1, 1, 1 } });
 }
 
-std::string FindConformityProblem(const Mesh& mesh)
+double DeepestOverlap(const Mesh& mesh)
 {
-  if (!AreUnique(mesh.ElementIds) || !AreUnique(mesh.PointIds))
+  const std::vector<Bounds> bounds = BoundsOfElements(mesh);
+  double deepest = 0.0;
+  for (Index p : ListFreePoints(mesh))
   {
-    return "global ids are not unique";
-  }
-  const std::set<Index> used(mesh.Elements.begin(), mesh.Elements.end());
-  if (used.size() != mesh.PointIds.size() || (used.size() && *used.begin() < 0))
-  {
-    return "unused points";
-  }
-  for (const auto& face : FacesOf(mesh))
-  {
-    if (face.second.size() > 2)
+    const Vector3 x = PointOf(mesh, p);
+    for (std::size_t e = 0; e < bounds.size(); ++e)
     {
-      return "a face on more than two elements";
-    }
-  }
-  return "";
-}
-
-std::map<int, SurfaceDefects> CountBoundaryDefects(const Mesh& mesh)
-{
-  std::map<int, std::vector<Face>> boundaries;
-  for (const auto& face : FacesOf(mesh))
-  {
-    const Side& side = face.second[0];
-    const int first = mesh.Material[side.Element];
-    const int last = face.second.size() == 2 ? mesh.Material[face.second[1].Element] : -1;
-    for (int material : { first, last })
-    {
-      if (first != last && material >= 0)
+      const Index* own = mesh.Elements.data() + mesh.Corners * e;
+      if (!bounds[e].Contain(x) || std::find(own, own + mesh.Corners, p) != own + mesh.Corners)
       {
-        boundaries[material].push_back(FaceOf(mesh, side.Element, side.Number));
+        continue;
       }
+      const Index element = static_cast<Index>(e);
+      deepest = std::max(deepest,
+        mesh.Corners == 4 ? DepthInTet(TetCornersOf(mesh, element), x)
+                          : DepthInHex(CornersOf(mesh, element), x - PointOf(mesh, own[0])));
     }
   }
-  std::map<int, SurfaceDefects> defects;
-  for (const auto& boundary : boundaries)
-  {
-    const Surface surface(boundary.second, mesh.CornersOfFacet());
-    defects[boundary.first] = { surface.CountOddEdges(), surface.CountNonManifoldPoints() };
-  }
-  return defects;
-}
-
-std::string FindTopologyProblem(const Mesh& mesh)
-{
-  const std::string problem = FindConformityProblem(mesh);
-  if (!problem.empty())
-  {
-    return problem;
-  }
-  for (const auto& material : CountBoundaryDefects(mesh))
-  {
-    const SurfaceDefects& defects = material.second;
-    if (defects.OddEdges + defects.NonManifoldPoints > 0)
-    {
-      return "boundary of material " + std::to_string(material.first) + ": " +
-        std::to_string(defects.OddEdges) + " edges not on two faces, " +
-        std::to_string(defects.NonManifoldPoints) + " non-manifold points";
-    }
-  }
-  return "";
-}
-
-std::string FindFragmentProblem(const Mesh& mesh)
-{
-  const std::size_t count = mesh.ElementIds.size();
-  std::vector<std::vector<Index>> joined(count);
-  for (const auto& face : FacesOf(mesh))
-  {
-    if (face.second.size() == 2)
-    {
-      const Index a = face.second[0].Element, b = face.second[1].Element;
-      const bool sameMaterial = mesh.Material[a] == mesh.Material[b];
-      if (sameMaterial != (mesh.Fragment[a] == mesh.Fragment[b]))
-      {
-        return sameMaterial ? "two fragments of one material share a face"
-                            : "a fragment of two materials";
-      }
-      if (sameMaterial)
-      {
-        joined[a].push_back(b);
-        joined[b].push_back(a);
-      }
-    }
-  }
-  std::set<int> seen;
-  std::vector<bool> reached(count, false);
-  for (std::size_t first = 0; first < count; ++first)
-  {
-    if (reached[first])
-    {
-      continue;
-    }
-    if (!seen.insert(mesh.Fragment[first]).second)
-    {
-      return "fragment " + std::to_string(mesh.Fragment[first]) + " is not connected by faces";
-    }
-    std::vector<Index> front{ static_cast<Index>(first) };
-    reached[first] = true;
-    while (!front.empty())
-    {
-      const Index at = front.back();
-      front.pop_back();
-      for (Index other : joined[at])
-      {
-        if (!reached[other])
-        {
-          reached[other] = true;
-          front.push_back(other);
-        }
-      }
-    }
-  }
-  return "";
-}
-
-std::string FindFacetProblem(const Mesh& mesh)
-{
-  const SurfaceFacets& surfaces = mesh.Surfaces;
-  const int corners = mesh.CornersOfFacet();
-  std::map<Face, std::size_t> facets;
-  for (std::size_t f = 0; f < surfaces.SurfaceId.size(); ++f)
-  {
-    Face facet{ { -1, -1, -1, -1 } };
-    std::copy_n(surfaces.Points.data() + corners * f, corners, facet.begin());
-    std::sort(facet.begin(), facet.end());
-    if (!facets.emplace(facet, f).second)
-    {
-      return "a facet twice";
-    }
-  }
-  for (const auto& face : FacesOf(mesh))
-  {
-    const Index first = face.second.front().Element, last = face.second.back().Element;
-    if (first != last && mesh.Fragment[first] == mesh.Fragment[last])
-    {
-      continue;
-    }
-    const auto at = facets.find(face.first);
-    if (at == facets.end())
-    {
-      return "face " + std::to_string(last - first) + " between fragments that is no facet";
-    }
-    const int a = first == last ? 0 : mesh.Material[first], b = mesh.Material[last];
-    const int* own = surfaces.MaterialPair.data() + 2 * at->second;
-    if (own[0] != std::min(a, b) || own[1] != std::max(a, b))
-    {
-      return "a facet with materials that are not beside it";
-    }
-    facets.erase(at);
-  }
-  return facets.empty() ? "" : "a facet that is no face between fragments";
+  return deepest;
 }
 
 double MeasureVolume(const Mesh& mesh, int material)

@@ -58,6 +58,9 @@ std::string FindFragmentProblem(const Mesh& mesh);
 /// "" or what is wrong: facets that are not, one by one, the faces between fragments and those of one element alone.
 std::string FindFacetProblem(const Mesh& mesh);
 
+/// How deep a point beside void that is not meshed lies in an element that is not its own, in widths of it; 0: in none.
+double DeepestOverlap(const Mesh& mesh);
+
 /// Volume of a material, exact for tets and trilinear hexes.
 double MeasureVolume(const Mesh& mesh, int material);
 

@@ -1,0 +1,299 @@
+/// Those of MeshChecks.h that look at faces: how elements meet.
+#include "MeshChecks.h"
+
+#include <algorithm>
+#include <set>
+
+namespace vfm
+{
+namespace testing
+{
+namespace
+{
+
+/// Points of a face; of triangles the last is -1.
+using Face = std::array<Index, 4>;
+
+/// Local corners of the faces of an element, in turn.
+constexpr int HexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
+  { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+constexpr int TetFaces[4][4] = { { 1, 2, 3, -1 }, { 0, 3, 2, -1 }, { 0, 1, 3, -1 },
+  { 0, 2, 1, -1 } };
+
+int CountFaces(const Mesh& mesh)
+{
+  return mesh.Corners == 8 ? 6 : 4;
+}
+
+Face FaceOf(const Mesh& mesh, Index element, int side)
+{
+  const int* corners = mesh.Corners == 8 ? HexFaces[side] : TetFaces[side];
+  Face face;
+  for (int c = 0; c < 4; ++c)
+  {
+    face[c] = corners[c] < 0 ? -1 : mesh.Elements[mesh.Corners * element + corners[c]];
+  }
+  return face;
+}
+
+/// An element and the number of its face.
+struct Side
+{
+  Index Element;
+  int Number;
+};
+
+/// The elements of every face, by its sorted points.
+std::map<Face, std::vector<Side>> FacesOf(const Mesh& mesh)
+{
+  std::map<Face, std::vector<Side>> faces;
+  for (Index element = 0; element < static_cast<Index>(mesh.ElementIds.size()); ++element)
+  {
+    for (int number = 0; number < CountFaces(mesh); ++number)
+    {
+      Face face = FaceOf(mesh, element, number);
+      std::sort(face.begin(), face.end());
+      faces[face].push_back({ element, number });
+    }
+  }
+  return faces;
+}
+
+/// The faces of a closed surface, over their edges and points.
+class Surface
+{
+public:
+  /// corners: of a face.
+  Surface(const std::vector<Face>& faces, int corners) : Faces(faces), Corners(corners)
+  {
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      for (int c = 0; c < corners; ++c)
+      {
+        this->Edges[this->EdgeOf(f, c)].push_back(f);
+        this->Fans[faces[f][c]].push_back(f);
+      }
+    }
+  }
+
+  Index CountOddEdges() const
+  {
+    return std::count_if(this->Edges.begin(), this->Edges.end(),
+      [](const auto& edge) { return edge.second.size() != 2; });
+  }
+
+  Index CountNonManifoldPoints() const
+  {
+    return std::count_if(this->Fans.begin(), this->Fans.end(),
+      [this](const auto& fan) { return this->IsNonManifold(fan); });
+  }
+
+private:
+  using Edge = std::pair<Index, Index>;
+
+  Edge EdgeOf(std::size_t face, int corner) const
+  {
+    return std::minmax(this->Faces[face][corner], this->Faces[face][(corner + 1) % this->Corners]);
+  }
+
+  /// Whether the faces at the point are not connected over the edges at it.
+  bool IsNonManifold(const std::pair<const Index, std::vector<std::size_t>>& fan) const
+  {
+    std::set<std::size_t> reached{ fan.second[0] };
+    std::vector<std::size_t> front{ fan.second[0] };
+    while (!front.empty())
+    {
+      const std::size_t face = front.back();
+      front.pop_back();
+      for (int c = 0; c < this->Corners; ++c)
+      {
+        const Edge edge = this->EdgeOf(face, c);
+        if (edge.first != fan.first && edge.second != fan.first)
+        {
+          continue;
+        }
+        for (std::size_t other : this->Edges.at(edge))
+        {
+          if (reached.insert(other).second)
+          {
+            front.push_back(other);
+          }
+        }
+      }
+    }
+    return reached.size() != fan.second.size();
+  }
+
+  const std::vector<Face>& Faces;
+  int Corners;
+  std::map<Edge, std::vector<std::size_t>> Edges;
+  std::map<Index, std::vector<std::size_t>> Fans;
+};
+
+template <class T>
+bool AreUnique(const Buffer<T>& ids)
+{
+  return std::set<T>(ids.begin(), ids.end()).size() == ids.size();
+}
+
+} // namespace
+
+std::string FindConformityProblem(const Mesh& mesh)
+{
+  if (!AreUnique(mesh.ElementIds) || !AreUnique(mesh.PointIds))
+  {
+    return "global ids are not unique";
+  }
+  const std::set<Index> used(mesh.Elements.begin(), mesh.Elements.end());
+  if (used.size() != mesh.PointIds.size() || (used.size() && *used.begin() < 0))
+  {
+    return "unused points";
+  }
+  for (const auto& face : FacesOf(mesh))
+  {
+    if (face.second.size() > 2)
+    {
+      return "a face on more than two elements";
+    }
+  }
+  return "";
+}
+
+std::map<int, SurfaceDefects> CountBoundaryDefects(const Mesh& mesh)
+{
+  std::map<int, std::vector<Face>> boundaries;
+  for (const auto& face : FacesOf(mesh))
+  {
+    const Side& side = face.second[0];
+    const int first = mesh.Material[side.Element];
+    const int last = face.second.size() == 2 ? mesh.Material[face.second[1].Element] : -1;
+    for (int material : { first, last })
+    {
+      if (first != last && material >= 0)
+      {
+        boundaries[material].push_back(FaceOf(mesh, side.Element, side.Number));
+      }
+    }
+  }
+  std::map<int, SurfaceDefects> defects;
+  for (const auto& boundary : boundaries)
+  {
+    const Surface surface(boundary.second, mesh.CornersOfFacet());
+    defects[boundary.first] = { surface.CountOddEdges(), surface.CountNonManifoldPoints() };
+  }
+  return defects;
+}
+
+std::string FindTopologyProblem(const Mesh& mesh)
+{
+  const std::string problem = FindConformityProblem(mesh);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  for (const auto& material : CountBoundaryDefects(mesh))
+  {
+    const SurfaceDefects& defects = material.second;
+    if (defects.OddEdges + defects.NonManifoldPoints > 0)
+    {
+      return "boundary of material " + std::to_string(material.first) + ": " +
+        std::to_string(defects.OddEdges) + " edges not on two faces, " +
+        std::to_string(defects.NonManifoldPoints) + " non-manifold points";
+    }
+  }
+  return "";
+}
+
+std::string FindFragmentProblem(const Mesh& mesh)
+{
+  const std::size_t count = mesh.ElementIds.size();
+  std::vector<std::vector<Index>> joined(count);
+  for (const auto& face : FacesOf(mesh))
+  {
+    if (face.second.size() == 2)
+    {
+      const Index a = face.second[0].Element, b = face.second[1].Element;
+      const bool sameMaterial = mesh.Material[a] == mesh.Material[b];
+      if (sameMaterial != (mesh.Fragment[a] == mesh.Fragment[b]))
+      {
+        return sameMaterial ? "two fragments of one material share a face"
+                            : "a fragment of two materials";
+      }
+      if (sameMaterial)
+      {
+        joined[a].push_back(b);
+        joined[b].push_back(a);
+      }
+    }
+  }
+  std::set<int> seen;
+  std::vector<bool> reached(count, false);
+  for (std::size_t first = 0; first < count; ++first)
+  {
+    if (reached[first])
+    {
+      continue;
+    }
+    if (!seen.insert(mesh.Fragment[first]).second)
+    {
+      return "fragment " + std::to_string(mesh.Fragment[first]) + " is not connected by faces";
+    }
+    std::vector<Index> front{ static_cast<Index>(first) };
+    reached[first] = true;
+    while (!front.empty())
+    {
+      const Index at = front.back();
+      front.pop_back();
+      for (Index other : joined[at])
+      {
+        if (!reached[other])
+        {
+          reached[other] = true;
+          front.push_back(other);
+        }
+      }
+    }
+  }
+  return "";
+}
+
+std::string FindFacetProblem(const Mesh& mesh)
+{
+  const SurfaceFacets& surfaces = mesh.Surfaces;
+  const int corners = mesh.CornersOfFacet();
+  std::map<Face, std::size_t> facets;
+  for (std::size_t f = 0; f < surfaces.SurfaceId.size(); ++f)
+  {
+    Face facet{ { -1, -1, -1, -1 } };
+    std::copy_n(surfaces.Points.data() + corners * f, corners, facet.begin());
+    std::sort(facet.begin(), facet.end());
+    if (!facets.emplace(facet, f).second)
+    {
+      return "a facet twice";
+    }
+  }
+  for (const auto& face : FacesOf(mesh))
+  {
+    const Index first = face.second.front().Element, last = face.second.back().Element;
+    if (first != last && mesh.Fragment[first] == mesh.Fragment[last])
+    {
+      continue;
+    }
+    const auto at = facets.find(face.first);
+    if (at == facets.end())
+    {
+      return "face " + std::to_string(last - first) + " between fragments that is no facet";
+    }
+    const int a = first == last ? 0 : mesh.Material[first], b = mesh.Material[last];
+    const int* own = surfaces.MaterialPair.data() + 2 * at->second;
+    if (own[0] != std::min(a, b) || own[1] != std::max(a, b))
+    {
+      return "a facet with materials that are not beside it";
+    }
+    facets.erase(at);
+  }
+  return facets.empty() ? "" : "a facet that is no face between fragments";
+}
+
+} // namespace testing
+} // namespace vfm
