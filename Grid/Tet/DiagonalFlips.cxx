@@ -86,7 +86,8 @@ void DiagonalFlips::Run(const SmoothingStage& stage, const std::function<void(in
         std::copy(
           other[t].begin(), other[t].end(), this->Active.Elements.begin() + 4 * (quad.First + t));
       }
-      flipped.insert(flipped.end(), other[0].begin(), other[0].end());
+      // not the centre, which is near to points of ranks that do not know this quad
+      flipped.insert(flipped.end(), other[0].begin(), other[0].begin() + 3);
     }
   }
   if (!flipped.empty())
