@@ -134,15 +134,17 @@ void AddLevels(vtkFieldData* field, const MeshReport& report)
   {
     return;
   }
-  std::vector<Index> families, added, cells;
+  std::vector<Index> families, forBalance, forValidity, cells;
   for (const MeshReport::Level& level : report.Levels)
   {
     families.push_back(level.Families);
-    added.push_back(level.Added);
+    forBalance.push_back(level.AddedForBalance);
+    forValidity.push_back(level.AddedForValidity);
     cells.push_back(level.Cells);
   }
   AddFieldValues<vtkIdTypeArray>(field, "RefinedCells", families);
-  AddFieldValues<vtkIdTypeArray>(field, "CellsAddedForBalance", added);
+  AddFieldValues<vtkIdTypeArray>(field, "CellsAddedForBalance", forBalance);
+  AddFieldValues<vtkIdTypeArray>(field, "CellsAddedForValidity", forValidity);
   AddFieldValues<vtkIdTypeArray>(field, "LevelCells", cells);
   AddFieldCount(field, "TransitionCells", report.TransitionCells);
 }

@@ -58,7 +58,9 @@ void HexStages::FindLabels()
   this->Resolve(result.Labels);
   this->Clock.Start("Making hexahedra", 0.1);
   result.Mixed = FindMixedNodes(this->Grid, result.Labels);
-  result.Levels = MakeLevels(this->Grid, result.Labels, result.Mixed, this->Options, this->Run);
+  LevelPlan plan = this->Options.Levels;
+  MakeLevels(this->Grid, result.Labels, result.Mixed, { this->Options.MeshVoid, false, true }, plan,
+    this->Run, this->Report, result.Levels);
 }
 
 FragmentVolumes HexStages::FindVolumes(const Fragments& fragments, const Mesh& mesh)
@@ -123,7 +125,7 @@ Mesh HexStages::MakeMesh()
     }
   }
   KeepOwned(mesh, this->Grid);
-  ReportLevels(mesh, this->Run.Group(), this->Report, this->Labelled.AskedFamilies);
+  ReportLevels(mesh, this->Labelled.Levels.Asked, this->Run.Group(), this->Report);
   ReportVolumes(this->Grid, volumes, this->Report);
   this->MeasureQuality(mesh);
   return mesh;

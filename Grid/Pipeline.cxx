@@ -86,36 +86,57 @@ void CheckOptions(const MeshOptions& options)
   }
 }
 
-LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
-  const std::vector<Index>& interfaces, const MeshOptions& options, Runtime& runtime, bool asCubes)
+bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& plan, Ranks& ranks)
 {
-  LevelHexes levels;
-  levels.Grid =
-    std::make_shared<const RefinedGrid>(grid, options.Levels, interfaces, runtime.Group());
-  levels.Coarse = std::make_unique<CoarseHexes>(
-    *levels.Grid, labels, CoarseHexes::Options{ options.MeshVoid, asCubes, true }, runtime);
-  if (!levels.Grid->IsUniform())
+  bool found = false;
+  for (std::size_t level = 0; level < families.size(); ++level)
   {
-    ReleaseFreeMemory();
+    std::vector<Index>& own = plan.Families[level];
+    own.insert(own.end(), families[level].begin(), families[level].end());
+    found = found || !families[level].empty();
   }
-  return levels;
+  return ranks.Any(found);
 }
 
 namespace
 {
 
-/// Adds to a plan what has no valid start; whether any rank had some.
-bool AddBadFamilies(const SplitNodes& splits, LevelPlan& plan, Ranks& ranks)
+void MakeGrid(const CartesianGrid& grid, const LevelPlan& plan,
+  const std::vector<Index>& interfaces, Ranks& ranks, LevelHexes& levels)
 {
-  bool found = false;
-  for (std::size_t level = 0; level < splits.BadFamilies().size(); ++level)
+  levels.Coarse.reset();
+  levels.Grid = std::make_shared<const RefinedGrid>(grid, plan, interfaces, ranks);
+  for (int level = static_cast<int>(levels.Asked.size()); level < plan.Refinements; ++level)
   {
-    const std::vector<Index>& bad = splits.BadFamilies()[level];
-    plan.Families[level].insert(plan.Families[level].end(), bad.begin(), bad.end());
-    found = found || !bad.empty();
+    levels.Asked.push_back(levels.Grid->Families().Report(level).Wanted);
   }
-  return ranks.Any(found);
 }
+
+} // namespace
+
+void MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& interfaces, const CoarseHexes::Options& hexes, LevelPlan& plan,
+  Runtime& runtime, MeshReport& report, LevelHexes& levels)
+{
+  plan.Families.resize(plan.Refinements);
+  for (;; ++report.LevelRounds)
+  {
+    MakeGrid(grid, plan, interfaces, runtime.Group(), levels);
+    levels.Coarse = std::make_unique<CoarseHexes>(*levels.Grid, labels, hexes, runtime);
+    if (levels.Grid->IsUniform())
+    {
+      return;
+    }
+    ReleaseFreeMemory();
+    if (!AddFamilies(levels.Coarse->BadFamilies(), plan, runtime.Group()))
+    {
+      return;
+    }
+  }
+}
+
+namespace
+{
 
 /// Adds transition cells whose label had to be changed at a price; whether any rank had some. In finer cells it costs less.
 bool AddFlippedFamilies(
@@ -144,16 +165,9 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
   LevelPlan plan = options.Levels;
   plan.Families.resize(plan.Refinements);
   const LabelArray ofCells = AssignMaterials(grid, fractions, options.IsoValue);
-  for (;;)
+  for (;; ++report.LevelRounds)
   {
-    result.Levels.Coarse.reset();
-    result.Levels.Grid =
-      std::make_shared<const RefinedGrid>(grid, plan, std::vector<Index>(), runtime.Group());
-    for (int level = static_cast<int>(result.AskedFamilies.size()); level < plan.Refinements;
-         ++level)
-    {
-      result.AskedFamilies.push_back(result.Levels.Grid->Families().Report(level).Wanted);
-    }
+    MakeGrid(grid, plan, {}, runtime.Group(), result.Levels);
     result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
     const ResolveReport resolved =
       ResolveLabels(grid, fractions, result.Labels, partition, result.Levels.Grid.get());
@@ -162,16 +176,14 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
     if (report.LevelRounds < FlipRounds &&
       AddFlippedFamilies(*result.Levels.Grid, resolved.CostlyFlips, plan, runtime.Group()))
     {
-      ++report.LevelRounds;
       continue;
     }
     result.Levels.Coarse = std::make_unique<CoarseHexes>(*result.Levels.Grid, result.Labels,
       CoarseHexes::Options{ options.MeshVoid, false, !options.StairStep }, runtime);
-    if (options.StairStep || !AddBadFamilies(result.Levels.Coarse->Splits(), plan, runtime.Group()))
+    if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, runtime.Group()))
     {
       break;
     }
-    ++report.LevelRounds;
   }
   result.Mixed = FindMixedNodes(grid, result.Labels);
   ReleaseFreeMemory();
@@ -228,7 +240,7 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
 } // namespace
 
 void ReportLevels(
-  const Mesh& mesh, Ranks& ranks, MeshReport& report, const std::vector<Index>& asked)
+  const Mesh& mesh, const std::vector<Index>& asked, Ranks& ranks, MeshReport& report)
 {
   if (mesh.Levels->IsUniform())
   {
@@ -239,13 +251,14 @@ void ReportLevels(
   ranks.Sum(hexes);
   for (int level = 0; level <= refinements; ++level)
   {
-    report.Levels.push_back({ 0, 0, hexes[level] });
+    report.Levels.push_back({ 0, 0, 0, hexes[level] });
     if (level < refinements)
     {
       const OctantFamilies::LevelReport& families = mesh.Levels->Families().Report(level);
-      const Index wanted = asked.empty() ? families.Wanted : asked[level];
-      report.Levels.back().Families = families.Wanted + families.Balance + families.NonManifold;
-      report.Levels.back().Added = report.Levels.back().Families - wanted;
+      MeshReport::Level& last = report.Levels.back();
+      last.Families = families.Wanted + families.Balance + families.NonManifold;
+      last.AddedForBalance = last.Families - families.Wanted;
+      last.AddedForValidity = families.Wanted - asked[level];
     }
   }
   report.TransitionCells = hexes[refinements + 1];

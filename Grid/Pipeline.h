@@ -104,15 +104,18 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
   LabelledGrid& result);
 
-/// Makes the levels that the options ask for. interfaces: as in RefinedGrid. asCubes: as in CoarseHexes. Collective. Throws InputError as RefinedGrid and
-/// CoarseHexes do.
-LevelHexes MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
-  const std::vector<Index>& interfaces, const MeshOptions& options, Runtime& runtime,
-  bool asCubes = false);
+/// Makes the levels that a plan asks for; adds to it what has to be refined so that a valid mesh starts. interfaces: as in RefinedGrid. hexes: as in
+/// CoarseHexes. levels: as they are made so far. Collective. Throws InputError as RefinedGrid and CoarseHexes do.
+void MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& interfaces, const CoarseHexes::Options& hexes, LevelPlan& plan,
+  Runtime& runtime, MeshReport& report, LevelHexes& levels);
 
-/// Families and hexes of each level, over all ranks; mesh: the owned hexes or tets; asked: LabelledGrid::AskedFamilies. Collective.
+/// Adds families to a plan because no valid mesh starts there; whether any rank had some. Collective.
+bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& plan, Ranks& ranks);
+
+/// Families and hexes of each level, over all ranks; mesh: the owned hexes or tets; asked: LevelHexes::Asked. Collective.
 void ReportLevels(
-  const Mesh& mesh, Ranks& ranks, MeshReport& report, const std::vector<Index>& asked = {});
+  const Mesh& mesh, const std::vector<Index>& asked, Ranks& ranks, MeshReport& report);
 
 /// Volumes per material and fragment in length units of the grid.
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report);

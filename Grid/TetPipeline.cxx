@@ -48,7 +48,7 @@ public:
     FillInside(mesh);
     ClassifyGeometry(this->ListFacets(), this->Grid, this->Parts, mesh, this->Report);
     KeepOwned(mesh, this->Grid);
-    ReportLevels(mesh, this->Run.Group(), this->Report);
+    ReportLevels(mesh, this->Levels.Asked, this->Run.Group(), this->Report);
     this->Refill();
     this->MeasureQuality(mesh);
     return std::move(mesh);
@@ -103,8 +103,8 @@ private:
     {
       nodes.emplace(this->Grid, this->Fractions, this->Options.IsoValue, this->Run);
     }
-    const LevelHexes levels = this->MakeTetLevels(nodes);
-    const CoarseTets coarse(*levels.Coarse, energy, this->Run);
+    const std::unique_ptr<const CoarseTets> made = this->MakeCoarse(nodes, energy);
+    const CoarseTets& coarse = *made;
     if (nodes)
     {
       LatticeTets tets = BuildLatticeTets(
@@ -126,16 +126,28 @@ private:
     return this->Options.Levels.Refinements > 0;
   }
 
-  /// nodes: of Lattice.
-  LevelHexes MakeTetLevels(const std::optional<LatticeNodes>& nodes) const
+  /// nodes: of Lattice. Refines more until all tets start positive.
+  std::unique_ptr<const CoarseTets> MakeCoarse(
+    const std::optional<LatticeNodes>& nodes, const TetEnergy& energy)
   {
-    if (!this->HasLevels())
+    std::vector<Index> interfaces;
+    if (this->HasLevels())
     {
-      return MakeLevels(this->Grid, this->Labels, {}, this->Options, this->Run);
+      interfaces = nodes ? FindLatticeInterfaces(this->Grid, *nodes)
+                         : FindMixedNodes(this->Grid, this->Labels);
     }
-    return MakeLevels(this->Grid, nodes ? this->LabelsOfLevels : this->Labels,
-      nodes ? FindLatticeInterfaces(this->Grid, *nodes) : FindMixedNodes(this->Grid, this->Labels),
-      this->Options, this->Run, true);
+    const LabelArray& labels = this->HasLevels() && nodes ? this->LabelsOfLevels : this->Labels;
+    LevelPlan plan = this->Options.Levels;
+    for (;; ++this->Report.LevelRounds)
+    {
+      MakeLevels(this->Grid, labels, interfaces, { this->Options.MeshVoid, true, true }, plan,
+        this->Run, this->Report, this->Levels);
+      auto tets = std::make_unique<const CoarseTets>(*this->Levels.Coarse, energy, this->Run);
+      if (!AddFamilies(tets->BadFamilies(), plan, this->Run.Group()))
+      {
+        return tets;
+      }
+    }
   }
 
   void FindFragments()
@@ -224,6 +236,7 @@ private:
   const TetMethod Method =
     this->Options.Tets == TetMethod::Lattice ? TetMethod::Lattice : TetMethod::Cells;
   LabelArray Labels, LabelsOfLevels;
+  LevelHexes Levels;
   TetTopology Topology;
   TetFaces Faces;
   std::vector<int> Materials; // of the fragments

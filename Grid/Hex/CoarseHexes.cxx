@@ -1,5 +1,6 @@
 #include "Hex/CoarseHexes.h"
 
+#include "Base/Sorted.h"
 #include "Hex/HexTopology.h"
 #include "Hex/TransitionSmoothing.h"
 
@@ -19,17 +20,38 @@ CoarseHexes::CoarseHexes(
   this->Region = grid.Base().Extended(grid.HasFineInterfaces() ? 1 : 2);
   this->TheRefined = MakeRefinedMesh(grid.Families(), this->Region, false);
   this->NodeNumber = Buffer<int>(grid.Base().NumberOfEntries(), Unused);
-  SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, options.AsCubes);
+  const TransitionReport report =
+    SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, options.AsCubes);
   if (!grid.HasFineInterfaces())
   {
     this->TheSplits = SplitNodes(grid, this->TheRefined, this->Region, labels, options.MeshVoid);
   }
+  this->FindBadFamilies(report.BadCells);
   for (Index key : this->TheRefined.HexKeys)
   {
     this->Wanted.push_back(this->IsWanted(grid.Lattice().HexOfKey(key)));
   }
   this->MarkPoints();
   this->NumberPoints();
+}
+
+/// Those of split nodes, unless there are no buffers, and of transitions.
+void CoarseHexes::FindBadFamilies(const std::vector<OctreeKeys::LevelIndex>& badCells)
+{
+  if (this->HasBuffers)
+  {
+    this->Bad = this->TheSplits.BadFamilies();
+  }
+  this->Bad.resize(this->Grid.NumberOfRefinements());
+  for (const OctreeKeys::LevelIndex& cell : badCells)
+  {
+    this->Bad[cell.Level].push_back(
+      this->Grid.Lattice().FamilyKey(cell.Level, ParentOfCell(cell.At)));
+  }
+  for (std::vector<Index>& families : this->Bad)
+  {
+    SortUnique(families);
+  }
 }
 
 /// A point on or in an owned cell is placed by all hexes around it. These lie in cells of its level around the cell of the level

@@ -27,12 +27,14 @@ public:
     bool HasBuffers = true; ///< splits hexes on interfaces; else these run between unsplit ones
   };
 
-  /// Makes and smooths the transitions; of a grid without refinements there are no coarse hexes. Collective. Throws InputError as
-  /// SmoothTransitions does.
+  /// Makes and smooths the transitions; of a grid without refinements there are no coarse hexes. Where BadFamilies of any rank
+  /// tells of some these want to be refined first: no valid mesh starts. Collective. Throws InputError as SmoothTransitions does.
   CoarseHexes(
     const RefinedGrid& grid, const LabelArray& labels, const Options& options, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }
+  /// Families that owned cells want to refine because hexes there are not positive: of each refinement, ascending.
+  const std::vector<std::vector<Index>>& BadFamilies() const { return this->Bad; }
   /// What they are made of; once they are written only the keys and anchors of the points, and the touched cells.
   const RefinedMesh& Refined() const { return this->TheRefined; }
   /// Of those that no finest cell of HexBox has.
@@ -93,6 +95,7 @@ private:
   {
     return this->Grid.Finest().Linear(this->Grid.FinestNode(node.Level, node.At));
   }
+  void FindBadFamilies(const std::vector<OctreeKeys::LevelIndex>& badCells);
   void SetFinePoints(Mesh& mesh, const FinePoints& finePoints);
   int& NumberOf(Index point, const OctreeKeys::LevelIndex& index);
   void DropParts();
@@ -113,6 +116,7 @@ private:
   Buffer<int> NodeNumber;            // of base nodes: index of the point, or what it is
   std::vector<int> PointNumber;      // of points of TheRefined that are no base nodes
   SplitNodes TheSplits;
+  std::vector<std::vector<Index>> Bad;
   std::vector<Index> SplitPoint;
   Index PointCount = 0, HexCount = 0;
 };

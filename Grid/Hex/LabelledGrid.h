@@ -16,6 +16,8 @@ struct LevelHexes
 {
   std::shared_ptr<const RefinedGrid> Grid;
   std::unique_ptr<CoarseHexes> Coarse;
+  /// How many families were asked for, of each refinement, before any was added because no valid mesh started.
+  std::vector<Index> Asked;
 };
 
 struct LabelledGrid
@@ -27,8 +29,6 @@ struct LabelledGrid
   LabelArray Labels;
   std::vector<Index> Mixed; ///< nodes of the grid with several labels around
   LevelHexes Levels;
-  std::vector<Index>
-    AskedFamilies; ///< where interfaces cross levels: how many were asked for, of each refinement
 };
 
 } // namespace vfm

@@ -4,6 +4,7 @@
 #include "Hex/HexTopology.h"
 #include "Mesh/Quality.h"
 #include "Smoothing/ActiveMeshBuilder.h"
+#include "Smoothing/HexCoefficients.h"
 #include "Smoothing/HexEnergy.h"
 #include "Smoothing/Smoother.h"
 #include "Smoothing/UntangleEnergy.h"
@@ -88,8 +89,7 @@ private:
 /// Counts a hex as that of the owner of its cell; returns its widths.
 Vector3 TransitionMesh::AddCell(const OctreeKeys::LevelIndex& cell)
 {
-  this->IsOwned.push_back(this->Parts.OwnsCell(
-    { { cell.At[0] >> cell.Level, cell.At[1] >> cell.Level, cell.At[2] >> cell.Level } }));
+  this->IsOwned.push_back(this->Parts.OwnsCell(BaseCellOf(cell)));
   const double width = std::ldexp(1.0, -cell.Level);
   return this->InLattice ? Vector3{ { width, width, width } }
                          : (1.0 / this->Scale) * this->Lattice.CellWidths(cell.Level, cell.At);
@@ -155,11 +155,11 @@ void TransitionMesh::Untangle(Runtime& runtime, TransitionReport& report)
   double eps = LargestEps;
   for (int sweep = 0; sweep <= UntangleSweeps; ++sweep)
   {
-    Index flat;
-    this->ActivateFlat(flat, report.StillInverted);
+    Index flat, inverted;
+    this->ActivateFlat(flat, inverted);
     if (sweep == 0)
     {
-      report.InvertedHexes += report.StillInverted;
+      report.InvertedHexes += inverted;
     }
     if (sweep == UntangleSweeps || !runtime.Group().Any(flat > 0))
     {
@@ -197,20 +197,55 @@ void TransitionMesh::CopyBack() const
   }
 }
 
-/// Over the transition hexes of all ranks.
-double SmallestScaledJacobian(const RefinedMesh& mesh, Ranks& ranks)
+/// How good the transition hexes are.
+class TransitionQuality
 {
-  double smallest = 1.0;
-  for (Index h = 0; h < mesh.NumberOfHexes(); ++h)
+public:
+  TransitionQuality(const OctreeKeys& lattice, const RefinedMesh& mesh, const Partition& partition)
   {
-    if (mesh.IsTransition[h])
+    for (Index h = 0; h < mesh.NumberOfHexes(); ++h)
     {
-      smallest =
-        std::min(smallest, HexScaledJacobian(mesh.Points.data(), mesh.Hexes.data() + 8 * h));
+      const OctreeKeys::LevelIndex cell = lattice.HexOfKey(mesh.HexKeys[h]);
+      if (!mesh.IsTransition[h] || !partition.OwnsCell(BaseCellOf(cell)))
+      {
+        continue;
+      }
+      const Index* hex = mesh.Hexes.data() + 8 * h;
+      this->Smallest = std::min(this->Smallest, HexScaledJacobian(mesh.Points.data(), hex));
+      if (!IsPositive(mesh, hex, lattice.CellWidths(cell.Level, cell.At)))
+      {
+        this->Bad.push_back(cell);
+      }
     }
   }
-  return -ranks.Max(-smallest);
-}
+
+  const std::vector<OctreeKeys::LevelIndex>& BadCells() const { return this->Bad; }
+
+  /// Over all ranks: fewer bad cells, or as many and better hexes. Collective.
+  bool IsBetterThan(const TransitionQuality& other, Ranks& ranks) const
+  {
+    std::vector<std::int64_t> bad{ static_cast<std::int64_t>(this->Bad.size()),
+      static_cast<std::int64_t>(other.Bad.size()) };
+    ranks.Sum(bad);
+    const double smallest = ranks.Max(-this->Smallest), others = ranks.Max(-other.Smallest);
+    return bad[0] < bad[1] || (bad[0] == bad[1] && smallest < others);
+  }
+
+private:
+  static bool IsPositive(const RefinedMesh& mesh, const Index* hex, const Vector3& widths)
+  {
+    std::array<Vector3, 8> corners;
+    for (int c = 0; c < 8; ++c)
+    {
+      const double* x = mesh.Points.data() + 3 * hex[VtkCorner[c]];
+      corners[c] = Divided({ { x[0], x[1], x[2] } }, widths);
+    }
+    return SmallestCoefficient(corners) > SmallestDeterminant;
+  }
+
+  double Smallest = 1.0; // scaled Jacobian
+  std::vector<OctreeKeys::LevelIndex> Bad;
+};
 
 bool HasCubes(const CartesianGrid& grid)
 {
@@ -224,16 +259,33 @@ void MovePoints(const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& p
 {
   TransitionMesh transitions(lattice, mesh, partition, inLattice);
   transitions.Untangle(runtime, report);
-  if (runtime.Group().Any(report.StillInverted > 0))
-  {
-    throw InputError("The transition between refined and other cells cannot be untangled. "
-                     "Refine other cells, or all.");
-  }
   if (smooth)
   {
     transitions.Smooth(runtime);
   }
   transitions.CopyBack();
+}
+
+/// As cubes first, then by their own widths, unless that is worse: of oblong cells some centres suffer.
+void MoveByWidths(const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& partition,
+  bool smooth, Runtime& runtime, TransitionReport& report)
+{
+  TransitionQuality quality(lattice, mesh, partition);
+  if (!HasCubes(lattice.Base()))
+  {
+    const std::vector<double> points = mesh.Points;
+    MovePoints(lattice, mesh, partition, false, smooth, runtime, report);
+    const TransitionQuality after(lattice, mesh, partition);
+    if (quality.IsBetterThan(after, runtime.Group()))
+    {
+      mesh.Points = points;
+    }
+    else
+    {
+      quality = after;
+    }
+  }
+  report.BadCells = quality.BadCells();
 }
 
 } // namespace
@@ -255,15 +307,9 @@ TransitionReport SmoothTransitions(
   const Partition partition(lattice.Base(), runtime.Group());
   TransitionReport report;
   MovePoints(lattice, mesh, partition, true, smooth, runtime, report);
-  if (!asCubes && !HasCubes(lattice.Base()))
+  if (!asCubes)
   {
-    const std::vector<double> points = mesh.Points;
-    const double before = SmallestScaledJacobian(mesh, runtime.Group());
-    MovePoints(lattice, mesh, partition, false, smooth, runtime, report);
-    if (before > 0.0 && SmallestScaledJacobian(mesh, runtime.Group()) < before)
-    {
-      mesh.Points = points; // cells so oblong that some centres suffer
-    }
+    MoveByWidths(lattice, mesh, partition, smooth, runtime, report);
   }
   std::vector<std::int64_t> inverted{ report.InvertedHexes };
   runtime.Group().Sum(inverted);

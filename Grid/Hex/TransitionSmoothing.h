@@ -33,13 +33,13 @@ struct TransitionReport
 {
   Index InvertedHexes = 0; ///< with a corner that is not positive, before; over all ranks
   int UntangleSweeps = 0;
-  Index StillInverted = 0; ///< afterwards
+  /// Of each owned transition hex that is not positive throughout, afterwards: its cell. Not looked for when as cubes.
+  std::vector<OctreeKeys::LevelIndex> BadCells;
 };
 
 /// mesh: of the owned cells of the lattice's grid and those around them (CartesianGrid::Extended(1) or more).
 /// smooth: false stops after untangling. asCubes: what is best where all cells are cubes, whatever their widths; then tets
-/// are positive too (CoarseTets.h). Throws InputError on all ranks when some hexes stay inverted or a
-/// rank has more than 2^31 points. Collective.
+/// are positive too (CoarseTets.h). Throws InputError on all ranks when a rank has more than 2^31 points. Collective.
 TransitionReport SmoothTransitions(const OctreeKeys& lattice, RefinedMesh& mesh, Runtime& runtime,
   bool smooth = true, bool asCubes = false);
 

@@ -9,9 +9,11 @@
  *
  * Validity. In a passing star put the surface node S on the grid node v and the inner node I of a label
  * at v + d, d = +-delta against the outward normals of its region, 0 on axes without one. With
- * delta = h/8 every corner of every hex has a positive determinant: those of core hexes are diagonally
- * dominant for delta < h/6; a buffer corner at S has determinant delta h^2, at I
- * delta ((h+u)(h+v) - w z) > 0 with |u|,|v|,|w|,|z| <= delta. Beyond the domain the star mirrors.
+ * delta = 1/8 of the smaller of the two widths at the node along the axis all hexes are positive throughout, whatever the widths. Measure in
+ * each cell by its own: delta <= 1/8 there. The twelve edges of a core hex are 1 - 2 delta or more along their axis and at most 2 delta along
+ * the two others, so any three, one of each axis, are diagonally dominant and have a positive determinant (delta < 1/6); the Bernstein
+ * coefficients of the Jacobian are means of such. In a buffer hex the edges across are delta along that axis, the others 0, and among these
+ * others the same holds of two. Beyond the domain the star mirrors.
  */
 #pragma once
 

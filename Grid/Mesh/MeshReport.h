@@ -32,13 +32,15 @@ struct MeshReport
   struct Level
   {
     Index Families = 0; ///< refined to the next level
-    Index Added = 0;    ///< of those, the ones that were not asked for but that transitions need
-    Index Cells = 0;    ///< elements that are, or are made in, whole cells of the level
+    Index AddedForBalance =
+      0; ///< of those, the ones that were not asked for but that transitions need
+    Index AddedForValidity = 0; ///< and the ones where no valid mesh started otherwise
+    Index Cells = 0;            ///< elements that are, or are made in, whole cells of the level
   };
   std::vector<Level> Levels; ///< from the base; empty without refinements
   Index TransitionCells = 0; ///< elements of transitions
-  int LevelRounds =
-    0; ///< in which cells between levels were refined: where labels had to be changed, or no valid mesh starts
+  /// In which cells between levels were refined: where labels had to be changed, or no valid mesh started.
+  int LevelRounds = 0;
   struct Stage
   {
     const char* Name;

@@ -72,4 +72,10 @@ private:
   std::vector<Index> NodeOffset, HexOffset; // of the keys of each level
 };
 
+/// The base cell around a cell of a level.
+inline Index3 BaseCellOf(const OctreeKeys::LevelIndex& cell)
+{
+  return { { cell.At[0] >> cell.Level, cell.At[1] >> cell.Level, cell.At[2] >> cell.Level } };
+}
+
 } // namespace vfm

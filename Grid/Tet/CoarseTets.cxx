@@ -29,11 +29,11 @@ CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& run
   this->AddCentres();
   this->FindFaces();
   this->ChooseWays(runtime);
-  if (runtime.Group().Any(this->HasBadTets()))
+  this->FindBadFamilies();
+  if (runtime.Group().Any(std::any_of(this->Bad.begin(), this->Bad.end(),
+        [](const std::vector<Index>& families) { return !families.empty(); })))
   {
-    throw InputError(
-      "The transition between refined and other cells cannot be cut into tetrahedra. "
-      "Refine other cells, or all.");
+    return;
   }
   this->Improve(runtime);
   this->ChooseWays(runtime);
@@ -344,10 +344,33 @@ void CoarseTets::ChooseWays(Runtime& runtime)
     [this](Index f) { this->Faces[f].Way = this->BestWay(this->Faces[f]); });
 }
 
-bool CoarseTets::HasBadTets() const
+/// Those of the cells of transition hexes at bad tets. A face is looked at by the owner of its tets.
+void CoarseTets::FindBadFamilies()
 {
-  return std::any_of(this->Faces.begin(), this->Faces.end(),
-    [this](const Face& face) { return this->EnergyOf(face, face.Way) >= InvalidEnergy; });
+  this->Bad.resize(this->Grid.NumberOfRefinements());
+  const auto add = [this](const Hex& hex)
+  {
+    if (!hex.IsWhole)
+    {
+      this->Bad[hex.Cell.Level].push_back(
+        this->Grid.Lattice().FamilyKey(hex.Cell.Level, ParentOfCell(hex.Cell.At)));
+    }
+  };
+  for (const Face& face : this->Faces)
+  {
+    const Hex& hex = this->Hexes[face.Hex];
+    if (!this->Grid.Base().Owned().Contains(BaseCellOf(hex.Cell)) ||
+      this->EnergyOf(face, face.Way) < InvalidEnergy)
+    {
+      continue;
+    }
+    add(hex);
+    const std::size_t beyond = face.Centre - this->HexPoints;
+    if (face.Centre >= this->HexPoints && beyond < this->Hexes.size())
+    {
+      add(this->Hexes[beyond]);
+    }
+  }
 }
 
 Index CoarseTets::NumberOfTets() const

@@ -24,10 +24,13 @@ namespace vfm
 class CoarseTets
 {
 public:
-  /// None without refinements. Keeps a reference to the grid of the hexes. Throws InputError on all ranks when a tet is not positive. Collective.
+  /// None without refinements. Keeps a reference to the grid of the hexes. Where BadFamilies of any rank tells of some
+  /// these want to be refined first: the rest is not made. Collective.
   CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }
+  /// Families that owned cells want to refine because tets there are not positive: of each refinement.
+  const std::vector<std::vector<Index>>& BadFamilies() const { return this->Bad; }
   /// Of those that no finest cell of HexBox has.
   Index NumberOfPoints() const { return static_cast<Index>(this->Local.PointIds.size()); }
   Index NumberOfTets() const;
@@ -72,7 +75,7 @@ private:
   double EnergyOf(const Face& face, int way) const;
   int BestWay(const Face& face) const;
   void ChooseWays(Runtime& runtime);
-  bool HasBadTets() const;
+  void FindBadFamilies();
   int FindFine(Index code) const;
   void Improve(Runtime& runtime);
 
@@ -83,6 +86,7 @@ private:
   std::vector<Index> FineCodes; // of the fine points, ascending: 2 linear + slot
   std::vector<Hex> Hexes;       // by key
   std::vector<Face> Faces;      // by hex and side
+  std::vector<std::vector<Index>> Bad;
 };
 
 } // namespace vfm

@@ -43,7 +43,7 @@ void PrintDetails(const MeshReport& report)
   {
     const MeshReport::Level& l = report.Levels[level];
     std::printf("    level %zu: %lld families refined (%lld added), %lld cells\n", level,
-      static_cast<long long>(l.Families), static_cast<long long>(l.Added),
+      static_cast<long long>(l.Families), static_cast<long long>(l.AddedForBalance),
       static_cast<long long>(l.Cells));
   }
   if (!report.Levels.empty())

@@ -98,14 +98,16 @@ INSTANTIATE_TEST_SUITE_P(Materials, RandomLabels,
 
 TEST(RandomLabels, StartIsValidForEveryAcceptedStar)
 {
-  // every two-label star that passes, in a 2x2x2 grid with a border that continues it
+  // every two-label star that passes, in a grid of any widths with a border that continues it
   for (int region = 1; region < 255; ++region)
   {
     if (RegionNormalsTable[region].ViolatedAxes() != 0)
     {
       continue;
     }
-    const CartesianGrid grid = MakeUnitGrid(4);
+    const std::array<std::vector<double>, 3> coordinates{ { { 0.0, 1.0, 8.0, 9.0, 1000.0 },
+      { 0.0, 50.0, 51.0, 58.0, 59.0 }, { 0.0, 1.0, 2.0, 3.0, 4.0 } } };
+    const CartesianGrid grid(coordinates);
     const FractionField field = MakeLabels(grid, 2,
       [&](const Index3& p)
       {
@@ -119,6 +121,7 @@ TEST(RandomLabels, StartIsValidForEveryAcceptedStar)
     const Mesh mesh = MakeHexMesh(grid, field, options, runtime, report);
     ASSERT_EQ(report.FlippedCells, 0) << region;
     ASSERT_GT(SmallestCornerDeterminant(mesh), 0.0) << region;
+    ASSERT_TRUE(IsPositiveEverywhere(mesh)) << region;
     ASSERT_EQ(FindTopologyProblem(mesh), "") << region;
   }
 }

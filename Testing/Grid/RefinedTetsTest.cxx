@@ -283,7 +283,7 @@ TEST(RefinedTets, FewWhereLittleHappens)
     for (const MeshReport::Level& level : report.Levels)
     {
       std::printf("  %lld families (%lld added), %lld cells\n",
-        static_cast<long long>(level.Families), static_cast<long long>(level.Added),
+        static_cast<long long>(level.Families), static_cast<long long>(level.AddedForBalance),
         static_cast<long long>(level.Cells));
     }
   }
