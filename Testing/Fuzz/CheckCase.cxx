@@ -12,8 +12,7 @@ namespace testing
 namespace
 {
 
-constexpr double VolumeTolerance = 1e-9;  // relative, of the domain
-constexpr double OverlapTolerance = 1e-3; // in widths of an element
+constexpr double VolumeTolerance = 1e-9; // relative, of the domain
 
 std::string Describe(const char* what, double value, Index id)
 {
@@ -79,13 +78,6 @@ std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
   return farthest == 0.0 ? "" : Describe("outside the domain by", farthest, id);
 }
 
-/// Beside void that is not meshed nothing but offsets keeps fragments apart.
-std::string FindOverlapProblem(const Mesh& mesh)
-{
-  const double depth = DeepestOverlap(mesh);
-  return depth > OverlapTolerance ? Describe("overlap by widths of an element", depth, 0) : "";
-}
-
 /// The materials have the volumes that the report tells, and fill the domain where nothing is left out.
 std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
 {
@@ -116,9 +108,9 @@ std::string FirstOf(std::initializer_list<std::string> problems)
 std::string FindMeshProblem(
   const FuzzCase& c, const Mesh& mesh, const MeshReport& report, FuzzResult& result)
 {
-  return FirstOf({ FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh),
-    FindFragmentProblem(mesh), FindFacetProblem(mesh), FindOverlapProblem(mesh),
-    FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report) });
+  return FirstOf(
+    { FindJacobianProblem(c, mesh, result), FindTopologyProblem(mesh), FindFragmentProblem(mesh),
+      FindFacetProblem(mesh), FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report) });
 }
 
 /// TetGen fills rank by rank: its surfaces alone are the same.
@@ -158,6 +150,7 @@ FuzzResult CheckCase(const FuzzCase& c)
   result.Problem = FindMeshProblem(c, mesh, alone.Reports[0], result);
   if (result.Elements > 0)
   {
+    result.Overlap = DeepestOverlap(mesh);
     result.ScaledJacobian = alone.Reports[0].MinimumScaledJacobian;
   }
   if (!c.Boxes.empty())

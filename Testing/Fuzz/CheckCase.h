@@ -16,6 +16,8 @@ struct FuzzResult
   Index Elements = 0;
   double Coefficient = 1e300;    ///< smallest of the elements' Jacobians, in volumes of their cells
   double ScaledJacobian = 1e300; ///< smallest
+  double Overlap =
+    0.0; ///< deepest: nothing keeps fragments apart where the void between is not meshed
 };
 
 /// Makes the mesh of a case on one rank and on its ranks.

@@ -12,6 +12,8 @@ namespace testing
 namespace
 {
 
+constexpr double OverlapThatCounts = 1e-3; // in widths of an element
+
 template <std::size_t Size>
 void CopyText(const std::string& from, char (&to)[Size])
 {
@@ -55,6 +57,7 @@ Outcome RunSeed(unsigned seed, const std::function<void(const Outcome&)>& starte
     outcome.Elements = result.Elements;
     outcome.Coefficient = result.Coefficient;
     outcome.ScaledJacobian = result.ScaledJacobian;
+    outcome.Overlap = result.Overlap;
     CopyText(result.Problem, outcome.Problem);
   }
   catch (const std::exception& error)
@@ -92,6 +95,7 @@ void Summary::Add(const Outcome& outcome)
   row.OnRanks += outcome.Ranks > 1;
   row.Failed += hasFailed;
   row.Elements += outcome.Elements;
+  row.Overlaps += outcome.Overlap > OverlapThatCounts;
   row.Coefficient.Add(outcome.Coefficient, outcome.Seed);
   if (outcome.IsUsual)
   {
@@ -122,11 +126,11 @@ void Summary::Print() const
   for (const auto& entry : this->Rows)
   {
     const Row& row = entry.second;
-    std::printf("| %s | %lld | %lld | %lld | %lld | %s | %s | %lld |\n", entry.first.c_str(),
+    std::printf("| %s | %lld | %lld | %lld | %lld | %s | %s | %lld | %lld |\n", entry.first.c_str(),
       static_cast<long long>(row.Cases), static_cast<long long>(row.Refined),
       static_cast<long long>(row.OnRanks), static_cast<long long>(row.Elements),
       row.Coefficient.Text().c_str(), row.ScaledJacobian.Text().c_str(),
-      static_cast<long long>(row.Failed));
+      static_cast<long long>(row.Overlaps), static_cast<long long>(row.Failed));
     cases += row.Cases;
     elements += row.Elements;
   }

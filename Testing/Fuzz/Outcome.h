@@ -22,7 +22,7 @@ struct Outcome
   bool IsRefined = false;
   int Ranks = 1;
   Index Elements = 0;
-  double Coefficient = 1e300, ScaledJacobian = 1e300; ///< as in FuzzResult
+  double Coefficient = 1e300, ScaledJacobian = 1e300, Overlap = 0.0; ///< as in FuzzResult
   double Seconds = 0.0;
   char Method[24] = "", Field[24] = "", Words[480] = "", Problem[240] = "";
 };
@@ -47,7 +47,7 @@ private:
   };
   struct Row
   {
-    Index Cases = 0, Refined = 0, OnRanks = 0, Failed = 0, Elements = 0;
+    Index Cases = 0, Refined = 0, OnRanks = 0, Failed = 0, Elements = 0, Overlaps = 0;
     Smallest Coefficient, ScaledJacobian;
   };
 
