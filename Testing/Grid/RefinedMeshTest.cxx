@@ -3,9 +3,13 @@
 #include "RefinedChecks.h"
 #include "Sweep.h"
 
+#include "Fractions/RefineCells.h"
 #include "Octree/RefinedGrid.h"
 
 #include <gtest/gtest.h>
+
+#include <map>
+#include <random>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -134,6 +138,77 @@ TEST_P(RandomFamilies, MeshIsValid)
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomFamilies, ::testing::Range(0u, 5u));
+
+namespace
+{
+
+/// Of n base cells of random widths, neighbouring ones by up to a factor apart, halved so many times.
+std::vector<double> MakeGradedAxis(Index n, double factor, double width, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> exponent(-1.0, 1.0);
+  std::vector<double> x(1, 0.0);
+  for (Index i = 0; i < n; ++i)
+  {
+    x.push_back(x.back() + width);
+    width *= std::pow(factor, exponent(random));
+  }
+  return x;
+}
+
+CartesianGrid MakeGradedGrid(Index n, int refinements, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const double factor = seed % 2 == 0 ? 300.0 : 7.0, aspect = seed % 4 < 2 ? 1e4 : 100.0;
+  std::uniform_real_distribution<double> exponent(0.0, 1.0);
+  std::array<std::vector<double>, 3> x;
+  for (std::vector<double>& axis : x)
+  {
+    axis = MakeGradedAxis(n, factor, std::pow(aspect, exponent(random)), random);
+  }
+  return CartesianGrid(HalveWidths(x, refinements));
+}
+
+} // namespace
+
+/// Where the transitions of stretched cells cannot be untangled, or cut into tets, more cells are refined.
+TEST(StretchedFamilies, MeshIsValid)
+{
+  std::map<std::string, Index> added;
+  for (unsigned seed : ListSeeds(4))
+  {
+    SCOPED_TRACE(seed);
+    const int refinements = 1 + static_cast<int>(seed % 3 == 0);
+    const CartesianGrid grid = MakeGradedGrid(refinements == 1 ? 8 : 6, refinements, seed);
+    const FractionField field = MakeBlockLabels(grid, refinements, seed);
+    for (const char* kind : { "hexes", "crossing", "Cells", "Lattice" })
+    {
+      SCOPED_TRACE(kind);
+      const std::string name = kind;
+      MeshOptions options = Coarsened(refinements);
+      options.MeshVoid = true;
+      options.Levels.FineInterfaces = name != "crossing";
+      options.Tets = name == "Lattice" ? TetMethod::Lattice : TetMethod::Cells;
+      options.Levels.Families = MakeRandomFamilies(grid, refinements, .02 * (1 + seed % 4), seed);
+      Runtime runtime;
+      MeshReport report;
+      const bool isHex = name == "hexes" || name == "crossing";
+      const Mesh mesh = isHex ? MakeHexMesh(grid, field, options, runtime, report)
+                              : MakeTetMesh(grid, field, options, runtime, report);
+      EXPECT_EQ(FindTopologyProblem(mesh), "");
+      EXPECT_TRUE(IsPositiveEverywhere(mesh));
+      for (const MeshReport::Level& level : report.Levels)
+      {
+        added[name] += level.AddedForValidity;
+      }
+    }
+  }
+  for (const auto& kind : added)
+  {
+    std::printf("%s: %lld families added for validity\n", kind.first.c_str(),
+      static_cast<long long>(kind.second));
+    EXPECT_TRUE(kind.second > 0 || !IsWholeSweep());
+  }
+}
 
 namespace
 {
