@@ -2,6 +2,8 @@
 
 #include "OpenFile.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -34,7 +36,8 @@ public:
   std::string Word(const std::string& what)
   {
     std::string word;
-    if (!(this->Stream >> word))
+    const auto isControl = [](unsigned char c) { return std::iscntrl(c) != 0; };
+    if (!(this->Stream >> word) || std::any_of(word.begin(), word.end(), isControl))
     {
       this->Fail(what);
     }

@@ -1,9 +1,9 @@
 #include "ExodusInput.h"
 
 #include "Agreement.h"
+#include "ExodusFileCheck.h"
 #include "FileSuffix.h"
 #include "InputGrids.h"
-#include "NetcdfHeader.h"
 #include "ParseText.h"
 #include "Stage.h"
 #include "VtkMessages.h"
@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <regex>
 #include <set>
@@ -73,21 +72,6 @@ std::vector<std::string> FindFiles(const std::string& path)
   return files;
 }
 
-/// VTK's reader reads what is cut off as zeros, and nothing of a file with fewer times than the first.
-void CheckWhole(const std::string& path, const std::string& first)
-{
-  const auto header = ReadNetcdfHeader(path), other = ReadNetcdfHeader(first);
-  if (header && static_cast<std::int64_t>(std::filesystem::file_size(path)) < header->Size)
-  {
-    RefuseInput("Cannot read the input " + path + ": the file is cut off or damaged.");
-  }
-  if (header && other && header->Records != other->Records)
-  {
-    RefuseInput("Cannot read the input " + path + ": it holds " + std::to_string(header->Records) +
-      " times, but " + first + " holds " + std::to_string(other->Records) + ".");
-  }
-}
-
 /// Of one file. first: of those that belong together, the only one whose times VTK's reader takes.
 vtkSmartPointer<vtkIOSSReader> MakeReader(
   const std::string& file, const std::string& first, bool readsBlockIds)
@@ -125,7 +109,7 @@ public:
   {
     for (const std::string& path : paths)
     {
-      CheckWhole(path, first);
+      CheckExodusFile(path, first);
       this->Paths.push_back(path);
       this->Readers.push_back(MakeReader(path, first, this->ReadsBlockIds));
       this->Messages.Watch(this->Readers.back());

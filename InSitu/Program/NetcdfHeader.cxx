@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <vector>
 
 namespace vfm
 {
@@ -13,6 +12,7 @@ namespace
 constexpr std::int64_t Unknown = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t Streamed = 0xffffffff; // records that were not counted
 constexpr std::int64_t LargestCount = std::int64_t(1) << 50;
+constexpr std::int64_t LongestName = 1024;
 constexpr int Sizes[] = { 0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8 }; // in bytes, of types 1..11
 constexpr int ListOfDimensions = 10, ListOfVariables = 11, ListOfAttributes = 12;
 
@@ -36,17 +36,18 @@ public:
     const std::int64_t records = this->ReadCount();
     for (std::int64_t left = this->ReadList(ListOfDimensions); left > 0 && this->Stream; --left)
     {
-      this->SkipText();
+      this->ReadName();
       this->Dimensions.push_back(this->ReadCount());
     }
-    this->SkipAttributes();
+    NetcdfHeader header{ Unknown, records, this->ReadAttributes(), {} };
     std::int64_t size = 0, recordSize = 0, recordsEnd = 0, lastSize = 0;
     int recordVariables = 0;
     for (std::int64_t left = this->ReadList(ListOfVariables); left > 0 && this->Stream; --left)
     {
-      const Variable variable = this->ReadVariable();
+      header.Variables.push_back(this->ReadVariable());
+      const NetcdfHeader::Variable& variable = header.Variables.back();
       const std::int64_t end = variable.Begin + variable.Size;
-      if (variable.IsRecord)
+      if (variable.HasRecords)
       {
         lastSize = variable.Size;
         recordSize += Padded(lastSize);
@@ -63,16 +64,11 @@ public:
       const std::int64_t step = recordVariables == 1 ? lastSize : recordSize; // one is not padded
       size = std::max(size, recordsEnd + (records - 1) * step);
     }
-    return { this->Stream ? size : Unknown, records };
+    header.Size = this->Stream ? size : Unknown;
+    return header;
   }
 
 private:
-  struct Variable
-  {
-    std::int64_t Begin, Size; // in bytes, of a record where it IsRecord
-    bool IsRecord;
-  };
-
   static std::int64_t Padded(std::int64_t size) { return (size + 3) / 4 * 4; }
 
   /// A header that is not good counts as one that is cut off.
@@ -105,38 +101,49 @@ private:
     this->Check(tag == kind || (tag == 0 && count == 0));
     return count;
   }
-  void Skip(std::int64_t size) { this->Stream.seekg(Padded(size), std::ios::cur); }
-  void SkipText() { this->Skip(this->ReadCount()); }
-  int ReadTypeSize()
+  void Skip(std::int64_t size) { this->Stream.seekg(size, std::ios::cur); }
+  std::string ReadName()
+  {
+    const std::int64_t length = this->ReadCount();
+    this->Check(length <= LongestName);
+    std::string name(this->Stream ? length : 0, '\0');
+    this->Stream.read(&name[0], length);
+    this->Skip(Padded(length) - length);
+    return name;
+  }
+  /// 0 where it is none.
+  int ReadType()
   {
     const std::int64_t type = this->ReadNumber(4);
     this->Check(type >= 1 && type <= 11);
-    return this->Stream ? Sizes[type] : 0;
+    return this->Stream ? static_cast<int>(type) : 0;
   }
-  void SkipAttributes()
+  std::vector<NetcdfHeader::Attribute> ReadAttributes()
   {
+    std::vector<NetcdfHeader::Attribute> attributes;
     for (std::int64_t left = this->ReadList(ListOfAttributes); left > 0 && this->Stream; --left)
     {
-      this->SkipText();
-      const int size = this->ReadTypeSize();
-      this->Skip(this->ReadCount() * size);
+      const std::string name = this->ReadName();
+      attributes.push_back({ name, this->ReadType() });
+      this->Skip(Padded(this->ReadCount() * Sizes[attributes.back().Type]));
     }
+    return attributes;
   }
-  Variable ReadVariable()
+  NetcdfHeader::Variable ReadVariable()
   {
-    this->SkipText();
-    Variable variable{ 0, 1, false };
+    NetcdfHeader::Variable variable{ this->ReadName(), 0, 0, 1, false };
     for (std::int64_t left = this->ReadCount(); left > 0 && this->Stream; --left)
     {
       const std::int64_t dimension = this->ReadCount();
       const bool isKnown = dimension < static_cast<std::int64_t>(this->Dimensions.size());
       const std::int64_t length = isKnown ? this->Dimensions[dimension] : 0;
-      variable.IsRecord = variable.IsRecord || length == 0; // the unlimited one
+      variable.HasRecords = variable.HasRecords || length == 0; // the unlimited one
       this->Check(length == 0 || variable.Size <= LargestCount / length);
       variable.Size *= this->Stream && length > 0 ? length : 1;
     }
-    this->SkipAttributes();
-    variable.Size *= this->ReadTypeSize();
+    this->ReadAttributes();
+    variable.Type = this->ReadType();
+    variable.Size *= Sizes[variable.Type];
     this->ReadCount(); // the size, which is cut where it needs more bits
     variable.Begin = this->ReadNumber(this->Version == 1 ? 4 : 8);
     return variable;
@@ -153,6 +160,24 @@ std::optional<NetcdfHeader> ReadNetcdfHeader(const std::string& path)
 {
   HeaderReader reader(path);
   return reader.IsClassic() ? std::optional<NetcdfHeader>(reader.Read()) : std::nullopt;
+}
+
+std::vector<std::int32_t> ReadNetcdfInts(
+  const std::string& path, const NetcdfHeader::Variable& variable)
+{
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(variable.Begin);
+  std::vector<std::int32_t> numbers(variable.Size / 4);
+  for (std::int32_t& number : numbers)
+  {
+    std::uint32_t bits = 0;
+    for (int b = 0; b < 4; ++b)
+    {
+      bits = bits << 8 | static_cast<unsigned char>(stream.get());
+    }
+    number = static_cast<std::int32_t>(bits);
+  }
+  return numbers;
 }
 
 } // namespace vfm

@@ -6,6 +6,7 @@
 #include "vtkAlgorithm.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -29,6 +30,13 @@ bool IsWanted(const std::string& name, const Arguments& arguments)
     arguments.Fractions.empty() && arguments.Labels.empty() && IsSpyPlotFraction(name);
   return isFound || lists(arguments.Fractions) || lists(arguments.State) ||
     name == arguments.Labels;
+}
+
+/// Whether a text has characters that none is made of, which a terminal would obey.
+bool HasControls(const std::string& text)
+{
+  return std::any_of(
+    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
 }
 
 /// The binary files that a case file names; a binary file is its own only one.
@@ -58,6 +66,10 @@ std::vector<std::string> FindFiles(const std::string& path)
     if (!line.empty() && line[begin] != '#')
     {
       line = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+      if (HasControls(line))
+      {
+        throw InputError("it is cut or damaged: a line of it is no name of a file.");
+      }
       files.push_back((folder / line).string());
     }
   }

@@ -120,8 +120,8 @@ void Summary::Print() const
 {
   std::printf(
     "\n| method, cells | cases | refined | on ranks | elements | smallest coefficient, cell "
-    "volumes (seed) | smallest scaled Jacobian, usual options (seed) | failures |\n"
-    "|---|---|---|---|---|---|---|---|\n");
+    "volumes (seed) | smallest scaled Jacobian, usual options (seed) | overlaps | failures |\n"
+    "|---|---|---|---|---|---|---|---|---|\n");
   Index cases = 0, elements = 0;
   for (const auto& entry : this->Rows)
   {

@@ -18,14 +18,14 @@ ALLOWED.update({
     "Examples": ("InSitu",),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
-    "Testing/Fuzz": GRID + ("Shapes", "Testing/Support"),
+    "Testing/Fuzz": GRID + ("Shapes", "InSitu", "Testing/Support"),
     "Testing/Benchmarks": GRID + ("Shapes", "Testing/Support"),
     "Testing/Parallel": ("Grid/Base", "Parallel", "Testing/Support"),
     "Testing/InSitu": ("Grid/Base", "Filters", "InSitu"),
 })
 
 # Folders without VTK and MPI.
-PLAIN = GRID + ("Shapes", "Testing/Support", "Testing/Fuzz", "Testing/Grid", "Testing/Benchmarks")
+PLAIN = GRID + ("Shapes", "Testing/Support", "Testing/Grid", "Testing/Benchmarks")
 FOREIGN = re.compile(r"(vtk|mpi|paraview|pv|pq)", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 

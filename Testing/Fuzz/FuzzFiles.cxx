@@ -1,0 +1,230 @@
+/**
+ * Damaged files, read and meshed as the program sculptor does:
+ *
+ *   FuzzFiles FOLDER [--seed S] [--count N] [--keep]
+ *
+ * FOLDER/inputs lists good inputs, one a line: a folder in FOLDER, the input in it, further words for sculptor. Each seed damages a
+ * file of one of them, in a copy, and reads and meshes it in a process of its own: it must end there, in some seconds and a
+ * gigabyte, with a mesh or with one message of one line. Prints a line for each seed that does not, and how many there were
+ * of each end; returns 1 if any failed. --keep leaves the last copy in FOLDER/damaged, and prints what came of each.
+ */
+#include "DamageFile.h"
+#include "RunApart.h"
+
+#include "Arguments.h"
+#include "ChooseArrays.h"
+#include "MakeMesh.h"
+#include "ReadInput.h"
+#include "Stage.h"
+
+#include "vtkDummyController.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeFractionMeshAlgorithm.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+
+using namespace vfm;
+using namespace vfm::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr int Patience = 60;                         // seconds
+constexpr std::size_t Memory = std::size_t(1) << 30; // bytes
+constexpr std::size_t LongestMessage = 4000;
+
+struct Good
+{
+  std::string Folder, File;
+  std::vector<std::string> Words;
+};
+
+std::vector<Good> ReadList(const fs::path& folder)
+{
+  std::ifstream stream(folder / "inputs");
+  std::vector<Good> list;
+  for (std::string line; std::getline(stream, line);)
+  {
+    std::istringstream words(line);
+    Good good;
+    words >> good.Folder >> good.File;
+    good.Words.assign(std::istream_iterator<std::string>(words), {});
+    list.push_back(good);
+  }
+  if (list.empty())
+  {
+    throw std::runtime_error((folder / "inputs").string() + " lists no inputs");
+  }
+  return list;
+}
+
+/// Those of a folder and the folders in it, in order.
+std::vector<fs::path> ListFiles(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+  {
+    if (entry.is_regular_file())
+    {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Damages one file of a folder; returns what was done.
+std::string DamageFolder(const fs::path& folder, RandomDraw& draw)
+{
+  const std::vector<fs::path> files = ListFiles(folder);
+  const fs::path& path = files[draw.Seed() % files.size()];
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes{ std::istreambuf_iterator<char>(stream), {} };
+  const std::string done = DamageBytes(bytes, draw);
+  std::ofstream(path, std::ios::binary) << bytes;
+  return path.filename().string() + ": " + done;
+}
+
+/// "meshed", or "refused: " and the message.
+std::string MeshFile(const fs::path& path, const std::vector<std::string>& words)
+{
+  std::vector<std::string> all{ "--input", path.string(), "--output", "none.vtu", "--quiet" };
+  all.insert(all.end(), words.begin(), words.end());
+  try
+  {
+    vtkNew<vtkDummyController> controller;
+    vtkMultiProcessController::SetGlobalController(controller);
+    Ranks alone;
+    const Arguments arguments = ParseArguments(all);
+    const auto mesher = MakeMesher(arguments);
+    const Input input = ReadInput(arguments, alone);
+    const ChosenArrays arrays = ChooseArrays(input.Data, arguments, alone);
+    MakeMesh(*mesher, input.Data, arrays, true, controller);
+    return "meshed";
+  }
+  catch (const ProgramError& error)
+  {
+    return std::string(error.Code == ExitCode::InternalError ? "internal error: " : "refused: ") +
+      error.what();
+  }
+  catch (const std::exception& error)
+  {
+    return std::string("throws: ") + error.what();
+  }
+}
+
+/// "" or why an end is none that a user should see.
+std::string FindProblem(const ApartResult& result)
+{
+  if (!result.Failure.empty())
+  {
+    return result.Failure;
+  }
+  const std::string& text = result.Text;
+  const bool isRefused = text.compare(0, 9, "refused: ") == 0 && text.size() > 20;
+  if (text != "meshed" && !isRefused)
+  {
+    return text;
+  }
+  const bool isLine = std::none_of(
+    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
+  return isLine && text.size() < LongestMessage ? "" : "a message that is not a line: " + text;
+}
+
+class Fuzzer
+{
+public:
+  Fuzzer(const fs::path& folder, bool keeps) :
+    Folder(folder), Copy(folder / "damaged"), List(ReadList(folder)), Keeps(keeps)
+  {
+  }
+
+  void Run(unsigned seed)
+  {
+    RandomDraw draw(seed);
+    const Good& good = this->List[draw.Seed() % this->List.size()];
+    fs::remove_all(this->Copy);
+    fs::copy(this->Folder / good.Folder, this->Copy, fs::copy_options::recursive);
+    const std::string done = DamageFolder(this->Copy, draw);
+    const ApartResult result =
+      RunApart([&] { return MeshFile(this->Copy / good.File, good.Words); }, Patience, Memory);
+    const std::string problem = FindProblem(result);
+    const bool hasFailed = !problem.empty();
+    this->Failures += hasFailed;
+    ++this->Ends[good.Folder +
+      (hasFailed                    ? " failed"
+          : result.Text == "meshed" ? " meshed"
+                                    : " refused")];
+    if (hasFailed || this->Keeps)
+    {
+      std::printf("seed %u: %s | %s, %s\n", seed, hasFailed ? problem.c_str() : result.Text.c_str(),
+        good.Folder.c_str(), done.c_str());
+      std::fflush(stdout);
+    }
+  }
+
+  int Finish()
+  {
+    if (!this->Keeps)
+    {
+      fs::remove_all(this->Copy);
+    }
+    for (const auto& end : this->Ends)
+    {
+      std::printf("%s %d\n", end.first.c_str(), end.second);
+    }
+    std::printf("%d failures\n", this->Failures);
+    return this->Failures > 0 ? 1 : 0;
+  }
+
+private:
+  const fs::path Folder, Copy;
+  const std::vector<Good> List;
+  const bool Keeps;
+  std::map<std::string, int> Ends;
+  int Failures = 0;
+};
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    unsigned first = 0, count = 1;
+    bool keeps = false;
+    for (int i = 2; i < argc; ++i)
+    {
+      const std::string word = argv[i];
+      keeps = keeps || word == "--keep";
+      if ((word == "--seed" || word == "--count") && i + 1 < argc)
+      {
+        (word == "--seed" ? first : count) = static_cast<unsigned>(std::stoul(argv[++i]));
+      }
+    }
+    if (argc < 2)
+    {
+      throw std::invalid_argument("FuzzFiles FOLDER [--seed S] [--count N] [--keep]");
+    }
+    Fuzzer fuzzer(argv[1], keeps);
+    for (unsigned seed = first; seed != first + count; ++seed)
+    {
+      fuzzer.Run(seed);
+    }
+    return fuzzer.Finish();
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,90 @@
+"""Damaged files of each kind that the program sculptor reads: no crash, no hang, one message each (Testing/Fuzz/FuzzFiles).
+
+VFM_SEEDS=first:count takes other seeds; a folder as an argument keeps the good files there, to repeat a seed by hand:
+    VFM_FUZZ_FILES FOLDER --seed S --keep
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+from amr_files import make_amr, write_plotfile, write_vthb
+from exodus_grids import hexes, write_exodus
+from spyplot import split, write_spyplot
+from spyplot_cases import NODES, TIMES, steps
+from vfmtest import image, main, write
+from voxels import grains, write_numpy, write_text
+
+SEEDS, COUNT = (int(x) for x in os.environ.get("VFM_SEEDS", "0:200").split(":"))
+SIDE = 6  # cells along each axis of what is no AMR grid
+
+
+def fields():
+    """Two fractions (z, y, x)."""
+    ball = np.random.default_rng(3).random((SIDE,) * 3)
+    return {"ball": ball, "rest": 1 - ball}
+
+
+def small_steps():
+    return [{name: value[:SIDE, 3:3 + SIDE, 3:3 + SIDE] for name, value in step.items()} for step in steps()]
+
+
+def write_exodus_grid(path):
+    coordinates = [np.arange(SIDE + 1.0)] * 3
+    return write_exodus(path, lambda step: {"cells": hexes(fields(), np.arange(SIDE ** 3), coordinates)}, TIMES)
+
+
+def write_all(folder):
+    """Good files, and the list of them that FuzzFiles reads."""
+    amr, flat = make_amr(levels=2, roots=(2, 2, 2)), make_amr(levels=1, roots=(2, 2, 1))
+    labels = grains()[:SIDE, :SIDE, :SIDE]
+    size = ["--dimensions", ",".join([str(SIDE)] * 3)]
+    nodes = [x[:SIDE + 1] for x in NODES]
+    inputs = []
+
+    def add(name, file, words, make):
+        os.makedirs(os.path.join(folder, name))
+        make(os.path.join(folder, name, file))
+        inputs.append(" ".join([name, file, *words]))
+
+    add("spn", "a.spn", size, lambda path: write_text(path, labels))
+    add("npy-labels", "a.npy", [], lambda path: write_numpy(path, labels))
+    add("npy-wide", "a.npy", [], lambda path: write_numpy(path, labels, np.dtype(">i8"), fortran=True))
+    add("npy-fractions", "a.npy", [], lambda path: np.save(path, np.stack(list(fields().values()))))
+    for counts, files, name in (((1, 1, 2), 1, "spcth"), ((2, 1, 1), 2, "spcth-flat")):
+        add(name, "a.spcth", [], lambda path: write_spyplot(
+            os.path.dirname(path), "a", TIMES, split(nodes, small_steps(), counts), files))
+    add("exodus", "a.exo", [], write_exodus_grid)
+    add("plotfile", "plt", [], lambda path: write_plotfile(path, flat))
+    add("plotfile-levels", "plt", [], lambda path: write_plotfile(path, amr))
+    add("vthb", "a.vthb", [], lambda path: write_vthb(path, amr))
+    add("vti", "a.vti", [], lambda path: write(image(fields()), path))
+    with open(os.path.join(folder, "inputs"), "w") as out:
+        out.write("\n".join(inputs) + "\n")
+
+
+def run_fuzzer(folder):
+    """All good files can be meshed; of damaged ones none ends badly."""
+    fuzzer = [os.environ["VFM_FUZZ_FILES"], folder]
+    for line in open(os.path.join(folder, "inputs")).read().splitlines():
+        name, file, *words = line.split()
+        subprocess.run([os.environ["VFM_SCULPTOR"], "--input", os.path.join(folder, name, file), "--output",
+                        os.path.join(folder, "out.vtu"), "--quiet", *words], check=True)
+    result = subprocess.run(fuzzer + ["--seed", str(SEEDS), "--count", str(COUNT)], capture_output=True, text=True, errors="replace")
+    print(result.stdout, result.stderr)
+    assert result.returncode == 0, result.stdout
+
+
+def test_damaged_files():
+    if len(sys.argv) > 1:
+        write_all(sys.argv[1])
+        run_fuzzer(sys.argv[1])
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        write_all(folder)
+        run_fuzzer(folder)
+
+
+main(globals())
