@@ -167,7 +167,9 @@ bool RunBuiltInTest(const Arguments& arguments, vtkMultiProcessController* contr
     const MeshSummary summary = Summarise(mesh, ranks);
     if (to)
     {
-      *to << (run.Options.empty() ? "As it is" : "\nRefined " + run.Options[1].second) << "\n";
+      *to << (run.Options.empty() ? "As it is"
+                                  : "\nRefined " + std::to_string(mesher->GetMaximumLevel()))
+          << "\n";
       PrintSummary(summary, {}, *to);
     }
     CheckParts(summary, checks);

@@ -107,7 +107,8 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
       }
     });
   const Input input = ReadInput(arguments, ranks);
-  const ChosenArrays arrays = ChooseArrays(input.Data, arguments, ranks);
+  const ChosenArrays arrays =
+    ChooseArrays(input.Data, arguments, mesher->GetFractionTolerance(), ranks);
   KeepMaterials(input.Data, arrays, arguments.Materials, ranks);
   times.Add("read");
   const auto mesh = MakeMesh(*mesher, input.Data, arrays, arguments.Quiet, controller);
