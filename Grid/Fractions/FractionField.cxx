@@ -28,7 +28,10 @@ double CheckedFraction(
     text << "Volume fraction array '" << reader.Name(material) << "' holds " << value << " in "
          << TextOf(cell) << ": "
          << (std::isfinite(value) ? "volume fractions lie in [0, 1]."
-                                  : "volume fractions must be finite numbers.");
+                                  : "volume fractions must be finite numbers.")
+         << (IsOutside(value, LargestFractionTolerance)
+                ? ""
+                : " A larger FractionTolerance clips those that lie a little outside.");
     throw InputError(text.str());
   }
   return std::min(std::max(value, 0.0), 1.0);

@@ -16,6 +16,8 @@ namespace vfm
 
 /// Fractions may lie so far outside [0,1] by rounding.
 constexpr double FractionTolerance = 1e-6;
+/// No user may allow more.
+constexpr double LargestFractionTolerance = 0.1;
 
 class FractionField
 {

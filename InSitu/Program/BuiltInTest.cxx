@@ -163,7 +163,8 @@ bool RunBuiltInTest(const Arguments& arguments, vtkMultiProcessController* contr
   for (const Arguments& run : PlanRuns(arguments))
   {
     const auto mesher = MakeMesher(run);
-    mesh = MakeMesh(*mesher, MakeGrid(ranks), { { ArrayName }, "", {}, "" }, run.Quiet, controller);
+    mesh =
+      MakeMesh(*mesher, MakeGrid(ranks), { { ArrayName }, "", {}, "", "" }, run.Quiet, controller);
     const MeshSummary summary = Summarise(mesh, ranks);
     if (to)
     {

@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <limits>
 #include <set>
+#include <sstream>
 
 namespace vfm
 {
@@ -24,6 +25,7 @@ namespace
 {
 
 constexpr std::size_t ListedLabels = 20;
+constexpr double LargestTolerance = 0.1;         // of fractions, as the mesher takes it
 constexpr const char* LabelsName = "MaterialId"; // as readers of voxels, and the meshes, name them
 
 bool Lists(const std::vector<std::string>& names, const std::string& name)
@@ -46,6 +48,31 @@ bool IsFraction(const ArrayInfo& array, double tolerance)
     (isBytes || (isReal && array.Least >= -tolerance && array.Most <= 1.0 + tolerance));
 }
 
+/// Those that would be fractions if values a little outside of [0, 1] were.
+std::string WarnOfNearFractions(
+  const std::vector<ArrayInfo>& arrays, const Arguments& arguments, double tolerance)
+{
+  std::vector<std::string> names;
+  double outside = 0.0;
+  for (const ArrayInfo& array : arrays)
+  {
+    if (IsFraction(array, LargestTolerance) && !IsFraction(array, tolerance) &&
+      !Lists(arguments.State, array.Name))
+    {
+      names.push_back(array.Name);
+      outside = std::max({ outside, -array.Least, array.Most - 1.0 });
+    }
+  }
+  if (names.empty())
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "Not taken for volume fractions: " << JoinTexts(names) << ", with values up to "
+       << outside << " outside [0, 1]. --clip T takes those that lie outside by no more than T.";
+  return text.str();
+}
+
 /// In the order of their material numbers.
 std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arrays)
 {
@@ -65,7 +92,8 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
 }
 
 /// Collective.
-[[noreturn]] void RefuseArrays(vtkDataObject* data, const Arguments& arguments, Ranks& ranks)
+[[noreturn]] void RefuseArrays(
+  vtkDataObject* data, const Arguments& arguments, const std::string& warning, Ranks& ranks)
 {
   std::string text =
     "No cell array of the input holds volume fractions: numbers in [0, 1] of type float or "
@@ -75,6 +103,7 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
   {
     text += " Those of --state and --density are taken for others, unless named as --fractions.";
   }
+  text += warning.empty() ? "" : " " + warning;
   throw ProgramError(ExitCode::UnreadableInput,
     text + " Name them (--fractions A,B,..), or an integer array of materials (--labels ARRAY).");
 }
@@ -86,10 +115,11 @@ ChosenArrays FindMaterials(
   const std::vector<ArrayInfo> arrays = FindArrays(data, ArrayPlace::Cells, ranks);
   const std::vector<std::string>& state = arguments.State;
   ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", state,
-    "named Material volume fraction - N" };
+    "named Material volume fraction - N", "" };
   if (chosen.Fractions.empty())
   {
     chosen.How = "all cell arrays with values in [0, 1]";
+    chosen.Warning = WarnOfNearFractions(arrays, arguments, tolerance);
     for (const ArrayInfo& array : arrays)
     {
       if (IsFraction(array, tolerance) && !IsMaterialId(array) && !Lists(state, array.Name))
@@ -100,11 +130,11 @@ ChosenArrays FindMaterials(
   }
   if (chosen.Fractions.empty() && std::any_of(arrays.begin(), arrays.end(), IsMaterialId))
   {
-    return { {}, LabelsName, state, "labels" };
+    return { {}, LabelsName, state, "labels", chosen.Warning };
   }
   if (chosen.Fractions.empty())
   {
-    RefuseArrays(data, arguments, ranks);
+    RefuseArrays(data, arguments, chosen.Warning, ranks);
   }
   return chosen;
 }
@@ -299,11 +329,11 @@ ChosenArrays ChooseArrays(
   CheckLabelArray(data, arguments.Labels, ranks);
   if (!arguments.Labels.empty())
   {
-    return { {}, arguments.Labels, arguments.State, "labels" };
+    return { {}, arguments.Labels, arguments.State, "labels", "" };
   }
   if (!arguments.Fractions.empty())
   {
-    return { arguments.Fractions, "", arguments.State, "as asked" };
+    return { arguments.Fractions, "", arguments.State, "as asked", "" };
   }
   return FindMaterials(data, arguments, tolerance, ranks);
 }

@@ -20,6 +20,7 @@ struct ChosenArrays
   std::string Labels;
   std::vector<std::string> State; ///< that the elements carry along
   std::string How;                ///< for the user: why these
+  std::string Warning;            ///< empty, or what may be missing among them
 };
 
 /// Collective: what the arguments name, else what fits. tolerance: of fractions, outside of [0, 1]. Throws ProgramError
