@@ -39,12 +39,15 @@ public:
       this->Left.push_back(word.substr(0, equals));
       if (equals != std::string::npos)
       {
+        this->Joined.insert(this->Left.size());
         this->Left.push_back(word.substr(equals + 1));
       }
     }
   }
   bool HasWord() const { return this->Next < this->Left.size(); }
   bool HasValue() const { return this->HasWord() && !IsOption(this->Left[this->Next]); }
+  /// Whether the next word stood behind the = of an option.
+  bool HasJoinedValue() const { return this->Joined.count(this->Next) > 0; }
   std::string Take() { return this->Left[this->Next++]; }
   std::string TakeValue(const std::string& option)
   {
@@ -72,6 +75,7 @@ public:
 private:
   static bool IsOption(const std::string& word) { return word.compare(0, 2, "--") == 0; }
   std::vector<std::string> Left;
+  std::set<std::size_t> Joined; // places of values behind an =
   std::size_t Next = 0;
 };
 
@@ -112,7 +116,8 @@ void TakeSettings(Arguments& to, Words& words, const std::string& option)
     {
       Refuse(option + " takes Option=Value, not '" + setting + "'.");
     }
-    to.Options.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+    to.Options.emplace_back(
+      TrimText(setting.substr(0, equals)), TrimText(setting.substr(equals + 1)));
   } while (words.HasValue());
 }
 
@@ -430,6 +435,10 @@ Arguments ParseArguments(const std::vector<std::string>& given)
       Refuse(option.Name + " is given twice.");
     }
     option.Take(arguments, words, option.Name);
+    if (words.HasJoinedValue())
+    {
+      Refuse(option.Name + " takes no value, but '" + words.Take() + "' is given.");
+    }
     if (arguments.Task == Command::Help || arguments.Task == Command::Version)
     {
       return arguments;
