@@ -38,13 +38,13 @@ std::vector<BlockPlace> ShareOutCells(
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
+/// Of cells that are cut. Less would multiply them: widths within a tenth of each other take up to ten parts of a cell along an axis.
+constexpr double SmallestAspectRatio = 1.1;
+
 /// Collective: cuts the cells of Base, and those of Grid alike, until none has an aspect ratio above a number (DivideLongCells):
 /// levels keep their ratios, families their places. 0: none is cut. Throws InputError, on all ranks alike, on numbers between 0 and
 /// SmallestAspectRatio, and where there would be too many cells.
 void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime);
-
-/// Lower bounds of aspect ratios would multiply the cells: to bring widths as near as a tenth takes up to ten parts each.
-constexpr double SmallestAspectRatio = 1.1;
 
 /// Collective: how many levels finer than Grid the criteria want; adds the families that they want to refine, and those of so many
 /// layers of cells around (FindWantedFamilies).

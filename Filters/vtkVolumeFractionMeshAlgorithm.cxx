@@ -276,9 +276,9 @@ vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::PrepareFractions(
                       << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.");
     }
   }
-  vfm::DivideFields(fields, this->MaximumAspectRatio,
-    static_cast<vfm::ChildRule>(this->ChildFractions),
-    runtime); // after: steps of whole slices are smoothed best
+  // after labels: the parts of a slice would keep its steps
+  vfm::DivideFields(
+    fields, this->MaximumAspectRatio, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
   return removed;
 }
 
