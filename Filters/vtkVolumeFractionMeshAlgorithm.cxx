@@ -253,29 +253,32 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
     { mesh, surfaces }, [=] { this->Run(input, mesh, surfaces); });
 }
 
-/// Removes small regions and smooths labels, as asked.
-vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::ClearFractions(
-  const vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime)
+/// Collective: removes small regions, smooths labels and cuts long cells, as asked.
+vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::PrepareFractions(
+  vfm::LevelFields& fields, vfm::Runtime& runtime)
 {
-  const vfm::Partition partition(grid, runtime.Group());
+  vfm::FractionField& fractions = fields.Field.Fractions;
   vfm::RemovedRegions removed;
   if (this->MinimumRegionCells > 1)
   {
     runtime.Progress(0.0, "Removing small regions");
-    removed =
-      vfm::RemoveSmallRegions(grid, this->MinimumRegionCells, this->IsoValue, partition, fractions);
+    removed = vfm::RemoveSmallRegions(fields.Grid, this->MinimumRegionCells, this->IsoValue,
+      vfm::Partition(fields.Grid, runtime.Group()), fractions);
   }
   if (this->LabelSmoothing > 0 && this->HasMaterialIdArray())
   {
     runtime.Progress(0.0, "Smoothing labels");
-    const double error =
-      vfm::SmoothLabels(grid, this->LabelSmoothing, partition, runtime, fractions);
-    if (partition.Group().Rank() == 0 && error > LabelVolumeTolerance)
+    const double error = vfm::SmoothLabels(fields.Grid, this->LabelSmoothing,
+      vfm::Partition(fields.Grid, runtime.Group()), runtime, fractions);
+    if (runtime.Group().Rank() == 0 && error > LabelVolumeTolerance)
     {
       vtkWarningMacro(<< "Smoothing could not keep the volumes of all labels: the worst is off by "
                       << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.");
     }
   }
+  // after labels: the parts of a slice would keep its steps
+  vfm::DivideFields(
+    fields, this->MaximumAspectRatio, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
   return removed;
 }
 
@@ -341,15 +344,14 @@ void vtkVolumeFractionMeshAlgorithm::Run(
     : vfm::FindInputLevels(input, ranks);
   const vfm::LevelCells cells = this->HasMaterialIdArray()
     ? vfm::OpenLabels(levels.Levels, this->MaterialIdArray, ranks)
-    : vfm::OpenFractions(levels.Levels, this->VolumeFractionArrays, ranks);
+    : vfm::OpenFractions(levels.Levels, this->VolumeFractionArrays, this->FractionTolerance, ranks);
   const vfm::StateArrays states(levels, this->StateArrays, ranks);
   const vfm::LevelSetup setup = this->SetUpLevels(levels, ranks);
   const std::vector<vfm::BlockPlace> owners =
     knowsNeighbours ? levels.Levels[0].Places : vfm::ShareOutCells(levels, cells, setup, ranks);
   vfm::LevelFields fields = vfm::MakeLevelFields(
     levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
-  const vfm::RemovedRegions removed =
-    this->ClearFractions(fields.Grid, fields.Field.Fractions, runtime);
+  const vfm::RemovedRegions removed = this->PrepareFractions(fields, runtime);
   vfm::MeshOptions options = this->GetOptions();
   options.Levels = this->Refine(setup, levels.Finest(), fields, runtime);
   const int finest = setup.IsUniform ? setup.Finest : setup.Base + options.Levels.Refinements;
@@ -361,13 +363,13 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   report.RemovedCells = removed.Cells;
   LogStages(report);
   runtime.Progress(0.98, "Filling output");
-  const std::vector<vtkSmartPointer<vtkDataArray>> carried =
-    states.Carry(mesh, grid, field.Fractions, finest, owners, runtime);
+  const std::vector<vtkSmartPointer<vtkDataArray>> carried = states.Carry(mesh, grid,
+    field.Fractions, finest, fields.Division.OfHalves(finest - setup.Base), owners, runtime);
   vfm::WorkTogether(ranks,
     [&]
     {
       vfm::SetMeshOutput(mesh, field.Table, output, surfaces);
-      vfm::SetReportOutput(mesh, report, field.Table, options, field.NormalisedCells, output);
+      vfm::SetReportOutput(mesh, report, field.Table, options, field.Mended, output);
       vfm::SetDomainOutput(grid, output);
       for (vtkDataArray* array : carried)
       {
@@ -377,9 +379,14 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   std::vector<vfm::Index> numberOfCells{ output->GetNumberOfCells() };
   ranks.Sum(numberOfCells);
   LogTraffic(ranks);
-  if (ranks.Rank() == 0 && field.NormalisedCells > 0)
+  if (ranks.Rank() == 0 && field.Mended.Clipped > 0)
   {
-    vtkWarningMacro(<< "The volume fractions of " << field.NormalisedCells
+    vtkWarningMacro(<< "Volume fractions of " << field.Mended.Clipped
+                    << " cells lay outside [0, 1] and were clipped.");
+  }
+  if (ranks.Rank() == 0 && field.Mended.Normalised > 0)
+  {
+    vtkWarningMacro(<< "The volume fractions of " << field.Mended.Normalised
                     << " cells sum to slightly more than 1 and were scaled back.");
   }
   if (ranks.Rank() == 0 && numberOfCells[0] == 0)
@@ -396,12 +403,14 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialIdArray: " << this->MaterialIdArray << "\n";
   os << indent << "StateArrays:";
   PrintNames(os, this->StateArrays);
+  os << indent << "FractionTolerance: " << this->FractionTolerance << "\n";
   os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
   os << indent << "MinimumRegionCells: " << this->MinimumRegionCells << "\n";
   os << indent << "Refinement: " << this->Refinement << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "FineInterfaces: " << this->FineInterfaces << "\n";
   os << indent << "FineLayers: " << this->FineLayers << "\n";
+  os << indent << "MaximumAspectRatio: " << this->MaximumAspectRatio << "\n";
   os << indent << "ChildFractions: " << this->ChildFractions << "\n";
   os << indent << "ThinCells: " << this->ThinCells << "\n";
   os << indent << "CurvaturePerCell: " << this->CurvaturePerCell << "\n";

@@ -107,6 +107,15 @@ public:
 
   ///@{
   /**
+   * How far outside [0,1] fractions may lie: up to that they are clipped, and sums above 1 by no more are scaled back; other input is
+   * refused. 1e-6 to 0.1. Default: 1e-6, for rounding alone.
+   */
+  vtkSetClampMacro(FractionTolerance, double, 1e-6, 0.1);
+  vtkGetMacro(FractionTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * Smooth the steps that labels (MaterialIdArray) make, by this many passes of an average over the cells around, 0 to 10: cells
    * at interfaces become mixed, each filled most by its own label, and every label keeps the volume of its cells. 2 or 3 serve
    * most labels; more rounds off edges. 0: off. Volume fractions are not smoothed. Default: 0.
@@ -186,7 +195,18 @@ public:
 
   ///@{
   /**
-   * What the halves of a mixed cell hold where the input has no finer data: parts cut by planes that keep the volume of every
+   * Cells whose aspect ratio, the largest of their widths over the smallest, is above this are cut across their long axes first, each
+   * into as few equal parts as it takes (of a rectilinear grid each layer into its own number), like those of all levels of an input
+   * that has several. What the parts hold: ChildFractions; every material keeps its volume in each cell. An element carries the
+   * state of the cell of the input. 1.1 or more, 1.5 makes elements of good shape; 0: no cell is cut. Default: 0.
+   */
+  vtkSetMacro(MaximumAspectRatio, double);
+  vtkGetMacro(MaximumAspectRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the halves, or parts, of a mixed cell hold where the input has no finer data: pieces cut by planes that keep the volume of every
    * material, or the fractions of the cell. Labels (MaterialIdArray) tell of no planes: their steps stay, unless LabelSmoothing is
    * on. Default: CHILD_FRACTIONS_PLANES.
    */
@@ -329,12 +349,14 @@ protected:
   std::string MaterialIdArray;
   std::vector<std::string> StateArrays;
   double IsoValue = 0.5;
+  double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
   int MinimumRegionCells = 0;
   int Refinement = REFINEMENT_INPUT_LEVELS;
   int MaximumLevel = -1;
   bool FineInterfaces = true;
   int FineLayers = 2;
+  double MaximumAspectRatio = 0.0;
   int ChildFractions = CHILD_FRACTIONS_PLANES;
   double ThinCells = 2.0, CurvaturePerCell = 0.0;
   bool RefineFlippedCells = false;
@@ -356,8 +378,7 @@ private:
   bool HasMaterialIdArray() const;
   void CheckProperties() const;
   vfm::MeshOptions GetOptions() const;
-  vfm::RemovedRegions ClearFractions(
-    const vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime);
+  vfm::RemovedRegions PrepareFractions(vfm::LevelFields& fields, vfm::Runtime& runtime);
   vfm::LevelSetup SetUpLevels(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
   vfm::LevelPlan Refine(const vfm::LevelSetup& setup, int inputFinest, vfm::LevelFields& fields,
     vfm::Runtime& runtime) const;
