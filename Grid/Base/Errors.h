@@ -20,7 +20,7 @@ struct Failure
 {
   static constexpr std::size_t LongestText = 2032;
 
-  std::int32_t Rank; ///< that failed first, of those that the sender knows of
+  std::int32_t Rank; ///< that failed, of those that the sender knows of
   std::int32_t Code; ///< of the error
   char Text[LongestText];
 
@@ -34,10 +34,15 @@ struct Failure
   /// Which of two all ranks tell: that of the lower rank.
   bool operator<(const Failure& other) const noexcept
   {
-    return this->Rank != other.Rank ? this->Rank < other.Rank
-                                    : std::memcmp(this->Text, other.Text, LongestText) < 0;
+    if (this->Rank != other.Rank)
+    {
+      return this->Rank < other.Rank;
+    }
+    const int order = std::memcmp(this->Text, other.Text, LongestText);
+    return order != 0 ? order < 0 : this->Code < other.Code;
   }
 
+  static constexpr std::int32_t OutOfMemory = -1; ///< a code; others are of programs
   static constexpr std::int32_t NoRank = std::numeric_limits<std::int32_t>::max();
 };
 
@@ -49,7 +54,7 @@ inline Failure LackOfMemory(int rank, int count) noexcept
   {
     std::snprintf(text, sizeof(text), "Not enough memory on rank %d.", rank);
   }
-  return { rank, 0, text };
+  return { rank, Failure::OutOfMemory, text };
 }
 
 /// The input cannot be meshed; what() tells which array, which value, where, what to do. Texts beyond Failure::LongestText are cut.
@@ -62,7 +67,7 @@ public:
   {
   }
   const char* what() const noexcept override { return this->What.Text; }
-  /// Of programs, which give it a meaning; told to other ranks with the text.
+  /// Failure::OutOfMemory, or of programs, which give it a meaning; told to other ranks with the text.
   int Code() const { return this->What.Code; }
 
 private:

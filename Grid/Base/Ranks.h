@@ -38,11 +38,13 @@ public:
 
   bool Any(bool value) { return this->Max(value ? 1.0 : 0.0) > 0.0; }
 
-  /// What is inside of what, where two works of which the ranks do not know each other share the processes: a program, and the
-  /// filters that it runs.
+  /// What is inside of what, from the outside in, where works on the same processes do not know each other: a program, what it does in
+  /// turn, a filter as VTK runs it, and what it does.
   enum class Frame
   {
-    Outer,
+    Program,
+    Stage,
+    Filter,
     Inner
   };
   ///@{ For WorkTogether alone. Enter: false inside a frame. Leave: when all ranks do. Fail: throws on all ranks.
