@@ -68,7 +68,7 @@ private:
   template <class Work>
   bool Agree(const Work& work, std::string& errors);
   template <class Work>
-  void RunPython(const Work& work, const char* otherwise);
+  void RunPython(const Work& work, const std::string& otherwise);
   void AddScript(const std::string& path);
   bool IsWanted(vtkCPDataDescription* description);
 
@@ -134,7 +134,7 @@ bool CatalystAdaptor::Internals::Agree(const Work& work, std::string& errors)
 
 /// Throws what Python printed when the work is false; otherwise: what is told when it printed nothing.
 template <class Work>
-void CatalystAdaptor::Internals::RunPython(const Work& work, const char* otherwise)
+void CatalystAdaptor::Internals::RunPython(const Work& work, const std::string& otherwise)
 {
   const bool worked = work();
   const std::string printed = this->Python.TakeErrors();
@@ -163,8 +163,9 @@ void CatalystAdaptor::Internals::AddScript(const std::string& path)
     return;
   }
   vtkNew<ScriptPipeline> pipeline;
-  const auto open = [&](Ranks&)
-  { this->RunPython([&] { return pipeline->Open(path); }, "A Catalyst script cannot be loaded."); };
+  const auto open = [&](Ranks&) {
+    this->RunPython([&] { return pipeline->Open(path); }, "Script " + path + " cannot be loaded.");
+  };
   if (this->Agree(open, this->LeftOut))
   {
     this->Processor->AddPipeline(pipeline);

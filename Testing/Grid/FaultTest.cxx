@@ -160,21 +160,21 @@ std::vector<FaultCase> ListCases()
 {
   const auto meshing = [](const char* name, const MeshOptions& options, MeshMaker make)
   { return [=] { return Meshing(MakeMeshCase(name), options, make); }; };
-  std::vector<FaultCase> cases{ { "hexes", 60, meshing("sphere 8", MeshOptions(), MakeHexMesh) },
+  std::vector<FaultCase> cases{ { "hexes", 30, meshing("sphere 8", MeshOptions(), MakeHexMesh) },
     { "clearing", 60, Clearing },
-    { "hexes_of_3_materials", 20, meshing("ball of 3 sectors", MeshOptions(), MakeHexMesh) },
-    { "cells", 20, meshing("sphere 8", OptionsFor(TetMethod::Cells, 0, true), MakeTetMesh) },
-    { "lattice", 20, meshing("sphere 8", OptionsFor(TetMethod::Lattice, 0, true), MakeTetMesh) },
-    { "refined_hexes", 20,
+    { "hexes_of_3_materials", 6, meshing("ball of 3 sectors", MeshOptions(), MakeHexMesh) },
+    { "cells", 12, meshing("sphere 8", OptionsFor(TetMethod::Cells, 0, true), MakeTetMesh) },
+    { "lattice", 12, meshing("sphere 8", OptionsFor(TetMethod::Lattice, 0, true), MakeTetMesh) },
+    { "refined_hexes", 12,
       meshing("half sphere", OptionsFor(TetMethod::Cells, 1, true), MakeHexMesh) },
-    { "crossing_hexes", 20,
+    { "crossing_hexes", 12,
       meshing("half sphere", OptionsFor(TetMethod::Cells, 1, false), MakeHexMesh) },
-    { "refined_lattice", 20,
+    { "refined_lattice", 12,
       meshing("half sphere", OptionsFor(TetMethod::Lattice, 1, true), MakeTetMesh) } };
   if (HasTetGen())
   {
     cases.push_back(
-      { "tetgen", 20, meshing("sphere 8", OptionsFor(TetMethod::TetGen, 0, true), MakeTetMesh) });
+      { "tetgen", 12, meshing("sphere 8", OptionsFor(TetMethod::TetGen, 0, true), MakeTetMesh) });
   }
   return cases;
 }
