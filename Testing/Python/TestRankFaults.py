@@ -1,6 +1,6 @@
 """What fails on one rank, in a filter or before it: the same message on all ranks, empty outputs, and the next run is right.
 
-mpiexec -n 3 pvbatch --sym TestRankFaults.py, with FailingNew.cxx as the library in LD_PRELOAD. VFM_SWEEP: how many times as many faults.
+mpiexec -n 3 pvbatch --sym TestRankFaults.py, with Testing/Support/FailingNew.cxx as the library in LD_PRELOAD. VFM_SWEEP: how many times as many faults.
 """
 import ctypes
 import os
