@@ -1,6 +1,7 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include "Agreement.h"
+#include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "FilterRuntime.h"
 #include "Fractions/GhostFractions.h"
@@ -79,14 +80,15 @@ void LogStages(const vfm::MeshReport& report)
   }
 }
 
-void LogTraffic(const vfm::ControllerRanks& ranks)
+void LogTraffic(const vfm::MessageRanks& ranks)
 {
-  const vfm::ControllerRanks::Traffic& sent = ranks.GetTraffic();
+  const vfm::MessageRanks::Traffic& sent = ranks.Sent();
   vtkLogF(TRACE,
-    "rank %d sent %lld messages of %lld bytes in %lld exchanges, %lld bytes in %lld collectives",
-    ranks.Rank(), static_cast<long long>(sent.Messages), static_cast<long long>(sent.Bytes),
-    static_cast<long long>(sent.Exchanges), static_cast<long long>(sent.CollectiveBytes),
-    static_cast<long long>(sent.Collectives));
+    "rank %d sent %lld messages of %lld bytes in %lld exchanges; %lld reductions, %lld bytes in "
+    "%lld gathers",
+    ranks.Rank(), static_cast<long long>(sent.Messages), static_cast<long long>(sent.MessageBytes),
+    static_cast<long long>(sent.Exchanges), static_cast<long long>(sent.Reductions),
+    static_cast<long long>(sent.GatheredBytes), static_cast<long long>(sent.Gathers));
 }
 
 /// Collective: the choice of all ranks between neighbours that are known and cells that are shared out.
@@ -204,6 +206,11 @@ void vtkVolumeFractionMeshAlgorithm::CheckProperties() const
   }
 }
 
+vtkExecutive* vtkVolumeFractionMeshAlgorithm::CreateDefaultExecutive()
+{
+  return vfm::CollectivePipeline::Make([this] { return this->Controller; });
+}
+
 int vtkVolumeFractionMeshAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -232,9 +239,10 @@ int vtkVolumeFractionMeshAlgorithm::RequestUpdateExtent(
   }
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   input->Set(levels, 0);
-  const vfm::ControllerRanks ranks(this->Controller);
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
-  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
+  vtkMultiProcessController* controller = this->Controller;
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller ? controller->GetLocalProcessId() : 0);
+  input->Set(
+    Pipeline::UPDATE_NUMBER_OF_PIECES(), controller ? controller->GetNumberOfProcesses() : 1);
   return 1;
 }
 
@@ -244,13 +252,14 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputVector, 0);
   vtkPolyData* surfaces = vtkPolyData::GetData(outputVector, 1);
-  if (vfm::ControllerRanks(this->Controller).Count() == 1 &&
+  if ((!this->Controller || this->Controller->GetNumberOfProcesses() == 1) &&
     outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1; // the whole mesh is piece 0
   }
-  return vfm::FilterRuntime::Execute(this, this->Controller, this->NumberOfThreads,
-    { mesh, surfaces }, [=] { this->Run(input, mesh, surfaces); });
+  const int threads = vfm::FilterRuntime::ChooseThreads(this->Controller, this->NumberOfThreads);
+  return vfm::FilterRuntime::Execute(this, this->Controller, threads, { mesh, surfaces },
+    [&](vfm::MessageRanks& ranks) { this->Run(input, ranks, mesh, surfaces); });
 }
 
 /// Collective: removes small regions, smooths labels and cuts long cells, as asked.
@@ -331,11 +340,10 @@ vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& set
   return plan;
 }
 
-void vtkVolumeFractionMeshAlgorithm::Run(
-  vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces)
+void vtkVolumeFractionMeshAlgorithm::Run(vtkDataObject* input, vfm::MessageRanks& ranks,
+  vtkUnstructuredGrid* output, vtkPolyData* surfaces)
 {
   this->CheckProperties();
-  vfm::ControllerRanks ranks(this->Controller);
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
   const bool knowsNeighbours = AgreeOn(this->HasFaceNeighbours, ranks);

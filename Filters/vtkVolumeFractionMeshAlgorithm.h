@@ -41,6 +41,7 @@ namespace vfm
 {
 class CartesianGrid;
 class FractionField;
+class MessageRanks;
 class Ranks;
 class Runtime;
 struct InputLevels;
@@ -326,6 +327,7 @@ protected:
   vtkVolumeFractionMeshAlgorithm();
   ~vtkVolumeFractionMeshAlgorithm() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
@@ -382,7 +384,8 @@ private:
   vfm::LevelSetup SetUpLevels(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
   vfm::LevelPlan Refine(const vfm::LevelSetup& setup, int inputFinest, vfm::LevelFields& fields,
     vfm::Runtime& runtime) const;
-  void Run(vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
+  void Run(vtkDataObject* input, vfm::MessageRanks& ranks, vtkUnstructuredGrid* output,
+    vtkPolyData* surfaces);
 };
 
 #endif

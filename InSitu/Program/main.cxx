@@ -160,7 +160,12 @@ ExitCode Run(const std::vector<std::string>& words, vtkMultiProcessController* c
 {
   try
   {
-    return Work(ParseArguments(words), controller);
+    ControllerRanks ranks(controller);
+    ExitCode code = ExitCode::Good;
+    WorkInStage(
+      ranks, ExitCode::InternalError, [&] { code = Work(ParseArguments(words), controller); },
+      Ranks::Frame::Program);
+    return code;
   }
   catch (const ProgramError& error) // on all ranks
   {
