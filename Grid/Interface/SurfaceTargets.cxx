@@ -16,6 +16,9 @@ constexpr double LargestHeight = 2.0;  // of a crossing over the base plane
 constexpr double SmallestSlide =
   0.1; // squared sine of the angle between quadric and side of the domain
 constexpr double LinearBeyond = 1.5; // radius from which a quadric goes on as a plane
+constexpr double StandOff = 1.0 /
+  12.0; // half of what a bend needs so that facets between nodes on it, which cut it off, keep the volume of cells here;
+  // the other half is left to the shift of whole interfaces (Volumes.h). All of it moves coarse levels too far
 constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 } };
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -233,6 +236,7 @@ void SurfaceTargets::FitQuadric(
     const double bound = i == 0 ? 1.0 : (i < 3 ? 1e30 : 0.5);
     frame.C[i] = std::min(std::max(c[i], -bound), bound);
   }
+  frame.C[0] -= StandOff * (frame.C[3] + frame.C[5]);
   frame.Base = level.Ratio * frame.Base;
   frame.InverseWidths = (1.0 / level.Ratio) * frame.InverseWidths;
   this->Frames[level.First + point] = frame;
