@@ -18,7 +18,7 @@ constexpr double SmallestSlide =
 constexpr double LinearBeyond = 1.5; // radius from which a quadric goes on as a plane
 constexpr double StandOff = 1.0 /
   12.0; // half of what a bend needs so that facets between nodes on it, which cut it off, keep the volume of cells here;
-  // the other half is left to the shift of whole interfaces (Volumes.h). All of it moves coarse levels too far
+// the other half is left to the shift of whole interfaces (Volumes.h). All of it moves coarse levels too far
 constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 } };
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;

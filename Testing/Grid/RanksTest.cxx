@@ -102,7 +102,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, RanksTest,
   ::testing::Combine(::testing::Values(Kind::Hexes, Kind::Cells, Kind::Lattice),
     ::testing::Values(RankCase{ "sphere 8", CutOddly }, RankCase{ "sphere 16", CutInMany },
       RankCase{ "ball of 3 sectors", CutInBoth }, RankCase{ "12 grains", CutInBoth },
-      RankCase{ "noise", CutInSlabs }, RankCase{ "noise", CutInBlocks, true })),
+      RankCase{ "half sphere", CutInBoth }, RankCase{ "noise", CutInSlabs },
+      RankCase{ "noise", CutInBlocks, true })),
   [](const ::testing::TestParamInfo<RankParameters>& info)
   {
     const Kind kind = std::get<0>(info.param);

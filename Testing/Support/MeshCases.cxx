@@ -77,7 +77,7 @@ MeshCase MakeBallAndPlate()
                   : SignedDistance(ball, x);
   };
   return MakeCase("ball and plate", MakeUnitGrid(40), { ball, plate }, distance,
-    { .570, .950, .197, .0215, 1e-5 });
+    { .570, .950, .160, .0120, 1e-5 });
 }
 
 MeshCase MakeSectors()
@@ -145,13 +145,13 @@ const std::map<std::string, std::function<MeshCase()>>& Cases()
       {
         return MakeSingle("cut cylinder", MakeUnitGrid(24),
           { MakeCylinder(1, middle, 7.5, 60.0, { { 6, 4, 0 } }) },
-          { .710, .925, .090, .014, 1e-5 });
+          { .710, .925, .025, .0100, 1e-5 });
       } },
     { "half sphere",
       []
       {
         return MakeSingle("half sphere", MakeUnitGrid(24, 24, 12),
-          { MakeSphere(1, { { 12.1, 12.2, 0.0 } }, 8.3) }, { .720, .890, .121, .024, 1e-5 });
+          { MakeSphere(1, { { 12.1, 12.2, 0.0 } }, 8.3) }, { .720, .890, .030, .0165, 1e-5 });
       } },
     { "ball and plate", MakeBallAndPlate },
     { "ball of 3 sectors", MakeSectors },
@@ -240,7 +240,7 @@ MeshCase MakePolycrystalCase(int grains, int n, unsigned seed)
     return Dot(x - 0.5 * (p + q), Unit(q - p));
   };
   return MakeCase(
-    "polycrystal", MakeUnitGrid(n), shapes, distance, { .461, .806, .433, .041, 1e-5 });
+    "polycrystal", MakeUnitGrid(n), shapes, distance, { .461, .803, .433, .0285, 1e-5 });
 }
 
 MeshCase MakeEightShapesCase(int n)
