@@ -36,3 +36,31 @@ INSTANTIATE_TEST_SUITE_P(All, MeshCases, ::testing::ValuesIn(ListMeshCases()),
     }
     return name;
   });
+
+/// Where interfaces meet sides of the domain they are as near as elsewhere.
+TEST(SidesOfTheDomain, NodesAreNear)
+{
+  struct Bounds
+  {
+    const char* Name;
+    double Hexes, Lattice, Cells; // ceilings of the rms distance on sides, in cells
+  };
+  for (const Bounds& b :
+    { Bounds{ "half sphere", .016, .016, .070 }, Bounds{ "cut cylinder", .010, .035, .060 } })
+  {
+    const MeshCase c = MakeMeshCase(b.Name);
+    const auto measure = [&](const char* kind, MeshMaker make, TetMethod method, double bound)
+    {
+      Runtime runtime;
+      MeshOptions options;
+      options.Tets = method;
+      const Distances d = MeasureCase(c, options, runtime, make).OnSides;
+      std::printf("%s, %s: on sides rms %.4f, largest %.4f cells\n", b.Name, kind, d.RootMeanSquare,
+        d.Largest);
+      EXPECT_LE(d.RootMeanSquare, bound);
+    };
+    measure("hexes", MakeHexMesh, TetMethod::Cells, b.Hexes);
+    measure("Lattice", MakeTetMesh, TetMethod::Lattice, b.Lattice);
+    measure("Cells", MakeTetMesh, TetMethod::Cells, b.Cells);
+  }
+}

@@ -1,5 +1,7 @@
 #include "MeshCases.h"
 
+#include "Smoothing/ActiveMesh.h"
+
 #include "Base/Vector3.h"
 #include "Shapes/ShapesScenes.h"
 
@@ -257,6 +259,24 @@ MeshCase MakeEightShapesCase(int n)
   return MakeCase("eight shapes", MakeUnitGrid(n), shapes, distance, { .4, .8, 1.0, .1, 1e-5 });
 }
 
+namespace
+{
+
+Distances Summarise(const std::vector<double>& values)
+{
+  Distances d;
+  double sum = 0.0;
+  for (double value : values)
+  {
+    d.Largest = std::max(d.Largest, value);
+    sum += value * value;
+  }
+  d.RootMeanSquare = std::sqrt(sum / std::max<std::size_t>(values.size(), 1));
+  return d;
+}
+
+} // namespace
+
 MeshFigures MeasureCase(
   const MeshCase& c, const MeshOptions& options, Runtime& runtime, MeshMaker make)
 {
@@ -267,17 +287,19 @@ MeshFigures MeasureCase(
   const Mesh& mesh = figures.Result;
   figures.Elements = mesh.ElementIds.size();
   figures.Points = mesh.PointIds.size();
-  double sum = 0.0;
-  const auto points = FindPlainPoints(mesh);
-  for (const auto& point : points)
+  std::vector<double> distances, onSides;
+  for (const auto& point : FindPlainPoints(mesh))
   {
     const double* x = mesh.Points.data() + 3 * point.first;
-    const double d =
-      std::fabs(c.Distance(point.second.first, point.second.second, { { x[0], x[1], x[2] } }));
-    figures.Distance.Largest = std::max(figures.Distance.Largest, d);
-    sum += d * d;
+    distances.push_back(
+      std::fabs(c.Distance(point.second.first, point.second.second, { { x[0], x[1], x[2] } })));
+    if (FindDomainSides(c.Grid, x) != 0)
+    {
+      onSides.push_back(distances.back());
+    }
   }
-  figures.Distance.RootMeanSquare = std::sqrt(sum / std::max<std::size_t>(points.size(), 1));
+  figures.Distance = Summarise(distances);
+  figures.OnSides = Summarise(onSides);
   for (std::size_t m = 1; m < figures.Report.TargetVolume.size(); ++m)
   {
     figures.VolumeError = std::max(figures.VolumeError,

@@ -48,6 +48,7 @@ struct MeshFigures
   MeshReport Report;
   std::size_t Elements = 0, Points = 0;
   Distances Distance;       ///< of the interface points between two materials, junctions left out
+  Distances OnSides;        ///< of those on sides of the domain
   double VolumeError = 0.0; ///< largest relative error of a material
   double Seconds = 0.0;
 };
