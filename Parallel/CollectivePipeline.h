@@ -4,10 +4,11 @@
  * VTK does not run an algorithm whose input failed; other processes, where the input did not fail, would wait for it in
  * RequestData. Here it joins them (WorkTogether) with an error. What fails before, in the requests that come ahead of the data, is kept until the
  * data are asked for, since only then others are sure to come. Afterwards the outputs are as up to date as on the others.
+ * It is of ParaView's kind, since proxies put any other aside.
  */
 #pragma once
 
-#include "vtkCompositeDataPipeline.h"
+#include "vtkPVCompositeDataPipeline.h"
 
 #include <functional>
 
@@ -16,11 +17,11 @@ class vtkMultiProcessController;
 namespace vfm
 {
 
-class CollectivePipeline : public vtkCompositeDataPipeline
+class CollectivePipeline : public vtkPVCompositeDataPipeline
 {
 public:
   static CollectivePipeline* New();
-  vtkTypeMacro(CollectivePipeline, vtkCompositeDataPipeline);
+  vtkTypeMacro(CollectivePipeline, vtkPVCompositeDataPipeline);
 
   /// getController: of the algorithm, when it is needed; may return null.
   using GetController = std::function<vtkMultiProcessController*()>;

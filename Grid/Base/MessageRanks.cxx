@@ -35,12 +35,11 @@ Transport::Transfer MakeTransfer(const void* data, std::size_t size, int other, 
 
 void AddItem(std::int64_t rank, const Bytes& item, Bytes& list)
 {
-  for (const std::int64_t number : { rank, static_cast<std::int64_t>(item.size()) })
-  {
-    const char* first = reinterpret_cast<const char*>(&number);
-    list.insert(list.end(), first, first + sizeof(number));
-  }
-  list.insert(list.end(), item.begin(), item.end());
+  const std::int64_t numbers[2] = { rank, static_cast<std::int64_t>(item.size()) };
+  const std::size_t size = list.size();
+  list.resize(size + sizeof(numbers) + item.size());
+  std::memcpy(list.data() + size, numbers, sizeof(numbers));
+  std::copy(item.begin(), item.end(), list.begin() + size + sizeof(numbers));
 }
 
 std::vector<Bytes> TakeItems(const Bytes& list, int count)
