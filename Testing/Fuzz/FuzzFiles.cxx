@@ -135,8 +135,8 @@ std::string FindProblem(const ApartResult& result)
   {
     return text;
   }
-  const bool isLine = std::none_of(
-    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
+  const bool isLine =
+    std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
   return isLine && text.size() < LongestMessage ? "" : "a message that is not a line: " + text;
 }
 
