@@ -14,7 +14,9 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Testing", "Python"))
+for folder in (("Testing", "Python"), ("Examples",)):
+    sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", *folder))
+from need_files import need_files
 from spyplot import split, write_spyplot
 
 STEPS = (0, 40, 80, 120)
@@ -39,8 +41,10 @@ def read_step(path):
 
 def main(dumps, folder):
     nodes, steps = None, []
-    for step in STEPS:
-        nodes, arrays = read_step(os.path.join(dumps, "impact_%04d_0.vti" % step))
+    paths = [os.path.join(dumps, "impact_%04d_0.vti" % step) for step in STEPS]
+    need_files(*paths)
+    for path in paths:
+        nodes, arrays = read_step(path)
         steps.append(arrays)
     write_spyplot(folder, "impact", [step * TIME_STEP for step in STEPS], split(nodes, steps, (2, 1, 2)), files=2)
 

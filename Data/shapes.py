@@ -7,10 +7,14 @@ ball_and_plate: a ball that has sunk a little into a plate, 48 x 48 x 36 cells o
 the ball keeps its volume, the plate gets what is left of each cell. fin: a ball with an oblique plate 1.2 cells thick that sticks out
 of it, 40 x 32 x 32 cells of 1/16, cell array `body` (double).
 """
+import os
 import sys
 
 from paraview import servermanager, simple
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Examples"))
+from need_files import need_files
 
 SCENES = {
     "ball_and_plate": (("ball", "plate"), (48, 48, 36), (-1, 1, -1, 1, 0, 1.5), """
@@ -25,6 +29,7 @@ box    material=1 center=0.55,0,0 size=1.3,0.9,0.075 rotation=0,14,0
 
 
 def main(plugin, scene, path):
+    need_files(plugin)
     names, dimensions, bounds, shapes = SCENES[scene]
     simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines VolumeFractionShapes
     source = VolumeFractionShapes(Shapes=shapes, Dimensions=dimensions, Bounds=bounds, Tolerance=1e-6)

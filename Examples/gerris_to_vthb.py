@@ -6,12 +6,16 @@ coarsest leaves. Boxes of a level cover the cells of that level and what is refi
 of the cells below, so that the volume of a fluid is the same on all levels.
 """
 import gzip
+import os
 import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import VTK_XYZ_GRID, vtkAMRBox, vtkOverlappingAMR, vtkUniformGrid
 from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRWriter
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from need_files import need_files
 
 DEEPEST = 12  # levels that six digits of a coordinate can tell apart
 LOWER = -0.5  # of the box of Gerris
@@ -98,6 +102,7 @@ def make_amr(names, exist, filled):
 
 
 def main(source, target):
+    need_files(source)
     names, centres, values = read_cells(source)
     exist, filled = fill_levels(centres, find_levels(centres), values)
     writer = vtkXMLUniformGridAMRWriter()

@@ -3,6 +3,7 @@
 usage: mpiexec --bind-to none -n N pvbatch --sym Examples/time_ranks.py PLUGIN [CELLS an axis, default 128]
 One thread a rank. The time is that of the filter alone, its input ready.
 """
+import os
 import resource
 import sys
 import time
@@ -10,12 +11,16 @@ import time
 from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from need_files import need_files
+
 
 def peak_megabytes():
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
 def main(plugin, cells=128):
+    need_files(plugin)
     cells = int(cells)
     simple.LoadPlugin(plugin, ns=globals())  # defines the source and the filter
     ranks = vtkMultiProcessController.GetGlobalController()
@@ -37,4 +42,6 @@ def main(plugin, cells=128):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
     main(*sys.argv[1:])

@@ -13,6 +13,10 @@ import sys
 
 from paraview import servermanager, simple
 
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+from need_files import need_files
+
 
 def write_exodus(mesh, path, single_file=False):
     """single_file: one of the whole mesh, also from several ranks."""
@@ -29,8 +33,12 @@ def write_exodus(mesh, path, single_file=False):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    BUILD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "build")
-    simple.LoadPlugin(os.environ.get("VFM_PLUGIN", os.path.join(BUILD, "lib", "VolumeFractionMesh.so")), remote=False)
+    PLUGIN = os.environ.get("VFM_PLUGIN", os.path.join(HERE, "..", "build", "lib", "VolumeFractionMesh.so"))
+    need_files(PLUGIN, sys.argv[1])
+    simple.LoadPlugin(PLUGIN, remote=False)
     reader = simple.OpenDataFile(sys.argv[1])
     reader.UpdatePipeline()
-    write_exodus(reader.GetClientSideObject().GetOutputDataObject(0), sys.argv[2])
+    try:
+        write_exodus(reader.GetClientSideObject().GetOutputDataObject(0), sys.argv[2])
+    except RuntimeError as error:
+        sys.exit(str(error))

@@ -111,7 +111,7 @@ void CheckIds(const InputBlocks& input)
   {
     std::ostringstream text;
     text << "The grid has " << nodes << " nodes, more than 64-bit ids can number ("
-         << LargestNodeKey << "). Mesh a part of it (filter Extract Subset).";
+         << LargestNodeKey << "). Mesh a part of it (ParaView's filter Extract Subset).";
     throw InputError(text.str());
   }
 }

@@ -31,7 +31,7 @@ std::array<std::vector<double>, 3> ImageCoordinates(vtkImageData* image, const s
   {
     throw InputError(name +
       " is an image with a rotated direction matrix. Set the direction matrix to the "
-      "identity and rotate the mesh instead (filter Transform).");
+      "identity and rotate the mesh instead (ParaView's filter Transform).");
   }
   std::array<std::vector<double>, 3> coordinates;
   for (int a = 0; a < 3; ++a)
@@ -174,7 +174,7 @@ void AddBlock(
   {
     throw InputError(block.Name + " is a " + data->GetClassName() +
       ". Image data, uniform grids, rectilinear grids and hexahedra that form a Cartesian grid can "
-      "be meshed; bring other data onto a grid first (filter Resample To Image).");
+      "be meshed; bring other data onto a grid first (ParaView's filter Resample To Image).");
   }
   const bool isPiece = number < 0 && !isAlone; // flat when there are fewer cells than ranks
   if (block.Data->GetNumberOfPoints() == 0 || (isPiece && IsFlat(block)))

@@ -1,14 +1,17 @@
 #include "FilterRuntime.h"
 
-#include "ControllerRanks.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkMultiProcessController.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <atomic>
+#include <cstring>
 #include <exception>
 #include <mutex>
-#include <new>
+#include <thread>
+#include <vector>
 
 namespace vfm
 {
@@ -61,9 +64,36 @@ std::string ThreadBackend(int threads)
   return threads == 1 ? "Sequential" : current;
 }
 
-int ChooseThreads(vtkMultiProcessController* controller, int wanted)
+/// As vtkSMPTools does with the backend STDThread, which ends the process where memory or threads run out.
+void LoopOnThreads(int threads, std::int64_t first, std::int64_t last,
+  const std::function<void(std::int64_t, std::int64_t)>& body)
 {
-  return wanted > 0 || ControllerRanks(controller).Count() == 1 ? wanted : 1;
+  const std::int64_t grain = std::max<std::int64_t>(1, (last - first) / (4 * threads));
+  std::atomic<std::int64_t> next(first);
+  const auto work = [&]
+  {
+    for (std::int64_t begin = next.fetch_add(grain); begin < last; begin = next.fetch_add(grain))
+    {
+      body(begin, std::min(last, begin + grain));
+    }
+  };
+  std::vector<std::thread> others;
+  try
+  {
+    others.reserve(threads - 1);
+    while (static_cast<int>(others.size()) < threads - 1)
+    {
+      others.emplace_back(work);
+    }
+  }
+  catch (const std::exception&) // those that there are do it
+  {
+  }
+  work();
+  for (std::thread& other : others)
+  {
+    other.join();
+  }
 }
 
 } // namespace
@@ -71,9 +101,24 @@ int ChooseThreads(vtkMultiProcessController* controller, int wanted)
 void FilterRuntime::For(std::int64_t first, std::int64_t last,
   const std::function<void(std::int64_t, std::int64_t)>& body)
 {
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  if (last - first < 2 || threads < 2 || this->IsLooping)
+  {
+    this->Runtime::For(first, last, body);
+    return;
+  }
   ExceptionKeeper keeper;
-  auto range = [&](vtkIdType begin, vtkIdType end) { keeper.Run([&] { body(begin, end); }); };
-  vtkSMPTools::For(first, last, range);
+  auto range = [&](std::int64_t begin, std::int64_t end) { keeper.Run([&] { body(begin, end); }); };
+  this->IsLooping = true;
+  if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
+  {
+    LoopOnThreads(threads, first, last, std::ref(range));
+  }
+  else
+  {
+    vtkSMPTools::For(first, last, range);
+  }
+  this->IsLooping = false;
   keeper.Rethrow();
 }
 
@@ -87,15 +132,23 @@ void FilterRuntime::Progress(double fraction, const char* stage)
   }
 }
 
-int FilterRuntime::Execute(vtkAlgorithm* owner, vtkMultiProcessController* controller, int threads,
-  const std::vector<vtkDataObject*>& outputs, const std::function<void()>& work)
+int FilterRuntime::ChooseThreads(vtkMultiProcessController* controller, int wanted)
 {
-  const int count = ChooseThreads(controller, threads);
-  std::string problem;
+  return wanted > 0 || !controller || controller->GetNumberOfProcesses() == 1 ? wanted : 1;
+}
+
+void FilterRuntime::WithThreads(int threads, const std::function<void()>& work)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, ThreadBackend(threads), false }, work);
+}
+
+int FilterRuntime::Report(vtkAlgorithm* owner, std::initializer_list<vtkDataObject*> outputs,
+  const std::function<void()>& work)
+{
+  InputError problem("");
   try
   {
-    vtkSMPTools::LocalScope(
-      vtkSMPTools::Config{ count, ThreadBackend(count), false }, [&] { work(); });
+    work();
     return 1;
   }
   catch (const Aborted&)
@@ -103,21 +156,18 @@ int FilterRuntime::Execute(vtkAlgorithm* owner, vtkMultiProcessController* contr
   }
   catch (const InputError& error)
   {
-    problem = error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    problem = "Not enough memory.";
+    problem = error;
   }
   for (vtkDataObject* output : outputs)
   {
     output->Initialize();
   }
-  if (!problem.empty())
+  if (!*problem.what())
   {
-    vtkErrorWithObjectMacro(owner, << problem);
+    return 1;
   }
-  return problem.empty() ? 1 : 0;
+  vtkErrorWithObjectMacro(owner, << problem.what());
+  return 0;
 }
 
 } // namespace vfm

@@ -1,12 +1,14 @@
 /**
- * FilterRuntime: loops of the Grid code on vtkSMPTools, progress and abort through a vtkAlgorithm, the ranks that
+ * FilterRuntime: loops of the Grid code on threads, progress and abort through a vtkAlgorithm, the ranks that
  * work on one grid, and the frame of RequestData around the Grid code.
  */
 #pragma once
 
 #include "Base/Runtime.h"
+#include "Base/WorkTogether.h"
+#include "ControllerRanks.h"
 
-#include <vector>
+#include <initializer_list>
 
 class vtkAlgorithm;
 class vtkDataObject;
@@ -26,20 +28,38 @@ public:
 
   Ranks& Group() override { return this->TheRanks ? *this->TheRanks : this->Runtime::Group(); }
 
-  /// An exception in the body is thrown on, once all threads have ended.
+  /// An exception in the body is thrown on, once all threads have ended. Threads that the system does not give are done without.
   void For(std::int64_t first, std::int64_t last,
     const std::function<void(std::int64_t, std::int64_t)>& body) override;
   /// Does not stop when there are several ranks: the others would wait for this one.
   void Progress(double fraction, const char* stage) override;
 
-  /// Does the work of a RequestData and returns what that returns. When the work throws, the outputs are emptied and, unless
-  /// it was Aborted, the owner reports one error. threads: 0 for all cores on one process, one thread on each of several.
+  /// Does the work(ranks) of a RequestData, together with the other processes of the controller, and returns what that returns. When it
+  /// throws on any, the outputs are emptied on all and, unless it was Aborted, each owner reports the same error.
+  template <class Work>
   static int Execute(vtkAlgorithm* owner, vtkMultiProcessController* controller, int threads,
-    const std::vector<vtkDataObject*>& outputs, const std::function<void()>& work);
+    std::initializer_list<vtkDataObject*> outputs, const Work& work)
+  {
+    const auto together = [&]
+    {
+      ControllerRanks ranks(controller);
+      const auto threaded = [&] { work(ranks); };
+      WorkTogether(ranks, [&] { WithThreads(threads, std::cref(threaded)); });
+    };
+    return Report(owner, outputs, std::cref(together)); // by reference: takes no memory
+  }
+
+  /// 0: all cores on one process, one thread on each of several.
+  static int ChooseThreads(vtkMultiProcessController* controller, int wanted);
 
 private:
+  static void WithThreads(int threads, const std::function<void()>& work);
+  static int Report(vtkAlgorithm* owner, std::initializer_list<vtkDataObject*> outputs,
+    const std::function<void()>& work);
+
   vtkAlgorithm* Owner;
   Ranks* TheRanks;
+  bool IsLooping = false; // loops inside of loops take one thread
 };
 
 } // namespace vfm

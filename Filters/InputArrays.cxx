@@ -31,7 +31,8 @@ vtkDataArray* FindCellArray(const InputBlock& block, const std::string& name)
   if (!array && block.Data->GetPointData()->HasArray(name.c_str()))
   {
     throw InputError("'" + name +
-      "' is point data. Cell data is needed: apply the filter Point Data to Cell Data first.");
+      "' is point data. Cell data is needed: apply ParaView's filter Point Data to Cell Data "
+      "first.");
   }
   if (!array)
   {

@@ -22,11 +22,24 @@ struct Materials
   std::vector<int> Labels; ///< what the user calls them; 0 is void
 };
 
+/// How many cells of the input were changed.
+struct MendedCells
+{
+  Index Normalised = 0; ///< the sum of their fractions exceeded 1 and was scaled back
+  Index Clipped = 0;    ///< a fraction lay outside [0, 1] and was clipped
+
+  void Add(const MendedCells& other)
+  {
+    this->Normalised += other.Normalised;
+    this->Clipped += other.Clipped;
+  }
+};
+
 struct InputField
 {
   FractionField Fractions; ///< of the grid's local box
   Materials Table;         ///< the same on all ranks
-  Index NormalisedCells;   ///< cells whose sum exceeded 1 and was scaled back
+  MendedCells Mended;
 };
 
 /// What the cell arrays of this rank's blocks hold. Nothing here communicates.
@@ -42,7 +55,7 @@ public:
   virtual SparseCells Extract(const InputBlock& block, const IndexBox& box) const = 0;
 
   /// The field of the local box: from the arrays where this rank has them, else from what it received, void where nobody has;
-  /// its NormalisedCells are the owned ones. Throws InputError on values that are no fractions.
+  /// those mended are counted among the owned ones. Throws InputError on values that are no fractions.
   virtual InputField MakeField(
     const CartesianGrid& grid, const std::vector<SparseCells>& received) const = 0;
 
@@ -64,9 +77,10 @@ private:
 using LevelCells = std::vector<std::unique_ptr<InputCells>>;
 
 /// Collective. Fractions of material m are in the cell array names[m - 1]: of any type with one component, unsigned
-/// char counting 0..255. levels must outlive the result. Throws InputError, on all ranks alike, on missing arrays.
-LevelCells OpenFractions(
-  const std::vector<InputBlocks>& levels, const std::vector<std::string>& names, Ranks& ranks);
+/// char counting 0..255. tolerance: how far outside [0, 1] values may lie, >= FractionTolerance. levels must outlive the result. Throws
+/// InputError, on all ranks alike, on missing arrays.
+LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
+  const std::vector<std::string>& names, double tolerance, Ranks& ranks);
 
 /// Collective. Labels >= 0 are in an integer cell array, 0 void. The labels that occur on any rank and level are numbered
 /// 1..N in increasing order. levels must outlive the result. Throws InputError, on all ranks alike, on missing arrays, real types,

@@ -17,8 +17,8 @@ constexpr double ByteRounding = 0.50001 / 255; // of a fraction stored as unsign
 class FractionCells : public InputCells
 {
 public:
-  FractionCells(const InputBlocks& input, const std::vector<std::string>& names) :
-    InputCells(input), Names(names), Bytes(names.size(), 0)
+  FractionCells(const InputBlocks& input, const std::vector<std::string>& names, double tolerance) :
+    InputCells(input), Names(names), OutsideTolerance(tolerance), Bytes(names.size(), 0)
   {
     for (const InputBlock& block : input.Blocks)
     {
@@ -37,6 +37,8 @@ public:
   void SetBytes(std::vector<Index> bytes) { this->Bytes = std::move(bytes); }
   /// Of fractions of type unsigned char: 128 + 128 is 256 / 255.
   double Rounding(int material) const { return this->Bytes[material - 1] > 0 ? ByteRounding : 0.0; }
+
+  double Tolerance() const { return this->OutsideTolerance; }
 
   SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
   InputField MakeField(
@@ -58,6 +60,7 @@ protected:
 
 private:
   std::vector<std::string> Names;
+  double OutsideTolerance;
   std::vector<Index> Bytes;
   std::vector<Column<double>> Columns; // of each block, its materials
 };
@@ -95,6 +98,7 @@ public:
     }
   }
   double Rounding(int material) const override { return this->Cells.Rounding(material); }
+  double Tolerance() const override { return this->Cells.Tolerance(); }
   std::string Name(int material) const override { return this->Cells.Name(material); }
 
 private:
@@ -200,15 +204,16 @@ InputField FractionCells::MakeField(
     table.Labels.push_back(m);
   }
   const LocalReader reader(grid, *this, received);
-  InputField field{ FractionField::FromReader(grid, count, reader), std::move(table), 0 };
-  field.NormalisedCells = field.Fractions.NumberOfNormalisedCells();
+  InputField field{ FractionField::FromReader(grid, count, reader), std::move(table), {} };
+  field.Mended = { field.Fractions.NumberOfNormalisedCells(),
+    field.Fractions.NumberOfClippedCells() };
   return field;
 }
 
 } // namespace
 
-LevelCells OpenFractions(
-  const std::vector<InputBlocks>& levels, const std::vector<std::string>& names, Ranks& ranks)
+LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
+  const std::vector<std::string>& names, double tolerance, Ranks& ranks)
 {
   LevelCells cells;
   std::vector<FractionCells*> opened;
@@ -218,7 +223,7 @@ LevelCells OpenFractions(
     {
       for (const InputBlocks& level : levels)
       {
-        auto own = std::make_unique<FractionCells>(level, names);
+        auto own = std::make_unique<FractionCells>(level, names, tolerance);
         std::transform(
           bytes.begin(), bytes.end(), own->GetBytes().begin(), bytes.begin(), std::plus<>());
         opened.push_back(own.get());

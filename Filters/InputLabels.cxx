@@ -23,7 +23,8 @@ void CheckType(vtkDataArray* array, const std::string& name)
   {
     throw InputError("The material id array '" + name + "' is of type " +
       array->GetDataTypeAsString() +
-      ": material ids are integers. Convert it (filter Calculator, result array type Int), or "
+      ": material ids are integers. Convert it (ParaView's filter Calculator, result array type "
+      "Int), or "
       "choose it as a volume fraction array.");
   }
 }
@@ -159,7 +160,7 @@ InputField LabelCells::MakeField(
   const CartesianGrid& grid, const std::vector<SparseCells>& received) const
 {
   InputField field{ FractionField(grid, static_cast<int>(this->Table.Labels.size()) - 1),
-    this->Table, 0 };
+    this->Table, {} };
   FractionField::RowWriter writer(field.Fractions);
   const auto setRow = [&](const Index3& first, Index count, const int* materials)
   {

@@ -2,11 +2,14 @@
 
 #include "Agreement.h"
 #include "Base/Sorted.h"
+#include "Fractions/CoarsenFields.h"
 #include "Fractions/FractionSum.h"
 #include "Fractions/GhostFractions.h"
 #include "InputRoute.h"
 #include "MakePartition.h"
 #include "Octree/OctreeKeys.h"
+
+#include <sstream>
 
 namespace vfm
 {
@@ -56,11 +59,11 @@ public:
     return this->Cells[level]->MakeField(grid, this->Received[level]);
   }
 
-  /// Sets the cells of a box that finer blocks cover to the means of what these hold; returns how many finer cells were normalised.
-  Index Average(
+  /// Sets the cells of a box that finer blocks cover to the means of what these hold; returns how many finer cells were mended.
+  MendedCells Average(
     int level, const IndexBox& box, const CartesianGrid& grid, FractionField& field) const
   {
-    Index normalised = 0;
+    MendedCells mended;
     ForCells(ChangeLevel(box, -ChunkLevels),
       [&](const Index3& place)
       {
@@ -71,15 +74,15 @@ public:
         {
           const CartesianGrid finerGrid(this->Input.Levels[level + 1].Coordinates, finerBox);
           InputField finer = this->MakeField(level + 1, finerGrid);
-          normalised += finer.NormalisedCells;
+          mended.Add(finer.Mended);
           if (level + 1 < this->Input.Finest())
           {
-            normalised += this->Average(level + 1, finerBox, finerGrid, finer.Fractions);
+            mended.Add(this->Average(level + 1, finerBox, finerGrid, finer.Fractions));
           }
           AverageCells(finerGrid, finer.Fractions, cover, chunk, grid, field);
         }
       });
-    return normalised;
+    return mended;
   }
 
 private:
@@ -108,12 +111,12 @@ public:
           this->Grids.emplace_back(HalveWidths(coordinates, level - std::min(setup.Base, 0)),
             ChangeLevel(owned, level), GhostLayers);
           this->Fields.push_back(data.MakeField(level, this->Grids[level]));
-          this->Normalised += this->Fields[level].NormalisedCells;
+          this->Mended.Add(this->Fields[level].Mended);
         }
         if (this->Top < input.Finest())
         {
-          this->Normalised += data.Average(this->Top, this->Grids[this->Top].Owned(),
-            this->Grids[this->Top], this->Fields[this->Top].Fractions);
+          this->Mended.Add(data.Average(this->Top, this->Grids[this->Top].Owned(),
+            this->Grids[this->Top], this->Fields[this->Top].Fractions));
         }
       });
     this->Average();
@@ -131,9 +134,9 @@ public:
           this->Refine(level, rule, field.Fractions);
         }
       });
-    std::vector<Index> normalised{ this->Normalised };
-    this->Run.Group().Sum(normalised);
-    field.NormalisedCells = normalised[0];
+    std::vector<Index> mended{ this->Mended.Normalised, this->Mended.Clipped };
+    this->Run.Group().Sum(mended);
+    field.Mended = { mended[0], mended[1] };
     return field;
   }
 
@@ -181,7 +184,7 @@ private:
   const int Top;
   std::vector<CartesianGrid> Grids;
   std::vector<InputField> Fields;
-  Index Normalised = 0;
+  MendedCells Mended;
 };
 
 /// Keys of the families of cells of a level, in a box, that finer blocks cover.
@@ -200,6 +203,41 @@ std::vector<Index> FindFamilies(
     });
   SortUnique(keys);
   return keys;
+}
+
+/// The families that hold the parts of the cells of others. lattice, divided: of the bases before and after.
+std::vector<Index> DivideFamilies(const std::vector<Index>& keys, int step,
+  const CellDivision& division, const OctreeKeys& lattice, const OctreeKeys& divided)
+{
+  const CellDivision ofLevel = division.OfHalves(step);
+  const IndexBox cells = ChangeLevel(lattice.Base().Global(), step);
+  std::vector<Index> result;
+  for (Index key : keys)
+  {
+    const IndexBox family = ChangeLevel(BoxOfCell(lattice.FamilyOfKey(step, key)), 1);
+    ForCells(ChangeLevel(ofLevel.Divide(Intersect(family, cells)), -1),
+      [&](const Index3& q) { result.push_back(divided.FamilyKey(step, q)); });
+  }
+  SortUnique(result);
+  return result;
+}
+
+/// Cuts the cells of Base as its division says, and those of Grid alike; ghost cells are void then.
+void DivideCells(LevelFields& fields, ChildRule rule, Runtime& runtime)
+{
+  const int levels = static_cast<int>(fields.Families.size());
+  RefinedCells refined = DivideCells(
+    fields.Grid, fields.Field.Fractions, fields.Division.OfHalves(levels), runtime, rule);
+  CartesianGrid base = CoarsenGrid(refined.Grid, levels, GhostLayers);
+  const OctreeKeys before(fields.Base, levels), after(base, levels);
+  for (int level = 0; level < levels; ++level)
+  {
+    fields.Families[level] =
+      DivideFamilies(fields.Families[level], level, fields.Division, before, after);
+  }
+  fields.Base = std::move(base);
+  fields.Grid = std::move(refined.Grid);
+  fields.Field.Fractions = std::move(refined.Fractions);
 }
 
 /// Whether boxes of level 0 consist of whole cells of a coarser one.
@@ -260,7 +298,7 @@ LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const int top = std::min(setup.Finest, input.Finest());
   LevelFields result{ CartesianGrid(HalveWidths(input.Levels[0].Coordinates, setup.Base),
                         ChangeLevel(owned, setup.Base), GhostLayers),
-    maker.Grid(), std::move(field), {} };
+    maker.Grid(), std::move(field), {}, {} };
   const OctreeKeys lattice(result.Base, setup.Finest - setup.Base);
   for (int level = setup.Base; level < top; ++level)
   {
@@ -269,6 +307,33 @@ LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
         : std::vector<Index>());
   }
   return result;
+}
+
+void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime)
+{
+  if (maximumAspectRatio == 0.0)
+  {
+    return;
+  }
+  runtime.Progress(0.0, "Dividing long cells");
+  WorkTogether(runtime.Group(),
+    [&]
+    {
+      if (!(maximumAspectRatio >= SmallestAspectRatio))
+      {
+        std::ostringstream text;
+        text << "MaximumAspectRatio is " << maximumAspectRatio << ": it must be at least "
+             << SmallestAspectRatio << ", or 0, by which no cell is cut.";
+        throw InputError(text.str());
+      }
+      fields.Division = DivideLongCells(fields.Base.Coordinates(), maximumAspectRatio);
+    });
+  if (fields.Division.IsNone())
+  {
+    return;
+  }
+  WorkTogether(runtime.Group(), [&] { DivideCells(fields, rule, runtime); });
+  FillGhosts(Partition(fields.Grid, runtime.Group()), fields.Field.Fractions);
 }
 
 int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,

@@ -26,6 +26,7 @@ struct LevelFields
   /// Of each refinement between Base and Grid the families (OctreeKeys::FamilyKey) of this rank's cells that finer blocks
   /// cover, ascending; empty lists unless the mesh takes the input's levels.
   std::vector<std::vector<Index>> Families;
+  CellDivision Division; ///< of the cells of Base, into those that it now has
 };
 
 /// Collective: the cells of level 0 that each rank meshes, by rank (MakePartition): whole cells of the base.
@@ -36,6 +37,14 @@ std::vector<BlockPlace> ShareOutCells(
 /// alike, on values that are no fractions, and as CheckCover does.
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime);
+
+/// Of cells that are cut. Less would multiply them: widths within a tenth of each other take up to ten parts of a cell along an axis.
+constexpr double SmallestAspectRatio = 1.1;
+
+/// Collective: cuts the cells of Base, and those of Grid alike, until none has an aspect ratio above a number (DivideLongCells):
+/// levels keep their ratios, families their places. 0: none is cut. Throws InputError, on all ranks alike, on numbers between 0 and
+/// SmallestAspectRatio, and where there would be too many cells.
+void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime);
 
 /// Collective: how many levels finer than Grid the criteria want; adds the families that they want to refine, and those of so many
 /// layers of cells around (FindWantedFamilies).

@@ -184,7 +184,7 @@ void SetMeshOutput(
 }
 
 void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials& table,
-  const MeshOptions& options, Index normalisedCells, vtkDataObject* output)
+  const MeshOptions& options, const MendedCells& mended, vtkDataObject* output)
 {
   const std::size_t first = options.MeshVoid ? 0 : 1;
   vtkFieldData* field = output->GetFieldData();
@@ -207,7 +207,8 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
   AddFieldValues<vtkDoubleArray>(field, "FragmentTargetVolume",
     std::vector<double>(
       fragments.begin() + std::min<std::size_t>(1, fragments.size()), fragments.end()));
-  AddFieldCount(field, "NormalisedCells", normalisedCells);
+  AddFieldCount(field, "NormalisedCells", mended.Normalised);
+  AddFieldCount(field, "ClippedCells", mended.Clipped);
   AddFieldCount(field, "RemovedRegions", report.RemovedRegions);
   AddFieldCount(field, "RemovedCells", report.RemovedCells);
   AddFieldCount(field, "FlippedCells", report.FlippedCells);

@@ -24,13 +24,13 @@ void SetMeshOutput(
   Mesh& mesh, const Materials& table, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
 
 /// Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume (of each material, void only when
-/// meshed), FragmentTargetVolume (of fragments 1, 2, ...), NormalisedCells, RemovedRegions, RemovedCells, FlippedCells,
+/// meshed), FragmentTargetVolume (of fragments 1, 2, ...), NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, FlippedCells,
 /// ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves, NumberOfVertices, and MinimumScaledJacobian,
 /// MeanScaledJacobian if computed.
 /// Of tetrahedra also RefusedParts, and MinimumDihedralAngle, MaximumDihedralAngle, DihedralAngles if computed.
 /// mesh: tells the kind of its elements, its arrays may be gone.
 void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials& table,
-  const MeshOptions& options, Index normalisedCells, vtkDataObject* output);
+  const MeshOptions& options, const MendedCells& mended, vtkDataObject* output);
 
 /// Field data DomainBounds: x from, to, y from, to, z from, to; nodes on a side of the domain have the very coordinate.
 void SetDomainOutput(const CartesianGrid& grid, vtkDataObject* output);

@@ -25,7 +25,7 @@ namespace
 constexpr int Corners = 8;
 constexpr const char* Advice =
   " Hexahedra must be the cells of a Cartesian grid: turn a rotated grid "
-  "back (filter Transform), bring other meshes onto a grid (filter "
+  "back (ParaView's filter Transform), bring other meshes onto a grid (filter "
   "Resample To Image).";
 
 /// A cell and its place among the nodes of its data set.
@@ -98,7 +98,7 @@ void Hexahedra::FindCells()
       this->Refuse(cell,
         std::string("is a ") + vtkCellTypes::GetClassNameFromTypeId(type) +
           ". Only hexahedra and voxels that are the cells of a Cartesian grid can be meshed: bring "
-          "other cells onto a grid first (filter Resample To Image).");
+          "other cells onto a grid first (ParaView's filter Resample To Image).");
     }
     if (isHex && !(ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL)))
     {

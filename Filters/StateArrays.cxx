@@ -24,8 +24,8 @@ void CheckNames(const std::vector<std::string>& names)
     if (std::find(std::begin(ArraysOfMesh), std::end(ArraysOfMesh), name) != std::end(ArraysOfMesh))
     {
       throw InputError("The state array '" + name +
-        "' has the name of an array that the mesh itself may have: rename it (filter Calculator), "
-        "or leave it out.");
+        "' has the name of an array that the mesh itself may have: rename it, or leave it "
+        "out.");
     }
   }
 }
@@ -404,7 +404,7 @@ void StateArrays::VisitArrays(
 
 std::vector<vtkSmartPointer<vtkDataArray>> StateArrays::Carry(const Mesh& mesh,
   const CartesianGrid& grid, const FractionField& fractions, int level,
-  const std::vector<BlockPlace>& owners, Runtime& runtime) const
+  const CellDivision& division, const std::vector<BlockPlace>& owners, Runtime& runtime) const
 {
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;
   if (this->Names.empty())
@@ -427,7 +427,8 @@ std::vector<vtkSmartPointer<vtkDataArray>> StateArrays::Carry(const Mesh& mesh,
       std::vector<StatePlace> places;
       for (Index cell : FindStateCells(mesh, grid, fractions, runtime))
       {
-        places.push_back(FindPlace(CellInBox(grid.Local(), cell), level, values));
+        const Index3 whole = division.ParentOf(CellInBox(grid.Local(), cell));
+        places.push_back(FindPlace(whole, level, values));
       }
       for (std::size_t a = 0; a < this->Names.size(); ++a)
       {

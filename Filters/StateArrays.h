@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Base/Runtime.h"
+#include "Fractions/CellDivision.h"
 #include "Fractions/FractionField.h"
 #include "InputLevels.h"
 #include "Mesh/Mesh.h"
@@ -38,12 +39,13 @@ public:
 
   /// Collective: an array of each name, layout as in the input, a tuple an element, in the order of the elements.
   /// mesh: of this rank's owned cells, grid and fractions those it was made of, on some level of the input or beyond. An element
-  /// has the values of the finest cell of the input around the middle of its cell of the grid.
+  /// has the values of the finest cell of the input around the middle of its cell of the grid. division: of the cells of that level
+  /// into those of the grid.
   /// owners: the cells of level 0 that the ranks mesh. Ghost cells give nothing, blanked cells what their arrays hold. Ranks
   /// send each other what their local boxes need; nothing is sent without names.
   std::vector<vtkSmartPointer<vtkDataArray>> Carry(const Mesh& mesh, const CartesianGrid& grid,
-    const FractionField& fractions, int level, const std::vector<BlockPlace>& owners,
-    Runtime& runtime) const;
+    const FractionField& fractions, int level, const CellDivision& division,
+    const std::vector<BlockPlace>& owners, Runtime& runtime) const;
 
 private:
   /// Calls visit for every block of this rank with the number of each array.

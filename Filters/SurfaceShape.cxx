@@ -90,7 +90,7 @@ void CheckClosed(vtkPolyData* surface)
   if (const vtkIdType open = CountEdges(surface, true))
   {
     throw InputError("The surface is open: " + std::to_string(open) +
-      " edges belong to one triangle only. Close its holes first (filter Fill Holes).");
+      " edges belong to one triangle only. Close its holes first (ParaView's filter Fill Holes).");
   }
   if (const vtkIdType shared = CountEdges(surface, false))
   {

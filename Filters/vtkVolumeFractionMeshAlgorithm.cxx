@@ -1,6 +1,7 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include "Agreement.h"
+#include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "FilterRuntime.h"
 #include "Fractions/GhostFractions.h"
@@ -79,14 +80,15 @@ void LogStages(const vfm::MeshReport& report)
   }
 }
 
-void LogTraffic(const vfm::ControllerRanks& ranks)
+void LogTraffic(const vfm::MessageRanks& ranks)
 {
-  const vfm::ControllerRanks::Traffic& sent = ranks.GetTraffic();
+  const vfm::MessageRanks::Traffic& sent = ranks.Sent();
   vtkLogF(TRACE,
-    "rank %d sent %lld messages of %lld bytes in %lld exchanges, %lld bytes in %lld collectives",
-    ranks.Rank(), static_cast<long long>(sent.Messages), static_cast<long long>(sent.Bytes),
-    static_cast<long long>(sent.Exchanges), static_cast<long long>(sent.CollectiveBytes),
-    static_cast<long long>(sent.Collectives));
+    "rank %d sent %lld messages of %lld bytes in %lld exchanges; %lld reductions, %lld bytes in "
+    "%lld gathers",
+    ranks.Rank(), static_cast<long long>(sent.Messages), static_cast<long long>(sent.MessageBytes),
+    static_cast<long long>(sent.Exchanges), static_cast<long long>(sent.Reductions),
+    static_cast<long long>(sent.GatheredBytes), static_cast<long long>(sent.Gathers));
 }
 
 /// Collective: the choice of all ranks between neighbours that are known and cells that are shared out.
@@ -204,6 +206,11 @@ void vtkVolumeFractionMeshAlgorithm::CheckProperties() const
   }
 }
 
+vtkExecutive* vtkVolumeFractionMeshAlgorithm::CreateDefaultExecutive()
+{
+  return vfm::CollectivePipeline::Make([this] { return this->Controller; });
+}
+
 int vtkVolumeFractionMeshAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -232,9 +239,10 @@ int vtkVolumeFractionMeshAlgorithm::RequestUpdateExtent(
   }
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   input->Set(levels, 0);
-  const vfm::ControllerRanks ranks(this->Controller);
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
-  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
+  vtkMultiProcessController* controller = this->Controller;
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller ? controller->GetLocalProcessId() : 0);
+  input->Set(
+    Pipeline::UPDATE_NUMBER_OF_PIECES(), controller ? controller->GetNumberOfProcesses() : 1);
   return 1;
 }
 
@@ -244,38 +252,42 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputVector, 0);
   vtkPolyData* surfaces = vtkPolyData::GetData(outputVector, 1);
-  if (vfm::ControllerRanks(this->Controller).Count() == 1 &&
+  if ((!this->Controller || this->Controller->GetNumberOfProcesses() == 1) &&
     outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1; // the whole mesh is piece 0
   }
-  return vfm::FilterRuntime::Execute(this, this->Controller, this->NumberOfThreads,
-    { mesh, surfaces }, [=] { this->Run(input, mesh, surfaces); });
+  const int threads = vfm::FilterRuntime::ChooseThreads(this->Controller, this->NumberOfThreads);
+  return vfm::FilterRuntime::Execute(this, this->Controller, threads, { mesh, surfaces },
+    [&](vfm::MessageRanks& ranks) { this->Run(input, ranks, mesh, surfaces); });
 }
 
-/// Removes small regions and smooths labels, as asked.
-vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::ClearFractions(
-  const vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime)
+/// Collective: removes small regions, smooths labels and cuts long cells, as asked.
+vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::PrepareFractions(
+  vfm::LevelFields& fields, vfm::Runtime& runtime)
 {
-  const vfm::Partition partition(grid, runtime.Group());
+  vfm::FractionField& fractions = fields.Field.Fractions;
   vfm::RemovedRegions removed;
   if (this->MinimumRegionCells > 1)
   {
     runtime.Progress(0.0, "Removing small regions");
-    removed =
-      vfm::RemoveSmallRegions(grid, this->MinimumRegionCells, this->IsoValue, partition, fractions);
+    removed = vfm::RemoveSmallRegions(fields.Grid, this->MinimumRegionCells, this->IsoValue,
+      vfm::Partition(fields.Grid, runtime.Group()), fractions);
   }
   if (this->LabelSmoothing > 0 && this->HasMaterialIdArray())
   {
     runtime.Progress(0.0, "Smoothing labels");
-    const double error =
-      vfm::SmoothLabels(grid, this->LabelSmoothing, partition, runtime, fractions);
-    if (partition.Group().Rank() == 0 && error > LabelVolumeTolerance)
+    const double error = vfm::SmoothLabels(fields.Grid, this->LabelSmoothing,
+      vfm::Partition(fields.Grid, runtime.Group()), runtime, fractions);
+    if (runtime.Group().Rank() == 0 && error > LabelVolumeTolerance)
     {
       vtkWarningMacro(<< "Smoothing could not keep the volumes of all labels: the worst is off by "
                       << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.");
     }
   }
+  // after labels: the parts of a slice would keep its steps
+  vfm::DivideFields(
+    fields, this->MaximumAspectRatio, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
   return removed;
 }
 
@@ -328,11 +340,10 @@ vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& set
   return plan;
 }
 
-void vtkVolumeFractionMeshAlgorithm::Run(
-  vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces)
+void vtkVolumeFractionMeshAlgorithm::Run(vtkDataObject* input, vfm::MessageRanks& ranks,
+  vtkUnstructuredGrid* output, vtkPolyData* surfaces)
 {
   this->CheckProperties();
-  vfm::ControllerRanks ranks(this->Controller);
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
   const bool knowsNeighbours = AgreeOn(this->HasFaceNeighbours, ranks);
@@ -341,15 +352,14 @@ void vtkVolumeFractionMeshAlgorithm::Run(
     : vfm::FindInputLevels(input, ranks);
   const vfm::LevelCells cells = this->HasMaterialIdArray()
     ? vfm::OpenLabels(levels.Levels, this->MaterialIdArray, ranks)
-    : vfm::OpenFractions(levels.Levels, this->VolumeFractionArrays, ranks);
+    : vfm::OpenFractions(levels.Levels, this->VolumeFractionArrays, this->FractionTolerance, ranks);
   const vfm::StateArrays states(levels, this->StateArrays, ranks);
   const vfm::LevelSetup setup = this->SetUpLevels(levels, ranks);
   const std::vector<vfm::BlockPlace> owners =
     knowsNeighbours ? levels.Levels[0].Places : vfm::ShareOutCells(levels, cells, setup, ranks);
   vfm::LevelFields fields = vfm::MakeLevelFields(
     levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
-  const vfm::RemovedRegions removed =
-    this->ClearFractions(fields.Grid, fields.Field.Fractions, runtime);
+  const vfm::RemovedRegions removed = this->PrepareFractions(fields, runtime);
   vfm::MeshOptions options = this->GetOptions();
   options.Levels = this->Refine(setup, levels.Finest(), fields, runtime);
   const int finest = setup.IsUniform ? setup.Finest : setup.Base + options.Levels.Refinements;
@@ -361,13 +371,13 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   report.RemovedCells = removed.Cells;
   LogStages(report);
   runtime.Progress(0.98, "Filling output");
-  const std::vector<vtkSmartPointer<vtkDataArray>> carried =
-    states.Carry(mesh, grid, field.Fractions, finest, owners, runtime);
+  const std::vector<vtkSmartPointer<vtkDataArray>> carried = states.Carry(mesh, grid,
+    field.Fractions, finest, fields.Division.OfHalves(finest - setup.Base), owners, runtime);
   vfm::WorkTogether(ranks,
     [&]
     {
       vfm::SetMeshOutput(mesh, field.Table, output, surfaces);
-      vfm::SetReportOutput(mesh, report, field.Table, options, field.NormalisedCells, output);
+      vfm::SetReportOutput(mesh, report, field.Table, options, field.Mended, output);
       vfm::SetDomainOutput(grid, output);
       for (vtkDataArray* array : carried)
       {
@@ -377,9 +387,14 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   std::vector<vfm::Index> numberOfCells{ output->GetNumberOfCells() };
   ranks.Sum(numberOfCells);
   LogTraffic(ranks);
-  if (ranks.Rank() == 0 && field.NormalisedCells > 0)
+  if (ranks.Rank() == 0 && field.Mended.Clipped > 0)
   {
-    vtkWarningMacro(<< "The volume fractions of " << field.NormalisedCells
+    vtkWarningMacro(<< "Volume fractions of " << field.Mended.Clipped
+                    << " cells lay outside [0, 1] and were clipped.");
+  }
+  if (ranks.Rank() == 0 && field.Mended.Normalised > 0)
+  {
+    vtkWarningMacro(<< "The volume fractions of " << field.Mended.Normalised
                     << " cells sum to slightly more than 1 and were scaled back.");
   }
   if (ranks.Rank() == 0 && numberOfCells[0] == 0)
@@ -396,12 +411,14 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialIdArray: " << this->MaterialIdArray << "\n";
   os << indent << "StateArrays:";
   PrintNames(os, this->StateArrays);
+  os << indent << "FractionTolerance: " << this->FractionTolerance << "\n";
   os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
   os << indent << "MinimumRegionCells: " << this->MinimumRegionCells << "\n";
   os << indent << "Refinement: " << this->Refinement << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "FineInterfaces: " << this->FineInterfaces << "\n";
   os << indent << "FineLayers: " << this->FineLayers << "\n";
+  os << indent << "MaximumAspectRatio: " << this->MaximumAspectRatio << "\n";
   os << indent << "ChildFractions: " << this->ChildFractions << "\n";
   os << indent << "ThinCells: " << this->ThinCells << "\n";
   os << indent << "CurvaturePerCell: " << this->CurvaturePerCell << "\n";

@@ -41,6 +41,7 @@ namespace vfm
 {
 class CartesianGrid;
 class FractionField;
+class MessageRanks;
 class Ranks;
 class Runtime;
 struct InputLevels;
@@ -103,6 +104,15 @@ public:
    */
   vtkSetMacro(IsoValue, double);
   vtkGetMacro(IsoValue, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far outside [0,1] fractions may lie: up to that they are clipped, and sums above 1 by no more are scaled back; other input is
+   * refused. 1e-6 to 0.1. Default: 1e-6, for rounding alone.
+   */
+  vtkSetClampMacro(FractionTolerance, double, 1e-6, 0.1);
+  vtkGetMacro(FractionTolerance, double);
   ///@}
 
   ///@{
@@ -186,7 +196,18 @@ public:
 
   ///@{
   /**
-   * What the halves of a mixed cell hold where the input has no finer data: parts cut by planes that keep the volume of every
+   * Cells whose aspect ratio, the largest of their widths over the smallest, is above this are cut across their long axes first, each
+   * into as few equal parts as it takes (of a rectilinear grid each layer into its own number), like those of all levels of an input
+   * that has several. What the parts hold: ChildFractions; every material keeps its volume in each cell. An element carries the
+   * state of the cell of the input. 1.1 or more, 1.5 makes elements of good shape; 0: no cell is cut. Default: 0.
+   */
+  vtkSetMacro(MaximumAspectRatio, double);
+  vtkGetMacro(MaximumAspectRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the halves, or parts, of a mixed cell hold where the input has no finer data: pieces cut by planes that keep the volume of every
    * material, or the fractions of the cell. Labels (MaterialIdArray) tell of no planes: their steps stay, unless LabelSmoothing is
    * on. Default: CHILD_FRACTIONS_PLANES.
    */
@@ -306,6 +327,7 @@ protected:
   vtkVolumeFractionMeshAlgorithm();
   ~vtkVolumeFractionMeshAlgorithm() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
@@ -329,12 +351,14 @@ protected:
   std::string MaterialIdArray;
   std::vector<std::string> StateArrays;
   double IsoValue = 0.5;
+  double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
   int MinimumRegionCells = 0;
   int Refinement = REFINEMENT_INPUT_LEVELS;
   int MaximumLevel = -1;
   bool FineInterfaces = true;
   int FineLayers = 2;
+  double MaximumAspectRatio = 0.0;
   int ChildFractions = CHILD_FRACTIONS_PLANES;
   double ThinCells = 2.0, CurvaturePerCell = 0.0;
   bool RefineFlippedCells = false;
@@ -356,12 +380,12 @@ private:
   bool HasMaterialIdArray() const;
   void CheckProperties() const;
   vfm::MeshOptions GetOptions() const;
-  vfm::RemovedRegions ClearFractions(
-    const vfm::CartesianGrid& grid, vfm::FractionField& fractions, vfm::Runtime& runtime);
+  vfm::RemovedRegions PrepareFractions(vfm::LevelFields& fields, vfm::Runtime& runtime);
   vfm::LevelSetup SetUpLevels(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
   vfm::LevelPlan Refine(const vfm::LevelSetup& setup, int inputFinest, vfm::LevelFields& fields,
     vfm::Runtime& runtime) const;
-  void Run(vtkDataObject* input, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
+  void Run(vtkDataObject* input, vfm::MessageRanks& ranks, vtkUnstructuredGrid* output,
+    vtkPolyData* surfaces);
 };
 
 #endif

@@ -231,8 +231,10 @@ int vtkVolumeFractionShapes::RequestData(
   vtkImageData* image = vtkImageData::GetData(info);
   int extent[6];
   info->Get(Pipeline::UPDATE_EXTENT(), extent);
-  return vfm::FilterRuntime::Execute(this, vtkMultiProcessController::GetGlobalController(),
-    this->NumberOfThreads, { image }, [&] { this->Fill(inputVector[0], extent, image); });
+  const int threads = vfm::FilterRuntime::ChooseThreads(
+    vtkMultiProcessController::GetGlobalController(), this->NumberOfThreads);
+  return vfm::FilterRuntime::Execute(this, nullptr, threads, { image },
+    [&](vfm::Ranks&) { this->Fill(inputVector[0], extent, image); });
 }
 
 void vtkVolumeFractionShapes::Fill(

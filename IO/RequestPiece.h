@@ -3,10 +3,9 @@
  */
 #pragma once
 
-#include "ControllerRanks.h"
-
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 namespace vfm
@@ -15,10 +14,11 @@ namespace vfm
 /// This process' piece of the first input, without ghost cells.
 inline void RequestPiece(vtkMultiProcessController* controller, vtkInformationVector** inputVector)
 {
-  const ControllerRanks ranks(controller);
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), ranks.Rank());
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), ranks.Count());
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(),
+    controller ? controller->GetLocalProcessId() : 0);
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
+    controller ? controller->GetNumberOfProcesses() : 1);
   input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 

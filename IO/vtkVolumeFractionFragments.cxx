@@ -1,6 +1,7 @@
 #include "vtkVolumeFractionFragments.h"
 
-#include "Base/Runtime.h"
+#include "Base/WorkTogether.h"
+#include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "FragmentTable.h"
 #include "RequestPiece.h"
@@ -40,6 +41,11 @@ void vtkVolumeFractionFragments::ClearDensityArrays()
   this->Modified();
 }
 
+vtkExecutive* vtkVolumeFractionFragments::CreateDefaultExecutive()
+{
+  return vfm::CollectivePipeline::Make([this] { return this->Controller; });
+}
+
 int vtkVolumeFractionFragments::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
@@ -59,12 +65,17 @@ int vtkVolumeFractionFragments::RequestData(
   try
   {
     vfm::ControllerRanks ranks(this->Controller);
-    vfm::MakeFragmentTable(vtkUnstructuredGrid::GetData(inputVector[0]), this->DensityArrays, ranks,
-      vtkTable::GetData(outputVector));
+    vfm::WorkTogether(ranks,
+      [&]
+      {
+        vfm::MakeFragmentTable(vtkUnstructuredGrid::GetData(inputVector[0]), this->DensityArrays,
+          ranks, vtkTable::GetData(outputVector));
+      });
     return 1;
   }
   catch (const vfm::InputError& error)
   {
+    vtkTable::GetData(outputVector)->Initialize();
     vtkErrorMacro(<< error.what());
     return 0;
   }

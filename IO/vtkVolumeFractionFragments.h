@@ -49,6 +49,7 @@ protected:
   vtkVolumeFractionFragments();
   ~vtkVolumeFractionFragments() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

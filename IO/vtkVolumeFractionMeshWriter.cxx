@@ -1,6 +1,7 @@
 #include "vtkVolumeFractionMeshWriter.h"
 
-#include "Base/Runtime.h"
+#include "Base/WorkTogether.h"
+#include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "RequestPiece.h"
 
@@ -21,6 +22,11 @@ vtkVolumeFractionMeshWriter::vtkVolumeFractionMeshWriter()
 vtkVolumeFractionMeshWriter::~vtkVolumeFractionMeshWriter()
 {
   this->SetController(nullptr);
+}
+
+vtkExecutive* vtkVolumeFractionMeshWriter::CreateDefaultExecutive()
+{
+  return vfm::CollectivePipeline::Make([this] { return this->Controller; });
 }
 
 int vtkVolumeFractionMeshWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -45,7 +51,7 @@ void vtkVolumeFractionMeshWriter::WriteData()
   try
   {
     vfm::ControllerRanks ranks(this->Controller);
-    this->WriteMesh(mesh, this->FileName, ranks);
+    vfm::WorkTogether(ranks, [&] { this->WriteMesh(mesh, this->FileName, ranks); });
   }
   catch (const vfm::InputError& error)
   {

@@ -6,6 +6,8 @@
 #include "vtkMPICommunicator.h"
 #include "vtkMPIController.h"
 
+#include <new>
+
 namespace vfm
 {
 namespace
@@ -70,7 +72,21 @@ vtkMultiProcessController* HostCommunicator::GetController()
   if (!this->Controller && IsMpiRunning())
   {
     MPI_Comm_dup(this->Given == MPI_COMM_NULL ? MPI_COMM_WORLD : this->Given, &this->Mine);
-    this->Controller = MakeController(this->Mine);
+    int isMade = 1, areMade = 0;
+    try
+    {
+      this->Controller = MakeController(this->Mine);
+    }
+    catch (const std::bad_alloc&)
+    {
+      isMade = 0;
+    }
+    MPI_Allreduce(&isMade, &areMade, 1, MPI_INT, MPI_MIN, this->Mine);
+    if (!areMade)
+    {
+      this->Free();
+      throw std::bad_alloc();
+    }
   }
   return this->Controller;
 }

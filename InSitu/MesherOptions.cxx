@@ -82,6 +82,12 @@ MesherOption Choice(const char* name, const char* byDefault, void (Owner::*set)(
     [words](const std::string& text) { return ParseChoice(text, words); });
 }
 
+std::optional<double> ParseAspectRatio(const std::string& text)
+{
+  const std::optional<double> off = ParseNumber(text, 0.0, 0.0);
+  return off ? off : ParseNumber(text, 1.1, Largest);
+}
+
 const std::vector<MesherOption>& Options()
 {
   static const std::vector<MesherOption> options{
@@ -95,6 +101,8 @@ const std::vector<MesherOption>& Options()
     Switch("ConserveVolume", "on", &Mesher::SetConserveVolume),
     Switch("ComputeQuality", "on", &Mesher::SetComputeQuality),
     Count("NumberOfThreads", "0", &Mesher::SetNumberOfThreads, 0, std::numeric_limits<int>::max()),
+    Number("FractionTolerance", "a number from 1e-6 to 0.1", "1e-6", &Mesher::SetFractionTolerance,
+      1e-6, 0.1),
     Count("LabelSmoothing", "0", &Mesher::SetLabelSmoothing, 0, 10),
     Count("MinimumRegionCells", "0", &Mesher::SetMinimumRegionCells, 0,
       std::numeric_limits<int>::max()),
@@ -104,6 +112,8 @@ const std::vector<MesherOption>& Options()
       &Mesher::SetMaximumLevel, [](const std::string& text) { return ParseCount(text, -1, 10); }),
     Switch("FineInterfaces", "on", &Mesher::SetFineInterfaces),
     Count("FineLayers", "2", &Mesher::SetFineLayers, 2, 64),
+    MakeOption("MaximumAspectRatio", "0 (off) or a number, 1.1 or more", "0",
+      &Mesher::SetMaximumAspectRatio, ParseAspectRatio),
     Choice("ChildFractions", "Planes", &Mesher::SetChildFractions, { "Planes", "Parent" }),
     Number("ThinCells", "a number from 0 (off) to 3", "2", &Mesher::SetThinCells, 0.0, 3.0),
     Number("CurvaturePerCell", "a number, 0 (off) or more", "0", &Mesher::SetCurvaturePerCell, 0.0,

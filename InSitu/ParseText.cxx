@@ -74,6 +74,13 @@ std::optional<int> ParseChoice(const std::string& text, const std::vector<std::s
   return ParseCount(text, 0, static_cast<int>(words.size()) - 1);
 }
 
+std::string TrimText(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
 std::string JoinTexts(const std::vector<std::string>& texts)
 {
   std::string joined;
@@ -90,10 +97,7 @@ std::vector<std::string> SplitText(const std::string& text)
   for (std::size_t begin = 0; begin <= text.size();)
   {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    const std::size_t first = part.find_first_not_of(' ');
-    parts.push_back(
-      first == std::string::npos ? "" : part.substr(first, part.find_last_not_of(' ') - first + 1));
+    parts.push_back(TrimText(text.substr(begin, end - begin)));
     begin = end + 1;
   }
   return parts;

@@ -23,6 +23,9 @@ std::optional<bool> ParseSwitch(const std::string& text);
 /// The place of the text among the words, or the number it is, from 0.
 std::optional<int> ParseChoice(const std::string& text, const std::vector<std::string>& words);
 
+/// Without the spaces around it.
+std::string TrimText(const std::string& text);
+
 /// Parted by commas.
 std::string JoinTexts(const std::vector<std::string>& texts);
 /// The parts between the commas, without the spaces around them; empty ones too.

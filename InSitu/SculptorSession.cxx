@@ -1,7 +1,6 @@
 #include "SculptorSession.h"
 
-#include "Agreement.h"
-#include "Base/Runtime.h"
+#include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "MesherOptions.h"
 #include "Sculptor.h"
@@ -58,21 +57,47 @@ int CodeOf(ExitCode code)
   }
 }
 
-/// Work whose errors tell the rank, where there are several.
-std::function<void()> NameRank(const Ranks& ranks, const std::function<void()>& work)
+/// Does the work of this rank alone; errors tell the rank, where there are several.
+template <class Work>
+void NameRank(const Ranks& ranks, const Work& work)
 {
-  return [&ranks, work]
+  try
   {
-    try
-    {
-      work();
-    }
-    catch (const InputError& error)
-    {
-      const std::string rank = "Rank " + std::to_string(ranks.Rank()) + ": ";
-      throw InputError((ranks.Count() > 1 ? rank : "") + error.what());
-    }
-  };
+    work();
+  }
+  catch (const InputError& error)
+  {
+    const std::string rank = "Rank " + std::to_string(ranks.Rank()) + ": ";
+    throw InputError((ranks.Count() > 1 ? rank : "") + error.what(), error.Code());
+  }
+}
+
+/// Makes errors that carry their SculptorCode to other ranks; code: of wrong input.
+template <class Work>
+void WorkWithCode(int code, const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const SculptorError& error)
+  {
+    throw InputError(error.what(), error.Code);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(error.what(), error.Code() ? error.Code() : code);
+  }
+}
+
+/// Of an error of all ranks.
+int CodeOf(const FailedTogether& error)
+{
+  if (error.Code() == Failure::OutOfMemory)
+  {
+    return SCULPTOR_ERROR_MEMORY;
+  }
+  return error.Code() ? error.Code() : SCULPTOR_ERROR_INTERNAL;
 }
 
 vtkDataArray* FindMeshArray(vtkFieldData* arrays, const std::string& name)
@@ -268,25 +293,37 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
   this->WarningText.clear();
   vtkMultiProcessController* controller = this->Communicator.GetController();
   ControllerRanks ranks(controller);
-  WorkTogether(ranks,
+  const auto agree = [&]
+  {
     NameRank(ranks,
       [&]
       {
         prepare();
         this->CheckFields();
-      }));
-  AgreeOn(this->Describe(tets), ranks);
-  try
+      });
+    AgreeOn(this->Describe(tets), ranks);
+  };
+  const auto mesh = [&]
   {
     const HostGrid grid = this->PlaceFields(ranks);
-    WorkTogether(ranks, NameRank(ranks, [&grid] { CheckHostGrid(grid); }));
+    NameRank(ranks, [&grid] { CheckHostGrid(grid); });
     vtkVolumeFractionMeshAlgorithm* mesher = this->GetMesher(tets);
     this->Configure(mesher, controller);
     this->Run(mesher, grid);
-  }
-  catch (const InputError& error)
+  };
+  const auto work = [&]
   {
-    throw SculptorError(SCULPTOR_ERROR_INPUT, error.what());
+    WorkWithCode(SCULPTOR_ERROR_ARGUMENT, agree);
+    WorkWithCode(SCULPTOR_ERROR_INPUT, mesh);
+  };
+  try
+  {
+    WorkTogether(ranks, work, Ranks::Frame::Stage);
+  }
+  catch (const FailedTogether& error)
+  {
+    this->Mesh = nullptr; // this rank may have made its part
+    throw SculptorError(CodeOf(error), error.what());
   }
 }
 

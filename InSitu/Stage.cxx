@@ -1,5 +1,7 @@
 #include "Stage.h"
 
+#include "Base/WorkTogether.h"
+
 #include <new>
 
 namespace vfm
@@ -7,44 +9,45 @@ namespace vfm
 namespace
 {
 
-ProgramError FindFailure(ExitCode code, const std::function<void()>& work)
+/// Makes errors that carry their code to other ranks.
+void WorkWithCode(ExitCode code, const std::function<void()>& work)
 {
   try
   {
     work();
-    return { ExitCode::Good, "" };
   }
   catch (const ProgramError& error)
   {
-    return error;
+    throw InputError(error.what(), static_cast<int>(error.Code));
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(error.what(), error.Code() ? error.Code() : static_cast<int>(code));
   }
   catch (const std::bad_alloc&)
   {
-    return { ExitCode::InternalError, "Not enough memory." };
+    throw;
   }
   catch (const std::exception& error)
   {
-    return { code, error.what() };
+    throw InputError(error.what(), static_cast<int>(code));
   }
 }
 
 } // namespace
 
-void WorkInStage(Ranks& ranks, ExitCode code, const std::function<void()>& work)
+void WorkInStage(Ranks& ranks, Ranks::Frame frame, ExitCode code, const std::function<void()>& work)
 {
-  const ProgramError mine = FindFailure(code, work);
-  if (!ranks.Any(mine.Code != ExitCode::Good))
+  try
   {
-    return;
+    WorkTogether(
+      ranks, [&] { WorkWithCode(code, work); }, frame);
   }
-  const std::string text = static_cast<char>(mine.Code) + std::string(mine.what());
-  for (const Bytes& failure : ranks.Gather(Bytes(text.begin(), text.end())))
+  catch (const InputError& error)
   {
-    const ExitCode failed = static_cast<ExitCode>(failure[0]);
-    if (failed != ExitCode::Good)
-    {
-      throw ProgramError(failed, std::string(failure.begin() + 1, failure.end()));
-    }
+    const bool hasCode = error.Code() > 0;
+    throw ProgramError(
+      hasCode ? static_cast<ExitCode>(error.Code()) : ExitCode::InternalError, error.what());
   }
 }
 

@@ -32,9 +32,17 @@ struct ProgramError : std::runtime_error
   ExitCode Code;
 };
 
-/// Collective: every rank does its work, which must not wait for other ranks unless VTK does so inside. When it fails on
-/// any rank, all throw ProgramError with the message and code of the lowest that failed: code for a std::exception,
-/// InternalError for lack of memory, a ProgramError's own.
-void WorkInStage(Ranks& ranks, ExitCode code, const std::function<void()>& work);
+/// As below; the work is not copied.
+void WorkInStage(
+  Ranks& ranks, Ranks::Frame frame, ExitCode code, const std::function<void()>& work);
+
+/// Collective: every rank does its work, as in WorkTogether. When it fails on any rank, all throw ProgramError with the message and code of
+/// the lowest that failed: code for a std::exception, InternalError for lack of memory, a ProgramError's own.
+template <class Work>
+void WorkInStage(
+  Ranks& ranks, ExitCode code, const Work& work, Ranks::Frame frame = Ranks::Frame::Stage)
+{
+  WorkInStage(ranks, frame, code, std::cref(work)); // takes no memory
+}
 
 } // namespace vfm

@@ -1,20 +1,14 @@
 /**
- * Errors and lists on which all ranks agree.
+ * Errors (WorkTogether) and lists on which all ranks agree.
  */
 #pragma once
 
-#include "Base/Ranks.h"
+#include "Base/WorkTogether.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace vfm
 {
-
-/// Collective: every rank does its work, which must not communicate. When it fails on any rank (InputError,
-/// lack of memory, any other std::exception), all ranks throw InputError with the message of the lowest rank that
-/// failed. Aborted, which only a lone rank may throw, passes through.
-void WorkTogether(Ranks& ranks, const std::function<void()>& work);
 
 /// Collective: the largest of each value over all ranks, in place.
 inline void MaxOfEach(std::vector<double>& values, Ranks& ranks)

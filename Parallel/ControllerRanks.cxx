@@ -1,13 +1,8 @@
 #include "ControllerRanks.h"
 
-#include "Base/Runtime.h"
-
-#include "vtkCommunicator.h"
+#include "vtkMPI.h"
+#include "vtkMPICommunicator.h"
 #include "vtkMPIController.h"
-#include "vtkMultiProcessController.h"
-
-#include <algorithm>
-#include <limits>
 
 namespace vfm
 {
@@ -15,193 +10,75 @@ namespace
 {
 
 constexpr int MessageTag = 7501; // of all messages; MPI keeps their order
-constexpr std::size_t LongestMessage = std::size_t(1) << 30; // MPI counts bytes in an int
 
-/// Calls transfer(first byte, length) for the pieces of a message.
-template <class Transfer>
-void ForPieces(std::size_t size, const Transfer& transfer)
+int CountProcesses(vtkMultiProcessController* controller)
 {
-  for (std::size_t first = 0; first < size; first += LongestMessage)
+  const int count = controller ? controller->GetNumberOfProcesses() : 1;
+  if (count > 1 && !vtkMPIController::SafeDownCast(controller))
   {
-    transfer(first, static_cast<int>(std::min(LongestMessage, size - first)));
+    throw InputError("Only a vtkMPIController can be used on several processes.");
   }
+  return count;
 }
 
-void TransferAtOnce(vtkMPIController* controller, const std::vector<int>& peers,
-  const std::vector<Bytes>& outgoing, std::vector<Bytes>& incoming)
+MPI_Comm CommunicatorOf(vtkMPIController* controller)
 {
-  std::vector<vtkMPICommunicator::Request> requests;
-  for (std::size_t p = 0; p < peers.size(); ++p)
-  {
-    ForPieces(incoming[p].size(),
-      [&](std::size_t first, int length)
-      {
-        requests.emplace_back();
-        controller->NoBlockReceive(
-          incoming[p].data() + first, length, peers[p], MessageTag, requests.back());
-      });
-  }
-  for (std::size_t p = 0; p < peers.size(); ++p)
-  {
-    ForPieces(outgoing[p].size(),
-      [&](std::size_t first, int length)
-      {
-        requests.emplace_back();
-        controller->NoBlockSend(
-          outgoing[p].data() + first, length, peers[p], MessageTag, requests.back());
-      });
-  }
-  if (!requests.empty())
-  {
-    controller->WaitAll(static_cast<int>(requests.size()), requests.data());
-  }
+  auto* communicator = static_cast<vtkMPICommunicator*>(controller->GetCommunicator());
+  return *communicator->GetMPIComm()->GetHandle();
 }
 
-/// Every rank serves its pairs in the order (lower rank, higher rank), so no ring of ranks can wait.
-void TransferInPairs(vtkMultiProcessController* controller, const std::vector<int>& peers,
-  const std::vector<Bytes>& outgoing, std::vector<Bytes>& incoming)
+static_assert(sizeof(MPI_Request) <= sizeof(Transport::Transfer::Request), "no place for requests");
+
+MPI_Request* RequestOf(Transport::Transfer& transfer)
 {
-  const int rank = controller->GetLocalProcessId();
-  for (std::size_t p = 0; p < peers.size(); ++p)
-  {
-    const auto send = [&]
-    {
-      ForPieces(outgoing[p].size(),
-        [&](std::size_t first, int length)
-        { controller->Send(outgoing[p].data() + first, length, peers[p], MessageTag); });
-    };
-    const auto receive = [&]
-    {
-      ForPieces(incoming[p].size(),
-        [&](std::size_t first, int length)
-        { controller->Receive(incoming[p].data() + first, length, peers[p], MessageTag); });
-    };
-    if (rank < peers[p])
-    {
-      send();
-      receive();
-    }
-    else
-    {
-      receive();
-      send();
-    }
-  }
+  return reinterpret_cast<MPI_Request*>(&transfer.Request);
+}
+
+/// Where messages go that nobody wants.
+char* Waste()
+{
+  static char waste[Transport::LongestPiece];
+  return waste;
 }
 
 } // namespace
 
-ControllerRanks::ControllerRanks(vtkMultiProcessController* controller) : Controller(controller)
+ControllerTransport::ControllerTransport(vtkMultiProcessController* controller) :
+  Controller(vtkMPIController::SafeDownCast(controller))
 {
-  if (controller)
-  {
-    this->MyRank = controller->GetLocalProcessId();
-    this->NumberOfRanks = controller->GetNumberOfProcesses();
-  }
 }
 
-void ControllerRanks::Transfer(
-  const std::vector<int>& peers, const std::vector<Bytes>& outgoing, std::vector<Bytes>& incoming)
+void ControllerTransport::Begin(Transfer& transfer) noexcept
 {
-  if (vtkMPIController* mpi = vtkMPIController::SafeDownCast(this->Controller))
+  const MPI_Comm communicator = CommunicatorOf(this->Controller);
+  char* data = transfer.Data ? transfer.Data : Waste();
+  const int size = static_cast<int>(transfer.Size);
+  if (transfer.IsSent)
   {
-    TransferAtOnce(mpi, peers, outgoing, incoming);
+    MPI_Isend(data, size, MPI_BYTE, transfer.Other, MessageTag, communicator, RequestOf(transfer));
   }
   else
   {
-    TransferInPairs(this->Controller, peers, outgoing, incoming);
+    MPI_Irecv(data, size, MPI_BYTE, transfer.Other, MessageTag, communicator, RequestOf(transfer));
   }
 }
 
-std::vector<Bytes> ControllerRanks::MakeIncoming(
-  const std::vector<int>& peers, const std::vector<Bytes>& outgoing)
+void ControllerTransport::Wait(Transfer& transfer) noexcept
 {
-  std::vector<Bytes> mySizes, theirSizes(peers.size(), Bytes(sizeof(std::int64_t)));
-  for (const Bytes& bytes : outgoing)
-  {
-    mySizes.push_back(
-      ToBytes(std::vector<std::int64_t>{ static_cast<std::int64_t>(bytes.size()) }));
-  }
-  this->Transfer(peers, mySizes, theirSizes);
-  std::vector<Bytes> incoming;
-  for (const Bytes& size : theirSizes)
-  {
-    incoming.emplace_back(static_cast<std::size_t>(FromBytes<std::int64_t>(size)[0]));
-  }
-  return incoming;
+  MPI_Wait(RequestOf(transfer), MPI_STATUS_IGNORE);
 }
 
-std::vector<Bytes> ControllerRanks::Exchange(
-  const std::vector<int>& peers, const std::vector<Bytes>& outgoing)
+bool ControllerTransport::HasArrived(int from) noexcept
 {
-  if (peers.empty())
-  {
-    return {};
-  }
-  ++this->Sent.Exchanges;
-  for (const Bytes& bytes : outgoing)
-  {
-    this->Sent.Messages += bytes.empty() ? 1 : 2;
-    this->Sent.Bytes += static_cast<std::int64_t>(bytes.size() + sizeof(std::int64_t));
-  }
-  std::vector<Bytes> incoming = this->MakeIncoming(peers, outgoing);
-  this->Transfer(peers, outgoing, incoming);
-  return incoming;
+  int arrived = 0;
+  MPI_Iprobe(from, MessageTag, CommunicatorOf(this->Controller), &arrived, MPI_STATUS_IGNORE);
+  return arrived;
 }
 
-std::vector<Bytes> ControllerRanks::Gather(const Bytes& mine)
+ControllerRanks::ControllerRanks(vtkMultiProcessController* controller) :
+  ControllerTransport(controller),
+  MessageRanks(*this, controller ? controller->GetLocalProcessId() : 0, CountProcesses(controller))
 {
-  if (this->NumberOfRanks == 1)
-  {
-    return { mine };
-  }
-  ++this->Sent.Collectives;
-  this->Sent.CollectiveBytes += static_cast<std::int64_t>(mine.size());
-  const vtkIdType size = static_cast<vtkIdType>(mine.size());
-  std::vector<vtkIdType> sizes(this->NumberOfRanks), offsets(this->NumberOfRanks + 1, 0);
-  this->Controller->AllGather(&size, sizes.data(), 1);
-  for (int rank = 0; rank < this->NumberOfRanks; ++rank)
-  {
-    offsets[rank + 1] = offsets[rank] + sizes[rank];
-  }
-  if (offsets.back() > std::numeric_limits<int>::max())
-  {
-    throw InputError("The ranks want to share " + std::to_string(offsets.back()) +
-      " bytes with all others, more than MPI can count. Give each rank fewer blocks.");
-  }
-  Bytes all(offsets.back());
-  this->Controller->AllGatherV(mine.data(), all.data(), size, sizes.data(), offsets.data());
-  std::vector<Bytes> result;
-  for (int rank = 0; rank < this->NumberOfRanks; ++rank)
-  {
-    result.emplace_back(all.begin() + offsets[rank], all.begin() + offsets[rank + 1]);
-  }
-  return result;
-}
-
-void ControllerRanks::Sum(std::vector<std::int64_t>& values)
-{
-  if (this->NumberOfRanks > 1 && !values.empty())
-  {
-    ++this->Sent.Collectives;
-    this->Sent.CollectiveBytes += static_cast<std::int64_t>(values.size() * sizeof(values[0]));
-    const std::vector<std::int64_t> mine = values;
-    this->Controller->AllReduce(
-      mine.data(), values.data(), static_cast<vtkIdType>(values.size()), vtkCommunicator::SUM_OP);
-  }
-}
-
-double ControllerRanks::Max(double value)
-{
-  if (this->NumberOfRanks == 1)
-  {
-    return value;
-  }
-  ++this->Sent.Collectives;
-  this->Sent.CollectiveBytes += sizeof(value);
-  double greatest = value;
-  this->Controller->AllReduce(&value, &greatest, 1, vtkCommunicator::MAX_OP);
-  return greatest;
 }
 
 } // namespace vfm

@@ -22,6 +22,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 sys.path.insert(0, os.path.join(ROOT, "Examples"))
 import gerris_to_vthb
+from need_files import need_files
 from write_exodus import write_exodus
 
 PICTURE_SIZE = (1600, 1200)
@@ -217,6 +218,10 @@ def print_table(rows):
 
 
 def main(plugin, out, names):
+    need_files(plugin)
+    unknown = set(names) - {case.name for case in CASES}
+    if unknown:
+        sys.exit("no case %s; cases are %s" % (", ".join(sorted(unknown)), ", ".join(case.name for case in CASES)))
     simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines the filters
     simple._DisableFirstRenderCameraReset()
     os.makedirs(out, exist_ok=True)

@@ -10,6 +10,9 @@ import re
 import sys
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+sys.path.insert(0, os.path.join(ROOT, "Examples"))
+from need_files import need_files
+
 PLUGIN = "build/lib/VolumeFractionMesh.so"
 BLOCK = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
@@ -22,6 +25,7 @@ def read_blocks(document):
 
 
 def main(document, folder, plugin=os.path.join(ROOT, PLUGIN)):
+    need_files(document, plugin)
     blocks = read_blocks(document)
     if not blocks:
         sys.exit(document + " has no Python")

@@ -17,6 +17,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Examples"))
+from need_files import need_files
+
 
 def internal_field(path):
     """The nonuniform internalField of an ascii OpenFOAM field file."""
@@ -28,8 +31,9 @@ def internal_field(path):
 
 
 def main(case, time, out):
-    alpha = internal_field(Path(case, time, "alpha.water"))
-    centres = internal_field(Path(case, time, "C"))
+    files = [Path(case, time, name) for name in ("alpha.water", "C")]
+    need_files(*files)
+    alpha, centres = map(internal_field, files)
 
     low, high = centres.min(axis=0), centres.max(axis=0)
     n = np.array([np.unique(np.round(c, 9)).size for c in centres.T])

@@ -2,6 +2,7 @@
 
 #include <cinttypes>
 #include <cstdio>
+#include <stdexcept>
 
 #include <mpi.h>
 
@@ -27,6 +28,10 @@ CatalystSink::CatalystSink(MPI_Comm communicator, const std::vector<std::string>
   Catalyst(communicator, scripts)
 {
   MPI_Comm_rank(communicator, &this->Rank);
+  if (!this->Catalyst.GetError().empty())
+  {
+    throw std::runtime_error(this->Catalyst.GetError());
+  }
 }
 
 void CatalystSink::Take(const Fields& fields)
@@ -36,6 +41,7 @@ void CatalystSink::Take(const Fields& fields)
   const bool done =
     this->Catalyst.Process(Describe(fields), fields.Time, static_cast<int>(fields.Step));
   const double seconds = MPI_Wtime() - start;
+  this->Failed = this->Failed || !done;
   if (this->Rank == 0)
   {
     std::printf("Catalyst at step %" PRId64 ": %s, %.6f s\n", fields.Step,

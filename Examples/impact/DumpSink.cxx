@@ -1,10 +1,10 @@
 #include "DumpSink.h"
 
-#include <climits>
+#include "WorkTogether.h"
+
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -77,30 +77,6 @@ void Save(const std::string& path, const std::function<void(std::ostream&)>& wri
   }
 }
 
-/// Collective: when the work fails on any rank, all throw the message of the lowest that failed.
-void WorkTogether(const Domain& grid, const std::function<void()>& work)
-{
-  std::string error;
-  try
-  {
-    work();
-  }
-  catch (const std::exception& e)
-  {
-    error = e.what();
-  }
-  int failed = error.empty() ? INT_MAX : grid.GetRank(), first = INT_MAX;
-  MPI_Allreduce(&failed, &first, 1, MPI_INT, MPI_MIN, grid.GetCommunicator());
-  if (first < INT_MAX)
-  {
-    int size = static_cast<int>(error.size());
-    MPI_Bcast(&size, 1, MPI_INT, first, grid.GetCommunicator());
-    error.resize(size);
-    MPI_Bcast(&error[0], size, MPI_CHAR, first, grid.GetCommunicator());
-    throw std::runtime_error(error);
-  }
-}
-
 /// The bytes of the numbers after their count, as VTK's inline binary data.
 std::string ToBase64(const double* values, std::int64_t count)
 {
@@ -129,7 +105,7 @@ std::string ToBase64(const double* values, std::int64_t count)
 
 DumpSink::DumpSink(const Domain& domain, const std::string& folder) : Grid(domain), Folder(folder)
 {
-  WorkTogether(domain, [&] { std::filesystem::create_directories(folder); });
+  MakeFolder(domain.GetCommunicator(), folder);
 }
 
 void DumpSink::Take(const Fields& fields)
@@ -140,7 +116,7 @@ void DumpSink::Take(const Fields& fields)
   std::vector<std::int64_t> extents(6 * ranks);
   MPI_Gather(
     extent.data(), 6, MPI_INT64_T, extents.data(), 6, MPI_INT64_T, 0, this->Grid.GetCommunicator());
-  WorkTogether(this->Grid,
+  WorkTogether(this->Grid.GetCommunicator(),
     [&]
     {
       this->WritePiece(fields);

@@ -43,6 +43,8 @@ public:
 
   /// Collective: called on all ranks at each output step. Throws on all ranks or on none.
   virtual void Take(const Fields& fields) = 0;
+  /// Whether some step failed that was not worth ending the simulation; the same on all ranks.
+  virtual bool HasFailed() const { return false; }
 };
 
 } // namespace impact

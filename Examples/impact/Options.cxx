@@ -77,10 +77,11 @@ std::vector<Entry> ListEntries()
       "--angle", "DEG", "from the plate's normal to the ball's path", &Options::Angle, 0., 70.),
     MakeEntry("--diameter", "MM", "of the ball", &Options::Diameter, .5, 2.5),
     MakeEntry("--thickness", "MM", "of the plate", &Options::Thickness, .25, 1.5),
-    MakeEntry(
-      "--dump", "DIR", "write impact_SSSS.pvti and impact.pvd into this folder", &Options::Dump),
+    MakeEntry("--dump", "DIR",
+      "write impact_SSSS.pvti and impact.pvd into this folder, which is made", &Options::Dump),
     MakeEntry("--sculptor", "DIR",
-      "mesh by the C interface, write impact_SSSS.pvtu into this folder", &Options::Sculptor),
+      "mesh by the C interface, write impact_SSSS.pvtu into this folder, which is made",
+      &Options::Sculptor),
     MakeEntry("--catalyst", "FILE", "run this ParaView Catalyst script (version 2) at each output",
       &Options::Catalyst),
   };
@@ -111,7 +112,7 @@ Options ParseOptions(int argc, char** argv)
     }
     if (++i == argc)
     {
-      throw std::invalid_argument(name + " needs a value");
+      throw std::invalid_argument(name + " needs a value: " + found->Unit + ", " + found->Text);
     }
     found->Set(options, argv[i]);
   }

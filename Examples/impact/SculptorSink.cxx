@@ -1,6 +1,7 @@
 #include "SculptorSink.h"
 
 #include "Sculptor.h"
+#include "WorkTogether.h"
 
 #include <cinttypes>
 #include <cstdio>
@@ -24,6 +25,7 @@ void ReduceSeconds(double* seconds, int count, MPI_Comm communicator)
 SculptorSink::SculptorSink(MPI_Comm communicator, const std::string& folder) :
   Communicator(communicator), Folder(folder)
 {
+  MakeFolder(communicator, folder);
   this->Check(c_create_sculptor(&this->Sculptor));
   this->Check(sculptor_set_communicator(this->Sculptor, MPI_Comm_c2f(communicator)));
 }

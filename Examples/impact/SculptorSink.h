@@ -16,7 +16,7 @@ namespace impact
 class SculptorSink : public Sink
 {
 public:
-  /// Collective. The folder must be there. Throws std::runtime_error.
+  /// Collective. Makes the folder. Throws std::runtime_error.
   SculptorSink(MPI_Comm communicator, const std::string& folder);
   /// Collective.
   ~SculptorSink() override;

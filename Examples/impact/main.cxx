@@ -1,7 +1,7 @@
 /**
  * The program: reads the command line, runs the impact, hands its fields to the sinks.
  *
- * Exit status 0: done; 1: the command line, a file or a mesh, on all ranks alike, told by rank 0. Instability and lack of
+ * Exit status 0: done; 1: the command line, a file, a mesh or a script, on all ranks alike, told by rank 0. Instability and lack of
  * memory, which may hit one rank alone, abort all of them.
  */
 #include "Impact.h"
@@ -33,6 +33,13 @@ void Run(int argc, char** argv)
     takers.push_back(sink.get());
   }
   run.Run(takers);
+  for (const impact::Sink* sink : takers)
+  {
+    if (sink->HasFailed())
+    {
+      throw std::runtime_error("an output failed, as told above");
+    }
+  }
 }
 
 void Abort(int rank, const std::exception& error)

@@ -1,8 +1,10 @@
 /**
  * The processes that share a grid. The base class is the serial program: one rank, nothing to exchange.
- * Parallel backs it with vtkMultiProcessController. Every call is collective unless it says otherwise.
+ * MessageRanks is any number of them. Every call is collective unless it says otherwise.
  */
 #pragma once
+
+#include "Base/Errors.h"
 
 #include <cstdint>
 #include <cstring>
@@ -35,6 +37,25 @@ public:
   virtual double Max(double value) { return value; }
 
   bool Any(bool value) { return this->Max(value ? 1.0 : 0.0) > 0.0; }
+
+  /// What is inside of what, from the outside in, where works on the same processes do not know each other: a program, what it does in
+  /// turn, a filter as VTK runs it, and what it does.
+  enum class Frame
+  {
+    Program,
+    Stage,
+    Filter,
+    Inner
+  };
+  ///@{ For WorkTogether alone. Enter: false inside a frame. Leave: when all ranks do. Fail: throws on all ranks.
+  virtual bool Enter(Frame frame) noexcept
+  {
+    (void)frame;
+    return true;
+  }
+  virtual void Leave() {}
+  [[noreturn]] virtual void Fail(const Failure& mine) { throw FailedTogether(mine); }
+  ///@}
 };
 
 template <class T>

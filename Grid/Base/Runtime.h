@@ -4,28 +4,15 @@
  */
 #pragma once
 
+#include "Base/Errors.h"
 #include "Base/IndexBox.h"
 #include "Base/Ranks.h"
 
 #include <cstdint>
 #include <functional>
-#include <stdexcept>
-#include <string>
 
 namespace vfm
 {
-
-/// The input cannot be meshed; what() tells which array, which value, where, what to do.
-struct InputError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
-/// Thrown out of a stage when the user asked to stop.
-struct Aborted : std::runtime_error
-{
-  Aborted() : std::runtime_error("aborted") {}
-};
 
 class Runtime
 {

@@ -17,26 +17,52 @@ constexpr double FilmAdvantage = 0.6; // of a plane's error: a film must fit so 
 constexpr double Nothing = 1e-13;     // fractions below are none
 constexpr double Tie = 1e-12;         // of one half: is one, so that a flat face gets one label
 
-Vector3 OctantCentre(int c)
+/// Where the children of a cell are, in its frame.
+class Children
 {
-  return { { c & 1 ? 0.25 : -0.25, c & 2 ? 0.25 : -0.25, c & 4 ? 0.25 : -0.25 } };
-}
-constexpr Vector3 OctantSize{ { 0.5, 0.5, 0.5 } };
-constexpr OctantFractions Full{ { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 } };
+public:
+  explicit Children(const Index3& counts) :
+    Counts(counts),
+    ChildSize{ { 1.0 / static_cast<double>(counts[0]), 1.0 / static_cast<double>(counts[1]),
+      1.0 / static_cast<double>(counts[2]) } }
+  {
+  }
 
-/// Makes the fractions sum to 8 times that of the cell: they are off by the rounding of planes. room: the most an
-/// octant can hold.
-void Correct(OctantFractions& values, const OctantFractions& room, double fraction)
+  std::size_t Count() const { return this->Counts[0] * this->Counts[1] * this->Counts[2]; }
+  const Vector3& Size() const { return this->ChildSize; }
+  Vector3 Centre(std::size_t c) const
+  {
+    const Index3 place = CellInBox({ { { 0, 0, 0 } }, this->Counts }, static_cast<Index>(c));
+    Vector3 centre;
+    for (int a = 0; a < 3; ++a)
+    {
+      centre[a] =
+        (static_cast<double>(place[a]) + 0.5) / static_cast<double>(this->Counts[a]) - 0.5;
+    }
+    return centre;
+  }
+  /// All filled.
+  ChildFractions Full() const { return ChildFractions(this->Count(), 1.0); }
+
+  const Index3 Counts;
+
+private:
+  const Vector3 ChildSize;
+};
+
+/// Makes the fractions sum to as many times that of the cell as there are: they are off by the rounding of planes. room: the
+/// most a child can hold.
+void Correct(ChildFractions& values, const ChildFractions& room, double fraction)
 {
-  double missing = 8.0 * fraction, weights = 0.0;
-  for (int c = 0; c < 8; ++c)
+  double missing = static_cast<double>(values.size()) * fraction, weights = 0.0;
+  for (std::size_t c = 0; c < values.size(); ++c)
   {
     double& value = values[c];
     value = value < Nothing ? 0.0 : (value > room[c] - Nothing ? room[c] : value);
     missing -= value;
     weights += value * (room[c] - value);
   }
-  for (int c = 0; weights > 0.0 && c < 8; ++c)
+  for (std::size_t c = 0; weights > 0.0 && c < values.size(); ++c)
   {
     const double share = values[c] * (room[c] - values[c]) / weights;
     values[c] = std::min(std::max(values[c] + share * missing, 0.0), room[c]);
@@ -47,24 +73,26 @@ void Correct(OctantFractions& values, const OctantFractions& room, double fracti
 class Remainder
 {
 public:
-  Remainder() : Whole(MakeBoxPiece({ { -0.5, -0.5, -0.5 } }, { { 0.5, 0.5, 0.5 } }))
+  explicit Remainder(const Children& children) :
+    Whole(MakeBoxPiece({ { -0.5, -0.5, -0.5 } }, { { 0.5, 0.5, 0.5 } }))
   {
-    for (int c = 0; c < 8; ++c)
+    for (std::size_t c = 0; c < children.Count(); ++c)
     {
-      const Vector3 centre = OctantCentre(c);
-      this->Octants[c] = MakeBoxPiece(centre - 0.5 * OctantSize, centre + 0.5 * OctantSize);
+      const Vector3 centre = children.Centre(c), half = 0.5 * children.Size();
+      this->Pieces.push_back(MakeBoxPiece(centre - half, centre + half));
     }
   }
 
-  /// Cuts off the volume below the plane of a normal; returns how it is spread over the octants.
-  OctantFractions CutOff(const Vector3& normal, double volume)
+  /// Cuts off the volume below the plane of a normal; returns how it is spread over the children.
+  ChildFractions CutOff(const Vector3& normal, double volume)
   {
     const HalfSpace plane{ normal, this->FindOffset(normal, volume) };
-    OctantFractions values;
-    for (int c = 0; c < 8; ++c)
+    const double count = static_cast<double>(this->Pieces.size());
+    ChildFractions values;
+    for (ConvexPiece& piece : this->Pieces)
     {
-      values[c] = 8.0 * this->Cut(this->Octants[c], plane);
-      std::swap(this->Octants[c], this->Above);
+      values.push_back(count * this->Cut(piece, plane));
+      std::swap(piece, this->Above);
     }
     this->Cut(this->Whole, plane);
     std::swap(this->Whole, this->Above);
@@ -90,15 +118,20 @@ private:
   }
 
   ConvexPiece Whole, Below, Above;
-  std::array<ConvexPiece, 8> Octants;
+  std::vector<ConvexPiece> Pieces; // of the children
   std::vector<Vector3> Section;
 };
 
 class Splitter
 {
 public:
-  Splitter(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell) :
-    Grid(grid), Cell(cell), Fractions(fractions), Parts(fractions.Parts(grid.Linear(cell)))
+  Splitter(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell,
+    const Index3& counts) :
+    Grid(grid),
+    Cell(cell),
+    Fractions(fractions),
+    Parts(fractions.Parts(grid.Linear(cell))),
+    TheChildren(counts)
   {
     this->AddAround(grid, cell, grid.Linear(cell), { { 0, 0, 0 } });
     for (int c = 0; c < 27; ++c)
@@ -112,7 +145,7 @@ public:
     }
   }
 
-  std::vector<OctantFractions> Split() const
+  std::vector<ChildFractions> Split() const
   {
     const auto count = this->Parts.Last - this->Parts.First;
     return count == 2 ? this->SplitInTwo() : this->CutOneByOne();
@@ -235,7 +268,7 @@ private:
     return GoodFit * (1.0 - known / static_cast<double>(this->Cells.size()));
   }
 
-  std::vector<OctantFractions> SplitInTwo() const
+  std::vector<ChildFractions> SplitInTwo() const
   {
     Choice choice = this->Choose({ 0, 1 }, true);
     std::size_t cut = choice.Place; // the part within the layer
@@ -244,38 +277,37 @@ private:
       TryFilms(choice.Samples, choice.Fit, cut);
     }
     const double fraction = this->Parts.First[cut].Fraction;
-    std::vector<OctantFractions> octants(2);
-    octants[cut] = choice.Fit.IsFound && choice.Fit.Error <= GoodFit
-      ? FindOctants(choice.Fit.Region)
+    std::vector<ChildFractions> children(2);
+    children[cut] = choice.Fit.IsFound && choice.Fit.Error <= GoodFit
+      ? this->FindChildren(choice.Fit.Region)
       : this->ShareSmoothly(cut);
-    Correct(octants[cut], Full, fraction);
-    for (int c = 0; c < 8; ++c)
+    Correct(children[cut], this->TheChildren.Full(), fraction);
+    for (double& value : children[cut])
     {
-      double& value = octants[cut][c];
       value = std::fabs(value - 0.5) < Tie ? 0.5 : value;
-      octants[1 - cut][c] = 1.0 - value;
+      children[1 - cut].push_back(1.0 - value);
     }
-    return octants;
+    return children;
   }
 
-  static OctantFractions FindOctants(const Layer& layer)
+  ChildFractions FindChildren(const Layer& layer) const
   {
-    OctantFractions octants;
-    for (int c = 0; c < 8; ++c)
+    ChildFractions children(this->TheChildren.Count());
+    for (std::size_t c = 0; c < children.size(); ++c)
     {
-      octants[c] = FractionInLayer(layer, OctantCentre(c), OctantSize);
+      children[c] = FractionInLayer(layer, this->TheChildren.Centre(c), this->TheChildren.Size());
     }
-    return octants;
+    return children;
   }
 
   /// Of edges, corners, rods and balls, which no plane fits.
-  OctantFractions ShareSmoothly(std::size_t part) const
+  ChildFractions ShareSmoothly(std::size_t part) const
   {
     const FractionField::Part& first = this->Parts.First[part];
     const std::vector<double> weights(this->Fractions.NumberOfMaterials() + 1, 1.0);
     const std::vector<MaterialPatch> patches = MakePatches(this->Grid, this->Fractions, this->Cell,
       { first.Material, this->Parts.First[1 - part].Material }, weights);
-    return ShareOctants(patches[0], patches[1], first.Fraction);
+    return ShareChildren(patches[0], patches[1], this->TheChildren.Counts, first.Fraction);
   }
 
   /// A film of either part.
@@ -298,14 +330,14 @@ private:
     }
   }
 
-  std::vector<OctantFractions> CutOneByOne() const
+  std::vector<ChildFractions> CutOneByOne() const
   {
     const std::size_t count = this->Parts.Last - this->Parts.First;
-    std::vector<OctantFractions> octants(count);
+    std::vector<ChildFractions> children(count);
     std::vector<std::size_t> left(count); // positions in Parts
     std::iota(left.begin(), left.end(), std::size_t(0));
-    OctantFractions room = Full;
-    Remainder remainder;
+    ChildFractions room = this->TheChildren.Full();
+    Remainder remainder(this->TheChildren);
     while (left.size() > 1)
     {
       const Choice choice = this->Choose(left, left.size() == count);
@@ -315,21 +347,21 @@ private:
       }
       const std::size_t position = left[choice.Place];
       const double fraction = this->Parts.First[position].Fraction;
-      octants[position] = remainder.CutOff(choice.Fit.Region.Normal, fraction);
-      Correct(octants[position], room, fraction);
-      for (int c = 0; c < 8; ++c)
+      children[position] = remainder.CutOff(choice.Fit.Region.Normal, fraction);
+      Correct(children[position], room, fraction);
+      for (std::size_t c = 0; c < room.size(); ++c)
       {
-        room[c] -= octants[position][c];
+        room[c] -= children[position][c];
       }
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(choice.Place));
     }
-    this->Share(left, room, octants);
-    return octants;
+    this->Share(left, room, children);
+    return children;
   }
 
   /// The parts that are left fill the room evenly.
-  void Share(const std::vector<std::size_t>& left, const OctantFractions& room,
-    std::vector<OctantFractions>& octants) const
+  void Share(const std::vector<std::size_t>& left, const ChildFractions& room,
+    std::vector<ChildFractions>& children) const
   {
     double sum = 0.0;
     for (std::size_t position : left)
@@ -338,9 +370,9 @@ private:
     }
     for (std::size_t position : left)
     {
-      for (int c = 0; c < 8; ++c)
+      for (double value : room)
       {
-        octants[position][c] = room[c] * (this->Parts.First[position].Fraction / sum);
+        children[position].push_back(value * (this->Parts.First[position].Fraction / sum));
       }
     }
   }
@@ -349,15 +381,16 @@ private:
   const Index3 Cell;
   const FractionField& Fractions;
   const FractionField::Range Parts;
+  const Children TheChildren;
   std::vector<Around> Cells; // first the cell itself
 };
 
 } // namespace
 
-std::vector<OctantFractions> SplitCell(
-  const CartesianGrid& grid, const FractionField& fractions, const Index3& cell)
+std::vector<ChildFractions> SplitCell(const CartesianGrid& grid, const FractionField& fractions,
+  const Index3& cell, const Index3& counts)
 {
-  return Splitter(grid, fractions, cell).Split();
+  return Splitter(grid, fractions, cell, counts).Split();
 }
 
 } // namespace vfm

@@ -10,21 +10,28 @@ namespace vfm
 namespace
 {
 
-constexpr double RangeTolerance = 1e-6; // outside [0,1]
-constexpr double SumTolerance = 1e-3;   // above 1, at least
-constexpr double Negligible = 1e-9;     // fractions below are none
-constexpr Index RowLength = 4096;       // cells read at a time
+constexpr double SumTolerance = 1e-3; // above 1, at least
+constexpr double Negligible = 1e-9;   // fractions below are none
+constexpr Index RowLength = 4096;     // cells read at a time
+
+bool IsOutside(double value, double tolerance)
+{
+  return !(value >= -tolerance && value <= 1.0 + tolerance); // NaN too
+}
 
 double CheckedFraction(
   double value, const FractionField::Reader& reader, int material, const Index3& cell)
 {
-  if (!(value >= -RangeTolerance && value <= 1.0 + RangeTolerance))
+  if (IsOutside(value, reader.Tolerance()))
   {
     std::ostringstream text;
     text << "Volume fraction array '" << reader.Name(material) << "' holds " << value << " in "
          << TextOf(cell) << ": "
          << (std::isfinite(value) ? "volume fractions lie in [0, 1]."
-                                  : "volume fractions must be finite numbers.");
+                                  : "volume fractions must be finite numbers.")
+         << (IsOutside(value, LargestFractionTolerance)
+                ? ""
+                : " A larger FractionTolerance clips those that lie a little outside.");
     throw InputError(text.str());
   }
   return std::min(std::max(value, 0.0), 1.0);
@@ -39,11 +46,11 @@ bool IsOverfull(const std::vector<FractionField::Part>& parts, const FractionFie
   {
     sum += part.Fraction;
   }
-  if (sum <= 1.0 + RangeTolerance)
+  if (sum <= 1.0 + FractionTolerance)
   {
     return false;
   }
-  double ofParts = RangeTolerance, ofAll = 0.0;
+  double ofParts = FractionTolerance, ofAll = reader.Tolerance();
   for (const FractionField::Part& part : parts)
   {
     ofParts += reader.Rounding(part.Material);
@@ -200,6 +207,7 @@ FractionField FractionField::FromReader(
   const IndexBox& box = grid.Local();
   std::vector<double> values(RowLength);
   std::vector<std::vector<Part>> cells(RowLength);
+  std::vector<bool> isClipped(RowLength, false);
   RowWriter row(field);
   const auto readRow = [&](const Index3& first, Index count)
   {
@@ -212,6 +220,7 @@ FractionField FractionField::FromReader(
       for (Index c = 0; c < count; ++c)
       {
         const double value = CheckedFraction(values[c], reader, m, cellAt(c));
+        isClipped[c] = isClipped[c] || IsOutside(values[c], FractionTolerance);
         if (value > Negligible)
         {
           cells[c].push_back({ m, value });
@@ -221,8 +230,10 @@ FractionField FractionField::FromReader(
     row.Start(grid.Linear(first));
     for (Index c = 0; c < count; ++c)
     {
-      field.Normalised += IsOverfull(cells[c], reader, numberOfMaterials, cellAt(c)) &&
-        grid.Owned().Contains(cellAt(c));
+      const bool isOwned = grid.Owned().Contains(cellAt(c));
+      field.Normalised += IsOverfull(cells[c], reader, numberOfMaterials, cellAt(c)) && isOwned;
+      field.Clipped += isClipped[c] && isOwned;
+      isClipped[c] = false;
       row.AddParts(cells[c]);
       cells[c].clear();
     }

@@ -14,6 +14,11 @@
 namespace vfm
 {
 
+/// Fractions may lie so far outside [0,1] by rounding.
+constexpr double FractionTolerance = 1e-6;
+/// No user may allow more.
+constexpr double LargestFractionTolerance = 0.1;
+
 class FractionField
 {
 public:
@@ -38,9 +43,9 @@ public:
   /// Fractions given one array a material. Reader has
   ///   void Read(int material, Index3 first, Index count, double* values)
   /// which fills the fractions of material 1..N in count cells along x.
-  /// Fractions within 1e-6 outside [0,1] are clamped. Sums above 1 are normalised, and counted where rounding does not
-  /// explain them. Throws InputError on NaN or infinity, values farther outside, sums above 1 by more than 1e-3 and by
-  /// more than the rounding of all materials.
+  /// Fractions outside [0,1] by no more than the tolerance are clipped, and counted where by more than 1e-6. Sums above 1 are
+  /// normalised, and counted where rounding does not explain them. Throws InputError on NaN or infinity, values farther outside,
+  /// sums above 1 by more than 1e-3, by more than the tolerance and by more than the rounding of all materials.
   class Reader
   {
   public:
@@ -48,6 +53,8 @@ public:
     virtual void Read(int material, const Index3& first, Index count, double* values) const = 0;
     /// How far the type that stores the fractions of a material may have rounded one of them up.
     virtual double Rounding(int /*material*/) const { return 0.0; }
+    /// How far outside [0,1] values may lie.
+    virtual double Tolerance() const { return FractionTolerance; }
     /// For messages.
     virtual std::string Name(int material) const = 0;
   };
@@ -56,6 +63,8 @@ public:
   int NumberOfMaterials() const { return this->Materials; }
   /// Owned cells whose sum exceeded 1 by more than rounding explains, and was scaled back.
   Index NumberOfNormalisedCells() const { return this->Normalised; }
+  /// Owned cells where a fraction lay outside [0,1] by more than rounding explains, and was clipped.
+  Index NumberOfClippedCells() const { return this->Clipped; }
 
   void SetLabel(Index cell, int label) { this->Entry.Set(cell, label); }
   /// parts: fractions of distinct materials >= 1, each > 0, sum <= 1 but for rounding.
@@ -140,7 +149,7 @@ private:
   int CloseParts();
 
   int Materials;
-  Index Normalised = 0;
+  Index Normalised = 0, Clipped = 0;
   PagedArray<int> Entry;     // label >= 0, or ~(index of the mixed cell)
   std::vector<Index> Offset; // mixed cells + 1
   std::vector<Part> List;

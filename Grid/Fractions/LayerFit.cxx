@@ -44,6 +44,13 @@ public:
   Fitter(const std::vector<FractionSample>& samples, bool isFilm) :
     Samples(samples), IsFilm(isFilm), Unknowns(isFilm ? 3 : 2)
   {
+    for (const FractionSample& sample : samples)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        this->IsKnown[a] = this->IsKnown[a] || sample.Centre[a] != 0.0;
+      }
+    }
   }
 
   LayerFit Fit(const Vector3& normal, double middle) const
@@ -105,7 +112,12 @@ private:
     const Vector3& n = from.Region.Normal;
     Vector3 u, v;
     MakeTangents(n, u, v);
-    return this->Try(Unit(n + step[0] * u + step[1] * v), from.Middle + step[2]);
+    Vector3 turned = n + step[0] * u + step[1] * v;
+    for (int a = 0; a < 3; ++a)
+    {
+      turned[a] = this->IsKnown[a] ? turned[a] : n[a];
+    }
+    return this->Try(Unit(turned), from.Middle + step[2]);
   }
 
   Vector3 FindStep(const Trial& from) const
@@ -160,6 +172,7 @@ private:
   const std::vector<FractionSample>& Samples;
   const bool IsFilm;
   const int Unknowns;
+  std::array<bool, 3> IsKnown{ { false, false, false } }; // along axes with cells beside
 };
 
 /// The filled volume's place and least direction, measured against the spread of the cells themselves.
@@ -206,7 +219,8 @@ double FractionInLayer(const Layer& layer, const Vector3& centre, const Vector3&
 {
   const Vector3 n = Scaled(layer.Normal, size);
   const double shift = Dot(layer.Normal, centre);
-  return VolumeBelowPlane(n, layer.Upper - shift) - VolumeBelowPlane(n, layer.Lower - shift);
+  const double beyond = std::isinf(layer.Lower) ? 0.0 : VolumeBelowPlane(n, layer.Lower - shift);
+  return VolumeBelowPlane(n, layer.Upper - shift) - beyond;
 }
 
 LayerFit FitHalfSpace(const std::vector<FractionSample>& samples)

@@ -10,38 +10,44 @@ namespace
 
 constexpr int ReadLayers = GhostLayers / 2; // coarse ghost layers whose cells are cut
 
-/// The four rows of children of a row of cells.
+/// The rows of children of a row of cells.
 class ChildRows
 {
 public:
-  ChildRows(const FractionField& fractions, RefinedCells& refined) :
-    Fractions(fractions),
-    Refined(refined),
-    Rows{ { Writer(refined.Fractions), Writer(refined.Fractions), Writer(refined.Fractions),
-      Writer(refined.Fractions) } }
+  ChildRows(const CartesianGrid& grid, const FractionField& fractions, const CellDivision& division,
+    RefinedCells& refined) :
+    Grid(grid), Fractions(fractions), Division(division), Refined(refined)
   {
   }
 
   void Start(const Index3& cell)
   {
-    for (int r = 0; r < 4; ++r)
-    {
-      this->Rows[r].Start(this->Refined.Grid.Linear(ChildOfCell(cell, 2 * r)));
-    }
+    const IndexBox first = this->Division.Divide(BoxOfCell(cell));
+    this->Rows.clear();
+    ForRows(first,
+      [&](Index j, Index k)
+      {
+        this->Rows.emplace_back(this->Refined.Fractions);
+        this->Rows.back().Start(this->Refined.Grid.Linear({ { first.Lower[0], j, k } }));
+      });
   }
-  void AddLabel(int label, Index count)
+  void AddLabel(int label, Index begin, Index end)
   {
+    const Index3 first = this->Grid.Position(begin);
+    const Index3 last = { { first[0] + end - begin, first[1] + 1, first[2] + 1 } };
+    const Index count = this->Division.Divide(IndexBox{ first, last }).Size(0);
     for (Writer& row : this->Rows)
     {
-      row.AddLabel(label, 2 * count);
+      row.AddLabel(label, count);
     }
   }
-  void AddMixed(Index cell, const std::vector<OctantFractions>& octants)
+  void AddMixed(Index cell, const std::vector<ChildFractions>& children)
   {
     const FractionField::Range parts = this->Fractions.Parts(cell);
-    for (int c = 0; c < 8; ++c)
+    const std::size_t along = children[0].size() / this->Rows.size();
+    for (std::size_t c = 0; c < children[0].size(); ++c)
     {
-      this->AddChild(parts, octants, c);
+      this->AddChild(parts, children, c, this->Rows[c / along]);
     }
   }
   void Finish()
@@ -55,22 +61,25 @@ public:
 private:
   using Writer = FractionField::RowWriter;
 
-  void AddChild(FractionField::Range parts, const std::vector<OctantFractions>& octants, int c)
+  static void AddChild(FractionField::Range parts, const std::vector<ChildFractions>& children,
+    std::size_t c, Writer& row)
   {
     std::vector<FractionField::Part> own;
-    for (std::size_t p = 0; p < octants.size(); ++p)
+    for (std::size_t p = 0; p < children.size(); ++p)
     {
-      if (octants[p][c] > 0.0)
+      if (children[p][c] > 0.0)
       {
-        own.push_back({ parts.First[p].Material, octants[p][c] });
+        own.push_back({ parts.First[p].Material, children[p][c] });
       }
     }
-    this->Rows[c / 2].CopyParts(own);
+    row.CopyParts(own);
   }
 
+  const CartesianGrid& Grid;
   const FractionField& Fractions;
+  const CellDivision& Division;
   RefinedCells& Refined;
-  std::array<Writer, 4> Rows; // cy + 2 cz
+  std::vector<Writer> Rows; // y fastest
 };
 
 /// A run of cells of a row.
@@ -124,67 +133,107 @@ void SkipCells(const CartesianGrid& grid, const std::function<bool(const Index3&
   runs = std::move(cut);
 }
 
-/// The parts of a mixed cell in its octants.
-std::vector<OctantFractions> ShareOut(
-  const CartesianGrid& grid, const FractionField& fractions, const Index3& cell, ChildRule rule)
+/// Cuts the cells of a box, layer by layer along z.
+class CellCutter
 {
-  if (rule == ChildRule::Planes)
+public:
+  CellCutter(const CartesianGrid& grid, const FractionField& fractions,
+    const CellDivision& division, ChildRule rule, Runtime& runtime) :
+    Grid(grid), Fractions(fractions), Division(division), Rule(rule), Run(runtime)
   {
-    return SplitCell(grid, fractions, cell);
   }
-  std::vector<OctantFractions> octants;
-  for (const FractionField::Part& part : fractions.Parts(grid.Linear(cell)))
-  {
-    octants.emplace_back();
-    octants.back().fill(part.Fraction);
-  }
-  return octants;
-}
 
-/// Cuts the cells of a layer along z.
-void RefineLayer(const CartesianGrid& grid, const FractionField& fractions, Index k,
-  Runtime& runtime, ChildRule rule, const std::function<bool(const Index3&)>& skips,
-  RefinedCells& refined)
-{
-  const IndexBox box = grid.Extended(ReadLayers);
-  std::vector<CellRun> runs;
-  for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  void Cut(const IndexBox& box, const std::function<bool(const Index3&)>& skips,
+    RefinedCells& refined) const
   {
-    FindRuns(grid, fractions, box, j, k, runs);
-  }
-  if (skips)
-  {
-    SkipCells(grid, skips, runs);
-  }
-  std::vector<Index> mixed;
-  for (const CellRun& run : runs)
-  {
-    if (run.Label < 0)
+    for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
     {
-      mixed.push_back(run.Begin);
+      this->CutLayer(box, k, skips, refined);
     }
   }
-  std::vector<std::vector<OctantFractions>> octants(mixed.size());
-  ForEach(runtime, mixed.size(),
-    [&](Index m) { octants[m] = ShareOut(grid, fractions, grid.Position(mixed[m]), rule); });
-  ChildRows children(fractions, refined);
-  auto run = runs.begin();
-  auto split = octants.begin();
-  for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+
+private:
+  void CutLayer(const IndexBox& box, Index k, const std::function<bool(const Index3&)>& skips,
+    RefinedCells& refined) const
   {
-    const Index end = grid.Linear({ { box.Upper[0], j, k } });
-    children.Start({ { box.Lower[0], j, k } });
-    for (; run != runs.end() && run->End <= end; ++run)
+    std::vector<CellRun> runs;
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
     {
-      if (run->Label >= 0)
+      FindRuns(this->Grid, this->Fractions, box, j, k, runs);
+    }
+    if (skips)
+    {
+      SkipCells(this->Grid, skips, runs);
+    }
+    const std::vector<std::vector<ChildFractions>> mixed = this->ShareOut(runs);
+    ChildRows children(this->Grid, this->Fractions, this->Division, refined);
+    auto run = runs.begin();
+    auto split = mixed.begin();
+    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+    {
+      const Index end = this->Grid.Linear({ { box.Upper[0], j, k } });
+      children.Start({ { box.Lower[0], j, k } });
+      for (; run != runs.end() && run->End <= end; ++run)
       {
-        children.AddLabel(run->Label, run->End - run->Begin);
-        continue;
+        if (run->Label >= 0)
+        {
+          children.AddLabel(run->Label, run->Begin, run->End);
+          continue;
+        }
+        children.AddMixed(run->Begin, *split++);
       }
-      children.AddMixed(run->Begin, *split++);
+      children.Finish();
     }
-    children.Finish();
   }
+
+  /// What the children of the mixed cells among the runs hold.
+  std::vector<std::vector<ChildFractions>> ShareOut(const std::vector<CellRun>& runs) const
+  {
+    std::vector<Index> mixed;
+    for (const CellRun& run : runs)
+    {
+      if (run.Label < 0)
+      {
+        mixed.push_back(run.Begin);
+      }
+    }
+    std::vector<std::vector<ChildFractions>> children(mixed.size());
+    ForEach(this->Run, mixed.size(),
+      [&](Index m) { children[m] = this->ShareOut(this->Grid.Position(mixed[m])); });
+    return children;
+  }
+
+  /// The parts of a mixed cell in its children.
+  std::vector<ChildFractions> ShareOut(const Index3& cell) const
+  {
+    const Index3 counts = this->Division.Parts(cell);
+    if (this->Rule == ChildRule::Planes && counts != Index3{ { 1, 1, 1 } })
+    {
+      return SplitCell(this->Grid, this->Fractions, cell, counts);
+    }
+    std::vector<ChildFractions> children;
+    for (const FractionField::Part& part : this->Fractions.Parts(this->Grid.Linear(cell)))
+    {
+      children.emplace_back(counts[0] * counts[1] * counts[2], part.Fraction);
+    }
+    return children;
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const CellDivision& Division;
+  const ChildRule Rule;
+  Runtime& Run;
+};
+
+RefinedCells MakeVoidCells(
+  const CartesianGrid& grid, const FractionField& fractions, const CellDivision& division)
+{
+  CartesianGrid divided(
+    division.Divide(grid.Coordinates()), division.Divide(grid.Owned()), GhostLayers);
+  CheckIds(divided, TetIds.ElementSlots);
+  FractionField field(divided, fractions.NumberOfMaterials());
+  return { std::move(divided), std::move(field) };
 }
 
 } // namespace
@@ -196,14 +245,7 @@ std::array<std::vector<double>, 3> HalveWidths(
   {
     for (int time = 0; time < times; ++time)
     {
-      std::vector<double> halved;
-      for (std::size_t i = 0; i + 1 < x.size(); ++i)
-      {
-        halved.push_back(x[i]);
-        halved.push_back(x[i] + 0.5 * (x[i + 1] - x[i]));
-      }
-      halved.push_back(x.back());
-      x = std::move(halved);
+      x = DivideWidths(x, std::vector<Index>(x.size() - 1, 2));
     }
     const std::size_t step = std::size_t(1) << std::max(-times, 0);
     std::vector<double> joined;
@@ -222,15 +264,17 @@ std::array<std::vector<double>, 3> HalveWidths(
 RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractions,
   Runtime& runtime, ChildRule rule, const std::function<bool(const Index3&)>& skips)
 {
-  CartesianGrid halved(HalveWidths(grid.Coordinates()), ChangeLevel(grid.Owned(), 1), GhostLayers);
-  CheckIds(halved, TetIds.ElementSlots);
-  FractionField field(halved, fractions.NumberOfMaterials());
-  RefinedCells refined{ std::move(halved), std::move(field) };
-  const IndexBox box = grid.Extended(ReadLayers);
-  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-  {
-    RefineLayer(grid, fractions, k, runtime, rule, skips, refined);
-  }
+  const CellDivision halves(grid.Global().Upper, 2);
+  RefinedCells refined = MakeVoidCells(grid, fractions, halves);
+  CellCutter(grid, fractions, halves, rule, runtime).Cut(grid.Extended(ReadLayers), skips, refined);
+  return refined;
+}
+
+RefinedCells DivideCells(const CartesianGrid& grid, const FractionField& fractions,
+  const CellDivision& division, Runtime& runtime, ChildRule rule)
+{
+  RefinedCells refined = MakeVoidCells(grid, fractions, division);
+  CellCutter(grid, fractions, division, rule, runtime).Cut(grid.Owned(), {}, refined);
   return refined;
 }
 

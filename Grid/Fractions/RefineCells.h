@@ -1,9 +1,10 @@
 /**
- * Every cell of a grid cut in 2x2x2, and the fractions of the halves.
+ * Every cell of a grid cut in 2x2x2 or otherwise, and the fractions of its children.
  */
 #pragma once
 
 #include "Base/Runtime.h"
+#include "Fractions/CellDivision.h"
 #include "Fractions/FractionField.h"
 
 #include <functional>
@@ -11,7 +12,7 @@
 namespace vfm
 {
 
-/// How a mixed cell is shared out to its halves.
+/// How a mixed cell is shared out to its children.
 enum class ChildRule
 {
   Planes, ///< by planes that keep every volume (ChildFractions.h)
@@ -36,5 +37,10 @@ std::array<std::vector<double>, 3> HalveWidths(
 RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractions,
   Runtime& runtime, ChildRule rule = ChildRule::Planes,
   const std::function<bool(const Index3&)>& skips = {});
+
+/// The owned cells cut as a division of the grid says, and GhostLayers layers around them, which are void: FillGhosts gets them
+/// from their owners, since a child may be as wide as its cell. grid: with a ghost layer at least. Otherwise as RefineCells.
+RefinedCells DivideCells(const CartesianGrid& grid, const FractionField& fractions,
+  const CellDivision& division, Runtime& runtime, ChildRule rule = ChildRule::Planes);
 
 } // namespace vfm

@@ -158,6 +158,64 @@ void PartBySamples(std::vector<Contender>& several)
   }
 }
 
+/// What a child has of an octant.
+struct Piece
+{
+  double Part; // of the child
+  Difference Ahead;
+};
+
+/// The interval of child n of several that lies in the lower or upper half of a cell: of that half from 0 to 1.
+struct HalfInterval
+{
+  double Lower, Upper;
+
+  HalfInterval(Index n, Index count, int half) :
+    Lower(Clamp(2 * n - half * count, count)), Upper(Clamp(2 * n + 2 - half * count, count))
+  {
+  }
+  /// Of the child.
+  double Part(Index count) const
+  {
+    return 0.5 * static_cast<double>(count) * (this->Upper - this->Lower);
+  }
+
+private:
+  static double Clamp(Index value, Index count)
+  {
+    const Index inside = std::min(std::max<Index>(value, 0), count);
+    return static_cast<double>(inside) / static_cast<double>(count);
+  }
+};
+
+/// The pieces of a child in the octants of its cell, with how far one field is ahead of another.
+std::vector<Piece> CutAtOctants(const MaterialPatch& first, const MaterialPatch& second,
+  const Index3& child, const Index3& counts)
+{
+  std::vector<Piece> pieces;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    const HalfInterval x(child[0], counts[0], octant & 1), y(child[1], counts[1], octant >> 1 & 1),
+      z(child[2], counts[2], octant >> 2 & 1);
+    const double part = x.Part(counts[0]) * y.Part(counts[1]) * z.Part(counts[2]);
+    if (!(part > 0.0))
+    {
+      continue;
+    }
+    const Corners a = CornersOfOctant(first, octant), b = CornersOfOctant(second, octant);
+    Corners own, others;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Vector3 at{ { c & 1 ? x.Upper : x.Lower, c & 2 ? y.Upper : y.Lower,
+        c & 4 ? z.Upper : z.Lower } };
+      own[c] = Trilinear(a, at);
+      others[c] = Trilinear(b, at);
+    }
+    pieces.push_back({ part, Difference(own, others) });
+  }
+  return pieces;
+}
+
 /// From the values in the middle of three cells in a row to those on the sides and in the middle of the second. On a side of
 /// the domain the field goes on as inside, so that planes stay planes.
 void Interpolate(const CartesianGrid& grid, int axis, Index i, std::array<double, 27>& values)
@@ -242,26 +300,37 @@ std::vector<FractionField::Part> FindSharpFractions(
   return parts;
 }
 
-std::array<double, 8> ShareOctants(
-  const MaterialPatch& first, const MaterialPatch& second, double fraction)
+std::vector<double> ShareChildren(
+  const MaterialPatch& first, const MaterialPatch& second, const Index3& counts, double fraction)
 {
-  std::vector<Difference> differences;
-  for (int octant = 0; octant < 8; ++octant)
+  std::vector<std::vector<Piece>> children;
+  for (Index z = 0; z < counts[2]; ++z)
   {
-    differences.emplace_back(CornersOfOctant(first, octant), CornersOfOctant(second, octant));
+    for (Index y = 0; y < counts[1]; ++y)
+    {
+      for (Index x = 0; x < counts[0]; ++x)
+      {
+        children.push_back(CutAtOctants(first, second, { { x, y, z } }, counts));
+      }
+    }
   }
-  const auto share = [&differences](double shift, std::array<double, 8>& parts)
+  const double childPart = 1.0 / static_cast<double>(children.size());
+  const auto share = [&](double shift, std::vector<double>& parts)
   {
     double sum = 0.0;
-    for (int octant = 0; octant < 8; ++octant)
+    for (std::size_t c = 0; c < children.size(); ++c)
     {
-      parts[octant] = differences[octant].PartAbove(shift);
-      sum += OctantPart * parts[octant];
+      parts[c] = 0.0;
+      for (const Piece& piece : children[c])
+      {
+        parts[c] += piece.Part * piece.Ahead.PartAbove(shift);
+      }
+      sum += childPart * parts[c];
     }
     return sum;
   };
   double low = -LargestShift, high = LargestShift;
-  std::array<double, 8> less{}, more{}, trial;
+  std::vector<double> less(children.size()), more(children.size()), trial(children.size());
   double lessSum = share(low, less), moreSum = share(high, more);
   while (high - low > SmallestShift)
   {
@@ -272,9 +341,9 @@ std::array<double, 8> ShareOctants(
   }
   // where the fields run side by side the sum jumps: in between
   const double t = moreSum > lessSum ? (fraction - lessSum) / (moreSum - lessSum) : 0.0;
-  for (int octant = 0; octant < 8; ++octant)
+  for (std::size_t c = 0; c < children.size(); ++c)
   {
-    less[octant] += t * (more[octant] - less[octant]);
+    less[c] += t * (more[c] - less[c]);
   }
   return less;
 }

@@ -37,9 +37,9 @@ std::vector<MaterialPatch> MakePatches(const CartesianGrid& grid, const Fraction
 std::vector<FractionField::Part> FindSharpFractions(
   const std::vector<MaterialPatch>& patches, std::vector<PairRate>* rates = nullptr);
 
-/// The part of each octant that the first of two materials has, when it has a given part of the cell (0..1): where its
-/// field exceeds the other's by so much as gives that. Octants are numbered as in OctantFractions.
-std::array<double, 8> ShareOctants(
-  const MaterialPatch& first, const MaterialPatch& second, double fraction);
+/// The part of each child that the first of two materials has, when it has a given part of the cell (0..1): where its
+/// field exceeds the other's by so much as gives that. counts: of the children along each axis, numbered as in ChildFractions.h.
+std::vector<double> ShareChildren(
+  const MaterialPatch& first, const MaterialPatch& second, const Index3& counts, double fraction);
 
 } // namespace vfm

@@ -3,6 +3,7 @@
 #include "Base/GradientFit.h"
 #include "Base/Plic.h"
 #include "Base/Vector3.h"
+#include "Fractions/LayerFit.h"
 
 namespace vfm
 {
@@ -11,6 +12,9 @@ namespace
 
 constexpr double PureFraction = 0.003; // a cell nearer to 0 or 1 carries no plane
 constexpr double PairShare = 0.3;      // nor one where the pair fills less
+constexpr double SampleShare = 0.5;    // nor is one fitted to cells where it fills less
+constexpr double GoodFit = 0.1;      // rms error of fractions above: the surface around is no plane
+constexpr double LeastWeight = 0.01; // of crossings
 constexpr double SteepPlane =
   0.25; // n.axis below: the plane's foot instead of its cut with the edge
 constexpr double SmallestSlope =
@@ -45,6 +49,8 @@ public:
       this->MoveToPlanes(lower, upper, crossing.Point);
     }
     crossing.Normal = this->BlendNormals(lower, upper, t);
+    const double filled = this->PairFills(lower.Cell) * this->PairFills(upper.Cell);
+    crossing.Weight = std::max(filled * filled, LeastWeight);
     return crossing;
   }
 
@@ -53,10 +59,13 @@ private:
   struct Side
   {
     Index Cell;
-    Vector3 Centre;   // grid coordinates
-    Vector3 Widths;   // grid coordinates
-    double D;         // difference field
-    Vector3 Gradient; // of D in the cell's frame
+    Vector3 Centre; // grid coordinates
+    Vector3 Widths; // grid coordinates
+    double D;       // difference field
+    Vector3
+      Gradient; // of D in the cell's frame, at sides of the domain turned to the normal of the fitted plane
+    bool IsOneSided; // at a side of the domain
+    bool HasPlane;   // fitted
   };
 
   Vector3 CellCentre(const Index3& p) const
@@ -68,6 +77,12 @@ private:
       c[a] = (0.5 * (x[p[a]] + x[p[a] + 1]) - x[0]) * this->Scale;
     }
     return c;
+  }
+
+  Vector3 CellWidths(const Index3& p) const
+  {
+    return { { this->Grid.Width(0, p[0]) * this->Scale, this->Grid.Width(1, p[1]) * this->Scale,
+      this->Grid.Width(2, p[2]) * this->Scale } };
   }
 
   double Difference(Index cell) const
@@ -83,12 +98,12 @@ private:
     const Index3 p = this->Grid.Position(cell);
     side.Cell = cell;
     side.Centre = this->CellCentre(p);
-    for (int a = 0; a < 3; ++a)
-    {
-      side.Widths[a] = this->Grid.Width(a, p[a]) * this->Scale;
-    }
+    side.Widths = this->CellWidths(p);
     side.D = this->Difference(cell);
     side.Gradient = this->Gradient(side, p);
+    side.IsOneSided = !this->Grid.InDomain({ { p[0] - 1, p[1] - 1, p[2] - 1 } }) ||
+      !this->Grid.InDomain({ { p[0] + 1, p[1] + 1, p[2] + 1 } });
+    side.HasPlane = side.IsOneSided && this->TurnToPlane(p, side);
     return side;
   }
 
@@ -98,8 +113,7 @@ private:
     GradientFit fit;
     for (int c = 0; c < 27; ++c)
     {
-      const Index3 d{ { c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1 } };
-      const Index3 q{ { p[0] + d[0], p[1] + d[1], p[2] + d[2] } };
+      const Index3 q = CellAround(p, c);
       if (c != 13 && this->Grid.InDomain(q))
       {
         fit.Add(Divided(this->CellCentre(q) - side.Centre, side.Widths),
@@ -107,6 +121,53 @@ private:
       }
     }
     return fit.Solve();
+  }
+
+  /// How much of a cell is of either label.
+  double PairFills(Index cell) const
+  {
+    return this->Fractions.Fraction(cell, this->First) +
+      this->Fractions.Fraction(cell, this->Second);
+  }
+
+  /// Adds the first label's part of what the pair fills, unless that is little.
+  void AddSample(const Side& side, const Index3& p, std::vector<FractionSample>& samples) const
+  {
+    const Index cell = this->Grid.Linear(p);
+    const double filled = this->PairFills(cell);
+    if (filled >= SampleShare)
+    {
+      samples.push_back({ Divided(this->CellCentre(p) - side.Centre, side.Widths),
+        Divided(this->CellWidths(p), side.Widths),
+        std::min(this->Fractions.Fraction(cell, this->First) / filled, 1.0), 1.0 });
+    }
+  }
+
+  /// Turns the gradient to the normal of the plane that fits the fractions over 3^3. False where none does.
+  bool TurnToPlane(const Index3& p, Side& side) const
+  {
+    std::vector<FractionSample> samples;
+    samples.reserve(27);
+    this->AddSample(side, p, samples);
+    if (samples.empty() || !IsMixed(samples[0].Value))
+    {
+      return false;
+    }
+    for (int c = 0; c < 27; ++c)
+    {
+      const Index3 q = CellAround(p, c);
+      if (c != 13 && this->Grid.InDomain(q))
+      {
+        this->AddSample(side, q, samples);
+      }
+    }
+    const LayerFit fit = FitHalfSpace(samples);
+    if (!fit.IsFound || fit.Error > GoodFit)
+    {
+      return false;
+    }
+    side.Gradient = Norm(side.Gradient) * fit.Region.Normal;
+    return true;
   }
 
   /// Where D changes sign along the dual edge, 0 at the lower cell, 1 at the upper.
@@ -119,6 +180,11 @@ private:
       return a / (a - b);
     }
     return a > 0.0 && b > 0.0 ? 0.0 : (a < 0.0 && b < 0.0 ? 1.0 : 0.5);
+  }
+
+  static bool IsMixed(double fraction)
+  {
+    return fraction > PureFraction && fraction < 1.0 - PureFraction;
   }
 
   /// The pair's share of the cell filled by its first label; false where the cell carries no plane.
@@ -138,7 +204,7 @@ private:
       }
       fraction = a / (a + b);
     }
-    return fraction > PureFraction && fraction < 1.0 - PureFraction && Norm(side.Gradient) > 1e-12;
+    return IsMixed(fraction) && Norm(side.Gradient) > 1e-12;
   }
 
   /// The cut of the cell's plane with the dual edge.
@@ -179,6 +245,10 @@ private:
 
   Vector3 BlendNormals(const Side& lower, const Side& upper, double t) const
   {
+    if (lower.IsOneSided && upper.IsOneSided && lower.HasPlane != upper.HasPlane)
+    {
+      t = upper.HasPlane ? 1.0 : 0.0; // a gradient would tilt it
+    }
     const Vector3 widths = 0.5 * (lower.Widths + upper.Widths);
     Vector3 n = Unit((1.0 - t) * Scaled(widths, Divided(lower.Gradient, lower.Widths)) +
       t * Scaled(widths, Divided(upper.Gradient, upper.Widths)));

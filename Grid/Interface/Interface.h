@@ -23,6 +23,7 @@ struct Crossing
 {
   Vector3 Point;
   Vector3 Normal; ///< unit
+  double Weight;  ///< > 0, at most 1: the less of its cells the pair fills, the less
 };
 
 /// A pair of labels that meets at a surface node, and the point of its interface nearest to the node.

@@ -1,6 +1,5 @@
 #include "Interface/SurfaceTargets.h"
 
-#include "Base/Sorted.h"
 #include "Base/Vector3.h"
 
 #include <Eigen/Cholesky>
@@ -11,47 +10,81 @@ namespace
 {
 
 constexpr double FitRadius = 1.2;      // of the Gaussian weight, in cells
-constexpr double JunctionWeight = 0.3; // of points where several pairs meet
-constexpr double SmallestCosine = 0.2; // between the normals of two points of one fit
-constexpr double LargestHeight = 2.0;  // of a point over the base plane
-constexpr double LinearBeyond = 1.5;   // radius from which a quadric goes on as a plane
+constexpr int Rings = 2;               // of interface faces whose crossings are fitted
+constexpr double SmallestCosine = 0.2; // between the normals of a crossing and the base plane
+constexpr double LargestHeight = 2.0;  // of a crossing over the base plane
+constexpr double SmallestSlide =
+  0.1; // squared sine of the angle between quadric and side of the domain
+constexpr double LinearBeyond = 1.5; // radius from which a quadric goes on as a plane
+constexpr double StandOff = 1.0 /
+  12.0; // half of what a bend needs so that facets between nodes on it, which cut it off, keep the volume of cells here;
+  // the other half is left to the shift of whole interfaces (Volumes.h). All of it moves coarse levels too far
 constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 } };
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// The nodes reached from a node over at most two interface faces of the pair, itself first.
-std::vector<Index> FindRing(const Interface& interface, Index node, int first, int second)
+/// Finds the interface faces of a pair around nodes, one node after another.
+class FaceFinder
 {
-  std::vector<Index> ring(1, node);
-  std::size_t begin = 0;
-  for (int depth = 0; depth < 2; ++depth)
+public:
+  explicit FaceFinder(const Interface& interface) :
+    Source(interface),
+    NodeWalks(interface.Nodes().size(), 0),
+    FaceWalks(interface.Faces().size(), 0)
   {
-    const std::size_t end = ring.size();
-    for (; begin < end; ++begin)
+  }
+
+  /// Those at all nodes that are reached from a node over at most Rings of them, each once, in an order that only they decide. Valid until
+  /// the next call.
+  const std::vector<Index>& Find(Index node, int first, int second)
+  {
+    ++this->Walk;
+    this->NodeWalks[node] = this->Walk;
+    this->Nodes.assign(1, node);
+    this->Faces.clear();
+    std::size_t next = 0;
+    for (int ring = 0; ring <= Rings; ++ring)
     {
-      const Index n = ring[begin];
-      for (Index at = interface.FaceOffset(n); at < interface.FaceOffset(n + 1); ++at)
+      for (const std::size_t end = this->Nodes.size(); next < end; ++next)
       {
-        const Index face = interface.FaceList()[at];
-        const InterfaceFace& f = interface.Faces()[face];
-        if (f.First() != first || f.Second() != second)
+        this->AddFacesAt(this->Nodes[next], first, second, ring < Rings);
+      }
+    }
+    return this->Faces;
+  }
+
+private:
+  void AddFacesAt(Index node, int first, int second, bool addCorners)
+  {
+    const Index* faces = this->Source.FaceList().data();
+    for (Index at = this->Source.FaceOffset(node); at < this->Source.FaceOffset(node + 1); ++at)
+    {
+      const Index face = faces[at];
+      const InterfaceFace& f = this->Source.Faces()[face];
+      if (this->FaceWalks[face] == this->Walk || f.First() != first || f.Second() != second)
+      {
+        continue;
+      }
+      this->FaceWalks[face] = this->Walk;
+      this->Faces.push_back(face);
+      for (std::size_t c = 0; addCorners && c < 4; ++c)
+      {
+        const Index corner = this->Source.CornersOfFace(face)[c];
+        if (this->NodeWalks[corner] != this->Walk)
         {
-          continue;
-        }
-        for (Index other : interface.CornersOfFace(face))
-        {
-          if (std::find(ring.begin(), ring.end(), other) == ring.end())
-          {
-            ring.push_back(other);
-          }
+          this->NodeWalks[corner] = this->Walk;
+          this->Nodes.push_back(corner);
         }
       }
     }
   }
-  std::sort(ring.begin(), ring.end()); // so that sums do not depend on the walk
-  return ring;
-}
+
+  const Interface& Source;
+  Index Walk = 0;
+  std::vector<Index> NodeWalks, FaceWalks; // the last that came by
+  std::vector<Index> Nodes, Faces;
+};
 
 /// The point of the triangle nearest to 0. Ericson (2005), Real-Time Collision Detection, 5.1.5.
 Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -110,6 +143,7 @@ SurfaceTargets::SurfaceTargets(
   }
   this->Frames.resize(count);
   this->Facets.resize(kind == Kind::Facets ? count : 0);
+  this->Corners.resize(this->Facets.size());
   for (const Level& level : this->Levels)
   {
     this->FitLevel(level, runtime);
@@ -119,15 +153,23 @@ SurfaceTargets::SurfaceTargets(
 void SurfaceTargets::FitLevel(const Level& level, Runtime& runtime)
 {
   const Interface& interface = *level.Source;
-  ForEach(runtime, interface.Nodes().size(),
-    [&](Index n)
+  const bool hasFacets = this->TheKind == Kind::Facets;
+  runtime.For(0, static_cast<Index>(interface.Nodes().size()),
+    [&](Index first, Index last)
     {
-      for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
+      FaceFinder finder(interface);
+      for (Index n = first; n < last; ++n)
       {
-        this->FitQuadric(level, n, p);
-        if (this->TheKind == Kind::Facets)
+        for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
         {
-          this->FindFacets(level, n, p);
+          const SurfacePoint& point = interface.Points()[p];
+          const std::vector<Index>& faces = finder.Find(n, point.First, point.Second);
+          this->FitQuadric(level, n, p, faces);
+          if (hasFacets)
+          {
+            this->Facets[level.First + p] = faces;
+            this->Corners[level.First + p] = this->FindCorner(level, n, p);
+          }
         }
       }
     });
@@ -143,7 +185,8 @@ const SurfaceTargets::Level& SurfaceTargets::LevelOf(Index target) const
   return *level;
 }
 
-void SurfaceTargets::FitQuadric(const Level& level, Index node, Index point)
+void SurfaceTargets::FitQuadric(
+  const Level& level, Index node, Index point, const std::vector<Index>& faces)
 {
   const Interface& interface = *level.Source;
   const SurfacePoint& base = interface.Points()[point];
@@ -157,19 +200,18 @@ void SurfaceTargets::FitQuadric(const Level& level, Index node, Index point)
   Matrix6 A = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
   int used = 0;
-  for (Index n : FindRing(interface, node, base.First, base.Second))
+  for (Index face : faces)
   {
-    const SurfacePoint& other = *interface.FindPoint(n, base.First, base.Second);
-    const Vector3 y = Scaled(other.Point - frame.Base, frame.InverseWidths);
+    const Crossing& crossing = interface.Crossings()[face];
+    const Vector3 y = Scaled(crossing.Point - frame.Base, frame.InverseWidths);
+    const Vector3 normal = Scaled(crossing.Normal, widths);
     const double u = Dot(y, frame.U), v = Dot(y, frame.V), w = Dot(y, frame.N);
-    if (std::fabs(w) >= LargestHeight ||
-      Dot(Unit(Scaled(other.Normal, widths)), frame.N) <= SmallestCosine)
+    if (std::fabs(w) >= LargestHeight || Dot(normal, frame.N) <= SmallestCosine * Norm(normal))
     {
       continue;
     }
-    const bool junction = interface.PointOffset(n + 1) - interface.PointOffset(n) > 1;
-    const double weight = std::exp(-(u * u + v * v) / (2.0 * FitRadius * FitRadius)) *
-      (junction ? JunctionWeight : 1.0);
+    const double weight =
+      crossing.Weight * std::exp(-(u * u + v * v) / (2.0 * FitRadius * FitRadius));
     Vector6 row;
     row << 1.0, u, v, u * u, u * v, v * v;
     A += weight * row * row.transpose();
@@ -194,29 +236,28 @@ void SurfaceTargets::FitQuadric(const Level& level, Index node, Index point)
     const double bound = i == 0 ? 1.0 : (i < 3 ? 1e30 : 0.5);
     frame.C[i] = std::min(std::max(c[i], -bound), bound);
   }
+  frame.C[0] -= StandOff * (frame.C[3] + frame.C[5]);
   frame.Base = level.Ratio * frame.Base;
   frame.InverseWidths = (1.0 / level.Ratio) * frame.InverseWidths;
   this->Frames[level.First + point] = frame;
 }
 
-void SurfaceTargets::FindFacets(const Level& level, Index node, Index point)
+/// In grid coordinates of the finest grid. On a side of the domain it stays there.
+Vector3 SurfaceTargets::FindCorner(const Level& level, Index node, Index point) const
 {
-  const Interface& interface = *level.Source;
-  const SurfacePoint& base = interface.Points()[point];
-  std::vector<Index>& facets = this->Facets[level.First + point];
-  for (Index n : FindRing(interface, node, base.First, base.Second))
+  const Frame& frame = this->Frames[level.First + point];
+  const CartesianGrid& grid = level.Source->Grid();
+  const int sides = grid.DomainSides(grid.Position(level.Source->Nodes()[node]));
+  Vector3 gradient;
+  const double d = this->QuadricDistance(frame, { { 0.0, 0.0, 0.0 } }, gradient);
+  Vector3 along = gradient;
+  for (int a = 0; a < 3; ++a)
   {
-    for (Index at = interface.FaceOffset(n); at < interface.FaceOffset(n + 1); ++at)
-    {
-      const Index face = interface.FaceList()[at];
-      const InterfaceFace& f = interface.Faces()[face];
-      if (f.First() == base.First && f.Second() == base.Second)
-      {
-        facets.push_back(face);
-      }
-    }
+    along[a] = sides >> (2 * a) & 3 ? 0.0 : along[a];
   }
-  SortUnique(facets);
+  const double slope = Dot(along, gradient);
+  return slope > SmallestSlide ? frame.Base - Divided((d / slope) * along, frame.InverseWidths)
+                               : frame.Base;
 }
 
 double SurfaceTargets::LocalScale(Index target) const
@@ -268,8 +309,9 @@ double SurfaceTargets::FacetDistance(Index target, const Vector3& y, Vector3& gr
     int c = 0;
     for (Index n : interface.CornersOfFace(face))
     {
-      const SurfacePoint& point = *interface.FindPoint(n, base.First, base.Second);
-      corner[c++] = Scaled(level.Ratio * point.Point - frame.Base, frame.InverseWidths) - y;
+      const SurfacePoint* point = interface.FindPoint(n, base.First, base.Second);
+      const Vector3& x = this->Corners[level.First + (point - interface.Points().data())];
+      corner[c++] = Scaled(x - frame.Base, frame.InverseWidths) - y;
     }
     const bool along = interface.Faces()[face].LowerLabel == base.First;
     for (int half = 0; half < 2; ++half)

@@ -3,8 +3,10 @@
  * local model of the pair's interface and the signed distance to it.
  *
  * Quadric: w = c0 + c1 u + c2 v + c3 u^2 + c4 u v + c5 v^2 in a frame at the surface point, fitted to the
- * surface points of the pair within two rings of interface faces; beyond 1.5 cells it continues linearly.
- * Facets: the quads between the surface points of the pair around the node, as triangles.
+ * crossings of the pair's faces at the nodes within two rings of them; beyond 1.5 cells it continues linearly.
+ * Not to surface points: those are means over tangent planes, off to one side where the surface bends, and more so
+ * at a side of the domain, where all planes are on one side of the node.
+ * Facets: the quads between the surface points of the pair around the node, moved onto the quadrics there, as triangles.
  *
  * Distances are in the node's local frame (Interface.h), where a cell is a unit cube; positive on the
  * side of the second label.
@@ -57,8 +59,8 @@ private:
   };
 
   void FitLevel(const Level& level, Runtime& runtime);
-  void FitQuadric(const Level& level, Index node, Index point);
-  void FindFacets(const Level& level, Index node, Index point);
+  void FitQuadric(const Level& level, Index node, Index point, const std::vector<Index>& faces);
+  Vector3 FindCorner(const Level& level, Index node, Index point) const;
   const Level& LevelOf(Index target) const;
   double QuadricDistance(const Frame& frame, const Vector3& y, Vector3& gradient) const;
   double FacetDistance(Index target, const Vector3& y, Vector3& gradient) const;
@@ -67,6 +69,7 @@ private:
   std::vector<Level> Levels;
   std::vector<Frame> Frames;
   std::vector<std::vector<Index>> Facets; // faces of its interface around each target
+  std::vector<Vector3> Corners; // of facets: each target's surface point moved onto its quadric
 };
 
 } // namespace vfm

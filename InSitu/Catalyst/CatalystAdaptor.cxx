@@ -1,7 +1,6 @@
 #include "CatalystAdaptor.h"
 
-#include "Agreement.h"
-#include "Base/Runtime.h"
+#include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "PythonGuard.h"
 #include "ScriptPipeline.h"
@@ -17,7 +16,7 @@
 #include "vtkNew.h"
 
 #include <fstream>
-#include <functional>
+#include <numeric>
 
 namespace vfm
 {
@@ -32,13 +31,13 @@ void AddLine(std::string& text, const std::string& line)
 }
 
 /// The boxes of all ranks as one composite, numbered by rank. Collective.
-vtkSmartPointer<vtkMultiBlockDataSet> MakeAllBlocks(const HostGrid& grid, MPI_Comm communicator)
+vtkSmartPointer<vtkMultiBlockDataSet> MakeAllBlocks(const HostGrid& grid, Ranks& ranks)
 {
-  const unsigned int mine = static_cast<unsigned int>(grid.Boxes.size());
-  unsigned int end = 0, total = 0;
-  MPI_Scan(&mine, &end, 1, MPI_UNSIGNED, MPI_SUM, communicator);
-  MPI_Allreduce(&mine, &total, 1, MPI_UNSIGNED, MPI_SUM, communicator);
-  return MakeBlocks(grid, end - mine, total);
+  const std::vector<unsigned int> counts =
+    GatherItems(ranks, std::vector<unsigned int>{ static_cast<unsigned int>(grid.Boxes.size()) });
+  const auto mine = counts.begin() + ranks.Rank();
+  return MakeBlocks(grid, std::accumulate(counts.begin(), mine, 0u),
+    std::accumulate(counts.begin(), counts.end(), 0u));
 }
 
 void AddNumbers(const std::vector<HostNumber>& numbers, vtkDataObject* data)
@@ -66,8 +65,10 @@ public:
   int StepsMade = 0;
 
 private:
-  bool Agree(const std::function<void()>& work, std::string& errors);
-  bool Agree(bool worked, const std::string& otherwise, std::string& errors);
+  template <class Work>
+  bool Agree(const Work& work, std::string& errors);
+  template <class Work>
+  void RunPython(const Work& work, const std::string& otherwise);
   void AddScript(const std::string& path);
   bool IsWanted(vtkCPDataDescription* description);
 
@@ -113,13 +114,15 @@ CatalystAdaptor::Internals::~Internals()
   MPI_Comm_free(&this->Communicator);
 }
 
-/// Collective: does the work; adds what failed on any rank to the errors. Whether it went well everywhere.
-bool CatalystAdaptor::Internals::Agree(const std::function<void()>& work, std::string& errors)
+/// Collective: does the work(ranks); adds what failed on any rank to the errors. Whether it went well everywhere.
+template <class Work>
+bool CatalystAdaptor::Internals::Agree(const Work& work, std::string& errors)
 {
   ControllerRanks ranks(vtkMultiProcessController::GetGlobalController());
   try
   {
-    WorkTogether(ranks, work);
+    WorkTogether(
+      ranks, [&] { work(ranks); }, Ranks::Frame::Stage);
     return true;
   }
   catch (const InputError& error)
@@ -129,24 +132,21 @@ bool CatalystAdaptor::Internals::Agree(const std::function<void()>& work, std::s
   }
 }
 
-/// The same for what was done in Python; otherwise: what is told when Python printed nothing.
-bool CatalystAdaptor::Internals::Agree(
-  bool worked, const std::string& otherwise, std::string& errors)
+/// Throws what Python printed when the work is false; otherwise: what is told when it printed nothing.
+template <class Work>
+void CatalystAdaptor::Internals::RunPython(const Work& work, const std::string& otherwise)
 {
+  const bool worked = work();
   const std::string printed = this->Python.TakeErrors();
-  const auto check = [&]
+  if (!worked)
   {
-    if (!worked)
-    {
-      throw InputError(printed.empty() ? otherwise : printed);
-    }
-  };
-  return this->Agree(check, errors);
+    throw InputError(printed.empty() ? otherwise : printed);
+  }
 }
 
 void CatalystAdaptor::Internals::AddScript(const std::string& path)
 {
-  const auto read = [&]
+  const auto read = [&](Ranks&)
   {
     if (!std::ifstream(path).good())
     {
@@ -163,8 +163,10 @@ void CatalystAdaptor::Internals::AddScript(const std::string& path)
     return;
   }
   vtkNew<ScriptPipeline> pipeline;
-  const bool opened = pipeline->Open(path);
-  if (this->Agree(opened, "Script " + path + " cannot be loaded.", this->LeftOut))
+  const auto open = [&](Ranks&) {
+    this->RunPython([&] { return pipeline->Open(path); }, "Script " + path + " cannot be loaded.");
+  };
+  if (this->Agree(open, this->LeftOut))
   {
     this->Processor->AddPipeline(pipeline);
     this->Scripts.push_back(pipeline);
@@ -177,8 +179,10 @@ bool CatalystAdaptor::Internals::IsWanted(vtkCPDataDescription* description)
   std::vector<vtkSmartPointer<ScriptPipeline>> kept;
   for (const vtkSmartPointer<ScriptPipeline>& script : this->Scripts)
   {
-    const bool asked = script->Ask(description);
-    if (this->Agree(asked, "A Catalyst script cannot be run.", this->LeftOut))
+    const auto ask = [&](Ranks&) {
+      this->RunPython([&] { return script->Ask(description); }, "A Catalyst script cannot be run.");
+    };
+    if (this->Agree(ask, this->LeftOut))
     {
       kept.push_back(script);
     }
@@ -199,17 +203,27 @@ bool CatalystAdaptor::Internals::Process(
   {
     return true;
   }
-  if (!this->Agree([&] { CheckHostGrid(grid); }, this->Failed))
+  vtkSmartPointer<vtkMultiBlockDataSet> blocks;
+  const auto make = [&](Ranks& ranks)
+  {
+    CheckHostGrid(grid);
+    blocks = MakeAllBlocks(grid, ranks);
+    AddNumbers(numbers, blocks);
+    description->GetInputDescriptionByName(InputName)->SetGrid(blocks);
+  };
+  if (!this->Agree(make, this->Failed))
   {
     return false;
   }
-  const auto blocks = MakeAllBlocks(grid, this->Communicator);
-  AddNumbers(numbers, blocks);
-  description->GetInputDescriptionByName(InputName)->SetGrid(blocks);
   ++this->StepsMade;
-  const bool done = this->Processor->CoProcess(description);
+  const auto run = [&](Ranks&)
+  {
+    this->RunPython(
+      [&] { return this->Processor->CoProcess(description); }, "A Catalyst script failed.");
+  };
+  const bool done = this->Agree(run, this->Failed);
   blocks->Initialize(); // the scripts keep it, but not the host's memory
-  return this->Agree(done, "A Catalyst script failed.", this->Failed);
+  return done;
 }
 
 CatalystAdaptor::CatalystAdaptor(MPI_Comm communicator, const std::vector<std::string>& scripts) :

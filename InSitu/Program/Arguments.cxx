@@ -20,6 +20,8 @@ namespace vfm
 namespace
 {
 
+constexpr int MostHalvings = 10;
+
 [[noreturn]] void Refuse(const std::string& message)
 {
   throw ProgramError(ExitCode::WrongArguments, message + " See sculptor --help.");
@@ -37,12 +39,15 @@ public:
       this->Left.push_back(word.substr(0, equals));
       if (equals != std::string::npos)
       {
+        this->Joined.insert(this->Left.size());
         this->Left.push_back(word.substr(equals + 1));
       }
     }
   }
   bool HasWord() const { return this->Next < this->Left.size(); }
   bool HasValue() const { return this->HasWord() && !IsOption(this->Left[this->Next]); }
+  /// Whether the next word stood behind the = of an option.
+  bool HasJoinedValue() const { return this->Joined.count(this->Next) > 0; }
   std::string Take() { return this->Left[this->Next++]; }
   std::string TakeValue(const std::string& option)
   {
@@ -70,6 +75,7 @@ public:
 private:
   static bool IsOption(const std::string& word) { return word.compare(0, 2, "--") == 0; }
   std::vector<std::string> Left;
+  std::set<std::size_t> Joined; // places of values behind an =
   std::size_t Next = 0;
 };
 
@@ -90,8 +96,14 @@ Taker SetOption(const char* name, const char* value)
 
 void TakeRefine(Arguments& to, Words& words, const std::string& option)
 {
+  const std::string text = words.TakeValue(option);
+  if (!ParseCount(text, 0, MostHalvings)) // MaximumLevel takes -1, too
+  {
+    Refuse(option + " takes a whole number from 0 to " + std::to_string(MostHalvings) + ", not '" +
+      text + "'.");
+  }
   to.Options.emplace_back("Refinement", "Uniform");
-  to.Options.emplace_back("MaximumLevel", words.TakeValue(option));
+  to.Options.emplace_back("MaximumLevel", text);
 }
 
 void TakeSettings(Arguments& to, Words& words, const std::string& option)
@@ -104,7 +116,8 @@ void TakeSettings(Arguments& to, Words& words, const std::string& option)
     {
       Refuse(option + " takes Option=Value, not '" + setting + "'.");
     }
-    to.Options.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+    to.Options.emplace_back(
+      TrimText(setting.substr(0, equals)), TrimText(setting.substr(equals + 1)));
   } while (words.HasValue());
 }
 
@@ -249,6 +262,11 @@ const std::vector<Option>& Options()
       TakeOption("LabelSmoothing") },
     { "--minimum-region", "N", "regions of fewer than N cells go to what is around them",
       TakeOption("MinimumRegionCells") },
+    { "--aspect", "R",
+      "cut long cells first, until none is R times longer one way than another; 1.5 does well",
+      TakeOption("MaximumAspectRatio") },
+    { "--clip", "T", "clip fractions that lie outside [0, 1] by no more than T, to 0.1",
+      TakeOption("FractionTolerance") },
     { "--refine", "N", "halve all cells N times before they are meshed, 0 to 10", TakeRefine },
     { "--set", "Option=Value ..", "any option of the mesher, see below", TakeSettings },
     { "--step", "N", "which time of the input, from 0", TakeStep },
@@ -257,7 +275,7 @@ const std::vector<Option>& Options()
       [](Arguments& to, Words&, const std::string&) { to.SingleFile = true; } },
     { "--quiet", "", "no progress and no table",
       [](Arguments& to, Words&, const std::string&) { to.Quiet = true; } },
-    { "--help", "", "this text",
+    { "--help", "", "this text; also -h",
       [](Arguments& to, Words&, const std::string&) { to.Task = Command::Help; } },
     { "--version", "", "the version",
       [](Arguments& to, Words&, const std::string&) { to.Task = Command::Version; } },
@@ -269,7 +287,7 @@ const Option& FindOption(const std::string& word)
 {
   for (const Option& option : Options())
   {
-    if (option.Name == word)
+    if (option.Name == (word == "-h" ? "--help" : word))
     {
       return option;
     }
@@ -279,7 +297,18 @@ const Option& FindOption(const std::string& word)
 
 bool IsGivenTwice(const std::string& name, std::set<std::string>& seen)
 {
-  return name != "--set" && !seen.insert(name == "--no-smooth" ? "--smooth" : name).second;
+  return !seen.insert(name == "--no-smooth" ? "--smooth" : name).second && name != "--set";
+}
+
+/// A word that is no option: the input, or after it the output.
+void TakeFile(Arguments& to, const std::string& word, std::set<std::string>& seen)
+{
+  const bool isInput = seen.insert("--input").second;
+  if (!isInput && !seen.insert("--output").second)
+  {
+    Refuse("'" + word + "' is a file too many: the input and the output are named already.");
+  }
+  (isInput ? to.Input : to.Output) = word;
 }
 
 void CheckVoxels(const Arguments& from)
@@ -302,9 +331,14 @@ void CheckVoxels(const Arguments& from)
 
 void CheckMesh(const Arguments& from)
 {
-  if (from.Input.empty() || from.Output.empty())
+  if (from.Input.empty())
   {
-    Refuse(std::string(from.Input.empty() ? "--input" : "--output") + " FILE is missing.");
+    Refuse("--input FILE is missing.");
+  }
+  CheckInputSuffix(from.Input);
+  if (from.Output.empty())
+  {
+    Refuse("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
   }
   if (!from.Labels.empty() && !from.Fractions.empty())
   {
@@ -318,7 +352,6 @@ void CheckMesh(const Arguments& from)
   {
     Refuse("--density is for the table of --fragments.");
   }
-  CheckInputSuffix(from.Input);
   CheckVoxels(from);
   CheckOutputSuffix(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
 }
@@ -367,11 +400,12 @@ Exit codes
   5  not enough memory, or an internal error
 
 Examples
-  sculptor --input impact.spcth --output impact.e
+  sculptor impact.spcth impact.e
   mpiexec -n 8 sculptor --input splash.vti --fractions water --output splash.pvtu
   sculptor --input grains.vti --labels grain --tetmesh Lattice --output grains.e
   sculptor --input grains.spn --dimensions 20,20,20 --spacing 0.1,0.1,0.1 --output grains.e
   sculptor --input parts.vti --material 2 --set TargetScaledJacobian=0.4 --output second.vtu
+  sculptor --input scan.vti --labels tissue --label-smoothing 3 --aspect 1.5 --output scan.e
 )";
 
 } // namespace
@@ -389,12 +423,22 @@ Arguments ParseArguments(const std::vector<std::string>& given)
   std::set<std::string> seen;
   while (words.HasWord())
   {
-    const Option& option = FindOption(words.Take());
+    const std::string word = words.Take();
+    if (!isTest && !word.empty() && word[0] != '-')
+    {
+      TakeFile(arguments, word, seen);
+      continue;
+    }
+    const Option& option = FindOption(word);
     if (IsGivenTwice(option.Name, seen))
     {
       Refuse(option.Name + " is given twice.");
     }
     option.Take(arguments, words, option.Name);
+    if (words.HasJoinedValue())
+    {
+      Refuse(option.Name + " takes no value, but '" + words.Take() + "' is given.");
+    }
     if (arguments.Task == Command::Help || arguments.Task == Command::Version)
     {
       return arguments;
@@ -416,7 +460,7 @@ std::string GetHelp()
 {
   std::string text =
     "sculptor: a conforming mesh of every material from volume fractions on a grid of cells\n\n"
-    "usage: [mpiexec -n RANKS] sculptor --input FILE --output FILE [options]\n"
+    "usage: [mpiexec -n RANKS] sculptor [--input] FILE [--output] FILE [options]\n"
     "       [mpiexec -n RANKS] sculptor test [--refine N] [--output FILE] [--quiet]\n\n";
   for (const Option& option : Options())
   {

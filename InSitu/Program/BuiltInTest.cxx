@@ -163,11 +163,14 @@ bool RunBuiltInTest(const Arguments& arguments, vtkMultiProcessController* contr
   for (const Arguments& run : PlanRuns(arguments))
   {
     const auto mesher = MakeMesher(run);
-    mesh = MakeMesh(*mesher, MakeGrid(ranks), { { ArrayName }, "", {}, "" }, run.Quiet, controller);
+    mesh =
+      MakeMesh(*mesher, MakeGrid(ranks), { { ArrayName }, "", {}, "", "" }, run.Quiet, controller);
     const MeshSummary summary = Summarise(mesh, ranks);
     if (to)
     {
-      *to << (run.Options.empty() ? "As it is" : "\nRefined " + run.Options[1].second) << "\n";
+      *to << (run.Options.empty() ? "As it is"
+                                  : "\nRefined " + std::to_string(mesher->GetMaximumLevel()))
+          << "\n";
       PrintSummary(summary, {}, *to);
     }
     CheckParts(summary, checks);

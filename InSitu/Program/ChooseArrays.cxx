@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkSignedCharArray.h"
 
@@ -16,14 +17,15 @@
 #include <cstdlib>
 #include <limits>
 #include <set>
+#include <sstream>
 
 namespace vfm
 {
 namespace
 {
 
-constexpr double Tolerance = 1e-6; // outside of [0, 1], as the filter takes it
 constexpr std::size_t ListedLabels = 20;
+constexpr double LargestTolerance = 0.1;         // of fractions, as the mesher takes it
 constexpr const char* LabelsName = "MaterialId"; // as readers of voxels, and the meshes, name them
 
 bool Lists(const std::vector<std::string>& names, const std::string& name)
@@ -37,12 +39,38 @@ bool IsMaterialId(const ArrayInfo& array)
     array.Type != VTK_DOUBLE;
 }
 
-bool IsFraction(const ArrayInfo& array)
+/// tolerance: outside of [0, 1].
+bool IsFraction(const ArrayInfo& array, double tolerance)
 {
   const bool isBytes = array.Type == VTK_UNSIGNED_CHAR;
   const bool isReal = array.Type == VTK_FLOAT || array.Type == VTK_DOUBLE;
   return array.Components == 1 &&
-    (isBytes || (isReal && array.Least >= -Tolerance && array.Most <= 1.0 + Tolerance));
+    (isBytes || (isReal && array.Least >= -tolerance && array.Most <= 1.0 + tolerance));
+}
+
+/// Those that would be fractions if values a little outside of [0, 1] were.
+std::string WarnOfNearFractions(
+  const std::vector<ArrayInfo>& arrays, const Arguments& arguments, double tolerance)
+{
+  std::vector<std::string> names;
+  double outside = 0.0;
+  for (const ArrayInfo& array : arrays)
+  {
+    if (IsFraction(array, LargestTolerance) && !IsFraction(array, tolerance) &&
+      !Lists(arguments.State, array.Name))
+    {
+      names.push_back(array.Name);
+      outside = std::max({ outside, -array.Least, array.Most - 1.0 });
+    }
+  }
+  if (names.empty())
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "Not taken for volume fractions: " << JoinTexts(names) << ", with values up to "
+       << outside << " outside [0, 1]. --clip T takes those that lie outside by no more than T.";
+  return text.str();
 }
 
 /// In the order of their material numbers.
@@ -63,18 +91,38 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
   return names;
 }
 
-/// state: arrays that are taken for no fractions because they are asked for as states.
-ChosenArrays FindMaterials(
-  const std::vector<ArrayInfo>& arrays, const std::vector<std::string>& state)
+/// Collective.
+[[noreturn]] void RefuseArrays(
+  vtkDataObject* data, const Arguments& arguments, const std::string& warning, Ranks& ranks)
 {
+  std::string text =
+    "No cell array of the input holds volume fractions: numbers in [0, 1] of type float or "
+    "double, or unsigned char. " +
+    DescribeArrays(data, ranks);
+  if (!arguments.State.empty())
+  {
+    text += " Those of --state and --density are taken for others, unless named as --fractions.";
+  }
+  text += warning.empty() ? "" : " " + warning;
+  throw ProgramError(ExitCode::UnreadableInput,
+    text + " Name them (--fractions A,B,..), or an integer array of materials (--labels ARRAY).");
+}
+
+/// Collective: those of the arguments' states are not taken.
+ChosenArrays FindMaterials(
+  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
+{
+  const std::vector<ArrayInfo> arrays = FindArrays(data, ArrayPlace::Cells, ranks);
+  const std::vector<std::string>& state = arguments.State;
   ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", state,
-    "named Material volume fraction - N" };
+    "named Material volume fraction - N", "" };
   if (chosen.Fractions.empty())
   {
     chosen.How = "all cell arrays with values in [0, 1]";
+    chosen.Warning = WarnOfNearFractions(arrays, arguments, tolerance);
     for (const ArrayInfo& array : arrays)
     {
-      if (IsFraction(array) && !IsMaterialId(array) && !Lists(state, array.Name))
+      if (IsFraction(array, tolerance) && !IsMaterialId(array) && !Lists(state, array.Name))
       {
         chosen.Fractions.push_back(array.Name);
       }
@@ -82,16 +130,11 @@ ChosenArrays FindMaterials(
   }
   if (chosen.Fractions.empty() && std::any_of(arrays.begin(), arrays.end(), IsMaterialId))
   {
-    return { {}, LabelsName, state, "labels" };
+    return { {}, LabelsName, state, "labels", chosen.Warning };
   }
   if (chosen.Fractions.empty())
   {
-    throw ProgramError(ExitCode::UnreadableInput,
-      "No cell array of the input holds volume fractions: numbers in [0, 1] of type float or "
-      "double, or "
-      "unsigned char. Its cell arrays: " +
-        (arrays.empty() ? "none" : ListArrays(arrays)) +
-        ". Name them (--fractions A,B,..), or an integer array of materials (--labels ARRAY).");
+    RefuseArrays(data, arguments, chosen.Warning, ranks);
   }
   return chosen;
 }
@@ -221,19 +264,78 @@ void CheckLabels(const std::set<int>& kept, const std::vector<int>& found, const
   }
 }
 
+/// How many ranks have a numeric array of that name. Collective.
+std::int64_t CountRanksWith(
+  vtkDataObject* data, ArrayPlace place, const std::string& name, Ranks& ranks)
+{
+  const std::vector<vtkDataSet*> grids = GetGrids(data);
+  std::vector<std::int64_t> count{ std::any_of(grids.begin(), grids.end(),
+    [&](vtkDataSet* grid)
+    { return GetAttributes(grid, place)->GetArray(name.c_str()) != nullptr; }) };
+  ranks.Sum(count);
+  return count[0];
+}
+
+/// Collective: refuses names of arrays that no rank has; what else they must be the mesher checks. option: that names them.
+void CheckNamedArrays(vtkDataObject* data, const std::string& option,
+  const std::vector<std::string>& names, Ranks& ranks)
+{
+  for (const std::string& name : names)
+  {
+    if (CountRanksWith(data, ArrayPlace::Cells, name, ranks) > 0)
+    {
+      continue;
+    }
+    const bool isOfPoints = CountRanksWith(data, ArrayPlace::Points, name, ranks) > 0;
+    throw ProgramError(ExitCode::UnreadableInput,
+      (isOfPoints ? "The array '" + name + "' (" + option + ") has values of points, not of cells. "
+                  : "The input has no numeric cell array '" + name + "' (" + option + "). ") +
+        DescribeArrays(data, ranks));
+  }
+}
+
+/// Collective: an empty name is none.
+void CheckLabelArray(vtkDataObject* data, const std::string& name, Ranks& ranks)
+{
+  if (name.empty())
+  {
+    return;
+  }
+  CheckNamedArrays(data, "--labels", { name }, ranks);
+  const std::vector<vtkDataSet*> grids = GetGrids(data);
+  const bool isReal = std::any_of(grids.begin(), grids.end(),
+    [&name](vtkDataSet* grid)
+    {
+      vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
+      return array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+    });
+  if (ranks.Any(isReal))
+  {
+    throw ProgramError(ExitCode::UnreadableInput,
+      "The array '" + name +
+        "' (--labels) holds real numbers, but labels are integers. If they are volume "
+        "fractions: --fractions " +
+        name + ".");
+  }
+}
+
 } // namespace
 
-ChosenArrays ChooseArrays(vtkDataObject* data, const Arguments& arguments, Ranks& ranks)
+ChosenArrays ChooseArrays(
+  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
 {
+  CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
+  CheckNamedArrays(data, "--state", arguments.State, ranks);
+  CheckLabelArray(data, arguments.Labels, ranks);
   if (!arguments.Labels.empty())
   {
-    return { {}, arguments.Labels, arguments.State, "labels" };
+    return { {}, arguments.Labels, arguments.State, "labels", "" };
   }
   if (!arguments.Fractions.empty())
   {
-    return { arguments.Fractions, "", arguments.State, "as asked" };
+    return { arguments.Fractions, "", arguments.State, "as asked", "" };
   }
-  return FindMaterials(FindCellArrays(data, ranks), arguments.State);
+  return FindMaterials(data, arguments, tolerance, ranks);
 }
 
 void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,

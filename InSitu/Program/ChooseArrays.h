@@ -20,11 +20,13 @@ struct ChosenArrays
   std::string Labels;
   std::vector<std::string> State; ///< that the elements carry along
   std::string How;                ///< for the user: why these
+  std::string Warning;            ///< empty, or what may be missing among them
 };
 
-/// Collective: what the arguments name, else what fits. Throws ProgramError (UnreadableInput), which lists the arrays that
-/// are there, when nothing does.
-ChosenArrays ChooseArrays(vtkDataObject* data, const Arguments& arguments, Ranks& ranks);
+/// Collective: what the arguments name, else what fits. tolerance: of fractions, outside of [0, 1]. Throws ProgramError
+/// (UnreadableInput), which lists the arrays that are there, when nothing fits, and where none has a name that is given.
+ChosenArrays ChooseArrays(
+  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks);
 
 /// Collective: makes cells of materials that the list (numbers or names of arrays) does not name void, by replacing
 /// cell arrays of data. An empty list keeps all. Throws ProgramError (WrongArguments) on a material that is not there, and when the

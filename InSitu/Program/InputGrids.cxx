@@ -9,6 +9,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -32,15 +33,15 @@ void Merge(std::vector<ArrayInfo>& list, const ArrayInfo& info)
   found->Most = std::max(found->Most, info.Most);
 }
 
-std::vector<ArrayInfo> FindOwnArrays(vtkDataObject* data)
+std::vector<ArrayInfo> FindOwnArrays(vtkDataObject* data, ArrayPlace place)
 {
   std::vector<ArrayInfo> list;
   for (vtkDataSet* grid : GetGrids(data))
   {
-    vtkCellData* cells = grid->GetCellData();
-    for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
+    vtkDataSetAttributes* attributes = GetAttributes(grid, place);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
-      vtkDataArray* array = cells->GetArray(i);
+      vtkDataArray* array = attributes->GetArray(i);
       if (array && array->GetName() && array->GetName() != std::string("vtkGhostType"))
       {
         const double* range = array->GetRange(0);
@@ -95,6 +96,16 @@ std::string Describe(const ArrayInfo& info)
     (info.Components == 1 ? values : std::to_string(info.Components) + " components") + ")";
 }
 
+std::string ListArrays(const std::vector<ArrayInfo>& arrays)
+{
+  std::vector<std::string> texts;
+  for (const ArrayInfo& info : arrays)
+  {
+    texts.push_back(Describe(info));
+  }
+  return JoinTexts(texts);
+}
+
 } // namespace
 
 std::vector<vtkDataSet*> GetGrids(vtkDataObject* data)
@@ -124,24 +135,31 @@ std::vector<vtkDataSet*> GetGrids(vtkDataObject* data)
   return grids;
 }
 
-std::vector<ArrayInfo> FindCellArrays(vtkDataObject* data, Ranks& ranks)
+vtkDataSetAttributes* GetAttributes(vtkDataSet* grid, ArrayPlace place)
+{
+  if (place == ArrayPlace::Points)
+  {
+    return grid->GetPointData();
+  }
+  return grid->GetCellData();
+}
+
+std::vector<ArrayInfo> FindArrays(vtkDataObject* data, ArrayPlace place, Ranks& ranks)
 {
   std::vector<ArrayInfo> list;
-  for (const Bytes& bytes : ranks.Gather(Pack(FindOwnArrays(data))))
+  for (const Bytes& bytes : ranks.Gather(Pack(FindOwnArrays(data, place))))
   {
     Unpack(bytes, list);
   }
   return list;
 }
 
-std::string ListArrays(const std::vector<ArrayInfo>& arrays)
+std::string DescribeArrays(vtkDataObject* data, Ranks& ranks)
 {
-  std::vector<std::string> texts;
-  for (const ArrayInfo& info : arrays)
-  {
-    texts.push_back(Describe(info));
-  }
-  return JoinTexts(texts);
+  const std::string points = ListArrays(FindArrays(data, ArrayPlace::Points, ranks));
+  const std::string cells = ListArrays(FindArrays(data, ArrayPlace::Cells, ranks));
+  return "Its cell arrays: " + (cells.empty() ? "none" : cells) + "." +
+    (points.empty() ? "" : " Its point arrays, which cannot be meshed: " + points + ".");
 }
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * InputGrids: the data sets of a data object, and the cell arrays of all ranks.
+ * InputGrids: the data sets of a data object, and the arrays of all ranks.
  */
 #pragma once
 
@@ -10,6 +10,7 @@
 
 class vtkDataObject;
 class vtkDataSet;
+class vtkDataSetAttributes;
 
 namespace vfm
 {
@@ -25,10 +26,21 @@ struct ArrayInfo
   double Least = 0.0, Most = 0.0; ///< of the first component, NaN left out
 };
 
-/// Collective: the numeric cell arrays of all ranks in the order in which files list them, without vtkGhostType.
-std::vector<ArrayInfo> FindCellArrays(vtkDataObject* data, Ranks& ranks);
+/// What the values of an array belong to.
+enum class ArrayPlace
+{
+  Cells,
+  Points
+};
 
-/// For messages: "ball (double, 0 to 1), velocity (float, 3 components)".
-std::string ListArrays(const std::vector<ArrayInfo>& arrays);
+/// Of a data set.
+vtkDataSetAttributes* GetAttributes(vtkDataSet* grid, ArrayPlace place);
+
+/// Collective: the numeric arrays of all ranks in the order in which files list them, without vtkGhostType.
+std::vector<ArrayInfo> FindArrays(vtkDataObject* data, ArrayPlace place, Ranks& ranks);
+
+/// Collective, for messages: "Its cell arrays: ball (double, 0 to 1), velocity (float, 3 components)." and, if there are, those of
+/// points.
+std::string DescribeArrays(vtkDataObject* data, Ranks& ranks);
 
 } // namespace vfm

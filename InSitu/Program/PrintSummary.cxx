@@ -15,6 +15,7 @@ namespace
 
 constexpr std::size_t ListedFragments = 10;
 constexpr std::size_t ListedMaterials = 50;
+constexpr std::size_t LeastWidth = 28; // of names
 
 template <class... Values>
 std::string Print(const char* format, Values... values)
@@ -31,10 +32,29 @@ std::string PrintQuality(const MeshSummary& summary, const PartSummary& part)
     : Print("%8s%9s", "-", "-");
 }
 
+/// As wide as the longest of some names, which are told in full.
+std::size_t FindWidth(const std::vector<std::string>& names)
+{
+  std::size_t width = LeastWidth;
+  for (const std::string& name : names)
+  {
+    width = std::max(width, name.size());
+  }
+  return width;
+}
+
+std::string Padded(std::string name, std::size_t width)
+{
+  name.resize(std::max(width, name.size()), ' ');
+  return name;
+}
+
+/// name: padded.
 std::string PrintPart(const MeshSummary& summary, const std::string& name, const PartSummary& part)
 {
-  return Print("%-28.28s%12lld%12lld", name.c_str(), static_cast<long long>(part.Elements),
-           static_cast<long long>(part.Points)) +
+  return name +
+    Print(
+      "%12lld%12lld", static_cast<long long>(part.Elements), static_cast<long long>(part.Points)) +
     PrintQuality(summary, part) + Print("%14.6g", part.Volume);
 }
 
@@ -45,27 +65,33 @@ std::string PrintError(const PartSummary& part)
                                  : Print("%14.6g%13s", part.TargetVolume, "-");
 }
 
-std::string PrintHead(const char* what)
+std::string PrintHead(const std::string& what)
 {
-  return Print(
-    "%-28s%12s%12s%8s%9s%14s", what, "elements", "points", "min SJ", "mean SJ", "volume");
+  return what + Print("%12s%12s%8s%9s%14s", "elements", "points", "min SJ", "mean SJ", "volume");
 }
 
 void PrintMaterials(const MeshSummary& summary, std::ostream& to)
 {
-  to << PrintHead("material") << Print("%14s%13s", "target", "error") << "\n";
   const std::size_t listed = std::min(summary.Materials.size(), ListedMaterials);
+  std::vector<std::string> names;
   for (std::size_t m = 0; m < listed; ++m)
   {
     const PartSummary& part = summary.Materials[m];
-    to << PrintPart(summary, std::to_string(part.Material) + " " + part.Name, part)
-       << PrintError(part) << "\n";
+    names.push_back(std::to_string(part.Material) + " " + part.Name);
+  }
+  const std::size_t width = FindWidth(names);
+  to << PrintHead(Padded("material", width)) << Print("%14s%13s", "target", "error") << "\n";
+  for (std::size_t m = 0; m < listed; ++m)
+  {
+    const PartSummary& part = summary.Materials[m];
+    to << PrintPart(summary, Padded(names[m], width), part) << PrintError(part) << "\n";
   }
   if (listed < summary.Materials.size())
   {
     to << "and " << summary.Materials.size() - listed << " more materials\n";
   }
-  to << PrintPart(summary, "all", summary.Total) << PrintError(summary.Total) << "\n";
+  to << PrintPart(summary, Padded("all", width), summary.Total) << PrintError(summary.Total)
+     << "\n";
 }
 
 /// The largest by volume.
@@ -79,14 +105,14 @@ void PrintFragments(const MeshSummary& summary, std::ostream& to)
   std::stable_sort(order.begin(), order.end(),
     [&summary](std::size_t a, std::size_t b)
     { return summary.Fragments[a].Volume > summary.Fragments[b].Volume; });
-  to << PrintHead("fragment") << "\n";
+  to << PrintHead(Padded("fragment", LeastWidth)) << "\n";
   const std::size_t listed = std::min(order.size(), ListedFragments);
   for (std::size_t f = 0; f < listed; ++f)
   {
     const PartSummary& part = summary.Fragments[order[f]];
-    to << PrintPart(summary,
-            std::to_string(order[f] + 1) + " of material " + std::to_string(part.Material), part)
-       << "\n";
+    const std::string name =
+      std::to_string(order[f] + 1) + " of material " + std::to_string(part.Material);
+    to << PrintPart(summary, Padded(name, LeastWidth), part) << "\n";
   }
   if (listed < order.size())
   {

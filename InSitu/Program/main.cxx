@@ -107,7 +107,12 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
       }
     });
   const Input input = ReadInput(arguments, ranks);
-  const ChosenArrays arrays = ChooseArrays(input.Data, arguments, ranks);
+  const ChosenArrays arrays =
+    ChooseArrays(input.Data, arguments, mesher->GetFractionTolerance(), ranks);
+  if (ranks.Rank() == 0 && !arrays.Warning.empty())
+  {
+    std::cerr << "sculptor: warning: " << arrays.Warning << "\n";
+  }
   KeepMaterials(input.Data, arrays, arguments.Materials, ranks);
   times.Add("read");
   const auto mesh = MakeMesh(*mesher, input.Data, arrays, arguments.Quiet, controller);
@@ -155,7 +160,12 @@ ExitCode Run(const std::vector<std::string>& words, vtkMultiProcessController* c
 {
   try
   {
-    return Work(ParseArguments(words), controller);
+    ControllerRanks ranks(controller);
+    ExitCode code = ExitCode::Good;
+    WorkInStage(
+      ranks, ExitCode::InternalError, [&] { code = Work(ParseArguments(words), controller); },
+      Ranks::Frame::Program);
+    return code;
   }
   catch (const ProgramError& error) // on all ranks
   {

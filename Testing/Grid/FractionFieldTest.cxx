@@ -25,7 +25,7 @@ CartesianGrid UnitGrid(int n)
 struct MapReader : FractionField::Reader
 {
   std::map<std::pair<int, Index3>, double> Values;
-  double Rounded = 0.0;
+  double Rounded = 0.0, Allowed = FractionTolerance;
   void Read(int material, const Index3& first, Index count, double* values) const override
   {
     for (Index c = 0; c < count; ++c)
@@ -35,6 +35,7 @@ struct MapReader : FractionField::Reader
     }
   }
   double Rounding(int) const override { return this->Rounded; }
+  double Tolerance() const override { return this->Allowed; }
   std::string Name(int material) const override { return "m" + std::to_string(material); }
 };
 
@@ -101,6 +102,28 @@ TEST(FractionField, CountsOnlyWhatRoundingDoesNotExplain)
   reader.Values[{ 1, { { 1, 1, 1 } } }] += 0.4 * step;
   EXPECT_EQ(FractionField::FromReader(grid, 3, reader).NumberOfNormalisedCells(), 1);
   EXPECT_NE(ErrorOf(reader), ""); // of two materials only
+}
+
+TEST(FractionField, ClipsWithinTheTolerance)
+{
+  MapReader reader;
+  reader.Values[{ 1, { { 0, 0, 0 } } }] = 1.01;
+  reader.Values[{ 2, { { 0, 0, 0 } } }] = -0.01;
+  reader.Values[{ 1, { { 1, 0, 0 } } }] = 0.6;
+  reader.Values[{ 2, { { 1, 0, 0 } } }] = 0.41;
+  reader.Values[{ 1, { { 2, 0, 0 } } }] = 1.0 + 1e-7; // rounding
+  EXPECT_NE(ErrorOf(reader).find("FractionTolerance"), std::string::npos);
+  reader.Allowed = 0.0100001;
+  const CartesianGrid grid = UnitGrid(3);
+  const FractionField field = FractionField::FromReader(grid, 2, reader);
+  EXPECT_EQ(field.NumberOfClippedCells(), 1);
+  EXPECT_EQ(field.NumberOfNormalisedCells(), 1);
+  EXPECT_EQ(field.Label(grid.Linear({ { 0, 0, 0 } })), 1);
+  EXPECT_DOUBLE_EQ(field.Fraction(grid.Linear({ { 1, 0, 0 } }), 2), 0.41 / 1.01);
+  reader.Values[{ 2, { { 1, 0, 0 } } }] = 0.42;
+  EXPECT_NE(ErrorOf(reader).find("sum to 1.02"), std::string::npos);
+  reader.Values[{ 2, { { 1, 0, 0 } } }] = -0.02;
+  EXPECT_NE(ErrorOf(reader).find("holds -0.02"), std::string::npos);
 }
 
 TEST(FractionField, RefusesValuesThatAreNoFractions)

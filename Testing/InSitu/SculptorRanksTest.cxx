@@ -22,6 +22,9 @@ using namespace vfm::testing;
 namespace
 {
 
+constexpr double LargestRatio =
+  1.5; // of the widths of a cell: those of the host are nearer, unless stretched
+
 /// A mesh as plain pointers.
 struct MeshView
 {
@@ -110,11 +113,20 @@ MeshView ViewOf(int sculptor)
   return view;
 }
 
-/// What the filter alone makes of the whole field in one process.
-std::uint64_t DigestOfFilter(vtkVolumeFractionMeshAlgorithm* mesher)
+/// Of a rank, with cells so many times as long along z.
+HostFields MakeFields(int rank, int ranks, double stretch)
 {
-  const HostFields all(0, 1);
-  HostGrid grid{ HostOrigin, {}, HostCells, {} };
+  HostFields fields(rank, ranks);
+  fields.Bounds[2] *= stretch;
+  fields.Bounds[5] *= stretch;
+  return fields;
+}
+
+/// What the filter alone makes of the whole field in one process.
+std::uint64_t DigestOfFilter(vtkVolumeFractionMeshAlgorithm* mesher, double stretch)
+{
+  const HostFields all = MakeFields(0, 1, stretch);
+  HostGrid grid{ { { all.Bounds[0], all.Bounds[1], all.Bounds[2] } }, {}, HostCells, {} };
   for (int a = 0; a < 3; ++a) // as the host's bounding boxes tell it
   {
     grid.Spacing[a] = (all.Bounds[3 + a] - all.Bounds[a]) / static_cast<double>(HostCells[a]);
@@ -148,6 +160,7 @@ int MakeMesh(const HostFields& f, bool tets, bool knowsNeighbours)
   {
     sculptor_set_option(sculptor, "Method", "Cells");
   }
+  EXPECT_EQ(sculptor_set_option(sculptor, "MaximumAspectRatio", "1.5"), SCULPTOR_OK);
   EXPECT_EQ(sculptor_set_communicator(sculptor, MPI_Comm_c2f(MPI_COMM_WORLD)), SCULPTOR_OK);
   sculptor_set_box(sculptor, f.Bounds.data(), f.Intervals.data());
   sculptor_set_neighbours(sculptor, knowsNeighbours ? f.Neighbours.data() : nullptr);
@@ -158,15 +171,17 @@ int MakeMesh(const HostFields& f, bool tets, bool knowsNeighbours)
   return sculptor;
 }
 
-void ExpectFiltersMesh(bool tets, bool knowsNeighbours)
+void ExpectFiltersMesh(bool tets, bool knowsNeighbours, double stretch = 1.0)
 {
-  const HostFields f(MyRank(), NumberOfRanks());
+  const HostFields f = MakeFields(MyRank(), NumberOfRanks(), stretch);
   const int sculptor = MakeMesh(f, tets, knowsNeighbours);
   vtkNew<vtkVolumeFractionToHex> hexes;
   vtkNew<vtkVolumeFractionToTet> lattice;
   lattice->SetMethod(vtkVolumeFractionToTet::METHOD_CELLS);
-  EXPECT_EQ(
-    SumOverRanks(Digest(ViewOf(sculptor))), tets ? DigestOfFilter(lattice) : DigestOfFilter(hexes));
+  hexes->SetMaximumAspectRatio(LargestRatio);
+  lattice->SetMaximumAspectRatio(LargestRatio);
+  EXPECT_EQ(SumOverRanks(Digest(ViewOf(sculptor))),
+    tets ? DigestOfFilter(lattice, stretch) : DigestOfFilter(hexes, stretch));
   EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
 }
 
@@ -185,6 +200,12 @@ TEST(SculptorRanks, TetsAreThoseOfTheFilter)
 TEST(SculptorRanks, AlsoWithoutNeighbours)
 {
   ExpectFiltersMesh(false, false);
+}
+
+TEST(SculptorRanks, LongCellsAreCut)
+{
+  ExpectFiltersMesh(false, true, 2.0);
+  ExpectFiltersMesh(true, false, 4.0);
 }
 
 TEST(SculptorRanks, EachRankMeshesItsOwnCells)

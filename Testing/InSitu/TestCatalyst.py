@@ -57,6 +57,21 @@ def catalyst_execute(info):
     if ranks.GetLocalProcessId() == ranks.GetNumberOfProcesses() - 1:
         raise ValueError("only here")
 """
+RAISES_WHILE_OTHERS_MESH = """
+import os
+from paraview import simple
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+simple.LoadPlugin(os.environ["VFM_PLUGIN"], remote=False, ns=globals())
+producer = simple.TrivialProducer(registrationName="input")
+hexes = VolumeFractionToHex(Input=producer, VolumeFractionArrays=["ball", "plate"])
+def catalyst_execute(info):
+    ranks = vtkMultiProcessController.GetGlobalController()
+    if info.timestep == 1 and ranks.GetLocalProcessId() == 1:
+        raise ValueError("only here")
+    hexes.UpdatePipeline(info.time)
+    cells = hexes.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
+    print("rank %d meshed step %d: %s" % (ranks.GetLocalProcessId(), info.timestep, cells > 0), flush=True)
+"""
 RAISES_IN_INITIALIZE = """
 def catalyst_initialize():
     raise KeyError("cannot begin")
@@ -206,6 +221,16 @@ def test_failing_scripts_leave_the_host_alive():
         expect_failure(result, text, every, 0)
     result = run_code(2, RAISES_IN_FINALIZE)
     assert result.returncode == 0 and "cannot end" in result.stderr, result
+
+
+def test_script_that_fails_while_others_wait_in_a_filter():
+    result = run_code(3, RAISES_WHILE_OTHERS_MESH)
+    expect_failure(result, "script0.py: ValueError: only here", [1], 4)
+    assert "ValueError: only here" in result.stderr, result.stderr
+    for step in range(STEPS):
+        for rank in range(3):
+            line = "rank %d meshed step %d: %s" % (rank, step, step != 1)
+            assert (line in result.stdout) == ((rank, step) != (1, 1)), result.stdout
 
 
 def test_missing_script():

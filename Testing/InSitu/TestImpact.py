@@ -30,8 +30,7 @@ STATES = ["velocity", "damage"]
 def run_impact(impact, plugin, folder, ranks, catalyst):
     """Runs the simulation; what it printed."""
     shutil.rmtree(folder, ignore_errors=True)
-    for name in ("dump", "sculptor", "catalyst"):
-        os.makedirs(os.path.join(folder, name))
+    os.makedirs(os.path.join(folder, "catalyst"))  # impact makes the others
     command = [impact, "--cells", CELLS, "--time", END_TIME, "--every", EVERY, "--dump", os.path.join(folder, "dump"),
                "--sculptor", os.path.join(folder, "sculptor")]
     if catalyst:
@@ -41,6 +40,30 @@ def run_impact(impact, plugin, folder, ranks, catalyst):
     if run.returncode != 0:
         sys.exit("impact on %d ranks failed:\n%s%s" % (ranks, run.stdout, run.stderr))
     return run.stdout
+
+
+def check_refused(impact, catalyst):
+    """What is wrong is told once, and in the exit status."""
+    cases = [(["--sculptor"], "--sculptor needs a value: DIR"), (["--dump", "/dev/null"], "cannot make the folder /dev/null"),
+             (["--sculptor", "/dev/null"], "cannot make the folder /dev/null"), (["--cells", "8"], "--cells takes a number from 16")]
+    if catalyst:
+        cases += [(["--catalyst", "none.py"], "Script none.py cannot be read.")]
+    for arguments, text in cases:
+        for ranks in (1, 3):
+            run = mpi_run(ranks, [impact, *arguments])
+            assert run.returncode == 1 and run.stderr.startswith("impact: ") and text in run.stderr, (arguments, run)
+            assert run.stdout == "" and len(run.stderr.splitlines()) == 1, (arguments, run)
+
+
+def check_failing_script(impact, folder):
+    """The simulation goes on; the exit status tells."""
+    script = os.path.join(folder, "failing.py")
+    os.makedirs(folder, exist_ok=True)
+    with open(script, "w", encoding="utf-8") as file:
+        file.write("def catalyst_execute(info):\n    raise ValueError('no mesh')\n")
+    run = mpi_run(2, [impact, "--cells", "16", "--steps", "2", "--every", "1", "--catalyst", script])
+    assert run.returncode == 1 and "step     2" in run.stdout, run
+    assert "ValueError: no mesh" in run.stderr and "impact: an output failed, as told above" in run.stderr, run
 
 
 def step_of(path):
@@ -120,6 +143,9 @@ def check_fragments(mesh, dump, step):
 
 def main(impact, plugin, folder, catalyst):
     simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines VolumeFractionToHex
+    check_refused(impact, catalyst)
+    if catalyst:
+        check_failing_script(impact, folder)
     outputs = {ranks: run_impact(impact, plugin, os.path.join(folder, str(ranks)), ranks, catalyst) for ranks in RANKS}
     first = os.path.join(folder, str(RANKS[0]))
     dumps = files_by_step(os.path.join(first, "dump"), ".pvti")

@@ -16,6 +16,7 @@ FIELDS = fields(2)
 CASES = {
     "uniform": uniform(-1), "averaged": {"Refinement": "Off"}, "one level": {"Refinement": "Input Levels", "MaximumLevel": 1},
     "beyond": {**uniform(3), "StairStep": 1}, "parent": {**uniform(-1), "ChildFractions": "Parent"}, "coarsen": {"Refinement": "Coarsen"},
+    "long cells": {**uniform(-1), "MaximumAspectRatio": 1.5}, "long cells in tets": {"MaximumAspectRatio": 1.2, "Refinement": "Off", "Method": "Lattice"},
     "tets": {**uniform(-1), "Method": "Lattice"}}
 
 

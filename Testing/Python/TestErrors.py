@@ -117,6 +117,16 @@ def test_values_that_are_almost_fractions():
     assert not run(changed("plate", (0, 0, 0), 1 + 5e-7)).errors
 
 
+def test_values_that_are_clipped():
+    data = changed("ball", (7, 7, 7), -0.01)
+    check_error(data, "'ball' holds -0.01 in cell (7, 7, 7)", "A larger FractionTolerance clips")
+    result = run(data, FractionTolerance=0.02)
+    assert not result.errors and result.field("ClippedCells") == [1], result.errors
+    assert len(result.warnings) == 1 and "fractions of 1 cells lay outside [0, 1] and were clipped" in result.warnings[0]
+    check_error(changed("ball", (7, 7, 7), -0.03), "'ball' holds -0.03", FractionTolerance=0.02)
+    check_error(changed("ball", (7, 7, 7), 1.5), "'ball' holds 1.5", FractionTolerance=0.02)
+
+
 def test_sums_over_one():
     check_error(changed("ball", (3, 3, 0), 0.25), "cell (3, 3, 0) sum to 1.25", "separate materials")
     result = run(changed("ball", (3, 3, 0), 5e-4))

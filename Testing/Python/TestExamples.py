@@ -166,6 +166,24 @@ def test_write_exodus(path):
     assert block_sizes(path("mesh.exo")) == {"ball": materials.count(1), "plate": materials.count(2)}
 
 
+@in_folder
+def test_missing_files(path):
+    """One message and exit status 1."""
+    none, plugin, data = path("none"), os.environ["VFM_PLUGIN"], os.path.join(DATA, "fin.vti")
+    for script, arguments in (
+            ("ball_under_pressure.py", ["--plugin", none]), ("mesh_series.py", ["--plugin", none, "--array", "body", data]),
+            ("mesh_series.py", ["--plugin", plugin, "--array", "body", none]), ("gerris_to_vthb.py", [none, path("out.vthb")]),
+            ("time_ranks.py", [none]), ("write_exodus.py", [none, path("out.e")]), ("../Data/shapes.py", [none, "fin", path("out.vti")]),
+            ("../Data/impact.py", [none, path("out")]), ("../Data/OpenFOAM/foam_to_vti.py", [none, "0", path("out.vti")]),
+            ("../scripts/demo.py", [none, path("out")]), ("../scripts/run_document.py", [none, path("out")])):
+        result = mpi_run(1, ["pvpython", os.path.join(EXAMPLES, script), *arguments])
+        lines = result.stderr.strip().splitlines()
+        assert result.returncode == 1 and result.stdout == "" and len(lines) == 1, (script, result)
+        assert lines[0].startswith("%s: %s" % (os.path.basename(script), none)) and lines[0].endswith(": no such file"), lines
+    result = mpi_run(1, ["pvpython", os.path.join(EXAMPLES, "time_ranks.py")])
+    assert result.returncode == 1 and "usage: " in result.stderr, result
+
+
 def test_time_on_ranks():
     result = mpi_run(2, ["pvbatch", "--sym", os.path.join(EXAMPLES, "time_ranks.py"), os.environ["VFM_PLUGIN"], "12"])
     rows = re.findall(r"rank (\d) of 2: [\d.]+ s, (\d+) hexahedra, memory \d+ MB before, peak \d+ MB", result.stdout)

@@ -168,6 +168,8 @@ def test_amrex_run():
         result = mesh_from(clipped, ["clipped"], Refinement=mode)
         check_volumes(result, result.field("TargetVolume"))
         assert np.isclose(result.field("TargetVolume")[0], exact, rtol=0.01), result.field("TargetVolume")
+        own = mesh_from(source, ["phi"], Refinement=mode, FractionTolerance=0.02)
+        assert own.field("ClippedCells")[0] > 0 and np.isclose(own.field("TargetVolume"), result.field("TargetVolume"), rtol=1e-6), mode
 
 
 @in_folder

@@ -53,6 +53,9 @@ CASES = {  # fields, blocks, properties
     "coarsened thrice": (SPHERE, image_blocks(24), {"VolumeFractionArrays": ["ball"], "Refinement": "Coarsen", "MeshVoid": 1}),
     "two materials": (TWO, image_blocks(28), {**NAMES, "Refinement": "Coarsen", "MaximumLevel": 2, "MeshVoid": 1}),
     "noise": (NOISE, HALF, {"MaterialIdArray": "id", "Refinement": "Automatic", "RefineFlippedCells": 1}),
+    "levels of long cells": (fields(2), nested(), {**NAMES, "MaximumAspectRatio": 1.5}),
+    "labels of long cells": (NOISE, HALF, {"MaterialIdArray": "id", "LabelSmoothing": 2, "MaximumAspectRatio": 1.1, "Refinement": "Automatic",
+                                           "InterfaceLayers": 1}),
     "stairs": (SMALL, image_blocks(12), {**NAMES, "Refinement": "Automatic", "InterfaceLayers": 2, "MaximumLevel": 2, "StairStep": 1}),
 }
 

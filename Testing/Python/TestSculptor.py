@@ -68,10 +68,11 @@ def test_options(at):
         (["--smooth=geometrybased"], dict(Smoothing="Geometry Based")),
         (["--refine", "1"], uniform(1)),
         (["--iso", "0.3", "--void"], dict(IsoValue=0.3, MeshVoid=1)),
-        (["--set", "targetscaledjacobian=.3", "ConserveVolume=off"], dict(TargetScaledJacobian=0.3, ConserveVolume=0)),
+        (["--set", "targetscaledjacobian = .3", "ConserveVolume=off"], dict(TargetScaledJacobian=0.3, ConserveVolume=0)),
         (["--set", "ComputeQuality=no", "--set", "NumberOfThreads=2"], dict(ComputeQuality=0, NumberOfThreads=2)),
         (["--tetmesh", "lattice"], dict(tets=True, Method="Lattice")),
         (["--set", "Method=1", "--tetmesh"], dict(tets=True, Method="Cells")),
+        (["--aspect", "1.5"], dict(MaximumAspectRatio=1.5)),
     ]
     plain = merge([filter_mesh(path, **both)])
     for arguments, properties in cases:
@@ -245,6 +246,65 @@ def test_arrays_are_found(at):
     refused(2, "pressure (double, 0 to 100000)", "--input", path, "--output", at("no.vtu"), ranks=2)
 
 
+@in_folder
+def test_point_data_is_told(at):
+    data = image({"count": np.ones((4, 4, 4), np.int32)})
+    add_array(data.GetPointData(), "phi", np.full((5, 5, 5), 0.25))
+    files = ["--input", write(data, at("in.vti")), "--output", at("no.vtu")]
+    points = "Its point arrays, which cannot be meshed: phi (double, 0.25 to 0.25)."
+    for ranks in (1, 2):
+        refused(2, "Its cell arrays: count (int, 1 to 1). " + points, *files, ranks=ranks)
+        for option in ("--fractions", "--labels", "--state"):
+            refused(2, "The array 'phi' (%s) has values of points, not of cells. Its cell arrays: count" % option, *files, option, "phi", ranks=ranks)
+
+
+@in_folder
+def test_the_only_array_as_density(at):
+    path = write(image({"ball": ball_and_plate()[0]}), at("in.vti"))
+    files = ["--fragments", at("table.csv"), "--density", "ball"]
+    refused(2, "Those of --state and --density are taken for others, unless named as --fractions.", "--input", path, "--output", at("no.vtu"), *files)
+    mesh_file(path, at("out.vtu"), *files, "--fractions", "ball")
+
+
+@in_folder
+def test_clipped_fractions(at):
+    ball, plate = ball_and_plate()
+    path = write(image({"ball": ball - 0.01 * (ball == 0), "plate": plate}), at("in.vti"))
+    arguments = ["--input", path, "--output", at("out.vtu")]
+    for ranks in (1, 2):
+        result = sculptor(*arguments, ranks=ranks)
+        assert result.returncode == 0 and names_of(at("out.vtu")) == ["plate"]
+        assert result.stderr == ("sculptor: warning: Not taken for volume fractions: ball, with values up to 0.01 outside [0, 1]. "
+                                 "--clip T takes those that lie outside by no more than T.\n"), result
+        result = sculptor(*arguments, "--clip", "0.01", ranks=ranks)
+        assert result.returncode == 0 and names_of(at("out.vtu")) == ["ball", "plate"]
+        assert result.stderr == "sculptor: warning: Volume fractions of %d cells lay outside [0, 1] and were clipped.\n" % (ball == 0).sum()
+    refused(1, "FractionTolerance cannot be '0.2'", *arguments, "--clip", "0.2")
+
+
+@in_folder
+def test_long_names_are_told_in_full(at):
+    ball, plate = ball_and_plate(8)
+    names = ["the name of a material that ends in aluminium", "the name of a material that ends in steel"]
+    text = mesh_file(write(image(dict(zip(names, (ball, plate)))), at("in.vti")), at("out.vtu"))
+    rows = [re.match(r"(\d) (.*?)  +\d+ ", line) for line in text.splitlines()]
+    assert [row.groups() for row in rows if row][:2] == [("1", names[0]), ("2", names[1])], text
+    columns = [line.rindex("%") for line in text.splitlines() if line.endswith("%")]
+    assert len(columns) == 3 and len(set(columns)) == 1, text
+
+
+@in_folder
+def test_files_without_options(at):
+    path = write(fraction_image(8), at("in.vti"))
+    for words in ([path, at("out.vtu")], ["--output", at("out.vtu"), path], ["--quiet", path, "--output=" + at("out.vtu")]):
+        assert sculptor(*words).returncode == 0 and names_of(at("out.vtu")) == ["ball", "plate"]
+        os.remove(at("out.vtu"))
+    refused(1, "--output FILE is missing, as in sculptor %s mesh.vtu." % path, path)
+    refused(1, "'c.vtu' is a file too many", path, at("out.vtu"), "c.vtu", ranks=2)
+    refused(1, "The input tset is of an unknown kind", "tset")
+    refused(1, "--output is given twice", path, at("out.vtu"), "--output", at("out.vtu"))
+
+
 def materials_of(output):
     return set(vtk_to_numpy(read_pieces(output)[0].GetCellData().GetArray("MaterialId")).tolist())
 
@@ -392,6 +452,7 @@ def test_help():
         for word in ("--material", "--stairstep", "--tetmesh", "--label-smoothing", "--minimum-region", "MinimumRegionCells",
                      "TargetScaledJacobian", "RelativeSize", ".pvti", ".inp", "Exit codes"):
             assert word in result.stdout, word
+    assert sculptor("-h").stdout == sculptor("--help").stdout
     assert re.fullmatch(r"sculptor \d+\.\d+\.\d+\n", sculptor("--version").stdout)
 
 
@@ -406,6 +467,7 @@ def test_wrong_arguments(at):
         (files + ["--fractions", "a,a"], "'a' twice"),
         (files + ["--fractions", "a", "--labels", "b"], "exclude each other"),
         (files + ["--time", "2s"], "takes a number"),
+        (["--void=on"] + files, "--void takes no value, but 'on' is given"),
         (files + ["--iso", "0.3", "--iso", "0.4"], "given twice"),
         (files + ["--label-smoothing", "11"], "LabelSmoothing cannot be '11'"),
         (files + ["--minimum-region", "-1"], "MinimumRegionCells cannot be '-1'"),
@@ -418,6 +480,10 @@ def test_wrong_arguments(at):
         (["--input", path, "--output", at("no.stl")], "Written are .vtu"),
         (["--input", path, "--output", at("no.stl")], ".inp"),
         (["test", "--input", path], "sculptor test takes"),
+        (["test", "--set", "IsoValue=0.4"], "sculptor test takes --refine, --output and --quiet, not --set"),
+        (["test", "--refine", "-1"], "--refine takes a whole number from 0 to 10, not '-1'"),
+        (files + ["--refine", "-1"], "--refine takes a whole number from 0 to 10, not '-1'"),
+        (files + ["--aspect", "1.05"], "MaximumAspectRatio cannot be '1.05': it takes 0 (off) or a number, 1.1 or more"),
     ]
     for arguments, text in cases:
         refused(1, text, *arguments)
@@ -450,8 +516,8 @@ def test_refused_input(at):
     for ranks in (1, 3):
         files = ["--input", path, "--output", at("no.vtu")]
         refused(3, "'ball' holds 1.5 in cell", *files, "--fractions", "ball", ranks=ranks)
-        refused(3, "no numeric cell array 'wrong'", *files, "--fractions", "wrong", ranks=ranks)
-        refused(3, "of type double", *files, "--labels", "ball", ranks=ranks)
+        refused(2, "no numeric cell array 'wrong' (--fractions). Its cell arrays: ball (double, 0 to 1.5).", *files, "--fractions", "wrong", ranks=ranks)
+        refused(2, "If they are volume fractions: --fractions ball.", *files, "--labels", "ball", ranks=ranks)
     assert not os.path.exists(at("no.vtu"))
 
 

@@ -1,6 +1,5 @@
 #include "ThreadRanks.h"
 
-#include <algorithm>
 #include <exception>
 #include <thread>
 
@@ -9,89 +8,66 @@ namespace vfm
 namespace testing
 {
 
-void ThreadHub::Put(int from, int to, const Bytes& bytes)
+void ThreadHub::Put(int to, int from, Transport::Transfer& transfer) noexcept
 {
-  const std::lock_guard<std::mutex> guard(this->Lock);
-  this->Mail[{ from, to }].push_back(bytes);
-  this->Changed.notify_all();
+  Box& box = this->BoxOf(to, from);
+  const std::lock_guard<std::mutex> guard(box.Lock);
+  (box.First ? box.Last->Next : box.First) = &transfer;
+  box.Last = &transfer;
+  box.Changed.notify_all();
 }
 
-Bytes ThreadHub::Take(int from, int to)
+void ThreadHub::WaitForTaken(int to, int from, Transport::Transfer& transfer) noexcept
 {
-  std::unique_lock<std::mutex> guard(this->Lock);
-  std::deque<Bytes>& mail = this->Mail[{ from, to }];
-  this->Changed.wait(guard, [&] { return !mail.empty(); });
-  Bytes bytes = mail.front();
-  mail.pop_front();
-  return bytes;
+  Box& box = this->BoxOf(to, from);
+  std::unique_lock<std::mutex> guard(box.Lock);
+  box.Changed.wait(guard, [&] { return transfer.IsDone; });
 }
 
-std::vector<Bytes> ThreadHub::Gather(int rank, const Bytes& mine)
+void ThreadHub::Take(int to, int from, Transport::Transfer& transfer) noexcept
 {
-  std::unique_lock<std::mutex> guard(this->Lock);
-  const int round = this->Round;
-  this->Slots[rank] = mine;
-  if (++this->Arrived == this->Count)
+  Box& box = this->BoxOf(to, from);
+  std::unique_lock<std::mutex> guard(box.Lock);
+  box.Changed.wait(guard, [&] { return box.First; });
+  Transport::Transfer& sent = *box.First;
+  if (sent.Size != transfer.Size)
   {
-    this->Complete = this->Slots;
-    this->Arrived = 0;
-    ++this->Round;
-    this->Changed.notify_all();
+    std::terminate(); // the ranks do not agree on what they do
   }
-  this->Changed.wait(guard, [&] { return this->Round != round; });
-  return this->Complete;
+  if (transfer.Data && transfer.Size > 0)
+  {
+    std::memcpy(transfer.Data, sent.Data, sent.Size);
+  }
+  box.First = sent.Next;
+  sent.IsDone = true;
+  box.Changed.notify_all();
 }
 
-std::vector<Bytes> ThreadRanks::Exchange(
-  const std::vector<int>& peers, const std::vector<Bytes>& outgoing)
+bool ThreadHub::HasAny(int to, int from) noexcept
 {
-  for (std::size_t p = 0; p < peers.size(); ++p)
-  {
-    ++this->Counted.Messages;
-    this->Counted.MessageBytes += static_cast<std::int64_t>(outgoing[p].size());
-    this->Hub.Put(this->Mine, peers[p], outgoing[p]);
-  }
-  std::vector<Bytes> incoming;
-  for (int peer : peers)
-  {
-    incoming.push_back(this->Hub.Take(peer, this->Mine));
-  }
-  return incoming;
+  Box& box = this->BoxOf(to, from);
+  const std::lock_guard<std::mutex> guard(box.Lock);
+  return box.First;
 }
 
-std::vector<Bytes> ThreadRanks::Gather(const Bytes& mine)
+void ThreadTransport::Begin(Transfer& transfer) noexcept
 {
-  std::vector<Bytes> all = this->Hub.Gather(this->Mine, mine);
-  ++this->Counted.Gathers;
-  for (const Bytes& bytes : all)
+  if (transfer.IsSent)
   {
-    this->Counted.GatheredBytes += static_cast<std::int64_t>(bytes.size());
+    this->Hub.Put(transfer.Other, this->Mine, transfer);
   }
-  return all;
 }
 
-void ThreadRanks::Sum(std::vector<std::int64_t>& values)
+void ThreadTransport::Wait(Transfer& transfer) noexcept
 {
-  ++this->Counted.Reductions;
-  std::vector<std::int64_t> sums(values.size(), 0);
-  for (const Bytes& bytes : this->Hub.Gather(this->Mine, ToBytes(values)))
+  if (transfer.IsSent)
   {
-    const std::vector<std::int64_t> items = FromBytes<std::int64_t>(bytes);
-    std::transform(
-      sums.begin(), sums.end(), items.begin(), sums.begin(), std::plus<std::int64_t>());
+    this->Hub.WaitForTaken(transfer.Other, this->Mine, transfer);
   }
-  values = sums;
-}
-
-double ThreadRanks::Max(double value)
-{
-  ++this->Counted.Reductions;
-  double largest = value;
-  for (const Bytes& bytes : this->Hub.Gather(this->Mine, ToBytes(std::vector<double>{ value })))
+  else
   {
-    largest = std::max(largest, FromBytes<double>(bytes)[0]);
+    this->Hub.Take(this->Mine, transfer.Other, transfer);
   }
-  return largest;
 }
 
 void RunOnRanks(int count, const std::function<void(ThreadRanks&)>& body)

@@ -1,14 +1,13 @@
 /**
- * Ranks that are threads of one process: the same pipeline as under MPI, without it.
+ * Ranks that are threads of one process: the same pipeline as under MPI, without it. A message waits until it is received, as large
+ * ones do under MPI.
  */
 #pragma once
 
-#include "Base/Ranks.h"
+#include "Base/MessageRanks.h"
 
 #include <condition_variable>
-#include <deque>
 #include <functional>
-#include <map>
 #include <mutex>
 
 namespace vfm
@@ -20,45 +19,48 @@ namespace testing
 class ThreadHub
 {
 public:
-  explicit ThreadHub(int count) : Count(count), Slots(count) {}
+  explicit ThreadHub(int count) : Count(count), Boxes(count * count) {}
 
-  void Put(int from, int to, const Bytes& bytes);
-  Bytes Take(int from, int to);
-  std::vector<Bytes> Gather(int rank, const Bytes& mine);
+  void Put(int to, int from, Transport::Transfer& transfer) noexcept;
+  void WaitForTaken(int to, int from, Transport::Transfer& transfer) noexcept;
+  void Take(int to, int from, Transport::Transfer& transfer) noexcept;
+  bool HasAny(int to, int from) noexcept;
 
   const int Count;
 
 private:
-  std::mutex Lock;
-  std::condition_variable Changed;
-  std::map<std::pair<int, int>, std::deque<Bytes>> Mail;
-  std::vector<Bytes> Slots, Complete;
-  int Arrived = 0, Round = 0;
+  /// What one rank sent to another.
+  struct Box
+  {
+    std::mutex Lock;
+    std::condition_variable Changed;
+    Transport::Transfer *First = nullptr, *Last = nullptr;
+  };
+  Box& BoxOf(int to, int from) { return this->Boxes[to * this->Count + from]; }
+
+  std::vector<Box> Boxes;
 };
 
-class ThreadRanks : public Ranks
+class ThreadTransport : public Transport
 {
 public:
-  ThreadRanks(ThreadHub& hub, int rank) : Hub(hub), Mine(rank) {}
-  int Rank() const override { return this->Mine; }
-  int Count() const override { return this->Hub.Count; }
-  std::vector<Bytes> Exchange(
-    const std::vector<int>& peers, const std::vector<Bytes>& outgoing) override;
-  std::vector<Bytes> Gather(const Bytes& mine) override;
-  void Sum(std::vector<std::int64_t>& values) override;
-  double Max(double value) override;
-
-  /// What this rank sent so far. A gather counts with what it brings in.
-  struct Traffic
-  {
-    std::int64_t Messages = 0, MessageBytes = 0, Reductions = 0, Gathers = 0, GatheredBytes = 0;
-  };
-  const Traffic& Sent() const { return this->Counted; }
+  ThreadTransport(ThreadHub& hub, int rank) : Hub(hub), Mine(rank) {}
+  void Begin(Transfer& transfer) noexcept override;
+  void Wait(Transfer& transfer) noexcept override;
+  bool HasArrived(int from) noexcept override { return this->Hub.HasAny(this->Mine, from); }
 
 private:
   ThreadHub& Hub;
   int Mine;
-  Traffic Counted;
+};
+
+class ThreadRanks : private ThreadTransport, public MessageRanks
+{
+public:
+  ThreadRanks(ThreadHub& hub, int rank) :
+    ThreadTransport(hub, rank), MessageRanks(*this, rank, hub.Count)
+  {
+  }
 };
 
 /// Runs body(ranks) on count threads at once. Throws what the lowest rank threw, once all have ended.

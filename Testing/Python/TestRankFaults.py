@@ -1,0 +1,159 @@
+"""What fails on one rank, in a filter or before it: the same message on all ranks, empty outputs, and the next run is right.
+
+mpiexec -n 3 pvbatch --sym TestRankFaults.py, with Testing/Support/FailingNew.cxx as the library in LD_PRELOAD. VFM_SWEEP: how many times as many faults.
+"""
+import ctypes
+import os
+import zlib
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+from vfmtest import (
+    ORIGIN, SPACING, ball_and_plate, collect, image, main, producer, reduced, VolumeFractionToHex, VolumeFractionToTet)
+
+N = 9
+CONTROLLER = vtkMultiProcessController.GetGlobalController()
+RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
+FAULTS = max(1, int(10 * float(os.environ.get("VFM_SWEEP", "1"))))  # of each filter
+
+
+def slab():
+    """This rank's part of a field along z."""
+    begin, end = N * RANK // RANKS, N * (RANK + 1) // RANKS
+    ball, plate = ball_and_plate(N)
+    data = image({"ball": ball[begin:end], "plate": plate[begin:end]})
+    data.SetOrigin(*ORIGIN[:2], ORIGIN[2] + begin * SPACING[2])
+    return data
+
+
+class Source(VTKPythonAlgorithmBase):
+    """Gives the slab; fails in one request when it is told to."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
+        self.failing = None
+        self.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+
+    def answer(self, request):
+        return 0 if self.failing == request else 1
+
+    def RequestDataObject(self, request, inputs, outputs):
+        return self.answer("data object") and super().RequestDataObject(request, inputs, outputs)
+
+    def RequestInformation(self, request, inputs, outputs):
+        data = slab()
+        outputs.GetInformationObject(0).Set(self.GetExecutive().WHOLE_EXTENT(), data.GetExtent(), 6)
+        return self.answer("information")
+
+    def RequestUpdateExtent(self, request, inputs, outputs):
+        return self.answer("update extent")
+
+    def RequestData(self, request, inputs, outputs):
+        from vtkmodules.vtkCommonDataModel import vtkImageData
+        vtkImageData.GetData(outputs, 0).ShallowCopy(slab())
+        return self.answer("data")
+
+
+def fingerprint(algorithm):
+    """Of this rank's mesh."""
+    mesh = algorithm.GetOutputDataObject(0)
+    return zlib.crc32(vtk_to_numpy(mesh.GetPoints().GetData()).tobytes()) if mesh.GetNumberOfCells() else 0
+
+
+def is_everywhere(condition):
+    return reduced(int(condition), vtkCommunicator.MIN_OP) == 1
+
+
+def is_same_everywhere(text):
+    value = zlib.crc32(text.encode())
+    return reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)
+
+
+def take_message(algorithm, errors):
+    """The one error of the last run, without the class; asserts that all ranks have the same and nothing in the outputs."""
+    message = errors[0].split("): ", 1)[1].strip() if errors else ""
+    is_empty = all(algorithm.GetOutputDataObject(port).GetNumberOfPoints() == 0 for port in (0, 1))
+    same, empty, single = is_same_everywhere(message), is_everywhere(is_empty), is_everywhere(len(errors) == 1)
+    assert same and empty and single, (message, errors, is_empty)
+    errors.clear()
+    return message
+
+
+def make(kind, source, **properties):
+    proxy = kind(VolumeFractionArrays=["ball", "plate"], Input=source, **properties)
+    return proxy, proxy.GetClientSideObject()
+
+
+def test_input_that_fails_on_one_rank():
+    proxy, algorithm = make(VolumeFractionToHex, producer(slab()))
+    errors, _ = collect(algorithm)
+    proxy.UpdatePipeline()
+    good = fingerprint(algorithm)
+    source = Source()
+    algorithm.SetInputConnection(0, source.GetOutputPort())
+    assert is_everywhere(algorithm.GetExecutive().GetClassName() == "CollectivePipeline"), "ParaView took another executive"
+    for request in ("data object", "information", "update extent", "data"):
+        for rank in range(RANKS):
+            source.failing = request if RANK == rank else None
+            source.Modified()
+            algorithm.Update()
+            message = take_message(algorithm, errors)
+            # VTK takes no notice of an update extent that could not be made.
+            assert message == "The input could not be made on rank %d." % rank, (request, message)
+            algorithm.Update()  # nobody does anything, or all do
+            source.failing = None
+            source.Modified()
+            algorithm.Update()
+            assert is_everywhere(not errors and fingerprint(algorithm) == good), (request, errors)
+
+
+def test_input_that_fails_before_data_are_asked_for():
+    proxy, algorithm = make(VolumeFractionToHex, producer(slab()))
+    source = Source()
+    algorithm.SetInputConnection(0, source.GetOutputPort())
+    errors, _ = collect(algorithm)
+    source.failing = "information" if RANK == 1 else None
+    algorithm.UpdateInformation()  # waits for no one
+    source.failing = None
+    source.Modified()
+    algorithm.Update()
+    assert is_everywhere(not errors and algorithm.GetOutputDataObject(0).GetNumberOfCells() > 0), errors
+
+
+def check_faults(kind, **properties):
+    library = ctypes.CDLL(None)
+    proxy, algorithm = make(kind, producer(slab()), **properties)
+    errors, _ = collect(algorithm)
+    fault, calls = {"at": -1}, []
+    algorithm.AddObserver("StartEvent", lambda *_: library.SetFault(ctypes.c_long(fault["at"])))
+    algorithm.AddObserver("EndEvent", lambda *_: calls.append(library.ClearFault()))
+    algorithm.Update()
+    count, good = calls[-1], fingerprint(algorithm)
+    assert is_everywhere(count > 100 and not errors), (count, errors)
+    random, told = np.random.default_rng(1), 0
+    for trial in range(FAULTS):
+        rank, share = trial % RANKS, random.random()
+        fault["at"] = int(share * count) if RANK == rank else -1
+        algorithm.Modified()
+        algorithm.Update()
+        message = take_message(algorithm, errors)
+        assert message == "Not enough memory on rank %d." % rank, message
+        told += 1
+        fault["at"] = -1
+        algorithm.Modified()
+        algorithm.Update()
+        assert is_everywhere(not errors and fingerprint(algorithm) == good), (trial, errors)
+    if RANK == 0:
+        print("%s: %d faults among %d calls, each told on all ranks" % (kind.__name__, told, count), flush=True)
+
+
+def test_memory_that_runs_out_on_one_rank():
+    check_faults(VolumeFractionToHex)
+    check_faults(VolumeFractionToHex, Refinement="Automatic", MaximumLevel=1)
+    check_faults(VolumeFractionToTet, Method="Lattice")
+
+
+main(globals())
