@@ -109,7 +109,8 @@ std::string MeshFile(const fs::path& path, const std::vector<std::string>& words
     const Arguments arguments = ParseArguments(all);
     const auto mesher = MakeMesher(arguments);
     const Input input = ReadInput(arguments, alone);
-    const ChosenArrays arrays = ChooseArrays(input.Data, arguments, alone);
+    const ChosenArrays arrays =
+      ChooseArrays(input.Data, arguments, mesher->GetFractionTolerance(), alone);
     MakeMesh(*mesher, input.Data, arrays, true, controller);
     return "meshed";
   }
