@@ -21,15 +21,23 @@ bool IsReadableAttribute(const NetcdfHeader::Attribute& attribute)
     attribute.Name == "api_version" || attribute.Name == "version";
 }
 
-/// The library that reads the file ends the program by assertions on either.
+/// The library that reads the file ends the program by assertions on these.
 void CheckAssertions(const std::string& path, const NetcdfHeader& header)
 {
+  const auto isSpace = [](const NetcdfHeader::Dimension& dimension)
+  { return dimension.Name == "num_dim" && dimension.Length >= 1 && dimension.Length <= 3; };
+  if (std::none_of(header.Dimensions.begin(), header.Dimensions.end(), isSpace))
+  {
+    RefuseInput("Cannot read the input " + path +
+      ": the file is damaged or no Exodus file: it does not tell a number of dimensions, num_dim.");
+  }
   for (const NetcdfHeader::Attribute& attribute : header.Attributes)
   {
     if (!IsReadableAttribute(attribute))
     {
-      RefuseInput("Cannot read the input " + path + ": the file is damaged, or its attribute '" +
-        attribute.Name + "' is neither text nor 32-bit integers nor 64-bit real numbers.");
+      RefuseInput("Cannot read the input " + path +
+        ": the file is damaged, or an attribute of it is neither text nor 32-bit integers nor "
+        "64-bit real numbers.");
     }
   }
   for (const NetcdfHeader::Variable& variable : header.Variables)

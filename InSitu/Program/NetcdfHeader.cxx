@@ -36,10 +36,10 @@ public:
     const std::int64_t records = this->ReadCount();
     for (std::int64_t left = this->ReadList(ListOfDimensions); left > 0 && this->Stream; --left)
     {
-      this->ReadName();
-      this->Dimensions.push_back(this->ReadCount());
+      const std::string name = this->ReadName();
+      this->Dimensions.push_back({ name, this->ReadCount() });
     }
-    NetcdfHeader header{ Unknown, records, this->ReadAttributes(), {} };
+    NetcdfHeader header{ Unknown, records, this->Dimensions, this->ReadAttributes(), {} };
     std::int64_t size = 0, recordSize = 0, recordsEnd = 0, lastSize = 0;
     int recordVariables = 0;
     for (std::int64_t left = this->ReadList(ListOfVariables); left > 0 && this->Stream; --left)
@@ -136,7 +136,7 @@ private:
     {
       const std::int64_t dimension = this->ReadCount();
       const bool isKnown = dimension < static_cast<std::int64_t>(this->Dimensions.size());
-      const std::int64_t length = isKnown ? this->Dimensions[dimension] : 0;
+      const std::int64_t length = isKnown ? this->Dimensions[dimension].Length : 0;
       variable.HasRecords = variable.HasRecords || length == 0; // the unlimited one
       this->Check(length == 0 || variable.Size <= LargestCount / length);
       variable.Size *= this->Stream && length > 0 ? length : 1;
@@ -151,7 +151,7 @@ private:
 
   std::ifstream Stream;
   int Version = 0;
-  std::vector<std::int64_t> Dimensions; // 0: that of the records
+  std::vector<NetcdfHeader::Dimension> Dimensions;
 };
 
 } // namespace

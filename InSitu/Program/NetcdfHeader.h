@@ -23,6 +23,11 @@ enum class NetcdfType
 
 struct NetcdfHeader
 {
+  struct Dimension
+  {
+    std::string Name;
+    std::int64_t Length; ///< 0: that of the records
+  };
   struct Attribute
   {
     std::string Name;
@@ -39,7 +44,8 @@ struct NetcdfHeader
   std::int64_t
     Size; ///< bytes that the file must have at least; std::numeric_limits<std::int64_t>::max() where the
           ///< header itself is cut off or damaged
-  std::int64_t Records;              ///< in Exodus files: times
+  std::int64_t Records; ///< in Exodus files: times
+  std::vector<Dimension> Dimensions;
   std::vector<Attribute> Attributes; ///< of the whole file
   std::vector<Variable> Variables;
 };

@@ -41,6 +41,8 @@ namespace
 constexpr int Patience = 60;                         // seconds
 constexpr std::size_t Memory = std::size_t(1) << 30; // bytes
 constexpr std::size_t LongestMessage = 4000;
+/// VTK's readers of XML believe the sizes of compressed data, up to 4 GB; that ends well.
+constexpr const char* LacksMemory = "internal error: Not enough memory.";
 
 struct Good
 {
@@ -131,13 +133,14 @@ std::string FindProblem(const ApartResult& result)
     return result.Failure;
   }
   const std::string& text = result.Text;
-  const bool isRefused = text.compare(0, 9, "refused: ") == 0 && text.size() > 20;
+  const bool isRefused =
+    (text.compare(0, 9, "refused: ") == 0 && text.size() > 20) || text == LacksMemory;
   if (text != "meshed" && !isRefused)
   {
     return text;
   }
-  const bool isLine = std::none_of(
-    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
+  const bool isLine =
+    std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
   return isLine && text.size() < LongestMessage ? "" : "a message that is not a line: " + text;
 }
 
@@ -161,10 +164,10 @@ public:
     const std::string problem = FindProblem(result);
     const bool hasFailed = !problem.empty();
     this->Failures += hasFailed;
-    ++this->Ends[good.Folder +
-      (hasFailed                    ? " failed"
-          : result.Text == "meshed" ? " meshed"
-                                    : " refused")];
+    const std::string end = result.Text == LacksMemory
+      ? " lacked memory"
+      : (result.Text == "meshed" ? " meshed" : " refused");
+    ++this->Ends[good.Folder + (hasFailed ? " failed" : end)];
     if (hasFailed || this->Keeps)
     {
       std::printf("seed %u: %s | %s, %s\n", seed, hasFailed ? problem.c_str() : result.Text.c_str(),

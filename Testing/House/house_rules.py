@@ -18,7 +18,7 @@ ALLOWED.update({
     "Examples": ("InSitu",),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
-    "Testing/Fuzz": GRID + ("Shapes", "InSitu", "Testing/Support"),
+    "Testing/Fuzz": GRID + ("Shapes", "Filters", "InSitu", "Testing/Support"),
     "Testing/Benchmarks": GRID + ("Shapes", "Testing/Support"),
     "Testing/Parallel": ("Grid/Base", "Parallel", "Testing/Support"),
     "Testing/InSitu": ("Grid/Base", "Filters", "InSitu"),
