@@ -46,7 +46,7 @@ TEST(SidesOfTheDomain, NodesAreNear)
     double Hexes, Lattice, Cells; // ceilings of the rms distance on sides, in cells
   };
   for (const Bounds& b :
-    { Bounds{ "half sphere", .016, .016, .070 }, Bounds{ "cut cylinder", .010, .035, .060 } })
+    { Bounds{ "half sphere", .016, .012, .065 }, Bounds{ "cut cylinder", .010, .046, .055 } })
   {
     const MeshCase c = MakeMeshCase(b.Name);
     const auto measure = [&](const char* kind, MeshMaker make, TetMethod method, double bound)
