@@ -127,6 +127,17 @@ void AddQuality(vtkFieldData* field, const Mesh& mesh, const MeshReport& report)
   }
 }
 
+std::vector<double> FindVolumeErrors(const MeshReport& report)
+{
+  std::vector<double> errors;
+  for (std::size_t m = 0; m < report.TargetVolume.size(); ++m)
+  {
+    const double target = report.TargetVolume[m];
+    errors.push_back(target > 0.0 ? report.MeshVolume[m] / target - 1.0 : 0.0);
+  }
+  return errors;
+}
+
 /// Of a mesh of several levels.
 void AddLevels(vtkFieldData* field, const MeshReport& report)
 {
@@ -203,6 +214,7 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
   AddFieldValues<vtkIntArray>(field, "MaterialIds", meshed(table.Labels));
   AddFieldValues<vtkDoubleArray>(field, "TargetVolume", meshed(report.TargetVolume));
   AddFieldValues<vtkDoubleArray>(field, "MeshVolume", meshed(report.MeshVolume));
+  AddFieldValues<vtkDoubleArray>(field, "VolumeError", meshed(FindVolumeErrors(report)));
   const std::vector<double>& fragments = report.FragmentTargetVolume;
   AddFieldValues<vtkDoubleArray>(field, "FragmentTargetVolume",
     std::vector<double>(
@@ -226,6 +238,33 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
   {
     AddQuality(field, mesh, report);
   }
+}
+
+std::string DescribeLostMaterials(const MeshReport& report, const Materials& table)
+{
+  constexpr std::size_t MostNames = 20;
+  std::vector<std::string> lost;
+  for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
+  {
+    if (report.TargetVolume[m] > 0.0 && report.MeshVolume[m] == 0.0)
+    {
+      lost.push_back("'" + table.Names[m] + "' (id " + std::to_string(table.Labels[m]) + ")");
+    }
+  }
+  std::string list;
+  for (std::size_t l = 0; l < std::min(lost.size(), MostNames); ++l)
+  {
+    list += (l > 0 ? ", " : "") + lost[l];
+  }
+  if (lost.size() > MostNames)
+  {
+    list += " and " + std::to_string(lost.size() - MostNames) + " more";
+  }
+  return lost.empty()
+    ? ""
+    : std::to_string(lost.size()) + (lost.size() == 1 ? " material has" : " materials have") +
+      " no element, since no cell is left to them: " + list +
+      ". In finer cells they may be kept (Refinement).";
 }
 
 void SetDomainOutput(const CartesianGrid& grid, vtkDataObject* output)

@@ -23,14 +23,18 @@ namespace vfm
 void SetMeshOutput(
   Mesh& mesh, const Materials& table, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
 
-/// Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume (of each material, void only when
-/// meshed), FragmentTargetVolume (of fragments 1, 2, ...), NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, FlippedCells,
+/// Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume, VolumeError (of each material, void only when
+/// meshed; the error is MeshVolume / TargetVolume - 1, 0 of a material that the input has nowhere), FragmentTargetVolume
+/// (of fragments 1, 2, ...), NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, FlippedCells,
 /// ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves, NumberOfVertices, and MinimumScaledJacobian,
 /// MeanScaledJacobian if computed.
 /// Of tetrahedra also RefusedParts, and MinimumDihedralAngle, MaximumDihedralAngle, DihedralAngles if computed.
 /// mesh: tells the kind of its elements, its arrays may be gone.
 void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials& table,
   const MeshOptions& options, const MendedCells& mended, vtkDataObject* output);
+
+/// A sentence with the names and ids of the materials of the input that have no element; "" where all have some.
+std::string DescribeLostMaterials(const MeshReport& report, const Materials& table);
 
 /// Field data DomainBounds: x from, to, y from, to, z from, to; nodes on a side of the domain have the very coordinate.
 void SetDomainOutput(const CartesianGrid& grid, vtkDataObject* output);

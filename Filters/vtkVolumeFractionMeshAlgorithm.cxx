@@ -401,6 +401,11 @@ void vtkVolumeFractionMeshAlgorithm::Run(vtkDataObject* input, vfm::MessageRanks
   {
     vtkWarningMacro("The mesh is empty: no cell is filled by its materials to the iso value.");
   }
+  const std::string lost = vfm::DescribeLostMaterials(report, field.Table);
+  if (ranks.Rank() == 0 && numberOfCells[0] > 0 && !lost.empty())
+  {
+    vtkWarningMacro(<< lost);
+  }
 }
 
 void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

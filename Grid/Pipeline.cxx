@@ -16,8 +16,13 @@ constexpr int FlipRounds =
 constexpr int CorrectionRounds = 6;
 constexpr int SweepsPerCorrection = 4;
 constexpr double VolumeTolerance = 2e-4; // relative, of the rounds with smoothing
+constexpr int SmallRounds = 20;          // for small fragments alone
+constexpr double SmallTolerance = 5e-3;  // relative, of a small fragment
 constexpr int Nudges = 4;
+constexpr int MoreNudges = 4;           // where fragments were given up
 constexpr double FinalTolerance = 1e-7; // relative
+constexpr double LargestOffset = 0.25;  // of an attachment, in cells
+constexpr double OffsetOfSmall = 1.0;   // the same, of small fragments
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -28,19 +33,32 @@ std::vector<double> Multiplied(std::vector<double> values, double factor)
   return values;
 }
 
-/// Shifts the targets and smooths, then moves the surface points themselves by the little that is left.
+/// Shifts the targets and smooths, then moves the surface points themselves by the little that is left. Small fragments, whose
+/// surfaces the fractions place poorly and which resist, get more rounds and longer shifts.
 void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clock)
 {
   FragmentVolumes& volumes = what.Volumes;
   SmoothingStage stage = what.Ramp.back();
   stage.Sweeps = SweepsPerCorrection;
+  const auto largest = [&volumes](const Attachment& a)
+  {
+    const bool isSmall = volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]);
+    return isSmall ? OffsetOfSmall : LargestOffset;
+  };
   for (int round = 0; round < CorrectionRounds && volumes.WorstError() > VolumeTolerance; ++round)
   {
-    smoother.Shift(volumes.FindShifts(what.Active));
+    smoother.Shift(volumes.FindShifts(what.Active), largest);
     smoother.RunStage(stage, [&](double) { clock.Update(0.8 + 0.02 * round); });
     volumes.Measure(what.Active);
   }
-  for (int nudge = 0; nudge < Nudges && volumes.WorstError() > FinalTolerance; ++nudge)
+  for (int round = 0; round < SmallRounds && volumes.WorstSmallError() > SmallTolerance; ++round)
+  {
+    smoother.Follow(volumes.FindShifts(what.Active), largest, stage);
+    volumes.Measure(what.Active);
+    clock.Update(0.92);
+  }
+  const int nudges = Nudges + (volumes.GiveUp(SmallTolerance) ? MoreNudges : 0);
+  for (int nudge = 0; nudge < nudges && volumes.WorstError() > FinalTolerance; ++nudge)
   {
     smoother.Nudge(volumes.FindShifts(what.Active), what.Ramp.back());
     volumes.Measure(what.Active);

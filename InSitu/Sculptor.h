@@ -136,7 +136,7 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_get_fragments(int sculptor, const int** ids);
   SCULPTOR_EXPORT int sculptor_get_state(
     int sculptor, const char* name, int* components, const double** values);
-  /* A number of the whole mesh by its name: TargetVolume, MeshVolume (index: 0 for the first material), NumberOfFragments,
+  /* A number of the whole mesh by its name: TargetVolume, MeshVolume, VolumeError (index: 0 for the first material), NumberOfFragments,
    * MinimumScaledJacobian, MeanScaledJacobian, FlippedCells, ... (index 0). */
   SCULPTOR_EXPORT int sculptor_get_number(int sculptor, const char* name, int index, double* value);
 

@@ -52,7 +52,8 @@ struct ResolveReport
 
 /// Changes labels until every star passes the label condition (LabelCondition.h). The result does not
 /// depend on the order of cells: a round flips every cell whose score (violations removed against
-/// fraction given up) beats those of its 26 neighbours. Ranks flip their own cells and exchange the labels after each round.
+/// fraction given up) beats those of its 26 neighbours. Cells of labels with few cells cost more, and no label loses its last while there
+/// is another way; at the end cells get their first labels again where that does no harm. Ranks flip their own cells and exchange the labels after each round.
 /// leaves: where given, leaves flip as a whole, and a leaf competes with all that share a node with it; labels must be alike
 /// within each (AssignLeafMaterials), and the grid needs 3 base cells of ghosts.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,

@@ -15,6 +15,8 @@ constexpr int Perturbations = 40;   // ways out of dead ends before one order of
 constexpr int GreedyRounds = 400;   // likewise
 constexpr double CostlyFlip = 0.3;  // of a flip, in cells of the grid
 constexpr double CostOffset = 0.05; // a flip that gives up no fraction still has a price
+constexpr Index SmallLabel = 1000;  // cells; of labels with fewer each cell costs more
+constexpr double PriceOfGrowth = 0.3; // of a cell too many, in prices of one too few
 
 /// The change of one unit that scores best.
 struct Candidate
@@ -47,6 +49,71 @@ void ForSurfaceNodes(const IndexBox& cells, const Body& body)
     });
 }
 
+/// How many cells of the domain each label has had at first and has now: what a flip costs the smaller of both labels.
+class LabelSizes
+{
+public:
+  /// Collective.
+  LabelSizes(
+    const CartesianGrid& grid, const LabelArray& labels, int count, const Partition& partition) :
+    First(count, 0), Group(&partition.Group())
+  {
+    partition.ForRows(grid.Owned(),
+      [&](Index first, Index last)
+      {
+        labels.Visit(
+          first, last,
+          [&](Index begin, Index end, int label) { this->First[label] += end - begin; },
+          [&](Index begin, Index end, const int* own)
+          { std::for_each(own, own + (end - begin), [&](int label) { ++this->First[label]; }); });
+      });
+    this->Group->Sum(this->First);
+    this->Now = this->First;
+    this->HasSmall = std::any_of(this->First.begin(), this->First.end(),
+      [](Index cells) { return cells > 0 && cells < SmallLabel; });
+  }
+
+  /// Of a label at first, no more than a small one may have.
+  Index CappedSize(int label) const { return std::min<Index>(this->First[label], SmallLabel); }
+
+  bool IsLast(Index cells, int label) const { return this->Now[label] <= cells; }
+
+  /// Times which a flip of some cells costs: 1 between large labels. A small one that has as many cells as at first, or fewer, can
+  /// less afford to lose some, and one that has as many or more to get some.
+  double Factor(Index cells, int current, int label) const
+  {
+    const auto partOf = [&](int l)
+    { return static_cast<double>(SmallLabel * cells) / static_cast<double>(this->First[l]); };
+    return std::max({ 1.0, this->Now[current] <= this->First[current] ? partOf(current) : 0.0,
+      this->Now[label] >= this->First[label] ? PriceOfGrowth * partOf(label) : 0.0 });
+  }
+
+  /// Counts what this rank flips.
+  void Add(Index cells, int current, int label)
+  {
+    this->Change.resize(this->Now.size(), 0);
+    this->Change[current] -= cells;
+    this->Change[label] += cells;
+  }
+  /// Makes it known. Collective.
+  void Share()
+  {
+    this->Change.resize(this->Now.size(), 0);
+    if (this->HasSmall)
+    {
+      this->Group->Sum(this->Change);
+      std::transform(
+        this->Now.begin(), this->Now.end(), this->Change.begin(), this->Now.begin(), std::plus<>());
+    }
+    std::fill(this->Change.begin(), this->Change.end(), 0);
+  }
+
+private:
+  std::vector<std::int64_t> First, Now, Change;
+  Ranks* Group;
+  bool HasSmall = false; // else no size matters
+};
+
 class Resolver
 {
 public:
@@ -64,27 +131,38 @@ public:
   /// Greedy rounds remove violations. In a dead end one round of perturbations lets units take a smaller label in an order
   /// of the labels that turns from perturbation to perturbation. At last the order stays, so the sum of the units' labels falls until
   /// no star is violated: a violated star has several labels, hence a unit that can take a smaller label of the star; the best
-  /// of all candidates flips, and units that flip at once have no star in common.
+  /// of all candidates flips, and units that flip at once have no star in common. Only where the last order leaves nothing else, a label loses
+  /// its last unit.
   ResolveReport Run()
   {
     this->Violated = FindMixedNodes(this->Grid, this->Labels);
     this->KeepViolated();
     Ranks& ranks = this->Parts.Group();
     ResolveReport report;
+    if (!ranks.Any(!this->Violated.empty()))
+    {
+      return report;
+    }
+    this->Sizes = std::make_unique<LabelSizes>(
+      this->Grid, this->Labels, this->Fractions.NumberOfMaterials() + 1, this->Parts);
     int perturbations = 0;
     while (ranks.Any(!this->Violated.empty()))
     {
-      const bool greedy = perturbations <= Perturbations && report.Rounds < GreedyRounds;
-      this->FindCandidates(!greedy);
+      this->InOrder = perturbations > Perturbations || report.Rounds >= GreedyRounds;
+      this->KeepsLast = true;
+      this->FindCandidates(this->InOrder);
       if (!ranks.Any(!this->Candidates.empty()))
       {
-        this->Turn = ++perturbations <= Perturbations ? perturbations : 0;
+        this->InOrder = this->InOrder || ++perturbations > Perturbations;
+        this->Turn = this->InOrder ? 0 : perturbations;
+        this->KeepsLast = !this->InOrder;
         this->FindCandidates(true);
       }
       this->Flip();
       this->KeepViolated();
       ++report.Rounds;
     }
+    report.Rounds += this->Restore();
     std::vector<Index> flipped{ this->CountChanges() };
     ranks.Sum(flipped);
     report.FlippedCells = flipped[0];
@@ -131,11 +209,12 @@ private:
     return gains;
   }
 
-  /// Place of a label in the present order: it begins at label Turn and wraps around.
-  int Order(int label) const
+  /// Place of a label in the present order: it begins at label Turn and wraps around. In the last one, small labels come first.
+  Index Order(int label) const
   {
-    const int count = this->Fractions.NumberOfMaterials() + 1;
-    return (label + count - this->Turn % count) % count;
+    const Index count = this->Fractions.NumberOfMaterials() + 1;
+    const Index size = this->InOrder ? this->Sizes->CappedSize(label) : 0;
+    return size * count + (label + count - this->Turn % count) % count;
   }
 
   bool MayTake(int current, int label, bool decreasing) const
@@ -156,7 +235,7 @@ private:
       {
         continue;
       }
-      const double price = CostOffset + this->Cost(cells, this->Labels[unit], labels[n]);
+      const double price = this->Price(cells, this->Labels[unit], labels[n]);
       const double score = gain > 0 ? gain / price : (gain - 1) * price;
       if (best.Label < 0 || score > best.Score)
       {
@@ -176,6 +255,12 @@ private:
     const FractionSum mean = MeanOfCells(this->Grid, this->Fractions, cells);
     return static_cast<double>(cells.Size(0)) *
       std::max(0.0, mean.Fraction(current) - mean.Fraction(label));
+  }
+
+  double Price(const IndexBox& cells, int current, int label) const
+  {
+    return this->Sizes->Factor(cells.NumberOfCells(), current, label) *
+      (CostOffset + this->Cost(cells, current, label));
   }
 
   void FindCandidates(bool decreasing)
@@ -200,10 +285,12 @@ private:
     for (std::size_t n = 0; n < changes.size();)
     {
       const Index unit = changes[n].first;
+      const bool isKept = this->KeepsLast &&
+        this->Sizes->IsLast(this->Units.CellsOf(unit).NumberOfCells(), this->Labels[unit]);
       allowed.clear();
       for (; n < changes.size() && changes[n].first == unit; ++n)
       {
-        if (this->MayTake(this->Labels[unit], changes[n].second, decreasing))
+        if (!isKept && this->MayTake(this->Labels[unit], changes[n].second, decreasing))
         {
           allowed.push_back(changes[n].second);
         }
@@ -231,18 +318,27 @@ private:
     return isBest;
   }
 
+  /// Flips the best candidates. Each rank remembers the first labels of the units that may flip around its own, too.
   void Flip()
   {
     std::vector<std::pair<IndexBox, int>> flips;
+    std::vector<std::pair<Index, int>> others; // candidates of other ranks, and their labels
     for (const auto& candidate : this->Candidates)
     {
       const IndexBox cells = this->Units.CellsOf(candidate.first);
-      if (this->Parts.OwnsCell(cells.Lower) && this->IsBestAround(cells, candidate.second))
+      const int label = this->Labels[candidate.first];
+      if (!this->Parts.OwnsCell(cells.Lower))
       {
-        this->Original.emplace(candidate.first, this->Labels[candidate.first]);
+        others.emplace_back(candidate.first, label);
+      }
+      else if (this->IsBestAround(cells, candidate.second))
+      {
+        this->Original.emplace(candidate.first, label);
+        this->Sizes->Add(cells.NumberOfCells(), label, candidate.second.Label);
         flips.emplace_back(cells, candidate.second.Label);
       }
     }
+    this->Sizes->Share();
     for (const auto& flip : flips)
     {
       FillLabels(this->Grid, flip.first, flip.second, this->Labels);
@@ -259,6 +355,40 @@ private:
           this->Violated.push_back(this->Grid.NodeOfCell(cell, c));
         }
       });
+    for (const auto& other : others)
+    {
+      if (this->Labels[other.first] != other.second)
+      {
+        this->Original.insert(other);
+      }
+    }
+  }
+
+  /// Lets units take their first labels again where no star minds, until none can: what perturbations changed in vain. Returns the
+  /// rounds. Ends, since each gives fewer units another label.
+  int Restore()
+  {
+    for (int rounds = 0;; ++rounds)
+    {
+      this->Candidates.clear();
+      for (const auto& unit : this->Original)
+      {
+        const IndexBox cells = this->Units.CellsOf(unit.first);
+        const int label = this->Labels[unit.first];
+        if (label != unit.second && this->FindGains(cells, { unit.second })[0] == 0)
+        {
+          this->Candidates.emplace(unit.first,
+            Candidate{ this->Price(cells, unit.second, label), unit.second,
+              this->Grid.CellKey(cells.Lower) });
+        }
+      }
+      if (!this->Parts.Group().Any(!this->Candidates.empty()))
+      {
+        return rounds;
+      }
+      this->Flip();
+      this->Violated.clear();
+    }
   }
 
   /// Units of several cells whose flip moves the interface by more than CostlyFlip.
@@ -268,7 +398,7 @@ private:
     for (const auto& unit : this->Original)
     {
       const IndexBox cells = this->Units.CellsOf(unit.first);
-      if (cells.Size(0) > 1 &&
+      if (cells.Size(0) > 1 && this->Parts.OwnsCell(cells.Lower) &&
         this->Cost(cells, unit.second, this->Labels[unit.first]) > CostlyFlip)
       {
         flips.push_back(cells.Lower);
@@ -280,7 +410,11 @@ private:
   Index CountChanges() const
   {
     return std::count_if(this->Original.begin(), this->Original.end(),
-      [this](const auto& unit) { return this->Labels[unit.first] != unit.second; });
+      [this](const auto& unit)
+      {
+        return this->Parts.OwnsCell(this->Grid.Position(unit.first)) &&
+          this->Labels[unit.first] != unit.second;
+      });
   }
 
   const CartesianGrid& Grid;
@@ -290,8 +424,12 @@ private:
   const LabelUnits Units;
   const IndexBox Reach;
   std::vector<Index> Violated;
-  std::unordered_map<Index, int> Original; // labels of the owned units that were flipped
+  std::unordered_map<Index, int>
+    Original; // labels of the flipped units, owned ones and those around
+  std::unique_ptr<LabelSizes> Sizes;
   int Turn = 0;
+  bool InOrder = false;  // whether units take smaller labels in the last order alone
+  bool KeepsLast = true; // whether no label may lose its last unit
   std::unordered_map<Index, Candidate> Candidates;
 };
 

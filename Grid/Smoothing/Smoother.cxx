@@ -16,7 +16,8 @@ constexpr double Armijo = 1e-4;          // share of the predicted decrease that
 constexpr double MoveThatCounts = 0.005; // smaller moves wake no neighbour
 constexpr double NudgeRadius = 0.01;     // in mean cells
 constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise the barrier
-constexpr double LargestOffset = 0.25;   // of an attachment, in cells
+constexpr double OffsetAhead = 0.25;     // of where a point is, in cells
+constexpr double ShiftThatCounts = 1e-3; // of a target, in mean cells; smaller ones wake no point
 
 using Matrix3 = Eigen::Matrix3d;
 using EigenVector3 = Eigen::Vector3d;
@@ -88,16 +89,21 @@ void Smoother::RunStage(const SmoothingStage& stage, const std::function<void(do
     [&]
     {
       this->MarkAll();
-      for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
-      {
-        const double move = this->Sweep(stage);
-        report((sweep + 1.0) / stage.Sweeps);
-        if (move < stage.SmallestMove)
-        {
-          break;
-        }
-      }
+      this->RunSweeps(stage, report);
     });
+}
+
+void Smoother::RunSweeps(const SmoothingStage& stage, const std::function<void(double)>& report)
+{
+  for (int sweep = 0; sweep < stage.Sweeps; ++sweep)
+  {
+    const double move = this->Sweep(stage);
+    report((sweep + 1.0) / stage.Sweeps);
+    if (move < stage.SmallestMove)
+    {
+      break;
+    }
+  }
 }
 
 void Smoother::RunRamp(const SmoothingRamp& ramp)
@@ -149,14 +155,46 @@ double Smoother::Sweep(const SmoothingStage& stage)
     });
 }
 
-void Smoother::Shift(const std::vector<double>& shifts)
+void Smoother::Shift(const std::vector<double>& shifts, const OffsetBound& largest)
 {
-  for (std::size_t i = 0; i < shifts.size(); ++i)
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
   {
-    Attachment& a = this->Mesh.Attachments[i];
-    const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
-    a.Offset = std::min(std::max(offset, -LargestOffset), LargestOffset);
+    for (Index i = offsets[point]; i < offsets[point + 1]; ++i)
+    {
+      Attachment& a = this->Mesh.Attachments[i];
+      const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
+      double low = -OffsetAhead, high = OffsetAhead;
+      if (const double bound = largest(a); bound > OffsetAhead)
+      {
+        Vector3 gradient;
+        const double now = this->Targets->Distance(a.Target, this->Mesh.X[point], gradient);
+        low = std::max(-bound, std::min(low, now - OffsetAhead));
+        high = std::min(bound, std::max(high, now + OffsetAhead));
+      }
+      a.Offset = std::min(std::max(offset, low), high);
+    }
   }
+}
+
+void Smoother::Follow(
+  const std::vector<double>& shifts, const OffsetBound& largest, const SmoothingStage& stage)
+{
+  this->Shift(shifts, largest);
+  std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
+  const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
+  for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
+  {
+    if (std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
+          [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
+    {
+      this->MarkNeighbours(static_cast<int>(point));
+    }
+  }
+  const bool wasGuarded = this->IsGuarded;
+  this->IsGuarded = true; // cheaper than to check all elements, since few points move
+  this->RunSweeps(stage, [](double) {});
+  this->IsGuarded = wasGuarded;
 }
 
 void Smoother::Nudge(const std::vector<double>& shifts, const SmoothingStage& stage)

@@ -8,8 +8,6 @@ namespace vfm
 namespace
 {
 
-constexpr double LargeFragment = 64.0; // cells; smaller ones do not count in WorstError
-
 double AreaOf(const std::array<Vector3, 4>& q)
 {
   return 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1]));
@@ -159,6 +157,7 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
   this->StartVolumes = SumOverRanks(sums.Cells, ranks);
   this->TotalOfMaterial = SumOverRanks(sums.Totals, ranks);
   this->ShareOrphans();
+  this->Aims = this->Targets;
 }
 
 /// Fractions with no cell of their material near go to all fragments of the material alike.
@@ -204,7 +203,7 @@ std::vector<double> FragmentVolumes::FindPotentials() const
   std::vector<double> lack(this->Targets.size(), 0.0);
   for (std::size_t f = 1; f < lack.size(); ++f)
   {
-    lack[f] = this->Targets[f] - this->StartVolumes[f] - this->Swept[f];
+    lack[f] = this->Aims[f] - this->VolumeOf(static_cast<int>(f));
   }
   return SolveForLack(this->Areas, lack);
 }
@@ -220,17 +219,49 @@ std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh) const
   return shifts;
 }
 
-double FragmentVolumes::WorstError() const
+double FragmentVolumes::ErrorOf(int fragment) const
+{
+  return std::fabs(this->VolumeOf(fragment) - this->Aims[fragment]) / this->Aims[fragment];
+}
+
+/// Largest error of the fragments that are small, or are not.
+double FragmentVolumes::WorstOf(bool small) const
 {
   double worst = 0.0;
-  for (std::size_t f = 1; f < this->Targets.size(); ++f)
+  for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
-    if (this->Targets[f] >= LargeFragment)
-    {
-      worst = std::max(worst,
-        std::fabs(this->StartVolumes[f] + this->Swept[f] - this->Targets[f]) / this->Targets[f]);
-    }
+    worst = this->IsSmall(f) == small ? std::max(worst, this->ErrorOf(f)) : worst;
   }
+  return worst;
+}
+
+double FragmentVolumes::WorstSmallError() const
+{
+  return this->WorstOf(true);
+}
+
+bool FragmentVolumes::GiveUp(double error)
+{
+  std::vector<unsigned char> isGivenUp(this->Targets.size(), 0);
+  std::vector<double> lack(this->TotalOfMaterial.size(), 0.0), kept(lack);
+  for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
+  {
+    const int m = this->Materials[f];
+    isGivenUp[f] = this->IsSmall(f) && this->ErrorOf(f) > error;
+    lack[m] += isGivenUp[f] ? this->Aims[f] - this->VolumeOf(f) : 0.0;
+    kept[m] += isGivenUp[f] ? 0.0 : this->Aims[f];
+  }
+  for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
+  {
+    const int m = this->Materials[f];
+    this->Aims[f] = isGivenUp[f] ? this->VolumeOf(f) : this->Aims[f] * (1.0 + lack[m] / kept[m]);
+  }
+  return std::find(isGivenUp.begin(), isGivenUp.end(), 1) != isGivenUp.end();
+}
+
+double FragmentVolumes::WorstError() const
+{
+  double worst = this->WorstOf(false);
   const std::vector<double> volumes = this->MaterialVolumes();
   for (std::size_t m = 1; m < volumes.size(); ++m)
   {
@@ -248,7 +279,7 @@ std::vector<double> FragmentVolumes::MaterialVolumes() const
   std::vector<double> volumes(this->TotalOfMaterial.size(), 0.0);
   for (std::size_t f = 1; f < this->Targets.size(); ++f)
   {
-    volumes[this->Materials[f]] += this->StartVolumes[f] + this->Swept[f];
+    volumes[this->Materials[f]] += this->VolumeOf(static_cast<int>(f));
   }
   return volumes;
 }

@@ -35,6 +35,8 @@ int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
 
 class FragmentVolumes
 {
+  static constexpr double LargeFragment = 64.0; // cells
+
 public:
   /// materials: of each fragment, [0] unused. Collective, like Measure.
   FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
@@ -51,8 +53,20 @@ public:
   /// with the areas A of the interfaces, mu = 0 outside; an interface shifts by mu_f - mu_g.
   std::vector<double> FindShifts(const ActiveMesh& mesh) const;
 
-  /// Largest |volume - target| / target of a material, and of a fragment of 64 cells or more.
+  /// Whether a fragment's target is less than 64 cells. 0, outside, is not small.
+  bool IsSmall(int fragment) const
+  {
+    return fragment > 0 && this->Targets[fragment] < LargeFragment;
+  }
+
+  /// Largest |volume - target| / target of a material, and of a fragment that is not small.
   double WorstError() const;
+  /// The same of the small fragments.
+  double WorstSmallError() const;
+
+  /// From now on, shifts leave the small fragments that are off by more than a relative error as they are, and give what they lack to
+  /// the other fragments of their material, in proportion to their targets. Whether there were some.
+  bool GiveUp(double error);
 
   /// Per material from 0, in cells of mean size. Targets count every cell, also where no cell holds the label.
   std::vector<double> MaterialTargets() const { return this->TotalOfMaterial; }
@@ -63,10 +77,17 @@ public:
 private:
   void ShareOrphans();
   std::vector<double> FindPotentials() const;
+  double VolumeOf(int fragment) const
+  {
+    return this->StartVolumes[fragment] + this->Swept[fragment];
+  }
+  double ErrorOf(int fragment) const;
+  double WorstOf(bool small) const;
 
   const std::vector<int>& Materials;
   const Partition& Parts;
   std::vector<double> Targets;         // by fragment, orphans shared out
+  std::vector<double> Aims;            // the same, what is given up shared out too
   std::vector<double> StartVolumes;    // by fragment
   std::vector<double> Swept;           // by fragment, since the start
   std::vector<PairSum> Areas;          // of the interfaces of two fragments

@@ -5,7 +5,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 
 from vfmtest import (
-    SPACING, TET_METHODS, ball_and_plate, check_surfaces, elements, facets, fraction_image, main, mesh_of,
+    SPACING, TET_METHODS, ball_and_plate, check_surfaces, elements, facets, fraction_image, image, main, mesh_of,
     VolumeFractionToTet)
 
 N = 12
@@ -84,6 +84,24 @@ def test_field_data():
         quality = result.cells("ScaledJacobian")
         assert abs(result.field("MinimumScaledJacobian")[0] - quality.min()) < 1e-6
         assert abs(result.field("MeanScaledJacobian")[0] - quality.mean()) < 1e-5
+
+
+def test_volume_errors():
+    for result in MESHES + WITH_VOID:
+        target, volume = (np.array(result.field(name)) for name in ("TargetVolume", "MeshVolume"))
+        assert np.allclose(result.field("VolumeError"), volume / target - 1, rtol=0, atol=1e-15)
+        assert not result.warnings
+
+
+def test_materials_without_elements_are_named():
+    wall, names = np.ones((8, 8, 8)), ["wall", "trace", "none", "dust"]
+    wall[4] = 0.5
+    data = image({"wall": wall, "trace": (1 - wall) * 0.6, "none": 0 * wall, "dust": (1 - wall) * 0.4})
+    for kind in ({}, {"make": VolumeFractionToTet, "Method": "Lattice"}):
+        result = mesh_of(data, VolumeFractionArrays=names, **kind)
+        assert result.field("VolumeError")[1:] == [-1, 0, -1]
+        assert len(result.warnings) == 1 and "2 materials have no element" in result.warnings[0], result.warnings
+        assert "'trace' (id 2), 'dust' (id 4)" in result.warnings[0], result.warnings
 
 
 def test_ids_are_positive_and_unique():

@@ -188,6 +188,16 @@ def test_empty_mesh(at):
         assert result.returncode == 4 and result.stderr.count("sculptor: Cannot write the output") == 1, result
 
 
+@in_folder
+def test_materials_without_elements_are_named(at):
+    wall = np.ones((6, 6, 6))
+    wall[3] = 0.7
+    path = write(image({"wall": wall, "trace": 1 - wall}), at("in.vti"))
+    for ranks in (1, 2):
+        result = sculptor("--input", path, "--output", at("out.vtu"), ranks=ranks)
+        assert result.returncode == 0 and result.stderr.count("'trace' (id 2)") == 1, result
+
+
 def read_exodus(path):
     """{block: (element ids, {node id: coordinates})}"""
     found = {}
