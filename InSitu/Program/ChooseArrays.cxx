@@ -325,6 +325,7 @@ ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
 {
   CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
+  CheckNamedArrays(data, "--density", arguments.Densities, ranks); // which State has too
   CheckNamedArrays(data, "--state", arguments.State, ranks);
   CheckLabelArray(data, arguments.Labels, ranks);
   if (!arguments.Labels.empty())

@@ -188,7 +188,7 @@ def test_sculptor():
                 (["--density", "density"], 1, "--density is for the table"),
                 (["--fragments", os.path.join(folder, "none", "f.csv")], 4, "Cannot write the output"),
                 (["--fragments", folder], 4, "Cannot write the table"),
-                (["--fragments", output, "--density", "nothing"], 3, "nothing")):
+                (["--fragments", output, "--density", "nothing"], 2, "'nothing' (--density)")):
             result = mpi_run(2, command + extra)
             assert result.returncode == code and result.stderr.count(text) == 1, result
 
