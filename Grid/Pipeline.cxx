@@ -16,13 +16,11 @@ constexpr int FlipRounds =
 constexpr int CorrectionRounds = 6;
 constexpr int SweepsPerCorrection = 4;
 constexpr double VolumeTolerance = 2e-4; // relative, of the rounds with smoothing
-constexpr int SmallRounds = 20;          // for small fragments alone
+constexpr int SmallRounds = 40;          // for small fragments alone
 constexpr double SmallTolerance = 5e-3;  // relative, of a small fragment
 constexpr int Nudges = 4;
 constexpr int MoreNudges = 4;           // where fragments were given up
 constexpr double FinalTolerance = 1e-7; // relative
-constexpr double LargestOffset = 0.25;  // of an attachment, in cells
-constexpr double OffsetOfSmall = 1.0;   // the same, of small fragments
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
 {
@@ -40,20 +38,17 @@ void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clo
   FragmentVolumes& volumes = what.Volumes;
   SmoothingStage stage = what.Ramp.back();
   stage.Sweeps = SweepsPerCorrection;
-  const auto largest = [&volumes](const Attachment& a)
-  {
-    const bool isSmall = volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]);
-    return isSmall ? OffsetOfSmall : LargestOffset;
-  };
+  const auto isSmall = [&volumes](const Attachment& a)
+  { return volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]); };
   for (int round = 0; round < CorrectionRounds && volumes.WorstError() > VolumeTolerance; ++round)
   {
-    smoother.Shift(volumes.FindShifts(what.Active), largest);
+    smoother.Shift(volumes.FindShifts(what.Active), isSmall);
     smoother.RunStage(stage, [&](double) { clock.Update(0.8 + 0.02 * round); });
     volumes.Measure(what.Active);
   }
   for (int round = 0; round < SmallRounds && volumes.WorstSmallError() > SmallTolerance; ++round)
   {
-    smoother.Follow(volumes.FindShifts(what.Active), largest, stage);
+    smoother.Follow(volumes.FindShifts(what.Active), isSmall, stage);
     volumes.Measure(what.Active);
     clock.Update(0.92);
   }

@@ -16,7 +16,8 @@ constexpr double Armijo = 1e-4;          // share of the predicted decrease that
 constexpr double MoveThatCounts = 0.005; // smaller moves wake no neighbour
 constexpr double NudgeRadius = 0.01;     // in mean cells
 constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise the barrier
-constexpr double OffsetAhead = 0.25;     // of where a point is, in cells
+constexpr double OffsetAhead = 0.25;     // of an attachment, of 0 or of its point, in cells
+constexpr double LongestOffset = 1.0;    // from 0
 constexpr double ShiftThatCounts = 1e-3; // of a target, in mean cells; smaller ones wake no point
 
 using Matrix3 = Eigen::Matrix3d;
@@ -155,7 +156,7 @@ double Smoother::Sweep(const SmoothingStage& stage)
     });
 }
 
-void Smoother::Shift(const std::vector<double>& shifts, const OffsetBound& largest)
+void Smoother::Shift(const std::vector<double>& shifts, const HasLongOffset& isLong)
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
   for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
@@ -165,12 +166,12 @@ void Smoother::Shift(const std::vector<double>& shifts, const OffsetBound& large
       Attachment& a = this->Mesh.Attachments[i];
       const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
       double low = -OffsetAhead, high = OffsetAhead;
-      if (const double bound = largest(a); bound > OffsetAhead)
+      if (isLong(a))
       {
         Vector3 gradient;
         const double now = this->Targets->Distance(a.Target, this->Mesh.X[point], gradient);
-        low = std::max(-bound, std::min(low, now - OffsetAhead));
-        high = std::min(bound, std::max(high, now + OffsetAhead));
+        low = std::max(-LongestOffset, std::min(low, now - OffsetAhead));
+        high = std::min(LongestOffset, std::max(high, now + OffsetAhead));
       }
       a.Offset = std::min(std::max(offset, low), high);
     }
@@ -178,9 +179,9 @@ void Smoother::Shift(const std::vector<double>& shifts, const OffsetBound& large
 }
 
 void Smoother::Follow(
-  const std::vector<double>& shifts, const OffsetBound& largest, const SmoothingStage& stage)
+  const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
-  this->Shift(shifts, largest);
+  this->Shift(shifts, isLong);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
   for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)

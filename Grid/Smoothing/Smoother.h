@@ -35,15 +35,15 @@ public:
   /// Has the point and its neighbours looked at in the next sweep.
   void Wake(int point) { this->MarkNeighbours(point); }
 
-  /// How far the offset of an attachment may be from 0, in cells.
-  using OffsetBound = std::function<double(const Attachment&)>;
-  /// Adds to the offsets of the attachments (grid coordinates, towards the second label). They stay within a quarter of a cell or, up to
-  /// the bound, as far ahead of where their points have come: where elements do not give way no pull grows.
-  void Shift(const std::vector<double>& shifts, const OffsetBound& largest);
+  /// Whether an attachment may have an offset of up to a cell.
+  using HasLongOffset = std::function<bool(const Attachment&)>;
+  /// Adds to the offsets of the attachments (grid coordinates, towards the second label). They stay within a quarter of a cell; long ones
+  /// may be as far ahead of where their points have come, so where elements do not give way no pull grows.
+  void Shift(const std::vector<double>& shifts, const HasLongOffset& isLong);
 
   /// Shifts, then runs a stage from the points whose targets moved by a thousandth of a cell or more, and what they wake.
   void Follow(
-    const std::vector<double>& shifts, const OffsetBound& largest, const SmoothingStage& stage);
+    const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
   /// Moves every surface point by the shifts of its attachments along their normals (grid coordinates), at most
   /// a hundredth of a cell, where its elements stay as good by the energy of a stage.
