@@ -246,13 +246,18 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   Matrix3 H;
   H << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
   EigenVector3 g(d.Gradient[0], d.Gradient[1], d.Gradient[2]);
-  EigenVector3 newton = SolveFor(this->Mesh.Fixed[point], H, g);
-  Vector3 step{ { newton[0], newton[1], newton[2] } };
-  if (const int held = this->HeldAxes(point, step))
+  bool isFree;
+  int held = 0, more = this->Mesh.Fixed[point];
+  EigenVector3 newton;
+  Vector3 step;
+  do
   {
-    newton = SolveFor(this->Mesh.Fixed[point] | held, H, g);
+    held |= more;
+    newton = SolveFor(held, H, g);
     step = { { newton[0], newton[1], newton[2] } };
-  }
+    isFree = this->StaysWithin(point, step);
+    more = isFree ? 0 : this->HeldAxes(point, step) & ~held;
+  } while (more != 0);
   const Vector3& widths =
     this->Mesh.WidthsAt(this->Mesh.CornerList[this->Mesh.CornerOffset[point]]);
   const double length = Norm(Divided(step, widths));
@@ -266,7 +271,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   double t = 1.0;
   for (int trial = 0; trial <= Backtracks; ++trial, t *= Backtrack)
   {
-    const Vector3 x = this->Moved(point, t * step);
+    const Vector3 x = isFree ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
       this->DistanceEnergy(point, x, stage.Lambda);
     if (energy <= d.Value + Armijo * t * slope && this->MayMove(point, x))
@@ -295,7 +300,7 @@ int Smoother::HeldAxes(int point, const Vector3& step) const
       (step[a] > 0.0 && x[a] >= this->Mesh.Upper[a]);
     held |= isHeld << a;
   }
-  return held & ~this->Mesh.Fixed[point];
+  return held;
 }
 
 /// Where a step takes the point, as far as it may go. Where it stands beyond, it stays or comes back.

@@ -55,6 +55,18 @@ private:
   void NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
+  /// Whether the point is within the mesh's bounds, and still is when it has made a step.
+  bool StaysWithin(int point, const Vector3& step) const
+  {
+    const Vector3 &x = this->Mesh.X[point], &low = this->Mesh.Lower, &high = this->Mesh.Upper;
+    bool stays = true;
+    for (int a = 0; a < 3; ++a)
+    {
+      const double to = x[a] + step[a];
+      stays = stays & (x[a] > low[a]) & (x[a] < high[a]) & (to > low[a]) & (to < high[a]);
+    }
+    return stays;
+  }
   int HeldAxes(int point, const Vector3& step) const;
   Vector3 Moved(int point, const Vector3& step) const;
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
