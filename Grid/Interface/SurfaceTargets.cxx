@@ -12,7 +12,7 @@ namespace
 constexpr double FitRadius = 1.2;      // of the Gaussian weight, in cells
 constexpr int Rings = 2;               // of interface faces whose crossings are fitted
 constexpr double SmallestCosine = 0.2; // between the normals of a crossing and the base plane
-constexpr double LargestHeight = 2.0;  // of a crossing over the base plane
+constexpr double LargestHeight = 1.6;  // of a crossing over the base plane
 constexpr double SmallestSlide =
   0.1; // squared sine of the angle between quadric and side of the domain
 constexpr double LinearBeyond = 1.5; // radius from which a quadric goes on as a plane
