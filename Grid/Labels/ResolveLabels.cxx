@@ -365,7 +365,7 @@ private:
   }
 
   /// Lets units take their first labels again where no star minds, until none can: what perturbations changed in vain. Returns the
-  /// rounds. Ends, since each gives fewer units another label.
+  /// rounds. Ends, since each gives fewer units another label. Of units beyond Reach not all flips are known.
   int Restore()
   {
     for (int rounds = 0;; ++rounds)
@@ -375,7 +375,8 @@ private:
       {
         const IndexBox cells = this->Units.CellsOf(unit.first);
         const int label = this->Labels[unit.first];
-        if (label != unit.second && this->FindGains(cells, { unit.second })[0] == 0)
+        if (this->Reach.Contains(cells.Lower) && label != unit.second &&
+          this->FindGains(cells, { unit.second })[0] == 0)
         {
           this->Candidates.emplace(unit.first,
             Candidate{ this->Price(cells, unit.second, label), unit.second,
