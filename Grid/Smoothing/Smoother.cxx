@@ -18,6 +18,8 @@ constexpr double NudgeRadius = 0.01;     // in mean cells
 constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise the barrier
 constexpr double OffsetAhead = 0.25;     // of an attachment, of 0 or of its point, in cells
 constexpr double LongestOffset = 1.0;    // from 0
+constexpr double LargestPrice =
+  10.0; // energy of the elements at a point up to which long offsets grow
 constexpr double ShiftThatCounts = 1e-3; // of a target, in mean cells; smaller ones wake no point
 
 using Matrix3 = Eigen::Matrix3d;
@@ -156,7 +158,22 @@ double Smoother::Sweep(const SmoothingStage& stage)
     });
 }
 
-void Smoother::Shift(const std::vector<double>& shifts, const HasLongOffset& isLong)
+/// Between which values the offset of a long attachment may be.
+std::array<double, 2> Smoother::LongRange(
+  int point, const Attachment& a, const SmoothingStage& stage) const
+{
+  if (this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) > LargestPrice)
+  {
+    return { { std::min(a.Offset, -OffsetAhead), std::max(a.Offset, OffsetAhead) } };
+  }
+  Vector3 gradient;
+  const double now = this->Targets->Distance(a.Target, this->Mesh.X[point], gradient);
+  return { { std::max(-LongestOffset, std::min(-OffsetAhead, now - OffsetAhead)),
+    std::min(LongestOffset, std::max(OffsetAhead, now + OffsetAhead)) } };
+}
+
+void Smoother::Shift(
+  const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
   for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
@@ -165,15 +182,10 @@ void Smoother::Shift(const std::vector<double>& shifts, const HasLongOffset& isL
     {
       Attachment& a = this->Mesh.Attachments[i];
       const double offset = a.Offset + shifts[i] * this->Targets->LocalScale(a.Target);
-      double low = -OffsetAhead, high = OffsetAhead;
-      if (isLong(a))
-      {
-        Vector3 gradient;
-        const double now = this->Targets->Distance(a.Target, this->Mesh.X[point], gradient);
-        low = std::max(-LongestOffset, std::min(low, now - OffsetAhead));
-        high = std::min(LongestOffset, std::max(high, now + OffsetAhead));
-      }
-      a.Offset = std::min(std::max(offset, low), high);
+      const std::array<double, 2> range = isLong(a)
+        ? this->LongRange(static_cast<int>(point), a, stage)
+        : std::array<double, 2>{ { -OffsetAhead, OffsetAhead } };
+      a.Offset = std::min(std::max(offset, range[0]), range[1]);
     }
   }
 }
@@ -181,7 +193,7 @@ void Smoother::Shift(const std::vector<double>& shifts, const HasLongOffset& isL
 void Smoother::Follow(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
-  this->Shift(shifts, isLong);
+  this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
   for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)

@@ -38,8 +38,9 @@ public:
   /// Whether an attachment may have an offset of up to a cell.
   using HasLongOffset = std::function<bool(const Attachment&)>;
   /// Adds to the offsets of the attachments (grid coordinates, towards the second label). They stay within a quarter of a cell; long ones
-  /// may be as far ahead of where their points have come, so where elements do not give way no pull grows.
-  void Shift(const std::vector<double>& shifts, const HasLongOffset& isLong);
+  /// may be as far ahead of where their points have come, while the elements there are good by the energy of a stage.
+  void Shift(
+    const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
   /// Shifts, then runs a stage from the points whose targets moved by a thousandth of a cell or more, and what they wake.
   void Follow(
@@ -50,6 +51,8 @@ public:
   void Nudge(const std::vector<double>& shifts, const SmoothingStage& stage);
 
 private:
+  std::array<double, 2> LongRange(
+    int point, const Attachment& a, const SmoothingStage& stage) const;
   void MoveAndCheck(const std::function<void()>& move);
   double ForPoints(const std::function<double(int)>& move);
   void NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
