@@ -196,14 +196,17 @@ void Smoother::Follow(
   this->Shift(shifts, isLong, stage);
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 0);
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
-  for (std::size_t point = 0; point < this->Mesh.X.size(); ++point)
-  {
-    if (std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
-          [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
+  this->ForPoints(
+    [&](int point)
     {
-      this->MarkNeighbours(static_cast<int>(point));
-    }
-  }
+      if (std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
+            [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
+      {
+        this->Woke[point] = 1; // on all ranks: others may not know all that a point is attached to
+        this->MarkNeighbours(point);
+      }
+      return 0.0;
+    });
   const bool wasGuarded = this->IsGuarded;
   this->IsGuarded = true; // cheaper than to check all elements, since few points move
   this->RunSweeps(stage, [](double) {});

@@ -94,7 +94,8 @@ def test_time_controls():
     for source in simple.GetSources().values():  # their times would be steps, too
         simple.Delete(source)
     meshes = [impact_mesh(time) for time in impact_times()]
-    assert [mesh.GetNumberOfCells() for mesh in meshes] == IMPACT_SIZES
+    sizes = [mesh.GetNumberOfCells() for mesh in meshes]
+    assert sizes == IMPACT_SIZES, sizes
     hexes = VolumeFractionToHex(Input=open_case(IMPACT), VolumeFractionArrays=SPY)
     simple.Show(hexes, simple.CreateView("SpreadSheetView"))
     scene = simple.GetAnimationScene()
