@@ -40,7 +40,7 @@ def find_problem(result, fractions, limited):
         return "the layout of the velocity is lost"
     if result.mesh.GetNumberOfCells() == 0:
         return ""
-    expected, _, _ = state_cells(result, COORDINATES, fractions, limited)
+    expected, _ = state_cells(result, COORDINATES, fractions, limited)
     if (result.cells("number") != expected).any():
         return "%d of %d cells are wrong" % ((result.cells("number") != expected).sum(), len(expected))
     return "" if (result.cells("velocity") == FIELDS["velocity"].reshape(-1, 3)[expected]).all() else "wrong velocity"

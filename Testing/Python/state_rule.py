@@ -30,7 +30,7 @@ def cells_made_of(result, size):
 
 
 def state_cells(result, coordinates, fractions, limited=True):
-    """The number (x fastest) of each element's cell; and how many took a neighbour's, how many were held back.
+    """The number (x fastest) of each element's cell; and how many took a neighbour's.
 
     coordinates: of the nodes, x y z; fractions: of all materials, void too; limited: not for tetrahedra by TetGen.
     """
@@ -57,7 +57,7 @@ def state_cells(result, coordinates, fractions, limited=True):
     best = np.lexsort((numbers, distance, -np.array(fraction)), axis=0)[0]
     fullest = np.array(numbers)[best, np.arange(len(best))]
     takes_home = table[material, number(home)] >= 0.5
-    return np.where(takes_home, number(home), fullest), (~takes_home).sum(), (home != inside).any(axis=1).sum()
+    return np.where(takes_home, number(home), fullest), (~takes_home).sum()
 
 
 def graded_coordinates(n):
