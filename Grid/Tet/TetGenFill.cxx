@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <new>
 
 #define TETLIBRARY
 #include <tetgen.h>
@@ -20,6 +21,8 @@ using namespace tetfill;
 
 namespace
 {
+
+constexpr int OutOfMemory = 1; // of TetGen's codes
 
 /// A tet is split when its longest edge is longer than this many wished lengths.
 /// Chosen so that the mean edge has the wished length.
@@ -314,8 +317,6 @@ const char* Reason(int code)
 {
   switch (code)
   {
-    case 1:
-      return "TetGen ran out of memory";
     case 2:
       return "TetGen found an error of its own";
     case 3:
@@ -403,9 +404,17 @@ TetGenFill FillWithTetGen(
   }
   catch (const int code)
   {
+    if (code == OutOfMemory)
+    {
+      throw std::bad_alloc(); // no fault of the part
+    }
     fill.Refusal = Reason(code);
   }
   catch (const Aborted&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
   {
     throw;
   }
