@@ -161,8 +161,7 @@ bool AddFlippedFamilies(
     const OctreeKeys::LevelIndex leaf = levels.LeafOf(cell);
     if (levels.Families().IsTouched(leaf.Level, leaf.At))
     {
-      plan.Families[leaf.Level].push_back(
-        levels.Lattice().FamilyKey(leaf.Level, ParentOfCell(leaf.At)));
+      plan.Families[leaf.Level].push_back(levels.Lattice().FamilyKeyOf(leaf));
       found = true;
     }
   }

@@ -1,6 +1,5 @@
 #include "Hex/CoarseHexes.h"
 
-#include "Base/Sorted.h"
 #include "Hex/HexTopology.h"
 #include "Hex/TransitionSmoothing.h"
 
@@ -45,12 +44,7 @@ void CoarseHexes::FindBadFamilies(const std::vector<OctreeKeys::LevelIndex>& bad
   this->Bad.resize(this->Grid.NumberOfRefinements());
   for (const OctreeKeys::LevelIndex& cell : badCells)
   {
-    this->Bad[cell.Level].push_back(
-      this->Grid.Lattice().FamilyKey(cell.Level, ParentOfCell(cell.At)));
-  }
-  for (std::vector<Index>& families : this->Bad)
-  {
-    SortUnique(families);
+    this->Bad[cell.Level].push_back(this->Grid.Lattice().FamilyKeyOf(cell));
   }
 }
 

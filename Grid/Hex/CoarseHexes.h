@@ -33,7 +33,7 @@ public:
     const RefinedGrid& grid, const LabelArray& labels, const Options& options, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }
-  /// Families that owned cells want to refine because hexes there are not positive: of each refinement, ascending.
+  /// Families that owned cells want to refine because hexes there are not positive: of each refinement, in any order.
   const std::vector<std::vector<Index>>& BadFamilies() const { return this->Bad; }
   /// What they are made of; once they are written only the keys and anchors of the points, and the touched cells.
   const RefinedMesh& Refined() const { return this->TheRefined; }

@@ -318,8 +318,7 @@ void SplitNodesBuilder::WantFiner(const Star& star)
     const OctreeKeys::LevelIndex& cell = this->HexOf(at).Side.Cell;
     if (cell.Level < this->Grid.NumberOfRefinements())
     {
-      this->Result.Families[cell.Level].push_back(
-        this->Lattice.FamilyKey(cell.Level, ParentOfCell(cell.At)));
+      this->Result.Families[cell.Level].push_back(this->Lattice.FamilyKeyOf(cell));
     }
   }
 }

@@ -58,6 +58,11 @@ public:
   int DomainSides(int level, const Index3& node) const;
 
   Index FamilyKey(int level, const Index3& family) const;
+  /// Of the family that a cell is in.
+  Index FamilyKeyOf(const LevelIndex& cell) const
+  {
+    return this->FamilyKey(cell.Level, ParentOfCell(cell.At));
+  }
   Index3 FamilyOfKey(int level, Index key) const;
   /// The key of a copy, or with slot 0 of the node as one of its level; LatticeKey is what the mesh calls the latter.
   Index NodeKey(int level, const Index3& node, int slot) const;

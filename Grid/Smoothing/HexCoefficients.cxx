@@ -153,6 +153,12 @@ bool HexesExceed(const ActiveMesh& mesh, Index first, Index last)
   return true;
 }
 
+/// The smallest coefficient of the hex at a position of the corner list.
+VFM_INLINE double SmallestAt(const ActiveMesh& mesh, Index position)
+{
+  return SmallestOf(MakeProducts(MakeEdges(CornersOf(mesh, position & ~7))));
+}
+
 VFM_CLONES
 bool MayStandAt(const ActiveMesh& mesh, int point, const Vector3& x)
 {
@@ -160,10 +166,10 @@ bool MayStandAt(const ActiveMesh& mesh, int point, const Vector3& x)
   {
     const Index position = mesh.CornerList[at];
     Corners corners = CornersOf(mesh, position & ~7);
-    const EdgeProducts now = MakeProducts(MakeEdges(corners));
     corners[position & 7] = x.data();
     const EdgeProducts then = MakeProducts(MakeEdges(corners));
-    if (!Exceeds(then, LeastAt(mesh, position)) && !(SmallestOf(then) >= SmallestOf(now)))
+    if (!Exceeds(then, LeastAt(mesh, position)) &&
+      !(SmallestOf(then) >= SmallestAt(mesh, position)))
     {
       return false;
     }

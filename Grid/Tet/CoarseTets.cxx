@@ -352,8 +352,7 @@ void CoarseTets::FindBadFamilies()
   {
     if (!hex.IsWhole)
     {
-      this->Bad[hex.Cell.Level].push_back(
-        this->Grid.Lattice().FamilyKey(hex.Cell.Level, ParentOfCell(hex.Cell.At)));
+      this->Bad[hex.Cell.Level].push_back(this->Grid.Lattice().FamilyKeyOf(hex.Cell));
     }
   };
   for (const Face& face : this->Faces)
