@@ -10,7 +10,6 @@ without the picture of the surface. What is newer than the input, the plugin and
 server.
 """
 import glob
-import math
 import os
 import sys
 import time
@@ -22,14 +21,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 sys.path.insert(0, os.path.join(ROOT, "Examples"))
 import gerris_to_vthb
+import pictures
 from need_files import need_files
 from write_exodus import write_exodus
 
-PICTURE_SIZE = (1600, 1200)
-VIEW_ANGLE = 18  # degrees
 COLOURS = {1: (0.36, 0.62, 0.80), 2: (0.91, 0.62, 0.36)}  # of the materials
-EDGES = (0.13, 0.17, 0.22)
-TEXT = (0.15, 0.15, 0.15)
 
 
 class Case:
@@ -102,54 +98,14 @@ def make_mesh(case, source, make_filter, vtu, exodus, abaqus, table):
     simple.Delete(source)
 
 
-def make_view():
-    view = simple.CreateRenderView()
-    view.ViewSize = PICTURE_SIZE
-    view.UseColorPaletteForBackground = 0
-    view.BackgroundColorMode = "Gradient"
-    view.Background, view.Background2 = (1.0, 1.0, 1.0), (0.87, 0.90, 0.94)
-    view.OrientationAxesVisibility = 0
-    view.UseFXAA = 1
-    view.KeyLightIntensity = 0.95
-    return view
-
-
-def aim(view, bounds, direction, zoom):
-    """Looks from the direction at a point somewhat below the middle of the bounds, with z up."""
-    centre = [(bounds[2 * a] + bounds[2 * a + 1]) / 2 for a in range(3)]
-    radius = math.dist(bounds[0::2], bounds[1::2]) / 2
-    centre[2] -= 0.1 * radius
-    length = math.hypot(*direction)
-    distance = radius / math.sin(math.radians(VIEW_ANGLE / 2)) / zoom
-    view.CameraFocalPoint = centre
-    view.CameraPosition = [c + distance * d / length for c, d in zip(centre, direction)]
-    view.CameraViewUp = (0, 0, 1)
-    view.CameraViewAngle = VIEW_ANGLE
-
-
-def show(proxy, view):
-    display = simple.Show(proxy, view)
-    display.SetRepresentationType("Surface With Edges")
-    display.EdgeColor = EDGES
-    display.LineWidth = 1.0
-    display.Ambient, display.Diffuse = 0.25, 0.85
-    display.Specular, display.SpecularPower = 0.1, 20.0
-    return display
-
-
 def draw_surface(case, mesh, path):
     """The outside, a colour a material."""
-    view = make_view()
+    view = pictures.make_view()
     for material, colour in COLOURS.items():
-        if material > len(case.arrays):
-            continue
-        part = simple.Threshold(
-            Input=mesh, Scalars=["CELLS", "MaterialId"], LowerThreshold=material, UpperThreshold=material)
-        display = show(part, view)
-        simple.ColorBy(display, None)
-        display.AmbientColor = display.DiffuseColor = colour
-    aim(view, mesh.GetDataInformation().GetBounds(), case.camera, case.zoom)
-    save(view, path)
+        if material <= len(case.arrays):
+            pictures.show_material(mesh, view, material, colour)
+    pictures.aim(view, mesh.GetDataInformation().GetBounds(), case.camera, case.zoom)
+    pictures.save(view, path)
 
 
 def draw_cut(case, mesh, path):
@@ -157,32 +113,13 @@ def draw_cut(case, mesh, path):
     information = mesh.GetDataInformation()
     bounds = information.GetBounds()
     lowest = information.GetCellDataInformation().GetArrayInformation("ScaledJacobian").GetComponentRange(0)[0]
-    view = make_view()
+    view = pictures.make_view()
     # Off the middle by a little, which may be a plane of the grid.
     origin = [0.495 * bounds[2 * a] + 0.505 * bounds[2 * a + 1] for a in range(3)]
-    half = simple.Clip(Input=mesh, ClipType="Plane", Crinkleclip=1, Invert=0)
-    half.ClipType.Origin, half.ClipType.Normal = origin, case.cut_normal
-    display = show(half, view)
-    simple.ColorBy(display, ("CELLS", "ScaledJacobian"))
-    table = simple.GetColorTransferFunction("ScaledJacobian")
-    table.ApplyPreset("Viridis (matplotlib)", True)
-    table.RescaleTransferFunction(math.floor(10 * lowest) / 10, 1.0)
-    bar = simple.GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = "Scaled Jacobian", ""
-    bar.TitleColor = bar.LabelColor = TEXT
-    bar.TitleFontSize, bar.LabelFontSize = 30, 26
-    bar.ScalarBarThickness, bar.ScalarBarLength = 28, 0.5
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.2f", "%.2f"
-    bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", (0.25, 0.045)
-    display.SetScalarBarVisibility(view, True)
-    aim(view, bounds, case.cut_camera, case.cut_zoom)
-    save(view, path)
-
-
-def save(view, path):
-    simple.Render(view)
-    simple.SaveScreenshot(path, view, ImageResolution=PICTURE_SIZE)
-    simple.Delete(view)
+    display = pictures.show(pictures.cut(mesh, origin, case.cut_normal), view)
+    pictures.colour_by_quality(display, view, lowest)
+    pictures.aim(view, bounds, case.cut_camera, case.cut_zoom)
+    pictures.save(view, path)
 
 
 def open_mesh(vtu):
@@ -227,7 +164,7 @@ def main(plugin, out, names):
     os.makedirs(out, exist_ok=True)
     code = glob.glob(os.path.join(os.path.dirname(plugin), "*.so"))
     code += [os.path.abspath(__file__)]
-    code += [os.path.join(ROOT, "Examples", name) for name in ("write_exodus.py", "gerris_to_vthb.py")]
+    code += [os.path.join(ROOT, "Examples", name) for name in ("write_exodus.py", "gerris_to_vthb.py", "pictures.py")]
     rows = []
     for case in CASES:
         if names and case.name not in names:

@@ -1,0 +1,82 @@
+"""Pictures of meshes: a view, what is shown in it, from where, and the file. Needs an X server."""
+import math
+
+from paraview import simple
+
+SIZE = (1600, 1200)
+VIEW_ANGLE = 18  # degrees
+EDGES = (0.13, 0.17, 0.22)
+TEXT = (0.15, 0.15, 0.15)
+
+
+def make_view(size=SIZE):
+    view = simple.CreateRenderView()
+    view.ViewSize = size
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Gradient"
+    view.Background, view.Background2 = (1.0, 1.0, 1.0), (0.87, 0.90, 0.94)
+    view.OrientationAxesVisibility = 0
+    view.UseFXAA = 1
+    view.KeyLightIntensity = 0.95
+    return view
+
+
+def aim(view, bounds, direction, zoom, sink=0.1):
+    """Looks from the direction at a point below the middle of the bounds, by sink of their radius, with z up."""
+    centre = [(bounds[2 * a] + bounds[2 * a + 1]) / 2 for a in range(3)]
+    radius = math.dist(bounds[0::2], bounds[1::2]) / 2
+    centre[2] -= sink * radius
+    length = math.hypot(*direction)
+    distance = radius / math.sin(math.radians(VIEW_ANGLE / 2)) / zoom
+    view.CameraFocalPoint = centre
+    view.CameraPosition = [c + distance * d / length for c, d in zip(centre, direction)]
+    view.CameraViewUp = (0, 0, 1)
+    view.CameraViewAngle = VIEW_ANGLE
+
+
+def show(proxy, view, colour=None, edges=True):
+    """colour: red, green, blue; None: as ColorBy says."""
+    display = simple.Show(proxy, view)
+    display.SetRepresentationType("Surface With Edges" if edges else "Surface")
+    display.EdgeColor = EDGES
+    display.LineWidth = 1.0
+    display.Ambient, display.Diffuse = 0.25, 0.85
+    display.Specular, display.SpecularPower = 0.1, 20.0
+    if colour:
+        simple.ColorBy(display, None)
+        display.AmbientColor = display.DiffuseColor = colour
+    return display
+
+
+def show_material(mesh, view, material, colour):
+    part = simple.Threshold(Input=mesh, Scalars=["CELLS", "MaterialId"], LowerThreshold=material, UpperThreshold=material)
+    return show(part, view, colour)
+
+
+def cut(mesh, origin, normal):
+    """The elements on the side of the plane that its normal points to, whole."""
+    half = simple.Clip(Input=mesh, ClipType="Plane", Crinkleclip=1, Invert=0)
+    half.ClipType.Origin, half.ClipType.Normal = origin, normal
+    return half
+
+
+def colour_by_quality(display, view, lowest):
+    """The scaled Jacobian from lowest to 1, with a bar below."""
+    simple.ColorBy(display, ("CELLS", "ScaledJacobian"))
+    table = simple.GetColorTransferFunction("ScaledJacobian")
+    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.RescaleTransferFunction(math.floor(10 * lowest) / 10, 1.0)
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = "Scaled Jacobian", ""
+    bar.TitleColor = bar.LabelColor = TEXT
+    bar.TitleFontSize, bar.LabelFontSize = 30, 26
+    bar.ScalarBarThickness, bar.ScalarBarLength = 28, 0.5
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.2f", "%.2f"
+    bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", (0.25, 0.045)
+    display.SetScalarBarVisibility(view, True)
+
+
+def save(view, path):
+    simple.Render(view)
+    simple.SaveScreenshot(path, view, ImageResolution=view.ViewSize)
+    simple.Delete(view)

@@ -1,0 +1,36 @@
+#!/usr/bin/env pvpython
+"""Figures 9 to 11 and 16: a ball on four ranks: their subdomains put apart, together, and the surface that runs on across them.
+
+usage: pvpython figure_09.py OUT
+"""
+import os
+
+import report
+from rank_meshes import digest, shared_points, surface_angles
+from rank_pictures import draw, join, with_rank
+
+RANKS = 4
+CELLS = 24
+
+
+def main(out):
+    field = report.make_field(
+        os.path.join(out, "ball.vti"), Preset="Sphere", Dimensions=[CELLS] * 3, Bounds=[0, CELLS] * 3)
+    one = report.mesh_field(field, os.path.join(out, "figure_09_1.pvtu"))
+    meshes = report.mesh_field(field, os.path.join(out, "figure_09.pvtu"), ranks=RANKS)
+    whole, apart = with_rank(meshes), with_rank(meshes, apart=0.5)
+    panels = [os.path.join(out, "figure_09_%s.png" % name) for name in ("apart", "together", "surface")]
+    for mesh, panel, edges in zip((apart, whole, whole), panels, (True, True, False)):
+        draw(mesh, "Rank", 0, RANKS - 1, panel, edges=edges, size=(800, 700), zoom=1.5)
+    join(panels, os.path.join(out, "figure_09.png"), 3)
+    shared, moved = shared_points(meshes)
+    inside, between = surface_angles(meshes)
+    return [
+        ("hexahedra of the ranks", ", ".join(report.number(mesh.GetNumberOfCells()) for mesh in meshes), ""),
+        ("points of several ranks, of these not at one place", "%s, %s" % (report.number(shared), report.number(moved)), ""),
+        ("largest angle between facets of the surface, inside ranks", "%.1f degrees" % inside.max(), ""),
+        ("the same between ranks", "%.1f degrees" % between.max(), ""),
+        ("the mesh", "the same bits as on one rank" if digest(meshes) == digest(one) else "ANOTHER than on one rank", "")]
+
+
+report.run(main)

@@ -1,0 +1,79 @@
+"""What the scripts of the figures share: fields of shapes, meshes made by sculptor on ranks of MPI, the table of a
+figure. "The report" is SAND2010-6400 (Owen, Staten: Parallel octree-based hexahedral mesh generation for Eulerian to
+Lagrangian conversion)."""
+import os
+import subprocess
+import sys
+
+from paraview import simple
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.join(HERE, "..", "..")
+BUILD = os.environ.get("BUILD_DIR", os.path.join(ROOT, "build"))
+PLUGIN, SCULPTOR, IMPACT = (os.path.join(BUILD, name) for name in ("lib/VolumeFractionMesh.so", "bin/sculptor", "bin/impact"))
+sys.path.insert(0, os.path.dirname(HERE))
+from need_files import need_files
+
+import rank_meshes
+
+# pvpython is a program of MPI itself: what it starts must not take its place.
+OF_THIS_PROCESS = ("PMIX_", "PMI_", "ORTE_", "OMPI_")
+
+
+def run(figure):
+    """Calls a script's function with the folder where the figure goes, the only word of the command line; prints and writes the table
+    of the rows that it returns: what, ours, the report's or nothing."""
+    script = sys.modules["__main__"]
+    if len(sys.argv) != 2:
+        sys.exit(script.__doc__)
+    need_files(PLUGIN, SCULPTOR)
+    out = sys.argv[1]
+    os.makedirs(out, exist_ok=True)
+    simple.LoadPlugin(PLUGIN, remote=False)
+    simple._DisableFirstRenderCameraReset()
+    lines = ["| | ours | report |", "|---|---|---|"] + ["| %s | %s | %s |" % row for row in figure(out)]
+    print("\n".join(lines))
+    name = os.path.splitext(os.path.basename(script.__file__))[0]
+    with open(os.path.join(out, name + ".md"), "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def number(value):
+    return "{:,}".format(value)
+
+
+def pair(first, second):
+    return "%.3f, %.3f" % (first, second)
+
+
+def run_program(program, *arguments, ranks=1):
+    """On ranks of MPI, more than there are cores where need be. Returns its standard output."""
+    variables = {name: value for name, value in os.environ.items() if not name.startswith(OF_THIS_PROCESS)}
+    if os.geteuid() == 0:
+        variables.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    variables["OMPI_MCA_mpi_yield_when_idle"] = "1"
+    launcher = ["mpiexec", "-q", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks > 1 else []
+    command = launcher + [program, *arguments]
+    result = subprocess.run(command, env=variables, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if result.returncode != 0:
+        sys.exit("%s failed with exit status %d: %s%s" % (" ".join(command), result.returncode, result.stdout, result.stderr))
+    return result.stdout
+
+
+def make_field(path, **properties):
+    """The file of the source Volume Fraction Shapes."""
+    source = simple.VolumeFractionShapes(**properties)
+    simple.SaveData(path, proxy=source, DataMode="Binary", CompressorType="ZLib")
+    simple.Delete(source)
+    return path
+
+
+def eight_shapes(out):
+    """One of each body of CTH's, each a material."""
+    return make_field(os.path.join(out, "eight_shapes.vti"), Preset="Eight Shapes", Dimensions=[46, 46, 46], Bounds=[0, 46, 0, 46, 0, 46])
+
+
+def mesh_field(field, path, *options, ranks=1):
+    """The meshes of the ranks, as sculptor makes them; path: of the .pvtu file."""
+    run_program(SCULPTOR, field, path, "--quiet", *options, ranks=ranks)
+    return rank_meshes.read_ranks(path)
