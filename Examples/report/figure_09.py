@@ -21,7 +21,7 @@ def main(out):
     whole, apart = with_rank(meshes), with_rank(meshes, apart=0.5)
     panels = [os.path.join(out, "figure_09_%s.png" % name) for name in ("apart", "together", "surface")]
     for mesh, panel, edges in zip((apart, whole, whole), panels, (True, True, False)):
-        draw(mesh, "Rank", 0, RANKS - 1, panel, edges=edges, size=(800, 700), zoom=1.5)
+        draw(mesh, "Rank", 0, RANKS - 1, panel, edges=edges, camera=(1.0, -0.35, 0.5), size=(800, 700), zoom=1.4)
     join(panels, os.path.join(out, "figure_09.png"), 3)
     shared, moved = shared_points(meshes)
     inside, between = surface_angles(meshes)
