@@ -2,8 +2,7 @@
  * Sculptor.h: hexahedral and tetrahedral meshes from the volume fractions of a running simulation, for C and Fortran
  * (module sculptor in sculptor.f90). Link libsculptor; needs VTK's libraries, no ParaView server.
  *
- * The calls c_* are those of the appendix of Owen, Staten: "Parallel octree-based hexahedral mesh generation for Eulerian
- * to Lagrangian conversion", SAND2010-6400; those named sculptor_* add what the report's interface lacks.
+ * CMLPSculptor.c.h has the ten calls of Sculptor's report, for one material; these do more. Handles are the same for both.
  *
  * Every call returns one of SculptorCode; sculptor_error_text() tells more. No call ends the process.
  * "Collective": all ranks of the communicator must call, and what is wrong on one rank is refused on all, with the same
@@ -11,8 +10,8 @@
  *
  * Arrays over cells hold those of this rank's box alone, x fastest, no ghost cells; they are not copied and must stay as
  * they are until the mesh is made. Coordinates are x y z a node, in the unit of the bounding box. Nodes of an element
- * are in the order of VTK and Exodus (HEX8, TET4). Node numbers count this rank's nodes, from 0, or from 1 after
- * sculptor_set_option(s, "IndexBase", "1"). Nodes that ranks share occur on each, with the same global id.
+ * are in the order of VTK and Exodus (HEX8, TET4). Node numbers count this rank's nodes, from 0. Nodes that ranks share occur
+ * on each, with the same global id.
  */
 #ifndef Sculptor_h
 #define Sculptor_h
@@ -44,47 +43,13 @@ extern "C"
     SCULPTOR_ERROR_INTERNAL = 8
   };
 
-  /* ---- the report's calls ---- */
+  /* ---- sculptors ---- */
 
-  /* A new sculptor; its number, from 1, goes to *sculptor. */
-  SCULPTOR_EXPORT int c_create_sculptor(int* sculptor);
+  /* A new sculptor; its handle, from 1, goes to *sculptor. */
+  SCULPTOR_EXPORT int sculptor_create(int* sculptor);
 
   /* Frees a sculptor and all arrays that it gave. Collective (a communicator is freed). */
-  SCULPTOR_EXPORT int c_delete_sculptor(int sculptor);
-
-  /* Makes the mesh of one material. Collective.
-   * bounding_box: of this rank's cells, xmin ymin zmin xmax ymax zmax. All boxes must tile one box, with cells of one size.
-   * xint, yint, zint: cells of this rank along each axis, at least 1.
-   * vfrac: xint * yint * zint volume fractions in [0,1].
-   * neighbours: the ranks across -x +x -y +y -z +z, -1 where the whole grid ends.
-   * auto_refine: how many times cells are halved where the shape needs it (Refinement Automatic), 0 to 10.
-   * stair_step: not 0: cells become elements and nothing moves.
-   * smooth: 0 off, 1 quadric surfaces, 2 geometry based.
-   * tet_mesh: 0 hexahedra, else tetrahedra.
-   * Options set by name before stay, but for Refinement, MaximumLevel, StairStep, Smoothing; materials and states are replaced. */
-  SCULPTOR_EXPORT int c_mesh_from_data(int sculptor, const double* bounding_box, int xint, int yint,
-    int zint, const double* vfrac, const int* neighbours, int auto_refine, int stair_step,
-    int smooth, int tet_mesh);
-
-  /* How many nodes, hexahedra and tetrahedra this rank has. */
-  SCULPTOR_EXPORT int c_get_free_totals(
-    int sculptor, int* num_nodes, int* num_hexes, int* num_tets);
-
-  /* This rank's mesh. coordinates: 3 a node; connectivity: 8 a hexahedron (4 a tetrahedron); both allocated by the
-   * caller from c_get_free_totals. A pointer may be null where its total is 0. */
-  SCULPTOR_EXPORT int c_get_free_hexes(int sculptor, double* coordinates, int* connectivity);
-  SCULPTOR_EXPORT int c_get_free_tets(int sculptor, double* coordinates, int* connectivity);
-
-  /* Face-connected pieces of one material over all ranks, numbered from 1; the same on all ranks. */
-  SCULPTOR_EXPORT int c_get_num_fragments(int sculptor, int* num_fragments);
-
-  /* This rank's part of a fragment, maybe nothing; its nodes are numbered on their own, in the order of all nodes. */
-  SCULPTOR_EXPORT int c_get_fragment_totals(
-    int sculptor, int fragment, int* num_nodes, int* num_hexes, int* num_tets);
-  SCULPTOR_EXPORT int c_get_fragment_hexes(
-    int sculptor, int fragment, double* coordinates, int* connectivity);
-  SCULPTOR_EXPORT int c_get_fragment_tets(
-    int sculptor, int fragment, double* coordinates, int* connectivity);
+  SCULPTOR_EXPORT int sculptor_delete(int sculptor);
 
   /* ---- before the mesh ---- */
 
@@ -94,17 +59,19 @@ extern "C"
 
   /* A property of the filters by its name: IsoValue, MeshVoid, StairStep, Smoothing, TargetScaledJacobian,
    * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement, MaximumLevel, MaximumAspectRatio, FractionTolerance; of tetrahedra alone Method, RelativeSize, ...; and IndexBase
-   * (0 or 1). All ranks must set the same. */
+   * (0 or 1), where c_get_free_hexes and its like begin to count nodes. All ranks must set the same. */
   SCULPTOR_EXPORT int sculptor_set_option(int sculptor, const char* name, const char* value);
 
-  /* This rank's cells, as in c_mesh_from_data. intervals: 3, each at least 1. */
+  /* This rank's cells. bounding_box: xmin ymin zmin xmax ymax zmax; intervals: 3, how many cells, each at least 1. All boxes
+   * must tile one box, with cells of one size. */
   SCULPTOR_EXPORT int sculptor_set_box(
     int sculptor, const double* bounding_box, const int* intervals);
 
-  /* The six neighbours, as in c_mesh_from_data; null: not known, and this rank may get the elements of others' cells. */
+  /* The ranks across -x +x -y +y -z +z, -1 where the whole grid ends; null: not known, and this rank may get the elements of
+   * others' cells. */
   SCULPTOR_EXPORT int sculptor_set_neighbours(int sculptor, const int* neighbours);
 
-  /* The next material, its number from 1 in the order of the calls: its volume fractions. */
+  /* The next material, its number from 1 in the order of the calls: its volume fractions, in [0,1]. */
   SCULPTOR_EXPORT int sculptor_add_material(int sculptor, const char* name, const double* vfrac);
 
   /* Instead of volume fractions: the number of the material in each cell, 0 for void. */
@@ -126,7 +93,7 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_get_counts(
     int sculptor, int64_t* points, int64_t* elements, int* corners);
   SCULPTOR_EXPORT int sculptor_get_points(int sculptor, const double** coordinates);
-  /* Always from 0, whatever the IndexBase. */
+  /* Always from 0, whatever the IndexBase: corners an element. */
   SCULPTOR_EXPORT int sculptor_get_elements(int sculptor, const int64_t** connectivity);
   /* Global ids from 1, with gaps; the same on any number of ranks. */
   SCULPTOR_EXPORT int sculptor_get_point_ids(int sculptor, const int64_t** ids);
@@ -146,6 +113,9 @@ extern "C"
 
   /* ---- what went wrong ---- */
 
+  /* The SculptorCode of the last call with that sculptor, 0 when it went well; of 0 that of this thread's last call without
+   * one: to create, to delete, or with a wrong handle. Of a wrong handle SCULPTOR_ERROR_HANDLE. */
+  SCULPTOR_EXPORT int sculptor_error_code(int sculptor);
   /* Of the last call with that sculptor that failed; of handle 0 or a wrong one, of the last such call of this thread.
    * Never null; good until the next call. */
   SCULPTOR_EXPORT const char* sculptor_error_text(int sculptor);

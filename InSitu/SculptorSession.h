@@ -70,7 +70,6 @@ public:
 
   int GetIndexBase() const { return this->IndexBase; }
   const std::string& GetWarningText() const { return this->WarningText; }
-  std::string ErrorText; ///< of the last call that failed
 
 private:
   vtkVolumeFractionMeshAlgorithm* GetMesher(bool tets) const;

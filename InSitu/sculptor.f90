@@ -9,92 +9,22 @@ module sculptor
   integer(c_int), parameter, public :: sculptor_ok = 0, sculptor_error_handle = 1, sculptor_error_argument = 2, &
     sculptor_error_input = 3, sculptor_error_no_mesh = 4, sculptor_error_size = 5, sculptor_error_file = 6, &
     sculptor_error_memory = 7, sculptor_error_internal = 8
-  public :: c_create_sculptor, c_delete_sculptor, c_mesh_from_data, c_get_free_totals, c_get_free_hexes, &
-    c_get_free_tets, c_get_num_fragments, c_get_fragment_totals, c_get_fragment_hexes, c_get_fragment_tets, &
-    sculptor_set_communicator, sculptor_set_option, sculptor_set_box, sculptor_set_neighbours, &
-    sculptor_add_material, sculptor_set_material_ids, sculptor_add_state, sculptor_clear_fields, &
+  public :: sculptor_create, sculptor_delete, sculptor_set_communicator, sculptor_set_option, &
+    sculptor_set_box, sculptor_set_neighbours, sculptor_add_material, sculptor_set_material_ids, &
+    sculptor_add_state, sculptor_clear_fields, &
     sculptor_make_mesh, sculptor_get_counts, sculptor_get_points, sculptor_get_elements, sculptor_get_point_ids, &
     sculptor_get_element_ids, sculptor_get_materials, sculptor_get_fragments, sculptor_get_state, &
-    sculptor_get_number, sculptor_write, sculptor_error_message, sculptor_warning_message
+    sculptor_get_number, sculptor_write, sculptor_error_code, sculptor_error_message, sculptor_warning_message
 
   interface
-    integer(c_int) function c_create_sculptor(sculptor) bind(C)
+    integer(c_int) function sculptor_create(sculptor) bind(C)
       import
       integer(c_int), intent(out) :: sculptor
     end function
 
-    integer(c_int) function c_delete_sculptor(sculptor) bind(C)
+    integer(c_int) function sculptor_delete(sculptor) bind(C)
       import
       integer(c_int), value :: sculptor
-    end function
-
-    integer(c_int) function c_mesh_from_data(sculptor, bounding_box, xint, yint, zint, vfrac, neighbours, &
-        auto_refine, stair_step, smooth, tet_mesh) bind(C)
-      import
-      integer(c_int), value :: sculptor
-      real(c_double), intent(in) :: bounding_box(6)
-      integer(c_int), value :: xint
-      integer(c_int), value :: yint
-      integer(c_int), value :: zint
-      real(c_double), intent(in) :: vfrac(*)
-      integer(c_int), intent(in) :: neighbours(6)
-      integer(c_int), value :: auto_refine
-      integer(c_int), value :: stair_step
-      integer(c_int), value :: smooth
-      integer(c_int), value :: tet_mesh
-    end function
-
-    integer(c_int) function c_get_free_totals(sculptor, num_nodes, num_hexes, num_tets) bind(C)
-      import
-      integer(c_int), value :: sculptor
-      integer(c_int), intent(out) :: num_nodes
-      integer(c_int), intent(out) :: num_hexes
-      integer(c_int), intent(out) :: num_tets
-    end function
-
-    integer(c_int) function c_get_free_hexes(sculptor, coordinates, connectivity) bind(C)
-      import
-      integer(c_int), value :: sculptor
-      real(c_double), intent(out) :: coordinates(*)
-      integer(c_int), intent(out) :: connectivity(*)
-    end function
-
-    integer(c_int) function c_get_free_tets(sculptor, coordinates, connectivity) bind(C)
-      import
-      integer(c_int), value :: sculptor
-      real(c_double), intent(out) :: coordinates(*)
-      integer(c_int), intent(out) :: connectivity(*)
-    end function
-
-    integer(c_int) function c_get_num_fragments(sculptor, num_fragments) bind(C)
-      import
-      integer(c_int), value :: sculptor
-      integer(c_int), intent(out) :: num_fragments
-    end function
-
-    integer(c_int) function c_get_fragment_totals(sculptor, fragment, num_nodes, num_hexes, num_tets) bind(C)
-      import
-      integer(c_int), value :: sculptor
-      integer(c_int), value :: fragment
-      integer(c_int), intent(out) :: num_nodes
-      integer(c_int), intent(out) :: num_hexes
-      integer(c_int), intent(out) :: num_tets
-    end function
-
-    integer(c_int) function c_get_fragment_hexes(sculptor, fragment, coordinates, connectivity) bind(C)
-      import
-      integer(c_int), value :: sculptor
-      integer(c_int), value :: fragment
-      real(c_double), intent(out) :: coordinates(*)
-      integer(c_int), intent(out) :: connectivity(*)
-    end function
-
-    integer(c_int) function c_get_fragment_tets(sculptor, fragment, coordinates, connectivity) bind(C)
-      import
-      integer(c_int), value :: sculptor
-      integer(c_int), value :: fragment
-      real(c_double), intent(out) :: coordinates(*)
-      integer(c_int), intent(out) :: connectivity(*)
     end function
 
     integer(c_int) function sculptor_set_communicator(sculptor, communicator) bind(C)
@@ -219,6 +149,11 @@ module sculptor
       import
       integer(c_int), value :: sculptor
       character(kind=c_char), intent(in) :: path(*)
+    end function
+
+    integer(c_int) function sculptor_error_code(sculptor) bind(C)
+      import
+      integer(c_int), value :: sculptor
     end function
 
     type(c_ptr) function c_error_text(sculptor) bind(C, name="sculptor_error_text")

@@ -26,13 +26,13 @@ SculptorSink::SculptorSink(MPI_Comm communicator, const std::string& folder) :
   Communicator(communicator), Folder(folder)
 {
   MakeFolder(communicator, folder);
-  this->Check(c_create_sculptor(&this->Sculptor));
+  this->Check(sculptor_create(&this->Sculptor));
   this->Check(sculptor_set_communicator(this->Sculptor, MPI_Comm_c2f(communicator)));
 }
 
 SculptorSink::~SculptorSink()
 {
-  c_delete_sculptor(this->Sculptor);
+  sculptor_delete(this->Sculptor);
 }
 
 void SculptorSink::Check(int code) const

@@ -60,7 +60,7 @@ int main(int argc, char** argv)
   const int neighbours[6] = { -1, -1, -1, -1, rank - 1, rank + 1 < ranks ? rank + 1 : -1 };
 
   int sculptor = 0, nodes = 0, hexes = 0, tets = 0, fragments = 0;
-  check(c_create_sculptor(&sculptor), 0);
+  check(sculptor_create(&sculptor), 0);
   check(
     c_mesh_from_data(sculptor, box, N, N, last - first, vfrac, neighbours, 0, 0, 1, 0), sculptor);
   check(c_get_free_totals(sculptor, &nodes, &hexes, &tets), sculptor);
@@ -79,7 +79,7 @@ int main(int argc, char** argv)
     printf(
       "%d hexahedra in %d fragment(s), volume %.6f of %.6f\n", total, fragments, volume, target);
   }
-  check(c_delete_sculptor(sculptor), sculptor);
+  check(sculptor_delete(sculptor), sculptor);
   free(connectivity);
   free(coordinates);
   free(vfrac);

@@ -37,7 +37,7 @@ program mesh_in_fortran
   end do
 
   neighbours = [-1, -1, -1, -1, rank - 1, merge(rank + 1, -1, rank + 1 < ranks)]
-  call check(c_create_sculptor(s))
+  call check(sculptor_create(s))
   call check(sculptor_set_communicator(s, MPI_COMM_WORLD))
   call check(sculptor_set_option(s, "Method", "Lattice"))
   call check(sculptor_set_box(s, [0.0_c_double, 0.0_c_double, real(first, c_double), &
@@ -65,7 +65,7 @@ program mesh_in_fortran
     print '(a, i0, a, f0.3)', 'plate: ', totals(2), ' tetrahedra, volume ', volumes(2)
     print '(a, f0.1)', 'hottest: ', hottest
   end if
-  call check(c_delete_sculptor(s))
+  call check(sculptor_delete(s))
   deallocate (ball, plate, temperature)
   call MPI_Finalize(error)
 

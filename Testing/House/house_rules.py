@@ -29,7 +29,7 @@ PLAIN = GRID + ("Shapes", "Testing/Support", "Testing/Grid", "Testing/Benchmarks
 FOREIGN = re.compile(r"(vtk|mpi|paraview|pv|pq)", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 
-CODE = (".h", ".cxx", ".c")
+CODE = (".h", ".hpp", ".cxx", ".cpp", ".c")
 SOURCES = CODE + (".f90", ".py", ".xml", ".txt", ".cmake")
 LONGEST = 650 # lines
 MOST_AT_ROOT = 8 # files beside the rooms

@@ -1,5 +1,7 @@
 #include "HostFields.h"
 
+#include "CMLPSculptor.c.h"
+
 namespace vfm
 {
 namespace testing
@@ -65,6 +67,17 @@ HostFields::HostFields(int rank, int ranks)
       }
     }
   }
+}
+
+int MeshFromData(int sculptor, const HostFields& fields, double* fractions, int refine,
+  int stairStep, int smooth, int tets)
+{
+  const auto& box = fields.Bounds;
+  const auto& intervals = fields.Intervals;
+  const auto& ranks = fields.Neighbours;
+  return c_mesh_from_data(sculptor, box[0], box[1], box[2], box[3], box[4], box[5], intervals[0],
+    intervals[1], intervals[2], fractions, ranks[1], ranks[0], ranks[3], ranks[2], ranks[5],
+    ranks[4], refine, stairStep, smooth, tets);
 }
 
 int MyRank()

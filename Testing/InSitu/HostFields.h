@@ -29,6 +29,10 @@ struct HostFields
 constexpr Index3 HostCells{ { 18, 12, 15 } };
 constexpr Vector3 HostOrigin{ { -1.0, 0.5, 2.0 } }, HostSpacing{ { 0.1, 0.125, 0.11 } };
 
+/// c_mesh_from_data with a rank's box and neighbours. fractions: of its cells, or null.
+int MeshFromData(int sculptor, const HostFields& fields, double* fractions, int refine = 0,
+  int stairStep = 0, int smooth = 1, int tets = 0);
+
 /// Of this rank and their number, in MPI_COMM_WORLD.
 int MyRank();
 int NumberOfRanks();

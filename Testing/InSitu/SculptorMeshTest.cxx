@@ -1,12 +1,13 @@
 /// The meshes of the report's calls.
+#include "CMLPSculptor.c.h"
 #include "HostFields.h"
-#include "Sculptor.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 using vfm::testing::HostFields;
+using vfm::testing::MeshFromData;
 using vfm::testing::MyRank;
 using vfm::testing::NumberOfRanks;
 
@@ -64,13 +65,14 @@ class SculptorMesh : public ::testing::TestWithParam<int> // whether tetrahedra
 protected:
   void SetUp() override
   {
-    ASSERT_EQ(c_create_sculptor(&this->Sculptor), SCULPTOR_OK);
+    this->Sculptor = c_create_cml_psculptor();
+    ASSERT_GT(this->Sculptor, 0);
     sculptor_set_option(this->Sculptor, "IndexBase", "1");
     sculptor_set_option(this->Sculptor, "Method", "Lattice");
   }
-  void TearDown() override { EXPECT_EQ(c_delete_sculptor(this->Sculptor), SCULPTOR_OK); }
+  void TearDown() override { c_delete_cml_psculptor(this->Sculptor); }
 
-  const HostFields Fields{ MyRank(), NumberOfRanks() };
+  HostFields Fields{ MyRank(), NumberOfRanks() };
   int Sculptor = 0;
 };
 
@@ -79,17 +81,15 @@ protected:
 TEST_P(SculptorMesh, FreeMeshAndFragments)
 {
   const bool tet = GetParam() != 0;
-  const HostFields& f = this->Fields;
+  HostFields& f = this->Fields;
   // The plate with a ball-shaped hole, and nothing of the ball: one fragment.
   const auto method = tet ? c_get_free_tets : c_get_free_hexes;
   const auto fragmentMethod = tet ? c_get_fragment_tets : c_get_fragment_hexes;
   const int corners = tet ? 4 : 8;
-  ASSERT_EQ(c_mesh_from_data(this->Sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
-              f.Intervals[2], f.Plate.data(), f.Neighbours.data(), 0, 0, 1, GetParam()),
-    SCULPTOR_OK)
+  ASSERT_EQ(MeshFromData(this->Sculptor, f, f.Plate.data(), 0, 0, 1, GetParam()), SCULPTOR_OK)
     << sculptor_error_text(this->Sculptor);
-  int nodes = 0, hexes = 0, tets = 0, fragments = 0;
-  ASSERT_EQ(c_get_free_totals(this->Sculptor, &nodes, &hexes, &tets), SCULPTOR_OK);
+  int nodes = 0, hexes = 0, tets = 0;
+  c_get_free_totals(this->Sculptor, &nodes, &hexes, &tets);
   EXPECT_EQ(tet ? hexes : tets, 0);
   std::vector<double> coordinates(3 * nodes);
   std::vector<int> connectivity(corners * (tet ? tets : hexes));
@@ -100,8 +100,7 @@ TEST_P(SculptorMesh, FreeMeshAndFragments)
   EXPECT_NEAR(
     SumOverRanks(SumOfVolumes(coordinates, connectivity, corners, 1)), volume, 0.01 * volume);
 
-  ASSERT_EQ(c_get_num_fragments(this->Sculptor, &fragments), SCULPTOR_OK);
-  ASSERT_EQ(fragments, 1);
+  ASSERT_EQ(c_get_num_fragments(this->Sculptor), 1);
   int ownNodes = 0, ownHexes = 0, ownTets = 0;
   ASSERT_EQ(c_get_fragment_totals(this->Sculptor, 1, &ownNodes, &ownHexes, &ownTets), SCULPTOR_OK);
   EXPECT_EQ(ownNodes, nodes);
@@ -126,15 +125,12 @@ TEST(SculptorFragments, SeveralFragmentsSplitTheMesh)
     const double x = f.Velocity[3 * cell];
     layers[cell] = x < 6 || x >= 11 ? 1.0 : 0.0;
   }
-  int sculptor = 0, fragments = 0, nodes = 0, hexes = 0, tets = 0;
-  ASSERT_EQ(c_create_sculptor(&sculptor), SCULPTOR_OK);
-  ASSERT_EQ(c_mesh_from_data(sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
-              f.Intervals[2], layers.data(), f.Neighbours.data(), 0, 1, 1, 0),
-    SCULPTOR_OK)
+  const int sculptor = c_create_cml_psculptor();
+  int nodes = 0, hexes = 0, tets = 0;
+  ASSERT_EQ(MeshFromData(sculptor, f, layers.data(), 0, 1), SCULPTOR_OK)
     << sculptor_error_text(sculptor);
-  ASSERT_EQ(c_get_num_fragments(sculptor, &fragments), SCULPTOR_OK);
-  ASSERT_EQ(fragments, 2);
-  ASSERT_EQ(c_get_free_totals(sculptor, &nodes, &hexes, &tets), SCULPTOR_OK);
+  ASSERT_EQ(c_get_num_fragments(sculptor), 2);
+  c_get_free_totals(sculptor, &nodes, &hexes, &tets);
   int sum = 0;
   const double slabs[2] = { 6, 7 }; // cells thick
   for (int fragment = 1; fragment <= 2; ++fragment)
@@ -155,7 +151,8 @@ TEST(SculptorFragments, SeveralFragmentsSplitTheMesh)
     sum += partHexes;
   }
   EXPECT_EQ(sum, hexes);
-  EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+  c_delete_cml_psculptor(sculptor);
+  EXPECT_EQ(sculptor_error_code(0), SCULPTOR_OK);
 }
 
 /// auto_refine halves cells that are too thin, and no others.
@@ -172,14 +169,13 @@ TEST(SculptorRefinement, HalvesThinLayersOnly)
       layer[cell] = z >= 5 && z < 5 + height ? 1.0 : 0.0;
       cells += layer[cell] > 0.0 ? 1 : 0;
     }
-    int sculptor = 0, nodes = 0, hexes = 0, tets = 0;
-    ASSERT_EQ(c_create_sculptor(&sculptor), SCULPTOR_OK);
-    ASSERT_EQ(c_mesh_from_data(sculptor, f.Bounds.data(), f.Intervals[0], f.Intervals[1],
-                f.Intervals[2], layer.data(), f.Neighbours.data(), 1, 1, 1, 0),
-      SCULPTOR_OK)
+    const int sculptor = c_create_cml_psculptor();
+    int nodes = 0, hexes = 0, tets = 0;
+    ASSERT_EQ(MeshFromData(sculptor, f, layer.data(), 1, 1), SCULPTOR_OK)
       << sculptor_error_text(sculptor);
-    ASSERT_EQ(c_get_free_totals(sculptor, &nodes, &hexes, &tets), SCULPTOR_OK);
+    c_get_free_totals(sculptor, &nodes, &hexes, &tets);
     EXPECT_EQ(hexes, height > 2.0 ? cells : 8 * cells) << height;
-    EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+    c_delete_cml_psculptor(sculptor);
+    EXPECT_EQ(sculptor_error_code(0), SCULPTOR_OK);
   }
 }

@@ -155,7 +155,7 @@ std::uint64_t SumOverRanks(std::uint64_t mine)
 int MakeMesh(const HostFields& f, bool tets, bool knowsNeighbours)
 {
   int sculptor = 0;
-  EXPECT_EQ(c_create_sculptor(&sculptor), SCULPTOR_OK);
+  EXPECT_EQ(sculptor_create(&sculptor), SCULPTOR_OK);
   if (tets)
   {
     sculptor_set_option(sculptor, "Method", "Cells");
@@ -182,7 +182,7 @@ void ExpectFiltersMesh(bool tets, bool knowsNeighbours, double stretch = 1.0)
   lattice->SetMaximumAspectRatio(LargestRatio);
   EXPECT_EQ(SumOverRanks(Digest(ViewOf(sculptor))),
     tets ? DigestOfFilter(lattice, stretch) : DigestOfFilter(hexes, stretch));
-  EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+  EXPECT_EQ(sculptor_delete(sculptor), SCULPTOR_OK);
 }
 
 } // namespace
@@ -220,7 +220,7 @@ TEST(SculptorRanks, EachRankMeshesItsOwnCells)
       key / (HostCells[0] * HostCells[1]) } };
     ASSERT_TRUE(f.Cells.Contains(cell));
   }
-  EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+  EXPECT_EQ(sculptor_delete(sculptor), SCULPTOR_OK);
 }
 
 TEST(SculptorRanks, CommunicatorOfHalfTheRanks)
@@ -231,7 +231,7 @@ TEST(SculptorRanks, CommunicatorOfHalfTheRanks)
   MPI_Comm_rank(half, &rank);
   MPI_Comm_size(half, &ranks);
   const HostFields f(rank, ranks);
-  ASSERT_EQ(c_create_sculptor(&sculptor), SCULPTOR_OK);
+  ASSERT_EQ(sculptor_create(&sculptor), SCULPTOR_OK);
   ASSERT_EQ(sculptor_set_communicator(sculptor, MPI_Comm_c2f(half)), SCULPTOR_OK);
   ASSERT_EQ(sculptor_set_box(sculptor, f.Bounds.data(), f.Intervals.data()), SCULPTOR_OK);
   ASSERT_EQ(sculptor_set_material_ids(sculptor, f.Labels.data()), SCULPTOR_OK);
@@ -239,6 +239,6 @@ TEST(SculptorRanks, CommunicatorOfHalfTheRanks)
   double fragments = 0;
   ASSERT_EQ(sculptor_get_number(sculptor, "NumberOfFragments", 0, &fragments), SCULPTOR_OK);
   EXPECT_EQ(fragments, 2);
-  EXPECT_EQ(c_delete_sculptor(sculptor), SCULPTOR_OK);
+  EXPECT_EQ(sculptor_delete(sculptor), SCULPTOR_OK);
   MPI_Comm_free(&half);
 }

@@ -1,0 +1,115 @@
+#include "SculptorCalls.h"
+
+#include <mutex>
+
+namespace vfm
+{
+namespace
+{
+
+struct SculptorTable
+{
+  std::mutex Mutex;
+  std::map<int, std::shared_ptr<Sculptor>> Sculptors;
+  int Last = 0;
+};
+
+SculptorTable& Table()
+{
+  static SculptorTable* table = new SculptorTable; // outlives what hosts do in their destructors
+  return *table;
+}
+
+SculptorError WrongHandle(int handle)
+{
+  return { SCULPTOR_ERROR_HANDLE,
+    "There is no sculptor " + std::to_string(handle) +
+      ": it was never created, or has been deleted." };
+}
+
+} // namespace
+
+void LastCall::Tell() noexcept
+{
+  try
+  {
+    throw;
+  }
+  catch (const SculptorError& error)
+  {
+    this->Set(error.Code, error.what());
+  }
+  catch (const InputError& error)
+  {
+    this->Set(SCULPTOR_ERROR_ARGUMENT, error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Set(SCULPTOR_ERROR_MEMORY, "Not enough memory.");
+  }
+  catch (const std::exception& error)
+  {
+    this->Set(SCULPTOR_ERROR_INTERNAL, error.what());
+  }
+  catch (...)
+  {
+    this->Set(SCULPTOR_ERROR_INTERNAL, "An unknown failure.");
+  }
+}
+
+void LastCall::Set(int code, const char* text) noexcept
+{
+  this->Code = code;
+  try
+  {
+    this->Text = text;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Text.clear(); // the code alone tells
+  }
+}
+
+int AddSculptor()
+{
+  auto sculptor = std::make_shared<Sculptor>();
+  SculptorTable& table = Table();
+  const std::lock_guard<std::mutex> lock(table.Mutex);
+  table.Sculptors.emplace(table.Last + 1, std::move(sculptor));
+  return ++table.Last;
+}
+
+std::shared_ptr<Sculptor> FindSculptor(int handle)
+{
+  SculptorTable& table = Table();
+  const std::lock_guard<std::mutex> lock(table.Mutex);
+  const auto found = table.Sculptors.find(handle);
+  return found == table.Sculptors.end() ? nullptr : found->second;
+}
+
+void RemoveSculptor(int handle)
+{
+  std::shared_ptr<Sculptor> last; // ends after the lock
+  SculptorTable& table = Table();
+  const std::lock_guard<std::mutex> lock(table.Mutex);
+  const auto found = table.Sculptors.find(handle);
+  if (found == table.Sculptors.end())
+  {
+    throw WrongHandle(handle);
+  }
+  last = std::move(found->second);
+  table.Sculptors.erase(found);
+}
+
+LastCall& CallWithoutSculptor()
+{
+  thread_local LastCall call;
+  return call;
+}
+
+int RefuseHandle(int handle)
+{
+  return CallWithoutSculptor().Do([=] { throw WrongHandle(handle); });
+}
+
+} // namespace vfm
