@@ -1,4 +1,5 @@
-/* Meshes a ball from C on any number of ranks, each with a slab of the grid, and adds up its volume.
+/* Meshes a ball on a plate from C as tetrahedra on any number of ranks, each with a slab of the grid; the temperature of the cells
+ * goes to the elements. mesh_in_fortran.f90 does and prints the same.
  *
  *   mpicc mesh_in_c.c $(pkg-config --cflags --libs sculptor) -o mesh_in_c && mpiexec -n 2 ./mesh_in_c
  */
@@ -10,22 +11,42 @@
 
 enum
 {
-  N = 24 /* cells along each axis of the whole grid */
+  N = 20 /* cells along each axis of the whole grid, cubes of 1 */
 };
 
-/* Part of the cell (i,j,k) in the ball, from 4 x 4 x 4 samples; the grid is the unit cube. */
+/* Of this rank's cells. */
+typedef struct
+{
+  double *ball, *plate, *temperature;
+} Fields;
+
+/* Part of the cell (i,j,k) in the ball, from 4 x 4 x 4 samples. */
 static double fraction_of_ball(int i, int j, int k)
 {
-  const int samples = 4;
   int inside = 0;
-  for (int s = 0; s < samples * samples * samples; ++s)
+  for (int s = 0; s < 64; ++s)
   {
-    const double x = (i + (s % 4 + 0.5) / samples) / N - 0.5;
-    const double y = (j + (s / 4 % 4 + 0.5) / samples) / N - 0.5;
-    const double z = (k + (s / 16 + 0.5) / samples) / N - 0.5;
-    inside += x * x + y * y + z * z < 0.35 * 0.35;
+    const double x = i + (s % 4 + 0.5) / 4 - 10;
+    const double y = j + (s / 4 % 4 + 0.5) / 4 - 10;
+    const double z = k + (s / 16 + 0.5) / 4 - 11;
+    inside += x * x + y * y + z * z < 36;
   }
   return inside / 64.0;
+}
+
+/* Of the layers first to last. */
+static Fields make_fields(int first, int last)
+{
+  const size_t size = sizeof(double) * N * N * (last - first);
+  const Fields fields = { malloc(size), malloc(size), malloc(size) };
+  for (int cell = 0; cell < N * N * (last - first); ++cell)
+  {
+    const int k = first + cell / (N * N);
+    fields.ball[cell] = fraction_of_ball(cell % N, cell / N % N, k);
+    fields.plate[cell] = k < 6 ? 1 - fields.ball[cell] : 0;
+    fields.temperature[cell] = 301 + k;
+  }
+  return fields;
 }
 
 static void check(int code, int sculptor)
@@ -37,52 +58,62 @@ static void check(int code, int sculptor)
   }
 }
 
+/* Prints what all ranks have together. */
+static void report(int s, int rank)
+{
+  int64_t points, elements;
+  int corners, components, counts[2] = { 0, 0 }, totals[2];
+  const int* materials;
+  const double* temperature;
+  double volumes[2], mine = 0, hottest;
+  check(sculptor_get_counts(s, &points, &elements, &corners), s);
+  check(sculptor_get_materials(s, &materials), s);
+  check(sculptor_get_state(s, "temperature", &components, &temperature), s);
+  for (int64_t e = 0; e < elements; ++e)
+  {
+    ++counts[materials[e] - 1];
+    mine = temperature[e] > mine ? temperature[e] : mine;
+  }
+  for (int m = 0; m < 2; ++m)
+  {
+    check(sculptor_get_number(s, "MeshVolume", m, &volumes[m]), s);
+  }
+  MPI_Reduce(counts, totals, 2, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD);
+  MPI_Reduce(&mine, &hottest, 1, MPI_DOUBLE, MPI_MAX, 0, MPI_COMM_WORLD);
+  if (rank == 0)
+  {
+    printf("ball: %d tetrahedra, volume %.3f\n", totals[0], volumes[0]);
+    printf("plate: %d tetrahedra, volume %.3f\n", totals[1], volumes[1]);
+    printf("hottest: %.1f\n", hottest);
+  }
+}
+
 int main(int argc, char** argv)
 {
   MPI_Init(&argc, &argv);
-  int rank = 0, ranks = 1;
+  int rank, ranks, s = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-
   const int first = N * rank / ranks, last = N * (rank + 1) / ranks;
-  double* vfrac = malloc(sizeof(double) * N * N * (last - first));
-  for (int k = first, cell = 0; k < last; ++k)
-  {
-    for (int j = 0; j < N; ++j)
-    {
-      for (int i = 0; i < N; ++i)
-      {
-        vfrac[cell++] = fraction_of_ball(i, j, k);
-      }
-    }
-  }
-  const double box[6] = { 0, 0, (double)first / N, 1, 1, (double)last / N };
+  const Fields fields = make_fields(first, last);
+  const double box[6] = { 0, 0, first, N, N, last };
+  const int intervals[3] = { N, N, last - first };
   const int neighbours[6] = { -1, -1, -1, -1, rank - 1, rank + 1 < ranks ? rank + 1 : -1 };
 
-  int sculptor = 0, nodes = 0, hexes = 0, tets = 0, fragments = 0;
-  check(sculptor_create(&sculptor), 0);
-  check(
-    c_mesh_from_data(sculptor, box, N, N, last - first, vfrac, neighbours, 0, 0, 1, 0), sculptor);
-  check(c_get_free_totals(sculptor, &nodes, &hexes, &tets), sculptor);
-  double* coordinates = malloc(sizeof(double) * 3 * nodes);
-  int* connectivity = malloc(sizeof(int) * 8 * hexes);
-  check(c_get_free_hexes(sculptor, coordinates, connectivity), sculptor);
-  check(c_get_num_fragments(sculptor, &fragments), sculptor);
-
-  double volume = 0, target = 0;
-  check(sculptor_get_number(sculptor, "MeshVolume", 0, &volume), sculptor);
-  check(sculptor_get_number(sculptor, "TargetVolume", 0, &target), sculptor);
-  int total = 0;
-  MPI_Reduce(&hexes, &total, 1, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD);
-  if (rank == 0)
-  {
-    printf(
-      "%d hexahedra in %d fragment(s), volume %.6f of %.6f\n", total, fragments, volume, target);
-  }
-  check(sculptor_delete(sculptor), sculptor);
-  free(connectivity);
-  free(coordinates);
-  free(vfrac);
+  check(sculptor_create(&s), 0);
+  check(sculptor_set_communicator(s, MPI_Comm_c2f(MPI_COMM_WORLD)), s);
+  check(sculptor_set_option(s, "Method", "Lattice"), s);
+  check(sculptor_set_box(s, box, intervals), s);
+  check(sculptor_set_neighbours(s, neighbours), s);
+  check(sculptor_add_material(s, "ball", fields.ball), s);
+  check(sculptor_add_material(s, "plate", fields.plate), s);
+  check(sculptor_add_state(s, "temperature", 1, fields.temperature), s);
+  check(sculptor_make_mesh(s, 1), s);
+  report(s, rank);
+  check(sculptor_delete(s), 0);
+  free(fields.ball);
+  free(fields.plate);
+  free(fields.temperature);
   MPI_Finalize();
   return 0;
 }

@@ -1,5 +1,5 @@
 ! Meshes a ball on a plate from Fortran as tetrahedra on any number of ranks, each with a slab of the grid; the
-! temperature of the cells goes to the elements.
+! temperature of the cells goes to the elements. mesh_in_c.c does and prints the same.
 !
 !   gfortran -c $(pkg-config --variable=includedir sculptor)/sculptor.f90
 !   mpif90 mesh_in_fortran.f90 sculptor.o $(pkg-config --libs sculptor) -o mesh_in_fortran && mpiexec -n 2 ./mesh_in_fortran

@@ -1,25 +1,22 @@
 #!/usr/bin/env bash
-# Installs the build, runs the program sculptor, compiles the examples in C and Fortran against what was installed, runs them on two ranks, and
-# looks with valgrind for leaks and memory errors of ours.
+# Installs the build, runs the program sculptor, compiles the hosts in C, C++ and Fortran against what was installed, by the lines of
+# Documentation/in-situ.md, runs them on several ranks, and looks with valgrind for leaks and memory errors of ours.
 # usage: test_installed.sh SOURCE BUILD SCRATCH
 set -euo pipefail
 source="$1" build="$2" scratch="$3"
 rm -rf "$scratch"
 mkdir -p "$scratch"
-cmake --install "$build" --prefix "$scratch/prefix" > "$scratch/install.log"
-cd "$scratch"
-export PKG_CONFIG_PATH="$scratch/prefix/lib/pkgconfig"
-read -ra flags <<< "$(pkg-config --cflags --libs sculptor)"
-examples="$source/Examples/sculptor"
-
-expect() { # usage: expect TEXT FILE
-  grep -q "$1" "$2" || { echo "'$1' is not in:"; cat "$2"; exit 1; }
-}
+export PREFIX="$scratch/prefix"
+cmake --install "$build" --prefix "$PREFIX" > "$scratch/install.log"
+cp -r "$source/Examples/sculptor" "$scratch/hosts"
+cd "$scratch/hosts"
+. "$source/Testing/InSitu/hosts.sh"
+export PKG_CONFIG_PATH="$PREFIX/lib/pkgconfig"
 
 # Leaks and errors of MPI and VTK are not ours: only reports with a function of ours among their callers count.
-check_memory() { # usage: check_memory PROGRAM
+check_memory() { # usage: check_memory PROGRAM RANKS
   command -v valgrind > /dev/null || { echo "no valgrind: memory is not checked"; return; }
-  mpiexec --bind-to none -n 2 valgrind --leak-check=full --show-leak-kinds=definite,indirect \
+  mpiexec --bind-to none -n "$2" valgrind --leak-check=full --show-leak-kinds=definite,indirect \
     --num-callers=40 --log-file="$1.%p.valgrind" "./$1" > "$1.valgrind.out"
   for log in "$1".*.valgrind; do
     expect "ERROR SUMMARY" "$log"
@@ -34,26 +31,48 @@ check_memory() { # usage: check_memory PROGRAM
   done
 }
 
-prefix/bin/sculptor --version > version.out
+"$PREFIX/bin/sculptor" --version > version.out
 expect "^sculptor $(pkg-config --modversion sculptor)\$" version.out
-prefix/bin/sculptor test > sculptor.out
+"$PREFIX/bin/sculptor" test > sculptor.out
 expect "^PASS" sculptor.out
 
-mpicc -std=c99 -Wall -Wextra -Werror "$examples/mesh_in_c.c" "${flags[@]}" -o mesh_in_c
-mpiexec --bind-to none -n 2 ./mesh_in_c > mesh_in_c.out
-expect "hexahedra in 1 fragment" mesh_in_c.out
-mpiexec --bind-to none -n 1 ./mesh_in_c > mesh_in_c.1.out
-cmp mesh_in_c.out mesh_in_c.1.out
-check_memory mesh_in_c
-
+# Headers and modules for hosts with warnings as errors.
+headers="$(pkg-config --variable=includedir sculptor)"
+for standard in 99 11; do
+  gcc -std="c$standard" -pedantic -Wall -Wextra -Werror -fsyntax-only -x c "$headers/CMLPSculptor.c.h"
+done
+for standard in 11 14 17; do
+  g++ -std="c++$standard" -pedantic -Wall -Wextra -Werror -fsyntax-only -x c++ "$headers/CMLPSculptor.hpp"
+done
+languages=(c cxx)
 if command -v gfortran > /dev/null; then
-  gfortran -std=f2008 -Wall -Wextra -Werror -c "$(pkg-config --variable=includedir sculptor)/sculptor.f90"
-  mpif90 -Wall "$examples/mesh_in_fortran.f90" sculptor.o "${flags[@]}" -o mesh_in_fortran
-  mpiexec --bind-to none -n 2 ./mesh_in_fortran > mesh_in_fortran.out
-  expect "ball: [1-9][0-9]* tetrahedra" mesh_in_fortran.out
-  expect "hottest: 3[0-9][0-9]" mesh_in_fortran.out
-  check_memory mesh_in_fortran
+  gfortran -std=f2008 -Wall -Wextra -Werror -fsyntax-only "$headers/cmlpsculptor.f90" "$headers/sculptor.f90"
+  languages+=(fortran)
 else
-  echo "no gfortran: the example in Fortran is not run"
+  echo "no gfortran: the hosts in Fortran are not run"
 fi
-cat mesh_in_*.out
+
+compile_as_documented "$source/Documentation/in-situ.md"
+for language in "${languages[@]}"; do
+  for ranks in 1 4; do
+    run "half_sphere_$language" $ranks
+    expect "^[1-9][0-9]* nodes, [1-9][0-9]* hexes, volume 7[12]" "half_sphere_$language.$ranks.out"
+    cmp "half_sphere_c.$ranks.out" "half_sphere_$language.$ranks.out"
+  done
+  check_memory "half_sphere_$language" 2
+done
+# Tetrahedra by TetGen depend on the ranks; their volume does not.
+cmp <(sed 's/.* tets//' half_sphere_c.1.out) <(sed 's/.* tets//' half_sphere_c.4.out)
+
+for host in mesh_in_c mesh_in_fortran; do
+  if [[ -x $host ]]; then
+    run "$host" 1
+    run "$host" 4
+    expect "ball: [1-9][0-9]* tetrahedra" "$host.4.out"
+    expect "hottest: 3[0-9][0-9]" "$host.4.out"
+    cmp mesh_in_c.1.out "$host.1.out"
+    cmp mesh_in_c.1.out "$host.4.out"
+    check_memory "$host" 2
+  fi
+done
+tail half_sphere_c.*.out mesh_in_c.1.out
