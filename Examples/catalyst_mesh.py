@@ -38,7 +38,8 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
-sys.path[:0] = [HERE, os.path.join(ROOT, "scripts")]
+sys.path.insert(0, HERE)
+import pictures
 from write_exodus import write_exodus
 
 PLUGIN = os.path.join(ROOT, "build", "lib", "VolumeFractionMesh.so")
@@ -54,7 +55,6 @@ EXODUS = "0"
 PICTURE = "1"
 CAMERA = "0.7,-1.0,0.5"
 ZOOM = "1.25"
-MORE_COLOURS = [(0.55, 0.72, 0.42), (0.79, 0.42, 0.45), (0.58, 0.50, 0.74), (0.86, 0.78, 0.40)]  # of materials 3, 4, ...
 
 COMPARISONS = {">": operator.gt, "<": operator.lt}
 REDUCTIONS = {  # name: of the values on a rank, over the ranks, of no values
@@ -184,28 +184,17 @@ class Picture:
     """The outside of the mesh with the edges of the elements, a colour a material; the camera stays where it is."""
 
     def __init__(self, mesher, bounds):
-        import demo
-
-        self.demo, self.mesher, self.parts = demo, mesher, {}
+        self.mesher, self.parts = mesher, {}
         simple._DisableFirstRenderCameraReset()
-        self.view = demo.make_view()
-        demo.aim(self.view, bounds, [float(x) for x in names_of(setting("CAMERA"))], float(setting("ZOOM")))
-
-    def add_part(self, material):
-        part = simple.Threshold(
-            Input=self.mesher, Scalars=["CELLS", "MaterialId"], LowerThreshold=material, UpperThreshold=material)
-        display = self.demo.show(part, self.view)
-        display.ColorArrayName = [None, ""]
-        other = MORE_COLOURS[material % len(MORE_COLOURS)]
-        display.AmbientColor = display.DiffuseColor = self.demo.COLOURS.get(material, other)
-        self.parts[material] = part
+        self.view = pictures.make_view()
+        pictures.aim(self.view, bounds, [float(x) for x in names_of(setting("CAMERA"))], float(setting("ZOOM")))
 
     def save(self, materials, time, path):
         for material in materials:
             if material not in self.parts:
-                self.add_part(material)
+                self.parts[material] = pictures.show_material(self.mesher, self.view, material)
         self.view.ViewTime = time
-        simple.SaveScreenshot(path, self.view, ImageResolution=self.demo.PICTURE_SIZE)
+        simple.SaveScreenshot(path, self.view, ImageResolution=pictures.SIZE)
 
 
 class Mesher:

@@ -7,6 +7,8 @@ SIZE = (1600, 1200)
 VIEW_ANGLE = 18  # degrees
 EDGES = (0.13, 0.17, 0.22)
 TEXT = (0.15, 0.15, 0.15)
+# Of materials 0, 1, 2, ..., and over again.
+MATERIALS = [(0.58, 0.50, 0.74), (0.36, 0.62, 0.80), (0.91, 0.62, 0.36), (0.79, 0.42, 0.45), (0.55, 0.72, 0.42), (0.86, 0.78, 0.40)]
 
 
 def make_view(size=SIZE):
@@ -43,14 +45,16 @@ def show(proxy, view, colour=None, edges=True):
     display.Ambient, display.Diffuse = 0.25, 0.85
     display.Specular, display.SpecularPower = 0.1, 20.0
     if colour:
-        simple.ColorBy(display, None)
+        display.ColorArrayName = [None, ""]
         display.AmbientColor = display.DiffuseColor = colour
     return display
 
 
-def show_material(mesh, view, material, colour):
+def show_material(mesh, view, material):
+    """The elements of a material in its colour; returns their proxy."""
     part = simple.Threshold(Input=mesh, Scalars=["CELLS", "MaterialId"], LowerThreshold=material, UpperThreshold=material)
-    return show(part, view, colour)
+    show(part, view, MATERIALS[material % len(MATERIALS)])
+    return part
 
 
 def cut(mesh, origin, normal):

@@ -25,7 +25,6 @@ import pictures
 from need_files import need_files
 from write_exodus import write_exodus
 
-COLOURS = {1: (0.36, 0.62, 0.80), 2: (0.91, 0.62, 0.36)}  # of the materials
 
 
 class Case:
@@ -101,9 +100,8 @@ def make_mesh(case, source, make_filter, vtu, exodus, abaqus, table):
 def draw_surface(case, mesh, path):
     """The outside, a colour a material."""
     view = pictures.make_view()
-    for material, colour in COLOURS.items():
-        if material <= len(case.arrays):
-            pictures.show_material(mesh, view, material, colour)
+    for material in range(1, len(case.arrays) + 1):
+        pictures.show_material(mesh, view, material)
     pictures.aim(view, mesh.GetDataInformation().GetBounds(), case.camera, case.zoom)
     pictures.save(view, path)
 
