@@ -7,6 +7,7 @@
 #include "Impact.h"
 #include "MakeSinks.h"
 
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <stdexcept>
@@ -74,6 +75,8 @@ int main(int argc, char** argv)
       std::fprintf(stderr, "impact: %s\n", error.what());
     }
     status = 1;
+    // mpiexec ends the others when one has left: ParaView would print a stack.
+    std::signal(SIGTERM, SIG_DFL);
   }
   MPI_Finalize();
   return status;
