@@ -6,14 +6,12 @@ usage: pvpython figure_12.py OUT
 import os
 
 import report
-from rank_meshes import read_ranks, values
+from rank_meshes import values
 from rank_pictures import draw, with_rank
 
 
 def main(out):
-    path = os.path.join(out, "figure_12.pvtu")
-    verdict = report.run_program(report.SCULPTOR, "test", "--no-smooth", "--output", path).splitlines()[-1]
-    meshes = read_ranks(path)
+    verdict, meshes = report.built_in_test(os.path.join(out, "figure_12.pvtu"), "--refine", "0")
     fragments, quality = values(meshes, "FragmentId"), values(meshes, "ScaledJacobian")
     draw(with_rank(meshes), "FragmentId", 1, 2, os.path.join(out, "figure_12.png"))
     return [

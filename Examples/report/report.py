@@ -77,3 +77,9 @@ def mesh_field(field, path, *options, ranks=1):
     """The meshes of the ranks, as sculptor makes them; path: of the .pvtu file."""
     run_program(SCULPTOR, field, path, "--quiet", *options, ranks=ranks)
     return rank_meshes.read_ranks(path)
+
+
+def built_in_test(path, *options):
+    """What it prints at last, and the mesh that it writes."""
+    printed = run_program(SCULPTOR, "test", "--output", path, *options)
+    return printed.splitlines()[-1], rank_meshes.read_ranks(path)

@@ -1,0 +1,30 @@
+#!/usr/bin/env pvpython
+"""Figure 13: the boxes of figure 12, of which a few chosen cells are refined, conforming.
+
+usage: pvpython figure_13.py OUT
+"""
+import os
+
+import report
+from rank_meshes import field_value, values
+from rank_pictures import draw, join, with_rank
+
+
+def main(out):
+    rows, panels = [], []
+    for name, option in (("smoothed", "--smooth=1"), ("not smoothed", "--no-smooth")):
+        stem = os.path.join(out, "figure_13_" + name.replace(" ", "_"))
+        verdict, meshes = report.built_in_test(stem + ".pvtu", "--refine-cells", option)
+        fragments, quality = values(meshes, "FragmentId"), values(meshes, "ScaledJacobian")
+        panels.append(stem + ".png")
+        draw(with_rank(meshes), "FragmentId", 1, 2, panels[-1])
+        rows += [
+            (name + ": what the test says of itself", verdict, ""),
+            (name + ": chosen cells", report.number(field_value(meshes, "ChosenCells")), ""),
+            (name + ": hexahedra of the boxes", "%d, %d" % tuple((fragments == box).sum() for box in (1, 2)), ""),
+            (name + ": smallest, mean scaled Jacobian", report.pair(quality.min(), quality.mean()), "")]
+    join(panels, os.path.join(out, "figure_13.png"), 2)
+    return rows
+
+
+report.run(main)
