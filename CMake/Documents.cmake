@@ -6,7 +6,7 @@ endif ()
 set(DOXYGEN_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/doxygen")
 set(DOXYGEN_PROJECT_BRIEF "Conforming hexahedral and tetrahedral meshes from volume fractions")
 set(DOXYGEN_STRIP_FROM_PATH "${PROJECT_SOURCE_DIR}")
-set(DOXYGEN_FILE_PATTERNS *.h)
+set(DOXYGEN_FILE_PATTERNS *.h *.hpp)
 # The comment at the top of a header tells of the file.
 set(DOXYGEN_INPUT_FILTER "sed '1s,^/[*][*]$,/** @file,'")
 set(DOXYGEN_JAVADOC_AUTOBRIEF YES)

@@ -71,7 +71,7 @@ public:
   ///@{
   /**
    * Shapes as text, one a line or parted by semicolons, such as `sphere material=1 center=0,0,0
-   * radius=0.4`; Grid/ShapesText.h tells all. Replaces the preset when not empty.
+   * radius=0.4`; Shapes/ShapesText.h tells all. Replaces the preset when not empty.
    */
   vtkSetStdStringFromCharMacro(Shapes);
   vtkGetCharFromStdStringMacro(Shapes);

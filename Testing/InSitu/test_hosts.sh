@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Installs the build, runs the program sculptor, compiles the hosts in C, C++ and Fortran against what was installed, by the lines of
 # Documentation/in-situ.md, runs them on several ranks, and looks with valgrind for leaks and memory errors of ours.
-# usage: test_installed.sh SOURCE BUILD SCRATCH
+# usage: test_hosts.sh SOURCE BUILD SCRATCH
 set -euo pipefail
 source="$1" build="$2" scratch="$3"
 rm -rf "$scratch"
 mkdir -p "$scratch"
-export PREFIX="$scratch/prefix"
+export PREFIX="$scratch/prefix" SOURCE="$source"
 cmake --install "$build" --prefix "$PREFIX" > "$scratch/install.log"
 cp -r "$source/Examples/sculptor" "$scratch/hosts"
 cd "$scratch/hosts"
-. "$source/Testing/InSitu/hosts.sh"
+. "$source/Testing/InSitu/from_outside.sh"
 export PKG_CONFIG_PATH="$PREFIX/lib/pkgconfig"
 
 # Leaks and errors of MPI and VTK are not ours: only reports with a function of ours among their callers count.
@@ -61,6 +61,7 @@ for language in "${languages[@]}"; do
   done
   check_memory "half_sphere_$language" 2
 done
+cmp half_sphere_c.4.out <(mpiexec --bind-to none -n 4 build/half_sphere_cxx)
 # Tetrahedra by TetGen depend on the ranks; their volume does not.
 cmp <(sed 's/.* tets//' half_sphere_c.1.out) <(sed 's/.* tets//' half_sphere_c.4.out)
 

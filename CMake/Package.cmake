@@ -1,0 +1,30 @@
+# find_package(VolumeFractionMesh), in the build tree and in the installed one. Each component has an export of its own, so that who
+# wants one needs not what the others link; Filters and IO are exported by vtk_module_build.
+include(CMakePackageConfigHelpers)
+set(vfm_exports sculptor Grid)
+if (TARGET vfm_catalyst)
+  list(APPEND vfm_exports Catalyst)
+endif ()
+foreach (component IN LISTS vfm_exports)
+  set(file "VolumeFractionMesh-${component}-targets.cmake")
+  export(EXPORT "${component}" NAMESPACE VolumeFractionMesh::
+    FILE "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/${file}")
+  install(EXPORT "${component}" NAMESPACE VolumeFractionMesh::
+    FILE "${file}" DESTINATION "${vfm_cmake_folder}")
+endforeach ()
+set(vfm_exported ${vfm_exports})
+if (vfm_module_export)
+  list(APPEND vfm_exported Filters IO)
+endif ()
+
+configure_file(CMake/VolumeFractionMeshConfig.cmake.in
+  "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfig.cmake" @ONLY)
+write_basic_package_version_file(
+  "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+configure_file(CMake/FindTetGen.cmake "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/FindTetGen.cmake" COPYONLY)
+install(FILES
+    "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfig.cmake"
+    "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfigVersion.cmake"
+    CMake/FindTetGen.cmake
+  DESTINATION "${vfm_cmake_folder}")

@@ -1,0 +1,19 @@
+# Configures NAME.pc.in for the installed tree, which may be moved, and as NAME-uninstalled.pc, which pkg-config prefers, for
+# lib/pkgconfig of the build tree.
+# usage: vfm_add_pkg_config(NAME headers of the installed tree, headers of the source tree ...)
+function (vfm_add_pkg_config name installed_headers)
+  set(prefix "\${pcfiledir}/../..")
+  set(libdir "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+  set(includedir "\${prefix}/${installed_headers}")
+  set(headers "-I\${includedir}")
+  configure_file("${name}.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/${name}.pc" @ONLY)
+  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${name}.pc"
+    DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+
+  set(prefix "${CMAKE_BINARY_DIR}")
+  list(GET ARGN 0 includedir)
+  list(TRANSFORM ARGN PREPEND "-I" OUTPUT_VARIABLE headers)
+  list(JOIN headers " " headers)
+  configure_file("${name}.pc.in"
+    "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/pkgconfig/${name}-uninstalled.pc" @ONLY)
+endfunction ()
