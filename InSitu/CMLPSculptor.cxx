@@ -140,10 +140,10 @@ int c_mesh_from_data(int handle, double xmin, double ymin, double zmin, double x
     {
       const auto prepare = [&]
       {
-        session.SetBox(bounds, intervals);
+        session.Blocks.SetOnly(bounds, intervals);
         session.SetNeighbours(neighbours);
-        session.ClearFields();
-        session.AddMaterial("material", NotNull(vfrac, "vfrac"));
+        session.Blocks.ClearFields();
+        session.Blocks.AddMaterial("material", NotNull(vfrac, "vfrac"));
         session.SetOption("Refinement", "Automatic");
         session.SetOption("MaximumLevel", std::to_string(NotNegative(auto_refine, "auto_refine")));
         session.SetOption("StairStep", stair_step ? "1" : "0");
@@ -152,7 +152,7 @@ int c_mesh_from_data(int handle, double xmin, double ymin, double zmin, double x
       // vfrac may be gone when the host calls again.
       struct ForgetFields
       {
-        ~ForgetFields() { this->Session.ClearFields(); }
+        ~ForgetFields() { this->Session.Blocks.ClearFields(); }
         SculptorSession& Session;
       } const forget{ session };
       session.MakeMesh(tet_mesh != 0, prepare);

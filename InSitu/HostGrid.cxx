@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr const char* AxisNames[3] = { "x", "y", "z" };
+constexpr Index EndOfInts = std::numeric_limits<int>::max(); // nodes are counted by ints, too
 
 void CheckAxes(const HostGrid& grid)
 {
@@ -35,10 +36,10 @@ void CheckAxes(const HostGrid& grid)
       text << "The spacing of the grid along " << AxisNames[a] << " is " << grid.Spacing[a]
            << "; it must be finite and greater than 0.";
     }
-    else if (grid.Cells[a] < 1 || grid.Cells[a] >= std::numeric_limits<int>::max())
+    else if (grid.Cells[a] < 1 || grid.Cells[a] >= EndOfInts)
     {
       text << "The grid has " << grid.Cells[a] << " cells along " << AxisNames[a]
-           << "; it must have at least 1 and fewer than " << std::numeric_limits<int>::max() << ".";
+           << "; it must have at least 1 and fewer than " << EndOfInts << ".";
     }
     if (!text.str().empty())
     {
@@ -47,18 +48,23 @@ void CheckAxes(const HostGrid& grid)
   }
 }
 
-std::string NameBox(const IndexBox& cells)
+std::string NameBox(const HostBox& box)
 {
+  const IndexBox& cells = box.Cells;
   std::ostringstream text;
   text << "The box of cells [" << cells.Lower[0] << ", " << cells.Upper[0] << ") x ["
        << cells.Lower[1] << ", " << cells.Upper[1] << ") x [" << cells.Lower[2] << ", "
        << cells.Upper[2] << ")";
+  if (box.Level != 0)
+  {
+    text << " of level " << box.Level;
+  }
   return text.str();
 }
 
 void CheckArrays(const HostBox& box)
 {
-  const std::string name = NameBox(box.Cells);
+  const std::string name = NameBox(box);
   for (std::size_t i = 0; i < box.Arrays.size(); ++i)
   {
     const HostArray& array = box.Arrays[i];
@@ -87,17 +93,28 @@ void CheckArrays(const HostBox& box)
 
 void CheckBox(const HostGrid& grid, const HostBox& box)
 {
+  if (box.Level < 0 || box.Level > MostHostLevels)
+  {
+    throw InputError(NameBox(box) + " has no level from 0, the coarsest, to " +
+      std::to_string(MostHostLevels) + ".");
+  }
   for (int a = 0; a < 3; ++a)
   {
+    const Index cells = grid.Cells[a] << box.Level;
     if (box.Cells.Size(a) < 1)
     {
-      throw InputError(NameBox(box.Cells) + " is empty along " + AxisNames[a] +
-        ". Leave out boxes without cells.");
+      throw InputError(
+        NameBox(box) + " is empty along " + AxisNames[a] + ". Leave out boxes without cells.");
     }
-    if (box.Cells.Lower[a] < 0 || box.Cells.Upper[a] > grid.Cells[a])
+    if (box.Cells.Lower[a] < 0 || box.Cells.Upper[a] > cells)
     {
-      throw InputError(NameBox(box.Cells) + " leaves the grid along " + AxisNames[a] +
-        ", which has " + std::to_string(grid.Cells[a]) + " cells there.");
+      throw InputError(NameBox(box) + " leaves the grid along " + AxisNames[a] + ", which has " +
+        std::to_string(cells) + " cells there.");
+    }
+    if (box.Cells.Upper[a] >= EndOfInts)
+    {
+      throw InputError(NameBox(box) + " has cells beyond number " + std::to_string(EndOfInts) +
+        " along " + AxisNames[a] + ". Fewer levels are needed.");
     }
   }
   CheckArrays(box);
@@ -136,13 +153,15 @@ vtkSmartPointer<vtkImageData> MakeCheckedImage(const HostGrid& grid, const HostB
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetOrigin(grid.Origin.data());
-  image->SetSpacing(grid.Spacing.data());
+  double spacing[3];
   int extent[6];
   for (int a = 0; a < 3; ++a)
   {
+    spacing[a] = std::ldexp(grid.Spacing[a], -box.Level);
     extent[2 * a] = static_cast<int>(box.Cells.Lower[a]);
     extent[2 * a + 1] = static_cast<int>(box.Cells.Upper[a]);
   }
+  image->SetSpacing(spacing);
   image->SetExtent(extent);
   for (const HostArray& array : box.Arrays)
   {

@@ -4,6 +4,10 @@
  *
  * Cells are numbered (i,j,k) over the whole grid, from 0. The values of a box are those of its cells alone, x fastest:
  * value (i,j,k) of component c is values[((k * ny + j) * nx + i) * components + c], i, j, k from the box's lower corner.
+ *
+ * A box may be of a finer level (AMR): cells of level L are those of level 0 halved L times along each axis, and are numbered
+ * over the whole grid as if it had no others. Boxes of coarser levels may lie below those of finer ones or not; what they hold there is
+ * ignored by the mesher.
  */
 #pragma once
 
@@ -40,16 +44,19 @@ struct HostArray
 
 struct HostBox
 {
-  IndexBox Cells;
+  IndexBox Cells; ///< of its level
   std::vector<HostArray> Arrays;
+  int Level = 0; ///< 0: the coarsest
 };
 
-/// A uniform grid, of which this rank holds some boxes, or none. Node (i,j,k) is at Origin + (i,j,k) * Spacing.
+constexpr int MostHostLevels = 30; ///< above level 0
+
+/// A grid, of which this rank holds some boxes, or none. Node (i,j,k) of level L is at Origin + (i,j,k) * Spacing / 2^L.
 struct HostGrid
 {
   Vector3 Origin{ { 0, 0, 0 } };  ///< of the whole grid, same on all ranks
-  Vector3 Spacing{ { 1, 1, 1 } }; ///< edges of a cell
-  Index3 Cells{ { 0, 0, 0 } };    ///< of the whole grid along x, y, z
+  Vector3 Spacing{ { 1, 1, 1 } }; ///< edges of a cell of level 0
+  Index3 Cells{ { 0, 0, 0 } };    ///< of level 0 in the whole grid, along x, y, z
   std::vector<HostBox> Boxes;
 };
 
@@ -85,12 +92,12 @@ HostArray MakeHostArray(const std::string& name, const T* values, int components
 }
 
 /// Throws InputError that names what is wrong: spacing that is not positive, numbers that are not finite, no cells,
-/// more cells along an axis than an int counts; a box that is empty or leaves the grid; an array without name, values
-/// or components, or twice in a box.
+/// more cells along an axis than an int counts; a box that is empty or leaves the grid, a level out of range; an array
+/// without name, values or components, or twice in a box. Boxes that overlap or leave gaps are found by the mesher.
 void CheckHostGrid(const HostGrid& grid);
 
-/// The box as an image whose extent counts the nodes of the whole grid and whose origin is the grid's: coordinates are
-/// the same bits on every rank. Its cell arrays are the host's memory. Throws InputError as CheckHostGrid does.
+/// The box as an image whose extent counts the nodes of its level in the whole grid and whose origin is the grid's: coordinates are
+/// the same bits on every rank, and on every level that has the node. Its cell arrays are the host's memory. Throws InputError as CheckHostGrid does.
 vtkSmartPointer<vtkImageData> MakeImage(const HostGrid& grid, const HostBox& box);
 
 /// All boxes as blocks first, first + 1, ... of total blocks; the others, those of other ranks, are null.

@@ -44,7 +44,25 @@ int sculptor_set_box(int sculptor, const double* bounding_box, const int* interv
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
-    { session.SetBox(NotNull(bounding_box, "bounding_box"), NotNull(intervals, "intervals")); });
+    {
+      session.Blocks.SetOnly(
+        NotNull(bounding_box, "bounding_box"), NotNull(intervals, "intervals"));
+    });
+}
+
+int sculptor_add_block(int sculptor, int level, const double* bounding_box, const int* intervals)
+{
+  return WithSession(sculptor,
+    [=](SculptorSession& session)
+    {
+      session.Blocks.Begin(
+        level, NotNull(bounding_box, "bounding_box"), NotNull(intervals, "intervals"));
+    });
+}
+
+int sculptor_clear_blocks(int sculptor)
+{
+  return WithSession(sculptor, [](SculptorSession& session) { session.Blocks.Clear(); });
 }
 
 int sculptor_set_neighbours(int sculptor, const int* neighbours)
@@ -57,25 +75,25 @@ int sculptor_add_material(int sculptor, const char* name, const double* vfrac)
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
-    { session.AddMaterial(NotNull(name, "name"), NotNull(vfrac, "vfrac")); });
+    { session.Blocks.AddMaterial(NotNull(name, "name"), NotNull(vfrac, "vfrac")); });
 }
 
 int sculptor_set_material_ids(int sculptor, const int* ids)
 {
-  return WithSession(
-    sculptor, [=](SculptorSession& session) { session.SetMaterialIds(NotNull(ids, "ids")); });
+  return WithSession(sculptor,
+    [=](SculptorSession& session) { session.Blocks.SetMaterialIds(NotNull(ids, "ids")); });
 }
 
 int sculptor_add_state(int sculptor, const char* name, int components, const double* values)
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
-    { session.AddState(NotNull(name, "name"), components, NotNull(values, "values")); });
+    { session.Blocks.AddState(NotNull(name, "name"), components, NotNull(values, "values")); });
 }
 
 int sculptor_clear_fields(int sculptor)
 {
-  return WithSession(sculptor, [](SculptorSession& session) { session.ClearFields(); });
+  return WithSession(sculptor, [](SculptorSession& session) { session.Blocks.ClearFields(); });
 }
 
 int sculptor_make_mesh(int sculptor, int tet_mesh)

@@ -63,12 +63,26 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_set_option(int sculptor, const char* name, const char* value);
 
   /* This rank's cells. bounding_box: xmin ymin zmin xmax ymax zmax; intervals: 3, how many cells, each at least 1. All boxes
-   * must tile one box, with cells of one size. */
+   * must tile one box, with cells of one size. Forgets the blocks of sculptor_add_block. */
   SCULPTOR_EXPORT int sculptor_set_box(
     int sculptor, const double* bounding_box, const int* intervals);
 
+  /* For several blocks a rank, blocks on several levels (AMR) and ranks without cells: begins a further block of this rank, to which
+   * the materials or material ids and the states set after it belong. All blocks of all ranks must have the same, in the same
+   * order. level: 0 for the coarsest cells of all ranks, L for those halved L times along each axis, at most 30; bounding_box,
+   * intervals: as above. All blocks together must fill a box of whole cells of level 0. Those of one level must not overlap;
+   * finer ones must cover whole cells of the level before, whose blocks may have values there or not: they are ignored.
+   * Messages count a rank's blocks from 0. */
+  SCULPTOR_EXPORT int sculptor_add_block(
+    int sculptor, int level, const double* bounding_box, const int* intervals);
+
+  /* Forgets the box and all blocks of this rank with their fields, before blocks are begun anew; a rank that begins none has no
+   * cells. As long as neither the grid nor the places of the arrays change it is not needed, nor are blocks: the next mesh is
+   * made of the values that are there then. */
+  SCULPTOR_EXPORT int sculptor_clear_blocks(int sculptor);
+
   /* The ranks across -x +x -y +y -z +z, -1 where the whole grid ends; null: not known, and this rank may get the elements of
-   * others' cells. */
+   * others' cells. Only where every rank has one block, of level 0. */
   SCULPTOR_EXPORT int sculptor_set_neighbours(int sculptor, const int* neighbours);
 
   /* The next material, its number from 1 in the order of the calls: its volume fractions, in [0,1]. */
@@ -81,7 +95,8 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_add_state(
     int sculptor, const char* name, int components, const double* values);
 
-  /* Forgets materials and states, for the next time step; box, neighbours and options stay. */
+  /* Forgets materials and states, for the next time step; box, neighbours and options stay. Hosts with several blocks call
+   * sculptor_clear_blocks instead. */
   SCULPTOR_EXPORT int sculptor_clear_fields(int sculptor);
 
   /* Makes the mesh of all materials. tet_mesh: 0 hexahedra, else tetrahedra. Collective. */

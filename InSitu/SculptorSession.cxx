@@ -28,7 +28,6 @@ namespace vfm
 namespace
 {
 
-constexpr const char* MaterialIdName = "MaterialIds";
 constexpr double LargestHash = 0x1p53; // what a double counts
 
 /// Collective: throws on all ranks when their texts differ.
@@ -37,9 +36,7 @@ void AgreeOn(const std::string& text, Ranks& ranks)
   const double hash = std::fmod(static_cast<double>(std::hash<std::string>()(text)), LargestHash);
   if (ranks.Max(hash) != -ranks.Max(-hash))
   {
-    throw InputError(
-      "The ranks do not agree on the names of materials and states, on options, or on hexahedra or "
-      "tetrahedra.");
+    throw InputError("The ranks do not agree on options, or on hexahedra or tetrahedra.");
   }
 }
 
@@ -140,17 +137,6 @@ void SculptorSession::SetOption(const std::string& name, const std::string& valu
   this->Options[name] = value;
 }
 
-void SculptorSession::SetBox(const double* bounds, const int* intervals)
-{
-  this->Cells.emplace();
-  for (int a = 0; a < 3; ++a)
-  {
-    this->Cells->Lower[a] = bounds[a];
-    this->Cells->Upper[a] = bounds[3 + a];
-    this->Cells->Intervals[a] = intervals[a];
-  }
-}
-
 void SculptorSession::SetNeighbours(const int* ranks)
 {
   this->Neighbours.reset();
@@ -161,81 +147,47 @@ void SculptorSession::SetNeighbours(const int* ranks)
   }
 }
 
-void SculptorSession::AddMaterial(const std::string& name, const double* fractions)
-{
-  this->Materials.push_back(MakeHostArray(name, fractions));
-}
-
-void SculptorSession::SetMaterialIds(const int* ids)
-{
-  this->MaterialIds = ids;
-}
-
-void SculptorSession::AddState(const std::string& name, int components, const double* values)
-{
-  this->States.push_back(MakeHostArray(name, values, components));
-}
-
-void SculptorSession::ClearFields()
-{
-  this->Materials.clear();
-  this->States.clear();
-  this->MaterialIds = nullptr;
-}
-
 vtkVolumeFractionMeshAlgorithm* SculptorSession::GetMesher(bool tets) const
 {
   return tets ? static_cast<vtkVolumeFractionMeshAlgorithm*>(this->Tets) : this->Hexes;
 }
 
-void SculptorSession::CheckFields() const
+void SculptorSession::CheckNeighbours() const
 {
-  if (!this->Cells)
+  if (this->Neighbours && !this->Blocks.IsOneBox())
   {
-    throw InputError("No box of cells is set (sculptor_set_box).");
-  }
-  CheckBoundedCells(*this->Cells);
-  if (this->Materials.empty() == !this->MaterialIds)
-  {
-    throw InputError(
-      "Give either the volume fractions of materials (sculptor_add_material) or material ids "
-      "(sculptor_set_material_ids).");
+    throw InputError("Face neighbours are set (sculptor_set_neighbours), but the " +
+      std::to_string(this->Blocks.Count()) +
+      " block(s) here are not one of level 0. Without neighbours (a null pointer) cells are shared "
+      "out anew.");
   }
 }
 
-/// What all ranks must have alike.
+/// What all ranks must have alike, besides the names of fields.
 std::string SculptorSession::Describe(bool tets) const
 {
   std::string text = tets ? "tets" : "hexes";
-  for (const std::vector<HostArray>* arrays : { &this->Materials, &this->States })
-  {
-    text += '\n';
-    for (const HostArray& array : *arrays)
-    {
-      text += array.Name + '\t' + std::to_string(array.Components) + '\t';
-    }
-  }
   for (const auto& option : this->Options)
   {
     text += '\n' + option.first + '=' + option.second;
   }
-  return text + (this->MaterialIds ? "\nids" : "");
+  return text;
 }
 
-void SculptorSession::Configure(
-  vtkVolumeFractionMeshAlgorithm* mesher, vtkMultiProcessController* controller)
+void SculptorSession::Configure(vtkVolumeFractionMeshAlgorithm* mesher, const FieldNames& names,
+  vtkMultiProcessController* controller)
 {
   mesher->SetController(controller);
   mesher->ClearVolumeFractionArrays();
   mesher->ClearStateArrays();
-  mesher->SetMaterialIdArray(this->MaterialIds ? MaterialIdName : "");
-  for (const HostArray& array : this->Materials)
+  mesher->SetMaterialIdArray(names.HasMaterialIds ? MaterialIdName : "");
+  for (const FieldName& material : names.Materials)
   {
-    mesher->AddVolumeFractionArray(array.Name.c_str());
+    mesher->AddVolumeFractionArray(material.Name.c_str());
   }
-  for (const HostArray& array : this->States)
+  for (const FieldName& state : names.States)
   {
-    mesher->AddStateArray(array.Name.c_str());
+    mesher->AddStateArray(state.Name.c_str());
   }
   if (this->Neighbours)
   {
@@ -252,7 +204,7 @@ void SculptorSession::Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid
 {
   VtkMessages messages;
   messages.Watch(mesher);
-  mesher->SetInputDataObject(MakeBlocks(grid, 0, 1));
+  mesher->SetInputDataObject(MakeBlocks(grid, 0, static_cast<unsigned int>(grid.Boxes.size())));
   const bool isDone = mesher->GetExecutive()->Update();
   mesher->SetInputDataObject(nullptr);
   vtkUnstructuredGrid* output = mesher->GetOutput();
@@ -272,20 +224,6 @@ void SculptorSession::Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid
   this->Mesh = mesh;
 }
 
-/// The host's fields on the grid of all ranks. Collective.
-HostGrid SculptorSession::PlaceFields(Ranks& ranks) const
-{
-  HostGrid grid = PlaceHostBox(*this->Cells, ranks);
-  std::vector<HostArray>& arrays = grid.Boxes[0].Arrays;
-  arrays = this->Materials;
-  arrays.insert(arrays.end(), this->States.begin(), this->States.end());
-  if (this->MaterialIds)
-  {
-    arrays.push_back(MakeHostArray(MaterialIdName, this->MaterialIds));
-  }
-  return grid;
-}
-
 void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
 {
   this->Mesh = nullptr;
@@ -293,22 +231,25 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
   this->WarningText.clear();
   vtkMultiProcessController* controller = this->Communicator.GetController();
   ControllerRanks ranks(controller);
+  FieldNames names;
   const auto agree = [&]
   {
     NameRank(ranks,
       [&]
       {
         prepare();
-        this->CheckFields();
+        this->Blocks.Check();
+        this->CheckNeighbours();
       });
     AgreeOn(this->Describe(tets), ranks);
+    names = this->Blocks.AgreeOnNames(ranks);
   };
   const auto mesh = [&]
   {
-    const HostGrid grid = this->PlaceFields(ranks);
+    const HostGrid grid = this->Blocks.Place(ranks);
     NameRank(ranks, [&grid] { CheckHostGrid(grid); });
     vtkVolumeFractionMeshAlgorithm* mesher = this->GetMesher(tets);
-    this->Configure(mesher, controller);
+    this->Configure(mesher, names, controller);
     this->Run(mesher, grid);
   };
   const auto work = [&]

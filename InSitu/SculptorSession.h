@@ -5,9 +5,8 @@
 #pragma once
 
 #include "FragmentParts.h"
+#include "HostBlocks.h"
 #include "HostCommunicator.h"
-#include "HostGrid.h"
-#include "PlaceHostBox.h"
 #include "VtkMessages.h"
 
 #include "vtkNew.h"
@@ -42,14 +41,9 @@ public:
   void SetCommunicator(int communicator) { this->Communicator.Set(communicator); }
   /// Of the filters, or IndexBase.
   void SetOption(const std::string& name, const std::string& value);
-  /// What is missing or wrong here is told by MakeMesh, on all ranks.
-  void SetBox(const double* bounds, const int* intervals);
   /// Null: not known.
   void SetNeighbours(const int* ranks);
-  void AddMaterial(const std::string& name, const double* fractions);
-  void SetMaterialIds(const int* ids);
-  void AddState(const std::string& name, int components, const double* values);
-  void ClearFields();
+  HostBlocks Blocks; ///< what is missing or wrong there is told by MakeMesh, on all ranks
   /// Collective. prepare: sets fields and options; when it fails on any rank, all fail.
   void MakeMesh(bool tets, const std::function<void()>& prepare);
 
@@ -73,10 +67,10 @@ public:
 
 private:
   vtkVolumeFractionMeshAlgorithm* GetMesher(bool tets) const;
-  void CheckFields() const;
+  void CheckNeighbours() const;
   std::string Describe(bool tets) const;
-  HostGrid PlaceFields(Ranks& ranks) const;
-  void Configure(vtkVolumeFractionMeshAlgorithm* mesher, vtkMultiProcessController* controller);
+  void Configure(vtkVolumeFractionMeshAlgorithm* mesher, const FieldNames& names,
+    vtkMultiProcessController* controller);
   void Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid& grid);
 
   HostCommunicator Communicator;
@@ -84,10 +78,7 @@ private:
   vtkNew<vtkVolumeFractionToTet> Tets;
   std::map<std::string, std::string> Options; // set by name, to compare between ranks
   int IndexBase = 0;
-  std::optional<BoundedCells> Cells;
   std::optional<std::array<int, 6>> Neighbours;
-  std::vector<HostArray> Materials, States;
-  const int* MaterialIds = nullptr;
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;
   std::optional<FragmentParts> Parts; // made when first asked for
   std::string WarningText;

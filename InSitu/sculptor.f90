@@ -10,8 +10,8 @@ module sculptor
     sculptor_error_input = 3, sculptor_error_no_mesh = 4, sculptor_error_size = 5, sculptor_error_file = 6, &
     sculptor_error_memory = 7, sculptor_error_internal = 8
   public :: sculptor_create, sculptor_delete, sculptor_set_communicator, sculptor_set_option, &
-    sculptor_set_box, sculptor_set_neighbours, sculptor_add_material, sculptor_set_material_ids, &
-    sculptor_add_state, sculptor_clear_fields, &
+    sculptor_set_box, sculptor_add_block, sculptor_clear_blocks, sculptor_set_neighbours, &
+    sculptor_add_material, sculptor_set_material_ids, sculptor_add_state, sculptor_clear_fields, &
     sculptor_make_mesh, sculptor_get_counts, sculptor_get_points, sculptor_get_elements, sculptor_get_point_ids, &
     sculptor_get_element_ids, sculptor_get_materials, sculptor_get_fragments, sculptor_get_state, &
     sculptor_get_number, sculptor_write, sculptor_error_code, sculptor_error_message, sculptor_warning_message
@@ -45,6 +45,19 @@ module sculptor
       integer(c_int), value :: sculptor
       real(c_double), intent(in) :: bounding_box(6)
       integer(c_int), intent(in) :: intervals(3)
+    end function
+
+    integer(c_int) function sculptor_add_block(sculptor, level, bounding_box, intervals) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      integer(c_int), value :: level
+      real(c_double), intent(in) :: bounding_box(6)
+      integer(c_int), intent(in) :: intervals(3)
+    end function
+
+    integer(c_int) function sculptor_clear_blocks(sculptor) bind(C)
+      import
+      integer(c_int), value :: sculptor
     end function
 
     integer(c_int) function sculptor_set_neighbours(sculptor, neighbours) bind(C)

@@ -90,6 +90,32 @@ TEST(HostGrid, ExtentsCountTheNodesOfTheWholeGrid)
   }
 }
 
+/// Nodes of level 0 are the same bits on all levels, whatever the widths.
+TEST(HostGrid, LevelsHalveTheCells)
+{
+  const Host host;
+  HostGrid grid = host.Describe();
+  for (int level : { 1, 4 })
+  {
+    HostBox box = grid.Boxes[0];
+    box.Level = level;
+    const Index step = Index(1) << level;
+    box.Cells = { { { 2 * step, 0, step } }, { { 2 * step + 3, 2, step + 2 } } };
+    const vtkSmartPointer<vtkImageData> coarse = MakeImage(grid, grid.Boxes[0]),
+                                        fine = MakeImage(grid, box);
+    double points[2][3];
+    coarse->GetPoint(0, points[0]);
+    fine->GetPoint(0, points[1]);
+    for (int a = 0; a < 3; ++a)
+    {
+      EXPECT_EQ(fine->GetSpacing()[a] * static_cast<double>(step), grid.Spacing[a]);
+      EXPECT_EQ(fine->GetExtent()[2 * a], box.Cells.Lower[a]);
+      EXPECT_EQ(points[1][a], points[0][a]);
+    }
+    EXPECT_EQ(fine->GetCellData()->GetArray("doubles")->GetVoidPointer(0), host.Doubles.data());
+  }
+}
+
 TEST(HostGrid, BlocksOfOtherRanksAreNull)
 {
   const Host host;
@@ -114,6 +140,23 @@ TEST(HostGrid, TellsWhatIsWrong)
     "[2, 2) x [0, 2) x [1, 3) is empty along x");
   ExpectError([](HostGrid& g) { g.Boxes[0].Cells.Upper[2] = 4; }, "leaves the grid along z");
   ExpectError([](HostGrid& g) { g.Boxes[0].Cells.Lower[0] = -1; }, "leaves the grid along x");
+  ExpectError([](HostGrid& g) { g.Boxes[0].Level = -1; }, "of level -1 has no level from 0");
+  ExpectError([](HostGrid& g) { g.Boxes[0].Level = 31; }, "of level 31 has no level from 0");
+  ExpectError(
+    [](HostGrid& g)
+    {
+      g.Boxes[0].Level = 2;
+      g.Boxes[0].Cells.Upper[2] = 13;
+    },
+    "of level 2 leaves the grid along z, which has 12 cells there");
+  ExpectError(
+    [](HostGrid& g)
+    {
+      g.Boxes[0].Level = 30;
+      g.Boxes[0].Cells.Lower[0] = (Index(1) << 31) - 4;
+      g.Boxes[0].Cells.Upper[0] = (Index(1) << 31) - 1;
+    },
+    "has cells beyond number 2147483647 along x");
   ExpectError([](HostGrid& g) { g.Boxes[0].Arrays[0].Name = ""; }, "array without a name");
   ExpectError([](HostGrid& g) { g.Boxes[0].Arrays[1].Values = nullptr; }, "'floats' has no values");
   ExpectError([](HostGrid& g) { g.Boxes[0].Arrays[2].Components = 0; }, "'ints' has 0 components");
