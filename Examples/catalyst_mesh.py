@@ -2,8 +2,8 @@
 """Meshes the volume fractions of a running simulation: a ParaView Catalyst script (version 2).
 
 Give it to vfm::CatalystAdaptor or any other Catalyst adaptor whose input is named "input": a uniform grid in one or more
-blocks a rank. Every mesh becomes OUT/NAME_SSSSSS.pvtu (S: the step), the series OUT/NAME.pvd, on demand an Exodus file
-and a picture.
+blocks a rank, or a refined one (AMR) of blocks on several levels. Every mesh becomes OUT/NAME_SSSSSS.pvtu (S: the step),
+the series OUT/NAME.pvd, on demand an Exodus file and a picture.
 
 Settings: the values below, or environment variables of the simulation:
   VFM_PLUGIN    path of VolumeFractionMesh.so
@@ -17,7 +17,8 @@ Settings: the values below, or environment variables of the simulation:
                   NAME changes              a global number that the simulation hands over, as "Fragments", is another;
                                             the first step counts as a change
                   NAME > VALUE              ... has passed the value; also NAME < VALUE
-                  sum ARRAY > VALUE         the sum of a cell array over all cells has; also min, max; vectors by length
+                  sum ARRAY > VALUE         the sum of a cell array over all cells has; also min, max; vectors by length;
+                                            a finer cell counts as the part that it is of a coarsest one
   VFM_TETS      tetrahedra by this method, TetGen, Cells or Lattice; empty: hexahedra
   VFM_EXODUS    1: NAME_SSSSSS.e too, with side sets, on N ranks NAME_SSSSSS.e.N.0 and so on
   VFM_PICTURE   1: NAME_SSSSSS.png too, where there is an X server (DISPLAY)
@@ -62,7 +63,7 @@ REDUCTIONS = {  # name: of the values on a rank, over the ranks, of no values
     "min": (np.min, vtkCommunicator.MIN_OP, np.inf),
     "max": (np.max, vtkCommunicator.MAX_OP, -np.inf),
 }
-GHOST = 1  # bit of vtkGhostType
+GHOST, HIDDEN = 1, 32  # bits of vtkGhostType: copies of other blocks' cells; below finer blocks
 
 
 def setting(name):
@@ -102,13 +103,17 @@ def blocks_of(data):
 
 
 def own_values(block, name):
-    """The values of a cell array, lengths of vectors, without ghost cells; None if there is no such array."""
+    """The values of a cell array, lengths of vectors, without what other blocks tell of; None if there is no such array."""
     array, ghosts = block.GetCellData().GetArray(name), block.GetCellData().GetArray("vtkGhostType")
     if array is None:
         return None
     values = vtk_to_numpy(array)
     values = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
-    return values if ghosts is None else values[vtk_to_numpy(ghosts) & GHOST == 0]
+    return values if ghosts is None else values[vtk_to_numpy(ghosts) & (GHOST | HIDDEN) == 0]
+
+
+def cell_volume(block):
+    return np.prod(block.GetSpacing())
 
 
 class Trigger:
@@ -143,8 +148,10 @@ class Trigger:
 
     def reduce(self, data):
         of_values, of_ranks, nothing = REDUCTIONS[self.reduction]
-        parts = [own_values(block, self.name) for block in blocks_of(data)]
-        parts = [part for part in parts if part is not None]
+        blocks = blocks_of(data)
+        widest = reduced(max([cell_volume(block) for block in blocks], default=0.0), vtkCommunicator.MAX_OP)
+        parts = [(own_values(block, self.name), cell_volume(block) / widest) for block in blocks]
+        parts = [part * weight if self.reduction == "sum" else part for part, weight in parts if part is not None]
         if not reduced(len(parts), vtkCommunicator.SUM_OP):
             raise ValueError("VFM_TRIGGER: the simulation hands over no cell array '%s'" % self.name)
         return reduced(of_values([of_values(part) for part in parts if part.size] or [nothing]), of_ranks)

@@ -1,7 +1,5 @@
 #include "HostBlocks.h"
 
-#include "Base/Runtime.h"
-
 namespace vfm
 {
 namespace

@@ -34,14 +34,29 @@ double WidthOf(const BoundedCells& box, int a)
   return (box.Upper[a] - box.Lower[a]) / box.Intervals[a];
 }
 
+/// How well a box tells the width of cells of level 0: coarse ones before fine ones, then those of many cells.
+double MeritOf(const BoundedCells& box, int a)
+{
+  return box.Intervals[a] - std::ldexp(box.Level, 31);
+}
+
 Axis FindAxis(const std::vector<BoundedCells>& mine, int a, Ranks& ranks)
 {
-  double lower = std::numeric_limits<double>::infinity(), upper = -lower, width = 0.0;
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower, best = upper;
   for (const BoundedCells& box : mine)
   {
     lower = std::min(lower, box.Lower[a]);
     upper = std::max(upper, box.Upper[a]);
-    width = std::max(width, std::ldexp(WidthOf(box, a), box.Level));
+    best = std::max(best, MeritOf(box, a));
+  }
+  best = ranks.Max(best);
+  double width = 0.0;
+  for (const BoundedCells& box : mine)
+  {
+    if (MeritOf(box, a) == best)
+    {
+      width = std::max(width, std::ldexp(WidthOf(box, a), box.Level));
+    }
   }
   lower = -ranks.Max(-lower);
   upper = ranks.Max(upper);

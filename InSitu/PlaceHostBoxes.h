@@ -36,10 +36,10 @@ void NameBlock(std::size_t block, std::size_t blocks, const Work& work)
 /// range. Not collective.
 void CheckBoundedCells(const BoundedCells& cells);
 
-/// Collective; mine: of this rank, maybe none, but some on any rank. A grid with these boxes, without arrays, whose origin and spacing are those of all
-/// ranks' boxes together, so the same bits on all ranks and for any ranks that have them. Throws InputError, on all ranks alike,
-/// when cells of a level are not those of level 0 halved or boxes are not on one grid, by more than a thousandth of
-/// a cell.
+/// Collective; mine: of this rank, maybe none, but some on any rank. A grid with these boxes, without arrays, whose origin and
+/// spacing are those of all ranks' boxes together, so the same bits on all ranks, whichever has which box. Throws InputError, on
+/// all ranks alike, when cells of a level are not those of level 0 halved or boxes are not on one grid, by more than a
+/// thousandth of a cell.
 HostGrid PlaceHostBoxes(const std::vector<BoundedCells>& mine, Ranks& ranks);
 
 } // namespace vfm

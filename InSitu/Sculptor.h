@@ -77,8 +77,8 @@ extern "C"
     int sculptor, int level, const double* bounding_box, const int* intervals);
 
   /* Forgets the box and all blocks of this rank with their fields, before blocks are begun anew; a rank that begins none has no
-   * cells. As long as neither the grid nor the places of the arrays change it is not needed, nor are blocks: the next mesh is
-   * made of the values that are there then. */
+   * cells. As long as the grid and the places of the arrays stay, nothing need be called before the next mesh: it is made of the
+   * values that are there then. */
   SCULPTOR_EXPORT int sculptor_clear_blocks(int sculptor);
 
   /* The ranks across -x +x -y +y -z +z, -1 where the whole grid ends; null: not known, and this rank may get the elements of

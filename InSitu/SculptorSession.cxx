@@ -156,10 +156,12 @@ void SculptorSession::CheckNeighbours() const
 {
   if (this->Neighbours && !this->Blocks.IsOneBox())
   {
-    throw InputError("Face neighbours are set (sculptor_set_neighbours), but the " +
-      std::to_string(this->Blocks.Count()) +
-      " block(s) here are not one of level 0. Without neighbours (a null pointer) cells are shared "
-      "out anew.");
+    const std::string here = this->Blocks.Count() == 1
+      ? "is one of a finer level"
+      : "are " + std::to_string(this->Blocks.Count()) + " blocks";
+    throw InputError("Face neighbours (sculptor_set_neighbours) are for one block of level 0 on "
+                     "every rank; here " +
+      here + ". Without neighbours (a null pointer) cells are shared out anew.");
   }
 }
 

@@ -1,5 +1,6 @@
 #include "CatalystAdaptor.h"
 
+#include "AllBlocks.h"
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "PythonGuard.h"
@@ -16,7 +17,6 @@
 #include "vtkNew.h"
 
 #include <fstream>
-#include <numeric>
 
 namespace vfm
 {
@@ -28,16 +28,6 @@ constexpr const char* InputName = "input";
 void AddLine(std::string& text, const std::string& line)
 {
   text += (text.empty() ? "" : "\n") + line;
-}
-
-/// The boxes of all ranks as one composite, numbered by rank. Collective.
-vtkSmartPointer<vtkMultiBlockDataSet> MakeAllBlocks(const HostGrid& grid, Ranks& ranks)
-{
-  const std::vector<unsigned int> counts =
-    GatherItems(ranks, std::vector<unsigned int>{ static_cast<unsigned int>(grid.Boxes.size()) });
-  const auto mine = counts.begin() + ranks.Rank();
-  return MakeBlocks(grid, std::accumulate(counts.begin(), mine, 0u),
-    std::accumulate(counts.begin(), counts.end(), 0u));
 }
 
 void AddNumbers(const std::vector<HostNumber>& numbers, vtkDataObject* data)
@@ -206,7 +196,6 @@ bool CatalystAdaptor::Internals::Process(
   vtkSmartPointer<vtkMultiBlockDataSet> blocks;
   const auto make = [&](Ranks& ranks)
   {
-    CheckHostGrid(grid);
     blocks = MakeAllBlocks(grid, ranks);
     AddNumbers(numbers, blocks);
     description->GetInputDescriptionByName(InputName)->SetGrid(blocks);

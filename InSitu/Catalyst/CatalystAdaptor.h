@@ -2,7 +2,8 @@
  * CatalystAdaptor: runs ParaView Catalyst scripts (version 2) on the fields of a simulation, inside it.
  *
  * The scripts find the grid as the input "input": a vtkMultiBlockDataSet with an image for every box of every rank,
- * whose arrays are the host's memory, and with the global numbers as field data. Nothing here throws, ends the host or
+ * whose arrays are the host's memory, and with the global numbers as field data. Images of finer levels have smaller cells; cells
+ * below those of finer levels are hidden (vtkGhostType). Nothing here throws, ends the host or
  * leaves ranks behind: what fails anywhere is told on all ranks, also to those that wait in a filter of this project for a rank
  * whose script has raised. A script may hang the ranks only by itself, when it raises on some of them while others wait for these in
  * a filter or writer of ParaView's own.

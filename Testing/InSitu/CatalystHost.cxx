@@ -1,15 +1,16 @@
 /**
  * A small simulation with Catalyst inside, for TestCatalyst.py: a ball sinks into a plate, on 14 x 12 x 10 cells.
  *
- * usage: CatalystHost [--boxes N] [--bad-step S] SCRIPT ...
- * Takes 4 steps. The grid is cut along x into N boxes (default: two a rank), dealt out to the ranks in turn. In step S
- * the last rank hands over a box outside of the grid. Prints a line for every step, and at the end how many were made
+ * usage: CatalystHost [--boxes N] [--refined] [--bad-step S] SCRIPT ...
+ * Takes 4 steps. The grid is cut along x into N boxes (default: two a rank), dealt out to the ranks in turn. Refined: there are
+ * as many boxes of a finer level in the middle. In step S the last rank hands over a box outside of the grid. Prints a line for every step, and at the end how many were made
  * for the scripts. Exit status 0: every step went well; 3: some did not; 4: the ranks were told different things.
  *
  * The adaptor may use the fields only while it is called: after it they are overwritten.
  */
 #include "CatalystAdaptor.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -21,17 +22,20 @@ using namespace vfm;
 
 constexpr Index3 Cells{ { 14, 12, 10 } };
 constexpr Vector3 Origin{ { -0.7, 0.3, 2.1 } }, Spacing{ { 0.1, 0.125, 0.11 } };
+constexpr IndexBox Middle{ { { 8, 4, 2 } }, { { 22, 20, 16 } } }; // refined, in cells of level 1
 constexpr int Steps = 4, Samples = 4;
 
 struct Options
 {
   int Boxes = 0, BadStep = -1;
+  bool IsRefined = false;
   std::vector<std::string> Scripts;
 };
 
 /// Fields of one box. The part of a cell in a body is that of its samples; all numbers are exact in binary.
 struct Box
 {
+  int Level;
   IndexBox Cells;
   std::vector<double> Ball, Velocity;
   std::vector<float> Plate;
@@ -41,7 +45,13 @@ struct Box
   void Spoil();
 };
 
-double PartInBall(const Index3& cell, int step)
+/// Whether a layer of cells is in the plate, which has three of level 0.
+bool IsInPlate(Index k, int level)
+{
+  return k < 3 << level;
+}
+
+double PartInBall(const Index3& cell, int level, int step)
 {
   const double centre[3] = { 5.5 + 0.5 * step, 6.0, 6.5 - 0.25 * step };
   int inside = 0;
@@ -51,7 +61,8 @@ double PartInBall(const Index3& cell, int step)
     double distance = 0.0;
     for (int a = 0; a < 3; ++a)
     {
-      const double x = static_cast<double>(cell[a]) + (at[a] + 0.5) / Samples - centre[a];
+      const double sample = static_cast<double>(cell[a]) + (at[a] + 0.5) / Samples;
+      const double x = std::ldexp(sample, -level) - centre[a];
       distance += x * x;
     }
     inside += distance < 10.5625;
@@ -61,15 +72,15 @@ double PartInBall(const Index3& cell, int step)
 
 void Box::Set(int step)
 {
-  *this = Box{ this->Cells, {}, {}, {}, {} };
+  *this = Box{ this->Level, this->Cells, {}, {}, {}, {} };
   for (Index k = this->Cells.Lower[2]; k < this->Cells.Upper[2]; ++k)
   {
     for (Index j = this->Cells.Lower[1]; j < this->Cells.Upper[1]; ++j)
     {
       for (Index i = this->Cells.Lower[0]; i < this->Cells.Upper[0]; ++i)
       {
-        const double ball = PartInBall({ { i, j, k } }, step);
-        const double plate = k < 3 ? 1.0 - ball : 0.0;
+        const double ball = PartInBall({ { i, j, k } }, this->Level, step);
+        const double plate = IsInPlate(k, this->Level) ? 1.0 - ball : 0.0;
         this->Ball.push_back(ball);
         this->Plate.push_back(static_cast<float>(plate));
         this->Labels.push_back(ball + plate < 0.5 ? 0 : ball >= plate ? 1 : 2);
@@ -102,6 +113,10 @@ Options ParseOptions(int argc, char** argv)
     {
       options.BadStep = std::atoi(argv[++i]);
     }
+    else if (name == "--refined")
+    {
+      options.IsRefined = true;
+    }
     else
     {
       options.Scripts.push_back(name);
@@ -110,14 +125,17 @@ Options ParseOptions(int argc, char** argv)
   return options;
 }
 
-std::vector<Box> MakeBoxes(int count, int rank, int ranks)
+/// Those of this rank of count boxes on each level.
+std::vector<Box> MakeBoxes(int count, int levels, int rank, int ranks)
 {
   std::vector<Box> boxes;
-  for (int b = rank; b < count; b += ranks)
+  for (int b = rank; b < count * levels; b += ranks)
   {
-    Box box;
-    box.Cells.Lower = { { Cells[0] * b / count, 0, 0 } };
-    box.Cells.Upper = { { Cells[0] * (b + 1) / count, Cells[1], Cells[2] } };
+    const int level = b / count;
+    const IndexBox whole = level ? Middle : IndexBox{ {}, Cells };
+    Box box{ level, whole, {}, {}, {}, {} };
+    box.Cells.Lower[0] = whole.Lower[0] + whole.Size(0) * (b % count) / count;
+    box.Cells.Upper[0] = whole.Lower[0] + whole.Size(0) * (b % count + 1) / count;
     boxes.push_back(box);
   }
   return boxes;
@@ -130,8 +148,8 @@ HostGrid Describe(const std::vector<Box>& boxes)
   {
     grid.Boxes.push_back({ box.Cells,
       { MakeHostArray("ball", box.Ball.data()), MakeHostArray("plate", box.Plate.data()),
-        MakeHostArray("id", box.Labels.data()),
-        MakeHostArray("velocity", box.Velocity.data(), 3) } });
+        MakeHostArray("id", box.Labels.data()), MakeHostArray("velocity", box.Velocity.data(), 3) },
+      box.Level });
   }
   return grid;
 }
@@ -161,7 +179,8 @@ int Run(const Options& options)
   int rank = 0, ranks = 1, status = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  std::vector<Box> boxes = MakeBoxes(options.Boxes > 0 ? options.Boxes : 2 * ranks, rank, ranks);
+  std::vector<Box> boxes = MakeBoxes(
+    options.Boxes > 0 ? options.Boxes : 2 * ranks, options.IsRefined ? 2 : 1, rank, ranks);
   CatalystAdaptor catalyst(MPI_COMM_WORLD, options.Scripts);
   for (int step = 0; step < Steps; ++step)
   {

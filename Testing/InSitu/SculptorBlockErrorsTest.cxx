@@ -152,7 +152,8 @@ TEST_F(SculptorBlockErrors, Neighbours)
   this->Bad.Deal(NestedPlaces(), Binary, Deal::ToTheLast);
   this->Bad.HandOver();
   sculptor_set_neighbours(this->Bad.Sculptor, this->IsLast ? none : nullptr);
-  this->Bad.ExpectError(SCULPTOR_ERROR_ARGUMENT, "the 4 block(s) here are not one of level 0");
+  this->Bad.ExpectError(
+    SCULPTOR_ERROR_ARGUMENT, "one block of level 0 on every rank; here are 4 blocks");
 }
 
 TEST_F(SculptorBlockErrors, NullPointers)

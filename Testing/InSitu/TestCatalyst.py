@@ -10,6 +10,7 @@ import sys
 import tempfile
 
 import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkAMRBox, vtkOverlappingAMR, vtkUniformGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -21,6 +22,8 @@ from vfmtest import image, main, mesh_of, VolumeFractionToTet
 
 EXAMPLE = os.path.join(HERE, "..", "..", "Examples", "catalyst_mesh.py")
 CELLS, ORIGIN, SPACING = (14, 12, 10), (-0.7, 0.3, 2.1), (0.1, 0.125, 0.11)  # those of the host
+MIDDLE = ((1, 8), (2, 10), (4, 11))  # its refined cells, along z, y, x
+MIDDLE_OF_LEVEL_1 = tuple(slice(2 * a, 2 * b) for a, b in MIDDLE)
 STEPS, SAMPLES = 4, 4
 NO_DISPLAY = "no pictures: no X server"
 
@@ -37,6 +40,26 @@ def catalyst_execute(info):
     found = vtk_to_numpy(mine[0].GetCellData().GetArray("ball")).__array_interface__["data"][0] if mine else 0
     print("rank has %d of %d blocks at %#x, handed over %#x" % (len(mine), len(blocks), found, int(address)), flush=True)
     assert found == address
+"""
+VOLUME = """
+from paraview.simple import IntegrateVariables, TrivialProducer
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+producer = TrivialProducer(registrationName="input")
+total = IntegrateVariables(Input=producer)
+def catalyst_execute(info):
+    grid = producer.GetClientSideObject().GetOutputDataObject(0)
+    total.UpdatePipeline()
+    blocks = [block for block in map(grid.GetBlock, range(grid.GetNumberOfBlocks())) if block]
+    types = [block.GetCellData().GetArray("vtkGhostType") for block in blocks]
+    mine, hidden = vtkDoubleArray(), vtkDoubleArray()
+    mine.InsertNextValue(sum((vtk_to_numpy(array) == 32).sum() for array in types if array))
+    hidden.DeepCopy(mine)
+    vtkMultiProcessController.GetGlobalController().AllReduce(mine, hidden, vtkCommunicator.SUM_OP)
+    volume = total.GetClientSideObject().GetOutputDataObject(0).GetCellData().GetArray("Volume")
+    if vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 0:
+        print("volume in cells: %d" % round(volume.GetValue(0) / (0.1 * 0.125 * 0.11)), "hidden: %d" % hidden.GetValue(0), flush=True)
 """
 WANTS_NOTHING = """
 def RequestDataDescription(description):
@@ -87,22 +110,46 @@ EXITS_AT_IMPORT = "import sys\nsys.exit(7)\n"
 NO_PYTHON = "def catalyst_execute(info:\n"
 
 
-def part_in_ball(step):
-    z, y, x = np.meshgrid(*[(np.arange(n * SAMPLES) + 0.5) / SAMPLES for n in CELLS[::-1]], indexing="ij")
+def part_in_ball(step, level=0):
+    z, y, x = np.meshgrid(*[(np.arange(n * SAMPLES << level) + 0.5) / (SAMPLES << level) for n in CELLS[::-1]], indexing="ij")
     centre = (5.5 + 0.5 * step, 6.0, 6.5 - 0.25 * step)
     inside = (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2 < 10.5625
-    shape = [n for size in CELLS[::-1] for n in (size, SAMPLES)]
+    shape = [n for size in CELLS[::-1] for n in (size << level, SAMPLES)]
     return inside.reshape(shape).mean(axis=(1, 3, 5))
 
 
-def field(step):
-    """The host's fields of a step as one image."""
-    ball = part_in_ball(step)
-    plate = np.where(np.arange(CELLS[2])[:, None, None] < 3, 1.0 - ball, 0.0)
+def arrays(step, level=0):
+    """The host's fields of a step."""
+    ball = part_in_ball(step, level)
+    plate = np.where(np.arange(CELLS[2] << level)[:, None, None] < 3 << level, 1.0 - ball, 0.0)
     labels = np.where(ball + plate < 0.5, 0, np.where(ball >= plate, 1, 2))
-    data = image({"ball": ball, "plate": plate.astype(np.float32), "id": labels.astype(np.int32)})
+    return {"ball": ball, "plate": plate.astype(np.float32), "id": labels.astype(np.int32)}
+
+
+def field(step):
+    """The fields of level 0 as one image."""
+    data = image(arrays(step))
     data.SetOrigin(ORIGIN)
     data.SetSpacing(SPACING)
+    return data
+
+
+def refined_field(step):
+    """The fields of both levels as AMR."""
+    fine = {name: np.ascontiguousarray(values[MIDDLE_OF_LEVEL_1]) for name, values in arrays(step, 1).items()}
+    grids = [image(arrays(step), kind=vtkUniformGrid), image(fine, kind=vtkUniformGrid)]
+    data = vtkOverlappingAMR()
+    data.Initialize(2, [1, 1])
+    data.SetOrigin(ORIGIN)
+    data.SetGridDescription(8)  # VTK_XYZ_GRID
+    for level, grid in enumerate(grids):
+        spacing = [h / 2 ** level for h in SPACING]
+        grid.SetOrigin([ORIGIN[a] + level * MIDDLE[2 - a][0] * SPACING[a] for a in range(3)])
+        grid.SetSpacing(spacing)
+        data.SetSpacing(level, spacing)
+        data.SetRefinementRatio(level, 2)
+        data.SetAMRBox(level, 0, vtkAMRBox(grid.GetOrigin(), grid.GetDimensions(), spacing, ORIGIN))
+        data.SetDataSet(level, 0, grid)
     return data
 
 
@@ -156,6 +203,33 @@ def test_meshes_are_those_of_the_filter():
                 expect_mesh(out, step, ranks, golds[step])
             times = re.findall(r'timestep="([^"]*)" file="([^"]*)"', open(os.path.join(out, "mesh.pvd")).read())
             assert times == [(repr(0.125 * s), "mesh_%06d.pvtu" % s) for s in steps], times
+
+
+def test_refined_grids():
+    tets = {"TETS": "Lattice"}
+    for ranks, boxes, kind, steps in ((1, 2, {}, [1]), (3, 2, {}, [1, 3]), (3, 1, tets, [2])):  # at last one rank has none
+        with tempfile.TemporaryDirectory() as out:
+            settings = {**kind, "STEPS": ",".join(map(str, steps))}
+            assert run_example(ranks, out, "--boxes", str(boxes), "--refined", **settings)[0] == steps
+            for step in steps:
+                data = refined_field(step)
+                gold = mesh_of(data, VolumeFractionToTet, Method="Lattice") if kind else mesh_of(data)
+                expect_mesh(out, step, ranks, gold.mesh)
+
+
+def test_what_scripts_see_of_refined_grids():
+    """Coarse cells below finer ones are hidden; sums count each place once, in cells of level 0."""
+    coarse, fine = part_in_ball(0), part_in_ball(0, 1)
+    ball = coarse.sum() - coarse[tuple(slice(*span) for span in MIDDLE)].sum() + fine[MIDDLE_OF_LEVEL_1].sum() / 8
+    result = run_code(2, VOLUME, options=("--refined",))
+    assert result.returncode == 0, result
+    assert result.stdout.count("volume in cells: %d" % np.prod(CELLS)) == STEPS, result.stdout
+    hidden = np.prod([b - a for a, b in MIDDLE])
+    assert result.stdout.count("hidden: %d" % hidden) == STEPS, result.stdout
+    triggers = ["sum ball > %r" % limit for limit in (ball - 1e-9, ball + 1e-9)]
+    with tempfile.TemporaryDirectory() as out:
+        text = run_example(2, out, "--refined", TRIGGER=";".join(triggers))[1].stdout
+        assert re.search(r"mesh_000000.pvtu: .*\(%s\)" % re.escape(triggers[0]), text), text
 
 
 def test_labels_tets_and_exodus():

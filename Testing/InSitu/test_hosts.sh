@@ -76,4 +76,12 @@ for host in mesh_in_c mesh_in_fortran; do
     check_memory "$host" 2
   fi
 done
-tail half_sphere_c.*.out mesh_in_c.1.out
+
+# Blocks of two levels.
+run levels_in_c 1
+run levels_in_c 3
+expect "^[1-9][0-9]* coarse and [1-9][0-9]* fine blocks: [1-9][0-9]* hexahedra" levels_in_c.3.out
+cmp levels_in_c.1.out levels_in_c.3.out
+check_memory levels_in_c 3
+
+tail half_sphere_c.*.out mesh_in_c.1.out levels_in_c.3.out
