@@ -111,7 +111,7 @@ Mesh HexStages::MakeMesh()
   FillFragments(this->Labelled, numbering, fragments, mesh);
   const std::vector<Facet> facets =
     FindHexFacets(this->Labelled, numbering, fragments, this->Parts, mesh);
-  ClassifyGeometry(facets, this->Grid, this->Parts, mesh, this->Report);
+  ClassifyGeometry(facets, this->Run.Group(), mesh, this->Report);
   this->Clock.Start("Finding interfaces", 0.15);
   FragmentVolumes volumes = this->FindVolumes(fragments, mesh);
   if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)

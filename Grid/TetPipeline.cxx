@@ -46,7 +46,7 @@ public:
     this->Clock.Start("Finding geometry", 0.9);
     Mesh& mesh = this->Topology.Tets;
     FillInside(mesh);
-    ClassifyGeometry(this->ListFacets(), this->Grid, this->Parts, mesh, this->Report);
+    ClassifyGeometry(this->ListFacets(), this->Run.Group(), mesh, this->Report);
     KeepOwned(mesh, this->Grid);
     ReportLevels(mesh, this->Levels.Asked, this->Run.Group(), this->Report);
     this->Refill();

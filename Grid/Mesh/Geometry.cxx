@@ -1,22 +1,25 @@
 #include "Mesh/Geometry.h"
 
 #include "Base/Sorted.h"
-
-#include <algorithm>
-#include <map>
+#include "Mesh/Junctions.h"
 
 namespace vfm
 {
 namespace
 {
 
-/// A surface: what lies on its two sides, the smaller first: fragments, 0 not meshed, -1 - side beyond a side of the domain.
-using SurfaceKey = std::array<int, 2>;
+using Pair = GeometryTables::Pair;
+using SurfaceSet = std::vector<int>;
+
+/// A surface: what lies on its two sides, the smaller first: fragments, 0 not meshed, -1 - side beyond a side of the domain. Their
+/// materials follow.
+using SurfaceKey = std::array<int, 4>;
 
 SurfaceKey KeyOf(const Facet& facet)
 {
   const int before = facet.DomainSide < 0 ? facet.Fragments[1] : -1 - facet.DomainSide;
-  return { { std::min(facet.Fragments[0], before), std::max(facet.Fragments[0], before) } };
+  const SurfaceKey key{ { before, facet.Fragments[0], facet.Materials[1], facet.Materials[0] } };
+  return key[0] < key[1] ? key : SurfaceKey{ { key[1], key[0], key[3], key[2] } };
 }
 
 /// Numbers distinct keys from 1 in their order.
@@ -38,24 +41,50 @@ private:
   std::vector<Key> Keys;
 };
 
+/// The distinct keys of all ranks.
+template <class Key>
+Numbering<Key> Gather(Ranks& ranks, const std::vector<Key>& keys)
+{
+  return Numbering<Key>(GatherItems(ranks, Numbering<Key>(keys).All()));
+}
+
+/// Sets are sent as their sizes and members one after another.
+Numbering<SurfaceSet> GatherSets(Ranks& ranks, const std::vector<SurfaceSet>& sets)
+{
+  const Numbering<SurfaceSet> distinct(sets);
+  std::vector<int> flat;
+  for (const SurfaceSet& set : distinct.All())
+  {
+    flat.push_back(static_cast<int>(set.size()));
+    flat.insert(flat.end(), set.begin(), set.end());
+  }
+  flat = GatherItems(ranks, flat);
+  std::vector<SurfaceSet> all;
+  for (auto at = flat.begin(); at != flat.end(); at += 1 + *at)
+  {
+    all.emplace_back(at + 1, at + 1 + *at);
+  }
+  return Numbering<SurfaceSet>(std::move(all));
+}
+
 class GeometryFinder
 {
 public:
-  GeometryFinder(const std::vector<Facet>& facets, const CartesianGrid& grid,
-    const Partition& partition, Mesh& mesh) :
-    Facets(facets), Grid(grid), Parts(partition), Result(mesh), Corners(mesh.CornersOfFacet())
+  GeometryFinder(const std::vector<Facet>& facets, Ranks& ranks, Mesh& mesh) :
+    Facets(facets), Group(ranks), Result(mesh), Corners(mesh.CornersOfFacet())
   {
   }
 
   void Run(MeshReport& report)
   {
     report.NumberOfSurfaces = this->FillSurfaces();
-    this->ClassifyPoints(report);
+    this->ClassifySurfacePoints();
+    const Junctions junctions(this->Result);
+    report.NumberOfVertices = this->FillVertices(junctions);
+    report.NumberOfCurves = this->FillCurves(junctions);
   }
 
 private:
-  using SurfaceSet = std::vector<int>;
-
   Index FillSurfaces()
   {
     std::vector<SurfaceKey> keys;
@@ -66,7 +95,7 @@ private:
         keys.push_back(KeyOf(facet));
       }
     }
-    const Numbering<SurfaceKey> numbers(this->GatherDistinct(keys));
+    const Numbering<SurfaceKey> numbers = Gather(this->Group, keys);
     SurfaceFacets& surfaces = this->Result.Surfaces;
     const std::size_t count = this->Facets.size();
     surfaces.Points = Buffer<Index>(this->Corners * count);
@@ -81,6 +110,7 @@ private:
       surfaces.DomainSide[q] = facet.DomainSide;
       surfaces.IsOwned.push_back(facet.IsOwned);
     }
+    this->FillSurfaceTables(numbers.All());
     return numbers.Count();
   }
 
@@ -98,147 +128,158 @@ private:
     }
   }
 
-  void ClassifyPoints(MeshReport& report)
+  void FillSurfaceTables(const std::vector<SurfaceKey>& surfaces)
   {
-    const SurfaceFacets& surfaces = this->Result.Surfaces;
-    this->Result.GeometryDimension = Buffer<int>(this->Result.PointIds.size(), 3);
-    std::vector<std::pair<Index, int>> on; // (point, surface)
-    for (std::size_t q = 0; q < this->Facets.size(); ++q)
+    GeometryTables& tables = this->Result.Tables;
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
     {
-      for (int c = 0; c < this->Corners; ++c)
+      const SurfaceKey& key = surfaces[s];
+      Pair volumes{ { std::max(key[0], 0), key[1] } }, materials{ { key[2], key[3] } };
+      for (int volume : volumes)
       {
-        const Index point = this->Facets[q].Points[c];
-        on.emplace_back(point, surfaces.SurfaceId[q]);
-        this->Result.GeometryDimension[point] = 2;
-        this->Result.GeometryId[point] = surfaces.SurfaceId[q];
-      }
-    }
-    SortUnique(on);
-    std::map<Index, SurfaceSet> junctions; // points on several surfaces
-    for (std::size_t first = 0, last = 0; first < on.size(); first = last)
-    {
-      while (last < on.size() && on[last].first == on[first].first)
-      {
-        ++last;
-      }
-      for (std::size_t i = first; last - first > 1 && i < last; ++i)
-      {
-        junctions[on[first].first].push_back(on[i].second);
-      }
-    }
-    this->ClassifyJunctions(junctions, report);
-  }
-
-  void ClassifyJunctions(const std::map<Index, SurfaceSet>& junctions, MeshReport& report)
-  {
-    std::map<Index, int> edgesAlike, edges; // curve edges at a point with its own set, and all
-    for (const auto& edge : this->FindCurveEdges(junctions))
-    {
-      for (Index point : { edge.first.first, edge.first.second })
-      {
-        ++edges[point];
-        edgesAlike[point] += edge.second == junctions.at(point);
-      }
-    }
-    std::vector<SurfaceSet> sets;
-    std::vector<Index> ids;
-    for (const auto& junction : junctions)
-    {
-      const Index id = this->Result.PointIds[junction.first];
-      if (!this->Parts.OwnsNode(NodeOfPoint(this->Grid, this->Result, id)))
-      {
-        continue;
-      }
-      if (edges[junction.first] == 2 && edgesAlike[junction.first] == 2)
-      {
-        sets.push_back(junction.second);
-      }
-      else
-      {
-        ids.push_back(id);
-      }
-    }
-    const Numbering<SurfaceSet> curves(this->GatherSets(sets));
-    const Numbering<Index> vertices(GatherItems(this->Parts.Group(), ids));
-    for (const auto& junction : junctions)
-    {
-      const bool curve = edges[junction.first] == 2 && edgesAlike[junction.first] == 2;
-      this->Result.GeometryDimension[junction.first] = curve ? 1 : 0;
-      this->Result.GeometryId[junction.first] =
-        curve ? curves.Find(junction.second) : vertices.Find(this->Result.PointIds[junction.first]);
-    }
-    report.NumberOfCurves = curves.Count();
-    report.NumberOfVertices = vertices.Count();
-  }
-
-  template <class Key>
-  std::vector<Key> GatherDistinct(const std::vector<Key>& keys) const
-  {
-    return GatherItems(this->Parts.Group(), Numbering<Key>(keys).All());
-  }
-
-  /// The distinct sets of all ranks, sent as their sizes and members one after another.
-  std::vector<SurfaceSet> GatherSets(const std::vector<SurfaceSet>& sets) const
-  {
-    const Numbering<SurfaceSet> distinct(sets);
-    std::vector<int> flat;
-    for (const SurfaceSet& set : distinct.All())
-    {
-      flat.push_back(static_cast<int>(set.size()));
-      flat.insert(flat.end(), set.begin(), set.end());
-    }
-    flat = GatherItems(this->Parts.Group(), flat);
-    std::vector<SurfaceSet> all;
-    for (auto at = flat.begin(); at != flat.end(); at += 1 + *at)
-    {
-      all.emplace_back(at + 1, at + 1 + *at);
-    }
-    return all;
-  }
-
-  /// The edges of facets where several surfaces meet, with those surfaces.
-  std::map<std::pair<Index, Index>, SurfaceSet> FindCurveEdges(
-    const std::map<Index, SurfaceSet>& junctions) const
-  {
-    std::map<std::pair<Index, Index>, SurfaceSet> edges;
-    for (std::size_t q = 0; q < this->Facets.size(); ++q)
-    {
-      for (int c = 0; c < this->Corners; ++c)
-      {
-        const Index a = this->Facets[q].Points[c];
-        const Index b = this->Facets[q].Points[(c + 1) % this->Corners];
-        if (junctions.count(a) && junctions.count(b))
+        if (volume > 0)
         {
-          SurfaceSet& set = edges[std::minmax(a, b)];
-          const int surface = this->Result.Surfaces.SurfaceId[q];
-          const auto at = std::lower_bound(set.begin(), set.end(), surface);
-          if (at == set.end() || *at != surface)
-          {
-            set.insert(at, surface);
-          }
+          tables.VolumeSurfaces.push_back({ { volume, static_cast<int>(s) + 1 } });
         }
       }
+      if (materials[0] > materials[1])
+      {
+        std::swap(materials[0], materials[1]);
+        std::swap(volumes[0], volumes[1]);
+      }
+      tables.SurfaceVolumes.push_back(volumes);
+      tables.SurfaceMaterials.push_back(materials);
+      tables.SurfaceSides.push_back(key[0] < 0 ? -1 - key[0] : -1);
     }
-    for (auto edge = edges.begin(); edge != edges.end();)
+    std::sort(tables.VolumeSurfaces.begin(), tables.VolumeSurfaces.end());
+  }
+
+  void ClassifySurfacePoints()
+  {
+    Mesh& mesh = this->Result;
+    mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
+    for (std::size_t at = 0; at < mesh.Surfaces.Points.size(); ++at)
     {
-      edge = edge->second.size() < 2 ? edges.erase(edge) : std::next(edge);
+      const Index point = mesh.Surfaces.Points[at];
+      mesh.GeometryDimension[point] = 2;
+      mesh.GeometryId[point] = mesh.Surfaces.SurfaceId[at / this->Corners];
     }
-    return edges;
+  }
+
+  bool IsOwned(const Junction& junction) const
+  {
+    return this->Result.Surfaces.IsOwned[junction.First] != 0;
+  }
+
+  Index FillVertices(const Junctions& junctions)
+  {
+    Mesh& mesh = this->Result;
+    std::vector<Index> points, ids;
+    for (std::size_t p = 0; p < junctions.Points().size(); ++p)
+    {
+      const Index point = junctions.Points()[p].Points[0];
+      if (junctions.IsVertex(p) && this->IsOwned(junctions.Points()[p]))
+      {
+        points.push_back(point);
+        ids.push_back(mesh.PointIds[point]);
+      }
+    }
+    const Numbering<Index> numbers = Gather(this->Group, ids);
+    for (std::size_t p = 0; p < junctions.Points().size(); ++p)
+    {
+      const Index point = junctions.Points()[p].Points[0];
+      if (junctions.IsVertex(p))
+      {
+        mesh.GeometryDimension[point] = 0;
+        mesh.GeometryId[point] = numbers.Find(mesh.PointIds[point]);
+      }
+    }
+    mesh.Vertices.Points = Buffer<Index>(points.size());
+    mesh.Vertices.VertexId = Buffer<int>(points.size());
+    std::copy(points.begin(), points.end(), mesh.Vertices.Points.begin());
+    std::transform(points.begin(), points.end(), mesh.Vertices.VertexId.begin(),
+      [&mesh](Index point) { return mesh.GeometryId[point]; });
+    return numbers.Count();
+  }
+
+  /// After the vertices.
+  Index FillCurves(const Junctions& junctions)
+  {
+    std::vector<const Junction*> owned;
+    std::vector<SurfaceSet> sets;
+    for (const Junction& edge : junctions.Edges())
+    {
+      if (this->IsOwned(edge))
+      {
+        owned.push_back(&edge);
+        sets.push_back(edge.Surfaces);
+      }
+    }
+    const Numbering<SurfaceSet> numbers = GatherSets(this->Group, sets);
+    Mesh& mesh = this->Result;
+    for (std::size_t p = 0; p < junctions.Points().size(); ++p)
+    {
+      const Junction& point = junctions.Points()[p];
+      if (!junctions.IsVertex(p))
+      {
+        mesh.GeometryDimension[point.Points[0]] = 1;
+        mesh.GeometryId[point.Points[0]] = numbers.Find(point.Surfaces);
+      }
+    }
+    std::stable_sort(owned.begin(), owned.end(),
+      [](const Junction* a, const Junction* b) { return a->Surfaces < b->Surfaces; });
+    mesh.Curves.Points = Buffer<Index>(2 * owned.size());
+    mesh.Curves.CurveId = Buffer<int>(owned.size());
+    for (std::size_t e = 0; e < owned.size(); ++e)
+    {
+      std::copy_n(owned[e]->Points.begin(), 2, mesh.Curves.Points.data() + 2 * e);
+      mesh.Curves.CurveId[e] = numbers.Find(owned[e]->Surfaces);
+    }
+    this->FillCurveTables(numbers.All());
+    return numbers.Count();
+  }
+
+  void FillCurveTables(const std::vector<SurfaceSet>& curves)
+  {
+    Mesh& mesh = this->Result;
+    GeometryTables& tables = mesh.Tables;
+    for (std::size_t c = 0; c < curves.size(); ++c)
+    {
+      for (int surface : curves[c])
+      {
+        tables.SurfaceCurves.push_back({ { surface, static_cast<int>(c) + 1 } });
+      }
+    }
+    std::sort(tables.SurfaceCurves.begin(), tables.SurfaceCurves.end());
+    std::vector<std::int64_t> ends(curves.size(), 0);
+    std::vector<Pair> pairs;
+    for (std::size_t at = 0; at < mesh.Curves.Points.size(); ++at)
+    {
+      const Index point = mesh.Curves.Points[at];
+      if (mesh.GeometryDimension[point] == 0)
+      {
+        const int curve = mesh.Curves.CurveId[at / 2];
+        ++ends[curve - 1];
+        pairs.push_back({ { curve, mesh.GeometryId[point] } });
+      }
+    }
+    this->Group.Sum(ends);
+    tables.CurveEnds.assign(ends.begin(), ends.end());
+    tables.CurveVertices = Gather(this->Group, pairs).All();
   }
 
   const std::vector<Facet>& Facets;
-  const CartesianGrid& Grid;
-  const Partition& Parts;
+  Ranks& Group;
   Mesh& Result;
-  int Corners; // of a facet
+  const int Corners; // of a facet
 };
 
 } // namespace
 
-void ClassifyGeometry(const std::vector<Facet>& facets, const CartesianGrid& grid,
-  const Partition& partition, Mesh& mesh, MeshReport& report)
+void ClassifyGeometry(
+  const std::vector<Facet>& facets, Ranks& ranks, Mesh& mesh, MeshReport& report)
 {
-  GeometryFinder(facets, grid, partition, mesh).Run(report);
+  GeometryFinder(facets, ranks, mesh).Run(report);
 }
 
 } // namespace vfm

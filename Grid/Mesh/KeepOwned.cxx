@@ -85,6 +85,8 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
   surfaces.SurfaceId = Keep(surfaces.SurfaceId, facets);
   surfaces.MaterialPair = Keep(surfaces.MaterialPair, facets, 2);
   surfaces.DomainSide = Keep(surfaces.DomainSide, facets);
+  Renumber(mesh.Curves.Points, numbers);
+  Renumber(mesh.Vertices.Points, numbers);
 }
 
 } // namespace vfm

@@ -7,6 +7,7 @@
 #include "Base/CartesianGrid.h"
 #include "Base/GlobalIds.h"
 #include "Base/Ranks.h"
+#include "Mesh/GeometryTables.h"
 
 #include <memory>
 #include <string>
@@ -27,6 +28,20 @@ struct SurfaceFacets
   Buffer<int> DomainSide;             ///< -1, or 0..5 for -x +x -y +y -z +z
 };
 
+/// The edges of the facets where the same surfaces meet. Each is on one rank alone.
+struct CurveEdges
+{
+  Buffer<Index> Points; ///< 2 an edge: indices of mesh points, ascending
+  Buffer<int> CurveId;  ///< ascending, from 1, over all ranks
+};
+
+/// The points where curves meet or end. Each is on one rank alone.
+struct VertexPoints
+{
+  Buffer<Index> Points; ///< indices of mesh points, ascending
+  Buffer<int> VertexId; ///< ascending, from 1, over all ranks
+};
+
 struct Mesh
 {
   int Corners = 8;               ///< of an element: 8 hexes, 4 tets
@@ -41,6 +56,9 @@ struct Mesh
   Buffer<int> Fragment; ///< of each element: face-connected piece, numbered from 1 over all ranks
   Buffer<float> ScaledJacobian; ///< verdict's, of each element; empty unless asked for
   SurfaceFacets Surfaces;
+  CurveEdges Curves;
+  VertexPoints Vertices;
+  GeometryTables Tables;        ///< of all ranks
   std::vector<Index> RowOffset; ///< of hexes of the grid's own cells: the first of each row of
                                 ///< CartesianGrid::HexBox (x fastest), and the end
   std::shared_ptr<const RefinedGrid> Levels; ///< which cells of the grid they are; never null

@@ -204,9 +204,13 @@ public:
     }
     this->FillPoints(kept, ranks);
     this->FillTets(static_cast<Index>(kept.size()), ranks);
-    for (Index& p : this->Old.Surfaces.Points)
+    for (Buffer<Index>* points :
+      { &this->Old.Surfaces.Points, &this->Old.Curves.Points, &this->Old.Vertices.Points })
     {
-      p = this->NewIndex[p];
+      for (Index& p : *points)
+      {
+        p = this->NewIndex[p];
+      }
     }
   }
 

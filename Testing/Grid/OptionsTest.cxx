@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 #include <thread>
 
 using namespace vfm;
@@ -272,27 +271,6 @@ TEST(Promises, AbortLeavesAtEveryStage)
     MeshReport report;
     EXPECT_THROW(MakeHexMesh(c.Grid, c.Fractions, MeshOptions(), runtime, report), Aborted);
     EXPECT_THROW(MakeTetMesh(c.Grid, c.Fractions, MeshOptions(), another, report), Aborted);
-  }
-}
-
-TEST(Geometry, SectorsHaveTheirSurfacesCurvesAndVertices)
-{
-  const MeshCase c = MakeMeshCase("ball of 3 sectors");
-  MeshReport report;
-  const Mesh mesh = Make(c.Grid, c.Fractions, MeshOptions(), report);
-  EXPECT_EQ(report.NumberOfFragments, 3);
-  EXPECT_EQ(report.NumberOfSurfaces, 6); // 3 outside, 3 between
-  EXPECT_EQ(report.NumberOfCurves, 4);   // 3 meridians, the axis
-  EXPECT_EQ(report.NumberOfVertices, 2); // the poles
-  std::set<Index> onSurface;
-  for (Index p : mesh.Surfaces.Points)
-  {
-    onSurface.insert(p);
-  }
-  for (std::size_t p = 0; p < mesh.PointIds.size(); ++p)
-  {
-    EXPECT_EQ(mesh.GeometryDimension[p] < 3, onSurface.count(static_cast<Index>(p)) == 1);
-    EXPECT_GE(mesh.GeometryId[p], 1);
   }
 }
 

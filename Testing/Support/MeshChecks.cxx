@@ -405,7 +405,11 @@ bool AreEqual(const Mesh& a, const Mesh& b)
     SameContent(a.Surfaces.Points, b.Surfaces.Points) &&
     SameContent(a.Surfaces.SurfaceId, b.Surfaces.SurfaceId) &&
     SameContent(a.Surfaces.MaterialPair, b.Surfaces.MaterialPair) &&
-    SameContent(a.Surfaces.DomainSide, b.Surfaces.DomainSide);
+    SameContent(a.Surfaces.DomainSide, b.Surfaces.DomainSide) &&
+    SameContent(a.Curves.Points, b.Curves.Points) &&
+    SameContent(a.Curves.CurveId, b.Curves.CurveId) &&
+    SameContent(a.Vertices.Points, b.Vertices.Points) &&
+    SameContent(a.Vertices.VertexId, b.Vertices.VertexId) && a.Tables == b.Tables;
 }
 
 } // namespace testing

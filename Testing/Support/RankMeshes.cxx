@@ -1,5 +1,7 @@
 #include "RankMeshes.h"
 
+#include "GeometryChecks.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -28,6 +30,8 @@ bool AreEqual(const MeshReport& a, const MeshReport& b)
 
 void MergedMesh::Add(const Mesh& m)
 {
+  this->Conflicts += this->Corners > 0 && !(this->Tables == m.Tables);
+  this->Tables = m.Tables;
   this->Corners = m.Corners;
   for (std::size_t p = 0; p < m.PointIds.size(); ++p)
   {
@@ -62,6 +66,17 @@ void MergedMesh::Add(const Mesh& m)
                             std::array<int, 4>{ { s.SurfaceId[f], s.MaterialPair[2 * f],
                               s.MaterialPair[2 * f + 1], s.DomainSide[f] } })
                           .second;
+  }
+  for (std::size_t e = 0; e < m.Curves.CurveId.size(); ++e)
+  {
+    const std::array<Index, 2> ends{ { m.PointIds[m.Curves.Points[2 * e]],
+      m.PointIds[m.Curves.Points[2 * e + 1]] } };
+    this->Conflicts += !this->CurveEdges.emplace(ends, m.Curves.CurveId[e]).second;
+  }
+  for (std::size_t v = 0; v < m.Vertices.VertexId.size(); ++v)
+  {
+    const Index id = m.PointIds[m.Vertices.Points[v]];
+    this->Conflicts += !this->Vertices.emplace(id, m.Vertices.VertexId[v]).second;
   }
 }
 
@@ -142,6 +157,9 @@ std::string FindDifference(const RankMesh& made, const RankMesh& alone)
   add(CountDifferences(made.Merged.Points, alone.Merged.Points), "points");
   add(CountDifferences(made.Merged.Elements, alone.Merged.Elements), "elements");
   add(CountDifferences(made.Merged.Facets, alone.Merged.Facets), "facets");
+  add(CountDifferences(made.Merged.CurveEdges, alone.Merged.CurveEdges), "edges of curves");
+  add(CountDifferences(made.Merged.Vertices, alone.Merged.Vertices), "vertices");
+  add(made.Merged.Tables == alone.Merged.Tables ? 0 : 1, "set of tables");
   add(
     made.Reports.size() - std::count_if(made.Reports.begin(), made.Reports.end(), same), "reports");
   add(made.Merged.Conflicts + alone.Merged.Conflicts, "conflicts");
@@ -154,6 +172,7 @@ void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
   SCOPED_TRACE(make == MakeHexMesh ? "hexes" : NameOf(options.Tets));
   const RankMesh alone = MakeAlone(whole, field, options, make);
   EXPECT_GT(alone.Merged.Elements.size(), 0u);
+  EXPECT_EQ(FindGeometryProblem(alone.Merged), "");
   for (const std::vector<IndexBox>& boxes : cuts)
   {
     SCOPED_TRACE(std::to_string(boxes.size()) + " ranks");

@@ -18,7 +18,10 @@ struct MergedMesh
 {
   std::map<Index, std::array<double, 5>> Points;    // coordinates, dimension, geometry
   std::map<Index, std::array<double, 11>> Elements; // ids of points, material, fragment, quality
-  std::map<std::array<Index, 4>, std::array<int, 4>> Facets;
+  std::map<std::array<Index, 4>, std::array<int, 4>> Facets; // surface, materials, side
+  std::map<std::array<Index, 2>, int> CurveEdges;            // curves
+  std::map<Index, int> Vertices;
+  GeometryTables Tables; // alike on all ranks
   int Corners = 0;
   int Conflicts = 0;
 
@@ -39,7 +42,7 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make);
 
-/// "", or how many points, elements, facets and reports are not, bit for bit, those of one process.
+/// "", or how many points, elements, facets, edges of curves, vertices, tables and reports are not, bit for bit, those of one process.
 std::string FindDifference(const RankMesh& made, const RankMesh& alone);
 
 /// Expects the mesh and report of one process, however the grid is cut in boxes.

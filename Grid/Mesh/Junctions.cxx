@@ -1,0 +1,116 @@
+#include "Mesh/Junctions.h"
+
+#include "Base/Sorted.h"
+
+namespace vfm
+{
+namespace
+{
+
+/// A point or an edge, and a facet that it is on.
+struct Incidence
+{
+  std::array<Index, 2> Points;
+  Index Facet;
+  bool operator<(const Incidence& other) const { return this->Points < other.Points; }
+};
+
+/// Of each mesh point: whether it is on several surfaces.
+std::vector<unsigned char> FindShared(const Mesh& mesh)
+{
+  const SurfaceFacets& surfaces = mesh.Surfaces;
+  const std::size_t corners = mesh.CornersOfFacet();
+  std::vector<int> first(mesh.PointIds.size(), 0);
+  std::vector<unsigned char> isShared(mesh.PointIds.size(), 0);
+  for (std::size_t at = 0; at < surfaces.Points.size(); ++at)
+  {
+    const Index point = surfaces.Points[at];
+    const int surface = surfaces.SurfaceId[at / corners];
+    first[point] = first[point] == 0 ? surface : first[point];
+    isShared[point] |= first[point] != surface;
+  }
+  return isShared;
+}
+
+std::array<Index, 4> KeyOfFacet(const Mesh& mesh, Index facet)
+{
+  const int corners = mesh.CornersOfFacet();
+  std::array<Index, 4> key{};
+  std::copy_n(mesh.Surfaces.Points.data() + corners * facet, corners, key.begin());
+  std::sort(key.begin(), key.begin() + corners);
+  return key;
+}
+
+/// Those of the places that are on several surfaces.
+std::vector<Junction> FindJunctions(const Mesh& mesh, std::vector<Incidence> places)
+{
+  std::sort(places.begin(), places.end());
+  std::vector<Junction> junctions;
+  for (auto first = places.begin(), last = first; first != places.end(); first = last)
+  {
+    last = std::upper_bound(first, places.end(), *first);
+    Junction junction{ first->Points, {}, first->Facet };
+    for (auto place = first; place != last; ++place)
+    {
+      junction.Surfaces.push_back(mesh.Surfaces.SurfaceId[place->Facet]);
+    }
+    SortUnique(junction.Surfaces);
+    if (junction.Surfaces.size() > 1)
+    {
+      junction.First = std::min_element(first, last,
+        [&mesh](const Incidence& a, const Incidence& b) {
+          return KeyOfFacet(mesh, a.Facet) < KeyOfFacet(mesh, b.Facet);
+        })->Facet;
+      junctions.push_back(std::move(junction));
+    }
+  }
+  return junctions;
+}
+
+} // namespace
+
+Junctions::Junctions(const Mesh& mesh)
+{
+  const std::vector<unsigned char> isShared = FindShared(mesh);
+  const Index corners = mesh.CornersOfFacet();
+  std::vector<Incidence> points, edges;
+  for (Index at = 0; at < static_cast<Index>(mesh.Surfaces.Points.size()); ++at)
+  {
+    const Index facet = at / corners;
+    const Index* around = mesh.Surfaces.Points.data() + corners * facet;
+    const Index a = around[at % corners], b = around[(at + 1) % corners];
+    if (isShared[a])
+    {
+      points.push_back({ { { a, a } }, facet });
+    }
+    if (isShared[a] && isShared[b])
+    {
+      edges.push_back({ { { std::min(a, b), std::max(a, b) } }, facet });
+    }
+  }
+  this->ThePoints = FindJunctions(mesh, std::move(points));
+  this->TheEdges = FindJunctions(mesh, std::move(edges));
+  std::vector<int> all(this->ThePoints.size(), 0), alike(all);
+  for (const Junction& edge : this->TheEdges)
+  {
+    for (Index end : edge.Points)
+    {
+      const std::size_t point = this->Find(end);
+      ++all[point];
+      alike[point] += edge.Surfaces == this->ThePoints[point].Surfaces;
+    }
+  }
+  for (std::size_t p = 0; p < all.size(); ++p)
+  {
+    this->IsThrough.push_back(all[p] == 2 && alike[p] == 2);
+  }
+}
+
+std::size_t Junctions::Find(Index meshPoint) const
+{
+  const Junction point{ { { meshPoint, meshPoint } }, {}, 0 };
+  return std::lower_bound(this->ThePoints.begin(), this->ThePoints.end(), point) -
+    this->ThePoints.begin();
+}
+
+} // namespace vfm
