@@ -49,7 +49,8 @@ vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
 }
 
 /// From material numbers to the labels of the user.
-void SetLabels(Buffer<int>& materials, const Materials& table)
+template <class List>
+void SetLabels(List& materials, const Materials& table)
 {
   for (int& material : materials)
   {
@@ -57,12 +58,11 @@ void SetLabels(Buffer<int>& materials, const Materials& table)
   }
 }
 
-/// The points that the facets use, in the order of the mesh; the facets are renumbered.
-void SetSurfacePoints(Buffer<Index>& facets, const Buffer<double>& points, const Buffer<Index>& ids,
-  vtkPolyData* surfaces)
+/// The points of the mesh that its surfaces, curves or vertices use, in the order of the mesh; what uses them is renumbered.
+void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
 {
-  std::vector<Index> place(ids.size(), 0);
-  for (Index point : facets)
+  std::vector<Index> place(users.empty() ? 0 : mesh.PointIds.size(), 0);
+  for (Index point : users)
   {
     place[point] = 1;
   }
@@ -77,18 +77,18 @@ void SetSurfacePoints(Buffer<Index>& facets, const Buffer<double>& points, const
   {
     if (place[p] >= 0)
     {
-      std::copy_n(points.data() + 3 * p, 3, usedPoints.data() + 3 * place[p]);
-      usedIds[place[p]] = ids[p];
+      std::copy_n(mesh.Points.data() + 3 * p, 3, usedPoints.data() + 3 * place[p]);
+      usedIds[place[p]] = mesh.PointIds[p];
     }
   }
-  for (Index& point : facets)
+  for (Index& point : users)
   {
     point = place[point];
   }
   vtkNew<vtkPoints> vtkpoints;
   vtkpoints->SetData(Adopt<vtkDoubleArray>(usedPoints, "Points", 3));
-  surfaces->SetPoints(vtkpoints);
-  surfaces->GetPointData()->SetGlobalIds(Adopt<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
+  output->SetPoints(vtkpoints);
+  output->GetPointData()->SetGlobalIds(Adopt<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
 }
 
 template <class Array, class T>
@@ -102,6 +102,20 @@ void AddFieldValues(vtkFieldData* field, const char* name, const std::vector<T>&
     array->SetValue(static_cast<vtkIdType>(i), values[i]);
   }
   field->AddArray(array);
+}
+
+void AddFieldPairs(
+  vtkDataObject* output, const char* name, const std::vector<GeometryTables::Pair>& pairs)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(2);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(pairs.size()));
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    array->SetTypedTuple(static_cast<vtkIdType>(i), pairs[i].data());
+  }
+  output->GetFieldData()->AddArray(array);
 }
 
 void AddFieldCount(vtkFieldData* field, const char* name, Index count)
@@ -138,6 +152,43 @@ std::vector<double> FindVolumeErrors(const MeshReport& report)
   return errors;
 }
 
+void SetSurfaces(Mesh& mesh, const Materials& table, vtkPolyData* surfaces)
+{
+  SurfaceFacets& facets = mesh.Surfaces;
+  SetUsedPoints(facets.Points, mesh, surfaces);
+  surfaces->SetPolys(AdoptCells(facets.Points, mesh.CornersOfFacet()));
+  SetLabels(facets.MaterialPair, table);
+  vtkCellData* sides = surfaces->GetCellData();
+  sides->SetScalars(Adopt<vtkIntArray>(facets.SurfaceId, "SurfaceId"));
+  sides->AddArray(Adopt<vtkIntArray>(facets.MaterialPair, "MaterialPair", 2));
+  sides->AddArray(Adopt<vtkIntArray>(facets.DomainSide, "DomainSide"));
+  for (GeometryTables::Pair& materials : mesh.Tables.SurfaceMaterials)
+  {
+    SetLabels(materials, table);
+  }
+  AddFieldPairs(surfaces, "SurfaceVolumes", mesh.Tables.SurfaceVolumes);
+  AddFieldPairs(surfaces, "SurfaceMaterials", mesh.Tables.SurfaceMaterials);
+  AddFieldValues<vtkIntArray>(surfaces->GetFieldData(), "SurfaceSides", mesh.Tables.SurfaceSides);
+  AddFieldPairs(surfaces, "VolumeSurfaces", mesh.Tables.VolumeSurfaces);
+}
+
+void SetCurves(Mesh& mesh, vtkPolyData* curves)
+{
+  SetUsedPoints(mesh.Curves.Points, mesh, curves);
+  curves->SetLines(AdoptCells(mesh.Curves.Points, 2));
+  curves->GetCellData()->SetScalars(Adopt<vtkIntArray>(mesh.Curves.CurveId, "CurveId"));
+  AddFieldValues<vtkIntArray>(curves->GetFieldData(), "CurveEnds", mesh.Tables.CurveEnds);
+  AddFieldPairs(curves, "SurfaceCurves", mesh.Tables.SurfaceCurves);
+}
+
+void SetVertices(Mesh& mesh, vtkPolyData* vertices)
+{
+  SetUsedPoints(mesh.Vertices.Points, mesh, vertices);
+  vertices->SetVerts(AdoptCells(mesh.Vertices.Points, 1));
+  vertices->GetCellData()->SetScalars(Adopt<vtkIntArray>(mesh.Vertices.VertexId, "VertexId"));
+  AddFieldPairs(vertices, "CurveVertices", mesh.Tables.CurveVertices);
+}
+
 /// Of a mesh of several levels.
 void AddLevels(vtkFieldData* field, const MeshReport& report)
 {
@@ -162,18 +213,12 @@ void AddLevels(vtkFieldData* field, const MeshReport& report)
 
 } // namespace
 
-void SetMeshOutput(
-  Mesh& mesh, const Materials& table, vtkUnstructuredGrid* output, vtkPolyData* surfaces)
+void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& outputs)
 {
-  SurfaceFacets& facets = mesh.Surfaces;
-  SetSurfacePoints(facets.Points, mesh.Points, mesh.PointIds, surfaces);
-  surfaces->SetPolys(AdoptCells(facets.Points, mesh.CornersOfFacet()));
-  SetLabels(facets.MaterialPair, table);
-  vtkCellData* sides = surfaces->GetCellData();
-  sides->SetScalars(Adopt<vtkIntArray>(facets.SurfaceId, "SurfaceId"));
-  sides->AddArray(Adopt<vtkIntArray>(facets.MaterialPair, "MaterialPair", 2));
-  sides->AddArray(Adopt<vtkIntArray>(facets.DomainSide, "DomainSide"));
-
+  SetSurfaces(mesh, table, outputs.Surfaces);
+  SetCurves(mesh, outputs.Curves);
+  SetVertices(mesh, outputs.Vertices);
+  vtkUnstructuredGrid* output = outputs.Mesh;
   vtkNew<vtkPoints> points;
   points->SetData(Adopt<vtkDoubleArray>(mesh.Points, "Points", 3));
   output->SetPoints(points);

@@ -16,12 +16,22 @@ class vtkUnstructuredGrid;
 namespace vfm
 {
 
-/// Fills the output ports of the filter.
-/// mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point data
+/// The output ports of the filters.
+struct MeshOutputs
+{
+  vtkUnstructuredGrid* Mesh;
+  vtkPolyData *Surfaces, *Curves, *Vertices;
+};
+
+/// Fills them.
+/// Mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point data
 /// GlobalPointIds, GeometryDimension, GeometryId.
-/// surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide and point data GlobalPointIds.
-void SetMeshOutput(
-  Mesh& mesh, const Materials& table, vtkUnstructuredGrid* output, vtkPolyData* surfaces);
+/// Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide; field data SurfaceVolumes, SurfaceMaterials (two of
+/// each surface), SurfaceSides, VolumeSurfaces (pairs).
+/// Curves: lines of two points with cell data CurveId; field data CurveEnds, SurfaceCurves (pairs).
+/// Vertices: with cell data VertexId; field data CurveVertices (pairs).
+/// All three have their own points, with GlobalPointIds; field data as in GeometryTables.
+void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& outputs);
 
 /// Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume, VolumeError (of each material, void only when
 /// meshed; the error is MeshVolume / TargetVolume - 1, 0 of a material that the input has nowhere), FragmentTargetVolume

@@ -110,7 +110,7 @@ vtkCxxSetObjectMacro(vtkVolumeFractionMeshAlgorithm, Controller, vtkMultiProcess
 
 vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(4);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -250,16 +250,18 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputVector, 0);
-  vtkPolyData* surfaces = vtkPolyData::GetData(outputVector, 1);
+  const vfm::MeshOutputs outputs{ vtkUnstructuredGrid::GetData(outputVector, 0),
+    vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2),
+    vtkPolyData::GetData(outputVector, 3) };
   if ((!this->Controller || this->Controller->GetNumberOfProcesses() == 1) &&
     outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1; // the whole mesh is piece 0
   }
   const int threads = vfm::FilterRuntime::ChooseThreads(this->Controller, this->NumberOfThreads);
-  return vfm::FilterRuntime::Execute(this, this->Controller, threads, { mesh, surfaces },
-    [&](vfm::MessageRanks& ranks) { this->Run(input, ranks, mesh, surfaces); });
+  return vfm::FilterRuntime::Execute(this, this->Controller, threads,
+    { outputs.Mesh, outputs.Surfaces, outputs.Curves, outputs.Vertices },
+    [&](vfm::MessageRanks& ranks) { this->Run(input, ranks, outputs); });
 }
 
 /// Collective: removes small regions, smooths labels and cuts long cells, as asked.
@@ -340,9 +342,10 @@ vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& set
   return plan;
 }
 
-void vtkVolumeFractionMeshAlgorithm::Run(vtkDataObject* input, vfm::MessageRanks& ranks,
-  vtkUnstructuredGrid* output, vtkPolyData* surfaces)
+void vtkVolumeFractionMeshAlgorithm::Run(
+  vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
 {
+  vtkUnstructuredGrid* output = outputs.Mesh;
   this->CheckProperties();
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
@@ -376,7 +379,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(vtkDataObject* input, vfm::MessageRanks
   vfm::WorkTogether(ranks,
     [&]
     {
-      vfm::SetMeshOutput(mesh, field.Table, output, surfaces);
+      vfm::SetMeshOutput(mesh, field.Table, outputs);
       vfm::SetReportOutput(mesh, report, field.Table, options, field.Mended, output);
       vfm::SetDomainOutput(grid, output);
       for (vtkDataArray* array : carried)

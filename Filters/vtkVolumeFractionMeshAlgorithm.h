@@ -20,7 +20,9 @@
  * A host code that knows the processes across the faces of its boxes says so (FaceNeighbours); each then meshes its own
  * cells.
  *
- * Output port 0: the mesh, vtkUnstructuredGrid. Output port 1: its surfaces, vtkPolyData.
+ * Output port 0: the mesh, vtkUnstructuredGrid. The geometry that it resolves, vtkPolyData: output port 1 its surfaces, port 2 the
+ * curves where surfaces meet, port 3 the vertices where curves meet or end. Each facet, edge and vertex is on one process.
+ * Their ids, and the tables of what bounds what, are the same on every process.
  *
  * Input that cannot be meshed, on any process, gives one error message, empty outputs and a failed update on all.
  */
@@ -35,7 +37,6 @@
 #include <vector> // for member
 
 class vtkMultiProcessController;
-class vtkPolyData;
 
 namespace vfm
 {
@@ -50,6 +51,7 @@ struct LevelSetup;
 struct Mesh;
 struct LevelPlan;
 struct MeshOptions;
+struct MeshOutputs;
 struct MeshReport;
 struct RemovedRegions;
 } // namespace vfm
@@ -384,8 +386,7 @@ private:
   vfm::LevelSetup SetUpLevels(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
   vfm::LevelPlan Refine(const vfm::LevelSetup& setup, int inputFinest, vfm::LevelFields& fields,
     vfm::Runtime& runtime) const;
-  void Run(vtkDataObject* input, vfm::MessageRanks& ranks, vtkUnstructuredGrid* output,
-    vtkPolyData* surfaces);
+  void Run(vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs);
 };
 
 #endif

@@ -16,6 +16,14 @@
  * Port 1, the quadrilaterals of all surfaces. Cell arrays: SurfaceId (int, from 1), MaterialPair (int,
  * 2 components, the smaller first, 0 void or outside; the normal points from the second to the first),
  * DomainSide (int, -1 inside, 0..5 for -x +x -y +y -z +z).
+ *
+ * Port 2, the edges of all curves, lines of two points in the order of their curves. Cell array: CurveId (int, from 1).
+ * Port 3, all vertices. Cell array: VertexId (int, from 1). Points of ports 1, 2 and 3: GlobalPointIds, those of the mesh.
+ *
+ * Field data of ports 1, 2 and 3, what bounds what (int, the same on every process). Of port 1: SurfaceVolumes, SurfaceMaterials
+ * (2 components, a tuple a surface, as MaterialPair: fragments and materials on its sides, 0 not meshed or outside), SurfaceSides
+ * (its DomainSide), VolumeSurfaces (2 components, a tuple each pair of a fragment and a surface around it). Of port 2: CurveEnds (a
+ * value a curve: how many ends it has at vertices, 0 closed), SurfaceCurves (pairs). Of port 3: CurveVertices (pairs).
  */
 #ifndef vtkVolumeFractionToHex_h
 #define vtkVolumeFractionToHex_h

@@ -24,7 +24,8 @@
  * MinimumDihedralAngle, MaximumDihedralAngle (double, degrees) and DihedralAngles (vtkIdType, 18 values: how many
  * angles lie in each ten degrees) when ComputeQuality is on, RefusedParts (vtkIdType).
  *
- * Port 1, the triangles of all surfaces, with the arrays of vtkVolumeFractionToHex.
+ * Port 1, the triangles of all surfaces; port 2, the edges of all curves; port 3, all vertices: with the arrays of
+ * vtkVolumeFractionToHex.
  */
 #ifndef vtkVolumeFractionToTet_h
 #define vtkVolumeFractionToTet_h

@@ -67,6 +67,78 @@ def test_arrays_of_the_surfaces():
         assert result.surfaces.GetNumberOfPoints() == len(np.unique(facets(result)))
 
 
+def column(data, name):
+    return vtk_to_numpy(data.GetFieldData().GetArray(name))
+
+
+def point_ids(data, cells, corners):
+    """The global ids of the points of cells."""
+    ids = vtk_to_numpy(data.GetPointData().GetGlobalIds())
+    return ids[vtk_to_numpy(cells.GetConnectivityArray())].reshape(-1, corners)
+
+
+def curve_edges(result):
+    """The edges of facets on several surfaces: {ids of its points: its surfaces}."""
+    ids = vtk_to_numpy(result.surfaces.GetPointData().GetGlobalIds())[facets(result)]
+    edges = {}
+    for facet, surface in zip(ids.tolist(), surface_array(result, "SurfaceId").tolist()):
+        for edge in zip(facet, facet[1:] + facet[:1]):
+            edges.setdefault(tuple(sorted(edge)), set()).add(surface)
+    return {edge: surfaces for edge, surfaces in edges.items() if len(surfaces) > 1}
+
+
+def test_points_of_the_geometry_are_those_of_the_mesh():
+    for result in MESHES + WITH_VOID:
+        places = dict(zip(result.points("GlobalPointIds").tolist(), vtk_to_numpy(result.mesh.GetPoints().GetData()).tolist()))
+        for data in (result.surfaces, result.curves, result.vertices):
+            ids = vtk_to_numpy(data.GetPointData().GetGlobalIds()).tolist()
+            assert len(set(ids)) == len(ids) > 0
+            assert [places[i] for i in ids] == vtk_to_numpy(data.GetPoints().GetData()).tolist()
+
+
+def test_curves():
+    for result in MESHES + WITH_VOID:
+        assert describe(result.curves.GetCellData()) == {"CurveId": ("int", 1)}
+        assert describe(result.curves.GetFieldData()) == {"CurveEnds": ("int", 1), "SurfaceCurves": ("int", 2)}
+        curve = vtk_to_numpy(result.curves.GetCellData().GetArray("CurveId"))
+        assert (np.diff(curve) >= 0).all() and curve[0] == 1 and result.field("NumberOfCurves") == [curve[-1]]
+        edges, surfaces = curve_edges(result), {}
+        for c, s in column(result.curves, "SurfaceCurves")[:, ::-1].tolist():
+            surfaces.setdefault(c, set()).add(s)
+        lines = point_ids(result.curves, result.curves.GetLines(), 2)
+        assert (lines[:, 0] < lines[:, 1]).all() and len(lines) == len(edges)
+        assert {tuple(line): surfaces[c] for line, c in zip(lines.tolist(), curve.tolist())} == edges
+
+
+def test_vertices():
+    for result in MESHES + WITH_VOID:
+        assert describe(result.vertices.GetCellData()) == {"VertexId": ("int", 1)}
+        assert describe(result.vertices.GetFieldData()) == {"CurveVertices": ("int", 2)}
+        vertex = vtk_to_numpy(result.vertices.GetCellData().GetArray("VertexId"))
+        assert vertex.tolist() == list(range(1, result.field("NumberOfVertices")[0] + 1))
+        ids = point_ids(result.vertices, result.vertices.GetVerts(), 1)[:, 0]
+        expected = result.points("GlobalPointIds")[result.points("GeometryDimension") == 0]
+        assert sorted(ids) == sorted(expected)
+        number = dict(zip(ids.tolist(), vertex.tolist()))
+        curve = vtk_to_numpy(result.curves.GetCellData().GetArray("CurveId"))
+        lines = point_ids(result.curves, result.curves.GetLines(), 2)
+        ends = [(c, number[p]) for line, c in zip(lines.tolist(), curve.tolist()) for p in line if p in number]
+        assert sorted(set(ends)) == list(map(tuple, column(result.vertices, "CurveVertices").tolist()))
+        assert column(result.curves, "CurveEnds").tolist() == np.bincount([c for c, _ in ends], minlength=curve[-1] + 1)[1:].tolist()
+
+
+def test_what_surfaces_bound():
+    for result in MESHES + WITH_VOID:
+        volumes, pairs, sides, bounds = (column(result.surfaces, name) for name in (
+            "SurfaceVolumes", "SurfaceMaterials", "SurfaceSides", "VolumeSurfaces"))
+        surface = surface_array(result, "SurfaceId") - 1
+        assert np.array_equal(pairs[surface], surface_array(result, "MaterialPair"))
+        assert np.array_equal(sides[surface], surface_array(result, "DomainSide"))
+        assert bounds.tolist() == sorted([v, s + 1] for s, both in enumerate(volumes.tolist()) for v in both if v > 0)
+        fragment_materials = dict(zip(result.cells("FragmentId").tolist(), result.cells("MaterialId").tolist()))
+        assert all(v == 0 or fragment_materials[v] == m for v, m in zip(volumes.ravel().tolist(), pairs.ravel().tolist()))
+
+
 def test_field_data():
     for result in MESHES:
         assert result.field("MaterialNames") == ["ball", "plate"]

@@ -5,6 +5,7 @@ FOLDER is that of TestRanks.py. Only the first rank runs this script, and the ot
 import os
 import sys
 
+import numpy as np
 from paraview import simple
 from vtkmodules.vtkIOLegacy import vtkDataSetReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -37,8 +38,12 @@ def test_pieces():
     assert not any(piece.GetCellData().HasArray("vtkGhostType") for piece in pieces)
 
 
-def test_surfaces():
-    assert len(merge(read_pieces(save("outputs.pvtp", simple.OutputPort(HEXES, 1))))["cells"]) > 100
+def test_geometry():
+    """Each facet, edge and vertex is in one piece, and all pieces tell the same of what bounds what."""
+    for port, name, least in ((1, "surfaces", 100), (2, "curves", 20), (3, "vertices", 4)):
+        whole = merge(read_pieces(save(name + ".pvtp", simple.OutputPort(HEXES, port))))
+        assert len(whole["cells"]) == simple.OutputPort(HEXES, port).GetDataInformation().GetNumberOfCells() >= least
+        assert len(np.unique(whole["cells"], axis=0)) == len(whole["cells"]), name
 
 
 def test_one_file():

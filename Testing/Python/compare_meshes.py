@@ -1,7 +1,7 @@
 #!/usr/bin/env pvpython
 """Merges the pieces of a mesh by their global ids and compares meshes bit for bit.
 
-usage: pvpython compare_meshes.py MESH.pvtu GOLD.pvtu     also .vtu, and .pvtp and .vtp for surfaces
+usage: pvpython compare_meshes.py MESH.pvtu GOLD.pvtu     also .vtu, and .pvtp and .vtp for surfaces, curves, vertices
 
 Points that several pieces share must be the same in all; a cell may be in one piece only; field data must be the same
 in all pieces. The order of points and cells is of no matter.
@@ -45,9 +45,9 @@ def piece_of(data):
     points = arrays_of(data.GetPointData())
     points["Points"] = vtk_to_numpy(data.GetPoints().GetData())
     cells = arrays_of(data.GetCellData())
-    grid = data.IsA("vtkUnstructuredGrid")
-    connectivity = (data.GetCells() if grid else data.GetPolys()).GetConnectivityArray()
-    ids = points["GlobalPointIds"][vtk_to_numpy(connectivity)]
+    kinds = [data.GetCells()] if data.IsA("vtkUnstructuredGrid") else [data.GetVerts(), data.GetLines(), data.GetPolys()]
+    filled = max(kinds, key=lambda kind: kind.GetNumberOfCells())
+    ids = points["GlobalPointIds"][vtk_to_numpy(filled.GetConnectivityArray())]
     cells["Connectivity"] = ids.reshape(data.GetNumberOfCells(), -1)
     return points, cells
 

@@ -96,8 +96,7 @@ class Result:
     """Outputs of a run, its error and warning messages, and the time when the mesh was made."""
 
     def __init__(self, algorithm, errors, warnings):
-        self.mesh = algorithm.GetOutputDataObject(0)
-        self.surfaces = algorithm.GetOutputDataObject(1)
+        self.mesh, self.surfaces, self.curves, self.vertices = map(algorithm.GetOutputDataObject, range(4))
         self.errors, self.warnings = errors, warnings
 
     def cells(self, name):
