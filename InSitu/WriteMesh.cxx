@@ -3,12 +3,11 @@
 #include "ControllerRanks.h"
 #include "FileSuffix.h"
 #include "GatherMesh.h"
+#include "OutputStage.h"
 #include "Stage.h"
-#include "VtkMessages.h"
 #include "WriteAbaqus.h"
 #include "WriteExodus.h"
 
-#include "vtkErrorCode.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
@@ -34,20 +33,6 @@ struct Format
   Writer Write;       ///< collective; false, or an error among the messages, when it fails
   Writer WriteSingle; ///< one file from several ranks; null when there is none such
 };
-
-/// Throws std::runtime_error, which tells why, where the writer knows it: its messages are less plain.
-bool RunWriter(vtkXMLWriterBase* writer, const char* path, VtkMessages& messages)
-{
-  messages.Watch(writer);
-  writer->SetFileName(path);
-  writer->SetDataModeToBinary(); // inline: with Debian's newer expat VTK 9.2 reads no appended data
-  const bool isGood = writer->Write();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw std::runtime_error(vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
-  }
-  return isGood;
-}
 
 bool WriteVtu(vtkUnstructuredGrid* mesh, const char* path, vtkMultiProcessController* controller,
   VtkMessages& messages)
@@ -151,24 +136,8 @@ void WriteMesh(vtkUnstructuredGrid* mesh, const std::string& path,
 {
   const Format& format = *FindFormat(path);
   const Writer write = files == OutputFiles::Single ? format.WriteSingle : format.Write;
-  ControllerRanks ranks(controller);
-  VtkMessages messages;
-  const VtkSilence silence(messages);
-  try
-  {
-    WorkInStage(ranks, ExitCode::UnwritableOutput,
-      [&]
-      {
-        if (!write(mesh, path.c_str(), controller, messages) || messages.HasErrors())
-        {
-          throw std::runtime_error(messages.GetErrorText());
-        }
-      });
-  }
-  catch (const ProgramError& error)
-  {
-    throw ProgramError(error.Code, "Cannot write the output " + path + ": " + error.what());
-  }
+  WriteInStage("output", path, controller,
+    [&](VtkMessages& messages) { return write(mesh, path.c_str(), controller, messages); });
 }
 
 } // namespace vfm

@@ -5,6 +5,7 @@
 #include "ParseText.h"
 #include "ReadInput.h"
 #include "Stage.h"
+#include "WriteGeometry.h"
 #include "WriteMesh.h"
 
 #include "vtkNew.h"
@@ -250,6 +251,8 @@ const std::vector<Option>& Options()
     { "--density", "A,..",
       "cell arrays of mass per volume, one or one a material, for masses in that table",
       TakeNames(&Arguments::Densities) },
+    { "--geometry", "FILE.vtm", "surfaces, curves and vertices too, and what bounds what",
+      TakeText(&Arguments::Geometry) },
     { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
       TakeTets },
     { "--stairstep", "", "cells become elements, nothing moves", SetOption("StairStep", "on") },
@@ -353,6 +356,10 @@ void CheckMesh(const Arguments& from)
     Refuse("--density is for the table of --fragments.");
   }
   CheckVoxels(from);
+  if (!from.Geometry.empty())
+  {
+    CheckGeometrySuffix(from.Geometry);
+  }
   CheckOutputSuffix(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
 }
 

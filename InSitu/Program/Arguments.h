@@ -28,6 +28,7 @@ struct Arguments
   std::optional<std::array<double, 3>> Origin, Spacing; ///< of voxels
   std::optional<int> AxisOrder;                         ///< of voxels, vfm::AxisOrder
   std::string Fragments;                                ///< file of their table; empty: none
+  std::string Geometry;               ///< file of surfaces, curves and vertices; empty: none
   std::vector<std::string> Densities; ///< cell arrays, for the masses of fragments
   std::vector<std::string> Fractions; ///< cell arrays; empty: found in the input
   std::string Labels;                 ///< cell array; empty: fractions

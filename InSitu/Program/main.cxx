@@ -12,6 +12,7 @@
 #include "ReadInput.h"
 #include "Stage.h"
 #include "Summary.h"
+#include "WriteGeometry.h"
 #include "WriteMesh.h"
 #include "WriteTable.h"
 
@@ -100,10 +101,12 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
   WorkInStage(ranks, ExitCode::UnwritableOutput,
     [&]
     {
-      CheckOutputFolder(arguments.Output);
-      if (!arguments.Fragments.empty())
+      for (const std::string& path : { arguments.Output, arguments.Fragments, arguments.Geometry })
       {
-        CheckOutputFolder(arguments.Fragments);
+        if (!path.empty())
+        {
+          CheckOutputFolder(path);
+        }
       }
     });
   const Input input = ReadInput(arguments, ranks);
@@ -124,6 +127,10 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
   WriteMesh(mesh, arguments.Output, controller,
     arguments.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
   WriteFragments(mesh, arguments, ranks);
+  if (!arguments.Geometry.empty())
+  {
+    WriteGeometry(*mesher, input.Time ? &*input.Time : nullptr, arguments.Geometry, controller);
+  }
   times.Add("write");
   if (!arguments.Quiet)
   {

@@ -1,0 +1,101 @@
+"""sculptor --geometry: the surfaces, curves and vertices of the filters' ports as one file, the same bytes from any number of ranks."""
+import glob
+import os
+
+import numpy as np
+from paraview import simple
+from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
+
+from compare_meshes import difference, merge
+from sculptor_program import mesh_file, refused
+from vfmtest import VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, write
+
+BLOCKS = ["Surfaces", "Curves", "Vertices"]
+
+
+def read_geometry(path):
+    """{name: block}"""
+    reader = vtkXMLMultiBlockDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+    blocks = range(data.GetNumberOfBlocks())
+    return {data.GetMetaData(block).Get(data.NAME()): data.GetBlock(block) for block in blocks}
+
+
+def write_on_ranks(at, path, *arguments):
+    """The geometry that one rank writes; those of more ranks are the same bytes."""
+    written = []
+    for ranks in (1, 3, 8):
+        mesh_file(path, at("mesh.vtu"), "--geometry", at("geometry.vtm"), *arguments, ranks=ranks)
+        files = sorted(glob.glob(at("geometry") + "*") + glob.glob(os.path.join(at("geometry"), "*")))
+        written.append({name: open(name, "rb").read() for name in files if os.path.isfile(name)})
+        assert written[-1] == written[0], ranks
+    return read_geometry(at("geometry.vtm"))
+
+
+def check_ports(geometry, result):
+    """The blocks are the ports, bit for bit, with their tables; blocks without cells are empty."""
+    assert list(geometry) == BLOCKS
+    for name, port in zip(BLOCKS, (result.surfaces, result.curves, result.vertices)):
+        assert (geometry[name] is None) == (port.GetNumberOfCells() == 0), name
+        if not geometry[name]:
+            continue
+        assert geometry[name].GetNumberOfCells() == port.GetNumberOfCells()
+        problem = difference(merge([geometry[name]]), merge([port]))
+        assert not problem, "%s: %s" % (name, problem)
+        assert geometry[name].GetCellData().GetScalars().GetName() == port.GetCellData().GetScalars().GetName()
+
+
+@in_folder
+def test_same_as_the_ports(at):
+    data = fraction_image()
+    path = write(data, at("in.vti"))
+    check_ports(write_on_ranks(at, path), mesh_of(data))
+    check_ports(write_on_ranks(at, path, "--void", "--tetmesh", "Lattice"),
+                mesh_of(data, VolumeFractionToTet, Method="Lattice", MeshVoid=1))
+
+
+def ball(side):
+    """In a cube of 8 cells, inside or out through the sides -x or all of them."""
+    z, y, x = np.meshgrid(*[(np.arange(24) + 0.5) / 3] * 3, indexing="ij")
+    centre, radius = {"inside": (4, 2.5), "-x": (0, 2.5), "all": (4, 20)}[side]
+    within = (x - centre) ** 2 + (y - 4) ** 2 + (z - 4) ** 2 < radius ** 2
+    return image({"ball": within.reshape(8, 3, 8, 3, 8, 3).mean(axis=(1, 3, 5))})
+
+
+@in_folder
+def test_blocks_may_be_empty(at):
+    for side, counts in (("inside", (1, 0, 0)), ("-x", (2, 1, 0)), ("all", (6, 12, 8))):
+        data = ball(side)
+        geometry = write_on_ranks(at, write(data, at("in.vti")))
+        result = mesh_of(data, VolumeFractionArrays=["ball"])
+        check_ports(geometry, result)
+        assert tuple(result.field("NumberOf" + name)[0] for name in BLOCKS) == counts
+        assert [bool(geometry[name]) for name in BLOCKS] == [count > 0 for count in counts]
+
+
+@in_folder
+def test_opens_in_paraview(at):
+    path = write(fraction_image(), at("in.vti"))
+    mesh_file(path, at("mesh.vtu"), "--geometry", at("geometry.vtm"))
+    reader = simple.OpenDataFile(at("geometry.vtm"))
+    curves = simple.ExtractBlock(Input=reader, Selectors=["/Root/Curves"])
+    curves.UpdatePipeline()
+    assert curves.CellData["CurveId"].GetRange()[0] == 1
+
+
+@in_folder
+def test_refused(at):
+    path = write(fraction_image(), at("in.vti"))
+    mesh = "--input", path, "--output", at("mesh.vtu")
+    refused(1, "--geometry needs a value", *mesh, "--geometry", ranks=2)
+    refused(1, "of an unknown kind. Written is .vtm", *mesh, "--geometry", at("geometry.vtu"), ranks=2)
+    refused(1, "not --geometry", "test", "--geometry", at("geometry.vtm"))
+    refused(4, "No such file or directory", *mesh, "--geometry", at("none/geometry.vtm"), ranks=2)
+    assert not os.path.exists(at("mesh.vtu"))
+    open(at("geometry"), "w").close()  # where the folder of the blocks must stand
+    refused(4, "Cannot write the geometry", *mesh, "--geometry", at("geometry.vtm"), ranks=2)
+
+
+main(globals())
