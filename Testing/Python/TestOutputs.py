@@ -1,4 +1,4 @@
-"""The arrays of both outputs, of hexahedra and of tetrahedra by every method: names, types, ids, quality, surfaces that
+"""The arrays of all outputs, of hexahedra and of tetrahedra by every method: names, types, ids, quality, surfaces that
 close."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy

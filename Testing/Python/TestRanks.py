@@ -132,7 +132,7 @@ def split_input(arrays, split):
 
 
 def mesh_and_surfaces(source, case, **properties):
-    """Runs the filter, that of tetrahedra when a method is given; both outputs in pieces, none but on rank 0."""
+    """Runs the filter, that of tetrahedra when a method is given; mesh and surfaces in pieces, none but on rank 0."""
     arrays = ALL_CASES[case]
     fractions = [name for name in arrays if name not in STATE]
     chosen = {"MaterialIdArray": "id"} if "id" in arrays else {"VolumeFractionArrays": fractions}

@@ -1,4 +1,4 @@
-"""Prints the sha256 of many meshes, a line each, to compare two builds on one machine: every bit of both outputs but field data.
+"""Prints the sha256 of many meshes, a line each, to compare two builds on one machine: every bit of meshes and surfaces but field data.
 
 usage: VFM_PLUGIN=build/lib/VolumeFractionMesh.so pvpython mesh_digests.py > new.txt
        mpiexec -n 3 pvbatch --sym mesh_digests.py > new3.txt

@@ -304,7 +304,7 @@ def uniform(levels):
 
 
 def digest(result):
-    """Hash of everything in both outputs, bit for bit."""
+    """Hash of everything in mesh and surfaces, bit for bit."""
     sha = hashlib.sha256()
     for data, cells in ((result.mesh, "GetCells"), (result.surfaces, "GetPolys")):
         connectivity = getattr(data, cells)().GetConnectivityArray()
