@@ -122,6 +122,28 @@ extern "C"
    * MinimumScaledJacobian, MeanScaledJacobian, FlippedCells, ... (index 0). */
   SCULPTOR_EXPORT int sculptor_get_number(int sculptor, const char* name, int index, double* value);
 
+  /* ---- the geometry that the mesh resolves: pointers as above, points from 0 ----
+   * Volumes (fragments), the surfaces between two of them, around them or on a side of the domain, the curves where surfaces
+   * meet, the vertices where curves meet or end: each numbered from 1, the same on any number of ranks. */
+
+  /* Of each point: 3 inside a volume, 2 on a surface, 1 on a curve, 0 a vertex; and the number of that volume, surface, .. */
+  SCULPTOR_EXPORT int sculptor_get_geometry(int sculptor, const int** dimensions, const int** ids);
+  /* This rank's facets, each on one rank alone. connectivity: corners points a facet, 4 or 3 (0 without facets); ids: the
+   * surface of each. Null without facets. */
+  SCULPTOR_EXPORT int sculptor_get_surfaces(
+    int sculptor, int64_t* facets, int* corners, const int64_t** connectivity, const int** ids);
+  /* The same of the edges of curves, two points each; and of vertices. */
+  SCULPTOR_EXPORT int sculptor_get_curves(
+    int sculptor, int64_t* edges, const int64_t** connectivity, const int** ids);
+  SCULPTOR_EXPORT int sculptor_get_vertices(
+    int sculptor, int64_t* vertices, const int64_t** points, const int** ids);
+  /* What bounds what, the same on all ranks: a table by its name, rows of columns values. Each pair once, ascending:
+   * VolumeSurfaces (a volume, a surface around it), SurfaceCurves, CurveVertices. A row a surface: SurfaceVolumes and
+   * SurfaceMaterials (on its two sides; 0: not meshed, or outside; normals of facets point from the second to the first),
+   * SurfaceSides (-1, or 0..5 for -x +x -y +y -z +z). A row a curve: CurveEnds (how many ends it has at vertices, 0 closed). */
+  SCULPTOR_EXPORT int sculptor_get_bounds(
+    int sculptor, const char* table, int* rows, int* columns, const int** values);
+
   /* Writes the mesh of all ranks, the kind by the ending: .vtu, .pvtu, Exodus .e .exo .ex2, Abaqus and
    * CalculiX .inp. Collective. */
   SCULPTOR_EXPORT int sculptor_write(int sculptor, const char* path);

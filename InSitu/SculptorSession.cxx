@@ -201,7 +201,7 @@ void SculptorSession::Configure(vtkVolumeFractionMeshAlgorithm* mesher, const Fi
   }
 }
 
-/// Keeps the output alone: neither the host's arrays nor the surfaces.
+/// Keeps the outputs alone, not the host's arrays.
 void SculptorSession::Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid& grid)
 {
   VtkMessages messages;
@@ -212,8 +212,11 @@ void SculptorSession::Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid
   vtkUnstructuredGrid* output = mesher->GetOutput();
   auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   mesh->ShallowCopy(output);
-  mesher->GetOutputDataObject(0)->Initialize();
-  mesher->GetOutputDataObject(1)->Initialize();
+  this->Geometry.emplace(*mesher);
+  for (int port = 0; port < mesher->GetNumberOfOutputPorts(); ++port)
+  {
+    mesher->GetOutputDataObject(port)->Initialize();
+  }
   for (const std::string& warning : messages.GetWarnings())
   {
     this->WarningText += warning + "\n";
@@ -230,6 +233,7 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
 {
   this->Mesh = nullptr;
   this->Parts.reset();
+  this->Geometry.reset();
   this->WarningText.clear();
   vtkMultiProcessController* controller = this->Communicator.GetController();
   ControllerRanks ranks(controller);
@@ -289,6 +293,18 @@ const FragmentParts& SculptorSession::GetFragmentParts()
   return *this->Parts;
 }
 
+GeometryParts::Cells SculptorSession::GetGeometryCells(int dimension)
+{
+  vtkUnstructuredGrid* mesh = this->GetMesh();
+  return this->Geometry->Get(dimension, mesh);
+}
+
+vtkIntArray* SculptorSession::GetGeometryTable(const std::string& name) const
+{
+  this->GetMesh();
+  return this->Geometry->GetTable(name);
+}
+
 int SculptorSession::GetNumberOfFragments() const
 {
   return static_cast<int>(this->GetNumber("NumberOfFragments", 0));
@@ -308,6 +324,7 @@ const T* SculptorSession::GetPointValues(const char* name) const
 
 template const int* SculptorSession::GetCellValues<int>(const char*) const;
 template const std::int64_t* SculptorSession::GetCellValues<std::int64_t>(const char*) const;
+template const int* SculptorSession::GetPointValues<int>(const char*) const;
 template const std::int64_t* SculptorSession::GetPointValues<std::int64_t>(const char*) const;
 
 vtkDoubleArray* SculptorSession::GetState(const std::string& name) const

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "FragmentParts.h"
+#include "GeometryParts.h"
 #include "HostBlocks.h"
 #include "HostCommunicator.h"
 #include "VtkMessages.h"
@@ -17,6 +18,7 @@
 #include <stdexcept>
 
 class vtkDoubleArray;
+class vtkIntArray;
 class vtkUnstructuredGrid;
 class vtkVolumeFractionMeshAlgorithm;
 class vtkVolumeFractionToHex;
@@ -50,6 +52,9 @@ public:
   /// The mesh and its parts; throw SculptorError when there is none.
   vtkUnstructuredGrid* GetMesh() const;
   const FragmentParts& GetFragmentParts();
+  /// dimension: 2 facets, 1 edges of curves, 0 vertices.
+  GeometryParts::Cells GetGeometryCells(int dimension);
+  vtkIntArray* GetGeometryTable(const std::string& name) const;
   int GetNumberOfFragments() const;
   /// The values of a cell or point array by name, of the type T that it must have.
   template <class T>
@@ -81,6 +86,7 @@ private:
   std::optional<std::array<int, 6>> Neighbours;
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;
   std::optional<FragmentParts> Parts; // made when first asked for
+  std::optional<GeometryParts> Geometry;
   std::string WarningText;
 };
 

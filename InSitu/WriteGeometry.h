@@ -14,8 +14,8 @@ namespace vfm
 /// Throws ProgramError (WrongArguments) when the name is not one of a .vtm.
 void CheckGeometrySuffix(const std::string& path);
 
-/// Collective: a .vtm of three blocks, Surfaces, Curves and Vertices, which are the ports of the filter with their tables; rank 0 gathers
-/// and writes them, so that files are the same from any number of ranks. time: of the data, or null. Throws ProgramError
+/// Collective: a .vtm of three blocks, Surfaces, Curves and Vertices, which are the ports of the filter with their tables; one without cells
+/// is left out. Rank 0 gathers and writes them, so that files are the same from any number of ranks. time: of the data, or null. Throws ProgramError
 /// (UnwritableOutput).
 void WriteGeometry(vtkVolumeFractionMeshAlgorithm& mesher, const double* time,
   const std::string& path, vtkMultiProcessController* controller);

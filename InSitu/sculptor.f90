@@ -14,7 +14,8 @@ module sculptor
     sculptor_add_material, sculptor_set_material_ids, sculptor_add_state, sculptor_clear_fields, &
     sculptor_make_mesh, sculptor_get_counts, sculptor_get_points, sculptor_get_elements, sculptor_get_point_ids, &
     sculptor_get_element_ids, sculptor_get_materials, sculptor_get_fragments, sculptor_get_state, &
-    sculptor_get_number, sculptor_write, sculptor_error_code, sculptor_error_message, sculptor_warning_message
+    sculptor_get_number, sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, sculptor_get_vertices, &
+    sculptor_get_bounds, sculptor_write, sculptor_error_code, sculptor_error_message, sculptor_warning_message
 
   interface
     integer(c_int) function sculptor_create(sculptor) bind(C)
@@ -158,6 +159,48 @@ module sculptor
       real(c_double), intent(out) :: value
     end function
 
+    integer(c_int) function sculptor_get_geometry(sculptor, dimensions, ids) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      type(c_ptr), intent(out) :: dimensions
+      type(c_ptr), intent(out) :: ids
+    end function
+
+    integer(c_int) function sculptor_get_surfaces(sculptor, facets, corners, connectivity, ids) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      integer(c_int64_t), intent(out) :: facets
+      integer(c_int), intent(out) :: corners
+      type(c_ptr), intent(out) :: connectivity
+      type(c_ptr), intent(out) :: ids
+    end function
+
+    integer(c_int) function sculptor_get_curves(sculptor, edges, connectivity, ids) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      integer(c_int64_t), intent(out) :: edges
+      type(c_ptr), intent(out) :: connectivity
+      type(c_ptr), intent(out) :: ids
+    end function
+
+    integer(c_int) function sculptor_get_vertices(sculptor, vertices, points, ids) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      integer(c_int64_t), intent(out) :: vertices
+      type(c_ptr), intent(out) :: points
+      type(c_ptr), intent(out) :: ids
+    end function
+
+    integer(c_int) function c_sculptor_get_bounds(sculptor, table, rows, columns, values) &
+        bind(C, name="sculptor_get_bounds")
+      import
+      integer(c_int), value :: sculptor
+      character(kind=c_char), intent(in) :: table(*)
+      integer(c_int), intent(out) :: rows
+      integer(c_int), intent(out) :: columns
+      type(c_ptr), intent(out) :: values
+    end function
+
     integer(c_int) function c_sculptor_write(sculptor, path) bind(C, name="sculptor_write")
       import
       integer(c_int), value :: sculptor
@@ -223,6 +266,16 @@ contains
     integer(c_int), intent(in) :: index
     real(c_double), intent(out) :: value
     sculptor_get_number = c_sculptor_get_number(sculptor, trim(name) // c_null_char, index, value)
+  end function
+
+  !> values: array(columns, rows).
+  integer(c_int) function sculptor_get_bounds(sculptor, table, rows, columns, values)
+    integer(c_int), intent(in) :: sculptor
+    character(*), intent(in) :: table
+    integer(c_int), intent(out) :: rows
+    integer(c_int), intent(out) :: columns
+    type(c_ptr), intent(out) :: values
+    sculptor_get_bounds = c_sculptor_get_bounds(sculptor, trim(table) // c_null_char, rows, columns, values)
   end function
 
   integer(c_int) function sculptor_write(sculptor, path)

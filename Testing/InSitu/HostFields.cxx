@@ -1,6 +1,10 @@
 #include "HostFields.h"
 
 #include "CMLPSculptor.c.h"
+#include "HostGrid.h"
+
+#include "vtkImageData.h"
+#include "vtkVolumeFractionMeshAlgorithm.h"
 
 namespace vfm
 {
@@ -78,6 +82,25 @@ int MeshFromData(int sculptor, const HostFields& fields, double* fractions, int 
   return c_mesh_from_data(sculptor, box[0], box[1], box[2], box[3], box[4], box[5], intervals[0],
     intervals[1], intervals[2], fractions, ranks[1], ranks[0], ranks[3], ranks[2], ranks[5],
     ranks[4], refine, stairStep, smooth, tets);
+}
+
+void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher)
+{
+  const auto& bounds = fields.Bounds;
+  HostGrid grid{ { { bounds[0], bounds[1], bounds[2] } }, {}, HostCells, {} };
+  for (int a = 0; a < 3; ++a) // as the host's bounding boxes tell it
+  {
+    grid.Spacing[a] = (bounds[3 + a] - bounds[a]) / static_cast<double>(HostCells[a]);
+  }
+  const HostBox box{ fields.Cells,
+    { MakeHostArray("ball", fields.Ball.data()), MakeHostArray("plate", fields.Plate.data()),
+      MakeHostArray("velocity", fields.Velocity.data(), 3) } };
+  mesher.SetController(nullptr);
+  mesher.AddVolumeFractionArray("ball");
+  mesher.AddVolumeFractionArray("plate");
+  mesher.AddStateArray("velocity");
+  mesher.SetInputDataObject(MakeImage(grid, box));
+  mesher.Update();
 }
 
 int MyRank()

@@ -8,6 +8,8 @@
 
 #include <mpi.h>
 
+class vtkVolumeFractionMeshAlgorithm;
+
 namespace vfm
 {
 namespace testing
@@ -32,6 +34,9 @@ constexpr Vector3 HostOrigin{ { -1.0, 0.5, 2.0 } }, HostSpacing{ { 0.1, 0.125, 0
 /// c_mesh_from_data with a rank's box and neighbours. fractions: of its cells, or null.
 int MeshFromData(int sculptor, const HostFields& fields, double* fractions, int refine = 0,
   int stairStep = 0, int smooth = 1, int tets = 0);
+
+/// What a filter makes of the fields of a box that is the whole grid, in this process alone, is then at its ports.
+void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher);
 
 /// Of this rank and their number, in MPI_COMM_WORLD.
 int MyRank();

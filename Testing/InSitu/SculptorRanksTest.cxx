@@ -1,10 +1,8 @@
 /// The C interface on several ranks against the filter alone: the same bits, each rank its own cells.
 #include "HostFields.h"
-#include "HostGrid.h"
 #include "MeshView.h"
 #include "Sculptor.h"
 
-#include "vtkImageData.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeFractionToHex.h"
 #include "vtkVolumeFractionToTet.h"
@@ -32,21 +30,7 @@ HostFields MakeFields(int rank, int ranks, double stretch)
 /// What the filter alone makes of the whole field in one process.
 std::uint64_t DigestOfFilter(vtkVolumeFractionMeshAlgorithm* mesher, double stretch)
 {
-  const HostFields all = MakeFields(0, 1, stretch);
-  HostGrid grid{ { { all.Bounds[0], all.Bounds[1], all.Bounds[2] } }, {}, HostCells, {} };
-  for (int a = 0; a < 3; ++a) // as the host's bounding boxes tell it
-  {
-    grid.Spacing[a] = (all.Bounds[3 + a] - all.Bounds[a]) / static_cast<double>(HostCells[a]);
-  }
-  const HostBox box{ all.Cells,
-    { MakeHostArray("ball", all.Ball.data()), MakeHostArray("plate", all.Plate.data()),
-      MakeHostArray("velocity", all.Velocity.data(), 3) } };
-  mesher->SetController(nullptr);
-  mesher->AddVolumeFractionArray("ball");
-  mesher->AddVolumeFractionArray("plate");
-  mesher->AddStateArray("velocity");
-  mesher->SetInputDataObject(MakeImage(grid, box));
-  mesher->Update();
+  MeshWhole(MakeFields(0, 1, stretch), *mesher);
   EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 0);
   return Digest(ViewOf(mesher->GetOutput()));
 }
