@@ -58,11 +58,28 @@ static void check(int code, int sculptor)
   }
 }
 
+/* This rank's triangles between ball and plate. */
+static int count_contact(int s)
+{
+  int64_t triangles;
+  int corners, surfaces, columns, count = 0;
+  const int64_t* points;
+  const int *ids, *pairs;
+  check(sculptor_get_surfaces(s, &triangles, &corners, &points, &ids), s);
+  check(sculptor_get_bounds(s, "SurfaceMaterials", &surfaces, &columns, &pairs), s);
+  for (int64_t t = 0; t < triangles; ++t)
+  {
+    const int* pair = pairs + 2 * (ids[t] - 1);
+    count += pair[0] == 1 && pair[1] == 2;
+  }
+  return count;
+}
+
 /* Prints what all ranks have together. */
 static void report(int s, int rank)
 {
   int64_t points, elements;
-  int corners, components, counts[2] = { 0, 0 }, totals[2];
+  int corners, components, counts[3] = { 0, 0, count_contact(s) }, totals[3];
   const int* materials;
   const double* temperature;
   double volumes[2], mine = 0, hottest;
@@ -78,12 +95,13 @@ static void report(int s, int rank)
   {
     check(sculptor_get_number(s, "MeshVolume", m, &volumes[m]), s);
   }
-  MPI_Reduce(counts, totals, 2, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD);
+  MPI_Reduce(counts, totals, 3, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD);
   MPI_Reduce(&mine, &hottest, 1, MPI_DOUBLE, MPI_MAX, 0, MPI_COMM_WORLD);
   if (rank == 0)
   {
     printf("ball: %d tetrahedra, volume %.3f\n", totals[0], volumes[0]);
     printf("plate: %d tetrahedra, volume %.3f\n", totals[1], volumes[1]);
+    printf("contact: %d triangles\n", totals[2]);
     printf("hottest: %.1f\n", hottest);
   }
 }

@@ -18,7 +18,7 @@ program mesh_in_fortran
   integer(c_int), pointer :: materials(:)
   type(c_ptr) :: pointer
   real(c_double) :: volumes(2), hottest
-  integer(c_int) :: neighbours(6), counts(2), totals(2)
+  integer(c_int) :: neighbours(6), counts(3), totals(3)
 
   call MPI_Init(error)
   call MPI_Comm_rank(MPI_COMM_WORLD, rank, error)
@@ -57,12 +57,14 @@ program mesh_in_fortran
     counts(i) = count(materials == i)
     call check(sculptor_get_number(s, "MeshVolume", i - 1, volumes(i)))
   end do
+  counts(3) = count_contact()
   hottest = maxval(values)
-  call MPI_Allreduce(counts, totals, 2, MPI_INTEGER, MPI_SUM, MPI_COMM_WORLD, error)
+  call MPI_Allreduce(counts, totals, 3, MPI_INTEGER, MPI_SUM, MPI_COMM_WORLD, error)
   call MPI_Allreduce(MPI_IN_PLACE, hottest, 1, MPI_DOUBLE_PRECISION, MPI_MAX, MPI_COMM_WORLD, error)
   if (rank == 0) then
     print '(a, i0, a, f0.3)', 'ball: ', totals(1), ' tetrahedra, volume ', volumes(1)
     print '(a, i0, a, f0.3)', 'plate: ', totals(2), ' tetrahedra, volume ', volumes(2)
+    print '(a, i0, a)', 'contact: ', totals(3), ' triangles'
     print '(a, f0.1)', 'hottest: ', hottest
   end if
   call check(sculptor_delete(s))
@@ -85,6 +87,23 @@ contains
       end do
     end do
     fraction_of_ball = inside / 64.0_c_double
+  end function
+
+  !> This rank's triangles between ball and plate.
+  integer function count_contact()
+    integer(c_int64_t) :: triangles, t
+    integer(c_int) :: surfaces, columns
+    type(c_ptr) :: connectivity, ids, table
+    integer(c_int), pointer :: surface(:), pairs(:, :)
+    call check(sculptor_get_surfaces(s, triangles, corners, connectivity, ids))
+    call check(sculptor_get_bounds(s, "SurfaceMaterials", surfaces, columns, table))
+    count_contact = 0
+    if (triangles == 0) return
+    call c_f_pointer(ids, surface, [triangles])
+    call c_f_pointer(table, pairs, [columns, surfaces])
+    do t = 1, triangles
+      if (all(pairs(:, surface(t)) == [1, 2])) count_contact = count_contact + 1
+    end do
   end function
 
   subroutine check(code)
