@@ -1,5 +1,6 @@
 #include "CheckCase.h"
 
+#include "GeometryChecks.h"
 #include "TetPipeline.h"
 
 #include <cmath>
@@ -113,16 +114,6 @@ std::string FindMeshProblem(
       FindFacetProblem(mesh), FindPlaceProblem(c.Grid, mesh), FindVolumeProblem(c, mesh, report) });
 }
 
-/// TetGen fills rank by rank: its surfaces alone are the same.
-std::string FindSurfaceDifference(const MergedMesh& made, const MergedMesh& alone)
-{
-  const std::size_t facets = CountDifferences(made.Facets, alone.Facets);
-  const std::size_t points = CountDifferences(PointsOfFacets(made), PointsOfFacets(alone));
-  return facets + points == 0
-    ? ""
-    : std::to_string(facets) + " facets, " + std::to_string(points) + " of their points";
-}
-
 std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
 {
   const RankMesh made = MakeOnRanks(c.Grid, c.Fractions, c.Boxes, c.Options, c.Make);
@@ -130,9 +121,9 @@ std::string FindRanksProblem(const FuzzCase& c, const RankMesh& alone)
   {
     return FindDifference(made, alone);
   }
-  const Mesh merged = made.Merged.Join();
+  const Mesh merged = made.Merged.Join(); // TetGen fills rank by rank
   FuzzResult unused;
-  return FirstOf({ FindSurfaceDifference(made.Merged, alone.Merged),
+  return FirstOf({ FindGeometryDifference(made.Merged, alone.Merged),
     FindJacobianProblem(c, merged, unused), FindTopologyProblem(merged),
     FindFragmentProblem(merged), FindVolumeProblem(c, merged, made.Reports[0]) });
 }
@@ -147,7 +138,9 @@ FuzzResult CheckCase(const FuzzCase& c)
   alone.Reports.resize(1);
   const Mesh mesh = c.Make(c.Grid, c.Fractions, c.Options, runtime, alone.Reports[0]);
   result.Elements = static_cast<Index>(mesh.ElementIds.size());
-  result.Problem = FindMeshProblem(c, mesh, alone.Reports[0], result);
+  alone.Merged.Add(mesh);
+  result.Problem = FirstOf(
+    { FindMeshProblem(c, mesh, alone.Reports[0], result), FindGeometryProblem(alone.Merged) });
   if (result.Elements > 0)
   {
     result.Overlap = DeepestOverlap(mesh);
@@ -155,7 +148,6 @@ FuzzResult CheckCase(const FuzzCase& c)
   }
   if (!c.Boxes.empty())
   {
-    alone.Merged.Add(mesh);
     const std::string problem = FindRanksProblem(c, alone);
     result.Problem += problem.empty() ? "" : " ranks: " + problem;
   }

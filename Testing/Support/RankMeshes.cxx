@@ -26,6 +26,37 @@ bool AreEqual(const MeshReport& a, const MeshReport& b)
     a.RefusedParts == b.RefusedParts;
 }
 
+/// What is not as it should be.
+class DifferenceText
+{
+public:
+  void Add(std::size_t count, const char* what)
+  {
+    this->Text += count > 0 ? std::to_string(count) + " " + what + ", " : "";
+  }
+  std::string Get() const
+  {
+    return this->Text.empty() ? "" : this->Text + "not as of one process. ";
+  }
+
+private:
+  std::string Text;
+};
+
+/// What is known of the points of facets, by id.
+std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh)
+{
+  std::map<Index, std::array<double, 5>> points;
+  for (const auto& facet : mesh.Facets)
+  {
+    for (int c = 0; c < (mesh.Corners == 8 ? 4 : 3); ++c)
+    {
+      points[facet.first[c]] = mesh.Points.at(facet.first[c]);
+    }
+  }
+  return points;
+}
+
 } // namespace
 
 void MergedMesh::Add(const Mesh& m)
@@ -148,22 +179,27 @@ RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   return made;
 }
 
+std::string FindGeometryDifference(const MergedMesh& made, const MergedMesh& alone)
+{
+  DifferenceText text;
+  text.Add(CountDifferences(made.Facets, alone.Facets), "facets");
+  text.Add(CountDifferences(PointsOfFacets(made), PointsOfFacets(alone)), "points of facets");
+  text.Add(CountDifferences(made.CurveEdges, alone.CurveEdges), "edges of curves");
+  text.Add(CountDifferences(made.Vertices, alone.Vertices), "vertices");
+  text.Add(made.Tables == alone.Tables ? 0 : 1, "set of tables");
+  return text.Get();
+}
+
 std::string FindDifference(const RankMesh& made, const RankMesh& alone)
 {
   const auto same = [&](const MeshReport& report) { return AreEqual(report, alone.Reports[0]); };
-  std::string text;
-  const auto add = [&](std::size_t count, const char* what)
-  { text += count > 0 ? std::to_string(count) + " " + what + ", " : ""; };
-  add(CountDifferences(made.Merged.Points, alone.Merged.Points), "points");
-  add(CountDifferences(made.Merged.Elements, alone.Merged.Elements), "elements");
-  add(CountDifferences(made.Merged.Facets, alone.Merged.Facets), "facets");
-  add(CountDifferences(made.Merged.CurveEdges, alone.Merged.CurveEdges), "edges of curves");
-  add(CountDifferences(made.Merged.Vertices, alone.Merged.Vertices), "vertices");
-  add(made.Merged.Tables == alone.Merged.Tables ? 0 : 1, "set of tables");
-  add(
+  DifferenceText text;
+  text.Add(CountDifferences(made.Merged.Points, alone.Merged.Points), "points");
+  text.Add(CountDifferences(made.Merged.Elements, alone.Merged.Elements), "elements");
+  text.Add(
     made.Reports.size() - std::count_if(made.Reports.begin(), made.Reports.end(), same), "reports");
-  add(made.Merged.Conflicts + alone.Merged.Conflicts, "conflicts");
-  return text.empty() ? "" : text + "not as of one process";
+  text.Add(made.Merged.Conflicts + alone.Merged.Conflicts, "conflicts");
+  return text.Get() + FindGeometryDifference(made.Merged, alone.Merged);
 }
 
 void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
@@ -178,19 +214,6 @@ void CompareWithSerial(const CartesianGrid& whole, const FractionField& field,
     SCOPED_TRACE(std::to_string(boxes.size()) + " ranks");
     EXPECT_EQ(FindDifference(MakeOnRanks(whole, field, boxes, options, make), alone), "");
   }
-}
-
-std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh)
-{
-  std::map<Index, std::array<double, 5>> points;
-  for (const auto& facet : mesh.Facets)
-  {
-    for (int c = 0; c < (mesh.Corners == 8 ? 4 : 3); ++c)
-    {
-      points[facet.first[c]] = mesh.Points.at(facet.first[c]);
-    }
-  }
-  return points;
 }
 
 std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh)

@@ -42,7 +42,11 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make);
 
-/// "", or how many points, elements, facets, edges of curves, vertices, tables and reports are not, bit for bit, those of one process.
+/// "", or how many facets, with their points, edges of curves, vertices and tables are not, bit for bit, those of one process. These are
+/// the same from any number of ranks where the elements of TetGen are not.
+std::string FindGeometryDifference(const MergedMesh& made, const MergedMesh& alone);
+
+/// "", or how many of these, of points, elements and reports are not.
 std::string FindDifference(const RankMesh& made, const RankMesh& alone);
 
 /// Expects the mesh and report of one process, however the grid is cut in boxes.
@@ -65,9 +69,6 @@ std::size_t CountDifferences(const Map& a, const Map& b)
   };
   return static_cast<std::size_t>(std::max(missing(a, b), missing(b, a)));
 }
-
-/// What is known of the points of facets, by id.
-std::map<Index, std::array<double, 5>> PointsOfFacets(const MergedMesh& mesh);
 
 /// Coordinates by id of the points of facets between materials; those on the domain's sides may differ between meshes.
 std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh);
