@@ -47,13 +47,14 @@ def count_runs(hexes):
     return runs
 
 
-def test_one_run_for_both_ports_and_writers():
+def test_one_run_for_all_ports_and_writers():
     hexes = hex_filter()
     runs = count_runs(hexes)
     with tempfile.TemporaryDirectory() as folder:
         save_data(os.path.join(folder, "mesh.pvtu"), hexes)
         save_data(os.path.join(folder, "mesh.vtu"), hexes)
-        save_data(os.path.join(folder, "surfaces.vtp"), simple.OutputPort(hexes, 1))
+        for port in ("Surfaces", "Curves", "Vertices"):
+            save_data(os.path.join(folder, port + ".vtp"), simple.OutputPort(hexes, port))
         hexes.UpdatePipeline()
         again = simple.XMLPartitionedUnstructuredGridReader(FileName=[os.path.join(folder, "mesh.pvtu")])
         again.UpdatePipeline()
