@@ -6,8 +6,8 @@ import numpy as np
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
-from compare_meshes import difference, merge
-from sculptor_program import mesh_file, refused
+from compare_meshes import difference, merge, read_pieces
+from sculptor_program import mesh_file, refused, sculptor
 from vfmtest import VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, write
 
 BLOCKS = ["Surfaces", "Curves", "Vertices"]
@@ -72,6 +72,20 @@ def test_what_there_is_none_of_is_no_block(at):
         check_ports(geometry, result)
         assert tuple(result.field("NumberOf" + name)[0] for name in BLOCKS) == counts
         assert [name in geometry for name in BLOCKS] == [count > 0 for count in counts]
+
+
+def time_of(data):
+    return data.GetFieldData().GetArray("TimeValue").GetTuple1(0)
+
+
+@in_folder
+def test_time(at):
+    if ".spcth" not in sculptor("--help").stdout:
+        return  # files of SpyPlot alone have times in every build
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "impact.spcth")
+    mesh_file(path, at("mesh.vtu"), "--geometry", at("geometry.vtm"), "--step", "1", ranks=2)
+    time = time_of(read_pieces(at("mesh.vtu"))[0])
+    assert time > 0 and {time_of(block) for block in read_geometry(at("geometry.vtm")).values()} == {time}
 
 
 @in_folder
