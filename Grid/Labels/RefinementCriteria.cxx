@@ -65,17 +65,12 @@ public:
       this->AskThickness();
       this->AskCurvature();
       this->AskLabels();
+      this->AskChosen();
     }
     RefinementWishes& result = this->Result;
-    this->Tidy();
-    std::vector<std::int64_t> counts{ result.ThinCells, result.CurvedCells, result.FlippedCells,
-      result.NearCells, static_cast<std::int64_t>(result.Cells.size()) };
-    this->ThePartition.Group().Sum(counts);
-    result.ThinCells = counts[0];
-    result.CurvedCells = counts[1];
-    result.FlippedCells = counts[2];
-    result.NearCells = counts[3];
-    result.AllCells = counts[4];
+    Tidy(result.Cells);
+    result.AllCells = static_cast<Index>(result.Cells.size());
+    this->SumCounts();
     int most = 0;
     for (const RefinementWish& wish : result.Cells)
     {
@@ -95,10 +90,26 @@ private:
     }
   }
 
-  /// Of each cell the most halvings, in the order of keys.
-  void Tidy()
+  void SumCounts()
   {
-    std::vector<RefinementWish>& cells = this->Result.Cells;
+    RefinementWishes& result = this->Result;
+    Index* const all[] = { &result.ThinCells, &result.CurvedCells, &result.FlippedCells,
+      &result.NearCells, &result.ChosenCells, &result.AllCells };
+    std::vector<Index> counts;
+    for (const Index* count : all)
+    {
+      counts.push_back(*count);
+    }
+    this->ThePartition.Group().Sum(counts);
+    for (std::size_t c = 0; c < counts.size(); ++c)
+    {
+      *all[c] = counts[c];
+    }
+  }
+
+  /// Of each cell the most halvings, in the order of keys.
+  static void Tidy(std::vector<RefinementWish>& cells)
+  {
     std::sort(cells.begin(), cells.end(),
       [](const RefinementWish& a, const RefinementWish& b)
       { return a.Cell != b.Cell ? a.Cell < b.Cell : a.Halvings > b.Halvings; });
@@ -216,6 +227,26 @@ private:
     }
   }
 
+  void AskChosen()
+  {
+    std::vector<RefinementWish> chosen; // boxes may share cells
+    for (const ChosenBox& box : this->Criteria.Chosen)
+    {
+      const int halvings = std::min(box.Halvings, this->Criteria.MaximumLevel);
+      ForCells(Intersect(box.Cells, this->Grid.Owned()),
+        [&](const Index3& p)
+        {
+          if (halvings > 0)
+          {
+            chosen.push_back({ this->Grid.CellKey(p), halvings });
+          }
+        });
+    }
+    Tidy(chosen);
+    this->Result.ChosenCells = static_cast<Index>(chosen.size());
+    this->Result.Cells.insert(this->Result.Cells.end(), chosen.begin(), chosen.end());
+  }
+
   /// Whether each owned cell lies within the layers: cells at nodes with several labels, then cells at those.
   PagedArray<int> FindNear(const LabelArray& labels) const
   {
@@ -267,23 +298,28 @@ RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& 
   return Inquiry(grid, fractions, criteria, isoValue, partition, runtime).Ask();
 }
 
+void AddWantedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& wanted, int layers,
+  std::vector<std::vector<Index>>& families)
+{
+  const int finest = level + wanted.Halvings;
+  const IndexBox children = Grow(ChangeLevel(wanted.Cells, wanted.Halvings), layers,
+    ChangeLevel(lattice.Base().Global(), finest));
+  for (int l = level; l < finest; ++l)
+  {
+    const IndexBox around =
+      ChangeLevel(children, l - finest - 1); // a family is two cells of its level
+    ForCells(around, [&](const Index3& q) { families[l].push_back(lattice.FamilyKey(l, q)); });
+  }
+}
+
 std::vector<std::vector<Index>> FindWantedFamilies(
   const OctreeKeys& lattice, const RefinementWishes& wishes, int layers)
 {
   std::vector<std::vector<Index>> families(wishes.Refinements);
   for (const RefinementWish& wish : wishes.Cells)
   {
-    // of the level that the cell wants, and those around
-    const IndexBox children =
-      Grow(ChangeLevel(BoxOfCell(lattice.Base().CellOfKey(wish.Cell)), wish.Halvings), layers,
-        ChangeLevel(lattice.Base().Global(), wish.Halvings));
-    for (int level = 0; level < wish.Halvings; ++level)
-    {
-      const IndexBox around =
-        ChangeLevel(children, level - wish.Halvings - 1); // a family is two cells of its level
-      ForCells(
-        around, [&](const Index3& q) { families[level].push_back(lattice.FamilyKey(level, q)); });
-    }
+    AddWantedFamilies(lattice, 0, { BoxOfCell(lattice.Base().CellOfKey(wish.Cell)), wish.Halvings },
+      layers, families);
   }
   for (std::vector<Index>& keys : families)
   {

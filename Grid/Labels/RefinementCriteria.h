@@ -13,6 +13,13 @@
 namespace vfm
 {
 
+/// Cells that are to be halved so many times, whatever they hold.
+struct ChosenBox
+{
+  IndexBox Cells;
+  int Halvings;
+};
+
 /// What asks for halvings; 0 or less: off.
 struct RefinementCriteria
 {
@@ -25,6 +32,8 @@ struct RefinementCriteria
   bool FlippedCells = false;
   /// Cells within so many layers of an interface, the cells at it the first: to the maximum level.
   int InterfaceLayers = 0;
+  /// Cells chosen by name, in any order; those that are not owned ask for nothing here.
+  std::vector<ChosenBox> Chosen;
   /// The most halvings.
   int MaximumLevel = 1;
 };
@@ -41,7 +50,7 @@ struct RefinementWishes
   std::vector<RefinementWish> Cells; ///< owned, ascending
   int Refinements = 0;               ///< the most halvings on any rank
   // how many cells each criterion asks for, over all ranks; some by several
-  Index ThinCells = 0, CurvedCells = 0, FlippedCells = 0, NearCells = 0;
+  Index ThinCells = 0, CurvedCells = 0, FlippedCells = 0, NearCells = 0, ChosenCells = 0;
   Index AllCells = 0;
 };
 
@@ -51,9 +60,13 @@ RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& 
   const RefinementCriteria& criteria, double isoValue, const Partition& partition,
   Runtime& runtime);
 
+/// Adds to those of each refinement (OctreeKeys::FamilyKey), in any order and some twice, the families that hold what cells of a level
+/// want to be halved. layers: so many more cells around, of the level that the place wants; >= 0.
+void AddWantedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& wanted, int layers,
+  std::vector<std::vector<Index>>& families);
+
 /// The families of each refinement (OctreeKeys::FamilyKey) that hold what this rank's cells want to be halved, ascending: what
-/// OctantFamilies asks for. lattice: of the same grid, with at least wishes.Refinements refinements. layers: so many more cells around,
-/// of the level that the place wants; >= 0.
+/// OctantFamilies asks for. lattice: of the same grid, with at least wishes.Refinements refinements. layers: as of AddWantedFamilies.
 std::vector<std::vector<Index>> FindWantedFamilies(
   const OctreeKeys& lattice, const RefinementWishes& wishes, int layers = 0);
 

@@ -113,13 +113,42 @@ MeshMaker DrawMethod(MeshOptions& options, RandomDraw& draw, std::string& words)
   return MakeTetMesh;
 }
 
-RefinementCriteria DrawCriteria(int most, RandomDraw& draw)
+/// A few boxes, or single cells here and there.
+std::vector<ChosenBox> DrawChosen(const CartesianGrid& grid, int most, RandomDraw& draw)
+{
+  std::vector<ChosenBox> chosen(draw.Whole(1, 6));
+  const bool areCells = draw.Chance(0.4);
+  for (ChosenBox& box : chosen)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const int last = static_cast<int>(grid.Global().Upper[a]) - 1;
+      const int lower = draw.Whole(0, last);
+      box.Cells.Lower[a] = lower;
+      box.Cells.Upper[a] = (areCells ? lower : draw.Whole(lower, last)) + 1;
+    }
+    box.Halvings = draw.Whole(1, most);
+  }
+  return chosen;
+}
+
+RefinementCriteria DrawCriteria(const CartesianGrid& grid, int most, RandomDraw& draw)
 {
   RefinementCriteria criteria;
   criteria.MaximumLevel = most;
   criteria.CurvaturePerCell = draw.Pick({ 0.0, 0.3 });
   criteria.FlippedCells = draw.Chance(0.5);
   criteria.InterfaceLayers = draw.Pick({ 0, 0, 1, 3 });
+  if (draw.Chance(0.4))
+  {
+    criteria.Chosen = DrawChosen(grid, most, draw);
+    if (draw.Chance(0.5)) // these alone
+    {
+      criteria.ThinCells = criteria.CurvaturePerCell = 0.0;
+      criteria.FlippedCells = false;
+      criteria.InterfaceLayers = 0;
+    }
+  }
   return criteria;
 }
 
@@ -130,7 +159,7 @@ void RefineWhereAsked(const Extent& extent, RandomDraw& draw, FuzzCase& c)
   LevelPlan& plan = c.Options.Levels;
   const Partition partition(c.Grid, runtime.Group());
   const RefinementWishes wishes = FindRefinement(c.Grid, c.Fractions,
-    DrawCriteria(extent.Refinements, draw), c.Options.IsoValue, partition, runtime);
+    DrawCriteria(c.Grid, extent.Refinements, draw), c.Options.IsoValue, partition, runtime);
   plan.Refinements = wishes.Refinements;
   plan.Families =
     FindWantedFamilies(OctreeKeys(c.Grid, wishes.Refinements), wishes, draw.Whole(0, 1));
@@ -141,7 +170,8 @@ void RefineWhereAsked(const Extent& extent, RandomDraw& draw, FuzzCase& c)
     c.Grid = std::move(refined.Grid);
     c.Fractions = std::move(refined.Fractions);
   }
-  c.Words += ", " + std::to_string(wishes.Refinements) + " refinements where asked";
+  c.Words += ", " + std::to_string(wishes.Refinements) + " refinements where asked, " +
+    std::to_string(wishes.ChosenCells) + " chosen";
 }
 
 void DrawFamilies(const Extent& extent, RandomDraw& draw, FuzzCase& c)

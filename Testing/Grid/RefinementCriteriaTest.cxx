@@ -63,6 +63,8 @@ RefinementCriteria AllCriteria()
   criteria.CurvaturePerCell = 0.3;
   criteria.FlippedCells = true;
   criteria.InterfaceLayers = 2;
+  criteria.Chosen = { { { { { 1, 1, 1 } }, { { 9, 4, 3 } } }, 2 },
+    { { { { 3, 2, 0 } }, { { 5, 14, 2 } } }, 3 } };
   return criteria;
 }
 
@@ -377,6 +379,26 @@ TEST(RefinementCriteria, LayersCountFromTheInterface)
   }
 }
 
+TEST(RefinementCriteria, ChosenCellsAskForWhatTheyAreGiven)
+{
+  const CartesianGrid grid = MakeUnitGrid(6, 5, 4);
+  const IndexBox first{ { { 0, 1, 1 } }, { { 3, 3, 2 } } },
+    second{ { { 2, 2, 0 } }, { { 5, 4, 4 } } };
+  RefinementCriteria criteria = ThinOnly(0.0, 2);
+  criteria.Chosen = { { second, 1 }, { first, 3 }, { { { { 5, 4, 3 } }, { { 9, 9, 9 } } }, 1 },
+    { { { { 0, 0, 0 } }, { { 1, 1, 1 } } }, 0 } };
+  std::map<Index, int> expected{ { grid.CellKey({ { 5, 4, 3 } }), 1 } };
+  ForCells(second, [&](const Index3& p) { expected[grid.CellKey(p)] = 1; });
+  ForCells(first, [&](const Index3& p) { expected[grid.CellKey(p)] = 2; }); // the maximum level
+  const RefinementWishes wishes = Ask(grid, FractionField(grid, 1), criteria);
+  EXPECT_TRUE(ToMap(wishes.Cells) == expected);
+  EXPECT_EQ(wishes.Refinements, 2);
+  EXPECT_EQ(wishes.ChosenCells, static_cast<Index>(expected.size()));
+  EXPECT_EQ(wishes.AllCells, wishes.ChosenCells);
+  criteria.MaximumLevel = 0;
+  EXPECT_EQ(Ask(grid, FractionField(grid, 1), criteria).ChosenCells, 0);
+}
+
 namespace
 {
 
@@ -435,6 +457,29 @@ TEST(RefinementCriteria, FamiliesHoldWhatIsWanted)
   EXPECT_EQ(OctantFamilies(lattice, FindWantedFamilies(lattice, wishes)).Report(2).Wanted, 8);
 }
 
+TEST(RefinementCriteria, FamiliesHoldWhatCellsOfALevelWant)
+{
+  const CartesianGrid base = MakeUnitGrid(7, 6, 5), halves = MakeUnitGrid(14, 12, 10);
+  const OctreeKeys lattice(base, 3), ofHalves(halves, 2);
+  const IndexBox box{ { { 3, 4, 1 } }, { { 6, 5, 4 } } };
+  for (int layers : { 0, 2, 3 })
+  {
+    RefinementWishes wishes;
+    wishes.Refinements = 2;
+    ForCells(box, [&](const Index3& p) { wishes.Cells.push_back({ halves.CellKey(p), 2 }); });
+    const std::vector<std::set<Index>> expected = FamiliesAround(ofHalves, wishes, layers);
+    std::vector<std::vector<Index>> families(3);
+    AddWantedFamilies(lattice, 1, { box, 2 }, layers, families);
+    EXPECT_TRUE(families[0].empty());
+    for (int level = 1; level < 3; ++level)
+    {
+      EXPECT_TRUE(
+        std::set<Index>(families[level].begin(), families[level].end()) == expected[level - 1])
+        << layers << " layers, level " << level;
+    }
+  }
+}
+
 TEST(RefinementCriteria, RanksAgree)
 {
   const CartesianGrid whole = MakeUnevenGrid(14);
@@ -446,6 +491,7 @@ TEST(RefinementCriteria, RanksAgree)
   ASSERT_GT(alone.ThinCells, 0);
   ASSERT_GT(alone.CurvedCells, 0);
   ASSERT_GT(alone.NearCells, 0);
+  ASSERT_EQ(alone.ChosenCells, 48 + 48 - 4);
   ASSERT_GT(alone.AllCells, 0);
   for (int ranks : { 2, 3, 4, 8 })
   {
@@ -466,6 +512,7 @@ TEST(RefinementCriteria, RanksAgree)
         EXPECT_EQ(mine.CurvedCells, alone.CurvedCells);
         EXPECT_EQ(mine.FlippedCells, alone.FlippedCells);
         EXPECT_EQ(mine.NearCells, alone.NearCells);
+        EXPECT_EQ(mine.ChosenCells, alone.ChosenCells);
         EXPECT_EQ(mine.AllCells, alone.AllCells);
         for (const auto& wish : ToMap(mine.Cells))
         {
