@@ -82,6 +82,13 @@ private:
   }
 };
 
+/// Whether a cell, by its place in the arrays, is blanked.
+inline bool IsHidden(const InputBlock& block, Index id)
+{
+  return block.GhostTypes &&
+    (block.GhostTypes->GetValue(id) & vtkDataSetAttributes::HIDDENCELL) != 0;
+}
+
 /// Sets the values of blanked cells in a row of one block to 0.
 template <class Value>
 void ClearHidden(const InputBlock& block, Index first, Index count, Value* row)

@@ -336,6 +336,35 @@ void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule
   FillGhosts(Partition(fields.Grid, runtime.Group()), fields.Field.Fractions);
 }
 
+std::vector<ChosenBox> TakeWishes(
+  const InputWishes& wishes, const LevelSetup& setup, int layers, LevelFields& fields)
+{
+  const Index steps = static_cast<Index>(fields.Families.size()); // of Grid above Base
+  const OctreeKeys lattice(fields.Base, static_cast<int>(steps));
+  std::vector<ChosenBox> beyond;
+  for (int level = setup.Base; level - setup.Base <= steps; ++level)
+  {
+    const int step = level - setup.Base;
+    const CellDivision division = fields.Division.OfHalves(step);
+    for (const ChosenBox& row : wishes.Levels[level])
+    {
+      const IndexBox cells = division.Divide(row.Cells);
+      const Index halvings = std::min(row.Halvings, steps - step);
+      AddWantedFamilies(lattice, step, { cells, halvings }, layers, fields.Families);
+      if (row.Halvings > halvings)
+      {
+        beyond.push_back(
+          { ChangeLevel(cells, static_cast<int>(halvings)), row.Halvings - halvings });
+      }
+    }
+  }
+  for (std::vector<Index>& keys : fields.Families)
+  {
+    SortUnique(keys);
+  }
+  return beyond;
+}
+
 int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
   int layers, Runtime& runtime)
 {

@@ -11,6 +11,7 @@
 #include "Fractions/RefineCells.h"
 #include "InputFields.h"
 #include "InputLevels.h"
+#include "InputWishes.h"
 #include "Labels/RefinementCriteria.h"
 #include "LevelSetup.h"
 
@@ -45,6 +46,11 @@ constexpr double SmallestAspectRatio = 1.1;
 /// levels keep their ratios, families their places. 0: none is cut. Throws InputError, on all ranks alike, on numbers between 0 and
 /// SmallestAspectRatio, and where there would be too many cells.
 void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime);
+
+/// Adds the families between Base and Grid that cells of the input want, and those of so many layers around; returns, in cells of Grid, what
+/// they want beyond it. wishes: of the cells that this rank meshes; setup: of those levels.
+std::vector<ChosenBox> TakeWishes(
+  const InputWishes& wishes, const LevelSetup& setup, int layers, LevelFields& fields);
 
 /// Collective: how many levels finer than Grid the criteria want; adds the families that they want to refine, and those of so many
 /// layers of cells around (FindWantedFamilies).

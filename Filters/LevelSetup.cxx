@@ -82,7 +82,8 @@ int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks)
 }
 
 LevelSetup DecideLevels(Refinement how, int maximumLevel,
-  const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment)
+  const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,
+  int wishedFinest)
 {
   LevelSetup setup;
   switch (how)
@@ -94,10 +95,12 @@ LevelSetup DecideLevels(Refinement how, int maximumLevel,
       setup.TakesInputLevels = true;
       break;
     case Refinement::Automatic:
+      setup.Finest = maximumLevel < 0 ? std::max({ inputFinest, wishedFinest, 1 }) : maximumLevel;
+      setup.TakesInputLevels = true;
+      break;
     case Refinement::Uniform:
       setup.Finest = maximumLevel < 0 ? std::max(inputFinest, 1) : maximumLevel;
-      setup.IsUniform = how == Refinement::Uniform;
-      setup.TakesInputLevels = how == Refinement::Automatic;
+      setup.IsUniform = true;
       break;
     case Refinement::Coarsen:
       setup.Finest = inputFinest;

@@ -41,9 +41,11 @@ constexpr int AnyLevel = 62;
 int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks);
 
 /// coordinates: nodes of the input's coarsest level; inputFinest: its finest level; maximumLevel: how many levels above the
-/// coarsest of the mesh at most, -1: of the data all, by coarsening at most 3, of an image refined 1. alignment: levels by
-/// which the boxes of the ranks can be coarsened, where they are given.
+/// coarsest of the mesh at most, -1: of the data all, by coarsening at most 3, of an image refined 1, or what chosen cells want.
+/// alignment: levels by which the boxes of the ranks can be coarsened, where they are given. wishedFinest: the finest level that
+/// chosen cells want to be of; 0 without any.
 LevelSetup DecideLevels(Refinement how, int maximumLevel,
-  const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment);
+  const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,
+  int wishedFinest);
 
 } // namespace vfm

@@ -268,6 +268,7 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
   AddFieldCount(field, "ClippedCells", mended.Clipped);
   AddFieldCount(field, "RemovedRegions", report.RemovedRegions);
   AddFieldCount(field, "RemovedCells", report.RemovedCells);
+  AddFieldCount(field, "ChosenCells", report.ChosenCells);
   AddFieldCount(field, "FlippedCells", report.FlippedCells);
   AddFieldCount(field, "ResolveRounds", report.ResolveRounds);
   AddFieldCount(field, "NumberOfFragments", report.NumberOfFragments);

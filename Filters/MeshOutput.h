@@ -35,7 +35,7 @@ void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& output
 
 /// Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume, VolumeError (of each material, void only when
 /// meshed; the error is MeshVolume / TargetVolume - 1, 0 of a material that the input has nowhere), FragmentTargetVolume
-/// (of fragments 1, 2, ...), NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, FlippedCells,
+/// (of fragments 1, 2, ...), NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, ChosenCells, FlippedCells,
 /// ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves, NumberOfVertices, and MinimumScaledJacobian,
 /// MeanScaledJacobian if computed.
 /// Of tetrahedra also RefusedParts, and MinimumDihedralAngle, MaximumDihedralAngle, DihedralAngles if computed.

@@ -72,6 +72,12 @@ void PrintNames(ostream& os, const std::vector<std::string>& names)
   os << "\n";
 }
 
+/// As panels name an array, or none.
+bool IsNamed(const std::string& array)
+{
+  return !array.empty() && array != "None";
+}
+
 void LogStages(const vfm::MeshReport& report)
 {
   for (const vfm::MeshReport::Stage& stage : report.Stages)
@@ -172,9 +178,30 @@ void vtkVolumeFractionMeshAlgorithm::ClearFaceNeighbours()
   this->Modified();
 }
 
+void vtkVolumeFractionMeshAlgorithm::AddRefinementBox(
+  double x0, double y0, double z0, double x1, double y1, double z1, double halvings)
+{
+  this->RefinementBoxes.push_back({ { x0, y0, z0, x1, y1, z1, halvings } });
+  this->Modified();
+}
+
+void vtkVolumeFractionMeshAlgorithm::ClearRefinementBoxes()
+{
+  if (!this->RefinementBoxes.empty())
+  {
+    this->RefinementBoxes.clear();
+    this->Modified();
+  }
+}
+
+int vtkVolumeFractionMeshAlgorithm::GetNumberOfRefinementBoxes()
+{
+  return static_cast<int>(this->RefinementBoxes.size());
+}
+
 bool vtkVolumeFractionMeshAlgorithm::HasMaterialIdArray() const
 {
-  return !this->MaterialIdArray.empty() && this->MaterialIdArray != "None";
+  return IsNamed(this->MaterialIdArray);
 }
 
 vfm::MeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
@@ -293,15 +320,35 @@ vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::PrepareFractions(
   return removed;
 }
 
+/// Collective: the cells that are to be refined by name.
+vfm::InputWishes vtkVolumeFractionMeshAlgorithm::FindWishes(
+  const vfm::InputLevels& input, vfm::Ranks& ranks) const
+{
+  const bool isAsked = this->Refinement == REFINEMENT_AUTOMATIC;
+  std::vector<vfm::RefinementBox> boxes;
+  for (const std::array<double, 7>& b : this->RefinementBoxes)
+  {
+    boxes.push_back({ { { b[0], b[1], b[2] } }, { { b[3], b[4], b[5] } }, b[6] });
+  }
+  const vfm::InputWishes wishes = vfm::FindInputWishes(input,
+    isAsked && IsNamed(this->RefinementArray) ? this->RefinementArray : "",
+    isAsked ? boxes : std::vector<vfm::RefinementBox>(), ranks);
+  if (ranks.Rank() == 0 && !wishes.Warning.empty())
+  {
+    vtkWarningMacro(<< wishes.Warning);
+  }
+  return wishes;
+}
+
 /// Collective.
 vfm::LevelSetup vtkVolumeFractionMeshAlgorithm::SetUpLevels(
-  const vfm::InputLevels& input, vfm::Ranks& ranks) const
+  const vfm::InputLevels& input, const vfm::InputWishes& wishes, vfm::Ranks& ranks) const
 {
   const int alignment = this->HasFaceNeighbours
     ? vfm::CountAlignedLevels(input.Levels[0].Boxes(), ranks)
     : vfm::AnyLevel;
   const vfm::LevelSetup setup = vfm::DecideLevels(static_cast<vfm::Refinement>(this->Refinement),
-    this->MaximumLevel, input.Levels[0].Coordinates, input.Finest(), alignment);
+    this->MaximumLevel, input.Levels[0].Coordinates, input.Finest(), alignment, wishes.Finest);
   if (ranks.Rank() == 0 && !setup.Warning.empty())
   {
     vtkWarningMacro(<< setup.Warning);
@@ -311,19 +358,21 @@ vfm::LevelSetup vtkVolumeFractionMeshAlgorithm::SetUpLevels(
 
 /// Collective: makes the grid as fine as the finest cells of the mesh, with the ghost layers that meshing needs.
 vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& setup, int inputFinest,
-  vfm::LevelFields& fields, vfm::Runtime& runtime) const
+  const vfm::InputWishes& wishes, vfm::LevelFields& fields, vfm::Runtime& runtime) const
 {
   int finer = setup.Finest - std::min(setup.Finest, inputFinest);
-  if (this->Refinement == REFINEMENT_AUTOMATIC && finer > 0)
+  if (this->Refinement == REFINEMENT_AUTOMATIC)
   {
     runtime.Progress(0.0, "Looking for places to refine");
+    const int layers = this->KeepsInterfacesFine() ? 0 : this->FineLayers;
     vfm::RefinementCriteria criteria;
     criteria.ThinCells = this->ThinCells;
     criteria.CurvaturePerCell = this->CurvaturePerCell;
     criteria.FlippedCells = this->RefineFlippedCells;
     criteria.InterfaceLayers = this->InterfaceLayers;
     criteria.MaximumLevel = finer;
-    const int layers = this->KeepsInterfacesFine() ? 0 : this->FineLayers;
+    vfm::WorkTogether(
+      runtime.Group(), [&] { criteria.Chosen = vfm::TakeWishes(wishes, setup, layers, fields); });
     finer = vfm::FindFinerLevels(fields, criteria, this->IsoValue, layers, runtime);
   }
   vfm::RefineFields(fields, finer, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
@@ -357,14 +406,16 @@ void vtkVolumeFractionMeshAlgorithm::Run(
     ? vfm::OpenLabels(levels.Levels, this->MaterialIdArray, ranks)
     : vfm::OpenFractions(levels.Levels, this->VolumeFractionArrays, this->FractionTolerance, ranks);
   const vfm::StateArrays states(levels, this->StateArrays, ranks);
-  const vfm::LevelSetup setup = this->SetUpLevels(levels, ranks);
+  vfm::InputWishes wishes = this->FindWishes(levels, ranks);
+  const vfm::LevelSetup setup = this->SetUpLevels(levels, wishes, ranks);
   const std::vector<vfm::BlockPlace> owners =
     knowsNeighbours ? levels.Levels[0].Places : vfm::ShareOutCells(levels, cells, setup, ranks);
+  wishes = vfm::ShareOutWishes(wishes, levels, owners, ranks);
   vfm::LevelFields fields = vfm::MakeLevelFields(
     levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
   const vfm::RemovedRegions removed = this->PrepareFractions(fields, runtime);
   vfm::MeshOptions options = this->GetOptions();
-  options.Levels = this->Refine(setup, levels.Finest(), fields, runtime);
+  options.Levels = this->Refine(setup, levels.Finest(), wishes, fields, runtime);
   const int finest = setup.IsUniform ? setup.Finest : setup.Base + options.Levels.Refinements;
   const vfm::CartesianGrid& grid = fields.Grid;
   const vfm::InputField& field = fields.Field;
@@ -372,6 +423,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::Mesh mesh = this->MakeMesh(grid, field.Fractions, options, runtime, report);
   report.RemovedRegions = removed.Regions;
   report.RemovedCells = removed.Cells;
+  report.ChosenCells = wishes.Cells;
   LogStages(report);
   runtime.Progress(0.98, "Filling output");
   const std::vector<vtkSmartPointer<vtkDataArray>> carried = states.Carry(mesh, grid,
@@ -432,6 +484,17 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CurvaturePerCell: " << this->CurvaturePerCell << "\n";
   os << indent << "RefineFlippedCells: " << this->RefineFlippedCells << "\n";
   os << indent << "InterfaceLayers: " << this->InterfaceLayers << "\n";
+  os << indent << "RefinementArray: " << this->RefinementArray << "\n";
+  os << indent << "RefinementBoxes:" << (this->RefinementBoxes.empty() ? " none" : "") << "\n";
+  for (const std::array<double, 7>& box : this->RefinementBoxes)
+  {
+    os << indent.GetNextIndent();
+    for (double number : box)
+    {
+      os << " " << number;
+    }
+    os << "\n";
+  }
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "MeshVoid: " << this->MeshVoid << "\n";
   os << indent << "StairStep: " << this->StairStep << "\n";

@@ -46,6 +46,7 @@ class MessageRanks;
 class Ranks;
 class Runtime;
 struct InputLevels;
+struct InputWishes;
 struct LevelFields;
 struct LevelSetup;
 struct Mesh;
@@ -220,7 +221,8 @@ public:
   ///@{
   /**
    * What REFINEMENT_AUTOMATIC looks for, on the finest level of the input; 0: not. All interfaces get the level that the
-   * neediest place wants, up to MaximumLevel; with FineInterfaces off each place what it wants.
+   * neediest place wants, up to MaximumLevel; with FineInterfaces off each place what it wants. Cells can be chosen by name, too
+   * (RefinementArray, RefinementBoxes).
    * ThinCells: films, gaps, rods and small bodies thinner than so many cells, at most 3, until they are no longer. Default: 2.
    * CurvaturePerCell: interfaces that turn by more than so many radians over a cell, until they turn by less. Default: 0.
    * RefineFlippedCells: cells whose material had to be changed to make the interfaces manifold; once. Default: off.
@@ -235,6 +237,31 @@ public:
   vtkBooleanMacro(RefineFlippedCells, bool);
   vtkSetClampMacro(InterfaceLayers, int, 0, 64);
   vtkGetMacro(InterfaceLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * Cells that REFINEMENT_AUTOMATIC refines whatever they hold, by a cell array of one component and any numeric type: how
+   * many times each cell is to be halved along every axis, a whole number from 0 to 10; 0/1 for a mask. A cell of the input is one
+   * of its finest level there; of one that MaximumAspectRatio cuts each part is halved. MaximumLevel bounds what they get; at -1 there are
+   * as many levels as they ask for. Cells are refined by families, 2 x 2 x 2 of a level that begin at even indices, and with
+   * FineInterfaces off together with FineLayers of cells around. Blanked cells ask for nothing. All blocks need the array.
+   * With ThinCells 0 nothing else is refined. Empty, or "None": no array. Default: empty.
+   */
+  vtkSetStdStringFromCharMacro(RefinementArray);
+  vtkGetCharFromStdStringMacro(RefinementArray);
+  ///@}
+
+  ///@{
+  /**
+   * The same by a box in space from the corner (x0, y0, z0) to (x1, y1, z1), in the unit of the input: all cells that it reaches into
+   * by more than a thousandth of their width along every axis, be their centres inside or not. A flat box chooses the cells that it cuts.
+   * Where the array or several boxes choose a cell the most halvings count. Default: no box.
+   */
+  void AddRefinementBox(
+    double x0, double y0, double z0, double x1, double y1, double z1, double halvings = 1.0);
+  void ClearRefinementBoxes();
+  int GetNumberOfRefinementBoxes();
   ///@}
 
   ///@{
@@ -365,6 +392,8 @@ protected:
   double ThinCells = 2.0, CurvaturePerCell = 0.0;
   bool RefineFlippedCells = false;
   int InterfaceLayers = 0;
+  std::string RefinementArray;
+  std::vector<std::array<double, 7>> RefinementBoxes; // as AddRefinementBox takes them
   bool MeshVoid = false;
   bool StairStep = false;
   int Smoothing = SMOOTHING_QUADRIC_SURFACE;
@@ -383,9 +412,11 @@ private:
   void CheckProperties() const;
   vfm::MeshOptions GetOptions() const;
   vfm::RemovedRegions PrepareFractions(vfm::LevelFields& fields, vfm::Runtime& runtime);
-  vfm::LevelSetup SetUpLevels(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
-  vfm::LevelPlan Refine(const vfm::LevelSetup& setup, int inputFinest, vfm::LevelFields& fields,
-    vfm::Runtime& runtime) const;
+  vfm::InputWishes FindWishes(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
+  vfm::LevelSetup SetUpLevels(
+    const vfm::InputLevels& input, const vfm::InputWishes& wishes, vfm::Ranks& ranks) const;
+  vfm::LevelPlan Refine(const vfm::LevelSetup& setup, int inputFinest,
+    const vfm::InputWishes& wishes, vfm::LevelFields& fields, vfm::Runtime& runtime) const;
   void Run(vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs);
 };
 

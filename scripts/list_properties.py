@@ -46,8 +46,9 @@ def values_of(element):
     if entries(element):
         return ", ".join(entries(element).values())
     kind = {"IntVectorProperty": "whole number", "DoubleVectorProperty": "number", "StringVectorProperty": "text"}[element.tag]
-    count = int(element.get("number_of_elements", "1"))
+    count = int(element.get("number_of_elements") or element.get("number_of_elements_per_command", "1"))
     kind = kind if count == 1 else "%d %ss" % (count, kind)
+    kind += " each" if element.get("repeat_command") else ""
     limits = next((d for d in element if d.tag.endswith("RangeDomain")), None)
     low, high = (limits.get(side, "").split(" ")[0] for side in ("min", "max")) if limits is not None else ("", "")
     if low and high:

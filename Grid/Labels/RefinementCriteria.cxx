@@ -232,7 +232,7 @@ private:
     std::vector<RefinementWish> chosen; // boxes may share cells
     for (const ChosenBox& box : this->Criteria.Chosen)
     {
-      const int halvings = std::min(box.Halvings, this->Criteria.MaximumLevel);
+      const int halvings = std::min(static_cast<int>(box.Halvings), this->Criteria.MaximumLevel);
       ForCells(Intersect(box.Cells, this->Grid.Owned()),
         [&](const Index3& p)
         {
@@ -301,9 +301,9 @@ RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& 
 void AddWantedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& wanted, int layers,
   std::vector<std::vector<Index>>& families)
 {
-  const int finest = level + wanted.Halvings;
-  const IndexBox children = Grow(ChangeLevel(wanted.Cells, wanted.Halvings), layers,
-    ChangeLevel(lattice.Base().Global(), finest));
+  const int halvings = static_cast<int>(wanted.Halvings), finest = level + halvings;
+  const IndexBox children =
+    Grow(ChangeLevel(wanted.Cells, halvings), layers, ChangeLevel(lattice.Base().Global(), finest));
   for (int l = level; l < finest; ++l)
   {
     const IndexBox around =

@@ -17,7 +17,7 @@ namespace vfm
 struct ChosenBox
 {
   IndexBox Cells;
-  int Halvings;
+  Index Halvings;
 };
 
 /// What asks for halvings; 0 or less: off.

@@ -19,6 +19,7 @@ struct MeshReport
   std::vector<double> MeshVolume;             ///< per material from 0: of its elements
   std::vector<double> FragmentTargetVolume;   ///< by fragment, [0] unused
   Index RemovedRegions = 0, RemovedCells = 0; ///< small ones given to what is around them
+  Index ChosenCells = 0;                      ///< of the input, that were to be refined by name
   Index FlippedCells = 0; ///< labels of cells or leaves changed to make the interfaces manifold
   int ResolveRounds = 0;
   Index NumberOfFragments = 0;

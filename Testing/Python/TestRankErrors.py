@@ -96,6 +96,15 @@ def test_array_missing_on_one_rank():
     check_error(blocks(data), "Block 0 of rank 1 has no numeric cell array 'plate'")
 
 
+def test_wrong_wishes():
+    """Of cells that are to be refined: on one rank, missing on another, a box that all refuse."""
+    wishes = {"RefinementArray": "wish", "Refinement": "Automatic"}
+    hold = lambda value: lambda arrays: arrays.update(wish=np.full(arrays["ball"].shape, value))
+    check_error(slab(hold(-1.0 if RANK == 1 else 1.0)), "'wish' holds -1", "cell (0, 0, 3)", **wishes)
+    check_error(slab(hold(1.0) if RANK != 2 else None), "no numeric cell array 'wish'", **wishes)
+    check_error(slab(), "refinement box 1", Refinement="Automatic", RefinementBoxes=[1, 0, 0, 0, 1, 1, 1])
+
+
 def set_state(dtype, components):
     def change(arrays):
         arrays["state"] = np.zeros((*arrays["ball"].shape, components), dtype)

@@ -43,8 +43,15 @@ def two(n):
     return dict(zip(("ball", "plate"), ball_and_plate(n)))
 
 
+def wished(all_fields):
+    """With an array of cells that are to be halved: a few at random, once or twice."""
+    draw = lambda shape: np.random.default_rng(11).choice([0, 1, 2], shape, p=[0.98, 0.015, 0.005]).astype(np.uint8)
+    return [{**arrays, "wish": draw(arrays["ball"].shape)} for arrays in all_fields]
+
+
 SPHERE, TWO, SMALL, NOISE = ([numbered(arrays)] for arrays in (sphere(24), two(28), two(12), noise()))
 HALF = [(0, ((0, 8), (0, 8), (0, 7))), (0, ((0, 3), (0, 8), (7, 16))), (0, ((3, 8), (0, 8), (7, 16)))]
+CHOSEN = {"Refinement": "Automatic", "RefinementArray": "wish", "ThinCells": 0.0, "FineInterfaces": 0}
 CASES = {  # fields, blocks, properties
     "input levels": (fields(2), nested(), NAMES),
     "input levels and void": (fields(2), nested(), {**NAMES, "MeshVoid": 1, "FineLayers": 3}),
@@ -56,6 +63,10 @@ CASES = {  # fields, blocks, properties
     "levels of long cells": (fields(2), nested(), {**NAMES, "MaximumAspectRatio": 1.5}),
     "labels of long cells": (NOISE, HALF, {"MaterialIdArray": "id", "LabelSmoothing": 2, "MaximumAspectRatio": 1.1, "Refinement": "Automatic",
                                            "InterfaceLayers": 1}),
+    "chosen cells": (wished(SMALL), image_blocks(12), {**NAMES, **CHOSEN}),
+    "chosen cells and boxes": (wished(SMALL), image_blocks(12), {**NAMES, **CHOSEN, "FineInterfaces": 1, "MaximumLevel": 1,
+                                                                 "RefinementBoxes": [-9, -9, -9, -0.2, 1.1, 3.3, 2], "ThinCells": 1.5}),
+    "chosen cells of levels": (wished(fields(1)), nested(1), {**NAMES, **CHOSEN, "MeshVoid": 1, "RefinementBoxes": [-0.2, 1.1, 3.3, 0.1, 1.4, 3.5, 1]}),
     "stairs": (SMALL, image_blocks(12), {**NAMES, "Refinement": "Automatic", "InterfaceLayers": 2, "MaximumLevel": 2, "StairStep": 1}),
 }
 
