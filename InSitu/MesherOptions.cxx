@@ -6,8 +6,10 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 #include "vtkVolumeFractionToTet.h"
 
+#include <array>
 #include <functional>
 #include <limits>
+#include <sstream>
 #include <type_traits>
 
 namespace vfm
@@ -20,6 +22,7 @@ using TetMesher = vtkVolumeFractionToTet;
 
 constexpr double Above0 = std::numeric_limits<double>::min();
 constexpr double Below1 = 1.0 - std::numeric_limits<double>::epsilon() / 2;
+constexpr int MostHalvings = 10;
 constexpr double Largest = std::numeric_limits<double>::max();
 
 struct MesherOption
@@ -88,6 +91,50 @@ std::optional<double> ParseAspectRatio(const std::string& text)
   return off ? off : ParseNumber(text, 1.1, Largest);
 }
 
+/// Numbers of a box (AddRefinementBox), parted by commas; nothing when it is none.
+std::optional<std::array<double, 7>> ParseBox(const std::string& text)
+{
+  const std::vector<std::string> parts = SplitText(text);
+  std::array<double, 7> box{};
+  box.back() = 1.0;
+  bool isBox = parts.size() == 6 || (parts.size() == 7 && ParseCount(parts[6], 0, MostHalvings));
+  for (std::size_t i = 0; isBox && i < parts.size(); ++i)
+  {
+    const std::optional<double> number = ParseNumber(parts[i], -Largest, Largest);
+    isBox = number.has_value();
+    box[i] = number.value_or(0.0);
+  }
+  return isBox ? std::make_optional(box) : std::nullopt;
+}
+
+/// Boxes parted by semicolons replace those that the mesher has; no text: none.
+bool SetBoxes(Mesher& mesher, const std::string& text)
+{
+  std::vector<std::array<double, 7>> boxes;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ';');)
+  {
+    const auto box = ParseBox(part);
+    if (!box)
+    {
+      return false;
+    }
+    boxes.push_back(*box);
+  }
+  mesher.ClearRefinementBoxes();
+  for (const auto& b : boxes)
+  {
+    mesher.AddRefinementBox(b[0], b[1], b[2], b[3], b[4], b[5], b[6]);
+  }
+  return true;
+}
+
+bool SetArray(Mesher& mesher, const std::string& name)
+{
+  mesher.SetRefinementArray(name.c_str());
+  return true;
+}
+
 const std::vector<MesherOption>& Options()
 {
   static const std::vector<MesherOption> options{
@@ -120,6 +167,11 @@ const std::vector<MesherOption>& Options()
       Largest),
     Switch("RefineFlippedCells", "off", &Mesher::SetRefineFlippedCells),
     Count("InterfaceLayers", "0", &Mesher::SetInterfaceLayers, 0, 64),
+    { "RefinementArray", "the name of a cell array, or None", "None", false, SetArray },
+    { "RefinementBoxes",
+      "x0,y0,z0,x1,y1,z1 or with the number of halvings, 0 to 10, as seventh; semicolons part "
+      "boxes",
+      "no box", false, SetBoxes },
     Choice("Method", TetMesher::HasTetGen() ? "TetGen" : "Lattice", &TetMesher::SetMethod,
       { "TetGen", "Cells", "Lattice" }),
     Number("RelativeSize", "a number, 0.1 or more", "1", &TetMesher::SetRelativeSize, 0.1, Largest),

@@ -42,7 +42,8 @@ void ChooseAmrexArrays(vtkAlgorithm* algorithm, const Arguments& arguments)
 {
   vtkAMReXGridReader* reader = vtkAMReXGridReader::SafeDownCast(algorithm);
   std::set<std::string> named(arguments.Fractions.begin(), arguments.Fractions.end());
-  named.insert(arguments.State.begin(), arguments.State.end());
+  const std::vector<std::string> others = ListOtherArrays(arguments);
+  named.insert(others.begin(), others.end());
   named.insert(arguments.Labels);
   std::size_t found = named.count("");
   for (int i = 0; reader && i < reader->GetNumberOfCellArrays(); ++i)

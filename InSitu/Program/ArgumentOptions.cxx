@@ -2,6 +2,7 @@
 
 #include "ParseText.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace vfm
@@ -36,6 +37,42 @@ void TakeRefine(Arguments& to, ArgumentWords& words, const std::string& option)
   }
   to.Options.emplace_back("Refinement", "Uniform");
   to.Options.emplace_back("MaximumLevel", text);
+}
+
+/// What is named to be refined is all that is, unless options say otherwise.
+void RefineByName(Arguments& to)
+{
+  const std::pair<std::string, std::string> first{ "Refinement", "Automatic" };
+  if (to.Options.empty() || to.Options[0] != first)
+  {
+    to.Options.insert(
+      to.Options.begin(), { first, { "ThinCells", "0" }, { "FineInterfaces", "off" } });
+  }
+}
+
+void TakeRefineCells(Arguments& to, ArgumentWords& words, const std::string& option)
+{
+  RefineByName(to);
+  if (to.Task == Command::Test)
+  {
+    to.RefinesCells = true;
+    return;
+  }
+  to.Options.emplace_back("RefinementArray", words.TakeValue(option));
+}
+
+void TakeRefineBox(Arguments& to, ArgumentWords& words, const std::string& option)
+{
+  RefineByName(to);
+  const std::string box = words.TakeValue(option);
+  const auto boxes = std::find_if(to.Options.begin(), to.Options.end(),
+    [](const auto& set) { return set.first == "RefinementBoxes"; });
+  if (boxes == to.Options.end())
+  {
+    to.Options.emplace_back("RefinementBoxes", box);
+    return;
+  }
+  boxes->second += ";" + box;
 }
 
 void TakeSettings(Arguments& to, ArgumentWords& words, const std::string& option)
@@ -199,7 +236,15 @@ const std::vector<ArgumentOption>& GetArgumentOptions()
     { "--clip", "T", "clip fractions that lie outside [0, 1] by no more than T, to 0.1",
       TakeOption("FractionTolerance") },
     { "--refine", "N", "halve all cells N times before they are meshed, 0 to 10", TakeRefine },
+    { "--refine-cells", "ARRAY",
+      "refine the cells that a cell array names: how many times each is to be halved, 0 to 10",
+      TakeRefineCells },
+    { "--refine-box", "X0,..,Z1[,N]",
+      "and all in a box X0,Y0,Z0,X1,Y1,Z1, N times (1); may be given several times",
+      TakeRefineBox },
     { "--set", "Option=Value ..", "any option of the mesher, see below", TakeSettings },
+    { "--list", "", "what the input holds: times, grid, cell arrays, materials; nothing is meshed",
+      [](Arguments& to, ArgumentWords&, const std::string&) { to.Task = Command::List; } },
     { "--step", "N", "which time of the input, from 0", TakeStep },
     { "--time", "T", "the time of the input nearest to T", TakeTime },
     { "--single-file", "", "Exodus from several ranks as one file, which the first rank gathers",

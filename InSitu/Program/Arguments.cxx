@@ -33,7 +33,8 @@ const ArgumentOption& FindOption(const std::string& word)
 
 bool IsGivenTwice(const std::string& name, std::set<std::string>& seen)
 {
-  return !seen.insert(name == "--no-smooth" ? "--smooth" : name).second && name != "--set";
+  return !seen.insert(name == "--no-smooth" ? "--smooth" : name).second && name != "--set" &&
+    name != "--refine-box";
 }
 
 /// A word that is no option: the input, or after it the output.
@@ -66,13 +67,34 @@ void CheckVoxels(const Arguments& from)
   }
 }
 
-void CheckMesh(const Arguments& from)
+void CheckInput(const Arguments& from)
 {
   if (from.Input.empty())
   {
     RefuseArguments("--input FILE is missing.");
   }
   CheckInputSuffix(from.Input);
+  if (from.Step && from.Time)
+  {
+    RefuseArguments("--step and --time exclude each other.");
+  }
+  CheckVoxels(from);
+}
+
+void CheckRefinement(const std::set<std::string>& seen)
+{
+  for (const char* name : { "--refine-cells", "--refine-box" })
+  {
+    if (seen.count("--refine") > 0 && seen.count(name) > 0)
+    {
+      RefuseArguments(std::string("--refine and ") + name + " exclude each other.");
+    }
+  }
+}
+
+void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
+{
+  CheckInput(from);
   if (from.Output.empty())
   {
     RefuseArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
@@ -81,15 +103,11 @@ void CheckMesh(const Arguments& from)
   {
     RefuseArguments("--fractions and --labels exclude each other.");
   }
-  if (from.Step && from.Time)
-  {
-    RefuseArguments("--step and --time exclude each other.");
-  }
   if (!from.Densities.empty() && from.Fragments.empty())
   {
     RefuseArguments("--density is for the table of --fragments.");
   }
-  CheckVoxels(from);
+  CheckRefinement(seen);
   if (!from.Geometry.empty())
   {
     CheckGeometrySuffix(from.Geometry);
@@ -109,16 +127,48 @@ void AddDensities(Arguments& to)
   }
 }
 
-/// The test makes its own input and asks for hexahedra with defaults.
-void CheckTest(const Arguments& from, const std::set<std::string>& seen)
+/// Arrays are wanted that readers read and that are no materials.
+void SetRefinementArray(Arguments& to)
+{
+  for (const auto& option : to.Options)
+  {
+    if (IsSameWord(option.first, "RefinementArray"))
+    {
+      to.RefinementArray = option.second == "None" ? "" : option.second;
+    }
+  }
+}
+
+/// what: for the message.
+void CheckOptions(
+  const std::string& what, const std::vector<std::string>& known, const std::set<std::string>& seen)
 {
   for (const std::string& name : seen)
   {
-    if (name != "--refine" && name != "--output" && name != "--quiet")
+    if (std::find(known.begin(), known.end(), name) == known.end())
     {
-      RefuseArguments("sculptor test takes --refine, --output and --quiet, not " + name + ".");
+      RefuseArguments(what + " takes " + JoinTexts(known) + ", not " + name + ".");
     }
   }
+}
+
+void CheckList(const Arguments& from, const std::set<std::string>& seen)
+{
+  CheckOptions("--list",
+    { "--input", "--dimensions", "--origin", "--spacing", "--axis-order", "--step", "--time",
+      "--list" },
+    seen);
+  CheckInput(from);
+}
+
+/// The test makes its own input.
+void CheckTest(const Arguments& from, const std::set<std::string>& seen)
+{
+  CheckOptions("sculptor test",
+    { "--tetmesh", "--stairstep", "--smooth", "--no-smooth", "--material", "--refine",
+      "--refine-cells", "--output", "--quiet" },
+    seen);
+  CheckRefinement(seen);
   if (!from.Output.empty())
   {
     CheckOutputSuffix(from.Output);
@@ -150,6 +200,16 @@ Examples
 )";
 
 } // namespace
+
+std::vector<std::string> ListOtherArrays(const Arguments& arguments)
+{
+  std::vector<std::string> names = arguments.State;
+  if (!arguments.RefinementArray.empty())
+  {
+    names.push_back(arguments.RefinementArray);
+  }
+  return names;
+}
 
 Arguments ParseArguments(const std::vector<std::string>& given)
 {
@@ -189,10 +249,15 @@ Arguments ParseArguments(const std::vector<std::string>& given)
   {
     CheckTest(arguments, seen);
   }
+  else if (arguments.Task == Command::List)
+  {
+    CheckList(arguments, seen);
+  }
   else
   {
-    CheckMesh(arguments);
+    CheckMesh(arguments, seen);
     AddDensities(arguments);
+    SetRefinementArray(arguments);
   }
   return arguments;
 }
@@ -202,14 +267,16 @@ std::string GetHelp()
   std::string text =
     "sculptor: a conforming mesh of every material from volume fractions on a grid of cells\n\n"
     "usage: [mpiexec -n RANKS] sculptor [--input] FILE [--output] FILE [options]\n"
-    "       [mpiexec -n RANKS] sculptor test [--refine N] [--output FILE] [--quiet]\n\n";
+    "       [mpiexec -n RANKS] sculptor test [--tetmesh [METHOD]] [--no-smooth] [--stairstep] "
+    "[--refine N] ..\n"
+    "       [mpiexec -n RANKS] sculptor --list FILE\n\n";
   for (const ArgumentOption& option : GetArgumentOptions())
   {
     text += "  " + Padded(option.Name + " " + option.Value, 26) + option.Help + "\n";
   }
   text += "\nInput: " + JoinTexts(GetInputSuffixes()) +
     "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; of FILE.N.RANK any "
-    "one stands for all\n  AMReX: the folder of a plotfile\n";
+    "one stands for all, with any FILE\n  AMReX: the folder of a plotfile\n";
   text += "Output: " + JoinTexts(GetOutputSuffixes()) +
     "\n  .vtu and .inp (Abaqus, CalculiX) are one file, also from several ranks; Exodus from N "
     "ranks is "
@@ -218,7 +285,10 @@ std::string GetHelp()
           "cell arrays of float,\n"
           "double or unsigned char with values in [0, 1] (unsigned char: 0..255), else the labels "
           "'MaterialId'.\n";
-  text += "sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL.\n";
+  text +=
+    "sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL; takes --tetmesh, "
+    "--smooth, --no-smooth, --stairstep,\n"
+    "--material 1, --refine N, --refine-cells (without an array: a few cells of one box).\n";
   text += "\nOptions of the mesher, for --set\n";
   vtkNew<vtkVolumeFractionToTet> mesher;
   for (const std::string& line : ListMesherOptions(*mesher))

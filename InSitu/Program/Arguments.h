@@ -15,6 +15,7 @@ namespace vfm
 enum class Command
 {
   Mesh,
+  List,
   Test,
   Help,
   Version
@@ -34,6 +35,8 @@ struct Arguments
   std::string Labels;                 ///< cell array; empty: fractions
   std::vector<std::string> Materials; ///< numbers or names of those to mesh; empty: all
   std::vector<std::string> State;     ///< cell arrays that the elements get
+  std::string RefinementArray;        ///< cell array of cells to refine; empty: none
+  bool RefinesCells = false;          ///< of the test: chosen cells alone
   bool Tets = false;
   std::vector<std::pair<std::string, std::string>> Options; ///< of the mesher, in their order
   std::optional<int> Step;                                  ///< of the input's times, from 0
@@ -41,6 +44,9 @@ struct Arguments
   bool SingleFile = false; ///< also from several ranks
   bool Quiet = false;
 };
+
+/// The cell arrays that are needed besides the materials, which are taken for none.
+std::vector<std::string> ListOtherArrays(const Arguments& arguments);
 
 /// words: without the program's name. Throws ProgramError (WrongArguments).
 Arguments ParseArguments(const std::vector<std::string>& words);

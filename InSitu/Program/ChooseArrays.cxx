@@ -57,7 +57,7 @@ std::string WarnOfNearFractions(
   for (const ArrayInfo& array : arrays)
   {
     if (IsFraction(array, LargestTolerance) && !IsFraction(array, tolerance) &&
-      !Lists(arguments.State, array.Name))
+      !Lists(ListOtherArrays(arguments), array.Name))
     {
       names.push_back(array.Name);
       outside = std::max({ outside, -array.Least, array.Most - 1.0 });
@@ -99,44 +99,14 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
     "No cell array of the input holds volume fractions: numbers in [0, 1] of type float or "
     "double, or unsigned char. " +
     DescribeArrays(data, ranks);
-  if (!arguments.State.empty())
+  if (!ListOtherArrays(arguments).empty())
   {
-    text += " Those of --state and --density are taken for others, unless named as --fractions.";
+    text += " Those of --state, --density and --refine-cells are taken for others, unless named as "
+            "--fractions.";
   }
   text += warning.empty() ? "" : " " + warning;
   throw ProgramError(ExitCode::UnreadableInput,
     text + " Name them (--fractions A,B,..), or an integer array of materials (--labels ARRAY).");
-}
-
-/// Collective: those of the arguments' states are not taken.
-ChosenArrays FindMaterials(
-  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
-{
-  const std::vector<ArrayInfo> arrays = FindArrays(data, ArrayPlace::Cells, ranks);
-  const std::vector<std::string>& state = arguments.State;
-  ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", state,
-    "named Material volume fraction - N", "" };
-  if (chosen.Fractions.empty())
-  {
-    chosen.How = "all cell arrays with values in [0, 1]";
-    chosen.Warning = WarnOfNearFractions(arrays, arguments, tolerance);
-    for (const ArrayInfo& array : arrays)
-    {
-      if (IsFraction(array, tolerance) && !IsMaterialId(array) && !Lists(state, array.Name))
-      {
-        chosen.Fractions.push_back(array.Name);
-      }
-    }
-  }
-  if (chosen.Fractions.empty() && std::any_of(arrays.begin(), arrays.end(), IsMaterialId))
-  {
-    return { {}, LabelsName, state, "labels", chosen.Warning };
-  }
-  if (chosen.Fractions.empty())
-  {
-    RefuseArrays(data, arguments, chosen.Warning, ranks);
-  }
-  return chosen;
 }
 
 /// The place of a material in the list of arrays.
@@ -171,12 +141,19 @@ void ReplaceByZeros(vtkDataSet* grid, const std::string& name)
   grid->GetCellData()->AddArray(zeros);
 }
 
-void CheckState(const ChosenArrays& arrays, const std::string& name)
+/// Of an array that --material changes.
+void CheckUse(const ChosenArrays& arrays, const std::string& name)
 {
   if (Lists(arrays.State, name))
   {
     throw ProgramError(ExitCode::WrongArguments,
       "The elements cannot carry '" + name + "' (--state): --material leaves materials of it out.");
+  }
+  if (arrays.Refinement == name)
+  {
+    throw ProgramError(ExitCode::WrongArguments,
+      "Cells cannot be refined by '" + name +
+        "' (--refine-cells): --material leaves materials of it out.");
   }
 }
 
@@ -195,7 +172,7 @@ void KeepFractions(
     {
       continue;
     }
-    CheckState(arrays, fractions[m]);
+    CheckUse(arrays, fractions[m]);
     for (vtkDataSet* grid : GetGrids(data))
     {
       if (grid->GetCellData()->HasArray(fractions[m].c_str()))
@@ -206,23 +183,27 @@ void KeepFractions(
   }
 }
 
-/// Sets labels that are not kept to 0; the labels that were found are added to found.
-void KeepLabels(
-  vtkDataSet* grid, const std::string& name, const std::set<int>& kept, std::set<int>& found)
+/// Null when it is none of labels, as the mesher's message tells.
+vtkDataArray* GetLabels(vtkDataSet* grid, const std::string& name)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
-  if (!array || array->GetNumberOfComponents() != 1)
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+
+/// Sets labels that are not kept to 0.
+void KeepLabels(vtkDataSet* grid, const std::string& name, const std::set<int>& kept)
+{
+  vtkDataArray* array = GetLabels(grid, name);
+  if (!array)
   {
-    return; // the mesher's message tells
+    return;
   }
   vtkSmartPointer<vtkDataArray> changed;
   changed.TakeReference(array->NewInstance());
   changed->DeepCopy(array);
   for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
   {
-    const int label = static_cast<int>(array->GetComponent(cell, 0));
-    found.insert(label);
-    if (kept.count(label) == 0)
+    if (kept.count(static_cast<int>(array->GetComponent(cell, 0))) == 0)
     {
       changed->SetComponent(cell, 0, 0.0);
     }
@@ -321,22 +302,75 @@ void CheckLabelArray(vtkDataObject* data, const std::string& name, Ranks& ranks)
 
 } // namespace
 
+ChosenArrays FindMaterials(
+  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
+{
+  const std::vector<ArrayInfo> arrays = FindArrays(data, ArrayPlace::Cells, ranks);
+  const std::vector<std::string> others = ListOtherArrays(arguments);
+  ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", arguments.State,
+    "named Material volume fraction - N", "" };
+  if (!chosen.Fractions.empty())
+  {
+    return chosen;
+  }
+  chosen.How = "all cell arrays with values in [0, 1]";
+  chosen.Warning = WarnOfNearFractions(arrays, arguments, tolerance);
+  for (const ArrayInfo& array : arrays)
+  {
+    if (IsFraction(array, tolerance) && !IsMaterialId(array) && !Lists(others, array.Name))
+    {
+      chosen.Fractions.push_back(array.Name);
+    }
+  }
+  if (chosen.Fractions.empty() && std::any_of(arrays.begin(), arrays.end(), IsMaterialId))
+  {
+    chosen.Labels = LabelsName;
+    chosen.How = "labels";
+  }
+  return chosen;
+}
+
+std::vector<int> FindLabels(vtkDataObject* data, const std::string& name, Ranks& ranks)
+{
+  std::set<int> found;
+  WorkInStage(ranks, ExitCode::InternalError,
+    [&]
+    {
+      for (vtkDataSet* grid : GetGrids(data))
+      {
+        vtkDataArray* array = GetLabels(grid, name);
+        for (vtkIdType cell = 0; array && cell < array->GetNumberOfTuples(); ++cell)
+        {
+          found.insert(static_cast<int>(array->GetComponent(cell, 0)));
+        }
+      }
+    });
+  return Unite(ranks, std::vector<int>(found.upper_bound(0), found.end()));
+}
+
 ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
 {
   CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
   CheckNamedArrays(data, "--density", arguments.Densities, ranks); // which State has too
   CheckNamedArrays(data, "--state", arguments.State, ranks);
+  if (!arguments.RefinementArray.empty())
+  {
+    CheckNamedArrays(data, "--refine-cells", { arguments.RefinementArray }, ranks);
+  }
   CheckLabelArray(data, arguments.Labels, ranks);
-  if (!arguments.Labels.empty())
+  ChosenArrays chosen{ arguments.Fractions, arguments.Labels, arguments.State,
+    arguments.Labels.empty() ? "as asked" : "labels", "" };
+  if (chosen.Fractions.empty() && chosen.Labels.empty())
   {
-    return { {}, arguments.Labels, arguments.State, "labels", "" };
+    chosen = FindMaterials(data, arguments, tolerance, ranks);
   }
-  if (!arguments.Fractions.empty())
+  if (chosen.Fractions.empty() && chosen.Labels.empty())
   {
-    return { arguments.Fractions, "", arguments.State, "as asked", "" };
+    RefuseArrays(data, arguments, chosen.Warning, ranks);
   }
-  return FindMaterials(data, arguments, tolerance, ranks);
+  chosen.Refinement = arguments.RefinementArray;
+  return chosen;
 }
 
 void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
@@ -351,19 +385,17 @@ void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
     WorkInStage(ranks, ExitCode::WrongArguments, [&] { KeepFractions(data, arrays, materials); });
     return;
   }
-  CheckState(arrays, arrays.Labels);
+  CheckUse(arrays, arrays.Labels);
   const std::set<int> kept = ParseLabels(materials);
-  std::set<int> found;
+  CheckLabels(kept, FindLabels(data, arrays.Labels, ranks), arrays.Labels);
   WorkInStage(ranks, ExitCode::InternalError,
     [&]
     {
       for (vtkDataSet* grid : GetGrids(data))
       {
-        KeepLabels(grid, arrays.Labels, kept, found);
+        KeepLabels(grid, arrays.Labels, kept);
       }
     });
-  const std::vector<int> mine(found.begin(), found.end());
-  CheckLabels(kept, Unite(ranks, mine), arrays.Labels);
 }
 
 } // namespace vfm

@@ -17,13 +17,21 @@ namespace vfm
 struct ChosenArrays
 {
   std::vector<std::string> Fractions; ///< of material 1, 2, ...; empty: labels
-  std::string Labels;
-  std::vector<std::string> State; ///< that the elements carry along
-  std::string How;                ///< for the user: why these
-  std::string Warning;            ///< empty, or what may be missing among them
+  std::string Labels;                 ///< empty too: no materials
+  std::vector<std::string> State;     ///< that the elements carry along
+  std::string How;                    ///< for the user: why these
+  std::string Warning;                ///< empty, or what may be missing among them
+  std::string Refinement = {};        ///< of cells to refine; empty: none
 };
 
-/// Collective: what the arguments name, else what fits. tolerance: of fractions, outside of [0, 1]. Throws ProgramError
+/// Collective: the materials that are taken where the arguments name none; maybe none. tolerance: of fractions, outside of [0, 1].
+ChosenArrays FindMaterials(
+  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks);
+
+/// Collective: the labels above 0 in a cell array, ascending.
+std::vector<int> FindLabels(vtkDataObject* data, const std::string& name, Ranks& ranks);
+
+/// Collective: what the arguments name, else what fits. Throws ProgramError
 /// (UnreadableInput), which lists the arrays that are there, when nothing fits, and where none has a name that is given.
 ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks);

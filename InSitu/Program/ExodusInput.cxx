@@ -18,10 +18,16 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
 #include <limits>
+#include <memory>
 #include <regex>
 #include <set>
+#include <unistd.h>
 
 namespace vfm
 {
@@ -38,7 +44,7 @@ struct DecomposedName
   std::size_t RankDigits; // ranks may begin with zeros
 };
 
-/// Nothing for the name of a file that is alone.
+/// Nothing for a name that does not tell of parts.
 std::optional<DecomposedName> ParseDecomposedName(const std::string& path)
 {
   static const std::regex pattern("(.+)\\.([0-9]{1,6})\\.([0-9]{1,6})");
@@ -72,6 +78,26 @@ std::vector<std::string> FindFiles(const std::string& path)
   return files;
 }
 
+/// While this lives a file has a name that does not end in numbers: of FILE.1.0 the library that reads it would open FILE.
+class PlainName
+{
+public:
+  explicit PlainName(const std::string& path) : Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC))
+  {
+    if (this->Descriptor < 0)
+    {
+      RefuseInput("Cannot read the input " + path + ": " + std::strerror(errno) + ".");
+    }
+  }
+  ~PlainName() { close(this->Descriptor); }
+  PlainName(const PlainName&) = delete;
+  PlainName& operator=(const PlainName&) = delete;
+  std::string Get() const { return "/dev/fd/" + std::to_string(this->Descriptor); }
+
+private:
+  int Descriptor;
+};
+
 /// Of one file. first: of those that belong together, the only one whose times VTK's reader takes.
 vtkSmartPointer<vtkIOSSReader> MakeReader(
   const std::string& file, const std::string& first, bool readsBlockIds)
@@ -101,17 +127,23 @@ public:
   {
     const auto asksFor = [](const std::vector<std::string>& names)
     { return std::find(names.begin(), names.end(), BlockIds) != names.end(); };
-    this->ReadsBlockIds = from.Labels == BlockIds || asksFor(from.State);
+    this->ReadsBlockIds = from.Labels == BlockIds || asksFor(ListOtherArrays(from));
   }
 
-  /// Reads what files hold. first: of those of all ranks.
-  void Open(const std::vector<std::string>& paths, const std::string& first)
+  /// Reads what files hold. all: the files of all ranks.
+  void Open(const std::vector<std::string>& paths, const std::vector<std::string>& all)
   {
     for (const std::string& path : paths)
     {
-      CheckExodusFile(path, first);
+      CheckExodusFile(path, all[0]);
       this->Paths.push_back(path);
-      this->Readers.push_back(MakeReader(path, first, this->ReadsBlockIds));
+      if (all.size() == 1 && ParseDecomposedName(path))
+      {
+        this->Alone = std::make_unique<PlainName>(path);
+      }
+      this->Readers.push_back(this->Alone
+          ? MakeReader(this->Alone->Get(), this->Alone->Get(), this->ReadsBlockIds)
+          : MakeReader(path, all[0], this->ReadsBlockIds));
       this->Messages.Watch(this->Readers.back());
       this->Readers.back()->UpdateInformation();
       CheckReaderErrors(this->Messages, path);
@@ -177,6 +209,7 @@ private:
   VtkMessages& Messages;
   bool ReadsBlockIds;
   std::vector<std::string> Paths;
+  std::unique_ptr<PlainName> Alone; // of FILE.1.0
   std::vector<vtkSmartPointer<vtkIOSSReader>> Readers;
 };
 
@@ -222,7 +255,8 @@ std::vector<std::string> ChooseNames(
   const Arguments& arguments, const std::vector<std::string>& known)
 {
   std::vector<std::string> asked = arguments.Fractions;
-  asked.insert(asked.end(), arguments.State.begin(), arguments.State.end());
+  const std::vector<std::string> others = ListOtherArrays(arguments);
+  asked.insert(asked.end(), others.begin(), others.end());
   if (!arguments.Labels.empty())
   {
     asked.push_back(arguments.Labels);
@@ -278,10 +312,11 @@ std::vector<std::string> GetExodusSuffixes()
 
 bool IsExodusFile(const std::string& path)
 {
-  const auto name = ParseDecomposedName(path);
   const std::vector<std::string> suffixes = GetExodusSuffixes();
-  return std::any_of(suffixes.begin(), suffixes.end(),
-    [&](const std::string& suffix) { return HasSuffix(name ? name->Base : path, suffix); });
+  std::error_code error; // of a path that cannot be looked at: no folder
+  return (ParseDecomposedName(path) && !std::filesystem::is_directory(path, error)) ||
+    std::any_of(suffixes.begin(), suffixes.end(),
+      [&](const std::string& suffix) { return HasSuffix(path, suffix); });
 }
 
 Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
@@ -299,11 +334,12 @@ Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks
     });
   ExodusFiles files(arguments, messages);
   WorkInStage(
-    ranks, ExitCode::UnreadableInput, [&] { files.Open(DealFiles(paths, ranks), paths[0]); });
+    ranks, ExitCode::UnreadableInput, [&] { files.Open(DealFiles(paths, ranks), paths); });
   const std::vector<double> times = AgreeOnTimes(files, ranks);
   const std::vector<std::string> names = ChooseNames(arguments, UniteNames(files, ranks));
   Input input;
   input.Time = ChooseTime(arguments, times);
+  input.Times = times;
   WorkInStage(ranks, ExitCode::UnreadableInput,
     [&]
     {

@@ -16,7 +16,7 @@ class VtkMessages;
 
 /// Such as ".e".
 std::vector<std::string> GetExodusSuffixes();
-/// By its name, also that of one file of a decomposed one.
+/// By its name: with one of these suffixes, or as FILE.N.RANK with any FILE, a part of a decomposed one (N may be 1).
 bool IsExodusFile(const std::string& path);
 
 /// Collective. The element blocks of all files, dealt to the ranks by file, with the element variables that the arguments name,

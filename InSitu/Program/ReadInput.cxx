@@ -11,12 +11,14 @@
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataArraySelection.h"
 #include "vtkDataObject.h"
 #include "vtkVolumeFractionVoxelReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
 #include "vtkXMLPRectilinearGridReader.h"
+#include "vtkXMLReader.h"
 #include "vtkXMLRectilinearGridReader.h"
 #include "vtkXMLUniformGridAMRReader.h"
 
@@ -128,6 +130,16 @@ void CheckInput(const std::string& path, const std::function<void()>& check)
   }
 }
 
+/// A list is of cell arrays alone; to mesh, what point arrays there are is told where no others fit.
+void LeaveOutPoints(vtkAlgorithm* algorithm, const Arguments& arguments)
+{
+  vtkXMLReader* reader = vtkXMLReader::SafeDownCast(algorithm);
+  if (reader && arguments.Task == Command::List)
+  {
+    reader->GetPointDataArraySelection()->DisableAllArrays();
+  }
+}
+
 /// While this lives nothing is written to a standard stream: on the one for errors VTK's AMR data sets warn where a rank has no
 /// blocks of a SpyPlot file, and the Exodus library tells in many lines what the reader's message tells in one; on the other
 /// VTK counts the blocks of plotfiles.
@@ -217,8 +229,10 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
     {
       reader->UpdateInformation();
       CheckReaderErrors(messages, arguments.Input);
-      input.Time = ChooseTime(arguments, GetTimes(reader));
+      input.Times = GetTimes(reader);
+      input.Time = ChooseTime(arguments, input.Times);
     });
+  LeaveOutPoints(reader, arguments);
   ChooseSpyPlotArrays(reader, arguments, ranks);
   ChooseAmrexArrays(reader, arguments);
   WorkInStage(ranks, ExitCode::UnreadableInput,

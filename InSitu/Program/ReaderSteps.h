@@ -23,6 +23,7 @@ struct Input
 {
   vtkSmartPointer<vtkDataObject> Data; ///< of this rank
   std::optional<double> Time;          ///< of the step that was read, where the file has times
+  std::vector<double> Times = {};      ///< of all steps
 };
 
 /// Throws ProgramError (UnreadableInput), as all that follows.

@@ -28,8 +28,8 @@ bool IsWanted(const std::string& name, const Arguments& arguments)
   { return std::find(names.begin(), names.end(), name) != names.end(); };
   const bool isFound =
     arguments.Fractions.empty() && arguments.Labels.empty() && IsSpyPlotFraction(name);
-  return isFound || lists(arguments.Fractions) || lists(arguments.State) ||
-    name == arguments.Labels;
+  return arguments.Task == Command::List || isFound || lists(arguments.Fractions) ||
+    lists(ListOtherArrays(arguments)) || name == arguments.Labels;
 }
 
 /// Whether a text has characters that none is made of, which a terminal would obey.

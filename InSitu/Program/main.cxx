@@ -7,6 +7,7 @@
 #include "ChooseArrays.h"
 #include "ControllerRanks.h"
 #include "FragmentTable.h"
+#include "ListInput.h"
 #include "MakeMesh.h"
 #include "ParseText.h"
 #include "ReadInput.h"
@@ -156,6 +157,12 @@ ExitCode Work(const Arguments& arguments, vtkMultiProcessController* controller)
       break;
     case Command::Test:
       return RunBuiltInTest(arguments, controller) ? ExitCode::Good : ExitCode::RefusedMesh;
+    case Command::List:
+    {
+      ControllerRanks ranks(controller);
+      ListInput(arguments, ranks, std::cout);
+      break;
+    }
     case Command::Mesh:
       MeshFile(arguments, controller);
       break;
