@@ -1,23 +1,30 @@
 #include "BuiltInTest.h"
 
 #include "Base/CartesianGrid.h"
+#include "CheckSurface.h"
+#include "ChooseArrays.h"
 #include "ControllerRanks.h"
+#include "GatherMesh.h"
 #include "MakeMesh.h"
 #include "Stage.h"
 #include "Summary.h"
 #include "WriteMesh.h"
 
+#include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <sstream>
 
 namespace vfm
 {
@@ -25,15 +32,30 @@ namespace
 {
 
 constexpr const char* ArrayName = "boxes";
+constexpr const char* ChosenName = "chosen";
 constexpr Index CellsX = 10, CellsYZ = 6;
 constexpr double Width = 0.5;        // of a cell
 constexpr double VolumeError = 1e-6; // relative
+/// Of hexahedra of two sizes whose nodes stay where transitions have them: those at a surface do not lie in it.
+constexpr double UnmovedVolumeError = 0.01;
 
 const std::vector<IndexBox>& Boxes()
 {
   static const std::vector<IndexBox> boxes{ { { { 1, 1, 1 } }, { { 4, 5, 5 } } },
     { { { 6, 1, 2 } }, { { 9, 4, 5 } } } };
   return boxes;
+}
+
+/// Cells of the first box that are refined where chosen cells are.
+const std::vector<Index3>& ChosenCells()
+{
+  static const std::vector<Index3> cells{ { { 1, 2, 2 } }, { { 1, 3, 2 } }, { { 1, 3, 3 } } };
+  return cells;
+}
+
+bool IsChosen(const Index3& cell)
+{
+  return std::find(ChosenCells().begin(), ChosenCells().end(), cell) != ChosenCells().end();
 }
 
 /// The cells of the grid with x in [begin, end).
@@ -43,7 +65,9 @@ vtkSmartPointer<vtkImageData> MakeSlab(Index begin, Index end)
   image->SetExtent(static_cast<int>(begin), static_cast<int>(end), 0, CellsYZ, 0, CellsYZ);
   image->SetSpacing(Width, Width, Width);
   vtkNew<vtkDoubleArray> fractions;
+  vtkNew<vtkUnsignedCharArray> chosen;
   fractions->SetName(ArrayName);
+  chosen->SetName(ChosenName);
   for (Index k = 0; k < CellsYZ; ++k)
   {
     for (Index j = 0; j < CellsYZ; ++j)
@@ -55,10 +79,12 @@ vtkSmartPointer<vtkImageData> MakeSlab(Index begin, Index end)
             return box.Contains({ { i, j, k } });
           });
         fractions->InsertNextValue(isFull ? 1.0 : 0.0);
+        chosen->InsertNextValue(IsChosen({ { i, j, k } }) ? 1 : 0);
       }
     }
   }
   image->GetCellData()->AddArray(fractions);
+  image->GetCellData()->AddArray(chosen);
   return image;
 }
 
@@ -75,18 +101,18 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeGrid(Ranks& ranks)
   return blocks;
 }
 
-/// parts: of a cell along an axis. A hexahedron a part and one a face of the boxes, which is the buffer layer.
-Index CountHexes(const IndexBox& box, Index parts)
+/// Of a box of hexahedra; parts: of a cell along an axis. One a part and one a face of the box, which is the buffer layer; stairs have none.
+Index CountHexes(const IndexBox& box, Index parts, bool isStairs)
 {
   const Index x = parts * box.Size(0), y = parts * box.Size(1), z = parts * box.Size(2);
-  return x * y * z + 2 * (x * y + y * z + z * x);
+  return x * y * z + (isStairs ? 0 : 2 * (x * y + y * z + z * x));
 }
 
-/// The nodes of the parts, those of the surface twice.
-Index CountNodes(const IndexBox& box, Index parts)
+/// The nodes of the parts, those of the surface twice where there is a buffer layer.
+Index CountNodes(const IndexBox& box, Index parts, bool isStairs)
 {
   const Index x = parts * box.Size(0), y = parts * box.Size(1), z = parts * box.Size(2);
-  return (x + 1) * (y + 1) * (z + 1) + 2 * (x * y + y * z + z * x) + 2;
+  return (x + 1) * (y + 1) * (z + 1) + (isStairs ? 0 : 2 * (x * y + y * z + z * x) + 2);
 }
 
 /// Prints what is checked and whether it holds.
@@ -109,7 +135,8 @@ private:
   bool Good = true;
 };
 
-void CheckParts(const MeshSummary& summary, Checks& checks)
+/// volumeError: of the first box.
+void CheckParts(const MeshSummary& summary, double volumeError, Checks& checks)
 {
   checks.Check("2 fragments", summary.Fragments.size() == Boxes().size());
   if (summary.Fragments.size() != Boxes().size())
@@ -119,72 +146,213 @@ void CheckParts(const MeshSummary& summary, Checks& checks)
   for (std::size_t b = 0; b < Boxes().size(); ++b)
   {
     const double volume = static_cast<double>(Boxes()[b].NumberOfCells()) * Width * Width * Width;
-    checks.Check("volume of box " + std::to_string(b + 1),
-      std::abs(summary.Fragments[b].Volume - volume) <= VolumeError * volume);
+    const double error = b == 0 ? volumeError : VolumeError;
+    std::ostringstream text;
+    text << "volume of box " << b + 1 << ", to " << error;
+    checks.Check(text.str(), std::abs(summary.Fragments[b].Volume - volume) <= error * volume);
   }
   checks.Check("all scaled Jacobians are above 0",
     summary.Total.Elements > 0 && summary.Total.MinimumQuality > 0.0);
 }
 
-/// refinement: how often the cells were halved.
-void CheckCounts(const MeshSummary& summary, int refinement, Checks& checks)
+/// Collective.
+void CheckElements(vtkUnstructuredGrid* mesh, Ranks& ranks, Checks& checks)
 {
-  for (std::size_t b = 0; b < std::min(Boxes().size(), summary.Fragments.size()); ++b)
+  const auto whole = GatherMesh(mesh, ranks);
+  if (ranks.Rank() == 0)
   {
-    const PartSummary& part = summary.Fragments[b];
-    const std::string name = " of box " + std::to_string(b + 1);
-    checks.Check(
-      "elements" + name, part.Elements == CountHexes(Boxes()[b], Index(1) << refinement));
-    checks.Check("points" + name, part.Points == CountNodes(Boxes()[b], Index(1) << refinement));
+    const SurfaceCheck surface = CheckSurface(whole);
+    checks.Check("the elements conform", surface.IsConforming);
+    checks.Check("the surface of each box is closed, in one piece and without holes",
+      surface.Pieces == 2 && surface.Spheres == 2);
   }
 }
 
-/// The grid as it is, and refined: as the arguments ask, else once.
-std::vector<Arguments> PlanRuns(const Arguments& given)
+/// Of one box of hexahedra that are all of a size. parts: of a cell along an axis.
+void CheckCounts(
+  const MeshSummary& summary, std::size_t box, Index parts, bool isStairs, Checks& checks)
 {
-  Arguments plain;
-  plain.Quiet = given.Quiet;
-  Arguments refined = given;
-  if (given.Options.empty())
+  if (box < summary.Fragments.size())
   {
-    refined.Options = { { "Refinement", "Uniform" }, { "MaximumLevel", "1" } };
+    const PartSummary& part = summary.Fragments[box];
+    const std::string name = " of box " + std::to_string(box + 1);
+    checks.Check("elements" + name, part.Elements == CountHexes(Boxes()[box], parts, isStairs));
+    checks.Check("points" + name, part.Points == CountNodes(Boxes()[box], parts, isStairs));
+  }
+}
+
+/// Collective: the least number of elements that have their centroid in one of the chosen cells.
+Index CountInChosenCells(vtkUnstructuredGrid* mesh, Ranks& ranks)
+{
+  std::vector<Index> counts(ChosenCells().size(), 0);
+  for (vtkIdType e = 0; e < mesh->GetNumberOfCells(); ++e)
+  {
+    vtkPoints* points = mesh->GetCell(e)->GetPoints();
+    Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    for (vtkIdType p = 0; p < points->GetNumberOfPoints(); ++p)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        sum[a] += points->GetPoint(p)[a];
+      }
+    }
+    Index3 cell;
+    for (int a = 0; a < 3; ++a)
+    {
+      cell[a] =
+        static_cast<Index>(sum[a] / static_cast<double>(points->GetNumberOfPoints()) / Width);
+    }
+    const auto at = std::find(ChosenCells().begin(), ChosenCells().end(), cell);
+    if (at != ChosenCells().end())
+    {
+      ++counts[at - ChosenCells().begin()];
+    }
+  }
+  ranks.Sum(counts);
+  return *std::min_element(counts.begin(), counts.end());
+}
+
+/// Collective. plain: the mesh without refinement.
+void CheckChosen(vtkUnstructuredGrid* mesh, const MeshSummary& summary, const MeshSummary& plain,
+  bool isStairs, Ranks& ranks, Checks& checks)
+{
+  const double chosen = mesh->GetFieldData()->GetArray("ChosenCells")->GetComponent(0, 0);
+  checks.Check(std::to_string(ChosenCells().size()) + " chosen cells",
+    chosen == static_cast<double>(ChosenCells().size()));
+  const Index least = CountInChosenCells(mesh, ranks);
+  checks.Check("8 elements or more in each of the chosen cells", least >= 8);
+  if (summary.IsTets) // whose interfaces get the finest cells everywhere
+  {
+    checks.Check(
+      "more elements than without refinement", summary.Total.Elements > plain.Total.Elements);
+    return;
+  }
+  checks.Check("more elements in box 1 than without refinement",
+    !summary.Fragments.empty() && !plain.Fragments.empty() &&
+      summary.Fragments[0].Elements > plain.Fragments[0].Elements);
+  CheckCounts(summary, 1, 1, isStairs, checks); // far from the chosen cells
+}
+
+/// A mesh of the test.
+struct Run
+{
+  std::string Title;
+  Arguments How;
+};
+
+bool IsOfRefinement(const std::pair<std::string, std::string>& option)
+{
+  const std::vector<std::string> names{ "Refinement", "MaximumLevel", "ThinCells",
+    "FineInterfaces" }; // by the options of the test
+  return std::find(names.begin(), names.end(), option.first) != names.end();
+}
+
+/// The grid as it is, and refined: as the arguments ask, else once.
+std::vector<Run> PlanRuns(const Arguments& given)
+{
+  Run plain{ "As it is", given }, refined{ "Refined 1", given };
+  auto& options = plain.How.Options;
+  options.erase(std::remove_if(options.begin(), options.end(), IsOfRefinement), options.end());
+  plain.How.RefinesCells = false;
+  if (given.RefinesCells)
+  {
+    refined.Title = "Chosen cells refined";
+    refined.How.Options.emplace_back("RefinementArray", ChosenName);
+  }
+  else if (options.size() == given.Options.size())
+  {
+    refined.How.Options.insert(
+      refined.How.Options.end(), { { "Refinement", "Uniform" }, { "MaximumLevel", "1" } });
+  }
+  else
+  {
+    refined.Title = "Refined " + std::to_string(MakeMesher(given)->GetMaximumLevel());
   }
   return { plain, refined };
 }
+
+/// Meshes the boxes and checks what comes out.
+class BoxTest
+{
+public:
+  BoxTest(const Arguments& given, vtkMultiProcessController* controller) :
+    Given(given), Controller(controller), Group(controller), Result(this->Stream())
+  {
+  }
+
+  bool Do()
+  {
+    const std::vector<Run> runs = PlanRuns(this->Given);
+    const MeshSummary plain = this->MakeAndCheck(runs[0], {});
+    if (this->Stream())
+    {
+      *this->Stream() << "\n";
+    }
+    this->MakeAndCheck(runs[1], plain);
+    if (!this->Given.Output.empty())
+    {
+      WriteMesh(this->Mesh, this->Given.Output, this->Controller);
+    }
+    if (this->Group.Rank() == 0)
+    {
+      std::cout << (this->Result.AllHold() ? "PASS" : "FAIL") << "\n";
+    }
+    return !this->Group.Any(!this->Result.AllHold());
+  }
+
+private:
+  std::ostream* Stream()
+  {
+    return this->Group.Rank() == 0 && !this->Given.Quiet ? &std::cout : nullptr;
+  }
+
+  /// plain: the mesh without refinement, for one where chosen cells are refined.
+  MeshSummary MakeAndCheck(const Run& run, const MeshSummary& plain)
+  {
+    const auto mesher = MakeMesher(run.How);
+    const auto grid = MakeGrid(this->Group);
+    const ChosenArrays arrays{ { ArrayName }, "", {}, "", "" };
+    KeepMaterials(grid, arrays, run.How.Materials, this->Group);
+    this->Mesh = MakeMesh(*mesher, grid, arrays, run.How.Quiet, this->Controller);
+    const MeshSummary summary = Summarise(this->Mesh, this->Group);
+    if (std::ostream* to = this->Stream())
+    {
+      *to << run.Title << "\n";
+      PrintSummary(summary, {}, *to);
+    }
+    const bool moves = !mesher->GetStairStep() &&
+      mesher->GetSmoothing() != vtkVolumeFractionMeshAlgorithm::SMOOTHING_OFF;
+    CheckParts(summary,
+      run.How.RefinesCells && !summary.IsTets && !moves ? UnmovedVolumeError : VolumeError,
+      this->Result);
+    CheckElements(this->Mesh, this->Group, this->Result);
+    if (run.How.RefinesCells)
+    {
+      CheckChosen(this->Mesh, summary, plain, mesher->GetStairStep(), this->Group, this->Result);
+    }
+    else if (!summary.IsTets)
+    {
+      for (std::size_t b = 0; b < Boxes().size(); ++b)
+      {
+        CheckCounts(summary, b, Index(1) << std::max(mesher->GetMaximumLevel(), 0),
+          mesher->GetStairStep(), this->Result);
+      }
+    }
+    return summary;
+  }
+
+  const Arguments& Given;
+  vtkMultiProcessController* Controller;
+  ControllerRanks Group;
+  Checks Result;
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+};
 
 } // namespace
 
 bool RunBuiltInTest(const Arguments& arguments, vtkMultiProcessController* controller)
 {
-  ControllerRanks ranks(controller);
-  std::ostream* to = ranks.Rank() == 0 && !arguments.Quiet ? &std::cout : nullptr;
-  Checks checks(to);
-  vtkSmartPointer<vtkUnstructuredGrid> mesh;
-  for (const Arguments& run : PlanRuns(arguments))
-  {
-    const auto mesher = MakeMesher(run);
-    mesh =
-      MakeMesh(*mesher, MakeGrid(ranks), { { ArrayName }, "", {}, "", "" }, run.Quiet, controller);
-    const MeshSummary summary = Summarise(mesh, ranks);
-    if (to)
-    {
-      *to << (run.Options.empty() ? "As it is"
-                                  : "\nRefined " + std::to_string(mesher->GetMaximumLevel()))
-          << "\n";
-      PrintSummary(summary, {}, *to);
-    }
-    CheckParts(summary, checks);
-    CheckCounts(summary, std::max(mesher->GetMaximumLevel(), 0), checks);
-  }
-  if (!arguments.Output.empty())
-  {
-    WriteMesh(mesh, arguments.Output, controller);
-  }
-  if (ranks.Rank() == 0)
-  {
-    std::cout << (checks.AllHold() ? "PASS" : "FAIL") << "\n";
-  }
-  return checks.AllHold();
+  return BoxTest(arguments, controller).Do();
 }
 
 } // namespace vfm
