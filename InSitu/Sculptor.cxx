@@ -8,6 +8,8 @@
 
 #include "vtkDoubleArray.h"
 
+#include <algorithm>
+
 using vfm::NotNull;
 using vfm::SculptorSession;
 using vfm::WithSession;
@@ -62,7 +64,12 @@ int sculptor_add_block(int sculptor, int level, const double* bounding_box, cons
 
 int sculptor_clear_blocks(int sculptor)
 {
-  return WithSession(sculptor, [](SculptorSession& session) { session.Blocks.Clear(); });
+  return WithSession(sculptor,
+    [](SculptorSession& session)
+    {
+      session.Blocks.Clear();
+      session.Wishes = {};
+    });
 }
 
 int sculptor_set_neighbours(int sculptor, const int* neighbours)
@@ -89,6 +96,13 @@ int sculptor_add_state(int sculptor, const char* name, int components, const dou
   return WithSession(sculptor,
     [=](SculptorSession& session)
     { session.Blocks.AddState(NotNull(name, "name"), components, NotNull(values, "values")); });
+}
+
+int sculptor_set_refinement(int sculptor, const int* halvings)
+{
+  return WithSession(sculptor,
+    [=](SculptorSession& session)
+    { session.Wishes.Set(std::max<std::size_t>(session.Blocks.Count(), 1) - 1, halvings); });
 }
 
 int sculptor_clear_fields(int sculptor)

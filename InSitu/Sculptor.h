@@ -95,6 +95,12 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_add_state(
     int sculptor, const char* name, int components, const double* values);
 
+  /* For the next mesh alone: how many times each cell of the block last begun, or of the box, is to be halved along every axis, a whole number
+   * from 0 to 10; null: none of them. Refinement is then Automatic, by these cells alone unless that option is Automatic by itself, with
+   * a MaximumLevel other than 0. MaximumLevel above 0 bounds what they get. With the option FineInterfaces off each place gets what it
+   * wants, else all interfaces what the neediest does. */
+  SCULPTOR_EXPORT int sculptor_set_refinement(int sculptor, const int* halvings);
+
   /* Forgets materials and states, for the next time step; box, neighbours and options stay. Hosts with several blocks call
    * sculptor_clear_blocks instead. */
   SCULPTOR_EXPORT int sculptor_clear_fields(int sculptor);

@@ -22,6 +22,7 @@
 #include "vtkVolumeFractionToTet.h"
 
 #include <cmath>
+#include <utility>
 
 namespace vfm
 {
@@ -235,6 +236,7 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
   this->Parts.reset();
   this->Geometry.reset();
   this->WarningText.clear();
+  HostWishes wishes = std::exchange(this->Wishes, {});
   vtkMultiProcessController* controller = this->Communicator.GetController();
   ControllerRanks ranks(controller);
   FieldNames names;
@@ -252,10 +254,12 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
   };
   const auto mesh = [&]
   {
-    const HostGrid grid = this->Blocks.Place(ranks);
+    HostGrid grid = this->Blocks.Place(ranks);
+    const bool areNamed = wishes.AddTo(grid, ranks);
     NameRank(ranks, [&grid] { CheckHostGrid(grid); });
     vtkVolumeFractionMeshAlgorithm* mesher = this->GetMesher(tets);
     this->Configure(mesher, names, controller);
+    const NamedRefinement refinement(*mesher, areNamed);
     this->Run(mesher, grid);
   };
   const auto work = [&]

@@ -8,6 +8,7 @@
 #include "GeometryParts.h"
 #include "HostBlocks.h"
 #include "HostCommunicator.h"
+#include "HostWishes.h"
 #include "VtkMessages.h"
 
 #include "vtkNew.h"
@@ -46,6 +47,7 @@ public:
   /// Null: not known.
   void SetNeighbours(const int* ranks);
   HostBlocks Blocks; ///< what is missing or wrong there is told by MakeMesh, on all ranks
+  HostWishes Wishes; ///< for the next mesh, of its blocks
   /// Collective. prepare: sets fields and options; when it fails on any rank, all fail.
   void MakeMesh(bool tets, const std::function<void()>& prepare);
 

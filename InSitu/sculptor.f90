@@ -11,7 +11,7 @@ module sculptor
     sculptor_error_memory = 7, sculptor_error_internal = 8
   public :: sculptor_create, sculptor_delete, sculptor_set_communicator, sculptor_set_option, &
     sculptor_set_box, sculptor_add_block, sculptor_clear_blocks, sculptor_set_neighbours, &
-    sculptor_add_material, sculptor_set_material_ids, sculptor_add_state, sculptor_clear_fields, &
+    sculptor_add_material, sculptor_set_material_ids, sculptor_add_state, sculptor_set_refinement, sculptor_clear_fields, &
     sculptor_make_mesh, sculptor_get_counts, sculptor_get_points, sculptor_get_elements, sculptor_get_point_ids, &
     sculptor_get_element_ids, sculptor_get_materials, sculptor_get_fragments, sculptor_get_state, &
     sculptor_get_number, sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, sculptor_get_vertices, &
@@ -78,6 +78,12 @@ module sculptor
       import
       integer(c_int), value :: sculptor
       integer(c_int), intent(in) :: ids(*)
+    end function
+
+    integer(c_int) function sculptor_set_refinement(sculptor, halvings) bind(C)
+      import
+      integer(c_int), value :: sculptor
+      integer(c_int), intent(in) :: halvings(*)
     end function
 
     integer(c_int) function c_sculptor_add_state(sculptor, name, components, values) bind(C, name="sculptor_add_state")

@@ -1,0 +1,47 @@
+/**
+ * HostWishes: the cells that a host names to be refined, on one rank, for its next mesh.
+ */
+#pragma once
+
+#include "Base/Ranks.h"
+#include "HostGrid.h"
+
+#include <map>
+
+class vtkVolumeFractionMeshAlgorithm;
+
+namespace vfm
+{
+
+class HostWishes
+{
+public:
+  /// How many times each cell of a box is to be halved, by the place of the box in the grid of this rank; not copied. Null: none.
+  void Set(std::size_t box, const int* halvings) { this->Halvings[box] = halvings; }
+
+  /// Collective: whether any rank names cells; then all boxes get an array of them, those without one of zeros, which must not outlive this.
+  bool AddTo(HostGrid& grid, Ranks& ranks);
+
+private:
+  std::map<std::size_t, const int*> Halvings;
+  std::vector<std::vector<int>> Zeros; // of boxes
+};
+
+/// While this lives a mesher refines the cells that are named, if any are, besides what its options ask; afterwards it is as before.
+class NamedRefinement
+{
+public:
+  NamedRefinement(vtkVolumeFractionMeshAlgorithm& mesher, bool areNamed);
+  ~NamedRefinement();
+  NamedRefinement(const NamedRefinement&) = delete;
+  NamedRefinement& operator=(const NamedRefinement&) = delete;
+
+private:
+  vtkVolumeFractionMeshAlgorithm& Mesher;
+  const std::string Array;
+  const int Refinement, MaximumLevel, InterfaceLayers;
+  const double ThinCells, CurvaturePerCell;
+  const bool RefineFlippedCells;
+};
+
+} // namespace vfm
