@@ -98,7 +98,8 @@ std::string Print(const char* format, Values... values)
 struct LevelInfo
 {
   std::array<double, 3> Widths{};
-  Index Blocks = 0, Cells = 0;
+  std::size_t Blocks = 0;
+  Index Cells = 0;
 };
 
 /// By level, the coarsest first; nothing when the widths are not those of levels (InputLevels.h).
@@ -131,21 +132,24 @@ std::map<long, LevelInfo> FindLevels(const std::vector<GridInfo>& grids)
   return levels;
 }
 
+std::string CountOf(std::size_t count, const char* what)
+{
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 void PrintBlocks(const std::vector<GridInfo>& grids, std::ostream& to)
 {
   const std::map<long, LevelInfo> levels = FindLevels(grids);
-  to << grids.size() << (grids.size() == 1 ? " block" : " blocks");
-  if (levels.size() < 2)
-  {
-    to << "\n";
-    return;
-  }
-  to << " of " << levels.size() << " levels\n";
+  to << CountOf(grids.size(), "block")
+     << (levels.size() > 1 ? " of " + CountOf(levels.size(), "level") : "") << "\n";
   for (const auto& level : levels)
   {
-    to << Print("  level %ld: %lld blocks, %lld cells of %g x %g x %g\n", level.first,
-      static_cast<long long>(level.second.Blocks), static_cast<long long>(level.second.Cells),
-      level.second.Widths[0], level.second.Widths[1], level.second.Widths[2]);
+    if (levels.size() > 1)
+    {
+      const LevelInfo& info = level.second;
+      to << "  level " << level.first << ": " << CountOf(info.Blocks, "block") << ", " << info.Cells
+         << Print(" cells of %g x %g x %g\n", info.Widths[0], info.Widths[1], info.Widths[2]);
+    }
   }
 }
 
@@ -184,7 +188,7 @@ void PrintTimes(const Input& input, std::ostream& to)
     to << "no times\n";
     return;
   }
-  to << input.Times.size() << (input.Times.size() == 1 ? " time" : " times") << "\n";
+  to << CountOf(input.Times.size(), "time") << "\n";
   for (std::size_t step = 0; step < input.Times.size(); ++step)
   {
     to << Print("%8zu  %.10g%s\n", step, input.Times[step],

@@ -17,7 +17,7 @@ from compare_meshes import difference, merge, read_pieces
 from exodus_grids import GRADED, N, TIMES, UNIFORM, fields, hexes, shuffled, write_exodus
 from mpi_run import mpi_run
 from vfmtest import (
-    GHOST, HIDDEN, VolumeFractionToTet, add_array, digest, image, in_folder, main, mesh_of, rectilinear, run, uniform)
+    GHOST, HIDDEN, VolumeFractionToTet, add_array, digest, image, in_folder, main, mesh_of, rectilinear, run, uniform, write)
 
 FRACTIONS = ["MAT_10", "MAT_20"]
 CHOSEN = {"VolumeFractionArrays": FRACTIONS, "StateArrays": ["number"]}
@@ -282,6 +282,26 @@ def test_sculptor(at):
             check_file(at("out.vtu"), expected[step], (kind, ranks, words))
         result = sculptor(path, at("out.vtu"))
         assert "materials from MAT_10, MAT_20 (all cell arrays" in result.stdout and "time 0.5" in result.stdout, result
+
+
+@in_folder
+def test_sculptor_part_of_one(at):
+    """FILE.1.0, part 0 of 1, with any FILE; of ParaView's writer, and of ours a mesh of whole cells."""
+    expected, cells = of_grid(1), shuffled()
+    path = write_exodus(at("whole.exo"), lambda step: {"all": hexes(fields(step), cells)})
+    for name in ("cube_mesh.exo.1.0", "cube.1.0", "cube.E.1.0", "cube.1.00"):
+        path = shutil.move(path, at(name))  # FILE itself is not there
+        for ranks in (1, 3):
+            result = sculptor(path, at("out.vtu"), "--fractions", "MAT_10,MAT_20", "--state", "number", "--time", "2", ranks=ranks)
+            assert result.returncode == 0 and result.stderr == "" and "time 2\n" in result.stdout, result
+            check_file(at("out.vtu"), expected, (name, ranks))
+    sculptor_program.refused(2, "No such file", at("other.1.0"), at("no.vtu"), ranks=2)
+    sculptor_program.refused(1, "of an unknown kind", at("cube.1.1"), at("no.vtu"))
+    grid = write(image(fields()), at("grid.vti"))
+    sculptor_program.mesh_file(grid, at("ours.e"), "--fractions", "MAT_10,MAT_20", "--stairstep", "--void", "--state", "number")
+    sculptor_program.mesh_file(shutil.move(at("ours.e"), at("ours.1.0")), at("out.vtu"), "--labels", "object_id", "--state", "number")
+    numbers = np.concatenate([vtk_to_numpy(piece.GetCellData().GetArray("number")) for piece in read_pieces(at("out.vtu"))])
+    assert set(numbers.tolist()) == set(ALL.tolist())
 
 
 @in_folder

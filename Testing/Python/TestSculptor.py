@@ -13,7 +13,8 @@ from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter, vtkXMLUniformGridAMRWriter)
 
 from compare_meshes import difference, merge, read_pieces
-from sculptor_program import check_same, mesh_file, refused, sculptor
+from exodus_grids import hexes, shuffled, write_exodus
+from sculptor_program import check_same, mesh_file, refused, rows, sculptor
 from vfmtest import (
     ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, exodus_parts, fraction_image, image,
     in_folder, labels, main, mesh_of, uniform, write)
@@ -21,7 +22,7 @@ from vfmtest import (
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
 SPLASH = os.path.join(DATA, "splash_2000us.vti")
-BOXES = [209, 302], [1136, 1450]  # elements and points of sculptor test, as it is and refined
+NAMED = {"Refinement": "Automatic", "ThinCells": 0, "FineInterfaces": 0}  # what --refine-cells and --refine-box set
 
 
 def filter_mesh(path, tets=False, **properties):
@@ -73,6 +74,13 @@ def test_options(at):
         (["--tetmesh", "lattice"], dict(tets=True, Method="Lattice")),
         (["--set", "Method=1", "--tetmesh"], dict(tets=True, Method="Cells")),
         (["--aspect", "1.5"], dict(MaximumAspectRatio=1.5)),
+        (["--refine-box", "-1,.5,2,0,1,4"], dict(NAMED, RefinementBoxes=[-1, 0.5, 2, 0, 1, 4, 1])),
+        (["--refine-box", "-1,.5,2,0,1,4", "--refine-box=1,2,3,2,3,4,2"],
+         dict(NAMED, RefinementBoxes=[-1, 0.5, 2, 0, 1, 4, 1, 1, 2, 3, 2, 3, 4, 2])),
+        (["--refine-box", "-1,.5,2,0,1,4", "--set", "FineInterfaces=on", "MaximumLevel=1", "ThinCells=2"],
+         dict(NAMED, RefinementBoxes=[-1, 0.5, 2, 0, 1, 4, 1], FineInterfaces=1, MaximumLevel=1, ThinCells=2)),
+        (["--refine-box", "-1,.5,2,0,1,4", "--tetmesh", "lattice"],
+         dict(NAMED, tets=True, Method="Lattice", RefinementBoxes=[-1, 0.5, 2, 0, 1, 4, 1])),
     ]
     plain = merge([filter_mesh(path, **both)])
     for arguments, properties in cases:
@@ -80,6 +88,28 @@ def test_options(at):
         mesh = filter_mesh(path, **both, **properties)
         assert difference(merge([mesh]), plain), "%s changes nothing" % arguments
         check_same(at("out.vtu"), mesh)
+
+
+@in_folder
+def test_cells_to_refine(at):
+    """The array is none of the materials; readers of every kind read it, whatever else is asked for."""
+    arrays = dict(zip(("ball", "plate"), ball_and_plate()))
+    arrays["wish"] = np.zeros((12, 12, 12))
+    arrays["wish"][3:5, 5, 6:8] = 1
+    path = write(image(arrays), at("in.vti"))
+    mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"], RefinementArray="wish", **NAMED)
+    for ranks, words in ((1, ()), (3, ("--fractions", "ball,plate"))):
+        out = mesh_file(path, at("out.vtu"), "--refine-cells", "wish", *words, ranks=ranks)
+        check_same(at("out.vtu"), mesh)
+        assert "materials from ball, plate (" in out
+    cells = shuffled()
+    exodus = write_exodus(at("in.e"), lambda step: {"all": hexes(arrays, cells)}, [0.0])
+    mesh_file(exodus, at("out.vtu"), "--refine-cells", "wish", "--fractions", "ball,plate", ranks=2)
+    check_same(at("out.vtu"), mesh, 0)
+    refused(2, "no numeric cell array 'missing' (--refine-cells)", path, at("no.vtu"), "--refine-cells", "missing", ranks=2)
+    arrays["wish"][0, 0, 0] = 0.5
+    refused(3, "'wish' holds 0.5", write(image(arrays), at("half.vti")), at("no.vtu"), "--refine-cells", "wish",
+            "--fractions", "ball,plate", ranks=2)
 
 
 @in_folder
@@ -388,16 +418,6 @@ def test_times(at):
     refused(2, "no step 2: it has 2", "--input", at("times.vti"), "--output", at("no.vtu"), "--step", "2", ranks=2)
 
 
-def rows(text):
-    """The lines of the tables: {name: numbers}."""
-    found = {}
-    for line in text.splitlines():
-        numbers = line[28:].replace("%", "").split()
-        if len(numbers) >= 5 and numbers[0].isdigit():
-            found[line[:28].strip()] = [float(n) if n != "-" else None for n in numbers]
-    return found
-
-
 @in_folder
 def test_table(at):
     path = write(fraction_image(), at("in.vti"))
@@ -490,7 +510,19 @@ def test_wrong_arguments(at):
         (["--input", path, "--output", at("no.stl")], "Written are .vtu"),
         (["--input", path, "--output", at("no.stl")], ".inp"),
         (["test", "--input", path], "sculptor test takes"),
-        (["test", "--set", "IsoValue=0.4"], "sculptor test takes --refine, --output and --quiet, not --set"),
+        (["test", "--set", "IsoValue=0.4"], "not --set"),
+        (["test", "--refine-box", "0,0,0,1,1,1"], "not --refine-box"),
+        (["test", "--refine", "1", "--refine-cells"], "exclude each other"),
+        (["test", "--material", "2"], "There is no material '2'"),
+        (files + ["--refine", "1", "--refine-cells", "plate"], "exclude each other"),
+        (files + ["--refine", "1", "--refine-box", "0,0,0,1,1,1"], "exclude each other"),
+        (files + ["--refine-cells"], "--refine-cells needs a value"),
+        (files + ["--refine-cells", "plate", "--material", "ball"], "Cells cannot be refined by 'plate'"),
+        (files + ["--refine-box", "0,0,0,1,1"], "RefinementBoxes cannot be '0,0,0,1,1'"),
+        (files + ["--refine-box", "0,0,0,1,1,1,11"], "RefinementBoxes cannot be '0,0,0,1,1,1,11'"),
+        (["--list"], "--input FILE is missing"),
+        (["--list", path, at("no.vtu")], "not --output"),
+        (["--list", path, "--void"], "not --void"),
         (["test", "--refine", "-1"], "--refine takes a whole number from 0 to 10, not '-1'"),
         (files + ["--refine", "-1"], "--refine takes a whole number from 0 to 10, not '-1'"),
         (files + ["--aspect", "1.05"], "MaximumAspectRatio cannot be '1.05': it takes 0 (off) or a number, 1.1 or more"),
@@ -544,20 +576,6 @@ def test_unwritable_output(at):
     os.symlink("/dev/full", at("full.inp"))
     for ranks in (1, 2):
         refused(4, "No space left", "--input", path, "--output", at("full.inp"), ranks=ranks)
-
-
-@in_folder
-def test_built_in_test(at):
-    for ranks in (1, 4, 12):
-        result = sculptor("test", "--output", at("boxes.vtu"), ranks=ranks)
-        assert result.returncode == 0 and result.stderr == "" and result.stdout.endswith("\nPASS\n"), result
-        assert "WRONG" not in result.stdout and result.stdout.count("right:") == 16
-        for text, counts in zip(result.stdout.split("Refined 1"), BOXES):
-            assert rows(text)["all"][:2] == counts, text
-        mesh = read_pieces(at("boxes.vtu"))[0]
-        assert mesh.GetNumberOfCells() == BOXES[1][0]
-        assert set(vtk_to_numpy(mesh.GetCellData().GetArray("FragmentId")).tolist()) == {1, 2}
-    assert sculptor("test", "--quiet", "--refine", "2", ranks=2).stdout == "PASS\n"
 
 
 main(globals())

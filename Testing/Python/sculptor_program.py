@@ -28,6 +28,16 @@ def refused(code, text, *arguments, ranks=1):
     assert result.stdout == "", result
 
 
+def rows(text):
+    """The lines of the tables: {name: numbers}."""
+    found = {}
+    for line in text.splitlines():
+        numbers = line[28:].replace("%", "").split()
+        if len(numbers) >= 5 and numbers[0].isdigit():
+            found[line[:28].strip()] = [float(n) if n != "-" else None for n in numbers]
+    return found
+
+
 def check_same(output, mesh, time=None, besides=()):
     """The file holds the mesh, and its time when it has one; besides: field data that it has beside the mesh's."""
     pieces = read_pieces(output)
