@@ -36,8 +36,8 @@ struct InputWishes
 };
 
 /// Collective: what the cells want that this rank reads. array: its name, of any type and one component, in all blocks; empty: none.
-/// Throws InputError, on all ranks alike, on a missing array, values that are no whole numbers from 0 to MostHalvings, and boxes with
-/// such halvings or without extent.
+/// Throws InputError, on all ranks alike, on a missing array, values that are no whole numbers from 0 to MostHalvings, and boxes that
+/// ask for others or end before they begin.
 InputWishes FindInputWishes(const InputLevels& input, const std::string& array,
   const std::vector<RefinementBox>& boxes, Ranks& ranks);
 

@@ -164,7 +164,7 @@ public:
   /**
    * How many levels finer than the coarsest the mesh has at most, 0 to 10. Finer data are averaged. -1: all that the input has, by
    * REFINEMENT_COARSEN as many as its sizes allow, but no more than 3 beyond those of the input, by REFINEMENT_AUTOMATIC and
-   * REFINEMENT_UNIFORM of an input of one level 1. Default: -1.
+   * REFINEMENT_UNIFORM of an input of one level 1, or by REFINEMENT_AUTOMATIC what chosen cells ask for, if that is more. Default: -1.
    */
   vtkSetClampMacro(MaximumLevel, int, -1, 10);
   vtkGetMacro(MaximumLevel, int);

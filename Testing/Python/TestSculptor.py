@@ -302,7 +302,7 @@ def test_point_data_is_told(at):
 def test_the_only_array_as_density(at):
     path = write(image({"ball": ball_and_plate()[0]}), at("in.vti"))
     files = ["--fragments", at("table.csv"), "--density", "ball"]
-    refused(2, "Those of --state and --density are taken for others, unless named as --fractions.", "--input", path, "--output", at("no.vtu"), *files)
+    refused(2, "Those of --state, --density and --refine-cells are taken for others, unless named as --fractions.", "--input", path, "--output", at("no.vtu"), *files)
     mesh_file(path, at("out.vtu"), *files, "--fractions", "ball")
 
 
@@ -372,7 +372,7 @@ def test_labels(at):
     check_same(at("out.vtu"), filter_mesh(path, MaterialIdArray="id"))
     mesh_file(path, at("out.vtu"), "--labels", "id", "--material", "10", ranks=2)
     assert materials_of(at("out.vtu")) == {10}
-    refused(1, "It holds 0, 5, 10.", "--input", path, "--output", at("no.vtu"), "--labels", "id", "--material", "7")
+    refused(1, "It holds 5, 10.", "--input", path, "--output", at("no.vtu"), "--labels", "id", "--material", "7")
 
 
 @in_folder
@@ -517,7 +517,7 @@ def test_wrong_arguments(at):
         (files + ["--refine", "1", "--refine-cells", "plate"], "exclude each other"),
         (files + ["--refine", "1", "--refine-box", "0,0,0,1,1,1"], "exclude each other"),
         (files + ["--refine-cells"], "--refine-cells needs a value"),
-        (files + ["--refine-cells", "plate", "--material", "ball"], "Cells cannot be refined by 'plate'"),
+        (files + ["--fractions", "ball,plate", "--refine-cells", "plate", "--material", "ball"], "Cells cannot be refined by 'plate'"),
         (files + ["--refine-box", "0,0,0,1,1"], "RefinementBoxes cannot be '0,0,0,1,1'"),
         (files + ["--refine-box", "0,0,0,1,1,1,11"], "RefinementBoxes cannot be '0,0,0,1,1,1,11'"),
         (["--list"], "--input FILE is missing"),
