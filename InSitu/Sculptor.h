@@ -58,7 +58,7 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_set_communicator(int sculptor, int communicator);
 
   /* A property of the filters by its name: IsoValue, MeshVoid, StairStep, Smoothing, TargetScaledJacobian,
-   * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement, MaximumLevel, MaximumAspectRatio, FractionTolerance; of tetrahedra alone Method, RelativeSize, ...; and IndexBase
+   * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement, MaximumLevel, RefinementBoxes, MaximumAspectRatio, FractionTolerance; of tetrahedra alone Method, RelativeSize, ...; and IndexBase
    * (0 or 1), where c_get_free_hexes and its like begin to count nodes. All ranks must set the same. */
   SCULPTOR_EXPORT int sculptor_set_option(int sculptor, const char* name, const char* value);
 

@@ -239,8 +239,9 @@ const std::vector<ArgumentOption>& GetArgumentOptions()
     { "--refine-cells", "ARRAY",
       "refine the cells that a cell array names: how many times each is to be halved, 0 to 10",
       TakeRefineCells },
-    { "--refine-box", "X0,..,Z1[,N]",
-      "and all in a box X0,Y0,Z0,X1,Y1,Z1, N times (1); may be given several times",
+    { "--refine-box", "BOX",
+      "and all in the box X0,Y0,Z0,X1,Y1,Z1 or X0,..,Z1,N, N times (1); as often as there are "
+      "boxes",
       TakeRefineBox },
     { "--set", "Option=Value ..", "any option of the mesher, see below", TakeSettings },
     { "--list", "", "what the input holds: times, grid, cell arrays, materials; nothing is meshed",
