@@ -34,10 +34,12 @@ namespace
 constexpr const char* ArrayName = "boxes";
 constexpr const char* ChosenName = "chosen";
 constexpr Index CellsX = 10, CellsYZ = 6;
-constexpr double Width = 0.5;        // of a cell
+constexpr double Width = 0.5; // of a cell
+constexpr Index PartsOfCell =
+  2; // along an axis, in each of which is a cell where chosen cells are refined
 constexpr double VolumeError = 1e-6; // relative
 /// Of hexahedra of two sizes whose nodes stay where transitions have them: those at a surface do not lie in it.
-constexpr double UnmovedVolumeError = 0.01;
+constexpr double UnmovedVolumeError = 1e-5;
 
 const std::vector<IndexBox>& Boxes()
 {
@@ -46,10 +48,10 @@ const std::vector<IndexBox>& Boxes()
   return boxes;
 }
 
-/// Cells of the first box that are refined where chosen cells are.
+/// Of the first box, at a corner; where these are refined the grid has PartsOfCell times as many cells along each axis.
 const std::vector<Index3>& ChosenCells()
 {
-  static const std::vector<Index3> cells{ { { 1, 2, 2 } }, { { 1, 3, 2 } }, { { 1, 3, 3 } } };
+  static const std::vector<Index3> cells{ { { 7, 2, 9 } }, { { 7, 3, 9 } }, { { 7, 2, 8 } } };
   return cells;
 }
 
@@ -58,25 +60,27 @@ bool IsChosen(const Index3& cell)
   return std::find(ChosenCells().begin(), ChosenCells().end(), cell) != ChosenCells().end();
 }
 
-/// The cells of the grid with x in [begin, end).
-vtkSmartPointer<vtkImageData> MakeSlab(Index begin, Index end)
+/// The cells of the grid with x in [begin, end). parts: of a cell along an axis, as in all that follows.
+vtkSmartPointer<vtkImageData> MakeSlab(Index begin, Index end, Index parts)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetExtent(static_cast<int>(begin), static_cast<int>(end), 0, CellsYZ, 0, CellsYZ);
-  image->SetSpacing(Width, Width, Width);
+  const int cells = static_cast<int>(parts * CellsYZ);
+  image->SetExtent(static_cast<int>(begin), static_cast<int>(end), 0, cells, 0, cells);
+  const double width = Width / static_cast<double>(parts);
+  image->SetSpacing(width, width, width);
   vtkNew<vtkDoubleArray> fractions;
   vtkNew<vtkUnsignedCharArray> chosen;
   fractions->SetName(ArrayName);
   chosen->SetName(ChosenName);
-  for (Index k = 0; k < CellsYZ; ++k)
+  for (Index k = 0; k < cells; ++k)
   {
-    for (Index j = 0; j < CellsYZ; ++j)
+    for (Index j = 0; j < cells; ++j)
     {
       for (Index i = begin; i < end; ++i)
       {
         const bool isFull = std::any_of(Boxes().begin(), Boxes().end(),
           [&](const IndexBox& box) {
-            return box.Contains({ { i, j, k } });
+            return box.Contains({ { i / parts, j / parts, k / parts } });
           });
         fractions->InsertNextValue(isFull ? 1.0 : 0.0);
         chosen->InsertNextValue(IsChosen({ { i, j, k } }) ? 1 : 0);
@@ -89,19 +93,19 @@ vtkSmartPointer<vtkImageData> MakeSlab(Index begin, Index end)
 }
 
 /// Of this rank; without blocks when there are more ranks than slabs.
-vtkSmartPointer<vtkMultiBlockDataSet> MakeGrid(Ranks& ranks)
+vtkSmartPointer<vtkMultiBlockDataSet> MakeGrid(Ranks& ranks, Index parts)
 {
-  const Index begin = CellsX * ranks.Rank() / ranks.Count();
-  const Index end = CellsX * (ranks.Rank() + 1) / ranks.Count();
+  const Index begin = parts * CellsX * ranks.Rank() / ranks.Count();
+  const Index end = parts * CellsX * (ranks.Rank() + 1) / ranks.Count();
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   if (begin < end)
   {
-    blocks->SetBlock(0, MakeSlab(begin, end));
+    blocks->SetBlock(0, MakeSlab(begin, end, parts));
   }
   return blocks;
 }
 
-/// Of a box of hexahedra; parts: of a cell along an axis. One a part and one a face of the box, which is the buffer layer; stairs have none.
+/// Of a box of hexahedra. One a part and one a face of the box, which is the buffer layer; stairs have none.
 Index CountHexes(const IndexBox& box, Index parts, bool isStairs)
 {
   const Index x = parts * box.Size(0), y = parts * box.Size(1), z = parts * box.Size(2);
@@ -168,7 +172,7 @@ void CheckElements(vtkUnstructuredGrid* mesh, Ranks& ranks, Checks& checks)
   }
 }
 
-/// Of one box of hexahedra that are all of a size. parts: of a cell along an axis.
+/// Of one box of hexahedra that are all of a size.
 void CheckCounts(
   const MeshSummary& summary, std::size_t box, Index parts, bool isStairs, Checks& checks)
 {
@@ -184,6 +188,7 @@ void CheckCounts(
 /// Collective: the least number of elements that have their centroid in one of the chosen cells.
 Index CountInChosenCells(vtkUnstructuredGrid* mesh, Ranks& ranks)
 {
+  constexpr double width = Width / PartsOfCell;
   std::vector<Index> counts(ChosenCells().size(), 0);
   for (vtkIdType e = 0; e < mesh->GetNumberOfCells(); ++e)
   {
@@ -200,7 +205,7 @@ Index CountInChosenCells(vtkUnstructuredGrid* mesh, Ranks& ranks)
     for (int a = 0; a < 3; ++a)
     {
       cell[a] =
-        static_cast<Index>(sum[a] / static_cast<double>(points->GetNumberOfPoints()) / Width);
+        static_cast<Index>(sum[a] / static_cast<double>(points->GetNumberOfPoints()) / width);
     }
     const auto at = std::find(ChosenCells().begin(), ChosenCells().end(), cell);
     if (at != ChosenCells().end())
@@ -230,7 +235,7 @@ void CheckChosen(vtkUnstructuredGrid* mesh, const MeshSummary& summary, const Me
   checks.Check("more elements in box 1 than without refinement",
     !summary.Fragments.empty() && !plain.Fragments.empty() &&
       summary.Fragments[0].Elements > plain.Fragments[0].Elements);
-  CheckCounts(summary, 1, 1, isStairs, checks); // far from the chosen cells
+  CheckCounts(summary, 1, PartsOfCell, isStairs, checks); // far from the chosen cells
 }
 
 /// A mesh of the test.
@@ -276,7 +281,11 @@ class BoxTest
 {
 public:
   BoxTest(const Arguments& given, vtkMultiProcessController* controller) :
-    Given(given), Controller(controller), Group(controller), Result(this->Stream())
+    Given(given),
+    Controller(controller),
+    Group(controller),
+    Result(this->Stream()),
+    Parts(given.RefinesCells ? PartsOfCell : 1)
   {
   }
 
@@ -310,7 +319,7 @@ private:
   MeshSummary MakeAndCheck(const Run& run, const MeshSummary& plain)
   {
     const auto mesher = MakeMesher(run.How);
-    const auto grid = MakeGrid(this->Group);
+    const auto grid = MakeGrid(this->Group, this->Parts);
     const ChosenArrays arrays{ { ArrayName }, "", {}, "", "" };
     KeepMaterials(grid, arrays, run.How.Materials, this->Group);
     this->Mesh = MakeMesh(*mesher, grid, arrays, run.How.Quiet, this->Controller);
@@ -334,7 +343,7 @@ private:
     {
       for (std::size_t b = 0; b < Boxes().size(); ++b)
       {
-        CheckCounts(summary, b, Index(1) << std::max(mesher->GetMaximumLevel(), 0),
+        CheckCounts(summary, b, this->Parts << std::max(mesher->GetMaximumLevel(), 0),
           mesher->GetStairStep(), this->Result);
       }
     }
@@ -345,6 +354,7 @@ private:
   vtkMultiProcessController* Controller;
   ControllerRanks Group;
   Checks Result;
+  const Index Parts;
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;
 };
 

@@ -138,7 +138,7 @@ COMMANDS = [
     ("mesh volume fraction test tetmesh", "test --tetmesh", passes(kind=VTK_TETRA)),
     ("mesh volume fraction test no_smooth", "test --no-smooth", passes(432, VTK_HEXAHEDRON)),
     ("mesh volume fraction test tetmesh no_smooth", "test --tetmesh --no-smooth", passes(kind=VTK_TETRA)),
-    ("set sculpt refine on; mesh volume fraction test", "test --refine-cells", passes(81, VTK_HEXAHEDRON)),
+    ("set sculpt refine on; mesh volume fraction test", "test --refine-cells", passes(432, VTK_HEXAHEDRON)),
     ("create mesh geom hex all feature 0", IMPACT + " --geometry geometry.vtm", bounds),
     ("create mesh geom tet all feature 0", IMPACT + " --tetmesh Lattice --geometry geometry.vtm", bounds),
 ]
@@ -150,6 +150,13 @@ def make_files():
     cells = shuffled()
     path = write_exodus(os.path.join(FOLDER, "cube.exo"), lambda step: {"cube": hexes(fields(step), cells)})
     shutil.move(path, os.path.join(FOLDER, "cube_mesh.exo.1.0"))
+
+
+def test_commands_are_on_the_page():
+    with open(os.path.join(DATA, "..", "Documentation", "report.md"), encoding="utf-8") as file:
+        page = file.read().splitlines()
+    for command, ours, _ in COMMANDS:
+        assert "| `%s` | `sculptor %s` |" % (command, ours) in page, (command, ours)
 
 
 def test_commands():
