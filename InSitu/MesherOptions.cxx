@@ -22,7 +22,6 @@ using TetMesher = vtkVolumeFractionToTet;
 
 constexpr double Above0 = std::numeric_limits<double>::min();
 constexpr double Below1 = 1.0 - std::numeric_limits<double>::epsilon() / 2;
-constexpr int MostHalvings = 10;
 constexpr double Largest = std::numeric_limits<double>::max();
 
 struct MesherOption
@@ -156,7 +155,7 @@ const std::vector<MesherOption>& Options()
     Choice("Refinement", "InputLevels", &Mesher::SetRefinement,
       { "Off", "InputLevels", "Automatic", "Coarsen", "Uniform" }),
     MakeOption("MaximumLevel", "a whole number, -1 (automatic) to 10", "-1",
-      &Mesher::SetMaximumLevel, [](const std::string& text) { return ParseCount(text, -1, 10); }),
+      &Mesher::SetMaximumLevel, [](const std::string& text) { return ParseCount(text, -1, MostHalvings); }),
     Switch("FineInterfaces", "on", &Mesher::SetFineInterfaces),
     Count("FineLayers", "2", &Mesher::SetFineLayers, 2, 64),
     MakeOption("MaximumAspectRatio", "0 (off) or a number, 1.1 or more", "0",

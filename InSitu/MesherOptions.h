@@ -14,6 +14,9 @@ class vtkVolumeFractionMeshAlgorithm;
 namespace vfm
 {
 
+/// How often cells are halved at most, as of the property MaximumLevel.
+constexpr int MostHalvings = 10;
+
 /// Whether this mesher has an option of that name.
 bool IsMesherOption(vtkVolumeFractionMeshAlgorithm& mesher, const std::string& name);
 

@@ -58,8 +58,9 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_set_communicator(int sculptor, int communicator);
 
   /* A property of the filters by its name: IsoValue, MeshVoid, StairStep, Smoothing, TargetScaledJacobian,
-   * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement, MaximumLevel, RefinementBoxes, MaximumAspectRatio, FractionTolerance; of tetrahedra alone Method, RelativeSize, ...; and IndexBase
-   * (0 or 1), where c_get_free_hexes and its like begin to count nodes. All ranks must set the same. */
+   * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement, MaximumLevel, RefinementBoxes, MaximumAspectRatio,
+   * FractionTolerance, ...; of tetrahedra alone Method, RelativeSize, ...; and IndexBase (0 or 1), where c_get_free_hexes and its
+   * like begin to count nodes. All ranks must set the same. */
   SCULPTOR_EXPORT int sculptor_set_option(int sculptor, const char* name, const char* value);
 
   /* This rank's cells. bounding_box: xmin ymin zmin xmax ymax zmax; intervals: 3, how many cells, each at least 1. All boxes
@@ -95,8 +96,8 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_add_state(
     int sculptor, const char* name, int components, const double* values);
 
-  /* For the next mesh alone: how many times each cell of the block last begun, or of the box, is to be halved along every axis, a whole number
-   * from 0 to 10; null: none of them. Refinement is then Automatic, by these cells alone unless that option is Automatic by itself, with
+  /* For the next mesh alone: how many times each cell of the block last begun, or of the box, is to be halved along every axis,
+   * a whole number from 0 to 10; null: none of them. Refinement is then Automatic, by these cells alone unless that option is Automatic by itself, with
    * a MaximumLevel other than 0. MaximumLevel above 0 bounds what they get. With the option FineInterfaces off each place gets what it
    * wants, else all interfaces what the neediest does. */
   SCULPTOR_EXPORT int sculptor_set_refinement(int sculptor, const int* halvings);

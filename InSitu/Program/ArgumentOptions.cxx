@@ -1,5 +1,6 @@
 #include "ArgumentOptions.h"
 
+#include "MesherOptions.h"
 #include "ParseText.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@ namespace vfm
 {
 namespace
 {
-
-constexpr int MostHalvings = 10;
 
 using Taker = ArgumentTaker;
 

@@ -1,0 +1,32 @@
+"""What Documentation/sculptor.md says that the program prints is what it prints, but for seconds."""
+import os
+import re
+
+from sculptor_program import sculptor
+from vfmtest import in_folder, main
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+COMMANDS = [  # of the blocks of the page, in their order: ranks and words
+    (4, "--input Data/splash_3500us.vti --output splash.pvtu"),
+    (1, "--input Data/ball_and_plate.vti --tetmesh Lattice --output tets.vtu"),
+    (1, "--list Data/impact.spcth"),
+    (1, "--list Data/AMReX/plt00000")]
+
+
+def without_seconds(text):
+    return re.sub(r"^seconds: .*$", "", text, flags=re.MULTILINE).strip()
+
+
+@in_folder
+def test_page(at):
+    with open(os.path.join(ROOT, "Documentation", "sculptor.md"), encoding="utf-8") as file:
+        blocks = re.findall(r"^```\n(.*?)^```$", file.read(), re.DOTALL | re.MULTILINE)
+    assert len(blocks) == len(COMMANDS), blocks
+    os.symlink(os.path.join(ROOT, "Data"), at("Data"))
+    for block, (ranks, words) in zip(blocks, COMMANDS):
+        result = sculptor(*words.split(), ranks=ranks, folder=at(""))
+        assert result.returncode == 0, result
+        assert without_seconds(block) in without_seconds(result.stdout), result.stdout
+
+
+main(globals())
