@@ -1,10 +1,13 @@
 #!/usr/bin/env pvpython
-"""Runs the Python blocks of a document, one after the other as one script, in a folder where they leave their files.
+"""Runs the Python blocks of a document, one after the other as one script, in a folder where they leave their files. What a
+document shows, indented, right after a block that prints must be what it prints.
 
 usage: pvpython run_document.py DOCUMENT FOLDER [PLUGIN, default build/lib/VolumeFractionMesh.so]
 
 The blocks find Data there, and PLUGIN under the name that documents give it. Pictures need an X server.
 """
+import contextlib
+import io
 import os
 import re
 import sys
@@ -14,19 +17,30 @@ sys.path.insert(0, os.path.join(ROOT, "Examples"))
 from need_files import need_files
 
 PLUGIN = "build/lib/VolumeFractionMesh.so"
-BLOCK = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n((?: {4}[^\n]*\n)+))?", re.DOTALL | re.MULTILINE)
 
 
 def read_blocks(document):
-    """The code of each block, on the lines that it has in the document, so that errors name these."""
+    """The code of each block, on the lines that it has in the document, so that errors name these; and what it is said to print."""
     with open(document, encoding="utf-8") as file:
         text = file.read()
-    return ["\n" * text[:block.start(1)].count("\n") + block[1] for block in BLOCK.finditer(text)]
+    for block in BLOCK.finditer(text):
+        shown = re.sub("^ {4}", "", block[2] or "", flags=re.MULTILINE)
+        yield "\n" * text[:block.start(1)].count("\n") + block[1], shown if "print(" in block[1] else ""
+
+
+def run_block(code, shown, names):
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(code, names)
+    print(printed.getvalue(), end="")
+    if shown and printed.getvalue() != shown:
+        sys.exit("the document shows other lines:\n" + shown)
 
 
 def main(document, folder, plugin=os.path.join(ROOT, PLUGIN)):
     need_files(document, plugin)
-    blocks = read_blocks(document)
+    blocks = list(read_blocks(document))
     if not blocks:
         sys.exit(document + " has no Python")
     plugin = os.path.abspath(plugin)
@@ -35,8 +49,8 @@ def main(document, folder, plugin=os.path.join(ROOT, PLUGIN)):
     if not os.path.exists("Data"):
         os.symlink(os.path.join(ROOT, "Data"), "Data")
     names = {"__name__": "__main__"}
-    for block in blocks:
-        exec(compile(block.replace(PLUGIN, plugin), document, "exec"), names)
+    for code, shown in blocks:
+        run_block(compile(code.replace(PLUGIN, plugin), document, "exec"), shown, names)
 
 
 if __name__ == "__main__":
