@@ -25,7 +25,7 @@ def main(out):
                  ("%d ranks: points of several ranks, of these not at one place" % ranks,
                   "%s, %s" % (report.number(shared), report.number(moved)), "")]
         panels.append(stem + ".png")
-        draw(with_rank(meshes), "Rank", 0, ranks - 1, panels[-1], size=(800, 700), zoom=1.2)
+        draw(with_rank(meshes), "Rank", 0, ranks - 1, panels[-1], size=(800, 700), zoom=1.05)
     join(panels, os.path.join(out, "figure_21.png"), 3)
     return rows
 
