@@ -324,15 +324,17 @@ vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::PrepareFractions(
 vfm::InputWishes vtkVolumeFractionMeshAlgorithm::FindWishes(
   const vfm::InputLevels& input, vfm::Ranks& ranks) const
 {
-  const bool isAsked = this->Refinement == REFINEMENT_AUTOMATIC;
+  std::string array;
   std::vector<vfm::RefinementBox> boxes;
-  for (const std::array<double, 7>& b : this->RefinementBoxes)
+  if (this->Refinement == REFINEMENT_AUTOMATIC)
   {
-    boxes.push_back({ { { b[0], b[1], b[2] } }, { { b[3], b[4], b[5] } }, b[6] });
+    array = IsNamed(this->RefinementArray) ? this->RefinementArray : "";
+    for (const std::array<double, 7>& b : this->RefinementBoxes)
+    {
+      boxes.push_back({ { { b[0], b[1], b[2] } }, { { b[3], b[4], b[5] } }, b[6] });
+    }
   }
-  const vfm::InputWishes wishes = vfm::FindInputWishes(input,
-    isAsked && IsNamed(this->RefinementArray) ? this->RefinementArray : "",
-    isAsked ? boxes : std::vector<vfm::RefinementBox>(), ranks);
+  const vfm::InputWishes wishes = vfm::FindInputWishes(input, array, boxes, ranks);
   if (ranks.Rank() == 0 && !wishes.Warning.empty())
   {
     vtkWarningMacro(<< wishes.Warning);
@@ -373,7 +375,10 @@ vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& set
     criteria.MaximumLevel = finer;
     vfm::WorkTogether(
       runtime.Group(), [&] { criteria.Chosen = vfm::TakeWishes(wishes, setup, layers, fields); });
-    finer = vfm::FindFinerLevels(fields, criteria, this->IsoValue, layers, runtime);
+    if (finer > 0)
+    {
+      finer = vfm::FindFinerLevels(fields, criteria, this->IsoValue, layers, runtime);
+    }
   }
   vfm::RefineFields(fields, finer, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
   vfm::LevelPlan plan;

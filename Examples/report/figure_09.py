@@ -6,7 +6,7 @@ usage: pvpython figure_09.py OUT
 import os
 
 import report
-from rank_meshes import digest, shared_points, surface_angles
+from rank_meshes import surface_angles
 from rank_pictures import draw, join, with_rank
 
 RANKS = 4
@@ -23,14 +23,13 @@ def main(out):
     for mesh, panel, edges in zip((apart, whole, whole), panels, (True, True, False)):
         draw(mesh, "Rank", 0, RANKS - 1, panel, edges=edges, camera=(1.0, -0.35, 0.5), size=(800, 700), zoom=1.4)
     join(panels, os.path.join(out, "figure_09.png"), 3)
-    shared, moved = shared_points(meshes)
     inside, between = surface_angles(meshes)
     return [
-        ("hexahedra of the ranks", ", ".join(report.number(mesh.GetNumberOfCells()) for mesh in meshes), ""),
-        ("points of several ranks, of these not at one place", "%s, %s" % (report.number(shared), report.number(moved)), ""),
+        report.counts_row("hexahedra of the ranks", meshes),
+        report.shared_row(meshes),
         ("largest angle between facets of the surface, inside ranks", "%.1f degrees" % inside.max(), ""),
         ("the same between ranks", "%.1f degrees" % between.max(), ""),
-        ("the mesh", "the same bits as on one rank" if digest(meshes) == digest(one) else "ANOTHER than on one rank", "")]
+        report.same_row("the mesh", meshes, one)]
 
 
 report.run(main)

@@ -6,7 +6,7 @@ usage: pvpython figure_13.py OUT
 import os
 
 import report
-from rank_meshes import field_value, values
+from rank_meshes import field_value
 from rank_pictures import draw, join, with_rank
 
 
@@ -15,14 +15,13 @@ def main(out):
     for name, option in (("smoothed", "--smooth=1"), ("not smoothed", "--no-smooth")):
         stem = os.path.join(out, "figure_13_" + name.replace(" ", "_"))
         verdict, meshes = report.built_in_test(stem + ".pvtu", "--refine-cells", option)
-        fragments, quality = values(meshes, "FragmentId"), values(meshes, "ScaledJacobian")
         panels.append(stem + ".png")
         draw(with_rank(meshes), "FragmentId", 1, 2, panels[-1])
         rows += [
             (name + ": what the test says of itself", verdict, ""),
             (name + ": chosen cells", report.number(field_value(meshes, "ChosenCells")), ""),
-            (name + ": hexahedra of the boxes", "%d, %d" % tuple((fragments == box).sum() for box in (1, 2)), ""),
-            (name + ": smallest, mean scaled Jacobian", report.pair(quality.min(), quality.mean()), "")]
+            report.boxes_row(meshes, name + ": "),
+            report.quality_row(meshes, name + ": ")]
     join(panels, os.path.join(out, "figure_13.png"), 2)
     return rows
 

@@ -6,7 +6,6 @@ usage: pvpython figure_14.py OUT
 import os
 
 import report
-from rank_meshes import digest, field_value, shared_points, values
 from rank_pictures import draw, join, with_rank
 
 RANKS = 4
@@ -21,14 +20,12 @@ def main(out):
     for distance, panel in zip((0.0, 0.4), panels):
         draw(with_rank(meshes, distance), "Rank", 0, RANKS - 1, panel)
     join(panels, os.path.join(out, "figure_14.png"), 2)
-    shared, moved = shared_points(meshes)
     return [
-        ("tetrahedra of the ranks", ", ".join(report.number(mesh.GetNumberOfCells()) for mesh in meshes), ""),
-        ("not positive", report.number(int((values(meshes, "ScaledJacobian") <= 0).sum())), ""),
-        ("dihedral angles", "%.1f to %.1f degrees" % tuple(
-            field_value(meshes, name + "DihedralAngle") for name in ("Minimum", "Maximum")), ""),
-        ("points of several ranks, of these not at one place", "%s, %s" % (report.number(shared), report.number(moved)), ""),
-        ("the mesh", "the same bits as on one rank" if digest(meshes) == digest(one) else "ANOTHER than on one rank", "")]
+        report.counts_row("tetrahedra of the ranks", meshes),
+        report.positive_row(meshes),
+        report.angles_row(meshes),
+        report.shared_row(meshes),
+        report.same_row("the mesh", meshes, one)]
 
 
 report.run(main)

@@ -6,24 +6,20 @@ usage: pvpython figure_21.py OUT
 import os
 
 import report
-from rank_meshes import digest, shared_points
 from rank_pictures import draw, join, with_rank
 
 
 def main(out):
     field = report.eight_shapes(out)
-    one = digest(report.mesh_field(field, os.path.join(out, "figure_21_1.pvtu")))
+    one = report.mesh_field(field, os.path.join(out, "figure_21_1.pvtu"))
     rows, panels = [], []
     for ranks in (4, 8, 33):
         stem = os.path.join(out, "figure_21_%d" % ranks)
         meshes = report.mesh_field(field, stem + ".pvtu", ranks=ranks)
         counts = [mesh.GetNumberOfCells() for mesh in meshes]
-        shared, moved = shared_points(meshes)
-        same = "the same bits as on one rank" if digest(meshes) == one else "ANOTHER MESH than on one rank"
-        rows += [("%d ranks" % ranks, same, ""),
+        rows += [report.same_row("%d ranks" % ranks, meshes, one),
                  ("%d ranks: hexahedra of a rank" % ranks, "%s to %s" % (report.number(min(counts)), report.number(max(counts))), ""),
-                 ("%d ranks: points of several ranks, of these not at one place" % ranks,
-                  "%s, %s" % (report.number(shared), report.number(moved)), "")]
+                 report.shared_row(meshes, "%d ranks: " % ranks)]
         panels.append(stem + ".png")
         draw(with_rank(meshes), "Rank", 0, ranks - 1, panels[-1], size=(800, 700), zoom=1.05)
     join(panels, os.path.join(out, "figure_21.png"), 3)

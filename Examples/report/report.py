@@ -42,8 +42,40 @@ def number(value):
     return "{:,}".format(value)
 
 
-def pair(first, second):
-    return "%.3f, %.3f" % (first, second)
+def quality_row(meshes, label=""):
+    quality = rank_meshes.values(meshes, "ScaledJacobian")
+    return label + "smallest, mean scaled Jacobian", "%.3f, %.3f" % (quality.min(), quality.mean()), ""
+
+
+def positive_row(meshes, theirs=""):
+    return "not positive", number(int((rank_meshes.values(meshes, "ScaledJacobian") <= 0).sum())), theirs
+
+
+def angles_row(meshes):
+    ends = [rank_meshes.field_value(meshes, name + "DihedralAngle") for name in ("Minimum", "Maximum")]
+    return "dihedral angles", "%.1f to %.1f degrees" % tuple(ends), ""
+
+
+def counts_row(label, meshes):
+    """Elements of each rank."""
+    return label, ", ".join(number(mesh.GetNumberOfCells()) for mesh in meshes), ""
+
+
+def shared_row(meshes, label=""):
+    counts = rank_meshes.shared_points(meshes)
+    return label + "points of several ranks, of these not at one place", "%s, %s" % tuple(map(number, counts)), ""
+
+
+def same_row(label, meshes, one):
+    """one: the mesh of one rank."""
+    same = rank_meshes.digest(meshes) == rank_meshes.digest(one)
+    return label, "the same bits as on one rank" if same else "ANOTHER than on one rank", ""
+
+
+def boxes_row(meshes, label=""):
+    """Of the boxes of the built-in test."""
+    fragments = rank_meshes.values(meshes, "FragmentId")
+    return label + "hexahedra of the boxes", "%d, %d" % tuple((fragments == box).sum() for box in (1, 2)), ""
 
 
 def run_program(program, *arguments, ranks=1):

@@ -233,14 +233,13 @@ private:
     for (const ChosenBox& box : this->Criteria.Chosen)
     {
       const int halvings = std::min(static_cast<int>(box.Halvings), this->Criteria.MaximumLevel);
-      ForCells(Intersect(box.Cells, this->Grid.Owned()),
-        [&](const Index3& p)
-        {
-          if (halvings > 0)
-          {
+      if (halvings > 0)
+      {
+        ForCells(Intersect(box.Cells, this->Grid.Owned()),
+          [&](const Index3& p) {
             chosen.push_back({ this->Grid.CellKey(p), halvings });
-          }
-        });
+          });
+      }
     }
     Tidy(chosen);
     this->Result.ChosenCells = static_cast<Index>(chosen.size());

@@ -35,8 +35,8 @@ constexpr const char* ArrayName = "boxes";
 constexpr const char* ChosenName = "chosen";
 constexpr Index CellsX = 10, CellsYZ = 6;
 constexpr double Width = 0.5; // of a cell
-constexpr Index PartsOfCell =
-  2; // along an axis, in each of which is a cell where chosen cells are refined
+/// Where chosen cells are refined each cell is so many along an axis, so that there is room around those.
+constexpr Index PartsOfCell = 2;
 constexpr double VolumeError = 1e-6; // relative
 /// Of hexahedra of two sizes whose nodes stay where transitions have them: those at a surface do not lie in it.
 constexpr double UnmovedVolumeError = 1e-5;
@@ -48,7 +48,7 @@ const std::vector<IndexBox>& Boxes()
   return boxes;
 }
 
-/// Of the first box, at a corner; where these are refined the grid has PartsOfCell times as many cells along each axis.
+/// Of the first box, at a corner, in the finer grid.
 const std::vector<Index3>& ChosenCells()
 {
   static const std::vector<Index3> cells{ { { 7, 2, 9 } }, { { 7, 3, 9 } }, { { 7, 2, 8 } } };
