@@ -9,7 +9,6 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
@@ -25,21 +24,22 @@ namespace vfm
 namespace
 {
 
-std::array<std::vector<double>, 3> ImageCoordinates(vtkImageData* image, const std::string& name)
+/// Of the nodes along the own axes of the image; where points are cells these are the middles between them, and half a spacing
+/// beyond.
+std::array<std::vector<double>, 3> ImageCoordinates(
+  vtkImageData* image, const InputReading& reading)
 {
-  if (!image->GetDirectionMatrix()->IsIdentity())
-  {
-    throw InputError(name +
-      " is an image with a rotated direction matrix. Set the direction matrix to the "
-      "identity and rotate the mesh instead (ParaView's filter Transform).");
-  }
+  const bool arePoints = reading.Association == vtkDataObject::POINT;
+  const Vector3 origin = reading.Frame.OriginOf(image);
   std::array<std::vector<double>, 3> coordinates;
   for (int a = 0; a < 3; ++a)
   {
     const int* extent = image->GetExtent() + 2 * a;
-    for (int i = extent[0]; i <= extent[1]; ++i)
+    const double spacing = image->GetSpacing()[a];
+    const double start = arePoints ? origin[a] - 0.5 * spacing : origin[a];
+    for (int i = extent[0]; i <= extent[1] + arePoints; ++i)
     {
-      coordinates[a].push_back(image->GetOrigin()[a] + i * image->GetSpacing()[a]);
+      coordinates[a].push_back(start + i * spacing);
     }
   }
   return coordinates;
@@ -91,6 +91,28 @@ void CheckCoordinates(const InputBlock& block)
   }
 }
 
+/// What is said of cells; where points are cells in the bits of cells. Null: nothing.
+vtkSmartPointer<vtkUnsignedCharArray> FindGhostTypes(const InputBlock& block)
+{
+  vtkUnsignedCharArray* types = block.Data->GetGhostArray(block.Association);
+  if (!types || block.Association != vtkDataObject::POINT)
+  {
+    return types;
+  }
+  auto ofCells = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  ofCells->SetNumberOfValues(types->GetNumberOfValues());
+  for (vtkIdType p = 0; p < types->GetNumberOfValues(); ++p)
+  {
+    const int type = types->GetValue(p);
+    const bool isGhost = (type & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
+    const bool isHidden = (type & vtkDataSetAttributes::HIDDENPOINT) != 0;
+    ofCells->SetValue(p,
+      static_cast<unsigned char>((isGhost ? vtkDataSetAttributes::DUPLICATECELL : 0) |
+        (isHidden ? vtkDataSetAttributes::HIDDENCELL : 0)));
+  }
+  return ofCells;
+}
+
 /// Sets Kept to the box of the cells that are no ghosts; false when there is none.
 bool DropGhosts(InputBlock& block)
 {
@@ -99,7 +121,7 @@ bool DropGhosts(InputBlock& block)
     block.Dimensions[a] = static_cast<Index>(block.Coordinates[a].size()) - 1;
   }
   block.Kept.Upper = block.Dimensions;
-  block.GhostTypes = block.Data->GetCellGhostArray();
+  block.GhostTypes = FindGhostTypes(block);
   if (!block.GhostTypes)
   {
     return true;
@@ -146,38 +168,47 @@ vtkPointSet* FindCorners(vtkDataObject* data)
   return vtkStructuredGrid::SafeDownCast(data);
 }
 
-/// Appends the block unless it has no cells but ghosts.
-void AddBlock(
-  vtkDataObject* data, int number, int rank, bool isAlone, std::vector<InputBlock>& blocks)
+[[noreturn]] void RefusePoints(const InputPart& part)
 {
-  if (vtkPointSet* corners = FindCorners(data))
+  throw InputError(part.Name + " is a " + part.Data->GetClassName() +
+    ", and point data are chosen. A point is the centre of a cell in images (image data, uniform "
+    "grids) alone; of other grids cell data are needed. ParaView's filter Resample To Image makes "
+    "an image of them; Point Data to Cell Data averages, which serves volume fractions, not "
+    "labels.");
+}
+
+/// Appends the blocks of a part unless it has no cells but ghosts.
+void AddBlocks(const InputPart& part, const InputReading& reading, std::vector<InputBlock>& blocks)
+{
+  vtkImageData* image = vtkImageData::SafeDownCast(part.Data);
+  vtkPointSet* corners = FindCorners(part.Data);
+  vtkRectilinearGrid* rectilinear = vtkRectilinearGrid::SafeDownCast(part.Data);
+  if (reading.Association == vtkDataObject::POINT && (corners || rectilinear) && part.HasPoints())
   {
-    for (InputBlock& box : RecogniseGrid(corners, number, NameBlock(number, rank, isAlone)))
+    RefusePoints(part);
+  }
+  if (corners)
+  {
+    for (InputBlock& box : RecogniseGrid(corners, part.Number, part.Name))
     {
       blocks.push_back(std::move(box));
     }
     return;
   }
   InputBlock block;
-  block.Data = vtkDataSet::SafeDownCast(data);
-  block.Number = number;
-  block.Name = NameBlock(number, rank, isAlone);
-  if (vtkImageData* image = vtkImageData::SafeDownCast(data))
+  block.Data = vtkDataSet::SafeDownCast(part.Data);
+  block.Number = part.Number;
+  block.Name = part.Name;
+  block.Association = reading.Association;
+  if (!image && !rectilinear)
   {
-    block.Coordinates = ImageCoordinates(image, block.Name);
-  }
-  else if (vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(data))
-  {
-    block.Coordinates = RectilinearCoordinates(grid);
-  }
-  else
-  {
-    throw InputError(block.Name + " is a " + data->GetClassName() +
+    throw InputError(block.Name + " is a " + part.Data->GetClassName() +
       ". Image data, uniform grids, rectilinear grids and hexahedra that form a Cartesian grid can "
       "be meshed; bring other data onto a grid first (ParaView's filter Resample To Image).");
   }
-  const bool isPiece = number < 0 && !isAlone; // flat when there are fewer cells than ranks
-  if (block.Data->GetNumberOfPoints() == 0 || (isPiece && IsFlat(block)))
+  block.Coordinates =
+    image ? ImageCoordinates(image, reading) : RectilinearCoordinates(rectilinear);
+  if (!part.HasPoints() || (part.IsPiece && IsFlat(block)))
   {
     return;
   }
@@ -196,9 +227,14 @@ std::string NameBlock(int number, int rank, bool isAlone)
   return isAlone ? name : name + " of rank " + std::to_string(rank);
 }
 
-std::vector<InputBlock> CollectBlocks(vtkDataObject* input, int rank, bool isAlone)
+bool InputPart::HasPoints() const
 {
-  std::vector<InputBlock> blocks;
+  return this->Data->GetNumberOfElements(vtkDataObject::POINT) > 0;
+}
+
+std::vector<InputPart> FindParts(vtkDataObject* input, int rank, bool isAlone)
+{
+  std::vector<InputPart> parts;
   if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
     vtkSmartPointer<vtkCompositeDataIterator> it;
@@ -206,12 +242,25 @@ std::vector<InputBlock> CollectBlocks(vtkDataObject* input, int rank, bool isAlo
     int number = 0;
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem(), ++number)
     {
-      AddBlock(it->GetCurrentDataObject(), number, rank, isAlone, blocks);
+      parts.push_back(
+        { it->GetCurrentDataObject(), number, NameBlock(number, rank, isAlone), false });
     }
   }
   else if (input)
   {
-    AddBlock(input, -1, rank, isAlone, blocks);
+    // flat when there are fewer cells than ranks
+    parts.push_back({ input, -1, NameBlock(-1, rank, isAlone), !isAlone });
+  }
+  return parts;
+}
+
+std::vector<InputBlock> CollectBlocks(
+  const std::vector<InputPart>& parts, const InputReading& reading)
+{
+  std::vector<InputBlock> blocks;
+  for (const InputPart& part : parts)
+  {
+    AddBlocks(part, reading, blocks);
   }
   return blocks;
 }

@@ -11,9 +11,25 @@ namespace vfm
 /// For messages. number: of the block in a composite data set, or -1 for an input that is no composite.
 std::string NameBlock(int number, int rank, bool isAlone);
 
-/// The blocks that have cells which are no ghosts, with all but Box set. input: null for none. Throws InputError on data of another
-/// kind, flat grids, rotated images, coordinates that do not increase, ghost cells in the middle of a block, and as
+/// A data object that is no composite.
+struct InputPart
+{
+  vtkDataObject* Data;
+  int Number;       ///< in a composite data set, else -1
+  std::string Name; ///< for messages
+  bool IsPiece;     ///< of an input that is dealt to several ranks: it may be flat or empty
+
+  /// Whether it has points.
+  bool HasPoints() const;
+};
+
+/// input: null for none.
+std::vector<InputPart> FindParts(vtkDataObject* input, int rank, bool isAlone);
+
+/// The blocks that have cells which are no ghosts, with all but Box set. Throws InputError on data of another
+/// kind, flat grids, points of grids that are no images, coordinates that do not increase, ghost cells in the middle of a block, and as
 /// RecogniseGrid does.
-std::vector<InputBlock> CollectBlocks(vtkDataObject* input, int rank, bool isAlone);
+std::vector<InputBlock> CollectBlocks(
+  const std::vector<InputPart>& parts, const InputReading& reading);
 
 } // namespace vfm

@@ -3,9 +3,8 @@
 #include "Base/Runtime.h"
 #include "CellOrder.h"
 
-#include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkPointData.h"
+#include "vtkDataSetAttributes.h"
 
 namespace vfm
 {
@@ -25,35 +24,31 @@ std::string ArrayNames(vtkDataSetAttributes* attributes)
 
 } // namespace
 
-vtkDataArray* FindCellArray(const InputBlock& block, const std::string& name)
+vtkDataArray* FindTuples(const InputBlock& block, const std::string& name)
 {
-  vtkDataArray* array = block.Data->GetCellData()->GetArray(name.c_str());
-  if (!array && block.Data->GetPointData()->HasArray(name.c_str()))
-  {
-    throw InputError("'" + name +
-      "' is point data. Cell data is needed: apply ParaView's filter Point Data to Cell Data "
-      "first.");
-  }
+  const std::string kind = block.Association == vtkDataObject::POINT ? "point" : "cell";
+  vtkDataSetAttributes* attributes = block.Data->GetAttributes(block.Association);
+  vtkDataArray* array = attributes->GetArray(name.c_str());
   if (!array)
   {
-    throw InputError(block.Name + " has no numeric cell array '" + name +
-      "'. Its cell arrays: " + ArrayNames(block.Data->GetCellData()) + ".");
+    throw InputError(block.Name + " has no numeric " + kind + " array '" + name + "'. Its " + kind +
+      " arrays: " + ArrayNames(attributes) + ".");
   }
-  if (array->GetNumberOfTuples() != block.Data->GetNumberOfCells())
+  if (array->GetNumberOfTuples() != block.NumberOfTuples())
   {
-    throw InputError(block.Name + ": the cell array '" + name + "' has " +
+    throw InputError(block.Name + ": the " + kind + " array '" + name + "' has " +
       std::to_string(array->GetNumberOfTuples()) + " values for " +
-      std::to_string(block.Data->GetNumberOfCells()) + " cells.");
+      std::to_string(block.NumberOfTuples()) + " " + kind + "s.");
   }
   return block.Order ? block.Order->Arrange(array) : array;
 }
 
 vtkDataArray* FindArray(const InputBlock& block, const std::string& name)
 {
-  vtkDataArray* array = FindCellArray(block, name);
+  vtkDataArray* array = FindTuples(block, name);
   if (array->GetNumberOfComponents() != 1)
   {
-    throw InputError("The cell array '" + name + "' has " +
+    throw InputError("The array '" + name + "' has " +
       std::to_string(array->GetNumberOfComponents()) +
       " components: an array with one value a cell is needed.");
   }

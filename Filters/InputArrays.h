@@ -1,5 +1,5 @@
 /**
- * The cell arrays of the input's blocks, read in rows without copying them.
+ * The arrays of the cells of the input's blocks, read in rows without copying them. Where points are cells they are point data.
  */
 #pragma once
 
@@ -9,16 +9,17 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cmath>
 #include <string>
 #include <type_traits>
 
 namespace vfm
 {
 
-/// The cell array of that name with a tuple a cell, in the order of the block. Throws InputError when there is none of numbers.
-vtkDataArray* FindCellArray(const InputBlock& block, const std::string& name);
+/// The array of that name with a tuple a cell, in the order of the block. Throws InputError when there is none of numbers.
+vtkDataArray* FindTuples(const InputBlock& block, const std::string& name);
 
-/// The cell array of that name with one component and a value a cell. Throws InputError when there is none.
+/// The array of that name with one component and a value a cell. Throws InputError when there is none.
 vtkDataArray* FindArray(const InputBlock& block, const std::string& name);
 
 /// Reads count consecutive values of an array, from the value first on.
@@ -32,6 +33,18 @@ constexpr Value StoredOne(bool bytes)
   return std::is_same<Value, double>::value && bytes ? Value(255) : Value(1);
 }
 
+/// Real numbers that are no labels, as those of blanked cells may be, become 0.
+template <class Value, class Stored>
+Value Convert(Stored stored)
+{
+  constexpr double largest = 0x1p62;
+  if constexpr (std::is_integral<Value>::value && std::is_floating_point<Stored>::value)
+  {
+    return std::fabs(stored) < largest ? static_cast<Value>(stored) : Value(0);
+  }
+  return static_cast<Value>(stored);
+}
+
 template <class Value, class Stored>
 void ReadMemory(const void* values, Index first, Index count, Value* row)
 {
@@ -39,7 +52,7 @@ void ReadMemory(const void* values, Index first, Index count, Value* row)
   const Stored* stored = static_cast<const Stored*>(values) + first;
   for (Index i = 0; i < count; ++i)
   {
-    row[i] = static_cast<Value>(stored[i]) / one;
+    row[i] = Convert<Value>(stored[i]) / one;
   }
 }
 
@@ -51,11 +64,11 @@ void ReadArray(const void* values, Index first, Index count, Value* row)
   const Value one = StoredOne<Value>(array->GetDataType() == VTK_UNSIGNED_CHAR);
   for (Index i = 0; i < count; ++i)
   {
-    row[i] = static_cast<Value>(array->GetComponent(first + i, 0)) / one;
+    row[i] = Convert<Value>(array->GetComponent(first + i, 0)) / one;
   }
 }
 
-/// A cell array of one block.
+/// An array of one block.
 template <class Value>
 struct Column
 {

@@ -5,6 +5,7 @@
 #include "BlockChecks.h"
 #include "CollectBlocks.h"
 #include "FindNeighbours.h"
+#include "InputAssociation.h"
 #include "MakePartition.h"
 #include "NodeCoordinates.h"
 
@@ -138,17 +139,57 @@ void CheckGhostCells(const InputBlocks& input, int rank)
   }
 }
 
+/// Whether a box ends on a plane of points where another begins.
+bool IsShared(const IndexBox& box, int axis, const IndexBox& other)
+{
+  return other.Lower[axis] == box.Upper[axis] - 1 &&
+    std::max(box.Size(axis), other.Size(axis)) > 1 && Intersect(box, other).NumberOfCells() > 0;
+}
+
+/// Collective: blocks of points, as readers deal images, have the plane of points in common where they meet. It is left to the block
+/// that begins there.
+void DropSharedPlanes(InputBlocks& input, Ranks& ranks)
+{
+  bool dropped = false;
+  for (InputBlock& block : input.Blocks)
+  {
+    const IndexBox whole = block.Box;
+    for (int axis = 0; axis < 3 && block.Association == vtkDataObject::POINT; ++axis)
+    {
+      if (std::any_of(input.Places.begin(), input.Places.end(),
+            [&](const BlockPlace& place) { return IsShared(whole, axis, place.Box); }))
+      {
+        --block.Kept.Upper[axis];
+        --block.Box.Upper[axis];
+        block.Coordinates[axis].pop_back();
+        dropped = true;
+      }
+    }
+  }
+  if (ranks.Any(dropped))
+  {
+    input.Blocks.erase(std::remove_if(input.Blocks.begin(), input.Blocks.end(),
+                         [](const InputBlock& block) { return block.Box.NumberOfCells() == 0; }),
+      input.Blocks.end());
+    input.Places = GatherPlaces(input.Blocks, ranks);
+  }
+}
+
 } // namespace
 
-std::vector<InputBlock> CollectAllBlocks(vtkDataObject* data, Ranks& ranks)
+CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays, Ranks& ranks)
 {
-  std::vector<InputBlock> blocks;
-  WorkTogether(ranks, [&] { blocks = CollectBlocks(data, ranks.Rank(), ranks.Count() == 1); });
-  if (!ranks.Any(!blocks.empty()))
+  std::vector<InputPart> parts;
+  WorkTogether(ranks, [&] { parts = FindParts(data, ranks.Rank(), ranks.Count() == 1); });
+  CollectedBlocks collected;
+  collected.Reading.Association = FindAssociation(parts, arrays.Materials, arrays.Others, ranks);
+  collected.Reading.Frame = FindImageFrame(parts, ranks);
+  WorkTogether(ranks, [&] { collected.Blocks = CollectBlocks(parts, collected.Reading); });
+  if (!ranks.Any(!collected.Blocks.empty()))
   {
     throw InputError("The input has no cells. Volume fractions on a 3D grid of cells are needed.");
   }
-  return blocks;
+  return collected;
 }
 
 bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks)
@@ -169,6 +210,7 @@ InputBlocks FindInputBlocks(std::vector<InputBlock> blocks, Ranks& ranks)
 {
   InputBlocks input = PlaceOwnBlocks(std::move(blocks), ranks);
   input.Places = GatherPlaces(input.Blocks, ranks);
+  DropSharedPlanes(input, ranks);
   CheckOverlaps(input.Places, ranks.Count() == 1);
   CheckGaps(input);
   return input;

@@ -6,6 +6,9 @@
  * those of a Cartesian grid (RecogniseGrid), and composite data sets of them, in any order, dealt to the ranks in any way. A rank
  * may have none. Blocks are matched by the coordinates of their nodes, so extents may restart at 0 in every block. Those of
  * several levels are sorted by InputLevels.h.
+ * Where point data of images are chosen, each point is the centre of a cell of its own: the grid begins half a spacing lower, and has a
+ * cell more along each axis than the image. Blocks that share a plane of points, as readers deal images, have each of them once.
+ * Images with a direction matrix lie in their own axes (ImageFrame).
  * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped: in images and rectilinear grids they may only form layers on the
  * sides of a block. Blanked cells (HIDDENCELL) stay and are void.
  *
@@ -19,7 +22,10 @@
 
 #include "Base/CartesianGrid.h"
 #include "Base/Ranks.h"
+#include "ChosenArray.h"
+#include "ImageFrame.h"
 
+#include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -28,20 +34,27 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkDataSet;
 
 namespace vfm
 {
 
 class CellOrder;
 
+/// How the parts of an input are read; the same on all ranks.
+struct InputReading
+{
+  int Association = vtkDataObject::CELL; ///< of the arrays; POINT: points of images are cells
+  ImageFrame Frame;
+};
+
 /// A data set, or of one that does not lie in the order of a grid one of the boxes that it was cut into.
 struct InputBlock
 {
   vtkDataSet* Data = nullptr;
-  int Number = -1;  ///< in a composite data set, else -1
-  std::string Name; ///< for messages: "The input", "Block 3 of rank 1"
-  vtkSmartPointer<vtkUnsignedCharArray> GhostTypes; ///< of all cells of Data, in Order, or null
+  int Number = -1;                       ///< in a composite data set, else -1
+  std::string Name;                      ///< for messages: "The input", "Block 3 of rank 1"
+  int Association = vtkDataObject::CELL; ///< of Data's arrays; POINT: its points are the cells
+  vtkSmartPointer<vtkUnsignedCharArray> GhostTypes; ///< of all cells, in Order, or null
   std::shared_ptr<CellOrder> Order;                 ///< of the cells of Data; null: as they are
   Index FirstCell = 0;                              ///< of the block in that order
   Index3 Dimensions{ { 0, 0, 0 } };                 ///< cells of the block along each axis
@@ -49,7 +62,10 @@ struct InputBlock
   std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of Kept
   IndexBox Box;                                   ///< Kept in the indices of the global grid
 
-  /// Position in the cell arrays (FindCellArray) of a cell given in the indices of the global grid.
+  /// Of the arrays of Data.
+  Index NumberOfTuples() const { return this->Data->GetNumberOfElements(this->Association); }
+
+  /// Position in the arrays (FindTuples) of a cell given in the indices of the global grid.
   Index CellId(const Index3& cell) const
   {
     Index id = 0;
@@ -92,10 +108,17 @@ struct InputBlocks
   }
 };
 
-/// Collective; data: this rank's part, null for none. Result: this rank's blocks with all but Box set. Throws InputError, on all
-/// ranks alike, on data of another kind, flat or empty grids, rotated images, coordinates that do not increase, hexahedra that
+/// What was collected, on this rank and on all.
+struct CollectedBlocks
+{
+  std::vector<InputBlock> Blocks; ///< with all but Box set
+  InputReading Reading;
+};
+
+/// Collective; data: this rank's part, null for none. Throws InputError, on all ranks alike, on data of another kind, flat or empty grids,
+/// direction matrices that differ or are sheared, points of grids that are no images, arrays of points beside those of cells, coordinates that do not increase, hexahedra that
 /// are no cells of a Cartesian grid.
-std::vector<InputBlock> CollectAllBlocks(vtkDataObject* data, Ranks& ranks);
+CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays, Ranks& ranks);
 
 /// Collective: whether no block has nodes between those of another.
 bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks);

@@ -1,5 +1,5 @@
 /**
- * The materials in the cells of the input, given by either one volume fraction array a material or one integer array
+ * The materials in the cells of the input, given by either one volume fraction array a material or one array
  * of labels, and their way from the ranks that read them to the ranks that mesh them.
  */
 #pragma once
@@ -42,7 +42,7 @@ struct InputField
   MendedCells Mended;
 };
 
-/// What the cell arrays of this rank's blocks hold. Nothing here communicates.
+/// What the arrays of this rank's blocks hold. Nothing here communicates.
 class InputCells
 {
 public:
@@ -76,15 +76,15 @@ private:
 /// Of the blocks of each level.
 using LevelCells = std::vector<std::unique_ptr<InputCells>>;
 
-/// Collective. Fractions of material m are in the cell array names[m - 1]: of any type with one component, unsigned
+/// Collective. Fractions of material m are in the array names[m - 1]: of any type with one component, unsigned
 /// char counting 0..255. tolerance: how far outside [0, 1] values may lie, >= FractionTolerance. levels must outlive the result. Throws
 /// InputError, on all ranks alike, on missing arrays.
 LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
   const std::vector<std::string>& names, double tolerance, Ranks& ranks);
 
-/// Collective. Labels >= 0 are in an integer cell array, 0 void. The labels that occur on any rank and level are numbered
-/// 1..N in increasing order. levels must outlive the result. Throws InputError, on all ranks alike, on missing arrays, real types,
-/// negative labels.
+/// Collective. Labels >= 0 are in an array of whole numbers of any type, 0 void. The labels that occur on any rank and level are numbered
+/// 1..N in increasing order. levels must outlive the result. Throws InputError, on all ranks alike, on missing arrays, values that are
+/// no labels.
 LevelCells OpenLabels(
   const std::vector<InputBlocks>& levels, const std::string& name, Ranks& ranks);
 

@@ -1,5 +1,5 @@
 /**
- * Input given by one integer array of material labels.
+ * Input given by one array of material labels, whole numbers of any type.
  */
 #include "Agreement.h"
 #include "Base/Runtime.h"
@@ -17,28 +17,26 @@ namespace
 
 constexpr Index RowLength = 4096; // labels read at a time
 
-void CheckType(vtkDataArray* array, const std::string& name)
+/// Value: Index, or of arrays of real numbers double.
+template <class Value>
+int CheckedLabel(Value value, const std::string& name, const Index3& first, Index offset)
 {
-  if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
-  {
-    throw InputError("The material id array '" + name + "' is of type " +
-      array->GetDataTypeAsString() +
-      ": material ids are integers. Convert it (ParaView's filter Calculator, result array type "
-      "Int), or "
-      "choose it as a volume fraction array.");
-  }
-}
-
-void CheckLabel(Index label, const std::string& name, const Index3& first, Index offset)
-{
-  if (label < 0 || label > std::numeric_limits<int>::max())
+  const bool isLabel = value >= 0 && value <= std::numeric_limits<int>::max(); // nor NaN
+  if (!isLabel || static_cast<Value>(static_cast<int>(value)) != value)
   {
     std::ostringstream text;
-    text << "The material id array '" << name << "' holds " << label << " in "
-         << TextOf({ { first[0] + offset, first[1], first[2] } }) << ": material ids lie in [0, "
-         << std::numeric_limits<int>::max() << "], 0 is void.";
+    text << "The material id array '" << name << "' holds " << value << " in "
+         << TextOf({ { first[0] + offset, first[1], first[2] } })
+         << ": material ids are whole numbers in [0, " << std::numeric_limits<int>::max()
+         << "], 0 is void.";
     throw InputError(text.str());
   }
+  return static_cast<int>(value);
+}
+
+bool HoldsReals(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
 }
 
 /// Calls visit(first cell, count) for the rows of a box, cut where they are long.
@@ -62,13 +60,12 @@ public:
   {
     for (const InputBlock& block : input.Blocks)
     {
-      vtkDataArray* array = FindArray(block, name);
-      CheckType(array, name);
-      this->Columns.emplace_back(array);
+      this->Arrays.push_back(FindArray(block, name));
+      this->Columns.emplace_back(this->Arrays.back());
     }
   }
 
-  /// Those that occur here, and 0.
+  /// Those that occur here, and 0. Throws InputError on values that are no labels.
   std::vector<int> FindLabels() const;
   /// labels: of all ranks, increasing, 0 first.
   void SetTable(std::vector<int> labels);
@@ -82,33 +79,50 @@ protected:
     std::size_t block, const Index3& first, Index count, int* materials) const override;
 
 private:
+  template <class Value>
+  void FindLabels(std::size_t block, std::unordered_set<int>& found) const;
+
   std::string Name;
-  std::vector<Column<Index>> Columns; // of each block
+  std::vector<vtkDataArray*> Arrays; // of each block
+  std::vector<Column<Index>> Columns;
   Materials Table;
 };
 
+template <class Value>
+void LabelCells::FindLabels(std::size_t block, std::unordered_set<int>& found) const
+{
+  const InputBlock& own = this->Input.Blocks[block];
+  const Column<Value> column(this->Arrays[block]);
+  std::vector<Value> row(RowLength);
+  Value last = 0;
+  VisitRows(own.Box,
+    [&](const Index3& first, Index count)
+    {
+      ReadRow(own, column, first, count, row.data());
+      for (Index c = 0; c < count; ++c)
+      {
+        if (row[c] != last) // NaN too
+        {
+          last = row[c];
+          found.insert(CheckedLabel(last, this->Name, first, c));
+        }
+      }
+    });
+}
+
 std::vector<int> LabelCells::FindLabels() const
 {
-  std::unordered_set<Index> found{ 0 };
-  Index last = 0;
-  std::vector<Index> row(RowLength);
-  for (std::size_t b = 0; b < this->Columns.size(); ++b)
+  std::unordered_set<int> found{ 0 };
+  for (std::size_t b = 0; b < this->Arrays.size(); ++b)
   {
-    const InputBlock& block = this->Input.Blocks[b];
-    VisitRows(block.Box,
-      [&](const Index3& first, Index count)
-      {
-        ReadRow(block, this->Columns[b], first, count, row.data());
-        for (Index c = 0; c < count; ++c)
-        {
-          if (row[c] != last)
-          {
-            last = row[c];
-            CheckLabel(last, this->Name, first, c);
-            found.insert(last);
-          }
-        }
-      });
+    if (HoldsReals(this->Arrays[b]))
+    {
+      this->FindLabels<double>(b, found);
+    }
+    else
+    {
+      this->FindLabels<Index>(b, found);
+    }
   }
   return { found.begin(), found.end() };
 }

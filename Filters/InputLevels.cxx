@@ -249,7 +249,7 @@ private:
       }
       else
       {
-        copy->SetNumberOfValues(block.Data->GetNumberOfCells());
+        copy->SetNumberOfValues(block.NumberOfTuples());
         copy->FillValue(0);
       }
     }
@@ -291,6 +291,14 @@ InputLevels SortByLevels(std::vector<InputBlock> blocks, const Vector3& coarsest
   return input;
 }
 
+void RefusePoints(const InputReading& reading, const std::string& why)
+{
+  if (reading.Association == vtkDataObject::POINT)
+  {
+    throw InputError(why + ": arrays of point data cannot be meshed, cell data are needed.");
+  }
+}
+
 std::string TextOf(const InputLevels& input, int level, const Index3& cell)
 {
   std::ostringstream text;
@@ -326,9 +334,10 @@ LevelCover::LevelCover(const InputLevels& input, int level, const IndexBox& box)
   }
 }
 
-InputLevels FindInputLevels(vtkDataObject* data, Ranks& ranks)
+InputLevels FindInputLevels(vtkDataObject* data, const ArraysToRead& arrays, Ranks& ranks)
 {
-  std::vector<InputBlock> blocks = CollectAllBlocks(data, ranks);
+  CollectedBlocks collected = CollectAllBlocks(data, arrays, ranks);
+  std::vector<InputBlock>& blocks = collected.Blocks;
   const Vector3 coarsest = FindCoarsestWidths(blocks, ranks);
   bool differ = false;
   for (const InputBlock& block : blocks)
@@ -338,19 +347,30 @@ InputLevels FindInputLevels(vtkDataObject* data, Ranks& ranks)
       differ = differ || LevelAlong(block, axis, coarsest) > LevelTolerance;
     }
   }
+  InputLevels input;
   if (ranks.Any(differ) && !FitOneGrid(blocks, ranks))
   {
-    return SortByLevels(std::move(blocks), coarsest, ranks);
+    RefusePoints(collected.Reading,
+      "The input has several levels (AMR), whose points do not stand "
+      "in the middle of cells that nest");
+    input = SortByLevels(std::move(blocks), coarsest, ranks);
   }
-  InputLevels input;
-  input.Levels.push_back(FindInputBlocks(std::move(blocks), ranks));
+  else
+  {
+    input.Levels.push_back(FindInputBlocks(std::move(blocks), ranks));
+  }
+  input.Reading = collected.Reading;
   return input;
 }
 
-InputLevels FindNeighbourLevels(vtkDataObject* data, const std::array<int, 6>& faces, Ranks& ranks)
+InputLevels FindNeighbourLevels(
+  vtkDataObject* data, const ArraysToRead& arrays, const std::array<int, 6>& faces, Ranks& ranks)
 {
+  CollectedBlocks collected = CollectAllBlocks(data, arrays, ranks);
+  RefusePoints(collected.Reading, "Face neighbours are those of boxes of cells");
   InputLevels input;
-  input.Levels.push_back(FindNeighbourBlocks(CollectAllBlocks(data, ranks), faces, ranks));
+  input.Levels.push_back(FindNeighbourBlocks(std::move(collected.Blocks), faces, ranks));
+  input.Reading = collected.Reading;
   return input;
 }
 

@@ -25,6 +25,8 @@ struct InputLevels
   std::vector<InputBlocks>
     Levels; ///< from the coarsest on; Coordinates are those of the level's whole grid
 
+  InputReading Reading;
+
   int Finest() const { return static_cast<int>(this->Levels.size()) - 1; }
 };
 
@@ -51,11 +53,13 @@ private:
 
 /// Collective; data: this rank's part, null for none. Throws InputError, on all ranks alike, as CollectAllBlocks and
 /// FindInputBlocks do; of several levels, when widths differ by no power of two, blocks do not lie on the grid of their
-/// level, blocks of one level overlap, or ids exceed 63 bits. Gaps are found by CheckCover.
-InputLevels FindInputLevels(vtkDataObject* data, Ranks& ranks);
+/// level, blocks of one level overlap, or ids exceed 63 bits, and when arrays of points are chosen. Gaps are found by CheckCover.
+InputLevels FindInputLevels(vtkDataObject* data, const ArraysToRead& arrays, Ranks& ranks);
 
 /// Collective; the same of an input of one level, every rank having one block (FindNeighbourBlocks).
-InputLevels FindNeighbourLevels(vtkDataObject* data, const std::array<int, 6>& faces, Ranks& ranks);
+/// Refuses arrays of points, too.
+InputLevels FindNeighbourLevels(
+  vtkDataObject* data, const ArraysToRead& arrays, const std::array<int, 6>& faces, Ranks& ranks);
 
 /// Throws InputError when, in a box of cells of level 0, some are in no block, or finer blocks cover a part of a cell. Of a
 /// single level nothing is checked: it has no gaps.

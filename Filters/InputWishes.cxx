@@ -47,6 +47,27 @@ void CheckBoxes(const std::vector<RefinementBox>& boxes)
   }
 }
 
+/// Boxes in the own axes of images (ImageFrame).
+std::vector<RefinementBox> TurnBoxes(std::vector<RefinementBox> boxes, const ImageFrame& frame)
+{
+  if (!boxes.empty() && !frame.IsAligned())
+  {
+    throw InputError(
+      "Refinement boxes have sides along x, y and z, and the image is turned against "
+      "these (direction matrix). Choose the cells by a Refinement Array.");
+  }
+  for (RefinementBox& box : boxes)
+  {
+    const Vector3 a = frame.ToOwn(box.Lower), b = frame.ToOwn(box.Upper);
+    for (int axis = 0; axis < 3 && !frame.IsIdentity(); ++axis)
+    {
+      box.Lower[axis] = std::min(a[axis], b[axis]);
+      box.Upper[axis] = std::max(a[axis], b[axis]);
+    }
+  }
+  return boxes;
+}
+
 /// The cells of a grid that a box reaches into.
 IndexBox CellsIn(const std::array<std::vector<double>, 3>& coordinates, const RefinementBox& box)
 {
@@ -71,7 +92,10 @@ class WishReader
 public:
   WishReader(
     const InputLevels& input, const std::string& array, const std::vector<RefinementBox>& boxes) :
-    Input(input), Array(array), Boxes(boxes), CellsOfBoxes(boxes.size())
+    Input(input),
+    Array(array),
+    Boxes(TurnBoxes(boxes, input.Reading.Frame)),
+    CellsOfBoxes(boxes.size())
   {
   }
 
@@ -171,7 +195,7 @@ private:
 
   const InputLevels& Input;
   const std::string& Array;
-  const std::vector<RefinementBox>& Boxes;
+  const std::vector<RefinementBox> Boxes;
   std::vector<std::vector<ChosenBox>> Rows; // of each level
   std::vector<ChosenBox> Places;            // of Boxes on the level that is read
   std::vector<Index> CellsOfBoxes, Row;
@@ -201,13 +225,9 @@ InputWishes FindInputWishes(const InputLevels& input, const std::string& array,
   {
     return wishes;
   }
+  CheckBoxes(boxes);
   WishReader reader(input, array, boxes);
-  WorkTogether(ranks,
-    [&]
-    {
-      CheckBoxes(boxes);
-      wishes.Levels = reader.Read();
-    });
+  WorkTogether(ranks, [&] { wishes.Levels = reader.Read(); });
   Index cells = 0, finest = 0;
   for (int level = 0; level <= input.Finest(); ++level)
   {

@@ -1,5 +1,5 @@
 /**
- * InputWishes: the cells of the input that are chosen to be halved, by a cell array or by boxes in space, from the ranks that
+ * InputWishes: the cells of the input that are chosen to be halved, by an array or by boxes in space, from the ranks that
  * read them to those that mesh them.
  *
  * A cell is that of the finest block there: what coarser blocks hold below finer ones is ignored. Blanked cells are not chosen. A box

@@ -313,7 +313,7 @@ std::string DescribeLostMaterials(const MeshReport& report, const Materials& tab
       ". In finer cells they may be kept (Refinement).";
 }
 
-void SetDomainOutput(const CartesianGrid& grid, vtkDataObject* output)
+void SetDomainOutput(const CartesianGrid& grid, const ImageFrame& frame, vtkDataObject* output)
 {
   std::vector<double> bounds;
   for (int axis = 0; axis < 3; ++axis)
@@ -322,6 +322,12 @@ void SetDomainOutput(const CartesianGrid& grid, vtkDataObject* output)
     bounds.push_back(grid.Coordinates(axis).back());
   }
   AddFieldValues<vtkDoubleArray>(output->GetFieldData(), "DomainBounds", bounds);
+  if (!frame.IsIdentity())
+  {
+    std::vector<double> numbers(frame.Axes.begin(), frame.Axes.end());
+    numbers.insert(numbers.end(), frame.Origin.begin(), frame.Origin.end());
+    AddFieldValues<vtkDoubleArray>(output->GetFieldData(), "DomainFrame", numbers);
+  }
 }
 
 } // namespace vfm

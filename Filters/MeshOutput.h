@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Base/Options.h"
+#include "ImageFrame.h"
 #include "InputFields.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
@@ -46,7 +47,9 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
 /// A sentence with the names and ids of the materials of the input that have no element; "" where all have some.
 std::string DescribeLostMaterials(const MeshReport& report, const Materials& table);
 
-/// Field data DomainBounds: x from, to, y from, to, z from, to; nodes on a side of the domain have the very coordinate.
-void SetDomainOutput(const CartesianGrid& grid, vtkDataObject* output);
+/// Field data DomainBounds: x from, to, y from, to, z from, to; nodes on a side of the domain have the very coordinate. Of turned images these
+/// are bounds in their own axes, and DomainFrame has twelve numbers: the matrix A, row by row, and the origin o. A point u in those axes stands
+/// at o + A (u - o).
+void SetDomainOutput(const CartesianGrid& grid, const ImageFrame& frame, vtkDataObject* output);
 
 } // namespace vfm

@@ -49,7 +49,7 @@ std::string Text(const StateLayout& layout)
 
 void CheckLayout(const InputBlock& block, const std::string& name, const StateLayout& expected)
 {
-  const StateLayout layout = LayoutOf(FindCellArray(block, name));
+  const StateLayout layout = LayoutOf(FindTuples(block, name));
   if (layout.Type != expected.Type || layout.Components != expected.Components)
   {
     throw InputError(block.Name + ": the state array '" + name + "' has " + Text(layout) +
@@ -241,7 +241,7 @@ private:
       }
       for (std::size_t a = 0; a < this->Names.size(); ++a)
       {
-        this->Tuples.emplace_back(FindCellArray(block, this->Names[a]), block.FirstCell,
+        this->Tuples.emplace_back(FindTuples(block, this->Names[a]), block.FirstCell,
           source.Stored.NumberOfCells(), TupleSize(this->Layouts[a]));
         source.Values.push_back(this->Tuples.back().Data());
       }
@@ -375,7 +375,7 @@ StateArrays::StateArrays(
     {
       CheckNames(names);
       this->VisitArrays([&](const InputBlock& block, std::size_t a)
-        { mine.push_back(LayoutOf(FindCellArray(block, names[a]))); });
+        { mine.push_back(LayoutOf(FindTuples(block, names[a]))); });
     });
   mine.resize(std::min(mine.size(), names.size())); // those of the first block
   this->Layouts = AgreeOnLayouts(mine, names.size(), ranks);

@@ -1,5 +1,5 @@
 /**
- * StateArrays: cell arrays of the input whose values the elements of the mesh carry, piecewise constant: each element
+ * StateArrays: arrays of the input whose values the elements of the mesh carry, piecewise constant: each element
  * has the values of one cell (StateCells.h), from whichever rank reads that cell.
  */
 #pragma once
@@ -32,7 +32,7 @@ struct StateLayout
 class StateArrays
 {
 public:
-  /// Collective. names: distinct cell arrays of any numeric type and number of components. Throws InputError, on all ranks
+  /// Collective. names: distinct arrays of any numeric type and number of components. Throws InputError, on all ranks
   /// alike, when a block has none, blocks disagree on type or components, or the mesh itself has an array of that name.
   /// input must outlive this. Component names: those of the lowest rank's first block of the coarsest level.
   StateArrays(const InputLevels& input, const std::vector<std::string>& names, Ranks& ranks);

@@ -39,45 +39,6 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 constexpr int GhostLayersClaimed = 4;
 constexpr double LabelVolumeTolerance = 1e-6; // relative, of smoothed labels
 
-void AddName(const char* name, std::vector<std::string>& names, vtkObject* owner)
-{
-  if (name && *name && std::find(names.begin(), names.end(), name) == names.end())
-  {
-    names.emplace_back(name);
-    owner->Modified();
-  }
-}
-
-void ClearNames(std::vector<std::string>& names, vtkObject* owner)
-{
-  if (!names.empty())
-  {
-    names.clear();
-    owner->Modified();
-  }
-}
-
-const char* NameAt(const std::vector<std::string>& names, int index)
-{
-  const bool valid = index >= 0 && index < static_cast<int>(names.size());
-  return valid ? names[index].c_str() : nullptr;
-}
-
-void PrintNames(ostream& os, const std::vector<std::string>& names)
-{
-  for (const std::string& name : names)
-  {
-    os << " '" << name << "'";
-  }
-  os << "\n";
-}
-
-/// As panels name an array, or none.
-bool IsNamed(const std::string& array)
-{
-  return !array.empty() && array != "None";
-}
-
 void LogStages(const vfm::MeshReport& report)
 {
   for (const vfm::MeshReport::Stage& stage : report.Stages)
@@ -125,46 +86,6 @@ vtkVolumeFractionMeshAlgorithm::~vtkVolumeFractionMeshAlgorithm()
   this->SetController(nullptr);
 }
 
-void vtkVolumeFractionMeshAlgorithm::AddVolumeFractionArray(const char* name)
-{
-  AddName(name, this->VolumeFractionArrays, this);
-}
-
-void vtkVolumeFractionMeshAlgorithm::ClearVolumeFractionArrays()
-{
-  ClearNames(this->VolumeFractionArrays, this);
-}
-
-int vtkVolumeFractionMeshAlgorithm::GetNumberOfVolumeFractionArrays()
-{
-  return static_cast<int>(this->VolumeFractionArrays.size());
-}
-
-const char* vtkVolumeFractionMeshAlgorithm::GetVolumeFractionArray(int index)
-{
-  return NameAt(this->VolumeFractionArrays, index);
-}
-
-void vtkVolumeFractionMeshAlgorithm::AddStateArray(const char* name)
-{
-  AddName(name, this->StateArrays, this);
-}
-
-void vtkVolumeFractionMeshAlgorithm::ClearStateArrays()
-{
-  ClearNames(this->StateArrays, this);
-}
-
-int vtkVolumeFractionMeshAlgorithm::GetNumberOfStateArrays()
-{
-  return static_cast<int>(this->StateArrays.size());
-}
-
-const char* vtkVolumeFractionMeshAlgorithm::GetStateArray(int index)
-{
-  return NameAt(this->StateArrays, index);
-}
-
 void vtkVolumeFractionMeshAlgorithm::SetFaceNeighbours(const int ranks[6])
 {
   std::copy_n(ranks, 6, this->FaceNeighbours.begin());
@@ -199,11 +120,6 @@ int vtkVolumeFractionMeshAlgorithm::GetNumberOfRefinementBoxes()
   return static_cast<int>(this->RefinementBoxes.size());
 }
 
-bool vtkVolumeFractionMeshAlgorithm::HasMaterialIdArray() const
-{
-  return IsNamed(this->MaterialIdArray);
-}
-
 vfm::MeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
 {
   vfm::MeshOptions options;
@@ -215,22 +131,6 @@ vfm::MeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
   options.ConserveVolume = this->ConserveVolume;
   options.ComputeQuality = this->ComputeQuality;
   return options;
-}
-
-void vtkVolumeFractionMeshAlgorithm::CheckProperties() const
-{
-  if (this->HasMaterialIdArray() && !this->VolumeFractionArrays.empty())
-  {
-    throw vfm::InputError("Both volume fraction arrays and the material id array '" +
-      this->MaterialIdArray + "' are chosen. Choose one or the other.");
-  }
-  if (!this->HasMaterialIdArray() && this->VolumeFractionArrays.empty())
-  {
-    throw vfm::InputError(
-      "No array is chosen. Choose the cell arrays that hold the volume fraction "
-      "of one material each (VolumeFractionArrays), or the integer cell array "
-      "of material ids (MaterialIdArray).");
-  }
 }
 
 vtkExecutive* vtkVolumeFractionMeshAlgorithm::CreateDefaultExecutive()
@@ -328,7 +228,7 @@ vfm::InputWishes vtkVolumeFractionMeshAlgorithm::FindWishes(
   std::vector<vfm::RefinementBox> boxes;
   if (this->Refinement == REFINEMENT_AUTOMATIC)
   {
-    array = IsNamed(this->RefinementArray) ? this->RefinementArray : "";
+    array = this->GetNamedRefinementArray();
     for (const std::array<double, 7>& b : this->RefinementBoxes)
     {
       boxes.push_back({ { { b[0], b[1], b[2] } }, { { b[3], b[4], b[5] } }, b[6] });
@@ -400,16 +300,17 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
 {
   vtkUnstructuredGrid* output = outputs.Mesh;
-  this->CheckProperties();
+  const vfm::ArraysToRead arrays = this->GetArraysToRead();
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
   const bool knowsNeighbours = AgreeOn(this->HasFaceNeighbours, ranks);
   const vfm::InputLevels levels = knowsNeighbours
-    ? vfm::FindNeighbourLevels(input, this->FaceNeighbours, ranks)
-    : vfm::FindInputLevels(input, ranks);
+    ? vfm::FindNeighbourLevels(input, arrays, this->FaceNeighbours, ranks)
+    : vfm::FindInputLevels(input, arrays, ranks);
   const vfm::LevelCells cells = this->HasMaterialIdArray()
-    ? vfm::OpenLabels(levels.Levels, this->MaterialIdArray, ranks)
-    : vfm::OpenFractions(levels.Levels, this->VolumeFractionArrays, this->FractionTolerance, ranks);
+    ? vfm::OpenLabels(levels.Levels, this->MaterialIdArray.Name, ranks)
+    : vfm::OpenFractions(
+        levels.Levels, vfm::NamesOf(arrays.Materials), this->FractionTolerance, ranks);
   const vfm::StateArrays states(levels, this->StateArrays, ranks);
   vfm::InputWishes wishes = this->FindWishes(levels, ranks);
   const vfm::LevelSetup setup = this->SetUpLevels(levels, wishes, ranks);
@@ -436,9 +337,10 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::WorkTogether(ranks,
     [&]
     {
+      vfm::TurnMesh(levels.Reading.Frame, mesh);
       vfm::SetMeshOutput(mesh, field.Table, outputs);
       vfm::SetReportOutput(mesh, report, field.Table, options, field.Mended, output);
-      vfm::SetDomainOutput(grid, output);
+      vfm::SetDomainOutput(grid, levels.Reading.Frame, output);
       for (vtkDataArray* array : carried)
       {
         output->GetCellData()->AddArray(array);
@@ -471,11 +373,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
 void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "VolumeFractionArrays:";
-  PrintNames(os, this->VolumeFractionArrays);
-  os << indent << "MaterialIdArray: " << this->MaterialIdArray << "\n";
-  os << indent << "StateArrays:";
-  PrintNames(os, this->StateArrays);
+  this->PrintArrays(os, indent);
   os << indent << "FractionTolerance: " << this->FractionTolerance << "\n";
   os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
   os << indent << "MinimumRegionCells: " << this->MinimumRegionCells << "\n";
@@ -489,7 +387,6 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CurvaturePerCell: " << this->CurvaturePerCell << "\n";
   os << indent << "RefineFlippedCells: " << this->RefineFlippedCells << "\n";
   os << indent << "InterfaceLayers: " << this->InterfaceLayers << "\n";
-  os << indent << "RefinementArray: " << this->RefinementArray << "\n";
   os << indent << "RefinementBoxes:" << (this->RefinementBoxes.empty() ? " none" : "") << "\n";
   for (const std::array<double, 7>& box : this->RefinementBoxes)
   {

@@ -5,11 +5,14 @@
  * Input: vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid or vtkStructuredGrid whose cells are those
  * of a Cartesian grid (hexahedra or voxels with sides along the axes, in any order, as Exodus files hold them), or a composite
  * data set of them whose blocks tile one grid, or several levels of a refined one: vtkOverlappingAMR, vtkNonOverlappingAMR and
- * any other whose blocks' cells are 2, 4, 8 .. times as wide as those of the finest. Where finer blocks are coarser data are ignored. Cells of less than three dimensions are left out. The materials come from cell arrays, either
+ * any other whose blocks' cells are 2, 4, 8 .. times as wide as those of the finest. Where finer blocks are coarser data are ignored. Cells of less than three dimensions are left out. The materials come from cell arrays, or from
+ * point arrays of images, whose points then are the centres of cells (one level only), either
  * - one volume fraction array a material (AddVolumeFractionArray), of any numeric type, values in
  *   [0,1], or 0..255 when unsigned char; material i is the i-th array added, counted from 1; what the
  *   arrays of a cell leave of 1 is void; or
- * - one integer array (MaterialIdArray) that names the material of each cell, 0 for void.
+ * - one array of whole numbers (MaterialIdArray) that names the material of each cell, 0 for void.
+ * Images with a direction matrix, which must be orthonormal, are meshed in their own axes, and the mesh is turned; sides of the domain
+ * and its bounds are those of their axes, state arrays are left as they are.
  *
  * Ghost cells (vtkGhostType) are dropped. Blanked cells are void.
  *
@@ -29,6 +32,7 @@
 #ifndef vtkVolumeFractionMeshAlgorithm_h
 #define vtkVolumeFractionMeshAlgorithm_h
 
+#include "ChosenArray.h" // for member
 #include "vtkUnstructuredGridAlgorithm.h"
 #include "vtkVolumeFractionMeshFiltersModule.h" // for export macro
 
@@ -66,10 +70,17 @@ public:
 
   ///@{
   /**
-   * The cell arrays that hold the volume fraction of one material each, in the order of the materials.
+   * The arrays that hold the volume fraction of one material each, in the order of the materials: of the cells, or where cells
+   * have none of that name of the points of images. association: vtkDataObject::FIELD_ASSOCIATION_CELLS or _POINTS, whose alone are
+   * meant. All arrays that are chosen, of materials, state and refinement, must have one association.
    * An array that is on the list already is not added again.
    */
   void AddVolumeFractionArray(const char* name);
+  void AddVolumeFractionArray(int association, const char* name);
+  /**
+   * The same from lists of words: POINTS or CELLS tells what the arrays that follow belong to.
+   */
+  void AddVolumeFractionWord(const char* word);
   void ClearVolumeFractionArrays();
   int GetNumberOfVolumeFractionArrays();
   const char* GetVolumeFractionArray(int index);
@@ -77,16 +88,19 @@ public:
 
   ///@{
   /**
-   * The integer cell array that names the material of each cell, instead of volume fractions.
-   * Empty, or "None": use volume fractions. Default: empty.
+   * The array that names the material of each cell by a whole number, of any type, instead of volume fractions; with an association as
+   * for those. Empty, or "None": use volume fractions. Default: empty. The form of five is that in which ParaView's panels choose arrays
+   * (SetInputArrayToProcess); the first three say nothing, and the association is a number in text or empty.
    */
-  vtkSetStdStringFromCharMacro(MaterialIdArray);
-  vtkGetCharFromStdStringMacro(MaterialIdArray);
+  void SetMaterialIdArray(const char* name);
+  void SetMaterialIdArray(int association, const char* name);
+  void SetMaterialIdArray(int, int, int, const char* association, const char* name);
+  const char* GetMaterialIdArray() const { return this->MaterialIdArray.Name.c_str(); }
   ///@}
 
   ///@{
   /**
-   * Cell arrays of any numeric type and number of components (velocity, density, temperature) that the mesh carries
+   * Arrays of any numeric type and number of components (velocity, density, temperature) that the mesh carries
    * along as cell arrays of the same name, type and components, piecewise constant: each element has the values of one
    * cell, unchanged. That is the cell that holds its centroid (the mean of its corners), if the element's
    * material fills at least half of it; else, of that cell and its 26 neighbours, the one with the greatest fraction
@@ -241,7 +255,7 @@ public:
 
   ///@{
   /**
-   * Cells that REFINEMENT_AUTOMATIC refines whatever they hold, by a cell array of one component and any numeric type: how
+   * Cells that REFINEMENT_AUTOMATIC refines whatever they hold, by an array of one component and any numeric type: how
    * many times each cell is to be halved along every axis, a whole number from 0 to 10; 0/1 for a mask. A cell of the input is one
    * of its finest level there; of one that MaximumAspectRatio cuts each part is halved. MaximumLevel bounds what they get; at -1 there are
    * as many levels as they ask for. Cells are refined by families, 2 x 2 x 2 of a level that begin at even indices, and with
@@ -376,8 +390,9 @@ protected:
   virtual bool KeepsInterfacesFine() const { return this->FineInterfaces; }
 
   vtkMultiProcessController* Controller = nullptr;
-  std::vector<std::string> VolumeFractionArrays;
-  std::string MaterialIdArray;
+  std::vector<vfm::ChosenArray> VolumeFractionArrays;
+  int WordAssociation = vfm::AnyAssociation; // of the words to come
+  vfm::ChosenArray MaterialIdArray{ "", vfm::AnyAssociation };
   std::vector<std::string> StateArrays;
   double IsoValue = 0.5;
   double FractionTolerance = 1e-6;
@@ -409,7 +424,9 @@ private:
   void operator=(const vtkVolumeFractionMeshAlgorithm&) = delete;
 
   bool HasMaterialIdArray() const;
-  void CheckProperties() const;
+  std::string GetNamedRefinementArray() const; // empty where none is used
+  vfm::ArraysToRead GetArraysToRead() const;   // throws where there are none, or too many
+  void PrintArrays(ostream& os, vtkIndent indent) const;
   vfm::MeshOptions GetOptions() const;
   vfm::RemovedRegions PrepareFractions(vfm::LevelFields& fields, vfm::Runtime& runtime);
   vfm::InputWishes FindWishes(const vfm::InputLevels& input, vfm::Ranks& ranks) const;

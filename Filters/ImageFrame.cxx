@@ -1,0 +1,189 @@
+#include "ImageFrame.h"
+
+#include "Agreement.h"
+#include "CollectBlocks.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double Orthonormal = 1e-5; // products of axes; files hold them in single precision
+
+using Axes = std::array<double, 9>;
+
+/// Axes and origin of an image, as a list that sorts.
+struct FrameOfPart
+{
+  Axes Matrix;
+  Vector3 Origin;
+
+  bool operator<(const FrameOfPart& other) const
+  {
+    return this->Matrix != other.Matrix ? this->Matrix < other.Matrix : this->Origin < other.Origin;
+  }
+  bool operator==(const FrameOfPart& other) const
+  {
+    return this->Matrix == other.Matrix && this->Origin == other.Origin;
+  }
+};
+
+Vector3 Column(const Axes& axes, int c)
+{
+  return { { axes[c], axes[3 + c], axes[6 + c] } };
+}
+
+double Determinant(const Axes& axes)
+{
+  return Dot(Column(axes, 0), Cross(Column(axes, 1), Column(axes, 2)));
+}
+
+std::string TextOf(const Axes& axes)
+{
+  std::ostringstream text;
+  for (int i = 0; i < 9; ++i)
+  {
+    text << (i == 0 ? "(" : i % 3 == 0 ? "; " : " ") << axes[i];
+  }
+  return text.str() + ")";
+}
+
+void CheckAxes(const Axes& axes, const std::string& name)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    for (int b = a; b < 3; ++b)
+    {
+      const double product = Dot(Column(axes, a), Column(axes, b));
+      if (!(std::fabs(product - (a == b ? 1.0 : 0.0)) <= Orthonormal)) // nor NaN
+      {
+        throw InputError(name + " has the direction matrix " + TextOf(axes) +
+          ", which is sheared or scaled: its columns must be at right angles and of length 1. "
+          "Resample it onto such an image (ParaView's filter Resample To Image).");
+      }
+    }
+  }
+}
+
+template <class Value>
+void SwapCorners(Buffer<Index>& elements, int corners, const Value& swap)
+{
+  for (std::size_t e = 0; e < elements.size(); e += corners)
+  {
+    swap(elements.data() + e);
+  }
+}
+
+/// Elements and facets turned inside out.
+void ReverseCorners(Mesh& mesh)
+{
+  if (mesh.Corners == 8)
+  {
+    SwapCorners(mesh.Elements, 8,
+      [](Index* corners) { std::swap_ranges(corners, corners + 4, corners + 4); });
+  }
+  else
+  {
+    SwapCorners(mesh.Elements, 4, [](Index* corners) { std::swap(corners[2], corners[3]); });
+  }
+  const int corners = mesh.CornersOfFacet();
+  SwapCorners(mesh.Surfaces.Points, corners,
+    [corners](Index* facet) { std::swap(facet[1], facet[corners - 1]); });
+}
+
+} // namespace
+
+bool ImageFrame::IsAligned() const
+{
+  return std::all_of(
+    this->Axes.begin(), this->Axes.end(), [](double x) { return x == 0.0 || std::fabs(x) == 1.0; });
+}
+
+bool ImageFrame::IsMirrored() const
+{
+  return Determinant(this->Axes) < 0.0;
+}
+
+Vector3 ImageFrame::ToSpace(const Vector3& own) const
+{
+  const Vector3 d = own - this->Origin;
+  return this->Origin + (d[0] * Column(this->Axes, 0) + d[1] * Column(this->Axes, 1)) +
+    d[2] * Column(this->Axes, 2);
+}
+
+Vector3 ImageFrame::ToOwn(const Vector3& inSpace) const
+{
+  const Vector3 d = inSpace - this->Origin;
+  return this->Origin +
+    Vector3{ { Dot(Column(this->Axes, 0), d), Dot(Column(this->Axes, 1), d),
+      Dot(Column(this->Axes, 2), d) } };
+}
+
+Vector3 ImageFrame::OriginOf(vtkImageData* image) const
+{
+  const double* x = image->GetOrigin();
+  const Vector3 origin{ { x[0], x[1], x[2] } };
+  return this->IsIdentity() || origin == this->Origin ? origin : this->ToOwn(origin);
+}
+
+ImageFrame FindImageFrame(const std::vector<InputPart>& parts, Ranks& ranks)
+{
+  std::vector<FrameOfPart> frames;
+  WorkTogether(ranks,
+    [&]
+    {
+      for (const InputPart& part : parts)
+      {
+        FrameOfPart frame{ ImageFrame().Axes, {} };
+        if (vtkImageData* image = vtkImageData::SafeDownCast(part.Data))
+        {
+          std::copy_n(image->GetDirectionMatrix()->GetData(), 9, frame.Matrix.begin());
+          std::copy_n(image->GetOrigin(), 3, frame.Origin.begin());
+          CheckAxes(frame.Matrix, part.Name);
+        }
+        if (frame.Matrix == ImageFrame().Axes)
+        {
+          frame.Origin = {}; // plays no part
+        }
+        frames.push_back(frame);
+      }
+    });
+  frames = Unite(ranks, std::move(frames));
+  if (frames.empty())
+  {
+    return {};
+  }
+  if (frames.front().Matrix != frames.back().Matrix)
+  {
+    throw InputError("Blocks of the input have different direction matrices, " +
+      TextOf(frames.front().Matrix) + " and " + TextOf(frames.back().Matrix) +
+      ": all must have the same, to lie on one grid.");
+  }
+  return { frames.front().Matrix, frames.front().Origin };
+}
+
+void TurnMesh(const ImageFrame& frame, Mesh& mesh)
+{
+  if (frame.IsIdentity())
+  {
+    return;
+  }
+  for (std::size_t p = 0; p < mesh.Points.size(); p += 3)
+  {
+    double* x = mesh.Points.data() + p;
+    const Vector3 turned = frame.ToSpace({ { x[0], x[1], x[2] } });
+    std::copy_n(turned.begin(), 3, x);
+  }
+  if (frame.IsMirrored())
+  {
+    ReverseCorners(mesh);
+  }
+}
+
+} // namespace vfm

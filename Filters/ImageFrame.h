@@ -1,0 +1,47 @@
+/**
+ * ImageFrame: the axes of images with a direction matrix.
+ *
+ * Such images are meshed in their own axes, as if their matrix were the identity; then the points of the mesh are turned about an origin.
+ * A matrix that mirrors (determinant -1) turns elements and facets inside out: they get the order of their corners reversed.
+ * All blocks have one matrix. Blocks with other origins are moved along the common axes, so that they stand where they do in space.
+ */
+#pragma once
+
+#include "Base/Ranks.h"
+#include "Base/Vector3.h"
+#include "Mesh/Mesh.h"
+
+#include <array>
+#include <vector>
+
+class vtkDataObject;
+class vtkImageData;
+
+namespace vfm
+{
+
+struct InputPart;
+
+struct ImageFrame
+{
+  std::array<double, 9> Axes{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; ///< row by row, as VTK's
+  Vector3 Origin{ { 0.0, 0.0, 0.0 } };                         ///< stays in its place
+
+  bool IsIdentity() const { return this->Axes == ImageFrame().Axes; }
+  /// Whether each axis of the images lies along one of space.
+  bool IsAligned() const;
+  bool IsMirrored() const;
+  Vector3 ToSpace(const Vector3& own) const;
+  Vector3 ToOwn(const Vector3& inSpace) const;
+  /// Where the axes of an image begin.
+  Vector3 OriginOf(vtkImageData* image) const;
+};
+
+/// Collective: of the images of all ranks; of grids of other kinds the identity. Throws InputError, on all ranks alike, on
+/// matrices that are not orthonormal, or that differ.
+ImageFrame FindImageFrame(const std::vector<InputPart>& parts, Ranks& ranks);
+
+/// From the images' own axes to space.
+void TurnMesh(const ImageFrame& frame, Mesh& mesh);
+
+} // namespace vfm
