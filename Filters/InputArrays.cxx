@@ -2,6 +2,7 @@
 
 #include "Base/Runtime.h"
 #include "CellOrder.h"
+#include "MaterialGuess.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -23,6 +24,13 @@ std::string ArrayNames(vtkDataSetAttributes* attributes)
 }
 
 } // namespace
+
+bool HoldsIds(vtkDataSetAttributes* attributes, const std::string& name)
+{
+  vtkAbstractArray* array = attributes->GetAbstractArray(name.c_str());
+  return IsIdName(name) ||
+    (array && (array == attributes->GetGlobalIds() || array == attributes->GetPedigreeIds()));
+}
 
 vtkDataArray* FindTuples(const InputBlock& block, const std::string& name)
 {
@@ -51,6 +59,18 @@ vtkDataArray* FindArray(const InputBlock& block, const std::string& name)
     throw InputError("The array '" + name + "' has " +
       std::to_string(array->GetNumberOfComponents()) +
       " components: an array with one value a cell is needed.");
+  }
+  return array;
+}
+
+vtkDataArray* FindMaterialArray(const InputBlock& block, const std::string& name)
+{
+  vtkDataArray* array = FindArray(block, name);
+  if (HoldsIds(block.Data->GetAttributes(block.Association), name))
+  {
+    throw InputError("'" + name +
+      "' holds ids, which number cells or points: it holds no materials. Choose other arrays, or "
+      "rename it if it does.");
   }
   return array;
 }

@@ -16,11 +16,17 @@
 namespace vfm
 {
 
+/// Whether the array of that name numbers cells or points, by its name or as an attribute of VTK's.
+bool HoldsIds(vtkDataSetAttributes* attributes, const std::string& name);
+
 /// The array of that name with a tuple a cell, in the order of the block. Throws InputError when there is none of numbers.
 vtkDataArray* FindTuples(const InputBlock& block, const std::string& name);
 
 /// The array of that name with one component and a value a cell. Throws InputError when there is none.
 vtkDataArray* FindArray(const InputBlock& block, const std::string& name);
+
+/// The same of an array that holds materials: of ids, which number cells or points, throws InputError.
+vtkDataArray* FindMaterialArray(const InputBlock& block, const std::string& name);
 
 /// Reads count consecutive values of an array, from the value first on.
 template <class Value>

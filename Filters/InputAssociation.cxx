@@ -2,6 +2,7 @@
 
 #include "Agreement.h"
 #include "CollectBlocks.h"
+#include "MaterialGuess.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -13,6 +14,22 @@ namespace
 
 constexpr int Associations[2] = { vtkDataObject::POINT, vtkDataObject::CELL };
 
+/// Throws when an array can never be read.
+void CheckChoice(const ChosenArray& array)
+{
+  if (IsGhostName(array.Name))
+  {
+    throw InputError("'" + array.Name +
+      "' only marks which cells are copies or blanked, and is heeded without being chosen. Choose "
+      "other arrays.");
+  }
+  if (array.Association != AnyAssociation && array.Association != vtkDataObject::CELL &&
+    array.Association != vtkDataObject::POINT)
+  {
+    throw InputError("'" + array.Name + "' is chosen as data of neither cells nor points.");
+  }
+}
+
 /// Where an array is found.
 struct ArrayPlaces
 {
@@ -22,6 +39,7 @@ struct ArrayPlaces
 /// Collective. Of an association that is not admitted nothing.
 ArrayPlaces FindPlaces(const std::vector<InputPart>& parts, const ChosenArray& array, Ranks& ranks)
 {
+  CheckChoice(array);
   std::vector<Index> counts(3, 0); // parts with it, by association, and all
   for (const InputPart& part : parts)
   {

@@ -24,7 +24,7 @@ public:
     {
       for (std::size_t m = 0; m < names.size(); ++m)
       {
-        vtkDataArray* array = FindArray(block, names[m]);
+        vtkDataArray* array = FindMaterialArray(block, names[m]);
         this->Bytes[m] += array->GetDataType() == VTK_UNSIGNED_CHAR;
         this->Columns.emplace_back(array);
       }

@@ -60,7 +60,7 @@ public:
   {
     for (const InputBlock& block : input.Blocks)
     {
-      this->Arrays.push_back(FindArray(block, name));
+      this->Arrays.push_back(FindMaterialArray(block, name));
       this->Columns.emplace_back(this->Arrays.back());
     }
   }

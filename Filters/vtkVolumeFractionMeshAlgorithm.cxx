@@ -12,6 +12,7 @@
 #include "Labels/SmoothLabels.h"
 #include "LevelFields.h"
 #include "LevelSetup.h"
+#include "MaterialArrays.h"
 #include "MeshOutput.h"
 #include "StateArrays.h"
 
@@ -193,7 +194,7 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
 
 /// Collective: removes small regions, smooths labels and cuts long cells, as asked.
 vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::PrepareFractions(
-  vfm::LevelFields& fields, vfm::Runtime& runtime)
+  vfm::LevelFields& fields, bool areLabels, vfm::Runtime& runtime)
 {
   vfm::FractionField& fractions = fields.Field.Fractions;
   vfm::RemovedRegions removed;
@@ -203,7 +204,7 @@ vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::PrepareFractions(
     removed = vfm::RemoveSmallRegions(fields.Grid, this->MinimumRegionCells, this->IsoValue,
       vfm::Partition(fields.Grid, runtime.Group()), fractions);
   }
-  if (this->LabelSmoothing > 0 && this->HasMaterialIdArray())
+  if (this->LabelSmoothing > 0 && areLabels)
   {
     runtime.Progress(0.0, "Smoothing labels");
     const double error = vfm::SmoothLabels(fields.Grid, this->LabelSmoothing,
@@ -300,17 +301,18 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
 {
   vtkUnstructuredGrid* output = outputs.Mesh;
-  const vfm::ArraysToRead arrays = this->GetArraysToRead();
+  const vfm::MaterialArrays materials = this->FindMaterials(input, ranks);
+  const vfm::ArraysToRead arrays = this->ListArrays(materials);
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
   const bool knowsNeighbours = AgreeOn(this->HasFaceNeighbours, ranks);
   const vfm::InputLevels levels = knowsNeighbours
     ? vfm::FindNeighbourLevels(input, arrays, this->FaceNeighbours, ranks)
     : vfm::FindInputLevels(input, arrays, ranks);
-  const vfm::LevelCells cells = this->HasMaterialIdArray()
-    ? vfm::OpenLabels(levels.Levels, this->MaterialIdArray.Name, ranks)
+  const vfm::LevelCells cells = materials.HasLabels()
+    ? vfm::OpenLabels(levels.Levels, materials.Labels.Name, ranks)
     : vfm::OpenFractions(
-        levels.Levels, vfm::NamesOf(arrays.Materials), this->FractionTolerance, ranks);
+        levels.Levels, vfm::NamesOf(materials.Fractions), this->FractionTolerance, ranks);
   const vfm::StateArrays states(levels, this->StateArrays, ranks);
   vfm::InputWishes wishes = this->FindWishes(levels, ranks);
   const vfm::LevelSetup setup = this->SetUpLevels(levels, wishes, ranks);
@@ -319,7 +321,8 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   wishes = vfm::ShareOutWishes(wishes, levels, owners, ranks);
   vfm::LevelFields fields = vfm::MakeLevelFields(
     levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
-  const vfm::RemovedRegions removed = this->PrepareFractions(fields, runtime);
+  const vfm::RemovedRegions removed =
+    this->PrepareFractions(fields, materials.HasLabels(), runtime);
   vfm::MeshOptions options = this->GetOptions();
   options.Levels = this->Refine(setup, levels.Finest(), wishes, fields, runtime);
   const int finest = setup.IsUniform ? setup.Finest : setup.Base + options.Levels.Refinements;

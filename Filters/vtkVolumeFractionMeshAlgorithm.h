@@ -50,6 +50,7 @@ class MessageRanks;
 class Ranks;
 class Runtime;
 struct InputLevels;
+struct MaterialArrays;
 struct InputWishes;
 struct LevelFields;
 struct LevelSetup;
@@ -73,7 +74,8 @@ public:
    * The arrays that hold the volume fraction of one material each, in the order of the materials: of the cells, or where cells
    * have none of that name of the points of images. association: vtkDataObject::FIELD_ASSOCIATION_CELLS or _POINTS, whose alone are
    * meant. All arrays that are chosen, of materials, state and refinement, must have one association.
-   * An array that is on the list already is not added again.
+   * An array that is on the list already is not added again. Where nothing is chosen, no MaterialIdArray either, and the input has a
+   * single array that can hold materials (fractions in [0,1] of a real type, or whole numbers), that one is meshed.
    */
   void AddVolumeFractionArray(const char* name);
   void AddVolumeFractionArray(int association, const char* name);
@@ -423,12 +425,13 @@ private:
   vtkVolumeFractionMeshAlgorithm(const vtkVolumeFractionMeshAlgorithm&) = delete;
   void operator=(const vtkVolumeFractionMeshAlgorithm&) = delete;
 
-  bool HasMaterialIdArray() const;
   std::string GetNamedRefinementArray() const; // empty where none is used
-  vfm::ArraysToRead GetArraysToRead() const;   // throws where there are none, or too many
+  vfm::MaterialArrays FindMaterials(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
+  vfm::ArraysToRead ListArrays(const vfm::MaterialArrays& materials) const;
   void PrintArrays(ostream& os, vtkIndent indent) const;
   vfm::MeshOptions GetOptions() const;
-  vfm::RemovedRegions PrepareFractions(vfm::LevelFields& fields, vfm::Runtime& runtime);
+  vfm::RemovedRegions PrepareFractions(
+    vfm::LevelFields& fields, bool areLabels, vfm::Runtime& runtime);
   vfm::InputWishes FindWishes(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
   vfm::LevelSetup SetUpLevels(
     const vfm::InputLevels& input, const vfm::InputWishes& wishes, vfm::Ranks& ranks) const;

@@ -3,7 +3,7 @@
  */
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
-#include "Base/Errors.h"
+#include "MaterialArrays.h"
 
 #include "vtkDataObject.h"
 
@@ -145,35 +145,31 @@ const char* vtkVolumeFractionMeshAlgorithm::GetStateArray(int index)
   return name ? name->c_str() : nullptr;
 }
 
-bool vtkVolumeFractionMeshAlgorithm::HasMaterialIdArray() const
-{
-  return IsNamed(this->MaterialIdArray.Name);
-}
-
 std::string vtkVolumeFractionMeshAlgorithm::GetNamedRefinementArray() const
 {
   const bool isUsed = this->Refinement == REFINEMENT_AUTOMATIC && IsNamed(this->RefinementArray);
   return isUsed ? this->RefinementArray : "";
 }
 
-vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::GetArraysToRead() const
+vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(
+  vtkDataObject* input, vfm::Ranks& ranks) const
 {
-  if (this->HasMaterialIdArray() && !this->VolumeFractionArrays.empty())
+  vfm::MaterialArrays chosen{ this->VolumeFractionArrays, this->MaterialIdArray };
+  if (!IsNamed(chosen.Labels.Name))
   {
-    throw vfm::InputError("Both Volume Fraction Arrays and the Material Id Array '" +
-      this->MaterialIdArray.Name + "' are chosen. Choose one or the other.");
+    chosen.Labels.Name.clear();
   }
+  return vfm::FindMaterialArrays(input, std::move(chosen), ranks);
+}
+
+vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(
+  const vfm::MaterialArrays& materials) const
+{
   vfm::ArraysToRead arrays;
-  arrays.Materials = this->VolumeFractionArrays;
-  if (this->HasMaterialIdArray())
+  arrays.Materials = materials.Fractions;
+  if (materials.HasLabels())
   {
-    arrays.Materials.push_back(this->MaterialIdArray);
-  }
-  if (arrays.Materials.empty())
-  {
-    throw vfm::InputError(
-      "No array is chosen. Tick Volume Fraction Arrays, one a material, or choose the Material Id "
-      "Array.");
+    arrays.Materials.push_back(materials.Labels);
   }
   for (const std::string& name : this->StateArrays)
   {
@@ -195,7 +191,7 @@ void vtkVolumeFractionMeshAlgorithm::PrintArrays(ostream& os, vtkIndent indent) 
     PrintArray(os, array);
   }
   os << "\n" << indent << "MaterialIdArray:";
-  if (this->HasMaterialIdArray())
+  if (IsNamed(this->MaterialIdArray.Name))
   {
     PrintArray(os, this->MaterialIdArray);
   }

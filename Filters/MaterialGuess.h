@@ -1,0 +1,55 @@
+/**
+ * MaterialGuess: what an array may hold, as far as its name, type and range tell. Filters and panels go by the same rules.
+ */
+#ifndef MaterialGuess_h
+#define MaterialGuess_h
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+namespace vfm
+{
+
+/// Whether an array of that name only says which cells or points are copies or blanked.
+inline bool IsGhostName(const std::string& name)
+{
+  return name == "vtkGhostType" || name == "vtkGhostLevels" || name == "vtkValidPointMask";
+}
+
+/// Whether an array of that name numbers cells or points, as VTK, ParaView and the filters here name such arrays.
+inline bool IsIdName(const std::string& name)
+{
+  const char* const names[] = { "GlobalCellIds", "GlobalPointIds", "vtkOriginalCellIds",
+    "vtkOriginalPointIds", "GlobalElementId", "GlobalNodeId", "GlobalIds", "PedigreeElementId",
+    "PedigreeNodeId", "PedigreeIds" };
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+enum class MaterialGuess
+{
+  Nothing,  ///< neither
+  Fraction, ///< volume fractions of a material
+  Labels,   ///< a material a cell
+  Unclear   ///< one or the other
+};
+
+/// type: VTK_DOUBLE and the like, of an array of one component.
+inline MaterialGuess GuessMaterial(int type, double least, double most)
+{
+  constexpr double rounding = 1e-6, mostOfBytes = 255.0;
+  if (type == VTK_FLOAT || type == VTK_DOUBLE)
+  {
+    const bool areFractions = least >= -rounding && most <= 1.0 + rounding;
+    return areFractions ? MaterialGuess::Fraction : MaterialGuess::Nothing;
+  }
+  const bool areBytes = type == VTK_UNSIGNED_CHAR && most == mostOfBytes; // 255 may stand for 1
+  const bool areLabels = least >= 0.0 && most > 0.0 && most <= VTK_INT_MAX && !areBytes;
+  return areLabels ? MaterialGuess::Labels : MaterialGuess::Unclear;
+}
+
+} // namespace vfm
+
+#endif
