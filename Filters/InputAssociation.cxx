@@ -85,13 +85,14 @@ const char* NameOf(int association)
     "and Cell Data to Point Data change the kind; they average, which does not serve labels.");
 }
 
-/// Throws when an array belongs only to what the arrays of the materials do not belong to.
+/// Throws when an array belongs only, or is said to belong, to what the arrays of the materials do not belong to.
 void CheckKind(
   const ChosenArray& array, const ArrayPlaces& places, int association, const ChosenArray& material)
 {
-  if (IsOnly(places, OtherThan(association)))
+  const int other = OtherThan(association);
+  if (array.Association == other || IsOnly(places, other))
   {
-    RefuseMixture(array, OtherThan(association), material);
+    RefuseMixture(array, other, material);
   }
 }
 
@@ -101,8 +102,9 @@ int FindAssociation(const std::vector<InputPart>& parts, const std::vector<Chose
   const std::vector<ChosenArray>& others, Ranks& ranks)
 {
   bool fits[2] = { true, true };
-  int found = vtkDataObject::CELL; // for the messages where none fits
-  const ChosenArray* known = nullptr;
+  const bool isSaid = materials.front().Association != AnyAssociation;
+  const ChosenArray* known = isSaid ? &materials.front() : nullptr;
+  int found = isSaid ? known->Association : vtkDataObject::CELL; // where none fits: for messages
   std::vector<ArrayPlaces> places;
   for (const ChosenArray& array : materials)
   {

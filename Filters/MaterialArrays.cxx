@@ -178,7 +178,8 @@ MaterialArrays FindSingleArray(vtkDataObject* input, Ranks& ranks)
 MaterialArrays KeepOneRole(vtkDataObject* input, MaterialArrays chosen, Ranks& ranks)
 {
   bool isReal = false;
-  for (const auto& array : FindArrays(input, ranks).Get())
+  const ArrayList list = FindArrays(input, ranks);
+  for (const auto& array : list.Get())
   {
     isReal = isReal ||
       (array.first.first == chosen.Labels.Name &&

@@ -14,6 +14,7 @@
 #include "LevelSetup.h"
 #include "MaterialArrays.h"
 #include "MeshOutput.h"
+#include "MissingLevels.h"
 #include "StateArrays.h"
 
 #include "vtkCellData.h"
@@ -301,6 +302,11 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
 {
   vtkUnstructuredGrid* output = outputs.Mesh;
+  const std::string missing = vfm::DescribeMissingLevels(input, ranks);
+  if (ranks.Rank() == 0 && !missing.empty())
+  {
+    vtkWarningMacro(<< missing);
+  }
   const vfm::MaterialArrays materials = this->FindMaterials(input, ranks);
   const vfm::ArraysToRead arrays = this->ListArrays(materials);
   vfm::FilterRuntime runtime(this, &ranks);

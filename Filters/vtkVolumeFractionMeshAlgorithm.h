@@ -92,11 +92,13 @@ public:
   /**
    * The array that names the material of each cell by a whole number, of any type, instead of volume fractions; with an association as
    * for those. Empty, or "None": use volume fractions. Default: empty. The form of five is that in which ParaView's panels choose arrays
-   * (SetInputArrayToProcess); the first three say nothing, and the association is a number in text or empty.
+   * (SetInputArrayToProcess); the first three say nothing, and the association is a number or empty. Files of states of older versions
+   * have the name alone.
    */
   void SetMaterialIdArray(const char* name);
   void SetMaterialIdArray(int association, const char* name);
-  void SetMaterialIdArray(int, int, int, const char* association, const char* name);
+  void SetMaterialIdArray(
+    const char*, const char*, const char*, const char* association, const char* name);
   const char* GetMaterialIdArray() const { return this->MaterialIdArray.Name.c_str(); }
   ///@}
 

@@ -115,7 +115,7 @@ void vtkVolumeFractionMeshAlgorithm::SetMaterialIdArray(int association, const c
 }
 
 void vtkVolumeFractionMeshAlgorithm::SetMaterialIdArray(
-  int, int, int, const char* association, const char* name)
+  const char*, const char*, const char*, const char* association, const char* name)
 {
   const bool isAny = !association || !*association;
   this->SetMaterialIdArray(isAny ? vfm::AnyAssociation : std::atoi(association), name);

@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -36,6 +37,14 @@ public:
   explicit Domain(vtkUnstructuredGrid* mesh) :
     Points(mesh->GetPoints()), Bounds(mesh->GetFieldData()->GetArray("DomainBounds"))
   {
+    vtkDataArray* frame = mesh->GetFieldData()->GetArray("DomainFrame");
+    this->IsTurned = frame && frame->GetNumberOfTuples() == 12;
+    for (int i = 0; this->IsTurned && i < 9; ++i)
+    {
+      this->ToOwn[i] = frame->GetComponent(i, 0);
+      this->Origin[i % 3] = frame->GetComponent(9 + i % 3, 0);
+    }
+    vtkMatrix3x3::Invert(this->ToOwn, this->ToOwn);
   }
 
   bool IsOnSide(vtkIdType point, int side) const
@@ -46,8 +55,7 @@ public:
     }
     const int axis = side / 2;
     const double length = this->Bound(2 * axis + 1) - this->Bound(2 * axis);
-    return std::abs(this->Points->GetPoint(point)[axis] - this->Bound(side)) <=
-      SideTolerance * length;
+    return std::abs(this->Coordinate(point, axis) - this->Bound(side)) <= SideTolerance * length;
   }
 
   /// The side on which a whole face lies, or NoSide.
@@ -66,8 +74,24 @@ public:
 
 private:
   double Bound(int side) const { return this->Bounds->GetComponent(side, 0); }
+
+  /// Of turned images along their own axis.
+  double Coordinate(vtkIdType point, int axis) const
+  {
+    const double* x = this->Points->GetPoint(point);
+    if (!this->IsTurned)
+    {
+      return x[axis];
+    }
+    const double* row = this->ToOwn + 3 * axis;
+    return this->Origin[axis] + row[0] * (x[0] - this->Origin[0]) +
+      row[1] * (x[1] - this->Origin[1]) + row[2] * (x[2] - this->Origin[2]);
+  }
+
   vtkPoints* Points;
   vtkDataArray* Bounds;
+  bool IsTurned = false;
+  double ToOwn[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, Origin[3] = { 0, 0, 0 };
 };
 
 /// Ids of pairs of materials, in the order of the pairs. voidId: the number of material 0 when it is the first.

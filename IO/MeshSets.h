@@ -4,6 +4,7 @@
  * Side sets: one for each ordered pair of materials that touch, "ball_to_plate", which holds the faces of the elements of the first
  * that lie against the second, and "ball_to_Void" for its free surface; and one a side of the domain, "x_min" to "z_max", of all
  * materials. Node sets: one a side of the domain. Faces on the domain are in no set of a pair.
+ * Of a turned image (field data DomainFrame) the sides are those of its own axes: x_min is where its first index begins.
  */
 #pragma once
 

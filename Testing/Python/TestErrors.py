@@ -4,11 +4,10 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkTable,
     vtkUniformGrid)
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonMath import vtkMatrix3x3
 
 from vfmtest import (
-    GHOST, ORIGIN, SPACING, add_array, ball_and_plate, collect, fraction_image, image, labels, main,
-    producer, run, VolumeFractionToHex)
+    GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, collect, fraction_image, image, labels, main,
+    producer, rectilinear, run, VolumeFractionToHex)
 
 N = 8
 
@@ -55,7 +54,7 @@ def half(part, spacing=SPACING, shift=0.0):
 
 
 def test_no_array_chosen():
-    check_error(fraction_image(N), "No array is chosen", "VolumeFractionArrays", VolumeFractionArrays=[])
+    check_error(fraction_image(N), "No array is chosen", "Tick Volume Fraction Arrays", "Material Id Array", VolumeFractionArrays=[])
 
 
 def test_both_ways_chosen():
@@ -84,8 +83,17 @@ def test_array_of_text():
 def test_point_data():
     data = fraction_image(N)
     add_array(data.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
-    check_error(data, "'nodal' is point data", "Point Data to Cell Data", VolumeFractionArrays=["nodal"])
-    check_error(data, "'nodal' is point data", MaterialIdArray="nodal")
+    check_error(data, "'nodal' is point data, and 'ball' is cell data", "of one kind", VolumeFractionArrays=["ball", "nodal"])
+    check_error(data, "'ball' is cell data, and 'nodal' is point data", VolumeFractionArrays=["nodal", "ball"])
+    check_error(data, "'ball' is cell data, and 'nodal' is point data", VolumeFractionArrays=["nodal"], StateArrays=["ball"])
+    check_error(data, "'ball' is cell data, and 'nodal' is point data", VolumeFractionArrays=["POINTS", "nodal", "CELLS", "ball"])
+    check_error(data, "no numeric point array 'ball'", "'nodal'", MaterialIdArray=["POINTS", "ball"])
+    check_error(data, "no numeric cell array 'nodal'", MaterialIdArray=["CELLS", "nodal"])
+    check_error(data, "'ball' is chosen as data of neither cells nor points", MaterialIdArray=["FIELD", "ball"])
+    grid = rectilinear(arrays(), [np.arange(N + 1.0)] * 3)
+    add_array(grid.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
+    check_error(grid, "is a vtkRectilinearGrid, and point data are chosen", "Resample To Image", VolumeFractionArrays=["nodal"])
+    check_error(blocks(image(arrays()), at_points(image(arrays()))), "Block 1 has no numeric cell array 'ball'")
 
 
 def test_several_components():
@@ -137,7 +145,24 @@ def test_sums_over_one():
 
 def test_material_ids_that_are_not_whole_numbers():
     for dtype in (np.float32, np.float64):
-        check_error(image({"id": labels(N).astype(dtype)}), "'id' is of type", "integers", MaterialIdArray="id")
+        for value, text in ((1.5, "1.5"), (-1, "-1"), (np.nan, "nan"), (np.inf, "inf"), (2.0 ** 31, "2.14748e+09")):
+            ids = labels(N).astype(dtype)
+            ids[6, 5, 4] = value
+            check_error(image({"id": ids}), "'id' holds %s in cell (4, 5, 6)" % text, "whole numbers", MaterialIdArray="id")
+
+
+def test_arrays_that_hold_no_materials():
+    marks = np.zeros((N, N, N), np.uint8)
+    data = image({**arrays(), "vtkGhostType": marks, "GlobalCellIds": np.arange(N ** 3).reshape(N, N, N)})
+    for properties in ({"VolumeFractionArrays": ["vtkGhostType"]}, {"VolumeFractionArrays": ["ball", "vtkGhostType"]},
+                       {"MaterialIdArray": "vtkGhostType"}, {"StateArrays": ["vtkGhostType"]},
+                       {"Refinement": "Automatic", "RefinementArray": "vtkGhostType"}):
+        check_error(data, "'vtkGhostType' only marks", **properties)
+    for properties in ({"VolumeFractionArrays": ["GlobalCellIds"]}, {"MaterialIdArray": "GlobalCellIds"}):
+        check_error(data, "'GlobalCellIds' holds ids", **properties)
+    data.GetCellData().SetGlobalIds(add_array(data.GetCellData(), "number", np.arange(N ** 3).reshape(N, N, N)))
+    check_error(data, "'number' holds ids", MaterialIdArray="number")
+    assert not run(data, StateArrays=["number"]).errors
 
 
 def test_material_ids_out_of_range():
@@ -160,12 +185,18 @@ def test_flat_and_empty_grids():
     check_error(ghosts, "no cells")
 
 
-def test_turned_image():
-    data = fraction_image(N)
-    turned = vtkMatrix3x3()
-    turned.DeepCopy((0, -1, 0, 1, 0, 0, 0, 0, 1))
-    data.SetDirectionMatrix(turned)
-    check_error(data, "direction matrix")
+def test_direction_matrices():
+    for matrix in ([[1, 0.1, 0], [0, 1, 0], [0, 0, 1]], [[2, 0, 0], [0, 1, 0], [0, 0, 1]], [[1, 0, 0]] * 3, [[np.nan] * 3] * 3):
+        check_error(at_points(fraction_image(N), matrix), "The input has the direction matrix", "sheared or scaled")
+    turned = at_points(fraction_image(N), [[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    check_error(blocks(at_points(fraction_image(N)), turned), "different direction matrices")
+    oblique = at_points(fraction_image(N), [[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
+    check_error(oblique, "Refinement boxes have sides along x, y and z", Refinement="Automatic", RefinementBoxes=[0, 0, 0, 1, 1, 1, 1])
+
+
+def test_points_of_several_levels():
+    fine = at_points(half(1, spacing=[s / 2 for s in SPACING]))
+    check_error(blocks(at_points(half(0)), fine), "several levels (AMR)", "cell data are needed")
 
 
 def test_coordinates_that_do_not_increase():

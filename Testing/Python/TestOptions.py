@@ -42,7 +42,8 @@ def test_names_and_defaults():
         hexes = VolumeFractionToHex(Input=source)
         assert set(hexes.ListProperties()) == {"Input"} | set(DEFAULTS)
         for name, value in DEFAULTS.items():
-            assert getattr(hexes, name) == value, (name, getattr(hexes, name))
+            found = getattr(hexes, name)
+            assert (found[1] if name == "MaterialIdArray" else found) == value, (name, found)
 
 
 def test_output_ports_have_names():

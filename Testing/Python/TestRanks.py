@@ -18,7 +18,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from compare_meshes import difference, joined, merge, piece_of, read_pieces
 from vfmtest import (
-    GHOST, ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, image, main, producer, reduced, save_data, surface_faces,
+    GHOST, ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, main, producer, reduced, save_data, surface_faces,
     tet_volumes, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
@@ -188,13 +188,14 @@ def check(case, source, label, **properties):
 
 
 def write_inputs():
-    """The whole images, for readers that split them themselves."""
+    """The whole images, for readers that split them themselves; also with the values at points."""
     for case, arrays in ALL_CASES.items():
-        writer = vtkXMLImageDataWriter()
-        writer.SetDataModeToBinary()
-        writer.SetInputData(image(arrays))
-        writer.SetFileName(os.path.join(FOLDER, case + ".vti"))
-        writer.Write()
+        for data, name in ((image(arrays), case), (at_points(image(arrays)), case + " points")):
+            writer = vtkXMLImageDataWriter()
+            writer.SetDataModeToBinary()
+            writer.SetInputData(data)
+            writer.SetFileName(os.path.join(FOLDER, name + ".vti"))
+            writer.Write()
 
 
 def test_whole():
@@ -245,6 +246,29 @@ def test_all_on_one_rank():
 
 def test_ghosts():
     check_split("ghosts")
+
+
+def point_blocks(arrays, split):
+    """The blocks of this rank with the values at points: beside each other, with planes that they share, or with ghost points."""
+    size = next(iter(arrays.values())).shape
+    boxes, ghosts = deal("ghosts" if split == "ghosts" else "scattered", size)
+    blocks = vtkMultiBlockDataSet()
+    for i, box in enumerate(boxes):
+        more = split == "shared planes"
+        blocks.SetBlock(i, at_points(part(arrays, [(lower, min(upper + more, n)) for (lower, upper), n in zip(box, size)], ghosts)))
+    return producer(blocks)
+
+
+def test_points():
+    """The points of images as cells."""
+    for case, arrays in ALL_CASES.items():
+        reader = simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, case + " points.vti")])
+        check(case, reader, "pieces of points")
+    for case in ("ball_and_plate", "noise", "splash"):
+        for split in ("beside each other", "shared planes", "ghosts"):
+            check(case, point_blocks(CASES[case], split), "points, " + split)
+    for case, method, _ in TET_CASES[:3]:
+        check(case, point_blocks(CASES[case], "shared planes"), "points", Method=method)
 
 
 def test_options():

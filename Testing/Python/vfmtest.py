@@ -14,6 +14,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
+from vtkmodules.vtkCommonMath import vtkMatrix3x3
 from vtkmodules.vtkIOIOSS import vtkIOSSReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -64,6 +65,21 @@ def image(arrays, first=(0, 0, 0), kind=vtkImageData):
     for name, value in arrays.items():
         add_array(data.GetCellData(), name, value)
     return data
+
+
+def at_points(data, matrix=None):
+    """The image whose points, with these arrays and the state of ghosts, are the centres of the cells of an image; matrix: its direction
+    matrix, about the first point."""
+    points, (x0, x1, y0, y1, z0, z1) = vtkImageData(), data.GetExtent()
+    points.SetExtent(x0, x1 - 1, y0, y1 - 1, z0, z1 - 1)
+    points.SetSpacing(data.GetSpacing())
+    points.SetOrigin([o + s / 2 for o, s in zip(data.GetOrigin(), data.GetSpacing())])
+    points.GetPointData().ShallowCopy(data.GetCellData())
+    if matrix is not None:
+        turned = vtkMatrix3x3()
+        turned.DeepCopy(np.asarray(matrix, float).ravel().tolist())
+        points.SetDirectionMatrix(turned)
+    return points
 
 
 def rectilinear(arrays, coordinates):

@@ -1,0 +1,44 @@
+#include "MissingLevels.h"
+
+#include "vtkUniformGrid.h"
+#include "vtkUniformGridAMR.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+
+std::string DescribeMissingLevels(vtkDataObject* input, Ranks& ranks)
+{
+  constexpr std::size_t mostLevels = 64;
+  std::vector<std::int64_t> counts(2 * mostLevels, 0); // of each level boxes, then those with data
+  vtkUniformGridAMR* amr = vtkUniformGridAMR::SafeDownCast(input);
+  const std::size_t levels = amr ? amr->GetNumberOfLevels() : 0;
+  for (std::size_t level = 0; level < std::min(levels, mostLevels); ++level)
+  {
+    const unsigned int number = static_cast<unsigned int>(level);
+    const unsigned int boxes = amr->GetNumberOfDataSets(number);
+    counts[level] = boxes;
+    for (unsigned int box = 0; box < boxes; ++box)
+    {
+      counts[mostLevels + level] += amr->GetDataSet(number, box) != nullptr;
+    }
+  }
+  ranks.Sum(counts);
+  std::string missing;
+  for (std::size_t level = 0; level < mostLevels; ++level)
+  {
+    if (counts[level] > 0 && counts[mostLevels + level] == 0)
+    {
+      missing += (missing.empty() ? "" : ", ") + std::to_string(level);
+    }
+  }
+  return missing.empty() ? ""
+                         : "The reader has not loaded all levels of the refined grid (AMR): there "
+                           "are boxes without data on level " +
+      missing +
+      ". Set Default Number Of Levels of the reader to 0, which reads all, or its Level "
+      "to a larger number.";
+}
+
+} // namespace vfm

@@ -1,0 +1,289 @@
+"""Images with values at points mesh as the same values in cells; images with a direction matrix lie where the image lies; which arrays
+are offered, and chosen where nothing is."""
+import re
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUniformGrid
+
+from exodus_dump import Dump, join
+from mesh_sets import find_sets
+from vfmtest import (
+    HIDDEN, ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, add_array, at_points, ball_and_plate, check_surfaces,
+    digest, elements, facets, hex_volumes, image, in_folder, labels, main, mesh_of, points_of, producer, rectilinear, run,
+    tet_volumes)
+
+N = 12
+BALL, PLATE = ball_and_plate(N)
+RANDOM = np.random.default_rng(3)
+FIELDS = {"ball": BALL, "plate": PLATE}
+STATE = {"velocity": RANDOM.normal(size=(N, N, N, 3)).astype(np.float32), "number": RANDOM.integers(2 ** 60, size=(N, N, N))}
+METHODS = [{}] + [{"make": VolumeFractionToTet, "Method": method} for method in TET_METHODS]
+ROTATIONS = {  # the matrix, and whether it mirrors
+    "quarter": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "oblique": [[0.6, -0.8, 0], [0.48, 0.36, -0.8], [0.64, 0.48, 0.6]]}
+MIRRORS = {"along x": [[-1, 0, 0], [0, 1, 0], [0, 0, 1]], "swapped": [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
+           "oblique": [[0.6, 0.8, 0], [0.8, -0.6, 0], [0, 0, 1]]}
+CENTRE = np.array(ORIGIN) + 0.5 * np.array(SPACING)  # the first point, about which matrices turn
+
+
+def check_same(arrays, kind=image, **properties):
+    """The mesh of the values at points is that of the values in cells."""
+    assert digest(mesh_of(at_points(image(arrays)), **properties)) == digest(mesh_of(image(arrays), **properties))
+
+
+def test_fractions():
+    for method in METHODS:
+        check_same({**FIELDS, **STATE}, StateArrays=["velocity", "number"], **method)
+    check_same({name: np.round(255 * values).astype(np.uint8) for name, values in FIELDS.items()})
+    check_same(FIELDS, Refinement="Coarsen", MeshVoid=1)
+
+
+def test_labels_of_any_type():
+    reference = digest(mesh_of(image({"id": labels(N)}), MaterialIdArray="id"))
+    for dtype in (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.int64, np.float32, np.float64):
+        arrays = {"id": labels(N).astype(dtype)}
+        for data in (image(arrays), at_points(image(arrays))):
+            assert digest(mesh_of(data, MaterialIdArray="id")) == reference, dtype
+    check_same({"id": labels(N)}, MaterialIdArray="id", LabelSmoothing=2, make=VolumeFractionToTet, Method="Lattice")
+
+
+def test_refinement():
+    wish = np.zeros((N, N, N), np.int16)
+    wish[2:4, 5:7, 5:7] = 1
+    check_same({**FIELDS, "wish": wish}, Refinement="Automatic", RefinementArray="wish", RefinementBoxes=[0, 1, 3, 1, 2, 4, 1])
+
+
+def test_one_slice():
+    for size in ((1, N, N), (N, 1, N), (N, N, 1)):
+        ids = RANDOM.integers(0, 3, size)
+        check_same({"id": ids}, MaterialIdArray="id")
+
+
+def split(arrays, shared):
+    """Two blocks of points along x; shared: how many planes both have."""
+    blocks = vtkMultiBlockDataSet()
+    for i, (begin, end) in enumerate(((0, 5 + shared), (5, N))):
+        part = {name: np.ascontiguousarray(values[:, :, begin:end]) for name, values in arrays.items()}
+        data = at_points(image(part, kind=vtkUniformGrid))
+        data.SetOrigin(data.GetOrigin()[0] + begin * SPACING[0], *data.GetOrigin()[1:])
+        blocks.SetBlock(i, data)
+    return blocks
+
+
+def test_blocks():
+    reference = digest(mesh_of(image(FIELDS)))
+    for shared in (0, 1):
+        assert digest(mesh_of(split(FIELDS, shared))) == reference
+    result = run(split(FIELDS, 2))
+    assert len(result.errors) == 1 and "overlap" in result.errors[0]
+
+
+def test_hidden_points():
+    hidden = RANDOM.random((N, N, N)) < 0.1
+    cells = image({**FIELDS, "vtkGhostType": np.where(hidden, HIDDEN, 0).astype(np.uint8)})
+    points = at_points(image({**FIELDS, "vtkGhostType": np.where(hidden, 2, 0).astype(np.uint8)}))
+    assert digest(mesh_of(points)) == digest(mesh_of(cells))
+
+
+def test_forms_of_a_choice():
+    both = at_points(image({"id": labels(N), **FIELDS}))
+    smaller = {"id": np.ones((N - 1,) * 3, np.int16), "ball": np.ones((N - 1,) * 3), "rest": np.zeros((N - 1,) * 3)}
+    for name, values in smaller.items():
+        add_array(both.GetCellData(), name, values)
+    cells = lambda **chosen: mesh_of(both, StairStep=1, **chosen).mesh.GetNumberOfCells()
+    of_cells, of_points = (N - 1) ** 3, np.count_nonzero(labels(N))
+    assert cells(MaterialIdArray="id") == cells(MaterialIdArray=["CELLS", "id"]) == of_cells
+    assert cells(MaterialIdArray=["POINTS", "id"]) == of_points
+    assert cells(VolumeFractionArrays=["ball", "rest"]) == cells(VolumeFractionArrays=["CELLS", "ball", "CELLS", "rest"]) == of_cells
+    expected = mesh_of(image(FIELDS), StairStep=1).mesh.GetNumberOfCells()
+    for words in (["ball", "plate"], ["POINTS", "ball", "plate"], ["POINTS", "ball", "POINTS", "plate"]):
+        assert cells(VolumeFractionArrays=words) == expected, words  # the first: plate is at points alone
+    hexes = VolumeFractionToHex(Input=producer(both), MaterialIdArray=["POINTS", "id"])
+    assert list(hexes.MaterialIdArray) == ["POINTS", "id"]
+    hexes.MaterialIdArray = "None"
+    hexes.VolumeFractionArrays = ["POINTS", "ball"]
+    hexes.UpdatePipeline()
+    hexes.VolumeFractionArrays = ["ball"]  # POINTS is forgotten
+    hexes.StairStep = 1
+    hexes.UpdatePipeline()
+    assert hexes.GetDataInformation().GetNumberOfCells() == of_cells
+
+
+@in_folder
+def test_state_files_of_before(at):
+    """MaterialIdArray had one element."""
+    simple.ResetSession()
+    data = at_points(image({"id": labels(N), "ball": BALL}))
+    source = producer(data)
+    simple.SaveData(at("in.vti"), proxy=source, DataMode="Binary")
+    simple.Delete(source)
+    del source
+    VolumeFractionToHex(registrationName="mesh", Input=simple.OpenDataFile(at("in.vti")), MaterialIdArray="id")
+    simple.SaveState(at("new.pvsm"))
+    with open(at("new.pvsm")) as file:
+        text = file.read()
+    pattern = r'(<Property name="MaterialIdArray" id="[^"]*" number_of_elements=)"5">.*?(<Domain|</Property>)'
+    text, count = re.subn(pattern, r'\1"1"><Element index="0" value="id"/>\2', text, flags=re.S)
+    assert count >= 1
+    with open(at("old.pvsm"), "w") as file:
+        file.write(text)
+    for name in ("new.pvsm", "old.pvsm"):
+        simple.ResetSession()
+        simple.LoadState(at(name))
+        mesh = simple.FindSource("mesh")
+        mesh.UpdatePipeline()
+        assert mesh.GetDataInformation().GetNumberOfCells() == mesh_of(data, MaterialIdArray="id").mesh.GetNumberOfCells()
+
+
+def turned(points, matrix):
+    return (points - CENTRE) @ np.array(matrix, float).T + CENTRE
+
+
+def volumes_of(result):
+    cells = elements(result)
+    return (hex_volumes if cells.shape[1] == 8 else tet_volumes)(points_of(result), cells)
+
+
+def outward_volume(result, material):
+    """What the facets around a material enclose, which is positive where their normals, reversed or not, point out of it."""
+    pairs = vtk_to_numpy(result.surfaces.GetCellData().GetArray("MaterialPair"))
+    points = vtk_to_numpy(result.surfaces.GetPoints().GetData()) - CENTRE
+    volume = 0.0
+    for sign, own in ((1, pairs[:, 1] == material), (-1, pairs[:, 0] == material)):  # normals point from the second to the first
+        corners = points[facets(result)[own]]
+        for c in range(1, corners.shape[1] - 1):
+            volume += sign * np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, c], corners[:, c + 1])) / 6
+    return volume
+
+
+def check_turned(matrix, is_mirror, **method):
+    arrays = {**FIELDS, **STATE}
+    properties = {"StateArrays": ["velocity", "number"], **method}
+    plain, result = mesh_of(at_points(image(arrays)), **properties), mesh_of(at_points(image(arrays), matrix), **properties)
+    for output in ("mesh", "surfaces", "curves", "vertices"):
+        own, other = (vtk_to_numpy(getattr(r, output).GetPoints().GetData()) for r in (plain, result))
+        assert np.allclose(turned(own, matrix), other, rtol=0, atol=1e-12), output
+        for of in ("GetPointData", "GetCellData"):
+            attributes, others = (getattr(getattr(r, output), of)() for r in (plain, result))
+            for i in range(attributes.GetNumberOfArrays()):
+                assert np.array_equal(vtk_to_numpy(attributes.GetArray(i)), vtk_to_numpy(others.GetArray(i))), attributes.GetArrayName(i)
+    assert is_mirror != np.array_equal(elements(plain), elements(result))
+    assert np.array_equal(np.sort(elements(plain)), np.sort(elements(result)))
+    assert volumes_of(result).min() > 0 and np.allclose(volumes_of(result), volumes_of(plain), rtol=1e-9)
+    check_surfaces(result)
+    for material, volume in zip(result.field("MaterialIds"), result.field("MeshVolume")):
+        assert np.isclose(outward_volume(result, material), volume, rtol=0.01), material  # quads are cut one way
+    assert result.field("DomainBounds") == plain.field("DomainBounds")
+    assert np.array_equal(result.field("DomainFrame"), [*np.ravel(matrix), *CENTRE])
+    assert not plain.mesh.GetFieldData().HasArray("DomainFrame")
+
+
+def test_turned_images():
+    for method in METHODS:
+        for matrix in ROTATIONS.values():
+            check_turned(matrix, False, **method)
+        for matrix in MIRRORS.values():
+            check_turned(matrix, True, **method)
+    data, cells = image(FIELDS), at_points(image(FIELDS), MIRRORS["oblique"])
+    data.SetDirectionMatrix(cells.GetDirectionMatrix())  # about the corner of the first cell
+    corner = np.array(ORIGIN)
+    expected = (points_of(mesh_of(image(FIELDS))) - corner) @ np.array(MIRRORS["oblique"]).T + corner
+    assert np.allclose(points_of(mesh_of(data)), expected, rtol=0, atol=1e-12)
+
+
+def test_turned_blocks():
+    """Whose origins differ; each lies where it lies in space."""
+    matrix = MIRRORS["oblique"]
+    whole = mesh_of(at_points(image(FIELDS), matrix))
+    blocks = split(FIELDS, 1)
+    for i in range(2):
+        block = blocks.GetBlock(i)
+        block.SetOrigin(turned(np.array(block.GetOrigin()), matrix))
+        block.SetDirectionMatrix(at_points(image(FIELDS), matrix).GetDirectionMatrix())
+    parts = mesh_of(blocks)
+    assert np.array_equal(elements(parts), elements(whole))
+    assert np.allclose(points_of(parts), points_of(whole), rtol=0, atol=1e-9)
+
+
+def test_boxes_in_turned_images():
+    """They are those of space, if the axes of the image lie along its axes."""
+    box = np.array([[0.0, 1.0, 3.0], [1.0, 2.0, 4.0]])
+    options = {"Refinement": "Automatic", "ThinCells": 0}
+    plain = mesh_of(at_points(image(FIELDS)), RefinementBoxes=[*box[0], *box[1], 1], **options)
+    for matrix in (ROTATIONS["quarter"], MIRRORS["swapped"]):
+        moved = turned(box, matrix)
+        result = mesh_of(at_points(image(FIELDS), matrix), RefinementBoxes=[*moved.min(axis=0), *moved.max(axis=0), 1], **options)
+        assert result.field("ChosenCells") == plain.field("ChosenCells") != [0]
+        assert np.allclose(points_of(result), turned(points_of(plain), matrix), rtol=0, atol=1e-12)
+
+
+@in_folder
+def test_side_sets_of_turned_images(at):
+    """The sides of the domain are those of the image's own axes."""
+    sides, nodes = find_sets(mesh_of(at_points(image(FIELDS))).mesh)
+    assert any(name == "x_min" for _, name in sides)
+    for i, matrix in enumerate((*ROTATIONS.values(), *MIRRORS.values())):
+        hexes = VolumeFractionToHex(Input=producer(at_points(image(FIELDS), matrix)), VolumeFractionArrays=["ball", "plate"])
+        simple.SaveData(at("turned%d.exo" % i), proxy=hexes)
+        found = join([Dump(at("turned%d.exo" % i))])
+        assert found["sides"] == sides and found["node sets"] == nodes
+
+
+def chosen_by_default(data, make=VolumeFractionToHex):
+    mesher = make(Input=producer(data))
+    return list(mesher.VolumeFractionArrays), mesher.MaterialIdArray[1]
+
+
+def offered(data, name):
+    domain = VolumeFractionToHex(Input=producer(data)).GetProperty(name).FindDomain("vtkSMArrayListDomain")
+    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings()) if domain.GetString(i) != "None"]
+
+
+def test_arrays_that_are_offered():
+    arrays = {"ball": BALL, "id": labels(N), "vtkOriginalCellIds": labels(N), "number": labels(N), "vtkGhostType": 0 * BALL.astype(np.uint8),
+              "velocity": STATE["velocity"]}
+    for data in (image(arrays), at_points(image(arrays))):
+        attributes = data.GetCellData() if data.GetCellData().GetNumberOfArrays() else data.GetPointData()
+        attributes.SetPedigreeIds(attributes.GetArray("number"))
+        for name in ("VolumeFractionArrays", "MaterialIdArray", "RefinementArray"):
+            assert offered(data, name) == ["ball", "id"], (name, offered(data, name))
+        assert offered(data, "StateArrays") == ["ball", "id", "velocity"]
+    grid = rectilinear({"ball": BALL}, [np.arange(N + 1.0)] * 3)
+    add_array(grid.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
+    assert offered(grid, "VolumeFractionArrays") == ["ball"]  # its points are no centres
+    assert offered(split({"ball": BALL}, 1), "VolumeFractionArrays") == ["ball"]
+
+
+def test_a_single_array_is_chosen():
+    cases = [({"ball": BALL}, ["ball"], "None"), ({"id": labels(N)}, [], "id"), (FIELDS, [], "None"),
+             ({"ball": BALL, "density": 1000 * BALL}, ["ball"], "None"), ({"density": 1000 * BALL}, [], "None"),
+             ({"ball": BALL, "id": labels(N)}, [], "None"), ({"mask": 255 * labels(N).clip(0, 1).astype(np.uint8)}, [], "None"),
+             ({"ball": BALL, "vtkGhostType": np.zeros((N, N, N), np.uint8)}, ["ball"], "None")]
+    for arrays, fractions, ids in cases:
+        for data in (image(arrays), at_points(image(arrays))):
+            for make in (VolumeFractionToHex, VolumeFractionToTet):
+                assert chosen_by_default(data, make) == (fractions, ids), (list(arrays), chosen_by_default(data, make))
+        result = run(image(arrays), VolumeFractionArrays=[])  # by the filter itself: nothing is ticked
+        if fractions or ids != "None":
+            chosen = {"MaterialIdArray": ids} if ids != "None" else {"VolumeFractionArrays": fractions}
+            assert not result.errors and digest(result) == digest(mesh_of(image(arrays), **chosen))
+        else:
+            assert len(result.errors) == 1 and "No array is chosen" in result.errors[0]
+
+
+def test_what_is_chosen_counts():
+    """Where the single array was ticked already."""
+    hexes = VolumeFractionToHex(Input=producer(image({"ball": np.round(BALL)})))
+    hexes.MaterialIdArray = "ball"
+    hexes.UpdatePipeline()
+    expected = mesh_of(image({"ball": np.round(BALL)}), MaterialIdArray="ball")
+    assert hexes.GetDataInformation().GetNumberOfCells() == expected.mesh.GetNumberOfCells()
+    assert hexes.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetAbstractArray("MaterialNames").GetValue(0) == "Material 1"
+    hexes = VolumeFractionToHex(Input=producer(image({"id": labels(N).clip(0, 1)})))
+    hexes.VolumeFractionArrays = ["id"]
+    hexes.UpdatePipeline()
+    assert hexes.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetAbstractArray("MaterialNames").GetValue(0) == "id"
+
+
+main(globals())
