@@ -85,6 +85,17 @@ const char* NameOf(int association)
     "and Cell Data to Point Data change the kind; they average, which does not serve labels.");
 }
 
+/// Throws when an array belongs to cells in some parts, and in the others to points.
+void CheckAllParts(const ChosenArray& array, const ArrayPlaces& places)
+{
+  const int cell = vtkDataObject::CELL, point = vtkDataObject::POINT;
+  if (places.InSome[cell] && places.InSome[point] && !places.InAll[cell] && !places.InAll[point])
+  {
+    throw InputError("'" + array.Name +
+      "' is cell data in some blocks, and point data in others. It must be of one kind in all.");
+  }
+}
+
 /// Throws when an array belongs only, or is said to belong, to what the arrays of the materials do not belong to.
 void CheckKind(
   const ChosenArray& array, const ArrayPlaces& places, int association, const ChosenArray& material)
@@ -109,6 +120,7 @@ int FindAssociation(const std::vector<InputPart>& parts, const std::vector<Chose
   for (const ChosenArray& array : materials)
   {
     places.push_back(FindPlaces(parts, array, ranks));
+    CheckAllParts(array, places.back());
     for (int association : Associations)
     {
       fits[association] = fits[association] && places.back().InAll[association];

@@ -31,7 +31,7 @@ def entries(element):
 
 
 def default_of(element):
-    default = element.get("default_values", "")
+    default = element.get("default_values", "").split(element.get("default_values_delimiter") or "\n")[-1]
     if element.find("BooleanDomain") is not None:
         return {"0": "off", "1": "on"}[default]
     return BUILT.get(default) or entries(element).get(default, default)
@@ -41,8 +41,9 @@ def values_of(element):
     """What it takes."""
     if element.find("BooleanDomain") is not None:
         return "on, off"
-    if element.find("ArrayListDomain") is not None:
-        return "cell arrays" if element.get("repeat_command") else "a cell array"
+    for domain, of in (("ArrayListDomain", "cell "), ("MeshArrayListDomain", "")):
+        if element.find(domain) is not None:
+            return of + "arrays" if element.get("repeat_command") else "a cell array" if of else "an array"
     if entries(element):
         return ", ".join(entries(element).values())
     kind = {"IntVectorProperty": "whole number", "DoubleVectorProperty": "number", "StringVectorProperty": "text"}[element.tag]

@@ -93,7 +93,7 @@ def test_point_data():
     grid = rectilinear(arrays(), [np.arange(N + 1.0)] * 3)
     add_array(grid.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
     check_error(grid, "is a vtkRectilinearGrid, and point data are chosen", "Resample To Image", VolumeFractionArrays=["nodal"])
-    check_error(blocks(image(arrays()), at_points(image(arrays()))), "Block 1 has no numeric cell array 'ball'")
+    check_error(blocks(image(arrays()), at_points(image(arrays()))), "'ball' is cell data in some blocks, and point data")
 
 
 def test_several_components():

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, image, labels, main, producer, reduced, run,
+    ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, labels, main, producer, reduced, run,
     VolumeFractionToHex,
     VolumeFractionToTet)
 
@@ -144,6 +144,37 @@ def test_state_arrays_of_ranks_without_blocks():
 
 def test_other_kind_on_one_rank():
     check_error(blocks(vtkPolyData() if RANK == 1 else slab()), "Block 0 of rank 1 is a vtkPolyData")
+
+
+def test_points_and_matrices_of_ranks():
+    """What decides on the grid is the same on all ranks."""
+    check_error(blocks(at_points(slab()) if RANK == 1 else slab()), "'ball' is cell data in some blocks, and point data")
+    turned = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    check_error(blocks(at_points(slab(), turned if RANK == 2 else None)), "different direction matrices")
+    check_error(blocks(at_points(slab(), np.diag([1, 1, 2]) if RANK == 0 else None)), "Block 0 of rank 0 has the direction matrix")
+    check_error(blocks(slab()), "No array is chosen", VolumeFractionArrays=[])
+
+
+def test_single_array_on_some_ranks():
+    data = slab(lambda arrays: [arrays.pop(name) for name in ("plate", "id")])
+    result = run(blocks(data), VolumeFractionArrays=[])
+    assert reduced(int(not result.errors and result.mesh.GetNumberOfCells() > 0), vtkCommunicator.MAX_OP) == 1, result.errors
+    more = slab(lambda arrays: [arrays.pop(name) for name in ("plate", "id") if RANK != 1])
+    check_error(blocks(more), "No array is chosen", VolumeFractionArrays=[])
+
+
+def test_levels_that_are_not_loaded():
+    """Told once; not where the boxes of a level have data on another rank."""
+    for missing in (True, False):
+        amr = vtkNonOverlappingAMR()
+        amr.Initialize(2, [RANKS, 1])
+        amr.SetDataSet(0, RANK, slab(kind=vtkUniformGrid))
+        if RANK == 2 and not missing:
+            fine = slab(rank=0, kind=vtkUniformGrid)
+            fine.SetSpacing([h / 2 for h in SPACING])
+            amr.SetDataSet(1, 0, fine)
+        told = sum("without data on level 1" in warning for warning in run(amr).warnings)
+        assert reduced(told, vtkCommunicator.SUM_OP) == int(missing)
 
 
 def test_gap_between_ranks():

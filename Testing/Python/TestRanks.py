@@ -70,6 +70,7 @@ CASES = {
     "sphere": sphere(), "ball_and_plate": dict(zip(("ball", "plate"), ball_and_plate(16))), "grains": grains(),
     "noise": noise(), "splash": splash()}
 CASES = {case: with_state(arrays) for case, arrays in CASES.items()}
+MIRROR = [[0.6, 0.8, 0], [0.8, -0.6, 0], [0, 0, 1]]  # a direction matrix
 TINY = "fewer cells than ranks"
 TET_CASES = [("ball_and_plate", "Cells", "scattered"), ("sphere", "Lattice", "slabs"), ("grains", "Lattice", "scattered"),
              ("noise", "Cells", "slabs")]
@@ -180,9 +181,9 @@ def on_first_rank(work):
     assert reduced(int(bool(problem)), vtkCommunicator.MAX_OP) == 0, problem or "see rank 0"
 
 
-def check(case, source, label, **properties):
+def check(case, source, label, kind=None, **properties):
     outputs = mesh_and_surfaces(source, case, **properties)
-    parts = [case, properties.get("Method"), "with void" if properties.get("MeshVoid") else None,
+    parts = [case, kind, properties.get("Method"), "with void" if properties.get("MeshVoid") else None,
              "refined" if properties.get("MaximumLevel") else None, "cleared" if properties.get("MinimumRegionCells") else None]
     on_first_rank(lambda: compare_with_gold(outputs, " ".join(filter(None, parts)), label))
 
@@ -190,7 +191,8 @@ def check(case, source, label, **properties):
 def write_inputs():
     """The whole images, for readers that split them themselves; also with the values at points."""
     for case, arrays in ALL_CASES.items():
-        for data, name in ((image(arrays), case), (at_points(image(arrays)), case + " points")):
+        for data, name in ((image(arrays), case), (at_points(image(arrays)), case + " points"),
+                           (at_points(image(arrays), MIRROR), case + " turned")):
             writer = vtkXMLImageDataWriter()
             writer.SetDataModeToBinary()
             writer.SetInputData(data)
@@ -208,6 +210,7 @@ def test_whole():
         check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", **uniform(1))
         for case, properties in CLEARED:
             check(case, producer(image(CASES[case])), "whole", **properties)
+        check("ball_and_plate", producer(at_points(image(CASES["ball_and_plate"]), MIRROR)), "whole", "turned")
         for case, method, _ in TET_CASES:
             check(case, producer(image(CASES[case])), "whole", Method=method)
 
@@ -264,10 +267,12 @@ def test_points():
     for case, arrays in ALL_CASES.items():
         reader = simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, case + " points.vti")])
         check(case, reader, "pieces of points")
-    for case in ("ball_and_plate", "noise", "splash"):
+    for case in ("noise", "splash"):
         for split in ("beside each other", "shared planes", "ghosts"):
             check(case, point_blocks(CASES[case], split), "points, " + split)
-    for case, method, _ in TET_CASES[:3]:
+    turned = simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, "ball_and_plate turned.vti")])
+    check("ball_and_plate", turned, "pieces of points", "turned")
+    for case, method, _ in TET_CASES[:2]:
         check(case, point_blocks(CASES[case], "shared planes"), "points", Method=method)
 
 
