@@ -14,7 +14,7 @@ ALLOWED.update({
     "IO": ("Grid/Base", "Parallel"),
     "Filters": ("Grid/Base", "Grid/Fractions", "Grid/Octree", "Grid/Labels", "Grid/Mesh", "Grid", "Shapes", "Parallel"),
     "InSitu": ("Grid/Base", "Parallel", "IO", "Filters"),
-    "Plugin": (),
+    "Plugin": ("Filters",),
     "Examples": ("InSitu",),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
