@@ -135,6 +135,7 @@ Vector3 ImageFrame::OriginOf(vtkImageData* image) const
 ImageFrame FindImageFrame(const std::vector<InputPart>& parts, Ranks& ranks)
 {
   std::vector<FrameOfPart> frames;
+  bool isTurned = false;
   WorkTogether(ranks,
     [&]
     {
@@ -151,14 +152,15 @@ ImageFrame FindImageFrame(const std::vector<InputPart>& parts, Ranks& ranks)
         {
           frame.Origin = {}; // plays no part
         }
+        isTurned = isTurned || frame.Matrix != ImageFrame().Axes;
         frames.push_back(frame);
       }
     });
-  frames = Unite(ranks, std::move(frames));
-  if (frames.empty())
+  if (!ranks.Any(isTurned))
   {
     return {};
   }
+  frames = Unite(ranks, std::move(frames));
   if (frames.front().Matrix != frames.back().Matrix)
   {
     throw InputError("Blocks of the input have different direction matrices, " +

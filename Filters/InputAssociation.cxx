@@ -7,12 +7,14 @@
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 
+#include <algorithm>
+
 namespace vfm
 {
 namespace
 {
 
-constexpr int Associations[2] = { vtkDataObject::POINT, vtkDataObject::CELL };
+constexpr int Associations[2] = { vtkDataObject::POINT, vtkDataObject::CELL }; // 0 and 1
 
 /// Throws when an array can never be read.
 void CheckChoice(const ChosenArray& array)
@@ -36,28 +38,28 @@ struct ArrayPlaces
   bool InAll[2], InSome[2]; ///< of the parts, by association
 };
 
-/// Collective. Of an association that is not admitted nothing.
-ArrayPlaces FindPlaces(const std::vector<InputPart>& parts, const ChosenArray& array, Ranks& ranks)
+/// Collective: of each array; of an association that is not admitted nothing.
+std::vector<ArrayPlaces> FindPlaces(
+  const std::vector<InputPart>& parts, const std::vector<ChosenArray>& arrays, Ranks& ranks)
 {
-  CheckChoice(array);
-  std::vector<Index> counts(3, 0); // parts with it, by association, and all
+  std::vector<Index> counts(2 * arrays.size() + 1, 0); // parts with each by association, and all
   for (const InputPart& part : parts)
   {
-    for (int association : Associations)
+    for (std::size_t c = 0; part.HasPoints() && c + 1 < counts.size(); ++c)
     {
-      vtkDataSetAttributes* attributes = part.Data->GetAttributes(association);
-      counts[association] +=
-        part.HasPoints() && attributes && attributes->HasArray(array.Name.c_str());
+      vtkDataSetAttributes* attributes = part.Data->GetAttributes(static_cast<int>(c % 2));
+      counts[c] += attributes && attributes->HasArray(arrays[c / 2].Name.c_str());
     }
-    counts[2] += part.HasPoints();
+    counts.back() += part.HasPoints();
   }
   ranks.Sum(counts);
-  ArrayPlaces places{};
-  for (int association : Associations)
+  std::vector<ArrayPlaces> places(arrays.size());
+  for (std::size_t c = 0; c + 1 < counts.size(); ++c)
   {
-    const bool isAdmitted = array.Association == AnyAssociation || array.Association == association;
-    places.InAll[association] = isAdmitted && counts[association] == counts[2];
-    places.InSome[association] = isAdmitted && counts[association] > 0;
+    const int association = static_cast<int>(c % 2), said = arrays[c / 2].Association;
+    const bool isAdmitted = said == AnyAssociation || said == association;
+    places[c / 2].InAll[association] = isAdmitted && counts[c] == counts.back();
+    places[c / 2].InSome[association] = isAdmitted && counts[c] > 0;
   }
   return places;
 }
@@ -109,24 +111,26 @@ void CheckKind(
 
 } // namespace
 
-int FindAssociation(const std::vector<InputPart>& parts, const std::vector<ChosenArray>& materials,
-  const std::vector<ChosenArray>& others, Ranks& ranks)
+int FindAssociation(const std::vector<InputPart>& parts, const ArraysToRead& toRead, Ranks& ranks)
 {
+  const std::vector<ChosenArray>& materials = toRead.Materials;
+  std::vector<ChosenArray> arrays = materials;
+  arrays.insert(arrays.end(), toRead.Others.begin(), toRead.Others.end());
+  std::for_each(arrays.begin(), arrays.end(), CheckChoice);
+  const std::vector<ArrayPlaces> places = FindPlaces(parts, arrays, ranks);
   bool fits[2] = { true, true };
   const bool isSaid = materials.front().Association != AnyAssociation;
   const ChosenArray* known = isSaid ? &materials.front() : nullptr;
   int found = isSaid ? known->Association : vtkDataObject::CELL; // where none fits: for messages
-  std::vector<ArrayPlaces> places;
-  for (const ChosenArray& array : materials)
+  for (std::size_t m = 0; m < materials.size(); ++m)
   {
-    places.push_back(FindPlaces(parts, array, ranks));
-    CheckAllParts(array, places.back());
+    CheckAllParts(materials[m], places[m]);
     for (int association : Associations)
     {
-      fits[association] = fits[association] && places.back().InAll[association];
-      if (!known && IsOnly(places.back(), association))
+      fits[association] = fits[association] && places[m].InAll[association];
+      if (!known && IsOnly(places[m], association))
       {
-        known = &array;
+        known = &materials[m];
         found = association;
       }
     }
@@ -135,13 +139,9 @@ int FindAssociation(const std::vector<InputPart>& parts, const std::vector<Chose
   {
     found = fits[vtkDataObject::CELL] ? vtkDataObject::CELL : vtkDataObject::POINT;
   }
-  for (std::size_t m = 0; m < materials.size(); ++m)
+  for (std::size_t a = 0; a < arrays.size(); ++a)
   {
-    CheckKind(materials[m], places[m], found, known ? *known : materials.front());
-  }
-  for (const ChosenArray& array : others)
-  {
-    CheckKind(array, FindPlaces(parts, array, ranks), found, materials.front());
+    CheckKind(arrays[a], places[a], found, known ? *known : materials.front());
   }
   return found;
 }

@@ -17,9 +17,8 @@ namespace vfm
 
 struct InputPart;
 
-/// Collective: vtkDataObject::CELL or POINT. materials: the arrays that hold them, state: others that are to be read. Throws InputError,
-/// on all ranks alike, when some belong to cells and others to points. An array that is missing is no error here: cells are meant then.
-int FindAssociation(const std::vector<InputPart>& parts, const std::vector<ChosenArray>& materials,
-  const std::vector<ChosenArray>& others, Ranks& ranks);
+/// Collective: vtkDataObject::CELL or POINT. Throws InputError, on all ranks alike, when some of the arrays belong to cells and others to
+/// points, or one is none that can be read. An array that is missing is no error here: what the others belong to is meant then, or cells.
+int FindAssociation(const std::vector<InputPart>& parts, const ArraysToRead& toRead, Ranks& ranks);
 
 } // namespace vfm

@@ -154,7 +154,7 @@ void DropSharedPlanes(InputBlocks& input, Ranks& ranks)
   for (InputBlock& block : input.Blocks)
   {
     const IndexBox whole = block.Box;
-    for (int axis = 0; axis < 3 && block.Association == vtkDataObject::POINT; ++axis)
+    for (int axis = 0; axis < 3; ++axis)
     {
       if (std::any_of(input.Places.begin(), input.Places.end(),
             [&](const BlockPlace& place) { return IsShared(whole, axis, place.Box); }))
@@ -182,7 +182,7 @@ CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays
   std::vector<InputPart> parts;
   WorkTogether(ranks, [&] { parts = FindParts(data, ranks.Rank(), ranks.Count() == 1); });
   CollectedBlocks collected;
-  collected.Reading.Association = FindAssociation(parts, arrays.Materials, arrays.Others, ranks);
+  collected.Reading.Association = FindAssociation(parts, arrays, ranks);
   collected.Reading.Frame = FindImageFrame(parts, ranks);
   WorkTogether(ranks, [&] { collected.Blocks = CollectBlocks(parts, collected.Reading); });
   if (!ranks.Any(!collected.Blocks.empty()))
@@ -206,11 +206,14 @@ bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks)
   return !ranks.Any(!fit);
 }
 
-InputBlocks FindInputBlocks(std::vector<InputBlock> blocks, Ranks& ranks)
+InputBlocks FindInputBlocks(CollectedBlocks collected, Ranks& ranks)
 {
-  InputBlocks input = PlaceOwnBlocks(std::move(blocks), ranks);
+  InputBlocks input = PlaceOwnBlocks(std::move(collected.Blocks), ranks);
   input.Places = GatherPlaces(input.Blocks, ranks);
-  DropSharedPlanes(input, ranks);
+  if (collected.Reading.Association == vtkDataObject::POINT)
+  {
+    DropSharedPlanes(input, ranks);
+  }
   CheckOverlaps(input.Places, ranks.Count() == 1);
   CheckGaps(input);
   return input;

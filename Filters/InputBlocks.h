@@ -123,9 +123,9 @@ CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays
 /// Collective: whether no block has nodes between those of another.
 bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks);
 
-/// Collective; blocks: of this rank. Throws InputError, on all ranks alike, on blocks that do not tile one box and grids whose
+/// Collective. Throws InputError, on all ranks alike, on blocks that do not tile one box and grids whose
 /// ids exceed 63 bits.
-InputBlocks FindInputBlocks(std::vector<InputBlock> blocks, Ranks& ranks);
+InputBlocks FindInputBlocks(CollectedBlocks collected, Ranks& ranks);
 
 /// Collective; the same, every rank having one block. faces: the ranks across -x +x -y +y -z +z of it, or -1. Places: of
 /// this rank and of those that hold its ghost cells. Throws InputError, on all ranks alike, when neighbours do not

@@ -338,6 +338,7 @@ InputLevels FindInputLevels(vtkDataObject* data, const ArraysToRead& arrays, Ran
 {
   CollectedBlocks collected = CollectAllBlocks(data, arrays, ranks);
   std::vector<InputBlock>& blocks = collected.Blocks;
+  const InputReading reading = collected.Reading;
   const Vector3 coarsest = FindCoarsestWidths(blocks, ranks);
   bool differ = false;
   for (const InputBlock& block : blocks)
@@ -350,16 +351,16 @@ InputLevels FindInputLevels(vtkDataObject* data, const ArraysToRead& arrays, Ran
   InputLevels input;
   if (ranks.Any(differ) && !FitOneGrid(blocks, ranks))
   {
-    RefusePoints(collected.Reading,
+    RefusePoints(reading,
       "The input has several levels (AMR), whose points do not stand "
       "in the middle of cells that nest");
     input = SortByLevels(std::move(blocks), coarsest, ranks);
   }
   else
   {
-    input.Levels.push_back(FindInputBlocks(std::move(blocks), ranks));
+    input.Levels.push_back(FindInputBlocks(std::move(collected), ranks));
   }
-  input.Reading = collected.Reading;
+  input.Reading = reading;
   return input;
 }
 
