@@ -93,7 +93,7 @@ private:
     {
       vtkDataArray* array = attributes->GetArray(i);
       if (array && array->GetName() && array->GetNumberOfComponents() == 1 &&
-        array->GetNumberOfTuples() > 0 && !IsGhostName(array->GetName()) &&
+        array->GetNumberOfTuples() > 0 && IsOffered(array->GetName()) &&
         !HoldsIds(attributes, array->GetName()))
       {
         const double* range = array->GetRange(0);

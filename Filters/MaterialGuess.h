@@ -16,7 +16,7 @@ namespace vfm
 /// Whether an array of that name only says which cells or points are copies or blanked.
 inline bool IsGhostName(const std::string& name)
 {
-  return name == "vtkGhostType" || name == "vtkGhostLevels" || name == "vtkValidPointMask";
+  return name == "vtkGhostType" || name == "vtkGhostLevels";
 }
 
 /// Whether an array of that name numbers cells or points, as VTK, ParaView and the filters here name such arrays.
@@ -26,6 +26,12 @@ inline bool IsIdName(const std::string& name)
     "vtkOriginalPointIds", "GlobalElementId", "GlobalNodeId", "GlobalIds", "PedigreeElementId",
     "PedigreeNodeId", "PedigreeIds" };
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// Whether an array of that name is offered: none that VTK or ParaView keep for themselves.
+inline bool IsOffered(const std::string& name)
+{
+  return !IsGhostName(name) && !IsIdName(name) && name != "vtkValidPointMask";
 }
 
 enum class MaterialGuess

@@ -50,10 +50,9 @@ bool HoldsIds(vtkPVDataInformation* info, int association, const char* name)
     vtkPVArrayInformation* array = attributes->GetAttributeInformation(type);
     return array && array->GetName() && !std::strcmp(array->GetName(), name);
   };
-  return vfm::IsIdName(name) ||
-    (attributes &&
-      (isAttribute(vtkDataSetAttributes::GLOBALIDS) ||
-        isAttribute(vtkDataSetAttributes::PEDIGREEIDS)));
+  return attributes &&
+    (isAttribute(vtkDataSetAttributes::GLOBALIDS) ||
+      isAttribute(vtkDataSetAttributes::PEDIGREEIDS));
 }
 
 vfm::MaterialGuess Guess(vtkPVArrayInformation* array)
@@ -71,7 +70,7 @@ bool vtkSMMeshArrayListDomain::IsFilteredArray(
 {
   const bool isMeshed =
     association == vtkDataObject::CELL || (association == vtkDataObject::POINT && HasCentres(info));
-  return !isMeshed || vfm::IsGhostName(name) || HoldsIds(info, association, name);
+  return !isMeshed || !vfm::IsOffered(name) || HoldsIds(info, association, name);
 }
 
 bool vtkSMMeshArrayListDomain::IsChosen(const char* function)
