@@ -1,9 +1,10 @@
 #include "MeshOutput.h"
 
+#include "FieldValues.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -11,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace vfm
@@ -91,19 +91,6 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
   output->GetPointData()->SetGlobalIds(Adopt<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
 }
 
-template <class Array, class T>
-void AddFieldValues(vtkFieldData* field, const char* name, const std::vector<T>& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), values[i]);
-  }
-  field->AddArray(array);
-}
-
 void AddFieldPairs(
   vtkDataObject* output, const char* name, const std::vector<GeometryTables::Pair>& pairs)
 {
@@ -115,41 +102,7 @@ void AddFieldPairs(
   {
     array->SetTypedTuple(static_cast<vtkIdType>(i), pairs[i].data());
   }
-  output->GetFieldData()->AddArray(array);
-}
-
-void AddFieldCount(vtkFieldData* field, const char* name, Index count)
-{
-  AddFieldValues<vtkIdTypeArray>(field, name, std::vector<Index>{ count });
-}
-
-void AddFieldNumber(vtkFieldData* field, const char* name, double value)
-{
-  AddFieldValues<vtkDoubleArray>(field, name, std::vector<double>{ value });
-}
-
-void AddQuality(vtkFieldData* field, const Mesh& mesh, const MeshReport& report)
-{
-  AddFieldNumber(field, "MinimumScaledJacobian", report.MinimumScaledJacobian);
-  AddFieldNumber(field, "MeanScaledJacobian", report.MeanScaledJacobian);
-  if (IsTetMesh(mesh))
-  {
-    AddFieldNumber(field, "MinimumDihedralAngle", report.MinimumDihedralAngle);
-    AddFieldNumber(field, "MaximumDihedralAngle", report.MaximumDihedralAngle);
-    AddFieldValues<vtkIdTypeArray>(field, "DihedralAngles",
-      std::vector<Index>(report.DihedralAngles.begin(), report.DihedralAngles.end()));
-  }
-}
-
-std::vector<double> FindVolumeErrors(const MeshReport& report)
-{
-  std::vector<double> errors;
-  for (std::size_t m = 0; m < report.TargetVolume.size(); ++m)
-  {
-    const double target = report.TargetVolume[m];
-    errors.push_back(target > 0.0 ? report.MeshVolume[m] / target - 1.0 : 0.0);
-  }
-  return errors;
+  AddHidden(array, output->GetFieldData());
 }
 
 void SetSurfaces(Mesh& mesh, const Materials& table, vtkPolyData* surfaces)
@@ -189,28 +142,6 @@ void SetVertices(Mesh& mesh, vtkPolyData* vertices)
   AddFieldPairs(vertices, "CurveVertices", mesh.Tables.CurveVertices);
 }
 
-/// Of a mesh of several levels.
-void AddLevels(vtkFieldData* field, const MeshReport& report)
-{
-  if (report.Levels.empty())
-  {
-    return;
-  }
-  std::vector<Index> families, forBalance, forValidity, cells;
-  for (const MeshReport::Level& level : report.Levels)
-  {
-    families.push_back(level.Families);
-    forBalance.push_back(level.AddedForBalance);
-    forValidity.push_back(level.AddedForValidity);
-    cells.push_back(level.Cells);
-  }
-  AddFieldValues<vtkIdTypeArray>(field, "RefinedCells", families);
-  AddFieldValues<vtkIdTypeArray>(field, "CellsAddedForBalance", forBalance);
-  AddFieldValues<vtkIdTypeArray>(field, "CellsAddedForValidity", forValidity);
-  AddFieldValues<vtkIdTypeArray>(field, "LevelCells", cells);
-  AddFieldCount(field, "TransitionCells", report.TransitionCells);
-}
-
 } // namespace
 
 void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& outputs)
@@ -237,80 +168,6 @@ void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& output
   nodes->SetGlobalIds(Adopt<vtkIdTypeArray>(mesh.PointIds, "GlobalPointIds"));
   nodes->AddArray(Adopt<vtkIntArray>(mesh.GeometryDimension, "GeometryDimension"));
   nodes->AddArray(Adopt<vtkIntArray>(mesh.GeometryId, "GeometryId"));
-}
-
-void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials& table,
-  const MeshOptions& options, const MendedCells& mended, vtkDataObject* output)
-{
-  const std::size_t first = options.MeshVoid ? 0 : 1;
-  vtkFieldData* field = output->GetFieldData();
-  vtkNew<vtkStringArray> names;
-  names->SetName("MaterialNames");
-  for (std::size_t m = first; m < table.Names.size(); ++m)
-  {
-    names->InsertNextValue(table.Names[m]);
-  }
-  field->AddArray(names);
-  auto meshed = [first](const auto& values)
-  {
-    using Value = std::decay_t<decltype(values[0])>;
-    return std::vector<Value>(values.begin() + std::min(first, values.size()), values.end());
-  };
-  AddFieldValues<vtkIntArray>(field, "MaterialIds", meshed(table.Labels));
-  AddFieldValues<vtkDoubleArray>(field, "TargetVolume", meshed(report.TargetVolume));
-  AddFieldValues<vtkDoubleArray>(field, "MeshVolume", meshed(report.MeshVolume));
-  AddFieldValues<vtkDoubleArray>(field, "VolumeError", meshed(FindVolumeErrors(report)));
-  const std::vector<double>& fragments = report.FragmentTargetVolume;
-  AddFieldValues<vtkDoubleArray>(field, "FragmentTargetVolume",
-    std::vector<double>(
-      fragments.begin() + std::min<std::size_t>(1, fragments.size()), fragments.end()));
-  AddFieldCount(field, "NormalisedCells", mended.Normalised);
-  AddFieldCount(field, "ClippedCells", mended.Clipped);
-  AddFieldCount(field, "RemovedRegions", report.RemovedRegions);
-  AddFieldCount(field, "RemovedCells", report.RemovedCells);
-  AddFieldCount(field, "ChosenCells", report.ChosenCells);
-  AddFieldCount(field, "FlippedCells", report.FlippedCells);
-  AddFieldCount(field, "ResolveRounds", report.ResolveRounds);
-  AddFieldCount(field, "NumberOfFragments", report.NumberOfFragments);
-  AddFieldCount(field, "NumberOfSurfaces", report.NumberOfSurfaces);
-  AddFieldCount(field, "NumberOfCurves", report.NumberOfCurves);
-  AddFieldCount(field, "NumberOfVertices", report.NumberOfVertices);
-  if (IsTetMesh(mesh))
-  {
-    AddFieldCount(field, "RefusedParts", report.RefusedParts);
-  }
-  AddLevels(field, report);
-  if (options.ComputeQuality)
-  {
-    AddQuality(field, mesh, report);
-  }
-}
-
-std::string DescribeLostMaterials(const MeshReport& report, const Materials& table)
-{
-  constexpr std::size_t MostNames = 20;
-  std::vector<std::string> lost;
-  for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
-  {
-    if (report.TargetVolume[m] > 0.0 && report.MeshVolume[m] == 0.0)
-    {
-      lost.push_back("'" + table.Names[m] + "' (id " + std::to_string(table.Labels[m]) + ")");
-    }
-  }
-  std::string list;
-  for (std::size_t l = 0; l < std::min(lost.size(), MostNames); ++l)
-  {
-    list += (l > 0 ? ", " : "") + lost[l];
-  }
-  if (lost.size() > MostNames)
-  {
-    list += " and " + std::to_string(lost.size() - MostNames) + " more";
-  }
-  return lost.empty()
-    ? ""
-    : std::to_string(lost.size()) + (lost.size() == 1 ? " material has" : " materials have") +
-      " no element, since no cell is left to them: " + list +
-      ". In finer cells they may be kept (Refinement).";
 }
 
 void SetDomainOutput(const CartesianGrid& grid, const ImageFrame& frame, vtkDataObject* output)

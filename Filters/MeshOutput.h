@@ -4,14 +4,13 @@
  */
 #pragma once
 
-#include "Base/Options.h"
 #include "ImageFrame.h"
 #include "InputFields.h"
 #include "Mesh/Mesh.h"
-#include "Mesh/MeshReport.h"
 
 class vtkDataObject;
 class vtkPolyData;
+class vtkTable;
 class vtkUnstructuredGrid;
 
 namespace vfm
@@ -22,9 +21,10 @@ struct MeshOutputs
 {
   vtkUnstructuredGrid* Mesh;
   vtkPolyData *Surfaces, *Curves, *Vertices;
+  vtkTable* Materials;
 };
 
-/// Fills them.
+/// Fills them but Materials.
 /// Mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point data
 /// GlobalPointIds, GeometryDimension, GeometryId.
 /// Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide; field data SurfaceVolumes, SurfaceMaterials (two of
@@ -33,19 +33,6 @@ struct MeshOutputs
 /// Vertices: with cell data VertexId; field data CurveVertices (pairs).
 /// All three have their own points, with GlobalPointIds; field data as in GeometryTables.
 void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& outputs);
-
-/// Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume, VolumeError (of each material, void only when
-/// meshed; the error is MeshVolume / TargetVolume - 1, 0 of a material that the input has nowhere), FragmentTargetVolume
-/// (of fragments 1, 2, ...), NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, ChosenCells, FlippedCells,
-/// ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves, NumberOfVertices, and MinimumScaledJacobian,
-/// MeanScaledJacobian if computed.
-/// Of tetrahedra also RefusedParts, and MinimumDihedralAngle, MaximumDihedralAngle, DihedralAngles if computed.
-/// mesh: tells the kind of its elements, its arrays may be gone.
-void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials& table,
-  const MeshOptions& options, const MendedCells& mended, vtkDataObject* output);
-
-/// A sentence with the names and ids of the materials of the input that have no element; "" where all have some.
-std::string DescribeLostMaterials(const MeshReport& report, const Materials& table);
 
 /// Field data DomainBounds: x from, to, y from, to, z from, to; nodes on a side of the domain have the very coordinate. Of turned images these
 /// are bounds in their own axes, and DomainFrame has twelve numbers: the matrix A, row by row, and the origin o. A point u in those axes stands

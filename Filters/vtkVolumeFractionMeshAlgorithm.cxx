@@ -15,6 +15,7 @@
 #include "MaterialArrays.h"
 #include "MeshOutput.h"
 #include "MissingLevels.h"
+#include "ReportOutput.h"
 #include "StateArrays.h"
 
 #include "vtkCellData.h"
@@ -27,6 +28,7 @@
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -79,7 +81,7 @@ vtkCxxSetObjectMacro(vtkVolumeFractionMeshAlgorithm, Controller, vtkMultiProcess
 
 vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm()
 {
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(5);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -153,7 +155,10 @@ int vtkVolumeFractionMeshAlgorithm::FillInputPortInformation(int, vtkInformation
 
 int vtkVolumeFractionMeshAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  const char* const kind = port == 0 ? "vtkUnstructuredGrid"
+    : port == 4                      ? "vtkTable"
+                                     : "vtkPolyData";
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), kind);
   return 1;
 }
 
@@ -181,7 +186,7 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   const vfm::MeshOutputs outputs{ vtkUnstructuredGrid::GetData(outputVector, 0),
     vtkPolyData::GetData(outputVector, 1), vtkPolyData::GetData(outputVector, 2),
-    vtkPolyData::GetData(outputVector, 3) };
+    vtkPolyData::GetData(outputVector, 3), vtkTable::GetData(outputVector, 4) };
   if ((!this->Controller || this->Controller->GetNumberOfProcesses() == 1) &&
     outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
@@ -189,7 +194,7 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   }
   const int threads = vfm::FilterRuntime::ChooseThreads(this->Controller, this->NumberOfThreads);
   return vfm::FilterRuntime::Execute(this, this->Controller, threads,
-    { outputs.Mesh, outputs.Surfaces, outputs.Curves, outputs.Vertices },
+    { outputs.Mesh, outputs.Surfaces, outputs.Curves, outputs.Vertices, outputs.Materials },
     [&](vfm::MessageRanks& ranks) { this->Run(input, ranks, outputs); });
 }
 
@@ -349,6 +354,10 @@ void vtkVolumeFractionMeshAlgorithm::Run(
       vfm::TurnMesh(levels.Reading.Frame, mesh);
       vfm::SetMeshOutput(mesh, field.Table, outputs);
       vfm::SetReportOutput(mesh, report, field.Table, options, field.Mended, output);
+      if (ranks.Rank() == 0) // views show the rows of all ranks
+      {
+        vfm::SetMaterialTable(report, field.Table, options, outputs.Materials);
+      }
       vfm::SetDomainOutput(grid, levels.Reading.Frame, output);
       for (vtkDataArray* array : carried)
       {

@@ -26,6 +26,7 @@
  * Output port 0: the mesh, vtkUnstructuredGrid. The geometry that it resolves, vtkPolyData: output port 1 its surfaces, port 2 the
  * curves where surfaces meet, port 3 the vertices where curves meet or end. Each facet, edge and vertex is on one process.
  * Their ids, and the tables of what bounds what, are the same on every process.
+ * Output port 4: the materials, vtkTable, a row each, on the first process alone.
  *
  * Input that cannot be meshed, on any process, gives one error message, empty outputs and a failed update on all.
  */

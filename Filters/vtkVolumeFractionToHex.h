@@ -11,7 +11,7 @@
  * pieces from 1), GlobalCellIds, ScaledJacobian (float, verdict's, when ComputeQuality is on). Point
  * arrays: GlobalPointIds, GeometryDimension (int; 3 volume, 2 surface, 1 curve, 0 vertex), GeometryId
  * (int). Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume (length units cubed) of each
- * material, and counts and extremes of the run.
+ * material, and counts and extremes of the run; hidden from lists of arrays (vtkAbstractArray::GUI_HIDE).
  *
  * Port 1, the quadrilaterals of all surfaces. Cell arrays: SurfaceId (int, from 1), MaterialPair (int,
  * 2 components, the smaller first, 0 void or outside; the normal points from the second to the first),
@@ -24,6 +24,9 @@
  * (2 components, a tuple a surface, as MaterialPair: fragments and materials on its sides, 0 not meshed or outside), SurfaceSides
  * (its DomainSide), VolumeSurfaces (2 components, a tuple each pair of a fragment and a surface around it). Of port 2: CurveEnds (a
  * value a curve: how many ends it has at vertices, 0 closed), SurfaceCurves (pairs). Of port 3: CurveVertices (pairs).
+ *
+ * Port 4, the materials: Name, MaterialId, TargetVolume, MeshVolume (length units cubed), VolumeError (relative), Elements, Fragments,
+ * and MinimumScaledJacobian, MeanScaledJacobian when ComputeQuality is on.
  */
 #ifndef vtkVolumeFractionToHex_h
 #define vtkVolumeFractionToHex_h

@@ -1,6 +1,7 @@
 #include "Pipeline.h"
 
 #include "Labels/LeafLabels.h"
+#include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
 #include "Tet/TetTopology.h"
 
@@ -77,6 +78,7 @@ void MeshStages::MeasureQuality(Mesh& mesh)
     this->Clock.Start("Measuring quality", 0.95);
     ComputeQuality(mesh, this->Run, this->Report);
   }
+  MeasureMaterials(mesh, this->Run.Group(), this->Report);
 }
 
 void CheckOptions(const MeshOptions& options)
@@ -314,6 +316,11 @@ void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, Me
   report.TargetVolume = Multiplied(volumes.MaterialTargets(), cellVolume);
   report.MeshVolume = Multiplied(volumes.MaterialVolumes(), cellVolume);
   report.FragmentTargetVolume = Multiplied(volumes.FragmentTargets(), cellVolume);
+  for (Index fragments : volumes.MaterialFragments())
+  {
+    report.Materials.emplace_back();
+    report.Materials.back().Fragments = fragments;
+  }
 }
 
 } // namespace vfm

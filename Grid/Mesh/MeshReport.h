@@ -16,8 +16,14 @@ struct MeshReport
 {
   std::vector<double>
     TargetVolume; ///< per material from 0: sum of its fractions (length units cubed)
-  std::vector<double> MeshVolume;             ///< per material from 0: of its elements
-  std::vector<double> FragmentTargetVolume;   ///< by fragment, [0] unused
+  std::vector<double> MeshVolume;           ///< per material from 0: of its elements
+  std::vector<double> FragmentTargetVolume; ///< by fragment, [0] unused
+  struct Material
+  {
+    Index Elements = 0, Fragments = 0;
+    double MinimumScaledJacobian = 0.0, MeanScaledJacobian = 0.0; ///< when asked for
+  };
+  std::vector<Material> Materials;            ///< from 0
   Index RemovedRegions = 0, RemovedCells = 0; ///< small ones given to what is around them
   Index ChosenCells = 0;                      ///< of the input, that were to be refined by name
   Index FlippedCells = 0; ///< labels of cells or leaves changed to make the interfaces manifold

@@ -284,4 +284,14 @@ std::vector<double> FragmentVolumes::MaterialVolumes() const
   return volumes;
 }
 
+std::vector<Index> FragmentVolumes::MaterialFragments() const
+{
+  std::vector<Index> fragments(this->TotalOfMaterial.size(), 0);
+  for (std::size_t f = 1; f < this->Targets.size(); ++f)
+  {
+    ++fragments[this->Materials[f]];
+  }
+  return fragments;
+}
+
 } // namespace vfm

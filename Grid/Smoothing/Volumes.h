@@ -71,6 +71,8 @@ public:
   /// Per material from 0, in cells of mean size. Targets count every cell, also where no cell holds the label.
   std::vector<double> MaterialTargets() const { return this->TotalOfMaterial; }
   std::vector<double> MaterialVolumes() const;
+  /// How many fragments each material has.
+  std::vector<Index> MaterialFragments() const;
   /// By fragment, [0] unused, in cells of mean size: its cells' fractions, and its share of those near no fragment.
   const std::vector<double>& FragmentTargets() const { return this->Targets; }
 

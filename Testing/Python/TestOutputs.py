@@ -1,12 +1,18 @@
 """The arrays of all outputs, of hexahedra and of tetrahedra by every method: names, types, ids, quality, surfaces that
 close."""
+import os
+import tempfile
+
 import numpy as np
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkAbstractArray
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 
+from compare_meshes import read_pieces
 from vfmtest import (
     SPACING, TET_METHODS, ball_and_plate, check_surfaces, elements, facets, fraction_image, image, main, mesh_of,
-    VolumeFractionToTet)
+    save_data, table_of, VolumeFractionToTet)
 
 N = 12
 DATA = fraction_image(N)
@@ -65,6 +71,48 @@ def test_arrays_of_the_surfaces():
             "SurfaceId": ("int", 1), "MaterialPair": ("int", 2), "DomainSide": ("int", 1)}
         assert result.surfaces.GetPointData().GetGlobalIds().GetName() == "GlobalPointIds"
         assert result.surfaces.GetNumberOfPoints() == len(np.unique(facets(result)))
+
+
+def test_table_of_materials():
+    assert list(table_of(MESHES[0].materials)) == [
+        "Name", "MaterialId", "TargetVolume", "MeshVolume", "VolumeError", "Elements", "Fragments", "MinimumScaledJacobian", "MeanScaledJacobian"]
+    for result in MESHES + WITH_VOID:
+        table = table_of(result.materials)
+        for name in ("TargetVolume", "MeshVolume", "VolumeError"):
+            assert table[name] == result.field(name)
+        assert table["Name"] == result.field("MaterialNames") and table["MaterialId"] == result.field("MaterialIds")
+        quality = result.cells("ScaledJacobian").astype(float)
+        for row, material in enumerate(table["MaterialId"]):
+            own = result.cells("MaterialId") == material
+            assert table["Elements"][row] == own.sum() and table["Fragments"][row] == len(np.unique(result.cells("FragmentId")[own]))
+            assert table["MinimumScaledJacobian"][row] == quality[own].min()
+            assert np.isclose(table["MeanScaledJacobian"][row], quality[own].mean(), rtol=1e-9)
+        assert sum(table["Elements"]) == result.mesh.GetNumberOfCells() and sum(table["Fragments"]) == result.field("NumberOfFragments")[0]
+    bare = table_of(mesh_of(DATA, ComputeQuality=0).materials)
+    assert list(bare) == list(table_of(MESHES[0].materials))[:-2] and bare["Elements"] == table_of(MESHES[0].materials)["Elements"]
+
+
+def test_material_without_an_element():
+    ball, plate = ball_and_plate(N)
+    table = table_of(mesh_of(image({"ball": ball, "plate": plate, "dust": 0.01 * (ball == 0) * (plate == 0)}),
+                             VolumeFractionArrays=["ball", "dust", "plate"]).materials)
+    assert table["Elements"][1] == table["Fragments"][1] == table["MinimumScaledJacobian"][1] == table["MeanScaledJacobian"][1] == 0
+    assert table["TargetVolume"][1] > 0 and table["VolumeError"][1] == -1 and min(table["Elements"][::2]) > 0
+
+
+def test_field_data_are_not_offered_as_colours():
+    """ParaView leaves arrays with this key out of its lists of arrays; scripts and files have them. So have filters behind, and files."""
+    mesh = simple.TrivialProducer()
+    mesh.GetClientSideObject().SetOutput(MESHES[-1].mesh)
+    clip = simple.Clip(Input=mesh)
+    clip.UpdatePipeline()
+    with tempfile.TemporaryDirectory() as folder:
+        save_data(os.path.join(folder, "mesh.vtu"), mesh)
+        read = read_pieces(os.path.join(folder, "mesh.vtu"))[0]
+    for data in (MESHES[-1].mesh, MESHES[-1].surfaces, MESHES[-1].curves, clip.GetClientSideObject().GetOutputDataObject(0), read):
+        field = data.GetFieldData()
+        arrays = [field.GetAbstractArray(a) for a in range(field.GetNumberOfArrays())]
+        assert arrays and all(array.HasInformation() and array.GetInformation().Has(vtkAbstractArray.GUI_HIDE()) for array in arrays)
 
 
 def column(data, name):

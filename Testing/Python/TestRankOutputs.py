@@ -2,6 +2,7 @@
 
 FOLDER is that of TestRanks.py. Only the first rank runs this script, and the others what it asks of ParaView.
 """
+import csv
 import os
 import sys
 
@@ -44,6 +45,16 @@ def test_geometry():
         whole = merge(read_pieces(save(name + ".pvtp", simple.OutputPort(HEXES, port))))
         assert len(whole["cells"]) == simple.OutputPort(HEXES, port).GetDataInformation().GetNumberOfCells() >= least
         assert len(np.unique(whole["cells"], axis=0)) == len(whole["cells"]), name
+
+
+def test_materials():
+    """Rows of several ranks would stand in the spreadsheet more than once."""
+    table = simple.OutputPort(HEXES, "Materials")
+    assert table.GetDataInformation().GetNumberOfRows() == 2
+    with open(save("materials.csv", table), newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [(row["Name"], row["MaterialId"]) for row in rows] == [("ball", "1"), ("plate", "2")], rows
+    assert sum(int(row["Elements"]) for row in rows) == HEXES.GetDataInformation().GetNumberOfCells()
 
 
 def test_one_file():

@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from compare_meshes import difference, joined, merge, piece_of, read_pieces
 from vfmtest import (
     GHOST, ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, main, producer, reduced, save_data, surface_faces,
-    tet_volumes, uniform, VolumeFractionToHex, VolumeFractionToTet)
+    table_of, tet_volumes, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
 from write_exodus import write_exodus
@@ -133,7 +133,8 @@ def split_input(arrays, split):
 
 
 def mesh_and_surfaces(source, case, **properties):
-    """Runs the filter, that of tetrahedra when a method is given; mesh and surfaces in pieces, none but on rank 0."""
+    """Runs the filter, that of tetrahedra when a method is given; mesh and surfaces in pieces, none but on rank 0, and the table of
+    materials, whose rows rank 0 alone has."""
     arrays = ALL_CASES[case]
     fractions = [name for name in arrays if name not in STATE]
     chosen = {"MaterialIdArray": "id"} if "id" in arrays else {"VolumeFractionArrays": fractions}
@@ -150,22 +151,26 @@ def mesh_and_surfaces(source, case, **properties):
         assert RANK > 0 or RANKS == 1 or case == TINY or sum(piece.GetNumberOfCells() > 0 for piece in pieces) > 1
         result.append(pieces)
         CONTROLLER.Barrier()  # the next mesh goes to the same files
+    table = mesher.GetClientSideObject().GetOutputDataObject(4)
+    assert (table.GetNumberOfRows() > 0) == (RANK == 0)
     simple.Delete(mesher)
     simple.Delete(source)
-    return result
+    return result, table_of(table)
 
 
-def compare_with_gold(outputs, name, label):
+def compare_with_gold(outputs, table, name, label):
     """What differs, or an empty text. One rank writes the gold, from the whole image."""
     path = os.path.join(FOLDER, name + ".gold")
-    result = [merge(pieces) for pieces in outputs]
+    result = [merge(pieces) for pieces in outputs] + [table]
     if RANKS == 1 and label == "whole":
         with open(path, "wb") as file:
             pickle.dump(result, file)
     with open(path, "rb") as file:
         gold = pickle.load(file)
     assert len(gold[0]["cells"]) > (0 if name == TINY else 100)
-    for port, (one, other) in enumerate(zip(result, gold)):
+    if repr(result[-1]) != repr(gold[-1]):
+        return "%s, %s: materials %s instead of %s" % (name, label, result[-1], gold[-1])
+    for port, (one, other) in enumerate(zip(result[:-1], gold[:-1])):
         problem = difference(one, other)
         if problem:
             return "%s, %s, output %d: %s" % (name, label, port, problem)
@@ -182,10 +187,10 @@ def on_first_rank(work):
 
 
 def check(case, source, label, kind=None, **properties):
-    outputs = mesh_and_surfaces(source, case, **properties)
+    outputs, table = mesh_and_surfaces(source, case, **properties)
     parts = [case, kind, properties.get("Method"), "with void" if properties.get("MeshVoid") else None,
              "refined" if properties.get("MaximumLevel") else None, "cleared" if properties.get("MinimumRegionCells") else None]
-    on_first_rank(lambda: compare_with_gold(outputs, " ".join(filter(None, parts)), label))
+    on_first_rank(lambda: compare_with_gold(outputs, table, " ".join(filter(None, parts)), label))
 
 
 def write_inputs():
@@ -310,9 +315,9 @@ def test_tetgen():
     if "TetGen" not in TET_METHODS:
         return
     case = "ball_and_plate"
-    meshes, surfaces = mesh_and_surfaces(split_input(CASES[case], "scattered"), case, Method="TetGen")
+    (meshes, surfaces), _ = mesh_and_surfaces(split_input(CASES[case], "scattered"), case, Method="TetGen")
     on_first_rank(lambda: check_conforming(meshes, surfaces))
-    on_first_rank(lambda: compare_with_gold([surfaces], case + " TetGen", "whole" if RANKS == 1 else "scattered"))
+    on_first_rank(lambda: compare_with_gold([surfaces], {}, case + " TetGen", "whole" if RANKS == 1 else "scattered"))
 
 
 def test_fewer_cells_than_ranks():

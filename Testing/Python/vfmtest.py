@@ -112,7 +112,7 @@ class Result:
     """Outputs of a run, its error and warning messages, and the time when the mesh was made."""
 
     def __init__(self, algorithm, errors, warnings):
-        self.mesh, self.surfaces, self.curves, self.vertices = map(algorithm.GetOutputDataObject, range(4))
+        self.mesh, self.surfaces, self.curves, self.vertices, self.materials = map(algorithm.GetOutputDataObject, range(5))
         self.errors, self.warnings = errors, warnings
 
     def cells(self, name):
@@ -124,6 +124,12 @@ class Result:
     def field(self, name):
         array = self.mesh.GetFieldData().GetAbstractArray(name)
         return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def table_of(table):
+    """The columns of a table by their names, in order."""
+    columns = [table.GetColumn(c) for c in range(table.GetNumberOfColumns())]
+    return {column.GetName(): [column.GetValue(row) for row in range(table.GetNumberOfRows())] for column in columns}
 
 
 def elements(result):
@@ -253,7 +259,7 @@ def producer(data):
 
 def save_data(path, proxy):
     """Saves inline: expat since 2.6, and Debian's 2.5.0-1+deb12u5, keeps VTK 9.2 from reading appended data."""
-    simple.SaveData(path, proxy=proxy, **({} if path.endswith(".vtk") else {"DataMode": "Binary"}))
+    simple.SaveData(path, proxy=proxy, **({} if path.endswith((".vtk", ".csv")) else {"DataMode": "Binary"}))
 
 
 def write(data, path, writer=vtkXMLImageDataWriter, pieces=0):

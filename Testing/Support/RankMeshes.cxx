@@ -13,6 +13,19 @@ namespace testing
 namespace
 {
 
+using Materials = std::vector<MeshReport::Material>;
+
+bool AreEqual(const Materials& a, const Materials& b)
+{
+  const auto areAlike = [](const MeshReport::Material& one, const MeshReport::Material& other)
+  {
+    return one.Elements == other.Elements && one.Fragments == other.Fragments &&
+      one.MinimumScaledJacobian == other.MinimumScaledJacobian &&
+      one.MeanScaledJacobian == other.MeanScaledJacobian;
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), areAlike);
+}
+
 bool AreEqual(const MeshReport& a, const MeshReport& b)
 {
   return a.TargetVolume == b.TargetVolume && a.MeshVolume == b.MeshVolume &&
@@ -23,7 +36,7 @@ bool AreEqual(const MeshReport& a, const MeshReport& b)
     a.MeanScaledJacobian == b.MeanScaledJacobian &&
     a.MinimumDihedralAngle == b.MinimumDihedralAngle &&
     a.MaximumDihedralAngle == b.MaximumDihedralAngle && a.DihedralAngles == b.DihedralAngles &&
-    a.RefusedParts == b.RefusedParts;
+    a.RefusedParts == b.RefusedParts && AreEqual(a.Materials, b.Materials);
 }
 
 /// What is not as it should be.
