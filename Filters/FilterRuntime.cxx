@@ -1,7 +1,11 @@
 #include "FilterRuntime.h"
 
+#include "EmptyMesh.h"
+#include "FailedOutput.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkSMPTools.h"
 
@@ -142,14 +146,14 @@ void FilterRuntime::WithThreads(int threads, const std::function<void()>& work)
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, ThreadBackend(threads), false }, work);
 }
 
-int FilterRuntime::Report(vtkAlgorithm* owner, std::initializer_list<vtkDataObject*> outputs,
-  const std::function<void()>& work)
+void FilterRuntime::Report(
+  vtkAlgorithm* owner, vtkInformationVector* outputs, const std::function<void()>& work)
 {
   InputError problem("");
   try
   {
     work();
-    return 1;
+    return;
   }
   catch (const Aborted&)
   {
@@ -158,16 +162,15 @@ int FilterRuntime::Report(vtkAlgorithm* owner, std::initializer_list<vtkDataObje
   {
     problem = error;
   }
-  for (vtkDataObject* output : outputs)
+  if (*problem.what())
   {
-    output->Initialize();
+    Fail(owner, outputs, problem.what());
+    return;
   }
-  if (!*problem.what())
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
-    return 1;
+    MakeEmpty(vtkDataObject::GetData(outputs, port));
   }
-  vtkErrorWithObjectMacro(owner, << problem.what());
-  return 0;
 }
 
 } // namespace vfm

@@ -8,10 +8,8 @@
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 
-#include <initializer_list>
-
 class vtkAlgorithm;
-class vtkDataObject;
+class vtkInformationVector;
 class vtkMultiProcessController;
 
 namespace vfm
@@ -34,11 +32,11 @@ public:
   /// Does not stop when there are several ranks: the others would wait for this one.
   void Progress(double fraction, const char* stage) override;
 
-  /// Does the work(ranks) of a RequestData, together with the other processes of the controller, and returns what that returns. When it
-  /// throws on any, the outputs are emptied on all and, unless it was Aborted, each owner reports the same error.
+  /// Does the work(ranks) of a RequestData, together with the other processes of the controller. When it throws on any, the outputs are
+  /// emptied on all and, unless it was Aborted, say why (FailedOutput), and each owner reports the same error.
   template <class Work>
-  static int Execute(vtkAlgorithm* owner, vtkMultiProcessController* controller, int threads,
-    std::initializer_list<vtkDataObject*> outputs, const Work& work)
+  static void Execute(vtkAlgorithm* owner, vtkMultiProcessController* controller, int threads,
+    vtkInformationVector* outputs, const Work& work)
   {
     const auto together = [&]
     {
@@ -46,7 +44,7 @@ public:
       const auto threaded = [&] { work(ranks); };
       WorkTogether(ranks, [&] { WithThreads(threads, std::cref(threaded)); });
     };
-    return Report(owner, outputs, std::cref(together)); // by reference: takes no memory
+    Report(owner, outputs, std::cref(together)); // by reference: takes no memory
   }
 
   /// 0: all cores on one process, one thread on each of several.
@@ -54,8 +52,8 @@ public:
 
 private:
   static void WithThreads(int threads, const std::function<void()>& work);
-  static int Report(vtkAlgorithm* owner, std::initializer_list<vtkDataObject*> outputs,
-    const std::function<void()>& work);
+  static void Report(
+    vtkAlgorithm* owner, vtkInformationVector* outputs, const std::function<void()>& work);
 
   vtkAlgorithm* Owner;
   Ranks* TheRanks;

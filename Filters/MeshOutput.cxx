@@ -1,5 +1,6 @@
 #include "MeshOutput.h"
 
+#include "EmptyMesh.h"
 #include "FieldValues.h"
 
 #include "vtkCellArray.h"
@@ -20,11 +21,6 @@ namespace
 {
 
 static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit ids");
-
-bool IsTetMesh(const Mesh& mesh)
-{
-  return mesh.Corners == 4;
-}
 
 /// A VTK array that owns the memory of the buffer from now on.
 template <class Array, class T>
@@ -153,8 +149,15 @@ void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& output
   vtkNew<vtkPoints> points;
   points->SetData(Adopt<vtkDoubleArray>(mesh.Points, "Points", 3));
   output->SetPoints(points);
-  output->SetCells(
-    IsTetMesh(mesh) ? VTK_TETRA : VTK_HEXAHEDRON, AdoptCells(mesh.Elements, mesh.Corners));
+  if (mesh.ElementIds.empty())
+  {
+    SetNoElements(output);
+  }
+  else
+  {
+    output->SetCells(
+      mesh.Corners == 4 ? VTK_TETRA : VTK_HEXAHEDRON, AdoptCells(mesh.Elements, mesh.Corners));
+  }
   SetLabels(mesh.Material, table);
   vtkCellData* cells = output->GetCellData();
   cells->SetScalars(Adopt<vtkIntArray>(mesh.Material, "MaterialId"));

@@ -193,9 +193,9 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
     return 1; // the whole mesh is piece 0
   }
   const int threads = vfm::FilterRuntime::ChooseThreads(this->Controller, this->NumberOfThreads);
-  return vfm::FilterRuntime::Execute(this, this->Controller, threads,
-    { outputs.Mesh, outputs.Surfaces, outputs.Curves, outputs.Vertices, outputs.Materials },
+  vfm::FilterRuntime::Execute(this, this->Controller, threads, outputVector,
     [&](vfm::MessageRanks& ranks) { this->Run(input, ranks, outputs); });
+  return 1;
 }
 
 /// Collective: removes small regions, smooths labels and cuts long cells, as asked.

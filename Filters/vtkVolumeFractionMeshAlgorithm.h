@@ -28,7 +28,8 @@
  * Their ids, and the tables of what bounds what, are the same on every process.
  * Output port 4: the materials, vtkTable, a row each, on the first process alone.
  *
- * Input that cannot be meshed, on any process, gives one error message, empty outputs and a failed update on all.
+ * Input that cannot be meshed, on any process, gives one error message and empty outputs on all, whose field data say why (MeshError). So does
+ * input that failed. The update itself does not fail (Parallel/FailedOutput tells why).
  */
 #ifndef vtkVolumeFractionMeshAlgorithm_h
 #define vtkVolumeFractionMeshAlgorithm_h

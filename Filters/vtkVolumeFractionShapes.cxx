@@ -1,5 +1,6 @@
 #include "vtkVolumeFractionShapes.h"
 
+#include "CollectivePipeline.h"
 #include "FilterRuntime.h"
 #include "Shapes/ShapesFractions.h"
 #include "Shapes/ShapesScenes.h"
@@ -153,6 +154,11 @@ vtkVolumeFractionShapes::vtkVolumeFractionShapes()
   this->SetNumberOfInputPorts(1);
 }
 
+vtkExecutive* vtkVolumeFractionShapes::CreateDefaultExecutive()
+{
+  return vfm::CollectivePipeline::Make([] { return nullptr; });
+}
+
 int vtkVolumeFractionShapes::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -193,7 +199,7 @@ int vtkVolumeFractionShapes::RequestInformation(
   // A grid that is none is told by RequestData, once.
   const bool valid = this->FindGridError().empty();
   vtkInformation* info = outputVector->GetInformationObject(0);
-  int extent[6] = { 0, 0, 0, 0, 0, 0 };
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
   for (int a = 0; a < 3 && valid; ++a)
   {
     extent[2 * a + 1] = this->Dimensions[a];
@@ -233,8 +239,9 @@ int vtkVolumeFractionShapes::RequestData(
   info->Get(Pipeline::UPDATE_EXTENT(), extent);
   const int threads = vfm::FilterRuntime::ChooseThreads(
     vtkMultiProcessController::GetGlobalController(), this->NumberOfThreads);
-  return vfm::FilterRuntime::Execute(this, nullptr, threads, { image },
+  vfm::FilterRuntime::Execute(this, nullptr, threads, outputVector,
     [&](vfm::Ranks&) { this->Fill(inputVector[0], extent, image); });
+  return 1;
 }
 
 void vtkVolumeFractionShapes::Fill(

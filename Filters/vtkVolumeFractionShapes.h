@@ -105,6 +105,7 @@ protected:
   vtkVolumeFractionShapes();
   ~vtkVolumeFractionShapes() override = default;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;

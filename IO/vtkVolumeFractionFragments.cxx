@@ -3,6 +3,7 @@
 #include "Base/WorkTogether.h"
 #include "CollectivePipeline.h"
 #include "ControllerRanks.h"
+#include "FailedOutput.h"
 #include "FragmentTable.h"
 #include "RequestPiece.h"
 
@@ -71,14 +72,12 @@ int vtkVolumeFractionFragments::RequestData(
         vfm::MakeFragmentTable(vtkUnstructuredGrid::GetData(inputVector[0]), this->DensityArrays,
           ranks, vtkTable::GetData(outputVector));
       });
-    return 1;
   }
   catch (const vfm::InputError& error)
   {
-    vtkTable::GetData(outputVector)->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
+    vfm::Fail(this, outputVector, error.what());
   }
+  return 1;
 }
 
 void vtkVolumeFractionFragments::PrintSelf(ostream& os, vtkIndent indent)

@@ -3,6 +3,7 @@
 #include "Base/WorkTogether.h"
 #include "CollectivePipeline.h"
 #include "ControllerRanks.h"
+#include "FailedOutput.h"
 #include "RequestPiece.h"
 
 #include "vtkErrorCode.h"
@@ -45,13 +46,29 @@ vtkTypeBool vtkVolumeFractionMeshWriter::ProcessRequest(
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
 }
 
+int vtkVolumeFractionMeshWriter::Write()
+{
+  this->SetErrorCode(
+    vtkErrorCode::UserError); // until RequestData is called, which it is not where the input failed
+  return this->Superclass::Write();
+}
+
 void vtkVolumeFractionMeshWriter::WriteData()
 {
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   try
   {
     vfm::ControllerRanks ranks(this->Controller);
-    vfm::WorkTogether(ranks, [&] { this->WriteMesh(mesh, this->FileName, ranks); });
+    vfm::WorkTogether(ranks,
+      [&]
+      {
+        const char* why = vfm::FindFailure(mesh);
+        if (*why)
+        {
+          throw vfm::InputError(std::string("The mesh could not be made: ") + why);
+        }
+        this->WriteMesh(mesh, this->FileName, ranks);
+      });
   }
   catch (const vfm::InputError& error)
   {

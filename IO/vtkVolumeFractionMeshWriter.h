@@ -36,6 +36,11 @@ public:
   vtkGetCharFromStdStringMacro(FileName);
   ///@}
 
+  /**
+   * 0 when it failed, also where the mesh could not be made.
+   */
+  int Write() override;
+
   ///@{
   /**
    * The processes that have pieces of the mesh. Default: the global controller.

@@ -3,6 +3,7 @@
 #include "Agreement.h"
 #include "Base/Runtime.h"
 #include "ControllerRanks.h"
+#include "FailedOutput.h"
 #include "ReadVoxels.h"
 
 #include "vtkCellData.h"
@@ -92,8 +93,8 @@ int vtkVolumeFractionVoxelReader::RequestInformation(
     this->Problem = error.what();
     cells = {};
   }
-  int extent[6] = { 0, 0, 0, 0, 0, 0 };
-  for (int a = 0; a < 3; ++a)
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  for (int a = 0; a < 3 && cells[0] > 0; ++a)
   {
     extent[2 * a + 1] = static_cast<int>(cells[a]);
   }
@@ -129,9 +130,8 @@ int vtkVolumeFractionVoxelReader::RequestData(
   {
     problem = "not enough memory.";
   }
-  image->Initialize();
-  vtkErrorMacro("Cannot read " << this->FileName << ": " << problem);
-  return 0;
+  vfm::Fail(this, outputVector, ("Cannot read " + this->FileName + ": " + problem).c_str());
+  return 1;
 }
 
 void vtkVolumeFractionVoxelReader::Read(const int extent[6], vtkImageData* image) const

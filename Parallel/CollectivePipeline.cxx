@@ -2,13 +2,18 @@
 
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
+#include "FailedOutput.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+
+#include <cstdio>
+#include <cstring>
 
 namespace vfm
 {
@@ -29,11 +34,34 @@ bool Try(const Work& work) noexcept
   }
 }
 
-[[noreturn]] void ThrowInputError(int rank)
+constexpr const char* Failed = "The input could not be made";
+
+[[noreturn]] void ThrowInputError(const Ranks& ranks)
 {
   char text[64];
-  std::snprintf(text, sizeof(text), "The input could not be made on rank %d.", rank);
-  throw InputError(text);
+  std::snprintf(text, sizeof(text), "%s on rank %d.", Failed, ranks.Rank());
+  throw InputError(ranks.Count() > 1 ? text : "The input could not be made.");
+}
+
+/// why: what the input says.
+[[noreturn]] void ThrowInputError(const char* why)
+{
+  const bool isInputOfInput = std::strncmp(why, Failed, std::strlen(Failed)) == 0;
+  char text[Failure::LongestText];
+  std::snprintf(text, sizeof(text), "%s: %s", Failed, why);
+  throw InputError(isInputOfInput ? why : text);
+}
+
+bool HasAll(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (!vtkDataObject::GetData(outputs, port))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace
@@ -47,19 +75,9 @@ CollectivePipeline* CollectivePipeline::Make(const GetController& getController)
   return pipeline;
 }
 
-bool CollectivePipeline::IsAlone() const
-{
-  vtkMultiProcessController* controller = this->Controller ? this->Controller() : nullptr;
-  return !controller || controller->GetNumberOfProcesses() == 1;
-}
-
 vtkTypeBool CollectivePipeline::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inInfo, vtkInformationVector* outInfo)
 {
-  if (this->IsAlone())
-  {
-    return this->Superclass::ProcessRequest(request, inInfo, outInfo);
-  }
   return request->Has(REQUEST_DATA()) ? this->ProcessDataRequest(request, inInfo, outInfo)
                                       : this->ProcessEarlyRequest(request, inInfo, outInfo);
 }
@@ -86,31 +104,28 @@ vtkTypeBool CollectivePipeline::ProcessDataRequest(
   vtkInformation* request, vtkInformationVector** inInfo, vtkInformationVector* outInfo)
 {
   this->IsDataNeeded = this->HasJoined = false;
-  bool worked = Try([&] { return this->Superclass::ProcessRequest(request, inInfo, outInfo); });
-  if (this->IsDataNeeded && !this->HasJoined)
+  const bool worked =
+    Try([&] { return this->Superclass::ProcessRequest(request, inInfo, outInfo); });
+  if (!this->IsDataNeeded || this->HasJoined)
   {
-    this->HasInputFailed = true;
-    worked = false;
-    // CallAlgorithm, and what marks the outputs before and after it
-    Try([&] { return this->vtkDemandDrivenPipeline::ExecuteData(request, inInfo, outInfo); });
-    if (!this->HasJoined)
-    {
-      this->CallAlgorithm(request, RequestDownstream, inInfo, outInfo);
-    }
-    this->DataTime.Modified();
-    this->InformationTime.Modified();
-    this->DataObjectTime.Modified();
-    this->HasInputFailed = false;
+    return worked;
   }
-  return worked;
+  this->HasInputFailed = true;
+  // CallAlgorithm, and what marks the outputs before and after it
+  Try([&] { return this->vtkDemandDrivenPipeline::ExecuteData(request, inInfo, outInfo); });
+  if (!this->HasJoined)
+  {
+    this->CallAlgorithm(request, RequestDownstream, inInfo, outInfo);
+  }
+  this->DataTime.Modified();
+  this->InformationTime.Modified();
+  this->DataObjectTime.Modified();
+  this->HasInputFailed = false;
+  return HasAll(outInfo);
 }
 
 int CollectivePipeline::ForwardUpstream(vtkInformation* request)
 {
-  if (this->IsAlone())
-  {
-    return this->Superclass::ForwardUpstream(request);
-  }
   if (request->Has(REQUEST_DATA_OBJECT())) // the first of all requests
   {
     this->HasInputFailed = false;
@@ -125,45 +140,69 @@ int CollectivePipeline::ForwardUpstream(vtkInformation* request)
   return !(isData && this->HasInputFailed);
 }
 
+/// Throws when there is no input, or none that was made; an algorithm without outputs, a writer, tells the latter with its file.
+void CollectivePipeline::CheckInput(vtkInformationVector** inInfo, const Ranks& ranks)
+{
+  if (this->HasInputFailed)
+  {
+    ThrowInputError(ranks);
+  }
+  const int ports = this->GetNumberOfOutputPorts() > 0 ? this->GetNumberOfInputPorts() : 0;
+  for (int port = 0; port < ports; ++port)
+  {
+    for (int i = 0; i < inInfo[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      const char* why = FindFailure(vtkDataObject::GetData(inInfo[port], i));
+      if (*why)
+      {
+        ThrowInputError(why);
+      }
+    }
+  }
+}
+
 int CollectivePipeline::CallAlgorithm(vtkInformation* request, int direction,
   vtkInformationVector** inInfo, vtkInformationVector* outInfo)
 {
   const auto call = [&]
   { return this->Superclass::CallAlgorithm(request, direction, inInfo, outInfo); };
-  if (!request->Has(REQUEST_DATA()) || this->IsAlone())
+  if (!request->Has(REQUEST_DATA()))
   {
     return call();
   }
   this->HasJoined = true;
-  int result = 1; // 0: the algorithm has told why
+  bool hasInput = false, hasReturned = false;
+  int result = 1;
   try
   {
     ControllerRanks ranks(this->Controller());
     const auto work = [&]
     {
-      if (this->HasInputFailed)
-      {
-        ThrowInputError(ranks.Rank());
-      }
+      this->CheckInput(inInfo, ranks);
+      hasInput = true;
       result = call();
+      hasReturned = true; // and has told what failed
     };
     WorkTogether(ranks, work, Ranks::Frame::Filter);
-    return result;
   }
   catch (const InputError& error)
   {
-    for (int port = 0; port < outInfo->GetNumberOfInformationObjects(); ++port)
+    MarkFailed(outInfo, error.what());
+    if (!hasReturned)
     {
-      if (vtkDataObject* output = vtkDataObject::GetData(outInfo, port))
-      {
-        output->Initialize();
-      }
+      // what made the input has told why, long ago when it is a writer that asks
+      this->Tell(error.what(), hasInput || outInfo->GetNumberOfInformationObjects() == 0);
     }
-    if (result)
-    {
-      vtkErrorWithObjectMacro(this->Algorithm, << error.what());
-    }
-    return 0;
+  }
+  return result;
+}
+
+/// isShown: else only those who watch the algorithm are told.
+void CollectivePipeline::Tell(const char* text, bool isShown)
+{
+  if (isShown || this->Algorithm->HasObserver(vtkCommand::ErrorEvent))
+  {
+    vtkErrorWithObjectMacro(this->Algorithm, << text);
   }
 }
 

@@ -3,7 +3,9 @@
  *
  * VTK does not run an algorithm whose input failed; other processes, where the input did not fail, would wait for it in
  * RequestData. Here it joins them (WorkTogether) with an error. What fails before, in the requests that come ahead of the data, is kept until the
- * data are asked for, since only then others are sure to come. Afterwards the outputs are as up to date as on the others.
+ * data are asked for, since only then others are sure to come. Afterwards the outputs are as up to date as on the others, empty,
+ * and say why (FailedOutput); so they are on a process that is alone, and where the input is itself such an output. The error is shown
+ * where no other was.
  * It is of ParaView's kind, since proxies put any other aside.
  */
 #pragma once
@@ -17,13 +19,15 @@ class vtkMultiProcessController;
 namespace vfm
 {
 
+class Ranks;
+
 class CollectivePipeline : public vtkPVCompositeDataPipeline
 {
 public:
   static CollectivePipeline* New();
   vtkTypeMacro(CollectivePipeline, vtkPVCompositeDataPipeline);
 
-  /// getController: of the algorithm, when it is needed; may return null.
+  /// getController: of the algorithm, when it is needed; may return null, then there is one process.
   using GetController = std::function<vtkMultiProcessController*()>;
   /// For CreateDefaultExecutive.
   static CollectivePipeline* Make(const GetController& getController);
@@ -38,11 +42,13 @@ protected:
   using Superclass::ForwardUpstream; // of one connection
 
 private:
-  bool IsAlone() const;
   vtkTypeBool ProcessEarlyRequest(
     vtkInformation* request, vtkInformationVector** inInfo, vtkInformationVector* outInfo);
   vtkTypeBool ProcessDataRequest(
     vtkInformation* request, vtkInformationVector** inInfo, vtkInformationVector* outInfo);
+  void CheckInput(vtkInformationVector** inInfo, const Ranks& ranks);
+  void Tell(const char* text, bool isShown);
+
   GetController Controller;
   bool HasInputFailed = false; // since data were asked for
   bool IsDataNeeded = false;   // in the present request

@@ -1,13 +1,18 @@
 """Input that cannot be meshed gives one clear message and empty outputs; the next run works."""
+import os
+import tempfile
+
 import numpy as np
+from paraview import servermanager
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkTable,
     vtkUniformGrid)
 from vtkmodules.vtkCommonCore import vtkStringArray
 
 from vfmtest import (
-    GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, collect, fraction_image, image, labels, main,
-    producer, rectilinear, run, VolumeFractionToHex)
+    GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, collect, failure_of, fraction_image, image, labels, main,
+    producer, rectilinear, run, VolumeFractionFragments, VolumeFractionToHex)
 
 N = 8
 
@@ -25,16 +30,19 @@ def changed(name, cell, value, dtype=np.float64):
 
 
 def check_error(data, *words, **properties):
-    """The run fails with one message that has all the words, and leaves nothing in the outputs."""
+    """The run fails with one message that has all the words, and leaves nothing else in the outputs."""
     result = run(data, **properties)
     assert len(result.errors) == 1, result.errors
     for word in words:
         assert word in result.errors[0], (word, result.errors[0])
     assert result.mesh.IsA("vtkUnstructuredGrid") and result.surfaces.IsA("vtkPolyData")
-    for output in (result.mesh, result.surfaces):
+    for output in (result.mesh, result.surfaces, result.curves, result.vertices):
         assert output.GetNumberOfCells() == 0 and output.GetNumberOfPoints() == 0
         assert output.GetCellData().GetNumberOfArrays() == 0
-        assert output.GetFieldData().GetNumberOfArrays() == 0
+    assert result.materials.GetNumberOfColumns() == 0
+    for output in (result.mesh, result.surfaces, result.curves, result.vertices, result.materials):
+        assert output.GetFieldData().GetNumberOfArrays() == 1
+        assert result.errors[0].strip().endswith("): " + failure_of(output)), (result.errors, failure_of(output))
 
 
 def blocks(*data):
@@ -256,6 +264,47 @@ def test_input_of_another_kind():
     hexes.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: errors.append(1))
     hexes.UpdatePipeline()
     assert errors
+
+
+class Failing(VTKPythonAlgorithmBase):
+    def __init__(self):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
+        self.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+
+    def RequestData(self, request, inputs, outputs):
+        return 0
+
+
+def test_writers_refuse_a_mesh_that_failed():
+    hexes = VolumeFractionToHex(Input=producer(fraction_image(N)))
+    collect(hexes.GetClientSideObject())
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mesh.inp")
+        proxy = servermanager.ProxyManager().NewProxy("writers", "VolumeFractionAbaqusWriter")
+        proxy.GetProperty("FileName").SetElement(0, path)
+        proxy.UpdateVTKObjects()
+        writer = proxy.GetClientSideObject()
+        writer.SetInputConnection(hexes.GetClientSideObject().GetOutputPort())
+        errors, _ = collect(writer)
+        for expected in (0, 0, 1):
+            hexes.VolumeFractionArrays = ["ball"] if expected else ["none"]
+            hexes.UpdateVTKObjects()
+            assert writer.Write() == expected == int(os.path.exists(path)) == int(writer.GetErrorCode() == 0)
+        assert len(errors) == 2 and "Cannot write %s: The mesh could not be made: " % path in errors[0], errors
+        failing = Failing()
+        writer.SetInputConnection(failing.GetOutputPort())  # RequestData is not called at all
+        assert writer.Write() == 0 and "The input could not be made." in errors[2] and len(errors) == 3, errors
+
+
+def test_filters_behind_a_mesh_that_failed():
+    hexes = VolumeFractionToHex(Input=producer(fraction_image(N)), VolumeFractionArrays=["none"])
+    collect(hexes.GetClientSideObject())
+    table = VolumeFractionFragments(Input=hexes)
+    errors, _ = collect(table.GetClientSideObject())
+    table.UpdatePipeline()
+    output = table.GetClientSideObject().GetOutputDataObject(0)
+    assert output.GetNumberOfRows() == 0 and failure_of(output).startswith("The input could not be made: ")
+    assert len(errors) == 1 and failure_of(output) in errors[0]
 
 
 def test_the_same_filter_works_after_an_error():

@@ -126,6 +126,12 @@ class Result:
         return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
 
 
+def failure_of(data):
+    """What an output says of the failure that left it empty; None of one that was made."""
+    array = data.GetFieldData().GetAbstractArray("MeshError")
+    return array.GetValue(0) if array else None
+
+
 def table_of(table):
     """The columns of a table by their names, in order."""
     columns = [table.GetColumn(c) for c in range(table.GetNumberOfColumns())]

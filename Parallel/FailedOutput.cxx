@@ -1,0 +1,68 @@
+#include "FailedOutput.h"
+
+#include "EmptyMesh.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <exception>
+
+namespace vfm
+{
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+constexpr const char* ArrayName = "MeshError";
+
+} // namespace
+
+void MarkFailed(vtkInformationVector* outputs, const char* text) noexcept
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    try
+    {
+      vtkInformation* info = outputs->GetInformationObject(port);
+      if (vtkDataObject* output = vtkDataObject::GetData(info))
+      {
+        MakeEmpty(output);
+        if (vtkImageData* image = vtkImageData::SafeDownCast(output))
+        {
+          image->SetExtent(info->Get(Pipeline::UPDATE_EXTENT())); // or it is asked for again
+        }
+        vtkNew<vtkStringArray> array;
+        array->SetName(ArrayName);
+        array->InsertNextValue(text);
+        array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
+        output->GetFieldData()->AddArray(array);
+      }
+    }
+    catch (const std::exception&) // no memory: empty, at least
+    {
+    }
+  }
+}
+
+void Fail(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const char* text)
+{
+  MarkFailed(outputs, text);
+  vtkErrorWithObjectMacro(algorithm, << text);
+}
+
+const char* FindFailure(vtkDataObject* data) noexcept
+{
+  vtkFieldData* field = data ? data->GetFieldData() : nullptr;
+  auto array = field ? vtkStringArray::SafeDownCast(field->GetAbstractArray(ArrayName)) : nullptr;
+  return array && array->GetNumberOfValues() > 0 ? array->GetValue(0).c_str() : "";
+}
+
+} // namespace vfm
