@@ -1,6 +1,6 @@
 #include "FilterRuntime.h"
 
-#include "EmptyMesh.h"
+#include "EmptyOutput.h"
 #include "FailedOutput.h"
 
 #include "vtkAlgorithm.h"
@@ -149,27 +149,21 @@ void FilterRuntime::WithThreads(int threads, const std::function<void()>& work)
 void FilterRuntime::Report(
   vtkAlgorithm* owner, vtkInformationVector* outputs, const std::function<void()>& work)
 {
-  InputError problem("");
+  owner->SetAbortExecute(0); // of an earlier run
   try
   {
     work();
-    return;
   }
   catch (const Aborted&)
   {
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      EmptyOutput(outputs->GetInformationObject(port));
+    }
   }
   catch (const InputError& error)
   {
-    problem = error;
-  }
-  if (*problem.what())
-  {
-    Fail(owner, outputs, problem.what());
-    return;
-  }
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    MakeEmpty(vtkDataObject::GetData(outputs, port));
+    Fail(owner, outputs, error.what());
   }
 }
 

@@ -1,6 +1,6 @@
 #include "MeshOutput.h"
 
-#include "EmptyMesh.h"
+#include "EmptyOutput.h"
 #include "FieldValues.h"
 
 #include "vtkCellArray.h"

@@ -288,6 +288,7 @@ void vtkVolumeFractionShapes::Fill(
   if (HasCells(extent))
   {
     vfm::FilterRuntime runtime(this);
+    runtime.Progress(0.0, "Computing fractions");
     vfm::ComputeShapeFractions(coordinates, writer.GetCells(), shapes, this->Tolerance, runtime,
       [&writer](const vfm::IndexBox& cells, const std::vector<vfm::FractionField::Part>& parts)
       { writer.Write(cells, parts); });

@@ -25,9 +25,14 @@ public:
     this->Stop();
     this->Report.Stages.push_back({ name, 0.0 });
     this->Begin = std::chrono::steady_clock::now();
-    this->Run.Progress(fraction, name);
+    this->Update(fraction);
   }
-  void Update(double fraction) { this->Run.Progress(fraction, this->Report.Stages.back().Name); }
+  void Update(double fraction)
+  {
+    this->Run.Progress(this->Share * fraction, this->Report.Stages.back().Name);
+  }
+  /// What part of the whole run the fractions are of, from now on.
+  void SetShare(double share) { this->Share = share; }
 
 private:
   void Stop()
@@ -40,6 +45,7 @@ private:
   }
   Runtime& Run;
   MeshReport& Report;
+  double Share = 1.0;
   std::chrono::steady_clock::time_point Begin;
 };
 

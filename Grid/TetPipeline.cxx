@@ -25,7 +25,8 @@ namespace vfm
 namespace
 {
 
-constexpr int LateFlips = 5; // sweeps between two rounds of flips in the last stage
+constexpr double ShareBeforeTetGen = 0.15; // of the progress, as of the time
+constexpr int LateFlips = 5;               // sweeps between two rounds of flips in the last stage
 
 /// Makes the mesh of Cells or Lattice.
 class TetMesher : private MeshStages
@@ -35,6 +36,7 @@ public:
 
   Mesh Make()
   {
+    this->Clock.SetShare(this->Options.Tets == TetMethod::TetGen ? ShareBeforeTetGen : 1.0);
     this->Assign();
     this->Build();
     this->FindFragments();
@@ -75,9 +77,13 @@ private:
 #ifdef VFM_HAS_TETGEN
     if (this->Options.Tets == TetMethod::TetGen)
     {
-      this->Clock.Start("Filling with TetGen", 0.92);
+      this->Clock.SetShare(1.0);
+      this->Clock.Start("Filling with TetGen", ShareBeforeTetGen);
       RefillTets(
-        this->Topology.Tets, this->Grid, this->Labels, this->Options, this->Run, this->Report);
+        this->Topology.Tets, this->Grid, this->Labels, this->Options,
+        [this](double done)
+        { this->Clock.Update(ShareBeforeTetGen + (0.95 - ShareBeforeTetGen) * done); },
+        this->Run.Group(), this->Report);
     }
 #endif
   }

@@ -1,15 +1,13 @@
 #include "FailedOutput.h"
 
-#include "EmptyMesh.h"
+#include "EmptyOutput.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
 #include <exception>
@@ -18,8 +16,6 @@ namespace vfm
 {
 namespace
 {
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr const char* ArrayName = "MeshError";
 
@@ -31,14 +27,9 @@ void MarkFailed(vtkInformationVector* outputs, const char* text) noexcept
   {
     try
     {
-      vtkInformation* info = outputs->GetInformationObject(port);
-      if (vtkDataObject* output = vtkDataObject::GetData(info))
+      EmptyOutput(outputs->GetInformationObject(port));
+      if (vtkDataObject* output = vtkDataObject::GetData(outputs, port))
       {
-        MakeEmpty(output);
-        if (vtkImageData* image = vtkImageData::SafeDownCast(output))
-        {
-          image->SetExtent(info->Get(Pipeline::UPDATE_EXTENT())); // or it is asked for again
-        }
         vtkNew<vtkStringArray> array;
         array->SetName(ArrayName);
         array->InsertNextValue(text);

@@ -3,7 +3,9 @@
 #include "Base/Vector3.h"
 #include "Shapes/ShapesFit.h"
 
+#include <atomic>
 #include <mutex>
+#include <thread>
 
 namespace vfm
 {
@@ -390,6 +392,42 @@ private:
   Parts Found;
 };
 
+/// How many blocks are done, which the thread that made this tells; when that throws the others stop too.
+class BlockCount
+{
+public:
+  BlockCount(Index count, Runtime& runtime) : Count(count), Run(runtime) {}
+
+  bool IsStopped() const { return this->Stopped; }
+
+  void Add()
+  {
+    const Index percent = 100 * ++this->Done / this->Count;
+    if (std::this_thread::get_id() != this->Teller || percent == this->Told)
+    {
+      return;
+    }
+    this->Told = percent;
+    try
+    {
+      this->Run.Progress(0.01 * static_cast<double>(percent), "Computing fractions");
+    }
+    catch (...)
+    {
+      this->Stopped = true;
+      throw;
+    }
+  }
+
+private:
+  const Index Count;
+  Runtime& Run;
+  const std::thread::id Teller = std::this_thread::get_id();
+  std::atomic<Index> Done{ 0 };
+  std::atomic<bool> Stopped{ false };
+  Index Told = 0; // percent
+};
+
 void CheckTolerance(double tolerance)
 {
   if (!(tolerance > 0.0 && tolerance < 1.0))
@@ -434,10 +472,12 @@ void ComputeShapeFractions(const std::array<std::vector<double>, 3>& coordinates
   {
     blocks[a] = (box.Size(a) + BlockWidth - 1) / BlockWidth;
   }
+  const Index count = blocks[0] * blocks[1] * blocks[2];
+  BlockCount done(count, runtime);
   const auto work = [&](std::int64_t first, std::int64_t last)
   {
     BlockWorker worker(coordinates, shapes, tolerance, sink);
-    for (std::int64_t n = first; n < last; ++n)
+    for (std::int64_t n = first; n < last && !done.IsStopped(); ++n)
     {
       const Index3 position = CellInBox({ {}, blocks }, n);
       IndexBox cells;
@@ -447,9 +487,10 @@ void ComputeShapeFractions(const std::array<std::vector<double>, 3>& coordinates
         cells.Upper[a] = std::min(cells.Lower[a] + BlockWidth, box.Upper[a]);
       }
       worker.Compute(nullptr, cells);
+      done.Add();
     }
   };
-  runtime.For(0, blocks[0] * blocks[1] * blocks[2], work);
+  runtime.For(0, count, work);
 }
 
 FractionField FractionsOfShapes(const CartesianGrid& grid, const std::vector<Shape>& shapes,

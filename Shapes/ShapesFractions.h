@@ -35,7 +35,7 @@ using ShapePartsSink =
   std::function<void(const IndexBox& cells, const std::vector<FractionField::Part>& parts)>;
 
 /// Fractions in the cells of a box of a grid whose node coordinates are given, one list an axis.
-/// Void cells are not told. Reports no progress. Throws InputError unless 0 < tolerance < 1.
+/// Void cells are not told. Tells its progress, 0 to 1, and stops when that throws Aborted. Throws InputError unless 0 < tolerance < 1.
 void ComputeShapeFractions(const std::array<std::vector<double>, 3>& coordinates,
   const IndexBox& box, const std::vector<Shape>& shapes, double tolerance, Runtime& runtime,
   const ShapePartsSink& sink);

@@ -6,7 +6,6 @@
 #include "Labels/Fragments.h"
 #include "Octree/RefinedGrid.h"
 #include "Tet/TetFacets.h"
-#include "Tet/TetGenFill.h"
 #include "Tet/TetImprove.h"
 
 #include <memory>
@@ -17,7 +16,7 @@ namespace vfm
 namespace
 {
 
-constexpr int CallsPerProgress = 10000; // of the size function
+constexpr double FillShare = 0.8; // of the time of a part; its points are moved in the rest
 
 /// Wished edge length: that of the cells at interfaces, growing with the distance from them.
 class SizeField
@@ -293,27 +292,24 @@ private:
 } // namespace
 
 void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report)
+  const MeshOptions& options, const FillProgress& progress, Ranks& ranks, MeshReport& report)
 {
   const SizeField sizes(grid, labels, options.TetGen);
-  int calls = 0;
-  const auto size = [&](const Vector3& x)
-  {
-    if (++calls % CallsPerProgress == 0)
-    {
-      runtime.Progress(0.92, "Filling with TetGen"); // may abort
-    }
-    return sizes(x);
-  };
   const TetEnergy energy(FloorsOf(options));
+  const double share = 1.0 / std::max<double>(1.0, static_cast<double>(mesh.ElementIds.size()));
+  double done = 0.0; // of all tets
   Refilled refilled(mesh, grid);
   std::vector<Index> refused(1, 0);
   for (const Part& part : FindParts(mesh, grid))
   {
-    TetGenFill fill = FillWithTetGen(part.Surface, options.TetGen, size);
+    const double weight = share * static_cast<double>(part.Tets.size());
+    TetGenFill fill = FillWithTetGen(part.Surface, options.TetGen, sizes,
+      [&](double fraction) { progress(done + weight * FillShare * fraction); });
     if (fill.Refusal.empty())
     {
-      ImproveInside(energy, part.Surface.Points.size(), fill.Tets, fill.Points);
+      ImproveInside(energy, part.Surface.Points.size(), fill.Tets, fill.Points,
+        [&](double fraction)
+        { progress(done + weight * (FillShare + (1.0 - FillShare) * fraction)); });
       refilled.AddPart(part, fill);
     }
     else
@@ -321,9 +317,11 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
       refilled.KeepPart(part);
       ++refused[0];
     }
+    done += weight;
+    progress(done);
   }
-  refilled.Finish(runtime.Group());
-  runtime.Group().Sum(refused);
+  refilled.Finish(ranks);
+  ranks.Sum(refused);
   report.RefusedParts = refused[0];
 }
 

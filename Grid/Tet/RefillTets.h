@@ -6,17 +6,18 @@
 #pragma once
 
 #include "Base/Options.h"
-#include "Base/Runtime.h"
+#include "Base/Ranks.h"
 #include "Labels/Labels.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
+#include "Tet/TetGenFill.h"
 
 namespace vfm
 {
 
 /// mesh: of Cells, smoothed, the tets of this rank only. What TetGen refuses stays as it is and is counted in
-/// report.RefusedParts. New points get ids after those of Cells, all tets ids from 1, both by rank. Collective.
+/// report.RefusedParts. progress: of all parts of this rank; Aborted that it throws ends the work. New points get ids after those of Cells, all tets ids from 1, both by rank. Collective.
 void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
-  const MeshOptions& options, Runtime& runtime, MeshReport& report);
+  const MeshOptions& options, const FillProgress& progress, Ranks& ranks, MeshReport& report);
 
 } // namespace vfm

@@ -68,11 +68,49 @@ private:
   std::vector<tetgenio::facet> Facets;
 };
 
+/// How far the filling of a part is. TetGen calls back while it inserts points alone; the shares are the times that were measured.
+class FillClock
+{
+public:
+  FillClock(const FillProgress& progress, const TetGenPart& part) :
+    Progress(progress), ExpectedCalls(CallsPerTriangle * static_cast<double>(part.Triangles.size()))
+  {
+  }
+
+  void Reach(double done)
+  {
+    this->Done = std::max(this->Done, done);
+    this->Progress(this->Done);
+  }
+
+  /// One more call of the size function.
+  void Count()
+  {
+    if (++this->Calls % CallsPerProgress == 0)
+    {
+      const double share = 1.0 - std::exp(-static_cast<double>(this->Calls) / this->ExpectedCalls);
+      this->Reach(BeforePoints + (AfterPoints - BeforePoints) * share);
+    }
+  }
+
+  static constexpr double AfterCheck = 0.2, BeforePoints = 0.45, AfterPoints = 0.6,
+                          AfterTetGen = 0.8;
+
+private:
+  static constexpr int CallsPerProgress = 5000;
+  static constexpr double CallsPerTriangle = 7.0; // of parts like balls; films have fewer
+  const FillProgress& Progress;
+  const double ExpectedCalls;
+  std::int64_t Calls = 0;
+  double Done = 0.0;
+};
+
 /// What the callback, a plain function, needs to know. Set under the mutex.
 struct Wish
 {
   const SizeFunction* Size;
   const LocalPart* Local;
+  FillClock* Clock;
 };
 thread_local const Wish* CurrentWish = nullptr;
 
@@ -94,6 +132,7 @@ bool IsTooLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
       longest = std::max(longest, Dot(edge, edge));
     }
   }
+  CurrentWish->Clock->Count();
   const LocalPart& local = *CurrentWish->Local;
   const double wished = (*CurrentWish->Size)(local.ToWorld(centre));
   return wished > 0.0 &&
@@ -330,12 +369,12 @@ const char* Reason(int code)
 }
 
 std::string RunOnce(const LocalPart& local, std::size_t partPoints, const TetGenOptions& options,
-  const SizeFunction& size, TetGenFill& fill)
+  const SizeFunction& size, FillClock& clock, TetGenFill& fill)
 {
   const int old = static_cast<int>(local.Points.size());
   const int limit = NewPointsAtLeast + NewPointsPerPoint * old;
   Input input(local, HoleSeeds(local));
-  const Wish wish{ &size, &local };
+  const Wish wish{ &size, &local, &clock };
   if (size)
   {
     CurrentWish = &wish;
@@ -350,7 +389,7 @@ std::string RunOnce(const LocalPart& local, std::size_t partPoints, const TetGen
 
 /// TetGen itself: one at a time.
 std::string Run(const LocalPart& local, std::size_t partPoints, const TetGenOptions& options,
-  const SizeFunction& size, TetGenFill& fill)
+  const SizeFunction& size, FillClock& clock, TetGenFill& fill)
 {
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
@@ -359,26 +398,29 @@ std::string Run(const LocalPart& local, std::size_t partPoints, const TetGenOpti
   {
     return crossing;
   }
-  std::string refusal = RunOnce(local, partPoints, options, size, fill);
+  clock.Reach(FillClock::AfterCheck);
+  std::string refusal = RunOnce(local, partPoints, options, size, clock, fill);
   if (refusal.empty() && !fill.Complete)
   {
     // Mostly a bound on angles that the surface does not allow: once more without.
     TetGenOptions modest = options;
     modest.MinimumDihedralAngle = 0.0;
     modest.RadiusEdgeRatio = std::max(2.0, options.RadiusEdgeRatio);
-    refusal = RunOnce(local, partPoints, modest, size, fill);
+    refusal = RunOnce(local, partPoints, modest, size, clock, fill);
     fill.Complete = false;
   }
   return refusal;
 }
 
-std::string Fill(
-  const TetGenPart& part, const TetGenOptions& options, const SizeFunction& size, TetGenFill& fill)
+std::string Fill(const TetGenPart& part, const TetGenOptions& options, const SizeFunction& size,
+  const FillProgress& progress, TetGenFill& fill)
 {
+  FillClock clock(progress, part);
   LocalPart local;
   std::string refusal = MakeLocalPart(part, local);
   fill.Points = part.Points;
-  refusal = refusal.empty() ? Run(local, part.Points.size(), options, size, fill) : refusal;
+  refusal = refusal.empty() ? Run(local, part.Points.size(), options, size, clock, fill) : refusal;
+  clock.Reach(FillClock::AfterTetGen);
   refusal = refusal.empty() ? KeepInside(part, fill.Tets) : refusal;
   if (refusal.empty() && Improve(part, local, fill))
   {
@@ -394,13 +436,13 @@ std::string Fill(
 
 } // namespace
 
-TetGenFill FillWithTetGen(
-  const TetGenPart& part, const TetGenOptions& options, const SizeFunction& size)
+TetGenFill FillWithTetGen(const TetGenPart& part, const TetGenOptions& options,
+  const SizeFunction& size, const FillProgress& progress)
 {
   TetGenFill fill;
   try
   {
-    fill.Refusal = TetGenTerminateIsLinked ? Fill(part, options, size, fill) : "";
+    fill.Refusal = TetGenTerminateIsLinked ? Fill(part, options, size, progress, fill) : "";
   }
   catch (const int code)
   {

@@ -37,9 +37,13 @@ struct TetGenFill
     true; ///< false: the limit on new points ended refinement early; the mesh is valid
 };
 
+/// What part of the work is done, 0 to 1, now and then, never less than before.
+using FillProgress = std::function<void(double)>;
+
 /// One run at a time in the process, others wait: TetGen has global state. The result depends on the
-/// arguments only. Never throws but Aborted, when size does (the way to stop a long run).
+/// arguments only. Never throws but Aborted, when size or progress do (the way to stop a long run).
 TetGenFill FillWithTetGen(
-  const TetGenPart& part, const TetGenOptions& options, const SizeFunction& size);
+  const TetGenPart& part, const TetGenOptions& options, const SizeFunction& size,
+  const FillProgress& progress = [](double) {});
 
 } // namespace vfm

@@ -25,7 +25,8 @@ const SmoothingRamp& TetRamp()
 }
 
 void ImproveInside(const TetEnergy& energy, std::size_t fixed,
-  const std::vector<std::array<int, 4>>& tets, std::vector<Vector3>& points)
+  const std::vector<std::array<int, 4>>& tets, std::vector<Vector3>& points,
+  const std::function<void(double)>& progress)
 {
   std::vector<Mover> movers;
   for (std::size_t p = fixed; p < points.size(); ++p)
@@ -44,7 +45,14 @@ void ImproveInside(const TetEnergy& energy, std::size_t fixed,
     active.X[p] = points[active.MeshPoint[p]];
   }
   Runtime alone;
-  Smoother(active, nullptr, energy, alone).RunRamp(TetRamp());
+  Smoother smoother(active, nullptr, energy, alone);
+  const double share = 1.0 / static_cast<double>(TetRamp().size());
+  double done = 0.0;
+  for (const SmoothingStage& stage : TetRamp())
+  {
+    smoother.RunStage(stage, [&](double fraction) { progress(done + share * fraction); });
+    done += share;
+  }
   for (std::size_t p = 0; p < active.X.size(); ++p)
   {
     points[active.MeshPoint[p]] = active.X[p];

@@ -6,6 +6,8 @@
 #include "Base/Options.h"
 #include "Smoothing/TetEnergy.h"
 
+#include <functional>
+
 namespace vfm
 {
 
@@ -13,8 +15,9 @@ namespace vfm
 TetQualityFloors FloorsOf(const MeshOptions& options);
 const SmoothingRamp& TetRamp();
 
-/// Moves the points after the first `fixed`. Points in units of cells.
+/// Moves the points after the first `fixed`. Points in units of cells. progress(fraction) is called after every sweep.
 void ImproveInside(const TetEnergy& energy, std::size_t fixed,
-  const std::vector<std::array<int, 4>>& tets, std::vector<Vector3>& points);
+  const std::vector<std::array<int, 4>>& tets, std::vector<Vector3>& points,
+  const std::function<void(double)>& progress);
 
 } // namespace vfm

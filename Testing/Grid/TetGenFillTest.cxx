@@ -543,6 +543,31 @@ TEST(TetGenFill, SizeFunctionMayMisbehave)
   ExpectFilled(part, Fill(part, Constant(0.3)));
 }
 
+TEST(TetGenFill, ProgressAndAbort)
+{
+  const TetGenPart part = Ball(3, 1.0);
+  std::vector<double> told;
+  const TetGenFill fill = FillWithTetGen(
+    part, TetGenOptions(), Constant(0.08), [&](double fraction) { told.push_back(fraction); });
+  ExpectFilled(part, fill);
+  std::printf("%zu tets, %zu times told\n", fill.Tets.size(), told.size());
+  EXPECT_GT(told.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_TRUE(told.front() > 0.0 && told.back() <= 1.0);
+  for (const double when : { told.front(), told[told.size() / 2], told.back() })
+  {
+    const auto stop = [when](double fraction)
+    {
+      if (fraction >= when)
+      {
+        throw Aborted();
+      }
+    };
+    EXPECT_THROW(FillWithTetGen(part, TetGenOptions(), Constant(0.08), stop), Aborted);
+  }
+  EXPECT_EQ(Fill(part, Constant(0.08)).Tets, fill.Tets);
+}
+
 TEST(TetGenFill, ThreadsDoNotMatter)
 {
   const TetGenPart parts[2] = { Ball(3, 1.0), Jagged(7) };

@@ -3,13 +3,16 @@ import os
 import sys
 import tempfile
 
+import numpy as np
 from paraview import simple
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 from exodus_dump import Dump
-from vfmtest import collect, digest, fraction_image, main, mesh_of, producer, Result, save_data, VolumeFractionToHex
+from vfmtest import (
+    collect, digest, failure_of, fraction_image, has_tetgen, main, mesh_of, producer, Result, save_data, VolumeFractionShapes,
+    VolumeFractionToHex, VolumeFractionToTet)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
 from write_exodus import write_exodus
@@ -137,7 +140,6 @@ def test_progress_and_abort():
     for port in range(2):
         assert algorithm.GetOutputDataObject(port).GetNumberOfPoints() == 0
     stop_at[0] = 2.0
-    algorithm.SetAbortExecute(0)
     algorithm.Modified()
     seen.clear()
     algorithm.Update()
@@ -145,6 +147,54 @@ def test_progress_and_abort():
     fractions = [fraction for fraction, _ in seen]
     assert fractions == sorted(fractions) and fractions[0] == 0 and fractions[-1] == 1
     assert len({text for _, text in seen if text}) >= 3, seen
+
+
+class Progress:
+    """What an algorithm tells while it runs, and an abort beyond a fraction."""
+
+    def __init__(self, algorithm):
+        self.seen, self.stop_beyond = [], 2.0
+        algorithm.AddObserver("ProgressEvent", self.see)
+
+    def see(self, caller, _):
+        self.seen.append((caller.GetProgress(), caller.GetProgressText()))
+        if self.stop_beyond < caller.GetProgress() < 1:
+            caller.SetAbortExecute(1)
+
+
+def check_long_stage(proxy, text, least, threads):
+    """The stage tells its progress at least so often, in order; an abort in its midst ends it, without error or output."""
+    proxy.NumberOfThreads = threads
+    proxy.UpdateVTKObjects()
+    algorithm = proxy.GetClientSideObject()
+    errors, _ = collect(algorithm)
+    progress = Progress(algorithm)
+    algorithm.Update()
+    fractions = [fraction for fraction, _ in progress.seen]
+    own = [fraction for fraction, stage in progress.seen if stage == text and fraction < 1]
+    assert fractions == sorted(fractions) and fractions[-1] == 1 and not errors
+    assert len(set(own)) >= least and own[-1] - own[0] > 0.7, own
+    assert np.diff(own).max() < 0.3, own
+    middle = progress.stop_beyond = own[len(own) // 2]
+    progress.seen.clear()
+    algorithm.Modified()
+    algorithm.Update()
+    output = algorithm.GetOutputDataObject(0)
+    assert not errors and failure_of(output) is None
+    assert output.GetNumberOfPoints() == 0 or output.GetCellData().GetNumberOfArrays() == 0
+    assert len([fraction for fraction, _ in progress.seen if middle < fraction < 1]) == 1, progress.seen
+    progress.stop_beyond = 2.0
+    algorithm.Modified()
+    algorithm.Update()
+    assert algorithm.GetOutputDataObject(0).GetCellData().GetNumberOfArrays() > 0
+
+
+def test_long_stages():
+    for threads in (1, 2):
+        check_long_stage(VolumeFractionShapes(Preset="Sphere", Dimensions=[64, 64, 64]), "Computing fractions", 20, threads)
+    if has_tetgen():
+        tets = VolumeFractionToTet(Input=producer(DATA), VolumeFractionArrays=["ball", "plate"], Method="TetGen")
+        check_long_stage(tets, "Filling with TetGen", 20, 2)
 
 
 def test_input_is_not_changed():

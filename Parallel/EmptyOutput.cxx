@@ -1,9 +1,12 @@
-#include "EmptyMesh.h"
+#include "EmptyOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -18,14 +21,23 @@ void SetNoElements(vtkUnstructuredGrid* mesh)
   mesh->GetCells()->GetOffsetsArray()->SetNumberOfTuples(1);
 }
 
-void MakeEmpty(vtkDataObject* data)
+void EmptyOutput(vtkInformation* port)
 {
+  vtkDataObject* data = vtkDataObject::GetData(port);
+  if (!data)
+  {
+    return;
+  }
   data->Initialize();
   if (vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::SafeDownCast(data))
   {
     vtkNew<vtkPoints> points;
     mesh->SetPoints(points);
     SetNoElements(mesh);
+  }
+  if (vtkImageData* image = vtkImageData::SafeDownCast(data))
+  {
+    image->SetExtent(port->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   }
 }
 
