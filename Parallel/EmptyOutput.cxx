@@ -35,9 +35,11 @@ void EmptyOutput(vtkInformation* port)
     mesh->SetPoints(points);
     SetNoElements(mesh);
   }
-  if (vtkImageData* image = vtkImageData::SafeDownCast(data))
+  int* extent = port->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+  vtkImageData* image = vtkImageData::SafeDownCast(data);
+  if (image && extent)
   {
-    image->SetExtent(port->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+    image->SetExtent(extent);
   }
 }
 
