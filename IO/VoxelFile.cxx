@@ -1,6 +1,7 @@
 #include "VoxelFile.h"
 
 #include "Base/Runtime.h"
+#include "FileSuffix.h"
 #include "OpenFile.h"
 
 #include <algorithm>
@@ -93,10 +94,7 @@ void CheckLength(const std::string& path, const NumPyHeader& header)
 
 bool IsNumPyFile(const std::string& path)
 {
-  std::string suffix = std::filesystem::path(path).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return suffix == ".npy";
+  return HasSuffix(path, ".npy");
 }
 
 VoxelFile InspectVoxels(const std::string& path, const Index3& cells, AxisOrder order)

@@ -4,6 +4,7 @@
 #include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
+#include "ImageExtent.h"
 #include "ReadVoxels.h"
 
 #include "vtkCellData.h"
@@ -22,29 +23,6 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkStandardNewMacro(vtkVolumeFractionVoxelReader);
 vtkCxxSetObjectMacro(vtkVolumeFractionVoxelReader, Controller, vtkMultiProcessController);
-
-namespace
-{
-
-/// The cells of an extent of points; where it is flat, as VTK cuts pieces of less than a cell and slices, those beside it.
-vfm::IndexBox FindCells(const int extent[6], const vfm::Index3& cells)
-{
-  vfm::IndexBox box;
-  for (int a = 0; a < 3; ++a)
-  {
-    const bool isFlat = extent[2 * a] == extent[2 * a + 1];
-    box.Lower[a] = std::min<vfm::Index>(extent[2 * a], isFlat ? cells[a] - 1 : cells[a]);
-    box.Upper[a] = std::max(vfm::Index(extent[2 * a + 1]), box.Lower[a] + (isFlat ? 1 : 0));
-  }
-  return box;
-}
-
-bool IsEmpty(const int extent[6])
-{
-  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
-}
-
-} // namespace
 
 vtkVolumeFractionVoxelReader::vtkVolumeFractionVoxelReader()
 {
@@ -137,9 +115,10 @@ int vtkVolumeFractionVoxelReader::RequestData(
 void vtkVolumeFractionVoxelReader::Read(const int extent[6], vtkImageData* image) const
 {
   const vfm::VoxelFile file = this->Inspect();
-  const vfm::IndexBox box = IsEmpty(extent) ? vfm::IndexBox() : FindCells(extent, file.Cells);
+  const vfm::IndexBox box =
+    vfm::IsEmptyExtent(extent) ? vfm::IndexBox() : vfm::FindCells(extent, file.Cells);
   const auto arrays = vfm::ReadVoxels(file, box);
-  if (IsEmpty(extent))
+  if (vfm::IsEmptyExtent(extent))
   {
     return;
   }

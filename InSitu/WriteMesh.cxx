@@ -4,6 +4,7 @@
 #include "FileSuffix.h"
 #include "GatherMesh.h"
 #include "OutputStage.h"
+#include "ParseText.h"
 #include "Stage.h"
 #include "WriteAbaqus.h"
 #include "WriteExodus.h"

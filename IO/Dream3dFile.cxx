@@ -1,0 +1,267 @@
+#include "Hdf5.h"
+#include "ImageFile.h"
+#include "OpenFile.h"
+
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace vfm
+{
+namespace
+{
+
+std::string Join(const std::string& group, const std::string& name)
+{
+  return group + "/" + name;
+}
+
+std::string CannotRead(const std::string& path)
+{
+  return path + " cannot be read.";
+}
+
+/// Of the links of a group.
+std::vector<std::string> ListNames(hid_t file, const std::string& group)
+{
+  std::vector<std::string> names;
+  const auto take = [](hid_t, const char* name, const H5L_info_t*, void* list)
+  {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return herr_t(0);
+  };
+  H5Literate_by_name(
+    file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, take, &names, H5P_DEFAULT);
+  return names;
+}
+
+bool IsKind(hid_t file, const std::string& path, H5O_type_t kind)
+{
+  H5O_info_t info;
+  return H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0 &&
+    H5Oget_info_by_name(file, path.c_str(), &info, H5P_DEFAULT) >= 0 && info.type == kind;
+}
+
+/// Three numbers of a data set, or of an attribute of a group when it has that name.
+bool ReadThree(hid_t file, const std::string& group, const std::string& name, Vector3& numbers)
+{
+  const std::string path = Join(group, name);
+  const bool isAttribute = H5Aexists_by_name(file, group.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+  if (!isAttribute && !IsKind(file, path, H5O_TYPE_DATASET))
+  {
+    return false;
+  }
+  const Hdf5Handle item(isAttribute
+      ? H5Aopen_by_name(file, group.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT)
+      : H5Dopen2(file, path.c_str(), H5P_DEFAULT),
+    isAttribute ? H5Aclose : H5Dclose, CannotRead(path));
+  const Hdf5Handle space(
+    isAttribute ? H5Aget_space(item) : H5Dget_space(item), H5Sclose, CannotRead(path));
+  const bool isRead = H5Sget_simple_extent_npoints(space) == 3 &&
+    (isAttribute
+        ? H5Aread(item, H5T_NATIVE_DOUBLE, numbers.data())
+        : H5Dread(item, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data())) >= 0;
+  if (!isRead)
+  {
+    throw InputError(path + " is not three numbers.");
+  }
+  return true;
+}
+
+/// A grid of cells, and the group that holds its arrays.
+struct Geometry
+{
+  std::string Group;
+  ImagePlace Place;
+};
+
+bool ReadGeometry(
+  hid_t file, const std::string& group, const std::array<const char*, 3>& names, ImagePlace& place)
+{
+  Vector3 size{};
+  if (!ReadThree(file, group, names[0], size))
+  {
+    return false;
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    place.Size[a] = size[a] >= 0.0 && size[a] < 1e9 ? static_cast<Index>(size[a]) : 0;
+  }
+  if (!ReadThree(file, group, names[1], place.Spacing) ||
+    !ReadThree(file, group, names[2], place.Origin))
+  {
+    throw InputError(group + " has no spacing or no origin.");
+  }
+  CheckPlace(place);
+  return true;
+}
+
+/// Those of DREAM.3D 6, /DataContainers/NAME/_SIMPL_GEOMETRY, and of DREAM3D-NX, groups of /DataStructure at any depth.
+void FindGeometries(hid_t file, const std::string& group, int depth, std::vector<Geometry>& found)
+{
+  for (const std::string& name : ListNames(file, group))
+  {
+    const std::string path = Join(group, name), simpl = Join(path, "_SIMPL_GEOMETRY");
+    if (!IsKind(file, path, H5O_TYPE_GROUP))
+    {
+      continue;
+    }
+    ImagePlace place;
+    if ((IsKind(file, simpl, H5O_TYPE_GROUP) &&
+          ReadGeometry(file, simpl, { "DIMENSIONS", "SPACING", "ORIGIN" }, place)) ||
+      ReadGeometry(file, path, { "_DIMENSIONS", "_SPACING", "_ORIGIN" }, place))
+    {
+      found.push_back({ path, place });
+    }
+    else if (depth > 0)
+    {
+      FindGeometries(file, path, depth - 1, found);
+    }
+  }
+}
+
+/// The sizes of a data set, from the index that changes slowest.
+std::vector<hsize_t> GetShape(hid_t data)
+{
+  const Hdf5Handle space(H5Dget_space(data), H5Sclose, "a shape cannot be read.");
+  std::vector<hsize_t> shape(std::max(H5Sget_simple_extent_ndims(space), 0));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  return shape;
+}
+
+/// Whether it has one value a cell: z, y, x, and maybe 1.
+bool FitsCells(hid_t file, const std::string& path, const Index3& size)
+{
+  const Hdf5Handle data(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(path));
+  std::vector<hsize_t> shape = GetShape(data);
+  if (shape.size() == 4 && shape[3] == 1)
+  {
+    shape.pop_back();
+  }
+  return std::equal(shape.begin(), shape.end(), size.rbegin(), size.rend(),
+    [](hsize_t a, Index b) { return static_cast<Index>(a) == b; });
+}
+
+bool EndsWith(const std::string& path, const std::string& end)
+{
+  return path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0 &&
+    path[path.size() - end.size() - 1] == '/';
+}
+
+class Dream3dFile : public ImageFile
+{
+public:
+  Dream3dFile(const std::string& path, const std::string& array) : Path(path)
+  {
+    const Hdf5Silence silence;
+    const Hdf5Handle file = this->Open();
+    std::vector<Geometry> geometries;
+    constexpr int depth = 4; // of groups in groups
+    FindGeometries(file, "/DataContainers", 0, geometries);
+    FindGeometries(file, "/DataStructure", depth, geometries);
+    if (geometries.empty())
+    {
+      throw InputError("it holds no image geometry of DREAM.3D 6 (/DataContainers) or DREAM3D-NX "
+                       "(/DataStructure).");
+    }
+    this->Choose(file, geometries, array);
+    this->OfCells = true;
+    this->Parts = true;
+  }
+
+  vtkSmartPointer<vtkDataArray> Read(const IndexBox& box) override
+  {
+    const Hdf5Silence silence;
+    const Hdf5Handle file = this->Open();
+    const Hdf5Handle data(
+      H5Dopen2(file, this->Array.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(this->Array));
+    const Hdf5Handle type(H5Dget_type(data), H5Tclose, CannotRead(this->Array));
+    const bool isWhole = H5Tget_class(type) == H5T_INTEGER;
+    if (!isWhole && H5Tget_class(type) != H5T_FLOAT)
+    {
+      throw InputError(this->Array + " holds no numbers.");
+    }
+    std::vector<hsize_t> first(GetShape(data).size(), 0), count(first.size(), 1);
+    for (int a = 0; a < 3; ++a)
+    {
+      first[2 - a] = static_cast<hsize_t>(box.Lower[a]);
+      count[2 - a] = static_cast<hsize_t>(box.Size(a));
+    }
+    const Hdf5Handle stored(H5Dget_space(data), H5Sclose, CannotRead(this->Array));
+    const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+      H5Sclose, CannotRead(this->Array));
+    const auto values =
+      vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isWhole ? VTK_INT : VTK_FLOAT));
+    values->SetNumberOfTuples(box.NumberOfCells());
+    if (H5Sselect_hyperslab(stored, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
+        0 ||
+      H5Dread(data, isWhole ? H5T_NATIVE_INT : H5T_NATIVE_FLOAT, memory, stored, H5P_DEFAULT,
+        values->GetVoidPointer(0)) < 0)
+    {
+      throw InputError("the values of " + this->Array + " cannot be read.");
+    }
+    return values;
+  }
+
+private:
+  Hdf5Handle Open() const
+  {
+    OpenFile(this->Path);
+    return { H5Fopen(this->Path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+      "it is no HDF5 file, or damaged." };
+  }
+
+  /// The one array of that name.
+  void Choose(hid_t file, const std::vector<Geometry>& geometries, const std::string& array)
+  {
+    std::vector<std::string> others;
+    for (const Geometry& geometry : geometries)
+    {
+      for (const std::string& matrix : ListNames(file, geometry.Group))
+      {
+        for (const std::string& name : ListNames(file, Join(geometry.Group, matrix)))
+        {
+          const std::string path = Join(Join(geometry.Group, matrix), name);
+          if (!IsKind(file, path, H5O_TYPE_DATASET) || !FitsCells(file, path, geometry.Place.Size))
+          {
+            continue;
+          }
+          if (!EndsWith(path, array))
+          {
+            others.push_back(name);
+            continue;
+          }
+          if (!this->Array.empty())
+          {
+            throw InputError("it holds two cell arrays " + array + ": " + this->Array + " and " +
+              path + ". Name the one that is meant by its path.");
+          }
+          this->Array = path;
+          this->Where = geometry.Place;
+        }
+      }
+    }
+    if (this->Array.empty())
+    {
+      std::string text;
+      for (const std::string& other : others)
+      {
+        text += (text.empty() ? "" : ", ") + other;
+      }
+      throw InputError("it holds no cell array '" + array +
+        "' of one value a cell. Others are: " + (text.empty() ? "none" : text) + ".");
+    }
+  }
+
+  std::string Path, Array;
+};
+
+} // namespace
+
+std::unique_ptr<ImageFile> OpenDream3d(const std::string& path, const std::string& array)
+{
+  return std::make_unique<Dream3dFile>(path, array);
+}
+
+} // namespace vfm

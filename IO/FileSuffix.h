@@ -1,0 +1,22 @@
+/**
+ * FileSuffix: the ends of file names, in lower or upper case.
+ */
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+namespace vfm
+{
+
+/// suffix: with its dot, in lower case.
+inline bool HasSuffix(const std::string& path, const std::string& suffix)
+{
+  const auto lower = [](char c)
+  { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return path.size() > suffix.size() &&
+    std::equal(suffix.rbegin(), suffix.rend(), path.rbegin(),
+      [&lower](char wanted, char given) { return wanted == lower(given); });
+}
+
+} // namespace vfm

@@ -1,0 +1,86 @@
+#include "Base/Errors.h"
+#include "ImageFile.h"
+#include "OpenFile.h"
+#include "VtkImageFile.h"
+
+#include "vtkMetaImageReader.h"
+#include "vtkNew.h"
+
+#include "vtkmetaio/metaImage.h"
+#include <filesystem>
+#include <string>
+
+namespace vfm
+{
+namespace
+{
+
+/// Of a file of both, where the values begin: after the line that says where they are.
+double FindHeaderEnd(const std::string& path)
+{
+  std::ifstream stream = OpenFile(path);
+  std::string line;
+  while (std::getline(stream, line) && line.compare(0, 15, "ElementDataFile") != 0)
+  {
+  }
+  return stream ? static_cast<double>(stream.tellg()) : 0.0;
+}
+
+class MetaImageFile : public VtkImageFile
+{
+public:
+  MetaImageFile(const std::string& path, vtkMetaImageReader* reader) : VtkImageFile(path, reader)
+  {
+    vtkmetaio::MetaImage header; // VTK's reader leaves the directions out
+    if (!header.Read(path.c_str(), false) || header.NDims() > 3)
+    {
+      throw InputError("its header cannot be read.");
+    }
+    this->CheckValues(path, header);
+    std::array<Vector3, 3> steps{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
+      { { 0.0, 0.0, 1.0 } } } };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int c = 0; axis < header.NDims() && c < header.NDims(); ++c)
+      {
+        steps[axis][c] = header.TransformMatrix(axis, c);
+      }
+      for (double& step : steps[axis])
+      {
+        step *= this->Where.Spacing[axis];
+      }
+    }
+    if (!AreAtRightAngles(steps))
+    {
+      throw InputError("its TransformMatrix is no rotation: the axes are not at right angles.");
+    }
+    SetSteps(steps, this->Where);
+  }
+
+private:
+  /// Files that are cut, which the library reads all the same.
+  void CheckValues(const std::string& path, const vtkmetaio::MetaImage& header) const
+  {
+    const std::string name = header.ElementDataFileName();
+    const bool isLocal = name == "LOCAL" || name == "Local" || name == "local";
+    const std::filesystem::path file =
+      isLocal ? std::filesystem::path(path) : std::filesystem::path(path).parent_path() / name;
+    std::error_code none;
+    if (!isLocal && !std::filesystem::is_regular_file(file, none))
+    {
+      return; // a list or a pattern of files
+    }
+    CheckLength(
+      file, isLocal ? FindHeaderEnd(path) : 0.0, this->CountBytes(), header.CompressedData());
+  }
+};
+
+} // namespace
+
+std::unique_ptr<ImageFile> OpenMetaImage(const std::string& path)
+{
+  vtkNew<vtkMetaImageReader> reader;
+  return std::make_unique<MetaImageFile>(path, reader);
+}
+
+} // namespace vfm

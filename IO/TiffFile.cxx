@@ -1,0 +1,75 @@
+#include "Base/Errors.h"
+#include "ImageFile.h"
+#include "OpenFile.h"
+#include "VtkImageFile.h"
+
+#include "vtkNew.h"
+#include "vtkTIFFReader.h"
+
+#include <memory>
+#include <tiffio.h>
+
+namespace vfm
+{
+namespace
+{
+
+/// What the pages of a stack must have in common.
+struct Page
+{
+  std::uint32_t Width = 0, Height = 0;
+  std::uint16_t Bits = 0, Format = 0, Samples = 0;
+
+  explicit Page(TIFF* file)
+  {
+    TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &this->Width);
+    TIFFGetField(file, TIFFTAG_IMAGELENGTH, &this->Height);
+    TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &this->Bits);
+    TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &this->Format);
+    TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLESPERPIXEL, &this->Samples);
+  }
+  bool operator!=(const Page& other) const
+  {
+    return this->Width != other.Width || this->Height != other.Height || this->Bits != other.Bits ||
+      this->Format != other.Format || this->Samples != other.Samples;
+  }
+};
+
+/// VTK's reader trusts that all pages are like the first, and reads what it does not know as colours.
+void CheckPages(const std::string& path)
+{
+  OpenFile(path);
+  TIFFSetErrorHandler(nullptr);
+  TIFFSetWarningHandler(nullptr);
+  const std::unique_ptr<TIFF, void (*)(TIFF*)> file(TIFFOpen(path.c_str(), "r"), TIFFClose);
+  if (!file)
+  {
+    throw InputError("it is no TIFF file.");
+  }
+  const Page first(file.get());
+  if (first.Samples != 1 || (first.Bits != 8 && first.Bits != 16 && first.Bits != 32))
+  {
+    throw InputError("it has " + std::to_string(first.Samples) + " values of " +
+      std::to_string(first.Bits) + " bits a point; wanted is one of 8, 16 or 32 bits.");
+  }
+  for (int page = 2; TIFFReadDirectory(file.get()); ++page)
+  {
+    if (Page(file.get()) != first)
+    {
+      throw InputError(
+        "page " + std::to_string(page) + " is of another size or type than the first.");
+    }
+  }
+}
+
+} // namespace
+
+std::unique_ptr<ImageFile> OpenTiff(const std::string& path)
+{
+  CheckPages(path);
+  vtkNew<vtkTIFFReader> reader;
+  reader->SetIgnoreColorMap(true); // a palette colours labels
+  return std::make_unique<VtkImageFile>(path, reader);
+}
+
+} // namespace vfm
