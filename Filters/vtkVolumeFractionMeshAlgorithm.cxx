@@ -8,6 +8,7 @@
 #include "Fractions/RefineCells.h"
 #include "InputFields.h"
 #include "InputLevels.h"
+#include "LabelNames.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "LevelFields.h"
@@ -316,6 +317,8 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   const vfm::ArraysToRead arrays = this->ListArrays(materials);
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
+  const vfm::LabelNames names =
+    vfm::ShareLabelNames(materials.HasLabels() ? this->LabelNamesFile : "", ranks);
   const bool knowsNeighbours = AgreeOn(this->HasFaceNeighbours, ranks);
   const vfm::InputLevels levels = knowsNeighbours
     ? vfm::FindNeighbourLevels(input, arrays, this->FaceNeighbours, ranks)
@@ -332,6 +335,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   wishes = vfm::ShareOutWishes(wishes, levels, owners, ranks);
   vfm::LevelFields fields = vfm::MakeLevelFields(
     levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
+  vfm::NameLabels(names, fields.Field.Table);
   const vfm::RemovedRegions removed =
     this->PrepareFractions(fields, materials.HasLabels(), runtime);
   vfm::MeshOptions options = this->GetOptions();
@@ -394,6 +398,7 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->PrintArrays(os, indent);
   os << indent << "FractionTolerance: " << this->FractionTolerance << "\n";
   os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
+  os << indent << "LabelNamesFile: " << this->LabelNamesFile << "\n";
   os << indent << "MinimumRegionCells: " << this->MinimumRegionCells << "\n";
   os << indent << "Refinement: " << this->Refinement << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";

@@ -150,6 +150,16 @@ public:
 
   ///@{
   /**
+   * A file that names labels (MaterialIdArray), read by the first process: a text with a line for each, the label and its name, a label
+   * file of ITK-SNAP, a lookup table of FreeSurfer or MRIcron, or the XML of an atlas of FSL. Labels that it does not name are
+   * called "Material 7". Errors tell the line: no whole number, a label or a name twice. Default: none.
+   */
+  vtkSetStdStringFromCharMacro(LabelNamesFile);
+  vtkGetCharFromStdStringMacro(LabelNamesFile);
+  ///@}
+
+  ///@{
+  /**
    * A region, cells of one material or of void connected over faces, of fewer cells than this is given to the material or
    * void with which it shares the most faces: no spray, no crumbs, no small cavities. 0: all stay. Default: 0.
    */
@@ -403,6 +413,7 @@ protected:
   double IsoValue = 0.5;
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
+  std::string LabelNamesFile;
   int MinimumRegionCells = 0;
   int Refinement = REFINEMENT_INPUT_LEVELS;
   int MaximumLevel = -1;

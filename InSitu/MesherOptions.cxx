@@ -134,6 +134,12 @@ bool SetArray(Mesher& mesher, const std::string& name)
   return true;
 }
 
+bool SetLabelNames(Mesher& mesher, const std::string& path)
+{
+  mesher.SetLabelNamesFile(path.c_str());
+  return true;
+}
+
 const std::vector<MesherOption>& Options()
 {
   static const std::vector<MesherOption> options{
@@ -150,6 +156,7 @@ const std::vector<MesherOption>& Options()
     Number("FractionTolerance", "a number from 1e-6 to 0.1", "1e-6", &Mesher::SetFractionTolerance,
       1e-6, 0.1),
     Count("LabelSmoothing", "0", &Mesher::SetLabelSmoothing, 0, 10),
+    { "LabelNames", "a file that names labels", "none", false, SetLabelNames },
     Count("MinimumRegionCells", "0", &Mesher::SetMinimumRegionCells, 0,
       std::numeric_limits<int>::max()),
     Choice("Refinement", "InputLevels", &Mesher::SetRefinement,

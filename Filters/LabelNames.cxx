@@ -1,0 +1,301 @@
+#include "LabelNames.h"
+
+#include "Base/WorkTogether.h"
+#include "InputFields.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLDataParser.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <vector>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr const char* Blanks = " \t\r\n\v\f";
+
+std::string Trim(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(Blanks);
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
+}
+
+/// A whole number that fills the text.
+std::optional<int> ParseLabel(const std::string& text)
+{
+  const bool isNumber =
+    !text.empty() && text.size() <= 10 && text.find_first_not_of("0123456789") == std::string::npos;
+  const long long number = isNumber ? std::stoll(text) : -1;
+  return number >= 0 && number <= std::numeric_limits<int>::max()
+    ? std::make_optional(static_cast<int>(number))
+    : std::nullopt;
+}
+
+bool IsNumber(const std::string& text)
+{
+  return !text.empty() && text.find_first_not_of("+-.0123456789eE") == std::string::npos &&
+    text.find_first_of("0123456789") != std::string::npos;
+}
+
+/// A line of the table.
+struct Row
+{
+  int Line = 0, Label = 0;
+  std::string Name;
+  std::string
+    Word; ///< the name without numbers that follow it; empty: it is not that of one word and numbers
+  std::size_t Numbers = 0; ///< that follow the word
+};
+
+class Table
+{
+public:
+  explicit Table(const std::string& path) : Path(path) {}
+
+  void ReadText(std::istream& stream);
+  void ReadXml();
+  void Add(Row row) { this->Rows.push_back(std::move(row)); }
+  LabelNames MakeNames();
+
+private:
+  [[noreturn]] void Refuse(int line, const std::string& problem) const;
+  void ReadLine(const std::string& line, int number);
+  bool HasColumnsOfNumbers() const;
+
+  std::string Path;
+  std::vector<Row> Rows;
+};
+
+void Table::Refuse(int line, const std::string& problem) const
+{
+  throw InputError("Cannot read the names of labels from " + this->Path +
+    (line > 0 ? ", line " + std::to_string(line) : "") + ": " + problem);
+}
+
+/// The part of what follows the label that is its name.
+std::string FindName(const std::string& rest)
+{
+  const std::size_t quote = rest.find('"'), end = rest.rfind('"');
+  if (quote != end)
+  {
+    return Trim(rest.substr(quote + 1, end - quote - 1));
+  }
+  return Trim(rest.substr(0, rest.find_first_of("\t,;")));
+}
+
+void Table::ReadLine(const std::string& line, int number)
+{
+  const std::size_t end = line.find_first_of(" \t,;");
+  const std::string first = line.substr(0, end);
+  const std::optional<int> label = ParseLabel(first);
+  if (!label)
+  {
+    if (this->Rows.empty() && !IsNumber(first) && end != std::string::npos &&
+      std::isalpha(static_cast<unsigned char>(first[0])) != 0 && number == 1)
+    {
+      return; // a title
+    }
+    this->Refuse(number,
+      "it begins with '" + first.substr(0, 40) + "', which is no label: a whole number from 0 to " +
+        std::to_string(std::numeric_limits<int>::max()) + ".");
+  }
+  Row row;
+  row.Line = number;
+  row.Label = *label;
+  const std::size_t next = line.find_first_not_of(" \t", end);
+  const bool isParted = next != std::string::npos && (line[next] == ',' || line[next] == ';');
+  const std::string rest =
+    next == std::string::npos ? "" : Trim(line.substr(next + (isParted ? 1 : 0)));
+  row.Name = FindName(rest);
+  if (row.Name.empty())
+  {
+    this->Refuse(number, "label " + first + " has no name.");
+  }
+  std::istringstream words(rest);
+  std::string word;
+  words >> row.Word;
+  while (words >> word)
+  {
+    ++row.Numbers;
+    if (!IsNumber(word))
+    {
+      row.Word.clear();
+    }
+  }
+  this->Add(row);
+}
+
+void Table::ReadText(std::istream& stream)
+{
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number)
+  {
+    line = Trim(line);
+    if (!line.empty() && line[0] != '#')
+    {
+      this->ReadLine(line, number);
+    }
+  }
+}
+
+/// Whether all names are of one word, followed by as many numbers.
+bool Table::HasColumnsOfNumbers() const
+{
+  std::set<std::string> words;
+  for (const Row& row : this->Rows)
+  {
+    words.insert(row.Word);
+    if (row.Word.empty() || row.Numbers != this->Rows[0].Numbers)
+    {
+      return false;
+    }
+  }
+  const std::size_t numbers = this->Rows.empty() ? 0 : this->Rows[0].Numbers;
+  return (numbers == 1 && words.size() == this->Rows.size()) || numbers == 3 || numbers == 4;
+}
+
+LabelNames Table::MakeNames()
+{
+  if (this->Rows.empty())
+  {
+    this->Refuse(0, "it holds none.");
+  }
+  const bool isWord = this->HasColumnsOfNumbers();
+  std::map<int, int> lines;
+  std::map<std::string, const Row*> named;
+  LabelNames names;
+  for (Row& row : this->Rows)
+  {
+    row.Name = isWord ? row.Word : row.Name;
+    const auto label = lines.emplace(row.Label, row.Line);
+    if (!label.second)
+    {
+      this->Refuse(row.Line,
+        "label " + std::to_string(row.Label) + " is in line " +
+          std::to_string(label.first->second) + " too.");
+    }
+    const auto name = named.emplace(row.Name, &row);
+    if (!name.second)
+    {
+      this->Refuse(row.Line,
+        "the name '" + row.Name + "' is that of label " +
+          std::to_string(name.first->second->Label) + " in line " +
+          std::to_string(name.first->second->Line) + " too.");
+    }
+    names[row.Label] = row.Name;
+  }
+  return names;
+}
+
+/// An atlas of FSL: labels are in document order, indices in an attribute.
+void Table::ReadXml()
+{
+  vtkNew<vtkXMLDataParser> parser;
+  vtkNew<vtkCallbackCommand> quiet; // what is wrong is told below
+  parser->AddObserver(vtkCommand::ErrorEvent, quiet);
+  parser->SetFileName(this->Path.c_str());
+  vtkXMLDataElement* root = parser->Parse() ? parser->GetRootElement() : nullptr;
+  vtkXMLDataElement* header = root ? root->FindNestedElementWithName("header") : nullptr;
+  vtkXMLDataElement* type = header ? header->FindNestedElementWithName("type") : nullptr;
+  vtkXMLDataElement* data = root ? root->FindNestedElementWithName("data") : nullptr;
+  if (!type || !data || !type->GetCharacterData())
+  {
+    this->Refuse(0, "it is no XML file of an atlas (header with a type, data).");
+  }
+  const bool isOfProbabilities = Trim(type->GetCharacterData()) == "Probabilistic";
+  for (int i = 0; i < data->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* element = data->GetNestedElement(i);
+    const char *index = element->GetAttribute("index"), *name = element->GetCharacterData();
+    const std::optional<int> label = ParseLabel(index ? index : "");
+    if (!label || *label == std::numeric_limits<int>::max() || !name || Trim(name).empty())
+    {
+      this->Refuse(0, "element " + std::to_string(i + 1) + " of its data has no index or no name.");
+    }
+    Row row;
+    row.Line = i + 1;
+    row.Label = *label + (isOfProbabilities ? 1 : 0);
+    row.Name = Trim(name);
+    this->Add(row);
+  }
+}
+
+} // namespace
+
+LabelNames ReadLabelNames(const std::string& path)
+{
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (stream.peek() == std::ifstream::traits_type::eof())
+  {
+    throw InputError("Cannot read the names of labels from " + path + ": " +
+      (errno ? std::strerror(errno) : "the file is empty") + ".");
+  }
+  Table table(path);
+  if (stream.peek() == '<')
+  {
+    table.ReadXml();
+  }
+  else
+  {
+    table.ReadText(stream);
+  }
+  return table.MakeNames();
+}
+
+LabelNames ShareLabelNames(const std::string& path, Ranks& ranks)
+{
+  LabelNames names;
+  Bytes text;
+  WorkTogether(ranks,
+    [&]
+    {
+      if (ranks.Rank() == 0 && !path.empty())
+      {
+        for (const auto& entry : ReadLabelNames(path))
+        {
+          const std::string line = std::to_string(entry.first) + " " + entry.second + "\n";
+          text.insert(text.end(), line.begin(), line.end());
+        }
+      }
+    });
+  const Bytes first = ranks.Gather(text)[0];
+  std::istringstream stream(std::string(first.begin(), first.end()));
+  int label = 0;
+  for (std::string name; stream >> label && std::getline(stream, name);)
+  {
+    names[label] = name.substr(1);
+  }
+  return names;
+}
+
+void NameLabels(const LabelNames& names, Materials& table)
+{
+  std::map<std::string, int> used;
+  for (std::size_t m = 1; !names.empty() && m < table.Labels.size(); ++m)
+  {
+    const auto found = names.find(table.Labels[m]);
+    table.Names[m] = found == names.end() ? table.Names[m] : found->second;
+    const auto other = used.emplace(table.Names[m], table.Labels[m]);
+    if (!other.second)
+    {
+      throw InputError("Labels " + std::to_string(other.first->second) + " and " +
+        std::to_string(table.Labels[m]) + " are both called '" + table.Names[m] + "'.");
+    }
+  }
+}
+
+} // namespace vfm

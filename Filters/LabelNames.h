@@ -1,0 +1,35 @@
+/**
+ * LabelNames: what a text table calls the labels of an image.
+ *
+ * A line is a label and its name, with white space, a tab, a comma or a semicolon between; lines of # are comments. What follows the
+ * name is left out where a tab or comma ends it, where the name stands in double quotes (label files of ITK-SNAP), and where
+ * a name of one word is followed by numbers, as many in all lines: one (an index; where names differ without it), three or four (a
+ * colour, lookup tables of FreeSurfer). A first line of words is a title. Or the XML of an atlas of FSL, the images of which hold
+ * one more than its indices where it is of probabilities.
+ */
+#pragma once
+
+#include "Base/Ranks.h"
+
+#include <map>
+#include <string>
+
+namespace vfm
+{
+
+struct Materials;
+
+/// By label.
+using LabelNames = std::map<int, std::string>;
+
+/// Throws InputError with path and line: no file, no label (a whole number from 0), a label or a name twice, no name.
+LabelNames ReadLabelNames(const std::string& path);
+
+/// Collective: as the first rank reads them; an empty path names none.
+LabelNames ShareLabelNames(const std::string& path, Ranks& ranks);
+
+/// Labels above 0; those without a name keep theirs, and names of labels that are not there are left out. Throws InputError where a name
+/// is then that of another label too ("Material 7").
+void NameLabels(const LabelNames& names, Materials& table);
+
+} // namespace vfm
