@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "FileSuffix.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace vfm
@@ -16,6 +17,12 @@ struct Format
 {
   std::vector<std::string> Suffixes;
   Opener Open;
+
+  bool HasSuffix(const std::string& path) const
+  {
+    return std::any_of(this->Suffixes.begin(), this->Suffixes.end(),
+      [&path](const std::string& suffix) { return vfm::HasSuffix(path, suffix); });
+  }
 };
 
 Opener Alone(std::unique_ptr<ImageFile> (*open)(const std::string&))
@@ -41,12 +48,9 @@ std::unique_ptr<ImageFile> OpenImageFile(const std::string& path, const std::str
 {
   for (const Format& format : Formats())
   {
-    for (const std::string& suffix : format.Suffixes)
+    if (format.HasSuffix(path))
     {
-      if (HasSuffix(path, suffix))
-      {
-        return format.Open(path, array);
-      }
+      return format.Open(path, array);
     }
   }
   throw InputError("its name ends in no suffix of an image that is read.");
@@ -64,6 +68,12 @@ const std::vector<std::string>& GetImageSuffixes()
     return list;
   }();
   return suffixes;
+}
+
+bool IsImageFile(const std::string& path)
+{
+  return std::any_of(Formats().begin(), Formats().end(),
+    [&path](const Format& format) { return format.HasSuffix(path); });
 }
 
 } // namespace vfm

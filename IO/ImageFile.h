@@ -43,6 +43,7 @@ std::unique_ptr<ImageFile> OpenImageFile(const std::string& path, const std::str
 
 /// Such as ".nii".
 const std::vector<std::string>& GetImageSuffixes();
+bool IsImageFile(const std::string& path);
 
 ///@{ NIfTI-1 and -2: millimetres, x to the right, y to the front, z up (RAS). The sform tells the place, or where there is none or it
 /// is sheared, the qform, or the spacing alone. VTK turns the order of slices of left-handed ones.

@@ -29,7 +29,7 @@ public:
     const double slope = reader->GetRescaleSlope();
     this->Slope = slope == 0.0 ? 1.0 : slope; // 0: values are as they are
     this->Intercept = slope == 0.0 ? 0.0 : reader->GetRescaleIntercept();
-    this->Parts = true;
+    this->Parts = reader->GetQFac() > 0.0; // VTK turns the slices of a part wrongly
   }
 
   vtkSmartPointer<vtkDataArray> Read(const IndexBox& box) override

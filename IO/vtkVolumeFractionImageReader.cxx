@@ -156,8 +156,7 @@ void vtkVolumeFractionImageReader::Read(const int extent[6], vfm::Ranks& ranks, 
   image->SetOrigin(place.Origin.data());
   image->SetSpacing(place.Spacing.data());
   image->SetDirectionMatrix(GetDirection(place).data());
-  const std::string cells = this->CellArray.substr(this->CellArray.rfind('/') + 1);
-  values->SetName(isOfCells ? cells.c_str() : IsReal(values) ? "Values" : "Labels");
+  values->SetName(isOfCells ? this->CellArray.c_str() : IsReal(values) ? "Values" : "Labels");
   image->GetAttributes(isOfCells ? vtkDataObject::CELL : vtkDataObject::POINT)->SetScalars(values);
 }
 

@@ -14,8 +14,9 @@
  *
  * Coordinates stay those of the file. Slices of left-handed NIfTI images are turned about, as VTK does.
  *
- * Any extent can be asked for. Under MPI every process of the Controller opens the file and all must update together. NIfTI, raw
- * NRRD and DREAM.3D are read by every process in its part; of others the first process reads the whole and sends parts.
+ * Any extent can be asked for. Under MPI every process of the Controller opens the file and all must update together. NIfTI
+ * (but left-handed ones), raw NRRD and DREAM.3D are read by every process in its part; of others the first process reads the whole and
+ * sends parts.
  *
  * Errors (one message on all processes alike, empty output, failure): the file cannot be read, is damaged, has several values a
  * point, several images, axes that are not at right angles.

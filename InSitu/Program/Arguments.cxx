@@ -2,6 +2,7 @@
 
 #include "ArgumentOptions.h"
 #include "FileSuffix.h"
+#include "ImageFile.h"
 #include "MesherOptions.h"
 #include "ParseText.h"
 #include "ReadInput.h"
@@ -61,9 +62,14 @@ void CheckVoxels(const Arguments& from)
   {
     RefuseArguments("--dimensions is for .spn files.");
   }
-  if (!isText && !HasSuffix(from.Input, ".npy") && (from.Origin || from.Spacing || from.AxisOrder))
+  const bool isVoxels = isText || HasSuffix(from.Input, ".npy");
+  if (!isVoxels && (from.Origin || from.AxisOrder))
   {
-    RefuseArguments("--origin, --spacing and --axis-order are for .spn and .npy files.");
+    RefuseArguments("--origin and --axis-order are for .spn and .npy files.");
+  }
+  if (!isVoxels && !IsImageFile(from.Input) && from.Spacing)
+  {
+    RefuseArguments("--spacing is for " + JoinTexts(GetImageSuffixes()) + ", .spn and .npy files.");
   }
 }
 
@@ -284,7 +290,10 @@ std::string GetHelp()
   text += "Without --fractions and --labels: the arrays 'Material volume fraction - N', else all "
           "cell arrays of float,\n"
           "double or unsigned char with values in [0, 1] (unsigned char: 0..255), else the labels "
-          "'MaterialId'.\n";
+          "'MaterialId';\n"
+          "of images, if cells have none, arrays of points likewise, each point the centre of a "
+          "cell; whole numbers of an image "
+          "file are labels.\n";
   text +=
     "sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL; takes --tetmesh, "
     "--smooth, --no-smooth, --stairstep,\n"

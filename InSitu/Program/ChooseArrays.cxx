@@ -1,12 +1,11 @@
 #include "ChooseArrays.h"
 
 #include "Agreement.h"
-#include "InputGrids.h"
+#include "ImageFile.h"
 #include "ParseText.h"
 #include "SpyPlotInput.h"
 #include "Stage.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -33,10 +32,20 @@ bool Lists(const std::vector<std::string>& names, const std::string& name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool IsWhole(const ArrayInfo& array)
+{
+  return array.Components == 1 && array.Type != VTK_FLOAT && array.Type != VTK_DOUBLE;
+}
+
 bool IsMaterialId(const ArrayInfo& array)
 {
-  return array.Name == LabelsName && array.Components == 1 && array.Type != VTK_FLOAT &&
-    array.Type != VTK_DOUBLE;
+  return array.Name == LabelsName && IsWhole(array);
+}
+
+/// Files of images hold one array, of labels where it is of whole numbers.
+bool HoldsLabels(const std::string& path, const std::vector<ArrayInfo>& arrays)
+{
+  return IsImageFile(path) && arrays.size() == 1 && IsWhole(arrays[0]);
 }
 
 /// tolerance: outside of [0, 1].
@@ -96,8 +105,8 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
   vtkDataObject* data, const Arguments& arguments, const std::string& warning, Ranks& ranks)
 {
   std::string text =
-    "No cell array of the input holds volume fractions: numbers in [0, 1] of type float or "
-    "double, or unsigned char. " +
+    "No array of the input that can be meshed holds volume fractions: numbers in [0, 1] of type "
+    "float or double, or unsigned char. " +
     DescribeArrays(data, ranks);
   if (!ListOtherArrays(arguments).empty())
   {
@@ -106,7 +115,7 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
   }
   text += warning.empty() ? "" : " " + warning;
   throw ProgramError(ExitCode::UnreadableInput,
-    text + " Name them (--fractions A,B,..), or an integer array of materials (--labels ARRAY).");
+    text + " Name them (--fractions A,B,..), or an array of labels (--labels ARRAY).");
 }
 
 /// The place of a material in the list of arrays.
@@ -132,13 +141,13 @@ std::size_t FindMaterial(const std::string& material, const std::vector<std::str
   return *number - 1;
 }
 
-void ReplaceByZeros(vtkDataSet* grid, const std::string& name)
+void ReplaceByZeros(vtkDataSetAttributes* attributes, const std::string& name)
 {
   vtkNew<vtkSignedCharArray> zeros; // the smallest type that does not count 0..255
   zeros->SetName(name.c_str());
-  zeros->SetNumberOfTuples(grid->GetNumberOfCells());
+  zeros->SetNumberOfTuples(attributes->GetArray(name.c_str())->GetNumberOfTuples());
   zeros->Fill(0);
-  grid->GetCellData()->AddArray(zeros);
+  attributes->AddArray(zeros);
 }
 
 /// Of an array that --material changes.
@@ -175,25 +184,26 @@ void KeepFractions(
     CheckUse(arrays, fractions[m]);
     for (vtkDataSet* grid : GetGrids(data))
     {
-      if (grid->GetCellData()->HasArray(fractions[m].c_str()))
+      vtkDataSetAttributes* attributes = GetAttributes(grid, arrays.Place);
+      if (attributes->GetArray(fractions[m].c_str()))
       {
-        ReplaceByZeros(grid, fractions[m]);
+        ReplaceByZeros(attributes, fractions[m]);
       }
     }
   }
 }
 
 /// Null when it is none of labels, as the mesher's message tells.
-vtkDataArray* GetLabels(vtkDataSet* grid, const std::string& name)
+vtkDataArray* GetLabels(vtkDataSet* grid, const ChosenArrays& arrays)
 {
-  vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
+  vtkDataArray* array = GetAttributes(grid, arrays.Place)->GetArray(arrays.Labels.c_str());
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 
 /// Sets labels that are not kept to 0.
-void KeepLabels(vtkDataSet* grid, const std::string& name, const std::set<int>& kept)
+void KeepLabels(vtkDataSet* grid, const ChosenArrays& arrays, const std::set<int>& kept)
 {
-  vtkDataArray* array = GetLabels(grid, name);
+  vtkDataArray* array = GetLabels(grid, arrays);
   if (!array)
   {
     return;
@@ -208,7 +218,7 @@ void KeepLabels(vtkDataSet* grid, const std::string& name, const std::set<int>& 
       changed->SetComponent(cell, 0, 0.0);
     }
   }
-  grid->GetCellData()->AddArray(changed);
+  GetAttributes(grid, arrays.Place)->AddArray(changed);
 }
 
 std::set<int> ParseLabels(const std::vector<std::string>& materials)
@@ -257,63 +267,54 @@ std::int64_t CountRanksWith(
   return count[0];
 }
 
-/// Collective: refuses names of arrays that no rank has; what else they must be the mesher checks. option: that names them.
-void CheckNamedArrays(vtkDataObject* data, const std::string& option,
+/// Collective: refuses names of arrays that no rank has where they can be meshed; what else they must be the mesher checks. Returns the
+/// place of the last. option: that names them.
+ArrayPlace CheckNamedArrays(vtkDataObject* data, const std::string& option,
   const std::vector<std::string>& names, Ranks& ranks)
 {
+  ArrayPlace place = ArrayPlace::Cells;
   for (const std::string& name : names)
   {
+    place = ArrayPlace::Cells;
     if (CountRanksWith(data, ArrayPlace::Cells, name, ranks) > 0)
     {
       continue;
     }
+    place = ArrayPlace::Points;
     const bool isOfPoints = CountRanksWith(data, ArrayPlace::Points, name, ranks) > 0;
+    if (isOfPoints && AreImages(data, ranks))
+    {
+      continue;
+    }
     throw ProgramError(ExitCode::UnreadableInput,
       (isOfPoints ? "The array '" + name + "' (" + option + ") has values of points, not of cells. "
-                  : "The input has no numeric cell array '" + name + "' (" + option + "). ") +
+                  : "The input has no numeric array '" + name + "' (" + option + "). ") +
         DescribeArrays(data, ranks));
   }
+  return place;
 }
 
-/// Collective: an empty name is none.
-void CheckLabelArray(vtkDataObject* data, const std::string& name, Ranks& ranks)
+/// Of arrays in one place: the materials, maybe none.
+ChosenArrays FindMaterials(const std::vector<ArrayInfo>& arrays, ArrayPlace place,
+  const Arguments& arguments, double tolerance)
 {
-  if (name.empty())
-  {
-    return;
-  }
-  CheckNamedArrays(data, "--labels", { name }, ranks);
-  const std::vector<vtkDataSet*> grids = GetGrids(data);
-  const bool isReal = std::any_of(grids.begin(), grids.end(),
-    [&name](vtkDataSet* grid)
-    {
-      vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
-      return array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
-    });
-  if (ranks.Any(isReal))
-  {
-    throw ProgramError(ExitCode::UnreadableInput,
-      "The array '" + name +
-        "' (--labels) holds real numbers, but labels are integers. If they are volume "
-        "fractions: --fractions " +
-        name + ".");
-  }
-}
-
-} // namespace
-
-ChosenArrays FindMaterials(
-  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
-{
-  const std::vector<ArrayInfo> arrays = FindArrays(data, ArrayPlace::Cells, ranks);
+  const bool isOfPoints = place == ArrayPlace::Points;
   const std::vector<std::string> others = ListOtherArrays(arguments);
   ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", arguments.State,
     "named Material volume fraction - N", "" };
+  chosen.Place = place;
   if (!chosen.Fractions.empty())
   {
     return chosen;
   }
-  chosen.How = "all cell arrays with values in [0, 1]";
+  if (HoldsLabels(arguments.Input, arrays))
+  {
+    chosen.Labels = arrays[0].Name;
+    chosen.How = isOfPoints ? "labels of points" : "labels";
+    return chosen;
+  }
+  chosen.How =
+    std::string("all ") + (isOfPoints ? "point" : "cell") + " arrays with values in [0, 1]";
   chosen.Warning = WarnOfNearFractions(arrays, arguments, tolerance);
   for (const ArrayInfo& array : arrays)
   {
@@ -325,12 +326,33 @@ ChosenArrays FindMaterials(
   if (chosen.Fractions.empty() && std::any_of(arrays.begin(), arrays.end(), IsMaterialId))
   {
     chosen.Labels = LabelsName;
-    chosen.How = "labels";
+    chosen.How = isOfPoints ? "labels of points" : "labels";
   }
   return chosen;
 }
 
-std::vector<int> FindLabels(vtkDataObject* data, const std::string& name, Ranks& ranks)
+bool HasMaterials(const ChosenArrays& arrays)
+{
+  return !arrays.Fractions.empty() || !arrays.Labels.empty();
+}
+
+} // namespace
+
+ChosenArrays FindMaterials(
+  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
+{
+  const std::vector<ArrayInfo> cells = FindArrays(data, ArrayPlace::Cells, ranks);
+  const ChosenArrays ofCells = FindMaterials(cells, ArrayPlace::Cells, arguments, tolerance);
+  if (HasMaterials(ofCells) || !AreImages(data, ranks))
+  {
+    return ofCells;
+  }
+  const ChosenArrays ofPoints = FindMaterials(
+    FindArrays(data, ArrayPlace::Points, ranks), ArrayPlace::Points, arguments, tolerance);
+  return HasMaterials(ofPoints) || cells.empty() ? ofPoints : ofCells;
+}
+
+std::vector<int> FindLabels(vtkDataObject* data, const ChosenArrays& arrays, Ranks& ranks)
 {
   std::set<int> found;
   WorkInStage(ranks, ExitCode::InternalError,
@@ -338,7 +360,7 @@ std::vector<int> FindLabels(vtkDataObject* data, const std::string& name, Ranks&
     {
       for (vtkDataSet* grid : GetGrids(data))
       {
-        vtkDataArray* array = GetLabels(grid, name);
+        vtkDataArray* array = GetLabels(grid, arrays);
         for (vtkIdType cell = 0; array && cell < array->GetNumberOfTuples(); ++cell)
         {
           found.insert(static_cast<int>(array->GetComponent(cell, 0)));
@@ -351,21 +373,25 @@ std::vector<int> FindLabels(vtkDataObject* data, const std::string& name, Ranks&
 ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
 {
-  CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
+  const ArrayPlace ofFractions = CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
   CheckNamedArrays(data, "--density", arguments.Densities, ranks); // which State has too
   CheckNamedArrays(data, "--state", arguments.State, ranks);
   if (!arguments.RefinementArray.empty())
   {
     CheckNamedArrays(data, "--refine-cells", { arguments.RefinementArray }, ranks);
   }
-  CheckLabelArray(data, arguments.Labels, ranks);
+  const bool isOfLabels = !arguments.Labels.empty();
+  const ArrayPlace place =
+    isOfLabels ? CheckNamedArrays(data, "--labels", { arguments.Labels }, ranks) : ofFractions;
+  const char* ofPoints = place == ArrayPlace::Points ? " of points" : "";
   ChosenArrays chosen{ arguments.Fractions, arguments.Labels, arguments.State,
-    arguments.Labels.empty() ? "as asked" : "labels", "" };
-  if (chosen.Fractions.empty() && chosen.Labels.empty())
+    (isOfLabels ? "labels" : "as asked") + std::string(ofPoints), "" };
+  chosen.Place = place;
+  if (!HasMaterials(chosen))
   {
     chosen = FindMaterials(data, arguments, tolerance, ranks);
   }
-  if (chosen.Fractions.empty() && chosen.Labels.empty())
+  if (!HasMaterials(chosen))
   {
     RefuseArrays(data, arguments, chosen.Warning, ranks);
   }
@@ -387,13 +413,13 @@ void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
   }
   CheckUse(arrays, arrays.Labels);
   const std::set<int> kept = ParseLabels(materials);
-  CheckLabels(kept, FindLabels(data, arrays.Labels, ranks), arrays.Labels);
+  CheckLabels(kept, FindLabels(data, arrays, ranks), arrays.Labels);
   WorkInStage(ranks, ExitCode::InternalError,
     [&]
     {
       for (vtkDataSet* grid : GetGrids(data))
       {
-        KeepLabels(grid, arrays.Labels, kept);
+        KeepLabels(grid, arrays, kept);
       }
     });
 }

@@ -1,10 +1,12 @@
 /**
- * ChooseArrays: which cell arrays hold the materials, and which materials are meshed.
+ * ChooseArrays: which arrays hold the materials, and which materials are meshed. They belong to cells or, of images, to points, each of
+ * which then is the centre of a cell.
  */
 #pragma once
 
 #include "Arguments.h"
 #include "Base/Ranks.h"
+#include "InputGrids.h"
 
 #include <string>
 #include <vector>
@@ -22,14 +24,15 @@ struct ChosenArrays
   std::string How;                    ///< for the user: why these
   std::string Warning;                ///< empty, or what may be missing among them
   std::string Refinement = {};        ///< of cells to refine; empty: none
+  ArrayPlace Place = ArrayPlace::Cells;
 };
 
 /// Collective: the materials that are taken where the arguments name none; maybe none. tolerance: of fractions, outside of [0, 1].
 ChosenArrays FindMaterials(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks);
 
-/// Collective: the labels above 0 in a cell array, ascending.
-std::vector<int> FindLabels(vtkDataObject* data, const std::string& name, Ranks& ranks);
+/// Collective: the labels above 0 that the arrays hold, ascending.
+std::vector<int> FindLabels(vtkDataObject* data, const ChosenArrays& arrays, Ranks& ranks);
 
 /// Collective: what the arguments name, else what fits. Throws ProgramError
 /// (UnreadableInput), which lists the arrays that are there, when nothing fits, and where none has a name that is given.
@@ -37,7 +40,7 @@ ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks);
 
 /// Collective: makes cells of materials that the list (numbers or names of arrays) does not name void, by replacing
-/// cell arrays of data. An empty list keeps all. Throws ProgramError (WrongArguments) on a material that is not there, and when the
+/// arrays of data. An empty list keeps all. Throws ProgramError (WrongArguments) on a material that is not there, and when the
 /// elements are to carry an array that would be replaced.
 void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
   const std::vector<std::string>& materials, Ranks& ranks);

@@ -144,6 +144,13 @@ vtkDataSetAttributes* GetAttributes(vtkDataSet* grid, ArrayPlace place)
   return grid->GetCellData();
 }
 
+bool AreImages(vtkDataObject* data, Ranks& ranks)
+{
+  const std::vector<vtkDataSet*> grids = GetGrids(data);
+  return !ranks.Any(std::any_of(grids.begin(), grids.end(),
+    [](vtkDataSet* grid) { return !vtkImageData::SafeDownCast(grid); }));
+}
+
 std::vector<ArrayInfo> FindArrays(vtkDataObject* data, ArrayPlace place, Ranks& ranks)
 {
   std::vector<ArrayInfo> list;
@@ -158,8 +165,9 @@ std::string DescribeArrays(vtkDataObject* data, Ranks& ranks)
 {
   const std::string points = ListArrays(FindArrays(data, ArrayPlace::Points, ranks));
   const std::string cells = ListArrays(FindArrays(data, ArrayPlace::Cells, ranks));
+  const char* which = AreImages(data, ranks) ? "" : ", which cannot be meshed";
   return "Its cell arrays: " + (cells.empty() ? "none" : cells) + "." +
-    (points.empty() ? "" : " Its point arrays, which cannot be meshed: " + points + ".");
+    (points.empty() ? "" : std::string(" Its point arrays") + which + ": " + points + ".");
 }
 
 } // namespace vfm

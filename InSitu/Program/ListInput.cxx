@@ -7,6 +7,7 @@
 #include "ReadInput.h"
 #include "Stage.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -49,8 +50,38 @@ Index CountCells(vtkDataSet* grid)
   return cells;
 }
 
-GridInfo Describe(vtkDataSet* grid)
+/// Of an image of which each point is a cell.
+GridInfo DescribePoints(vtkImageData* image)
 {
+  GridInfo info;
+  image->GetExtent(info.Extent.data());
+  for (int a = 0; a < 3; ++a)
+  {
+    info.Extent[2 * a + 1] += 1;
+    info.Widths[a] = image->GetSpacing()[a];
+  }
+  info.Cells = image->GetNumberOfPoints();
+  vtkBoundingBox box;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Vector3 index, point;
+    for (int a = 0; a < 3; ++a)
+    {
+      index[a] = info.Extent[2 * a + ((corner >> a) & 1)] - 0.5;
+    }
+    image->TransformContinuousIndexToPhysicalPoint(index.data(), point.data());
+    box.AddPoint(point.data());
+  }
+  box.GetBounds(info.Bounds.data());
+  return info;
+}
+
+GridInfo Describe(vtkDataSet* grid, ArrayPlace place)
+{
+  if (place == ArrayPlace::Points)
+  {
+    return DescribePoints(vtkImageData::SafeDownCast(grid));
+  }
   GridInfo info;
   info.Cells = CountCells(grid);
   grid->GetBounds(info.Bounds.data());
@@ -154,20 +185,24 @@ void PrintBlocks(const std::vector<GridInfo>& grids, std::ostream& to)
 }
 
 /// isOne: the pieces of one grid, else its blocks.
-void PrintGrid(const std::vector<GridInfo>& grids, bool isOne, std::ostream& to)
+void PrintGrid(const std::vector<GridInfo>& grids, bool isOne, bool isOfPoints, std::ostream& to)
 {
   Index cells = 0;
   for (const GridInfo& grid : grids)
   {
     cells += grid.Cells;
   }
-  to << cells << " cells";
+  const std::array<int, 6> extent = Unite(grids, &GridInfo::Extent);
+  if (isOne && isOfPoints) // pieces share points
+  {
+    cells = Index(extent[1] - extent[0]) * (extent[3] - extent[2]) * (extent[5] - extent[4]);
+  }
+  to << cells << " cells" << (isOfPoints ? " around points" : "");
   if (cells == 0)
   {
     to << "\n";
     return;
   }
-  const std::array<int, 6> extent = Unite(grids, &GridInfo::Extent);
   if (isOne && extent[1] > extent[0])
   {
     to << ", " << extent[1] - extent[0] << " x " << extent[3] - extent[2] << " x "
@@ -196,7 +231,7 @@ void PrintTimes(const Input& input, std::ostream& to)
   }
 }
 
-void PrintArrays(const std::vector<ArrayInfo>& arrays, std::ostream& to)
+void PrintArrays(const std::vector<ArrayInfo>& arrays, const char* what, std::ostream& to)
 {
   std::size_t width = 28;
   for (const ArrayInfo& array : arrays)
@@ -204,8 +239,7 @@ void PrintArrays(const std::vector<ArrayInfo>& arrays, std::ostream& to)
     width = std::max(width, array.Name.size() + 2);
   }
   const int w = static_cast<int>(width);
-  to << "\n"
-     << Print("%-*s%-20s%11s%14s%14s\n", w, "cell array", "type", "components", "least", "most");
+  to << "\n" << Print("%-*s%-20s%11s%14s%14s\n", w, what, "type", "components", "least", "most");
   for (const ArrayInfo& array : arrays)
   {
     std::string name = array.Name;
@@ -240,31 +274,42 @@ void PrintMaterials(const ChosenArrays& arrays, const std::vector<int>& labels, 
 void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to)
 {
   const Input input = ReadInput(arguments, ranks);
+  vtkNew<vtkVolumeFractionToHex> mesher; // for its default
+  const ChosenArrays arrays =
+    FindMaterials(input.Data, arguments, mesher->GetFractionTolerance(), ranks);
+  const std::vector<ArrayInfo> cells = FindArrays(input.Data, ArrayPlace::Cells, ranks);
+  const std::vector<ArrayInfo> points = AreImages(input.Data, ranks)
+    ? FindArrays(input.Data, ArrayPlace::Points, ranks)
+    : std::vector<ArrayInfo>();
+  const bool isOfPoints = arrays.Place == ArrayPlace::Points && !points.empty();
   std::vector<GridInfo> mine;
   WorkInStage(ranks, ExitCode::InternalError,
     [&]
     {
       for (vtkDataSet* grid : GetGrids(input.Data))
       {
-        mine.push_back(Describe(grid));
+        mine.push_back(Describe(grid, isOfPoints ? ArrayPlace::Points : ArrayPlace::Cells));
       }
     });
   const std::vector<GridInfo> grids = GatherItems(ranks, mine);
   const bool isOne = !ranks.Any(vtkCompositeDataSet::SafeDownCast(input.Data) != nullptr);
-  const std::vector<ArrayInfo> cells = FindArrays(input.Data, ArrayPlace::Cells, ranks);
-  vtkNew<vtkVolumeFractionToHex> mesher; // for its default
-  const ChosenArrays arrays =
-    FindMaterials(input.Data, arguments, mesher->GetFractionTolerance(), ranks);
   const std::vector<int> labels =
-    arrays.Labels.empty() ? std::vector<int>() : FindLabels(input.Data, arrays.Labels, ranks);
+    arrays.Labels.empty() ? std::vector<int>() : FindLabels(input.Data, arrays, ranks);
   if (ranks.Rank() > 0)
   {
     return;
   }
   to << arguments.Input << "\n";
   PrintTimes(input, to);
-  PrintGrid(grids, isOne, to);
-  PrintArrays(cells, to);
+  PrintGrid(grids, isOne, isOfPoints, to);
+  if (!cells.empty() || points.empty())
+  {
+    PrintArrays(cells, "cell array", to);
+  }
+  if (!points.empty())
+  {
+    PrintArrays(points, "point array", to);
+  }
   PrintMaterials(arrays, labels, to);
   to << (arrays.Warning.empty() ? "" : arrays.Warning + "\n");
 }

@@ -4,6 +4,7 @@
 #include "Base/Runtime.h"
 #include "ExodusInput.h"
 #include "FileSuffix.h"
+#include "ImageFile.h"
 #include "ParseText.h"
 #include "ReaderSteps.h"
 #include "SpyPlotInput.h"
@@ -11,14 +12,13 @@
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkDataArraySelection.h"
 #include "vtkDataObject.h"
+#include "vtkVolumeFractionImageReader.h"
 #include "vtkVolumeFractionVoxelReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
 #include "vtkXMLPRectilinearGridReader.h"
-#include "vtkXMLReader.h"
 #include "vtkXMLRectilinearGridReader.h"
 #include "vtkXMLUniformGridAMRReader.h"
 
@@ -36,7 +36,7 @@ namespace
 
 struct Format
 {
-  const char* Suffix;
+  std::string Suffix;
   std::function<vtkSmartPointer<vtkAlgorithm>(const Arguments&)> MakeReader;
 };
 
@@ -80,6 +80,21 @@ vtkSmartPointer<vtkAlgorithm> MakeVoxelReader(const Arguments& arguments)
   return reader;
 }
 
+vtkSmartPointer<vtkAlgorithm> MakeImageReader(const Arguments& arguments)
+{
+  auto reader = vtkSmartPointer<vtkVolumeFractionImageReader>::New();
+  reader->SetFileName(arguments.Input.c_str());
+  if (arguments.Spacing)
+  {
+    reader->SetSpacing(arguments.Spacing->data());
+  }
+  if (!arguments.Labels.empty())
+  {
+    reader->SetCellArray(arguments.Labels.c_str());
+  }
+  return reader;
+}
+
 const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats = []
@@ -95,6 +110,10 @@ const std::vector<Format>& Formats()
       { ".spn", MakeVoxelReader },
       { ".npy", MakeVoxelReader },
     };
+    for (const std::string& suffix : GetImageSuffixes())
+    {
+      list.push_back({ suffix, MakeImageReader });
+    }
     if (HasSpyPlotReader())
     {
       list.push_back({ SpyPlotSuffix, MakeSpyPlotReader });
@@ -127,16 +146,6 @@ void CheckInput(const std::string& path, const std::function<void()>& check)
   catch (const InputError& error)
   {
     RefuseInput("Cannot read the input " + path + ": " + error.what());
-  }
-}
-
-/// A list is of cell arrays alone; to mesh, what point arrays there are is told where no others fit.
-void LeaveOutPoints(vtkAlgorithm* algorithm, const Arguments& arguments)
-{
-  vtkXMLReader* reader = vtkXMLReader::SafeDownCast(algorithm);
-  if (reader && arguments.Task == Command::List)
-  {
-    reader->GetPointDataArraySelection()->DisableAllArrays();
   }
 }
 
@@ -182,7 +191,7 @@ std::vector<std::string> GetInputSuffixes()
   std::vector<std::string> suffixes;
   for (const Format& format : Formats())
   {
-    suffixes.emplace_back(format.Suffix);
+    suffixes.push_back(format.Suffix);
   }
   const std::vector<std::string> exodus = GetExodusSuffixes();
   suffixes.insert(suffixes.end(), exodus.begin(), exodus.end());
@@ -232,7 +241,6 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
       input.Times = GetTimes(reader);
       input.Time = ChooseTime(arguments, input.Times);
     });
-  LeaveOutPoints(reader, arguments);
   ChooseSpyPlotArrays(reader, arguments, ranks);
   ChooseAmrexArrays(reader, arguments);
   WorkInStage(ranks, ExitCode::UnreadableInput,
