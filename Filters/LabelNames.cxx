@@ -85,15 +85,15 @@ void Table::Refuse(int line, const std::string& problem) const
     (line > 0 ? ", line " + std::to_string(line) : "") + ": " + problem);
 }
 
-/// The part of what follows the label that is its name.
-std::string FindName(const std::string& rest)
+/// The part of what follows the label that is its name; end: what ends it, as it stands before it.
+std::string FindName(const std::string& rest, char end)
 {
-  const std::size_t quote = rest.find('"'), end = rest.rfind('"');
-  if (quote != end)
+  const std::size_t quote = rest.find('"'), last = rest.rfind('"');
+  if (quote != last)
   {
-    return Trim(rest.substr(quote + 1, end - quote - 1));
+    return Trim(rest.substr(quote + 1, last - quote - 1));
   }
-  return Trim(rest.substr(0, rest.find_first_of("\t,;")));
+  return Trim(rest.substr(0, rest.find(end)));
 }
 
 void Table::ReadLine(const std::string& line, int number)
@@ -119,7 +119,7 @@ void Table::ReadLine(const std::string& line, int number)
   const bool isParted = next != std::string::npos && (line[next] == ',' || line[next] == ';');
   const std::string rest =
     next == std::string::npos ? "" : Trim(line.substr(next + (isParted ? 1 : 0)));
-  row.Name = FindName(rest);
+  row.Name = FindName(rest, isParted ? line[next] : '\t');
   if (row.Name.empty())
   {
     this->Refuse(number, "label " + first + " has no name.");

@@ -1,10 +1,10 @@
 /**
  * LabelNames: what a text table calls the labels of an image.
  *
- * A line is a label and its name, with white space, a tab, a comma or a semicolon between; lines of # are comments. What follows the
- * name is left out where a tab or comma ends it, where the name stands in double quotes (label files of ITK-SNAP), and where
- * a name of one word is followed by numbers, as many in all lines: one (an index; where names differ without it), three or four (a
- * colour, lookup tables of FreeSurfer). A first line of words is a title. Or the XML of an atlas of FSL, the images of which hold
+ * A line is a label and its name, with blanks, a tab, a comma or a semicolon between; lines of # are comments. What follows the name is left
+ * out: after a comma or semicolon where such a one stands before the name, else after a tab; outside of double quotes (label files of
+ * ITK-SNAP); and where all names are one word followed by as many numbers, if these are one (an index; where the names differ without it), three
+ * or four (a colour, lookup tables of FreeSurfer). A first line of words is a title. Or the XML of an atlas of FSL, the images of which hold
  * one more than its indices where it is of probabilities.
  */
 #pragma once

@@ -1,18 +1,71 @@
 #include "Base/Errors.h"
 #include "Base/Vector3.h"
 #include "ImageFile.h"
+#include "OpenFile.h"
 #include "VtkImageFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNIFTIImageHeader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <zlib.h>
 
 namespace vfm
 {
 namespace
 {
+
+using Header = vtkNIFTIImageHeader;
+
+constexpr int ValueTypes[] = { Header::TypeUInt8, Header::TypeInt8, Header::TypeUInt16,
+  Header::TypeInt16, Header::TypeUInt32, Header::TypeInt32, Header::TypeUInt64, Header::TypeInt64,
+  Header::TypeFloat32, Header::TypeFloat64 };
+
+template <class Number>
+Number Take(const char* bytes, bool isSwapped)
+{
+  char ordered[sizeof(Number)];
+  std::copy_n(bytes, sizeof(Number), ordered);
+  if (isSwapped)
+  {
+    std::reverse(ordered, ordered + sizeof(Number));
+  }
+  Number number;
+  std::memcpy(&number, ordered, sizeof(Number));
+  return number;
+}
+
+/// VTK's reader runs astray on types of values that it does not know.
+void CheckHeader(const std::string& path)
+{
+  OpenFile(path);
+  constexpr std::int32_t length = 348, length2 = 540; // of NIfTI-1 and -2
+  std::array<char, length> header{};
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
+  const bool isRead = file && gzread(file.get(), header.data(), length) == length;
+  for (bool isSwapped : { false, true })
+  {
+    const auto told = Take<std::int32_t>(header.data(), isSwapped);
+    const bool isFirst = told == length && header[344] == 'n' && header[346] == '1';
+    if (isRead && (isFirst || (told == length2 && header[4] == 'n' && header[6] == '2')))
+    {
+      const auto type = Take<std::int16_t>(header.data() + (isFirst ? 70 : 12), isSwapped);
+      if (std::find(std::begin(ValueTypes), std::end(ValueTypes), type) == std::end(ValueTypes))
+      {
+        throw InputError("its values are of type " + std::to_string(type) +
+          " of NIfTI. Read are whole numbers of 1 to 8 bytes, and reals of 4 or 8.");
+      }
+      return;
+    }
+  }
+  throw InputError("it is no NIfTI file.");
+}
 
 class NiftiFile : public VtkImageFile
 {
@@ -85,6 +138,7 @@ private:
 
 std::unique_ptr<ImageFile> OpenNifti(const std::string& path)
 {
+  CheckHeader(path);
   vtkNew<vtkNIFTIImageReader> reader;
   return std::make_unique<NiftiFile>(path, reader);
 }

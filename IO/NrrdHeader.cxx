@@ -2,6 +2,7 @@
 
 #include "OpenFile.h"
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <vector>
@@ -11,7 +12,18 @@ namespace vfm
 namespace
 {
 
-constexpr int MostLines = 10000;
+constexpr std::size_t LongestLine = 100000;
+
+/// VTK's reader does not end where the last line of the header has no end, be it for a zero in it.
+void CheckLine(const std::string& line, bool hasEnd)
+{
+  const bool isText = std::none_of(
+    line.begin(), line.end(), [](unsigned char c) { return c < ' ' && c != '\t' && c != '\r'; });
+  if (!hasEnd || line.size() > LongestLine || !isText)
+  {
+    throw InputError("its header is no text that ends with an empty line or the end of a line.");
+  }
+}
 
 /// The fields of the header by their names.
 std::map<std::string, std::string> ReadFields(const std::string& path, Index& length)
@@ -24,18 +36,17 @@ std::map<std::string, std::string> ReadFields(const std::string& path, Index& le
     throw InputError("it is no NRRD file.");
   }
   std::map<std::string, std::string> fields;
-  for (int i = 0; i < MostLines && std::getline(stream, line); ++i)
+  bool hasEnd = false;
+  while (!hasEnd && std::getline(stream, line))
   {
+    CheckLine(line, !stream.eof());
     if (!line.empty() && line.back() == '\r')
     {
       line.pop_back();
     }
-    if (line.empty())
-    {
-      break;
-    }
+    hasEnd = line.empty();
     const std::size_t colon = line.find(": ");
-    if (line[0] != '#' && colon != std::string::npos)
+    if (!hasEnd && line[0] != '#' && colon != std::string::npos)
     {
       fields[line.substr(0, colon)] = line.substr(colon + 2);
     }

@@ -18,6 +18,7 @@ namespace
 struct Page
 {
   std::uint32_t Width = 0, Height = 0;
+  bool HasStrips = false;
   std::uint16_t Bits = 0, Format = 0, Samples = 0;
 
   explicit Page(TIFF* file)
@@ -27,11 +28,14 @@ struct Page
     TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &this->Bits);
     TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &this->Format);
     TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLESPERPIXEL, &this->Samples);
+    std::uint32_t rows = 0;
+    TIFFGetFieldDefaulted(file, TIFFTAG_ROWSPERSTRIP, &rows);
+    this->HasStrips = rows > 0 && TIFFIsTiled(file) == 0;
   }
   bool operator!=(const Page& other) const
   {
     return this->Width != other.Width || this->Height != other.Height || this->Bits != other.Bits ||
-      this->Format != other.Format || this->Samples != other.Samples;
+      this->Format != other.Format || this->Samples != other.Samples || !this->HasStrips;
   }
 };
 
@@ -52,12 +56,18 @@ void CheckPages(const std::string& path)
     throw InputError("it has " + std::to_string(first.Samples) + " values of " +
       std::to_string(first.Bits) + " bits a point; wanted is one of 8, 16 or 32 bits.");
   }
-  for (int page = 2; TIFFReadDirectory(file.get()); ++page)
+  if (!first.HasStrips)
   {
-    if (Page(file.get()) != first)
+    throw InputError(
+      "its values are not stored in strips of rows (but in tiles, or it is damaged).");
+  }
+  const int pages = TIFFNumberOfDirectories(file.get());
+  for (int page = 2; page <= pages; ++page)
+  {
+    if (!TIFFReadDirectory(file.get()) || Page(file.get()) != first)
     {
-      throw InputError(
-        "page " + std::to_string(page) + " is of another size or type than the first.");
+      throw InputError("page " + std::to_string(page) +
+        " is stored otherwise than the first, of another size or type, or damaged.");
     }
   }
 }

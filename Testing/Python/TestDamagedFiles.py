@@ -12,10 +12,11 @@ import numpy as np
 
 from amr_files import make_amr, write_plotfile, write_vthb
 from exodus_grids import hexes, write_exodus
+from image_files import write_dream3d, write_dream3d_nx, write_meta, write_nifti, write_nrrd, write_tiff
 from spyplot import split, write_spyplot
 from spyplot_cases import NODES, TIMES, steps
 from vfmtest import image, main, write
-from voxels import grains, write_numpy, write_text
+from voxels import grains, turned, write_numpy, write_text
 
 SEEDS, COUNT = (int(x) for x in os.environ.get("VFM_SEEDS", "0:200").split(":"))
 SIDE = 6  # cells along each axis of what is no AMR grid
@@ -61,6 +62,16 @@ def write_all(folder):
     add("plotfile-levels", "plt", [], lambda path: write_plotfile(path, amr))
     add("vthb", "a.vthb", [], lambda path: write_vthb(path, amr))
     add("vti", "a.vti", [], lambda path: write(image(fields()), path))
+    voxels, origin, spacing = turned(labels, "ZYX").astype("u1"), (0, 0, 0), (1, 1, 1)
+    add("nifti", "a.nii", [], lambda path: write_nifti(path, voxels.astype("i2"), origin))
+    add("nifti-gzip", "a.nii.gz", [], lambda path: write_nifti(path, voxels, origin, forms="sq"))
+    add("nrrd", "a.nrrd", [], lambda path: write_nrrd(path, voxels, origin, encoding="raw"))
+    add("nrrd-gzip", "a.nhdr", [], lambda path: write_nrrd(path, voxels, origin, data="a.values"))
+    add("mha", "a.mha", [], lambda path: write_meta(path, voxels, origin))
+    add("mhd", "a.mhd", [], lambda path: write_meta(path, voxels, origin, packed=True))
+    add("tiff", "a.tif", [], lambda path: write_tiff(path, voxels))
+    add("dream3d", "a.dream3d", [], lambda path: write_dream3d(path, voxels.astype("i4"), origin, spacing))
+    add("dream3d-nx", "a.dream3d", [], lambda path: write_dream3d_nx(path, voxels.astype("i4"), origin, spacing))
     with open(os.path.join(folder, "inputs"), "w") as out:
         out.write("\n".join(inputs) + "\n")
 

@@ -1,0 +1,266 @@
+"""Images of labels in the formats of medical imaging and of grain structures: the mesh is bit for bit that of the same labels as
+cells, by the readers of the plugin and by sculptor; turned images lie where their files say; damaged files give one message."""
+import os
+import sys
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from compare_meshes import difference, merge, read_pieces
+from image_files import (
+    STRAIGHT, save, write_dream3d, write_dream3d_nx, write_meta, write_nifti, write_nrrd, write_tiff)
+from sculptor_program import mesh_file, refused, sculptor
+from vfmtest import ORIGIN, SPACING, LabelImageReader, collect, image, in_folder, main, mesh_of, points_of
+from voxels import grains, turned
+
+sys.path.insert(0, os.environ["VFM_WRAPPERS"])
+from volumefractionmesh.vtkVolumeFractionMeshIO import vtkVolumeFractionImageReader
+
+LABELS = turned(grains(), "ZYX").astype("u1")
+MIDDLE = np.add(ORIGIN, np.multiply(SPACING, 0.5))  # of the first voxel
+CELLS = image({"Labels": LABELS.astype("i4")})  # what all are meshed as
+QUARTER = np.array([[0, 0.25, 0], [-0.25, 0, 0], [0, 0, 0.5]])  # turned, exact in binary
+MIRRORED = np.array([[0.25, 0, 0], [0, 0.25, 0], [0, 0, -0.5]])
+OBLIQUE = np.array([[0.6, 0, 0.8], [0.64, 0.6, -0.48], [-0.48, 0.8, 0.36]]) * [[0.25], [0.25], [0.5]]
+
+
+def straight_files(at):
+    """Files of LABELS that lie as CELLS does, and what sculptor is told."""
+    return [
+        (write_nifti(at("a.nii"), LABELS, MIDDLE), []),
+        (write_nifti(at("b.nii.gz"), LABELS.astype("i2"), MIDDLE, forms="q"), []),
+        (write_nifti(at("C.NII"), LABELS.astype("i4"), MIDDLE, forms="sq", order=">"), []),
+        (write_nifti(at("real.nii.gz"), LABELS.astype("f4"), MIDDLE), ["--labels", "Values"]),
+        (write_nrrd(at("d.nrrd"), LABELS, MIDDLE), []),
+        (write_nrrd(at("e.nrrd"), LABELS.astype("i2"), MIDDLE, encoding="raw", space="left-anterior-superior"), []),
+        (write_nrrd(at("f.nhdr"), LABELS.astype("u2"), MIDDLE, data="f.values"), []),
+        (write_nrrd(at("g.nhdr"), LABELS, MIDDLE, encoding="raw", data="g.values"), []),
+        (write_meta(at("h.mha"), LABELS, MIDDLE), []),
+        (write_meta(at("i.mhd"), LABELS.astype("u2"), MIDDLE, packed=True), []),
+        (write_dream3d(at("j.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING), []),
+        (write_dream3d_nx(at("k.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING), []),
+        (write_dream3d(at("l.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]), ["--labels", "Other/CellData/FeatureIds"]),
+    ]
+
+
+def read(path, spacing=(0, 0, 0), cell_array="FeatureIds"):
+    """The image that the class reads."""
+    it = vtkVolumeFractionImageReader()
+    it.SetFileName(path)
+    it.SetSpacing(spacing)
+    it.SetCellArray(cell_array)
+    errors, _ = collect(it)
+    it.Update()
+    assert not errors, errors
+    return it.GetOutput()
+
+
+def steps_of(data):
+    """From voxel to voxel along each axis."""
+    matrix = data.GetDirectionMatrix()
+    return np.array([[matrix.GetElement(c, a) * data.GetSpacing()[a] for c in range(3)] for a in range(3)])
+
+
+def check_same(mesh, other, what):
+    problem = difference(mesh, other)
+    assert not problem, "%s: %s" % (what, problem)
+
+
+def labels_mesh(source, name):
+    return merge([mesh_of(source.GetClientSideObject().GetOutputDataObject(0), MaterialIdArray=name).mesh])
+
+
+GOLD = merge([mesh_of(CELLS, MaterialIdArray="Labels").mesh])
+
+
+@in_folder
+def test_same_mesh_by_the_proxies(at):
+    for path, words in straight_files(at):
+        options = {"CellArray": words[1]} if "Other/CellData/FeatureIds" in words else {}
+        source = simple.OpenDataFile(path, **options)
+        kind = "DREAM3DReader" if path.endswith("dream3d") else "LabelImageReader"
+        assert type(source).__name__ == kind, (path, source)
+        source.UpdatePipeline()
+        arrays = source.CellData if kind == "DREAM3DReader" else source.PointData
+        name = words[1] if words else "FeatureIds" if kind == "DREAM3DReader" else "Labels"
+        assert list(arrays.keys()) == [name], (path, arrays.keys())
+        check_same(labels_mesh(source, name), GOLD, path)
+
+
+@in_folder
+def test_same_mesh_by_sculptor(at):
+    for path, words in straight_files(at):
+        for ranks in (1, 3):
+            printed = mesh_file(path, at("out.vtu"), *words, ranks=ranks)
+            place = "" if path.endswith("dream3d") else " of points"
+            assert "(labels%s)" % place in printed, (path, printed)
+            check_same(merge(read_pieces(at("out.vtu"))), GOLD, (path, ranks))
+
+
+@in_folder
+def test_stack_of_slices(at):
+    """A TIFF file tells no spacing along z; its first voxel lies at 0."""
+    gold = image({"Labels": LABELS.astype("i4")})
+    gold.SetOrigin([-0.5 * s for s in SPACING])
+    gold = merge([mesh_of(gold, MaterialIdArray="Labels").mesh])
+    for dtype in ("u1", "u2"):
+        path = write_tiff(at(dtype + ".tif"), LABELS.astype(dtype))
+        source = LabelImageReader(FileName=[path], Spacing=SPACING)
+        source.UpdatePipeline()
+        check_same(labels_mesh(source, "Labels"), gold, dtype)
+        for ranks in (1, 3):
+            mesh_file(path, at("out.vtu"), "--spacing", ",".join(map(str, SPACING)), ranks=ranks)
+            check_same(merge(read_pieces(at("out.vtu"))), gold, (dtype, ranks))
+
+
+@in_folder
+def test_turned_images_lie_where_the_file_says(at):
+    """The mesh is that of the image in its own axes, the points turned and moved, here and by sculptor on ranks."""
+    own = image({"Labels": LABELS.astype("i4")})
+    own.SetOrigin([-0.5 * s for s in SPACING])
+    for name, steps in (("quarter", QUARTER), ("mirrored", MIRRORED), ("oblique", OBLIQUE)):
+        for path in (write_nrrd(at("a.nrrd"), LABELS, MIDDLE, steps), write_meta(at("a.mha"), LABELS, MIDDLE, steps)):
+            data = read(path)
+            assert np.abs(steps_of(data) - steps).max() < 1e-15 and np.allclose(data.GetOrigin(), MIDDLE, 0, 0), (path, name)
+            straight, result = mesh_of(own, MaterialIdArray="Labels"), mesh_of(data, MaterialIdArray="Labels")
+            turn = steps / np.linalg.norm(steps, axis=1)[:, None]
+            expected = dict(zip(straight.points("GlobalPointIds"), points_of(straight) @ turn + MIDDLE))
+            where = np.array([expected[i] for i in result.points("GlobalPointIds")])
+            assert len(expected) == len(where) and np.abs(where - points_of(result)).max() < 1e-12, (path, name)
+            mesh_file(path, at("out.vtu"), ranks=3)
+            check_same(merge(read_pieces(at("out.vtu"))), merge([result.mesh]), (path, name))
+
+
+@in_folder
+def test_nifti_forms(at):
+    """Every voxel lies where sform or qform say, whatever the order in which VTK keeps the slices; the sform wins; a sheared one leaves
+    the place to the qform."""
+    generator = np.random.default_rng(7)
+    for name, steps in (("straight", STRAIGHT), ("quarter", QUARTER), ("mirrored", MIRRORED), ("oblique", OBLIQUE)):
+        for forms in ("s", "q", "sq"):
+            data = read(write_nifti(at("a.nii.gz"), LABELS, MIDDLE, steps, forms))
+            values = vtk_to_numpy(data.GetPointData().GetArray("Labels")).reshape(LABELS.shape)
+            for index in generator.integers(0, LABELS.shape[::-1], (20, 3)):
+                place = [0.0] * 3
+                data.TransformIndexToPhysicalPoint(*map(int, index), place)
+                i, j, k = np.linalg.solve(steps.T, place - MIDDLE)
+                nearest = np.rint([i, j, k]).astype(int)
+                assert np.abs(nearest - [i, j, k]).max() < 1e-5, (name, forms)
+                assert LABELS[tuple(nearest[::-1])] == values[tuple(index[::-1])], (name, forms, index)
+    data = read(write_nifti(at("none.nii"), LABELS, MIDDLE, QUARTER, forms=""))
+    assert data.GetOrigin() == (0, 0, 0) and np.allclose(steps_of(data), STRAIGHT)
+    raw = bytearray(open(write_nifti(at("both.nii"), LABELS, MIDDLE, STRAIGHT, "sq"), "rb").read())
+    raw[280:328] = np.array([[0.25, 0.1, 0, 1], [0, 0.25, 0, 2], [0, 0, 0.5, 3]], "<f4").tobytes()
+    data = read(save(at("both.nii"), bytes(raw)))
+    assert np.allclose(steps_of(data), STRAIGHT) and np.allclose(data.GetOrigin(), MIDDLE)
+
+
+@in_folder
+def test_left_handed_nifti_on_ranks(at):
+    """VTK turns the order of its slices; parts of it would be turned wrongly."""
+    path = write_nifti(at("a.nii.gz"), LABELS, MIDDLE, MIRRORED)
+    gold = merge([mesh_of(read(path), MaterialIdArray="Labels").mesh])
+    for ranks in (1, 3):
+        mesh_file(path, at("out.vtu"), ranks=ranks)
+        check_same(merge(read_pieces(at("out.vtu"))), gold, ranks)
+
+
+@in_folder
+def test_volume_fractions(at):
+    """A map of fractions, stored as whole numbers that slope and intercept scale."""
+    stored = np.random.default_rng(5).integers(1, 9, LABELS.shape).astype("u1") * (LABELS > 0)
+    gold = merge([mesh_of(image({"Values": stored / 8}), VolumeFractionArrays=["Values"]).mesh])
+    path = write_nifti(at("a.nii.gz"), stored + np.uint8(8), MIDDLE, slope=(0.125, -1))
+    for ranks in (1, 3):
+        printed = mesh_file(path, at("out.vtu"), ranks=ranks)
+        assert "materials from Values (all point arrays with values in [0, 1])" in printed
+        check_same(merge(read_pieces(at("out.vtu"))), gold, ranks)
+    path = write_nifti(at("b.nii.gz"), stored, MIDDLE, slope=(2, 0))
+    refused(2, "Its point arrays: Values (double, 0 to 16).", path, at("out.vtu"))
+
+
+@in_folder
+def test_list(at):
+    path = write_nifti(at("a.nii.gz"), LABELS, MIDDLE, OBLIQUE)
+    for ranks in (1, 3):
+        listed = sculptor("--list", path, ranks=ranks).stdout.splitlines()
+        assert listed[2] == "1287 cells around points, 9 x 11 x 13", listed
+        assert listed[5].split()[:2] == ["point", "array"] and listed[6].split() == ["Labels", "unsigned", "char", "1", "0", "4"]
+        assert listed[8] == "materials from Labels (labels of points)" and [int(l) for l in listed[9:]] == [1, 2, 3, 4]
+    listed = sculptor("--list", write_dream3d(at("a.dream3d"), LABELS, ORIGIN, SPACING)).stdout.splitlines()
+    assert listed[2] == "1287 cells, 9 x 11 x 13" and listed[8] == "materials from FeatureIds (labels)", listed
+
+
+@in_folder
+def test_chosen_materials(at):
+    """--material of labels and fractions of points."""
+    kept = np.where(np.isin(LABELS, (2, 3)), LABELS, 0)
+    mesh_file(write_nrrd(at("a.nrrd"), LABELS, MIDDLE), at("out.vtu"), "--material", "2,3", ranks=3)
+    gold = mesh_of(image({"Labels": kept.astype("i4")}), MaterialIdArray="Labels")
+    check_same(merge(read_pieces(at("out.vtu"))), merge([gold.mesh]), "labels")
+
+
+def cut(path, length):
+    with open(path, "r+b") as file:
+        file.truncate(length)
+    return path
+
+
+@in_folder
+def test_refused(at):
+    shear = np.array([[0.25, 0.1, 0], [0, 0.25, 0], [0, 0, 0.5]])
+    many = LABELS[None].repeat(2, 0)
+    for path, text in (
+            (at("none.nii"), "No such file"),
+            (save(at("empty.mha")), "the file is empty"),
+            (save(at("text.nii"), b"hello\n" * 99), "Bad NIfTI header"),
+            (cut(write_nifti(at("cut.nii"), LABELS, MIDDLE), 900), "truncated"),
+            (cut(write_nifti(at("cut.nii.gz"), LABELS, MIDDLE), 250), "truncated"),
+            (write_nifti(at("shear.nii"), LABELS, MIDDLE, shear), "its sform is sheared"),
+            (write_nifti(at("many.nii"), many, MIDDLE, dim=(4, 9, 11, 13, 2, 1, 1, 1)), "it holds 2 images"),
+            (write_nifti(at("long.nii"), LABELS, MIDDLE, dim=(3, 9000, 9000, 9000, 1, 1, 1, 1)), "are cut short"),
+            (save(at("text.nrrd"), b"hello\n"), "it is no NRRD file"),
+            (cut(write_nrrd(at("cut.nrrd"), LABELS, MIDDLE, encoding="raw"), 900), "cut short: they have 1287 bytes"),
+            (cut(write_nrrd(at("cut_gzip.nrrd"), LABELS, MIDDLE), 400), "Couldn't read gzip data"),
+            (write_nrrd(at("ascii.nrrd"), LABELS, MIDDLE, encoding="ascii"), "its encoding is 'ascii'; read are raw and gzip"),
+            (write_nrrd(at("shear.nrrd"), LABELS, MIDDLE, shear), "its space directions are not at right angles"),
+            (save(at("four.nrrd"), b"NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 3 3 3\nencoding: raw\n\n", bytes(54)),
+             "its image has 4 dimensions"),
+            (save(at("sizes.nrrd"), b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 x\nencoding: raw\n\n", bytes(27)),
+             "its header says 'sizes: 3 x', where 3 numbers are wanted"),
+            (save(at("text.mha"), b"hello\n"), "MetaImage cannot parse file"),
+            (cut(write_meta(at("cut.mha"), LABELS, MIDDLE), 900), "cut short: they have 1287 bytes"),
+            (write_meta(at("shear.mhd"), LABELS, MIDDLE, shear), "TransformMatrix is no rotation"),
+            (save(at("text.tif"), b"hello\n"), "it is no TIFF file"),
+            (save(at("text.dream3d"), b"hello\n"), "it is no HDF5 file, or damaged"),
+            (cut(write_dream3d(at("cut.dream3d"), LABELS, ORIGIN, SPACING), 3000), "it is no HDF5 file, or damaged"),
+            (write_dream3d(at("name.dream3d"), LABELS, ORIGIN, SPACING, name="GrainIds"),
+             "it holds no cell array 'FeatureIds' of one value a cell. Others are: GrainIds."),
+            (write_dream3d(at("two.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]), "it holds two cell arrays FeatureIds")):
+        it = vtkVolumeFractionImageReader()
+        it.SetFileName(path)
+        errors, _ = collect(it)
+        it.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        it.Update()
+        assert len(errors) == 1 and "Cannot read %s: " % path in errors[0] and text in errors[0], (path, errors)
+        assert it.GetOutput().GetNumberOfPoints() == 0, path
+        for ranks in (1, 3) if path.endswith(("text.nii", "cut_gzip.nrrd", "two.dream3d")) else (1,):
+            refused(2, text, path, at("out.vtu"), ranks=ranks)
+
+
+@in_folder
+def test_wrong_spacing(at):
+    path = write_tiff(at("a.tif"), LABELS)
+    refused(1, "--origin and --axis-order are for .spn and .npy files", path, at("out.vtu"), "--origin", "0,0,0")
+    refused(1, "--spacing is for .nii, .nii.gz, .nrrd", "a.vti", at("out.vtu"), "--spacing", "1,1,1")
+    it = vtkVolumeFractionImageReader()
+    it.SetFileName(path)
+    it.SetSpacing(1, 1, -1)
+    errors, _ = collect(it)
+    it.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    it.Update()
+    assert len(errors) == 1 and "Spacing must be above 0" in errors[0], errors
+
+
+main(globals())
