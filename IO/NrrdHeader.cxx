@@ -35,6 +35,7 @@ std::map<std::string, std::string> ReadFields(const std::string& path, Index& le
   {
     throw InputError("it is no NRRD file.");
   }
+  CheckLine(line, !stream.eof());
   std::map<std::string, std::string> fields;
   bool hasEnd = false;
   while (!hasEnd && std::getline(stream, line))

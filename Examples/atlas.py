@@ -1,0 +1,135 @@
+#!/usr/bin/env pvpython
+"""From an atlas of the brain to a mesh of its regions: the Harvard-Oxford cortex, 48 regions in voxels of 1 mm (NIfTI).
+
+usage: pvpython atlas.py --plugin VolumeFractionMesh.so [--atlas FILE.nii.gz] [--every 2] [--mesh FILE.exo] [--picture FILE.png]
+
+The atlas is in Debian's package mricron-data. Its steps are smoothed, and crumbs of fewer than 20 mm^3 go to what is around them. Prints the
+regions with their hexahedra and volumes, the quality, time and memory. The mesh keeps the names of the regions, as blocks and sets of
+.exo and .inp. The picture, which needs a screen or xvfb-run, shows the regions, cut open.
+"""
+import argparse
+import colorsys
+import gzip
+import os
+import resource
+import struct
+import sys
+import tempfile
+import time
+
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import pictures
+from need_files import need_files
+
+ATLAS = "/usr/share/mricron/templates/HarvardOxford-cort-maxprob-thr0-1mm.nii.gz"
+SMOOTHING = 3  # passes
+CRUMB = 20  # mm^3
+CUT = (0.0, -8.0, 0.0)  # what lies in front of it is cut away
+CAMERA, SIZE = (1.3, 2.0, 0.75), (1600, 1000)
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
+    parser.add_argument("--atlas", default=ATLAS, help="an image of labels (default: %(default)s)")
+    parser.add_argument("--every", type=int, default=1, metavar="N", help="take each N-th voxel along every axis (default: all)")
+    parser.add_argument("--mesh", metavar="FILE", help="save the mesh: .exo, .inp or .vtu")
+    parser.add_argument("--picture", metavar="FILE", help="a picture of the regions, .png")
+    return parser.parse_args()
+
+
+def read_names(path):
+    """The text that MRIcron keeps between header and values of an image: a label and its name in each line."""
+    with (gzip.open if path.endswith(".gz") else open)(path, "rb") as file:
+        header = file.read(348)
+        order = "<" if header[:4] == struct.pack("<i", 348) else ">"
+        length = int(struct.unpack(order + "f", header[108:112])[0]) - 348
+        return file.read(length).strip(b"\0 \r\n")
+
+
+def make_mesher(arguments, names):
+    """names: path of their table, or none."""
+    image = LabelImageReader(FileName=[arguments.atlas])
+    image.UpdatePipeline()
+    extent = image.GetDataInformation().GetExtent()
+    n = arguments.every
+    coarse = simple.ExtractSubset(Input=image, VOI=extent, SampleRateI=n, SampleRateJ=n, SampleRateK=n) if n > 1 else image
+    coarse.UpdatePipeline()
+    voxel = 1.0
+    for edge in coarse.GetClientSideObject().GetOutputDataObject(0).GetSpacing():
+        voxel *= edge
+    return VolumeFractionToHex(
+        Input=coarse, VolumeFractionArrays=[], MaterialIdArray="Labels", LabelNames=names, LabelSmoothing=SMOOTHING,
+        MinimumRegionCells=round(CRUMB / voxel))
+
+
+def field_of(mesh, name):
+    array = mesh.GetFieldData().GetAbstractArray(name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def print_report(mesh, seconds):
+    materials = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId")).tolist()
+    regions = list(zip(*(field_of(mesh, name) for name in ("MaterialIds", "MaterialNames", "MeshVolume", "VolumeError"))))
+    print("region %-68s %10s %12s" % ("", "hexahedra", "cm^3"))
+    for label, name, volume, _ in regions:
+        print("%6d %-68s %10d %12.3f" % (label, name, materials.count(label), volume / 1000))
+    quality = vtk_to_numpy(mesh.GetCellData().GetArray("ScaledJacobian"))
+    print("%d regions, %d hexahedra, scaled Jacobian %.3f to 1, mean %.3f" % (
+        len(regions), len(quality), quality.min(), quality.mean()))
+    print("worst error of a volume %.1e; %d crumbs of %d voxels given away" % (
+        max(abs(error) for *_, error in regions), field_of(mesh, "RemovedRegions")[0], field_of(mesh, "RemovedCells")[0]))
+    print("%.0f s, %.2f GB at most" % (seconds, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2 ** 20))
+
+
+def colour_of(index):
+    """Colours by the golden ratio around the circle, so that neighbours in number differ, in three strengths."""
+    return colorsys.hsv_to_rgb(index * 0.618 % 1, (0.75, 0.5, 0.62)[index % 3], (0.85, 0.95, 0.68)[index % 3])
+
+
+def save_picture(mesher, mesh, path):
+    view = pictures.make_view(SIZE)
+    display = pictures.show(pictures.cut(mesher, CUT, (0, -1, 0)), view, edges=False)
+    simple.ColorBy(display, ("CELLS", "MaterialId"))
+    table = simple.GetColorTransferFunction("MaterialId")
+    labels, names = field_of(mesh, "MaterialIds"), field_of(mesh, "MaterialNames")
+    table.InterpretValuesAsCategories = 1
+    table.Annotations = [text for label, name in zip(labels, names) for text in (str(label), name)]
+    table.IndexedColors = [part for index in range(len(labels)) for part in colour_of(index)]
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = "", ""
+    bar.LabelColor, bar.LabelFontSize = pictures.TEXT, 11
+    bar.WindowLocation, bar.Position = "Any Location", (0.66, 0.02)
+    bar.ScalarBarThickness, bar.ScalarBarLength = 16, 0.96
+    display.SetScalarBarVisibility(view, True)
+    pictures.aim(view, mesher.GetDataInformation().GetBounds(), CAMERA, 1.5, 0.0)
+    pictures.save(view, path)
+
+
+def main():
+    arguments = parse_arguments()
+    if arguments.atlas == ATLAS and not os.path.exists(ATLAS):
+        sys.exit("atlas.py: %s is missing: apt-get install mricron-data, or name another image of labels (--atlas)" % ATLAS)
+    need_files(arguments.plugin, arguments.atlas)
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), ns=globals())
+    names = read_names(arguments.atlas)
+    with tempfile.NamedTemporaryFile(suffix=".txt") as table:
+        table.write(names)
+        table.flush()
+        start = time.time()
+        mesher = make_mesher(arguments, table.name if names else "")
+        mesher.UpdatePipeline()
+        mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
+        if mesh.GetNumberOfCells() == 0:
+            sys.exit("atlas.py: no mesh was made")
+        print_report(mesh, time.time() - start)
+        if arguments.mesh:
+            simple.SaveData(arguments.mesh, proxy=mesher)
+        if arguments.picture:
+            save_picture(mesher, mesh, arguments.picture)
+
+
+main()
