@@ -5,7 +5,7 @@ usage: pvpython atlas.py --plugin VolumeFractionMesh.so [--atlas FILE.nii.gz] [-
 
 The atlas is in Debian's package mricron-data. Its steps are smoothed, and crumbs of fewer than 20 mm^3 go to what is around them. Prints the
 regions with their hexahedra and volumes, the quality, time and memory. The mesh keeps the names of the regions, as blocks and sets of
-.exo and .inp. The picture, which needs a screen or xvfb-run, shows the regions, cut open.
+.exo and .inp. The picture, which needs a screen or xvfb-run, shows both halves, front and back, in a colour a region.
 """
 import argparse
 import colorsys
@@ -27,8 +27,8 @@ from need_files import need_files
 ATLAS = "/usr/share/mricron/templates/HarvardOxford-cort-maxprob-thr0-1mm.nii.gz"
 SMOOTHING = 3  # passes
 CRUMB = 20  # mm^3
-CUT = (0.0, -8.0, 0.0)  # what lies in front of it is cut away
-CAMERA, SIZE = (1.3, 2.0, 0.75), (1600, 1000)
+CUT, GAP = (0.0, -8.0, 0.0), 70.0  # mm; y is to the front
+CAMERA, ASIDE, SIZE = (-1.6, 1.1, 0.7), 25.0, (1600, 1000)
 
 
 def parse_arguments():
@@ -86,13 +86,12 @@ def print_report(mesh, seconds):
 
 
 def colour_of(index):
-    """Colours by the golden ratio around the circle, so that neighbours in number differ, in three strengths."""
-    return colorsys.hsv_to_rgb(index * 0.618 % 1, (0.75, 0.5, 0.62)[index % 3], (0.85, 0.95, 0.68)[index % 3])
+    """By the golden ratio around the circle, so that neighbours in number differ, in three strengths."""
+    return colorsys.hsv_to_rgb(index * 0.618 % 1, (0.5, 0.35, 0.6)[index % 3], (0.85, 0.93, 0.72)[index % 3])
 
 
-def save_picture(mesher, mesh, path):
-    view = pictures.make_view(SIZE)
-    display = pictures.show(pictures.cut(mesher, CUT, (0, -1, 0)), view, edges=False)
+def colour_by_region(display, mesh, view):
+    """With the names at the right."""
     simple.ColorBy(display, ("CELLS", "MaterialId"))
     table = simple.GetColorTransferFunction("MaterialId")
     labels, names = field_of(mesh, "MaterialIds"), field_of(mesh, "MaterialNames")
@@ -101,11 +100,27 @@ def save_picture(mesher, mesh, path):
     table.IndexedColors = [part for index in range(len(labels)) for part in colour_of(index)]
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = "", ""
-    bar.LabelColor, bar.LabelFontSize = pictures.TEXT, 11
-    bar.WindowLocation, bar.Position = "Any Location", (0.66, 0.02)
+    bar.LabelColor, bar.LabelFontSize = pictures.TEXT, 12
+    bar.TextPosition = "Ticks left/bottom, annotations right/top"
+    bar.WindowLocation, bar.Position = "Any Location", (0.72, 0.02)
     bar.ScalarBarThickness, bar.ScalarBarLength = 16, 0.96
     display.SetScalarBarVisibility(view, True)
-    pictures.aim(view, mesher.GetDataInformation().GetBounds(), CAMERA, 1.5, 0.0)
+
+
+def save_picture(mesher, mesh, path):
+    """Both halves, the front one moved forwards."""
+    simple._DisableFirstRenderCameraReset()
+    view = pictures.make_view(SIZE)
+    for side in (-1, 1):
+        display = pictures.show(pictures.cut(mesher, CUT, (0, side, 0)), view, edges=False)
+        display.Position = (0, GAP, 0) if side > 0 else (0, 0, 0)
+        colour_by_region(display, mesh, view)
+    bounds = list(mesher.GetDataInformation().GetBounds())
+    bounds[3] += GAP
+    pictures.aim(view, bounds, CAMERA, 1.45, 0.0)
+    right = [CAMERA[1] * -ASIDE, CAMERA[0] * ASIDE, 0]  # of the picture: the mesh goes to the left
+    view.CameraFocalPoint = [a + b for a, b in zip(view.CameraFocalPoint, right)]
+    view.CameraPosition = [a + b for a, b in zip(view.CameraPosition, right)]
     pictures.save(view, path)
 
 
