@@ -1,0 +1,97 @@
+"""Images read by several ranks, in parts or dealt by the first: the mesh is that of the same labels as cells; a bad file fails on all
+ranks alike.
+
+mpiexec -n 3 pvbatch --sym TestImageRanks.py FOLDER
+"""
+import os
+import sys
+import zlib
+
+from paraview import simple
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+import numpy as np
+
+from compare_meshes import difference, merge, read_pieces
+from image_files import save, write_dream3d, write_meta, write_nifti, write_nrrd, write_tiff
+from vfmtest import (
+    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, main, reduced, save_data, write)
+from voxels import grains, turned
+
+CONTROLLER = vtkMultiProcessController.GetGlobalController()
+RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
+FOLDER = os.path.join(sys.argv[1], "images")
+LABELS = turned(grains(), "ZYX").astype("u1")
+MIDDLE = np.add(ORIGIN, np.multiply(SPACING, 0.5))  # of the first voxel
+
+
+def at(name):
+    return os.path.join(FOLDER, name)
+
+
+def write_files():
+    os.makedirs(FOLDER, exist_ok=True)
+    write(image({"Labels": LABELS.astype("i4")}), at("cells.vti"))
+    write_nifti(at("a.nii.gz"), LABELS, MIDDLE)
+    write_nrrd(at("a.nrrd"), LABELS, MIDDLE, encoding="raw")
+    write_nrrd(at("b.nrrd"), LABELS, MIDDLE)
+    write_meta(at("a.mha"), LABELS, MIDDLE)
+    write_dream3d(at("a.dream3d"), LABELS, ORIGIN, SPACING)
+    write_tiff(at("a.tif"), LABELS)
+    with open(write_nrrd(at("cut.nrrd"), LABELS, MIDDLE), "r+b") as file:
+        file.truncate(400)
+    save(at("text.nii"), b"hello\n" * 99)
+
+
+if RANK == 0:
+    write_files()
+CONTROLLER.Barrier()
+
+
+def mesher_of(source, name="Labels"):
+    return VolumeFractionToHex(Input=source, VolumeFractionArrays=[], MaterialIdArray=name)
+
+
+def mesh(source, name="Labels"):
+    """The merged mesh, on rank 0."""
+    mesher = mesher_of(source, name)
+    errors, _ = collect(mesher.GetClientSideObject())
+    mesher.UpdatePipeline()
+    assert reduced(int(not errors), vtkCommunicator.MIN_OP) == 1, errors
+    mine = source.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
+    assert reduced(mine, vtkCommunicator.MAX_OP) <= LABELS.size // RANKS + LABELS[0].size, "a rank keeps more than its part"
+    save_data(at("mesh.pvtu"), mesher)
+    CONTROLLER.Barrier()
+    merged = merge(read_pieces(at("mesh.pvtu"))) if RANK == 0 else None
+    CONTROLLER.Barrier()
+    return merged
+
+
+def test_same_mesh():
+    gold = mesh(simple.OpenDataFile(at("cells.vti")))
+    for name in ("a.nii.gz", "a.nrrd", "b.nrrd", "a.mha", "a.dream3d"):
+        merged = mesh(simple.OpenDataFile(at(name)), "FeatureIds" if name.endswith("dream3d") else "Labels")
+        problem = difference(merged, gold) if RANK == 0 else ""
+        assert not problem, "%s: %s" % (name, problem)
+    assert reduced(int(mesh(LabelImageReader(FileName=[at("a.tif")], Spacing=SPACING)) is None), vtkCommunicator.SUM_OP) == RANKS - 1
+
+
+def is_same_everywhere(texts):
+    value = zlib.crc32(repr(texts).encode())
+    return reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)
+
+
+def test_refused():
+    """One message on all ranks, be the file bad in its header or where the first rank reads its values."""
+    for name, text in (("text.nii", "it is no NIfTI file"), ("cut.nrrd", "Couldn't read gzip data"), ("none.mha", "No such file")):
+        source = LabelImageReader(FileName=[at(name)])
+        errors, _ = collect(source.GetClientSideObject().GetReader())
+        source.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        mesher = mesher_of(source)
+        collect(mesher.GetClientSideObject())
+        mesher.UpdatePipeline()
+        same = is_same_everywhere([error.split("Cannot read ")[1] for error in errors])
+        assert same and len(set(errors)) == 1 and text in errors[0], (name, same, errors)
+
+
+main(globals())
