@@ -8,22 +8,17 @@
 #include "Stage.h"
 #include "VtkMessages.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDataArraySelection.h"
 #include "vtkDataSet.h"
 #include "vtkIOSSReader.h"
-#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <regex>
 #include <set>
@@ -272,37 +267,6 @@ std::vector<std::string> ChooseNames(
   return arguments.Fractions.empty() && arguments.Labels.empty() ? known : asked;
 }
 
-/// The values as integers, or null when one is not.
-vtkSmartPointer<vtkIntArray> MakeLabels(vtkDataArray* array)
-{
-  auto labels = vtkSmartPointer<vtkIntArray>::New();
-  labels->SetName(array->GetName());
-  labels->SetNumberOfTuples(array->GetNumberOfTuples());
-  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
-  {
-    const double value = array->GetComponent(cell, 0);
-    if (!(std::abs(value) <= std::numeric_limits<int>::max()) || value != std::floor(value))
-    {
-      return nullptr;
-    }
-    labels->SetValue(cell, static_cast<int>(value));
-  }
-  return labels;
-}
-
-void ConvertLabels(vtkDataObject* data, const std::string& name)
-{
-  for (vtkDataSet* grid : GetGrids(data))
-  {
-    vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
-    const auto labels = array && array->GetNumberOfComponents() == 1 ? MakeLabels(array) : nullptr;
-    if (labels) // else the mesher's message tells
-    {
-      grid->GetCellData()->AddArray(labels);
-    }
-  }
-}
-
 } // namespace
 
 std::vector<std::string> GetExodusSuffixes()
@@ -340,12 +304,8 @@ Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks
   Input input;
   input.Time = ChooseTime(arguments, times);
   input.Times = times;
-  WorkInStage(ranks, ExitCode::UnreadableInput,
-    [&]
-    {
-      input.Data = files.Read(names, input.Time);
-      ConvertLabels(input.Data, arguments.Labels);
-    });
+  WorkInStage(
+    ranks, ExitCode::UnreadableInput, [&] { input.Data = files.Read(names, input.Time); });
   return input;
 }
 

@@ -19,6 +19,7 @@ from vfmtest import exodus_parts, fraction_image, image, in_folder, main, mesh_o
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples")
 DATA = os.path.join(EXAMPLES, "..", "Data")
 SCRIPT = os.path.join(EXAMPLES, "mesh_series.py")
+ATLAS = "/usr/share/mricron/templates/HarvardOxford-cort-maxprob-thr0-1mm.nii.gz"
 
 
 def write_image(data, path):
@@ -107,6 +108,22 @@ def test_arguments():
         assert run_script(folder, "--array", "a", "--material-ids", "b", "x.vti").returncode == 2
 
 
+@in_folder
+def test_atlas(path):
+    """Each fourth voxel of the atlas, where its package is there; else a message that tells which."""
+    script = [os.path.join(EXAMPLES, "atlas.py"), "--plugin", os.environ["VFM_PLUGIN"], "--every", "4", "--mesh", path("atlas.exo")]
+    result = mpi_run(1, ["pvpython", *script])
+    if not os.path.exists(ATLAS):
+        assert result.returncode == 1 and "apt-get install mricron-data" in result.stderr and not result.stdout, result
+        return
+    found = re.search(r"48 regions, (\d+) hexahedra, scaled Jacobian ([\d.]+) to 1", result.stdout)
+    error = re.search(r"worst error of a volume ([\d.e-]+);", result.stdout)
+    assert result.returncode == 0 and "     7 Precentral Gyrus " in result.stdout, result
+    assert float(found[2]) > 0.3 and float(error[1]) < 1e-4, result.stdout
+    blocks = block_sizes(path("atlas.exo"))
+    assert len(blocks) == 48 and sum(blocks.values()) == int(found[1]) and "precentral_gyrus" in blocks, blocks
+
+
 def test_ball_under_pressure():
     """Of a block under pressure from above the mean of the stress along z is minus the pressure, whatever is in it."""
     with tempfile.TemporaryDirectory() as folder:
@@ -171,7 +188,7 @@ def test_missing_files(path):
     """One message and exit status 1."""
     none, plugin, data = path("none"), os.environ["VFM_PLUGIN"], os.path.join(DATA, "fin.vti")
     for script, arguments in (
-            ("ball_under_pressure.py", ["--plugin", none]), ("mesh_series.py", ["--plugin", none, "--array", "body", data]),
+            ("atlas.py", ["--plugin", plugin, "--atlas", none]), ("ball_under_pressure.py", ["--plugin", none]), ("mesh_series.py", ["--plugin", none, "--array", "body", data]),
             ("mesh_series.py", ["--plugin", plugin, "--array", "body", none]), ("gerris_to_vthb.py", [none, path("out.vthb")]),
             ("time_ranks.py", [none]), ("write_exodus.py", [none, path("out.e")]), ("../Data/shapes.py", [none, "fin", path("out.vti")]),
             ("../Data/impact.py", [none, path("out")]), ("../Data/OpenFOAM/foam_to_vti.py", [none, "0", path("out.vti")]),

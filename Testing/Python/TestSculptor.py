@@ -17,7 +17,7 @@ from exodus_grids import hexes, shuffled, write_exodus
 from sculptor_program import check_same, mesh_file, refused, rows, sculptor
 from vfmtest import (
     ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, exodus_parts, fraction_image, image,
-    in_folder, labels, main, mesh_of, uniform, write)
+    in_folder, labels, main, mesh_of, rectilinear, uniform, write)
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
@@ -288,9 +288,10 @@ def test_arrays_are_found(at):
 
 @in_folder
 def test_point_data_is_told(at):
-    data = image({"count": np.ones((4, 4, 4), np.int32)})
+    """That of grids which are no images, where a point is the centre of no cell."""
+    data = rectilinear({"count": np.ones((4, 4, 4), np.int32)}, [np.arange(5.0)] * 3)
     add_array(data.GetPointData(), "phi", np.full((5, 5, 5), 0.25))
-    files = ["--input", write(data, at("in.vti")), "--output", at("no.vtu")]
+    files = ["--input", write(data, at("in.vtr"), vtkXMLRectilinearGridWriter), "--output", at("no.vtu")]
     points = "Its point arrays, which cannot be meshed: phi (double, 0.25 to 0.25)."
     for ranks in (1, 2):
         refused(2, "Its cell arrays: count (int, 1 to 1). " + points, *files, ranks=ranks)
