@@ -10,6 +10,7 @@
 #include "vtkXMLDataParser.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -48,6 +49,15 @@ bool IsNumber(const std::string& text)
 {
   return !text.empty() && text.find_first_not_of("+-.0123456789eE") == std::string::npos &&
     text.find_first_of("0123456789") != std::string::npos;
+}
+
+/// Whether a line that begins with this word names columns.
+bool IsTitle(std::string word)
+{
+  std::transform(word.begin(), word.end(), word.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto words = { "id", "index", "label", "number", "value" };
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 /// A line of the table.
@@ -103,10 +113,9 @@ void Table::ReadLine(const std::string& line, int number)
   const std::optional<int> label = ParseLabel(first);
   if (!label)
   {
-    if (this->Rows.empty() && !IsNumber(first) && end != std::string::npos &&
-      std::isalpha(static_cast<unsigned char>(first[0])) != 0 && number == 1)
+    if (this->Rows.empty() && IsTitle(first))
     {
-      return; // a title
+      return;
     }
     this->Refuse(number,
       "it begins with '" + first.substr(0, 40) + "', which is no label: a whole number from 0 to " +

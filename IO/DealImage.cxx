@@ -3,7 +3,6 @@
 #include "vtkDataArray.h"
 
 #include <cstring>
-#include <numeric>
 
 namespace vfm
 {
@@ -46,14 +45,8 @@ vtkSmartPointer<vtkDataArray> ReadPart(ImageFile& file, const IndexBox& box, Ran
     return isEmpty ? nullptr : file.Read(box);
   }
   const std::vector<IndexBox> boxes = GatherItems(ranks, std::vector<IndexBox>{ box });
-  std::vector<int> type{ VTK_INT };
-  vtkSmartPointer<vtkDataArray> values;
-  if (ranks.Rank() == 0)
-  {
-    values = file.Read(whole);
-    type[0] = values->GetDataType();
-  }
-  type = { FromBytes<int>(ranks.Gather(ToBytes(type))[0]) };
+  const auto values = ranks.Rank() == 0 ? file.Read(whole) : vtkSmartPointer<vtkDataArray>();
+  const int type = GatherItems(ranks, std::vector<int>{ values ? values->GetDataType() : 0 })[0];
   Bytes mine;
   for (int rank = 1; rank < ranks.Count(); ++rank) // one at a time: a part is held twice, not all
   {
@@ -70,7 +63,7 @@ vtkSmartPointer<vtkDataArray> ReadPart(ImageFile& file, const IndexBox& box, Ran
   {
     mine = Cut(values, whole.Upper, box);
   }
-  return isEmpty ? nullptr : MakeArray(type[0], box, mine);
+  return isEmpty ? nullptr : MakeArray(type, box, mine);
 }
 
 } // namespace vfm

@@ -143,10 +143,12 @@ bool FitsCells(hid_t file, const std::string& path, const Index3& size)
     [](hsize_t a, Index b) { return static_cast<Index>(a) == b; });
 }
 
+/// With whole names.
 bool EndsWith(const std::string& path, const std::string& end)
 {
-  return path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0 &&
-    path[path.size() - end.size() - 1] == '/';
+  const std::string whole = end.compare(0, 1, "/") == 0 ? end : "/" + end;
+  return path.size() >= whole.size() &&
+    path.compare(path.size() - whole.size(), whole.size(), whole) == 0;
 }
 
 class Dream3dFile : public ImageFile

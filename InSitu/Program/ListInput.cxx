@@ -192,7 +192,8 @@ void PrintGrid(const std::vector<GridInfo>& grids, bool isOne, bool isOfPoints, 
   {
     cells += grid.Cells;
   }
-  const std::array<int, 6> extent = Unite(grids, &GridInfo::Extent);
+  const std::array<int, 6> extent =
+    grids.empty() ? std::array<int, 6>() : Unite(grids, &GridInfo::Extent);
   if (isOne && isOfPoints) // pieces share points
   {
     cells = Index(extent[1] - extent[0]) * (extent[3] - extent[2]) * (extent[5] - extent[4]);

@@ -214,7 +214,7 @@ def test_refused(at):
     for path, text in (
             (at("none.nii"), "No such file"),
             (save(at("empty.mha")), "the file is empty"),
-            (save(at("text.nii"), b"hello\n" * 99), "Bad NIfTI header"),
+            (save(at("text.nii"), b"hello\n" * 99), "it is no NIfTI file"),
             (cut(write_nifti(at("cut.nii"), LABELS, MIDDLE), 900), "truncated"),
             (cut(write_nifti(at("cut.nii.gz"), LABELS, MIDDLE), 250), "truncated"),
             (write_nifti(at("shear.nii"), LABELS, MIDDLE, shear), "its sform is sheared"),

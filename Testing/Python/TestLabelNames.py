@@ -60,6 +60,7 @@ def test_refused(at):
     for text, problem in (
             ("3 A\n7 B\nx C\n", "line 3: it begins with 'x', which is no label: a whole number from 0 to 2147483647"),
             ("3 A\n-7 B\n", "line 2: it begins with '-7'"),
+            ("Name 3\n3 A\n", "line 1: it begins with 'Name'"),
             ("3.5 A\n", "line 1: it begins with '3.5'"),
             ("9999999999 A\n", "line 1: it begins with '9999999999'"),
             ("3 A\n7\n", "line 2: label 7 has no name"),

@@ -348,7 +348,7 @@ def test_refused_by_sculptor(at):
     bad_text, bad_array = write_text(at("b.spn"), GRAINS - 1), write_numpy(at("b.npy"), GRAINS - 1, "i4")
     refused(1, "--dimensions NX,NY,NZ is missing", "--input", text)
     refused(1, "--dimensions is for .spn files", "--input", array, *SIZED)
-    refused(1, "--origin, --spacing and --axis-order are for", "--input", at("a.vti"), *PLACED)
+    refused(1, "--origin and --axis-order are for", "--input", at("a.vti"), *PLACED)
     refused(1, "three numbers of cells", "--input", text, "--dimensions", "9,11")
     refused(1, "three numbers of cells", "--input", text, "--dimensions", "9,11,0")
     refused(1, "three numbers with commas", "--input", text, *SIZED, "--origin", "1,2,x")
