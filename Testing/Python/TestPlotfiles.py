@@ -34,7 +34,7 @@ def without_time(pieces):
 @in_folder
 def test_refused(at):
     folder = write_plotfile(at("plt"), FLAT)
-    refused(2, "no numeric cell array 'x' (--fractions). Its cell arrays: ball (double, 0 to 1), rest (double", "--input", folder, "--fractions", "x",
+    refused(2, "no numeric array 'x' (--fractions). Its cell arrays: ball (double, 0 to 1), rest (double", "--input", folder, "--fractions", "x",
             "--output", at("no.vtu"), ranks=2)
     os.mkdir(at("empty"))
     refused(1, "is of an unknown kind", "--input", at("empty"), "--output", at("no.vtu"))

@@ -106,7 +106,7 @@ def test_cells_to_refine(at):
     exodus = write_exodus(at("in.e"), lambda step: {"all": hexes(arrays, cells)}, [0.0])
     mesh_file(exodus, at("out.vtu"), "--refine-cells", "wish", "--fractions", "ball,plate", ranks=2)
     check_same(at("out.vtu"), mesh, 0)
-    refused(2, "no numeric cell array 'missing' (--refine-cells)", path, at("no.vtu"), "--refine-cells", "missing", ranks=2)
+    refused(2, "no numeric array 'missing' (--refine-cells)", path, at("no.vtu"), "--refine-cells", "missing", ranks=2)
     arrays["wish"][0, 0, 0] = 0.5
     refused(3, "'wish' holds 0.5", write(image(arrays), at("half.vti")), at("no.vtu"), "--refine-cells", "wish",
             "--fractions", "ball,plate", ranks=2)
@@ -559,8 +559,8 @@ def test_refused_input(at):
     for ranks in (1, 3):
         files = ["--input", path, "--output", at("no.vtu")]
         refused(3, "'ball' holds 1.5 in cell", *files, "--fractions", "ball", ranks=ranks)
-        refused(2, "no numeric cell array 'wrong' (--fractions). Its cell arrays: ball (double, 0 to 1.5).", *files, "--fractions", "wrong", ranks=ranks)
-        refused(2, "If they are volume fractions: --fractions ball.", *files, "--labels", "ball", ranks=ranks)
+        refused(2, "no numeric array 'wrong' (--fractions). Its cell arrays: ball (double, 0 to 1.5).", *files, "--fractions", "wrong", ranks=ranks)
+        refused(3, "material ids are whole numbers", *files, "--labels", "ball", ranks=ranks)
     assert not os.path.exists(at("no.vtu"))
 
 
