@@ -11,9 +11,10 @@ function (vfm_add_pkg_config name installed_headers)
     DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
   set(prefix "${CMAKE_BINARY_DIR}")
+  set(libdir "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
   list(GET ARGN 0 includedir)
   list(TRANSFORM ARGN PREPEND "-I" OUTPUT_VARIABLE headers)
   list(JOIN headers " " headers)
   configure_file("${name}.pc.in"
-    "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/pkgconfig/${name}-uninstalled.pc" @ONLY)
+    "${vfm_lib_folder}/pkgconfig/${name}-uninstalled.pc" @ONLY)
 endfunction ()

@@ -7,8 +7,6 @@ SIZE = (1600, 1200)
 VIEW_ANGLE = 18  # degrees
 EDGES = (0.13, 0.17, 0.22)
 TEXT = (0.15, 0.15, 0.15)
-# Of materials 0, 1, 2, ..., and over again.
-MATERIALS = [(0.58, 0.50, 0.74), (0.36, 0.62, 0.80), (0.91, 0.62, 0.36), (0.79, 0.42, 0.45), (0.55, 0.72, 0.42), (0.86, 0.78, 0.40)]
 
 
 def make_view(size=SIZE):
@@ -51,9 +49,9 @@ def show(proxy, view, colour=None, edges=True):
 
 
 def show_material(mesh, view, material):
-    """The elements of a material in its colour; returns their proxy."""
+    """The elements of a material in the colour that the plugin gives it; returns their proxy."""
     part = simple.Threshold(Input=mesh, Scalars=["CELLS", "MaterialId"], LowerThreshold=material, UpperThreshold=material)
-    show(part, view, MATERIALS[material % len(MATERIALS)])
+    simple.ColorBy(show(part, view), ("CELLS", "MaterialId"))
     return part
 
 

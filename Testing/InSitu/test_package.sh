@@ -35,7 +35,7 @@ test_components() {
   local where=("-DCMAKE_PREFIX_PATH=$1")
 
   build_host hosts "$source/Examples/sculptor" "${where[@]}" -DCMAKE_CXX_STANDARD=11
-  expect "$1/lib/libsculptor" <(ldd hosts/half_sphere_c)
+  expect "$1/lib/\(libraries/\)\?libsculptor" <(ldd hosts/half_sphere_c)
   for host in half_sphere_c half_sphere_cxx half_sphere_fortran; do
     [[ -x hosts/$host || $host != *fortran ]] || continue
     run "hosts/$host" 2
@@ -67,7 +67,7 @@ test_pkg_config() {
   local -x PKG_CONFIG_PATH="$1/lib/pkgconfig"
   read -ra link <<< "$(pkg-config --cflags --libs sculptor)"
   mpicc "$source/Examples/sculptor/half_sphere.c" "${link[@]}" -o half_sphere_c
-  expect "$1/lib/libsculptor\|$1/lib/pkgconfig/../../lib/libsculptor" <(ldd half_sphere_c)
+  expect "$1/lib/\(libraries/\|pkgconfig/../../lib/\)\?libsculptor" <(ldd half_sphere_c)
   run half_sphere_c 2
   cmp half_sphere_c.2.out hosts/half_sphere_c.2.out
   if [[ $has_catalyst ]]; then

@@ -1,0 +1,72 @@
+"""A client and a server of two ranks: meshes and their colour maps with the plugin on both sides, on the server or on the client alone.
+
+usage: pvpython TestServer.py
+       pvpython TestServer.py PORT SIDES    what a client does, which prints the names in its colour map
+"""
+import os
+import re
+import subprocess
+import sys
+
+from paraview import simple
+
+from mpi_run import OF_THIS_PROCESS, SETTINGS
+
+PLUGIN = os.environ["VFM_PLUGIN"]
+FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "ball_and_plate.vti")
+MISSED = re.compile("Could not create object of type: vtkSMMeshArrayListDomain")  # by a client without the plugin: its panel lists no arrays
+LIMIT = 300  # seconds; machines are shared
+
+
+def act_as_client(port, sides):
+    """The mesh by filter, or where the server has none an image with an array of the same name."""
+    simple.Connect("localhost", port)
+    for remote, side in ((True, "server"), (False, "client")):
+        if side in sides:
+            simple.LoadPlugin(PLUGIN, remote=remote, ns=globals())
+    field = simple.OpenDataFile(FIELD)
+    if "server" in sides:
+        shown = VolumeFractionToHex(Input=field, VolumeFractionArrays=["ball", "plate"], StairStep=1)
+    else:
+        shown = simple.Calculator(Input=field, AttributeType="Cell Data", ResultArrayName="MaterialId", Function="ball")
+    view = simple.CreateRenderView()
+    simple.ColorBy(simple.Show(shown, view), ("CELLS", "MaterialId"))
+    cells = shown.GetDataInformation().GetNumberOfCells()
+    print("RESULT", cells > 0, list(simple.GetColorTransferFunction("MaterialId").Annotations))
+
+
+def names_with(sides):
+    """What the client printed."""
+    plain = {name: value for name, value in os.environ.items() if not name.startswith(OF_THIS_PROCESS)}
+    server = subprocess.Popen(["mpiexec", "-q", "--oversubscribe", "--bind-to", "none", "-n", "2", "pvserver", "--server-port=0"],
+                              env={**plain, **SETTINGS}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+    try:
+        port = next(found[1] for found in (re.match(r"Accepting connection\(s\): .*:(\d+)", line) for line in server.stdout) if found)
+        client = subprocess.run(["pvpython", os.path.abspath(__file__), port, sides], env=plain, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=LIMIT)
+        server.wait(LIMIT)
+    finally:
+        server.kill()
+    errors = [line for line in client.stdout.splitlines() if "ERR|" in line and not MISSED.search(line)]
+    assert client.returncode == 0 and not errors, client.stdout
+    return re.search("^RESULT (.*)$", client.stdout, re.MULTILINE)[1]
+
+
+def test_both():
+    assert names_with("server and client") == "True ['1', 'ball', '2', 'plate']"
+
+
+def test_the_server_alone():
+    assert names_with("server") == "True []"
+
+
+def test_the_client_alone():
+    assert names_with("client") == "True []"
+
+
+if len(sys.argv) == 3:
+    act_as_client(int(sys.argv[1]), sys.argv[2])
+else:
+    from vfmtest import main
+
+    main(globals())
