@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from mpi_run import mpi_run
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, VolumeFractionFragments, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect, elements,
-    image, labels, main, mesh_of, producer, surface_faces, tet_volumes)
+    fraction_image, image, labels, main, mesh_of, producer, surface_faces, tet_volumes)
 
 CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]])
 
@@ -133,6 +133,14 @@ def test_exact():
     assert np.allclose([table["Centroid" + a][0] for a in "XYZ"], centre, rtol=0, atol=1e-10)
     assert [table["Min" + a][0] for a in "XYZ"] == (np.array(ORIGIN) + np.array(SPACING) * (3, 2, 1)).tolist()
     assert np.isclose(table["Mass"][0], cell * 6 * (4 + 5 + 6 + 7), rtol=1e-12)
+
+
+def test_ids_are_no_densities():
+    result = mesh_of(fraction_image(), StateArrays=["ball"], StairStep=1)
+    table = VolumeFractionFragments(Input=producer(result.mesh))
+    offered = table.SMProxy.GetProperty("DensityArrays").FindDomain("vtkSMStringListDomain")
+    names = [offered.GetString(i) for i in range(offered.GetNumberOfStrings())]
+    assert sorted(names) == ["ScaledJacobian", "ball"], names
 
 
 def test_density_of_each_material():

@@ -9,7 +9,7 @@ from vfmtest import (
 N = 12
 DEFAULTS = {
     "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5,
-    "LabelSmoothing": 0, "LabelNames": "", "MinimumRegionCells": 0, "Refinement": "Input Levels", "MaximumLevel": -1, "FineInterfaces": 1, "FineLayers": 2, "ChildFractions": "Planes", "MaximumAspectRatio": 0.0, "FractionTolerance": 1e-6, "ThinCells": 2.0,
+    "LabelSmoothing": 0, "LabelNames": "", "MinimumRegionCells": 0, "Refinement": "Input Levels", "MaximumLevel": "Automatic", "FineInterfaces": 1, "FineLayers": 2, "ChildFractions": "Planes", "MaximumAspectRatio": 0.0, "FractionTolerance": 1e-6, "ThinCells": 2.0,
     "CurvaturePerCell": 0.0, "RefineFlippedCells": 0, "InterfaceLayers": 0, "RefinementArray": "None", "RefinementBoxes": [], "MeshVoid": 0,
     "StairStep": 0, "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
     "NumberOfThreads": 0}
@@ -44,6 +44,13 @@ def test_names_and_defaults():
         for name, value in DEFAULTS.items():
             found = getattr(hexes, name)
             assert (found[1] if name == "MaterialIdArray" else found) == value, (name, found)
+
+
+def test_levels_by_number_and_word():
+    hexes = VolumeFractionToHex(Input=producer(fraction_image(4)))
+    for value, word, number in ((2, "2", 2), (-1, "Automatic", -1), (3, "3", 3), ("Automatic", "Automatic", -1)):
+        hexes.MaximumLevel = value
+        assert hexes.MaximumLevel == word and hexes.SMProxy.GetProperty("MaximumLevel").GetElement(0) == number, value
 
 
 def test_output_ports_have_names():

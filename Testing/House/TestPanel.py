@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""The panel that ParaView makes of Plugin/*.xml: every property of the meshing filters stands in a group, and what shows, hides or greys
+a property names properties that are there.
+"""
+import os
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+PLUGIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin")
+
+
+def read_proxies():
+    """All proxies by name."""
+    proxies = {}
+    for name in sorted(os.listdir(PLUGIN)):
+        if name.endswith((".xml", ".xml.in")):
+            for group in ElementTree.parse(os.path.join(PLUGIN, name)).iter("ProxyGroup"):
+                proxies.update((proxy.get("name"), proxy) for proxy in group)
+    return proxies
+
+
+PROXIES = read_proxies()
+
+
+def names(proxy):
+    """Of the properties of a proxy and its base."""
+    base = PROXIES.get(proxy.get("base_proxyname"))
+    own = [p.get("name") for p in proxy if p.tag.endswith("Property")]
+    return own if base is None else own + names(base)
+
+
+def groups(proxy):
+    """Labels and names of properties."""
+    return {group.get("label"): [p.get("name") for p in group] for group in proxy.iter("PropertyGroup")}
+
+
+class Panel(unittest.TestCase):
+    def test_every_property_is_in_a_group(self):
+        for name in ("VolumeFractionToHex", "VolumeFractionToTet"):
+            proxy = PROXIES[name]
+            grouped = [p for members in groups(proxy).values() for p in members]
+            if proxy.get("base_proxyname"):
+                grouped += [p for members in groups(PROXIES[proxy.get("base_proxyname")]).values() for p in members]
+            self.assertEqual(len(grouped), len(set(grouped)), name)
+            shown = {p.get("name") for p in proxy if p.tag.endswith("VectorProperty") and not p.get("information_only")}
+            self.assertEqual(shown - set(grouped), set(), name)
+            self.assertEqual(set(grouped) - set(names(proxy)), set(), name)
+
+    def test_method_stands_above_what_hexahedra_have_too(self):
+        """Groups stand in the order of their first property, and Input is the first of all."""
+        members = next(iter(groups(PROXIES["VolumeFractionToTet"]).values()))
+        self.assertEqual(members[:2], ["Input", "Method"])
+        self.assertEqual(names(PROXIES["VolumeFractionToHex"])[0], "Input")
+
+    def test_decorators_name_properties(self):
+        count = 0
+        for name, proxy in PROXIES.items():
+            for decorator in proxy.iter("PropertyWidgetDecorator"):
+                if decorator.get("type") == "GenericDecorator":
+                    self.assertIn(decorator.get("property"), names(proxy), name)
+                    self.assertIn(decorator.get("mode"), ("visibility", "enabled_state"), name)
+                    count += 1
+        self.assertGreater(count, 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
