@@ -1,5 +1,5 @@
 #!/usr/bin/env pvpython
-"""Writes impact.spcth, impact.spcth.0 and .1: four times of a ball that strikes a plate, in the format of SpyPlot files.
+"""Writes impact.spcth, impact/impact.spcth.0 and .1: four times of a ball that strikes a plate, in the format of SpyPlot files.
 
 usage: impact --cells 32 --dump DUMPS
        pvpython impact.py DUMPS FOLDER
@@ -46,7 +46,7 @@ def main(dumps, folder):
     for path in paths:
         nodes, arrays = read_step(path)
         steps.append(arrays)
-    write_spyplot(folder, "impact", [step * TIME_STEP for step in STEPS], split(nodes, steps, (2, 1, 2)), files=2)
+    write_spyplot(folder, "impact", [step * TIME_STEP for step in STEPS], split(nodes, steps, (2, 1, 2)), files=2, parts="impact")
 
 
 if __name__ == "__main__":

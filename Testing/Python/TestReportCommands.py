@@ -145,8 +145,8 @@ COMMANDS = [
 
 
 def make_files():
-    for name in ("impact.spcth", "impact.spcth.0", "impact.spcth.1"):
-        shutil.copy(os.path.join(DATA, name), FOLDER)
+    shutil.copy(os.path.join(DATA, "impact.spcth"), FOLDER)
+    shutil.copytree(os.path.join(DATA, "impact"), os.path.join(FOLDER, "impact"))
     cells = shuffled()
     path = write_exodus(os.path.join(FOLDER, "cube.exo"), lambda step: {"cube": hexes(fields(step), cells)})
     shutil.move(path, os.path.join(FOLDER, "cube_mesh.exo.1.0"))

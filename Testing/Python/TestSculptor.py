@@ -21,7 +21,7 @@ from vfmtest import (
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
-SPLASH = os.path.join(DATA, "splash_2000us.vti")
+SPLASH = os.path.join(DATA, "splash_2ms.vti")
 NAMED = {"Refinement": "Automatic", "ThinCells": 0, "FineInterfaces": 0}  # what --refine-cells and --refine-box set
 
 

@@ -168,14 +168,16 @@ def write_file(path, version, times, blocks, file, files):
         out.write(content + dumps)
 
 
-def write_spyplot(folder, name, times, blocks, files=1, version=105):
+def write_spyplot(folder, name, times, blocks, files=1, version=105, parts=""):
     """Writes name.spcth and name.spcth.0 .. in the folder and returns the path of the first.
 
     times: fewer than 100, ascending; blocks: spread over the files in turn; version: of the format, 101 to 105. Files of
     one block each are a flat mesh, whose nodes may be anywhere; more blocks a file are uniform, as of block-structured data.
+    parts: the folder in the folder where all but the first lie.
     """
     assert len(times) < GROUP and all(len(block.steps) == len(times) for block in blocks)
-    names = ["%s.spcth.%d" % (name, file) for file in range(files)]
+    os.makedirs(os.path.join(folder, parts), exist_ok=True)
+    names = [os.path.join(parts, "%s.spcth.%d" % (name, file)) for file in range(files)]
     for file in range(files):
         write_file(os.path.join(folder, names[file]), version, times, blocks[file::files], file, files)
     path = os.path.join(folder, name + ".spcth")
