@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 
 #include "vtkmetaio/metaImage.h"
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -15,13 +16,21 @@ namespace vfm
 namespace
 {
 
-/// Of a file of both, where the values begin: after the line that says where they are.
-double FindHeaderEnd(const std::string& path)
+/// Reads the header. Of a file of both, where the values begin: after the line that says where they are. Throws InputError on numbers of
+/// dimensions that the library would believe.
+double CheckHeader(const std::string& path)
 {
   std::ifstream stream = OpenFile(path);
   std::string line;
   while (std::getline(stream, line) && line.compare(0, 15, "ElementDataFile") != 0)
   {
+    const std::size_t equals = line.find('=');
+    const int dimensions = equals == std::string::npos ? 0 : std::atoi(line.c_str() + equals + 1);
+    if (line.find("NDims") < equals && (dimensions < 1 || dimensions > 3))
+    {
+      throw InputError(
+        "its image has " + std::to_string(dimensions) + " dimensions; wanted are three.");
+    }
   }
   return stream ? static_cast<double>(stream.tellg()) : 0.0;
 }
@@ -32,7 +41,7 @@ public:
   MetaImageFile(const std::string& path, vtkMetaImageReader* reader) : VtkImageFile(path, reader)
   {
     vtkmetaio::MetaImage header; // VTK's reader leaves the directions out
-    if (!header.Read(path.c_str(), false) || header.NDims() > 3)
+    if (!header.Read(path.c_str(), false))
     {
       throw InputError("its header cannot be read.");
     }
@@ -71,7 +80,7 @@ private:
       return; // a list or a pattern of files
     }
     CheckLength(
-      file, isLocal ? FindHeaderEnd(path) : 0.0, this->CountBytes(), header.CompressedData());
+      file, isLocal ? CheckHeader(path) : 0.0, this->CountBytes(), header.CompressedData());
   }
 };
 
@@ -79,6 +88,7 @@ private:
 
 std::unique_ptr<ImageFile> OpenMetaImage(const std::string& path)
 {
+  CheckHeader(path);
   vtkNew<vtkMetaImageReader> reader;
   return std::make_unique<MetaImageFile>(path, reader);
 }

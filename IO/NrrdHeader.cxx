@@ -17,8 +17,8 @@ constexpr std::size_t LongestLine = 100000;
 /// VTK's reader does not end where the last line of the header has no end, be it for a zero in it.
 void CheckLine(const std::string& line, bool hasEnd)
 {
-  const bool isText = std::none_of(
-    line.begin(), line.end(), [](unsigned char c) { return c < ' ' && c != '\t' && c != '\r'; });
+  const bool isText = std::none_of(line.begin(), line.end(),
+    [](unsigned char c) { return (c < ' ' && c != '\t' && c != '\r') || c == 127; });
   if (!hasEnd || line.size() > LongestLine || !isText)
   {
     throw InputError("its header is no text that ends with an empty line or the end of a line.");

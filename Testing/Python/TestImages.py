@@ -230,6 +230,8 @@ def test_refused(at):
             (save(at("sizes.nrrd"), b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 x\nencoding: raw\n\n", bytes(27)),
              "its header says 'sizes: 3 x', where 3 numbers are wanted"),
             (save(at("text.mha"), b"hello\n"), "MetaImage cannot parse file"),
+            (save(at("dims.mhd"), b"ObjectType = Image\nNDims = 999999999\nDimSize = 1 1 1\nElementDataFile = a.raw\n"),
+             "its image has 999999999 dimensions"),
             (cut(write_meta(at("cut.mha"), LABELS, MIDDLE), 900), "cut short: they have 1287 bytes"),
             (write_meta(at("shear.mhd"), LABELS, MIDDLE, shear), "TransformMatrix is no rotation"),
             (save(at("text.tif"), b"hello\n"), "it is no TIFF file"),
