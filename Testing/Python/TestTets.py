@@ -11,8 +11,8 @@ N = 12
 DATA = fraction_image(N)
 HAS_TETGEN = "TetGen" in TET_METHODS
 DEFAULTS = {
-    "VolumeFractionArrays": [], "MaterialIdArray": "None", "StateArrays": [], "IsoValue": 0.5,
-    "LabelSmoothing": 0, "LabelNames": "", "MinimumRegionCells": 0, "Refinement": "Input Levels", "MaximumLevel": -1, "FineInterfaces": 1, "FineLayers": 2, "ChildFractions": "Planes", "MaximumAspectRatio": 0.0, "FractionTolerance": 1e-6,
+    "VolumeFractionArrays": [], "MaterialIdArray": [None, "None"], "StateArrays": [], "IsoValue": 0.5,
+    "LabelSmoothing": 0, "LabelNames": "", "MinimumRegionCells": 0, "Refinement": "Input Levels", "MaximumLevel": "Automatic", "FineInterfaces": 1, "FineLayers": 2, "ChildFractions": "Planes", "MaximumAspectRatio": 0.0, "FractionTolerance": 1e-6,
     "ThinCells": 2.0, "CurvaturePerCell": 0.0, "RefineFlippedCells": 0, "InterfaceLayers": 0, "RefinementArray": "None", "RefinementBoxes": [],
     "MeshVoid": 0, "StairStep": 0,
     "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
