@@ -4,6 +4,7 @@
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "DealImage.h"
+#include "FailedOutput.h"
 #include "ImageExtent.h"
 #include "ImageFile.h"
 
@@ -103,7 +104,7 @@ int vtkVolumeFractionImageReader::RequestInformation(
     this->File.reset();
   }
   const vfm::ImagePlace place = this->File ? this->File->Place() : vfm::ImagePlace();
-  int extent[6] = { 0, 0, 0, 0, 0, 0 };
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
   for (int a = 0; this->File && a < 3; ++a)
   {
     extent[2 * a + 1] = static_cast<int>(place.Size[a]) - (this->File->IsOfCells() ? 0 : 1);
@@ -129,13 +130,11 @@ int vtkVolumeFractionImageReader::RequestData(
   {
     problem = Try(this->Controller, [&](vfm::Ranks& ranks) { this->Read(extent, ranks, image); });
   }
-  if (problem.empty())
+  if (!problem.empty())
   {
-    return 1;
+    vfm::Fail(this, outputVector, ("Cannot read " + this->FileName + ": " + problem).c_str());
   }
-  image->Initialize();
-  vtkErrorMacro("Cannot read " << this->FileName << ": " << problem);
-  return 0;
+  return 1;
 }
 
 void vtkVolumeFractionImageReader::Read(const int extent[6], vfm::Ranks& ranks, vtkImageData* image)

@@ -18,7 +18,7 @@
  * (but left-handed ones), raw NRRD and DREAM.3D are read by every process in its part; of others the first process reads the whole and
  * sends parts.
  *
- * Errors (one message on all processes alike, empty output, failure): the file cannot be read, is damaged, has several values a
+ * Errors (one message on all processes alike, empty output): the file cannot be read, is damaged, has several values a
  * point, several images, axes that are not at right angles.
  */
 #ifndef vtkVolumeFractionImageReader_h
