@@ -8,7 +8,6 @@ regions with their hexahedra and volumes, the quality, time and memory. The mesh
 .exo and .inp. The picture, which needs a screen or xvfb-run, shows both halves, front and back, in a colour a region.
 """
 import argparse
-import colorsys
 import gzip
 import os
 import resource
@@ -85,20 +84,10 @@ def print_report(mesh, seconds):
     print("%.0f s, %.2f GB at most" % (seconds, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2 ** 20))
 
 
-def colour_of(index):
-    """By the golden ratio around the circle, so that neighbours in number differ, in three strengths."""
-    return colorsys.hsv_to_rgb(index * 0.618 % 1, (0.5, 0.35, 0.6)[index % 3], (0.85, 0.93, 0.72)[index % 3])
-
-
-def colour_by_region(display, mesh, view):
+def colour_by_region(display, view):
     """With the names at the right."""
     simple.ColorBy(display, ("CELLS", "MaterialId"))
-    table = simple.GetColorTransferFunction("MaterialId")
-    labels, names = field_of(mesh, "MaterialIds"), field_of(mesh, "MaterialNames")
-    table.InterpretValuesAsCategories = 1
-    table.Annotations = [text for label, name in zip(labels, names) for text in (str(label), name)]
-    table.IndexedColors = [part for index in range(len(labels)) for part in colour_of(index)]
-    bar = simple.GetScalarBar(table, view)
+    bar = simple.GetScalarBar(simple.GetColorTransferFunction("MaterialId"), view)
     bar.Title, bar.ComponentTitle = "", ""
     bar.LabelColor, bar.LabelFontSize = pictures.TEXT, 12
     bar.TextPosition = "Ticks left/bottom, annotations right/top"
@@ -107,14 +96,14 @@ def colour_by_region(display, mesh, view):
     display.SetScalarBarVisibility(view, True)
 
 
-def save_picture(mesher, mesh, path):
+def save_picture(mesher, path):
     """Both halves, the front one moved forwards."""
     simple._DisableFirstRenderCameraReset()
     view = pictures.make_view(SIZE)
     for side in (-1, 1):
         display = pictures.show(pictures.cut(mesher, CUT, (0, side, 0)), view, edges=False)
         display.Position = (0, GAP, 0) if side > 0 else (0, 0, 0)
-        colour_by_region(display, mesh, view)
+        colour_by_region(display, view)
     bounds = list(mesher.GetDataInformation().GetBounds())
     bounds[3] += GAP
     pictures.aim(view, bounds, CAMERA, 1.45, 0.0)
@@ -144,7 +133,7 @@ def main():
         if arguments.mesh:
             simple.SaveData(arguments.mesh, proxy=mesher)
         if arguments.picture:
-            save_picture(mesher, mesh, arguments.picture)
+            save_picture(mesher, arguments.picture)
 
 
 main()
