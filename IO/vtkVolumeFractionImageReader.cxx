@@ -3,10 +3,10 @@
 #include "Base/Runtime.h"
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
-#include "DealImage.h"
 #include "FailedOutput.h"
 #include "ImageExtent.h"
-#include "ImageFile.h"
+#include "Images/DealImage.h"
+#include "Images/ImageFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"

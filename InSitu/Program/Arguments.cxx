@@ -2,7 +2,7 @@
 
 #include "ArgumentOptions.h"
 #include "FileSuffix.h"
-#include "ImageFile.h"
+#include "Images/ImageFile.h"
 #include "MesherOptions.h"
 #include "ParseText.h"
 #include "ReadInput.h"

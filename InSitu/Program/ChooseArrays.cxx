@@ -1,7 +1,7 @@
 #include "ChooseArrays.h"
 
 #include "Agreement.h"
-#include "ImageFile.h"
+#include "Images/ImageFile.h"
 #include "ParseText.h"
 #include "SpyPlotInput.h"
 #include "Stage.h"

@@ -4,7 +4,7 @@
 #include "Base/Runtime.h"
 #include "ExodusInput.h"
 #include "FileSuffix.h"
-#include "ImageFile.h"
+#include "Images/ImageFile.h"
 #include "ParseText.h"
 #include "ReaderSteps.h"
 #include "SpyPlotInput.h"

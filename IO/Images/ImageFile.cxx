@@ -1,4 +1,4 @@
-#include "ImageFile.h"
+#include "Images/ImageFile.h"
 
 #include "Base/Errors.h"
 #include "FileSuffix.h"

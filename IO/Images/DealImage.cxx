@@ -1,4 +1,4 @@
-#include "DealImage.h"
+#include "Images/DealImage.h"
 
 #include "vtkDataArray.h"
 

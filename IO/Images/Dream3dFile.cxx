@@ -1,5 +1,5 @@
-#include "Hdf5.h"
-#include "ImageFile.h"
+#include "Images/Hdf5.h"
+#include "Images/ImageFile.h"
 #include "OpenFile.h"
 
 #include "vtkDataArray.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/Ranks.h"
-#include "ImageFile.h"
+#include "Images/ImageFile.h"
 
 namespace vfm
 {

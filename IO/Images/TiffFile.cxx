@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
-#include "ImageFile.h"
+#include "Images/ImageFile.h"
+#include "Images/VtkImageFile.h"
 #include "OpenFile.h"
-#include "VtkImageFile.h"
 
 #include "vtkNew.h"
 #include "vtkTIFFReader.h"

@@ -1,4 +1,4 @@
-#include "VtkImageFile.h"
+#include "Images/VtkImageFile.h"
 
 #include "Base/Errors.h"
 #include "OpenFile.h"

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "ImageFile.h"
+#include "Images/ImageFile.h"
 
 class vtkImageReader2;
 

@@ -1,4 +1,4 @@
-#include "NrrdHeader.h"
+#include "Images/NrrdHeader.h"
 
 #include "OpenFile.h"
 

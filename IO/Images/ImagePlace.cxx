@@ -1,4 +1,4 @@
-#include "ImagePlace.h"
+#include "Images/ImagePlace.h"
 
 #include "Base/Errors.h"
 #include "Base/Vector3.h"

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "ImagePlace.h"
+#include "Images/ImagePlace.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
-#include "ImageFile.h"
-#include "NrrdHeader.h"
-#include "VtkImageFile.h"
+#include "Images/ImageFile.h"
+#include "Images/NrrdHeader.h"
+#include "Images/VtkImageFile.h"
 
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"

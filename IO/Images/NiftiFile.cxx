@@ -1,8 +1,8 @@
 #include "Base/Errors.h"
 #include "Base/Vector3.h"
-#include "ImageFile.h"
+#include "Images/ImageFile.h"
+#include "Images/VtkImageFile.h"
 #include "OpenFile.h"
-#include "VtkImageFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
