@@ -36,11 +36,19 @@ std::vector<std::string> ListNames(hid_t file, const std::string& group)
   return names;
 }
 
-bool IsKind(hid_t file, const std::string& path, H5O_type_t kind)
+/// kind: H5I_GROUP or H5I_DATASET.
+bool IsKind(hid_t file, const std::string& path, H5I_type_t kind)
 {
-  H5O_info_t info;
-  return H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0 &&
-    H5Oget_info_by_name(file, path.c_str(), &info, H5P_DEFAULT) >= 0 && info.type == kind;
+  const hid_t item = H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0
+    ? H5Oopen(file, path.c_str(), H5P_DEFAULT)
+    : H5I_INVALID_HID;
+  if (item < 0)
+  {
+    return false;
+  }
+  const bool isKind = H5Iget_type(item) == kind;
+  H5Oclose(item);
+  return isKind;
 }
 
 /// Three numbers of a data set, or of an attribute of a group when it has that name.
@@ -48,7 +56,7 @@ bool ReadThree(hid_t file, const std::string& group, const std::string& name, Ve
 {
   const std::string path = Join(group, name);
   const bool isAttribute = H5Aexists_by_name(file, group.c_str(), name.c_str(), H5P_DEFAULT) > 0;
-  if (!isAttribute && !IsKind(file, path, H5O_TYPE_DATASET))
+  if (!isAttribute && !IsKind(file, path, H5I_DATASET))
   {
     return false;
   }
@@ -86,7 +94,7 @@ bool ReadGeometry(
   }
   for (int a = 0; a < 3; ++a)
   {
-    place.Size[a] = size[a] >= 0.0 && size[a] < 1e9 ? static_cast<Index>(size[a]) : 0;
+    place.Size[a] = ToSize(size[a]);
   }
   if (!ReadThree(file, group, names[1], place.Spacing) ||
     !ReadThree(file, group, names[2], place.Origin))
@@ -103,12 +111,12 @@ void FindGeometries(hid_t file, const std::string& group, int depth, std::vector
   for (const std::string& name : ListNames(file, group))
   {
     const std::string path = Join(group, name), simpl = Join(path, "_SIMPL_GEOMETRY");
-    if (!IsKind(file, path, H5O_TYPE_GROUP))
+    if (!IsKind(file, path, H5I_GROUP))
     {
       continue;
     }
     ImagePlace place;
-    if ((IsKind(file, simpl, H5O_TYPE_GROUP) &&
+    if ((IsKind(file, simpl, H5I_GROUP) &&
           ReadGeometry(file, simpl, { "DIMENSIONS", "SPACING", "ORIGIN" }, place)) ||
       ReadGeometry(file, path, { "_DIMENSIONS", "_SPACING", "_ORIGIN" }, place))
     {
@@ -141,6 +149,33 @@ bool FitsCells(hid_t file, const std::string& path, const Index3& size)
   }
   return std::equal(shape.begin(), shape.end(), size.rbegin(), size.rend(),
     [](hsize_t a, Index b) { return static_cast<Index>(a) == b; });
+}
+
+/// Of values in memory: the array's, and the same to HDF5.
+struct ValueType
+{
+  int Vtk;
+  hid_t Hdf5;
+};
+
+/// One that holds what is stored; of longer whole numbers more than labels may be, so that none becomes another.
+ValueType ChooseType(hid_t stored, const std::string& path)
+{
+  const std::size_t size = H5Tget_size(stored);
+  switch (H5Tget_class(stored))
+  {
+    case H5T_INTEGER:
+    {
+      const bool isLong = size > 4 || (size == 4 && H5Tget_sign(stored) == H5T_SGN_NONE);
+      return isLong ? ValueType{ VTK_LONG_LONG, H5T_NATIVE_LLONG }
+                    : ValueType{ VTK_INT, H5T_NATIVE_INT };
+    }
+    case H5T_FLOAT:
+      return size > 4 ? ValueType{ VTK_DOUBLE, H5T_NATIVE_DOUBLE }
+                      : ValueType{ VTK_FLOAT, H5T_NATIVE_FLOAT };
+    default:
+      throw InputError(path + " holds no numbers.");
+  }
 }
 
 /// With whole names.
@@ -178,12 +213,8 @@ public:
     const Hdf5Handle file = this->Open();
     const Hdf5Handle data(
       H5Dopen2(file, this->Array.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(this->Array));
-    const Hdf5Handle type(H5Dget_type(data), H5Tclose, CannotRead(this->Array));
-    const bool isWhole = H5Tget_class(type) == H5T_INTEGER;
-    if (!isWhole && H5Tget_class(type) != H5T_FLOAT)
-    {
-      throw InputError(this->Array + " holds no numbers.");
-    }
+    const Hdf5Handle storedType(H5Dget_type(data), H5Tclose, CannotRead(this->Array));
+    const ValueType type = ChooseType(storedType, this->Array);
     std::vector<hsize_t> first(GetShape(data).size(), 0), count(first.size(), 1);
     for (int a = 0; a < 3; ++a)
     {
@@ -193,13 +224,11 @@ public:
     const Hdf5Handle stored(H5Dget_space(data), H5Sclose, CannotRead(this->Array));
     const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
       H5Sclose, CannotRead(this->Array));
-    const auto values =
-      vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isWhole ? VTK_INT : VTK_FLOAT));
+    const auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type.Vtk));
     values->SetNumberOfTuples(box.NumberOfCells());
     if (H5Sselect_hyperslab(stored, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
         0 ||
-      H5Dread(data, isWhole ? H5T_NATIVE_INT : H5T_NATIVE_FLOAT, memory, stored, H5P_DEFAULT,
-        values->GetVoidPointer(0)) < 0)
+      H5Dread(data, type.Hdf5, memory, stored, H5P_DEFAULT, values->GetVoidPointer(0)) < 0)
     {
       throw InputError("the values of " + this->Array + " cannot be read.");
     }
@@ -225,7 +254,7 @@ private:
         for (const std::string& name : ListNames(file, Join(geometry.Group, matrix)))
         {
           const std::string path = Join(Join(geometry.Group, matrix), name);
-          if (!IsKind(file, path, H5O_TYPE_DATASET) || !FitsCells(file, path, geometry.Place.Size))
+          if (!IsKind(file, path, H5I_DATASET) || !FitsCells(file, path, geometry.Place.Size))
           {
             continue;
           }

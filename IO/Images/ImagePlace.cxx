@@ -62,6 +62,12 @@ void SetSteps(const std::array<Vector3, 3>& steps, ImagePlace& place)
   }
 }
 
+Index ToSize(double told)
+{
+  constexpr double most = std::numeric_limits<int>::max();
+  return told >= 0.0 && told < most ? static_cast<Index>(told) : 0;
+}
+
 void CheckPlace(const ImagePlace& place)
 {
   for (int a = 0; a < 3; ++a)

@@ -27,6 +27,9 @@ bool AreAtRightAngles(const std::array<Vector3, 3>& steps);
 /// Spacing and axes from steps at right angles; what is left of others after rounding is taken from the second and third.
 void SetSteps(const std::array<Vector3, 3>& steps, ImagePlace& place);
 
+/// The size that a header tells; 0, which CheckPlace refuses, of one that no image can have.
+Index ToSize(double told);
+
 /// Throws InputError on a size below 1 or beyond int, a spacing not above 0, numbers that are not finite.
 void CheckPlace(const ImagePlace& place);
 

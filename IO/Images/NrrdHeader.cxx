@@ -1,5 +1,6 @@
 #include "Images/NrrdHeader.h"
 
+#include "Images/ImagePlace.h"
 #include "OpenFile.h"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ NrrdHeader ReadNrrdHeader(const std::string& path)
   const std::vector<double> sizes = ParseField(fields, "sizes", 3);
   for (std::size_t a = 0; a < 3; ++a)
   {
-    header.Size[a] = sizes[a] >= 0.0 && sizes[a] < 1e9 ? static_cast<Index>(sizes[a]) : 0;
+    header.Size[a] = ToSize(sizes[a]);
   }
   ReadSteps(fields, header);
   const auto encoding = fields.find("encoding");

@@ -21,8 +21,8 @@ struct NrrdHeader
   Vector3 Origin{ { 0.0, 0.0, 0.0 } };
   bool IsRaw = false; ///< else gzip
   Index Length = 0;   ///< of the header, in bytes
-  std::string
-    Values; ///< the file that holds them, or a list or pattern of files; empty: they follow the header
+  /// The file that holds them, or a list or pattern of files; empty: they follow the header.
+  std::string Values;
 };
 
 /// Throws InputError, without the path, when it is no header of a three-dimensional image, and on encodings other than raw and gzip.
