@@ -5,6 +5,8 @@
 
 #include "Base/IndexBox.h"
 
+#include <algorithm>
+
 namespace vfm
 {
 

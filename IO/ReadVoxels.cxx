@@ -2,6 +2,7 @@
 
 #include "OpenFile.h"
 #include "ReadLabelText.h"
+#include "SwapBytes.h"
 #include "VoxelRows.h"
 
 #include "vtkDataArray.h"
@@ -14,16 +15,6 @@ namespace vfm
 {
 namespace
 {
-
-template <class Value>
-Value SwapBytes(Value value)
-{
-  char bytes[sizeof(Value)];
-  std::memcpy(bytes, &value, sizeof(Value));
-  std::reverse(bytes, bytes + sizeof(Value));
-  std::memcpy(&value, bytes, sizeof(Value));
-  return value;
-}
 
 /// Whether values of this type can be no label.
 template <class Stored>

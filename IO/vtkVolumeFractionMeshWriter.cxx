@@ -48,8 +48,8 @@ vtkTypeBool vtkVolumeFractionMeshWriter::ProcessRequest(
 
 int vtkVolumeFractionMeshWriter::Write()
 {
-  this->SetErrorCode(
-    vtkErrorCode::UserError); // until RequestData is called, which it is not where the input failed
+  // Until RequestData is called, which it is not where the input failed.
+  this->SetErrorCode(vtkErrorCode::UserError);
   return this->Superclass::Write();
 }
 

@@ -16,9 +16,9 @@ namespace vfm
 namespace
 {
 
-/// Reads the header. Of a file of both, where the values begin: after the line that says where they are. Throws InputError on numbers of
-/// dimensions that the library would believe.
-double CheckHeader(const std::string& path)
+/// Where the header ends: with the line that tells where the values are. Throws InputError on numbers of dimensions that the library
+/// would believe.
+double FindHeaderEnd(const std::string& path)
 {
   std::ifstream stream = OpenFile(path);
   std::string line;
@@ -38,14 +38,15 @@ double CheckHeader(const std::string& path)
 class MetaImageFile : public VtkImageFile
 {
 public:
-  MetaImageFile(const std::string& path, vtkMetaImageReader* reader) : VtkImageFile(path, reader)
+  MetaImageFile(const std::string& path, double headerEnd, vtkMetaImageReader* reader) :
+    VtkImageFile(path, reader)
   {
     vtkmetaio::MetaImage header; // VTK's reader leaves the directions out
     if (!header.Read(path.c_str(), false))
     {
       throw InputError("its header cannot be read.");
     }
-    this->CheckValues(path, header);
+    this->CheckValues(path, headerEnd, header);
     std::array<Vector3, 3> steps{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
       { { 0.0, 0.0, 1.0 } } } };
     for (int axis = 0; axis < 3; ++axis)
@@ -68,7 +69,8 @@ public:
 
 private:
   /// Files that are cut, which the library reads all the same.
-  void CheckValues(const std::string& path, const vtkmetaio::MetaImage& header) const
+  void CheckValues(
+    const std::string& path, double headerEnd, const vtkmetaio::MetaImage& header) const
   {
     const std::string name = header.ElementDataFileName();
     const bool isLocal = name == "LOCAL" || name == "Local" || name == "local";
@@ -79,8 +81,7 @@ private:
     {
       return; // a list or a pattern of files
     }
-    CheckLength(
-      file, isLocal ? CheckHeader(path) : 0.0, this->CountBytes(), header.CompressedData());
+    CheckLength(file, isLocal ? headerEnd : 0.0, this->CountBytes(), header.CompressedData());
   }
 };
 
@@ -88,9 +89,9 @@ private:
 
 std::unique_ptr<ImageFile> OpenMetaImage(const std::string& path)
 {
-  CheckHeader(path);
+  const double headerEnd = FindHeaderEnd(path);
   vtkNew<vtkMetaImageReader> reader;
-  return std::make_unique<MetaImageFile>(path, reader);
+  return std::make_unique<MetaImageFile>(path, headerEnd, reader);
 }
 
 } // namespace vfm

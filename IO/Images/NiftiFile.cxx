@@ -3,6 +3,7 @@
 #include "Images/ImageFile.h"
 #include "Images/VtkImageFile.h"
 #include "OpenFile.h"
+#include "SwapBytes.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -12,6 +13,7 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iterator>
 #include <zlib.h>
@@ -30,15 +32,9 @@ constexpr int ValueTypes[] = { Header::TypeUInt8, Header::TypeInt8, Header::Type
 template <class Number>
 Number Take(const char* bytes, bool isSwapped)
 {
-  char ordered[sizeof(Number)];
-  std::copy_n(bytes, sizeof(Number), ordered);
-  if (isSwapped)
-  {
-    std::reverse(ordered, ordered + sizeof(Number));
-  }
   Number number;
-  std::memcpy(&number, ordered, sizeof(Number));
-  return number;
+  std::memcpy(&number, bytes, sizeof(Number));
+  return isSwapped ? SwapBytes(number) : number;
 }
 
 /// VTK's reader runs astray on types of values that it does not know.
@@ -79,9 +75,12 @@ public:
         " images (times, or maps of several regions). Save the one that is meant.");
     }
     this->SetPlace(reader->GetSFormMatrix(), reader->GetQFormMatrix());
-    const double slope = reader->GetRescaleSlope();
-    this->Slope = slope == 0.0 ? 1.0 : slope; // 0: values are as they are
-    this->Intercept = slope == 0.0 ? 0.0 : reader->GetRescaleIntercept();
+    const double slope = reader->GetRescaleSlope(), intercept = reader->GetRescaleIntercept();
+    if (slope != 0.0 && std::isfinite(slope) && std::isfinite(intercept)) // else as they are stored
+    {
+      this->Slope = slope;
+      this->Intercept = intercept;
+    }
     this->Parts = reader->GetQFac() > 0.0; // VTK turns the slices of a part wrongly
   }
 

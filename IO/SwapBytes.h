@@ -1,0 +1,22 @@
+/**
+ * SwapBytes: values in the other order of bytes.
+ */
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+
+namespace vfm
+{
+
+template <class Value>
+Value SwapBytes(Value value)
+{
+  char bytes[sizeof(Value)];
+  std::memcpy(bytes, &value, sizeof(Value));
+  std::reverse(bytes, bytes + sizeof(Value));
+  std::memcpy(&value, bytes, sizeof(Value));
+  return value;
+}
+
+} // namespace vfm
