@@ -200,6 +200,14 @@ vtkDataArray* GetLabels(vtkDataSet* grid, const ChosenArrays& arrays)
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 
+/// 0 of void, and of what is no label: that the mesher refuses.
+int GetLabel(vtkDataArray* array, vtkIdType cell)
+{
+  const double value = array->GetComponent(cell, 0);
+  const bool isInt = value > 0.0 && value <= std::numeric_limits<int>::max(); // nor NaN
+  return isInt ? static_cast<int>(value) : 0;
+}
+
 /// Sets labels that are not kept to 0.
 void KeepLabels(vtkDataSet* grid, const ChosenArrays& arrays, const std::set<int>& kept)
 {
@@ -213,7 +221,7 @@ void KeepLabels(vtkDataSet* grid, const ChosenArrays& arrays, const std::set<int
   changed->DeepCopy(array);
   for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
   {
-    if (kept.count(static_cast<int>(array->GetComponent(cell, 0))) == 0)
+    if (kept.count(GetLabel(array, cell)) == 0)
     {
       changed->SetComponent(cell, 0, 0.0);
     }
@@ -363,7 +371,7 @@ std::vector<int> FindLabels(vtkDataObject* data, const ChosenArrays& arrays, Ran
         vtkDataArray* array = GetLabels(grid, arrays);
         for (vtkIdType cell = 0; array && cell < array->GetNumberOfTuples(); ++cell)
         {
-          found.insert(static_cast<int>(array->GetComponent(cell, 0)));
+          found.insert(GetLabel(array, cell));
         }
       }
     });
