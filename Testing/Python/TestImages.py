@@ -181,6 +181,20 @@ def test_volume_fractions(at):
 
 
 @in_folder
+def test_slope_that_is_no_number(at):
+    path = write_nifti(at("a.nii"), LABELS, MIDDLE, slope=(np.nan, np.nan))
+    check_same(merge([mesh_of(read(path), MaterialIdArray="Labels").mesh]), GOLD, path)
+
+
+@in_folder
+def test_values_of_dream3d_keep_their_digits(at):
+    for values in (LABELS + np.uint32(2 ** 31), LABELS + np.int64(2 ** 40), LABELS / 7):
+        it = read(write_dream3d(at("a.dream3d"), values, ORIGIN, SPACING))
+        assert (vtk_to_numpy(it.GetCellData().GetArray("FeatureIds")) == values.ravel()).all(), values.dtype
+    refused(3, "holds 2147483648 in", write_dream3d(at("b.dream3d"), LABELS + np.uint32(2 ** 31), ORIGIN, SPACING), at("out.vtu"))
+
+
+@in_folder
 def test_list(at):
     path = write_nifti(at("a.nii.gz"), LABELS, MIDDLE, OBLIQUE)
     for ranks in (1, 3):
