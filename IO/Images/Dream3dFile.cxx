@@ -151,6 +151,34 @@ bool FitsCells(hid_t file, const std::string& path, const Index3& size)
     [](hsize_t a, Index b) { return static_cast<Index>(a) == b; });
 }
 
+struct CellArray
+{
+  std::string Path;
+  ImagePlace Place;
+};
+
+/// Of all grids, with one value a cell.
+std::vector<CellArray> ListCellArrays(hid_t file, const std::vector<Geometry>& geometries)
+{
+  std::vector<CellArray> found;
+  for (const Geometry& geometry : geometries)
+  {
+    for (const std::string& matrix : ListNames(file, geometry.Group))
+    {
+      const std::string group = Join(geometry.Group, matrix);
+      for (const std::string& name : ListNames(file, group))
+      {
+        const std::string path = Join(group, name);
+        if (IsKind(file, path, H5I_DATASET) && FitsCells(file, path, geometry.Place.Size))
+        {
+          found.push_back({ path, geometry.Place });
+        }
+      }
+    }
+  }
+  return found;
+}
+
 /// Of values in memory: the array's, and the same to HDF5.
 struct ValueType
 {
@@ -202,7 +230,7 @@ public:
       throw InputError("it holds no image geometry of DREAM.3D 6 (/DataContainers) or DREAM3D-NX "
                        "(/DataStructure).");
     }
-    this->Choose(file, geometries, array);
+    this->Choose(ListCellArrays(file, geometries), array);
     this->OfCells = true;
     this->Parts = true;
   }
@@ -243,45 +271,31 @@ private:
       "it is no HDF5 file, or damaged." };
   }
 
-  /// The one array of that name.
-  void Choose(hid_t file, const std::vector<Geometry>& geometries, const std::string& array)
+  /// The one of that name.
+  void Choose(const std::vector<CellArray>& arrays, const std::string& name)
   {
-    std::vector<std::string> others;
-    for (const Geometry& geometry : geometries)
+    std::string others;
+    for (const CellArray& array : arrays)
     {
-      for (const std::string& matrix : ListNames(file, geometry.Group))
+      if (!EndsWith(array.Path, name))
       {
-        for (const std::string& name : ListNames(file, Join(geometry.Group, matrix)))
-        {
-          const std::string path = Join(Join(geometry.Group, matrix), name);
-          if (!IsKind(file, path, H5I_DATASET) || !FitsCells(file, path, geometry.Place.Size))
-          {
-            continue;
-          }
-          if (!EndsWith(path, array))
-          {
-            others.push_back(name);
-            continue;
-          }
-          if (!this->Array.empty())
-          {
-            throw InputError("it holds two cell arrays " + array + ": " + this->Array + " and " +
-              path + ". Name the one that is meant by its path.");
-          }
-          this->Array = path;
-          this->Where = geometry.Place;
-        }
+        others += (others.empty() ? "" : ", ") + array.Path.substr(array.Path.rfind('/') + 1);
+      }
+      else if (this->Array.empty())
+      {
+        this->Array = array.Path;
+        this->Where = array.Place;
+      }
+      else
+      {
+        throw InputError("it holds two cell arrays " + name + ": " + this->Array + " and " +
+          array.Path + ". Name the one that is meant by its path.");
       }
     }
     if (this->Array.empty())
     {
-      std::string text;
-      for (const std::string& other : others)
-      {
-        text += (text.empty() ? "" : ", ") + other;
-      }
-      throw InputError("it holds no cell array '" + array +
-        "' of one value a cell. Others are: " + (text.empty() ? "none" : text) + ".");
+      throw InputError("it holds no cell array '" + name +
+        "' of one value a cell. Others are: " + (others.empty() ? "none" : others) + ".");
     }
   }
 
