@@ -19,7 +19,7 @@ struct InputPart
   std::string Name; ///< for messages
   bool IsPiece;     ///< of an input that is dealt to several ranks: it may be flat or empty
 
-  /// Whether it has points.
+  /// What has none has no cells either, and on a rank that has nothing may be without all else.
   bool HasPoints() const;
 };
 

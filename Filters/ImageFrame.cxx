@@ -18,22 +18,6 @@ constexpr double Orthonormal = 1e-5; // products of axes; files hold them in sin
 
 using Axes = std::array<double, 9>;
 
-/// Axes and origin of an image, as a list that sorts.
-struct FrameOfPart
-{
-  Axes Matrix;
-  Vector3 Origin;
-
-  bool operator<(const FrameOfPart& other) const
-  {
-    return this->Matrix != other.Matrix ? this->Matrix < other.Matrix : this->Origin < other.Origin;
-  }
-  bool operator==(const FrameOfPart& other) const
-  {
-    return this->Matrix == other.Matrix && this->Origin == other.Origin;
-  }
-};
-
 Vector3 Column(const Axes& axes, int c)
 {
   return { { axes[c], axes[3 + c], axes[6 + c] } };
@@ -71,8 +55,8 @@ void CheckAxes(const Axes& axes, const std::string& name)
   }
 }
 
-template <class Value>
-void SwapCorners(Buffer<Index>& elements, int corners, const Value& swap)
+template <class Swap>
+void SwapCorners(Buffer<Index>& elements, int corners, const Swap& swap)
 {
   for (std::size_t e = 0; e < elements.size(); e += corners)
   {
@@ -80,7 +64,7 @@ void SwapCorners(Buffer<Index>& elements, int corners, const Value& swap)
   }
 }
 
-/// Elements and facets turned inside out.
+/// Turns elements and facets inside out.
 void ReverseCorners(Mesh& mesh)
 {
   if (mesh.Corners == 8)
@@ -95,6 +79,22 @@ void ReverseCorners(Mesh& mesh)
   const int corners = mesh.CornersOfFacet();
   SwapCorners(mesh.Surfaces.Points, corners,
     [corners](Index* facet) { std::swap(facet[1], facet[corners - 1]); });
+}
+
+ImageFrame FrameOf(const InputPart& part)
+{
+  ImageFrame frame;
+  vtkImageData* image = vtkImageData::SafeDownCast(part.Data);
+  if (image)
+  {
+    std::copy_n(image->GetDirectionMatrix()->GetData(), 9, frame.Axes.begin());
+    CheckAxes(frame.Axes, part.Name);
+  }
+  if (!frame.IsIdentity()) // else the origin plays no part
+  {
+    std::copy_n(image->GetOrigin(), 3, frame.Origin.begin());
+  }
+  return frame;
 }
 
 } // namespace
@@ -134,26 +134,18 @@ Vector3 ImageFrame::OriginOf(vtkImageData* image) const
 
 ImageFrame FindImageFrame(const std::vector<InputPart>& parts, Ranks& ranks)
 {
-  std::vector<FrameOfPart> frames;
+  std::vector<ImageFrame> frames;
   bool isTurned = false;
   WorkTogether(ranks,
     [&]
     {
       for (const InputPart& part : parts)
       {
-        FrameOfPart frame{ ImageFrame().Axes, {} };
-        if (vtkImageData* image = vtkImageData::SafeDownCast(part.Data))
+        if (part.HasPoints()) // a rank without cells may have no matrix either
         {
-          std::copy_n(image->GetDirectionMatrix()->GetData(), 9, frame.Matrix.begin());
-          std::copy_n(image->GetOrigin(), 3, frame.Origin.begin());
-          CheckAxes(frame.Matrix, part.Name);
+          frames.push_back(FrameOf(part));
+          isTurned = isTurned || !frames.back().IsIdentity();
         }
-        if (frame.Matrix == ImageFrame().Axes)
-        {
-          frame.Origin = {}; // plays no part
-        }
-        isTurned = isTurned || frame.Matrix != ImageFrame().Axes;
-        frames.push_back(frame);
       }
     });
   if (!ranks.Any(isTurned))
@@ -161,13 +153,14 @@ ImageFrame FindImageFrame(const std::vector<InputPart>& parts, Ranks& ranks)
     return {};
   }
   frames = Unite(ranks, std::move(frames));
-  if (frames.front().Matrix != frames.back().Matrix)
+  const ImageFrame &first = frames.front(), &last = frames.back();
+  if (first.Axes != last.Axes)
   {
     throw InputError("Blocks of the input have different direction matrices, " +
-      TextOf(frames.front().Matrix) + " and " + TextOf(frames.back().Matrix) +
+      TextOf(first.Axes) + " and " + TextOf(last.Axes) +
       ": all must have the same, to lie on one grid.");
   }
-  return { frames.front().Matrix, frames.front().Origin };
+  return first;
 }
 
 void TurnMesh(const ImageFrame& frame, Mesh& mesh)

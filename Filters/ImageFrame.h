@@ -27,6 +27,15 @@ struct ImageFrame
   std::array<double, 9> Axes{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; ///< row by row, as VTK's
   Vector3 Origin{ { 0.0, 0.0, 0.0 } };                         ///< stays in its place
 
+  bool operator==(const ImageFrame& other) const
+  {
+    return this->Axes == other.Axes && this->Origin == other.Origin;
+  }
+  /// By axes first.
+  bool operator<(const ImageFrame& other) const
+  {
+    return this->Axes != other.Axes ? this->Axes < other.Axes : this->Origin < other.Origin;
+  }
   bool IsIdentity() const { return this->Axes == ImageFrame().Axes; }
   /// Whether each axis of the images lies along one of space.
   bool IsAligned() const;

@@ -10,7 +10,7 @@ import traceback
 
 import numpy as np
 from paraview import simple
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
@@ -277,6 +277,8 @@ def test_points():
             check(case, point_blocks(CASES[case], split), "points, " + split)
     turned = simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, "ball_and_plate turned.vti")])
     check("ball_and_plate", turned, "pieces of points", "turned")
+    whole = at_points(image(CASES["ball_and_plate"]), MIRROR)
+    check("ball_and_plate", producer(whole if RANK == RANKS - 1 else vtkImageData()), "a whole and empty images", "turned")
     for case, method, _ in TET_CASES[:2]:
         check(case, point_blocks(CASES[case], "shared planes"), "points", Method=method)
 
