@@ -8,6 +8,7 @@
 #include "Tet/TetFacets.h"
 #include "Tet/TetImprove.h"
 
+#include <functional>
 #include <memory>
 #include <numeric>
 
@@ -303,7 +304,7 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
   for (const Part& part : FindParts(mesh, grid))
   {
     const double weight = share * static_cast<double>(part.Tets.size());
-    TetGenFill fill = FillWithTetGen(part.Surface, options.TetGen, sizes,
+    TetGenFill fill = FillWithTetGen(part.Surface, options.TetGen, std::cref(sizes),
       [&](double fraction) { progress(done + weight * FillShare * fraction); });
     if (fill.Refusal.empty())
     {

@@ -16,7 +16,8 @@ namespace vfm
 {
 
 /// mesh: of Cells, smoothed, the tets of this rank only. What TetGen refuses stays as it is and is counted in
-/// report.RefusedParts. progress: of all parts of this rank; Aborted that it throws ends the work. New points get ids after those of Cells, all tets ids from 1, both by rank. Collective.
+/// report.RefusedParts. New points get ids after those of Cells, all tets ids from 1, both by rank. progress: of all parts of this
+/// rank; Aborted that it throws ends the work. Collective.
 void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
   const MeshOptions& options, const FillProgress& progress, Ranks& ranks, MeshReport& report);
 
