@@ -34,6 +34,18 @@ std::string Trim(const std::string& text)
                                     : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
 }
 
+/// The words of a text, which may fill several lines, with a blank between.
+std::string JoinWords(const std::string& text)
+{
+  std::istringstream words(text);
+  std::string joined;
+  for (std::string word; words >> word;)
+  {
+    joined += (joined.empty() ? "" : " ") + word;
+  }
+  return joined;
+}
+
 /// A whole number that fills the text.
 std::optional<int> ParseLabel(const std::string& text)
 {
@@ -65,8 +77,7 @@ struct Row
 {
   int Line = 0, Label = 0;
   std::string Name;
-  std::string
-    Word; ///< the name without numbers that follow it; empty: it is not that of one word and numbers
+  std::string Word;        ///< of what is one word and numbers; else empty
   std::size_t Numbers = 0; ///< that follow the word
 };
 
@@ -95,7 +106,7 @@ void Table::Refuse(int line, const std::string& problem) const
     (line > 0 ? ", line " + std::to_string(line) : "") + ": " + problem);
 }
 
-/// The part of what follows the label that is its name; end: what ends it, as it stands before it.
+/// The name in what follows the label; end: what parts it from what follows.
 std::string FindName(const std::string& rest, char end)
 {
   const std::size_t quote = rest.find('"'), last = rest.rfind('"');
@@ -209,7 +220,7 @@ LabelNames Table::MakeNames()
   return names;
 }
 
-/// An atlas of FSL: labels are in document order, indices in an attribute.
+/// An atlas of FSL: the index is an attribute of a label's element, the name its text.
 void Table::ReadXml()
 {
   vtkNew<vtkXMLDataParser> parser;
@@ -237,7 +248,7 @@ void Table::ReadXml()
     Row row;
     row.Line = i + 1;
     row.Label = *label + (isOfProbabilities ? 1 : 0);
-    row.Name = Trim(name);
+    row.Name = JoinWords(name);
     this->Add(row);
   }
 }

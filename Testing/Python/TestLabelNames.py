@@ -21,7 +21,7 @@ TABLES = {
     "ITK-SNAP": '################\n    0     0    0    0        0  0  0    "Clear Label"\n'
                 '    3   255    0    0        1  1  1    "Frontal Pole"\n    7     0  255    0      0.5  1  1    "Insula"\n',
     "XML": '<?xml version="1.0" encoding="ISO-8859-1"?>\n<atlas version="1.0"><header><name>A</name><type>Probabilistic</type></header>\n'
-           '<data><label index="2" x="48" y="94" z="35">Frontal Pole</label>\n<label index="6" x="1" y="2" z="3">Insula</label>\n'
+           '<data><label index="2" x="48" y="94" z="35">Frontal\n  Pole</label>\n<label index="6" x="1" y="2" z="3">Insula</label>\n'
            "</data></atlas>\n",
     "XML of labels": '<atlas><header><type>Label</type></header><data>\n<label index="3">Frontal Pole</label>\n'
                      '<label index="7">Insula</label></data></atlas>\n',
