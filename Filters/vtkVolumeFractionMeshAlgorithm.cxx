@@ -63,8 +63,8 @@ void LogTraffic(const vfm::MessageRanks& ranks)
     static_cast<long long>(sent.GatheredBytes), static_cast<long long>(sent.Gathers));
 }
 
-/// Collective: the choice of all ranks between neighbours that are known and cells that are shared out.
-bool AgreeOn(bool knowsNeighbours, vfm::Ranks& ranks)
+/// Collective: throws unless all ranks choose the same, neighbours that are known or cells that are shared out.
+void AgreeOn(bool knowsNeighbours, vfm::Ranks& ranks)
 {
   std::vector<vfm::Index> count{ knowsNeighbours ? 1 : 0 };
   ranks.Sum(count);
@@ -73,7 +73,6 @@ bool AgreeOn(bool knowsNeighbours, vfm::Ranks& ranks)
     throw vfm::InputError("Only " + std::to_string(count[0]) + " of " +
       std::to_string(ranks.Count()) + " ranks name their face neighbours. All must, or none.");
   }
-  return knowsNeighbours;
 }
 
 } // namespace
@@ -243,10 +242,7 @@ vfm::InputWishes vtkVolumeFractionMeshAlgorithm::FindWishes(
     }
   }
   const vfm::InputWishes wishes = vfm::FindInputWishes(input, array, boxes, ranks);
-  if (ranks.Rank() == 0 && !wishes.Warning.empty())
-  {
-    vtkWarningMacro(<< wishes.Warning);
-  }
+  this->Warn(wishes.Warning, ranks);
   return wishes;
 }
 
@@ -259,10 +255,7 @@ vfm::LevelSetup vtkVolumeFractionMeshAlgorithm::SetUpLevels(
     : vfm::AnyLevel;
   const vfm::LevelSetup setup = vfm::DecideLevels(static_cast<vfm::Refinement>(this->Refinement),
     this->MaximumLevel, input.Levels[0].Coordinates, input.Finest(), alignment, wishes.Finest);
-  if (ranks.Rank() == 0 && !setup.Warning.empty())
-  {
-    vtkWarningMacro(<< setup.Warning);
-  }
+  this->Warn(setup.Warning, ranks);
   return setup;
 }
 
@@ -304,25 +297,60 @@ vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& set
   return plan;
 }
 
+/// On the first rank, unless the text is empty.
+void vtkVolumeFractionMeshAlgorithm::Warn(const std::string& text, const vfm::Ranks& ranks) const
+{
+  if (ranks.Rank() == 0 && !text.empty())
+  {
+    vtkWarningMacro(<< text);
+  }
+}
+
+/// Of what may surprise in the mesh.
+void vtkVolumeFractionMeshAlgorithm::WarnOfMesh(
+  const vfm::MeshReport& report, const vfm::InputField& field, const vfm::Ranks& ranks) const
+{
+  const vfm::MendedCells& mended = field.Mended;
+  if (mended.Clipped > 0)
+  {
+    this->Warn("Volume fractions of " + std::to_string(mended.Clipped) +
+        " cells lay outside [0, 1] and were clipped.",
+      ranks);
+  }
+  if (mended.Normalised > 0)
+  {
+    this->Warn("The volume fractions of " + std::to_string(mended.Normalised) +
+        " cells sum to slightly more than 1 and were scaled back.",
+      ranks);
+  }
+  const bool isEmpty = std::all_of(report.Materials.begin(), report.Materials.end(),
+    [](const vfm::MeshReport::Material& material) { return material.Elements == 0; });
+  this->Warn(isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
+                     : vfm::DescribeLostMaterials(report, field.Table),
+    ranks);
+}
+
+/// Collective.
+vfm::InputLevels vtkVolumeFractionMeshAlgorithm::FindLevels(
+  vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const
+{
+  AgreeOn(this->HasFaceNeighbours, ranks);
+  return this->HasFaceNeighbours
+    ? vfm::FindNeighbourLevels(input, arrays, this->FaceNeighbours, ranks)
+    : vfm::FindInputLevels(input, arrays, ranks);
+}
+
 void vtkVolumeFractionMeshAlgorithm::Run(
   vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
 {
   vtkUnstructuredGrid* output = outputs.Mesh;
-  const std::string missing = vfm::DescribeMissingLevels(input, ranks);
-  if (ranks.Rank() == 0 && !missing.empty())
-  {
-    vtkWarningMacro(<< missing);
-  }
+  this->Warn(vfm::DescribeMissingLevels(input, ranks), ranks);
   const vfm::MaterialArrays materials = this->FindMaterials(input, ranks);
-  const vfm::ArraysToRead arrays = this->ListArrays(materials);
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
   const vfm::LabelNames names =
     vfm::ShareLabelNames(materials.HasLabels() ? this->LabelNamesFile : "", ranks);
-  const bool knowsNeighbours = AgreeOn(this->HasFaceNeighbours, ranks);
-  const vfm::InputLevels levels = knowsNeighbours
-    ? vfm::FindNeighbourLevels(input, arrays, this->FaceNeighbours, ranks)
-    : vfm::FindInputLevels(input, arrays, ranks);
+  const vfm::InputLevels levels = this->FindLevels(input, this->ListArrays(materials), ranks);
   const vfm::LevelCells cells = materials.HasLabels()
     ? vfm::OpenLabels(levels.Levels, materials.Labels.Name, ranks)
     : vfm::OpenFractions(
@@ -330,8 +358,9 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   const vfm::StateArrays states(levels, this->StateArrays, ranks);
   vfm::InputWishes wishes = this->FindWishes(levels, ranks);
   const vfm::LevelSetup setup = this->SetUpLevels(levels, wishes, ranks);
-  const std::vector<vfm::BlockPlace> owners =
-    knowsNeighbours ? levels.Levels[0].Places : vfm::ShareOutCells(levels, cells, setup, ranks);
+  const std::vector<vfm::BlockPlace> owners = this->HasFaceNeighbours
+    ? levels.Levels[0].Places
+    : vfm::ShareOutCells(levels, cells, setup, ranks);
   wishes = vfm::ShareOutWishes(wishes, levels, owners, ranks);
   vfm::LevelFields fields = vfm::MakeLevelFields(
     levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
@@ -368,28 +397,8 @@ void vtkVolumeFractionMeshAlgorithm::Run(
         output->GetCellData()->AddArray(array);
       }
     });
-  std::vector<vfm::Index> numberOfCells{ output->GetNumberOfCells() };
-  ranks.Sum(numberOfCells);
   LogTraffic(ranks);
-  if (ranks.Rank() == 0 && field.Mended.Clipped > 0)
-  {
-    vtkWarningMacro(<< "Volume fractions of " << field.Mended.Clipped
-                    << " cells lay outside [0, 1] and were clipped.");
-  }
-  if (ranks.Rank() == 0 && field.Mended.Normalised > 0)
-  {
-    vtkWarningMacro(<< "The volume fractions of " << field.Mended.Normalised
-                    << " cells sum to slightly more than 1 and were scaled back.");
-  }
-  if (ranks.Rank() == 0 && numberOfCells[0] == 0)
-  {
-    vtkWarningMacro("The mesh is empty: no cell is filled by its materials to the iso value.");
-  }
-  const std::string lost = vfm::DescribeLostMaterials(report, field.Table);
-  if (ranks.Rank() == 0 && numberOfCells[0] > 0 && !lost.empty())
-  {
-    vtkWarningMacro(<< lost);
-  }
+  this->WarnOfMesh(report, field, ranks);
 }
 
 void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

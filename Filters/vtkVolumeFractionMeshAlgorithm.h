@@ -51,6 +51,7 @@ class FractionField;
 class MessageRanks;
 class Ranks;
 class Runtime;
+struct InputField;
 struct InputLevels;
 struct MaterialArrays;
 struct InputWishes;
@@ -408,7 +409,7 @@ protected:
   vtkMultiProcessController* Controller = nullptr;
   std::vector<vfm::ChosenArray> VolumeFractionArrays;
   int WordAssociation = vfm::AnyAssociation; // of the words to come
-  vfm::ChosenArray MaterialIdArray{ "", vfm::AnyAssociation };
+  vfm::ChosenArray MaterialIdArray;
   std::vector<std::string> StateArrays;
   double IsoValue = 0.5;
   double FractionTolerance = 1e-6;
@@ -447,6 +448,11 @@ private:
   vfm::MeshOptions GetOptions() const;
   vfm::RemovedRegions PrepareFractions(
     vfm::LevelFields& fields, bool areLabels, vfm::Runtime& runtime);
+  void Warn(const std::string& text, const vfm::Ranks& ranks) const;
+  void WarnOfMesh(
+    const vfm::MeshReport& report, const vfm::InputField& field, const vfm::Ranks& ranks) const;
+  vfm::InputLevels FindLevels(
+    vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const;
   vfm::InputWishes FindWishes(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
   vfm::LevelSetup SetUpLevels(
     const vfm::InputLevels& input, const vfm::InputWishes& wishes, vfm::Ranks& ranks) const;
