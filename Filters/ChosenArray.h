@@ -16,7 +16,7 @@ constexpr int AnyAssociation = -1;
 struct ChosenArray
 {
   std::string Name;
-  int Association; ///< vtkDataObject::FIELD_ASSOCIATION_CELLS, _POINTS, or AnyAssociation
+  int Association = AnyAssociation; ///< or vtkDataObject::FIELD_ASSOCIATION_CELLS, _POINTS
 
   bool operator==(const ChosenArray& other) const
   {

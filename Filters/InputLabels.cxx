@@ -5,6 +5,7 @@
 #include "Base/Runtime.h"
 #include "InputArrays.h"
 #include "InputFields.h"
+#include "MaterialGuess.h"
 
 #include <limits>
 #include <sstream>
@@ -32,11 +33,6 @@ int CheckedLabel(Value value, const std::string& name, const Index3& first, Inde
     throw InputError(text.str());
   }
   return static_cast<int>(value);
-}
-
-bool HoldsReals(vtkDataArray* array)
-{
-  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
 }
 
 /// Calls visit(first cell, count) for the rows of a box, cut where they are long.
@@ -115,7 +111,7 @@ std::vector<int> LabelCells::FindLabels() const
   std::unordered_set<int> found{ 0 };
   for (std::size_t b = 0; b < this->Arrays.size(); ++b)
   {
-    if (HoldsReals(this->Arrays[b]))
+    if (IsRealType(this->Arrays[b]->GetDataType()))
     {
       this->FindLabels<double>(b, found);
     }

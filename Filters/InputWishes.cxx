@@ -50,7 +50,11 @@ void CheckBoxes(const std::vector<RefinementBox>& boxes)
 /// Boxes in the own axes of images (ImageFrame).
 std::vector<RefinementBox> TurnBoxes(std::vector<RefinementBox> boxes, const ImageFrame& frame)
 {
-  if (!boxes.empty() && !frame.IsAligned())
+  if (boxes.empty() || frame.IsIdentity())
+  {
+    return boxes;
+  }
+  if (!frame.IsAligned())
   {
     throw InputError(
       "Refinement boxes have sides along x, y and z, and the image is turned against "
@@ -59,7 +63,7 @@ std::vector<RefinementBox> TurnBoxes(std::vector<RefinementBox> boxes, const Ima
   for (RefinementBox& box : boxes)
   {
     const Vector3 a = frame.ToOwn(box.Lower), b = frame.ToOwn(box.Upper);
-    for (int axis = 0; axis < 3 && !frame.IsIdentity(); ++axis)
+    for (int axis = 0; axis < 3; ++axis)
     {
       box.Lower[axis] = std::min(a[axis], b[axis]);
       box.Upper[axis] = std::max(a[axis], b[axis]);

@@ -181,9 +181,7 @@ MaterialArrays KeepOneRole(vtkDataObject* input, MaterialArrays chosen, Ranks& r
   const ArrayList list = FindArrays(input, ranks);
   for (const auto& array : list.Get())
   {
-    isReal = isReal ||
-      (array.first.first == chosen.Labels.Name &&
-        (array.second.Type == VTK_FLOAT || array.second.Type == VTK_DOUBLE));
+    isReal = isReal || (array.first.first == chosen.Labels.Name && IsRealType(array.second.Type));
   }
   return isReal ? MaterialArrays{ {}, chosen.Labels } : MaterialArrays{ chosen.Fractions, {} };
 }

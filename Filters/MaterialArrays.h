@@ -20,7 +20,7 @@ namespace vfm
 struct MaterialArrays
 {
   std::vector<ChosenArray> Fractions;
-  ChosenArray Labels{ "", AnyAssociation }; ///< without a name: none
+  ChosenArray Labels; ///< without a name: none
 
   bool HasLabels() const { return !this->Labels.Name.empty(); }
 };

@@ -42,11 +42,17 @@ enum class MaterialGuess
   Unclear   ///< one or the other
 };
 
-/// type: VTK_DOUBLE and the like, of an array of one component.
+/// type: VTK_DOUBLE and the like.
+inline bool IsRealType(int type)
+{
+  return type == VTK_FLOAT || type == VTK_DOUBLE;
+}
+
+/// Of an array of one component.
 inline MaterialGuess GuessMaterial(int type, double least, double most)
 {
   constexpr double rounding = 1e-6, mostOfBytes = 255.0;
-  if (type == VTK_FLOAT || type == VTK_DOUBLE)
+  if (IsRealType(type))
   {
     const bool areFractions = least >= -rounding && most <= 1.0 + rounding;
     return areFractions ? MaterialGuess::Fraction : MaterialGuess::Nothing;

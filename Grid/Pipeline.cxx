@@ -318,8 +318,7 @@ void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, Me
   report.FragmentTargetVolume = Multiplied(volumes.FragmentTargets(), cellVolume);
   for (Index fragments : volumes.MaterialFragments())
   {
-    report.Materials.emplace_back();
-    report.Materials.back().Fragments = fragments;
+    report.Materials.push_back({ 0, fragments });
   }
 }
 

@@ -49,7 +49,7 @@ private:
   void CheckInput(vtkInformationVector** inInfo, const Ranks& ranks);
   void Tell(const char* text, bool isShown);
 
-  GetController Controller;
+  GetController Controller = [] { return nullptr; };
   bool HasInputFailed = false; // since data were asked for
   bool IsDataNeeded = false;   // in the present request
   bool HasJoined = false;      // the others, in the present request

@@ -2,6 +2,8 @@
 
 #include "Base/ExactSum.h"
 
+#include <algorithm>
+
 namespace vfm
 {
 namespace

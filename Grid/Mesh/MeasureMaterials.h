@@ -10,8 +10,8 @@
 namespace vfm
 {
 
-/// Fills Elements, and MinimumScaledJacobian and MeanScaledJacobian where the mesh has them, of report.Materials: of the elements of all
-/// ranks, which each are on one. Takes 32 bytes a material. Collective.
+/// Sets Elements, and MinimumScaledJacobian and MeanScaledJacobian where they are computed, of report.Materials, which ReportVolumes
+/// makes: of the elements of all ranks, each of which is on one. Collective.
 void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report);
 
 } // namespace vfm
