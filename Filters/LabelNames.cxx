@@ -72,10 +72,11 @@ bool IsTitle(std::string word)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// A line of the table.
+/// A line of the table, or an element.
 struct Row
 {
-  int Line = 0, Label = 0;
+  int Place = 0; ///< in the file, from 1
+  int Label = 0;
   std::string Name;
   std::string Word;        ///< of what is one word and numbers; else empty
   std::size_t Numbers = 0; ///< that follow the word
@@ -92,18 +93,20 @@ public:
   LabelNames MakeNames();
 
 private:
-  [[noreturn]] void Refuse(int line, const std::string& problem) const;
+  std::string NameRow(int number) const { return this->Unit + std::to_string(number); }
+  [[noreturn]] void Refuse(int number, const std::string& problem) const;
   void ReadLine(const std::string& line, int number);
   bool HasColumnsOfNumbers() const;
 
-  std::string Path;
+  std::string Path, Unit = "line ";
   std::vector<Row> Rows;
 };
 
-void Table::Refuse(int line, const std::string& problem) const
+/// number: of a row; 0: the whole table.
+void Table::Refuse(int number, const std::string& problem) const
 {
   throw InputError("Cannot read the names of labels from " + this->Path +
-    (line > 0 ? ", line " + std::to_string(line) : "") + ": " + problem);
+    (number > 0 ? ", " + this->NameRow(number) : "") + ": " + problem);
 }
 
 /// The name in what follows the label; end: what parts it from what follows.
@@ -133,7 +136,7 @@ void Table::ReadLine(const std::string& line, int number)
         std::to_string(std::numeric_limits<int>::max()) + ".");
   }
   Row row;
-  row.Line = number;
+  row.Place = number;
   row.Label = *label;
   const std::size_t next = line.find_first_not_of(" \t", end);
   const bool isParted = next != std::string::npos && (line[next] == ',' || line[next] == ';');
@@ -194,26 +197,26 @@ LabelNames Table::MakeNames()
     this->Refuse(0, "it holds none.");
   }
   const bool isWord = this->HasColumnsOfNumbers();
-  std::map<int, int> lines;
+  std::map<int, int> places;
   std::map<std::string, const Row*> named;
   LabelNames names;
   for (Row& row : this->Rows)
   {
     row.Name = isWord ? row.Word : row.Name;
-    const auto label = lines.emplace(row.Label, row.Line);
+    const auto label = places.emplace(row.Label, row.Place);
     if (!label.second)
     {
-      this->Refuse(row.Line,
-        "label " + std::to_string(row.Label) + " is in line " +
-          std::to_string(label.first->second) + " too.");
+      this->Refuse(row.Place,
+        "label " + std::to_string(row.Label) + " is in " + this->NameRow(label.first->second) +
+          " too.");
     }
     const auto name = named.emplace(row.Name, &row);
     if (!name.second)
     {
-      this->Refuse(row.Line,
-        "the name '" + row.Name + "' is that of label " +
-          std::to_string(name.first->second->Label) + " in line " +
-          std::to_string(name.first->second->Line) + " too.");
+      const Row& other = *name.first->second;
+      this->Refuse(row.Place,
+        "the name '" + row.Name + "' is that of label " + std::to_string(other.Label) + " in " +
+          this->NameRow(other.Place) + " too.");
     }
     names[row.Label] = row.Name;
   }
@@ -223,6 +226,7 @@ LabelNames Table::MakeNames()
 /// An atlas of FSL: the index is an attribute of a label's element, the name its text.
 void Table::ReadXml()
 {
+  this->Unit = "element ";
   vtkNew<vtkXMLDataParser> parser;
   vtkNew<vtkCallbackCommand> quiet; // what is wrong is told below
   parser->AddObserver(vtkCommand::ErrorEvent, quiet);
@@ -243,10 +247,10 @@ void Table::ReadXml()
     const std::optional<int> label = ParseLabel(index ? index : "");
     if (!label || *label == std::numeric_limits<int>::max() || !name || Trim(name).empty())
     {
-      this->Refuse(0, "element " + std::to_string(i + 1) + " of its data has no index or no name.");
+      this->Refuse(i + 1, "it has no index or no name.");
     }
     Row row;
-    row.Line = i + 1;
+    row.Place = i + 1;
     row.Label = *label + (isOfProbabilities ? 1 : 0);
     row.Name = JoinWords(name);
     this->Add(row);

@@ -70,7 +70,9 @@ def test_refused(at):
             ("", "the file is empty"), ("# nothing\n", "it holds none"),
             ("<html><p>x</html>\n", "it is no XML file of an atlas"),
             ("<atlas><header><type>Label</type></header><data><label>A</label></data></atlas>\n",
-             "element 1 of its data has no index or no name")):
+             "element 1: it has no index or no name"),
+            ("<atlas><header><type>Label</type></header><data><label index='3'>A</label><label index='3'>B</label></data></atlas>\n",
+             "element 2: label 3 is in element 1 too")):
         result = run(DATA, MaterialIdArray="id", LabelNames=save(at("names"), text.encode()))
         assert len(result.errors) == 1 and problem in result.errors[0], (text, result.errors)
         assert result.mesh.GetNumberOfCells() == 0
