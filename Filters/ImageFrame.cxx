@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr double Orthonormal = 1e-5; // products of axes; files hold them in single precision
+constexpr double Rounding = 1e-6;    // of an element, in single precision
 
 using Axes = std::array<double, 9>;
 
@@ -101,8 +102,8 @@ ImageFrame FrameOf(const InputPart& part)
 
 bool ImageFrame::IsAligned() const
 {
-  return std::all_of(
-    this->Axes.begin(), this->Axes.end(), [](double x) { return x == 0.0 || std::fabs(x) == 1.0; });
+  return std::all_of(this->Axes.begin(), this->Axes.end(),
+    [](double x) { return std::min(std::fabs(x), std::fabs(std::fabs(x) - 1.0)) <= Rounding; });
 }
 
 bool ImageFrame::IsMirrored() const

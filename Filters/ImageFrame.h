@@ -37,7 +37,7 @@ struct ImageFrame
     return this->Axes != other.Axes ? this->Axes < other.Axes : this->Origin < other.Origin;
   }
   bool IsIdentity() const { return this->Axes == ImageFrame().Axes; }
-  /// Whether each axis of the images lies along one of space.
+  /// Whether each axis of the images lies along one of space, but for rounding.
   bool IsAligned() const;
   bool IsMirrored() const;
   Vector3 ToSpace(const Vector3& own) const;
