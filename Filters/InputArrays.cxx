@@ -23,14 +23,15 @@ std::string ArrayNames(vtkDataSetAttributes* attributes)
   return names.empty() ? "none" : names;
 }
 
-} // namespace
-
+/// Whether the array of that name numbers cells or points, by its name or as an attribute of VTK.
 bool HoldsIds(vtkDataSetAttributes* attributes, const std::string& name)
 {
   vtkAbstractArray* array = attributes->GetAbstractArray(name.c_str());
   return IsIdName(name) ||
     (array && (array == attributes->GetGlobalIds() || array == attributes->GetPedigreeIds()));
 }
+
+} // namespace
 
 vtkDataArray* FindTuples(const InputBlock& block, const std::string& name)
 {

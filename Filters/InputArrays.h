@@ -16,9 +16,6 @@
 namespace vfm
 {
 
-/// Whether the array of that name numbers cells or points, by its name or as an attribute of VTK's.
-bool HoldsIds(vtkDataSetAttributes* attributes, const std::string& name);
-
 /// The array of that name with a tuple a cell, in the order of the block. Throws InputError when there is none of numbers.
 vtkDataArray* FindTuples(const InputBlock& block, const std::string& name);
 

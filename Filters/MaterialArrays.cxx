@@ -1,15 +1,14 @@
 #include "MaterialArrays.h"
 
 #include "Agreement.h"
+#include "ArrayInfo.h"
 #include "CollectBlocks.h"
-#include "InputArrays.h"
 #include "MaterialGuess.h"
 
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
+#include "vtkDataObject.h"
 #include "vtkImageData.h"
 
-#include <cstring>
+#include <algorithm>
 #include <map>
 
 namespace vfm
@@ -17,153 +16,73 @@ namespace vfm
 namespace
 {
 
-/// What the parts hold in an array of one component.
-struct ArrayInfo
+/// An array that may hold materials.
+struct Candidate
 {
-  int Association, Type;
-  double Least, Most;
-  Index Parts;
-
-  void Add(const ArrayInfo& other)
-  {
-    this->Type = this->Type == other.Type ? this->Type : VTK_VOID; // makes it unclear
-    this->Least = std::min(this->Least, other.Least);
-    this->Most = std::max(this->Most, other.Most);
-    this->Parts += other.Parts;
-  }
+  ChosenArray Array;
+  int Type; // VTK_VOID: several
+  MaterialGuess Guess;
 };
 
-using Key = std::pair<std::string, int>; // and the association
-
-/// The arrays of this rank that can be meshed: ids and marks of ghosts left out, and points where they are no centres of cells.
-class ArrayList
+/// Collective: the arrays that can be meshed: of one value a cell, ids and marks of ghosts left out, and points where they are no
+/// centres of cells.
+std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
 {
-public:
-  void Add(const InputPart& part)
-  {
-    this->Parts += part.HasPoints();
-    this->Add(part.Data, vtkDataObject::CELL);
-    if (vtkImageData::SafeDownCast(part.Data))
-    {
-      this->Add(part.Data, vtkDataObject::POINT);
-    }
-  }
-
-  /// Collective: makes it the list of all ranks.
-  void Unite(Ranks& ranks)
-  {
-    Bytes mine;
-    for (const auto& array : this->Arrays)
-    {
-      const std::string& name = array.first.first;
-      const std::size_t length = name.size();
-      const auto append = [&mine](const void* data, std::size_t size)
-      {
-        const char* bytes = static_cast<const char*>(data);
-        mine.insert(mine.end(), bytes, bytes + size);
-      };
-      append(&array.second, sizeof(ArrayInfo));
-      append(&length, sizeof(length));
-      append(name.data(), length);
-    }
-    this->Arrays.clear();
-    for (const Bytes& message : ranks.Gather(mine))
-    {
-      this->Read(message);
-    }
-    std::vector<Index> parts{ this->Parts };
-    ranks.Sum(parts);
-    this->Parts = parts[0];
-  }
-
-  const std::map<Key, ArrayInfo>& Get() const { return this->Arrays; }
-
-  MaterialGuess Guess(const ArrayInfo& array) const
-  {
-    const MaterialGuess guess = GuessMaterial(array.Type, array.Least, array.Most);
-    const bool isWhole = array.Parts == this->Parts || guess == MaterialGuess::Nothing;
-    return isWhole ? guess : MaterialGuess::Unclear;
-  }
-
-private:
-  void Add(vtkDataObject* data, int association)
-  {
-    vtkDataSetAttributes* attributes = data->GetAttributes(association);
-    for (int i = 0; attributes && i < attributes->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = attributes->GetArray(i);
-      if (array && array->GetName() && array->GetNumberOfComponents() == 1 &&
-        array->GetNumberOfTuples() > 0 && IsOffered(array->GetName()) &&
-        !HoldsIds(attributes, array->GetName()))
-      {
-        const double* range = array->GetRange(0);
-        this->Add({ array->GetName(), association },
-          { association, array->GetDataType(), range[0], range[1], 1 });
-      }
-    }
-  }
-
-  void Add(const Key& key, const ArrayInfo& array)
-  {
-    const auto added = this->Arrays.emplace(key, array);
-    if (!added.second)
-    {
-      added.first->second.Add(array);
-    }
-  }
-
-  void Read(const Bytes& message)
-  {
-    for (std::size_t at = 0; at < message.size();)
-    {
-      ArrayInfo array;
-      std::size_t length;
-      std::memcpy(&array, message.data() + at, sizeof(array));
-      std::memcpy(&length, message.data() + at + sizeof(array), sizeof(length));
-      at += sizeof(array) + sizeof(length);
-      this->Add({ std::string(message.data() + at, length), array.Association }, array);
-      at += length;
-    }
-  }
-
-  std::map<Key, ArrayInfo> Arrays;
-  Index Parts = 0;
-};
-
-/// Collective.
-ArrayList FindArrays(vtkDataObject* input, Ranks& ranks)
-{
-  ArrayList list;
+  std::map<int, std::vector<vtkDataSetAttributes*>> attributes{ { vtkDataObject::CELL, {} },
+    { vtkDataObject::POINT, {} } };
+  std::vector<Index> parts{ 0 };
   WorkTogether(ranks,
     [&]
     {
       for (const InputPart& part : FindParts(input, ranks.Rank(), ranks.Count() == 1))
       {
-        list.Add(part);
+        parts[0] += part.HasPoints();
+        for (auto& own : attributes)
+        {
+          const bool isMeshed =
+            own.first == vtkDataObject::CELL || vtkImageData::SafeDownCast(part.Data);
+          if (isMeshed && part.Data->GetAttributes(own.first))
+          {
+            own.second.push_back(part.Data->GetAttributes(own.first));
+          }
+        }
       }
     });
-  list.Unite(ranks);
-  return list;
+  ranks.Sum(parts);
+  std::vector<Candidate> found;
+  for (const auto& own : attributes)
+  {
+    for (const ArrayInfo& array : FindArrays(own.second, ranks))
+    {
+      if (array.Components != 1 || array.HoldsIds || !IsOffered(array.Name))
+      {
+        continue;
+      }
+      const int type = array.HasOneType ? array.Type : VTK_VOID;
+      const MaterialGuess guess = GuessMaterial(type, array.Least, array.Most);
+      const bool isClear = array.Count == parts[0] || guess == MaterialGuess::Nothing;
+      found.push_back(
+        { { array.Name, own.first }, type, isClear ? guess : MaterialGuess::Unclear });
+    }
+  }
+  return found;
 }
 
 /// Collective: that which alone can be meant.
 MaterialArrays FindSingleArray(vtkDataObject* input, Ranks& ranks)
 {
-  const ArrayList list = FindArrays(input, ranks);
   MaterialArrays found;
   int candidates = 0;
-  for (const auto& array : list.Get())
+  for (const Candidate& candidate : FindCandidates(input, ranks))
   {
-    const MaterialGuess guess = list.Guess(array.second);
-    const ChosenArray chosen{ array.first.first, array.second.Association };
-    candidates += guess != MaterialGuess::Nothing;
-    if (guess == MaterialGuess::Fraction)
+    candidates += candidate.Guess != MaterialGuess::Nothing;
+    if (candidate.Guess == MaterialGuess::Fraction)
     {
-      found.Fractions.push_back(chosen);
+      found.Fractions.push_back(candidate.Array);
     }
-    else if (guess == MaterialGuess::Labels)
+    else if (candidate.Guess == MaterialGuess::Labels)
     {
-      found.Labels = chosen;
+      found.Labels = candidate.Array;
     }
   }
   if (candidates != 1 || (found.Fractions.empty() && !found.HasLabels()))
@@ -177,12 +96,10 @@ MaterialArrays FindSingleArray(vtkDataObject* input, Ranks& ranks)
 /// Collective: of an array that is chosen for both.
 MaterialArrays KeepOneRole(vtkDataObject* input, MaterialArrays chosen, Ranks& ranks)
 {
-  bool isReal = false;
-  const ArrayList list = FindArrays(input, ranks);
-  for (const auto& array : list.Get())
-  {
-    isReal = isReal || (array.first.first == chosen.Labels.Name && IsRealType(array.second.Type));
-  }
+  const std::vector<Candidate> candidates = FindCandidates(input, ranks);
+  const bool isReal = std::any_of(candidates.begin(), candidates.end(),
+    [&chosen](const Candidate& candidate)
+    { return candidate.Array.Name == chosen.Labels.Name && IsRealType(candidate.Type); });
   return isReal ? MaterialArrays{ {}, chosen.Labels } : MaterialArrays{ chosen.Fractions, {} };
 }
 

@@ -5,7 +5,6 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -19,74 +18,6 @@ namespace vfm
 {
 namespace
 {
-
-void Merge(std::vector<ArrayInfo>& list, const ArrayInfo& info)
-{
-  const auto found = std::find_if(
-    list.begin(), list.end(), [&info](const ArrayInfo& other) { return other.Name == info.Name; });
-  if (found == list.end())
-  {
-    list.push_back(info);
-    return;
-  }
-  found->Least = std::min(found->Least, info.Least);
-  found->Most = std::max(found->Most, info.Most);
-}
-
-std::vector<ArrayInfo> FindOwnArrays(vtkDataObject* data, ArrayPlace place)
-{
-  std::vector<ArrayInfo> list;
-  for (vtkDataSet* grid : GetGrids(data))
-  {
-    vtkDataSetAttributes* attributes = GetAttributes(grid, place);
-    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = attributes->GetArray(i);
-      if (array && array->GetName() && array->GetName() != std::string("vtkGhostType"))
-      {
-        const double* range = array->GetRange(0);
-        Merge(list,
-          { array->GetName(), array->GetDataType(), array->GetNumberOfComponents(), range[0],
-            range[1] });
-      }
-    }
-  }
-  return list;
-}
-
-/// Numbers and name of an array as one message.
-struct Packed
-{
-  int Type, Components;
-  double Least, Most;
-  std::size_t NameLength;
-};
-
-Bytes Pack(const std::vector<ArrayInfo>& list)
-{
-  Bytes bytes;
-  for (const ArrayInfo& info : list)
-  {
-    const Bytes numbers = ToBytes(std::vector<Packed>{
-      { info.Type, info.Components, info.Least, info.Most, info.Name.size() } });
-    bytes.insert(bytes.end(), numbers.begin(), numbers.end());
-    bytes.insert(bytes.end(), info.Name.begin(), info.Name.end());
-  }
-  return bytes;
-}
-
-void Unpack(const Bytes& bytes, std::vector<ArrayInfo>& list)
-{
-  for (auto at = bytes.begin(); at != bytes.end();)
-  {
-    const Packed numbers = FromBytes<Packed>(Bytes(at, at + sizeof(Packed)))[0];
-    at += sizeof(Packed);
-    Merge(list,
-      { std::string(at, at + numbers.NameLength), numbers.Type, numbers.Components, numbers.Least,
-        numbers.Most });
-    at += numbers.NameLength;
-  }
-}
 
 std::string Describe(const ArrayInfo& info)
 {
@@ -153,11 +84,15 @@ bool AreImages(vtkDataObject* data, Ranks& ranks)
 
 std::vector<ArrayInfo> FindArrays(vtkDataObject* data, ArrayPlace place, Ranks& ranks)
 {
-  std::vector<ArrayInfo> list;
-  for (const Bytes& bytes : ranks.Gather(Pack(FindOwnArrays(data, place))))
+  std::vector<vtkDataSetAttributes*> attributes;
+  for (vtkDataSet* grid : GetGrids(data))
   {
-    Unpack(bytes, list);
+    attributes.push_back(GetAttributes(grid, place));
   }
+  std::vector<ArrayInfo> list = FindArrays(attributes, ranks);
+  list.erase(std::remove_if(list.begin(), list.end(),
+               [](const ArrayInfo& array) { return array.Name == "vtkGhostType"; }),
+    list.end());
   return list;
 }
 

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
+#include "ArrayInfo.h"
 
 #include <string>
 #include <vector>
@@ -17,14 +17,6 @@ namespace vfm
 
 /// Those with cells; data may be null.
 std::vector<vtkDataSet*> GetGrids(vtkDataObject* data);
-
-struct ArrayInfo
-{
-  std::string Name;
-  int Type = 0; ///< VTK_FLOAT, ...
-  int Components = 0;
-  double Least = 0.0, Most = 0.0; ///< of the first component, NaN left out
-};
 
 /// What the values of an array belong to.
 enum class ArrayPlace
