@@ -6,6 +6,8 @@
 #include "vtkNew.h"
 #include "vtkTIFFReader.h"
 
+#include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <tiffio.h>
 
@@ -39,6 +41,17 @@ struct Page
   }
 };
 
+/// How many images ImageJ says that it wrote; it may have put them all behind the first page. 1: it says nothing.
+int CountDescribed(TIFF* file)
+{
+  constexpr const char* key = "\nimages=";
+  const char* text = nullptr;
+  const bool isImageJ =
+    TIFFGetField(file, TIFFTAG_IMAGEDESCRIPTION, &text) && std::strncmp(text, "ImageJ=", 7) == 0;
+  const char* found = isImageJ ? std::strstr(text, key) : nullptr;
+  return found ? std::atoi(found + std::strlen(key)) : 1;
+}
+
 /// VTK's reader trusts that all pages are like the first, and reads what it does not know as colours.
 void CheckPages(const std::string& path)
 {
@@ -61,7 +74,14 @@ void CheckPages(const std::string& path)
     throw InputError(
       "its values are not stored in strips of rows (but in tiles, or it is damaged).");
   }
+  const int described = CountDescribed(file.get());
   const int pages = TIFFNumberOfDirectories(file.get());
+  if (pages < described)
+  {
+    throw InputError("ImageJ wrote " + std::to_string(described) + " images, but it has " +
+      std::to_string(pages) + (pages == 1 ? " page" : " pages") +
+      ". Save it as a stack with a page an image, or in another format.");
+  }
   for (int page = 2; page <= pages; ++page)
   {
     if (!TIFFReadDirectory(file.get()) || Page(file.get()) != first)

@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from compare_meshes import difference, merge, read_pieces
 from image_files import (
-    STRAIGHT, save, write_dream3d, write_dream3d_nx, write_meta, write_nifti, write_nrrd, write_tiff)
+    STRAIGHT, save, write_dream3d, write_dream3d_nx, write_imagej, write_meta, write_nifti, write_nrrd, write_tiff)
 from sculptor_program import mesh_file, refused, sculptor
 from vfmtest import ORIGIN, SPACING, LabelImageReader, collect, image, in_folder, main, mesh_of, points_of
 from voxels import grains, turned
@@ -249,6 +249,7 @@ def test_refused(at):
             (cut(write_meta(at("cut.mha"), LABELS, MIDDLE), 900), "cut short: they have 1287 bytes"),
             (write_meta(at("shear.mhd"), LABELS, MIDDLE, shear), "TransformMatrix is no rotation"),
             (save(at("text.tif"), b"hello\n"), "it is no TIFF file"),
+            (write_imagej(at("imagej.tif"), LABELS), "ImageJ wrote 13 images, but it has 1 page."),
             (save(at("text.dream3d"), b"hello\n"), "it is no HDF5 file, or damaged"),
             (cut(write_dream3d(at("cut.dream3d"), LABELS, ORIGIN, SPACING), 3000), "it is no HDF5 file, or damaged"),
             (write_dream3d(at("name.dream3d"), LABELS, ORIGIN, SPACING, name="GrainIds"),

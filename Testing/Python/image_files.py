@@ -114,6 +114,17 @@ def write_tiff(path, values):
     return path
 
 
+def write_imagej(path, values):
+    """As ImageJ does with stacks above 4 GB: one page, the other slices behind it."""
+    depth, height, width = values.shape
+    text = b"ImageJ=1.53t\nimages=%d\nslices=%d\n\0" % (depth, depth)
+    tags = {256: width, 257: height, 258: 8, 259: 1, 262: 1, 270: 0, 273: 0, 277: 1, 278: height, 279: width * height}
+    start = 8 + 2 + 12 * len(tags) + 4
+    tags[270], tags[273] = start, start + len(text)
+    entries = [struct.pack("<HHII", tag, 2 if tag == 270 else 4, len(text) if tag == 270 else 1, tags[tag]) for tag in sorted(tags)]
+    return save(path, struct.pack("<2sHIH", b"II", 42, 8, len(tags)), *entries, bytes(4), text, values.astype("u1").tobytes())
+
+
 def write_dream3d(path, values, origin, spacing, name="FeatureIds", more=()):
     """As DREAM.3D 6 does; the origin is the corner of the first cell. more: names of the other containers with the same."""
     with h5py.File(path, "w") as file:
