@@ -4,6 +4,7 @@
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
+#include "FindProblem.h"
 #include "ImageExtent.h"
 #include "Images/DealImage.h"
 #include "Images/ImageFile.h"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <new>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -45,24 +45,16 @@ std::array<double, 9> GetDirection(const vfm::ImagePlace& place)
   return direction;
 }
 
-/// Does a step, and returns why it failed, or "".
+/// FindProblem of a step(ranks) that all processes do together.
 template <class Step>
-std::string Try(vtkMultiProcessController* controller, const Step& step)
+std::string FindProblemOfAll(vtkMultiProcessController* controller, const Step& step)
 {
-  try
-  {
-    vfm::ControllerRanks ranks(controller);
-    vfm::WorkTogether(ranks, [&] { step(ranks); });
-    return "";
-  }
-  catch (const vfm::InputError& error)
-  {
-    return error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    return "not enough memory.";
-  }
+  return vfm::FindProblem(
+    [&]
+    {
+      vfm::ControllerRanks ranks(controller);
+      vfm::WorkTogether(ranks, [&] { step(ranks); });
+    });
 }
 
 } // namespace
@@ -97,8 +89,8 @@ void vtkVolumeFractionImageReader::Open()
 int vtkVolumeFractionImageReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->Problem =
-    Try(this->Controller, [this](vfm::Ranks&) { this->Open(); }); // RequestData tells it, once
+  this->Problem = FindProblemOfAll(
+    this->Controller, [this](vfm::Ranks&) { this->Open(); }); // RequestData tells it, once
   if (!this->Problem.empty())
   {
     this->File.reset();
@@ -128,7 +120,8 @@ int vtkVolumeFractionImageReader::RequestData(
   std::string problem = this->Problem;
   if (problem.empty())
   {
-    problem = Try(this->Controller, [&](vfm::Ranks& ranks) { this->Read(extent, ranks, image); });
+    problem = FindProblemOfAll(
+      this->Controller, [&](vfm::Ranks& ranks) { this->Read(extent, ranks, image); });
   }
   if (!problem.empty())
   {

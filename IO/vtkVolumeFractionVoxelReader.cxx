@@ -4,6 +4,7 @@
 #include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
+#include "FindProblem.h"
 #include "ImageExtent.h"
 #include "ReadVoxels.h"
 
@@ -92,23 +93,14 @@ int vtkVolumeFractionVoxelReader::RequestData(
   int extent[6];
   info->Get(Pipeline::UPDATE_EXTENT(), extent);
   std::string problem = this->Problem;
-  try
+  if (problem.empty())
   {
-    if (problem.empty())
-    {
-      this->Read(extent, image);
-      return 1;
-    }
+    problem = vfm::FindProblem([&] { this->Read(extent, image); });
   }
-  catch (const vfm::InputError& error)
+  if (!problem.empty())
   {
-    problem = error.what();
+    vfm::Fail(this, outputVector, ("Cannot read " + this->FileName + ": " + problem).c_str());
   }
-  catch (const std::bad_alloc&)
-  {
-    problem = "not enough memory.";
-  }
-  vfm::Fail(this, outputVector, ("Cannot read " + this->FileName + ": " + problem).c_str());
   return 1;
 }
 
