@@ -8,18 +8,17 @@ import sys
 import zlib
 
 from paraview import simple
-from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+from vtkmodules.vtkParallelCore import vtkCommunicator
 
 import numpy as np
 
-from compare_meshes import difference, merge, read_pieces
+from compare_meshes import difference
+from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
 from image_files import save, write_dream3d, write_meta, write_nifti, write_nrrd, write_tiff
 from vfmtest import (
-    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, main, reduced, save_data, write)
+    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, main, reduced, write)
 from voxels import grains, turned
 
-CONTROLLER = vtkMultiProcessController.GetGlobalController()
-RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 FOLDER = os.path.join(sys.argv[1], "images")
 LABELS = turned(grains(), "ZYX").astype("u1")
 MIDDLE = np.add(ORIGIN, np.multiply(SPACING, 0.5))  # of the first voxel
@@ -60,11 +59,7 @@ def mesh(source, name="Labels"):
     assert reduced(int(not errors), vtkCommunicator.MIN_OP) == 1, errors
     mine = source.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
     assert reduced(mine, vtkCommunicator.MAX_OP) <= LABELS.size // RANKS + LABELS[0].size, "a rank keeps more than its part"
-    save_data(at("mesh.pvtu"), mesher)
-    CONTROLLER.Barrier()
-    merged = merge(read_pieces(at("mesh.pvtu"))) if RANK == 0 else None
-    CONTROLLER.Barrier()
-    return merged
+    return whole_mesh(mesher, at("mesh.pvtu"))
 
 
 def test_same_mesh():

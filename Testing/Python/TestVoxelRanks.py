@@ -9,16 +9,15 @@ import zlib
 import numpy as np
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
-from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+from vtkmodules.vtkParallelCore import vtkCommunicator
 
-from compare_meshes import difference, merge, read_pieces
+from compare_meshes import difference
+from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
 from vfmtest import (
     ORIGIN, SPACING, NumPyVoxelReader, SculptVoxelReader, VolumeFractionToHex, VolumeFractionToTet, collect, image, main,
-    reduced, save_data)
+    reduced)
 from voxels import SIZE, grains, turned, write_numpy, write_text
 
-CONTROLLER = vtkMultiProcessController.GetGlobalController()
-RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 FOLDER = os.path.join(sys.argv[1], "voxels")
 GRAINS = grains()
 PLACE = dict(Origin=ORIGIN, Spacing=SPACING)
@@ -65,11 +64,7 @@ def mesh(source, make, **properties):
     assert reduced(int(not errors), vtkCommunicator.MIN_OP) == 1, errors
     assert reduced(mine, vtkCommunicator.SUM_OP) == GRAINS.size
     assert reduced(mine, vtkCommunicator.MAX_OP) <= GRAINS.size // RANKS + GRAINS[:, :, 0].size  # each reads its part
-    save_data(at("mesh.pvtu"), mesher)
-    CONTROLLER.Barrier()
-    merged = merge(read_pieces(at("mesh.pvtu"))) if RANK == 0 else None
-    CONTROLLER.Barrier()
-    return merged
+    return whole_mesh(mesher, at("mesh.pvtu"))
 
 
 def test_same_mesh():

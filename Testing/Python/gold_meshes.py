@@ -28,6 +28,7 @@ def whole_mesh(mesher, path):
     """Of all ranks, on rank 0."""
     errors, _ = collect(mesher.GetClientSideObject())
     save_data(path, mesher)
+    CONTROLLER.Barrier()  # all have written
     assert not errors, errors
     mesh = merge(read_pieces(path)) if RANK == 0 else None
     CONTROLLER.Barrier()  # the next mesh goes to the same file
