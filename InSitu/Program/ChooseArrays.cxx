@@ -2,6 +2,7 @@
 
 #include "Agreement.h"
 #include "Images/ImageFile.h"
+#include "MaterialGuess.h"
 #include "ParseText.h"
 #include "SpyPlotInput.h"
 #include "Stage.h"
@@ -34,7 +35,7 @@ bool Lists(const std::vector<std::string>& names, const std::string& name)
 
 bool IsWhole(const ArrayInfo& array)
 {
-  return array.Components == 1 && array.Type != VTK_FLOAT && array.Type != VTK_DOUBLE;
+  return array.Components == 1 && !IsRealType(array.Type);
 }
 
 bool IsMaterialId(const ArrayInfo& array)
@@ -52,9 +53,9 @@ bool HoldsLabels(const std::string& path, const std::vector<ArrayInfo>& arrays)
 bool IsFraction(const ArrayInfo& array, double tolerance)
 {
   const bool isBytes = array.Type == VTK_UNSIGNED_CHAR;
-  const bool isReal = array.Type == VTK_FLOAT || array.Type == VTK_DOUBLE;
   return array.Components == 1 &&
-    (isBytes || (isReal && array.Least >= -tolerance && array.Most <= 1.0 + tolerance));
+    (isBytes ||
+      (IsRealType(array.Type) && array.Least >= -tolerance && array.Most <= 1.0 + tolerance));
 }
 
 /// Those that would be fractions if values a little outside of [0, 1] were.
