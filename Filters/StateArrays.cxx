@@ -3,7 +3,7 @@
 #include "Agreement.h"
 #include "InputArrays.h"
 #include "InputRoute.h"
-#include "StateCells.h"
+#include "Transfer/StateCells.h"
 
 #include <deque>
 #include <memory>

@@ -1,6 +1,6 @@
 /**
  * StateArrays: arrays of the input whose values the elements of the mesh carry, piecewise constant: each element
- * has the values of one cell (StateCells.h), from whichever rank reads that cell.
+ * has the values of one cell (Transfer/StateCells.h), from whichever rank reads that cell.
  */
 #pragma once
 

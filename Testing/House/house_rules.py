@@ -3,7 +3,7 @@ import os
 import re
 
 # Rooms of Grid, bottom to top: an include goes down only. The root, Grid itself, is above them all.
-ROOMS = ("Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Smoothing", "Hex", "Tet")
+ROOMS = ("Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Transfer", "Smoothing", "Hex", "Tet")
 GRID = tuple("Grid/" + room for room in ROOMS) + ("Grid",)
 
 # What a folder may include besides itself.
@@ -12,7 +12,8 @@ ALLOWED.update({
     "Shapes": ("Grid/Base", "Grid/Fractions"),
     "Parallel": ("Grid/Base",),
     "IO": ("Grid/Base", "Parallel"),
-    "Filters": ("Grid/Base", "Grid/Fractions", "Grid/Octree", "Grid/Labels", "Grid/Mesh", "Grid", "Shapes", "Parallel"),
+    "Filters": ("Grid/Base", "Grid/Fractions", "Grid/Octree", "Grid/Labels", "Grid/Mesh", "Grid/Transfer", "Grid", "Shapes",
+                "Parallel"),
     "InSitu": ("Grid/Base", "Parallel", "IO", "Filters"),
     "Plugin": ("Filters",),
     "Examples": ("InSitu",),

@@ -1,4 +1,4 @@
-"""The rule of state arrays in numpy, on its own: from which cell an element has its values (Filters/StateCells.h)."""
+"""The rule of state arrays in numpy, on its own: from which cell an element has its values (Grid/Transfer/StateCells.h)."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

@@ -1,4 +1,4 @@
-#include "StateCells.h"
+#include "Transfer/StateCells.h"
 
 #include "Base/Vector3.h"
 
