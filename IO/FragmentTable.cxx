@@ -2,6 +2,7 @@
 
 #include "Agreement.h"
 #include "Base/ExactSum.h"
+#include "Base/MaxOfEach.h"
 #include "Base/Runtime.h"
 #include "ElementMoments.h"
 #include "MaterialNames.h"

@@ -10,17 +10,6 @@
 namespace vfm
 {
 
-/// Collective: the largest of each value over all ranks, in place.
-inline void MaxOfEach(std::vector<double>& values, Ranks& ranks)
-{
-  for (const Bytes& bytes : ranks.Gather(ToBytes(values)))
-  {
-    const std::vector<double> others = FromBytes<double>(bytes);
-    std::transform(others.begin(), others.end(), values.begin(), values.begin(),
-      [](double a, double b) { return std::max(a, b); });
-  }
-}
-
 /// Collective: the values that any rank holds, each once, in increasing order, on all ranks. They are united pair by
 /// pair up a binary tree and sent down again: 2 log2 P messages at most on any rank.
 template <class T>

@@ -1,29 +1,10 @@
 #include "Mesh/MeasureMaterials.h"
 
 #include "Base/ExactSum.h"
-
-#include <algorithm>
+#include "Base/MaxOfEach.h"
 
 namespace vfm
 {
-namespace
-{
-
-/// The smallest of each over all ranks.
-void TakeSmallest(std::vector<float>& values, Ranks& ranks)
-{
-  for (const Bytes& bytes : ranks.Gather(ToBytes(values)))
-  {
-    const std::vector<float> others = FromBytes<float>(bytes);
-    for (std::size_t v = 0; v < values.size(); ++v)
-    {
-      values[v] = std::min(values[v], others[v]);
-    }
-  }
-}
-
-} // namespace
-
 void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report)
 {
   const std::size_t materials = report.Materials.size();
@@ -34,15 +15,16 @@ void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report)
   }
   ranks.Sum(elements);
   std::vector<ExactSum> sums(materials);
-  std::vector<float> smallest(materials, 1.0F);
+  std::vector<double> worst(materials, -1.0); // the smallest, negative
   for (std::size_t e = 0; e < mesh.ScaledJacobian.size(); ++e)
   {
     const int material = mesh.Material[e];
-    sums[material].Add(mesh.ScaledJacobian[e]);
-    smallest[material] = std::min(smallest[material], mesh.ScaledJacobian[e]);
+    const double quality = mesh.ScaledJacobian[e];
+    sums[material].Add(quality);
+    worst[material] = std::max(worst[material], -quality);
   }
   const std::vector<double> totals = SumOverRanks(sums, ranks);
-  TakeSmallest(smallest, ranks);
+  MaxOfEach(worst, ranks);
   const bool hasQuality = ranks.Any(!mesh.ScaledJacobian.empty());
   for (std::size_t m = 0; m < materials; ++m)
   {
@@ -50,7 +32,7 @@ void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report)
     material.Elements = elements[m];
     if (hasQuality && elements[m] > 0)
     {
-      material.MinimumScaledJacobian = static_cast<double>(smallest[m]);
+      material.MinimumScaledJacobian = -worst[m];
       material.MeanScaledJacobian = totals[m] / static_cast<double>(elements[m]);
     }
   }

@@ -1,7 +1,7 @@
 #include "Summary.h"
 
-#include "Agreement.h"
 #include "Base/ExactSum.h"
+#include "Base/MaxOfEach.h"
 #include "ElementMoments.h"
 #include "PointCounts.h"
 
