@@ -5,11 +5,9 @@
 
 namespace vfm
 {
-namespace
-{
 
-/// In mean cells. From the first corner, so that coordinates may be large.
-double VolumeOfElement(const Mesh& mesh, Index element, double meanWidth)
+// From the first corner, so that coordinates may be large.
+double VolumeOfElement(const Mesh& mesh, Index element, double unit)
 {
   std::array<Vector3, 8> x;
   for (int c = 0; c < mesh.Corners; ++c)
@@ -19,9 +17,9 @@ double VolumeOfElement(const Mesh& mesh, Index element, double meanWidth)
   }
   if (mesh.Corners == 4)
   {
-    return std::pow(meanWidth, -3.0) / 6.0 * Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0]));
+    return std::pow(unit, -3.0) / 6.0 * Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0]));
   }
-  const double scale = 1.0 / meanWidth;
+  const double scale = 1.0 / unit;
   std::array<Vector3, 4> lower, upper;
   for (int c = 0; c < 4; ++c)
   {
@@ -30,8 +28,6 @@ double VolumeOfElement(const Mesh& mesh, Index element, double meanWidth)
   }
   return VolumeBetween(lower, upper);
 }
-
-} // namespace
 
 std::vector<double> MeasureFragments(
   const Mesh& mesh, const CartesianGrid& grid, int fragments, Runtime& runtime)

@@ -1,5 +1,5 @@
 /**
- * The volumes of the fragments of a mesh.
+ * The volumes of the elements of a mesh and of its fragments.
  */
 #pragma once
 
@@ -8,6 +8,9 @@
 
 namespace vfm
 {
+
+/// The volume of an element, of hexes the trilinear one; unit: of lengths.
+double VolumeOfElement(const Mesh& mesh, Index element, double unit = 1.0);
 
 /// Of the owned elements of a mesh by fragment, [0] none, over all ranks, in mean cells: exact but for rounding. fragments: how many
 /// there are. Collective.

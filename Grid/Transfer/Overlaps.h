@@ -8,7 +8,7 @@
 #pragma once
 
 #include "Base/Runtime.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/MeasureFragments.h"
 
 #include <vector>
 
@@ -35,8 +35,5 @@ struct Overlaps
 /// of the grid; their volumes sum to its volume but for rounding.
 Overlaps FindOverlaps(const Mesh& mesh, const std::vector<Index>& elements,
   const CartesianGrid& grid, Runtime& runtime);
-
-/// The volume of an element, length units cubed: of hexes the trilinear one.
-double VolumeOfElement(const Mesh& mesh, Index element);
 
 } // namespace vfm
