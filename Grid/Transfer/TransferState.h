@@ -69,11 +69,13 @@ struct TransferredState
   Buffer<double> Mass;                ///< of each element; without a density its volume
   std::vector<StateTotals> Input;     ///< of each material from 0: of all cells
   std::vector<StateTotals> Unmeshed;  ///< of each material from 0: of cells that gave to no element
+  /// Of each material from 0 the smallest and largest factor, cells' volume over mesh's, that values PerVolume had to be multiplied
+  /// with because its pieces have other volumes as elements than as cells; 1 and 1 where they agree.
+  std::vector<std::array<double, 2>> Factors;
 };
 
-/// Collective. mesh: of the owned elements; fragments: how many there are. Materials that are not meshed give nothing and count as
-/// unmeshed; void counts only where it is meshed.
-TransferredState TransferState(
-  const Mesh& mesh, int fragments, const TransferRequest& request, Runtime& runtime);
+/// Collective. mesh: of the owned elements. Materials that are not meshed give nothing and count as unmeshed; void counts only where
+/// it is meshed.
+TransferredState TransferState(const Mesh& mesh, const TransferRequest& request, Runtime& runtime);
 
 } // namespace vfm
