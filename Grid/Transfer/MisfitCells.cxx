@@ -1,0 +1,116 @@
+#include "Transfer/MisfitCells.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double Rounding = 1e-12; // of a cell's volume
+
+/// Tells the misfits among the cells of this rank.
+class MisfitFinder
+{
+public:
+  MisfitFinder(const CartesianGrid& grid, const FractionField& fractions,
+    const WholeElements& whole, const SlotTable& slots,
+    const std::vector<unsigned char>& isMeshed) :
+    Grid(grid), Fractions(fractions), Whole(whole), Slots(slots), IsMeshed(isMeshed)
+  {
+  }
+
+  std::vector<Index> Find()
+  {
+    const IndexBox& box = this->Grid.Owned();
+    ForRows(box,
+      [&](Index j, Index k)
+      {
+        const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
+        const double section = this->Grid.Width(1, j) * this->Grid.Width(2, k);
+        const auto look = [&](Index begin, Index end)
+        {
+          for (Index cell = begin; cell < end; ++cell)
+          {
+            const double width = this->Grid.Width(0, box.Lower[0] + cell - first);
+            if (!this->Fits(cell, width * section))
+            {
+              this->Cells.push_back(cell);
+            }
+          }
+        };
+        this->Fractions.Visit(
+          first, first + box.Size(0), [&](Index begin, Index end, int) { look(begin, end); }, look);
+      });
+    return std::move(this->Cells);
+  }
+
+private:
+  bool Fits(Index cell, double volume) const
+  {
+    if (this->Whole.Covers(cell))
+    {
+      return true;
+    }
+    if (this->Fractions.IsMixed(cell))
+    {
+      return false;
+    }
+    const int label = this->Fractions.Label(cell);
+    double own = this->IsMeshed[label] ? volume : 0.0, others = 0.0;
+    this->Slots.ForCell(cell,
+      [&](int s)
+      {
+        const Slot& slot = this->Slots[s];
+        (slot.Material == label ? own : others) -= slot.Overlap;
+      });
+    return std::fabs(own) <= Rounding * volume && -others <= Rounding * volume;
+  }
+
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const WholeElements& Whole;
+  const SlotTable& Slots;
+  const std::vector<unsigned char>& IsMeshed;
+  std::vector<Index> Cells;
+};
+
+} // namespace
+
+MisfitCells::MisfitCells(const CartesianGrid& grid, const FractionField& fractions,
+  const WholeElements& whole, const SlotTable& slots,
+  const std::vector<unsigned char>& isMeshed, const Partition& partition) :
+  Grid(grid), Nearness(grid, 0)
+{
+  std::vector<Index> misfits = MisfitFinder(grid, fractions, whole, slots, isMeshed).Find();
+  for (Index cell : misfits)
+  {
+    this->Nearness.Set(cell, SlotLayers + 1);
+  }
+  partition.ExchangeCells(
+    this->Nearness, [&misfits](Index cell) { misfits.push_back(cell); });
+  this->MarkAround(std::move(misfits));
+}
+
+void MisfitCells::MarkAround(std::vector<Index> cells)
+{
+  for (int nearness = SlotLayers; nearness > 0; --nearness)
+  {
+    std::vector<Index> next;
+    for (Index cell : cells)
+    {
+      for (int n = 0; this->Grid.Local().Contains(this->Grid.Position(cell)) && n < 27; ++n)
+      {
+        const Index3 step = StepAround(n);
+        const Index other = cell + step[0] * this->Grid.CornerOffset(1) +
+          step[1] * this->Grid.CornerOffset(2) + step[2] * this->Grid.CornerOffset(4);
+        if (this->Nearness[other] == 0)
+        {
+          this->Nearness.Set(other, nearness);
+          next.push_back(other);
+        }
+      }
+    }
+    cells = std::move(next);
+  }
+}
+
+} // namespace vfm

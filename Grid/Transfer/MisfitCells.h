@@ -1,0 +1,34 @@
+/**
+ * Cells where the mesh has not what the cell has: mixed ones, and those of one material that its elements do not fill. Only near these
+ * is state moved between cells.
+ */
+#pragma once
+
+#include "Transfer/Slots.h"
+#include "Transfer/WholeElements.h"
+
+namespace vfm
+{
+
+constexpr int FluxLayers = 2; ///< cells around misfits between which contents move
+constexpr int SlotLayers = 3; ///< cells around misfits that have slots: whole elements there are no copies
+
+class MisfitCells
+{
+public:
+  /// slots: with the overlaps of all elements that are no whole cells. isMeshed: by material. Collective.
+  MisfitCells(const CartesianGrid& grid, const FractionField& fractions,
+    const WholeElements& whole, const SlotTable& slots,
+    const std::vector<unsigned char>& isMeshed, const Partition& partition);
+
+  /// Whether a cell is at most so many steps, up to SlotLayers, from a misfit; any rank's. Of cells that far from the rank's own.
+  bool IsNear(Index cell, int layers) const { return this->Nearness[cell] > SlotLayers - layers; }
+
+private:
+  void MarkAround(std::vector<Index> cells);
+
+  const CartesianGrid& Grid;
+  PagedArray<int> Nearness; // SlotLayers + 1 of misfits, one less each step
+};
+
+} // namespace vfm

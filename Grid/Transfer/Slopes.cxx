@@ -1,0 +1,222 @@
+#include "Transfer/Slopes.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double Flat = 1e-6; // of the largest eigenvalue: slots around lie in a plane or on a line
+
+/// Finds slopes, slot after slot.
+class SlopeFinder
+{
+public:
+  SlopeFinder(const StateColumns& columns, const CartesianGrid& grid, const SlotTable& slots,
+    const SlotValues& values, const std::vector<SlotShape>& shapes) :
+    Columns(columns), Grid(grid), Slots(slots), Values(values), Shapes(shapes)
+  {
+  }
+
+  /// lines: 4 a column.
+  void Find(int s, double* lines)
+  {
+    this->FindAround(s);
+    const Eigen::Matrix3d inverse = this->InvertMatrix();
+    for (int c : this->Columns.Order())
+    {
+      double* line = lines + 4 * c;
+      std::fill_n(line, 4, 0.0);
+      if (!this->Columns.IsConstant(c))
+      {
+        this->FindLine(s, c, inverse, line);
+        this->Limit(s, c, this->FindShift(s, c, lines), line);
+      }
+    }
+  }
+
+private:
+  void FindAround(int s)
+  {
+    const Slot& slot = this->Slots[s];
+    this->Around.clear();
+    for (int n = 0; n < 27; ++n)
+    {
+      const Index3 step = StepAround(n);
+      const int other = n == 13 ? -1
+                                : this->Slots.Find(slot.Cell + step[0] * this->Grid.CornerOffset(1) +
+                                      step[1] * this->Grid.CornerOffset(2) +
+                                      step[2] * this->Grid.CornerOffset(4),
+                                    slot.Fragment);
+      if (other >= 0 && this->Slots[other].Volume > 0.0)
+      {
+        const Vector3 x = this->Slots[other].Centroid - slot.Centroid;
+        const double square = Dot(x, x);
+        if (square > 0.0)
+        {
+          this->Around.push_back({ other, x, 1.0 / square });
+        }
+      }
+    }
+  }
+
+  /// Zero across a plane or a line on which all lie.
+  Eigen::Matrix3d InvertMatrix() const
+  {
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+    for (const Neighbour& other : this->Around)
+    {
+      const Eigen::Vector3d x(other.Place[0], other.Place[1], other.Place[2]);
+      a += other.Weight * x * x.transpose();
+    }
+    const double scale = a.trace() / 3.0;
+    if (!(scale > 0.0))
+    {
+      return Eigen::Matrix3d::Zero();
+    }
+    if (a.determinant() > 0.01 * scale * scale * scale)
+    {
+      return a.inverse();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(a);
+    Eigen::Vector3d inverse = solver.eigenvalues();
+    const double least = Flat * inverse[2];
+    for (int i = 0; i < 3; ++i)
+    {
+      inverse[i] = inverse[i] > least ? 1.0 / inverse[i] : 0.0;
+    }
+    return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+  }
+
+  void FindLine(int s, int c, const Eigen::Matrix3d& inverse, double* line)
+  {
+    const double own = this->Values.Of(s)[c];
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    this->Least = this->Most = 0.0;
+    for (const Neighbour& other : this->Around)
+    {
+      const double difference = this->Values.Of(other.Slot)[c] - own;
+      this->Least = std::min(this->Least, difference);
+      this->Most = std::max(this->Most, difference);
+      for (int a = 0; a < 3; ++a)
+      {
+        right[a] += other.Weight * difference * other.Place[a];
+      }
+    }
+    const Eigen::Vector3d slope = inverse * right;
+    std::copy_n(slope.data(), 3, line);
+  }
+
+  /// What the slopes of mass and value together add to the value's mean.
+  double FindShift(int s, int c, const double* lines) const
+  {
+    int base = this->Columns.Base(c);
+    while (base >= 0 && this->Columns.IsConstant(base))
+    {
+      base = this->Columns.Base(base);
+    }
+    const double value = base < 0 ? 0.0 : this->Values.Of(s)[base] * this->Slots[s].Overlap;
+    if (!(value > 0.0))
+    {
+      return 0.0;
+    }
+    const std::array<double, 6>& m = this->Shapes[s].Second;
+    const double *g = lines + 4 * base, *h = lines + 4 * c;
+    const double sum = g[0] * (m[0] * h[0] + m[3] * h[1] + m[4] * h[2]) +
+      g[1] * (m[3] * h[0] + m[1] * h[1] + m[5] * h[2]) +
+      g[2] * (m[4] * h[0] + m[5] * h[1] + m[2] * h[2]);
+    return -sum / value;
+  }
+
+  /// Makes a line so much flatter that in the box around the parts it stays between the values around.
+  void Limit(int s, int, double shift, double* line) const
+  {
+    const SlotShape& shape = this->Shapes[s];
+    double low = shift, high = shift;
+    for (int a = 0; a < 3; ++a)
+    {
+      const double atLower = line[a] * shape.Lower[a], atUpper = line[a] * shape.Upper[a];
+      low += std::min(atLower, atUpper);
+      high += std::max(atLower, atUpper);
+    }
+    double part = 1.0;
+    part = low < this->Least ? std::min(part, this->Least / low) : part;
+    part = high > this->Most ? std::min(part, this->Most / high) : part;
+    line[3] = shift;
+    for (int i = 0; i < 4; ++i)
+    {
+      line[i] = part > 0.0 && std::isfinite(line[i]) ? part * line[i] : 0.0;
+    }
+  }
+
+  struct Neighbour
+  {
+    int Slot;
+    Vector3 Place; // from the centroid
+    double Weight;
+  };
+
+  const StateColumns& Columns;
+  const CartesianGrid& Grid;
+  const SlotTable& Slots;
+  const SlotValues& Values;
+  const std::vector<SlotShape>& Shapes;
+  std::vector<Neighbour> Around;
+  double Least = 0.0, Most = 0.0; // differences of the values around, 0 among them
+};
+
+bool IsPoint(const SlotShape& shape)
+{
+  return !(shape.Lower[0] < shape.Upper[0] || shape.Lower[1] < shape.Upper[1] ||
+    shape.Lower[2] < shape.Upper[2]);
+}
+
+} // namespace
+
+Slopes::Slopes(const StateColumns& columns, const CartesianGrid& grid, const SlotTable& slots,
+  const SlotValues& values, const std::vector<SlotShape>& shapes, const SlotLinks& links,
+  Runtime& runtime) :
+  Columns(columns), Places(slots.Count(), -1)
+{
+  const int width = 4 * columns.Count();
+  std::vector<int> sloping;
+  int places = 0;
+  for (int s = 0; s < slots.Count(); ++s)
+  {
+    if (slots[s].IsOwned && !IsPoint(shapes[s]) && slots[s].Volume > 0.0)
+    {
+      sloping.push_back(s);
+      this->Places[s] = places++;
+    }
+  }
+  this->Lines.resize(static_cast<std::size_t>(places) * width);
+  runtime.For(0, places,
+    [&](Index begin, Index end)
+    {
+      SlopeFinder finder(columns, grid, slots, values, shapes);
+      for (Index i = begin; i < end; ++i)
+      {
+        finder.Find(sloping[i], this->Lines.data() + i * width);
+      }
+    });
+  links.Exchange(
+    width,
+    [&](int s, double* numbers)
+    {
+      if (this->Places[s] < 0)
+      {
+        std::fill_n(numbers, width, 0.0);
+        return;
+      }
+      std::copy_n(
+        this->Lines.data() + static_cast<std::size_t>(this->Places[s]) * width, width, numbers);
+    },
+    [&](int s, const double* numbers)
+    {
+      this->Places[s] = places++;
+      this->Lines.insert(this->Lines.end(), numbers, numbers + width);
+    });
+}
+
+} // namespace vfm

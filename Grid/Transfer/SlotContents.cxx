@@ -1,0 +1,285 @@
+#include "Transfer/SlotContents.h"
+
+#include <limits>
+#include <numeric>
+
+namespace vfm
+{
+
+/// Of the materials that share the sums in some cells.
+double StateSource::SharingVolume(const IndexBox& cells) const
+{
+  const CartesianGrid& grid = this->Request.Grid;
+  const FractionField& fractions = this->Request.Fractions;
+  double volume = 0.0;
+  ForCells(Intersect(cells, grid.Local()),
+    [&](const Index3& p)
+    {
+      const Index cell = grid.Linear(p);
+      double fraction = 0.0;
+      if (!fractions.IsMixed(cell))
+      {
+        fraction = this->Counts(fractions.Label(cell)) ? 1.0 : 0.0;
+      }
+      else
+      {
+        for (const FractionField::Part& part : fractions.Parts(cell))
+        {
+          fraction += this->Counts(part.Material) ? part.Fraction : 0.0;
+        }
+      }
+      volume += fraction * grid.CellVolume(p);
+    });
+  return volume;
+}
+
+void StateSource::Read(const Index3& cell, int material, double* values) const
+{
+  this->Request.Values.Read(cell, material, values);
+  if (!this->Columns.HasExtensive())
+  {
+    return;
+  }
+  const double volume = this->SharingVolume(this->Request.Values.CellsOfInput(cell));
+  for (int c = 0; c < this->Columns.Count(); ++c)
+  {
+    values[c] = this->Columns.IsExtensive(c) ? values[c] / volume : values[c];
+  }
+}
+
+MaterialSums::MaterialSums(int materials, const StateColumns& columns) :
+  Columns(columns),
+  Width(2 + columns.Count()),
+  Sums(static_cast<std::size_t>(materials) * this->Width),
+  Contents(columns.Count())
+{
+}
+
+void MaterialSums::Add(int material, double volume, const double* values)
+{
+  this->Columns.FindContents(volume, values, this->Contents.data());
+  const int density = this->Columns.Density();
+  WideSum* sums = this->Sums.data() + static_cast<std::size_t>(material) * this->Width;
+  sums[0].Add(volume);
+  sums[1].Add(density < 0 ? volume : this->Contents[density]);
+  for (int c = 0; c < this->Columns.Count(); ++c)
+  {
+    sums[2 + c].Add(this->Contents[c]);
+  }
+}
+
+std::vector<StateTotals> MaterialSums::Finish(Ranks& ranks)
+{
+  WideSum::SumOverRanks(this->Sums, ranks);
+  std::vector<StateTotals> totals(this->Sums.size() / this->Width, StateTotals(this->Width));
+  for (std::size_t i = 0; i < this->Sums.size(); ++i)
+  {
+    totals[i / this->Width][i % this->Width] = this->Sums[i].Value();
+  }
+  return totals;
+}
+
+namespace
+{
+
+/// What a cell without a slot gives to one near it.
+struct Gift
+{
+  Index From, To; // keys of cells
+  int Fragment;
+  double Volume;
+};
+
+class SlotFiller
+{
+public:
+  SlotFiller(const StateSource& source, const WholeElements& whole, const Partition& partition,
+    SlotTable& slots, MaterialSums& input, MaterialSums& unmeshed) :
+    Source(source),
+    Grid(source.Request.Grid),
+    Whole(whole),
+    Parts(partition),
+    Slots(slots),
+    Input(input),
+    Unmeshed(unmeshed),
+    Values(slots.Count(), source.Columns),
+    Own(source.Columns.Count()),
+    Gifts(partition.Peers().size() + 1),
+    GiftValues(partition.Peers().size() + 1)
+  {
+  }
+
+  SlotValues Fill()
+  {
+    const FractionField& fractions = this->Source.Request.Fractions;
+    ForCells(this->Grid.Owned(),
+      [&](const Index3& p)
+      {
+        const Index cell = this->Grid.Linear(p);
+        if (!fractions.IsMixed(cell))
+        {
+          this->Deal(p, cell, fractions.Label(cell), 1.0);
+          return;
+        }
+        for (const FractionField::Part& part : fractions.Parts(cell))
+        {
+          this->Deal(p, cell, part.Material, part.Fraction);
+        }
+      });
+    this->ExchangeGifts();
+    return std::move(this->Values);
+  }
+
+private:
+  /// The content of a material in a cell.
+  void Deal(const Index3& p, Index cell, int material, double fraction)
+  {
+    const double volume = fraction * this->Grid.CellVolume(p);
+    if (!this->Source.Counts(material) || !(volume > 0.0))
+    {
+      return;
+    }
+    this->Source.Read(p, material, this->Own.data());
+    this->Input.Add(material, volume, this->Own.data());
+    double overlap = 0.0;
+    this->Slots.ForCell(cell,
+      [&](int s)
+      { overlap += this->Slots[s].Material == material ? this->Slots[s].Overlap : 0.0; });
+    if (overlap > 0.0)
+    {
+      this->Slots.ForCell(cell,
+        [&](int s)
+        {
+          if (this->Slots[s].Material == material)
+          {
+            this->Slots[s].Volume = volume * (this->Slots[s].Overlap / overlap);
+            std::copy(this->Own.begin(), this->Own.end(), this->Values.Of(s));
+          }
+        });
+    }
+    else if (!this->Whole.Covers(cell) && !this->Give(p, material, volume))
+    {
+      this->Unmeshed.Add(material, volume, this->Own.data());
+    }
+  }
+
+  bool Give(const Index3& p, int material, double volume)
+  {
+    int nearest = -1;
+    const int reach = this->Source.Request.GiveUnmeshed ? GivingReach : RimReach;
+    for (int layers = RimReach; this->Source.IsMeshed[material] && nearest < 0 && layers <= reach;
+         layers += GivingReach - RimReach)
+    {
+      nearest = this->FindNearest(p, material, layers);
+    }
+    if (nearest < 0)
+    {
+      return false;
+    }
+    const Slot& slot = this->Slots[nearest];
+    const Index3 to = this->Grid.Position(slot.Cell);
+    const std::size_t peer = slot.IsOwned ? this->Gifts.size() - 1 : this->Parts.PeerOfCell(to);
+    this->Gifts[peer].push_back(
+      { this->Grid.CellKey(p), this->Grid.CellKey(to), slot.Fragment, volume });
+    this->GiftValues[peer].insert(
+      this->GiftValues[peer].end(), this->Own.begin(), this->Own.end());
+    return true;
+  }
+
+  /// The slot of a material whose cell is nearest; in it the largest. -1: none.
+  int FindNearest(const Index3& p, int material, int layers) const
+  {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::max();
+    ForCells(Grow(BoxOfCell(p), layers, this->Grid.Local()),
+      [&](const Index3& q)
+      {
+        this->Slots.ForCell(this->Grid.Linear(q),
+          [&](int s)
+          {
+            const Slot& slot = this->Slots[s];
+            if (slot.Material != material || !(slot.Overlap > 0.0))
+            {
+              return;
+            }
+            const double distance = this->SquaredDistance(p, q);
+            if (distance < least ||
+              (distance == least && this->Slots[nearest].Cell == slot.Cell &&
+                slot.Overlap > this->Slots[nearest].Overlap))
+            {
+              nearest = s;
+              least = distance;
+            }
+          });
+      });
+    return nearest;
+  }
+
+  double SquaredDistance(const Index3& p, const Index3& q) const
+  {
+    double sum = 0.0;
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>& x = this->Grid.Coordinates(a);
+      const double d = (x[p[a]] + x[p[a] + 1]) - (x[q[a]] + x[q[a] + 1]);
+      sum += d * d;
+    }
+    return sum;
+  }
+
+  /// Sends gifts to who owns the slots, and adds those for mine by the cells that they come from.
+  void ExchangeGifts()
+  {
+    std::vector<Gift> gifts = std::move(this->Gifts.back());
+    std::vector<double> values = std::move(this->GiftValues.back());
+    this->Receive(this->Gifts, gifts);
+    this->Receive(this->GiftValues, values);
+    std::vector<Index> order(gifts.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+      [&gifts](Index a, Index b) { return gifts[a].From < gifts[b].From; });
+    for (Index g : order)
+    {
+      const int s =
+        this->Slots.Find(this->Grid.Linear(this->Grid.CellOfKey(gifts[g].To)), gifts[g].Fragment);
+      this->Source.Columns.Mix(this->Slots[s].Volume, this->Values.Of(s), gifts[g].Volume,
+        values.data() + g * static_cast<Index>(this->Own.size()));
+    }
+  }
+
+  template <class T>
+  void Receive(const std::vector<std::vector<T>>& sent, std::vector<T>& items) const
+  {
+    std::vector<Bytes> outgoing;
+    for (std::size_t p = 0; p + 1 < sent.size(); ++p)
+    {
+      outgoing.push_back(ToBytes(sent[p]));
+    }
+    for (const Bytes& bytes : this->Parts.Group().Exchange(this->Parts.Peers(), outgoing))
+    {
+      const std::vector<T> received = FromBytes<T>(bytes);
+      items.insert(items.end(), received.begin(), received.end());
+    }
+  }
+
+  const StateSource& Source;
+  const CartesianGrid& Grid;
+  const WholeElements& Whole;
+  const Partition& Parts;
+  SlotTable& Slots;
+  MaterialSums &Input, &Unmeshed;
+  SlotValues Values;
+  std::vector<double> Own;                     // of the cell that is dealt
+  std::vector<std::vector<Gift>> Gifts;        // by peer; last those for slots of this rank
+  std::vector<std::vector<double>> GiftValues; // of each
+};
+
+} // namespace
+
+SlotValues FillSlots(const StateSource& source, const WholeElements& whole,
+  const Partition& partition, SlotTable& slots, MaterialSums& input, MaterialSums& unmeshed)
+{
+  return SlotFiller(source, whole, partition, slots, input, unmeshed).Fill();
+}
+
+} // namespace vfm

@@ -1,0 +1,111 @@
+/**
+ * Slots: what a fragment has in a cell. Contents of cells are gathered there, moved between those of a fragment, and given from
+ * there to the elements. There are slots only where elements are no whole cells, and near these.
+ *
+ * The owner of a cell works on its slots; ranks that hold the cell as a ghost have copies.
+ */
+#pragma once
+
+#include "Base/Partition.h"
+#include "Base/Vector3.h"
+
+#include <functional>
+
+namespace vfm
+{
+
+struct Slot
+{
+  Index Cell; ///< CartesianGrid::Linear
+  int Fragment, Material;
+  int Next;             ///< of the same cell, fragments ascending; -1: none
+  bool IsOwned;         ///< its cell is
+  double Volume = 0.0;  ///< of the material that it holds
+  double Overlap = 0.0; ///< of the fragment's elements in the cell
+  Vector3 Centroid{};   ///< of the latter; before that is known, of the cell
+};
+
+class SlotTable
+{
+public:
+  explicit SlotTable(const CartesianGrid& grid) : Grid(grid), Firsts(grid, -1) {}
+
+  /// -1: none.
+  int First(Index cell) const { return this->Firsts[cell]; }
+  int Find(Index cell, int fragment) const
+  {
+    int slot = this->Firsts[cell];
+    while (slot >= 0 && this->Slots[slot].Fragment != fragment)
+    {
+      slot = this->Slots[slot].Next;
+    }
+    return slot;
+  }
+  /// Makes it where there is none.
+  int Get(Index cell, int fragment, int material);
+
+  /// Calls body(slot) for those of a cell.
+  template <class Body>
+  void ForCell(Index cell, const Body& body) const
+  {
+    for (int slot = this->Firsts[cell]; slot >= 0; slot = this->Slots[slot].Next)
+    {
+      body(slot);
+    }
+  }
+
+  int Count() const { return static_cast<int>(this->Slots.size()); }
+  Slot& operator[](int slot) { return this->Slots[slot]; }
+  const Slot& operator[](int slot) const { return this->Slots[slot]; }
+
+private:
+  const CartesianGrid& Grid;
+  PagedArray<int> Firsts; // by cell
+  std::vector<Slot> Slots;
+};
+
+/// Slots that this rank owns and others hold, and those of others that it holds: by peer, in one order on both sides.
+class SlotLinks
+{
+public:
+  /// All slots in cells that are held; makes the copies. Collective.
+  SlotLinks(const CartesianGrid& grid, const Partition& partition, SlotTable& slots);
+
+  /// Those of the copies that this rank wants. Collective.
+  SlotLinks Narrow(const std::function<bool(int slot)>& wants) const;
+
+  /// Sends some numbers of each slot: pack(slot, numbers) of those owned, unpack(slot, numbers) of copies. Collective.
+  template <class Pack, class Unpack>
+  void Exchange(int width, const Pack& pack, const Unpack& unpack) const;
+
+private:
+  const Partition* Parts;
+  std::vector<std::vector<int>> Mine, Copies; // by peer
+};
+
+template <class Pack, class Unpack>
+void SlotLinks::Exchange(int width, const Pack& pack, const Unpack& unpack) const
+{
+  std::vector<Bytes> outgoing;
+  for (const std::vector<int>& mine : this->Mine)
+  {
+    std::vector<double> numbers(mine.size() * width);
+    for (std::size_t i = 0; i < mine.size(); ++i)
+    {
+      pack(mine[i], numbers.data() + i * width);
+    }
+    outgoing.push_back(ToBytes(numbers));
+  }
+  const std::vector<Bytes> incoming =
+    this->Parts->Group().Exchange(this->Parts->Peers(), outgoing);
+  for (std::size_t p = 0; p < incoming.size(); ++p)
+  {
+    const std::vector<double> numbers = FromBytes<double>(incoming[p]);
+    for (std::size_t i = 0; i < this->Copies[p].size(); ++i)
+    {
+      unpack(this->Copies[p][i], numbers.data() + i * width);
+    }
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,57 @@
+/**
+ * The components of all quantities of a transfer, one after another, and what each is multiplied with.
+ *
+ * A value is per volume, per mass, or per mass times a weight such as heat capacity. So what is conserved of it is a product along a
+ * chain: volume x density x heat capacity x temperature. All that moves state, fluxes and reconstruction alike, moves volume, then
+ * what is per volume, then what is per that: each a mean whose weights are what was moved before it. Means stay within bounds.
+ */
+#pragma once
+
+#include "Transfer/TransferState.h"
+
+namespace vfm
+{
+
+class StateColumns
+{
+public:
+  StateColumns(const std::vector<StateQuantity>& quantities, int density);
+
+  int Count() const { return static_cast<int>(this->Bases.size()); }
+  /// The column whose content a column is multiplied with; -1 volume.
+  int Base(int column) const { return this->Bases[column]; }
+  /// All columns, each after its base.
+  const std::vector<int>& Order() const { return this->Sequence; }
+  bool IsExtensive(int column) const { return this->Extensive[column]; }
+  bool HasExtensive() const { return this->AnyExtensive; }
+  /// Whether another column's base, but not that of masses: constant in a cell, so that products have no more than two slopes.
+  bool IsConstant(int column) const { return this->Constant[column]; }
+  /// The column of the density; -1: mass is volume.
+  int Density() const { return this->DensityColumn; }
+  /// The first column of a quantity.
+  int First(int quantity) const { return this->Starts[quantity]; }
+
+  /// What is conserved of each column in a volume with these values.
+  void FindContents(double volume, const double* values, double* contents) const;
+
+  /// Adds to a volume with these values another with others.
+  void Mix(double& volume, double* values, double otherVolume, const double* others) const;
+
+private:
+  std::vector<int> Bases, Sequence, Starts;
+  std::vector<unsigned char> Extensive, Constant;
+  bool AnyExtensive = false;
+  int DensityColumn = -1;
+};
+
+/// a / (a + b) where both are weights; of what is no weight (no mass at all) by volumes.
+inline double ShareOf(double a, double b, double volumeA, double volumeB)
+{
+  if (a >= 0.0 && b >= 0.0 && a + b > 0.0)
+  {
+    return a / (a + b);
+  }
+  return volumeA + volumeB > 0.0 ? volumeA / (volumeA + volumeB) : 0.0;
+}
+
+} // namespace vfm

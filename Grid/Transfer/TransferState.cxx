@@ -1,0 +1,283 @@
+#include "Transfer/TransferState.h"
+
+#include "Transfer/Slopes.h"
+#include "Transfer/VolumeFluxes.h"
+
+#include <numeric>
+
+namespace vfm
+{
+namespace
+{
+
+/// By material, over all ranks.
+std::vector<unsigned char> FindMeshed(const Mesh& mesh, int materials, Ranks& ranks)
+{
+  std::vector<std::int64_t> elements(materials + 1, 0);
+  for (int material : mesh.Material)
+  {
+    ++elements[material];
+  }
+  ranks.Sum(elements);
+  std::vector<unsigned char> isMeshed(elements.size());
+  std::transform(elements.begin(), elements.end(), isMeshed.begin(),
+    [](std::int64_t count) { return count > 0; });
+  return isMeshed;
+}
+
+/// What an element gets, part after part.
+class ElementState
+{
+public:
+  explicit ElementState(const StateColumns& columns) :
+    Columns(columns),
+    Values(columns.Count()),
+    Contents(columns.Count()),
+    Parts(columns.Count()),
+    Means(columns.Count())
+  {
+  }
+
+  void Start()
+  {
+    this->Volume = this->Inside = 0.0;
+    std::fill(this->Contents.begin(), this->Contents.end(), 0.0);
+    std::fill(this->Means.begin(), this->Means.end(), 0.0);
+  }
+  /// Where the values of the next part are put.
+  double* NextValues() { return this->Values.data(); }
+  /// inside: the volume of the element there; volume: of what it gets, but for rounding the same.
+  void Add(double inside, double volume)
+  {
+    this->Columns.FindContents(volume, this->Values.data(), this->Parts.data());
+    this->Inside += inside;
+    this->Volume += volume;
+    for (int c = 0; c < this->Columns.Count(); ++c)
+    {
+      this->Contents[c] += this->Parts[c];
+      this->Means[c] += volume * this->Values[c];
+    }
+  }
+  double Mass() const
+  {
+    return this->Columns.Density() < 0 ? this->Inside : this->Contents[this->Columns.Density()];
+  }
+  double Value(int c) const
+  {
+    if (this->Columns.IsExtensive(c))
+    {
+      return this->Contents[c];
+    }
+    const int base = this->Columns.Base(c);
+    const double weight = base < 0 ? this->Inside : this->Contents[base];
+    if (weight > 0.0)
+    {
+      return this->Contents[c] / weight;
+    }
+    return this->Volume > 0.0 ? this->Means[c] / this->Volume : 0.0; // of what has no mass
+  }
+
+private:
+  const StateColumns& Columns;
+  double Inside = 0.0, Volume = 0.0;
+  std::vector<double> Values, Contents, Parts, Means;
+};
+
+/// All steps, one after another.
+class StateTransfer
+{
+public:
+  StateTransfer(const Mesh& mesh, const TransferRequest& request, Runtime& runtime) :
+    TheMesh(mesh),
+    Request(request),
+    Grid(request.Grid),
+    Run(runtime),
+    Parts(request.Grid, runtime.Group()),
+    Columns(request.Quantities, request.Density),
+    IsMeshed(FindMeshed(mesh, request.Fractions.NumberOfMaterials(), runtime.Group())),
+    Source(request, this->Columns, this->IsMeshed),
+    Whole(mesh, request.Grid, request.Fractions, runtime),
+    Slots(request.Grid)
+  {
+  }
+
+  TransferredState Transfer()
+  {
+    const int materials = static_cast<int>(this->IsMeshed.size());
+    std::vector<SlotShape> shapes;
+    const SlotParts moved = this->FindParts(
+      [this](Index e) { return !this->Whole.IsWhole(e); }, shapes);
+    const MisfitCells misfits(
+      this->Grid, this->Request.Fractions, this->Whole, this->Slots, this->IsMeshed, this->Parts);
+    const SlotParts near =
+      this->FindParts([&](Index e) { return this->Whole.IsWhole(e) && this->IsNear(misfits, e); }, shapes);
+    CentreShapes(this->Slots, shapes);
+    const SlotLinks links(this->Grid, this->Parts, this->Slots);
+    MaterialSums input(materials, this->Columns), unmeshed(materials, this->Columns);
+    SlotValues values =
+      FillSlots(this->Source, this->Whole, this->Parts, this->Slots, input, unmeshed);
+    TransferredState state;
+    state.Factors =
+      MoveContents(this->Source, misfits, this->Parts, links, this->Run, this->Slots, values);
+    this->UpdateCopies(links, values);
+    const Slopes slopes = this->Request.Order == 1
+      ? Slopes(this->Columns)
+      : Slopes(this->Columns, this->Grid, this->Slots, values, shapes,
+          this->LinksToParts(links, { &moved, &near }), this->Run);
+    this->Allocate(state);
+    this->FillFromSlots(moved, slopes, values, state);
+    this->FillFromSlots(near, slopes, values, state);
+    this->FillFromCells(misfits, state);
+    state.Input = input.Finish(this->Run.Group());
+    state.Unmeshed = unmeshed.Finish(this->Run.Group());
+    return state;
+  }
+
+private:
+  template <class Wants>
+  SlotParts FindParts(const Wants& wants, std::vector<SlotShape>& shapes)
+  {
+    std::vector<Index> elements;
+    for (Index e = 0; e < static_cast<Index>(this->TheMesh.Material.size()); ++e)
+    {
+      if (wants(e))
+      {
+        elements.push_back(e);
+      }
+    }
+    return FindSlotParts(this->TheMesh, std::move(elements), this->Grid, this->Parts, this->Run,
+      this->Slots, shapes);
+  }
+
+  bool IsNear(const MisfitCells& misfits, Index element) const
+  {
+    bool isNear = false;
+    ForCells(this->Whole.CellsOf(element), [&](const Index3& p)
+      { isNear = isNear || misfits.IsNear(this->Grid.Linear(p), SlotLayers); });
+    return isNear;
+  }
+
+  /// Those around owned slots, and those with parts of this rank's elements.
+  void UpdateCopies(const SlotLinks& links, SlotValues& values)
+  {
+    links.Exchange(
+      1 + this->Columns.Count(),
+      [&](int s, double* numbers)
+      {
+        numbers[0] = this->Slots[s].Volume;
+        std::copy_n(values.Of(s), this->Columns.Count(), numbers + 1);
+      },
+      [&](int s, const double* numbers)
+      {
+        this->Slots[s].Volume = numbers[0];
+        std::copy_n(numbers + 1, this->Columns.Count(), values.Of(s));
+      });
+  }
+
+  SlotLinks LinksToParts(
+    const SlotLinks& links, const std::vector<const SlotParts*>& parts) const
+  {
+    std::vector<unsigned char> wanted(this->Slots.Count(), 0);
+    for (const SlotParts* some : parts)
+    {
+      for (int s : some->Slots)
+      {
+        wanted[s] = 1;
+      }
+    }
+    return links.Narrow([&wanted](int s) { return wanted[s]; });
+  }
+
+  void Allocate(TransferredState& state) const
+  {
+    const std::size_t elements = this->TheMesh.Material.size();
+    for (const StateQuantity& quantity : this->Request.Quantities)
+    {
+      state.Values.emplace_back(elements * quantity.Components);
+    }
+    state.Mass = Buffer<double>(elements);
+  }
+
+  void Write(const ElementState& element, Index e, TransferredState& state) const
+  {
+    state.Mass[e] = element.Mass();
+    int c = 0;
+    for (std::size_t q = 0; q < this->Request.Quantities.size(); ++q)
+    {
+      const int components = this->Request.Quantities[q].Components;
+      for (int i = 0; i < components; ++i)
+      {
+        state.Values[q][e * components + i] = element.Value(c++);
+      }
+    }
+  }
+
+  void FillFromSlots(const SlotParts& parts, const Slopes& slopes, const SlotValues& values,
+    TransferredState& state)
+  {
+    this->Run.For(0, static_cast<Index>(parts.Elements.size()),
+      [&](Index begin, Index end)
+      {
+        ElementState element(this->Columns);
+        for (Index i = begin; i < end; ++i)
+        {
+          element.Start();
+          for (Index p = parts.Cells.Offsets[i]; p < parts.Cells.Offsets[i + 1]; ++p)
+          {
+            const OverlapPart& part = parts.Cells.Parts[p];
+            const int s = parts.Slots[p];
+            const Slot& slot = this->Slots[s];
+            std::copy_n(values.Of(s), this->Columns.Count(), element.NextValues());
+            slopes.AddAt(s, part.Centroid - slot.Centroid, element.NextValues());
+            element.Add(part.Volume, part.Volume * (slot.Volume / slot.Overlap));
+          }
+          this->Write(element, parts.Elements[i], state);
+        }
+      });
+  }
+
+  /// Whole elements that no misfit is near.
+  void FillFromCells(const MisfitCells& misfits, TransferredState& state)
+  {
+    this->Run.For(0, static_cast<Index>(this->TheMesh.Material.size()),
+      [&](Index begin, Index end)
+      {
+        ElementState element(this->Columns);
+        for (Index e = begin; e < end; ++e)
+        {
+          if (!this->Whole.IsWhole(e) || this->IsNear(misfits, e))
+          {
+            continue;
+          }
+          element.Start();
+          ForCells(this->Whole.CellsOf(e),
+            [&](const Index3& p)
+            {
+              this->Source.Read(p, this->TheMesh.Material[e], element.NextValues());
+              element.Add(this->Grid.CellVolume(p), this->Grid.CellVolume(p));
+            });
+          this->Write(element, e, state);
+        }
+      });
+  }
+
+  const Mesh& TheMesh;
+  const TransferRequest& Request;
+  const CartesianGrid& Grid;
+  Runtime& Run;
+  const Partition Parts;
+  const StateColumns Columns;
+  const std::vector<unsigned char> IsMeshed; // by material
+  const StateSource Source;
+  const WholeElements Whole;
+  SlotTable Slots;
+};
+
+} // namespace
+
+TransferredState TransferState(const Mesh& mesh, const TransferRequest& request, Runtime& runtime)
+{
+  return StateTransfer(mesh, request, runtime).Transfer();
+}
+
+} // namespace vfm

@@ -1,0 +1,342 @@
+#include "Transfer/VolumeFluxes.h"
+
+#include "Base/DisjointSets.h"
+#include "Base/ExactSum.h"
+#include "Base/Sorted.h"
+#include "Labels/Fragments.h"
+#include "Transfer/PotentialFlow.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int MostRounds = 64; // a few do, unless cells give many times what they hold
+
+/// The slots between which contents move.
+class ContentMover
+{
+public:
+  ContentMover(const StateSource& source, const MisfitCells& misfits, const Partition& partition,
+    const SlotLinks& links, Runtime& runtime, SlotTable& slots, SlotValues& values) :
+    Grid(source.Request.Grid),
+    Columns(source.Columns),
+    Ghosts(links.Narrow(
+      [&](int s) { return misfits.IsNear(slots[s].Cell, FluxLayers) && this->TouchesOwned(slots[s].Cell); })),
+    TheRanks(partition.Group()),
+    Run(runtime),
+    Slots(slots),
+    Values(values),
+    Numbers(slots.Count(), -1),
+    Factors(source.IsMeshed.size(), { { 1.0, 1.0 } })
+  {
+    for (int s = 0; s < slots.Count(); ++s)
+    {
+      if (slots[s].IsOwned && misfits.IsNear(slots[s].Cell, FluxLayers))
+      {
+        this->AddNode(s);
+      }
+    }
+    this->Owned = this->SlotOf.size();
+    this->Ghosts.Exchange(
+      1, [&](int s, double* v) { v[0] = slots[s].Volume; },
+      [&](int s, const double* v)
+      {
+        slots[s].Volume = v[0];
+        this->AddNode(s);
+      });
+  }
+
+  VolumeFactors Move()
+  {
+    this->JoinNodes();
+    this->MatchTotals();
+    this->FindWidths();
+    this->FindFlows();
+    for (int round = 0; round < MostRounds && this->MoveOnce(); ++round)
+    {
+    }
+    return std::move(this->Factors);
+  }
+
+private:
+  bool TouchesOwned(Index cell) const
+  {
+    bool touches = false;
+    for (int f = 0; f < 6; ++f)
+    {
+      touches = touches ||
+        this->Grid.Owned().Contains(this->Grid.Position(this->Grid.Neighbour(cell, f)));
+    }
+    return touches;
+  }
+
+  void AddNode(int s)
+  {
+    this->Numbers[s] = static_cast<int>(this->SlotOf.size());
+    this->SlotOf.push_back(s);
+  }
+
+  /// Finds the neighbours, and which nodes hang together.
+  void JoinNodes()
+  {
+    this->Graph.Nodes.resize(this->Owned);
+    this->Graph.Copies = static_cast<int>(this->SlotOf.size() - this->Owned);
+    this->Graph.Update = [this](std::vector<double>& values)
+    {
+      this->Ghosts.Exchange(
+        1, [&](int s, double* v) { v[0] = values[this->Numbers[s]]; },
+        [&](int s, const double* v) { values[this->Numbers[s]] = v[0]; });
+    };
+    std::vector<Index> parent = MakeSets(this->SlotOf.size());
+    for (std::size_t i = 0; i < this->Owned; ++i)
+    {
+      const Slot& slot = this->Slots[this->SlotOf[i]];
+      for (int f = 0; f < 6; ++f)
+      {
+        const int other = this->Slots.Find(this->Grid.Neighbour(slot.Cell, f), slot.Fragment);
+        this->Graph.Nodes[i].Others[f] = other < 0 ? -1 : this->Numbers[other];
+        if (this->Graph.Nodes[i].Others[f] >= 0)
+        {
+          Join(parent, i, this->Graph.Nodes[i].Others[f]);
+        }
+      }
+    }
+    this->NumberPieces(parent);
+  }
+
+  /// Pieces over all ranks.
+  void NumberPieces(std::vector<Index>& parent)
+  {
+    std::vector<Piece> pieces;
+    std::vector<double> pieceOf(this->SlotOf.size());
+    for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
+    {
+      const Index root = FindRoot(parent, i);
+      if (root == static_cast<Index>(i))
+      {
+        const Slot& slot = this->Slots[this->SlotOf[i]];
+        pieceOf[i] = static_cast<double>(pieces.size());
+        pieces.push_back({ this->Grid.CellKey(this->Grid.Position(slot.Cell)), slot.Material });
+      }
+      pieceOf[i] = pieceOf[root];
+    }
+    const Index offset = OffsetOfPieces(this->TheRanks, static_cast<Index>(pieces.size()));
+    std::vector<double> known = pieceOf;
+    for (double& piece : known)
+    {
+      piece += static_cast<double>(offset);
+    }
+    const std::vector<double> mine = known;
+    this->Graph.Update(known);
+    PiecePairs same;
+    for (std::size_t i = this->Owned; i < known.size(); ++i)
+    {
+      same.push_back({ { static_cast<Index>(mine[i]), static_cast<Index>(known[i]) } });
+    }
+    SortUnique(same);
+    const std::vector<int> numbers =
+      NumberFragments(pieces, same, offset, this->TheRanks, this->PieceMaterials);
+    this->PieceOf.resize(this->SlotOf.size());
+    for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
+    {
+      this->PieceOf[i] = numbers[static_cast<std::size_t>(pieceOf[i])];
+    }
+  }
+
+  /// Multiplies the volumes of each piece so that they have the sum of the overlaps.
+  void MatchTotals()
+  {
+    const std::size_t pieces = this->PieceMaterials.size();
+    const double unit = std::ldexp(std::pow(this->Grid.MeanWidth(), 3.0), -FinerBits);
+    std::vector<ExactSum> sums(2 * pieces);
+    for (std::size_t i = 0; i < this->Owned; ++i)
+    {
+      const Slot& slot = this->Slots[this->SlotOf[i]];
+      sums[this->PieceOf[i]].Add(slot.Volume / unit);
+      sums[pieces + this->PieceOf[i]].Add(slot.Overlap / unit);
+    }
+    const std::vector<double> totals = SumOverRanks(sums, this->TheRanks);
+    std::vector<double> factors(pieces, 1.0);
+    for (std::size_t p = 1; p < pieces; ++p)
+    {
+      factors[p] = totals[p] > 0.0 && totals[pieces + p] > 0.0 ? totals[p] / totals[pieces + p] : 0.0;
+      std::array<double, 2>& range = this->Factors[this->PieceMaterials[p]];
+      range = { { std::min(range[0], factors[p]), std::max(range[1], factors[p]) } };
+    }
+    for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
+    {
+      const double factor = factors[this->PieceOf[i]];
+      Slot& slot = this->Slots[this->SlotOf[i]];
+      slot.Volume = factor > 0.0 ? slot.Volume / factor : 0.0;
+      double* values = this->Values.Of(this->SlotOf[i]);
+      for (int c = 0; c < this->Columns.Count(); ++c)
+      {
+        values[c] *= this->Columns.Base(c) < 0 ? factor : 1.0;
+      }
+    }
+    this->IsEmpty.resize(pieces);
+    std::transform(factors.begin(), factors.end(), this->IsEmpty.begin(),
+      [](double factor) { return !(factor > 0.0); });
+  }
+
+  /// As wide as the smaller of two: little flows through a cell that holds little.
+  void FindWidths()
+  {
+    const auto sizeOf = [this](int i)
+    {
+      const Slot& slot = this->Slots[this->SlotOf[i]];
+      return std::max(slot.Volume, slot.Overlap);
+    };
+    ForEach(this->Run, this->Owned,
+      [&](Index i)
+      {
+        FlowNode& node = this->Graph.Nodes[i];
+        const Index3 p = this->Grid.Position(this->Slots[this->SlotOf[i]].Cell);
+        for (int f = 0; f < 6; ++f)
+        {
+          if (node.Others[f] >= 0)
+          {
+            const int a = f / 2;
+            const Index q = p[a] + (f & 1 ? 1 : -1);
+            const double distance = this->Grid.Width(a, p[a]) + this->Grid.Width(a, q);
+            node.Widths[f] =
+              std::min(sizeOf(static_cast<int>(i)), sizeOf(node.Others[f])) / (distance * distance);
+          }
+        }
+      });
+  }
+
+  void FindFlows()
+  {
+    std::vector<double> excess(this->Owned), size(this->Owned);
+    for (std::size_t i = 0; i < this->Owned; ++i)
+    {
+      const Slot& slot = this->Slots[this->SlotOf[i]];
+      excess[i] = this->IsEmpty[this->PieceOf[i]] ? 0.0 : slot.Volume - slot.Overlap;
+      size[i] = slot.Overlap;
+    }
+    this->Potential = FindPotential(this->Graph, std::move(excess), size, this->Run);
+    this->Outflow.assign(this->Owned, 0.0);
+    this->Left.assign(this->Owned, 1.0);
+    this->Shares.assign(this->SlotOf.size(), 0.0);
+    for (std::size_t i = 0; i < this->Owned; ++i)
+    {
+      for (int f = 0; f < 6; ++f)
+      {
+        this->Outflow[i] += std::max(this->FlowOut(i, f), 0.0);
+      }
+    }
+  }
+
+  /// Over a face of a node's cell; of the other side exactly the negative.
+  double FlowOut(std::size_t i, int f) const
+  {
+    const FlowNode& node = this->Graph.Nodes[i];
+    const int other = node.Others[f];
+    return other < 0 ? 0.0 : node.Widths[f] * (this->Potential[i] - this->Potential[other]);
+  }
+
+  /// Each gives what it has of what it must still give. Whether some were short of it.
+  bool MoveOnce()
+  {
+    bool isShort = false;
+    for (std::size_t i = 0; i < this->Owned; ++i)
+    {
+      double& share = this->Shares[i];
+      share = this->Outflow[i] > 0.0
+        ? std::min(this->Left[i], this->Slots[this->SlotOf[i]].Volume / this->Outflow[i])
+        : 0.0;
+      this->Left[i] -= share;
+      isShort = isShort || (this->Left[i] > LeastLeft && this->Outflow[i] > 0.0);
+    }
+    this->UpdateCopies();
+    std::vector<double> volumes(this->Owned);
+    std::vector<double> moved(this->Owned * this->Columns.Count());
+    ForEach(this->Run, this->Owned,
+      [&](Index i)
+      {
+        volumes[i] = this->Receive(i, moved.data() + i * this->Columns.Count());
+      });
+    ForEach(this->Run, this->Owned,
+      [&](Index i)
+      {
+        this->Slots[this->SlotOf[i]].Volume = volumes[i];
+        std::copy_n(moved.data() + i * this->Columns.Count(), this->Columns.Count(),
+          this->Values.Of(this->SlotOf[i]));
+      });
+    return this->TheRanks.Any(isShort);
+  }
+
+  void UpdateCopies()
+  {
+    const int count = this->Columns.Count();
+    this->Ghosts.Exchange(
+      1 + count,
+      [&](int s, double* numbers)
+      {
+        numbers[0] = this->Shares[this->Numbers[s]];
+        std::copy_n(this->Values.Of(s), count, numbers + 1);
+      },
+      [&](int s, const double* numbers)
+      {
+        this->Shares[this->Numbers[s]] = numbers[0];
+        std::copy_n(numbers + 1, count, this->Values.Of(s));
+      });
+  }
+
+  /// What a node has after a round: the volume, and in values what is in it.
+  double Receive(std::size_t i, double* values) const
+  {
+    const int s = this->SlotOf[i];
+    std::copy_n(this->Values.Of(s), this->Columns.Count(), values);
+    double volume = std::max(this->Slots[s].Volume - this->Shares[i] * this->Outflow[i], 0.0);
+    for (int f = 0; f < 6; ++f)
+    {
+      const double inflow = -this->FlowOut(i, f);
+      if (inflow > 0.0)
+      {
+        const int other = this->Graph.Nodes[i].Others[f];
+        const double part = this->Shares[other] * inflow;
+        if (part > 0.0)
+        {
+          this->Columns.Mix(volume, values, part, this->Values.Of(this->SlotOf[other]));
+        }
+      }
+    }
+    return volume;
+  }
+
+  static constexpr int FinerBits = 30; // than those of ExactSum
+  static constexpr double LeastLeft = 1e-12;
+
+  const CartesianGrid& Grid;
+  const StateColumns& Columns;
+  const SlotLinks Ghosts;
+  Ranks& TheRanks;
+  Runtime& Run;
+  SlotTable& Slots;
+  SlotValues& Values;
+  std::vector<int> Numbers; // of slots among the nodes; -1: none
+  std::vector<int> SlotOf;  // of nodes; copies last
+  std::size_t Owned = 0;    // nodes
+  VolumeFactors Factors;
+  FlowGraph Graph;
+  std::vector<int> PieceOf;            // of nodes, from 1
+  std::vector<int> PieceMaterials;     // of pieces
+  std::vector<unsigned char> IsEmpty;  // pieces of whose material cells hold nothing
+  std::vector<double> Potential;       // of nodes
+  std::vector<double> Outflow, Left;   // of owned nodes: in total; what part is still to be given
+  std::vector<double> Shares;          // of the outflow, given in this round; of nodes
+};
+
+} // namespace
+
+VolumeFactors MoveContents(const StateSource& source, const MisfitCells& misfits,
+  const Partition& partition, const SlotLinks& links, Runtime& runtime, SlotTable& slots,
+  SlotValues& values)
+{
+  return ContentMover(source, misfits, partition, links, runtime, slots, values).Move();
+}
+
+} // namespace vfm

@@ -1,0 +1,86 @@
+#include "Transfer/WholeElements.h"
+
+#include "Base/HexNumbering.h"
+
+namespace vfm
+{
+
+WholeElements::WholeElements(
+  const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime) :
+  TheMesh(mesh),
+  Grid(grid),
+  Fractions(fractions),
+  Whole(mesh.Material.size(), 0),
+  Covered(grid, 0)
+{
+  if (mesh.Corners != 8)
+  {
+    return;
+  }
+  ForEach(runtime, this->Whole.size(),
+    [this](Index e)
+    {
+      IndexBox box;
+      this->Whole[e] = this->FindBox(e, box) && this->IsPure(box, this->TheMesh.Material[e]);
+    });
+  for (std::size_t e = 0; e < this->Whole.size(); ++e)
+  {
+    if (this->Whole[e])
+    {
+      ForCells(this->CellsOf(static_cast<Index>(e)),
+        [this](const Index3& cell) { this->Covered.Set(this->Grid.Linear(cell), 1); });
+    }
+  }
+}
+
+IndexBox WholeElements::CellsOf(Index element) const
+{
+  IndexBox box;
+  this->FindBox(element, box);
+  return box;
+}
+
+/// Whether its corners are those of a box of cells of this rank.
+bool WholeElements::FindBox(Index element, IndexBox& box) const
+{
+  const Index* corners = this->TheMesh.Elements.data() + 8 * element;
+  const double* low = this->TheMesh.Points.data() + 3 * corners[0];
+  const double* high = this->TheMesh.Points.data() + 3 * corners[6];
+  for (int c = 1; c < 7; ++c)
+  {
+    const double* x = this->TheMesh.Points.data() + 3 * corners[VtkCorner[c]];
+    for (int a = 0; a < 3; ++a)
+    {
+      if (x[a] != (c >> a & 1 ? high[a] : low[a]))
+      {
+        return false;
+      }
+    }
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = this->Grid.Coordinates(a);
+    box.Lower[a] = std::lower_bound(x.begin(), x.end(), low[a]) - x.begin();
+    box.Upper[a] = std::lower_bound(x.begin() + box.Lower[a], x.end(), high[a]) - x.begin();
+    if (box.Upper[a] == static_cast<Index>(x.size()) || x[box.Lower[a]] != low[a] ||
+      x[box.Upper[a]] != high[a])
+    {
+      return false;
+    }
+  }
+  return Intersect(box, this->Grid.Owned()) == box;
+}
+
+bool WholeElements::IsPure(const IndexBox& box, int material) const
+{
+  bool isPure = true;
+  ForCells(box,
+    [&](const Index3& p)
+    {
+      const Index cell = this->Grid.Linear(p);
+      isPure = isPure && !this->Fractions.IsMixed(cell) && this->Fractions.Label(cell) == material;
+    });
+  return isPure;
+}
+
+} // namespace vfm
