@@ -10,7 +10,7 @@
 namespace vfm
 {
 
-constexpr int FluxLayers = 2; ///< cells around misfits between which contents move
+constexpr int FluxLayers = 1; ///< cells around misfits between which contents move
 constexpr int SlotLayers = 3; ///< cells around misfits that have slots: whole elements there are no copies
 
 class MisfitCells

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace vfm
 {
@@ -21,14 +23,14 @@ public:
   template <class Terms>
   double Sum(double like, const Terms& terms)
   {
-    const double unit = std::ldexp(1.0, std::ilogb(like) - BitsOfSum);
+    const double unit = std::ldexp(1.0, std::ilogb(like) - BitsOfSum), units = 1.0 / unit;
     std::atomic<std::int64_t> total{ 0 };
     this->Run.For(0, static_cast<Index>(this->Nodes),
       [&](Index begin, Index end)
       {
         std::int64_t part = 0;
         terms(begin, end,
-          [&](double value) { part += static_cast<std::int64_t>(value / unit); });
+          [&](double value) { part += static_cast<std::int64_t>(value * units); });
         total += part;
       });
     std::vector<std::int64_t> sum{ total };
@@ -70,7 +72,7 @@ public:
     this->For([this](Index i) { this->Direction[i] = this->Inverse[i] * this->Residual[i]; });
     for (int step = 0; step < MostSteps && square > small; ++step)
     {
-      const double next = this->Step(square);
+      const double next = this->Step(square); ++Steps;
       if (!(next >= 0.0))
       {
         break;
@@ -84,6 +86,7 @@ public:
         });
       square = next;
     }
+    if (getenv("VFM_DEBUG")) std::printf("DEBUG square %g small %g nodes %zu steps %d\n", square, small, this->Residual.size(), Steps);
     this->Graph.Update(this->Potential);
     return std::move(this->Potential);
   }
@@ -130,10 +133,7 @@ private:
           double sum = 0.0;
           for (int f = 0; f < 6; ++f)
           {
-            if (node.Others[f] >= 0)
-            {
-              sum += node.Widths[f] * (own - this->Direction[node.Others[f]]);
-            }
+            sum += node.Widths[f] * (own - this->Direction[node.Others[f]]);
           }
           this->Image[i] = sum;
           add(own * sum);
@@ -157,6 +157,7 @@ private:
       });
   }
 
+  int Steps = 0;
   const FlowGraph& Graph;
   Runtime& Run;
   NodeSums Sums;

@@ -104,6 +104,11 @@ private:
         right[a] += other.Weight * difference * other.Place[a];
       }
     }
+    if (this->Columns.IsExtensive(c)) // a sum in hardly any volume next to this one would be lost in rounding
+    {
+      this->Least = std::max(this->Least, -std::fabs(own));
+      this->Most = std::min(this->Most, std::fabs(own));
+    }
     const Eigen::Vector3d slope = inverse * right;
     std::copy_n(slope.data(), 3, line);
   }

@@ -126,6 +126,7 @@ public:
           this->Deal(p, cell, part.Material, part.Fraction);
         }
       });
+    this->FillEmpty();
     this->ExchangeGifts();
     return std::move(this->Values);
   }
@@ -225,6 +226,41 @@ private:
       sum += d * d;
     }
     return sum;
+  }
+
+  /// Slots in cells without their material have values, though no volume: those of the nearest cell with some. They hold if nothing
+  /// comes from elsewhere.
+  void FillEmpty()
+  {
+    for (int s = 0; s < this->Slots.Count(); ++s)
+    {
+      const Slot& slot = this->Slots[s];
+      Index3 cell;
+      if (slot.IsOwned && !(slot.Volume > 0.0) &&
+        (this->FindMaterial(slot, RimReach, cell) || this->FindMaterial(slot, GivingReach, cell)))
+      {
+        this->Source.Read(cell, slot.Material, this->Values.Of(s));
+      }
+    }
+  }
+
+  /// The nearest cell with the material of a slot.
+  bool FindMaterial(const Slot& slot, int layers, Index3& cell) const
+  {
+    const Index3 p = this->Grid.Position(slot.Cell);
+    double least = std::numeric_limits<double>::max();
+    ForCells(Grow(BoxOfCell(p), layers, this->Grid.Local()),
+      [&](const Index3& q)
+      {
+        const double distance = this->SquaredDistance(p, q);
+        if (distance < least &&
+          this->Source.Request.Fractions.Fraction(this->Grid.Linear(q), slot.Material) > 0.0)
+        {
+          cell = q;
+          least = distance;
+        }
+      });
+    return least < std::numeric_limits<double>::max();
   }
 
   /// Sends gifts to who owns the slots, and adds those for mine by the cells that they come from.

@@ -40,7 +40,7 @@ public:
 
   void Start()
   {
-    this->Volume = this->Inside = 0.0;
+    this->Inside = 0.0;
     std::fill(this->Contents.begin(), this->Contents.end(), 0.0);
     std::fill(this->Means.begin(), this->Means.end(), 0.0);
   }
@@ -51,11 +51,10 @@ public:
   {
     this->Columns.FindContents(volume, this->Values.data(), this->Parts.data());
     this->Inside += inside;
-    this->Volume += volume;
     for (int c = 0; c < this->Columns.Count(); ++c)
     {
       this->Contents[c] += this->Parts[c];
-      this->Means[c] += volume * this->Values[c];
+      this->Means[c] += inside * this->Values[c];
     }
   }
   double Mass() const
@@ -74,12 +73,12 @@ public:
     {
       return this->Contents[c] / weight;
     }
-    return this->Volume > 0.0 ? this->Means[c] / this->Volume : 0.0; // of what has no mass
+    return this->Inside > 0.0 ? this->Means[c] / this->Inside : 0.0; // of what has no mass
   }
 
 private:
   const StateColumns& Columns;
-  double Inside = 0.0, Volume = 0.0;
+  double Inside = 0.0;
   std::vector<double> Values, Contents, Parts, Means;
 };
 
@@ -111,6 +110,7 @@ public:
       this->Grid, this->Request.Fractions, this->Whole, this->Slots, this->IsMeshed, this->Parts);
     const SlotParts near =
       this->FindParts([&](Index e) { return this->Whole.IsWhole(e) && this->IsNear(misfits, e); }, shapes);
+    if (getenv("VFM_DEBUG")) std::printf("DEBUG moved %zu parts %zu, near %zu parts %zu, slots %d\n", moved.Elements.size(), moved.Slots.size(), near.Elements.size(), near.Slots.size(), this->Slots.Count());
     CentreShapes(this->Slots, shapes);
     const SlotLinks links(this->Grid, this->Parts, this->Slots);
     MaterialSums input(materials, this->Columns), unmeshed(materials, this->Columns);

@@ -55,6 +55,7 @@ public:
     this->FindFlows();
     for (int round = 0; round < MostRounds && this->MoveOnce(); ++round)
     {
+      if (getenv("VFM_DEBUG")) std::printf("DEBUG round %d\n", round);
     }
     return std::move(this->Factors);
   }
@@ -95,11 +96,9 @@ private:
       for (int f = 0; f < 6; ++f)
       {
         const int other = this->Slots.Find(this->Grid.Neighbour(slot.Cell, f), slot.Fragment);
-        this->Graph.Nodes[i].Others[f] = other < 0 ? -1 : this->Numbers[other];
-        if (this->Graph.Nodes[i].Others[f] >= 0)
-        {
-          Join(parent, i, this->Graph.Nodes[i].Others[f]);
-        }
+        const bool isNode = other >= 0 && this->Numbers[other] >= 0;
+        this->Graph.Nodes[i].Others[f] = isNode ? this->Numbers[other] : static_cast<int>(i);
+        Join(parent, i, this->Graph.Nodes[i].Others[f]);
       }
     }
     this->NumberPieces(parent);
@@ -195,7 +194,7 @@ private:
         const Index3 p = this->Grid.Position(this->Slots[this->SlotOf[i]].Cell);
         for (int f = 0; f < 6; ++f)
         {
-          if (node.Others[f] >= 0)
+          if (node.Others[f] != i)
           {
             const int a = f / 2;
             const Index q = p[a] + (f & 1 ? 1 : -1);
@@ -233,8 +232,7 @@ private:
   double FlowOut(std::size_t i, int f) const
   {
     const FlowNode& node = this->Graph.Nodes[i];
-    const int other = node.Others[f];
-    return other < 0 ? 0.0 : node.Widths[f] * (this->Potential[i] - this->Potential[other]);
+    return node.Widths[f] * (this->Potential[i] - this->Potential[node.Others[f]]);
   }
 
   /// Each gives what it has of what it must still give. Whether some were short of it.

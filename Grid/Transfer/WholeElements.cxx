@@ -10,22 +10,25 @@ WholeElements::WholeElements(
   TheMesh(mesh),
   Grid(grid),
   Fractions(fractions),
-  Whole(mesh.Material.size(), 0),
+  Lowest(mesh.Material.size(), -1),
   Covered(grid, 0)
 {
   if (mesh.Corners != 8)
   {
     return;
   }
-  ForEach(runtime, this->Whole.size(),
+  ForEach(runtime, this->Lowest.size(),
     [this](Index e)
     {
       IndexBox box;
-      this->Whole[e] = this->FindBox(e, box) && this->IsPure(box, this->TheMesh.Material[e]);
+      if (this->FindBox(e, box) && this->IsPure(box, this->TheMesh.Material[e]))
+      {
+        this->Lowest[e] = this->Grid.Linear(box.Lower);
+      }
     });
-  for (std::size_t e = 0; e < this->Whole.size(); ++e)
+  for (std::size_t e = 0; e < this->Lowest.size(); ++e)
   {
-    if (this->Whole[e])
+    if (this->IsWhole(static_cast<Index>(e)))
     {
       ForCells(this->CellsOf(static_cast<Index>(e)),
         [this](const Index3& cell) { this->Covered.Set(this->Grid.Linear(cell), 1); });
@@ -35,8 +38,17 @@ WholeElements::WholeElements(
 
 IndexBox WholeElements::CellsOf(Index element) const
 {
-  IndexBox box;
-  this->FindBox(element, box);
+  IndexBox box{ this->Grid.Position(this->Lowest[element]), {} };
+  const Index opposite = this->TheMesh.Elements[8 * element + 6];
+  for (int a = 0; a < 3; ++a)
+  {
+    const double end = this->TheMesh.Points[3 * opposite + a];
+    box.Upper[a] = box.Lower[a] + 1;
+    while (this->Grid.Coordinates(a)[box.Upper[a]] < end)
+    {
+      ++box.Upper[a];
+    }
+  }
   return box;
 }
 

@@ -18,7 +18,7 @@ public:
   WholeElements(const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions,
     Runtime& runtime);
 
-  bool IsWhole(Index element) const { return this->Whole[element]; }
+  bool IsWhole(Index element) const { return this->Lowest[element] >= 0; }
   /// The cells that a whole element is.
   IndexBox CellsOf(Index element) const;
   /// Whether a cell is, or is part of, a whole element.
@@ -31,7 +31,7 @@ private:
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const FractionField& Fractions;
-  std::vector<unsigned char> Whole;   // by element
+  std::vector<Index> Lowest;         // of the cells of an element, its place in the grid's box; -1: not whole
   PagedArray<unsigned char> Covered; // by cell
 };
 

@@ -1,7 +1,93 @@
-/// State is the same, bit for bit, on any number of ranks.
+/// State is the same, bit for bit, on any number of ranks and threads.
+#include "RankMeshes.h"
 #include "StateCases.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace vfm;
 using namespace vfm::testing;
+
+namespace
+{
+
+/// Each cell and component has a value of its own, densities jump by 1e6 between materials.
+void FillNoise(const CartesianGrid& grid, const Index3& p, int material, double* values)
+{
+  for (int c = 0; c < 14; ++c)
+  {
+    const double wave = std::sin(12.9898 * static_cast<double>(grid.CellKey(p) % 9973) + 78.233 * c);
+    values[c] = std::fabs(43758.5453 * wave - std::floor(43758.5453 * wave));
+  }
+  values[0] = (1.0 + values[0]) * (material == 1 ? 1.0 : 1e6);
+  values[5] += 1.0;
+}
+
+struct TransferRankCase
+{
+  const char* Mesh;
+  bool MeshVoid;
+  int Refinements;
+};
+
+void PrintTo(const TransferRankCase& c, std::ostream* out)
+{
+  *out << c.Mesh;
+}
+
+class TransferRanks
+  : public ::testing::TestWithParam<std::tuple<MeshMaker, TransferRankCase>>
+{
+};
+
+} // namespace
+
+TEST_P(TransferRanks, SameBits)
+{
+  const TransferRankCase& what = std::get<1>(this->GetParam());
+  const bool noise = what.Mesh == std::string("noise");
+  const bool patches = what.Mesh == std::string("patches");
+  const CartesianGrid cube = MakeUnitGrid(12, 11, 13), uneven = MakeUnevenGrid(13);
+  const MeshCase shape = MakeMeshCase(noise || patches ? "sphere 8" : what.Mesh);
+  const CartesianGrid& grid = noise ? cube : patches ? uneven : shape.Grid;
+  const FractionField field = noise ? MakeRandomLabels(cube, 3, 0, 5)
+    : patches                       ? MakePatchyFractions(uneven, 3, 7)
+                                    : shape.Fractions;
+  StateCase c{ grid, field, FillNoise };
+  c.Quantities = MakeCodeQuantities();
+  c.Density = 0;
+  c.Make = std::get<0>(this->GetParam());
+  c.Options.MeshVoid = what.MeshVoid;
+  c.Options.Levels.Refinements = what.Refinements;
+  const StateOutcome alone = TransferAlone(c);
+  EXPECT_EQ(FindTotalsProblem(c, alone), "");
+  const auto cut = [&](int ranks, int axis)
+  {
+    return what.Refinements > 0 ? CutBaseBox(grid, what.Refinements, ranks, axis)
+                                : CutBox(grid.Global(), ranks, axis);
+  };
+  std::vector<std::vector<IndexBox>> cuts{ cut(2, -1), cut(3, 0), cut(8, -1) };
+  cuts[0].insert(cuts[0].begin() + 1, IndexBox());
+  for (const std::vector<IndexBox>& boxes : cuts)
+  {
+    SCOPED_TRACE(std::to_string(boxes.size()) + " ranks");
+    EXPECT_EQ(FindOutcomeDifference(TransferOnRanks(c, boxes), alone), "");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, TransferRanks,
+  ::testing::Combine(::testing::Values(MakeHexMesh, MakeTetMesh),
+    ::testing::Values(TransferRankCase{ "sphere 8", false, 0 },
+      TransferRankCase{ "sphere 16", true, 0 }, TransferRankCase{ "half sphere", false, 0 },
+      TransferRankCase{ "sphere 16", false, 1 }, TransferRankCase{ "noise", false, 0 },
+      TransferRankCase{ "patches", true, 0 })),
+  [](const ::testing::TestParamInfo<std::tuple<MeshMaker, TransferRankCase>>& info)
+  {
+    const TransferRankCase& c = std::get<1>(info.param);
+    std::string name = (std::get<0>(info.param) == MakeHexMesh ? "Hexes_" : "Tets_") +
+      std::string(c.Mesh) + (c.MeshVoid ? "_and_void" : "") +
+      (c.Refinements > 0 ? "_refined" : "");
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+  });

@@ -54,7 +54,9 @@ TEST(TransferState, TotalsStay)
     const MeshCase shape = MakeMeshCase(name);
     for (MeshMaker make : AllMakers())
     {
-      StateCase c{ shape.Grid, shape.Fractions, FillSmooth, MakeCodeQuantities(), 0 };
+      StateCase c{ shape.Grid, shape.Fractions, FillSmooth };
+      c.Quantities = MakeCodeQuantities();
+      c.Density = 0;
       c.Make = make;
       const StateOutcome outcome = TransferAlone(c);
       EXPECT_EQ(FindTotalsProblem(c, outcome), "");
@@ -96,8 +98,10 @@ std::array<Errors, 2> MeasureErrors(int n, int order, MeshMaker make)
     {
       v[0] = density(CentreOf(g, p));
       v[1] = velocity(CentreOf(g, p));
-    },
-    { { StateKind::PerVolume, 1, -1 }, { StateKind::PerMass, 1, -1 } }, 0, order };
+    } };
+  c.Quantities = { { StateKind::PerVolume, 1, -1 }, { StateKind::PerMass, 1, -1 } };
+  c.Density = 0;
+  c.Order = order;
   c.Make = make;
   const StateOutcome outcome = TransferAlone(c);
   EXPECT_EQ(FindTotalsProblem(c, outcome), "");

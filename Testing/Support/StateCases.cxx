@@ -43,11 +43,17 @@ StateOutcome MakeOutcome(
   for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
   {
     ElementOutcome element{ mesh.Material[e], mesh.Fragment[e],
-      VolumeOfElement(mesh, static_cast<Index>(e)), state.Mass[e], {}, {} };
+      VolumeOfElement(mesh, static_cast<Index>(e)), state.Mass[e], {},
+      { { 1e300, 1e300, 1e300 } }, { { -1e300, -1e300, -1e300 } }, {} };
     for (int k = 0; k < mesh.Corners; ++k)
     {
       const double* x = mesh.Points.data() + 3 * mesh.Elements[mesh.Corners * e + k];
       element.Centroid = element.Centroid + 1.0 / mesh.Corners * Vector3{ { x[0], x[1], x[2] } };
+      for (int a = 0; a < 3; ++a)
+      {
+        element.Lower[a] = std::min(element.Lower[a], x[a]);
+        element.Upper[a] = std::max(element.Upper[a], x[a]);
+      }
     }
     for (std::size_t q = 0; q < c.Quantities.size(); ++q)
     {

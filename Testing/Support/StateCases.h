@@ -23,13 +23,13 @@ struct StateCase
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   CellFunction Function;
-  std::vector<StateQuantity> Quantities;
+  std::vector<StateQuantity> Quantities{};
   int Density = -1;
   int Order = 2;
   bool GiveUnmeshed = true;
   /// The cells of the input, as CellsOfInput; empty: those of the grid.
-  std::function<IndexBox(const Index3& cell)> CellsOfInput;
-  MeshOptions Options;
+  std::function<IndexBox(const Index3& cell)> CellsOfInput{};
+  MeshOptions Options{};
   MeshMaker Make = MakeHexMesh;
 };
 
@@ -38,6 +38,7 @@ struct ElementOutcome
   int Material, Fragment;
   double Volume, Mass;
   Vector3 Centroid; ///< the mean of the corners
+  Vector3 Lower, Upper; ///< of the box around it
   std::vector<double> Values;
 };
 
