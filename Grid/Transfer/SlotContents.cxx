@@ -36,6 +36,7 @@ double StateSource::SharingVolume(const IndexBox& cells) const
 void StateSource::Read(const Index3& cell, int material, double* values) const
 {
   this->Request.Values.Read(cell, material, values);
+  std::fill(values + this->Columns.CountOfQuantities(), values + this->Columns.Count(), 1.0);
   if (!this->Columns.HasExtensive())
   {
     return;
@@ -49,7 +50,7 @@ void StateSource::Read(const Index3& cell, int material, double* values) const
 
 MaterialSums::MaterialSums(int materials, const StateColumns& columns) :
   Columns(columns),
-  Width(2 + columns.Count()),
+  Width(2 + columns.CountOfQuantities()),
   Sums(static_cast<std::size_t>(materials) * this->Width),
   Contents(columns.Count())
 {
@@ -58,11 +59,10 @@ MaterialSums::MaterialSums(int materials, const StateColumns& columns) :
 void MaterialSums::Add(int material, double volume, const double* values)
 {
   this->Columns.FindContents(volume, values, this->Contents.data());
-  const int density = this->Columns.Density();
   WideSum* sums = this->Sums.data() + static_cast<std::size_t>(material) * this->Width;
   sums[0].Add(volume);
-  sums[1].Add(density < 0 ? volume : this->Contents[density]);
-  for (int c = 0; c < this->Columns.Count(); ++c)
+  sums[1].Add(this->Contents[this->Columns.Density()]);
+  for (int c = 0; c < this->Columns.CountOfQuantities(); ++c)
   {
     sums[2 + c].Add(this->Contents[c]);
   }

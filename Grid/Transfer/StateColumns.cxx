@@ -8,13 +8,14 @@ namespace vfm
 
 StateColumns::StateColumns(const std::vector<StateQuantity>& quantities, int density)
 {
-  int count = 0;
+  std::vector<int> starts;
   for (const StateQuantity& quantity : quantities)
   {
-    this->Starts.push_back(count);
-    count += quantity.Components;
+    starts.push_back(this->Asked);
+    this->Asked += quantity.Components;
   }
-  this->DensityColumn = density < 0 ? -1 : this->Starts[density];
+  const int count = this->Asked + (density < 0);
+  this->DensityColumn = density < 0 ? this->Asked : starts[density];
   this->Constant.assign(count, 0);
   std::vector<int> depths;
   for (const StateQuantity& quantity : quantities)
@@ -22,7 +23,7 @@ StateColumns::StateColumns(const std::vector<StateQuantity>& quantities, int den
     const bool isPerMass = quantity.Kind == StateKind::PerMass;
     const int base = !isPerMass ? -1
       : quantity.Weight < 0     ? this->DensityColumn
-                                : this->Starts[quantity.Weight];
+                                : starts[quantity.Weight];
     this->Bases.insert(this->Bases.end(), quantity.Components, base);
     this->Extensive.insert(
       this->Extensive.end(), quantity.Components, quantity.Kind == StateKind::Extensive);
@@ -32,6 +33,12 @@ StateColumns::StateColumns(const std::vector<StateQuantity>& quantities, int den
     {
       this->Constant[base] = 1;
     }
+  }
+  if (density < 0)
+  {
+    this->Bases.push_back(-1);
+    this->Extensive.push_back(0);
+    depths.push_back(0);
   }
   this->Sequence.resize(count);
   std::iota(this->Sequence.begin(), this->Sequence.end(), 0);
@@ -47,6 +54,22 @@ void StateColumns::FindContents(double volume, const double* values, double* con
   }
 }
 
+namespace
+{
+
+/// Of two values with weights; from that of the larger weight on, so that a value in next to nothing does no harm.
+double MeanOf(double a, double weightA, double b, double weightB)
+{
+  const double sum = weightA + weightB;
+  if (!(sum > 0.0))
+  {
+    return a;
+  }
+  return weightA < weightB ? b + weightA / sum * (a - b) : a + weightB / sum * (b - a);
+}
+
+} // namespace
+
 void StateColumns::Mix(
   double& volume, double* values, double otherVolume, const double* others) const
 {
@@ -61,10 +84,11 @@ void StateColumns::Mix(
   for (int c : this->Sequence)
   {
     const int base = this->Bases[c];
-    const double share = base < 0
-      ? ShareOf(otherVolume, volume, otherVolume, volume)
-      : ShareOf(theirs[base], mine[base], otherVolume, volume);
-    values[c] += share * (others[c] - values[c]);
+    const double weight = base < 0 ? volume : mine[base];
+    const double otherWeight = base < 0 ? otherVolume : theirs[base];
+    const bool areWeights = weight >= 0.0 && otherWeight >= 0.0 && weight + otherWeight > 0.0;
+    values[c] = areWeights ? MeanOf(values[c], weight, others[c], otherWeight)
+                           : MeanOf(values[c], volume, others[c], otherVolume);
   }
   volume += otherVolume;
 }

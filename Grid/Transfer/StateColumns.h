@@ -17,7 +17,9 @@ class StateColumns
 public:
   StateColumns(const std::vector<StateQuantity>& quantities, int density);
 
+  /// Those of the quantities, and a last one where these have no density: 1, so that mass is the volume that cells have.
   int Count() const { return static_cast<int>(this->Bases.size()); }
+  int CountOfQuantities() const { return this->Asked; }
   /// The column whose content a column is multiplied with; -1 volume.
   int Base(int column) const { return this->Bases[column]; }
   /// All columns, each after its base.
@@ -26,32 +28,20 @@ public:
   bool HasExtensive() const { return this->AnyExtensive; }
   /// Whether another column's base, but not that of masses: constant in a cell, so that products have no more than two slopes.
   bool IsConstant(int column) const { return this->Constant[column]; }
-  /// The column of the density; -1: mass is volume.
   int Density() const { return this->DensityColumn; }
-  /// The first column of a quantity.
-  int First(int quantity) const { return this->Starts[quantity]; }
 
   /// What is conserved of each column in a volume with these values.
   void FindContents(double volume, const double* values, double* contents) const;
 
-  /// Adds to a volume with these values another with others.
+  /// Adds to a volume with these values another with others: means by what the values are per; where there is none of that (no mass) by
+  /// volume.
   void Mix(double& volume, double* values, double otherVolume, const double* others) const;
 
 private:
-  std::vector<int> Bases, Sequence, Starts;
+  std::vector<int> Bases, Sequence;
   std::vector<unsigned char> Extensive, Constant;
   bool AnyExtensive = false;
-  int DensityColumn = -1;
+  int Asked = 0, DensityColumn = 0;
 };
-
-/// a / (a + b) where both are weights; of what is no weight (no mass at all) by volumes.
-inline double ShareOf(double a, double b, double volumeA, double volumeB)
-{
-  if (a >= 0.0 && b >= 0.0 && a + b > 0.0)
-  {
-    return a / (a + b);
-  }
-  return volumeA + volumeB > 0.0 ? volumeA / (volumeA + volumeB) : 0.0;
-}
 
 } // namespace vfm

@@ -57,10 +57,7 @@ public:
       this->Means[c] += inside * this->Values[c];
     }
   }
-  double Mass() const
-  {
-    return this->Columns.Density() < 0 ? this->Inside : this->Contents[this->Columns.Density()];
-  }
+  double Mass() const { return this->Contents[this->Columns.Density()]; }
   double Value(int c) const
   {
     if (this->Columns.IsExtensive(c))

@@ -66,7 +66,7 @@ using StateTotals = std::vector<double>;
 struct TransferredState
 {
   std::vector<Buffer<double>> Values; ///< of each quantity: Components an element
-  Buffer<double> Mass;                ///< of each element; without a density its volume
+  Buffer<double> Mass;                ///< of each element; without a density the volume that cells have in it
   std::vector<StateTotals> Input;     ///< of each material from 0: of all cells
   std::vector<StateTotals> Unmeshed;  ///< of each material from 0: of cells that gave to no element
   /// Of each material from 0 the smallest and largest factor, cells' volume over mesh's, that values PerVolume had to be multiplied

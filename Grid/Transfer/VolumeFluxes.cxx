@@ -160,8 +160,11 @@ private:
     for (std::size_t p = 1; p < pieces; ++p)
     {
       factors[p] = totals[p] > 0.0 && totals[pieces + p] > 0.0 ? totals[p] / totals[pieces + p] : 0.0;
-      std::array<double, 2>& range = this->Factors[this->PieceMaterials[p]];
-      range = { { std::min(range[0], factors[p]), std::max(range[1], factors[p]) } };
+      if (totals[pieces + p] > LeastPiece / std::ldexp(1.0, -FinerBits))
+      {
+        std::array<double, 2>& range = this->Factors[this->PieceMaterials[p]];
+        range = { { std::min(range[0], factors[p]), std::max(range[1], factors[p]) } };
+      }
     }
     for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
     {
@@ -306,6 +309,7 @@ private:
   }
 
   static constexpr int FinerBits = 30; // than those of ExactSum
+  static constexpr double LeastPiece = 1e-13; // of a mean cell: what is told of
   static constexpr double LeastLeft = 1e-12;
 
   const CartesianGrid& Grid;

@@ -72,6 +72,66 @@ TEST(TransferState, TotalsStay)
 namespace
 {
 
+/// The cells of a mesh that lie so deep in a ball that no interface is near.
+bool IsInside(const ElementOutcome& e, const Vector3& centre, double radius)
+{
+  return Norm(e.Lower - centre) < radius && Norm(e.Upper - centre) < radius;
+}
+
+} // namespace
+
+TEST(TransferState, LinearFieldsAndConstantsAreMet)
+{
+  for (bool isUneven : { false, true })
+  {
+    const CartesianGrid grid = isUneven ? MakeUnevenGrid(32) : MakeUnitGrid(32);
+    const Vector3 size = grid.NodePoint(grid.Global().Upper);
+    const Vector3 centre = 0.5 * size;
+    const double radius = 0.42 * size[0], width = isUneven ? 2.5 : 1.0; // of the largest cells
+    const FractionField fractions = FractionsOfShapes(grid, { MakeSphere(1, centre, radius) });
+    const auto linear = [](const Vector3& x) { return 2.0 + 0.03 * x[0] - 0.02 * x[1] + 0.01 * x[2]; };
+    for (MeshMaker make : AllMakers())
+    {
+      SCOPED_TRACE(std::string(isUneven ? "uneven " : "even ") + (make == MakeHexMesh ? "hexes" : "tets"));
+      StateCase c{ grid, fractions,
+        [&](const CartesianGrid& g, const Index3& p, int, double* v)
+        {
+          v[0] = linear(CentreOf(g, p));
+          v[1] = 3.0;
+          v[2] = linear(CentreOf(g, p));
+          v[3] = 7.0;
+        } };
+      c.Quantities = { { StateKind::PerVolume, 2, -1 }, { StateKind::PerMass, 2, -1 } };
+      c.Make = make;
+      const StateOutcome outcome = TransferAlone(c);
+      double worstLinear = 0.0, worstConstant = 0.0, worstFactor = 0.0;
+      Index inside = 0;
+      const std::array<double, 2>& factors = outcome.Factors[1];
+      for (const auto& entry : outcome.Elements)
+      {
+        const ElementOutcome& e = entry.second;
+        worstFactor = std::max({ worstFactor, factors[0] * 3.0 - e.Values[1], e.Values[1] - factors[1] * 3.0 });
+        worstConstant = std::max(worstConstant, std::fabs(e.Values[3] - 7.0));
+        if (IsInside(e, centre, radius - 4.0 * width))
+        {
+          ++inside;
+          worstLinear = std::max({ worstLinear, std::fabs(e.Values[0] - linear(e.Mean)),
+            std::fabs(e.Values[2] - linear(e.Mean)) });
+        }
+      }
+      std::printf("%s: linear %g in %lld inside, constants %g, per volume %g, factors %.12g %.12g\n", make == MakeHexMesh ? "hexes" : "tets", worstLinear,
+        static_cast<long long>(inside), worstConstant, worstFactor, factors[0] - 1.0, factors[1] - 1.0);
+      EXPECT_GT(inside, 100);
+      EXPECT_LT(worstLinear, 1e-12);
+      EXPECT_LT(worstConstant, 1e-13 * 7.0);
+      EXPECT_LT(worstFactor, 1e-13 * 3.0);
+    }
+  }
+}
+
+namespace
+{
+
 struct Errors
 {
   double All = 0.0, Inside = 0.0, Most = 0.0;

@@ -5,6 +5,8 @@
 #include "Base/Vector3.h"
 
 #include <cmath>
+#include <numeric>
+#include <sstream>
 
 namespace vfm
 {
@@ -40,10 +42,16 @@ StateOutcome MakeOutcome(
   const TransferredState state = TransferState(
     mesh, { grid, fractions, values, c.Quantities, c.Density, c.Order, c.GiveUnmeshed }, runtime);
   StateOutcome outcome{ {}, state.Input, state.Unmeshed, state.Factors };
+  std::vector<Index> all(mesh.ElementIds.size());
+  std::iota(all.begin(), all.end(), Index(0));
+  const CartesianGrid box({ { { grid.Coordinates(0).front(), grid.Coordinates(0).back() },
+    { grid.Coordinates(1).front(), grid.Coordinates(1).back() },
+    { grid.Coordinates(2).front(), grid.Coordinates(2).back() } } });
+  const Overlaps whole = FindOverlaps(mesh, all, box, runtime);
   for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
   {
     ElementOutcome element{ mesh.Material[e], mesh.Fragment[e],
-      VolumeOfElement(mesh, static_cast<Index>(e)), state.Mass[e], {},
+      VolumeOfElement(mesh, static_cast<Index>(e)), state.Mass[e], {}, {},
       { { 1e300, 1e300, 1e300 } }, { { -1e300, -1e300, -1e300 } }, {} };
     for (int k = 0; k < mesh.Corners; ++k)
     {
@@ -61,6 +69,7 @@ StateOutcome MakeOutcome(
       const double* own = state.Values[q].data() + n * e;
       element.Values.insert(element.Values.end(), own, own + n);
     }
+    element.Mean = whole.Parts[whole.Offsets[e]].Centroid;
     outcome.Elements.emplace(mesh.ElementIds[e], std::move(element));
   }
   return outcome;
@@ -141,7 +150,7 @@ Contents SumContents(const StateCase& c, const StateOutcome& outcome)
       contents.Sums[e.Material][column] += value;
       contents.Sizes[e.Material][column] += std::fabs(value);
     };
-    const double mass = c.Density < 0 ? e.Volume : e.Volume * e.Values[firstOf(c.Density)];
+    const double mass = c.Density < 0 ? e.Mass : e.Volume * e.Values[firstOf(c.Density)];
     add(0, e.Volume);
     add(1, mass);
     std::size_t column = 0;
@@ -185,9 +194,10 @@ std::string FindTotalsProblem(const StateCase& c, const StateOutcome& outcome, d
         std::max({ contents.Sizes[m][i], std::fabs(input), std::fabs(made) });
       if (!(std::fabs(made - input) <= tolerance * size))
       {
-        return "material " + std::to_string(m) + ", column " + std::to_string(i) + ": " +
-          std::to_string(static_cast<double>((made - input) / size)) + " of " +
-          std::to_string(static_cast<double>(input));
+        std::ostringstream text;
+        text << "material " << m << ", total " << i << ": off by " << (made - input) / size << " of "
+             << size << ". ";
+        return text.str();
       }
     }
   }

@@ -38,6 +38,7 @@ struct ElementOutcome
   int Material, Fragment;
   double Volume, Mass;
   Vector3 Centroid; ///< the mean of the corners
+  Vector3 Mean; ///< of its volume
   Vector3 Lower, Upper; ///< of the box around it
   std::vector<double> Values;
 };
