@@ -32,25 +32,93 @@ void AddPart(double volume, const Vector3& centroid, Slot& slot, SlotShape& shap
   shape.Second[5] += volume * x[1] * x[2];
 }
 
-/// To the owners of the cells; what came for mine, by the ids of the elements.
-std::vector<SentPart> ExchangeParts(const Mesh& mesh, const SlotParts& parts,
-  const CartesianGrid& grid, const Partition& partition, const SlotTable& slots)
+constexpr std::size_t ElementsAtOnce = 32768;
+
+/// Finds slots of parts; elements one after the other are mostly in the same cells.
+class SlotFinder
 {
-  std::vector<std::vector<SentPart>> sent(partition.Peers().size());
-  for (std::size_t i = 0; !sent.empty() && i < parts.Elements.size(); ++i)
+public:
+  SlotFinder(const CartesianGrid& grid, SlotTable& slots) : Grid(grid), Slots(slots) {}
+
+  int Find(std::size_t place, Index cell, int fragment, int material)
   {
-    for (Index p = parts.Cells.Offsets[i]; p < parts.Cells.Offsets[i + 1]; ++p)
+    Last& last = this->Recent[place % this->Recent.size()];
+    if (last.Cell != cell || last.Fragment != fragment)
     {
-      const Slot& slot = slots[parts.Slots[p]];
-      if (!slot.IsOwned)
+      const Index n = this->Grid.Linear(CellInBox(this->Grid.Local(), cell));
+      last = { cell, fragment, this->Slots.Get(n, fragment, material) };
+    }
+    return last.Slot;
+  }
+
+private:
+  struct Last
+  {
+    Index Cell = -1;
+    int Fragment = 0, Slot = 0;
+  };
+  const CartesianGrid& Grid;
+  SlotTable& Slots;
+  std::array<Last, 8> Recent;
+};
+
+SlotParts CutElements(const Mesh& mesh, std::vector<Index> elements, const CartesianGrid& grid,
+  Runtime& runtime, SlotFinder& finder)
+{
+  SlotParts some{ std::move(elements), {}, {} };
+  const Overlaps overlaps = FindOverlaps(mesh, some.Elements, grid, runtime);
+  some.Offsets.assign(overlaps.Offsets.begin(), overlaps.Offsets.end());
+  some.Parts.reserve(overlaps.Parts.size());
+  for (std::size_t i = 0; i < some.Elements.size(); ++i)
+  {
+    const Index e = some.Elements[i];
+    for (Index p = overlaps.Offsets[i]; p < overlaps.Offsets[i + 1]; ++p)
+    {
+      const OverlapPart& part = overlaps.Parts[p];
+      const std::size_t place = p - overlaps.Offsets[i];
+      some.Parts.push_back({ part.Volume, part.Centroid,
+        finder.Find(place, part.Cell, mesh.Fragment[e], mesh.Material[e]) });
+    }
+  }
+  return some;
+}
+
+/// Calls body(element, part) for all.
+template <class Body>
+void ForParts(const std::vector<SlotParts>& pieces, const Body& body)
+{
+  for (const SlotParts& some : pieces)
+  {
+    for (std::size_t i = 0; i < some.Elements.size(); ++i)
+    {
+      for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
       {
-        const Index3 cell = grid.Position(slot.Cell);
-        const OverlapPart& part = parts.Cells.Parts[p];
-        sent[partition.PeerOfCell(cell)].push_back({ mesh.ElementIds[parts.Elements[i]],
-          grid.CellKey(cell), slot.Fragment, slot.Material, part.Volume, part.Centroid });
+        body(some.Elements[i], some.Parts[p]);
       }
     }
   }
+}
+
+/// To the owners of the cells; what came for mine, by the ids of the elements.
+std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<SlotParts>& pieces,
+  const CartesianGrid& grid, const Partition& partition, const SlotTable& slots)
+{
+  std::vector<std::vector<SentPart>> sent(partition.Peers().size());
+  if (sent.empty())
+  {
+    return {};
+  }
+  ForParts(pieces,
+    [&](Index e, const SlotPart& part)
+    {
+      const Slot& slot = slots[part.Slot];
+      if (!slot.IsOwned)
+      {
+        const Index3 cell = grid.Position(slot.Cell);
+        sent[partition.PeerOfCell(cell)].push_back({ mesh.ElementIds[e], grid.CellKey(cell),
+          slot.Fragment, slot.Material, part.Volume, part.Centroid });
+      }
+    });
   std::vector<Bytes> outgoing;
   for (const std::vector<SentPart>& list : sent)
   {
@@ -67,61 +135,70 @@ std::vector<SentPart> ExchangeParts(const Mesh& mesh, const SlotParts& parts,
   return received;
 }
 
-} // namespace
-
-SlotParts FindSlotParts(const Mesh& mesh, std::vector<Index> elements, const CartesianGrid& grid,
-  const Partition& partition, Runtime& runtime, SlotTable& slots, std::vector<SlotShape>& shapes)
+/// Sums anew, with the parts of other ranks between those of this one, where there are some.
+void AddOthers(const std::vector<SentPart>& others, const std::vector<SlotParts>& pieces,
+  const Mesh& mesh, const CartesianGrid& grid, SlotTable& slots, std::vector<SlotShape>& shapes)
 {
-  SlotParts parts{ std::move(elements), {}, {} };
-  parts.Cells = FindOverlaps(mesh, parts.Elements, grid, runtime);
-  parts.Slots.resize(parts.Cells.Parts.size());
-  const auto forParts = [&parts](std::size_t i, const auto& body)
+  std::vector<int> slotOf;
+  for (const SentPart& other : others)
   {
-    for (Index p = parts.Cells.Offsets[i]; p < parts.Cells.Offsets[i + 1]; ++p)
-    {
-      body(parts.Elements[i], p);
-    }
-  };
-  for (std::size_t i = 0; i < parts.Elements.size(); ++i)
-  {
-    forParts(i,
-      [&](Index e, Index p)
-      {
-        const Index3 cell = CellInBox(grid.Local(), parts.Cells.Parts[p].Cell);
-        parts.Slots[p] = slots.Get(grid.Linear(cell), mesh.Fragment[e], mesh.Material[e]);
-      });
-  }
-  const std::vector<SentPart> others = ExchangeParts(mesh, parts, grid, partition, slots);
-  for (const SentPart& part : others)
-  {
-    slots.Get(grid.Linear(grid.CellOfKey(part.Key)), part.Fragment, part.Material);
+    slotOf.push_back(
+      slots.Get(grid.Linear(grid.CellOfKey(other.Key)), other.Fragment, other.Material));
   }
   shapes.resize(slots.Count());
-  auto other = others.begin();
-  const auto addOthers = [&](Index end)
+  std::vector<unsigned char> isShared(slots.Count(), 0);
+  for (int s : slotOf)
   {
-    for (; other != others.end() && other->Id < end; ++other)
+    isShared[s] = 1;
+    slots[s].Overlap = 0.0;
+    shapes[s] = SlotShape();
+  }
+  std::size_t next = 0;
+  const auto addBefore = [&](Index id)
+  {
+    for (; next < others.size() && others[next].Id < id; ++next)
     {
-      const int s = slots.Find(grid.Linear(grid.CellOfKey(other->Key)), other->Fragment);
-      AddPart(other->Volume, other->Centroid, slots[s], shapes[s]);
+      const int s = slotOf[next];
+      AddPart(others[next].Volume, others[next].Centroid, slots[s], shapes[s]);
     }
   };
-  for (std::size_t i = 0; i < parts.Elements.size(); ++i)
-  {
-    addOthers(mesh.ElementIds[parts.Elements[i]]);
-    forParts(i,
-      [&](Index, Index p)
+  ForParts(pieces,
+    [&](Index e, const SlotPart& part)
+    {
+      if (isShared[part.Slot])
       {
-        const int s = parts.Slots[p];
-        if (slots[s].IsOwned)
-        {
-          AddPart(parts.Cells.Parts[p].Volume, parts.Cells.Parts[p].Centroid, slots[s],
-            shapes[s]);
-        }
-      });
+        addBefore(mesh.ElementIds[e]);
+        AddPart(part.Volume, part.Centroid, slots[part.Slot], shapes[part.Slot]);
+      }
+    });
+  addBefore(std::numeric_limits<Index>::max());
+}
+
+} // namespace
+
+std::vector<SlotParts> FindSlotParts(const Mesh& mesh, const std::vector<Index>& elements,
+  const CartesianGrid& grid, const Partition& partition, Runtime& runtime, SlotTable& slots,
+  std::vector<SlotShape>& shapes)
+{
+  std::vector<SlotParts> pieces;
+  SlotFinder finder(grid, slots);
+  for (std::size_t begin = 0; begin < elements.size(); begin += ElementsAtOnce)
+  {
+    const std::size_t end = std::min(begin + ElementsAtOnce, elements.size());
+    pieces.push_back(CutElements(mesh,
+      std::vector<Index>(elements.begin() + begin, elements.begin() + end), grid, runtime, finder));
   }
-  addOthers(std::numeric_limits<Index>::max());
-  return parts;
+  shapes.resize(slots.Count());
+  ForParts(pieces,
+    [&](Index, const SlotPart& part)
+    {
+      if (slots[part.Slot].IsOwned)
+      {
+        AddPart(part.Volume, part.Centroid, slots[part.Slot], shapes[part.Slot]);
+      }
+    });
+  AddOthers(ExchangeParts(mesh, pieces, grid, partition, slots), pieces, mesh, grid, slots, shapes);
+  return pieces;
 }
 
 void CentreShapes(SlotTable& slots, std::vector<SlotShape>& shapes)

@@ -10,12 +10,19 @@
 namespace vfm
 {
 
-/// The parts of some elements.
+struct SlotPart
+{
+  double Volume;
+  Vector3 Centroid;
+  int Slot;
+};
+
+/// Some elements and their parts: those of the i-th are Parts[Offsets[i]] to Parts[Offsets[i + 1]].
 struct SlotParts
 {
   std::vector<Index> Elements; ///< ascending
-  Overlaps Cells;              ///< of each of these
-  std::vector<int> Slots;      ///< of each part
+  std::vector<int> Offsets;
+  std::vector<SlotPart> Parts;
 };
 
 /// Sums over the parts of elements in a slot; places are from the centre of its cell.
@@ -27,9 +34,11 @@ struct SlotShape
     Upper{ { -1e300, -1e300, -1e300 } }; ///< of the box around the places
 };
 
-/// Makes the slots that elements need, and the sums over them: Overlap of those that this rank owns, and their shapes. Collective.
-SlotParts FindSlotParts(const Mesh& mesh, std::vector<Index> elements, const CartesianGrid& grid,
-  const Partition& partition, Runtime& runtime, SlotTable& slots, std::vector<SlotShape>& shapes);
+/// Makes the slots that elements (ascending) need, and the sums over them: Overlap of those that this rank owns, and their shapes. What it
+/// returns is in pieces, so that memory is not moved. Collective.
+std::vector<SlotParts> FindSlotParts(const Mesh& mesh, const std::vector<Index>& elements,
+  const CartesianGrid& grid, const Partition& partition, Runtime& runtime, SlotTable& slots,
+  std::vector<SlotShape>& shapes);
 
 /// Sets the centroids of the slots, from which places in their shapes are from then on.
 void CentreShapes(SlotTable& slots, std::vector<SlotShape>& shapes);

@@ -101,13 +101,12 @@ public:
   {
     const int materials = static_cast<int>(this->IsMeshed.size());
     std::vector<SlotShape> shapes;
-    const SlotParts moved = this->FindParts(
+    const std::vector<SlotParts> moved = this->FindParts(
       [this](Index e) { return !this->Whole.IsWhole(e); }, shapes);
     const MisfitCells misfits(
       this->Grid, this->Request.Fractions, this->Whole, this->Slots, this->IsMeshed, this->Parts);
-    const SlotParts near =
+    const std::vector<SlotParts> near =
       this->FindParts([&](Index e) { return this->Whole.IsWhole(e) && this->IsNear(misfits, e); }, shapes);
-    if (getenv("VFM_DEBUG")) std::printf("DEBUG moved %zu parts %zu, near %zu parts %zu, slots %d\n", moved.Elements.size(), moved.Slots.size(), near.Elements.size(), near.Slots.size(), this->Slots.Count());
     CentreShapes(this->Slots, shapes);
     const SlotLinks links(this->Grid, this->Parts, this->Slots);
     MaterialSums input(materials, this->Columns), unmeshed(materials, this->Columns);
@@ -120,7 +119,7 @@ public:
     const Slopes slopes = this->Request.Order == 1
       ? Slopes(this->Columns)
       : Slopes(this->Columns, this->Grid, this->Slots, values, shapes,
-          this->LinksToParts(links, { &moved, &near }), this->Run);
+          this->LinksToParts(links, moved), this->Run);
     this->Allocate(state);
     this->FillFromSlots(moved, slopes, values, state);
     this->FillFromSlots(near, slopes, values, state);
@@ -132,7 +131,7 @@ public:
 
 private:
   template <class Wants>
-  SlotParts FindParts(const Wants& wants, std::vector<SlotShape>& shapes)
+  std::vector<SlotParts> FindParts(const Wants& wants, std::vector<SlotShape>& shapes)
   {
     std::vector<Index> elements;
     for (Index e = 0; e < static_cast<Index>(this->TheMesh.Material.size()); ++e)
@@ -142,8 +141,8 @@ private:
         elements.push_back(e);
       }
     }
-    return FindSlotParts(this->TheMesh, std::move(elements), this->Grid, this->Parts, this->Run,
-      this->Slots, shapes);
+    return FindSlotParts(
+      this->TheMesh, elements, this->Grid, this->Parts, this->Run, this->Slots, shapes);
   }
 
   bool IsNear(const MisfitCells& misfits, Index element) const
@@ -172,14 +171,14 @@ private:
   }
 
   SlotLinks LinksToParts(
-    const SlotLinks& links, const std::vector<const SlotParts*>& parts) const
+    const SlotLinks& links, const std::vector<SlotParts>& moved) const
   {
     std::vector<unsigned char> wanted(this->Slots.Count(), 0);
-    for (const SlotParts* some : parts)
+    for (const SlotParts& some : moved)
     {
-      for (int s : some->Slots)
+      for (const SlotPart& part : some.Parts)
       {
-        wanted[s] = 1;
+        wanted[part.Slot] = 1;
       }
     }
     return links.Narrow([&wanted](int s) { return wanted[s]; });
@@ -209,28 +208,30 @@ private:
     }
   }
 
-  void FillFromSlots(const SlotParts& parts, const Slopes& slopes, const SlotValues& values,
-    TransferredState& state)
+  void FillFromSlots(const std::vector<SlotParts>& pieces, const Slopes& slopes,
+    const SlotValues& values, TransferredState& state)
   {
-    this->Run.For(0, static_cast<Index>(parts.Elements.size()),
-      [&](Index begin, Index end)
-      {
-        ElementState element(this->Columns);
-        for (Index i = begin; i < end; ++i)
+    for (const SlotParts& some : pieces)
+    {
+      this->Run.For(0, static_cast<Index>(some.Elements.size()),
+        [&](Index begin, Index end)
         {
-          element.Start();
-          for (Index p = parts.Cells.Offsets[i]; p < parts.Cells.Offsets[i + 1]; ++p)
+          ElementState element(this->Columns);
+          for (Index i = begin; i < end; ++i)
           {
-            const OverlapPart& part = parts.Cells.Parts[p];
-            const int s = parts.Slots[p];
-            const Slot& slot = this->Slots[s];
-            std::copy_n(values.Of(s), this->Columns.Count(), element.NextValues());
-            slopes.AddAt(s, part.Centroid - slot.Centroid, element.NextValues());
-            element.Add(part.Volume, part.Volume * (slot.Volume / slot.Overlap));
+            element.Start();
+            for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
+            {
+              const SlotPart& part = some.Parts[p];
+              const Slot& slot = this->Slots[part.Slot];
+              std::copy_n(values.Of(part.Slot), this->Columns.Count(), element.NextValues());
+              slopes.AddAt(part.Slot, part.Centroid - slot.Centroid, element.NextValues());
+              element.Add(part.Volume, part.Volume * (slot.Volume / slot.Overlap));
+            }
+            this->Write(element, some.Elements[i], state);
           }
-          this->Write(element, parts.Elements[i], state);
-        }
-      });
+        });
+    }
   }
 
   /// Whole elements that no misfit is near.
