@@ -1,4 +1,4 @@
-#include "Transfer/PotentialFlow.h"
+#include "Transfer/CoarseGraph.h"
 
 #include <atomic>
 #include <cmath>
@@ -12,48 +12,29 @@ namespace
 
 constexpr double Accuracy = 1e-15; // rms, of the size of a node
 constexpr int MostSteps = 20000;
+constexpr double Worse = 1e4; // than it was: rounding alone moves on
 
-/// Sums over the nodes of all ranks, in integers: no order matters.
-class NodeSums
+constexpr int BitsOfSum = 40;
+
+/// In what unit integers sum numbers that are together as large as this.
+double UnitOf(double like)
 {
-public:
-  NodeSums(std::size_t nodes, Runtime& runtime) : Nodes(nodes), Run(runtime) {}
+  return std::ldexp(1.0, std::ilogb(like) - BitsOfSum);
+}
 
-  /// like: about as large as the sum, or more. term(begin, end, add) calls add(value) for each node.
-  template <class Terms>
-  double Sum(double like, const Terms& terms)
-  {
-    const double unit = std::ldexp(1.0, std::ilogb(like) - BitsOfSum), units = 1.0 / unit;
-    std::atomic<std::int64_t> total{ 0 };
-    this->Run.For(0, static_cast<Index>(this->Nodes),
-      [&](Index begin, Index end)
-      {
-        std::int64_t part = 0;
-        terms(begin, end,
-          [&](double value) { part += static_cast<std::int64_t>(value * units); });
-        total += part;
-      });
-    std::vector<std::int64_t> sum{ total };
-    this->Run.Group().Sum(sum);
-    return static_cast<double>(sum[0]) * unit;
-  }
-
-private:
-  static constexpr int BitsOfSum = 40;
-  std::size_t Nodes;
-  Runtime& Run;
-};
-
+/// Conjugate gradients. Before each step, what nodes have too much is divided by the widths of their ways, and what blocks of nodes
+/// have in all flows between these.
 class Solver
 {
 public:
   Solver(const FlowGraph& graph, std::vector<double> excess, Runtime& runtime) :
     Graph(graph),
     Run(runtime),
-    Sums(excess.size(), runtime),
+    Blocks(graph, runtime.Group()),
     Residual(std::move(excess)),
-    Inverse(this->Residual.size()),
+    Inverse(this->Residual.size(), 0.0),
     Image(this->Residual.size()),
+    Correction(this->Residual.size()),
     Direction(this->Residual.size() + graph.Copies, 0.0),
     Potential(this->Direction)
   {
@@ -62,107 +43,144 @@ public:
       const std::array<double, 6>& w = graph.Nodes[i].Widths;
       const double sum = ((w[0] + w[1]) + (w[2] + w[3])) + (w[4] + w[5]);
       this->Inverse[i] = sum > 0.0 ? 1.0 / sum : 0.0;
+      this->Widest = std::max(this->Widest, sum);
     }
+    this->Widest = runtime.Group().Max(this->Widest);
   }
 
   std::vector<double> Solve(const std::vector<double>& size)
   {
-    double square = this->SumOfSquares(this->Residual);
-    const double small = Accuracy * Accuracy * this->SumOfSquares(size);
-    this->For([this](Index i) { this->Direction[i] = this->Inverse[i] * this->Residual[i]; });
-    for (int step = 0; step < MostSteps && square > small; ++step)
+    const double small = Accuracy * Accuracy * this->FindSquare(size);
+    double square = this->FindSquare(this->Residual), product = 0.0; // of residual and correction
+    double least = square;
+    for (int step = 0; step < MostSteps && square > small && square <= Worse * least; ++step)
     {
-      const double next = this->Step(square); ++Steps;
-      if (!(next >= 0.0))
+      least = std::min(least, square);
+      const double next = this->Correct(square, product);
+      const double ratio = step > 0 ? next / product : 0.0;
+      this->Turn(ratio);
+      const double curvature = this->FindCurvature(next);
+      if (getenv("VFM_DEBUG2")) std::printf("%d square %g next %g curv %g\n", step, square, next, curvature);
+      if (!(next > 0.0 && curvature > 0.0))
       {
         break;
       }
-      const double ratio = next / square;
-      this->For(
-        [&](Index i)
-        {
-          this->Direction[i] =
-            this->Inverse[i] * this->Residual[i] + ratio * this->Direction[i];
-        });
-      square = next;
+      product = next;
+      square = this->Step(product / curvature, square);
+      ++Steps;
     }
-    if (getenv("VFM_DEBUG")) std::printf("DEBUG square %g small %g nodes %zu steps %d\n", square, small, this->Residual.size(), Steps);
+    if (getenv("VFM_DEBUG")) std::printf("DEBUG square %g small %g nodes %zu steps %d blocks %d\n", square, small, this->Residual.size(), Steps, Blocks.NumberOfBlocks());
     this->Graph.Update(this->Potential);
     return std::move(this->Potential);
   }
 
 private:
-  template <class Body>
-  void For(const Body& body)
+  /// Sums term(node) over the nodes of all ranks. like: about as large as the sum, or more.
+  template <class Term>
+  double Sum(double like, const Term& term)
   {
-    ForEach(this->Run, this->Residual.size(), body);
+    const double unit = UnitOf(like), units = 1.0 / unit;
+    std::atomic<std::int64_t> total{ 0 };
+    this->Run.For(0, static_cast<Index>(this->Residual.size()),
+      [&](Index begin, Index end)
+      {
+        std::int64_t part = 0;
+        for (Index i = begin; i < end; ++i)
+        {
+          part += static_cast<std::int64_t>(term(i) * units);
+        }
+        total += part;
+      });
+    std::vector<std::int64_t> sum{ total };
+    this->Run.Group().Sum(sum);
+    return static_cast<double>(sum[0]) * unit;
   }
 
-  /// Over the diagonal.
-  double SumOfSquares(const std::vector<double>& values)
+  /// Of values over the widths.
+  double FindSquare(const std::vector<double>& values)
   {
+    const auto term = [&](Index i) { return values[i] * this->Inverse[i] * values[i]; };
     double largest = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-      largest = std::max(largest, values[i] * this->Inverse[i] * values[i]);
+      largest = std::max(largest, term(static_cast<Index>(i)));
     }
     largest = this->Run.Group().Max(largest);
-    return !(largest > 0.0) || std::isinf(largest)
-      ? 0.0
-      : this->Sums.Sum(16.0 * largest,
-          [&](Index begin, Index end, const auto& add)
-          {
-            for (Index i = begin; i < end; ++i)
-            {
-              add(values[i] * this->Inverse[i] * values[i]);
-            }
-          });
+    return largest > 0.0 && std::isfinite(largest) ? this->Sum(16.0 * largest, term) : 0.0;
   }
 
-  /// Goes along the direction; returns the square of what is left, or -1 where rounding is all there is.
-  double Step(double square)
+  /// Finds what to go on by; returns its product with the residual.
+  double Correct(double square, double product)
   {
-    this->Graph.Update(this->Direction);
-    const double curvature = this->Sums.Sum(square,
-      [&](Index begin, Index end, const auto& add)
-      {
-        for (Index i = begin; i < end; ++i)
-        {
-          const FlowNode& node = this->Graph.Nodes[i];
-          const double own = this->Direction[i];
-          double sum = 0.0;
-          for (int f = 0; f < 6; ++f)
-          {
-            sum += node.Widths[f] * (own - this->Direction[node.Others[f]]);
-          }
-          this->Image[i] = sum;
-          add(own * sum);
-        }
-      });
-    if (!(curvature > 0.0))
+    const double unit = UnitOf(std::sqrt(square * this->Widest));
+    std::vector<std::int64_t> sums(this->Blocks.NumberOfBlocks(), 0);
+    for (std::size_t i = 0; i < this->Residual.size(); ++i)
     {
-      return -1.0;
+      sums[this->Blocks.BlockOf(i)] += static_cast<std::int64_t>(this->Residual[i] / unit);
     }
-    const double length = square / curvature;
-    return this->Sums.Sum(square,
-      [&](Index begin, Index end, const auto& add)
+    this->Run.Group().Sum(sums);
+    Eigen::VectorXd excess(sums.size());
+    for (std::size_t b = 0; b < sums.size(); ++b)
+    {
+      excess[b] = static_cast<double>(sums[b]) * unit;
+    }
+    const Eigen::VectorXd& coarse = this->Blocks.Solve(std::move(excess));
+    const double like = std::max(4.0 * square, product);
+    return this->Sum(like,
+      [&](Index i)
       {
-        for (Index i = begin; i < end; ++i)
-        {
-          this->Potential[i] += length * this->Direction[i];
-          const double rest = this->Residual[i] - length * this->Image[i];
-          this->Residual[i] = rest;
-          add(rest * this->Inverse[i] * rest);
-        }
+        this->Correction[i] =
+          this->Inverse[i] * this->Residual[i] + coarse[this->Blocks.BlockOf(i)];
+        return this->Residual[i] * this->Correction[i];
+      });
+  }
+
+  void Turn(double ratio)
+  {
+    ForEach(this->Run, this->Residual.size(),
+      [&](Index i) { this->Direction[i] = this->Correction[i] + ratio * this->Direction[i]; });
+    this->Graph.Update(this->Direction);
+  }
+
+  double FindCurvature(double like)
+  {
+    return !(like > 0.0) ? 0.0
+                         : this->Sum(like,
+                             [&](Index i)
+                             {
+                               const FlowNode& node = this->Graph.Nodes[i];
+                               const double own = this->Direction[i];
+                               double sum = 0.0;
+                               for (int f = 0; f < 6; ++f)
+                               {
+                                 sum +=
+                                   node.Widths[f] * (own - this->Direction[node.Others[f]]);
+                               }
+                               this->Image[i] = sum;
+                               return own * sum;
+                             });
+  }
+
+  /// Goes along the direction; returns the square of what is left.
+  double Step(double length, double like)
+  {
+    return this->Sum(like,
+      [&](Index i)
+      {
+        this->Potential[i] += length * this->Direction[i];
+        const double rest = this->Residual[i] - length * this->Image[i];
+        this->Residual[i] = rest;
+        return rest * this->Inverse[i] * rest;
       });
   }
 
   int Steps = 0;
   const FlowGraph& Graph;
   Runtime& Run;
-  NodeSums Sums;
-  std::vector<double> Residual, Inverse, Image; // by node of this rank; Inverse of the diagonal
-  std::vector<double> Direction, Potential;     // copies too
+  CoarseGraph Blocks;
+  std::vector<double> Residual, Inverse, Image, Correction; // by node of this rank; Inverse of the diagonal
+  std::vector<double> Direction, Potential;                 // copies too
+  double Widest = 0.0;                                      // diagonal
 };
 
 } // namespace

@@ -18,10 +18,11 @@ struct FlowNode
   std::array<double, 6> Widths{};  ///< 0 where there is none
 };
 
-class FlowGraph
+struct FlowGraph
 {
-public:
   std::vector<FlowNode> Nodes; ///< of this rank
+  std::vector<Index3> Places;  ///< of these in the whole grid
+  std::vector<int> Pieces;     ///< of these: the connected part, over all ranks
   int Copies = 0;              ///< nodes of other ranks, numbered after these
   /// Sets the entries of the copies to those of their owners. Collective.
   std::function<void(std::vector<double>&)> Update;

@@ -82,6 +82,10 @@ private:
   void JoinNodes()
   {
     this->Graph.Nodes.resize(this->Owned);
+    for (std::size_t i = 0; i < this->Owned; ++i)
+    {
+      this->Graph.Places.push_back(this->Grid.Position(this->Slots[this->SlotOf[i]].Cell));
+    }
     this->Graph.Copies = static_cast<int>(this->SlotOf.size() - this->Owned);
     this->Graph.Update = [this](std::vector<double>& values)
     {
@@ -104,6 +108,16 @@ private:
     this->NumberPieces(parent);
   }
 
+  /// From the cell and the place among its slots, the same on all ranks; as ids of points.
+  Index IdOf(const Slot& slot) const
+  {
+    Index place = 0;
+    this->Slots.ForCell(
+      slot.Cell, [&](int s) { place += this->Slots[s].Fragment < slot.Fragment; });
+    return this->Grid.CellKey(this->Grid.Position(slot.Cell)) * TetIds.PointSlots +
+      std::min(place, TetIds.PointSlots - 1);
+  }
+
   /// Pieces over all ranks.
   void NumberPieces(std::vector<Index>& parent)
   {
@@ -111,14 +125,15 @@ private:
     std::vector<double> pieceOf(this->SlotOf.size());
     for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
     {
-      const Index root = FindRoot(parent, i);
+      const Index root = FindRoot(parent, i), id = this->IdOf(this->SlotAt(i));
       if (root == static_cast<Index>(i))
       {
-        const Slot& slot = this->Slots[this->SlotOf[i]];
         pieceOf[i] = static_cast<double>(pieces.size());
-        pieces.push_back({ this->Grid.CellKey(this->Grid.Position(slot.Cell)), slot.Material });
+        pieces.push_back({ id, this->SlotAt(i).Material });
       }
       pieceOf[i] = pieceOf[root];
+      Index& lowest = pieces[static_cast<std::size_t>(pieceOf[i])].Lowest;
+      lowest = std::min(lowest, id);
     }
     const Index offset = OffsetOfPieces(this->TheRanks, static_cast<Index>(pieces.size()));
     std::vector<double> known = pieceOf;
@@ -136,31 +151,43 @@ private:
     SortUnique(same);
     const std::vector<int> numbers =
       NumberFragments(pieces, same, offset, this->TheRanks, this->PieceMaterials);
-    this->PieceOf.resize(this->SlotOf.size());
+    this->Graph.Pieces.resize(this->SlotOf.size());
     for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
     {
-      this->PieceOf[i] = numbers[static_cast<std::size_t>(pieceOf[i])];
+      this->Graph.Pieces[i] = numbers[static_cast<std::size_t>(pieceOf[i])];
     }
   }
+
+  /// Of what nodes have, by piece and over all ranks, in mean cells.
+  std::vector<double> SumPieces(const std::function<double(std::size_t node)>& valueOf)
+  {
+    const double unit = std::ldexp(std::pow(this->Grid.MeanWidth(), 3.0), -FinerBits);
+    std::vector<ExactSum> sums(this->PieceMaterials.size());
+    for (std::size_t i = 0; i < this->Owned; ++i)
+    {
+      sums[this->Graph.Pieces[i]].Add(valueOf(i) / unit);
+    }
+    std::vector<double> totals = SumOverRanks(sums, this->TheRanks);
+    for (double& total : totals)
+    {
+      total = std::ldexp(total, -FinerBits);
+    }
+    return totals;
+  }
+
+  const Slot& SlotAt(std::size_t node) const { return this->Slots[this->SlotOf[node]]; }
 
   /// Multiplies the volumes of each piece so that they have the sum of the overlaps.
   void MatchTotals()
   {
-    const std::size_t pieces = this->PieceMaterials.size();
-    const double unit = std::ldexp(std::pow(this->Grid.MeanWidth(), 3.0), -FinerBits);
-    std::vector<ExactSum> sums(2 * pieces);
-    for (std::size_t i = 0; i < this->Owned; ++i)
+    const std::vector<double> held =
+      this->SumPieces([this](std::size_t i) { return this->SlotAt(i).Volume; });
+    this->Overlaps = this->SumPieces([this](std::size_t i) { return this->SlotAt(i).Overlap; });
+    std::vector<double> factors(held.size(), 0.0);
+    for (std::size_t p = 1; p < held.size(); ++p)
     {
-      const Slot& slot = this->Slots[this->SlotOf[i]];
-      sums[this->PieceOf[i]].Add(slot.Volume / unit);
-      sums[pieces + this->PieceOf[i]].Add(slot.Overlap / unit);
-    }
-    const std::vector<double> totals = SumOverRanks(sums, this->TheRanks);
-    std::vector<double> factors(pieces, 1.0);
-    for (std::size_t p = 1; p < pieces; ++p)
-    {
-      factors[p] = totals[p] > 0.0 && totals[pieces + p] > 0.0 ? totals[p] / totals[pieces + p] : 0.0;
-      if (totals[pieces + p] > LeastPiece / std::ldexp(1.0, -FinerBits))
+      factors[p] = held[p] > 0.0 && this->Overlaps[p] > 0.0 ? held[p] / this->Overlaps[p] : 0.0;
+      if (this->Overlaps[p] > LeastPiece)
       {
         std::array<double, 2>& range = this->Factors[this->PieceMaterials[p]];
         range = { { std::min(range[0], factors[p]), std::max(range[1], factors[p]) } };
@@ -168,7 +195,7 @@ private:
     }
     for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
     {
-      const double factor = factors[this->PieceOf[i]];
+      const double factor = factors[this->Graph.Pieces[i]];
       Slot& slot = this->Slots[this->SlotOf[i]];
       slot.Volume = factor > 0.0 ? slot.Volume / factor : 0.0;
       double* values = this->Values.Of(this->SlotOf[i]);
@@ -177,9 +204,6 @@ private:
         values[c] *= this->Columns.Base(c) < 0 ? factor : 1.0;
       }
     }
-    this->IsEmpty.resize(pieces);
-    std::transform(factors.begin(), factors.end(), this->IsEmpty.begin(),
-      [](double factor) { return !(factor > 0.0); });
   }
 
   /// As wide as the smaller of two: little flows through a cell that holds little.
@@ -194,7 +218,7 @@ private:
       [&](Index i)
       {
         FlowNode& node = this->Graph.Nodes[i];
-        const Index3 p = this->Grid.Position(this->Slots[this->SlotOf[i]].Cell);
+        const Index3& p = this->Graph.Places[i];
         for (int f = 0; f < 6; ++f)
         {
           if (node.Others[f] != i)
@@ -214,9 +238,15 @@ private:
     std::vector<double> excess(this->Owned), size(this->Owned);
     for (std::size_t i = 0; i < this->Owned; ++i)
     {
-      const Slot& slot = this->Slots[this->SlotOf[i]];
-      excess[i] = this->IsEmpty[this->PieceOf[i]] ? 0.0 : slot.Volume - slot.Overlap;
-      size[i] = slot.Overlap;
+      excess[i] = this->SlotAt(i).Volume - this->SlotAt(i).Overlap;
+      size[i] = this->SlotAt(i).Overlap;
+    }
+    // What rounding leaves in all of a piece, or all of it where cells hold nothing, flows nowhere.
+    const std::vector<double> rest = this->SumPieces([&excess](std::size_t i) { return excess[i]; });
+    for (std::size_t i = 0; i < this->Owned; ++i)
+    {
+      const int piece = this->Graph.Pieces[i];
+      excess[i] -= this->Overlaps[piece] > 0.0 ? size[i] * (rest[piece] / this->Overlaps[piece]) : 0.0;
     }
     this->Potential = FindPotential(this->Graph, std::move(excess), size, this->Run);
     this->Outflow.assign(this->Owned, 0.0);
@@ -324,9 +354,8 @@ private:
   std::size_t Owned = 0;    // nodes
   VolumeFactors Factors;
   FlowGraph Graph;
-  std::vector<int> PieceOf;            // of nodes, from 1
   std::vector<int> PieceMaterials;     // of pieces
-  std::vector<unsigned char> IsEmpty;  // pieces of whose material cells hold nothing
+  std::vector<double> Overlaps;        // of pieces, in mean cells
   std::vector<double> Potential;       // of nodes
   std::vector<double> Outflow, Left;   // of owned nodes: in total; what part is still to be given
   std::vector<double> Shares;          // of the outflow, given in this round; of nodes
