@@ -2,19 +2,17 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace vfm
 {
 namespace
 {
 
-constexpr double Accuracy = 1e-15; // rms, of the size of a node
+constexpr double Accuracy = 3e-15; // rms, of the size of a node's cell
 constexpr int MostSteps = 20000;
-constexpr double Worse = 1e4; // than it was: rounding alone moves on
+constexpr double Near = 1e8, Worse = 4.0; // squares: from where on rounding can make it worse; then that ends it
 
-constexpr int BitsOfSum = 40;
+constexpr int BitsOfSum = 36;
 
 /// In what unit integers sum numbers that are together as large as this.
 double UnitOf(double like)
@@ -27,8 +25,10 @@ double UnitOf(double like)
 class Solver
 {
 public:
-  Solver(const FlowGraph& graph, std::vector<double> excess, Runtime& runtime) :
+  Solver(const FlowGraph& graph, std::vector<double> excess, const std::vector<double>& sizes,
+    Runtime& runtime) :
     Graph(graph),
+    Sizes(sizes),
     Run(runtime),
     Blocks(graph, runtime.Group()),
     Residual(std::move(excess)),
@@ -43,33 +43,45 @@ public:
       const std::array<double, 6>& w = graph.Nodes[i].Widths;
       const double sum = ((w[0] + w[1]) + (w[2] + w[3])) + (w[4] + w[5]);
       this->Inverse[i] = sum > 0.0 ? 1.0 / sum : 0.0;
-      this->Widest = std::max(this->Widest, sum);
+      this->Largest = std::max(this->Largest, sizes[i]);
     }
-    this->Widest = runtime.Group().Max(this->Widest);
+    this->Largest = runtime.Group().Max(this->Largest);
   }
 
-  std::vector<double> Solve(const std::vector<double>& size)
+  std::vector<double> Solve()
   {
-    const double small = Accuracy * Accuracy * this->FindSquare(size);
-    double square = this->FindSquare(this->Residual), product = 0.0; // of residual and correction
-    double least = square;
-    for (int step = 0; step < MostSteps && square > small && square <= Worse * least; ++step)
+    const auto misfit = [this](Index i)
     {
+      const double part = this->Residual[i] / this->Sizes[i];
+      return part * part;
+    };
+    const double small = Accuracy * Accuracy * this->Sum(1e9, [](Index) { return 1.0; });
+    double square = this->FirstSum(misfit), least = square;
+    double product = 0.0; // of residual and correction
+    for (int step = 0; step < MostSteps && square > small; ++step)
+    {
+      if (least < Near * small && square > Worse * least)
+      {
+        break;
+      }
       least = std::min(least, square);
-      const double next = this->Correct(square, product);
-      const double ratio = step > 0 ? next / product : 0.0;
-      this->Turn(ratio);
+      const double next = this->Correct(std::sqrt(square) * this->Largest, product);
+      this->Turn(step > 0 ? next / product : 0.0);
       const double curvature = this->FindCurvature(next);
-      if (getenv("VFM_DEBUG2")) std::printf("%d square %g next %g curv %g\n", step, square, next, curvature);
       if (!(next > 0.0 && curvature > 0.0))
       {
         break;
       }
       product = next;
-      square = this->Step(product / curvature, square);
-      ++Steps;
+      const double length = product / curvature;
+      square = this->Sum(square,
+        [&](Index i)
+        {
+          this->Potential[i] += length * this->Direction[i];
+          this->Residual[i] -= length * this->Image[i];
+          return misfit(i);
+        });
     }
-    if (getenv("VFM_DEBUG")) std::printf("DEBUG square %g small %g nodes %zu steps %d blocks %d\n", square, small, this->Residual.size(), Steps, Blocks.NumberOfBlocks());
     this->Graph.Update(this->Potential);
     return std::move(this->Potential);
   }
@@ -96,23 +108,23 @@ private:
     return static_cast<double>(sum[0]) * unit;
   }
 
-  /// Of values over the widths.
-  double FindSquare(const std::vector<double>& values)
+  /// A sum of terms >= 0 whose size is not known.
+  template <class Term>
+  double FirstSum(const Term& term)
   {
-    const auto term = [&](Index i) { return values[i] * this->Inverse[i] * values[i]; };
     double largest = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < this->Residual.size(); ++i)
     {
       largest = std::max(largest, term(static_cast<Index>(i)));
     }
     largest = this->Run.Group().Max(largest);
-    return largest > 0.0 && std::isfinite(largest) ? this->Sum(16.0 * largest, term) : 0.0;
+    return largest > 0.0 && std::isfinite(largest) ? this->Sum(largest, term) : 0.0;
   }
 
-  /// Finds what to go on by; returns its product with the residual.
-  double Correct(double square, double product)
+  /// Finds what to go on by; returns its product with the residual. residual: no less than any; product: the last one, 0 at first.
+  double Correct(double residual, double product)
   {
-    const double unit = UnitOf(std::sqrt(square * this->Widest));
+    const double unit = UnitOf(residual);
     std::vector<std::int64_t> sums(this->Blocks.NumberOfBlocks(), 0);
     for (std::size_t i = 0; i < this->Residual.size(); ++i)
     {
@@ -125,14 +137,12 @@ private:
       excess[b] = static_cast<double>(sums[b]) * unit;
     }
     const Eigen::VectorXd& coarse = this->Blocks.Solve(std::move(excess));
-    const double like = std::max(4.0 * square, product);
-    return this->Sum(like,
-      [&](Index i)
-      {
-        this->Correction[i] =
-          this->Inverse[i] * this->Residual[i] + coarse[this->Blocks.BlockOf(i)];
-        return this->Residual[i] * this->Correction[i];
-      });
+    const auto term = [&](Index i)
+    {
+      this->Correction[i] = this->Inverse[i] * this->Residual[i] + coarse[this->Blocks.BlockOf(i)];
+      return this->Residual[i] * this->Correction[i];
+    };
+    return product > 0.0 ? this->Sum(product, term) : this->FirstSum(term);
   }
 
   void Turn(double ratio)
@@ -161,34 +171,21 @@ private:
                              });
   }
 
-  /// Goes along the direction; returns the square of what is left.
-  double Step(double length, double like)
-  {
-    return this->Sum(like,
-      [&](Index i)
-      {
-        this->Potential[i] += length * this->Direction[i];
-        const double rest = this->Residual[i] - length * this->Image[i];
-        this->Residual[i] = rest;
-        return rest * this->Inverse[i] * rest;
-      });
-  }
-
-  int Steps = 0;
   const FlowGraph& Graph;
+  const std::vector<double>& Sizes;
   Runtime& Run;
   CoarseGraph Blocks;
   std::vector<double> Residual, Inverse, Image, Correction; // by node of this rank; Inverse of the diagonal
   std::vector<double> Direction, Potential;                 // copies too
-  double Widest = 0.0;                                      // diagonal
+  double Largest = 0.0;                                     // size
 };
 
 } // namespace
 
 std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> excess,
-  const std::vector<double>& size, Runtime& runtime)
+  const std::vector<double>& sizes, Runtime& runtime)
 {
-  return Solver(graph, std::move(excess), runtime).Solve(size);
+  return Solver(graph, std::move(excess), sizes, runtime).Solve();
 }
 
 } // namespace vfm

@@ -29,9 +29,9 @@ struct FlowGraph
 };
 
 /// The potential at all nodes, copies too: volumes Widths x (phi - phi of the other) flow out. excess: of the nodes of this rank; zero in
-/// the sum over each connected part. size: volumes of what the nodes have, to tell what is small. Conjugate gradients, until only rounding is
+/// the sum over each connected part. sizes: volumes of their cells, to tell what is small. Conjugate gradients, until only rounding is
 /// left. Collective; the same bits on any ranks.
 std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> excess,
-  const std::vector<double>& size, Runtime& runtime);
+  const std::vector<double>& sizes, Runtime& runtime);
 
 } // namespace vfm

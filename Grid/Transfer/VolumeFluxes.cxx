@@ -55,7 +55,6 @@ public:
     this->FindFlows();
     for (int round = 0; round < MostRounds && this->MoveOnce(); ++round)
     {
-      if (getenv("VFM_DEBUG")) std::printf("DEBUG round %d\n", round);
     }
     return std::move(this->Factors);
   }
@@ -235,20 +234,23 @@ private:
 
   void FindFlows()
   {
-    std::vector<double> excess(this->Owned), size(this->Owned);
+    std::vector<double> excess(this->Owned), sizes(this->Owned);
     for (std::size_t i = 0; i < this->Owned; ++i)
     {
       excess[i] = this->SlotAt(i).Volume - this->SlotAt(i).Overlap;
-      size[i] = this->SlotAt(i).Overlap;
+      sizes[i] = this->Grid.CellVolume(this->Graph.Places[i]);
     }
     // What rounding leaves in all of a piece, or all of it where cells hold nothing, flows nowhere.
-    const std::vector<double> rest = this->SumPieces([&excess](std::size_t i) { return excess[i]; });
+    const std::vector<double> rest =
+      this->SumPieces([&excess](std::size_t i) { return excess[i]; });
     for (std::size_t i = 0; i < this->Owned; ++i)
     {
       const int piece = this->Graph.Pieces[i];
-      excess[i] -= this->Overlaps[piece] > 0.0 ? size[i] * (rest[piece] / this->Overlaps[piece]) : 0.0;
+      excess[i] -= this->Overlaps[piece] > 0.0
+        ? this->SlotAt(i).Overlap * (rest[piece] / this->Overlaps[piece])
+        : 0.0;
     }
-    this->Potential = FindPotential(this->Graph, std::move(excess), size, this->Run);
+    this->Potential = FindPotential(this->Graph, std::move(excess), sizes, this->Run);
     this->Outflow.assign(this->Owned, 0.0);
     this->Left.assign(this->Owned, 1.0);
     this->Shares.assign(this->SlotOf.size(), 0.0);
