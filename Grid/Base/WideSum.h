@@ -28,7 +28,8 @@ public:
     const std::uint64_t mantissa =
       (bits & 0xfffffffffffffULL) | static_cast<std::uint64_t>(exponent > 0) << 52;
     const std::uint64_t place = exponent - (exponent > 0); // of the last bit, above 2^-1074
-    const std::uint64_t low = (mantissa & Mask) << place % 32, high = (mantissa >> 32) << place % 32;
+    const std::uint64_t low = (mantissa & Mask) << place % 32,
+                        high = (mantissa >> 32) << place % 32;
     const std::int64_t sign = bits >> 63 ? -1 : 1;
     std::int64_t* digit = this->Digits.data() + place / 32;
     digit[0] += sign * static_cast<std::int64_t>(low & Mask);

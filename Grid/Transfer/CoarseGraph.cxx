@@ -117,8 +117,7 @@ void CoarseGraph::MakeMatrix(const FlowGraph& graph, Ranks& ranks)
       const int from = this->BlockOfNode[i], to = this->BlockOfNode[graph.Nodes[i].Others[f]];
       if (from != to)
       {
-        links.push_back(
-          { from, to, static_cast<std::int64_t>(graph.Nodes[i].Widths[f] / unit) });
+        links.push_back({ from, to, static_cast<std::int64_t>(graph.Nodes[i].Widths[f] / unit) });
       }
     }
   }

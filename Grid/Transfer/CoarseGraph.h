@@ -32,7 +32,7 @@ private:
   void Centre(Eigen::VectorXd& values) const;
 
   int Blocks = 0;
-  std::vector<Index> Pieces; // the first block of each connected part, and the end
+  std::vector<Index> Pieces;    // the first block of each connected part, and the end
   std::vector<int> BlockOfNode; // copies too
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Factors;
   Eigen::VectorXd Potential;

@@ -76,8 +76,8 @@ private:
 } // namespace
 
 MisfitCells::MisfitCells(const CartesianGrid& grid, const FractionField& fractions,
-  const WholeElements& whole, const SlotTable& slots,
-  const std::vector<unsigned char>& isMeshed, const Partition& partition) :
+  const WholeElements& whole, const SlotTable& slots, const std::vector<unsigned char>& isMeshed,
+  const Partition& partition) :
   Grid(grid), Nearness(grid, 0)
 {
   std::vector<Index> misfits = MisfitFinder(grid, fractions, whole, slots, isMeshed).Find();
@@ -85,8 +85,7 @@ MisfitCells::MisfitCells(const CartesianGrid& grid, const FractionField& fractio
   {
     this->Nearness.Set(cell, SlotLayers + 1);
   }
-  partition.ExchangeCells(
-    this->Nearness, [&misfits](Index cell) { misfits.push_back(cell); });
+  partition.ExchangeCells(this->Nearness, [&misfits](Index cell) { misfits.push_back(cell); });
   this->MarkAround(std::move(misfits));
 }
 

@@ -11,15 +11,15 @@ namespace vfm
 {
 
 constexpr int FluxLayers = 1; ///< cells around misfits between which contents move
-constexpr int SlotLayers = 3; ///< cells around misfits that have slots: whole elements there are no copies
+constexpr int SlotLayers =
+  3; ///< cells around misfits that have slots: whole elements there are no copies
 
 class MisfitCells
 {
 public:
   /// slots: with the overlaps of all elements that are no whole cells. isMeshed: by material. Collective.
-  MisfitCells(const CartesianGrid& grid, const FractionField& fractions,
-    const WholeElements& whole, const SlotTable& slots,
-    const std::vector<unsigned char>& isMeshed, const Partition& partition);
+  MisfitCells(const CartesianGrid& grid, const FractionField& fractions, const WholeElements& whole,
+    const SlotTable& slots, const std::vector<unsigned char>& isMeshed, const Partition& partition);
 
   /// Whether a cell is at most so many steps, up to SlotLayers, from a misfit; any rank's. Of cells that far from the rank's own.
   bool IsNear(Index cell, int layers) const { return this->Nearness[cell] > SlotLayers - layers; }

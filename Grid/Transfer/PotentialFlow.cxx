@@ -10,7 +10,9 @@ namespace
 
 constexpr double Accuracy = 3e-15; // rms, of the size of a node's cell
 constexpr int MostSteps = 20000;
-constexpr double Near = 1e8, Worse = 4.0; // squares: from where on rounding can make it worse; then that ends it
+constexpr double Near = 1e8,
+                 Worse =
+                   4.0; // squares: from where on rounding can make it worse; then that ends it
 
 constexpr int BitsOfSum = 36;
 
@@ -163,8 +165,7 @@ private:
                                double sum = 0.0;
                                for (int f = 0; f < 6; ++f)
                                {
-                                 sum +=
-                                   node.Widths[f] * (own - this->Direction[node.Others[f]]);
+                                 sum += node.Widths[f] * (own - this->Direction[node.Others[f]]);
                                }
                                this->Image[i] = sum;
                                return own * sum;
@@ -175,9 +176,10 @@ private:
   const std::vector<double>& Sizes;
   Runtime& Run;
   CoarseGraph Blocks;
-  std::vector<double> Residual, Inverse, Image, Correction; // by node of this rank; Inverse of the diagonal
-  std::vector<double> Direction, Potential;                 // copies too
-  double Largest = 0.0;                                     // size
+  std::vector<double> Residual, Inverse, Image,
+    Correction;                             // by node of this rank; Inverse of the diagonal
+  std::vector<double> Direction, Potential; // copies too
+  double Largest = 0.0;                     // size
 };
 
 } // namespace

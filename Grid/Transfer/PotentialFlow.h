@@ -14,8 +14,8 @@ namespace vfm
 /// A node of the graph: to which others, across the faces of its cell, and how wide the ways are.
 struct FlowNode
 {
-  std::array<int, 6> Others{};     ///< by face; where there is none any, such as the node itself
-  std::array<double, 6> Widths{};  ///< 0 where there is none
+  std::array<int, 6> Others{};    ///< by face; where there is none any, such as the node itself
+  std::array<double, 6> Widths{}; ///< 0 where there is none
 };
 
 struct FlowGraph

@@ -44,11 +44,11 @@ private:
     for (int n = 0; n < 27; ++n)
     {
       const Index3 step = StepAround(n);
-      const int other = n == 13 ? -1
-                                : this->Slots.Find(slot.Cell + step[0] * this->Grid.CornerOffset(1) +
-                                      step[1] * this->Grid.CornerOffset(2) +
-                                      step[2] * this->Grid.CornerOffset(4),
-                                    slot.Fragment);
+      const int other = n == 13
+        ? -1
+        : this->Slots.Find(slot.Cell + step[0] * this->Grid.CornerOffset(1) +
+              step[1] * this->Grid.CornerOffset(2) + step[2] * this->Grid.CornerOffset(4),
+            slot.Fragment);
       if (other >= 0 && this->Slots[other].Volume > 0.0)
       {
         const Vector3 x = this->Slots[other].Centroid - slot.Centroid;
@@ -104,7 +104,8 @@ private:
         right[a] += other.Weight * difference * other.Place[a];
       }
     }
-    if (this->Columns.IsExtensive(c)) // a sum in hardly any volume next to this one would be lost in rounding
+    if (this->Columns.IsExtensive(
+          c)) // a sum in hardly any volume next to this one would be lost in rounding
     {
       this->Least = std::max(this->Least, -std::fabs(own));
       this->Most = std::min(this->Most, std::fabs(own));

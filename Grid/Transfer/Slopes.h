@@ -34,7 +34,8 @@ public:
     {
       return;
     }
-    const double* line = this->Lines.data() + static_cast<std::size_t>(place) * 4 * this->Columns.Count();
+    const double* line =
+      this->Lines.data() + static_cast<std::size_t>(place) * 4 * this->Columns.Count();
     for (int c = 0; c < this->Columns.Count(); ++c, line += 4)
     {
       values[c] += line[0] * x[0] + line[1] * x[1] + line[2] * x[2] + line[3];

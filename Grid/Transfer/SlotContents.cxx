@@ -182,8 +182,7 @@ private:
     const std::size_t peer = slot.IsOwned ? this->Gifts.size() - 1 : this->Parts.PeerOfCell(to);
     this->Gifts[peer].push_back(
       { this->Grid.CellKey(p), this->Grid.CellKey(to), slot.Fragment, volume });
-    this->GiftValues[peer].insert(
-      this->GiftValues[peer].end(), this->Own.begin(), this->Own.end());
+    this->GiftValues[peer].insert(this->GiftValues[peer].end(), this->Own.begin(), this->Own.end());
     return true;
   }
 
@@ -253,8 +252,8 @@ private:
       [&](const Index3& q)
       {
         const double distance = this->SquaredDistance(p, q);
-        if (distance < least &&
-          this->Source.Request.Fractions.Fraction(this->Grid.Linear(q), slot.Material) > 0.0)
+        if (distance<least&& this->Source.Request.Fractions.Fraction(
+              this->Grid.Linear(q), slot.Material)> 0.0)
         {
           cell = q;
           least = distance;

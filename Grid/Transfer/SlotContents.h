@@ -59,7 +59,10 @@ public:
     Width(columns.Count()), Values(static_cast<std::size_t>(slots) * columns.Count(), 0.0)
   {
   }
-  double* Of(int slot) { return this->Values.data() + static_cast<std::size_t>(slot) * this->Width; }
+  double* Of(int slot)
+  {
+    return this->Values.data() + static_cast<std::size_t>(slot) * this->Width;
+  }
   const double* Of(int slot) const
   {
     return this->Values.data() + static_cast<std::size_t>(slot) * this->Width;

@@ -69,8 +69,7 @@ SlotLinks::SlotLinks(const CartesianGrid& grid, const Partition& partition, Slot
     this->Copies.emplace_back();
     for (const SlotName& name : FromBytes<SlotName>(bytes))
     {
-      const int s =
-        slots.Get(grid.Linear(grid.CellOfKey(name.Key)), name.Fragment, name.Material);
+      const int s = slots.Get(grid.Linear(grid.CellOfKey(name.Key)), name.Fragment, name.Material);
       slots[s].Overlap = name.Overlap;
       slots[s].Centroid = name.Centroid;
       this->Copies.back().push_back(s);

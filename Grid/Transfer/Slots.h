@@ -96,8 +96,7 @@ void SlotLinks::Exchange(int width, const Pack& pack, const Unpack& unpack) cons
     }
     outgoing.push_back(ToBytes(numbers));
   }
-  const std::vector<Bytes> incoming =
-    this->Parts->Group().Exchange(this->Parts->Peers(), outgoing);
+  const std::vector<Bytes> incoming = this->Parts->Group().Exchange(this->Parts->Peers(), outgoing);
   for (std::size_t p = 0; p < incoming.size(); ++p)
   {
     const std::vector<double> numbers = FromBytes<double>(incoming[p]);

@@ -101,12 +101,12 @@ public:
   {
     const int materials = static_cast<int>(this->IsMeshed.size());
     std::vector<SlotShape> shapes;
-    const std::vector<SlotParts> moved = this->FindParts(
-      [this](Index e) { return !this->Whole.IsWhole(e); }, shapes);
+    const std::vector<SlotParts> moved =
+      this->FindParts([this](Index e) { return !this->Whole.IsWhole(e); }, shapes);
     const MisfitCells misfits(
       this->Grid, this->Request.Fractions, this->Whole, this->Slots, this->IsMeshed, this->Parts);
-    const std::vector<SlotParts> near =
-      this->FindParts([&](Index e) { return this->Whole.IsWhole(e) && this->IsNear(misfits, e); }, shapes);
+    const std::vector<SlotParts> near = this->FindParts(
+      [&](Index e) { return this->Whole.IsWhole(e) && this->IsNear(misfits, e); }, shapes);
     CentreShapes(this->Slots, shapes);
     const SlotLinks links(this->Grid, this->Parts, this->Slots);
     MaterialSums input(materials, this->Columns), unmeshed(materials, this->Columns);
@@ -148,7 +148,8 @@ private:
   bool IsNear(const MisfitCells& misfits, Index element) const
   {
     bool isNear = false;
-    ForCells(this->Whole.CellsOf(element), [&](const Index3& p)
+    ForCells(this->Whole.CellsOf(element),
+      [&](const Index3& p)
       { isNear = isNear || misfits.IsNear(this->Grid.Linear(p), SlotLayers); });
     return isNear;
   }
@@ -170,8 +171,7 @@ private:
       });
   }
 
-  SlotLinks LinksToParts(
-    const SlotLinks& links, const std::vector<SlotParts>& moved) const
+  SlotLinks LinksToParts(const SlotLinks& links, const std::vector<SlotParts>& moved) const
   {
     std::vector<unsigned char> wanted(this->Slots.Count(), 0);
     for (const SlotParts& some : moved)

@@ -66,9 +66,9 @@ using StateTotals = std::vector<double>;
 struct TransferredState
 {
   std::vector<Buffer<double>> Values; ///< of each quantity: Components an element
-  Buffer<double> Mass;                ///< of each element; without a density the volume that cells have in it
-  std::vector<StateTotals> Input;     ///< of each material from 0: of all cells
-  std::vector<StateTotals> Unmeshed;  ///< of each material from 0: of cells that gave to no element
+  Buffer<double> Mass; ///< of each element; without a density the volume that cells have in it
+  std::vector<StateTotals> Input;    ///< of each material from 0: of all cells
+  std::vector<StateTotals> Unmeshed; ///< of each material from 0: of cells that gave to no element
   /// Of each material from 0 the smallest and largest factor, cells' volume over mesh's, that values PerVolume had to be multiplied
   /// with because its pieces have other volumes as elements than as cells; 1 and 1 where they agree.
   std::vector<std::array<double, 2>> Factors;

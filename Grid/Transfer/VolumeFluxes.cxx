@@ -21,8 +21,8 @@ public:
     const SlotLinks& links, Runtime& runtime, SlotTable& slots, SlotValues& values) :
     Grid(source.Request.Grid),
     Columns(source.Columns),
-    Ghosts(links.Narrow(
-      [&](int s) { return misfits.IsNear(slots[s].Cell, FluxLayers) && this->TouchesOwned(slots[s].Cell); })),
+    Ghosts(links.Narrow([&](int s)
+      { return misfits.IsNear(slots[s].Cell, FluxLayers) && this->TouchesOwned(slots[s].Cell); })),
     TheRanks(partition.Group()),
     Run(runtime),
     Slots(slots),
@@ -65,8 +65,8 @@ private:
     bool touches = false;
     for (int f = 0; f < 6; ++f)
     {
-      touches = touches ||
-        this->Grid.Owned().Contains(this->Grid.Position(this->Grid.Neighbour(cell, f)));
+      touches =
+        touches || this->Grid.Owned().Contains(this->Grid.Position(this->Grid.Neighbour(cell, f)));
     }
     return touches;
   }
@@ -287,10 +287,7 @@ private:
     std::vector<double> volumes(this->Owned);
     std::vector<double> moved(this->Owned * this->Columns.Count());
     ForEach(this->Run, this->Owned,
-      [&](Index i)
-      {
-        volumes[i] = this->Receive(i, moved.data() + i * this->Columns.Count());
-      });
+      [&](Index i) { volumes[i] = this->Receive(i, moved.data() + i * this->Columns.Count()); });
     ForEach(this->Run, this->Owned,
       [&](Index i)
       {
@@ -340,7 +337,7 @@ private:
     return volume;
   }
 
-  static constexpr int FinerBits = 30; // than those of ExactSum
+  static constexpr int FinerBits = 30;        // than those of ExactSum
   static constexpr double LeastPiece = 1e-13; // of a mean cell: what is told of
   static constexpr double LeastLeft = 1e-12;
 
@@ -356,11 +353,11 @@ private:
   std::size_t Owned = 0;    // nodes
   VolumeFactors Factors;
   FlowGraph Graph;
-  std::vector<int> PieceMaterials;     // of pieces
-  std::vector<double> Overlaps;        // of pieces, in mean cells
-  std::vector<double> Potential;       // of nodes
-  std::vector<double> Outflow, Left;   // of owned nodes: in total; what part is still to be given
-  std::vector<double> Shares;          // of the outflow, given in this round; of nodes
+  std::vector<int> PieceMaterials;   // of pieces
+  std::vector<double> Overlaps;      // of pieces, in mean cells
+  std::vector<double> Potential;     // of nodes
+  std::vector<double> Outflow, Left; // of owned nodes: in total; what part is still to be given
+  std::vector<double> Shares;        // of the outflow, given in this round; of nodes
 };
 
 } // namespace

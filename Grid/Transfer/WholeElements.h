@@ -15,8 +15,8 @@ namespace vfm
 class WholeElements
 {
 public:
-  WholeElements(const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions,
-    Runtime& runtime);
+  WholeElements(
+    const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);
 
   bool IsWhole(Index element) const { return this->Lowest[element] >= 0; }
   /// The cells that a whole element is.
@@ -31,7 +31,8 @@ private:
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const FractionField& Fractions;
-  std::vector<Index> Lowest;         // of the cells of an element, its place in the grid's box; -1: not whole
+  std::vector<Index>
+    Lowest; // of the cells of an element, its place in the grid's box; -1: not whole
   PagedArray<unsigned char> Covered; // by cell
 };
 

@@ -73,8 +73,7 @@ struct RandomState
 
   const double* Of(const Index3& cell, int material) const
   {
-    return this->Values.data() +
-      Columns * ((Materials + 1) * this->Grid.CellKey(cell) + material);
+    return this->Values.data() + Columns * ((Materials + 1) * this->Grid.CellKey(cell) + material);
   }
 
   std::mt19937 Random;
@@ -116,12 +115,11 @@ struct Range
   }
 };
 
-std::vector<Range> FindRanges(
-  const RandomState& state, const ElementOutcome& element, int reach)
+std::vector<Range> FindRanges(const RandomState& state, const ElementOutcome& element, int reach)
 {
-  const IndexBox cells = Grow(
-    Intersect({ state.Grid.CellAt(element.Lower), CornerOfCell(state.Grid.CellAt(element.Upper), 7) },
-      state.Grid.Global()),
+  const IndexBox cells = Grow(Intersect({ state.Grid.CellAt(element.Lower),
+                                          CornerOfCell(state.Grid.CellAt(element.Upper), 7) },
+                                state.Grid.Global()),
     reach, state.Grid.Global());
   std::vector<Range> ranges(Columns);
   ForCells(cells,
@@ -149,7 +147,7 @@ std::string CheckSeed(unsigned seed)
   for (const auto& entry : outcome.Elements)
   {
     const ElementOutcome& e = entry.second;
-    const std::vector<Range> ranges = FindRanges(state, e, getenv("REACH") ? atoi(getenv("REACH")) : 3);
+    const std::vector<Range> ranges = FindRanges(state, e, c.GiveUnmeshed ? 5 : 3);
     if (ranges[0].Most < ranges[0].Least)
     {
       continue; // a label that no cell holds
@@ -164,8 +162,9 @@ std::string CheckSeed(unsigned seed)
       }
       if (q == 0)
       {
-        worstDensity = std::max({ worstDensity, (factors[0] * ranges[0].Least - value) / ranges[0].Most,
-          value / (factors[1] * ranges[0].Most) - 1.0 });
+        worstDensity =
+          std::max({ worstDensity, (factors[0] * ranges[0].Least - value) / ranges[0].Most,
+            value / (factors[1] * ranges[0].Most) - 1.0 });
       }
       else if (q < 7)
       {
@@ -175,8 +174,10 @@ std::string CheckSeed(unsigned seed)
   }
   if (worst > 1e-12 || worstDensity > 1e-12)
   {
-    problem += "outside by " + std::to_string(worst) + ", densities by " + std::to_string(worstDensity);
-    std::printf("seed %u %s: %g %g\n", seed, c.Make == MakeHexMesh ? "hex" : "tet", worst, worstDensity);
+    problem +=
+      "outside by " + std::to_string(worst) + ", densities by " + std::to_string(worstDensity);
+    std::printf(
+      "seed %u %s: %g %g\n", seed, c.Make == MakeHexMesh ? "hex" : "tet", worst, worstDensity);
   }
   return problem;
 }

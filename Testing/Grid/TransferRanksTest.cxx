@@ -17,7 +17,8 @@ void FillNoise(const CartesianGrid& grid, const Index3& p, int material, double*
 {
   for (int c = 0; c < 14; ++c)
   {
-    const double wave = std::sin(12.9898 * static_cast<double>(grid.CellKey(p) % 9973) + 78.233 * c);
+    const double wave =
+      std::sin(12.9898 * static_cast<double>(grid.CellKey(p) % 9973) + 78.233 * c);
     values[c] = std::fabs(43758.5453 * wave - std::floor(43758.5453 * wave));
   }
   values[0] = (1.0 + values[0]) * (material == 1 ? 1.0 : 1e6);
@@ -29,6 +30,7 @@ struct TransferRankCase
   const char* Mesh;
   bool MeshVoid;
   int Refinements;
+  bool FineInterfaces = true;
 };
 
 void PrintTo(const TransferRankCase& c, std::ostream* out)
@@ -36,10 +38,20 @@ void PrintTo(const TransferRankCase& c, std::ostream* out)
   *out << c.Mesh;
 }
 
-class TransferRanks
-  : public ::testing::TestWithParam<std::tuple<MeshMaker, TransferRankCase>>
+class TransferRanks : public ::testing::TestWithParam<std::tuple<MeshMaker, TransferRankCase>>
 {
 };
+
+std::string NameOfCase(
+  const ::testing::TestParamInfo<std::tuple<MeshMaker, TransferRankCase>>& info)
+{
+  const TransferRankCase& c = std::get<1>(info.param);
+  std::string name = (std::get<0>(info.param) == MakeHexMesh ? "Hexes_" : "Tets_") +
+    std::string(c.Mesh) + (c.MeshVoid ? "_and_void" : "") + (c.Refinements > 0 ? "_refined" : "") +
+    (c.FineInterfaces ? "" : "_crossing");
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
 
 } // namespace
 
@@ -60,6 +72,7 @@ TEST_P(TransferRanks, SameBits)
   c.Make = std::get<0>(this->GetParam());
   c.Options.MeshVoid = what.MeshVoid;
   c.Options.Levels.Refinements = what.Refinements;
+  c.Options.Levels.FineInterfaces = what.FineInterfaces;
   const StateOutcome alone = TransferAlone(c);
   EXPECT_EQ(FindTotalsProblem(c, alone), "");
   const auto cut = [&](int ranks, int axis)
@@ -82,12 +95,9 @@ INSTANTIATE_TEST_SUITE_P(Cases, TransferRanks,
       TransferRankCase{ "sphere 16", true, 0 }, TransferRankCase{ "half sphere", false, 0 },
       TransferRankCase{ "sphere 16", false, 1 }, TransferRankCase{ "noise", false, 0 },
       TransferRankCase{ "patches", true, 0 })),
-  [](const ::testing::TestParamInfo<std::tuple<MeshMaker, TransferRankCase>>& info)
-  {
-    const TransferRankCase& c = std::get<1>(info.param);
-    std::string name = (std::get<0>(info.param) == MakeHexMesh ? "Hexes_" : "Tets_") +
-      std::string(c.Mesh) + (c.MeshVoid ? "_and_void" : "") +
-      (c.Refinements > 0 ? "_refined" : "");
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
-  });
+  NameOfCase);
+
+INSTANTIATE_TEST_SUITE_P(Crossing, TransferRanks,
+  ::testing::Values(std::make_tuple(
+    static_cast<MeshMaker>(MakeHexMesh), TransferRankCase{ "sphere 16", false, 1, false })),
+  NameOfCase);

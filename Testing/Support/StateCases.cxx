@@ -158,7 +158,7 @@ Contents SumContents(const StateCase& c, const StateOutcome& outcome)
     {
       const double weight = quantity.Kind == StateKind::Extensive ? 1.0
         : quantity.Kind == StateKind::PerVolume                   ? e.Volume
-        : quantity.Weight < 0 ? mass
+        : quantity.Weight < 0                                     ? mass
                               : mass * e.Values[firstOf(quantity.Weight)];
       for (int i = 0; i < quantity.Components; ++i, ++column)
       {
@@ -195,8 +195,8 @@ std::string FindTotalsProblem(const StateCase& c, const StateOutcome& outcome, d
       if (!(std::fabs(made - input) <= tolerance * size))
       {
         std::ostringstream text;
-        text << "material " << m << ", total " << i << ": off by " << (made - input) / size << " of "
-             << size << ". ";
+        text << "material " << m << ", total " << i << ": off by " << (made - input) / size
+             << " of " << size << ". ";
         return text.str();
       }
     }
@@ -213,9 +213,9 @@ std::string FindOutcomeDifference(const StateOutcome& a, const StateOutcome& b)
     differences += at == b.Elements.end() || at->second.Values != entry.second.Values ||
       at->second.Mass != entry.second.Mass;
   }
-  std::string text = differences > 0
-    ? std::to_string(differences) + " of " + std::to_string(a.Elements.size()) + " elements differ. "
-    : "";
+  std::string text = differences > 0 ? std::to_string(differences) + " of " +
+      std::to_string(a.Elements.size()) + " elements differ. "
+                                     : "";
   text += HaveSameBits(a.Input, b.Input) ? "" : "Other totals of the input. ";
   text += HaveSameBits(a.Unmeshed, b.Unmeshed) ? "" : "Other totals of what is not meshed. ";
   return text + (a.Factors == b.Factors ? "" : "Other factors.");

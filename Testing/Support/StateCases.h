@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "RankFields.h"
 #include "MeshCases.h"
+#include "RankFields.h"
 #include "Transfer/TransferState.h"
 
 #include <map>
@@ -37,8 +37,8 @@ struct ElementOutcome
 {
   int Material, Fragment;
   double Volume, Mass;
-  Vector3 Centroid; ///< the mean of the corners
-  Vector3 Mean; ///< of its volume
+  Vector3 Centroid;     ///< the mean of the corners
+  Vector3 Mean;         ///< of its volume
   Vector3 Lower, Upper; ///< of the box around it
   std::vector<double> Values;
 };
