@@ -12,9 +12,9 @@ class MisfitFinder
 {
 public:
   MisfitFinder(const CartesianGrid& grid, const FractionField& fractions,
-    const WholeElements& whole, const SlotTable& slots,
+    const WholeElements& whole, const DonorTable& donors,
     const std::vector<unsigned char>& isMeshed) :
-    Grid(grid), Fractions(fractions), Whole(whole), Slots(slots), IsMeshed(isMeshed)
+    Grid(grid), Fractions(fractions), Whole(whole), Donors(donors), IsMeshed(isMeshed)
   {
   }
 
@@ -56,11 +56,11 @@ private:
     }
     const int label = this->Fractions.Label(cell);
     double own = this->IsMeshed[label] ? volume : 0.0, others = 0.0;
-    this->Slots.ForCell(cell,
+    this->Donors.ForCell(cell,
       [&](int s)
       {
-        const Slot& slot = this->Slots[s];
-        (slot.Material == label ? own : others) -= slot.Overlap;
+        const Donor& donor = this->Donors[s];
+        (donor.Material == label ? own : others) -= donor.Overlap;
       });
     return std::fabs(own) <= Rounding * volume && -others <= Rounding * volume;
   }
@@ -68,7 +68,7 @@ private:
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   const WholeElements& Whole;
-  const SlotTable& Slots;
+  const DonorTable& Donors;
   const std::vector<unsigned char>& IsMeshed;
   std::vector<Index> Cells;
 };
@@ -76,14 +76,14 @@ private:
 } // namespace
 
 MisfitCells::MisfitCells(const CartesianGrid& grid, const FractionField& fractions,
-  const WholeElements& whole, const SlotTable& slots, const std::vector<unsigned char>& isMeshed,
+  const WholeElements& whole, const DonorTable& donors, const std::vector<unsigned char>& isMeshed,
   const Partition& partition) :
   Grid(grid), Nearness(grid, 0)
 {
-  std::vector<Index> misfits = MisfitFinder(grid, fractions, whole, slots, isMeshed).Find();
+  std::vector<Index> misfits = MisfitFinder(grid, fractions, whole, donors, isMeshed).Find();
   for (Index cell : misfits)
   {
-    this->Nearness.Set(cell, SlotLayers + 1);
+    this->Nearness.Set(cell, DonorLayers + 1);
   }
   partition.ExchangeCells(this->Nearness, [&misfits](Index cell) { misfits.push_back(cell); });
   this->MarkAround(std::move(misfits));
@@ -91,7 +91,7 @@ MisfitCells::MisfitCells(const CartesianGrid& grid, const FractionField& fractio
 
 void MisfitCells::MarkAround(std::vector<Index> cells)
 {
-  for (int nearness = SlotLayers; nearness > 0; --nearness)
+  for (int nearness = DonorLayers; nearness > 0; --nearness)
   {
     std::vector<Index> next;
     for (Index cell : cells)

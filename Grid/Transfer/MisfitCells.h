@@ -4,31 +4,32 @@
  */
 #pragma once
 
-#include "Transfer/Slots.h"
+#include "Transfer/Donors.h"
 #include "Transfer/WholeElements.h"
 
 namespace vfm
 {
 
 constexpr int FluxLayers = 1; ///< cells around misfits between which contents move
-constexpr int SlotLayers =
-  3; ///< cells around misfits that have slots: whole elements there are no copies
+constexpr int DonorLayers =
+  3; ///< cells around misfits that have donors: whole elements there are no copies
 
 class MisfitCells
 {
 public:
-  /// slots: with the overlaps of all elements that are no whole cells. isMeshed: by material. Collective.
+  /// donors: with the overlaps of all elements that are no whole cells. isMeshed: by material. Collective.
   MisfitCells(const CartesianGrid& grid, const FractionField& fractions, const WholeElements& whole,
-    const SlotTable& slots, const std::vector<unsigned char>& isMeshed, const Partition& partition);
+    const DonorTable& donors, const std::vector<unsigned char>& isMeshed,
+    const Partition& partition);
 
-  /// Whether a cell is at most so many steps, up to SlotLayers, from a misfit; any rank's. Of cells that far from the rank's own.
-  bool IsNear(Index cell, int layers) const { return this->Nearness[cell] > SlotLayers - layers; }
+  /// Whether a cell is at most so many steps, up to DonorLayers, from a misfit; any rank's. Of cells that far from the rank's own.
+  bool IsNear(Index cell, int layers) const { return this->Nearness[cell] > DonorLayers - layers; }
 
 private:
   void MarkAround(std::vector<Index> cells);
 
   const CartesianGrid& Grid;
-  PagedArray<int> Nearness; // SlotLayers + 1 of misfits, one less each step
+  PagedArray<int> Nearness; // DonorLayers + 1 of misfits, one less each step
 };
 
 } // namespace vfm

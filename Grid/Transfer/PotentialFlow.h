@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/Runtime.h"
-#include "Transfer/Slots.h"
+#include "Transfer/Donors.h"
 
 #include <functional>
 

@@ -7,15 +7,16 @@ namespace vfm
 namespace
 {
 
-constexpr double Flat = 1e-6; // of the largest eigenvalue: slots around lie in a plane or on a line
+constexpr double Flat =
+  1e-6; // of the largest eigenvalue: donors around lie in a plane or on a line
 
-/// Finds slopes, slot after slot.
+/// Finds slopes, donor after donor.
 class SlopeFinder
 {
 public:
-  SlopeFinder(const StateColumns& columns, const CartesianGrid& grid, const SlotTable& slots,
-    const SlotValues& values, const std::vector<SlotShape>& shapes) :
-    Columns(columns), Grid(grid), Slots(slots), Values(values), Shapes(shapes)
+  SlopeFinder(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
+    const DonorValues& values, const std::vector<DonorShape>& shapes) :
+    Columns(columns), Grid(grid), Donors(donors), Values(values), Shapes(shapes)
   {
   }
 
@@ -39,19 +40,19 @@ public:
 private:
   void FindAround(int s)
   {
-    const Slot& slot = this->Slots[s];
+    const Donor& donor = this->Donors[s];
     this->Around.clear();
     for (int n = 0; n < 27; ++n)
     {
       const Index3 step = StepAround(n);
       const int other = n == 13
         ? -1
-        : this->Slots.Find(slot.Cell + step[0] * this->Grid.CornerOffset(1) +
+        : this->Donors.Find(donor.Cell + step[0] * this->Grid.CornerOffset(1) +
               step[1] * this->Grid.CornerOffset(2) + step[2] * this->Grid.CornerOffset(4),
-            slot.Fragment);
-      if (other >= 0 && this->Slots[other].Volume > 0.0)
+            donor.Fragment);
+      if (other >= 0 && this->Donors[other].Volume > 0.0)
       {
-        const Vector3 x = this->Slots[other].Centroid - slot.Centroid;
+        const Vector3 x = this->Donors[other].Centroid - donor.Centroid;
         const double square = Dot(x, x);
         if (square > 0.0)
         {
@@ -96,7 +97,7 @@ private:
     this->Least = this->Most = 0.0;
     for (const Neighbour& other : this->Around)
     {
-      const double difference = this->Values.Of(other.Slot)[c] - own;
+      const double difference = this->Values.Of(other.Donor)[c] - own;
       this->Least = std::min(this->Least, difference);
       this->Most = std::max(this->Most, difference);
       for (int a = 0; a < 3; ++a)
@@ -122,7 +123,7 @@ private:
     {
       base = this->Columns.Base(base);
     }
-    const double value = base < 0 ? 0.0 : this->Values.Of(s)[base] * this->Slots[s].Overlap;
+    const double value = base < 0 ? 0.0 : this->Values.Of(s)[base] * this->Donors[s].Overlap;
     if (!(value > 0.0))
     {
       return 0.0;
@@ -138,7 +139,7 @@ private:
   /// Makes a line so much flatter that in the box around the parts it stays between the values around.
   void Limit(int s, int, double shift, double* line) const
   {
-    const SlotShape& shape = this->Shapes[s];
+    const DonorShape& shape = this->Shapes[s];
     double low = shift, high = shift;
     for (int a = 0; a < 3; ++a)
     {
@@ -158,21 +159,21 @@ private:
 
   struct Neighbour
   {
-    int Slot;
+    int Donor;
     Vector3 Place; // from the centroid
     double Weight;
   };
 
   const StateColumns& Columns;
   const CartesianGrid& Grid;
-  const SlotTable& Slots;
-  const SlotValues& Values;
-  const std::vector<SlotShape>& Shapes;
+  const DonorTable& Donors;
+  const DonorValues& Values;
+  const std::vector<DonorShape>& Shapes;
   std::vector<Neighbour> Around;
   double Least = 0.0, Most = 0.0; // differences of the values around, 0 among them
 };
 
-bool IsPoint(const SlotShape& shape)
+bool IsPoint(const DonorShape& shape)
 {
   return !(shape.Lower[0] < shape.Upper[0] || shape.Lower[1] < shape.Upper[1] ||
     shape.Lower[2] < shape.Upper[2]);
@@ -180,17 +181,17 @@ bool IsPoint(const SlotShape& shape)
 
 } // namespace
 
-Slopes::Slopes(const StateColumns& columns, const CartesianGrid& grid, const SlotTable& slots,
-  const SlotValues& values, const std::vector<SlotShape>& shapes, const SlotLinks& links,
+Slopes::Slopes(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
+  const DonorValues& values, const std::vector<DonorShape>& shapes, const DonorLinks& links,
   Runtime& runtime) :
-  Columns(columns), Places(slots.Count(), -1)
+  Columns(columns), Places(donors.Count(), -1)
 {
   const int width = 4 * columns.Count();
   std::vector<int> sloping;
   int places = 0;
-  for (int s = 0; s < slots.Count(); ++s)
+  for (int s = 0; s < donors.Count(); ++s)
   {
-    if (slots[s].IsOwned && !IsPoint(shapes[s]) && slots[s].Volume > 0.0)
+    if (donors[s].IsOwned && !IsPoint(shapes[s]) && donors[s].Volume > 0.0)
     {
       sloping.push_back(s);
       this->Places[s] = places++;
@@ -200,7 +201,7 @@ Slopes::Slopes(const StateColumns& columns, const CartesianGrid& grid, const Slo
   runtime.For(0, places,
     [&](Index begin, Index end)
     {
-      SlopeFinder finder(columns, grid, slots, values, shapes);
+      SlopeFinder finder(columns, grid, donors, values, shapes);
       for (Index i = begin; i < end; ++i)
       {
         finder.Find(sloping[i], this->Lines.data() + i * width);

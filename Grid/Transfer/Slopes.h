@@ -1,35 +1,35 @@
 /**
- * How values vary in slots: linearly, with gradients by least squares over the slots around, limited as by Barth and Jespersen (The design
+ * How values vary in donors: linearly, with gradients by least squares over the donors around, limited as by Barth and Jespersen (The design
  * and application of upwind schemes on unstructured meshes, AIAA 89-0366, 1989): no part of an element gets what lies outside the
- * values of the slots around.
+ * values of the donors around.
  *
- * What a slot has in all stays: slopes per volume are about the centroid of its parts. A slope per mass, where density has one too, moves
+ * What a donor has in all stays: slopes per volume are about the centroid of its parts. A slope per mass, where density has one too, moves
  * momentum by the product of the two and the second moment of the parts; a shift of the value takes that back exactly.
  */
 #pragma once
 
-#include "Transfer/SlotContents.h"
-#include "Transfer/SlotParts.h"
+#include "Transfer/DonorContents.h"
+#include "Transfer/DonorParts.h"
 
 namespace vfm
 {
 
-/// The slopes in slots whose parts are not all at one place.
+/// The slopes in donors whose parts are not all at one place.
 class Slopes
 {
 public:
-  /// None: all values are constant in their slots.
+  /// None: all values are constant in their donors.
   explicit Slopes(const StateColumns& columns) : Columns(columns) {}
-  /// Of the slots that this rank owns; copies of those around have their values. Then of copies with parts of this rank's elements.
+  /// Of the donors that this rank owns; copies of those around have their values. Then of copies with parts of this rank's elements.
   /// Collective.
-  Slopes(const StateColumns& columns, const CartesianGrid& grid, const SlotTable& slots,
-    const SlotValues& values, const std::vector<SlotShape>& shapes, const SlotLinks& links,
+  Slopes(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
+    const DonorValues& values, const std::vector<DonorShape>& shapes, const DonorLinks& links,
     Runtime& runtime);
 
-  /// The values of a slot at a place from its centroid, in place.
-  void AddAt(int slot, const Vector3& x, double* values) const
+  /// The values of a donor at a place from its centroid, in place.
+  void AddAt(int donor, const Vector3& x, double* values) const
   {
-    const int place = this->Places.empty() ? -1 : this->Places[slot];
+    const int place = this->Places.empty() ? -1 : this->Places[donor];
     if (place < 0)
     {
       return;
@@ -44,7 +44,7 @@ public:
 
 private:
   const StateColumns& Columns;
-  std::vector<int> Places;   // of slots in Lines; -1: constant
+  std::vector<int> Places;   // of donors in Lines; -1: constant
   std::vector<double> Lines; // of each column a slope and a shift
 };
 

@@ -93,36 +93,36 @@ public:
     IsMeshed(FindMeshed(mesh, request.Fractions.NumberOfMaterials(), runtime.Group())),
     Source(request, this->Columns, this->IsMeshed),
     Whole(mesh, request.Grid, request.Fractions, runtime),
-    Slots(request.Grid)
+    Donors(request.Grid)
   {
   }
 
   TransferredState Transfer()
   {
     const int materials = static_cast<int>(this->IsMeshed.size());
-    std::vector<SlotShape> shapes;
-    const std::vector<SlotParts> moved =
+    std::vector<DonorShape> shapes;
+    const std::vector<DonorParts> moved =
       this->FindParts([this](Index e) { return !this->Whole.IsWhole(e); }, shapes);
     const MisfitCells misfits(
-      this->Grid, this->Request.Fractions, this->Whole, this->Slots, this->IsMeshed, this->Parts);
-    const std::vector<SlotParts> near = this->FindParts(
+      this->Grid, this->Request.Fractions, this->Whole, this->Donors, this->IsMeshed, this->Parts);
+    const std::vector<DonorParts> near = this->FindParts(
       [&](Index e) { return this->Whole.IsWhole(e) && this->IsNear(misfits, e); }, shapes);
-    CentreShapes(this->Slots, shapes);
-    const SlotLinks links(this->Grid, this->Parts, this->Slots);
+    CentreShapes(this->Donors, shapes);
+    const DonorLinks links(this->Grid, this->Parts, this->Donors);
     MaterialSums input(materials, this->Columns), unmeshed(materials, this->Columns);
-    SlotValues values =
-      FillSlots(this->Source, this->Whole, this->Parts, this->Slots, input, unmeshed);
+    DonorValues values =
+      FillDonors(this->Source, this->Whole, this->Parts, this->Donors, input, unmeshed);
     TransferredState state;
     state.Factors =
-      MoveContents(this->Source, misfits, this->Parts, links, this->Run, this->Slots, values);
+      MoveContents(this->Source, misfits, this->Parts, links, this->Run, this->Donors, values);
     this->UpdateCopies(links, values);
     const Slopes slopes = this->Request.Order == 1
       ? Slopes(this->Columns)
-      : Slopes(this->Columns, this->Grid, this->Slots, values, shapes,
+      : Slopes(this->Columns, this->Grid, this->Donors, values, shapes,
           this->LinksToParts(links, moved), this->Run);
     this->Allocate(state);
-    this->FillFromSlots(moved, slopes, values, state);
-    this->FillFromSlots(near, slopes, values, state);
+    this->FillFromDonors(moved, slopes, values, state);
+    this->FillFromDonors(near, slopes, values, state);
     this->FillFromCells(misfits, state);
     state.Input = input.Finish(this->Run.Group());
     state.Unmeshed = unmeshed.Finish(this->Run.Group());
@@ -131,7 +131,7 @@ public:
 
 private:
   template <class Wants>
-  std::vector<SlotParts> FindParts(const Wants& wants, std::vector<SlotShape>& shapes)
+  std::vector<DonorParts> FindParts(const Wants& wants, std::vector<DonorShape>& shapes)
   {
     std::vector<Index> elements;
     for (Index e = 0; e < static_cast<Index>(this->TheMesh.Material.size()); ++e)
@@ -141,8 +141,8 @@ private:
         elements.push_back(e);
       }
     }
-    return FindSlotParts(
-      this->TheMesh, elements, this->Grid, this->Parts, this->Run, this->Slots, shapes);
+    return FindDonorParts(
+      this->TheMesh, elements, this->Grid, this->Parts, this->Run, this->Donors, shapes);
   }
 
   bool IsNear(const MisfitCells& misfits, Index element) const
@@ -150,35 +150,35 @@ private:
     bool isNear = false;
     ForCells(this->Whole.CellsOf(element),
       [&](const Index3& p)
-      { isNear = isNear || misfits.IsNear(this->Grid.Linear(p), SlotLayers); });
+      { isNear = isNear || misfits.IsNear(this->Grid.Linear(p), DonorLayers); });
     return isNear;
   }
 
-  /// Those around owned slots, and those with parts of this rank's elements.
-  void UpdateCopies(const SlotLinks& links, SlotValues& values)
+  /// Those around owned donors, and those with parts of this rank's elements.
+  void UpdateCopies(const DonorLinks& links, DonorValues& values)
   {
     links.Exchange(
       1 + this->Columns.Count(),
       [&](int s, double* numbers)
       {
-        numbers[0] = this->Slots[s].Volume;
+        numbers[0] = this->Donors[s].Volume;
         std::copy_n(values.Of(s), this->Columns.Count(), numbers + 1);
       },
       [&](int s, const double* numbers)
       {
-        this->Slots[s].Volume = numbers[0];
+        this->Donors[s].Volume = numbers[0];
         std::copy_n(numbers + 1, this->Columns.Count(), values.Of(s));
       });
   }
 
-  SlotLinks LinksToParts(const SlotLinks& links, const std::vector<SlotParts>& moved) const
+  DonorLinks LinksToParts(const DonorLinks& links, const std::vector<DonorParts>& moved) const
   {
-    std::vector<unsigned char> wanted(this->Slots.Count(), 0);
-    for (const SlotParts& some : moved)
+    std::vector<unsigned char> wanted(this->Donors.Count(), 0);
+    for (const DonorParts& some : moved)
     {
-      for (const SlotPart& part : some.Parts)
+      for (const DonorPart& part : some.Parts)
       {
-        wanted[part.Slot] = 1;
+        wanted[part.Donor] = 1;
       }
     }
     return links.Narrow([&wanted](int s) { return wanted[s]; });
@@ -208,10 +208,10 @@ private:
     }
   }
 
-  void FillFromSlots(const std::vector<SlotParts>& pieces, const Slopes& slopes,
-    const SlotValues& values, TransferredState& state)
+  void FillFromDonors(const std::vector<DonorParts>& pieces, const Slopes& slopes,
+    const DonorValues& values, TransferredState& state)
   {
-    for (const SlotParts& some : pieces)
+    for (const DonorParts& some : pieces)
     {
       this->Run.For(0, static_cast<Index>(some.Elements.size()),
         [&](Index begin, Index end)
@@ -222,11 +222,11 @@ private:
             element.Start();
             for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
             {
-              const SlotPart& part = some.Parts[p];
-              const Slot& slot = this->Slots[part.Slot];
-              std::copy_n(values.Of(part.Slot), this->Columns.Count(), element.NextValues());
-              slopes.AddAt(part.Slot, part.Centroid - slot.Centroid, element.NextValues());
-              element.Add(part.Volume, part.Volume * (slot.Volume / slot.Overlap));
+              const DonorPart& part = some.Parts[p];
+              const Donor& donor = this->Donors[part.Donor];
+              std::copy_n(values.Of(part.Donor), this->Columns.Count(), element.NextValues());
+              slopes.AddAt(part.Donor, part.Centroid - donor.Centroid, element.NextValues());
+              element.Add(part.Volume, part.Volume * (donor.Volume / donor.Overlap));
             }
             this->Write(element, some.Elements[i], state);
           }
@@ -268,7 +268,7 @@ private:
   const std::vector<unsigned char> IsMeshed; // by material
   const StateSource Source;
   const WholeElements Whole;
-  SlotTable Slots;
+  DonorTable Donors;
 };
 
 } // namespace

@@ -13,36 +13,38 @@ namespace
 
 constexpr int MostRounds = 64; // a few do, unless cells give many times what they hold
 
-/// The slots between which contents move.
+/// The donors between which contents move.
 class ContentMover
 {
 public:
   ContentMover(const StateSource& source, const MisfitCells& misfits, const Partition& partition,
-    const SlotLinks& links, Runtime& runtime, SlotTable& slots, SlotValues& values) :
+    const DonorLinks& links, Runtime& runtime, DonorTable& donors, DonorValues& values) :
     Grid(source.Request.Grid),
     Columns(source.Columns),
-    Ghosts(links.Narrow([&](int s)
-      { return misfits.IsNear(slots[s].Cell, FluxLayers) && this->TouchesOwned(slots[s].Cell); })),
+    Ghosts(links.Narrow(
+      [&](int s) {
+        return misfits.IsNear(donors[s].Cell, FluxLayers) && this->TouchesOwned(donors[s].Cell);
+      })),
     TheRanks(partition.Group()),
     Run(runtime),
-    Slots(slots),
+    Donors(donors),
     Values(values),
-    Numbers(slots.Count(), -1),
+    Numbers(donors.Count(), -1),
     Factors(source.IsMeshed.size(), { { 1.0, 1.0 } })
   {
-    for (int s = 0; s < slots.Count(); ++s)
+    for (int s = 0; s < donors.Count(); ++s)
     {
-      if (slots[s].IsOwned && misfits.IsNear(slots[s].Cell, FluxLayers))
+      if (donors[s].IsOwned && misfits.IsNear(donors[s].Cell, FluxLayers))
       {
         this->AddNode(s);
       }
     }
-    this->Owned = this->SlotOf.size();
+    this->Owned = this->DonorOf.size();
     this->Ghosts.Exchange(
-      1, [&](int s, double* v) { v[0] = slots[s].Volume; },
+      1, [&](int s, double* v) { v[0] = donors[s].Volume; },
       [&](int s, const double* v)
       {
-        slots[s].Volume = v[0];
+        donors[s].Volume = v[0];
         this->AddNode(s);
       });
   }
@@ -73,8 +75,8 @@ private:
 
   void AddNode(int s)
   {
-    this->Numbers[s] = static_cast<int>(this->SlotOf.size());
-    this->SlotOf.push_back(s);
+    this->Numbers[s] = static_cast<int>(this->DonorOf.size());
+    this->DonorOf.push_back(s);
   }
 
   /// Finds the neighbours, and which nodes hang together.
@@ -83,22 +85,22 @@ private:
     this->Graph.Nodes.resize(this->Owned);
     for (std::size_t i = 0; i < this->Owned; ++i)
     {
-      this->Graph.Places.push_back(this->Grid.Position(this->Slots[this->SlotOf[i]].Cell));
+      this->Graph.Places.push_back(this->Grid.Position(this->Donors[this->DonorOf[i]].Cell));
     }
-    this->Graph.Copies = static_cast<int>(this->SlotOf.size() - this->Owned);
+    this->Graph.Copies = static_cast<int>(this->DonorOf.size() - this->Owned);
     this->Graph.Update = [this](std::vector<double>& values)
     {
       this->Ghosts.Exchange(
         1, [&](int s, double* v) { v[0] = values[this->Numbers[s]]; },
         [&](int s, const double* v) { values[this->Numbers[s]] = v[0]; });
     };
-    std::vector<Index> parent = MakeSets(this->SlotOf.size());
+    std::vector<Index> parent = MakeSets(this->DonorOf.size());
     for (std::size_t i = 0; i < this->Owned; ++i)
     {
-      const Slot& slot = this->Slots[this->SlotOf[i]];
+      const Donor& donor = this->Donors[this->DonorOf[i]];
       for (int f = 0; f < 6; ++f)
       {
-        const int other = this->Slots.Find(this->Grid.Neighbour(slot.Cell, f), slot.Fragment);
+        const int other = this->Donors.Find(this->Grid.Neighbour(donor.Cell, f), donor.Fragment);
         const bool isNode = other >= 0 && this->Numbers[other] >= 0;
         this->Graph.Nodes[i].Others[f] = isNode ? this->Numbers[other] : static_cast<int>(i);
         Join(parent, i, this->Graph.Nodes[i].Others[f]);
@@ -107,13 +109,13 @@ private:
     this->NumberPieces(parent);
   }
 
-  /// From the cell and the place among its slots, the same on all ranks; as ids of points.
-  Index IdOf(const Slot& slot) const
+  /// From the cell and the place among its donors, the same on all ranks; as ids of points.
+  Index IdOf(const Donor& donor) const
   {
     Index place = 0;
-    this->Slots.ForCell(
-      slot.Cell, [&](int s) { place += this->Slots[s].Fragment < slot.Fragment; });
-    return this->Grid.CellKey(this->Grid.Position(slot.Cell)) * TetIds.PointSlots +
+    this->Donors.ForCell(
+      donor.Cell, [&](int s) { place += this->Donors[s].Fragment < donor.Fragment; });
+    return this->Grid.CellKey(this->Grid.Position(donor.Cell)) * TetIds.PointSlots +
       std::min(place, TetIds.PointSlots - 1);
   }
 
@@ -121,14 +123,14 @@ private:
   void NumberPieces(std::vector<Index>& parent)
   {
     std::vector<Piece> pieces;
-    std::vector<double> pieceOf(this->SlotOf.size());
-    for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
+    std::vector<double> pieceOf(this->DonorOf.size());
+    for (std::size_t i = 0; i < this->DonorOf.size(); ++i)
     {
-      const Index root = FindRoot(parent, i), id = this->IdOf(this->SlotAt(i));
+      const Index root = FindRoot(parent, i), id = this->IdOf(this->DonorAt(i));
       if (root == static_cast<Index>(i))
       {
         pieceOf[i] = static_cast<double>(pieces.size());
-        pieces.push_back({ id, this->SlotAt(i).Material });
+        pieces.push_back({ id, this->DonorAt(i).Material });
       }
       pieceOf[i] = pieceOf[root];
       Index& lowest = pieces[static_cast<std::size_t>(pieceOf[i])].Lowest;
@@ -150,8 +152,8 @@ private:
     SortUnique(same);
     const std::vector<int> numbers =
       NumberFragments(pieces, same, offset, this->TheRanks, this->PieceMaterials);
-    this->Graph.Pieces.resize(this->SlotOf.size());
-    for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
+    this->Graph.Pieces.resize(this->DonorOf.size());
+    for (std::size_t i = 0; i < this->DonorOf.size(); ++i)
     {
       this->Graph.Pieces[i] = numbers[static_cast<std::size_t>(pieceOf[i])];
     }
@@ -174,14 +176,14 @@ private:
     return totals;
   }
 
-  const Slot& SlotAt(std::size_t node) const { return this->Slots[this->SlotOf[node]]; }
+  const Donor& DonorAt(std::size_t node) const { return this->Donors[this->DonorOf[node]]; }
 
   /// Multiplies the volumes of each piece so that they have the sum of the overlaps.
   void MatchTotals()
   {
     const std::vector<double> held =
-      this->SumPieces([this](std::size_t i) { return this->SlotAt(i).Volume; });
-    this->Overlaps = this->SumPieces([this](std::size_t i) { return this->SlotAt(i).Overlap; });
+      this->SumPieces([this](std::size_t i) { return this->DonorAt(i).Volume; });
+    this->Overlaps = this->SumPieces([this](std::size_t i) { return this->DonorAt(i).Overlap; });
     std::vector<double> factors(held.size(), 0.0);
     for (std::size_t p = 1; p < held.size(); ++p)
     {
@@ -192,12 +194,12 @@ private:
         range = { { std::min(range[0], factors[p]), std::max(range[1], factors[p]) } };
       }
     }
-    for (std::size_t i = 0; i < this->SlotOf.size(); ++i)
+    for (std::size_t i = 0; i < this->DonorOf.size(); ++i)
     {
       const double factor = factors[this->Graph.Pieces[i]];
-      Slot& slot = this->Slots[this->SlotOf[i]];
-      slot.Volume = factor > 0.0 ? slot.Volume / factor : 0.0;
-      double* values = this->Values.Of(this->SlotOf[i]);
+      Donor& donor = this->Donors[this->DonorOf[i]];
+      donor.Volume = factor > 0.0 ? donor.Volume / factor : 0.0;
+      double* values = this->Values.Of(this->DonorOf[i]);
       for (int c = 0; c < this->Columns.Count(); ++c)
       {
         values[c] *= this->Columns.Base(c) < 0 ? factor : 1.0;
@@ -210,8 +212,8 @@ private:
   {
     const auto sizeOf = [this](int i)
     {
-      const Slot& slot = this->Slots[this->SlotOf[i]];
-      return std::max(slot.Volume, slot.Overlap);
+      const Donor& donor = this->Donors[this->DonorOf[i]];
+      return std::max(donor.Volume, donor.Overlap);
     };
     ForEach(this->Run, this->Owned,
       [&](Index i)
@@ -237,7 +239,7 @@ private:
     std::vector<double> excess(this->Owned), sizes(this->Owned);
     for (std::size_t i = 0; i < this->Owned; ++i)
     {
-      excess[i] = this->SlotAt(i).Volume - this->SlotAt(i).Overlap;
+      excess[i] = this->DonorAt(i).Volume - this->DonorAt(i).Overlap;
       sizes[i] = this->Grid.CellVolume(this->Graph.Places[i]);
     }
     // What rounding leaves in all of a piece, or all of it where cells hold nothing, flows nowhere.
@@ -247,13 +249,13 @@ private:
     {
       const int piece = this->Graph.Pieces[i];
       excess[i] -= this->Overlaps[piece] > 0.0
-        ? this->SlotAt(i).Overlap * (rest[piece] / this->Overlaps[piece])
+        ? this->DonorAt(i).Overlap * (rest[piece] / this->Overlaps[piece])
         : 0.0;
     }
     this->Potential = FindPotential(this->Graph, std::move(excess), sizes, this->Run);
     this->Outflow.assign(this->Owned, 0.0);
     this->Left.assign(this->Owned, 1.0);
-    this->Shares.assign(this->SlotOf.size(), 0.0);
+    this->Shares.assign(this->DonorOf.size(), 0.0);
     for (std::size_t i = 0; i < this->Owned; ++i)
     {
       for (int f = 0; f < 6; ++f)
@@ -278,7 +280,7 @@ private:
     {
       double& share = this->Shares[i];
       share = this->Outflow[i] > 0.0
-        ? std::min(this->Left[i], this->Slots[this->SlotOf[i]].Volume / this->Outflow[i])
+        ? std::min(this->Left[i], this->Donors[this->DonorOf[i]].Volume / this->Outflow[i])
         : 0.0;
       this->Left[i] -= share;
       isShort = isShort || (this->Left[i] > LeastLeft && this->Outflow[i] > 0.0);
@@ -291,9 +293,9 @@ private:
     ForEach(this->Run, this->Owned,
       [&](Index i)
       {
-        this->Slots[this->SlotOf[i]].Volume = volumes[i];
+        this->Donors[this->DonorOf[i]].Volume = volumes[i];
         std::copy_n(moved.data() + i * this->Columns.Count(), this->Columns.Count(),
-          this->Values.Of(this->SlotOf[i]));
+          this->Values.Of(this->DonorOf[i]));
       });
     return this->TheRanks.Any(isShort);
   }
@@ -318,9 +320,9 @@ private:
   /// What a node has after a round: the volume, and in values what is in it.
   double Receive(std::size_t i, double* values) const
   {
-    const int s = this->SlotOf[i];
+    const int s = this->DonorOf[i];
     std::copy_n(this->Values.Of(s), this->Columns.Count(), values);
-    double volume = std::max(this->Slots[s].Volume - this->Shares[i] * this->Outflow[i], 0.0);
+    double volume = std::max(this->Donors[s].Volume - this->Shares[i] * this->Outflow[i], 0.0);
     for (int f = 0; f < 6; ++f)
     {
       const double inflow = -this->FlowOut(i, f);
@@ -330,7 +332,7 @@ private:
         const double part = this->Shares[other] * inflow;
         if (part > 0.0)
         {
-          this->Columns.Mix(volume, values, part, this->Values.Of(this->SlotOf[other]));
+          this->Columns.Mix(volume, values, part, this->Values.Of(this->DonorOf[other]));
         }
       }
     }
@@ -343,13 +345,13 @@ private:
 
   const CartesianGrid& Grid;
   const StateColumns& Columns;
-  const SlotLinks Ghosts;
+  const DonorLinks Ghosts;
   Ranks& TheRanks;
   Runtime& Run;
-  SlotTable& Slots;
-  SlotValues& Values;
-  std::vector<int> Numbers; // of slots among the nodes; -1: none
-  std::vector<int> SlotOf;  // of nodes; copies last
+  DonorTable& Donors;
+  DonorValues& Values;
+  std::vector<int> Numbers; // of donors among the nodes; -1: none
+  std::vector<int> DonorOf; // of nodes; copies last
   std::size_t Owned = 0;    // nodes
   VolumeFactors Factors;
   FlowGraph Graph;
@@ -363,10 +365,10 @@ private:
 } // namespace
 
 VolumeFactors MoveContents(const StateSource& source, const MisfitCells& misfits,
-  const Partition& partition, const SlotLinks& links, Runtime& runtime, SlotTable& slots,
-  SlotValues& values)
+  const Partition& partition, const DonorLinks& links, Runtime& runtime, DonorTable& donors,
+  DonorValues& values)
 {
-  return ContentMover(source, misfits, partition, links, runtime, slots, values).Move();
+  return ContentMover(source, misfits, partition, links, runtime, donors, values).Move();
 }
 
 } // namespace vfm

@@ -13,7 +13,7 @@
  */
 #pragma once
 
-#include "Transfer/SlotContents.h"
+#include "Transfer/DonorContents.h"
 
 namespace vfm
 {
@@ -21,9 +21,9 @@ namespace vfm
 /// Of each material the smallest and largest factor of values per volume; 1 where nothing was changed.
 using VolumeFactors = std::vector<std::array<double, 2>>;
 
-/// Moves the contents of the owned slots; their volumes are then their overlaps, but for rounding. Collective.
+/// Moves the contents of the owned donors; their volumes are then their overlaps, but for rounding. Collective.
 VolumeFactors MoveContents(const StateSource& source, const MisfitCells& misfits,
-  const Partition& partition, const SlotLinks& links, Runtime& runtime, SlotTable& slots,
-  SlotValues& values);
+  const Partition& partition, const DonorLinks& links, Runtime& runtime, DonorTable& donors,
+  DonorValues& values);
 
 } // namespace vfm

@@ -1,12 +1,12 @@
 /// Options, grids and the promises that hold for all of them.
 #include "Mesh/Quality.h"
 #include "MeshCases.h"
+#include "RankFields.h"
 #include "TetPipeline.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <thread>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -36,25 +36,6 @@ CartesianGrid MakeRectilinearGrid(int n)
   }
   return CartesianGrid(x);
 }
-
-/// Cuts every loop in many ranges that run on several threads in no order.
-class ThreadedRuntime : public Runtime
-{
-public:
-  void For(Index first, Index last, const std::function<void(Index, Index)>& body) override
-  {
-    const Index count = last - first, pieces = std::min<Index>(count, 5);
-    std::vector<std::thread> threads;
-    for (Index p = pieces; p-- > 0;)
-    {
-      threads.emplace_back(body, first + count * p / pieces, first + count * (p + 1) / pieces);
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  }
-};
 
 class AbortingRuntime : public Runtime
 {

@@ -184,10 +184,24 @@ std::string CheckSeed(unsigned seed)
 
 } // namespace
 
-TEST(TransferBounds, RandomFields)
+TEST(TransferBounds, SomeRandomFields)
 {
-  for (unsigned seed : ListSeeds(30))
+  for (unsigned seed : ListSeeds(24))
   {
     EXPECT_EQ(CheckSeed(seed), "") << "seed " << seed;
   }
 }
+
+class TransferSweep : public ::testing::TestWithParam<unsigned>
+{
+};
+
+TEST_P(TransferSweep, RandomFieldsStayWithinBounds)
+{
+  for (unsigned seed : ListSeeds(1000, this->GetParam(), 4))
+  {
+    EXPECT_EQ(CheckSeed(seed), "") << "seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, TransferSweep, ::testing::Range(0U, 4U));

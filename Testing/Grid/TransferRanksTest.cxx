@@ -75,6 +75,7 @@ TEST_P(TransferRanks, SameBits)
   c.Options.Levels.FineInterfaces = what.FineInterfaces;
   const StateOutcome alone = TransferAlone(c);
   EXPECT_EQ(FindTotalsProblem(c, alone), "");
+  EXPECT_EQ(FindOutcomeDifference(TransferOnThreads(c), alone), "") << "threads";
   const auto cut = [&](int ranks, int axis)
   {
     return what.Refinements > 0 ? CutBaseBox(grid, what.Refinements, ranks, axis)

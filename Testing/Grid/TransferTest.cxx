@@ -2,6 +2,7 @@
 #include "StateCases.h"
 
 #include "Base/Vector3.h"
+#include "Base/WideSum.h"
 #include "Shapes/ShapesScenes.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,41 @@ std::vector<MeshMaker> AllMakers()
 }
 
 } // namespace
+
+TEST(StateSums, NoOrderAndNoSizeMatters)
+{
+  std::mt19937 random(3);
+  std::vector<double> values{ 1e300, -1e300, 1e-300, 5e-324, -0.0, 1.0, -3.0 };
+  for (int i = 0; i < 2000; ++i)
+  {
+    const double value =
+      std::ldexp(static_cast<double>(random()), static_cast<int>(random() % 80) - 60);
+    values.push_back(random() % 2 == 0 ? value : -value);
+  }
+  long double expected = 0.0L;
+  for (std::size_t i = 5; i < values.size(); ++i)
+  {
+    expected += values[i];
+  }
+  std::vector<double> sums;
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    std::shuffle(values.begin(), values.end(), random);
+    WideSum sum;
+    std::for_each(values.begin(), values.end(), [&sum](double value) { sum.Add(value); });
+    sums.push_back(sum.Value());
+  }
+  EXPECT_EQ(sums[0], sums[1]);
+  EXPECT_EQ(sums[0], sums[2]);
+  EXPECT_NEAR(sums[0], expected, 1e-15 * std::fabs(expected));
+  WideSum small;
+  small.Add(1e300);
+  small.Add(-3e-310);
+  small.Add(-1e300);
+  EXPECT_EQ(small.Value(), -3e-310);
+  small.Add(HUGE_VAL);
+  EXPECT_TRUE(std::isnan(small.Value()));
+}
 
 TEST(TransferState, TotalsStay)
 {

@@ -10,7 +10,6 @@
 #include <chrono>
 #include <cmath>
 #include <map>
-#include <thread>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -196,27 +195,6 @@ std::string CompareParts(
   }
   return "";
 }
-
-/// Loops cut in pieces that run at the same time.
-class ThreadedRuntime : public Runtime
-{
-public:
-  void For(std::int64_t first, std::int64_t last,
-    const std::function<void(std::int64_t, std::int64_t)>& body) override
-  {
-    std::vector<std::thread> threads;
-    for (int t = 0; t < 3; ++t)
-    {
-      const std::int64_t from = first + (last - first) * t / 3,
-                         to = first + (last - first) * (t + 1) / 3;
-      threads.emplace_back([&body, from, to] { body(from, to); });
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  }
-};
 
 } // namespace
 

@@ -3,11 +3,26 @@
 #include <atomic>
 #include <cmath>
 #include <random>
+#include <thread>
 
 namespace vfm
 {
 namespace testing
 {
+
+void ThreadedRuntime::For(Index first, Index last, const std::function<void(Index, Index)>& body)
+{
+  const Index count = last - first, pieces = std::min<Index>(count, 5);
+  std::vector<std::thread> threads;
+  for (Index p = pieces; p-- > 0;)
+  {
+    threads.emplace_back(body, first + count * p / pieces, first + count * (p + 1) / pieces);
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+}
 
 std::vector<IndexBox> CutBox(const IndexBox& box, int parts, int axis)
 {

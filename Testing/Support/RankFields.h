@@ -1,5 +1,5 @@
 /**
- * Grids and fields, also cut for ranks that are threads.
+ * Grids and fields, also cut for ranks that are threads; loops on threads.
  */
 #pragma once
 
@@ -20,6 +20,13 @@ public:
 
 private:
   Ranks& TheRanks;
+};
+
+/// Cuts every loop in ranges that run on several threads in no order.
+class ThreadedRuntime : public Runtime
+{
+public:
+  void For(Index first, Index last, const std::function<void(Index, Index)>& body) override;
 };
 
 /// Cuts a box in parts along its longest axis each time (axis -1), or along one axis.

@@ -75,17 +75,18 @@ StateOutcome MakeOutcome(
   return outcome;
 }
 
-bool HaveSameBits(const std::vector<StateTotals>& a, const std::vector<StateTotals>& b)
-{
-  return a == b;
-}
-
 } // namespace
 
 StateOutcome TransferAlone(const StateCase& c)
 {
   Runtime alone;
   return MakeOutcome(c, c.Grid, c.Fractions, alone);
+}
+
+StateOutcome TransferOnThreads(const StateCase& c)
+{
+  ThreadedRuntime threads;
+  return MakeOutcome(c, c.Grid, c.Fractions, threads);
 }
 
 StateOutcome TransferOnRanks(const StateCase& c, const std::vector<IndexBox>& boxes)
@@ -104,7 +105,7 @@ StateOutcome TransferOnRanks(const StateCase& c, const std::vector<IndexBox>& bo
   for (const StateOutcome& outcome : outcomes)
   {
     all.Elements.insert(outcome.Elements.begin(), outcome.Elements.end());
-    if (!HaveSameBits(outcome.Input, all.Input) || !HaveSameBits(outcome.Unmeshed, all.Unmeshed) ||
+    if (outcome.Input != all.Input || outcome.Unmeshed != all.Unmeshed ||
       outcome.Factors != all.Factors)
     {
       all.Input.clear(); // differs from any other
@@ -216,8 +217,8 @@ std::string FindOutcomeDifference(const StateOutcome& a, const StateOutcome& b)
   std::string text = differences > 0 ? std::to_string(differences) + " of " +
       std::to_string(a.Elements.size()) + " elements differ. "
                                      : "";
-  text += HaveSameBits(a.Input, b.Input) ? "" : "Other totals of the input. ";
-  text += HaveSameBits(a.Unmeshed, b.Unmeshed) ? "" : "Other totals of what is not meshed. ";
+  text += a.Input == b.Input ? "" : "Other totals of the input. ";
+  text += a.Unmeshed == b.Unmeshed ? "" : "Other totals of what is not meshed. ";
   return text + (a.Factors == b.Factors ? "" : "Other factors.");
 }
 

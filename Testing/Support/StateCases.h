@@ -52,8 +52,8 @@ struct StateOutcome
 
 /// Each rank meshes one of the boxes.
 StateOutcome TransferOnRanks(const StateCase& c, const std::vector<IndexBox>& boxes);
-/// threads: what cuts loops; more than one try all cuts.
 StateOutcome TransferAlone(const StateCase& c);
+StateOutcome TransferOnThreads(const StateCase& c);
 
 /// Totals of the mesh by material, as StateTotals, from values alone.
 std::vector<StateTotals> SumElements(const StateCase& c, const StateOutcome& outcome);

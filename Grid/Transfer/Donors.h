@@ -1,8 +1,8 @@
 /**
- * Slots: what a fragment has in a cell. Contents of cells are gathered there, moved between those of a fragment, and given from
- * there to the elements. There are slots only where elements are no whole cells, and near these.
+ * Donors: what a fragment has in a cell. Contents of cells are gathered there, moved between those of a fragment, and given from
+ * there to the elements. There are donors only where elements are no whole cells, and near these.
  *
- * The owner of a cell works on its slots; ranks that hold the cell as a ghost have copies.
+ * The owner of a cell works on its donors; ranks that hold the cell as a ghost have copies.
  */
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace vfm
 {
 
-struct Slot
+struct Donor
 {
   Index Cell; ///< CartesianGrid::Linear
   int Fragment, Material;
@@ -25,56 +25,56 @@ struct Slot
   Vector3 Centroid{};   ///< of the latter; before that is known, of the cell
 };
 
-class SlotTable
+class DonorTable
 {
 public:
-  explicit SlotTable(const CartesianGrid& grid) : Grid(grid), Firsts(grid, -1) {}
+  explicit DonorTable(const CartesianGrid& grid) : Grid(grid), Firsts(grid, -1) {}
 
   /// -1: none.
   int First(Index cell) const { return this->Firsts[cell]; }
   int Find(Index cell, int fragment) const
   {
-    int slot = this->Firsts[cell];
-    while (slot >= 0 && this->Slots[slot].Fragment != fragment)
+    int donor = this->Firsts[cell];
+    while (donor >= 0 && this->Donors[donor].Fragment != fragment)
     {
-      slot = this->Slots[slot].Next;
+      donor = this->Donors[donor].Next;
     }
-    return slot;
+    return donor;
   }
   /// Makes it where there is none.
   int Get(Index cell, int fragment, int material);
 
-  /// Calls body(slot) for those of a cell.
+  /// Calls body(donor) for those of a cell.
   template <class Body>
   void ForCell(Index cell, const Body& body) const
   {
-    for (int slot = this->Firsts[cell]; slot >= 0; slot = this->Slots[slot].Next)
+    for (int donor = this->Firsts[cell]; donor >= 0; donor = this->Donors[donor].Next)
     {
-      body(slot);
+      body(donor);
     }
   }
 
-  int Count() const { return static_cast<int>(this->Slots.size()); }
-  Slot& operator[](int slot) { return this->Slots[slot]; }
-  const Slot& operator[](int slot) const { return this->Slots[slot]; }
+  int Count() const { return static_cast<int>(this->Donors.size()); }
+  Donor& operator[](int donor) { return this->Donors[donor]; }
+  const Donor& operator[](int donor) const { return this->Donors[donor]; }
 
 private:
   const CartesianGrid& Grid;
   PagedArray<int> Firsts; // by cell
-  std::vector<Slot> Slots;
+  std::vector<Donor> Donors;
 };
 
-/// Slots that this rank owns and others hold, and those of others that it holds: by peer, in one order on both sides.
-class SlotLinks
+/// Donors that this rank owns and others hold, and those of others that it holds: by peer, in one order on both sides.
+class DonorLinks
 {
 public:
-  /// All slots in cells that are held; makes the copies. Collective.
-  SlotLinks(const CartesianGrid& grid, const Partition& partition, SlotTable& slots);
+  /// All donors in cells that are held; makes the copies. Collective.
+  DonorLinks(const CartesianGrid& grid, const Partition& partition, DonorTable& donors);
 
   /// Those of the copies that this rank wants. Collective.
-  SlotLinks Narrow(const std::function<bool(int slot)>& wants) const;
+  DonorLinks Narrow(const std::function<bool(int donor)>& wants) const;
 
-  /// Sends some numbers of each slot: pack(slot, numbers) of those owned, unpack(slot, numbers) of copies. Collective.
+  /// Sends some numbers of each donor: pack(donor, numbers) of those owned, unpack(donor, numbers) of copies. Collective.
   template <class Pack, class Unpack>
   void Exchange(int width, const Pack& pack, const Unpack& unpack) const;
 
@@ -84,7 +84,7 @@ private:
 };
 
 template <class Pack, class Unpack>
-void SlotLinks::Exchange(int width, const Pack& pack, const Unpack& unpack) const
+void DonorLinks::Exchange(int width, const Pack& pack, const Unpack& unpack) const
 {
   std::vector<Bytes> outgoing;
   for (const std::vector<int>& mine : this->Mine)

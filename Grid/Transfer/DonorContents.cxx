@@ -1,4 +1,4 @@
-#include "Transfer/SlotContents.h"
+#include "Transfer/DonorContents.h"
 
 #include <limits>
 #include <numeric>
@@ -82,7 +82,7 @@ std::vector<StateTotals> MaterialSums::Finish(Ranks& ranks)
 namespace
 {
 
-/// What a cell without a slot gives to one near it.
+/// What a cell without a donor gives to one near it.
 struct Gift
 {
   Index From, To; // keys of cells
@@ -90,26 +90,26 @@ struct Gift
   double Volume;
 };
 
-class SlotFiller
+class DonorFiller
 {
 public:
-  SlotFiller(const StateSource& source, const WholeElements& whole, const Partition& partition,
-    SlotTable& slots, MaterialSums& input, MaterialSums& unmeshed) :
+  DonorFiller(const StateSource& source, const WholeElements& whole, const Partition& partition,
+    DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed) :
     Source(source),
     Grid(source.Request.Grid),
     Whole(whole),
     Parts(partition),
-    Slots(slots),
+    Donors(donors),
     Input(input),
     Unmeshed(unmeshed),
-    Values(slots.Count(), source.Columns),
+    Values(donors.Count(), source.Columns),
     Own(source.Columns.Count()),
     Gifts(partition.Peers().size() + 1),
     GiftValues(partition.Peers().size() + 1)
   {
   }
 
-  SlotValues Fill()
+  DonorValues Fill()
   {
     const FractionField& fractions = this->Source.Request.Fractions;
     ForCells(this->Grid.Owned(),
@@ -143,17 +143,17 @@ private:
     this->Source.Read(p, material, this->Own.data());
     this->Input.Add(material, volume, this->Own.data());
     double overlap = 0.0;
-    this->Slots.ForCell(cell,
+    this->Donors.ForCell(cell,
       [&](int s)
-      { overlap += this->Slots[s].Material == material ? this->Slots[s].Overlap : 0.0; });
+      { overlap += this->Donors[s].Material == material ? this->Donors[s].Overlap : 0.0; });
     if (overlap > 0.0)
     {
-      this->Slots.ForCell(cell,
+      this->Donors.ForCell(cell,
         [&](int s)
         {
-          if (this->Slots[s].Material == material)
+          if (this->Donors[s].Material == material)
           {
-            this->Slots[s].Volume = volume * (this->Slots[s].Overlap / overlap);
+            this->Donors[s].Volume = volume * (this->Donors[s].Overlap / overlap);
             std::copy(this->Own.begin(), this->Own.end(), this->Values.Of(s));
           }
         });
@@ -177,16 +177,16 @@ private:
     {
       return false;
     }
-    const Slot& slot = this->Slots[nearest];
-    const Index3 to = this->Grid.Position(slot.Cell);
-    const std::size_t peer = slot.IsOwned ? this->Gifts.size() - 1 : this->Parts.PeerOfCell(to);
+    const Donor& donor = this->Donors[nearest];
+    const Index3 to = this->Grid.Position(donor.Cell);
+    const std::size_t peer = donor.IsOwned ? this->Gifts.size() - 1 : this->Parts.PeerOfCell(to);
     this->Gifts[peer].push_back(
-      { this->Grid.CellKey(p), this->Grid.CellKey(to), slot.Fragment, volume });
+      { this->Grid.CellKey(p), this->Grid.CellKey(to), donor.Fragment, volume });
     this->GiftValues[peer].insert(this->GiftValues[peer].end(), this->Own.begin(), this->Own.end());
     return true;
   }
 
-  /// The slot of a material whose cell is nearest; in it the largest. -1: none.
+  /// The donor of a material whose cell is nearest; in it the largest. -1: none.
   int FindNearest(const Index3& p, int material, int layers) const
   {
     int nearest = -1;
@@ -194,18 +194,18 @@ private:
     ForCells(Grow(BoxOfCell(p), layers, this->Grid.Local()),
       [&](const Index3& q)
       {
-        this->Slots.ForCell(this->Grid.Linear(q),
+        this->Donors.ForCell(this->Grid.Linear(q),
           [&](int s)
           {
-            const Slot& slot = this->Slots[s];
-            if (slot.Material != material || !(slot.Overlap > 0.0))
+            const Donor& donor = this->Donors[s];
+            if (donor.Material != material || !(donor.Overlap > 0.0))
             {
               return;
             }
             const double distance = this->SquaredDistance(p, q);
             if (distance < least ||
-              (distance == least && this->Slots[nearest].Cell == slot.Cell &&
-                slot.Overlap > this->Slots[nearest].Overlap))
+              (distance == least && this->Donors[nearest].Cell == donor.Cell &&
+                donor.Overlap > this->Donors[nearest].Overlap))
             {
               nearest = s;
               least = distance;
@@ -227,33 +227,33 @@ private:
     return sum;
   }
 
-  /// Slots in cells without their material have values, though no volume: those of the nearest cell with some. They hold if nothing
+  /// Donors in cells without their material have values, though no volume: those of the nearest cell with some. They hold if nothing
   /// comes from elsewhere.
   void FillEmpty()
   {
-    for (int s = 0; s < this->Slots.Count(); ++s)
+    for (int s = 0; s < this->Donors.Count(); ++s)
     {
-      const Slot& slot = this->Slots[s];
+      const Donor& donor = this->Donors[s];
       Index3 cell;
-      if (slot.IsOwned && !(slot.Volume > 0.0) &&
-        (this->FindMaterial(slot, RimReach, cell) || this->FindMaterial(slot, GivingReach, cell)))
+      if (donor.IsOwned && !(donor.Volume > 0.0) &&
+        (this->FindMaterial(donor, RimReach, cell) || this->FindMaterial(donor, GivingReach, cell)))
       {
-        this->Source.Read(cell, slot.Material, this->Values.Of(s));
+        this->Source.Read(cell, donor.Material, this->Values.Of(s));
       }
     }
   }
 
-  /// The nearest cell with the material of a slot.
-  bool FindMaterial(const Slot& slot, int layers, Index3& cell) const
+  /// The nearest cell with the material of a donor.
+  bool FindMaterial(const Donor& donor, int layers, Index3& cell) const
   {
-    const Index3 p = this->Grid.Position(slot.Cell);
+    const Index3 p = this->Grid.Position(donor.Cell);
     double least = std::numeric_limits<double>::max();
     ForCells(Grow(BoxOfCell(p), layers, this->Grid.Local()),
       [&](const Index3& q)
       {
         const double distance = this->SquaredDistance(p, q);
         if (distance<least&& this->Source.Request.Fractions.Fraction(
-              this->Grid.Linear(q), slot.Material)> 0.0)
+              this->Grid.Linear(q), donor.Material)> 0.0)
         {
           cell = q;
           least = distance;
@@ -262,7 +262,7 @@ private:
     return least < std::numeric_limits<double>::max();
   }
 
-  /// Sends gifts to who owns the slots, and adds those for mine by the cells that they come from.
+  /// Sends gifts to who owns the donors, and adds those for mine by the cells that they come from.
   void ExchangeGifts()
   {
     std::vector<Gift> gifts = std::move(this->Gifts.back());
@@ -276,8 +276,8 @@ private:
     for (Index g : order)
     {
       const int s =
-        this->Slots.Find(this->Grid.Linear(this->Grid.CellOfKey(gifts[g].To)), gifts[g].Fragment);
-      this->Source.Columns.Mix(this->Slots[s].Volume, this->Values.Of(s), gifts[g].Volume,
+        this->Donors.Find(this->Grid.Linear(this->Grid.CellOfKey(gifts[g].To)), gifts[g].Fragment);
+      this->Source.Columns.Mix(this->Donors[s].Volume, this->Values.Of(s), gifts[g].Volume,
         values.data() + g * static_cast<Index>(this->Own.size()));
     }
   }
@@ -301,20 +301,20 @@ private:
   const CartesianGrid& Grid;
   const WholeElements& Whole;
   const Partition& Parts;
-  SlotTable& Slots;
+  DonorTable& Donors;
   MaterialSums &Input, &Unmeshed;
-  SlotValues Values;
+  DonorValues Values;
   std::vector<double> Own;                     // of the cell that is dealt
-  std::vector<std::vector<Gift>> Gifts;        // by peer; last those for slots of this rank
+  std::vector<std::vector<Gift>> Gifts;        // by peer; last those for donors of this rank
   std::vector<std::vector<double>> GiftValues; // of each
 };
 
 } // namespace
 
-SlotValues FillSlots(const StateSource& source, const WholeElements& whole,
-  const Partition& partition, SlotTable& slots, MaterialSums& input, MaterialSums& unmeshed)
+DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
+  const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed)
 {
-  return SlotFiller(source, whole, partition, slots, input, unmeshed).Fill();
+  return DonorFiller(source, whole, partition, donors, input, unmeshed).Fill();
 }
 
 } // namespace vfm

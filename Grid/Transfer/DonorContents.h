@@ -1,5 +1,5 @@
 /**
- * What slots hold at first: the contents of their cells, and of cells near them whose material has no slot of its own.
+ * What donors hold at first: the contents of their cells, and of cells near them whose material has no donor of its own.
  */
 #pragma once
 
@@ -51,21 +51,21 @@ private:
   std::vector<double> Contents;
 };
 
-/// The values of all slots, by slot.
-class SlotValues
+/// The values of all donors, by donor.
+class DonorValues
 {
 public:
-  SlotValues(int slots, const StateColumns& columns) :
-    Width(columns.Count()), Values(static_cast<std::size_t>(slots) * columns.Count(), 0.0)
+  DonorValues(int donors, const StateColumns& columns) :
+    Width(columns.Count()), Values(static_cast<std::size_t>(donors) * columns.Count(), 0.0)
   {
   }
-  double* Of(int slot)
+  double* Of(int donor)
   {
-    return this->Values.data() + static_cast<std::size_t>(slot) * this->Width;
+    return this->Values.data() + static_cast<std::size_t>(donor) * this->Width;
   }
-  const double* Of(int slot) const
+  const double* Of(int donor) const
   {
-    return this->Values.data() + static_cast<std::size_t>(slot) * this->Width;
+    return this->Values.data() + static_cast<std::size_t>(donor) * this->Width;
   }
 
 private:
@@ -73,8 +73,8 @@ private:
   std::vector<double> Values;
 };
 
-/// Fills the volumes and values of owned slots. input, unmeshed: get all that owned cells hold, and what no slot takes of it. Collective.
-SlotValues FillSlots(const StateSource& source, const WholeElements& whole,
-  const Partition& partition, SlotTable& slots, MaterialSums& input, MaterialSums& unmeshed);
+/// Fills the volumes and values of owned donors. input, unmeshed: get all that owned cells hold, and what no donor takes of it. Collective.
+DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
+  const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed);
 
 } // namespace vfm

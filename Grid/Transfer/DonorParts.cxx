@@ -1,4 +1,4 @@
-#include "Transfer/SlotParts.h"
+#include "Transfer/DonorParts.h"
 
 #include <limits>
 
@@ -16,10 +16,10 @@ struct SentPart
   Vector3 Centroid;
 };
 
-void AddPart(double volume, const Vector3& centroid, Slot& slot, SlotShape& shape)
+void AddPart(double volume, const Vector3& centroid, Donor& donor, DonorShape& shape)
 {
-  const Vector3 x = centroid - slot.Centroid;
-  slot.Overlap += volume;
+  const Vector3 x = centroid - donor.Centroid;
+  donor.Overlap += volume;
   shape.First = shape.First + volume * x;
   for (int a = 0; a < 3; ++a)
   {
@@ -34,11 +34,11 @@ void AddPart(double volume, const Vector3& centroid, Slot& slot, SlotShape& shap
 
 constexpr std::size_t ElementsAtOnce = 32768;
 
-/// Finds slots of parts; elements one after the other are mostly in the same cells.
-class SlotFinder
+/// Finds donors of parts; elements one after the other are mostly in the same cells.
+class DonorFinder
 {
 public:
-  SlotFinder(const CartesianGrid& grid, SlotTable& slots) : Grid(grid), Slots(slots) {}
+  DonorFinder(const CartesianGrid& grid, DonorTable& donors) : Grid(grid), Donors(donors) {}
 
   int Find(std::size_t place, Index cell, int fragment, int material)
   {
@@ -46,26 +46,26 @@ public:
     if (last.Cell != cell || last.Fragment != fragment)
     {
       const Index n = this->Grid.Linear(CellInBox(this->Grid.Local(), cell));
-      last = { cell, fragment, this->Slots.Get(n, fragment, material) };
+      last = { cell, fragment, this->Donors.Get(n, fragment, material) };
     }
-    return last.Slot;
+    return last.Donor;
   }
 
 private:
   struct Last
   {
     Index Cell = -1;
-    int Fragment = 0, Slot = 0;
+    int Fragment = 0, Donor = 0;
   };
   const CartesianGrid& Grid;
-  SlotTable& Slots;
+  DonorTable& Donors;
   std::array<Last, 8> Recent;
 };
 
-SlotParts CutElements(const Mesh& mesh, std::vector<Index> elements, const CartesianGrid& grid,
-  Runtime& runtime, SlotFinder& finder)
+DonorParts CutElements(const Mesh& mesh, std::vector<Index> elements, const CartesianGrid& grid,
+  Runtime& runtime, DonorFinder& finder)
 {
-  SlotParts some{ std::move(elements), {}, {} };
+  DonorParts some{ std::move(elements), {}, {} };
   const Overlaps overlaps = FindOverlaps(mesh, some.Elements, grid, runtime);
   some.Offsets.assign(overlaps.Offsets.begin(), overlaps.Offsets.end());
   some.Parts.reserve(overlaps.Parts.size());
@@ -85,9 +85,9 @@ SlotParts CutElements(const Mesh& mesh, std::vector<Index> elements, const Carte
 
 /// Calls body(element, part) for all.
 template <class Body>
-void ForParts(const std::vector<SlotParts>& pieces, const Body& body)
+void ForParts(const std::vector<DonorParts>& pieces, const Body& body)
 {
-  for (const SlotParts& some : pieces)
+  for (const DonorParts& some : pieces)
   {
     for (std::size_t i = 0; i < some.Elements.size(); ++i)
     {
@@ -100,8 +100,8 @@ void ForParts(const std::vector<SlotParts>& pieces, const Body& body)
 }
 
 /// To the owners of the cells; what came for mine, by the ids of the elements.
-std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<SlotParts>& pieces,
-  const CartesianGrid& grid, const Partition& partition, const SlotTable& slots)
+std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<DonorParts>& pieces,
+  const CartesianGrid& grid, const Partition& partition, const DonorTable& donors)
 {
   std::vector<std::vector<SentPart>> sent(partition.Peers().size());
   if (sent.empty())
@@ -109,14 +109,14 @@ std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<SlotPart
     return {};
   }
   ForParts(pieces,
-    [&](Index e, const SlotPart& part)
+    [&](Index e, const DonorPart& part)
     {
-      const Slot& slot = slots[part.Slot];
-      if (!slot.IsOwned)
+      const Donor& donor = donors[part.Donor];
+      if (!donor.IsOwned)
       {
-        const Index3 cell = grid.Position(slot.Cell);
+        const Index3 cell = grid.Position(donor.Cell);
         sent[partition.PeerOfCell(cell)].push_back({ mesh.ElementIds[e], grid.CellKey(cell),
-          slot.Fragment, slot.Material, part.Volume, part.Centroid });
+          donor.Fragment, donor.Material, part.Volume, part.Centroid });
       }
     });
   std::vector<Bytes> outgoing;
@@ -136,39 +136,39 @@ std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<SlotPart
 }
 
 /// Sums anew, with the parts of other ranks between those of this one, where there are some.
-void AddOthers(const std::vector<SentPart>& others, const std::vector<SlotParts>& pieces,
-  const Mesh& mesh, const CartesianGrid& grid, SlotTable& slots, std::vector<SlotShape>& shapes)
+void AddOthers(const std::vector<SentPart>& others, const std::vector<DonorParts>& pieces,
+  const Mesh& mesh, const CartesianGrid& grid, DonorTable& donors, std::vector<DonorShape>& shapes)
 {
-  std::vector<int> slotOf;
+  std::vector<int> donorOf;
   for (const SentPart& other : others)
   {
-    slotOf.push_back(
-      slots.Get(grid.Linear(grid.CellOfKey(other.Key)), other.Fragment, other.Material));
+    donorOf.push_back(
+      donors.Get(grid.Linear(grid.CellOfKey(other.Key)), other.Fragment, other.Material));
   }
-  shapes.resize(slots.Count());
-  std::vector<unsigned char> isShared(slots.Count(), 0);
-  for (int s : slotOf)
+  shapes.resize(donors.Count());
+  std::vector<unsigned char> isShared(donors.Count(), 0);
+  for (int s : donorOf)
   {
     isShared[s] = 1;
-    slots[s].Overlap = 0.0;
-    shapes[s] = SlotShape();
+    donors[s].Overlap = 0.0;
+    shapes[s] = DonorShape();
   }
   std::size_t next = 0;
   const auto addBefore = [&](Index id)
   {
     for (; next < others.size() && others[next].Id < id; ++next)
     {
-      const int s = slotOf[next];
-      AddPart(others[next].Volume, others[next].Centroid, slots[s], shapes[s]);
+      const int s = donorOf[next];
+      AddPart(others[next].Volume, others[next].Centroid, donors[s], shapes[s]);
     }
   };
   ForParts(pieces,
-    [&](Index e, const SlotPart& part)
+    [&](Index e, const DonorPart& part)
     {
-      if (isShared[part.Slot])
+      if (isShared[part.Donor])
       {
         addBefore(mesh.ElementIds[e]);
-        AddPart(part.Volume, part.Centroid, slots[part.Slot], shapes[part.Slot]);
+        AddPart(part.Volume, part.Centroid, donors[part.Donor], shapes[part.Donor]);
       }
     });
   addBefore(std::numeric_limits<Index>::max());
@@ -176,42 +176,43 @@ void AddOthers(const std::vector<SentPart>& others, const std::vector<SlotParts>
 
 } // namespace
 
-std::vector<SlotParts> FindSlotParts(const Mesh& mesh, const std::vector<Index>& elements,
-  const CartesianGrid& grid, const Partition& partition, Runtime& runtime, SlotTable& slots,
-  std::vector<SlotShape>& shapes)
+std::vector<DonorParts> FindDonorParts(const Mesh& mesh, const std::vector<Index>& elements,
+  const CartesianGrid& grid, const Partition& partition, Runtime& runtime, DonorTable& donors,
+  std::vector<DonorShape>& shapes)
 {
-  std::vector<SlotParts> pieces;
-  SlotFinder finder(grid, slots);
+  std::vector<DonorParts> pieces;
+  DonorFinder finder(grid, donors);
   for (std::size_t begin = 0; begin < elements.size(); begin += ElementsAtOnce)
   {
     const std::size_t end = std::min(begin + ElementsAtOnce, elements.size());
     pieces.push_back(CutElements(mesh,
       std::vector<Index>(elements.begin() + begin, elements.begin() + end), grid, runtime, finder));
   }
-  shapes.resize(slots.Count());
+  shapes.resize(donors.Count());
   ForParts(pieces,
-    [&](Index, const SlotPart& part)
+    [&](Index, const DonorPart& part)
     {
-      if (slots[part.Slot].IsOwned)
+      if (donors[part.Donor].IsOwned)
       {
-        AddPart(part.Volume, part.Centroid, slots[part.Slot], shapes[part.Slot]);
+        AddPart(part.Volume, part.Centroid, donors[part.Donor], shapes[part.Donor]);
       }
     });
-  AddOthers(ExchangeParts(mesh, pieces, grid, partition, slots), pieces, mesh, grid, slots, shapes);
+  AddOthers(
+    ExchangeParts(mesh, pieces, grid, partition, donors), pieces, mesh, grid, donors, shapes);
   return pieces;
 }
 
-void CentreShapes(SlotTable& slots, std::vector<SlotShape>& shapes)
+void CentreShapes(DonorTable& donors, std::vector<DonorShape>& shapes)
 {
-  for (int s = 0; s < slots.Count(); ++s)
+  for (int s = 0; s < donors.Count(); ++s)
   {
-    Slot& slot = slots[s];
-    if (slot.Overlap > 0.0)
+    Donor& donor = donors[s];
+    if (donor.Overlap > 0.0)
     {
-      SlotShape& shape = shapes[s];
-      const Vector3 mean = (1.0 / slot.Overlap) * shape.First;
-      slot.Centroid = slot.Centroid + mean;
-      const double o = slot.Overlap;
+      DonorShape& shape = shapes[s];
+      const Vector3 mean = (1.0 / donor.Overlap) * shape.First;
+      donor.Centroid = donor.Centroid + mean;
+      const double o = donor.Overlap;
       const Vector3& m = mean;
       const std::array<double, 6> moved{ { m[0] * m[0], m[1] * m[1], m[2] * m[2], m[0] * m[1],
         m[0] * m[2], m[1] * m[2] } };

@@ -1,40 +1,40 @@
-#include "Transfer/Slots.h"
+#include "Transfer/Donors.h"
 
 namespace vfm
 {
 
-int SlotTable::Get(Index cell, int fragment, int material)
+int DonorTable::Get(Index cell, int fragment, int material)
 {
   int before = -1, next = this->Firsts[cell];
-  while (next >= 0 && this->Slots[next].Fragment < fragment)
+  while (next >= 0 && this->Donors[next].Fragment < fragment)
   {
     before = next;
-    next = this->Slots[next].Next;
+    next = this->Donors[next].Next;
   }
-  if (next >= 0 && this->Slots[next].Fragment == fragment)
+  if (next >= 0 && this->Donors[next].Fragment == fragment)
   {
     return next;
   }
-  const int slot = this->Count();
+  const int donor = this->Count();
   const Index3 p = this->Grid.Position(cell);
   const Vector3 centre = 0.5 * (this->Grid.NodePoint(p) + this->Grid.NodePoint(CornerOfCell(p, 7)));
-  this->Slots.push_back(
+  this->Donors.push_back(
     { cell, fragment, material, next, this->Grid.Owned().Contains(p), 0.0, 0.0, centre });
   if (before < 0)
   {
-    this->Firsts.Set(cell, slot);
+    this->Firsts.Set(cell, donor);
   }
   else
   {
-    this->Slots[before].Next = slot;
+    this->Donors[before].Next = donor;
   }
-  return slot;
+  return donor;
 }
 
 namespace
 {
 
-struct SlotName
+struct DonorName
 {
   Index Key; // of its cell
   int Fragment, Material;
@@ -44,22 +44,22 @@ struct SlotName
 
 } // namespace
 
-SlotLinks::SlotLinks(const CartesianGrid& grid, const Partition& partition, SlotTable& slots) :
+DonorLinks::DonorLinks(const CartesianGrid& grid, const Partition& partition, DonorTable& donors) :
   Parts(&partition)
 {
   const auto pack = [&](const IndexBox& box)
   {
-    std::vector<SlotName> names;
+    std::vector<DonorName> names;
     this->Mine.emplace_back();
     partition.ForCells(box,
       [&](Index cell)
       {
-        slots.ForCell(cell,
+        donors.ForCell(cell,
           [&](int s)
           {
             this->Mine.back().push_back(s);
-            names.push_back({ grid.CellKey(grid.Position(cell)), slots[s].Fragment,
-              slots[s].Material, slots[s].Overlap, slots[s].Centroid });
+            names.push_back({ grid.CellKey(grid.Position(cell)), donors[s].Fragment,
+              donors[s].Material, donors[s].Overlap, donors[s].Centroid });
           });
       });
     return ToBytes(names);
@@ -67,20 +67,20 @@ SlotLinks::SlotLinks(const CartesianGrid& grid, const Partition& partition, Slot
   const auto unpack = [&](const IndexBox&, const Bytes& bytes)
   {
     this->Copies.emplace_back();
-    for (const SlotName& name : FromBytes<SlotName>(bytes))
+    for (const DonorName& name : FromBytes<DonorName>(bytes))
     {
-      const int s = slots.Get(grid.Linear(grid.CellOfKey(name.Key)), name.Fragment, name.Material);
-      slots[s].Overlap = name.Overlap;
-      slots[s].Centroid = name.Centroid;
+      const int s = donors.Get(grid.Linear(grid.CellOfKey(name.Key)), name.Fragment, name.Material);
+      donors[s].Overlap = name.Overlap;
+      donors[s].Centroid = name.Centroid;
       this->Copies.back().push_back(s);
     }
   };
   partition.ExchangeBoxes(pack, unpack);
 }
 
-SlotLinks SlotLinks::Narrow(const std::function<bool(int slot)>& wants) const
+DonorLinks DonorLinks::Narrow(const std::function<bool(int donor)>& wants) const
 {
-  SlotLinks narrow = *this;
+  DonorLinks narrow = *this;
   std::vector<std::vector<Index>> wanted(this->Copies.size());
   for (std::size_t p = 0; p < this->Copies.size(); ++p)
   {
