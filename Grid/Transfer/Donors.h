@@ -25,6 +25,19 @@ struct Donor
   Vector3 Centroid{};   ///< of the latter; before that is known, of the cell
 };
 
+/// From a cell to the 27 around it, as CellAround.
+inline std::array<Index, 27> StepsAround(const CartesianGrid& grid)
+{
+  std::array<Index, 27> steps;
+  for (int n = 0; n < 27; ++n)
+  {
+    const Index3 step = StepAround(n);
+    steps[n] = step[0] * grid.CornerOffset(1) + step[1] * grid.CornerOffset(2) +
+      step[2] * grid.CornerOffset(4);
+  }
+  return steps;
+}
+
 class DonorTable
 {
 public:

@@ -91,6 +91,7 @@ MisfitCells::MisfitCells(const CartesianGrid& grid, const FractionField& fractio
 
 void MisfitCells::MarkAround(std::vector<Index> cells)
 {
+  const std::array<Index, 27> steps = StepsAround(this->Grid);
   for (int nearness = DonorLayers; nearness > 0; --nearness)
   {
     std::vector<Index> next;
@@ -98,9 +99,7 @@ void MisfitCells::MarkAround(std::vector<Index> cells)
     {
       for (int n = 0; this->Grid.Local().Contains(this->Grid.Position(cell)) && n < 27; ++n)
       {
-        const Index3 step = StepAround(n);
-        const Index other = cell + step[0] * this->Grid.CornerOffset(1) +
-          step[1] * this->Grid.CornerOffset(2) + step[2] * this->Grid.CornerOffset(4);
+        const Index other = cell + steps[n];
         if (this->Nearness[other] == 0)
         {
           this->Nearness.Set(other, nearness);

@@ -16,7 +16,12 @@ class SlopeFinder
 public:
   SlopeFinder(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
     const DonorValues& values, const std::vector<DonorShape>& shapes) :
-    Columns(columns), Grid(grid), Donors(donors), Values(values), Shapes(shapes)
+    Columns(columns),
+    Donors(donors),
+    Values(values),
+    Shapes(shapes),
+    Steps(StepsAround(grid)),
+    Sums(columns.Count())
   {
   }
 
@@ -24,6 +29,7 @@ public:
   void Find(int s, double* lines)
   {
     this->FindAround(s);
+    this->AddDifferences(s);
     const Eigen::Matrix3d inverse = this->InvertMatrix();
     for (int c : this->Columns.Order())
     {
@@ -31,25 +37,34 @@ public:
       std::fill_n(line, 4, 0.0);
       if (!this->Columns.IsConstant(c))
       {
-        this->FindLine(s, c, inverse, line);
-        this->Limit(s, c, this->FindShift(s, c, lines), line);
+        const Eigen::Vector3d slope = inverse * Eigen::Map<Eigen::Vector3d>(this->Sums[c].Right);
+        std::copy_n(slope.data(), 3, line);
+        this->Limit(this->Shapes[s], this->Sums[c], this->FindShift(s, c, lines), line);
       }
     }
   }
 
 private:
+  struct Neighbour
+  {
+    int Donor;
+    Vector3 Place; // from the centroid
+    double Weight;
+  };
+  struct ColumnSums
+  {
+    double Right[3] = { 0.0, 0.0, 0.0 };
+    double Least = 0.0, Most = 0.0; // differences of the values around, 0 among them
+  };
+
   void FindAround(int s)
   {
     const Donor& donor = this->Donors[s];
     this->Around.clear();
     for (int n = 0; n < 27; ++n)
     {
-      const Index3 step = StepAround(n);
-      const int other = n == 13
-        ? -1
-        : this->Donors.Find(donor.Cell + step[0] * this->Grid.CornerOffset(1) +
-              step[1] * this->Grid.CornerOffset(2) + step[2] * this->Grid.CornerOffset(4),
-            donor.Fragment);
+      const int other =
+        n == 13 ? -1 : this->Donors.Find(donor.Cell + this->Steps[n], donor.Fragment);
       if (other >= 0 && this->Donors[other].Volume > 0.0)
       {
         const Vector3 x = this->Donors[other].Centroid - donor.Centroid;
@@ -90,29 +105,36 @@ private:
     return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
   }
 
-  void FindLine(int s, int c, const Eigen::Matrix3d& inverse, double* line)
+  /// Sums over the donors around, all columns at once.
+  void AddDifferences(int s)
   {
-    const double own = this->Values.Of(s)[c];
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    this->Least = this->Most = 0.0;
+    const int count = this->Columns.Count();
+    const double* own = this->Values.Of(s);
+    std::fill(this->Sums.begin(), this->Sums.end(), ColumnSums());
     for (const Neighbour& other : this->Around)
     {
-      const double difference = this->Values.Of(other.Donor)[c] - own;
-      this->Least = std::min(this->Least, difference);
-      this->Most = std::max(this->Most, difference);
-      for (int a = 0; a < 3; ++a)
+      const double* values = this->Values.Of(other.Donor);
+      const Vector3 weights = other.Weight * other.Place;
+      for (int c = 0; c < count; ++c)
       {
-        right[a] += other.Weight * difference * other.Place[a];
+        const double difference = values[c] - own[c];
+        ColumnSums& sums = this->Sums[c];
+        sums.Least = std::min(sums.Least, difference);
+        sums.Most = std::max(sums.Most, difference);
+        sums.Right[0] += weights[0] * difference;
+        sums.Right[1] += weights[1] * difference;
+        sums.Right[2] += weights[2] * difference;
       }
     }
-    if (this->Columns.IsExtensive(
-          c)) // a sum in hardly any volume next to this one would be lost in rounding
+    for (int c = 0; c < count; ++c)
     {
-      this->Least = std::max(this->Least, -std::fabs(own));
-      this->Most = std::min(this->Most, std::fabs(own));
+      if (this->Columns.IsExtensive(
+            c)) // a sum in hardly any volume next to this one would be lost in rounding
+      {
+        this->Sums[c].Least = std::max(this->Sums[c].Least, -std::fabs(own[c]));
+        this->Sums[c].Most = std::min(this->Sums[c].Most, std::fabs(own[c]));
+      }
     }
-    const Eigen::Vector3d slope = inverse * right;
-    std::copy_n(slope.data(), 3, line);
   }
 
   /// What the slopes of mass and value together add to the value's mean.
@@ -137,9 +159,8 @@ private:
   }
 
   /// Makes a line so much flatter that in the box around the parts it stays between the values around.
-  void Limit(int s, int, double shift, double* line) const
+  static void Limit(const DonorShape& shape, const ColumnSums& sums, double shift, double* line)
   {
-    const DonorShape& shape = this->Shapes[s];
     double low = shift, high = shift;
     for (int a = 0; a < 3; ++a)
     {
@@ -148,8 +169,8 @@ private:
       high += std::max(atLower, atUpper);
     }
     double part = 1.0;
-    part = low < this->Least ? std::min(part, this->Least / low) : part;
-    part = high > this->Most ? std::min(part, this->Most / high) : part;
+    part = low < sums.Least ? std::min(part, sums.Least / low) : part;
+    part = high > sums.Most ? std::min(part, sums.Most / high) : part;
     line[3] = shift;
     for (int i = 0; i < 4; ++i)
     {
@@ -157,20 +178,13 @@ private:
     }
   }
 
-  struct Neighbour
-  {
-    int Donor;
-    Vector3 Place; // from the centroid
-    double Weight;
-  };
-
   const StateColumns& Columns;
-  const CartesianGrid& Grid;
   const DonorTable& Donors;
   const DonorValues& Values;
   const std::vector<DonorShape>& Shapes;
+  const std::array<Index, 27> Steps; // to the cells around
   std::vector<Neighbour> Around;
-  double Least = 0.0, Most = 0.0; // differences of the values around, 0 among them
+  std::vector<ColumnSums> Sums; // by column
 };
 
 bool IsPoint(const DonorShape& shape)

@@ -147,7 +147,7 @@ std::string CheckSeed(unsigned seed)
   for (const auto& entry : outcome.Elements)
   {
     const ElementOutcome& e = entry.second;
-    const std::vector<Range> ranges = FindRanges(state, e, c.GiveUnmeshed ? 5 : 3);
+    const std::vector<Range> ranges = FindRanges(state, e, c.GiveUnmeshed ? 5 : 4);
     if (ranges[0].Most < ranges[0].Least)
     {
       continue; // a label that no cell holds
