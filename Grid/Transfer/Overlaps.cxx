@@ -15,74 +15,58 @@ constexpr Index ElementsAtOnce = 1024;
 /// Corners of the faces of a tet, from outside counter-clockwise.
 constexpr int TetFaces[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
 
-/// A convex one, in space: a triangle cut by six planes. Each adds one corner; rounding may make it half as many again at worst.
-struct Polygon
-{
-  int Size = 0;
-  std::array<Vector3, 28> Points;
-
-  void Add(const Vector3& point) { this->Points[this->Size++] = point; }
-};
-
-/// Cuts a polygon in two. Both triangles at an edge get the same point: from its lower end.
+/// Where an edge crosses a plane, from its lower end: both triangles at the edge get the same point.
 template <int Axis>
-void Split(const Polygon& polygon, double plane, Polygon& lower, Polygon& upper)
+Vector3 CutEdge(const Vector3& a, const Vector3& b, double plane)
 {
-  lower.Size = upper.Size = 0;
-  const Vector3* before = &polygon.Points[polygon.Size - 1];
-  double heightBefore = (*before)[Axis] - plane;
-  for (int i = 0; i < polygon.Size; ++i)
-  {
-    const Vector3* point = &polygon.Points[i];
-    const double height = (*point)[Axis] - plane;
-    if (height * heightBefore < 0.0)
-    {
-      const bool rises = height > 0.0;
-      const Vector3 &a = rises ? *before : *point, &b = rises ? *point : *before;
-      const double low = rises ? heightBefore : height, high = rises ? height : heightBefore;
-      Vector3 cut = a + low / (low - high) * (b - a);
-      cut[Axis] = plane;
-      lower.Add(cut);
-      upper.Add(cut);
-    }
-    if (height <= 0.0)
-    {
-      lower.Add(*point);
-    }
-    if (height >= 0.0)
-    {
-      upper.Add(*point);
-    }
-    before = point;
-    heightBefore = height;
-  }
+  const bool rises = a[Axis] < b[Axis];
+  const Vector3 &low = rises ? a : b, &high = rises ? b : a;
+  Vector3 cut = low + (plane - low[Axis]) / (high[Axis] - low[Axis]) * (high - low);
+  cut[Axis] = plane;
+  return cut;
 }
 
-/// Of an element's surface in a cell: integrals over the pieces' shadows along z, and over the columns between these and the cell's floor.
+/// Of a cell, from pieces of an element's surface.
 struct CellSums
 {
-  double Area = 0.0, AreaX = 0.0, AreaY = 0.0; ///< times 2, 6, 6
-  double Volume = 0.0, X = 0.0, Y = 0.0;       ///< times 6, 24, 24
-  double Z = 0.0;                              ///< times 48, from the floor
+  /// Of cones times 6, 24, 24, 24; of columns times 6, 24, 24, 48.
+  double Volume = 0.0, X = 0.0, Y = 0.0, Z = 0.0;
+  double Area = 0.0, AreaX = 0.0, AreaY = 0.0; ///< of shadows, times 2, 6, 6
 
-  void Add(const Polygon& polygon, double floor)
+  /// The tet from the origin.
+  void AddCone(const Vector3& a, const Vector3& b, const Vector3& c)
   {
-    const Vector3& a = polygon.Points[0];
-    const double ha = a[2] - floor;
-    for (int i = 1; i + 1 < polygon.Size; ++i)
-    {
-      const Vector3 &b = polygon.Points[i], &c = polygon.Points[i + 1];
-      const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-      const double hb = b[2] - floor, hc = c[2] - floor;
-      const double x = a[0] + b[0] + c[0], y = a[1] + b[1] + c[1], h = ha + hb + hc;
-      this->Area += area;
-      this->AreaX += area * x;
-      this->AreaY += area * y;
-      this->Volume += area * h;
-      this->X += area * (x * h + a[0] * ha + b[0] * hb + c[0] * hc);
-      this->Y += area * (y * h + a[1] * ha + b[1] * hb + c[1] * hc);
-      this->Z += area * (h * h + ha * ha + hb * hb + hc * hc);
-    }
+    const double volume = Dot(a, Cross(b, c));
+    this->Volume += volume;
+    this->X += volume * (a[0] + b[0] + c[0]);
+    this->Y += volume * (a[1] + b[1] + c[1]);
+    this->Z += volume * (a[2] + b[2] + c[2]);
+  }
+
+  /// What is along z between a triangle and z = 0.
+  void AddColumn(const Vector3& a, const Vector3& b, const Vector3& c)
+  {
+    const double area = TwiceShadow(a, b, c);
+    const double x = a[0] + b[0] + c[0], y = a[1] + b[1] + c[1], z = a[2] + b[2] + c[2];
+    this->Volume += area * z;
+    this->X += area * (x * z + a[0] * a[2] + b[0] * b[2] + c[0] * c[2]);
+    this->Y += area * (y * z + a[1] * a[2] + b[1] * b[2] + c[1] * c[2]);
+    this->Z += area * (z * z + a[2] * a[2] + b[2] * b[2] + c[2] * c[2]);
+  }
+
+  /// What it throws along z.
+  void AddShadow(const Vector3& a, const Vector3& b, const Vector3& c)
+  {
+    const double area = TwiceShadow(a, b, c);
+    this->Area += area;
+    this->AreaX += area * (a[0] + b[0] + c[0]);
+    this->AreaY += area * (a[1] + b[1] + c[1]);
+  }
+
+private:
+  static double TwiceShadow(const Vector3& a, const Vector3& b, const Vector3& c)
+  {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   }
 };
 
@@ -112,7 +96,7 @@ public:
     }
     this->MakePlanes();
     this->AddSurface();
-    this->FinishColumns();
+    this->IsStar ? this->FinishCones() : this->FinishColumns();
     this->AddParts(parts);
   }
 
@@ -211,126 +195,197 @@ private:
       });
   }
 
-  /// From here on, lengths are from the lower corner of the box around the element.
+  /// From here on, lengths are from the first planes that cut the element, else from the lower sides of the box around it; from a corner
+  /// on all planes if there is one.
   void MakePlanes()
   {
     std::size_t cells = 1;
+    this->IsStar = true;
     for (int a = 0; a < 3; ++a)
     {
       const Span& span = this->Spans[a];
+      const std::vector<double>& x = this->Grid.Coordinates(a);
+      this->Origin[a] = span.First < span.Last ? x[span.First + 1] : this->Lower[a];
       std::vector<double>& planes = this->Planes[a];
-      planes.assign(1, 0.0);
+      planes.clear();
       for (Index i = span.First + 1; i <= span.Last; ++i)
       {
-        planes.push_back(this->Grid.Coordinates(a)[i] - this->Lower[a]);
+        planes.push_back(x[i] - this->Origin[a]);
       }
-      cells *= planes.size();
+      cells *= planes.size() + 1;
+      this->IsStar = this->IsStar && planes.size() < 2;
     }
     this->Sums.assign(cells, CellSums());
+    this->Apex = this->IsStar ? this->FindApex() : -1;
+    this->Origin = this->Apex < 0 ? this->Origin : this->Corners[this->Apex];
     for (int c = 0; c < this->TheMesh.Corners; ++c)
     {
-      this->Corners[c] = this->Corners[c] - this->Lower;
+      this->Corners[c] = this->Corners[c] - this->Origin;
     }
   }
 
+  /// A corner on all planes, as tets of a lattice have; -1: none.
+  int FindApex() const
+  {
+    for (int c = 0; c < this->TheMesh.Corners; ++c)
+    {
+      bool isApex = true;
+      for (int a = 0; a < 3; ++a)
+      {
+        isApex = isApex && (this->Planes[a].empty() || this->Corners[c][a] == this->Origin[a]);
+      }
+      if (isApex)
+      {
+        return c;
+      }
+    }
+    return -1;
+  }
+
+  /// But for triangles at the apex, whose cones are flat.
   void AddSurface()
   {
+    const auto& x = this->Corners;
     if (this->TheMesh.Corners == 4)
     {
-      for (const auto& face : TetFaces)
+      for (const auto& f : TetFaces)
       {
-        this->AddTriangle(this->Corners[face[0]], this->Corners[face[1]], this->Corners[face[2]]);
+        if (std::count(f, f + 3, this->Apex) == 0)
+        {
+          this->AddTriangle<0>(x[f[0]], x[f[1]], x[f[2]], 0, 0);
+        }
       }
       return;
     }
-    for (const std::array<int, 4>& face : FaceCorners)
+    for (const std::array<int, 4>& f : FaceCorners)
     {
-      std::array<Vector3, 4> x;
-      std::transform(face.begin(), face.end(), x.begin(), [&](int c) { return this->Corners[c]; });
-      const Vector3 mean = 0.25 * ((x[0] + x[2]) + (x[1] + x[3]));
+      const Vector3 mean = 0.25 * ((x[f[0]] + x[f[2]]) + (x[f[1]] + x[f[3]]));
       for (int e = 0; e < 4; ++e)
       {
-        this->AddTriangle(x[e], x[(e + 1) % 4], mean);
+        const int begin = f[e], end = f[(e + 1) % 4];
+        if (begin != this->Apex && end != this->Apex)
+        {
+          this->AddTriangle<0>(x[begin], x[end], mean, 0, 0);
+        }
       }
     }
   }
 
-  void AddTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
-  {
-    Polygon triangle;
-    triangle.Add(a);
-    triangle.Add(b);
-    triangle.Add(c);
-    this->AddPolygon<0>(triangle, 0);
-  }
-
-  /// Cuts it by the planes along an axis and those that follow. cell: what it is in so far, in Sums.
+  /// Cuts a triangle by the planes along an axis from plane on, then by those along the axes that follow. cell: what it is in so far, in Sums.
   template <int Axis>
-  void AddPolygon(const Polygon& polygon, Index cell)
+  void AddTriangle(
+    const Vector3& a, const Vector3& b, const Vector3& c, Index cell, std::size_t plane)
   {
     const std::vector<double>& planes = this->Planes[Axis];
-    const Index count = static_cast<Index>(planes.size());
-    if (count == 1)
+    const double low = std::min(std::min(a[Axis], b[Axis]), c[Axis]);
+    for (; plane < planes.size() && planes[plane] <= low; ++plane)
     {
-      this->AddWithin<Axis>(polygon, cell, 0);
+    }
+    if (plane == planes.size() || std::max(std::max(a[Axis], b[Axis]), c[Axis]) <= planes[plane])
+    {
+      this->AddWithin<Axis>(a, b, c, cell, plane);
       return;
     }
-    double low = polygon.Points[0][Axis], high = low;
-    for (int i = 1; i < polygon.Size; ++i)
+    const double x = planes[plane];
+    const bool isAbove[3] = { a[Axis] > x, b[Axis] > x, c[Axis] > x };
+    if (isAbove[1] == isAbove[2])
     {
-      low = std::min(low, polygon.Points[i][Axis]);
-      high = std::max(high, polygon.Points[i][Axis]);
+      this->CutCorner<Axis>(a, b, c, cell, plane);
     }
-    Index at = 0;
-    for (; at + 1 < count && planes[at + 1] <= low; ++at)
+    else if (isAbove[2] == isAbove[0])
     {
-    }
-    if (at + 1 == count || high <= planes[at + 1])
-    {
-      this->AddWithin<Axis>(polygon, cell, at);
-      return;
-    }
-    Polygon lower, uppers[2];
-    const Polygon* rest = &polygon;
-    for (; at + 1 < count && planes[at + 1] < high; ++at)
-    {
-      Polygon& upper = uppers[rest == &uppers[0]];
-      Split<Axis>(*rest, planes[at + 1], lower, upper);
-      this->AddWithin<Axis>(lower, cell, at);
-      rest = &upper;
-    }
-    this->AddWithin<Axis>(*rest, cell, at);
-  }
-
-  template <int Axis>
-  void AddWithin(const Polygon& polygon, Index cell, Index at)
-  {
-    cell = cell * static_cast<Index>(this->Planes[Axis].size()) + at;
-    if constexpr (Axis < 2)
-    {
-      this->AddPolygon<Axis + 1>(polygon, cell);
+      this->CutCorner<Axis>(b, c, a, cell, plane);
     }
     else
     {
-      this->Sums[cell].Add(polygon, this->Planes[2][at]);
+      this->CutCorner<Axis>(c, a, b, cell, plane);
     }
   }
 
-  /// What an element has in a cell is under its surface there and, as high as the cell, under its surface above.
+  /// Cuts a triangle in two where the plane parts its first corner from the others.
+  template <int Axis>
+  void CutCorner(
+    const Vector3& a, const Vector3& b, const Vector3& c, Index cell, std::size_t plane)
+  {
+    const double x = this->Planes[Axis][plane];
+    const Vector3 ab = CutEdge<Axis>(a, b, x), ac = CutEdge<Axis>(a, c, x);
+    if (a[Axis] > x)
+    {
+      this->AddWithin<Axis>(ab, b, c, cell, plane);
+      this->AddWithin<Axis>(ab, c, ac, cell, plane);
+      this->AddTriangle<Axis>(a, ab, ac, cell, plane + 1);
+      return;
+    }
+    this->AddWithin<Axis>(a, ab, ac, cell, plane);
+    this->AddTriangle<Axis>(ab, b, c, cell, plane + 1);
+    this->AddTriangle<Axis>(ab, c, ac, cell, plane + 1);
+  }
+
+  template <int Axis>
+  void AddWithin(
+    const Vector3& a, const Vector3& b, const Vector3& c, Index cell, std::size_t layer)
+  {
+    cell = cell * static_cast<Index>(this->Planes[Axis].size() + 1) + static_cast<Index>(layer);
+    if constexpr (Axis < 2)
+    {
+      this->AddTriangle<Axis + 1>(a, b, c, cell, 0);
+    }
+    else
+    {
+      this->AddPiece(a, b, c, cell, layer);
+    }
+  }
+
+  /// Where no more than one plane goes across each axis, all cells touch the origin, where the planes meet, and what bounds a part beside
+  /// the element's surface are planes through the origin. So the part is the cones from there. Else, by the divergence theorem, it is
+  /// the columns under the surface along z: in its own cell, to the floor, and in those below as far as its shadow falls. The floor
+  /// of the lowest layer is its roof.
+  void AddPiece(const Vector3& a, const Vector3& b, const Vector3& c, Index cell, std::size_t layer)
+  {
+    CellSums& sums = this->Sums[cell];
+    if (this->IsStar)
+    {
+      sums.AddCone(a, b, c);
+    }
+    else if (layer < 2)
+    {
+      sums.AddColumn(a, b, c);
+    }
+    else
+    {
+      const Vector3 floor{ { 0.0, 0.0, this->Planes[2][layer - 1] } };
+      sums.AddColumn(a - floor, b - floor, c - floor);
+      sums.AddShadow(a, b, c);
+    }
+  }
+
+  void FinishCones()
+  {
+    for (CellSums& s : this->Sums)
+    {
+      s.Volume /= 6.0;
+      s.X /= 24.0;
+      s.Y /= 24.0;
+      s.Z /= 24.0;
+    }
+  }
+
   void FinishColumns()
   {
-    const Index nz = static_cast<Index>(this->Planes[2].size());
-    for (std::size_t column = 0; column < this->Sums.size(); column += nz)
+    const std::vector<double>& planes = this->Planes[2];
+    const Index layers = static_cast<Index>(planes.size()) + 1;
+    for (std::size_t column = 0; column < this->Sums.size(); column += layers)
     {
-      double area = 0.0, areaX = 0.0, areaY = 0.0; // of the surface above
-      for (Index k = nz - 1; k >= 0; --k)
+      double area = 0.0, areaX = 0.0, areaY = 0.0; // of shadows from above
+      for (Index k = layers - 1; k >= 0; --k)
       {
         CellSums& s = this->Sums[column + k];
-        const double height = k + 1 < nz ? this->Planes[2][k + 1] - this->Planes[2][k] : 0.0;
+        const double floor = k > 1 ? planes[k - 1] : 0.0;
+        const double height = k > 0 && k + 1 < layers ? planes[k] - floor : 0.0;
         s.Volume = s.Volume / 6.0 + area * height;
         s.X = s.X / 24.0 + areaX * height;
         s.Y = s.Y / 24.0 + areaY * height;
-        s.Z = s.Z / 48.0 + 0.5 * area * height * height + s.Volume * this->Planes[2][k];
+        s.Z = s.Z / 48.0 + 0.5 * area * height * height + s.Volume * floor;
         area += s.Area / 2.0;
         areaX += s.AreaX / 6.0;
         areaY += s.AreaY / 6.0;
@@ -342,8 +397,8 @@ private:
   {
     const Vector3 size = this->Upper - this->Lower;
     const double least = Rounding * size[0] * size[1] * size[2];
-    const Index ny = static_cast<Index>(this->Planes[1].size());
-    const Index nz = static_cast<Index>(this->Planes[2].size());
+    const Index ny = static_cast<Index>(this->Planes[1].size()) + 1;
+    const Index nz = static_cast<Index>(this->Planes[2].size()) + 1;
     this->ForSpannedCells(
       [&](const Index3& cell)
       {
@@ -353,7 +408,7 @@ private:
         {
           const Vector3 centroid = (1.0 / s.Volume) * Vector3{ { s.X, s.Y, s.Z } };
           parts.push_back({ IndexInBox(this->Grid.Local(), cell), s.Volume,
-            this->MoveInside(cell, this->Lower + centroid) });
+            this->MoveInside(cell, this->Origin + centroid) });
         }
       });
   }
@@ -374,8 +429,11 @@ private:
   const CartesianGrid& Grid;
   std::array<Vector3, 8> Corners;            // of a hex by their bits
   Vector3 Lower, Upper;                      // of the box around it
+  Vector3 Origin;                            // of coordinates while it is cut
   std::array<Span, 3> Spans;                 // cells
-  std::array<std::vector<double>, 3> Planes; // floors of these along each axis
+  std::array<std::vector<double>, 3> Planes; // between these, along each axis
+  bool IsStar = false;                       // no more than one of these along each axis
+  int Apex = -1;                             // the corner at the origin, of a star; -1: none
   std::vector<CellSums> Sums;                // of these, z fastest
 };
 
