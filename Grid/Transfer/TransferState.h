@@ -3,8 +3,14 @@
  * for, of every material, to rounding; within the bounds of the cells; of second order; the same bits on any ranks and threads.
  *
  * A cell and an element agree on the volume of a material only in total, by fragment. So what cells hold is first moved, along
- * the faces of cells of a fragment, until each holds what the mesh has in it; then each gives all it has to the elements that
- * overlap it (Overlaps.h), linearly reconstructed.
+ * the faces of cells of a fragment, until each holds what the mesh has in it (VolumeFluxes.h); then each gives all it has to the
+ * elements that overlap it (Overlaps.h), linearly reconstructed (Slopes.h). This is remapping by volume fluxes (Margolin and
+ * Shashkov, Journal of Computational Physics 184, 2003), between cells instead of along moving faces, with the limiter of Barth and Jespersen
+ * (AIAA 89-0366, 1989). Contents and bounds hold by construction, so nothing is left for a repair (Kucharik, Shashkov and Wendroff, Journal of
+ * Computational Physics 188, 2003).
+ *
+ * Bounds: values of cells of the material at most 3 cells from the element; 5 where spray is given, and more only where cells that hold
+ * next to nothing pass on what they get. Values per volume are then multiplied by factors, which are told.
  */
 #pragma once
 
@@ -38,7 +44,8 @@ class StateCellValues
 {
 public:
   virtual ~StateCellValues() = default;
-  /// The cells of the grid that are one cell of the input and hold the same values; indices of the whole grid.
+  /// The cells of the grid that are one cell of the input and hold the same values; indices of the whole grid. Those of owned cells lie
+  /// in the local box where there are extensive quantities.
   virtual IndexBox CellsOfInput(const Index3& cell) const { return BoxOfCell(cell); }
   /// The values of all quantities, one after another, of a material (0 void) in a cell of the local box that holds some of it.
   /// Called by several threads.
