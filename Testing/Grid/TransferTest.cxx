@@ -106,6 +106,25 @@ TEST(TransferState, TotalsStay)
   }
 }
 
+TEST(TransferState, TotalsStayInTetsOfTetGen)
+{
+  if (!HasTetGen())
+  {
+    GTEST_SKIP() << "built without TetGen";
+  }
+  const MeshCase shape = MakeMeshCase("sphere 8");
+  StateCase c{ shape.Grid, shape.Fractions, FillSmooth };
+  c.Quantities = MakeCodeQuantities();
+  c.Density = 0;
+  c.Make = MakeTetMesh;
+  c.Options.Tets = TetMethod::TetGen;
+  for (int ranks : { 1, 2, 3 })
+  {
+    EXPECT_EQ(FindTotalsProblem(c, TransferOnRanks(c, CutBox(shape.Grid.Global(), ranks))), "")
+      << ranks << " ranks";
+  }
+}
+
 namespace
 {
 
