@@ -10,10 +10,9 @@ namespace
 
 constexpr double Accuracy = 3e-15; // rms, of the size of a node's cell
 constexpr int MostSteps = 20000;
-constexpr double Near = 1e8,
-                 Worse =
-                   4.0; // squares: from where on rounding can make it worse; then that ends it
-
+constexpr double Near =
+  1e8; // times what is small, in squares: from there on rounding may undo what steps do
+constexpr double Worse = 4.0; // times the least so far: it does
 constexpr int BitsOfSum = 36;
 
 /// In what unit integers sum numbers that are together as large as this.

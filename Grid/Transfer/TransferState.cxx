@@ -3,8 +3,6 @@
 #include "Transfer/Slopes.h"
 #include "Transfer/VolumeFluxes.h"
 
-#include <numeric>
-
 namespace vfm
 {
 namespace
@@ -154,7 +152,7 @@ private:
     return isNear;
   }
 
-  /// Those around owned donors, and those with parts of this rank's elements.
+  /// Gives copies what their owners hold now.
   void UpdateCopies(const DonorLinks& links, DonorValues& values)
   {
     links.Exchange(
