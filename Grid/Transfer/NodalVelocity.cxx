@@ -1,0 +1,273 @@
+#include "Transfer/NodalVelocity.h"
+
+#include "Base/Partition.h"
+#include "Base/Vector3.h"
+#include "Octree/RefinedGrid.h"
+
+namespace vfm
+{
+namespace
+{
+
+/// What a point has.
+struct Momentum
+{
+  double Mass = 0.0;
+  Vector3 Vector{};
+
+  void Add(const Momentum& other)
+  {
+    this->Mass += other.Mass;
+    this->Vector = this->Vector + other.Vector;
+  }
+};
+
+/// What an element gives a point.
+struct Share
+{
+  Index Point, Element; ///< ids
+  Momentum Given;
+  bool operator<(const Share& other) const
+  {
+    return this->Point != other.Point ? this->Point < other.Point : this->Element < other.Element;
+  }
+};
+
+Vector3 VectorAt(const Buffer<double>& vectors, Index i)
+{
+  return { { vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2] } };
+}
+
+/// Adds what elements give to points, on whatever ranks, in the order of the elements' ids.
+class PointSums
+{
+public:
+  PointSums(const Mesh& mesh, const CartesianGrid& grid, const Buffer<double>& mass,
+    const Buffer<double>& velocity) :
+    TheMesh(mesh), Grid(grid), Mass(mass), Velocity(velocity), Sums(mesh.PointIds.size())
+  {
+  }
+
+  std::vector<Momentum> Add(Ranks& ranks)
+  {
+    this->ForShares(
+      [this](Index point, Index element) { this->Sums[point].Add(this->GivenBy(element)); });
+    const Partition partition(this->Grid, ranks);
+    if (!partition.Peers().empty())
+    {
+      this->AddOfPeers(partition);
+    }
+    return std::move(this->Sums);
+  }
+
+private:
+  template <class Body>
+  void ForShares(const Body& body) const
+  {
+    const Index corners = this->TheMesh.Corners;
+    for (std::size_t i = 0; i < this->TheMesh.Elements.size(); ++i)
+    {
+      body(this->TheMesh.Elements[i], static_cast<Index>(i) / corners);
+    }
+  }
+
+  Momentum GivenBy(Index element) const
+  {
+    const double mass = this->Mass[element] / this->TheMesh.Corners;
+    return { mass, mass * VectorAt(this->Velocity, element) };
+  }
+
+  Share MakeShare(Index point, Index element) const
+  {
+    return { this->TheMesh.PointIds[point], this->TheMesh.ElementIds[element],
+      this->GivenBy(element) };
+  }
+
+  /// Whether no other rank has the point: one that TetGen made.
+  bool IsAlone(Index id) const
+  {
+    return this->TheMesh.Ids.ElementSlots == 0 &&
+      id >= this->TheMesh.Levels->EndOfPointIds(this->TheMesh.Ids.PointSlots);
+  }
+
+  /// Position in Peers() of the owner of each point; -1: this rank.
+  std::vector<int> FindOwners(const Partition& partition) const
+  {
+    std::vector<int> owners(this->TheMesh.PointIds.size(), -1);
+    for (std::size_t p = 0; p < owners.size(); ++p)
+    {
+      const Index id = this->TheMesh.PointIds[p];
+      if (!this->IsAlone(id))
+      {
+        const Index3 node = NodeOfPoint(this->Grid, this->TheMesh, id);
+        owners[p] = partition.OwnsNode(node) ? -1 : partition.PeerOfNode(node);
+      }
+    }
+    return owners;
+  }
+
+  /// The owner of a point, which need not have it, hears of all shares, and tells their sum.
+  void AddOfPeers(const Partition& partition)
+  {
+    const std::vector<int> owners = this->FindOwners(partition);
+    std::vector<std::vector<Share>> mine(partition.Peers().size());
+    this->ForShares(
+      [&](Index point, Index element)
+      {
+        if (owners[point] >= 0)
+        {
+          mine[owners[point]].push_back(this->MakeShare(point, element));
+        }
+      });
+    std::vector<Bytes> messages;
+    for (const std::vector<Share>& shares : mine)
+    {
+      messages.push_back(ToBytes(shares));
+    }
+    Ranks& ranks = partition.Group();
+    messages = this->Answer(ranks.Exchange(partition.Peers(), messages));
+    messages = ranks.Exchange(partition.Peers(), messages);
+    for (std::size_t peer = 0; peer < messages.size(); ++peer)
+    {
+      this->Write(mine[peer], FromBytes<Momentum>(messages[peer]));
+    }
+  }
+
+  /// Of each peer's points, in the order of its shares, the sums over all ranks.
+  std::vector<Bytes> Answer(const std::vector<Bytes>& messages)
+  {
+    std::vector<std::vector<Share>> asked;
+    std::vector<Share> all;
+    for (const Bytes& message : messages)
+    {
+      asked.push_back(FromBytes<Share>(message));
+      all.insert(all.end(), asked.back().begin(), asked.back().end());
+    }
+    this->AddOwnShares(all);
+    std::sort(all.begin(), all.end());
+    std::vector<Share> sums; // one a point
+    for (const Share& share : all)
+    {
+      if (sums.empty() || sums.back().Point != share.Point)
+      {
+        sums.push_back({ share.Point, 0, {} });
+      }
+      sums.back().Given.Add(share.Given);
+    }
+    std::vector<Bytes> answers;
+    for (const std::vector<Share>& shares : asked)
+    {
+      std::vector<Momentum> answer;
+      for (const Share& share : shares)
+      {
+        const Share first{ share.Point, 0, {} };
+        answer.push_back(std::lower_bound(sums.begin(), sums.end(), first)->Given);
+      }
+      answers.push_back(ToBytes(answer));
+    }
+    for (const Share& sum : sums)
+    {
+      this->WriteOwn(sum);
+    }
+    return answers;
+  }
+
+  /// Adds the shares of this rank in the points of which there are some.
+  void AddOwnShares(std::vector<Share>& shares) const
+  {
+    std::vector<char> isAsked(this->TheMesh.PointIds.size(), 0);
+    for (const Share& share : shares)
+    {
+      const Index point = this->FindPoint(share.Point);
+      if (point >= 0)
+      {
+        isAsked[point] = 1;
+      }
+    }
+    this->ForShares(
+      [&](Index point, Index element)
+      {
+        if (isAsked[point])
+        {
+          shares.push_back(this->MakeShare(point, element));
+        }
+      });
+  }
+
+  /// -1: this rank does not have it.
+  Index FindPoint(Index id) const
+  {
+    const Buffer<Index>& ids = this->TheMesh.PointIds;
+    const Index* at = std::lower_bound(ids.begin(), ids.end(), id);
+    return at != ids.end() && *at == id ? at - ids.begin() : -1;
+  }
+
+  void WriteOwn(const Share& sum)
+  {
+    const Index point = this->FindPoint(sum.Point);
+    if (point >= 0)
+    {
+      this->Sums[point] = sum.Given;
+    }
+  }
+
+  void Write(const std::vector<Share>& shares, const std::vector<Momentum>& sums)
+  {
+    for (std::size_t i = 0; i < shares.size(); ++i)
+    {
+      this->Sums[this->FindPoint(shares[i].Point)] = sums[i];
+    }
+  }
+
+  const Mesh& TheMesh;
+  const CartesianGrid& Grid;
+  const Buffer<double>&Mass, &Velocity;
+  std::vector<Momentum> Sums; // of each point
+};
+
+} // namespace
+
+NodalVelocity FindNodalVelocity(const Mesh& mesh, const CartesianGrid& grid,
+  const Buffer<double>& mass, const Buffer<double>& velocity, Runtime& runtime)
+{
+  const std::vector<Momentum> sums = PointSums(mesh, grid, mass, velocity).Add(runtime.Group());
+  NodalVelocity nodal{ Buffer<double>(3 * sums.size()), Buffer<double>(sums.size()),
+    Buffer<double>(mass.size()) };
+  ForEach(runtime, sums.size(),
+    [&](Index p)
+    {
+      nodal.Mass[p] = sums[p].Mass;
+      for (int a = 0; a < 3; ++a)
+      {
+        nodal.Velocity[3 * p + a] = sums[p].Mass > 0.0 ? sums[p].Vector[a] / sums[p].Mass : 0.0;
+      }
+    });
+  ForEach(runtime, mass.size(),
+    [&](Index e)
+    {
+      double squares = 0.0;
+      for (int c = 0; c < mesh.Corners; ++c)
+      {
+        const Vector3 difference =
+          VectorAt(velocity, e) - VectorAt(nodal.Velocity, mesh.Elements[mesh.Corners * e + c]);
+        squares += Dot(difference, difference);
+      }
+      nodal.Lost[e] = 0.5 * mass[e] / mesh.Corners * squares;
+    });
+  return nodal;
+}
+
+Buffer<double> FindLostKineticEnergy(const Buffer<double>& mass, const Buffer<double>& velocity,
+  const Buffer<double>& kinetic, Runtime& runtime)
+{
+  Buffer<double> lost(mass.size());
+  ForEach(runtime, mass.size(),
+    [&](Index e)
+    {
+      const Vector3 u = VectorAt(velocity, e);
+      lost[e] = mass[e] * (kinetic[e] - 0.5 * Dot(u, u));
+    });
+  return lost;
+}
+
+} // namespace vfm
