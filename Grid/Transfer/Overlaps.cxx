@@ -215,7 +215,7 @@ private:
       cells *= planes.size() + 1;
       this->IsStar = this->IsStar && planes.size() < 2;
     }
-    this->Sums.assign(cells, CellSums());
+    this->Sums.assign(this->IsStar ? 8 : cells, CellSums());
     this->Apex = this->IsStar ? this->FindApex() : -1;
     this->Origin = this->Apex < 0 ? this->Origin : this->Corners[this->Apex];
     for (int c = 0; c < this->TheMesh.Corners; ++c)
@@ -252,7 +252,7 @@ private:
       {
         if (std::count(f, f + 3, this->Apex) == 0)
         {
-          this->AddTriangle<0>(x[f[0]], x[f[1]], x[f[2]], 0, 0);
+          this->AddFace(x[f[0]], x[f[1]], x[f[2]]);
         }
       }
       return;
@@ -265,10 +265,62 @@ private:
         const int begin = f[e], end = f[(e + 1) % 4];
         if (begin != this->Apex && end != this->Apex)
         {
-          this->AddTriangle<0>(x[begin], x[end], mean, 0, 0);
+          this->AddFace(x[begin], x[end], mean);
         }
       }
     }
+  }
+
+  void AddFace(const Vector3& a, const Vector3& b, const Vector3& c)
+  {
+    this->IsStar ? this->AddToStar<0>(a, b, c, 0) : this->AddTriangle<0>(a, b, c, 0, 0);
+  }
+
+  /// Where no more than one plane goes across each axis, all cells touch the origin, where the planes meet, and what bounds a part beside
+  /// the element's surface are planes through the origin. So the part is the cones from there.
+  /// octant: bit a where the triangle is above the plane across axis a, of those before this one.
+  template <int Axis>
+  void AddToStar(const Vector3& a, const Vector3& b, const Vector3& c, int octant)
+  {
+    if constexpr (Axis == 3)
+    {
+      this->Sums[octant].AddCone(a, b, c);
+    }
+    else
+    {
+      const bool isAbove[3] = { a[Axis] > 0.0, b[Axis] > 0.0, c[Axis] > 0.0 };
+      if (this->Planes[Axis].empty() || !(isAbove[0] || isAbove[1] || isAbove[2]))
+      {
+        this->AddToStar<Axis + 1>(a, b, c, octant);
+      }
+      else if (a[Axis] >= 0.0 && b[Axis] >= 0.0 && c[Axis] >= 0.0)
+      {
+        this->AddToStar<Axis + 1>(a, b, c, octant | 1 << Axis);
+      }
+      else if (isAbove[1] == isAbove[2])
+      {
+        this->CutInStar<Axis>(a, b, c, octant);
+      }
+      else if (isAbove[2] == isAbove[0])
+      {
+        this->CutInStar<Axis>(b, c, a, octant);
+      }
+      else
+      {
+        this->CutInStar<Axis>(c, a, b, octant);
+      }
+    }
+  }
+
+  template <int Axis>
+  void CutInStar(const Vector3& a, const Vector3& b, const Vector3& c, int octant)
+  {
+    const Vector3 ab = CutEdge<Axis>(a, b, 0.0), ac = CutEdge<Axis>(a, c, 0.0);
+    const int above = octant | 1 << Axis;
+    const int near = a[Axis] > 0.0 ? above : octant, far = a[Axis] > 0.0 ? octant : above;
+    this->AddToStar<Axis + 1>(a, ab, ac, near);
+    this->AddToStar<Axis + 1>(ab, b, c, far);
+    this->AddToStar<Axis + 1>(ab, c, ac, far);
   }
 
   /// Cuts a triangle by the planes along an axis from plane on, then by those along the axes that follow. cell: what it is in so far, in Sums.
@@ -336,27 +388,19 @@ private:
     }
   }
 
-  /// Where no more than one plane goes across each axis, all cells touch the origin, where the planes meet, and what bounds a part beside
-  /// the element's surface are planes through the origin. So the part is the cones from there. Else, by the divergence theorem, it is
-  /// the columns under the surface along z: in its own cell, to the floor, and in those below as far as its shadow falls. The floor
-  /// of the lowest layer is its roof.
+  /// By the divergence theorem a part is the columns under the surface along z: in its own cell, to the floor, and in those below
+  /// as far as its shadow falls. The floor of the lowest layer is its roof.
   void AddPiece(const Vector3& a, const Vector3& b, const Vector3& c, Index cell, std::size_t layer)
   {
     CellSums& sums = this->Sums[cell];
-    if (this->IsStar)
-    {
-      sums.AddCone(a, b, c);
-    }
-    else if (layer < 2)
+    if (layer < 2)
     {
       sums.AddColumn(a, b, c);
+      return;
     }
-    else
-    {
-      const Vector3 floor{ { 0.0, 0.0, this->Planes[2][layer - 1] } };
-      sums.AddColumn(a - floor, b - floor, c - floor);
-      sums.AddShadow(a, b, c);
-    }
+    const Vector3 floor{ { 0.0, 0.0, this->Planes[2][layer - 1] } };
+    sums.AddColumn(a - floor, b - floor, c - floor);
+    sums.AddShadow(a, b, c);
   }
 
   void FinishCones()
@@ -402,8 +446,9 @@ private:
     this->ForSpannedCells(
       [&](const Index3& cell)
       {
-        const Index i = cell[0] - this->Spans[0].First, j = cell[1] - this->Spans[1].First;
-        const CellSums& s = this->Sums[(i * ny + j) * nz + cell[2] - this->Spans[2].First];
+        const Index i = cell[0] - this->Spans[0].First, j = cell[1] - this->Spans[1].First,
+                    k = cell[2] - this->Spans[2].First;
+        const CellSums& s = this->Sums[this->IsStar ? i | j << 1 | k << 2 : (i * ny + j) * nz + k];
         if (s.Volume > least)
         {
           const Vector3 centroid = (1.0 / s.Volume) * Vector3{ { s.X, s.Y, s.Z } };
@@ -434,7 +479,7 @@ private:
   std::array<std::vector<double>, 3> Planes; // between these, along each axis
   bool IsStar = false;                       // no more than one of these along each axis
   int Apex = -1;                             // the corner at the origin, of a star; -1: none
-  std::vector<CellSums> Sums;                // of these, z fastest
+  std::vector<CellSums> Sums;                // of these, of a star by bits, x first, else z fastest
 };
 
 } // namespace
