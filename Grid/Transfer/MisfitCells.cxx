@@ -97,7 +97,8 @@ void MisfitCells::MarkAround(std::vector<Index> cells)
     std::vector<Index> next;
     for (Index cell : cells)
     {
-      for (int n = 0; this->Grid.Local().Contains(this->Grid.Position(cell)) && n < 27; ++n)
+      const bool isLocal = this->Grid.Local().Contains(this->Grid.Position(cell));
+      for (int n = 0; isLocal && n < 27; ++n)
       {
         const Index other = cell + steps[n];
         if (this->Nearness[other] == 0)
