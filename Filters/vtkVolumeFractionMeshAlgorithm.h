@@ -122,6 +122,123 @@ public:
   const char* GetStateArray(int index);
   ///@}
 
+  enum StateTransferType
+  {
+    STATE_AUTOMATIC = 0,
+    STATE_COPY = 1,
+    STATE_CONSERVE = 2
+  };
+
+  ///@{
+  /**
+   * How elements come to the values of state arrays.
+   * STATE_COPY: each has those of one cell, as told above; sums over the mesh are not those of the input.
+   * STATE_CONSERVE: what the cells hold of each material is given to its elements, all of it and no more: the arrays become averages
+   * of type double over the parts of the cells that an element covers, within the bounds of the cells around, and volume, mass,
+   * momentum, energy and whatever else is chosen have the sums of the input, to rounding.
+   * STATE_AUTOMATIC: STATE_CONSERVE where DensityArrays names an array, else STATE_COPY. Default: STATE_AUTOMATIC.
+   */
+  vtkSetClampMacro(StateTransfer, int, STATE_AUTOMATIC, STATE_CONSERVE);
+  vtkGetMacro(StateTransfer, int);
+  ///@}
+
+  ///@{
+  /**
+   * The density, mass per volume of the material (not of the cell, but for those of the kind "cell"): one array for all materials, or
+   * one a material with names as told at AddStateKind. Mass of a material in a cell is fraction x volume of the cell x density. They are
+   * carried as state arrays are, and need not be among them. Of one component; none may be negative. Without any, mass is volume.
+   * Default: none.
+   */
+  void AddDensityArray(const char* name);
+  void ClearDensityArrays();
+  int GetNumberOfDensityArrays();
+  const char* GetDensityArray(int index);
+  ///@}
+
+  ///@{
+  /**
+   * What the values of an array are, and so what STATE_CONSERVE keeps of it: words name=kind, where name is that of an array, or the stem of
+   * arrays a material. Kinds:
+   * - mass: per mass, as velocity, specific energy, temperature: value x mass is kept. The default of arrays of real numbers.
+   * - mass*other: the same weighed with another state array, as temperature=mass*heat_capacity: value x mass x other is kept.
+   * - volume: per volume of the material, as density, pressure: value x volume of the material. The default of DensityArrays.
+   * - cell: per volume of the whole cell, as a bulk density: value x volume of the cell.
+   * - extensive: sums, as the mass in a cell; elements get sums.
+   * - copy: copied as by STATE_COPY. The default of arrays of whole numbers.
+   * Cell and extensive are shared by the materials of a cell in proportion to their volumes; void has a part only where nothing else is.
+   *
+   * Arrays a material: state or density arrays whose names differ only in the number or name of the material, as those of its
+   * fractions do ("Material volume fraction - 1" and "Material density - 1"), or in " - " and the number, become one array with the name
+   * of what they share ("Material density"): an element has it from the array of its material. There must be one for every material.
+   * Void has 0 of them.
+   */
+  void AddStateKind(const char* word);
+  void ClearStateKinds();
+  int GetNumberOfStateKinds();
+  const char* GetStateKind(int index);
+  ///@}
+
+  ///@{
+  /**
+   * 1: what is conserved is constant in each cell; 2: linear, limited by the values around. Default: 2.
+   */
+  vtkSetClampMacro(StateOrder, int, 1, 2);
+  vtkGetMacro(StateOrder, int);
+  ///@}
+
+  ///@{
+  /**
+   * By STATE_CONSERVE: the velocity, of three components and the kind mass, and the internal energy per mass, of one. Carried as state arrays
+   * are. Of these momentum and energies of the materials are told (field data, output port 4). Empty, or "None": none. Default: empty.
+   */
+  vtkSetStdStringFromCharMacro(VelocityArray);
+  vtkGetCharFromStdStringMacro(VelocityArray);
+  vtkSetStdStringFromCharMacro(EnergyArray);
+  vtkGetCharFromStdStringMacro(EnergyArray);
+  ///@}
+
+  ///@{
+  /**
+   * By STATE_CONSERVE with a VelocityArray: add the velocity of the nodes, a point array of its name. A node has the momentum of an equal
+   * part of each of its elements over their mass, so the momentum of all nodes is that of all elements. Default: off.
+   */
+  vtkSetMacro(NodalVelocity, bool);
+  vtkGetMacro(NodalVelocity, bool);
+  vtkBooleanMacro(NodalVelocity, bool);
+  ///@}
+
+  enum LostKineticEnergyType
+  {
+    LOST_ENERGY_REPORT = 0,
+    LOST_ENERGY_TO_INTERNAL = 1
+  };
+
+  ///@{
+  /**
+   * What becomes of the kinetic energy that the mesh lacks since an element, or with NodalVelocity a node, has one mean velocity.
+   * LOST_ENERGY_REPORT: it is told in the field data. LOST_ENERGY_TO_INTERNAL: it is added to EnergyArray where it is lost, so that the sum of
+   * both energies is that of the input. Default: LOST_ENERGY_REPORT.
+   */
+  vtkSetClampMacro(LostKineticEnergy, int, LOST_ENERGY_REPORT, LOST_ENERGY_TO_INTERNAL);
+  vtkGetMacro(LostKineticEnergy, int);
+  ///@}
+
+  enum UnmeshedMaterialType
+  {
+    UNMESHED_GIVE = 0,
+    UNMESHED_DROP = 1
+  };
+
+  ///@{
+  /**
+   * What becomes by STATE_CONSERVE of material apart from all elements of its kind: spray, removed regions. UNMESHED_GIVE: it is given to the
+   * nearest fragment of its material within a few cells; what lies farther is dropped. UNMESHED_DROP: all of it is. What is
+   * dropped is told in the field data and by a warning. Default: UNMESHED_GIVE.
+   */
+  vtkSetClampMacro(UnmeshedMaterial, int, UNMESHED_GIVE, UNMESHED_DROP);
+  vtkGetMacro(UnmeshedMaterial, int);
+  ///@}
+
   ///@{
   /**
    * A cell is void when its materials fill less than this part of it; in (0,1). Default: 0.5.
@@ -411,6 +528,14 @@ protected:
   int WordAssociation = vfm::AnyAssociation; // of the words to come
   vfm::ChosenArray MaterialIdArray;
   std::vector<std::string> StateArrays;
+  int StateTransfer = STATE_AUTOMATIC;
+  std::vector<std::string> DensityArrays;
+  std::vector<std::string> StateKinds; // words
+  int StateOrder = 2;
+  std::string VelocityArray, EnergyArray;
+  bool NodalVelocity = false;
+  int LostKineticEnergy = LOST_ENERGY_REPORT;
+  int UnmeshedMaterial = UNMESHED_GIVE;
   double IsoValue = 0.5;
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;

@@ -41,6 +41,23 @@ const Item* ItemAt(const std::vector<Item>& items, int index)
   return valid ? &items[index] : nullptr;
 }
 
+const char* TextAt(const std::vector<std::string>& texts, int index)
+{
+  const std::string* text = ItemAt(texts, index);
+  return text ? text->c_str() : nullptr;
+}
+
+void PrintTexts(
+  ostream& os, vtkIndent indent, const char* name, const std::vector<std::string>& texts)
+{
+  os << indent << name << ":";
+  for (const std::string& text : texts)
+  {
+    os << " '" << text << "'";
+  }
+  os << "\n";
+}
+
 /// As panels name an array, or none.
 bool IsNamed(const std::string& array)
 {
@@ -141,8 +158,53 @@ int vtkVolumeFractionMeshAlgorithm::GetNumberOfStateArrays()
 
 const char* vtkVolumeFractionMeshAlgorithm::GetStateArray(int index)
 {
-  const std::string* name = ItemAt(this->StateArrays, index);
-  return name ? name->c_str() : nullptr;
+  return TextAt(this->StateArrays, index);
+}
+
+void vtkVolumeFractionMeshAlgorithm::AddDensityArray(const char* name)
+{
+  if (name && *name)
+  {
+    AddItem(std::string(name), this->DensityArrays, this);
+  }
+}
+
+void vtkVolumeFractionMeshAlgorithm::ClearDensityArrays()
+{
+  ClearItems(this->DensityArrays, this);
+}
+
+int vtkVolumeFractionMeshAlgorithm::GetNumberOfDensityArrays()
+{
+  return static_cast<int>(this->DensityArrays.size());
+}
+
+const char* vtkVolumeFractionMeshAlgorithm::GetDensityArray(int index)
+{
+  return TextAt(this->DensityArrays, index);
+}
+
+void vtkVolumeFractionMeshAlgorithm::AddStateKind(const char* word)
+{
+  if (word && *word)
+  {
+    AddItem(std::string(word), this->StateKinds, this);
+  }
+}
+
+void vtkVolumeFractionMeshAlgorithm::ClearStateKinds()
+{
+  ClearItems(this->StateKinds, this);
+}
+
+int vtkVolumeFractionMeshAlgorithm::GetNumberOfStateKinds()
+{
+  return static_cast<int>(this->StateKinds.size());
+}
+
+const char* vtkVolumeFractionMeshAlgorithm::GetStateKind(int index)
+{
+  return TextAt(this->StateKinds, index);
 }
 
 std::string vtkVolumeFractionMeshAlgorithm::GetNamedRefinementArray() const
@@ -195,10 +257,16 @@ void vtkVolumeFractionMeshAlgorithm::PrintArrays(ostream& os, vtkIndent indent) 
   {
     PrintArray(os, this->MaterialIdArray);
   }
-  os << "\n" << indent << "StateArrays:";
-  for (const std::string& name : this->StateArrays)
-  {
-    os << " '" << name << "'";
-  }
-  os << "\n" << indent << "RefinementArray: " << this->RefinementArray << "\n";
+  os << "\n";
+  PrintTexts(os, indent, "StateArrays", this->StateArrays);
+  os << indent << "StateTransfer: " << this->StateTransfer << "\n";
+  PrintTexts(os, indent, "DensityArrays", this->DensityArrays);
+  PrintTexts(os, indent, "StateKinds", this->StateKinds);
+  os << indent << "StateOrder: " << this->StateOrder << "\n";
+  os << indent << "VelocityArray: " << this->VelocityArray << "\n";
+  os << indent << "EnergyArray: " << this->EnergyArray << "\n";
+  os << indent << "NodalVelocity: " << this->NodalVelocity << "\n";
+  os << indent << "LostKineticEnergy: " << this->LostKineticEnergy << "\n";
+  os << indent << "UnmeshedMaterial: " << this->UnmeshedMaterial << "\n";
+  os << indent << "RefinementArray: " << this->RefinementArray << "\n";
 }
