@@ -11,8 +11,8 @@ import xml.etree.ElementTree as ElementTree
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 PAGE = os.path.join(ROOT, "Documentation", "properties.md")
-FILES = ["VolumeFractionMesh.xml", "VolumeFractionToTet.xml.in", "VolumeFractionFragments.xml", "VolumeFractionShapes.xml",
-         "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
+FILES = ["VolumeFractionInput.xml", "VolumeFractionMesh.xml", "VolumeFractionToTet.xml.in", "VolumeFractionFragments.xml",
+         "VolumeFractionShapes.xml", "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
 HEAD = """# Properties
 
 Written by `scripts/list_properties.py` from the XML in `Plugin`; the test `documents` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
@@ -66,13 +66,23 @@ def own_properties(proxy):
     return {p.get("name"): p for p in proxy if p.tag.endswith("VectorProperty")}
 
 
+def is_part(proxy):
+    """Whether it is no more than a part of others."""
+    return proxy is not None and proxy.find("Documentation") is None
+
+
+def all_properties(proxy, proxies):
+    """Its own after those of what it is based on."""
+    base = proxies.get(proxy.get("base_proxyname"))
+    return {**(all_properties(base, proxies) if base is not None else {}), **own_properties(proxy)}
+
+
 def properties_of(proxy, proxies):
-    """Its own, and those that it exposes of the proxy inside."""
-    properties = own_properties(proxy)
+    """Its own with those of its part, and those that it exposes of the proxy inside."""
+    base = proxies.get(proxy.get("base_proxyname"))
+    properties = all_properties(proxy, proxies) if is_part(base) else own_properties(proxy)
     for sub in proxy.iter("SubProxy"):
-        inner = proxies[sub.find("Proxy").get("proxyname")]
-        base = proxies.get(inner.get("base_proxyname"))
-        held = {**(own_properties(base) if base is not None else {}), **own_properties(inner)}
+        held = all_properties(proxies[sub.find("Proxy").get("proxyname")], proxies)
         properties.update((p.get("name"), held[p.get("name")]) for p in sub.find("ExposedProperties"))
     return [p for p in properties.values() if is_shown(p)]
 
@@ -82,7 +92,7 @@ def section(proxy, proxies):
     label = proxy.get("label") or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", proxy.get("name"))
     yield "\n## %s\n`%s`. %s\n" % (label, proxy.get("name"), documentation.get("long_help"))
     base = proxies.get(proxy.get("base_proxyname"))
-    if base is not None:
+    if base is not None and not is_part(base):
         yield "All properties of *%s*, of which these have other words, and its own:\n" % base.get("label")
     properties = properties_of(proxy, proxies)
     if not properties:
@@ -109,7 +119,7 @@ def make_page():
     proxies = read_proxies()
     lines = [HEAD]
     for proxy in proxies.values():
-        if proxy.find("Documentation") is not None:  # others are parts of these
+        if not is_part(proxy):
             lines += section(proxy, proxies)
     return "\n".join(lines).rstrip() + "\n"
 
