@@ -1,5 +1,6 @@
 #include "MeshOutput.h"
 
+#include "AdoptBuffer.h"
 #include "EmptyOutput.h"
 #include "FieldValues.h"
 
@@ -22,25 +23,10 @@ namespace
 
 static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit ids");
 
-/// A VTK array that owns the memory of the buffer from now on.
-template <class Array, class T>
-vtkSmartPointer<Array> Adopt(Buffer<T>& buffer, const char* name, int components = 1)
-{
-  using Value = typename Array::ValueType;
-  static_assert(sizeof(Value) == sizeof(T), "the buffer must hold the array's type");
-  auto array = vtkSmartPointer<Array>::New();
-  const vtkIdType size = static_cast<vtkIdType>(buffer.size());
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetArray(
-    reinterpret_cast<Value*>(buffer.release()), size, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-  return array;
-}
-
 vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(cellSize, Adopt<vtkTypeInt64Array>(buffer, "Connectivity"));
+  cells->SetData(cellSize, AdoptBuffer<vtkTypeInt64Array>(buffer, "Connectivity"));
   return cells;
 }
 
@@ -82,9 +68,9 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
     point = place[point];
   }
   vtkNew<vtkPoints> vtkpoints;
-  vtkpoints->SetData(Adopt<vtkDoubleArray>(usedPoints, "Points", 3));
+  vtkpoints->SetData(AdoptBuffer<vtkDoubleArray>(usedPoints, "Points", 3));
   output->SetPoints(vtkpoints);
-  output->GetPointData()->SetGlobalIds(Adopt<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
+  output->GetPointData()->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
 }
 
 void AddFieldPairs(
@@ -108,9 +94,9 @@ void SetSurfaces(Mesh& mesh, const Materials& table, vtkPolyData* surfaces)
   surfaces->SetPolys(AdoptCells(facets.Points, mesh.CornersOfFacet()));
   SetLabels(facets.MaterialPair, table);
   vtkCellData* sides = surfaces->GetCellData();
-  sides->SetScalars(Adopt<vtkIntArray>(facets.SurfaceId, "SurfaceId"));
-  sides->AddArray(Adopt<vtkIntArray>(facets.MaterialPair, "MaterialPair", 2));
-  sides->AddArray(Adopt<vtkIntArray>(facets.DomainSide, "DomainSide"));
+  sides->SetScalars(AdoptBuffer<vtkIntArray>(facets.SurfaceId, "SurfaceId"));
+  sides->AddArray(AdoptBuffer<vtkIntArray>(facets.MaterialPair, "MaterialPair", 2));
+  sides->AddArray(AdoptBuffer<vtkIntArray>(facets.DomainSide, "DomainSide"));
   for (GeometryTables::Pair& materials : mesh.Tables.SurfaceMaterials)
   {
     SetLabels(materials, table);
@@ -125,7 +111,7 @@ void SetCurves(Mesh& mesh, vtkPolyData* curves)
 {
   SetUsedPoints(mesh.Curves.Points, mesh, curves);
   curves->SetLines(AdoptCells(mesh.Curves.Points, 2));
-  curves->GetCellData()->SetScalars(Adopt<vtkIntArray>(mesh.Curves.CurveId, "CurveId"));
+  curves->GetCellData()->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Curves.CurveId, "CurveId"));
   AddFieldValues<vtkIntArray>(curves->GetFieldData(), "CurveEnds", mesh.Tables.CurveEnds);
   AddFieldPairs(curves, "SurfaceCurves", mesh.Tables.SurfaceCurves);
 }
@@ -134,7 +120,7 @@ void SetVertices(Mesh& mesh, vtkPolyData* vertices)
 {
   SetUsedPoints(mesh.Vertices.Points, mesh, vertices);
   vertices->SetVerts(AdoptCells(mesh.Vertices.Points, 1));
-  vertices->GetCellData()->SetScalars(Adopt<vtkIntArray>(mesh.Vertices.VertexId, "VertexId"));
+  vertices->GetCellData()->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Vertices.VertexId, "VertexId"));
   AddFieldPairs(vertices, "CurveVertices", mesh.Tables.CurveVertices);
 }
 
@@ -147,7 +133,7 @@ void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& output
   SetVertices(mesh, outputs.Vertices);
   vtkUnstructuredGrid* output = outputs.Mesh;
   vtkNew<vtkPoints> points;
-  points->SetData(Adopt<vtkDoubleArray>(mesh.Points, "Points", 3));
+  points->SetData(AdoptBuffer<vtkDoubleArray>(mesh.Points, "Points", 3));
   output->SetPoints(points);
   if (mesh.ElementIds.empty())
   {
@@ -160,17 +146,17 @@ void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& output
   }
   SetLabels(mesh.Material, table);
   vtkCellData* cells = output->GetCellData();
-  cells->SetScalars(Adopt<vtkIntArray>(mesh.Material, "MaterialId"));
-  cells->AddArray(Adopt<vtkIntArray>(mesh.Fragment, "FragmentId"));
-  cells->SetGlobalIds(Adopt<vtkIdTypeArray>(mesh.ElementIds, "GlobalCellIds"));
+  cells->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Material, "MaterialId"));
+  cells->AddArray(AdoptBuffer<vtkIntArray>(mesh.Fragment, "FragmentId"));
+  cells->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(mesh.ElementIds, "GlobalCellIds"));
   if (!mesh.ScaledJacobian.empty())
   {
-    cells->AddArray(Adopt<vtkFloatArray>(mesh.ScaledJacobian, "ScaledJacobian"));
+    cells->AddArray(AdoptBuffer<vtkFloatArray>(mesh.ScaledJacobian, "ScaledJacobian"));
   }
   vtkPointData* nodes = output->GetPointData();
-  nodes->SetGlobalIds(Adopt<vtkIdTypeArray>(mesh.PointIds, "GlobalPointIds"));
-  nodes->AddArray(Adopt<vtkIntArray>(mesh.GeometryDimension, "GeometryDimension"));
-  nodes->AddArray(Adopt<vtkIntArray>(mesh.GeometryId, "GeometryId"));
+  nodes->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(mesh.PointIds, "GlobalPointIds"));
+  nodes->AddArray(AdoptBuffer<vtkIntArray>(mesh.GeometryDimension, "GeometryDimension"));
+  nodes->AddArray(AdoptBuffer<vtkIntArray>(mesh.GeometryId, "GeometryId"));
 }
 
 void SetDomainOutput(const CartesianGrid& grid, const ImageFrame& frame, vtkDataObject* output)

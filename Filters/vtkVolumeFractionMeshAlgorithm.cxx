@@ -1,6 +1,7 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include "Agreement.h"
+#include "CarryState.h"
 #include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "FilterRuntime.h"
@@ -17,7 +18,6 @@
 #include "MeshOutput.h"
 #include "MissingLevels.h"
 #include "ReportOutput.h"
-#include "StateArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -26,6 +26,7 @@
 #include "vtkInformationVector.h"
 #include "vtkLogger.h"
 #include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -340,6 +341,27 @@ vfm::InputLevels vtkVolumeFractionMeshAlgorithm::FindLevels(
     : vfm::FindInputLevels(input, arrays, ranks);
 }
 
+void vtkVolumeFractionMeshAlgorithm::SetState(
+  const vfm::CarriedState& carried, const vfm::Ranks& ranks, const vfm::MeshOutputs& outputs) const
+{
+  for (vtkDataArray* array : carried.Arrays)
+  {
+    outputs.Mesh->GetCellData()->AddArray(array);
+  }
+  if (carried.NodalVelocity)
+  {
+    outputs.Mesh->GetPointData()->AddArray(carried.NodalVelocity);
+  }
+  if (carried.IsConserved)
+  {
+    vfm::SetStateOutput(carried.Balance, this->MeshVoid, outputs.Mesh->GetFieldData());
+    if (ranks.Rank() == 0)
+    {
+      vfm::AddStateColumns(carried.Balance, this->MeshVoid, outputs.Materials);
+    }
+  }
+}
+
 void vtkVolumeFractionMeshAlgorithm::Run(
   vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
 {
@@ -355,7 +377,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
     ? vfm::OpenLabels(levels.Levels, materials.Labels.Name, ranks)
     : vfm::OpenFractions(
         levels.Levels, vfm::NamesOf(materials.Fractions), this->FractionTolerance, ranks);
-  const vfm::StateArrays states(levels, this->StateArrays, ranks);
+  vfm::StateCarrier states(levels, this->ChooseState(), ranks);
   vfm::InputWishes wishes = this->FindWishes(levels, ranks);
   const vfm::LevelSetup setup = this->SetUpLevels(levels, wishes, ranks);
   const std::vector<vfm::BlockPlace> owners = this->HasFaceNeighbours
@@ -365,6 +387,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   vfm::LevelFields fields = vfm::MakeLevelFields(
     levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
   vfm::NameLabels(names, fields.Field.Table);
+  states.Keep(cells, fields, setup, this->MeshVoid, owners, runtime);
   const vfm::RemovedRegions removed =
     this->PrepareFractions(fields, materials.HasLabels(), runtime);
   vfm::MeshOptions options = this->GetOptions();
@@ -379,8 +402,10 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   report.ChosenCells = wishes.Cells;
   LogStages(report);
   runtime.Progress(0.98, "Filling output");
-  const std::vector<vtkSmartPointer<vtkDataArray>> carried = states.Carry(mesh, grid,
-    field.Fractions, finest, fields.Division.OfHalves(finest - setup.Base), owners, runtime);
+  const vfm::MeshedGrid meshed{ grid, field.Fractions, finest,
+    fields.Division.OfHalves(finest - setup.Base) };
+  const vfm::CarriedState carried =
+    states.Carry(mesh, meshed, this->GetConserveOptions(), owners, runtime);
   vfm::WorkTogether(ranks,
     [&]
     {
@@ -392,13 +417,11 @@ void vtkVolumeFractionMeshAlgorithm::Run(
         vfm::SetMaterialTable(report, field.Table, options, outputs.Materials);
       }
       vfm::SetDomainOutput(grid, levels.Reading.Frame, output);
-      for (vtkDataArray* array : carried)
-      {
-        output->GetCellData()->AddArray(array);
-      }
+      this->SetState(carried, ranks, outputs);
     });
   LogTraffic(ranks);
   this->WarnOfMesh(report, field, ranks);
+  this->Warn(vfm::DescribeUnmeshed(carried.Balance, field.Table), ranks);
 }
 
 void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -51,6 +51,8 @@ class FractionField;
 class MessageRanks;
 class Ranks;
 class Runtime;
+struct CarriedState;
+struct ConserveOptions;
 struct InputField;
 struct InputLevels;
 struct MaterialArrays;
@@ -63,6 +65,7 @@ struct MeshOptions;
 struct MeshOutputs;
 struct MeshReport;
 struct RemovedRegions;
+struct StateChoice;
 } // namespace vfm
 
 class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionMeshAlgorithm :
@@ -146,7 +149,7 @@ public:
   /**
    * The density, mass per volume of the material (not of the cell, but for those of the kind "cell"): one array for all materials, or
    * one a material with names as told at AddStateKind. Mass of a material in a cell is fraction x volume of the cell x density. They are
-   * carried as state arrays are, and need not be among them. Of one component; none may be negative. Without any, mass is volume.
+   * carried as state arrays are, and need not be among them. Of one component; none may be negative. Without any, mass is the volume of the fractions.
    * Default: none.
    */
   void AddDensityArray(const char* name);
@@ -189,7 +192,9 @@ public:
   ///@{
   /**
    * By STATE_CONSERVE: the velocity, of three components and the kind mass, and the internal energy per mass, of one. Carried as state arrays
-   * are. Of these momentum and energies of the materials are told (field data, output port 4). Empty, or "None": none. Default: empty.
+   * are. Of these momentum and energies of the materials are told (field data, output port 4). Three arrays of one component are one velocity
+   * when the first is named, in whose name x stands alone ("X velocity", "velocity_x"): the mesh has "velocity". Of energies a material any
+   * one is named. Empty, or "None": none. Default: empty.
    */
   vtkSetStdStringFromCharMacro(VelocityArray);
   vtkGetCharFromStdStringMacro(VelocityArray);
@@ -232,7 +237,7 @@ public:
   ///@{
   /**
    * What becomes by STATE_CONSERVE of material apart from all elements of its kind: spray, removed regions. UNMESHED_GIVE: it is given to the
-   * nearest fragment of its material within a few cells; what lies farther is dropped. UNMESHED_DROP: all of it is. What is
+   * nearest fragment of its material within three cells; what lies farther is dropped. UNMESHED_DROP: all of it is. What is
    * dropped is told in the field data and by a warning. Default: UNMESHED_GIVE.
    */
   vtkSetClampMacro(UnmeshedMaterial, int, UNMESHED_GIVE, UNMESHED_DROP);
@@ -570,6 +575,11 @@ private:
   vfm::MaterialArrays FindMaterials(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
   vfm::ArraysToRead ListArrays(const vfm::MaterialArrays& materials) const;
   void PrintArrays(ostream& os, vtkIndent indent) const;
+  bool IsStateConserved() const;
+  vfm::StateChoice ChooseState() const;
+  vfm::ConserveOptions GetConserveOptions() const;
+  void SetState(const vfm::CarriedState& carried, const vfm::Ranks& ranks,
+    const vfm::MeshOutputs& outputs) const;
   vfm::MeshOptions GetOptions() const;
   vfm::RemovedRegions PrepareFractions(
     vfm::LevelFields& fields, bool areLabels, vfm::Runtime& runtime);

@@ -3,6 +3,7 @@
  */
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
+#include "CarryState.h"
 #include "MaterialArrays.h"
 
 #include "vtkDataObject.h"
@@ -224,6 +225,38 @@ vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(
   return vfm::FindMaterialArrays(input, std::move(chosen), ranks);
 }
 
+bool vtkVolumeFractionMeshAlgorithm::IsStateConserved() const
+{
+  return this->StateTransfer == STATE_CONSERVE ||
+    (this->StateTransfer == STATE_AUTOMATIC && !this->DensityArrays.empty());
+}
+
+vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState() const
+{
+  vfm::StateChoice choice;
+  choice.Arrays = this->StateArrays;
+  choice.IsConserved = this->IsStateConserved();
+  if (choice.IsConserved)
+  {
+    choice.Densities = this->DensityArrays;
+    choice.Kinds = this->StateKinds;
+    choice.Velocity = IsNamed(this->VelocityArray) ? this->VelocityArray : "";
+    choice.Energy = IsNamed(this->EnergyArray) ? this->EnergyArray : "";
+    choice.AddArrays();
+  }
+  return choice;
+}
+
+vfm::ConserveOptions vtkVolumeFractionMeshAlgorithm::GetConserveOptions() const
+{
+  vfm::ConserveOptions options;
+  options.Order = this->StateOrder;
+  options.GiveUnmeshed = this->UnmeshedMaterial == UNMESHED_GIVE;
+  options.NodalVelocity = this->NodalVelocity;
+  options.LostToInternal = this->LostKineticEnergy == LOST_ENERGY_TO_INTERNAL;
+  return options;
+}
+
 vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(
   const vfm::MaterialArrays& materials) const
 {
@@ -233,7 +266,7 @@ vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(
   {
     arrays.Materials.push_back(materials.Labels);
   }
-  for (const std::string& name : this->StateArrays)
+  for (const std::string& name : this->ChooseState().Arrays)
   {
     arrays.Others.push_back({ name, vfm::AnyAssociation });
   }
