@@ -413,17 +413,23 @@ private:
 void StateChoice::AddArrays()
 {
   std::vector<std::string> names = this->Densities;
-  names.push_back(this->Velocity);
+  for (const std::string& name : { this->Velocity, this->Energy })
+  {
+    const bool isStem = std::any_of(this->Arrays.begin(), this->Arrays.end(),
+      [&name](const std::string& listed)
+      { return listed.size() > name.size() && listed.compare(0, name.size(), name) == 0; });
+    if (!name.empty() && !isStem)
+    {
+      names.push_back(name);
+    }
+  }
   if (const std::optional<ArrayStem> vector = FindVector(this->Velocity))
   {
     names.insert(names.end(), vector->Members.begin(), vector->Members.end());
   }
-  names.push_back(this->Energy);
   for (const std::string& name : names)
   {
-    const bool isListed =
-      std::find(this->Arrays.begin(), this->Arrays.end(), name) != this->Arrays.end();
-    if (!name.empty() && !isListed)
+    if (std::find(this->Arrays.begin(), this->Arrays.end(), name) == this->Arrays.end())
     {
       this->Arrays.push_back(name);
     }

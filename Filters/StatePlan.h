@@ -22,7 +22,8 @@ struct StateChoice
   std::vector<std::string> Kinds; ///< words name=kind
   std::string Velocity, Energy;   ///< empty: none
 
-  /// Lists the arrays of densities, velocity (with those of y and z beside that of x) and energy among all.
+  /// Lists the arrays of densities, velocity (with those of y and z beside that of x) and energy among all, but what may be the stem of some
+  /// that are there.
   void AddArrays();
 };
 

@@ -194,7 +194,7 @@ public:
    * By STATE_CONSERVE: the velocity, of three components and the kind mass, and the internal energy per mass, of one. Carried as state arrays
    * are. Of these momentum and energies of the materials are told (field data, output port 4). Three arrays of one component are one velocity
    * when the first is named, in whose name x stands alone ("X velocity", "velocity_x"): the mesh has "velocity". Of energies a material any
-   * one is named. Empty, or "None": none. Default: empty.
+   * one is named, or the stem. Empty, or "None": none. Default: empty.
    */
   vtkSetStdStringFromCharMacro(VelocityArray);
   vtkGetCharFromStdStringMacro(VelocityArray);

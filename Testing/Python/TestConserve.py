@@ -158,6 +158,18 @@ def test_arrays_a_material():
                 assert close(mesh[m]["momentum"], cells[m]["momentum"], np.sqrt(2 * cells[m]["mass"] * cells[m]["kinetic"]))
 
 
+def test_energy_by_its_stem():
+    """Or by any of its arrays."""
+    names = ["energy - 1", "energy - 2"]
+    data = image({"ball": BALL, "plate": PLATE, **{name: values for name, values in ARRAYS.items() if name != "energy"},
+                  **{name: ARRAYS["energy"] for name in names}})
+    whole = conserved(StateArrays=[])
+    for name in ("energy", *names):
+        result = conserved(data, StateArrays=names, EnergyArray=name)
+        assert result.cells("energy").tobytes() == whole.cells("energy").tobytes()
+        assert result.field("MeshInternalEnergy") == whole.field("MeshInternalEnergy")
+
+
 def test_velocity_by_components():
     """An array of each component, as of SpyPlot files and plotfiles, becomes one of three."""
     whole = conserved(NodalVelocity=1)
