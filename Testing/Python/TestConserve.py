@@ -163,9 +163,9 @@ def test_energy_by_its_stem():
     names = ["energy - 1", "energy - 2"]
     data = image({"ball": BALL, "plate": PLATE, **{name: values for name, values in ARRAYS.items() if name != "energy"},
                   **{name: ARRAYS["energy"] for name in names}})
-    whole = conserved(StateArrays=[])
+    whole = conserved(StateArrays=[], StateKinds=[])
     for name in ("energy", *names):
-        result = conserved(data, StateArrays=names, EnergyArray=name)
+        result = conserved(data, StateArrays=names, StateKinds=[], EnergyArray=name)
         assert result.cells("energy").tobytes() == whole.cells("energy").tobytes()
         assert result.field("MeshInternalEnergy") == whole.field("MeshInternalEnergy")
 
