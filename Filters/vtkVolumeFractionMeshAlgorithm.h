@@ -111,7 +111,7 @@ public:
   ///@{
   /**
    * Arrays of any numeric type and number of components (velocity, density, temperature) that the mesh carries
-   * along as cell arrays of the same name, type and components, piecewise constant: each element has the values of one
+   * along as cell arrays of the same name. Copied (StateTransfer), they keep their type, piecewise constant: each element has the values of one
    * cell, unchanged. That is the cell that holds its centroid (the mean of its corners), if the element's
    * material fills at least half of it; else, of that cell and its 26 neighbours, the one with the greatest fraction
    * of the element's material, of equal ones that with the nearest centre, then that with the lowest index. An
