@@ -6,10 +6,14 @@ from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import amr_cases
-from conserve_cases import CELLS, CONSERVE, DATA, FRACTIONS, ARRAYS, MAKES, N, VOLUME, added, cells_of, check_balance, check_energy, conserved, state
+from conserve_cases import (
+    ARRAYS, CELLS, CONSERVE, DATA, FRACTIONS, MAKES, N, VOLUME, added, cells_of, check_balance, check_energy, close, conserved, state,
+    volumes_of)
 from exodus_grids import hexes, shuffled
+from spyplot import split, write_spyplot
 from vfmtest import (
-    GHOST, HIDDEN, ORIGIN, SPACING, at_points, collect, image, labels, main, mesh_of, rectilinear, run, uniform, VolumeFractionToHex)
+    GHOST, HIDDEN, ORIGIN, SPACING, Result, at_points, collect, image, in_folder, labels, main, rectilinear, run, uniform,
+    VolumeFractionToHex)
 
 BALL, PLATE = FRACTIONS[1], FRACTIONS[2]
 IMPACT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "impact.spcth")
@@ -166,6 +170,32 @@ def test_turned_images():
     """Vectors stay those of the input."""
     turned = at_points(DATA, [[0, -1, 0], [1, 0, 0], [0, 0, 1]])
     check_balance(conserved(turned), cells_of(FRACTIONS, ARRAYS, VOLUME))
+
+
+@in_folder
+def test_spyplot_files_of_densities(at):
+    """Density and energy a material, as SpyPlot files name them, by ParaView's reader."""
+    density, energy = ({m: (values * scale).astype(np.float32) for m, scale in ((1, 1), (2, 7))} for values in (ARRAYS["density"], ARRAYS["energy"]))
+    fractions = {1: BALL.astype(np.float32), 2: np.minimum(PLATE, 1 - BALL).astype(np.float32)}
+    names = {"Material volume fraction": fractions, "Material density": density, "Material energy": energy}
+    step = {"%s - %d" % (name, m): values for name, own in names.items() for m, values in own.items()}
+    nodes = [x + h * np.arange(N + 1) for x, h in zip(ORIGIN, SPACING)]
+    reader = simple.OpenDataFile(write_spyplot(at(""), "case", [0], split(nodes, [step], (2, 1, 2)), 2))
+    reader.DownConvertVolumeFraction = 0
+    reader.CellArrays = list(step)
+    chosen = lambda name: ["%s - %d" % (name, m) for m in (1, 2)]
+    mesher = VolumeFractionToHex(Input=reader, VolumeFractionArrays=chosen("Material volume fraction"),
+                                 DensityArrays=chosen("Material density"), StateArrays=chosen("Material energy"), EnergyArray="Material energy - 2")
+    errors, _ = collect(mesher.GetClientSideObject())
+    mesher.UpdatePipeline()
+    assert not errors, errors
+    result = Result(mesher.GetClientSideObject(), [], [])
+    mass = volumes_of(result) * result.cells("Material density")
+    for m, fraction in fractions.items():
+        own = result.cells("MaterialId") == m
+        held = fraction.astype(float) * VOLUME * density[m]
+        assert close(mass[own].sum(), held.sum(), held.sum()), m
+        assert close((mass * result.cells("Material energy"))[own].sum(), (held * energy[m]).sum(), (held * energy[m]).sum()), m
 
 
 def test_impact():
