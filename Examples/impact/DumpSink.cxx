@@ -15,19 +15,6 @@ namespace impact
 namespace
 {
 
-struct Array
-{
-  const char* Name;
-  int Components;
-  const double* Values; // null: only described
-};
-
-std::vector<Array> ListArrays(const Fields& f)
-{
-  return { { "ball", 1, f.Ball }, { "plate", 1, f.Plate }, { "velocity", 3, f.Velocity },
-    { "density", 1, f.Density }, { "damage", 1, f.Damage } };
-}
-
 template <class T>
 std::string ToText(const std::array<T, 3>& values)
 {
@@ -51,13 +38,6 @@ std::string ToText(const std::int64_t* extent)
     text << (i ? " " : "") << extent[i];
   }
   return text.str();
-}
-
-std::string NameFile(std::int64_t step, int rank)
-{
-  char name[64];
-  std::snprintf(name, sizeof name, "impact_%04lld", static_cast<long long>(step));
-  return rank < 0 ? name + std::string(".pvti") : name + ("_" + std::to_string(rank) + ".vti");
 }
 
 std::string OpenFile(const char* type)
@@ -103,9 +83,33 @@ std::string ToBase64(const double* values, std::int64_t count)
 
 } // namespace
 
-DumpSink::DumpSink(const Domain& domain, const std::string& folder) : Grid(domain), Folder(folder)
+DumpSink::DumpSink(
+  const Domain& domain, const std::string& folder, const std::string& name, bool withStates) :
+  Grid(domain), Folder(folder), Name(name), WithStates(withStates)
 {
   MakeFolder(domain.GetCommunicator(), folder);
+}
+
+std::vector<StateField> DumpSink::ListArrays(const Fields& f) const
+{
+  std::vector<StateField> arrays{ { "ball", 1, f.Ball }, { "plate", 1, f.Plate } };
+  if (this->WithStates)
+  {
+    arrays.insert(arrays.end(), f.States.begin(), f.States.end());
+    return arrays;
+  }
+  arrays.insert(arrays.end(),
+    { { "velocity", 3, f.Velocity }, { "density", 1, f.Density }, { "damage", 1, f.Damage } });
+  return arrays;
+}
+
+/// rank: -1 for the file that names those of the ranks.
+std::string DumpSink::NameFile(std::int64_t step, int rank) const
+{
+  char number[32];
+  std::snprintf(number, sizeof number, "_%04lld", static_cast<long long>(step));
+  const std::string name = this->Name + number;
+  return rank < 0 ? name + ".pvti" : name + "_" + std::to_string(rank) + ".vti";
 }
 
 void DumpSink::Take(const Fields& fields)
@@ -131,13 +135,13 @@ void DumpSink::Take(const Fields& fields)
 void DumpSink::WritePiece(const Fields& fields) const
 {
   const std::string extent = ToText(ExtentOf(fields.Lower, fields.Upper).data());
-  Save(this->PathOf(NameFile(fields.Step, this->Grid.GetRank())),
+  Save(this->PathOf(this->NameFile(fields.Step, this->Grid.GetRank())),
     [&](std::ostream& file)
     {
       file << OpenFile("ImageData") << "<ImageData WholeExtent=\"" << extent << "\" Origin=\""
            << ToText(fields.Origin) << "\" Spacing=\"" << ToText(fields.Spacing)
            << "\">\n<Piece Extent=\"" << extent << "\">\n<CellData>\n";
-      for (const Array& array : ListArrays(fields))
+      for (const StateField& array : this->ListArrays(fields))
       {
         file << "<DataArray type=\"Float64\" Name=\"" << array.Name << "\" NumberOfComponents=\""
              << array.Components << "\" format=\"binary\">\n"
@@ -150,14 +154,14 @@ void DumpSink::WritePiece(const Fields& fields) const
 
 void DumpSink::WriteIndex(const Fields& fields, const std::vector<std::int64_t>& extents) const
 {
-  Save(this->PathOf(NameFile(fields.Step, -1)),
+  Save(this->PathOf(this->NameFile(fields.Step, -1)),
     [&](std::ostream& file)
     {
       file << OpenFile("PImageData") << "<PImageData GhostLevel=\"0\" WholeExtent=\""
            << ToText(ExtentOf({ 0, 0, 0 }, fields.GlobalCells).data()) << "\" Origin=\""
            << ToText(fields.Origin) << "\" Spacing=\"" << ToText(fields.Spacing)
            << "\">\n<PCellData>\n";
-      for (const Array& array : ListArrays(fields))
+      for (const StateField& array : this->ListArrays(fields))
       {
         file << "<PDataArray type=\"Float64\" Name=\"" << array.Name << "\" NumberOfComponents=\""
              << array.Components << "\"/>\n";
@@ -166,7 +170,7 @@ void DumpSink::WriteIndex(const Fields& fields, const std::vector<std::int64_t>&
       for (std::size_t rank = 0; rank < extents.size() / 6; ++rank)
       {
         file << "<Piece Extent=\"" << ToText(extents.data() + 6 * rank) << "\" Source=\""
-             << NameFile(fields.Step, static_cast<int>(rank)) << "\"/>\n";
+             << this->NameFile(fields.Step, static_cast<int>(rank)) << "\"/>\n";
       }
       file << "</PImageData>\n</VTKFile>\n";
     });
@@ -176,10 +180,10 @@ void DumpSink::WriteTimes(const Fields& fields)
 {
   std::ostringstream line;
   line.precision(17);
-  line << "<DataSet timestep=\"" << fields.Time << "\" file=\"" << NameFile(fields.Step, -1)
+  line << "<DataSet timestep=\"" << fields.Time << "\" file=\"" << this->NameFile(fields.Step, -1)
        << "\"/>\n";
   this->Times += line.str();
-  Save(this->PathOf("impact.pvd"),
+  Save(this->PathOf(this->Name + ".pvd"),
     [&](std::ostream& file)
     {
       file << OpenFile("Collection") << "<Collection>\n"

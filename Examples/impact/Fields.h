@@ -5,9 +5,19 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace impact
 {
+
+/// Components numbers a cell, 0 in cells that hold nothing of the body.
+struct StateField
+{
+  std::string Name; ///< of the quantity, " - " and the number of the body, from 1
+  int Components;
+  const double* Values;
+};
 
 /// The fields of the box of cells that a rank owns; no ghosts. Arrays run over its cells, x fastest, then y, then z;
 /// they are contiguous and stay where they are, with these values, until the next output step: no need to copy.
@@ -29,6 +39,9 @@ struct Fields
   const double* Velocity = nullptr; ///< 3 a cell: x, y, z; mean by mass, 0 in empty cells
   const double* Density = nullptr;  ///< mass in the cell over its volume
   const double* Damage = nullptr;   ///< mean by mass, 0 intact to 1 failed
+
+  /// Where it was asked for: what each body needs to go on, of which the grid holds all mass, momentum and energy.
+  std::vector<StateField> States;
 
   std::int64_t NumberOfCells() const
   {

@@ -231,7 +231,8 @@ std::vector<MaterialPoint> MakePoints(const Domain& grid, const Scene& scene)
 Impact::Impact(MPI_Comm communicator, const Options& options) :
   Grid(communicator, CellsOf(options), SpacingOf(options)),
   Motion(this->Grid, MakePoints(this->Grid, MakeScene(options)), options.Speed),
-  Output(this->Grid)
+  Output(this->Grid, !options.Restart.empty()),
+  Table(this->Grid, options.History)
 {
   this->Steps = options.Steps > 0
     ? options.Steps
@@ -245,6 +246,7 @@ void Impact::Run(const std::vector<Sink*>& sinks)
   std::int64_t reported = 0;
   for (std::int64_t step = 0;; ++step)
   {
+    this->Table.Add(step, this->Motion);
     if (step % this->Every == 0 || step == this->Steps)
     {
       this->Report(step,
@@ -268,14 +270,22 @@ void Impact::Run(const std::vector<Sink*>& sinks)
 
 void Impact::Report(std::int64_t step, double seconds) const
 {
-  const double energy = this->Motion.KineticEnergy();
-  const double inside = this->Motion.MassInside(), outside = this->Motion.MassOutside();
+  double energy = 0., mass = 0., lost = 0.;
+  for (const Totals& body : this->Motion.TotalsInside())
+  {
+    energy += body.Kinetic;
+    mass += body.Mass;
+  }
+  for (const Totals& body : this->Motion.TotalsOutside())
+  {
+    lost += body.Mass;
+  }
   if (this->Grid.GetRank() == 0)
   {
     std::printf("step %5lld  time %.4f us  %.4f s/step  kinetic energy %.6g J  "
                 "mass %.9g mg, of it %.3g left the grid\n",
       static_cast<long long>(step), static_cast<double>(step) * this->Motion.GetTimeStep(), seconds,
-      energy, inside + outside, outside);
+      energy, mass + lost, lost);
     std::fflush(stdout);
   }
 }

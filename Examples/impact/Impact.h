@@ -16,6 +16,7 @@
  */
 #pragma once
 
+#include "History.h"
 #include "Options.h"
 #include "Solver.h"
 #include "VolumeFractions.h"
@@ -40,6 +41,7 @@ private:
   Domain Grid;
   Solver Motion;
   VolumeFractions Output;
+  History Table;
   std::int64_t Steps, Every;
 };
 

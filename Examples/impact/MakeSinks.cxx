@@ -42,7 +42,11 @@ std::vector<std::unique_ptr<Sink>> MakeSinks(const Options& options, const Domai
   std::vector<std::unique_ptr<Sink>> sinks;
   if (!options.Dump.empty())
   {
-    sinks.push_back(std::make_unique<DumpSink>(domain, options.Dump));
+    sinks.push_back(std::make_unique<DumpSink>(domain, options.Dump, "impact", false));
+  }
+  if (!options.Restart.empty())
+  {
+    sinks.push_back(std::make_unique<DumpSink>(domain, options.Restart, "restart", true));
   }
   if (!options.Sculptor.empty())
   {

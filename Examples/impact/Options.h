@@ -20,8 +20,10 @@ struct Options
   double Diameter = 2.;    ///< of the ball, mm
   double Thickness = .75;  ///< of the plate, mm
   std::string Dump;        ///< folder of the files; empty: none
-  std::string Sculptor;    ///< folder of the meshes by the C interface; empty: none
-  std::string Catalyst;    ///< script of ParaView Catalyst; empty: none
+  std::string Restart;  ///< folder of the files that hold the state of each body, too; empty: none
+  std::string History;  ///< file of totals step by step; empty: none
+  std::string Sculptor; ///< folder of the meshes by the C interface; empty: none
+  std::string Catalyst; ///< script of ParaView Catalyst; empty: none
   bool Help = false;
 };
 

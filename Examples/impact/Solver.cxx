@@ -17,8 +17,7 @@ constexpr double CourantNumber = .4;
 constexpr double NormalQuanta = 0x1p40; // of a cell's volume times its width
 constexpr double FilledInContact = .75, Friction = .2;
 
-constexpr double Quanta = 0x1p44;       // of a full cell; 2^19 times as much fits
-constexpr double GlobalQuanta = 0x1p30; // the same for sums over all points
+constexpr double Quanta = 0x1p44; // of a full cell; 2^19 times as much fits
 
 } // namespace
 
@@ -70,7 +69,6 @@ struct Solver::Weights
 Solver::Solver(const Domain& domain, std::vector<MaterialPoint> points, double largestSpeed) :
   Grid(domain),
   Points(std::move(points)),
-  LargestSpeed(largestSpeed),
   Sums(Channels * domain.LocalSize()),
   Velocities(3 * NumberOfBodies * domain.LocalSize())
 {
@@ -83,7 +81,6 @@ Solver::Solver(const Domain& domain, std::vector<MaterialPoint> points, double l
   }
   this->TimeStep = CourantNumber * domain.GetSpacing() / (waveSpeed + largestSpeed);
   this->MassQuantum = density * cellVolume / Quanta;
-  this->MassUnit = density * cellVolume / GlobalQuanta;
   this->MomentumQuantum = this->MassQuantum * (waveSpeed + largestSpeed);
 }
 
@@ -93,7 +90,7 @@ void Solver::Step()
   this->Grid.SumShared(this->Sums, Channels);
   this->UpdateGrid();
   this->Gather();
-  this->LostMass += this->CountMass(this->Grid.Migrate(this->Points));
+  this->Lost.Add(this->Grid.Migrate(this->Points));
 }
 
 void Solver::Scatter()
@@ -246,36 +243,16 @@ void Solver::Gather()
   }
 }
 
-double Solver::KineticEnergy() const
+std::array<Totals, NumberOfBodies> Solver::TotalsInside() const
 {
-  const double unit = this->MassUnit * this->LargestSpeed * this->LargestSpeed;
-  std::int64_t sum = 0;
-  for (const MaterialPoint& p : this->Points)
-  {
-    const auto& v = p.Velocity;
-    sum += std::llrint(.5 * p.Mass() * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / unit);
-  }
-  return static_cast<double>(this->Grid.Sum(sum)) * unit;
+  PointTotals totals;
+  totals.Add(this->Points);
+  return totals.Sum(this->Grid);
 }
 
-std::int64_t Solver::CountMass(const std::vector<MaterialPoint>& points) const
+std::array<Totals, NumberOfBodies> Solver::TotalsOutside() const
 {
-  std::int64_t sum = 0;
-  for (const MaterialPoint& p : points)
-  {
-    sum += std::llrint(p.Mass() / this->MassUnit);
-  }
-  return sum;
-}
-
-double Solver::MassInside() const
-{
-  return static_cast<double>(this->Grid.Sum(this->CountMass(this->Points))) * this->MassUnit;
-}
-
-double Solver::MassOutside() const
-{
-  return static_cast<double>(this->Grid.Sum(this->LostMass)) * this->MassUnit;
+  return this->Lost.Sum(this->Grid);
 }
 
 } // namespace impact

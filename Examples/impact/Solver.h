@@ -9,7 +9,7 @@
  */
 #pragma once
 
-#include "Domain.h"
+#include "PointTotals.h"
 
 namespace impact
 {
@@ -26,15 +26,13 @@ public:
 
   double GetTimeStep() const { return this->TimeStep; }
   const std::vector<MaterialPoint>& GetPoints() const { return this->Points; }
-  /// Collective: over all ranks, the same on any number of them. J and mg.
-  double KineticEnergy() const;
-  double MassInside() const;
-  /// Of the points that left the grid. MassInside() + MassOutside() does not change.
-  double MassOutside() const;
+  /// Collective: of each body over all ranks, the same on any number of them.
+  std::array<Totals, NumberOfBodies> TotalsInside() const;
+  /// Of the points that left the grid, as they were then.
+  std::array<Totals, NumberOfBodies> TotalsOutside() const;
 
 private:
   struct Weights;
-  std::int64_t CountMass(const std::vector<MaterialPoint>& points) const;
   void Scatter();
   void UpdateGrid();
   void Touch(const std::int64_t* sums, double* velocities) const;
@@ -42,11 +40,10 @@ private:
 
   const Domain& Grid;
   std::vector<MaterialPoint> Points;
-  double TimeStep, LargestSpeed, MassQuantum, MomentumQuantum;
-  double MassUnit;                // of sums over all points
+  double TimeStep, MassQuantum, MomentumQuantum;
   std::vector<std::int64_t> Sums; // Channels a cell: mass and momentum of each body, normal
   std::vector<double> Velocities; // 3 a cell and body
-  std::int64_t LostMass = 0;      // of points that left the grid, in units of MassUnit
+  PointTotals Lost;               // of this rank
 };
 
 } // namespace impact

@@ -2,34 +2,84 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace impact
 {
 namespace
 {
 
+/// Of a body in a cell; but for the volume, mass times a mean.
 enum Channel : int
 {
-  BallVolume,
-  PlateVolume,
+  Volume,
   Mass,
   Momentum, // 3
   Wear = Momentum + 3,
-  Channels
+  PlainChannels,
+  Energy = PlainChannels, // kinetic and internal
+  Ratio,
+  Deviator, // 6
+  PlasticStrain = Deviator + 6,
+  Toughness,
+  StateChannels
 };
 
-constexpr double Quanta = 0x1p40;    // a full cell of volume; a mg; a mg km/s
-constexpr double Rounding = 0x1p-30; // of sums of quanta
+struct State
+{
+  const char* Name;
+  int Channel, Components;
+};
+
+constexpr State ListedStates[] = { { "density", Mass, 1 }, { "velocity", Momentum, 3 },
+  { "energy", Energy, 1 }, { "ratio", Ratio, 1 }, { "deviator", Deviator, 6 },
+  { "plastic strain", PlasticStrain, 1 }, { "damage", Wear, 1 }, { "toughness", Toughness, 1 } };
+constexpr int NumberOfStates = static_cast<int>(std::size(ListedStates));
+
+constexpr double VolumeQuanta = 0x1p40; // of a full cell
+constexpr double Quanta = 0x1p52;       // of a mg, and of a mg times the unit of a mean
+constexpr double Rounding = 0x1p-30;    // of sums of quanta
 constexpr int SpreadRounds = 12;
 constexpr double TakesExcess = .5; // a cell that holds less has a surface far inside
 constexpr double NearlyFull = .8;
 
+double KineticEnergy(const Vector& v)
+{
+  return .5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/// Those of StateChannels, in units of their quanta.
+std::array<double, StateChannels> ListContents(const MaterialPoint& p, double cellVolume)
+{
+  const double mass = p.Mass() * Quanta;
+  std::array<double, StateChannels> contents;
+  contents[Volume] = CoveredVolume(p) / cellVolume * VolumeQuanta;
+  contents[Mass] = mass;
+  contents[Wear] = mass * p.Damage;
+  contents[Energy] = mass * (p.Energy + KineticEnergy(p.Velocity));
+  contents[Ratio] = mass * p.Ratio;
+  contents[PlasticStrain] = mass * p.PlasticStrain;
+  contents[Toughness] = mass * p.Toughness;
+  for (int a = 0; a < 3; ++a)
+  {
+    contents[Momentum + a] = mass * p.Velocity[a];
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    contents[Deviator + i] = mass * p.Deviator[i];
+  }
+  return contents;
+}
+
 } // namespace
 
-VolumeFractions::VolumeFractions(const Domain& domain) :
+VolumeFractions::VolumeFractions(const Domain& domain, bool withState) :
   Grid(domain),
-  Sums(Channels * domain.LocalSize()),
-  Volumes(NumberOfBodies * domain.LocalSize()),
+  WithState(withState),
+  Channels(withState ? StateChannels : PlainChannels),
+  Moved(withState ? StateChannels : 1),
+  Sums(NumberOfBodies * Channels * domain.LocalSize()),
+  Flowing(NumberOfBodies * Moved * domain.LocalSize()),
   Outflow(domain.LocalSize())
 {
   Fields& f = this->Result;
@@ -48,13 +98,20 @@ VolumeFractions::VolumeFractions(const Domain& domain) :
   f.Velocity = this->Velocity.data();
   f.Density = this->Density.data();
   f.Damage = this->Damage.data();
+  for (int n = 0; withState && n < NumberOfBodies * NumberOfStates; ++n)
+  {
+    const State& state = ListedStates[n % NumberOfStates];
+    this->States.emplace_back(state.Components * f.NumberOfCells());
+    f.States.push_back({ std::string(state.Name) + " - " + std::to_string(n / NumberOfStates + 1),
+      state.Components, this->States.back().data() });
+  }
 }
 
 const Fields& VolumeFractions::Compute(
   const std::vector<MaterialPoint>& points, std::int64_t step, double time)
 {
   this->Cover(points);
-  this->Grid.SumShared(this->Sums, Channels);
+  this->Grid.SumShared(this->Sums, NumberOfBodies * this->Channels);
   this->Read();
   for (int round = 0; round < SpreadRounds; ++round)
   {
@@ -86,23 +143,17 @@ void VolumeFractions::Cover(const std::vector<MaterialPoint>& points)
       part[a][2] = std::max(0., high - 1.) / side;
       part[a][1] = 1. - part[a][0] - part[a][2];
     }
-    const double volume = CoveredVolume(p) / (spacing * spacing * spacing) * Quanta;
-    const double mass = p.Mass() * Quanta;
+    const std::array<double, StateChannels> contents = ListContents(p, spacing * spacing * spacing);
     for (int n = 0; n < 27; ++n)
     {
       const int i = n % 3, j = n / 3 % 3, k = n / 9;
       const double weight = part[0][i] * part[1][j] * part[2][k];
-      if (weight > 0.)
+      const std::int64_t at =
+        this->Grid.Local({ cell[0] + i - 1, cell[1] + j - 1, cell[2] + k - 1 });
+      std::int64_t* sums = this->Sums.data() + this->Channels * (NumberOfBodies * at + p.Owner);
+      for (int c = 0; weight > 0. && c < this->Channels; ++c)
       {
-        std::int64_t* sums = this->Sums.data() +
-          Channels * this->Grid.Local({ cell[0] + i - 1, cell[1] + j - 1, cell[2] + k - 1 });
-        sums[BallVolume + p.Owner] += std::llrint(weight * volume);
-        sums[Mass] += std::llrint(weight * mass);
-        sums[Wear] += std::llrint(weight * mass * p.Damage);
-        for (int a = 0; a < 3; ++a)
-        {
-          sums[Momentum + a] += std::llrint(weight * mass * p.Velocity[a]);
-        }
+        sums[c] += std::llrint(weight * contents[c]);
       }
     }
   }
@@ -110,20 +161,26 @@ void VolumeFractions::Cover(const std::vector<MaterialPoint>& points)
 
 void VolumeFractions::Read()
 {
-  for (std::int64_t cell = 0; cell < this->Grid.LocalSize(); ++cell)
+  for (std::int64_t n = 0; n < NumberOfBodies * this->Grid.LocalSize(); ++n)
   {
-    for (int body = 0; body < NumberOfBodies; ++body)
+    for (int c = 0; c < this->Moved; ++c)
     {
-      this->Volumes[NumberOfBodies * cell + body] =
-        static_cast<double>(this->Sums[Channels * cell + BallVolume + body]) / Quanta;
+      this->Flowing[this->Moved * n + c] = static_cast<double>(this->Sums[this->Channels * n + c]) /
+        (c == impact::Volume ? VolumeQuanta : Quanta);
     }
   }
-  this->Grid.FillGhosts(this->Volumes, NumberOfBodies); // drops what lies outside of the grid
+  // Drops what lies outside of the grid.
+  this->Grid.FillGhosts(this->Flowing, NumberOfBodies * this->Moved);
+}
+
+const double* VolumeFractions::Contents(std::int64_t cell, int body) const
+{
+  return this->Flowing.data() + this->Moved * (NumberOfBodies * cell + body);
 }
 
 double VolumeFractions::Total(std::int64_t cell) const
 {
-  return this->Volumes[NumberOfBodies * cell] + this->Volumes[NumberOfBodies * cell + 1];
+  return this->Volume(cell, impact::Ball) + this->Volume(cell, impact::Plate);
 }
 
 template <class Visit>
@@ -157,7 +214,8 @@ void VolumeFractions::SpreadExcess()
       }
     });
   this->Grid.FillGhosts(this->Outflow, 1);
-  std::vector<double> next = this->Volumes;
+  std::vector<double> next = this->Flowing;
+  const int count = NumberOfBodies * this->Moved;
   this->Grid.ForEachCell(
     [&](const Index3&, std::int64_t cell)
     {
@@ -166,21 +224,20 @@ void VolumeFractions::SpreadExcess()
         {
           const double in = this->Outflow[other] * room(cell) / std::max(1., this->Total(other));
           const double out = this->Outflow[cell] * room(other) / std::max(1., this->Total(cell));
-          for (int body = 0; body < NumberOfBodies; ++body)
+          for (int c = 0; (in > 0. || out > 0.) && c < count; ++c)
           {
-            next[NumberOfBodies * cell + body] +=
-              in * this->Volumes[NumberOfBodies * other + body] -
-              out * this->Volumes[NumberOfBodies * cell + body];
+            next[count * cell + c] +=
+              in * this->Flowing[count * other + c] - out * this->Flowing[count * cell + c];
           }
         });
     });
-  this->Volumes.swap(next);
-  this->Grid.FillGhosts(this->Volumes, NumberOfBodies);
+  this->Flowing.swap(next);
+  this->Grid.FillGhosts(this->Flowing, count);
 }
 
 void VolumeFractions::FillGaps()
 {
-  std::vector<double> next = this->Volumes;
+  std::vector<double> next = this->Flowing;
   this->Grid.ForEachCell(
     [&](const Index3&, std::int64_t cell)
     {
@@ -191,33 +248,64 @@ void VolumeFractions::FillGaps()
       {
         for (int body = 0; body < NumberOfBodies; ++body)
         {
-          next[NumberOfBodies * cell + body] /= this->Total(cell);
+          next[this->Moved * (NumberOfBodies * cell + body)] /= this->Total(cell);
         }
       }
     });
-  this->Volumes.swap(next);
+  this->Flowing.swap(next);
 }
 
 void VolumeFractions::Write()
 {
-  const double spacing = this->Grid.GetSpacing();
-  const double cellVolume = spacing * spacing * spacing;
-  std::int64_t n = 0;
+  std::int64_t place = 0;
   this->Grid.ForEachCell(
     [&](const Index3&, std::int64_t cell)
     {
-      const std::int64_t* sums = this->Sums.data() + Channels * cell;
-      const double mass = static_cast<double>(sums[Mass]);
-      this->Ball[n] = this->Volumes[NumberOfBodies * cell + impact::Ball];
-      this->Plate[n] = this->Volumes[NumberOfBodies * cell + impact::Plate];
-      this->Density[n] = mass / Quanta / cellVolume;
-      this->Damage[n] = mass > 0. ? static_cast<double>(sums[Wear]) / mass : 0.;
-      for (int a = 0; a < 3; ++a)
+      this->WriteMeans(cell, place);
+      for (int body = 0; this->WithState && body < NumberOfBodies; ++body)
       {
-        this->Velocity[3 * n + a] = mass > 0. ? static_cast<double>(sums[Momentum + a]) / mass : 0.;
+        this->WriteStates(body, cell, place);
       }
-      ++n;
+      ++place;
     });
+}
+
+/// Over both bodies.
+void VolumeFractions::WriteMeans(std::int64_t cell, std::int64_t place)
+{
+  const std::int64_t* ball = this->Sums.data() + this->Channels * NumberOfBodies * cell;
+  const auto sum = [&](int channel)
+  { return static_cast<double>(ball[channel] + ball[this->Channels + channel]); };
+  const double mass = sum(Mass), scale = mass > 0. ? 1. / mass : 0.;
+  this->Ball[place] = this->Volume(cell, impact::Ball);
+  this->Plate[place] = this->Volume(cell, impact::Plate);
+  this->Density[place] = mass / Quanta / std::pow(this->Grid.GetSpacing(), 3);
+  this->Damage[place] = scale * sum(Wear);
+  for (int a = 0; a < 3; ++a)
+  {
+    this->Velocity[3 * place + a] = scale * sum(Momentum + a);
+  }
+}
+
+void VolumeFractions::WriteStates(int body, std::int64_t cell, std::int64_t place)
+{
+  const double* contents = this->Contents(cell, body);
+  const double mass = contents[Mass];
+  const double volume = contents[impact::Volume] * std::pow(this->Grid.GetSpacing(), 3);
+  std::array<double, StateChannels> means{};
+  if (mass > 0. && volume > 0.)
+  {
+    std::transform(
+      contents, contents + StateChannels, means.begin(), [&](double x) { return x / mass; });
+    means[Energy] -= KineticEnergy({ means[Momentum], means[Momentum + 1], means[Momentum + 2] });
+    means[Mass] = mass / volume;
+  }
+  for (int n = 0; n < NumberOfStates; ++n)
+  {
+    const State& state = ListedStates[n];
+    std::copy_n(means.data() + state.Channel, state.Components,
+      this->States[body * NumberOfStates + n].data() + state.Components * place);
+  }
 }
 
 } // namespace impact
