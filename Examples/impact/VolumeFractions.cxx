@@ -33,7 +33,7 @@ struct State
 
 constexpr State ListedStates[] = { { "density", Mass, 1 }, { "velocity", Momentum, 3 },
   { "energy", Energy, 1 }, { "ratio", Ratio, 1 }, { "deviator", Deviator, 6 },
-  { "plastic strain", PlasticStrain, 1 }, { "damage", Wear, 1 }, { "toughness", Toughness, 1 } };
+  { "plastic_strain", PlasticStrain, 1 }, { "damage", Wear, 1 }, { "toughness", Toughness, 1 } };
 constexpr int NumberOfStates = static_cast<int>(std::size(ListedStates));
 
 constexpr double VolumeQuanta = 0x1p40; // of a full cell

@@ -1,0 +1,242 @@
+#!/usr/bin/env pvpython
+"""A ball strikes a plate: begun by an Eulerian code (Examples/impact), meshed with its state, and carried on by a Lagrangian one
+(lagrangian.py). Tells mass, momentum and energy before, at the hand-over and after.
+
+usage: pvpython restart.py --plugin VolumeFractionMesh.so --impact build/bin/impact [--cells 80] [--step 100] [--last 200]
+                           [--transfer Conserve|Copy] [--out DIR] [--picture FILE.png]
+
+Runs impact to the step --last with its state at the step --step, where the mesh is made; the solver goes on from there for as long as impact
+does, which is what to compare with. Writes into OUT
+  before.csv      of each step of impact: mass, momentum, kinetic and internal energy of ball and plate, and of what left the grid
+  handover.vtu    the mesh with its state
+  after.csv       the same sums of each step of the solver
+  after.vtu       the mesh where and as the solver leaves it
+  restart.png     both tables drawn
+With Copy elements take the values of one cell each, and nodes the mean velocity of their elements by mass: what the transfer is for. The
+picture, which needs a screen or xvfb-run, shows both meshes, cut.
+"""
+import argparse
+import csv
+import math
+import os
+import subprocess
+import sys
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from lagrangian import Lagrangian
+from need_files import need_files
+
+BODIES = ["ball", "plate"]
+QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]", "kinetic energy [J]",
+              "internal energy [J]"]
+STATES = ["velocity", "energy", "ratio", "deviator", "plastic_strain", "damage", "toughness"]
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
+    parser.add_argument("--impact", required=True, help="path of the program impact")
+    parser.add_argument("--cells", type=int, default=80, help="cells of the grid along x (default: 80)")
+    parser.add_argument("--step", type=int, default=100, help="of impact, where the mesh is made (default: 100)")
+    parser.add_argument("--last", type=int, default=200, help="step of impact that tells how long to go on (default: 200)")
+    parser.add_argument("--transfer", choices=("Conserve", "Copy"), default="Conserve")
+    parser.add_argument("--out", default="restart", help="folder of the files (default: restart)")
+    parser.add_argument("--picture", metavar="FILE", help="a picture of the meshes and the tables, .png")
+    return parser.parse_args()
+
+
+def of_bodies(stem):
+    """The arrays of a quantity in the dump."""
+    return ["%s - %d" % (stem, body + 1) for body in range(len(BODIES))]
+
+
+# ---- the Eulerian side ----
+
+def run_impact(arguments):
+    """The path of the dump where the mesh is made."""
+    command = [arguments.impact, "--cells", arguments.cells, "--steps", arguments.last, "--every", arguments.step, "--restart",
+               os.path.join(arguments.out, "dump"), "--history", os.path.join(arguments.out, "before.csv")]
+    if subprocess.run([str(word) for word in command], stdout=subprocess.DEVNULL).returncode != 0:
+        sys.exit("impact failed, see above")
+    return os.path.join(arguments.out, "dump", "restart_%04d.pvti" % arguments.step)
+
+
+def totals_of_cells(data):
+    """QUANTITIES of each body, as its cells hold them; exact sums."""
+    volume = math.prod(data.GetSpacing())
+    values = {name: vtk_to_numpy(data.GetCellData().GetArray(name)) for stem in STATES + ["density"] for name in of_bodies(stem)}
+    rows = []
+    for body, name in enumerate(BODIES):
+        density, velocity, energy = (values[of_bodies(stem)[body]] for stem in ("density", "velocity", "energy"))
+        mass = vtk_to_numpy(data.GetCellData().GetArray(name)) * density * volume
+        rows.append(exact_totals(mass, velocity, energy))
+    return np.array(rows)
+
+
+def exact_totals(mass, velocity, energy):
+    speeds = (velocity ** 2).sum(1)
+    return [math.fsum(values) for values in (mass, *(mass * velocity.T), mass * speeds / 2, mass * energy)]
+
+
+# ---- the hand-over ----
+
+def make_mesh(dump, transfer):
+    source = simple.XMLPartitionedImageDataReader(FileName=[dump])
+    source.UpdatePipeline()
+    densities = of_bodies("density")
+    states = [name for stem in STATES for name in of_bodies(stem)]
+    options = dict(StateArrays=states, DensityArrays=densities, VelocityArray="velocity", EnergyArray="energy", NodalVelocity=1,
+                   LostKineticEnergy="Internal Energy")
+    if transfer == "Copy":
+        options = dict(StateArrays=states + densities)
+    mesher = VolumeFractionToHex(Input=source, VolumeFractionArrays=BODIES, **options)
+    mesher.UpdatePipeline()
+    return source, mesher
+
+
+def read_mesh(path):
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def read_state(mesh, name, body):
+    """Of each element. By Copy there are arrays of both bodies, of which each element has its own."""
+    data = mesh.GetCellData()
+    if data.HasArray(name):
+        return vtk_to_numpy(data.GetArray(name))
+    values = [vtk_to_numpy(data.GetArray(array)) for array in of_bodies(name)]
+    chosen = body if values[0].ndim == 1 else body[:, None]
+    return np.where(chosen == 0, *values)
+
+
+def start_solver(mesh):
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    hexahedra = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 8)
+    materials = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId"))
+    state = {name: read_state(mesh, name, materials - 1) for name in STATES + ["density"]}
+    at_nodes = mesh.GetPointData().GetArray("velocity")
+    return Lagrangian(points, hexahedra, materials, state, vtk_to_numpy(at_nodes) if at_nodes else None)
+
+
+# ---- after ----
+
+def run_solver(solver, start, duration, path):
+    solver.time = start
+    with open(path, "w", newline="", encoding="ascii") as file:
+        table = csv.writer(file)
+        table.writerow(["step", "time [us]"] + [body + " " + quantity for body in BODIES for quantity in QUANTITIES] +
+                       ["elements given up"])
+        solver.run(duration, lambda s: table.writerow(
+            [s.steps, repr(s.time), *map(repr, s.totals().ravel().tolist()), np.count_nonzero(~s.lives)]))
+
+
+def save_mesh(mesh, solver, path):
+    """The mesh as it is now, its speed, pressure and damage."""
+    moved = mesh.NewInstance()
+    moved.DeepCopy(mesh)
+    moved.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(solver.x.T), deep=1))
+    for data, name, values in ((moved.GetPointData(), "velocity", solver.v.T), (moved.GetCellData(), "pressure", solver.pressure),
+                               (moved.GetCellData(), "damage", solver.damage), (moved.GetCellData(), "energy", solver.energy),
+                               (moved.GetCellData(), "alive", solver.lives.astype(np.uint8))):
+        array = numpy_to_vtk(np.ascontiguousarray(values), deep=1)
+        array.SetName(name)
+        data.AddArray(array)
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetInputData(moved)
+    writer.SetFileName(path)
+    writer.SetDataModeToBinary()
+    if not writer.Write():
+        sys.exit("cannot write " + path)
+
+
+# ---- what is told ----
+
+def read_table(path):
+    with open(path, encoding="ascii") as file:
+        rows = list(csv.reader(file))
+    return {name: np.array(column, float) for name, column in zip(rows[0], zip(*rows[1:]))}
+
+
+def sum_of(table, quantity, bodies=BODIES):
+    return sum(table[body + " " + quantity] for body in bodies)
+
+
+def total_energy(totals):
+    return totals[:, 4].sum() + totals[:, 5].sum()
+
+
+def report(cells, solver_start, solver_end):
+    """Sums of both bodies over those of the cells."""
+    scale = np.linalg.norm(cells[:, 1:4].sum(0))
+    print("%-34s%15s%15s%15s" % ("relative to the cells", "mass", "momentum", "energy"))
+    for what, totals, against in (("cells to mesh", solver_start, cells), ("start to end of the solver", solver_end, solver_start)):
+        print("%-34s%15.2e%15.2e%15.2e" % (
+            what, totals[:, 0].sum() / against[:, 0].sum() - 1,
+            np.linalg.norm((totals - against)[:, 1:4].sum(0)) / scale, total_energy(totals) / total_energy(against) - 1))
+        for body, name in enumerate(BODIES):
+            print("  %-32s%15.2e" % (name, totals[body, 0] / against[body, 0] - 1))
+
+
+def draw_tables(figure, places, before, after, start):
+    """Momentum and energy over time, with the hand-over; impact goes on as a thin line."""
+    momentum, energy = (figure.add_subplot(place) for place in places)
+    first = before["time [us]"] <= start * (1 + 1e-12)
+    lines = [(momentum, "momentum x [mg km/s]", "x"), (momentum, "momentum z [mg km/s]", "z"), (energy, "kinetic energy [J]", "kinetic"),
+             (energy, "internal energy [J]", "internal")]
+    for number, (axes, quantity, label) in enumerate(lines):
+        colour = "C%d" % number
+        old, new = sum_of(before, quantity), sum_of(after, quantity)
+        axes.plot(before["time [us]"], old, color=colour, lw=0.8, ls=":")
+        axes.plot(before["time [us]"][first], old[first], color=colour, lw=2)
+        axes.plot(after["time [us]"], new, color=colour, lw=2, label=label)
+    for table, chosen in ((before, first), (after, slice(None))):
+        total = sum_of(table, "kinetic energy [J]") + sum_of(table, "internal energy [J]")
+        energy.plot(table["time [us]"][chosen], total[chosen], color="black", lw=2, label="both" if table is after else None)
+    for axes, title in ((momentum, "Momentum [mg km/s]"), (energy, "Energy [J]")):
+        axes.axvline(start, color="0.4", lw=1, ls="--")
+        axes.set(title=title, xlabel="time [µs]", xlim=(0, after["time [us]"][-1]))
+        axes.grid(alpha=0.3)
+        axes.legend(loc="center left", frameon=False)
+
+
+def draw(arguments, before, after, start):
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    figure = pyplot.figure(figsize=(11, 4), layout="constrained")
+    draw_tables(figure, figure.add_gridspec(1, 2), before, after, start)
+    figure.savefig(os.path.join(arguments.out, "restart.png"), dpi=110)
+
+
+def main():
+    arguments = parse_arguments()
+    need_files(arguments.plugin, arguments.impact)
+    if not 0 < arguments.step < arguments.last:
+        sys.exit("restart.py: --step must be above 0 and below --last")
+    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines VolumeFractionToHex
+    os.makedirs(arguments.out, exist_ok=True)
+    source, mesher = make_mesh(run_impact(arguments), arguments.transfer)
+    files = {name: os.path.join(arguments.out, name) for name in ("before.csv", "after.csv", "handover.vtu", "after.vtu")}
+    simple.SaveData(files["handover.vtu"], proxy=mesher, DataMode="Binary")
+    mesh = read_mesh(files["handover.vtu"])
+    before = read_table(files["before.csv"])
+    times = dict(zip(before["step"].astype(int), before["time [us]"]))
+    solver = start_solver(mesh)
+    cells, at_start = totals_of_cells(source.GetClientSideObject().GetOutputDataObject(0)), solver.totals()
+    run_solver(solver, times[arguments.step], times[arguments.last] - times[arguments.step], files["after.csv"])
+    save_mesh(mesh, solver, files["after.vtu"])
+    report(cells, at_start, solver.totals())
+    draw(arguments, before, read_table(files["after.csv"]), times[arguments.step])
+    print("%s: %d hexahedra, %d steps, %d given up" % (
+        files["after.vtu"], len(solver.mass), solver.steps, np.count_nonzero(~solver.lives)))
+
+
+if __name__ == "__main__":
+    main()
