@@ -19,6 +19,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 namespace vfm
@@ -40,6 +41,24 @@ constexpr int TetFaces[4] = { 2, 3, 4, 1 };
 bool IsHexMesh(vtkUnstructuredGrid* mesh)
 {
   return mesh->GetCellType(0) == VTK_HEXAHEDRON;
+}
+
+/// Of the nodes; null: none.
+vtkDataArray* FindVelocity(vtkUnstructuredGrid* mesh)
+{
+  vtkPointData* data = mesh->GetPointData();
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    std::string name = array && array->GetName() ? array->GetName() : "";
+    std::transform(
+      name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (name.find("velocity") != std::string::npos && array->GetNumberOfComponents() == 3)
+    {
+      return array;
+    }
+  }
+  return nullptr;
 }
 
 /// What the file is made of, without the other arrays.
@@ -66,6 +85,10 @@ MeshPointer TakeMesh(vtkUnstructuredGrid* mesh)
   if (vtkDataArray* dimension = mesh->GetPointData()->GetArray("GeometryDimension"))
   {
     taken->GetPointData()->AddArray(dimension);
+  }
+  if (vtkDataArray* velocity = FindVelocity(mesh))
+  {
+    taken->GetPointData()->AddArray(velocity);
   }
   taken->GetFieldData()->ShallowCopy(mesh->GetFieldData());
   return taken;
@@ -200,6 +223,24 @@ void WriteNodeSet(TextFile& file, const std::string& name, const std::vector<vtk
   }
 }
 
+/// A node, a direction from 1 and its component a line.
+void WriteVelocity(TextFile& file, vtkDataArray* velocity)
+{
+  file.Add("*INITIAL CONDITIONS, TYPE=VELOCITY\n");
+  for (vtkIdType point = 0; point < velocity->GetNumberOfTuples(); ++point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      file.Add(point + 1);
+      file.Add(",");
+      file.Add(axis + 1);
+      file.Add(",");
+      file.Add(AbaqusNumber(velocity->GetComponent(point, axis)).Text());
+      file.Add("\n");
+    }
+  }
+}
+
 void WriteSurface(TextFile& file, const Surface& surface, bool ofHexes)
 {
   file.Add("*SURFACE, NAME=" + surface.Name + ", TYPE=ELEMENT\n");
@@ -251,6 +292,10 @@ void WriteFile(vtkUnstructuredGrid* mesh, const std::string& path)
   for (const Surface& surface : surfaces)
   {
     WriteSurface(file, surface, IsHexMesh(mesh));
+  }
+  if (vtkDataArray* velocity = FindVelocity(mesh))
+  {
+    WriteVelocity(file, velocity);
   }
   file.Close();
 }

@@ -2,7 +2,8 @@
  * WriteAbaqus: a mesh as an input file of Abaqus and CalculiX, to be read on its own or by *INCLUDE.
  *
  * The file holds the mesh alone: *NODE (set NALL), *ELEMENT of type C3D8 or C3D4 with an element set a material, all of them in the
- * set EALL, *NSET a side of the domain, *SURFACE a side set (MeshSets.h); no section, material or step. Nodes and elements
+ * set EALL, *NSET a side of the domain, *SURFACE a side set (MeshSets.h), and *INITIAL CONDITIONS of a velocity of the nodes, a point
+ * array of three components with that word in its name; no section, material or step. Nodes and elements
  * are numbered from 1 in the order of their global ids: solvers make tables as long as the greatest number.
  */
 #pragma once

@@ -128,15 +128,48 @@ bool SetBoxes(Mesher& mesher, const std::string& text)
   return true;
 }
 
-bool SetArray(Mesher& mesher, const std::string& name)
+/// Any text will do: an array, a file.
+MesherOption Name(const char* name, const char* allowed, void (Mesher::*set)(const char*))
 {
-  mesher.SetRefinementArray(name.c_str());
+  return { name, allowed, "None", false,
+    [set](Mesher& mesher, const std::string& text)
+    {
+      (mesher.*set)(text.c_str());
+      return true;
+    } };
+}
+
+constexpr const char* ArrayName = "the name of a cell array, or None";
+
+/// What the commas part replaces what the mesher has; None: nothing.
+void SetList(Mesher& mesher, const std::string& text, void (Mesher::*clear)(),
+  void (Mesher::*add)(const char*))
+{
+  (mesher.*clear)();
+  for (const std::string& part : SplitText(IsSameWord(text, "None") ? "" : text))
+  {
+    (mesher.*add)(part.c_str());
+  }
+}
+
+bool SetDensities(Mesher& mesher, const std::string& text)
+{
+  SetList(mesher, text, &Mesher::ClearDensityArrays, &Mesher::AddDensityArray);
   return true;
 }
 
-bool SetLabelNames(Mesher& mesher, const std::string& path)
+/// Which kinds there are the mesher tells, which knows the arrays.
+bool SetKinds(Mesher& mesher, const std::string& text)
 {
-  mesher.SetLabelNamesFile(path.c_str());
+  const bool isNone = text.empty() || IsSameWord(text, "None");
+  for (const std::string& part : SplitText(text))
+  {
+    if (!isNone && part.find('=') == std::string::npos)
+    {
+      return false;
+    }
+  }
+  SetList(mesher, text, &Mesher::ClearStateKinds, &Mesher::AddStateKind);
   return true;
 }
 
@@ -156,7 +189,7 @@ const std::vector<MesherOption>& Options()
     Number("FractionTolerance", "a number from 1e-6 to 0.1", "1e-6", &Mesher::SetFractionTolerance,
       1e-6, 0.1),
     Count("LabelSmoothing", "0", &Mesher::SetLabelSmoothing, 0, 10),
-    { "LabelNames", "a file that names labels", "none", false, SetLabelNames },
+    Name("LabelNames", "a file that names labels", &Mesher::SetLabelNamesFile),
     Count("MinimumRegionCells", "0", &Mesher::SetMinimumRegionCells, 0,
       std::numeric_limits<int>::max()),
     Choice("Refinement", "InputLevels", &Mesher::SetRefinement,
@@ -174,11 +207,26 @@ const std::vector<MesherOption>& Options()
       Largest),
     Switch("RefineFlippedCells", "off", &Mesher::SetRefineFlippedCells),
     Count("InterfaceLayers", "0", &Mesher::SetInterfaceLayers, 0, 64),
-    { "RefinementArray", "the name of a cell array, or None", "None", false, SetArray },
+    Name("RefinementArray", ArrayName, &Mesher::SetRefinementArray),
     { "RefinementBoxes",
       "x0,y0,z0,x1,y1,z1 or with the number of halvings, 0 to 10, as seventh; semicolons part "
       "boxes",
       "no box", false, SetBoxes },
+    Choice(
+      "StateTransfer", "Automatic", &Mesher::SetStateTransfer, { "Automatic", "Copy", "Conserve" }),
+    { "DensityArrays", "names of cell arrays with commas between them, or None", "None", false,
+      SetDensities },
+    { "StateKinds",
+      "name=kind with commas between them, or None; kinds: mass, mass*other, volume, cell, "
+      "extensive, copy",
+      "None", false, SetKinds },
+    Count("StateOrder", "2", &Mesher::SetStateOrder, 1, 2),
+    Name("VelocityArray", ArrayName, &Mesher::SetVelocityArray),
+    Name("EnergyArray", ArrayName, &Mesher::SetEnergyArray),
+    Switch("NodalVelocity", "off", &Mesher::SetNodalVelocity),
+    Choice(
+      "LostKineticEnergy", "Report", &Mesher::SetLostKineticEnergy, { "Report", "InternalEnergy" }),
+    Choice("UnmeshedMaterial", "Give", &Mesher::SetUnmeshedMaterial, { "Give", "Drop" }),
     Choice("Method", TetMesher::HasTetGen() ? "TetGen" : "Lattice", &TetMesher::SetMethod,
       { "TetGen", "Cells", "Lattice" }),
     Number("RelativeSize", "a number, 0.1 or more", "1", &TetMesher::SetRelativeSize, 0.1, Largest),

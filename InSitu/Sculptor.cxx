@@ -181,6 +181,17 @@ int sculptor_get_state(int sculptor, const char* name, int* components, const do
     });
 }
 
+int sculptor_get_point_state(int sculptor, const char* name, int* components, const double** values)
+{
+  return WithSession(sculptor,
+    [=](SculptorSession& session)
+    {
+      vtkDoubleArray* state = session.GetPointState(NotNull(name, "name"));
+      *NotNull(components, "components") = state->GetNumberOfComponents();
+      *NotNull(values, "values") = state->GetPointer(0);
+    });
+}
+
 int sculptor_get_number(int sculptor, const char* name, int index, double* value)
 {
   return WithSession(sculptor,

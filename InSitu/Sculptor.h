@@ -92,7 +92,9 @@ extern "C"
   /* Instead of volume fractions: the number of the material in each cell, 0 for void. */
   SCULPTOR_EXPORT int sculptor_set_material_ids(int sculptor, const int* ids);
 
-  /* Values of the cells that go to the elements: velocity, density, ... components values a cell. */
+  /* Values of the cells that go to the elements: velocity, density, ... components values a cell. Elements take those of one cell
+   * each; where the option DensityArrays names states, mass, momentum, energy and all else of each material are kept: see the options
+   * StateTransfer, StateKinds, StateOrder, VelocityArray, EnergyArray, NodalVelocity, LostKineticEnergy, UnmeshedMaterial. */
   SCULPTOR_EXPORT int sculptor_add_state(
     int sculptor, const char* name, int components, const double* values);
 
@@ -125,8 +127,11 @@ extern "C"
   SCULPTOR_EXPORT int sculptor_get_fragments(int sculptor, const int** ids);
   SCULPTOR_EXPORT int sculptor_get_state(
     int sculptor, const char* name, int* components, const double** values);
+  /* Of the nodes: the VelocityArray with the option NodalVelocity. */
+  SCULPTOR_EXPORT int sculptor_get_point_state(
+    int sculptor, const char* name, int* components, const double** values);
   /* A number of the whole mesh by its name: TargetVolume, MeshVolume, VolumeError (index: 0 for the first material), NumberOfFragments,
-   * MinimumScaledJacobian, MeanScaledJacobian, FlippedCells, ... (index 0). */
+   * MinimumScaledJacobian, MeanScaledJacobian, FlippedCells, ... (index 0). Of vectors the index counts components. */
   SCULPTOR_EXPORT int sculptor_get_number(int sculptor, const char* name, int index, double* value);
 
   /* ---- the geometry that the mesh resolves: pointers as above, points from 0 ----

@@ -108,6 +108,17 @@ vtkDataArray* FindMeshArray(vtkFieldData* arrays, const std::string& name)
   return array;
 }
 
+/// where: for the message.
+vtkDoubleArray* FindState(vtkFieldData* arrays, const std::string& name, const std::string& where)
+{
+  auto* array = vtkDoubleArray::SafeDownCast(arrays->GetArray(name.c_str()));
+  if (!array)
+  {
+    throw InputError("The mesh has no state" + where + " named '" + name + "'.");
+  }
+  return array;
+}
+
 template <class T>
 const T* ValuesOf(vtkFieldData* arrays, const char* name)
 {
@@ -333,24 +344,25 @@ template const std::int64_t* SculptorSession::GetPointValues<std::int64_t>(const
 
 vtkDoubleArray* SculptorSession::GetState(const std::string& name) const
 {
-  auto* array =
-    vtkDoubleArray::SafeDownCast(this->GetMesh()->GetCellData()->GetArray(name.c_str()));
-  if (!array)
-  {
-    throw InputError("The mesh has no state named '" + name + "'.");
-  }
-  return array;
+  return FindState(this->GetMesh()->GetCellData(), name, "");
+}
+
+vtkDoubleArray* SculptorSession::GetPointState(const std::string& name) const
+{
+  return FindState(this->GetMesh()->GetPointData(), name, " of nodes");
 }
 
 double SculptorSession::GetNumber(const std::string& name, int index) const
 {
   vtkDataArray* values = FindMeshArray(this->GetMesh()->GetFieldData(), name);
-  if (index < 0 || index >= values->GetNumberOfTuples())
+  const vtkIdType count = values->GetNumberOfValues();
+  if (index < 0 || index >= count)
   {
-    throw InputError("'" + name + "' has " + std::to_string(values->GetNumberOfTuples()) +
+    throw InputError("'" + name + "' has " + std::to_string(count) +
       " values, counted from 0; asked for " + std::to_string(index) + ".");
   }
-  return values->GetComponent(index, 0);
+  const int components = values->GetNumberOfComponents();
+  return values->GetComponent(index / components, index % components);
 }
 
 void SculptorSession::Write(const char* path)

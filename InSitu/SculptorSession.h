@@ -63,8 +63,9 @@ public:
   const T* GetCellValues(const char* name) const;
   template <class T>
   const T* GetPointValues(const char* name) const;
-  /// A state that was carried along.
+  /// A state that was carried along, of the elements or of the points.
   vtkDoubleArray* GetState(const std::string& name) const;
+  vtkDoubleArray* GetPointState(const std::string& name) const;
   double GetNumber(const std::string& name, int index) const;
   /// Collective.
   void Write(const char* path);

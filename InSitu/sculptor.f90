@@ -14,8 +14,8 @@ module sculptor
     sculptor_add_material, sculptor_set_material_ids, sculptor_add_state, sculptor_set_refinement, sculptor_clear_fields, &
     sculptor_make_mesh, sculptor_get_counts, sculptor_get_points, sculptor_get_elements, sculptor_get_point_ids, &
     sculptor_get_element_ids, sculptor_get_materials, sculptor_get_fragments, sculptor_get_state, &
-    sculptor_get_number, sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, sculptor_get_vertices, &
-    sculptor_get_bounds, sculptor_write, sculptor_error_code, sculptor_error_message, sculptor_warning_message
+    sculptor_get_point_state, sculptor_get_number, sculptor_get_geometry, sculptor_get_surfaces, sculptor_get_curves, &
+    sculptor_get_vertices, sculptor_get_bounds, sculptor_write, sculptor_error_code, sculptor_error_message, sculptor_warning_message
 
   interface
     integer(c_int) function sculptor_create(sculptor) bind(C)
@@ -157,6 +157,15 @@ module sculptor
       type(c_ptr), intent(out) :: values
     end function
 
+    integer(c_int) function c_sculptor_get_point_state(sculptor, name, components, values) &
+      bind(C, name="sculptor_get_point_state")
+      import
+      integer(c_int), value :: sculptor
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int), intent(out) :: components
+      type(c_ptr), intent(out) :: values
+    end function
+
     integer(c_int) function c_sculptor_get_number(sculptor, name, index, value) bind(C, name="sculptor_get_number")
       import
       integer(c_int), value :: sculptor
@@ -264,6 +273,14 @@ contains
     integer(c_int), intent(out) :: components
     type(c_ptr), intent(out) :: values
     sculptor_get_state = c_sculptor_get_state(sculptor, trim(name) // c_null_char, components, values)
+  end function
+
+  integer(c_int) function sculptor_get_point_state(sculptor, name, components, values)
+    integer(c_int), intent(in) :: sculptor
+    character(*), intent(in) :: name
+    integer(c_int), intent(out) :: components
+    type(c_ptr), intent(out) :: values
+    sculptor_get_point_state = c_sculptor_get_point_state(sculptor, trim(name) // c_null_char, components, values)
   end function
 
   integer(c_int) function sculptor_get_number(sculptor, name, index, value)

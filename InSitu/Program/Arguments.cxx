@@ -109,10 +109,6 @@ void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
   {
     RefuseArguments("--fractions and --labels exclude each other.");
   }
-  if (!from.Densities.empty() && from.Fragments.empty())
-  {
-    RefuseArguments("--density is for the table of --fragments.");
-  }
   CheckRefinement(seen);
   if (!from.Geometry.empty())
   {
@@ -121,26 +117,32 @@ void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
   CheckOutputSuffix(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
 }
 
-/// Densities reach the table as arrays of the mesh.
-void AddDensities(Arguments& to)
+/// The last value of an option of the mesher that names an array; empty: none.
+std::string FindArrayOption(const Arguments& from, const char* name)
 {
-  for (const std::string& name : to.Densities)
+  std::string array;
+  for (const auto& option : from.Options)
   {
-    if (std::find(to.State.begin(), to.State.end(), name) == to.State.end())
+    if (IsSameWord(option.first, name))
     {
-      to.State.push_back(name);
+      array = option.second == "None" ? "" : option.second;
     }
   }
+  return array;
 }
 
 /// Arrays are wanted that readers read and that are no materials.
-void SetRefinementArray(Arguments& to)
+void SetNamedArrays(Arguments& to)
 {
-  for (const auto& option : to.Options)
+  to.RefinementArray = FindArrayOption(to, "RefinementArray");
+  const std::string densities = FindArrayOption(to, "DensityArrays");
+  to.Densities = densities.empty() ? std::vector<std::string>() : SplitText(densities);
+  for (const char* name : { "VelocityArray", "EnergyArray" })
   {
-    if (IsSameWord(option.first, "RefinementArray"))
+    const std::string array = FindArrayOption(to, name);
+    if (!array.empty())
     {
-      to.RefinementArray = option.second == "None" ? "" : option.second;
+      to.Motion.push_back(array);
     }
   }
 }
@@ -210,6 +212,8 @@ Examples
 std::vector<std::string> ListOtherArrays(const Arguments& arguments)
 {
   std::vector<std::string> names = arguments.State;
+  names.insert(names.end(), arguments.Densities.begin(), arguments.Densities.end());
+  names.insert(names.end(), arguments.Motion.begin(), arguments.Motion.end());
   if (!arguments.RefinementArray.empty())
   {
     names.push_back(arguments.RefinementArray);
@@ -262,8 +266,7 @@ Arguments ParseArguments(const std::vector<std::string>& given)
   else
   {
     CheckMesh(arguments, seen);
-    AddDensities(arguments);
-    SetRefinementArray(arguments);
+    SetNamedArrays(arguments);
   }
   return arguments;
 }

@@ -111,8 +111,8 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
     DescribeArrays(data, ranks);
   if (!ListOtherArrays(arguments).empty())
   {
-    text += " Those of --state, --density and --refine-cells are taken for others, unless named as "
-            "--fractions.";
+    text += " Those of --state, --density, --velocity, --energy and --refine-cells are taken for "
+            "others, unless named as --fractions.";
   }
   text += warning.empty() ? "" : " " + warning;
   throw ProgramError(ExitCode::UnreadableInput,
@@ -383,7 +383,7 @@ ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
 {
   const ArrayPlace ofFractions = CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
-  CheckNamedArrays(data, "--density", arguments.Densities, ranks); // which State has too
+  CheckNamedArrays(data, "--density", arguments.Densities, ranks);
   CheckNamedArrays(data, "--state", arguments.State, ranks);
   if (!arguments.RefinementArray.empty())
   {

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
 from inp_file import InpFile
 from mpi_run import mpi_run
 from vfmtest import (
-    TET_METHODS, VolumeFractionToTet, collect, elements, face_owners, fraction_image, in_folder, main,
+    TET_METHODS, VolumeFractionToTet, add_array, collect, elements, face_owners, fraction_image, in_folder, main,
     mesh_of, producer, tet_volumes, write)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
@@ -102,6 +102,20 @@ def test_file_is_the_mesh(at):
         file = saved(result.mesh, at("mesh.inp"))
         assert len(file.element_sets) == (4 if kind == {"MeshVoid": 1} else 3)
         check_file(file, result)
+
+
+@in_folder
+def test_velocities_of_nodes(at):
+    """A vector of the points whose name tells that it is one, and no other."""
+    result = mesh_of(fraction_image())
+    values = np.random.default_rng(5).normal(size=(result.mesh.GetNumberOfPoints(), 3)) * 10.0 ** np.arange(-3, 6, 3)
+    for name, array in (("velocity gradient", np.tile(values, 3)), ("force", values)):
+        add_array(result.mesh.GetPointData(), name, array).SetNumberOfComponents(array.shape[1])
+    assert not len(saved(result.mesh, at("mesh.inp")).velocities)
+    add_array(result.mesh.GetPointData(), "Nodal Velocity", values).SetNumberOfComponents(3)
+    file = saved(result.mesh, at("mesh.inp"))
+    check_file(file, result)
+    check_coordinates(file.velocities, values)
 
 
 @in_folder

@@ -27,10 +27,12 @@ SECONDS = 120  # of one solve
 class Model:
     """A mesh as a file, and what CalculiX makes of it."""
 
-    def __init__(self, at, field, kind, arrays, **properties):
+    def __init__(self, at, field, kind, arrays, velocity=None, **properties):
         properties.update(Input=field, VolumeFractionArrays=arrays)
         mesher = VolumeFractionToHex(**properties) if kind == "Hex" else VolumeFractionToTet(Method=kind, **properties)
         self.mesh, self.deck, self.kind = at("mesh.inp"), at("deck.inp"), kind
+        if velocity is not None:  # of all nodes
+            mesher = simple.Calculator(Input=mesher, ResultArrayName="velocity", Function="%g*iHat+%g*jHat+%g*kHat" % tuple(velocity))
         simple.SaveData(self.mesh, proxy=mesher)
         self.file = InpFile(self.mesh)
         self.points = self.file.nodes.astype(float)
@@ -79,6 +81,20 @@ def test_patch(at):
         assert np.allclose(results.displacements, model.points @ gradient.T, rtol=1e-6, atol=1e-8)
         other = model.solve({"BALL": (2 * modulus, ratio), "MATRIX": (modulus, ratio)}, boundary)
         assert abs(other.stresses - stress).max() > 1  # the materials are where they should be
+
+
+@in_folder
+def test_flight(at):
+    """Bodies that nothing holds fly on with the velocity of their nodes, which the file of the mesh tells."""
+    velocity = np.array([2.0, -3.0, 4.0])
+    for kind in KINDS[:1] + KINDS[-1:]:
+        model = Model(at, ball_in_matrix(), kind, ["ball", "matrix"], velocity=velocity)
+        with open(model.deck, "w", encoding="ascii") as file:
+            file.write("*INCLUDE, INPUT=mesh.inp\n*MATERIAL, NAME=M\n*ELASTIC\n1000, 0.3\n*DENSITY\n1\n*SOLID SECTION, ELSET=EALL, "
+                       "MATERIAL=M\n*STEP\n*DYNAMIC, DIRECT\n0.05, 0.1\n*NODE PRINT, NSET=NALL, FREQUENCY=2\nU\n*END STEP\n")
+        calculix.run(model.deck, seconds=SECONDS)
+        moved = calculix.read_results(model.deck).displacements
+        assert len(moved) == len(model.points) and np.allclose(moved, 0.1 * velocity, rtol=1e-5), moved
 
 
 @in_folder

@@ -17,7 +17,7 @@ from mesh_sets import AXES, array, elements_of, find_sets, material_names
 from mpi_run import mpi_run
 from spyplot import split, write_spyplot
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, ball_and_plate, collect, fraction_image, image, labels, main, mesh_of, producer,
+    ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, labels, main, mesh_of, producer,
     save_data, VolumeFractionToHex, VolumeFractionToTet)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
@@ -139,6 +139,24 @@ def test_one_file(at):
         assert (3 in join([Dump(path)])["blocks"]) == ("MeshVoid" in properties)
         if "MeshVoid" not in properties:
             check_areas(path, result)
+
+
+@in_folder
+def test_values_of_nodes(at):
+    """Variables of nodes are beside those of elements of the same name."""
+    result = mesh_of(velocity_field(), StateArrays=["velocity"])
+    values = np.random.default_rng(4).normal(size=(result.mesh.GetNumberOfPoints(), 3))
+    add_array(result.mesh.GetPointData(), "velocity", values).SetNumberOfComponents(3)
+    assert not write(result.mesh, at("mesh.e"))
+    dump = Dump(at("mesh.e"))
+    check([dump], result.mesh)
+    for kind in ("nod", "elem"):
+        assert {"velocity_X", "velocity_Y", "velocity_Z"} <= set(dump.get("name_%s_var" % kind)), kind
+    ids = array(result.mesh.GetPointData(), "GlobalPointIds")
+    wanted = dict(zip(ids.tolist(), values.tolist()))
+    for part in (part for name in ("ball", "plate") for part in ioss(at("mesh.e"))[name]):
+        found = dict(zip(array(part.GetPointData(), "ids").tolist(), array(part.GetPointData(), "velocity").tolist()))
+        assert found and all(wanted[point] == velocity for point, velocity in found.items())
 
 
 @in_folder

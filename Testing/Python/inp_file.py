@@ -11,7 +11,8 @@ FACES = {"C3D8": [(1, 2, 3, 4), (5, 8, 7, 6), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7,
 
 class InpFile:
     """heading: lines. comments: lines. nodes: text of coordinates (n, 3). elements: {number: corners}. element_sets,
-    node_sets: {name: numbers}. surfaces: {name: [(element, face)]}, faces from 1. All numbers are those of the file."""
+    node_sets: {name: numbers}. surfaces: {name: [(element, face)]}, faces from 1. velocities: text of components (n, 3). All numbers are
+    those of the file."""
 
     def __init__(self, path):
         with open(path, encoding="ascii") as file:
@@ -19,6 +20,7 @@ class InpFile:
         assert lines.pop() == "", "the last line has no end"
         self.comments = [line for line in lines if line.startswith("**")]
         self.heading, self.nodes, self.elements, self.type = [], [], {}, None
+        self.velocities = []
         self.element_sets, self.node_sets, self.surfaces = {}, {}, {}
         for line in lines:
             assert len(line) <= 256
@@ -45,6 +47,9 @@ class InpFile:
             self.type = options["TYPE"]
             numbers = new_set(self.element_sets, options["ELSET"])
             return lambda text: self.read_element(text, numbers)
+        if keyword == "*INITIAL CONDITIONS":
+            assert options == {"TYPE": "VELOCITY"} and not self.velocities
+            return self.read_velocity
         if keyword == "*ELSET":
             numbers = new_set(self.element_sets, options["ELSET"])
             return lambda text: numbers.extend(self.element_sets[text[:text.index(",")]])
@@ -60,6 +65,14 @@ class InpFile:
         self.nodes.append(coordinates)
         numbers.append(int(number))
         assert int(number) == len(self.nodes) and max(map(len, coordinates)) <= 20, text
+
+    def read_velocity(self, text):
+        """Node by node, x y z."""
+        node, axis, component = text.split(",")
+        if axis == "1":
+            self.velocities.append([])
+        self.velocities[-1].append(component)
+        assert (int(node), int(axis)) == (len(self.velocities), len(self.velocities[-1])) and len(component) <= 20, text
 
     def read_element(self, text, numbers):
         number, *corners = map(int, text.split(","))
