@@ -19,6 +19,11 @@ Settings: the values below, or environment variables of the simulation:
                   NAME > VALUE              ... has passed the value; also NAME < VALUE
                   sum ARRAY > VALUE         the sum of a cell array over all cells has; also min, max; vectors by length;
                                             a finer cell counts as the part that it is of a coarsest one
+  VFM_STATE     cell arrays that the elements carry along, between commas: velocity, temperature
+  VFM_DENSITY   cell arrays of mass per volume, one or one a material: state is then carried so that nothing is lost
+  VFM_VELOCITY, VFM_ENERGY, VFM_STATE_KINDS, VFM_STATE_TRANSFER, VFM_STATE_ORDER, VFM_NODAL_VELOCITY, VFM_LOST_KINETIC_ENERGY,
+  VFM_UNMESHED  the properties VelocityArray, EnergyArray, StateKinds (NAME=KIND between commas), StateTransfer, StateOrder,
+                NodalVelocity (0 or 1), LostKineticEnergy and UnmeshedMaterial of the filter; empty: its defaults
   VFM_TETS      tetrahedra by this method, TetGen, Cells or Lattice; empty: hexahedra
   VFM_EXODUS    1: NAME_SSSSSS.e too, with side sets, on N ranks NAME_SSSSSS.e.N.0 and so on
   VFM_PICTURE   1: NAME_SSSSSS.png too, where there is an X server (DISPLAY)
@@ -51,6 +56,8 @@ NAME = "mesh"
 STEPS = ""
 EVERY = ""
 TRIGGER = ""
+STATE = DENSITY = VELOCITY = ENERGY = STATE_KINDS = STATE_TRANSFER = STATE_ORDER = ""
+NODAL_VELOCITY = LOST_KINETIC_ENERGY = UNMESHED = ""
 TETS = ""
 EXODUS = "0"
 PICTURE = "1"
@@ -72,6 +79,13 @@ def setting(name):
 
 def names_of(text):
     return [part.strip() for part in text.split(",") if part.strip()]
+
+
+PROPERTIES = {  # of the filter: the setting, and what makes its value of it
+    "StateArrays": ("STATE", names_of), "DensityArrays": ("DENSITY", names_of), "VelocityArray": ("VELOCITY", str),
+    "EnergyArray": ("ENERGY", str), "StateKinds": ("STATE_KINDS", names_of), "StateTransfer": ("STATE_TRANSFER", str),
+    "StateOrder": ("STATE_ORDER", int), "NodalVelocity": ("NODAL_VELOCITY", int),
+    "LostKineticEnergy": ("LOST_KINETIC_ENERGY", str), "UnmeshedMaterial": ("UNMESHED", str)}
 
 
 def is_first_rank():
@@ -212,6 +226,9 @@ class Mesher:
         self.filter = VolumeFractionToTet(Input=source, Method=tets) if tets else VolumeFractionToHex(Input=source)
         self.filter.VolumeFractionArrays = [] if setting("LABELS") else names_of(setting("ARRAYS"))
         self.filter.MaterialIdArray = setting("LABELS") or "None"
+        for name, (key, value) in PROPERTIES.items():
+            if setting(key):
+                setattr(self.filter, name, value(setting(key)))
         self.errors = []
         self.filter.GetClientSideObject().AddObserver("ErrorEvent", self.make_observer())
         self.stem, self.series, self.picture = os.path.join(setting("OUT"), setting("NAME")), [], None
