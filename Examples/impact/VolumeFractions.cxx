@@ -38,10 +38,17 @@ constexpr int NumberOfStates = static_cast<int>(std::size(ListedStates));
 
 constexpr double VolumeQuanta = 0x1p40; // of a full cell
 constexpr double Quanta = 0x1p52;       // of a mg, and of a mg times the unit of a mean
-constexpr double Rounding = 0x1p-30;    // of sums of quanta
+constexpr double Rounding = 0x1p-29;    // of sums of quanta
+constexpr double SmallestPart = 0x1p-20; // of a side of a box
 constexpr int SpreadRounds = 12;
 constexpr double TakesExcess = .5; // a cell that holds less has a surface far inside
 constexpr double NearlyFull = .8;
+
+/// What is below is rounding, and would be lost to readers that take the least fractions for none.
+double CutOff(double part)
+{
+  return part > SmallestPart ? part : 0.;
+}
 
 double KineticEnergy(const Vector& v)
 {
@@ -139,8 +146,8 @@ void VolumeFractions::Cover(const std::vector<MaterialPoint>& points)
       const double side = std::min(box[a] / spacing, 1.99);
       const double low = p.Position[a] / spacing - static_cast<double>(cell[a]) - .5 * side;
       const double high = low + side;
-      part[a][0] = std::max(0., -low) / side;
-      part[a][2] = std::max(0., high - 1.) / side;
+      part[a][0] = CutOff(-low / side);
+      part[a][2] = CutOff((high - 1.) / side);
       part[a][1] = 1. - part[a][0] - part[a][2];
     }
     const std::array<double, StateChannels> contents = ListContents(p, spacing * spacing * spacing);
