@@ -94,6 +94,23 @@ void PrintMaterials(const MeshSummary& summary, std::ostream& to)
      << "\n";
 }
 
+void PrintState(const MeshSummary& summary, std::ostream& to)
+{
+  to << Padded("state", LeastWidth)
+     << Print("%16s%16s%14s", "of the cells", "of the mesh", "not meshed") << "\n";
+  for (const StateTotal& total : summary.State)
+  {
+    to << Padded(total.Name, LeastWidth)
+       << Print("%16.9g%16.9g%14.6g", total.Input, total.Mesh, total.Unmeshed) << "\n";
+  }
+  if (summary.LostToElements != 0.0 || summary.LostToNodes != 0.0)
+  {
+    to << Print("kinetic energy that means lack: %.6g in elements, %.6g more at nodes\n",
+      summary.LostToElements, summary.LostToNodes);
+  }
+  to << "\n";
+}
+
 /// The largest by volume.
 void PrintFragments(const MeshSummary& summary, std::ostream& to)
 {
@@ -140,6 +157,10 @@ void PrintSummary(const MeshSummary& summary, const std::vector<StageTime>& time
 {
   PrintMaterials(summary, to);
   to << "\n";
+  if (!summary.State.empty())
+  {
+    PrintState(summary, to);
+  }
   PrintFragments(summary, to);
   to << "\n";
   if (summary.IsTets && summary.HasQuality)

@@ -30,6 +30,43 @@ std::vector<double> GetField(vtkUnstructuredGrid* mesh, const char* name)
   return values;
 }
 
+/// Of a number of each material, or of one component of it.
+double SumOfMaterials(vtkUnstructuredGrid* mesh, const std::string& name, int component = 0)
+{
+  double sum = 0.0;
+  vtkDataArray* array = mesh->GetFieldData()->GetArray(name.c_str());
+  for (vtkIdType m = 0; array && m < array->GetNumberOfTuples(); ++m)
+  {
+    sum += array->GetComponent(m, component);
+  }
+  return sum;
+}
+
+/// What the field data tells of a mesh whose state was conserved.
+std::vector<StateTotal> FindStateTotals(vtkUnstructuredGrid* mesh)
+{
+  struct Quantity
+  {
+    const char *Name, *Field;
+    int Component = 0;
+  };
+  constexpr Quantity quantities[] = { { "mass", "Mass" }, { "momentum x", "Momentum" },
+    { "momentum y", "Momentum", 1 }, { "momentum z", "Momentum", 2 },
+    { "kinetic energy", "KineticEnergy" }, { "internal energy", "InternalEnergy" } };
+  std::vector<StateTotal> totals;
+  for (const Quantity& q : quantities)
+  {
+    const std::string field = q.Field;
+    if (mesh->GetFieldData()->HasArray(("Input" + field).c_str()))
+    {
+      totals.push_back({ q.Name, SumOfMaterials(mesh, "Input" + field, q.Component),
+        SumOfMaterials(mesh, "Mesh" + field, q.Component),
+        SumOfMaterials(mesh, "Unmeshed" + field, q.Component) });
+    }
+  }
+  return totals;
+}
+
 double GetNumber(vtkUnstructuredGrid* mesh, const char* name)
 {
   const std::vector<double> values = GetField(mesh, name);
@@ -175,6 +212,9 @@ MeshSummary Summarise(vtkUnstructuredGrid* mesh, Ranks& ranks)
   {
     summary.Total.TargetVolume += material.TargetVolume;
   }
+  summary.State = FindStateTotals(mesh);
+  summary.LostToElements = SumOfMaterials(mesh, "LostKineticEnergy");
+  summary.LostToNodes = SumOfMaterials(mesh, "LostNodalKineticEnergy");
   summary.MinimumAngle = GetNumber(mesh, "MinimumDihedralAngle");
   summary.MaximumAngle = GetNumber(mesh, "MaximumDihedralAngle");
   for (double count : GetField(mesh, "DihedralAngles"))

@@ -26,6 +26,13 @@ struct PartSummary
   double Volume = 0.0, TargetVolume = 0.0; ///< length units cubed; targets not of fragments
 };
 
+/// A sum over all materials that was carried from the cells to the elements.
+struct StateTotal
+{
+  std::string Name;
+  double Input = 0.0, Mesh = 0.0, Unmeshed = 0.0;
+};
+
 struct MeshSummary
 {
   bool IsTets = false, HasQuality = false;
@@ -33,6 +40,8 @@ struct MeshSummary
   PartSummary Total;
   double MinimumAngle = 0.0, MaximumAngle = 0.0; ///< dihedral, degrees; of tets
   std::vector<Index> Angles;                     ///< of tets: how many in each ten degrees
+  std::vector<StateTotal> State; ///< where state was conserved and there is a density
+  double LostToElements = 0.0, LostToNodes = 0.0; ///< kinetic energy that the cells had
 };
 
 struct StageTime

@@ -17,6 +17,7 @@
 #include "WriteMesh.h"
 #include "WriteTable.h"
 
+#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkMPI.h"
@@ -26,6 +27,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -66,6 +68,30 @@ void PrintHead(const Arguments& arguments, const Input& input, const ChosenArray
             << arrays.How << ")\n\n";
 }
 
+/// The arrays of the mesh that hold the densities: those of their names or, where arrays a material became one, the one of what all names
+/// share.
+std::vector<std::string> FindDensities(
+  vtkUnstructuredGrid* mesh, const std::vector<std::string>& names)
+{
+  vtkCellData* data = mesh->GetCellData();
+  const auto isPartOfAll = [&names](const std::string& stem)
+  {
+    return std::all_of(names.begin(), names.end(),
+      [&stem](const std::string& name) { return name.find(stem) != std::string::npos; });
+  };
+  std::string shared;
+  for (int a = 0; a < data->GetNumberOfArrays() && !names.empty(); ++a)
+  {
+    const char* name = data->GetArrayName(a);
+    if (name && std::string(name).size() > shared.size() && isPartOfAll(name))
+    {
+      shared = name;
+    }
+  }
+  return shared.empty() || data->HasArray(names[0].c_str()) ? names
+                                                            : std::vector<std::string>{ shared };
+}
+
 void WriteFragments(vtkUnstructuredGrid* mesh, const Arguments& arguments, Ranks& ranks)
 {
   if (arguments.Fragments.empty())
@@ -74,7 +100,7 @@ void WriteFragments(vtkUnstructuredGrid* mesh, const Arguments& arguments, Ranks
   }
   vtkNew<vtkTable> table;
   WorkInStage(ranks, ExitCode::UnreadableInput,
-    [&] { MakeFragmentTable(mesh, arguments.Densities, ranks, table); });
+    [&] { MakeFragmentTable(mesh, FindDensities(mesh, arguments.Densities), ranks, table); });
   WorkInStage(ranks, ExitCode::UnwritableOutput,
     [&]
     {
