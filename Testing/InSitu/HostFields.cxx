@@ -64,6 +64,7 @@ HostFields::HostFields(int rank, int ranks)
         this->Ball.push_back(ball);
         this->Plate.push_back(plate);
         this->Labels.push_back(ball + plate < 0.5 ? 0 : ball >= plate ? 1 : 2);
+        this->Density.push_back(2.0 + 0.1 * static_cast<double>(i + 2 * j));
         for (Index x : { i, j, k })
         {
           this->Velocity.push_back(static_cast<double>(x));
@@ -94,7 +95,8 @@ void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher)
   }
   const HostBox box{ fields.Cells,
     { MakeHostArray("ball", fields.Ball.data()), MakeHostArray("plate", fields.Plate.data()),
-      MakeHostArray("velocity", fields.Velocity.data(), 3) } };
+      MakeHostArray("velocity", fields.Velocity.data(), 3),
+      MakeHostArray("density", fields.Density.data()) } };
   mesher.SetController(nullptr);
   mesher.AddVolumeFractionArray("ball");
   mesher.AddVolumeFractionArray("plate");

@@ -24,8 +24,8 @@ struct HostFields
   std::array<double, 6> Bounds;
   std::array<int, 3> Intervals;
   std::array<int, 6> Neighbours;
-  std::vector<double> Ball, Plate, Velocity; ///< 1, 1, 3 components
-  std::vector<int> Labels;                   ///< 0 void, 1 ball, 2 plate
+  std::vector<double> Ball, Plate, Velocity, Density; ///< 1, 1, 3, 1 components
+  std::vector<int> Labels;                            ///< 0 void, 1 ball, 2 plate
 };
 
 constexpr Index3 HostCells{ { 18, 12, 15 } };
