@@ -28,12 +28,14 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import pictures
 from lagrangian import Lagrangian
 from need_files import need_files
 
 BODIES = ["ball", "plate"]
 QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]", "kinetic energy [J]",
               "internal energy [J]"]
+VIEW_SIZE, SPEED = (1200, 720), 3.0  # of the pictures; km/s of the brightest colour
 LEAST_FRACTION = 1e-9  # the mesher takes less for none
 STATES = ["velocity", "energy", "ratio", "deviator", "plastic_strain", "damage", "toughness"]
 
@@ -220,13 +222,48 @@ def draw_tables(figure, places, before, after, start):
         axes.legend(loc="center left", frameon=False)
 
 
+def render(path, picture):
+    """Half of a mesh without what was given up, by the speed of its nodes."""
+    simple._DisableFirstRenderCameraReset()
+    view = pictures.make_view(VIEW_SIZE)
+    view.BackgroundColorMode, view.Background = "Single Color", (1, 1, 1)
+    mesh = simple.OpenDataFile(path)
+    mesh.UpdatePipeline()
+    if mesh.CellData.GetArray("alive"):
+        mesh = simple.Threshold(Input=mesh, Scalars=["CELLS", "alive"], LowerThreshold=1, UpperThreshold=1)
+    speed = simple.Calculator(Input=mesh, AttributeType="Point Data", Function="mag(velocity)", ResultArrayName="speed")
+    shown = pictures.show(pictures.cut(speed, [0, 3.01, 0], [0, 1, 0]), view)
+    simple.ColorBy(shown, ("POINTS", "speed"))
+    table = simple.GetColorTransferFunction("speed")
+    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.RescaleTransferFunction(0, SPEED)
+    shown.SetScalarBarVisibility(view, False)
+    pictures.aim(view, [0.5, 6.5, 3, 6, 0, 4], (0.15, -1, 0.35), 1.75, sink=0.12)
+    pictures.save(view, picture)
+
+
 def draw(arguments, before, after, start):
     import matplotlib
     matplotlib.use("Agg")
-    from matplotlib import pyplot
+    from matplotlib import cm, colors, pyplot
     figure = pyplot.figure(figsize=(11, 4), layout="constrained")
     draw_tables(figure, figure.add_gridspec(1, 2), before, after, start)
     figure.savefig(os.path.join(arguments.out, "restart.png"), dpi=110)
+    if not arguments.picture:
+        return
+    figure = pyplot.figure(figsize=(12, 7.4), layout="constrained")
+    grid = figure.add_gridspec(2, 2, height_ratios=[1.05, 1])
+    shown = []
+    for place, (name, time) in enumerate((("handover", start), ("after", after["time [us]"][-1]))):
+        path = os.path.join(arguments.out, name)
+        render(path + ".vtu", path + ".png")
+        shown.append(figure.add_subplot(grid[0, place]))
+        shown[-1].imshow(pyplot.imread(path + ".png"))
+        shown[-1].axis("off")
+        shown[-1].set_title("%.2f µs" % time)
+    figure.colorbar(cm.ScalarMappable(colors.Normalize(0, SPEED), "viridis"), ax=shown, label="speed of the nodes [km/s]", shrink=0.8, pad=0.01)
+    draw_tables(figure, [grid[1, 0], grid[1, 1]], before, after, start)
+    figure.savefig(arguments.picture, dpi=100)
 
 
 def main():
