@@ -1,0 +1,148 @@
+"""Examples/restart.py and its solver: what the points of impact had the cells have, the elements and nodes, and the solver keeps; the
+solver's forces and shocks are right.
+
+usage: pvpython TestRestart.py IMPACT PLUGIN FOLDER
+"""
+import csv
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+EXAMPLES = os.path.join(ROOT, "Examples")
+sys.path[:0] = [EXAMPLES, os.path.join(ROOT, "Testing", "Python")]
+from lagrangian import CORNERS, MATERIALS, Lagrangian, volume_gradients
+from mpi_run import mpi_run
+
+ROUNDING = 1e-13
+CASE = ["--cells", "24", "--step", "30", "--last", "42"]
+
+
+def block(cells, width):
+    """Points and hexahedra of a block of cells."""
+    n = np.array(cells) + 1
+    points = np.stack(np.meshgrid(*[width * np.arange(count) for count in n], indexing="ij"), -1).reshape(-1, 3)
+    first = np.stack(np.meshgrid(*[np.arange(count) for count in cells], indexing="ij"), -1).reshape(-1, 1, 3)
+    place = first + (CORNERS > 0)
+    return points, (place[..., 0] * n[1] + place[..., 1]) * n[2] + place[..., 2]
+
+
+def at_rest(elements, material):
+    """State of elements that nothing has happened to."""
+    state = {name: np.zeros(elements) for name in ("energy", "plastic_strain", "damage")}
+    return {**state, "density": np.full(elements, MATERIALS["density"][material - 1]), "ratio": np.ones(elements),
+            "toughness": np.full(elements, 1e9), "deviator": np.zeros((elements, 6))}
+
+
+def check_gradients():
+    """Against differences of the volume, of which they are derivatives."""
+    x = CORNERS.T[:, :, None] + 0.2 * np.random.default_rng(1).standard_normal((3, 8, 20))
+    gradients, volume = volume_gradients(x)
+    assert (volume > 0).all() and np.abs(gradients.sum(1)).max() < 1e-14
+    for axis in range(3):
+        for corner in range(8):
+            step = np.zeros_like(x)
+            step[axis, corner] = 1e-5
+            change = (volume_gradients(x + step)[1] - volume_gradients(x - step)[1]) / 2e-5
+            assert np.allclose(change, gradients[axis, corner], atol=1e-9)
+
+
+def check_flight():
+    """A body that turns and flies as a whole, a little deformed, keeps its angular momentum to second order, all else to rounding."""
+    points, hexahedra = block((4, 3, 5), 0.1)
+    spin, elements = np.array([0.3, -0.2, 0.4]), len(hexahedra)
+    velocities = np.cross(spin, points) + [1, 2, 3]
+    solver = Lagrangian(points, hexahedra, np.full(elements, 2), at_rest(elements, 2), velocities)
+    angular = lambda: (solver.node_mass * np.cross(solver.x.T, solver.v.T).T).sum(1)
+    before, at_start = angular(), solver.totals()
+    solver.run(0.3, lambda _: None)
+    assert solver.steps > 20 and np.allclose(angular(), before, rtol=1e-4), (before, angular())
+    change = (solver.totals() - at_start).sum(0)
+    assert np.abs(change[:4]).max() < 1e-13 * at_start[:, 0].sum() and abs(change[4] + change[5]) < 1e-13 * at_start[:, 4].sum(), change
+    assert at_start[0].tolist() == [0] * 6  # no ball
+
+
+def check_shock():
+    """Two halves of aluminium meet: between the shocks is the pressure of the Hugoniot and two thirds of the yield stress."""
+    points, hexahedra = block((24, 24, 24), 0.05)
+    elements, speed = len(hexahedra), 0.5
+    velocities = np.where(points[:, :1] < 0.599, speed, np.where(points[:, :1] > 0.601, -speed, 0)) * [1, 0, 0]
+    solver = Lagrangian(points, hexahedra, np.full(elements, 1), at_rest(elements, 1), velocities)
+    at_start = solver.totals().sum(0)
+    solver.run(0.055, lambda _: None)
+    inside = np.abs(solver.x[:, solver.corners].mean(1) - [[0.6]] * 3).max(0) < 0.06
+    found = (solver.pressure - solver.deviator[0])[inside].mean()
+    m = {name: values[0] for name, values in MATERIALS.items()}
+    expected = m["density"] * (m["sound"] + m["slope"] * speed) * speed + 2 / 3 * m["yield0"]
+    print("shock: %.3f GPa, by the Hugoniot %.3f" % (found, expected))
+    assert inside.sum() >= 8 and abs(found / expected - 1) < 0.04, (found, expected)
+    totals = solver.totals().sum(0)
+    assert abs((totals[4] + totals[5]) / (at_start[4] + at_start[5]) - 1) < ROUNDING
+
+
+def run_restart(impact, plugin, folder, *options):
+    """{row of the printed table: mass, ball, plate, momentum, energy}."""
+    command = ["pvpython", os.path.join(EXAMPLES, "restart.py"), "--plugin", plugin,
+               "--impact", impact, "--out", folder, *CASE, *options]
+    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    print(run.stdout)
+    assert run.returncode == 0, run
+    rows = re.findall(r"^(.*?)((?: +[-+.\de]+){5})$", run.stdout, re.M)
+    return {name.strip(): np.abs(np.array(numbers.split(), float)) for name, numbers in rows}, run.stdout
+
+
+def read_csv(path):
+    with open(path, newline="", encoding="ascii") as file:
+        return list(csv.DictReader(file))
+
+
+def check_restart(impact, plugin, folder):
+    rows, text = run_restart(impact, plugin, os.path.join(folder, "conserve"))
+    points = rows["points of impact to cells"]
+    assert points[[1, 3, 4]].max() <= ROUNDING and points.max() <= 1e-9, points  # less crumbs of the plate
+    for name in ("cells to mesh and not meshed", "the solver's run"):
+        assert rows[name].max() <= ROUNDING, (name, rows[name])
+    assert "not meshed: 0 mg" in text
+    copied, _ = run_restart(impact, plugin, os.path.join(folder, "copy"), "--transfer", "Copy")
+    assert copied["cells to mesh and not meshed"][3:].min() > 1e-4, copied  # else this test tells nothing
+    before, after = (read_csv(os.path.join(folder, "conserve", name)) for name in ("before.csv", "after.csv"))
+    assert float(before[30]["time [us]"]) == float(after[0]["time [us]"]) and len(after) > 12
+    assert np.isclose(float(after[-1]["time [us]"]), float(before[-1]["time [us]"]), rtol=1e-12)
+    gained = float(after[-1]["plate momentum x [mg km/s]"]) - float(after[0]["plate momentum x [mg km/s]"])
+    assert gained > 0.1, gained  # the ball goes on pushing
+    assert os.path.getsize(os.path.join(folder, "conserve", "restart.png")) > 10000
+
+
+def check_ranks(impact, folder):
+    """The history is the same bits."""
+    files = []
+    for ranks in (1, 3):
+        path = os.path.join(folder, "history%d.csv" % ranks)
+        run = mpi_run(ranks, [impact, "--cells", "24", "--steps", "40", "--history", path])
+        assert run.returncode == 0, run
+        with open(path, "rb") as file:
+            files.append(file.read())
+    assert files[0] == files[1] and files[0].count(b"\n") == 42
+    run = mpi_run(2, [impact, "--history", os.path.join(folder, "none", "history.csv")])
+    assert run.returncode == 1 and "cannot write" in run.stderr and len(run.stderr.splitlines()) == 1, run
+
+
+def main(impact, plugin, folder):
+    check_gradients()
+    check_flight()
+    check_shock()
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    check_ranks(impact, folder)
+    check_restart(impact, plugin, folder)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
