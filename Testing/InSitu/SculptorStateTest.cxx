@@ -14,12 +14,16 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace vfm;
 using namespace vfm::testing;
 
 namespace
 {
+
+using Words = std::vector<std::pair<const char*, const char*>>;
 
 class SculptorState : public ::testing::Test
 {
@@ -81,17 +85,17 @@ Vectors VelocitiesOfNodes(vtkUnstructuredGrid* mesh)
 
 TEST_F(SculptorState, OptionsByText)
 {
-  for (const auto& [name, value] : std::map<const char*, const char*>{
-         { "StateTransfer", "conserve" }, { "DensityArrays", "rho - 1, rho - 2" },
-         { "StateKinds", "p=volume,T=mass*cv" }, { "StateOrder", "1" },
-         { "VelocityArray", "velocity" }, { "EnergyArray", "None" }, { "NodalVelocity", "on" },
-         { "LostKineticEnergy", "internal energy" }, { "UnmeshedMaterial", "Drop" } })
+  for (const auto& [name, value] :
+    Words{ { "StateTransfer", "conserve" }, { "DensityArrays", "rho - 1, rho - 2" },
+      { "StateKinds", "p=volume,T=mass*cv" }, { "StateOrder", "1" },
+      { "VelocityArray", "velocity" }, { "EnergyArray", "None" }, { "NodalVelocity", "on" },
+      { "LostKineticEnergy", "internal energy" }, { "UnmeshedMaterial", "Drop" } })
   {
     EXPECT_EQ(this->Set(name, value), SCULPTOR_OK) << sculptor_error_text(this->Sculptor);
   }
-  for (const auto& [name, value] : std::map<const char*, const char*>{ { "StateTransfer", "some" },
-         { "StateKinds", "p" }, { "StateOrder", "3" }, { "NodalVelocity", "perhaps" },
-         { "LostKineticEnergy", "heat" }, { "UnmeshedMaterial", "keep" } })
+  for (const auto& [name, value] : Words{ { "StateTransfer", "some" }, { "StateKinds", "p" },
+         { "StateOrder", "3" }, { "NodalVelocity", "perhaps" }, { "LostKineticEnergy", "heat" },
+         { "UnmeshedMaterial", "keep" } })
   {
     EXPECT_EQ(this->Set(name, value), SCULPTOR_ERROR_ARGUMENT) << name;
     const std::string text = sculptor_error_text(this->Sculptor);

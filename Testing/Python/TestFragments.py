@@ -180,7 +180,7 @@ def test_sculptor():
     """The program's table has the same numbers, on one rank and on two."""
     ball, plate = ball_and_plate()
     data = image({"ball, hot": ball, "plate": plate, "density": 2.0 + ball})
-    mesh = mesh_of(data, VolumeFractionArrays=["ball, hot", "plate"], StateArrays=["density"]).mesh
+    mesh = mesh_of(data, VolumeFractionArrays=["ball, hot", "plate"], DensityArrays=["density"]).mesh
     expected, _ = table_of(mesh, DensityArrays=["density"])
     with tempfile.TemporaryDirectory() as folder:
         path, output = os.path.join(folder, "in.vti"), os.path.join(folder, "fragments.csv")
@@ -193,7 +193,6 @@ def test_sculptor():
                 rows = list(csv.DictReader(file))
             assert {name: [type(expected[name][0])(row[name]) for row in rows] for name in rows[0]} == expected
         for extra, code, text in (
-                (["--density", "density"], 1, "--density is for the table"),
                 (["--fragments", os.path.join(folder, "none", "f.csv")], 4, "Cannot write the output"),
                 (["--fragments", folder], 4, "Cannot write the table"),
                 (["--fragments", output, "--density", "nothing"], 2, "'nothing' (--density)")):
