@@ -243,6 +243,17 @@ def test_labels_tets_and_exodus():
         assert exodus == ["mesh_000002.e.2.0", "mesh_000002.e.2.1"], exodus
 
 
+def test_state():
+    """Copied; conserved, of first order, with the labels for densities."""
+    copied = mesh_of(field(1), StateArrays=["ball", "id"]).mesh
+    conserved = mesh_of(field(2), StateArrays=["ball"], DensityArrays=["id"], StateKinds=["ball=volume"], StateOrder=1).mesh
+    more = {"DENSITY": "id", "STATE_KINDS": "ball=volume", "STATE_ORDER": "1"}
+    for step, gold, settings in ((1, copied, {"STATE": "ball,id"}), (2, conserved, {"STATE": "ball", **more})):
+        with tempfile.TemporaryDirectory() as out:
+            assert run_example(2, out, STEPS=str(step), PICTURE="0", **settings)[0] == [step]
+            expect_mesh(out, step, 2, gold)
+
+
 def test_triggers():
     plate = [3 * CELLS[0] * CELLS[1] - part_in_ball(step)[:3].sum() for step in range(STEPS)]  # the ball sinks in
     limit = 0.5 * (plate[-2] + plate[-1])
