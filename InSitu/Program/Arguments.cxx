@@ -3,6 +3,7 @@
 #include "ArgumentOptions.h"
 #include "FileSuffix.h"
 #include "Images/ImageFile.h"
+#include "JoinComponents.h"
 #include "MesherOptions.h"
 #include "ParseText.h"
 #include "ReadInput.h"
@@ -137,14 +138,8 @@ void SetNamedArrays(Arguments& to)
   to.RefinementArray = FindArrayOption(to, "RefinementArray");
   const std::string densities = FindArrayOption(to, "DensityArrays");
   to.Densities = densities.empty() ? std::vector<std::string>() : SplitText(densities);
-  for (const char* name : { "VelocityArray", "EnergyArray" })
-  {
-    const std::string array = FindArrayOption(to, name);
-    if (!array.empty())
-    {
-      to.Motion.push_back(array);
-    }
-  }
+  to.Velocity = FindArrayOption(to, "VelocityArray");
+  to.Energy = FindArrayOption(to, "EnergyArray");
 }
 
 /// what: for the message.
@@ -213,10 +208,17 @@ std::vector<std::string> ListOtherArrays(const Arguments& arguments)
 {
   std::vector<std::string> names = arguments.State;
   names.insert(names.end(), arguments.Densities.begin(), arguments.Densities.end());
-  names.insert(names.end(), arguments.Motion.begin(), arguments.Motion.end());
-  if (!arguments.RefinementArray.empty())
+  for (const std::string& name :
+    { arguments.Velocity, arguments.Energy, arguments.RefinementArray })
   {
-    names.push_back(arguments.RefinementArray);
+    if (!name.empty())
+    {
+      names.push_back(name);
+    }
+  }
+  for (const auto& components : ListComponentNames(arguments.Velocity))
+  {
+    names.insert(names.end(), components.begin(), components.end());
   }
   return names;
 }

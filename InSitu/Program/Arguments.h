@@ -31,7 +31,7 @@ struct Arguments
   std::string Fragments;                                ///< file of their table; empty: none
   std::string Geometry;               ///< file of surfaces, curves and vertices; empty: none
   std::vector<std::string> Densities; ///< cell arrays, one or one a material
-  std::vector<std::string> Motion;    ///< cell arrays, or stems of theirs: velocity, energy
+  std::string Velocity, Energy;       ///< cell arrays; empty: none
   std::vector<std::string> Fractions; ///< cell arrays; empty: found in the input
   std::string Labels;                 ///< cell array; empty: fractions
   std::vector<std::string> Materials; ///< numbers or names of those to mesh; empty: all

@@ -11,7 +11,7 @@ from sculptor_program import mesh_file, refused, sculptor
 from spyplot import GROUP, Fields, header, split, write_spyplot
 from spyplot_cases import (
     LAYOUTS, NODES, SPY, STATE, TIMES, UNEVEN_NODES, data_of_step, refined_blocks, steps, without_reader_fields)
-from vfmtest import VolumeFractionToHex, VolumeFractionToTet, collect, in_folder, main, mesh_of, uniform
+from vfmtest import VolumeFractionToHex, VolumeFractionToTet, collect, image, in_folder, main, mesh_of, uniform
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 IMPACT = os.path.join(HERE, "..", "..", "Data", "impact.spcth")
@@ -152,6 +152,25 @@ def test_sculptor_flat_mesh(at):
         path = write_spyplot(at(""), "flat", TIMES, split(UNEVEN_NODES, steps(), counts), files)
         mesh_file(path, at("out.vtu"), ranks=ranks)
         check_output(at("out.vtu"), mesh_of_step(0, nodes=UNEVEN_NODES))
+
+
+@in_folder
+def test_sculptor_conserves_state(at):
+    """Densities of each material, and a velocity whose components are apart: those of the filter on the same arrays."""
+    densities = ["Material density - 1", "Material density - 2"]
+    step = steps()[1]
+    ramp = np.linspace(0, 1, 12, dtype=np.float32)[:, None, None] + 0 * step[SPY[0]]
+    step.update({densities[0]: 2 + ramp, densities[1]: 8 - ramp, "Y velocity": 3 * ramp, "Z velocity": 1 - ramp})
+    path = write_spyplot(at(""), "state", [0], split(NODES, [step], (2, 1, 2)), 2)
+    joined = {**step, "velocity": np.stack([step[axis + " velocity"] for axis in "XYZ"], -1)}
+    mesh = mesh_of(image(joined), VolumeFractionArrays=SPY, DensityArrays=densities, VelocityArray="velocity", NodalVelocity=1,
+                   EnergyArray="Pressure").mesh
+    for ranks in (1, 2):
+        out = mesh_file(path, at("out.vtu"), "--density", ",".join(densities), "--velocity", "velocity", "--energy", "Pressure",
+                        "--nodal-velocity", ranks=ranks)
+        assert "materials from %s, %s (" % tuple(SPY) in out and "momentum z" in out, out
+        check_output(at("out.vtu"), mesh)
+    assert mesh.GetCellData().HasArray("Material density") and mesh.GetPointData().HasArray("velocity")
 
 
 @in_folder
