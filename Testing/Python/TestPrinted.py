@@ -9,6 +9,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 COMMANDS = [  # of the blocks of the page, in their order: ranks and words
     (4, "--input Data/splash_3500us.vti --output splash.pvtu"),
     (1, "--input Data/ball_and_plate.vti --tetmesh Lattice --output tets.vtu"),
+    (1, "Data/impact.spcth impact.e --step 2 --velocity velocity --state-transfer conserve --nodal-velocity"),
     (1, "--list Data/impact.spcth"),
     (1, "--list Data/AMReX/plt00000")]
 
