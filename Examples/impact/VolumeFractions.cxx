@@ -36,9 +36,9 @@ constexpr State ListedStates[] = { { "density", Mass, 1 }, { "velocity", Momentu
   { "plastic_strain", PlasticStrain, 1 }, { "damage", Wear, 1 }, { "toughness", Toughness, 1 } };
 constexpr int NumberOfStates = static_cast<int>(std::size(ListedStates));
 
-constexpr double VolumeQuanta = 0x1p40; // of a full cell
-constexpr double Quanta = 0x1p52;       // of a mg, and of a mg times the unit of a mean
-constexpr double Rounding = 0x1p-29;    // of sums of quanta
+constexpr double VolumeQuanta = 0x1p40;  // of a full cell
+constexpr double Quanta = 0x1p52;        // of a mg, and of a mg times the unit of a mean
+constexpr double Rounding = 0x1p-29;     // of sums of quanta
 constexpr double SmallestPart = 0x1p-20; // of a side of a box
 constexpr int SpreadRounds = 12;
 constexpr double TakesExcess = .5; // a cell that holds less has a surface far inside
