@@ -64,7 +64,7 @@ std::array<double, StateChannels> ListContents(const MaterialPoint& p, double ce
   contents[Mass] = mass;
   contents[Wear] = mass * p.Damage;
   contents[Energy] = mass * (p.Energy + KineticEnergy(p.Velocity));
-  contents[Ratio] = mass * p.Ratio;
+  contents[Ratio] = mass * CoveredVolume(p) / p.Volume0; // of the material, as its density
   contents[PlasticStrain] = mass * p.PlasticStrain;
   contents[Toughness] = mass * p.Toughness;
   for (int a = 0; a < 3; ++a)

@@ -9,7 +9,8 @@
  * sum is 1 inside a body, and 1 to rounding at most.
  *
  * The state of a body, all that its points carry but their velocity gradients, are means by mass. It flows along with the volume, so that no
- * mass is without some. Specific energy is internal energy and what kinetic energy the mean velocity lacks.
+ * mass is without some. Specific energy is internal energy and what kinetic energy the mean velocity lacks; the ratio is volume over that at
+ * rest, without the void in rubble.
  */
 #pragma once
 
