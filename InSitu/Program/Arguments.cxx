@@ -138,6 +138,13 @@ void SetNamedArrays(Arguments& to)
   to.RefinementArray = FindArrayOption(to, "RefinementArray");
   const std::string densities = FindArrayOption(to, "DensityArrays");
   to.Densities = densities.empty() ? std::vector<std::string>() : SplitText(densities);
+  for (const std::string& name : to.Densities)
+  {
+    if (std::find(to.State.begin(), to.State.end(), name) == to.State.end())
+    {
+      to.State.push_back(name);
+    }
+  }
   to.Velocity = FindArrayOption(to, "VelocityArray");
   to.Energy = FindArrayOption(to, "EnergyArray");
 }
@@ -207,7 +214,6 @@ Examples
 std::vector<std::string> ListOtherArrays(const Arguments& arguments)
 {
   std::vector<std::string> names = arguments.State;
-  names.insert(names.end(), arguments.Densities.begin(), arguments.Densities.end());
   for (const std::string& name :
     { arguments.Velocity, arguments.Energy, arguments.RefinementArray })
   {

@@ -383,7 +383,7 @@ ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
 {
   const ArrayPlace ofFractions = CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
-  CheckNamedArrays(data, "--density", arguments.Densities, ranks);
+  CheckNamedArrays(data, "--density", arguments.Densities, ranks); // which State has too
   CheckNamedArrays(data, "--state", arguments.State, ranks);
   if (!arguments.RefinementArray.empty())
   {

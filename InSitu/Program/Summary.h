@@ -38,9 +38,9 @@ struct MeshSummary
   bool IsTets = false, HasQuality = false;
   std::vector<PartSummary> Materials, Fragments; ///< Fragments[f] has FragmentId f + 1
   PartSummary Total;
-  double MinimumAngle = 0.0, MaximumAngle = 0.0; ///< dihedral, degrees; of tets
-  std::vector<Index> Angles;                     ///< of tets: how many in each ten degrees
-  std::vector<StateTotal> State; ///< where state was conserved and there is a density
+  double MinimumAngle = 0.0, MaximumAngle = 0.0;  ///< dihedral, degrees; of tets
+  std::vector<Index> Angles;                      ///< of tets: how many in each ten degrees
+  std::vector<StateTotal> State;                  ///< where state was conserved
   double LostToElements = 0.0, LostToNodes = 0.0; ///< kinetic energy that the cells had
 };
 
