@@ -277,6 +277,8 @@ def main():
     files = {name: os.path.join(arguments.out, name) for name in ("before.csv", "after.csv", "handover.vtu", "after.vtu")}
     simple.SaveData(files["handover.vtu"], proxy=mesher, DataMode="Binary")
     mesh = read_mesh(files["handover.vtu"])
+    if mesh.GetNumberOfCells() == 0:
+        sys.exit("no mesh, see the message above")
     before = read_table(files["before.csv"])
     times = dict(zip(before["step"].astype(int), before["time [us]"]))
     solver = start_solver(mesh)
