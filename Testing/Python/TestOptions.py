@@ -3,18 +3,10 @@ import numpy as np
 from paraview.simple import Wavelet
 
 from vfmtest import (
-    SPACING, ball_and_plate, check_surfaces, digest, fraction_image, image, labels, main, mesh_of, producer, run,
+    DEFAULTS, SPACING, ball_and_plate, check_surfaces, digest, fraction_image, image, labels, main, mesh_of, producer, run,
     uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
-DEFAULTS = {
-    "VolumeFractionArrays": [], "MaterialIdArray": [None, "None"], "StateArrays": [], "IsoValue": 0.5,
-    "StateTransfer": "Automatic", "DensityArrays": [], "StateKinds": [], "StateOrder": "2", "VelocityArray": "None", "EnergyArray": "None",
-    "NodalVelocity": 0, "LostKineticEnergy": "Report", "UnmeshedMaterial": "Give",
-    "LabelSmoothing": 0, "LabelNames": "", "MinimumRegionCells": 0, "Refinement": "Input Levels", "MaximumLevel": "Automatic", "FineInterfaces": 1, "FineLayers": 2, "ChildFractions": "Planes", "MaximumAspectRatio": 0.0, "FractionTolerance": 1e-6, "ThinCells": 2.0,
-    "CurvaturePerCell": 0.0, "RefineFlippedCells": 0, "InterfaceLayers": 0, "RefinementArray": "None", "RefinementBoxes": [], "MeshVoid": 0,
-    "StairStep": 0, "Smoothing": "Quadric Surface", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1,
-    "NumberOfThreads": 0}
 DATA = fraction_image(N)
 REFERENCE = mesh_of(DATA)
 
