@@ -1,5 +1,7 @@
 #include "ArrayStems.h"
 
+#include "InputFields.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -143,12 +145,28 @@ std::vector<ArrayStem> MaterialStems::FindStems(const std::string& name) const
   return stems;
 }
 
-std::optional<ArrayStem> FindVector(const std::string& x)
+std::optional<ArrayStem> FindVector(const std::string& component)
 {
   std::vector<ArrayStem> stems;
-  AddStemsOf(x, "x", { "x", "y", "z" }, stems);
-  AddStemsOf(x, "X", { "X", "Y", "Z" }, stems);
+  for (const std::vector<std::string>& axes :
+    { std::vector<std::string>{ "x", "y", "z" }, { "X", "Y", "Z" } })
+  {
+    for (const std::string& axis : axes)
+    {
+      AddStemsOf(component, axis, axes, stems);
+    }
+  }
   return stems.empty() ? std::nullopt : std::make_optional(stems[0]);
+}
+
+bool IsOfVector(const std::string& name, const std::string& vector)
+{
+  const std::optional<ArrayStem> found = FindVector(name);
+  const auto isNamed = [&vector](const std::string& member) { return member == vector; };
+  return name == vector ||
+    (found && !vector.empty() &&
+      (found->Name == vector ||
+        std::any_of(found->Members.begin(), found->Members.end(), isNamed)));
 }
 
 } // namespace vfm

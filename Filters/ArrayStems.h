@@ -3,11 +3,9 @@
  *
  * "Material volume fraction - 1" and "Material volume fraction - 2" tell that 1 and 2 name the materials, so "Material density - 1" is the
  * material density of the first; "frac_steel" and "frac_copper" that "rho_steel" is that of steel. " - " and the number of a material
- * at the end of a name does so, whatever the fractions are called. A lone x is that of "X velocity", "velocity_x", beside which are y and z.
+ * at the end of a name does so, whatever the fractions are called. A lone x, y or z tells components: "X velocity", "velocity_x".
  */
 #pragma once
-
-#include "InputFields.h"
 
 #include <optional>
 #include <string>
@@ -16,14 +14,19 @@
 namespace vfm
 {
 
+struct Materials;
+
 struct ArrayStem
 {
   std::string Name;                 ///< what they share
   std::vector<std::string> Members; ///< of each material from 1, or of x, y, z
 };
 
-/// The arrays of a vector by that of its x; nothing where a name has none.
-std::optional<ArrayStem> FindVector(const std::string& x);
+/// The arrays of a vector by that of a component; nothing where a name has no axis.
+std::optional<ArrayStem> FindVector(const std::string& component);
+
+/// Whether a name is that of a vector, or of a component of it; the vector may be named by that of a component.
+bool IsOfVector(const std::string& name, const std::string& vector);
 
 class MaterialStems
 {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace vfm
 {
@@ -30,16 +31,30 @@ struct StateKindWord
   bool IsCopy = false;
   StateMeaning Meaning = StateMeaning::PerMass;
   std::string Weight; ///< empty: none
+
+  bool IsSameKind(const StateKindWord& other) const
+  {
+    return std::tie(this->IsCopy, this->Meaning, this->Weight) ==
+      std::tie(other.IsCopy, other.Meaning, other.Weight);
+  }
 };
+
+/// Without blanks at its ends.
+std::string Trim(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
 
 /// From what stands behind the =; false when it is no kind.
 bool ReadKind(const std::string& text, StateKindWord& word)
 {
-  const std::string mass = "mass*";
-  if (text.compare(0, mass.size(), mass) == 0 && text.size() > mass.size())
+  const std::size_t star = text.find('*');
+  if (star != std::string::npos && Trim(text.substr(0, star)) == "mass")
   {
-    word.Weight = text.substr(mass.size());
-    return true;
+    word.Weight = Trim(text.substr(star + 1));
+    return !word.Weight.empty();
   }
   const auto found = Meanings.find(text);
   word.IsCopy = text == "copy";
@@ -53,8 +68,8 @@ StateKindWord ReadWord(const std::string& text)
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1))
   {
     StateKindWord word;
-    word.Name = text.substr(0, at);
-    if (at > 0 && ReadKind(text.substr(at + 1), word))
+    word.Name = Trim(text.substr(0, at));
+    if (!word.Name.empty() && ReadKind(Trim(text.substr(at + 1)), word))
     {
       return word;
     }
@@ -120,26 +135,46 @@ private:
     const StateKindWord* word = this->FindWord(group.Name);
     for (std::size_t s : group.States)
     {
-      word = word ? word : this->FindWord(this->States[s].Name);
+      const StateKindWord* own = this->FindWord(this->States[s].Name);
+      if (word && own && !word->IsSameKind(*own))
+      {
+        throw InputError("The state kinds of " + Quote(word->Name) + " and " + Quote(own->Name) +
+          " differ, but they are one array of the mesh, " + Quote(group.Name) + ".");
+      }
+      word = word ? word : own;
     }
     return word;
   }
 
-  bool IsDensity(const StateGroup& group) const
+  bool IsDensity(const std::string& name) const
   {
     const std::vector<std::string>& densities = this->Choice.Densities;
-    return std::any_of(group.States.begin(), group.States.end(),
-      [&](std::size_t s) {
-        return std::find(densities.begin(), densities.end(), this->States[s].Name) !=
-          densities.end();
-      });
+    return std::find(densities.begin(), densities.end(), name) != densities.end();
   }
 
+  bool IsDensity(const StateGroup& group) const
+  {
+    return std::any_of(group.States.begin(), group.States.end(),
+      [&](std::size_t s) { return this->IsDensity(this->States[s].Name); });
+  }
+
+  /// Whether it is the velocity or the energy, by its name or that of any of its arrays.
+  bool IsPerMass(const StateGroup& group) const
+  {
+    const auto isChosen = [this](const std::string& name)
+    { return name == this->Choice.Velocity || name == this->Choice.Energy; };
+    return isChosen(group.Name) ||
+      std::any_of(group.States.begin(), group.States.end(),
+        [&](std::size_t s) { return isChosen(this->States[s].Name); });
+  }
+
+  /// Whole numbers too, but where their role tells what they are.
   bool IsCopied(const StateGroup& group) const
   {
     const StateKindWord* word = this->FindWord(group);
     return word ? word->IsCopy
-                : !IsRealType(this->States[group.States[0]].Type) && !this->IsDensity(group);
+                : !IsRealType(this->States[group.States[0]].Type) && !this->IsDensity(group) &&
+        !this->IsPerMass(group);
   }
 
   /// The place of a state, or -1.
@@ -209,10 +244,18 @@ private:
     const std::optional<ArrayStem> vector = FindVector(this->Choice.Velocity);
     if (vector && x >= 0 && this->States[x].Components == 1)
     {
+      if (!this->Stems.FindStems(this->Choice.Velocity).empty() &&
+        !this->FindWord(this->Choice.Velocity))
+      {
+        throw InputError("The velocity array " + Quote(this->Choice.Velocity) +
+          " is a component of one material's velocity, by its name. Make a vector array of each "
+          "material's components, or tell what it is, for all materials alike (the state kind " +
+          this->Choice.Velocity + "=mass).");
+      }
       group = { vector->Name, {}, true };
       for (const std::string& member : vector->Members)
       {
-        group.States.push_back(this->FindState(member)); // which StateChoice lists
+        group.States.push_back(this->FindState(member)); // which FindChosenState lists
       }
     }
     return group;
@@ -230,7 +273,7 @@ private:
       Quote(this->Table.Names[missing + 1]) + " none is chosen: " + Quote(stem.Members[missing]) +
       ". Choose one for every material, or tell what it is, for all materials alike (the state "
       "kind " +
-      name + "=mass, or another).");
+      name + (this->IsDensity(name) ? "=volume" : "=mass") + ", or another).");
   }
 
   void Place(const StateGroup& group)
@@ -291,7 +334,7 @@ private:
     }
   }
 
-  /// Of what arrays a material become.
+  /// Of what several arrays become.
   void CheckNames() const
   {
     for (const ConservedArray& array : this->Plan.Conserved)
@@ -303,8 +346,8 @@ private:
           [&](const ConservedArray& other) { return other.Name == array.Name; });
         if (count > 1 || this->FindState(array.Name) >= 0)
         {
-          throw InputError("The arrays of each material " +
-            Quote(this->States[array.States[0]].Name) + ", .. become the array " +
+          throw InputError("The arrays " + Quote(this->States[array.States[0]].Name) + ", " +
+            Quote(this->States[array.States[1]].Name) + ", .. become the array " +
             Quote(array.Name) +
             " of the mesh, but there is another of that name. Rename or leave out one of them.");
         }
@@ -385,6 +428,11 @@ private:
     }
     const int found = this->FindConserved(name);
     const std::string array = "The " + what + " array " + Quote(name);
+    if (found < 0 && this->FindState(name) < 0)
+    {
+      throw InputError(
+        array + " is neither an array of the input nor what names of state arrays have in common.");
+    }
     if (found < 0 || this->Plan.Conserved[found].Meaning != StateMeaning::PerMass ||
       this->Plan.Conserved[found].Weight >= 0)
     {
@@ -409,32 +457,6 @@ private:
 };
 
 } // namespace
-
-void StateChoice::AddArrays()
-{
-  std::vector<std::string> names = this->Densities;
-  for (const std::string& name : { this->Velocity, this->Energy })
-  {
-    const bool isStem = std::any_of(this->Arrays.begin(), this->Arrays.end(),
-      [&name](const std::string& listed)
-      { return listed.size() > name.size() && listed.compare(0, name.size(), name) == 0; });
-    if (!name.empty() && !isStem)
-    {
-      names.push_back(name);
-    }
-  }
-  if (const std::optional<ArrayStem> vector = FindVector(this->Velocity))
-  {
-    names.insert(names.end(), vector->Members.begin(), vector->Members.end());
-  }
-  for (const std::string& name : names)
-  {
-    if (std::find(this->Arrays.begin(), this->Arrays.end(), name) == this->Arrays.end())
-    {
-      this->Arrays.push_back(name);
-    }
-  }
-}
 
 StatePlan PlanState(
   const StateChoice& choice, const std::vector<StateArray>& states, const Materials& materials)

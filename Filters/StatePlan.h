@@ -5,27 +5,13 @@
 
 #include "InputFields.h"
 #include "StateArrays.h"
+#include "StateChoice.h"
 
 #include <string>
 #include <vector>
 
 namespace vfm
 {
-
-/// As chosen by properties of the filters (vtkVolumeFractionMeshAlgorithm tells what they mean).
-struct StateChoice
-{
-  bool IsConserved = false; ///< else all arrays are copied
-  std::vector<std::string>
-    Arrays; ///< distinct: where they are conserved those of densities, velocity, energy too
-  std::vector<std::string> Densities;
-  std::vector<std::string> Kinds; ///< words name=kind
-  std::string Velocity, Energy;   ///< empty: none
-
-  /// Lists the arrays of densities, velocity (with those of y and z beside that of x) and energy among all, but what may be the stem of some
-  /// that are there.
-  void AddArrays();
-};
 
 /// What the values of an array are.
 enum class StateMeaning

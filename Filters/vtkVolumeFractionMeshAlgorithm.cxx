@@ -372,12 +372,14 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   runtime.Progress(0.0, "Reading input");
   const vfm::LabelNames names =
     vfm::ShareLabelNames(materials.HasLabels() ? this->LabelNamesFile : "", ranks);
-  const vfm::InputLevels levels = this->FindLevels(input, this->ListArrays(materials), ranks);
+  const vfm::StateChoice state = this->ChooseState(input, ranks);
+  const vfm::InputLevels levels =
+    this->FindLevels(input, this->ListArrays(materials, state), ranks);
   const vfm::LevelCells cells = materials.HasLabels()
     ? vfm::OpenLabels(levels.Levels, materials.Labels.Name, ranks)
     : vfm::OpenFractions(
         levels.Levels, vfm::NamesOf(materials.Fractions), this->FractionTolerance, ranks);
-  vfm::StateCarrier states(levels, this->ChooseState(), ranks);
+  vfm::StateCarrier states(levels, state, ranks);
   vfm::InputWishes wishes = this->FindWishes(levels, ranks);
   const vfm::LevelSetup setup = this->SetUpLevels(levels, wishes, ranks);
   const std::vector<vfm::BlockPlace> owners = this->HasFaceNeighbours

@@ -193,8 +193,8 @@ public:
   /**
    * By STATE_CONSERVE: the velocity, of three components and the kind mass, and the internal energy per mass, of one. Carried as state arrays
    * are. Of these momentum and energies of the materials are told (field data, output port 4). Three arrays of one component are one velocity
-   * when the first is named, in whose name x stands alone ("X velocity", "velocity_x"): the mesh has "velocity". Of energies a material any
-   * one is named, or the stem. Empty, or "None": none. Default: empty.
+   * when any is named, in whose name the axis stands alone ("X velocity", "velocity_x"), or what they share: the mesh has "velocity". Of
+   * energies a material any one is named, or the stem. Empty, or "None": none. Default: empty.
    */
   vtkSetStdStringFromCharMacro(VelocityArray);
   vtkGetCharFromStdStringMacro(VelocityArray);
@@ -573,10 +573,11 @@ private:
 
   std::string GetNamedRefinementArray() const; // empty where none is used
   vfm::MaterialArrays FindMaterials(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
-  vfm::ArraysToRead ListArrays(const vfm::MaterialArrays& materials) const;
+  vfm::ArraysToRead ListArrays(
+    const vfm::MaterialArrays& materials, const vfm::StateChoice& state) const;
   void PrintArrays(ostream& os, vtkIndent indent) const;
   bool IsStateConserved() const;
-  vfm::StateChoice ChooseState() const;
+  vfm::StateChoice ChooseState(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
   vfm::ConserveOptions GetConserveOptions() const;
   void SetState(const vfm::CarriedState& carried, const vfm::Ranks& ranks,
     const vfm::MeshOutputs& outputs) const;

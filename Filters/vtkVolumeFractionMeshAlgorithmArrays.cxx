@@ -231,7 +231,8 @@ bool vtkVolumeFractionMeshAlgorithm::IsStateConserved() const
     (this->StateTransfer == STATE_AUTOMATIC && !this->DensityArrays.empty());
 }
 
-vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState() const
+vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState(
+  vtkDataObject* input, vfm::Ranks& ranks) const
 {
   vfm::StateChoice choice;
   choice.Arrays = this->StateArrays;
@@ -242,7 +243,7 @@ vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState() const
     choice.Kinds = this->StateKinds;
     choice.Velocity = IsNamed(this->VelocityArray) ? this->VelocityArray : "";
     choice.Energy = IsNamed(this->EnergyArray) ? this->EnergyArray : "";
-    choice.AddArrays();
+    return vfm::FindChosenState(input, std::move(choice), ranks);
   }
   return choice;
 }
@@ -258,7 +259,7 @@ vfm::ConserveOptions vtkVolumeFractionMeshAlgorithm::GetConserveOptions() const
 }
 
 vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(
-  const vfm::MaterialArrays& materials) const
+  const vfm::MaterialArrays& materials, const vfm::StateChoice& state) const
 {
   vfm::ArraysToRead arrays;
   arrays.Materials = materials.Fractions;
@@ -266,7 +267,7 @@ vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(
   {
     arrays.Materials.push_back(materials.Labels);
   }
-  for (const std::string& name : this->ChooseState().Arrays)
+  for (const std::string& name : state.Arrays)
   {
     arrays.Others.push_back({ name, vfm::AnyAssociation });
   }

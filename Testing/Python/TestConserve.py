@@ -171,20 +171,44 @@ def test_energy_by_its_stem():
 
 
 def test_velocity_by_components():
-    """An array of each component, as of SpyPlot files and plotfiles, becomes one of three."""
+    """An array of each component, as of SpyPlot files and plotfiles, becomes one of three, by the name of any or what they share."""
     whole = conserved(NodalVelocity=1)
     for names, stem in ((["X velocity", "Y velocity", "Z velocity"], "velocity"), (["y_vel", "x_vel", "z_vel"], "vel")):
         parts = {name: ARRAYS["velocity"][..., "xyz".index(name[0].lower())] for name in names}
         data = image({"ball": BALL, "plate": PLATE, **{name: values for name, values in ARRAYS.items() if name != "velocity"}, **parts})
-        result = conserved(data, NodalVelocity=1, VelocityArray=next(name for name in names if name[0] in "xX"),
-                           StateArrays=STATE + [name for name in names if name[0] in "yY"])
-        assert arrays_of(result).count(stem) == 1 and not set(names) & set(arrays_of(result)), arrays_of(result)
-        for get in ("cells", "points"):
-            assert getattr(result, get)(stem).tobytes() == getattr(whole, get)("velocity").tobytes()
+        for name in (*names, stem):
+            result = conserved(data, NodalVelocity=1, VelocityArray=name, StateArrays=STATE + [name for name in names if name[0] in "yY"])
+            assert arrays_of(result).count(stem) == 1 and not set(names) & set(arrays_of(result)), arrays_of(result)
+            for get in ("cells", "points"):
+                assert getattr(result, get)(stem).tobytes() == getattr(whole, get)("velocity").tobytes()
         array = result.mesh.GetCellData().GetArray(stem)
         assert [array.GetComponentName(c) for c in range(3)] == ["X", "Y", "Z"]
     data.GetCellData().RemoveArray("z_vel")
     check_error(data, "no numeric cell array 'z_vel'", VelocityArray="x_vel")
+    check_error(data, "no numeric cell array 'vel'", VelocityArray="vel")
+
+
+def test_names_that_begin_alike():
+    """Arrays of the very names are meant, whatever else is chosen; a whole vector may be called x."""
+    data = image({"ball": BALL, "plate": PLATE, **ARRAYS, "velocity_error": BALL, "energy_source": BALL, "x_vel": ARRAYS["velocity"]})
+    whole = conserved()
+    for velocity in ("velocity", "x_vel"):
+        result = conserved(data, VelocityArray=velocity, StateArrays=["velocity_error", "energy_source"], StateKinds=[])
+        assert result.cells(velocity).tobytes() == whole.cells("velocity").tobytes()
+        assert result.cells("energy").tobytes() == whole.cells("energy").tobytes()
+
+
+def test_roles_of_whole_numbers():
+    """Densities, velocities and energies are kept, of whole numbers too."""
+    whole = {name: np.round(8 * ARRAYS[name]).astype(np.int32) for name in ("density", "velocity", "energy")}
+    results = [conserved(image({"ball": BALL, "plate": PLATE, **{name: values.astype(kind) for name, values in whole.items()}}),
+                         StateArrays=[], StateKinds=[]) for kind in (np.int32, float)]
+    assert digest(results[0]) == digest(results[1]) and results[0].cells("energy").dtype == float
+
+
+def test_blanks_in_kinds():
+    kinds = [" pressure = volume", "inertia= extensive ", "bulk =cell", "temperature = mass * heat_capacity"]
+    assert digest(conserved(StateKinds=kinds)) == digest(conserved())
 
 
 def test_extensive_arrays_a_material():
@@ -222,16 +246,21 @@ def test_errors_of_the_choice():
     check_error(DATA, "velocity array 'energy' has 1 component: velocity has 3", VelocityArray="energy")
     check_error(DATA, "energy array 'velocity' has 3 components: energy has 1", EnergyArray="velocity")
     check_error(DATA, "energy array 'pressure' must be of the kind mass", EnergyArray="pressure")
+    check_error(DATA, "energy array 'press' is neither an array of the input nor what names of state arrays have in common", EnergyArray="press")
 
 
 def test_errors_of_arrays_a_material():
     data = image({"f1": BALL, "f2": PLATE, "rho1": BALL + 1, "rho2": PLATE + 1, "u1": BALL, "rho": BALL + 1})
     fractions = {"VolumeFractionArrays": ["f1", "f2"], "VelocityArray": "None", "EnergyArray": "None", "StateKinds": []}
-    check_error(data, "'rho1' is that of one material", "'f2'", "'rho2'", **fractions, DensityArrays=["rho1"], StateArrays=[])
-    check_error(data, "'u1' is that of one material", "'u2'", **fractions, DensityArrays=["rho1", "rho2"], StateArrays=["u1"])
-    check_error(data, "'rho1', .. become the array 'rho'", "another of that name", **fractions, DensityArrays=["rho1", "rho2"], StateArrays=["rho"])
+    check_error(data, "'rho1' is that of one material", "'f2'", "'rho2'", "rho1=volume", **fractions, DensityArrays=["rho1"], StateArrays=[])
+    check_error(data, "'u1' is that of one material", "'u2'", "u1=mass", **fractions, DensityArrays=["rho1", "rho2"], StateArrays=["u1"])
+    kinds = {**fractions, "StateKinds": ["rho1=volume", "rho2=cell"]}
+    check_error(data, "'rho1' and 'rho2' differ", "one array of the mesh, 'rho'", **kinds, DensityArrays=["rho1", "rho2"], StateArrays=[])
+    check_error(data, "'rho1', 'rho2', .. become the array 'rho'", "another of that name", **fractions, DensityArrays=["rho1", "rho2"], StateArrays=["rho"])
     result = mesh_of(data, **{**fractions, "StateKinds": ["u1=volume"]}, DensityArrays=["rho1", "rho2"], StateArrays=["u1"])
     assert result.cells("u1").dtype == float
+    data = image({"f1": BALL, "f2": PLATE, **{axis + " u1": BALL for axis in "XYZ"}, "rho": BALL + 1})
+    check_error(data, "'X u1' is a component of one material's velocity", **{**fractions, "VelocityArray": "X u1"}, DensityArrays=["rho"], StateArrays=[])
 
 
 def test_errors_of_values():
