@@ -42,20 +42,24 @@ void ChooseAmrexArrays(vtkAlgorithm* algorithm, const Arguments& arguments)
 {
   vtkAMReXGridReader* reader = vtkAMReXGridReader::SafeDownCast(algorithm);
   std::set<std::string> named(arguments.Fractions.begin(), arguments.Fractions.end());
-  const std::vector<std::string> others = ListOtherArrays(arguments);
+  std::vector<std::string> there;
+  for (int i = 0; reader && i < reader->GetNumberOfCellArrays(); ++i)
+  {
+    there.emplace_back(reader->GetCellArrayName(i));
+  }
+  const std::vector<std::string> others = ListOtherArrays(arguments, there);
   named.insert(others.begin(), others.end());
   named.insert(arguments.Labels);
   std::size_t found = named.count("");
-  for (int i = 0; reader && i < reader->GetNumberOfCellArrays(); ++i)
+  for (const std::string& name : there)
   {
-    found += named.count(reader->GetCellArrayName(i));
+    found += named.count(name);
   }
   // Of one that is not there the mesher's message lists those that are.
   const bool takesAll =
     (arguments.Fractions.empty() && arguments.Labels.empty()) || found < named.size();
-  for (int i = 0; reader && i < reader->GetNumberOfCellArrays(); ++i)
+  for (const std::string& name : there)
   {
-    const std::string name = reader->GetCellArrayName(i);
     reader->SetCellArrayStatus(name.c_str(), takesAll || named.count(name) > 0);
   }
 }

@@ -1,9 +1,9 @@
 #include "Arguments.h"
 
 #include "ArgumentOptions.h"
+#include "ArrayStems.h"
 #include "FileSuffix.h"
 #include "Images/ImageFile.h"
-#include "JoinComponents.h"
 #include "MesherOptions.h"
 #include "ParseText.h"
 #include "ReadInput.h"
@@ -132,6 +132,19 @@ std::string FindArrayOption(const Arguments& from, const char* name)
   return array;
 }
 
+/// Of state that is not conserved neither is told; said in vain they would be missed in the mesh.
+void CheckConserved(const Arguments& from)
+{
+  const std::string how = FindArrayOption(from, "StateTransfer");
+  const bool isConserved =
+    IsSameWord(how, "Conserve") || (!IsSameWord(how, "Copy") && !from.Densities.empty());
+  if (!isConserved && !(from.Velocity + from.Energy).empty())
+  {
+    RefuseArguments("--velocity and --energy are for state that is conserved: name a --density, or "
+                    "say --state-transfer Conserve. Arrays to be copied are those of --state.");
+  }
+}
+
 /// Arrays are wanted that readers read and that are no materials.
 void SetNamedArrays(Arguments& to)
 {
@@ -211,21 +224,19 @@ Examples
 
 } // namespace
 
-std::vector<std::string> ListOtherArrays(const Arguments& arguments)
+std::vector<std::string> ListOtherArrays(
+  const Arguments& arguments, const std::vector<std::string>& there)
 {
-  std::vector<std::string> names = arguments.State;
-  for (const std::string& name :
-    { arguments.Velocity, arguments.Energy, arguments.RefinementArray })
+  std::vector<std::string> names = arguments.State, ofVelocity;
+  std::copy_if(there.begin(), there.end(), std::back_inserter(ofVelocity),
+    [&arguments](const std::string& name) { return IsOfVector(name, arguments.Velocity); });
+  if (ofVelocity.empty())
   {
-    if (!name.empty())
-    {
-      names.push_back(name);
-    }
+    ofVelocity.push_back(arguments.Velocity);
   }
-  for (const auto& components : ListComponentNames(arguments.Velocity))
-  {
-    names.insert(names.end(), components.begin(), components.end());
-  }
+  names.insert(names.end(), ofVelocity.begin(), ofVelocity.end());
+  names.insert(names.end(), { arguments.Energy, arguments.RefinementArray });
+  names.erase(std::remove(names.begin(), names.end(), ""), names.end());
   return names;
 }
 
@@ -275,6 +286,7 @@ Arguments ParseArguments(const std::vector<std::string>& given)
   {
     CheckMesh(arguments, seen);
     SetNamedArrays(arguments);
+    CheckConserved(arguments);
   }
   return arguments;
 }

@@ -46,8 +46,10 @@ struct Arguments
   bool Quiet = false;
 };
 
-/// The cell arrays that are needed besides the materials, which are taken for none.
-std::vector<std::string> ListOtherArrays(const Arguments& arguments);
+/// The cell arrays that are needed besides the materials, which are taken for none. there: what the input has, of which components may make
+/// up the velocity.
+std::vector<std::string> ListOtherArrays(
+  const Arguments& arguments, const std::vector<std::string>& there);
 
 /// words: without the program's name. Throws ProgramError (WrongArguments).
 Arguments ParseArguments(const std::vector<std::string>& words);

@@ -58,16 +58,27 @@ bool IsFraction(const ArrayInfo& array, double tolerance)
       (IsRealType(array.Type) && array.Least >= -tolerance && array.Most <= 1.0 + tolerance));
 }
 
+/// Those of arrays that the arguments name as no materials.
+std::vector<std::string> ListOthers(
+  const std::vector<ArrayInfo>& arrays, const Arguments& arguments)
+{
+  std::vector<std::string> names;
+  std::transform(arrays.begin(), arrays.end(), std::back_inserter(names),
+    [](const ArrayInfo& array) { return array.Name; });
+  return ListOtherArrays(arguments, names);
+}
+
 /// Those that would be fractions if values a little outside of [0, 1] were.
 std::string WarnOfNearFractions(
   const std::vector<ArrayInfo>& arrays, const Arguments& arguments, double tolerance)
 {
   std::vector<std::string> names;
   double outside = 0.0;
+  const std::vector<std::string> others = ListOthers(arrays, arguments);
   for (const ArrayInfo& array : arrays)
   {
     if (IsFraction(array, LargestTolerance) && !IsFraction(array, tolerance) &&
-      !Lists(ListOtherArrays(arguments), array.Name))
+      !Lists(others, array.Name))
     {
       names.push_back(array.Name);
       outside = std::max({ outside, -array.Least, array.Most - 1.0 });
@@ -109,7 +120,7 @@ std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arra
     "No array of the input that can be meshed holds volume fractions: numbers in [0, 1] of type "
     "float or double, or unsigned char. " +
     DescribeArrays(data, ranks);
-  if (!ListOtherArrays(arguments).empty())
+  if (!ListOtherArrays(arguments, {}).empty())
   {
     text += " Those of --state, --density, --velocity, --energy and --refine-cells are taken for "
             "others, unless named as --fractions.";
@@ -308,7 +319,7 @@ ChosenArrays FindMaterials(const std::vector<ArrayInfo>& arrays, ArrayPlace plac
   const Arguments& arguments, double tolerance)
 {
   const bool isOfPoints = place == ArrayPlace::Points;
-  const std::vector<std::string> others = ListOtherArrays(arguments);
+  const std::vector<std::string> others = ListOthers(arrays, arguments);
   ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", arguments.State,
     "named Material volume fraction - N", "" };
   chosen.Place = place;

@@ -122,7 +122,7 @@ public:
   {
     const auto asksFor = [](const std::vector<std::string>& names)
     { return std::find(names.begin(), names.end(), BlockIds) != names.end(); };
-    this->ReadsBlockIds = from.Labels == BlockIds || asksFor(ListOtherArrays(from));
+    this->ReadsBlockIds = from.Labels == BlockIds || asksFor(ListOtherArrays(from, {}));
   }
 
   /// Reads what files hold. all: the files of all ranks.
@@ -250,7 +250,7 @@ std::vector<std::string> ChooseNames(
   const Arguments& arguments, const std::vector<std::string>& known)
 {
   std::vector<std::string> asked = arguments.Fractions;
-  const std::vector<std::string> others = ListOtherArrays(arguments);
+  const std::vector<std::string> others = ListOtherArrays(arguments, known);
   asked.insert(asked.end(), others.begin(), others.end());
   if (!arguments.Labels.empty())
   {

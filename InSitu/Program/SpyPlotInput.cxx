@@ -29,7 +29,7 @@ bool IsWanted(const std::string& name, const Arguments& arguments)
   const bool isFound =
     arguments.Fractions.empty() && arguments.Labels.empty() && IsSpyPlotFraction(name);
   return arguments.Task == Command::List || isFound || lists(arguments.Fractions) ||
-    lists(ListOtherArrays(arguments)) || name == arguments.Labels;
+    lists(ListOtherArrays(arguments, { name })) || name == arguments.Labels;
 }
 
 /// Whether a text has characters that none is made of, which a terminal would obey.

@@ -7,7 +7,6 @@
 #include "ChooseArrays.h"
 #include "ControllerRanks.h"
 #include "FragmentTable.h"
-#include "JoinComponents.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
 #include "ParseText.h"
@@ -138,8 +137,6 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
       }
     });
   const Input input = ReadInput(arguments, ranks);
-  WorkInStage(
-    ranks, ExitCode::InternalError, [&] { JoinComponents(input.Data, arguments.Velocity); });
   const ChosenArrays arrays =
     ChooseArrays(input.Data, arguments, mesher->GetFractionTolerance(), ranks);
   if (ranks.Rank() == 0 && !arrays.Warning.empty())

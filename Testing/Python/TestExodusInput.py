@@ -2,6 +2,7 @@
 readers and the program sculptor on several ranks; and what is said about other meshes and damaged files."""
 import functools
 import os
+import re
 import shutil
 import tempfile
 
@@ -302,6 +303,19 @@ def test_sculptor_part_of_one(at):
     sculptor_program.mesh_file(shutil.move(at("ours.e"), at("ours.1.0")), at("out.vtu"), "--labels", "object_id", "--state", "number")
     numbers = np.concatenate([vtk_to_numpy(piece.GetCellData().GetArray("number")) for piece in read_pieces(at("out.vtu"))])
     assert set(numbers.tolist()) == set(ALL.tolist())
+
+
+@in_folder
+def test_sculptor_velocity(at):
+    """Exodus keeps the components of a vector apart: vel_X, vel_Y, vel_Z; the sums are those of the image."""
+    arrays = fields()
+    ramp = np.linspace(1, 2, N)[:, None, None] + 0 * arrays["MAT_10"]
+    grid = write(image({**arrays, "vel": np.stack([ramp, ramp ** 2, 1 - ramp], -1), "rho": 1 + ramp}), at("grid.vti"))
+    words = ["--fractions", "MAT_10,MAT_20"]
+    sculptor_program.mesh_file(grid, at("cells.e"), *words, "--stairstep", "--void", "--state", "MAT_10,MAT_20,vel,rho")
+    words += ["--density", "rho", "--velocity", "vel", "--nodal-velocity"]
+    sums = [re.findall("^(?:mass|momentum).*", sculptor_program.mesh_file(path, at("out.vtu"), *words), re.M) for path in (grid, at("cells.e"))]
+    assert len(sums[0]) == 4 and sums[0] == sums[1], sums
 
 
 @in_folder
