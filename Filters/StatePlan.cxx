@@ -39,7 +39,7 @@ struct StateKindWord
   }
 };
 
-/// Without blanks at its ends.
+/// Without blanks at its ends, which names of arrays may have as well: " velocity" of ParaView's SpyPlot reader.
 std::string Trim(const std::string& text)
 {
   const std::size_t first = text.find_first_not_of(' ');
@@ -125,7 +125,7 @@ private:
 
   const StateKindWord* FindWord(const std::string& name) const
   {
-    const auto found = this->Words.find(name);
+    const auto found = this->Words.find(Trim(name));
     return found == this->Words.end() ? nullptr : &found->second;
   }
 
@@ -306,14 +306,14 @@ private:
     this->Plan.Conserved.push_back(std::move(array));
   }
 
-  /// The conserved array with a name, its own or that of one of its states; -1: none.
+  /// The conserved array with a name, its own or that of one of its states, but for blanks at the ends; -1: none.
   int FindConserved(const std::string& name) const
   {
     const std::vector<ConservedArray>& arrays = this->Plan.Conserved;
     for (std::size_t c = 0; c < arrays.size(); ++c)
     {
-      const auto isNamed = [&](std::size_t s) { return this->States[s].Name == name; };
-      if (arrays[c].Name == name ||
+      const auto isNamed = [&](std::size_t s) { return Trim(this->States[s].Name) == Trim(name); };
+      if (Trim(arrays[c].Name) == Trim(name) ||
         std::any_of(arrays[c].States.begin(), arrays[c].States.end(), isNamed))
       {
         return static_cast<int>(c);
@@ -326,7 +326,9 @@ private:
   {
     for (const auto& word : this->Words)
     {
-      if (this->FindState(word.first) < 0 && this->FindConserved(word.first) < 0)
+      const bool isOfState = std::any_of(this->States.begin(), this->States.end(),
+        [&word](const StateArray& state) { return Trim(state.Name) == word.first; });
+      if (!isOfState && this->FindConserved(word.first) < 0)
       {
         throw InputError("The state kinds name " + Quote(word.first) +
           ", which is no state array that is chosen.");

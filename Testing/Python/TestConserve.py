@@ -209,6 +209,9 @@ def test_roles_of_whole_numbers():
 def test_blanks_in_kinds():
     kinds = [" pressure = volume", "inertia= extensive ", "bulk =cell", "temperature = mass * heat_capacity"]
     assert digest(conserved(StateKinds=kinds)) == digest(conserved())
+    data = image({"ball": BALL, "plate": PLATE, **ARRAYS, " pressure": ARRAYS["pressure"]})
+    result = conserved(data, StateArrays=[" pressure"], StateKinds=[" pressure=volume"])
+    assert result.cells(" pressure").tobytes() == conserved().cells("pressure").tobytes()
 
 
 def test_extensive_arrays_a_material():
