@@ -36,7 +36,7 @@ import os
 import sys
 
 import numpy as np
-from paraview import catalyst, simple
+from paraview import catalyst, servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
@@ -86,6 +86,13 @@ PROPERTIES = {  # of the filter: the setting, and what makes its value of it
     "EnergyArray": ("ENERGY", str), "StateKinds": ("STATE_KINDS", names_of), "StateTransfer": ("STATE_TRANSFER", str),
     "StateOrder": ("STATE_ORDER", int), "NodalVelocity": ("NODAL_VELOCITY", int),
     "LostKineticEnergy": ("LOST_KINETIC_ENERGY", str), "UnmeshedMaterial": ("UNMESHED", str)}
+
+
+def word_of(chosen, value):
+    """The word of an enumeration that a text means: blanks and case do not count. Other values as they are."""
+    plain = lambda word: word.replace(" ", "").lower()
+    is_word = isinstance(chosen, servermanager.EnumerationProperty) and isinstance(value, str)
+    return next((word for word in chosen.Available if plain(word) == plain(value)), value) if is_word else value
 
 
 def is_first_rank():
@@ -228,7 +235,7 @@ class Mesher:
         self.filter.MaterialIdArray = setting("LABELS") or "None"
         for name, (key, value) in PROPERTIES.items():
             if setting(key):
-                setattr(self.filter, name, value(setting(key)))
+                setattr(self.filter, name, word_of(self.filter.GetProperty(name), value(setting(key))))
         self.errors = []
         self.filter.GetClientSideObject().AddObserver("ErrorEvent", self.make_observer())
         self.stem, self.series, self.picture = os.path.join(setting("OUT"), setting("NAME")), [], None

@@ -247,7 +247,7 @@ def test_state():
     """Copied; conserved, of first order, with the labels for densities."""
     copied = mesh_of(field(1), StateArrays=["ball", "id"]).mesh
     conserved = mesh_of(field(2), StateArrays=["ball"], DensityArrays=["id"], StateKinds=["ball=volume"], StateOrder=1).mesh
-    more = {"DENSITY": "id", "STATE_KINDS": "ball=volume", "STATE_ORDER": "1"}
+    more = {"DENSITY": "id", "STATE_KINDS": "ball=volume", "STATE_ORDER": "1", "STATE_TRANSFER": "conserve", "LOST_KINETIC_ENERGY": "InternalEnergy"}
     for step, gold, settings in ((1, copied, {"STATE": "ball,id"}), (2, conserved, {"STATE": "ball", **more})):
         with tempfile.TemporaryDirectory() as out:
             assert run_example(2, out, STEPS=str(step), PICTURE="0", **settings)[0] == [step]
