@@ -1,7 +1,5 @@
 #include "ArrayStems.h"
 
-#include "InputFields.h"
-
 #include <algorithm>
 #include <cctype>
 
@@ -119,16 +117,16 @@ void AddStemsOf(const std::string& name, const std::string& token,
 
 } // namespace
 
-MaterialStems::MaterialStems(const Materials& materials)
+MaterialStems::MaterialStems(const std::vector<std::string>& names, const std::vector<int>& labels)
 {
-  if (materials.Names.size() < 3) // void and one
+  if (names.size() < 3) // void and one
   {
     return;
   }
-  this->Tokens = FindTokens({ materials.Names.begin() + 1, materials.Names.end() });
-  for (std::size_t m = 1; m < materials.Labels.size(); ++m)
+  this->Tokens = FindTokens({ names.begin() + 1, names.end() });
+  for (std::size_t m = 1; m < labels.size(); ++m)
   {
-    this->Numbers.push_back(" - " + std::to_string(materials.Labels[m]));
+    this->Numbers.push_back(" - " + std::to_string(labels[m]));
   }
 }
 

@@ -14,8 +14,6 @@
 namespace vfm
 {
 
-struct Materials;
-
 struct ArrayStem
 {
   std::string Name;                 ///< what they share
@@ -31,8 +29,8 @@ bool IsOfVector(const std::string& name, const std::string& vector);
 class MaterialStems
 {
 public:
-  /// Of fewer than two materials there are no stems.
-  explicit MaterialStems(const Materials& materials);
+  /// names, labels: of void and each material (Materials). Of fewer than two materials there are no stems.
+  MaterialStems(const std::vector<std::string>& names, const std::vector<int>& labels);
 
   /// The stems that a name may be a member of, the likeliest first.
   std::vector<ArrayStem> FindStems(const std::string& name) const;

@@ -91,7 +91,7 @@ class StatePlanner
 public:
   StatePlanner(
     const StateChoice& choice, const std::vector<StateArray>& states, const Materials& materials) :
-    Choice(choice), States(states), Table(materials), Stems(materials)
+    Choice(choice), States(states), Table(materials), Stems(materials.Names, materials.Labels)
   {
     for (const std::string& text : choice.Kinds)
     {

@@ -2,6 +2,7 @@
  * sculptor: meshes volume fractions in a file, on any number of MPI ranks.
  */
 #include "Arguments.h"
+#include "ArrayStems.h"
 #include "Base/Runtime.h"
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
@@ -9,6 +10,7 @@
 #include "FragmentTable.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
+#include "MaterialNames.h"
 #include "ParseText.h"
 #include "ReadInput.h"
 #include "Stage.h"
@@ -68,28 +70,32 @@ void PrintHead(const Arguments& arguments, const Input& input, const ChosenArray
             << arrays.How << ")\n\n";
 }
 
-/// The arrays of the mesh that hold the densities: those of their names or, where arrays a material became one, the one of what all names
-/// share.
-std::vector<std::string> FindDensities(
-  vtkUnstructuredGrid* mesh, const std::vector<std::string>& names)
+/// The arrays of the mesh that hold the densities: those of their names or, where arrays a material became one, that of their stem.
+std::vector<std::string> FindDensities(vtkUnstructuredGrid* mesh, const Arguments& arguments)
 {
-  vtkCellData* data = mesh->GetCellData();
-  const auto isPartOfAll = [&names](const std::string& stem)
+  std::vector<std::string> names;
+  std::vector<int> labels;
+  const MaterialNames materials(mesh);
+  for (const auto& material : materials.All())
   {
-    return std::all_of(names.begin(), names.end(),
-      [&stem](const std::string& name) { return name.find(stem) != std::string::npos; });
-  };
-  std::string shared;
-  for (int a = 0; a < data->GetNumberOfArrays() && !names.empty(); ++a)
+    labels.push_back(material.first);
+    names.push_back(material.second);
+  }
+  const std::vector<std::string>&densities = arguments.Densities, &states = arguments.State;
+  const auto isState = [&states](const std::string& name)
+  { return std::find(states.begin(), states.end(), name) != states.end(); };
+  const bool isLost = !densities.empty() && !mesh->GetCellData()->HasArray(densities[0].c_str());
+  if (isLost)
   {
-    const char* name = data->GetArrayName(a);
-    if (name && std::string(name).size() > shared.size() && isPartOfAll(name))
+    for (const ArrayStem& stem : MaterialStems(names, labels).FindStems(densities[0]))
     {
-      shared = name;
+      if (std::all_of(stem.Members.begin(), stem.Members.end(), isState))
+      {
+        return { stem.Name };
+      }
     }
   }
-  return shared.empty() || data->HasArray(names[0].c_str()) ? names
-                                                            : std::vector<std::string>{ shared };
+  return densities;
 }
 
 void WriteFragments(vtkUnstructuredGrid* mesh, const Arguments& arguments, Ranks& ranks)
@@ -100,7 +106,7 @@ void WriteFragments(vtkUnstructuredGrid* mesh, const Arguments& arguments, Ranks
   }
   vtkNew<vtkTable> table;
   WorkInStage(ranks, ExitCode::UnreadableInput,
-    [&] { MakeFragmentTable(mesh, FindDensities(mesh, arguments.Densities), ranks, table); });
+    [&] { MakeFragmentTable(mesh, FindDensities(mesh, arguments), ranks, table); });
   WorkInStage(ranks, ExitCode::UnwritableOutput,
     [&]
     {

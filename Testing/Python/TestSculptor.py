@@ -137,6 +137,19 @@ def test_conserved_state(at):
 
 
 @in_folder
+def test_masses_of_fragments(at):
+    """Of densities a material whose names part the materials in their middle, beside an array whose name both hold."""
+    arrays = arrays_of_impact()
+    names = ["rho of %s (g)" % body for body in ("ball", "plate")]
+    path = write(image({**{body: arrays[body] for body in ("ball", "plate")}, names[0]: arrays["rho - 1"], names[1]: arrays["rho - 2"],
+                        "r": arrays["energy"]}), at("in.vti"))
+    mesh_file(path, at("out.vtu"), "--fractions", "ball,plate", "--density", ",".join(names), "--state", "r", "--fragments", at("table.csv"))
+    mass = sum((arrays[body] * arrays["rho - %d" % (i + 1)]).sum() for i, body in enumerate(("ball", "plate"))) * np.prod(SPACING)
+    with open(at("table.csv"), newline="", encoding="utf-8") as file:
+        assert np.isclose(sum(float(row["Mass"]) for row in csv.DictReader(file)), mass, rtol=1e-9)
+
+
+@in_folder
 def test_state_is_copied_where_asked(at):
     path = write(image(arrays_of_impact()), at("in.vti"))
     words = ["--fractions", "ball,plate", "--state", "velocity", "--density", "rho - 2"]
