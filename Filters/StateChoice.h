@@ -25,7 +25,7 @@ struct StateChoice
 
 /// Collective: adds the arrays of densities, velocity and energy to all, but what may be the stem of some that are listed. Of a velocity
 /// whose components are arrays of their own, by its name or that of one of them, these, and Velocity becomes that of x. Throws
-/// InputError, on all ranks alike, on input that has no blocks.
+/// InputError, on all ranks alike, on input of a kind that cannot be meshed.
 StateChoice FindChosenState(vtkDataObject* input, StateChoice choice, Ranks& ranks);
 
 } // namespace vfm

@@ -118,8 +118,8 @@ void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
   CheckOutputSuffix(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
 }
 
-/// The last value of an option of the mesher that names an array; empty: none.
-std::string FindArrayOption(const Arguments& from, const char* name)
+/// The last value of an option of the mesher; empty: none.
+std::string FindOption(const Arguments& from, const char* name)
 {
   std::string array;
   for (const auto& option : from.Options)
@@ -132,12 +132,13 @@ std::string FindArrayOption(const Arguments& from, const char* name)
   return array;
 }
 
-/// Of state that is not conserved neither is told; said in vain they would be missed in the mesh.
+/// Throws where velocity or energy would be missing in the mesh, since only state that is conserved has them.
 void CheckConserved(const Arguments& from)
 {
-  const std::string how = FindArrayOption(from, "StateTransfer");
+  const std::string how = FindOption(from, "StateTransfer");
+  const bool isCopied = IsSameWord(how, "Copy") || how == "1"; // numbers stand for words
   const bool isConserved =
-    IsSameWord(how, "Conserve") || (!IsSameWord(how, "Copy") && !from.Densities.empty());
+    IsSameWord(how, "Conserve") || how == "2" || (!isCopied && !from.Densities.empty());
   if (!isConserved && !(from.Velocity + from.Energy).empty())
   {
     RefuseArguments("--velocity and --energy are for state that is conserved: name a --density, or "
@@ -148,8 +149,8 @@ void CheckConserved(const Arguments& from)
 /// Arrays are wanted that readers read and that are no materials.
 void SetNamedArrays(Arguments& to)
 {
-  to.RefinementArray = FindArrayOption(to, "RefinementArray");
-  const std::string densities = FindArrayOption(to, "DensityArrays");
+  to.RefinementArray = FindOption(to, "RefinementArray");
+  const std::string densities = FindOption(to, "DensityArrays");
   to.Densities = densities.empty() ? std::vector<std::string>() : SplitText(densities);
   for (const std::string& name : to.Densities)
   {
@@ -158,8 +159,8 @@ void SetNamedArrays(Arguments& to)
       to.State.push_back(name);
     }
   }
-  to.Velocity = FindArrayOption(to, "VelocityArray");
-  to.Energy = FindArrayOption(to, "EnergyArray");
+  to.Velocity = FindOption(to, "VelocityArray");
+  to.Energy = FindOption(to, "EnergyArray");
 }
 
 /// what: for the message.
