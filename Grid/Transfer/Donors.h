@@ -91,6 +91,16 @@ public:
   template <class Pack, class Unpack>
   void Exchange(int width, const Pack& pack, const Unpack& unpack) const;
 
+  /// Calls body(donor) for the copies, as Exchange unpacks them.
+  template <class Body>
+  void ForCopies(const Body& body) const
+  {
+    for (const std::vector<int>& copies : this->Copies)
+    {
+      std::for_each(copies.begin(), copies.end(), body);
+    }
+  }
+
 private:
   const Partition* Parts;
   std::vector<std::vector<int>> Mine, Copies; // by peer

@@ -105,14 +105,21 @@ public:
       this->Grid, this->Request.Fractions, this->Whole, this->Donors, this->IsMeshed, this->Parts);
     const std::vector<DonorParts> near = this->FindParts(
       [&](Index e) { return this->Whole.IsWhole(e) && this->IsNear(misfits, e); }, shapes);
+    const FlowRegion region = this->FindRegion(misfits);
+    const std::vector<DonorParts> inside = this->FindParts(
+      [&](Index e)
+      {
+        return this->Whole.IsWhole(e) && !this->IsNear(misfits, e) &&
+          region.HoldsAll(this->TheMesh.Fragment[e]);
+      },
+      shapes);
     CentreShapes(this->Donors, shapes);
     const DonorLinks links(this->Grid, this->Parts, this->Donors);
     MaterialSums input(materials, this->Columns), unmeshed(materials, this->Columns);
     DonorValues values =
       FillDonors(this->Source, this->Whole, this->Parts, this->Donors, input, unmeshed);
     TransferredState state;
-    state.Factors =
-      MoveContents(this->Source, misfits, this->Parts, links, this->Run, this->Donors, values);
+    state.Factors = MoveContents(this->Source, region, links, this->Run, this->Donors, values);
     this->UpdateCopies(links, values);
     const Slopes slopes = this->Request.Order == 1
       ? Slopes(this->Columns)
@@ -121,7 +128,8 @@ public:
     this->Allocate(state);
     this->FillFromDonors(moved, slopes, values, state);
     this->FillFromDonors(near, slopes, values, state);
-    this->FillFromCells(misfits, state);
+    this->FillFromDonors(inside, slopes, values, state);
+    this->FillFromCells(region, state);
     state.Input = input.Finish(this->Run.Group());
     state.Unmeshed = unmeshed.Finish(this->Run.Group());
     return state;
@@ -150,6 +158,13 @@ private:
       [&](const Index3& p)
       { isNear = isNear || misfits.IsNear(this->Grid.Linear(p), DonorLayers); });
     return isNear;
+  }
+
+  /// Between which donors contents move; donors of elements that are no whole cells, or near misfits, there are. Collective.
+  FlowRegion FindRegion(const MisfitCells& misfits)
+  {
+    const DonorLinks links(this->Grid, this->Parts, this->Donors);
+    return { misfits, FindDivided(this->Grid, misfits, links, this->Donors, this->Run.Group()) };
   }
 
   /// Gives copies what their owners hold now.
@@ -232,8 +247,8 @@ private:
     }
   }
 
-  /// Whole elements that no misfit is near.
-  void FillFromCells(const MisfitCells& misfits, TransferredState& state)
+  /// Whole elements without donors.
+  void FillFromCells(const FlowRegion& region, TransferredState& state)
   {
     this->Run.For(0, static_cast<Index>(this->TheMesh.Material.size()),
       [&](Index begin, Index end)
@@ -241,7 +256,8 @@ private:
         ElementState element(this->Columns);
         for (Index e = begin; e < end; ++e)
         {
-          if (!this->Whole.IsWhole(e) || this->IsNear(misfits, e))
+          if (!this->Whole.IsWhole(e) || this->IsNear(region.Misfits, e) ||
+            region.HoldsAll(this->TheMesh.Fragment[e]))
           {
             continue;
           }

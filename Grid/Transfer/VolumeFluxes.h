@@ -6,7 +6,8 @@
  * giving cell has in it: what a cell holds afterwards is a mean of what was in cells around it, so nothing is lost and no bound is left. Flows go
  * down the potential, so they never run in circles: whatever the volumes, a cell has what it must give once it got what it gets.
  *
- * What a connected piece of the cells near misfits has in total is made equal first: volumes are multiplied by a factor, values per volume divided by it.
+ * What a connected piece of these cells (FlowNodes.h) has in total is made equal first: volumes are divided by a factor, values per volume
+ * multiplied with it.
  *
  * The same bits on any ranks: the potential is that of conjugate gradients whose sums are of integers; flows of a cell are summed
  * in the order of its faces.
@@ -14,6 +15,7 @@
 #pragma once
 
 #include "Transfer/DonorContents.h"
+#include "Transfer/FlowNodes.h"
 
 namespace vfm
 {
@@ -22,8 +24,7 @@ namespace vfm
 using VolumeFactors = std::vector<std::array<double, 2>>;
 
 /// Moves the contents of the owned donors; their volumes are then their overlaps, but for rounding. Collective.
-VolumeFactors MoveContents(const StateSource& source, const MisfitCells& misfits,
-  const Partition& partition, const DonorLinks& links, Runtime& runtime, DonorTable& donors,
-  DonorValues& values);
+VolumeFactors MoveContents(const StateSource& source, const FlowRegion& region,
+  const DonorLinks& links, Runtime& runtime, DonorTable& donors, DonorValues& values);
 
 } // namespace vfm

@@ -1,5 +1,6 @@
 /// State is the same, bit for bit, on any number of ranks and threads.
 #include "RankMeshes.h"
+#include "Shapes/ShapesScenes.h"
 #include "StateCases.h"
 
 #include <gtest/gtest.h>
@@ -60,12 +61,15 @@ TEST_P(TransferRanks, SameBits)
   const TransferRankCase& what = std::get<1>(this->GetParam());
   const bool noise = what.Mesh == std::string("noise");
   const bool patches = what.Mesh == std::string("patches");
+  const bool plate = what.Mesh == std::string("thick plate");
   const CartesianGrid cube = MakeUnitGrid(12, 11, 13), uneven = MakeUnevenGrid(13);
-  const MeshCase shape = MakeMeshCase(noise || patches ? "sphere 8" : what.Mesh);
-  const CartesianGrid& grid = noise ? cube : patches ? uneven : shape.Grid;
+  const MeshCase shape = MakeMeshCase(noise || patches || plate ? "sphere 8" : what.Mesh);
+  const CartesianGrid& grid = noise || plate ? cube : patches ? uneven : shape.Grid;
   const FractionField field = noise ? MakeRandomLabels(cube, 3, 0, 5)
     : patches                       ? MakePatchyFractions(uneven, 3, 7)
-                                    : shape.Fractions;
+    : plate
+    ? FractionsOfShapes(cube, { MakePlate(1, { { 6.0, 5.5, 6.4 } }, { { 0.1, 0.2, 1.0 } }, 9.0) })
+    : shape.Fractions;
   StateCase c{ grid, field, FillNoise };
   c.Quantities = MakeCodeQuantities();
   c.Density = 0;
@@ -95,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, TransferRanks,
     ::testing::Values(TransferRankCase{ "sphere 8", false, 0 },
       TransferRankCase{ "sphere 16", true, 0 }, TransferRankCase{ "half sphere", false, 0 },
       TransferRankCase{ "sphere 16", false, 1 }, TransferRankCase{ "noise", false, 0 },
-      TransferRankCase{ "patches", true, 0 })),
+      TransferRankCase{ "thick plate", false, 0 }, TransferRankCase{ "patches", true, 0 })),
   NameOfCase);
 
 INSTANTIATE_TEST_SUITE_P(Crossing, TransferRanks,

@@ -219,6 +219,71 @@ StateCase MakeSideCase(const CartesianGrid& grid, const FractionField& fractions
 
 } // namespace
 
+/// Their sides, apart from each other, have other volumes in the mesh than in the cells; in total these are the same.
+TEST(TransferState, HollowBodiesStayAsDenseAsTheyAre)
+{
+  const CartesianGrid grid = MakeUnitGrid(24);
+  const Vector3 middle{ { 12.1, 12.0, 11.8 } };
+  const FractionField fractions = FractionsOfShapes(grid,
+    { MakeFunctionShape(1,
+      [&middle](const Vector3& x)
+      {
+        const Vector3 d = x - middle;
+        const double side = std::max({ std::fabs(d[0]), std::fabs(d[1]), std::fabs(d[2]) });
+        return std::max(side - 10.4, 4.7 - Norm(d));
+      }) });
+  for (MeshMaker make : AllMakers())
+  {
+    StateCase c{ grid, fractions,
+      [](const CartesianGrid&, const Index3& p, int, double* v)
+      {
+        v[0] = 3.0;
+        v[1] = static_cast<double>(p[0] % 3);
+      } };
+    c.Quantities = { { StateKind::PerVolume, 1, -1 }, { StateKind::PerMass, 1, -1 } };
+    c.Density = 0;
+    c.Make = make;
+    const StateOutcome outcome = TransferAlone(c);
+    EXPECT_EQ(FindTotalsProblem(c, outcome), "");
+    double worst = 0.0;
+    for (const auto& entry : outcome.Elements)
+    {
+      worst = std::max(worst, std::fabs(entry.second.Values[0] / 3.0 - 1.0));
+    }
+    std::printf("%s: densities off by %.2g, factors by %.2g %.2g\n",
+      make == MakeHexMesh ? "hexes" : "tets", worst, outcome.Factors[1][0] - 1.0,
+      outcome.Factors[1][1] - 1.0);
+    EXPECT_LT(worst, 1e-6);
+  }
+}
+
+/// As a region of void that was removed: content flows all the way.
+TEST(TransferState, ALongBarIsFilledFromItsEnd)
+{
+  const CartesianGrid grid = MakeUnitGrid(120, 5, 5);
+  const auto fill = [&grid](double length)
+  {
+    return FractionsOfShapes(
+      grid, { MakeBox(1, { { 4.0 + 0.5 * length, 2.5, 2.5 } }, { { length, 3.0, 3.0 } }) });
+  };
+  const FractionField meshed = fill(112.0), held = fill(8.0);
+  class Values : public StateCellValues
+  {
+    void Read(const Index3&, int, double* values) const override { values[0] = 2.0; }
+  };
+  Runtime alone;
+  MeshReport report;
+  const Mesh mesh = MakeHexMesh(grid, meshed, MeshOptions(), alone, report);
+  const Values values;
+  const TransferredState state = TransferState(
+    mesh, { grid, held, values, { { StateKind::PerVolume, 1, -1 } }, 0, 2, true }, alone);
+  EXPECT_NEAR(state.Factors[1][0], 8.0 / 112.0, 1e-6);
+  for (double density : state.Values[0])
+  {
+    EXPECT_NEAR(density, 2.0 * state.Factors[1][0], 1e-12);
+  }
+}
+
 TEST(TransferState, FragmentsKeepTheirOwn)
 {
   const CartesianGrid grid = MakeUnitGrid(20, 10, 10);
