@@ -2,6 +2,8 @@
 
 #include "Base/HexNumbering.h"
 #include "Base/Vector3.h"
+#include "Octree/RefinedGrid.h"
+#include "Transfer/StateCells.h"
 
 namespace vfm
 {
@@ -70,6 +72,62 @@ private:
   }
 };
 
+/// The cells that elements may lie in. On a graded grid smoothing may carry an element over many thin cells, farther than a rank sees.
+class ElementReach
+{
+public:
+  ElementReach(const Mesh& mesh, const CartesianGrid& grid) :
+    TheMesh(mesh),
+    Grid(grid),
+    IsLimited(mesh.Levels && mesh.Ids.ElementSlots > 0 && IsGraded(mesh.Levels->Finest()))
+  {
+  }
+
+  IndexBox Of(Index element) const
+  {
+    if (!this->IsLimited)
+    {
+      return this->Grid.Local();
+    }
+    const CartesianGrid& finest = this->TheMesh.Levels->Finest();
+    const IndexBox cells =
+      Grow(CellsOfElement(finest, this->TheMesh, this->TheMesh.ElementIds[element]), StateReach,
+        finest.Global());
+    IndexBox box;
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>&x = this->Grid.Coordinates(a), &y = finest.Coordinates(a);
+      box.Lower[a] = std::upper_bound(x.begin(), x.end(), y[cells.Lower[a]]) - x.begin() - 1;
+      box.Upper[a] = std::lower_bound(x.begin(), x.end(), y[cells.Upper[a]]) - x.begin();
+    }
+    return Intersect(box, this->Grid.Local());
+  }
+
+private:
+  static bool IsGraded(const CartesianGrid& grid)
+  {
+    bool isGraded = false;
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::vector<double>& x = grid.Coordinates(a);
+      double least = grid.Width(a, 0), most = least;
+      for (Index i = 1; i + 1 < static_cast<Index>(x.size()); ++i)
+      {
+        least = std::min(least, grid.Width(a, i));
+        most = std::max(most, grid.Width(a, i));
+      }
+      isGraded = isGraded || most > MostGrading * least;
+    }
+    return isGraded;
+  }
+
+  static constexpr double MostGrading = 2.0; // with which no element leaves what ranks see
+
+  const Mesh& TheMesh;
+  const CartesianGrid& Grid;
+  const bool IsLimited;
+};
+
 /// The intervals between coordinates that something spans.
 struct Span
 {
@@ -80,14 +138,18 @@ struct Span
 class ElementCutter
 {
 public:
-  ElementCutter(const Mesh& mesh, const CartesianGrid& grid) : TheMesh(mesh), Grid(grid) {}
+  ElementCutter(const Mesh& mesh, const CartesianGrid& grid, const ElementReach& reach) :
+    TheMesh(mesh), Grid(grid), Reach(reach)
+  {
+  }
 
   void Cut(Index element, std::vector<OverlapPart>& parts)
   {
     this->ReadCorners(element);
+    const IndexBox reach = this->Reach.Of(element);
     for (int a = 0; a < 3; ++a)
     {
-      this->FindSpan(a);
+      this->FindSpan(a, reach.Lower[a], reach.Upper[a]);
     }
     if (this->TheMesh.Corners == 8 && this->IsBox())
     {
@@ -121,11 +183,10 @@ private:
     }
   }
 
-  /// The cells of the local box that the element spans along an axis. Elements come in an order in which the last span is near.
-  void FindSpan(int a)
+  /// The cells from first to before end that the element spans along an axis. Elements come in an order in which the last span is near.
+  void FindSpan(int a, Index first, Index end)
   {
     const std::vector<double>& x = this->Grid.Coordinates(a);
-    const Index first = this->Grid.Local().Lower[a], end = this->Grid.Local().Upper[a];
     Span& span = this->Spans[a];
     const double low = this->Lower[a], high = this->Upper[a];
     Index i = std::min(std::max(span.First, first), end - 1);
@@ -472,6 +533,7 @@ private:
 
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
+  const ElementReach& Reach;
   std::array<Vector3, 8> Corners;            // of a hex by their bits
   Vector3 Lower, Upper;                      // of the box around it
   Vector3 Origin;                            // of coordinates while it is cut
@@ -490,12 +552,13 @@ Overlaps FindOverlaps(
   const Index count = static_cast<Index>(elements.size());
   const Index pieces = (count + ElementsAtOnce - 1) / ElementsAtOnce;
   std::vector<std::vector<OverlapPart>> parts(pieces);
+  const ElementReach reach(mesh, grid);
   Overlaps overlaps;
   overlaps.Offsets.assign(count + 1, 0);
   ForEach(runtime, pieces,
     [&](Index piece)
     {
-      ElementCutter cutter(mesh, grid);
+      ElementCutter cutter(mesh, grid, reach);
       const Index end = std::min(count, (piece + 1) * ElementsAtOnce);
       for (Index i = piece * ElementsAtOnce; i < end; ++i)
       {

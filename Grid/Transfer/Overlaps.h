@@ -30,8 +30,9 @@ struct Overlaps
   std::vector<OverlapPart> Parts;
 };
 
-/// elements: their places in the mesh. grid: may be coarser or finer than that of the mesh, its cells of any widths. What lies
-/// beyond grid.Local() goes to the cells at its rim. The parts of an element depend on nothing but its corners and the coordinates
+/// elements: their places in the mesh. grid: may be coarser or finer than that of the mesh, its cells of any widths. What lies beyond
+/// grid.Local(), or, on graded grids, more than StateReach cells from those that an element was made of (but TetGen's tets), goes to the
+/// cells at the rim of these. The parts of an element depend on nothing but its corners and the coordinates
 /// of the grid; their volumes sum to its volume but for rounding.
 Overlaps FindOverlaps(const Mesh& mesh, const std::vector<Index>& elements,
   const CartesianGrid& grid, Runtime& runtime);

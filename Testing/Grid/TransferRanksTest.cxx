@@ -94,6 +94,40 @@ TEST_P(TransferRanks, SameBits)
   }
 }
 
+/// Smoothing carries elements over more thin cells than a rank has around its own.
+TEST(TransferThinCells, SameBits)
+{
+  std::array<std::vector<double>, 3> x;
+  for (int a = 0; a < 3; ++a)
+  {
+    double at = 0.0;
+    for (int i = 0; i <= 20; ++i)
+    {
+      x[a].push_back(at);
+      at += a == 0 && i >= 6 && i < 14 ? 0.01 : 1.0;
+    }
+  }
+  const CartesianGrid grid(x);
+  const double middle = 0.5 * x[0].back();
+  const FractionField field =
+    FractionsOfShapes(grid, { MakeSphere(1, { { middle, 10.1, 10.2 } }, 0.36 * x[0].back()) });
+  for (MeshMaker make : { MakeHexMesh, MakeTetMesh })
+  {
+    StateCase c{ grid, field, FillNoise };
+    c.Quantities = MakeCodeQuantities();
+    c.Density = 0;
+    c.Make = make;
+    const StateOutcome alone = TransferAlone(c);
+    EXPECT_EQ(FindTotalsProblem(c, alone), "");
+    for (int ranks : { 3, 8 })
+    {
+      EXPECT_EQ(
+        FindOutcomeDifference(TransferOnRanks(c, CutBox(grid.Global(), ranks, 0)), alone), "")
+        << ranks << " ranks";
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cases, TransferRanks,
   ::testing::Combine(::testing::Values(MakeHexMesh, MakeTetMesh),
     ::testing::Values(TransferRankCase{ "sphere 8", false, 0 },

@@ -280,7 +280,7 @@ TEST(TransferState, ALongBarIsFilledFromItsEnd)
   EXPECT_NEAR(state.Factors[1][0], 8.0 / 112.0, 1e-6);
   for (double density : state.Values[0])
   {
-    EXPECT_NEAR(density, 2.0 * state.Factors[1][0], 1e-12);
+    EXPECT_NEAR(density, 2.0 * state.Factors[1][0], 1e-9);
   }
 }
 
