@@ -114,13 +114,6 @@ InputCell ConservedCells::FindInput(const Index3& cell, int source) const
   return found;
 }
 
-IndexBox ConservedCells::CellsOfInput(const Index3& cell) const
-{
-  const int source = this->Entry[this->Grid.Linear(cell)];
-  const int coarser = source < 0 ? 0 : this->Level - this->LevelOf(source);
-  return ChangeLevel(ChangeLevel(BoxOfCell(cell), -coarser), coarser);
-}
-
 void ConservedCells::Read(const Index3& cell, int material, double* values) const
 {
   const int source = this->Entry[this->Grid.Linear(cell)];

@@ -29,7 +29,6 @@ public:
   const FractionField& GetFractions() const { return this->Fractions; }
   const std::vector<std::string>& GetNames() const { return this->Names; }
 
-  IndexBox CellsOfInput(const Index3& cell) const override;
   void Read(const Index3& cell, int material, double* values) const override;
 
 private:

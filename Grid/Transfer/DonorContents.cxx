@@ -6,46 +6,10 @@
 namespace vfm
 {
 
-/// Of the materials that share the sums in some cells.
-double StateSource::SharingVolume(const IndexBox& cells) const
-{
-  const CartesianGrid& grid = this->Request.Grid;
-  const FractionField& fractions = this->Request.Fractions;
-  double volume = 0.0;
-  ForCells(Intersect(cells, grid.Local()),
-    [&](const Index3& p)
-    {
-      const Index cell = grid.Linear(p);
-      double fraction = 0.0;
-      if (!fractions.IsMixed(cell))
-      {
-        fraction = this->Counts(fractions.Label(cell)) ? 1.0 : 0.0;
-      }
-      else
-      {
-        for (const FractionField::Part& part : fractions.Parts(cell))
-        {
-          fraction += this->Counts(part.Material) ? part.Fraction : 0.0;
-        }
-      }
-      volume += fraction * grid.CellVolume(p);
-    });
-  return volume;
-}
-
 void StateSource::Read(const Index3& cell, int material, double* values) const
 {
   this->Request.Values.Read(cell, material, values);
   std::fill(values + this->Columns.CountOfQuantities(), values + this->Columns.Count(), 1.0);
-  if (!this->Columns.HasExtensive())
-  {
-    return;
-  }
-  const double volume = this->SharingVolume(this->Request.Values.CellsOfInput(cell));
-  for (int c = 0; c < this->Columns.Count(); ++c)
-  {
-    values[c] = this->Columns.IsExtensive(c) ? values[c] / volume : values[c];
-  }
 }
 
 MaterialSums::MaterialSums(int materials, const StateColumns& columns) :

@@ -22,7 +22,7 @@ public:
     Request(request), Columns(columns), IsMeshed(isMeshed)
   {
   }
-  /// The values in a cell that holds some of a material; of sums what there is of them a volume.
+  /// The values of all columns in a cell that holds some of a material.
   void Read(const Index3& cell, int material, double* values) const;
   /// Whether totals speak of a material: void only where it is meshed.
   bool Counts(int material) const { return material > 0 || this->IsMeshed[0]; }
@@ -30,9 +30,6 @@ public:
   const TransferRequest& Request;
   const StateColumns& Columns;
   const std::vector<unsigned char>& IsMeshed; ///< by material
-
-private:
-  double SharingVolume(const IndexBox& cells) const;
 };
 
 /// Totals by material.

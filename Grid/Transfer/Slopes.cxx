@@ -7,6 +7,8 @@ namespace vfm
 namespace
 {
 
+constexpr double Little =
+  1e-4; // of a donor's volume: what is in so little may be so large that its slopes would leave nothing but rounding
 constexpr double Flat =
   1e-6; // of the largest eigenvalue: donors around lie in a plane or on a line
 
@@ -65,7 +67,7 @@ private:
     {
       const int other =
         n == 13 ? -1 : this->Donors.Find(donor.Cell + this->Steps[n], donor.Fragment);
-      if (other >= 0 && this->Donors[other].Volume > 0.0)
+      if (other >= 0 && this->Donors[other].Volume > Little * donor.Volume)
       {
         const Vector3 x = this->Donors[other].Centroid - donor.Centroid;
         const double square = Dot(x, x);
@@ -124,15 +126,6 @@ private:
         sums.Right[0] += weights[0] * difference;
         sums.Right[1] += weights[1] * difference;
         sums.Right[2] += weights[2] * difference;
-      }
-    }
-    for (int c = 0; c < count; ++c)
-    {
-      if (this->Columns.IsExtensive(
-            c)) // a sum in hardly any volume next to this one would be lost in rounding
-      {
-        this->Sums[c].Least = std::max(this->Sums[c].Least, -std::fabs(own[c]));
-        this->Sums[c].Most = std::min(this->Sums[c].Most, std::fabs(own[c]));
       }
     }
   }

@@ -25,9 +25,6 @@ StateColumns::StateColumns(const std::vector<StateQuantity>& quantities, int den
       : quantity.Weight < 0     ? this->DensityColumn
                                 : starts[quantity.Weight];
     this->Bases.insert(this->Bases.end(), quantity.Components, base);
-    this->Extensive.insert(
-      this->Extensive.end(), quantity.Components, quantity.Kind == StateKind::Extensive);
-    this->AnyExtensive = this->AnyExtensive || quantity.Kind == StateKind::Extensive;
     depths.insert(depths.end(), quantity.Components, !isPerMass ? 0 : quantity.Weight < 0 ? 1 : 2);
     if (isPerMass && quantity.Weight >= 0)
     {
@@ -37,7 +34,6 @@ StateColumns::StateColumns(const std::vector<StateQuantity>& quantities, int den
   if (density < 0)
   {
     this->Bases.push_back(-1);
-    this->Extensive.push_back(0);
     depths.push_back(0);
   }
   this->Sequence.resize(count);

@@ -24,8 +24,6 @@ public:
   int Base(int column) const { return this->Bases[column]; }
   /// All columns, each after its base.
   const std::vector<int>& Order() const { return this->Sequence; }
-  bool IsExtensive(int column) const { return this->Extensive[column]; }
-  bool HasExtensive() const { return this->AnyExtensive; }
   /// Whether another column's base, but not that of masses: constant in a cell, so that products have no more than two slopes.
   bool IsConstant(int column) const { return this->Constant[column]; }
   int Density() const { return this->DensityColumn; }
@@ -39,8 +37,7 @@ public:
 
 private:
   std::vector<int> Bases, Sequence;
-  std::vector<unsigned char> Extensive, Constant;
-  bool AnyExtensive = false;
+  std::vector<unsigned char> Constant;
   int Asked = 0, DensityColumn = 0;
 };
 

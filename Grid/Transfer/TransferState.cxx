@@ -58,10 +58,6 @@ public:
   double Mass() const { return this->Contents[this->Columns.Density()]; }
   double Value(int c) const
   {
-    if (this->Columns.IsExtensive(c))
-    {
-      return this->Contents[c];
-    }
     const int base = this->Columns.Base(c);
     const double weight = base < 0 ? this->Inside : this->Contents[base];
     if (weight > 0.0)

@@ -27,8 +27,7 @@ namespace vfm
 enum class StateKind
 {
   PerVolume, ///< of the material's own volume, as density: value x volume
-  PerMass,   ///< as velocity and specific energy: value x mass (without a density x volume)
-  Extensive ///< sums, as mass: the value itself; shared by the materials of a cell in proportion to their volumes
+  PerMass    ///< as velocity and specific energy: value x mass (without a density x volume)
 };
 
 struct StateQuantity
@@ -44,9 +43,6 @@ class StateCellValues
 {
 public:
   virtual ~StateCellValues() = default;
-  /// The cells of the grid that are one cell of the input and hold the same values; indices of the whole grid. Those of owned cells lie
-  /// in the local box where there are extensive quantities.
-  virtual IndexBox CellsOfInput(const Index3& cell) const { return BoxOfCell(cell); }
   /// The values of all quantities, one after another, of a material (0 void) in a cell of the local box that holds some of it.
   /// Called by several threads.
   virtual void Read(const Index3& cell, int material, double* values) const = 0;

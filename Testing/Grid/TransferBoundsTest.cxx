@@ -33,7 +33,7 @@ struct RandomState
       const std::size_t column = i % Columns, material = i / Columns % (Materials + 1);
       const bool isZero = column == 0 && this->Draw() < 0.01;
       value = isZero ? 0.0 : (0.1 + this->Draw()) * (material == 2 ? jump : 1.0);
-      value *= column > 0 && column < 4 && this->Draw() < 0.5 ? -1.0 : 1.0;
+      value *= ((column > 0 && column < 4) || column == 13) && this->Draw() < 0.5 ? -1.0 : 1.0;
       ++i;
     }
   }
@@ -86,7 +86,11 @@ StateCase MakeCase(RandomState& state)
 {
   StateCase c{ state.Grid, state.Fractions,
     [&state](const CartesianGrid&, const Index3& cell, int material, double* values)
-    { std::copy_n(state.Of(cell, material), Columns, values); } };
+    {
+      std::copy_n(state.Of(cell, material), Columns, values);
+      const double fraction = state.Fractions.Fraction(state.Grid.Linear(cell), material);
+      values[Columns - 1] /= fraction > 0.0 ? fraction : 1.0; // a sum, however little there is
+    } };
   c.Quantities = MakeCodeQuantities();
   c.Density = 0;
   c.Make = state.Draw() < 0.5 ? MakeHexMesh : MakeTetMesh;

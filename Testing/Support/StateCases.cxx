@@ -19,10 +19,6 @@ class FunctionValues : public StateCellValues
 {
 public:
   FunctionValues(const StateCase& c, const CartesianGrid& grid) : Case(c), Grid(grid) {}
-  IndexBox CellsOfInput(const Index3& cell) const override
-  {
-    return this->Case.CellsOfInput ? this->Case.CellsOfInput(cell) : BoxOfCell(cell);
-  }
   void Read(const Index3& cell, int material, double* values) const override
   {
     this->Case.Function(this->Grid, cell, material, values);
@@ -157,8 +153,7 @@ Contents SumContents(const StateCase& c, const StateOutcome& outcome)
     std::size_t column = 0;
     for (const StateQuantity& quantity : c.Quantities)
     {
-      const double weight = quantity.Kind == StateKind::Extensive ? 1.0
-        : quantity.Kind == StateKind::PerVolume                   ? e.Volume
+      const double weight = quantity.Kind == StateKind::PerVolume ? e.Volume
         : quantity.Weight < 0                                     ? mass
                               : mass * e.Values[firstOf(quantity.Weight)];
       for (int i = 0; i < quantity.Components; ++i, ++column)
@@ -226,7 +221,7 @@ std::vector<StateQuantity> MakeCodeQuantities()
 {
   return { { StateKind::PerVolume, 1, -1 }, { StateKind::PerMass, 3, -1 },
     { StateKind::PerMass, 1, -1 }, { StateKind::PerMass, 1, -1 }, { StateKind::PerMass, 1, 3 },
-    { StateKind::PerVolume, 6, -1 }, { StateKind::Extensive, 1, -1 } };
+    { StateKind::PerVolume, 6, -1 }, { StateKind::PerVolume, 1, -1 } };
 }
 
 } // namespace testing

@@ -27,8 +27,6 @@ struct StateCase
   int Density = -1;
   int Order = 2;
   bool GiveUnmeshed = true;
-  /// The cells of the input, as CellsOfInput; empty: those of the grid.
-  std::function<IndexBox(const Index3& cell)> CellsOfInput{};
   MeshOptions Options{};
   MeshMaker Make = MakeHexMesh;
 };
@@ -65,7 +63,7 @@ std::string FindTotalsProblem(
 /// "", or how many elements have other bits; totals too.
 std::string FindOutcomeDifference(const StateOutcome& a, const StateOutcome& b);
 
-/// Density, velocity, specific energy, heat capacity, temperature, pressure per volume, a sum: as a code has them.
+/// Density, velocity, specific energy, heat capacity, temperature, stress per volume, a sum per volume: as a code has them.
 std::vector<StateQuantity> MakeCodeQuantities();
 
 } // namespace testing
