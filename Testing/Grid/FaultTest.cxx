@@ -8,6 +8,7 @@
 #include "Base/WorkTogether.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
+#include "Transfer/TransferState.h"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,38 @@ Work Meshing(const MeshCase& c, const MeshOptions& options, MeshMaker make)
     RankRuntime runtime(ranks);
     MeshReport report;
     return WordsOf(make(grid, CopyToLocal(c.Grid, c.Fractions, grid), options, runtime, report));
+  };
+}
+
+/// The work of a mesh and of state carried to it.
+Work Carrying(const MeshCase& c, MeshMaker make)
+{
+  const std::vector<IndexBox> boxes = CutBox(c.Grid.Global(), Count);
+  return [=](Ranks& ranks)
+  {
+    class Places : public StateCellValues
+    {
+      void Read(const Index3& cell, int material, double* values) const override
+      {
+        values[0] = 1.0 + static_cast<double>(cell[0] + material);
+        values[1] = static_cast<double>(cell[1] - cell[2]);
+      }
+    };
+    const CartesianGrid grid = MakeRankGrid(c.Grid, boxes[ranks.Rank()]);
+    const FractionField fractions = CopyToLocal(c.Grid, c.Fractions, grid);
+    RankRuntime runtime(ranks);
+    MeshReport report;
+    const Mesh mesh = make(grid, fractions, MeshOptions(), runtime, report);
+    const Places values;
+    const TransferredState state = TransferState(mesh,
+      { grid, fractions, values, { { StateKind::PerVolume, 1, -1 }, { StateKind::PerMass, 1, -1 } },
+        0, 2, true },
+      runtime);
+    Words words;
+    Append(state.Values[0], words);
+    Append(state.Values[1], words);
+    Append(state.Input[1], words);
+    return words;
   };
 }
 
@@ -162,6 +195,8 @@ std::vector<FaultCase> ListCases()
   { return [=] { return Meshing(MakeMeshCase(name), options, make); }; };
   std::vector<FaultCase> cases{ { "hexes", 30, meshing("sphere 8", MeshOptions(), MakeHexMesh) },
     { "clearing", 60, Clearing },
+    { "state", 30, [] { return Carrying(MakeMeshCase("sphere 8"), MakeHexMesh); } },
+    { "state_of_tets", 12, [] { return Carrying(MakeMeshCase("sphere 8"), MakeTetMesh); } },
     { "hexes_of_3_materials", 6, meshing("ball of 3 sectors", MeshOptions(), MakeHexMesh) },
     { "cells", 12, meshing("sphere 8", OptionsFor(TetMethod::Cells, 0, true), MakeTetMesh) },
     { "lattice", 12, meshing("sphere 8", OptionsFor(TetMethod::Lattice, 0, true), MakeTetMesh) },
