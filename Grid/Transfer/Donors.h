@@ -44,7 +44,6 @@ public:
   explicit DonorTable(const CartesianGrid& grid) : Grid(grid), Firsts(grid, -1) {}
 
   /// -1: none.
-  int First(Index cell) const { return this->Firsts[cell]; }
   int Find(Index cell, int fragment) const
   {
     int donor = this->Firsts[cell];

@@ -10,7 +10,8 @@
  * Computational Physics 188, 2003).
  *
  * Bounds: values of cells of the material at most 3 cells from the element; 5 where spray is given, and more only where cells that hold
- * next to nothing pass on what they get. Values per volume are then multiplied by factors, which are told.
+ * next to nothing pass on what they get. Values per volume are then multiplied by factors, which are told: 1 but for 1e-7 or so where the
+ * mesh has each fragment's volume, 0 in a fragment whose cells hold nothing of its material.
  */
 #pragma once
 
@@ -57,7 +58,7 @@ struct TransferRequest
   const StateCellValues& Values; ///< in Grid.Local()
   std::vector<StateQuantity> Quantities;
   int Density =
-    -1;          ///< the quantity, PerVolume of one component, that gives mass; -1: mass is volume
+    -1; ///< the quantity, PerVolume of one component, >= 0, that gives mass; -1: mass is volume
   int Order = 2; ///< 1: cells are constant; 2: linear, limited
   bool GiveUnmeshed =
     true; ///< what lies apart from all elements of its material goes to the nearest fragment within reach
