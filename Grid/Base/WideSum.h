@@ -1,5 +1,5 @@
 /**
- * WideSum: a sum of doubles of any size that does not depend on their order, exact until it is rounded once.
+ * WideSum: a sum of doubles of any size that does not depend on their order, exact until its value is taken.
  */
 #pragma once
 
