@@ -130,12 +130,14 @@ private:
 
   bool Give(const Index3& p, int material, double volume)
   {
-    int nearest = -1;
-    const int reach = this->Source.Request.GiveUnmeshed ? GivingReach : RimReach;
-    for (int layers = RimReach; this->Source.IsMeshed[material] && nearest < 0 && layers <= reach;
-         layers += GivingReach - RimReach)
+    if (!this->Source.IsMeshed[material])
     {
-      nearest = this->FindNearest(p, material, layers);
+      return false;
+    }
+    int nearest = this->FindNearest(p, material, RimReach);
+    if (nearest < 0 && this->Source.Request.GiveUnmeshed)
+    {
+      nearest = this->FindNearest(p, material, GivingReach);
     }
     if (nearest < 0)
     {
