@@ -24,28 +24,11 @@ using namespace vfm::testing;
 namespace
 {
 
-enum class Elements
-{
-  Hexes,
-  Lattice,
-  Cells
-};
-
 const char* NameOf(Elements elements)
 {
   return elements == Elements::Hexes ? "hexes"
     : elements == Elements::Lattice  ? "tets of Lattice"
                                      : "tets of Cells";
-}
-
-Mesh MakeMesh(const CartesianGrid& grid, const FractionField& fractions, Elements elements)
-{
-  MeshOptions options;
-  options.Tets = elements == Elements::Cells ? TetMethod::Cells : TetMethod::Lattice;
-  Runtime runtime;
-  MeshReport report;
-  return (elements == Elements::Hexes ? MakeHexMesh : MakeTetMesh)(
-    grid, fractions, options, runtime, report);
 }
 
 /// One value a cell for all materials, as arrays of a simulation are.

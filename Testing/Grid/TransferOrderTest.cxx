@@ -15,23 +15,16 @@ namespace
 const Vector3 Middle{ { 0.51, 0.52, 0.49 } };
 constexpr double Radius = 0.36;
 
-enum class Kind
-{
-  Hexes,
-  Lattice,
-  Cells
-};
-
 struct OrderCase
 {
-  Kind Elements;
+  Elements Kind;
   bool IsInBlock; ///< the ball stands in a block 8 times as dense
 };
 
 std::string NameOf(const OrderCase& c)
 {
   const char* names[] = { "Hexes", "Lattice", "Cells" };
-  return std::string(names[static_cast<int>(c.Elements)]) + (c.IsInBlock ? "_in_block" : "");
+  return std::string(names[static_cast<int>(c.Kind)]) + (c.IsInBlock ? "_in_block" : "");
 }
 
 void PrintTo(const OrderCase& c, std::ostream* out)
@@ -42,16 +35,6 @@ void PrintTo(const OrderCase& c, std::ostream* out)
 int MaterialAt(const Vector3& x, bool isInBlock)
 {
   return Norm(x - Middle) < Radius ? 1 : (isInBlock ? 2 : 0);
-}
-
-Mesh MakeMesh(const CartesianGrid& grid, const FractionField& fractions, Kind kind)
-{
-  MeshOptions options;
-  options.Tets = kind == Kind::Cells ? TetMethod::Cells : TetMethod::Lattice;
-  Runtime runtime;
-  MeshReport report;
-  return (kind == Kind::Hexes ? MakeHexMesh : MakeTetMesh)(
-    grid, fractions, options, runtime, report);
 }
 
 FractionField MakeFractions(const CartesianGrid& grid, bool isInBlock)
@@ -121,7 +104,7 @@ ComponentErrors MeasureErrors(
   const FractionField fractions = MakeFractions(grid, c.IsInBlock);
   const CellMeans means(
     grid, fractions, function, [&](const Vector3& x) { return MaterialAt(x, c.IsInBlock); });
-  const Mesh mesh = MakeMesh(grid, fractions, c.Elements);
+  const Mesh mesh = MakeMesh(grid, fractions, c.Kind);
   Runtime runtime;
   TransferRequest request{ grid, fractions, means, ListSmoothQuantities() };
   request.Density = 0;
@@ -191,7 +174,7 @@ TEST_P(TransferOrder, LinearFieldsAreMet)
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, TransferOrder,
-  ::testing::Values(OrderCase{ Kind::Hexes, false }, OrderCase{ Kind::Lattice, false },
-    OrderCase{ Kind::Cells, false }, OrderCase{ Kind::Hexes, true },
-    OrderCase{ Kind::Lattice, true }),
+  ::testing::Values(OrderCase{ Elements::Hexes, false }, OrderCase{ Elements::Lattice, false },
+    OrderCase{ Elements::Cells, false }, OrderCase{ Elements::Hexes, true },
+    OrderCase{ Elements::Lattice, true }),
   [](const ::testing::TestParamInfo<OrderCase>& info) { return NameOf(info.param); });

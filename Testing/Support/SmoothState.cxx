@@ -1,6 +1,8 @@
 #include "SmoothState.h"
 
 #include "Base/Vector3.h"
+#include "HexPipeline.h"
+#include "TetPipeline.h"
 #include "Transfer/Overlaps.h"
 
 #include <cmath>
@@ -155,6 +157,16 @@ CartesianGrid MakeUnitCube(int n)
   }
   x[1] = x[2] = x[0];
   return CartesianGrid(x);
+}
+
+Mesh MakeMesh(const CartesianGrid& grid, const FractionField& fractions, Elements elements)
+{
+  MeshOptions options;
+  options.Tets = elements == Elements::Cells ? TetMethod::Cells : TetMethod::Lattice;
+  Runtime runtime;
+  MeshReport report;
+  return (elements == Elements::Hexes ? MakeHexMesh : MakeTetMesh)(
+    grid, fractions, options, runtime, report);
 }
 
 ElementShapes MeasureElements(const Mesh& mesh, const CartesianGrid& grid)

@@ -41,6 +41,17 @@ private:
 /// n^3 cells of the unit cube.
 CartesianGrid MakeUnitCube(int n);
 
+/// And who makes them.
+enum class Elements
+{
+  Hexes,
+  Lattice,
+  Cells
+};
+
+/// With default options.
+Mesh MakeMesh(const CartesianGrid& grid, const FractionField& fractions, Elements elements);
+
 /// Volumes and centroids of elements, as Overlaps know them.
 struct ElementShapes
 {
