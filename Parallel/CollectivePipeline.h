@@ -6,11 +6,10 @@
  * data are asked for, since only then others are sure to come. Afterwards the outputs are as up to date as on the others, empty,
  * and say why (FailedOutput); so they are on a process that is alone, and where the input is itself such an output. The error is shown
  * where no other was.
- * It is of ParaView's kind, since proxies put any other aside.
  */
 #pragma once
 
-#include "vtkPVCompositeDataPipeline.h"
+#include "VtkVersions.h"
 
 #include <functional>
 
@@ -21,11 +20,11 @@ namespace vfm
 
 class Ranks;
 
-class CollectivePipeline : public vtkPVCompositeDataPipeline
+class CollectivePipeline : public CompositePipeline
 {
 public:
   static CollectivePipeline* New();
-  vtkTypeMacro(CollectivePipeline, vtkPVCompositeDataPipeline);
+  vtkTypeMacro(CollectivePipeline, CompositePipeline);
 
   /// getController: of the algorithm, when it is needed; may return null, then there is one process.
   using GetController = std::function<vtkMultiProcessController*()>;
