@@ -1,7 +1,13 @@
 # The pages that "?" in a panel opens, made of the server manager's XML.
 
-# Sets the variable to whether Qt's tools are there: they can be links to a chooser with nothing behind, so one is tried.
+# Sets the variable to whether Qt's tools are there: they can be links to a chooser with nothing behind, so one is tried. A ParaView with
+# Qt 6 makes no pages of plugins.
 function (vfm_find_help_tools found)
+  if (PARAVIEW_QT_MAJOR_VERSION GREATER 5)
+    set("${found}" OFF PARENT_SCOPE)
+    message(STATUS "ParaView makes no help pages of plugins with Qt ${PARAVIEW_QT_MAJOR_VERSION}: the plugin has none")
+    return ()
+  endif ()
   find_package(Qt5 QUIET COMPONENTS Help)
   find_program(qt_xmlpatterns_executable
     NAMES xmlpatterns-qt5 xmlpatterns

@@ -22,9 +22,13 @@ configure_file(CMake/VolumeFractionMeshConfig.cmake.in
 write_basic_package_version_file(
   "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
-configure_file(CMake/FindTetGen.cmake "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/FindTetGen.cmake" COPYONLY)
+set(vfm_own_files FindTetGen.cmake PythonTargets.cmake)
+foreach (file IN LISTS vfm_own_files)
+  configure_file("CMake/${file}" "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/${file}" COPYONLY)
+endforeach ()
+list(TRANSFORM vfm_own_files PREPEND CMake/)
 install(FILES
     "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfig.cmake"
     "${CMAKE_BINARY_DIR}/${vfm_cmake_folder}/VolumeFractionMeshConfigVersion.cmake"
-    CMake/FindTetGen.cmake
+    ${vfm_own_files}
   DESTINATION "${vfm_cmake_folder}")

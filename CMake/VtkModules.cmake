@@ -1,5 +1,7 @@
 # Scans our VTK modules and finds VTK with all that they and the programs need: the VTK of ParaView for the plugin, else a plain one.
+include(CMake/PythonTargets.cmake)
 if (VFM_PLUGIN)
+  vfm_mend_paraview()
   # Naming a component keeps Qt out.
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager
     OPTIONAL_COMPONENTS VTKExtensionsIOSPCTH)
