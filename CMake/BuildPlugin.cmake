@@ -5,7 +5,7 @@ paraview_plugin_scan(
   PROVIDES_PLUGINS  vfm_plugins
   REQUIRES_MODULES  vfm_plugin_requires
   ENABLE_BY_DEFAULT ON)
-set(vfm_plugin_folder "paraview-5.11/plugins")
+set(vfm_plugin_folder plugins)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${vfm_lib_folder}")
 paraview_plugin_build(
   PLUGINS              ${vfm_plugins}
