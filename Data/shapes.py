@@ -10,10 +10,11 @@ of it, 40 x 32 x 32 cells of 1/16, cell array `body` (double).
 import os
 import sys
 
-from paraview import servermanager, simple
+from paraview import servermanager
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Examples"))
+from load_plugin import load_plugin
 from need_files import need_files
 
 SCENES = {
@@ -31,7 +32,7 @@ box    material=1 center=0.55,0,0 size=1.3,0.9,0.075 rotation=0,14,0
 def main(plugin, scene, path):
     need_files(plugin)
     names, dimensions, bounds, shapes = SCENES[scene]
-    simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines VolumeFractionShapes
+    load_plugin(plugin, globals())  # defines VolumeFractionShapes
     source = VolumeFractionShapes(Shapes=shapes, Dimensions=dimensions, Bounds=bounds, Tolerance=1e-6)
     source.UpdatePipeline()
     image = servermanager.Fetch(source)

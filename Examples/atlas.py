@@ -21,6 +21,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import pictures
+from load_plugin import load_plugin
 from need_files import need_files
 
 ATLAS = "/usr/share/mricron/templates/HarvardOxford-cort-maxprob-thr0-1mm.nii.gz"
@@ -118,7 +119,7 @@ def main():
     if arguments.atlas == ATLAS and not os.path.exists(ATLAS):
         sys.exit("atlas.py: %s is missing: apt-get install mricron-data, or name another image of labels (--atlas)" % ATLAS)
     need_files(arguments.plugin, arguments.atlas)
-    simple.LoadPlugin(os.path.abspath(arguments.plugin), ns=globals())
+    load_plugin(arguments.plugin, globals())  # defines VolumeFractionToHex and the other names
     names = read_names(arguments.atlas)
     with tempfile.NamedTemporaryFile(suffix=".txt") as table:
         table.write(names)

@@ -19,6 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import calculix
+from load_plugin import load_plugin
 from need_files import need_files
 
 SHAPES = "sphere radius=0.5 material=1; box size=2,2,2 material=2"  # in the block from -1 to 1: metres
@@ -94,7 +95,7 @@ def save_picture(vtu, path):
 def main():
     arguments = parse_arguments()
     need_files(arguments.plugin)
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines VolumeFractionToHex and the other names
+    load_plugin(arguments.plugin, globals())  # defines VolumeFractionToHex and the other names
     os.makedirs(arguments.out, exist_ok=True)
     mesh, deck, vtu = (os.path.join(arguments.out, name) for name in ("ball.inp", "press.inp", "press.vtu"))
     mesher = make_mesher(arguments)

@@ -46,6 +46,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 sys.path.insert(0, HERE)
 import pictures
+from load_plugin import load_plugin
 from write_exodus import write_exodus
 
 PLUGIN = os.path.join(ROOT, "build", "lib", "VolumeFractionMesh.so")
@@ -296,7 +297,7 @@ def bounds_of(data):
     return [reduced(x, vtkCommunicator.MAX_OP if i % 2 else vtkCommunicator.MIN_OP) for i, x in enumerate(bounds)]
 
 
-simple.LoadPlugin(setting("PLUGIN"), remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
+load_plugin(setting("PLUGIN"), globals())  # defines VolumeFractionToHex, VolumeFractionToTet
 source = simple.TrivialProducer(registrationName="input")
 options = catalyst.Options()  # Catalyst asks for it
 choice = Choice()

@@ -20,6 +20,7 @@ import sys
 from paraview import simple
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from load_plugin import load_plugin
 from need_files import need_files
 from write_exodus import write_exodus
 
@@ -103,7 +104,7 @@ def report(mesh, path):
 def main():
     arguments = parse_arguments()
     need_files(arguments.plugin, *arguments.files)
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines the filters
+    load_plugin(arguments.plugin, globals())  # defines the filters
     arrays = [arguments.material_ids] if arguments.material_ids else arguments.array
     source = open_series(arguments.files, arrays)
     if source is None:

@@ -30,6 +30,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructured
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import pictures
 from lagrangian import Lagrangian
+from load_plugin import load_plugin
 from need_files import need_files
 
 BODIES = ["ball", "plate"]
@@ -271,7 +272,7 @@ def main():
     need_files(arguments.plugin, arguments.impact)
     if not 0 < arguments.step < arguments.last:
         sys.exit("restart.py: --step must be above 0 and below --last")
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=globals())  # defines VolumeFractionToHex
+    load_plugin(arguments.plugin, globals())  # defines VolumeFractionToHex
     os.makedirs(arguments.out, exist_ok=True)
     source, mesher = make_mesh(run_impact(arguments), arguments.transfer)
     files = {name: os.path.join(arguments.out, name) for name in ("before.csv", "after.csv", "handover.vtu", "after.vtu")}

@@ -8,10 +8,10 @@ import resource
 import sys
 import time
 
-from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from load_plugin import load_plugin
 from need_files import need_files
 
 
@@ -22,7 +22,7 @@ def peak_megabytes():
 def main(plugin, cells=128):
     need_files(plugin)
     cells = int(cells)
-    simple.LoadPlugin(plugin, ns=globals())  # defines the source and the filter
+    load_plugin(plugin, globals())  # defines the source and the filter
     ranks = vtkMultiProcessController.GetGlobalController()
     field = VolumeFractionShapes(
         Shapes="gyroid material=1 center=0.1,0.2,0.3 period=16",

@@ -15,6 +15,7 @@ from paraview import servermanager, simple
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
+from load_plugin import load_plugin
 from need_files import need_files
 
 
@@ -35,7 +36,7 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     PLUGIN = os.environ.get("VFM_PLUGIN", os.path.join(HERE, "..", "build", "lib", "VolumeFractionMesh.so"))
     need_files(PLUGIN, sys.argv[1])
-    simple.LoadPlugin(PLUGIN, remote=False)
+    load_plugin(PLUGIN, globals())
     reader = simple.OpenDataFile(sys.argv[1])
     reader.UpdatePipeline()
     try:

@@ -22,6 +22,7 @@ ROOT = os.path.dirname(HERE)
 sys.path.insert(0, os.path.join(ROOT, "Examples"))
 import gerris_to_vthb
 import pictures
+from load_plugin import load_plugin
 from need_files import need_files
 from write_exodus import write_exodus
 
@@ -157,7 +158,7 @@ def main(plugin, out, names):
     unknown = set(names) - {case.name for case in CASES}
     if unknown:
         sys.exit("no case %s; cases are %s" % (", ".join(sorted(unknown)), ", ".join(case.name for case in CASES)))
-    simple.LoadPlugin(plugin, remote=False, ns=globals())  # defines the filters
+    load_plugin(plugin, globals())  # defines the filters
     simple._DisableFirstRenderCameraReset()
     os.makedirs(out, exist_ok=True)
     code = glob.glob(os.path.join(os.path.dirname(plugin), "*.so"))

@@ -4,7 +4,7 @@ document shows, indented, right after a block that prints must be what it prints
 
 usage: pvpython run_document.py DOCUMENT FOLDER [PLUGIN, default build/lib/VolumeFractionMesh.so]
 
-The blocks find Data there, and PLUGIN under the name that documents give it. Pictures need an X server.
+The blocks find Data there, and PLUGIN under the name that documents give it, both as links. Pictures need an X server.
 """
 import contextlib
 import io
@@ -43,14 +43,18 @@ def main(document, folder, plugin=os.path.join(ROOT, PLUGIN)):
     blocks = list(read_blocks(document))
     if not blocks:
         sys.exit(document + " has no Python")
-    plugin = os.path.abspath(plugin)
-    os.makedirs(folder, exist_ok=True)
+    targets = {"Data": os.path.join(ROOT, "Data"), PLUGIN: plugin}
+    targets = {name: os.path.realpath(target) for name, target in targets.items()}
+    os.makedirs(os.path.join(folder, os.path.dirname(PLUGIN)), exist_ok=True)
     os.chdir(folder)
-    if not os.path.exists("Data"):
-        os.symlink(os.path.join(ROOT, "Data"), "Data")
+    for name, target in targets.items():
+        if os.path.islink(name):
+            os.remove(name)
+        if not os.path.exists(name):
+            os.symlink(target, name)
     names = {"__name__": "__main__"}
     for code, shown in blocks:
-        run_block(compile(code.replace(PLUGIN, plugin), document, "exec"), shown, names)
+        run_block(compile(code, document, "exec"), shown, names)
 
 
 if __name__ == "__main__":

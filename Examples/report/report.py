@@ -12,6 +12,7 @@ ROOT = os.path.join(HERE, "..", "..")
 BUILD = os.environ.get("BUILD_DIR", os.path.join(ROOT, "build"))
 PLUGIN, SCULPTOR, IMPACT = (os.path.join(BUILD, name) for name in ("lib/VolumeFractionMesh.so", "bin/sculptor", "bin/impact"))
 sys.path.insert(0, os.path.dirname(HERE))
+from load_plugin import load_plugin
 from need_files import need_files
 
 import rank_meshes
@@ -29,7 +30,7 @@ def run(figure):
     need_files(PLUGIN, SCULPTOR)
     out = sys.argv[1]
     os.makedirs(out, exist_ok=True)
-    simple.LoadPlugin(PLUGIN, remote=False)
+    load_plugin(PLUGIN, vars(simple))
     simple._DisableFirstRenderCameraReset()
     lines = ["| | ours | report |", "|---|---|---|"] + ["| %s | %s | %s |" % row for row in figure(out)]
     print("\n".join(lines))

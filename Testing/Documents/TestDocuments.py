@@ -17,6 +17,7 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 QUOTED = re.compile(r"`([^`\n]+)`")
 TOPS = ("Data", "Documentation", "Examples", "Filters", "Grid", "IO", "InSitu", "Parallel", "Plugin", "Shapes", "Testing", "scripts")
 NAMED = re.compile(r"(?<![\w./-])(?:%s)/[\w./*-]*\w" % "|".join(TOPS))
+PLUGIN_FROM_HERE = re.compile(r"LoadPlugins?\([\"'](?!/)")
 BARE_FRACTION = re.compile(r"(?<![\w.\])*])\.\d")
 ENDINGS = ("", ".h", ".cxx", ".py")
 LONGEST_README = 120
@@ -128,6 +129,13 @@ class Documents(unittest.TestCase):
             problems += ["%s: %s" % (page, line.strip()) for line in prose(page).splitlines() if BARE_FRACTION.search(QUOTED.sub("", line))]
         self.check(problems)
 
+    def test_plugins_are_loaded_by_whole_paths(self):
+        """Since 5.13 ParaView takes any other path for a name."""
+        scripts = list(texts(".py", "Data", "Examples", "scripts"))
+        self.assertGreater(len(scripts), 20)
+        lines = "\n".join([*map(read, PAGES), *scripts]).splitlines()
+        self.check(sorted({line.strip() for line in lines if PLUGIN_FROM_HERE.search(line)}))
+
     def test_properties_are_current(self):
         self.assertEqual(read("Documentation/properties.md"), list_properties.make_page(), "run scripts/list_properties.py")
 
@@ -146,6 +154,10 @@ class Searches(unittest.TestCase):
 
     def test_named_file(self):
         self.assertEqual(NAMED.findall("see `Grid/Base/Ranks.h`, `build/Data/x` and Examples/impact."), ["Grid/Base/Ranks.h", "Examples/impact"])
+
+    def test_path_of_a_plugin(self):
+        self.assertTrue(PLUGIN_FROM_HERE.search('LoadPlugin("build/lib/VolumeFractionMesh.so"'))
+        self.assertFalse(PLUGIN_FROM_HERE.search('LoadPlugin(os.path.abspath("build'))
 
     def test_anchor(self):
         self.assertEqual(anchor("Sculpt's published cases"), "sculpts-published-cases")
