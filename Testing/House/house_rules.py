@@ -22,6 +22,7 @@ ALLOWED.update({
     "Testing/Fuzz": GRID + ("Shapes", "Filters", "InSitu", "Testing/Support"),
     "Testing/Benchmarks": GRID + ("Shapes", "Testing/Support"),
     "Testing/Parallel": ("Grid/Base", "Parallel", "Testing/Support"),
+    "Testing/Digests": ("Filters",),
     "Testing/InSitu": ("Grid/Base", "Filters", "InSitu"),
 })
 
