@@ -6,6 +6,10 @@
 #include "Base/Ranks.h"
 #include "HostGrid.h"
 
+#include "vtkSmartPointer.h"
+
+class vtkMultiBlockDataSet;
+
 namespace vfm
 {
 

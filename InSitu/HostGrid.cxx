@@ -2,14 +2,6 @@
 
 #include "Base/Runtime.h"
 
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
-#include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkUnsignedCharArray.h"
-
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -120,56 +112,6 @@ void CheckBox(const HostGrid& grid, const HostBox& box)
   CheckArrays(box);
 }
 
-/// VTK asks for a pointer that is not const; nothing writes to the input of a filter.
-template <class Array>
-vtkSmartPointer<vtkDataArray> Wrap(const HostArray& from, Index cells)
-{
-  using Value = typename Array::ValueType;
-  vtkNew<Array> array;
-  array->SetName(from.Name.c_str());
-  array->SetNumberOfComponents(from.Components);
-  const int keep = 1; // VTK does not free the values
-  array->SetArray(
-    const_cast<Value*>(static_cast<const Value*>(from.Values)), cells * from.Components, keep);
-  return array;
-}
-
-vtkSmartPointer<vtkDataArray> MakeArray(const HostArray& from, Index cells)
-{
-  switch (from.Type)
-  {
-    case HostType::Float:
-      return Wrap<vtkFloatArray>(from, cells);
-    case HostType::Int:
-      return Wrap<vtkIntArray>(from, cells);
-    case HostType::UnsignedChar:
-      return Wrap<vtkUnsignedCharArray>(from, cells);
-    default:
-      return Wrap<vtkDoubleArray>(from, cells);
-  }
-}
-
-vtkSmartPointer<vtkImageData> MakeCheckedImage(const HostGrid& grid, const HostBox& box)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetOrigin(grid.Origin.data());
-  double spacing[3];
-  int extent[6];
-  for (int a = 0; a < 3; ++a)
-  {
-    spacing[a] = std::ldexp(grid.Spacing[a], -box.Level);
-    extent[2 * a] = static_cast<int>(box.Cells.Lower[a]);
-    extent[2 * a + 1] = static_cast<int>(box.Cells.Upper[a]);
-  }
-  image->SetSpacing(spacing);
-  image->SetExtent(extent);
-  for (const HostArray& array : box.Arrays)
-  {
-    image->GetCellData()->AddArray(MakeArray(array, box.Cells.NumberOfCells()));
-  }
-  return image;
-}
-
 } // namespace
 
 void CheckHostGrid(const HostGrid& grid)
@@ -181,24 +123,20 @@ void CheckHostGrid(const HostGrid& grid)
   }
 }
 
-vtkSmartPointer<vtkImageData> MakeImage(const HostGrid& grid, const HostBox& box)
+void CheckHostBox(const HostGrid& grid, const HostBox& box)
 {
   CheckAxes(grid);
   CheckBox(grid, box);
-  return MakeCheckedImage(grid, box);
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(
-  const HostGrid& grid, unsigned int first, unsigned int total)
+Vector3 SpacingOf(const HostGrid& grid, int level)
 {
-  CheckHostGrid(grid);
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  blocks->SetNumberOfBlocks(total);
-  for (const HostBox& box : grid.Boxes)
+  Vector3 spacing;
+  for (int a = 0; a < 3; ++a)
   {
-    blocks->SetBlock(first++, MakeCheckedImage(grid, box));
+    spacing[a] = std::ldexp(grid.Spacing[a], -level);
   }
-  return blocks;
+  return spacing;
 }
 
 } // namespace vfm

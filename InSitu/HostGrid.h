@@ -1,6 +1,6 @@
 /**
- * HostGrid: what a host code (a simulation) holds on one rank, in plain terms, and the same as VTK data without a
- * copy. Knows neither MPI nor Catalyst: the C interface and every in-situ adaptor start from it.
+ * HostGrid: what a host code (a simulation) holds on one rank, in plain terms. Knows neither VTK nor MPI nor Catalyst: the C
+ * interface and every in-situ adaptor start from it.
  *
  * Cells are numbered (i,j,k) over the whole grid, from 0. The values of a box are those of its cells alone, x fastest:
  * value (i,j,k) of component c is values[((k * ny + j) * nx + i) * components + c], i, j, k from the box's lower corner.
@@ -13,13 +13,8 @@
 
 #include "Base/IndexBox.h"
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 #include <vector>
-
-class vtkImageData;
-class vtkMultiBlockDataSet;
 
 namespace vfm
 {
@@ -32,7 +27,7 @@ enum class HostType
   UnsignedChar
 };
 
-/// Values of the host, one tuple of components a cell. They must stay where they are as long as the VTK data lives,
+/// Values of the host, one tuple of components a cell. They must stay where they are as long as data made of them lives,
 /// and are never written to. An unsigned char array named vtkGhostType marks cells that are copies of another box's.
 struct HostArray
 {
@@ -95,14 +90,10 @@ HostArray MakeHostArray(const std::string& name, const T* values, int components
 /// more cells along an axis than an int counts; a box that is empty or leaves the grid, a level out of range; an array
 /// without name, values or components, or twice in a box. Boxes that overlap or leave gaps are found by the mesher.
 void CheckHostGrid(const HostGrid& grid);
+/// The same for the grid with this box alone.
+void CheckHostBox(const HostGrid& grid, const HostBox& box);
 
-/// The box as an image whose extent counts the nodes of its level in the whole grid and whose origin is the grid's: coordinates are
-/// the same bits on every rank, and on every level that has the node. Its cell arrays are the host's memory. Throws InputError as CheckHostGrid does.
-vtkSmartPointer<vtkImageData> MakeImage(const HostGrid& grid, const HostBox& box);
-
-/// All boxes as blocks first, first + 1, ... of total blocks; the others, those of other ranks, are null.
-/// Throws InputError as CheckHostGrid does.
-vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(
-  const HostGrid& grid, unsigned int first, unsigned int total);
+/// Edges of the cells of a level.
+Vector3 SpacingOf(const HostGrid& grid, int level);
 
 } // namespace vfm

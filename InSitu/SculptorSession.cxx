@@ -2,6 +2,7 @@
 
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
+#include "HostImages.h"
 #include "MesherOptions.h"
 #include "Sculptor.h"
 #include "Stage.h"

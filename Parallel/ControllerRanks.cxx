@@ -1,5 +1,7 @@
 #include "ControllerRanks.h"
 
+#include "MpiTransport.h"
+
 #include "vtkMPI.h"
 #include "vtkMPICommunicator.h"
 #include "vtkMPIController.h"
@@ -8,8 +10,6 @@ namespace vfm
 {
 namespace
 {
-
-constexpr int MessageTag = 7501; // of all messages; MPI keeps their order
 
 int CountProcesses(vtkMultiProcessController* controller)
 {
@@ -21,24 +21,10 @@ int CountProcesses(vtkMultiProcessController* controller)
   return count;
 }
 
-MPI_Comm CommunicatorOf(vtkMPIController* controller)
+MpiTransport TransportOf(vtkMPIController* controller)
 {
   auto* communicator = static_cast<vtkMPICommunicator*>(controller->GetCommunicator());
-  return *communicator->GetMPIComm()->GetHandle();
-}
-
-static_assert(sizeof(MPI_Request) <= sizeof(Transport::Transfer::Request), "no place for requests");
-
-MPI_Request* RequestOf(Transport::Transfer& transfer)
-{
-  return reinterpret_cast<MPI_Request*>(&transfer.Request);
-}
-
-/// Where messages go that nobody wants.
-char* Waste()
-{
-  static char waste[Transport::LongestPiece];
-  return waste;
+  return MpiTransport(*communicator->GetMPIComm()->GetHandle());
 }
 
 } // namespace
@@ -50,29 +36,17 @@ ControllerTransport::ControllerTransport(vtkMultiProcessController* controller) 
 
 void ControllerTransport::Begin(Transfer& transfer) noexcept
 {
-  const MPI_Comm communicator = CommunicatorOf(this->Controller);
-  char* data = transfer.Data ? transfer.Data : Waste();
-  const int size = static_cast<int>(transfer.Size);
-  if (transfer.IsSent)
-  {
-    MPI_Isend(data, size, MPI_BYTE, transfer.Other, MessageTag, communicator, RequestOf(transfer));
-  }
-  else
-  {
-    MPI_Irecv(data, size, MPI_BYTE, transfer.Other, MessageTag, communicator, RequestOf(transfer));
-  }
+  TransportOf(this->Controller).Begin(transfer);
 }
 
 void ControllerTransport::Wait(Transfer& transfer) noexcept
 {
-  MPI_Wait(RequestOf(transfer), MPI_STATUS_IGNORE);
+  TransportOf(this->Controller).Wait(transfer);
 }
 
 bool ControllerTransport::HasArrived(int from) noexcept
 {
-  int arrived = 0;
-  MPI_Iprobe(from, MessageTag, CommunicatorOf(this->Controller), &arrived, MPI_STATUS_IGNORE);
-  return arrived;
+  return TransportOf(this->Controller).HasArrived(from);
 }
 
 ControllerRanks::ControllerRanks(vtkMultiProcessController* controller) :

@@ -1,7 +1,7 @@
 #include "HostFields.h"
 
 #include "CMLPSculptor.c.h"
-#include "HostGrid.h"
+#include "HostImages.h"
 
 #include "vtkImageData.h"
 #include "vtkVolumeFractionMeshAlgorithm.h"

@@ -1,7 +1,7 @@
 /**
  * HostGrid: VTK data that is the host's memory, at the same place on every rank; clear errors for wrong grids.
  */
-#include "HostGrid.h"
+#include "HostImages.h"
 #include "Base/Runtime.h"
 
 #include "vtkCellData.h"

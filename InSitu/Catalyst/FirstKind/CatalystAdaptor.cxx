@@ -1,7 +1,7 @@
 #include "CatalystAdaptor.h"
 
+#include "AgreeOnErrors.h"
 #include "AllBlocks.h"
-#include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "PythonGuard.h"
 #include "ScriptPipeline.h"
@@ -16,8 +16,6 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 
-#include <fstream>
-
 namespace vfm
 {
 namespace
@@ -25,9 +23,10 @@ namespace
 
 constexpr const char* InputName = "input";
 
-void AddLine(std::string& text, const std::string& line)
+/// Of the communicator that Catalyst was given.
+vtkMultiProcessController* Controller()
 {
-  text += (text.empty() ? "" : "\n") + line;
+  return vtkMultiProcessController::GetGlobalController();
 }
 
 void AddNumbers(const std::vector<HostNumber>& numbers, vtkDataObject* data)
@@ -55,8 +54,6 @@ public:
   int StepsMade = 0;
 
 private:
-  template <class Work>
-  bool Agree(const Work& work, std::string& errors);
   template <class Work>
   void RunPython(const Work& work, const std::string& otherwise);
   void AddScript(const std::string& path);
@@ -104,24 +101,6 @@ CatalystAdaptor::Internals::~Internals()
   MPI_Comm_free(&this->Communicator);
 }
 
-/// Collective: does the work(ranks); adds what failed on any rank to the errors. Whether it went well everywhere.
-template <class Work>
-bool CatalystAdaptor::Internals::Agree(const Work& work, std::string& errors)
-{
-  ControllerRanks ranks(vtkMultiProcessController::GetGlobalController());
-  try
-  {
-    WorkTogether(
-      ranks, [&] { work(ranks); }, Ranks::Frame::Stage);
-    return true;
-  }
-  catch (const InputError& error)
-  {
-    AddLine(errors, error.what());
-    return false;
-  }
-}
-
 /// Throws what Python printed when the work is false; otherwise: what is told when it printed nothing.
 template <class Work>
 void CatalystAdaptor::Internals::RunPython(const Work& work, const std::string& otherwise)
@@ -136,14 +115,8 @@ void CatalystAdaptor::Internals::RunPython(const Work& work, const std::string& 
 
 void CatalystAdaptor::Internals::AddScript(const std::string& path)
 {
-  const auto read = [&](Ranks&)
-  {
-    if (!std::ifstream(path).good())
-    {
-      throw InputError("Script " + path + " cannot be read.");
-    }
-  };
-  if (!this->Agree(read, this->LeftOut))
+  ControllerRanks ranks(Controller());
+  if (!CanRead(path, ranks, this->LeftOut))
   {
     return;
   }
@@ -153,10 +126,10 @@ void CatalystAdaptor::Internals::AddScript(const std::string& path)
     return;
   }
   vtkNew<ScriptPipeline> pipeline;
-  const auto open = [&](Ranks&) {
+  const auto open = [&] {
     this->RunPython([&] { return pipeline->Open(path); }, "Script " + path + " cannot be loaded.");
   };
-  if (this->Agree(open, this->LeftOut))
+  if (Agree(ranks, open, this->LeftOut))
   {
     this->Processor->AddPipeline(pipeline);
     this->Scripts.push_back(pipeline);
@@ -166,13 +139,14 @@ void CatalystAdaptor::Internals::AddScript(const std::string& path)
 /// Whether any script wants the step; those that cannot be asked are left out from now on.
 bool CatalystAdaptor::Internals::IsWanted(vtkCPDataDescription* description)
 {
+  ControllerRanks ranks(Controller());
   std::vector<vtkSmartPointer<ScriptPipeline>> kept;
   for (const vtkSmartPointer<ScriptPipeline>& script : this->Scripts)
   {
-    const auto ask = [&](Ranks&) {
+    const auto ask = [&] {
       this->RunPython([&] { return script->Ask(description); }, "A Catalyst script cannot be run.");
     };
-    if (this->Agree(ask, this->LeftOut))
+    if (Agree(ranks, ask, this->LeftOut))
     {
       kept.push_back(script);
     }
@@ -182,7 +156,6 @@ bool CatalystAdaptor::Internals::IsWanted(vtkCPDataDescription* description)
     }
   }
   this->Scripts = kept;
-  ControllerRanks ranks(vtkMultiProcessController::GetGlobalController());
   return !kept.empty() && ranks.Any(description->GetIfGridIsNecessary(InputName));
 }
 
@@ -193,24 +166,25 @@ bool CatalystAdaptor::Internals::Process(
   {
     return true;
   }
+  ControllerRanks ranks(Controller());
   vtkSmartPointer<vtkMultiBlockDataSet> blocks;
-  const auto make = [&](Ranks& ranks)
+  const auto make = [&]
   {
     blocks = MakeAllBlocks(grid, ranks);
     AddNumbers(numbers, blocks);
     description->GetInputDescriptionByName(InputName)->SetGrid(blocks);
   };
-  if (!this->Agree(make, this->Failed))
+  if (!Agree(ranks, make, this->Failed))
   {
     return false;
   }
   ++this->StepsMade;
-  const auto run = [&](Ranks&)
+  const auto run = [&]
   {
     this->RunPython(
       [&] { return this->Processor->CoProcess(description); }, "A Catalyst script failed.");
   };
-  const bool done = this->Agree(run, this->Failed);
+  const bool done = Agree(ranks, run, this->Failed);
   blocks->Initialize(); // the scripts keep it, but not the host's memory
   return done;
 }
