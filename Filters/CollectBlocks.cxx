@@ -1,5 +1,6 @@
 #include "CollectBlocks.h"
 
+#include "ArrayMemory.h"
 #include "Base/Runtime.h"
 #include "NodeCoordinates.h"
 #include "RecogniseGrid.h"
@@ -12,7 +13,6 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
-#include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -92,9 +92,9 @@ void CheckCoordinates(const InputBlock& block)
 }
 
 /// What is said of cells; where points are cells in the bits of cells. Null: nothing.
-vtkSmartPointer<vtkUnsignedCharArray> FindGhostTypes(const InputBlock& block)
+vtkSmartPointer<vtkUnsignedCharArray> FindCellTypes(const InputBlock& block)
 {
-  vtkUnsignedCharArray* types = block.Data->GetGhostArray(block.Association);
+  const auto types = InMemory(FindGhostTypes(block.Data, block.Association));
   if (!types || block.Association != vtkDataObject::POINT)
   {
     return types;
@@ -121,7 +121,7 @@ bool DropGhosts(InputBlock& block)
     block.Dimensions[a] = static_cast<Index>(block.Coordinates[a].size()) - 1;
   }
   block.Kept.Upper = block.Dimensions;
-  block.GhostTypes = FindGhostTypes(block);
+  block.GhostTypes = FindCellTypes(block);
   if (!block.GhostTypes)
   {
     return true;

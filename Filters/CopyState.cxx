@@ -1,6 +1,7 @@
 #include "CopyState.h"
 
 #include "Agreement.h"
+#include "ArrayMemory.h"
 #include "StateValues.h"
 #include "Transfer/StateCells.h"
 
@@ -46,7 +47,7 @@ vtkSmartPointer<vtkDataArray> MakeOutput(
   const std::size_t size = TupleSize(state);
   const Index count = static_cast<Index>(places.size());
   auto array = MakeArray(CarrierType(state.Type), state.Components, count);
-  char* to = static_cast<char*>(array->GetVoidPointer(0));
+  char* to = static_cast<char*>(FindMemory(array));
   for (const StatePlace& place : places)
   {
     std::memcpy(to, place.Source->Values[number] + place.Place * size, size);

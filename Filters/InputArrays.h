@@ -5,6 +5,7 @@
 
 #include "InputBlocks.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkUnsignedCharArray.h"
@@ -80,21 +81,22 @@ struct Column
 
   explicit Column(vtkDataArray* array) : Values(array)
   {
-    if (array->HasStandardMemoryLayout())
+    switch (array->GetDataType())
     {
-      switch (array->GetDataType())
-      {
-        vtkTemplateMacro(this->SetMemory<VTK_TT>(array));
-      }
+      vtkTemplateMacro(this->SetMemory(vtkAOSDataArrayTemplate<VTK_TT>::FastDownCast(array)));
     }
   }
 
 private:
+  /// Null: the array is no plain memory.
   template <class Stored>
-  void SetMemory(vtkDataArray* array)
+  void SetMemory(vtkAOSDataArrayTemplate<Stored>* array)
   {
-    this->Values = array->GetVoidPointer(0);
-    this->Read = ReadMemory<Value, Stored>;
+    if (array)
+    {
+      this->Values = array->GetPointer(0);
+      this->Read = ReadMemory<Value, Stored>;
+    }
   }
 };
 

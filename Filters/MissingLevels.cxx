@@ -1,7 +1,6 @@
 #include "MissingLevels.h"
 
-#include "vtkUniformGrid.h"
-#include "vtkUniformGridAMR.h"
+#include "VtkVersions.h"
 
 #include <algorithm>
 
@@ -12,16 +11,16 @@ std::string DescribeMissingLevels(vtkDataObject* input, Ranks& ranks)
 {
   constexpr std::size_t mostLevels = 64;
   std::vector<std::int64_t> counts(2 * mostLevels, 0); // of each level boxes, then those with data
-  vtkUniformGridAMR* amr = vtkUniformGridAMR::SafeDownCast(input);
+  RefinedGrids* amr = RefinedGrids::SafeDownCast(input);
   const std::size_t levels = amr ? amr->GetNumberOfLevels() : 0;
   for (std::size_t level = 0; level < std::min(levels, mostLevels); ++level)
   {
     const unsigned int number = static_cast<unsigned int>(level);
-    const unsigned int boxes = amr->GetNumberOfDataSets(number);
+    const unsigned int boxes = NumberOfBoxes(amr, number);
     counts[level] = boxes;
     for (unsigned int box = 0; box < boxes; ++box)
     {
-      counts[mostLevels + level] += amr->GetDataSet(number, box) != nullptr;
+      counts[mostLevels + level] += GetBox(amr, number, box) != nullptr;
     }
   }
   ranks.Sum(counts);

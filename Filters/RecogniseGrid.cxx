@@ -1,11 +1,12 @@
 #include "RecogniseGrid.h"
 
+#include "ArrayMemory.h"
 #include "Base/Runtime.h"
 #include "CellOrder.h"
 #include "NodeCoordinates.h"
 
+#include "vtkCell.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
@@ -88,15 +89,15 @@ void Hexahedra::FindCells()
 {
   vtkStructuredGrid* grid = vtkStructuredGrid::SafeDownCast(this->Data);
   const bool isStructured = grid && grid->GetDataDimension() == 3; // blanked cells have no type
-  vtkUnsignedCharArray* ghosts = this->Data->GetCellGhostArray();
+  const auto ghosts = InMemory(FindGhostTypes(this->Data, vtkDataObject::CELL));
   for (vtkIdType cell = 0; cell < this->Data->GetNumberOfCells(); ++cell)
   {
     const int type = isStructured ? VTK_HEXAHEDRON : this->Data->GetCellType(cell);
     const bool isHex = type == VTK_HEXAHEDRON || type == VTK_VOXEL;
-    if (!isHex && vtkCellTypes::GetDimension(static_cast<unsigned char>(type)) == 3)
+    if (!isHex && this->Data->GetCell(cell)->GetCellDimension() == 3)
     {
       this->Refuse(cell,
-        std::string("is a ") + vtkCellTypes::GetClassNameFromTypeId(type) +
+        std::string("is a ") + this->Data->GetCell(cell)->GetClassName() +
           ". Only hexahedra and voxels that are the cells of a Cartesian grid can be meshed: bring "
           "other cells onto a grid first (ParaView's filter Resample To Image).");
     }
@@ -375,11 +376,8 @@ std::vector<InputBlock> RecogniseGrid(vtkPointSet* data, int number, const std::
   const std::vector<PlacedCell> cells = hexahedra.Place();
   const std::vector<CutBox> boxes = CutIntoBoxes(cells);
   const std::shared_ptr<CellOrder> order = MakeOrder(cells, boxes, data);
-  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
-  if (ghosts && order)
-  {
-    ghosts = vtkUnsignedCharArray::SafeDownCast(order->Arrange(ghosts));
-  }
+  vtkDataArray* ghosts = FindGhostTypes(data, vtkDataObject::CELL);
+  const auto types = InMemory(ghosts && order ? order->Arrange(ghosts) : ghosts);
   std::vector<InputBlock> blocks;
   Index first = 0;
   for (const CutBox& box : boxes)
@@ -388,7 +386,7 @@ std::vector<InputBlock> RecogniseGrid(vtkPointSet* data, int number, const std::
     block.Data = data;
     block.Number = number;
     block.Name = name;
-    block.GhostTypes = ghosts;
+    block.GhostTypes = types;
     block.Order = order;
     block.FirstCell = first;
     for (int a = 0; a < 3; ++a)

@@ -1,6 +1,7 @@
 #include "StateValues.h"
 
 #include "Agreement.h"
+#include "ArrayMemory.h"
 #include "InputArrays.h"
 #include "InputRoute.h"
 
@@ -9,16 +10,15 @@ namespace vfm
 
 PlainTuples::PlainTuples(vtkDataArray* array, Index first, Index count, std::size_t size)
 {
-  if (array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT)
+  if (const void* memory = FindMemory(array))
   {
-    this->Values =
-      static_cast<const char*>(array->GetVoidPointer(first * array->GetNumberOfComponents()));
+    this->Values = static_cast<const char*>(memory) + first * size;
     return;
   }
   const auto plain =
     MakeArray(CarrierType(array->GetDataType()), array->GetNumberOfComponents(), count);
   CopyValues(array, first, plain);
-  const char* values = static_cast<const char*>(plain->GetVoidPointer(0));
+  const char* values = static_cast<const char*>(FindMemory(plain));
   this->Copy.assign(values, values + count * size);
 }
 

@@ -1,5 +1,6 @@
 #include "ReadVoxels.h"
 
+#include "ArrayMemory.h"
 #include "OpenFile.h"
 #include "ReadLabelText.h"
 #include "SwapBytes.h"
@@ -129,7 +130,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> ReadNumPy(const VoxelFile& file, cons
   {
     stream.seekg(header.Offset + i * size);
     result.push_back(MakeArray(type.VtkType, name + (arrays ? std::to_string(i + 1) : ""), box));
-    type.Read(stream, header.SwapBytes, rows, result.back()->GetVoidPointer(0));
+    type.Read(stream, header.SwapBytes, rows, FindMemory(result.back()));
   }
   return result;
 }
@@ -144,7 +145,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> ReadVoxels(const VoxelFile& file, con
   }
   CheckLabelCount(file); // before memory is asked for
   const vtkSmartPointer<vtkDataArray> array = MakeArray(VTK_INT, "MaterialId", box);
-  ReadLabelText(file, box, static_cast<int*>(array->GetVoidPointer(0)));
+  ReadLabelText(file, box, static_cast<int*>(FindMemory(array)));
   return { array };
 }
 

@@ -1,5 +1,6 @@
 #include "GeometryParts.h"
 
+#include "ArrayMemory.h"
 #include "Base/Errors.h"
 #include "Base/Sorted.h"
 
@@ -39,7 +40,7 @@ std::vector<Index> FindPoints(vtkPolyData* data, vtkCellArray* cells, vtkUnstruc
   {
     place[p] = std::lower_bound(begin, begin + all->GetNumberOfValues(), ids->GetValue(p)) - begin;
   }
-  const auto* corners = static_cast<const Index*>(cells->GetConnectivityArray()->GetVoidPointer(0));
+  const auto* corners = static_cast<const Index*>(FindMemory(cells->GetConnectivityArray()));
   std::vector<Index> points(cells->GetNumberOfConnectivityIds());
   std::transform(corners, corners + points.size(), points.begin(),
     [&place](Index corner) { return place[corner]; });

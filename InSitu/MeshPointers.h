@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "ArrayMemory.h"
 #include "Base/CartesianGrid.h"
 
 #include "vtkCellArray.h"
@@ -20,14 +21,14 @@ inline int CornersOf(vtkUnstructuredGrid* mesh)
 /// CornersOf(mesh) points an element, from 0.
 inline const Index* ConnectivityOf(vtkUnstructuredGrid* mesh)
 {
-  return static_cast<const Index*>(mesh->GetCells()->GetConnectivityArray()->GetVoidPointer(0));
+  return static_cast<const Index*>(FindMemory(mesh->GetCells()->GetConnectivityArray()));
 }
 
 /// Three a point; null without points.
 inline const double* CoordinatesOf(vtkUnstructuredGrid* mesh)
 {
   return mesh->GetNumberOfPoints() > 0
-    ? static_cast<const double*>(mesh->GetPoints()->GetVoidPointer(0))
+    ? static_cast<const double*>(FindMemory(mesh->GetPoints()->GetData()))
     : nullptr;
 }
 

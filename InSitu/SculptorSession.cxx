@@ -1,5 +1,6 @@
 #include "SculptorSession.h"
 
+#include "ArrayMemory.h"
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "HostImages.h"
@@ -123,7 +124,7 @@ vtkDoubleArray* FindState(vtkFieldData* arrays, const std::string& name, const s
 template <class T>
 const T* ValuesOf(vtkFieldData* arrays, const char* name)
 {
-  return static_cast<const T*>(FindMeshArray(arrays, name)->GetVoidPointer(0));
+  return static_cast<const T*>(FindMemory(FindMeshArray(arrays, name)));
 }
 
 } // namespace

@@ -15,10 +15,13 @@ namespace vfm
 
 void SetNoElements(vtkUnstructuredGrid* mesh)
 {
-  mesh->AllocateExact(1, 1);
-  mesh->InsertNextCell(VTK_EMPTY_CELL, 0, nullptr);
-  mesh->GetCellTypesArray()->Reset(); // keeps its memory
-  mesh->GetCells()->GetOffsetsArray()->SetNumberOfTuples(1);
+  vtkNew<vtkUnsignedCharArray> types;
+  types->InsertNextValue(VTK_EMPTY_CELL);
+  types->Reset(); // keeps its memory
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(0, nullptr);
+  cells->GetOffsetsArray()->SetNumberOfTuples(1);
+  mesh->SetCells(types, cells);
 }
 
 void EmptyOutput(vtkInformation* port)

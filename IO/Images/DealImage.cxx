@@ -1,5 +1,7 @@
 #include "Images/DealImage.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkDataArray.h"
 
 #include <cstring>
@@ -15,7 +17,7 @@ Bytes Cut(vtkDataArray* values, const Index3& size, const IndexBox& box)
   const Index width = values->GetDataTypeSize();
   Bytes part(box.NumberOfCells() * width);
   char* to = part.data();
-  const char* from = static_cast<const char*>(values->GetVoidPointer(0));
+  const char* from = static_cast<const char*>(FindMemory(values));
   ForRows(box,
     [&](Index j, Index k)
     {
@@ -30,7 +32,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(int type, const IndexBox& box, const Byt
 {
   const auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   values->SetNumberOfTuples(box.NumberOfCells());
-  std::memcpy(values->GetVoidPointer(0), bytes.data(), bytes.size());
+  std::memcpy(FindMemory(values), bytes.data(), bytes.size());
   return values;
 }
 

@@ -1,3 +1,4 @@
+#include "ArrayMemory.h"
 #include "Images/Hdf5.h"
 #include "Images/ImageFile.h"
 #include "OpenFile.h"
@@ -256,7 +257,7 @@ public:
     values->SetNumberOfTuples(box.NumberOfCells());
     if (H5Sselect_hyperslab(stored, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
         0 ||
-      H5Dread(data, type.Hdf5, memory, stored, H5P_DEFAULT, values->GetVoidPointer(0)) < 0)
+      H5Dread(data, type.Hdf5, memory, stored, H5P_DEFAULT, FindMemory(values)) < 0)
     {
       throw InputError("the values of " + this->Array + " cannot be read.");
     }

@@ -1,5 +1,6 @@
 #include "ListInput.h"
 
+#include "ArrayMemory.h"
 #include "Base/IndexBox.h"
 #include "ChooseArrays.h"
 #include "InputGrids.h"
@@ -41,7 +42,7 @@ struct GridInfo
 
 Index CountCells(vtkDataSet* grid)
 {
-  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  const auto ghosts = InMemory(FindGhostTypes(grid, vtkDataObject::CELL));
   Index cells = grid->GetNumberOfCells();
   for (vtkIdType cell = 0; ghosts && cell < grid->GetNumberOfCells(); ++cell)
   {

@@ -69,7 +69,7 @@ TEST(AllBlocks, CellsBelowFinerOnesAreHidden)
       EXPECT_EQ(types->GetValue(cell), covered ? Hidden : own) << b << " " << cell;
     }
   }
-  EXPECT_EQ(TypesOf(blocks, 2)->GetVoidPointer(0), host.Fine.data());
+  EXPECT_EQ(TypesOf(blocks, 2)->GetPointer(0), host.Fine.data());
   EXPECT_EQ(host.Right[0], 0); // the host's memory is as it was
 }
 
@@ -81,7 +81,7 @@ TEST(AllBlocks, OneLevelIsTheHostsMemoryAlone)
   Ranks alone;
   const vtkSmartPointer<vtkMultiBlockDataSet> blocks = MakeAllBlocks(grid, alone);
   EXPECT_EQ(TypesOf(blocks, 0), nullptr);
-  EXPECT_EQ(TypesOf(blocks, 1)->GetVoidPointer(0), host.Right.data());
+  EXPECT_EQ(TypesOf(blocks, 1)->GetPointer(0), host.Right.data());
 }
 
 } // namespace

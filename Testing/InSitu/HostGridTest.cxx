@@ -2,6 +2,7 @@
  * HostGrid: VTK data that is the host's memory, at the same place on every rank; clear errors for wrong grids.
  */
 #include "HostImages.h"
+#include "ArrayMemory.h"
 #include "Base/Runtime.h"
 
 #include "vtkCellData.h"
@@ -67,7 +68,7 @@ TEST(HostGrid, ImageIsTheHostsMemory)
   for (int i = 0; i < 4; ++i)
   {
     vtkDataArray* array = image->GetCellData()->GetArray(i);
-    EXPECT_EQ(array->GetVoidPointer(0), values[i]) << array->GetName();
+    EXPECT_EQ(FindMemory(array), values[i]) << array->GetName();
     EXPECT_EQ(array->GetNumberOfTuples(), 12) << array->GetName();
     EXPECT_EQ(array->GetNumberOfComponents(), i == 1 ? 3 : 1) << array->GetName();
   }
@@ -112,7 +113,7 @@ TEST(HostGrid, LevelsHalveTheCells)
       EXPECT_EQ(fine->GetExtent()[2 * a], box.Cells.Lower[a]);
       EXPECT_EQ(points[1][a], points[0][a]);
     }
-    EXPECT_EQ(fine->GetCellData()->GetArray("doubles")->GetVoidPointer(0), host.Doubles.data());
+    EXPECT_EQ(FindMemory(fine->GetCellData()->GetArray("doubles")), host.Doubles.data());
   }
 }
 

@@ -5,7 +5,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkOverlappingAMR.h"
-#include "vtkUniformGrid.h"
 
 #include <cmath>
 
@@ -131,23 +130,26 @@ std::vector<Place> LeafPlaces()
     { 1, { { { 4, 0, 0 } }, { { 10, 8, 10 } } } } };
 }
 
-vtkSmartPointer<vtkOverlappingAMR> MakeOverlapping(
-  const std::vector<Place>& places, const Vector3& spacing)
+LevelGrids MakeGrids(const std::vector<Place>& places, const Vector3& spacing, int rank, int ranks)
 {
-  std::vector<std::vector<vtkSmartPointer<vtkUniformGrid>>> grids;
-  std::vector<int> counts;
+  LevelGrids grids;
+  int number = 0;
   for (const Place& place : places)
   {
     grids.resize(std::max<std::size_t>(grids.size(), place.Level + 1));
-    grids[place.Level].push_back(MakeUniformGrid(LevelBlock(place.Level, place.Cells, spacing)));
+    const bool isMine = number++ % ranks == rank;
+    grids[place.Level].push_back(
+      isMine ? MakeUniformGrid(LevelBlock(place.Level, place.Cells, spacing)) : nullptr);
   }
-  for (const auto& level : grids)
-  {
-    counts.push_back(static_cast<int>(level.size()));
-  }
+  return grids;
+}
+
+vtkSmartPointer<vtkOverlappingAMR> MakeOverlapping(
+  const std::vector<Place>& places, const Vector3& spacing, int rank, int ranks)
+{
   auto data = vtkSmartPointer<vtkOverlappingAMR>::New();
-  data->Initialize(static_cast<int>(grids.size()), counts.data());
-  data->SetGridDescription(VTK_XYZ_GRID);
+  const LevelGrids grids = MakeGrids(places, spacing);
+  SetGrids(MakeGrids(places, spacing, rank, ranks), data.Get());
   data->SetOrigin(Origin.data());
   for (unsigned int level = 0; level < grids.size(); ++level)
   {
@@ -158,7 +160,6 @@ vtkSmartPointer<vtkOverlappingAMR> MakeOverlapping(
       vtkUniformGrid* grid = grids[level][i];
       data->SetAMRBox(level, i,
         vtkAMRBox(grid->GetOrigin(), grid->GetDimensions(), grid->GetSpacing(), Origin.data()));
-      data->SetDataSet(level, i, grid);
     }
   }
   data->GenerateParentChildInformation();

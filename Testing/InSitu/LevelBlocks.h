@@ -5,8 +5,11 @@
 #pragma once
 
 #include "Base/CartesianGrid.h"
+#include "VtkVersions.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkStructuredData.h"
+#include "vtkUniformGrid.h"
 
 class vtkOverlappingAMR;
 
@@ -43,9 +46,38 @@ std::vector<Place> CutPlaces();
 /// Two levels, with none of the coarser one below the finer.
 std::vector<Place> LeafPlaces();
 
-/// Blocks at all places, built from their fields and not from HostGrid. spacing: of level 0.
+/// Of each level the blocks at the places, built from their fields and not from HostGrid; dealt in turn to the ranks, null where
+/// another has a block. spacing: of level 0.
+using LevelGrids = std::vector<std::vector<vtkSmartPointer<vtkUniformGrid>>>;
+LevelGrids MakeGrids(
+  const std::vector<Place>& places, const Vector3& spacing, int rank = 0, int ranks = 1);
+
+/// The same in one data set, which knows the boxes of all ranks.
 vtkSmartPointer<vtkOverlappingAMR> MakeOverlapping(
-  const std::vector<Place>& places, const Vector3& spacing);
+  const std::vector<Place>& places, const Vector3& spacing, int rank = 0, int ranks = 1);
+
+/// The grids and boxes of other kinds of refined grids. Amr: vtkUniformGridAMR or what derives from it.
+template <class Amr>
+void SetGrids(const LevelGrids& grids, Amr* data)
+{
+  std::vector<unsigned int> counts;
+  for (const auto& level : grids)
+  {
+    counts.push_back(static_cast<unsigned int>(level.size()));
+  }
+  SetNumberOfBoxes(data, counts);
+  data->SetGridDescription(VTK_XYZ_GRID);
+  for (unsigned int level = 0; level < grids.size(); ++level)
+  {
+    for (unsigned int i = 0; i < grids[level].size(); ++i)
+    {
+      if (vtkUniformGrid* grid = grids[level][i])
+      {
+        data->SetDataSet(level, i, grid);
+      }
+    }
+  }
+}
 
 } // namespace testing
 } // namespace vfm

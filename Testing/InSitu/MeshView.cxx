@@ -1,4 +1,5 @@
 #include "MeshView.h"
+#include "ArrayMemory.h"
 #include "Sculptor.h"
 
 #include "vtkCellArray.h"
@@ -35,7 +36,7 @@ std::uint64_t BitsOf(double value)
 template <class T>
 const T* Values(vtkDataArray* array)
 {
-  return static_cast<const T*>(array->GetVoidPointer(0));
+  return static_cast<const T*>(FindMemory(array));
 }
 
 } // namespace
