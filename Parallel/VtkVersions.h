@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "vtkUniformGrid.h"
 #include "vtkUniformGridAMR.h"
 #include "vtkVersionMacros.h"
 
