@@ -19,6 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import calculix
+import pictures
 from load_plugin import load_plugin
 from need_files import need_files
 
@@ -82,11 +83,11 @@ def save_picture(vtu, path):
     simple.ColorBy(shown, ("CELLS", "von Mises stress [MPa]"))
     shown.RescaleTransferFunctionToDataRange()
     colours = simple.GetColorTransferFunction("von Mises stress [MPa]")
-    colours.ApplyPreset("Viridis (matplotlib)", True)
+    colours.ApplyPreset(pictures.VIRIDIS, True)
     bar = simple.GetScalarBar(colours, view)
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.WindowLocation, bar.Position, bar.ScalarBarLength = "Any Location", [0.88, 0.3], 0.45
-    bar.RangeLabelFormat, bar.LabelFormat, bar.AutomaticLabelFormat = "%.1f", "%.0f", 0
+    bar.RangeLabelFormat, bar.LabelFormat, bar.AutomaticLabelFormat = pictures.number_format(1), pictures.number_format(0), 0
     shown.SetScalarBarVisibility(view, True)
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [4.3, 2.1, 1.7], [-0.2, 0.2, -0.05], [0, 0, 1]
     simple.SaveScreenshot(path, view)

@@ -7,6 +7,13 @@ SIZE = (1600, 1200)
 VIEW_ANGLE = 18  # degrees
 EDGES = (0.13, 0.17, 0.22)
 TEXT = (0.15, 0.15, 0.15)
+IS_RENAMED = simple.GetParaViewVersion() >= (6, 1)  # names of colour maps lost what is in brackets, formats became those of C++
+VIRIDIS = "Viridis" if IS_RENAMED else "Viridis (matplotlib)"
+
+
+def number_format(digits):
+    """Of the numbers beside a bar of colours: digits behind the point."""
+    return f"{{:.{digits}f}}" if IS_RENAMED else f"%.{digits}f"
 
 
 def make_view(size=SIZE):
@@ -66,14 +73,14 @@ def colour_by_quality(display, view, lowest):
     """The scaled Jacobian from lowest to 1, with a bar below."""
     simple.ColorBy(display, ("CELLS", "ScaledJacobian"))
     table = simple.GetColorTransferFunction("ScaledJacobian")
-    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.ApplyPreset(VIRIDIS, True)
     table.RescaleTransferFunction(math.floor(10 * lowest) / 10, 1.0)
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = "Scaled Jacobian", ""
     bar.TitleColor = bar.LabelColor = TEXT
     bar.TitleFontSize, bar.LabelFontSize = 30, 26
     bar.ScalarBarThickness, bar.ScalarBarLength = 28, 0.5
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.2f", "%.2f"
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(2), number_format(2)
     bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", (0.25, 0.045)
     display.SetScalarBarVisibility(view, True)
 

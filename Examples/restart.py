@@ -236,7 +236,7 @@ def render(path, picture):
     shown = pictures.show(pictures.cut(speed, [0, 3.01, 0], [0, 1, 0]), view)
     simple.ColorBy(shown, ("POINTS", "speed"))
     table = simple.GetColorTransferFunction("speed")
-    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.ApplyPreset(pictures.VIRIDIS, True)
     table.RescaleTransferFunction(0, SPEED)
     shown.SetScalarBarVisibility(view, False)
     pictures.aim(view, [0.5, 6.5, 3, 6, 0, 4], (0.15, -1, 0.35), 1.75, sink=0.12)

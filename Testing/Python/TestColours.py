@@ -137,7 +137,7 @@ def test_saved_states():
 
 def test_a_colour_map_of_the_user_stays():
     table = simple.GetColorTransferFunction("MaterialId")
-    table.ApplyPreset("Viridis (matplotlib)", True)
+    table.ApplyPreset("Black-Body Radiation", True)
     show(mesh())
     assert names() is None and not table.Annotations
 
