@@ -1,7 +1,7 @@
-"""A client and a server of two ranks: meshes and their colour maps with the plugin on both sides, on the server or on the client alone.
+"""A client and a server of two ranks: meshes, their colour maps and writers with the plugin on both sides, on the server or on the client alone.
 
 usage: pvpython TestServer.py
-       pvpython TestServer.py PORT SIDES    what a client does, which prints the names in its colour map
+       pvpython TestServer.py PORT SIDES    what a client does, which prints the names in its colour map and the writers
 """
 import os
 import re
@@ -14,7 +14,8 @@ from mpi_run import OF_THIS_PROCESS, SETTINGS
 
 PLUGIN = os.environ["VFM_PLUGIN"]
 FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "ball_and_plate.vti")
-MISSED = re.compile("Could not create object of type: vtkSMMeshArrayListDomain")  # by a client without the plugin: its panel lists no arrays
+MISSED = re.compile("Could not create object of type: vtkSMMesh(ArrayList)?Domain")  # by a client while it lacks the plugin
+OURS = "ExodusAndSetsWriter"
 LIMIT = 300  # seconds; machines are shared
 
 
@@ -33,10 +34,12 @@ def act_as_client(port, sides):
     simple.ColorBy(simple.Show(shown, view), ("CELLS", "MaterialId"))
     cells = shown.GetDataInformation().GetNumberOfCells()
     print("RESULT", cells > 0, list(simple.GetColorTransferFunction("MaterialId").Annotations))
+    other = simple.Tetrahedralize(Input=simple.Wavelet())
+    print("WRITERS", *(simple.CreateWriter("mesh.e", source).GetXMLName() for source in (shown, other)))
 
 
 def names_with(sides):
-    """What the client printed."""
+    """What the client printed: of the colour map, and the writers of what it shows and of another mesh."""
     plain = {name: value for name, value in os.environ.items() if not name.startswith(OF_THIS_PROCESS)}
     server = subprocess.Popen(["mpiexec", "-q", "--oversubscribe", "--bind-to", "none", "-n", "2", "pvserver", "--server-port=0"],
                               env={**plain, **SETTINGS}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
@@ -49,19 +52,22 @@ def names_with(sides):
         server.kill()
     errors = [line for line in client.stdout.splitlines() if "ERR|" in line and not MISSED.search(line)]
     assert client.returncode == 0 and not errors, client.stdout
-    return re.search("^RESULT (.*)$", client.stdout, re.MULTILINE)[1]
+    return [re.search("^%s (.*)$" % what, client.stdout, re.MULTILINE)[1] for what in ("RESULT", "WRITERS")]
 
 
 def test_both():
-    assert names_with("server and client") == "True ['1', 'ball', '2', 'plate']"
+    names, writers = names_with("server and client")
+    assert names == "True ['1', 'ball', '2', 'plate']"
+    assert [name == OURS for name in writers.split()] == [True, False], writers
 
 
 def test_the_server_alone():
-    assert names_with("server") == "True []"
+    assert names_with("server")[0] == "True []"
 
 
 def test_the_client_alone():
-    assert names_with("client") == "True []"
+    names, writers = names_with("client")
+    assert names == "True []" and OURS not in writers
 
 
 if len(sys.argv) == 3:
