@@ -1,7 +1,6 @@
 """Meshes as Exodus files: what another reader (ncdump) and ParaView's read is the mesh, in one file and in parts."""
 import os
 import resource
-import tempfile
 
 import numpy as np
 from paraview import servermanager, simple
@@ -13,24 +12,17 @@ from vtkmodules.vtkIOIOSS import vtkIOSSReader
 
 import exodus_dump
 from exodus_dump import Dump, check_parts, join, side_corners
-from mesh_sets import AXES, array, elements_of, find_sets, material_names
+from exodus_of_mesh import check, expected
+from mesh_sets import AXES, array, find_sets, material_names
 from mpi_run import mpi_run
 from spyplot import split, write_spyplot
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, labels, main, mesh_of, producer,
-    save_data, VolumeFractionToHex, VolumeFractionToTet)
+    ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, in_folder, labels, main, mesh_of,
+    producer, save_data, VolumeFractionToHex, VolumeFractionToTet)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 CELLS = {"make": VolumeFractionToTet, "Method": "Cells"}
 SPY = "Material volume fraction - %d"
-
-
-def in_folder(test):
-    """Gives the test a function that makes paths in a folder of its own."""
-    def run_test():
-        with tempfile.TemporaryDirectory() as folder:
-            test(lambda name: os.path.join(folder, name))
-    return run_test
 
 
 def writer_of(mesh, path, **properties):
@@ -43,44 +35,6 @@ def write(mesh, path, **properties):
     errors, _ = collect(writer.GetClientSideObject().GetWriter())
     writer.UpdatePipeline()
     return errors
-
-
-def columns(attributes):
-    """The variables that a file has of the arrays: vectors by X, Y, Z; no ids."""
-    result = {}
-    for i in range(attributes.GetNumberOfArrays()):
-        name, values = attributes.GetArrayName(i), vtk_to_numpy(attributes.GetArray(i)).astype(float)
-        if not name.startswith("Global"):
-            result.update({name: values} if values.ndim == 1 else {name + "_" + axis: values[:, a] for a, axis in enumerate("XYZ")})
-    return np.array([result[name] for name in sorted(result)]).T.tolist()
-
-
-def expected(mesh):
-    """What join() gives of a mesh in memory, but for the global numbers."""
-    ids = array(mesh.GetPointData(), "GlobalPointIds")
-    materials, names = array(mesh.GetCellData(), "MaterialId"), material_names(mesh)
-    void = max(max(names), materials.max()) + 1
-    block_of = lambda material: int(material) or int(void)
-    sides, nodes = find_sets(mesh)
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).tolist()
-    cells = zip(array(mesh.GetCellData(), "GlobalCellIds").tolist(), materials, ids[elements_of(mesh)].tolist(),
-                columns(mesh.GetCellData()))
-    return {"blocks": {block_of(m): names[m] for m in set(materials.tolist())}, "sides": sides, "node sets": nodes,
-            "nodes": {i: (*p, *v) for i, p, v in zip(ids.tolist(), points, columns(mesh.GetPointData()))},
-            "elements": {i: (block_of(m), tuple(c), *v) for i, m, c, v in cells}}
-
-
-def check(dumps, mesh, wanted=None):
-    """The files hold the mesh; wanted: expected(mesh), where it is known."""
-    found, wanted = join(dumps), wanted or expected(mesh)
-    for part, items in wanted.items():
-        assert found[part] == items, (part, len(found[part]), len(items))
-    field = mesh.GetFieldData()
-    for name in ("MinimumScaledJacobian", "NumberOfFragments"):
-        assert found["globals"][name] == field.GetArray(name).GetTuple1(0)
-    for dump in dumps:
-        assert dump.get("qa_records")[0] == "VolumeFractionMesh"
-        assert dump.sizes["time_step"] == 1 and dump.attributes["connect1:elem_type"] == ("HEX8" if mesh.GetCellType(0) == 12 else "TETRA")
 
 
 def area_vectors(faces):
@@ -157,14 +111,6 @@ def test_values_of_nodes(at):
     for part in (part for name in ("ball", "plate") for part in ioss(at("mesh.e"))[name]):
         found = dict(zip(array(part.GetPointData(), "ids").tolist(), array(part.GetPointData(), "velocity").tolist()))
         assert found and all(wanted[point] == velocity for point, velocity in found.items())
-
-
-@in_folder
-def test_save_data_takes_this_writer(at):
-    hexes = VolumeFractionToHex(Input=producer(fraction_image(8)), VolumeFractionArrays=["ball", "plate"])
-    simple.SaveData(at("mesh.exo"), proxy=hexes)
-    check([Dump(at("mesh.exo"))], hexes.GetClientSideObject().GetOutputDataObject(0))
-    assert os.listdir(at("")) == ["mesh.exo"]
 
 
 def ioss(path):

@@ -49,7 +49,7 @@ if len(sys.argv) == 2:
     sys.exit()
 
 from exodus_dump import Dump
-from mesh_sets import array, elements_of
+from exodus_of_mesh import check
 from vfmtest import (
     collect, failure_of, fraction_image, in_folder, main, producer, save_data, VolumeFractionToHex, VolumeFractionToTet)
 
@@ -58,28 +58,13 @@ def mesher_of(make=VolumeFractionToHex, **properties):
     return make(Input=producer(fraction_image(SIZE)), **{"VolumeFractionArrays": ["ball", "plate"], **properties})
 
 
-def check_exodus(path, mesh):
-    """Names, sets and the ids of the mesh, which only the plugin's writer writes."""
-    dump = Dump(path)
-    assert dump.get("qa_records")[0] == "VolumeFractionMesh", dump.get("qa_records")
-    assert dump.names("eb") == ["ball", "plate"] and dump.get("eb_prop1").tolist() == [1, 2]
-    assert {"ball_to_plate", "plate_to_ball", "ball_to_Void", "plate_to_Void", "x_min", "z_min"} <= set(dump.names("ss"))
-    assert all(len(dump.sides(i)[0]) > 0 for i in range(dump.size("num_side_sets")))
-    points = array(mesh.GetPointData(), "GlobalPointIds")
-    assert dump.get("node_num_map").tolist() == points.tolist()
-    assert sorted(dump.get("elem_num_map").tolist()) == sorted(array(mesh.GetCellData(), "GlobalCellIds").tolist())
-    in_file = {i: tuple(points[corners]) for i, (_, corners) in zip(dump.get("elem_num_map").tolist(), dump.elements())}
-    in_mesh = dict(zip(array(mesh.GetCellData(), "GlobalCellIds").tolist(), map(tuple, points[elements_of(mesh)])))
-    assert in_file == in_mesh
-
-
 @in_folder
-def test_meshes_by_exodus_ends(at):
+def test_meshes_by_the_ends_of_exodus(at):
     for make, properties in ((VolumeFractionToHex, {}), (VolumeFractionToTet, {"Method": "Lattice"})):
         mesher = mesher_of(make, **properties)
         for end in EXODUS:
             simple.SaveData(at("mesh." + end), proxy=mesher)
-            check_exodus(at("mesh." + end), mesher.GetClientSideObject().GetOutputDataObject(0))
+            check([Dump(at("mesh." + end))], mesher.GetClientSideObject().GetOutputDataObject(0))
 
 
 @in_folder
