@@ -110,10 +110,8 @@ void Hexahedra::FindCells()
 
 const vtkIdType* Hexahedra::FindPoints(vtkIdType cell)
 {
-  vtkIdType count = 0;
-  const vtkIdType* points = nullptr;
-  this->Data->GetCellPoints(cell, count, points, this->Points);
-  return points;
+  this->Data->GetCellPoints(cell, this->Points);
+  return this->Points->GetPointer(0);
 }
 
 Hexahedra::Box Hexahedra::FindBox(vtkIdType cell)

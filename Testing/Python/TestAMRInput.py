@@ -1,6 +1,5 @@
 """Input on several levels (AMR): every kind of data set, which data count, and what is refused."""
 import numpy as np
-from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkUniformGrid
 from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRWriter
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -8,7 +7,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from amr_cases import N, block_of, collection, cover, cut, doubled, everywhere, fields, means, multiblock, nested, non_overlapping, overlapping
 from vfmtest import (
     GHOST, HIDDEN, ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, collect, digest, elements, image, in_folder,
-    main, mesh_of, run, write)
+    main, mesh_of, run, write, simple)
 
 REFINED = 8  # bit of vtkGhostType
 FIELDS = fields(2)

@@ -4,7 +4,6 @@ import resource
 import signal
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, VTK_WEDGE, vtkUnstructuredGrid
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
@@ -13,7 +12,7 @@ from inp_file import InpFile
 from mpi_run import mpi_run
 from vfmtest import (
     TET_METHODS, VolumeFractionToTet, add_array, collect, elements, face_owners, fraction_image, in_folder, main,
-    mesh_of, producer, tet_volumes, write)
+    mesh_of, producer, tet_volumes, write, simple)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 SIDES = ("X_MIN", "X_MAX", "Y_MIN", "Y_MAX", "Z_MIN", "Z_MAX")

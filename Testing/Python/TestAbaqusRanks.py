@@ -5,11 +5,10 @@ One rank keeps its file in FOLDER; those of more ranks must have the same bytes.
 import os
 import sys
 
-from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
-from vfmtest import ball_and_plate, collect, image, main, producer, reduced, VolumeFractionToHex, VolumeFractionToTet
+from vfmtest import ball_and_plate, collect, image, main, producer, reduced, VolumeFractionToHex, VolumeFractionToTet, simple
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()

@@ -1,6 +1,5 @@
 """Meshes whose interfaces run through cells of several levels: fine cells where a place wants them, coarse ones elsewhere."""
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import exodus_dump
@@ -10,7 +9,7 @@ from mesh_sets import find_sets
 from sculptor_program import check_same, mesh_file
 from vfmtest import (
     VolumeFractionFragments, VolumeFractionToHex, check_hexes, digest, elements, exodus_parts, facets, hex_volumes, image, in_folder, main,
-    mesh_of, points_of, producer)
+    mesh_of, points_of, producer, simple)
 
 N = 20
 

@@ -3,7 +3,6 @@ import os
 import tempfile
 
 import numpy as np
-from paraview import servermanager
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkTable,
@@ -12,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 from vfmtest import (
     GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, collect, failure_of, fraction_image, image, labels, main,
-    producer, rectilinear, run, VolumeFractionFragments, VolumeFractionToHex)
+    producer, rectilinear, run, VolumeFractionFragments, VolumeFractionToHex, servermanager)
 
 N = 8
 

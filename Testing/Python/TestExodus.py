@@ -3,7 +3,6 @@ import os
 import resource
 
 import numpy as np
-from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
@@ -18,7 +17,7 @@ from mpi_run import mpi_run
 from spyplot import split, write_spyplot
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, in_folder, labels, main, mesh_of,
-    producer, save_data, VolumeFractionToHex, VolumeFractionToTet)
+    producer, save_data, servermanager, simple, VolumeFractionToHex, VolumeFractionToTet)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 CELLS = {"make": VolumeFractionToTet, "Method": "Cells"}

@@ -3,14 +3,13 @@ import os
 import sys
 import traceback
 
-from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUnstructuredGrid
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from compare_meshes import read_pieces
 from exodus_dump import Dump, check_parts, join
 from vfmtest import (
-    ball_and_plate, collect, image, main, producer, reduced, save_data, VolumeFractionToHex, VolumeFractionToTet)
+    ball_and_plate, collect, image, main, producer, reduced, save_data, VolumeFractionToHex, VolumeFractionToTet, servermanager, simple)
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()

@@ -5,7 +5,6 @@ import os
 import subprocess
 
 import numpy as np
-from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkNonOverlappingAMR
 
 from amr_files import (
@@ -14,7 +13,7 @@ from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file, refused
 from spyplot import write_file, write_spyplot
 from spyplot_cases import without_reader_fields
-from vfmtest import Result, VolumeFractionToHex, VolumeFractionToTet, collect, digest, in_folder, main, mesh_of
+from vfmtest import Result, VolumeFractionToHex, VolumeFractionToTet, collect, digest, in_folder, main, mesh_of, simple
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "..", "..", "Data")

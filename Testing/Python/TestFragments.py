@@ -4,13 +4,12 @@ import os
 import tempfile
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from mpi_run import mpi_run
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, VolumeFractionFragments, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect, elements,
-    fraction_image, image, labels, main, mesh_of, producer, surface_faces, tet_volumes)
+    fraction_image, image, labels, main, mesh_of, producer, surface_faces, tet_volumes, simple)
 
 CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]])
 

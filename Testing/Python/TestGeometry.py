@@ -3,12 +3,11 @@ import glob
 import os
 
 import numpy as np
-from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file, refused, sculptor
-from vfmtest import VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, write
+from vfmtest import VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, write, simple
 
 BLOCKS = ["Surfaces", "Curves", "Vertices"]
 

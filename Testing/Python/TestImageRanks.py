@@ -7,7 +7,6 @@ import os
 import sys
 import zlib
 
-from paraview import simple
 from vtkmodules.vtkParallelCore import vtkCommunicator
 
 import numpy as np
@@ -16,7 +15,7 @@ from compare_meshes import difference
 from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
 from image_files import save, write_dream3d, write_meta, write_nifti, write_nrrd, write_tiff
 from vfmtest import (
-    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, main, reduced, write)
+    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, main, reduced, write, simple)
 from voxels import grains, turned
 
 FOLDER = os.path.join(sys.argv[1], "images")

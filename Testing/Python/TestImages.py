@@ -4,14 +4,13 @@ import os
 import sys
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from compare_meshes import difference, merge, read_pieces
 from image_files import (
     STRAIGHT, save, write_dream3d, write_dream3d_nx, write_imagej, write_meta, write_nifti, write_nrrd, write_tiff)
 from sculptor_program import mesh_file, refused, sculptor
-from vfmtest import ORIGIN, SPACING, LabelImageReader, collect, image, in_folder, main, mesh_of, points_of
+from vfmtest import ORIGIN, SPACING, LabelImageReader, collect, image, in_folder, main, mesh_of, points_of, simple
 from voxels import grains, turned
 
 sys.path.insert(0, os.environ["VFM_WRAPPERS"])

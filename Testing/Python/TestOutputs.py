@@ -4,7 +4,6 @@ import os
 import tempfile
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkAbstractArray
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
@@ -12,7 +11,7 @@ from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 from compare_meshes import read_pieces
 from vfmtest import (
     SPACING, TET_METHODS, ball_and_plate, check_surfaces, elements, facets, fraction_image, image, main, mesh_of,
-    save_data, table_of, VolumeFractionToTet)
+    save_data, table_of, VolumeFractionToTet, simple)
 
 N = 12
 DATA = fraction_image(N)

@@ -4,7 +4,6 @@ import sys
 import tempfile
 
 import numpy as np
-from paraview import simple
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
@@ -12,7 +11,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from exodus_dump import Dump
 from vfmtest import (
     collect, digest, failure_of, fraction_image, has_tetgen, main, mesh_of, producer, Result, save_data, VolumeFractionShapes,
-    VolumeFractionToHex, VolumeFractionToTet)
+    VolumeFractionToHex, VolumeFractionToTet, simple)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
 from write_exodus import write_exodus

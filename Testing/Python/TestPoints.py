@@ -3,7 +3,6 @@ are offered, and chosen where nothing is."""
 import re
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUniformGrid
 
@@ -12,7 +11,7 @@ from mesh_sets import find_sets
 from vfmtest import (
     HIDDEN, ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, add_array, at_points, ball_and_plate, check_surfaces,
     digest, elements, facets, hex_volumes, image, in_folder, labels, main, mesh_of, points_of, producer, rectilinear, run,
-    tet_volumes)
+    tet_volumes, simple)
 
 N = 12
 BALL, PLATE = ball_and_plate(N)

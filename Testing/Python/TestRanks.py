@@ -9,7 +9,6 @@ import sys
 import traceback
 
 import numpy as np
-from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
@@ -19,7 +18,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from compare_meshes import difference, joined, merge, piece_of, read_pieces
 from vfmtest import (
     GHOST, ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, main, producer, reduced, save_data, surface_faces,
-    table_of, tet_volumes, uniform, VolumeFractionToHex, VolumeFractionToTet)
+    table_of, tet_volumes, uniform, VolumeFractionToHex, VolumeFractionToTet, simple)
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
 from write_exodus import write_exodus

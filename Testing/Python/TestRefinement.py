@@ -1,6 +1,5 @@
 """Meshes of several levels: refined where the input is, or where criteria want it; coarser away from interfaces."""
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from amr_cases import means
@@ -11,7 +10,7 @@ from mesh_sets import find_sets
 from sculptor_program import check_same, mesh_file, refused
 from vfmtest import (
     VolumeFractionShapes, VolumeFractionToHex, add_array, check_hexes, collect, digest, elements, exodus_parts, facets, hex_volumes,
-    image, in_folder, main, mesh_of, points_of, producer, rectilinear, run, save_data)
+    image, in_folder, main, mesh_of, points_of, producer, rectilinear, run, save_data, simple)
 
 COARSEN = {"Refinement": "Coarsen"}
 AUTOMATIC = {"Refinement": "Automatic", "MaximumLevel": 1}

@@ -4,7 +4,6 @@ import os
 import re
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
     vtkAMRBox, vtkMultiBlockDataSet, vtkOverlappingAMR, vtkRectilinearGrid, vtkUniformGrid)
@@ -17,7 +16,7 @@ from exodus_grids import hexes, shuffled, write_exodus
 from sculptor_program import check_same, mesh_file, refused, rows, sculptor
 from vfmtest import (
     ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, exodus_parts, fraction_image, image,
-    in_folder, labels, main, mesh_of, rectilinear, uniform, write)
+    in_folder, labels, main, mesh_of, rectilinear, uniform, write, simple)
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")

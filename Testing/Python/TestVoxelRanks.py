@@ -7,7 +7,6 @@ import sys
 import zlib
 
 import numpy as np
-from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkParallelCore import vtkCommunicator
 
@@ -15,7 +14,7 @@ from compare_meshes import difference
 from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
 from vfmtest import (
     ORIGIN, SPACING, NumPyVoxelReader, SculptVoxelReader, VolumeFractionToHex, VolumeFractionToTet, collect, image, main,
-    reduced)
+    reduced, simple)
 from voxels import SIZE, grains, turned, write_numpy, write_text
 
 FOLDER = os.path.join(sys.argv[1], "voxels")

@@ -6,7 +6,6 @@ import sys
 
 import numpy as np
 from numpy.lib import format as numpy_format
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
@@ -14,7 +13,7 @@ from compare_meshes import difference, merge, read_pieces
 from mpi_run import mpi_run
 from vfmtest import (
     ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect, failure_of, image, in_folder, main,
-    mesh_of)
+    mesh_of, simple)
 from voxels import ORDERS, SIZE, grains, turned, write_numpy, write_text
 
 sys.path.insert(0, os.environ["VFM_WRAPPERS"])

@@ -6,7 +6,6 @@ mpiexec -n P pvbatch --sym exodus_grids.py mesh READER STEP FILE OUT    meshes F
 import sys
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -17,7 +16,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandD
 from vtkmodules.vtkIOIOSS import vtkIOSSWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from vfmtest import ORIGIN, SPACING, VolumeFractionToHex, ball_and_plate, main
+from vfmtest import ORIGIN, SPACING, VolumeFractionToHex, ball_and_plate, main, simple
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
 VOXEL_CORNERS = CORNERS[[0, 1, 3, 2, 4, 5, 7, 6]]

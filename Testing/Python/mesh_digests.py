@@ -8,14 +8,13 @@ import hashlib
 import os
 
 import numpy as np
-from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from amr_cases import fields, multiblock, nested, overlapping
-from vfmtest import TET_METHODS, VolumeFractionToTet, ball_and_plate, digest, image, labels, main, rectilinear, run
+from vfmtest import TET_METHODS, VolumeFractionToTet, ball_and_plate, digest, image, labels, main, rectilinear, run, simple
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()

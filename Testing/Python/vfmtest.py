@@ -1,6 +1,7 @@
 """What the Python tests share: the plugin, small fields, and runs whose messages are collected.
 
-The environment variable VFM_PLUGIN names the plugin. A test is a function test_*; main() runs all.
+The environment variable VFM_PLUGIN names the plugin; without it, plain VTK stands in for paraview.simple (vtk_simple). A test is a function
+test_*; main() runs all, and says which need ParaView.
 """
 import hashlib
 import os
@@ -8,9 +9,9 @@ import sys
 import tempfile
 import time
 import traceback
+import unittest
 
 import numpy as np
-from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
@@ -18,9 +19,17 @@ from vtkmodules.vtkCommonMath import vtkMatrix3x3
 from vtkmodules.vtkIOIOSS import vtkIOSSReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
-from paraview.modules.vtkRemotingCore import vtkProcessModule
 
-simple.LoadPlugin(os.path.abspath(os.environ["VFM_PLUGIN"]), remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
+if "VFM_PLUGIN" in os.environ:
+    from paraview import servermanager, simple
+    from paraview.modules.vtkRemotingCore import vtkProcessModule
+    simple.LoadPlugin(os.path.abspath(os.environ["VFM_PLUGIN"]), remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
+    RUNS_ON_ALL_RANKS = vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()
+else:
+    import vtk_simple as simple
+    servermanager = simple.servermanager
+    globals().update(simple.PROXIES)
+    RUNS_ON_ALL_RANKS = True
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
 HEX_FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
 HEX_EDGES = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]])  # at each corner
@@ -311,7 +320,7 @@ def in_folder(test):
 
 
 def has_tetgen():
-    return bool(VolumeFractionToTet(Input=simple.Wavelet()).GetPropertyValue("HasTetGen"))
+    return bool(VolumeFractionToTet(Input=producer(vtkImageData())).GetPropertyValue("HasTetGen"))
 
 
 def run(data, make=None, **properties):
@@ -365,6 +374,8 @@ def main(tests):
         try:
             test()
             print("%-60s %.2f s" % (name, time.time() - start))
+        except unittest.SkipTest as reason:
+            print("%-60s %s" % (name, reason))
         except Exception:
             failed += 1
             print("%s FAILED" % name)
@@ -372,7 +383,7 @@ def main(tests):
     sys.stdout.flush()
     sys.stderr.flush()
     controller = vtkMultiProcessController.GetGlobalController()
-    if controller.GetNumberOfProcesses() > 1 and not vtkProcessModule.GetProcessModule().GetSymmetricMPIMode():
+    if controller.GetNumberOfProcesses() > 1 and not RUNS_ON_ALL_RANKS:
         return  # pvbatch itself ends the other ranks, which run no script
     controller.Finalize()  # mpiexec complains otherwise
     os._exit(1 if failed else 0)
