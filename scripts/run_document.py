@@ -2,9 +2,10 @@
 """Runs the Python blocks of a document, one after the other as one script, in a folder where they leave their files. What a
 document shows, indented, right after a block that prints must be what it prints.
 
-usage: pvpython run_document.py DOCUMENT FOLDER [PLUGIN, default build/lib/VolumeFractionMesh.so]
+usage: pvpython run_document.py DOCUMENT FOLDER [LIB, default build/lib]     or python3, where a document has plain VTK
 
-The blocks find Data there, and PLUGIN under the name that documents give it, both as links. Pictures need an X server.
+The blocks find Data there, and LIB, with the plugin and the classes for Python, under the name that documents give it, both as links.
+Pictures need an X server.
 """
 import contextlib
 import io
@@ -16,7 +17,7 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 sys.path.insert(0, os.path.join(ROOT, "Examples"))
 from need_files import need_files
 
-PLUGIN = "build/lib/VolumeFractionMesh.so"
+LIB = "build/lib"
 BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n((?: {4}[^\n]*\n)+))?", re.DOTALL | re.MULTILINE)
 
 
@@ -38,14 +39,14 @@ def run_block(code, shown, names):
         sys.exit("the document shows other lines:\n" + shown)
 
 
-def main(document, folder, plugin=os.path.join(ROOT, PLUGIN)):
-    need_files(document, plugin)
+def main(document, folder, lib=os.path.join(ROOT, LIB)):
+    need_files(document, lib)
     blocks = list(read_blocks(document))
     if not blocks:
         sys.exit(document + " has no Python")
-    targets = {"Data": os.path.join(ROOT, "Data"), PLUGIN: plugin}
+    targets = {"Data": os.path.join(ROOT, "Data"), LIB: lib}
     targets = {name: os.path.realpath(target) for name, target in targets.items()}
-    os.makedirs(os.path.join(folder, os.path.dirname(PLUGIN)), exist_ok=True)
+    os.makedirs(os.path.join(folder, os.path.dirname(LIB)), exist_ok=True)
     os.chdir(folder)
     for name, target in targets.items():
         if os.path.islink(name):

@@ -172,10 +172,11 @@ ELEMENTS = read_proxies()
 PROXIES = {name: plugin_class(element) for name, element in ELEMENTS.items() if element.find("Documentation") is not None}
 servermanager = types.SimpleNamespace(writers=types.SimpleNamespace(**PROXIES))
 XMLImageDataReader = reader_class("XMLImageDataReader", vtkIOXML.vtkXMLImageDataReader)
+XMLPartitionedImageDataReader = reader_class("XMLPartitionedImageDataReader", vtkIOXML.vtkXMLPImageDataReader)
 XMLUniformGridAMRReader = reader_class(
     "XMLUniformGridAMRReader", vtkIOXML.vtkXMLUniformGridAMRReader, DefaultNumberOfLevels="SetMaximumLevelsToReadByDefault")
 READERS = {
-    **by_endings("ReaderFactory"), "vti": XMLImageDataReader, "vthb": XMLUniformGridAMRReader,
+    **by_endings("ReaderFactory"), "vti": XMLImageDataReader, "pvti": XMLPartitionedImageDataReader, "vthb": XMLUniformGridAMRReader,
     "vtu": reader_class("XMLUnstructuredGridReader", vtkIOXML.vtkXMLUnstructuredGridReader),
     "pvtu": reader_class("XMLPartitionedUnstructuredGridReader", vtkIOXML.vtkXMLPUnstructuredGridReader),
     "vtm": reader_class("XMLMultiBlockDataReader", vtkIOXML.vtkXMLMultiBlockDataReader)}
