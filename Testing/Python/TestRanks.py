@@ -20,8 +20,6 @@ from vfmtest import (
     GHOST, ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, main, producer, reduced, save_data, surface_faces,
     table_of, tet_volumes, uniform, VolumeFractionToHex, VolumeFractionToTet, simple)
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
-from write_exodus import write_exodus
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -331,7 +329,7 @@ def test_exodus_in_pieces():
     hexes.UpdatePipeline()
     mesh = hexes.GetClientSideObject().GetOutputDataObject(0)
     path = os.path.join(FOLDER, "mesh%d.e" % RANKS)
-    write_exodus(mesh, path)
+    simple.SaveData(path, proxy=producer(mesh))
     CONTROLLER.Barrier()
     if RANK > 0:
         return
