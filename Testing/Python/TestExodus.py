@@ -16,7 +16,7 @@ from mesh_sets import AXES, array, find_sets, material_names
 from mpi_run import mpi_run
 from spyplot import split, write_spyplot
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, in_folder, labels, main, mesh_of,
+    ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, held_class, in_folder, labels, main, mesh_of,
     producer, save_data, servermanager, simple, VolumeFractionToHex, VolumeFractionToTet)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
@@ -31,7 +31,7 @@ def writer_of(mesh, path, **properties):
 def write(mesh, path, **properties):
     """The errors of the writer."""
     writer = writer_of(mesh, path, **properties)
-    errors, _ = collect(writer.GetClientSideObject().GetWriter())
+    errors, _ = collect(held_class(writer))
     writer.UpdatePipeline()
     return errors
 

@@ -9,7 +9,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from compare_meshes import read_pieces
 from exodus_dump import Dump, check_parts, join
 from vfmtest import (
-    ball_and_plate, collect, image, main, producer, reduced, save_data, VolumeFractionToHex, VolumeFractionToTet, servermanager, simple)
+    ball_and_plate, collect, image, held_class, main, producer, reduced, save_data, VolumeFractionToHex, VolumeFractionToTet, servermanager, simple)
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -89,7 +89,7 @@ def test_refused_on_all_ranks():
         for single in (0, 1):
             path = os.path.join(FOLDER, name)
             writer = servermanager.writers.VolumeFractionExodusWriter(Input=mesher, FileName=path, SingleFile=single)
-            errors, _ = collect(writer.GetClientSideObject().GetWriter())
+            errors, _ = collect(held_class(writer))
             collect(mesher.GetClientSideObject())
             writer.UpdatePipeline()
             assert len(errors) == 1 and text in errors[0], errors

@@ -15,7 +15,7 @@ from compare_meshes import difference
 from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
 from image_files import save, write_dream3d, write_meta, write_nifti, write_nrrd, write_tiff
 from vfmtest import (
-    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, main, reduced, write, simple)
+    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, held_class, main, reduced, write, simple)
 from voxels import grains, turned
 
 FOLDER = os.path.join(sys.argv[1], "images")
@@ -79,7 +79,7 @@ def test_refused():
     """One message on all ranks, be the file bad in its header or where the first rank reads its values."""
     for name, text in (("text.nii", "it is no NIfTI file"), ("cut.nrrd", "Couldn't read gzip data"), ("none.mha", "No such file")):
         source = LabelImageReader(FileName=[at(name)])
-        errors, _ = collect(source.GetClientSideObject().GetReader())
+        errors, _ = collect(held_class(source))
         source.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
         mesher = mesher_of(source)
         collect(mesher.GetClientSideObject())

@@ -13,7 +13,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator
 from compare_meshes import difference
 from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
 from vfmtest import (
-    ORIGIN, SPACING, NumPyVoxelReader, SculptVoxelReader, VolumeFractionToHex, VolumeFractionToTet, collect, image, main,
+    ORIGIN, SPACING, NumPyVoxelReader, SculptVoxelReader, VolumeFractionToHex, VolumeFractionToTet, collect, image, held_class, main,
     reduced, simple)
 from voxels import SIZE, grains, turned, write_numpy, write_text
 
@@ -92,7 +92,7 @@ def is_same_everywhere(texts):
 def check_refused(source, text):
     """The reader fails with one message on all ranks, and is asked once; the filter fails alike, and nobody waits."""
     mesher = labels_mesher(source)
-    errors, _ = collect(source.GetClientSideObject().GetReader())
+    errors, _ = collect(held_class(source))
     source.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     filter_errors, _ = collect(mesher.GetClientSideObject())
     mesher.UpdatePipeline()

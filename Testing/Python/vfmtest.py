@@ -274,6 +274,13 @@ def collect(algorithm):
     return errors, warnings
 
 
+def held_class(proxy):
+    """The class of ours that a proxy of files runs: inside of one that knows series, where ParaView is."""
+    algorithm = proxy.GetClientSideObject()
+    get = getattr(algorithm, "GetReader", None) or getattr(algorithm, "GetWriter", None)
+    return get() if get else algorithm
+
+
 def producer(data):
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(data)
