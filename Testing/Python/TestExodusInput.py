@@ -18,7 +18,7 @@ from compare_meshes import difference, merge, read_pieces
 from exodus_grids import GRADED, N, TIMES, UNIFORM, fields, hexes, shuffled, write_exodus
 from mpi_run import mpi_run
 from vfmtest import (
-    GHOST, HIDDEN, VolumeFractionToTet, add_array, digest, image, in_folder, main, mesh_of, rectilinear, run, uniform, write)
+    PYTHON, GHOST, HIDDEN, VolumeFractionToTet, add_array, digest, image, in_folder, main, mesh_of, rectilinear, run, uniform, write)
 
 FRACTIONS = ["MAT_10", "MAT_20"]
 CHOSEN = {"VolumeFractionArrays": FRACTIONS, "StateArrays": ["number"]}
@@ -216,8 +216,8 @@ def test_missing_arrays():
     check_error(data, "has no numeric cell array 'heat'", StateArrays=["heat"])
 
 
-def pvbatch(ranks, *words):
-    result = mpi_run(ranks, ["pvbatch", *(["--sym"] if ranks > 1 else []), exodus_grids.__file__, *words])
+def run_script(ranks, *words):
+    result = mpi_run(ranks, [*PYTHON, exodus_grids.__file__, *words])
     assert result.returncode == 0 and "ERR|" not in result.stderr, result
 
 
@@ -233,7 +233,7 @@ def files():
     """Files of the same grid: {kind: path}."""
     at = lambda name: os.path.join(FOLDER.name, name)
     cells = shuffled()
-    pvbatch(3, "write", at("parts.e"))
+    run_script(3, "write", at("parts.e"))
     return {
         "one": write_exodus(at("one.exo"), lambda step: {"all": hexes(fields(step), ALL)}),
         "blocks": write_exodus(at("blocks.g"), lambda step: {
@@ -268,7 +268,7 @@ def test_readers_of_paraview(at):
                 mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
                 check_pieces([mesh], expected[step], (kind, reader, step))
     for ranks, reader, kind in ((2, "IOSSReader", "blocks"), (3, "ExodusIIReader", "parts"), (3, "OpenDataFile", "parts")):
-        pvbatch(ranks, "mesh", reader, "1", files()[kind], at("out.pvtu"))
+        run_script(ranks, "mesh", reader, "1", files()[kind], at("out.pvtu"))
         check_file(at("out.pvtu"), expected[1], (kind, reader, ranks))
 
 

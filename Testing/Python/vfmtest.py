@@ -25,11 +25,13 @@ if "VFM_PLUGIN" in os.environ:
     from paraview.modules.vtkRemotingCore import vtkProcessModule
     simple.LoadPlugin(os.path.abspath(os.environ["VFM_PLUGIN"]), remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
     RUNS_ON_ALL_RANKS = vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()
+    PYTHON = ["pvbatch", "--sym"]  # which runs a script on all ranks
 else:
     import vtk_simple as simple
     servermanager = simple.servermanager
     globals().update(simple.PROXIES)
     RUNS_ON_ALL_RANKS = True
+    PYTHON = [sys.executable]
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
 HEX_FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
 HEX_EDGES = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]])  # at each corner

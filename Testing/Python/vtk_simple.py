@@ -109,8 +109,9 @@ class Proxy(OutputPort):
         values = [NUMBERS[element.tag](numbers.get(v, v)) if v is not None else "None" for v in values]
         if clean:
             getattr(self.algorithm, clean)()
-            for v in values:
-                command(v)
+            count = int(element.get("number_of_elements_per_command"))
+            for i in range(0, len(values), count):
+                command(*values[i:i + count])
         elif element.get("default_values_delimiter"):  # an array with its association
             command(*([ASSOCIATIONS[values[0]]] if values[0] in ASSOCIATIONS else []), values[-1])
         elif values:
@@ -141,19 +142,23 @@ def proxy_class(name, algorithm, properties, outputs=()):
     return type(name, (Proxy,), {"make": staticmethod(algorithm), "properties": properties, "outputs": outputs})
 
 
+def own_or_of_base(element, path):
+    """What the element has there, or else what it is based on."""
+    base = ELEMENTS.get(element.get("base_proxyname"))
+    return element.findall(path) or ([] if base is None else own_or_of_base(base, path))
+
+
 def plugin_class(element):
     """Of a proxy of files that of the one inside, since ParaView alone has series of files."""
-    inside, properties = element.find("SubProxy/Proxy"), all_properties(element, ELEMENTS)
-    base = ELEMENTS.get(element.get("base_proxyname"), element)
-    maker = element
-    if inside is not None:
+    maker, properties = element, all_properties(element, ELEMENTS)
+    for inside in own_or_of_base(element, "SubProxy/Proxy"):
         maker = ELEMENTS[inside.get("proxyname")]
         held = all_properties(maker, ELEMENTS)
-        properties = {p.get("name"): held[p.get("name")] for p in element.find("SubProxy/ExposedProperties")}
+        properties = {p.get("name"): held[p.get("name")] for p in own_or_of_base(element, "SubProxy/ExposedProperties/Property")}
         properties["FileName"] = FILE_NAME
     name = maker.get("class")
     algorithm = getattr(vtkVolumeFractionMeshFilters, name, None) or getattr(vtkVolumeFractionMeshIO, name)
-    return proxy_class(element.get("name"), algorithm, properties, element.findall("OutputPort") or base.findall("OutputPort"))
+    return proxy_class(element.get("name"), algorithm, properties, own_or_of_base(element, "OutputPort"))
 
 
 def reader_class(name, algorithm, **commands):
@@ -169,7 +174,7 @@ def by_endings(kind):
 
 FILE_NAME = ElementTree.Element("StringVectorProperty", name="FileName", command="SetFileName")
 ELEMENTS = read_proxies()
-PROXIES = {name: plugin_class(element) for name, element in ELEMENTS.items() if element.find("Documentation") is not None}
+PROXIES = {name: plugin_class(element) for name, element in ELEMENTS.items() if own_or_of_base(element, "Documentation")}
 servermanager = types.SimpleNamespace(writers=types.SimpleNamespace(**PROXIES))
 XMLImageDataReader = reader_class("XMLImageDataReader", vtkIOXML.vtkXMLImageDataReader)
 XMLPartitionedImageDataReader = reader_class("XMLPartitionedImageDataReader", vtkIOXML.vtkXMLPImageDataReader)
