@@ -14,7 +14,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from amr_cases import fields, multiblock, nested, overlapping
-from vfmtest import TET_METHODS, VolumeFractionToTet, ball_and_plate, digest, image, labels, main, rectilinear, run, simple
+from vfmtest import TET_METHODS, VolumeFractionToTet, ball_and_plate, digest, image, labels, main, rectilinear, run
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()

@@ -10,9 +10,9 @@ from xml.etree import ElementTree
 sys.path[:0] = [os.environ["VFM_WRAPPERS"], os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts")]
 from list_properties import all_properties, entries, read_proxies
 from volumefractionmesh import vtkVolumeFractionMeshFilters, vtkVolumeFractionMeshIO
-from vtkmodules import vtkIOAMR, vtkIOParallelXML, vtkIOXML
+from vtkmodules import vtkIOParallelXML, vtkIOXML
 from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline, vtkTrivialProducer
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkParallelCore import vtkDummyController, vtkMultiProcessController
 
 from mpi_run import OF_THIS_PROCESS
@@ -23,7 +23,7 @@ NUMBERS = {"IntVectorProperty": int, "DoubleVectorProperty": float, "StringVecto
 
 def make_controller():
     if any(name.startswith(OF_THIS_PROCESS) for name in os.environ):
-        from mpi4py import MPI  # which begins MPI; VTK's classes for Python need it, too
+        import mpi4py.MPI  # which begins MPI; VTK's classes for Python need it, too
         from vtkmodules.vtkParallelMPI import vtkMPIController
         controller = vtkMPIController()
     else:
