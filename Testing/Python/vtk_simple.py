@@ -7,27 +7,23 @@ import types
 import unittest
 from xml.etree import ElementTree
 
+import mpi4py.MPI  # which begins MPI
+
 sys.path[:0] = [os.environ["VFM_WRAPPERS"], os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts")]
 from list_properties import all_properties, entries, read_proxies
 from volumefractionmesh import vtkVolumeFractionMeshFilters, vtkVolumeFractionMeshIO
 from vtkmodules import vtkIOParallelXML, vtkIOXML
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkParallelCore import vtkDummyController, vtkMultiProcessController
-
-from mpi_run import OF_THIS_PROCESS
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from vtkmodules.vtkParallelMPI import vtkMPIController
 
 ASSOCIATIONS = {"POINTS": vtkDataObject.FIELD_ASSOCIATION_POINTS, "CELLS": vtkDataObject.FIELD_ASSOCIATION_CELLS}
 NUMBERS = {"IntVectorProperty": int, "DoubleVectorProperty": float, "StringVectorProperty": str}
 
 
 def make_controller():
-    if any(name.startswith(OF_THIS_PROCESS) for name in os.environ):
-        import mpi4py.MPI  # which begins MPI; VTK's classes for Python need it, too
-        from vtkmodules.vtkParallelMPI import vtkMPIController
-        controller = vtkMPIController()
-    else:
-        controller = vtkDummyController()
+    controller = vtkMPIController()
     controller.Initialize()
     vtkMultiProcessController.SetGlobalController(controller)
     return controller
