@@ -7,7 +7,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
-from vtkmodules.vtkIOIOSS import vtkIOSSReader
 
 import exodus_dump
 from exodus_dump import Dump, check_parts, join, side_corners
@@ -17,7 +16,7 @@ from mpi_run import mpi_run
 from spyplot import split, write_spyplot
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, held_class, in_folder, labels, main, mesh_of,
-    producer, save_data, servermanager, simple, VolumeFractionToHex, VolumeFractionToTet)
+    new_ioss_reader, producer, save_data, servermanager, simple, VolumeFractionToHex, VolumeFractionToTet)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 CELLS = {"make": VolumeFractionToTet, "Method": "Cells"}
@@ -113,7 +112,7 @@ def test_values_of_nodes(at):
 
 
 def ioss(path):
-    reader = vtkIOSSReader()
+    reader = new_ioss_reader()
     reader.SetFileName(path)
     reader.UpdateInformation()
     for kind in range(reader.NUMBER_OF_ENTITY_TYPES):

@@ -4,7 +4,6 @@ mpiexec -n P pvbatch --sym exodus_grids.py write FILE                   writes F
 mpiexec -n P pvbatch --sym exodus_grids.py mesh READER STEP FILE OUT    meshes FILE, read by OpenDataFile, IOSSReader or ExodusIIReader
 """
 import sys
-import unittest
 
 import numpy as np
 from vtkmodules import vtkIOIOSS
@@ -17,7 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from vfmtest import ORIGIN, SPACING, VolumeFractionToHex, ball_and_plate, main, simple
+from vfmtest import ORIGIN, SPACING, VolumeFractionToHex, ball_and_plate, main, needs_vtk, simple
 
 CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
 VOXEL_CORNERS = CORNERS[[0, 1, 3, 2, 4, 5, 7, 6]]
@@ -111,8 +110,7 @@ class Steps(VTKPythonAlgorithmBase):
 
 def write_exodus(path, make, times=TIMES):
     """make(step): {block: grid}. On several ranks all call it, each with its part."""
-    if not hasattr(vtkIOIOSS, "vtkIOSSWriter"):
-        raise unittest.SkipTest("needs VTK 9.2: vtkIOSSWriter")
+    needs_vtk(9, 2, "vtkIOSSWriter")
     source, writer = Steps(times, make), vtkIOIOSS.vtkIOSSWriter()
     writer.SetInputConnection(source.GetOutputPort())
     writer.SetFileName(path)
