@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkNonOverlappingAMR
 from amr_files import (
     SPACING, Amr, make_amr, spyplot_blocks, vtk_amr, write_enzo, write_flash, write_plotfile, write_vthb)
 from compare_meshes import difference, merge, read_pieces
-from sculptor_program import mesh_file, refused
+from sculptor_program import mesh_file, needs_spyplot, refused
 from spyplot import write_file, write_spyplot
 from spyplot_cases import without_reader_fields
 from vfmtest import Result, VolumeFractionToHex, VolumeFractionToTet, collect, digest, in_folder, main, mesh_of, simple
@@ -92,13 +92,7 @@ def test_same_mesh_of_all_formats(at):
     assert sizes[0] < sizes[1] < sizes[2], sizes  # coarsest, refined at the ball, all fine
 
 
-@in_folder
-def test_sculptor(at):
-    """The program takes the same files, on any number of ranks."""
-    amr = make_amr(levels=2)
-    blocks = spyplot_blocks(amr)
-    paths = [write_vthb(at("o.vthb"), amr), write_vthb(at("n.vthb"), amr, vtkNonOverlappingAMR),
-             write_plotfile(at("plt00000"), amr), write_spyplot(at(""), "spy", [0.0], blocks, 3)]
+def check_sculptor(at, amr, paths):
     for mode, all_ranks in (("Input Levels", (1, 3)), ("Off", (2,))):
         reference = mesh_of(vtk_amr(amr), VolumeFractionArrays=FRACTIONS, Refinement=mode)
         for path in paths:
@@ -109,11 +103,29 @@ def test_sculptor(at):
                     mesh.GetFieldData().RemoveArray("MaterialNames")
                 problem = difference(merge(meshes[:1]), merge(meshes[1:]))
                 assert not problem, (path, mode, ranks, problem)
+
+
+@in_folder
+def test_sculptor(at):
+    """The program takes the same files, on any number of ranks."""
+    amr = make_amr(levels=2)
+    paths = [write_vthb(at("o.vthb"), amr), write_vthb(at("n.vthb"), amr, vtkNonOverlappingAMR),
+             write_plotfile(at("plt00000"), amr)]
+    check_sculptor(at, amr, paths)
+
+
+@in_folder
+def test_sculptor_spyplot(at):
+    needs_spyplot()
+    amr = make_amr(levels=2)
+    blocks = spyplot_blocks(amr)
+    path = write_spyplot(at(""), "spy", [0.0], blocks, 3)
+    check_sculptor(at, amr, [path])
     for kinds in ((blocks[:1], blocks[1:]), (blocks[:-1], blocks[-1:])):  # ParaView's reader aborts on the first
         write_spyplot(at(""), "spy", [0.0], blocks, 2)
         for file in (0, 1):
             write_file(at("spy.spcth.%d" % file), 105, [0.0], kinds[file], file, 2)
-        refused(2, "some have one block and others several", "--input", paths[-1], "--output", at("no.vtu"), ranks=2)
+        refused(2, "some have one block and others several", "--input", path, "--output", at("no.vtu"), ranks=2)
 
 
 @in_folder

@@ -1,10 +1,9 @@
 """Names, defaults and effect of every property."""
 import numpy as np
-from paraview.simple import Wavelet
 
 from vfmtest import (
     DEFAULTS, SPACING, ball_and_plate, check_surfaces, digest, fraction_image, image, labels, main, mesh_of, producer, run,
-    uniform, VolumeFractionToHex, VolumeFractionToTet)
+    simple, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
 DATA = fraction_image(N)
@@ -32,7 +31,7 @@ def mesh_of_film(thickness, refinement):
 
 
 def test_names_and_defaults():
-    for source in (producer(fraction_image(4)), Wavelet()):
+    for source in (producer(fraction_image(4)), simple.Wavelet()):
         hexes = VolumeFractionToHex(Input=source)
         assert set(hexes.ListProperties()) == {"Input"} | set(DEFAULTS)
         for name, value in DEFAULTS.items():

@@ -1,5 +1,7 @@
 """Runs of the program sculptor (VFM_SCULPTOR) on some ranks, for tests."""
 import os
+import re
+import unittest
 
 from compare_meshes import difference, merge, read_pieces
 from mpi_run import mpi_run
@@ -10,6 +12,12 @@ SCULPTOR = os.environ["VFM_SCULPTOR"]
 def sculptor(*arguments, ranks=1, folder=None):
     """Runs the program without a terminal; standard error is without what mpiexec says."""
     return mpi_run(ranks, [SCULPTOR, *arguments], folder)
+
+
+def needs_spyplot():
+    """Skips the test where the program reads no such files, which takes ParaView; examples of its help name one always."""
+    if not re.search(r"^Input:[^A-Z]*\.spcth", sculptor("--help").stdout, re.MULTILINE):
+        raise unittest.SkipTest("needs ParaView: the reader of SpyPlot files")
 
 
 def mesh_file(path, output, *arguments, ranks=1):
