@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -64,15 +65,15 @@ MeshPointer AsMesh(vtkPolyData* part, vtkIdType firstId)
 std::vector<vtkIdType> SortCells(vtkUnstructuredGrid* mesh)
 {
   vtkDataArray* numbers = mesh->GetCellData()->GetScalars();
+  vtkNew<vtkIdList> own, other; // both at a time, which a cell array need not hold as such
   const auto isBefore = [&](vtkIdType a, vtkIdType b)
   {
     const double of[2] = { numbers->GetComponent(a, 0), numbers->GetComponent(b, 0) };
-    vtkIdType size = 0;
-    const vtkIdType *own = nullptr, *other = nullptr;
-    mesh->GetCells()->GetCellAtId(a, size, own);
-    mesh->GetCells()->GetCellAtId(b, size, other);
-    return of[0] != of[1] ? of[0] < of[1]
-                          : std::lexicographical_compare(own, own + size, other, other + size);
+    mesh->GetCells()->GetCellAtId(a, own);
+    mesh->GetCells()->GetCellAtId(b, other);
+    return of[0] != of[1]
+      ? of[0] < of[1]
+      : std::lexicographical_compare(own->begin(), own->end(), other->begin(), other->end());
   };
   std::vector<vtkIdType> order(mesh->GetNumberOfCells());
   std::iota(order.begin(), order.end(), 0);

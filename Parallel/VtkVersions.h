@@ -47,6 +47,13 @@ inline vtkDataSet* GetBox(RefinedGrids* grids, unsigned int level, unsigned int 
   return grids->GetPartition(level, box);
 }
 
+/// Of a vtkIOSSReader that has looked at its file: not what holds for the mesh as a whole.
+template <class Reader>
+void ReadNoGlobalFields(Reader* reader)
+{
+  reader->GetGlobalFieldSelection()->DisableAllArrays();
+}
+
 /// There are arrays that compute their values: vtkConstantArray, vtkAffineArray.
 #define VFM_HAS_COMPUTED_ARRAYS
 #else
@@ -67,6 +74,12 @@ inline unsigned int NumberOfBoxes(RefinedGrids* grids, unsigned int level)
 inline vtkDataSet* GetBox(RefinedGrids* grids, unsigned int level, unsigned int box)
 {
   return grids->GetDataSet(level, box);
+}
+
+template <class Reader>
+void ReadNoGlobalFields(Reader* reader)
+{
+  reader->ReadGlobalFieldsOff();
 }
 #endif
 

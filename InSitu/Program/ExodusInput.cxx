@@ -7,6 +7,7 @@
 #include "ParseText.h"
 #include "Stage.h"
 #include "VtkMessages.h"
+#include "VtkVersions.h"
 
 #include "vtkDataArraySelection.h"
 #include "vtkDataSet.h"
@@ -103,7 +104,6 @@ vtkSmartPointer<vtkIOSSReader> MakeReader(
   reader->ScanForRelatedFilesOff();
   reader->AddProperty("ENABLE_FIELD_RECOGNITION", "OFF"); // names stay those in the file
   reader->ApplyDisplacementsOff();
-  reader->ReadGlobalFieldsOff();
   reader->ReadQAAndInformationRecordsOff();
   reader->SetReadIds(readsBlockIds);
   reader->AddFileName(first.c_str());
@@ -177,6 +177,7 @@ public:
       vtkIOSSReader* reader = this->Readers[f];
       reader->GetNodeBlockFieldSelection()->DisableAllArrays();
       reader->GetElementBlockFieldSelection()->DisableAllArrays();
+      ReadNoGlobalFields(reader);
       for (const std::string& name : names)
       {
         reader->GetElementBlockFieldSelection()->EnableArray(name.c_str());
