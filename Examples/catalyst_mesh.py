@@ -1,8 +1,8 @@
 # script-version: 2.0
 """Meshes the volume fractions of a running simulation: a ParaView Catalyst script (version 2).
 
-Give it to vfm::CatalystAdaptor or any other Catalyst adaptor whose input is named "input": a uniform grid in one or more
-blocks a rank, or a refined one (AMR) of blocks on several levels. Every mesh becomes OUT/NAME_SSSSSS.pvtu (S: the step),
+Give it to vfm::CatalystAdaptor of either kind or any other Catalyst adaptor whose input is named "input": a uniform grid in one or
+more blocks a rank, or a refined one (AMR) of blocks on several levels. Every mesh becomes OUT/NAME_SSSSSS.pvtu (S: the step),
 the series OUT/NAME.pvd, on demand an Exodus file and a picture.
 
 Settings: the values below, or environment variables of the simulation:
@@ -39,7 +39,7 @@ import numpy as np
 from paraview import catalyst, servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPartitionedDataSetCollection
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -115,13 +115,22 @@ def say(text):
 
 
 def blocks_of(data):
+    """Without those that only make the data alike on all ranks."""
     if not isinstance(data, vtkCompositeDataSet):
         return [data]
     blocks, iterator = [], data.NewIterator()
     while not iterator.IsDoneWithTraversal():
         blocks.append(iterator.GetCurrentDataObject())
         iterator.GoToNextItem()
-    return blocks
+    return [block for block in blocks if block.GetNumberOfCells() > 0]
+
+
+def numbers_named(data, name):
+    """Arrays of a global number: the first kind of Catalyst gives it to the data, the second to its parts."""
+    is_collection = isinstance(data, vtkPartitionedDataSetCollection)
+    parts = map(data.GetPartitionedDataSet, range(data.GetNumberOfPartitionedDataSets())) if is_collection else []
+    arrays = [part.GetFieldData().GetArray(name) for part in [data, *parts]]
+    return [array for array in arrays if array]
 
 
 def own_values(block, name):
@@ -163,10 +172,10 @@ class Trigger:
         return fires
 
     def find_number(self, data):
-        array = data.GetFieldData().GetArray(self.name)
-        if array is None:
+        arrays = numbers_named(data, self.name)
+        if not arrays:
             raise ValueError("VFM_TRIGGER: the simulation hands over no number '%s'" % self.name)
-        return array.GetComponent(0, 0)
+        return arrays[0].GetComponent(0, 0)
 
     def reduce(self, data):
         of_values, of_ranks, nothing = REDUCTIONS[self.reduction]
@@ -305,7 +314,7 @@ mesher = None
 
 
 def RequestDataDescription(description):
-    """Asked before the simulation makes any data."""
+    """By the first kind of Catalyst asked before the simulation makes any data; the second makes them when the source is updated."""
     if choice.may_want(description.GetTimeStep()):
         for i in range(description.GetNumberOfInputDescriptions()):
             description.GetInputDescription(i).AllFieldsOn()
@@ -314,8 +323,11 @@ def RequestDataDescription(description):
 
 def catalyst_execute(info):
     global mesher
+    if not choice.may_want(info.timestep):
+        return
+    source.UpdatePipeline(info.time)
     data = source.GetClientSideObject().GetOutputDataObject(0)
-    reasons = choice.reasons(info.timestep, data) if choice.may_want(info.timestep) else []
+    reasons = choice.reasons(info.timestep, data)
     if not reasons:
         return
     mesher = mesher or Mesher(source)

@@ -62,13 +62,15 @@ std::vector<Bytes> TakeItems(const Bytes& list, int count)
 class MessageRanks::Parcels
 {
 public:
-  Parcels(Transport& way, const std::vector<int>& peers, const std::vector<Bytes>& outgoing) :
+  Parcels(Transport& way, const std::vector<int>& peers, const std::vector<Bytes>& outgoing,
+    std::int32_t where) :
     Way(way), Peers(peers), Heads(peers.size()), Incoming(peers.size())
   {
     std::size_t pieces = 0;
     for (std::size_t p = 0; p < peers.size(); ++p)
     {
       this->Heads[p].Size = static_cast<std::int64_t>(outgoing[p].size());
+      this->Heads[p].Where = where;
       pieces += 1 + CountPieces(this->Heads[p].SizeAfter());
       if (!outgoing[p].empty() && this->Heads[p].SizeAfter() == 0)
       {
@@ -208,6 +210,27 @@ MessageRanks::Head MessageRanks::ReceiveHead(int from) noexcept
   return head;
 }
 
+std::int32_t MessageRanks::Where(bool isLeaving) const noexcept
+{
+  return 2 * static_cast<std::int32_t>(this->Within) + isLeaving;
+}
+
+/// Whether the sender failed, or is not where this rank is, which is noted.
+bool MessageRanks::IsFailure(const Head& head, std::int32_t where, int from) noexcept
+{
+  const bool isElsewhere = !head.Failed && head.Where != where;
+  if (isElsewhere && this->Known.Rank == Failure::NoRank)
+  {
+    char text[128];
+    const int first = std::min(from, this->MyRank), second = std::max(from, this->MyRank);
+    std::snprintf(text, sizeof(text),
+      "Ranks %d and %d are not in the same work: one of them has failed and did not tell.", first,
+      second);
+    this->Known = Failure(first, 0, text);
+  }
+  return head.Failed || isElsewhere;
+}
+
 void MessageRanks::Drop(std::int64_t size, int from) noexcept
 {
   ForPieces(static_cast<std::size_t>(size),
@@ -302,12 +325,15 @@ void MessageRanks::Leave()
 {
   for (int step = 1; step < this->NumberOfRanks; step *= 2)
   {
-    const Head mine;
+    Head mine;
+    mine.Where = this->Where(true);
     Letters letters(this->Way);
     letters.Send(&mine, sizeof(mine), (this->MyRank + step) % this->NumberOfRanks);
     const int from = (this->MyRank - step + this->NumberOfRanks) % this->NumberOfRanks;
-    if (this->ReceiveHead(from).Failed)
+    const Head head = this->ReceiveHead(from);
+    if (this->IsFailure(head, mine.Where, from))
     {
+      this->Drop(head.Failed ? 0 : head.SizeAfter(), from);
       this->Settle();
       this->ThrowKnown();
     }
@@ -335,13 +361,14 @@ std::vector<Bytes> MessageRanks::Swap(
   {
     this->ThrowKnown();
   }
-  Parcels parcels(this->Way, peers, outgoing);
+  const std::int32_t where = this->Where(false);
+  Parcels parcels(this->Way, peers, outgoing, where);
   parcels.Begin();
   bool failed = false;
   for (std::size_t p = 0; p < peers.size(); ++p)
   {
     parcels.Received[p] = this->ReceiveHead(peers[p]);
-    failed = failed || parcels.Received[p].Failed;
+    failed = this->IsFailure(parcels.Received[p], where, peers[p]) || failed;
   }
   try
   {

@@ -4,7 +4,8 @@
  * Waiting for a message is the only way of waiting for others. Each begins with a head, which tells its size or that the
  * sender has failed; small messages are in the head. Messages between two ranks stay in order, so each rank finds a failure at
  * the same place in every run. A rank that fails sends this head to all others and drops what they send until theirs comes; one that
- * receives it fails likewise. Then nothing is on its way. All this needs no memory.
+ * receives it fails likewise. Then nothing is on its way. All this needs no memory. Ranks that are not in the same work, as one whose
+ * failure was swallowed, fail too when they wait for each other.
  */
 #pragma once
 
@@ -75,8 +76,8 @@ private:
   {
     std::int64_t Size = 0;   ///< of the message
     std::int32_t Failed = 0; ///< else 1 + the frame that failed, and the message is a Failure
-    std::int32_t Unused = 0;
-    char Small[112] = {}; ///< the message, when it is not longer
+    std::int32_t Where = 0;  ///< the sender is: its frame, and whether it is about to leave it
+    char Small[112] = {};    ///< the message, when it is not longer
     std::int64_t SizeAfter() const
     {
       return this->Size > std::int64_t(sizeof(this->Small)) ? this->Size : 0;
@@ -91,6 +92,8 @@ private:
 
   void Receive(void* data, std::size_t size, int from) noexcept;
   Head ReceiveHead(int from) noexcept;
+  std::int32_t Where(bool isLeaving) const noexcept;
+  bool IsFailure(const Head& head, std::int32_t where, int from) noexcept;
   void Drop(std::int64_t size, int from) noexcept;
   Head MakeFailedHead() const noexcept;
   void HearOfAll() noexcept;

@@ -6,7 +6,7 @@
  * whose arrays are the host's memory. Images of finer levels have smaller cells; cells
  * below those of finer levels are hidden (vtkGhostType). First kind: vtkMultiBlockDataSet, a block for every box of every rank, the
  * global numbers are its field data. Second kind: vtkPartitionedDataSetCollection, "box0" the first box of each rank and so on, the
- * global numbers are field data of its images.
+ * global numbers are field data of each of these.
  *
  * Nothing here throws, ends the host or leaves ranks behind: what fails anywhere is told on all ranks, also to those that wait in a
  * filter of this project for a rank whose script has raised. A script may hang the ranks only by itself, when it raises on some of

@@ -215,6 +215,48 @@ TEST(WorkTogether, FramesInsideOfOthers)
   }
 }
 
+/// A rank that does not come to what the others do together, since it failed where nobody tells: nobody waits for it, nor takes its
+/// later messages for those of the work.
+TEST(WorkTogether, FailuresThatAreNotTold)
+{
+  for (int count : { 2, 3, 5 })
+  {
+    ThreadHub hub(count);
+    for (int missing = 0; missing < count; ++missing)
+    {
+      for (const bool goesOn : { false, true }) // to another work of the outer frame, or to its end
+      {
+        const auto run = [&](bool isMissing)
+        {
+          return RunTogether(hub, Ranks::Frame::Stage,
+            [&](Ranks& outer)
+            {
+              ThreadRanks inner(hub, outer.Rank());
+              try
+              {
+                if (!isMissing || outer.Rank() != missing)
+                {
+                  WorkTogether(inner, [&] { DoSteps(inner, {}); });
+                }
+              }
+              catch (const FailedTogether&)
+              {
+              }
+              if (goesOn)
+              {
+                outer.Max(0.0);
+              }
+            });
+        };
+        const std::vector<std::string> messages = run(true);
+        EXPECT_NE(messages[0].find("not in the same work"), std::string::npos) << messages[0];
+        EXPECT_EQ(messages, std::vector<std::string>(count, messages[0]));
+        EXPECT_EQ(run(false), std::vector<std::string>(count, "")) << "all can go on afterwards";
+      }
+    }
+  }
+}
+
 TEST(WorkTogether, AnyExceptionAndOnlyOnce)
 {
   ThreadHub hub(3);
