@@ -12,7 +12,7 @@ using conduit_cpp::Node;
 constexpr const char* CoordinatesName = "coords";
 constexpr const char* TopologyName = "mesh";
 
-/// A child of this very name, which may have slashes in it.
+/// A child of this very name, no path. Conduit tells names with slashes in braces.
 Node AddChild(Node& parent, const std::string& name)
 {
   return conduit_cpp::cpp_node(conduit_node_add_child(conduit_cpp::c_node(&parent), name.c_str()));
@@ -45,6 +45,10 @@ Node AddField(const std::string& name, Node& mesh)
   Node fields = mesh["fields"];
   Node field = AddChild(fields, name);
   field["association"].set_string("element");
+  if (name.find('/') != std::string::npos)
+  {
+    field["display_name"].set_string(name); // for VTK, from 9.6 on
+  }
   field["topology"].set_string(TopologyName);
   return field["values"];
 }
