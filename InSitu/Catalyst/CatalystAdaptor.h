@@ -11,7 +11,7 @@
  * Nothing here throws, ends the host or leaves ranks behind: what fails anywhere is told on all ranks, also to those that wait in a
  * filter of this project for a rank whose script has raised. A script may hang the ranks only by itself, when it raises on some of
  * them while others wait for these in a filter or writer of ParaView's own. In the second kind it depends on the implementation
- * whether a script's failure is told: ParaView's does from 6.0 on.
+ * whether a script's failure is told: ParaView's does from 6.0 on, before only where other ranks wait in a filter of this project.
  *
  * One in the life of a process; all calls are collective. Make it after MPI_Init, destroy it before MPI_Finalize.
  */

@@ -2,8 +2,8 @@
 find_package(catalyst 2.0 REQUIRED COMPONENTS SDK)
 add_subdirectory(CatalystDouble EXCLUDE_FROM_ALL)
 
-# usage: vfm_add_catalyst_tests(NAME): its sources, run on one and three ranks with our implementation.
-function (vfm_add_catalyst_tests name)
+# usage: vfm_add_catalyst_tests(NAME LABEL): its sources, run on one and three ranks with our implementation.
+function (vfm_add_catalyst_tests name label)
   add_executable(${name} ${name}.cxx MpiMain.cxx)
   target_compile_definitions(${name} PRIVATE VFM_SOURCE="${PROJECT_SOURCE_DIR}")
   target_include_directories(${name} PRIVATE CatalystDouble)
@@ -16,13 +16,13 @@ function (vfm_add_catalyst_tests name)
       COMMAND "${mpiexec_EXECUTABLE}" --oversubscribe --bind-to none -n "${ranks}" "$<TARGET_FILE:${name}>")
     set_tests_properties(ranks${ranks}.${name} PROPERTIES
       ENVIRONMENT "CATALYST_IMPLEMENTATION_NAME=vfm_double;CATALYST_IMPLEMENTATION_PATHS=$<TARGET_FILE_DIR:catalyst_vfm_double>;${vfm_mpi_environment}"
-      LABELS quick
+      LABELS "${label}"
       PROCESSORS 2
       TIMEOUT ${vfm_timeout})
   endforeach ()
 endfunction ()
 
-vfm_add_catalyst_tests(CatalystNodesTest)
+vfm_add_catalyst_tests(CatalystNodesTest quick)
 add_test(NAME ranks3.CatalystDump
   COMMAND bash "${CMAKE_CURRENT_SOURCE_DIR}/test_dump.sh" "$<TARGET_FILE:CatalystHost>"
     "${PROJECT_SOURCE_DIR}/Examples/catalyst_mesh.py" "${CMAKE_CURRENT_BINARY_DIR}/dump")
@@ -35,7 +35,7 @@ set_tests_properties(ranks3.CatalystDump PROPERTIES
 # How VTK reads it.
 find_package(VTK QUIET PATHS "${VTK_DIR}" NO_DEFAULT_PATH OPTIONAL_COMPONENTS IOCatalystConduit)
 if (TARGET VTK::IOCatalystConduit)
-  vfm_add_catalyst_tests(CatalystMeshTest)
+  vfm_add_catalyst_tests(CatalystMeshTest full)
   target_sources(CatalystMeshTest PRIVATE LevelBlocks.cxx)
   target_link_libraries(CatalystMeshTest PRIVATE
     vfm_insitu VTK::IOCatalystConduit VTK::ParallelCore VTK::ParallelMPI VTK::mpi)
