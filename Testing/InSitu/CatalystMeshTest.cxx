@@ -1,8 +1,7 @@
 /// How VTK reads what the second kind of Catalyst hands over: the filter makes the same mesh of it as of the host's boxes themselves.
-#include "AllBlocks.h"
 #include "CatalystAdaptor.h"
 #include "CatalystDouble.h"
-#include "ControllerRanks.h"
+#include "HostImages.h"
 #include "LevelBlocks.h"
 
 #include "vtkCellArray.h"
@@ -136,9 +135,8 @@ void CompareMeshes(
   vtkMultiProcessController::SetGlobalController(controller);
   vtkSmartPointer<vtkUnstructuredGrid> direct, received;
   {
-    ControllerRanks all(controller);
     vtkNew<vtkVolumeFractionToHex> mesher;
-    mesher->SetInputDataObject(MakeAllBlocks(grid, all));
+    mesher->SetInputDataObject(MakeBlocks(grid, 0, static_cast<unsigned int>(grid.Boxes.size())));
     direct = Mesh(mesher, controller);
   }
   receiver = [&](const conduit_cpp::Node& node)
