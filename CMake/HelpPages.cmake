@@ -1,28 +1,35 @@
 # The pages that "?" in a panel opens, made of the server manager's XML.
 
-# Sets the variable to whether Qt's tools are there: they can be links to a chooser with nothing behind, so one is tried. A ParaView with
-# Qt 6 makes no pages of plugins.
+# Sets the variable to whether the tools are there that ParaView makes pages with: of Qt 5, which can be links to a chooser with nothing
+# behind, so one is tried; of Qt 6 since ParaView 6.
 function (vfm_find_help_tools found)
+  set(qt Qt5) # ParaView 5.11 does not tell
   if (PARAVIEW_QT_MAJOR_VERSION GREATER 5)
-    set("${found}" OFF PARENT_SCOPE)
-    message(STATUS "ParaView makes no help pages of plugins with Qt ${PARAVIEW_QT_MAJOR_VERSION}: the plugin has none")
+    set(qt "Qt${PARAVIEW_QT_MAJOR_VERSION}")
+  endif ()
+  set("${found}" OFF PARENT_SCOPE)
+  if (qt STREQUAL "Qt5")
+    set(packages "qttools5-dev, qtxmlpatterns5-dev-tools")
+    find_package(Qt5 QUIET COMPONENTS Help)
+    find_program(qt_xmlpatterns_executable
+      NAMES xmlpatterns-qt5 xmlpatterns
+      HINTS "${Qt5_DIR}/../../../bin" "${Qt5_DIR}/../../../libexec/qt5/bin"
+      DOC "Path to xmlpatterns")
+    set(tool "${qt_xmlpatterns_executable}" -version)
+  elseif (ParaView_VERSION VERSION_LESS 6)
+    message(STATUS "ParaView ${ParaView_VERSION} makes no help pages of plugins with ${qt}: the plugin has none")
     return ()
+  else ()
+    set(packages "qt6-tools-dev, qt6-documentation-tools, xsltproc")
+    find_package("${qt}" QUIET COMPONENTS Help Tools)
+    find_program(ParaViewClient_xsltproc_executable xsltproc DOC "Path to xsltproc")
+    set(tool "${ParaViewClient_xsltproc_executable}" --version)
   endif ()
-  find_package(Qt5 QUIET COMPONENTS Help)
-  find_program(qt_xmlpatterns_executable
-    NAMES xmlpatterns-qt5 xmlpatterns
-    HINTS "${Qt5_DIR}/../../../bin" "${Qt5_DIR}/../../../libexec/qt5/bin"
-    DOC "Path to xmlpatterns")
-  set(result 1)
-  if (Qt5Help_FOUND AND qt_xmlpatterns_executable)
-    execute_process(COMMAND "${qt_xmlpatterns_executable}" -version
-      RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
-  endif ()
-  if (result EQUAL 0)
+  execute_process(COMMAND ${tool} RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+  if ("${${qt}Help_FOUND}" AND result EQUAL 0)
     set("${found}" ON PARENT_SCOPE)
   else ()
-    set("${found}" OFF PARENT_SCOPE)
-    message(STATUS "Qt's help tools (packages qttools5-dev, qtxmlpatterns5-dev-tools) were not found: the plugin has no help pages")
+    message(STATUS "The tools that ParaView makes help pages with (packages ${packages}) were not found: the plugin has none")
   endif ()
 endfunction ()
 
