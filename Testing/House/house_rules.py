@@ -23,7 +23,7 @@ ALLOWED.update({
     "Testing/Benchmarks": GRID + ("Shapes", "Testing/Support"),
     "Testing/Parallel": ("Grid/Base", "Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
-    "Testing/InSitu": ("Grid/Base", "Filters", "InSitu"),
+    "Testing/InSitu": ("Grid/Base", "Parallel", "Filters", "IO", "InSitu"),
 })
 
 # Folders without VTK and MPI.
