@@ -18,7 +18,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.vtkParallelMPI import vtkMPIController
 
-ASSOCIATIONS = {"POINTS": vtkDataObject.FIELD_ASSOCIATION_POINTS, "CELLS": vtkDataObject.FIELD_ASSOCIATION_CELLS}
+ASSOCIATIONS = {"POINTS": vtkDataObject.FIELD_ASSOCIATION_POINTS, "CELLS": vtkDataObject.FIELD_ASSOCIATION_CELLS,
+                "FIELD": vtkDataObject.FIELD_ASSOCIATION_NONE}
 NUMBERS = {"IntVectorProperty": int, "DoubleVectorProperty": float, "StringVectorProperty": str}
 
 
@@ -73,8 +74,7 @@ class Proxy(OutputPort):
         for name, element in self.properties.items():
             default = element.get("default_values")
             if default is not None and not default.startswith("@"):  # which the build chooses, and the class knows
-                words = default.split(element.get("default_values_delimiter"))
-                self.set(name, element, [words[-1]] if element.get("default_values_delimiter") else words)
+                self.set(name, element, default.split(element.get("default_values_delimiter")))
         if Input is not None:
             self.Input = Input
         for name, value in values.items():
@@ -108,8 +108,9 @@ class Proxy(OutputPort):
             count = int(element.get("number_of_elements_per_command"))
             for i in range(0, len(values), count):
                 command(*values[i:i + count])
-        elif element.get("default_values_delimiter"):  # an array with its association
-            command(*([ASSOCIATIONS[values[0]]] if values[0] in ASSOCIATIONS else []), values[-1])
+        elif element.get("default_values_delimiter"):  # an array: its name, that after its association, or the form of panels
+            panel = len(values) == int(element.get("number_of_elements"))
+            command(*(values if panel else [ASSOCIATIONS.get(word, word) for word in values[-2:]]))
         elif values:
             command(*values) if len(values) <= 6 else command(values)
 
@@ -171,7 +172,16 @@ def by_endings(kind):
 FILE_NAME = ElementTree.Element("StringVectorProperty", name="FileName", command="SetFileName")
 ELEMENTS = read_proxies()
 PROXIES = {name: plugin_class(element) for name, element in ELEMENTS.items() if own_or_of_base(element, "Documentation")}
-servermanager = types.SimpleNamespace(writers=types.SimpleNamespace(**PROXIES))
+
+
+class servermanager:
+    writers = types.SimpleNamespace(**PROXIES)
+
+    @staticmethod
+    def ProxyManager():
+        raise needs_paraview("ProxyManager")
+
+
 XMLImageDataReader = reader_class("XMLImageDataReader", vtkIOXML.vtkXMLImageDataReader)
 XMLPartitionedImageDataReader = reader_class("XMLPartitionedImageDataReader", vtkIOXML.vtkXMLPImageDataReader)
 XMLUniformGridAMRReader = reader_class(
