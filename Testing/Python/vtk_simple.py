@@ -97,9 +97,12 @@ class Proxy(OutputPort):
             return getattr(self.algorithm, self.properties[name].get("command"))()
         raise needs_paraview("%s.%s" % (type(self).__name__, name))
 
+    def __getitem__(self, port):
+        return OutputPort(self, port)
+
     def set(self, name, element, value):
-        self.values[name] = value
         command, clean, words = getattr(self.algorithm, element.get("command")), element.get("clean_command"), entries(element)
+        self.values[name] = words.get(str(value), value)
         values = list(value) if isinstance(value, (list, tuple)) else [value]
         numbers = {text: number for number, text in words.items()}
         values = [NUMBERS[element.tag](numbers.get(v, v)) if v is not None else "None" for v in values]
