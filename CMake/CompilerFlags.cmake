@@ -2,7 +2,8 @@
 option(VFM_WERROR "Warnings of the compiler are errors" OFF)
 set(VFM_SANITIZE "" CACHE STRING "Sanitizers of GCC and Clang: address,undefined or thread")
 
-# -ffp-contract=off: the mesh is the same bit for bit on every machine of one architecture.
+# -ffp-contract=off: the mesh is the same bit for bit on every machine of one architecture, but for exp, of which glibc has one for
+# processors with fused multiply-add and another for those without.
 add_library(vfm_flags INTERFACE)
 target_compile_options(vfm_flags INTERFACE -Wall -Wextra -ffp-contract=off)
 if (VFM_WERROR)
