@@ -41,7 +41,7 @@ def act_as_client(port, sides):
 def names_with(sides):
     """What the client printed: of the colour map, and the writers of what it shows and of another mesh."""
     plain = {name: value for name, value in os.environ.items() if not name.startswith(OF_THIS_PROCESS)}
-    server = subprocess.Popen(["mpiexec", "-q", "--oversubscribe", "--bind-to", "none", "-n", "2", "pvserver", "--server-port=0"],
+    server = subprocess.Popen(["mpiexec", "--oversubscribe", "--bind-to", "none", "-n", "2", "pvserver", "--server-port=0"],
                               env={**plain, **SETTINGS}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
     try:
         port = next(found[1] for found in (re.match(r"Accepting connection\(s\): .*:(\d+)", line) for line in server.stdout) if found)

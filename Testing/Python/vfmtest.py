@@ -401,7 +401,7 @@ def main(tests):
             print("%s FAILED" % name)
             traceback.print_exc()
     sys.stdout.flush()
-    sys.stderr.flush()
+    sys.stderr.write("")  # ParaView 5.13 keeps what was printed until it shows an error
     controller = vtkMultiProcessController.GetGlobalController()
     if controller.GetNumberOfProcesses() > 1 and not RUNS_ON_ALL_RANKS:
         return  # pvbatch itself ends the other ranks, which run no script
