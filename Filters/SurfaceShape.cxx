@@ -11,11 +11,11 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
-#include "vtkSMPThreadLocal.h"
 #include "vtkSmartPointer.h"
 #include "vtkTriangleFilter.h"
 
 #include <memory>
+#include <mutex>
 
 namespace vfm
 {
@@ -99,7 +99,7 @@ void CheckClosed(vtkPolyData* surface)
   }
 }
 
-/// The distance by one vtkImplicitPolyDataDistance a thread, as its evaluation is not thread safe.
+/// The distance by as many vtkImplicitPolyDataDistance as threads ask at once, as its evaluation is not thread safe.
 class SurfaceDistance
 {
 public:
@@ -107,21 +107,35 @@ public:
 
   double Evaluate(const Vector3& point)
   {
-    vtkSmartPointer<vtkImplicitPolyDataDistance>& function = this->Functions.Local();
-    if (!function)
-    {
-      vtkNew<vtkPolyData> copy;
-      copy->DeepCopy(this->Surface);
-      function = vtkSmartPointer<vtkImplicitPolyDataDistance>::New();
-      function->SetInput(copy);
-    }
+    const Function function = this->Take();
     double x[3] = { point[0], point[1], point[2] };
-    return function->EvaluateFunction(x);
+    const double distance = function->EvaluateFunction(x);
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Idle.push_back(function);
+    return distance;
   }
 
 private:
+  using Function = vtkSmartPointer<vtkImplicitPolyDataDistance>;
+
+  Function Take()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Idle.empty())
+    {
+      vtkNew<vtkPolyData> copy;
+      copy->DeepCopy(this->Surface);
+      this->Idle.push_back(Function::New());
+      this->Idle.back()->SetInput(copy);
+    }
+    const Function function = this->Idle.back();
+    this->Idle.pop_back();
+    return function;
+  }
+
   vtkSmartPointer<vtkPolyData> Surface;
-  vtkSMPThreadLocal<vtkSmartPointer<vtkImplicitPolyDataDistance>> Functions;
+  std::mutex Mutex;
+  std::vector<Function> Idle;
 };
 
 } // namespace
