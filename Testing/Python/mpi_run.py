@@ -4,7 +4,7 @@ import re
 import subprocess
 
 # What tells a process that it belongs to an MPI run.
-OF_THIS_PROCESS = ("PMIX_", "PMI_", "ORTE_", "PRTE_", "OMPI_")
+OF_THIS_PROCESS = ("PMIX_", "PMI_", "ORTE_", "OMPI_")
 # Open MPI looks for no networks, which is half the time of a short run, and lets other ranks work while one waits.
 SETTINGS = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
             "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader"}
