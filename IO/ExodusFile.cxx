@@ -4,6 +4,8 @@
 
 #include "vtk_exodusII.h"
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 namespace vfm
@@ -11,13 +13,16 @@ namespace vfm
 namespace
 {
 
-/// Why the last call of the library failed.
+/// Why the last call of the library failed. NetCDF since 4.9.3 no longer tells what the system said.
 std::string FindReason()
 {
+  const int saidBySystem = errno;
   const char *message = nullptr, *function = nullptr;
   int code = 0;
   ex_get_err(&message, &function, &code);
-  return std::string(ex_strerror(code)) + ".";
+  const std::string reason = ex_strerror(code);
+  const bool isKnown = reason.find("Unknown") == std::string::npos || saidBySystem == 0;
+  return (isKnown ? reason : std::strerror(saidBySystem)) + ".";
 }
 
 } // namespace
@@ -25,6 +30,7 @@ std::string FindReason()
 ExodusFile::ExodusFile(const std::string& path, int mode) :
   Path(path), OldOptions(ex_opts(0)) // the library's own messages go nowhere
 {
+  errno = 0;
   int memoryWord = sizeof(double), fileWord = sizeof(double);
   this->FileId =
     ex_create(path.c_str(), EX_CLOBBER | EX_ALL_INT64_API | mode, &memoryWord, &fileWord);
