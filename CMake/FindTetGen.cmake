@@ -1,9 +1,13 @@
-# TetGen, which installs no package of its own: the target TetGen::TetGen.
+# TetGen, which installs no package of its own: the target TetGen::TetGen. Version 1.5: 1.6 has other settings.
 find_path(TETGEN_INCLUDE_DIR tetgen.h)
 find_library(TETGEN_LIBRARY tet)
 mark_as_advanced(TETGEN_INCLUDE_DIR TETGEN_LIBRARY)
+set(TetGen_is_1_5 "")
+if (TETGEN_INCLUDE_DIR)
+  file(STRINGS "${TETGEN_INCLUDE_DIR}/tetgen.h" TetGen_is_1_5 REGEX "int optlevel;")
+endif ()
 include(FindPackageHandleStandardArgs)
-find_package_handle_standard_args(TetGen REQUIRED_VARS TETGEN_LIBRARY TETGEN_INCLUDE_DIR)
+find_package_handle_standard_args(TetGen REQUIRED_VARS TETGEN_LIBRARY TETGEN_INCLUDE_DIR TetGen_is_1_5)
 if (TetGen_FOUND AND NOT TARGET TetGen::TetGen)
   add_library(TetGen::TetGen UNKNOWN IMPORTED)
   set_target_properties(TetGen::TetGen PROPERTIES

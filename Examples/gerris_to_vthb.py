@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import VTK_XYZ_GRID, vtkAMRBox, vtkOverlappingAMR, vtkUniformGrid
+from vtkmodules.vtkCommonDataModel import vtkAMRBox, vtkOverlappingAMR, vtkUniformGrid
 from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -79,9 +79,10 @@ def cover(cells):
 def make_amr(names, exist, filled):
     lists = {level: cover(exist[level]) for level in sorted(exist)}
     amr = vtkOverlappingAMR()
-    amr.Initialize(len(lists), [len(boxes) for boxes in lists.values()])
+    counts = [len(boxes) for boxes in lists.values()]
+    amr.Initialize(counts) if hasattr(amr, "GetAMRMetaData") else amr.Initialize(len(counts), counts)  # since VTK 9.6, before
     amr.SetOrigin([LOWER] * 3)
-    amr.SetGridDescription(VTK_XYZ_GRID)
+    amr.SetGridDescription(8)  # VTK_XYZ_GRID
     for number, (level, boxes) in enumerate(lists.items()):
         h = 0.5 ** level
         amr.SetSpacing(number, [h] * 3)

@@ -47,7 +47,14 @@ inline vtkDataSet* GetBox(RefinedGrids* grids, unsigned int level, unsigned int 
   return grids->GetPartition(level, box);
 }
 
-/// Of a vtkIOSSReader that has looked at its file: not what holds for the mesh as a whole.
+/// Of a vtkIOSSReader of several files: each may have blocks and variables of its own. Before it looks at them.
+template <class Reader>
+void LookAtAllFiles(Reader* reader)
+{
+  reader->ReadAllFilesToDetermineStructureOn();
+}
+
+/// Of one that has looked at its files: not what holds for the mesh as a whole.
 template <class Reader>
 void ReadNoGlobalFields(Reader* reader)
 {
@@ -74,6 +81,11 @@ inline unsigned int NumberOfBoxes(RefinedGrids* grids, unsigned int level)
 inline vtkDataSet* GetBox(RefinedGrids* grids, unsigned int level, unsigned int box)
 {
   return grids->GetDataSet(level, box);
+}
+
+template <class Reader>
+void LookAtAllFiles(Reader*)
+{
 }
 
 template <class Reader>

@@ -102,6 +102,7 @@ vtkSmartPointer<vtkIOSSReader> MakeReader(
   reader->SetController(nullptr); // ranks do not wait for each other when one of their files is bad
   reader->SetDatabaseTypeOverride("exodusII");
   reader->ScanForRelatedFilesOff();
+  LookAtAllFiles(reader.Get());
   reader->AddProperty("ENABLE_FIELD_RECOGNITION", "OFF"); // names stay those in the file
   reader->ApplyDisplacementsOff();
   reader->ReadQAAndInformationRecordsOff();

@@ -8,7 +8,6 @@
 #include "VtkVersions.h"
 
 #include "vtkSmartPointer.h"
-#include "vtkStructuredData.h"
 #include "vtkUniformGrid.h"
 
 class vtkOverlappingAMR;
@@ -66,7 +65,6 @@ void SetGrids(const LevelGrids& grids, Amr* data)
     counts.push_back(static_cast<unsigned int>(level.size()));
   }
   SetNumberOfBoxes(data, counts);
-  data->SetGridDescription(VTK_XYZ_GRID);
   for (unsigned int level = 0; level < grids.size(); ++level)
   {
     for (unsigned int i = 0; i < grids[level].size(); ++i)

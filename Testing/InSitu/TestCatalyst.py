@@ -16,6 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "Python"))
+from amr_cases import set_boxes
 from compare_meshes import difference, merge, read_pieces
 from mpi_run import mpi_run
 from vfmtest import image, main, mesh_of, VolumeFractionToTet
@@ -139,7 +140,7 @@ def refined_field(step):
     fine = {name: np.ascontiguousarray(values[MIDDLE_OF_LEVEL_1]) for name, values in arrays(step, 1).items()}
     grids = [image(arrays(step), kind=vtkUniformGrid), image(fine, kind=vtkUniformGrid)]
     data = vtkOverlappingAMR()
-    data.Initialize(2, [1, 1])
+    set_boxes(data, [1, 1])
     data.SetOrigin(ORIGIN)
     data.SetGridDescription(8)  # VTK_XYZ_GRID
     for level, grid in enumerate(grids):

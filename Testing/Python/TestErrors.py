@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUniformGrid)
 from vtkmodules.vtkCommonCore import vtkStringArray
 
+from amr_cases import set_boxes
 from vfmtest import (
     GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, collect, failure_of, fraction_image, image, labels, main,
     producer, rectilinear, run, VolumeFractionFragments, VolumeFractionToHex, servermanager)
@@ -237,7 +238,7 @@ def test_ghosts_inside_a_block():
 
 def test_levels_of_one_width():
     amr = vtkNonOverlappingAMR()
-    amr.Initialize(2, [1, 1])
+    set_boxes(amr, [1, 1])
     for level in range(2):
         amr.SetDataSet(level, 0, image(arrays(), kind=vtkUniformGrid))
     check_error(amr, "Block 0 and Block 1 overlap at cell (0, 0, 0)")

@@ -7,6 +7,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkOverlappingAMR, vtkAMRBox,
     vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkUniformGrid)
 
+from amr_cases import set_boxes
 from vfmtest import (
     GHOST, HIDDEN, ORIGIN, SPACING, add_array, ball_and_plate, digest, fraction_image, image, labels,
     main, mesh_of, rectilinear, run)
@@ -150,11 +151,11 @@ def test_inexact_origins_of_blocks():
 
 def test_amr_of_one_level():
     flat = vtkNonOverlappingAMR()
-    flat.Initialize(1, [1])
+    set_boxes(flat, [1])
     flat.SetDataSet(0, 0, image(arrays(), kind=vtkUniformGrid))
     assert digest(mesh_of(flat)) == REFERENCE
     over = vtkOverlappingAMR()
-    over.Initialize(1, [1])
+    set_boxes(over, [1])
     over.SetOrigin(ORIGIN)
     over.SetGridDescription(8)  # VTK_XYZ_GRID
     over.SetSpacing(0, SPACING)

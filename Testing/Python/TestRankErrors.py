@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkNonOverlappingAMR, vtkPolyData, vtkUniformGrid)
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
+from amr_cases import set_boxes
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, labels, main, producer, reduced, run,
     VolumeFractionToHex,
@@ -167,7 +168,7 @@ def test_levels_that_are_not_loaded():
     """Told once; not where the boxes of a level have data on another rank."""
     for missing in (True, False):
         amr = vtkNonOverlappingAMR()
-        amr.Initialize(2, [RANKS, 1])
+        set_boxes(amr, [RANKS, 1])
         amr.SetDataSet(0, RANK, slab(kind=vtkUniformGrid))
         if RANK == 2 and not missing:
             fine = slab(rank=0, kind=vtkUniformGrid)
@@ -192,7 +193,7 @@ def test_no_cells_on_any_rank():
 
 def test_levels_on_different_ranks():
     amr, part = vtkNonOverlappingAMR(), slab(kind=vtkUniformGrid)
-    amr.Initialize(2, [1, 1])
+    set_boxes(amr, [1, 1])
     amr.SetDataSet(RANK % 2, 0, part)
     if RANK == 1:
         part.SetSpacing([h / 2 for h in SPACING])

@@ -6,11 +6,12 @@ import re
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
-    vtkAMRBox, vtkMultiBlockDataSet, vtkOverlappingAMR, vtkRectilinearGrid, vtkUniformGrid)
+    vtkMultiBlockDataSet, vtkRectilinearGrid, vtkUniformGrid)
 from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter, vtkXMLUniformGridAMRWriter)
 
+from amr_cases import amr_data
 from compare_meshes import difference, merge, read_pieces
 from exodus_grids import hexes, shuffled, write_exodus
 from sculptor_program import check_same, mesh_file, refused, rows, sculptor
@@ -165,19 +166,7 @@ def amr(parts, fine=False):
     if fine:
         arrays = {name: value[:12, :12, :8] for name, value in zip(("ball", "plate"), ball_and_plate(24))}
         levels.append([uniform_grid(image(arrays), [h / 2 for h in SPACING])])
-    data = vtkOverlappingAMR()
-    data.Initialize(len(levels), [len(level) for level in levels])
-    data.SetOrigin(ORIGIN)
-    data.SetGridDescription(8)
-    for level, grids in enumerate(levels):
-        data.SetSpacing(level, grids[0].GetSpacing())
-        data.SetRefinementRatio(level, 2)
-        for i, grid in enumerate(grids):
-            box = vtkAMRBox(grid.GetOrigin(), grid.GetDimensions(), grid.GetSpacing(), ORIGIN)
-            data.SetAMRBox(level, i, box)
-            data.SetDataSet(level, i, grid)
-    data.GenerateParentChildInformation()
-    return data
+    return amr_data(levels, 2)
 
 
 @in_folder

@@ -105,10 +105,15 @@ def overlapping(all_fields, blocks, extra=None, ratio=2):
     return amr_data([level for level in by_level(all_fields, blocks, extra) if level], ratio)
 
 
+def set_boxes(data, counts):
+    """The numbers of boxes of each level of AMR data, which VTK takes otherwise since 9.6."""
+    data.Initialize(counts) if hasattr(data, "GetAMRMetaData") else data.Initialize(len(counts), counts)
+
+
 def amr_data(grids, ratio=None):
     """The uniform grids of each level, coarsest first, as vtkOverlappingAMR of that ratio, or vtkNonOverlappingAMR."""
     data = vtkOverlappingAMR() if ratio else vtkNonOverlappingAMR()
-    data.Initialize(len(grids), [len(level) for level in grids])
+    set_boxes(data, [len(level) for level in grids])
     if ratio:
         data.SetOrigin(ORIGIN)
         data.SetGridDescription(8)  # VTK_XYZ_GRID
