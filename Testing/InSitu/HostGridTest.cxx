@@ -1,9 +1,9 @@
 /**
  * HostGrid: VTK data that is the host's memory, at the same place on every rank; clear errors for wrong grids.
  */
-#include "HostImages.h"
 #include "ArrayMemory.h"
 #include "Base/Runtime.h"
+#include "HostImages.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

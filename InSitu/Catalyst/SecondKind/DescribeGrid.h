@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "CatalystAdaptor.h"
 #include "Base/Ranks.h"
+#include "CatalystAdaptor.h"
 
 #include <catalyst_conduit.hpp>
 
