@@ -191,7 +191,7 @@ def test_state_of_the_finest_data():
 @in_folder
 def test_files(at):
     reference = digest(mesh_of(overlapping(FIELDS, nested()), **UNIFORM))
-    reader = simple.OpenDataFile(write(overlapping(FIELDS, nested()), at("levels.vthb"), vtkXMLUniformGridAMRWriter))
+    reader = simple.OpenDataFile(write(overlapping(FIELDS, nested()), at("levels.vthb"), vtkXMLUniformGridAMRWriter), DefaultNumberOfLevels=1)
     hexes = VolumeFractionToHex(Input=reader, VolumeFractionArrays=["ball", "plate"], **UNIFORM)
     errors, warnings = collect(hexes.GetClientSideObject())
     hexes.UpdatePipeline()

@@ -9,7 +9,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 from exodus_dump import Dump
 from vfmtest import (
-    collect, digest, failure_of, fraction_image, has_tetgen, main, mesh_of, producer, Result, save_data, VolumeFractionShapes,
+    collect, digest, failure_of, fraction_image, ghost_cells, has_tetgen, main, mesh_of, producer, Result, save_data, VolumeFractionShapes,
     VolumeFractionToHex, VolumeFractionToTet, simple)
 
 
@@ -58,7 +58,7 @@ def test_one_run_for_all_ports_and_writers():
         again.UpdatePipeline()
         assert again.GetDataInformation().GetNumberOfCells() == hexes.GetDataInformation().GetNumberOfCells()
     assert len(runs) == 1, len(runs)
-    ghosts = simple.GhostCellsGenerator(Input=hexes, BuildIfRequired=0)
+    ghosts = ghost_cells(hexes)
     ghosts.UpdatePipeline()
     assert ghosts.GetDataInformation().GetNumberOfCells() == hexes.GetDataInformation().GetNumberOfCells()
     assert len(runs) == 1, len(runs)

@@ -13,7 +13,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from compare_meshes import merge, read_pieces
 from inp_file import InpFile
-from vfmtest import main, save_data, VolumeFractionToHex
+from vfmtest import ghost_cells, main, save_data, VolumeFractionToHex
 
 FOLDER = sys.argv[1]
 RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
@@ -77,7 +77,7 @@ def test_abaqus():
 
 
 def test_ghost_cells_made_downstream():
-    ghosts = simple.GhostCellsGenerator(Input=HEXES, BuildIfRequired=0)
+    ghosts = ghost_cells(HEXES)
     ghosts.UpdatePipeline()
     assert ghosts.GetDataInformation().GetNumberOfCells() > HEXES.GetDataInformation().GetNumberOfCells()
 

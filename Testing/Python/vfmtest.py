@@ -289,6 +289,11 @@ def producer(data):
     return source
 
 
+def ghost_cells(source):
+    """ParaView's filter of ghost cells, which has another name since 5.13."""
+    return (getattr(simple, "GhostCells", None) or simple.GhostCellsGenerator)(Input=source, BuildIfRequired=0)
+
+
 def save_data(path, proxy):
     """Saves inline: expat since 2.6, and Debian's 2.5.0-1+deb12u5, keeps VTK 9.2 from reading appended data."""
     simple.SaveData(path, proxy=proxy, **({} if path.endswith((".vtk", ".csv")) else {"DataMode": "Binary"}))
