@@ -32,18 +32,23 @@ void WriteGeometry(vtkVolumeFractionMeshAlgorithm& mesher, const double* time,
   ControllerRanks ranks(controller);
   const auto write = [&](VtkMessages& messages)
   {
-    vtkNew<vtkMultiBlockDataSet> blocks;
+    vtkNew<vtkMultiBlockDataSet> blocks; // of what there is alone
     const char* const names[] = { "Surfaces", "Curves", "Vertices" };
-    for (unsigned int block = 0; block < 3; ++block)
+    for (int port = 1; port <= 3; ++port)
     {
-      auto* port = vtkPolyData::SafeDownCast(mesher.GetOutputDataObject(block + 1));
-      const vtkSmartPointer<vtkPolyData> whole = GatherGeometry(port, ranks);
-      if (whole && time)
+      const vtkSmartPointer<vtkPolyData> whole =
+        GatherGeometry(vtkPolyData::SafeDownCast(mesher.GetOutputDataObject(port)), ranks);
+      if (!whole)
+      {
+        continue;
+      }
+      if (time)
       {
         whole->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
       }
+      const unsigned int block = blocks->GetNumberOfBlocks();
       blocks->SetBlock(block, whole);
-      blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), names[block]);
+      blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), names[port - 1]);
     }
     if (ranks.Rank() > 0)
     {

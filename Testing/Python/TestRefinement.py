@@ -215,7 +215,7 @@ def plate_case(normal, n=16):
     """A plate one cell thick across a box of n cells: image, and the distance of points to its two planes in cells."""
     normal = np.array(normal) / np.linalg.norm(normal)
     point = 0.03  # of the box: no symmetry
-    text = ";".join("halfspace point=%r,%r,%r normal=%r,%r,%r material=%d" % (*(normal * (point - s / n)), *normal, m) for s, m in ((1, 2), (-1, 1)))
+    text = ";".join("halfspace point=%r,%r,%r normal=%r,%r,%r material=%d" % (*(normal * (point - s / n)).tolist(), *normal.tolist(), m) for s, m in ((1, 2), (-1, 1)))
     arrays = fractions(text, n, ("plate", "below"))
     middle = n / 2 * (1 + normal * point)
 
