@@ -38,7 +38,7 @@ void WriteGeometry(vtkVolumeFractionMeshAlgorithm& mesher, const double* time,
     {
       const vtkSmartPointer<vtkPolyData> whole =
         GatherGeometry(vtkPolyData::SafeDownCast(mesher.GetOutputDataObject(port)), ranks);
-      if (!whole)
+      if (!whole || whole->GetNumberOfCells() == 0)
       {
         continue;
       }
