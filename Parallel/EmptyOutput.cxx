@@ -24,6 +24,16 @@ void SetNoElements(vtkUnstructuredGrid* mesh)
   mesh->SetCells(types, cells);
 }
 
+namespace
+{
+
+bool HasPoints(const int* extent)
+{
+  return extent[0] <= extent[1] && extent[2] <= extent[3] && extent[4] <= extent[5];
+}
+
+} // namespace
+
 void EmptyOutput(vtkInformation* port)
 {
   vtkDataObject* data = vtkDataObject::GetData(port);
@@ -40,7 +50,7 @@ void EmptyOutput(vtkInformation* port)
   }
   int* extent = port->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
   vtkImageData* image = vtkImageData::SafeDownCast(data);
-  if (image && extent)
+  if (image && extent && HasPoints(extent)) // VTK since 9.3 ends the program at fewer than none
   {
     image->SetExtent(extent);
   }
