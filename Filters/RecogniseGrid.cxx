@@ -120,6 +120,12 @@ Hexahedra::Box Hexahedra::FindBox(vtkIdType cell)
   Box box;
   box.fill({ { infinity, -infinity } });
   const vtkIdType* points = this->FindPoints(cell);
+  const vtkIdType count = this->Data->GetNumberOfPoints();
+  if (this->Points->GetNumberOfIds() != Corners ||
+    std::any_of(points, points + Corners, [count](vtkIdType p) { return p < 0 || p >= count; }))
+  {
+    this->Refuse(cell, "has not eight points of the mesh.");
+  }
   for (int c = 0; c < Corners; ++c)
   {
     double point[3];
