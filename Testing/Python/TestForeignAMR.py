@@ -13,7 +13,7 @@ from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file, needs_spyplot, refused
 from spyplot import write_file, write_spyplot
 from spyplot_cases import without_reader_fields
-from vfmtest import Result, VolumeFractionToHex, VolumeFractionToTet, collect, digest, in_folder, main, mesh_of, simple
+from vfmtest import PYTHON, Result, VolumeFractionToHex, VolumeFractionToTet, collect, digest, in_folder, main, mesh_of, simple
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "..", "..", "Data")
@@ -186,7 +186,7 @@ def test_amrex_run():
 @in_folder
 def test_gerris_run(at):
     """A drop that has fallen into a pool, an octree of cells."""
-    command = ["pvpython", os.path.join(EXAMPLES, "gerris_to_vthb.py"), os.path.join(DATA, "Gerris", "impact_0.24.txt.gz")]
+    command = [PYTHON[0], os.path.join(EXAMPLES, "gerris_to_vthb.py"), os.path.join(DATA, "Gerris", "impact_0.24.txt.gz")]
     run = subprocess.run(command + [at("drop.vthb")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     assert run.returncode == 0 and "level 3: cells of 0.015625, 20480 leaves" in run.stdout, run
     sizes = []
