@@ -345,7 +345,7 @@ def in_folder(test):
 
 
 def has_tetgen():
-    return bool(VolumeFractionToTet(Input=producer(vtkImageData())).GetPropertyValue("HasTetGen"))
+    return bool(VolumeFractionToTet(Input=VolumeFractionShapes()).GetPropertyValue("HasTetGen"))
 
 
 def run(data, make=None, **properties):
