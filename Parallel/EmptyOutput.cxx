@@ -12,6 +12,15 @@
 
 namespace vfm
 {
+namespace
+{
+
+bool HasPoints(const int* extent)
+{
+  return extent[0] <= extent[1] && extent[2] <= extent[3] && extent[4] <= extent[5];
+}
+
+} // namespace
 
 void SetNoElements(vtkUnstructuredGrid* mesh)
 {
@@ -23,16 +32,6 @@ void SetNoElements(vtkUnstructuredGrid* mesh)
   cells->GetOffsetsArray()->SetNumberOfTuples(1);
   mesh->SetCells(types, cells);
 }
-
-namespace
-{
-
-bool HasPoints(const int* extent)
-{
-  return extent[0] <= extent[1] && extent[2] <= extent[3] && extent[4] <= extent[5];
-}
-
-} // namespace
 
 void EmptyOutput(vtkInformation* port)
 {

@@ -29,6 +29,18 @@ bool Agree(Ranks& ranks, const Work& work, std::string& errors)
   }
 }
 
+/// What an adaptor tells of failures.
+struct Failures
+{
+  std::string LeftOut; ///< for good
+  std::string Failed;  ///< in the step that was asked for last
+  /// All lines; they stay until it is asked again.
+  const std::string& Tell();
+
+private:
+  std::string All;
+};
+
 /// Collective: whether all ranks can read the script; adds that they cannot to the errors.
 bool CanRead(const std::string& script, Ranks& ranks, std::string& errors);
 

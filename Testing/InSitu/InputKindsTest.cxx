@@ -134,7 +134,7 @@ vtkSmartPointer<vtkDataObject> AsCollection(const LevelGrids& grids)
   return data;
 }
 
-/// Those that overlap are tested by SculptorBlocks.
+/// Levels that overlap need more: MakeOverlapping.
 vtkSmartPointer<vtkDataObject> AsLevels(const LevelGrids& grids)
 {
   auto data = vtkSmartPointer<vtkNonOverlappingAMR>::New();

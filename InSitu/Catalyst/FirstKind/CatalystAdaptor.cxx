@@ -42,7 +42,7 @@ void AddNumbers(const std::vector<HostNumber>& numbers, vtkDataObject* data)
 
 } // namespace
 
-class CatalystAdaptor::Internals
+class CatalystAdaptor::Internals : public Failures
 {
 public:
   Internals(MPI_Comm communicator, const std::vector<std::string>& scripts);
@@ -50,7 +50,6 @@ public:
   bool Process(const HostGrid& grid, vtkCPDataDescription* description,
     const std::vector<HostNumber>& numbers);
 
-  std::string LeftOut, Failed, Error;
   int StepsMade = 0;
 
 private:
@@ -210,12 +209,7 @@ bool CatalystAdaptor::Process(
 
 const std::string& CatalystAdaptor::GetError() const
 {
-  this->Self->Error = this->Self->LeftOut;
-  if (!this->Self->Failed.empty())
-  {
-    AddLine(this->Self->Error, this->Self->Failed);
-  }
-  return this->Self->Error;
+  return this->Self->Tell();
 }
 
 int CatalystAdaptor::GetNumberOfStepsMade() const

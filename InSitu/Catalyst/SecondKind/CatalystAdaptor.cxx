@@ -57,7 +57,7 @@ bool IsIdle()
 
 } // namespace
 
-class CatalystAdaptor::Internals
+class CatalystAdaptor::Internals : public Failures
 {
 public:
   Internals(MPI_Comm communicator, const std::vector<std::string>& scripts);
@@ -65,7 +65,6 @@ public:
   /// step: the node catalyst/state.
   bool Process(const HostGrid& grid, const Node& step, const std::vector<HostNumber>& numbers);
 
-  std::string LeftOut, Failed, Error;
   int StepsMade = 0;
 
 private:
@@ -187,12 +186,7 @@ bool CatalystAdaptor::Process(
 
 const std::string& CatalystAdaptor::GetError() const
 {
-  this->Self->Error = this->Self->LeftOut;
-  if (!this->Self->Failed.empty())
-  {
-    AddLine(this->Self->Error, this->Self->Failed);
-  }
-  return this->Self->Error;
+  return this->Self->Tell();
 }
 
 int CatalystAdaptor::GetNumberOfStepsMade() const
