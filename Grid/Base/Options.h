@@ -18,6 +18,14 @@ enum class Smoothing
   GeometryBased   ///< barrier energy, surface nodes kept on the facets of the unsmoothed interface
 };
 
+/// Whether edges and corners of interfaces are found and kept.
+enum class SharpEdges
+{
+  Off,
+  On,
+  Automatic ///< of the pairs of materials where the fractions tell them nearly everywhere that one surface does not do
+};
+
 /// How tetrahedra are made.
 enum class TetMethod
 {
@@ -55,9 +63,10 @@ struct MeshOptions
   bool StairStep = false; ///< cells become hexes, nothing is inserted or moved
   Smoothing Method = Smoothing::QuadricSurface;
   double TargetScaledJacobian =
-    0.0;                      ///< [0,1): quality against distance; 0: .55 one material, .5 several
-  bool ConserveVolume = true; ///< meet the fractions' volumes; only with IsoValue 0.5
-  bool ComputeQuality = true; ///< fill Mesh::ScaledJacobian
+    0.0; ///< [0,1): quality against distance; 0: .55 one material, .5 several
+  SharpEdges Edges = SharpEdges::Off;  ///< only with IsoValue 0.5 and Smoothing::QuadricSurface
+  bool ConserveVolume = true;          ///< meet the fractions' volumes; only with IsoValue 0.5
+  bool ComputeQuality = true;          ///< fill Mesh::ScaledJacobian
   TetMethod Tets = TetMethod::Lattice; ///< of tetrahedral meshes
   TetGenOptions TetGen;                ///< of TetMethod::TetGen
   LevelPlan Levels;

@@ -260,10 +260,26 @@ Vector3 SurfaceTargets::FindCorner(const Level& level, Index node, Index point) 
                                : frame.Base;
 }
 
+LocalQuadric SurfaceTargets::QuadricOf(
+  Index target, const Vector3& origin, const Vector3& widths) const
+{
+  const Frame& frame = this->Frames[target];
+  return { Divided(frame.Base - origin, widths), frame.U, frame.V, frame.N, frame.C };
+}
+
+Index SurfaceTargets::Add(
+  const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths, double weight)
+{
+  this->Frames.push_back(
+    { origin + Scaled(quadric.Base, widths), Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U,
+      quadric.V, quadric.N, quadric.C, std::sqrt(weight) });
+  return this->Count() - 1;
+}
+
 double SurfaceTargets::LocalScale(Index target) const
 {
   const Frame& frame = this->Frames[target];
-  return Norm(Scaled(frame.N, frame.InverseWidths));
+  return frame.Unit * Norm(Scaled(frame.N, frame.InverseWidths));
 }
 
 double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradient) const
@@ -272,8 +288,8 @@ double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradien
   const Vector3 y = Scaled(x - frame.Base, frame.InverseWidths);
   const double d = this->TheKind == Kind::Quadrics ? this->QuadricDistance(frame, y, gradient)
                                                    : this->FacetDistance(target, y, gradient);
-  gradient = Scaled(gradient, frame.InverseWidths);
-  return d;
+  gradient = Scaled(frame.Unit * gradient, frame.InverseWidths);
+  return frame.Unit * d;
 }
 
 double SurfaceTargets::QuadricDistance(

@@ -17,6 +17,7 @@
 #pragma once
 
 #include "Interface/Interface.h"
+#include "Interface/LocalQuadric.h"
 
 namespace vfm
 {
@@ -40,6 +41,12 @@ public:
   /// Signed distance of x (grid coordinates); gradient in grid coordinates.
   double Distance(Index target, const Vector3& x, Vector3& gradient) const;
 
+  /// A quadric in the local frame of a node with such an origin and widths (grid coordinates of the finest grid).
+  LocalQuadric QuadricOf(Index target, const Vector3& origin, const Vector3& widths) const;
+  /// Appends a target; its squared distances count so many times. Returns its number. Of quadrics only.
+  Index Add(
+    const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths, double weight);
+
   /// The unit of Distance in grid coordinates, along the normal: distance = length * LocalScale.
   double LocalScale(Index target) const;
 
@@ -56,6 +63,7 @@ private:
     Vector3 InverseWidths; // of the node's local frame, in the same
     Vector3 U, V, N;       // unit vectors of the local frame
     std::array<double, 6> C;
+    double Unit = 1.0; // what distances are multiplied with: the square root of a weight
   };
 
   void FitLevel(const Level& level, Runtime& runtime);

@@ -3,7 +3,7 @@ import os
 import re
 
 # Rooms of Grid, bottom to top: an include goes down only. The root, Grid itself, is above them all.
-ROOMS = ("Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Transfer", "Smoothing", "Hex", "Tet")
+ROOMS = ("Base", "Fractions", "Octree", "Labels", "Interface", "Creases", "Mesh", "Transfer", "Smoothing", "Hex", "Tet")
 GRID = tuple("Grid/" + room for room in ROOMS) + ("Grid",)
 
 # What a folder may include besides itself.

@@ -1,0 +1,22 @@
+/**
+ * Fits crease models to the fractions around a node: Levenberg-Marquardt on the coefficients of their surfaces.
+ */
+#pragma once
+
+#include "Creases/CreaseModel.h"
+
+namespace vfm
+{
+
+/// Weighted root mean square of what a model's fractions are off, over the cells that it or the data cut or that are off.
+double ResidualOf(const CreaseModel& model, const std::vector<SampleCell>& cells);
+
+/// The area of each surface that bounds the second label in the cells, cells^2.
+std::array<double, CreaseModel::MostSurfaces> AreasOf(
+  const CreaseModel& model, const std::vector<SampleCell>& cells);
+
+/// Moves the first `coefficients` (3: planes, 6: quadrics) of each surface towards the least weighted squares, in at most so many iterations.
+void FitModel(
+  CreaseModel& model, const std::vector<SampleCell>& cells, int coefficients, int iterations);
+
+} // namespace vfm
