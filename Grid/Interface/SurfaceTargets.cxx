@@ -1,6 +1,7 @@
 #include "Interface/SurfaceTargets.h"
 
 #include "Base/Vector3.h"
+#include "Interface/FaceWalk.h"
 
 #include <Eigen/Cholesky>
 
@@ -23,68 +24,6 @@ constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 }
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-/// Finds the interface faces of a pair around nodes, one node after another.
-class FaceFinder
-{
-public:
-  explicit FaceFinder(const Interface& interface) :
-    Source(interface),
-    NodeWalks(interface.Nodes().size(), 0),
-    FaceWalks(interface.Faces().size(), 0)
-  {
-  }
-
-  /// Those at all nodes that are reached from a node over at most Rings of them, each once, in an order that only they decide. Valid until
-  /// the next call.
-  const std::vector<Index>& Find(Index node, int first, int second)
-  {
-    ++this->Walk;
-    this->NodeWalks[node] = this->Walk;
-    this->Nodes.assign(1, node);
-    this->Faces.clear();
-    std::size_t next = 0;
-    for (int ring = 0; ring <= Rings; ++ring)
-    {
-      for (const std::size_t end = this->Nodes.size(); next < end; ++next)
-      {
-        this->AddFacesAt(this->Nodes[next], first, second, ring < Rings);
-      }
-    }
-    return this->Faces;
-  }
-
-private:
-  void AddFacesAt(Index node, int first, int second, bool addCorners)
-  {
-    const Index* faces = this->Source.FaceList().data();
-    for (Index at = this->Source.FaceOffset(node); at < this->Source.FaceOffset(node + 1); ++at)
-    {
-      const Index face = faces[at];
-      const InterfaceFace& f = this->Source.Faces()[face];
-      if (this->FaceWalks[face] == this->Walk || f.First() != first || f.Second() != second)
-      {
-        continue;
-      }
-      this->FaceWalks[face] = this->Walk;
-      this->Faces.push_back(face);
-      for (std::size_t c = 0; addCorners && c < 4; ++c)
-      {
-        const Index corner = this->Source.CornersOfFace(face)[c];
-        if (this->NodeWalks[corner] != this->Walk)
-        {
-          this->NodeWalks[corner] = this->Walk;
-          this->Nodes.push_back(corner);
-        }
-      }
-    }
-  }
-
-  const Interface& Source;
-  Index Walk = 0;
-  std::vector<Index> NodeWalks, FaceWalks; // the last that came by
-  std::vector<Index> Nodes, Faces;
-};
 
 /// The point of the triangle nearest to 0. Ericson (2005), Real-Time Collision Detection, 5.1.5.
 Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -157,13 +96,14 @@ void SurfaceTargets::FitLevel(const Level& level, Runtime& runtime)
   runtime.For(0, static_cast<Index>(interface.Nodes().size()),
     [&](Index first, Index last)
     {
-      FaceFinder finder(interface);
+      FaceWalk walk(interface);
+      const auto all = [](Index) { return true; };
       for (Index n = first; n < last; ++n)
       {
         for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
         {
           const SurfacePoint& point = interface.Points()[p];
-          const std::vector<Index>& faces = finder.Find(n, point.First, point.Second);
+          const std::vector<Index>& faces = walk.Find(n, point.First, point.Second, Rings, all);
           this->FitQuadric(level, n, p, faces);
           if (hasFacets)
           {
@@ -264,7 +204,9 @@ LocalQuadric SurfaceTargets::QuadricOf(
   Index target, const Vector3& origin, const Vector3& widths) const
 {
   const Frame& frame = this->Frames[target];
-  return { Divided(frame.Base - origin, widths), frame.U, frame.V, frame.N, frame.C };
+  LocalQuadric quadric{ Divided(frame.Base - origin, widths), frame.U, frame.V, frame.N, frame.C };
+  quadric.C[0] += StandOff * (quadric.C[3] + quadric.C[5]);
+  return quadric;
 }
 
 Index SurfaceTargets::Add(

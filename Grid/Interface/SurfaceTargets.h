@@ -41,9 +41,9 @@ public:
   /// Signed distance of x (grid coordinates); gradient in grid coordinates.
   double Distance(Index target, const Vector3& x, Vector3& gradient) const;
 
-  /// A quadric in the local frame of a node with such an origin and widths (grid coordinates of the finest grid).
+  /// The quadric that was fitted, in the local frame of a node with such an origin and widths (grid coordinates of the finest grid).
   LocalQuadric QuadricOf(Index target, const Vector3& origin, const Vector3& widths) const;
-  /// Appends a target; its squared distances count so many times. Returns its number. Of quadrics only.
+  /// Appends a target that is drawn to a quadric as the fitted ones are; its squared distances count so many times. Returns its number. Of quadrics only.
   Index Add(
     const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths, double weight);
 

@@ -1,0 +1,297 @@
+#include "Creases/CreaseSearch.h"
+
+#include "Creases/CreaseFit.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double Accepted = 0.03;           // largest residual of a model
+constexpr double AcceptedNarrow = 0.01;     // of one in the narrow stencil, which has less data
+constexpr double Gain = 3.0;                // by which it must be below those of one surface
+constexpr double ClearGain = 12.0;          // at which the point's own quadric is enough to tell
+constexpr double NarrowTrigger = 0.04;      // least residual of the quadric in the narrow stencil
+constexpr double SmallestArea = 2.0;        // of a surface of a model
+constexpr double SmallestCosine = 0.882948; // of 28 degrees, between surfaces of a model
+constexpr double SeedCosine = 0.939693;     // of 20 degrees, between seeds that are alike
+constexpr double SeedDistance = 0.5;        // the same
+constexpr double FarthestSeed = 2.5;        // its foot from the node
+constexpr std::size_t MostSeeds = 4;
+constexpr double StartLimit = 0.25;   // residual of a model before its fit
+constexpr double EarlyLimit = 0.2;    // after a few iterations with planes
+constexpr double PlaneLimit = 0.12;   // after the fit of planes
+constexpr double ThirdLimit = 0.15;   // of two surfaces, for a third to be tried
+constexpr double ThirdGain = 0.6;     // of three surfaces over two
+constexpr std::size_t MostStarts = 2; // that are fitted
+constexpr int EarlyIterations = 5, PlaneIterations = 7, QuadricIterations = 10,
+              SingleIterations = 8, NearIterations = 5;
+
+/// Models of so many of the seeds, in all compositions, the best first; with their residuals.
+std::vector<FittedCrease> MakeStarts(
+  const std::vector<LocalQuadric>& seeds, int count, const std::vector<SampleCell>& cells)
+{
+  std::vector<FittedCrease> starts;
+  const int sets = 1 << seeds.size();
+  for (int set = 0; set < sets; ++set)
+  {
+    FittedCrease start;
+    for (std::size_t s = 0; s < seeds.size(); ++s)
+    {
+      if (set >> s & 1)
+      {
+        if (start.Model.Count == count)
+        {
+          start.Model.Count = 0;
+          break;
+        }
+        start.Model.Surfaces[start.Model.Count++] = seeds[s];
+      }
+    }
+    for (int c = 0; start.Model.Count == count && c < NumberOfCompositions(count); ++c)
+    {
+      start.Model.Composition = c;
+      start.Residual = ResidualOf(start.Model, cells);
+      starts.push_back(start);
+    }
+  }
+  std::stable_sort(starts.begin(), starts.end(),
+    [](const FittedCrease& a, const FittedCrease& b) { return a.Residual < b.Residual; });
+  return starts;
+}
+
+void Refine(
+  FittedCrease& crease, const std::vector<SampleCell>& cells, int coefficients, int iterations)
+{
+  FitModel(crease.Model, cells, coefficients, iterations);
+  crease.Residual = ResidualOf(crease.Model, cells);
+}
+
+/// Planes first, then quadrics; given up where it leads nowhere.
+void FitStart(FittedCrease& crease, const std::vector<SampleCell>& cells)
+{
+  Refine(crease, cells, 3, EarlyIterations);
+  if (crease.Residual > ExcellentResidual && crease.Residual <= EarlyLimit)
+  {
+    Refine(crease, cells, 3, PlaneIterations);
+  }
+  if (crease.Residual > ExcellentResidual && crease.Residual <= PlaneLimit)
+  {
+    Refine(crease, cells, 6, QuadricIterations);
+  }
+}
+
+/// The best model of so many of the seeds; reached: the least residual of planes.
+FittedCrease FitSeveral(const std::vector<LocalQuadric>& seeds, int count,
+  const std::vector<SampleCell>& cells, double before)
+{
+  FittedCrease best;
+  const std::vector<FittedCrease> starts = MakeStarts(seeds, count, cells);
+  for (std::size_t s = 0; s < std::min(starts.size(), MostStarts); ++s)
+  {
+    FittedCrease crease = starts[s];
+    if (crease.Residual > std::min(StartLimit, before))
+    {
+      break;
+    }
+    FitStart(crease, cells);
+    if (crease.Residual < best.Residual)
+    {
+      best = crease;
+    }
+    if (best.Residual < ExcellentResidual)
+    {
+      break;
+    }
+  }
+  return best;
+}
+
+bool IsPlausible(const CreaseModel& model, const std::vector<SampleCell>& cells)
+{
+  const auto areas = AreasOf(model, cells);
+  const Vector3 node{};
+  for (int i = 0; i < model.Count; ++i)
+  {
+    Vector3 first;
+    DistanceTo(model.Surfaces[i], node, first);
+    for (int j = 0; j < i; ++j)
+    {
+      Vector3 second;
+      DistanceTo(model.Surfaces[j], node, second);
+      if (Dot(first, second) > SmallestCosine)
+      {
+        return false;
+      }
+    }
+    if (std::fabs(areas[i]) < SmallestArea)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Vector3 FootOf(const LocalQuadric& surface, Vector3& normal)
+{
+  Vector3 foot{};
+  for (int step = 0; step < 3; ++step)
+  {
+    foot = foot - DistanceTo(surface, foot, normal) * normal;
+  }
+  return foot;
+}
+
+/// The different surfaces of other nodes' models near the node; those of excellent models first.
+std::vector<LocalQuadric> CollectSurfaces(std::vector<NearCrease> others)
+{
+  std::stable_partition(others.begin(), others.end(),
+    [](const NearCrease& other) { return other.Crease->Residual < ExcellentResidual; });
+  std::vector<LocalQuadric> seeds;
+  for (const NearCrease& other : others)
+  {
+    for (int k = 0; k < other.Crease->Model.Count && seeds.size() < MostSeeds; ++k)
+    {
+      const LocalQuadric surface = Moved(other.Crease->Model.Surfaces[k], other.From);
+      Vector3 normal;
+      const Vector3 foot = FootOf(surface, normal);
+      const auto isAlike = [&](const LocalQuadric& seed)
+      {
+        Vector3 across;
+        const double distance = DistanceTo(seed, foot, across);
+        return Dot(normal, across) > SeedCosine && std::fabs(distance) < SeedDistance;
+      };
+      if (Norm(foot) <= FarthestSeed && std::none_of(seeds.begin(), seeds.end(), isAlike))
+      {
+        seeds.push_back(Recentred(surface, foot));
+      }
+    }
+  }
+  return seeds;
+}
+
+} // namespace
+
+CreaseSearch::CreaseSearch(const CreaseInput& input, Index node, Index point) :
+  Input(input),
+  Node(node),
+  Labels{ { input.Source.Points()[point].First, input.Source.Points()[point].Second } },
+  Frame(FrameOf(input.Source, node)),
+  Quadric(input.Targets.QuadricOf(input.FirstTarget + point, Frame.Origin, Frame.Widths))
+{
+}
+
+double CreaseSearch::NearResidual() const
+{
+  Cells cells;
+  return GatherCells(this->Input.Source, this->Input.Fractions, this->Frame, this->Labels,
+           InnerStencil, cells)
+    ? ResidualOf(ModelOf(this->Quadric), cells)
+    : 0.0;
+}
+
+bool CreaseSearch::Gather()
+{
+  const bool found = GatherCells(this->Input.Source, this->Input.Fractions, this->Frame,
+    this->Labels, WideStencil, this->Around);
+  this->Before = found ? ResidualOf(ModelOf(this->Quadric), this->Around) : 0.0;
+  return found;
+}
+
+bool CreaseSearch::IsAccepted(const FittedCrease& crease, const Cells& cells, double before) const
+{
+  if (!(crease.Residual < Accepted && crease.Residual * Gain < before) ||
+    !IsPlausible(crease.Model, cells))
+  {
+    return false;
+  }
+  if (crease.Residual * ClearGain < before)
+  {
+    return true;
+  }
+  FittedCrease single{ ModelOf(this->Quadric), 0.0 };
+  Refine(single, cells, 6, SingleIterations);
+  return crease.Residual * Gain < single.Residual;
+}
+
+std::optional<FittedCrease> CreaseSearch::FitSeeds(
+  const std::vector<LocalQuadric>& seeds, const Cells& cells, double before) const
+{
+  if (seeds.size() < 2)
+  {
+    return {};
+  }
+  FittedCrease best = FitSeveral(seeds, 2, cells, before);
+  const bool mayBeThree = best.Model.Count == 0 || best.Residual < ThirdLimit;
+  if (seeds.size() > 2 && best.Residual > ExcellentResidual && mayBeThree)
+  {
+    const FittedCrease three = FitSeveral(seeds, 3, cells, before);
+    const double limit = (best.Residual < Accepted ? ThirdGain : 1.0) * best.Residual;
+    if (three.Residual < limit && IsPlausible(three.Model, cells))
+    {
+      best = three;
+    }
+  }
+  return this->IsAccepted(best, cells, before) ? std::optional<FittedCrease>(best) : std::nullopt;
+}
+
+std::optional<FittedCrease> CreaseSearch::FromSeeds(const std::vector<LocalQuadric>& seeds) const
+{
+  const std::optional<FittedCrease> wide = this->FitSeeds(seeds, this->Around, this->Before);
+  if (wide)
+  {
+    return wide;
+  }
+  const Cells narrow = Narrowed(this->Around, NarrowStencil); // of bodies a few cells thick
+  const double before = ResidualOf(ModelOf(this->Quadric), narrow);
+  if (before <= NarrowTrigger)
+  {
+    return {};
+  }
+  std::optional<FittedCrease> crease = this->FitSeeds(seeds, narrow, before);
+  return crease && crease->Residual <= AcceptedNarrow ? crease : std::nullopt;
+}
+
+std::optional<FittedCrease> CreaseSearch::FromCrossings(FaceWalk& walk) const
+{
+  std::vector<LocalCrossing> crossings;
+  GatherCrossings(this->Input.Source, this->Frame, this->Node, this->Labels, walk, crossings);
+  return this->FromSeeds(FindPlanes(crossings));
+}
+
+std::optional<FittedCrease> CreaseSearch::FromModels(const std::vector<NearCrease>& others) const
+{
+  FittedCrease best;
+  for (const NearCrease& other : others)
+  {
+    FittedCrease crease = *other.Crease;
+    for (LocalQuadric& surface : crease.Model.Surfaces)
+    {
+      surface = Moved(surface, other.From);
+    }
+    crease.Residual = ResidualOf(crease.Model, this->Around);
+    if (crease.Residual < best.Residual)
+    {
+      best = crease;
+    }
+    if (best.Residual < ExcellentResidual)
+    {
+      break;
+    }
+  }
+  if (best.Residual > ExcellentResidual && best.Residual < PlaneLimit)
+  {
+    Refine(best, this->Around, 6, NearIterations);
+  }
+  return this->IsAccepted(best, this->Around, this->Before) ? std::optional<FittedCrease>(best)
+                                                            : std::nullopt;
+}
+
+std::optional<FittedCrease> CreaseSearch::FromSurfaces(const std::vector<NearCrease>& others) const
+{
+  return this->FromSeeds(CollectSurfaces(others));
+}
+
+} // namespace vfm

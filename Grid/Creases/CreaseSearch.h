@@ -1,0 +1,80 @@
+/**
+ * CreaseSearch: the model of several surfaces that explains the fractions around one surface point, where one surface does not.
+ *
+ * All lengths in cells; residuals are weighted rms of fractions (CreaseFit.h). A model is accepted by the fractions alone: where it is off by
+ * less than .03, and by less than a third of what the quadric of the point and one fitted to the same fractions are off, each surface has an
+ * area of two cells or more, and any two differ by 28 degrees.
+ */
+#pragma once
+
+#include "Creases/CreaseData.h"
+#include "Interface/SurfaceTargets.h"
+
+#include <optional>
+
+namespace vfm
+{
+
+constexpr double ExcellentResidual = 0.005; // below which nothing better is looked for
+
+struct FittedCrease
+{
+  CreaseModel Model;
+  double Residual = 1e30;
+};
+
+/// A model of another node, and where its node lies in this one's frame.
+struct NearCrease
+{
+  const FittedCrease* Crease;
+  Vector3 From;
+};
+
+/// What is searched through.
+struct CreaseInput
+{
+  const Interface& Source;
+  const FractionField& Fractions;
+  const SurfaceTargets& Targets;
+  Index FirstTarget; ///< that of the first of the interface's points
+};
+
+class CreaseSearch
+{
+public:
+  /// node: position in Interface::Nodes(); point: in Points(), of that node. Keeps references.
+  CreaseSearch(const CreaseInput& input, Index node, Index point);
+
+  /// How far the quadric of the point is off near it; 0 where the data does not tell.
+  double NearResidual() const;
+
+  /// Collects what is around; false: not enough of the pair.
+  bool Gather();
+  /// How far the quadric of the point is off, over all cells around. After Gather.
+  double QuadricResidual() const { return this->Before; }
+
+  /// The best model of planes that the crossings around tell.
+  std::optional<FittedCrease> FromCrossings(FaceWalk& walk) const;
+  /// The best of models of other nodes, sorted: the nearest first; fitted to the fractions here.
+  std::optional<FittedCrease> FromModels(const std::vector<NearCrease>& others) const;
+  /// The best model of the surfaces of other nodes' models.
+  std::optional<FittedCrease> FromSurfaces(const std::vector<NearCrease>& others) const;
+
+private:
+  using Cells = std::vector<SampleCell>;
+
+  std::optional<FittedCrease> FromSeeds(const std::vector<LocalQuadric>& seeds) const;
+  std::optional<FittedCrease> FitSeeds(
+    const std::vector<LocalQuadric>& seeds, const Cells& cells, double before) const;
+  bool IsAccepted(const FittedCrease& crease, const Cells& cells, double before) const;
+
+  const CreaseInput& Input;
+  Index Node;
+  std::array<int, 2> Labels;
+  NodeFrame Frame;
+  LocalQuadric Quadric;
+  Cells Around;
+  double Before = 0.0;
+};
+
+} // namespace vfm

@@ -1,0 +1,396 @@
+#include "Creases/Creases.h"
+
+#include "Base/PairSums.h"
+#include "Base/Sorted.h"
+#include "Creases/CreaseSearch.h"
+
+#include <memory>
+#include <tuple>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double StrongResidual =
+  0.03; // of the quadric near a point, at which crossings are searched
+constexpr double WeakResidual =
+  0.02;                       // over all cells around, at which models of nodes near are tried
+constexpr Index Spread = 2;   // nodes along each axis that a model is tried at
+constexpr Index Thinning = 3; // of the diagonals of nodes that are searched first
+constexpr double SampleSize = 128.0; // points that tell whether a pair has edges
+constexpr double SampleShare = 0.4;  // of them that must have models
+
+using Fits = std::vector<std::unique_ptr<const FittedCrease>>; // by surface point
+using LabelPair = std::pair<int, int>;
+
+/// A surface point and its node, as positions in the interface.
+struct Place
+{
+  Index Node, Point;
+  bool operator<(const Place& other) const { return this->Point < other.Point; }
+  bool operator==(const Place& other) const { return this->Point == other.Point; }
+};
+
+/// That the model of another point may be tried at one.
+struct Candidate
+{
+  Place At, From;
+  bool operator<(const Candidate& other) const
+  {
+    return std::tie(this->At.Point, this->From.Point) < std::tie(other.At.Point, other.From.Point);
+  }
+};
+
+class CreaseFinder
+{
+public:
+  CreaseFinder(const CreaseInput& input, const Partition& partition, Runtime& runtime) :
+    Input(input),
+    Source(input.Source),
+    Parts(partition),
+    Run(runtime),
+    First(Source.Points().size()),
+    Second(Source.Points().size())
+  {
+  }
+
+  void Find(SharpEdges mode)
+  {
+    this->FindStrong();
+    if (mode == SharpEdges::Automatic)
+    {
+      this->DropSmoothPairs();
+    }
+    this->SearchFirst(this->Strong, [this](const Place& place) { return this->IsFirst(place); });
+    this->SearchSecond();
+  }
+
+  /// Calls visit(place, crease) for the owned points with one, ascending.
+  template <class Visitor>
+  void ForOwned(const Visitor& visit) const
+  {
+    this->ForPlaces(
+      [&](const Place& place)
+      {
+        const auto& fit = this->Second[place.Point] ? this->Second : this->First;
+        if (fit[place.Point] && this->IsOwned(place.Node))
+        {
+          visit(place, *fit[place.Point]);
+        }
+      });
+  }
+
+private:
+  template <class Visitor>
+  void ForPlaces(const Visitor& visit) const
+  {
+    for (Index n = 0; n < static_cast<Index>(this->Source.Nodes().size()); ++n)
+    {
+      for (Index p = this->Source.PointOffset(n); p < this->Source.PointOffset(n + 1); ++p)
+      {
+        visit(Place{ n, p });
+      }
+    }
+  }
+  Index3 PositionOf(Index node) const
+  {
+    return this->Source.Grid().Position(this->Source.Nodes()[node]);
+  }
+  bool IsOwned(Index node) const { return this->Parts.OwnsNode(this->PositionOf(node)); }
+  bool IsFirst(const Place& place) const
+  {
+    const Index3 p = this->PositionOf(place.Node);
+    return (p[0] + p[1] + p[2]) % Thinning == 0;
+  }
+  LabelPair PairOf(Index point) const
+  {
+    const SurfacePoint& at = this->Source.Points()[point];
+    return { at.First, at.Second };
+  }
+
+  /// Of the points that this rank owns and of those whose models are tried there.
+  void FindStrong()
+  {
+    const CartesianGrid& grid = this->Source.Grid();
+    const IndexBox nodes = NodesOf(Grow(grid.Owned(), Spread, grid.Global()));
+    std::vector<Place> places;
+    this->ForPlaces(
+      [&](const Place& place)
+      {
+        if (nodes.Contains(this->PositionOf(place.Node)))
+        {
+          places.push_back(place);
+        }
+      });
+    std::vector<unsigned char> isStrong(places.size(), 0);
+    ForEach(this->Run, places.size(),
+      [&](Index i)
+      {
+        isStrong[i] = CreaseSearch(this->Input, places[i].Node, places[i].Point).NearResidual() >=
+          StrongResidual;
+      });
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      if (isStrong[i])
+      {
+        this->Strong.push_back(places[i]);
+      }
+    }
+  }
+
+  /// Sums over pairs of labels of all ranks of what count(place) gives for the owned strong points.
+  template <class Count>
+  std::vector<PairSum> SumByPair(const Count& count) const
+  {
+    PairSumMap sums;
+    for (const Place& place : this->Strong)
+    {
+      if (this->IsOwned(place.Node))
+      {
+        sums[this->PairOf(place.Point)].Add(count(place));
+      }
+    }
+    return GatherPairSums(sums, this->Parts.Group());
+  }
+
+  /// Leaves the strong points of pairs alone where enough of a sample has models.
+  void DropSmoothPairs()
+  {
+    std::map<LabelPair, Index> stride;
+    for (const PairSum& sum :
+      this->SumByPair([this](const Place& place) { return this->IsFirst(place) ? 1.0 : 0.0; }))
+    {
+      stride[{ sum.First, sum.Second }] =
+        static_cast<Index>(std::ceil(sum.Value.Value() / SampleSize));
+    }
+    const auto isSample = [&](const Place& place)
+    {
+      const auto at = stride.find(this->PairOf(place.Point));
+      return at != stride.end() && at->second > 0 && this->IsFirst(place) &&
+        this->Shuffled(place.Node) % at->second == 0;
+    };
+    std::vector<Place> mine;
+    std::copy_if(this->Strong.begin(), this->Strong.end(), std::back_inserter(mine),
+      [&](const Place& place) { return this->IsOwned(place.Node); });
+    this->SearchFirst(mine, isSample);
+    std::map<LabelPair, double> balance;
+    for (const PairSum& sum :
+      this->SumByPair([&](const Place& place)
+        { return !isSample(place) ? 0.0 : (this->First[place.Point] ? 1.0 : 0.0) - SampleShare; }))
+    {
+      balance[{ sum.First, sum.Second }] = sum.Value.Value();
+    }
+    const auto isSmooth = [&](const Place& place)
+    {
+      const auto at = balance.find(this->PairOf(place.Point));
+      const bool drop = at == balance.end() || at->second <= 0.0;
+      if (drop)
+      {
+        this->First[place.Point].reset();
+      }
+      return drop;
+    };
+    this->Strong.erase(
+      std::remove_if(this->Strong.begin(), this->Strong.end(), isSmooth), this->Strong.end());
+  }
+
+  /// A number of a node, the same on all ranks, that tells nothing of where it is.
+  Index Shuffled(Index node) const
+  {
+    const std::uint64_t key =
+      static_cast<std::uint64_t>(this->Source.Grid().NodeKey(this->PositionOf(node)));
+    return static_cast<Index>((key * 0x9E3779B97F4A7C15u) >> 32);
+  }
+
+  template <class Predicate>
+  void SearchFirst(const std::vector<Place>& places, const Predicate& isWanted)
+  {
+    std::vector<Place> wanted;
+    std::copy_if(places.begin(), places.end(), std::back_inserter(wanted),
+      [&](const Place& place) { return !this->First[place.Point] && isWanted(place); });
+    this->Run.For(0, static_cast<Index>(wanted.size()),
+      [&](Index begin, Index end)
+      {
+        FaceWalk walk(this->Source);
+        for (Index i = begin; i < end; ++i)
+        {
+          CreaseSearch search(this->Input, wanted[i].Node, wanted[i].Point);
+          if (search.Gather())
+          {
+            this->Keep(search.FromCrossings(walk), this->First[wanted[i].Point]);
+          }
+        }
+      });
+  }
+
+  static void Keep(
+    const std::optional<FittedCrease>& found, std::unique_ptr<const FittedCrease>& kept)
+  {
+    if (found)
+    {
+      kept = std::make_unique<const FittedCrease>(*found);
+    }
+  }
+
+  /// Which points of the same pair at owned nodes near those with a model may try it.
+  std::vector<Candidate> FindCandidates() const
+  {
+    std::vector<Candidate> candidates;
+    const CartesianGrid& grid = this->Source.Grid();
+    const IndexBox local = NodesOf(grid.Local());
+    for (const Place& place : this->Strong)
+    {
+      if (!this->First[place.Point])
+      {
+        continue;
+      }
+      const LabelPair pair = this->PairOf(place.Point);
+      IndexBox box;
+      const Index3 p = this->PositionOf(place.Node);
+      for (int a = 0; a < 3; ++a)
+      {
+        box.Lower[a] = p[a] - Spread;
+        box.Upper[a] = p[a] + Spread + 1;
+      }
+      this->ForNodes(Intersect(box, local),
+        [&](Index node)
+        {
+          const SurfacePoint* point =
+            this->IsOwned(node) ? this->Source.FindPoint(node, pair.first, pair.second) : nullptr;
+          if (point)
+          {
+            const Index at = point - this->Source.Points().data();
+            candidates.push_back({ { node, at }, place });
+          }
+        });
+    }
+    std::sort(candidates.begin(), candidates.end());
+    return candidates;
+  }
+
+  /// Calls visit(position in Interface::Nodes()) for those in a box.
+  template <class Visitor>
+  void ForNodes(const IndexBox& box, const Visitor& visit) const
+  {
+    const std::vector<Index>& nodes = this->Source.Nodes();
+    ForRows(box,
+      [&](Index j, Index k)
+      {
+        const Index first = this->Source.Grid().Linear({ { box.Lower[0], j, k } });
+        auto at = std::lower_bound(nodes.begin(), nodes.end(), first);
+        for (; at != nodes.end() && *at < first + box.Size(0); ++at)
+        {
+          visit(at - nodes.begin());
+        }
+      });
+  }
+
+  void SearchSecond()
+  {
+    const std::vector<Candidate> candidates = this->FindCandidates();
+    std::vector<Place> places;
+    for (const Candidate& candidate : candidates)
+    {
+      places.push_back(candidate.At);
+    }
+    std::copy_if(this->Strong.begin(), this->Strong.end(), std::back_inserter(places),
+      [&](const Place& place) { return this->IsOwned(place.Node); });
+    SortUnique(places);
+    this->Run.For(0, static_cast<Index>(places.size()),
+      [&](Index begin, Index end)
+      {
+        FaceWalk walk(this->Source);
+        for (Index i = begin; i < end; ++i)
+        {
+          this->SearchAt(places[i],
+            std::equal_range(candidates.begin(), candidates.end(), Candidate{ places[i], {} },
+              [](const Candidate& a, const Candidate& b) { return a.At < b.At; }),
+            walk);
+        }
+      });
+  }
+
+  using Candidates =
+    std::pair<std::vector<Candidate>::const_iterator, std::vector<Candidate>::const_iterator>;
+
+  void SearchAt(const Place& place, const Candidates& candidates, FaceWalk& walk)
+  {
+    const auto& own = this->First[place.Point];
+    CreaseSearch search(this->Input, place.Node, place.Point);
+    if ((own && own->Residual < ExcellentResidual) || !search.Gather() ||
+      search.QuadricResidual() < WeakResidual)
+    {
+      return;
+    }
+    const std::vector<NearCrease> others = this->ListNear(place, candidates);
+    std::optional<FittedCrease> found = search.FromModels(others);
+    if (own)
+    {
+      if (found && found->Residual < own->Residual)
+      {
+        Keep(found, this->Second[place.Point]);
+      }
+      return;
+    }
+    if (!found && !others.empty())
+    {
+      found = search.FromSurfaces(others);
+    }
+    if (!found && !this->IsFirst(place) &&
+      std::binary_search(this->Strong.begin(), this->Strong.end(), place))
+    {
+      found = search.FromCrossings(walk);
+    }
+    Keep(found, this->Second[place.Point]);
+  }
+
+  /// The models to be tried at a point, the nearest first.
+  std::vector<NearCrease> ListNear(const Place& place, const Candidates& candidates) const
+  {
+    const NodeFrame frame = FrameOf(this->Source, place.Node);
+    std::vector<NearCrease> others;
+    std::for_each(candidates.first, candidates.second,
+      [&](const Candidate& candidate)
+      {
+        const Vector3 origin = FrameOf(this->Source, candidate.From.Node).Origin;
+        others.push_back({ this->First[candidate.From.Point].get(),
+          Divided(origin - frame.Origin, frame.Widths) });
+      });
+    std::stable_sort(others.begin(), others.end(),
+      [](const NearCrease& a, const NearCrease& b)
+      { return Dot(a.From, a.From) < Dot(b.From, b.From); });
+    return others;
+  }
+
+  const CreaseInput& Input;
+  const Interface& Source;
+  const Partition& Parts;
+  Runtime& Run;
+  std::vector<Place> Strong; // ascending
+  Fits First, Second;
+};
+
+} // namespace
+
+Creases::Creases(const Interface& interface, const FractionField& fractions,
+  const SurfaceTargets& targets, Index firstTarget, SharpEdges mode, const Partition& partition,
+  Runtime& runtime)
+{
+  if (mode == SharpEdges::Off)
+  {
+    return;
+  }
+  const CreaseInput input{ interface, fractions, targets, firstTarget };
+  CreaseFinder finder(input, partition, runtime);
+  finder.Find(mode);
+  finder.ForOwned(
+    [&](const Place& place, const FittedCrease& crease)
+    {
+      const NodeFrame frame = FrameOf(interface, place.Node);
+      this->Points.push_back(place.Point);
+      this->Models.push_back({ crease.Model, frame.Origin, frame.Widths });
+    });
+}
+
+} // namespace vfm

@@ -1,0 +1,75 @@
+/**
+ * FaceWalk: the interface faces of a pair of labels around nodes, one node after another.
+ */
+#pragma once
+
+#include "Interface/Interface.h"
+
+namespace vfm
+{
+
+class FaceWalk
+{
+public:
+  explicit FaceWalk(const Interface& interface) :
+    Source(interface),
+    NodeWalks(interface.Nodes().size(), 0),
+    FaceWalks(interface.Faces().size(), 0)
+  {
+  }
+
+  /// Those of the pair at all nodes that are reached from a node over so many of them, and over allowed nodes alone; each once, in an
+  /// order that only they decide. allowed(position in Interface::Nodes()). Valid until the next call.
+  template <class Allowed>
+  const std::vector<Index>& Find(
+    Index node, int first, int second, int rings, const Allowed& allowed)
+  {
+    ++this->Walk;
+    this->NodeWalks[node] = this->Walk;
+    this->Nodes.assign(1, node);
+    this->Faces.clear();
+    std::size_t next = 0;
+    for (int ring = 0; ring <= rings; ++ring)
+    {
+      for (const std::size_t end = this->Nodes.size(); next < end; ++next)
+      {
+        this->AddFacesAt(this->Nodes[next], first, second, ring < rings, allowed);
+      }
+    }
+    return this->Faces;
+  }
+
+private:
+  template <class Allowed>
+  void AddFacesAt(Index node, int first, int second, bool addCorners, const Allowed& allowed)
+  {
+    const Index* faces = this->Source.FaceList().data();
+    for (Index at = this->Source.FaceOffset(node); at < this->Source.FaceOffset(node + 1); ++at)
+    {
+      const Index face = faces[at];
+      const InterfaceFace& f = this->Source.Faces()[face];
+      if (this->FaceWalks[face] == this->Walk || f.First() != first || f.Second() != second)
+      {
+        continue;
+      }
+      this->FaceWalks[face] = this->Walk;
+      this->Faces.push_back(face);
+      for (std::size_t c = 0; addCorners && c < 4; ++c)
+      {
+        const Index corner = this->Source.CornersOfFace(face)[c];
+        if (this->NodeWalks[corner] != this->Walk && allowed(corner))
+        {
+          this->NodeWalks[corner] = this->Walk;
+          this->Nodes.push_back(corner);
+        }
+      }
+    }
+  }
+
+  const Interface& Source;
+  Index Walk = 0;
+  std::vector<Index> NodeWalks, FaceWalks; // the last that came by
+  std::vector<Index> Nodes, Faces;
+};
+
+} // namespace vfm
