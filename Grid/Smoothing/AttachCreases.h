@@ -4,20 +4,12 @@
 #pragma once
 
 #include "Creases/Creases.h"
+#include "Mesh/CreaseKind.h"
 #include "Mesh/Facet.h"
 #include "Smoothing/ActiveMesh.h"
 
 namespace vfm
 {
-
-/// What a point of the mesh lies on.
-enum class CreaseKind : unsigned char
-{
-  None,
-  Side, ///< one of the surfaces beside an edge
-  Edge,
-  Corner
-};
 
 /// The surface point that an attachment of a point of an active mesh was made from: position in Interface::Points() of the finest level, or -1.
 using SurfacePointOf = std::function<Index(const Attachment&)>;
