@@ -82,9 +82,10 @@ std::vector<unsigned char> HexStages::Smooth(
   const LevelInterfaces interfaces(*mesh.Levels, this->Fractions, this->Labelled.Labels,
     this->Labelled.Mixed, this->Options.IsoValue, this->Run);
   this->Clock.Start("Fitting surfaces", 0.2);
-  const SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
+  SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
   ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh);
   AttachHexes(interfaces, coarse, mesh, facets, active);
+  this->AttachToCreases(*interfaces.All().back(), facets, targets, active);
   SetFacets(facets, active);
   std::vector<int>().swap(active.PointOf);
   const HexEnergy energy(TargetJacobian(this->Fractions, this->Options));

@@ -3,6 +3,7 @@
 #include "Labels/LeafLabels.h"
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
+#include "Smoothing/AttachCreases.h"
 #include "Tet/TetTopology.h"
 
 #include <cmath>
@@ -79,6 +80,24 @@ void MeshStages::MeasureQuality(Mesh& mesh)
     ComputeQuality(mesh, this->Run, this->Report);
   }
   MeasureMaterials(mesh, this->Run.Group(), this->Report);
+}
+
+std::vector<CreaseKind> MeshStages::AttachToCreases(const Interface& interface,
+  const std::vector<Facet>& facets, SurfaceTargets& targets, ActiveMesh& active)
+{
+  if (this->Options.Edges == SharpEdges::Off || this->Options.IsoValue != 0.5 ||
+    this->Options.Method != Smoothing::QuadricSurface)
+  {
+    return std::vector<CreaseKind>(active.X.size(), CreaseKind::None);
+  }
+  this->Clock.Start("Finding creases", 0.22);
+  const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
+  const Creases creases(
+    interface, this->Fractions, targets, firstTarget, this->Options.Edges, this->Parts, this->Run);
+  return AttachCreases(
+    creases,
+    [firstTarget](const Attachment& a) { return std::max<Index>(a.Target - firstTarget, -1); },
+    facets, targets, active);
 }
 
 void CheckOptions(const MeshOptions& options)

@@ -3,8 +3,11 @@
  */
 #pragma once
 
+#include "Creases/Creases.h"
 #include "Hex/LabelledGrid.h"
 #include "Labels/Labels.h"
+#include "Mesh/CreaseKind.h"
+#include "Mesh/Facet.h"
 #include "Mesh/MeshReport.h"
 #include "Smoothing/Smoother.h"
 #include "Smoothing/Volumes.h"
@@ -68,6 +71,10 @@ public:
 protected:
   void Resolve(LabelArray& labels);
   void MeasureQuality(Mesh& mesh);
+  /// If asked for, finds the edges of interfaces and draws the attached points there to them. interface: that of the finest grid. Returns
+  /// the kinds of all points of the active mesh.
+  std::vector<CreaseKind> AttachToCreases(const Interface& interface,
+    const std::vector<Facet>& facets, SurfaceTargets& targets, ActiveMesh& active);
 
   const CartesianGrid& Grid;
   const FractionField& Fractions;
