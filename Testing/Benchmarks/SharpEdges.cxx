@@ -1,0 +1,279 @@
+/**
+ * What option SharpEdges does to edges and corners, and to what has none.
+ *
+ * usage: SharpEdges table|controls [hexes|Lattice|Cells [Off,On,Automatic [case...]]]
+ *   SharpEdges table hexes Off,On "cube A 32" "L 16"
+ *
+ * table: a row for each solid, its cells and option. Lengths are in cells, each as largest/root mean square: nodes of the mesh's interface to
+ * the true surface, the mesh's faces to it, true edges to these faces (with the 99th percentile) and to the nearest node, true
+ * corners to the nearest node (largest). controls: how many points an option moves, and what it costs, of runs in turn.
+ */
+#include "Base/Vector3.h"
+#include "MeasureAlone.h"
+#include "MeshCases.h"
+#include "SharpCases.h"
+
+#include <cstdio>
+#include <cstring>
+#include <random>
+#include <sstream>
+
+using namespace vfm;
+using namespace vfm::testing;
+
+namespace
+{
+
+using Names = std::vector<std::string>;
+
+constexpr int Rounds = 3; ///< of runs in turn; the least time of each option counts
+
+const Names TableCases{ "cube A 16", "cube A 32", "cube A 64", "cube B 16", "cube B 32",
+  "cube B 64", "cube C 16", "cube C 32", "cube C 64", "L 16", "L 32", "L 64", "cylinder 16",
+  "cylinder 32", "cylinder 64", "wedge 45 16", "wedge 45 32", "cube A in matrix 32" };
+const Names Controls{ "sphere 32", "sphere 8", "torus", "gyroid", "polycrystal", "ball and plate",
+  "ball of 3 sectors", "two spheres, gap .3", "smooth noise 40", "label noise 40" };
+
+/// "name 32": the number after the last blank.
+int CellsOf(const std::string& name)
+{
+  return std::atoi(name.c_str() + name.rfind(' ') + 1);
+}
+
+constexpr std::array<const char*, 3> ModeNames{ { "Off", "On", "Automatic" } };
+const char* NameOf(SharpEdges mode)
+{
+  return ModeNames[static_cast<int>(mode)];
+}
+/// Of their names with commas between them.
+std::vector<SharpEdges> ListModes(const std::string& text)
+{
+  std::vector<SharpEdges> modes;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');)
+  {
+    const auto at = std::find(ModeNames.begin(), ModeNames.end(), word);
+    if (at == ModeNames.end())
+    {
+      throw InputError("There is no option '" + word + "'.");
+    }
+    modes.push_back(static_cast<SharpEdges>(at - ModeNames.begin()));
+  }
+  return modes;
+}
+
+/// Who makes the mesh.
+struct Method
+{
+  MeshMaker Make = MakeHexMesh;
+  MeshOptions Options;
+};
+Method MethodOf(const std::string& name)
+{
+  Method method;
+  if (name == "hexes")
+  {
+    return method;
+  }
+  if (name != "Lattice" && name != "Cells")
+  {
+    throw InputError("There is no method '" + name + "'.");
+  }
+  method.Make = MakeTetMesh;
+  method.Options.Tets = name == "Cells" ? TetMethod::Cells : TetMethod::Lattice;
+  return method;
+}
+
+struct TimedMesh
+{
+  Mesh Result;
+  MeshReport Report;
+  double Seconds = 0.0;
+};
+TimedMesh MakeTimed(
+  const CartesianGrid& grid, const FractionField& fractions, Method method, SharpEdges mode)
+{
+  method.Options.Edges = mode;
+  Runtime runtime;
+  TimedMesh timed;
+  const double begin = Now();
+  timed.Result = method.Make(grid, fractions, method.Options, runtime, timed.Report);
+  timed.Seconds = Now() - begin;
+  return timed;
+}
+
+double SecondsOfCreases(const MeshReport& report)
+{
+  double seconds = 0.0;
+  for (const MeshReport::Stage& stage : report.Stages)
+  {
+    seconds += std::strcmp(stage.Name, "Finding creases") == 0 ? stage.Seconds : 0.0;
+  }
+  return seconds;
+}
+
+std::string FormatQuality(const TimedMesh& timed)
+{
+  char text[64];
+  const MeshReport& r = timed.Report;
+  if (timed.Result.Corners == 4)
+  {
+    std::snprintf(text, sizeof(text), "%.1f..%.1f", r.MinimumDihedralAngle, r.MaximumDihedralAngle);
+  }
+  else
+  {
+    std::snprintf(text, sizeof(text), "%.3f/%.3f", r.MinimumScaledJacobian, r.MeanScaledJacobian);
+  }
+  return text;
+}
+
+void PrintTable(const Method& method, const std::vector<SharpEdges>& modes, const Names& cases)
+{
+  std::printf("| case | | %s | nodes | surface | edges to surface | edges to node | corners | "
+              "volume | s (creases) |\n"
+              "|---|---|---|---|---|---|---|---|---|---|\n",
+    method.Make == MakeTetMesh ? "dihedral angles" : "SJ min/mean");
+  for (const std::string& name : cases)
+  {
+    const SharpCase c = MakeSharpCase(name.substr(0, name.rfind(' ')), CellsOf(name));
+    for (SharpEdges mode : modes)
+    {
+      const TimedMesh timed = MakeTimed(c.Grid, c.Fractions, method, mode);
+      const SharpFigures f = MeasureSharp(c, timed.Result, timed.Report);
+      std::printf("| %s | %s | %s | %.3f/%.4f | %.3f/%.4f | %.3f/%.3f (%.3f) | %.2f/%.3f | %.3f | "
+                  "%.1e | %.2f (%.2f) |\n",
+        c.Name.c_str(), NameOf(mode), FormatQuality(timed).c_str(), f.NodesToSurface.Largest,
+        f.NodesToSurface.RootMeanSquare, f.MeshToSurface.Largest, f.MeshToSurface.RootMeanSquare,
+        f.EdgesToMesh.Largest, f.EdgesToMesh.RootMeanSquare, f.EdgesToMesh.Percentile99,
+        f.EdgesToNodes.Largest, f.EdgesToNodes.RootMeanSquare, f.CornersToNodes.Largest,
+        f.VolumeError, timed.Seconds, SecondsOfCreases(timed.Report));
+      std::fflush(stdout);
+    }
+  }
+}
+
+/// Random fractions of cells, averaged over the 27 around each and spread to 0..1 again: surfaces with creases nowhere and everywhere.
+FractionField MakeSmoothNoise(const CartesianGrid& grid)
+{
+  constexpr double Spread = 4.0;
+  const IndexBox& box = grid.Global();
+  std::mt19937 engine(1);
+  std::vector<double> noise(box.NumberOfCells());
+  for (double& value : noise)
+  {
+    value = (static_cast<double>(engine()) + .5) / 4294967296.0;
+  }
+  FractionField field(grid, 1);
+  ForCells(box,
+    [&](const Index3& cell)
+    {
+      const IndexBox around = Grow({ cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } }, 1, box);
+      double sum = 0.0;
+      ForCells(around, [&](const Index3& c) { sum += noise[IndexInBox(box, c)]; });
+      const double mean = sum / around.NumberOfCells();
+      const double fraction = std::min(1.0, std::max(0.0, .5 + Spread * (mean - .5)));
+      if (fraction > 0.0)
+      {
+        field.SetParts(grid.Linear(cell), { { 1, fraction } });
+      }
+    });
+  return field;
+}
+
+struct Control
+{
+  CartesianGrid Grid;
+  FractionField Fractions;
+};
+Control MakeControl(const std::string& name)
+{
+  if (name.find("noise") == std::string::npos)
+  {
+    const MeshCase c = MakeMeshCase(name);
+    return { c.Grid, c.Fractions };
+  }
+  const CartesianGrid grid = MakeUnitGrid(CellsOf(name));
+  return { grid,
+    name.find("smooth") == 0 ? MakeSmoothNoise(grid) : MakeRandomLabels(grid, 3, 0, 1) };
+}
+
+/// Points whose coordinates are not those of another mesh, and those farther than a distance in cells.
+struct MovedPoints
+{
+  Index Any = 0, Far = 0;
+};
+MovedPoints CountMoved(const Mesh& a, const Mesh& b)
+{
+  constexpr double FarFrom = 0.02;
+  MovedPoints moved;
+  for (std::size_t p = 0; p < a.PointIds.size(); ++p)
+  {
+    if (a.PointIds[p] != b.PointIds[p])
+    {
+      throw std::logic_error("The option has made other points.");
+    }
+    const double *x = a.Points.data() + 3 * p, *y = b.Points.data() + 3 * p;
+    const double distance = Norm(Vector3{ { x[0] - y[0], x[1] - y[1], x[2] - y[2] } });
+    moved.Any += distance > 0.0;
+    moved.Far += distance > FarFrom;
+  }
+  return moved;
+}
+
+void PrintControls(const Method& method, const std::vector<SharpEdges>& modes, const Names& cases)
+{
+  std::printf("| case | | %s | points | moved | moved > .02 | s (creases) | s / s of Off |\n"
+              "|---|---|---|---|---|---|---|---|\n",
+    method.Make == MakeTetMesh ? "dihedral angles" : "SJ min/mean");
+  for (const std::string& name : cases)
+  {
+    const Control c = MakeControl(name);
+    std::vector<double> seconds(modes.size() + 1, 1e300);
+    TimedMesh off;
+    std::vector<TimedMesh> meshes(modes.size());
+    for (int round = 0; round < Rounds; ++round)
+    {
+      off = MakeTimed(c.Grid, c.Fractions, method, SharpEdges::Off);
+      seconds.back() = std::min(seconds.back(), off.Seconds);
+      for (std::size_t m = 0; m < modes.size(); ++m)
+      {
+        meshes[m] = MakeTimed(c.Grid, c.Fractions, method, modes[m]);
+        seconds[m] = std::min(seconds[m], meshes[m].Seconds);
+      }
+    }
+    for (std::size_t m = 0; m < modes.size(); ++m)
+    {
+      const MovedPoints moved = CountMoved(off.Result, meshes[m].Result);
+      std::printf("| %s | %s | %s | %zu | %lld | %lld | %.2f (%.2f) | %.3f |\n", name.c_str(),
+        NameOf(modes[m]), FormatQuality(meshes[m]).c_str(), off.Result.PointIds.size(),
+        static_cast<long long>(moved.Any), static_cast<long long>(moved.Far), seconds[m],
+        SecondsOfCreases(meshes[m].Report), seconds[m] / seconds.back());
+      std::fflush(stdout);
+    }
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    const std::string what = argc > 1 ? argv[1] : "table";
+    const bool isTable = what == "table";
+    if (!isTable && what != "controls")
+    {
+      throw InputError("The first argument is table or controls.");
+    }
+    const Method method = MethodOf(argc > 2 ? argv[2] : "hexes");
+    const std::vector<SharpEdges> modes = ListModes(argc > 3 ? argv[3] : "Off,On,Automatic");
+    const Names cases = argc > 4 ? Names(argv + 4, argv + argc) : (isTable ? TableCases : Controls);
+    (isTable ? PrintTable : PrintControls)(method, modes, cases);
+  }
+  catch (const InputError& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,39 @@
+/**
+ * The distance of points to the nearest of many triangles, quick when these are about as large as the bins they are sorted into.
+ */
+#pragma once
+
+#include "Base/Groups.h"
+#include "Base/Vector3.h"
+
+namespace vfm
+{
+namespace testing
+{
+
+class NearestTriangle
+{
+public:
+  using Corners = std::array<Vector3, 3>;
+
+  /// triangles: not empty; may be lines or points, too. binWidth: in their unit.
+  explicit NearestTriangle(std::vector<Corners> triangles, double binWidth = 1.0);
+
+  double Distance(const Vector3& x) const;
+
+private:
+  Index3 BinOf(const Vector3& x) const;
+  IndexBox BinsOf(const Corners& triangle) const;
+
+  std::vector<Corners> Triangles;
+  Vector3 Lower;
+  double Width;
+  IndexBox Box; // of all bins
+  Groups<int> Members;
+};
+
+/// Of a point to one triangle.
+double DistanceToTriangle(const Vector3& x, const NearestTriangle::Corners& triangle);
+
+} // namespace testing
+} // namespace vfm
