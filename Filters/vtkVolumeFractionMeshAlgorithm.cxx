@@ -132,6 +132,7 @@ vfm::MeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
   options.MeshVoid = this->MeshVoid;
   options.StairStep = this->StairStep;
   options.Method = static_cast<vfm::Smoothing>(this->Smoothing);
+  options.Edges = static_cast<vfm::SharpEdges>(this->SharpEdges);
   options.TargetScaledJacobian = this->TargetScaledJacobian;
   options.ConserveVolume = this->ConserveVolume;
   options.ComputeQuality = this->ComputeQuality;
@@ -458,6 +459,7 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshVoid: " << this->MeshVoid << "\n";
   os << indent << "StairStep: " << this->StairStep << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
+  os << indent << "SharpEdges: " << this->SharpEdges << "\n";
   os << indent << "TargetScaledJacobian: " << this->TargetScaledJacobian << "\n";
   os << indent << "ConserveVolume: " << this->ConserveVolume << "\n";
   os << indent << "ComputeQuality: " << this->ComputeQuality << "\n";

@@ -450,6 +450,22 @@ public:
   vtkGetMacro(Smoothing, int);
   ///@}
 
+  enum SharpEdgesType
+  {
+    SHARP_EDGES_OFF = 0,
+    SHARP_EDGES_ON = 1,
+    SHARP_EDGES_AUTOMATIC = 2
+  };
+
+  ///@{
+  /**
+   * Whether edges and corners of the materials are found in the fractions and kept. Has an effect with an IsoValue of 0.5 and
+   * SMOOTHING_QUADRIC_SURFACE alone. Default: SHARP_EDGES_OFF.
+   */
+  vtkSetClampMacro(SharpEdges, int, SHARP_EDGES_OFF, SHARP_EDGES_AUTOMATIC);
+  vtkGetMacro(SharpEdges, int);
+  ///@}
+
   ///@{
   /**
    * The quality that smoothing strives for; in [0,1): the scaled Jacobian of hexahedra, for tetrahedra see
@@ -560,6 +576,7 @@ protected:
   bool MeshVoid = false;
   bool StairStep = false;
   int Smoothing = SMOOTHING_QUADRIC_SURFACE;
+  int SharpEdges = SHARP_EDGES_OFF;
   double TargetScaledJacobian = 0.0;
   bool ConserveVolume = true;
   bool ComputeQuality = true;

@@ -57,7 +57,7 @@ extern "C"
    * MPI runs, else this process alone. It is duplicated when the mesh is made, so no message meets the host's. */
   SCULPTOR_EXPORT int sculptor_set_communicator(int sculptor, int communicator);
 
-  /* A property of the filters by its name: IsoValue, MeshVoid, StairStep, Smoothing, TargetScaledJacobian,
+  /* A property of the filters by its name: IsoValue, MeshVoid, StairStep, Smoothing, SharpEdges, TargetScaledJacobian,
    * ConserveVolume, ComputeQuality, NumberOfThreads, Refinement, MaximumLevel, RefinementBoxes, MaximumAspectRatio,
    * FractionTolerance, ...; of tetrahedra alone Method, RelativeSize, ...; and IndexBase (0 or 1), where c_get_free_hexes and its
    * like begin to count nodes. All ranks must set the same. */

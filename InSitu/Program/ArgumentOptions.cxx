@@ -240,6 +240,8 @@ const std::vector<ArgumentOption>& GetArgumentOptions()
     { "--stairstep", "", "cells become elements, nothing moves", SetOption("StairStep", "on") },
     { "--smooth", "ID", "0 Off, 1 QuadricSurface, 2 GeometryBased", TakeOption("Smoothing") },
     { "--no-smooth", "", "the same as --smooth Off", SetOption("Smoothing", "Off") },
+    { "--sharp-edges", "WHEN", "keep edges and corners: On, Automatic (parts, not fluids) or Off",
+      TakeOption("SharpEdges") },
     { "--iso", "V", "a cell filled less than this is void", TakeOption("IsoValue") },
     { "--void", "", "mesh the void too, as material 0", SetOption("MeshVoid", "on") },
     { "--label-smoothing", "N",
