@@ -7,10 +7,11 @@ namespace vfm
 namespace
 {
 
-constexpr double WholePair = 0.99;   // what a pair fills of a cell that tells of it
-constexpr double NearestThird = 1.8; // of cells with other materials, in cells
-constexpr Index SeedRadius = 2;      // of the nodes whose faces' crossings give planes
-constexpr int SeedRings = 3;         // of faces that lead there
+constexpr double WholePair = 0.99; // what a pair fills of a cell that tells of it
+constexpr double SmallestShare =
+  0.3;                          // of the weights of all cells, that those of the pair must have
+constexpr Index SeedRadius = 2; // of the nodes whose faces' crossings give planes
+constexpr int SeedRings = 3;    // of faces that lead there
 constexpr std::size_t MostPlanes = 3;
 constexpr int FewestSupporters = 5;
 constexpr double SupportCosine = 0.965926; // of 15 degrees, between crossings of one plane
@@ -149,7 +150,7 @@ bool GatherCells(const Interface& interface, const FractionField& fractions, con
     box.Lower[a] = frame.Position[a] - stencil.Radius;
     box.Upper[a] = frame.Position[a] + stencil.Radius;
   }
-  bool isPure = true;
+  double all = 0.0, kept = 0.0;
   ForCells(Intersect(box, grid.Local()),
     [&](const Index3& p)
     {
@@ -165,25 +166,19 @@ bool GatherCells(const Interface& interface, const FractionField& fractions, con
         return;
       }
       const Index at = grid.Linear(p);
-      if (labels[0] == 0)
-      {
-        cell.Fraction = 1.0 - fractions.Fraction(at, 0);
-      }
-      else
-      {
-        const double first = fractions.Fraction(at, labels[0]);
-        const double second = fractions.Fraction(at, labels[1]);
-        if (first + second < WholePair)
-        {
-          isPure = isPure && square > NearestThird * NearestThird;
-          return;
-        }
-        cell.Fraction = second / (first + second);
-      }
       cell.Weight = WeightAt(square, stencil);
+      all += cell.Weight;
+      const double first = fractions.Fraction(at, labels[0]);
+      const double second = fractions.Fraction(at, labels[1]);
+      if (first + second < WholePair)
+      {
+        return;
+      }
+      cell.Fraction = second / (first + second);
+      kept += cell.Weight;
       cells.push_back(cell);
     });
-  return isPure && !cells.empty();
+  return kept > SmallestShare * all;
 }
 
 std::vector<SampleCell> Narrowed(const std::vector<SampleCell>& cells, const Stencil& stencil)

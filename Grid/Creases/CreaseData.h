@@ -27,8 +27,8 @@ struct Stencil
 constexpr Stencil InnerStencil{ 2, 2.0, 0.9 }, NarrowStencil{ 3, 2.3, 1.1 },
   WideStencil{ 3, 3.3, 1.5 };
 
-/// The cells of a stencil in the domain. Of a pair with void the first label's fraction is that of void, else the share of the second among both, and
-/// cells with others are left out. False: one of these is too near, or none is left.
+/// The cells of a stencil in the domain, with the share of the second label among both. Those with other materials are left out; false: too many
+/// of them.
 bool GatherCells(const Interface& interface, const FractionField& fractions, const NodeFrame& frame,
   const std::array<int, 2>& labels, const Stencil& stencil, std::vector<SampleCell>& cells);
 
