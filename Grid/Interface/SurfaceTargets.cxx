@@ -210,18 +210,17 @@ LocalQuadric SurfaceTargets::QuadricOf(
 }
 
 Index SurfaceTargets::Add(
-  const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths, double weight)
+  const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
 {
-  this->Frames.push_back(
-    { origin + Scaled(quadric.Base, widths), Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U,
-      quadric.V, quadric.N, quadric.C, std::sqrt(weight) });
+  this->Frames.push_back({ origin + Scaled(quadric.Base, widths),
+    Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U, quadric.V, quadric.N, quadric.C });
   return this->Count() - 1;
 }
 
 double SurfaceTargets::LocalScale(Index target) const
 {
   const Frame& frame = this->Frames[target];
-  return frame.Unit * Norm(Scaled(frame.N, frame.InverseWidths));
+  return Norm(Scaled(frame.N, frame.InverseWidths));
 }
 
 double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradient) const
@@ -230,8 +229,8 @@ double SurfaceTargets::Distance(Index target, const Vector3& x, Vector3& gradien
   const Vector3 y = Scaled(x - frame.Base, frame.InverseWidths);
   const double d = this->TheKind == Kind::Quadrics ? this->QuadricDistance(frame, y, gradient)
                                                    : this->FacetDistance(target, y, gradient);
-  gradient = Scaled(frame.Unit * gradient, frame.InverseWidths);
-  return frame.Unit * d;
+  gradient = Scaled(gradient, frame.InverseWidths);
+  return d;
 }
 
 double SurfaceTargets::QuadricDistance(

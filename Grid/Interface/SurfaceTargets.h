@@ -43,9 +43,8 @@ public:
 
   /// The quadric that was fitted, in the local frame of a node with such an origin and widths (grid coordinates of the finest grid).
   LocalQuadric QuadricOf(Index target, const Vector3& origin, const Vector3& widths) const;
-  /// Appends a target that is drawn to a quadric as the fitted ones are; its squared distances count so many times. Returns its number. Of quadrics only.
-  Index Add(
-    const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths, double weight);
+  /// Appends a target that is drawn to a quadric as the fitted ones are; returns its number. Of quadrics only.
+  Index Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths);
 
   /// The unit of Distance in grid coordinates, along the normal: distance = length * LocalScale.
   double LocalScale(Index target) const;
@@ -63,7 +62,6 @@ private:
     Vector3 InverseWidths; // of the node's local frame, in the same
     Vector3 U, V, N;       // unit vectors of the local frame
     std::array<double, 6> C;
-    double Unit = 1.0; // what distances are multiplied with: the square root of a weight
   };
 
   void FitLevel(const Level& level, Runtime& runtime);

@@ -22,6 +22,7 @@ struct Attachment
   Index Target;                   ///< of SurfaceTargets
   std::array<int, 2> Fragments{}; ///< of its first and second label; 0 where not meshed
   double Offset = 0.0; ///< by which its zero level moves to the second label; in the target's frame
+  double Weight = 1.0; ///< of its squared distance, among those of all attachments
 };
 
 /// A face between two fragments: what volumes are measured with, on one rank each.

@@ -33,6 +33,9 @@ public:
   /// points, flags: those of the movers come first, in their order; flags are sent along. received(mover) is called where a flag was set.
   void Send(int colour, std::vector<Vector3>& points, const std::vector<unsigned char>& flags,
     const std::function<void(int)>& received) const;
+  /// Sends a value of every mover, of all colours, and receives those of the peers' movers.
+  template <class Value>
+  void SendAll(std::vector<Value>& values) const;
 
 private:
   struct Message
@@ -50,5 +53,33 @@ private:
   std::vector<std::vector<int>> Peers;  // by colour: the ranks with movers in common
   std::vector<std::vector<Link>> Links; // by colour and peer; none without peers
 };
+
+template <class Value>
+void PointExchange::SendAll(std::vector<Value>& values) const
+{
+  for (std::size_t colour = 0; colour < this->Links.size(); ++colour)
+  {
+    const std::vector<Link>& links = this->Links[colour];
+    std::vector<Bytes> messages;
+    for (const Link& link : links)
+    {
+      std::vector<Value> items;
+      for (int mover : link.Outgoing)
+      {
+        items.push_back(values[mover]);
+      }
+      messages.push_back(ToBytes(items));
+    }
+    messages = this->Group->Exchange(this->Peers[colour], messages);
+    for (std::size_t peer = 0; peer < messages.size(); ++peer)
+    {
+      const std::vector<Value> items = FromBytes<Value>(messages[peer]);
+      for (std::size_t i = 0; i < items.size(); ++i)
+      {
+        values[links[peer].Incoming[i]] = items[i];
+      }
+    }
+  }
+}
 
 } // namespace vfm

@@ -345,7 +345,7 @@ double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) cons
   {
     const Attachment& a = this->Mesh.Attachments[i];
     const double distance = this->Targets->Distance(a.Target, x, gradient) - a.Offset;
-    energy += lambda * distance * distance;
+    energy += lambda * a.Weight * distance * distance;
   }
   return energy;
 }
@@ -359,13 +359,14 @@ void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
     const Attachment& a = this->Mesh.Attachments[i];
     Vector3 g;
     const double distance = this->Targets->Distance(a.Target, this->Mesh.X[point], g) - a.Offset;
-    d.Value += lambda * distance * distance;
-    d.Gradient = d.Gradient + (2.0 * lambda * distance) * g;
+    const double weight = lambda * a.Weight;
+    d.Value += weight * distance * distance;
+    d.Gradient = d.Gradient + (2.0 * weight * distance) * g;
     const std::array<double, 6> outer{ { g[0] * g[0], g[1] * g[1], g[2] * g[2], g[0] * g[1],
       g[0] * g[2], g[1] * g[2] } };
     for (int k = 0; k < 6; ++k)
     {
-      d.Hessian[k] += 2.0 * lambda * outer[k];
+      d.Hessian[k] += 2.0 * weight * outer[k];
     }
   }
 }
