@@ -13,14 +13,15 @@ namespace vfm
 /// Whether the second label ends at y, which lies on the surfaces of a mask, at all of these.
 bool IsBoundary(const CreaseModel& model, int mask, const Vector3& y);
 
-/// The nearest surface whose foot from y bounds the second label; none: nullopt.
+/// The nearest surface whose foot from y bounds the second label; where none does, the nearest of all.
 struct SidePlace
 {
   int Surface;
   Vector3 Foot;
-  Vector3 Normal; ///< unit, there
+  Vector3 Normal;  ///< unit, there
+  double Distance; ///< from y
 };
-std::optional<SidePlace> FindSide(const CreaseModel& model, const Vector3& y);
+SidePlace FindSide(const CreaseModel& model, const Vector3& y);
 
 /// The point nearest to y of an edge that bounds the second label.
 struct EdgePlace

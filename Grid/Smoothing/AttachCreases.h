@@ -1,5 +1,5 @@
 /**
- * Which points of a mesh carry edges and corners of interfaces, and what they are drawn to.
+ * Which points of a mesh carry edges and corners of interfaces (CreaseRules), and what they are drawn to.
  */
 #pragma once
 
@@ -11,12 +11,18 @@
 namespace vfm
 {
 
-/// The surface point that an attachment of a point of an active mesh was made from: position in Interface::Points() of the finest level, or -1.
-using SurfacePointOf = std::function<Index(const Attachment&)>;
+/// The models of an interface, and its first surface point among the targets.
+struct InterfaceCreases
+{
+  const Creases& Models;
+  const Interface& Source;
+  Index FirstTarget;
+};
 
-/// Draws points near edges to the surfaces of the models there in place of the quadrics that they are attached to; appends these surfaces to the
-/// targets. Returns the kind of every point of the active mesh, the same on all ranks that hold it. Collective.
-std::vector<CreaseKind> AttachCreases(const Creases& creases, const SurfacePointOf& surfacePoint,
-  const std::vector<Facet>& facets, SurfaceTargets& targets, ActiveMesh& active);
+/// Draws points near edges to the surfaces of the models of the surface points that they are attached to, in place of their quadrics: carriers to those that
+/// meet there. Appends these surfaces to the targets. Returns the kind of every point of the active mesh, the same on all ranks that hold it. Collective.
+std::vector<CreaseKind> AttachCreases(const InterfaceCreases& creases,
+  const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active,
+  Runtime& runtime);
 
 } // namespace vfm

@@ -6,7 +6,9 @@
 #include "Base/Partition.h"
 #include "Base/Vector3.h"
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace vfm
 {
@@ -33,9 +35,9 @@ public:
   /// points, flags: those of the movers come first, in their order; flags are sent along. received(mover) is called where a flag was set.
   void Send(int colour, std::vector<Vector3>& points, const std::vector<unsigned char>& flags,
     const std::function<void(int)>& received) const;
-  /// Sends a value of every mover, of all colours, and receives those of the peers' movers.
-  template <class Value>
-  void SendAll(std::vector<Value>& values) const;
+  /// Sends what pack(mover) returns of every mover, of all colours, and calls unpack(mover, value) with what comes of the peers' movers.
+  template <class Pack, class Unpack>
+  void SendAll(const Pack& pack, const Unpack& unpack) const;
 
 private:
   struct Message
@@ -54,9 +56,10 @@ private:
   std::vector<std::vector<Link>> Links; // by colour and peer; none without peers
 };
 
-template <class Value>
-void PointExchange::SendAll(std::vector<Value>& values) const
+template <class Pack, class Unpack>
+void PointExchange::SendAll(const Pack& pack, const Unpack& unpack) const
 {
+  using Value = decltype(pack(0));
   for (std::size_t colour = 0; colour < this->Links.size(); ++colour)
   {
     const std::vector<Link>& links = this->Links[colour];
@@ -64,10 +67,7 @@ void PointExchange::SendAll(std::vector<Value>& values) const
     for (const Link& link : links)
     {
       std::vector<Value> items;
-      for (int mover : link.Outgoing)
-      {
-        items.push_back(values[mover]);
-      }
+      std::transform(link.Outgoing.begin(), link.Outgoing.end(), std::back_inserter(items), pack);
       messages.push_back(ToBytes(items));
     }
     messages = this->Group->Exchange(this->Peers[colour], messages);
@@ -76,7 +76,7 @@ void PointExchange::SendAll(std::vector<Value>& values) const
       const std::vector<Value> items = FromBytes<Value>(messages[peer]);
       for (std::size_t i = 0; i < items.size(); ++i)
       {
-        values[links[peer].Incoming[i]] = items[i];
+        unpack(links[peer].Incoming[i], items[i]);
       }
     }
   }

@@ -1,0 +1,185 @@
+#include "Smoothing/AttachCreases.h"
+
+#include "Creases/CreasePlaces.h"
+#include "Smoothing/CreaseRules.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double FarthestSide = 1.5; // from where a point started, in cells
+constexpr double SideWeight = 4.0;   // of squared distances, against 1 of quadrics
+constexpr double CarrierWeight = 20.0;
+
+/// The model that holds for an attachment, nullptr: none, and where its point started in the frame of the model.
+struct ModelAt
+{
+  const NodeCrease* Crease;
+  Vector3 Start;
+};
+
+class CreaseAttacher
+{
+public:
+  CreaseAttacher(const InterfaceCreases& creases, SurfaceTargets& targets, ActiveMesh& active) :
+    Creases(creases), Targets(targets), Active(active), IsOwned(active.X.size(), 0)
+  {
+    for (const std::vector<ActiveMesh::Group>& groups : active.Colours)
+    {
+      for (const ActiveMesh::Group& group : groups)
+      {
+        std::fill(this->IsOwned.begin() + group.First, this->IsOwned.begin() + group.Last, 1);
+      }
+    }
+  }
+
+  std::array<int, 2> LabelsOf(const Attachment& attachment) const
+  {
+    const Index point = attachment.Target - this->Creases.FirstTarget;
+    if (point < 0)
+    {
+      return { { -1, -1 } }; // of another level
+    }
+    const SurfacePoint& surface = this->Creases.Source.Points()[point];
+    return { { surface.First, surface.Second } };
+  }
+
+  /// Of each attachment.
+  std::vector<CreasePoint> Classify(Runtime& runtime) const
+  {
+    std::vector<CreasePoint> points(this->Active.Attachments.size());
+    ForEach(runtime, this->Active.X.size(),
+      [&](Index p)
+      {
+        for (Index i = this->Active.AttachmentOffset[p]; i < this->Active.AttachmentOffset[p + 1];
+             ++i)
+        {
+          const ModelAt at = this->FindModel(p, i);
+          if (at.Crease)
+          {
+            points[i] = PointOf(at);
+          }
+        }
+      });
+    return points;
+  }
+
+  /// Replaces the attachments that have a kind.
+  void Rewrite(const std::vector<CreasePoint>& points)
+  {
+    std::vector<Attachment> attachments;
+    std::vector<Index> offsets(1, 0);
+    for (std::size_t p = 0; p < this->Active.X.size(); ++p)
+    {
+      for (Index i = this->Active.AttachmentOffset[p]; i < this->Active.AttachmentOffset[p + 1];
+           ++i)
+      {
+        const ModelAt at = this->FindModel(p, i);
+        if (at.Crease && points[i].Kind != CreaseKind::None)
+        {
+          this->Add(at, points[i].Kind, this->Active.Attachments[i], attachments);
+        }
+        else
+        {
+          attachments.push_back(this->Active.Attachments[i]);
+        }
+      }
+      offsets.push_back(static_cast<Index>(attachments.size()));
+    }
+    this->Active.Attachments.swap(attachments);
+    this->Active.AttachmentOffset.swap(offsets);
+  }
+
+private:
+  ModelAt FindModel(Index point, Index attachment) const
+  {
+    const Index target = this->Active.Attachments[attachment].Target;
+    const NodeCrease* crease = this->IsOwned[point] && target >= this->Creases.FirstTarget
+      ? this->Creases.Models.Find(target - this->Creases.FirstTarget)
+      : nullptr;
+    return crease ? ModelAt{ crease,
+                      Divided(this->Active.Start[point] - crease->Origin, crease->Widths) }
+                  : ModelAt{ nullptr, {} };
+  }
+
+  static CreasePoint PointOf(const ModelAt& at)
+  {
+    const CreaseModel& model = at.Crease->Model;
+    const SidePlace side = FindSide(model, at.Start);
+    const std::optional<EdgePlace> edge = FindEdge(model, at.Start);
+    const std::optional<Vector3> corner = FindCorner(model, at.Start);
+    CreasePoint point;
+    point.Kind = side.Distance < FarthestSide ? CreaseKind::Side : CreaseKind::None;
+    point.Normal = side.Normal;
+    if (edge)
+    {
+      point.EdgeDistance = edge->Distance;
+    }
+    if (corner)
+    {
+      point.Corner = at.Crease->Origin + Scaled(*corner, at.Crease->Widths);
+      point.CornerDistance = Norm(*corner - at.Start);
+    }
+    return point;
+  }
+
+  void Add(const ModelAt& at, CreaseKind kind, const Attachment& old,
+    std::vector<Attachment>& attachments)
+  {
+    const CreaseModel& model = at.Crease->Model;
+    const auto add = [&](int surface, const Vector3& place)
+    {
+      attachments.push_back(old);
+      attachments.back().Target = this->Targets.Add(
+        Recentred(model.Surfaces[surface], place), at.Crease->Origin, at.Crease->Widths);
+      attachments.back().Weight = kind == CreaseKind::Side ? SideWeight : CarrierWeight;
+    };
+    if (kind == CreaseKind::Corner)
+    {
+      const Vector3 corner = *FindCorner(model, at.Start);
+      for (int surface = 0; surface < 3; ++surface)
+      {
+        add(surface, corner);
+      }
+    }
+    else if (kind == CreaseKind::Edge)
+    {
+      const EdgePlace edge = *FindEdge(model, at.Start);
+      add(edge.Surfaces[0], edge.Point);
+      add(edge.Surfaces[1], edge.Point);
+    }
+    else
+    {
+      const SidePlace side = FindSide(model, at.Start);
+      add(side.Surface, side.Foot);
+    }
+  }
+
+  const InterfaceCreases& Creases;
+  SurfaceTargets& Targets;
+  ActiveMesh& Active;
+  std::vector<unsigned char> IsOwned; // of each point: this rank moves it
+};
+
+} // namespace
+
+std::vector<CreaseKind> AttachCreases(const InterfaceCreases& creases,
+  const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active,
+  Runtime& runtime)
+{
+  if (!runtime.Group().Any(!creases.Models.IsEmpty()))
+  {
+    return std::vector<CreaseKind>(active.X.size(), CreaseKind::None);
+  }
+  CreaseAttacher attacher(creases, targets, active);
+  std::vector<CreasePoint> points = attacher.Classify(runtime);
+  CreaseRules rules(
+    facets, mesh, active, [&](const Attachment& a) { return attacher.LabelsOf(a); }, points);
+  rules.Run();
+  std::vector<CreaseKind> kinds = rules.KindsOfPoints();
+  attacher.Rewrite(points);
+  return kinds;
+}
+
+} // namespace vfm

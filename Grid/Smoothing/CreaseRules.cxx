@@ -1,0 +1,398 @@
+#include "Smoothing/CreaseRules.h"
+
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double LargestCosine = 0.883; // between the normals of two sides: 28 degrees
+constexpr double CoverReach = 1.6;      // of an edge from a point that is asked to carry it, in cells
+constexpr double ZigzagReach = 1.2;     // the same where only the shape of the chain asks
+constexpr double CornerReach = 2.0;
+constexpr double SameCorner = 1.0; // distance of two models' corners that are one, in mean cells
+constexpr int CornerRings = 3;     // of facets
+constexpr std::size_t ShortestChain = 4; // carriers
+constexpr int ChainRings = 2, SideRings = 3;
+constexpr int MostPairs = 3; // of labels with edges at one point
+constexpr Index NoId = std::numeric_limits<Index>::max();
+
+/// The lowest ids of carriers that a point knows of, ascending.
+using Chain = std::array<Index, ShortestChain>;
+
+void Add(Chain& chain, Index id)
+{
+  for (Index& entry : chain)
+  {
+    if (id == entry)
+    {
+      return;
+    }
+    if (id < entry)
+    {
+      std::swap(id, entry);
+    }
+  }
+}
+
+/// Who is nearest to a corner, as far as is known.
+struct Bid
+{
+  Vector3 Corner;
+  double Distance;
+  Index Id;
+  bool operator<(const Bid& other) const
+  {
+    return this->Distance != other.Distance ? this->Distance < other.Distance
+                                            : this->Id < other.Id;
+  }
+};
+
+} // namespace
+
+CreaseRules::CreaseRules(const std::vector<Facet>& facets, const Mesh& mesh,
+  const ActiveMesh& active, LabelsOf labelsOf, std::vector<CreasePoint>& points) :
+  Active(active),
+  Labels(std::move(labelsOf)),
+  Points(points),
+  Ids(active.Attachments.size()),
+  IsKnown(active.Attachments.size(), 0)
+{
+  for (std::size_t p = 0; p < active.X.size(); ++p)
+  {
+    const Index first = active.AttachmentOffset[p], last = active.AttachmentOffset[p + 1];
+    std::fill(
+      this->Ids.begin() + first, this->Ids.begin() + last, mesh.PointIds[active.MeshPoint[p]]);
+    std::fill(this->IsKnown.begin() + first,
+      this->IsKnown.begin() + std::min<Index>(last, first + MostPairs), 1);
+  }
+  this->Exchange(this->IsKnown);
+  this->Exchange(this->Points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[i] = this->IsKnown[i] ? points[i] : CreasePoint();
+  }
+  this->ListFacets(facets);
+}
+
+int CreaseRules::FindAttachment(Index meshPoint, const std::array<int, 2>& labels) const
+{
+  const int point = this->Active.PointOf[meshPoint];
+  if (point >= 0)
+  {
+    for (Index i = this->Active.AttachmentOffset[point];
+         i < this->Active.AttachmentOffset[point + 1]; ++i)
+    {
+      if (this->IsKnown[i] && this->Labels(this->Active.Attachments[i]) == labels)
+      {
+        return static_cast<int>(i);
+      }
+    }
+  }
+  return -1;
+}
+
+/// Those with a point that has a model.
+void CreaseRules::ListFacets(const std::vector<Facet>& facets)
+{
+  std::vector<unsigned char> hasModel(this->Active.X.size(), 0);
+  for (std::size_t p = 0; p < hasModel.size(); ++p)
+  {
+    for (Index i = this->Active.AttachmentOffset[p]; i < this->Active.AttachmentOffset[p + 1]; ++i)
+    {
+      hasModel[p] |= this->Points[i].Kind != CreaseKind::None;
+    }
+  }
+  const auto isNear = [&](Index meshPoint)
+  {
+    const int point = this->Active.PointOf[meshPoint];
+    return point >= 0 && hasModel[point];
+  };
+  for (const Facet& facet : facets)
+  {
+    if (facet.DomainSide >= 0 || !std::any_of(facet.Points.begin(), facet.Points.end(), isNear))
+    {
+      continue;
+    }
+    const std::array<int, 2> labels{ { std::min(facet.Materials[0], facet.Materials[1]),
+      std::max(facet.Materials[0], facet.Materials[1]) } };
+    RuleFacet own{ {}, facet.Points[2] == facet.Points[3] ? 3 : 4 };
+    std::transform(facet.Points.begin(), facet.Points.end(), own.At.begin(),
+      [&](Index p) { return this->FindAttachment(p, labels); });
+    this->Facets.push_back(own);
+  }
+}
+
+/// Gives the attachments of points of other ranks the values that these have for the same pairs of labels.
+template <class Value>
+void CreaseRules::Exchange(std::vector<Value>& values) const
+{
+  struct Slot
+  {
+    std::array<int, 2> Labels;
+    Value Of;
+  };
+  using Slots = std::array<Slot, MostPairs>;
+  const std::vector<Index>& offset = this->Active.AttachmentOffset;
+  const auto pack = [&](int mover)
+  {
+    Slots slots{};
+    int used = 0;
+    for (Index i = offset[mover]; i < offset[mover + 1] && used < MostPairs; ++i)
+    {
+      slots[used++] = { this->Labels(this->Active.Attachments[i]), values[i] };
+    }
+    return slots;
+  };
+  const auto unpack = [&](int mover, const Slots& slots)
+  {
+    for (Index i = offset[mover]; i < offset[mover + 1]; ++i)
+    {
+      const std::array<int, 2> labels = this->Labels(this->Active.Attachments[i]);
+      const auto slot = std::find_if(
+        slots.begin(), slots.end(), [&](const Slot& s) { return s.Labels == labels; });
+      values[i] = slot != slots.end() ? slot->Of : Value{};
+    }
+  };
+  this->Active.Exchange.SendAll(pack, unpack);
+}
+
+/// In each round every point merges the values that those of its facets had before.
+template <class Value, class Merge>
+void CreaseRules::Spread(std::vector<Value>& values, int rounds, const Merge& merge) const
+{
+  for (int round = 0; round < rounds; ++round)
+  {
+    const std::vector<Value> before = values;
+    for (const RuleFacet& facet : this->Facets)
+    {
+      for (int a = 0; a < facet.Count; ++a)
+      {
+        for (int b = 0; b < facet.Count; ++b)
+        {
+          if (a != b && facet.At[a] >= 0 && facet.At[b] >= 0)
+          {
+            merge(facet.At[a], values[facet.At[a]], before[facet.At[b]]);
+          }
+        }
+      }
+    }
+    this->Exchange(values);
+  }
+}
+
+/// Calls visit(a, b) with the attachments at both ends of the edges of facets.
+template <class Visitor>
+void CreaseRules::ForEdges(const Visitor& visit) const
+{
+  for (const RuleFacet& facet : this->Facets)
+  {
+    for (int c = 0; c < facet.Count; ++c)
+    {
+      const int a = facet.At[c], b = facet.At[(c + 1) % facet.Count];
+      if (a >= 0 && b >= 0)
+      {
+        visit(a, b);
+      }
+    }
+  }
+}
+
+void CreaseRules::ExchangeKinds()
+{
+  std::vector<CreaseKind> kinds(this->Points.size());
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+  {
+    kinds[i] = this->Points[i].Kind;
+  }
+  this->Exchange(kinds);
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+  {
+    this->Points[i].Kind = kinds[i];
+  }
+}
+
+void CreaseRules::MakeCarriers(const std::vector<int>& chosen)
+{
+  for (int i : chosen)
+  {
+    this->Points[i].Kind = CreaseKind::Edge;
+  }
+  this->ExchangeKinds();
+}
+
+/// Whether a is nearer to its edge than b is to its.
+bool CreaseRules::IsNearer(int a, int b) const
+{
+  const double da = this->Points[a].EdgeDistance, db = this->Points[b].EdgeDistance;
+  return da != db ? da < db : this->Ids[a] < this->Ids[b];
+}
+
+void CreaseRules::PickCorners()
+{
+  std::vector<Bid> bids(this->Points.size(), Bid{ {}, CornerReach, NoId });
+  for (std::size_t i = 0; i < bids.size(); ++i)
+  {
+    if (this->Points[i].CornerDistance < CornerReach)
+    {
+      bids[i] = { this->Points[i].Corner, this->Points[i].CornerDistance, this->Ids[i] };
+    }
+  }
+  const auto merge = [this](int i, Bid& mine, const Bid& other)
+  {
+    const bool isMine = this->Points[i].CornerDistance >= CornerReach ||
+      Norm(other.Corner - this->Points[i].Corner) < SameCorner;
+    if (isMine && other < mine)
+    {
+      mine = other;
+    }
+  };
+  this->Spread(bids, CornerRings, merge);
+  for (std::size_t i = 0; i < bids.size(); ++i)
+  {
+    if (bids[i].Id == this->Ids[i])
+    {
+      this->Points[i].Kind = CreaseKind::Corner;
+    }
+  }
+}
+
+void CreaseRules::Cover()
+{
+  std::vector<int> chosen;
+  const auto isSide = [this](int i) { return this->Points[i].Kind == CreaseKind::Side; };
+  this->ForEdges(
+    [&](int a, int b)
+    {
+      if (isSide(a) && isSide(b) &&
+        Dot(this->Points[a].Normal, this->Points[b].Normal) < LargestCosine)
+      {
+        const int nearer = this->IsNearer(a, b) ? a : b;
+        if (this->Points[nearer].EdgeDistance < CoverReach)
+        {
+          chosen.push_back(nearer);
+        }
+      }
+    });
+  this->MakeCarriers(chosen);
+}
+
+/// Sides that may become carriers: none of their quads has three.
+std::vector<unsigned char> CreaseRules::FindWilling() const
+{
+  std::vector<unsigned char> willing(this->Points.size());
+  for (std::size_t i = 0; i < willing.size(); ++i)
+  {
+    const CreasePoint& point = this->Points[i];
+    willing[i] = point.Kind == CreaseKind::Side && point.EdgeDistance < ZigzagReach;
+  }
+  for (const RuleFacet& facet : this->Facets)
+  {
+    int carriers = 0;
+    for (int c = 0; c < facet.Count; ++c)
+    {
+      carriers += this->IsCarrierAt(facet.At[c]);
+    }
+    for (int c = 0; c < facet.Count && carriers + 1 == facet.Count; ++c)
+    {
+      if (facet.At[c] >= 0)
+      {
+        willing[facet.At[c]] = 0;
+      }
+    }
+  }
+  this->Exchange(willing);
+  return willing;
+}
+
+void CreaseRules::StraightenZigzags()
+{
+  const std::vector<unsigned char> willing = this->FindWilling();
+  std::vector<int> chosen;
+  for (const RuleFacet& facet : this->Facets)
+  {
+    for (int d = 0; d < 2 && facet.Count == 4; ++d)
+    {
+      const int a = facet.At[1 - d], b = facet.At[3 - d];
+      if (this->IsCarrierAt(facet.At[d]) && this->IsCarrierAt(facet.At[d + 2]) &&
+        !this->IsCarrierAt(a) && !this->IsCarrierAt(b))
+      {
+        const bool mayA = a >= 0 && willing[a], mayB = b >= 0 && willing[b];
+        if (mayA || mayB)
+        {
+          chosen.push_back(!mayB || (mayA && this->IsNearer(a, b)) ? a : b);
+        }
+      }
+    }
+  }
+  this->MakeCarriers(chosen);
+}
+
+void CreaseRules::DropShortChains()
+{
+  Chain none;
+  none.fill(NoId);
+  std::vector<Chain> chains(this->Points.size(), none);
+  for (std::size_t i = 0; i < chains.size(); ++i)
+  {
+    if (this->IsCarrierAt(static_cast<int>(i)))
+    {
+      chains[i][0] = this->Ids[i];
+    }
+  }
+  this->Spread(chains, ChainRings,
+    [](int, Chain& mine, const Chain& other)
+    { std::for_each(other.begin(), other.end(), [&](Index id) { Add(mine, id); }); });
+  for (std::size_t i = 0; i < chains.size(); ++i)
+  {
+    if (this->IsCarrierAt(static_cast<int>(i)) && chains[i].back() == NoId)
+    {
+      this->Points[i].Kind = CreaseKind::None;
+    }
+  }
+}
+
+void CreaseRules::DropFarSides()
+{
+  std::vector<unsigned char> near(this->Points.size());
+  for (std::size_t i = 0; i < near.size(); ++i)
+  {
+    near[i] = this->IsCarrierAt(static_cast<int>(i));
+  }
+  this->Spread(
+    near, SideRings, [](int, unsigned char& mine, unsigned char other) { mine |= other; });
+  for (std::size_t i = 0; i < near.size(); ++i)
+  {
+    if (!near[i])
+    {
+      this->Points[i].Kind = CreaseKind::None;
+    }
+  }
+}
+
+void CreaseRules::Run()
+{
+  this->PickCorners();
+  this->Cover();
+  this->StraightenZigzags();
+  this->DropShortChains();
+  this->DropFarSides();
+}
+
+std::vector<CreaseKind> CreaseRules::KindsOfPoints() const
+{
+  std::vector<CreaseKind> kinds(this->Active.X.size(), CreaseKind::None);
+  for (std::size_t p = 0; p < kinds.size(); ++p)
+  {
+    for (Index i = this->Active.AttachmentOffset[p]; i < this->Active.AttachmentOffset[p + 1]; ++i)
+    {
+      kinds[p] = std::max(kinds[p], this->Points[i].Kind);
+    }
+  }
+  this->Active.Exchange.SendAll(
+    [&](int mover) { return kinds[mover]; }, [&](int mover, CreaseKind kind) { kinds[mover] = kind; });
+  return kinds;
+}
+
+} // namespace vfm
