@@ -83,7 +83,7 @@ void MeshStages::MeasureQuality(Mesh& mesh)
 }
 
 std::vector<CreaseKind> MeshStages::AttachToCreases(const Interface& interface,
-  const std::vector<Facet>& facets, SurfaceTargets& targets, ActiveMesh& active)
+  const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active)
 {
   if (this->Options.Edges == SharpEdges::Off || this->Options.IsoValue != 0.5 ||
     this->Options.Method != Smoothing::QuadricSurface)
@@ -95,9 +95,7 @@ std::vector<CreaseKind> MeshStages::AttachToCreases(const Interface& interface,
   const Creases creases(
     interface, this->Fractions, targets, firstTarget, this->Options.Edges, this->Parts, this->Run);
   return AttachCreases(
-    creases,
-    [firstTarget](const Attachment& a) { return std::max<Index>(a.Target - firstTarget, -1); },
-    facets, targets, active);
+    { creases, interface, firstTarget }, facets, mesh, targets, active, this->Run);
 }
 
 void CheckOptions(const MeshOptions& options)

@@ -74,7 +74,8 @@ protected:
   /// If asked for, finds the edges of interfaces and draws the attached points there to them. interface: that of the finest grid. Returns
   /// the kinds of all points of the active mesh.
   std::vector<CreaseKind> AttachToCreases(const Interface& interface,
-    const std::vector<Facet>& facets, SurfaceTargets& targets, ActiveMesh& active);
+    const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets,
+    ActiveMesh& active);
 
   const CartesianGrid& Grid;
   const FractionField& Fractions;

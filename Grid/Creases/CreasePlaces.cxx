@@ -10,10 +10,10 @@ namespace
 {
 
 constexpr int SideSteps = 4, EdgeSteps = 4, CornerSteps = 8; // of Newton
-constexpr double SmallestEdgeSine = 0.02;       // squared, between the normals of two surfaces
-constexpr double SmallestCornerVolume = 0.1;    // of the normals of three
-constexpr double FarthestCorner = 3.0;          // in cells
-constexpr double Lost = 2.0 * FarthestCorner;   // where Newton is not followed
+constexpr double SmallestEdgeSine = 0.02;     // squared, between the normals of two surfaces
+constexpr double SmallestCornerVolume = 0.1;  // of the normals of three
+constexpr double FarthestCorner = 3.0;        // in cells
+constexpr double Lost = 2.0 * FarthestCorner; // where Newton is not followed
 
 Vector3 FootOn(const LocalQuadric& surface, Vector3 y, Vector3& normal)
 {
@@ -104,8 +104,7 @@ std::optional<EdgePlace> FindEdge(const CreaseModel& model, const Vector3& y)
   {
     for (int j = i + 1; j < model.Count; ++j)
     {
-      const std::optional<Vector3> point =
-        PointOfEdge(model.Surfaces[i], model.Surfaces[j], y);
+      const std::optional<Vector3> point = PointOfEdge(model.Surfaces[i], model.Surfaces[j], y);
       if (point && (!best || Norm(*point - y) < best->Distance) &&
         IsBoundary(model, 1 << i | 1 << j, *point))
       {

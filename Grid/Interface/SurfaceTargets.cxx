@@ -209,8 +209,7 @@ LocalQuadric SurfaceTargets::QuadricOf(
   return quadric;
 }
 
-Index SurfaceTargets::Add(
-  const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
+Index SurfaceTargets::Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths)
 {
   this->Frames.push_back({ origin + Scaled(quadric.Base, widths),
     Divided({ { 1.0, 1.0, 1.0 } }, widths), quadric.U, quadric.V, quadric.N, quadric.C });

@@ -98,9 +98,9 @@ private:
     const NodeCrease* crease = this->IsOwned[point] && target >= this->Creases.FirstTarget
       ? this->Creases.Models.Find(target - this->Creases.FirstTarget)
       : nullptr;
-    return crease ? ModelAt{ crease,
-                      Divided(this->Active.Start[point] - crease->Origin, crease->Widths) }
-                  : ModelAt{ nullptr, {} };
+    return crease
+      ? ModelAt{ crease, Divided(this->Active.Start[point] - crease->Origin, crease->Widths) }
+      : ModelAt{ nullptr, {} };
   }
 
   static CreasePoint PointOf(const ModelAt& at)
@@ -124,8 +124,8 @@ private:
     return point;
   }
 
-  void Add(const ModelAt& at, CreaseKind kind, const Attachment& old,
-    std::vector<Attachment>& attachments)
+  void Add(
+    const ModelAt& at, CreaseKind kind, const Attachment& old, std::vector<Attachment>& attachments)
   {
     const CreaseModel& model = at.Crease->Model;
     const auto add = [&](int surface, const Vector3& place)

@@ -8,8 +8,8 @@ namespace
 {
 
 constexpr double LargestCosine = 0.883; // between the normals of two sides: 28 degrees
-constexpr double CoverReach = 1.6;      // of an edge from a point that is asked to carry it, in cells
-constexpr double ZigzagReach = 1.2;     // the same where only the shape of the chain asks
+constexpr double CoverReach = 1.6;  // of an edge from a point that is asked to carry it, in cells
+constexpr double ZigzagReach = 1.2; // the same where only the shape of the chain asks
 constexpr double CornerReach = 2.0;
 constexpr double SameCorner = 1.0; // distance of two models' corners that are one, in mean cells
 constexpr int CornerRings = 3;     // of facets
@@ -44,8 +44,7 @@ struct Bid
   Index Id;
   bool operator<(const Bid& other) const
   {
-    return this->Distance != other.Distance ? this->Distance < other.Distance
-                                            : this->Id < other.Id;
+    return this->Distance != other.Distance ? this->Distance < other.Distance : this->Id < other.Id;
   }
 };
 
@@ -150,8 +149,8 @@ void CreaseRules::Exchange(std::vector<Value>& values) const
     for (Index i = offset[mover]; i < offset[mover + 1]; ++i)
     {
       const std::array<int, 2> labels = this->Labels(this->Active.Attachments[i]);
-      const auto slot = std::find_if(
-        slots.begin(), slots.end(), [&](const Slot& s) { return s.Labels == labels; });
+      const auto slot =
+        std::find_if(slots.begin(), slots.end(), [&](const Slot& s) { return s.Labels == labels; });
       values[i] = slot != slots.end() ? slot->Of : Value{};
     }
   };
@@ -390,8 +389,8 @@ std::vector<CreaseKind> CreaseRules::KindsOfPoints() const
       kinds[p] = std::max(kinds[p], this->Points[i].Kind);
     }
   }
-  this->Active.Exchange.SendAll(
-    [&](int mover) { return kinds[mover]; }, [&](int mover, CreaseKind kind) { kinds[mover] = kind; });
+  this->Active.Exchange.SendAll([&](int mover) { return kinds[mover]; },
+    [&](int mover, CreaseKind kind) { kinds[mover] = kind; });
   return kinds;
 }
 

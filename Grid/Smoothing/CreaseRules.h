@@ -80,8 +80,9 @@ private:
   const ActiveMesh& Active;
   const LabelsOf Labels;
   std::vector<CreasePoint>& Points;
-  std::vector<Index> Ids;             // of the point of each attachment
-  std::vector<unsigned char> IsKnown; // of each attachment: its pair is among those of the point that ranks tell each other
+  std::vector<Index> Ids; // of the point of each attachment
+  std::vector<unsigned char>
+    IsKnown; // of each attachment: its pair is among those of the point that ranks tell each other
   std::vector<RuleFacet> Facets;
 };
 
