@@ -122,6 +122,11 @@ void SetReportOutput(const Mesh& mesh, const MeshReport& report, const Materials
   AddCount(field, "NumberOfSurfaces", report.NumberOfSurfaces);
   AddCount(field, "NumberOfCurves", report.NumberOfCurves);
   AddCount(field, "NumberOfVertices", report.NumberOfVertices);
+  if (options.Edges != SharpEdges::Off)
+  {
+    AddCount(field, "EdgePoints", report.EdgePoints);
+    AddCount(field, "CornerPoints", report.CornerPoints);
+  }
   if (IsTetMesh(mesh))
   {
     AddCount(field, "RefusedParts", report.RefusedParts);

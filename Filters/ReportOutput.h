@@ -17,7 +17,7 @@ namespace vfm
 /// Field data, hidden from lists of arrays: MaterialNames, MaterialIds, TargetVolume, MeshVolume, VolumeError (of each material, void
 /// only when meshed; the error is MeshVolume / TargetVolume - 1, 0 of a material that the input has nowhere), FragmentTargetVolume
 /// (of fragments 1, 2, ...), NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, ChosenCells, FlippedCells,
-/// ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves, NumberOfVertices, and MinimumScaledJacobian,
+/// ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves, NumberOfVertices, EdgePoints and CornerPoints with SharpEdges, and MinimumScaledJacobian,
 /// MeanScaledJacobian if computed.
 /// Of tetrahedra also RefusedParts, and MinimumDihedralAngle, MaximumDihedralAngle, DihedralAngles if computed.
 /// mesh: tells the kind of its elements, its arrays may be gone.

@@ -82,6 +82,26 @@ void MeshStages::MeasureQuality(Mesh& mesh)
   MeasureMaterials(mesh, this->Run.Group(), this->Report);
 }
 
+namespace
+{
+
+void CountCarriers(
+  const std::vector<CreaseKind>& kinds, const ActiveMesh& active, Ranks& ranks, MeshReport& report)
+{
+  std::vector<std::int64_t> counts(2, 0);
+  active.ForOwned(
+    [&](int point)
+    {
+      counts[0] += kinds[point] == CreaseKind::Edge;
+      counts[1] += kinds[point] == CreaseKind::Corner;
+    });
+  ranks.Sum(counts);
+  report.EdgePoints = counts[0];
+  report.CornerPoints = counts[1];
+}
+
+} // namespace
+
 std::vector<CreaseKind> MeshStages::AttachToCreases(const Interface& interface,
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active)
 {
@@ -94,8 +114,10 @@ std::vector<CreaseKind> MeshStages::AttachToCreases(const Interface& interface,
   const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
   const Creases creases(
     interface, this->Fractions, targets, firstTarget, this->Options.Edges, this->Parts, this->Run);
-  return AttachCreases(
-    { creases, interface, firstTarget }, facets, mesh, targets, active, this->Run);
+  const std::vector<CreaseKind> kinds =
+    AttachCreases({ creases, interface, firstTarget }, facets, mesh, targets, active, this->Run);
+  CountCarriers(kinds, active, this->Run.Group(), this->Report);
+  return kinds;
 }
 
 void CheckOptions(const MeshOptions& options)

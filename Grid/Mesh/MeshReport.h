@@ -30,7 +30,8 @@ struct MeshReport
   int ResolveRounds = 0;
   Index NumberOfFragments = 0;
   Index NumberOfSurfaces = 0, NumberOfCurves = 0, NumberOfVertices = 0;
-  double MinimumScaledJacobian = 0.0; ///< over the elements, when asked for
+  Index EdgePoints = 0, CornerPoints = 0; ///< on edges of interfaces, and where these meet
+  double MinimumScaledJacobian = 0.0;     ///< over the elements, when asked for
   double MeanScaledJacobian = 0.0;
   double MinimumDihedralAngle = 0.0,
          MaximumDihedralAngle = 0.0;      ///< degrees, of tets, when asked for

@@ -64,6 +64,21 @@ struct ActiveMesh
   std::vector<Attachment> Attachments;
   std::vector<InterfaceFacet> Facets;
 
+  /// Calls visit(point) for the points that this rank moves.
+  template <class Visitor>
+  void ForOwned(const Visitor& visit) const
+  {
+    for (const std::vector<Group>& groups : this->Colours)
+    {
+      for (const Group& group : groups)
+      {
+        for (int point = group.First; point < group.Last; ++point)
+        {
+          visit(point);
+        }
+      }
+    }
+  }
   /// position: in Elements.
   const Vector3& WidthsAt(Index position) const
   {

@@ -25,13 +25,7 @@ public:
   CreaseAttacher(const InterfaceCreases& creases, SurfaceTargets& targets, ActiveMesh& active) :
     Creases(creases), Targets(targets), Active(active), IsOwned(active.X.size(), 0)
   {
-    for (const std::vector<ActiveMesh::Group>& groups : active.Colours)
-    {
-      for (const ActiveMesh::Group& group : groups)
-      {
-        std::fill(this->IsOwned.begin() + group.First, this->IsOwned.begin() + group.Last, 1);
-      }
-    }
+    active.ForOwned([this](int point) { this->IsOwned[point] = 1; });
   }
 
   std::array<int, 2> LabelsOf(const Attachment& attachment) const
