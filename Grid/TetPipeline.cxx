@@ -204,16 +204,16 @@ private:
     this->Clock.Start("Finding interfaces", 0.2);
     const Interface interface(this->Grid, this->Fractions, this->Labels,
       FindMixedNodes(this->Grid, this->Labels), this->Options.IsoValue, this->Run);
-    const SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
+    SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
     ActiveTets active = MakeActiveTets(this->Topology, this->Grid, this->Parts);
-    this->Attach(interface, active);
+    const std::vector<CreaseKind> kinds = this->Attach(interface, targets, active);
     const TetEnergy energy(FloorsOf(this->Options));
     std::optional<DiagonalFlips> flips;
     Improvement improvement{ active, targets, energy, TetRamp(), *this->Volumes,
       this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} };
     if (this->Method == TetMethod::Cells)
     {
-      flips.emplace(mesh, active, energy);
+      flips.emplace(mesh, active, energy, kinds);
       improvement.AfterSweep = [&](Smoother& smoother, const SmoothingStage& stage, int sweep)
       {
         if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
@@ -232,11 +232,15 @@ private:
     active.CopyTo(mesh, this->Grid);
   }
 
-  void Attach(const Interface& interface, ActiveMesh& active)
+  /// Returns the kinds of the active points.
+  std::vector<CreaseKind> Attach(const Interface& interface, SurfaceTargets& targets, ActiveMesh& active)
   {
     const std::vector<Facet> facets = this->ListFacets();
     AttachTets(interface, this->Topology.Tets, facets, this->Method, active);
+    std::vector<CreaseKind> kinds =
+      this->AttachToCreases(interface, facets, this->Topology.Tets, targets, active);
     SetFacets(facets, active);
+    return kinds;
   }
 
   const TetMethod Method =

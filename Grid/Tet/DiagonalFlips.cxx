@@ -12,8 +12,9 @@ constexpr double SmallestGain = 1e-6; // relative, of a flip
 } // namespace
 
 /// The halves of a quad stand side by side, those of its lower side first (CellTets.cxx).
-DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEnergy& energy) :
-  Active(active), Energy(energy)
+DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEnergy& energy,
+  const std::vector<CreaseKind>& kinds) :
+  Active(active), Energy(energy), Kinds(kinds)
 {
   const auto faceOf = [&](std::size_t tet)
   { return (mesh.ElementIds[active.MeshElement[tet]] - 1) / (4 * PiecesPerTet); };
@@ -56,6 +57,24 @@ DiagonalFlips::Tets DiagonalFlips::Flipped(const Tets& tets)
   return flipped;
 }
 
+/// How many ends of the diagonal carry an edge.
+int DiagonalFlips::CarriersOf(const Tets& tets) const
+{
+  return IsCarrier(this->Kinds[tets[0][0]]) + IsCarrier(this->Kinds[tets[0][2]]);
+}
+
+bool DiagonalFlips::IsBetter(
+  const Quad& quad, const Tets& tets, const Tets& other, const SmoothingStage& stage) const
+{
+  const int carriers = this->CarriersOf(tets), others = this->CarriersOf(other);
+  if (std::abs(carriers - others) == 2) // both of one, none of the other
+  {
+    return others == 2 && this->EnergyOf(quad, other, stage) < InvalidEnergy;
+  }
+  const double before = this->EnergyOf(quad, tets, stage);
+  return this->EnergyOf(quad, other, stage) < before - SmallestGain * std::fabs(before);
+}
+
 double DiagonalFlips::EnergyOf(
   const Quad& quad, const Tets& tets, const SmoothingStage& stage) const
 {
@@ -78,8 +97,7 @@ void DiagonalFlips::Run(const SmoothingStage& stage, const std::function<void(in
   for (const Quad& quad : this->Quads)
   {
     const Tets tets = this->TetsOf(quad), other = Flipped(tets);
-    const double before = this->EnergyOf(quad, tets, stage);
-    if (this->EnergyOf(quad, other, stage) < before - SmallestGain * std::fabs(before))
+    if (this->IsBetter(quad, tets, other, stage))
     {
       for (int t = 0; t < 2 * quad.Sides; ++t)
       {
