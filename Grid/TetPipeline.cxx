@@ -238,7 +238,7 @@ private:
     const std::vector<Facet> facets = this->ListFacets();
     AttachTets(interface, this->Topology.Tets, facets, this->Method, active);
     std::vector<CreaseKind> kinds =
-      this->AttachToCreases(interface, facets, this->Topology.Tets, targets, active);
+      this->AttachToCreases(interface, this->Method == TetMethod::Cells ? JoinTriangles(facets, this->Faces, this->Topology.Tets) : facets, this->Topology.Tets, targets, active);
     SetFacets(facets, active);
     return kinds;
   }

@@ -374,7 +374,10 @@ void CreaseRules::Run()
 {
   this->PickCorners();
   this->Cover();
-  this->StraightenZigzags();
+  if (this->Active.Corners == 8) // tets have diagonals between carriers (DiagonalFlips.h)
+  {
+    this->StraightenZigzags();
+  }
   this->DropShortChains();
   this->DropFarSides();
 }

@@ -121,6 +121,36 @@ std::vector<Facet> ListFacets(
   return facets;
 }
 
+std::vector<Facet> JoinTriangles(
+  const std::vector<Facet>& facets, const TetFaces& faces, const Mesh& mesh)
+{
+  std::vector<std::pair<Index, std::size_t>> order; // face of the grid, facet
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    order.emplace_back((mesh.ElementIds[faces.Faces[f].Inner] - 1) / (4 * PiecesPerTet), f);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Facet> quads;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    Facet quad = facets[order[i].second];
+    if (i + 1 < order.size() && order[i + 1].first == order[i].first)
+    {
+      const std::array<Index, 4>& other = facets[order[++i].second].Points;
+      const auto isIn = [](const std::array<Index, 4>& points, Index p)
+      { return std::find(points.begin(), points.end(), p) != points.end(); };
+      const Index far = *std::find_if(
+        other.begin(), other.end(), [&](Index p) { return !isIn(quad.Points, p); });
+      const auto own = std::find_if(quad.Points.begin(), quad.Points.begin() + 3,
+        [&](Index p) { return !isIn(other, p); });
+      std::rotate(quad.Points.begin(), own, quad.Points.begin() + 3);
+      quad.Points = { { quad.Points[0], quad.Points[1], far, quad.Points[2] } };
+    }
+    quads.push_back(quad);
+  }
+  return quads;
+}
+
 std::vector<std::array<Index, 3>> FindBoundary(const Mesh& mesh, const std::vector<Index>& tets)
 {
   std::vector<HalfFace> halves;

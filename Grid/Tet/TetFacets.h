@@ -32,6 +32,10 @@ TetFaces FindTetFaces(const TetTopology& topology, const CartesianGrid& grid);
 std::vector<Facet> ListFacets(
   const TetFaces& faces, const CartesianGrid& grid, const Partition& partition, const Mesh& mesh);
 
+/// Facets of Cells, the two triangles of each quad joined.
+std::vector<Facet> JoinTriangles(
+  const std::vector<Facet>& facets, const TetFaces& faces, const Mesh& mesh);
+
 /// The boundary of some tets of a mesh, normals outward.
 std::vector<std::array<Index, 3>> FindBoundary(const Mesh& mesh, const std::vector<Index>& tets);
 
