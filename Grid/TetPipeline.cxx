@@ -233,12 +233,15 @@ private:
   }
 
   /// Returns the kinds of the active points.
-  std::vector<CreaseKind> Attach(const Interface& interface, SurfaceTargets& targets, ActiveMesh& active)
+  std::vector<CreaseKind> Attach(
+    const Interface& interface, SurfaceTargets& targets, ActiveMesh& active)
   {
     const std::vector<Facet> facets = this->ListFacets();
     AttachTets(interface, this->Topology.Tets, facets, this->Method, active);
-    std::vector<CreaseKind> kinds =
-      this->AttachToCreases(interface, this->Method == TetMethod::Cells ? JoinTriangles(facets, this->Faces, this->Topology.Tets) : facets, this->Topology.Tets, targets, active);
+    std::vector<CreaseKind> kinds = this->AttachToCreases(interface,
+      this->Method == TetMethod::Cells ? JoinTriangles(facets, this->Faces, this->Topology.Tets)
+                                       : facets,
+      this->Topology.Tets, targets, active);
     SetFacets(facets, active);
     return kinds;
   }

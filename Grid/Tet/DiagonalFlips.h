@@ -35,7 +35,8 @@ private:
   Tets TetsOf(const Quad& quad) const;
   static Tets Flipped(const Tets& tets);
   int CarriersOf(const Tets& tets) const;
-  bool IsBetter(const Quad& quad, const Tets& tets, const Tets& other, const SmoothingStage& stage) const;
+  bool IsBetter(
+    const Quad& quad, const Tets& tets, const Tets& other, const SmoothingStage& stage) const;
   double EnergyOf(const Quad& quad, const Tets& tets, const SmoothingStage& stage) const;
 
   ActiveTets& Active;

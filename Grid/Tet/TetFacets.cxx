@@ -139,10 +139,10 @@ std::vector<Facet> JoinTriangles(
       const std::array<Index, 4>& other = facets[order[++i].second].Points;
       const auto isIn = [](const std::array<Index, 4>& points, Index p)
       { return std::find(points.begin(), points.end(), p) != points.end(); };
-      const Index far = *std::find_if(
-        other.begin(), other.end(), [&](Index p) { return !isIn(quad.Points, p); });
-      const auto own = std::find_if(quad.Points.begin(), quad.Points.begin() + 3,
-        [&](Index p) { return !isIn(other, p); });
+      const Index far =
+        *std::find_if(other.begin(), other.end(), [&](Index p) { return !isIn(quad.Points, p); });
+      const auto own = std::find_if(
+        quad.Points.begin(), quad.Points.begin() + 3, [&](Index p) { return !isIn(other, p); });
       std::rotate(quad.Points.begin(), own, quad.Points.begin() + 3);
       quad.Points = { { quad.Points[0], quad.Points[1], far, quad.Points[2] } };
     }
