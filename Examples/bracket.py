@@ -81,7 +81,7 @@ def picture(mesh, path):
     import pictures
     view = pictures.make_view((1600, 1200))
     pictures.show(simple.OutputPort(mesh, 1), view, COLOUR)
-    pictures.aim(view, (0.0, SIZE[0], 0.0, SIZE[1], 0.0, SIZE[2]), (1.0, -0.9, 0.75), 1.25)
+    pictures.aim(view, (0.0, SIZE[0], 0.0, SIZE[1], 0.0, SIZE[2]), (1.0, -0.9, 0.75), 1.3)
     pictures.save(view, path)
 
 
@@ -93,6 +93,7 @@ def main():
     parser.add_argument("--no-pictures", action="store_true")
     arguments = parser.parse_args()
     load_plugin(arguments.plugin, globals())
+    simple._DisableFirstRenderCameraReset()
     os.makedirs(arguments.out, exist_ok=True)
     stl = os.path.join(arguments.out, "bracket.stl")
     bracket_stl.write_stl(stl, bracket_stl.bracket())

@@ -205,6 +205,16 @@ void DrawBoxes(const Extent& extent, RandomDraw& draw, FuzzCase& c)
     (axis < 0 ? "" : std::string(" along ") + "xyz"[axis]);
 }
 
+/// The last draw of all, so that a seed gives the case that it gave before there was a choice.
+void DrawEdges(RandomDraw& draw, FuzzCase& c)
+{
+  c.Options.Edges =
+    draw.Pick({ SharpEdges::Off, SharpEdges::On, SharpEdges::On, SharpEdges::Automatic });
+  c.Words += c.Options.Edges == SharpEdges::Off
+    ? ""
+    : (c.Options.Edges == SharpEdges::On ? ", sharp edges" : ", sharp edges automatically");
+}
+
 void PrintList(const char* name, const std::vector<double>& values)
 {
   std::printf("%s", name);
@@ -243,6 +253,7 @@ FuzzCase MakeFuzzCase(unsigned seed)
   {
     DrawBoxes(extent, draw, c);
   }
+  DrawEdges(draw, c);
   return c;
 }
 
