@@ -201,6 +201,18 @@ def test_missing_files(path):
     assert result.returncode == 1 and "usage: " in result.stderr, result
 
 
+@in_folder
+def test_bracket(path):
+    """Edges and rims that are kept lie far nearer to the mesh; fillets stay as they are."""
+    result = subprocess.run(["pvbatch", os.path.join(EXAMPLES, "bracket.py"), path("out"), "--cells", "40", "--no-pictures",
+                             "--plugin", os.environ["VFM_PLUGIN"]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert result.returncode == 0, result
+    number = r"(\d\.\d+)"
+    off, on = ([float(n) for n in re.search(r"\| %s \| %s/.* \| .*/%s \(.*\) \| .*/%s \(.*\) \| .*/%s \|" % (mode, *4 * (number,)), result.stdout).groups()]
+               for mode in ("Off", "On"))
+    assert on[0] > 0.4 and max(on[1:3]) < 0.15 and min(off[1:3]) > 0.35 and on[3] < 0.03, result.stdout
+
+
 def test_time_on_ranks():
     result = mpi_run(2, ["pvbatch", "--sym", os.path.join(EXAMPLES, "time_ranks.py"), os.environ["VFM_PLUGIN"], "12"])
     rows = re.findall(r"rank (\d) of 2: [\d.]+ s, (\d+) hexahedra, memory \d+ MB before, peak \d+ MB", result.stdout)

@@ -68,6 +68,7 @@ def test_options(at):
         (["--smooth", "2"], dict(Smoothing="Geometry Based")),
         (["--smooth=geometrybased"], dict(Smoothing="Geometry Based")),
         (["--refine", "1"], uniform(1)),
+        (["--sharp-edges", "on"], dict(SharpEdges="On")),
         (["--iso", "0.3", "--void"], dict(IsoValue=0.3, MeshVoid=1)),
         (["--set", "targetscaledjacobian = .3", "ConserveVolume=off"], dict(TargetScaledJacobian=0.3, ConserveVolume=0)),
         (["--set", "ComputeQuality=no", "--set", "NumberOfThreads=2"], dict(ComputeQuality=0, NumberOfThreads=2)),
