@@ -13,8 +13,8 @@ constexpr double ZigzagReach = 1.2; // the same where only the shape of the chai
 constexpr double CornerReach = 2.0;
 constexpr double SameCorner = 1.0; // distance of two models' corners that are one, in mean cells
 constexpr int CornerRings = 3;     // of facets
-constexpr std::size_t ShortestChain = 4; // carriers
-constexpr int ChainRings = 2, SideRings = 3;
+constexpr std::size_t ShortestChain = 5; // carriers
+constexpr int ChainRings = 4, SideRings = 3;
 constexpr int MostPairs = 3; // of labels with edges at one point
 constexpr Index NoId = std::numeric_limits<Index>::max();
 
