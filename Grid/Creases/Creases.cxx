@@ -51,7 +51,8 @@ public:
     Parts(partition),
     Run(runtime),
     First(Source.Points().size()),
-    Second(Source.Points().size())
+    Second(Source.Points().size()),
+    Third(Source.Points().size())
   {
   }
 
@@ -64,24 +65,36 @@ public:
     }
     this->SearchFirst(this->Strong, [this](const Place& place) { return this->IsFirst(place); });
     this->SearchSecond();
+    this->Share();
+    this->SearchThird();
+    this->Share();
   }
 
-  /// Calls visit(place, crease) for the owned points with one, ascending.
+  /// Calls visit(place, crease) for the points with one, ascending: those at owned nodes and near these.
   template <class Visitor>
-  void ForOwned(const Visitor& visit) const
+  void ForNear(const Visitor& visit) const
   {
     this->ForPlaces(
       [&](const Place& place)
       {
-        const auto& fit = this->Second[place.Point] ? this->Second : this->First;
-        if (fit[place.Point] && this->IsOwned(place.Node))
+        const FittedCrease* crease = this->IsNear(place.Node) ? this->Find(place.Point) : nullptr;
+        if (crease)
         {
-          visit(place, *fit[place.Point]);
+          visit(place, *crease);
         }
       });
   }
 
 private:
+  /// What has been found last.
+  const FittedCrease* Find(Index point) const
+  {
+    return this->Third[point] ? this->Third[point].get() : this->FindEarly(point);
+  }
+  const FittedCrease* FindEarly(Index point) const
+  {
+    return (this->Second[point] ? this->Second : this->First)[point].get();
+  }
   template <class Visitor>
   void ForPlaces(const Visitor& visit) const
   {
@@ -98,6 +111,12 @@ private:
     return this->Source.Grid().Position(this->Source.Nodes()[node]);
   }
   bool IsOwned(Index node) const { return this->Parts.OwnsNode(this->PositionOf(node)); }
+  /// Whether a model at the node may be tried at owned nodes.
+  bool IsNear(Index node) const
+  {
+    const CartesianGrid& grid = this->Source.Grid();
+    return NodesOf(Grow(grid.Owned(), Spread, grid.Global())).Contains(this->PositionOf(node));
+  }
   bool IsFirst(const Place& place) const
   {
     const Index3 p = this->PositionOf(place.Node);
@@ -112,13 +131,11 @@ private:
   /// Of the points that this rank owns and of those whose models are tried there.
   void FindStrong()
   {
-    const CartesianGrid& grid = this->Source.Grid();
-    const IndexBox nodes = NodesOf(Grow(grid.Owned(), Spread, grid.Global()));
     std::vector<Place> places;
     this->ForPlaces(
       [&](const Place& place)
       {
-        if (nodes.Contains(this->PositionOf(place.Node)))
+        if (this->IsNear(place.Node))
         {
           places.push_back(place);
         }
@@ -233,18 +250,14 @@ private:
     }
   }
 
-  /// Which points of the same pair at owned nodes near those with a model may try it.
-  std::vector<Candidate> FindCandidates() const
+  /// Which points of the same pair at owned nodes near some that have a model may try it.
+  std::vector<Candidate> FindCandidates(const std::vector<Place>& places) const
   {
     std::vector<Candidate> candidates;
     const CartesianGrid& grid = this->Source.Grid();
     const IndexBox local = NodesOf(grid.Local());
-    for (const Place& place : this->Strong)
+    for (const Place& place : places)
     {
-      if (!this->First[place.Point])
-      {
-        continue;
-      }
       const LabelPair pair = this->PairOf(place.Point);
       IndexBox box;
       const Index3 p = this->PositionOf(place.Node);
@@ -288,8 +301,11 @@ private:
 
   void SearchSecond()
   {
-    const std::vector<Candidate> candidates = this->FindCandidates();
     std::vector<Place> places;
+    std::copy_if(this->Strong.begin(), this->Strong.end(), std::back_inserter(places),
+      [this](const Place& place) { return this->First[place.Point] != nullptr; });
+    const std::vector<Candidate> candidates = this->FindCandidates(places);
+    places.clear();
     for (const Candidate& candidate : candidates)
     {
       places.push_back(candidate.At);
@@ -303,16 +319,114 @@ private:
         FaceWalk walk(this->Source);
         for (Index i = begin; i < end; ++i)
         {
-          this->SearchAt(places[i],
-            std::equal_range(candidates.begin(), candidates.end(), Candidate{ places[i], {} },
-              [](const Candidate& a, const Candidate& b) { return a.At < b.At; }),
-            walk);
+          this->SearchAt(places[i], CandidatesAt(places[i], candidates), walk);
         }
       });
   }
 
+  /// Strong points that are still without a model, as near corners, try what those around have found by now.
+  void SearchThird()
+  {
+    std::vector<Place> places;
+    this->ForNear([&](const Place& place, const FittedCrease&) { places.push_back(place); });
+    std::vector<Candidate> candidates = this->FindCandidates(places);
+    const auto isInVain = [this](const Candidate& candidate)
+    {
+      return this->FindEarly(candidate.At.Point) ||
+        !std::binary_search(this->Strong.begin(), this->Strong.end(), candidate.At);
+    };
+    candidates.erase(
+      std::remove_if(candidates.begin(), candidates.end(), isInVain), candidates.end());
+    places.clear();
+    for (const Candidate& candidate : candidates)
+    {
+      places.push_back(candidate.At);
+    }
+    SortUnique(places);
+    ForEach(this->Run, places.size(),
+      [&](Index i)
+      {
+        CreaseSearch search(this->Input, places[i].Node, places[i].Point);
+        if (search.Gather())
+        {
+          const std::vector<NearCrease> others =
+            this->ListNear(places[i], CandidatesAt(places[i], candidates),
+              [this](Index point) { return this->FindEarly(point); });
+          const std::optional<FittedCrease> found = search.FromModels(others);
+          Keep(found ? found : search.FromSurfaces(others), this->Third[places[i].Point]);
+        }
+      });
+  }
+
+  /// Gives the points of other ranks near the owned ones what these have found there. Collective among peers.
+  void Share()
+  {
+    struct Answer
+    {
+      Index Asked; // how many were asked for before
+      FittedCrease Found;
+    };
+    const std::vector<int>& peers = this->Parts.Peers();
+    std::vector<std::vector<Place>> asked(peers.size());
+    std::vector<std::vector<Index>> wanted(peers.size());
+    this->ForPlaces(
+      [&](const Place& place)
+      {
+        if (!this->IsOwned(place.Node) && this->IsNear(place.Node))
+        {
+          const Index3 at = this->PositionOf(place.Node);
+          const LabelPair pair = this->PairOf(place.Point);
+          const int peer = this->Parts.PeerOfNode(at);
+          asked[peer].push_back(place);
+          wanted[peer].insert(
+            wanted[peer].end(), { this->Source.Grid().NodeKey(at), pair.first, pair.second });
+          this->First[place.Point].reset();
+          this->Second[place.Point].reset();
+        }
+      });
+    std::vector<Bytes> messages;
+    for (const std::vector<Index>& keys : this->Parts.Request(wanted))
+    {
+      std::vector<Answer> answers;
+      for (std::size_t i = 0; i < keys.size(); i += 3)
+      {
+        const FittedCrease* found = this->FindByKey(keys.data() + i);
+        if (found)
+        {
+          answers.push_back({ static_cast<Index>(i / 3), *found });
+        }
+      }
+      messages.push_back(ToBytes(answers));
+    }
+    messages = this->Parts.Group().Exchange(peers, messages);
+    for (std::size_t peer = 0; peer < peers.size(); ++peer)
+    {
+      for (const Answer& answer : FromBytes<Answer>(messages[peer]))
+      {
+        Keep(answer.Found, this->Second[asked[peer][answer.Asked].Point]);
+      }
+    }
+  }
+
+  /// key: of a node, and two labels.
+  const FittedCrease* FindByKey(const Index* key) const
+  {
+    const CartesianGrid& grid = this->Source.Grid();
+    const Index node = this->Source.Find(grid.Linear(grid.NodeOfKey(key[0])));
+    const SurfacePoint* point = node < 0
+      ? nullptr
+      : this->Source.FindPoint(node, static_cast<int>(key[1]), static_cast<int>(key[2]));
+    return point ? this->Find(point - this->Source.Points().data()) : nullptr;
+  }
+
   using Candidates =
     std::pair<std::vector<Candidate>::const_iterator, std::vector<Candidate>::const_iterator>;
+
+  static Candidates CandidatesAt(const Place& place, const std::vector<Candidate>& candidates)
+  {
+    return std::equal_range(candidates.begin(), candidates.end(), Candidate{ place, {} },
+      [](const Candidate& a, const Candidate& b) { return a.At < b.At; });
+  }
 
   void SearchAt(const Place& place, const Candidates& candidates, FaceWalk& walk)
   {
@@ -323,7 +437,8 @@ private:
     {
       return;
     }
-    const std::vector<NearCrease> others = this->ListNear(place, candidates);
+    const std::vector<NearCrease> others =
+      this->ListNear(place, candidates, [this](Index point) { return this->First[point].get(); });
     std::optional<FittedCrease> found = search.FromModels(others);
     if (own)
     {
@@ -345,8 +460,10 @@ private:
     Keep(found, this->Second[place.Point]);
   }
 
-  /// The models to be tried at a point, the nearest first.
-  std::vector<NearCrease> ListNear(const Place& place, const Candidates& candidates) const
+  /// The models to be tried at a point, the nearest first. find(point): the model of another.
+  template <class Find>
+  std::vector<NearCrease> ListNear(
+    const Place& place, const Candidates& candidates, const Find& find) const
   {
     const NodeFrame frame = FrameOf(this->Source, place.Node);
     std::vector<NearCrease> others;
@@ -354,8 +471,8 @@ private:
       [&](const Candidate& candidate)
       {
         const Vector3 origin = FrameOf(this->Source, candidate.From.Node).Origin;
-        others.push_back({ this->First[candidate.From.Point].get(),
-          Divided(origin - frame.Origin, frame.Widths) });
+        others.push_back(
+          { find(candidate.From.Point), Divided(origin - frame.Origin, frame.Widths) });
       });
     std::stable_sort(others.begin(), others.end(),
       [](const NearCrease& a, const NearCrease& b)
@@ -368,7 +485,7 @@ private:
   const Partition& Parts;
   Runtime& Run;
   std::vector<Place> Strong; // ascending
-  Fits First, Second;
+  Fits First, Second, Third;
 };
 
 } // namespace
@@ -384,7 +501,7 @@ Creases::Creases(const Interface& interface, const FractionField& fractions,
   const CreaseInput input{ interface, fractions, targets, firstTarget };
   CreaseFinder finder(input, partition, runtime);
   finder.Find(mode);
-  finder.ForOwned(
+  finder.ForNear(
     [&](const Place& place, const FittedCrease& crease)
     {
       const NodeFrame frame = FrameOf(interface, place.Node);

@@ -317,19 +317,3 @@ TEST(AttachCreases, RanksAndThreadsChangeNothing)
     EXPECT_EQ(joined, alone) << count;
   }
 }
-
-/// With the models that the fractions tell.
-TEST(SharpRanks, SameMesh)
-{
-  MeshOptions options;
-  options.Edges = SharpEdges::On;
-  const CartesianGrid whole = CubeGrid();
-  const std::vector<std::vector<IndexBox>> cuts{ CutBox(whole.Global(), 2),
-    CutBox(whole.Global(), 3, 0), CutBox(whole.Global(), 8) };
-  CompareWithSerial(whole, CubeFractions(), cuts, options);
-  for (const TetMethod method : { TetMethod::Cells, TetMethod::Lattice })
-  {
-    options.Tets = method;
-    CompareWithSerial(whole, CubeFractions(), cuts, options, MakeTetMesh);
-  }
-}
