@@ -1,55 +1,9 @@
 #include "Creases/BoxCut.h"
 
-#include <algorithm>
-
 namespace vfm
 {
 namespace
 {
-
-/// Area and first moments of a part of a square.
-struct SquarePart
-{
-  double Area, X, Y;
-};
-
-/// Of the unit square [0,1]^2 where p x + q y < beta <= (p + q) / 2; 0 <= p <= q.
-SquarePart UnderLowLine(double p, double q, double beta)
-{
-  const double left = beta / q;
-  if (beta < p)
-  {
-    const double x = beta / p, area = 0.5 * x * left;
-    return { area, area * x / 3.0, area * left / 3.0 };
-  }
-  const double right = (beta - p) / q;
-  return { 0.5 * (left + right), left / 6.0 + right / 3.0,
-    (left * left + left * right + right * right) / 6.0 };
-}
-
-SquarePart UnderLine(double p, double q, double beta)
-{
-  const double size = p + q;
-  if (beta <= 0.0)
-  {
-    return { 0.0, 0.0, 0.0 };
-  }
-  if (beta >= size)
-  {
-    return { 1.0, 0.5, 0.5 };
-  }
-  const bool low = beta <= 0.5 * size;
-  SquarePart part = UnderLowLine(std::min(p, q), std::max(p, q), low ? beta : size - beta);
-  if (p > q)
-  {
-    std::swap(part.X, part.Y);
-  }
-  if (!low)
-  {
-    part = { 1.0 - part.Area, 0.5 - part.Area + part.X, 0.5 - part.Area + part.Y };
-  }
-  return part;
-}
 
 int LargestOf(const Vector3& n)
 {
@@ -174,23 +128,6 @@ PlaneRates SectionOf(const std::array<BoxPlane, 3>& planes, int mask, int k)
 }
 
 } // namespace
-
-double CutBox(const BoxPlane& plane, PlaneRates& rates)
-{
-  const Vector3& n = plane.Normal;
-  const int axis = LargestOf(n), b = (axis + 1) % 3, c = (axis + 2) % 3;
-  // Reflected into [0,1]^3 where p . s < alpha, p >= 0.
-  const double p = std::fabs(n[axis]), pb = std::fabs(n[b]), pc = std::fabs(n[c]);
-  const double alpha = plane.Height + 0.5 * (p + pb + pc), inverse = 1.0 / p;
-  const SquarePart below = UnderLine(pb, pc, alpha), above = UnderLine(pb, pc, alpha - p);
-  const double area = below.Area - above.Area, x = below.X - above.X, y = below.Y - above.Y;
-  const double height = (alpha * area - pb * x - pc * y) * inverse;
-  rates.ByHeight = area * inverse;
-  rates.ByNormal[b] = (n[b] < 0.0 ? -1.0 : 1.0) * (0.5 * area - x) * inverse;
-  rates.ByNormal[c] = (n[c] < 0.0 ? -1.0 : 1.0) * (0.5 * area - y) * inverse;
-  rates.ByNormal[axis] = (n[axis] < 0.0 ? -1.0 : 1.0) * (0.5 * area - height) * inverse;
-  return height + above.Area;
-}
 
 double CutBox(const std::array<BoxPlane, 3>& planes, int mask, std::array<PlaneRates, 3>& rates)
 {

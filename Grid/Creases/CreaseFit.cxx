@@ -1,5 +1,7 @@
 #include "Creases/CreaseFit.h"
 
+#include "Creases/CellLanes.h"
+
 #include <algorithm>
 
 namespace vfm
@@ -21,40 +23,92 @@ double RidgeOf(int coefficient)
   return coefficient < 3 ? 1e-8 : 0.02;
 }
 
-bool IsCut(double fraction)
+VFM_INLINE Lanes SquareRoot(const Lanes& a)
 {
-  return fraction > FullCell && fraction < 1.0 - FullCell;
+  return Lanes{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
+}
+VFM_INLINE Mask IsCut(const Lanes& fraction)
+{
+  return (fraction > FullCell) & (fraction < 1.0 - FullCell);
+}
+
+/// Sums of the normal equations, still four side by side. The Hessian's lower half.
+struct NormalSums
+{
+  Lanes Cost;
+  std::array<Lanes, MostCoefficients> Gradient;
+  std::array<std::array<Lanes, MostCoefficients>, MostCoefficients> Hessian;
+};
+
+/// Adds the products of rows of a surface with those of the same or an earlier one.
+VFM_INLINE void AddProducts(NormalSums& sums, const std::array<Lanes, MostCoefficients>& rows,
+  const Lanes& weight, int firstRow, int firstColumn, int coefficients)
+{
+  for (int i = firstRow; i < firstRow + coefficients; ++i)
+  {
+    const Lanes weighted = weight * rows[i];
+    const int end = std::min(firstColumn + coefficients, i + 1);
+    for (int j = firstColumn; j < end; ++j)
+    {
+      sums.Hessian[i][j] += weighted * rows[j];
+    }
+  }
+}
+
+VFM_CLONES
+void AddCells(
+  NormalSums& sums, const CreaseModel& model, const PackedCells& cells, int coefficients)
+{
+  ModelLanes at;
+  std::array<Lanes, MostCoefficients> rows;
+  for (const FourCells& packed : cells)
+  {
+    const CellLanes four = Load(packed);
+    SetFractions(at, model, four);
+    const Lanes error = at.Fraction - four.Fraction, weighted = four.Weight * error;
+    sums.Cost += weighted * error;
+    for (int k = 0; at.IsCut && k < model.Count; ++k)
+    {
+      const std::array<Lanes, 6> by = DerivativesBy(at.Surfaces[k], model.Surfaces[k], four.Width);
+      const int first = k * coefficients;
+      for (int i = 0; i < coefficients; ++i)
+      {
+        rows[first + i] = by[i];
+        sums.Gradient[first + i] += weighted * by[i];
+      }
+      for (int other = at.IsShared ? 0 : k; other <= k; ++other)
+      {
+        AddProducts(sums, rows, four.Weight, first, other * coefficients, coefficients);
+      }
+    }
+  }
 }
 
 /// The weighted sum of squares at a model with half its gradient and Hessian (Gauss-Newton), over the first coefficients of each surface.
 class NormalEquations
 {
 public:
-  NormalEquations(
-    const CreaseModel& model, const std::vector<SampleCell>& cells, int coefficients) :
+  NormalEquations(const CreaseModel& model, const PackedCells& cells, int coefficients) :
     Size(coefficients * model.Count)
   {
-    for (const SampleCell& cell : cells)
-    {
-      std::array<double, MostCoefficients> derivatives;
-      const double error = FractionIn(model, cell, derivatives.data(), nullptr) - cell.Fraction;
-      for (int k = 1; k < model.Count; ++k)
-      {
-        std::copy_n(&derivatives[6 * k], coefficients, &derivatives[coefficients * k]);
-      }
-      this->Add(cell.Weight, error, derivatives);
-    }
+    NormalSums sums{};
+    AddCells(sums, model, cells, coefficients);
+    this->Cost = Sum(sums.Cost);
     for (int i = 0; i < this->Size; ++i)
     {
       const double ridge = RidgeOf(i % coefficients);
       const double c = model.Surfaces[i / coefficients].C[i % coefficients];
       this->Cost += ridge * c * c;
-      this->Gradient[i] += ridge * c;
+      this->Gradient[i] = Sum(sums.Gradient[i]) + ridge * c;
+      for (int j = 0; j <= i; ++j)
+      {
+        this->Hessian[i][j] = Sum(sums.Hessian[i][j]);
+      }
       this->Hessian[i][i] += ridge;
     }
   }
 
-  double Cost = 0.0;
+  double Cost;
 
   /// The step down at a damping, by Cholesky's factors.
   std::array<double, MostCoefficients> Solve(double damping) const
@@ -89,26 +143,9 @@ public:
   }
 
 private:
-  void Add(double weight, double error, const std::array<double, MostCoefficients>& derivatives)
-  {
-    this->Cost += weight * error * error;
-    for (int i = 0; i < this->Size; ++i)
-    {
-      const double w = weight * derivatives[i];
-      if (w != 0.0)
-      {
-        this->Gradient[i] += w * error;
-        for (int j = 0; j <= i; ++j)
-        {
-          this->Hessian[i][j] += w * derivatives[j];
-        }
-      }
-    }
-  }
-
   int Size;
-  std::array<double, MostCoefficients> Gradient{};
-  std::array<std::array<double, MostCoefficients>, MostCoefficients> Hessian{}; ///< lower half
+  std::array<double, MostCoefficients> Gradient;
+  std::array<std::array<double, MostCoefficients>, MostCoefficients> Hessian; ///< lower half
 };
 
 /// Moves a model by a step, clamped; returns the longest component of the step.
@@ -127,34 +164,47 @@ double MoveBy(
 
 } // namespace
 
-double ResidualOf(const CreaseModel& model, const std::vector<SampleCell>& cells)
+VFM_CLONES
+double ResidualOf(const CreaseModel& model, const PackedCells& cells)
 {
-  double sum = 0.0, weights = 0.0;
-  for (const SampleCell& cell : cells)
+  Lanes squares{}, weights{};
+  ModelLanes at;
+  for (const FourCells& packed : cells)
   {
-    const double fraction = FractionIn(model, cell), error = fraction - cell.Fraction;
-    if (IsCut(cell.Fraction) || IsCut(fraction) || std::fabs(error) > FullCell)
+    const CellLanes four = Load(packed);
+    SetFractions(at, model, four);
+    const Lanes error = at.Fraction - four.Fraction;
+    const Mask counts =
+      IsCut(four.Fraction) | IsCut(at.Fraction) | (error > FullCell) | (error < -FullCell);
+    const Lanes weight = counts ? four.Weight : Splat(0.0);
+    squares += weight * error * error;
+    weights += weight;
+  }
+  return Sum(weights) > 0.0 ? std::sqrt(Sum(squares) / Sum(weights)) : NoResidual;
+}
+
+VFM_CLONES
+std::array<double, CreaseModel::MostSurfaces> AreasOf(
+  const CreaseModel& model, const PackedCells& cells)
+{
+  std::array<Lanes, CreaseModel::MostSurfaces> sums{};
+  ModelLanes at;
+  for (const FourCells& packed : cells)
+  {
+    const CellLanes four = Load(packed);
+    SetFractions(at, model, four);
+    const Lanes volume = four.Width.X * four.Width.Y * four.Width.Z;
+    for (int k = 0; at.IsCut && k < model.Count; ++k)
     {
-      sum += cell.Weight * error * error;
-      weights += cell.Weight;
+      const SurfaceLanes& surface = at.Surfaces[k];
+      const Lanes square = 1.0 + surface.AlongU * surface.AlongU + surface.AlongV * surface.AlongV;
+      sums[k] += volume * surface.Rates.ByHeight * SquareRoot(square);
     }
   }
-  return weights > 0.0 ? std::sqrt(sum / weights) : NoResidual;
+  return { { Sum(sums[0]), Sum(sums[1]), Sum(sums[2]) } };
 }
 
-std::array<double, CreaseModel::MostSurfaces> AreasOf(
-  const CreaseModel& model, const std::vector<SampleCell>& cells)
-{
-  std::array<double, CreaseModel::MostSurfaces> areas{};
-  for (const SampleCell& cell : cells)
-  {
-    FractionIn(model, cell, nullptr, areas.data());
-  }
-  return areas;
-}
-
-void FitModel(
-  CreaseModel& model, const std::vector<SampleCell>& cells, int coefficients, int iterations)
+void FitModel(CreaseModel& model, const PackedCells& cells, int coefficients, int iterations)
 {
   NormalEquations at(model, cells, coefficients);
   double damping = FirstDamping;

@@ -3,20 +3,19 @@
  */
 #pragma once
 
-#include "Creases/CreaseModel.h"
+#include "Creases/PackedCells.h"
 
 namespace vfm
 {
 
 /// Weighted root mean square of what a model's fractions are off, over the cells that it or the data cut or that are off.
-double ResidualOf(const CreaseModel& model, const std::vector<SampleCell>& cells);
+double ResidualOf(const CreaseModel& model, const PackedCells& cells);
 
 /// The area of each surface that bounds the second label in the cells, cells^2.
 std::array<double, CreaseModel::MostSurfaces> AreasOf(
-  const CreaseModel& model, const std::vector<SampleCell>& cells);
+  const CreaseModel& model, const PackedCells& cells);
 
 /// Moves the first `coefficients` (3: planes, 6: quadrics) of each surface towards the least weighted squares, in at most so many iterations.
-void FitModel(
-  CreaseModel& model, const std::vector<SampleCell>& cells, int coefficients, int iterations);
+void FitModel(CreaseModel& model, const PackedCells& cells, int coefficients, int iterations);
 
 } // namespace vfm

@@ -48,9 +48,7 @@ bool IsInside(const CreaseModel& model, int bits);
 /// The fraction that the model leaves in a cell, 0..1.
 double FractionIn(const CreaseModel& model, const SampleCell& cell);
 
-/// The same with its derivatives by the six coefficients of each surface, one surface after another, and adds the area of each surface
-/// that bounds the second label in the cell (cells^2).
-double FractionIn(
-  const CreaseModel& model, const SampleCell& cell, double* derivatives, double* areas);
+/// The same with its derivatives by the six coefficients of each surface, one surface after another.
+double FractionIn(const CreaseModel& model, const SampleCell& cell, double* derivatives);
 
 } // namespace vfm

@@ -31,7 +31,7 @@ constexpr int EarlyIterations = 5, PlaneIterations = 7, QuadricIterations = 10,
 
 /// Models of so many of the seeds, in all compositions, the best first; with their residuals.
 std::vector<FittedCrease> MakeStarts(
-  const std::vector<LocalQuadric>& seeds, int count, const std::vector<SampleCell>& cells)
+  const std::vector<LocalQuadric>& seeds, int count, const PackedCells& cells)
 {
   std::vector<FittedCrease> starts;
   const int sets = 1 << seeds.size();
@@ -62,15 +62,14 @@ std::vector<FittedCrease> MakeStarts(
   return starts;
 }
 
-void Refine(
-  FittedCrease& crease, const std::vector<SampleCell>& cells, int coefficients, int iterations)
+void Refine(FittedCrease& crease, const PackedCells& cells, int coefficients, int iterations)
 {
   FitModel(crease.Model, cells, coefficients, iterations);
   crease.Residual = ResidualOf(crease.Model, cells);
 }
 
 /// Planes first, then quadrics; given up where it leads nowhere.
-void FitStart(FittedCrease& crease, const std::vector<SampleCell>& cells)
+void FitStart(FittedCrease& crease, const PackedCells& cells)
 {
   Refine(crease, cells, 3, EarlyIterations);
   if (crease.Residual > ExcellentResidual && crease.Residual <= EarlyLimit)
@@ -84,8 +83,8 @@ void FitStart(FittedCrease& crease, const std::vector<SampleCell>& cells)
 }
 
 /// The best model of so many of the seeds; reached: the least residual of planes.
-FittedCrease FitSeveral(const std::vector<LocalQuadric>& seeds, int count,
-  const std::vector<SampleCell>& cells, double before)
+FittedCrease FitSeveral(
+  const std::vector<LocalQuadric>& seeds, int count, const PackedCells& cells, double before)
 {
   FittedCrease best;
   const std::vector<FittedCrease> starts = MakeStarts(seeds, count, cells);
@@ -109,7 +108,7 @@ FittedCrease FitSeveral(const std::vector<LocalQuadric>& seeds, int count,
   return best;
 }
 
-bool IsPlausible(const CreaseModel& model, const std::vector<SampleCell>& cells)
+bool IsPlausible(const CreaseModel& model, const PackedCells& cells)
 {
   const auto areas = AreasOf(model, cells);
   const Vector3 node{};
@@ -185,7 +184,7 @@ CreaseSearch::CreaseSearch(const CreaseInput& input, Index node, Index point) :
 
 double CreaseSearch::NearResidual() const
 {
-  Cells cells;
+  std::vector<SampleCell> cells;
   return GatherCells(this->Input.Source, this->Input.Fractions, this->Frame, this->Labels,
            InnerStencil, cells)
     ? ResidualOf(ModelOf(this->Quadric), cells)
@@ -196,11 +195,13 @@ bool CreaseSearch::Gather()
 {
   const bool found = GatherCells(this->Input.Source, this->Input.Fractions, this->Frame,
     this->Labels, WideStencil, this->Around);
-  this->Before = found ? ResidualOf(ModelOf(this->Quadric), this->Around) : 0.0;
+  this->Packed = this->Around;
+  this->Before = found ? ResidualOf(ModelOf(this->Quadric), this->Packed) : 0.0;
   return found;
 }
 
-bool CreaseSearch::IsAccepted(const FittedCrease& crease, const Cells& cells, double before) const
+bool CreaseSearch::IsAccepted(
+  const FittedCrease& crease, const PackedCells& cells, double before) const
 {
   if (!(crease.Residual < Accepted && crease.Residual * Gain < before) ||
     !IsPlausible(crease.Model, cells))
@@ -217,7 +218,7 @@ bool CreaseSearch::IsAccepted(const FittedCrease& crease, const Cells& cells, do
 }
 
 std::optional<FittedCrease> CreaseSearch::FitSeeds(
-  const std::vector<LocalQuadric>& seeds, const Cells& cells, double before) const
+  const std::vector<LocalQuadric>& seeds, const PackedCells& cells, double before) const
 {
   if (seeds.size() < 2)
   {
@@ -239,12 +240,12 @@ std::optional<FittedCrease> CreaseSearch::FitSeeds(
 
 std::optional<FittedCrease> CreaseSearch::FromSeeds(const std::vector<LocalQuadric>& seeds) const
 {
-  const std::optional<FittedCrease> wide = this->FitSeeds(seeds, this->Around, this->Before);
+  const std::optional<FittedCrease> wide = this->FitSeeds(seeds, this->Packed, this->Before);
   if (wide)
   {
     return wide;
   }
-  const Cells narrow = Narrowed(this->Around, NarrowStencil); // of bodies a few cells thick
+  const PackedCells narrow = Narrowed(this->Around, NarrowStencil); // of bodies a few cells thick
   const double before = ResidualOf(ModelOf(this->Quadric), narrow);
   if (before <= NarrowTrigger)
   {
@@ -271,7 +272,7 @@ std::optional<FittedCrease> CreaseSearch::FromModels(const std::vector<NearCreas
     {
       surface = Moved(surface, other.From);
     }
-    crease.Residual = ResidualOf(crease.Model, this->Around);
+    crease.Residual = ResidualOf(crease.Model, this->Packed);
     if (crease.Residual < best.Residual)
     {
       best = crease;
@@ -283,9 +284,9 @@ std::optional<FittedCrease> CreaseSearch::FromModels(const std::vector<NearCreas
   }
   if (best.Residual > ExcellentResidual && best.Residual < PlaneLimit)
   {
-    Refine(best, this->Around, 6, NearIterations);
+    Refine(best, this->Packed, 6, NearIterations);
   }
-  return this->IsAccepted(best, this->Around, this->Before) ? std::optional<FittedCrease>(best)
+  return this->IsAccepted(best, this->Packed, this->Before) ? std::optional<FittedCrease>(best)
                                                             : std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "Creases/CreaseData.h"
+#include "Creases/PackedCells.h"
 #include "Interface/SurfaceTargets.h"
 
 #include <optional>
@@ -61,19 +62,18 @@ public:
   std::optional<FittedCrease> FromSurfaces(const std::vector<NearCrease>& others) const;
 
 private:
-  using Cells = std::vector<SampleCell>;
-
   std::optional<FittedCrease> FromSeeds(const std::vector<LocalQuadric>& seeds) const;
   std::optional<FittedCrease> FitSeeds(
-    const std::vector<LocalQuadric>& seeds, const Cells& cells, double before) const;
-  bool IsAccepted(const FittedCrease& crease, const Cells& cells, double before) const;
+    const std::vector<LocalQuadric>& seeds, const PackedCells& cells, double before) const;
+  bool IsAccepted(const FittedCrease& crease, const PackedCells& cells, double before) const;
 
   const CreaseInput& Input;
   Index Node;
   std::array<int, 2> Labels;
   NodeFrame Frame;
   LocalQuadric Quadric;
-  Cells Around;
+  std::vector<SampleCell> Around;
+  PackedCells Packed; ///< the same
   double Before = 0.0;
 };
 

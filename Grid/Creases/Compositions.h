@@ -1,0 +1,47 @@
+/**
+ * How the surfaces of a crease model are put together: as few products of indicators as there can be.
+ */
+#pragma once
+
+#include <array>
+
+namespace vfm
+{
+
+/// Sign times the indicator of what is inside of all surfaces of a mask, outside of those that are flipped. Mask 0: 1; Sign 0: none.
+struct CompositionTerm
+{
+  int Sign, Mask, Flipped;
+};
+
+/// At most one has more than one surface: A or B = 1 - (not A and not B).
+using Composition = std::array<CompositionTerm, 2>;
+
+constexpr std::array<Composition, 1> CompositionsOfOne{ {
+  { { { 1, 1, 0 }, { 0, 0, 0 } } },
+} };
+constexpr std::array<Composition, 2> CompositionsOfTwo{ {
+  { { { 1, 3, 0 }, { 0, 0, 0 } } },  // X and Y
+  { { { 1, 0, 0 }, { -1, 3, 3 } } }, // X or Y
+} };
+constexpr std::array<Composition, 8> CompositionsOfThree{ {
+  { { { 1, 7, 0 }, { 0, 0, 0 } } },  // X and Y and Z
+  { { { 1, 0, 0 }, { -1, 7, 7 } } }, // X or Y or Z
+  { { { 1, 1, 0 }, { -1, 7, 6 } } }, // (X or Y) and Z
+  { { { 1, 2, 0 }, { -1, 7, 5 } } },
+  { { { 1, 4, 0 }, { -1, 7, 3 } } },
+  { { { 1, 1, 0 }, { 1, 7, 1 } } }, // (X and Y) or Z
+  { { { 1, 2, 0 }, { 1, 7, 2 } } },
+  { { { 1, 4, 0 }, { 1, 7, 4 } } },
+} };
+
+inline const Composition& CompositionOf(int surfaces, int composition)
+{
+  if (surfaces == 1)
+  {
+    return CompositionsOfOne[0];
+  }
+  return surfaces == 2 ? CompositionsOfTwo[composition] : CompositionsOfThree[composition];
+}
+
+} // namespace vfm
