@@ -9,8 +9,9 @@ namespace vfm
 namespace
 {
 
-constexpr double Accepted = 0.03;           // largest residual of a model
-constexpr double AcceptedNarrow = 0.01;     // of one in the narrow stencil, which has less data
+constexpr double Accepted = 0.03; // largest residual of a model
+constexpr double AcceptedNarrow =
+  0.01; // of one in the narrow stencil, which has less data, where the pair is not known to have edges
 constexpr double Gain = 3.0;                // by which it must be below those of one surface
 constexpr double ClearGain = 12.0;          // at which the point's own quadric is enough to tell
 constexpr double NarrowTrigger = 0.04;      // least residual of the quadric in the narrow stencil
@@ -173,9 +174,10 @@ std::vector<LocalQuadric> CollectSurfaces(std::vector<NearCrease> others)
 
 } // namespace
 
-CreaseSearch::CreaseSearch(const CreaseInput& input, Index node, Index point) :
+CreaseSearch::CreaseSearch(const CreaseInput& input, Index node, Index point, bool isSharp) :
   Input(input),
   Node(node),
+  IsSharp(isSharp),
   Labels{ { input.Source.Points()[point].First, input.Source.Points()[point].Second } },
   Frame(FrameOf(input.Source, node)),
   Quadric(input.Targets.QuadricOf(input.FirstTarget + point, Frame.Origin, Frame.Widths))
@@ -252,7 +254,8 @@ std::optional<FittedCrease> CreaseSearch::FromSeeds(const std::vector<LocalQuadr
     return {};
   }
   std::optional<FittedCrease> crease = this->FitSeeds(seeds, narrow, before);
-  return crease && crease->Residual <= AcceptedNarrow ? crease : std::nullopt;
+  const double limit = this->IsSharp ? Accepted : AcceptedNarrow;
+  return crease && crease->Residual <= limit ? crease : std::nullopt;
 }
 
 std::optional<FittedCrease> CreaseSearch::FromCrossings(FaceWalk& walk) const

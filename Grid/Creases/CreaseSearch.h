@@ -43,8 +43,9 @@ struct CreaseInput
 class CreaseSearch
 {
 public:
-  /// node: position in Interface::Nodes(); point: in Points(), of that node. Keeps references.
-  CreaseSearch(const CreaseInput& input, Index node, Index point);
+  /// node: position in Interface::Nodes(); point: in Points(), of that node. isSharp: the pair is known to have edges, so that models of less
+  /// data are trusted. Keeps references.
+  CreaseSearch(const CreaseInput& input, Index node, Index point, bool isSharp);
 
   /// How far the quadric of the point is off near it; 0 where the data does not tell.
   double NearResidual() const;
@@ -69,6 +70,7 @@ private:
 
   const CreaseInput& Input;
   Index Node;
+  bool IsSharp;
   std::array<int, 2> Labels;
   NodeFrame Frame;
   LocalQuadric Quadric;

@@ -5,6 +5,7 @@
 #include "Creases/CreaseSearch.h"
 
 #include <memory>
+#include <set>
 #include <tuple>
 
 namespace vfm
@@ -59,6 +60,7 @@ public:
   void Find(SharpEdges mode)
   {
     this->FindStrong();
+    this->FindSharpPairs();
     if (mode == SharpEdges::Automatic)
     {
       this->DropSmoothPairs();
@@ -142,11 +144,7 @@ private:
       });
     std::vector<unsigned char> isStrong(places.size(), 0);
     ForEach(this->Run, places.size(),
-      [&](Index i)
-      {
-        isStrong[i] = CreaseSearch(this->Input, places[i].Node, places[i].Point).NearResidual() >=
-          StrongResidual;
-      });
+      [&](Index i) { isStrong[i] = this->SearchOf(places[i]).NearResidual() >= StrongResidual; });
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       if (isStrong[i])
@@ -171,45 +169,52 @@ private:
     return GatherPairSums(sums, this->Parts.Group());
   }
 
-  /// Leaves the strong points of pairs alone where enough of a sample has models.
-  void DropSmoothPairs()
+  /// Pairs where enough of a sample of their strong points has models: there the fractions tell of edges nearly everywhere.
+  void FindSharpPairs()
   {
     std::map<LabelPair, Index> stride;
     for (const PairSum& sum :
       this->SumByPair([this](const Place& place) { return this->IsFirst(place) ? 1.0 : 0.0; }))
     {
       stride[{ sum.First, sum.Second }] =
-        static_cast<Index>(std::ceil(sum.Value.Value() / SampleSize));
+        std::max<Index>(1, static_cast<Index>(std::ceil(sum.Value.Value() / SampleSize)));
     }
     const auto isSample = [&](const Place& place)
     {
-      const auto at = stride.find(this->PairOf(place.Point));
-      return at != stride.end() && at->second > 0 && this->IsFirst(place) &&
-        this->Shuffled(place.Node) % at->second == 0;
+      return this->IsFirst(place) &&
+        this->Shuffled(place.Node) % stride.at(this->PairOf(place.Point)) == 0;
     };
     std::vector<Place> mine;
     std::copy_if(this->Strong.begin(), this->Strong.end(), std::back_inserter(mine),
       [&](const Place& place) { return this->IsOwned(place.Node); });
     this->SearchFirst(mine, isSample);
-    std::map<LabelPair, double> balance;
-    for (const PairSum& sum :
-      this->SumByPair([&](const Place& place)
-        { return !isSample(place) ? 0.0 : (this->First[place.Point] ? 1.0 : 0.0) - SampleShare; }))
+    const auto balance = [&](const Place& place)
+    { return !isSample(place) ? 0.0 : (this->First[place.Point] ? 1.0 : 0.0) - SampleShare; };
+    for (const PairSum& sum : this->SumByPair(balance))
     {
-      balance[{ sum.First, sum.Second }] = sum.Value.Value();
-    }
-    const auto isSmooth = [&](const Place& place)
-    {
-      const auto at = balance.find(this->PairOf(place.Point));
-      const bool drop = at == balance.end() || at->second <= 0.0;
-      if (drop)
+      if (sum.Value.Value() > 0.0)
       {
-        this->First[place.Point].reset();
+        this->SharpPairs.insert({ sum.First, sum.Second });
       }
-      return drop;
-    };
-    this->Strong.erase(
-      std::remove_if(this->Strong.begin(), this->Strong.end(), isSmooth), this->Strong.end());
+    }
+  }
+  bool IsSharp(const Place& place) const
+  {
+    return this->SharpPairs.count(this->PairOf(place.Point)) > 0;
+  }
+
+  CreaseSearch SearchOf(const Place& place) const
+  {
+    return CreaseSearch(this->Input, place.Node, place.Point, this->IsSharp(place));
+  }
+
+  void DropSmoothPairs()
+  {
+    const auto dropped = std::stable_partition(this->Strong.begin(), this->Strong.end(),
+      [this](const Place& place) { return this->IsSharp(place); });
+    std::for_each(dropped, this->Strong.end(),
+      [this](const Place& place) { this->First[place.Point].reset(); });
+    this->Strong.erase(dropped, this->Strong.end());
   }
 
   /// A number of a node, the same on all ranks, that tells nothing of where it is.
@@ -232,7 +237,7 @@ private:
         FaceWalk walk(this->Source);
         for (Index i = begin; i < end; ++i)
         {
-          CreaseSearch search(this->Input, wanted[i].Node, wanted[i].Point);
+          CreaseSearch search = this->SearchOf(wanted[i]);
           if (search.Gather())
           {
             this->Keep(search.FromCrossings(walk), this->First[wanted[i].Point]);
@@ -346,7 +351,7 @@ private:
     ForEach(this->Run, places.size(),
       [&](Index i)
       {
-        CreaseSearch search(this->Input, places[i].Node, places[i].Point);
+        CreaseSearch search = this->SearchOf(places[i]);
         if (search.Gather())
         {
           const std::vector<NearCrease> others =
@@ -431,7 +436,7 @@ private:
   void SearchAt(const Place& place, const Candidates& candidates, FaceWalk& walk)
   {
     const auto& own = this->First[place.Point];
-    CreaseSearch search(this->Input, place.Node, place.Point);
+    CreaseSearch search = this->SearchOf(place);
     if ((own && own->Residual < ExcellentResidual) || !search.Gather() ||
       search.QuadricResidual() < WeakResidual)
     {
@@ -485,6 +490,7 @@ private:
   const Partition& Parts;
   Runtime& Run;
   std::vector<Place> Strong; // ascending
+  std::set<LabelPair> SharpPairs;
   Fits First, Second, Third;
 };
 
