@@ -9,6 +9,7 @@ namespace
 {
 
 constexpr double FarthestSide = 1.5; // from where a point started, in cells
+constexpr double SheetCosine = -0.9; // between the normals of surfaces that face each other
 constexpr double SideWeight = 4.0;   // of squared distances, against 1 of quadrics
 constexpr double CarrierWeight = 20.0;
 
@@ -18,6 +19,15 @@ struct ModelAt
   const NodeCrease* Crease;
   Vector3 Start;
 };
+
+/// Whether a model is two surfaces that face each other, with a thin gap or film between them.
+bool IsSheet(const CreaseModel& model)
+{
+  Vector3 first, second;
+  DistanceTo(model.Surfaces[0], {}, first);
+  DistanceTo(model.Surfaces[1], {}, second);
+  return model.Count == 2 && Dot(first, second) < SheetCosine;
+}
 
 class CreaseAttacher
 {
@@ -106,6 +116,7 @@ private:
     CreasePoint point;
     point.Kind = side.Distance < FarthestSide ? CreaseKind::Side : CreaseKind::None;
     point.Normal = side.Normal;
+    point.IsSheet = IsSheet(model);
     if (edge)
     {
       point.EdgeDistance = edge->Distance;

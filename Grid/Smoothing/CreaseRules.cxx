@@ -357,7 +357,7 @@ void CreaseRules::DropFarSides()
   std::vector<unsigned char> near(this->Points.size());
   for (std::size_t i = 0; i < near.size(); ++i)
   {
-    near[i] = this->IsCarrierAt(static_cast<int>(i));
+    near[i] = this->IsCarrierAt(static_cast<int>(i)) || this->Points[i].IsSheet;
   }
   this->Spread(
     near, SideRings, [](int, unsigned char& mine, unsigned char other) { mine |= other; });

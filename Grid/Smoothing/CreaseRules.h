@@ -25,6 +25,7 @@ struct CreasePoint
 {
   CreaseKind Kind = CreaseKind::None;
   Vector3 Normal{};             ///< of the side
+  bool IsSheet = false;         ///< a thin gap or film: it needs no edge near
   double EdgeDistance = 1e30;   ///< of the nearest edge
   Vector3 Corner{};             ///< grid coordinates
   double CornerDistance = 1e30; ///< such: there is none
