@@ -12,7 +12,7 @@ namespace
 constexpr int SideSteps = 4, EdgeSteps = 4, CornerSteps = 8; // of Newton
 constexpr double SmallestEdgeSine = 0.02;     // squared, between the normals of two surfaces
 constexpr double SmallestCornerVolume = 0.1;  // of the normals of three
-constexpr double FarthestCorner = 3.0;        // in cells
+constexpr double FarthestCorner = 4.0;        // in cells
 constexpr double Lost = 2.0 * FarthestCorner; // where Newton is not followed
 
 Vector3 FootOn(const LocalQuadric& surface, Vector3 y, Vector3& normal)
@@ -25,21 +25,25 @@ Vector3 FootOn(const LocalQuadric& surface, Vector3 y, Vector3& normal)
   return y;
 }
 
-/// From y to where two surfaces meet.
-std::optional<Vector3> PointOfEdge(const LocalQuadric& a, const LocalQuadric& b, Vector3 y)
+/// From y to where surfaces i and j meet.
+std::optional<EdgePlace> PointOfEdge(const CreaseModel& model, int i, int j, const Vector3& y)
 {
+  EdgePlace edge{ { { i, j } }, y, 0.0, 0.0 };
   for (int step = 0; step < EdgeSteps; ++step)
   {
-    Vector3 na, nb;
-    const double da = DistanceTo(a, y, na), db = DistanceTo(b, y, nb);
-    const double cosine = Dot(na, nb), sine = 1.0 - cosine * cosine;
+    Vector3 ni, nj;
+    const double di = DistanceTo(model.Surfaces[i], edge.Point, ni);
+    const double dj = DistanceTo(model.Surfaces[j], edge.Point, nj);
+    const double cosine = Dot(ni, nj), sine = 1.0 - cosine * cosine;
     if (sine < SmallestEdgeSine)
     {
       return std::nullopt;
     }
-    y = y + ((cosine * db - da) / sine) * na + ((cosine * da - db) / sine) * nb;
+    edge.Point = edge.Point + ((cosine * dj - di) / sine) * ni + ((cosine * di - dj) / sine) * nj;
+    edge.Bluntness = BluntnessOf(ni, nj);
   }
-  return y;
+  edge.Distance = Norm(edge.Point - y);
+  return edge;
 }
 
 /// Whether the second label ends at surface k where the point is inside of `others` of the others, or of some of the mask too.
@@ -104,46 +108,51 @@ std::optional<EdgePlace> FindEdge(const CreaseModel& model, const Vector3& y)
   {
     for (int j = i + 1; j < model.Count; ++j)
     {
-      const std::optional<Vector3> point = PointOfEdge(model.Surfaces[i], model.Surfaces[j], y);
-      if (point && (!best || Norm(*point - y) < best->Distance) &&
-        IsBoundary(model, 1 << i | 1 << j, *point))
+      const std::optional<EdgePlace> edge = PointOfEdge(model, i, j, y);
+      if (edge && (!best || edge->Distance < best->Distance) &&
+        IsBoundary(model, 1 << i | 1 << j, edge->Point))
       {
-        best = { { { i, j } }, *point, Norm(*point - y) };
+        best = edge;
       }
     }
   }
   return best;
 }
 
-std::optional<Vector3> FindCorner(const CreaseModel& model, const Vector3& y)
+std::optional<CornerPlace> FindCorner(const CreaseModel& model, const Vector3& y)
 {
   if (model.Count < 3)
   {
     return std::nullopt;
   }
-  Vector3 point = y;
+  CornerPlace corner{ y, 0.0, 1.0 };
+  std::array<Vector3, 3> normals;
   for (int step = 0; step < CornerSteps; ++step)
   {
-    Eigen::Matrix3d normals;
+    Eigen::Matrix3d rows;
     Eigen::Vector3d distances;
     for (int k = 0; k < 3; ++k)
     {
-      Vector3 normal;
-      distances[k] = DistanceTo(model.Surfaces[k], point, normal);
-      normals.row(k) << normal[0], normal[1], normal[2];
+      distances[k] = DistanceTo(model.Surfaces[k], corner.Point, normals[k]);
+      rows.row(k) << normals[k][0], normals[k][1], normals[k][2];
     }
-    if (std::fabs(normals.determinant()) < SmallestCornerVolume)
+    if (std::fabs(rows.determinant()) < SmallestCornerVolume)
     {
       return std::nullopt;
     }
-    const Eigen::Vector3d move = normals.partialPivLu().solve(distances);
-    point = point - Vector3{ { move[0], move[1], move[2] } };
-    if (!(Norm(point - y) < Lost))
+    const Eigen::Vector3d move = rows.partialPivLu().solve(distances);
+    corner.Point = corner.Point - Vector3{ { move[0], move[1], move[2] } };
+    corner.Distance = Norm(corner.Point - y);
+    if (!(corner.Distance < Lost))
     {
       return std::nullopt;
     }
   }
-  return Norm(point - y) < FarthestCorner ? std::optional<Vector3>(point) : std::nullopt;
+  for (int k = 0; k < 3; ++k)
+  {
+    corner.Bluntness = std::min(corner.Bluntness, BluntnessOf(normals[k], normals[(k + 1) % 3]));
+  }
+  return corner.Distance < FarthestCorner ? std::optional<CornerPlace>(corner) : std::nullopt;
 }
 
 } // namespace vfm

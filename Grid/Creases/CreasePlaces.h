@@ -23,16 +23,30 @@ struct SidePlace
 };
 SidePlace FindSide(const CreaseModel& model, const Vector3& y);
 
+/// How blunt an edge is where two surfaces with such unit normals meet: 1 where the angle between them is right or obtuse, less where it is
+/// acute on one side, and 0 where both fall together.
+inline double BluntnessOf(const Vector3& a, const Vector3& b)
+{
+  return std::min(1.0, std::sqrt(std::max(0.0, 1.0 + Dot(a, b))));
+}
+
 /// The point nearest to y of an edge that bounds the second label.
 struct EdgePlace
 {
   std::array<int, 2> Surfaces;
   Vector3 Point;
-  double Distance; ///< from y
+  double Distance;  ///< from y
+  double Bluntness; ///< there
 };
 std::optional<EdgePlace> FindEdge(const CreaseModel& model, const Vector3& y);
 
-/// Where three surfaces meet, within 3 cells of y.
-std::optional<Vector3> FindCorner(const CreaseModel& model, const Vector3& y);
+/// Where three surfaces meet, within 4 cells of y.
+struct CornerPlace
+{
+  Vector3 Point;
+  double Distance;  ///< from y
+  double Bluntness; ///< of its sharpest edge
+};
+std::optional<CornerPlace> FindCorner(const CreaseModel& model, const Vector3& y);
 
 } // namespace vfm

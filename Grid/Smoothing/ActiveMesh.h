@@ -53,6 +53,8 @@ struct ActiveMesh
   std::vector<int> Elements;           ///< Corners points an element
   std::vector<Vector3>
     Widths; ///< of the cell of each element, grid coordinates; one entry when all are equal
+  std::vector<float>
+    Demands; ///< of each element: the share of the quality that the energy asks for; none: 1 of all
   std::vector<Index>
     CornerOffset; ///< corners at a point: CornerList[CornerOffset[p] .. CornerOffset[p + 1])
   std::vector<Index>
@@ -83,6 +85,11 @@ struct ActiveMesh
   const Vector3& WidthsAt(Index position) const
   {
     return this->Widths[this->Widths.size() == 1 ? 0 : position / this->Corners];
+  }
+  /// position: in Elements.
+  double DemandAt(Index position) const
+  {
+    return this->Demands.empty() ? 1.0 : this->Demands[position / this->Corners];
   }
   /// Fills X, Start, Fixed, Lower and Upper: the points are where the mesh has them, and stay on the sides of the domain or a little
   /// inside of them.

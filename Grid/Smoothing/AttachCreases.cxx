@@ -12,6 +12,7 @@ constexpr double FarthestSide = 1.5; // from where a point started, in cells
 constexpr double SheetCosine = -0.9; // between the normals of surfaces that face each other
 constexpr double SideWeight = 4.0;   // of squared distances, against 1 of quadrics
 constexpr double CarrierWeight = 20.0;
+constexpr float SmallestDemand = 0.8f; // at hexes of acute edges, which they cannot fill well
 
 /// The model that holds for an attachment, nullptr: none, and where its point started in the frame of the model.
 struct ModelAt
@@ -33,7 +34,11 @@ class CreaseAttacher
 {
 public:
   CreaseAttacher(const InterfaceCreases& creases, SurfaceTargets& targets, ActiveMesh& active) :
-    Creases(creases), Targets(targets), Active(active), IsOwned(active.X.size(), 0)
+    Creases(creases),
+    Targets(targets),
+    Active(active),
+    IsOwned(active.X.size(), 0),
+    Demands(active.X.size(), 1.0f)
   {
     active.ForOwned([this](int point) { this->IsOwned[point] = 1; });
   }
@@ -69,6 +74,24 @@ public:
     return points;
   }
 
+  /// Asks less of the hexes at acute edges. After Rewrite.
+  void SetDemands()
+  {
+    std::vector<float>& ofPoints = this->Demands;
+    this->Active.Exchange.SendAll([&](int mover) { return ofPoints[mover]; },
+      [&](int mover, float demand) { ofPoints[mover] = demand; });
+    std::vector<float> demands(this->Active.Elements.size() / this->Active.Corners, 1.0f);
+    for (std::size_t at = 0; at < this->Active.Elements.size(); ++at)
+    {
+      float& demand = demands[at / this->Active.Corners];
+      demand = std::min(demand, std::max(ofPoints[this->Active.Elements[at]], SmallestDemand));
+    }
+    if (std::any_of(demands.begin(), demands.end(), [](float demand) { return demand < 1.0f; }))
+    {
+      this->Active.Demands.swap(demands);
+    }
+  }
+
   /// Replaces the attachments that have a kind.
   void Rewrite(const std::vector<CreasePoint>& points)
   {
@@ -82,7 +105,9 @@ public:
         const ModelAt at = this->FindModel(p, i);
         if (at.Crease && points[i].Kind != CreaseKind::None)
         {
-          this->Add(at, points[i].Kind, this->Active.Attachments[i], attachments);
+          const double bluntness =
+            this->Add(at, points[i].Kind, this->Active.Attachments[i], attachments);
+          this->Demands[p] = std::min(this->Demands[p], static_cast<float>(bluntness));
         }
         else
         {
@@ -112,24 +137,25 @@ private:
     const CreaseModel& model = at.Crease->Model;
     const SidePlace side = FindSide(model, at.Start);
     const std::optional<EdgePlace> edge = FindEdge(model, at.Start);
-    const std::optional<Vector3> corner = FindCorner(model, at.Start);
+    const std::optional<CornerPlace> corner = FindCorner(model, at.Start);
     CreasePoint point;
     point.Kind = side.Distance < FarthestSide ? CreaseKind::Side : CreaseKind::None;
     point.Normal = side.Normal;
     point.IsSheet = IsSheet(model);
     if (edge)
     {
-      point.EdgeDistance = edge->Distance;
+      point.EdgeDistance = edge->Bluntness * edge->Distance;
     }
     if (corner)
     {
-      point.Corner = at.Crease->Origin + Scaled(*corner, at.Crease->Widths);
-      point.CornerDistance = Norm(*corner - at.Start);
+      point.Corner = at.Crease->Origin + Scaled(corner->Point, at.Crease->Widths);
+      point.CornerDistance = corner->Bluntness * corner->Distance;
     }
     return point;
   }
 
-  void Add(
+  /// Returns how blunt the edge is that a carrier is drawn to.
+  double Add(
     const ModelAt& at, CreaseKind kind, const Attachment& old, std::vector<Attachment>& attachments)
   {
     const CreaseModel& model = at.Crease->Model;
@@ -142,29 +168,30 @@ private:
     };
     if (kind == CreaseKind::Corner)
     {
-      const Vector3 corner = *FindCorner(model, at.Start);
+      const CornerPlace corner = *FindCorner(model, at.Start);
       for (int surface = 0; surface < 3; ++surface)
       {
-        add(surface, corner);
+        add(surface, corner.Point);
       }
+      return corner.Bluntness;
     }
-    else if (kind == CreaseKind::Edge)
+    if (kind == CreaseKind::Edge)
     {
       const EdgePlace edge = *FindEdge(model, at.Start);
       add(edge.Surfaces[0], edge.Point);
       add(edge.Surfaces[1], edge.Point);
+      return edge.Bluntness;
     }
-    else
-    {
-      const SidePlace side = FindSide(model, at.Start);
-      add(side.Surface, side.Foot);
-    }
+    const SidePlace side = FindSide(model, at.Start);
+    add(side.Surface, side.Foot);
+    return 1.0;
   }
 
   const InterfaceCreases& Creases;
   SurfaceTargets& Targets;
   ActiveMesh& Active;
   std::vector<unsigned char> IsOwned; // of each point: this rank moves it
+  std::vector<float> Demands;         // of each point: of the hexes there
 };
 
 } // namespace
@@ -184,6 +211,10 @@ std::vector<CreaseKind> AttachCreases(const InterfaceCreases& creases,
   rules.Run();
   std::vector<CreaseKind> kinds = rules.KindsOfPoints();
   attacher.Rewrite(points);
+  if (active.Corners == 8) // tets come near enough
+  {
+    attacher.SetDemands();
+  }
   return kinds;
 }
 

@@ -20,7 +20,8 @@
 namespace vfm
 {
 
-/// What is known of a point and a pair of labels from the model there; lengths in cells.
+/// What is known of a point and a pair of labels from the model there. Distances in cells, from acute edges and their corners less: times their bluntness, because cells
+/// beside these have less than half of the label, so its interface starts farther away.
 struct CreasePoint
 {
   CreaseKind Kind = CreaseKind::None;

@@ -180,6 +180,13 @@ VFM_INLINE Corners GatherAt(const ActiveMesh& mesh, Index position, const Vector
     static_cast<int>(position & 7), x.data());
 }
 
+/// What is asked of the hex at a position of the corner list.
+VFM_INLINE BarrierWeights WeightsAt(
+  const ActiveMesh& mesh, Index position, const BarrierWeights& weights)
+{
+  return { weights.HalfPower, mesh.DemandAt(position) * weights.Target, weights.Shape };
+}
+
 VFM_CLONES
 double EvaluateBarrier(
   const ActiveMesh& mesh, int point, const Vector3& x, const BarrierWeights& weights)
@@ -194,7 +201,7 @@ double EvaluateBarrier(
     {
       return InvalidEnergy;
     }
-    const Terms t = ComputeTerms(c, k, weights);
+    const Terms t = ComputeTerms(c, k, WeightsAt(mesh, position, weights));
     sum += t.Jacobian + t.Shape + t.Edge + t.Edge;
   }
   return Sum(sum);
@@ -207,8 +214,8 @@ Derivatives DifferentiateBarrier(const ActiveMesh& mesh, int point, const Barrie
   for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
   {
     const Index position = mesh.CornerList[at];
-    AddDerivatives(
-      sum, GatherAt(mesh, position, mesh.X[point]), MakeScales(mesh.WidthsAt(position)), weights);
+    AddDerivatives(sum, GatherAt(mesh, position, mesh.X[point]),
+      MakeScales(mesh.WidthsAt(position)), WeightsAt(mesh, position, weights));
   }
   Derivatives d;
   d.Value = Sum(sum.Value);

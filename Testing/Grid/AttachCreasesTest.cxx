@@ -220,10 +220,13 @@ TEST(CreasePlaces, CornerOfThreePlanes)
     const double side = Dot(Cube.Axes[axis], node - Cube.Center) > 0.0 ? 1.0 : -1.0;
     corner = corner + side * Cube.Size[axis] * Cube.Axes[axis];
   }
-  const std::optional<Vector3> found = FindCorner(ModelNear(node), { { 0.0, 0.0, 0.0 } });
-  ASSERT_EQ(found.has_value(), Norm(corner - node) < 3.0);
+  const std::optional<CornerPlace> found = FindCorner(ModelNear(node), { { 0.0, 0.0, 0.0 } });
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(Norm(node + found->Point - corner), 0.0, 1e-12);
+  EXPECT_NEAR(found->Distance, Norm(corner - node), 1e-12);
+  EXPECT_NEAR(found->Bluntness, 1.0, 1e-12);
   EXPECT_TRUE(FindCorner(ModelNear(corner), { { 0.5, 0.5, -0.5 } }));
-  EXPECT_FALSE(FindCorner(ModelNear(corner), { { 3.5, 0.0, 0.0 } }));
+  EXPECT_FALSE(FindCorner(ModelNear(corner), { { 4.5, 0.0, 0.0 } }));
   CreaseModel flat = ModelNear(corner);
   flat.Surfaces[2] = flat.Surfaces[1]; // meets nothing in a point
   EXPECT_FALSE(FindCorner(flat, { { 0.0, 0.0, 0.0 } }));
