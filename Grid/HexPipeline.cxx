@@ -42,6 +42,7 @@ private:
     const std::vector<Facet>& facets, FragmentVolumes& volumes, Mesh& mesh);
 
   LabelledGrid Labelled;
+  std::vector<CreaseKind> Kinds; // of the points of the mesh; empty: none carries an edge
 };
 
 void HexStages::FindLabels()
@@ -106,13 +107,12 @@ Mesh HexStages::MakeMesh()
   Mesh mesh = BuildHexes(this->Grid, labels, this->Labelled.Mixed, this->Options.StairStep,
     numbering, this->Run, coarse);
   mesh.Levels = this->Labelled.Levels.Grid;
-  this->Clock.Start("Finding geometry", 0.12);
+  this->Clock.Start("Finding fragments", 0.12);
   const Fragments fragments(this->Grid, labels, this->Options.MeshVoid, this->Parts);
   this->Report.NumberOfFragments = fragments.NumberOfFragments();
   FillFragments(this->Labelled, numbering, fragments, mesh);
   const std::vector<Facet> facets =
     FindHexFacets(this->Labelled, numbering, fragments, this->Parts, mesh);
-  ClassifyGeometry(facets, this->Run.Group(), mesh, this->Report);
   this->Clock.Start("Finding interfaces", 0.15);
   FragmentVolumes volumes = this->FindVolumes(fragments, mesh);
   if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)
@@ -125,6 +125,8 @@ Mesh HexStages::MakeMesh()
       SmoothCoarse(coarse, moved, mesh, this->Run);
     }
   }
+  this->Clock.Start("Finding geometry", 0.93);
+  ClassifyGeometry(facets, this->Kinds, this->Parts, mesh, this->Report);
   KeepOwned(mesh, this->Grid);
   ReportLevels(mesh, this->Labelled.Levels.Asked, this->Run.Group(), this->Report);
   ReportVolumes(this->Grid, volumes, this->Report);

@@ -48,7 +48,7 @@ public:
     this->Clock.Start("Finding geometry", 0.9);
     Mesh& mesh = this->Topology.Tets;
     FillInside(mesh);
-    ClassifyGeometry(this->ListFacets(), this->Run.Group(), mesh, this->Report);
+    ClassifyGeometry(this->ListFacets(), this->Kinds, this->Parts, mesh, this->Report);
     KeepOwned(mesh, this->Grid);
     ReportLevels(mesh, this->Levels.Asked, this->Run.Group(), this->Report);
     this->Refill();
@@ -254,6 +254,7 @@ private:
   TetFaces Faces;
   std::vector<int> Materials; // of the fragments
   std::unique_ptr<FragmentVolumes> Volumes;
+  std::vector<CreaseKind> Kinds; // of the points of the mesh; empty: none carries an edge
 };
 
 void CheckRange(const char* name, double value, double lowest, double highest)

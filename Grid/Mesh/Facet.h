@@ -20,4 +20,11 @@ struct Facet
   bool IsOwned;                 ///< one rank writes it and measures with it
 };
 
+/// What lies on the two sides of a facet, the smaller first: fragments, 0 not meshed, -1 - side beyond a side of the domain.
+inline std::array<int, 2> SurfaceOf(const Facet& facet)
+{
+  const int before = facet.DomainSide < 0 ? facet.Fragments[1] : -1 - facet.DomainSide;
+  return { { std::min(before, facet.Fragments[0]), std::max(before, facet.Fragments[0]) } };
+}
+
 } // namespace vfm

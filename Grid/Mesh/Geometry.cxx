@@ -2,6 +2,8 @@
 
 #include "Base/Sorted.h"
 #include "Mesh/Junctions.h"
+#include "Mesh/MeasureSurfaces.h"
+#include "Mesh/SmoothSides.h"
 
 namespace vfm
 {
@@ -10,16 +12,16 @@ namespace
 
 using Pair = GeometryTables::Pair;
 using SurfaceSet = std::vector<int>;
+using EdgeFacet = std::array<std::int64_t, 5>;
 
-/// A surface: what lies on its two sides, the smaller first: fragments, 0 not meshed, -1 - side beyond a side of the domain. Their
-/// materials follow.
-using SurfaceKey = std::array<int, 4>;
+/// A surface: what lies on its two sides (SurfaceOf), their materials, and its smooth side (FindSmoothSides).
+using SurfaceKey = std::array<int, 5>;
 
-SurfaceKey KeyOf(const Facet& facet)
+SurfaceKey KeyOf(const Facet& facet, int side)
 {
-  const int before = facet.DomainSide < 0 ? facet.Fragments[1] : -1 - facet.DomainSide;
-  const SurfaceKey key{ { before, facet.Fragments[0], facet.Materials[1], facet.Materials[0] } };
-  return key[0] < key[1] ? key : SurfaceKey{ { key[1], key[0], key[3], key[2] } };
+  const Pair pair = SurfaceOf(facet);
+  const int first = pair[0] == facet.Fragments[0] ? 0 : 1;
+  return { { pair[0], pair[1], facet.Materials[first], facet.Materials[1 - first], side } };
 }
 
 /// Numbers distinct keys from 1 in their order.
@@ -70,8 +72,14 @@ Numbering<SurfaceSet> GatherSets(Ranks& ranks, const std::vector<SurfaceSet>& se
 class GeometryFinder
 {
 public:
-  GeometryFinder(const std::vector<Facet>& facets, Ranks& ranks, Mesh& mesh) :
-    Facets(facets), Group(ranks), Result(mesh), Corners(mesh.CornersOfFacet())
+  /// sides: of the facets.
+  GeometryFinder(
+    const std::vector<Facet>& facets, std::vector<int> sides, Ranks& ranks, Mesh& mesh) :
+    Facets(facets),
+    Sides(std::move(sides)),
+    Group(ranks),
+    Result(mesh),
+    Corners(mesh.CornersOfFacet())
   {
   }
 
@@ -82,17 +90,19 @@ public:
     const Junctions junctions(this->Result);
     report.NumberOfVertices = this->FillVertices(junctions);
     report.NumberOfCurves = this->FillCurves(junctions);
+    this->ListEdgeFacets();
+    MeasureSurfaces(this->Result, this->Group);
   }
 
 private:
   Index FillSurfaces()
   {
     std::vector<SurfaceKey> keys;
-    for (const Facet& facet : this->Facets)
+    for (std::size_t q = 0; q < this->Facets.size(); ++q)
     {
-      if (facet.IsOwned) // what is beyond the rim is not known
+      if (this->Facets[q].IsOwned) // what is beyond the rim is not known
       {
-        keys.push_back(KeyOf(facet));
+        keys.push_back(KeyOf(this->Facets[q], this->Sides[q]));
       }
     }
     const Numbering<SurfaceKey> numbers = Gather(this->Group, keys);
@@ -106,7 +116,7 @@ private:
     {
       const Facet& facet = this->Facets[q];
       this->SetFacet(q, facet);
-      surfaces.SurfaceId[q] = numbers.Find(KeyOf(facet));
+      surfaces.SurfaceId[q] = numbers.Find(KeyOf(facet, this->Sides[q]));
       surfaces.DomainSide[q] = facet.DomainSide;
       surfaces.IsOwned.push_back(facet.IsOwned);
     }
@@ -150,6 +160,9 @@ private:
       tables.SurfaceVolumes.push_back(volumes);
       tables.SurfaceMaterials.push_back(materials);
       tables.SurfaceSides.push_back(key[0] < 0 ? -1 - key[0] : -1);
+      const bool isNext =
+        s > 0 && std::equal(key.begin(), key.begin() + 2, surfaces[s - 1].begin());
+      tables.SurfaceParts.push_back(key[4] == 0 ? 0 : isNext ? tables.SurfaceParts.back() + 1 : 1);
     }
     std::sort(tables.VolumeSurfaces.begin(), tables.VolumeSurfaces.end());
   }
@@ -268,7 +281,45 @@ private:
     tables.CurveVertices = Gather(this->Group, pairs).All();
   }
 
+  /// After points are classified.
+  void ListEdgeFacets()
+  {
+    const Mesh& mesh = this->Result;
+    std::vector<EdgeFacet> mine;
+    for (std::size_t q = 0; q < this->Facets.size(); ++q)
+    {
+      if (this->Sides[q] > 0 && this->Facets[q].IsOwned && !this->IsToldByPoints(q))
+      {
+        EdgeFacet facet{};
+        const Index* points = mesh.Surfaces.Points.data() + this->Corners * q;
+        std::transform(points, points + this->Corners, facet.begin() + (4 - this->Corners),
+          [&mesh](Index point) { return mesh.PointIds[point]; });
+        std::sort(facet.begin(), facet.begin() + 4);
+        facet[4] = mesh.Surfaces.SurfaceId[q];
+        mine.push_back(facet);
+      }
+    }
+    this->Result.Tables.EdgeFacets = Gather(this->Group, mine).All();
+  }
+
+  bool IsToldByPoints(std::size_t q) const
+  {
+    const Mesh& mesh = this->Result;
+    const Index* points = mesh.Surfaces.Points.data() + this->Corners * q;
+    int inside = 0, others = 0;
+    for (int c = 0; c < this->Corners; ++c)
+    {
+      if (mesh.GeometryDimension[points[c]] == 2)
+      {
+        ++inside;
+        others += mesh.GeometryId[points[c]] != mesh.Surfaces.SurfaceId[q];
+      }
+    }
+    return inside > 0 && others == 0;
+  }
+
   const std::vector<Facet>& Facets;
+  const std::vector<int> Sides;
   Ranks& Group;
   Mesh& Result;
   const int Corners; // of a facet
@@ -276,10 +327,11 @@ private:
 
 } // namespace
 
-void ClassifyGeometry(
-  const std::vector<Facet>& facets, Ranks& ranks, Mesh& mesh, MeshReport& report)
+void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
+  const Partition& partition, Mesh& mesh, MeshReport& report)
 {
-  GeometryFinder(facets, ranks, mesh).Run(report);
+  GeometryFinder(facets, FindSmoothSides(facets, kinds, mesh, partition), partition.Group(), mesh)
+    .Run(report);
 }
 
 } // namespace vfm

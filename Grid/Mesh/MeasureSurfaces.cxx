@@ -1,0 +1,66 @@
+#include "Mesh/MeasureSurfaces.h"
+
+#include "Base/ExactSum.h"
+#include "Base/Vector3.h"
+#include "Octree/RefinedGrid.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int SumsOfSurface = 7; // area, its first moments, its vector
+
+/// In cells, from the lowest corner of the domain.
+std::vector<double> SumFacets(const Mesh& mesh, const Vector3& origin, double unit, Ranks& ranks)
+{
+  std::vector<ExactSum> sums(SumsOfSurface * mesh.Tables.SurfaceVolumes.size());
+  const SurfaceFacets& facets = mesh.Surfaces;
+  const int corners = mesh.CornersOfFacet();
+  for (std::size_t f = 0; f < facets.SurfaceId.size(); ++f)
+  {
+    const auto x = [&](int c)
+    {
+      const double* point = mesh.Points.data() + 3 * facets.Points[corners * f + c];
+      return (1.0 / unit) * (Vector3{ { point[0], point[1], point[2] } } - origin);
+    };
+    ExactSum* sum = sums.data() + SumsOfSurface * (facets.SurfaceId[f] - 1);
+    for (int c = 2; facets.IsOwned[f] && c < corners; ++c)
+    {
+      const Vector3 a = x(0), b = x(c - 1), d = x(c);
+      const Vector3 vector = 0.5 * Cross(b - a, d - a);
+      const double area = Norm(vector);
+      const Vector3 moment = (area / 3.0) * (a + b + d);
+      sum[0].Add(area);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sum[1 + axis].Add(moment[axis]);
+        sum[4 + axis].Add(vector[axis]);
+      }
+    }
+  }
+  return SumOverRanks(sums, ranks);
+}
+
+} // namespace
+
+void MeasureSurfaces(Mesh& mesh, Ranks& ranks)
+{
+  const CartesianGrid& grid = mesh.Levels->Finest();
+  const double unit = grid.MeanWidth();
+  const Vector3 origin{ { grid.Coordinates(0)[0], grid.Coordinates(1)[0],
+    grid.Coordinates(2)[0] } };
+  const std::vector<double> sums = SumFacets(mesh, origin, unit, ranks);
+  GeometryTables& tables = mesh.Tables;
+  for (std::size_t at = 0; at < sums.size(); at += SumsOfSurface)
+  {
+    const double* sum = sums.data() + at;
+    const double share = sum[0] > 0.0 ? 1.0 / sum[0] : 0.0;
+    tables.SurfaceAreas.push_back(unit * unit * sum[0]);
+    tables.SurfaceCentroids.push_back(
+      origin + (unit * share) * Vector3{ { sum[1], sum[2], sum[3] } });
+    tables.SurfaceNormals.push_back(share * Vector3{ { sum[4], sum[5], sum[6] } });
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,48 @@
+/**
+ * PointValues: values of points of a mesh, from the ranks that own them.
+ */
+#pragma once
+
+#include "Base/Partition.h"
+#include "Mesh/Mesh.h"
+
+namespace vfm
+{
+
+class PointValues
+{
+public:
+  /// points: those of this rank's mesh whose values it wants to be as their owners have them. Collective among peers.
+  PointValues(const std::vector<Index>& points, const Mesh& mesh, const Partition& partition);
+
+  /// Calls received(point, value) with the owner's value of each point of another rank; T() where that has no such point. values: of every
+  /// point of the mesh. Collective among peers.
+  template <class T, class Received>
+  void Fetch(const std::vector<T>& values, const Received& received) const
+  {
+    std::vector<Bytes> messages;
+    for (const std::vector<Index>& points : this->Asked)
+    {
+      std::vector<T> answer;
+      std::transform(points.begin(), points.end(), std::back_inserter(answer),
+        [&values](Index p) { return p < 0 ? T() : values[p]; });
+      messages.push_back(ToBytes(answer));
+    }
+    messages = this->Parts.Group().Exchange(this->Parts.Peers(), messages);
+    for (std::size_t peer = 0; peer < messages.size(); ++peer)
+    {
+      const std::vector<T> answer = FromBytes<T>(messages[peer]);
+      for (std::size_t i = 0; i < answer.size(); ++i)
+      {
+        received(this->Wanted[peer][i], answer[i]);
+      }
+    }
+  }
+
+private:
+  const Partition& Parts;
+  std::vector<std::vector<Index>> Wanted; // of each peer
+  std::vector<std::vector<Index>> Asked;  // by each peer; -1: not here
+};
+
+} // namespace vfm
