@@ -86,7 +86,8 @@ std::vector<unsigned char> HexStages::Smooth(
   SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
   ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh);
   AttachHexes(interfaces, coarse, mesh, facets, active);
-  this->AttachToCreases(*interfaces.All().back(), facets, mesh, targets, active);
+  this->Kinds = active.OfMesh(
+    this->AttachToCreases(*interfaces.All().back(), facets, mesh, targets, active), mesh);
   SetFacets(facets, active);
   std::vector<int>().swap(active.PointOf);
   const HexEnergy energy(TargetJacobian(this->Fractions, this->Options));

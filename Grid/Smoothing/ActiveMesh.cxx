@@ -138,16 +138,6 @@ void ActiveMesh::ListCorners()
   this->CornerList = std::move(corners.Items);
 }
 
-std::vector<unsigned char> ActiveMesh::ListMoved(const Mesh& mesh) const
-{
-  std::vector<unsigned char> moved(mesh.PointIds.size(), 0);
-  for (std::size_t p = 0; p < this->X.size(); ++p)
-  {
-    moved[this->MeshPoint[p]] = this->IsActive[p];
-  }
-  return moved;
-}
-
 void ActiveMesh::CopyTo(Mesh& mesh, const CartesianGrid& grid) const
 {
   const double scale = grid.MeanWidth();

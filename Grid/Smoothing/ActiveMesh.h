@@ -97,7 +97,21 @@ struct ActiveMesh
   /// Fills CornerOffset and CornerList from Elements.
   void ListCorners();
   /// Of each point of the mesh: whether it is active.
-  std::vector<unsigned char> ListMoved(const Mesh& mesh) const;
+  std::vector<unsigned char> ListMoved(const Mesh& mesh) const
+  {
+    return this->OfMesh(this->IsActive, mesh);
+  }
+  /// Values of the points here as those of the points of the mesh, T() of the others.
+  template <class T>
+  std::vector<T> OfMesh(const std::vector<T>& values, const Mesh& mesh) const
+  {
+    std::vector<T> all(mesh.PointIds.size());
+    for (std::size_t p = 0; p < values.size(); ++p)
+    {
+      all[this->MeshPoint[p]] = values[p];
+    }
+    return all;
+  }
   /// Writes the coordinates of the active points back into the mesh; those that did not change stay untouched, on all ranks alike.
   void CopyTo(Mesh& mesh, const CartesianGrid& grid) const;
 };
