@@ -8,6 +8,7 @@
 #include "Mesh/PointValues.h"
 
 #include <map>
+#include <tuple>
 
 namespace vfm
 {
@@ -18,6 +19,8 @@ using Pair = std::array<int, 2>;
 
 constexpr int Undecided = -1;
 constexpr int FewestTriangles = 12; // of a side; quads count as two
+constexpr int LongestGap = 3;       // of an edge, in points from a carrier
+constexpr double SharpCosine = .77; // of 40 degrees between facets at a point
 
 /// Where a point lies on the interfaces.
 enum class Place : unsigned char
@@ -103,6 +106,7 @@ public:
     Shared(this->ListPoints(), mesh, partition)
   {
     this->FindPlaces(kinds);
+    this->CloseGaps();
     this->FindCut();
   }
 
@@ -156,6 +160,69 @@ private:
     }
     this->Shared.Fetch(
       this->PlaceOf, [this](Index point, Place place) { this->PlaceOf[point] = place; });
+  }
+
+  /// Edges go on over points that carry none but around which the facets turn, for a few points.
+  void CloseGaps()
+  {
+    const Groups<int> around =
+      this->ListAround([this](std::size_t f) { return this->IsInterface(this->Facets[f]); });
+    for (int step = 0; step < LongestGap; ++step)
+    {
+      std::vector<Place> places(this->PlaceOf);
+      for (std::size_t p = 0; p < places.size(); ++p)
+      {
+        const int* first = around.Items.data() + around.Begin[p];
+        const int* last = around.Items.data() + around.Begin[p + 1];
+        if (places[p] == Place::Inside && this->IsBesideEdge(first, last) &&
+          this->IsSharp(first, last))
+        {
+          places[p] = Place::OnEdge;
+        }
+      }
+      this->PlaceOf.swap(places);
+      this->Shared.Fetch(
+        this->PlaceOf, [this](Index point, Place place) { this->PlaceOf[point] = place; });
+    }
+  }
+
+  /// The facets of a kind at each point.
+  template <class Condition>
+  Groups<int> ListAround(const Condition& isListed) const
+  {
+    return MakeGroups<int>(this->PlaceOf.size(),
+      [&](const auto& visit)
+      {
+        for (std::size_t f = 0; f < this->Facets.size(); ++f)
+        {
+          for (int c = 0; isListed(f) && c < this->Corners; ++c)
+          {
+            visit(this->Facets[f].Points[c], static_cast<int>(f));
+          }
+        }
+      });
+  }
+
+  bool IsBesideEdge(const int* first, const int* last) const
+  {
+    return std::any_of(first, last,
+      [this](int f)
+      {
+        const std::array<Index, 4>& points = this->Facets[f].Points;
+        return std::any_of(points.begin(), points.end(),
+          [this](Index q) { return this->PlaceOf[q] == Place::OnEdge; });
+      });
+  }
+
+  bool IsSharp(const int* first, const int* last) const
+  {
+    return std::any_of(first, last,
+      [&](int f)
+      {
+        const Vector3 normal = NormalOf(this->Input, this->Facets[f]);
+        return std::any_of(first, last,
+          [&](int g) { return Dot(normal, NormalOf(this->Input, this->Facets[g])) < SharpCosine; });
+      });
   }
 
   /// The interfaces with edges.
@@ -263,17 +330,8 @@ private:
   /// The owner of a facet knows all those around it.
   void DecideOthers()
   {
-    const Groups<int> around = MakeGroups<int>(this->PlaceOf.size(),
-      [this](const auto& visit)
-      {
-        for (std::size_t f = 0; f < this->Facets.size(); ++f)
-        {
-          for (int c = 0; this->SideOf[f] > 0 && c < this->Corners; ++c)
-          {
-            visit(this->Facets[f].Points[c], static_cast<int>(f));
-          }
-        }
-      });
+    const Groups<int> around =
+      this->ListAround([this](std::size_t f) { return this->SideOf[f] > 0; });
     std::vector<int> decided(this->SideOf);
     std::vector<Decision> mine;
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
@@ -304,11 +362,11 @@ private:
     return key;
   }
 
-  /// Of the facets at its points. Where there is none: what is left of the interface is one more side.
+  /// Of the facets at its edges, else at its points. Where there is none: what is left of the interface is one more side.
   int NearestSide(std::size_t f, const Groups<int>& around) const
   {
     const Vector3 normal = NormalOf(this->Input, this->Facets[f]);
-    std::pair<double, int> nearest(-2.0, -this->PiecesEnd - this->CutOf[f]);
+    std::tuple<bool, double, int> nearest(false, -2.0, -this->PiecesEnd - this->CutOf[f]);
     for (Index p : this->Facets[f].Points)
     {
       for (Index at = around.Begin[p]; at < around.Begin[p + 1]; ++at)
@@ -317,11 +375,19 @@ private:
         if (this->CutOf[other] == this->CutOf[f])
         {
           const double cosine = Dot(normal, NormalOf(this->Input, this->Facets[other]));
-          nearest = std::max(nearest, { cosine, -this->SideOf[other] });
+          nearest = std::max(nearest, { this->ShareEdge(f, other), cosine, -this->SideOf[other] });
         }
       }
     }
-    return -nearest.second;
+    return -std::get<2>(nearest);
+  }
+
+  bool ShareEdge(std::size_t f, std::size_t g) const
+  {
+    const auto begin = this->Facets[g].Points.begin(), end = begin + this->Corners;
+    return std::count_if(this->Facets[f].Points.begin(),
+             this->Facets[f].Points.begin() + this->Corners,
+             [&](Index p) { return std::find(begin, end, p) != end; }) > 1;
   }
 
   void TakeDecisions(const std::vector<Decision>& mine)
