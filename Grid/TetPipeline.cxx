@@ -207,6 +207,7 @@ private:
     SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
     ActiveTets active = MakeActiveTets(this->Topology, this->Grid, this->Parts);
     const std::vector<CreaseKind> kinds = this->Attach(interface, targets, active);
+    this->Kinds = active.OfMesh(kinds, mesh);
     const TetEnergy energy(FloorsOf(this->Options));
     std::optional<DiagonalFlips> flips;
     Improvement improvement{ active, targets, energy, TetRamp(), *this->Volumes,
