@@ -362,24 +362,43 @@ private:
     return key;
   }
 
-  /// Of the facets at its edges, else at its points. Where there is none: what is left of the interface is one more side.
+  /// The side around a facet that has most of its edges, the nearest normal where several do. Where there is none: what is left of the
+  /// interface is one more side.
   int NearestSide(std::size_t f, const Groups<int>& around) const
   {
-    const Vector3 normal = NormalOf(this->Input, this->Facets[f]);
-    std::tuple<bool, double, int> nearest(false, -2.0, -this->PiecesEnd - this->CutOf[f]);
-    for (Index p : this->Facets[f].Points)
+    struct Around
     {
-      for (Index at = around.Begin[p]; at < around.Begin[p + 1]; ++at)
-      {
-        const int other = around.Items[at];
-        if (this->CutOf[other] == this->CutOf[f])
-        {
-          const double cosine = Dot(normal, NormalOf(this->Input, this->Facets[other]));
-          nearest = std::max(nearest, { this->ShareEdge(f, other), cosine, -this->SideOf[other] });
-        }
-      }
+      int Edges = 0;
+      double Cosine = -2.0;
+    };
+    std::map<int, Around> sides;
+    const Vector3 normal = NormalOf(this->Input, this->Facets[f]);
+    for (int other : this->ListBeside(f, around))
+    {
+      Around& side = sides[this->SideOf[other]];
+      side.Edges += this->ShareEdge(f, other);
+      side.Cosine = std::max(side.Cosine, Dot(normal, NormalOf(this->Input, this->Facets[other])));
+    }
+    std::tuple<int, double, int> nearest(0, -2.0, -this->PiecesEnd - this->CutOf[f]);
+    for (const auto& [side, its] : sides)
+    {
+      nearest = std::max(nearest, { its.Edges, its.Cosine, -side });
     }
     return -std::get<2>(nearest);
+  }
+
+  /// The facets of the same interface at its points.
+  std::vector<int> ListBeside(std::size_t f, const Groups<int>& around) const
+  {
+    std::vector<int> beside;
+    for (Index p : this->Facets[f].Points)
+    {
+      std::copy_if(around.Items.data() + around.Begin[p], around.Items.data() + around.Begin[p + 1],
+        std::back_inserter(beside),
+        [&](int other) { return this->CutOf[other] == this->CutOf[f]; });
+    }
+    SortUnique(beside);
+    return beside;
   }
 
   bool ShareEdge(std::size_t f, std::size_t g) const
