@@ -145,6 +145,7 @@ struct Recipe
   double Height;
   Vector3 Rotation;
   bool InMatrix;
+  bool OnGrid; ///< the square in the middle, its sides on faces of cells
 };
 
 const Figure Square{ { { { -.6, -.6 } }, { { .6, -.6 } }, { { .6, .6 } }, { { -.6, .6 } } }, 0.0,
@@ -163,13 +164,14 @@ const std::map<std::string, Recipe>& Recipes()
   const double degrees = 180.0 / M_PI;
   const Vector3 turned{ { .4 * degrees, .3 * degrees, .5 * degrees } };
   static const std::map<std::string, Recipe> recipes{
-    { "cube A", { Square, 1.2, turned, false } },
-    { "cube B", { Square, 1.2, { { 45.0, 35.26, 12.0 } }, false } },
-    { "cube C", { Square, 1.2, { { 0.0, 0.0, 0.0 } }, false } },
-    { "L", { LetterL, 1.1, turned, false } },
-    { "cylinder", { Circle, 1.3, turned, false } },
-    { "wedge 45", { RightTriangle, 1.2, turned, false } },
-    { "cube A in matrix", { Square, 1.2, turned, true } },
+    { "cube A", { Square, 1.2, turned, false, false } },
+    { "cube B", { Square, 1.2, { { 45.0, 35.26, 12.0 } }, false, false } },
+    { "cube C", { Square, 1.2, { { 0.0, 0.0, 0.0 } }, false, false } },
+    { "cube D", { Square, 1.2, { { 0.0, 0.0, 0.0 } }, false, true } },
+    { "L", { LetterL, 1.1, turned, false, false } },
+    { "cylinder", { Circle, 1.3, turned, false, false } },
+    { "wedge 45", { RightTriangle, 1.2, turned, false, false } },
+    { "cube A in matrix", { Square, 1.2, turned, true, false } },
   };
   return recipes;
 }
@@ -291,8 +293,11 @@ SharpCase MakeSharpCase(const std::string& name, int cells)
     throw InputError("There is no solid with edges '" + name + "', or its cells are too few.");
   }
   const Recipe& recipe = at->second;
-  const double scale = cells / DomainWidth, middle = 0.5 * cells;
-  const Vector3 centre{ { middle + .013 * scale, middle + .027 * scale, middle - .019 * scale } };
+  const double middle = recipe.OnGrid ? cells / 2 : 0.5 * cells;
+  const double scale =
+    recipe.OnGrid ? std::round(.6 * cells / DomainWidth) / .6 : cells / DomainWidth;
+  const double off = recipe.OnGrid ? 0.0 : scale;
+  const Vector3 centre{ { middle + .013 * off, middle + .027 * off, middle - .019 * off } };
   const Prism prism{ Scaled(recipe.Base, scale), 0.5 * recipe.Height * scale, centre,
     MakeBox(1, centre, { { 1, 1, 1 } }, recipe.Rotation).Axes };
   std::vector<Shape> shapes = MakeShapes(prism, recipe.Rotation);

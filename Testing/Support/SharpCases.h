@@ -28,7 +28,7 @@ struct SharpCase
 
 /// The names of all, without cells.
 std::vector<std::string> ListSharpCases();
-/// "cube A", "cube B" (turned), "cube C" (along the axes), "L", "cylinder", "wedge 45" and "cube A in matrix". Throws InputError for others.
+/// "cube A", "cube B" (turned), "cube C" (along the axes), "cube D" (its faces on those of cells), "L", "cylinder", "wedge 45" and "cube A in matrix". Throws InputError for others.
 SharpCase MakeSharpCase(const std::string& name, int cells);
 
 /// In cells.
