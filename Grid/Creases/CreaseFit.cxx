@@ -10,8 +10,9 @@ namespace
 {
 
 constexpr int MostCoefficients = 6 * CreaseModel::MostSurfaces;
-constexpr double FullCell = 1e-6;   // fractions nearer to 0 or 1 are of full cells
-constexpr double NoResidual = 1e30; // of no cells
+constexpr double FullCell = 1e-6; // fractions nearer to 0 or 1 are of full cells
+constexpr double Hair =
+  1e-3; // by which surfaces are moved into cells, those that lie between them too
 constexpr double LongestStep = 0.5; // of a coefficient in an iteration
 constexpr double FirstDamping = 1e-3, LeastDamping = 1e-6;
 constexpr int Trials = 4; // dampings in an iteration
@@ -180,19 +181,24 @@ double ResidualOf(const CreaseModel& model, const PackedCells& cells)
     squares += weight * error * error;
     weights += weight;
   }
-  return Sum(weights) > 0.0 ? std::sqrt(Sum(squares) / Sum(weights)) : NoResidual;
+  return Sum(weights) > 0.0 ? std::sqrt(Sum(squares) / Sum(weights)) : 0.0;
 }
 
 VFM_CLONES
 std::array<double, CreaseModel::MostSurfaces> AreasOf(
   const CreaseModel& model, const PackedCells& cells)
 {
+  CreaseModel moved = model;
+  for (LocalQuadric& surface : moved.Surfaces)
+  {
+    surface.C[0] += Hair;
+  }
   std::array<Lanes, CreaseModel::MostSurfaces> sums{};
   ModelLanes at;
   for (const FourCells& packed : cells)
   {
     const CellLanes four = Load(packed);
-    SetFractions(at, model, four);
+    SetFractions(at, moved, four);
     const Lanes volume = four.Width.X * four.Width.Y * four.Width.Z;
     for (int k = 0; at.IsCut && k < model.Count; ++k)
     {
