@@ -145,26 +145,31 @@ VFM_INLINE void MultiplyInsides(ModelLanes& at, const CreaseModel& model)
   }
 }
 
+/// Plane, Inside and Rates of a surface; returns which cells it cuts.
+VFM_INLINE Mask SetInside(SurfaceLanes& at, const LocalQuadric& surface, const CellLanes& cells)
+{
+  SetPlane(at, surface, cells);
+  const Lanes zero{}, reach = ReachOf(at.Plane), height = at.Plane.Height;
+  const Mask isCut = (height < reach) & (height > -reach);
+  if (Any(isCut))
+  {
+    at.Inside = CutBox(at.Plane, at.Rates);
+  }
+  else
+  {
+    at.Inside = height > 0.0 ? Splat(1.0) : zero;
+    at.Rates = { zero, { { zero, zero, zero } } };
+  }
+  return isCut;
+}
+
 /// Fractions in four cells, and what each surface does to them.
 VFM_INLINE void SetFractions(ModelLanes& at, const CreaseModel& model, const CellLanes& cells)
 {
-  const Lanes zero{};
   Mask cut{}, shared{};
   for (int k = 0; k < model.Count; ++k)
   {
-    SurfaceLanes& surface = at.Surfaces[k];
-    SetPlane(surface, model.Surfaces[k], cells);
-    const Lanes reach = ReachOf(surface.Plane), height = surface.Plane.Height;
-    const Mask isCut = (height < reach) & (height > -reach);
-    if (Any(isCut))
-    {
-      surface.Inside = CutBox(surface.Plane, surface.Rates);
-    }
-    else
-    {
-      surface.Inside = height > 0.0 ? Splat(1.0) : zero;
-      surface.Rates = { zero, { { zero, zero, zero } } };
-    }
+    const Mask isCut = SetInside(at.Surfaces[k], model.Surfaces[k], cells);
     shared |= cut & isCut;
     cut |= isCut;
   }
@@ -178,6 +183,30 @@ VFM_INLINE void SetFractions(ModelLanes& at, const CreaseModel& model, const Cel
       CutLane(at, model, lane);
     }
   }
+}
+
+/// Of the fractions of a model in cells (CreaseFit.h).
+struct ResidualSums
+{
+  Lanes Squares, Weights;
+};
+
+VFM_INLINE void AddErrors(
+  ResidualSums& sums, const Lanes& fraction, const Lanes& data, const Lanes& allWeight)
+{
+  constexpr double full = 1e-6; // fractions nearer to 0 or 1 are of full cells
+  const Lanes error = fraction - data;
+  const Mask counts = ((data > full) & (data < 1.0 - full)) |
+    ((fraction > full) & (fraction < 1.0 - full)) | (error > full) | (error < -full);
+  const Lanes weight = counts ? allWeight : Splat(0.0);
+  sums.Squares += weight * error * error;
+  sums.Weights += weight;
+}
+
+VFM_INLINE double RootMeanSquare(const ResidualSums& sums)
+{
+  const double weights = Sum(sums.Weights);
+  return weights > 0.0 ? std::sqrt(Sum(sums.Squares) / weights) : 0.0;
 }
 
 /// Chain rule: plane -> coefficients of its surface.

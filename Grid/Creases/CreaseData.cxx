@@ -1,6 +1,8 @@
 #include "Creases/CreaseData.h"
 
 #include <algorithm>
+#include <bitset>
+#include <cstdint>
 
 namespace vfm
 {
@@ -14,6 +16,7 @@ constexpr Index SeedRadius = 2; // of the nodes whose faces' crossings give plan
 constexpr int SeedRings = 3;    // of faces that lead there
 constexpr std::size_t MostPlanes = 3;
 constexpr int FewestSupporters = 5;
+constexpr double LeastShare = 0.38;        // of the crossings that lie on planes, about an edge
 constexpr double SupportCosine = 0.965926; // of 15 degrees, between crossings of one plane
 constexpr double SupportDistance = 0.25;   // between the plane of a crossing and another
 constexpr double PlaneCosine = 0.939693;   // of 20 degrees, between two planes
@@ -48,19 +51,21 @@ double WeightAt(double squaredRadius, const Stencil& stencil)
   return std::exp(-squaredRadius / (2.0 * stencil.Sigma * stencil.Sigma));
 }
 
-bool AreOnOnePlane(const LocalCrossing& a, const LocalCrossing& b)
-{
-  return Dot(a.Normal, b.Normal) > SupportCosine &&
-    std::fabs(Dot(a.Normal, b.Point - a.Point)) < SupportDistance;
-}
-
 /// Finds one plane after another among crossings.
 class PlaneFinder
 {
 public:
   explicit PlaneFinder(const std::vector<LocalCrossing>& crossings) :
-    Crossings(crossings), IsTaken(crossings.size(), 0)
+    Crossings(crossings),
+    Words((crossings.size() + 63) / 64),
+    Supporters(crossings.size() * Words, 0),
+    IsFree(Words, 0)
   {
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+    {
+      this->IsFree[i / 64] |= std::uint64_t{ 1 } << i % 64;
+      this->SetSupporters(i);
+    }
   }
 
   bool FindNext()
@@ -84,26 +89,55 @@ public:
     return true;
   }
 
+  /// Of the crossings, on no plane yet.
+  int CountFree() const
+  {
+    int count = 0;
+    for (std::uint64_t word : this->IsFree)
+    {
+      count += CountBits(word);
+    }
+    return count;
+  }
+
   std::vector<LocalQuadric> Planes;
 
 private:
+  static int CountBits(std::uint64_t word)
+  {
+    return static_cast<int>(std::bitset<64>(word).count());
+  }
+  static bool Bit(const std::uint64_t* words, std::size_t i) { return words[i / 64] >> i % 64 & 1; }
+
+  const std::uint64_t* SupportersOf(std::size_t i) const
+  {
+    return &this->Supporters[i * this->Words];
+  }
+  void SetSupporters(std::size_t i)
+  {
+    const LocalCrossing& a = this->Crossings[i];
+    const double offset = Dot(a.Normal, a.Point);
+    for (std::size_t j = 0; j < this->Crossings.size(); ++j)
+    {
+      const LocalCrossing& b = this->Crossings[j];
+      const bool supports = (Dot(a.Normal, b.Normal) > SupportCosine) &
+        (std::fabs(Dot(a.Normal, b.Point) - offset) < SupportDistance);
+      this->Supporters[i * this->Words + j / 64] |= std::uint64_t{ supports } << j % 64;
+    }
+  }
   bool IsNew(std::size_t i) const
   {
-    return !this->IsTaken[i] &&
+    return Bit(this->IsFree.data(), i) &&
       std::none_of(this->Planes.begin(), this->Planes.end(),
         [&](const LocalQuadric& plane)
         { return Dot(plane.N, this->Crossings[i].Normal) >= PlaneCosine; });
   }
-  bool Supports(std::size_t i, std::size_t j) const
-  {
-    return !this->IsTaken[j] && AreOnOnePlane(this->Crossings[i], this->Crossings[j]);
-  }
   int CountSupporters(std::size_t i) const
   {
     int count = 0;
-    for (std::size_t j = 0; j < this->Crossings.size(); ++j)
+    for (std::size_t w = 0; w < this->Words; ++w)
     {
-      count += this->Supports(i, j);
+      count += CountBits(this->SupportersOf(i)[w] & this->IsFree[w]);
     }
     return count;
   }
@@ -113,20 +147,20 @@ private:
     int count = 0;
     for (std::size_t j = 0; j < this->Crossings.size(); ++j)
     {
-      if (this->Supports(i, j))
+      if (Bit(this->SupportersOf(i), j) && Bit(this->IsFree.data(), j))
       {
         point = point + this->Crossings[j].Point;
         normal = normal + this->Crossings[j].Normal;
         ++count;
-        this->IsTaken[j] = j != i; // i itself last: it tells who supports it
+        this->IsFree[j / 64] &= ~(std::uint64_t{ 1 } << j % 64);
       }
     }
-    this->IsTaken[i] = 1;
     this->Planes.push_back(MakeLocalPlane((1.0 / count) * point, Unit(normal)));
   }
 
   const std::vector<LocalCrossing>& Crossings;
-  std::vector<unsigned char> IsTaken;
+  std::size_t Words; ///< of a set of crossings as bits
+  std::vector<std::uint64_t> Supporters, IsFree;
 };
 
 } // namespace
@@ -222,7 +256,8 @@ std::vector<LocalQuadric> FindPlanes(const std::vector<LocalCrossing>& crossings
   while (finder.Planes.size() < MostPlanes && finder.FindNext())
   {
   }
-  return finder.Planes;
+  const double share = 1.0 - static_cast<double>(finder.CountFree()) / crossings.size();
+  return share >= LeastShare ? finder.Planes : std::vector<LocalQuadric>();
 }
 
 } // namespace vfm

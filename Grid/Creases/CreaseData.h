@@ -44,7 +44,7 @@ struct LocalCrossing
 void GatherCrossings(const Interface& interface, const NodeFrame& frame, Index node,
   const std::array<int, 2>& labels, FaceWalk& walk, std::vector<LocalCrossing>& crossings);
 
-/// Up to three planes that many crossings lie on, the one with most first.
+/// Up to three planes that many crossings lie on, the one with most first; none where most crossings lie on no plane.
 std::vector<LocalQuadric> FindPlanes(const std::vector<LocalCrossing>& crossings);
 
 } // namespace vfm

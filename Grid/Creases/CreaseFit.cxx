@@ -10,7 +10,6 @@ namespace
 {
 
 constexpr int MostCoefficients = 6 * CreaseModel::MostSurfaces;
-constexpr double FullCell = 1e-6; // fractions nearer to 0 or 1 are of full cells
 constexpr double Hair =
   1e-3; // by which surfaces are moved into cells, those that lie between them too
 constexpr double LongestStep = 0.5; // of a coefficient in an iteration
@@ -28,11 +27,6 @@ VFM_INLINE Lanes SquareRoot(const Lanes& a)
 {
   return Lanes{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
 }
-VFM_INLINE Mask IsCut(const Lanes& fraction)
-{
-  return (fraction > FullCell) & (fraction < 1.0 - FullCell);
-}
-
 /// Sums of the normal equations, still four side by side. The Hessian's lower half.
 struct NormalSums
 {
@@ -57,9 +51,16 @@ VFM_INLINE void AddProducts(NormalSums& sums, const std::array<Lanes, MostCoeffi
 }
 
 VFM_CLONES
-void AddCells(
+void SumCells(
   NormalSums& sums, const CreaseModel& model, const PackedCells& cells, int coefficients)
 {
+  const int size = coefficients * model.Count;
+  sums.Cost = Lanes{};
+  for (int i = 0; i < size; ++i)
+  {
+    sums.Gradient[i] = Lanes{};
+    std::fill_n(sums.Hessian[i].begin(), i + 1, Lanes{});
+  }
   ModelLanes at;
   std::array<Lanes, MostCoefficients> rows;
   for (const FourCells& packed : cells)
@@ -92,8 +93,8 @@ public:
   NormalEquations(const CreaseModel& model, const PackedCells& cells, int coefficients) :
     Size(coefficients * model.Count)
   {
-    NormalSums sums{};
-    AddCells(sums, model, cells, coefficients);
+    NormalSums sums;
+    SumCells(sums, model, cells, coefficients);
     this->Cost = Sum(sums.Cost);
     for (int i = 0; i < this->Size; ++i)
     {
@@ -168,20 +169,15 @@ double MoveBy(
 VFM_CLONES
 double ResidualOf(const CreaseModel& model, const PackedCells& cells)
 {
-  Lanes squares{}, weights{};
+  ResidualSums sums{};
   ModelLanes at;
   for (const FourCells& packed : cells)
   {
     const CellLanes four = Load(packed);
     SetFractions(at, model, four);
-    const Lanes error = at.Fraction - four.Fraction;
-    const Mask counts =
-      IsCut(four.Fraction) | IsCut(at.Fraction) | (error > FullCell) | (error < -FullCell);
-    const Lanes weight = counts ? four.Weight : Splat(0.0);
-    squares += weight * error * error;
-    weights += weight;
+    AddErrors(sums, at.Fraction, four.Fraction, four.Weight);
   }
-  return Sum(weights) > 0.0 ? std::sqrt(Sum(squares) / Sum(weights)) : 0.0;
+  return RootMeanSquare(sums);
 }
 
 VFM_CLONES

@@ -1,6 +1,7 @@
 #include "Creases/CreaseSearch.h"
 
 #include "Creases/CreaseFit.h"
+#include "Creases/CreaseStarts.h"
 
 #include <algorithm>
 
@@ -30,39 +31,6 @@ constexpr std::size_t MostStarts = 2; // that are fitted
 constexpr int EarlyIterations = 5, PlaneIterations = 7, QuadricIterations = 10,
               SingleIterations = 8, NearIterations = 5;
 
-/// Models of so many of the seeds, in all compositions, the best first; with their residuals.
-std::vector<FittedCrease> MakeStarts(
-  const std::vector<LocalQuadric>& seeds, int count, const PackedCells& cells)
-{
-  std::vector<FittedCrease> starts;
-  const int sets = 1 << seeds.size();
-  for (int set = 0; set < sets; ++set)
-  {
-    FittedCrease start;
-    for (std::size_t s = 0; s < seeds.size(); ++s)
-    {
-      if (set >> s & 1)
-      {
-        if (start.Model.Count == count)
-        {
-          start.Model.Count = 0;
-          break;
-        }
-        start.Model.Surfaces[start.Model.Count++] = seeds[s];
-      }
-    }
-    for (int c = 0; start.Model.Count == count && c < NumberOfCompositions(count); ++c)
-    {
-      start.Model.Composition = c;
-      start.Residual = ResidualOf(start.Model, cells);
-      starts.push_back(start);
-    }
-  }
-  std::stable_sort(starts.begin(), starts.end(),
-    [](const FittedCrease& a, const FittedCrease& b) { return a.Residual < b.Residual; });
-  return starts;
-}
-
 void Refine(FittedCrease& crease, const PackedCells& cells, int coefficients, int iterations)
 {
   FitModel(crease.Model, cells, coefficients, iterations);
@@ -83,18 +51,17 @@ void FitStart(FittedCrease& crease, const PackedCells& cells)
   }
 }
 
-/// The best model of so many of the seeds; reached: the least residual of planes.
+/// The best model of so many of the seeds.
 FittedCrease FitSeveral(
-  const std::vector<LocalQuadric>& seeds, int count, const PackedCells& cells, double before)
+  const CreaseStarts& starts, int count, const PackedCells& cells, double before)
 {
   FittedCrease best;
-  const std::vector<FittedCrease> starts = MakeStarts(seeds, count, cells);
-  for (std::size_t s = 0; s < std::min(starts.size(), MostStarts); ++s)
+  for (const CreaseModel& start : starts.Best(count, MostStarts))
   {
-    FittedCrease crease = starts[s];
+    FittedCrease crease{ start, ResidualOf(start, cells) };
     if (crease.Residual > std::min(StartLimit, before))
     {
-      break;
+      continue;
     }
     FitStart(crease, cells);
     if (crease.Residual < best.Residual)
@@ -226,11 +193,12 @@ std::optional<FittedCrease> CreaseSearch::FitSeeds(
   {
     return {};
   }
-  FittedCrease best = FitSeveral(seeds, 2, cells, before);
+  const CreaseStarts starts(seeds, cells);
+  FittedCrease best = FitSeveral(starts, 2, cells, before);
   const bool mayBeThree = best.Model.Count == 0 || best.Residual < ThirdLimit;
   if (seeds.size() > 2 && best.Residual > ExcellentResidual && mayBeThree)
   {
-    const FittedCrease three = FitSeveral(seeds, 3, cells, before);
+    const FittedCrease three = FitSeveral(starts, 3, cells, before);
     const double limit = (best.Residual < Accepted ? ThirdGain : 1.0) * best.Residual;
     if (three.Residual < limit && IsPlausible(three.Model, cells))
     {

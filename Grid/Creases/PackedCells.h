@@ -34,6 +34,7 @@ public:
     }
   }
 
+  std::size_t Count() const { return this->Fours.size(); }
   std::vector<FourCells>::const_iterator begin() const { return this->Fours.begin(); }
   std::vector<FourCells>::const_iterator end() const { return this->Fours.end(); }
 
