@@ -11,7 +11,7 @@ namespace
 
 constexpr int MostCoefficients = 6 * CreaseModel::MostSurfaces;
 constexpr double Hair =
-  1e-3; // by which surfaces are moved into cells, those that lie between them too
+  1e-5; // by which surfaces are moved into cells, those that lie between them too
 constexpr double LongestStep = 0.5; // of a coefficient in an iteration
 constexpr double FirstDamping = 1e-3, LeastDamping = 1e-6;
 constexpr int Trials = 4; // dampings in an iteration
