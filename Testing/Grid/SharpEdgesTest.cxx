@@ -146,6 +146,16 @@ TEST(SharpCases, TheNearestTriangleIsFound)
   EXPECT_DOUBLE_EQ(DistanceToTriangle({ { -3, -4, 0 } }, flat), 5.0);
 }
 
+/// Surfaces, curves and vertices; those of the domain with a matrix.
+std::array<Index, 3> GeometryOf(const std::string& name)
+{
+  static const std::map<std::string, std::array<Index, 3>> others{ { "L", { { 8, 18, 12 } } },
+    { "cylinder", { { 3, 2, 0 } } }, { "wedge 45", { { 5, 9, 6 } } },
+    { "cube A in matrix", { { 12, 24, 16 } } } };
+  const auto at = others.find(name);
+  return at == others.end() ? std::array<Index, 3>{ { 6, 12, 8 } } : at->second;
+}
+
 class SharpSolids : public ::testing::TestWithParam<std::string>
 {
 };
@@ -166,6 +176,9 @@ TEST_P(SharpSolids, EdgesAndCornersAreHeld)
   EXPECT_LE(figures.EdgesToMesh.RootMeanSquare, isAcute ? 0.1 : 0.045);
   EXPECT_LE(figures.CornersToNodes.Largest, isAcute ? 0.55 : 0.2);
   EXPECT_GE(report.MinimumScaledJacobian, isCube ? 0.48 : 0.40);
+  EXPECT_EQ((std::array<Index, 3>{
+              { report.NumberOfSurfaces, report.NumberOfCurves, report.NumberOfVertices } }),
+    GeometryOf(name));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SharpSolids, ::testing::ValuesIn(ListSharpCases()),
