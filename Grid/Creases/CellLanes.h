@@ -164,7 +164,8 @@ VFM_INLINE Mask SetInside(SurfaceLanes& at, const LocalQuadric& surface, const C
 }
 
 /// Fractions in four cells, and what each surface does to them.
-VFM_INLINE void SetFractions(ModelLanes& at, const CreaseModel& model, const CellLanes& cells)
+VFM_INLINE void SetFractions(
+  ModelLanes& at, const CreaseModel& model, const CellLanes& cells, SharedCells how)
 {
   Mask cut{}, shared{};
   for (int k = 0; k < model.Count; ++k)
@@ -176,7 +177,7 @@ VFM_INLINE void SetFractions(ModelLanes& at, const CreaseModel& model, const Cel
   at.IsCut = Any(cut);
   at.IsShared = Any(shared);
   MultiplyInsides(at, model);
-  for (int lane = 0; at.IsShared && lane < 4; ++lane)
+  for (int lane = 0; how == SharedCells::Exact && at.IsShared && lane < 4; ++lane)
   {
     if (shared[lane])
     {

@@ -51,8 +51,8 @@ VFM_INLINE void AddProducts(NormalSums& sums, const std::array<Lanes, MostCoeffi
 }
 
 VFM_CLONES
-void SumCells(
-  NormalSums& sums, const CreaseModel& model, const PackedCells& cells, int coefficients)
+void SumCells(NormalSums& sums, const CreaseModel& model, const PackedCells& cells,
+  int coefficients, SharedCells how)
 {
   const int size = coefficients * model.Count;
   sums.Cost = Lanes{};
@@ -66,7 +66,7 @@ void SumCells(
   for (const FourCells& packed : cells)
   {
     const CellLanes four = Load(packed);
-    SetFractions(at, model, four);
+    SetFractions(at, model, four, how);
     const Lanes error = at.Fraction - four.Fraction, weighted = four.Weight * error;
     sums.Cost += weighted * error;
     for (int k = 0; at.IsCut && k < model.Count; ++k)
@@ -90,11 +90,12 @@ void SumCells(
 class NormalEquations
 {
 public:
-  NormalEquations(const CreaseModel& model, const PackedCells& cells, int coefficients) :
+  NormalEquations(
+    const CreaseModel& model, const PackedCells& cells, int coefficients, SharedCells how) :
     Size(coefficients * model.Count)
   {
     NormalSums sums;
-    SumCells(sums, model, cells, coefficients);
+    SumCells(sums, model, cells, coefficients, how);
     this->Cost = Sum(sums.Cost);
     for (int i = 0; i < this->Size; ++i)
     {
@@ -167,14 +168,14 @@ double MoveBy(
 } // namespace
 
 VFM_CLONES
-double ResidualOf(const CreaseModel& model, const PackedCells& cells)
+double ResidualOf(const CreaseModel& model, const PackedCells& cells, SharedCells how)
 {
   ResidualSums sums{};
   ModelLanes at;
   for (const FourCells& packed : cells)
   {
     const CellLanes four = Load(packed);
-    SetFractions(at, model, four);
+    SetFractions(at, model, four, how);
     AddErrors(sums, at.Fraction, four.Fraction, four.Weight);
   }
   return RootMeanSquare(sums);
@@ -194,7 +195,7 @@ std::array<double, CreaseModel::MostSurfaces> AreasOf(
   for (const FourCells& packed : cells)
   {
     const CellLanes four = Load(packed);
-    SetFractions(at, moved, four);
+    SetFractions(at, moved, four, SharedCells::Exact);
     const Lanes volume = four.Width.X * four.Width.Y * four.Width.Z;
     for (int k = 0; at.IsCut && k < model.Count; ++k)
     {
@@ -206,9 +207,10 @@ std::array<double, CreaseModel::MostSurfaces> AreasOf(
   return { { Sum(sums[0]), Sum(sums[1]), Sum(sums[2]) } };
 }
 
-void FitModel(CreaseModel& model, const PackedCells& cells, int coefficients, int iterations)
+void FitModel(
+  CreaseModel& model, const PackedCells& cells, int coefficients, int iterations, SharedCells how)
 {
-  NormalEquations at(model, cells, coefficients);
+  NormalEquations at(model, cells, coefficients, how);
   double damping = FirstDamping;
   for (int iteration = 0; iteration < iterations; ++iteration)
   {
@@ -217,7 +219,7 @@ void FitModel(CreaseModel& model, const PackedCells& cells, int coefficients, in
     {
       CreaseModel next = model;
       const double step = MoveBy(next, coefficients, at.Solve(damping));
-      const NormalEquations there(next, cells, coefficients);
+      const NormalEquations there(next, cells, coefficients, how);
       if (there.Cost < at.Cost)
       {
         const double gain = at.Cost - there.Cost;

@@ -9,13 +9,15 @@ namespace vfm
 {
 
 /// Weighted root mean square of what a model's fractions are off, over the cells that it or the data cut or that are off.
-double ResidualOf(const CreaseModel& model, const PackedCells& cells);
+double ResidualOf(
+  const CreaseModel& model, const PackedCells& cells, SharedCells how = SharedCells::Exact);
 
 /// The area of each surface that bounds the second label in the cells, cells^2.
 std::array<double, CreaseModel::MostSurfaces> AreasOf(
   const CreaseModel& model, const PackedCells& cells);
 
 /// Moves the first `coefficients` (3: planes, 6: quadrics) of each surface towards the least weighted squares, in at most so many iterations.
-void FitModel(CreaseModel& model, const PackedCells& cells, int coefficients, int iterations);
+void FitModel(CreaseModel& model, const PackedCells& cells, int coefficients, int iterations,
+  SharedCells how = SharedCells::Exact);
 
 } // namespace vfm

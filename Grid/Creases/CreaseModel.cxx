@@ -89,7 +89,7 @@ double FractionIn(const CreaseModel& model, const SampleCell& cell, double* deri
   const PackedCells cells(std::vector<SampleCell>{ cell });
   ModelLanes at;
   const CellLanes four = Load(*cells.begin());
-  SetFractions(at, model, four);
+  SetFractions(at, model, four, SharedCells::Exact);
   for (int k = 0; k < model.Count; ++k)
   {
     const auto lanes = DerivativesBy(at.Surfaces[k], model.Surfaces[k], four.Width);

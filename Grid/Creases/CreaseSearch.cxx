@@ -23,12 +23,12 @@ constexpr double SeedDistance = 0.5;        // the same
 constexpr double FarthestSeed = 2.5;        // its foot from the node
 constexpr std::size_t MostSeeds = 4;
 constexpr double StartLimit = 0.25;   // residual of a model before its fit
-constexpr double EarlyLimit = 0.2;    // after a few iterations with planes
+constexpr double EarlyLimit = 0.12;   // after a few rough iterations with planes
 constexpr double PlaneLimit = 0.12;   // after the fit of planes
 constexpr double ThirdLimit = 0.15;   // of two surfaces, for a third to be tried
 constexpr double ThirdGain = 0.6;     // of three surfaces over two
 constexpr std::size_t MostStarts = 2; // that are fitted
-constexpr int EarlyIterations = 5, PlaneIterations = 7, QuadricIterations = 10,
+constexpr int EarlyIterations = 2, PlaneIterations = 10, QuadricIterations = 10,
               SingleIterations = 8, NearIterations = 5;
 
 void Refine(FittedCrease& crease, const PackedCells& cells, int coefficients, int iterations)
@@ -38,17 +38,24 @@ void Refine(FittedCrease& crease, const PackedCells& cells, int coefficients, in
 }
 
 /// Planes first, then quadrics; given up where it leads nowhere.
-void FitStart(FittedCrease& crease, const PackedCells& cells)
+FittedCrease FitStart(const CreaseModel& start, const PackedCells& cells, double limit)
 {
-  Refine(crease, cells, 3, EarlyIterations);
-  if (crease.Residual > ExcellentResidual && crease.Residual <= EarlyLimit)
+  FittedCrease crease{ start, ResidualOf(start, cells, SharedCells::Product) };
+  if (crease.Residual > limit)
   {
-    Refine(crease, cells, 3, PlaneIterations);
+    return {};
   }
+  FitModel(crease.Model, cells, 3, EarlyIterations, SharedCells::Product);
+  if (ResidualOf(crease.Model, cells, SharedCells::Product) > EarlyLimit)
+  {
+    return {};
+  }
+  Refine(crease, cells, 3, PlaneIterations);
   if (crease.Residual > ExcellentResidual && crease.Residual <= PlaneLimit)
   {
     Refine(crease, cells, 6, QuadricIterations);
   }
+  return crease;
 }
 
 /// The best model of so many of the seeds.
@@ -58,12 +65,7 @@ FittedCrease FitSeveral(
   FittedCrease best;
   for (const CreaseModel& start : starts.Best(count, MostStarts))
   {
-    FittedCrease crease{ start, ResidualOf(start, cells) };
-    if (crease.Residual > std::min(StartLimit, before))
-    {
-      continue;
-    }
-    FitStart(crease, cells);
+    const FittedCrease crease = FitStart(start, cells, std::min(StartLimit, before));
     if (crease.Residual < best.Residual)
     {
       best = crease;

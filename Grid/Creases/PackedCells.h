@@ -8,6 +8,13 @@
 namespace vfm
 {
 
+/// What is inside of several surfaces in a cell that they all cut: exactly, or as the product of what is inside of each, which costs a fraction.
+enum class SharedCells
+{
+  Exact,
+  Product
+};
+
 /// Missing cells are of width and weight 0: no plane cuts them.
 struct alignas(32) FourCells
 {
