@@ -1,0 +1,129 @@
+#include "Creases/CreaseSites.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+/// What an owner answers to one who asks for the models of some sites.
+struct Answer
+{
+  Index Asked; // how many were asked for before
+  FittedCrease Found;
+};
+
+constexpr std::size_t KeyLength = 3; // key of the node, labels of the pair
+
+} // namespace
+
+SiteList CreaseSites::ListNear() const
+{
+  const CartesianGrid& grid = this->Source.Grid();
+  const IndexBox nodes = NodesOf(Grow(grid.Owned(), Spread, grid.Global()));
+  SiteList sites;
+  for (Index n = 0; n < static_cast<Index>(this->Source.Nodes().size()); ++n)
+  {
+    for (Index p = this->Source.PointOffset(n); p < this->Source.PointOffset(n + 1); ++p)
+    {
+      if (nodes.Contains(this->PositionOf({ n, p })))
+      {
+        sites.push_back({ n, p });
+      }
+    }
+  }
+  return sites;
+}
+
+SiteList CreaseSites::ListOwned(const SiteList& sites) const
+{
+  SiteList owned;
+  std::copy_if(sites.begin(), sites.end(), std::back_inserter(owned),
+    [this](const CreaseSite& site) { return this->IsOwned(site); });
+  return owned;
+}
+
+SiteList CreaseSites::ListAround(const CreaseSite& site) const
+{
+  const CartesianGrid& grid = this->Source.Grid();
+  const std::vector<Index>& nodes = this->Source.Nodes();
+  const LabelPair pair = this->PairOf(site);
+  IndexBox box;
+  const Index3 p = this->PositionOf(site);
+  for (int a = 0; a < 3; ++a)
+  {
+    box.Lower[a] = p[a] - Spread;
+    box.Upper[a] = p[a] + Spread + 1;
+  }
+  box = Intersect(box, NodesOf(grid.Local()));
+  SiteList around;
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      const Index first = grid.Linear({ { box.Lower[0], j, k } });
+      auto at = std::lower_bound(nodes.begin(), nodes.end(), first);
+      for (; at != nodes.end() && *at < first + box.Size(0); ++at)
+      {
+        const Index node = at - nodes.begin();
+        const SurfacePoint* point = this->Source.FindPoint(node, pair.first, pair.second);
+        if (point && this->Parts.OwnsNode(grid.Position(*at)))
+        {
+          around.push_back({ node, point - this->Source.Points().data() });
+        }
+      }
+    });
+  return around;
+}
+
+CreaseSite CreaseSites::Find(Index key, const LabelPair& pair) const
+{
+  const CartesianGrid& grid = this->Source.Grid();
+  const Index node = this->Source.Find(grid.Linear(grid.NodeOfKey(key)));
+  const SurfacePoint* point =
+    node < 0 ? nullptr : this->Source.FindPoint(node, pair.first, pair.second);
+  return { node, point ? point - this->Source.Points().data() : -1 };
+}
+
+void CreaseSites::Share(FoundCreases& found) const
+{
+  const std::size_t peers = this->Parts.Peers().size();
+  std::vector<SiteList> asked(peers);
+  std::vector<std::vector<Index>> wanted(peers);
+  for (const CreaseSite& site : this->ListNear())
+  {
+    if (!this->IsOwned(site))
+    {
+      const LabelPair pair = this->PairOf(site);
+      const int peer = this->Parts.PeerOfNode(this->PositionOf(site));
+      asked[peer].push_back(site);
+      wanted[peer].insert(wanted[peer].end(), { this->KeyOf(site), pair.first, pair.second });
+      found[site.Point].reset();
+    }
+  }
+  std::vector<Bytes> messages;
+  for (const std::vector<Index>& keys : this->Parts.Request(wanted))
+  {
+    std::vector<Answer> answers;
+    for (std::size_t i = 0; i < keys.size(); i += KeyLength)
+    {
+      const CreaseSite site =
+        this->Find(keys[i], { static_cast<int>(keys[i + 1]), static_cast<int>(keys[i + 2]) });
+      if (site.Point >= 0 && found[site.Point])
+      {
+        answers.push_back({ static_cast<Index>(i / KeyLength), *found[site.Point] });
+      }
+    }
+    messages.push_back(ToBytes(answers));
+  }
+  messages = this->Parts.Group().Exchange(this->Parts.Peers(), messages);
+  for (std::size_t peer = 0; peer < peers; ++peer)
+  {
+    for (const Answer& answer : FromBytes<Answer>(messages[peer]))
+    {
+      found[asked[peer][answer.Asked].Point] = std::make_unique<const FittedCrease>(answer.Found);
+    }
+  }
+}
+
+} // namespace vfm

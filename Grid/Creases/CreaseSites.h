@@ -1,0 +1,83 @@
+/**
+ * CreaseSites: the surface points that a rank finds models of: those of its nodes, and others near, whose models are tried there.
+ */
+#pragma once
+
+#include "Base/Partition.h"
+#include "Creases/CreaseSearch.h"
+
+#include <memory>
+
+namespace vfm
+{
+
+using LabelPair = std::pair<int, int>;
+
+/// A surface point and its node, as positions in the interface.
+struct CreaseSite
+{
+  Index Node, Point;
+  bool operator<(const CreaseSite& other) const { return this->Point < other.Point; }
+  bool operator==(const CreaseSite& other) const { return this->Point == other.Point; }
+};
+using SiteList = std::vector<CreaseSite>; // ascending
+
+/// Models by surface point; nullptr: none.
+using FoundCreases = std::vector<std::unique_ptr<const FittedCrease>>;
+
+class CreaseSites
+{
+public:
+  /// Nodes along each axis between a point and one where its model is tried.
+  static constexpr Index Spread = 2;
+
+  CreaseSites(const Interface& interface, const Partition& partition) :
+    Source(interface), Parts(partition)
+  {
+  }
+
+  Ranks& Group() const { return this->Parts.Group(); }
+
+  Index3 PositionOf(const CreaseSite& site) const
+  {
+    return this->Source.Grid().Position(this->Source.Nodes()[site.Node]);
+  }
+  /// The same on all ranks.
+  Index KeyOf(const CreaseSite& site) const
+  {
+    return this->Source.Grid().NodeKey(this->PositionOf(site));
+  }
+  LabelPair PairOf(const CreaseSite& site) const
+  {
+    const SurfacePoint& point = this->Source.Points()[site.Point];
+    return { point.First, point.Second };
+  }
+  bool IsOwned(const CreaseSite& site) const
+  {
+    return this->Parts.OwnsNode(this->PositionOf(site));
+  }
+  /// One diagonal of nodes in three: those are searched first.
+  bool IsFirst(const CreaseSite& site) const
+  {
+    const Index3 p = this->PositionOf(site);
+    return (p[0] + p[1] + p[2]) % 3 == 0;
+  }
+
+  /// All at owned nodes and within Spread of these.
+  SiteList ListNear() const;
+  /// The owned ones among sites.
+  SiteList ListOwned(const SiteList& sites) const;
+  /// The owned ones of the same pair within Spread of a site.
+  SiteList ListAround(const CreaseSite& site) const;
+  /// The site of a pair at the node of a key; Point -1: none.
+  CreaseSite Find(Index key, const LabelPair& pair) const;
+
+  /// Replaces the models near the owned ones by those that the other ranks have found there. Collective among peers.
+  void Share(FoundCreases& found) const;
+
+private:
+  const Interface& Source;
+  const Partition& Parts;
+};
+
+} // namespace vfm
