@@ -28,10 +28,10 @@ Vector3 FootOn(const LocalQuadric& surface, Vector3 y, Vector3& normal)
 /// From y to where surfaces i and j meet.
 std::optional<EdgePlace> PointOfEdge(const CreaseModel& model, int i, int j, const Vector3& y)
 {
-  EdgePlace edge{ { { i, j } }, y, 0.0, 0.0 };
+  EdgePlace edge{ { { i, j } }, y, 0.0, {} };
   for (int step = 0; step < EdgeSteps; ++step)
   {
-    Vector3 ni, nj;
+    Vector3 &ni = edge.Normals[0], &nj = edge.Normals[1];
     const double di = DistanceTo(model.Surfaces[i], edge.Point, ni);
     const double dj = DistanceTo(model.Surfaces[j], edge.Point, nj);
     const double cosine = Dot(ni, nj), sine = 1.0 - cosine * cosine;
@@ -40,7 +40,6 @@ std::optional<EdgePlace> PointOfEdge(const CreaseModel& model, int i, int j, con
       return std::nullopt;
     }
     edge.Point = edge.Point + ((cosine * dj - di) / sine) * ni + ((cosine * di - dj) / sine) * nj;
-    edge.Bluntness = BluntnessOf(ni, nj);
   }
   edge.Distance = Norm(edge.Point - y);
   return edge;

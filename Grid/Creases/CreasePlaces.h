@@ -35,8 +35,8 @@ struct EdgePlace
 {
   std::array<int, 2> Surfaces;
   Vector3 Point;
-  double Distance;  ///< from y
-  double Bluntness; ///< there
+  double Distance;                ///< from y
+  std::array<Vector3, 2> Normals; ///< unit, of the surfaces there
 };
 std::optional<EdgePlace> FindEdge(const CreaseModel& model, const Vector3& y);
 

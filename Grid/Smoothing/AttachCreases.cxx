@@ -144,7 +144,8 @@ private:
     point.IsSheet = IsSheet(model);
     if (edge)
     {
-      point.EdgeDistance = edge->Bluntness * edge->Distance;
+      point.EdgeDistance = BluntnessOf(edge->Normals[0], edge->Normals[1]) * edge->Distance;
+      point.EdgeNormals = edge->Normals;
     }
     if (corner)
     {
@@ -180,7 +181,7 @@ private:
       const EdgePlace edge = *FindEdge(model, at.Start);
       add(edge.Surfaces[0], edge.Point);
       add(edge.Surfaces[1], edge.Point);
-      return edge.Bluntness;
+      return BluntnessOf(edge.Normals[0], edge.Normals[1]);
     }
     const SidePlace side = FindSide(model, at.Start);
     add(side.Surface, side.Foot);

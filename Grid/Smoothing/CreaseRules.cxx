@@ -8,7 +8,9 @@ namespace
 {
 
 constexpr double LargestCosine = 0.883; // between the normals of two sides: 28 degrees
-constexpr double CoverReach = 1.6;  // of an edge from a point that is asked to carry it, in cells
+constexpr double CoverReach = 1.6; // of an edge from a point that is asked to carry it, in cells
+constexpr int HexCoverRounds = 1,
+              TetCoverRounds = 3;   // the first sees sides alone; hexes suffer where carriers crowd
 constexpr double ZigzagReach = 1.2; // the same where only the shape of the chain asks
 constexpr double CornerReach = 2.0;
 constexpr double SameCorner = 1.0; // distance of two models' corners that are one, in mean cells
@@ -257,20 +259,36 @@ void CreaseRules::PickCorners()
   }
 }
 
+/// Whether some surface holds for both ends of a mesh edge.
+bool CreaseRules::ShareSide(int a, int b) const
+{
+  const CreasePoint &first = this->Points[a], &second = this->Points[b];
+  const auto isOn = [](const CreasePoint& point, const Vector3& normal)
+  {
+    return point.Kind == CreaseKind::Side ? Dot(point.Normal, normal) > LargestCosine
+                                          : Dot(point.EdgeNormals[0], normal) > LargestCosine ||
+        Dot(point.EdgeNormals[1], normal) > LargestCosine;
+  };
+  return first.Kind == CreaseKind::Side
+    ? isOn(second, first.Normal)
+    : isOn(second, first.EdgeNormals[0]) || isOn(second, first.EdgeNormals[1]);
+}
+
 void CreaseRules::Cover()
 {
   std::vector<int> chosen;
   const auto isSide = [this](int i) { return this->Points[i].Kind == CreaseKind::Side; };
+  const auto isEdge = [this](int i) { return this->Points[i].Kind == CreaseKind::Edge; };
   this->ForEdges(
     [&](int a, int b)
     {
-      if (isSide(a) && isSide(b) &&
-        Dot(this->Points[a].Normal, this->Points[b].Normal) < LargestCosine)
+      const bool mayCross = (isSide(a) && (isSide(b) || isEdge(b))) || (isEdge(a) && isSide(b));
+      if (mayCross && !this->ShareSide(a, b))
       {
-        const int nearer = this->IsNearer(a, b) ? a : b;
-        if (this->Points[nearer].EdgeDistance < CoverReach)
+        const int asked = isSide(b) && (isEdge(a) || !this->IsNearer(a, b)) ? b : a;
+        if (this->Points[asked].EdgeDistance < CoverReach)
         {
-          chosen.push_back(nearer);
+          chosen.push_back(asked);
         }
       }
     });
@@ -373,8 +391,12 @@ void CreaseRules::DropFarSides()
 void CreaseRules::Run()
 {
   this->PickCorners();
-  this->Cover();
-  if (this->Active.Corners == 8) // tets have diagonals between carriers (DiagonalFlips.h)
+  const bool isHexes = this->Active.Corners == 8;
+  for (int round = 0; round < (isHexes ? HexCoverRounds : TetCoverRounds); ++round)
+  {
+    this->Cover();
+  }
+  if (isHexes) // tets have diagonals between carriers (DiagonalFlips.h)
   {
     this->StraightenZigzags();
   }

@@ -4,8 +4,8 @@
  *
  * - Corner: of the points within three facets, the nearest to it.
  * - Cover: of two points on different sides that a mesh edge joins, the one nearer to its edge becomes a carrier. So no mesh edge
- *   joins two sides, and the chain of carriers has no gaps.
- * - Zigzag: of a quad that has carriers on one diagonal alone, the nearer of the others becomes one too, unless a quad would then have four: edges of
+ *   joins two sides, and the chain of carriers has no gaps. In tets so does, then, a point on a side that is none of those of a carrier beside it.
+ * - Zigzag, in hexes: of a quad that has carriers on one diagonal alone, the nearer of the others becomes one too, unless a quad would then have four: edges of
  *   interfaces run along mesh edges rather than across quads.
  * - Chains: carriers with fewer than three others within two facets are none.
  * - Sides without a carrier within three facets are none.
@@ -25,11 +25,12 @@ namespace vfm
 struct CreasePoint
 {
   CreaseKind Kind = CreaseKind::None;
-  Vector3 Normal{};             ///< of the side
-  bool IsSheet = false;         ///< a thin gap or film: it needs no edge near
-  double EdgeDistance = 1e30;   ///< of the nearest edge
-  Vector3 Corner{};             ///< grid coordinates
-  double CornerDistance = 1e30; ///< such: there is none
+  Vector3 Normal{};                     ///< of the side
+  bool IsSheet = false;                 ///< a thin gap or film: it needs no edge near
+  double EdgeDistance = 1e30;           ///< of the nearest edge
+  std::array<Vector3, 2> EdgeNormals{}; ///< of the surfaces that meet there
+  Vector3 Corner{};                     ///< grid coordinates
+  double CornerDistance = 1e30;         ///< such: there is none
 };
 
 class CreaseRules
@@ -71,6 +72,7 @@ private:
     return attachment >= 0 && IsCarrier(this->Points[attachment].Kind);
   }
   bool IsNearer(int a, int b) const;
+  bool ShareSide(int a, int b) const;
   std::vector<unsigned char> FindWilling() const;
 
   void PickCorners();
