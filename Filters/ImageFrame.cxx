@@ -176,6 +176,14 @@ void TurnMesh(const ImageFrame& frame, Mesh& mesh)
     const Vector3 turned = frame.ToSpace({ { x[0], x[1], x[2] } });
     std::copy_n(turned.begin(), 3, x);
   }
+  for (Vector3& centroid : mesh.Tables.SurfaceCentroids)
+  {
+    centroid = frame.ToSpace(centroid);
+  }
+  for (Vector3& normal : mesh.Tables.SurfaceNormals)
+  {
+    normal = frame.ToSpace(frame.Origin + normal) - frame.Origin;
+  }
   if (frame.IsMirrored())
   {
     ReverseCorners(mesh);

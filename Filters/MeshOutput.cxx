@@ -16,6 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 namespace vfm
 {
 namespace
@@ -73,16 +75,18 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
   output->GetPointData()->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
 }
 
-void AddFieldPairs(
-  vtkDataObject* output, const char* name, const std::vector<GeometryTables::Pair>& pairs)
+/// An array of as many components as its rows have.
+template <class Array, class Value, std::size_t Length>
+void AddFieldRows(
+  vtkDataObject* output, const char* name, const std::vector<std::array<Value, Length>>& rows)
 {
-  vtkNew<vtkIntArray> array;
+  vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfComponents(2);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(pairs.size()));
-  for (std::size_t i = 0; i < pairs.size(); ++i)
+  array->SetNumberOfComponents(static_cast<int>(Length));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    array->SetTypedTuple(static_cast<vtkIdType>(i), pairs[i].data());
+    std::copy(rows[i].begin(), rows[i].end(), array->GetPointer(Length * i));
   }
   AddHidden(array, output->GetFieldData());
 }
@@ -101,10 +105,26 @@ void SetSurfaces(Mesh& mesh, const Materials& table, vtkPolyData* surfaces)
   {
     SetLabels(materials, table);
   }
-  AddFieldPairs(surfaces, "SurfaceVolumes", mesh.Tables.SurfaceVolumes);
-  AddFieldPairs(surfaces, "SurfaceMaterials", mesh.Tables.SurfaceMaterials);
+  AddFieldRows<vtkIntArray>(surfaces, "SurfaceVolumes", mesh.Tables.SurfaceVolumes);
+  AddFieldRows<vtkIntArray>(surfaces, "SurfaceMaterials", mesh.Tables.SurfaceMaterials);
   AddFieldValues<vtkIntArray>(surfaces->GetFieldData(), "SurfaceSides", mesh.Tables.SurfaceSides);
-  AddFieldPairs(surfaces, "VolumeSurfaces", mesh.Tables.VolumeSurfaces);
+  AddFieldValues<vtkIntArray>(surfaces->GetFieldData(), "SurfaceParts", mesh.Tables.SurfaceParts);
+  AddFieldValues<vtkDoubleArray>(
+    surfaces->GetFieldData(), "SurfaceAreas", mesh.Tables.SurfaceAreas);
+  AddFieldRows<vtkDoubleArray>(surfaces, "SurfaceCentroids", mesh.Tables.SurfaceCentroids);
+  AddFieldRows<vtkDoubleArray>(surfaces, "SurfaceNormals", mesh.Tables.SurfaceNormals);
+  AddFieldRows<vtkIntArray>(surfaces, "VolumeSurfaces", mesh.Tables.VolumeSurfaces);
+}
+
+/// What tells the surface of a face from its points, where interfaces have several.
+void SetSides(const GeometryTables& tables, vtkUnstructuredGrid* output)
+{
+  const std::vector<int>& parts = tables.SurfaceParts;
+  if (std::any_of(parts.begin(), parts.end(), [](int part) { return part > 0; }))
+  {
+    AddFieldValues<vtkIntArray>(output->GetFieldData(), "SurfaceParts", parts);
+    AddFieldRows<vtkIdTypeArray>(output, "EdgeFacets", tables.EdgeFacets);
+  }
 }
 
 void SetCurves(Mesh& mesh, vtkPolyData* curves)
@@ -113,7 +133,7 @@ void SetCurves(Mesh& mesh, vtkPolyData* curves)
   curves->SetLines(AdoptCells(mesh.Curves.Points, 2));
   curves->GetCellData()->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Curves.CurveId, "CurveId"));
   AddFieldValues<vtkIntArray>(curves->GetFieldData(), "CurveEnds", mesh.Tables.CurveEnds);
-  AddFieldPairs(curves, "SurfaceCurves", mesh.Tables.SurfaceCurves);
+  AddFieldRows<vtkIntArray>(curves, "SurfaceCurves", mesh.Tables.SurfaceCurves);
 }
 
 void SetVertices(Mesh& mesh, vtkPolyData* vertices)
@@ -121,7 +141,7 @@ void SetVertices(Mesh& mesh, vtkPolyData* vertices)
   SetUsedPoints(mesh.Vertices.Points, mesh, vertices);
   vertices->SetVerts(AdoptCells(mesh.Vertices.Points, 1));
   vertices->GetCellData()->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Vertices.VertexId, "VertexId"));
-  AddFieldPairs(vertices, "CurveVertices", mesh.Tables.CurveVertices);
+  AddFieldRows<vtkIntArray>(vertices, "CurveVertices", mesh.Tables.CurveVertices);
 }
 
 } // namespace
@@ -157,6 +177,7 @@ void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& output
   nodes->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(mesh.PointIds, "GlobalPointIds"));
   nodes->AddArray(AdoptBuffer<vtkIntArray>(mesh.GeometryDimension, "GeometryDimension"));
   nodes->AddArray(AdoptBuffer<vtkIntArray>(mesh.GeometryId, "GeometryId"));
+  SetSides(mesh.Tables, output);
 }
 
 void SetDomainOutput(const CartesianGrid& grid, const ImageFrame& frame, vtkDataObject* output)

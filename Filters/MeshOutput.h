@@ -26,9 +26,9 @@ struct MeshOutputs
 
 /// Fills them but Materials.
 /// Mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point data
-/// GlobalPointIds, GeometryDimension, GeometryId.
+/// GlobalPointIds, GeometryDimension, GeometryId; field data SurfaceParts and EdgeFacets where there are smooth sides.
 /// Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide; field data SurfaceVolumes, SurfaceMaterials (two of
-/// each surface), SurfaceSides, VolumeSurfaces (pairs).
+/// each surface), SurfaceSides, SurfaceParts, SurfaceAreas, SurfaceCentroids and SurfaceNormals (three of each), VolumeSurfaces (pairs).
 /// Curves: lines of two points with cell data CurveId; field data CurveEnds, SurfaceCurves (pairs).
 /// Vertices: with cell data VertexId; field data CurveVertices (pairs).
 /// All three have their own points, with GlobalPointIds; field data as in GeometryTables.

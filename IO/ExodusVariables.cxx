@@ -14,14 +14,20 @@ namespace
 {
 
 constexpr vtkIdType MostNumbers = 100;
+constexpr const char* TableNames[] = { "SurfaceParts", "EdgeFacets" }; // no numbers of the mesh
 constexpr const char* IdNames[] = { "GlobalPointIds", "GlobalCellIds", "vtkGhostType" };
+
+template <std::size_t Count>
+bool IsOneOf(const char* name, const char* const (&names)[Count])
+{
+  return std::any_of(std::begin(names), std::end(names),
+    [name](const char* other) { return std::strcmp(name, other) == 0; });
+}
 
 bool IsVariable(vtkDataSetAttributes* data, vtkDataArray* array)
 {
   const char* name = array ? array->GetName() : nullptr;
-  return name && array != data->GetGlobalIds() &&
-    std::none_of(std::begin(IdNames), std::end(IdNames),
-      [name](const char* id) { return std::strcmp(name, id) == 0; });
+  return name && array != data->GetGlobalIds() && !IsOneOf(name, IdNames);
 }
 
 /// place: from 0.
@@ -62,7 +68,8 @@ std::vector<ExodusNumber> ListNumbers(vtkFieldData* field)
   for (int a = 0; a < field->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* array = field->GetArray(a);
-    const vtkIdType count = array && array->GetName() ? array->GetNumberOfValues() : 0;
+    const bool isNumber = array && array->GetName() && !IsOneOf(array->GetName(), TableNames);
+    const vtkIdType count = isNumber ? array->GetNumberOfValues() : 0;
     for (vtkIdType i = 0; count <= MostNumbers && i < count; ++i)
     {
       const int components = array->GetNumberOfComponents();

@@ -4,13 +4,17 @@
 #include "Base/Runtime.h"
 #include "MaterialIds.h"
 #include "MaterialNames.h"
+#include "MeshArrays.h"
 #include "MeshFaces.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -28,7 +32,8 @@ constexpr const char* SideNames[6] = { "x_min", "x_max", "y_min", "y_max", "z_mi
 constexpr int NoSide = -1;
 constexpr double SideTolerance = 1e-9; // of the domain's length; the mesh has the very coordinate
 
-using Pair = std::array<int, 2>; // of materials that touch; the faces are the first's
+using Pair = std::array<int, 2>;     // of materials that touch; the faces are the first's
+using PairSide = std::array<int, 3>; // and a surface between them
 
 /// The sides of the domain and what lies on them.
 class Domain
@@ -94,6 +99,64 @@ private:
   double ToOwn[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, Origin[3] = { 0, 0, 0 };
 };
 
+/// Which smooth side of an interface faces are of.
+class SmoothSides
+{
+public:
+  explicit SmoothSides(vtkUnstructuredGrid* mesh) :
+    Parts(mesh->GetFieldData()->GetArray("SurfaceParts")),
+    Dimensions(mesh->GetPointData()->GetArray("GeometryDimension")),
+    Ids(mesh->GetPointData()->GetArray("GeometryId"))
+  {
+    vtkDataArray* told = mesh->GetFieldData()->GetArray("EdgeFacets");
+    const bool isHere = this->Parts && this->Dimensions && this->Ids;
+    if (isHere && mesh->GetNumberOfCells() > 0)
+    {
+      this->PointIds = FindMeshIds(mesh->GetPointData(), "GlobalPointIds");
+    }
+    for (vtkIdType row = 0;
+         told && told->GetNumberOfComponents() == 5 && row < told->GetNumberOfTuples(); ++row)
+    {
+      FaceIds key;
+      for (int c = 0; c < 4; ++c)
+      {
+        key[c] = static_cast<vtkIdType>(told->GetComponent(row, c));
+      }
+      this->Told[key] = static_cast<int>(told->GetComponent(row, 4));
+    }
+  }
+
+  /// The surface, 0: of an interface that is whole.
+  int SurfaceOf(const MeshFace& face) const
+  {
+    if (!this->PointIds)
+    {
+      return 0;
+    }
+    FaceIds key{ { -1, -1, -1, -1 } };
+    int surface = 0;
+    for (int c = 0; c < face.Corners; ++c)
+    {
+      const vtkIdType point = face.Points[c];
+      key[3 - c] = this->PointIds->GetValue(point);
+      if (this->Dimensions->GetComponent(point, 0) == 2)
+      {
+        surface = static_cast<int>(this->Ids->GetComponent(point, 0));
+      }
+    }
+    std::sort(key.begin(), key.end());
+    const auto told = this->Told.find(key);
+    surface = told == this->Told.end() ? surface : told->second;
+    const bool isKnown = surface > 0 && surface <= this->Parts->GetNumberOfTuples();
+    return isKnown && this->Parts->GetComponent(surface - 1, 0) > 0 ? surface : 0;
+  }
+
+private:
+  vtkDataArray *Parts, *Dimensions, *Ids;
+  vtkSmartPointer<vtkIdTypeArray> PointIds; // null: no sides
+  std::map<FaceIds, int> Told;              // by ids of points
+};
+
 /// Ids of pairs of materials, in the order of the pairs. voidId: the number of material 0 when it is the first.
 std::vector<int> NumberPairs(const std::vector<Pair>& pairs, int voidId)
 {
@@ -117,41 +180,91 @@ std::vector<int> NumberPairs(const std::vector<Pair>& pairs, int voidId)
   return ids;
 }
 
-/// Collective: the side sets of the sides of the domain, then those of pairs.
+/// Ids of smooth sides, in their order. pairIds: of their pairs; greatest: of all pairs.
+std::vector<int> NumberSides(
+  const std::vector<PairSide>& sides, const std::vector<int>& pairIds, int greatest)
+{
+  Index factor = 1000;
+  for (const PairSide& side : sides)
+  {
+    while (factor <= side[2])
+    {
+      factor *= 10;
+    }
+  }
+  const bool fits = greatest < std::numeric_limits<int>::max() / factor;
+  std::vector<int> ids;
+  for (std::size_t s = 0; s < sides.size(); ++s)
+  {
+    ids.push_back(fits ? static_cast<int>(pairIds[s] * factor) + sides[s][2]
+                       : greatest + 1 + static_cast<int>(s));
+  }
+  return ids;
+}
+
+/// The keys of all ranks. Collective.
+template <class Map>
+auto UniteKeys(Ranks& ranks, const Map& map)
+{
+  std::vector<std::decay_t<decltype(map.begin()->first)>> list;
+  for (const auto& entry : map)
+  {
+    list.push_back(entry.first);
+  }
+  return Unite(ranks, std::move(list));
+}
+
+/// Collective: the side sets of the sides of the domain, of pairs, and of the smooth sides of these.
 std::vector<SideSet> MakeSideSets(vtkUnstructuredGrid* mesh, const Domain& domain, Ranks& ranks)
 {
-  std::map<int, std::vector<MeshSide>> ofSides;
+  std::map<int, std::vector<MeshSide>> ofDomain;
   std::map<Pair, std::vector<MeshSide>> ofPairs;
+  std::map<PairSide, std::vector<MeshSide>> ofSides;
   vtkDataArray* materials = mesh->GetCellData()->GetArray("MaterialId");
-  for (const MeshFace& face : FindMeshFaces(mesh, "MaterialId", ranks))
+  const std::vector<MeshFace> faces = FindMeshFaces(mesh, "MaterialId", ranks);
+  const SmoothSides smooth(mesh);
+  for (const MeshFace& face : faces)
   {
     const int side = face.Behind == NothingBehind ? domain.SideOfFace(face) : NoSide;
     const Pair pair{ { static_cast<int>(materials->GetComponent(face.Cell, 0)),
       std::max(face.Behind, 0) } };
-    (side == NoSide ? ofPairs[pair] : ofSides[side]).push_back({ face.Cell, face.Face });
-  }
-  const auto keys = [](const auto& map)
-  {
-    std::vector<std::decay_t<decltype(map.begin()->first)>> list;
-    for (const auto& entry : map)
+    const MeshSide here{ face.Cell, face.Face };
+    (side == NoSide ? ofPairs[pair] : ofDomain[side]).push_back(here);
+    const int surface = side == NoSide ? smooth.SurfaceOf(face) : 0;
+    if (surface > 0)
     {
-      list.push_back(entry.first);
+      ofSides[{ { pair[0], pair[1], surface } }].push_back(here);
     }
-    return list;
-  };
+  }
   std::vector<SideSet> sets;
-  for (int side : Unite(ranks, keys(ofSides)))
+  for (int side : UniteKeys(ranks, ofDomain))
   {
-    sets.push_back({ side + 1, SideNames[side], std::move(ofSides[side]) });
+    sets.push_back({ side + 1, SideNames[side], std::move(ofDomain[side]) });
   }
   const MaterialNames names(mesh);
-  const std::vector<Pair> pairs = Unite(ranks, keys(ofPairs));
+  const auto nameOf = [&names](int first, int second)
+  { return names.Name(first) + "_to_" + names.Name(second); };
+  const std::vector<Pair> pairs = UniteKeys(ranks, ofPairs);
   const bool hasVoid = !pairs.empty() && pairs.front()[0] == 0;
   const std::vector<int> ids = NumberPairs(pairs, hasVoid ? FindVoidId(mesh, ranks) : 0);
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
-    sets.push_back({ ids[p], names.Name(pairs[p][0]) + "_to_" + names.Name(pairs[p][1]),
-      std::move(ofPairs[pairs[p]]) });
+    sets.push_back({ ids[p], nameOf(pairs[p][0], pairs[p][1]), std::move(ofPairs[pairs[p]]) });
+  }
+  const std::vector<PairSide> sides = UniteKeys(ranks, ofSides);
+  std::vector<int> pairIds;
+  for (const PairSide& side : sides)
+  {
+    const Pair pair{ { side[0], side[1] } };
+    pairIds.push_back(ids[std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin()]);
+  }
+  const int greatest = ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
+  const std::vector<int> sideIds = NumberSides(sides, pairIds, greatest);
+  for (std::size_t s = 0; s < sides.size(); ++s)
+  {
+    sets.push_back(
+      { sideIds[s], nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]),
+        std::move(ofSides[sides[s]]) });
   }
   return sets;
 }

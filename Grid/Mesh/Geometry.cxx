@@ -290,12 +290,11 @@ private:
     {
       if (this->Sides[q] > 0 && this->Facets[q].IsOwned && !this->IsToldByPoints(q))
       {
-        EdgeFacet facet{};
+        EdgeFacet facet{ { -1, -1, -1, -1, mesh.Surfaces.SurfaceId[q] } };
         const Index* points = mesh.Surfaces.Points.data() + this->Corners * q;
         std::transform(points, points + this->Corners, facet.begin() + (4 - this->Corners),
           [&mesh](Index point) { return mesh.PointIds[point]; });
         std::sort(facet.begin(), facet.begin() + 4);
-        facet[4] = mesh.Surfaces.SurfaceId[q];
         mine.push_back(facet);
       }
     }

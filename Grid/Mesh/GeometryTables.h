@@ -32,7 +32,7 @@ struct GeometryTables
   std::vector<Pair> VolumeSurfaces, SurfaceCurves, CurveVertices;
   ///@}
   /// Facets of smooth sides whose points do not tell the surface, since none is inside one, or several inside several: global ids of the
-  /// points, ascending, of triangles 0 first, and the surface. Ascending.
+  /// points, ascending, of triangles -1 first, and the surface. Ascending.
   std::vector<std::array<std::int64_t, 5>> EdgeFacets;
 };
 

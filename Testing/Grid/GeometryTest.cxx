@@ -1,5 +1,7 @@
 /// Surfaces, curves and vertices of known shapes, and what bounds what.
+#include "Base/Vector3.h"
 #include "GeometryChecks.h"
+#include "SharpCases.h"
 
 #include <gtest/gtest.h>
 
@@ -168,6 +170,44 @@ TEST_P(GeometryOf, GrainsArePolyhedra)
     }
     EXPECT_EQ(itsVertices.size() + grain.second.size(), itsCurves.size() + 2)
       << "grain " << grain.first;
+  }
+}
+
+/// With SharpEdges each smooth side is a surface; those of plane sides have a normal.
+TEST_P(GeometryOf, SidesOfSolidsWithEdges)
+{
+  struct Solid
+  {
+    const char* Name;
+    int Surfaces, Curves, Vertices;
+    std::size_t Planes;
+  };
+  for (const Solid& solid :
+    { Solid{ "cube A", 6, 12, 8, 6 }, Solid{ "cylinder", 3, 2, 0, 2 }, Solid{ "L", 8, 18, 12, 8 } })
+  {
+    const SharpCase c = MakeSharpCase(solid.Name, 16);
+    MeshOptions options;
+    options.Edges = SharpEdges::On;
+    const GeometryTables tables = this->Make(c.Grid, c.Fractions, options).Tables;
+    this->ExpectCounts(1, solid.Surfaces, solid.Curves, solid.Vertices);
+    EXPECT_EQ(tables.CurveEnds, std::vector<int>(solid.Curves, solid.Vertices > 0 ? 2 : 0));
+    double area = 0.0;
+    std::vector<Vector3> normals;
+    for (int s = 0; s < solid.Surfaces; ++s)
+    {
+      EXPECT_EQ(tables.SurfaceParts[s], s + 1);
+      area += tables.SurfaceAreas[s];
+      if (Norm(tables.SurfaceNormals[s]) > .9)
+      {
+        normals.push_back(tables.SurfaceNormals[s]);
+        EXPECT_LT(c.Distance(tables.SurfaceCentroids[s]), .3) << solid.Name; // in the plane
+      }
+    }
+    EXPECT_EQ(normals.size(), solid.Planes) << solid.Name;
+    std::printf("%-10s %d surfaces, %d curves, %d vertices, area %.1f\n", solid.Name,
+      static_cast<int>(this->Report.NumberOfSurfaces),
+      static_cast<int>(this->Report.NumberOfCurves),
+      static_cast<int>(this->Report.NumberOfVertices), area);
   }
 }
 
