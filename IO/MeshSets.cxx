@@ -2,19 +2,16 @@
 
 #include "Agreement.h"
 #include "Base/Runtime.h"
+#include "FaceSurfaces.h"
 #include "MaterialIds.h"
 #include "MaterialNames.h"
-#include "MeshArrays.h"
 #include "MeshFaces.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkMatrix3x3.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -99,64 +96,6 @@ private:
   double ToOwn[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, Origin[3] = { 0, 0, 0 };
 };
 
-/// Which smooth side of an interface faces are of.
-class SmoothSides
-{
-public:
-  explicit SmoothSides(vtkUnstructuredGrid* mesh) :
-    Parts(mesh->GetFieldData()->GetArray("SurfaceParts")),
-    Dimensions(mesh->GetPointData()->GetArray("GeometryDimension")),
-    Ids(mesh->GetPointData()->GetArray("GeometryId"))
-  {
-    vtkDataArray* told = mesh->GetFieldData()->GetArray("EdgeFacets");
-    const bool isHere = this->Parts && this->Dimensions && this->Ids;
-    if (isHere && mesh->GetNumberOfCells() > 0)
-    {
-      this->PointIds = FindMeshIds(mesh->GetPointData(), "GlobalPointIds");
-    }
-    for (vtkIdType row = 0;
-         told && told->GetNumberOfComponents() == 5 && row < told->GetNumberOfTuples(); ++row)
-    {
-      FaceIds key;
-      for (int c = 0; c < 4; ++c)
-      {
-        key[c] = static_cast<vtkIdType>(told->GetComponent(row, c));
-      }
-      this->Told[key] = static_cast<int>(told->GetComponent(row, 4));
-    }
-  }
-
-  /// The surface, 0: of an interface that is whole.
-  int SurfaceOf(const MeshFace& face) const
-  {
-    if (!this->PointIds)
-    {
-      return 0;
-    }
-    FaceIds key{ { -1, -1, -1, -1 } };
-    int surface = 0;
-    for (int c = 0; c < face.Corners; ++c)
-    {
-      const vtkIdType point = face.Points[c];
-      key[3 - c] = this->PointIds->GetValue(point);
-      if (this->Dimensions->GetComponent(point, 0) == 2)
-      {
-        surface = static_cast<int>(this->Ids->GetComponent(point, 0));
-      }
-    }
-    std::sort(key.begin(), key.end());
-    const auto told = this->Told.find(key);
-    surface = told == this->Told.end() ? surface : told->second;
-    const bool isKnown = surface > 0 && surface <= this->Parts->GetNumberOfTuples();
-    return isKnown && this->Parts->GetComponent(surface - 1, 0) > 0 ? surface : 0;
-  }
-
-private:
-  vtkDataArray *Parts, *Dimensions, *Ids;
-  vtkSmartPointer<vtkIdTypeArray> PointIds; // null: no sides
-  std::map<FaceIds, int> Told;              // by ids of points
-};
-
 /// Ids of pairs of materials, in the order of the pairs. voidId: the number of material 0 when it is the first.
 std::vector<int> NumberPairs(const std::vector<Pair>& pairs, int voidId)
 {
@@ -215,22 +154,21 @@ auto UniteKeys(Ranks& ranks, const Map& map)
 }
 
 /// Collective: the side sets of the sides of the domain, of pairs, and of the smooth sides of these.
-std::vector<SideSet> MakeSideSets(vtkUnstructuredGrid* mesh, const Domain& domain, Ranks& ranks)
+std::vector<SideSet> MakeSideSets(
+  vtkUnstructuredGrid* mesh, const Domain& domain, FaceSurfaces& surfaces, Ranks& ranks)
 {
   std::map<int, std::vector<MeshSide>> ofDomain;
   std::map<Pair, std::vector<MeshSide>> ofPairs;
   std::map<PairSide, std::vector<MeshSide>> ofSides;
   vtkDataArray* materials = mesh->GetCellData()->GetArray("MaterialId");
-  const std::vector<MeshFace> faces = FindMeshFaces(mesh, "MaterialId", ranks);
-  const SmoothSides smooth(mesh);
-  for (const MeshFace& face : faces)
+  for (const MeshFace& face : FindMeshFaces(mesh, "MaterialId", ranks))
   {
     const int side = face.Behind == NothingBehind ? domain.SideOfFace(face) : NoSide;
     const Pair pair{ { static_cast<int>(materials->GetComponent(face.Cell, 0)),
       std::max(face.Behind, 0) } };
     const MeshSide here{ face.Cell, face.Face };
     (side == NoSide ? ofPairs[pair] : ofDomain[side]).push_back(here);
-    const int surface = side == NoSide ? smooth.SurfaceOf(face) : 0;
+    const int surface = side == NoSide ? surfaces.Find(face) : 0;
     if (surface > 0)
     {
       ofSides[{ { pair[0], pair[1], surface } }].push_back(here);
@@ -239,7 +177,7 @@ std::vector<SideSet> MakeSideSets(vtkUnstructuredGrid* mesh, const Domain& domai
   std::vector<SideSet> sets;
   for (int side : UniteKeys(ranks, ofDomain))
   {
-    sets.push_back({ side + 1, SideNames[side], std::move(ofDomain[side]) });
+    sets.push_back({ side + 1, SideNames[side], 0, std::move(ofDomain[side]) });
   }
   const MaterialNames names(mesh);
   const auto nameOf = [&names](int first, int second)
@@ -249,7 +187,7 @@ std::vector<SideSet> MakeSideSets(vtkUnstructuredGrid* mesh, const Domain& domai
   const std::vector<int> ids = NumberPairs(pairs, hasVoid ? FindVoidId(mesh, ranks) : 0);
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
-    sets.push_back({ ids[p], nameOf(pairs[p][0], pairs[p][1]), std::move(ofPairs[pairs[p]]) });
+    sets.push_back({ ids[p], nameOf(pairs[p][0], pairs[p][1]), 0, std::move(ofPairs[pairs[p]]) });
   }
   const std::vector<PairSide> sides = UniteKeys(ranks, ofSides);
   std::vector<int> pairIds;
@@ -264,21 +202,22 @@ std::vector<SideSet> MakeSideSets(vtkUnstructuredGrid* mesh, const Domain& domai
   {
     sets.push_back(
       { sideIds[s], nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]),
-        std::move(ofSides[sides[s]]) });
+        sides[s][2], std::move(ofSides[sides[s]]) });
   }
   return sets;
 }
 
-/// Collective.
-std::vector<NodeSet> MakeNodeSets(vtkUnstructuredGrid* mesh, const Domain& domain, Ranks& ranks)
+/// Collective: those of the sides of the domain, and of smooth sides.
+std::vector<NodeSet> MakeNodeSets(vtkUnstructuredGrid* mesh, const Domain& domain,
+  const std::vector<SideSet>& sideSets, FaceSurfaces& surfaces, Ranks& ranks)
 {
   std::vector<NodeSet> sets;
-  for (int side = 0; side < 6; ++side)
+  const auto add = [&](int id, const std::string& name, const auto& contains)
   {
-    NodeSet set{ side + 1, SideNames[side], {} };
+    NodeSet set{ id, name, {} };
     for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
     {
-      if (domain.IsOnSide(point, side))
+      if (contains(point))
       {
         set.Points.push_back(point);
       }
@@ -286,6 +225,19 @@ std::vector<NodeSet> MakeNodeSets(vtkUnstructuredGrid* mesh, const Domain& domai
     if (ranks.Any(!set.Points.empty()))
     {
       sets.push_back(std::move(set));
+    }
+  };
+  for (int side = 0; side < 6; ++side)
+  {
+    add(side + 1, SideNames[side], [&](vtkIdType point) { return domain.IsOnSide(point, side); });
+  }
+  surfaces.ShareRims(ranks);
+  for (const SideSet& sides : sideSets)
+  {
+    if (sides.Surface > 0)
+    {
+      add(sides.Id, sides.Name,
+        [&](vtkIdType point) { return surfaces.Contains(sides.Surface, point); });
     }
   }
   return sets;
@@ -296,8 +248,10 @@ std::vector<NodeSet> MakeNodeSets(vtkUnstructuredGrid* mesh, const Domain& domai
 MeshSets FindMeshSets(vtkUnstructuredGrid* mesh, Ranks& ranks)
 {
   const Domain domain(mesh);
-  std::vector<SideSet> sides = MakeSideSets(mesh, domain, ranks);
-  return { std::move(sides), MakeNodeSets(mesh, domain, ranks) };
+  FaceSurfaces surfaces(mesh);
+  std::vector<SideSet> sides = MakeSideSets(mesh, domain, surfaces, ranks);
+  std::vector<NodeSet> nodes = MakeNodeSets(mesh, domain, sides, surfaces, ranks);
+  return { std::move(sides), std::move(nodes) };
 }
 
 } // namespace vfm

@@ -3,7 +3,7 @@
  *
  * Side sets: one for each ordered pair of materials that touch, "ball_to_plate", which holds the faces of the elements of the first
  * that lie against the second, and "ball_to_Void" for its free surface; where such an interface has several smooth sides, one more for
- * each, "ball_to_Void_3", 3 its surface; and one a side of the domain, "x_min" to "z_max", of all materials. Node sets: one a side of the domain. Faces on the domain are in no set of a pair.
+ * each, "ball_to_Void_3", 3 its surface; and one a side of the domain, "x_min" to "z_max", of all materials. Node sets: one a side of the domain, and one of the nodes of each smooth side, with its name and id. Faces on the domain are in no set of a pair.
  * Of a turned image (field data DomainFrame) the sides are those of its own axes: x_min is where its first index begins.
  */
 #pragma once
@@ -30,6 +30,7 @@ struct SideSet
 {
   int Id;
   std::string Name;
+  int Surface;                 ///< of a smooth side, else 0
   std::vector<MeshSide> Sides; ///< of this rank, ascending
 };
 

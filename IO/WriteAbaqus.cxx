@@ -82,9 +82,12 @@ MeshPointer TakeMesh(vtkUnstructuredGrid* mesh)
   taken->GetCellData()->AddArray(FindMeshArray(mesh->GetCellData(), "MaterialId"));
   taken->GetCellData()->SetGlobalIds(FindMeshIds(mesh->GetCellData(), "GlobalCellIds"));
   taken->GetPointData()->SetGlobalIds(FindMeshIds(mesh->GetPointData(), "GlobalPointIds"));
-  if (vtkDataArray* dimension = mesh->GetPointData()->GetArray("GeometryDimension"))
+  for (const char* name : { "GeometryDimension", "GeometryId" })
   {
-    taken->GetPointData()->AddArray(dimension);
+    if (vtkDataArray* array = mesh->GetPointData()->GetArray(name))
+    {
+      taken->GetPointData()->AddArray(array);
+    }
   }
   if (vtkDataArray* velocity = FindVelocity(mesh))
   {

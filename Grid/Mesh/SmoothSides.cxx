@@ -327,23 +327,39 @@ private:
     return side > 0 ? side : Undecided;
   }
 
-  /// The owner of a facet knows all those around it.
+  /// Facets whose points do not tell. Then those of them through which two parts of their side would touch in a point.
   void DecideOthers()
   {
-    const Groups<int> around =
-      this->ListAround([this](std::size_t f) { return this->SideOf[f] > 0; });
-    std::vector<int> decided(this->SideOf);
-    std::vector<Decision> mine;
+    std::vector<int> loose;
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {
-      if (this->SideOf[f] == Undecided && this->Facets[f].IsOwned)
+      if (this->SideOf[f] == Undecided)
+      {
+        loose.push_back(static_cast<int>(f));
+      }
+    }
+    const auto isDecided = [this](std::size_t f) { return this->SideOf[f] > 0; };
+    this->Decide(loose, this->ListAround(isDecided), [](int) { return true; });
+    const Groups<int> around = this->ListAround(isDecided);
+    this->Decide(loose, around, [&](int f) { return this->IsPinched(f, around); });
+  }
+
+  /// The owner of a facet knows all those around it.
+  template <class Condition>
+  void Decide(const std::vector<int>& loose, const Groups<int>& around, const Condition& isWanted)
+  {
+    std::vector<int> decided(this->SideOf);
+    std::vector<Decision> mine;
+    for (int f : loose)
+    {
+      if (this->Facets[f].IsOwned && isWanted(f))
       {
         decided[f] = this->NearestSide(f, around);
         mine.push_back({ this->KeyOf(f), decided[f] });
       }
     }
     this->SideOf = std::move(decided);
-    this->TakeDecisions(mine);
+    this->TakeDecisions(loose, mine);
   }
 
   struct Decision
@@ -362,8 +378,8 @@ private:
     return key;
   }
 
-  /// The side around a facet that has most of its edges, the nearest normal where several do. Where there is none: what is left of the
-  /// interface is one more side.
+  /// Another side around a facet than its own, that which has most of its edges, the nearest normal where several do. Where there is none:
+  /// what is left of the interface is one more side.
   int NearestSide(std::size_t f, const Groups<int>& around) const
   {
     struct Around
@@ -379,12 +395,38 @@ private:
       side.Edges += this->ShareEdge(f, other);
       side.Cosine = std::max(side.Cosine, Dot(normal, NormalOf(this->Input, this->Facets[other])));
     }
-    std::tuple<int, double, int> nearest(0, -2.0, -this->PiecesEnd - this->CutOf[f]);
+    const int own = this->SideOf[f];
+    const int rest = own > 0 ? own : this->PiecesEnd + this->CutOf[f];
+    std::tuple<int, double, int> nearest(-1, 0.0, -rest);
     for (const auto& [side, its] : sides)
     {
-      nearest = std::max(nearest, { its.Edges, its.Cosine, -side });
+      if (side != own)
+      {
+        nearest = std::max(nearest, { its.Edges, its.Cosine, -side });
+      }
     }
     return -std::get<2>(nearest);
+  }
+
+  /// Whether facets of its side at one of its points are not joined to it over edges there.
+  bool IsPinched(int f, const Groups<int>& around) const
+  {
+    return std::any_of(this->Facets[f].Points.begin(), this->Facets[f].Points.end(),
+      [&](Index p)
+      {
+        std::vector<int> joined{ f }, apart;
+        std::copy_if(around.Items.data() + around.Begin[p],
+          around.Items.data() + around.Begin[p + 1], std::back_inserter(apart),
+          [&](int g) { return g != f && this->SideOf[g] == this->SideOf[f]; });
+        for (std::size_t next = 0; next < joined.size(); ++next)
+        {
+          const auto rest = std::partition(
+            apart.begin(), apart.end(), [&](int g) { return !this->ShareEdge(joined[next], g); });
+          joined.insert(joined.end(), rest, apart.end());
+          apart.erase(rest, apart.end());
+        }
+        return !apart.empty();
+      });
   }
 
   /// The facets of the same interface at its points.
@@ -409,7 +451,7 @@ private:
              [&](Index p) { return std::find(begin, end, p) != end; }) > 1;
   }
 
-  void TakeDecisions(const std::vector<Decision>& mine)
+  void TakeDecisions(const std::vector<int>& loose, const std::vector<Decision>& mine)
   {
     const std::vector<Bytes> messages(this->Parts.Peers().size(), ToBytes(mine));
     std::vector<Decision> told;
@@ -419,16 +461,17 @@ private:
       told.insert(told.end(), theirs.begin(), theirs.end());
     }
     std::sort(told.begin(), told.end());
-    for (std::size_t f = 0; f < this->Facets.size(); ++f)
+    for (int f : loose)
     {
-      if (this->SideOf[f] == Undecided)
+      const Decision key{ this->KeyOf(f), 0 };
+      const auto at = std::lower_bound(told.begin(), told.end(), key);
+      if (at != told.end() && at->Facet == key.Facet)
       {
-        const Decision key{ this->KeyOf(f), 0 };
-        const auto at = std::lower_bound(told.begin(), told.end(), key);
-        // Beyond the rim nobody may have decided.
-        this->SideOf[f] = at != told.end() && at->Facet == key.Facet
-          ? static_cast<int>(at->Side)
-          : this->PiecesEnd + this->CutOf[f];
+        this->SideOf[f] = static_cast<int>(at->Side);
+      }
+      else if (this->SideOf[f] == Undecided) // beyond the rim nobody may have decided
+      {
+        this->SideOf[f] = this->PiecesEnd + this->CutOf[f];
       }
     }
   }

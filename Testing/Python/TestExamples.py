@@ -1,5 +1,5 @@
-"""Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be; ball_under_pressure.py
-solves where CalculiX is installed; write_exodus.py writes a mesh that was saved before; time_ranks.py times two ranks. The
+"""Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be; ball_under_pressure.py and cube_under_pressure.py
+solve where CalculiX is installed; write_exodus.py writes a mesh that was saved before; time_ranks.py times two ranks. The
 fields of Data and the demo can be made again."""
 import csv
 import os
@@ -149,6 +149,27 @@ def test_ball_under_pressure():
         assert 0.5 < sinks / (2 * 1e7 / 3e9) < 0.99, sinks  # less than a block of epoxy
 
 
+def test_cube_under_pressure():
+    """The load on one face of a turned cube is the pressure times its area, and the opposite face bears it."""
+    with tempfile.TemporaryDirectory() as folder:
+        result = subprocess.run(
+            ["pvpython", os.path.join(EXAMPLES, "cube_under_pressure.py"), "--plugin", os.environ["VFM_PLUGIN"], "--cells", "16",
+             "--out", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        rows = re.findall(r"(MATERIAL1_TO_VOID_\d): area (\S+) m\^2, .* normal \((.*)\)", result.stdout)
+        assert len(rows) == 6 and all(abs(float(area) / 1.44 - 1) < 0.03 for _, area, _ in rows), result
+        with open(os.path.join(folder, "cube.inp"), encoding="ascii") as file:
+            mesh = file.read()
+        assert all("*NSET, NSET=%s\n" % name in mesh and "*SURFACE, NAME=%s," % name in mesh for name, _, _ in rows)
+        if not shutil.which("ccx"):
+            assert result.returncode == 1 and "is not installed" in result.stderr, result
+            return
+        found = re.search(r"(\S+) clamped, (\S+) loaded: reaction (\S+) N, .* \((\S+) %\), of its facets (\S+) N", result.stdout)
+        print("  " + found[0])
+        normals = {name: np.array(normal.split(), dtype=float) for name, _, normal in rows}
+        assert normals[found[1]] @ normals[found[2]] < -0.95
+        assert abs(float(found[4])) < 2 and abs(float(found[3]) / float(found[5]) - 1) < 1e-4, result
+
+
 @in_folder
 def test_shapes_of_the_data(path):
     """Data/shapes.py makes the fields again that are in Data."""
@@ -188,7 +209,7 @@ def test_missing_files(path):
     """One message and exit status 1."""
     none, plugin, data = path("none"), os.environ["VFM_PLUGIN"], os.path.join(DATA, "fin.vti")
     for script, arguments in (
-            ("atlas.py", ["--plugin", plugin, "--atlas", none]), ("ball_under_pressure.py", ["--plugin", none]), ("mesh_series.py", ["--plugin", none, "--array", "body", data]),
+            ("atlas.py", ["--plugin", plugin, "--atlas", none]), ("ball_under_pressure.py", ["--plugin", none]), ("cube_under_pressure.py", ["--plugin", none]), ("mesh_series.py", ["--plugin", none, "--array", "body", data]),
             ("mesh_series.py", ["--plugin", plugin, "--array", "body", none]), ("gerris_to_vthb.py", [none, path("out.vthb")]),
             ("time_ranks.py", [none]), ("write_exodus.py", [none, path("out.e")]), ("../Data/shapes.py", [none, "fin", path("out.vti")]),
             ("../Data/impact.py", [none, path("out")]), ("../Data/OpenFOAM/foam_to_vti.py", [none, "0", path("out.vti")]),
