@@ -81,7 +81,7 @@ def picture(mesh, path):
     import pictures
     view = pictures.make_view((1600, 1200))
     pictures.show(simple.OutputPort(mesh, 1), view, COLOUR)
-    pictures.aim(view, (0.0, SIZE[0], 0.0, SIZE[1], 0.0, SIZE[2]), (1.0, -0.9, 0.75), 1.3)
+    pictures.aim(view, (0.0, SIZE[0], 0.0, SIZE[1], 0.0, SIZE[2]), (1.0, -0.9, 0.75), 1.0)
     pictures.save(view, path)
 
 
@@ -110,9 +110,12 @@ def main():
         if not arguments.no_pictures:
             picture(mesh, name + ".png")
     moved = np.linalg.norm(points["On"] - points["Off"], axis=1) / width
-    smooth = [bracket_stl.from_fillet(point) is not None for point in points["Off"]]
-    print("points of the surface moved by more than 0.02 cells: %d of %d; of those on fillets: %d of %d, at most %.3f cells" % (
-        np.sum(moved > 0.02), len(moved), np.sum(moved[smooth] > 0.02), np.sum(smooth), moved[smooth].max()))
+    moved = moved[[bracket_stl.from_fillet(point) is not None for point in points["Off"]]]
+    curves = vtk_to_numpy(servermanager.Fetch(mesh, idx=2).GetPoints().GetData())
+    print("of %d points on fillets %d moved by more than 0.02 cells, at most %.3f, along the surface; on curves there: %d" % (
+        len(moved), np.sum(moved > 0.02), moved.max(), sum(bracket_stl.from_fillet(point) is not None for point in curves)))
+    print("surfaces, curves and vertices: %d, %d, %d" % tuple(
+        servermanager.Fetch(mesh, idx=0).GetFieldData().GetArray("NumberOf" + name).GetValue(0) for name in ("Surfaces", "Curves", "Vertices")))
 
 
 if __name__ == "__main__":

@@ -225,13 +225,14 @@ def test_missing_files(path):
 @in_folder
 def test_bracket(path):
     """Edges and rims that are kept lie far nearer to the mesh; fillets stay as they are."""
-    result = subprocess.run(["pvbatch", os.path.join(EXAMPLES, "bracket.py"), path("out"), "--cells", "40", "--no-pictures",
+    result = subprocess.run(["pvbatch", os.path.join(EXAMPLES, "bracket.py"), path("out"), "--cells", "48", "--no-pictures",
                              "--plugin", os.environ["VFM_PLUGIN"]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert result.returncode == 0, result
     number = r"(\d\.\d+)"
     off, on = ([float(n) for n in re.search(r"\| %s \| %s/.* \| .*/%s \(.*\) \| .*/%s \(.*\) \| .*/%s \|" % (mode, *4 * (number,)), result.stdout).groups()]
                for mode in ("Off", "On"))
-    assert on[0] > 0.4 and max(on[1:3]) < 0.15 and min(off[1:3]) > 0.35 and on[3] < 0.03, result.stdout
+    assert on[0] > 0.4 and max(on[1:3]) < 0.04 and min(off[1:3]) > 0.35 and on[3] < 0.02, result.stdout
+    assert "surfaces, curves and vertices: 10, 21, 10\n" in result.stdout and "on curves there: 0\n" in result.stdout, result.stdout
 
 
 def test_time_on_ranks():

@@ -2,7 +2,7 @@
 import numpy as np
 
 from vfmtest import (
-    DEFAULTS, ORIGIN, SPACING, ball_and_plate, check_surfaces, digest, fraction_image, image, labels, main, mesh_of, points_of, producer, run,
+    DEFAULTS, ORIGIN, SPACING, ball_and_plate, box_along_axes, check_surfaces, digest, fraction_image, image, labels, main, mesh_of, points_of, producer, run,
     simple, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
@@ -125,8 +125,7 @@ def test_smoothing():
 def test_sharp_edges():
     """A box along the axes and off the grid: its fractions are products, its corners far from the mesh unless they are kept."""
     low, high = np.array([2.3, 3.6, 2.8]), np.array([9.4, 8.7, 9.1])  # in cells
-    parts = [np.clip(np.minimum(np.arange(N) + 1, h) - np.maximum(np.arange(N), l), 0, 1) for l, h in zip(low, high)]
-    box = image({"box": np.einsum("k,j,i->kji", *parts[::-1])})
+    box = image({"box": box_along_axes(low, high, N)})
     corners = [np.where([c & 1, c & 2, c & 4], high, low) for c in range(8)]
     for filter, words in ((VolumeFractionToHex, {}), (VolumeFractionToTet, {"Method": "Lattice"}), (VolumeFractionToTet, {"Method": "Cells"})):
         farthest = {}

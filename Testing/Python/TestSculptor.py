@@ -16,8 +16,8 @@ from compare_meshes import difference, merge, read_pieces
 from exodus_grids import hexes, shuffled, write_exodus
 from sculptor_program import check_same, mesh_file, refused, rows, sculptor
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, exodus_parts, fraction_image, image,
-    in_folder, labels, main, mesh_of, rectilinear, uniform, write, simple)
+    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, box_along_axes, exodus_parts, fraction_image,
+    image, in_folder, labels, main, mesh_of, rectilinear, uniform, write, simple)
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
@@ -68,7 +68,6 @@ def test_options(at):
         (["--smooth", "2"], dict(Smoothing="Geometry Based")),
         (["--smooth=geometrybased"], dict(Smoothing="Geometry Based")),
         (["--refine", "1"], uniform(1)),
-        (["--sharp-edges", "on"], dict(SharpEdges="On")),
         (["--iso", "0.3", "--void"], dict(IsoValue=0.3, MeshVoid=1)),
         (["--set", "targetscaledjacobian = .3", "ConserveVolume=off"], dict(TargetScaledJacobian=0.3, ConserveVolume=0)),
         (["--set", "ComputeQuality=no", "--set", "NumberOfThreads=2"], dict(ComputeQuality=0, NumberOfThreads=2)),
@@ -89,6 +88,17 @@ def test_options(at):
         mesh = filter_mesh(path, **both, **properties)
         assert difference(merge([mesh]), plain), "%s changes nothing" % arguments
         check_same(at("out.vtu"), mesh)
+
+
+@in_folder
+def test_sharp_edges(at):
+    path = write(image({"box": box_along_axes((2.3, 3.6, 2.8), (9.4, 8.7, 9.1))}), at("in.vti"))
+    plain, sharp = (filter_mesh(path, VolumeFractionArrays=["box"], SharpEdges=mode) for mode in ("Off", "On"))
+    assert difference(merge([plain]), merge([sharp]))
+    for words in (["--sharp-edges", "on"], ["--set", "SharpEdges=1"]):
+        mesh_file(path, at("out.vtu"), *words)
+        check_same(at("out.vtu"), sharp)
+    refused(1, "SharpEdges cannot be 'round'", path, at("no.vtu"), "--sharp-edges", "round")
 
 
 @in_folder

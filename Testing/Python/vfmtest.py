@@ -57,6 +57,12 @@ def ball_and_plate(n=12):
     return cells(ball), cells(plate)
 
 
+def box_along_axes(low, high, n=12):
+    """Exact fractions of a box between two corners in cells, (n, n, n) in the order z, y, x."""
+    parts = [np.clip(np.minimum(np.arange(n) + 1, h) - np.maximum(np.arange(n), l), 0, 1) for l, h in zip(low, high)]
+    return np.einsum("k,j,i->kji", *parts[::-1])
+
+
 def labels(n=12):
     """The fullest material of each cell of ball_and_plate(): 0 void, 1 ball, 2 plate."""
     ball, plate = ball_and_plate(n)
