@@ -460,7 +460,7 @@ public:
   ///@{
   /**
    * Whether edges and corners of the materials are found in the fractions and kept. Has an effect with an IsoValue of 0.5 and
-   * SMOOTHING_QUADRIC_SURFACE alone. Default: SHARP_EDGES_OFF.
+   * SMOOTHING_QUADRIC_SURFACE alone. Default: SHARP_EDGES_AUTOMATIC.
    */
   vtkSetClampMacro(SharpEdges, int, SHARP_EDGES_OFF, SHARP_EDGES_AUTOMATIC);
   vtkGetMacro(SharpEdges, int);
@@ -576,7 +576,7 @@ protected:
   bool MeshVoid = false;
   bool StairStep = false;
   int Smoothing = SMOOTHING_QUADRIC_SURFACE;
-  int SharpEdges = SHARP_EDGES_OFF;
+  int SharpEdges = SHARP_EDGES_AUTOMATIC;
   double TargetScaledJacobian = 0.0;
   bool ConserveVolume = true;
   bool ComputeQuality = true;

@@ -181,7 +181,7 @@ const std::vector<MesherOption>& Options()
     Switch("StairStep", "off", &Mesher::SetStairStep),
     Choice("Smoothing", "QuadricSurface", &Mesher::SetSmoothing,
       { "Off", "QuadricSurface", "GeometryBased" }),
-    Choice("SharpEdges", "Off", &Mesher::SetSharpEdges, { "Off", "On", "Automatic" }),
+    Choice("SharpEdges", "Automatic", &Mesher::SetSharpEdges, { "Off", "On", "Automatic" }),
     Number("TargetScaledJacobian", "a number from 0 (automatic) to below 1", "0",
       &Mesher::SetTargetScaledJacobian, 0.0, Below1),
     Switch("ConserveVolume", "on", &Mesher::SetConserveVolume),

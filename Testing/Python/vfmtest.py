@@ -43,7 +43,7 @@ DEFAULTS = {  # of the properties of both meshing filters
     "Refinement": "Input Levels", "MaximumLevel": "Automatic", "FineInterfaces": 1, "FineLayers": 2, "ChildFractions": "Planes",
     "MaximumAspectRatio": 0.0, "ThinCells": 2.0, "CurvaturePerCell": 0.0, "RefineFlippedCells": 0, "InterfaceLayers": 0,
     "RefinementArray": "None", "RefinementBoxes": [], "MeshVoid": 0, "IsoValue": 0.5, "StairStep": 0, "Smoothing": "Quadric Surface",
-    "SharpEdges": "Off", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1, "NumberOfThreads": 0}
+    "SharpEdges": "Automatic", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1, "NumberOfThreads": 0}
 SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)  # exact in binary: blocks match bit for bit
 
 
