@@ -10,8 +10,9 @@ namespace
 {
 
 constexpr int SideSteps = 4, EdgeSteps = 4, CornerSteps = 8; // of Newton
-constexpr double SmallestEdgeSine = 0.02;     // squared, between the normals of two surfaces
-constexpr double SmallestCornerVolume = 0.1;  // of the normals of three
+constexpr double SmallestEdgeSine = 0.02; // squared, between the normals of two surfaces
+constexpr double SmallestCornerVolume =
+  0.5; // of the normals of three; flatter ones are pieces of curved sides
 constexpr double FarthestCorner = 4.0;        // in cells
 constexpr double Lost = 2.0 * FarthestCorner; // where Newton is not followed
 
