@@ -10,9 +10,14 @@ namespace
 
 constexpr double FarthestSide = 1.5; // from where a point started, in cells
 constexpr double SheetCosine = -0.9; // between the normals of surfaces that face each other
-constexpr double SideWeight = 4.0;   // of squared distances, against 1 of quadrics
-constexpr double CarrierWeight = 20.0;
 constexpr float SmallestDemand = 0.8f; // at hexes of acute edges, which they cannot fill well
+
+/// Of squared distances, against 1 of quadrics.
+struct CreaseWeights
+{
+  double Side, Carrier;
+};
+constexpr CreaseWeights HexWeights{ 4.0, 20.0 }, TetWeights{ 12.0, 30.0 };
 
 /// The model that holds for an attachment, nullptr: none, and where its point started in the frame of the model.
 struct ModelAt
@@ -160,12 +165,13 @@ private:
     const ModelAt& at, CreaseKind kind, const Attachment& old, std::vector<Attachment>& attachments)
   {
     const CreaseModel& model = at.Crease->Model;
+    const CreaseWeights& weights = this->Active.Corners == 8 ? HexWeights : TetWeights;
     const auto add = [&](int surface, const Vector3& place)
     {
       attachments.push_back(old);
       attachments.back().Target = this->Targets.Add(
         Recentred(model.Surfaces[surface], place), at.Crease->Origin, at.Crease->Widths);
-      attachments.back().Weight = kind == CreaseKind::Side ? SideWeight : CarrierWeight;
+      attachments.back().Weight = kind == CreaseKind::Side ? weights.Side : weights.Carrier;
     };
     if (kind == CreaseKind::Corner)
     {
