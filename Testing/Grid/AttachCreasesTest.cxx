@@ -191,6 +191,20 @@ TEST(CreasePlaces, OfTwoPlanes)
   EXPECT_EQ(FindSide(both, { { 0.4, 1.8, 0.0 } }).Surface, 1);
 }
 
+TEST(CreasePlaces, AcuteEdgesAreLessBlunt)
+{
+  const Vector3 x{ { 1.0, 0.0, 0.0 } };
+  const auto at = [](double degrees)
+  {
+    const double angle = degrees * std::acos(-1.0) / 180.0; // between the surfaces
+    return Vector3{ { -std::cos(angle), std::sin(angle), 0.0 } };
+  };
+  EXPECT_NEAR(BluntnessOf(x, at(0.0)), 0.0, 1e-12);
+  EXPECT_NEAR(BluntnessOf(x, at(45.0)), std::sqrt(1.0 - std::sqrt(0.5)), 1e-12);
+  EXPECT_NEAR(BluntnessOf(x, at(90.0)), 1.0, 1e-12);
+  EXPECT_EQ(BluntnessOf(x, at(120.0)), 1.0);
+}
+
 TEST(CreasePlaces, OnCurvedSurfaces)
 {
   CreaseModel model; // the end of a cylinder of radius 4, cut aslant
@@ -290,6 +304,30 @@ TEST(AttachCreases, NoMeshEdgeJoinsTwoSides)
     });
   EXPECT_GT(sides, 100);
   EXPECT_GT(covered, 100);
+}
+
+TEST(AttachCreases, EnergiesAskForWhatElementsDemand)
+{
+  Runtime runtime;
+  CubeHexes cube(CubeGrid(), CubeFractions(), runtime);
+  const SmoothingStage stage{ 8, 60.0, 0.01, 1, 0.0 };
+  const HexEnergy strict(0.5), lenient(0.4);
+  const auto evaluate = [&](const HexEnergy& energy, int point)
+  { return energy.Evaluate(cube.Active, point, cube.Active.X[point], stage); };
+  const auto differentiate = [&](const HexEnergy& energy, int point)
+  { return energy.Differentiate(cube.Active, point, stage).Value; };
+  cube.Active.Demands.clear();
+  std::vector<double> wanted;
+  cube.Active.ForOwned([&](int point) { wanted.push_back(evaluate(lenient, point)); });
+  cube.Active.Demands.assign(cube.Active.Elements.size() / 8, 0.8f);
+  std::size_t at = 0;
+  cube.Active.ForOwned(
+    [&](int point)
+    {
+      EXPECT_NEAR(evaluate(strict, point), wanted[at], 1e-5 * wanted[at]);
+      EXPECT_NEAR(differentiate(strict, point), wanted[at], 1e-5 * wanted[at]);
+      ++at;
+    });
 }
 
 TEST(AttachCreases, RanksAndThreadsChangeNothing)
