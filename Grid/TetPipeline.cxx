@@ -239,10 +239,12 @@ private:
   {
     const std::vector<Facet> facets = this->ListFacets();
     AttachTets(interface, this->Topology.Tets, facets, this->Method, active);
-    std::vector<CreaseKind> kinds = this->AttachToCreases(interface,
-      this->Method == TetMethod::Cells ? JoinTriangles(facets, this->Faces, this->Topology.Tets)
-                                       : facets,
-      this->Topology.Tets, targets, active);
+    const bool hasQuads =
+      this->Method == TetMethod::Cells && this->Options.Edges != SharpEdges::Off;
+    const std::vector<Facet> quads =
+      hasQuads ? JoinTriangles(facets, this->Faces, this->Topology.Tets) : std::vector<Facet>();
+    std::vector<CreaseKind> kinds = this->AttachToCreases(
+      interface, hasQuads ? quads : facets, this->Topology.Tets, targets, active);
     SetFacets(facets, active);
     return kinds;
   }
