@@ -22,7 +22,7 @@ from load_plugin import load_plugin
 from need_files import need_files
 
 EDGE = 1.2  # metres, in a grid from -1.3 to 1.3
-SHAPES = "box size=%g,%g,%g rotation=20,30,40 material=1" % (EDGE, EDGE, EDGE)
+SHAPES = "box size=%g,%g,%g rotation=25,20,15 material=1" % (EDGE, EDGE, EDGE)
 MATERIALS = {"MATERIAL1": (210e9, 0.3)}  # steel: Young's modulus in Pa, Poisson's ratio
 PRESSURE = 10e6  # Pa
 

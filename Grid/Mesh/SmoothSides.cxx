@@ -1,11 +1,8 @@
 #include "Mesh/SmoothSides.h"
 
 #include "Base/DisjointSets.h"
-#include "Base/Groups.h"
 #include "Base/Sorted.h"
-#include "Base/Vector3.h"
-#include "Labels/Fragments.h"
-#include "Mesh/PointValues.h"
+#include "Mesh/SidePoints.h"
 
 #include <map>
 #include <tuple>
@@ -18,62 +15,77 @@ namespace
 using Pair = std::array<int, 2>;
 
 constexpr int Undecided = -1;
-constexpr int FewestTriangles = 12; // of a side; quads count as two
-constexpr int LongestGap = 3;       // of an edge, in points from a carrier
-constexpr double SharpCosine = .77; // of 40 degrees between facets at a point
+constexpr int FewestTriangles = 12;   // of a side; quads count as two
+constexpr double SmoothCosine = .906; // of 25 degrees between facets
 
-/// Where a point lies on the interfaces.
-enum class Place : unsigned char
-{
-  None,
-  Inside,
-  OnEdge,
-  Between ///< on several surfaces
-};
-
-/// Unit, out of the larger of the two.
-Vector3 NormalOf(const Mesh& mesh, const Facet& facet)
-{
-  const auto x = [&](int c)
-  {
-    const double* point = mesh.Points.data() + 3 * facet.Points[c];
-    return Vector3{ { point[0], point[1], point[2] } };
-  };
-  const Vector3 normal = Unit(Cross(x(2) - x(0), x(3) - x(1)));
-  return facet.Fragments[0] < facet.Fragments[1] ? -1.0 * normal : normal;
-}
-
-/// Two sides beside each other, the smaller first, and the largest cosine between the normals of facets at their border.
-struct Contact
+/// The border of two sides, the smaller first.
+struct Border
 {
   Pair Sides;
-  double Cosine;
+  std::int64_t Edges, SmoothEdges; ///< of facets
+  double Cosine;                   ///< the largest between normals across it
 };
 
-using Contacts = std::map<Pair, double>;
+using Borders = std::map<Pair, Border>;
 
-void AddContact(const Contact& contact, Contacts& contacts)
+void AddBorder(const Border& more, Borders& borders)
 {
-  const auto at = contacts.emplace(contact.Sides, contact.Cosine).first;
-  at->second = std::max(at->second, contact.Cosine);
+  const auto [at, isNew] = borders.emplace(more.Sides, more);
+  if (!isNew)
+  {
+    at->second.Edges += more.Edges;
+    at->second.SmoothEdges += more.SmoothEdges;
+    at->second.Cosine = std::max(at->second.Cosine, more.Cosine);
+  }
+}
+
+/// Disjoint sets of sides, with the number of their triangles.
+struct SideSets
+{
+  std::vector<Index> Parent;
+  std::vector<std::int64_t> Triangles;
+
+  explicit SideSets(std::vector<std::int64_t> triangles) :
+    Parent(MakeSets(triangles.size())), Triangles(std::move(triangles))
+  {
+  }
+  Index Root(Index side) { return FindRoot(this->Parent, side); }
+  bool IsSliver(Index root) const { return this->Triangles[root] < FewestTriangles; }
+  void Join(Index a, Index b)
+  {
+    const std::int64_t both = this->Triangles[this->Root(a)] + this->Triangles[this->Root(b)];
+    vfm::Join(this->Parent, a, b);
+    this->Triangles[this->Root(a)] = both;
+  }
+};
+
+/// Joins sides whose border is no edge: most of it is smooth.
+void JoinSmooth(const Borders& borders, SideSets& sets)
+{
+  for (const auto& [sides, border] : borders)
+  {
+    if (2 * border.SmoothEdges > border.Edges && sets.Root(sides[0]) != sets.Root(sides[1]))
+    {
+      sets.Join(sides[0], sides[1]);
+    }
+  }
 }
 
 /// Joins sides of few triangles with the nearest beside them until none is left that has one.
-std::vector<Index> JoinSlivers(std::vector<std::int64_t> triangles, const Contacts& contacts)
+void JoinSlivers(const Borders& borders, SideSets& sets)
 {
-  std::vector<Index> sets = MakeSets(triangles.size());
   for (bool changes = true; changes;)
   {
     changes = false;
     std::map<Index, std::pair<double, Index>> nearest; // of each sliver
-    for (const auto& [sides, cosine] : contacts)
+    for (const auto& [sides, border] : borders)
     {
-      const Index ends[2] = { FindRoot(sets, sides[0]), FindRoot(sets, sides[1]) };
+      const Index ends[2] = { sets.Root(sides[0]), sets.Root(sides[1]) };
       for (int e = 0; ends[0] != ends[1] && e < 2; ++e)
       {
-        if (triangles[ends[e]] < FewestTriangles)
+        if (sets.IsSliver(ends[e]))
         {
-          const std::pair<double, Index> other(cosine, ends[1 - e]);
+          const std::pair<double, Index> other(border.Cosine, ends[1 - e]);
           const auto at = nearest.emplace(ends[e], other).first;
           at->second = std::max(at->second, other);
         }
@@ -81,17 +93,14 @@ std::vector<Index> JoinSlivers(std::vector<std::int64_t> triangles, const Contac
     }
     for (const auto& [sliver, other] : nearest)
     {
-      const Index a = FindRoot(sets, sliver), b = FindRoot(sets, other.second);
-      if (a != b && triangles[a] < FewestTriangles)
+      const Index a = sets.Root(sliver), b = sets.Root(other.second);
+      if (a != b && sets.IsSliver(a))
       {
-        const std::int64_t both = triangles[a] + triangles[b];
-        Join(sets, a, b);
-        triangles[FindRoot(sets, a)] = both;
+        sets.Join(a, b);
         changes = true;
       }
     }
   }
-  return sets;
 }
 
 class SideFinder
@@ -103,19 +112,21 @@ public:
     Input(mesh),
     Parts(partition),
     Corners(mesh.CornersOfFacet()),
-    Shared(this->ListPoints(), mesh, partition)
+    Points(facets, kinds, mesh, partition),
+    PiecesEnd(static_cast<int>(this->Points.CutsOfSides().size())),
+    CutOfSide(this->Points.CutsOfSides())
   {
-    this->FindPlaces(kinds);
-    this->CloseGaps();
-    this->FindCut();
+    for (int cut = 0; cut < this->Points.NumberOfCuts(); ++cut)
+    {
+      this->CutOfSide.push_back(cut);
+    }
   }
 
   std::vector<int> Find()
   {
-    this->NumberPoints();
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {
-      this->SideOf.push_back(this->CutOf[f] < 0 ? 0 : this->SideOfPoints(this->Facets[f]));
+      this->SideOf.push_back(this->Points.CutOf(f) < 0 ? 0 : this->SideOfPoints(this->Facets[f]));
     }
     this->DecideOthers();
     this->JoinSides();
@@ -123,201 +134,12 @@ public:
   }
 
 private:
-  bool IsInterface(const Facet& facet) const { return facet.DomainSide < 0; }
-
-  /// The points of interfaces, ascending.
-  std::vector<Index> ListPoints() const
-  {
-    std::vector<Index> points;
-    for (const Facet& facet : this->Facets)
-    {
-      if (this->IsInterface(facet))
-      {
-        points.insert(points.end(), facet.Points.begin(), facet.Points.begin() + this->Corners);
-      }
-    }
-    SortUnique(points);
-    return points;
-  }
-
-  void FindPlaces(const std::vector<CreaseKind>& kinds)
-  {
-    this->PlaceOf.assign(this->Input.PointIds.size(), Place::None);
-    std::vector<Pair> first(this->PlaceOf.size());
-    for (const Facet& facet : this->Facets)
-    {
-      for (int c = 0; c < this->Corners; ++c)
-      {
-        const Index p = facet.Points[c];
-        Place& place = this->PlaceOf[p];
-        if (place == Place::None)
-        {
-          first[p] = SurfaceOf(facet);
-          place = !kinds.empty() && IsCarrier(kinds[p]) ? Place::OnEdge : Place::Inside;
-        }
-        place = first[p] == SurfaceOf(facet) ? place : Place::Between;
-      }
-    }
-    this->Shared.Fetch(
-      this->PlaceOf, [this](Index point, Place place) { this->PlaceOf[point] = place; });
-  }
-
-  /// Edges go on over points that carry none but around which the facets turn, for a few points.
-  void CloseGaps()
-  {
-    const Groups<int> around =
-      this->ListAround([this](std::size_t f) { return this->IsInterface(this->Facets[f]); });
-    for (int step = 0; step < LongestGap; ++step)
-    {
-      std::vector<Place> places(this->PlaceOf);
-      for (std::size_t p = 0; p < places.size(); ++p)
-      {
-        const int* first = around.Items.data() + around.Begin[p];
-        const int* last = around.Items.data() + around.Begin[p + 1];
-        if (places[p] == Place::Inside && this->IsBesideEdge(first, last) &&
-          this->IsSharp(first, last))
-        {
-          places[p] = Place::OnEdge;
-        }
-      }
-      this->PlaceOf.swap(places);
-      this->Shared.Fetch(
-        this->PlaceOf, [this](Index point, Place place) { this->PlaceOf[point] = place; });
-    }
-  }
-
-  /// The facets of a kind at each point.
-  template <class Condition>
-  Groups<int> ListAround(const Condition& isListed) const
-  {
-    return MakeGroups<int>(this->PlaceOf.size(),
-      [&](const auto& visit)
-      {
-        for (std::size_t f = 0; f < this->Facets.size(); ++f)
-        {
-          for (int c = 0; isListed(f) && c < this->Corners; ++c)
-          {
-            visit(this->Facets[f].Points[c], static_cast<int>(f));
-          }
-        }
-      });
-  }
-
-  bool IsBesideEdge(const int* first, const int* last) const
-  {
-    return std::any_of(first, last,
-      [this](int f)
-      {
-        const std::array<Index, 4>& points = this->Facets[f].Points;
-        return std::any_of(points.begin(), points.end(),
-          [this](Index q) { return this->PlaceOf[q] == Place::OnEdge; });
-      });
-  }
-
-  bool IsSharp(const int* first, const int* last) const
-  {
-    return std::any_of(first, last,
-      [&](int f)
-      {
-        const Vector3 normal = NormalOf(this->Input, this->Facets[f]);
-        return std::any_of(first, last,
-          [&](int g) { return Dot(normal, NormalOf(this->Input, this->Facets[g])) < SharpCosine; });
-      });
-  }
-
-  /// The interfaces with edges.
-  void FindCut()
-  {
-    std::vector<Pair> cut;
-    for (const Facet& facet : this->Facets)
-    {
-      if (this->IsInterface(facet) && facet.IsOwned &&
-        std::any_of(facet.Points.begin(), facet.Points.end(),
-          [this](Index p) { return this->PlaceOf[p] == Place::OnEdge; }))
-      {
-        cut.push_back(SurfaceOf(facet));
-      }
-    }
-    SortUnique(cut);
-    this->Cut = GatherItems(this->Parts.Group(), cut);
-    SortUnique(this->Cut);
-    for (const Facet& facet : this->Facets)
-    {
-      this->CutOf.push_back(static_cast<int>(FindSorted(this->Cut, SurfaceOf(facet))));
-    }
-  }
-
-  /// Fills SideOfPoint, of points inside; 0 elsewhere.
-  void NumberPoints()
-  {
-    const std::size_t count = this->PlaceOf.size();
-    std::vector<Index> parent = MakeSets(count);
-    std::vector<int> cutOf(count, -1);
-    for (std::size_t f = 0; f < this->Facets.size(); ++f)
-    {
-      const std::array<Index, 4>& points = this->Facets[f].Points;
-      for (int c = 0; this->CutOf[f] >= 0 && c < this->Corners; ++c)
-      {
-        const Index a = points[c], b = points[(c + 1) % this->Corners];
-        cutOf[a] = this->PlaceOf[a] == Place::Inside ? this->CutOf[f] : -1;
-        if (cutOf[a] >= 0 && this->PlaceOf[b] == Place::Inside)
-        {
-          Join(parent, a, b);
-        }
-      }
-    }
-    std::vector<Piece> pieces;
-    std::vector<Index> pieceOf(count, -1);
-    for (Index p = 0; p < static_cast<Index>(count); ++p)
-    {
-      const Index root = cutOf[p] >= 0 ? FindRoot(parent, p) : -1;
-      if (root == p)
-      {
-        pieceOf[p] = static_cast<Index>(pieces.size());
-        pieces.push_back({ this->Input.PointIds[p], cutOf[p] });
-      }
-      pieceOf[p] = root < 0 ? -1 : pieceOf[root];
-    }
-    this->NumberPieces(pieces, pieceOf);
-  }
-
-  void NumberPieces(const std::vector<Piece>& pieces, std::vector<Index>& pieceOf)
-  {
-    Ranks& ranks = this->Parts.Group();
-    const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.size()));
-    std::vector<Index> numbers(pieceOf);
-    for (Index& number : numbers)
-    {
-      number += number < 0 ? 0 : offset;
-    }
-    PiecePairs same;
-    this->Shared.Fetch(numbers,
-      [&](Index point, Index piece)
-      {
-        if (piece >= 0 && numbers[point] >= 0)
-        {
-          same.push_back({ { numbers[point], piece } });
-        }
-      });
-    SortUnique(same);
-    const std::vector<int> sides = NumberFragments(pieces, same, offset, ranks, this->CutOfSide);
-    this->PiecesEnd = static_cast<int>(this->CutOfSide.size());
-    for (std::size_t cut = 0; cut < this->Cut.size(); ++cut)
-    {
-      this->CutOfSide.push_back(static_cast<int>(cut));
-    }
-    for (Index piece : pieceOf)
-    {
-      this->SideOfPoint.push_back(piece < 0 ? 0 : sides[piece]);
-    }
-  }
-
   int SideOfPoints(const Facet& facet) const
   {
     int side = 0;
     for (Index p : facet.Points)
     {
-      const int other = this->SideOfPoint[p];
+      const int other = this->Points.SideOf(p);
       if (side > 0 && other > 0 && other != side)
       {
         return Undecided;
@@ -338,9 +160,10 @@ private:
         loose.push_back(static_cast<int>(f));
       }
     }
-    const auto isDecided = [this](std::size_t f) { return this->SideOf[f] > 0; };
-    this->Decide(loose, this->ListAround(isDecided), [](int) { return true; });
-    const Groups<int> around = this->ListAround(isDecided);
+    const auto isDecided = [this](int f) { return this->SideOf[f] > 0; };
+    this->Decide(
+      loose, ListFacetsAt(this->Facets, this->Input, isDecided), [](int) { return true; });
+    const Groups<int> around = ListFacetsAt(this->Facets, this->Input, isDecided);
     this->Decide(loose, around, [&](int f) { return this->IsPinched(f, around); });
   }
 
@@ -396,7 +219,7 @@ private:
       side.Cosine = std::max(side.Cosine, Dot(normal, NormalOf(this->Input, this->Facets[other])));
     }
     const int own = this->SideOf[f];
-    const int rest = own > 0 ? own : this->PiecesEnd + this->CutOf[f];
+    const int rest = own > 0 ? own : this->PiecesEnd + this->Points.CutOf(f);
     std::tuple<int, double, int> nearest(-1, 0.0, -rest);
     for (const auto& [side, its] : sides)
     {
@@ -437,7 +260,7 @@ private:
     {
       std::copy_if(around.Items.data() + around.Begin[p], around.Items.data() + around.Begin[p + 1],
         std::back_inserter(beside),
-        [&](int other) { return this->CutOf[other] == this->CutOf[f]; });
+        [&](int other) { return this->Points.CutOf(other) == this->Points.CutOf(f); });
     }
     SortUnique(beside);
     return beside;
@@ -471,7 +294,7 @@ private:
       }
       else if (this->SideOf[f] == Undecided) // beyond the rim nobody may have decided
       {
-        this->SideOf[f] = this->PiecesEnd + this->CutOf[f];
+        this->SideOf[f] = this->PiecesEnd + this->Points.CutOf(f);
       }
     }
   }
@@ -485,82 +308,78 @@ private:
       triangles[this->SideOf[f]] += this->Facets[f].IsOwned ? this->Corners - 2 : 0;
     }
     ranks.Sum(triangles);
-    std::vector<Contact> contacts;
-    for (const auto& contact : this->FindContacts())
+    std::vector<Border> mine;
+    for (const auto& border : this->FindBorders())
     {
-      const Pair& sides = contact.first;
-      if (std::min(triangles[sides[0]], triangles[sides[1]]) < FewestTriangles)
-      {
-        contacts.push_back({ sides, contact.second });
-      }
+      mine.push_back(border.second);
     }
-    Contacts all;
-    for (const Contact& contact : GatherItems(ranks, contacts))
+    Borders borders;
+    for (const Border& border : GatherItems(ranks, mine))
     {
-      AddContact(contact, all);
+      AddBorder(border, borders);
     }
-    std::vector<Index> sets = JoinSlivers(triangles, all);
-    std::vector<int> parts(this->Cut.size(), 0); // sides of each interface
-    for (std::size_t side = 1; side < sets.size(); ++side)
+    SideSets sets(triangles);
+    JoinSmooth(borders, sets);
+    JoinSlivers(borders, sets);
+    std::vector<int> parts(this->Points.NumberOfCuts(), 0); // sides of each interface
+    for (std::size_t side = 1; side < triangles.size(); ++side)
     {
-      parts[this->CutOfSide[side]] +=
-        triangles[side] > 0 && FindRoot(sets, side) == static_cast<Index>(side);
+      const Index root = sets.Root(side);
+      parts[this->CutOfSide[side]] += sets.Triangles[root] > 0 && root == static_cast<Index>(side);
     }
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {
-      const bool isCut = this->CutOf[f] >= 0 && parts[this->CutOf[f]] > 1;
-      this->SideOf[f] = isCut ? static_cast<int>(FindRoot(sets, this->SideOf[f])) : 0;
+      const bool isCut = this->Points.CutOf(f) >= 0 && parts[this->Points.CutOf(f)] > 1;
+      this->SideOf[f] = isCut ? static_cast<int>(sets.Root(this->SideOf[f])) : 0;
     }
   }
 
-  /// Between facets of which this rank owns one.
-  Contacts FindContacts() const
+  /// At edges of facets that this rank counts.
+  Borders FindBorders() const
   {
-    struct Border
+    struct Place
     {
-      std::array<Index, 2> Points;
+      std::array<Index, 2> Edge;
       std::size_t Facet;
-      bool operator<(const Border& other) const { return this->Points < other.Points; }
+      bool operator<(const Place& other) const { return this->Edge < other.Edge; }
     };
-    std::vector<Border> borders;
+    std::vector<Place> places;
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {
       const std::array<Index, 4>& points = this->Facets[f].Points;
-      for (int c = 0; this->CutOf[f] >= 0 && c < this->Corners; ++c)
+      for (int c = 0; this->Points.CutOf(f) >= 0 && c < this->Corners; ++c)
       {
         const Index a = points[c], b = points[(c + 1) % this->Corners];
-        if (this->PlaceOf[a] != Place::Inside || this->PlaceOf[b] != Place::Inside)
-        {
-          borders.push_back({ { { std::min(a, b), std::max(a, b) } }, f });
-        }
+        places.push_back({ { { std::min(a, b), std::max(a, b) } }, f });
       }
     }
-    std::sort(borders.begin(), borders.end());
-    Contacts contacts;
-    for (auto first = borders.begin(), last = first; first != borders.end(); first = last)
+    std::sort(places.begin(), places.end());
+    Borders borders;
+    for (auto first = places.begin(), last = first; first != places.end(); first = last)
     {
-      last = std::upper_bound(first, borders.end(), *first);
+      last = std::upper_bound(first, places.end(), *first);
       for (auto a = first; a != last; ++a)
       {
         for (auto b = a + 1; b != last; ++b)
         {
-          this->AddContactOf(a->Facet, b->Facet, contacts);
+          this->AddEdge(a->Facet, b->Facet, borders);
         }
       }
     }
-    return contacts;
+    return borders;
   }
 
-  void AddContactOf(std::size_t f, std::size_t g, Contacts& contacts) const
+  /// Of two facets that share it; the owner of that with the lower points counts it.
+  void AddEdge(std::size_t f, std::size_t g, Borders& borders) const
   {
     const Pair sides{ { std::min(this->SideOf[f], this->SideOf[g]),
       std::max(this->SideOf[f], this->SideOf[g]) } };
-    if (sides[0] != sides[1] && this->CutOf[f] == this->CutOf[g] &&
-      (this->Facets[f].IsOwned || this->Facets[g].IsOwned))
+    if (sides[0] != sides[1] && this->Points.CutOf(f) == this->Points.CutOf(g) &&
+      this->Facets[this->KeyOf(f) < this->KeyOf(g) ? f : g].IsOwned)
     {
       const double cosine =
         Dot(NormalOf(this->Input, this->Facets[f]), NormalOf(this->Input, this->Facets[g]));
-      AddContact({ sides, cosine }, contacts);
+      AddBorder({ sides, 1, cosine > SmoothCosine, cosine }, borders);
     }
   }
 
@@ -568,14 +387,10 @@ private:
   const Mesh& Input;
   const Partition& Parts;
   const int Corners; // of a facet
-  const PointValues Shared;
-  std::vector<Place> PlaceOf;   // of every point
-  std::vector<Pair> Cut;        // interfaces with edges, ascending
-  std::vector<int> CutOf;       // of every facet: position in Cut, or -1
-  std::vector<int> SideOfPoint; // 0: none
-  std::vector<int> CutOfSide;   // [0] unused; those of pieces, then one more of each interface
-  int PiecesEnd = 0;
-  std::vector<int> SideOf; // of every facet
+  const SidePoints Points;
+  const int PiecesEnd;        // the first side that is what is left of an interface
+  std::vector<int> CutOfSide; // [0] unused; those of points, then one more of each interface
+  std::vector<int> SideOf;    // of every facet
 };
 
 } // namespace

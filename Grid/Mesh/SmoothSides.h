@@ -4,7 +4,7 @@
  * No edge of a facet joins two sides without a point that carries an edge. So the points of an interface that carry none and that no other
  * surface touches, joined over the edges of its facets, fall into pieces: the sides, however an edge winds from point to point. A facet is of
  * the side of its points; one of carriers alone, or with points of several sides, of the side around it whose facets have the nearest normal.
- * Sides of a few facets join the one beside them with the nearest normal. An edge that ends within a side cuts nothing.
+ * Sides join where most of their border turns out to be smooth, and those of a few facets the one beside them with the nearest normal. An edge that ends within a side cuts nothing.
  */
 #pragma once
 

@@ -17,7 +17,8 @@ from sculptor_program import needs_spyplot
 from spyplot import split, write_spyplot
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, held_class, in_folder, labels, main, mesh_of,
-    new_ioss_reader, producer, save_data, servermanager, simple, VolumeFractionToHex, VolumeFractionToTet)
+    new_ioss_reader, producer, save_data, servermanager, simple, VolumeFractionShapes, VolumeFractionToHex,
+    VolumeFractionToTet)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 CELLS = {"make": VolumeFractionToTet, "Method": "Cells"}
@@ -48,11 +49,14 @@ def surface_areas(result, names):
     points = vtk_to_numpy(surfaces.GetPoints().GetData())
     facets = vtk_to_numpy(surfaces.GetPolys().GetConnectivityArray()).reshape(surfaces.GetNumberOfCells(), -1)
     areas = area_vectors(points[facets])
-    pairs, sides = (array(surfaces.GetCellData(), name) for name in ("MaterialPair", "DomainSide"))
-    for area, (low, high), side in zip(areas, pairs.tolist(), sides.tolist()):
+    pairs, sides, ids = (array(surfaces.GetCellData(), name) for name in ("MaterialPair", "DomainSide", "SurfaceId"))
+    parts = array(surfaces.GetFieldData(), "SurfaceParts")
+    for area, (low, high), side, surface in zip(areas, pairs.tolist(), sides.tolist(), ids.tolist()):
         keys = [(AXES[side], 1)] if side >= 0 else [("%s_to_%s" % (names[high], names[low]), 1)]  # the normal leaves the second
         if side < 0 and low > 0:
             keys.append(("%s_to_%s" % (names[low], names[high]), -1))
+        if parts[surface - 1] > 0:
+            keys += [("%s_%d" % (name, surface), sign) for name, sign in keys]
         for key, sign in keys:
             sums[key] = sums.get(key, 0) + sign * area
     return sums
@@ -307,6 +311,39 @@ def test_spyplot(at):
         check_ranks(at, path, mesh, "--state", "Pressure", *arguments)
         assert Dump(at("mesh1.exo")).get("time_whole").tolist() == [2e-6]
         assert sorted(join([Dump(at("mesh1.exo"))])["blocks"].values()) == [SPY % 1, SPY % 2]
+
+
+def turned_box(n=16):
+    """A box turned in a matrix, off the grid: smooth sides on both."""
+    source = VolumeFractionShapes(Shapes="box size=0.95,1.05,1 rotation=25,20,15 center=0.02,0,0.03 material=1; box size=2,2,2 material=2",
+                                  Bounds=[-1, 1] * 3, Dimensions=[n] * 3)
+    return servermanager.Fetch(source)
+
+
+@in_folder
+def test_smooth_sides(at):
+    """Each side of a box is a side set and a node set, seen from either material; the same in the parts of ranks."""
+    data = turned_box()
+    for kind, properties in (("", {}), ("Lattice", {"make": VolumeFractionToTet, "Method": "Lattice"})):
+        arguments = {"VolumeFractionArrays": ["Material1", "Material2"], "SharpEdges": "On"}
+        result = mesh_of(data, **arguments, **properties)
+        path = at("sides.exo")
+        assert not write(result.mesh, path)
+        check_areas(path, result)
+        whole = join([Dump(path)])
+        sides = [key for key in whole["sides"] if key[1].startswith("Material1_to_Material2_")]
+        assert len(sides) == 6 and all(key[0] == 1002000 + int(key[1].rsplit("_", 1)[1]) for key in sides), sides
+        for key in sides:
+            nodes = {node for _, corners in whole["sides"][key] for node in corners}
+            assert whole["node sets"][key] == nodes and len(nodes) > 30, key
+        output = at("parts%s.exo" % kind)
+        run = mpi_run(3, [SCULPTOR, "--input", vti(at, data), "--fractions", "Material1,Material2", "--sharp-edges", "On", "--output", output,
+                          *(["--tetmesh", kind] if kind else [])])
+        assert run.returncode == 0, run
+        dumps = [Dump("%s.3.%d" % (output, rank)) for rank in range(3)]
+        parts = join(dumps)
+        assert parts["sides"] == whole["sides"] and parts["node sets"] == whole["node sets"]
+        check_parts(dumps)
 
 
 @in_folder
