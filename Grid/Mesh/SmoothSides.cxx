@@ -16,7 +16,7 @@ using Pair = std::array<int, 2>;
 
 constexpr int Undecided = -1;
 constexpr int FewestTriangles = 12;   // of a side; quads count as two
-constexpr double SmoothCosine = .906; // of 25 degrees between facets
+constexpr double SmoothCosine = .906; // of 25 degrees between means of facets
 
 /// The border of two sides, the smaller first.
 struct Border
@@ -354,6 +354,8 @@ private:
       }
     }
     std::sort(places.begin(), places.end());
+    const Groups<int> around =
+      ListFacetsAt(this->Facets, this->Input, [this](int f) { return this->SideOf[f] > 0; });
     Borders borders;
     for (auto first = places.begin(), last = first; first != places.end(); first = last)
     {
@@ -362,7 +364,7 @@ private:
       {
         for (auto b = a + 1; b != last; ++b)
         {
-          this->AddEdge(a->Facet, b->Facet, borders);
+          this->AddEdge(a->Facet, b->Facet, around, borders);
         }
       }
     }
@@ -370,7 +372,7 @@ private:
   }
 
   /// Of two facets that share it; the owner of that with the lower points counts it.
-  void AddEdge(std::size_t f, std::size_t g, Borders& borders) const
+  void AddEdge(std::size_t f, std::size_t g, const Groups<int>& around, Borders& borders) const
   {
     const Pair sides{ { std::min(this->SideOf[f], this->SideOf[g]),
       std::max(this->SideOf[f], this->SideOf[g]) } };
@@ -379,8 +381,35 @@ private:
     {
       const double cosine =
         Dot(NormalOf(this->Input, this->Facets[f]), NormalOf(this->Input, this->Facets[g]));
-      AddBorder({ sides, 1, cosine > SmoothCosine, cosine }, borders);
+      const bool isSmooth =
+        Dot(this->MeanNormal(f, g, around), this->MeanNormal(g, f, around)) > SmoothCosine;
+      AddBorder({ sides, 1, isSmooth, cosine }, borders);
     }
+  }
+
+  /// Of the facets of the side of f at the points that it shares with g; unit.
+  Vector3 MeanNormal(std::size_t f, std::size_t g, const Groups<int>& around) const
+  {
+    std::vector<std::pair<std::array<Index, 4>, int>> beside; // in the order of ids
+    for (Index p : this->Facets[f].Points)
+    {
+      const std::array<Index, 4>& others = this->Facets[g].Points;
+      const bool isShared = std::find(others.begin(), others.end(), p) != others.end();
+      for (Index at = around.Begin[p]; isShared && at < around.Begin[p + 1]; ++at)
+      {
+        if (this->SideOf[around.Items[at]] == this->SideOf[f])
+        {
+          beside.emplace_back(this->KeyOf(around.Items[at]), around.Items[at]);
+        }
+      }
+    }
+    SortUnique(beside);
+    Vector3 sum{ { 0.0, 0.0, 0.0 } };
+    for (const auto& facet : beside)
+    {
+      sum = sum + NormalOf(this->Input, this->Facets[facet.second]);
+    }
+    return Unit(sum);
   }
 
   const std::vector<Facet>& Facets;
