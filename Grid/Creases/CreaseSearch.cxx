@@ -15,7 +15,7 @@ constexpr double AcceptedNarrow =
   0.01; // of one in the narrow stencil, which has less data, where the pair is not known to have edges
 constexpr double Gain = 3.0;                // by which it must be below those of one surface
 constexpr double ClearGain = 12.0;          // at which the point's own quadric is enough to tell
-constexpr double NarrowTrigger = 0.04;      // least residual of the quadric in the narrow stencil
+constexpr double NarrowTrigger = 0.06;      // least residual of the quadric in the narrow stencil
 constexpr double SmallestArea = 2.0;        // of a surface of a model
 constexpr double SmallestCosine = 0.882948; // of 28 degrees, between surfaces of a model
 constexpr double SeedCosine = 0.939693;     // of 20 degrees, between seeds that are alike
@@ -23,13 +23,13 @@ constexpr double SeedDistance = 0.5;        // the same
 constexpr double FarthestSeed = 2.5;        // its foot from the node
 constexpr std::size_t MostSeeds = 4;
 constexpr double StartLimit = 0.25;   // residual of a model before its fit
-constexpr double EarlyLimit = 0.12;   // after a few rough iterations with planes
 constexpr double PlaneLimit = 0.12;   // after the fit of planes
 constexpr double ThirdLimit = 0.15;   // of two surfaces, for a third to be tried
 constexpr double ThirdGain = 0.6;     // of three surfaces over two
 constexpr std::size_t MostStarts = 2; // that are fitted
-constexpr int EarlyIterations = 2, PlaneIterations = 10, QuadricIterations = 10,
-              SingleIterations = 8, NearIterations = 5;
+constexpr std::array<double, 2> RoughLimits{ { 0.16, 0.12 } }; // after each rough iteration
+constexpr int PlaneIterations = 10, QuadricIterations = 10, SingleIterations = 8,
+              NearIterations = 5;
 
 void Refine(FittedCrease& crease, const PackedCells& cells, int coefficients, int iterations)
 {
@@ -38,17 +38,16 @@ void Refine(FittedCrease& crease, const PackedCells& cells, int coefficients, in
 }
 
 /// Planes first, then quadrics; given up where it leads nowhere.
-FittedCrease FitStart(const CreaseModel& start, const PackedCells& cells, double limit)
+FittedCrease FitStart(const CreaseModel& start, const PackedCells& cells)
 {
-  FittedCrease crease{ start, ResidualOf(start, cells, SharedCells::Product) };
-  if (crease.Residual > limit)
+  FittedCrease crease{ start };
+  for (double limit : RoughLimits)
   {
-    return {};
-  }
-  FitModel(crease.Model, cells, 3, EarlyIterations, SharedCells::Product);
-  if (ResidualOf(crease.Model, cells, SharedCells::Product) > EarlyLimit)
-  {
-    return {};
+    FitModel(crease.Model, cells, 3, 1, SharedCells::Product);
+    if (ResidualOf(crease.Model, cells, SharedCells::Product) > limit)
+    {
+      return {};
+    }
   }
   Refine(crease, cells, 3, PlaneIterations);
   if (crease.Residual > ExcellentResidual && crease.Residual <= PlaneLimit)
@@ -63,9 +62,13 @@ FittedCrease FitSeveral(
   const CreaseStarts& starts, int count, const PackedCells& cells, double before)
 {
   FittedCrease best;
-  for (const CreaseModel& start : starts.Best(count, MostStarts))
+  for (const CreaseStart& start : starts.Best(count, MostStarts))
   {
-    const FittedCrease crease = FitStart(start, cells, std::min(StartLimit, before));
+    if (start.Residual > std::min(StartLimit, before))
+    {
+      break;
+    }
+    const FittedCrease crease = FitStart(start.Model, cells);
     if (crease.Residual < best.Residual)
     {
       best = crease;

@@ -53,12 +53,6 @@ double RoughResidualOf(const CreaseModel& model,
   return RootMeanSquare(sums);
 }
 
-struct Start
-{
-  double Residual;
-  CreaseModel Model;
-};
-
 } // namespace
 
 CreaseStarts::CreaseStarts(const std::vector<LocalQuadric>& seeds, const PackedCells& cells) :
@@ -70,9 +64,9 @@ CreaseStarts::CreaseStarts(const std::vector<LocalQuadric>& seeds, const PackedC
   }
 }
 
-std::vector<CreaseModel> CreaseStarts::Best(int count, std::size_t most) const
+std::vector<CreaseStart> CreaseStarts::Best(int count, std::size_t most) const
 {
-  std::vector<Start> starts;
+  std::vector<CreaseStart> starts;
   for (int set = 0; set < 1 << this->Seeds.size(); ++set)
   {
     CreaseModel model;
@@ -92,13 +86,9 @@ std::vector<CreaseModel> CreaseStarts::Best(int count, std::size_t most) const
     }
   }
   std::stable_sort(starts.begin(), starts.end(),
-    [](const Start& a, const Start& b) { return a.Residual < b.Residual; });
-  std::vector<CreaseModel> best;
-  for (std::size_t s = 0; s < std::min(most, starts.size()); ++s)
-  {
-    best.push_back(starts[s].Model);
-  }
-  return best;
+    [](const CreaseStart& a, const CreaseStart& b) { return a.Residual < b.Residual; });
+  starts.resize(std::min(most, starts.size()));
+  return starts;
 }
 
 } // namespace vfm

@@ -8,6 +8,12 @@
 namespace vfm
 {
 
+struct CreaseStart
+{
+  double Residual; ///< rough
+  CreaseModel Model;
+};
+
 class CreaseStarts
 {
 public:
@@ -16,7 +22,7 @@ public:
 
   /// The best `most` of the models of `count` of the seeds, in all compositions, by rough residuals: where several surfaces cut a cell, what is
   /// inside of all of them is taken for the product of what is inside of each.
-  std::vector<CreaseModel> Best(int count, std::size_t most) const;
+  std::vector<CreaseStart> Best(int count, std::size_t most) const;
 
 private:
   const std::vector<LocalQuadric>& Seeds;
