@@ -237,15 +237,17 @@ private:
     return found;
   }
 
-  /// Third phase: strong points still without a model, as near corners, from what those around have found by now.
+  /// Third phase: strong points of pairs that have edges, still without a model as near corners, from what those around have found by now.
   void SearchLeft()
   {
+    const auto isDone = [this](const Candidate& candidate)
+    {
+      const CreaseSite& at = candidate.At;
+      return this->Found[at.Point] || !this->IsStrong(at) || !this->Pairs.Contains(at);
+    };
     Candidates candidates = this->FindCandidates();
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                       [this](const Candidate& candidate) {
-                         return this->Found[candidate.At.Point] || !this->IsStrong(candidate.At);
-                       }),
-      candidates.end());
+    candidates.erase(
+      std::remove_if(candidates.begin(), candidates.end(), isDone), candidates.end());
     this->SearchAll(SitesOf(candidates),
       [&](const CreaseSite& site, FaceWalk&)
       {
