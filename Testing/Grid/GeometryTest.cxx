@@ -179,13 +179,13 @@ TEST_P(GeometryOf, SidesOfSolidsWithEdges)
   struct Solid
   {
     const char* Name;
-    int Surfaces, Curves, Vertices;
+    int Cells, Surfaces, Curves, Vertices;
     std::size_t Planes;
   };
-  for (const Solid& solid :
-    { Solid{ "cube A", 6, 12, 8, 6 }, Solid{ "cylinder", 3, 2, 0, 2 }, Solid{ "L", 8, 18, 12, 8 } })
+  for (const Solid& solid : { Solid{ "cube A", 16, 6, 12, 8, 6 },
+         Solid{ "cylinder", 16, 3, 2, 0, 2 }, Solid{ "L", 20, 8, 18, 12, 8 } })
   {
-    const SharpCase c = MakeSharpCase(solid.Name, 16);
+    const SharpCase c = MakeSharpCase(solid.Name, solid.Cells);
     MeshOptions options;
     options.Edges = SharpEdges::On;
     const GeometryTables tables = this->Make(c.Grid, c.Fractions, options).Tables;
