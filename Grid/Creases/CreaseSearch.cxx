@@ -28,8 +28,10 @@ constexpr double ThirdLimit = 0.15;   // of two surfaces, for a third to be trie
 constexpr double ThirdGain = 0.6;     // of three surfaces over two
 constexpr std::size_t MostStarts = 2; // that are fitted
 constexpr std::array<double, 2> RoughLimits{ { 0.16, 0.12 } }; // after each rough iteration
-constexpr int PlaneIterations = 10, QuadricIterations = 10, SingleIterations = 8,
-              NearIterations = 5;
+constexpr double NearlyAccepted =
+  1.7; // times the largest accepted residual, after the first iterations with quadrics
+constexpr int PlaneIterations = 5, FirstQuadricIterations = 2, QuadricIterations = 10,
+              SingleIterations = 8, NearIterations = 5;
 
 void Refine(FittedCrease& crease, const PackedCells& cells, int coefficients, int iterations)
 {
@@ -37,9 +39,19 @@ void Refine(FittedCrease& crease, const PackedCells& cells, int coefficients, in
   crease.Residual = ResidualOf(crease.Model, cells);
 }
 
-/// Planes first, then quadrics; given up where it leads nowhere.
-FittedCrease FitStart(const CreaseModel& start, const PackedCells& cells)
+void FitQuadrics(FittedCrease& crease, const PackedCells& cells, double accepted, int iterations)
 {
+  Refine(crease, cells, 6, FirstQuadricIterations);
+  if (crease.Residual < NearlyAccepted * accepted)
+  {
+    Refine(crease, cells, 6, iterations - FirstQuadricIterations);
+  }
+}
+
+/// Planes first, then quadrics; given up where it leads nowhere.
+FittedCrease FitStart(const CreaseModel& start, const FitData& data)
+{
+  const PackedCells& cells = data.Cells;
   FittedCrease crease{ start };
   for (double limit : RoughLimits)
   {
@@ -52,23 +64,22 @@ FittedCrease FitStart(const CreaseModel& start, const PackedCells& cells)
   Refine(crease, cells, 3, PlaneIterations);
   if (crease.Residual > ExcellentResidual && crease.Residual <= PlaneLimit)
   {
-    Refine(crease, cells, 6, QuadricIterations);
+    FitQuadrics(crease, cells, data.Accepted, QuadricIterations);
   }
   return crease;
 }
 
 /// The best model of so many of the seeds.
-FittedCrease FitSeveral(
-  const CreaseStarts& starts, int count, const PackedCells& cells, double before)
+FittedCrease FitSeveral(const CreaseStarts& starts, int count, const FitData& data)
 {
   FittedCrease best;
   for (const CreaseStart& start : starts.Best(count, MostStarts))
   {
-    if (start.Residual > std::min(StartLimit, before))
+    if (start.Residual > std::min(StartLimit, data.Before))
     {
       break;
     }
-    const FittedCrease crease = FitStart(start.Model, cells);
+    const FittedCrease crease = FitStart(start.Model, data);
     if (crease.Residual < best.Residual)
     {
       best = crease;
@@ -174,48 +185,48 @@ bool CreaseSearch::Gather()
   return found;
 }
 
-bool CreaseSearch::IsAccepted(
-  const FittedCrease& crease, const PackedCells& cells, double before) const
+bool CreaseSearch::IsAccepted(const FittedCrease& crease, const FitData& data) const
 {
-  if (!(crease.Residual < Accepted && crease.Residual * Gain < before) ||
-    !IsPlausible(crease.Model, cells))
+  if (!(crease.Residual < data.Accepted && crease.Residual * Gain < data.Before) ||
+    !IsPlausible(crease.Model, data.Cells))
   {
     return false;
   }
-  if (crease.Residual * ClearGain < before)
+  if (crease.Residual * ClearGain < data.Before)
   {
     return true;
   }
   FittedCrease single{ ModelOf(this->Quadric), 0.0 };
-  Refine(single, cells, 6, SingleIterations);
+  Refine(single, data.Cells, 6, SingleIterations);
   return crease.Residual * Gain < single.Residual;
 }
 
 std::optional<FittedCrease> CreaseSearch::FitSeeds(
-  const std::vector<LocalQuadric>& seeds, const PackedCells& cells, double before) const
+  const std::vector<LocalQuadric>& seeds, const FitData& data) const
 {
   if (seeds.size() < 2)
   {
     return {};
   }
-  const CreaseStarts starts(seeds, cells);
-  FittedCrease best = FitSeveral(starts, 2, cells, before);
+  const CreaseStarts starts(seeds, data.Cells);
+  FittedCrease best = FitSeveral(starts, 2, data);
   const bool mayBeThree = best.Model.Count == 0 || best.Residual < ThirdLimit;
   if (seeds.size() > 2 && best.Residual > ExcellentResidual && mayBeThree)
   {
-    const FittedCrease three = FitSeveral(starts, 3, cells, before);
+    const FittedCrease three = FitSeveral(starts, 3, data);
     const double limit = (best.Residual < Accepted ? ThirdGain : 1.0) * best.Residual;
-    if (three.Residual < limit && IsPlausible(three.Model, cells))
+    if (three.Residual < limit && IsPlausible(three.Model, data.Cells))
     {
       best = three;
     }
   }
-  return this->IsAccepted(best, cells, before) ? std::optional<FittedCrease>(best) : std::nullopt;
+  return this->IsAccepted(best, data) ? std::optional<FittedCrease>(best) : std::nullopt;
 }
 
 std::optional<FittedCrease> CreaseSearch::FromSeeds(const std::vector<LocalQuadric>& seeds) const
 {
-  const std::optional<FittedCrease> wide = this->FitSeeds(seeds, this->Packed, this->Before);
+  const std::optional<FittedCrease> wide =
+    this->FitSeeds(seeds, { this->Packed, this->Before, Accepted });
   if (wide)
   {
     return wide;
@@ -226,9 +237,7 @@ std::optional<FittedCrease> CreaseSearch::FromSeeds(const std::vector<LocalQuadr
   {
     return {};
   }
-  std::optional<FittedCrease> crease = this->FitSeeds(seeds, narrow, before);
-  const double limit = this->IsSharp ? Accepted : AcceptedNarrow;
-  return crease && crease->Residual <= limit ? crease : std::nullopt;
+  return this->FitSeeds(seeds, { narrow, before, this->IsSharp ? Accepted : AcceptedNarrow });
 }
 
 std::optional<FittedCrease> CreaseSearch::FromCrossings(FaceWalk& walk) const
@@ -260,10 +269,11 @@ std::optional<FittedCrease> CreaseSearch::FromModels(const std::vector<NearCreas
   }
   if (best.Residual > ExcellentResidual && best.Residual < PlaneLimit)
   {
-    Refine(best, this->Packed, 6, NearIterations);
+    FitQuadrics(best, this->Packed, Accepted, NearIterations);
   }
-  return this->IsAccepted(best, this->Packed, this->Before) ? std::optional<FittedCrease>(best)
-                                                            : std::nullopt;
+  return this->IsAccepted(best, { this->Packed, this->Before, Accepted })
+    ? std::optional<FittedCrease>(best)
+    : std::nullopt;
 }
 
 std::optional<FittedCrease> CreaseSearch::FromSurfaces(const std::vector<NearCrease>& others) const

@@ -40,6 +40,14 @@ struct CreaseInput
   Index FirstTarget; ///< that of the first of the interface's points
 };
 
+/// What models are fitted to and must be better than.
+struct FitData
+{
+  const PackedCells& Cells;
+  double Before;   ///< residual of the point's quadric
+  double Accepted; ///< largest residual of a model
+};
+
 class CreaseSearch
 {
 public:
@@ -65,8 +73,8 @@ public:
 private:
   std::optional<FittedCrease> FromSeeds(const std::vector<LocalQuadric>& seeds) const;
   std::optional<FittedCrease> FitSeeds(
-    const std::vector<LocalQuadric>& seeds, const PackedCells& cells, double before) const;
-  bool IsAccepted(const FittedCrease& crease, const PackedCells& cells, double before) const;
+    const std::vector<LocalQuadric>& seeds, const FitData& data) const;
+  bool IsAccepted(const FittedCrease& crease, const FitData& data) const;
 
   const CreaseInput& Input;
   Index Node;

@@ -2,6 +2,7 @@
 #include "Base/ConvexClip.h"
 #include "Creases/BoxCut.h"
 #include "Creases/CreaseFit.h"
+#include "Creases/CreaseStarts.h"
 
 #include <gtest/gtest.h>
 
@@ -344,5 +345,26 @@ TEST(CreaseModel, FitFindsQuadrics)
       FitModel(quadrics, cells, 6, 10);
       EXPECT_LT(ResidualOf(quadrics, cells), 0.012);
       EXPECT_LT(ResidualOf(quadrics, cells), ResidualOf(planes, cells));
+    });
+}
+
+TEST(CreaseModel, StartsBeginWithTheCompositionOfTheData)
+{
+  Random random;
+  ForAllCompositions(
+    [&random](int surfaces, int composition)
+    {
+      const CreaseModel truth = MakeModel(surfaces, composition, 0.0, random);
+      std::vector<SampleCell> cells = CellsAround({ { 0.1, 0.2, -0.1 } });
+      Fill(cells, truth);
+      const PackedCells packed = cells;
+      const std::vector<LocalQuadric> seeds(
+        truth.Surfaces.begin(), truth.Surfaces.begin() + surfaces);
+      const std::vector<CreaseStart> starts = CreaseStarts(seeds, packed).Best(surfaces, 2);
+      ASSERT_EQ(
+        starts.size(), static_cast<std::size_t>(std::min(NumberOfCompositions(surfaces), 2)));
+      EXPECT_EQ(starts[0].Model.Composition, composition);
+      EXPECT_LT(starts[0].Residual, 0.03);
+      EXPECT_LT(ResidualOf(truth, packed), 1e-12);
     });
 }
