@@ -10,6 +10,7 @@ namespace
 {
 
 constexpr int SideSteps = 4, EdgeSteps = 4, CornerSteps = 8; // of Newton
+constexpr double Hair = 1e-6;             // distance of points that are on a surface, in cells
 constexpr double SmallestEdgeSine = 0.02; // squared, between the normals of two surfaces
 constexpr double SmallestCornerVolume =
   0.5; // of the normals of three; flatter ones are pieces of curved sides
@@ -64,20 +65,26 @@ bool Counts(const CreaseModel& model, int k, int mask, int others)
 
 bool IsBoundary(const CreaseModel& model, int mask, const Vector3& y)
 {
-  int others = 0;
+  int others = 0, unsure = 0; // of the other surfaces: y is inside, on them
   for (int k = 0; k < model.Count; ++k)
   {
     Vector3 normal;
-    others |= (!(mask >> k & 1) && DistanceTo(model.Surfaces[k], y, normal) > 0.0) << k;
+    const double distance = mask >> k & 1 ? -1.0 : DistanceTo(model.Surfaces[k], y, normal);
+    others |= (distance > Hair) << k;
+    unsure |= (std::fabs(distance) <= Hair) << k;
   }
-  for (int k = 0; k < model.Count; ++k)
+  for (int some = unsure;; some = (some - 1) & unsure)
   {
-    if (mask >> k & 1 && !Counts(model, k, mask, others))
+    bool counts = true;
+    for (int k = 0; k < model.Count; ++k)
     {
-      return false;
+      counts = counts && (!(mask >> k & 1) || Counts(model, k, mask, others | some));
+    }
+    if (counts || some == 0)
+    {
+      return counts;
     }
   }
-  return true;
 }
 
 SidePlace FindSide(const CreaseModel& model, const Vector3& y)
