@@ -8,8 +8,8 @@ namespace vfm
 namespace
 {
 
-constexpr double FarthestSide = 1.5; // from where a point started, in cells
-constexpr double SheetCosine = -0.9; // between the normals of surfaces that face each other
+constexpr double FarthestSide = 1.5;    // from where a point started, in cells
+constexpr double SheetCosine = -0.9;    // between the normals of surfaces that face each other
 constexpr float SmallestDemand = 0.86f; // at hexes of acute edges, which they cannot fill well
 
 /// Of squared distances, against 1 of quadrics.
