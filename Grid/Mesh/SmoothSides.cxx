@@ -16,6 +16,7 @@ using Pair = std::array<int, 2>;
 
 constexpr int Undecided = -1;
 constexpr int FewestTriangles = 12;   // of a side; quads count as two
+constexpr int FewTriangles = 36;      // of one beside another that it goes on in smoothly somewhere
 constexpr double SmoothCosine = .906; // of 25 degrees between means of facets
 
 /// The border of two sides, the smaller first.
@@ -50,7 +51,11 @@ struct SideSets
   {
   }
   Index Root(Index side) { return FindRoot(this->Parent, side); }
-  bool IsSliver(Index root) const { return this->Triangles[root] < FewestTriangles; }
+  /// cosine: the largest between its normals and those of a side beside it.
+  bool IsSliver(Index root, double cosine) const
+  {
+    return this->Triangles[root] < (cosine > SmoothCosine ? FewTriangles : FewestTriangles);
+  }
   void Join(Index a, Index b)
   {
     const std::int64_t both = this->Triangles[this->Root(a)] + this->Triangles[this->Root(b)];
@@ -83,7 +88,7 @@ void JoinSlivers(const Borders& borders, SideSets& sets)
       const Index ends[2] = { sets.Root(sides[0]), sets.Root(sides[1]) };
       for (int e = 0; ends[0] != ends[1] && e < 2; ++e)
       {
-        if (sets.IsSliver(ends[e]))
+        if (sets.IsSliver(ends[e], border.Cosine))
         {
           const std::pair<double, Index> other(border.Cosine, ends[1 - e]);
           const auto at = nearest.emplace(ends[e], other).first;
@@ -94,7 +99,7 @@ void JoinSlivers(const Borders& borders, SideSets& sets)
     for (const auto& [sliver, other] : nearest)
     {
       const Index a = sets.Root(sliver), b = sets.Root(other.second);
-      if (a != b && sets.IsSliver(a))
+      if (a != b && sets.IsSliver(a, other.first))
       {
         sets.Join(a, b);
         changes = true;

@@ -15,17 +15,28 @@ constexpr double ZigzagReach = 1.2; // the same where only the shape of the chai
 constexpr double CornerReach = 2.0;
 constexpr double SameCorner = 1.0; // distance of two models' corners that are one, in mean cells
 constexpr int CornerRings = 3;     // of facets
-constexpr std::size_t ShortestChain = 5; // carriers
-constexpr int ChainRings = 4, SideRings = 3;
+constexpr std::size_t ShortestChain = 9; // carriers
+constexpr double LargestTurn =
+  0.2; // between the chords of an edge at two carriers beside each other
+constexpr int ChainRings = 8, SideRings = 3;
 constexpr int MostPairs = 3; // of labels with edges at one point
 constexpr Index NoId = std::numeric_limits<Index>::max();
 
-/// The lowest ids of carriers that a point knows of, ascending.
-using Chain = std::array<Index, ShortestChain>;
+constexpr double NoChord = -1.0, AnyChord = 10.0; // of points that carry nothing, of corners
+
+/// A piece of an edge: the lowest ids of its carriers that one of them knows of, ascending, and the chord between the unit normals
+/// of its surfaces there, which grows with the angle.
+struct Chain
+{
+  std::array<Index, ShortestChain> Ids;
+  double Chord = NoChord;
+
+  Chain() { this->Ids.fill(NoId); }
+};
 
 void Add(Chain& chain, Index id)
 {
-  for (Index& entry : chain)
+  for (Index& entry : chain.Ids)
   {
     if (id == entry)
     {
@@ -36,6 +47,13 @@ void Add(Chain& chain, Index id)
       std::swap(id, entry);
     }
   }
+}
+
+/// Whether the edge at one carrier may be that at another beside it.
+bool GoesOn(const Chain& a, const Chain& b)
+{
+  return a.Chord != NoChord && b.Chord != NoChord &&
+    (a.Chord == AnyChord || b.Chord == AnyChord || std::fabs(a.Chord - b.Chord) < LargestTurn);
 }
 
 /// Who is nearest to a corner, as far as is known.
@@ -348,22 +366,29 @@ void CreaseRules::StraightenZigzags()
 
 void CreaseRules::DropShortChains()
 {
-  Chain none;
-  none.fill(NoId);
-  std::vector<Chain> chains(this->Points.size(), none);
+  std::vector<Chain> chains(this->Points.size());
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (this->IsCarrierAt(static_cast<int>(i)))
+    const CreasePoint& point = this->Points[i];
+    if (IsCarrier(point.Kind))
     {
-      chains[i][0] = this->Ids[i];
+      chains[i].Ids[0] = this->Ids[i];
+      chains[i].Chord = point.Kind == CreaseKind::Corner
+        ? AnyChord
+        : Norm(point.EdgeNormals[0] - point.EdgeNormals[1]);
     }
   }
   this->Spread(chains, ChainRings,
     [](int, Chain& mine, const Chain& other)
-    { std::for_each(other.begin(), other.end(), [&](Index id) { Add(mine, id); }); });
+    {
+      if (GoesOn(mine, other))
+      {
+        std::for_each(other.Ids.begin(), other.Ids.end(), [&](Index id) { Add(mine, id); });
+      }
+    });
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (this->IsCarrierAt(static_cast<int>(i)) && chains[i].back() == NoId)
+    if (this->IsCarrierAt(static_cast<int>(i)) && chains[i].Ids.back() == NoId)
     {
       this->Points[i].Kind = CreaseKind::None;
     }
