@@ -65,7 +65,8 @@ class Lagrangian:
         self.corners, self.body = np.ascontiguousarray(hexahedra.T), materials - 1
         self.m = {name: np.array(values)[self.body] for name, values in MATERIALS.items()}
         self.energy, self.deviator = state["energy"].copy(), np.ascontiguousarray(state["deviator"].T)
-        self.strain, self.damage, self.toughness = (state[name].copy() for name in ("plastic_strain", "damage", "toughness"))
+        self.strain = np.maximum(state["plastic_strain"], 0)  # sums that are carried may be 0 but for rounding
+        self.damage, self.toughness = (state[name].copy() for name in ("damage", "toughness"))
         self.gradients, self.volume = volume_gradients(self.x[:, self.corners])
         self.length = length_of(self.gradients, self.volume)
         self.first_length = self.length.copy()

@@ -1,8 +1,8 @@
 /**
  * SharpPairs: the pairs of labels whose interfaces have edges, told by a sample of the points where one surface does not explain the fractions.
  *
- * Solids with edges have models at more than half of these points; drops and waves, bodies that touch, thin films and noise at a quarter or
- * fewer (the benchmark SharpEdges prints them).
+ * Solids with edges have models at more than half of these points; drops and waves, bodies that touch, thin films and noise at two fifths or
+ * fewer.
  */
 #pragma once
 
