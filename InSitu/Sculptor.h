@@ -152,7 +152,8 @@ extern "C"
   /* What bounds what, the same on all ranks: a table by its name, rows of columns values. Each pair once, ascending:
    * VolumeSurfaces (a volume, a surface around it), SurfaceCurves, CurveVertices. A row a surface: SurfaceVolumes and
    * SurfaceMaterials (on its two sides; 0: not meshed, or outside; normals of facets point from the second to the first),
-   * SurfaceSides (-1, or 0..5 for -x +x -y +y -z +z). A row a curve: CurveEnds (how many ends it has at vertices, 0 closed). */
+   * SurfaceSides (-1, or 0..5 for -x +x -y +y -z +z), SurfaceParts (0, or which smooth side of an interface with edges, from 1).
+   * A row a curve: CurveEnds (how many ends it has at vertices, 0 closed). */
   SCULPTOR_EXPORT int sculptor_get_bounds(
     int sculptor, const char* table, int* rows, int* columns, const int** values);
 

@@ -10,7 +10,7 @@ namespace vfm
 namespace
 {
 
-constexpr double SampleSize = 128.0;  // points of a pair
+constexpr double SampleSize = 128.0;   // points of a pair
 constexpr double SmallestShare = 0.45; // of them with a model, of a pair that has edges
 
 /// A number of a node that tells nothing of where it is.

@@ -43,7 +43,7 @@ public:
 
   /// The quadric that was fitted, in the local frame of a node with such an origin and widths (grid coordinates of the finest grid).
   LocalQuadric QuadricOf(Index target, const Vector3& origin, const Vector3& widths) const;
-  /// Appends a target that is drawn to a quadric as the fitted ones are; returns its number. Of quadrics only.
+  /// Appends a target, the quadric as it is: fitted ones stand off a little where they bend. Returns its number. Of quadrics only.
   Index Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths);
 
   /// The unit of Distance in grid coordinates, along the normal: distance = length * LocalScale.

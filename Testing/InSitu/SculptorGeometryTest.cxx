@@ -179,9 +179,14 @@ TEST_P(SculptorGeometry, TablesAreThoseOfTheFilter)
   for (int port = 1; port <= 3; ++port)
   {
     vtkFieldData* field = this->Port(port)->GetFieldData();
-    for (int t = 0; t < field->GetNumberOfArrays(); ++t, ++tables)
+    for (int t = 0; t < field->GetNumberOfArrays(); ++t)
     {
       auto expected = vtkIntArray::SafeDownCast(field->GetArray(t));
+      if (!expected)
+      {
+        continue; // areas, centroids, normals
+      }
+      ++tables;
       int rows = 0, columns = 0;
       const int* values = nullptr;
       ASSERT_EQ(
@@ -194,7 +199,7 @@ TEST_P(SculptorGeometry, TablesAreThoseOfTheFilter)
           expected->GetPointer(0), expected->GetPointer(0) + expected->GetNumberOfValues()));
     }
   }
-  EXPECT_EQ(tables, 7);
+  EXPECT_EQ(tables, 8);
 }
 
 TEST_P(SculptorGeometry, WrongArguments)
