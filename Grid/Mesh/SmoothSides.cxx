@@ -250,7 +250,7 @@ private:
         {
           const auto rest = std::partition(
             apart.begin(), apart.end(), [&](int g) { return !this->ShareEdge(joined[next], g); });
-          joined.insert(joined.end(), rest, apart.end());
+          std::copy(rest, apart.end(), std::back_inserter(joined));
           apart.erase(rest, apart.end());
         }
         return !apart.empty();
