@@ -22,6 +22,10 @@ VFM_INLINE Lanes Splat(double a)
 {
   return Lanes{ a, a, a, a };
 }
+VFM_INLINE Lanes SquareRoot(const Lanes& a)
+{
+  return Lanes{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
+}
 VFM_INLINE Lanes3 Plus(const Lanes3& a, const Lanes3& b)
 {
   return { a.X + b.X, a.Y + b.Y, a.Z + b.Z };

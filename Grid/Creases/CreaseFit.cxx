@@ -23,10 +23,6 @@ double RidgeOf(int coefficient)
   return coefficient < 3 ? 1e-8 : 0.02;
 }
 
-VFM_INLINE Lanes SquareRoot(const Lanes& a)
-{
-  return Lanes{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
-}
 /// Sums of the normal equations, still four side by side. The Hessian's lower half.
 struct NormalSums
 {

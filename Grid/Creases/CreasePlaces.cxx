@@ -17,16 +17,6 @@ constexpr double SmallestCornerVolume =
 constexpr double FarthestCorner = 4.0;        // in cells
 constexpr double Lost = 2.0 * FarthestCorner; // where Newton is not followed
 
-Vector3 FootOn(const LocalQuadric& surface, Vector3 y, Vector3& normal)
-{
-  for (int step = 0; step < SideSteps; ++step)
-  {
-    const double distance = DistanceTo(surface, y, normal);
-    y = y - distance * normal;
-  }
-  return y;
-}
-
 /// From y to where surfaces i and j meet.
 std::optional<EdgePlace> PointOfEdge(const CreaseModel& model, int i, int j, const Vector3& y)
 {
@@ -95,7 +85,7 @@ SidePlace FindSide(const CreaseModel& model, const Vector3& y)
   for (int k = 0; k < model.Count; ++k)
   {
     Vector3 normal;
-    const Vector3 foot = FootOn(model.Surfaces[k], y, normal);
+    const Vector3 foot = FootOn(model.Surfaces[k], y, SideSteps, normal);
     const double distance = Norm(foot - y);
     const bool bounds = IsBoundary(model, 1 << k, foot);
     if (bounds != isBoundary ? bounds : distance < nearest)

@@ -21,6 +21,7 @@ constexpr double SmallestCosine = 0.882948; // of 28 degrees, between surfaces o
 constexpr double SeedCosine = 0.939693;     // of 20 degrees, between seeds that are alike
 constexpr double SeedDistance = 0.5;        // the same
 constexpr double FarthestSeed = 2.5;        // its foot from the node
+constexpr int SeedSteps = 3;                // of Newton, to that foot
 constexpr std::size_t MostSeeds = 4;
 constexpr double StartLimit = 0.25;   // residual of a model before its fit
 constexpr double PlaneLimit = 0.12;   // after the fit of planes
@@ -117,16 +118,6 @@ bool IsPlausible(const CreaseModel& model, const PackedCells& cells)
   return true;
 }
 
-Vector3 FootOf(const LocalQuadric& surface, Vector3& normal)
-{
-  Vector3 foot{};
-  for (int step = 0; step < 3; ++step)
-  {
-    foot = foot - DistanceTo(surface, foot, normal) * normal;
-  }
-  return foot;
-}
-
 /// The different surfaces of other nodes' models near the node; those of excellent models first.
 std::vector<LocalQuadric> CollectSurfaces(std::vector<NearCrease> others)
 {
@@ -139,7 +130,7 @@ std::vector<LocalQuadric> CollectSurfaces(std::vector<NearCrease> others)
     {
       const LocalQuadric surface = Moved(other.Crease->Model.Surfaces[k], other.From);
       Vector3 normal;
-      const Vector3 foot = FootOf(surface, normal);
+      const Vector3 foot = FootOn(surface, {}, SeedSteps, normal);
       const auto isAlike = [&](const LocalQuadric& seed)
       {
         Vector3 across;

@@ -18,22 +18,21 @@ constexpr std::size_t KeyLength = 3; // key of the node, labels of the pair
 
 } // namespace
 
-SiteList CreaseSites::ListNear() const
+CreaseSites::CreaseSites(const Interface& interface, const Partition& partition) :
+  Source(interface), Parts(partition)
 {
-  const CartesianGrid& grid = this->Source.Grid();
+  const CartesianGrid& grid = interface.Grid();
   const IndexBox nodes = NodesOf(Grow(grid.Owned(), Spread, grid.Global()));
-  SiteList sites;
-  for (Index n = 0; n < static_cast<Index>(this->Source.Nodes().size()); ++n)
+  for (Index n = 0; n < static_cast<Index>(interface.Nodes().size()); ++n)
   {
-    for (Index p = this->Source.PointOffset(n); p < this->Source.PointOffset(n + 1); ++p)
+    if (nodes.Contains(grid.Position(interface.Nodes()[n])))
     {
-      if (nodes.Contains(this->PositionOf({ n, p })))
+      for (Index p = interface.PointOffset(n); p < interface.PointOffset(n + 1); ++p)
       {
-        sites.push_back({ n, p });
+        this->TheNear.push_back({ n, p });
       }
     }
   }
-  return sites;
 }
 
 SiteList CreaseSites::ListOwned(const SiteList& sites) const
@@ -90,7 +89,7 @@ void CreaseSites::Share(FoundCreases& found) const
   const std::size_t peers = this->Parts.Peers().size();
   std::vector<SiteList> asked(peers);
   std::vector<std::vector<Index>> wanted(peers);
-  for (const CreaseSite& site : this->ListNear())
+  for (const CreaseSite& site : this->Near())
   {
     if (!this->IsOwned(site))
     {

@@ -31,10 +31,7 @@ public:
   /// Nodes along each axis between a point and one where its model is tried.
   static constexpr Index Spread = 2;
 
-  CreaseSites(const Interface& interface, const Partition& partition) :
-    Source(interface), Parts(partition)
-  {
-  }
+  CreaseSites(const Interface& interface, const Partition& partition);
 
   Ranks& Group() const { return this->Parts.Group(); }
 
@@ -64,7 +61,7 @@ public:
   }
 
   /// All at owned nodes and within Spread of these.
-  SiteList ListNear() const;
+  const SiteList& Near() const { return this->TheNear; }
   /// The owned ones among sites.
   SiteList ListOwned(const SiteList& sites) const;
   /// The owned ones of the same pair within Spread of a site.
@@ -78,6 +75,7 @@ public:
 private:
   const Interface& Source;
   const Partition& Parts;
+  SiteList TheNear;
 };
 
 } // namespace vfm

@@ -59,6 +59,10 @@ public:
     {
       this->DropSmoothPairs();
     }
+    if (!this->Sites.Group().Any(!this->Strong.empty()))
+    {
+      return;
+    }
     this->SearchCrossings();
     this->SearchModels();
     this->Sites.Share(this->Found);
@@ -70,7 +74,7 @@ public:
   template <class Visitor>
   void ForFound(const Visitor& visit) const
   {
-    for (const CreaseSite& site : this->Sites.ListNear())
+    for (const CreaseSite& site : this->Sites.Near())
     {
       if (this->Found[site.Point])
       {
@@ -93,7 +97,7 @@ private:
 
   void FindStrong()
   {
-    const SiteList sites = this->Sites.ListNear();
+    const SiteList& sites = this->Sites.Near();
     std::vector<unsigned char> isStrong(sites.size(), 0);
     ForEach(this->Run, sites.size(),
       [&](Index i) { isStrong[i] = this->SearchOf(sites[i]).NearResidual() >= StrongResidual; });
@@ -109,8 +113,7 @@ private:
   void FindSharpPairs()
   {
     this->Pairs.Sample(this->Strong);
-    this->SearchAll(this->Pairs.Chosen(),
-      [this](const CreaseSite& site, FaceWalk& walk) { return this->FromCrossings(site, walk); });
+    this->SearchCrossingsAt(this->Pairs.Chosen());
     this->Pairs.Judge(this->Found);
   }
 
@@ -123,7 +126,7 @@ private:
     this->Strong.erase(dropped, this->Strong.end());
   }
 
-  /// search(site, walk): what is found at a site; kept after all have been searched, in site of what was found there before.
+  /// search(site, walk): what is found at a site; kept after all have been searched, in place of what was found there before.
   template <class Search>
   void SearchAll(const SiteList& sites, const Search& search)
   {
@@ -146,10 +149,14 @@ private:
     }
   }
 
-  Result FromCrossings(const CreaseSite& site, FaceWalk& walk) const
+  void SearchCrossingsAt(const SiteList& sites)
   {
-    CreaseSearch search = this->SearchOf(site);
-    return search.Gather() ? search.FromCrossings(walk) : Result();
+    this->SearchAll(sites,
+      [this](const CreaseSite& site, FaceWalk& walk)
+      {
+        CreaseSearch search = this->SearchOf(site);
+        return search.Gather() ? search.FromCrossings(walk) : Result();
+      });
   }
 
   /// First phase: some of the strong points, also beside the owned ones.
@@ -159,8 +166,7 @@ private:
     std::copy_if(this->Strong.begin(), this->Strong.end(), std::back_inserter(sites),
       [this](const CreaseSite& site)
       { return this->Sites.IsFirst(site) && !this->Found[site.Point]; });
-    this->SearchAll(sites,
-      [this](const CreaseSite& site, FaceWalk& walk) { return this->FromCrossings(site, walk); });
+    this->SearchCrossingsAt(sites);
   }
 
   /// Where the models that have been found by now may be tried.
@@ -208,11 +214,10 @@ private:
     SortUnique(sites);
     this->SearchAll(sites,
       [&](const CreaseSite& site, FaceWalk& walk)
-      { return this->SearchAt(site, this->ListModels(site, candidates), walk); });
+      { return this->SearchAt(site, candidates, walk); });
   }
 
-  Result SearchAt(
-    const CreaseSite& site, const std::vector<NearCrease>& models, FaceWalk& walk) const
+  Result SearchAt(const CreaseSite& site, const Candidates& candidates, FaceWalk& walk) const
   {
     const FittedCrease* own = this->Found[site.Point].get();
     CreaseSearch search = this->SearchOf(site);
@@ -221,6 +226,7 @@ private:
     {
       return {};
     }
+    const std::vector<NearCrease> models = this->ListModels(site, candidates);
     Result found = search.FromModels(models);
     if (own)
     {

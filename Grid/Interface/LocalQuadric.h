@@ -52,6 +52,17 @@ inline double DistanceTo(const LocalQuadric& s, const Vector3& y, Vector3& gradi
   return steep * (Dot(y - s.Base, s.N) - h.W);
 }
 
+/// The point of a surface near y, by so many steps of Newton; normal: unit, where the last began.
+inline Vector3 FootOn(const LocalQuadric& s, Vector3 y, int steps, Vector3& normal)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    const double distance = DistanceTo(s, y, normal);
+    y = y - distance * normal;
+  }
+  return y;
+}
+
 /// The same surface with its base on it, over or under y.
 inline LocalQuadric Recentred(const LocalQuadric& s, const Vector3& y)
 {

@@ -7,7 +7,7 @@
  *   joins two sides, and the chain of carriers has no gaps. In tets so does, then, a point on a side that is none of those of a carrier beside it.
  * - Zigzag, in hexes: of a quad that has carriers on one diagonal alone, the nearer of the others becomes one too, unless a quad would then have four: edges of
  *   interfaces run along mesh edges rather than across quads.
- * - Chains: carriers with fewer than three others within two facets are none.
+ * - Chains: carriers in pieces of fewer than nine, each beside the next with about the same angle between its surfaces, are none.
  * - Sides without a carrier within three facets are none.
  */
 #pragma once

@@ -24,10 +24,6 @@ VFM_INLINE Lanes Diagonal(const Lanes& a, const Lanes& b, const Lanes& c, const 
 {
   return Lanes{ a[0], b[1], c[2], d[3] };
 }
-VFM_INLINE Lanes SquareRoot(const Lanes& a)
-{
-  return Lanes{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
-}
 /// Lanes 0..2 as they are, their sum in lane 3.
 VFM_INLINE Lanes WithSum(const Lanes& a)
 {
