@@ -3,32 +3,15 @@
 #include "Creases/BoxCut.h"
 #include "Creases/CreaseFit.h"
 #include "Creases/CreaseStarts.h"
+#include "Random.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 using namespace vfm;
+using vfm::testing::Random;
 
 namespace
 {
-
-class Random
-{
-public:
-  double operator()(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(this->Engine()) + 0.5) / 4294967296.0;
-  }
-  Vector3 Vector(double size)
-  {
-    const double x = (*this)(-size, size), y = (*this)(-size, size);
-    return { { x, y, (*this)(-size, size) } };
-  }
-
-private:
-  std::mt19937 Engine{ 1 };
-};
 
 /// What is inside (or, flipped, outside) of a plane.
 HalfSpace HalfSpaceOf(const BoxPlane& plane, bool flipped)
@@ -124,7 +107,7 @@ void ForAllCompositions(const Function& function)
   {
     for (int composition = 0; composition < NumberOfCompositions(surfaces); ++composition)
     {
-      SCOPED_TRACE(testing::Message() << surfaces << " surfaces, composition " << composition);
+      SCOPED_TRACE(::testing::Message() << surfaces << " surfaces, composition " << composition);
       function(surfaces, composition);
     }
   }

@@ -2,27 +2,15 @@
 #include "Base/Plic.h"
 #include "Base/ConvexClip.h"
 #include "Base/Vector3.h"
+#include "Random.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 using namespace vfm;
+using vfm::testing::Random;
 
 namespace
 {
-
-class Random
-{
-public:
-  double operator()(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(this->Engine()) + 0.5) / 4294967296.0;
-  }
-
-private:
-  std::mt19937 Engine{ 1 };
-};
 
 double ClippedVolume(const Vector3& n, double d)
 {
