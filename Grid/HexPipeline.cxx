@@ -91,7 +91,7 @@ std::vector<unsigned char> HexStages::Smooth(
   SetFacets(facets, active);
   std::vector<int>().swap(active.PointOf);
   const HexEnergy energy(TargetJacobian(this->Fractions, this->Options));
-  Improve({ active, targets, energy, Ramp, volumes,
+  Improve({ active, targets, energy, Ramp, volumes, this->Report,
             this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },
     this->Clock, this->Run);
   active.CopyTo(mesh, this->Grid);

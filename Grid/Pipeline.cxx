@@ -347,6 +347,12 @@ void Improve(const Improvement& what, StageClock& clock, Runtime& runtime)
     clock.Start("Correcting volumes", 0.8);
     CorrectVolumes(what, smoother, clock);
   }
+  std::vector<std::int64_t> efforts{ 0, smoother.Visits() };
+  what.Active.ForOwned([&](int) { ++efforts[0]; });
+  runtime.Group().Sum(efforts);
+  what.Report.SmoothedPoints = efforts[0];
+  what.Report.Sweeps = smoother.Sweeps();
+  what.Report.Visits = efforts[1];
 }
 
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report)

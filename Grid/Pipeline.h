@@ -97,6 +97,7 @@ struct Improvement
   const ElementEnergy& Energy;
   const SmoothingRamp& Ramp;
   FragmentVolumes& Volumes;
+  MeshReport& Report; ///< gets what it took
   bool ConserveVolume;
   std::function<void(Smoother&, const SmoothingStage&, int)>
     AfterSweep;                    ///< with the number of the sweep; may be empty

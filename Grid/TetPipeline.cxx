@@ -210,7 +210,7 @@ private:
     this->Kinds = active.OfMesh(kinds, mesh);
     const TetEnergy energy(FloorsOf(this->Options));
     std::optional<DiagonalFlips> flips;
-    Improvement improvement{ active, targets, energy, TetRamp(), *this->Volumes,
+    Improvement improvement{ active, targets, energy, TetRamp(), *this->Volumes, this->Report,
       this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} };
     if (this->Method == TetMethod::Cells)
     {

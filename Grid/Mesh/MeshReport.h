@@ -30,6 +30,9 @@ struct MeshReport
   int ResolveRounds = 0;
   Index NumberOfFragments = 0;
   Index NumberOfSurfaces = 0, NumberOfCurves = 0, NumberOfVertices = 0;
+  Index SmoothedPoints = 0; ///< that may move
+  int Sweeps = 0;           ///< of smoothing, those of the volume corrections included
+  Index Visits = 0;         ///< of points in them
   Index EdgePoints = 0, CornerPoints = 0; ///< on edges of interfaces, and where these meet
   double MinimumScaledJacobian = 0.0;     ///< over the elements, when asked for
   double MeanScaledJacobian = 0.0;

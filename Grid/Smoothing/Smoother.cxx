@@ -150,6 +150,7 @@ double Smoother::ForPoints(const std::function<double(int)>& move)
 /// Moves every point once; returns the largest move, in cells.
 double Smoother::Sweep(const SmoothingStage& stage)
 {
+  ++this->NumberOfSweeps;
   return this->ForPoints(
     [&](int point)
     {
@@ -255,6 +256,7 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const Sm
 double Smoother::MovePoint(int point, const SmoothingStage& stage)
 {
   __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
+  this->NumberOfVisits.fetch_add(1, std::memory_order_relaxed);
   Derivatives d = this->Energy.Differentiate(this->Mesh, point, stage);
   this->AddDistance(point, stage.Lambda, d);
   const std::array<double, 6>& h = d.Hessian;

@@ -50,6 +50,10 @@ public:
   /// a hundredth of a cell, where its elements stay as good by the energy of a stage.
   void Nudge(const std::vector<double>& shifts, const SmoothingStage& stage);
 
+  /// What was done so far on this rank.
+  int Sweeps() const { return this->NumberOfSweeps; }
+  Index Visits() const { return this->NumberOfVisits; }
+
 private:
   std::array<double, 2> LongRange(
     int point, const Attachment& a, const SmoothingStage& stage) const;
@@ -87,6 +91,8 @@ private:
   const ElementEnergy& Energy;
   Runtime& Run;
   bool IsGuarded = false; // whether each move is looked at
+  int NumberOfSweeps = 0;
+  std::atomic<Index> NumberOfVisits{ 0 }; // of points in sweeps
   /// Set when a point of one of its elements moved since the point was last looked at.
   std::unique_ptr<unsigned char[]> Dirty;
   /// Set when the point woke its neighbours in this sweep.

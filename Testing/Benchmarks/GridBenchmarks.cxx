@@ -24,23 +24,6 @@ using namespace vfm::testing;
 namespace
 {
 
-/// Three concentric spheres of 10, 11 and 12 cm and the outside, as labels, in a cube of n^3.
-FractionField MakeConcentricLabels(const CartesianGrid& grid, Index n)
-{
-  const double cm = static_cast<double>(n) / 26.0;
-  return MakeLabels(grid, 4,
-    [=](const Index3& p)
-    {
-      double r2 = 0.0;
-      for (int a = 0; a < 3; ++a)
-      {
-        const double x = p[a] + 0.5 - 0.5 * n;
-        r2 += x * x / (cm * cm);
-      }
-      return r2 < 100.0 ? 1 : (r2 < 121.0 ? 2 : (r2 < 144.0 ? 3 : 4));
-    });
-}
-
 template <class T>
 std::size_t BytesOf(const Buffer<T>& buffer)
 {

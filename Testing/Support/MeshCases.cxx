@@ -277,6 +277,39 @@ Distances Summarise(const std::vector<double>& values)
 
 } // namespace
 
+FractionField MakeConcentricLabels(const CartesianGrid& grid, Index n)
+{
+  const double cm = static_cast<double>(n) / 26.0;
+  return MakeLabels(grid, 4,
+    [=](const Index3& p)
+    {
+      double r2 = 0.0;
+      for (int a = 0; a < 3; ++a)
+      {
+        const double x = p[a] + 0.5 - 0.5 * n;
+        r2 += x * x / (cm * cm);
+      }
+      return r2 < 100.0 ? 1 : (r2 < 121.0 ? 2 : (r2 < 144.0 ? 3 : 4));
+    });
+}
+
+void MeasureInterfaces(const MeshCase& c, const Mesh& mesh, Distances& distance, Distances& onSides)
+{
+  std::vector<double> distances, sides;
+  for (const auto& point : FindPlainPoints(mesh))
+  {
+    const double* x = mesh.Points.data() + 3 * point.first;
+    distances.push_back(
+      std::fabs(c.Distance(point.second.first, point.second.second, { { x[0], x[1], x[2] } })));
+    if (FindDomainSides(c.Grid, x) != 0)
+    {
+      sides.push_back(distances.back());
+    }
+  }
+  distance = Summarise(distances);
+  onSides = Summarise(sides);
+}
+
 MeshFigures MeasureCase(
   const MeshCase& c, const MeshOptions& options, Runtime& runtime, MeshMaker make)
 {
@@ -287,19 +320,7 @@ MeshFigures MeasureCase(
   const Mesh& mesh = figures.Result;
   figures.Elements = mesh.ElementIds.size();
   figures.Points = mesh.PointIds.size();
-  std::vector<double> distances, onSides;
-  for (const auto& point : FindPlainPoints(mesh))
-  {
-    const double* x = mesh.Points.data() + 3 * point.first;
-    distances.push_back(
-      std::fabs(c.Distance(point.second.first, point.second.second, { { x[0], x[1], x[2] } })));
-    if (FindDomainSides(c.Grid, x) != 0)
-    {
-      onSides.push_back(distances.back());
-    }
-  }
-  figures.Distance = Summarise(distances);
-  figures.OnSides = Summarise(onSides);
+  MeasureInterfaces(c, mesh, figures.Distance, figures.OnSides);
   for (std::size_t m = 1; m < figures.Report.TargetVolume.size(); ++m)
   {
     figures.VolumeError = std::max(figures.VolumeError,

@@ -38,9 +38,16 @@ MeshCase MakeEightShapesCase(int n = 46);
 /// grains Voronoi cells fill n^3 unit cells.
 MeshCase MakePolycrystalCase(int grains, int n, unsigned seed = 1);
 
+/// Three concentric spheres of 10, 11 and 12 cm and the outside, as labels, in a cube of 26 cm and n^3 unit cells.
+FractionField MakeConcentricLabels(const CartesianGrid& grid, Index n);
+
 /// MakeHexMesh or MakeTetMesh.
 using MeshMaker = Mesh (*)(
   const CartesianGrid&, const FractionField&, const MeshOptions&, Runtime&, MeshReport&);
+
+/// Distances of the interface points between two materials, junctions left out, and of those on sides of the domain.
+void MeasureInterfaces(
+  const MeshCase& c, const Mesh& mesh, Distances& distance, Distances& onSides);
 
 struct MeshFigures
 {
