@@ -11,6 +11,7 @@
 
 #include "Interface/Interface.h"
 #include "Mesh/Mesh.h"
+#include "Smoothing/HexRings.h"
 #include "Smoothing/PointExchange.h"
 
 namespace vfm
@@ -58,7 +59,8 @@ struct ActiveMesh
   std::vector<Index>
     CornerOffset; ///< corners at a point: CornerList[CornerOffset[p] .. CornerOffset[p + 1])
   std::vector<Index>
-    CornerList; ///< positions in Elements, ascending; none at points that are not active
+    CornerList;   ///< positions in Elements, ascending; none at points that are not active
+  HexRings Rings; ///< of hexes
   /// Of the owned nodes; groups of one colour share no element. As many colours on all ranks.
   std::vector<std::vector<Group>> Colours;
   PointExchange Exchange;              ///< of the points that move
@@ -81,10 +83,34 @@ struct ActiveMesh
       }
     }
   }
+  /// Calls visit(other) for the points of the elements at an active point; for some more than once.
+  template <class Visitor>
+  void ForAround(int point, const Visitor& visit) const
+  {
+    if (this->Corners == 8)
+    {
+      const int* points = this->Rings.Points.data();
+      std::for_each(
+        points + this->Rings.Offset[2 * point], points + this->Rings.Offset[2 * point + 2], visit);
+      return;
+    }
+    for (Index at = this->CornerOffset[point]; at < this->CornerOffset[point + 1]; ++at)
+    {
+      const int* element =
+        this->Elements.data() + this->CornerList[at] / this->Corners * this->Corners;
+      std::for_each(element, element + this->Corners, visit);
+    }
+  }
   /// position: in Elements.
   const Vector3& WidthsAt(Index position) const
   {
     return this->Widths[this->Widths.size() == 1 ? 0 : position / this->Corners];
+  }
+  /// Whether all cells are cubes of one size.
+  bool HasCubes() const
+  {
+    const Vector3& widths = this->Widths[0];
+    return this->Widths.size() == 1 && widths[0] == widths[1] && widths[0] == widths[2];
   }
   /// position: in Elements.
   double DemandAt(Index position) const

@@ -77,6 +77,10 @@ ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours)
   }
   std::vector<Mover>().swap(this->Movers);
   this->Result.ListCorners();
+  if (this->Result.Corners == 8)
+  {
+    this->Result.Rings = FindHexRings(this->Result);
+  }
   return std::move(this->Result);
 }
 

@@ -1,6 +1,6 @@
 #include "Smoothing/HexEnergy.h"
 
-#include "Base/Lanes.h"
+#include "Smoothing/HexesAtPoint.h"
 
 namespace vfm
 {
@@ -8,79 +8,64 @@ namespace
 {
 
 constexpr double SmallestDeterminant = 1e-9; // of a corner, in cell volumes
-constexpr double ShortestEdge = 0.15;        // l*, in cell widths
+// Where floats do: with determinants and an energy like these, what they round is far below what a step gains.
+constexpr float SmallestInFloat = 1e-2f;
+constexpr double LargestInFloat = 1e4;
 
-struct BarrierWeights
+constexpr int Next[3] = { 1, 2, 0 };
+constexpr int Previous[3] = { 2, 0, 1 };
+
+/// A corner of each hex that depends on the point.
+template <class Real>
+struct Corner
 {
-  int HalfPower; // p / 2, a power of two
-  double Target; // s*
-  double Shape;  // omega
+  using L = LanesOf<Real>;
+  VectorLanes<Real> Normal; // minus the gradient of D
+  L D;                      // determinant, positive in a valid hex
+  L Lengths;                // product of the squared lengths of its edges
+  L W;                      // tr T^T T
 };
 
-// Lanes 0..2: the corner at the other end of the point's edge along x, y, z. Lane 3: the point's own corner.
-
-/// Lane 0 of a, lane 1 of b, lane 2 of c, lane 3 of d.
-VFM_INLINE Lanes Diagonal(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
+/// Squared lengths of the arms.
+template <class Real>
+struct ArmLengths
 {
-  return Lanes{ a[0], b[1], c[2], d[3] };
-}
-/// Lanes 0..2 as they are, their sum in lane 3.
-VFM_INLINE Lanes WithSum(const Lanes& a)
-{
-  return Lanes{ a[0], a[1], a[2], a[0] + a[1] + a[2] };
-}
-
-/// The four corners of one hex that depend on the point.
-struct Corners
-{
-  Lanes3 Q0, Q1, Q2; // outgoing edges along x, y, z of the hex
-  Lanes3 C0, C1, C2; // Q1 x Q2, Q2 x Q0, Q0 x Q1
-  Lanes L0, L1, L2;  // squared lengths
-  Lanes D;           // determinant, positive in a valid hex
-  double Sign;       // of the point's own corner: -1 where its edges form a left-handed frame
+  LanesOf<Real> Of[3];
 };
 
-VFM_INLINE Corners GatherCorners(const Vector3* X, const int* hex, int corner, const double* x)
+template <class Real>
+VFM_INLINE ArmLengths<Real> MeasureArms(const Hexes<Real>& h)
 {
-  const double* p1 = X[hex[corner ^ 1]].data();
-  const double* p2 = X[hex[corner ^ 2]].data();
-  const double* p3 = X[hex[corner ^ 3]].data();
-  const double* p4 = X[hex[corner ^ 4]].data();
-  const double* p5 = X[hex[corner ^ 5]].data();
-  const double* p6 = X[hex[corner ^ 6]].data();
-  const Lanes3 tail = Pack(p1, p2, p4, x);
-  Corners c;
-  c.Q0 = Minus(Pack(x, p3, p5, p1), tail);
-  c.Q1 = Minus(Pack(p3, x, p6, p2), tail);
-  c.Q2 = Minus(Pack(p5, p6, x, p4), tail);
-  c.C0 = Cross(c.Q1, c.Q2);
-  c.C1 = Cross(c.Q2, c.Q0);
-  c.C2 = Cross(c.Q0, c.Q1);
-  c.L0 = Dot(c.Q0, c.Q0);
-  c.L1 = Dot(c.Q1, c.Q1);
-  c.L2 = Dot(c.Q2, c.Q2);
-  c.Sign = 0x69 >> corner & 1 ? 1.0 : -1.0; // even number of bits
-  c.D = Dot(c.Q0, c.C0) * Lanes{ -c.Sign, -c.Sign, -c.Sign, c.Sign };
+  return { { Dot(h.Arm[0], h.Arm[0]), Dot(h.Arm[1], h.Arm[1]), Dot(h.Arm[2], h.Arm[2]) } };
+}
+
+/// The corner at the other end of arm k.
+template <class Real>
+VFM_INLINE Corner<Real> EndCorner(const Hexes<Real>& h, const ArmLengths<Real>& l, int k)
+{
+  const VectorLanes<Real> a = h.Diagonal[k] - h.Arm[k], b = h.Diagonal[Previous[k]] - h.Arm[k];
+  const LanesOf<Real> aa = Dot(a, a), bb = Dot(b, b);
+  Corner<Real> c;
+  c.Normal = Cross(a, b);
+  c.D = Dot(h.Arm[k], c.Normal);
+  c.Lengths = l.Of[k] * aa * bb;
+  c.W = l.Of[k] * h.Scale[k] + aa * h.Scale[Next[k]] + bb * h.Scale[Previous[k]];
   return c;
 }
 
-/// Constants of the cell of a hex.
-struct CellScales
+template <class Real>
+VFM_INLINE Corner<Real> OwnCorner(const Hexes<Real>& h, const ArmLengths<Real>& l)
 {
-  Lanes K0, K1, K2; // 1 / width^2
-  Lanes K;          // lanes 0..2: the same, by lane
-  Lanes Volume;     // 1 / volume
-};
-
-VFM_INLINE CellScales MakeScales(const Vector3& widths)
-{
-  const double k0 = 1.0 / (widths[0] * widths[0]), k1 = 1.0 / (widths[1] * widths[1]),
-               k2 = 1.0 / (widths[2] * widths[2]);
-  return { Splat(k0), Splat(k1), Splat(k2), Lanes{ k0, k1, k2, 0.0 },
-    Splat(1.0 / (widths[0] * widths[1] * widths[2])) };
+  Corner<Real> c;
+  c.Normal = Cross(h.Arm[1] - h.Arm[0], h.Arm[2] - h.Arm[0]);
+  c.D = Dot(h.Arm[0], c.Normal);
+  c.Lengths = l.Of[0] * l.Of[1] * l.Of[2];
+  c.W = l.Of[0] * h.Scale[0] + l.Of[1] * h.Scale[1] + l.Of[2] * h.Scale[2];
+  return c;
 }
 
-VFM_INLINE Lanes Power(Lanes a, int half)
+template <class L>
+VFM_INLINE L Power(L a, int half)
 {
   for (int p = 1; p < half; p *= 2)
   {
@@ -89,134 +74,207 @@ VFM_INLINE Lanes Power(Lanes a, int half)
   return a;
 }
 
-/// The terms of the energy of four corners. Edge: lanes 0..2, one end of the point's three edges.
+/// The terms of the energy at a corner.
+template <class Real>
 struct Terms
 {
-  Lanes Jacobian, Shape, Edge;
-  Lanes W; // tr T^T T
-  Lanes InverseD;
-  Lanes3 E; // lanes 0..2: the point's edges, from their other ends
-  Lanes EL; // lanes 0..2: their squared lengths; lane 3: 1
+  LanesOf<Real> Jacobian, Shape, InverseD;
 };
 
-VFM_INLINE Terms ComputeTerms(const Corners& c, const CellScales& k, const BarrierWeights& weights)
+template <class Real>
+VFM_INLINE Terms<Real> ComputeTerms(const Corner<Real>& c, const Hexes<Real>& h, int halfPower)
 {
-  Terms t;
-  t.InverseD = Splat(1.0) / c.D;
-  const Lanes ratio =
-    Splat(weights.Target * weights.Target) * c.L0 * c.L1 * c.L2 * (t.InverseD * t.InverseD);
-  t.Jacobian = Power(ratio, weights.HalfPower);
-  t.W = c.L0 * k.K0 + c.L1 * k.K1 + c.L2 * k.K2;
-  const Lanes third = t.W * Splat(1.0 / 3.0);
-  t.Shape = Splat(weights.Shape) * third * SquareRoot(third) * (t.InverseD / k.Volume);
-  const Lanes zero = Splat(0.0), one = Splat(1.0);
-  t.E = { Diagonal(c.Q0.X, c.Q1.X, c.Q2.X, zero), Diagonal(c.Q0.Y, c.Q1.Y, c.Q2.Y, zero),
-    Diagonal(c.Q0.Z, c.Q1.Z, c.Q2.Z, zero) };
-  t.EL = Diagonal(c.L0, c.L1, c.L2, one);
-  const Lanes shortness =
-    Splat(ShortestEdge * ShortestEdge) / (t.EL * k.K + Lanes{ 0.0, 0.0, 0.0, 1.0 });
-  const Lanes square = shortness * shortness;
-  t.Edge = square * square * Lanes{ 1.0, 1.0, 1.0, 0.0 };
+  Terms<Real> t;
+  t.InverseD = Real(1.0) / c.D;
+  t.Jacobian = Power(h.Target * c.Lengths * (t.InverseD * t.InverseD), halfPower);
+  const LanesOf<Real> third = c.W * Real(1.0 / 3.0);
+  t.Shape = h.Shape * third * SquareRoot(third) * t.InverseD;
   return t;
 }
 
-VFM_INLINE bool AllPositive(const Corners& c, const CellScales& k)
+/// The terms of both ends of arm k.
+template <class Real>
+VFM_INLINE LanesOf<Real> ComputeEdge(
+  const Hexes<Real>& h, const LanesOf<Real>& inverseLength, int k)
 {
-  const Mask bad = c.D * k.Volume <= Splat(SmallestDeterminant);
-  return !(bad[0] | bad[1] | bad[2] | bad[3]);
+  const LanesOf<Real> shortness = h.Edge[k] * inverseLength;
+  const LanesOf<Real> square = shortness * shortness;
+  return Real(2.0) * square * square;
 }
 
-/// Adds value, gradient and Hessian of the energy of the four corners.
-///   log(1/SJ):  gradient A - C, Hessian sum_e (I - 2 e e^T / l) / l + C C^T
-///   log(shape): gradient B - C, Hessian 3 k_e I / W - (2/3) B B^T + C C^T
-/// with e the edges that move, A = sum e / l, B = 1.5 grad W / W, C = grad D / D.
+template <class L>
+VFM_INLINE L Least(const L& a, const L& b)
+{
+  return a < b ? a : b;
+}
+
+/// A sum over hexes, and the smallest determinant of their corners in cell volumes.
+template <class Real>
+struct Barrier
+{
+  LanesOf<Real> Value, Least;
+};
+
+template <class Real>
+VFM_INLINE void AddValue(Barrier<Real>& sum, const Hexes<Real>& h, int halfPower)
+{
+  const ArmLengths<Real> l = MeasureArms(h);
+  const Corner<Real> own = OwnCorner(h, l);
+  LanesOf<Real> least = own.D;
+  Terms<Real> t = ComputeTerms(own, h, halfPower);
+  sum.Value += t.Jacobian + t.Shape;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Corner<Real> c = EndCorner(h, l, k);
+    least = Least(least, c.D);
+    t = ComputeTerms(c, h, halfPower);
+    sum.Value += t.Jacobian + t.Shape + ComputeEdge(h, Real(1.0) / l.Of[k], k);
+  }
+  sum.Least = Least(sum.Least, least * h.InverseVolume);
+}
+
+// Derivatives of the logarithms of the terms of a corner:
+//   1/SJ:  gradient A - C, Hessian sum_e (I - 2 e e^T / l) / l + C C^T
+//   shape: gradient B - C, Hessian 3 k_e I / W - (2/3) B B^T + C C^T
+// with e the edges that move, A = sum e / l, B = 1.5 grad W / W, C = grad D / D = -n, n = Normal / D.
+
+/// Adds those of the point's own corner but for what belongs to each arm alone; beta: of each arm, 3 k / W.
+template <class Real>
+VFM_INLINE void AddOwnCorner(DerivativeSums<Real>& d, const Hexes<Real>& h, const Corner<Real>& own,
+  const Terms<Real>& t, const LanesOf<Real> (&inverse)[3], const LanesOf<Real> (&beta)[3], Real p)
+{
+  using V = VectorLanes<Real>;
+  const LanesOf<Real> f = p * t.Jacobian;
+  const V n = Times<Real>(t.InverseD, own.Normal);
+  const V a = Times<Real>(inverse[0], h.Arm[0]) + Times<Real>(inverse[1], h.Arm[1]) +
+    Times<Real>(inverse[2], h.Arm[2]);
+  const V b = Times<Real>(beta[0], h.Arm[0]) + Times<Real>(beta[1], h.Arm[1]) +
+    Times<Real>(beta[2], h.Arm[2]);
+  d.Gradient = d.Gradient + Times<Real>(f + t.Shape, n);
+  const V pfa = Times<Real>(p * f, a);
+  const V mixed =
+    Times<Real>(Real(0.5) * (p + Real(1.0)) * f + t.Shape, n) - pfa - Times<Real>(t.Shape, b);
+  d.AddOuter(n, mixed, mixed, n);
+  d.AddOuter(pfa, a, Times<Real>(t.Shape * Real(1.0 / 3.0), b), b);
+}
+
+/// Adds value, gradient and Hessian. At the other end of an arm A and B are along it, so three coefficients of products of the arm and n
+/// hold all.
+template <class Real>
 VFM_INLINE void AddDerivatives(
-  Accumulator& sum, const Corners& c, const CellScales& k, const BarrierWeights& weights)
+  Barrier<Real>& sum, DerivativeSums<Real>& d, const Hexes<Real>& h, int halfPower)
 {
-  const Terms t = ComputeTerms(c, k, weights);
-  const Lanes inverseL = Splat(1.0) / t.EL;
-  const Lanes inverseW = Splat(1.0) / t.W;
-  const Lanes3 a0 = Times(inverseL, t.E);
-  const Lanes3 A{ WithSum(a0.X), WithSum(a0.Y), WithSum(a0.Z) };
-  const Lanes3 b0 = Times(k.K, t.E);
-  const Lanes3 B = Times(Splat(3.0) * inverseW, { WithSum(b0.X), WithSum(b0.Y), WithSum(b0.Z) });
-  const Lanes scale = Splat(-c.Sign) * t.InverseD;
-  const Lanes3 C{ scale * Diagonal(c.C0.X, c.C1.X, c.C2.X, c.C0.X + c.C1.X + c.C2.X),
-    scale * Diagonal(c.C0.Y, c.C1.Y, c.C2.Y, c.C0.Y + c.C1.Y + c.C2.Y),
-    scale * Diagonal(c.C0.Z, c.C1.Z, c.C2.Z, c.C0.Z + c.C1.Z + c.C2.Z) };
-  const Lanes3 AC = Minus(A, C), BC = Minus(B, C);
-
-  const double p = 2.0 * weights.HalfPower;
-  const Lanes f = Splat(p) * t.Jacobian;
-  sum.Value += t.Jacobian + t.Shape + t.Edge + t.Edge;
-  AddGradient(sum, f, AC);
-  AddGradient(sum, t.Shape, BC);
-  AddOuter(sum, Splat(p) * f, AC);
-  AddOuter(sum, t.Shape, BC);
-  AddOuter(sum, f + t.Shape, C);
-  AddOuter(sum, Splat(-2.0 / 3.0) * t.Shape, B);
-
-  // what belongs to an edge itself: its part in lane 3 and in its own lane are equal but for the weight
-  const Lanes fEdge = f + Splat(f[3]);
-  const Lanes edge = Splat(2.0) * t.Edge; // both ends
-  AddGradient(sum, Splat(-8.0) * edge * inverseL, t.E);
-  const Lanes unit = Lanes{ 1.0, 1.0, 1.0, 0.0 } *
-    (fEdge * inverseL - Splat(8.0) * edge * inverseL +
-      Splat(3.0) * k.K * (t.Shape * inverseW + Splat(t.Shape[3] * inverseW[3])));
-  AddOuter(sum, (Splat(80.0) * edge - Splat(2.0) * fEdge) * inverseL * inverseL, t.E);
-  sum.XX += unit;
-  sum.YY += unit;
-  sum.ZZ += unit;
+  using L = LanesOf<Real>;
+  const Real p = Real(2 * halfPower);
+  const ArmLengths<Real> l = MeasureArms(h);
+  const Corner<Real> own = OwnCorner(h, l);
+  const Terms<Real> t = ComputeTerms(own, h, halfPower);
+  const L f = p * t.Jacobian, overW = Real(3.0) / own.W;
+  const L inverse[3] = { Real(1.0) / l.Of[0], Real(1.0) / l.Of[1], Real(1.0) / l.Of[2] };
+  const L ownBeta[3] = { overW * h.Scale[0], overW * h.Scale[1], overW * h.Scale[2] };
+  AddOwnCorner(d, h, own, t, inverse, ownBeta, p);
+  sum.Value += t.Jacobian + t.Shape;
+  L least = own.D, unit = Fill<Real>(0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Corner<Real> end = EndCorner(h, l, k);
+    const Terms<Real> e = ComputeTerms(end, h, halfPower);
+    const L edge = ComputeEdge(h, inverse[k], k), g = p * e.Jacobian;
+    const L alpha = inverse[k], beta = Real(3.0) * h.Scale[k] / end.W;
+    const VectorLanes<Real> n = Times<Real>(e.InverseD, end.Normal);
+    sum.Value += e.Jacobian + e.Shape + edge;
+    least = Least(least, end.D);
+    const L along = (f + g - Real(8.0) * edge) * alpha + t.Shape * ownBeta[k] + e.Shape * beta;
+    unit += along;
+    d.Gradient = d.Gradient + Times<Real>(g + e.Shape, n) - Times<Real>(along, h.Arm[k]);
+    const L ee = ((p - Real(2.0)) * g - Real(2.0) * f + Real(80.0) * edge) * alpha * alpha +
+      Real(1.0 / 3.0) * e.Shape * beta * beta;
+    const L en = p * g * alpha + e.Shape * beta;
+    const L nn = (p + Real(1.0)) * g + Real(2.0) * e.Shape;
+    d.AddOuter(h.Arm[k], Times<Real>(ee, h.Arm[k]) - Times<Real>(en, n), n,
+      Times<Real>(nn, n) - Times<Real>(en, h.Arm[k]));
+  }
+  d.XX += unit;
+  d.YY += unit;
+  d.ZZ += unit;
+  sum.Least = Least(sum.Least, least * h.InverseVolume);
 }
 
-/// The corners of the hex at a position of the corner list, as the point at x sees them.
-VFM_INLINE Corners GatherAt(const ActiveMesh& mesh, Index position, const Vector3& x)
+template <class Real>
+VFM_INLINE Barrier<Real> NoBarrier()
 {
-  return GatherCorners(mesh.X.data(), mesh.Elements.data() + (position & ~7),
-    static_cast<int>(position & 7), x.data());
+  return { Fill<Real>(0.0), Fill<Real>(1e30) };
 }
 
-/// What is asked of the hex at a position of the corner list.
-VFM_INLINE BarrierWeights WeightsAt(
-  const ActiveMesh& mesh, Index position, const BarrierWeights& weights)
+template <class L>
+VFM_INLINE bool AllExceed(const L& a, double bound)
 {
-  return { weights.HalfPower, mesh.DemandAt(position) * weights.Target, weights.Shape };
+  bool exceed = true;
+  for (std::size_t i = 0; i < sizeof(L) / sizeof(a[0]); ++i)
+  {
+    exceed &= a[i] > bound;
+  }
+  return exceed;
+}
+
+VFM_INLINE bool IsSafe(const Barrier<float>& b, double value)
+{
+  return AllExceed(b.Least, SmallestInFloat) && value < LargestInFloat;
+}
+
+template <class Real>
+VFM_INLINE Barrier<Real> SumValues(
+  const ActiveMesh& mesh, int point, const Vector3& x, const BarrierWeights& weights)
+{
+  Barrier<Real> sum = NoBarrier<Real>();
+  const HexesAtPoint<Real> hexes(mesh, point, x);
+  for (int hex = 0; hex < hexes.Count(); hex += ElementLanes<Real>::Count)
+  {
+    AddValue(sum, hexes.Get(hex, weights), weights.HalfPower);
+  }
+  return sum;
+}
+
+template <class Real>
+VFM_INLINE Barrier<Real> SumDerivatives(
+  const ActiveMesh& mesh, int point, const BarrierWeights& weights, Derivatives& result)
+{
+  Barrier<Real> sum = NoBarrier<Real>();
+  DerivativeSums<Real> d{};
+  const HexesAtPoint<Real> hexes(mesh, point, mesh.X[point]);
+  for (int hex = 0; hex < hexes.Count(); hex += ElementLanes<Real>::Count)
+  {
+    AddDerivatives(sum, d, hexes.Get(hex, weights), weights.HalfPower);
+  }
+  result.Value = Sum(sum.Value);
+  result.Gradient = { { Sum(d.Gradient.X), Sum(d.Gradient.Y), Sum(d.Gradient.Z) } };
+  result.Hessian = { { Sum(d.XX), Sum(d.YY), Sum(d.ZZ), Sum(d.XY), Sum(d.XZ), Sum(d.YZ) } };
+  return sum;
 }
 
 VFM_CLONES
 double EvaluateBarrier(
   const ActiveMesh& mesh, int point, const Vector3& x, const BarrierWeights& weights)
 {
-  Lanes sum = Splat(0.0);
-  for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
+  const Barrier<float> coarse = SumValues<float>(mesh, point, x, weights);
+  const double value = Sum(coarse.Value);
+  if (IsSafe(coarse, value))
   {
-    const Index position = mesh.CornerList[at];
-    const Corners c = GatherAt(mesh, position, x);
-    const CellScales k = MakeScales(mesh.WidthsAt(position));
-    if (!AllPositive(c, k))
-    {
-      return InvalidEnergy;
-    }
-    const Terms t = ComputeTerms(c, k, WeightsAt(mesh, position, weights));
-    sum += t.Jacobian + t.Shape + t.Edge + t.Edge;
+    return value;
   }
-  return Sum(sum);
+  const Barrier<double> fine = SumValues<double>(mesh, point, x, weights);
+  return AllExceed(fine.Least, SmallestDeterminant) ? Sum(fine.Value) : InvalidEnergy;
 }
 
 VFM_CLONES
 Derivatives DifferentiateBarrier(const ActiveMesh& mesh, int point, const BarrierWeights& weights)
 {
-  Accumulator sum{};
-  for (Index at = mesh.CornerOffset[point]; at < mesh.CornerOffset[point + 1]; ++at)
-  {
-    const Index position = mesh.CornerList[at];
-    AddDerivatives(sum, GatherAt(mesh, position, mesh.X[point]),
-      MakeScales(mesh.WidthsAt(position)), WeightsAt(mesh, position, weights));
-  }
   Derivatives d;
-  d.Value = Sum(sum.Value);
-  d.Gradient = { { Sum(sum.GX), Sum(sum.GY), Sum(sum.GZ) } };
-  d.Hessian = { { Sum(sum.XX), Sum(sum.YY), Sum(sum.ZZ), Sum(sum.XY), Sum(sum.XZ), Sum(sum.YZ) } };
+  const Barrier<float> coarse = SumDerivatives<float>(mesh, point, weights, d);
+  if (!IsSafe(coarse, d.Value))
+  {
+    SumDerivatives<double>(mesh, point, weights, d);
+  }
   return d;
 }
 

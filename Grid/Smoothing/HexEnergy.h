@@ -10,7 +10,8 @@
  * valid in a descent that starts valid; between them the Smoother keeps the coefficients positive (HexCoefficients.h). After Garanzha et al. (2021), Knupp (2001).
  *
  * In one point each corner determinant is affine and each squared edge quadratic, so gradient and Hessian are
- * closed form. The four corners that a point of a hex takes part in are computed side by side.
+ * closed form. The hexes at a point are computed side by side, eight in floats; where these do not do, near inverted corners, four in doubles. Differences
+ * of coordinates are those of doubles, and a place is only taken where doubles would take it too.
  */
 #pragma once
 

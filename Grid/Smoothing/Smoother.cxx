@@ -13,6 +13,7 @@ constexpr double TrustRadius = 0.2; // largest step, in cells
 constexpr double Backtrack = 0.4;   // factor of the line search
 constexpr int Backtracks = 8;
 constexpr double Armijo = 1e-4;          // share of the predicted decrease that a step must reach
+constexpr double Noise = 1e-6;           // of an energy, relative: it may be a sum of floats
 constexpr double MoveThatCounts = 0.005; // smaller moves wake no neighbour
 constexpr double NudgeRadius = 0.01;     // in mean cells
 constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise the barrier
@@ -291,7 +292,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     const Vector3 x = isFree ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
       this->DistanceEnergy(point, x, stage.Lambda);
-    if (energy <= d.Value + Armijo * t * slope && this->MayMove(point, x))
+    if (energy <= (1.0 + Noise) * d.Value + Armijo * t * slope && this->MayMove(point, x))
     {
       this->Mesh.X[point] = x;
       const double move = t * cut * length;
@@ -375,16 +376,10 @@ void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
 
 void Smoother::MarkNeighbours(int point)
 {
-  const int corners = this->Mesh.Corners;
-  for (Index at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
-  {
-    const Index position = this->Mesh.CornerList[at];
-    const int* element = this->Mesh.Elements.data() + position - position % corners;
-    for (int c = 0; c < corners; ++c)
-    {
-      __atomic_store_n(&this->Dirty[element[c]], 1, __ATOMIC_RELAXED);
-    }
-  }
+  const auto mark = [this](int other)
+  { __atomic_store_n(&this->Dirty[other], 1, __ATOMIC_RELAXED); };
+  mark(point);
+  this->Mesh.ForAround(point, mark);
 }
 
 } // namespace vfm
