@@ -84,6 +84,9 @@ public:
   /// How many points a node has: 0, 1, or S and its I.
   int PointsAt(Index node) const;
 
+  /// FirstPoint of some nodes of a row where it is a G, below 0 elsewhere. copy: holds them where they are in pages.
+  const int* CodesOf(Index first, Index count, std::vector<int>& copy) const;
+
 private:
   friend class HexTopologyBuilder;
   int MeshedRank(Index node, int label) const;
@@ -100,6 +103,8 @@ private:
     }
     this->Codes[node] = code;
   }
+  /// Of nodes of a row: code, code + step ...
+  void SetCodes(Index first, Index count, Index code, int step);
 
   const CartesianGrid& Grid;
   const LabelArray& Labels;
