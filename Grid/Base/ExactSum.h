@@ -15,6 +15,11 @@ class ExactSum
 {
 public:
   void Add(double value) { this->Total += static_cast<Integer>(value * Unit); }
+  /// As often as that.
+  void Add(double value, std::int64_t times)
+  {
+    this->Total += static_cast<Integer>(value * Unit) * times;
+  }
   void Add(const ExactSum& other) { this->Total += other.Total; }
   void Subtract(const ExactSum& other) { this->Total -= other.Total; }
   double Value() const { return static_cast<double>(this->Total) / Unit; }

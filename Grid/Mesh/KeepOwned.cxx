@@ -47,6 +47,8 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
     return;
   }
   const std::vector<Index> elements = FindOwnedElements(mesh, grid);
+  mesh.WholeCells =
+    std::lower_bound(elements.begin(), elements.end(), mesh.WholeCells) - elements.begin();
   mesh.Elements = Keep(mesh.Elements, elements, mesh.Corners);
   mesh.ElementIds = Keep(mesh.ElementIds, elements);
   mesh.Material = Keep(mesh.Material, elements);

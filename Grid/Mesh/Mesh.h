@@ -61,6 +61,7 @@ struct Mesh
   GeometryTables Tables;        ///< of all ranks
   std::vector<Index> RowOffset; ///< of hexes of the grid's own cells: the first of each row of
                                 ///< CartesianGrid::HexBox (x fastest), and the end
+  Index WholeCells = 0; ///< of the elements, from the first one on: cells of the grid, as they are
   std::shared_ptr<const RefinedGrid> Levels; ///< which cells of the grid they are; never null
 
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
