@@ -14,12 +14,9 @@ namespace vfm
 class ExactSum
 {
 public:
-  void Add(double value) { this->Total += static_cast<Integer>(value * Unit); }
+  void Add(double value) { this->Total += Rounded(value); }
   /// As often as that.
-  void Add(double value, std::int64_t times)
-  {
-    this->Total += static_cast<Integer>(value * Unit) * times;
-  }
+  void Add(double value, std::int64_t times) { this->Total += Rounded(value) * times; }
   void Add(const ExactSum& other) { this->Total += other.Total; }
   void Subtract(const ExactSum& other) { this->Total -= other.Total; }
   double Value() const { return static_cast<double>(this->Total) / Unit; }
@@ -37,6 +34,13 @@ private:
   static constexpr double Unit = 68719476736.0;
   static constexpr int LowBits = 40;
   static constexpr Integer LowMask = (static_cast<Integer>(1) << LowBits) - 1;
+  static Integer Rounded(double value)
+  {
+    const double units = value * Unit;
+    const bool isShort =
+      units > -0x1p62 && units < 0x1p62; // which processors convert by themselves
+    return isShort ? static_cast<std::int64_t>(units) : static_cast<Integer>(units);
+  }
   Integer Total = 0;
 };
 
