@@ -111,7 +111,7 @@ Mesh HexStages::MakeMesh()
   this->Clock.Start("Finding fragments", 0.12);
   const Fragments fragments(this->Grid, labels, this->Options.MeshVoid, this->Parts);
   this->Report.NumberOfFragments = fragments.NumberOfFragments();
-  FillFragments(this->Labelled, numbering, fragments, mesh);
+  FillFragments(this->Labelled, numbering, fragments, this->Run, mesh);
   const std::vector<Facet> facets =
     FindHexFacets(this->Labelled, numbering, fragments, this->Parts, mesh);
   this->Clock.Start("Finding interfaces", 0.15);

@@ -38,6 +38,24 @@ void ForCoarseHexes(const Mesh& mesh, const Visitor& visit)
   }
 }
 
+/// Of a row whose hexes are its meshed cells. Their lowest corners are all points inside the domain.
+void FillRowOfCells(const CartesianGrid& grid, const PointNumbering& numbering,
+  const Fragments& fragments, Index j, Index k, Index firstHex, Mesh& mesh)
+{
+  Index hex = firstHex;
+  fragments.ForRuns(j, k,
+    [&](Index begin, Index end, int fragment)
+    {
+      if (fragment > 0)
+      {
+        const Index point = numbering.FirstPoint(grid.Linear({ { begin, j, k } }));
+        std::fill_n(mesh.Fragment.data() + hex, end - begin, fragment);
+        std::fill_n(mesh.GeometryId.data() + point, end - begin, fragment);
+        hex += end - begin;
+      }
+    });
+}
+
 void FillRow(const CartesianGrid& grid, const Fragments& fragments, Index j, Index k, Index first,
   Index last, Mesh& mesh)
 {
@@ -116,16 +134,27 @@ private:
   /// Of the hexes of a row of finest cells.
   void AddDomainFacets(Index j, Index k, Index first, Index last)
   {
-    const Index key = this->Grid.CellKey({ { 0, j, k } });
+    const Index* ids = this->Input.ElementIds.data();
+    const Index start = HexIds.ElementSlots * this->Grid.CellKey({ { 0, j, k } }) + 1;
     const Index3& n = this->Grid.Global().Upper;
-    const bool isRim = j == 0 || k == 0 || j == n[1] - 1 || k == n[2] - 1;
+    Index begin = last, end = last; // of those between the first and the last cell
+    if (j > 0 && k > 0 && j < n[1] - 1 && k < n[2] - 1)
+    {
+      begin = std::lower_bound(ids + first, ids + last, start + HexIds.ElementSlots) - ids;
+      end =
+        std::lower_bound(ids + begin, ids + last, start + HexIds.ElementSlots * (n[0] - 1)) - ids;
+    }
     for (Index h = first; h < last; ++h)
     {
-      const Index id = this->Input.ElementIds[h] - 1;
-      const Index i = id / HexIds.ElementSlots - key;
-      if (isRim || i == 0 || i == n[0] - 1)
+      if (h == begin)
       {
-        this->AddDomainFacets(h, static_cast<int>(id % HexIds.ElementSlots), { { i, j, k } });
+        h = end;
+      }
+      if (h < last)
+      {
+        const Index place = ids[h] - start;
+        this->AddDomainFacets(h, static_cast<int>(place % HexIds.ElementSlots),
+          { { place / HexIds.ElementSlots, j, k } });
       }
     }
   }
@@ -243,15 +272,25 @@ private:
 } // namespace
 
 void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, Mesh& mesh)
+  const Fragments& fragments, Runtime& runtime, Mesh& mesh)
 {
   const CartesianGrid& grid = mesh.Levels->Finest();
+  const bool areCells =
+    mesh.Levels->IsUniform() && mesh.WholeCells == static_cast<Index>(mesh.ElementIds.size());
   mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
   std::fill(mesh.Fragment.begin() + mesh.RowOffset.back(), mesh.Fragment.end(), 0);
   mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
-  ForRowsOfHexes(grid.HexBox(), mesh,
-    [&](Index j, Index k, Index first, Index last)
-    { FillRow(grid, fragments, j, k, first, last, mesh); });
+  ForRows(runtime, grid.HexBox(),
+    [&](Index j, Index k, Index row)
+    {
+      const Index first = mesh.RowOffset[row], last = mesh.RowOffset[row + 1];
+      if (areCells)
+      {
+        FillRowOfCells(grid, numbering, fragments, j, k, first, mesh);
+        return;
+      }
+      FillRow(grid, fragments, j, k, first, last, mesh);
+    });
   ForCoarseHexes(mesh,
     [&](Index hex, const Index3& cell)
     {

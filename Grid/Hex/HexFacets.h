@@ -13,7 +13,7 @@ namespace vfm
 
 /// Fills mesh.Fragment, and mesh.GeometryId of the points inside fragments.
 void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering,
-  const Fragments& fragments, Mesh& mesh);
+  const Fragments& fragments, Runtime& runtime, Mesh& mesh);
 
 /// The facets of the hexes in HexBox, as far as their cells on both sides are in it. mesh: with fragments. Order: those on sides of the
 /// domain by hex; those of finest cells by node and axis, normals along the axis; those between coarse hexes.
