@@ -102,7 +102,11 @@ private:
     {
       if (this->Facets[q].IsOwned) // what is beyond the rim is not known
       {
-        keys.push_back(KeyOf(this->Facets[q], this->Sides[q]));
+        const SurfaceKey key = KeyOf(this->Facets[q], this->Sides[q]);
+        if (keys.empty() || keys.back() != key)
+        {
+          keys.push_back(key);
+        }
       }
     }
     const Numbering<SurfaceKey> numbers = Gather(this->Group, keys);
@@ -112,13 +116,22 @@ private:
     surfaces.SurfaceId = Buffer<int>(count);
     surfaces.MaterialPair = Buffer<int>(2 * count);
     surfaces.DomainSide = Buffer<int>(count);
+    surfaces.IsOwned.resize(count);
+    SurfaceKey last{}; // facets beside each other are often of one surface
+    int number = 0;
     for (std::size_t q = 0; q < count; ++q)
     {
       const Facet& facet = this->Facets[q];
       this->SetFacet(q, facet);
-      surfaces.SurfaceId[q] = numbers.Find(KeyOf(facet, this->Sides[q]));
+      const SurfaceKey key = KeyOf(facet, this->Sides[q]);
+      if (number == 0 || key != last)
+      {
+        last = key;
+        number = numbers.Find(key);
+      }
+      surfaces.SurfaceId[q] = number;
       surfaces.DomainSide[q] = facet.DomainSide;
-      surfaces.IsOwned.push_back(facet.IsOwned);
+      surfaces.IsOwned[q] = facet.IsOwned;
     }
     this->FillSurfaceTables(numbers.All());
     return numbers.Count();

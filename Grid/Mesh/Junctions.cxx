@@ -16,18 +16,18 @@ struct Incidence
 };
 
 /// Of each mesh point: whether it is on several surfaces.
-std::vector<unsigned char> FindShared(const Mesh& mesh)
+std::vector<bool> FindShared(const Mesh& mesh)
 {
   const SurfaceFacets& surfaces = mesh.Surfaces;
   const std::size_t corners = mesh.CornersOfFacet();
-  std::vector<int> first(mesh.PointIds.size(), 0);
-  std::vector<unsigned char> isShared(mesh.PointIds.size(), 0);
+  std::vector<bool> isShared(mesh.PointIds.size(), false);
   for (std::size_t at = 0; at < surfaces.Points.size(); ++at)
   {
     const Index point = surfaces.Points[at];
-    const int surface = surfaces.SurfaceId[at / corners];
-    first[point] = first[point] == 0 ? surface : first[point];
-    isShared[point] |= first[point] != surface;
+    if (surfaces.SurfaceId[at / corners] != mesh.GeometryId[point])
+    {
+      isShared[point] = true;
+    }
   }
   return isShared;
 }
@@ -71,7 +71,7 @@ std::vector<Junction> FindJunctions(const Mesh& mesh, std::vector<Incidence> pla
 
 Junctions::Junctions(const Mesh& mesh)
 {
-  const std::vector<unsigned char> isShared = FindShared(mesh);
+  const std::vector<bool> isShared = FindShared(mesh);
   const Index corners = mesh.CornersOfFacet();
   std::vector<Incidence> points, edges;
   for (Index at = 0; at < static_cast<Index>(mesh.Surfaces.Points.size()); ++at)

@@ -25,6 +25,7 @@ inline bool operator<(const Junction& a, const Junction& b)
 class Junctions
 {
 public:
+  /// mesh: GeometryId of each point on surfaces is one of them.
   explicit Junctions(const Mesh& mesh);
 
   const std::vector<Junction>& Points() const { return this->ThePoints; }
