@@ -60,6 +60,34 @@ void ReadMemory(const void* values, Index first, Index count, Value* row)
   }
 }
 
+/// Reads the value first; returns how many from there on, of count, are known to be the same.
+template <class Value>
+using AlikeReader = Index (*)(const void* values, Index first, Index count, Value& value);
+
+template <class Value, class Stored>
+Index ReadMemoryRun(const void* values, Index first, Index count, Value& value)
+{
+  constexpr Index block = 16; // are compared at once
+  const Stored* stored = static_cast<const Stored*>(values) + first;
+  const Stored same = *stored;
+  ReadMemory<Value, Stored>(values, first, 1, &value);
+  Index n = 1;
+  for (bool areAlike = true; areAlike && n + block <= count; n += areAlike ? block : 0)
+  {
+    int others = 0;
+    for (Index i = 0; i < block; ++i)
+    {
+      others += stored[n + i] != same;
+    }
+    areAlike = others == 0;
+  }
+  while (n < count && stored[n] == same)
+  {
+    ++n;
+  }
+  return n;
+}
+
 /// For arrays that are not plain memory; values is the vtkDataArray.
 template <class Value>
 void ReadArray(const void* values, Index first, Index count, Value* row)
@@ -72,12 +100,20 @@ void ReadArray(const void* values, Index first, Index count, Value* row)
   }
 }
 
+template <class Value>
+Index ReadArrayRun(const void* values, Index first, Index, Value& value)
+{
+  ReadArray<Value>(values, first, 1, &value);
+  return 1;
+}
+
 /// An array of one block.
 template <class Value>
 struct Column
 {
   const void* Values;
   RowReader<Value> Read = ReadArray<Value>;
+  AlikeReader<Value> ReadRun = ReadArrayRun<Value>;
 
   explicit Column(vtkDataArray* array) : Values(array)
   {
@@ -96,6 +132,7 @@ private:
     {
       this->Values = array->GetPointer(0);
       this->Read = ReadMemory<Value, Stored>;
+      this->ReadRun = ReadMemoryRun<Value, Stored>;
     }
   }
 };
@@ -130,6 +167,22 @@ void ReadRow(const InputBlock& block, const Column<Value>& column, const Index3&
   const Index id = block.CellId(first);
   column.Read(column.Values, id, count, row);
   ClearHidden(block, id, count, row);
+}
+
+/// Calls visit(offset in the row, length, value) for the cells of such a row in order, alike ones together.
+template <class Value, class Visit>
+void ReadRuns(const InputBlock& block, const Column<Value>& column, const Index3& first,
+  Index count, const Visit& visit)
+{
+  const Index id = block.CellId(first);
+  for (Index at = 0, length; at < count; at += length)
+  {
+    Value value;
+    const Index most = block.GhostTypes ? 1 : count - at; // each may be blanked
+    length = column.ReadRun(column.Values, id + at, most, value);
+    ClearHidden(block, id + at, 1, &value);
+    visit(at, length, value);
+  }
 }
 
 } // namespace vfm

@@ -77,6 +77,7 @@ protected:
 private:
   template <class Value>
   void FindLabels(std::size_t block, std::unordered_set<int>& found) const;
+  int MaterialOf(Index label) const;
 
   std::string Name;
   std::vector<vtkDataArray*> Arrays; // of each block
@@ -89,20 +90,19 @@ void LabelCells::FindLabels(std::size_t block, std::unordered_set<int>& found) c
 {
   const InputBlock& own = this->Input.Blocks[block];
   const Column<Value> column(this->Arrays[block]);
-  std::vector<Value> row(RowLength);
   Value last = 0;
   VisitRows(own.Box,
     [&](const Index3& first, Index count)
     {
-      ReadRow(own, column, first, count, row.data());
-      for (Index c = 0; c < count; ++c)
-      {
-        if (row[c] != last) // NaN too
+      ReadRuns(own, column, first, count,
+        [&](Index offset, Index, Value value)
         {
-          last = row[c];
-          found.insert(CheckedLabel(last, this->Name, first, c));
-        }
-      }
+          if (value != last) // NaN too
+          {
+            last = value;
+            found.insert(CheckedLabel(last, this->Name, first, offset));
+          }
+        });
     });
 }
 
@@ -132,24 +132,19 @@ void LabelCells::SetTable(std::vector<int> labels)
   }
 }
 
+int LabelCells::MaterialOf(Index label) const
+{
+  const std::vector<int>& labels = this->Table.Labels;
+  return static_cast<int>(
+    std::lower_bound(labels.begin(), labels.end(), static_cast<int>(label)) - labels.begin());
+}
+
 void LabelCells::ReadMaterials(
   std::size_t block, const Index3& first, Index count, int* materials) const
 {
-  const std::vector<int>& labels = this->Table.Labels;
-  std::vector<Index> row(count);
-  ReadRow(this->Input.Blocks[block], this->Columns[block], first, count, row.data());
-  Index last = 0;
-  int material = 0;
-  for (Index c = 0; c < count; ++c)
-  {
-    if (row[c] != last)
-    {
-      last = row[c];
-      material = static_cast<int>(
-        std::lower_bound(labels.begin(), labels.end(), static_cast<int>(last)) - labels.begin());
-    }
-    materials[c] = material;
-  }
+  ReadRuns(this->Input.Blocks[block], this->Columns[block], first, count,
+    [&](Index offset, Index length, Index label)
+    { std::fill_n(materials + offset, length, this->MaterialOf(label)); });
 }
 
 SparseCells LabelCells::Extract(const InputBlock& block, const IndexBox& box) const
@@ -172,30 +167,29 @@ InputField LabelCells::MakeField(
   InputField field{ FractionField(grid, static_cast<int>(this->Table.Labels.size()) - 1),
     this->Table, {} };
   FractionField::RowWriter writer(field.Fractions);
-  const auto setRow = [&](const Index3& first, Index count, const int* materials)
-  {
-    writer.Start(grid.Linear(first));
-    for (Index c = 0; c < count; ++c)
-    {
-      writer.AddLabel(materials[c]);
-    }
-    writer.Finish();
-  };
-  std::vector<int> row(RowLength);
   for (std::size_t b = 0; b < this->Columns.size(); ++b)
   {
     VisitRows(Intersect(this->Input.Blocks[b].Box, grid.Local()),
       [&](const Index3& first, Index count)
       {
-        this->ReadMaterials(b, first, count, row.data());
-        setRow(first, count, row.data());
+        writer.Start(grid.Linear(first));
+        ReadRuns(this->Input.Blocks[b], this->Columns[b], first, count,
+          [&](Index, Index length, Index label)
+          { writer.AddLabel(this->MaterialOf(label), length); });
+        writer.Finish();
       });
   }
   for (const SparseCells& cells : received)
   {
     VisitRows(Intersect(cells.Box, grid.Local()),
       [&](const Index3& first, Index count)
-      { setRow(first, count, cells.Entry.data() + cells.CellId(first)); });
+      {
+        writer.Start(grid.Linear(first));
+        const int* materials = cells.Entry.data() + cells.CellId(first);
+        std::for_each(
+          materials, materials + count, [&](int material) { writer.AddLabel(material); });
+        writer.Finish();
+      });
   }
   return field;
 }
