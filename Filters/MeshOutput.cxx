@@ -17,6 +17,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <bitset>
 
 namespace vfm
 {
@@ -27,47 +28,86 @@ static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit
 
 vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
 {
+  Buffer<Index> offsets(buffer.size() / cellSize + 1); // VTK would make them on small pages
+  for (std::size_t c = 0; c < offsets.size(); ++c)
+  {
+    offsets[c] = cellSize * static_cast<Index>(c);
+  }
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(cellSize, AdoptBuffer<vtkTypeInt64Array>(buffer, "Connectivity"));
+  cells->SetData(AdoptBuffer<vtkTypeInt64Array>(offsets, nullptr),
+    AdoptBuffer<vtkTypeInt64Array>(buffer, "Connectivity"));
   return cells;
+}
+
+/// Whether each label is its own number.
+bool AreNumbers(const std::vector<int>& labels)
+{
+  for (std::size_t m = 0; m < labels.size(); ++m)
+  {
+    if (labels[m] != static_cast<int>(m))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// From material numbers to the labels of the user.
 template <class List>
 void SetLabels(List& materials, const Materials& table)
 {
+  if (AreNumbers(table.Labels))
+  {
+    return;
+  }
   for (int& material : materials)
   {
     material = table.Labels[material];
   }
 }
 
+/// Some of the numbers from 0 on, and the place of each among them.
+class Subset
+{
+public:
+  /// numbers: any below end, any number of times.
+  Subset(const Buffer<Index>& numbers, std::size_t end) : Bits((end + 63) / 64, 0)
+  {
+    for (Index n : numbers)
+    {
+      this->Bits[n / 64] |= std::uint64_t(1) << n % 64;
+    }
+    for (std::uint64_t bits : this->Bits)
+    {
+      this->Before.push_back(this->Count);
+      this->Count += std::bitset<64>(bits).count();
+    }
+  }
+  Index Size() const { return this->Count; }
+  Index PlaceOf(Index n) const
+  {
+    const std::uint64_t lower = (std::uint64_t(1) << n % 64) - 1;
+    return this->Before[n / 64] + std::bitset<64>(this->Bits[n / 64] & lower).count();
+  }
+
+private:
+  std::vector<std::uint64_t> Bits;
+  std::vector<Index> Before; // of each 64
+  Index Count = 0;
+};
+
 /// The points of the mesh that its surfaces, curves or vertices use, in the order of the mesh; what uses them is renumbered.
 void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
 {
-  std::vector<Index> place(users.empty() ? 0 : mesh.PointIds.size(), 0);
-  for (Index point : users)
-  {
-    place[point] = 1;
-  }
-  Index count = 0;
-  for (Index& p : place)
-  {
-    p = p ? count++ : -1;
-  }
-  Buffer<double> usedPoints(3 * count);
-  Buffer<Index> usedIds(count);
-  for (std::size_t p = 0; p < place.size(); ++p)
-  {
-    if (place[p] >= 0)
-    {
-      std::copy_n(mesh.Points.data() + 3 * p, 3, usedPoints.data() + 3 * place[p]);
-      usedIds[place[p]] = mesh.PointIds[p];
-    }
-  }
+  const Subset used(users, users.empty() ? 0 : mesh.PointIds.size());
+  Buffer<double> usedPoints(3 * used.Size());
+  Buffer<Index> usedIds(used.Size());
   for (Index& point : users)
   {
-    point = place[point];
+    const Index place = used.PlaceOf(point);
+    std::copy_n(mesh.Points.data() + 3 * point, 3, usedPoints.data() + 3 * place);
+    usedIds[place] = mesh.PointIds[point];
+    point = place;
   }
   vtkNew<vtkPoints> vtkpoints;
   vtkpoints->SetData(AdoptBuffer<vtkDoubleArray>(usedPoints, "Points", 3));
