@@ -115,6 +115,7 @@ public:
 
   std::vector<Facet> Find()
   {
+    this->Reserve();
     ForRowsOfHexes(this->Box, this->Input,
       [this](Index j, Index k, Index first, Index last)
       { this->AddDomainFacets(j, k, first, last); });
@@ -131,6 +132,17 @@ public:
   }
 
 private:
+  /// What is not used is never touched.
+  void Reserve()
+  {
+    Index sides = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      sides += 2 * this->Box.Size((a + 1) % 3) * this->Box.Size((a + 2) % 3);
+    }
+    this->Found.reserve(sides + 2 * this->Labelled.Mixed.size());
+  }
+
   /// Of the hexes of a row of finest cells.
   void AddDomainFacets(Index j, Index k, Index first, Index last)
   {

@@ -50,6 +50,34 @@ Numbering<Key> Gather(Ranks& ranks, const std::vector<Key>& keys)
   return Numbering<Key>(GatherItems(ranks, Numbering<Key>(keys).All()));
 }
 
+/// Numbers of surfaces looked up lately: facets near each other are of few.
+class RecentSurfaces
+{
+public:
+  /// lookUp(key) tells the number where it is not known.
+  template <class LookUp>
+  int Find(const SurfaceKey& key, const LookUp& lookUp)
+  {
+    const auto hash = static_cast<unsigned>(key[0]) * 961u + static_cast<unsigned>(key[1]) * 31u +
+      static_cast<unsigned>(key[4]);
+    Entry& entry = this->Entries[hash % this->Entries.size()];
+    if (!entry.IsUsed || entry.Key != key)
+    {
+      entry = { key, lookUp(key), true };
+    }
+    return entry.Number;
+  }
+
+private:
+  struct Entry
+  {
+    SurfaceKey Key;
+    int Number;
+    bool IsUsed;
+  };
+  std::array<Entry, 256> Entries{};
+};
+
 /// Sets are sent as their sizes and members one after another.
 Numbering<SurfaceSet> GatherSets(Ranks& ranks, const std::vector<SurfaceSet>& sets)
 {
@@ -98,15 +126,17 @@ private:
   Index FillSurfaces()
   {
     std::vector<SurfaceKey> keys;
+    RecentSurfaces known;
     for (std::size_t q = 0; q < this->Facets.size(); ++q)
     {
       if (this->Facets[q].IsOwned) // what is beyond the rim is not known
       {
-        const SurfaceKey key = KeyOf(this->Facets[q], this->Sides[q]);
-        if (keys.empty() || keys.back() != key)
-        {
-          keys.push_back(key);
-        }
+        known.Find(KeyOf(this->Facets[q], this->Sides[q]),
+          [&keys](const SurfaceKey& key)
+          {
+            keys.push_back(key);
+            return 0;
+          });
       }
     }
     const Numbering<SurfaceKey> numbers = Gather(this->Group, keys);
@@ -117,19 +147,13 @@ private:
     surfaces.MaterialPair = Buffer<int>(2 * count);
     surfaces.DomainSide = Buffer<int>(count);
     surfaces.IsOwned.resize(count);
-    SurfaceKey last{}; // facets beside each other are often of one surface
-    int number = 0;
+    RecentSurfaces numbered;
     for (std::size_t q = 0; q < count; ++q)
     {
       const Facet& facet = this->Facets[q];
       this->SetFacet(q, facet);
-      const SurfaceKey key = KeyOf(facet, this->Sides[q]);
-      if (number == 0 || key != last)
-      {
-        last = key;
-        number = numbers.Find(key);
-      }
-      surfaces.SurfaceId[q] = number;
+      surfaces.SurfaceId[q] = numbered.Find(KeyOf(facet, this->Sides[q]),
+        [&numbers](const SurfaceKey& key) { return numbers.Find(key); });
       surfaces.DomainSide[q] = facet.DomainSide;
       surfaces.IsOwned[q] = facet.IsOwned;
     }
@@ -184,11 +208,14 @@ private:
   {
     Mesh& mesh = this->Result;
     mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
-    for (std::size_t at = 0; at < mesh.Surfaces.Points.size(); ++at)
+    const Index* point = mesh.Surfaces.Points.data();
+    for (int surface : mesh.Surfaces.SurfaceId)
     {
-      const Index point = mesh.Surfaces.Points[at];
-      mesh.GeometryDimension[point] = 2;
-      mesh.GeometryId[point] = mesh.Surfaces.SurfaceId[at / this->Corners];
+      for (const Index* end = point + this->Corners; point < end; ++point)
+      {
+        mesh.GeometryDimension[*point] = 2;
+        mesh.GeometryId[*point] = surface;
+      }
     }
   }
 

@@ -21,12 +21,15 @@ std::vector<bool> FindShared(const Mesh& mesh)
   const SurfaceFacets& surfaces = mesh.Surfaces;
   const std::size_t corners = mesh.CornersOfFacet();
   std::vector<bool> isShared(mesh.PointIds.size(), false);
-  for (std::size_t at = 0; at < surfaces.Points.size(); ++at)
+  const Index* point = surfaces.Points.data();
+  for (int surface : surfaces.SurfaceId)
   {
-    const Index point = surfaces.Points[at];
-    if (surfaces.SurfaceId[at / corners] != mesh.GeometryId[point])
+    for (const Index* end = point + corners; point < end; ++point)
     {
-      isShared[point] = true;
+      if (mesh.GeometryId[*point] != surface)
+      {
+        isShared[*point] = true;
+      }
     }
   }
   return isShared;
@@ -74,18 +77,20 @@ Junctions::Junctions(const Mesh& mesh)
   const std::vector<bool> isShared = FindShared(mesh);
   const Index corners = mesh.CornersOfFacet();
   std::vector<Incidence> points, edges;
-  for (Index at = 0; at < static_cast<Index>(mesh.Surfaces.Points.size()); ++at)
+  for (Index facet = 0; facet < static_cast<Index>(mesh.Surfaces.SurfaceId.size()); ++facet)
   {
-    const Index facet = at / corners;
     const Index* around = mesh.Surfaces.Points.data() + corners * facet;
-    const Index a = around[at % corners], b = around[(at + 1) % corners];
-    if (isShared[a])
+    for (Index c = 0; c < corners; ++c)
     {
-      points.push_back({ { { a, a } }, facet });
-    }
-    if (isShared[a] && isShared[b])
-    {
-      edges.push_back({ { { std::min(a, b), std::max(a, b) } }, facet });
+      const Index a = around[c], b = around[c + 1 < corners ? c + 1 : 0];
+      if (isShared[a])
+      {
+        points.push_back({ { { a, a } }, facet });
+        if (isShared[b])
+        {
+          edges.push_back({ { { std::min(a, b), std::max(a, b) } }, facet });
+        }
+      }
     }
   }
   this->ThePoints = FindJunctions(mesh, std::move(points));

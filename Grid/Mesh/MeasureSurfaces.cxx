@@ -17,20 +17,25 @@ std::vector<double> SumFacets(const Mesh& mesh, const Vector3& origin, double un
   std::vector<ExactSum> sums(SumsOfSurface * mesh.Tables.SurfaceVolumes.size());
   const SurfaceFacets& facets = mesh.Surfaces;
   const int corners = mesh.CornersOfFacet();
+  const double scale = 1.0 / unit;
   for (std::size_t f = 0; f < facets.SurfaceId.size(); ++f)
   {
-    const auto x = [&](int c)
+    if (!facets.IsOwned[f])
+    {
+      continue;
+    }
+    std::array<Vector3, 4> x;
+    for (int c = 0; c < corners; ++c)
     {
       const double* point = mesh.Points.data() + 3 * facets.Points[corners * f + c];
-      return (1.0 / unit) * (Vector3{ { point[0], point[1], point[2] } } - origin);
-    };
+      x[c] = scale * (Vector3{ { point[0], point[1], point[2] } } - origin);
+    }
     ExactSum* sum = sums.data() + SumsOfSurface * (facets.SurfaceId[f] - 1);
-    for (int c = 2; facets.IsOwned[f] && c < corners; ++c)
+    for (int c = 2; c < corners; ++c)
     {
-      const Vector3 a = x(0), b = x(c - 1), d = x(c);
-      const Vector3 vector = 0.5 * Cross(b - a, d - a);
+      const Vector3 vector = 0.5 * Cross(x[c - 1] - x[0], x[c] - x[0]);
       const double area = Norm(vector);
-      const Vector3 moment = (area / 3.0) * (a + b + d);
+      const Vector3 moment = (area / 3.0) * (x[0] + x[c - 1] + x[c]);
       sum[0].Add(area);
       for (int axis = 0; axis < 3; ++axis)
       {
