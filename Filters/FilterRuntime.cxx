@@ -9,13 +9,9 @@
 #include "vtkMultiProcessController.h"
 #include "vtkSMPTools.h"
 
-#include <algorithm>
-#include <atomic>
 #include <cstring>
 #include <exception>
 #include <mutex>
-#include <thread>
-#include <vector>
 
 namespace vfm
 {
@@ -68,38 +64,6 @@ std::string ThreadBackend(int threads)
   return threads == 1 ? "Sequential" : current;
 }
 
-/// As vtkSMPTools does with the backend STDThread, which ends the process where memory or threads run out.
-void LoopOnThreads(int threads, std::int64_t first, std::int64_t last,
-  const std::function<void(std::int64_t, std::int64_t)>& body)
-{
-  const std::int64_t grain = std::max<std::int64_t>(1, (last - first) / (4 * threads));
-  std::atomic<std::int64_t> next(first);
-  const auto work = [&]
-  {
-    for (std::int64_t begin = next.fetch_add(grain); begin < last; begin = next.fetch_add(grain))
-    {
-      body(begin, std::min(last, begin + grain));
-    }
-  };
-  std::vector<std::thread> others;
-  try
-  {
-    others.reserve(threads - 1);
-    while (static_cast<int>(others.size()) < threads - 1)
-    {
-      others.emplace_back(work);
-    }
-  }
-  catch (const std::exception&) // those that there are do it
-  {
-  }
-  work();
-  for (std::thread& other : others)
-  {
-    other.join();
-  }
-}
-
 } // namespace
 
 void FilterRuntime::For(std::int64_t first, std::int64_t last,
@@ -111,17 +75,16 @@ void FilterRuntime::For(std::int64_t first, std::int64_t last,
     this->Runtime::For(first, last, body);
     return;
   }
+  // not by vtkSMPTools, which with this backend ends the process where memory or threads run out
+  if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
+  {
+    this->Threads.For(threads, first, last, body);
+    return;
+  }
   ExceptionKeeper keeper;
   auto range = [&](std::int64_t begin, std::int64_t end) { keeper.Run([&] { body(begin, end); }); };
   this->IsLooping = true;
-  if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
-  {
-    LoopOnThreads(threads, first, last, std::ref(range));
-  }
-  else
-  {
-    vtkSMPTools::For(first, last, range);
-  }
+  vtkSMPTools::For(first, last, range);
   this->IsLooping = false;
   keeper.Rethrow();
 }

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "Base/LoopThreads.h"
 #include "Base/Runtime.h"
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
@@ -57,7 +58,8 @@ private:
 
   vtkAlgorithm* Owner;
   Ranks* TheRanks;
-  bool IsLooping = false; // loops inside of loops take one thread
+  LoopThreads Threads;
+  bool IsLooping = false; // loops inside of loops of vtkSMPTools take one thread
 };
 
 } // namespace vfm

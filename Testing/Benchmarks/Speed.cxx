@@ -5,6 +5,7 @@
  *   seconds: of the fastest run; CPU: of all threads in it. Ranks are threads here.
  */
 #include "Atlas.h"
+#include "Base/LoopThreads.h"
 #include "Labels/SmoothLabels.h"
 #include "MeasureAlone.h"
 #include "RankMeshes.h"
@@ -13,7 +14,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <thread>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -26,42 +26,20 @@ constexpr char Header[] =
   "distance max | rms | points | sweeps | visits a point | peak MB |\n"
   "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
-/// Threads that take the next part of a loop as those of vtkSMPTools do.
-class LoopThreads : public Runtime
+/// As that of the filters.
+class ThreadsRuntime : public Runtime
 {
 public:
-  LoopThreads(int threads, Ranks* ranks) : Threads(threads), TheRanks(ranks) {}
+  ThreadsRuntime(int threads, Ranks* ranks) : Count(threads), TheRanks(ranks) {}
   Ranks& Group() override { return this->TheRanks ? *this->TheRanks : this->Runtime::Group(); }
   void For(Index first, Index last, const std::function<void(Index, Index)>& body) override
   {
-    if (this->Threads < 2 || last - first < 2)
-    {
-      this->Runtime::For(first, last, body);
-      return;
-    }
-    const Index grain = std::max<Index>(1, (last - first) / (4 * this->Threads));
-    std::atomic<Index> next(first);
-    const auto work = [&]
-    {
-      for (Index begin = next.fetch_add(grain); begin < last; begin = next.fetch_add(grain))
-      {
-        body(begin, std::min(last, begin + grain));
-      }
-    };
-    std::vector<std::thread> others;
-    for (int t = 1; t < this->Threads; ++t)
-    {
-      others.emplace_back(work);
-    }
-    work();
-    for (std::thread& other : others)
-    {
-      other.join();
-    }
+    this->Threads.For(this->Count, first, last, body);
   }
 
 private:
-  int Threads;
+  LoopThreads Threads;
+  int Count;
   Ranks* TheRanks;
 };
 
@@ -145,7 +123,7 @@ struct Run
 
 Run MeshOnce(const SpeedCase& what, const MeshCase& c, int threads)
 {
-  LoopThreads runtime(threads, nullptr);
+  ThreadsRuntime runtime(threads, nullptr);
   Run run;
   run.Result = what.Maker(c.Grid, c.Fractions, what.Options, runtime, run.Report);
   run.Elements = static_cast<Index>(run.Result.ElementIds.size());
@@ -171,7 +149,7 @@ public:
     RunOnRanks(static_cast<int>(this->Boxes.size()),
       [&](Ranks& ranks)
       {
-        LoopThreads runtime(threads, &ranks);
+        ThreadsRuntime runtime(threads, &ranks);
         MeshReport report;
         const std::size_t rank = ranks.Rank();
         const Mesh mesh =

@@ -1,0 +1,234 @@
+#include "Base/LoopThreads.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace vfm
+{
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double LeastShared = 40e-6; // seconds of work below which others are not asked
+constexpr double LeastRange = 10e-6;  // seconds of a range, so that taking it costs nothing
+constexpr std::chrono::microseconds Watching(30);
+constexpr int RangesOfThread = 16; // at most: bodies may begin with something
+constexpr int FirstRanges = 64;    // the first range is such a part of what a thread has to do
+
+double SecondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void Pause()
+{
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#else
+  std::this_thread::yield();
+#endif
+}
+
+/// Whether something comes true within a few microseconds.
+template <class Condition>
+bool Watch(const Condition& isTrue)
+{
+  for (const Clock::time_point end = Clock::now() + Watching; Clock::now() < end;)
+  {
+    for (int i = 0; i < 32; ++i)
+    {
+      if (isTrue())
+      {
+        return true;
+      }
+      Pause();
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+LoopThreads::~LoopThreads()
+{
+  {
+    const std::lock_guard<std::mutex> guard(this->Lock);
+    this->IsEnding = true;
+  }
+  this->HasLoop.notify_all();
+  for (std::thread& other : this->Others)
+  {
+    other.join();
+  }
+}
+
+void LoopThreads::For(int threads, std::int64_t first, std::int64_t last, const Body& body)
+{
+  if (first >= last)
+  {
+    return;
+  }
+  if (threads < 2 || last - first < 2 || this->IsLooping)
+  {
+    body(first, last);
+    return;
+  }
+  this->IsLooping = true;
+  this->TheBody = &body;
+  this->Last = last;
+  first = this->BeginAlone(first, last, threads);
+  if (first < last)
+  {
+    this->Start(threads - 1);
+    this->Share(first);
+  }
+  this->IsLooping = false;
+  if (this->Thrown)
+  {
+    std::rethrow_exception(std::exchange(this->Thrown, nullptr));
+  }
+}
+
+/// Does ranges, each twice as long as the one before, until it is known that others are worth it; returns where it came to. Sets the grain.
+std::int64_t LoopThreads::BeginAlone(std::int64_t first, std::int64_t last, int threads)
+{
+  const double share = static_cast<double>(last - first) / threads;
+  std::int64_t length = 1 + static_cast<std::int64_t>(share / FirstRanges);
+  while (first < last)
+  {
+    length = std::min(length, last - first);
+    const Clock::time_point begin = Clock::now();
+    this->RunRange(first, first + length);
+    const double item = SecondsSince(begin) / static_cast<double>(length);
+    first += length;
+    if (item * static_cast<double>(last - first) > LeastShared)
+    {
+      this->Grain =
+        1 + static_cast<std::int64_t>(std::max(share / RangesOfThread, LeastRange / item));
+      break;
+    }
+    length *= 2;
+  }
+  return first;
+}
+
+void LoopThreads::Start(int others)
+{
+  if (this->HasStarted)
+  {
+    return;
+  }
+  this->HasStarted = true;
+  this->Spins = others < static_cast<int>(std::thread::hardware_concurrency());
+  try
+  {
+    this->Others.reserve(others);
+    while (static_cast<int>(this->Others.size()) < others)
+    {
+      this->Others.emplace_back([this] { this->Work(); });
+    }
+  }
+  catch (const std::exception&) // those that there are do it
+  {
+  }
+}
+
+void LoopThreads::Share(std::int64_t first)
+{
+  this->Begin.store(first, std::memory_order_relaxed);
+  this->State = (this->State / Next + 1) * Next | Open;
+  if (this->Sleeping > 0)
+  {
+    {
+      const std::lock_guard<std::mutex> guard(this->Lock); // none is between looking and sleeping
+    }
+    this->HasLoop.notify_all();
+  }
+  this->RunRanges();
+  this->State.fetch_and(~Open);
+  this->WaitForOthers();
+}
+
+void LoopThreads::RunRange(std::int64_t begin, std::int64_t end) noexcept
+{
+  try
+  {
+    (*this->TheBody)(begin, end);
+  }
+  catch (...)
+  {
+    const std::lock_guard<std::mutex> guard(this->Lock);
+    if (!this->Thrown)
+    {
+      this->Thrown = std::current_exception();
+    }
+  }
+}
+
+void LoopThreads::RunRanges() noexcept
+{
+  const std::int64_t grain = this->Grain, last = this->Last;
+  for (std::int64_t begin = this->Begin.fetch_add(grain); begin < last;
+       begin = this->Begin.fetch_add(grain))
+  {
+    this->RunRange(begin, std::min(last, begin + grain));
+  }
+}
+
+void LoopThreads::WaitForOthers()
+{
+  const auto isDone = [this] { return (this->State & Working) == 0; };
+  if (isDone() || (this->Spins && Watch(isDone)))
+  {
+    return;
+  }
+  std::unique_lock<std::mutex> guard(this->Lock);
+  this->IsWaiting = true;
+  this->HasDone.wait(guard, isDone);
+  this->IsWaiting = false;
+}
+
+void LoopThreads::Work() noexcept
+{
+  std::uint64_t done = 0; // number of the last loop that this thread came to
+  for (;;)
+  {
+    std::uint64_t state = this->WaitForLoop(done);
+    if (this->IsEnding)
+    {
+      return;
+    }
+    if (!this->State.compare_exchange_strong(state, state + 1))
+    {
+      continue;
+    }
+    done = state / Next;
+    this->RunRanges();
+    if ((this->State.fetch_sub(1) & Working) == 1 && this->IsWaiting)
+    {
+      {
+        const std::lock_guard<std::mutex> guard(this->Lock);
+      }
+      this->HasDone.notify_one();
+    }
+  }
+}
+
+/// Returns the state of a loop that is open and not done.
+std::uint64_t LoopThreads::WaitForLoop(std::uint64_t done)
+{
+  std::uint64_t state = this->State;
+  const auto isNew = [&] { return this->IsNew(state = this->State, done); };
+  if (!isNew() && !(this->Spins && Watch(isNew)))
+  {
+    std::unique_lock<std::mutex> guard(this->Lock);
+    ++this->Sleeping;
+    this->HasLoop.wait(guard, isNew);
+    --this->Sleeping;
+  }
+  return state;
+}
+
+} // namespace vfm
