@@ -20,7 +20,8 @@ constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise th
 constexpr double OffsetAhead = 0.25;     // of an attachment, of 0 or of its point, in cells
 constexpr double LongestOffset = 1.0;    // from 0
 constexpr double LargestPrice =
-  10.0; // energy of the elements at a point up to which long offsets grow
+  10.0;                          // energy of the elements at a point up to which long offsets grow
+constexpr double NoVisit = -1.0; // in place of a move: the point was not looked at in a sweep
 constexpr double ShiftThatCounts = 1e-3; // of a target, in mean cells; smaller ones wake no point
 
 using Matrix3 = Eigen::Matrix3d;
@@ -118,7 +119,7 @@ void Smoother::RunRamp(const SmoothingRamp& ramp)
   }
 }
 
-/// Calls move(point) for the owned points, colour by colour; returns the largest value over all ranks.
+/// Calls move(point), a length or NoVisit, for the owned points, colour by colour; returns the largest over all ranks.
 double Smoother::ForPoints(const std::function<double(int)>& move)
 {
   std::atomic<double> largest(0.0);
@@ -130,13 +131,17 @@ double Smoother::ForPoints(const std::function<double(int)>& move)
       [&](Index first, Index last)
       {
         double longest = 0.0;
+        Index visits = 0;
         for (Index g = first; g < last; ++g)
         {
           for (int point = groups[g].First; point < groups[g].Last; ++point)
           {
-            longest = std::max(longest, this->Mesh.IsActive[point] ? move(point) : 0.0);
+            const double length = this->Mesh.IsActive[point] ? move(point) : NoVisit;
+            longest = std::max(longest, length);
+            visits += length != NoVisit;
           }
         }
+        this->NumberOfVisits.fetch_add(visits, std::memory_order_relaxed);
         for (double seen = largest;
              longest > seen && !largest.compare_exchange_weak(seen, longest);)
         {
@@ -156,7 +161,7 @@ double Smoother::Sweep(const SmoothingStage& stage)
     [&](int point)
     {
       return __atomic_load_n(&this->Dirty[point], __ATOMIC_RELAXED) ? this->MovePoint(point, stage)
-                                                                    : 0.0;
+                                                                    : NoVisit;
     });
 }
 
@@ -207,7 +212,7 @@ void Smoother::Follow(
         this->Woke[point] = 1; // on all ranks: others may not know all that a point is attached to
         this->MarkNeighbours(point);
       }
-      return 0.0;
+      return NoVisit;
     });
   const bool wasGuarded = this->IsGuarded;
   this->IsGuarded = true; // cheaper than to check all elements, since few points move
@@ -220,7 +225,7 @@ void Smoother::Nudge(const std::vector<double>& shifts, const SmoothingStage& st
   const auto nudge = [&](int point)
   {
     this->NudgePoint(point, shifts, stage);
-    return 0.0;
+    return NoVisit;
   };
   this->MoveAndCheck([&] { this->ForPoints(nudge); });
 }
@@ -257,7 +262,6 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const Sm
 double Smoother::MovePoint(int point, const SmoothingStage& stage)
 {
   __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
-  this->NumberOfVisits.fetch_add(1, std::memory_order_relaxed);
   Derivatives d = this->Energy.Differentiate(this->Mesh, point, stage);
   this->AddDistance(point, stage.Lambda, d);
   const std::array<double, 6>& h = d.Hessian;
