@@ -105,8 +105,8 @@ std::int64_t LoopThreads::BeginAlone(std::int64_t first, std::int64_t last, int 
     first += length;
     if (item * static_cast<double>(last - first) > LeastShared)
     {
-      this->Grain =
-        1 + static_cast<std::int64_t>(std::max(share / RangesOfThread, LeastRange / item));
+      this->Grain = std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(std::max(share / RangesOfThread, LeastRange / item)));
       break;
     }
     length *= 2;

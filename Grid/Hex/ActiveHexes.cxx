@@ -78,7 +78,8 @@ ActiveMesh MakeActiveHexes(
   const RefinedGrid& levels = *labelled.Levels.Grid;
   ActiveMeshBuilder builder(8, mesh.PointIds.size(), MoverFinder(labelled, mesh).Find());
   const std::vector<Index> hexes = builder.AddAround(mesh);
-  ActiveMesh active = builder.Finish(&partition, 8 * (levels.NumberOfRefinements() + 1));
+  ActiveMesh active = builder.Finish(&partition, 8 * (levels.NumberOfRefinements() + 1),
+    levels.HasFineInterfaces() ? ActiveMeshBuilder::Nodes::OfGrid : ActiveMeshBuilder::Nodes::Any);
   active.Widths = levels.HasFineInterfaces() ? WidthsOfCells(levels.Finest(), mesh, hexes)
                                              : WidthsOfHexes(levels, mesh, hexes);
   active.PlacePoints(levels.Finest(), mesh);

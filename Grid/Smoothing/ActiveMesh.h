@@ -12,6 +12,7 @@
 #include "Interface/Interface.h"
 #include "Mesh/Mesh.h"
 #include "Smoothing/HexRings.h"
+#include "Smoothing/MoveOrder.h"
 #include "Smoothing/PointExchange.h"
 
 namespace vfm
@@ -35,12 +36,6 @@ struct InterfaceFacet
 
 struct ActiveMesh
 {
-  /// The points of one grid node, moved one after another.
-  struct Group
-  {
-    int First, Last;
-  };
-
   int Corners = 8;              ///< of an element: hexes 8, numbered by bits, x first; tets 4
   std::vector<Vector3> X;       ///< of every point
   std::vector<Vector3> Start;   ///< where each point started
@@ -59,11 +54,10 @@ struct ActiveMesh
   std::vector<Index>
     CornerOffset; ///< corners at a point: CornerList[CornerOffset[p] .. CornerOffset[p + 1])
   std::vector<Index>
-    CornerList;   ///< positions in Elements, ascending; none at points that are not active
-  HexRings Rings; ///< of hexes
-  /// Of the owned nodes; groups of one colour share no element. As many colours on all ranks.
-  std::vector<std::vector<Group>> Colours;
-  PointExchange Exchange;              ///< of the points that move
+    CornerList;           ///< positions in Elements, ascending; none at points that are not active
+  HexRings Rings;         ///< of hexes
+  MoveOrder Order;        ///< of the owned nodes
+  PointExchange Exchange; ///< of the points that move
   std::vector<Index> AttachmentOffset; ///< of each point, as CornerOffset
   std::vector<Attachment> Attachments;
   std::vector<InterfaceFacet> Facets;
@@ -72,14 +66,11 @@ struct ActiveMesh
   template <class Visitor>
   void ForOwned(const Visitor& visit) const
   {
-    for (const std::vector<Group>& groups : this->Colours)
+    for (const MoveOrder::Group& group : this->Order.Groups())
     {
-      for (const Group& group : groups)
+      for (int point = group.First; point < group.Last; ++point)
       {
-        for (int point = group.First; point < group.Last; ++point)
-        {
-          visit(point);
-        }
+        visit(point);
       }
     }
   }

@@ -44,8 +44,9 @@ std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh)
 }
 
 /// Of the owned movers alone: only they move here.
-void ActiveMeshBuilder::AddGroups(const Partition* partition)
+std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* partition) const
 {
+  std::vector<MoveOrder::Node> nodes;
   const int count = static_cast<int>(this->Movers.size());
   for (int first = 0, last = 0; first < count; first = last)
   {
@@ -56,12 +57,13 @@ void ActiveMeshBuilder::AddGroups(const Partition* partition)
     }
     if (!partition || partition->OwnsNode(mover.Owner))
     {
-      this->Result.Colours[mover.Colour].push_back({ first, last });
+      nodes.push_back({ mover.Owner, mover.Colour, { first, last } });
     }
   }
+  return nodes;
 }
 
-ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours)
+ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, Nodes which)
 {
   const std::size_t points = this->Result.MeshPoint.size();
   this->Result.X.resize(points);
@@ -69,12 +71,13 @@ ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours)
   this->Result.IsActive.assign(points, 0);
   std::fill_n(this->Result.IsActive.begin(), this->Movers.size(), 1);
   this->Result.AttachmentOffset.assign(points + 1, 0);
-  this->Result.Colours.resize(colours);
-  this->AddGroups(partition);
   if (partition)
   {
     this->Result.Exchange = PointExchange(this->Movers, *partition, colours);
   }
+  const std::vector<MoveOrder::Node> nodes = this->ListNodes(partition);
+  this->Result.Order = which == Nodes::OfGrid ? MoveOrder::ByPlanes(nodes, this->Result.Exchange)
+                                              : MoveOrder::ByColour(nodes, colours);
   std::vector<Mover>().swap(this->Movers);
   this->Result.ListCorners();
   if (this->Result.Corners == 8)

@@ -29,13 +29,19 @@ public:
   /// Adds the elements of a mesh that have a mover; returns them.
   std::vector<Index> AddAround(const Mesh& mesh);
 
+  /// What the nodes of movers are.
+  enum class Nodes
+  {
+    Any,
+    OfGrid ///< Mover::Owner itself, its colour the parity; those that share an element are at most one apart along each axis
+  };
   /// All but widths and places. partition: null where no rank shares the points. colours: as many on all ranks. Collective
   /// among peers.
-  ActiveMesh Finish(const Partition* partition, int colours = 8);
+  ActiveMesh Finish(const Partition* partition, int colours = 8, Nodes which = Nodes::Any);
 
 private:
   int AddPoint(Index meshPoint);
-  void AddGroups(const Partition* partition);
+  std::vector<MoveOrder::Node> ListNodes(const Partition* partition) const;
 
   std::vector<Mover> Movers;
   ActiveMesh Result;

@@ -31,6 +31,12 @@ public:
   /// Each rank asks the owners for the movers that it does not own; those know them. Collective among peers.
   PointExchange(const std::vector<Mover>& movers, const Partition& partition, int colours);
 
+  bool HasPeers() const { return !this->Links.empty(); }
+  int CountColours() const { return static_cast<int>(this->Links.size()); }
+  /// Calls visit(mover) for the movers that are sent; for one that goes to several ranks as often.
+  template <class Visitor>
+  void ForSent(const Visitor& visit) const;
+
   /// Sends the positions of the movers of a colour and receives those of the peers' movers.
   /// points, flags: those of the movers come first, in their order; flags are sent along. received(mover) is called where a flag was set.
   void Send(int colour, std::vector<Vector3>& points, const std::vector<unsigned char>& flags,
@@ -55,6 +61,18 @@ private:
   std::vector<std::vector<int>> Peers;  // by colour: the ranks with movers in common
   std::vector<std::vector<Link>> Links; // by colour and peer; none without peers
 };
+
+template <class Visitor>
+void PointExchange::ForSent(const Visitor& visit) const
+{
+  for (const std::vector<Link>& links : this->Links)
+  {
+    for (const Link& link : links)
+    {
+      std::for_each(link.Outgoing.begin(), link.Outgoing.end(), visit);
+    }
+  }
+}
 
 template <class Pack, class Unpack>
 void PointExchange::SendAll(const Pack& pack, const Unpack& unpack) const

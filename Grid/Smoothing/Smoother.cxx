@@ -119,22 +119,22 @@ void Smoother::RunRamp(const SmoothingRamp& ramp)
   }
 }
 
-/// Calls move(point), a length or NoVisit, for the owned points, colour by colour; returns the largest over all ranks.
+/// Calls move(point), a length or NoVisit, for the owned points in their order; returns the largest over all ranks.
 double Smoother::ForPoints(const std::function<double(int)>& move)
 {
   std::atomic<double> largest(0.0);
   std::fill(this->Woke.begin(), this->Woke.end(), 0);
-  for (int colour = 0; colour < static_cast<int>(this->Mesh.Colours.size()); ++colour)
+  for (const MoveOrder::Step& step : this->Mesh.Order.Steps())
   {
-    const std::vector<ActiveMesh::Group>& groups = this->Mesh.Colours[colour];
-    this->Run.For(0, static_cast<Index>(groups.size()),
+    this->Run.For(0, static_cast<Index>(step.Tasks.size()) - 1,
       [&](Index first, Index last)
       {
         double longest = 0.0;
         Index visits = 0;
-        for (Index g = first; g < last; ++g)
+        for (Index g = step.Tasks[first]; g < step.Tasks[last]; ++g)
         {
-          for (int point = groups[g].First; point < groups[g].Last; ++point)
+          const MoveOrder::Group& group = this->Mesh.Order.Groups()[g];
+          for (int point = group.First; point < group.Last; ++point)
           {
             const double length = this->Mesh.IsActive[point] ? move(point) : NoVisit;
             longest = std::max(longest, length);
@@ -147,8 +147,11 @@ double Smoother::ForPoints(const std::function<double(int)>& move)
         {
         }
       });
-    this->Mesh.Exchange.Send(
-      colour, this->Mesh.X, this->Woke, [this](int point) { this->MarkNeighbours(point); });
+    if (step.Colour >= 0)
+    {
+      this->Mesh.Exchange.Send(
+        step.Colour, this->Mesh.X, this->Woke, [this](int point) { this->MarkNeighbours(point); });
+    }
   }
   return this->Run.Group().Max(largest);
 }

@@ -129,13 +129,10 @@ bool CoarseTets::Improver::ActivatePoor()
         [&](int point) { isPoor[point] = 1; });
     }
   }
-  for (const std::vector<ActiveMesh::Group>& groups : this->Active.Colours)
+  for (const MoveOrder::Group& group : this->Active.Order.Groups())
   {
-    for (const ActiveMesh::Group& group : groups)
-    {
-      std::copy(isPoor.begin() + group.First, isPoor.begin() + group.Last,
-        this->Active.IsActive.begin() + group.First);
-    }
+    std::copy(isPoor.begin() + group.First, isPoor.begin() + group.Last,
+      this->Active.IsActive.begin() + group.First);
   }
   return found;
 }

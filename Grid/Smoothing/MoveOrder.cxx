@@ -1,0 +1,305 @@
+#include "Smoothing/MoveOrder.h"
+
+#include "Base/CartesianGrid.h"
+#include "Base/Groups.h"
+#include "Smoothing/PointExchange.h"
+
+namespace vfm
+{
+namespace
+{
+
+using Node = MoveOrder::Node;
+
+constexpr Index GroupsOfTask = 32;  // of one colour
+constexpr Index LeastOfChunk = 256; // points: a chunk is worth a thread
+constexpr Index MostChunks = 32;
+constexpr Index EnoughChunks = 8;
+
+/// Even planes come before the odd ones next to them.
+Index SlotOf(Index plane)
+{
+  return (plane & 1) != 0 ? plane + 2 : plane;
+}
+
+Index CountPoints(const Node& node)
+{
+  return node.Points.Last - node.Points.First;
+}
+
+/// Nodes, cut along an axis into chunks that begin and end with even planes, and the odd planes between them. First the chunks may
+/// move at the same time, then the planes; and so for each parity of the axes that come before.
+class Chunks
+{
+public:
+  Chunks(const std::vector<Node>& nodes, int axis) : Axis(axis)
+  {
+    const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end(),
+      [axis](const Node& a, const Node& b) { return a.At[axis] < b.At[axis]; });
+    this->First = least->At[axis] & ~Index(1);
+    std::vector<Index> points((most->At[axis] - this->First) / 2 + 1, 0);
+    for (const Node& node : nodes)
+    {
+      points[this->PairOf(node)] += CountPoints(node);
+      this->Total += CountPoints(node);
+    }
+    this->Cut(points);
+  }
+
+  /// Those of the largest chunk: how well they keep threads busy.
+  Index Largest() const { return this->TheLargest; }
+  Index Points() const { return this->Total; }
+
+  int CountSteps() const { return 2 << (2 - this->Axis); }
+  Index CountTasks() const { return this->Count; } // of a step, at most
+  int StepOf(const Node& node) const
+  {
+    int step = this->IsBetween(node) ? 1 : 0;
+    for (int a = this->Axis + 1; a < 3; ++a)
+    {
+      step |= static_cast<int>(node.At[a] & 1) << (a - this->Axis);
+    }
+    return step;
+  }
+  Index TaskOf(const Node& node) const { return this->ChunkOfPair[this->PairOf(node)]; }
+
+private:
+  /// Of an even plane and the odd one after it.
+  Index PairOf(const Node& node) const { return (node.At[this->Axis] - this->First) / 2; }
+  bool IsBetween(const Node& node) const
+  {
+    const std::size_t pair = this->PairOf(node);
+    return (node.At[this->Axis] & 1) != 0 && pair + 1 < this->ChunkOfPair.size() &&
+      this->ChunkOfPair[pair] != this->ChunkOfPair[pair + 1];
+  }
+
+  /// By their points, so that chunks have some planes, unless there are few.
+  void Cut(const std::vector<Index>& points)
+  {
+    const Index pairs = static_cast<Index>(points.size());
+    const Index wanted = std::min({ MostChunks, 1 + this->Total / LeastOfChunk,
+      std::max(pairs / 2, std::min(pairs, EnoughChunks)) });
+    Index sum = 0, inChunk = 0;
+    for (Index own : points)
+    {
+      if (inChunk > 0 && (sum + own / 2) * wanted >= (this->Count + 1) * this->Total)
+      {
+        ++this->Count;
+        inChunk = 0;
+      }
+      this->ChunkOfPair.push_back(this->Count);
+      sum += own;
+      inChunk += own;
+      this->TheLargest = std::max(this->TheLargest, inChunk);
+    }
+    ++this->Count;
+  }
+
+  int Axis;
+  Index First, Total = 0, TheLargest = 0, Count = 0;
+  std::vector<Index> ChunkOfPair;
+};
+
+/// Along the last axis that gives threads enough to share, since it takes the fewest steps; else the one that gives most.
+Chunks ChooseChunks(const std::vector<Node>& nodes)
+{
+  Chunks best(nodes, 2);
+  for (int axis = 1; axis >= 0 && best.Largest() * EnoughChunks > 2 * best.Points(); --axis)
+  {
+    const Chunks other(nodes, axis);
+    best = 2 * other.Largest() < best.Largest() ? other : best;
+  }
+  return best;
+}
+
+/// The nodes that move before a node of some must: those themselves, and neighbours of lower colours, on and on.
+class Forerunners
+{
+public:
+  explicit Forerunners(const std::vector<Node>& nodes) : Nodes(nodes), IsOne(nodes.size(), 0)
+  {
+    for (const Node& node : nodes)
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        this->Box.Lower[a] = std::min(this->Box.Lower[a], node.At[a] - 1);
+        this->Box.Upper[a] = std::max(this->Box.Upper[a], node.At[a] + 2);
+      }
+    }
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+    {
+      this->Places.push_back({ { IndexInBox(this->Box, nodes[n].At), static_cast<Index>(n) } });
+    }
+    std::sort(this->Places.begin(), this->Places.end());
+  }
+
+  void Add(std::size_t node)
+  {
+    if (!this->IsOne[node])
+    {
+      this->IsOne[node] = 1;
+      this->OfColour[this->Nodes[node].Colour % 8].push_back(node);
+    }
+  }
+
+  /// Whether each node is one of them.
+  std::vector<unsigned char> Find()
+  {
+    for (std::size_t colour = 8; colour-- > 0;)
+    {
+      for (std::size_t node : this->OfColour[colour]) // adds to those of lower colours
+      {
+        this->AddAround(node);
+      }
+    }
+    return std::move(this->IsOne);
+  }
+
+private:
+  void AddAround(std::size_t node)
+  {
+    const Index3& at = this->Nodes[node].At;
+    for (Index row = 0; row < 9; ++row)
+    {
+      const Index place =
+        IndexInBox(this->Box, { { at[0] - 1, at[1] + row % 3 - 1, at[2] + row / 3 - 1 } });
+      auto other = std::lower_bound(
+        this->Places.begin(), this->Places.end(), std::array<Index, 2>{ { place, 0 } });
+      for (; other != this->Places.end() && (*other)[0] <= place + 2; ++other)
+      {
+        if (this->Nodes[(*other)[1]].Colour < this->Nodes[node].Colour)
+        {
+          this->Add((*other)[1]);
+        }
+      }
+    }
+  }
+
+  const std::vector<Node>& Nodes;
+  IndexBox Box{ { { 0, 0, 0 } }, { { 0, 0, 0 } } };
+  std::vector<std::array<Index, 2>> Places; // in the box, and the node
+  std::vector<unsigned char> IsOne;
+  std::array<std::vector<std::size_t>, 8> OfColour;
+};
+
+/// Which nodes have a point that other ranks have too, or must move before such.
+std::vector<unsigned char> FindRim(const std::vector<Node>& nodes, const PointExchange& exchange)
+{
+  int points = 0;
+  for (const Node& node : nodes)
+  {
+    points = std::max(points, node.Points.Last);
+  }
+  std::vector<unsigned char> isShared(points, 0);
+  exchange.ForSent([&](int mover) { isShared[mover] = 1; });
+  Forerunners rim(nodes);
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    const auto begin = isShared.begin() + nodes[n].Points.First;
+    if (std::find(begin, isShared.begin() + nodes[n].Points.Last, 1) !=
+      isShared.begin() + nodes[n].Points.Last)
+    {
+      rim.Add(n);
+    }
+  }
+  return rim.Find();
+}
+
+} // namespace
+
+MoveOrder MoveOrder::ByColour(const std::vector<Node>& nodes, int colours)
+{
+  MoveOrder order;
+  order.AddColours(nodes, colours);
+  return order;
+}
+
+void MoveOrder::AddColours(const std::vector<Node>& nodes, int colours)
+{
+  const auto ofColour = MakeGroups<Index>(colours,
+    [&](const auto& visit)
+    {
+      for (std::size_t n = 0; n < nodes.size(); ++n)
+      {
+        visit(nodes[n].Colour, static_cast<Index>(n));
+      }
+    });
+  for (int colour = 0; colour < colours; ++colour)
+  {
+    this->TheSteps.push_back({ {}, colour });
+    for (Index at = ofColour.Begin[colour]; at < ofColour.Begin[colour + 1]; ++at)
+    {
+      if ((at - ofColour.Begin[colour]) % GroupsOfTask == 0)
+      {
+        this->TheSteps.back().Tasks.push_back(static_cast<Index>(this->TheGroups.size()));
+      }
+      this->TheGroups.push_back(nodes[ofColour.Items[at]].Points);
+    }
+    this->TheSteps.back().Tasks.push_back(static_cast<Index>(this->TheGroups.size()));
+  }
+}
+
+MoveOrder MoveOrder::ByPlanes(const std::vector<Node>& nodes, const PointExchange& exchange)
+{
+  MoveOrder order;
+  if (!exchange.HasPeers())
+  {
+    order.AddPlanes(nodes);
+    return order;
+  }
+  const std::vector<unsigned char> isRim = FindRim(nodes, exchange);
+  std::vector<Node> rim, inside;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    (isRim[n] ? rim : inside).push_back(nodes[n]);
+  }
+  order.AddColours(rim, exchange.CountColours());
+  order.AddPlanes(inside);
+  return order;
+}
+
+void MoveOrder::AddPlanes(const std::vector<Node>& nodes)
+{
+  if (nodes.empty())
+  {
+    return;
+  }
+  struct Place
+  {
+    Index Task;
+    Index3 Slots; // z first
+    Group Points;
+    bool operator<(const Place& other) const
+    {
+      return this->Task != other.Task ? this->Task < other.Task : this->Slots < other.Slots;
+    }
+  };
+  const Chunks chunks = ChooseChunks(nodes);
+  const Index tasks = chunks.CountTasks();
+  std::vector<Place> places;
+  places.reserve(nodes.size());
+  for (const Node& node : nodes)
+  {
+    places.push_back({ chunks.StepOf(node) * tasks + chunks.TaskOf(node),
+      { { SlotOf(node.At[2]), SlotOf(node.At[1]), SlotOf(node.At[0]) } }, node.Points });
+  }
+  std::sort(places.begin(), places.end());
+  std::size_t at = 0;
+  for (Index step = 0; step < chunks.CountSteps(); ++step)
+  {
+    this->TheSteps.push_back({ {}, -1 });
+    std::vector<Index>& begins = this->TheSteps.back().Tasks;
+    for (Index task = -1; at < places.size() && places[at].Task / tasks == step; ++at)
+    {
+      if (places[at].Task != task)
+      {
+        task = places[at].Task;
+        begins.push_back(static_cast<Index>(this->TheGroups.size()));
+      }
+      this->TheGroups.push_back(places[at].Points);
+    }
+    begins.push_back(static_cast<Index>(this->TheGroups.size()));
+  }
+}
+
+} // namespace vfm
