@@ -68,7 +68,7 @@ FragmentVolumes HexStages::FindVolumes(const Fragments& fragments, const Mesh& m
 {
   const CellLocator locator(*mesh.Levels, this->Labelled.Labels, fragments);
   FragmentVolumes volumes(
-    this->Grid, this->Fractions, fragments.MaterialsOfFragments(), locator, this->Parts);
+    this->Grid, this->Fractions, fragments.MaterialsOfFragments(), locator, this->Run);
   if (!mesh.Levels->HasFineInterfaces())
   {
     volumes.SetStart(MeasureFragments(mesh, this->Grid, fragments.NumberOfFragments(), this->Run));
@@ -85,7 +85,7 @@ std::vector<unsigned char> HexStages::Smooth(
   this->Clock.Start("Fitting surfaces", 0.2);
   SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
   ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh);
-  AttachHexes(interfaces, coarse, mesh, facets, active);
+  AttachHexes(interfaces, coarse, mesh, facets, this->Run, active);
   this->Kinds = active.OfMesh(
     this->AttachToCreases(*interfaces.All().back(), facets, mesh, targets, active), mesh);
   SetFacets(facets, active);

@@ -165,7 +165,7 @@ private:
       const TetFragments fragments(this->Topology, this->Faces, this->Grid, this->Parts);
       this->Materials = fragments.Materials();
       this->Volumes = std::make_unique<FragmentVolumes>(
-        this->Grid, this->Fractions, this->Materials, fragments, this->Parts);
+        this->Grid, this->Fractions, this->Materials, fragments, this->Run);
       this->Volumes->SetStart(MeasureFragments(
         mesh, this->Grid, static_cast<int>(this->Materials.size()) - 1, this->Run));
     }
@@ -175,7 +175,7 @@ private:
       this->Materials = fragments.MaterialsOfFragments();
       const CellLocator locator(*this->Topology.Tets.Levels, this->Labels, fragments);
       this->Volumes = std::make_unique<FragmentVolumes>(
-        this->Grid, this->Fractions, this->Materials, locator, this->Parts);
+        this->Grid, this->Fractions, this->Materials, locator, this->Run);
       this->FillFragments(fragments);
     }
     this->Report.NumberOfFragments = static_cast<Index>(this->Materials.size()) - 1;
@@ -238,7 +238,7 @@ private:
     const Interface& interface, SurfaceTargets& targets, ActiveMesh& active)
   {
     const std::vector<Facet> facets = this->ListFacets();
-    AttachTets(interface, this->Topology.Tets, facets, this->Method, active);
+    AttachTets(interface, this->Topology.Tets, facets, this->Method, this->Run, active);
     const bool hasQuads =
       this->Method == TetMethod::Cells && this->Options.Edges != SharpEdges::Off;
     const std::vector<Facet> quads =

@@ -87,7 +87,7 @@ ActiveMesh MakeActiveHexes(
 }
 
 void AttachHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse, const Mesh& mesh,
-  const std::vector<Facet>& facets, ActiveMesh& active)
+  const std::vector<Facet>& facets, Runtime& runtime, ActiveMesh& active)
 {
   const RefinedGrid& levels = coarse.Levels();
   const auto findTarget = [&](int point, const std::array<int, 2>& labels)
@@ -106,7 +106,7 @@ void AttachHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse, c
     }
     return target;
   };
-  AttachToFacets(facets, findTarget, active);
+  AttachToFacets(facets, findTarget, runtime, active);
 }
 
 } // namespace vfm

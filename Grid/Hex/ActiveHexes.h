@@ -21,6 +21,6 @@ ActiveMesh MakeActiveHexes(
 
 /// Draws the points on interfaces to the targets of their level.
 void AttachHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse, const Mesh& mesh,
-  const std::vector<Facet>& facets, ActiveMesh& active);
+  const std::vector<Facet>& facets, Runtime& runtime, ActiveMesh& active);
 
 } // namespace vfm

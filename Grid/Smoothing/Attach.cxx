@@ -2,10 +2,14 @@
 
 #include "Base/Groups.h"
 
+#include <numeric>
+
 namespace vfm
 {
 namespace
 {
+
+constexpr Index PointsOfBlock = 1024; // that are attached by one thread
 
 /// A pair of labels that meets at a point, the smaller first, and the fragments there.
 struct Pair
@@ -70,41 +74,77 @@ void FindPairs(
 
 } // namespace
 
-void AttachToFacets(
-  const std::vector<Facet>& facets, const FindTarget& findTarget, ActiveMesh& active)
+void AttachToFacets(const std::vector<Facet>& facets, const FindTarget& findTarget,
+  Runtime& runtime, ActiveMesh& active)
 {
   const Groups<int> at = FindFacetsAt(facets, active);
-  std::vector<Pair> pairs;
-  active.AttachmentOffset.assign(1, 0);
-  for (int point = 0; point < static_cast<int>(active.X.size()); ++point)
-  {
-    FindPairs(
-      facets, at.Items.data() + at.Begin[point], at.Items.data() + at.Begin[point + 1], pairs);
-    for (const Pair& pair : pairs)
+  const Index points = static_cast<Index>(active.X.size());
+  std::vector<std::vector<Attachment>> found((points + PointsOfBlock - 1) / PointsOfBlock);
+  active.AttachmentOffset.assign(points + 1, 0);
+  ForEach(runtime, found.size(),
+    [&](Index block)
     {
-      const Index target = findTarget(point, pair.Labels);
-      if (target >= 0)
+      std::vector<Pair> pairs;
+      const Index first = block * PointsOfBlock;
+      for (Index point = first; point < std::min(points, first + PointsOfBlock); ++point)
       {
-        active.Attachments.push_back({ target, pair.Fragments });
+        FindPairs(
+          facets, at.Items.data() + at.Begin[point], at.Items.data() + at.Begin[point + 1], pairs);
+        for (const Pair& pair : pairs)
+        {
+          const Index target = findTarget(static_cast<int>(point), pair.Labels);
+          if (target >= 0)
+          {
+            found[block].push_back({ target, pair.Fragments });
+            ++active.AttachmentOffset[point + 1];
+          }
+        }
       }
-    }
-    active.AttachmentOffset.push_back(static_cast<Index>(active.Attachments.size()));
+    });
+  std::partial_sum(active.AttachmentOffset.begin(), active.AttachmentOffset.end(),
+    active.AttachmentOffset.begin());
+  active.Attachments.reserve(active.AttachmentOffset.back());
+  for (const std::vector<Attachment>& own : found)
+  {
+    active.Attachments.insert(active.Attachments.end(), own.begin(), own.end());
   }
 }
 
+/// Those between the same fragments in a row, so that their sums are few.
 void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active)
 {
-  active.Facets.clear();
-  for (const Facet& facet : facets)
+  std::vector<int> measured;
+  int most = 0;
+  for (std::size_t f = 0; f < facets.size(); ++f)
   {
-    if (facet.DomainSide >= 0 || !facet.IsOwned)
+    if (facets[f].DomainSide < 0 && facets[f].IsOwned)
     {
-      continue;
+      measured.push_back(static_cast<int>(f));
+      most = std::max(most, facets[f].Fragments[0]);
     }
-    InterfaceFacet measured{ {}, facet.Fragments };
-    std::transform(facet.Points.begin(), facet.Points.end(), measured.Points.begin(),
-      [&](Index point) { return active.PointOf[point]; });
-    active.Facets.push_back(measured);
+  }
+  const Groups<int> behind = MakeGroups<int>(most + 1,
+    [&](const auto& visit)
+    {
+      std::for_each(
+        measured.begin(), measured.end(), [&](int f) { visit(facets[f].Fragments[0], f); });
+    });
+  active.Facets.clear();
+  active.Facets.reserve(measured.size());
+  for (int fragment = 0; fragment <= most; ++fragment)
+  {
+    const auto begin = behind.Items.begin() + behind.Begin[fragment];
+    const auto end = behind.Items.begin() + behind.Begin[fragment + 1];
+    measured.assign(begin, end);
+    std::stable_sort(measured.begin(), measured.end(),
+      [&](int a, int b) { return facets[a].Fragments[1] < facets[b].Fragments[1]; });
+    for (int f : measured)
+    {
+      InterfaceFacet facet{ {}, facets[f].Fragments };
+      std::transform(facets[f].Points.begin(), facets[f].Points.end(), facet.Points.begin(),
+        [&](Index point) { return active.PointOf[point]; });
+      active.Facets.push_back(facet);
+    }
   }
 }
 

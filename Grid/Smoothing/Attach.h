@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/Runtime.h"
 #include "Mesh/Facet.h"
 #include "Smoothing/ActiveMesh.h"
 
@@ -15,9 +16,10 @@ namespace vfm
 /// that pair.
 using FindTarget = std::function<Index(int point, const std::array<int, 2>& labels)>;
 
-/// Draws the points that move to the target of each pair of labels whose interface has a facet there.
-void AttachToFacets(
-  const std::vector<Facet>& facets, const FindTarget& findTarget, ActiveMesh& active);
+/// Draws the points that move to the target of each pair of labels whose interface has a facet there. findTarget: may be called by several
+/// threads at once.
+void AttachToFacets(const std::vector<Facet>& facets, const FindTarget& findTarget,
+  Runtime& runtime, ActiveMesh& active);
 
 /// Fills ActiveMesh::Facets with the owned facets of interfaces.
 void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active);

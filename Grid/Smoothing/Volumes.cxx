@@ -3,14 +3,41 @@
 #include "Base/HexVolume.h"
 #include "Base/RowVolumes.h"
 
+#include <mutex>
+
 namespace vfm
 {
 namespace
 {
 
+constexpr Index FacetsOfBlock = 256; // that are summed up by one thread
+
 double AreaOf(const std::array<Vector3, 4>& q)
 {
   return 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1]));
+}
+
+/// Sums over facets in a row that lie between the same fragments.
+struct FacetSum
+{
+  std::array<int, 2> Fragments;
+  ExactSum Swept, Area;
+};
+
+void AddFacet(const ActiveMesh& mesh, const InterfaceFacet& facet, std::vector<FacetSum>& sums)
+{
+  if (sums.empty() || sums.back().Fragments != facet.Fragments)
+  {
+    sums.push_back({ facet.Fragments, {}, {} });
+  }
+  std::array<Vector3, 4> start, now;
+  for (int c = 0; c < 4; ++c)
+  {
+    start[c] = mesh.Start[facet.Points[c]];
+    now[c] = mesh.X[facet.Points[c]];
+  }
+  sums.back().Swept.Add(VolumeBetween(start, now));
+  sums.back().Area.Add(AreaOf(now));
 }
 
 } // namespace
@@ -67,7 +94,22 @@ public:
   std::vector<ExactSum> Cells;   // by fragment
   std::vector<ExactSum> Totals;  // by material
 
+  void Add(const TargetSums& other)
+  {
+    AddAll(other.Targets, this->Targets);
+    AddAll(other.Cells, this->Cells);
+    AddAll(other.Totals, this->Totals);
+  }
+
 private:
+  static void AddAll(const std::vector<ExactSum>& from, std::vector<ExactSum>& to)
+  {
+    for (std::size_t i = 0; i < from.size(); ++i)
+    {
+      to[i].Add(from[i]);
+    }
+  }
+
   bool IsOwn(int fragment, int material) const
   {
     return fragment > 0 ? this->Materials[fragment] == material
@@ -147,12 +189,25 @@ private:
 } // namespace
 
 FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-  const std::vector<int>& materials, const FragmentLocator& locator, const Partition& partition) :
-  Materials(materials), Parts(partition), Swept(materials.size(), 0.0)
+  const std::vector<int>& materials, const FragmentLocator& locator, Runtime& runtime) :
+  Materials(materials), Run(runtime), Swept(materials.size(), 0.0)
 {
+  const IndexBox& owned = grid.Owned();
+  const Index rows = owned.NumberOfCells() > 0 ? owned.Size(1) * owned.Size(2) : 0;
   TargetSums sums(grid, fractions, materials, locator);
-  ForRows(grid.Owned(), [&](Index j, Index k) { sums.AddRow(j, k); });
-  Ranks& ranks = partition.Group();
+  std::mutex lock;
+  runtime.For(0, rows,
+    [&](Index first, Index last)
+    {
+      TargetSums own(grid, fractions, materials, locator);
+      for (Index row = first; row < last; ++row)
+      {
+        own.AddRow(owned.Lower[1] + row % owned.Size(1), owned.Lower[2] + row / owned.Size(1));
+      }
+      const std::lock_guard<std::mutex> guard(lock);
+      sums.Add(own);
+    });
+  Ranks& ranks = runtime.Group();
   this->Targets = SumOverRanks(sums.Targets, ranks);
   this->StartVolumes = SumOverRanks(sums.Cells, ranks);
   this->TotalOfMaterial = SumOverRanks(sums.Totals, ranks);
@@ -177,24 +232,31 @@ void FragmentVolumes::ShareOrphans()
 
 void FragmentVolumes::Measure(const ActiveMesh& mesh)
 {
+  const Index facets = static_cast<Index>(mesh.Facets.size());
+  std::vector<std::vector<FacetSum>> blocks((facets + FacetsOfBlock - 1) / FacetsOfBlock);
+  ForEach(this->Run, blocks.size(),
+    [&](Index block)
+    {
+      const Index first = block * FacetsOfBlock;
+      for (Index f = first; f < std::min(facets, first + FacetsOfBlock); ++f)
+      {
+        AddFacet(mesh, mesh.Facets[f], blocks[block]);
+      }
+    });
   std::vector<ExactSum> swept(this->Swept.size());
   PairSumMap areas;
-  for (const InterfaceFacet& facet : mesh.Facets)
+  for (const std::vector<FacetSum>& block : blocks)
   {
-    std::array<Vector3, 4> start, now;
-    for (int c = 0; c < 4; ++c)
+    for (const FacetSum& sum : block)
     {
-      start[c] = mesh.Start[facet.Points[c]];
-      now[c] = mesh.X[facet.Points[c]];
+      const auto& [behind, before] = sum.Fragments;
+      swept[behind].Add(sum.Swept);
+      swept[before].Subtract(sum.Swept);
+      areas[std::minmax(behind, before)].Add(sum.Area);
     }
-    const double volume = VolumeBetween(start, now);
-    const auto& [behind, before] = facet.Fragments;
-    swept[behind].Add(volume);
-    swept[before].Add(-volume);
-    areas[std::minmax(behind, before)].Add(AreaOf(now));
   }
-  this->Swept = SumOverRanks(swept, this->Parts.Group());
-  this->Areas = GatherPairSums(areas, this->Parts.Group());
+  this->Swept = SumOverRanks(swept, this->Run.Group());
+  this->Areas = GatherPairSums(areas, this->Run.Group());
 }
 
 /// mu of every fragment, [0] outside.
@@ -211,11 +273,13 @@ std::vector<double> FragmentVolumes::FindPotentials() const
 std::vector<double> FragmentVolumes::FindShifts(const ActiveMesh& mesh) const
 {
   const std::vector<double> mu = this->FindPotentials();
-  std::vector<double> shifts;
-  for (const Attachment& a : mesh.Attachments)
-  {
-    shifts.push_back(mu[a.Fragments[0]] - mu[a.Fragments[1]]);
-  }
+  std::vector<double> shifts(mesh.Attachments.size());
+  ForEach(this->Run, shifts.size(),
+    [&](Index i)
+    {
+      const auto& [first, second] = mesh.Attachments[i].Fragments;
+      shifts[i] = mu[first] - mu[second];
+    });
   return shifts;
 }
 

@@ -45,7 +45,7 @@ Index FindNearestTarget(const Interface& interface, const Index3& block, const V
 } // namespace
 
 void AttachTets(const Interface& interface, const Mesh& mesh, const std::vector<Facet>& facets,
-  TetMethod method, ActiveMesh& active)
+  TetMethod method, Runtime& runtime, ActiveMesh& active)
 {
   const CartesianGrid& grid = interface.Grid();
   const auto findTarget = [&](int point, const std::array<int, 2>& labels)
@@ -56,7 +56,7 @@ void AttachTets(const Interface& interface, const Mesh& mesh, const std::vector<
     return own ? own - interface.Points().data()
                : FindNearestTarget(interface, block, active.Start[point], labels);
   };
-  AttachToFacets(facets, findTarget, active);
+  AttachToFacets(facets, findTarget, runtime, active);
 }
 
 } // namespace vfm

@@ -80,7 +80,7 @@ struct CubeHexes
     this->Targets =
       std::make_unique<SurfaceTargets>(interfaces.All(), SurfaceTargets::Kind::Quadrics, Run);
     this->Active = MakeActiveHexes(this->Labelled, this->Parts, this->Hexes);
-    AttachHexes(interfaces, coarse, this->Hexes, this->Facets, this->Active);
+    AttachHexes(interfaces, coarse, this->Hexes, this->Facets, runtime, this->Active);
     const Interface& interface = *interfaces.All().back();
     this->Kinds = AttachCreases({ MakeCreases(interface), interface, 0 }, this->Facets, this->Hexes,
       *this->Targets, this->Active, Run);

@@ -198,7 +198,7 @@ TEST(CellLocator, GiveACoarseLeafToThePieceBeside)
             far = pieces.FragmentOfCell({ { 20, 0, 0 } });
   const auto targets = [&](const FragmentLocator& locator)
   {
-    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, partition)
+    return FragmentVolumes(grid, field, pieces.MaterialsOfFragments(), locator, runtime)
       .FragmentTargets();
   };
   const std::vector<double> leaves = targets(CellLocator(levels, labels, pieces));
@@ -219,8 +219,9 @@ TEST(CellLocator, RanksAgree)
     const auto targets = [&](const CartesianGrid& grid, Ranks& ranks)
     {
       const RandomLeaves leaves(grid, refinements, 0.05, 6, ranks);
+      RankRuntime runtime(ranks);
       return FragmentVolumes(grid, CopyToLocal(whole, field, grid),
-        leaves.Pieces.MaterialsOfFragments(), leaves.Locator, leaves.ThePartition)
+        leaves.Pieces.MaterialsOfFragments(), leaves.Locator, runtime)
         .FragmentTargets();
     };
     Ranks alone;
