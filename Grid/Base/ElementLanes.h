@@ -153,6 +153,15 @@ VFM_INLINE VectorLanes<float> GatherPoints(const Float4* points, const At& at)
     __builtin_shufflevector(z0, z1, 0, 1, 8, 9, 4, 5, 12, 13) };
 }
 
+/// points[i] - origin, subtracted as doubles.
+VFM_INLINE VectorLanes<double> Differences(const double* const (&points)[4], const Vector3& origin)
+{
+  const auto along = [&](int a) {
+    return Double4{ points[0][a], points[1][a], points[2][a], points[3][a] } - origin[a];
+  };
+  return { along(0), along(1), along(2) };
+}
+
 /// A sum of gradients and Hessians (xx yy zz xy xz yz).
 template <class Real>
 struct DerivativeSums

@@ -136,6 +136,10 @@ void ActiveMesh::ListCorners()
     });
   this->CornerOffset = std::move(corners.Begin);
   this->CornerList = std::move(corners.Items);
+  if (this->Corners == 4)
+  {
+    this->Stars.Build(this->Elements, this->CornerOffset, this->CornerList);
+  }
 }
 
 void ActiveMesh::CopyTo(Mesh& mesh, const CartesianGrid& grid) const

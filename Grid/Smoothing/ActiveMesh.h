@@ -14,6 +14,7 @@
 #include "Smoothing/HexRings.h"
 #include "Smoothing/MoveOrder.h"
 #include "Smoothing/PointExchange.h"
+#include "Smoothing/TetStars.h"
 
 namespace vfm
 {
@@ -56,6 +57,7 @@ struct ActiveMesh
   std::vector<Index>
     CornerList;           ///< positions in Elements, ascending; none at points that are not active
   HexRings Rings;         ///< of hexes
+  TetStars Stars;         ///< of tets
   MoveOrder Order;        ///< of the owned nodes
   PointExchange Exchange; ///< of the points that move
   std::vector<Index> AttachmentOffset; ///< of each point, as CornerOffset

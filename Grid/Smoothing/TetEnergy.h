@@ -35,7 +35,11 @@ struct TetQualityFloors
 class TetEnergy : public ElementEnergy
 {
 public:
-  explicit TetEnergy(const TetQualityFloors& floors) : Floors(floors) {}
+  /// precise: in doubles alone.
+  explicit TetEnergy(const TetQualityFloors& floors, bool precise = false) :
+    Floors(floors), Precise(precise)
+  {
+  }
 
   double Evaluate(const ActiveMesh& mesh, int point, const Vector3& x,
     const SmoothingStage& stage) const override;
@@ -50,6 +54,7 @@ public:
 
 private:
   TetQualityFloors Floors;
+  bool Precise;
 };
 
 } // namespace vfm

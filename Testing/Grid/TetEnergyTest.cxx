@@ -43,16 +43,9 @@ void SwapTwoPairs(int* tet, int bits)
 /// Lists the corners at point 0, the only active one.
 void ListCornersOfCentre(ActiveMesh& mesh)
 {
-  mesh.CornerList.clear();
-  for (Index position = 0; position < static_cast<Index>(mesh.Elements.size()); ++position)
-  {
-    if (mesh.Elements[position] == 0)
-    {
-      mesh.CornerList.push_back(position);
-    }
-  }
-  mesh.CornerOffset.assign(mesh.X.size() + 1, static_cast<Index>(mesh.CornerList.size()));
-  mesh.CornerOffset[0] = 0;
+  mesh.IsActive.assign(mesh.X.size(), 0);
+  mesh.IsActive[0] = 1;
+  mesh.ListCorners();
 }
 
 /// The 24 tets at a node of the body-centred lattice, shaken: point 0 in the middle of cube corners 1..8
@@ -114,11 +107,15 @@ ActiveMesh OneTet(const Vector3 corners[4], const Vector3& widths)
   return mesh;
 }
 
-/// The first tets of a mesh alone.
-ActiveMesh FirstTets(const ActiveMesh& mesh, int count)
+/// Some tets of a mesh alone, from first to last (excluded).
+ActiveMesh SomeTets(const ActiveMesh& mesh, int first, int last)
 {
   ActiveMesh part = mesh;
-  part.Elements.resize(4 * count);
+  part.Elements.assign(mesh.Elements.begin() + 4 * first, mesh.Elements.begin() + 4 * last);
+  if (mesh.Widths.size() > 1)
+  {
+    part.Widths.assign(mesh.Widths.begin() + first, mesh.Widths.begin() + last);
+  }
   ListCornersOfCentre(part);
   return part;
 }
@@ -193,7 +190,7 @@ const Vector3 Skew[4] = { { { 0.1, -0.1, 0.0 } }, { { 1.2, 0.1, 0.0 } }, { { 0.6
 
 TEST(TetEnergy, IsWhatItsDefinitionSays)
 {
-  const TetEnergy energy(Floors);
+  const TetEnergy energy(Floors, true);
   RandomNumbers random;
   for (int trial = 0; trial < 40; ++trial)
   {
@@ -209,7 +206,7 @@ TEST(TetEnergy, IsWhatItsDefinitionSays)
 
 TEST(TetEnergy, HasTheDerivativesThatDifferencesGive)
 {
-  const TetEnergy energy(Floors);
+  const TetEnergy energy(Floors, true);
   RandomNumbers random;
   for (int trial = 0; trial < 40; ++trial)
   {
@@ -250,7 +247,7 @@ TEST(TetEnergy, HasTheDerivativesThatDifferencesGive)
 
 TEST(TetEnergy, CountsEachTetOnceHoweverManyThereAre)
 {
-  const TetEnergy energy(Floors);
+  const TetEnergy energy(Floors, true);
   RandomNumbers random;
   const SmoothingStage stage = Stage(2);
   for (bool uniform : { true, false })
@@ -258,17 +255,15 @@ TEST(TetEnergy, CountsEachTetOnceHoweverManyThereAre)
     const ActiveMesh mesh = Star(random, 0.12, uniform);
     for (int count = 0; count <= 24; ++count)
     {
-      const ActiveMesh part = FirstTets(mesh, count);
+      const ActiveMesh part = SomeTets(mesh, 0, count);
       const double expected = DefinitionAtCentre(part, stage);
       EXPECT_NEAR(energy.Evaluate(part, 0, part.X[0], stage), expected, 1e-10 * expected);
       const Derivatives d = energy.Differentiate(part, 0, stage);
       EXPECT_NEAR(d.Value, expected, 1e-10 * expected);
       if (count > 0) // derivatives add up
       {
-        const Derivatives before = energy.Differentiate(FirstTets(mesh, count - 1), 0, stage);
-        ActiveMesh last = FirstTets(mesh, count);
-        last.CornerOffset[0] = count - 1;
-        const Derivatives added = energy.Differentiate(last, 0, stage);
+        const Derivatives before = energy.Differentiate(SomeTets(mesh, 0, count - 1), 0, stage);
+        const Derivatives added = energy.Differentiate(SomeTets(mesh, count - 1, count), 0, stage);
         EXPECT_NEAR(d.Gradient[1], before.Gradient[1] + added.Gradient[1], 1e-10 * d.Hessian[1]);
         EXPECT_NEAR(d.Hessian[1], before.Hessian[1] + added.Hessian[1], 1e-10 * d.Hessian[1]);
       }
@@ -278,7 +273,7 @@ TEST(TetEnergy, CountsEachTetOnceHoweverManyThereAre)
 
 TEST(TetEnergy, DoesNotDependOnTheOrderOfCorners)
 {
-  const TetEnergy energy(Floors);
+  const TetEnergy energy(Floors, true);
   RandomNumbers random;
   const SmoothingStage stage = Stage(4);
   const ActiveMesh mesh = Star(random, 0.12, false);
@@ -308,7 +303,7 @@ TEST(TetEnergy, DoesNotDependOnTheOrderOfCorners)
 
 TEST(TetEnergy, OfTheRegularTetIsKnown)
 {
-  const TetEnergy energy(Floors);
+  const TetEnergy energy(Floors, true);
   const Vector3 widths{ { 0.5, 2.0, 1.25 } };
   for (int halfPower : { 1, 2, 8 })
   {
@@ -342,7 +337,7 @@ TEST(TetEnergy, OfTheRegularTetIsKnown)
 
 TEST(TetEnergy, IsInvalidWhereATetIsFlatOrInverted)
 {
-  const TetEnergy energy(Floors);
+  const TetEnergy energy(Floors, true);
   const SmoothingStage stage = Stage(1);
   RandomNumbers random;
   for (int bad = 0; bad < 24; ++bad)
@@ -376,7 +371,7 @@ TEST(TetEnergy, IsInvalidWhereATetIsFlatOrInverted)
 
 TEST(TetEnergy, OfOneTetIsWhatItsCornersSee)
 {
-  const TetEnergy energy(Floors);
+  const TetEnergy energy(Floors, true);
   const Vector3 widths{ { 0.9, 1.1, 1.2 } };
   const SmoothingStage stage = Stage(2);
   const double whole = energy.OfTet(Skew, widths, stage);
@@ -394,7 +389,7 @@ TEST(TetEnergy, OfOneTetIsWhatItsCornersSee)
     }
     const ActiveMesh mesh = OneTet(turned, widths);
     corners += energy.Evaluate(mesh, 0, mesh.X[0], stage);
-    shape += TetEnergy(noEdges).Evaluate(mesh, 0, mesh.X[0], stage) / 4.0;
+    shape += TetEnergy(noEdges, true).Evaluate(mesh, 0, mesh.X[0], stage) / 4.0;
   }
   EXPECT_NEAR(whole, shape + (corners - 4.0 * shape) / 2.0, 1e-12 * whole);
 
@@ -416,7 +411,7 @@ TEST(TetEnergy, OfOneTetIsWhatItsCornersSee)
 
 TEST(TetEnergy, HasNeitherJumpNorKinkAtRightAngles)
 {
-  const TetEnergy energy(Floors);
+  const TetEnergy energy(Floors, true);
   const SmoothingStage stage = Stage(1);
   const Vector3 corners[4] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } }, { { 0.4, 0.9, 0.0 } },
     { { 0.3, 0.0, 0.8 } } };
@@ -430,4 +425,85 @@ TEST(TetEnergy, HasNeitherJumpNorKinkAtRightAngles)
   }
   EXPECT_NEAR(d[0].Value, d[1].Value, 1e-7);
   EXPECT_LT(Norm(d[0].Gradient - d[1].Gradient), 1e-7);
+}
+
+namespace
+{
+
+void ExpectNear(const Derivatives& a, const Derivatives& b, double tolerance)
+{
+  const double size = std::fabs(b.Hessian[0]) + std::fabs(b.Hessian[1]) + std::fabs(b.Hessian[2]);
+  EXPECT_NEAR(a.Value, b.Value, tolerance * b.Value);
+  EXPECT_LE(Norm(a.Gradient - b.Gradient), tolerance * size);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(a.Hessian[i], b.Hessian[i], tolerance * size);
+  }
+}
+
+} // namespace
+
+TEST(TetEnergy, InFloatsIsThatInDoubles)
+{
+  const TetEnergy floats(Floors), doubles(Floors, true);
+  RandomNumbers random;
+  int differ = 0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const ActiveMesh whole = Star(random, 0.1, trial % 2 == 0);
+    const ActiveMesh mesh = SomeTets(whole, 0, 1 + trial % 24);
+    for (int halfPower : { 1, 2, 8 })
+    {
+      const SmoothingStage stage = Stage(halfPower);
+      const Derivatives d = doubles.Differentiate(mesh, 0, stage);
+      if (d.Value < 100.0)
+      {
+        ExpectNear(floats.Differentiate(mesh, 0, stage), d, 5e-5);
+        const double energy = floats.Evaluate(mesh, 0, mesh.X[0], stage);
+        EXPECT_NEAR(energy, d.Value, 5e-5 * d.Value);
+        differ += energy != d.Value;
+      }
+    }
+  }
+  EXPECT_GT(differ, 300); // they are floats
+}
+
+TEST(TetEnergy, IsInDoublesWhereFloatsDoNot)
+{
+  const TetEnergy floats(Floors), doubles(Floors, true);
+  RandomNumbers random;
+  const SmoothingStage stage = Stage(1);
+  for (bool uniform : { true, false })
+  {
+    ActiveMesh mesh = Star(random, 0.0, uniform);
+    const Vector3 centre = mesh.X[0];
+    for (const double height : { 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 0.0, -1e-10, -1e-4, -0.1 })
+    {
+      // near to a face of the cube's hull, so that two tets are nearly flat
+      mesh.X[0] = centre + (1.0 - height) * (mesh.X[9] - centre) +
+        Scaled(mesh.Widths[0], Vector3{ { 0.0, 0.05, 0.03 } });
+      const double energy = doubles.Evaluate(mesh, 0, mesh.X[0], stage);
+      EXPECT_EQ(floats.Evaluate(mesh, 0, mesh.X[0], stage), energy);
+      if (energy < InvalidEnergy)
+      {
+        EXPECT_EQ(floats.Differentiate(mesh, 0, stage).Gradient,
+          doubles.Differentiate(mesh, 0, stage).Gradient);
+      }
+    }
+  }
+  // more neighbours than a star may have: a fan of tets around an edge
+  ActiveMesh fan;
+  fan.Corners = 4;
+  fan.X = { { { 0.0, 0.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } };
+  const int count = TetStars::MostNeighbours;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * Pi * i / count;
+    fan.X.push_back({ { std::cos(angle), std::sin(angle), 0.4 } });
+    fan.Elements.insert(fan.Elements.end(), { 0, 2 + i, 2 + (i + 1) % count, 1 });
+  }
+  fan.Widths = { UnitWidths };
+  ListCornersOfCentre(fan);
+  EXPECT_LT(doubles.Evaluate(fan, 0, fan.X[0], stage), InvalidEnergy);
+  EXPECT_EQ(floats.Evaluate(fan, 0, fan.X[0], stage), doubles.Evaluate(fan, 0, fan.X[0], stage));
 }
