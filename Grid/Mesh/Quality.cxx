@@ -6,6 +6,8 @@
 #include "Mesh/TetQuality.h"
 #include "Octree/RefinedGrid.h"
 
+#include <mutex>
+
 namespace vfm
 {
 namespace
@@ -64,54 +66,58 @@ bool AreCellsPerfect(const CartesianGrid& grid)
   return narrowest >= 0x1p-34 * largest && narrowest > 1e-40 && widest < 1e40;
 }
 
-/// Fills mesh.ScaledJacobian; returns how many elements, from the first on, have 1 because they are cells.
-Index FillScaledJacobian(Mesh& mesh, Runtime& runtime)
+/// Returns how many, from the first on, have 1 because they are cells.
+Index MeasureHexes(Mesh& mesh, Runtime& runtime)
 {
-  const Index count = static_cast<Index>(mesh.ElementIds.size());
-  mesh.ScaledJacobian = Buffer<float>(count);
   float* const values = mesh.ScaledJacobian.data();
   const Index cells =
     mesh.WholeCells > 0 && AreCellsPerfect(mesh.Levels->Finest()) ? mesh.WholeCells : 0;
   runtime.For(
     0, cells, [values](Index begin, Index end) { std::fill(values + begin, values + end, 1.0f); });
-  ForEach(runtime, count - cells,
+  ForEach(runtime, static_cast<Index>(mesh.ScaledJacobian.size()) - cells,
     [&](Index e)
     {
-      const Index* element = mesh.Elements.data() + mesh.Corners * (cells + e);
-      values[cells + e] =
-        static_cast<float>(mesh.Corners == 8 ? HexScaledJacobian(mesh.Points.data(), element)
-                                             : TetScaledJacobian(mesh.Points.data(), element));
+      values[cells + e] = static_cast<float>(
+        HexScaledJacobian(mesh.Points.data(), mesh.Elements.data() + 8 * (cells + e)));
     });
   return cells;
 }
 
-/// Smallest and largest dihedral angle, and how many there are in each ten degrees.
-void MeasureAngles(const Mesh& mesh, Ranks& ranks, MeshReport& report)
+/// The dihedral angles too.
+void MeasureAllTets(Mesh& mesh, Runtime& runtime, MeshReport& report)
 {
-  std::vector<std::int64_t> counts(report.DihedralAngles.size(), 0);
-  double smallest = 180.0, largest = 0.0;
-  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
-  {
-    double angles[6];
-    DihedralAngles(mesh.Points.data(), mesh.Elements.data() + 4 * t, angles);
-    for (double angle : angles)
+  AngleStatistics angles;
+  std::mutex mutex;
+  runtime.For(0, static_cast<Index>(mesh.ScaledJacobian.size()),
+    [&](Index first, Index last)
     {
-      smallest = std::min(smallest, angle);
-      largest = std::max(largest, angle);
-      ++counts[std::min<std::size_t>(static_cast<std::size_t>(angle / 10.0), counts.size() - 1)];
-    }
-  }
-  ranks.Sum(counts);
+      const AngleStatistics part = MeasureTets(mesh.Points.data(), mesh.Elements.data() + 4 * first,
+        last - first, mesh.ScaledJacobian.data() + first);
+      const std::lock_guard<std::mutex> lock(mutex);
+      angles.Add(part);
+    });
+  std::vector<std::int64_t> counts(angles.Counts.begin(), angles.Counts.end());
+  runtime.Group().Sum(counts);
   std::copy(counts.begin(), counts.end(), report.DihedralAngles.begin());
-  report.MaximumDihedralAngle = ranks.Max(largest);
-  report.MinimumDihedralAngle = report.MaximumDihedralAngle > 0.0 ? -ranks.Max(-smallest) : 0.0;
+  report.MaximumDihedralAngle = runtime.Group().Max(angles.Largest);
+  report.MinimumDihedralAngle =
+    report.MaximumDihedralAngle > 0.0 ? -runtime.Group().Max(-angles.Smallest) : 0.0;
 }
 
 } // namespace
 
 void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report)
 {
-  const Index cells = FillScaledJacobian(mesh, runtime);
+  mesh.ScaledJacobian = Buffer<float>(static_cast<Index>(mesh.ElementIds.size()));
+  Index cells = 0;
+  if (mesh.Corners == 8)
+  {
+    cells = MeasureHexes(mesh, runtime);
+  }
+  else
+  {
+    MeasureAllTets(mesh, runtime, report);
+  }
   std::vector<ExactSum> sums(2); // of the scaled Jacobians, and their number
   sums[0].Add(1.0, cells);
   double smallest = 1.0;
@@ -128,10 +134,6 @@ void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report)
   if (total[1] == 0.0)
   {
     report.MinimumScaledJacobian = 0.0;
-  }
-  if (mesh.Corners == 4)
-  {
-    MeasureAngles(mesh, runtime.Group(), report);
   }
 }
 

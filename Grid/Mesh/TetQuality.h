@@ -6,6 +6,8 @@
 
 #include "Base/CartesianGrid.h"
 
+#include <array>
+
 namespace vfm
 {
 
@@ -18,5 +20,20 @@ double TetScaledJacobian(const double* points, const Index* tet);
 
 /// Degrees, 0..180, at the edges 01 02 03 12 13 23; those of a mirrored tet are the same. 0 at edges where a face has no area.
 void DihedralAngles(const double* points, const Index* tet, double angles[6]);
+
+/// The dihedral angles of some tets.
+struct AngleStatistics
+{
+  std::array<std::int64_t, 18>
+    Counts{}; ///< in each ten degrees; those at a limit or less than 1e-6 degrees below count above it
+  double Smallest = 180.0, Largest = 0.0;
+
+  /// That of others too.
+  void Add(const AngleStatistics& other);
+};
+
+/// Fills the scaled Jacobians of tets, given by four points each.
+AngleStatistics MeasureTets(
+  const double* points, const Index* tets, Index count, float* scaledJacobians);
 
 } // namespace vfm

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 using namespace vfm;
 
@@ -114,4 +115,97 @@ TEST(TetQuality, OfInvertedAndFlatTets)
   const Quality point = QualityOf(X, X, X, X);
   EXPECT_EQ(point.ScaledJacobian, 0.0);
   ExpectAngles(point, { { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } });
+}
+
+namespace
+{
+
+/// What MeasureTets must tell, tet by tet.
+AngleStatistics Expected(const std::vector<double>& points, const std::vector<Index>& tets)
+{
+  AngleStatistics all;
+  for (std::size_t t = 0; t < tets.size(); t += 4)
+  {
+    double angles[6];
+    DihedralAngles(points.data(), tets.data() + t, angles);
+    for (double angle : angles)
+    {
+      all.Smallest = std::min(all.Smallest, angle);
+      all.Largest = std::max(all.Largest, angle);
+      ++all.Counts[std::min(static_cast<int>((angle + 1e-6) / 10.0), 17)];
+    }
+  }
+  return all;
+}
+
+void ExpectMeasured(const std::vector<double>& points, const std::vector<Index>& tets)
+{
+  const Index count = static_cast<Index>(tets.size()) / 4;
+  std::vector<float> quality(count + 1, 7.0f);
+  const AngleStatistics all = MeasureTets(points.data(), tets.data(), count, quality.data());
+  const AngleStatistics expected = Expected(points, tets);
+  EXPECT_EQ(all.Counts, expected.Counts);
+  EXPECT_NEAR(all.Smallest, expected.Smallest, 1e-10);
+  EXPECT_NEAR(all.Largest, expected.Largest, 1e-10);
+  for (Index t = 0; t < count; ++t)
+  {
+    EXPECT_EQ(
+      quality[t], static_cast<float>(TetScaledJacobian(points.data(), tets.data() + 4 * t)));
+  }
+  EXPECT_EQ(quality[count], 7.0f);
+}
+
+} // namespace
+
+TEST(TetQuality, OfManyTetsIsThatOfEach)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (Index count : { 0, 1, 2, 3, 4, 5, 400 })
+  {
+    std::vector<double> points;
+    std::vector<Index> tets;
+    for (Index p = 0; p < 4 * count; ++p)
+    {
+      // of all shapes, from needles to plates
+      const double flat[3] = { 1.0, std::pow(10.0, -p / 4 % 7), std::pow(10.0, -p / 28 % 7) };
+      for (double size : flat)
+      {
+        points.push_back(size * place(random));
+      }
+      tets.push_back(p);
+    }
+    ExpectMeasured(points, tets);
+  }
+}
+
+TEST(TetQuality, OfManyTetsKnowsFlatOnes)
+{
+  const std::vector<double> points{ 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.3,
+    0.2, 0.7 };
+  ExpectMeasured(points, { 0, 1, 2, 4, 0, 1, 2, 3, 1, 1, 2, 4, 0, 0, 0, 0, 0, 2, 1, 4 });
+}
+
+TEST(TetQuality, AnglesAtALimitCountAboveIt)
+{
+  // tets of the lattice: 60 and 90 degrees, whatever is rounded
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  std::vector<double> points;
+  std::vector<Index> tets;
+  for (Index t = 0; t < 100; ++t)
+  {
+    const Vector3 origin{ { place(random), place(random), place(random) } };
+    const double size = 1.0 + place(random) / 3.0;
+    for (const Vector3& x : { O, X, Vector3{ { 0.5, 0.5, 0.5 } }, Vector3{ { 0.5, -0.5, 0.5 } } })
+    {
+      const Vector3 p = origin + size * x;
+      points.insert(points.end(), p.begin(), p.end());
+      tets.push_back(static_cast<Index>(tets.size()));
+    }
+  }
+  std::vector<float> quality(100);
+  const AngleStatistics all = MeasureTets(points.data(), tets.data(), 100, quality.data());
+  EXPECT_EQ(all.Counts[6], 400);
+  EXPECT_EQ(all.Counts[9], 200);
 }
