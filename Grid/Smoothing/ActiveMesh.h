@@ -76,7 +76,7 @@ struct ActiveMesh
       }
     }
   }
-  /// Calls visit(other) for the points of the elements at an active point; for some more than once.
+  /// Calls visit(other) for the points of the elements at an active point; for some more than once; the point itself may be left out.
   template <class Visitor>
   void ForAround(int point, const Visitor& visit) const
   {
@@ -85,6 +85,12 @@ struct ActiveMesh
       const int* points = this->Rings.Points.data();
       std::for_each(
         points + this->Rings.Offset[2 * point], points + this->Rings.Offset[2 * point + 2], visit);
+      return;
+    }
+    if (this->Stars.Has(point))
+    {
+      const TetStars::Star star = this->Stars.At(point);
+      std::for_each(star.FirstNeighbour, star.LastNeighbour, visit);
       return;
     }
     for (Index at = this->CornerOffset[point]; at < this->CornerOffset[point + 1]; ++at)
