@@ -20,14 +20,14 @@ ALLOWED.update({
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": GRID + ("Shapes", "Filters", "InSitu", "Testing/Support"),
-    "Testing/Benchmarks": GRID + ("Shapes", "Testing/Support"),
+    "Testing/Benchmarks": GRID + ("Shapes", "Filters", "Testing/Support"),
     "Testing/Parallel": ("Grid/Base", "Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
     "Testing/InSitu": ("Grid/Base", "Parallel", "Filters", "IO", "InSitu"),
 })
 
 # Folders without VTK and MPI.
-PLAIN = GRID + ("Shapes", "Testing/Support", "Testing/Grid", "Testing/Benchmarks")
+PLAIN = GRID + ("Shapes", "Testing/Support", "Testing/Grid")
 FOREIGN = re.compile(r"(vtk|mpi|paraview|pv|pq)", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 
