@@ -308,3 +308,36 @@ TEST(Quality, ScaledJacobianOfKnownHexes)
   std::swap(points[0], points[3]);
   EXPECT_LT(HexScaledJacobian(points, hex), 0.0);
 }
+
+TEST(Quality, OfWholeCellsIsThatOfTheirCorners)
+{
+  MeshOptions options;
+  options.StairStep = true;
+  for (double origin : { 0.0, -3.3, 1e13 }) // there coordinates do not hold the widths
+  {
+    std::array<std::vector<double>, 3> x;
+    for (int i = 0; i <= 6; ++i)
+    {
+      x[0].push_back(origin + 0.011 * i);
+      x[1].push_back(origin + 0.07 * i * i);
+      x[2].push_back(origin + 0.1 * i);
+    }
+    const CartesianGrid grid(x);
+    const FractionField field =
+      MakeLabels(grid, 2, [](const Index3& p) { return static_cast<int>(p[0] + p[2]) / 4; });
+    MeshReport report;
+    const Mesh mesh = Make(grid, field, options, report);
+    double smallest = 1.0, sum = 0.0;
+    for (std::size_t h = 0; h < mesh.ElementIds.size(); ++h)
+    {
+      const float value =
+        static_cast<float>(HexScaledJacobian(mesh.Points.data(), mesh.Elements.data() + 8 * h));
+      ASSERT_EQ(mesh.ScaledJacobian[h], value);
+      smallest = std::min<double>(smallest, value);
+      sum += value;
+    }
+    EXPECT_EQ(report.MinimumScaledJacobian, smallest);
+    EXPECT_NEAR(report.MeanScaledJacobian, sum / mesh.ElementIds.size(), 1e-9);
+    EXPECT_EQ(smallest < 1.0, origin == 1e13);
+  }
+}
