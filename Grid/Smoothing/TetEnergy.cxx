@@ -49,11 +49,11 @@ public:
     At(what.Mesh.CornerOffset[what.Point]),
     End(what.Mesh.CornerOffset[what.Point + 1])
   {
-    const Vector3& widths = this->Mesh.Widths[0];
     const Double4 x{ what.X[0], what.X[1], what.X[2], 0.0 };
     Double4 scale = Fill<double>(1.0);
     if (HasOneWidth(this->Mesh))
     {
+      const Vector3& widths = this->Mesh.Widths[0];
       scale = Double4{ 1.0 / widths[0], 1.0 / widths[1], 1.0 / widths[2], 0.0 };
       this->Scale = { Fill(static_cast<float>(scale[0])), Fill(static_cast<float>(scale[1])),
         Fill(static_cast<float>(scale[2])) };

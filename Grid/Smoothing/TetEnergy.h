@@ -11,8 +11,9 @@
  *
  * Powers are of squares throughout, no roots: with D = 6 V, l an edge and N_k, N_l twice the areas of its two faces,
  *   s^2 = D^2 l^2 / (N_k^2 N_l^2),   mu^3 = (sum of l^2)^3 / (432 D^2).
- * In one point D is affine and each l^2 and N^2 quadratic, so gradient and Hessian are closed form. Four tets at the point are
- * computed side by side; sums run in the order of ActiveMesh::CornerList.
+ * In one point D is affine and each l^2 and N^2 quadratic, so gradient and Hessian are closed form. Tets at the point are computed side by
+ * side in the order of ActiveMesh::CornerList: eight in floats, from differences to the point taken in doubles, and where a tet is near to
+ * flat or the energy large, all tets of the point once more, four at a time in doubles. So no tet that is not positive in doubles is valid.
  */
 #pragma once
 

@@ -15,7 +15,8 @@ void TetStars::Build(const std::vector<int>& elements, const std::vector<Index>&
   this->FirstTets.assign(1, 0);
   this->FirstNeighbour.reserve(points + 1);
   this->FirstTets.reserve(points + 1);
-  std::vector<int> star;
+  std::vector<int> star, placeOf(points); // of each point, in the star of the point
+  std::vector<int> starOf(points, -1);    // in whose star it was found last
   for (std::size_t p = 0; p < points; ++p)
   {
     star.clear();
@@ -31,13 +32,14 @@ void TetStars::Build(const std::vector<int>& elements, const std::vector<Index>&
       {
         // c ^ 1, c ^ 2, c ^ 3 follow c in an even permutation for every corner c
         const int other = elements[corners[at] ^ (k + 1)];
-        const auto place = std::find(star.begin(), star.end(), other) - star.begin();
-        if (place == static_cast<std::ptrdiff_t>(star.size()))
+        if (starOf[other] != static_cast<int>(p))
         {
+          starOf[other] = static_cast<int>(p);
+          placeOf[other] = static_cast<int>(star.size());
           star.push_back(other);
         }
         std::fill(this->Tets.back()[k].begin() + lane, this->Tets.back()[k].end(),
-          static_cast<unsigned char>(place));
+          static_cast<unsigned char>(placeOf[other]));
       }
     }
     if (star.size() > MostNeighbours)

@@ -31,7 +31,10 @@ public:
     const Eight* Tets;
   };
   /// Whether the point moves, and has not too many neighbours.
-  bool Has(int point) const { return this->FirstTets[point] < this->FirstTets[point + 1]; }
+  bool Has(int point) const
+  {
+    return !this->Tets.empty() && this->FirstTets[point] < this->FirstTets[point + 1];
+  }
   Star At(int point) const
   {
     const int* neighbours = this->Neighbours.data();
