@@ -22,20 +22,26 @@ bool IsAnchor(const TetTopology& topology, Index point)
   return topology.Positions[point] != PointPosition::OnInterface;
 }
 
-/// Calls visit(cells, tet) for the anchored centres: the cells of HexBox that the centre stands for, and a tet at it.
+/// The first of a tet's points that are anchors; -1: it has none.
+Index AnchorOf(const TetTopology& topology, Index tet)
+{
+  const Index* points = topology.Tets.Elements.data() + 4 * tet;
+  const Index* anchor =
+    std::find_if(points, points + 4, [&](Index p) { return IsAnchor(topology, p); });
+  return anchor < points + 4 ? *anchor : -1;
+}
+
+/// Calls visit(cells, point) for the anchored centres that have tets: the cells of HexBox that the centre stands for. pieces: of
+/// each point.
 template <class Visitor>
-void ForCentres(const TetTopology& topology, const CartesianGrid& grid, const Visitor& visit)
+void ForCentres(const TetTopology& topology, const CartesianGrid& grid,
+  const std::vector<int>& pieces, const Visitor& visit)
 {
   const Mesh& mesh = topology.Tets;
-  std::vector<Index> tetOf(mesh.PointIds.size(), -1);
-  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
-  {
-    tetOf[mesh.Elements[at]] = static_cast<Index>(at / 4);
-  }
-  for (std::size_t p = 0; p < tetOf.size(); ++p)
+  for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     const Index id = mesh.PointIds[p];
-    if (tetOf[p] < 0 || !IsCentre(mesh, id) || !IsAnchor(topology, static_cast<Index>(p)))
+    if (pieces[p] < 0 || !IsCentre(mesh, id))
     {
       continue;
     }
@@ -46,7 +52,7 @@ void ForCentres(const TetTopology& topology, const CartesianGrid& grid, const Vi
       const OctreeKeys::LevelIndex leaf = mesh.Levels->CellOfCoarseCentre(id, mesh.Ids.PointSlots);
       cells = Intersect(mesh.Levels->FinestCells(leaf.Level, leaf.At), grid.HexBox());
     }
-    visit(cells, tetOf[p]);
+    visit(cells, p);
   }
 }
 
@@ -57,7 +63,7 @@ TetFragments::TetFragments(TetTopology& topology, const TetFaces& faces, const C
   Grid(grid), Parts(partition)
 {
   Mesh& mesh = topology.Tets;
-  const std::vector<Piece> pieces = this->FindPieces(mesh, this->JoinTets(topology, faces));
+  const std::vector<Piece> pieces = this->FindPieces(topology, faces);
   Ranks& ranks = partition.Group();
   const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.size()));
   const std::vector<int> fragments =
@@ -67,53 +73,62 @@ TetFragments::TetFragments(TetTopology& topology, const TetFaces& faces, const C
   {
     mesh.Fragment[t] = fragments[this->PieceOf[t]];
   }
-  this->FindLocations(topology);
+  this->FindLocations(topology, fragments);
 }
 
-/// The forest of tets: joined by the anchors that they share, else by faces.
-std::vector<Index> TetFragments::JoinTets(const TetTopology& topology, const TetFaces& faces) const
+/// Tets are joined by the anchors that they share, and those that have none by faces. So the sets are of points, and of such tets behind them.
+std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const TetFaces& faces)
 {
   const Mesh& mesh = topology.Tets;
-  std::vector<Index> parent = MakeSets(mesh.ElementIds.size());
-  std::vector<Index> tetOf(mesh.PointIds.size(), -1);
-  for (std::size_t t = 0; t < parent.size(); ++t)
+  const Index tets = static_cast<Index>(mesh.ElementIds.size()),
+              points = static_cast<Index>(mesh.PointIds.size());
+  std::vector<Index> bare; // tets without anchors
+  for (Index t = 0; t < tets; ++t)
   {
+    if (AnchorOf(topology, t) < 0)
+    {
+      bare.push_back(t);
+    }
+  }
+  const auto itemOf = [&](Index t)
+  {
+    const Index anchor = AnchorOf(topology, t);
+    return anchor >= 0 ? anchor : points + FindSorted(bare, t);
+  };
+  std::vector<Index> parent = MakeSets(points + bare.size());
+  for (Index t = 0; t < tets; ++t)
+  {
+    const Index* corners = mesh.Elements.data() + 4 * t;
+    const Index anchor = AnchorOf(topology, t);
     for (int c = 0; c < 4; ++c)
     {
-      const Index point = mesh.Elements[4 * t + c];
-      if (!IsAnchor(topology, point))
+      if (corners[c] != anchor && IsAnchor(topology, corners[c]))
       {
-        continue;
+        Join(parent, anchor, corners[c]);
       }
-      if (tetOf[point] < 0)
-      {
-        tetOf[point] = static_cast<Index>(t);
-      }
-      Join(parent, tetOf[point], static_cast<Index>(t));
     }
   }
   for (const auto& pair : faces.Joined)
   {
-    Join(parent, pair[0], pair[1]);
+    Join(parent, itemOf(pair[0]), itemOf(pair[1]));
   }
-  return parent;
-}
-
-std::vector<Piece> TetFragments::FindPieces(const Mesh& mesh, std::vector<Index> parent)
-{
+  std::vector<int> pieceOf(parent.size(), -1); // of the roots
   std::vector<Piece> pieces;
-  for (std::size_t t = 0; t < parent.size(); ++t)
+  this->PieceOf.reserve(tets);
+  for (Index t = 0; t < tets; ++t)
   {
-    const Index root = FindRoot(parent, static_cast<Index>(t));
-    if (root == static_cast<Index>(t))
+    int& piece = pieceOf[FindRoot(parent, itemOf(t))];
+    if (piece < 0)
     {
-      this->PieceOf.push_back(static_cast<int>(pieces.size()));
+      piece = static_cast<int>(pieces.size());
       pieces.push_back({ mesh.ElementIds[t], mesh.Material[t] });
     }
-    else
-    {
-      this->PieceOf.push_back(this->PieceOf[root]);
-    }
+    this->PieceOf.push_back(piece);
+  }
+  this->PieceAt.resize(points);
+  for (Index p = 0; p < points; ++p)
+  {
+    this->PieceAt[p] = IsAnchor(topology, p) ? pieceOf[FindRoot(parent, p)] : -1;
   }
   return pieces;
 }
@@ -127,11 +142,11 @@ PiecePairs TetFragments::FindSame(const TetTopology& topology, Index offset) con
     return same;
   }
   PagedArray<Index> pieceOf(this->Grid, -1);
-  ForCentres(topology, this->Grid,
-    [&](const IndexBox& cells, Index tet)
+  ForCentres(topology, this->Grid, this->PieceAt,
+    [&](const IndexBox& cells, std::size_t point)
     {
       this->Parts.ForRows(cells,
-        [&](Index first, Index last) { pieceOf.Fill(first, last, offset + this->PieceOf[tet]); });
+        [&](Index first, Index last) { pieceOf.Fill(first, last, offset + this->PieceAt[point]); });
     });
   const PagedArray<Index> mine = pieceOf;
   this->Parts.ExchangeCells(pieceOf,
@@ -189,25 +204,23 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
   return same;
 }
 
-void TetFragments::FindLocations(const TetTopology& topology)
+/// fragments: of the pieces.
+void TetFragments::FindLocations(const TetTopology& topology, const std::vector<int>& fragments)
 {
   const Mesh& mesh = topology.Tets;
   this->FragmentOfCentre = PagedArray<int>(this->Grid, 0);
-  ForCentres(topology, this->Grid,
-    [&](const IndexBox& cells, Index tet)
+  ForCentres(topology, this->Grid, this->PieceAt,
+    [&](const IndexBox& cells, std::size_t point)
     {
       this->Parts.ForRows(cells,
         [&](Index first, Index last)
-        { this->FragmentOfCentre.Fill(first, last, mesh.Fragment[tet]); });
+        { this->FragmentOfCentre.Fill(first, last, fragments[this->PieceAt[point]]); });
     });
+  std::vector<int>().swap(this->PieceAt);
   for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
   {
-    bool cut = false;
-    for (int c = 0; c < 4; ++c)
-    {
-      cut = cut || !IsAnchor(topology, mesh.Elements[4 * t + c]);
-    }
-    if (cut)
+    const Index* points = mesh.Elements.data() + 4 * t;
+    if (!std::all_of(points, points + 4, [&](Index p) { return IsAnchor(topology, p); }))
     {
       this->AddLocations(mesh, static_cast<Index>(t));
     }

@@ -37,16 +37,17 @@ private:
         std::tie(other.Cell, other.Material, other.Fragment);
     }
   };
-  std::vector<Index> JoinTets(const TetTopology& topology, const TetFaces& faces) const;
-  std::vector<Piece> FindPieces(const Mesh& mesh, std::vector<Index> parent);
+  std::vector<Piece> FindPieces(const TetTopology& topology, const TetFaces& faces);
   PiecePairs FindSame(const TetTopology& topology, Index offset) const;
   PiecePairs FindSameTets(const TetTopology& topology, Index offset) const;
-  void FindLocations(const TetTopology& topology);
+  void FindLocations(const TetTopology& topology, const std::vector<int>& fragments);
   void AddLocations(const Mesh& mesh, Index tet);
 
   const CartesianGrid& Grid;
   const Partition& Parts;
-  std::vector<int> PieceOf;         // of each tet
+  std::vector<int> PieceOf; // of each tet
+  std::vector<int>
+    PieceAt; // of each point that is an anchor, else -1; while pieces become fragments
   std::vector<int> MaterialOf;      // of each fragment
   PagedArray<int> FragmentOfCentre; // by cell; 0 where the centre lies on an interface
   std::vector<Location> Locations;  // sorted
