@@ -17,7 +17,7 @@ double VolumeOfElement(const Mesh& mesh, Index element, double unit)
   }
   if (mesh.Corners == 4)
   {
-    return std::pow(unit, -3.0) / 6.0 * Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0]));
+    return Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0])) / (6.0 * unit * unit * unit);
   }
   const double scale = 1.0 / unit;
   std::array<Vector3, 4> lower, upper;
