@@ -15,7 +15,6 @@ constexpr double SmallestDeterminant = 1e-9; // D, in cell volumes
 constexpr float SmallestInFloat = 1e-5f; // D
 constexpr float PoorestInFloat = 1e5f;   // 432 mu^3
 constexpr double LargestInFloat = 1e8;   // the energy
-constexpr double FloatRounding = 2e-6;   // of an energy, relative
 
 struct Request
 {
@@ -343,12 +342,7 @@ Derivatives TetEnergy::Differentiate(
 {
   const Request what{ mesh, point, mesh.X[point], this->Floors, stage };
   Derivatives d;
-  if (this->Precise || !DifferentiateInFloat(what, d))
-  {
-    return DifferentiateInDouble(what);
-  }
-  d.Value += FloatRounding * d.Value;
-  return d;
+  return this->Precise || !DifferentiateInFloat(what, d) ? DifferentiateInDouble(what) : d;
 }
 
 std::array<double, 4> TetEnergy::OfTets(
