@@ -84,7 +84,7 @@ std::vector<unsigned char> HexStages::Smooth(
     this->Labelled.Mixed, this->Options.IsoValue, this->Run);
   this->Clock.Start("Fitting surfaces", 0.2);
   SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
-  ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh);
+  ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh, this->Run);
   AttachHexes(interfaces, coarse, mesh, facets, this->Run, active);
   this->Kinds = active.OfMesh(
     this->AttachToCreases(*interfaces.All().back(), facets, mesh, targets, active), mesh);

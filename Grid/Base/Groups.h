@@ -33,4 +33,22 @@ Groups<Item> MakeGroups(std::size_t count, const ForItems& forItems)
   return groups;
 }
 
+/// The items of several lists, one list after another.
+template <class Item>
+std::vector<Item> Joined(const std::vector<std::vector<Item>>& lists)
+{
+  std::size_t count = 0;
+  for (const std::vector<Item>& list : lists)
+  {
+    count += list.size();
+  }
+  std::vector<Item> items;
+  items.reserve(count);
+  for (const std::vector<Item>& list : lists)
+  {
+    items.insert(items.end(), list.begin(), list.end());
+  }
+  return items;
+}
+
 } // namespace vfm

@@ -1,5 +1,6 @@
 #include "Hex/ActiveHexes.h"
 
+#include "Base/Groups.h"
 #include "Hex/NodesNear.h"
 #include "Hex/TransitionSmoothing.h"
 #include "Smoothing/ActiveMeshBuilder.h"
@@ -10,7 +11,8 @@ namespace vfm
 namespace
 {
 
-constexpr Index Rings = 2; // cells around interfaces whose points move
+constexpr Index Rings = 2;            // cells around interfaces whose points move
+constexpr Index PointsOfBlock = 4096; // that are looked at by one thread
 
 /// Which points move, and with which nodes.
 class MoverFinder
@@ -32,29 +34,39 @@ public:
     }
   }
 
-  std::vector<Mover> Find() const
+  std::vector<Mover> Find(Runtime& runtime) const
   {
-    std::vector<Mover> movers;
-    for (std::size_t p = 0; p < this->Input.PointIds.size(); ++p)
-    {
-      const Index id = this->Input.PointIds[p];
-      if (!this->MayMove(id))
+    const Index points = static_cast<Index>(this->Input.PointIds.size());
+    std::vector<std::vector<Mover>> found((points + PointsOfBlock - 1) / PointsOfBlock);
+    ForEach(runtime, found.size(),
+      [&](Index block)
       {
-        continue;
-      }
-      const OctreeKeys::LevelIndex node = this->Coarse.AnchorOf(this->Input, id);
-      const int halvings = this->Levels.NumberOfRefinements() - node.Level;
-      if (halvings <= this->Halvings && this->Near[halvings].Has(node.At))
-      {
-        movers.push_back(
-          { static_cast<Index>(p), id, this->Levels.Lattice().NodeKey(node.Level, node.At, 0),
-            this->Levels.FinestNode(node.Level, node.At), ColourOfNode(node) });
-      }
-    }
-    return movers;
+        const Index first = block * PointsOfBlock;
+        for (Index p = first; p < std::min(points, first + PointsOfBlock); ++p)
+        {
+          this->AddMover(p, found[block]);
+        }
+      });
+    return Joined(found);
   }
 
 private:
+  void AddMover(Index point, std::vector<Mover>& movers) const
+  {
+    const Index id = this->Input.PointIds[point];
+    if (!this->MayMove(id))
+    {
+      return;
+    }
+    const OctreeKeys::LevelIndex node = this->Coarse.AnchorOf(this->Input, id);
+    const int halvings = this->Levels.NumberOfRefinements() - node.Level;
+    if (halvings <= this->Halvings && this->Near[halvings].Has(node.At))
+    {
+      movers.push_back({ point, id, this->Levels.Lattice().NodeKey(node.Level, node.At, 0),
+        this->Levels.FinestNode(node.Level, node.At), ColourOfNode(node) });
+    }
+  }
+
   bool MayMove(Index id) const
   {
     const Index3 node = NodeOfPoint(this->Levels.Finest(), this->Input, id);
@@ -73,10 +85,10 @@ private:
 } // namespace
 
 ActiveMesh MakeActiveHexes(
-  const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh)
+  const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh, Runtime& runtime)
 {
   const RefinedGrid& levels = *labelled.Levels.Grid;
-  ActiveMeshBuilder builder(8, mesh.PointIds.size(), MoverFinder(labelled, mesh).Find());
+  ActiveMeshBuilder builder(8, mesh.PointIds.size(), MoverFinder(labelled, mesh).Find(runtime));
   const std::vector<Index> hexes = builder.AddAround(mesh);
   ActiveMesh active = builder.Finish(&partition, 8 * (levels.NumberOfRefinements() + 1),
     levels.HasFineInterfaces() ? ActiveMeshBuilder::Nodes::OfGrid : ActiveMeshBuilder::Nodes::Any);

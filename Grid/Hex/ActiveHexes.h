@@ -17,7 +17,7 @@ namespace vfm
 
 /// mesh: as CoarseHexes::Fill left it. Collective among peers.
 ActiveMesh MakeActiveHexes(
-  const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh);
+  const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh, Runtime& runtime);
 
 /// Draws the points on interfaces to the targets of their level.
 void AttachHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse, const Mesh& mesh,

@@ -103,11 +103,7 @@ void AttachToFacets(const std::vector<Facet>& facets, const FindTarget& findTarg
     });
   std::partial_sum(active.AttachmentOffset.begin(), active.AttachmentOffset.end(),
     active.AttachmentOffset.begin());
-  active.Attachments.reserve(active.AttachmentOffset.back());
-  for (const std::vector<Attachment>& own : found)
-  {
-    active.Attachments.insert(active.Attachments.end(), own.begin(), own.end());
-  }
+  active.Attachments = Joined(found);
 }
 
 /// Those between the same fragments in a row, so that their sums are few.

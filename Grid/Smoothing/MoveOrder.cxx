@@ -22,6 +22,21 @@ Index SlotOf(Index plane)
   return (plane & 1) != 0 ? plane + 2 : plane;
 }
 
+/// Of all nodes, their neighbours and slots.
+IndexBox BoxAround(const std::vector<Node>& nodes)
+{
+  IndexBox box = BoxOfCell(nodes.empty() ? Index3{} : nodes[0].At);
+  for (const Node& node : nodes)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      box.Lower[a] = std::min(box.Lower[a], node.At[a] - 1);
+      box.Upper[a] = std::max(box.Upper[a], node.At[a] + 3);
+    }
+  }
+  return box;
+}
+
 Index CountPoints(const Node& node)
 {
   return node.Points.Last - node.Points.First;
@@ -116,16 +131,9 @@ Chunks ChooseChunks(const std::vector<Node>& nodes)
 class Forerunners
 {
 public:
-  explicit Forerunners(const std::vector<Node>& nodes) : Nodes(nodes), IsOne(nodes.size(), 0)
+  explicit Forerunners(const std::vector<Node>& nodes) :
+    Nodes(nodes), Box(BoxAround(nodes)), IsOne(nodes.size(), 0)
   {
-    for (const Node& node : nodes)
-    {
-      for (int a = 0; a < 3; ++a)
-      {
-        this->Box.Lower[a] = std::min(this->Box.Lower[a], node.At[a] - 1);
-        this->Box.Upper[a] = std::max(this->Box.Upper[a], node.At[a] + 2);
-      }
-    }
     for (std::size_t n = 0; n < nodes.size(); ++n)
     {
       this->Places.push_back({ { IndexInBox(this->Box, nodes[n].At), static_cast<Index>(n) } });
@@ -176,7 +184,7 @@ private:
   }
 
   const std::vector<Node>& Nodes;
-  IndexBox Box{ { { 0, 0, 0 } }, { { 0, 0, 0 } } };
+  const IndexBox Box;
   std::vector<std::array<Index, 2>> Places; // in the box, and the node
   std::vector<unsigned char> IsOne;
   std::array<std::vector<std::size_t>, 8> OfColour;
@@ -264,39 +272,37 @@ void MoveOrder::AddPlanes(const std::vector<Node>& nodes)
   {
     return;
   }
-  struct Place
-  {
-    Index Task;
-    Index3 Slots; // z first
-    Group Points;
-    bool operator<(const Place& other) const
-    {
-      return this->Task != other.Task ? this->Task < other.Task : this->Slots < other.Slots;
-    }
-  };
   const Chunks chunks = ChooseChunks(nodes);
   const Index tasks = chunks.CountTasks();
-  std::vector<Place> places;
-  places.reserve(nodes.size());
-  for (const Node& node : nodes)
-  {
-    places.push_back({ chunks.StepOf(node) * tasks + chunks.TaskOf(node),
-      { { SlotOf(node.At[2]), SlotOf(node.At[1]), SlotOf(node.At[0]) } }, node.Points });
-  }
-  std::sort(places.begin(), places.end());
-  std::size_t at = 0;
-  for (Index step = 0; step < chunks.CountSteps(); ++step)
+  const IndexBox box = BoxAround(nodes);
+  const auto placeOf = [&box](const Index3& p) {
+    return IndexInBox(box, { { SlotOf(p[0]), SlotOf(p[1]), SlotOf(p[2]) } });
+  };
+  auto places = MakeGroups<std::array<Index, 2>>(chunks.CountSteps() * tasks,
+    [&](const auto& visit)
+    {
+      for (std::size_t n = 0; n < nodes.size(); ++n)
+      {
+        visit(chunks.StepOf(nodes[n]) * tasks + chunks.TaskOf(nodes[n]),
+          { { placeOf(nodes[n].At), static_cast<Index>(n) } });
+      }
+    });
+  for (int step = 0; step < chunks.CountSteps(); ++step)
   {
     this->TheSteps.push_back({ {}, -1 });
     std::vector<Index>& begins = this->TheSteps.back().Tasks;
-    for (Index task = -1; at < places.size() && places[at].Task / tasks == step; ++at)
+    for (Index task = step * tasks; task < (step + 1) * tasks; ++task)
     {
-      if (places[at].Task != task)
+      const auto begin = places.Items.begin() + places.Begin[task],
+                 end = places.Items.begin() + places.Begin[task + 1];
+      std::sort(begin, end);
+      if (begin != end)
       {
-        task = places[at].Task;
         begins.push_back(static_cast<Index>(this->TheGroups.size()));
       }
-      this->TheGroups.push_back(places[at].Points);
+      std::for_each(begin, end,
+        [&](const std::array<Index, 2>& place)
+        { this->TheGroups.push_back(nodes[place[1]].Points); });
     }
     begins.push_back(static_cast<Index>(this->TheGroups.size()));
   }

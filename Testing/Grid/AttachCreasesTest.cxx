@@ -73,14 +73,14 @@ struct CubeHexes
       BuildHexes(grid, this->Labelled.Labels, this->Labelled.Mixed, false, numbering, Run, coarse);
     this->Hexes.Levels = this->Labelled.Levels.Grid;
     const Fragments fragments(grid, this->Labelled.Labels, false, this->Parts);
-    FillFragments(this->Labelled, numbering, fragments, Run, this->Hexes);
+    FillFragments(this->Labelled, numbering, fragments, runtime, this->Hexes);
     this->Facets = FindHexFacets(this->Labelled, numbering, fragments, this->Parts, this->Hexes);
     const LevelInterfaces interfaces(
       *this->Hexes.Levels, fractions, this->Labelled.Labels, this->Labelled.Mixed, 0.5, Run);
     this->Targets =
       std::make_unique<SurfaceTargets>(interfaces.All(), SurfaceTargets::Kind::Quadrics, Run);
-    this->Active = MakeActiveHexes(this->Labelled, this->Parts, this->Hexes);
-    AttachHexes(interfaces, coarse, this->Hexes, this->Facets, Run, this->Active);
+    this->Active = MakeActiveHexes(this->Labelled, this->Parts, this->Hexes, runtime);
+    AttachHexes(interfaces, coarse, this->Hexes, this->Facets, runtime, this->Active);
     const Interface& interface = *interfaces.All().back();
     this->Kinds = AttachCreases({ MakeCreases(interface), interface, 0 }, this->Facets, this->Hexes,
       *this->Targets, this->Active, Run);
