@@ -67,7 +67,8 @@ void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clo
 void MeshStages::Resolve(LabelArray& labels)
 {
   this->Clock.Start("Resolving labels", 0.05);
-  const ResolveReport resolved = ResolveLabels(this->Grid, this->Fractions, labels, this->Parts);
+  const ResolveReport resolved =
+    ResolveLabels(this->Grid, this->Fractions, labels, this->Parts, this->Run);
   this->Report.FlippedCells = resolved.FlippedCells;
   this->Report.ResolveRounds = resolved.Rounds;
 }
@@ -223,7 +224,7 @@ void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
     MakeGrid(grid, plan, {}, runtime.Group(), result.Levels);
     result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
     const ResolveReport resolved =
-      ResolveLabels(grid, fractions, result.Labels, partition, result.Levels.Grid.get());
+      ResolveLabels(grid, fractions, result.Labels, partition, runtime, result.Levels.Grid.get());
     report.FlippedCells = resolved.FlippedCells;
     report.ResolveRounds = resolved.Rounds;
     if (report.LevelRounds < FlipRounds &&

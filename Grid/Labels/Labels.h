@@ -11,6 +11,7 @@ namespace vfm
 {
 
 class RefinedGrid;
+class Runtime;
 
 using LabelArray = PagedArray<int>;
 
@@ -57,6 +58,7 @@ struct ResolveReport
 /// leaves: where given, leaves flip as a whole, and a leaf competes with all that share a node with it; labels must be alike
 /// within each (AssignLeafMaterials), and the grid needs 3 base cells of ghosts.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
-  LabelArray& labels, const Partition& partition, const RefinedGrid* leaves = nullptr);
+  LabelArray& labels, const Partition& partition, Runtime& runtime,
+  const RefinedGrid* leaves = nullptr);
 
 } // namespace vfm

@@ -207,7 +207,7 @@ private:
     }
     const LabelArray before = AssignMaterials(this->Grid, this->Fractions, this->IsoValue);
     LabelArray labels = before;
-    ResolveLabels(this->Grid, this->Fractions, labels, this->ThePartition);
+    ResolveLabels(this->Grid, this->Fractions, labels, this->ThePartition, this->Run);
     ForCells(this->Grid.Owned(),
       [&](const Index3& p)
       {

@@ -1,3 +1,4 @@
+#include "Base/Runtime.h"
 #include "Base/Sorted.h"
 #include "Fractions/FractionSum.h"
 #include "Labels/LabelCondition.h"
@@ -118,11 +119,12 @@ class Resolver
 {
 public:
   Resolver(const CartesianGrid& grid, const FractionField& fractions, LabelArray& labels,
-    const Partition& partition, const RefinedGrid* leaves) :
+    const Partition& partition, Runtime& runtime, const RefinedGrid* leaves) :
     Grid(grid),
     Fractions(fractions),
     Labels(labels),
     Parts(partition),
+    Run(runtime),
     Units(grid, leaves),
     Reach(grid.Extended(this->Units.LargestWidth()))
   {
@@ -133,7 +135,7 @@ public:
   /// no star is violated: a violated star has several labels, hence a unit that can take a smaller label of the star; the best
   /// of all candidates flips, and units that flip at once have no star in common. Only where the last order leaves nothing else, a label loses
   /// its last unit.
-  ResolveReport Run()
+  ResolveReport Resolve()
   {
     this->Violated = FindMixedNodes(this->Grid, this->Labels);
     this->KeepViolated();
@@ -181,10 +183,13 @@ private:
   {
     std::vector<Index>& nodes = this->Violated;
     SortUnique(nodes);
-    nodes.erase(
-      std::remove_if(nodes.begin(), nodes.end(),
-        [this](Index node) { return !this->IsNear(node) || this->Violations(node) == 0; }),
-      nodes.end());
+    ForEach(this->Run, nodes.size(),
+      [&](Index n)
+      {
+        const bool isKept = this->IsNear(nodes[n]) && this->Violations(nodes[n]) > 0;
+        nodes[n] = isKept ? nodes[n] : -1;
+      });
+    nodes.erase(std::remove(nodes.begin(), nodes.end(), -1), nodes.end());
   }
 
   /// Violations removed at the nodes of a unit when it takes each of some labels.
@@ -222,8 +227,8 @@ private:
     return label != current && !(decreasing && this->Order(label) > this->Order(current));
   }
 
-  /// Makes the best of some labels that a unit may take, ascending, its candidate.
-  void Consider(Index unit, const std::vector<int>& labels, bool decreasing)
+  /// The best of some labels that a unit may take, ascending; label -1: none.
+  Candidate Consider(Index unit, const std::vector<int>& labels, bool decreasing) const
   {
     const IndexBox cells = this->Units.CellsOf(unit);
     const std::vector<int> gains = this->FindGains(cells, labels);
@@ -243,10 +248,7 @@ private:
         best.Label = labels[n];
       }
     }
-    if (best.Label >= 0)
-    {
-      this->Candidates.emplace(unit, best);
-    }
+    return best;
   }
 
   /// The fraction that a unit gives up times its width: how far the interface moves, in cells of the grid.
@@ -281,23 +283,38 @@ private:
       }
     }
     SortUnique(changes);
-    std::vector<int> allowed;
-    for (std::size_t n = 0; n < changes.size();)
+    std::vector<std::size_t> begins; // of the changes of each unit, and the end
+    for (std::size_t n = 0; n < changes.size(); ++n)
     {
-      const Index unit = changes[n].first;
-      const bool isKept = this->KeepsLast &&
-        this->Sizes->IsLast(this->Units.CellsOf(unit).NumberOfCells(), this->Labels[unit]);
-      allowed.clear();
-      for (; n < changes.size() && changes[n].first == unit; ++n)
+      if (n == 0 || changes[n].first != changes[n - 1].first)
       {
-        if (!isKept && this->MayTake(this->Labels[unit], changes[n].second, decreasing))
-        {
-          allowed.push_back(changes[n].second);
-        }
+        begins.push_back(n);
       }
-      if (!allowed.empty())
+    }
+    begins.push_back(changes.size());
+    std::vector<Candidate> found(begins.size() - 1);
+    ForEach(this->Run, found.size(),
+      [&](Index n)
       {
-        this->Consider(unit, allowed, decreasing);
+        const Index unit = changes[begins[n]].first;
+        const bool isKept = this->KeepsLast &&
+          this->Sizes->IsLast(this->Units.CellsOf(unit).NumberOfCells(), this->Labels[unit]);
+        std::vector<int> allowed;
+        for (std::size_t c = begins[n]; !isKept && c < begins[n + 1]; ++c)
+        {
+          if (this->MayTake(this->Labels[unit], changes[c].second, decreasing))
+          {
+            allowed.push_back(changes[c].second);
+          }
+        }
+        found[n] =
+          allowed.empty() ? Candidate{ 0.0, -1, 0 } : this->Consider(unit, allowed, decreasing);
+      });
+    for (std::size_t n = 0; n < found.size(); ++n)
+    {
+      if (found[n].Label >= 0)
+      {
+        this->Candidates.emplace(changes[begins[n]].first, found[n]);
       }
     }
   }
@@ -370,25 +387,40 @@ private:
   {
     for (int rounds = 0;; ++rounds)
     {
-      this->Candidates.clear();
-      for (const auto& unit : this->Original)
-      {
-        const IndexBox cells = this->Units.CellsOf(unit.first);
-        const int label = this->Labels[unit.first];
-        if (this->Reach.Contains(cells.Lower) && label != unit.second &&
-          this->FindGains(cells, { unit.second })[0] == 0)
-        {
-          this->Candidates.emplace(unit.first,
-            Candidate{ this->Price(cells, unit.second, label), unit.second,
-              this->Grid.CellKey(cells.Lower) });
-        }
-      }
+      this->FindRestorable();
       if (!this->Parts.Group().Any(!this->Candidates.empty()))
       {
         return rounds;
       }
       this->Flip();
       this->Violated.clear();
+    }
+  }
+
+  /// Makes the first labels of units candidates where no star minds.
+  void FindRestorable()
+  {
+    this->Candidates.clear();
+    const std::vector<std::pair<Index, int>> units(this->Original.begin(), this->Original.end());
+    std::vector<Candidate> found(units.size());
+    ForEach(this->Run, units.size(),
+      [&](Index n)
+      {
+        const auto& [unit, first] = units[n];
+        const IndexBox cells = this->Units.CellsOf(unit);
+        const int label = this->Labels[unit];
+        const bool may = this->Reach.Contains(cells.Lower) && label != first &&
+          this->FindGains(cells, { first })[0] == 0;
+        found[n] = may
+          ? Candidate{ this->Price(cells, first, label), first, this->Grid.CellKey(cells.Lower) }
+          : Candidate{ 0.0, -1, 0 };
+      });
+    for (std::size_t n = 0; n < units.size(); ++n)
+    {
+      if (found[n].Label >= 0)
+      {
+        this->Candidates.emplace(units[n].first, found[n]);
+      }
     }
   }
 
@@ -422,6 +454,7 @@ private:
   const FractionField& Fractions;
   LabelArray& Labels;
   const Partition& Parts;
+  Runtime& Run;
   const LabelUnits Units;
   const IndexBox Reach;
   std::vector<Index> Violated;
@@ -437,9 +470,9 @@ private:
 } // namespace
 
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
-  LabelArray& labels, const Partition& partition, const RefinedGrid* leaves)
+  LabelArray& labels, const Partition& partition, Runtime& runtime, const RefinedGrid* leaves)
 {
-  return Resolver(grid, fractions, labels, partition, leaves).Run();
+  return Resolver(grid, fractions, labels, partition, runtime, leaves).Resolve();
 }
 
 } // namespace vfm

@@ -262,7 +262,7 @@ void FinestCells(benchmark::State& state)
         const double halving = lap();
         LabelArray labels = AssignMaterials(grid, field, 0.5);
         const double assigning = lap();
-        ResolveLabels(grid, field, labels, Partition(grid, runtime.Group()));
+        ResolveLabels(grid, field, labels, Partition(grid, runtime.Group()), runtime);
         const double resolving = lap();
         benchmark::DoNotOptimize(FindMixedNodes(grid, labels));
         const double finding = lap();

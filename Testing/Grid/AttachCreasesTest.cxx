@@ -63,7 +63,7 @@ struct CubeHexes
     MeshReport report;
     LevelPlan plan;
     this->Labelled.Labels = AssignMaterials(grid, fractions, 0.5);
-    ResolveLabels(grid, fractions, this->Labelled.Labels, this->Parts);
+    ResolveLabels(grid, fractions, this->Labelled.Labels, this->Parts, runtime);
     this->Labelled.Mixed = FindMixedNodes(grid, this->Labelled.Labels);
     MakeLevels(grid, this->Labelled.Labels, this->Labelled.Mixed, { false, false, true }, plan, Run,
       report, this->Labelled.Levels);

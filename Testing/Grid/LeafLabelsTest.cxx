@@ -33,8 +33,9 @@ struct LeafGrid
   }
   ResolveReport Resolve(const FractionField& fractions, Ranks& ranks, LabelArray& labels) const
   {
+    RankRuntime runtime(ranks);
     return ResolveLabels(
-      this->Finest, fractions, labels, Partition(this->Finest, ranks), &this->Levels);
+      this->Finest, fractions, labels, Partition(this->Finest, ranks), runtime, &this->Levels);
   }
   Index3 LowestOfLeaf(const Index3& cell) const
   {
@@ -306,8 +307,8 @@ TEST(LeafLabels, OfFineCellsAloneAreThoseOfCells)
     LabelArray labels = levels.Assign(fractions);
     LabelArray ofCells = AssignMaterials(levels.Finest, fractions, IsoValue);
     const ResolveReport report = levels.Resolve(fractions, runtime.Group(), labels);
-    const ResolveReport reportOfCells =
-      ResolveLabels(levels.Finest, fractions, ofCells, Partition(levels.Finest, runtime.Group()));
+    const ResolveReport reportOfCells = ResolveLabels(
+      levels.Finest, fractions, ofCells, Partition(levels.Finest, runtime.Group()), runtime);
     EXPECT_EQ(report.FlippedCells, reportOfCells.FlippedCells);
     EXPECT_EQ(report.Rounds, reportOfCells.Rounds);
     Index differences = 0;

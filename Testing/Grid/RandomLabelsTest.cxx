@@ -70,7 +70,7 @@ TEST_P(RandomLabels, MeshIsValid)
     MeshReport report;
     const Mesh mesh = MakeHexMesh(grid, field, options, runtime, report);
     LabelArray labels = AssignMaterials(grid, field, options.IsoValue);
-    ResolveLabels(grid, field, labels, Partition(grid, runtime.Group()));
+    ResolveLabels(grid, field, labels, Partition(grid, runtime.Group()), runtime);
     for (Index node : FindMixedNodes(grid, labels))
     {
       ASSERT_EQ(CountViolations(StarOfNode(grid, labels, node)), 0);

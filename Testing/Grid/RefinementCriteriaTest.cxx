@@ -333,7 +333,7 @@ TEST(RefinementCriteria, FlippedCellsAskForOne)
   Runtime runtime;
   const LabelArray before = AssignMaterials(grid, field, 0.5);
   LabelArray after = before;
-  ResolveLabels(grid, field, after, Partition(grid, runtime.Group()));
+  ResolveLabels(grid, field, after, Partition(grid, runtime.Group()), runtime);
   std::map<Index, int> expected;
   ForCells(grid.Owned(),
     [&](const Index3& p)

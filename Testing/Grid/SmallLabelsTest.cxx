@@ -28,7 +28,7 @@ LabelArray Resolved(const CartesianGrid& grid, const FractionField& fractions)
 {
   Runtime runtime;
   LabelArray labels = AssignMaterials(grid, fractions, 0.5);
-  ResolveLabels(grid, fractions, labels, Partition(grid, runtime.Group()));
+  ResolveLabels(grid, fractions, labels, Partition(grid, runtime.Group()), runtime);
   return labels;
 }
 
