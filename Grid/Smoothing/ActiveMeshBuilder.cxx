@@ -63,6 +63,25 @@ std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* parti
   return nodes;
 }
 
+/// Movers of other ranks wake those here that share an element with them; most do with none.
+void ActiveMeshBuilder::WantFlags(const std::vector<MoveOrder::Node>& nodes)
+{
+  const ActiveMesh& mesh = this->Result;
+  std::vector<unsigned char> isOwned(mesh.MeshPoint.size(), 0), isNear(isOwned);
+  for (const MoveOrder::Node& node : nodes)
+  {
+    std::fill(isOwned.begin() + node.Points.First, isOwned.begin() + node.Points.Last, 1);
+  }
+  for (auto points = mesh.Elements.begin(); points != mesh.Elements.end(); points += mesh.Corners)
+  {
+    if (std::any_of(points, points + mesh.Corners, [&](int point) { return isOwned[point]; }))
+    {
+      std::for_each(points, points + mesh.Corners, [&](int point) { isNear[point] = 1; });
+    }
+  }
+  this->Result.Exchange.WantFlags(isNear);
+}
+
 ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, Nodes which)
 {
   const std::size_t points = this->Result.MeshPoint.size();
@@ -76,6 +95,10 @@ ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, No
     this->Result.Exchange = PointExchange(this->Movers, *partition, colours);
   }
   const std::vector<MoveOrder::Node> nodes = this->ListNodes(partition);
+  if (this->Result.Exchange.HasPeers())
+  {
+    this->WantFlags(nodes);
+  }
   this->Result.Order = which == Nodes::OfGrid ? MoveOrder::ByPlanes(nodes, this->Result.Exchange)
                                               : MoveOrder::ByColour(nodes, colours);
   std::vector<Mover>().swap(this->Movers);

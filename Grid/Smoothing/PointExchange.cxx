@@ -66,9 +66,22 @@ PointExchange::PointExchange(
       Link& link = links[peer][colour];
       if (!link.Outgoing.empty() || !link.Incoming.empty())
       {
+        link.WantsFlag.assign(link.Incoming.size(), 1);
         this->Peers[colour].push_back(partition.Peers()[peer]);
         this->Links[colour].push_back(std::move(link));
       }
+    }
+  }
+}
+
+void PointExchange::WantFlags(const std::vector<unsigned char>& ofMovers)
+{
+  for (std::vector<Link>& links : this->Links)
+  {
+    for (Link& link : links)
+    {
+      std::transform(link.Incoming.begin(), link.Incoming.end(), link.WantsFlag.begin(),
+        [&](int mover) { return ofMovers[mover]; });
     }
   }
 }
@@ -96,9 +109,10 @@ void PointExchange::Send(int colour, std::vector<Vector3>& points,
     const std::vector<Message> items = FromBytes<Message>(messages[peer]);
     for (std::size_t i = 0; i < items.size(); ++i)
     {
-      const int mover = this->Links[colour][peer].Incoming[i];
+      const Link& link = this->Links[colour][peer];
+      const int mover = link.Incoming[i];
       points[mover] = items[i].X;
-      if (items[i].Flag > 0.0)
+      if (items[i].Flag > 0.0 && link.WantsFlag[i])
       {
         received(mover);
       }

@@ -37,8 +37,12 @@ public:
   template <class Visitor>
   void ForSent(const Visitor& visit) const;
 
+  /// Says of which of the peers' movers flags are wanted; before, of all.
+  void WantFlags(const std::vector<unsigned char>& ofMovers);
+
   /// Sends the positions of the movers of a colour and receives those of the peers' movers.
-  /// points, flags: those of the movers come first, in their order; flags are sent along. received(mover) is called where a flag was set.
+  /// points, flags: those of the movers come first, in their order; flags are sent along. received(mover) is called where a flag was set
+  /// that is wanted.
   void Send(int colour, std::vector<Vector3>& points, const std::vector<unsigned char>& flags,
     const std::function<void(int)>& received) const;
   /// Sends what pack(mover) returns of every mover, of all colours, and calls unpack(mover, value) with what comes of the peers' movers.
@@ -55,6 +59,7 @@ private:
   struct Link
   {
     std::vector<int> Outgoing, Incoming;
+    std::vector<unsigned char> WantsFlag; // of the incoming ones
   };
 
   Ranks* Group = nullptr;
