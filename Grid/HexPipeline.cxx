@@ -17,8 +17,9 @@ namespace vfm
 namespace
 {
 
-const SmoothingRamp Ramp{ { 1, 1.0, 0.1, 5, 0.0 }, { 2, 10.0, 0.05, 10, 0.0 },
-  { 8, 60.0, 0.01, 40, 2e-3 } };
+const SmoothingPace Pace{ 1.7, 4.0, 0.0, 5e-5, 1.5e-3 };
+const SmoothingRamp Ramp{ { 1, 1.0, 0.1, 3, 0.0, Pace }, { 2, 10.0, 0.05, 7, 0.0, Pace },
+  { 8, 60.0, 0.01, 18, 2e-3, Pace } };
 
 double TargetJacobian(const FractionField& fractions, const MeshOptions& options)
 {

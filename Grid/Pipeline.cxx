@@ -44,9 +44,12 @@ void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clo
   { return volumes.IsSmall(a.Fragments[0]) || volumes.IsSmall(a.Fragments[1]); };
   for (int round = 0; round < CorrectionRounds && volumes.WorstError() > VolumeTolerance; ++round)
   {
-    smoother.Shift(volumes.FindShifts(what.Active), isSmall, stage);
-    smoother.RunStage(stage, [&](double) { clock.Update(0.8 + 0.02 * round); });
+    if (!smoother.Follow(volumes.FindShifts(what.Active), isSmall, stage))
+    {
+      break; // what is left the nudges make up for
+    }
     volumes.Measure(what.Active);
+    clock.Update(0.8 + 0.02 * round);
   }
   for (int round = 0; round < SmallRounds && volumes.WorstSmallError() > SmallTolerance; ++round)
   {

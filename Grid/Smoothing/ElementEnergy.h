@@ -9,6 +9,17 @@
 namespace vfm
 {
 
+/// How far points step, and after which steps their neighbours are looked at again.
+struct SmoothingPace
+{
+  double Relaxation = 1.0;       ///< factor of short Newton steps, tried first
+  double LongestStretch = 1.0;   ///< the largest factor of Newton steps up the barrier
+  double MoveThatCounts = 0.005; ///< shorter steps, in cells, wake no neighbour
+  double FallThatCounts =
+    0.0; ///< nor do those with a smaller fall of the energy at the point than this
+  double PartThatCounts = 0.0; ///< and this part of the energy
+};
+
 /// One stage of the ramp from a soft to a hard barrier.
 struct SmoothingStage
 {
@@ -17,6 +28,7 @@ struct SmoothingStage
   double Omega;  ///< weight of the shape term
   int Sweeps;
   double SmallestMove; ///< ends the stage when no point moved farther, in cells; 0: all sweeps
+  SmoothingPace Pace{};
 };
 
 using SmoothingRamp = std::vector<SmoothingStage>;

@@ -12,13 +12,16 @@ namespace
 constexpr double TrustRadius = 0.2; // largest step, in cells
 constexpr double Backtrack = 0.4;   // factor of the line search
 constexpr int Backtracks = 8;
-constexpr double Armijo = 1e-4;          // share of the predicted decrease that a step must reach
-constexpr double Noise = 1e-6;           // of an energy, relative: it may be a sum of floats
-constexpr double MoveThatCounts = 0.005; // smaller moves wake no neighbour
-constexpr double NudgeRadius = 0.01;     // in mean cells
-constexpr double NudgePrice = 1.05;      // factor by which a nudge may raise the barrier
-constexpr double OffsetAhead = 0.25;     // of an attachment, of 0 or of its point, in cells
-constexpr double LongestOffset = 1.0;    // from 0
+constexpr double Armijo = 1e-4;    // share of the predicted decrease that a step must reach
+constexpr double Noise = 1e-6;     // of an energy, relative: it may be a sum of floats
+constexpr double ShortStep = 0.05; // up to which steps are relaxed, in cells
+constexpr double SettledFalls =
+  2.0; // falls that count, up to which the steps of a settled point are not relaxed
+constexpr double BarrierShare = 0.9;  // 1 - 1 / p, of the powers of a hard barrier
+constexpr double NudgeRadius = 0.01;  // in mean cells
+constexpr double NudgePrice = 1.05;   // factor by which a nudge may raise the barrier
+constexpr double OffsetAhead = 0.25;  // of an attachment, of 0 or of its point, in cells
+constexpr double LongestOffset = 1.0; // from 0
 constexpr double LargestPrice =
   10.0;                          // energy of the elements at a point up to which long offsets grow
 constexpr double NoVisit = -1.0; // in place of a move: the point was not looked at in a sweep
@@ -55,6 +58,22 @@ EigenVector3 SolveFor(int held, Matrix3& H, EigenVector3& g)
     }
   }
   return SolveNewton(H, g);
+}
+
+/// The fall of an energy from which on neighbours are woken.
+double FallThatCounts(const SmoothingPace& pace, double energy)
+{
+  return pace.FallThatCounts + pace.PartThatCounts * energy;
+}
+
+/// Which multiple of a Newton step to try first. fall: twice what its model promises. A barrier is nearly E = x^-p, on which Newton's
+/// steps grow x by the factor 1 + 1 / (p + 1) only; those of E^(1/p) have the same direction and are longer.
+double FirstFactor(const SmoothingPace& pace, double length, double fall, double energy)
+{
+  const bool isRelaxed = length < ShortStep && fall > SettledFalls * FallThatCounts(pace, energy);
+  const double left = std::max(1.0 - BarrierShare * fall / energy, 1.0 / pace.LongestStretch);
+  return std::max(
+    { 1.0, isRelaxed ? pace.Relaxation : 1.0, std::min(1.0 / left, TrustRadius / length) });
 }
 
 } // namespace
@@ -200,7 +219,7 @@ void Smoother::Shift(
   }
 }
 
-void Smoother::Follow(
+bool Smoother::Follow(
   const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage)
 {
   this->Shift(shifts, isLong, stage);
@@ -209,18 +228,25 @@ void Smoother::Follow(
   this->ForPoints(
     [&](int point)
     {
-      if (std::any_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
+      if (std::none_of(shifts.begin() + offsets[point], shifts.begin() + offsets[point + 1],
             [](double shift) { return std::fabs(shift) >= ShiftThatCounts; }))
       {
-        this->Woke[point] = 1; // on all ranks: others may not know all that a point is attached to
-        this->MarkNeighbours(point);
+        return NoVisit;
       }
+      this->Woke[point] = 1; // on all ranks: others may not know all that a point is attached to
+      this->MarkNeighbours(point);
       return NoVisit;
     });
+  if (!this->Run.Group().Any(
+        std::find(this->Woke.begin(), this->Woke.end(), 1) != this->Woke.end()))
+  {
+    return false;
+  }
   const bool wasGuarded = this->IsGuarded;
   this->IsGuarded = true; // cheaper than to check all elements, since few points move
   this->RunSweeps(stage, [](double) {});
   this->IsGuarded = wasGuarded;
+  return true;
 }
 
 void Smoother::Nudge(const std::vector<double>& shifts, const SmoothingStage& stage)
@@ -293,8 +319,8 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   const double cut = std::min(1.0, TrustRadius / length);
   const double slope = cut * g.dot(newton);
   step = cut * step;
-  double t = 1.0;
-  for (int trial = 0; trial <= Backtracks; ++trial, t *= Backtrack)
+  double t = FirstFactor(stage.Pace, length, -g.dot(newton), d.Value);
+  for (int trial = 0; trial <= Backtracks; ++trial, t = t > 1.0 ? 1.0 : t * Backtrack)
   {
     const Vector3 x = isFree ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
@@ -303,7 +329,8 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     {
       this->Mesh.X[point] = x;
       const double move = t * cut * length;
-      if (move > MoveThatCounts)
+      if (move > stage.Pace.MoveThatCounts &&
+        d.Value - energy >= FallThatCounts(stage.Pace, energy))
       {
         this->Woke[point] = 1;
         this->MarkNeighbours(point);

@@ -37,13 +37,10 @@ public:
 
   /// Whether an attachment may have an offset of up to a cell.
   using HasLongOffset = std::function<bool(const Attachment&)>;
-  /// Adds to the offsets of the attachments (grid coordinates, towards the second label). They stay within a quarter of a cell; long ones
+  /// Adds to the offsets of the attachments (grid coordinates, towards the second label), then runs a stage from the points whose targets
+  /// moved by a thousandth of a cell or more, and what they wake; whether there were some. Offsets stay within a quarter of a cell; long ones
   /// may be as far ahead of where their points have come, while the elements there are good by the energy of a stage.
-  void Shift(
-    const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
-
-  /// Shifts, then runs a stage from the points whose targets moved by a thousandth of a cell or more, and what they wake.
-  void Follow(
+  bool Follow(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
   /// Moves every surface point by the shifts of its attachments along their normals (grid coordinates), at most
@@ -55,6 +52,8 @@ public:
   Index Visits() const { return this->NumberOfVisits; }
 
 private:
+  void Shift(
+    const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
   std::array<double, 2> LongRange(
     int point, const Attachment& a, const SmoothingStage& stage) const;
   void MoveAndCheck(const std::function<void()>& move);
