@@ -20,7 +20,7 @@ constexpr int SweepsPerCorrection = 4;
 constexpr double VolumeTolerance = 2e-4; // relative, of the rounds with smoothing
 constexpr int SmallRounds = 40;          // for small fragments alone
 constexpr double SmallTolerance = 5e-3;  // relative, of a small fragment
-constexpr int Nudges = 4;
+constexpr int Nudges = 6;
 constexpr int MoreNudges = 4;           // where fragments were given up
 constexpr double FinalTolerance = 1e-7; // relative
 

@@ -12,12 +12,11 @@ namespace vfm
 /// How far points step, and after which steps their neighbours are looked at again.
 struct SmoothingPace
 {
-  double Relaxation = 1.0;       ///< factor of short Newton steps, tried first
-  double LongestStretch = 1.0;   ///< the largest factor of Newton steps up the barrier
+  double Relaxation = 1.0;       ///< factor of Newton steps, tried first
+  double LongestStretch = 1.0;   ///< their largest factor where the barrier rules
   double MoveThatCounts = 0.005; ///< shorter steps, in cells, wake no neighbour
-  double FallThatCounts =
-    0.0; ///< nor do those with a smaller fall of the energy at the point than this
-  double PartThatCounts = 0.0; ///< and this part of the energy
+  double FallThatCounts = 0.0;   ///< nor do those by which the energy at the point falls by less,
+  double PartThatCounts = 0.0;   ///< together with this part of that energy
 };
 
 /// One stage of the ramp from a soft to a hard barrier.

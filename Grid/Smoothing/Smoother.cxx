@@ -12,11 +12,9 @@ namespace
 constexpr double TrustRadius = 0.2; // largest step, in cells
 constexpr double Backtrack = 0.4;   // factor of the line search
 constexpr int Backtracks = 8;
-constexpr double Armijo = 1e-4;    // share of the predicted decrease that a step must reach
-constexpr double Noise = 1e-6;     // of an energy, relative: it may be a sum of floats
-constexpr double ShortStep = 0.05; // up to which steps are relaxed, in cells
-constexpr double SettledFalls =
-  2.0; // falls that count, up to which the steps of a settled point are not relaxed
+constexpr double Armijo = 1e-4;       // share of the predicted decrease that a step must reach
+constexpr double Noise = 1e-6;         // of an energy, relative: it may be a sum of floats
+constexpr double SettledFalls = 4.0;  // falls that count; where less is promised a point settles
 constexpr double BarrierShare = 0.9;  // 1 - 1 / p, of the powers of a hard barrier
 constexpr double NudgeRadius = 0.01;  // in mean cells
 constexpr double NudgePrice = 1.05;   // factor by which a nudge may raise the barrier
@@ -66,11 +64,12 @@ double FallThatCounts(const SmoothingPace& pace, double energy)
   return pace.FallThatCounts + pace.PartThatCounts * energy;
 }
 
-/// Which multiple of a Newton step to try first. fall: twice what its model promises. A barrier is nearly E = x^-p, on which Newton's
-/// steps grow x by the factor 1 + 1 / (p + 1) only; those of E^(1/p) have the same direction and are longer.
+/// Which multiple of a Newton step to try first. fall: twice what its model promises; where that is little, an exact step leaves nothing
+/// to do. A barrier is nearly E = x^-p, on which Newton's steps grow x by the factor 1 + 1 / (p + 1) only; those of E^(1/p) have the same
+/// direction and are longer.
 double FirstFactor(const SmoothingPace& pace, double length, double fall, double energy)
 {
-  const bool isRelaxed = length < ShortStep && fall > SettledFalls * FallThatCounts(pace, energy);
+  const bool isRelaxed = length < TrustRadius && fall > SettledFalls * FallThatCounts(pace, energy);
   const double left = std::max(1.0 - BarrierShare * fall / energy, 1.0 / pace.LongestStretch);
   return std::max(
     { 1.0, isRelaxed ? pace.Relaxation : 1.0, std::min(1.0 / left, TrustRadius / length) });
