@@ -10,6 +10,7 @@
 #include "Smoothing/CellLocator.h"
 #include "Smoothing/HexEnergy.h"
 
+#include <optional>
 #include <stdexcept>
 
 namespace vfm
@@ -81,16 +82,20 @@ std::vector<unsigned char> HexStages::Smooth(
   const std::vector<Facet>& facets, FragmentVolumes& volumes, Mesh& mesh)
 {
   const CoarseHexes& coarse = *this->Labelled.Levels.Coarse;
-  const LevelInterfaces interfaces(*mesh.Levels, this->Fractions, this->Labelled.Labels,
-    this->Labelled.Mixed, this->Options.IsoValue, this->Run);
+  std::optional<LevelInterfaces> interfaces(std::in_place, *mesh.Levels, this->Fractions,
+    this->Labelled.Labels, this->Labelled.Mixed, this->Options.IsoValue, this->Run);
   this->Clock.Start("Fitting surfaces", 0.2);
-  SurfaceTargets targets(interfaces.All(), KindOfTargets(this->Options), this->Run);
+  SurfaceTargets targets(interfaces->All(), KindOfTargets(this->Options), this->Run);
   ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh, this->Run);
-  AttachHexes(interfaces, coarse, mesh, facets, this->Run, active);
+  AttachHexes(*interfaces, coarse, mesh, facets, this->Run, active);
   this->Kinds = active.OfMesh(
-    this->AttachToCreases(*interfaces.All().back(), facets, mesh, targets, active), mesh);
+    this->AttachToCreases(*interfaces->All().back(), facets, mesh, targets, active), mesh);
   SetFacets(facets, active);
   std::vector<int>().swap(active.PointOf);
+  if (KindOfTargets(this->Options) == SurfaceTargets::Kind::Quadrics)
+  {
+    interfaces.reset(); // facets need it
+  }
   const HexEnergy energy(TargetJacobian(this->Fractions, this->Options));
   Improve({ active, targets, energy, Ramp, volumes, this->Report,
             this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },

@@ -105,7 +105,6 @@ void TransitionMesh::PlacePoints()
                                         : ToGrid(this->Lattice.Base(), p);
     this->Active.Fixed[n] = FixedOnSides(this->Refined.DomainSides[point]);
   }
-  this->Active.Start = this->Active.X;
 }
 
 /// Smallest corner determinant of a hex, in cell volumes.

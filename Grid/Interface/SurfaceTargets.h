@@ -32,7 +32,7 @@ public:
   };
 
   SurfaceTargets(const Interface& interface, Kind kind, Runtime& runtime);
-  /// interfaces: of grids of the same domain, the finest last; at least one. Keeps the pointers.
+  /// interfaces: of grids of the same domain, the finest last; at least one. Facets need them as long as the targets.
   SurfaceTargets(const std::vector<const Interface*>& interfaces, Kind kind, Runtime& runtime);
 
   /// Targets are numbered like Interface::Points(), those of the first interface first.

@@ -4,6 +4,8 @@
 #include "Base/Vector3.h"
 #include "Octree/RefinedGrid.h"
 
+#include <limits>
+
 namespace vfm
 {
 namespace
@@ -103,13 +105,14 @@ unsigned char FixedOnSides(int sides)
 
 void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
 {
+  this->MeshPoints = mesh.Points.data();
+  this->Origin = { { grid.Coordinates(0)[0], grid.Coordinates(1)[0], grid.Coordinates(2)[0] } };
+  this->Scale = grid.MeanWidth();
   for (std::size_t p = 0; p < this->MeshPoint.size(); ++p)
   {
-    const double* point = mesh.Points.data() + 3 * this->MeshPoint[p];
-    this->X[p] = ToGrid(grid, point);
-    this->Fixed[p] = FixedOnSides(FindDomainSides(grid, point));
+    this->X[p] = this->StartOf(static_cast<int>(p));
+    this->Fixed[p] = FixedOnSides(FindDomainSides(grid, this->MeshPoints + 3 * this->MeshPoint[p]));
   }
-  this->Start = this->X;
   for (int a = 0; a < 3; ++a)
   {
     const std::vector<double>& x = grid.Coordinates(a);
@@ -122,7 +125,11 @@ void ActiveMesh::PlacePoints(const CartesianGrid& grid, const Mesh& mesh)
 
 void ActiveMesh::ListCorners()
 {
-  Groups<Index> corners = MakeGroups<Index>(this->X.size(),
+  if (this->Elements.size() > std::numeric_limits<CornerPosition>::max())
+  {
+    throw InputError("More elements at interfaces than one rank can smooth: use more ranks.");
+  }
+  auto corners = MakeGroups<CornerPosition>(this->X.size(),
     [this](const auto& visit)
     {
       for (std::size_t position = 0; position < this->Elements.size(); ++position)
@@ -130,7 +137,7 @@ void ActiveMesh::ListCorners()
         const int p = this->Elements[position];
         if (this->IsActive[p])
         {
-          visit(p, static_cast<Index>(position));
+          visit(p, static_cast<CornerPosition>(position));
         }
       }
     });
@@ -147,9 +154,10 @@ void ActiveMesh::CopyTo(Mesh& mesh, const CartesianGrid& grid) const
   const double scale = grid.MeanWidth();
   for (std::size_t p = 0; p < this->X.size(); ++p)
   {
+    const Vector3 start = this->StartOf(static_cast<int>(p));
     for (int a = 0; a < 3; ++a)
     {
-      if (this->IsActive[p] && this->X[p][a] != this->Start[p][a])
+      if (this->IsActive[p] && this->X[p][a] != start[a])
       {
         mesh.Points[3 * this->MeshPoint[p] + a] = grid.Coordinates(a)[0] + scale * this->X[p][a];
       }

@@ -35,11 +35,13 @@ struct InterfaceFacet
   std::array<int, 2> Fragments; ///< behind and before it (by the normal); 0 where not meshed
 };
 
+/// A position in ActiveMesh::Elements.
+using CornerPosition = std::uint32_t;
+
 struct ActiveMesh
 {
   int Corners = 8;              ///< of an element: hexes 8, numbered by bits, x first; tets 4
   std::vector<Vector3> X;       ///< of every point
-  std::vector<Vector3> Start;   ///< where each point started
   std::vector<Index> MeshPoint; ///< its index in the mesh
   std::vector<int>
     PointOf; ///< of each mesh point: its index here, or -1; may go once all is attached
@@ -54,15 +56,18 @@ struct ActiveMesh
     Demands; ///< of each element: the share of the quality that the energy asks for; none: 1 of all
   std::vector<Index>
     CornerOffset; ///< corners at a point: CornerList[CornerOffset[p] .. CornerOffset[p + 1])
-  std::vector<Index>
+  std::vector<CornerPosition>
     CornerList;           ///< positions in Elements, ascending; none at points that are not active
-  HexRings Rings;         ///< of hexes
+  HexRings Rings;         ///< of hexes; Smoother finds them
   TetStars Stars;         ///< of tets
   MoveOrder Order;        ///< of the owned nodes
   PointExchange Exchange; ///< of the points that move
   std::vector<Index> AttachmentOffset; ///< of each point, as CornerOffset
   std::vector<Attachment> Attachments;
   std::vector<InterfaceFacet> Facets;
+  const double* MeshPoints = nullptr; ///< the points of the mesh
+  Vector3 Origin{};                   ///< of grid coordinates
+  double Scale = 1.0;                 ///< their unit
 
   /// Calls visit(point) for the points that this rank moves.
   template <class Visitor>
@@ -82,9 +87,8 @@ struct ActiveMesh
   {
     if (this->Corners == 8)
     {
-      const int* points = this->Rings.Points.data();
-      std::for_each(
-        points + this->Rings.Offset[2 * point], points + this->Rings.Offset[2 * point + 2], visit);
+      const HexRings::Ring ring = this->Rings.PointsAt(point);
+      std::for_each(ring.First, ring.Last, visit);
       return;
     }
     if (this->Stars.Has(point))
@@ -116,9 +120,16 @@ struct ActiveMesh
   {
     return this->Demands.empty() ? 1.0 : this->Demands[position / this->Corners];
   }
-  /// Fills X, Start, Fixed, Lower and Upper: the points are where the mesh has them, and stay on the sides of the domain or a little
-  /// inside of them.
+  /// Fills X, Fixed, Lower and Upper: the points are where the mesh has them, and stay on the sides of the domain or a little
+  /// inside of them. Keeps a pointer to the points of the mesh.
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);
+  /// Where the mesh has a point.
+  Vector3 StartOf(int point) const
+  {
+    const double* start = this->MeshPoints + 3 * this->MeshPoint[point];
+    return { { (start[0] - this->Origin[0]) / this->Scale,
+      (start[1] - this->Origin[1]) / this->Scale, (start[2] - this->Origin[2]) / this->Scale } };
+  }
   /// Fills CornerOffset and CornerList from Elements.
   void ListCorners();
   /// Of each point of the mesh: whether it is active.

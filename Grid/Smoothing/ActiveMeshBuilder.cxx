@@ -103,10 +103,6 @@ ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, No
                                               : MoveOrder::ByColour(nodes, colours);
   std::vector<Mover>().swap(this->Movers);
   this->Result.ListCorners();
-  if (this->Result.Corners == 8)
-  {
-    this->Result.Rings = FindHexRings(this->Result);
-  }
   return std::move(this->Result);
 }
 

@@ -133,7 +133,7 @@ private:
       ? this->Creases.Models.Find(target - this->Creases.FirstTarget)
       : nullptr;
     return crease
-      ? ModelAt{ crease, Divided(this->Active.Start[point] - crease->Origin, crease->Widths) }
+      ? ModelAt{ crease, Divided(this->Active.X[point] - crease->Origin, crease->Widths) }
       : ModelAt{ nullptr, {} };
   }
 

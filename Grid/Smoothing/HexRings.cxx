@@ -3,6 +3,8 @@
 #include "Smoothing/ActiveMesh.h"
 
 #include <stdexcept>
+#include <string>
+#include <unordered_map>
 
 namespace vfm
 {
@@ -16,36 +18,42 @@ constexpr int Ends[2][6] = { { 1, 2, 4, 3, 6, 5 }, { 2, 1, 4, 3, 5, 6 } };
 class RingNumbers
 {
 public:
-  RingNumbers(std::size_t points, HexRings& rings) : Seen(points, -1), Number(points), Rings(rings)
-  {
-  }
   void Start(int center)
   {
     this->Center = center;
-    this->First = static_cast<Index>(this->Rings.Points.size());
+    this->Points.clear();
   }
   std::uint8_t Of(int point)
   {
-    if (this->Seen[point] != this->Center)
+    std::size_t at = point % Slots;
+    while (this->Seen[at].Center == this->Center && this->Seen[at].Point != point)
     {
-      const Index number = static_cast<Index>(this->Rings.Points.size()) - this->First;
-      if (number >= HexRings::LargestRing)
+      at = (at + 1) % Slots;
+    }
+    Slot& slot = this->Seen[at];
+    if (slot.Center != this->Center)
+    {
+      if (this->Points.size() >= HexRings::LargestRing)
       {
         throw std::logic_error("A point of a mesh has too many neighbours.");
       }
-      this->Seen[point] = this->Center;
-      this->Number[point] = static_cast<std::uint8_t>(number);
-      this->Rings.Points.push_back(point);
+      slot = { this->Center, point, static_cast<std::uint8_t>(this->Points.size()) };
+      this->Points.push_back(point);
     }
-    return this->Number[point];
+    return slot.Number;
   }
 
+  std::vector<int> Points; // of the ring
+
 private:
-  std::vector<int> Seen; // the last center that a point was numbered for
-  std::vector<std::uint8_t> Number;
-  HexRings& Rings;
+  static constexpr std::size_t Slots = 1024;
+  struct Slot
+  {
+    int Center, Point;
+    std::uint8_t Number;
+  };
+  std::vector<Slot> Seen = std::vector<Slot>(Slots, { -1, -1, 0 }); // of the last ring that came by
   int Center = -1;
-  Index First = 0;
 };
 
 /// Whether the edges at a corner of a hex, along its axes, form a left-handed frame: an odd number of bits.
@@ -54,44 +62,130 @@ bool IsLeftHanded(int corner)
   return 0x96 >> corner & 1;
 }
 
+using HexList = std::vector<HexRings::Hex>;
+
+/// Numbers lists of hexes, those that are alike once.
+class ListNumbers
+{
+public:
+  std::uint32_t Of(const HexList& list)
+  {
+    this->Key.assign(
+      reinterpret_cast<const char*>(list.data()), list.size() * sizeof(HexRings::Hex));
+    const auto at =
+      this->Known.try_emplace(this->Key, static_cast<std::uint32_t>(this->Lists.size()));
+    if (at.second)
+    {
+      this->Lists.push_back(list);
+    }
+    return at.first->second;
+  }
+
+  std::vector<HexList> Lists;
+
+private:
+  std::unordered_map<std::string, std::uint32_t> Known;
+  std::string Key;
+};
+
 } // namespace
 
-HexRings FindHexRings(const ActiveMesh& mesh)
+/// Finds the rings of a block of points. Places::Hexes are numbers of its lists.
+class HexRings::Finder
 {
-  HexRings rings;
-  const std::size_t count = mesh.CornerOffset.size() - 1;
-  rings.Offset.reserve(2 * count + 1);
-  rings.Offset.push_back(0);
-  rings.Hexes.reserve(mesh.CornerList.size());
-  RingNumbers numbers(mesh.X.size(), rings);
-  const auto end = [&] { rings.Offset.push_back(static_cast<Index>(rings.Points.size())); };
-  for (std::size_t p = 0; p < count; ++p)
+public:
+  Finder(const ActiveMesh& mesh, Block& block) : Mesh(mesh), Result(block) {}
+
+  std::vector<HexList> Find(int first, int last)
+  {
+    std::vector<int> points;
+    this->Result.Places.reserve(last - first + 1);
+    for (int p = first; p < last; ++p)
+    {
+      const std::uint32_t begin = static_cast<std::uint32_t>(points.size());
+      this->FindRing(p);
+      const std::uint32_t near = begin + static_cast<std::uint32_t>(this->Near);
+      this->Result.Places.push_back({ begin, near, this->Numbers.Of(this->List) });
+      points.insert(points.end(), this->Ring.Points.begin(), this->Ring.Points.end());
+    }
+    this->Result.Places.push_back({ static_cast<std::uint32_t>(points.size()), 0, 0 });
+    this->Result.Points.assign(points.begin(), points.end()); // no larger than need be
+    return std::move(this->Numbers.Lists);
+  }
+
+private:
+  void FindRing(int point)
   {
     const auto forHexes = [&](const auto& visit)
     {
-      for (Index at = mesh.CornerOffset[p]; at < mesh.CornerOffset[p + 1]; ++at)
+      for (Index at = this->Mesh.CornerOffset[point]; at < this->Mesh.CornerOffset[point + 1]; ++at)
       {
-        const Index position = mesh.CornerList[at];
-        visit(mesh.Elements.data() + (position & ~7), static_cast<int>(position & 7));
+        const Index position = this->Mesh.CornerList[at];
+        visit(this->Mesh.Elements.data() + (position & ~7), static_cast<int>(position & 7));
       }
     };
-    numbers.Start(static_cast<int>(p));
+    this->Ring.Start(point);
+    this->List.clear();
     forHexes(
       [&](const int* points, int corner)
       {
-        HexRings::Hex hex{};
+        Hex hex{};
         hex.IsExchanged = IsLeftHanded(corner);
         for (int n = 0; n < 6; ++n)
         {
-          hex.Ends[n] = numbers.Of(points[corner ^ Ends[hex.IsExchanged][n]]);
+          hex.Ends[n] = this->Ring.Of(points[corner ^ Ends[hex.IsExchanged][n]]);
         }
-        rings.Hexes.push_back(hex);
+        this->List.push_back(hex);
       });
-    end();
-    forHexes([&](const int* points, int corner) { numbers.Of(points[corner ^ 7]); });
-    end();
+    this->Near = this->Ring.Points.size();
+    forHexes([&](const int* points, int corner) { this->Ring.Of(points[corner ^ 7]); });
   }
-  return rings;
+
+  const ActiveMesh& Mesh;
+  Block& Result;
+  RingNumbers Ring;
+  std::size_t Near = 0; // points of the ring
+  HexList List;
+  ListNumbers Numbers;
+};
+
+HexRings::HexRings(const ActiveMesh& mesh, Runtime& runtime)
+{
+  Index count = static_cast<Index>(mesh.CornerOffset.size()) - 1;
+  while (count > 0 && mesh.CornerOffset[count - 1] == mesh.CornerOffset[count])
+  {
+    --count; // the rim
+  }
+  this->Blocks.resize((count + PointsOfBlock - 1) / PointsOfBlock);
+  std::vector<std::vector<HexList>> lists(this->Blocks.size());
+  ForEach(runtime, lists.size(),
+    [&](Index b)
+    {
+      const Index first = b * PointsOfBlock, last = std::min(count, first + PointsOfBlock);
+      lists[b] =
+        Finder(mesh, this->Blocks[b]).Find(static_cast<int>(first), static_cast<int>(last));
+    });
+  ListNumbers numbers;
+  std::vector<std::uint32_t> begins; // of the lists in Hexes
+  for (std::size_t b = 0; b < lists.size(); ++b)
+  {
+    std::vector<std::uint32_t> beginOf;
+    for (const HexList& list : lists[b])
+    {
+      const std::uint32_t number = numbers.Of(list);
+      if (number == begins.size())
+      {
+        begins.push_back(static_cast<std::uint32_t>(this->Hexes.size()));
+        this->Hexes.insert(this->Hexes.end(), list.begin(), list.end());
+      }
+      beginOf.push_back(begins[number]);
+    }
+    for (std::size_t p = 0; p + 1 < this->Blocks[b].Places.size(); ++p)
+    {
+      Place& place = this->Blocks[b].Places[p];
+      place.Hexes = beginOf[place.Hexes];
+    }
+  }
 }
 
 } // namespace vfm

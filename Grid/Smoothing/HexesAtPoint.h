@@ -37,15 +37,15 @@ class HexesAtPoint
 public:
   VFM_INLINE HexesAtPoint(const ActiveMesh& mesh, int point, const Vector3& x) :
     TheMesh(mesh),
-    First(mesh.CornerOffset[point]),
-    Number(static_cast<int>(mesh.CornerOffset[point + 1] - this->First))
+    Corners(mesh.CornerList.data() + mesh.CornerOffset[point]),
+    Number(static_cast<int>(mesh.CornerOffset[point + 1] - mesh.CornerOffset[point])),
+    List(mesh.Rings.HexesAt(point))
   {
-    const Index first = mesh.Rings.Offset[2 * point];
-    const int size = static_cast<int>(mesh.Rings.Offset[2 * point + 1] - first);
-    const int* ring = mesh.Rings.Points.data() + first;
-    for (int n = 0; n < size; ++n)
+    const HexRings::Ring ring = mesh.Rings.PointsAt(point);
+    PointOf<Real>* around = this->Around;
+    for (const int* p = ring.First; p < ring.Near; ++p)
     {
-      this->Around[n] = Difference<Real>(mesh.X[ring[n]], x);
+      *around++ = Difference<Real>(mesh.X[*p], x);
     }
   }
 
@@ -59,15 +59,13 @@ private:
   VFM_INLINE void SetCubes(Hexes<Real>& h, const L& isThere, const BarrierWeights& weights) const;
   VFM_INLINE void SetBoxes(
     Hexes<Real>& h, int first, const L& isThere, const BarrierWeights& weights) const;
-  /// The number of the hex in a lane, among all.
-  Index HexAt(int first, int lane) const
-  {
-    return this->First + std::min(first + lane, this->Number - 1);
-  }
+  /// Which hex stands in a lane.
+  int HexAt(int first, int lane) const { return std::min(first + lane, this->Number - 1); }
 
   const ActiveMesh& TheMesh;
-  Index First;
+  const CornerPosition* Corners;
   int Number;
+  const HexRings::Hex* List;
   PointOf<Real> Around[HexRings::LargestRing];
 };
 
@@ -92,9 +90,9 @@ VFM_INLINE void HexesAtPoint<Real>::SetBoxes(
 {
   for (int lane = 0; lane < Lanes; ++lane)
   {
-    const Index at = this->HexAt(first, lane);
-    const Vector3& widths = this->TheMesh.WidthsAt(this->TheMesh.CornerList[at]);
-    const bool isExchanged = this->TheMesh.Rings.Hexes[at].IsExchanged;
+    const int at = this->HexAt(first, lane);
+    const Vector3& widths = this->TheMesh.WidthsAt(this->Corners[at]);
+    const bool isExchanged = this->List[at].IsExchanged;
     const double volume = widths[0] * widths[1] * widths[2];
     for (int k = 0; k < 3; ++k)
     {
@@ -114,7 +112,7 @@ VFM_INLINE Hexes<Real> HexesAtPoint<Real>::Get(int first, const BarrierWeights& 
   const HexRings::Hex* hexes[Lanes];
   for (int lane = 0; lane < Lanes; ++lane)
   {
-    hexes[lane] = this->TheMesh.Rings.Hexes.data() + this->HexAt(first, lane);
+    hexes[lane] = this->List + this->HexAt(first, lane);
   }
   const L isThere = FirstOnes<Real>(this->Number - first);
   Hexes<Real> h;
@@ -127,7 +125,7 @@ VFM_INLINE Hexes<Real> HexesAtPoint<Real>::Get(int first, const BarrierWeights& 
   for (int lane = 0; lane < Lanes && !this->TheMesh.Demands.empty(); ++lane)
   {
     const Real demand =
-      static_cast<Real>(this->TheMesh.DemandAt(this->TheMesh.CornerList[this->HexAt(first, lane)]));
+      static_cast<Real>(this->TheMesh.DemandAt(this->Corners[this->HexAt(first, lane)]));
     h.Target[lane] *= demand * demand;
   }
   if (this->TheMesh.HasCubes())

@@ -86,6 +86,10 @@ Smoother::Smoother(
   Dirty(new unsigned char[mesh.X.size()]),
   Woke(mesh.X.size(), 0)
 {
+  if (mesh.Corners == 8 && mesh.Rings.IsEmpty())
+  {
+    mesh.Rings = HexRings(mesh, runtime);
+  }
 }
 
 void Smoother::MarkAll()

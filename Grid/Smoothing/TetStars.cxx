@@ -6,7 +6,7 @@ namespace vfm
 {
 
 void TetStars::Build(const std::vector<int>& elements, const std::vector<Index>& begin,
-  const std::vector<Index>& corners)
+  const std::vector<std::uint32_t>& corners)
 {
   const std::size_t points = begin.size() - 1;
   this->Neighbours.clear();

@@ -23,7 +23,7 @@ public:
 
   /// elements: four points a tet. The tets at point p: those at positions corners[begin[p] .. begin[p + 1]) in elements.
   void Build(const std::vector<int>& elements, const std::vector<Index>& begin,
-    const std::vector<Index>& corners);
+    const std::vector<std::uint32_t>& corners);
 
   struct Star
   {

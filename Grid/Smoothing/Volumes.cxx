@@ -33,7 +33,7 @@ void AddFacet(const ActiveMesh& mesh, const InterfaceFacet& facet, std::vector<F
   std::array<Vector3, 4> start, now;
   for (int c = 0; c < 4; ++c)
   {
-    start[c] = mesh.Start[facet.Points[c]];
+    start[c] = mesh.StartOf(facet.Points[c]);
     now[c] = mesh.X[facet.Points[c]];
   }
   sums.back().Swept.Add(VolumeBetween(start, now));

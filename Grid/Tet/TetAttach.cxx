@@ -54,7 +54,7 @@ void AttachTets(const Interface& interface, const Mesh& mesh, const std::vector<
     const Index node = method == TetMethod::Lattice ? -1 : interface.Find(grid.Linear(block));
     const SurfacePoint* own = node < 0 ? nullptr : interface.FindPoint(node, labels[0], labels[1]);
     return own ? own - interface.Points().data()
-               : FindNearestTarget(interface, block, active.Start[point], labels);
+               : FindNearestTarget(interface, block, active.X[point], labels);
   };
   AttachToFacets(facets, findTarget, runtime, active);
 }

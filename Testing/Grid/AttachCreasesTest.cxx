@@ -316,6 +316,7 @@ TEST(AttachCreases, EnergiesAskForWhatElementsDemand)
   { return energy.Evaluate(cube.Active, point, cube.Active.X[point], stage); };
   const auto differentiate = [&](const HexEnergy& energy, int point)
   { return energy.Differentiate(cube.Active, point, stage).Value; };
+  cube.Active.Rings = HexRings(cube.Active, runtime);
   cube.Active.Demands.clear();
   std::vector<double> wanted;
   cube.Active.ForOwned([&](int point) { wanted.push_back(evaluate(lenient, point)); });

@@ -49,7 +49,8 @@ ActiveMesh MakeStar(double shake, int times, std::vector<Vector3> widths, unsign
   mesh.IsActive.assign(mesh.X.size(), 0);
   mesh.IsActive[0] = 1;
   mesh.ListCorners();
-  mesh.Rings = FindHexRings(mesh);
+  Runtime runtime;
+  mesh.Rings = HexRings(mesh, runtime);
   return mesh;
 }
 
@@ -165,7 +166,8 @@ TEST(HexEnergyTest, AnyNumberOfHexes)
     ActiveMesh mesh = MakeStar(0.1, 2, { Cube });
     mesh.Elements.resize(8 * hexes);
     mesh.ListCorners();
-    mesh.Rings = FindHexRings(mesh);
+    Runtime runtime;
+    mesh.Rings = HexRings(mesh, runtime);
     ExpectDerivatives(mesh, stage, Tolerance);
   }
 }
