@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double LeastShared = 40e-6; // seconds of work below which others are not asked
 constexpr double LeastRange = 10e-6;  // seconds of a range, so that taking it costs nothing
-constexpr std::chrono::microseconds Watching(30);
+constexpr std::chrono::microseconds Watching(100);
 constexpr int RangesOfThread = 16; // at most: bodies may begin with something
 constexpr int FirstRanges = 64;    // the first range is such a part of what a thread has to do
 
@@ -78,11 +78,13 @@ void LoopThreads::For(int threads, std::int64_t first, std::int64_t last, const 
   this->IsLooping = true;
   this->TheBody = &body;
   this->Last = last;
-  first = this->BeginAlone(first, last, threads);
-  if (first < last)
+  if (last - first <= threads * RangesOfThread)
   {
-    this->Start(threads - 1);
-    this->Share(first);
+    this->RunItems(first, threads);
+  }
+  else
+  {
+    this->RunMany(first, threads);
   }
   this->IsLooping = false;
   if (this->Thrown)
@@ -91,27 +93,43 @@ void LoopThreads::For(int threads, std::int64_t first, std::int64_t last, const 
   }
 }
 
-/// Does ranges, each twice as long as the one before, until it is known that others are worth it; returns where it came to. Sets the grain.
-std::int64_t LoopThreads::BeginAlone(std::int64_t first, std::int64_t last, int threads)
+/// Of few items each is a range. Those who watch out take some at once, others once it is known that they are worth it.
+void LoopThreads::RunItems(std::int64_t first, int threads)
 {
-  const double share = static_cast<double>(last - first) / threads;
-  std::int64_t length = 1 + static_cast<std::int64_t>(share / FirstRanges);
-  while (first < last)
+  this->Grain = 1;
+  this->Open(first);
+  const Clock::time_point begin = Clock::now();
+  if (this->RunNext() &&
+    SecondsSince(begin) * static_cast<double>(this->Last - first - 1) > LeastShared)
   {
-    length = std::min(length, last - first);
+    this->Wake(threads - 1);
+  }
+  this->Finish();
+}
+
+/// Does ranges alone, each twice as long as the one before, until it is known that others are worth it and how long ranges should be.
+void LoopThreads::RunMany(std::int64_t first, int threads)
+{
+  const double share = static_cast<double>(this->Last - first) / threads;
+  std::int64_t length = 1 + static_cast<std::int64_t>(share / FirstRanges);
+  while (first < this->Last)
+  {
+    length = std::min(length, this->Last - first);
     const Clock::time_point begin = Clock::now();
     this->RunRange(first, first + length);
     const double item = SecondsSince(begin) / static_cast<double>(length);
     first += length;
-    if (item * static_cast<double>(last - first) > LeastShared)
+    if (item * static_cast<double>(this->Last - first) > LeastShared)
     {
       this->Grain = std::max<std::int64_t>(
         1, static_cast<std::int64_t>(std::max(share / RangesOfThread, LeastRange / item)));
-      break;
+      this->Open(first);
+      this->Wake(threads - 1);
+      this->Finish();
+      return;
     }
     length *= 2;
   }
-  return first;
 }
 
 void LoopThreads::Start(int others)
@@ -135,10 +153,15 @@ void LoopThreads::Start(int others)
   }
 }
 
-void LoopThreads::Share(std::int64_t first)
+void LoopThreads::Open(std::int64_t first)
 {
   this->Begin.store(first, std::memory_order_relaxed);
-  this->State = (this->State / Next + 1) * Next | Open;
+  this->State = (this->State / Next + 1) * Next | IsOpen;
+}
+
+void LoopThreads::Wake(int others)
+{
+  this->Start(others);
   if (this->Sleeping > 0)
   {
     {
@@ -146,8 +169,12 @@ void LoopThreads::Share(std::int64_t first)
     }
     this->HasLoop.notify_all();
   }
+}
+
+void LoopThreads::Finish()
+{
   this->RunRanges();
-  this->State.fetch_and(~Open);
+  this->State.fetch_and(~IsOpen);
   this->WaitForOthers();
 }
 
@@ -167,13 +194,22 @@ void LoopThreads::RunRange(std::int64_t begin, std::int64_t end) noexcept
   }
 }
 
+/// Whether a range was left.
+bool LoopThreads::RunNext() noexcept
+{
+  const std::int64_t grain = this->Grain, begin = this->Begin.fetch_add(grain);
+  if (begin >= this->Last)
+  {
+    return false;
+  }
+  this->RunRange(begin, std::min(this->Last, begin + grain));
+  return true;
+}
+
 void LoopThreads::RunRanges() noexcept
 {
-  const std::int64_t grain = this->Grain, last = this->Last;
-  for (std::int64_t begin = this->Begin.fetch_add(grain); begin < last;
-       begin = this->Begin.fetch_add(grain))
+  while (this->RunNext())
   {
-    this->RunRange(begin, std::min(last, begin + grain));
   }
 }
 

@@ -1,7 +1,7 @@
 /**
  * LoopThreads: threads that share the loops of a run, kept from one to the next.
  *
- * The calling thread begins each loop alone and looks at the clock: a loop that it will soon have done needs no others, whatever its
+ * The calling thread begins each loop and looks at the clock: a loop that it will soon have done wakes no others, whatever its
  * items cost. Between loops threads watch out for a few microseconds, since smoothing runs thousands of them, then sleep.
  */
 #pragma once
@@ -35,18 +35,22 @@ public:
 
 private:
   /// The others' view of a loop: how many work on it, whether more may, and its number.
-  static constexpr std::uint64_t Open = 1 << 16, Next = 1 << 17, Working = Open - 1;
+  static constexpr std::uint64_t IsOpen = 1 << 16, Next = 1 << 17, Working = IsOpen - 1;
 
-  std::int64_t BeginAlone(std::int64_t first, std::int64_t last, int threads);
+  void RunItems(std::int64_t first, int threads);
+  void RunMany(std::int64_t first, int threads);
+  void Open(std::int64_t first);
+  void Wake(int others);
   void Start(int others);
-  void Share(std::int64_t first);
+  void Finish();
   void RunRange(std::int64_t begin, std::int64_t end) noexcept;
+  bool RunNext() noexcept;
   void RunRanges() noexcept;
   void Work() noexcept;
   std::uint64_t WaitForLoop(std::uint64_t done);
   bool IsNew(std::uint64_t state, std::uint64_t done) const
   {
-    return this->IsEnding || ((state & Open) && state / Next != done);
+    return this->IsEnding || ((state & IsOpen) && state / Next != done);
   }
   void WaitForOthers();
 

@@ -88,12 +88,11 @@ private:
       this->ChunkOfPair[pair] != this->ChunkOfPair[pair + 1];
   }
 
-  /// By their points, so that chunks have some planes, unless there are few.
+  /// By their points.
   void Cut(const std::vector<Index>& points)
   {
     const Index pairs = static_cast<Index>(points.size());
-    const Index wanted = std::min({ MostChunks, 1 + this->Total / LeastOfChunk,
-      std::max(pairs / 2, std::min(pairs, EnoughChunks)) });
+    const Index wanted = std::min({ MostChunks, 1 + this->Total / LeastOfChunk, pairs });
     Index sum = 0, inChunk = 0;
     for (Index own : points)
     {

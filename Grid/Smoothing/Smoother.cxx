@@ -13,7 +13,7 @@ constexpr double TrustRadius = 0.2; // largest step, in cells
 constexpr double Backtrack = 0.4;   // factor of the line search
 constexpr int Backtracks = 8;
 constexpr double Armijo = 1e-4;       // share of the predicted decrease that a step must reach
-constexpr double Noise = 1e-6;         // of an energy, relative: it may be a sum of floats
+constexpr double Noise = 1e-6;        // of an energy, relative: it may be a sum of floats
 constexpr double SettledFalls = 4.0;  // falls that count; where less is promised a point settles
 constexpr double BarrierShare = 0.9;  // 1 - 1 / p, of the powers of a hard barrier
 constexpr double NudgeRadius = 0.01;  // in mean cells
@@ -25,37 +25,49 @@ constexpr double LargestPrice =
 constexpr double NoVisit = -1.0; // in place of a move: the point was not looked at in a sweep
 constexpr double ShiftThatCounts = 1e-3; // of a target, in mean cells; smaller ones wake no point
 
-using Matrix3 = Eigen::Matrix3d;
-using EigenVector3 = Eigen::Vector3d;
-
-/// Minus the Newton step's direction of descent: H replaced by |H| where it is not positive.
-EigenVector3 SolveNewton(const Matrix3& H, const EigenVector3& g)
+/// H (xx yy zz xy xz yz) x = -g by L D L^T; whether H is positive definite.
+bool SolvePositive(const std::array<double, 6>& h, const Vector3& g, Vector3& x)
 {
-  const Eigen::LLT<Matrix3> cholesky(H);
-  if (cholesky.info() == Eigen::Success)
-  {
-    return -cholesky.solve(g);
-  }
-  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(H);
-  const double floor = 1e-6 * eigen.eigenvalues().cwiseAbs().maxCoeff() + 1e-12;
-  const EigenVector3 inverse = eigen.eigenvalues().cwiseAbs().cwiseMax(floor).cwiseInverse();
-  return -(eigen.eigenvectors() * inverse.asDiagonal() * (eigen.eigenvectors().transpose() * g));
+  const double first = 1.0 / h[0], l10 = h[3] * first, l20 = h[4] * first;
+  const double d1 = h[1] - l10 * h[3], e = h[5] - l20 * h[3];
+  const double second = 1.0 / d1, l21 = e * second;
+  const double d2 = h[2] - l20 * h[4] - l21 * e;
+  const double y1 = l10 * g[0] - g[1], y2 = l20 * g[0] - g[2] - l21 * y1;
+  x[2] = y2 / d2;
+  x[1] = y1 * second - l21 * x[2];
+  x[0] = -g[0] * first - l10 * x[1] - l20 * x[2];
+  return h[0] > 0.0 && d1 > 0.0 && d2 > 0.0;
 }
 
-/// The same along the axes that are not held.
-EigenVector3 SolveFor(int held, Matrix3& H, EigenVector3& g)
+/// -|H|^-1 g
+Vector3 SolveIndefinite(const std::array<double, 6>& h, const Vector3& g)
 {
+  Eigen::Matrix3d H;
+  H << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(H);
+  const double floor = 1e-6 * eigen.eigenvalues().cwiseAbs().maxCoeff() + 1e-12;
+  const Eigen::Vector3d inverse = eigen.eigenvalues().cwiseAbs().cwiseMax(floor).cwiseInverse();
+  const Eigen::Vector3d x = eigen.eigenvectors() *
+    (inverse.asDiagonal() *
+      (eigen.eigenvectors().transpose() * -Eigen::Vector3d(g[0], g[1], g[2])));
+  return { { x[0], x[1], x[2] } };
+}
+
+/// The Newton step, one of descent, along the axes that are not held.
+Vector3 SolveNewton(int held, Derivatives& d)
+{
+  constexpr int RowOf[3][2] = { { 3, 4 }, { 3, 5 }, { 4, 5 } };
   for (int a = 0; a < 3; ++a)
   {
     if (held >> a & 1)
     {
-      H.row(a).setZero();
-      H.col(a).setZero();
-      H(a, a) = 1.0;
-      g[a] = 0.0;
+      d.Hessian[a] = 1.0;
+      d.Hessian[RowOf[a][0]] = d.Hessian[RowOf[a][1]] = 0.0;
+      d.Gradient[a] = 0.0;
     }
   }
-  return SolveNewton(H, g);
+  Vector3 step;
+  return SolvePositive(d.Hessian, d.Gradient, step) ? step : SolveIndefinite(d.Hessian, d.Gradient);
 }
 
 /// The fall of an energy from which on neighbours are woken.
@@ -142,7 +154,8 @@ void Smoother::RunRamp(const SmoothingRamp& ramp)
 }
 
 /// Calls move(point), a length or NoVisit, for the owned points in their order; returns the largest over all ranks.
-double Smoother::ForPoints(const std::function<double(int)>& move)
+template <class Move>
+double Smoother::ForPoints(const Move& move)
 {
   std::atomic<double> largest(0.0);
   std::fill(this->Woke.begin(), this->Woke.end(), 0);
@@ -296,19 +309,13 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
   Derivatives d = this->Energy.Differentiate(this->Mesh, point, stage);
   this->AddDistance(point, stage.Lambda, d);
-  const std::array<double, 6>& h = d.Hessian;
-  Matrix3 H;
-  H << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
-  EigenVector3 g(d.Gradient[0], d.Gradient[1], d.Gradient[2]);
   bool isFree;
   int held = 0, more = this->Mesh.Fixed[point];
-  EigenVector3 newton;
   Vector3 step;
   do
   {
     held |= more;
-    newton = SolveFor(held, H, g);
-    step = { { newton[0], newton[1], newton[2] } };
+    step = SolveNewton(held, d);
     isFree = this->StaysWithin(point, step);
     more = isFree ? 0 : this->HeldAxes(point, step) & ~held;
   } while (more != 0);
@@ -320,15 +327,15 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     return 0.0;
   }
   const double cut = std::min(1.0, TrustRadius / length);
-  const double slope = cut * g.dot(newton);
+  const double slope = Dot(d.Gradient, step);
+  double t = FirstFactor(stage.Pace, length, -slope, d.Value);
   step = cut * step;
-  double t = FirstFactor(stage.Pace, length, -g.dot(newton), d.Value);
   for (int trial = 0; trial <= Backtracks; ++trial, t = t > 1.0 ? 1.0 : t * Backtrack)
   {
     const Vector3 x = isFree ? this->Mesh.X[point] + t * step : this->Moved(point, t * step);
     const double energy = this->Energy.Evaluate(this->Mesh, point, x, stage) +
       this->DistanceEnergy(point, x, stage.Lambda);
-    if (energy <= (1.0 + Noise) * d.Value + Armijo * t * slope && this->MayMove(point, x))
+    if (energy <= (1.0 + Noise) * d.Value + Armijo * t * cut * slope && this->MayMove(point, x))
     {
       this->Mesh.X[point] = x;
       const double move = t * cut * length;

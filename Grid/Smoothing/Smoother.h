@@ -57,7 +57,8 @@ private:
   std::array<double, 2> LongRange(
     int point, const Attachment& a, const SmoothingStage& stage) const;
   void MoveAndCheck(const std::function<void()>& move);
-  double ForPoints(const std::function<double(int)>& move);
+  template <class Move>
+  double ForPoints(const Move& move);
   void NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
