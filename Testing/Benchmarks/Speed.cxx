@@ -2,7 +2,7 @@
  * How fast meshes are made, with what effort, and how good they are: a row a case. Two builds are compared by scripts/compare_speed.
  *
  * usage: Speed [CASE, list or all, default all] [runs, default 3] [threads, default 1] [ranks, default 1]
- *   seconds: of the fastest run; CPU: of all threads in it. Ranks are threads here.
+ *   seconds: of the fastest run; CPU: of all threads in it. Ranks are threads here, that have slabs along z.
  */
 #include "Atlas.h"
 #include "Base/LoopThreads.h"
@@ -133,7 +133,7 @@ Run MeshOnce(const SpeedCase& what, const MeshCase& c, int threads)
 class RankedCase
 {
 public:
-  RankedCase(const MeshCase& c, int ranks) : Boxes(CutBox(c.Grid.Owned(), ranks))
+  RankedCase(const MeshCase& c, int ranks) : Boxes(CutBox(c.Grid.Owned(), ranks, 2))
   {
     for (const IndexBox& box : this->Boxes)
     {
