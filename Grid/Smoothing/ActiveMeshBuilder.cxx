@@ -95,7 +95,8 @@ ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, No
     this->Result.Exchange = PointExchange(this->Movers, *partition, colours);
   }
   const std::vector<MoveOrder::Node> nodes = this->ListNodes(partition);
-  if (this->Result.Exchange.HasPeers())
+  if (this->Result.Exchange.HasPeers() &&
+    this->Result.Corners == 8) // tets may get other points (DiagonalFlips)
   {
     this->WantFlags(nodes);
   }
