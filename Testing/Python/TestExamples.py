@@ -231,7 +231,7 @@ def test_bracket(path):
     number = r"(\d\.\d+)"
     off, on = ([float(n) for n in re.search(r"\| %s \| %s/.* \| .*/%s \(.*\) \| .*/%s \(.*\) \| .*/%s \|" % (mode, *4 * (number,)), result.stdout).groups()]
                for mode in ("Off", "On"))
-    assert on[0] > 0.4 and max(on[1:3]) < 0.04 and min(off[1:3]) > 0.35 and on[3] < 0.02, result.stdout
+    assert on[0] > 0.4 and max(on[1:3]) < 0.045 and min(off[1:3]) > 0.35 and on[3] < 0.02, result.stdout
     assert "surfaces, curves and vertices: 10, 21, 10\n" in result.stdout and "on curves there: 0\n" in result.stdout, result.stdout
 
 
