@@ -123,9 +123,9 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
   {
     ExpectFull(mesh, c.Grid, c.Fractions.NumberOfMaterials());
   }
-  // the volumes of Lattice at the start are sums over other tets
+  // the volumes of Lattice at the start are sums over other tets; energies in floats make more of that
   EXPECT_LE(LargestDistance(InterfacePoints(mesh), InterfacePoints(fine)),
-    p.Method == TetMethod::Lattice ? 1e-8 : 0.0);
+    p.Method == TetMethod::Lattice ? 1e-6 : 0.0);
   EXPECT_EQ(report.NumberOfFragments, fineReport.NumberOfFragments);
   EXPECT_EQ(report.NumberOfSurfaces, fineReport.NumberOfSurfaces);
   EXPECT_EQ(report.NumberOfCurves, fineReport.NumberOfCurves);
