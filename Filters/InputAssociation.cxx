@@ -1,6 +1,6 @@
 #include "InputAssociation.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "CollectBlocks.h"
 #include "MaterialGuess.h"
 

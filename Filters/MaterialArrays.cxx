@@ -1,6 +1,6 @@
 #include "MaterialArrays.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "ArrayInfo.h"
 #include "CollectBlocks.h"
 #include "MaterialGuess.h"

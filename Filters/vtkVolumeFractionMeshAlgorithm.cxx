@@ -1,6 +1,6 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "CarryState.h"
 #include "CollectivePipeline.h"
 #include "ControllerRanks.h"

@@ -1,6 +1,6 @@
 #include "ExodusModel.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "MaterialIds.h"
 #include "MaterialNames.h"

@@ -1,6 +1,6 @@
 #include "FaceSurfaces.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "MeshArrays.h"
 
 #include "vtkDataArray.h"

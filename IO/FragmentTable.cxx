@@ -1,6 +1,6 @@
 #include "FragmentTable.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/ExactSum.h"
 #include "Base/MaxOfEach.h"
 #include "Base/Runtime.h"

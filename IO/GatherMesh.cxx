@@ -1,6 +1,6 @@
 #include "GatherMesh.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "PackMesh.h"
 
 #include "vtkCellArray.h"

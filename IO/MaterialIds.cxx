@@ -1,6 +1,6 @@
 #include "MaterialIds.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "MeshArrays.h"
 

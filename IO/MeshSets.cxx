@@ -1,6 +1,6 @@
 #include "MeshSets.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "FaceSurfaces.h"
 #include "MaterialIds.h"

@@ -1,6 +1,6 @@
 #include "OrderMesh.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "GatherMesh.h"
 #include "MeshArrays.h"

@@ -1,6 +1,6 @@
 #include "ShareHead.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "PackMesh.h"
 

@@ -1,7 +1,7 @@
 #include "WriteAbaqus.h"
 
 #include "AbaqusText.h"
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "GatherMesh.h"
 #include "MaterialNames.h"

@@ -1,6 +1,6 @@
 #include "WriteExodus.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "ExodusFile.h"
 #include "ExodusModel.h"

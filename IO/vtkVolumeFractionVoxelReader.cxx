@@ -1,6 +1,6 @@
 #include "vtkVolumeFractionVoxelReader.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"

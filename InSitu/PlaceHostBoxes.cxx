@@ -1,6 +1,6 @@
 #include "PlaceHostBoxes.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 
 #include <cmath>
 #include <limits>

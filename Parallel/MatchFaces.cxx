@@ -1,6 +1,6 @@
 #include "MatchFaces.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "ExchangeAll.h"
 

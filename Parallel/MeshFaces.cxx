@@ -1,6 +1,6 @@
 #include "MeshFaces.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "MeshArrays.h"
 

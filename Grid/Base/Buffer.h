@@ -38,6 +38,15 @@ public:
   }
   ~Buffer() { std::free(this->Data); }
 
+  /// Takes memory that release gave away.
+  static Buffer From(T* data, std::size_t size)
+  {
+    Buffer buffer;
+    buffer.Data = data;
+    buffer.Size = size;
+    return buffer;
+  }
+
   void swap(Buffer& other) noexcept
   {
     std::swap(this->Data, other.Data);

@@ -1,6 +1,6 @@
 #include "ChooseArrays.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "Images/ImageFile.h"
 #include "MaterialGuess.h"
 #include "ParseText.h"

@@ -1,6 +1,6 @@
 #include "ExodusInput.h"
 
-#include "Agreement.h"
+#include "Base/Agreement.h"
 #include "ExodusFileCheck.h"
 #include "FileSuffix.h"
 #include "InputGrids.h"

@@ -1,0 +1,51 @@
+/**
+ * NodeCoordinates: the coordinates of the nodes of a grid along one axis, found from values that may differ by a little.
+ */
+#pragma once
+
+#include "Base/CartesianGrid.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace vfm
+{
+
+/// For messages.
+constexpr const char* AxisNames[3] = { "x", "y", "z" };
+
+/// Node coordinates that differ by less than this part of the smallest cell width are one.
+constexpr double MatchTolerance = 1e-3;
+
+/// The nodes first .. last, evenly spaced, where node 0 is at start.
+inline std::vector<double> EvenNodes(double start, double spacing, int first, int last)
+{
+  std::vector<double> x;
+  for (int i = first; i <= last; ++i)
+  {
+    x.push_back(start + i * spacing);
+  }
+  return x;
+}
+
+/// Of values in increasing order, the smallest of those that are close. width: of the smallest cell.
+inline std::vector<double> MergeClose(const std::vector<double>& sorted, double width)
+{
+  std::vector<double> merged;
+  for (double x : sorted)
+  {
+    if (merged.empty() || x - merged.back() > width * MatchTolerance)
+    {
+      merged.push_back(x);
+    }
+  }
+  return merged;
+}
+
+/// Position of the node that a value was merged into.
+inline Index FindNode(const std::vector<double>& merged, double value)
+{
+  return std::upper_bound(merged.begin(), merged.end(), value) - merged.begin() - 1;
+}
+
+} // namespace vfm
