@@ -1,0 +1,230 @@
+#include "ClosedSurface.h"
+
+#include "Base/Errors.h"
+#include "Shapes/ShapesTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace vfm
+{
+namespace
+{
+
+using Triangles = std::vector<PointTriangle>;
+
+void CheckPoints(const std::vector<Vector3>& points, const Triangles& triangles)
+{
+  const Index count = static_cast<Index>(points.size());
+  for (const PointTriangle& triangle : triangles)
+  {
+    for (Index p : triangle)
+    {
+      if (p < 0 || p >= count)
+      {
+        throw InputError("A triangle has the point " + std::to_string(p) + " of " +
+          std::to_string(count) + " points.");
+      }
+      const Vector3& x = points[p];
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      {
+        throw InputError("The point " + std::to_string(p) + " of the surface is not finite.");
+      }
+    }
+  }
+}
+
+/// Of points at one place all become the first.
+void MergePoints(const std::vector<Vector3>& points, Triangles& triangles)
+{
+  std::vector<Index> order(points.size()), first(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&points](Index a, Index b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool isSame = i > 0 && points[order[i]] == points[order[i - 1]];
+    first[order[i]] = isSame ? first[order[i - 1]] : order[i];
+  }
+  for (PointTriangle& triangle : triangles)
+  {
+    for (Index& p : triangle)
+    {
+      p = first[p];
+    }
+  }
+}
+
+void DropCollapsed(Triangles& triangles)
+{
+  triangles.erase(
+    std::remove_if(triangles.begin(), triangles.end(),
+      [](const PointTriangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
+    triangles.end());
+}
+
+/// A side of a triangle; those that lie on each other are sorted together.
+struct Side
+{
+  Index Low, High; // points
+  Index Triangle;
+  bool IsForward; // from Low to High
+
+  bool Meets(const Side& other) const { return this->Low == other.Low && this->High == other.High; }
+};
+
+std::vector<Side> SortSides(const Triangles& triangles)
+{
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Index from = triangles[t][i], to = triangles[t][(i + 1) % 3];
+      sides.push_back({ std::min(from, to), std::max(from, to), static_cast<Index>(t), from < to });
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+    [](const Side& a, const Side& b)
+    {
+      return std::array<Index, 3>{ { a.Low, a.High, a.Triangle } } <
+        std::array<Index, 3>{ { b.Low, b.High, b.Triangle } };
+    });
+  return sides;
+}
+
+/// Two sides lie on each edge then, one after the other.
+void CheckClosed(const std::vector<Side>& sides)
+{
+  if (sides.empty())
+  {
+    throw InputError("The surface has no triangles.");
+  }
+  Index open = 0, shared = 0;
+  for (std::size_t begin = 0, end; begin < sides.size(); begin = end)
+  {
+    for (end = begin + 1; end < sides.size() && sides[begin].Meets(sides[end]);)
+    {
+      ++end;
+    }
+    open += end - begin == 1;
+    shared += end - begin > 2;
+  }
+  if (open > 0)
+  {
+    throw InputError("The surface is open: " + std::to_string(open) +
+      " edges belong to one triangle only. Close its holes first.");
+  }
+  if (shared > 0)
+  {
+    throw InputError("The surface is not manifold: " + std::to_string(shared) +
+      " edges belong to more than two triangles. Separate its parts first.");
+  }
+}
+
+/// The triangle on the other side of an edge, and whether both face one way.
+struct Neighbour
+{
+  Index Triangle;
+  bool IsAlike;
+};
+
+/// Three of each triangle.
+std::vector<Neighbour> FindNeighbours(const std::vector<Side>& sides)
+{
+  std::vector<Neighbour> neighbours(sides.size());
+  std::vector<int> count(sides.size() / 3, 0);
+  const auto add = [&](const Side& side, const Side& other)
+  {
+    neighbours[3 * side.Triangle + count[side.Triangle]++] = { other.Triangle,
+      side.IsForward != other.IsForward };
+  };
+  for (std::size_t s = 0; s < sides.size(); s += 2)
+  {
+    add(sides[s], sides[s + 1]);
+    add(sides[s + 1], sides[s]);
+  }
+  return neighbours;
+}
+
+/// Each part faces the way of its first triangle.
+void TurnAlike(const std::vector<Neighbour>& neighbours, Triangles& triangles)
+{
+  std::vector<bool> isDone(triangles.size(), false), isTurned(triangles.size(), false);
+  std::vector<Index> toDo;
+  for (std::size_t first = 0; first < triangles.size(); ++first)
+  {
+    if (!isDone[first])
+    {
+      isDone[first] = true;
+      toDo.push_back(static_cast<Index>(first));
+    }
+    while (!toDo.empty())
+    {
+      const Index t = toDo.back();
+      toDo.pop_back();
+      for (int i = 0; i < 3; ++i)
+      {
+        const Neighbour& next = neighbours[3 * t + i];
+        if (!isDone[next.Triangle])
+        {
+          isDone[next.Triangle] = true;
+          isTurned[next.Triangle] = isTurned[t] == next.IsAlike;
+          toDo.push_back(next.Triangle);
+        }
+      }
+    }
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    if (isTurned[t])
+    {
+      std::swap(triangles[t][1], triangles[t][2]);
+    }
+  }
+}
+
+std::vector<Triangle> PlaceTriangles(
+  const std::vector<Vector3>& points, const Triangles& triangles, bool isReversed)
+{
+  std::vector<Triangle> placed;
+  for (const PointTriangle& t : triangles)
+  {
+    placed.push_back(
+      { { points[t[0]], points[t[isReversed ? 2 : 1]], points[t[isReversed ? 1 : 2]] } });
+  }
+  return placed;
+}
+
+} // namespace
+
+Shape MakeSolid(int material, const std::vector<Vector3>& points, Triangles triangles)
+{
+  CheckPoints(points, triangles);
+  MergePoints(points, triangles);
+  DropCollapsed(triangles);
+  const std::vector<Side> sides = SortSides(triangles);
+  CheckClosed(sides);
+  TurnAlike(FindNeighbours(sides), triangles);
+  auto solid = std::make_shared<const TriangleSolid>(PlaceTriangles(points, triangles, false));
+  if (solid->MeasureVolume() < 0.0)
+  {
+    solid = std::make_shared<const TriangleSolid>(PlaceTriangles(points, triangles, true));
+  }
+  BoxQueries boxes;
+  boxes.Meets = [solid](const Vector3& lower, const Vector3& upper)
+  { return solid->Meets(lower, upper); };
+  boxes.Volume = [solid](const Vector3& lower, const Vector3& upper)
+  { return solid->MeasureVolume(lower, upper); };
+  boxes.FitPlane = [solid](const Vector3& lower, const Vector3& upper, HalfSpace& plane)
+  { return solid->FitPlane(lower, upper, plane); };
+  return MakeFunctionShape(
+    material, [](const Vector3&) { return 0.0; },
+    boxes); // the distance is asked for where shapes cut each other
+}
+
+} // namespace vfm

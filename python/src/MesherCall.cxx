@@ -1,0 +1,90 @@
+#include "MesherCall.h"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace vfm
+{
+namespace
+{
+
+namespace nb = nanobind;
+
+/// Sets a value where the dict has one of that name.
+template <class Value>
+void Read(const nb::dict& from, const char* name, Value& value)
+{
+  if (from.contains(name))
+  {
+    value = nb::cast<Value>(from[name]);
+  }
+}
+
+Index CountCells(const std::array<std::vector<double>, 3>& coordinates)
+{
+  Index count = 1;
+  for (const std::vector<double>& x : coordinates)
+  {
+    count *= static_cast<Index>(x.size()) - 1;
+  }
+  return count;
+}
+
+InputBlock MakeBlock(const MesherCall& call)
+{
+  InputBlock block;
+  block.Name = "The input";
+  block.ArePoints = call.ArePoints;
+  block.Coordinates = call.Coordinates;
+  CheckCoordinates(block);
+  KeepAllCells(block);
+  block.Arrays = std::make_shared<NumpyArrays>(CountCells(call.Coordinates), call.Arrays);
+  return block;
+}
+
+/// With what the names of velocity and energy stand for.
+StateChoice CompleteState(const MesherCall& call, const BlockArrays& arrays)
+{
+  std::vector<StateCandidate> candidates;
+  for (const std::string& name : arrays.Names())
+  {
+    if (IsCandidate(name, call.State))
+    {
+      candidates.push_back({ name, arrays.Find(name)->Components });
+    }
+  }
+  return CompleteChoice(call.State, candidates);
+}
+
+} // namespace
+
+StateChoice ReadStateChoice(nb::handle state)
+{
+  StateChoice choice;
+  if (!state.is_none())
+  {
+    const auto from = nb::cast<nb::dict>(state);
+    Read(from, "arrays", choice.Arrays);
+    Read(from, "conserved", choice.IsConserved);
+    Read(from, "densities", choice.Densities);
+    Read(from, "kinds", choice.Kinds);
+    Read(from, "velocity", choice.Velocity);
+    Read(from, "energy", choice.Energy);
+  }
+  return choice;
+}
+
+MesherInput MakeInput(const MesherCall& call, Runtime& runtime)
+{
+  CollectedBlocks collected;
+  collected.Blocks.push_back(MakeBlock(call));
+  collected.Reading.ArePoints = call.ArePoints;
+  collected.Reading.Frame = MakeImageFrame(call.Axes, call.Origin, "The input");
+  const std::shared_ptr<const BlockArrays> arrays = collected.Blocks[0].Arrays;
+  MesherInput input;
+  input.Levels = FindInputLevels(std::move(collected), runtime.Group());
+  input.Arrays = { call.Fractions, call.Labels, call.Names, CompleteState(call, *arrays) };
+  return input;
+}
+
+} // namespace vfm

@@ -1,0 +1,116 @@
+/**
+ * The module _core: its functions are told in _core.pyi.
+ */
+#include "ClosedSurface.h"
+#include "MeshResult.h"
+#include "MesherCall.h"
+#include "PythonRuntime.h"
+#include "RunOptions.h"
+#include "ShapeFractions.h"
+#include "Shapes/ShapesText.h"
+#include "TetPipeline.h"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+
+namespace
+{
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using Places = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+using Corners = nb::ndarray<const std::int64_t, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+using NodeArrays = std::array<Numbers, 3>;
+
+vfm::NodeCoordinates Copy(const NodeArrays& nodes)
+{
+  vfm::NodeCoordinates coordinates;
+  for (int a = 0; a < 3; ++a)
+  {
+    coordinates[a].assign(nodes[a].data(), nodes[a].data() + nodes[a].size());
+  }
+  return coordinates;
+}
+
+template <class Row, class Array>
+std::vector<Row> CopyRows(const Array& values)
+{
+  std::vector<Row> rows(values.shape(0));
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    std::copy_n(values.data() + 3 * r, 3, rows[r].begin());
+  }
+  return rows;
+}
+
+nb::dict MakeMesh(const std::vector<std::pair<std::string, vfm::NumpyArray>>& arrays,
+  const NodeArrays& coordinates, const std::array<double, 9>& axes,
+  const std::array<double, 3>& origin, bool arePoints, const std::vector<std::string>& fractions,
+  const std::string& labels, const vfm::LabelNames& names, nb::handle state,
+  const vfm::MesherOptions& options, int threads, nb::handle progress, nb::handle warn)
+{
+  const vfm::MesherCall call{ arrays, Copy(coordinates), axes, origin, arePoints, fractions, labels,
+    names, vfm::ReadStateChoice(state) };
+  const vfm::MesherOptions kept = options; // others may change them meanwhile
+  vfm::PythonRuntime runtime(threads, progress);
+  vfm::MesherResult result;
+  runtime.Run(
+    [&]
+    {
+      runtime.Progress(0.0, "Reading input");
+      vfm::MesherInput input = vfm::MakeInput(call, runtime);
+      input.Warn = [&](const std::string& text)
+      { runtime.CallPython([&] { warn(nb::str(text.c_str(), text.size())); }); };
+      result = vfm::RunMesher(input, kept, runtime);
+      runtime.Progress(1.0, "Done");
+    });
+  return vfm::ToPython(std::move(result));
+}
+
+nb::list FillShapes(const std::string& text, const NodeArrays& coordinates, double tolerance,
+  int threads, nb::handle progress)
+{
+  vfm::PythonRuntime runtime(threads, progress);
+  return vfm::ComputeFractions(
+    Copy(coordinates),
+    [&text](const vfm::Vector3& lower, const vfm::Vector3& upper)
+    { return vfm::ParseShapes(text, lower, upper); },
+    tolerance, runtime);
+}
+
+nb::object FillTriangles(const Places& points, const Corners& triangles,
+  const NodeArrays& coordinates, double tolerance, int threads, nb::handle progress)
+{
+  const auto corners = CopyRows<vfm::PointTriangle>(triangles);
+  const auto places = CopyRows<vfm::Vector3>(points);
+  vfm::PythonRuntime runtime(threads, progress);
+  const nb::list fractions = vfm::ComputeFractions(
+    Copy(coordinates),
+    [&](const vfm::Vector3&, const vfm::Vector3&)
+    { return std::vector<vfm::Shape>{ vfm::MakeSolid(1, places, corners) }; },
+    tolerance, runtime);
+  return fractions[0];
+}
+
+} // namespace
+
+NB_MODULE(_core, module)
+{
+  module.attr("version") = VFM_VERSION;
+  module.attr("has_tetgen") = vfm::HasTetGen();
+  vfm::BindOptions(module);
+  module.def("mesh", MakeMesh, "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a, "are_points"_a,
+    "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a, "threads"_a,
+    "progress"_a.none(), "warn"_a);
+  module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
+    "progress"_a.none());
+  module.def("triangle_fractions", FillTriangles, "points"_a, "triangles"_a, "coordinates"_a,
+    "tolerance"_a, "threads"_a, "progress"_a.none());
+}

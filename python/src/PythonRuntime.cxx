@@ -1,0 +1,140 @@
+#include "PythonRuntime.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::chrono::milliseconds BetweenLooks(100), BetweenTellings(50);
+constexpr int FirstPieces = 64; // the first piece is such a part of what a thread has to do
+constexpr int Growth = 4;       // of pieces that are short
+constexpr std::chrono::milliseconds LongPiece(10);
+
+int CountThreads(int threads)
+{
+  if (threads < 0)
+  {
+    throw nanobind::value_error("threads must be 0, for all cores, or more.");
+  }
+  return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+} // namespace
+
+PythonRuntime::PythonRuntime(int threads, nanobind::handle progress) :
+  Count(CountThreads(threads)), Callable(progress)
+{
+}
+
+void PythonRuntime::Run(const std::function<void()>& work)
+{
+  try
+  {
+    const nanobind::gil_scoped_release release;
+    work();
+  }
+  catch (const Aborted&)
+  {
+    std::rethrow_exception(std::exchange(this->Raised, nullptr)); // nothing else throws it
+  }
+  catch (const InputError& error)
+  {
+    if (error.Code() == Failure::OutOfMemory)
+    {
+      throw std::bad_alloc();
+    }
+    throw nanobind::value_error(error.what());
+  }
+}
+
+void PythonRuntime::CallPython(const std::function<void()>& call)
+{
+  try
+  {
+    const nanobind::gil_scoped_acquire acquire;
+    call();
+  }
+  catch (...)
+  {
+    this->Raised = std::current_exception();
+    this->IsStopped = true;
+    throw Aborted();
+  }
+}
+
+/// Throws Aborted when the run is to end.
+void PythonRuntime::Look(Clock::time_point now)
+{
+  if (this->IsStopped)
+  {
+    throw Aborted();
+  }
+  if (std::this_thread::get_id() == this->Caller && now >= this->NextLook)
+  {
+    this->CallPython(
+      []
+      {
+        if (PyErr_CheckSignals() != 0)
+        {
+          throw nanobind::python_error();
+        }
+      });
+    this->NextLook = Clock::now() + BetweenLooks;
+  }
+}
+
+void PythonRuntime::For(std::int64_t first, std::int64_t last,
+  const std::function<void(std::int64_t, std::int64_t)>& body)
+{
+  const std::int64_t length =
+    std::max<std::int64_t>(1, (last - first) / (FirstPieces * std::int64_t(this->Count)));
+  this->Threads.For(this->Count, first, last,
+    [&](std::int64_t begin, std::int64_t end) { this->RunPieces(begin, end, length, body); });
+}
+
+/// Begins with a piece of that length; as long as pieces take little time the next are longer.
+void PythonRuntime::RunPieces(std::int64_t begin, std::int64_t end, std::int64_t length,
+  const std::function<void(std::int64_t, std::int64_t)>& body)
+{
+  Clock::time_point start = Clock::now();
+  for (;;)
+  {
+    this->Look(start);
+    const std::int64_t next = begin + std::min(length, end - begin);
+    body(begin, next);
+    if (next == end)
+    {
+      return;
+    }
+    begin = next;
+    const Clock::time_point now = Clock::now();
+    if (now - start < LongPiece / Growth)
+    {
+      length *= Growth;
+    }
+    else if (now - start > LongPiece)
+    {
+      length = std::max<std::int64_t>(1, length / Growth);
+    }
+    start = now;
+  }
+}
+
+void PythonRuntime::Progress(double fraction, const char* stage)
+{
+  const Clock::time_point now = Clock::now();
+  this->Look(now);
+  if (this->Callable.is_none() || (now < this->NextTelling && this->Told == stage))
+  {
+    return;
+  }
+  this->CallPython([&] { this->Callable(fraction, stage); });
+  this->Told = stage;
+  this->NextTelling = Clock::now() + BetweenTellings;
+}
+
+} // namespace vfm
