@@ -1,0 +1,17 @@
+"""Hexahedral and tetrahedral meshes of every material from volume fractions or labels on Cartesian grids.
+
+>>> import volume_fraction_mesh as vfm
+>>> mesh = vfm.hexes(vfm.shapes("sphere radius=0.7", 20, bounds=[-1, 1] * 3))
+>>> mesh.save("ball.vtu")
+"""
+from ._core import has_tetgen
+from ._core import version as __version__
+from ._fragments import fragments
+from ._images import Fractions
+from ._mesher import VolumeFractionMeshWarning, hexes, tets
+from ._shapes import shapes, surface
+from .mesh import Curves, Geometry, Mesh, Surfaces, Vertices
+
+__all__ = [
+    "Curves", "Fractions", "Geometry", "Mesh", "Surfaces", "Vertices", "VolumeFractionMeshWarning", "__version__", "fragments", "has_tetgen",
+    "hexes", "shapes", "surface", "tets"]

@@ -1,0 +1,92 @@
+"""Files that the command vfmesh reads: arrays of numpy, images, surfaces, names of labels."""
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from ._arrays import as_numbers
+from ._images import read_image
+
+NIBABEL = (".nii", ".nii.gz", ".mgz", ".mgh", ".img", ".hdr")
+PYVISTA = (".vti", ".vtr", ".vtk")
+SURFACES = (".stl", ".obj", ".ply", ".off")
+
+
+class Source(NamedTuple):
+    """materials: an image, or arrays by name; others: arrays of the same file that are no materials."""
+
+    materials: Any
+    others: Dict[str, np.ndarray]
+    is_image: bool
+
+
+def read_source(path: str, names: Optional[Sequence[str]], cells: int) -> Source:
+    """names: of the arrays that hold materials; cells: of a surface, along its longest side."""
+    low = path.lower()
+    if low.endswith((".npy", ".npz")):
+        return _read_numpy(path, names)
+    if low.endswith(SURFACES):
+        from ._shapes import surface
+        return Source(surface(path, cells), {}, True)
+    return Source(_read_image(path, low), {}, True)
+
+
+def _read_image(path: str, low: str) -> Any:
+    if not os.path.exists(path):
+        raise FileNotFoundError("There is no file %s." % path)
+    if low.endswith(NIBABEL):
+        return _import("nibabel", path).load(path)
+    if low.endswith(PYVISTA):
+        return _import("pyvista", path).read(path)
+    return _import("SimpleITK", path).ReadImage(path)
+
+
+def _import(name: str, path: str) -> Any:
+    from importlib import import_module
+    try:
+        return import_module(name)
+    except ImportError:
+        raise ImportError("%s is read by %s: pip install %s" % (path, name, name)) from None
+
+
+def _read_numpy(path: str, names: Optional[Sequence[str]]) -> Source:
+    loaded = np.load(path, mmap_mode="r", allow_pickle=False)
+    if isinstance(loaded, np.ndarray):
+        if names is not None:
+            raise ValueError("%s holds one array without a name: --array is for others." % path)
+        return Source({"Material 1": loaded}, {}, False)
+    arrays = {name: loaded[name] for name in loaded.files}
+    chosen = list(arrays) if names is None else list(names)
+    missing = [name for name in chosen if name not in arrays]
+    if missing:
+        raise ValueError("%s has no array %r. Its arrays: %s." % (path, missing[0], ", ".join(map(repr, arrays)) or "none"))
+    return Source({name: arrays.pop(name) for name in chosen}, arrays, False)
+
+
+def are_labels(source: Source, names: Optional[List[str]]) -> bool:
+    """Of a single array: whether it holds whole numbers, or real ones beyond 1."""
+    arrays = source.materials
+    if source.is_image:
+        image = read_image(source.materials, names)
+        assert image is not None
+        arrays = {name: image.arrays[name] for name in image.chosen if name in image.arrays}
+    if len(arrays) != 1:
+        return False
+    array = as_numbers(next(iter(arrays.values())), next(iter(arrays)))
+    return array.dtype.kind != "f" or bool(array.size and array.max() > 1 + 1e-6)
+
+
+def read_names(path: str) -> Mapping[int, str]:
+    """Of lines with a label and its name; what follows # is a comment."""
+    found: Dict[int, str] = {}
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            words = line.split("#")[0].replace(",", " ").split(None, 1)
+            if not words:
+                continue
+            if len(words) != 2 or not words[0].isdigit():
+                raise ValueError("Line %d of %s is %r: a label and its name are needed." % (number, path, line.strip()))
+            found[int(words[0])] = words[1].strip().strip('"')
+    return found

@@ -1,0 +1,96 @@
+"""The grid of cells: coordinates of its nodes, and how it lies in space."""
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Sequence, Tuple, Union
+
+import numpy as np
+
+AXES = "xyz"
+UNIT = (1.0, 1.0, 1.0)
+NOWHERE = (0.0, 0.0, 0.0)
+
+
+class Grid(NamedTuple):
+    """nodes: coordinates along x, y, z, each increasing; direction: (3, 3), its columns are the axes of the grid; origin: about which they turn."""
+
+    nodes: Tuple[np.ndarray, np.ndarray, np.ndarray]
+    direction: np.ndarray = np.eye(3)
+    origin: Tuple[float, ...] = NOWHERE
+    are_points: bool = False
+
+    @property
+    def cells(self) -> Tuple[int, ...]:
+        """Along x, y and z."""
+        return tuple(len(x) - 1 for x in self.nodes)
+
+    def is_same(self, other: Grid) -> bool:
+        """But for rounding."""
+        if self.cells != other.cells or not np.allclose(self.direction, other.direction, rtol=0, atol=1e-5):
+            return False
+        widths = [(x[-1] - x[0]) / (len(x) - 1) for x in self.nodes]
+        return all(np.abs(a - b).max() <= 1e-3 * width for a, b, width in zip(self.nodes, other.nodes, widths))
+
+
+def even_nodes(start: float, spacing: float, first: int, last: int) -> np.ndarray:
+    """The nodes first .. last, of which node 0 is at start: the same bits as the filters'."""
+    return start + np.arange(first, last + 1) * spacing
+
+
+def point_nodes(origin: Sequence[float], spacing: Sequence[float], counts: Sequence[int]) -> Tuple[np.ndarray, ...]:
+    """Of cells whose centres are so many points, the first at origin."""
+    return tuple(even_nodes(o - 0.5 * s, s, 0, n) for o, s, n in zip(origin, spacing, counts))
+
+
+def _numbers(name: str, value: Any, count: int) -> np.ndarray:
+    try:
+        numbers = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise TypeError("%s is %r: %d numbers are needed." % (name, value, count)) from None
+    if numbers.size != count:
+        raise ValueError("%s is %r: %d numbers are needed." % (name, value, count))
+    if not np.isfinite(numbers).all():
+        raise ValueError("%s is %r: it must be finite." % (name, value))
+    return numbers.ravel()
+
+
+def check_spacing(spacing: Union[float, Sequence[float]]) -> np.ndarray:
+    """Three of them; one number is that of all axes."""
+    numbers = _numbers("spacing", np.full(3, spacing) if np.ndim(spacing) == 0 and not isinstance(spacing, str) else spacing, 3)
+    if not (numbers > 0).all():
+        raise ValueError("spacing is %r: widths of cells must be greater than 0." % (spacing,))
+    return numbers
+
+
+def _given_nodes(coordinates: Any, cells: Sequence[int]) -> Tuple[np.ndarray, ...]:
+    try:
+        nodes = tuple(np.asarray(x, dtype=np.float64) for x in coordinates)
+    except (TypeError, ValueError):
+        raise TypeError("coordinates must be three arrays of numbers, the nodes along x, y and z.") from None
+    if len(nodes) != 3:
+        raise ValueError("coordinates has %d arrays: three are needed, the nodes along x, y and z." % len(nodes))
+    for axis, x, count in zip(AXES, nodes, cells):
+        if x.shape != (count + 1,):
+            raise ValueError("coordinates along %s has the shape %r: %d cells have %d nodes." % (axis, x.shape, count, count + 1))
+        if not (np.isfinite(x).all() and (np.diff(x) > 0).all()):
+            raise ValueError("coordinates along %s do not increase, or are not finite." % axis)
+    return nodes
+
+
+def make_grid(cells: Sequence[int], spacing: Any, origin: Any, coordinates: Any, direction: Any) -> Grid:
+    """cells: how many along x, y and z."""
+    corner = _numbers("origin", origin, 3)
+    turned = np.eye(3) if direction is None else _numbers("direction", direction, 9).reshape(3, 3)
+    if coordinates is None:
+        widths = check_spacing(spacing)
+        nodes = tuple(even_nodes(o, s, 0, n) for o, s, n in zip(corner, widths, cells))
+    else:
+        if not (is_default(spacing, UNIT) and is_default(origin, NOWHERE)):
+            raise ValueError("coordinates tell where the nodes are: spacing and origin cannot be given too.")
+        nodes = _given_nodes(coordinates, cells)
+        corner = np.array([x[0] for x in nodes])
+    return Grid(nodes, turned, tuple(corner.tolist()))  # type: ignore[arg-type]
+
+
+def is_default(value: Any, default: Sequence[float]) -> bool:
+    """Whether a triple is that of the signature."""
+    return np.array_equal(np.asarray(value, dtype=object), np.asarray(default, dtype=object))

@@ -1,0 +1,80 @@
+"""Meshes as data sets of PyVista, with the names of arrays that the filters of ParaView use."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Dict, Mapping
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pyvista
+
+    from .mesh import Mesh
+
+PARTS = ("mesh", "surfaces", "curves", "vertices")
+
+
+def convert(mesh: Mesh, part: str) -> pyvista.DataSet:
+    """See Mesh.to_pyvista."""
+    import pyvista
+    if part not in PARTS:
+        raise ValueError("part is %r: it must be one of %s." % (part, ", ".join(map(repr, PARTS))))
+    if part == "mesh":
+        return _volume(mesh, pyvista)
+    if part == "surfaces":
+        own = mesh.surfaces
+        arrays = {"SurfaceId": own.surface_id, "MaterialPair": own.material_pair, "DomainSide": own.domain_side}
+        return _flat(mesh, own.cells, "faces", arrays, own.fields)
+    if part == "curves":
+        return _flat(mesh, mesh.curves.cells, "lines", {"CurveId": mesh.curves.curve_id}, mesh.curves.fields)
+    return _flat(mesh, mesh.vertices.points[:, None], "verts", {"VertexId": mesh.vertices.vertex_id}, mesh.vertices.fields)
+
+
+def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
+    """Of the elements, by the names of the filters."""
+    arrays = {"MaterialId": mesh.material, "FragmentId": mesh.fragment, "GlobalCellIds": mesh.cell_ids}
+    if mesh.quality is not None:
+        arrays["ScaledJacobian"] = mesh.quality
+    return {**arrays, **mesh.state}
+
+
+def point_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
+    """Of the points."""
+    return {
+        "GlobalPointIds": mesh.point_ids, "GeometryDimension": mesh.geometry.dimension, "GeometryId": mesh.geometry.id, **mesh.point_state}
+
+
+def _volume(mesh: Mesh, pyvista: Any) -> Any:
+    kind = pyvista.CellType.TETRA if mesh.kind == "tetra" else pyvista.CellType.HEXAHEDRON
+    grid = pyvista.UnstructuredGrid({kind: mesh.cells}, mesh.points)
+    for name, array in point_arrays(mesh).items():
+        grid.point_data.set_array(array, name)
+    for name, array in cell_arrays(mesh).items():
+        grid.cell_data.set_array(array, name)
+    grid.GetPointData().SetGlobalIds(grid.GetPointData().GetArray("GlobalPointIds"))
+    grid.GetCellData().SetGlobalIds(grid.GetCellData().GetArray("GlobalCellIds"))
+    _add_fields(grid, mesh.fields)
+    grid.set_active_scalars("MaterialId", preference="cell")
+    return grid
+
+
+def _flat(mesh: Mesh, cells: np.ndarray, kind: str, arrays: Mapping[str, np.ndarray], fields: Mapping[str, Any]) -> Any:
+    """The points that are used alone."""
+    import pyvista
+    used, corners = np.unique(cells, return_inverse=True)
+    corners = corners.reshape(cells.shape)
+    padded = np.column_stack([np.full(len(cells), cells.shape[1]), corners])
+    data = pyvista.PolyData(mesh.points[used], **({kind: padded.ravel()} if len(cells) else {}))
+    if len(cells):
+        data.point_data.set_array(mesh.point_ids[used], "GlobalPointIds")
+        data.GetPointData().SetGlobalIds(data.GetPointData().GetArray("GlobalPointIds"))
+    for name, array in arrays.items():
+        if len(array):
+            data.cell_data.set_array(array, name)
+    _add_fields(data, fields)
+    return data
+
+
+def _add_fields(data: Any, fields: Mapping[str, Any]) -> None:
+    for name, values in fields.items():
+        if len(values):
+            data.field_data.set_array(values, name)

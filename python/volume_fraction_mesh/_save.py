@@ -1,0 +1,42 @@
+"""Files of a mesh, by their endings."""
+from __future__ import annotations
+
+import os
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .mesh import Mesh
+
+EXODUS = (".e", ".ex2", ".exo")
+
+
+def save(mesh: Mesh, path: Any, **options: Any) -> None:
+    """See Mesh.save."""
+    path = os.fspath(path)
+    suffix = os.path.splitext(path)[1].lower()
+    if not suffix:
+        raise ValueError("%r has no ending, which would tell what kind of file to write: .vtu, .e, .inp, .msh .." % path)
+    if suffix in (".vtu", ".vtk") and find_spec("pyvista"):
+        mesh.to_pyvista().save(path, **options)
+    elif suffix == ".vtp":
+        mesh.to_pyvista("surfaces").save(path, **options)
+    elif find_spec("meshio"):
+        _save_by_meshio(mesh, path, suffix, **options)
+    else:
+        raise ImportError("%s is written by %s: pip install %s" % (path, *(["PyVista or meshio", "meshio"] if suffix == ".vtu" else ["meshio"] * 2)))
+
+
+def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
+    import meshio
+
+    from ._meshio import for_gmsh
+    if suffix == ".msh":
+        data = for_gmsh(mesh)
+        options = {"file_format": "gmsh", **options}
+    elif suffix in EXODUS:
+        data = mesh.to_meshio(blocks=True)
+        options = {"file_format": "exodus", **options}
+    else:
+        data = mesh.to_meshio(blocks=suffix == ".inp")
+    meshio.write(path, data, **options)

@@ -1,0 +1,119 @@
+"""State: which arrays the mesh carries along, and what they are."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, Mapping, Optional, Tuple
+
+from ._arrays import as_numbers
+from ._images import read_image
+from ._input import Field
+from ._options import STATE
+
+
+def read_state(given: Mapping[str, Any], field: Field) -> Optional[Dict[str, Any]]:
+    """As the core takes it, None without any. Adds the arrays to those of the field. given: the arguments of hexes()."""
+    arrays = _list_arrays(field, given["state"])
+    densities = _add(field, "density", given["density"])
+    velocities, velocity = _add_one(field, "velocity", given["velocity"])
+    energies, energy = _add_one(field, "energy", given["energy"])
+    arrays += [name for name in velocities + energies if name not in arrays]
+    transfer = ("automatic", "copy", "conserve")[STATE[0].check(given["state_transfer"])]
+    kinds = _list_kinds(given["state_kinds"])
+    if not (arrays or densities or velocity or energy):
+        if kinds:
+            raise ValueError("state_kinds is %r, but no state is given." % (given["state_kinds"],))
+        return None
+    return {
+        "arrays": arrays, "conserved": transfer == "conserve" or (transfer == "automatic" and bool(densities)), "densities": densities,
+        "kinds": kinds, "velocity": velocity, "energy": energy}
+
+
+def _list_arrays(field: Field, state: Any) -> List[str]:
+    if state is None:
+        return []
+    if isinstance(state, Mapping):
+        return [name for key, value in state.items() for name in _add(field, key, value)]
+    if isinstance(state, (list, tuple)) and all(isinstance(name, str) for name in state):
+        return list(state)
+    raise TypeError("state is a %s: a dict, name: array, or a list of names of arrays of the image is needed." % type(state).__name__)
+
+
+def _list_kinds(kinds: Any) -> List[str]:
+    """Words array=kind."""
+    if kinds is None:
+        return []
+    if isinstance(kinds, Mapping):
+        return ["%s=%s" % pair for pair in kinds.items()]
+    if isinstance(kinds, str):
+        return [kinds]
+    return [str(word) for word in kinds]
+
+
+def _add(field: Field, name: str, value: Any) -> List[str]:
+    """Names of the arrays that a value stands for: names already, one array for all materials, or one a material."""
+    if value is None:
+        return []
+    if isinstance(value, str):
+        return [value]
+    if isinstance(value, Mapping):
+        return _add_of_materials(field, name, value)
+    if isinstance(value, (list, tuple)):
+        if value and all(isinstance(word, str) for word in value):
+            return list(value)
+        if len(value) != len(field.fractions):
+            raise ValueError("%s has %d arrays: one for all materials or one for each of %d is needed; of labels a dict, label: array." % (
+                name, len(value), len(field.fractions)))
+        return _add_of_materials(field, name, dict(zip(field.fractions, value)))
+    _add_array(field, name, value)
+    return [name]
+
+
+def _add_one(field: Field, name: str, value: Any) -> Tuple[List[str], str]:
+    """The same, and by which name the core is told of them: one of theirs, or what those of materials share."""
+    names = _add(field, name, value)
+    if isinstance(value, str):
+        return [], value
+    are_own = len(names) > 1 and not isinstance(value[0] if isinstance(value, (list, tuple)) else None, str)
+    return names, name if are_own else names[0] if names else ""
+
+
+def _add_of_materials(field: Field, name: str, values: Mapping[Any, Any]) -> List[str]:
+    """Arrays called as the core knows those of materials: "density - 1"."""
+    if not field.labels and set(values) != set(field.fractions):
+        raise ValueError("%s has arrays of %s, but the materials are %s." % (
+            name, ", ".join(map(repr, values)) or "none", ", ".join(map(repr, field.fractions))))
+    numbers = {key: key for key in values} if field.labels else {key: i + 1 for i, key in enumerate(field.fractions)}
+    names = []
+    for key, number in numbers.items():
+        names.append(name if len(values) == 1 else "%s - %s" % (name, number))
+        _add_array(field, names[-1], values[key])
+    return names
+
+
+def _add_array(field: Field, name: str, value: Any) -> None:
+    image = read_image(value, None)
+    if image is None:
+        field.arrays.add(name, as_numbers(value, name))
+    elif len(image.chosen) != 1 or not image.grid.is_same(field.grid):
+        raise ValueError("The image %r lies on another grid than the materials, or has several arrays." % name)
+    else:
+        field.arrays.add_flat(name, image.arrays[image.chosen[0]])
+
+
+def add_refinement(given: Mapping[str, Any], field: Field) -> str:
+    """The name of the refinement array, "" without one."""
+    value = given["refinement_array"]
+    names = _add(field, "refinement_array", value)
+    if len(names) > 1:
+        raise TypeError("refinement_array is a %s: one array of whole numbers is needed." % type(value).__name__)
+    return "".join(names)
+
+
+def list_boxes(boxes: Any) -> List[List[float]]:
+    """Seven numbers each."""
+    found = []
+    for box in boxes or ():
+        numbers = [float(number) for number in box]
+        if len(numbers) not in (6, 7):
+            raise ValueError("refinement_boxes has %r: x0, y0, z0, x1, y1, z1 and how many times cells are halved are needed." % (box,))
+        found.append(numbers + [1.0] * (7 - len(numbers)))
+    return found

@@ -1,0 +1,22 @@
+"""Types of the public arguments."""
+from __future__ import annotations
+
+from typing import Any, Callable, Literal, Mapping, Sequence, Union
+
+from numpy.typing import ArrayLike
+
+FractionsLike = Union[ArrayLike, Sequence[ArrayLike], Mapping[str, ArrayLike], Any]  # Any: an image
+StateLike = Union[Mapping[str, Any], Sequence[str], None]
+OfMaterials = Union[ArrayLike, str, Sequence[Any], Mapping[Any, Any], None]
+Names = Union[Sequence[str], Mapping[int, str], None]
+Triple = Union[float, Sequence[float]]
+Progress = Union[bool, Callable[[float, str], Any], None]
+Order = Literal["xyz", "zyx"]
+StateTransfer = Literal["automatic", "copy", "conserve"]
+LostEnergy = Literal["report", "internal_energy"]
+Unmeshed = Literal["give", "drop"]
+Smoothing = Literal["off", "quadric_surface", "geometry_based"]
+SharpEdges = Literal["off", "on", "automatic"]
+Refinement = Literal["off", "input_levels", "automatic", "coarsen", "uniform"]
+ChildFractions = Literal["planes", "parent"]
+Method = Literal["tetgen", "cells", "lattice"]
