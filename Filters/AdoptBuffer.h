@@ -5,6 +5,7 @@
 
 #include "Base/Buffer.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkSmartPointer.h"
 
 namespace vfm

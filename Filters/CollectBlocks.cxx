@@ -1,7 +1,11 @@
 #include "CollectBlocks.h"
 
 #include "ArrayMemory.h"
+#include "Base/Agreement.h"
 #include "Base/Runtime.h"
+#include "BlockArraysOfData.h"
+#include "FindImageFrame.h"
+#include "InputAssociation.h"
 #include "NodeCoordinates.h"
 #include "RecogniseGrid.h"
 
@@ -29,18 +33,15 @@ namespace
 std::array<std::vector<double>, 3> ImageCoordinates(
   vtkImageData* image, const InputReading& reading)
 {
-  const bool arePoints = reading.Association == vtkDataObject::POINT;
-  const Vector3 origin = reading.Frame.OriginOf(image);
+  const double* x = image->GetOrigin();
+  const Vector3 origin = reading.Frame.OriginOf({ { x[0], x[1], x[2] } });
   std::array<std::vector<double>, 3> coordinates;
   for (int a = 0; a < 3; ++a)
   {
     const int* extent = image->GetExtent() + 2 * a;
     const double spacing = image->GetSpacing()[a];
-    const double start = arePoints ? origin[a] - 0.5 * spacing : origin[a];
-    for (int i = extent[0]; i <= extent[1] + arePoints; ++i)
-    {
-      coordinates[a].push_back(start + i * spacing);
-    }
+    const double start = reading.ArePoints ? origin[a] - 0.5 * spacing : origin[a];
+    coordinates[a] = EvenNodes(start, spacing, extent[0], extent[1] + reading.ArePoints);
   }
   return coordinates;
 }
@@ -67,72 +68,42 @@ bool IsFlat(const InputBlock& block)
     [](const std::vector<double>& x) { return x.size() < 2; });
 }
 
-void CheckCoordinates(const InputBlock& block)
-{
-  for (int a = 0; a < 3; ++a)
-  {
-    const std::vector<double>& x = block.Coordinates[a];
-    if (x.size() < 2)
-    {
-      throw InputError(block.Name + " is flat: it has no cells along " + AxisNames[a] +
-        ". Volume fractions on a 3D grid of cells are needed.");
-    }
-    for (std::size_t i = 0; i < x.size(); ++i)
-    {
-      if (!std::isfinite(x[i]) || (i > 0 && !(x[i] > x[i - 1])))
-      {
-        std::ostringstream text;
-        text << block.Name << ": the " << AxisNames[a]
-             << " coordinates do not increase or are not finite at node " << i << " (" << x[i]
-             << ").";
-        throw InputError(text.str());
-      }
-    }
-  }
-}
+static_assert(CellMark::Ghost == vtkDataSetAttributes::DUPLICATECELL &&
+    CellMark::Hidden == vtkDataSetAttributes::HIDDENCELL &&
+    CellMark::Ghost == vtkDataSetAttributes::DUPLICATEPOINT,
+  "marks are those of VTK");
 
 /// What is said of cells; where points are cells in the bits of cells. Null: nothing.
-vtkSmartPointer<vtkUnsignedCharArray> FindCellTypes(const InputBlock& block)
+std::shared_ptr<const std::vector<unsigned char>> FindMarks(vtkDataSet* data, bool arePoints)
 {
-  const auto types = InMemory(FindGhostTypes(block.Data, block.Association));
-  if (!types || block.Association != vtkDataObject::POINT)
+  const auto marks =
+    MarksOf(FindGhostTypes(data, arePoints ? vtkDataObject::POINT : vtkDataObject::CELL));
+  if (marks && arePoints)
   {
-    return types;
+    for (unsigned char& mark : *marks)
+    {
+      const bool isHidden = (mark & vtkDataSetAttributes::HIDDENPOINT) != 0;
+      mark = (mark & CellMark::Ghost) | (isHidden ? CellMark::Hidden : 0);
+    }
   }
-  auto ofCells = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  ofCells->SetNumberOfValues(types->GetNumberOfValues());
-  for (vtkIdType p = 0; p < types->GetNumberOfValues(); ++p)
-  {
-    const int type = types->GetValue(p);
-    const bool isGhost = (type & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
-    const bool isHidden = (type & vtkDataSetAttributes::HIDDENPOINT) != 0;
-    ofCells->SetValue(p,
-      static_cast<unsigned char>((isGhost ? vtkDataSetAttributes::DUPLICATECELL : 0) |
-        (isHidden ? vtkDataSetAttributes::HIDDENCELL : 0)));
-  }
-  return ofCells;
+  return marks;
 }
 
 /// Sets Kept to the box of the cells that are no ghosts; false when there is none.
 bool DropGhosts(InputBlock& block)
 {
-  for (int a = 0; a < 3; ++a)
-  {
-    block.Dimensions[a] = static_cast<Index>(block.Coordinates[a].size()) - 1;
-  }
-  block.Kept.Upper = block.Dimensions;
-  block.GhostTypes = FindCellTypes(block);
-  if (!block.GhostTypes)
+  KeepAllCells(block);
+  if (!block.Marks)
   {
     return true;
   }
-  const unsigned char* types = block.GhostTypes->GetPointer(0);
+  const unsigned char* marks = block.Marks->data();
   IndexBox box{ block.Dimensions, { { 0, 0, 0 } } };
   Index kept = 0, id = 0;
   ForCells({ { { 0, 0, 0 } }, block.Dimensions },
     [&](const Index3& cell)
     {
-      if (types[id++] & vtkDataSetAttributes::DUPLICATECELL)
+      if (marks[id++] & CellMark::Ghost)
       {
         return;
       }
@@ -183,7 +154,7 @@ void AddBlocks(const InputPart& part, const InputReading& reading, std::vector<I
   vtkImageData* image = vtkImageData::SafeDownCast(part.Data);
   vtkPointSet* corners = FindCorners(part.Data);
   vtkRectilinearGrid* rectilinear = vtkRectilinearGrid::SafeDownCast(part.Data);
-  if (reading.Association == vtkDataObject::POINT && (corners || rectilinear) && part.HasPoints())
+  if (reading.ArePoints && (corners || rectilinear) && part.HasPoints())
   {
     RefusePoints(part);
   }
@@ -196,10 +167,9 @@ void AddBlocks(const InputPart& part, const InputReading& reading, std::vector<I
     return;
   }
   InputBlock block;
-  block.Data = vtkDataSet::SafeDownCast(part.Data);
   block.Number = part.Number;
   block.Name = part.Name;
-  block.Association = reading.Association;
+  block.ArePoints = reading.ArePoints;
   if (!image && !rectilinear)
   {
     throw InputError(block.Name + " is a " + part.Data->GetClassName() +
@@ -213,6 +183,9 @@ void AddBlocks(const InputPart& part, const InputReading& reading, std::vector<I
     return;
   }
   CheckCoordinates(block);
+  vtkDataSet* data = vtkDataSet::SafeDownCast(part.Data);
+  block.Arrays = ArraysOf(data, reading.ArePoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+  block.Marks = FindMarks(data, reading.ArePoints);
   if (DropGhosts(block))
   {
     blocks.push_back(std::move(block));
@@ -220,12 +193,6 @@ void AddBlocks(const InputPart& part, const InputReading& reading, std::vector<I
 }
 
 } // namespace
-
-std::string NameBlock(int number, int rank, bool isAlone)
-{
-  const std::string name = number < 0 ? "The input" : "Block " + std::to_string(number);
-  return isAlone ? name : name + " of rank " + std::to_string(rank);
-}
 
 bool InputPart::HasPoints() const
 {
@@ -254,15 +221,37 @@ std::vector<InputPart> FindParts(vtkDataObject* input, int rank, bool isAlone)
   return parts;
 }
 
-std::vector<InputBlock> CollectBlocks(
-  const std::vector<InputPart>& parts, const InputReading& reading)
+std::shared_ptr<std::vector<unsigned char>> MarksOf(vtkDataArray* ghostTypes)
 {
-  std::vector<InputBlock> blocks;
-  for (const InputPart& part : parts)
+  if (!ghostTypes)
   {
-    AddBlocks(part, reading, blocks);
+    return nullptr;
   }
-  return blocks;
+  const auto types = InMemory(ghostTypes);
+  const unsigned char* first = types->GetPointer(0);
+  return std::make_shared<std::vector<unsigned char>>(first, first + types->GetNumberOfValues());
+}
+
+CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays, Ranks& ranks)
+{
+  std::vector<InputPart> parts;
+  WorkTogether(ranks, [&] { parts = FindParts(data, ranks.Rank(), ranks.Count() == 1); });
+  CollectedBlocks collected;
+  collected.Reading.ArePoints = FindAssociation(parts, arrays, ranks) == vtkDataObject::POINT;
+  collected.Reading.Frame = FindImageFrame(parts, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      for (const InputPart& part : parts)
+      {
+        AddBlocks(part, collected.Reading, collected.Blocks);
+      }
+    });
+  if (!ranks.Any(!collected.Blocks.empty()))
+  {
+    throw InputError("The input has no cells. Volume fractions on a 3D grid of cells are needed.");
+  }
+  return collected;
 }
 
 } // namespace vfm

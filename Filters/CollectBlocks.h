@@ -1,15 +1,24 @@
 /**
- * CollectBlocks: the blocks of a VTK data object on this rank, alone: nothing here communicates.
+ * CollectBlocks: the blocks of a VTK data object.
+ *
+ * Taken are vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid and vtkStructuredGrid whose cells are
+ * those of a Cartesian grid (RecogniseGrid), and composite data sets of them; extents may restart at 0 in every block.
+ * Where point data of images are chosen, each point is the centre of a cell: the grid begins half a spacing lower, and has a
+ * cell more along each axis than the image.
+ * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped: in images and rectilinear grids they may only form layers on the
+ * sides of a block. Blanked cells (HIDDENCELL) stay and are void.
  */
 #pragma once
 
+#include "ChosenArray.h"
 #include "InputBlocks.h"
+
+#include "vtkDataObject.h"
+
+class vtkDataArray;
 
 namespace vfm
 {
-
-/// For messages. number: of the block in a composite data set, or -1 for an input that is no composite.
-std::string NameBlock(int number, int rank, bool isAlone);
 
 /// A data object that is no composite.
 struct InputPart
@@ -23,13 +32,15 @@ struct InputPart
   bool HasPoints() const;
 };
 
-/// input: null for none.
+/// Of cells or points by the array vtkGhostType, in its order; null of null.
+std::shared_ptr<std::vector<unsigned char>> MarksOf(vtkDataArray* ghostTypes);
+
+/// Of this rank alone. input: null for none.
 std::vector<InputPart> FindParts(vtkDataObject* input, int rank, bool isAlone);
 
-/// The blocks that have cells which are no ghosts, with all but Box set. Throws InputError on data of another
-/// kind, flat grids, points of grids that are no images, coordinates that do not increase, ghost cells in the middle of a block, and as
-/// RecogniseGrid does.
-std::vector<InputBlock> CollectBlocks(
-  const std::vector<InputPart>& parts, const InputReading& reading);
+/// Collective; data: this rank's part, null for none. The blocks that have cells which are no ghosts. Throws InputError, on all ranks alike,
+/// on data of another kind, flat or empty grids, direction matrices that differ or are sheared, points of grids that are no images,
+/// arrays of points beside those of cells, coordinates that do not increase, ghost cells in the middle of a block, and as RecogniseGrid does.
+CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays, Ranks& ranks);
 
 } // namespace vfm

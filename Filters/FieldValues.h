@@ -1,42 +1,21 @@
 /**
- * Numbers as arrays of field data.
+ * Numbers and texts of the mesher as arrays of VTK.
  */
 #pragma once
 
-#include "vtkFieldData.h"
-#include "vtkInformation.h"
-#include "vtkSmartPointer.h"
+#include "FieldArray.h"
 
 #include <vector>
+
+class vtkFieldData;
+class vtkTable;
 
 namespace vfm
 {
 
-/// For scripts and files; views are not to offer it among the arrays of cells and points.
-inline void AddHidden(vtkAbstractArray* array, vtkFieldData* field)
-{
-  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
-  field->AddArray(array);
-}
+/// For scripts and files: hidden from lists of arrays, since views are not to offer them among those of cells and points.
+void AddFields(const std::vector<FieldArray>& arrays, vtkFieldData* field);
 
-/// A value a tuple.
-template <class Array, class T>
-vtkSmartPointer<Array> MakeColumn(const char* name, const std::vector<T>& values)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), values[i]);
-  }
-  return array;
-}
-
-template <class Array, class T>
-void AddFieldValues(vtkFieldData* field, const char* name, const std::vector<T>& values)
-{
-  AddHidden(MakeColumn<Array>(name, values), field);
-}
+void AddColumns(const std::vector<FieldArray>& arrays, vtkTable* table);
 
 } // namespace vfm

@@ -1,9 +1,10 @@
 #include "MaterialArrays.h"
 
-#include "Base/Agreement.h"
 #include "ArrayInfo.h"
+#include "Base/Agreement.h"
 #include "CollectBlocks.h"
 #include "MaterialGuess.h"
+#include "ValueType.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"

@@ -42,17 +42,11 @@ enum class MaterialGuess
   Unclear   ///< one or the other
 };
 
-/// type: VTK_DOUBLE and the like.
-inline bool IsRealType(int type)
-{
-  return type == VTK_FLOAT || type == VTK_DOUBLE;
-}
-
-/// Of an array of one component.
+/// Of an array of one component. type: VTK_DOUBLE and the like.
 inline MaterialGuess GuessMaterial(int type, double least, double most)
 {
   constexpr double rounding = 1e-6, mostOfBytes = 255.0;
-  if (IsRealType(type))
+  if (type == VTK_FLOAT || type == VTK_DOUBLE)
   {
     const bool areFractions = least >= -rounding && most <= 1.0 + rounding;
     return areFractions ? MaterialGuess::Fraction : MaterialGuess::Nothing;

@@ -3,6 +3,7 @@
 #include "AdoptBuffer.h"
 #include "EmptyOutput.h"
 #include "FieldValues.h"
+#include "MeshFields.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -37,33 +38,6 @@ vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
   cells->SetData(AdoptBuffer<vtkTypeInt64Array>(offsets, nullptr),
     AdoptBuffer<vtkTypeInt64Array>(buffer, "Connectivity"));
   return cells;
-}
-
-/// Whether each label is its own number.
-bool AreNumbers(const std::vector<int>& labels)
-{
-  for (std::size_t m = 0; m < labels.size(); ++m)
-  {
-    if (labels[m] != static_cast<int>(m))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// From material numbers to the labels of the user.
-template <class List>
-void SetLabels(List& materials, const Materials& table)
-{
-  if (AreNumbers(table.Labels))
-  {
-    return;
-  }
-  for (int& material : materials)
-  {
-    material = table.Labels[material];
-  }
 }
 
 /// Some of the numbers from 0 on, and the place of each among them.
@@ -115,56 +89,16 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
   output->GetPointData()->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
 }
 
-/// An array of as many components as its rows have.
-template <class Array, class Value, std::size_t Length>
-void AddFieldRows(
-  vtkDataObject* output, const char* name, const std::vector<std::array<Value, Length>>& rows)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(Length));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    std::copy(rows[i].begin(), rows[i].end(), array->GetPointer(Length * i));
-  }
-  AddHidden(array, output->GetFieldData());
-}
-
-void SetSurfaces(Mesh& mesh, const Materials& table, vtkPolyData* surfaces)
+void SetSurfaces(Mesh& mesh, vtkPolyData* surfaces)
 {
   SurfaceFacets& facets = mesh.Surfaces;
   SetUsedPoints(facets.Points, mesh, surfaces);
   surfaces->SetPolys(AdoptCells(facets.Points, mesh.CornersOfFacet()));
-  SetLabels(facets.MaterialPair, table);
   vtkCellData* sides = surfaces->GetCellData();
   sides->SetScalars(AdoptBuffer<vtkIntArray>(facets.SurfaceId, "SurfaceId"));
   sides->AddArray(AdoptBuffer<vtkIntArray>(facets.MaterialPair, "MaterialPair", 2));
   sides->AddArray(AdoptBuffer<vtkIntArray>(facets.DomainSide, "DomainSide"));
-  for (GeometryTables::Pair& materials : mesh.Tables.SurfaceMaterials)
-  {
-    SetLabels(materials, table);
-  }
-  AddFieldRows<vtkIntArray>(surfaces, "SurfaceVolumes", mesh.Tables.SurfaceVolumes);
-  AddFieldRows<vtkIntArray>(surfaces, "SurfaceMaterials", mesh.Tables.SurfaceMaterials);
-  AddFieldValues<vtkIntArray>(surfaces->GetFieldData(), "SurfaceSides", mesh.Tables.SurfaceSides);
-  AddFieldValues<vtkIntArray>(surfaces->GetFieldData(), "SurfaceParts", mesh.Tables.SurfaceParts);
-  AddFieldValues<vtkDoubleArray>(
-    surfaces->GetFieldData(), "SurfaceAreas", mesh.Tables.SurfaceAreas);
-  AddFieldRows<vtkDoubleArray>(surfaces, "SurfaceCentroids", mesh.Tables.SurfaceCentroids);
-  AddFieldRows<vtkDoubleArray>(surfaces, "SurfaceNormals", mesh.Tables.SurfaceNormals);
-  AddFieldRows<vtkIntArray>(surfaces, "VolumeSurfaces", mesh.Tables.VolumeSurfaces);
-}
-
-/// What tells the surface of a face from its points, where interfaces have several.
-void SetSides(const GeometryTables& tables, vtkUnstructuredGrid* output)
-{
-  const std::vector<int>& parts = tables.SurfaceParts;
-  if (std::any_of(parts.begin(), parts.end(), [](int part) { return part > 0; }))
-  {
-    AddFieldValues<vtkIntArray>(output->GetFieldData(), "SurfaceParts", parts);
-    AddFieldRows<vtkIdTypeArray>(output, "EdgeFacets", tables.EdgeFacets);
-  }
+  AddFields(ListSurfaces(mesh.Tables), surfaces->GetFieldData());
 }
 
 void SetCurves(Mesh& mesh, vtkPolyData* curves)
@@ -172,8 +106,7 @@ void SetCurves(Mesh& mesh, vtkPolyData* curves)
   SetUsedPoints(mesh.Curves.Points, mesh, curves);
   curves->SetLines(AdoptCells(mesh.Curves.Points, 2));
   curves->GetCellData()->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Curves.CurveId, "CurveId"));
-  AddFieldValues<vtkIntArray>(curves->GetFieldData(), "CurveEnds", mesh.Tables.CurveEnds);
-  AddFieldRows<vtkIntArray>(curves, "SurfaceCurves", mesh.Tables.SurfaceCurves);
+  AddFields(ListCurves(mesh.Tables), curves->GetFieldData());
 }
 
 void SetVertices(Mesh& mesh, vtkPolyData* vertices)
@@ -181,14 +114,14 @@ void SetVertices(Mesh& mesh, vtkPolyData* vertices)
   SetUsedPoints(mesh.Vertices.Points, mesh, vertices);
   vertices->SetVerts(AdoptCells(mesh.Vertices.Points, 1));
   vertices->GetCellData()->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Vertices.VertexId, "VertexId"));
-  AddFieldRows<vtkIntArray>(vertices, "CurveVertices", mesh.Tables.CurveVertices);
+  AddFields(ListVertices(mesh.Tables), vertices->GetFieldData());
 }
 
 } // namespace
 
-void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& outputs)
+void SetMeshOutput(Mesh& mesh, const MeshOutputs& outputs)
 {
-  SetSurfaces(mesh, table, outputs.Surfaces);
+  SetSurfaces(mesh, outputs.Surfaces);
   SetCurves(mesh, outputs.Curves);
   SetVertices(mesh, outputs.Vertices);
   vtkUnstructuredGrid* output = outputs.Mesh;
@@ -204,7 +137,6 @@ void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& output
     output->SetCells(
       mesh.Corners == 4 ? VTK_TETRA : VTK_HEXAHEDRON, AdoptCells(mesh.Elements, mesh.Corners));
   }
-  SetLabels(mesh.Material, table);
   vtkCellData* cells = output->GetCellData();
   cells->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Material, "MaterialId"));
   cells->AddArray(AdoptBuffer<vtkIntArray>(mesh.Fragment, "FragmentId"));
@@ -217,24 +149,6 @@ void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& output
   nodes->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(mesh.PointIds, "GlobalPointIds"));
   nodes->AddArray(AdoptBuffer<vtkIntArray>(mesh.GeometryDimension, "GeometryDimension"));
   nodes->AddArray(AdoptBuffer<vtkIntArray>(mesh.GeometryId, "GeometryId"));
-  SetSides(mesh.Tables, output);
-}
-
-void SetDomainOutput(const CartesianGrid& grid, const ImageFrame& frame, vtkDataObject* output)
-{
-  std::vector<double> bounds;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bounds.push_back(grid.Coordinates(axis).front());
-    bounds.push_back(grid.Coordinates(axis).back());
-  }
-  AddFieldValues<vtkDoubleArray>(output->GetFieldData(), "DomainBounds", bounds);
-  if (!frame.IsIdentity())
-  {
-    std::vector<double> numbers(frame.Axes.begin(), frame.Axes.end());
-    numbers.insert(numbers.end(), frame.Origin.begin(), frame.Origin.end());
-    AddFieldValues<vtkDoubleArray>(output->GetFieldData(), "DomainFrame", numbers);
-  }
 }
 
 } // namespace vfm

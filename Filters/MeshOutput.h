@@ -4,11 +4,8 @@
  */
 #pragma once
 
-#include "ImageFrame.h"
-#include "InputFields.h"
 #include "Mesh/Mesh.h"
 
-class vtkDataObject;
 class vtkPolyData;
 class vtkTable;
 class vtkUnstructuredGrid;
@@ -26,17 +23,10 @@ struct MeshOutputs
 
 /// Fills them but Materials.
 /// Mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point data
-/// GlobalPointIds, GeometryDimension, GeometryId; field data SurfaceParts and EdgeFacets where there are smooth sides.
-/// Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide; field data SurfaceVolumes, SurfaceMaterials (two of
-/// each surface), SurfaceSides, SurfaceParts, SurfaceAreas, SurfaceCentroids and SurfaceNormals (three of each), VolumeSurfaces (pairs).
-/// Curves: lines of two points with cell data CurveId; field data CurveEnds, SurfaceCurves (pairs).
-/// Vertices: with cell data VertexId; field data CurveVertices (pairs).
-/// All three have their own points, with GlobalPointIds; field data as in GeometryTables.
-void SetMeshOutput(Mesh& mesh, const Materials& table, const MeshOutputs& outputs);
-
-/// Field data DomainBounds: x from, to, y from, to, z from, to; nodes on a side of the domain have the very coordinate. Of turned images these
-/// are bounds in their own axes, and DomainFrame has twelve numbers: the matrix A, row by row, and the origin o. A point u in those axes stands
-/// at o + A (u - o).
-void SetDomainOutput(const CartesianGrid& grid, const ImageFrame& frame, vtkDataObject* output);
+/// GlobalPointIds, GeometryDimension, GeometryId.
+/// Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide. Curves: lines of two points with cell data CurveId.
+/// Vertices: with cell data VertexId. All three have their own points, with GlobalPointIds; field data: ListSurfaces, ListCurves,
+/// ListVertices.
+void SetMeshOutput(Mesh& mesh, const MeshOutputs& outputs);
 
 } // namespace vfm

@@ -2,7 +2,9 @@
 
 #include "ArrayMemory.h"
 #include "Base/Runtime.h"
+#include "BlockArraysOfData.h"
 #include "CellOrder.h"
+#include "CollectBlocks.h"
 #include "NodeCoordinates.h"
 
 #include "vtkCell.h"
@@ -381,25 +383,24 @@ std::vector<InputBlock> RecogniseGrid(vtkPointSet* data, int number, const std::
   const std::vector<CutBox> boxes = CutIntoBoxes(cells);
   const std::shared_ptr<CellOrder> order = MakeOrder(cells, boxes, data);
   vtkDataArray* ghosts = FindGhostTypes(data, vtkDataObject::CELL);
-  const auto types = InMemory(ghosts && order ? order->Arrange(ghosts) : ghosts);
+  const auto marks = MarksOf(ghosts && order ? order->Arrange(ghosts) : ghosts);
+  const auto arrays = ArraysOf(data, vtkDataObject::CELL, order);
   std::vector<InputBlock> blocks;
   Index first = 0;
   for (const CutBox& box : boxes)
   {
     InputBlock block;
-    block.Data = data;
+    block.Arrays = arrays;
     block.Number = number;
     block.Name = name;
-    block.GhostTypes = types;
-    block.Order = order;
+    block.Marks = marks;
     block.FirstCell = first;
     for (int a = 0; a < 3; ++a)
     {
-      block.Dimensions[a] = box.Box.Size(a);
       const auto x = hexahedra.Coordinates(a).begin() + box.Box.Lower[a];
-      block.Coordinates[a] = std::vector<double>(x, x + block.Dimensions[a] + 1);
+      block.Coordinates[a] = std::vector<double>(x, x + box.Box.Size(a) + 1);
     }
-    block.Kept.Upper = block.Dimensions;
+    KeepAllCells(block);
     blocks.push_back(std::move(block));
     first += box.Box.NumberOfCells();
   }

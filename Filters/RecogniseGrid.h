@@ -14,7 +14,7 @@ class vtkPointSet;
 namespace vfm
 {
 
-/// The boxes as blocks of that number and name, with FirstCell and Order set. Cells of less than three dimensions
+/// The boxes as blocks of that number and name, with Arrays, Marks and FirstCell set. Cells of less than three dimensions
 /// and ghost cells (DUPLICATECELL) are left out; none when nothing remains. Nothing here communicates. Throws InputError on
 /// cells that are no hexahedra or voxels, or no boxes with sides along the axes, that lie in the same place, or that have nodes of
 /// other cells between their own.

@@ -1,32 +1,24 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
-#include "Base/Agreement.h"
-#include "CarryState.h"
+#include "Base/WorkTogether.h"
+#include "CollectBlocks.h"
 #include "CollectivePipeline.h"
 #include "ControllerRanks.h"
+#include "FieldValues.h"
 #include "FilterRuntime.h"
-#include "Fractions/GhostFractions.h"
-#include "Fractions/RefineCells.h"
-#include "InputFields.h"
-#include "InputLevels.h"
-#include "LabelNames.h"
-#include "Labels/SmallRegions.h"
-#include "Labels/SmoothLabels.h"
-#include "LevelFields.h"
-#include "LevelSetup.h"
 #include "MaterialArrays.h"
 #include "MeshOutput.h"
+#include "Mesher.h"
 #include "MissingLevels.h"
-#include "ReportOutput.h"
+#include "ReadLabelNames.h"
+#include "StateOutput.h"
 
-#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLogger.h"
 #include "vtkMultiProcessController.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -43,7 +35,6 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 // Claimed on the output, so that a later request for ghost layers does not run the filter again.
 // The filter marks no cells as ghosts, whatever is asked.
 constexpr int GhostLayersClaimed = 4;
-constexpr double LabelVolumeTolerance = 1e-6; // relative, of smoothed labels
 
 void LogStages(const vfm::MeshReport& report)
 {
@@ -125,17 +116,42 @@ int vtkVolumeFractionMeshAlgorithm::GetNumberOfRefinementBoxes()
   return static_cast<int>(this->RefinementBoxes.size());
 }
 
-vfm::MeshOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
+void vtkVolumeFractionMeshAlgorithm::SetRefinementOptions(vfm::MesherOptions& options) const
 {
-  vfm::MeshOptions options;
-  options.IsoValue = this->IsoValue;
-  options.MeshVoid = this->MeshVoid;
-  options.StairStep = this->StairStep;
-  options.Method = static_cast<vfm::Smoothing>(this->Smoothing);
-  options.Edges = static_cast<vfm::SharpEdges>(this->SharpEdges);
-  options.TargetScaledJacobian = this->TargetScaledJacobian;
-  options.ConserveVolume = this->ConserveVolume;
-  options.ComputeQuality = this->ComputeQuality;
+  options.Where = static_cast<vfm::Refinement>(this->Refinement);
+  options.MaximumLevel = this->MaximumLevel;
+  options.FineInterfaces = this->FineInterfaces;
+  options.FineLayers = this->FineLayers;
+  options.Criteria.ThinCells = this->ThinCells;
+  options.Criteria.CurvaturePerCell = this->CurvaturePerCell;
+  options.Criteria.FlippedCells = this->RefineFlippedCells;
+  options.Criteria.InterfaceLayers = this->InterfaceLayers;
+  options.RefinementArray = this->GetNamedRefinementArray();
+  for (const std::array<double, 7>& b : this->RefinementBoxes)
+  {
+    options.RefinementBoxes.push_back({ { { b[0], b[1], b[2] } }, { { b[3], b[4], b[5] } }, b[6] });
+  }
+}
+
+vfm::MesherOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
+{
+  vfm::MesherOptions options;
+  options.Mesh.IsoValue = this->IsoValue;
+  options.Mesh.MeshVoid = this->MeshVoid;
+  options.Mesh.StairStep = this->StairStep;
+  options.Mesh.Method = static_cast<vfm::Smoothing>(this->Smoothing);
+  options.Mesh.Edges = static_cast<vfm::SharpEdges>(this->SharpEdges);
+  options.Mesh.TargetScaledJacobian = this->TargetScaledJacobian;
+  options.Mesh.ConserveVolume = this->ConserveVolume;
+  options.Mesh.ComputeQuality = this->ComputeQuality;
+  options.FractionTolerance = this->FractionTolerance;
+  options.LabelSmoothing = this->LabelSmoothing;
+  options.MinimumRegionCells = this->MinimumRegionCells;
+  options.MaximumAspectRatio = this->MaximumAspectRatio;
+  options.Children = static_cast<vfm::ChildRule>(this->ChildFractions);
+  this->SetRefinementOptions(options);
+  this->SetStateOptions(options);
+  this->SpecialiseOptions(options);
   return options;
 }
 
@@ -200,105 +216,6 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   return 1;
 }
 
-/// Collective: removes small regions, smooths labels and cuts long cells, as asked.
-vfm::RemovedRegions vtkVolumeFractionMeshAlgorithm::PrepareFractions(
-  vfm::LevelFields& fields, bool areLabels, vfm::Runtime& runtime)
-{
-  vfm::FractionField& fractions = fields.Field.Fractions;
-  vfm::RemovedRegions removed;
-  if (this->MinimumRegionCells > 1)
-  {
-    runtime.Progress(0.0, "Removing small regions");
-    removed = vfm::RemoveSmallRegions(fields.Grid, this->MinimumRegionCells, this->IsoValue,
-      vfm::Partition(fields.Grid, runtime.Group()), fractions);
-  }
-  if (this->LabelSmoothing > 0 && areLabels)
-  {
-    runtime.Progress(0.0, "Smoothing labels");
-    const double error = vfm::SmoothLabels(fields.Grid, this->LabelSmoothing,
-      vfm::Partition(fields.Grid, runtime.Group()), runtime, fractions);
-    if (runtime.Group().Rank() == 0 && error > LabelVolumeTolerance)
-    {
-      vtkWarningMacro(<< "Smoothing could not keep the volumes of all labels: the worst is off by "
-                      << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.");
-    }
-  }
-  // after labels: the parts of a slice would keep its steps
-  vfm::DivideFields(
-    fields, this->MaximumAspectRatio, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
-  return removed;
-}
-
-/// Collective: the cells that are to be refined by name.
-vfm::InputWishes vtkVolumeFractionMeshAlgorithm::FindWishes(
-  const vfm::InputLevels& input, vfm::Ranks& ranks) const
-{
-  std::string array;
-  std::vector<vfm::RefinementBox> boxes;
-  if (this->Refinement == REFINEMENT_AUTOMATIC)
-  {
-    array = this->GetNamedRefinementArray();
-    for (const std::array<double, 7>& b : this->RefinementBoxes)
-    {
-      boxes.push_back({ { { b[0], b[1], b[2] } }, { { b[3], b[4], b[5] } }, b[6] });
-    }
-  }
-  const vfm::InputWishes wishes = vfm::FindInputWishes(input, array, boxes, ranks);
-  this->Warn(wishes.Warning, ranks);
-  return wishes;
-}
-
-/// Collective.
-vfm::LevelSetup vtkVolumeFractionMeshAlgorithm::SetUpLevels(
-  const vfm::InputLevels& input, const vfm::InputWishes& wishes, vfm::Ranks& ranks) const
-{
-  const int alignment = this->HasFaceNeighbours
-    ? vfm::CountAlignedLevels(input.Levels[0].Boxes(), ranks)
-    : vfm::AnyLevel;
-  const vfm::LevelSetup setup = vfm::DecideLevels(static_cast<vfm::Refinement>(this->Refinement),
-    this->MaximumLevel, input.Levels[0].Coordinates, input.Finest(), alignment, wishes.Finest);
-  this->Warn(setup.Warning, ranks);
-  return setup;
-}
-
-/// Collective: makes the grid as fine as the finest cells of the mesh, with the ghost layers that meshing needs.
-vfm::LevelPlan vtkVolumeFractionMeshAlgorithm::Refine(const vfm::LevelSetup& setup, int inputFinest,
-  const vfm::InputWishes& wishes, vfm::LevelFields& fields, vfm::Runtime& runtime) const
-{
-  int finer = setup.Finest - std::min(setup.Finest, inputFinest);
-  if (this->Refinement == REFINEMENT_AUTOMATIC)
-  {
-    runtime.Progress(0.0, "Looking for places to refine");
-    const int layers = this->KeepsInterfacesFine() ? 0 : this->FineLayers;
-    vfm::RefinementCriteria criteria;
-    criteria.ThinCells = this->ThinCells;
-    criteria.CurvaturePerCell = this->CurvaturePerCell;
-    criteria.FlippedCells = this->RefineFlippedCells;
-    criteria.InterfaceLayers = this->InterfaceLayers;
-    criteria.MaximumLevel = finer;
-    vfm::WorkTogether(
-      runtime.Group(), [&] { criteria.Chosen = vfm::TakeWishes(wishes, setup, layers, fields); });
-    if (finer > 0)
-    {
-      finer = vfm::FindFinerLevels(fields, criteria, this->IsoValue, layers, runtime);
-    }
-  }
-  vfm::RefineFields(fields, finer, static_cast<vfm::ChildRule>(this->ChildFractions), runtime);
-  vfm::LevelPlan plan;
-  plan.FineInterfaces = this->KeepsInterfacesFine();
-  plan.FineLayers = this->FineLayers;
-  if (!setup.IsUniform)
-  {
-    plan.Refinements = std::min(setup.Finest, inputFinest) - setup.Base + finer;
-    plan.Families = std::move(fields.Families);
-  }
-  if (vfm::InterfacesCrossLevels(plan))
-  {
-    vfm::WidenGrid(vfm::LayersFor(plan), runtime.Group(), fields.Grid, fields.Field.Fractions);
-  }
-  return plan;
-}
-
 /// On the first rank, unless the text is empty.
 void vtkVolumeFractionMeshAlgorithm::Warn(const std::string& text, const vfm::Ranks& ranks) const
 {
@@ -308,123 +225,47 @@ void vtkVolumeFractionMeshAlgorithm::Warn(const std::string& text, const vfm::Ra
   }
 }
 
-/// Of what may surprise in the mesh.
-void vtkVolumeFractionMeshAlgorithm::WarnOfMesh(
-  const vfm::MeshReport& report, const vfm::InputField& field, const vfm::Ranks& ranks) const
-{
-  const vfm::MendedCells& mended = field.Mended;
-  if (mended.Clipped > 0)
-  {
-    this->Warn("Volume fractions of " + std::to_string(mended.Clipped) +
-        " cells lay outside [0, 1] and were clipped.",
-      ranks);
-  }
-  if (mended.Normalised > 0)
-  {
-    this->Warn("The volume fractions of " + std::to_string(mended.Normalised) +
-        " cells sum to slightly more than 1 and were scaled back.",
-      ranks);
-  }
-  const bool isEmpty = std::all_of(report.Materials.begin(), report.Materials.end(),
-    [](const vfm::MeshReport::Material& material) { return material.Elements == 0; });
-  this->Warn(isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
-                     : vfm::DescribeLostMaterials(report, field.Table),
-    ranks);
-}
-
 /// Collective.
 vfm::InputLevels vtkVolumeFractionMeshAlgorithm::FindLevels(
   vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const
 {
   AgreeOn(this->HasFaceNeighbours, ranks);
+  vfm::CollectedBlocks collected = vfm::CollectAllBlocks(input, arrays, ranks);
   return this->HasFaceNeighbours
-    ? vfm::FindNeighbourLevels(input, arrays, this->FaceNeighbours, ranks)
-    : vfm::FindInputLevels(input, arrays, ranks);
-}
-
-void vtkVolumeFractionMeshAlgorithm::SetState(
-  const vfm::CarriedState& carried, const vfm::Ranks& ranks, const vfm::MeshOutputs& outputs) const
-{
-  for (vtkDataArray* array : carried.Arrays)
-  {
-    outputs.Mesh->GetCellData()->AddArray(array);
-  }
-  if (carried.NodalVelocity)
-  {
-    outputs.Mesh->GetPointData()->AddArray(carried.NodalVelocity);
-  }
-  if (carried.IsConserved)
-  {
-    vfm::SetStateOutput(carried.Balance, this->MeshVoid, outputs.Mesh->GetFieldData());
-    if (ranks.Rank() == 0)
-    {
-      vfm::AddStateColumns(carried.Balance, this->MeshVoid, outputs.Materials);
-    }
-  }
+    ? vfm::FindNeighbourLevels(std::move(collected), this->FaceNeighbours, ranks)
+    : vfm::FindInputLevels(std::move(collected), ranks);
 }
 
 void vtkVolumeFractionMeshAlgorithm::Run(
-  vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
+  vtkDataObject* data, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs)
 {
-  vtkUnstructuredGrid* output = outputs.Mesh;
-  this->Warn(vfm::DescribeMissingLevels(input, ranks), ranks);
-  const vfm::MaterialArrays materials = this->FindMaterials(input, ranks);
+  this->Warn(vfm::DescribeMissingLevels(data, ranks), ranks);
+  const vfm::MaterialArrays materials = this->FindMaterials(data, ranks);
   vfm::FilterRuntime runtime(this, &ranks);
   runtime.Progress(0.0, "Reading input");
-  const vfm::LabelNames names =
+  vfm::MesherInput input;
+  input.Arrays.Fractions = vfm::NamesOf(materials.Fractions);
+  input.Arrays.Labels = materials.Labels.Name;
+  input.Arrays.Names =
     vfm::ShareLabelNames(materials.HasLabels() ? this->LabelNamesFile : "", ranks);
-  const vfm::StateChoice state = this->ChooseState(input, ranks);
-  const vfm::InputLevels levels =
-    this->FindLevels(input, this->ListArrays(materials, state), ranks);
-  const vfm::LevelCells cells = materials.HasLabels()
-    ? vfm::OpenLabels(levels.Levels, materials.Labels.Name, ranks)
-    : vfm::OpenFractions(
-        levels.Levels, vfm::NamesOf(materials.Fractions), this->FractionTolerance, ranks);
-  vfm::StateCarrier states(levels, state, ranks);
-  vfm::InputWishes wishes = this->FindWishes(levels, ranks);
-  const vfm::LevelSetup setup = this->SetUpLevels(levels, wishes, ranks);
-  const std::vector<vfm::BlockPlace> owners = this->HasFaceNeighbours
-    ? levels.Levels[0].Places
-    : vfm::ShareOutCells(levels, cells, setup, ranks);
-  wishes = vfm::ShareOutWishes(wishes, levels, owners, ranks);
-  vfm::LevelFields fields = vfm::MakeLevelFields(
-    levels, cells, setup, static_cast<vfm::ChildRule>(this->ChildFractions), owners, runtime);
-  vfm::NameLabels(names, fields.Field.Table);
-  states.Keep(cells, fields, setup, this->MeshVoid, owners, runtime);
-  const vfm::RemovedRegions removed =
-    this->PrepareFractions(fields, materials.HasLabels(), runtime);
-  vfm::MeshOptions options = this->GetOptions();
-  options.Levels = this->Refine(setup, levels.Finest(), wishes, fields, runtime);
-  const int finest = setup.IsUniform ? setup.Finest : setup.Base + options.Levels.Refinements;
-  const vfm::CartesianGrid& grid = fields.Grid;
-  const vfm::InputField& field = fields.Field;
-  vfm::MeshReport report;
-  vfm::Mesh mesh = this->MakeMesh(grid, field.Fractions, options, runtime, report);
-  report.RemovedRegions = removed.Regions;
-  report.RemovedCells = removed.Cells;
-  report.ChosenCells = wishes.Cells;
-  LogStages(report);
-  runtime.Progress(0.98, "Filling output");
-  const vfm::MeshedGrid meshed{ grid, field.Fractions, finest,
-    fields.Division.OfHalves(finest - setup.Base) };
-  const vfm::CarriedState carried =
-    states.Carry(mesh, meshed, this->GetConserveOptions(), owners, runtime);
+  input.Arrays.State = this->ChooseState(data, ranks);
+  input.Levels = this->FindLevels(data, this->ListArrays(materials, input.Arrays.State), ranks);
+  input.StaysInPlace = this->HasFaceNeighbours;
+  input.Warn = [&](const std::string& text) { this->Warn(text, ranks); };
+  vfm::MesherResult result = vfm::RunMesher(input, this->GetOptions(), runtime);
+  LogStages(result.Report);
   vfm::WorkTogether(ranks,
     [&]
     {
-      vfm::TurnMesh(levels.Reading.Frame, mesh);
-      vfm::SetMeshOutput(mesh, field.Table, outputs);
-      vfm::SetReportOutput(mesh, report, field.Table, options, field.Mended, output);
+      vfm::SetMeshOutput(result.TheMesh, outputs);
+      vfm::AddFields(result.Fields, outputs.Mesh->GetFieldData());
+      vfm::SetStateOutput(result.State, outputs.Mesh);
       if (ranks.Rank() == 0) // views show the rows of all ranks
       {
-        vfm::SetMaterialTable(report, field.Table, options, outputs.Materials);
+        vfm::AddColumns(result.MaterialFields, outputs.Materials);
       }
-      vfm::SetDomainOutput(grid, levels.Reading.Frame, output);
-      this->SetState(carried, ranks, outputs);
     });
   LogTraffic(ranks);
-  this->WarnOfMesh(report, field, ranks);
-  this->Warn(vfm::DescribeUnmeshed(carried.Balance, field.Table), ranks);
 }
 
 void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

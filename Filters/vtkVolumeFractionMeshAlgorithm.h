@@ -46,25 +46,12 @@ class vtkMultiProcessController;
 
 namespace vfm
 {
-class CartesianGrid;
-class FractionField;
 class MessageRanks;
 class Ranks;
-class Runtime;
-struct CarriedState;
-struct ConserveOptions;
-struct InputField;
 struct InputLevels;
 struct MaterialArrays;
-struct InputWishes;
-struct LevelFields;
-struct LevelSetup;
-struct Mesh;
-struct LevelPlan;
-struct MeshOptions;
 struct MeshOutputs;
-struct MeshReport;
-struct RemovedRegions;
+struct MesherOptions;
 struct StateChoice;
 } // namespace vfm
 
@@ -534,15 +521,9 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /**
-   * The mesh of the owned cells of the grid. Throws vfm::InputError and vfm::Aborted. Collective.
+   * Sets the kind of elements, and the options that this kind has alone.
    */
-  virtual vfm::Mesh MakeMesh(const vfm::CartesianGrid& grid, const vfm::FractionField& fractions,
-    const vfm::MeshOptions& options, vfm::Runtime& runtime, vfm::MeshReport& report) = 0;
-
-  /**
-   * Whether interfaces get the finest cells in this kind of mesh.
-   */
-  virtual bool KeepsInterfacesFine() const { return this->FineInterfaces; }
+  virtual void SpecialiseOptions(vfm::MesherOptions& options) const = 0;
 
   vtkMultiProcessController* Controller = nullptr;
   std::vector<vfm::ChosenArray> VolumeFractionArrays;
@@ -595,22 +576,12 @@ private:
   void PrintArrays(ostream& os, vtkIndent indent) const;
   bool IsStateConserved() const;
   vfm::StateChoice ChooseState(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
-  vfm::ConserveOptions GetConserveOptions() const;
-  void SetState(const vfm::CarriedState& carried, const vfm::Ranks& ranks,
-    const vfm::MeshOutputs& outputs) const;
-  vfm::MeshOptions GetOptions() const;
-  vfm::RemovedRegions PrepareFractions(
-    vfm::LevelFields& fields, bool areLabels, vfm::Runtime& runtime);
+  void SetStateOptions(vfm::MesherOptions& options) const;
+  void SetRefinementOptions(vfm::MesherOptions& options) const;
+  vfm::MesherOptions GetOptions() const;
   void Warn(const std::string& text, const vfm::Ranks& ranks) const;
-  void WarnOfMesh(
-    const vfm::MeshReport& report, const vfm::InputField& field, const vfm::Ranks& ranks) const;
   vfm::InputLevels FindLevels(
-    vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const;
-  vfm::InputWishes FindWishes(const vfm::InputLevels& input, vfm::Ranks& ranks) const;
-  vfm::LevelSetup SetUpLevels(
-    const vfm::InputLevels& input, const vfm::InputWishes& wishes, vfm::Ranks& ranks) const;
-  vfm::LevelPlan Refine(const vfm::LevelSetup& setup, int inputFinest,
-    const vfm::InputWishes& wishes, vfm::LevelFields& fields, vfm::Runtime& runtime) const;
+    vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const; // collective
   void Run(vtkDataObject* input, vfm::MessageRanks& ranks, const vfm::MeshOutputs& outputs);
 };
 

@@ -3,8 +3,9 @@
  */
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
-#include "CarryState.h"
+#include "ChosenState.h"
 #include "MaterialArrays.h"
+#include "Mesher.h"
 
 #include "vtkDataObject.h"
 
@@ -248,14 +249,12 @@ vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState(
   return choice;
 }
 
-vfm::ConserveOptions vtkVolumeFractionMeshAlgorithm::GetConserveOptions() const
+void vtkVolumeFractionMeshAlgorithm::SetStateOptions(vfm::MesherOptions& options) const
 {
-  vfm::ConserveOptions options;
-  options.Order = this->StateOrder;
-  options.GiveUnmeshed = this->UnmeshedMaterial == UNMESHED_GIVE;
-  options.NodalVelocity = this->NodalVelocity;
-  options.LostToInternal = this->LostKineticEnergy == LOST_ENERGY_TO_INTERNAL;
-  return options;
+  options.Conserve.Order = this->StateOrder;
+  options.Conserve.GiveUnmeshed = this->UnmeshedMaterial == UNMESHED_GIVE;
+  options.Conserve.NodalVelocity = this->NodalVelocity;
+  options.Conserve.LostToInternal = this->LostKineticEnergy == LOST_ENERGY_TO_INTERNAL;
 }
 
 vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(

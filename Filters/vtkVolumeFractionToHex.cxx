@@ -1,14 +1,12 @@
 #include "vtkVolumeFractionToHex.h"
 
-#include "HexPipeline.h"
+#include "Mesher.h"
 
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkVolumeFractionToHex);
 
-vfm::Mesh vtkVolumeFractionToHex::MakeMesh(const vfm::CartesianGrid& grid,
-  const vfm::FractionField& fractions, const vfm::MeshOptions& options, vfm::Runtime& runtime,
-  vfm::MeshReport& report)
+void vtkVolumeFractionToHex::SpecialiseOptions(vfm::MesherOptions& options) const
 {
-  return vfm::MakeHexMesh(grid, fractions, options, runtime, report);
+  options.Elements = vfm::ElementKind::Hexes;
 }

@@ -45,8 +45,7 @@ protected:
   vtkVolumeFractionToHex() = default;
   ~vtkVolumeFractionToHex() override = default;
 
-  vfm::Mesh MakeMesh(const vfm::CartesianGrid& grid, const vfm::FractionField& fractions,
-    const vfm::MeshOptions& options, vfm::Runtime& runtime, vfm::MeshReport& report) override;
+  void SpecialiseOptions(vfm::MesherOptions& options) const override;
 
 private:
   vtkVolumeFractionToHex(const vtkVolumeFractionToHex&) = delete;

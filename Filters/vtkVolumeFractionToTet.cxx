@@ -1,5 +1,6 @@
 #include "vtkVolumeFractionToTet.h"
 
+#include "Mesher.h"
 #include "TetPipeline.h"
 
 #include "vtkObjectFactory.h"
@@ -16,24 +17,15 @@ bool vtkVolumeFractionToTet::HasTetGen()
   return vfm::HasTetGen();
 }
 
-vfm::Mesh vtkVolumeFractionToTet::MakeMesh(const vfm::CartesianGrid& grid,
-  const vfm::FractionField& fractions, const vfm::MeshOptions& options, vfm::Runtime& runtime,
-  vfm::MeshReport& report)
+void vtkVolumeFractionToTet::SpecialiseOptions(vfm::MesherOptions& options) const
 {
-  vfm::MeshOptions own = options;
-  own.Tets = static_cast<vfm::TetMethod>(this->Method);
-  own.TetGen.RelativeSize = this->RelativeSize;
-  own.TetGen.Growth = this->Growth;
-  own.TetGen.RadiusEdgeRatio = this->RadiusEdgeRatio;
-  own.TetGen.MinimumDihedralAngle = this->MinimumDihedralAngle;
-  own.TetGen.OptimizationLevel = this->OptimizationLevel;
-  vfm::Mesh mesh = vfm::MakeTetMesh(grid, fractions, own, runtime, report);
-  if (report.RefusedParts > 0 && runtime.Group().Rank() == 0)
-  {
-    vtkWarningMacro(<< "TetGen refused " << report.RefusedParts
-                    << " parts of the mesh: they keep the tetrahedra of the method Cells.");
-  }
-  return mesh;
+  options.Elements = vfm::ElementKind::Tets;
+  options.Mesh.Tets = static_cast<vfm::TetMethod>(this->Method);
+  options.Mesh.TetGen.RelativeSize = this->RelativeSize;
+  options.Mesh.TetGen.Growth = this->Growth;
+  options.Mesh.TetGen.RadiusEdgeRatio = this->RadiusEdgeRatio;
+  options.Mesh.TetGen.MinimumDihedralAngle = this->MinimumDihedralAngle;
+  options.Mesh.TetGen.OptimizationLevel = this->OptimizationLevel;
 }
 
 void vtkVolumeFractionToTet::PrintSelf(ostream& os, vtkIndent indent)

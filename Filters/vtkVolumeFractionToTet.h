@@ -107,10 +107,7 @@ protected:
   vtkVolumeFractionToTet();
   ~vtkVolumeFractionToTet() override = default;
 
-  vfm::Mesh MakeMesh(const vfm::CartesianGrid& grid, const vfm::FractionField& fractions,
-    const vfm::MeshOptions& options, vfm::Runtime& runtime, vfm::MeshReport& report) override;
-
-  bool KeepsInterfacesFine() const override { return true; }
+  void SpecialiseOptions(vfm::MesherOptions& options) const override;
 
   int Method;
   double RelativeSize = 1.0;

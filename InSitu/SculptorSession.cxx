@@ -3,8 +3,8 @@
 #include "ArrayMemory.h"
 #include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
+#include "FilterOptions.h"
 #include "HostImages.h"
-#include "MesherOptions.h"
 #include "Sculptor.h"
 #include "Stage.h"
 #include "WriteMesh.h"
@@ -143,10 +143,10 @@ void SculptorSession::SetOption(const std::string& name, const std::string& valu
     this->IndexBase = value == "1" ? 1 : 0;
     return;
   }
-  SetMesherOption(*this->Tets, name, value);
-  if (IsMesherOption(*this->Hexes, name))
+  SetFilterOption(*this->Tets, name, value);
+  if (IsFilterOption(*this->Hexes, name))
   {
-    SetMesherOption(*this->Hexes, name, value);
+    SetFilterOption(*this->Hexes, name, value);
   }
   this->Options[name] = value;
 }

@@ -1,6 +1,6 @@
 #include "ArgumentOptions.h"
 
-#include "MesherOptions.h"
+#include "FilterOptions.h"
 #include "ParseText.h"
 
 #include <algorithm>

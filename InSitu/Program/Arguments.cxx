@@ -3,8 +3,8 @@
 #include "ArgumentOptions.h"
 #include "ArrayStems.h"
 #include "FileSuffix.h"
+#include "FilterOptions.h"
 #include "Images/ImageFile.h"
-#include "MesherOptions.h"
 #include "ParseText.h"
 #include "ReadInput.h"
 #include "WriteGeometry.h"
@@ -324,7 +324,7 @@ std::string GetHelp()
     "--material 1, --refine N, --refine-cells (without an array: a few cells of one box).\n";
   text += "\nOptions of the mesher, for --set\n";
   vtkNew<vtkVolumeFractionToTet> mesher;
-  for (const std::string& line : ListMesherOptions(*mesher))
+  for (const std::string& line : ListFilterOptions(*mesher))
   {
     text += "  " + line + "\n";
   }

@@ -6,6 +6,7 @@
 #include "ParseText.h"
 #include "SpyPlotInput.h"
 #include "Stage.h"
+#include "ValueType.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

@@ -2,7 +2,7 @@
 
 #include "Base/Runtime.h"
 #include "ControllerRanks.h"
-#include "MesherOptions.h"
+#include "FilterOptions.h"
 #include "Stage.h"
 #include "VtkMessages.h"
 
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkVolumeFractionMeshAlgorithm> MakeMesher(const Arguments& argu
   {
     for (const auto& option : arguments.Options)
     {
-      SetMesherOption(*mesher, option.first, option.second);
+      SetFilterOption(*mesher, option.first, option.second);
     }
   }
   catch (const InputError& error)

@@ -97,7 +97,7 @@ class Documents(unittest.TestCase):
 
     def test_every_file_of_grid_is_named(self):
         named = set(QUOTED.findall(read("Documentation/architecture.md")))
-        folders = ["Grid", "Shapes"] + rooms()
+        folders = ["Grid", "Mesher", "Shapes"] + rooms()
         self.assertIn("Grid/Tet", folders)
         self.check(["%s/%s is in no table" % (folder, stem) for folder in folders for stem in sorted(stems(folder) - named)])
 
@@ -106,7 +106,7 @@ class Documents(unittest.TestCase):
         tables = page[page.index("## Rooms of Grid"):page.index("## The stages")]
         cells = [line.split("|")[1] for line in tables.splitlines() if line.startswith("| `")]
         self.assertGreater(len(cells), 20)
-        known = set().union(*map(stems, ["Grid", "Shapes"] + rooms()))
+        known = set().union(*map(stems, ["Grid", "Mesher", "Shapes"] + rooms()))
         self.check(sorted(set(QUOTED.findall(" ".join(cells))) - known))
 
     def test_programs_and_tests_exist(self):

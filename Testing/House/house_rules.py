@@ -12,22 +12,23 @@ ALLOWED.update({
     "Shapes": ("Grid/Base", "Grid/Fractions"),
     "Parallel": ("Grid/Base",),
     "IO": ("Grid/Base", "Parallel"),
-    "Filters": ("Grid/Base", "Grid/Fractions", "Grid/Octree", "Grid/Labels", "Grid/Mesh", "Grid/Transfer", "Grid", "Shapes",
-                "Parallel"),
-    "InSitu": ("Grid/Base", "Parallel", "IO", "Filters"),
+    "Mesher": ("Grid/Base", "Grid/Fractions", "Grid/Octree", "Grid/Labels", "Grid/Mesh", "Grid/Transfer", "Grid"),
+    "Filters": ("Grid/Base", "Grid/Fractions", "Grid/Mesh", "Grid", "Shapes", "Mesher", "Parallel"),
+    "InSitu": ("Grid/Base", "Mesher", "Parallel", "IO", "Filters"),
     "Plugin": ("Filters",),
     "Examples": ("InSitu",),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
-    "Testing/Fuzz": GRID + ("Shapes", "Filters", "InSitu", "Testing/Support"),
+    "Testing/Fuzz": GRID + ("Shapes", "Mesher", "Filters", "InSitu", "Testing/Support"),
     "Testing/Benchmarks": GRID + ("Shapes", "Filters", "Testing/Support"),
+    "Testing/Mesher": GRID + ("Shapes", "Mesher", "Testing/Support"),
     "Testing/Parallel": ("Grid/Base", "Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
     "Testing/InSitu": ("Grid/Base", "Parallel", "Filters", "IO", "InSitu"),
 })
 
 # Folders without VTK and MPI.
-PLAIN = GRID + ("Shapes", "Testing/Support", "Testing/Grid")
+PLAIN = GRID + ("Shapes", "Mesher", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 FOREIGN = re.compile(r"(vtk|mpi|paraview|pv|pq)", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 

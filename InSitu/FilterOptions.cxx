@@ -1,4 +1,4 @@
-#include "MesherOptions.h"
+#include "FilterOptions.h"
 
 #include "Base/Runtime.h"
 #include "ParseText.h"
@@ -24,7 +24,7 @@ constexpr double Above0 = std::numeric_limits<double>::min();
 constexpr double Below1 = 1.0 - std::numeric_limits<double>::epsilon() / 2;
 constexpr double Largest = std::numeric_limits<double>::max();
 
-struct MesherOption
+struct FilterOption
 {
   std::string Name;
   std::string Allowed; ///< for messages: "it takes ..."
@@ -35,7 +35,7 @@ struct MesherOption
 
 /// parse: from text to std::optional of a value that is allowed.
 template <class Owner, class Value, class Parse>
-MesherOption MakeOption(const char* name, const std::string& allowed, const char* byDefault,
+FilterOption MakeOption(const char* name, const std::string& allowed, const char* byDefault,
   void (Owner::*set)(Value), Parse parse)
 {
   return { name, allowed, byDefault, std::is_same<Owner, TetMesher>::value,
@@ -51,7 +51,7 @@ MesherOption MakeOption(const char* name, const std::string& allowed, const char
 }
 
 template <class Owner>
-MesherOption Number(const char* name, const std::string& allowed, const char* byDefault,
+FilterOption Number(const char* name, const std::string& allowed, const char* byDefault,
   void (Owner::*set)(double), double least, double most)
 {
   return MakeOption(name, allowed, byDefault, set,
@@ -59,7 +59,7 @@ MesherOption Number(const char* name, const std::string& allowed, const char* by
 }
 
 template <class Owner>
-MesherOption Count(
+FilterOption Count(
   const char* name, const char* byDefault, void (Owner::*set)(int), int least, int most)
 {
   const std::string upTo =
@@ -69,14 +69,14 @@ MesherOption Count(
 }
 
 template <class Owner>
-MesherOption Switch(const char* name, const char* byDefault, void (Owner::*set)(bool))
+FilterOption Switch(const char* name, const char* byDefault, void (Owner::*set)(bool))
 {
   return MakeOption(name, "on or off", byDefault, set, ParseSwitch);
 }
 
 /// The first word is number 0.
 template <class Owner>
-MesherOption Choice(const char* name, const char* byDefault, void (Owner::*set)(int),
+FilterOption Choice(const char* name, const char* byDefault, void (Owner::*set)(int),
   const std::vector<std::string>& words)
 {
   const std::string numbers = "0 to " + std::to_string(words.size() - 1);
@@ -129,7 +129,7 @@ bool SetBoxes(Mesher& mesher, const std::string& text)
 }
 
 /// Any text will do: an array, a file.
-MesherOption Name(const char* name, const char* allowed, void (Mesher::*set)(const char*))
+FilterOption Name(const char* name, const char* allowed, void (Mesher::*set)(const char*))
 {
   return { name, allowed, "None", false,
     [set](Mesher& mesher, const std::string& text)
@@ -173,9 +173,9 @@ bool SetKinds(Mesher& mesher, const std::string& text)
   return true;
 }
 
-const std::vector<MesherOption>& Options()
+const std::vector<FilterOption>& Options()
 {
-  static const std::vector<MesherOption> options{
+  static const std::vector<FilterOption> options{
     Number("IsoValue", "a number above 0 and below 1", "0.5", &Mesher::SetIsoValue, Above0, Below1),
     Switch("MeshVoid", "off", &Mesher::SetMeshVoid),
     Switch("StairStep", "off", &Mesher::SetStairStep),
@@ -242,9 +242,9 @@ const std::vector<MesherOption>& Options()
 }
 
 /// Null when no mesher has it.
-const MesherOption* FindOption(const std::string& name)
+const FilterOption* FindOption(const std::string& name)
 {
-  for (const MesherOption& option : Options())
+  for (const FilterOption& option : Options())
   {
     if (IsSameWord(option.Name, name))
     {
@@ -254,7 +254,7 @@ const MesherOption* FindOption(const std::string& name)
   return nullptr;
 }
 
-bool IsOptionOf(Mesher& mesher, const MesherOption& option)
+bool IsOptionOf(Mesher& mesher, const FilterOption& option)
 {
   return !option.OnlyTets || TetMesher::SafeDownCast(&mesher);
 }
@@ -262,7 +262,7 @@ bool IsOptionOf(Mesher& mesher, const MesherOption& option)
 std::string ListNames(Mesher& mesher)
 {
   std::vector<std::string> names;
-  for (const MesherOption& option : Options())
+  for (const FilterOption& option : Options())
   {
     if (IsOptionOf(mesher, option))
     {
@@ -274,15 +274,15 @@ std::string ListNames(Mesher& mesher)
 
 } // namespace
 
-bool IsMesherOption(Mesher& mesher, const std::string& name)
+bool IsFilterOption(Mesher& mesher, const std::string& name)
 {
-  const MesherOption* option = FindOption(name);
+  const FilterOption* option = FindOption(name);
   return option && IsOptionOf(mesher, *option);
 }
 
-void SetMesherOption(Mesher& mesher, const std::string& name, const std::string& value)
+void SetFilterOption(Mesher& mesher, const std::string& name, const std::string& value)
 {
-  const MesherOption* option = FindOption(name);
+  const FilterOption* option = FindOption(name);
   if (!option)
   {
     throw InputError("There is no option '" + name + "' (given '" + value +
@@ -301,10 +301,10 @@ void SetMesherOption(Mesher& mesher, const std::string& name, const std::string&
   }
 }
 
-std::vector<std::string> ListMesherOptions(Mesher& mesher)
+std::vector<std::string> ListFilterOptions(Mesher& mesher)
 {
   std::vector<std::string> lines;
-  for (const MesherOption& option : Options())
+  for (const FilterOption& option : Options())
   {
     if (IsOptionOf(mesher, option))
     {

@@ -1,0 +1,21 @@
+/**
+ * BlockArraysOfData: the arrays of cells or points of a data set of VTK as those of a block.
+ */
+#pragma once
+
+#include "BlockArrays.h"
+
+#include <memory>
+
+class vtkDataSet;
+
+namespace vfm
+{
+
+class CellOrder;
+
+/// association: vtkDataObject::CELL or POINT. order: of the cells of a block; null: as they are. The data set must not change.
+std::shared_ptr<const BlockArrays> ArraysOf(
+  vtkDataSet* data, int association, std::shared_ptr<CellOrder> order = nullptr);
+
+} // namespace vfm

@@ -1,0 +1,191 @@
+/// Blocks of cells that no data set of VTK holds become meshes.
+#include "Mesher.h"
+#include "NodeCoordinates.h"
+#include "Shapes/ShapesFractions.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+using namespace vfm;
+
+namespace
+{
+
+constexpr Index Side = 12; // cells
+
+/// Doubles as plain memory, or else value by value.
+class Values : public BlockArray
+{
+public:
+  Values(std::vector<double> values, bool isPlain) : Held(std::move(values))
+  {
+    this->Tuples = static_cast<Index>(this->Held.size());
+    this->Memory = isPlain ? this->Held.data() : nullptr;
+  }
+  double Get(Index tuple, int) const override { return this->Held[tuple]; }
+  void Copy(Index first, Index count, void* to) const override
+  {
+    std::copy_n(this->Held.data() + first, count, static_cast<double*>(to));
+  }
+
+private:
+  const std::vector<double> Held;
+};
+
+class NamedValues : public BlockArrays
+{
+public:
+  Index NumberOfTuples() const override { return Side * Side * Side; }
+  std::shared_ptr<const BlockArray> Find(const std::string& name) const override
+  {
+    const auto found = this->Arrays.find(name);
+    return found == this->Arrays.end() ? nullptr : found->second;
+  }
+  bool HoldsIds(const std::string& name) const override { return name == "ids"; }
+  std::vector<std::string> Names() const override
+  {
+    std::vector<std::string> names;
+    for (const auto& array : this->Arrays)
+    {
+      names.push_back(array.first);
+    }
+    return names;
+  }
+
+  std::map<std::string, std::shared_ptr<const BlockArray>> Arrays;
+};
+
+/// Fractions of a ball and a state x, the number of each cell, in cells of size 1.
+MesherInput MakeInput(bool isPlain)
+{
+  InputBlock block;
+  block.Name = "The input";
+  for (auto& x : block.Coordinates)
+  {
+    x = EvenNodes(0.0, 1.0, 0, static_cast<int>(Side));
+  }
+  KeepAllCells(block);
+  const CartesianGrid grid(block.Coordinates);
+  std::vector<double> fractions(Side * Side * Side, 0.0), numbers;
+  const std::vector<Shape> ball{ MakeSphere(1, { { 6.0, 6.0, 6.0 } }, 4.0) };
+  ForCells(grid.Global(),
+    [&](const Index3& cell)
+    {
+      const Index at = IndexInBox(grid.Global(), cell);
+      const Vector3 lower{ { double(cell[0]), double(cell[1]), double(cell[2]) } };
+      ShapeFractions(
+        ball, lower, lower + Vector3{ { 1.0, 1.0, 1.0 } }, DefaultShapeTolerance, &fractions[at]);
+      numbers.push_back(static_cast<double>(at));
+    });
+  auto arrays = std::make_shared<NamedValues>();
+  arrays->Arrays = { { "ball", std::make_shared<Values>(std::move(fractions), isPlain) },
+    { "x", std::make_shared<Values>(std::move(numbers), isPlain) } };
+  block.Arrays = arrays;
+  Ranks alone;
+  CollectedBlocks collected;
+  collected.Blocks.push_back(std::move(block));
+  MesherInput input;
+  input.Levels = FindInputLevels(std::move(collected), alone);
+  input.Arrays.Fractions = { "ball" };
+  input.Arrays.State.Arrays = { "x" };
+  return input;
+}
+
+template <class T>
+std::vector<T> ListOf(const Buffer<T>& buffer)
+{
+  return { buffer.begin(), buffer.end() };
+}
+
+TEST(Mesher, ReadsMemoryAndValuesAlike)
+{
+  Runtime serial;
+  for (const ElementKind kind : { ElementKind::Hexes, ElementKind::Tets })
+  {
+    MesherOptions options;
+    options.Elements = kind;
+    const MesherResult plain = RunMesher(MakeInput(true), options, serial);
+    const MesherResult other = RunMesher(MakeInput(false), options, serial);
+    ASSERT_GT(plain.TheMesh.ElementIds.size(), 200u);
+    EXPECT_EQ(ListOf(plain.TheMesh.Points), ListOf(other.TheMesh.Points));
+    EXPECT_EQ(ListOf(plain.TheMesh.Elements), ListOf(other.TheMesh.Elements));
+    EXPECT_EQ(ListOf(plain.State.Arrays.at(0).Values), ListOf(other.State.Arrays.at(0).Values));
+  }
+}
+
+TEST(Mesher, StateIsThatOfACellOfTheElement)
+{
+  Runtime serial;
+  const MesherInput input = MakeInput(true);
+  const MesherResult result = RunMesher(input, MesherOptions(), serial);
+  const CarriedArray& state = result.State.Arrays.at(0);
+  EXPECT_EQ(state.Name, "x");
+  ASSERT_EQ(state.Values.size(), sizeof(double) * result.TheMesh.ElementIds.size());
+  const double* numbers = reinterpret_cast<const double*>(state.Values.data());
+  const auto values = input.Levels.Levels[0].Blocks[0].Arrays->Find("ball");
+  for (std::size_t e = 0; e < result.TheMesh.ElementIds.size(); ++e)
+  {
+    EXPECT_GE(values->Get(static_cast<Index>(numbers[e]), 0), 0.5);
+  }
+}
+
+TEST(Mesher, TellsOfTheMesh)
+{
+  Runtime serial;
+  const MesherResult result = RunMesher(MakeInput(true), MesherOptions(), serial);
+  const auto find = [](const FieldArrays& fields, const std::string& name)
+  {
+    return std::find_if(fields.begin(), fields.end(),
+      [&name](const FieldArray& field) { return field.Name == name; });
+  };
+  EXPECT_EQ(std::get<std::vector<std::string>>(find(result.Fields, "MaterialNames")->Values),
+    (std::vector<std::string>{ "ball" }));
+  EXPECT_EQ(std::get<std::vector<double>>(find(result.Fields, "DomainBounds")->Values),
+    (std::vector<double>{ 0, 12, 0, 12, 0, 12 }));
+  EXPECT_EQ(std::get<std::vector<Index>>(find(result.MaterialFields, "Elements")->Values),
+    (std::vector<Index>{ static_cast<Index>(result.TheMesh.ElementIds.size()) }));
+}
+
+void ExpectError(const MesherInput& input, const std::string& text)
+{
+  Runtime serial;
+  try
+  {
+    RunMesher(input, MesherOptions(), serial);
+    FAIL() << "no error: " << text;
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_EQ(error.what(), text);
+  }
+}
+
+TEST(Mesher, WrongNames)
+{
+  MesherInput input = MakeInput(true);
+  input.Arrays.Fractions = { "cube" };
+  ExpectError(input, "The input has no numeric cell array 'cube'. Its cell arrays: 'ball', 'x'.");
+  input = MakeInput(true);
+  input.Arrays.State.Arrays = { "MaterialId" };
+  ExpectError(input,
+    "The state array 'MaterialId' has the name of an array that the mesh itself may have: rename "
+    "it, or leave it out.");
+}
+
+TEST(Mesher, WarnsOfAnEmptyMesh)
+{
+  Runtime serial;
+  MesherInput input = MakeInput(true);
+  std::vector<std::string> warnings;
+  input.Warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  MesherOptions options;
+  options.MinimumRegionCells = static_cast<int>(Side * Side * Side);
+  const MesherResult result = RunMesher(input, options, serial);
+  EXPECT_TRUE(result.TheMesh.ElementIds.empty());
+  EXPECT_EQ(warnings,
+    (std::vector<std::string>{
+      "The mesh is empty: no cell is filled by its materials to the iso value." }));
+}
+
+} // namespace
