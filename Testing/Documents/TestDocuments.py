@@ -10,12 +10,13 @@ ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), 
 sys.path.insert(0, os.path.join(ROOT, "scripts"))
 import list_properties
 
-PAGES = sorted(os.path.relpath(path, ROOT) for folder in ("", "Documentation", "Data")
+PAGES = sorted(os.path.relpath(path, ROOT) for folder in ("", "Documentation", "Data", "python")
                for path in glob.glob(os.path.join(ROOT, folder, "*.md")))
 CODE = re.compile(r"^```.*?^```$|^ {4}.*?$", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 QUOTED = re.compile(r"`([^`\n]+)`")
-TOPS = ("Data", "Documentation", "Examples", "Filters", "Grid", "IO", "InSitu", "Parallel", "Plugin", "Shapes", "Testing", "scripts")
+TOPS = ("Data", "Documentation", "Examples", "Filters", "Grid", "IO", "InSitu", "Mesher", "Parallel",
+        "Plugin", "Shapes", "Testing", "python", "scripts")
 NAMED = re.compile(r"(?<![\w./-])(?:%s)/[\w./*-]*\w" % "|".join(TOPS))
 PLUGIN_FROM_HERE = re.compile(r"LoadPlugins?\([\"'](?!/)")
 BARE_FRACTION = re.compile(r"(?<![\w.\])*])\.\d")

@@ -16,6 +16,7 @@ ALLOWED.update({
     "Filters": ("Grid/Base", "Grid/Fractions", "Grid/Mesh", "Grid", "Shapes", "Mesher", "Parallel"),
     "InSitu": ("Grid/Base", "Mesher", "Parallel", "IO", "Filters"),
     "Plugin": ("Filters",),
+    "python": GRID + ("Shapes", "Mesher"),
     "Examples": ("InSitu",),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
@@ -28,7 +29,7 @@ ALLOWED.update({
 })
 
 # Folders without VTK and MPI.
-PLAIN = GRID + ("Shapes", "Mesher", "Testing/Support", "Testing/Grid", "Testing/Mesher")
+PLAIN = GRID + ("Shapes", "Mesher", "python", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 FOREIGN = re.compile(r"(vtk|mpi|paraview|pv|pq)", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 
