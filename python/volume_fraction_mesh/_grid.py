@@ -42,20 +42,22 @@ def point_nodes(origin: Sequence[float], spacing: Sequence[float], counts: Seque
 
 
 def _numbers(name: str, value: Any, count: int) -> np.ndarray:
+    text = "%s is %r" % (name, value.tolist() if isinstance(value, np.ndarray) else value)
     try:
         numbers = np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError):
-        raise TypeError("%s is %r: %d numbers are needed." % (name, value, count)) from None
+        raise TypeError("%s: %d numbers are needed." % (text, count)) from None
     if numbers.size != count:
-        raise ValueError("%s is %r: %d numbers are needed." % (name, value, count))
+        raise ValueError("%s: %d numbers are needed." % (text, count))
     if not np.isfinite(numbers).all():
-        raise ValueError("%s is %r: it must be finite." % (name, value))
+        raise ValueError("%s: it must be finite." % text)
     return numbers.ravel()
 
 
 def check_spacing(spacing: Union[float, Sequence[float]]) -> np.ndarray:
     """Three of them; one number is that of all axes."""
-    numbers = _numbers("spacing", np.full(3, spacing) if np.ndim(spacing) == 0 and not isinstance(spacing, str) else spacing, 3)
+    is_one = np.ndim(spacing) == 0 and not isinstance(spacing, str)
+    numbers = _numbers("spacing", [spacing] * 3 if is_one else spacing, 3)
     if not (numbers > 0).all():
         raise ValueError("spacing is %r: widths of cells must be greater than 0." % (spacing,))
     return numbers

@@ -1,0 +1,105 @@
+"""The filters and the Python package make the same meshes, bit for bit.
+
+Prints a line `case sha256` for each of python/tests/digest_cases.py as the filters make it. The environment variable VFM_PACKAGE_PYTHON names a
+Python that has the package: it then makes them too, and another digest is a failure. Without it the lines alone are printed.
+"""
+import os
+import subprocess
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
+from vtkmodules.vtkCommonMath import vtkMatrix3x3
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+CASES_FOLDER = os.path.join(ROOT, "python", "tests")
+sys.path[:0] = [os.path.join(ROOT, "Testing", "Python"), CASES_FOLDER]
+
+from digest_cases import CASES, ORIGIN, SPACING, digest  # noqa: E402: after the path
+from vfmtest import VolumeFractionToHex, VolumeFractionToTet, elements, main, mesh_of, points_of  # noqa: E402
+
+ROLES = {"density": "DensityArrays", "velocity": "VelocityArray", "energy": "EnergyArray"}
+WORDS = {"internal_energy": "Internal Energy"}
+
+
+def as_vtk(values):
+    """Of an array whose first index is that along x."""
+    values = np.asarray(values)
+    flat = values.transpose(2, 1, 0, *range(3, values.ndim)).reshape(-1, *values.shape[3:])
+    return numpy_to_vtk(np.ascontiguousarray(flat), deep=1)
+
+
+def grid_of(case):
+    """An image, or a rectilinear grid."""
+    cells = next(iter(case.arrays.values())).shape[:3]
+    if case.nodes is None:
+        grid = vtkImageData()
+        grid.SetDimensions([n + 1 for n in cells])
+        grid.SetOrigin(ORIGIN)
+        grid.SetSpacing(SPACING)
+        if case.direction is not None:
+            matrix = vtkMatrix3x3()
+            matrix.DeepCopy(np.ravel(case.direction).tolist())
+            grid.SetDirectionMatrix(matrix)
+    else:
+        grid = vtkRectilinearGrid()
+        grid.SetDimensions([n + 1 for n in cells])
+        for axis, nodes in zip("XYZ", case.nodes):
+            getattr(grid, "Set%sCoordinates" % axis)(numpy_to_vtk(nodes, deep=1))
+    for name, values in case.arrays.items():
+        array = as_vtk(values)
+        array.SetName(name)
+        grid.GetCellData().AddArray(array)
+    return grid
+
+
+def properties_of(case):
+    """The options as properties: LabelSmoothing, "Geometry Based"."""
+    found = {}
+    for name, value in case.options.items():
+        word = value.replace("_", " ").title() if isinstance(value, str) else int(value) if isinstance(value, bool) else value
+        found["".join(part.capitalize() for part in name.split("_"))] = word
+    found["VolumeFractionArrays"], found["StateArrays"] = list(case.fractions), list(case.state)
+    if case.labels:
+        found["MaterialIdArray"] = case.labels
+    for role, name in ROLES.items():
+        if getattr(case, role):
+            found[name] = [getattr(case, role)] if role == "density" else getattr(case, role)
+    return found
+
+
+def arrays_of(result, case):
+    """As digest() takes them."""
+    state = [*case.state, *filter(None, (case.density, case.velocity, case.energy))]
+    points = result.mesh.GetPointData()
+    nodal = {case.velocity: vtk_to_numpy(points.GetArray(case.velocity))} if case.velocity and points.HasArray(case.velocity) else {}
+    return {
+        "points": points_of(result), "cells": elements(result), "point_ids": result.points("GlobalPointIds"),
+        "cell_ids": result.cells("GlobalCellIds"), "material": result.cells("MaterialId"), "fragment": result.cells("FragmentId"),
+        "quality": result.cells("ScaledJacobian"), "state": {name: result.cells(name) for name in state}, "point_state": nodal}
+
+
+def digests_of_the_package():
+    """By case; nothing where no Python has it."""
+    python = os.environ.get("VFM_PACKAGE_PYTHON")
+    if not python:
+        return {}
+    kept = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH")}
+    run = subprocess.run([python, os.path.join(CASES_FOLDER, "digest_cases.py")], env=kept, stdout=subprocess.PIPE, check=True, text=True)
+    return dict(line.rsplit(" ", 1) for line in run.stdout.splitlines())
+
+
+def test_same_bits():
+    expected, others = digests_of_the_package(), []
+    for name, make in CASES.items():
+        case = make()
+        result = mesh_of(grid_of(case), VolumeFractionToTet if case.tets else VolumeFractionToHex, **properties_of(case))
+        found = digest(arrays_of(result, case))
+        print(name, found, flush=True)
+        if expected and expected[name] != found:
+            others.append(name)
+    assert not others, "the package makes other meshes: %s" % others
+
+
+main(globals())

@@ -1,0 +1,105 @@
+"""The command vfmesh."""
+import csv
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import volume_fraction_mesh as vfm
+from fields import BALL, LABELS, PLATE, STATE
+from test_shapes import CUBE, TRIANGLES, write_stl
+from volume_fraction_mesh.__main__ import main, make_parser
+from volume_fraction_mesh._options import COMMON, OF_TETS, STATE as OF_STATE, THREADS
+
+pytest.importorskip("meshio")
+
+
+def read(path):
+    import meshio
+    return meshio.read(path)
+
+
+@pytest.fixture
+def run(tmp_path, capsys):
+    """Runs the command in a folder; "@name" is a file there."""
+    def run_words(*words, status=0):
+        got = main([str(tmp_path / word[1:]) if word.startswith("@") else word for word in words])
+        told = capsys.readouterr()
+        assert got == status, told.err
+        return told.err if status else told.out
+    run_words.folder = tmp_path
+    return run_words
+
+
+def test_numpy(run):
+    np.save(run.folder / "labels.npy", LABELS)
+    told = run("@labels.npy", "@out.vtu", "--label-smoothing", "2", "--spacing", "0.5")
+    expected = vfm.hexes(labels=LABELS, label_smoothing=2, spacing=0.5)
+    assert told.strip() == repr(expected) and np.array_equal(read(run.folder / "out.vtu").points, expected.points)
+    np.savez(run.folder / "both.npz", ball=BALL, plate=PLATE, **STATE)
+    run("@both.npz", "@out.vtu", "--tets", "--method", "cells", "--array", "ball", "--array", "plate", "--state", "temperature", "--density", "density",
+        "--velocity", "velocity", "--spacing", "1", "2", "1", "--origin", "0", "0", "-1", "--fragments", "@table.csv", "--quiet", "--no-compute-quality")
+    mesh = read(run.folder / "out.vtu")
+    assert mesh.cells[0].type == "tetra" and {"temperature", "density", "velocity"} <= set(mesh.cell_data) and "ScaledJacobian" not in mesh.cell_data
+    with open(run.folder / "table.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 2 and np.isclose(float(rows[0]["mass"]) + float(rows[1]["mass"]), ((BALL + PLATE) * STATE["density"]).sum() * 2)
+    assert {"momentum_x", "x_min", "centroid_z", "neighbours"} <= set(rows[0])
+
+
+def test_nifti(run):
+    nibabel = pytest.importorskip("nibabel")
+    affine = np.diag([-2.0, 2, 2, 1])
+    nibabel.save(nibabel.Nifti1Image(LABELS.astype(np.uint8), affine), run.folder / "in.nii.gz")
+    (run.folder / "names.txt").write_text("# regions\n1 left side\n2,right\n")
+    run("@in.nii.gz", "@out.vtu", "--names", "@names.txt", "--mesh-void", "--surfaces", "@surfaces.vtp")
+    assert read(run.folder / "out.vtu").points[:, 0].max() <= 1
+    nibabel.save(nibabel.Nifti1Image(BALL.astype(np.float32), affine), run.folder / "ball.nii")
+    run("@ball.nii", "@out.vtu")
+    assert len(read(run.folder / "out.vtu").cells[0].data) == len(vfm.hexes(BALL.astype(np.float32)))
+
+
+def test_other_images(run):
+    sitk = pytest.importorskip("SimpleITK")
+    sitk.WriteImage(sitk.GetImageFromArray(LABELS.astype(np.uint8)), str(run.folder / "in.nrrd"))
+    run("@in.nrrd", "@out.vtu")
+    assert len(read(run.folder / "out.vtu").cells[0].data) == len(vfm.hexes(labels=LABELS, order="zyx"))
+    pyvista = pytest.importorskip("pyvista")
+    image = pyvista.ImageData(dimensions=(13, 13, 13))
+    image.cell_data["ball"], image.cell_data["T"] = BALL.ravel("F"), STATE["temperature"].ravel("F")
+    image.save(run.folder / "in.vti")
+    run("@in.vti", "@out.vtu", "--array", "ball", "--state", "T")
+    assert "T" in read(run.folder / "out.vtu").cell_data
+
+
+def test_surface(run):
+    write_stl(run.folder / "part.stl", CUBE, TRIANGLES, True)
+    told = run("@part.stl", "@out.vtu", "--cells", "10", "--sharp-edges", "on")
+    assert "hexahedra" in told and np.allclose(read(run.folder / "out.vtu").points.max(axis=0), 1, atol=0.02)
+
+
+def test_errors(run):
+    np.savez(run.folder / "both.npz", ball=BALL, plate=PLATE + 1)
+    np.save(run.folder / "flat.npy", BALL[0])
+    (run.folder / "names.txt").write_text("one 1\n")
+    np.save(run.folder / "labels.npy", LABELS)
+    for words, text in (
+            (["@both.npz", "@out.vtu"], "'plate' holds 1"), (["@both.npz", "@out.vtu", "--array", "foam"], "no array 'foam'. Its arrays: 'ball', 'plate'"),
+            (["@both.npz", "@out.vtu", "--labels"], "has 2 arrays"), (["@flat.npy", "@out.vtu"], "three axes"),
+            (["@none.npy", "@out.vtu"], "none.npy"), (["@none.nii", "@out.vtu"], "There is no file"), (["@labels.npy", "@out"], "has no ending"),
+            (["@labels.npy", "@out.vtu", "--names", "@names.txt"], "Line 1 of"), (["@labels.npy", "@out.vtu", "--label-smoothing", "11"], "label_smoothing is 11")):
+        told = run(*words, status=1)
+        assert told.splitlines()[-1].startswith("vfmesh: ") and text in told, told
+
+
+def test_every_option():
+    words = make_parser().format_help()
+    for option in OF_STATE + COMMON + OF_TETS + (THREADS,):
+        assert "--" + option.name.replace("_", "-") in words
+    assert "Passes, 0 to 10" in " ".join(words.split())
+
+
+def test_module():
+    run = subprocess.run([sys.executable, "-m", "volume_fraction_mesh", "--version"], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == vfm.__version__

@@ -1,0 +1,119 @@
+"""Exact fractions of shapes and of closed surfaces."""
+import pickle
+import struct
+
+import numpy as np
+import pytest
+
+import volume_fraction_mesh as vfm
+from fields import check_valid, same
+
+BOUNDS = [-1, 1] * 3
+CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float)
+TRIANGLES = np.array([
+    [0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4], [2, 6, 3], [3, 6, 7], [0, 4, 2], [2, 4, 6], [1, 3, 5], [3, 7, 5]])
+
+
+def write_stl(path, points, triangles, binary):
+    if not binary:
+        lines = ["solid part"]
+        for triangle in triangles:
+            lines += ["facet normal 0 0 0", "outer loop", *("vertex %r %r %r" % tuple(points[c].tolist()) for c in triangle), "endloop", "endfacet"]
+        path.write_text("\n".join(lines + ["endsolid part"]))
+        return
+    records = [struct.pack("<12fH", 0, 0, 0, *points[triangle].ravel(), 0) for triangle in triangles]
+    path.write_bytes(b"solid" + bytes(75) + struct.pack("<I", len(triangles)) + b"".join(records))
+
+
+def test_shapes():
+    found = vfm.shapes("sphere radius=0.5 # a ball\nhalfspace point=0,0,-0.6 normal=0,0,1 material=2", (16, 12, 10), bounds=BOUNDS)
+    assert list(found) == ["Material1", "Material2"] and found["Material1"].shape == (16, 12, 10)
+    volume = 8 / (16 * 12 * 10)
+    assert np.isclose(found["Material1"].sum() * volume, np.pi / 6, rtol=1e-3) and np.isclose(found["Material2"].sum() * volume, 1.6, rtol=1e-12)
+    mesh = vfm.hexes(found)
+    check_valid(mesh)
+    assert np.allclose(mesh.materials["MeshVolume"], [np.pi / 6, 1.6], rtol=1e-3) and mesh.points.min() == -1
+
+
+def test_grids_of_shapes():
+    text = "box size=1,1,0.7 rotation=10,20,30"
+    expected = vfm.shapes(text, 10, bounds=BOUNDS)
+    for grid in ({"spacing": 0.2, "origin": (-1, -1, -1)}, {"coordinates": expected.coordinates}):
+        found = vfm.shapes(text, 10, **grid)
+        assert np.allclose(found["Material1"], expected["Material1"], atol=1e-12)
+    turned = vfm.shapes(text, 10, bounds=BOUNDS, order="zyx")
+    assert np.array_equal(turned["Material1"].T, expected["Material1"]) and same(vfm.hexes(turned), vfm.hexes(expected))
+    given = vfm.hexes(dict(expected), coordinates=expected.coordinates)
+    assert same(given, vfm.hexes(expected)) and same(vfm.hexes(pickle.loads(pickle.dumps(expected))), given)
+    assert expected["Material1"].flags.f_contiguous and turned["Material1"].flags.c_contiguous
+    many = vfm.shapes(text, 10, bounds=BOUNDS, threads=3)
+    assert np.array_equal(many["Material1"], expected["Material1"])
+
+
+@pytest.mark.parametrize("given, error, text", [
+    (dict(text="ball radius=1"), ValueError, "ball"), (dict(text="sphere radius=0.5\nsphere size=1"), ValueError, "ine 2"),
+    (dict(text=3), TypeError, "text is a int"), (dict(cells=0), ValueError, "cells is 0"), (dict(cells=(3, 4)), TypeError, "cells is (3, 4)"),
+    (dict(cells=3.5), TypeError, "cells is 3.5"), (dict(tolerance=0), ValueError, "tolerance is 0"), (dict(bounds=[1, 0] * 3), ValueError, "bounds is"),
+    (dict(spacing=0), ValueError, "spacing is 0"), (dict(order="yxz"), ValueError, "order is 'yxz'"), (dict(threads=-1), ValueError, "threads is -1"),
+    (dict(bounds=BOUNDS, coordinates=[[0, 1]] * 3), ValueError, "one or the other")])
+def test_wrong_shapes(given, error, text):
+    with pytest.raises(error) as told:
+        vfm.shapes(**{"text": "sphere radius=0.5", "cells": 4, **given})
+    assert text in str(told.value), str(told.value)
+
+
+@pytest.mark.parametrize("binary", [False, True])
+def test_stl(tmp_path, binary):
+    path = tmp_path / "part.STL"
+    write_stl(path, CUBE, TRIANGLES, binary)
+    found = vfm.surface(path, 10)
+    widths = [np.diff(x)[0] for x in found.coordinates]
+    assert np.allclose(widths, 1 / 6) and found["Material1"].shape == (10, 10, 10)
+    assert np.isclose(found["Material1"].sum() / 216, 1, rtol=1e-12)
+    mesh = vfm.hexes(found, sharp_edges="on")
+    assert mesh.surfaces.surface_id.max() == 6 and len(mesh.vertices.points) == 8
+    assert np.isclose(mesh.volumes().sum(), 1, rtol=1e-6)
+
+
+def test_ways_to_give_surfaces():
+    expected = vfm.surface(CUBE, (8, 9, 10), triangles=TRIANGLES)
+    assert expected["Material1"].shape == (8, 9, 10)
+    inside_out = vfm.surface((CUBE, TRIANGLES[:, ::-1]), (8, 9, 10))
+    assert np.array_equal(inside_out["Material1"], expected["Material1"])
+    assert list(vfm.surface({"steel": (CUBE, TRIANGLES), "lead": (CUBE + 2, TRIANGLES)}, 12)) == ["steel", "lead"]
+    fixed = vfm.surface((CUBE, TRIANGLES), 4, bounds=[-0.5, 1.5] * 3)
+    assert np.isclose(fixed["Material1"].sum(), 8) and np.isclose(fixed["Material1"][1, 1, 1], 1)
+    flat = vfm.surface((CUBE * [4, 2, 1], TRIANGLES), 12)
+    assert flat["Material1"].shape == (12, 8, 6)
+
+
+def test_surfaces_of_others(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    meshio = pytest.importorskip("meshio")
+    ball = pyvista.Sphere(radius=1, theta_resolution=24, phi_resolution=24)
+    found = vfm.surface(ball, 16)
+    volume = found["Material1"].sum() * np.prod([np.diff(x)[0] for x in found.coordinates])
+    assert np.isclose(volume, ball.volume, rtol=1e-5)
+    ball.save(tmp_path / "ball.stl")
+    assert np.allclose(vfm.surface(tmp_path / "ball.stl", 16)["Material1"], found["Material1"], atol=1e-4)
+    assert np.isclose(vfm.surface(pyvista.Cube(), 8)["Material1"].sum(), 64)
+    quads = meshio.Mesh(CUBE, [("quad", [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])])
+    meshio.write(tmp_path / "cube.ply", quads)
+    for value in (quads, tmp_path / "cube.ply"):
+        assert np.isclose(vfm.surface(value, 8)["Material1"].sum(), 64)
+
+
+def test_wrong_surfaces(tmp_path):
+    (tmp_path / "no.stl").write_text("nothing of the kind")
+    (tmp_path / "short.stl").write_bytes(bytes(80) + struct.pack("<I", 7) + bytes(60))
+    for value, error, text in (
+            ((CUBE, TRIANGLES[1:]), ValueError, "open"), ((CUBE, TRIANGLES + 1), ValueError, "triangle"), (CUBE, TypeError, "points and triangles"),
+            ((CUBE, TRIANGLES[:0]), ValueError, "no polygons"), ((CUBE[:, :2], TRIANGLES), ValueError, "(n, 3) is needed"),
+            ((CUBE, TRIANGLES * 0.5), ValueError, "(m, 3) whole numbers"), (tmp_path / "no.stl", ValueError, "is no STL file"),
+            (tmp_path / "short.stl", ValueError, "is no STL file"), (tmp_path / "none.stl", FileNotFoundError, "none.stl"), ({}, ValueError, "empty"),
+            ((CUBE * np.nan, TRIANGLES), ValueError, "finite")):
+        with pytest.raises(error) as told:
+            vfm.surface(value, 8)
+        assert text in str(told.value), (text, str(told.value))
+    with pytest.raises(ValueError, match="at least 5"):
+        vfm.surface((CUBE, TRIANGLES), 4)
