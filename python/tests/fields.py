@@ -34,4 +34,4 @@ def check_valid(mesh):
     assert (np.einsum("hci,hci->hc", edges[:, :, 0], np.cross(edges[:, :, 1], edges[:, :, 2])) > 0).all()
     volumes = mesh.volumes()
     for label, volume in zip(mesh.materials["MaterialId"], mesh.materials["MeshVolume"]):
-        assert np.isclose(volumes[mesh.material == label].sum(), volume, rtol=1e-12)
+        assert np.isclose(volumes[mesh.material == label].sum(), volume, rtol=1e-9)

@@ -22,7 +22,7 @@ def test_meshes_are_valid(make):
     assert np.allclose(mesh.materials["MeshVolume"], targets, rtol=1e-6)
     assert mesh.materials["Name"] == ["Material 1", "Material 2"]
     assert (mesh.points.min(axis=0) >= [-1, 2, 3]).all() and (mesh.points.max(axis=0) <= [0.2 + 1e-9, 4.4 + 1e-9, 4.2]).all()
-    assert set(mesh.material) == {1, 2} and mesh.quality.min() > 0.1 and len(mesh) == len(mesh.cells)
+    assert set(mesh.material) == {1, 2} and mesh.quality.min() > 0.05 and len(mesh) == len(mesh.cells)
 
 
 def test_types_and_shapes():

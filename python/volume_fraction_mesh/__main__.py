@@ -111,10 +111,11 @@ def _name_arrays(given: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> Dict[s
 def write_table(mesh: Mesh, path: str) -> None:
     """A row a fragment."""
     columns: Dict[str, Any] = {}
-    axes = {"centroid": "xyz", "momentum": "xyz", "bounds": ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")}
+    sides = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
+    axes = {"centroid": ("centroid_x", "centroid_y", "centroid_z"), "momentum": ("momentum_x", "momentum_y", "momentum_z"), "bounds": sides}
     for name, values in fragments(mesh).items():
         if name in axes:
-            columns.update({"%s_%s" % (name, axis): values[:, a] for a, axis in enumerate(axes[name])})
+            columns.update(zip(axes[name], values.T))
         else:
             columns[name] = [" ".join(map(str, ids)) for ids in values] if name == "neighbours" else values
     with open(path, "w", newline="", encoding="utf-8") as file:

@@ -4,6 +4,7 @@ from __future__ import annotations
 import warnings
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
@@ -41,15 +42,21 @@ def _run(tets: bool, given: Mapping[str, Any]) -> Mesh:
     finally:
         for text in told:
             warnings.warn(text, VolumeFractionMeshWarning, stacklevel=CALLER)
-    return make_mesh(result, _roles(state))
+    return make_mesh(result, _find_roles(state, result["state"]))
 
 
-def _roles(state: Optional[Mapping[str, Any]]) -> Dict[str, List[str]]:
-    """Names that the arrays of the density and the velocity may have in the mesh: their own, or what those of materials share."""
+def _find_roles(state: Optional[Mapping[str, Any]], carried: Mapping[str, ArrayLike]) -> Dict[str, str]:
+    """Which arrays of the mesh are the density and the velocity; carried: all of them."""
     if state is None:
         return {}
-    is_volume = not any(word.split("=")[0] in ["density", *state["densities"]] and word.split("=")[-1] != "volume" for word in state["kinds"])
-    return {"density": ["density", *state["densities"]] if is_volume and state["densities"] else [], "velocity": [state["velocity"]]}
+    densities, velocity = ["density", *state["densities"]], state["velocity"]
+    kinds = dict(word.split("=", 1) for word in state["kinds"])
+    are_volume = bool(state["densities"]) and all(kinds.get(name, "volume") == "volume" for name in densities)
+    found = {"density": next((name for name in densities if are_volume and name in carried), None)}
+    # of components the core makes one array, whose name is part of theirs
+    vectors = [name for name in carried if velocity and name in velocity and np.shape(carried[name])[1:] == (3,)]
+    found["velocity"] = max(vectors, key=len, default=None)
+    return {role: name for role, name in found.items() if name}
 
 
 def hexes(

@@ -33,7 +33,7 @@ def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     from ._meshio import for_gmsh
     if suffix == ".msh":
         data = for_gmsh(mesh)
-        options = {"file_format": "gmsh", **options}
+        options = {"file_format": "gmsh22", **options}
     elif suffix in EXODUS:
         data = mesh.to_meshio(blocks=True)
         options = {"file_format": "exodus", **options}

@@ -15,7 +15,8 @@ def read_state(given: Mapping[str, Any], field: Field) -> Optional[Dict[str, Any
     densities = _add(field, "density", given["density"])
     velocities, velocity = _add_one(field, "velocity", given["velocity"])
     energies, energy = _add_one(field, "energy", given["energy"])
-    arrays += [name for name in velocities + energies if name not in arrays]
+    for names in (velocities, energies):  # a single one is carried as it is
+        arrays += [name for name in names if len(names) > 1 and name not in arrays]
     transfer = ("automatic", "copy", "conserve")[STATE[0].check(given["state_transfer"])]
     kinds = _list_kinds(given["state_kinds"])
     if not (arrays or densities or velocity or energy):

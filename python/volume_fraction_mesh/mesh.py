@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional
 
 import numpy as np
 
@@ -199,16 +199,15 @@ class Mesh:
         save(self, path, **options)
 
 
-def make_mesh(result: Mapping[str, Any], roles: Mapping[str, Sequence[str]]) -> Mesh:
-    """Of what the core returns. roles: names of the arrays that may be the density, the velocity."""
+def make_mesh(result: Mapping[str, Any], roles: Dict[str, str]) -> Mesh:
+    """Of what the core returns."""
     result = dict(result)
     surfaces, curves, vertices = result.pop("surfaces"), result.pop("curves"), result.pop("vertices")
     nodal = result.pop("nodal_velocity")
-    state = result["state"]
     return Mesh(
         points=result["points"], cells=result["cells"], material=result["material"], fragment=result["fragment"],
         point_ids=result["point_ids"], cell_ids=result["cell_ids"], quality=result["scaled_jacobian"],
         geometry=Geometry(result["geometry_dimension"], result["geometry_id"]), surfaces=Surfaces(**surfaces, fields=result["surface_fields"]),
-        curves=Curves(**curves, fields=result["curve_fields"]), vertices=Vertices(**vertices, fields=result["vertex_fields"]), state=state,
+        curves=Curves(**curves, fields=result["curve_fields"]), vertices=Vertices(**vertices, fields=result["vertex_fields"]), state=result["state"],
         point_state=dict([nodal]) if nodal else {}, materials=result["materials"], fields=result["fields"],
-        roles={role: name for role, names in roles.items() for name in names if name in state})
+        roles=roles)
