@@ -1,8 +1,10 @@
 """The filters and the Python package make the same meshes, bit for bit.
 
-Prints a line `case sha256` for each of python/tests/digest_cases.py as the filters make it. The environment variable VFM_PACKAGE_PYTHON names a
-Python that has the package: it then makes them too, and another digest is a failure. Without it the lines alone are printed.
+Prints a line `case sha256` for each of python/tests/digest_cases.py as the filters make it. The environment variable
+VFM_PACKAGE_PYTHON names a Python that has the package: it then makes them too, and another digest is a failure.
+Without it the lines alone are printed.
 """
+
 import os
 import subprocess
 import sys
@@ -20,7 +22,6 @@ from digest_cases import CASES, ORIGIN, SPACING, digest  # noqa: E402: after the
 from vfmtest import VolumeFractionToHex, VolumeFractionToTet, elements, main, mesh_of, points_of  # noqa: E402
 
 ROLES = {"density": "DensityArrays", "velocity": "VelocityArray", "energy": "EnergyArray"}
-WORDS = {"internal_energy": "Internal Energy"}
 
 
 def as_vtk(values):
@@ -58,8 +59,9 @@ def properties_of(case):
     """The options as properties: LabelSmoothing, "Geometry Based"."""
     found = {}
     for name, value in case.options.items():
-        word = value.replace("_", " ").title() if isinstance(value, str) else int(value) if isinstance(value, bool) else value
-        found["".join(part.capitalize() for part in name.split("_"))] = word
+        if isinstance(value, str):
+            value = value.replace("_", " ").title()
+        found["".join(part.capitalize() for part in name.split("_"))] = int(value) if value is True else value
     found["VolumeFractionArrays"], found["StateArrays"] = list(case.fractions), list(case.state)
     if case.labels:
         found["MaterialIdArray"] = case.labels
@@ -73,11 +75,22 @@ def arrays_of(result, case):
     """As digest() takes them."""
     state = [*case.state, *filter(None, (case.density, case.velocity, case.energy))]
     points = result.mesh.GetPointData()
-    nodal = {case.velocity: vtk_to_numpy(points.GetArray(case.velocity))} if case.velocity and points.HasArray(case.velocity) else {}
+    nodal = (
+        {case.velocity: vtk_to_numpy(points.GetArray(case.velocity))}
+        if case.velocity and points.HasArray(case.velocity)
+        else {}
+    )
     return {
-        "points": points_of(result), "cells": elements(result), "point_ids": result.points("GlobalPointIds"),
-        "cell_ids": result.cells("GlobalCellIds"), "material": result.cells("MaterialId"), "fragment": result.cells("FragmentId"),
-        "quality": result.cells("ScaledJacobian"), "state": {name: result.cells(name) for name in state}, "point_state": nodal}
+        "points": points_of(result),
+        "cells": elements(result),
+        "point_ids": result.points("GlobalPointIds"),
+        "cell_ids": result.cells("GlobalCellIds"),
+        "material": result.cells("MaterialId"),
+        "fragment": result.cells("FragmentId"),
+        "quality": result.cells("ScaledJacobian"),
+        "state": {name: result.cells(name) for name in state},
+        "point_state": nodal,
+    }
 
 
 def digests_of_the_package():
@@ -85,8 +98,12 @@ def digests_of_the_package():
     python = os.environ.get("VFM_PACKAGE_PYTHON")
     if not python:
         return {}
-    kept = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH")}
-    run = subprocess.run([python, os.path.join(CASES_FOLDER, "digest_cases.py")], env=kept, stdout=subprocess.PIPE, check=True, text=True)
+    kept = {
+        name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH")
+    }
+    run = subprocess.run(
+        [python, os.path.join(CASES_FOLDER, "digest_cases.py")], env=kept, stdout=subprocess.PIPE, check=True, text=True
+    )
     return dict(line.rsplit(" ", 1) for line in run.stdout.splitlines())
 
 
@@ -94,7 +111,9 @@ def test_same_bits():
     expected, others = digests_of_the_package(), []
     for name, make in CASES.items():
         case = make()
-        result = mesh_of(grid_of(case), VolumeFractionToTet if case.tets else VolumeFractionToHex, **properties_of(case))
+        result = mesh_of(
+            grid_of(case), VolumeFractionToTet if case.tets else VolumeFractionToHex, **properties_of(case)
+        )
         found = digest(arrays_of(result, case))
         print(name, found, flush=True)
         if expected and expected[name] != found:

@@ -2,6 +2,7 @@
 
 usage: python grains.py [--picture grains.png]
 """
+
 import argparse
 
 import numpy as np
@@ -14,13 +15,20 @@ TEXT = "sphere radius=0.3 center=0.1,-0.1,0.25 material=1; polycrystal grains=24
 def show(mesh: vfm.Mesh, path: str) -> None:
     """Without the elements in front of a plane, which stay whole."""
     import pyvista
+
     grid = mesh.to_pyvista()
     behind = grid.cell_centers().points @ np.array([1, -1, 0.8]) < 0.35
     plotter = pyvista.Plotter(off_screen=True, window_size=(800, 760))
     plotter.background_color = "white"
     plotter.add_mesh(
-        grid.extract_cells(behind), scalars="MaterialId", cmap="tab20", show_edges=True, edge_color="#303030", line_width=0.5,
-        show_scalar_bar=False)
+        grid.extract_cells(behind),
+        scalars="MaterialId",
+        cmap="tab20",
+        show_edges=True,
+        edge_color="#303030",
+        line_width=0.5,
+        show_scalar_bar=False,
+    )
     plotter.camera_position = [(3.1, -4.3, 2.6), (-0.1, 0.1, -0.12), (0, 0, 1)]
     plotter.camera.zoom(1.1)
     plotter.screenshot(path)

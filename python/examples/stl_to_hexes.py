@@ -2,6 +2,7 @@
 
 usage: python stl_to_hexes.py [--stl part.stl] [--mesh part.vtu] [--picture part.png]
 """
+
 import argparse
 import os
 import tempfile
@@ -16,6 +17,7 @@ POINTS, WIDTH, HOLE, HEIGHT = 120, 8.0, 4.5, 6.0  # around; millimetres
 def write_nut(path: str) -> None:
     """A hexagon with a hole, by PyVista."""
     import pyvista
+
     angle = np.arange(POINTS) * 2 * np.pi / POINTS
     radius = WIDTH * np.cos(np.pi / 6) / np.cos(angle % (np.pi / 3) - np.pi / 6)
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
@@ -31,10 +33,18 @@ def write_nut(path: str) -> None:
 
 def show(mesh: vfm.Mesh, path: str) -> None:
     import pyvista
+
     plotter = pyvista.Plotter(off_screen=True, window_size=(900, 700))
     plotter.background_color = "white"
     plotter.add_mesh(
-        mesh.to_pyvista("surfaces"), scalars="SurfaceId", cmap="Set3", show_edges=True, edge_color="#404040", line_width=0.6, show_scalar_bar=False)
+        mesh.to_pyvista("surfaces"),
+        scalars="SurfaceId",
+        cmap="Set3",
+        show_edges=True,
+        edge_color="#404040",
+        line_width=0.6,
+        show_scalar_bar=False,
+    )
     plotter.add_mesh(mesh.to_pyvista("curves"), color="black", line_width=3, scalars=None)
     plotter.camera_position = [(16, -22, 24), (0, 0, HEIGHT / 2), (0, 0, 1)]
     plotter.screenshot(path)
@@ -57,8 +67,16 @@ def main() -> None:
     print("volume %.3f of %.3f" % (mesh.materials["MeshVolume"][0], mesh.materials["TargetVolume"][0]))
     fields = mesh.surfaces.fields
     top = int(np.argmax(np.reshape(fields["SurfaceNormals"], (-1, 3)) @ [0, 0, 1]))
-    print("%d surfaces, %d curves, %d vertices; surface %d is the top, of area %.2f" % (
-        mesh.surfaces.surface_id.max(), mesh.curves.curve_id.max(), len(mesh.vertices.points), top + 1, fields["SurfaceAreas"][top]))
+    print(
+        "%d surfaces, %d curves, %d vertices; surface %d is the top, of area %.2f"
+        % (
+            mesh.surfaces.surface_id.max(),
+            mesh.curves.curve_id.max(),
+            len(mesh.vertices.points),
+            top + 1,
+            fields["SurfaceAreas"][top],
+        )
+    )
     if words.mesh:
         mesh.save(words.mesh)
     if words.picture:

@@ -2,6 +2,7 @@
 
 usage: python time_series.py [--folder meshes] [--picture steps.png]
 """
+
 import argparse
 import os
 from typing import Dict
@@ -16,7 +17,7 @@ CELLS, BOUNDS, RADIUS, TIMES = (52, 32, 32), [0.0, 3.25, -1.0, 1.0, -1.0, 1.0], 
 def field_at(time: float) -> Dict[str, object]:
     """Fractions of an ellipsoid that keeps its volume, and the state of its cells, as a code would have them."""
     stretch = 1 + time
-    radii = RADIUS * np.array([stretch, stretch ** -0.5, stretch ** -0.5])
+    radii = RADIUS * np.array([stretch, stretch**-0.5, stretch**-0.5])
     centre = 0.7 + 1.4 * time
     drop = vfm.shapes("ellipsoid radii=%.9f,%.9f,%.9f center=%.9f,0,0" % (*radii, centre), CELLS, bounds=BOUNDS)
     x, y, z = np.meshgrid(*(0.5 * (nodes[1:] + nodes[:-1]) for nodes in drop.coordinates), indexing="ij")
@@ -28,6 +29,7 @@ def field_at(time: float) -> Dict[str, object]:
 def show(meshes, path: str) -> None:
     """First, middle and last."""
     import pyvista
+
     plotter = pyvista.Plotter(off_screen=True, window_size=(900, 800))
     plotter.background_color = "white"
     for mesh in meshes[::2]:
@@ -54,9 +56,16 @@ def main() -> None:
         print("time %.2f: %s" % (time, mesh))
         for name in ("Mass", "Momentum"):
             given, kept = (np.ravel(told[place + name])[0] for place in ("Input", "Mesh"))
-            print("  %-9s of the cells %.12g, of the mesh %.12g: off by %.1e" % (name.lower(), given, kept, abs(kept / given - 1)))
-        given, kept = (told[place + "InternalEnergy"][0] + told[place + "KineticEnergy"][0] for place in ("Input", "Mesh"))
-        print("  %-9s of the cells %.12g, of the mesh %.12g: off by %.1e" % ("energy", given, kept, abs(kept / given - 1)))
+            print(
+                "  %-9s of the cells %.12g, of the mesh %.12g: off by %.1e"
+                % (name.lower(), given, kept, abs(kept / given - 1))
+            )
+        given, kept = (
+            told[place + "InternalEnergy"][0] + told[place + "KineticEnergy"][0] for place in ("Input", "Mesh")
+        )
+        print(
+            "  %-9s of the cells %.12g, of the mesh %.12g: off by %.1e" % ("energy", given, kept, abs(kept / given - 1))
+        )
         row = vfm.fragments(mesh)
         print("  the drop: volume %.6f, centroid %.4f %.4f %.4f" % (row["volume"][0], *row["centroid"][0]))
         if words.folder:

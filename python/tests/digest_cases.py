@@ -1,8 +1,10 @@
 """Meshes that the package and the filters of ParaView must make alike, to the bit.
 
-Inputs are made by +, -, *, / and sqrt alone, so that they are the same on every machine. A case is told in words of neither: `settings(case)` are
-keyword arguments of hexes() and tets(), Testing/Package/TestSameBits.py has them as properties of the filters.
+Inputs are made by +, -, *, / and sqrt alone, so that they are the same on every machine. A case is told in words of
+neither: `settings(case)` are keyword arguments of hexes() and tets(), Testing/Package/TestSameBits.py has them as
+properties of the filters.
 """
+
 import hashlib
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
@@ -13,7 +15,8 @@ TURNED = ((0.6, 0.8, 0.0), (0.8, -0.6, 0.0), (0.0, 0.0, 1.0))  # a mirror, too
 
 
 class Case(NamedTuple):
-    """arrays: by name, in Fortran order: [i, j, k] or [i, j, k, component], i along x; fractions: names, one a material, or labels: one name;
+    """arrays: by name, in Fortran order: [i, j, k] or [i, j, k, component], i along x; fractions: names, one a
+    material, or labels: one name;
     nodes: coordinates instead of SPACING and ORIGIN; options: by the names and words of Python."""
 
     arrays: Dict[str, np.ndarray]
@@ -39,7 +42,7 @@ def averaged(inside: np.ndarray, parts: int) -> np.ndarray:
     """Of parts^3 points in each cell."""
     n = inside.shape[0] // parts
     counts = inside.reshape(n, parts, n, parts, n, parts).sum(axis=(1, 3, 5))
-    return np.asfortranarray(counts / parts ** 3)
+    return np.asfortranarray(counts / parts**3)
 
 
 def ball_and_plate(n: int = 12, parts: int = 4) -> Dict[str, np.ndarray]:
@@ -82,9 +85,12 @@ def state_of(n: int = 12) -> Dict[str, np.ndarray]:
     zero = 0 * (x + y + z)
     velocity = np.stack([x - y + zero, 0.5 * z + zero, 3 - x + zero], axis=-1)
     return {
-        "density": np.asfortranarray(1 + 0.1 * x + 0.05 * y + zero), "temperature": np.asfortranarray(300 + x * y + z + zero),
+        "density": np.asfortranarray(1 + 0.1 * x + 0.05 * y + zero),
+        "temperature": np.asfortranarray(300 + x * y + z + zero),
         "velocity": np.ascontiguousarray(velocity.transpose(2, 1, 0, 3)).transpose(2, 1, 0, 3),
-        "energy": np.asfortranarray(2 + 0.01 * x * z + zero), "code": np.asfortranarray((x + 100 * y + zero).astype(np.int16))}
+        "energy": np.asfortranarray(2 + 0.01 * x * z + zero),
+        "code": np.asfortranarray((x + 100 * y + zero).astype(np.int16)),
+    }
 
 
 BOTH = ("ball", "plate")
@@ -93,20 +99,34 @@ CASES = {
     "hexes of two materials, the void meshed": lambda: Case(ball_and_plate(), {"mesh_void": True}, BOTH),
     "hexes of labels": lambda: Case({"grain": grains()}, labels="grain"),
     "hexes of labels smoothed, small regions removed": lambda: Case(
-        {"grain": grains()}, {"label_smoothing": 3, "minimum_region_cells": 4}, labels="grain"),
+        {"grain": grains()}, {"label_smoothing": 3, "minimum_region_cells": 4}, labels="grain"
+    ),
     "hexes in turned axes": lambda: Case(ball_and_plate(), {}, BOTH, direction=TURNED),
     "hexes on graded coordinates, long cells cut": lambda: Case(
-        ball_and_plate(), {"maximum_aspect_ratio": 1.5}, BOTH, nodes=graded()),
+        ball_and_plate(), {"maximum_aspect_ratio": 1.5}, BOTH, nodes=graded()
+    ),
     "hexes of a film, refined where it is thin": lambda: Case(
-        {"film": film()}, {"refinement": "automatic", "fine_interfaces": False}, ["film"]),
+        {"film": film()}, {"refinement": "automatic", "fine_interfaces": False}, ["film"]
+    ),
     "tets by the lattice, coarse away from surfaces": lambda: Case(
-        ball_and_plate(16), {"refinement": "coarsen", "method": "lattice", "mesh_void": True}, BOTH, tets=True),
+        ball_and_plate(16), {"refinement": "coarsen", "method": "lattice", "mesh_void": True}, BOTH, tets=True
+    ),
     "tets by cells, state copied": lambda: Case(
-        {**ball_and_plate(), **state_of()}, {"method": "cells", "state_transfer": "copy"}, BOTH, tets=True,
-        state=["temperature", "velocity", "code"]),
+        {**ball_and_plate(), **state_of()},
+        {"method": "cells", "state_transfer": "copy"},
+        BOTH,
+        tets=True,
+        state=["temperature", "velocity", "code"],
+    ),
     "hexes, state conserved": lambda: Case(
-        {**ball_and_plate(), **state_of()}, {"nodal_velocity": True, "lost_kinetic_energy": "internal_energy"}, BOTH,
-        state=["temperature", "code"], density="density", velocity="velocity", energy="energy"),
+        {**ball_and_plate(), **state_of()},
+        {"nodal_velocity": True, "lost_kinetic_energy": "internal_energy"},
+        BOTH,
+        state=["temperature", "code"],
+        density="density",
+        velocity="velocity",
+        energy="energy",
+    ),
 }
 
 
@@ -114,7 +134,14 @@ def digest(arrays: Dict[str, Any]) -> str:
     """arrays: points, cells, point_ids, cell_ids, material, fragment, quality, and of state and point_state dicts."""
     sha = hashlib.sha256()
     kinds = {
-        "points": "f8", "cells": "i8", "point_ids": "i8", "cell_ids": "i8", "material": "i4", "fragment": "i4", "quality": "f4"}
+        "points": "f8",
+        "cells": "i8",
+        "point_ids": "i8",
+        "cell_ids": "i8",
+        "material": "i4",
+        "fragment": "i4",
+        "quality": "f4",
+    }
     for name, kind in kinds.items():
         assert arrays[name].size, name
         sha.update(np.ascontiguousarray(arrays[name], dtype="<" + kind).tobytes())
@@ -148,6 +175,7 @@ def settings(case: Case) -> Dict[str, Any]:
 def mesh_of(case: Case, **more: Any) -> Any:
     """By the package."""
     import volume_fraction_mesh as vfm
+
     return (vfm.tets if case.tets else vfm.hexes)(**settings(case), **more)
 
 

@@ -1,15 +1,30 @@
 """Small fields that the tests share."""
+
 import numpy as np
 
 from digest_cases import averaged, ball_and_plate, centres, graded, grains, state_of
 
 __all__ = [
-    "N", "BALL", "PLATE", "GRAINS", "LABELS", "STATE", "averaged", "ball", "centres", "check_valid", "graded", "same"]
+    "N",
+    "BALL",
+    "PLATE",
+    "GRAINS",
+    "LABELS",
+    "STATE",
+    "averaged",
+    "ball",
+    "centres",
+    "check_valid",
+    "graded",
+    "same",
+]
 N = 12
 BALL, PLATE = (ball_and_plate(N)[name] for name in ("ball", "plate"))
 GRAINS, STATE = grains(N), state_of(N)
 LABELS = np.where(BALL + PLATE < 0.5, 0, np.where(BALL >= PLATE, 1, 2))
-HEX_EDGES = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]])  # at each corner
+HEX_EDGES = np.array(
+    [[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]]
+)  # at each corner
 
 
 def ball(n, radius=0.3):

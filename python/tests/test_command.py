@@ -1,4 +1,5 @@
 """The command vfmesh."""
+
 import csv
 import subprocess
 import sys
@@ -22,11 +23,13 @@ def read(path):
 @pytest.fixture
 def run(tmp_path, capsys):
     """Runs the command in a folder; "@name" is a file there."""
+
     def run_words(*words, status=0):
         got = main([str(tmp_path / word[1:]) if word.startswith("@") else word for word in words])
         told = capsys.readouterr()
         assert got == status, told.err
         return told.err if status else told.out
+
     run_words.folder = tmp_path
     return run_words
 
@@ -37,14 +40,45 @@ def test_numpy(run):
     expected = vfm.hexes(labels=LABELS, label_smoothing=2, spacing=0.5)
     assert told.strip() == repr(expected) and np.array_equal(read(run.folder / "out.vtu").points, expected.points)
     np.savez(run.folder / "both.npz", ball=BALL, plate=PLATE, **STATE)
-    run("@both.npz", "@out.vtu", "--tets", "--method", "cells", "--array", "ball", "--array", "plate", "--state", "temperature", "--density", "density",
-        "--velocity", "velocity", "--spacing", "1", "2", "1", "--origin", "0", "0", "-1", "--fragments", "@table.csv", "--quiet", "--no-compute-quality")
+    run(
+        "@both.npz",
+        "@out.vtu",
+        "--tets",
+        "--method",
+        "cells",
+        "--array",
+        "ball",
+        "--array",
+        "plate",
+        "--state",
+        "temperature",
+        "--density",
+        "density",
+        "--velocity",
+        "velocity",
+        "--spacing",
+        "1",
+        "2",
+        "1",
+        "--origin",
+        "0",
+        "0",
+        "-1",
+        "--fragments",
+        "@table.csv",
+        "--quiet",
+        "--no-compute-quality",
+    )
     mesh = read(run.folder / "out.vtu")
-    assert set(mesh.celltypes) == {pyvista.CellType.TETRA} and {"temperature", "density", "velocity"} <= set(mesh.cell_data.keys())
+    assert set(mesh.celltypes) == {pyvista.CellType.TETRA} and {"temperature", "density", "velocity"} <= set(
+        mesh.cell_data.keys()
+    )
     assert "ScaledJacobian" not in mesh.cell_data.keys()
     with open(run.folder / "table.csv", newline="") as file:
         rows = list(csv.DictReader(file))
-    assert len(rows) == 2 and np.isclose(float(rows[0]["mass"]) + float(rows[1]["mass"]), ((BALL + PLATE) * STATE["density"]).sum() * 2)
+    assert len(rows) == 2 and np.isclose(
+        float(rows[0]["mass"]) + float(rows[1]["mass"]), ((BALL + PLATE) * STATE["density"]).sum() * 2
+    )
     assert {"momentum_x", "x_min", "centroid_z", "neighbours"} <= set(rows[0])
 
 
@@ -84,10 +118,16 @@ def test_errors(run):
     (run.folder / "names.txt").write_text("one 1\n")
     np.save(run.folder / "labels.npy", LABELS)
     for words, text in (
-            (["@both.npz", "@out.vtu"], "'plate' holds 2"), (["@both.npz", "@out.vtu", "--array", "foam"], "no array 'foam'. Its arrays: 'ball', 'plate'"),
-            (["@both.npz", "@out.vtu", "--labels"], "has 2 arrays"), (["@flat.npy", "@out.vtu"], "three axes"),
-            (["@none.npy", "@out.vtu"], "none.npy"), (["@none.nii", "@out.vtu"], "There is no file"), (["@labels.npy", "@out"], "has no ending"),
-            (["@labels.npy", "@out.vtu", "--names", "@names.txt"], "Line 1 of"), (["@labels.npy", "@out.vtu", "--label-smoothing", "11"], "label_smoothing is 11")):
+        (["@both.npz", "@out.vtu"], "'plate' holds 2"),
+        (["@both.npz", "@out.vtu", "--array", "foam"], "no array 'foam'. Its arrays: 'ball', 'plate'"),
+        (["@both.npz", "@out.vtu", "--labels"], "has 2 arrays"),
+        (["@flat.npy", "@out.vtu"], "three axes"),
+        (["@none.npy", "@out.vtu"], "none.npy"),
+        (["@none.nii", "@out.vtu"], "There is no file"),
+        (["@labels.npy", "@out"], "has no ending"),
+        (["@labels.npy", "@out.vtu", "--names", "@names.txt"], "Line 1 of"),
+        (["@labels.npy", "@out.vtu", "--label-smoothing", "11"], "label_smoothing is 11"),
+    ):
         told = run(*words, status=1)
         assert told.splitlines()[-1].startswith("vfmesh: ") and text in told, told
 
@@ -100,5 +140,7 @@ def test_every_option():
 
 
 def test_module():
-    run = subprocess.run([sys.executable, "-m", "volume_fraction_mesh", "--version"], capture_output=True, text=True, check=True)
+    run = subprocess.run(
+        [sys.executable, "-m", "volume_fraction_mesh", "--version"], capture_output=True, text=True, check=True
+    )
     assert run.stdout.strip() == vfm.__version__

@@ -1,18 +1,28 @@
 """The table of fragments."""
+
 import numpy as np
 import pytest
 
 import volume_fraction_mesh as vfm
 from fields import BALL, PLATE, STATE
 
-TWO = vfm.shapes("sphere radius=0.3 center=-0.5,0,0\nsphere radius=0.2 center=0.5,0.1,0\nhalfspace point=0,0,-0.5 normal=0,0,1 material=2", 24, bounds=[-1, 1] * 3)
+TWO = vfm.shapes(
+    "sphere radius=0.3 center=-0.5,0,0\nsphere radius=0.2 center=0.5,0.1,0\n"
+    "halfspace point=0,0,-0.5 normal=0,0,1 material=2",
+    24,
+    bounds=[-1, 1] * 3,
+)
 
 
 @pytest.mark.parametrize("make", [vfm.hexes, vfm.tets])
 def test_bodies(make):
     mesh = make(TWO)
     table = vfm.fragments(mesh)
-    assert table["id"].tolist() == [1, 2, 3] and sorted(table["material"].tolist()) == [1, 1, 2] and set(table["name"]) == set(TWO)
+    assert (
+        table["id"].tolist() == [1, 2, 3]
+        and sorted(table["material"].tolist()) == [1, 1, 2]
+        and set(table["name"]) == set(TWO)
+    )
     assert table["elements"].sum() == len(mesh) and "mass" not in table
     order = np.argsort(-table["volume"])
     radii = np.cbrt(table["volume"][order[1:]] * 0.75 / np.pi)
@@ -26,12 +36,16 @@ def test_bodies(make):
 def test_neighbours():
     mesh = vfm.hexes([BALL, PLATE], mesh_void=True)
     table = vfm.fragments(mesh)
-    around = {int(m): {int(table["material"][f - 1]) for f in ids} for m, ids in zip(table["material"], table["neighbours"])}
+    around = {
+        int(m): {int(table["material"][f - 1]) for f in ids} for m, ids in zip(table["material"], table["neighbours"])
+    }
     assert around == {0: {1, 2}, 1: {0, 2}, 2: {0, 1}} and table["name"][int(np.argmin(table["material"]))] == "Void"
 
 
 def test_mass_and_momentum():
-    mesh = vfm.hexes([BALL, PLATE], density=STATE["density"], velocity=STATE["velocity"], state={"T": STATE["temperature"]})
+    mesh = vfm.hexes(
+        [BALL, PLATE], density=STATE["density"], velocity=STATE["velocity"], state={"T": STATE["temperature"]}
+    )
     table = vfm.fragments(mesh)
     for fraction, row in zip((BALL, PLATE), np.argsort(table["material"])):
         mass = fraction * STATE["density"]

@@ -1,4 +1,5 @@
 """Images tell their grid; their meshes are those of the arrays."""
+
 import numpy as np
 import pytest
 
@@ -12,7 +13,13 @@ PLAIN = vfm.hexes([BALL, PLATE], spacing=SPACING, origin=ORIGIN)
 
 def cell_image(pyvista, **given):
     image = pyvista.ImageData(dimensions=(N + 1,) * 3, spacing=SPACING, origin=ORIGIN, **given)
-    for name, array in (("ball", BALL), ("plate", PLATE), ("id", LABELS), ("density", STATE["density"]), ("T", STATE["temperature"])):
+    for name, array in (
+        ("ball", BALL),
+        ("plate", PLATE),
+        ("id", LABELS),
+        ("density", STATE["density"]),
+        ("T", STATE["temperature"]),
+    ):
         image.cell_data[name] = array.ravel("F")
     image.cell_data["velocity"] = STATE["velocity"].reshape(-1, 3, order="F")
     return image
@@ -49,7 +56,13 @@ def test_pyvista_state():
     image = cell_image(pyvista)
     mesh = vfm.hexes(image, arrays=["ball", "plate"], state=["T"], density="density", velocity="velocity")
     arrays = vfm.hexes(
-        [BALL, PLATE], spacing=SPACING, origin=ORIGIN, state={"T": STATE["temperature"]}, density=STATE["density"], velocity=STATE["velocity"])
+        [BALL, PLATE],
+        spacing=SPACING,
+        origin=ORIGIN,
+        state={"T": STATE["temperature"]},
+        density=STATE["density"],
+        velocity=STATE["velocity"],
+    )
     assert list(mesh.state) == list(arrays.state) == ["T", "density", "velocity"]
     assert all(np.array_equal(mesh.state[name], arrays.state[name]) for name in mesh.state)
     assert mesh.roles == arrays.roles == {"density": "density", "velocity": "velocity"}
@@ -64,7 +77,7 @@ def test_pyvista_points():
     assert np.allclose(mesh.points, PLAIN.points, atol=1e-12) and np.array_equal(mesh.cells, PLAIN.cells)
     image.set_active_scalars("id")
     assert len(vfm.hexes(labels=image))
-    image.point_data["bad"] = np.full(N ** 3, 2.0)
+    image.point_data["bad"] = np.full(N**3, 2.0)
     with pytest.raises(ValueError, match="'bad' holds 2 in"):
         vfm.hexes(image, arrays=["bad"])
 
@@ -76,7 +89,10 @@ def test_pyvista_extent_and_direction():
     shifted = vfm.hexes(image, arrays=["ball", "plate"])
     assert np.allclose(shifted.points, PLAIN.points + [2 * SPACING[0], -SPACING[1], 0], atol=1e-12)
     image = cell_image(pyvista, direction_matrix=TURN)
-    assert same(vfm.hexes(image, arrays=["ball", "plate"]), vfm.hexes([BALL, PLATE], spacing=SPACING, origin=ORIGIN, direction=TURN))
+    assert same(
+        vfm.hexes(image, arrays=["ball", "plate"]),
+        vfm.hexes([BALL, PLATE], spacing=SPACING, origin=ORIGIN, direction=TURN),
+    )
 
 
 def test_pyvista_rectilinear():
@@ -98,7 +114,7 @@ def test_pyvista_images_that_are_refused():
     with pytest.raises(ValueError, match="no cells along z"):
         vfm.hexes(flat)
     blanked = cell_image(pyvista)
-    blanked.cell_data["vtkGhostType"] = np.full(N ** 3, 32, np.uint8)
+    blanked.cell_data["vtkGhostType"] = np.full(N**3, 32, np.uint8)
     with pytest.raises(ValueError, match="ghost or blanked"):
         vfm.hexes(blanked, arrays=["ball"])
     with pytest.raises(ValueError, match="has no active scalars"):
@@ -116,7 +132,10 @@ def test_nibabel():
     check_valid(mesh)
     nodes = [(np.arange(N + 1) - 0.5) * s + o for o, s in zip(ORIGIN, SPACING)]
     plain = vfm.hexes(labels=LABELS, coordinates=nodes)
-    assert np.allclose(mesh.points, (plain.points - ORIGIN) @ TURN.T + ORIGIN, atol=1e-6) and mesh.materials["Name"][0] == "ball"
+    assert (
+        np.allclose(mesh.points, (plain.points - ORIGIN) @ TURN.T + ORIGIN, atol=1e-6)
+        and mesh.materials["Name"][0] == "ball"
+    )
     centre = np.array(np.nonzero(LABELS == 1)).mean(axis=1)
     volumes = mesh.volumes() * (mesh.material == 1)
     found = (mesh.points[mesh.cells].mean(axis=1) * volumes[:, None]).sum(axis=0) / volumes.sum()

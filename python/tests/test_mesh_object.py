@@ -1,4 +1,5 @@
 """What a mesh can do: print, pickle, become one of PyVista or meshio, save itself."""
+
 import pickle
 
 import numpy as np
@@ -7,7 +8,12 @@ import pytest
 import volume_fraction_mesh as vfm
 from fields import BALL, PLATE, STATE, same
 
-GIVEN = {"state": {"T": STATE["temperature"]}, "density": STATE["density"], "velocity": STATE["velocity"], "nodal_velocity": True}
+GIVEN = {
+    "state": {"T": STATE["temperature"]},
+    "density": STATE["density"],
+    "velocity": STATE["velocity"],
+    "nodal_velocity": True,
+}
 HEXES = vfm.hexes({"ball": BALL, "plate": PLATE}, mesh_void=True, **GIVEN)
 TETS = vfm.tets({"ball": BALL, "plate": PLATE}, **GIVEN)
 BOTH = pytest.mark.parametrize("mesh", [HEXES, TETS], ids=["hexes", "tets"])
@@ -15,7 +21,10 @@ BOTH = pytest.mark.parametrize("mesh", [HEXES, TETS], ids=["hexes", "tets"])
 
 def test_repr():
     text = repr(HEXES)
-    assert text.startswith("Mesh(%d hexahedra, %d points, 3 materials, " % (len(HEXES), len(HEXES.points))) and "scaled Jacobian 0." in text
+    assert (
+        text.startswith("Mesh(%d hexahedra, %d points, 3 materials, " % (len(HEXES), len(HEXES.points)))
+        and "scaled Jacobian 0." in text
+    )
     assert "tetrahedra" in repr(TETS) and "Jacobian" not in repr(vfm.hexes(BALL, compute_quality=False))
 
 
@@ -24,7 +33,9 @@ def test_pickle(mesh):
     again = pickle.loads(pickle.dumps(mesh))
     assert same(again, mesh) and repr(again) == repr(mesh) and again.roles == mesh.roles
     assert np.array_equal(again.state["T"], mesh.state["T"]) and again.materials["Name"] == mesh.materials["Name"]
-    assert np.array_equal(again.surfaces.cells, mesh.surfaces.cells) and set(again.surfaces.fields) == set(mesh.surfaces.fields)
+    assert np.array_equal(again.surfaces.cells, mesh.surfaces.cells) and set(again.surfaces.fields) == set(
+        mesh.surfaces.fields
+    )
 
 
 @BOTH
@@ -54,8 +65,13 @@ def test_pyvista(mesh, tmp_path):
 def test_pyvista_parts(mesh):
     pytest.importorskip("pyvista")
     surfaces, curves, vertices = (mesh.to_pyvista(part) for part in ("surfaces", "curves", "vertices"))
-    assert surfaces.n_cells == len(mesh.surfaces.cells) and np.array_equal(surfaces.cell_data["SurfaceId"], mesh.surfaces.surface_id)
-    assert np.array_equal(surfaces.cell_data["MaterialPair"], mesh.surfaces.material_pair) and "SurfaceAreas" in surfaces.field_data.keys()
+    assert surfaces.n_cells == len(mesh.surfaces.cells) and np.array_equal(
+        surfaces.cell_data["SurfaceId"], mesh.surfaces.surface_id
+    )
+    assert (
+        np.array_equal(surfaces.cell_data["MaterialPair"], mesh.surfaces.material_pair)
+        and "SurfaceAreas" in surfaces.field_data.keys()
+    )
     corners = surfaces.regular_faces
     assert np.array_equal(surfaces.point_data["GlobalPointIds"][corners], mesh.point_ids[mesh.surfaces.cells])
     assert curves.n_cells == len(mesh.curves.cells) and vertices.n_cells == len(mesh.vertices.points)
@@ -68,11 +84,17 @@ def test_pyvista_parts(mesh):
 def test_meshio(mesh):
     pytest.importorskip("meshio")
     data = mesh.to_meshio()
-    assert np.array_equal(data.points, mesh.points) and data.cells[0].type == mesh.kind and np.array_equal(data.cells[0].data, mesh.cells)
+    assert (
+        np.array_equal(data.points, mesh.points)
+        and data.cells[0].type == mesh.kind
+        and np.array_equal(data.cells[0].data, mesh.cells)
+    )
     assert np.array_equal(data.cell_data["MaterialId"][0], mesh.material)
     assert np.array_equal(data.cell_sets["ball"][0], np.flatnonzero(mesh.material == 1))
     blocks = mesh.to_meshio(blocks=True)
-    assert [len(block.data) for block in blocks.cells] == [(mesh.material == label).sum() for label in mesh.materials["MaterialId"]]
+    assert [len(block.data) for block in blocks.cells] == [
+        (mesh.material == label).sum() for label in mesh.materials["MaterialId"]
+    ]
     assert all(len(set(part.tolist())) == 1 for part in blocks.cell_data["MaterialId"])
 
 
@@ -102,6 +124,7 @@ def test_files(mesh, ending, tmp_path):
 def test_files_without_pyvista(tmp_path, monkeypatch):
     meshio = pytest.importorskip("meshio")
     from volume_fraction_mesh import _save
+
     monkeypatch.setattr(_save, "find_spec", lambda name: None if name == "pyvista" else name)
     HEXES.save(str(tmp_path / "mesh.vtu"))
     assert np.array_equal(meshio.read(tmp_path / "mesh.vtu").points, HEXES.points)

@@ -1,4 +1,5 @@
 """What meshes are: valid, of the volumes of the fractions, the same however arrays come."""
+
 import hashlib
 
 import numpy as np
@@ -9,7 +10,10 @@ from digest_cases import CASES, digest, graded, mesh_of
 from fields import BALL, GRAINS, LABELS, N, PLATE, ball, check_valid, same
 
 MAKES = {
-    "hexes": vfm.hexes, "lattice": vfm.tets, "cells": lambda *fractions, **given: vfm.tets(*fractions, method="cells", **given)}
+    "hexes": vfm.hexes,
+    "lattice": vfm.tets,
+    "cells": lambda *fractions, **given: vfm.tets(*fractions, method="cells", **given),
+}
 MESH = vfm.hexes([BALL, PLATE])
 
 
@@ -21,15 +25,23 @@ def test_meshes_are_valid(make):
     assert np.allclose(mesh.materials["TargetVolume"], targets, rtol=1e-12)
     assert np.allclose(mesh.materials["MeshVolume"], targets, rtol=1e-6)
     assert mesh.materials["Name"] == ["Material 1", "Material 2"]
-    assert (mesh.points.min(axis=0) >= [-1, 2, 3]).all() and (mesh.points.max(axis=0) <= [0.2 + 1e-9, 4.4 + 1e-9, 4.2]).all()
+    assert (mesh.points.min(axis=0) >= [-1, 2, 3]).all() and (
+        mesh.points.max(axis=0) <= [0.2 + 1e-9, 4.4 + 1e-9, 4.2]
+    ).all()
     assert set(mesh.material) == {1, 2} and mesh.quality.min() > 0.05 and len(mesh) == len(mesh.cells)
 
 
 def test_types_and_shapes():
     points, cells = len(MESH.points), len(MESH.cells)
     shapes = {
-        "points": ((points, 3), "f8"), "cells": ((cells, 8), "i8"), "material": ((cells,), "i4"), "fragment": ((cells,), "i4"),
-        "cell_ids": ((cells,), "i8"), "point_ids": ((points,), "i8"), "quality": ((cells,), "f4")}
+        "points": ((points, 3), "f8"),
+        "cells": ((cells, 8), "i8"),
+        "material": ((cells,), "i4"),
+        "fragment": ((cells,), "i4"),
+        "cell_ids": ((cells,), "i8"),
+        "point_ids": ((points,), "i8"),
+        "quality": ((cells,), "f4"),
+    }
     for name, (shape, kind) in shapes.items():
         array = getattr(MESH, name)
         assert array.shape == shape and array.dtype == kind and array.flags.c_contiguous, name
@@ -38,13 +50,20 @@ def test_types_and_shapes():
     assert MESH.surfaces.cells.shape == (facets, 4) and MESH.surfaces.material_pair.shape == (facets, 2)
     assert vfm.tets([BALL]).surfaces.cells.shape[1] == 3
     assert MESH.curves.cells.shape[1] == 2 and MESH.vertices.points.ndim == 1
-    assert MESH.fields["NumberOfFragments"] == 2 and len(MESH.surfaces.fields["SurfaceAreas"]) == MESH.surfaces.surface_id.max()
+    assert (
+        MESH.fields["NumberOfFragments"] == 2
+        and len(MESH.surfaces.fields["SurfaceAreas"]) == MESH.surfaces.surface_id.max()
+    )
     assert MESH.kind == "hexahedron" and vfm.tets([BALL]).kind == "tetra"
 
 
 def test_ways_to_give_fractions():
     assert same(vfm.hexes({"b": BALL, "p": PLATE}), MESH) and same(vfm.hexes((BALL, PLATE), names=["b", "p"]), MESH)
-    assert vfm.hexes({"b": BALL, "p": PLATE}).materials["Name"] == ["b", "p"] == vfm.hexes([BALL, PLATE], names="b p".split()).materials["Name"]
+    assert (
+        vfm.hexes({"b": BALL, "p": PLATE}).materials["Name"]
+        == ["b", "p"]
+        == vfm.hexes([BALL, PLATE], names="b p".split()).materials["Name"]
+    )
     assert same(vfm.hexes(BALL), vfm.hexes([BALL]))
     assert same(vfm.hexes([BALL.tolist()]), vfm.hexes([BALL]))
     swapped = vfm.hexes([PLATE, BALL])
@@ -99,7 +118,9 @@ def test_coordinates():
     mesh = vfm.hexes([BALL, PLATE], coordinates=nodes)
     check_valid(mesh)
     widths = [np.diff(x) for x in nodes]
-    assert np.allclose(mesh.materials["TargetVolume"], [np.einsum("ijk,i,j,k", array, *widths) for array in (BALL, PLATE)])
+    assert np.allclose(
+        mesh.materials["TargetVolume"], [np.einsum("ijk,i,j,k", array, *widths) for array in (BALL, PLATE)]
+    )
     even = [np.arange(N + 1) * s + o for o, s in zip((1, 2, 3), (0.5, 0.25, 2))]
     assert same(vfm.hexes([BALL], coordinates=even), vfm.hexes([BALL], origin=(1, 2, 3), spacing=(0.5, 0.25, 2)))
     assert same(vfm.hexes([BALL], spacing=0.5), vfm.hexes([BALL], spacing=[0.5] * 3))
@@ -132,7 +153,7 @@ def test_digest_feels_every_bit():
 
 def test_options_have_effect():
     void = vfm.hexes([BALL, PLATE], mesh_void=True)
-    assert set(void.material) == {0, 1, 2} and np.isclose(void.volumes().sum(), N ** 3)
+    assert set(void.material) == {0, 1, 2} and np.isclose(void.volumes().sum(), N**3)
     stairs = vfm.hexes(labels=LABELS, stair_step=True)
     assert len(stairs) == (LABELS > 0).sum()
     assert vfm.hexes([BALL], compute_quality=False).quality is None
@@ -147,7 +168,10 @@ def test_options_have_effect():
     lost = LABELS.copy()
     lost[0, 0, -1] = 7
     assert 7 not in vfm.hexes(labels=lost, minimum_region_cells=2).material
-    assert vfm.hexes([BALL], target_scaled_jacobian=0.8).quality.min() > vfm.hexes([BALL], target_scaled_jacobian=0.2).quality.min()
+    assert (
+        vfm.hexes([BALL], target_scaled_jacobian=0.8).quality.min()
+        > vfm.hexes([BALL], target_scaled_jacobian=0.2).quality.min()
+    )
 
 
 def test_warnings():

@@ -1,6 +1,6 @@
 """The table of options, the signatures, the core and the README tell the same."""
+
 import inspect
-import os
 import re
 
 import pytest
@@ -10,10 +10,13 @@ from fields import BALL
 from volume_fraction_mesh import _core
 from volume_fraction_mesh._options import COMMON, OF_TETS, STATE, THREADS, options_of
 
-README = os.path.join(os.path.dirname(__file__), "..", "README.md")
 ALL = STATE + COMMON + OF_TETS + (THREADS,)
 NUMBERS = [option for option in ALL if option.kind in ("whole", "real")]
-IN_CORE = [option for option in ALL if option.name not in ("threads", "state_transfer", "lost_kinetic_energy", "unmeshed_material")]
+IN_CORE = [
+    option
+    for option in ALL
+    if option.name not in ("threads", "state_transfer", "lost_kinetic_energy", "unmeshed_material")
+]
 
 
 def make_of(option):
@@ -26,8 +29,25 @@ def test_signatures(make):
     for option in options_of(make is vfm.tets) + (THREADS,):
         assert told[option.name].default == option.default and told[option.name].kind is inspect.Parameter.KEYWORD_ONLY
     others = {
-        "fractions", "labels", "spacing", "origin", "coordinates", "direction", "order", "names", "arrays", "state", "density", "velocity",
-        "energy", "state_kinds", "refinement_array", "refinement_boxes", "progress", "threads"}
+        "fractions",
+        "labels",
+        "spacing",
+        "origin",
+        "coordinates",
+        "direction",
+        "order",
+        "names",
+        "arrays",
+        "state",
+        "density",
+        "velocity",
+        "energy",
+        "state_kinds",
+        "refinement_array",
+        "refinement_boxes",
+        "progress",
+        "threads",
+    }
     assert set(told) == others | {option.name for option in options_of(make is vfm.tets)}
     for name in told:
         assert re.search(r"\b%s\b.* : " % name, vfm.hexes.__doc__ + vfm.tets.__doc__), name
@@ -43,15 +63,23 @@ def test_defaults_are_those_of_the_core(option):
 @pytest.mark.parametrize("option", NUMBERS, ids=lambda option: option.name)
 def test_ranges(option):
     step = 1 if option.kind == "whole" else 1e-9
-    inside = [low for low in (option.low,) if option.ends[0] == "["] + [high for high in (option.high,) if option.ends[1] == "]"]
+    inside = [low for low in (option.low,) if option.ends[0] == "["] + [
+        high for high in (option.high,) if option.ends[1] == "]"
+    ]
     for value in inside:
         assert abs(value) == float("inf") or option.check(value) == value
-    for value in (option.low - step, option.high + step * max(1, abs(option.high)), float("nan") if option.kind == "real" else option.low - 7):
+    for value in (
+        option.low - step,
+        option.high + step * max(1, abs(option.high)),
+        float("nan") if option.kind == "real" else option.low - 7,
+    ):
         if abs(value) == float("inf"):
             continue
         with pytest.raises(ValueError) as told:
             make_of(option)(BALL, **{option.name: value})
-        assert option.name in str(told.value) and repr(value) in str(told.value) and "%g" % option.low in str(told.value)
+        assert (
+            option.name in str(told.value) and repr(value) in str(told.value) and "%g" % option.low in str(told.value)
+        )
 
 
 @pytest.mark.parametrize("option", ALL, ids=lambda option: option.name)
@@ -85,13 +113,3 @@ def test_method_tetgen():
     else:
         with pytest.raises(ValueError, match="TetGen"):
             vfm.tets(BALL, method="tetgen")
-
-
-def test_readme_has_all():
-    with open(README, encoding="utf-8") as file:
-        rows = dict(re.findall(r"^\| `(\w+)` \| (.*?) \|", file.read(), re.MULTILINE))
-    for option in ALL:
-        expected = repr(option.default).replace("'", '"') if option.kind == "word" else "%g" % option.default
-        expected = str(option.default) if option.kind == "flag" else expected
-        assert option.name in rows and "**%s**" % expected in rows[option.name], (option.name, expected, rows.get(option.name))
-        assert all('"%s"' % word in rows[option.name] for word in option.words)

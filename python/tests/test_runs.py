@@ -1,4 +1,5 @@
 """Runs: progress, Ctrl-C, threads, memory."""
+
 import signal
 import subprocess
 import sys
@@ -32,7 +33,9 @@ except KeyboardInterrupt:
 @pytest.mark.skipif(sys.platform == "win32", reason="signals")
 @pytest.mark.parametrize("after, threads", [(1.0, 1), (2.0, 2), (4.0, 2)])
 def test_interrupt(after, threads):
-    run = subprocess.run([sys.executable, "-c", INTERRUPTED, str(after), str(threads)], capture_output=True, text=True, timeout=100)
+    run = subprocess.run(
+        [sys.executable, "-c", INTERRUPTED, str(after), str(threads)], capture_output=True, text=True, timeout=100
+    )
     assert run.returncode == 0 and run.stdout, run.stderr
     print("Ctrl-C after %.0f s ended the run in %.2f s" % (after, float(run.stdout)))
     assert float(run.stdout) < 10

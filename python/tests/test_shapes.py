@@ -1,4 +1,5 @@
 """Exact fractions of shapes and of closed surfaces."""
+
 import pickle
 import struct
 
@@ -10,15 +11,35 @@ from fields import check_valid, same
 
 BOUNDS = [-1, 1] * 3
 CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float)
-TRIANGLES = np.array([
-    [0, 2, 1], [1, 2, 3], [4, 5, 6], [5, 7, 6], [0, 1, 4], [1, 5, 4], [2, 6, 3], [3, 6, 7], [0, 4, 2], [2, 4, 6], [1, 3, 5], [3, 7, 5]])
+TRIANGLES = np.array(
+    [
+        [0, 2, 1],
+        [1, 2, 3],
+        [4, 5, 6],
+        [5, 7, 6],
+        [0, 1, 4],
+        [1, 5, 4],
+        [2, 6, 3],
+        [3, 6, 7],
+        [0, 4, 2],
+        [2, 4, 6],
+        [1, 3, 5],
+        [3, 7, 5],
+    ]
+)
 
 
 def write_stl(path, points, triangles, binary):
     if not binary:
         lines = ["solid part"]
         for triangle in triangles:
-            lines += ["facet normal 0 0 0", "outer loop", *("vertex %r %r %r" % tuple(points[c].tolist()) for c in triangle), "endloop", "endfacet"]
+            lines += [
+                "facet normal 0 0 0",
+                "outer loop",
+                *("vertex %r %r %r" % tuple(points[c].tolist()) for c in triangle),
+                "endloop",
+                "endfacet",
+            ]
         path.write_text("\n".join(lines + ["endsolid part"]))
         return
     records = [struct.pack("<12fH", 0, 0, 0, *points[triangle].ravel(), 0) for triangle in triangles]
@@ -26,10 +47,14 @@ def write_stl(path, points, triangles, binary):
 
 
 def test_shapes():
-    found = vfm.shapes("sphere radius=0.5 # a ball\nhalfspace point=0,0,-0.6 normal=0,0,1 material=2", (16, 12, 10), bounds=BOUNDS)
+    found = vfm.shapes(
+        "sphere radius=0.5 # a ball\nhalfspace point=0,0,-0.6 normal=0,0,1 material=2", (16, 12, 10), bounds=BOUNDS
+    )
     assert list(found) == ["Material1", "Material2"] and found["Material1"].shape == (16, 12, 10)
     volume = 8 / (16 * 12 * 10)
-    assert np.isclose(found["Material1"].sum() * volume, np.pi / 6, rtol=1e-3) and np.isclose(found["Material2"].sum() * volume, 1.6, rtol=1e-12)
+    assert np.isclose(found["Material1"].sum() * volume, np.pi / 6, rtol=1e-3) and np.isclose(
+        found["Material2"].sum() * volume, 1.6, rtol=1e-12
+    )
     mesh = vfm.hexes(found)
     check_valid(mesh)
     assert np.allclose(mesh.materials["MeshVolume"], [np.pi / 6, 1.6], rtol=1e-3) and mesh.points.min() == -1
@@ -50,12 +75,23 @@ def test_grids_of_shapes():
     assert np.array_equal(many["Material1"], expected["Material1"])
 
 
-@pytest.mark.parametrize("given, error, text", [
-    (dict(text="ball radius=1"), ValueError, "ball"), (dict(text="sphere radius=0.5\nsphere size=1"), ValueError, "ine 2"),
-    (dict(text=3), TypeError, "text is a int"), (dict(cells=0), ValueError, "cells is 0"), (dict(cells=(3, 4)), TypeError, "cells is (3, 4)"),
-    (dict(cells=3.5), TypeError, "cells is 3.5"), (dict(tolerance=0), ValueError, "tolerance is 0"), (dict(bounds=[1, 0] * 3), ValueError, "bounds is"),
-    (dict(spacing=0), ValueError, "spacing is 0"), (dict(order="yxz"), ValueError, "order is 'yxz'"), (dict(threads=-1), ValueError, "threads is -1"),
-    (dict(bounds=BOUNDS, coordinates=[[0, 1]] * 3), ValueError, "one or the other")])
+@pytest.mark.parametrize(
+    "given, error, text",
+    [
+        (dict(text="ball radius=1"), ValueError, "ball"),
+        (dict(text="sphere radius=0.5\nsphere size=1"), ValueError, "ine 2"),
+        (dict(text=3), TypeError, "text is a int"),
+        (dict(cells=0), ValueError, "cells is 0"),
+        (dict(cells=(3, 4)), TypeError, "cells is (3, 4)"),
+        (dict(cells=3.5), TypeError, "cells is 3.5"),
+        (dict(tolerance=0), ValueError, "tolerance is 0"),
+        (dict(bounds=[1, 0] * 3), ValueError, "bounds is"),
+        (dict(spacing=0), ValueError, "spacing is 0"),
+        (dict(order="yxz"), ValueError, "order is 'yxz'"),
+        (dict(threads=-1), ValueError, "threads is -1"),
+        (dict(bounds=BOUNDS, coordinates=[[0, 1]] * 3), ValueError, "one or the other"),
+    ],
+)
 def test_wrong_shapes(given, error, text):
     with pytest.raises(error) as told:
         vfm.shapes(**{"text": "sphere radius=0.5", "cells": 4, **given})
@@ -97,7 +133,9 @@ def test_surfaces_of_others(tmp_path):
     ball.save(tmp_path / "ball.stl")
     assert np.allclose(vfm.surface(tmp_path / "ball.stl", 16)["Material1"], found["Material1"], atol=1e-4)
     assert np.isclose(vfm.surface(pyvista.Cube(), 8)["Material1"].sum(), 64)
-    quads = meshio.Mesh(CUBE, [("quad", [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])])
+    quads = meshio.Mesh(
+        CUBE, [("quad", [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])]
+    )
     meshio.write(tmp_path / "cube.ply", quads)
     for value in (quads, tmp_path / "cube.ply"):
         assert np.isclose(vfm.surface(value, 8)["Material1"].sum(), 64)
@@ -107,11 +145,18 @@ def test_wrong_surfaces(tmp_path):
     (tmp_path / "no.stl").write_text("nothing of the kind")
     (tmp_path / "short.stl").write_bytes(bytes(80) + struct.pack("<I", 7) + bytes(60))
     for value, error, text in (
-            ((CUBE, TRIANGLES[1:]), ValueError, "open"), ((CUBE, TRIANGLES + 1), ValueError, "triangle"), (CUBE, TypeError, "points and triangles"),
-            ((CUBE, TRIANGLES[:0]), ValueError, "no polygons"), ((CUBE[:, :2], TRIANGLES), ValueError, "(n, 3) is needed"),
-            ((CUBE, TRIANGLES * 0.5), ValueError, "(m, 3) whole numbers"), (tmp_path / "no.stl", ValueError, "is no STL file"),
-            (tmp_path / "short.stl", ValueError, "is no STL file"), (tmp_path / "none.stl", FileNotFoundError, "none.stl"), ({}, ValueError, "empty"),
-            ((CUBE * np.nan, TRIANGLES), ValueError, "finite")):
+        ((CUBE, TRIANGLES[1:]), ValueError, "open"),
+        ((CUBE, TRIANGLES + 1), ValueError, "triangle"),
+        (CUBE, TypeError, "points and triangles"),
+        ((CUBE, TRIANGLES[:0]), ValueError, "no polygons"),
+        ((CUBE[:, :2], TRIANGLES), ValueError, "(n, 3) is needed"),
+        ((CUBE, TRIANGLES * 0.5), ValueError, "(m, 3) whole numbers"),
+        (tmp_path / "no.stl", ValueError, "is no STL file"),
+        (tmp_path / "short.stl", ValueError, "is no STL file"),
+        (tmp_path / "none.stl", FileNotFoundError, "none.stl"),
+        ({}, ValueError, "empty"),
+        ((CUBE * np.nan, TRIANGLES), ValueError, "finite"),
+    ):
         with pytest.raises(error) as told:
             vfm.surface(value, 8)
         assert text in str(told.value), (text, str(told.value))

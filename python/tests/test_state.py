@@ -1,4 +1,5 @@
 """State that is copied, and that is conserved: sums over the elements are those of the cells."""
+
 import numpy as np
 import pytest
 
@@ -41,7 +42,10 @@ def test_energy_is_whole(make):
     nodal = np.zeros(len(mesh.points))
     np.add.at(nodal, mesh.cells, masses[:, None] / mesh.cells.shape[1])
     kinetic = 0.5 * (nodal * (mesh.point_state["velocity"] ** 2).sum(axis=1)).sum()
-    total = sum(((fraction * CELL * DENSITY) * (ENERGY + 0.5 * (VELOCITY ** 2).sum(axis=3))).sum() for fraction in FRACTIONS.values())
+    total = sum(
+        ((fraction * CELL * DENSITY) * (ENERGY + 0.5 * (VELOCITY**2).sum(axis=3))).sum()
+        for fraction in FRACTIONS.values()
+    )
     assert close((masses * mesh.state["energy"]).sum() + kinetic, total, total)
 
 
@@ -93,7 +97,13 @@ def test_arrays_of_materials():
     assert list(mesh.state) == ["density"] and np.array_equal(mesh.state["density"], again.state["density"])
     masses = [(FRACTIONS[name] * dense[name]).sum() * CELL for name in FRACTIONS]
     assert np.allclose(mesh.materials["MeshMass"], masses, rtol=1e-13) and mesh.roles["density"] == "density"
-    both = vfm.hexes(FRACTIONS, density=dense, velocity=[VELOCITY, 2 * VELOCITY], energy={"ball": ENERGY, "plate": ENERGY}, state={"T": [HEAT, HEAT]})
+    both = vfm.hexes(
+        FRACTIONS,
+        density=dense,
+        velocity=[VELOCITY, 2 * VELOCITY],
+        energy={"ball": ENERGY, "plate": ENERGY},
+        state={"T": [HEAT, HEAT]},
+    )
     assert set(both.state) == {"T", "density", "velocity", "energy"}
     momentum = np.einsum("ijk,ijkc->c", PLATE * 3 * DENSITY, 2 * VELOCITY)
     assert np.allclose(both.materials["MeshMomentum"][1], momentum, rtol=1e-12)
@@ -110,12 +120,21 @@ def test_names_of_components():
     parts = {"%s velocity" % axis: VELOCITY[..., a] for a, axis in enumerate("XYZ")}
     mesh = vfm.hexes(FRACTIONS, state=parts, density=DENSITY, velocity="X velocity")
     expected = vfm.hexes(FRACTIONS, density=DENSITY, velocity=VELOCITY)
-    assert np.allclose(mesh.state["velocity"], expected.state["velocity"], rtol=0, atol=1e-12) and mesh.roles["velocity"] == "velocity"
+    assert (
+        np.allclose(mesh.state["velocity"], expected.state["velocity"], rtol=0, atol=1e-12)
+        and mesh.roles["velocity"] == "velocity"
+    )
 
 
 def test_orders():
     zyx = {name: array.transpose(2, 1, 0, *range(3, array.ndim)) for name, array in STATE.items()}
-    mesh = vfm.hexes([BALL.T, PLATE.T], order="zyx", state={"T": zyx["temperature"]}, density=zyx["density"], velocity=zyx["velocity"])
+    mesh = vfm.hexes(
+        [BALL.T, PLATE.T],
+        order="zyx",
+        state={"T": zyx["temperature"]},
+        density=zyx["density"],
+        velocity=zyx["velocity"],
+    )
     expected = vfm.hexes([BALL, PLATE], state={"T": HEAT}, density=DENSITY, velocity=VELOCITY)
     for name in ("T", "density", "velocity"):
         assert np.array_equal(mesh.state[name], expected.state[name])

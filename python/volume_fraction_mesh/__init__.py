@@ -4,6 +4,7 @@
 >>> mesh = vfm.hexes(vfm.shapes("sphere radius=0.7", 20, bounds=[-1, 1] * 3))
 >>> mesh.save("ball.vtu")
 """
+
 from ._core import has_tetgen
 from ._core import version as __version__
 from ._fragments import fragments
@@ -13,5 +14,18 @@ from ._shapes import shapes, surface
 from .mesh import Curves, Geometry, Mesh, Surfaces, Vertices
 
 __all__ = [
-    "Curves", "Fractions", "Geometry", "Mesh", "Surfaces", "Vertices", "VolumeFractionMeshWarning", "__version__", "fragments", "has_tetgen",
-    "hexes", "shapes", "surface", "tets"]
+    "Curves",
+    "Fractions",
+    "Geometry",
+    "Mesh",
+    "Surfaces",
+    "Vertices",
+    "VolumeFractionMeshWarning",
+    "__version__",
+    "fragments",
+    "has_tetgen",
+    "hexes",
+    "shapes",
+    "surface",
+    "tets",
+]

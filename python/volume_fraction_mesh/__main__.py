@@ -1,4 +1,5 @@
 """The command vfmesh: from a file of volume fractions, labels or a closed surface to a file of a mesh."""
+
 from __future__ import annotations
 
 import argparse
@@ -37,7 +38,9 @@ def _add_option(group: Any, option: Option, told: str) -> None:
 
 def make_parser() -> argparse.ArgumentParser:
     """Of the command line."""
-    parser = argparse.ArgumentParser(prog="vfmesh", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="vfmesh", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("input", help=".npy, .npz, NIfTI (nibabel), .vti (PyVista), .stl, or what SimpleITK reads")
     parser.add_argument("output", help=".vtu, .e, .inp, .msh .., as Mesh.save")
     parser.add_argument("--version", action="version", version=__version__)
@@ -45,17 +48,33 @@ def make_parser() -> argparse.ArgumentParser:
     kind = parser.add_mutually_exclusive_group()
     kind.add_argument("--labels", action="store_true", help="the array holds labels (else its type and range tell)")
     kind.add_argument("--fractions", action="store_true", help="the arrays hold volume fractions")
-    parser.add_argument("--array", action="append", metavar="NAME", help="an array of the file that holds a material; repeat for more")
+    parser.add_argument(
+        "--array", action="append", metavar="NAME", help="an array of the file that holds a material; repeat for more"
+    )
     parser.add_argument("--names", metavar="FILE", help="a text with a label and its name in each line")
-    parser.add_argument("--spacing", type=float, nargs="+", metavar="WIDTH", help="of .npy and .npz: one, or three for x, y and z")
-    parser.add_argument("--origin", type=float, nargs=3, metavar="X", help="of .npy and .npz: the corner of the first cell")
+    parser.add_argument(
+        "--spacing", type=float, nargs="+", metavar="WIDTH", help="of .npy and .npz: one, or three for x, y and z"
+    )
+    parser.add_argument(
+        "--origin", type=float, nargs=3, metavar="X", help="of .npy and .npz: the corner of the first cell"
+    )
     parser.add_argument("--order", choices=("xyz", "zyx"), default="xyz", help="of .npy and .npz: axes of the arrays")
     parser.add_argument("--cells", type=int, default=64, help="of a surface: cells along its longest side (64)")
-    for name, told in (("state", "carried along; repeat for more"), ("density", "mass per volume"), ("state-kind", "array=kind")):
+    for name, told in (
+        ("state", "carried along; repeat for more"),
+        ("density", "mass per volume"),
+        ("state-kind", "array=kind"),
+    ):
         parser.add_argument("--" + name, action="append", metavar="NAME", help=told)
-    for name, told in (("velocity", "of three components"), ("energy", "internal energy per mass"), ("refinement-array", "halvings of cells")):
+    for name, told in (
+        ("velocity", "of three components"),
+        ("energy", "internal energy per mass"),
+        ("refinement-array", "halvings of cells"),
+    ):
         parser.add_argument("--" + name, metavar="NAME", help=told)
-    parser.add_argument("--refinement-box", type=float, nargs=7, action="append", metavar="X", help="x0 y0 z0 x1 y1 z1 halvings")
+    parser.add_argument(
+        "--refinement-box", type=float, nargs=7, action="append", metavar="X", help="x0 y0 z0 x1 y1 z1 halvings"
+    )
     parser.add_argument("--surfaces", metavar="FILE", help="write the surfaces of the mesh, .vtp")
     parser.add_argument("--fragments", metavar="FILE", dest="table", help="write a table of the fragments, .csv")
     parser.add_argument("--quiet", action="store_true", help="no progress, no summary")
@@ -70,14 +89,18 @@ def make_parser() -> argparse.ArgumentParser:
 def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     """Of hexes() or tets()."""
     source = read_source(words.input, words.array, words.cells)
-    given: Dict[str, Any] = {option.name: getattr(words, option.name) for option in STATE + COMMON + (OF_TETS if words.tets else ())}
+    given: Dict[str, Any] = {
+        option.name: getattr(words, option.name) for option in STATE + COMMON + (OF_TETS if words.tets else ())
+    }
     labels = words.labels or (not words.fractions and are_labels(source, words.array))
     if source.is_image:
         given["labels" if labels else "fractions"] = source.materials
         given["arrays"] = words.array
     elif labels:
         if len(source.materials) != 1:
-            raise ValueError("%s has %d arrays: choose the one that holds labels by --array." % (words.input, len(source.materials)))
+            raise ValueError(
+                "%s has %d arrays: choose the one that holds labels by --array." % (words.input, len(source.materials))
+            )
         given["labels"] = next(iter(source.materials.values()))
     else:
         given["fractions"] = source.materials
@@ -87,8 +110,12 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
         given["spacing"] = words.spacing if len(words.spacing) > 1 else words.spacing[0]
     if words.origin is not None:
         given["origin"] = words.origin
-    given.update(order=words.order, state=words.state, velocity=words.velocity, energy=words.energy, density=words.density)
-    given.update(state_kinds=words.state_kind, refinement_array=words.refinement_array, refinement_boxes=words.refinement_box)
+    given.update(
+        order=words.order, state=words.state, velocity=words.velocity, energy=words.energy, density=words.density
+    )
+    given.update(
+        state_kinds=words.state_kind, refinement_array=words.refinement_array, refinement_boxes=words.refinement_box
+    )
     return _name_arrays(given, source.others)
 
 
@@ -96,12 +123,21 @@ def _name_arrays(given: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> Dict[s
     """Of an .npz file: the arrays that names stand for."""
     if not arrays:
         return given
-    named = [name for key in ("state", "density", "velocity", "energy", "refinement_array") for name in np.atleast_1d(given[key] or [])]
+    named = [
+        name
+        for key in ("state", "density", "velocity", "energy", "refinement_array")
+        for name in np.atleast_1d(given[key] or [])
+    ]
     given["state"] = [str(name) for name in given["state"] or []]
-    chosen = {str(name): arrays[str(name)] for name in named if str(name) in arrays and name != given["refinement_array"]}
+    chosen = {
+        str(name): arrays[str(name)] for name in named if str(name) in arrays and name != given["refinement_array"]
+    }
     missing = [name for name in given["state"] if name not in arrays]
     if missing:
-        raise ValueError("The file has no array %r. Its arrays that are no materials: %s." % (missing[0], ", ".join(map(repr, arrays))))
+        raise ValueError(
+            "The file has no array %r. Its arrays that are no materials: %s."
+            % (missing[0], ", ".join(map(repr, arrays)))
+        )
     given["state"] = chosen or None
     if given["refinement_array"] is not None:
         given["refinement_array"] = arrays[given["refinement_array"]]
@@ -112,7 +148,11 @@ def write_table(mesh: Mesh, path: str) -> None:
     """A row a fragment."""
     columns: Dict[str, Any] = {}
     sides = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
-    axes = {"centroid": ("centroid_x", "centroid_y", "centroid_z"), "momentum": ("momentum_x", "momentum_y", "momentum_z"), "bounds": sides}
+    axes = {
+        "centroid": ("centroid_x", "centroid_y", "centroid_z"),
+        "momentum": ("momentum_x", "momentum_y", "momentum_z"),
+        "bounds": sides,
+    }
     for name, values in fragments(mesh).items():
         if name in axes:
             columns.update(zip(axes[name], values.T))

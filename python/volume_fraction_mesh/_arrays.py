@@ -1,4 +1,5 @@
 """Arrays of cells as the core takes them: flat, x fastest, numeric, and where it can be not copied."""
+
 from __future__ import annotations
 
 from typing import Any, Dict, List, Optional, Sequence, Tuple
@@ -11,9 +12,13 @@ ORDERS = ("xyz", "zyx")
 def check_order(order: Any) -> str:
     """One of ORDERS."""
     if not isinstance(order, str):
-        raise TypeError("order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])." % (order,))
+        raise TypeError(
+            "order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])." % (order,)
+        )
     if order not in ORDERS:
-        raise ValueError("order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])." % (order,))
+        raise ValueError(
+            "order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])." % (order,)
+        )
     return order
 
 
@@ -23,7 +28,9 @@ def as_numbers(values: Any, name: str) -> np.ndarray:
         raise ValueError("The array %r is masked: fill it first, as by array.filled(0)." % name)
     array = np.asarray(values)
     if array.dtype.kind not in "biuf" or array.dtype.itemsize > 8:
-        raise TypeError("The array %r is of the type %s: whole or real numbers of up to 8 bytes are needed." % (name, array.dtype))
+        raise TypeError(
+            "The array %r is of the type %s: whole or real numbers of up to 8 bytes are needed." % (name, array.dtype)
+        )
     if array.dtype == np.bool_:
         return array.view(np.uint8)
     if array.dtype == np.float16:
@@ -38,16 +45,23 @@ def as_fractions(values: Any, name: str) -> np.ndarray:
     array = as_numbers(values, name)
     if array.dtype.kind != "f" and array.dtype != np.uint8:
         raise TypeError(
-            "The array %r of fractions is of the type %s: volume fractions are real numbers in [0, 1], bool, or uint8 from 0 to 255. "
-            "Whole numbers that name materials are given as labels=." % (name, array.dtype))
+            "The array %r of fractions is of the type %s: volume fractions are real numbers in "
+            "[0, 1], bool, or uint8 from 0 to 255. "
+            "Whole numbers that name materials are given as labels=." % (name, array.dtype)
+        )
     return array
 
 
 def check_3d(array: np.ndarray, name: str) -> None:
     """Of a material: three axes, none empty."""
     if array.ndim != 3:
-        hint = {2: " Of a single layer of cells array[:, :, None].", 4: " Of one array a material give a list, as list(array)."}
-        raise ValueError("The array %r has the shape %r: three axes are needed.%s" % (name, array.shape, hint.get(array.ndim, "")))
+        hint = {
+            2: " Of a single layer of cells array[:, :, None].",
+            4: " Of one array a material give a list, as list(array).",
+        }
+        raise ValueError(
+            "The array %r has the shape %r: three axes are needed.%s" % (name, array.shape, hint.get(array.ndim, ""))
+        )
     if array.size == 0:
         raise ValueError("The array %r has the shape %r: there are no cells in it." % (name, array.shape))
 
@@ -58,7 +72,10 @@ def cells_of(array: np.ndarray, order: str) -> Tuple[int, ...]:
 
 
 def flatten(array: np.ndarray, order: str) -> np.ndarray:
-    """(cells,) or (cells, components), x fastest, in C order. A view where memory is so, as of Fortran order with "xyz" and of C order with "zyx"."""
+    """(cells,) or (cells, components), x fastest, in C order.
+
+    A view where memory is so, as of Fortran order with "xyz" and of C order with "zyx".
+    """
     if order == "xyz":
         array = array.transpose(2, 1, 0, *range(3, array.ndim))
     array = np.ascontiguousarray(array)
@@ -86,13 +103,18 @@ class CellArrays:
         if name in self.flat:
             raise ValueError("Two arrays are called %r: each needs a name of its own." % name)
         if array.ndim not in (3, 4) or array.size == 0:
-            raise ValueError("The array %r has the shape %r: an axis each for x, y and z is needed, and one more for components." % (name, array.shape))
+            raise ValueError(
+                "The array %r has the shape %r: an axis each for x, y and z is needed, and one more for components."
+                % (name, array.shape)
+            )
         cells = cells_of(array, self.order)
         if self.cells is None:
             self.cells = cells
         if cells != self.cells:
             expected = self.cells if self.order == "xyz" else self.cells[::-1]
-            raise ValueError("The array %r has the shape %r, other arrays of the grid have %r." % (name, array.shape, expected))
+            raise ValueError(
+                "The array %r has the shape %r, other arrays of the grid have %r." % (name, array.shape, expected)
+            )
         self.flat[name] = flatten(array, self.order)
 
     def add_flat(self, name: str, array: np.ndarray) -> None:

@@ -1,4 +1,5 @@
 """Files that the command vfmesh reads: arrays of numpy, images, surfaces, names of labels."""
+
 from __future__ import annotations
 
 import os
@@ -29,6 +30,7 @@ def read_source(path: str, names: Optional[Sequence[str]], cells: int) -> Source
         return _read_numpy(path, names)
     if low.endswith(SURFACES):
         from ._shapes import surface
+
         return Source(surface(path, cells), {}, True)
     return Source(_read_image(path, low), {}, True)
 
@@ -45,6 +47,7 @@ def _read_image(path: str, low: str) -> Any:
 
 def _import(name: str, path: str) -> Any:
     from importlib import import_module
+
     try:
         return import_module(name)
     except ImportError:
@@ -61,7 +64,9 @@ def _read_numpy(path: str, names: Optional[Sequence[str]]) -> Source:
     chosen = list(arrays) if names is None else list(names)
     missing = [name for name in chosen if name not in arrays]
     if missing:
-        raise ValueError("%s has no array %r. Its arrays: %s." % (path, missing[0], ", ".join(map(repr, arrays)) or "none"))
+        raise ValueError(
+            "%s has no array %r. Its arrays: %s." % (path, missing[0], ", ".join(map(repr, arrays)) or "none")
+        )
     return Source({name: arrays.pop(name) for name in chosen}, arrays, False)
 
 

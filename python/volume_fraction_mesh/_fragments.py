@@ -1,4 +1,5 @@
 """What each fragment of a mesh is."""
+
 from __future__ import annotations
 
 from typing import Any, Dict, Optional
@@ -23,9 +24,10 @@ def fragments(mesh: Mesh, density: Optional[str] = None, velocity: Optional[str]
     Returns
     -------
     dict
-        Columns with a row a fragment: id, material (int32), name (list of str), elements (int64), fraction_volume (of the cells' fractions),
-        volume (of the mesh; length units cubed), centroid (n, 3), bounds (n, 6: minimum and maximum of x, y, z), with a density mass, with a
-        velocity too momentum (n, 3), and neighbours (list of arrays of ids that it shares faces with).
+        Columns with a row a fragment: id, material (int32), name (list of str), elements (int64), fraction_volume (of
+        the cells' fractions), volume (of the mesh; length units cubed), centroid (n, 3), bounds (n, 6: minimum and
+        maximum of x, y, z), with a density mass, with a velocity too momentum (n, 3), and neighbours (list of arrays
+        of ids that it shares faces with).
 
     Raises
     ------
@@ -40,10 +42,20 @@ def fragments(mesh: Mesh, density: Optional[str] = None, velocity: Optional[str]
     volumes, moments = element_moments(mesh.points, mesh.cells)
     volume = _sums(place, volumes, count)
     table = {
-        "id": np.arange(1, count + 1, dtype=np.int32), "material": material, "name": [names[int(m)] for m in material],
-        "elements": np.bincount(place, minlength=count).astype(np.int64), "fraction_volume": np.array(mesh.fields["FragmentTargetVolume"][:count]),
-        "volume": volume, "centroid": _centroids(mesh, place, volumes, moments, volume), "bounds": _bounds(mesh, place, count)}
-    table.update(_masses(mesh, place, count, volumes, density or mesh.roles.get("density"), velocity or mesh.roles.get("velocity")))
+        "id": np.arange(1, count + 1, dtype=np.int32),
+        "material": material,
+        "name": [names[int(m)] for m in material],
+        "elements": np.bincount(place, minlength=count).astype(np.int64),
+        "fraction_volume": np.array(mesh.fields["FragmentTargetVolume"][:count]),
+        "volume": volume,
+        "centroid": _centroids(mesh, place, volumes, moments, volume),
+        "bounds": _bounds(mesh, place, count),
+    }
+    table.update(
+        _masses(
+            mesh, place, count, volumes, density or mesh.roles.get("density"), velocity or mesh.roles.get("velocity")
+        )
+    )
     table["neighbours"] = _neighbours(mesh, count)
     return table
 
@@ -55,7 +67,9 @@ def _sums(place: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
     return np.stack([np.bincount(place, weights=column, minlength=count) for column in values.T], axis=1)
 
 
-def _centroids(mesh: Mesh, place: np.ndarray, volumes: np.ndarray, moments: np.ndarray, volume: np.ndarray) -> np.ndarray:
+def _centroids(
+    mesh: Mesh, place: np.ndarray, volumes: np.ndarray, moments: np.ndarray, volume: np.ndarray
+) -> np.ndarray:
     """About the middle of the mesh: sums of meshes far from the origin are as exact."""
     if not len(volume):
         return np.empty((0, 3))

@@ -1,7 +1,8 @@
 """The grid of cells: coordinates of its nodes, and how it lies in space."""
+
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Sequence, Tuple, Union
+from typing import Any, Iterable, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -11,9 +12,10 @@ NOWHERE = (0.0, 0.0, 0.0)
 
 
 class Grid(NamedTuple):
-    """nodes: coordinates along x, y, z, each increasing; direction: (3, 3), its columns are the axes of the grid; origin: about which they turn."""
+    """nodes: coordinates along x, y, z, each increasing; direction: (3, 3), its columns are the axes of the grid;
+    origin: about which they turn; are_points: whether cells come from the points of an image."""
 
-    nodes: Tuple[np.ndarray, np.ndarray, np.ndarray]
+    nodes: Tuple[np.ndarray, ...]
     direction: np.ndarray = np.eye(3)
     origin: Tuple[float, ...] = NOWHERE
     are_points: bool = False
@@ -36,7 +38,7 @@ def even_nodes(start: float, spacing: float, first: int, last: int) -> np.ndarra
     return start + np.arange(first, last + 1) * spacing
 
 
-def point_nodes(origin: Sequence[float], spacing: Sequence[float], counts: Sequence[int]) -> Tuple[np.ndarray, ...]:
+def point_nodes(origin: Iterable[float], spacing: Iterable[float], counts: Sequence[int]) -> Tuple[np.ndarray, ...]:
     """Of cells whose centres are so many points, the first at origin."""
     return tuple(even_nodes(o - 0.5 * s, s, 0, n) for o, s, n in zip(origin, spacing, counts))
 
@@ -72,7 +74,9 @@ def _given_nodes(coordinates: Any, cells: Sequence[int]) -> Tuple[np.ndarray, ..
         raise ValueError("coordinates has %d arrays: three are needed, the nodes along x, y and z." % len(nodes))
     for axis, x, count in zip(AXES, nodes, cells):
         if x.shape != (count + 1,):
-            raise ValueError("coordinates along %s has the shape %r: %d cells have %d nodes." % (axis, x.shape, count, count + 1))
+            raise ValueError(
+                "coordinates along %s has the shape %r: %d cells have %d nodes." % (axis, x.shape, count, count + 1)
+            )
         if not (np.isfinite(x).all() and (np.diff(x) > 0).all()):
             raise ValueError("coordinates along %s do not increase, or are not finite." % axis)
     return nodes
@@ -90,7 +94,7 @@ def make_grid(cells: Sequence[int], spacing: Any, origin: Any, coordinates: Any,
             raise ValueError("coordinates tell where the nodes are: spacing and origin cannot be given too.")
         nodes = _given_nodes(coordinates, cells)
         corner = np.array([x[0] for x in nodes])
-    return Grid(nodes, turned, tuple(corner.tolist()))  # type: ignore[arg-type]
+    return Grid(nodes, turned, tuple(corner.tolist()))
 
 
 def is_default(value: Any, default: Sequence[float]) -> bool:

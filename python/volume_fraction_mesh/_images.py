@@ -1,4 +1,8 @@
-"""Images that know their grid: of PyVista and VTK, nibabel, SimpleITK, and Fractions of shapes. No package is imported that did not make the image."""
+"""Images that know their grid: of PyVista and VTK, nibabel, SimpleITK, and Fractions of shapes.
+
+No package is imported that did not make the image.
+"""
+
 from __future__ import annotations
 
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
@@ -12,7 +16,8 @@ GHOSTS = "vtkGhostType"
 
 
 class Image(NamedTuple):
-    """arrays: (cells,) or (cells, components), x fastest; chosen: those that hold materials; order: in which arrays beside it come."""
+    """arrays: (cells,) or (cells, components), x fastest; chosen: those that hold materials; order: in which arrays
+    beside it come."""
 
     grid: Grid
     arrays: Dict[str, np.ndarray]
@@ -63,7 +68,7 @@ def _check_names(names: Any) -> List[str]:
 
 def _read_fractions(value: Fractions, names: Optional[Sequence[str]]) -> Image:
     nodes = tuple(np.asarray(x, dtype=np.float64) for x in value.coordinates)
-    grid = Grid(nodes, origin=tuple(x[0] for x in nodes))  # type: ignore[arg-type]
+    grid = Grid(nodes, origin=tuple(x[0] for x in nodes))
     arrays = {}
     for name, array in value.items():
         check_3d(array, name)
@@ -79,11 +84,15 @@ def _read_vtk(image: Any, names: Optional[Sequence[str]]) -> Image:
     are_points = not all(cells.HasArray(name) for name in chosen) and all(points.HasArray(name) for name in chosen)
     if are_points and not is_image:
         raise ValueError(
-            "The input is a %s, and point data are chosen. A point is the centre of a cell in images alone; of other grids cell data are "
-            "needed." % type(image).__name__)
+            "The input is a %s, and point data are chosen. A point is the centre of a cell in images alone; of other "
+            "grids cell data are needed." % type(image).__name__
+        )
     arrays = _vtk_arrays(points if are_points else cells)
     if GHOSTS in arrays and arrays[GHOSTS].any():
-        raise ValueError("The image has ghost or blanked cells (%s): give arrays without ghosts, and 0 where cells are blanked." % GHOSTS)
+        raise ValueError(
+            "The image has ghost or blanked cells (%s): give arrays without ghosts, and 0 where cells are blanked."
+            % GHOSTS
+        )
     return Image(_image_grid(image, are_points) if is_image else _rectilinear_grid(image), arrays, chosen, "zyx")
 
 
@@ -92,16 +101,23 @@ def _active_name(image: Any) -> str:
     for data in (image.GetCellData(), image.GetPointData()):
         if data.GetScalars() is not None and data.GetScalars().GetName():
             return data.GetScalars().GetName()
-    names = [data.GetArrayName(i) for data in (image.GetCellData(), image.GetPointData()) for i in range(data.GetNumberOfArrays())]
+    names = [
+        data.GetArrayName(i)
+        for data in (image.GetCellData(), image.GetPointData())
+        for i in range(data.GetNumberOfArrays())
+    ]
     if len(names) != 1:
-        raise ValueError("The image has no active scalars: name the arrays that hold materials, arrays=[...]. It has %s." % (
-            ", ".join(map(repr, names)) or "none"))
+        raise ValueError(
+            "The image has no active scalars: name the arrays that hold materials, arrays=[...]. It has %s."
+            % (", ".join(map(repr, names)) or "none")
+        )
     return names[0]
 
 
 def _vtk_arrays(data: Any) -> Dict[str, np.ndarray]:
     """All that are numeric."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
+
     arrays = {}
     for i in range(data.GetNumberOfArrays()):
         array = data.GetArray(i)  # None of texts
@@ -120,14 +136,15 @@ def _image_grid(image: Any, are_points: bool) -> Grid:
             raise ValueError("The image is flat: it has no cells along %s." % AXES[a])
     matrix = image.GetDirectionMatrix()
     direction = np.array([[matrix.GetElement(r, c) for c in range(3)] for r in range(3)])
-    return Grid(tuple(nodes), direction, tuple(origin), are_points)  # type: ignore[arg-type]
+    return Grid(tuple(nodes), direction, tuple(origin), are_points)
 
 
 def _rectilinear_grid(grid: Any) -> Grid:
     from vtkmodules.util.numpy_support import vtk_to_numpy
+
     arrays = (grid.GetXCoordinates(), grid.GetYCoordinates(), grid.GetZCoordinates())
     nodes = tuple(np.array(vtk_to_numpy(array), dtype=np.float64) for array in arrays)
-    return Grid(nodes, origin=tuple(x[0] for x in nodes))  # type: ignore[arg-type]
+    return Grid(nodes, origin=tuple(x[0] for x in nodes))
 
 
 def _components(array: np.ndarray, name: str) -> Dict[str, np.ndarray]:
@@ -150,16 +167,22 @@ def _read_nibabel(image: Any) -> Image:
         check_3d(values, "image")
         volumes = [flatten(values, "xyz")]
     if not volumes or values.size == 0 or not (spacing > 0).all():
-        raise ValueError("The image has the shape %r and voxels of %r: there are no cells in it." % (values.shape, tuple(spacing.tolist())))
+        raise ValueError(
+            "The image has the shape %r and voxels of %r: there are no cells in it."
+            % (values.shape, tuple(spacing.tolist()))
+        )
     many = len(volumes) > 1
     arrays = {"Material %d" % (v + 1) if many else "Material 1": volume for v, volume in enumerate(volumes)}
     nodes = point_nodes(affine[:3, 3], spacing, values.shape)
-    return Image(Grid(nodes, affine[:3, :3] / spacing, tuple(affine[:3, 3].tolist()), True), arrays, list(arrays), "xyz")
+    return Image(
+        Grid(nodes, affine[:3, :3] / spacing, tuple(affine[:3, 3].tolist()), True), arrays, list(arrays), "xyz"
+    )
 
 
 def _read_sitk(image: Any) -> Image:
     """In the space of ITK (millimetres, LPS). The components of pixels are materials."""
     from SimpleITK import GetArrayViewFromImage
+
     if image.GetDimension() != 3:
         raise ValueError("The image has %d axes: three are needed." % image.GetDimension())
     values = as_numbers(GetArrayViewFromImage(image), "image")

@@ -1,4 +1,5 @@
-"""What hexes() and tets() are given, as the core takes it: materials, their grid, and the arrays that the mesh carries along."""
+"""What hexes() and tets() are given, as the core takes it: materials and their grid."""
+
 from __future__ import annotations
 
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
@@ -24,7 +25,10 @@ def read_field(given: Mapping[str, Any]) -> Field:
     """given: the arguments of hexes()."""
     fractions, labels = given["fractions"], given["labels"]
     if fractions is None and labels is None:
-        raise TypeError("Neither fractions nor labels are given: give volume fractions, an array a material, or one array of labels.")
+        raise TypeError(
+            "Neither fractions nor labels are given: give volume fractions, an array a material, or "
+            "one array of labels."
+        )
     if fractions is not None and labels is not None:
         raise TypeError("Both fractions and labels are given: give one or the other.")
     order = check_order(given["order"])

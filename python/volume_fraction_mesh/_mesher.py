@@ -1,8 +1,9 @@
 """hexes() and tets(): from arrays or images to a mesh."""
+
 from __future__ import annotations
 
 import warnings
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,15 +14,33 @@ from ._options import THREADS, core_options
 from ._progress import shown
 from ._state import add_refinement, list_boxes, read_state
 from ._types import (
-    ChildFractions, FractionsLike, LostEnergy, Method, Names, OfMaterials, Order, Progress, Refinement, SharpEdges, Smoothing, StateLike,
-    StateTransfer, Triple, Unmeshed)
+    ChildFractions,
+    FractionsLike,
+    LostEnergy,
+    Method,
+    Names,
+    OfMaterials,
+    Order,
+    Progress,
+    Refinement,
+    SharpEdges,
+    Smoothing,
+    StateLike,
+    StateTransfer,
+    Triple,
+    Unmeshed,
+)
 from .mesh import Mesh, make_mesh
+
+if TYPE_CHECKING:
+    from ._core import StateChoice
 
 CALLER = 3  # of hexes(), for warnings
 
 
 class VolumeFractionMeshWarning(UserWarning):
-    """Of what may surprise in a mesh: fractions that were clipped, materials without an element, material that is left out."""
+    """Of what may surprise in a mesh: fractions that were clipped, materials without an element, material that is
+    left out."""
 
 
 def _run(tets: bool, given: Mapping[str, Any]) -> Mesh:
@@ -36,16 +55,27 @@ def _run(tets: bool, given: Mapping[str, Any]) -> Mesh:
     try:
         with shown(given["progress"]) as progress:
             result = _core.mesh(
-                arrays=field.arrays.items(), coordinates=list(field.grid.nodes), axes=field.grid.direction.ravel().tolist(),
-                origin=list(field.grid.origin), are_points=field.grid.are_points, fractions=field.fractions, labels=field.labels,
-                label_names=field.label_names, state=state, options=options, threads=threads, progress=progress, warn=told.append)
+                arrays=field.arrays.items(),
+                coordinates=list(field.grid.nodes),
+                axes=field.grid.direction.ravel().tolist(),
+                origin=list(field.grid.origin),
+                are_points=field.grid.are_points,
+                fractions=field.fractions,
+                labels=field.labels,
+                label_names=field.label_names,
+                state=state,
+                options=options,
+                threads=threads,
+                progress=progress,
+                warn=told.append,
+            )
     finally:
         for text in told:
             warnings.warn(text, VolumeFractionMeshWarning, stacklevel=CALLER)
     return make_mesh(result, _find_roles(state, result["state"]))
 
 
-def _find_roles(state: Optional[Mapping[str, Any]], carried: Mapping[str, ArrayLike]) -> Dict[str, str]:
+def _find_roles(state: Optional[StateChoice], carried: Mapping[str, ArrayLike]) -> Dict[str, str]:
     """Which arrays of the mesh are the density and the velocity; carried: all of them."""
     if state is None:
         return {}
@@ -60,7 +90,8 @@ def _find_roles(state: Optional[Mapping[str, Any]], carried: Mapping[str, ArrayL
 
 
 def hexes(
-    fractions: FractionsLike = None, *,
+    fractions: FractionsLike = None,
+    *,
     labels: Any = None,
     spacing: Triple = (1.0, 1.0, 1.0),
     origin: Sequence[float] = (0.0, 0.0, 0.0),
@@ -107,16 +138,18 @@ def hexes(
 ) -> Mesh:
     """A conforming mesh of hexahedra of every material, from volume fractions or labels on a grid of cells.
 
-    The mesh follows the surfaces between the materials and the void, every hexahedron has a positive Jacobian at every corner, and every
-    material keeps the volume of its fractions. It does not depend on the number of threads, to the bit.
+    The mesh follows the surfaces between the materials and the void, every hexahedron has a positive Jacobian at
+    every corner, and every material keeps the volume of its fractions. It does not depend on the number of threads,
+    to the bit.
 
     Parameters
     ----------
     fractions : array, image, or a list or dict of them
-        The part of each cell that a material fills, one array (nx, ny, nz) a material: real numbers in [0, 1], bool, or uint8 from 0 to 255.
-        A dict names the materials. What the arrays of a cell leave of 1 is void. Images: pyvista.ImageData and RectilinearGrid (and VTK's
-        own), nibabel (a fourth axis: materials), SimpleITK (components: materials), and what shapes() and surface() return; they tell
-        the grid themselves. Points of images are the centres of cells.
+        The part of each cell that a material fills, one array (nx, ny, nz) a material: real numbers in [0, 1], bool,
+        or uint8 from 0 to 255. A dict names the materials. What the arrays of a cell leave of 1 is void. Images:
+        pyvista.ImageData and RectilinearGrid (and VTK's own), nibabel (a fourth axis: materials), SimpleITK
+        (components: materials), and what shapes() and surface() return; they tell the grid themselves. Points of
+        images are the centres of cells.
     labels : array or image
         Instead of fractions: the material of each cell (nx, ny, nz), whole numbers of any type, 0 void.
     spacing : float or three
@@ -126,10 +159,12 @@ def hexes(
     coordinates : three arrays (n + 1,)
         The nodes along x, y and z, increasing, instead of spacing and origin: cells of any widths.
     direction : (3, 3) array
-        An orthonormal matrix whose columns are the axes of the grid, about its first node (of images about the first point).
+        An orthonormal matrix whose columns are the axes of the grid, about its first node (of images about the first
+        point).
     order : {"xyz", "zyx"}
-        "xyz": array[i, j, k] has i along x. "zyx": array[k, j, i], as of scikit-image, tifffile and SimpleITK's arrays. Arrays are not copied
-        if they are in Fortran order with "xyz", in C order with "zyx". All else, spacing, origin, results, is x, y, z.
+        "xyz": array[i, j, k] has i along x. "zyx": array[k, j, i], as of scikit-image, tifffile and SimpleITK's
+        arrays. Arrays are not copied if they are in Fortran order with "xyz", in C order with "zyx". All else,
+        spacing, origin, results, is x, y, z.
     names : list of str, or dict of labels
         Of the materials; of labels {label: name}.
     arrays : list of str
@@ -143,11 +178,13 @@ def hexes(
     energy : array, name, or a list or dict of one a material
         Internal energy per mass.
     state_kinds : dict
-        What is conserved of an array: "mass" (per mass, the default of real numbers), "mass*other", "volume" (per volume of the material),
-        "cell" (per volume of the cell), "extensive" (sums), "copy" (the default of whole numbers).
+        What is conserved of an array: "mass" (per mass, the default of real numbers), "mass*other", "volume" (per
+        volume of the material), "cell" (per volume of the cell), "extensive" (sums), "copy" (the default of whole
+        numbers).
     state_transfer : {"automatic", "copy", "conserve"}
-        "copy": an element has the values of one cell. "conserve": elements share what cells hold of their material, so that volume, mass,
-        momentum and energy have the sums of the input. "automatic": "conserve" with a density, else "copy".
+        "copy": an element has the values of one cell. "conserve": elements share what cells hold of their material,
+        so that volume, mass, momentum and energy have the sums of the input. "automatic": "conserve" with a density,
+        else "copy".
     state_order : {1, 2}
         1: what is conserved is constant in a cell; 2: linear, limited by the values around.
     nodal_velocity : bool
@@ -175,8 +212,8 @@ def hexes(
     conserve_volume : bool
         Shift the surfaces until every material has the volume of its fractions.
     refinement : {"off", "input_levels", "automatic", "coarsen", "uniform"}
-        "automatic": halve cells where films, gaps, curves or the options below ask for it; "coarsen": larger cells away from surfaces;
-        "uniform": halve all. "off" and "input_levels" do nothing here.
+        "automatic": halve cells where films, gaps, curves or the options below ask for it; "coarsen": larger cells
+        away from surfaces; "uniform": halve all. "off" and "input_levels" do nothing here.
     maximum_level : int
         How many times cells are halved (or doubled, by "coarsen") at most, 0 to 10. -1: automatic.
     fine_interfaces : bool
@@ -206,7 +243,8 @@ def hexes(
     threads : int
         0: all cores.
     progress : bool or callable
-        True: a bar of tqdm, or lines to standard error. A function gets the fraction done and the stage; what it raises ends the run.
+        True: a bar of tqdm, or lines to standard error. A function gets the fraction done and the stage; what it
+        raises ends the run.
 
     Returns
     -------
@@ -239,7 +277,8 @@ def hexes(
 
 
 def tets(
-    fractions: FractionsLike = None, *,
+    fractions: FractionsLike = None,
+    *,
     labels: Any = None,
     spacing: Triple = (1.0, 1.0, 1.0),
     origin: Sequence[float] = (0.0, 0.0, 0.0),
@@ -295,9 +334,9 @@ def tets(
     Parameters
     ----------
     method : {"tetgen", "cells", "lattice"}
-        "lattice": a lattice of cell centres and grid nodes, cut along the surfaces: the best angles, the nearest to the surface. "cells":
-        every cell is cut around its centre, so that the surfaces have the faces of hexes(). "tetgen": the surfaces of "cells", filled by
-        TetGen, where volume_fraction_mesh.has_tetgen.
+        "lattice": a lattice of cell centres and grid nodes, cut along the surfaces: the best angles, the nearest to
+        the surface. "cells": every cell is cut around its centre, so that the surfaces have the faces of hexes().
+        "tetgen": the surfaces of "cells", filled by TetGen, where volume_fraction_mesh.has_tetgen.
     relative_size : float
         Of "tetgen": the length of edges beside surfaces, in cells.
     growth : float

@@ -1,4 +1,5 @@
 """Meshes for meshio and the files that it writes."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Dict, List
@@ -21,25 +22,38 @@ def material_names(mesh: Mesh) -> Dict[int, str]:
 def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
     """See Mesh.to_meshio."""
     import meshio
-    parts = [np.flatnonzero(mesh.material == i) for i in material_names(mesh)] if blocks else [np.arange(len(mesh.cells))]
+
+    parts = (
+        [np.flatnonzero(mesh.material == i) for i in material_names(mesh)] if blocks else [np.arange(len(mesh.cells))]
+    )
     parts = [part for part in parts if len(part)]
     data = {name: [array[part] for part in parts] for name, array in cell_arrays(mesh).items()}
     return meshio.Mesh(
-        mesh.points, [(mesh.kind, mesh.cells[part]) for part in parts], point_data=point_arrays(mesh), cell_data=data,
-        cell_sets=_sets(mesh, parts))
+        mesh.points,
+        [(mesh.kind, mesh.cells[part]) for part in parts],
+        point_data=point_arrays(mesh),
+        cell_data=data,
+        cell_sets=_sets(mesh, parts),
+    )
 
 
 def _sets(mesh: Mesh, parts: List[np.ndarray]) -> Dict[str, Any]:
     """The cells of each material, in each block."""
-    return {name: [np.flatnonzero(mesh.material[part] == i) for part in parts] for i, name in material_names(mesh).items()}
+    return {
+        name: [np.flatnonzero(mesh.material[part] == i) for part in parts] for i, name in material_names(mesh).items()
+    }
 
 
 def for_gmsh(mesh: Mesh) -> meshio.Mesh:
     """With the tags of Gmsh, which count from 1, and their names."""
     import meshio
+
     ids, names = list(material_names(mesh)), list(material_names(mesh).values())
     tags = {i: i if i > 0 else max(ids) + 1 for i in ids}
     tag = np.array([tags[i] for i in mesh.material.tolist()], dtype=np.int32)
     return meshio.Mesh(
-        mesh.points, [(mesh.kind, mesh.cells)], cell_data={"gmsh:physical": [tag], "gmsh:geometrical": [tag]},
-        field_data={name: np.array([tags[i], 3]) for i, name in zip(ids, names)})
+        mesh.points,
+        [(mesh.kind, mesh.cells)],
+        cell_data={"gmsh:physical": [tag], "gmsh:geometrical": [tag]},
+        field_data={name: np.array([tags[i], 3]) for i, name in zip(ids, names)},
+    )

@@ -1,4 +1,5 @@
 """Exact volumes and centroids of hexahedra (trilinear) and tetrahedra, in numpy."""
+
 from __future__ import annotations
 
 from typing import Tuple
@@ -6,12 +7,14 @@ from typing import Tuple
 import numpy as np
 
 GAUSS = 1 / np.sqrt(3)  # exact to degree 3, as the integrands are
-SIGNS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], dtype=float)
+SIGNS = np.array(
+    [[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]], dtype=float
+)
 CHUNK = 1 << 16  # elements at a time
 
 
 def element_moments(points: np.ndarray, cells: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
-    """The volume (n,) of each element, and the integral of the position over it (n, 3): its centroid times its volume."""
+    """The volume (n,) of each element, and the integral of the position over it (n, 3)."""
     volumes, moments = np.empty(len(cells)), np.empty((len(cells), 3))
     find = _of_tets if cells.shape[1] == 4 else _of_hexes
     for first in range(0, len(cells), CHUNK):

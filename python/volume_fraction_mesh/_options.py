@@ -1,16 +1,17 @@
 """The options of hexes() and tets(), one table: the name, what it takes and the default of each."""
+
 from __future__ import annotations
 
 import math
 import operator
-from typing import Any, Dict, NamedTuple, Tuple
+from typing import Any, Mapping, NamedTuple, Tuple, Type
 
 from . import _core
 
 
 class Option(NamedTuple):
-    """kind: "flag", "whole", "real" or "word"; ends: which of low and high are allowed themselves, as in "[0, 1)"; words: in the order of the
-    core's numbers."""
+    """kind: "flag", "whole", "real" or "word"; ends: which of low and high are allowed themselves, as in "[0, 1)";
+    words: in the order of the core's numbers."""
 
     name: str
     kind: str
@@ -34,10 +35,13 @@ class Option(NamedTuple):
         return "%s in %s%g, %g%s" % (text, self.ends[0], self.low, self.high, self.ends[1])
 
     def check(self, value: Any) -> Any:
-        """The value as the core takes it: bool, int, float or the number of a word. ValueError or TypeError with name, value and range."""
+        """The value as the core takes it: bool, int, float or the number of a word.
+
+        Raises ValueError or TypeError with name, value and range.
+        """
         return getattr(self, "_" + self.kind)(value)
 
-    def _refuse(self, error: type, value: Any) -> Exception:
+    def _refuse(self, error: Type[Exception], value: Any) -> Exception:
         return error("%s is %r: it must be %s." % (self.name, value, self.range()))
 
     def _flag(self, value: Any) -> bool:
@@ -114,7 +118,7 @@ OF_TETS = (
     Option("minimum_dihedral_angle", "real", 10.0, 0, 60),
     Option("optimization_level", "whole", 4, 0, 10),
 )
-THREADS = Option("threads", "whole", 0, 0, 2 ** 31 - 1)
+THREADS = Option("threads", "whole", 0, 0, 2**31 - 1)
 
 
 def options_of(tets: bool) -> Tuple[Option, ...]:
@@ -122,7 +126,7 @@ def options_of(tets: bool) -> Tuple[Option, ...]:
     return STATE + COMMON + (OF_TETS if tets else ())
 
 
-def core_options(tets: bool, given: Dict[str, Any]) -> Any:
+def core_options(tets: bool, given: Mapping[str, Any]) -> Any:
     """The options of the core; given: a value for each of options_of(tets)."""
     options = _core.Options()
     options.tets = tets

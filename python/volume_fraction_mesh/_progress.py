@@ -1,4 +1,5 @@
 """Progress of a run: told to a function, a bar of tqdm or standard error."""
+
 from __future__ import annotations
 
 import sys
@@ -42,7 +43,9 @@ def shown(progress: Progress) -> Iterator[Optional[Callable[[float, str], Any]]]
         yield progress
         return
     if progress is not True:
-        raise TypeError("progress is %r: it must be True, False or a function of the fraction done and the stage." % (progress,))
+        raise TypeError(
+            "progress is %r: it must be True, False or a function of the fraction done and the stage." % (progress,)
+        )
     try:
         from tqdm.auto import tqdm
     except ImportError:

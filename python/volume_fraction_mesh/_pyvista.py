@@ -1,4 +1,5 @@
 """Meshes as data sets of PyVista, with the names of arrays that the filters of ParaView use."""
+
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Dict, Mapping
@@ -6,16 +7,15 @@ from typing import TYPE_CHECKING, Any, Dict, Mapping
 import numpy as np
 
 if TYPE_CHECKING:
-    import pyvista
-
     from .mesh import Mesh
 
 PARTS = ("mesh", "surfaces", "curves", "vertices")
 
 
-def convert(mesh: Mesh, part: str) -> pyvista.DataSet:
+def convert(mesh: Mesh, part: str) -> Any:
     """See Mesh.to_pyvista."""
     import pyvista
+
     if part not in PARTS:
         raise ValueError("part is %r: it must be one of %s." % (part, ", ".join(map(repr, PARTS))))
     if part == "mesh":
@@ -26,7 +26,9 @@ def convert(mesh: Mesh, part: str) -> pyvista.DataSet:
         return _flat(mesh, own.cells, "faces", arrays, own.fields)
     if part == "curves":
         return _flat(mesh, mesh.curves.cells, "lines", {"CurveId": mesh.curves.curve_id}, mesh.curves.fields)
-    return _flat(mesh, mesh.vertices.points[:, None], "verts", {"VertexId": mesh.vertices.vertex_id}, mesh.vertices.fields)
+    return _flat(
+        mesh, mesh.vertices.points[:, None], "verts", {"VertexId": mesh.vertices.vertex_id}, mesh.vertices.fields
+    )
 
 
 def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
@@ -40,7 +42,11 @@ def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
 def point_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
     """Of the points."""
     return {
-        "GlobalPointIds": mesh.point_ids, "GeometryDimension": mesh.geometry.dimension, "GeometryId": mesh.geometry.id, **mesh.point_state}
+        "GlobalPointIds": mesh.point_ids,
+        "GeometryDimension": mesh.geometry.dimension,
+        "GeometryId": mesh.geometry.id,
+        **mesh.point_state,
+    }
 
 
 def _volume(mesh: Mesh, pyvista: Any) -> Any:
@@ -60,10 +66,12 @@ def _volume(mesh: Mesh, pyvista: Any) -> Any:
 def _flat(mesh: Mesh, cells: np.ndarray, kind: str, arrays: Mapping[str, np.ndarray], fields: Mapping[str, Any]) -> Any:
     """The points that are used alone."""
     import pyvista
+
     used, corners = np.unique(cells, return_inverse=True)
     corners = corners.reshape(cells.shape)
     padded = np.column_stack([np.full(len(cells), cells.shape[1]), corners])
-    data = pyvista.PolyData(mesh.points[used], **({kind: padded.ravel()} if len(cells) else {}))
+    given: Dict[str, Any] = {kind: padded.ravel()} if len(cells) else {}
+    data = pyvista.PolyData(mesh.points[used], **given)
     if len(cells):
         data.point_data.set_array(mesh.point_ids[used], "GlobalPointIds")
         data.GetPointData().SetGlobalIds(data.GetPointData().GetArray("GlobalPointIds"))

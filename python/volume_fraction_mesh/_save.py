@@ -1,4 +1,5 @@
 """Files of a mesh, by their endings."""
+
 from __future__ import annotations
 
 import os
@@ -16,7 +17,9 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
     path = os.fspath(path)
     suffix = os.path.splitext(path)[1].lower()
     if not suffix:
-        raise ValueError("%r has no ending, which would tell what kind of file to write: .vtu, .e, .inp, .msh .." % path)
+        raise ValueError(
+            "%r has no ending, which would tell what kind of file to write: .vtu, .e, .inp, .msh .." % path
+        )
     if suffix in (".vtu", ".vtk") and find_spec("pyvista"):
         mesh.to_pyvista().save(path, **options)
     elif suffix == ".vtp":
@@ -24,13 +27,17 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
     elif find_spec("meshio"):
         _save_by_meshio(mesh, path, suffix, **options)
     else:
-        raise ImportError("%s is written by %s: pip install %s" % (path, *(["PyVista or meshio", "meshio"] if suffix == ".vtu" else ["meshio"] * 2)))
+        raise ImportError(
+            "%s is written by %s: pip install %s"
+            % (path, *(["PyVista or meshio", "meshio"] if suffix == ".vtu" else ["meshio"] * 2))
+        )
 
 
 def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     import meshio
 
     from ._meshio import for_gmsh
+
     if suffix == ".msh":
         data = for_gmsh(mesh)
         options = {"file_format": "gmsh22", **options}

@@ -1,4 +1,5 @@
 """Exact volume fractions: of shapes written as text, and of what closed surfaces hold."""
+
 from __future__ import annotations
 
 from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
@@ -20,7 +21,9 @@ MARGIN = 2  # cells around surfaces
 
 
 def shapes(
-    text: str, cells: Union[int, Sequence[int]] = 32, *,
+    text: str,
+    cells: Union[int, Sequence[int]] = 32,
+    *,
     spacing: Triple = (1.0, 1.0, 1.0),
     origin: Sequence[float] = (0.0, 0.0, 0.0),
     bounds: Optional[Sequence[float]] = None,
@@ -42,8 +45,8 @@ def shapes(
             halfspace point=0,0,0 normal=0,0,1    plate thickness=0.1 normal=1,1,0  gyroid period=1 level=0
             polycrystal grains=20 seed=1
 
-        All take material=1 and cut=x,y,z,nx,ny,nz (the part behind a plane); all but sphere, halfspace and polycrystal center and rotation
-        (degrees about x, y, z).
+        All take material=1 and cut=x,y,z,nx,ny,nz (the part behind a plane); all but halfspace and polycrystal
+        a center, those with axes of their own a rotation (degrees about x, y, z).
     cells : int or three
         How many along x, y and z.
     spacing, origin, coordinates
@@ -78,7 +81,9 @@ def shapes(
 
 
 def surface(
-    surfaces: Any, cells: Union[int, Sequence[int]] = 64, *,
+    surfaces: Any,
+    cells: Union[int, Sequence[int]] = 64,
+    *,
     triangles: Optional[ArrayLike] = None,
     bounds: Optional[Sequence[float]] = None,
     coordinates: Optional[Sequence[ArrayLike]] = None,
@@ -87,12 +92,13 @@ def surface(
     threads: int = 0,
     progress: Progress = None,
 ) -> Fractions:
-    """Volume fractions of what closed surfaces of triangles hold, on a grid around them, which hexes() and tets() take as they are.
+    """Volume fractions of what closed surfaces of triangles hold, which hexes() and tets() take as they are.
 
     Parameters
     ----------
     surfaces : path, pyvista.PolyData, meshio.Mesh, (n, 3) points, or a dict of them
-        A closed surface, or one a material by name; these must not overlap. STL files need numpy alone, others meshio or PyVista.
+        A closed surface, or one a material by name; these must not overlap. STL files need
+        numpy alone, others meshio or PyVista.
     cells : int or three
         How many along x, y and z; one number is that along the longest side, and cells are cubes.
     triangles : (m, 3) int array
@@ -114,7 +120,9 @@ def surface(
     """
     named = dict(surfaces) if isinstance(surfaces, Mapping) else {"Material1": surfaces}
     if triangles is not None and isinstance(surfaces, Mapping):
-        raise TypeError("triangles are those of one array of points; of several surfaces give pairs, name: (points, triangles).")
+        raise TypeError(
+            "triangles are those of one array of points; of several surfaces give pairs, name: (points, triangles)."
+        )
     if not named:
         raise ValueError("surfaces are empty: at least one is needed.")
     error, thread_count = TOLERANCE.check(tolerance), THREADS.check(threads)
@@ -155,7 +163,9 @@ def _nodes(counts: Sequence[int], spacing: Any, origin: Any, bounds: Any, coordi
         raise ValueError("Both bounds and coordinates are given: give one or the other.")
     sides = np.asarray(bounds, dtype=np.float64)
     if sides.shape != (6,) or not (sides[1::2] > sides[::2]).all() or not np.isfinite(sides).all():
-        raise ValueError("bounds is %r: minimum and maximum of x, y and z are needed, every minimum below its maximum." % (bounds,))
+        raise ValueError(
+            "bounds is %r: minimum and maximum of x, y and z are needed, every minimum below its maximum." % (bounds,)
+        )
     return make_grid(counts, (sides[1::2] - sides[::2]) / counts, sides[::2], None, None).nodes
 
 

@@ -1,16 +1,20 @@
 """State: which arrays the mesh carries along, and what they are."""
+
 from __future__ import annotations
 
-from typing import Any, Dict, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Tuple
 
 from ._arrays import as_numbers
 from ._images import read_image
 from ._input import Field
 from ._options import STATE
 
+if TYPE_CHECKING:
+    from ._core import StateChoice
 
-def read_state(given: Mapping[str, Any], field: Field) -> Optional[Dict[str, Any]]:
-    """As the core takes it, None without any. Adds the arrays to those of the field. given: the arguments of hexes()."""
+
+def read_state(given: Mapping[str, Any], field: Field) -> Optional[StateChoice]:
+    """As the core takes it, None without any. Adds the arrays to those of the field. given: arguments of hexes()."""
     arrays = _list_arrays(field, given["state"])
     densities = _add(field, "density", given["density"])
     velocities, velocity = _add_one(field, "velocity", given["velocity"])
@@ -24,8 +28,13 @@ def read_state(given: Mapping[str, Any], field: Field) -> Optional[Dict[str, Any
             raise ValueError("state_kinds is %r, but no state is given." % (given["state_kinds"],))
         return None
     return {
-        "arrays": arrays, "conserved": transfer == "conserve" or (transfer == "automatic" and bool(densities)), "densities": densities,
-        "kinds": kinds, "velocity": velocity, "energy": energy}
+        "arrays": arrays,
+        "conserved": transfer == "conserve" or (transfer == "automatic" and bool(densities)),
+        "densities": densities,
+        "kinds": kinds,
+        "velocity": velocity,
+        "energy": energy,
+    }
 
 
 def _list_arrays(field: Field, state: Any) -> List[str]:
@@ -35,7 +44,10 @@ def _list_arrays(field: Field, state: Any) -> List[str]:
         return [name for key, value in state.items() for name in _add(field, key, value)]
     if isinstance(state, (list, tuple)) and all(isinstance(name, str) for name in state):
         return list(state)
-    raise TypeError("state is a %s: a dict, name: array, or a list of names of arrays of the image is needed." % type(state).__name__)
+    raise TypeError(
+        "state is a %s: a dict, name: array, or a list of names of arrays of the image is needed."
+        % type(state).__name__
+    )
 
 
 def _list_kinds(kinds: Any) -> List[str]:
@@ -61,8 +73,10 @@ def _add(field: Field, name: str, value: Any) -> List[str]:
         if value and all(isinstance(word, str) for word in value):
             return list(value)
         if len(value) != len(field.fractions):
-            raise ValueError("%s has %d arrays: one for all materials or one for each of %d is needed; of labels a dict, label: array." % (
-                name, len(value), len(field.fractions)))
+            raise ValueError(
+                "%s has %d arrays: one for all materials or one for each of %d is needed; of labels "
+                "a dict, label: array." % (name, len(value), len(field.fractions))
+            )
         return _add_of_materials(field, name, dict(zip(field.fractions, value)))
     _add_array(field, name, value)
     return [name]
@@ -80,8 +94,10 @@ def _add_one(field: Field, name: str, value: Any) -> Tuple[List[str], str]:
 def _add_of_materials(field: Field, name: str, values: Mapping[Any, Any]) -> List[str]:
     """Arrays called as the core knows those of materials: "density - 1"."""
     if not field.labels and set(values) != set(field.fractions):
-        raise ValueError("%s has arrays of %s, but the materials are %s." % (
-            name, ", ".join(map(repr, values)) or "none", ", ".join(map(repr, field.fractions))))
+        raise ValueError(
+            "%s has arrays of %s, but the materials are %s."
+            % (name, ", ".join(map(repr, values)) or "none", ", ".join(map(repr, field.fractions)))
+        )
     numbers = {key: key for key in values} if field.labels else {key: i + 1 for i, key in enumerate(field.fractions)}
     names = []
     for key, number in numbers.items():
@@ -115,6 +131,9 @@ def list_boxes(boxes: Any) -> List[List[float]]:
     for box in boxes or ():
         numbers = [float(number) for number in box]
         if len(numbers) not in (6, 7):
-            raise ValueError("refinement_boxes has %r: x0, y0, z0, x1, y1, z1 and how many times cells are halved are needed." % (box,))
+            raise ValueError(
+                "refinement_boxes has %r: x0, y0, z0, x1, y1, z1 and how many times cells are halved are needed."
+                % (box,)
+            )
         found.append(numbers + [1.0] * (7 - len(numbers)))
     return found

@@ -1,8 +1,9 @@
 """Closed surfaces of triangles: from arrays, STL files, and what meshio and PyVista have."""
+
 from __future__ import annotations
 
 import os
-from typing import Any, Tuple
+from typing import Any, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +12,7 @@ Triangles = Tuple[np.ndarray, np.ndarray]
 RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])  # of a binary STL
 
 
-def read_surface(value: Any, triangles: ArrayLike = None) -> Triangles:
+def read_surface(value: Any, triangles: Optional[ArrayLike] = None) -> Triangles:
     """Points (n, 3) float64 and triangles (m, 3) int64."""
     if isinstance(value, (str, os.PathLike)):
         return _check(*_read_file(os.fspath(value)))
@@ -23,7 +24,9 @@ def read_surface(value: Any, triangles: ArrayLike = None) -> Triangles:
         return _check(*_of_meshio(value))
     if triangles is None:
         raise TypeError(
-            "The surface is a %s: a path, a pyvista.PolyData, a meshio.Mesh, or points and triangles are needed." % type(value).__name__)
+            "The surface is a %s: a path, a pyvista.PolyData, a meshio.Mesh, or points and triangles are needed."
+            % type(value).__name__
+        )
     return _check(value, triangles)
 
 
@@ -33,7 +36,10 @@ def _check(points: Any, triangles: Any) -> Triangles:
     if places.ndim != 2 or places.shape[1] != 3:
         raise ValueError("points has the shape %r: (n, 3) is needed." % (places.shape,))
     if corners.ndim != 2 or corners.shape[1] != 3 or corners.dtype.kind not in "iu":
-        raise ValueError("triangles has the shape %r and the type %s: (m, 3) whole numbers are needed." % (corners.shape, corners.dtype))
+        raise ValueError(
+            "triangles has the shape %r and the type %s: (m, 3) whole numbers are needed."
+            % (corners.shape, corners.dtype)
+        )
     if len(corners) == 0:
         raise ValueError("The surface has no polygons.")
     return places, np.ascontiguousarray(corners, dtype=np.int64)
@@ -81,6 +87,7 @@ def _of_polydata(surface: Any) -> Triangles:
     """Polygons are cut."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
     cut = vtkTriangleFilter()
     cut.PassLinesOff()
     cut.PassVertsOff()

@@ -1,4 +1,5 @@
 """Types of the public arguments."""
+
 from __future__ import annotations
 
 from typing import Any, Callable, Literal, Mapping, Sequence, Union

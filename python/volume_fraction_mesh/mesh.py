@@ -1,4 +1,5 @@
 """The mesh that hexes() and tets() make."""
+
 from __future__ import annotations
 
 from dataclasses import dataclass, field
@@ -44,8 +45,8 @@ class Surfaces:
     domain_side : (facets,) int32
         -1 inside, 0..5 on the side -x +x -y +y -z +z of the domain.
     fields : dict
-        Of each surface its SurfaceVolumes, SurfaceMaterials, SurfaceSides, SurfaceParts, SurfaceAreas, SurfaceCentroids, SurfaceNormals,
-        and the pairs VolumeSurfaces.
+        Of each surface its SurfaceVolumes, SurfaceMaterials, SurfaceSides, SurfaceParts, SurfaceAreas,
+        SurfaceCentroids, SurfaceNormals, and the pairs VolumeSurfaces.
     """
 
     cells: np.ndarray
@@ -117,8 +118,8 @@ class Mesh:
     point_state : dict
         Arrays of the points: the velocity of the nodes, if it was asked for.
     materials : dict
-        A column a name, a row a material: Name, MaterialId, TargetVolume, MeshVolume, VolumeError, Elements, Fragments, ..; with conserved
-        state its sums, InputMass, MeshMass, UnmeshedMass and so on.
+        A column a name, a row a material: Name, MaterialId, TargetVolume, MeshVolume, VolumeError, Elements,
+        Fragments, ..; with conserved state its sums, InputMass, MeshMass, UnmeshedMass and so on.
     fields : dict
         What is told of the whole mesh: MinimumScaledJacobian, NumberOfFragments, FlippedCells, ..
     roles : dict
@@ -150,7 +151,12 @@ class Mesh:
     def __repr__(self) -> str:
         names = {"tetra": "tetrahedra", "hexahedron": "hexahedra"}
         text = "%d %s, %d points, %d materials, %d fragments" % (
-            len(self.cells), names[self.kind], len(self.points), len(self.materials.get("Name", ())), self.fragment.max(initial=0))
+            len(self.cells),
+            names[self.kind],
+            len(self.points),
+            len(self.materials.get("Name", ())),
+            self.fragment.max(initial=0),
+        )
         if self.quality is not None and len(self.quality):
             text += ", scaled Jacobian %.3f to %.3f" % (self.quality.min(), self.quality.max())
         return "Mesh(%s)" % text
@@ -163,13 +169,15 @@ class Mesh:
         return element_moments(self.points, self.cells)[0]
 
     def to_pyvista(self, part: str = "mesh") -> pyvista.DataSet:
-        """The mesh, or its "surfaces", "curves" or "vertices", with the arrays and field data of the filters of ParaView.
+        """The mesh, or its "surfaces", "curves" or "vertices", with the arrays and field data of the filters of
+        ParaView.
 
         Returns
         -------
         pyvista.UnstructuredGrid, of the other parts pyvista.PolyData
         """
         from ._pyvista import convert
+
         return convert(self, part)
 
     def to_meshio(self, blocks: bool = False) -> meshio.Mesh:
@@ -181,13 +189,15 @@ class Mesh:
             A block of cells a material, in the order of their ids, instead of one of all elements.
         """
         from ._meshio import convert
+
         return convert(self, blocks)
 
     def save(self, path: Any, **options: Any) -> None:
         """Write a file, whose kind its ending tells.
 
-        .vtu is written by PyVista if that is there, else by meshio; .vtk and .vtp (of surfaces) by PyVista; all others by meshio: .e, .exo (Exodus,
-        a block a material; needs netCDF4), .inp (Abaqus, a set a material), .msh (Gmsh), .xdmf, .med, ..
+        .vtu is written by PyVista if that is there, else by meshio; .vtk and .vtp (of surfaces) by PyVista; all
+        others by meshio: .e, .exo (Exodus, a block a material; needs netCDF4), .inp (Abaqus, a set a material), .msh
+        (Gmsh), .xdmf, .med, ..
 
         Parameters
         ----------
@@ -196,6 +206,7 @@ class Mesh:
             Of pyvista.DataSet.save or meshio.write.
         """
         from ._save import save
+
         save(self, path, **options)
 
 
@@ -205,9 +216,20 @@ def make_mesh(result: Mapping[str, Any], roles: Dict[str, str]) -> Mesh:
     surfaces, curves, vertices = result.pop("surfaces"), result.pop("curves"), result.pop("vertices")
     nodal = result.pop("nodal_velocity")
     return Mesh(
-        points=result["points"], cells=result["cells"], material=result["material"], fragment=result["fragment"],
-        point_ids=result["point_ids"], cell_ids=result["cell_ids"], quality=result["scaled_jacobian"],
-        geometry=Geometry(result["geometry_dimension"], result["geometry_id"]), surfaces=Surfaces(**surfaces, fields=result["surface_fields"]),
-        curves=Curves(**curves, fields=result["curve_fields"]), vertices=Vertices(**vertices, fields=result["vertex_fields"]), state=result["state"],
-        point_state=dict([nodal]) if nodal else {}, materials=result["materials"], fields=result["fields"],
-        roles=roles)
+        points=result["points"],
+        cells=result["cells"],
+        material=result["material"],
+        fragment=result["fragment"],
+        point_ids=result["point_ids"],
+        cell_ids=result["cell_ids"],
+        quality=result["scaled_jacobian"],
+        geometry=Geometry(result["geometry_dimension"], result["geometry_id"]),
+        surfaces=Surfaces(**surfaces, fields=result["surface_fields"]),
+        curves=Curves(**curves, fields=result["curve_fields"]),
+        vertices=Vertices(**vertices, fields=result["vertex_fields"]),
+        state=result["state"],
+        point_state=dict([nodal]) if nodal else {},
+        materials=result["materials"],
+        fields=result["fields"],
+        roles=roles,
+    )
