@@ -135,10 +135,21 @@ WRONG = {
     ),
     "velocity": (dict(fractions=BALL, velocity=BALL, density=BALL), ValueError, "velocity has 3"),
     "progress": (dict(fractions=BALL, progress="loud"), TypeError, "progress is 'loud'"),
+    "refinement boxes": (
+        dict(fractions=BALL, refinement_boxes=[1, 2]),
+        TypeError,
+        "refinement_boxes is [1, 2]: a list",
+    ),
+    "kinds, type": (dict(fractions=BALL, state={"T": BALL}, state_kinds=3), TypeError, "state_kinds is 3: a dict"),
+    "densities of labels": (
+        dict(labels=LABELS, density=[BALL, BALL]),
+        TypeError,
+        "density is a list: of labels a dict",
+    ),
     "refinement box": (
         dict(fractions=BALL, refinement="automatic", refinement_boxes=[(1, 2)]),
         ValueError,
-        "refinement_boxes has (1, 2)",
+        "refinement_boxes has (1.0, 2.0)",
     ),
     "refinement box, turned round": (
         dict(fractions=BALL, refinement="automatic", refinement_boxes=[(1, 1, 1, 0, 2, 2)]),

@@ -136,3 +136,5 @@ def test_files_without_pyvista(tmp_path, monkeypatch):
 def test_files_without_ending(tmp_path):
     with pytest.raises(ValueError, match="has no ending"):
         HEXES.save(tmp_path / "mesh")
+    with pytest.raises(ValueError, match="no files with the ending .foam"):
+        HEXES.save(tmp_path / "mesh.foam")

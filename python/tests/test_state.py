@@ -116,6 +116,18 @@ def test_arrays_of_labels():
     assert list(mesh.state) == ["density"] and np.allclose(mesh.materials["MeshMass"], expected, rtol=1e-13)
 
 
+def test_numbers():
+    """Of all cells, or of all cells of a material."""
+    expected = vfm.hexes(FRACTIONS, density={"ball": 0 * BALL + 2, "plate": 0 * BALL + 3})
+    for order, fractions in (("xyz", FRACTIONS), ("zyx", {name: array.T for name, array in FRACTIONS.items()})):
+        mesh = vfm.hexes(fractions, density={"ball": 2, "plate": 3.0}, order=order)
+        assert np.array_equal(mesh.state["density"], expected.state["density"])
+    assert np.allclose(vfm.hexes(BALL, density=7).state["density"], 7, rtol=1e-6)
+    with pytest.raises(ValueError, match="of the material 'Material 3' none is chosen"):
+        vfm.hexes(labels=np.where(BALL > 0.5, 7, np.where(PLATE > 0.5, 3, 0)), density={7: 2.0})
+    assert list(vfm.hexes(labels=7 * (BALL > 0.5), density={7: 2.0}).state) == ["density"]
+
+
 def test_names_of_components():
     parts = {"%s velocity" % axis: VELOCITY[..., a] for a, axis in enumerate("XYZ")}
     mesh = vfm.hexes(FRACTIONS, state=parts, density=DENSITY, velocity="X velocity")

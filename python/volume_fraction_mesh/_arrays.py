@@ -98,10 +98,7 @@ class CellArrays:
 
     def add(self, name: str, array: np.ndarray) -> None:
         """Of three axes and, if it has several components, a fourth. The first one tells the cells."""
-        if not isinstance(name, str) or not name:
-            raise TypeError("The name of an array is %r: it must be a text." % (name,))
-        if name in self.flat:
-            raise ValueError("Two arrays are called %r: each needs a name of its own." % name)
+        self._check_name(name)
         if array.ndim not in (3, 4) or array.size == 0:
             raise ValueError(
                 "The array %r has the shape %r: an axis each for x, y and z is needed, and one more for components."
@@ -119,7 +116,14 @@ class CellArrays:
 
     def add_flat(self, name: str, array: np.ndarray) -> None:
         """(cells,) or (cells, components), as the core takes it."""
+        self._check_name(name)
         self.flat[name] = np.ascontiguousarray(array)
+
+    def _check_name(self, name: Any) -> None:
+        if not isinstance(name, str) or not name:
+            raise TypeError("The name of an array is %r: it must be a text." % (name,))
+        if name in self.flat:
+            raise ValueError("Two arrays are called %r: each needs a name of its own." % name)
 
     def items(self) -> List[Tuple[str, np.ndarray]]:
         """As the core takes them."""

@@ -146,7 +146,5 @@ def _join_images(names: Sequence[str], images: Sequence[Optional[Image]], given:
             raise TypeError("fractions has %r, which is not an image of one array: all must be, or none." % name)
         if not image.grid.is_same(first.grid):
             raise ValueError("The images %r and %r lie on different grids: resample one of them." % (names[0], name))
-        if name in arrays.flat:
-            raise ValueError("Two arrays are called %r: each needs a name of its own." % name)
         arrays.add_flat(name, as_fractions(image.arrays[image.chosen[0]], name))
     return Field(arrays, first.grid, list(names), "", {})

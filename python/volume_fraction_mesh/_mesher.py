@@ -171,11 +171,11 @@ def hexes(
         Which arrays of an image of PyVista hold the materials; else the active scalars do.
     state : dict, or list of names of arrays of the image
         Arrays (nx, ny, nz) or (nx, ny, nz, components) that the mesh carries along as Mesh.state.
-    density : array, name, or a list or dict of one a material
+    density : array, number, name, or a list or dict of one a material
         Mass per volume of the material, at least 0. With it state is conserved.
     velocity : array (nx, ny, nz, 3), name, or a list or dict of one a material
         Momentum and kinetic energy of which Mesh.materials tells.
-    energy : array, name, or a list or dict of one a material
+    energy : array, number, name, or a list or dict of one a material
         Internal energy per mass.
     state_kinds : dict
         What is conserved of an array: "mass" (per mass, the default of real numbers), "mass*other", "volume" (per

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sys
 from contextlib import contextmanager
-from typing import Any, Callable, Iterator, Optional, Union
+from typing import Any, Callable, Iterator, Optional
 
-Progress = Union[bool, Callable[[float, str], Any], None]
+from ._types import Progress
 
 
 class _Lines:

@@ -38,6 +38,9 @@ def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
 
     from ._meshio import for_gmsh
 
+    if suffix not in meshio.extension_to_filetypes:
+        raise ValueError("%r: no files with the ending %s are written." % (path, suffix))
+
     if suffix == ".msh":
         data = for_gmsh(mesh)
         options = {"file_format": "gmsh22", **options}

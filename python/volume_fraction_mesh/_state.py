@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Tuple
 
-from ._arrays import as_numbers
+import numpy as np
+
+from ._arrays import as_numbers, shaped
 from ._images import read_image
 from ._input import Field
 from ._options import STATE
@@ -58,7 +60,9 @@ def _list_kinds(kinds: Any) -> List[str]:
         return ["%s=%s" % pair for pair in kinds.items()]
     if isinstance(kinds, str):
         return [kinds]
-    return [str(word) for word in kinds]
+    if isinstance(kinds, (list, tuple)):
+        return [str(word) for word in kinds]
+    raise TypeError("state_kinds is %r: a dict, array: kind, is needed." % (kinds,))
 
 
 def _add(field: Field, name: str, value: Any) -> List[str]:
@@ -72,10 +76,12 @@ def _add(field: Field, name: str, value: Any) -> List[str]:
     if isinstance(value, (list, tuple)):
         if value and all(isinstance(word, str) for word in value):
             return list(value)
+        if field.labels:
+            raise TypeError("%s is a %s: of labels a dict, label: array, is needed." % (name, type(value).__name__))
         if len(value) != len(field.fractions):
             raise ValueError(
-                "%s has %d arrays: one for all materials or one for each of %d is needed; of labels "
-                "a dict, label: array." % (name, len(value), len(field.fractions))
+                "%s has %d arrays: one for all materials or one for each of %d is needed."
+                % (name, len(value), len(field.fractions))
             )
         return _add_of_materials(field, name, dict(zip(field.fractions, value)))
     _add_array(field, name, value)
@@ -98,18 +104,29 @@ def _add_of_materials(field: Field, name: str, values: Mapping[Any, Any]) -> Lis
             "%s has arrays of %s, but the materials are %s."
             % (name, ", ".join(map(repr, values)) or "none", ", ".join(map(repr, field.fractions)))
         )
+    if len(values) == 1 and _are_alone(field, next(iter(values))):
+        _add_array(field, name, next(iter(values.values())))
+        return [name]
     numbers = {key: key for key in values} if field.labels else {key: i + 1 for i, key in enumerate(field.fractions)}
-    names = []
     for key, number in numbers.items():
-        names.append(name if len(values) == 1 else "%s - %s" % (name, number))
-        _add_array(field, names[-1], values[key])
-    return names
+        _add_array(field, "%s - %s" % (name, number), values[key])
+    return ["%s - %s" % (name, number) for number in numbers.values()]
+
+
+def _are_alone(field: Field, label: Any) -> bool:
+    """Whether there is no other label."""
+    labels = field.arrays.flat[field.labels] if field.labels else np.empty(0)
+    return bool(((labels == 0) | (labels == label)).all())
 
 
 def _add_array(field: Field, name: str, value: Any) -> None:
+    """A number is that of all cells."""
     image = read_image(value, None)
     if image is None:
-        field.arrays.add(name, as_numbers(value, name))
+        array = as_numbers(value, name)
+        if array.ndim == 0:
+            array = shaped(np.full(int(np.prod(field.grid.cells)), array), field.grid.cells, field.arrays.order)
+        field.arrays.add(name, array)
     elif len(image.chosen) != 1 or not image.grid.is_same(field.grid):
         raise ValueError("The image %r lies on another grid than the materials, or has several arrays." % name)
     else:
@@ -127,13 +144,16 @@ def add_refinement(given: Mapping[str, Any], field: Field) -> str:
 
 def list_boxes(boxes: Any) -> List[List[float]]:
     """Seven numbers each."""
-    found = []
-    for box in boxes or ():
-        numbers = [float(number) for number in box]
-        if len(numbers) not in (6, 7):
+    if boxes is None:
+        return []
+    try:
+        found = [[float(number) for number in box] for box in boxes]
+    except (TypeError, ValueError):
+        raise TypeError("refinement_boxes is %r: a list of boxes of seven numbers is needed." % (boxes,)) from None
+    for box in found:
+        if len(box) not in (6, 7):
             raise ValueError(
                 "refinement_boxes has %r: x0, y0, z0, x1, y1, z1 and how many times cells are halved are needed."
-                % (box,)
+                % (tuple(box),)
             )
-        found.append(numbers + [1.0] * (7 - len(numbers)))
-    return found
+    return [box + [1.0] * (7 - len(box)) for box in found]
