@@ -10,9 +10,10 @@ namespace
 {
 
 constexpr std::chrono::milliseconds BetweenLooks(100), BetweenTellings(50);
+// Bodies may begin with something that takes as long as some hundredths of their loop: few pieces.
 constexpr int FirstPieces = 64; // the first piece is such a part of what a thread has to do
-constexpr int Growth = 4;       // of pieces that are short
-constexpr std::chrono::milliseconds LongPiece(10);
+constexpr int Growth = 8;       // of pieces that are short
+constexpr std::chrono::milliseconds LongPiece(200);
 
 int CountThreads(int threads)
 {
