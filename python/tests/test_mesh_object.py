@@ -107,7 +107,7 @@ def test_files(mesh, ending, tmp_path):
     path = tmp_path / ("mesh." + ending)
     mesh.save(path)
     again = pyvista.to_meshio(pyvista.read(path)) if ending in ("vtu", "vtk") else meshio.read(path)
-    assert np.allclose(again.points, mesh.points, atol=1e-12 if ending != "inp" else 1e-6)
+    assert np.allclose(again.points, mesh.points, atol=1e-12)
     assert sum(len(block.data) for block in again.cells) == len(mesh)
     counts = {label: int((mesh.material == label).sum()) for label in mesh.materials["MaterialId"]}
     if ending in ("vtu", "vtk", "xdmf"):
@@ -116,7 +116,13 @@ def test_files(mesh, ending, tmp_path):
         assert set(again.field_data) == set(mesh.materials["Name"])
         assert int((np.concatenate(again.cell_data["gmsh:physical"]) == 2).sum()) == counts[2]
     elif ending == "inp":
-        assert sum(map(len, again.cell_sets["plate"])) == counts[2]
+        assert {block.type for block in again.cells} == {mesh.kind} and len(again.cells) == len(counts)
+        assert np.array_equal(
+            np.concatenate([block.data for block in again.cells]), mesh.cells[np.argsort(mesh.material, kind="stable")]
+        )
+        assert set(again.point_sets["SURFACE_1"]) == set(mesh.surfaces.cells[mesh.surfaces.surface_id == 1].ravel())
+        text = path.read_text()
+        assert "ELSET=PLATE\n" in text and ("TYPE=C3D8," if mesh is HEXES else "TYPE=C3D4,") in text
     else:
         assert sorted(len(block.data) for block in again.cells) == sorted(counts.values())
 
@@ -131,6 +137,14 @@ def test_files_without_pyvista(tmp_path, monkeypatch):
     monkeypatch.setattr(_save, "find_spec", lambda name: None)
     with pytest.raises(ImportError, match="PyVista or meshio"):
         HEXES.save(tmp_path / "mesh.vtu")
+
+
+def test_names_of_sets():
+    from volume_fraction_mesh._abaqus import set_names
+
+    mesh = vfm.hexes({"a b": BALL, "A_b": PLATE})
+    assert list(set_names(mesh).values()) == ["A_B", "A_B_2"]
+    assert list(set_names(vfm.hexes(labels=BALL > 0.5, names={1: "7 \u00e9t\u00e9"})).values()) == ["S_7_T"]
 
 
 def test_files_without_ending(tmp_path):

@@ -6,6 +6,8 @@ import os
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
+from ._abaqus import write as write_abaqus
+
 if TYPE_CHECKING:
     from .mesh import Mesh
 
@@ -24,6 +26,8 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
         mesh.to_pyvista().save(path, **options)
     elif suffix == ".vtp":
         mesh.to_pyvista("surfaces").save(path, **options)
+    elif suffix == ".inp":
+        write_abaqus(mesh, path, **options)
     elif find_spec("meshio"):
         _save_by_meshio(mesh, path, suffix, **options)
     else:
@@ -48,5 +52,5 @@ def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
         data = mesh.to_meshio(blocks=True)
         options = {"file_format": "exodus", **options}
     else:
-        data = mesh.to_meshio(blocks=suffix == ".inp")
+        data = mesh.to_meshio()
     meshio.write(path, data, **options)

@@ -195,9 +195,9 @@ class Mesh:
     def save(self, path: Any, **options: Any) -> None:
         """Write a file, whose kind its ending tells.
 
-        .vtu is written by PyVista if that is there, else by meshio; .vtk and .vtp (of surfaces) by PyVista; all
-        others by meshio: .e, .exo (Exodus, a block a material; needs netCDF4), .inp (Abaqus, a set a material), .msh
-        (Gmsh), .xdmf, .med, ..
+        .vtu is written by PyVista if that is there, else by meshio; .vtk and .vtp (the surfaces) by PyVista; .inp
+        (Abaqus, CalculiX: a set of elements a material, a set of nodes a surface) needs nothing; all others by meshio:
+        .e, .exo (Exodus: points, and a block a material; needs netCDF4), .msh (Gmsh), .xdmf, .med, ..
 
         Parameters
         ----------
