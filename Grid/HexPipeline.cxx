@@ -86,7 +86,9 @@ std::vector<unsigned char> HexStages::Smooth(
     this->Labelled.Labels, this->Labelled.Mixed, this->Options.IsoValue, this->Run);
   this->Clock.Start("Fitting surfaces", 0.2);
   SurfaceTargets targets(interfaces->All(), KindOfTargets(this->Options), this->Run);
+  this->Clock.Update(0.21);
   ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh, this->Run);
+  this->Clock.Update(0.215);
   AttachHexes(*interfaces, coarse, mesh, facets, this->Run, active);
   this->Kinds = active.OfMesh(
     this->AttachToCreases(*interfaces->All().back(), facets, mesh, targets, active), mesh);
@@ -118,6 +120,7 @@ Mesh HexStages::MakeMesh()
   const Fragments fragments(this->Grid, labels, this->Options.MeshVoid, this->Parts);
   this->Report.NumberOfFragments = fragments.NumberOfFragments();
   FillFragments(this->Labelled, numbering, fragments, this->Run, mesh);
+  this->Clock.Update(0.135);
   const std::vector<Facet> facets =
     FindHexFacets(this->Labelled, numbering, fragments, this->Parts, mesh);
   this->Clock.Start("Finding interfaces", 0.15);
