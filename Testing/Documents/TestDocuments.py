@@ -140,6 +140,16 @@ class Documents(unittest.TestCase):
     def test_properties_are_current(self):
         self.assertEqual(read("Documentation/properties.md"), list_properties.make_page(), "run scripts/list_properties.py")
 
+    def test_package_has_all_properties(self):
+        others = {"volume_fraction_arrays": "fractions", "material_id_array": "labels", "label_names": "names", "state_arrays": "state",
+                  "density_arrays": "density", "velocity_array": "velocity", "energy_array": "energy", "number_of_threads": "threads"}
+        page = read("Documentation/properties.md")
+        both = page[page.index("## Volume Fraction To Hex"):page.index("## Volume Fraction Fragments")]
+        names = [re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower() for name in re.findall(r"^\| (\w+)(?: \*advanced\*)? \|", both, re.MULTILINE)]
+        options = set(re.findall(r"^    (\w+): ", read("python/volume_fraction_mesh/_mesher.py"), re.MULTILINE))
+        self.assertGreater(len(names), 40)
+        self.check([name for name in names if others.get(name, name) not in options | {"property"}])
+
     def test_readme_is_short(self):
         self.assertLessEqual(read("README.md").count("\n"), LONGEST_README)
 
