@@ -2,6 +2,7 @@
  * The module _core: its functions are told in _core.pyi.
  */
 #include "ClosedSurface.h"
+#include "LabelTable.h"
 #include "MeshResult.h"
 #include "MesherCall.h"
 #include "PythonRuntime.h"
@@ -99,6 +100,20 @@ nb::object FillTriangles(const Places& points, const Corners& triangles,
   return fractions[0];
 }
 
+vfm::LabelNames ReadNames(const std::string& path)
+{
+  try
+  {
+    return vfm::ReadLabelTable(path,
+      [](const vfm::LabelTable& table)
+      { table.Refuse(0, "it is XML, which the filters of ParaView read alone."); });
+  }
+  catch (const vfm::InputError& error)
+  {
+    throw nb::value_error(error.what());
+  }
+}
+
 } // namespace
 
 NB_MODULE(_core, module)
@@ -109,6 +124,7 @@ NB_MODULE(_core, module)
   module.def("mesh", MakeMesh, "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a, "are_points"_a,
     "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a, "threads"_a,
     "progress"_a.none(), "warn"_a);
+  module.def("read_label_names", ReadNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());
   module.def("triangle_fractions", FillTriangles, "points"_a, "triangles"_a, "coordinates"_a,

@@ -86,7 +86,7 @@ def test_nifti(run):
     nibabel = pytest.importorskip("nibabel")
     affine = np.diag([-2.0, 2, 2, 1])
     nibabel.save(nibabel.Nifti1Image(LABELS.astype(np.uint8), affine), run.folder / "in.nii.gz")
-    (run.folder / "names.txt").write_text("# regions\n1 left side\n2,right\n")
+    (run.folder / "names.txt").write_text('# label file of ITK-SNAP\n1 255 0 0 1 1 1 "left side"\n2 0 255 0 1 1 1 "right"\n')
     run("@in.nii.gz", "@out.vtu", "--names", "@names.txt", "--mesh-void", "--surfaces", "@surfaces.vtp")
     assert read(run.folder / "out.vtu").points[:, 0].max() <= 1
     nibabel.save(nibabel.Nifti1Image(BALL.astype(np.float32), affine), run.folder / "ball.nii")
@@ -125,7 +125,7 @@ def test_errors(run):
         (["@none.npy", "@out.vtu"], "none.npy"),
         (["@none.nii", "@out.vtu"], "There is no file"),
         (["@labels.npy", "@out"], "has no ending"),
-        (["@labels.npy", "@out.vtu", "--names", "@names.txt"], "Line 1 of"),
+        (["@labels.npy", "@out.vtu", "--names", "@names.txt"], "line 1: it begins with 'one'"),
         (["@labels.npy", "@out.vtu", "--label-smoothing", "11"], "label_smoothing is 11"),
     ):
         told = run(*words, status=1)

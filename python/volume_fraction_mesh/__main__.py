@@ -12,7 +12,8 @@ from typing import Any, Dict, List, Optional
 import numpy as np
 
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
-from ._files import are_labels, read_names, read_source
+from ._core import read_label_names
+from ._files import are_labels, read_source
 from ._options import COMMON, OF_TETS, STATE, THREADS, Option
 from .mesh import Mesh
 
@@ -51,7 +52,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--array", action="append", metavar="NAME", help="an array of the file that holds a material; repeat for more"
     )
-    parser.add_argument("--names", metavar="FILE", help="a text with a label and its name in each line")
+    parser.add_argument("--names", metavar="FILE", help="a text with a label and its name in each line, a label file of ITK-SNAP, or a table of FreeSurfer")
     parser.add_argument(
         "--spacing", type=float, nargs="+", metavar="WIDTH", help="of .npy and .npz: one, or three for x, y and z"
     )
@@ -105,7 +106,7 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     else:
         given["fractions"] = source.materials
     if words.names is not None:
-        given["names"] = read_names(words.names)
+        given["names"] = read_label_names(words.names)
     if words.spacing is not None:
         given["spacing"] = words.spacing if len(words.spacing) > 1 else words.spacing[0]
     if words.origin is not None:

@@ -145,6 +145,12 @@ def shape_fractions(
 ) -> List[NDArray[np.float64]]:
     """Exact volume fractions of shapes written as text: of each material an array of shape (cells,)."""
 
+def read_label_names(path: str) -> Dict[int, str]:
+    """What a text table calls labels: lines of a label and its name, a label file of ITK-SNAP, a table of FreeSurfer or MRIcron.
+
+    Raises ValueError, with path and line, on a file that is none, and a label or a name twice.
+    """
+
 def triangle_fractions(
     points: NDArray[np.float64],
     triangles: NDArray[np.int64],

@@ -1,9 +1,9 @@
-"""Files that the command vfmesh reads: arrays of numpy, images, surfaces, names of labels."""
+"""Files that the command vfmesh reads: arrays of numpy, images, surfaces."""
 
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence
 
 import numpy as np
 
@@ -81,17 +81,3 @@ def are_labels(source: Source, names: Optional[List[str]]) -> bool:
         return False
     array = as_numbers(next(iter(arrays.values())), next(iter(arrays)))
     return array.dtype.kind != "f" or bool(array.size and array.max() > 1 + 1e-6)
-
-
-def read_names(path: str) -> Mapping[int, str]:
-    """Of lines with a label and its name; what follows # is a comment."""
-    found: Dict[int, str] = {}
-    with open(path, encoding="utf-8") as file:
-        for number, line in enumerate(file, 1):
-            words = line.split("#")[0].replace(",", " ").split(None, 1)
-            if not words:
-                continue
-            if len(words) != 2 or not words[0].isdigit():
-                raise ValueError("Line %d of %s is %r: a label and its name are needed." % (number, path, line.strip()))
-            found[int(words[0])] = words[1].strip().strip('"')
-    return found
