@@ -1,5 +1,6 @@
 #include "ShapeFractions.h"
 
+#include "NodeCoordinates.h"
 #include "NumpyFields.h"
 #include "PythonRuntime.h"
 #include "Shapes/ShapesFractions.h"
@@ -8,8 +9,6 @@ namespace vfm
 {
 namespace
 {
-
-constexpr const char* AxisNames[3] = { "x", "y", "z" };
 
 IndexBox CellsOf(const NodeCoordinates& coordinates)
 {
