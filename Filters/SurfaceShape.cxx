@@ -146,15 +146,9 @@ Shape MakeSurfaceShape(int material, vtkPolyData* surface)
   CheckClosed(prepared);
   const auto distance = std::make_shared<SurfaceDistance>(prepared);
   const auto solid = std::make_shared<const TriangleSolid>(GetTriangles(prepared));
-  BoxQueries boxes;
-  boxes.Meets = [solid](const Vector3& lower, const Vector3& upper)
-  { return solid->Meets(lower, upper); };
-  boxes.Volume = [solid](const Vector3& lower, const Vector3& upper)
-  { return solid->MeasureVolume(lower, upper); };
-  boxes.FitPlane = [solid](const Vector3& lower, const Vector3& upper, HalfSpace& plane)
-  { return solid->FitPlane(lower, upper, plane); };
   return MakeFunctionShape(
-    material, [distance](const Vector3& point) { return distance->Evaluate(point); }, boxes);
+    material, [distance](const Vector3& point) { return distance->Evaluate(point); },
+    QueriesOf(solid));
 }
 
 } // namespace vfm

@@ -283,4 +283,16 @@ double TriangleSolid::MeasureVolume() const
   return this->MeasureVolume(this->All.Lower, this->All.Upper);
 }
 
+BoxQueries QueriesOf(std::shared_ptr<const TriangleSolid> solid)
+{
+  BoxQueries boxes;
+  boxes.Meets = [solid](const Vector3& lower, const Vector3& upper)
+  { return solid->Meets(lower, upper); };
+  boxes.Volume = [solid](const Vector3& lower, const Vector3& upper)
+  { return solid->MeasureVolume(lower, upper); };
+  boxes.FitPlane = [solid](const Vector3& lower, const Vector3& upper, HalfSpace& plane)
+  { return solid->FitPlane(lower, upper, plane); };
+  return boxes;
+}
+
 } // namespace vfm

@@ -52,4 +52,7 @@ private:
   Groups<int> Members; // triangles by bin
 };
 
+/// What a shape made of the solid may know of boxes.
+BoxQueries QueriesOf(std::shared_ptr<const TriangleSolid> solid);
+
 } // namespace vfm

@@ -215,16 +215,9 @@ Shape MakeSolid(int material, const std::vector<Vector3>& points, Triangles tria
   {
     solid = std::make_shared<const TriangleSolid>(PlaceTriangles(points, triangles, true));
   }
-  BoxQueries boxes;
-  boxes.Meets = [solid](const Vector3& lower, const Vector3& upper)
-  { return solid->Meets(lower, upper); };
-  boxes.Volume = [solid](const Vector3& lower, const Vector3& upper)
-  { return solid->MeasureVolume(lower, upper); };
-  boxes.FitPlane = [solid](const Vector3& lower, const Vector3& upper, HalfSpace& plane)
-  { return solid->FitPlane(lower, upper, plane); };
   return MakeFunctionShape(
     material, [](const Vector3&) { return 0.0; },
-    boxes); // the distance is asked for where shapes cut each other
+    QueriesOf(solid)); // the distance is asked for where shapes cut each other
 }
 
 } // namespace vfm
