@@ -3,7 +3,7 @@
 #include "ArrayMemory.h"
 #include "CellOrder.h"
 #include "MaterialGuess.h"
-#include "StateArrays.h"
+#include "State/StateArrays.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"

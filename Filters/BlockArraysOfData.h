@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "BlockArrays.h"
+#include "Input/BlockArrays.h"
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 #include "ChosenState.h"
 
 #include "ArrayInfo.h"
-#include "Base/Agreement.h"
 #include "CollectBlocks.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"

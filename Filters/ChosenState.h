@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
-#include "StateChoice.h"
+#include "Ranks/Ranks.h"
+#include "State/StateChoice.h"
 
 class vtkDataObject;
 

@@ -1,12 +1,12 @@
 #include "CollectBlocks.h"
 
 #include "ArrayMemory.h"
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "BlockArraysOfData.h"
 #include "FindImageFrame.h"
+#include "Input/NodeCoordinates.h"
 #include "InputAssociation.h"
-#include "NodeCoordinates.h"
+#include "Ranks/Agreement.h"
 #include "RecogniseGrid.h"
 
 #include "vtkCompositeDataIterator.h"

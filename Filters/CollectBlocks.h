@@ -11,7 +11,7 @@
 #pragma once
 
 #include "ChosenArray.h"
-#include "InputBlocks.h"
+#include "Input/InputBlocks.h"
 
 #include "vtkDataObject.h"
 

@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "FieldArray.h"
+#include "Input/FieldArray.h"
 
 #include <vector>
 

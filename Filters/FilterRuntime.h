@@ -6,8 +6,8 @@
 
 #include "Base/LoopThreads.h"
 #include "Base/Runtime.h"
-#include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
+#include "Ranks/WorkTogether.h"
 
 class vtkAlgorithm;
 class vtkInformationVector;

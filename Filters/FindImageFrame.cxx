@@ -1,7 +1,7 @@
 #include "FindImageFrame.h"
 
-#include "Base/WorkTogether.h"
 #include "CollectBlocks.h"
+#include "Ranks/WorkTogether.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"

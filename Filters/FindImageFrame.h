@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "ImageFrame.h"
+#include "Input/ImageFrame.h"
 
 #include <vector>
 

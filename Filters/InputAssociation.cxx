@@ -1,8 +1,8 @@
 #include "InputAssociation.h"
 
-#include "Base/Agreement.h"
 #include "CollectBlocks.h"
 #include "MaterialGuess.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"

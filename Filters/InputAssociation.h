@@ -7,8 +7,8 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
 #include "ChosenArray.h"
+#include "Ranks/Ranks.h"
 
 #include <vector>
 

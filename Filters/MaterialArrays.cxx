@@ -1,10 +1,10 @@
 #include "MaterialArrays.h"
 
 #include "ArrayInfo.h"
-#include "Base/Agreement.h"
 #include "CollectBlocks.h"
+#include "Input/ValueType.h"
 #include "MaterialGuess.h"
-#include "ValueType.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"

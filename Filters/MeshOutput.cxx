@@ -3,7 +3,7 @@
 #include "AdoptBuffer.h"
 #include "EmptyOutput.h"
 #include "FieldValues.h"
-#include "MeshFields.h"
+#include "Summary/MeshFields.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,7 +1,7 @@
 #include "ReadLabelNames.h"
 
-#include "Base/WorkTogether.h"
-#include "LabelTable.h"
+#include "Input/LabelTable.h"
+#include "Ranks/WorkTogether.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
-#include "LabelNames.h"
+#include "Input/LabelNames.h"
+#include "Ranks/Ranks.h"
 
 namespace vfm
 {

@@ -5,7 +5,7 @@
 #include "BlockArraysOfData.h"
 #include "CellOrder.h"
 #include "CollectBlocks.h"
-#include "NodeCoordinates.h"
+#include "Input/NodeCoordinates.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"

@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "InputBlocks.h"
+#include "Input/InputBlocks.h"
 
 class vtkPointSet;
 

@@ -1,6 +1,6 @@
 #include "StateOutput.h"
 
-#include "StateArrays.h"
+#include "State/StateArrays.h"
 
 #include "vtkBitArray.h"
 #include "vtkCellData.h"

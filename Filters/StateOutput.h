@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "CarryState.h"
+#include "State/CarryState.h"
 
 class vtkUnstructuredGrid;
 

@@ -1,6 +1,5 @@
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
-#include "Base/WorkTogether.h"
 #include "CollectBlocks.h"
 #include "CollectivePipeline.h"
 #include "ControllerRanks.h"
@@ -10,6 +9,7 @@
 #include "MeshOutput.h"
 #include "Mesher.h"
 #include "MissingLevels.h"
+#include "Ranks/WorkTogether.h"
 #include "ReadLabelNames.h"
 #include "StateOutput.h"
 

@@ -1,11 +1,11 @@
 #include "ExodusModel.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "MaterialIds.h"
 #include "MaterialNames.h"
 #include "MeshArrays.h"
 #include "OrderMesh.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

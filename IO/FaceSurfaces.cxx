@@ -1,7 +1,7 @@
 #include "FaceSurfaces.h"
 
-#include "Base/Agreement.h"
 #include "MeshArrays.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

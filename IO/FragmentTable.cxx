@@ -1,13 +1,13 @@
 #include "FragmentTable.h"
 
-#include "Base/Agreement.h"
 #include "Base/ExactSum.h"
-#include "Base/MaxOfEach.h"
 #include "Base/Runtime.h"
 #include "ElementMoments.h"
 #include "MaterialNames.h"
 #include "MeshArrays.h"
 #include "MeshFaces.h"
+#include "Ranks/Agreement.h"
+#include "Ranks/MaxOfEach.h"
 #include "ShareHead.h"
 
 #include "vtkCellArray.h"

@@ -1,7 +1,7 @@
 #include "GatherGeometry.h"
 
-#include "Base/WorkTogether.h"
 #include "GatherMesh.h"
+#include "Ranks/WorkTogether.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

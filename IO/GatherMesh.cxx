@@ -1,7 +1,7 @@
 #include "GatherMesh.h"
 
-#include "Base/Agreement.h"
 #include "PackMesh.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

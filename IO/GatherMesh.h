@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
+#include "Ranks/Ranks.h"
 
 #include "vtkSmartPointer.h"
 

@@ -1,8 +1,8 @@
 #include "MaterialIds.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "MeshArrays.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,11 +1,11 @@
 #include "MeshSets.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "FaceSurfaces.h"
 #include "MaterialIds.h"
 #include "MaterialNames.h"
 #include "MeshFaces.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,9 +1,9 @@
 #include "OrderMesh.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "GatherMesh.h"
 #include "MeshArrays.h"
+#include "Ranks/Agreement.h"
 #include "ShareHead.h"
 
 #include "vtkCellData.h"

@@ -1,8 +1,8 @@
 #include "ShareHead.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "PackMesh.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,12 +1,12 @@
 #include "WriteAbaqus.h"
 
 #include "AbaqusText.h"
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "GatherMesh.h"
 #include "MaterialNames.h"
 #include "MeshArrays.h"
 #include "MeshSets.h"
+#include "Ranks/Agreement.h"
 #include "TextFile.h"
 
 #include "vtkCellArray.h"

@@ -1,10 +1,10 @@
 #include "WriteExodus.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "ExodusFile.h"
 #include "ExodusModel.h"
 #include "OrderMesh.h"
+#include "Ranks/Agreement.h"
 #include "WriteNemesis.h"
 
 #include "vtkCellArray.h"

@@ -8,7 +8,7 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
+#include "Ranks/Ranks.h"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 #include "vtkVolumeFractionFragments.h"
 
-#include "Base/WorkTogether.h"
 #include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
 #include "FragmentTable.h"
+#include "Ranks/WorkTogether.h"
 #include "RequestPiece.h"
 
 #include "vtkInformation.h"

@@ -1,13 +1,13 @@
 #include "vtkVolumeFractionImageReader.h"
 
 #include "Base/Runtime.h"
-#include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
 #include "FindProblem.h"
 #include "ImageExtent.h"
 #include "Images/DealImage.h"
 #include "Images/ImageFile.h"
+#include "Ranks/WorkTogether.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"

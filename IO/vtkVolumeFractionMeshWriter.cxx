@@ -1,9 +1,9 @@
 #include "vtkVolumeFractionMeshWriter.h"
 
-#include "Base/WorkTogether.h"
 #include "CollectivePipeline.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
+#include "Ranks/WorkTogether.h"
 #include "RequestPiece.h"
 
 #include "vtkErrorCode.h"

@@ -1,11 +1,11 @@
 #include "vtkVolumeFractionVoxelReader.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
 #include "FindProblem.h"
 #include "ImageExtent.h"
+#include "Ranks/Agreement.h"
 #include "ReadVoxels.h"
 
 #include "vtkCellData.h"

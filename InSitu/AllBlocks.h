@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
 #include "HostGrid.h"
+#include "Ranks/Ranks.h"
 
 #include "vtkSmartPointer.h"
 

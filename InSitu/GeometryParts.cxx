@@ -1,8 +1,8 @@
 #include "GeometryParts.h"
 
 #include "ArrayMemory.h"
-#include "Base/Errors.h"
 #include "Base/Sorted.h"
+#include "Ranks/Errors.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,6 +1,6 @@
 #include "PlaceHostBoxes.h"
 
-#include "Base/Agreement.h"
+#include "Ranks/Agreement.h"
 
 #include <cmath>
 #include <limits>

@@ -7,7 +7,7 @@
 #include "Sculptor.h"
 #include "SculptorSession.h"
 
-#include "Base/Errors.h"
+#include "Ranks/Errors.h"
 
 #include <memory>
 

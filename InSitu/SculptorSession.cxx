@@ -1,10 +1,10 @@
 #include "SculptorSession.h"
 
 #include "ArrayMemory.h"
-#include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "FilterOptions.h"
 #include "HostImages.h"
+#include "Ranks/WorkTogether.h"
 #include "Sculptor.h"
 #include "Stage.h"
 #include "WriteMesh.h"

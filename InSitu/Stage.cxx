@@ -1,6 +1,6 @@
 #include "Stage.h"
 
-#include "Base/WorkTogether.h"
+#include "Ranks/WorkTogether.h"
 
 #include <new>
 

@@ -1,12 +1,12 @@
 #include "Mesher.h"
 
-#include "Base/Agreement.h"
 #include "Fractions/GhostFractions.h"
 #include "HexPipeline.h"
+#include "Input/UseLabels.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
+#include "Ranks/Agreement.h"
 #include "TetPipeline.h"
-#include "UseLabels.h"
 
 #include <algorithm>
 #include <sstream>

@@ -4,10 +4,10 @@
 #pragma once
 
 #include "Base/Options.h"
-#include "CarryState.h"
-#include "LabelNames.h"
+#include "Input/LabelNames.h"
 #include "Labels/RefinementCriteria.h"
-#include "MeshFields.h"
+#include "State/CarryState.h"
+#include "Summary/MeshFields.h"
 
 #include <functional>
 #include <string>

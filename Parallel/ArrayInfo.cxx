@@ -1,6 +1,6 @@
 #include "ArrayInfo.h"
 
-#include "Base/Agreement.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"

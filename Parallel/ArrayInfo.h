@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/IndexBox.h"
-#include "Base/Ranks.h"
+#include "Ranks/Ranks.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "CollectivePipeline.h"
 
-#include "Base/WorkTogether.h"
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
+#include "Ranks/WorkTogether.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"

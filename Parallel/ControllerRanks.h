@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Base/MessageRanks.h"
+#include "Ranks/MessageRanks.h"
 
 class vtkMPIController;
 class vtkMultiProcessController;

@@ -1,8 +1,8 @@
 #include "MatchFaces.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "ExchangeAll.h"
+#include "Ranks/Agreement.h"
 
 #include <algorithm>
 #include <numeric>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/CartesianGrid.h"
-#include "Base/Ranks.h"
+#include "Ranks/Ranks.h"
 
 namespace vfm
 {

@@ -1,8 +1,8 @@
 #include "MeshFaces.h"
 
-#include "Base/Agreement.h"
 #include "Base/Runtime.h"
 #include "MeshArrays.h"
+#include "Ranks/Agreement.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "Base/PagedArray.h"
-#include "Base/Ranks.h"
 #include "Base/RunCoding.h"
+#include "Ranks/Ranks.h"
 
 namespace vfm
 {

@@ -4,9 +4,9 @@
  */
 #pragma once
 
-#include "Base/Errors.h"
 #include "Base/IndexBox.h"
-#include "Base/Ranks.h"
+#include "Ranks/Errors.h"
+#include "Ranks/Ranks.h"
 
 #include <cstdint>
 #include <functional>

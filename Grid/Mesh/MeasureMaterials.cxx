@@ -1,7 +1,7 @@
 #include "Mesh/MeasureMaterials.h"
 
 #include "Base/ExactSum.h"
-#include "Base/MaxOfEach.h"
+#include "Ranks/MaxOfEach.h"
 
 namespace vfm
 {

@@ -3,9 +3,9 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
+#include "Ranks/Ranks.h"
 
 namespace vfm
 {

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
 #include "Mesh/Mesh.h"
+#include "Ranks/Ranks.h"
 
 namespace vfm
 {

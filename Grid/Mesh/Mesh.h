@@ -6,8 +6,8 @@
 #include "Base/Buffer.h"
 #include "Base/CartesianGrid.h"
 #include "Base/GlobalIds.h"
-#include "Base/Ranks.h"
 #include "Mesh/GeometryTables.h"
+#include "Ranks/Ranks.h"
 
 #include <memory>
 #include <string>

@@ -13,8 +13,8 @@
 #pragma once
 
 #include "Base/Options.h"
-#include "Base/Ranks.h"
 #include "Octree/OctantFamilies.h"
+#include "Ranks/Ranks.h"
 
 #include <memory>
 

@@ -6,10 +6,10 @@
 #pragma once
 
 #include "Base/Options.h"
-#include "Base/Ranks.h"
 #include "Labels/Labels.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
+#include "Ranks/Ranks.h"
 #include "Tet/TetGenFill.h"
 
 namespace vfm

@@ -1,7 +1,7 @@
 #include "Transfer/VolumeFluxes.h"
 
 #include "Base/ExactSum.h"
-#include "Base/MaxOfEach.h"
+#include "Ranks/MaxOfEach.h"
 
 namespace vfm
 {

@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
 #include "Images/ImageFile.h"
+#include "Ranks/Ranks.h"
 
 namespace vfm
 {

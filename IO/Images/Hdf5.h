@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Base/Errors.h"
+#include "Ranks/Errors.h"
 
 #include <hdf5.h>
 #include <string>

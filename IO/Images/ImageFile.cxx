@@ -1,7 +1,7 @@
 #include "Images/ImageFile.h"
 
-#include "Base/Errors.h"
 #include "FileSuffix.h"
+#include "Ranks/Errors.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "Images/ImagePlace.h"
 
-#include "Base/Errors.h"
 #include "Base/Vector3.h"
+#include "Ranks/Errors.h"
 
 #include <cmath>
 #include <cstdlib>

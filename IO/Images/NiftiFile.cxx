@@ -1,8 +1,8 @@
-#include "Base/Errors.h"
 #include "Base/Vector3.h"
 #include "Images/ImageFile.h"
 #include "Images/VtkImageFile.h"
 #include "OpenFile.h"
+#include "Ranks/Errors.h"
 #include "SwapBytes.h"
 
 #include "vtkDataArray.h"

@@ -1,7 +1,7 @@
-#include "Base/Errors.h"
 #include "Images/ImageFile.h"
 #include "Images/NrrdHeader.h"
 #include "Images/VtkImageFile.h"
+#include "Ranks/Errors.h"
 
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"

@@ -1,7 +1,7 @@
-#include "Base/Errors.h"
 #include "Images/ImageFile.h"
 #include "Images/VtkImageFile.h"
 #include "OpenFile.h"
+#include "Ranks/Errors.h"
 
 #include "vtkNew.h"
 #include "vtkTIFFReader.h"

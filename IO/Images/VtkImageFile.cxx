@@ -1,7 +1,7 @@
 #include "Images/VtkImageFile.h"
 
-#include "Base/Errors.h"
 #include "OpenFile.h"
+#include "Ranks/Errors.h"
 #include "VtkMessages.h"
 
 #include "vtkDataArray.h"

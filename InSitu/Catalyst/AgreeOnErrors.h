@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Base/WorkTogether.h"
+#include "Ranks/WorkTogether.h"
 
 #include <string>
 

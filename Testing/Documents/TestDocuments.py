@@ -164,7 +164,7 @@ class Searches(unittest.TestCase):
             self.assertFalse(BARE_FRACTION.search(text), text)
 
     def test_named_file(self):
-        self.assertEqual(NAMED.findall("see `Grid/Base/Ranks.h`, `build/Data/x` and Examples/impact."), ["Grid/Base/Ranks.h", "Examples/impact"])
+        self.assertEqual(NAMED.findall("see `Grid/Ranks/Ranks.h`, `build/Data/x` and Examples/impact."), ["Grid/Ranks/Ranks.h", "Examples/impact"])
 
     def test_path_of_a_plugin(self):
         self.assertTrue(PLUGIN_FROM_HERE.search('LoadPlugin("build/lib/VolumeFractionMesh.so"'))

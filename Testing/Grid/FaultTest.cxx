@@ -5,9 +5,9 @@
 #include "RankMeshes.h"
 #include "Sweep.h"
 
-#include "Base/WorkTogether.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
+#include "Ranks/WorkTogether.h"
 #include "Transfer/TransferState.h"
 
 #include <gtest/gtest.h>

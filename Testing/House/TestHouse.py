@@ -82,7 +82,7 @@ class WrongTrees(unittest.TestCase):
             "IO/Other.h": "vtkFilter.h",
             "Filters/Other.h": "Writer.h",
             "InSitu/Other.h": "Shapes/Shapes.h",
-            "InSitu/Program/Other.h": "Tet/Fill.h",
+            "Program/Other.h": "Tet/Fill.h",
             "Plugin/Other.h": "Base/Ranks.h",
             "Examples/Other.h": "Controller.h",
             "Filters/Test.h": "Cases.h",

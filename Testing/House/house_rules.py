@@ -2,34 +2,41 @@
 import os
 import re
 
-# Rooms of Grid, bottom to top: an include goes down only. The root, Grid itself, is above them all.
-ROOMS = ("Base", "Fractions", "Octree", "Labels", "Interface", "Creases", "Mesh", "Transfer", "Smoothing", "Hex", "Tet")
-GRID = tuple("Grid/" + room for room in ROOMS) + ("Grid",)
+# Rooms of Grid and modules of Mesher, bottom to top: an include goes down only. The root of each is above them all.
+ROOMS = {
+    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Creases", "Mesh", "Transfer", "Smoothing",
+             "Hex", "Tet"),
+    "Mesher": ("Options", "Input", "Levels", "Summary", "State"),
+}
+GRID, MESHER = (tuple(top + "/" + room for room in ROOMS[top]) + (top,) for top in ("Grid", "Mesher"))
+IN_ROOMS = frozenset(GRID[:-1] + MESHER[:-1])
+BASE = ("Grid/Ranks", "Grid/Base")
 
 # What a folder may include besides itself.
 ALLOWED = {place: GRID[:level] for level, place in enumerate(GRID)}
+ALLOWED.update({place: GRID + MESHER[:level] for level, place in enumerate(MESHER)})
 ALLOWED.update({
-    "Shapes": ("Grid/Base", "Grid/Fractions"),
-    "Parallel": ("Grid/Base",),
-    "IO": ("Grid/Base", "Parallel"),
-    "Mesher": ("Grid/Base", "Grid/Fractions", "Grid/Octree", "Grid/Labels", "Grid/Mesh", "Grid/Transfer", "Grid"),
-    "Filters": ("Grid/Base", "Grid/Fractions", "Grid/Mesh", "Grid", "Shapes", "Mesher", "Parallel"),
-    "InSitu": ("Grid/Base", "Mesher", "Parallel", "IO", "Filters"),
+    "Shapes": BASE + ("Grid/Fractions",),
+    "Parallel": BASE,
+    "IO": BASE + ("Parallel",),
+    "Filters": GRID + MESHER + ("Shapes", "Parallel"),
+    "InSitu": BASE + MESHER + ("Parallel", "IO", "Filters"),
+    "Program": BASE + MESHER + ("Parallel", "IO", "Filters", "InSitu"),
     "Plugin": ("Filters",),
-    "python": GRID + ("Shapes", "Mesher"),
+    "python": GRID + MESHER + ("Shapes",),
     "Examples": ("InSitu",),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
-    "Testing/Fuzz": GRID + ("Shapes", "Mesher", "Filters", "InSitu", "Testing/Support"),
+    "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
     "Testing/Benchmarks": GRID + ("Shapes", "Filters", "Testing/Support"),
-    "Testing/Mesher": GRID + ("Shapes", "Mesher", "Testing/Support"),
-    "Testing/Parallel": ("Grid/Base", "Parallel", "Testing/Support"),
+    "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Support"),
+    "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
-    "Testing/InSitu": ("Grid/Base", "Parallel", "Filters", "IO", "InSitu"),
+    "Testing/InSitu": BASE + ("Parallel", "Filters", "IO", "InSitu", "Program"),
 })
 
 # Folders without VTK and MPI.
-PLAIN = GRID + ("Shapes", "Mesher", "python", "Testing/Support", "Testing/Grid", "Testing/Mesher")
+PLAIN = GRID + MESHER + ("Shapes", "python", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 FOREIGN = re.compile(r"(vtk|mpi|paraview|pv|pq)", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 
@@ -59,7 +66,7 @@ def read_tree(root):
 def place_of(path):
     """The room or folder of a file."""
     folders = path.split("/")[:-1]
-    return "/".join(folders[:2 if folders[:1] in (["Grid"], ["Testing"]) else 1])
+    return "/".join(folders[:2 if folders and (folders[0] in ROOMS or folders[0] == "Testing") else 1])
 
 
 def find_file(tree, folders, path, name):
@@ -73,7 +80,7 @@ def find_file(tree, folders, path, name):
 
 def list_includes(tree):
     """Of the code: (path, "path:line", bracket, name, file or None). Rooms are no folders to search."""
-    folders = {os.path.dirname(path) for path in tree} - set(GRID[:-1]) | {""}
+    folders = {os.path.dirname(path) for path in tree} - IN_ROOMS | {""}
     for path in sorted(tree):
         for number, line in enumerate(tree[path] if path.endswith(CODE) else (), 1):
             match = INCLUDE.match(line)
@@ -90,7 +97,7 @@ def find_include_problem(path, bracket, name, file):
     if file is None or bracket == "<":
         return "there is no %s" % name if bracket == '"' and place in PLAIN else ""
     other = place_of(file)
-    if other in GRID[:-1] and name != file[len("Grid/"):]:
+    if other in IN_ROOMS and name != file.split("/", 1)[1]:
         return "%s does not name its room" % name
     if other != place and other not in ALLOWED.get(place, ()):
         return "%s must not include %s of %s" % (place, name, other)

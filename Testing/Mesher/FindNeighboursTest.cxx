@@ -1,5 +1,5 @@
 /// Neighbours over faces, edges and corners, found from the face neighbours.
-#include "FindNeighbours.h"
+#include "Input/FindNeighbours.h"
 #include "Base/Runtime.h"
 #include "ThreadRanks.h"
 

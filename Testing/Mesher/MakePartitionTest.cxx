@@ -1,5 +1,5 @@
 /// One box of cells a rank, balanced by interface cells.
-#include "MakePartition.h"
+#include "Input/MakePartition.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>

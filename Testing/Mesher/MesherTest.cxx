@@ -1,6 +1,6 @@
 /// Blocks of cells that no data set of VTK holds become meshes.
 #include "Mesher.h"
-#include "NodeCoordinates.h"
+#include "Input/NodeCoordinates.h"
 #include "Shapes/ShapesFractions.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 /// A rank that fails at any place: the others do too, with its message, and all can go on afterwards.
 #include "ThreadRanks.h"
 
-#include "Base/WorkTogether.h"
+#include "Ranks/WorkTogether.h"
 
 #include <gtest/gtest.h>
 

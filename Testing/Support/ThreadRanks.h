@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "Base/MessageRanks.h"
+#include "Ranks/MessageRanks.h"
 
 #include <condition_variable>
 #include <functional>

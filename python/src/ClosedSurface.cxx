@@ -1,6 +1,6 @@
 #include "ClosedSurface.h"
 
-#include "Base/Errors.h"
+#include "Ranks/Errors.h"
 #include "Shapes/ShapesTriangles.h"
 
 #include <algorithm>

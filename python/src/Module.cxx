@@ -2,7 +2,7 @@
  * The module _core: its functions are told in _core.pyi.
  */
 #include "ClosedSurface.h"
-#include "LabelTable.h"
+#include "Input/LabelTable.h"
 #include "MeshResult.h"
 #include "MesherCall.h"
 #include "PythonRuntime.h"

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "Base/Buffer.h"
-#include "CarriedArray.h"
-#include "MeshFields.h"
+#include "State/CarriedArray.h"
+#include "Summary/MeshFields.h"
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>

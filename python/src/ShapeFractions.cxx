@@ -1,6 +1,6 @@
 #include "ShapeFractions.h"
 
-#include "NodeCoordinates.h"
+#include "Input/NodeCoordinates.h"
 #include "NumpyFields.h"
 #include "PythonRuntime.h"
 #include "Shapes/ShapesFractions.h"

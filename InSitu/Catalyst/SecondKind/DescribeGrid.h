@@ -3,8 +3,8 @@
  */
 #pragma once
 
-#include "Base/Ranks.h"
 #include "CatalystAdaptor.h"
+#include "Ranks/Ranks.h"
 
 #include <catalyst_conduit.hpp>
 

@@ -1,0 +1,50 @@
+/**
+ * Errors (WorkTogether) and lists on which all ranks agree.
+ */
+#pragma once
+
+#include "Ranks/WorkTogether.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+
+/// Collective: the values that any rank holds, each once, in increasing order, on all ranks. They are united pair by
+/// pair up a binary tree and sent down again: 2 log2 P messages at most on any rank.
+template <class T>
+std::vector<T> Unite(Ranks& ranks, std::vector<T> values)
+{
+  const auto tidy = [&values]
+  {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  };
+  tidy();
+  const int rank = ranks.Rank();
+  int step = 1;
+  for (; step < ranks.Count() && rank % (2 * step) == 0; step *= 2)
+  {
+    if (rank + step < ranks.Count())
+    {
+      const std::vector<T> more = FromBytes<T>(ranks.Exchange({ rank + step }, { Bytes() })[0]);
+      values.insert(values.end(), more.begin(), more.end());
+      tidy();
+    }
+  }
+  if (rank > 0) // step: the lowest bit of the rank
+  {
+    ranks.Exchange({ rank - step }, { ToBytes(values) });
+    values = FromBytes<T>(ranks.Exchange({ rank - step }, { Bytes() })[0]);
+  }
+  for (step /= 2; step > 0; step /= 2)
+  {
+    if (rank + step < ranks.Count())
+    {
+      ranks.Exchange({ rank + step }, { ToBytes(values) });
+    }
+  }
+  return values;
+}
+
+} // namespace vfm

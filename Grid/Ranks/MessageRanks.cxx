@@ -1,0 +1,494 @@
+#include "Ranks/MessageRanks.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <thread>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::int8_t Settled = -1; // of a rank that knows that this one failed
+
+/// Calls transfer(first byte, size) for the pieces of a message.
+template <class Transfer>
+void ForPieces(std::size_t size, const Transfer& transfer)
+{
+  for (std::size_t first = 0; first < size; first += Transport::LongestPiece)
+  {
+    transfer(first, std::min(Transport::LongestPiece, size - first));
+  }
+}
+
+std::size_t CountPieces(std::size_t size)
+{
+  return (size + Transport::LongestPiece - 1) / Transport::LongestPiece;
+}
+
+Transport::Transfer MakeTransfer(const void* data, std::size_t size, int other, bool isSent)
+{
+  char* bytes = const_cast<char*>(static_cast<const char*>(data));
+  return { bytes, size, other, isSent, false, nullptr, nullptr };
+}
+
+void AddItem(std::int64_t rank, const Bytes& item, Bytes& list)
+{
+  const std::int64_t numbers[2] = { rank, static_cast<std::int64_t>(item.size()) };
+  const std::size_t size = list.size();
+  list.resize(size + sizeof(numbers) + item.size());
+  std::memcpy(list.data() + size, numbers, sizeof(numbers));
+  std::copy(item.begin(), item.end(), list.begin() + size + sizeof(numbers));
+}
+
+std::vector<Bytes> TakeItems(const Bytes& list, int count)
+{
+  std::vector<Bytes> items(count);
+  for (auto at = list.begin(); at != list.end();)
+  {
+    std::int64_t numbers[2]; // rank and size
+    std::memcpy(numbers, &*at, sizeof(numbers));
+    at += sizeof(numbers);
+    items[numbers[0]].assign(at, at + numbers[1]);
+    at += numbers[1];
+  }
+  return items;
+}
+
+} // namespace
+
+/// What one rank sends to its peers and receives from them. All memory for sending is there before anything is sent.
+class MessageRanks::Parcels
+{
+public:
+  Parcels(Transport& way, const std::vector<int>& peers, const std::vector<Bytes>& outgoing,
+    std::int32_t where) :
+    Way(way), Peers(peers), Heads(peers.size()), Incoming(peers.size())
+  {
+    std::size_t pieces = 0;
+    for (std::size_t p = 0; p < peers.size(); ++p)
+    {
+      this->Heads[p].Size = static_cast<std::int64_t>(outgoing[p].size());
+      this->Heads[p].Where = where;
+      pieces += 1 + CountPieces(this->Heads[p].SizeAfter());
+      if (!outgoing[p].empty() && this->Heads[p].SizeAfter() == 0)
+      {
+        std::memcpy(this->Heads[p].Small, outgoing[p].data(), outgoing[p].size());
+      }
+    }
+    this->Sends.reserve(pieces);
+    for (std::size_t p = 0; p < peers.size(); ++p)
+    {
+      this->Add(&this->Heads[p], sizeof(Head), peers[p], true, this->Sends);
+      this->Add(outgoing[p].data(), this->Heads[p].SizeAfter(), peers[p], true, this->Sends);
+    }
+    this->Received.resize(peers.size());
+  }
+
+  void Begin() noexcept { this->BeginAll(this->Sends); }
+  void WaitForSent() noexcept { this->WaitForAll(this->Sends); }
+
+  /// The messages that follow these heads.
+  std::vector<Bytes> Receive()
+  {
+    std::vector<Transport::Transfer> pieces;
+    for (std::size_t p = 0; p < this->Peers.size(); ++p)
+    {
+      const Head& head = this->Received[p];
+      Bytes& bytes = this->Incoming[p];
+      bytes.assign(head.Small, head.Small + (head.SizeAfter() ? 0 : head.Size));
+      bytes.resize(static_cast<std::size_t>(head.Size));
+      this->Add(bytes.data(), head.SizeAfter(), this->Peers[p], false, pieces);
+    }
+    this->BeginAll(pieces);
+    this->WaitForAll(pieces);
+    return std::move(this->Incoming);
+  }
+
+  std::vector<Head> Received; ///< from each peer
+
+private:
+  static void Add(const void* data, std::size_t size, int other, bool isSent,
+    std::vector<Transport::Transfer>& transfers)
+  {
+    ForPieces(size,
+      [&](std::size_t first, std::size_t length)
+      {
+        transfers.push_back(
+          MakeTransfer(static_cast<const char*>(data) + first, length, other, isSent));
+      });
+  }
+  void BeginAll(std::vector<Transport::Transfer>& transfers) noexcept
+  {
+    for (Transport::Transfer& transfer : transfers)
+    {
+      this->Way.Begin(transfer);
+    }
+  }
+  void WaitForAll(std::vector<Transport::Transfer>& transfers) noexcept
+  {
+    for (Transport::Transfer& transfer : transfers)
+    {
+      this->Way.Wait(transfer);
+    }
+  }
+
+  Transport& Way;
+  const std::vector<int>& Peers;
+  std::vector<Head> Heads; // sent
+  std::vector<Transport::Transfer> Sends;
+  std::vector<Bytes> Incoming;
+};
+
+/// Sends to any number of ranks without memory: so many at a time. Beyond that it counts on the transport to take in a few kB.
+class MessageRanks::Letters
+{
+public:
+  explicit Letters(Transport& way) : Way(way) {}
+  ~Letters()
+  {
+    for (std::size_t i = 0; i < std::min(this->Count, this->Slots.size()); ++i)
+    {
+      this->Way.Wait(this->Slots[i]);
+    }
+  }
+  Letters(const Letters&) = delete;
+  Letters& operator=(const Letters&) = delete;
+
+  /// The data must stay until this ends.
+  void Send(const void* data, std::size_t size, int to) noexcept
+  {
+    Transport::Transfer& slot = this->Slots[this->Count % this->Slots.size()];
+    if (this->Count++ >= this->Slots.size())
+    {
+      this->Way.Wait(slot);
+    }
+    slot = MakeTransfer(data, size, to, true);
+    this->Way.Begin(slot);
+  }
+
+private:
+  Transport& Way;
+  std::array<Transport::Transfer, 128> Slots;
+  std::size_t Count = 0;
+};
+
+MessageRanks::MessageRanks(Transport& transport, int rank, int count) :
+  Way(transport), MyRank(rank), NumberOfRanks(count), Heard(this->HeardOfFew)
+{
+  if (static_cast<std::size_t>(count) > sizeof(this->HeardOfFew))
+  {
+    this->HeardOfMany.resize(count, 0);
+    this->Heard = this->HeardOfMany.data();
+  }
+}
+
+void MessageRanks::Receive(void* data, std::size_t size, int from) noexcept
+{
+  Transport::Transfer transfer = MakeTransfer(data, size, from, false);
+  this->Way.Begin(transfer);
+  this->Way.Wait(transfer);
+}
+
+/// Notes what it tells of a failure.
+MessageRanks::Head MessageRanks::ReceiveHead(int from) noexcept
+{
+  Head head;
+  this->Receive(&head, sizeof(head), from);
+  if (head.Failed)
+  {
+    Failure told;
+    this->Receive(&told, sizeof(told), from);
+    this->Heard[from] = static_cast<std::int8_t>(head.Failed);
+    const bool isInside = head.Failed > this->MakeFailedHead().Failed;
+    if (this->Known.Rank == Failure::NoRank || (!isInside && told < this->Known))
+    {
+      this->Known = told;
+    }
+  }
+  return head;
+}
+
+std::int32_t MessageRanks::Where(bool isLeaving) const noexcept
+{
+  return 2 * static_cast<std::int32_t>(this->Within) + isLeaving;
+}
+
+/// Whether the sender failed, or is not where this rank is, which is noted.
+bool MessageRanks::IsFailure(const Head& head, std::int32_t where, int from) noexcept
+{
+  const bool isElsewhere = !head.Failed && head.Where != where;
+  if (isElsewhere && this->Known.Rank == Failure::NoRank)
+  {
+    char text[128];
+    const int first = std::min(from, this->MyRank), second = std::max(from, this->MyRank);
+    std::snprintf(text, sizeof(text),
+      "Ranks %d and %d are not in the same work: one of them has failed and did not tell.", first,
+      second);
+    this->Known = Failure(first, 0, text);
+  }
+  return head.Failed || isElsewhere;
+}
+
+void MessageRanks::Drop(std::int64_t size, int from) noexcept
+{
+  ForPieces(static_cast<std::size_t>(size),
+    [&](std::size_t, std::size_t length) { this->Receive(nullptr, length, from); });
+}
+
+MessageRanks::Head MessageRanks::MakeFailedHead() const noexcept
+{
+  Head head;
+  head.Size = sizeof(Failure);
+  head.Failed = 1 + static_cast<std::int32_t>(this->Within);
+  return head;
+}
+
+/// Drops what comes until every rank that was told has told that it failed. From all at once: one may be waiting for what
+/// it sent to another.
+void MessageRanks::HearOfAll() noexcept
+{
+  for (bool isWaiting = true; isWaiting;)
+  {
+    isWaiting = false;
+    for (int other = 0; other < this->NumberOfRanks; ++other)
+    {
+      if (other == this->MyRank || this->Heard[other] != 0)
+      {
+        continue;
+      }
+      isWaiting = true;
+      if (this->Way.HasArrived(other))
+      {
+        const Head head = this->ReceiveHead(other);
+        this->Drop(head.Failed ? 0 : head.SizeAfter(), other);
+      }
+    }
+    std::this_thread::yield();
+  }
+}
+
+/// Tells all others what is Known, and hears from all that they have failed too. A rank that was inside an inner frame is told again
+/// whenever it fails there, until it fails in the frame of this one. Of all that is told in one frame all ranks choose the same.
+void MessageRanks::Settle() noexcept
+{
+  const Failure told = this->Known;
+  const Head head = this->MakeFailedHead();
+  for (bool again = true; again;)
+  {
+    again = false;
+    Letters letters(this->Way);
+    for (int other = 0; other < this->NumberOfRanks; ++other)
+    {
+      if (other != this->MyRank && this->Heard[other] != Settled)
+      {
+        letters.Send(&head, sizeof(head), other);
+        letters.Send(&told, sizeof(told), other);
+      }
+    }
+    this->HearOfAll();
+    for (int other = 0; other < this->NumberOfRanks; ++other)
+    {
+      const bool isInside = this->Heard[other] > head.Failed;
+      this->Heard[other] = isInside ? 0 : Settled;
+      again = again || isInside;
+    }
+  }
+  std::fill_n(this->Heard, this->NumberOfRanks, 0);
+  this->HasFailed = this->IsInFrame;
+}
+
+void MessageRanks::ThrowKnown()
+{
+  const FailedTogether error(this->Known);
+  if (!this->IsInFrame)
+  {
+    this->Known = Failure();
+  }
+  throw error;
+}
+
+bool MessageRanks::Enter(Frame frame) noexcept
+{
+  if (this->IsInFrame)
+  {
+    return false;
+  }
+  this->IsInFrame = true;
+  this->Within = frame;
+  return true;
+}
+
+/// A barrier, without memory: who leaves it knows that all have come to it.
+void MessageRanks::Leave()
+{
+  for (int step = 1; step < this->NumberOfRanks; step *= 2)
+  {
+    Head mine;
+    mine.Where = this->Where(true);
+    Letters letters(this->Way);
+    letters.Send(&mine, sizeof(mine), (this->MyRank + step) % this->NumberOfRanks);
+    const int from = (this->MyRank - step + this->NumberOfRanks) % this->NumberOfRanks;
+    const Head head = this->ReceiveHead(from);
+    if (this->IsFailure(head, mine.Where, from))
+    {
+      this->Drop(head.Failed ? 0 : head.SizeAfter(), from);
+      this->Settle();
+      this->ThrowKnown();
+    }
+  }
+  this->IsInFrame = false;
+  this->Within = Frame::Inner;
+}
+
+void MessageRanks::Fail(const Failure& mine)
+{
+  if (!this->HasFailed)
+  {
+    this->Known = mine;
+    this->Settle();
+  }
+  this->IsInFrame = this->HasFailed = false;
+  this->Within = Frame::Inner;
+  this->ThrowKnown();
+}
+
+std::vector<Bytes> MessageRanks::Swap(
+  const std::vector<int>& peers, const std::vector<Bytes>& outgoing)
+{
+  if (this->HasFailed)
+  {
+    this->ThrowKnown();
+  }
+  const std::int32_t where = this->Where(false);
+  Parcels parcels(this->Way, peers, outgoing, where);
+  parcels.Begin();
+  bool failed = false;
+  for (std::size_t p = 0; p < peers.size(); ++p)
+  {
+    parcels.Received[p] = this->ReceiveHead(peers[p]);
+    failed = this->IsFailure(parcels.Received[p], where, peers[p]) || failed;
+  }
+  try
+  {
+    std::vector<Bytes> incoming;
+    if (!failed)
+    {
+      incoming = parcels.Receive();
+      parcels.WaitForSent();
+      return incoming;
+    }
+  }
+  catch (const std::bad_alloc&) // before anything was received
+  {
+    this->Known = LackOfMemory(this->MyRank, this->NumberOfRanks);
+  }
+  for (std::size_t p = 0; p < peers.size(); ++p)
+  {
+    const Head& head = parcels.Received[p];
+    this->Drop(head.Failed ? 0 : head.SizeAfter(), peers[p]);
+  }
+  this->Settle();
+  parcels.WaitForSent();
+  this->ThrowKnown();
+}
+
+std::vector<Bytes> MessageRanks::Exchange(
+  const std::vector<int>& peers, const std::vector<Bytes>& outgoing)
+{
+  if (peers.empty())
+  {
+    return {};
+  }
+  ++this->Counted.Exchanges;
+  for (const Bytes& bytes : outgoing)
+  {
+    ++this->Counted.Messages;
+    this->Counted.MessageBytes += static_cast<std::int64_t>(bytes.size());
+  }
+  return this->Swap(peers, outgoing);
+}
+
+/// Makes mine of all ranks; merge(bytes, others): must not depend on the order. Doubles the ranks that are merged each round; those beyond
+/// a power of two give theirs to one before.
+template <class Merge>
+void MessageRanks::Combine(Bytes& mine, const Merge& merge)
+{
+  int whole = 1;
+  while (2 * whole <= this->NumberOfRanks)
+  {
+    whole *= 2;
+  }
+  const auto swap = [this](int peer, const Bytes& bytes)
+  { return std::move(this->Swap({ peer }, { bytes })[0]); };
+  if (this->MyRank >= whole)
+  {
+    swap(this->MyRank - whole, mine);
+    mine = swap(this->MyRank - whole, {});
+    return;
+  }
+  const bool hasGuest = this->MyRank + whole < this->NumberOfRanks;
+  if (hasGuest)
+  {
+    merge(mine, swap(this->MyRank + whole, {}));
+  }
+  for (int step = 1; step < whole; step *= 2)
+  {
+    merge(mine, swap(this->MyRank ^ step, mine));
+  }
+  if (hasGuest)
+  {
+    swap(this->MyRank + whole, mine);
+  }
+}
+
+std::vector<Bytes> MessageRanks::Gather(const Bytes& mine)
+{
+  ++this->Counted.Gathers;
+  Bytes list;
+  AddItem(this->MyRank, mine, list);
+  this->Combine(list,
+    [](Bytes& all, const Bytes& others) { all.insert(all.end(), others.begin(), others.end()); });
+  std::vector<Bytes> items = TakeItems(list, this->NumberOfRanks);
+  for (const Bytes& item : items)
+  {
+    this->Counted.GatheredBytes += static_cast<std::int64_t>(item.size());
+  }
+  return items;
+}
+
+void MessageRanks::Sum(std::vector<std::int64_t>& values)
+{
+  if (values.empty())
+  {
+    return;
+  }
+  ++this->Counted.Reductions;
+  Bytes bytes = ToBytes(values);
+  this->Combine(bytes,
+    [&values](Bytes& sums, const Bytes& others)
+    {
+      const std::vector<std::int64_t> mine = FromBytes<std::int64_t>(sums),
+                                      theirs = FromBytes<std::int64_t>(others);
+      std::transform(
+        mine.begin(), mine.end(), theirs.begin(), values.begin(), std::plus<std::int64_t>());
+      sums = ToBytes(values);
+    });
+  values = FromBytes<std::int64_t>(bytes);
+}
+
+double MessageRanks::Max(double value)
+{
+  ++this->Counted.Reductions;
+  Bytes bytes = ToBytes(std::vector<double>{ value });
+  this->Combine(bytes,
+    [](Bytes& largest, const Bytes& others)
+    {
+      const double values[2] = { FromBytes<double>(largest)[0], FromBytes<double>(others)[0] };
+      largest = ToBytes(std::vector<double>{ std::max(values[0], values[1]) });
+    });
+  return FromBytes<double>(bytes)[0];
+}
+
+} // namespace vfm

@@ -1,0 +1,139 @@
+#include "Input/FindNeighbours.h"
+
+#include "Base/Runtime.h"
+#include "Ranks/Agreement.h"
+
+#include <map>
+#include <string>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int Hops = 2;                 // face neighbours, then edges, then corners
+constexpr double TouchTolerance = 1e-6; // of the box's size
+
+bool IsNear(const RankBox& a, const RankBox& b, double reach)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double slack = reach + TouchTolerance * (a.Upper[axis] - a.Lower[axis]);
+    if (a.Lower[axis] > b.Upper[axis] + slack || b.Lower[axis] > a.Upper[axis] + slack)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The distinct ranks across the faces.
+std::vector<int> ListPeers(const RankBox& mine, const std::array<int, 6>& faces, int count)
+{
+  std::vector<int> peers;
+  for (int rank : faces)
+  {
+    if (rank >= count || rank < -1 || rank == mine.Rank)
+    {
+      throw InputError("Rank " + std::to_string(mine.Rank) + " names " + std::to_string(rank) +
+        " as a face neighbour; there are ranks 0 to " + std::to_string(count - 1) +
+        ", and -1 stands for none.");
+    }
+    if (rank >= 0)
+    {
+      peers.push_back(rank);
+    }
+  }
+  std::sort(peers.begin(), peers.end());
+  peers.erase(std::unique(peers.begin(), peers.end()), peers.end());
+  return peers;
+}
+
+/// A number of 31 bits for a pair of ranks (finaliser of MurmurHash3, Appleby).
+std::int64_t HashPair(std::uint64_t low, std::uint64_t high)
+{
+  std::uint64_t h = (low << 32) + high;
+  h = (h ^ h >> 33) * 0xff51afd7ed558ccdULL;
+  h = (h ^ h >> 33) * 0xc4ceb9fe1a85ec53ULL;
+  return static_cast<std::int64_t>((h ^ h >> 33) & 0x7fffffff);
+}
+
+/// All ranks must know that naming is mutual before anyone waits for anyone: the two sides of a pair cancel.
+void CheckMutual(const RankBox& mine, const std::vector<int>& peers, Ranks& ranks)
+{
+  std::vector<std::int64_t> sum{ 0 };
+  for (int peer : peers)
+  {
+    sum[0] += mine.Rank < peer ? HashPair(mine.Rank, peer) : -HashPair(peer, mine.Rank);
+  }
+  ranks.Sum(sum);
+  if (sum[0] != 0)
+  {
+    throw InputError("Some rank names a face neighbour that does not name it: where rank i gives "
+                     "j, j must give i.");
+  }
+}
+
+/// One hop: tells the peers what this rank knows, and learns what is near. Whether anything was new.
+bool LearnBoxes(const RankBox& mine, const std::vector<int>& peers, double reach, Ranks& ranks,
+  std::map<int, RankBox>& known)
+{
+  std::vector<RankBox> told;
+  for (const auto& box : known)
+  {
+    told.push_back(box.second);
+  }
+  const std::size_t before = known.size();
+  for (const Bytes& message :
+    ranks.Exchange(peers, std::vector<Bytes>(peers.size(), ToBytes(told))))
+  {
+    for (const RankBox& box : FromBytes<RankBox>(message))
+    {
+      if (IsNear(mine, box, reach))
+      {
+        known.emplace(box.Rank, box);
+      }
+    }
+  }
+  return known.size() > before;
+}
+
+void CheckTouch(
+  const RankBox& mine, const std::vector<int>& peers, const std::map<int, RankBox>& known)
+{
+  for (int peer : peers)
+  {
+    const auto found = known.find(peer);
+    if (found == known.end() || !IsNear(mine, found->second, 0.0))
+    {
+      throw InputError("Rank " + std::to_string(mine.Rank) + " names " + std::to_string(peer) +
+        " as a face neighbour, but their boxes do not touch.");
+    }
+  }
+}
+
+} // namespace
+
+std::vector<RankBox> FindNeighbours(
+  const RankBox& mine, const std::array<int, 6>& faces, Ranks& ranks, double reach)
+{
+  std::vector<int> peers;
+  WorkTogether(ranks, [&] { peers = ListPeers(mine, faces, ranks.Count()); });
+  CheckMutual(mine, peers, ranks);
+  std::map<int, RankBox> known{ { mine.Rank, mine } };
+  bool isNew = true;
+  for (int hop = 0; hop <= Hops || ranks.Any(isNew); ++hop)
+  {
+    isNew = LearnBoxes(mine, peers, reach, ranks, known);
+  }
+  WorkTogether(ranks, [&] { CheckTouch(mine, peers, known); });
+  known.erase(mine.Rank);
+  std::vector<RankBox> neighbours;
+  for (const auto& box : known)
+  {
+    neighbours.push_back(box.second);
+  }
+  return neighbours;
+}
+
+} // namespace vfm

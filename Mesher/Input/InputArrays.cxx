@@ -1,0 +1,64 @@
+#include "Input/InputArrays.h"
+
+#include "Base/Runtime.h"
+
+namespace vfm
+{
+namespace
+{
+
+std::string ListNames(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "'" : ", '") + name + "'";
+  }
+  return list.empty() ? "none" : list;
+}
+
+} // namespace
+
+std::shared_ptr<const BlockArray> FindTuples(const InputBlock& block, const std::string& name)
+{
+  const std::string kind = block.ArePoints ? "point" : "cell";
+  const auto array = block.Arrays->Find(name);
+  if (!array)
+  {
+    throw InputError(block.Name + " has no numeric " + kind + " array '" + name + "'. Its " + kind +
+      " arrays: " + ListNames(block.Arrays->Names()) + ".");
+  }
+  if (array->Tuples != block.Arrays->NumberOfTuples())
+  {
+    throw InputError(block.Name + ": the " + kind + " array '" + name + "' has " +
+      std::to_string(array->Tuples) + " values for " +
+      std::to_string(block.Arrays->NumberOfTuples()) + " " + kind + "s.");
+  }
+  return array;
+}
+
+std::shared_ptr<const BlockArray> FindArray(const InputBlock& block, const std::string& name)
+{
+  auto array = FindTuples(block, name);
+  if (array->Components != 1)
+  {
+    throw InputError("The array '" + name + "' has " + std::to_string(array->Components) +
+      " components: an array with one value a cell is needed.");
+  }
+  return array;
+}
+
+std::shared_ptr<const BlockArray> FindMaterialArray(
+  const InputBlock& block, const std::string& name)
+{
+  auto array = FindArray(block, name);
+  if (block.Arrays->HoldsIds(name))
+  {
+    throw InputError("'" + name +
+      "' holds ids, which number cells or points: it holds no materials. Choose other arrays, or "
+      "rename it if it does.");
+  }
+  return array;
+}
+
+} // namespace vfm

@@ -1,0 +1,241 @@
+/**
+ * Input given by one volume fraction array a material.
+ */
+#include "Input/InputArrays.h"
+#include "Input/InputFields.h"
+#include "Ranks/Agreement.h"
+
+#include <functional>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double ByteRounding = 0.50001 / 255; // of a fraction stored as unsigned char
+
+class FractionCells : public InputCells
+{
+public:
+  FractionCells(const InputBlocks& input, const std::vector<std::string>& names, double tolerance) :
+    InputCells(input), Names(names), OutsideTolerance(tolerance), Bytes(names.size(), 0)
+  {
+    for (const InputBlock& block : input.Blocks)
+    {
+      for (std::size_t m = 0; m < names.size(); ++m)
+      {
+        const auto array = FindMaterialArray(block, names[m]);
+        this->Bytes[m] += array->Type == ValueType::UnsignedChar;
+        this->Columns.emplace_back(array);
+      }
+    }
+  }
+
+  /// Of each material, how many of its arrays are of type unsigned char; of all ranks once set, as a rank may be sent what
+  /// another has as bytes.
+  const std::vector<Index>& GetBytes() const { return this->Bytes; }
+  void SetBytes(std::vector<Index> bytes) { this->Bytes = std::move(bytes); }
+  /// Of fractions of type unsigned char: 128 + 128 is 256 / 255.
+  double Rounding(int material) const { return this->Bytes[material - 1] > 0 ? ByteRounding : 0.0; }
+
+  double Tolerance() const { return this->OutsideTolerance; }
+
+  SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
+  InputField MakeField(
+    const CartesianGrid& grid, const std::vector<SparseCells>& received) const override;
+
+  int NumberOfMaterials() const { return static_cast<int>(this->Names.size()); }
+  const std::string& Name(int material) const { return this->Names[material - 1]; }
+  const std::vector<InputBlock>& Blocks() const { return this->Input.Blocks; }
+  void ReadFractions(
+    std::size_t block, int material, const Index3& first, Index count, double* values) const
+  {
+    ReadRow(this->Blocks()[block], this->Columns[block * this->Names.size() + material - 1], first,
+      count, values);
+  }
+
+protected:
+  void ReadMaterials(
+    std::size_t block, const Index3& first, Index count, int* materials) const override;
+
+private:
+  std::vector<std::string> Names;
+  double OutsideTolerance;
+  std::vector<Index> Bytes;
+  std::vector<Column<double>> Columns; // of each block, its materials
+};
+
+/// Reads rows of the local box from the blocks of this rank and from boxes that other ranks sent.
+class LocalReader : public FractionField::Reader
+{
+public:
+  LocalReader(const CartesianGrid& grid, const FractionCells& cells,
+    const std::vector<SparseCells>& received) :
+    Cells(cells), Received(received), Lowest(grid.Local().Lower[2]), Layers(grid.Local().Size(2))
+  {
+    for (std::size_t b = 0; b < cells.Blocks().size(); ++b)
+    {
+      this->AddSource(cells.Blocks()[b].Box, b, grid.Local());
+    }
+    for (std::size_t r = 0; r < received.size(); ++r)
+    {
+      this->AddSource(received[r].Box, cells.Blocks().size() + r, grid.Local());
+    }
+  }
+
+  void Read(int material, const Index3& first, Index count, double* values) const override
+  {
+    std::fill_n(values, count, 0.0);
+    for (const Source& source : this->Layers[first[2] - this->Lowest])
+    {
+      const Index begin = std::max(first[0], source.Box.Lower[0]);
+      const Index end = std::min(first[0] + count, source.Box.Upper[0]);
+      if (first[1] >= source.Box.Lower[1] && first[1] < source.Box.Upper[1] && begin < end)
+      {
+        this->ReadSource(source, material, { { begin, first[1], first[2] } }, end - begin,
+          values + (begin - first[0]));
+      }
+    }
+  }
+  double Rounding(int material) const override { return this->Cells.Rounding(material); }
+  double Tolerance() const override { return this->Cells.Tolerance(); }
+  std::string Name(int material) const override { return this->Cells.Name(material); }
+
+private:
+  struct Source
+  {
+    IndexBox Box;
+    std::size_t Number; // of the block, or after the blocks of the received box
+  };
+
+  void AddSource(const IndexBox& box, std::size_t number, const IndexBox& local)
+  {
+    const IndexBox common = Intersect(box, local);
+    for (Index k = common.Lower[2]; common.NumberOfCells() > 0 && k < common.Upper[2]; ++k)
+    {
+      this->Layers[k - this->Lowest].push_back({ common, number });
+    }
+  }
+
+  void ReadSource(
+    const Source& source, int material, const Index3& first, Index count, double* values) const
+  {
+    const std::size_t blocks = this->Cells.Blocks().size();
+    if (source.Number < blocks)
+    {
+      this->Cells.ReadFractions(source.Number, material, first, count, values);
+      return;
+    }
+    const SparseCells& box = this->Received[source.Number - blocks];
+    const Index cell = box.CellId(first);
+    for (Index c = 0; c < count; ++c)
+    {
+      values[c] = box.Fraction(cell + c, material);
+    }
+  }
+
+  const FractionCells& Cells;
+  const std::vector<SparseCells>& Received;
+  Index Lowest;
+  std::vector<std::vector<Source>> Layers; // per layer of cells along z of the local box
+};
+
+void FractionCells::ReadMaterials(
+  std::size_t block, const Index3& first, Index count, int* materials) const
+{
+  std::vector<double> values(count);
+  std::fill_n(materials, count, 0);
+  for (int m = 1; m <= this->NumberOfMaterials(); ++m)
+  {
+    this->ReadFractions(block, m, first, count, values.data());
+    for (Index c = 0; c < count; ++c)
+    {
+      if (values[c] != 0.0) // NaN too
+      {
+        materials[c] = materials[c] == 0 && values[c] == 1.0 ? m : Mixed;
+      }
+    }
+  }
+}
+
+SparseCells FractionCells::Extract(const InputBlock& block, const IndexBox& box) const
+{
+  struct Item
+  {
+    int Material;
+    double Value;
+  };
+  const std::size_t number = &block - this->Blocks().data();
+  SparseCells cells;
+  cells.Box = box;
+  std::vector<double> values(box.Size(0));
+  std::vector<std::vector<Item>> row(box.Size(0));
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      for (int m = 1; m <= this->NumberOfMaterials(); ++m)
+      {
+        this->ReadFractions(number, m, { { box.Lower[0], j, k } }, box.Size(0), values.data());
+        for (Index c = 0; c < box.Size(0); ++c)
+        {
+          if (values[c] != 0.0) // NaN too
+          {
+            row[c].push_back({ m, values[c] });
+          }
+        }
+      }
+      for (std::vector<Item>& items : row)
+      {
+        cells.AddCell(items);
+        items.clear();
+      }
+    });
+  return cells;
+}
+
+InputField FractionCells::MakeField(
+  const CartesianGrid& grid, const std::vector<SparseCells>& received) const
+{
+  const int count = this->NumberOfMaterials();
+  Materials table{ { "Void" }, { 0 } };
+  for (int m = 1; m <= count; ++m)
+  {
+    table.Names.push_back(this->Name(m));
+    table.Labels.push_back(m);
+  }
+  const LocalReader reader(grid, *this, received);
+  InputField field{ FractionField::FromReader(grid, count, reader), std::move(table), {} };
+  field.Mended = { field.Fractions.NumberOfNormalisedCells(),
+    field.Fractions.NumberOfClippedCells() };
+  return field;
+}
+
+} // namespace
+
+LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
+  const std::vector<std::string>& names, double tolerance, Ranks& ranks)
+{
+  LevelCells cells;
+  std::vector<FractionCells*> opened;
+  std::vector<Index> bytes(names.size(), 0);
+  WorkTogether(ranks,
+    [&]
+    {
+      for (const InputBlocks& level : levels)
+      {
+        auto own = std::make_unique<FractionCells>(level, names, tolerance);
+        std::transform(
+          bytes.begin(), bytes.end(), own->GetBytes().begin(), bytes.begin(), std::plus<>());
+        opened.push_back(own.get());
+        cells.push_back(std::move(own));
+      }
+    });
+  ranks.Sum(bytes);
+  for (FractionCells* own : opened)
+  {
+    own->SetBytes(bytes);
+  }
+  return cells;
+}
+
+} // namespace vfm

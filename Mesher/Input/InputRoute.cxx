@@ -1,0 +1,45 @@
+#include "Input/InputRoute.h"
+
+#include <set>
+
+namespace vfm
+{
+
+InputRoute FindInputRoute(
+  const std::vector<BlockPlace>& owners, const InputBlocks& input, int myRank, Index ghostLayers)
+{
+  const auto needs = [&](const IndexBox& owned)
+  { return Grow(owned, ghostLayers, input.Global()); };
+  const IndexBox mine = needs(BoxOfRank(owners, myRank));
+  std::set<int> senders;
+  for (const BlockPlace& place : input.Places)
+  {
+    if (Intersect(place.Box, mine).NumberOfCells() > 0)
+    {
+      senders.insert(place.Rank);
+    }
+  }
+  InputRoute route;
+  for (const BlockPlace& owner : owners)
+  {
+    const IndexBox wanted = needs(owner.Box);
+    const bool wants = std::any_of(input.Blocks.begin(), input.Blocks.end(),
+      [&wanted](const InputBlock& block)
+      { return Intersect(block.Box, wanted).NumberOfCells() > 0; });
+    if (owner.Rank != myRank && (wants || senders.count(owner.Rank) > 0))
+    {
+      route.Peers.push_back(owner.Rank);
+      route.Wanted.push_back(wanted);
+    }
+  }
+  return route;
+}
+
+const IndexBox& BoxOfRank(const std::vector<BlockPlace>& owners, int rank)
+{
+  return std::find_if(
+    owners.begin(), owners.end(), [rank](const BlockPlace& owner) { return owner.Rank == rank; })
+    ->Box;
+}
+
+} // namespace vfm

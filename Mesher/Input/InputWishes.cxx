@@ -1,0 +1,295 @@
+#include "Input/InputWishes.h"
+
+#include "Input/InputArrays.h"
+#include "Input/InputRoute.h"
+#include "Input/NodeCoordinates.h"
+#include "Ranks/Agreement.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+bool IsNumberOfHalvings(double value)
+{
+  return value >= 0.0 && value <= MostHalvings && value == std::floor(value);
+}
+
+[[noreturn]] void RefuseBox(std::size_t number, const RefinementBox& box, const std::string& why)
+{
+  std::ostringstream text;
+  text << "The refinement box " << number + 1 << " reaches from (" << box.Lower[0] << ", "
+       << box.Lower[1] << ", " << box.Lower[2] << ") to (" << box.Upper[0] << ", " << box.Upper[1]
+       << ", " << box.Upper[2] << ") and asks for " << box.Halvings << " halvings: " << why << ".";
+  throw InputError(text.str());
+}
+
+void CheckBoxes(const std::vector<RefinementBox>& boxes)
+{
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      if (!(boxes[b].Lower[a] <= boxes[b].Upper[a])) // nor NaN
+      {
+        RefuseBox(
+          b, boxes[b], std::string("along ") + AxisNames[a] + " it must not end before it begins");
+      }
+    }
+    if (!IsNumberOfHalvings(boxes[b].Halvings))
+    {
+      RefuseBox(
+        b, boxes[b], "that must be a whole number from 0 to " + std::to_string(MostHalvings));
+    }
+  }
+}
+
+/// Boxes in the own axes of images (ImageFrame).
+std::vector<RefinementBox> TurnBoxes(std::vector<RefinementBox> boxes, const ImageFrame& frame)
+{
+  if (boxes.empty() || frame.IsIdentity())
+  {
+    return boxes;
+  }
+  if (!frame.IsAligned())
+  {
+    throw InputError(
+      "Refinement boxes have sides along x, y and z, and the image is turned against "
+      "these (direction matrix). Choose the cells by a Refinement Array.");
+  }
+  for (RefinementBox& box : boxes)
+  {
+    const Vector3 a = frame.ToOwn(box.Lower), b = frame.ToOwn(box.Upper);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.Lower[axis] = std::min(a[axis], b[axis]);
+      box.Upper[axis] = std::max(a[axis], b[axis]);
+    }
+  }
+  return boxes;
+}
+
+/// The cells of a grid that a box reaches into.
+IndexBox CellsIn(const std::array<std::vector<double>, 3>& coordinates, const RefinementBox& box)
+{
+  IndexBox cells;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = coordinates[a];
+    for (std::size_t i = 0; i + 1 < x.size(); ++i)
+    {
+      const double margin = MatchTolerance * (x[i + 1] - x[i]);
+      cells.Lower[a] += x[i + 1] - margin < box.Lower[a];
+      cells.Upper[a] += x[i] + margin <= box.Upper[a];
+    }
+    cells.Upper[a] = std::max(cells.Lower[a], cells.Upper[a]);
+  }
+  return cells;
+}
+
+/// Reads what cells want, block by block.
+class WishReader
+{
+public:
+  WishReader(
+    const InputLevels& input, const std::string& array, const std::vector<RefinementBox>& boxes) :
+    Input(input),
+    Array(array),
+    Boxes(TurnBoxes(boxes, input.Reading.Frame)),
+    CellsOfBoxes(boxes.size())
+  {
+  }
+
+  std::vector<std::vector<ChosenBox>> Read()
+  {
+    for (int level = 0; level <= this->Input.Finest(); ++level)
+    {
+      this->ReadLevel(level);
+    }
+    return std::move(this->Rows);
+  }
+
+  /// Of each box how many cells of this rank's blocks it reaches into.
+  const std::vector<Index>& GetCellsOfBoxes() const { return this->CellsOfBoxes; }
+
+private:
+  void ReadLevel(int level)
+  {
+    this->Rows.emplace_back();
+    const InputBlocks& blocks = this->Input.Levels[level];
+    this->Places.clear();
+    for (const RefinementBox& box : this->Boxes)
+    {
+      this->Places.push_back(
+        { CellsIn(blocks.Coordinates, box), static_cast<Index>(box.Halvings) });
+    }
+    for (const InputBlock& block : blocks.Blocks)
+    {
+      const auto array = this->Array.empty() ? nullptr : FindArray(block, this->Array);
+      ForRows(block.Box, [&](Index j, Index k) { this->ReadRow(block, array.get(), level, j, k); });
+      for (std::size_t b = 0; b < this->Boxes.size(); ++b)
+      {
+        this->CellsOfBoxes[b] += Intersect(this->Places[b].Cells, block.Box).NumberOfCells();
+      }
+    }
+  }
+
+  void ReadRow(const InputBlock& block, const BlockArray* array, int level, Index j, Index k)
+  {
+    const Index begin = block.Box.Lower[0], count = block.Box.Size(0);
+    this->Row.assign(count, 0);
+    for (const ChosenBox& place : this->Places)
+    {
+      const IndexBox cells =
+        Intersect(place.Cells, { { { begin, j, k } }, { { begin + count, j + 1, k + 1 } } });
+      for (Index i = cells.Lower[0]; cells.NumberOfCells() > 0 && i < cells.Upper[0]; ++i)
+      {
+        this->Row[i - begin] = std::max(this->Row[i - begin], place.Halvings);
+      }
+    }
+    const Index id = block.CellId({ { begin, j, k } });
+    ClearHidden(block, id, count, this->Row.data());
+    for (Index i = 0; array && i < count; ++i)
+    {
+      if (!IsHidden(block, id + i))
+      {
+        const double value = array->Get(id + i, 0);
+        this->CheckValue(value, { { begin + i, j, k } }, level);
+        this->Row[i] = std::max(this->Row[i], static_cast<Index>(value));
+      }
+    }
+    this->AddRow({ { begin, j, k } });
+  }
+
+  void CheckValue(double value, const Index3& cell, int level) const
+  {
+    if (!IsNumberOfHalvings(value))
+    {
+      std::ostringstream text;
+      text << "The refinement array '" << this->Array << "' holds " << value << " in "
+           << TextOf(cell);
+      text << (this->Input.Finest() > 0 ? " of level " + std::to_string(level) : "")
+           << ": it must tell how many times each cell is to be halved, a whole number from 0 to "
+           << MostHalvings << ".";
+      throw InputError(text.str());
+    }
+  }
+
+  /// Cells of equal wishes are one box.
+  void AddRow(const Index3& first)
+  {
+    const Index count = static_cast<Index>(this->Row.size());
+    for (Index i = 0, end = 0; i < count; i = end)
+    {
+      while (end < count && this->Row[end] == this->Row[i])
+      {
+        ++end;
+      }
+      if (this->Row[i] > 0)
+      {
+        this->Rows.back().push_back({ { { { first[0] + i, first[1], first[2] } },
+                                        { { first[0] + end, first[1] + 1, first[2] + 1 } } },
+          this->Row[i] });
+      }
+    }
+  }
+
+  const InputLevels& Input;
+  const std::string& Array;
+  const std::vector<RefinementBox> Boxes;
+  std::vector<std::vector<ChosenBox>> Rows; // of each level
+  std::vector<ChosenBox> Places;            // of Boxes on the level that is read
+  std::vector<Index> CellsOfBoxes, Row;
+};
+
+std::string WarnOfEmptyBoxes(const std::vector<Index>& cells)
+{
+  std::string text;
+  for (std::size_t b = 0; b < cells.size(); ++b)
+  {
+    if (cells[b] == 0)
+    {
+      text += (text.empty() ? "No cell lies in the refinement box " : ", ") + std::to_string(b + 1);
+    }
+  }
+  return text.empty() ? "" : text + ".";
+}
+
+} // namespace
+
+InputWishes FindInputWishes(const InputLevels& input, const std::string& array,
+  const std::vector<RefinementBox>& boxes, Ranks& ranks)
+{
+  InputWishes wishes;
+  wishes.Levels.resize(input.Levels.size());
+  if (array.empty() && boxes.empty())
+  {
+    return wishes;
+  }
+  CheckBoxes(boxes);
+  WishReader reader(input, array, boxes);
+  WorkTogether(ranks, [&] { wishes.Levels = reader.Read(); });
+  Index cells = 0, finest = 0;
+  for (int level = 0; level <= input.Finest(); ++level)
+  {
+    for (const ChosenBox& row : wishes.Levels[level])
+    {
+      cells += row.Cells.NumberOfCells();
+      finest = std::max(finest, level + row.Halvings);
+    }
+  }
+  std::vector<Index> counts = reader.GetCellsOfBoxes();
+  counts.push_back(cells);
+  ranks.Sum(counts);
+  wishes.Cells = counts.back();
+  counts.pop_back();
+  wishes.Warning = WarnOfEmptyBoxes(counts);
+  wishes.Finest = static_cast<int>(ranks.Max(static_cast<double>(finest)));
+  return wishes;
+}
+
+InputWishes ShareOutWishes(const InputWishes& wishes, const InputLevels& input,
+  const std::vector<BlockPlace>& owners, Ranks& ranks)
+{
+  InputWishes shared = wishes;
+  for (int level = 0; wishes.Cells > 0 && level <= input.Finest(); ++level)
+  {
+    const std::vector<BlockPlace> places = ChangeLevel(owners, level);
+    const auto rowsIn = [&](const IndexBox& box)
+    {
+      std::vector<ChosenBox> rows;
+      for (const ChosenBox& row : wishes.Levels[level])
+      {
+        const IndexBox cells = Intersect(row.Cells, box);
+        if (cells.NumberOfCells() > 0)
+        {
+          rows.push_back({ cells, row.Halvings });
+        }
+      }
+      return rows;
+    };
+    const InputRoute route = FindInputRoute(places, input.Levels[level], ranks.Rank(), 0);
+    std::vector<ChosenBox>& mine = shared.Levels[level];
+    std::vector<Bytes> outgoing;
+    WorkTogether(ranks,
+      [&]
+      {
+        mine = rowsIn(BoxOfRank(places, ranks.Rank()));
+        for (const IndexBox& wanted : route.Wanted)
+        {
+          outgoing.push_back(ToBytes(rowsIn(wanted)));
+        }
+      });
+    for (const Bytes& message : ranks.Exchange(route.Peers, outgoing))
+    {
+      const std::vector<ChosenBox> rows = FromBytes<ChosenBox>(message);
+      mine.insert(mine.end(), rows.begin(), rows.end());
+    }
+  }
+  return shared;
+}
+
+} // namespace vfm

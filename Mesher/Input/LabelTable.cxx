@@ -1,0 +1,202 @@
+#include "Input/LabelTable.h"
+
+#include "Ranks/Errors.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr const char* Blanks = " \t\r\n\v\f";
+
+std::string Trim(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(Blanks);
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
+}
+
+bool IsNumber(const std::string& text)
+{
+  return !text.empty() && text.find_first_not_of("+-.0123456789eE") == std::string::npos &&
+    text.find_first_of("0123456789") != std::string::npos;
+}
+
+/// Whether a line that begins with this word names columns.
+bool IsTitle(std::string word)
+{
+  std::transform(word.begin(), word.end(), word.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto words = { "id", "index", "label", "number", "value" };
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The name in what follows the label; end: what parts it from what follows.
+std::string FindName(const std::string& rest, char end)
+{
+  const std::size_t quote = rest.find('"'), last = rest.rfind('"');
+  if (quote != last)
+  {
+    return Trim(rest.substr(quote + 1, last - quote - 1));
+  }
+  return Trim(rest.substr(0, rest.find(end)));
+}
+
+} // namespace
+
+std::optional<int> LabelTable::ParseLabel(const std::string& text)
+{
+  const bool isNumber =
+    !text.empty() && text.size() <= 10 && text.find_first_not_of("0123456789") == std::string::npos;
+  const long long number = isNumber ? std::stoll(text) : -1;
+  return number >= 0 && number <= std::numeric_limits<int>::max()
+    ? std::make_optional(static_cast<int>(number))
+    : std::nullopt;
+}
+
+void LabelTable::Refuse(int place, const std::string& problem) const
+{
+  throw InputError("Cannot read the names of labels from " + this->Path +
+    (place > 0 ? ", " + this->NamePlace(place) : "") + ": " + problem);
+}
+
+void LabelTable::AddElement(int place, int label, const std::string& name)
+{
+  this->Rows.push_back({ place, label, name, "", 0 });
+}
+
+void LabelTable::ReadLine(const std::string& line, int number)
+{
+  const std::size_t end = line.find_first_of(" \t,;");
+  const std::string first = line.substr(0, end);
+  const std::optional<int> label = ParseLabel(first);
+  if (!label)
+  {
+    if (this->Rows.empty() && IsTitle(first))
+    {
+      return;
+    }
+    this->Refuse(number,
+      "it begins with '" + first.substr(0, 40) + "', which is no label: a whole number from 0 to " +
+        std::to_string(std::numeric_limits<int>::max()) + ".");
+  }
+  Row row;
+  row.Place = number;
+  row.Label = *label;
+  const std::size_t next = line.find_first_not_of(" \t", end);
+  const bool isParted = next != std::string::npos && (line[next] == ',' || line[next] == ';');
+  const std::string rest =
+    next == std::string::npos ? "" : Trim(line.substr(next + (isParted ? 1 : 0)));
+  row.Name = FindName(rest, isParted ? line[next] : '\t');
+  if (row.Name.empty())
+  {
+    this->Refuse(number, "label " + first + " has no name.");
+  }
+  std::istringstream words(rest);
+  std::string word;
+  words >> row.Word;
+  while (words >> word)
+  {
+    ++row.Numbers;
+    if (!IsNumber(word))
+    {
+      row.Word.clear();
+    }
+  }
+  this->Rows.push_back(std::move(row));
+}
+
+void LabelTable::ReadText(std::istream& stream)
+{
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number)
+  {
+    line = Trim(line);
+    if (!line.empty() && line[0] != '#')
+    {
+      this->ReadLine(line, number);
+    }
+  }
+}
+
+/// Whether all names are of one word, followed by as many numbers.
+bool LabelTable::HasColumnsOfNumbers() const
+{
+  std::set<std::string> words;
+  for (const Row& row : this->Rows)
+  {
+    words.insert(row.Word);
+    if (row.Word.empty() || row.Numbers != this->Rows[0].Numbers)
+    {
+      return false;
+    }
+  }
+  const std::size_t numbers = this->Rows.empty() ? 0 : this->Rows[0].Numbers;
+  return (numbers == 1 && words.size() == this->Rows.size()) || numbers == 3 || numbers == 4;
+}
+
+LabelNames LabelTable::MakeNames()
+{
+  if (this->Rows.empty())
+  {
+    this->Refuse(0, "it holds none.");
+  }
+  const bool isWord = this->HasColumnsOfNumbers();
+  std::map<int, int> places;
+  std::map<std::string, const Row*> named;
+  LabelNames names;
+  for (Row& row : this->Rows)
+  {
+    row.Name = isWord ? row.Word : row.Name;
+    const auto label = places.emplace(row.Label, row.Place);
+    if (!label.second)
+    {
+      this->Refuse(row.Place,
+        "label " + std::to_string(row.Label) + " is in " + this->NamePlace(label.first->second) +
+          " too.");
+    }
+    const auto name = named.emplace(row.Name, &row);
+    if (!name.second)
+    {
+      const Row& other = *name.first->second;
+      this->Refuse(row.Place,
+        "the name '" + row.Name + "' is that of label " + std::to_string(other.Label) + " in " +
+          this->NamePlace(other.Place) + " too.");
+    }
+    names[row.Label] = row.Name;
+  }
+  return names;
+}
+
+LabelNames ReadLabelTable(const std::string& path, const std::function<void(LabelTable&)>& readXml)
+{
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (stream.peek() == std::ifstream::traits_type::eof())
+  {
+    throw InputError("Cannot read the names of labels from " + path + ": " +
+      (errno ? std::strerror(errno) : "the file is empty") + ".");
+  }
+  const bool isXml = stream.peek() == '<';
+  LabelTable table(path, isXml ? "element " : "line ");
+  if (isXml)
+  {
+    readXml(table);
+  }
+  else
+  {
+    table.ReadText(stream);
+  }
+  return table.MakeNames();
+}
+
+} // namespace vfm

@@ -1,0 +1,397 @@
+#include "Levels/LevelFields.h"
+
+#include "Base/Sorted.h"
+#include "Fractions/CoarsenFields.h"
+#include "Fractions/FractionSum.h"
+#include "Fractions/GhostFractions.h"
+#include "Input/InputRoute.h"
+#include "Input/MakePartition.h"
+#include "Octree/OctreeKeys.h"
+#include "Ranks/Agreement.h"
+
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int ChunkLevels =
+  3; // chunks that are averaged at a time have so many halvings of their cells
+
+/// Sets the cells of a box that finer ones cover to the means of these.
+void AverageCells(const CartesianGrid& fineGrid, const FractionField& fine, const LevelCover& cover,
+  const IndexBox& box, const CartesianGrid& grid, FractionField& field)
+{
+  ForCells(box,
+    [&](const Index3& cell)
+    {
+      if (cover.Has(ChildOfCell(cell, 0))) // then the others, too (CheckCover)
+      {
+        FractionSum mean;
+        for (int c = 0; c < 8; ++c)
+        {
+          mean.Add(fine, fineGrid.Linear(ChildOfCell(cell, c)), 0.125);
+        }
+        field.CopyParts(grid.Linear(cell), mean.Parts());
+      }
+    });
+}
+
+/// What the blocks hold, level by level, where this rank needs it.
+class LevelData
+{
+public:
+  /// Collective. top: the finest level that is kept; of finer ones the owned cells are received alone.
+  LevelData(const InputLevels& input, const LevelCells& cells,
+    const std::vector<BlockPlace>& owners, int top, Ranks& ranks) :
+    Input(input), Cells(cells)
+  {
+    for (int level = 0; level <= input.Finest(); ++level)
+    {
+      this->Received.push_back(ReceiveCells(ChangeLevel(owners, level), input.Levels[level],
+        *cells[level], level > top ? 0 : GhostLayers, ranks));
+    }
+  }
+
+  InputField MakeField(int level, const CartesianGrid& grid) const
+  {
+    return this->Cells[level]->MakeField(grid, this->Received[level]);
+  }
+
+  /// Sets the cells of a box that finer blocks cover to the means of what these hold; returns how many finer cells were mended.
+  MendedCells Average(
+    int level, const IndexBox& box, const CartesianGrid& grid, FractionField& field) const
+  {
+    MendedCells mended;
+    ForCells(ChangeLevel(box, -ChunkLevels),
+      [&](const Index3& place)
+      {
+        const IndexBox chunk = Intersect(ChangeLevel(BoxOfCell(place), ChunkLevels), box);
+        const IndexBox finerBox = ChangeLevel(chunk, 1);
+        const LevelCover cover(this->Input, level + 1, finerBox);
+        if (!cover.IsEmpty())
+        {
+          const CartesianGrid finerGrid(this->Input.Levels[level + 1].Coordinates, finerBox);
+          InputField finer = this->MakeField(level + 1, finerGrid);
+          mended.Add(finer.Mended);
+          if (level + 1 < this->Input.Finest())
+          {
+            mended.Add(this->Average(level + 1, finerBox, finerGrid, finer.Fractions));
+          }
+          AverageCells(finerGrid, finer.Fractions, cover, chunk, grid, field);
+        }
+      });
+    return mended;
+  }
+
+private:
+  const InputLevels& Input;
+  const LevelCells& Cells;
+  std::vector<std::vector<SparseCells>> Received; // of each level
+};
+
+/// Makes the fields of the levels 0 .. top, then that of top from them.
+class FieldMaker
+{
+public:
+  FieldMaker(const InputLevels& input, const LevelCells& cells, const LevelSetup& setup,
+    const std::vector<BlockPlace>& owners, Runtime& runtime) :
+    Input(input), Run(runtime), Top(std::min(setup.Finest, input.Finest()))
+  {
+    const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
+    WorkTogether(runtime.Group(), [&] { CheckCover(input, owned); });
+    const LevelData data(input, cells, owners, this->Top, runtime.Group());
+    WorkTogether(runtime.Group(),
+      [&]
+      {
+        const auto coordinates = HalveWidths(input.Levels[0].Coordinates, std::min(setup.Base, 0));
+        for (int level = 0; level <= this->Top; ++level)
+        {
+          this->Grids.emplace_back(HalveWidths(coordinates, level - std::min(setup.Base, 0)),
+            ChangeLevel(owned, level), GhostLayers);
+          this->Fields.push_back(data.MakeField(level, this->Grids[level]));
+          this->Mended.Add(this->Fields[level].Mended);
+        }
+        if (this->Top < input.Finest())
+        {
+          this->Mended.Add(data.Average(this->Top, this->Grids[this->Top].Owned(),
+            this->Grids[this->Top], this->Fields[this->Top].Fractions));
+        }
+      });
+    this->Average();
+  }
+
+  /// Collective.
+  InputField MakeField(ChildRule rule)
+  {
+    InputField field = std::move(this->Fields[0]);
+    WorkTogether(this->Run.Group(),
+      [&]
+      {
+        for (int level = 0; level < this->Top; ++level)
+        {
+          this->Refine(level, rule, field.Fractions);
+        }
+      });
+    std::vector<Index> mended{ this->Mended.Normalised, this->Mended.Clipped };
+    this->Run.Group().Sum(mended);
+    field.Mended = { mended[0], mended[1] };
+    return field;
+  }
+
+  const CartesianGrid& Grid() const { return this->Grids.back(); }
+
+private:
+  /// Collective: from fine to coarse.
+  void Average()
+  {
+    for (int level = std::min(this->Top, this->Input.Finest() - 1); level >= 0; --level)
+    {
+      const CartesianGrid& grid = this->Grids[level];
+      FractionField& field = this->Fields[level].Fractions;
+      if (level < this->Top)
+      {
+        const CartesianGrid& finer = this->Grids[level + 1];
+        const LevelCover cover(this->Input, level + 1, finer.Owned());
+        AverageCells(finer, this->Fields[level + 1].Fractions, cover, grid.Owned(), grid, field);
+      }
+      FillGhosts(Partition(grid, this->Run.Group()), field);
+    }
+  }
+
+  /// From the fractions of a level to those of the next.
+  void Refine(int level, ChildRule rule, FractionField& fractions)
+  {
+    const CartesianGrid& finer = this->Grids[level + 1];
+    const LevelCover cover(this->Input, level + 1, finer.Local());
+    RefinedCells refined = RefineCells(this->Grids[level], fractions, this->Run, rule,
+      [&cover](const Index3& cell) { return cover.Has(ChildOfCell(cell, 0)); });
+    const FractionField& data = this->Fields[level + 1].Fractions;
+    ForCells(finer.Local(),
+      [&](const Index3& cell)
+      {
+        if (cover.Has(cell))
+        {
+          refined.Fractions.CopyCell(refined.Grid.Linear(cell), data, finer.Linear(cell));
+        }
+      });
+    fractions = std::move(refined.Fractions);
+  }
+
+  const InputLevels& Input;
+  Runtime& Run;
+  const int Top;
+  std::vector<CartesianGrid> Grids;
+  std::vector<InputField> Fields;
+  MendedCells Mended;
+};
+
+/// Keys of the families of cells of a level, in a box, that finer blocks cover.
+std::vector<Index> FindFamilies(
+  const InputLevels& input, int level, const IndexBox& owned, const OctreeKeys& lattice, int step)
+{
+  std::vector<Index> keys;
+  const LevelCover cover(input, level + 1, ChangeLevel(owned, 1));
+  ForCells(owned,
+    [&](const Index3& cell)
+    {
+      if (cover.Has(ChildOfCell(cell, 0)))
+      {
+        keys.push_back(lattice.FamilyKey(step, ParentOfCell(cell)));
+      }
+    });
+  SortUnique(keys);
+  return keys;
+}
+
+/// The families that hold the parts of the cells of others. lattice, divided: of the bases before and after.
+std::vector<Index> DivideFamilies(const std::vector<Index>& keys, int step,
+  const CellDivision& division, const OctreeKeys& lattice, const OctreeKeys& divided)
+{
+  const CellDivision ofLevel = division.OfHalves(step);
+  const IndexBox cells = ChangeLevel(lattice.Base().Global(), step);
+  std::vector<Index> result;
+  for (Index key : keys)
+  {
+    const IndexBox family = ChangeLevel(BoxOfCell(lattice.FamilyOfKey(step, key)), 1);
+    ForCells(ChangeLevel(ofLevel.Divide(Intersect(family, cells)), -1),
+      [&](const Index3& q) { result.push_back(divided.FamilyKey(step, q)); });
+  }
+  SortUnique(result);
+  return result;
+}
+
+/// Cuts the cells of Base as its division says, and those of Grid alike; ghost cells are void then.
+void DivideCells(LevelFields& fields, ChildRule rule, Runtime& runtime)
+{
+  const int levels = static_cast<int>(fields.Families.size());
+  RefinedCells refined = DivideCells(
+    fields.Grid, fields.Field.Fractions, fields.Division.OfHalves(levels), runtime, rule);
+  CartesianGrid base = CoarsenGrid(refined.Grid, levels, GhostLayers);
+  const OctreeKeys before(fields.Base, levels), after(base, levels);
+  for (int level = 0; level < levels; ++level)
+  {
+    fields.Families[level] =
+      DivideFamilies(fields.Families[level], level, fields.Division, before, after);
+  }
+  fields.Base = std::move(base);
+  fields.Grid = std::move(refined.Grid);
+  fields.Field.Fractions = std::move(refined.Fractions);
+}
+
+/// Whether boxes of level 0 consist of whole cells of a coarser one.
+bool AreAligned(const std::vector<IndexBox>& boxes, int levels)
+{
+  return std::all_of(boxes.begin(), boxes.end(),
+    [levels](const IndexBox& box)
+    { return ChangeLevel(ChangeLevel(box, -levels), levels) == box; });
+}
+
+} // namespace
+
+std::vector<BlockPlace> ShareOutCells(
+  const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks)
+{
+  const int coarser = std::max(-setup.Base, 0);
+  std::vector<IndexBox> held;
+  for (int level = 0; level <= input.Finest(); ++level)
+  {
+    for (const IndexBox& box : input.Levels[level].Boxes())
+    {
+      held.push_back(ChangeLevel(box, -level - coarser));
+    }
+  }
+  const bool mayStay =
+    input.Finest() == 0 && !ranks.Any(!AreAligned(input.Levels[0].Boxes(), coarser));
+  const auto findInterfaceCells = [&]
+  {
+    std::vector<Index3> found;
+    for (int level = 0; level <= input.Finest(); ++level)
+    {
+      for (Index3 cell : cells[level]->FindInterfaceCells())
+      {
+        for (Index& i : cell)
+        {
+          i >>= level + coarser;
+        }
+        found.push_back(cell);
+      }
+    }
+    return found;
+  };
+  std::vector<BlockPlace> owners;
+  for (const IndexBox& box : MakePartition(
+         ChangeLevel(input.Levels[0].Global(), -coarser), held, findInterfaceCells, ranks, mayStay))
+  {
+    owners.push_back({ ChangeLevel(box, coarser), static_cast<int>(owners.size()), -1 });
+  }
+  return owners;
+}
+
+LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
+  const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime)
+{
+  FieldMaker maker(input, cells, setup, owners, runtime);
+  InputField field = maker.MakeField(rule);
+  const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
+  const int top = std::min(setup.Finest, input.Finest());
+  LevelFields result{ CartesianGrid(HalveWidths(input.Levels[0].Coordinates, setup.Base),
+                        ChangeLevel(owned, setup.Base), GhostLayers),
+    maker.Grid(), std::move(field), {}, {} };
+  const OctreeKeys lattice(result.Base, setup.Finest - setup.Base);
+  for (int level = setup.Base; level < top; ++level)
+  {
+    result.Families.push_back(setup.TakesInputLevels
+        ? FindFamilies(input, level, ChangeLevel(owned, level), lattice, level - setup.Base)
+        : std::vector<Index>());
+  }
+  return result;
+}
+
+void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime)
+{
+  if (maximumAspectRatio == 0.0)
+  {
+    return;
+  }
+  runtime.Progress(0.0, "Dividing long cells");
+  WorkTogether(runtime.Group(),
+    [&]
+    {
+      if (!(maximumAspectRatio >= SmallestAspectRatio))
+      {
+        std::ostringstream text;
+        text << "MaximumAspectRatio is " << maximumAspectRatio << ": it must be at least "
+             << SmallestAspectRatio << ", or 0, by which no cell is cut.";
+        throw InputError(text.str());
+      }
+      fields.Division = DivideLongCells(fields.Base.Coordinates(), maximumAspectRatio);
+    });
+  if (fields.Division.IsNone())
+  {
+    return;
+  }
+  WorkTogether(runtime.Group(), [&] { DivideCells(fields, rule, runtime); });
+  FillGhosts(Partition(fields.Grid, runtime.Group()), fields.Field.Fractions);
+}
+
+std::vector<ChosenBox> TakeWishes(
+  const InputWishes& wishes, const LevelSetup& setup, int layers, LevelFields& fields)
+{
+  const Index steps = static_cast<Index>(fields.Families.size()); // of Grid above Base
+  const OctreeKeys lattice(fields.Base, static_cast<int>(steps));
+  std::vector<ChosenBox> beyond;
+  for (int level = setup.Base; level - setup.Base <= steps; ++level)
+  {
+    const int step = level - setup.Base;
+    const CellDivision division = fields.Division.OfHalves(step);
+    for (const ChosenBox& row : wishes.Levels[level])
+    {
+      const IndexBox cells = division.Divide(row.Cells);
+      const Index halvings = std::min(row.Halvings, steps - step);
+      AddWantedFamilies(lattice, step, { cells, halvings }, layers, fields.Families);
+      if (row.Halvings > halvings)
+      {
+        beyond.push_back(
+          { ChangeLevel(cells, static_cast<int>(halvings)), row.Halvings - halvings });
+      }
+    }
+  }
+  for (std::vector<Index>& keys : fields.Families)
+  {
+    SortUnique(keys);
+  }
+  return beyond;
+}
+
+int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
+  int layers, Runtime& runtime)
+{
+  const Partition partition(fields.Grid, runtime.Group());
+  const RefinementWishes wishes =
+    FindRefinement(fields.Grid, fields.Field.Fractions, criteria, isoValue, partition, runtime);
+  const OctreeKeys lattice(fields.Grid, wishes.Refinements);
+  for (std::vector<Index>& families : FindWantedFamilies(lattice, wishes, layers))
+  {
+    fields.Families.push_back(std::move(families)); // keys are those of the lattice over Base
+  }
+  return wishes.Refinements;
+}
+
+void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runtime)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    runtime.Progress(0.0, "Refining cells");
+    WorkTogether(runtime.Group(),
+      [&]
+      {
+        RefinedCells refined = RefineCells(fields.Grid, fields.Field.Fractions, runtime, rule);
+        fields.Grid = std::move(refined.Grid);
+        fields.Field.Fractions = std::move(refined.Fractions);
+      });
+  }
+}
+
+} // namespace vfm

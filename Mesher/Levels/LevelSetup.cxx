@@ -1,0 +1,119 @@
+#include "Levels/LevelSetup.h"
+
+#include "Input/NodeCoordinates.h"
+
+#include <cmath>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int LevelsOfCoarsening = 3; // unless more are asked for
+
+/// Whether the nodes left out lie in the middle of their neighbours.
+bool AreHalves(const std::vector<double>& x, Index step)
+{
+  for (std::size_t i = step; i + step < x.size(); i += 2 * step)
+  {
+    const double middle = x[i - step] + 0.5 * (x[i + step] - x[i - step]);
+    if (std::fabs(x[i] - middle) > MatchTolerance * (x[i + 1] - x[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// How often the cells along an axis can be joined in twos, at most so many times.
+int CountJoins(const std::vector<double>& x, int most)
+{
+  const Index cells = static_cast<Index>(x.size()) - 1;
+  int joins = 0;
+  while (joins < most && cells % (Index(2) << joins) == 0 && AreHalves(x, Index(1) << joins))
+  {
+    ++joins;
+  }
+  return joins;
+}
+
+/// Lowers the base as far as the sizes allow.
+void Coarsen(const std::array<std::vector<double>, 3>& coordinates, int wanted, int alignment,
+  LevelSetup& setup)
+{
+  const int most = wanted - setup.Finest; // below level 0; negative: the base is a finer one
+  int joins = std::min(most, alignment);
+  std::string limit = joins < most ? "the boxes of the ranks do" : "";
+  for (int axis = 0; axis < 3 && joins > 0; ++axis)
+  {
+    const int own = CountJoins(coordinates[axis], joins);
+    if (own < joins)
+    {
+      joins = own;
+      limit = std::to_string(coordinates[axis].size() - 1) + " cells along " + AxisNames[axis] +
+        " (their number, or widths that vary) do";
+    }
+  }
+  setup.Base = -joins;
+  if (joins < most)
+  {
+    setup.Warning = "Coarsening makes " + std::to_string(setup.Finest - setup.Base) +
+      " levels above the coarsest, not " + std::to_string(wanted) + ": " + limit +
+      " not allow more. A number of cells that is a multiple of a higher power of 2 does.";
+  }
+}
+
+} // namespace
+
+int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks)
+{
+  int levels = AnyLevel;
+  for (const IndexBox& box : boxes)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      while (levels > 0 && ((box.Lower[a] | box.Upper[a]) & ((Index(1) << levels) - 1)) != 0)
+      {
+        --levels;
+      }
+    }
+  }
+  return static_cast<int>(-ranks.Max(-levels));
+}
+
+LevelSetup DecideLevels(Refinement how, int maximumLevel,
+  const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,
+  int wishedFinest)
+{
+  LevelSetup setup;
+  switch (how)
+  {
+    case Refinement::Off:
+      break;
+    case Refinement::InputLevels:
+      setup.Finest = maximumLevel < 0 ? inputFinest : std::min(maximumLevel, inputFinest);
+      setup.TakesInputLevels = true;
+      break;
+    case Refinement::Automatic:
+      setup.Finest = maximumLevel < 0 ? std::max({ inputFinest, wishedFinest, 1 }) : maximumLevel;
+      setup.TakesInputLevels = true;
+      break;
+    case Refinement::Uniform:
+      setup.Finest = maximumLevel < 0 ? std::max(inputFinest, 1) : maximumLevel;
+      setup.IsUniform = true;
+      break;
+    case Refinement::Coarsen:
+      setup.Finest = inputFinest;
+      Coarsen(coordinates,
+        maximumLevel < 0 ? std::max(LevelsOfCoarsening, inputFinest) : maximumLevel, alignment,
+        setup);
+      if (maximumLevel < 0 && setup.Base < setup.Finest)
+      {
+        setup.Warning.clear(); // as many as the sizes allow
+      }
+      break;
+  }
+  return setup;
+}
+
+} // namespace vfm

@@ -1,0 +1,86 @@
+#include "State/CopyState.h"
+
+#include "Ranks/Agreement.h"
+#include "State/StateValues.h"
+#include "Transfer/StateCells.h"
+
+#include <cstring>
+
+namespace vfm
+{
+namespace
+{
+
+/// Where the values of an element are.
+struct StatePlace
+{
+  const StateSource* Source;
+  Index Place;
+};
+
+/// The finest cell of the input around the middle of a cell of a level. values: of each level.
+StatePlace FindPlace(const Index3& cell, int level, const StateValues& values)
+{
+  const int finest = static_cast<int>(values.size()) - 1;
+  for (int l = finest; l >= 0; --l)
+  {
+    Index3 own = cell;
+    for (Index& i : own)
+    {
+      i = l <= level ? i >> (level - l) : (2 * i + 1) << (l - level - 1);
+    }
+    if (const StateSource* source = values[l]->Find(own))
+    {
+      return { source, source->Place(own) };
+    }
+  }
+  throw InputError("A cell of the input has no state."); // the levels fill a box
+}
+
+/// number: of the array among all.
+CarriedArray MakeOutput(
+  const StateArray& state, std::size_t number, const std::vector<StatePlace>& places)
+{
+  const std::size_t size = TupleSize(state);
+  CarriedArray array{ state.Name, state.Type, state.Components, state.ComponentNames,
+    Buffer<char>(places.size() * size) };
+  char* to = array.Values.data();
+  for (const StatePlace& place : places)
+  {
+    std::memcpy(to, place.Source->Values[number] + place.Place * size, size);
+    to += size;
+  }
+  return array;
+}
+
+} // namespace
+
+std::vector<CarriedArray> CopyState(const InputLevels& input, const std::vector<StateArray>& states,
+  const Mesh& mesh, const MeshedGrid& meshed, const std::vector<BlockPlace>& owners,
+  Runtime& runtime)
+{
+  std::vector<CarriedArray> arrays;
+  if (states.empty())
+  {
+    return arrays;
+  }
+  Ranks& ranks = runtime.Group();
+  const StateValues values = ExchangeState(input, states, meshed.Level, owners, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      std::vector<StatePlace> places;
+      for (Index cell : FindStateCells(mesh, meshed.Grid, meshed.Fractions, runtime))
+      {
+        const Index3 whole = meshed.Division.ParentOf(CellInBox(meshed.Grid.Local(), cell));
+        places.push_back(FindPlace(whole, meshed.Level, values));
+      }
+      for (std::size_t a = 0; a < states.size(); ++a)
+      {
+        arrays.push_back(MakeOutput(states[a], a, places));
+      }
+    });
+  return arrays;
+}
+
+} // namespace vfm

@@ -1,0 +1,154 @@
+#include "State/InputContents.h"
+
+#include "Ranks/Errors.h"
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+template <class Stored>
+double ReadAs(const char* bytes)
+{
+  Stored value;
+  std::memcpy(&value, bytes, sizeof(value));
+  return static_cast<double>(value);
+}
+
+/// type: of a carrier.
+double (*FindReader(int type))(const char*)
+{
+  return VisitType(
+    type, [](auto tag) -> double (*)(const char*) { return ReadAs<typename decltype(tag)::Type>; });
+}
+
+/// What a cell holds of a material, and of all but void.
+struct Filling
+{
+  double Own = 0.0, All = 0.0;
+};
+
+Filling FindFilling(const FractionField& fractions, Index cell, int material)
+{
+  Filling filling;
+  if (!fractions.IsMixed(cell))
+  {
+    filling.Own = fractions.Label(cell) == material ? 1.0 : 0.0;
+    filling.All = fractions.Label(cell) > 0 ? 1.0 : 0.0;
+    return filling;
+  }
+  for (const FractionField::Part& part : fractions.Parts(cell))
+  {
+    filling.Own += part.Material == material ? part.Fraction : 0.0;
+    filling.All += part.Material > 0 ? part.Fraction : 0.0;
+  }
+  return filling;
+}
+
+} // namespace
+
+InputContents::InputContents(const std::vector<StateArray>& states, const StatePlan& plan) :
+  States(states), Plan(plan)
+{
+  for (const StateArray& state : states)
+  {
+    this->Readers.push_back(FindReader(CarrierType(state.Type)));
+  }
+  for (const ConservedArray& array : plan.Conserved)
+  {
+    this->First.push_back(this->Columns);
+    this->Columns += array.Components;
+  }
+  this->Columns += plan.Velocity >= 0;
+}
+
+void InputContents::Read(const InputCell& cell, int material, double* values) const
+{
+  const Index place = cell.Source->Place(cell.Cell);
+  double* to = values;
+  for (const ConservedArray& array : this->Plan.Conserved)
+  {
+    if (array.IsOfMaterials() && material == 0)
+    {
+      to = std::fill_n(to, array.Components, 0.0);
+      continue;
+    }
+    const double factor = array.IsShared() ? this->FindFactor(cell, array, material) : 1.0;
+    for (int c = 0; c < array.Components; ++c)
+    {
+      *to++ = factor *
+        this->ReadComponent(
+          *cell.Source, place, this->StateOf(array, material, c), array.IsVector ? 0 : c);
+    }
+  }
+  if (this->Plan.Velocity >= 0)
+  {
+    const double* u = values + this->First[this->Plan.Velocity];
+    *to = 0.5 * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  }
+}
+
+std::size_t InputContents::StateOf(const ConservedArray& array, int material, int component)
+{
+  return array.States[array.IsVector ? component
+      : array.IsOfMaterials()        ? std::max(material, 1) - 1
+                                     : 0];
+}
+
+double InputContents::ReadComponent(
+  const StateSource& source, Index place, std::size_t state, int component) const
+{
+  const StateArray& array = this->States[state];
+  const std::size_t size = TupleSize(array) / array.Components;
+  return this->Readers[state](source.Values[state] + (place * array.Components + component) * size);
+}
+
+/// From the value of a whole cell to one per volume of a material in it.
+double InputContents::FindFactor(
+  const InputCell& cell, const ConservedArray& array, int material) const
+{
+  const Filling filling = FindFilling(*cell.Fractions, cell.At, material);
+  const double shared = array.IsOfMaterials() ? filling.Own
+    : material > 0                            ? filling.All
+                                              : 1.0 - filling.All;
+  if (shared <= 0.0 || (material == 0 && filling.All > 0.0))
+  {
+    return 0.0;
+  }
+  return 1.0 / (array.Meaning == StateMeaning::Extensive ? shared * cell.Volume : shared);
+}
+
+void InputContents::Check(const double* values, int material, const Index3& cell, int level,
+  const std::vector<std::string>& names) const
+{
+  const double* value = values;
+  for (std::size_t a = 0; a < this->Plan.Conserved.size(); ++a)
+  {
+    const ConservedArray& array = this->Plan.Conserved[a];
+    const bool isDensity = static_cast<int>(a) == this->Plan.Density;
+    for (int c = 0; c < array.Components; ++c, ++value)
+    {
+      if (std::isfinite(*value) && !(isDensity && *value < 0.0))
+      {
+        continue;
+      }
+      std::ostringstream text;
+      text << "The " << (isDensity ? "density" : "state") << " array '"
+           << this->States[StateOf(array, material, c)].Name << "' is " << *value << " in "
+           << TextOf(cell);
+      if (level >= 0)
+      {
+        text << " of level " << level;
+      }
+      text << ", which holds '" << names[material] << "': it must be a number"
+           << (isDensity ? ", 0 or more," : "") << " wherever there is material.";
+      throw InputError(text.str());
+    }
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,228 @@
+#include "Summary/MeshFields.h"
+
+namespace vfm
+{
+namespace
+{
+
+bool IsTetMesh(const Mesh& mesh)
+{
+  return mesh.Corners == 4;
+}
+
+/// Of the materials that are meshed.
+template <class Value>
+std::vector<Value> TakeMeshed(const std::vector<Value>& values, bool meshVoid)
+{
+  const std::size_t first = meshVoid ? 0 : 1;
+  return { values.begin() + std::min(first, values.size()), values.end() };
+}
+
+void AddCount(FieldArrays& fields, const char* name, Index count)
+{
+  fields.push_back({ name, std::vector<Index>{ count } });
+}
+
+void AddNumber(FieldArrays& fields, const char* name, double value)
+{
+  fields.push_back({ name, std::vector<double>{ value } });
+}
+
+void AddQuality(FieldArrays& fields, const Mesh& mesh, const MeshReport& report)
+{
+  AddNumber(fields, "MinimumScaledJacobian", report.MinimumScaledJacobian);
+  AddNumber(fields, "MeanScaledJacobian", report.MeanScaledJacobian);
+  if (IsTetMesh(mesh))
+  {
+    AddNumber(fields, "MinimumDihedralAngle", report.MinimumDihedralAngle);
+    AddNumber(fields, "MaximumDihedralAngle", report.MaximumDihedralAngle);
+    fields.push_back({ "DihedralAngles",
+      std::vector<Index>(report.DihedralAngles.begin(), report.DihedralAngles.end()) });
+  }
+}
+
+/// get: the value of each item.
+template <class Item, class Get>
+void AddColumn(
+  FieldArrays& fields, const char* name, const std::vector<Item>& items, const Get& get)
+{
+  std::vector<decltype(get(items[0]))> values;
+  for (const Item& item : items)
+  {
+    values.push_back(get(item));
+  }
+  fields.push_back({ name, std::move(values) });
+}
+
+/// Of a mesh of several levels.
+void AddLevels(FieldArrays& fields, const MeshReport& report)
+{
+  using Level = MeshReport::Level;
+  if (report.Levels.empty())
+  {
+    return;
+  }
+  const std::vector<Level>& levels = report.Levels;
+  AddColumn(fields, "RefinedCells", levels, [](const Level& l) { return l.Families; });
+  AddColumn(
+    fields, "CellsAddedForBalance", levels, [](const Level& l) { return l.AddedForBalance; });
+  AddColumn(
+    fields, "CellsAddedForValidity", levels, [](const Level& l) { return l.AddedForValidity; });
+  AddColumn(fields, "LevelCells", levels, [](const Level& l) { return l.Cells; });
+  AddCount(fields, "TransitionCells", report.TransitionCells);
+}
+
+std::vector<double> FindVolumeErrors(const MeshReport& report)
+{
+  std::vector<double> errors;
+  for (std::size_t m = 0; m < report.TargetVolume.size(); ++m)
+  {
+    const double target = report.TargetVolume[m];
+    errors.push_back(target > 0.0 ? report.MeshVolume[m] / target - 1.0 : 0.0);
+  }
+  return errors;
+}
+
+/// names: of the arrays of names and ids.
+void AddMaterials(FieldArrays& fields, const MeshReport& report, const Materials& table,
+  bool meshVoid, std::array<const char*, 2> names)
+{
+  fields.push_back({ names[0], TakeMeshed(table.Names, meshVoid) });
+  fields.push_back({ names[1], TakeMeshed(table.Labels, meshVoid) });
+  fields.push_back({ "TargetVolume", TakeMeshed(report.TargetVolume, meshVoid) });
+  fields.push_back({ "MeshVolume", TakeMeshed(report.MeshVolume, meshVoid) });
+  fields.push_back({ "VolumeError", TakeMeshed(FindVolumeErrors(report), meshVoid) });
+}
+
+} // namespace
+
+FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materials& table,
+  const MeshOptions& options, const MendedCells& mended)
+{
+  FieldArrays fields;
+  AddMaterials(fields, report, table, options.MeshVoid, { { "MaterialNames", "MaterialIds" } });
+  fields.push_back({ "FragmentTargetVolume", TakeMeshed(report.FragmentTargetVolume, false) });
+  AddCount(fields, "NormalisedCells", mended.Normalised);
+  AddCount(fields, "ClippedCells", mended.Clipped);
+  AddCount(fields, "RemovedRegions", report.RemovedRegions);
+  AddCount(fields, "RemovedCells", report.RemovedCells);
+  AddCount(fields, "ChosenCells", report.ChosenCells);
+  AddCount(fields, "FlippedCells", report.FlippedCells);
+  AddCount(fields, "ResolveRounds", report.ResolveRounds);
+  AddCount(fields, "NumberOfFragments", report.NumberOfFragments);
+  AddCount(fields, "NumberOfSurfaces", report.NumberOfSurfaces);
+  AddCount(fields, "NumberOfCurves", report.NumberOfCurves);
+  AddCount(fields, "NumberOfVertices", report.NumberOfVertices);
+  if (options.Edges != SharpEdges::Off)
+  {
+    AddCount(fields, "EdgePoints", report.EdgePoints);
+    AddCount(fields, "CornerPoints", report.CornerPoints);
+  }
+  if (IsTetMesh(mesh))
+  {
+    AddCount(fields, "RefusedParts", report.RefusedParts);
+  }
+  AddLevels(fields, report);
+  if (options.ComputeQuality)
+  {
+    AddQuality(fields, mesh, report);
+  }
+  return fields;
+}
+
+FieldArrays ListMaterials(
+  const MeshReport& report, const Materials& table, const MeshOptions& options)
+{
+  using Material = MeshReport::Material;
+  FieldArrays columns;
+  AddMaterials(columns, report, table, options.MeshVoid, { { "Name", "MaterialId" } });
+  const std::vector<Material> parts = TakeMeshed(report.Materials, options.MeshVoid);
+  AddColumn(columns, "Elements", parts, [](const Material& m) { return m.Elements; });
+  AddColumn(columns, "Fragments", parts, [](const Material& m) { return m.Fragments; });
+  if (options.ComputeQuality)
+  {
+    AddColumn(columns, "MinimumScaledJacobian", parts,
+      [](const Material& m) { return m.MinimumScaledJacobian; });
+    AddColumn(
+      columns, "MeanScaledJacobian", parts, [](const Material& m) { return m.MeanScaledJacobian; });
+  }
+  return columns;
+}
+
+FieldArrays ListSides(const GeometryTables& tables)
+{
+  const std::vector<int>& parts = tables.SurfaceParts;
+  if (std::all_of(parts.begin(), parts.end(), [](int part) { return part <= 0; }))
+  {
+    return {};
+  }
+  return { { "SurfaceParts", parts }, FieldOfRows("EdgeFacets", tables.EdgeFacets) };
+}
+
+FieldArrays ListSurfaces(const GeometryTables& tables)
+{
+  return { FieldOfRows("SurfaceVolumes", tables.SurfaceVolumes),
+    FieldOfRows("SurfaceMaterials", tables.SurfaceMaterials),
+    { "SurfaceSides", tables.SurfaceSides }, { "SurfaceParts", tables.SurfaceParts },
+    { "SurfaceAreas", tables.SurfaceAreas },
+    FieldOfRows("SurfaceCentroids", tables.SurfaceCentroids),
+    FieldOfRows("SurfaceNormals", tables.SurfaceNormals),
+    FieldOfRows("VolumeSurfaces", tables.VolumeSurfaces) };
+}
+
+FieldArrays ListCurves(const GeometryTables& tables)
+{
+  return { { "CurveEnds", tables.CurveEnds }, FieldOfRows("SurfaceCurves", tables.SurfaceCurves) };
+}
+
+FieldArrays ListVertices(const GeometryTables& tables)
+{
+  return { FieldOfRows("CurveVertices", tables.CurveVertices) };
+}
+
+FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame)
+{
+  std::vector<double> bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds.push_back(grid.Coordinates(axis).front());
+    bounds.push_back(grid.Coordinates(axis).back());
+  }
+  FieldArrays fields{ { "DomainBounds", std::move(bounds) } };
+  if (!frame.IsIdentity())
+  {
+    std::vector<double> numbers(frame.Axes.begin(), frame.Axes.end());
+    numbers.insert(numbers.end(), frame.Origin.begin(), frame.Origin.end());
+    fields.push_back({ "DomainFrame", std::move(numbers) });
+  }
+  return fields;
+}
+
+std::string DescribeLostMaterials(const MeshReport& report, const Materials& table)
+{
+  constexpr std::size_t MostNames = 20;
+  std::vector<std::string> lost;
+  for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
+  {
+    if (report.TargetVolume[m] > 0.0 && report.MeshVolume[m] == 0.0)
+    {
+      lost.push_back("'" + table.Names[m] + "' (id " + std::to_string(table.Labels[m]) + ")");
+    }
+  }
+  std::string list;
+  for (std::size_t l = 0; l < std::min(lost.size(), MostNames); ++l)
+  {
+    list += (l > 0 ? ", " : "") + lost[l];
+  }
+  if (lost.size() > MostNames)
+  {
+    list += " and " + std::to_string(lost.size() - MostNames) + " more";
+  }
+  return lost.empty()
+    ? ""
+    : std::to_string(lost.size()) + (lost.size() == 1 ? " material has" : " materials have") +
+      " no element, since no cell is left to them: " + list +
+      ". In finer cells they may be kept (Refinement).";
+}
+
+} // namespace vfm

@@ -1,0 +1,314 @@
+#include "ExodusInput.h"
+
+#include "ExodusFileCheck.h"
+#include "FileSuffix.h"
+#include "InputGrids.h"
+#include "ParseText.h"
+#include "Ranks/Agreement.h"
+#include "Stage.h"
+#include "VtkMessages.h"
+#include "VtkVersions.h"
+
+#include "vtkDataArraySelection.h"
+#include "vtkDataSet.h"
+#include "vtkIOSSReader.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <set>
+#include <unistd.h>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr const char* BlockIds = "object_id"; // of the element blocks, as the reader calls it
+
+struct DecomposedName
+{
+  std::string Base; // FILE of FILE.N.RANK
+  int Count;        // N
+  std::string CountText;
+  std::size_t RankDigits; // ranks may begin with zeros
+};
+
+/// Nothing for a name that does not tell of parts.
+std::optional<DecomposedName> ParseDecomposedName(const std::string& path)
+{
+  static const std::regex pattern("(.+)\\.([0-9]{1,6})\\.([0-9]{1,6})");
+  std::smatch match;
+  if (!std::regex_match(path, match, pattern))
+  {
+    return std::nullopt;
+  }
+  const int count = std::stoi(match[2]), rank = std::stoi(match[3]);
+  if (rank >= count)
+  {
+    return std::nullopt;
+  }
+  return DecomposedName{ match[1], count, match[2], match[3].str().size() };
+}
+
+std::vector<std::string> FindFiles(const std::string& path)
+{
+  const auto name = ParseDecomposedName(path);
+  if (!name)
+  {
+    return { path };
+  }
+  std::vector<std::string> files;
+  for (int f = 0; f < name->Count; ++f)
+  {
+    const std::string rank = std::to_string(f);
+    const std::size_t zeros = name->RankDigits - std::min(name->RankDigits, rank.size());
+    files.push_back(name->Base + "." + name->CountText + "." + std::string(zeros, '0') + rank);
+  }
+  return files;
+}
+
+/// While this lives a file has a name that does not end in numbers: of FILE.1.0 the library that reads it would open FILE.
+class PlainName
+{
+public:
+  explicit PlainName(const std::string& path) : Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC))
+  {
+    if (this->Descriptor < 0)
+    {
+      RefuseInput("Cannot read the input " + path + ": " + std::strerror(errno) + ".");
+    }
+  }
+  ~PlainName() { close(this->Descriptor); }
+  PlainName(const PlainName&) = delete;
+  PlainName& operator=(const PlainName&) = delete;
+  std::string Get() const { return "/dev/fd/" + std::to_string(this->Descriptor); }
+
+private:
+  int Descriptor;
+};
+
+/// Of one file. first: of those that belong together, the only one whose times VTK's reader takes.
+vtkSmartPointer<vtkIOSSReader> MakeReader(
+  const std::string& file, const std::string& first, bool readsBlockIds)
+{
+  auto reader = vtkSmartPointer<vtkIOSSReader>::New();
+  reader->SetController(nullptr); // ranks do not wait for each other when one of their files is bad
+  reader->SetDatabaseTypeOverride("exodusII");
+  reader->ScanForRelatedFilesOff();
+  LookAtAllFiles(reader.Get());
+  reader->AddProperty("ENABLE_FIELD_RECOGNITION", "OFF"); // names stay those in the file
+  reader->ApplyDisplacementsOff();
+  reader->ReadQAAndInformationRecordsOff();
+  reader->SetReadIds(readsBlockIds);
+  reader->AddFileName(first.c_str());
+  if (file != first)
+  {
+    reader->AddFileName(file.c_str());
+  }
+  return reader;
+}
+
+/// The files of a rank and their readers.
+class ExodusFiles
+{
+public:
+  ExodusFiles(const Arguments& from, VtkMessages& messages) : From(from), Messages(messages)
+  {
+    const auto asksFor = [](const std::vector<std::string>& names)
+    { return std::find(names.begin(), names.end(), BlockIds) != names.end(); };
+    this->ReadsBlockIds = from.Labels == BlockIds || asksFor(ListOtherArrays(from, {}));
+  }
+
+  /// Reads what files hold. all: the files of all ranks.
+  void Open(const std::vector<std::string>& paths, const std::vector<std::string>& all)
+  {
+    for (const std::string& path : paths)
+    {
+      CheckExodusFile(path, all[0]);
+      this->Paths.push_back(path);
+      if (all.size() == 1 && ParseDecomposedName(path))
+      {
+        this->Alone = std::make_unique<PlainName>(path);
+      }
+      this->Readers.push_back(this->Alone
+          ? MakeReader(this->Alone->Get(), this->Alone->Get(), this->ReadsBlockIds)
+          : MakeReader(path, all[0], this->ReadsBlockIds));
+      this->Messages.Watch(this->Readers.back());
+      this->Readers.back()->UpdateInformation();
+      CheckReaderErrors(this->Messages, path);
+    }
+  }
+
+  /// None on a rank without files.
+  std::vector<double> FindTimes() const
+  {
+    return this->Readers.empty() ? std::vector<double>() : GetTimes(this->Readers[0]);
+  }
+
+  /// The element variables of all files, each name ended by a zero.
+  Bytes CollectNames() const
+  {
+    Bytes names;
+    for (vtkIOSSReader* reader : this->Readers)
+    {
+      vtkDataArraySelection* fields = reader->GetElementBlockFieldSelection();
+      for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+      {
+        const std::string name = fields->GetArrayName(i);
+        names.insert(names.end(), name.c_str(), name.c_str() + name.size() + 1);
+      }
+    }
+    return names;
+  }
+
+  /// The element blocks, with the variables of these names.
+  vtkSmartPointer<vtkDataObject> Read(
+    const std::vector<std::string>& names, const std::optional<double>& time)
+  {
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    for (std::size_t f = 0; f < this->Readers.size(); ++f)
+    {
+      vtkIOSSReader* reader = this->Readers[f];
+      reader->GetNodeBlockFieldSelection()->DisableAllArrays();
+      reader->GetElementBlockFieldSelection()->DisableAllArrays();
+      ReadNoGlobalFields(reader);
+      for (const std::string& name : names)
+      {
+        reader->GetElementBlockFieldSelection()->EnableArray(name.c_str());
+      }
+      const int pieces = reader->GetNumberOfFileNames(); // the last is that of the file
+      if (time)
+      {
+        reader->UpdateTimeStep(*time, pieces - 1, pieces);
+      }
+      else
+      {
+        reader->UpdatePiece(pieces - 1, pieces, 0);
+      }
+      CheckReaderErrors(this->Messages, this->Paths[f]);
+      for (vtkDataSet* grid : GetGrids(reader->GetOutputDataObject(0)))
+      {
+        blocks->SetBlock(blocks->GetNumberOfBlocks(), grid);
+      }
+    }
+    return blocks;
+  }
+
+private:
+  const Arguments& From;
+  VtkMessages& Messages;
+  bool ReadsBlockIds;
+  std::vector<std::string> Paths;
+  std::unique_ptr<PlainName> Alone; // of FILE.1.0
+  std::vector<vtkSmartPointer<vtkIOSSReader>> Readers;
+};
+
+/// Those of a rank: ranks that follow on each other have files that follow on each other.
+std::vector<std::string> DealFiles(const std::vector<std::string>& paths, Ranks& ranks)
+{
+  const auto begin = [&](int rank)
+  { return paths.begin() + (paths.size() * rank + ranks.Count() - 1) / ranks.Count(); };
+  return { begin(ranks.Rank()), begin(ranks.Rank() + 1) };
+}
+
+/// Collective: the times of the files.
+std::vector<double> AgreeOnTimes(const ExodusFiles& files, Ranks& ranks)
+{
+  for (const Bytes& bytes : ranks.Gather(ToBytes(files.FindTimes())))
+  {
+    if (!bytes.empty())
+    {
+      return FromBytes<double>(bytes);
+    }
+  }
+  return {};
+}
+
+/// Collective: the element variables that any file has.
+std::vector<std::string> UniteNames(const ExodusFiles& files, Ranks& ranks)
+{
+  std::set<std::string> names;
+  for (const Bytes& bytes : ranks.Gather(files.CollectNames()))
+  {
+    for (auto at = bytes.begin(); at != bytes.end();)
+    {
+      const auto end = std::find(at, bytes.end(), '\0');
+      names.emplace(at, end);
+      at = end + 1;
+    }
+  }
+  return { names.begin(), names.end() };
+}
+
+/// The names of the arguments, or all where they name no materials.
+std::vector<std::string> ChooseNames(
+  const Arguments& arguments, const std::vector<std::string>& known)
+{
+  std::vector<std::string> asked = arguments.Fractions;
+  const std::vector<std::string> others = ListOtherArrays(arguments, known);
+  asked.insert(asked.end(), others.begin(), others.end());
+  if (!arguments.Labels.empty())
+  {
+    asked.push_back(arguments.Labels);
+  }
+  for (const std::string& name : asked)
+  {
+    if (name != BlockIds && !std::binary_search(known.begin(), known.end(), name))
+    {
+      RefuseInput("The input " + arguments.Input + " has no element variable '" + name +
+        "'. It has: " + (known.empty() ? "none" : JoinTexts(known)) + ".");
+    }
+  }
+  return arguments.Fractions.empty() && arguments.Labels.empty() ? known : asked;
+}
+
+} // namespace
+
+std::vector<std::string> GetExodusSuffixes()
+{
+  return { ".e", ".ex2", ".exo", ".exii", ".g" };
+}
+
+bool IsExodusFile(const std::string& path)
+{
+  const std::vector<std::string> suffixes = GetExodusSuffixes();
+  std::error_code error; // of a path that cannot be looked at: no folder
+  return (ParseDecomposedName(path) && !std::filesystem::is_directory(path, error)) ||
+    std::any_of(suffixes.begin(), suffixes.end(),
+      [&](const std::string& suffix) { return HasSuffix(path, suffix); });
+}
+
+Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
+{
+  const std::vector<std::string> paths = FindFiles(arguments.Input);
+  WorkInStage(ranks, ExitCode::UnreadableInput,
+    [&]
+    {
+      const std::string role =
+        paths.size() > 1 ? " (one of " + std::to_string(paths.size()) + " files)" : "";
+      for (std::size_t f = 0; ranks.Rank() == 0 && f < paths.size(); ++f)
+      {
+        CheckInputFile(paths[f], role);
+      }
+    });
+  ExodusFiles files(arguments, messages);
+  WorkInStage(
+    ranks, ExitCode::UnreadableInput, [&] { files.Open(DealFiles(paths, ranks), paths); });
+  const std::vector<double> times = AgreeOnTimes(files, ranks);
+  const std::vector<std::string> names = ChooseNames(arguments, UniteNames(files, ranks));
+  Input input;
+  input.Time = ChooseTime(arguments, times);
+  input.Times = times;
+  WorkInStage(
+    ranks, ExitCode::UnreadableInput, [&] { input.Data = files.Read(names, input.Time); });
+  return input;
+}
+
+} // namespace vfm

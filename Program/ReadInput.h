@@ -1,0 +1,25 @@
+/**
+ * ReadInput: the files that VTK reads, each rank its piece.
+ */
+#pragma once
+
+#include "Arguments.h"
+#include "Ranks/Ranks.h"
+#include "ReaderSteps.h"
+
+#include <string>
+#include <vector>
+
+namespace vfm
+{
+
+/// Such as ".vti".
+std::vector<std::string> GetInputSuffixes();
+/// Throws ProgramError (WrongArguments) when files of that name are not read.
+void CheckInputSuffix(const std::string& path);
+
+/// Collective. Of SpyPlot files only the arrays that the arguments name, or the volume fractions, are read.
+/// Throws ProgramError (UnreadableInput).
+Input ReadInput(const Arguments& arguments, Ranks& ranks);
+
+} // namespace vfm
