@@ -61,6 +61,5 @@ foreach (figure IN LISTS figures)
   add_test(NAME "report.${name}"
     COMMAND "${pvpython_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/TestReport.py" "${figure}")
   vfm_set_python_properties("report.${name}" full)
-  set_tests_properties("report.${name}" PROPERTIES PROCESSORS 2)
   set_property(TEST "report.${name}" APPEND PROPERTY ENVIRONMENT "BUILD_DIR=${PROJECT_BINARY_DIR}")
 endforeach ()
