@@ -1,16 +1,13 @@
 #include "SurfaceShape.h"
 
-#include "Base/Runtime.h"
-#include "Shapes/ShapesTriangles.h"
+#include "Shapes/ClosedSurface.h"
 
 #include "vtkCellArray.h"
-#include "vtkCleanPolyData.h"
-#include "vtkFeatureEdges.h"
 #include "vtkIdList.h"
 #include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkSmartPointer.h"
 #include "vtkTriangleFilter.h"
 
@@ -22,81 +19,48 @@ namespace vfm
 namespace
 {
 
-std::vector<Triangle> GetTriangles(vtkPolyData* surface)
+ClosedSurface ReadSurface(vtkPolyData* surface)
 {
-  std::vector<Triangle> triangles;
-  vtkCellArray* cells = surface->GetPolys();
+  vtkNew<vtkTriangleFilter> split;
+  split->SetInputData(surface);
+  split->PassLinesOff();
+  split->PassVertsOff();
+  split->Update();
+  vtkPolyData* triangulated = split->GetOutput();
+  std::vector<Vector3> points(triangulated->GetNumberOfPoints());
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    triangulated->GetPoint(static_cast<vtkIdType>(p), points[p].data());
+  }
+  std::vector<PointTriangle> triangles;
   vtkNew<vtkIdList> ids;
+  vtkCellArray* cells = triangulated->GetPolys();
   for (vtkIdType t = 0; t < cells->GetNumberOfCells(); ++t)
   {
     cells->GetCellAtId(t, ids);
-    Triangle triangle;
-    for (int i = 0; i < 3; ++i)
-    {
-      surface->GetPoint(ids->GetId(i), triangle[i].data());
-    }
-    triangles.push_back(triangle);
+    triangles.push_back({ { ids->GetId(0), ids->GetId(1), ids->GetId(2) } });
   }
-  return triangles;
+  return CloseSurface(std::move(points), std::move(triangles));
 }
 
-/// Triangles with cell normals that point out.
-vtkSmartPointer<vtkPolyData> PrepareSurface(vtkPolyData* surface)
+vtkSmartPointer<vtkPolyData> MakePolyData(const ClosedSurface& surface)
 {
-  vtkNew<vtkPolyData> geometry; // no arrays
-  geometry->CopyStructure(surface);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(geometry);
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputConnection(triangles->GetOutputPort());
-  vtkNew<vtkTriangleFilter> solidTriangles; // drops what collapsed
-  solidTriangles->SetInputConnection(clean->GetOutputPort());
-  solidTriangles->PassLinesOff();
-  solidTriangles->PassVertsOff();
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(solidTriangles->GetOutputPort());
-  normals->SplittingOff();
-  normals->ConsistencyOn();
-  normals->AutoOrientNormalsOff(); // it would turn the walls of cavities
-  normals->ComputeCellNormalsOn();
-  normals->ComputePointNormalsOff();
-  normals->Update();
-  if (TriangleSolid(GetTriangles(normals->GetOutput())).MeasureVolume() < 0.0)
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector3& point : surface.Points)
   {
-    normals->FlipNormalsOn();
-    normals->Update();
+    points->InsertNextPoint(point.data());
   }
-  return normals->GetOutput();
-}
-
-vtkIdType CountEdges(vtkPolyData* surface, bool boundary)
-{
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(surface);
-  edges->SetBoundaryEdges(boundary);
-  edges->SetNonManifoldEdges(!boundary);
-  edges->FeatureEdgesOff();
-  edges->ManifoldEdgesOff();
-  edges->Update();
-  return edges->GetOutput()->GetNumberOfCells();
-}
-
-void CheckClosed(vtkPolyData* surface)
-{
-  if (surface->GetNumberOfPolys() == 0)
+  vtkNew<vtkCellArray> triangles;
+  for (const PointTriangle& triangle : surface.Triangles)
   {
-    throw InputError("The surface has no polygons.");
+    const vtkIdType corners[3] = { triangle[0], triangle[1], triangle[2] };
+    triangles->InsertNextCell(3, corners);
   }
-  if (const vtkIdType open = CountEdges(surface, true))
-  {
-    throw InputError("The surface is open: " + std::to_string(open) +
-      " edges belong to one triangle only. Close its holes first (ParaView's filter Fill Holes).");
-  }
-  if (const vtkIdType shared = CountEdges(surface, false))
-  {
-    throw InputError("The surface is not manifold: " + std::to_string(shared) +
-      " edges belong to more than two triangles. Separate its parts first.");
-  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  return data;
 }
 
 /// The distance by as many vtkImplicitPolyDataDistance as threads ask at once, as its evaluation is not thread safe.
@@ -140,15 +104,12 @@ private:
 
 } // namespace
 
-Shape MakeSurfaceShape(int material, vtkPolyData* surface)
+Shape MakeSurfaceShape(int material, vtkPolyData* polygons)
 {
-  const vtkSmartPointer<vtkPolyData> prepared = PrepareSurface(surface);
-  CheckClosed(prepared);
-  const auto distance = std::make_shared<SurfaceDistance>(prepared);
-  const auto solid = std::make_shared<const TriangleSolid>(GetTriangles(prepared));
-  return MakeFunctionShape(
-    material, [distance](const Vector3& point) { return distance->Evaluate(point); },
-    QueriesOf(solid));
+  const ClosedSurface surface = ReadSurface(polygons);
+  const auto distance = std::make_shared<SurfaceDistance>(MakePolyData(surface));
+  return MakeSolid(
+    material, surface, [distance](const Vector3& point) { return distance->Evaluate(point); });
 }
 
 } // namespace vfm

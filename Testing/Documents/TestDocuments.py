@@ -49,7 +49,8 @@ def stems(folder):
 
 
 def rooms():
-    return ["Grid/" + name for name in os.listdir(os.path.join(ROOT, "Grid")) if os.path.isdir(os.path.join(ROOT, "Grid", name))]
+    return [top + "/" + name for top in ("Grid", "Mesher") for name in os.listdir(os.path.join(ROOT, top))
+            if os.path.isdir(os.path.join(ROOT, top, name))]
 
 
 def texts(ending, *folders):

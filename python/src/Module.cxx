@@ -1,13 +1,13 @@
 /**
  * The module _core: its functions are told in _core.pyi.
  */
-#include "ClosedSurface.h"
 #include "Input/LabelTable.h"
 #include "MeshResult.h"
 #include "MesherCall.h"
 #include "PythonRuntime.h"
 #include "RunOptions.h"
 #include "ShapeFractions.h"
+#include "Shapes/ClosedSurface.h"
 #include "Shapes/ShapesText.h"
 #include "TetPipeline.h"
 
@@ -95,7 +95,11 @@ nb::object FillTriangles(const Places& points, const Corners& triangles,
   const nb::list fractions = vfm::ComputeFractions(
     Copy(coordinates),
     [&](const vfm::Vector3&, const vfm::Vector3&)
-    { return std::vector<vfm::Shape>{ vfm::MakeSolid(1, places, corners) }; },
+    {
+      // a single shape: no other cuts it, so nothing evaluates its distance
+      return std::vector<vfm::Shape>{ vfm::MakeSolid(
+        1, vfm::CloseSurface(places, corners), [](const vfm::Vector3&) { return 0.0; }) };
+    },
     tolerance, runtime);
   return fractions[0];
 }

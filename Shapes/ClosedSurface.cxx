@@ -1,7 +1,6 @@
-#include "ClosedSurface.h"
+#include "Shapes/ClosedSurface.h"
 
 #include "Ranks/Errors.h"
-#include "Shapes/ShapesTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +101,7 @@ void CheckClosed(const std::vector<Side>& sides)
 {
   if (sides.empty())
   {
-    throw InputError("The surface has no triangles.");
+    throw InputError("The surface has no polygons.");
   }
   Index open = 0, shared = 0;
   for (std::size_t begin = 0, end; begin < sides.size(); begin = end)
@@ -117,7 +116,7 @@ void CheckClosed(const std::vector<Side>& sides)
   if (open > 0)
   {
     throw InputError("The surface is open: " + std::to_string(open) +
-      " edges belong to one triangle only. Close its holes first.");
+      " edges belong to one triangle only. Close its holes first (ParaView's filter Fill Holes).");
   }
   if (shared > 0)
   {
@@ -188,21 +187,19 @@ void TurnAlike(const std::vector<Neighbour>& neighbours, Triangles& triangles)
   }
 }
 
-std::vector<Triangle> PlaceTriangles(
-  const std::vector<Vector3>& points, const Triangles& triangles, bool isReversed)
+std::vector<Triangle> PlaceTriangles(const ClosedSurface& surface)
 {
   std::vector<Triangle> placed;
-  for (const PointTriangle& t : triangles)
+  for (const PointTriangle& t : surface.Triangles)
   {
-    placed.push_back(
-      { { points[t[0]], points[t[isReversed ? 2 : 1]], points[t[isReversed ? 1 : 2]] } });
+    placed.push_back({ { surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]] } });
   }
   return placed;
 }
 
 } // namespace
 
-Shape MakeSolid(int material, const std::vector<Vector3>& points, Triangles triangles)
+ClosedSurface CloseSurface(std::vector<Vector3> points, Triangles triangles)
 {
   CheckPoints(points, triangles);
   MergePoints(points, triangles);
@@ -210,14 +207,22 @@ Shape MakeSolid(int material, const std::vector<Vector3>& points, Triangles tria
   const std::vector<Side> sides = SortSides(triangles);
   CheckClosed(sides);
   TurnAlike(FindNeighbours(sides), triangles);
-  auto solid = std::make_shared<const TriangleSolid>(PlaceTriangles(points, triangles, false));
-  if (solid->MeasureVolume() < 0.0)
+  ClosedSurface surface{ std::move(points), std::move(triangles) };
+  if (TriangleSolid(PlaceTriangles(surface)).MeasureVolume() < 0.0)
   {
-    solid = std::make_shared<const TriangleSolid>(PlaceTriangles(points, triangles, true));
+    for (PointTriangle& triangle : surface.Triangles)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
   }
-  return MakeFunctionShape(
-    material, [](const Vector3&) { return 0.0; },
-    QueriesOf(solid)); // the distance is asked for where shapes cut each other
+  return surface;
+}
+
+Shape MakeSolid(
+  int material, const ClosedSurface& surface, std::function<double(const Vector3&)> distance)
+{
+  return MakeFunctionShape(material, std::move(distance),
+    QueriesOf(std::make_shared<const TriangleSolid>(PlaceTriangles(surface))));
 }
 
 } // namespace vfm
