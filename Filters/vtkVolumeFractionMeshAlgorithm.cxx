@@ -210,8 +210,7 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   {
     return 1; // the whole mesh is piece 0
   }
-  const int threads = vfm::FilterRuntime::ChooseThreads(this->Controller, this->NumberOfThreads);
-  vfm::FilterRuntime::Execute(this, this->Controller, threads, outputVector,
+  vfm::FilterRuntime::Execute(this, this->Controller, outputVector,
     [&](vfm::MessageRanks& ranks) { this->Run(input, ranks, outputs); });
   return 1;
 }
@@ -241,7 +240,8 @@ void vtkVolumeFractionMeshAlgorithm::Run(
 {
   this->Warn(vfm::DescribeMissingLevels(data, ranks), ranks);
   const vfm::MaterialArrays materials = this->FindMaterials(data, ranks);
-  vfm::FilterRuntime runtime(this, &ranks);
+  const int threads = vfm::ChooseThreads(this->NumberOfThreads, ranks.Count());
+  vfm::FilterRuntime runtime(this, threads, &ranks);
   runtime.Progress(0.0, "Reading input");
   vfm::MesherInput input;
   input.Arrays.Fractions = vfm::NamesOf(materials.Fractions);

@@ -237,10 +237,8 @@ int vtkVolumeFractionShapes::RequestData(
   vtkImageData* image = vtkImageData::GetData(info);
   int extent[6];
   info->Get(Pipeline::UPDATE_EXTENT(), extent);
-  const int threads = vfm::FilterRuntime::ChooseThreads(
-    vtkMultiProcessController::GetGlobalController(), this->NumberOfThreads);
-  vfm::FilterRuntime::Execute(this, nullptr, threads, outputVector,
-    [&](vfm::Ranks&) { this->Fill(inputVector[0], extent, image); });
+  vfm::FilterRuntime::Execute(
+    this, nullptr, outputVector, [&](vfm::Ranks&) { this->Fill(inputVector[0], extent, image); });
   return 1;
 }
 
@@ -287,7 +285,9 @@ void vtkVolumeFractionShapes::Fill(
   const ArrayWriter writer(extent, vfm::CountMaterials(shapes), image);
   if (HasCells(extent))
   {
-    vfm::FilterRuntime runtime(this);
+    vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+    vfm::FilterRuntime runtime(this,
+      vfm::ChooseThreads(this->NumberOfThreads, processes ? processes->GetNumberOfProcesses() : 1));
     runtime.Progress(0.0, "Computing fractions");
     vfm::ComputeShapeFractions(coordinates, writer.GetCells(), shapes, this->Tolerance, runtime,
       [&writer](const vfm::IndexBox& cells, const std::vector<vfm::FractionField::Part>& parts)

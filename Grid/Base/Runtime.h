@@ -1,6 +1,6 @@
 /**
  * What the stages ask of the program around them: loops over threads, other ranks, progress, abort.
- * The base class is the serial program; Filters backs it with vtkSMPTools.
+ * The base class is the serial program; ThreadRuntime has threads.
  */
 #pragma once
 

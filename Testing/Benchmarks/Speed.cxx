@@ -5,7 +5,7 @@
  *   seconds: of the fastest run; CPU: of all threads in it. Ranks are threads here, that have slabs along z.
  */
 #include "Atlas.h"
-#include "Base/LoopThreads.h"
+#include "Base/ThreadRuntime.h"
 #include "Labels/SmoothLabels.h"
 #include "MeasureAlone.h"
 #include "RankMeshes.h"
@@ -27,22 +27,6 @@ constexpr char Header[] =
   "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 /// As that of the filters.
-class ThreadsRuntime : public Runtime
-{
-public:
-  ThreadsRuntime(int threads, Ranks* ranks) : Count(threads), TheRanks(ranks) {}
-  Ranks& Group() override { return this->TheRanks ? *this->TheRanks : this->Runtime::Group(); }
-  void For(Index first, Index last, const std::function<void(Index, Index)>& body) override
-  {
-    this->Threads.For(this->Count, first, last, body);
-  }
-
-private:
-  LoopThreads Threads;
-  int Count;
-  Ranks* TheRanks;
-};
-
 struct SpeedCase
 {
   std::string Name;
@@ -123,7 +107,7 @@ struct Run
 
 Run MeshOnce(const SpeedCase& what, const MeshCase& c, int threads)
 {
-  ThreadsRuntime runtime(threads, nullptr);
+  ThreadRuntime runtime(threads, nullptr);
   Run run;
   run.Result = what.Maker(c.Grid, c.Fractions, what.Options, runtime, run.Report);
   run.Elements = static_cast<Index>(run.Result.ElementIds.size());
@@ -149,7 +133,7 @@ public:
     RunOnRanks(static_cast<int>(this->Boxes.size()),
       [&](Ranks& ranks)
       {
-        ThreadsRuntime runtime(threads, &ranks);
+        ThreadRuntime runtime(threads, &ranks);
         MeshReport report;
         const std::size_t rank = ranks.Rank();
         const Mesh mesh =

@@ -66,13 +66,17 @@ class WrongTrees(unittest.TestCase):
         self.expect("there is no Base/Gone.h", "Grid/Tet/Other.cxx", '#include "Base/Gone.h"')
 
     def test_grid_with_vtk(self):
-        self.expect("neither VTK nor MPI: vtkObject.h", "Grid/Mesh/Other.cxx", "#include <vtkObject.h>")
+        self.expect("does not know VTK: vtkObject.h", "Grid/Mesh/Other.cxx", "#include <vtkObject.h>")
 
     def test_grid_with_mpi(self):
-        self.expect("neither VTK nor MPI: mpi.h", "Grid/Other.cxx", '#include "mpi.h"')
+        self.expect("does not know MPI: mpi.h", "Grid/Other.cxx", '#include "mpi.h"')
 
     def test_shapes_with_vtk(self):
-        self.expect("neither VTK nor MPI: vtkObject.h", "Shapes/Shapes.cxx", "#include <vtkObject.h>")
+        self.expect("does not know VTK: vtkObject.h", "Shapes/Shapes.cxx", "#include <vtkObject.h>")
+
+    def test_transport_knows_mpi(self):
+        self.tree["Parallel/Mpi/Transport.cxx"] = ["#include <mpi.h>\n"]
+        self.expect("Parallel/Mpi does not know VTK: vtkMPI.h", "Parallel/Mpi/Transport.cxx", "#include <vtkMPI.h>")
 
     def test_wrong_folders(self):
         wrong = {

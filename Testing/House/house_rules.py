@@ -17,10 +17,11 @@ ALLOWED = {place: GRID[:level] for level, place in enumerate(GRID)}
 ALLOWED.update({place: GRID + MESHER[:level] for level, place in enumerate(MESHER)})
 ALLOWED.update({
     "Shapes": BASE + ("Grid/Fractions",),
-    "Parallel": BASE,
+    "Parallel/Mpi": BASE,
+    "Parallel": BASE + ("Parallel/Mpi",),
     "IO": BASE + ("Parallel",),
     "Filters": GRID + MESHER + ("Shapes", "Parallel"),
-    "InSitu": BASE + MESHER + ("Parallel", "IO", "Filters"),
+    "InSitu": BASE + MESHER + ("Parallel", "Parallel/Mpi", "IO", "Filters"),
     "Program": BASE + MESHER + ("Parallel", "IO", "Filters", "InSitu"),
     "Plugin": ("Filters",),
     "python": GRID + MESHER + ("Shapes",),
@@ -35,9 +36,11 @@ ALLOWED.update({
     "Testing/InSitu": BASE + ("Parallel", "Filters", "IO", "InSitu", "Program"),
 })
 
-# Folders without VTK and MPI.
-PLAIN = GRID + MESHER + ("Shapes", "python", "Testing/Support", "Testing/Grid", "Testing/Mesher")
-FOREIGN = re.compile(r"(vtk|mpi|paraview|pv|pq)", re.IGNORECASE)
+# Folders without VTK, and those of them without MPI.
+WITHOUT_MPI = GRID + MESHER + ("Shapes", "python", "Testing/Support", "Testing/Grid", "Testing/Mesher")
+PLAIN = WITHOUT_MPI + ("Parallel/Mpi",)
+VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
+MPI = re.compile(r"mpi", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 
 CODE = (".h", ".hpp", ".cxx", ".cpp", ".c")
@@ -66,7 +69,8 @@ def read_tree(root):
 def place_of(path):
     """The room or folder of a file."""
     folders = path.split("/")[:-1]
-    return "/".join(folders[:2 if folders and (folders[0] in ROOMS or folders[0] == "Testing") else 1])
+    two = "/".join(folders[:2])
+    return two if two in ALLOWED or folders and (folders[0] in ROOMS or folders[0] == "Testing") else "/".join(folders[:1])
 
 
 def find_file(tree, folders, path, name):
@@ -92,8 +96,10 @@ def list_includes(tree):
 def find_include_problem(path, bracket, name, file):
     """"" or what is wrong with an include."""
     place = place_of(path)
-    if place in PLAIN and FOREIGN.match(name):
-        return "%s knows neither VTK nor MPI: %s" % (place, name)
+    if place in PLAIN and VTK.match(name):
+        return "%s does not know VTK: %s" % (place, name)
+    if place in WITHOUT_MPI and MPI.match(name):
+        return "%s does not know MPI: %s" % (place, name)
     if file is None or bracket == "<":
         return "there is no %s" % name if bracket == '"' and place in PLAIN else ""
     other = place_of(file)

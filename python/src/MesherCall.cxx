@@ -38,7 +38,7 @@ InputBlock MakeBlock(const MesherCall& call)
   block.Coordinates = call.Coordinates;
   CheckCoordinates(block);
   KeepAllCells(block);
-  block.Arrays = std::make_shared<NumpyArrays>(CountCells(call.Coordinates), call.Arrays);
+  block.Arrays = MakeBlockArrays(CountCells(call.Coordinates), call.Arrays);
   return block;
 }
 

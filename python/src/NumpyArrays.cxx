@@ -1,7 +1,6 @@
 #include "NumpyArrays.h"
 
 #include <cstdint>
-#include <cstring>
 
 namespace vfm
 {
@@ -9,32 +8,6 @@ namespace
 {
 
 namespace nb = nanobind;
-
-/// All in memory, so that nothing is asked for a value.
-class PlainArray : public BlockArray
-{
-public:
-  double Get(Index tuple, int component) const override
-  {
-    return VisitType(this->Type,
-      [&](auto tag)
-      {
-        using Value = typename decltype(tag)::Type;
-        const Index place = tuple * this->Components + component;
-        return static_cast<double>(static_cast<const Value*>(this->Memory)[place]);
-      });
-  }
-  void Copy(Index first, Index count, void* to) const override
-  {
-    VisitType(this->Type,
-      [&](auto tag)
-      {
-        using Value = typename decltype(tag)::Type;
-        std::memcpy(to, static_cast<const Value*>(this->Memory) + first * this->Components,
-          count * this->Components * sizeof(Value));
-      });
-  }
-};
 
 /// Of ValueType.
 int TypeOf(const std::string& name, const NumpyArray& values)
@@ -61,10 +34,9 @@ int TypeOf(const std::string& name, const NumpyArray& values)
     "can.");
 }
 
-std::shared_ptr<const BlockArray> Describe(const std::string& name, const NumpyArray& values)
+void Add(const std::string& name, const NumpyArray& values, PlainArrays& arrays)
 {
-  auto array = std::make_shared<PlainArray>();
-  array->Type = TypeOf(name, values);
+  const int type = TypeOf(name, values);
   if (values.ndim() < 1 || values.ndim() > 2)
   {
     throw InputError("The array '" + name + "' has " + std::to_string(values.ndim()) +
@@ -74,44 +46,21 @@ std::shared_ptr<const BlockArray> Describe(const std::string& name, const NumpyA
   {
     throw InputError("The array '" + name + "' is not aligned in memory: copy it.");
   }
-  array->Tuples = static_cast<Index>(values.shape(0));
-  array->Components = values.ndim() == 2 ? static_cast<int>(values.shape(1)) : 1;
-  array->Memory = values.data();
-  return array;
+  const int components = values.ndim() == 2 ? static_cast<int>(values.shape(1)) : 1;
+  arrays.Add(name, type, static_cast<Index>(values.shape(0)), components, values.data());
 }
 
 } // namespace
 
-NumpyArrays::NumpyArrays(
-  Index cells, const std::vector<std::pair<std::string, NumpyArray>>& arrays) :
-  Cells(cells)
+std::shared_ptr<const BlockArrays> MakeBlockArrays(
+  Index cells, const std::vector<std::pair<std::string, NumpyArray>>& arrays)
 {
+  auto block = std::make_shared<PlainArrays>(cells);
   for (const auto& [name, values] : arrays)
   {
-    this->Arrays.emplace_back(name, Describe(name, values));
+    Add(name, values, *block);
   }
-}
-
-std::shared_ptr<const BlockArray> NumpyArrays::Find(const std::string& name) const
-{
-  for (const auto& [own, array] : this->Arrays)
-  {
-    if (own == name)
-    {
-      return array;
-    }
-  }
-  return nullptr;
-}
-
-std::vector<std::string> NumpyArrays::Names() const
-{
-  std::vector<std::string> names;
-  for (const auto& array : this->Arrays)
-  {
-    names.push_back(array.first);
-  }
-  return names;
+  return block;
 }
 
 } // namespace vfm

@@ -21,13 +21,13 @@ int CountThreads(int threads)
   {
     throw nanobind::value_error("threads must be 0, for all cores, or more.");
   }
-  return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return ChooseThreads(threads, 1);
 }
 
 } // namespace
 
 PythonRuntime::PythonRuntime(int threads, nanobind::handle progress) :
-  Count(CountThreads(threads)), Callable(progress)
+  ThreadRuntime(CountThreads(threads)), Callable(progress)
 {
 }
 
@@ -93,7 +93,7 @@ void PythonRuntime::For(std::int64_t first, std::int64_t last,
 {
   const std::int64_t length =
     std::max<std::int64_t>(1, (last - first) / (FirstPieces * std::int64_t(this->Count)));
-  this->Threads.For(this->Count, first, last,
+  this->ThreadRuntime::For(first, last,
     [&](std::int64_t begin, std::int64_t end) { this->RunPieces(begin, end, length, body); });
 }
 

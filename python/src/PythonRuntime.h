@@ -6,8 +6,7 @@
  */
 #pragma once
 
-#include "Base/LoopThreads.h"
-#include "Base/Runtime.h"
+#include "Base/ThreadRuntime.h"
 
 #include <nanobind/nanobind.h>
 
@@ -21,7 +20,7 @@
 namespace vfm
 {
 
-class PythonRuntime : public Runtime
+class PythonRuntime : public ThreadRuntime
 {
 public:
   /// Made by the thread that runs. threads: 0 for all cores; progress: None, or callable(fraction, stage), to outlive this. Throws ValueError on
@@ -47,10 +46,8 @@ private:
     const std::function<void(std::int64_t, std::int64_t)>& body);
   void Look(Clock::time_point now);
 
-  const int Count; // of threads
   const nanobind::handle Callable;
   const std::thread::id Caller = std::this_thread::get_id();
-  LoopThreads Threads;
   std::atomic<bool> IsStopped{ false };
   std::exception_ptr Raised; // by Python; set once
   Clock::time_point NextLook, NextTelling;

@@ -1,0 +1,69 @@
+#include "Input/PlainArrays.h"
+
+namespace vfm
+{
+namespace
+{
+
+/// All in memory, so that nothing is asked for a value.
+class PlainArray : public BlockArray
+{
+public:
+  double Get(Index tuple, int component) const override
+  {
+    return VisitType(this->Type,
+      [&](auto tag)
+      {
+        using Value = typename decltype(tag)::Type;
+        const Index place = tuple * this->Components + component;
+        return static_cast<double>(static_cast<const Value*>(this->Memory)[place]);
+      });
+  }
+  void Copy(Index first, Index count, void* to) const override
+  {
+    VisitType(this->Type,
+      [&](auto tag)
+      {
+        using Value = typename decltype(tag)::Type;
+        std::memcpy(to, static_cast<const Value*>(this->Memory) + first * this->Components,
+          count * this->Components * sizeof(Value));
+      });
+  }
+};
+
+} // namespace
+
+void PlainArrays::Add(
+  const std::string& name, int type, Index tuples, int components, const void* values)
+{
+  auto array = std::make_shared<PlainArray>();
+  array->Type = type;
+  array->Tuples = tuples;
+  array->Components = components;
+  array->Memory = values;
+  this->Arrays.emplace_back(name, std::move(array));
+}
+
+std::shared_ptr<const BlockArray> PlainArrays::Find(const std::string& name) const
+{
+  for (const auto& [own, array] : this->Arrays)
+  {
+    if (own == name)
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::string> PlainArrays::Names() const
+{
+  std::vector<std::string> names;
+  for (const auto& array : this->Arrays)
+  {
+    names.push_back(array.first);
+  }
+  return names;
+}
+
+} // namespace vfm
