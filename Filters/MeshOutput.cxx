@@ -3,6 +3,7 @@
 #include "AdoptBuffer.h"
 #include "EmptyOutput.h"
 #include "FieldValues.h"
+#include "Summary/MeshArrays.h"
 #include "Summary/MeshFields.h"
 
 #include "vtkCellArray.h"
@@ -89,6 +90,29 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
   output->GetPointData()->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
 }
 
+///@{ The array of VTK for the values of a buffer.
+vtkSmartPointer<vtkDataArray> Adopt(Buffer<int>& values, const char* name)
+{
+  return AdoptBuffer<vtkIntArray>(values, name);
+}
+
+vtkSmartPointer<vtkDataArray> Adopt(Buffer<Index>& values, const char* name)
+{
+  return AdoptBuffer<vtkIdTypeArray>(values, name);
+}
+
+vtkSmartPointer<vtkDataArray> Adopt(Buffer<float>& values, const char* name)
+{
+  return AdoptBuffer<vtkFloatArray>(values, name);
+}
+///@}
+
+/// For VisitElementArrays, VisitPointArrays.
+auto AdoptInto(vtkDataSetAttributes* arrays)
+{
+  return [arrays](const char* name, auto& values) { arrays->AddArray(Adopt(values, name)); };
+}
+
 void SetSurfaces(Mesh& mesh, vtkPolyData* surfaces)
 {
   SurfaceFacets& facets = mesh.Surfaces;
@@ -138,17 +162,12 @@ void SetMeshOutput(Mesh& mesh, const MeshOutputs& outputs)
       mesh.Corners == 4 ? VTK_TETRA : VTK_HEXAHEDRON, AdoptCells(mesh.Elements, mesh.Corners));
   }
   vtkCellData* cells = output->GetCellData();
-  cells->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Material, "MaterialId"));
-  cells->AddArray(AdoptBuffer<vtkIntArray>(mesh.Fragment, "FragmentId"));
-  cells->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(mesh.ElementIds, "GlobalCellIds"));
-  if (!mesh.ScaledJacobian.empty())
-  {
-    cells->AddArray(AdoptBuffer<vtkFloatArray>(mesh.ScaledJacobian, "ScaledJacobian"));
-  }
+  VisitElementArrays(mesh, AdoptInto(cells));
+  cells->SetActiveScalars("MaterialId");
+  cells->SetActiveGlobalIds("GlobalCellIds");
   vtkPointData* nodes = output->GetPointData();
-  nodes->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(mesh.PointIds, "GlobalPointIds"));
-  nodes->AddArray(AdoptBuffer<vtkIntArray>(mesh.GeometryDimension, "GeometryDimension"));
-  nodes->AddArray(AdoptBuffer<vtkIntArray>(mesh.GeometryId, "GeometryId"));
+  VisitPointArrays(mesh, AdoptInto(nodes));
+  nodes->SetActiveGlobalIds("GlobalPointIds");
 }
 
 } // namespace vfm
