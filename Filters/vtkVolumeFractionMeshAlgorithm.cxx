@@ -122,10 +122,10 @@ void vtkVolumeFractionMeshAlgorithm::SetRefinementOptions(vfm::MesherOptions& op
   options.MaximumLevel = this->MaximumLevel;
   options.FineInterfaces = this->FineInterfaces;
   options.FineLayers = this->FineLayers;
-  options.Criteria.ThinCells = this->ThinCells;
-  options.Criteria.CurvaturePerCell = this->CurvaturePerCell;
-  options.Criteria.FlippedCells = this->RefineFlippedCells;
-  options.Criteria.InterfaceLayers = this->InterfaceLayers;
+  options.ThinCells = this->ThinCells;
+  options.CurvaturePerCell = this->CurvaturePerCell;
+  options.RefineFlippedCells = this->RefineFlippedCells;
+  options.InterfaceLayers = this->InterfaceLayers;
   options.RefinementArray = this->GetNamedRefinementArray();
   for (const std::array<double, 7>& b : this->RefinementBoxes)
   {
@@ -136,14 +136,14 @@ void vtkVolumeFractionMeshAlgorithm::SetRefinementOptions(vfm::MesherOptions& op
 vfm::MesherOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
 {
   vfm::MesherOptions options;
-  options.Mesh.IsoValue = this->IsoValue;
-  options.Mesh.MeshVoid = this->MeshVoid;
-  options.Mesh.StairStep = this->StairStep;
-  options.Mesh.Method = static_cast<vfm::Smoothing>(this->Smoothing);
-  options.Mesh.Edges = static_cast<vfm::SharpEdges>(this->SharpEdges);
-  options.Mesh.TargetScaledJacobian = this->TargetScaledJacobian;
-  options.Mesh.ConserveVolume = this->ConserveVolume;
-  options.Mesh.ComputeQuality = this->ComputeQuality;
+  options.IsoValue = this->IsoValue;
+  options.MeshVoid = this->MeshVoid;
+  options.StairStep = this->StairStep;
+  options.Method = static_cast<vfm::Smoothing>(this->Smoothing);
+  options.Edges = static_cast<vfm::SharpEdges>(this->SharpEdges);
+  options.TargetScaledJacobian = this->TargetScaledJacobian;
+  options.ConserveVolume = this->ConserveVolume;
+  options.ComputeQuality = this->ComputeQuality;
   options.FractionTolerance = this->FractionTolerance;
   options.LabelSmoothing = this->LabelSmoothing;
   options.MinimumRegionCells = this->MinimumRegionCells;

@@ -251,10 +251,10 @@ vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState(
 
 void vtkVolumeFractionMeshAlgorithm::SetStateOptions(vfm::MesherOptions& options) const
 {
-  options.Conserve.Order = this->StateOrder;
-  options.Conserve.GiveUnmeshed = this->UnmeshedMaterial == UNMESHED_GIVE;
-  options.Conserve.NodalVelocity = this->NodalVelocity;
-  options.Conserve.LostToInternal = this->LostKineticEnergy == LOST_ENERGY_TO_INTERNAL;
+  options.StateOrder = this->StateOrder;
+  options.UnmeshedMaterial = static_cast<vfm::Unmeshed>(this->UnmeshedMaterial);
+  options.NodalVelocity = this->NodalVelocity;
+  options.LostKineticEnergy = static_cast<vfm::LostEnergy>(this->LostKineticEnergy);
 }
 
 vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(

@@ -20,12 +20,12 @@ bool vtkVolumeFractionToTet::HasTetGen()
 void vtkVolumeFractionToTet::SpecialiseOptions(vfm::MesherOptions& options) const
 {
   options.Elements = vfm::ElementKind::Tets;
-  options.Mesh.Tets = static_cast<vfm::TetMethod>(this->Method);
-  options.Mesh.TetGen.RelativeSize = this->RelativeSize;
-  options.Mesh.TetGen.Growth = this->Growth;
-  options.Mesh.TetGen.RadiusEdgeRatio = this->RadiusEdgeRatio;
-  options.Mesh.TetGen.MinimumDihedralAngle = this->MinimumDihedralAngle;
-  options.Mesh.TetGen.OptimizationLevel = this->OptimizationLevel;
+  options.Tets = static_cast<vfm::TetMethod>(this->Method);
+  options.RelativeSize = this->RelativeSize;
+  options.Growth = this->Growth;
+  options.RadiusEdgeRatio = this->RadiusEdgeRatio;
+  options.MinimumDihedralAngle = this->MinimumDihedralAngle;
+  options.OptimizationLevel = this->OptimizationLevel;
 }
 
 void vtkVolumeFractionToTet::PrintSelf(ostream& os, vtkIndent indent)

@@ -260,12 +260,13 @@ private:
   std::vector<CreaseKind> Kinds; // of the points of the mesh; empty: none carries an edge
 };
 
-void CheckRange(const char* name, double value, double lowest, double highest)
+void CheckRange(const char* name, double value, const NumberRange& range)
 {
-  if (!(value >= lowest && value <= highest))
+  if (!(value >= range.Least && value <= range.Most))
   {
     std::ostringstream text;
-    text << name << " is " << value << ": it must lie in [" << lowest << ", " << highest << "].";
+    text << name << " is " << value << ": it must lie in [" << range.Least << ", " << range.Most
+         << "].";
     throw InputError(text.str());
   }
 }
@@ -277,12 +278,11 @@ void CheckTetGenOptions(const MeshOptions& options)
     throw InputError(
       "This build has no TetGen (VFM_ENABLE_TETGEN): choose the method Cells or Lattice.");
   }
-  const TetGenOptions& tetgen = options.TetGen;
-  CheckRange("RelativeSize", tetgen.RelativeSize, 0.1, 1e6);
-  CheckRange("Growth", tetgen.Growth, 0.0, 1e6);
-  CheckRange("RadiusEdgeRatio", tetgen.RadiusEdgeRatio, 1.0, 100.0);
-  CheckRange("MinimumDihedralAngle", tetgen.MinimumDihedralAngle, 0.0, 60.0);
-  CheckRange("OptimizationLevel", tetgen.OptimizationLevel, 0, 10);
+  CheckRange("RelativeSize", options.RelativeSize, RelativeSizes);
+  CheckRange("Growth", options.Growth, Growths);
+  CheckRange("RadiusEdgeRatio", options.RadiusEdgeRatio, RadiusEdgeRatios);
+  CheckRange("MinimumDihedralAngle", options.MinimumDihedralAngle, MinimumDihedralAngles);
+  CheckRange("OptimizationLevel", options.OptimizationLevel, OptimizationLevels);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #include "FilterOptions.h"
 
+#include "Base/ParseText.h"
 #include "Base/Runtime.h"
-#include "ParseText.h"
 
 #include "vtkVolumeFractionMeshAlgorithm.h"
 #include "vtkVolumeFractionToTet.h"

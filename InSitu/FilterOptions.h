@@ -6,6 +6,8 @@
  */
 #pragma once
 
+#include "Options/MesherOptions.h"
+
 #include <string>
 #include <vector>
 
@@ -13,9 +15,6 @@ class vtkVolumeFractionMeshAlgorithm;
 
 namespace vfm
 {
-
-/// How often cells are halved at most, as of the property MaximumLevel.
-constexpr int MostHalvings = 10;
 
 /// Whether this mesher has an option of that name.
 bool IsFilterOption(vtkVolumeFractionMeshAlgorithm& mesher, const std::string& name);

@@ -1,10 +1,10 @@
 #include "WriteMesh.h"
 
+#include "Base/ParseText.h"
 #include "ControllerRanks.h"
 #include "FileSuffix.h"
 #include "GatherMesh.h"
 #include "OutputStage.h"
-#include "ParseText.h"
 #include "Stage.h"
 #include "WriteAbaqus.h"
 #include "WriteExodus.h"

@@ -5,6 +5,7 @@
 #include "Input/UseLabels.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
+#include "Options/SetOptions.h"
 #include "Ranks/Agreement.h"
 #include "TetPipeline.h"
 
@@ -99,7 +100,7 @@ RemovedRegions MesherRun::PrepareFractions(LevelFields& fields) const
   {
     this->Run.Progress(0.0, "Removing small regions");
     removed = RemoveSmallRegions(fields.Grid, this->Options.MinimumRegionCells,
-      this->Options.Mesh.IsoValue, Partition(fields.Grid, this->Group), fractions);
+      this->Options.IsoValue, Partition(fields.Grid, this->Group), fractions);
   }
   if (this->Options.LabelSmoothing > 0 && this->AreLabels())
   {
@@ -129,12 +130,12 @@ LevelPlan MesherRun::Refine(
   {
     this->Run.Progress(0.0, "Looking for places to refine");
     const int layers = this->KeepsInterfacesFine() ? 0 : this->Options.FineLayers;
-    RefinementCriteria criteria = this->Options.Criteria;
-    criteria.MaximumLevel = finer;
+    RefinementCriteria criteria{ this->Options.ThinCells, this->Options.CurvaturePerCell,
+      this->Options.RefineFlippedCells, this->Options.InterfaceLayers, {}, finer };
     WorkTogether(this->Group, [&] { criteria.Chosen = TakeWishes(wishes, setup, layers, fields); });
     if (finer > 0)
     {
-      finer = FindFinerLevels(fields, criteria, this->Options.Mesh.IsoValue, layers, this->Run);
+      finer = FindFinerLevels(fields, criteria, this->Options.IsoValue, layers, this->Run);
     }
   }
   RefineFields(fields, finer, this->Options.Children, this->Run);
@@ -223,10 +224,9 @@ MesherResult MesherRun::Make()
   LevelFields fields =
     MakeLevelFields(this->Levels, cells, setup, this->Options.Children, owners, this->Run);
   NameLabels(this->Input.Arrays.Names, fields.Field.Table);
-  states.Keep(cells, fields, setup, this->Options.Mesh.MeshVoid, owners, this->Run);
+  states.Keep(cells, fields, setup, this->Options.MeshVoid, owners, this->Run);
   const RemovedRegions removed = this->PrepareFractions(fields);
-  MeshOptions options = this->Options.Mesh;
-  options.Levels = this->Refine(setup, wishes, fields);
+  const MeshOptions options{ this->Options, this->Refine(setup, wishes, fields) };
   MesherResult result;
   MeshReport& report = result.Report;
   result.TheMesh = this->MakeMesh(fields, options, report);
@@ -237,7 +237,7 @@ MesherResult MesherRun::Make()
   const int finest = setup.IsUniform ? setup.Finest : setup.Base + options.Levels.Refinements;
   const MeshedGrid meshed{ fields.Grid, fields.Field.Fractions, finest,
     fields.Division.OfHalves(finest - setup.Base) };
-  result.State = states.Carry(result.TheMesh, meshed, this->Options.Conserve, owners, this->Run);
+  result.State = states.Carry(result.TheMesh, meshed, this->Options, owners, this->Run);
   WorkTogether(this->Group, [&] { this->Finish(fields, options, result); });
   this->WarnOfMesh(report, fields.Field);
   this->Warn(DescribeUnmeshed(result.State.Balance, fields.Field.Table));
@@ -248,6 +248,7 @@ MesherResult MesherRun::Make()
 
 MesherResult RunMesher(const MesherInput& input, const MesherOptions& options, Runtime& runtime)
 {
+  CheckOptions(options);
   return MesherRun(input, options, runtime).Make();
 }
 

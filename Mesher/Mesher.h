@@ -3,9 +3,8 @@
  */
 #pragma once
 
-#include "Base/Options.h"
 #include "Input/LabelNames.h"
-#include "Labels/RefinementCriteria.h"
+#include "Options/MesherOptions.h"
 #include "State/CarryState.h"
 #include "Summary/MeshFields.h"
 
@@ -15,32 +14,6 @@
 
 namespace vfm
 {
-
-enum class ElementKind
-{
-  Hexes,
-  Tets
-};
-
-/// As properties of the filters (vtkVolumeFractionMeshAlgorithm tells what they mean), with their defaults.
-struct MesherOptions
-{
-  ElementKind Elements = ElementKind::Hexes;
-  MeshOptions Mesh; ///< but Levels
-  double FractionTolerance = 1e-6;
-  int LabelSmoothing = 0;
-  int MinimumRegionCells = 0;
-  double MaximumAspectRatio = 0.0;
-  ChildRule Children = ChildRule::Planes;
-  Refinement Where = Refinement::InputLevels;
-  int MaximumLevel = -1;
-  bool FineInterfaces = true; ///< of tets always
-  int FineLayers = 2;
-  RefinementCriteria Criteria; ///< but Chosen and MaximumLevel
-  std::string RefinementArray; ///< empty: none
-  std::vector<RefinementBox> RefinementBoxes;
-  ConserveOptions Conserve;
-};
 
 /// Which arrays of the blocks are read.
 struct MesherArrays
@@ -68,7 +41,7 @@ struct MesherResult
   FieldArrays MaterialFields; ///< ListMaterials, ListBalance; a row a material
 };
 
-/// Collective. Throws InputError, on all ranks alike, as what it calls does, and Aborted.
+/// Collective. Throws InputError, on all ranks alike, as CheckOptions and what it calls do, and Aborted.
 MesherResult RunMesher(const MesherInput& input, const MesherOptions& options, Runtime& runtime);
 
 } // namespace vfm

@@ -1,7 +1,7 @@
 #include "ArgumentOptions.h"
 
+#include "Base/ParseText.h"
 #include "FilterOptions.h"
-#include "ParseText.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "ArgumentWords.h"
 
-#include "ParseText.h"
+#include "Base/ParseText.h"
 
 namespace vfm
 {

@@ -1,10 +1,10 @@
 #include "Arguments.h"
 
 #include "ArgumentOptions.h"
+#include "Base/ParseText.h"
 #include "FileSuffix.h"
 #include "FilterOptions.h"
 #include "Images/ImageFile.h"
-#include "ParseText.h"
 #include "ReadInput.h"
 #include "State/ArrayStems.h"
 #include "WriteGeometry.h"

@@ -1,9 +1,9 @@
 #include "ChooseArrays.h"
 
+#include "Base/ParseText.h"
 #include "Images/ImageFile.h"
 #include "Input/ValueType.h"
 #include "MaterialGuess.h"
-#include "ParseText.h"
 #include "Ranks/Agreement.h"
 #include "SpyPlotInput.h"
 #include "Stage.h"

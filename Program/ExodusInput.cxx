@@ -1,9 +1,9 @@
 #include "ExodusInput.h"
 
+#include "Base/ParseText.h"
 #include "ExodusFileCheck.h"
 #include "FileSuffix.h"
 #include "InputGrids.h"
-#include "ParseText.h"
 #include "Ranks/Agreement.h"
 #include "Stage.h"
 #include "VtkMessages.h"

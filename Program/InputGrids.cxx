@@ -1,6 +1,6 @@
 #include "InputGrids.h"
 
-#include "ParseText.h"
+#include "Base/ParseText.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"

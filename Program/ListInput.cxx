@@ -2,9 +2,9 @@
 
 #include "ArrayMemory.h"
 #include "Base/IndexBox.h"
+#include "Base/ParseText.h"
 #include "ChooseArrays.h"
 #include "InputGrids.h"
-#include "ParseText.h"
 #include "ReadInput.h"
 #include "Stage.h"
 

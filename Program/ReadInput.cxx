@@ -1,11 +1,11 @@
 #include "ReadInput.h"
 
 #include "AmrexInput.h"
+#include "Base/ParseText.h"
 #include "Base/Runtime.h"
 #include "ExodusInput.h"
 #include "FileSuffix.h"
 #include "Images/ImageFile.h"
-#include "ParseText.h"
 #include "ReaderSteps.h"
 #include "SpyPlotInput.h"
 #include "Stage.h"

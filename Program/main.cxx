@@ -2,6 +2,7 @@
  * sculptor: meshes volume fractions in a file, on any number of MPI ranks.
  */
 #include "Arguments.h"
+#include "Base/ParseText.h"
 #include "Base/Runtime.h"
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
@@ -10,7 +11,6 @@
 #include "ListInput.h"
 #include "MakeMesh.h"
 #include "MaterialNames.h"
-#include "ParseText.h"
 #include "ReadInput.h"
 #include "Stage.h"
 #include "State/ArrayStems.h"

@@ -34,14 +34,23 @@ enum class TetMethod
   Lattice ///< a body-centred lattice of cell centres and nodes, cut where labels differ
 };
 
+/// What numbers an option takes, both ends included.
+struct NumberRange
+{
+  double Least, Most;
+};
+
+constexpr NumberRange RelativeSizes{ 0.1, 1e6 }, Growths{ 0.0, 1e6 },
+  RadiusEdgeRatios{ 1.0, 100.0 }, MinimumDihedralAngles{ 0.0, 60.0 }, OptimizationLevels{ 0, 10 };
+
 /// What TetGen is asked for.
 struct TetGenOptions
 {
-  double RelativeSize = 1.0;    ///< > 0: edge length at the interfaces, in cells
-  double Growth = 0.3;          ///< >= 0: by how much it grows over each cell of distance from them
-  double RadiusEdgeRatio = 1.4; ///< >= 1: largest circumradius over shortest edge
-  double MinimumDihedralAngle = 10.0; ///< 0..60 degrees: what refinement strives for
-  int OptimizationLevel = 4;          ///< 0..10: of TetGen's flips and smoothing
+  double RelativeSize = 1.0;          ///< edge length at the interfaces, in cells
+  double Growth = 0.3;                ///< by how much it grows over each cell of distance from them
+  double RadiusEdgeRatio = 1.4;       ///< largest circumradius over shortest edge
+  double MinimumDihedralAngle = 10.0; ///< degrees: what refinement strives for
+  int OptimizationLevel = 4;          ///< of TetGen's flips and smoothing
 };
 
 /// Where cells may be coarser than those of the grid given to the pipelines (RefinedGrid.h).
@@ -56,7 +65,8 @@ struct LevelPlan
     Families; ///< to refine besides: of each refinement, those of this rank (OctreeKeys::FamilyKey)
 };
 
-struct MeshOptions
+/// What a user sets of the pipelines.
+struct MeshSettings : TetGenOptions
 {
   double IsoValue = 0.5;  ///< (0,1): a cell is void when its materials fill less than this
   bool MeshVoid = false;  ///< mesh the void too, as material 0
@@ -68,7 +78,10 @@ struct MeshOptions
   bool ConserveVolume = true;          ///< meet the fractions' volumes; only with IsoValue 0.5
   bool ComputeQuality = true;          ///< fill Mesh::ScaledJacobian
   TetMethod Tets = TetMethod::Lattice; ///< of tetrahedral meshes
-  TetGenOptions TetGen;                ///< of TetMethod::TetGen
+};
+
+struct MeshOptions : MeshSettings
+{
   LevelPlan Levels;
 };
 

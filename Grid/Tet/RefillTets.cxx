@@ -295,7 +295,7 @@ private:
 void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
   const MeshOptions& options, const FillProgress& progress, Ranks& ranks, MeshReport& report)
 {
-  const SizeField sizes(grid, labels, options.TetGen);
+  const SizeField sizes(grid, labels, options);
   const TetEnergy energy(FloorsOf(options));
   const double share = 1.0 / std::max<double>(1.0, static_cast<double>(mesh.ElementIds.size()));
   double done = 0.0; // of all tets
@@ -304,7 +304,7 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
   for (const Part& part : FindParts(mesh, grid))
   {
     const double weight = share * static_cast<double>(part.Tets.size());
-    TetGenFill fill = FillWithTetGen(part.Surface, options.TetGen, std::cref(sizes),
+    TetGenFill fill = FillWithTetGen(part.Surface, options, std::cref(sizes),
       [&](double fraction) { progress(done + weight * FillShare * fraction); });
     if (fill.Refusal.empty())
     {

@@ -9,22 +9,13 @@
 
 #include "Input/InputLevels.h"
 #include "Labels/RefinementCriteria.h"
+#include "Options/MesherOptions.h"
 
 #include <string>
 #include <vector>
 
 namespace vfm
 {
-
-/// The most halvings of a cell, as of MaximumLevel.
-constexpr int MostHalvings = 10;
-
-/// From the least to the greatest x, y, z, in the unit of the input, and how many times cells are to be halved.
-struct RefinementBox
-{
-  Vector3 Lower, Upper;
-  double Halvings;
-};
 
 struct InputWishes
 {

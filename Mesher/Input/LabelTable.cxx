@@ -1,5 +1,6 @@
 #include "Input/LabelTable.h"
 
+#include "Base/ParseText.h"
 #include "Ranks/Errors.h"
 
 #include <algorithm>
@@ -15,15 +16,6 @@ namespace vfm
 {
 namespace
 {
-
-constexpr const char* Blanks = " \t\r\n\v\f";
-
-std::string Trim(const std::string& text)
-{
-  const std::size_t first = text.find_first_not_of(Blanks);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
-}
 
 bool IsNumber(const std::string& text)
 {
@@ -46,9 +38,9 @@ std::string FindName(const std::string& rest, char end)
   const std::size_t quote = rest.find('"'), last = rest.rfind('"');
   if (quote != last)
   {
-    return Trim(rest.substr(quote + 1, last - quote - 1));
+    return TrimText(rest.substr(quote + 1, last - quote - 1));
   }
-  return Trim(rest.substr(0, rest.find(end)));
+  return TrimText(rest.substr(0, rest.find(end)));
 }
 
 } // namespace
@@ -95,7 +87,7 @@ void LabelTable::ReadLine(const std::string& line, int number)
   const std::size_t next = line.find_first_not_of(" \t", end);
   const bool isParted = next != std::string::npos && (line[next] == ',' || line[next] == ';');
   const std::string rest =
-    next == std::string::npos ? "" : Trim(line.substr(next + (isParted ? 1 : 0)));
+    next == std::string::npos ? "" : TrimText(line.substr(next + (isParted ? 1 : 0)));
   row.Name = FindName(rest, isParted ? line[next] : '\t');
   if (row.Name.empty())
   {
@@ -120,7 +112,7 @@ void LabelTable::ReadText(std::istream& stream)
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number)
   {
-    line = Trim(line);
+    line = TrimText(line);
     if (!line.empty() && line[0] != '#')
     {
       this->ReadLine(line, number);

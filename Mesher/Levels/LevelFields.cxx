@@ -317,17 +317,7 @@ void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule
   }
   runtime.Progress(0.0, "Dividing long cells");
   WorkTogether(runtime.Group(),
-    [&]
-    {
-      if (!(maximumAspectRatio >= SmallestAspectRatio))
-      {
-        std::ostringstream text;
-        text << "MaximumAspectRatio is " << maximumAspectRatio << ": it must be at least "
-             << SmallestAspectRatio << ", or 0, by which no cell is cut.";
-        throw InputError(text.str());
-      }
-      fields.Division = DivideLongCells(fields.Base.Coordinates(), maximumAspectRatio);
-    });
+    [&] { fields.Division = DivideLongCells(fields.Base.Coordinates(), maximumAspectRatio); });
   if (fields.Division.IsNone())
   {
     return;

@@ -39,12 +39,9 @@ std::vector<BlockPlace> ShareOutCells(
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
-/// Of cells that are cut. Less would multiply them: widths within a tenth of each other take up to ten parts of a cell along an axis.
-constexpr double SmallestAspectRatio = 1.1;
-
 /// Collective: cuts the cells of Base, and those of Grid alike, until none has an aspect ratio above a number (DivideLongCells):
-/// levels keep their ratios, families their places. 0: none is cut. Throws InputError, on all ranks alike, on numbers between 0 and
-/// SmallestAspectRatio, and where there would be too many cells.
+/// levels keep their ratios, families their places. 0: none is cut; else at least SmallestAspectRatio. Throws InputError, on all ranks
+/// alike, where there would be too many cells.
 void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime);
 
 /// Adds the families between Base and Grid that cells of the input want, and those of so many layers around; returns, in cells of Grid, what

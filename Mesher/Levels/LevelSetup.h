@@ -4,21 +4,13 @@
 #pragma once
 
 #include "Base/CartesianGrid.h"
+#include "Options/MesherOptions.h"
 #include "Ranks/Ranks.h"
 
 #include <string>
 
 namespace vfm
 {
-
-enum class Refinement
-{
-  Off = 0,         ///< the coarsest level of the input
-  InputLevels = 1, ///< the levels of the input
-  Automatic = 2,   ///< criteria, on the coarsest level of the input
-  Coarsen = 3,     ///< the input is the finest level
-  Uniform = 4      ///< all cells are as fine as the finest
-};
 
 /// Levels are those of the input: 0 is its coarsest, negative ones are coarser than it.
 struct LevelSetup

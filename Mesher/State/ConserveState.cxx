@@ -46,7 +46,8 @@ public:
     Run(runtime)
   {
     TransferRequest request{ cells.GetGrid(), cells.GetFractions(), cells,
-      ListQuantities(this->Plan), this->Plan.Density, options.Order, options.GiveUnmeshed };
+      ListQuantities(this->Plan), this->Plan.Density, options.StateOrder,
+      options.UnmeshedMaterial == Unmeshed::Give };
     this->Taken = TransferState(mesh, request, runtime);
     if (this->Plan.Velocity >= 0)
     {
@@ -93,7 +94,7 @@ private:
       this->Nodes =
         FindNodalVelocity(this->TheMesh, this->Grid, this->Taken.Mass, this->Velocity(), this->Run);
     }
-    if (this->Options.LostToInternal && this->Plan.Energy >= 0)
+    if (this->Options.LostKineticEnergy == LostEnergy::InternalEnergy && this->Plan.Energy >= 0)
     {
       Buffer<double>& energy = this->Taken.Values[this->Plan.Energy];
       ForEach(this->Run, energy.size(),

@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Options/MesherOptions.h"
 #include "State/CarriedArray.h"
 #include "State/ConservedCells.h"
 #include "State/StateBalance.h"
@@ -11,14 +12,6 @@
 
 namespace vfm
 {
-
-struct ConserveOptions
-{
-  int Order = 2;
-  bool GiveUnmeshed = true;
-  bool NodalVelocity = false;
-  bool LostToInternal = false; ///< lost kinetic energy becomes internal energy
-};
 
 struct ConservedState
 {

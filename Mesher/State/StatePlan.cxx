@@ -1,5 +1,6 @@
 #include "State/StatePlan.h"
 
+#include "Base/ParseText.h"
 #include "Input/ValueType.h"
 #include "Ranks/Errors.h"
 #include "State/ArrayStems.h"
@@ -39,21 +40,13 @@ struct StateKindWord
   }
 };
 
-/// Without blanks at its ends, which names of arrays may have as well: " velocity" of ParaView's SpyPlot reader.
-std::string Trim(const std::string& text)
-{
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
-
 /// From what stands behind the =; false when it is no kind.
 bool ReadKind(const std::string& text, StateKindWord& word)
 {
   const std::size_t star = text.find('*');
-  if (star != std::string::npos && Trim(text.substr(0, star)) == "mass")
+  if (star != std::string::npos && TrimText(text.substr(0, star)) == "mass")
   {
-    word.Weight = Trim(text.substr(star + 1));
+    word.Weight = TrimText(text.substr(star + 1));
     return !word.Weight.empty();
   }
   const auto found = Meanings.find(text);
@@ -68,8 +61,8 @@ StateKindWord ReadWord(const std::string& text)
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1))
   {
     StateKindWord word;
-    word.Name = Trim(text.substr(0, at));
-    if (!word.Name.empty() && ReadKind(Trim(text.substr(at + 1)), word))
+    word.Name = TrimText(text.substr(0, at));
+    if (!word.Name.empty() && ReadKind(TrimText(text.substr(at + 1)), word))
     {
       return word;
     }
@@ -125,7 +118,7 @@ private:
 
   const StateKindWord* FindWord(const std::string& name) const
   {
-    const auto found = this->Words.find(Trim(name));
+    const auto found = this->Words.find(TrimText(name));
     return found == this->Words.end() ? nullptr : &found->second;
   }
 
@@ -312,8 +305,9 @@ private:
     const std::vector<ConservedArray>& arrays = this->Plan.Conserved;
     for (std::size_t c = 0; c < arrays.size(); ++c)
     {
-      const auto isNamed = [&](std::size_t s) { return Trim(this->States[s].Name) == Trim(name); };
-      if (Trim(arrays[c].Name) == Trim(name) ||
+      const auto isNamed = [&](std::size_t s)
+      { return TrimText(this->States[s].Name) == TrimText(name); };
+      if (TrimText(arrays[c].Name) == TrimText(name) ||
         std::any_of(arrays[c].States.begin(), arrays[c].States.end(), isNamed))
       {
         return static_cast<int>(c);
@@ -327,7 +321,7 @@ private:
     for (const auto& word : this->Words)
     {
       const bool isOfState = std::any_of(this->States.begin(), this->States.end(),
-        [&word](const StateArray& state) { return Trim(state.Name) == word.first; });
+        [&word](const StateArray& state) { return TrimText(state.Name) == word.first; });
       if (!isOfState && this->FindConserved(word.first) < 0)
       {
         throw InputError("The state kinds name " + Quote(word.first) +

@@ -108,7 +108,7 @@ MeshMaker DrawMethod(MeshOptions& options, RandomDraw& draw, std::string& words)
   }
   const bool isTetGen = HasTetGen() && draw.Chance(0.1);
   options.Tets = isTetGen ? TetMethod::TetGen : draw.Pick({ TetMethod::Lattice, TetMethod::Cells });
-  options.TetGen = DrawTetGen(draw);
+  static_cast<TetGenOptions&>(options) = DrawTetGen(draw);
   words += NameOf(options.Tets);
   return MakeTetMesh;
 }

@@ -28,8 +28,8 @@ public:
       [](MesherOptions* self)
       {
         MesherOptions& options = *new (self) MesherOptions();
-        options.Mesh.Edges = SharpEdges::Automatic;
-        options.Mesh.Tets = HasTetGen() ? TetMethod::TetGen : TetMethod::Lattice;
+        options.Edges = SharpEdges::Automatic;
+        options.Tets = HasTetGen() ? TetMethod::TetGen : TetMethod::Lattice;
       });
   }
 
@@ -100,17 +100,16 @@ using Options = MesherOptions;
 
 void AddMeshOptions(OptionBinder& to)
 {
-  to.Add("iso_value", [](Options& o) -> double& { return o.Mesh.IsoValue; });
-  to.Add("mesh_void", [](Options& o) -> bool& { return o.Mesh.MeshVoid; });
-  to.Add("stair_step", [](Options& o) -> bool& { return o.Mesh.StairStep; });
+  to.Add("iso_value", [](Options& o) -> double& { return o.IsoValue; });
+  to.Add("mesh_void", [](Options& o) -> bool& { return o.MeshVoid; });
+  to.Add("stair_step", [](Options& o) -> bool& { return o.StairStep; });
   to.Add(
-    "smoothing", [](Options& o) -> Smoothing& { return o.Mesh.Method; }, Smoothing::GeometryBased);
+    "smoothing", [](Options& o) -> Smoothing& { return o.Method; }, Smoothing::GeometryBased);
+  to.Add("target_scaled_jacobian", [](Options& o) -> double& { return o.TargetScaledJacobian; });
   to.Add(
-    "target_scaled_jacobian", [](Options& o) -> double& { return o.Mesh.TargetScaledJacobian; });
-  to.Add(
-    "sharp_edges", [](Options& o) -> SharpEdges& { return o.Mesh.Edges; }, SharpEdges::Automatic);
-  to.Add("conserve_volume", [](Options& o) -> bool& { return o.Mesh.ConserveVolume; });
-  to.Add("compute_quality", [](Options& o) -> bool& { return o.Mesh.ComputeQuality; });
+    "sharp_edges", [](Options& o) -> SharpEdges& { return o.Edges; }, SharpEdges::Automatic);
+  to.Add("conserve_volume", [](Options& o) -> bool& { return o.ConserveVolume; });
+  to.Add("compute_quality", [](Options& o) -> bool& { return o.ComputeQuality; });
 }
 
 void AddInputOptions(OptionBinder& to)
@@ -130,10 +129,10 @@ void AddRefinementOptions(OptionBinder& to)
     "child_fractions", [](Options& o) -> ChildRule& { return o.Children; }, ChildRule::Parent);
   to.Add("fine_interfaces", [](Options& o) -> bool& { return o.FineInterfaces; });
   to.Add("fine_layers", [](Options& o) -> int& { return o.FineLayers; });
-  to.Add("thin_cells", [](Options& o) -> double& { return o.Criteria.ThinCells; });
-  to.Add("curvature_per_cell", [](Options& o) -> double& { return o.Criteria.CurvaturePerCell; });
-  to.Add("refine_flipped_cells", [](Options& o) -> bool& { return o.Criteria.FlippedCells; });
-  to.Add("interface_layers", [](Options& o) -> int& { return o.Criteria.InterfaceLayers; });
+  to.Add("thin_cells", [](Options& o) -> double& { return o.ThinCells; });
+  to.Add("curvature_per_cell", [](Options& o) -> double& { return o.CurvaturePerCell; });
+  to.Add("refine_flipped_cells", [](Options& o) -> bool& { return o.RefineFlippedCells; });
+  to.Add("interface_layers", [](Options& o) -> int& { return o.InterfaceLayers; });
   to.Add("refinement_array", [](Options& o) -> std::string& { return o.RefinementArray; });
   to.AddBoxes();
 }
@@ -141,21 +140,23 @@ void AddRefinementOptions(OptionBinder& to)
 void AddTetOptions(OptionBinder& to)
 {
   to.Add(
-    "method", [](Options& o) -> TetMethod& { return o.Mesh.Tets; }, TetMethod::Lattice);
-  to.Add("relative_size", [](Options& o) -> double& { return o.Mesh.TetGen.RelativeSize; });
-  to.Add("growth", [](Options& o) -> double& { return o.Mesh.TetGen.Growth; });
-  to.Add("radius_edge_ratio", [](Options& o) -> double& { return o.Mesh.TetGen.RadiusEdgeRatio; });
-  to.Add("minimum_dihedral_angle",
-    [](Options& o) -> double& { return o.Mesh.TetGen.MinimumDihedralAngle; });
-  to.Add("optimization_level", [](Options& o) -> int& { return o.Mesh.TetGen.OptimizationLevel; });
+    "method", [](Options& o) -> TetMethod& { return o.Tets; }, TetMethod::Lattice);
+  to.Add("relative_size", [](Options& o) -> double& { return o.RelativeSize; });
+  to.Add("growth", [](Options& o) -> double& { return o.Growth; });
+  to.Add("radius_edge_ratio", [](Options& o) -> double& { return o.RadiusEdgeRatio; });
+  to.Add("minimum_dihedral_angle", [](Options& o) -> double& { return o.MinimumDihedralAngle; });
+  to.Add("optimization_level", [](Options& o) -> int& { return o.OptimizationLevel; });
 }
 
 void AddStateOptions(OptionBinder& to)
 {
-  to.Add("state_order", [](Options& o) -> int& { return o.Conserve.Order; });
-  to.Add("give_unmeshed", [](Options& o) -> bool& { return o.Conserve.GiveUnmeshed; });
-  to.Add("nodal_velocity", [](Options& o) -> bool& { return o.Conserve.NodalVelocity; });
-  to.Add("lost_to_internal", [](Options& o) -> bool& { return o.Conserve.LostToInternal; });
+  to.Add("state_order", [](Options& o) -> int& { return o.StateOrder; });
+  to.Add(
+    "give_unmeshed", [](Options& o) -> Unmeshed& { return o.UnmeshedMaterial; }, Unmeshed::Drop);
+  to.Add("nodal_velocity", [](Options& o) -> bool& { return o.NodalVelocity; });
+  to.Add(
+    "lost_to_internal", [](Options& o) -> LostEnergy& { return o.LostKineticEnergy; },
+    LostEnergy::InternalEnergy);
 }
 
 } // namespace

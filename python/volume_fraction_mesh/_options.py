@@ -133,7 +133,7 @@ def core_options(tets: bool, given: Mapping[str, Any]) -> Any:
     checked = {option.name: option.check(given[option.name]) for option in options_of(tets)}
     del checked["state_transfer"]  # told with the arrays
     options.lost_to_internal = bool(checked.pop("lost_kinetic_energy"))
-    options.give_unmeshed = not checked.pop("unmeshed_material")
+    options.give_unmeshed = checked.pop("unmeshed_material")
     for name, value in checked.items():
         setattr(options, name, value)
     return options

@@ -1,6 +1,7 @@
-#include "ParseText.h"
+#include "Base/ParseText.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace vfm
@@ -74,11 +75,39 @@ std::optional<int> ParseChoice(const std::string& text, const std::vector<std::s
   return ParseCount(text, 0, static_cast<int>(words.size()) - 1);
 }
 
+std::string FormatNumber(double number)
+{
+  std::array<char, 32> text{};
+  const std::to_chars_result made = std::to_chars(text.data(), text.data() + text.size(), number);
+  std::string result(text.data(), made.ptr);
+  const std::size_t exponent = result.find('e');
+  if (exponent != std::string::npos) // 1e-06, 1e+06
+  {
+    const std::size_t digits = result.find_first_of("123456789", exponent);
+    result = result.substr(0, exponent + 1) + (result[exponent + 1] == '-' ? "-" : "") +
+      result.substr(digits);
+  }
+  return result;
+}
+
+std::string SnakeCase(const std::string& name)
+{
+  std::string snake;
+  for (char c : name)
+  {
+    const bool isCapital = c >= 'A' && c <= 'Z';
+    snake += isCapital && !snake.empty() ? "_" : "";
+    snake += isCapital ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return snake;
+}
+
 std::string TrimText(const std::string& text)
 {
-  const std::size_t first = text.find_first_not_of(' ');
+  constexpr const char* blanks = " \t\r\n\v\f";
+  const std::size_t first = text.find_first_not_of(blanks);
   return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(' ') - first + 1);
+                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 std::string JoinTexts(const std::vector<std::string>& texts)

@@ -1,5 +1,5 @@
 /**
- * ParseText: values from the words of a command line or a host, whole and in any locale, or nothing.
+ * ParseText: values from the words of a file, a command line or a host, whole and in any locale, or nothing.
  */
 #pragma once
 
@@ -23,7 +23,13 @@ std::optional<bool> ParseSwitch(const std::string& text);
 /// The place of the text among the words, or the number it is, from 0.
 std::optional<int> ParseChoice(const std::string& text, const std::vector<std::string>& words);
 
-/// Without the spaces around it.
+/// The shortest text that ParseNumber makes the same number of: 0.5, 1e-6.
+std::string FormatNumber(double number);
+
+/// IsoValue: iso_value.
+std::string SnakeCase(const std::string& name);
+
+/// Without the spaces, tabs and ends of lines around it.
 std::string TrimText(const std::string& text);
 
 /// Parted by commas.

@@ -1,0 +1,346 @@
+#include "Options/SetOptions.h"
+
+#include "Base/ParseText.h"
+#include "Base/Runtime.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace vfm
+{
+namespace
+{
+
+using Texts = std::vector<std::string>;
+using Boxes = std::vector<RefinementBox>;
+
+constexpr double Largest = std::numeric_limits<double>::max();
+
+/// "3 (automatic)" where 3 is special.
+std::string WithMeaning(double number, const OptionRange& range)
+{
+  const bool isSpecial = range.Special == number;
+  return FormatNumber(number) + (isSpecial ? " (" + range.Meaning + ")" : "");
+}
+
+bool IsCount(double number)
+{
+  return number == std::floor(number) && std::abs(number) <= std::numeric_limits<int>::max();
+}
+
+/// Of a number; noun: what it is.
+std::string DescribeRange(const std::string& noun, const OptionRange& range)
+{
+  const bool hasMost = range.Most <= Largest;
+  const bool isApart = range.Special && *range.Special < range.Least;
+  std::string text = isApart ? WithMeaning(*range.Special, range) + " or " : "";
+  const std::string least = WithMeaning(range.Least, range);
+  if (!hasMost)
+  {
+    return text + noun + ", " + (range.IsLeastOpen ? "above " + least : least + " or more");
+  }
+  const std::string to = range.IsMostOpen ? "below " : "";
+  if (range.IsLeastOpen)
+  {
+    return text + noun + " above " + least + " and " + (to.empty() ? "up to " : to) +
+      FormatNumber(range.Most);
+  }
+  return text + noun + " from " + least + " to " + to + FormatNumber(range.Most);
+}
+
+Texts WithoutSpaces(Texts words)
+{
+  for (std::string& word : words)
+  {
+    word.erase(std::remove(word.begin(), word.end(), ' '), word.end());
+  }
+  return words;
+}
+
+std::optional<double> ParseValue(const Option& option, const std::string& text)
+{
+  switch (option.Kind)
+  {
+    case OptionKind::Switch:
+      return ParseSwitch(text);
+    case OptionKind::Choice:
+      return ParseChoice(text, option.Words);
+    case OptionKind::Integer:
+      return ParseCount(text, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    default:
+      return ParseNumber(text, -Largest, Largest);
+  }
+}
+
+/// Nothing where it is no box.
+std::optional<RefinementBox> ParseBox(const std::string& text)
+{
+  const Texts parts = SplitText(text);
+  std::vector<double> numbers;
+  for (const std::string& part : parts)
+  {
+    numbers.push_back(
+      ParseNumber(part, -Largest, Largest).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  const bool isBox =
+    (parts.size() == 6 || (parts.size() == 7 && ParseCount(parts[6], 0, MostHalvings))) &&
+    std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == number; });
+  if (!isBox)
+  {
+    return std::nullopt;
+  }
+  numbers.push_back(1.0);
+  return RefinementBox{ { numbers[0], numbers[1], numbers[2] },
+    { numbers[3], numbers[4], numbers[5] }, numbers[6] };
+}
+
+bool SetBoxes(Boxes& to, const std::string& text)
+{
+  Boxes boxes;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ';');)
+  {
+    const std::optional<RefinementBox> box = ParseBox(part);
+    if (!box)
+    {
+      return false;
+    }
+    boxes.push_back(*box);
+  }
+  to = std::move(boxes);
+  return true;
+}
+
+/// Which kinds there are is told where the arrays are known.
+bool SetTexts(const Option& option, Texts& to, const std::string& text)
+{
+  const Texts parts = text.empty() ? Texts() : SplitText(text);
+  const bool areKinds = option.Kind == OptionKind::Kinds;
+  const auto isGood = [=](const std::string& part)
+  { return !areKinds || part.find('=') != std::string::npos; };
+  if (!std::all_of(parts.begin(), parts.end(), isGood))
+  {
+    return false;
+  }
+  to.clear();
+  for (const std::string& part : parts)
+  {
+    if (!part.empty() && std::find(to.begin(), to.end(), part) == to.end())
+    {
+      to.push_back(part);
+    }
+  }
+  return true;
+}
+
+/// Whether the text is allowed.
+bool SetText(MesherOptions& options, const Option& option, const std::string& given)
+{
+  const std::string text = IsSameWord(given, "None") ? "" : given;
+  if (const auto* name = std::get_if<std::string MesherOptions::*>(&option.Member))
+  {
+    options.*(*name) = text;
+    return true;
+  }
+  if (const auto* texts = std::get_if<Texts MesherOptions::*>(&option.Member))
+  {
+    return SetTexts(option, options.*(*texts), text);
+  }
+  if (const auto* boxes = std::get_if<Boxes MesherOptions::*>(&option.Member))
+  {
+    return SetBoxes(options.*(*boxes), text);
+  }
+  const std::optional<double> number = ParseValue(option, given);
+  return number && SetNumber(options, option, *number);
+}
+
+std::string Join(const Boxes& boxes)
+{
+  std::string text;
+  for (const auto& [l, u, halvings] : boxes)
+  {
+    text += text.empty() ? "" : ";";
+    for (double number : { l[0], l[1], l[2], u[0], u[1], u[2] })
+    {
+      text += FormatNumber(number) + ",";
+    }
+    text += FormatNumber(halvings);
+  }
+  return text;
+}
+
+std::string ListNames(ElementKind elements, const OptionTable& table)
+{
+  Texts names;
+  for (const Option& option : table)
+  {
+    if (elements == ElementKind::Tets || !option.OnlyTets)
+    {
+      names.push_back(option.Name);
+    }
+  }
+  return JoinTexts(names);
+}
+
+[[noreturn]] void Refuse(const Option& option, const std::string& value)
+{
+  throw InputError(
+    "The option " + option.Name + " cannot be '" + value + "': it takes " + option.Allowed() + ".");
+}
+
+} // namespace
+
+std::string Option::Allowed() const
+{
+  switch (this->Kind)
+  {
+    case OptionKind::Switch:
+      return "on or off";
+    case OptionKind::Integer:
+      return DescribeRange("a whole number", this->Range);
+    case OptionKind::Real:
+      return DescribeRange("a number", this->Range);
+    case OptionKind::Choice:
+      return JoinTexts(WithoutSpaces(this->Words)) + " (or 0 to " +
+        std::to_string(this->Words.size() - 1) + ")";
+    case OptionKind::Array:
+      return "the name of a cell array, or None";
+    case OptionKind::File:
+      return "a file, or None";
+    case OptionKind::Arrays:
+      return "names of cell arrays with commas between them, or None";
+    case OptionKind::Kinds:
+      return "name=kind with commas between them, or None; kinds: mass, mass*other, volume, cell, "
+             "extensive, copy";
+    case OptionKind::Boxes:
+      return "x0,y0,z0,x1,y1,z1 or with the number of halvings, 0 to " +
+        std::to_string(MostHalvings) + ", as seventh; semicolons part boxes";
+  }
+  return "";
+}
+
+const Option* FindOption(const std::string& name, const OptionTable& table)
+{
+  const auto found = std::find_if(table.begin(), table.end(),
+    [&name](const Option& option) { return IsSameWord(option.Name, name); });
+  return found == table.end() ? nullptr : &*found;
+}
+
+double GetNumber(const MesherOptions& options, const Option& option)
+{
+  if (const auto* choice = std::get_if<ChoiceMember>(&option.Member))
+  {
+    return choice->Get(options);
+  }
+  if (const auto* flag = std::get_if<bool MesherOptions::*>(&option.Member))
+  {
+    return options.*(*flag) ? 1.0 : 0.0;
+  }
+  const auto* count = std::get_if<int MesherOptions::*>(&option.Member);
+  return count ? options.*(*count) : options.*std::get<double MesherOptions::*>(option.Member);
+}
+
+bool SetNumber(MesherOptions& options, const Option& option, double number)
+{
+  const bool isChoice = option.Kind == OptionKind::Choice;
+  const OptionRange range =
+    isChoice ? OptionRange{ 0.0, static_cast<double>(option.Words.size()) - 1.0 } : option.Range;
+  const bool isCount = option.Kind == OptionKind::Integer;
+  if (!range.Holds(number) || (isCount && !IsCount(number)))
+  {
+    return false;
+  }
+  if (isChoice)
+  {
+    std::get<ChoiceMember>(option.Member).Set(options, static_cast<int>(number));
+  }
+  else if (const auto* flag = std::get_if<bool MesherOptions::*>(&option.Member))
+  {
+    options.*(*flag) = number != 0.0;
+  }
+  else if (const auto* count = std::get_if<int MesherOptions::*>(&option.Member))
+  {
+    options.*(*count) = static_cast<int>(number);
+  }
+  else
+  {
+    options.*std::get<double MesherOptions::*>(option.Member) = number;
+  }
+  return true;
+}
+
+void SetOption(MesherOptions& options, const std::string& name, const std::string& value,
+  const OptionTable& table)
+{
+  const Option* option = FindOption(name, table);
+  if (!option)
+  {
+    throw InputError("There is no option '" + name + "' (given '" + value +
+      "'). The options are: " + ListNames(options.Elements, table) + ".");
+  }
+  if (option->OnlyTets && options.Elements != ElementKind::Tets)
+  {
+    throw InputError("The option " + option->Name + " (given '" + value +
+      "') is one of tetrahedra, and hexahedra are asked for. Their options are: " +
+      ListNames(options.Elements, table) + ".");
+  }
+  if (!SetText(options, *option, value))
+  {
+    Refuse(*option, value);
+  }
+}
+
+std::string GetOption(const MesherOptions& options, const Option& option)
+{
+  const auto orNone = [](const std::string& text) { return text.empty() ? "None" : text; };
+  switch (option.Kind)
+  {
+    case OptionKind::Switch:
+      return GetNumber(options, option) == 0.0 ? "off" : "on";
+    case OptionKind::Integer:
+    case OptionKind::Real:
+      return FormatNumber(GetNumber(options, option));
+    case OptionKind::Choice:
+      return WithoutSpaces(option.Words)[static_cast<int>(GetNumber(options, option))];
+    case OptionKind::Array:
+    case OptionKind::File:
+      return orNone(options.*std::get<std::string MesherOptions::*>(option.Member));
+    case OptionKind::Arrays:
+    case OptionKind::Kinds:
+      return orNone(JoinTexts(options.*std::get<Texts MesherOptions::*>(option.Member)));
+    case OptionKind::Boxes:
+      return orNone(Join(options.*std::get<Boxes MesherOptions::*>(option.Member)));
+  }
+  return "";
+}
+
+void CheckOptions(const MesherOptions& options, const OptionTable& table)
+{
+  for (const Option& option : table)
+  {
+    const bool isNumber = option.Kind == OptionKind::Integer || option.Kind == OptionKind::Real;
+    const bool isUsed = !option.OnlyTets || options.Elements == ElementKind::Tets;
+    if (isNumber && isUsed && !option.Range.Holds(GetNumber(options, option)))
+    {
+      Refuse(option, FormatNumber(GetNumber(options, option)));
+    }
+  }
+}
+
+std::vector<std::string> DescribeOptions(ElementKind elements, const OptionTable& table)
+{
+  MesherOptions defaults;
+  Texts lines;
+  for (const Option& option : table)
+  {
+    if (elements == ElementKind::Tets || !option.OnlyTets)
+    {
+      lines.push_back(option.Name + ": " + option.Allowed() + "; default " +
+        GetOption(defaults, option) + (option.OnlyTets ? "; tetrahedra only" : ""));
+    }
+  }
+  return lines;
+}
+
+} // namespace vfm
