@@ -1,11 +1,11 @@
 #include "ChooseArrays.h"
 
 #include "Base/ParseText.h"
+#include "Blocks/BlockFile.h"
 #include "Images/ImageFile.h"
 #include "Input/ValueType.h"
 #include "MaterialGuess.h"
 #include "Ranks/Agreement.h"
-#include "SpyPlotInput.h"
 #include "Stage.h"
 
 #include "vtkDataArray.h"

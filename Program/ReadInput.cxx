@@ -1,13 +1,13 @@
 #include "ReadInput.h"
 
-#include "AmrexInput.h"
 #include "Base/ParseText.h"
 #include "Base/Runtime.h"
+#include "Blocks/BlockFile.h"
+#include "BlocksInput.h"
 #include "ExodusInput.h"
 #include "FileSuffix.h"
 #include "Images/ImageFile.h"
 #include "ReaderSteps.h"
-#include "SpyPlotInput.h"
 #include "Stage.h"
 #include "VtkMessages.h"
 
@@ -114,10 +114,6 @@ const std::vector<Format>& Formats()
     {
       list.push_back({ suffix, MakeImageReader });
     }
-    if (HasSpyPlotReader())
-    {
-      list.push_back({ SpyPlotSuffix, MakeSpyPlotReader });
-    }
     return list;
   }();
   return formats;
@@ -125,33 +121,14 @@ const std::vector<Format>& Formats()
 
 const Format* FindFormat(const std::string& path)
 {
-  static const Format plotfile{ "", MakeAmrexReader };
-  if (IsAmrexFolder(path))
-  {
-    return &plotfile;
-  }
   const auto& formats = Formats();
   const auto found = std::find_if(formats.begin(), formats.end(),
     [&path](const Format& format) { return HasSuffix(path, format.Suffix); });
   return found == formats.end() ? nullptr : &*found;
 }
 
-/// Does a check, the errors of which do not name the input.
-void CheckInput(const std::string& path, const std::function<void()>& check)
-{
-  try
-  {
-    check();
-  }
-  catch (const InputError& error)
-  {
-    RefuseInput("Cannot read the input " + path + ": " + error.what());
-  }
-}
-
-/// While this lives nothing is written to a standard stream: on the one for errors VTK's AMR data sets warn where a rank has no
-/// blocks of a SpyPlot file, and the Exodus library tells in many lines what the reader's message tells in one; on the other
-/// VTK counts the blocks of plotfiles.
+/// While this lives nothing is written to a standard stream: the Exodus library writes in many lines what the
+/// reader's message says in one.
 class QuietStream
 {
 public:
@@ -193,6 +170,7 @@ std::vector<std::string> GetInputSuffixes()
   {
     suffixes.push_back(format.Suffix);
   }
+  suffixes.push_back(SpyPlotSuffix);
   const std::vector<std::string> exodus = GetExodusSuffixes();
   suffixes.insert(suffixes.end(), exodus.begin(), exodus.end());
   return suffixes;
@@ -200,7 +178,7 @@ std::vector<std::string> GetInputSuffixes()
 
 void CheckInputSuffix(const std::string& path)
 {
-  if (!FindFormat(path) && !IsExodusFile(path))
+  if (!FindFormat(path) && !IsExodusFile(path) && !IsBlockFile(path))
   {
     throw ProgramError(ExitCode::WrongArguments,
       "The input " + path + " is of an unknown kind. Read are " + JoinTexts(GetInputSuffixes()) +
@@ -210,6 +188,10 @@ void CheckInputSuffix(const std::string& path)
 
 Input ReadInput(const Arguments& arguments, Ranks& ranks)
 {
+  if (IsBlockFile(arguments.Input))
+  {
+    return ReadBlocks(arguments, ranks);
+  }
   VtkMessages messages;
   const VtkSilence silence(messages);
   const QuietStream errors(STDERR_FILENO, stderr), output(STDOUT_FILENO, stdout);
@@ -218,18 +200,11 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
     return ReadExodus(arguments, messages, ranks);
   }
   vtkSmartPointer<vtkAlgorithm> reader;
-  std::vector<SpyPlotFile> files; // of this rank
   Input input;
   WorkInStage(ranks, ExitCode::UnreadableInput,
     [&]
     {
-      CheckInputFile(arguments.Input + (IsAmrexFolder(arguments.Input) ? "/Header" : ""));
-      CheckInput(arguments.Input,
-        [&]
-        {
-          CheckAmrexFolder(arguments, ranks);
-          files = OpenSpyPlotFiles(arguments, ranks.Rank(), ranks.Count());
-        });
+      CheckInputFile(arguments.Input);
       reader = FindFormat(arguments.Input)->MakeReader(arguments);
       messages.Watch(reader);
     });
@@ -240,14 +215,6 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
       CheckReaderErrors(messages, arguments.Input);
       input.Times = GetTimes(reader);
       input.Time = ChooseTime(arguments, input.Times);
-    });
-  ChooseSpyPlotArrays(reader, arguments, ranks);
-  ChooseAmrexArrays(reader, arguments);
-  WorkInStage(ranks, ExitCode::UnreadableInput,
-    [&]
-    {
-      CheckInput(
-        arguments.Input, [&] { CheckSpyPlotArrays(files, input.Time.value_or(0.0), arguments); });
     });
   WorkInStage(ranks, ExitCode::UnreadableInput,
     [&]

@@ -18,8 +18,7 @@ std::vector<std::string> GetInputSuffixes();
 /// Throws ProgramError (WrongArguments) when files of that name are not read.
 void CheckInputSuffix(const std::string& path);
 
-/// Collective. Of SpyPlot files only the arrays that the arguments name, or the volume fractions, are read.
-/// Throws ProgramError (UnreadableInput).
+/// Collective. Throws ProgramError (UnreadableInput).
 Input ReadInput(const Arguments& arguments, Ranks& ranks);
 
 } // namespace vfm

@@ -21,6 +21,18 @@ void RefuseInput(const std::string& message)
   throw ProgramError(ExitCode::UnreadableInput, message);
 }
 
+void CheckInput(const std::string& path, const std::function<void()>& check)
+{
+  try
+  {
+    check();
+  }
+  catch (const InputError& error)
+  {
+    RefuseInput("Cannot read the input " + path + ": " + error.what());
+  }
+}
+
 void CheckInputFile(const std::string& path, const std::string& role)
 {
   try

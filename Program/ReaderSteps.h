@@ -4,9 +4,11 @@
 #pragma once
 
 #include "Arguments.h"
+#include "Input/InputBlocks.h"
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,10 +26,14 @@ struct Input
   vtkSmartPointer<vtkDataObject> Data; ///< of this rank
   std::optional<double> Time;          ///< of the step that was read, where the file has times
   std::vector<double> Times = {};      ///< of all steps
+  std::vector<InputBlock> Blocks = {}; ///< whose memory Data uses
 };
 
 /// Throws ProgramError (UnreadableInput), as all that follows.
 [[noreturn]] void RefuseInput(const std::string& message);
+
+/// Does a check, whose InputError does not name the input.
+void CheckInput(const std::string& path, const std::function<void()>& check);
 
 /// The file can be opened and is not empty. role: follows the path in the message.
 void CheckInputFile(const std::string& path, const std::string& role = "");

@@ -9,6 +9,8 @@ namespace
 class PlainArray : public BlockArray
 {
 public:
+  std::shared_ptr<const void> Kept; ///< owns Memory, or not
+
   double Get(Index tuple, int component) const override
   {
     return VisitType(this->Type,
@@ -36,11 +38,18 @@ public:
 void PlainArrays::Add(
   const std::string& name, int type, Index tuples, int components, const void* values)
 {
+  this->Add(name, type, tuples, components, { std::shared_ptr<void>(), values });
+}
+
+void PlainArrays::Add(const std::string& name, int type, Index tuples, int components,
+  std::shared_ptr<const void> values)
+{
   auto array = std::make_shared<PlainArray>();
   array->Type = type;
   array->Tuples = tuples;
   array->Components = components;
-  array->Memory = values;
+  array->Memory = values.get();
+  array->Kept = std::move(values);
   this->Arrays.emplace_back(name, std::move(array));
 }
 

@@ -1,10 +1,11 @@
 /**
- * PlainArrays: the arrays of a block in memory of its owner, tuple by tuple, which are not copied.
+ * PlainArrays: the arrays of a block in memory, tuple by tuple, which are not copied.
  */
 #pragma once
 
 #include "Input/BlockArrays.h"
 
+#include <memory>
 #include <utility>
 
 namespace vfm
@@ -18,6 +19,9 @@ public:
 
   /// type: of ValueType, no bits. values, shape (tuples, components), must outlive this.
   void Add(const std::string& name, int type, Index tuples, int components, const void* values);
+  /// The same of values that this keeps.
+  void Add(const std::string& name, int type, Index tuples, int components,
+    std::shared_ptr<const void> values);
 
   Index NumberOfTuples() const override { return this->Tuples; }
   std::shared_ptr<const BlockArray> Find(const std::string& name) const override;

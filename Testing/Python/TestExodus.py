@@ -13,7 +13,6 @@ from exodus_dump import Dump, check_parts, join, side_corners
 from exodus_of_mesh import check, expected
 from mesh_sets import AXES, array, find_sets, material_names
 from mpi_run import mpi_run
-from sculptor_program import needs_spyplot
 from spyplot import split, write_spyplot
 from vfmtest import (
     ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, held_class, in_folder, labels, main, mesh_of,
@@ -300,7 +299,6 @@ def test_ranks(at):
 @in_folder
 def test_spyplot(at):
     """From files of CTH to files of Exodus, with a vector and a number that the elements carry along."""
-    needs_spyplot()
     ball, plate = ball_and_plate()
     step = {"Pressure": 1e5 * ball, SPY % 1: ball, SPY % 2: np.minimum(plate, 1 - ball)}
     step = {name: value.astype(np.float32) for name, value in step.items()}

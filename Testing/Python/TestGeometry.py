@@ -6,7 +6,7 @@ import numpy as np
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 from compare_meshes import difference, merge, read_pieces
-from sculptor_program import mesh_file, needs_spyplot, refused
+from sculptor_program import mesh_file, refused
 from vfmtest import VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, write, simple
 
 BLOCKS = ["Surfaces", "Curves", "Vertices"]
@@ -79,7 +79,6 @@ def time_of(data):
 
 @in_folder
 def test_time(at):
-    needs_spyplot()
     path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "impact.spcth")
     mesh_file(path, at("mesh.vtu"), "--geometry", at("geometry.vtm"), "--step", "1", ranks=2)
     time = time_of(read_pieces(at("mesh.vtu"))[0])

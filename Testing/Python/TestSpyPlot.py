@@ -299,7 +299,7 @@ def test_damaged_cases(at):
             (lambda: os.truncate(path + ".2", os.path.getsize(path + ".2") // 2), "case.spcth.2 is cut or damaged"),
             (lambda: os.remove(path + ".1"), "case.spcth.1 cannot be read: No such file"),
             (lambda: (os.remove(path + ".1"), os.mkdir(path + ".1")), "case.spcth.1 cannot be read: Is a directory"),
-            (lambda: write_text(path, "spycase\n  \n"), "a line of it holds blanks only"),
+            (lambda: write_text(path, "spycase\n  \n"), "it names no files"),
             (lambda: write_text(path, "spycase\n"), "it names no files"),
             (lambda: write_text(path, "no case\n"), "it is no SpyPlot file"),
             (lambda: write_text(path, ""), "the file is empty")):

@@ -7,14 +7,12 @@ vfm_add_python_test(pvpython Saving quick)
 # ParaView itself reports input of another kind when the filter is made.
 set_tests_properties(pvpython.Errors PROPERTIES FAIL_REGULAR_EXPRESSION "Traceback")
 
-# Files of shock codes.
+# Files of shock codes by ParaView's reader.
 if (TARGET ParaView::VTKExtensionsIOSPCTH)
-  foreach (name IN ITEMS ConserveInputs DamagedFiles ReportCommands SculptorList SpyPlot)
+  foreach (name IN ITEMS ConserveInputs SpyPlot)
     vfm_add_python_test(pvpython ${name} full)
   endforeach ()
   vfm_add_ranks_test(RankSpyPlot 3 full)
-  set_property(TEST pvpython.DamagedFiles APPEND PROPERTY
-    ENVIRONMENT "VFM_FUZZ_FILES=$<TARGET_FILE:FuzzFiles>")
 endif ()
 
 # Ranks of which the first alone runs the script.

@@ -14,12 +14,6 @@ def sculptor(*arguments, ranks=1, folder=None):
     return mpi_run(ranks, [SCULPTOR, *arguments], folder)
 
 
-def needs_spyplot():
-    """Skips the test where the program reads no such files, which takes ParaView; examples of its help name one always."""
-    if not re.search(r"^Input:[^A-Z]*\.spcth", sculptor("--help").stdout, re.MULTILINE):
-        raise unittest.SkipTest("needs ParaView: the reader of SpyPlot files")
-
-
 def mesh_file(path, output, *arguments, ranks=1):
     """Meshes a file and returns the standard output."""
     result = sculptor("--input", path, "--output", output, *arguments, ranks=ranks)

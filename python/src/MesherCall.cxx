@@ -77,7 +77,7 @@ StateChoice ReadStateChoice(nb::handle state)
 MesherInput MakeInput(const MesherCall& call, Runtime& runtime)
 {
   CollectedBlocks collected;
-  collected.Blocks.push_back(MakeBlock(call));
+  collected.Blocks = call.Blocks.empty() ? std::vector<InputBlock>{ MakeBlock(call) } : call.Blocks;
   collected.Reading.ArePoints = call.ArePoints;
   collected.Reading.Frame = MakeImageFrame(call.Axes, call.Origin, "The input");
   const std::shared_ptr<const BlockArrays> arrays = collected.Blocks[0].Arrays;

@@ -16,6 +16,7 @@ class PythonRuntime;
 /// As _core.pyi tells them.
 struct MesherCall
 {
+  std::vector<InputBlock> Blocks; ///< of a file; none: one block of the arrays and coordinates
   std::vector<std::pair<std::string, NumpyArray>> Arrays;
   std::array<std::vector<double>, 3> Coordinates;
   std::array<double, 9> Axes;

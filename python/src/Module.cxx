@@ -1,6 +1,7 @@
 /**
  * The module _core: its functions are told in _core.pyi.
  */
+#include "FileBlocks.h"
 #include "Input/LabelTable.h"
 #include "MeshResult.h"
 #include "MesherCall.h"
@@ -13,6 +14,7 @@
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -51,14 +53,16 @@ std::vector<Row> CopyRows(const Array& values)
   return rows;
 }
 
-nb::dict MakeMesh(const std::vector<std::pair<std::string, vfm::NumpyArray>>& arrays,
-  const NodeArrays& coordinates, const std::array<double, 9>& axes,
-  const std::array<double, 3>& origin, bool arePoints, const std::vector<std::string>& fractions,
-  const std::string& labels, const vfm::LabelNames& names, nb::handle state,
-  const vfm::MesherOptions& options, int threads, nb::handle progress, nb::handle warn)
+nb::dict MakeMesh(const vfm::FileBlocks* blocks,
+  const std::vector<std::pair<std::string, vfm::NumpyArray>>& arrays, const NodeArrays& coordinates,
+  const std::array<double, 9>& axes, const std::array<double, 3>& origin, bool arePoints,
+  const std::vector<std::string>& fractions, const std::string& labels,
+  const vfm::LabelNames& names, nb::handle state, const vfm::MesherOptions& options, int threads,
+  nb::handle progress, nb::handle warn)
 {
-  const vfm::MesherCall call{ arrays, Copy(coordinates), axes, origin, arePoints, fractions, labels,
-    names, vfm::ReadStateChoice(state) };
+  const vfm::MesherCall call{ blocks ? blocks->Blocks : std::vector<vfm::InputBlock>(), arrays,
+    Copy(coordinates), axes, origin, arePoints, fractions, labels, names,
+    vfm::ReadStateChoice(state) };
   const vfm::MesherOptions kept = options; // others may change them meanwhile
   vfm::PythonRuntime runtime(threads, progress);
   vfm::MesherResult result;
@@ -104,6 +108,32 @@ nb::object FillTriangles(const Places& points, const Corners& triangles,
   return fractions[0];
 }
 
+vfm::FileBlocks ReadBlocks(
+  const std::string& path, int step, const std::optional<std::vector<std::string>>& names)
+{
+  try
+  {
+    nb::gil_scoped_release others;
+    return vfm::ReadFileBlocks(path, step, names);
+  }
+  catch (const vfm::InputError& error)
+  {
+    throw nb::value_error(("Cannot read " + path + ": " + error.what()).c_str());
+  }
+}
+
+void BindBlocks(nb::module_& module)
+{
+  nb::class_<vfm::FileBlocks>(module, "Blocks")
+    .def_ro("path", &vfm::FileBlocks::Path)
+    .def_ro("times", &vfm::FileBlocks::Times)
+    .def_ro("time", &vfm::FileBlocks::Time)
+    .def_ro("names", &vfm::FileBlocks::Names)
+    .def_ro("fractions", &vfm::FileBlocks::Fractions)
+    .def("__len__", [](const vfm::FileBlocks& self) { return self.Blocks.size(); });
+  module.def("read_blocks", ReadBlocks, "path"_a, "step"_a, "names"_a.none());
+}
+
 vfm::LabelNames ReadNames(const std::string& path)
 {
   try
@@ -125,9 +155,10 @@ NB_MODULE(_core, module)
   module.attr("version") = VFM_VERSION;
   module.attr("has_tetgen") = vfm::HasTetGen();
   vfm::BindOptions(module);
-  module.def("mesh", MakeMesh, "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a, "are_points"_a,
-    "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a, "threads"_a,
-    "progress"_a.none(), "warn"_a);
+  BindBlocks(module);
+  module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
+    "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
+    "threads"_a, "progress"_a.none(), "warn"_a);
   module.def("read_label_names", ReadNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());

@@ -5,6 +5,7 @@
 >>> mesh.save("ball.vtu")
 """
 
+from ._blocks import Blocks, read
 from ._core import has_tetgen
 from ._core import version as __version__
 from ._fragments import fragments
@@ -14,6 +15,7 @@ from ._shapes import shapes, surface
 from .mesh import Curves, Geometry, Mesh, Surfaces, Vertices
 
 __all__ = [
+    "Blocks",
     "Curves",
     "Fractions",
     "Geometry",
@@ -25,6 +27,7 @@ __all__ = [
     "fragments",
     "has_tetgen",
     "hexes",
+    "read",
     "shapes",
     "surface",
     "tets",

@@ -42,7 +42,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="vfmesh", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("input", help=".npy, .npz, NIfTI (nibabel), .vti (PyVista), .stl, or what SimpleITK reads")
+    parser.add_argument("input", help=".npy, .npz, .spcth, a folder of an AMReX plotfile, NIfTI (nibabel), .vti (PyVista), .stl, or what SimpleITK reads")
     parser.add_argument("output", help=".vtu, .e, .inp, .msh .., as Mesh.save")
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("--tets", action="store_true", help="tetrahedra instead of hexahedra")
@@ -61,6 +61,7 @@ def make_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--order", choices=("xyz", "zyx"), default="xyz", help="of .npy and .npz: axes of the arrays")
     parser.add_argument("--cells", type=int, default=64, help="of a surface: cells along its longest side (64)")
+    parser.add_argument("--step", type=int, default=0, help="of .spcth: which of its times, from 0")
     for name, told in (
         ("state", "carried along; repeat for more"),
         ("density", "mass per volume"),
@@ -89,7 +90,7 @@ def make_parser() -> argparse.ArgumentParser:
 
 def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     """Of hexes() or tets()."""
-    source = read_source(words.input, words.array, words.cells)
+    source = read_source(words.input, words.array, words.cells, words.step)
     given: Dict[str, Any] = {
         option.name: getattr(words, option.name) for option in STATE + COMMON + (OF_TETS if words.tets else ())
     }

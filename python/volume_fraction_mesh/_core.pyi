@@ -65,6 +65,20 @@ class Options:
 
     def __init__(self) -> None: ...
 
+class Blocks:
+    """Blocks of cells of a file, with arrays. Made by read_blocks()."""
+
+    path: str
+    times: List[float]
+    """Of all steps."""
+    time: float
+    names: List[str]
+    """Of the arrays."""
+    fractions: List[str]
+    """Arrays that hold materials."""
+
+    def __len__(self) -> int: ...
+
 class StateChoice(TypedDict, total=False):
     arrays: List[str]
     conserved: bool
@@ -118,6 +132,7 @@ class MeshDict(TypedDict):
     vertex_fields: Fields
 
 def mesh(
+    blocks: Optional[Blocks],
     arrays: Sequence[Tuple[str, NDArray[Any]]],
     coordinates: Coordinates,
     axes: Sequence[float],
@@ -134,7 +149,7 @@ def mesh(
 ) -> MeshDict:
     """Meshes cells.
 
-    arrays: names and values of shape (cells,) or (cells, components), C-contiguous, whole numbers or reals of 32 or 64 bits; not copied,
+    blocks: of a file, or None: one of the cells that follow. arrays: names and values of shape (cells,) or (cells, components), C-contiguous, whole numbers or reals of 32 or 64 bits; not copied,
     and not to be changed meanwhile. axes: the direction matrix by rows; origin: the point about which it turns. fractions: names of arrays, one a
     material, or labels: that of one array of whole numbers, else "". are_points: what messages call a cell. threads: 0 for all cores.
     The arrays of the result own their memory.
@@ -144,6 +159,9 @@ def shape_fractions(
     text: str, coordinates: Coordinates, tolerance: float, threads: int, progress: Progress
 ) -> List[NDArray[np.float64]]:
     """Exact volume fractions of shapes written as text: of each material an array of shape (cells,)."""
+
+def read_blocks(path: str, step: int, names: Optional[Sequence[str]]) -> Blocks:
+    """Blocks of a SpyPlot case or an AMReX plotfile. names: of the arrays to read, None for all. Raises ValueError."""
 
 def read_label_names(path: str) -> Dict[int, str]:
     """What a text table calls labels: lines of a label and its name, a label file of ITK-SNAP, a table of FreeSurfer or MRIcron.

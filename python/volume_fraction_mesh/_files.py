@@ -8,6 +8,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence
 import numpy as np
 
 from ._arrays import as_numbers
+from ._blocks import Blocks, is_block_file, read
 from ._images import read_image
 
 NIBABEL = (".nii", ".nii.gz", ".mgz", ".mgh", ".img", ".hdr")
@@ -23,9 +24,11 @@ class Source(NamedTuple):
     is_image: bool
 
 
-def read_source(path: str, names: Optional[Sequence[str]], cells: int) -> Source:
-    """names: of the arrays that hold materials; cells: of a surface, along its longest side."""
+def read_source(path: str, names: Optional[Sequence[str]], cells: int, step: int) -> Source:
+    """names: of the arrays that hold materials; cells: of a surface, along its longest side; step: of several times."""
     low = path.lower()
+    if is_block_file(path):
+        return Source(read(path, step=step), {}, True)
     if low.endswith((".npy", ".npz")):
         return _read_numpy(path, names)
     if low.endswith(SURFACES):
@@ -73,6 +76,8 @@ def _read_numpy(path: str, names: Optional[Sequence[str]]) -> Source:
 def are_labels(source: Source, names: Optional[List[str]]) -> bool:
     """Of a single array: whether it holds whole numbers, or real ones beyond 1."""
     arrays = source.materials
+    if isinstance(arrays, Blocks):
+        return False
     if source.is_image:
         image = read_image(source.materials, names)
         assert image is not None

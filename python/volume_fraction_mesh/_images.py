@@ -60,7 +60,7 @@ def read_image(value: Any, names: Optional[Sequence[str]]) -> Optional[Image]:
     return reader(value)
 
 
-def _check_names(names: Any) -> List[str]:
+def check_names(names: Any) -> List[str]:
     if isinstance(names, str) or not all(isinstance(name, str) for name in names):
         raise TypeError("arrays is %r: it must be a list of names." % (names,))
     return list(names)
@@ -73,13 +73,13 @@ def _read_fractions(value: Fractions, names: Optional[Sequence[str]]) -> Image:
     for name, array in value.items():
         check_3d(array, name)
         arrays[name] = flatten(array, value.order)
-    return Image(grid, arrays, list(value) if names is None else _check_names(names), value.order)
+    return Image(grid, arrays, list(value) if names is None else check_names(names), value.order)
 
 
 def _read_vtk(image: Any, names: Optional[Sequence[str]]) -> Image:
     """Arrays of cells, or of points where the chosen ones are of points."""
     is_image = hasattr(image, "GetSpacing")
-    chosen = [_active_name(image)] if names is None else _check_names(names)
+    chosen = [_active_name(image)] if names is None else check_names(names)
     cells, points = image.GetCellData(), image.GetPointData()
     are_points = not all(cells.HasArray(name) for name in chosen) and all(points.HasArray(name) for name in chosen)
     if are_points and not is_image:

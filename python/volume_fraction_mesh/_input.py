@@ -6,9 +6,10 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 
 import numpy as np
 
+from ._blocks import Blocks
 from ._arrays import CellArrays, as_fractions, as_numbers, cells_of, check_3d, check_order
 from ._grid import NOWHERE, UNIT, Grid, is_default, make_grid
-from ._images import Image, read_image
+from ._images import Image, check_names, read_image
 
 
 class Field(NamedTuple):
@@ -19,6 +20,7 @@ class Field(NamedTuple):
     fractions: List[str]
     labels: str
     label_names: Dict[int, str]
+    blocks: Optional[Blocks] = None  # of a file, which has the arrays; grid and arrays are empty
 
 
 def read_field(given: Mapping[str, Any]) -> Field:
@@ -31,6 +33,8 @@ def read_field(given: Mapping[str, Any]) -> Field:
         )
     if fractions is not None and labels is not None:
         raise TypeError("Both fractions and labels are given: give one or the other.")
+    if isinstance(fractions, Blocks) or isinstance(labels, Blocks):
+        return _blocks_field(given)
     order = check_order(given["order"])
     if labels is not None:
         return _read_labels(labels, order, given)
@@ -108,6 +112,27 @@ def _check_no_grid(given: Mapping[str, Any]) -> None:
     told += [name for name, default in (("spacing", UNIT), ("origin", NOWHERE)) if not is_default(given[name], default)]
     if told:
         raise TypeError("%s cannot be given too: the image tells where its cells are." % " and ".join(told))
+
+
+def _blocks_field(given: Mapping[str, Any]) -> Field:
+    """Of fractions or labels that read() returned."""
+    _check_no_grid(given)
+    labels, names = given["labels"], given["names"]
+    blocks = given["fractions"] if labels is None else labels
+    chosen = blocks.fractions if given["arrays"] is None else check_names(given["arrays"])
+    grid = Grid((np.empty(0),) * 3)
+    if labels is not None:
+        if len(chosen) != 1:
+            raise ValueError("labels are %d arrays, %r: one is needed, arrays=[...]." % (len(chosen), chosen))
+        return Field(CellArrays("xyz"), grid, [], chosen[0], _label_names(names), blocks)
+    if names is not None:
+        raise TypeError("names cannot be given: the materials of %s are called as its arrays." % blocks.path)
+    if not chosen:
+        raise ValueError(
+            "Name the arrays of %s that hold materials, arrays=[...]. It has %s."
+            % (blocks.path, ", ".join(map(repr, blocks.names)))
+        )
+    return Field(CellArrays("xyz"), grid, chosen, "", {}, blocks)
 
 
 def _image_arrays(image: Image) -> CellArrays:

@@ -55,6 +55,7 @@ def _run(tets: bool, given: Mapping[str, Any]) -> Mesh:
     try:
         with shown(given["progress"]) as progress:
             result = _core.mesh(
+                blocks=field.blocks,
                 arrays=field.arrays.items(),
                 coordinates=list(field.grid.nodes),
                 axes=field.grid.direction.ravel().tolist(),
@@ -148,8 +149,8 @@ def hexes(
         The part of each cell that a material fills, one array (nx, ny, nz) a material: real numbers in [0, 1], bool,
         or uint8 from 0 to 255. A dict names the materials. What the arrays of a cell leave of 1 is void. Images:
         pyvista.ImageData and RectilinearGrid (and VTK's own), nibabel (a fourth axis: materials), SimpleITK
-        (components: materials), and what shapes() and surface() return; they tell the grid themselves. Points of
-        images are the centres of cells.
+        (components: materials), and what read(), shapes() and surface() return; they tell the grid themselves.
+        Points of images are the centres of cells.
     labels : array or image
         Instead of fractions: the material of each cell (nx, ny, nz), whole numbers of any type, 0 void.
     spacing : float or three
@@ -168,8 +169,8 @@ def hexes(
     names : list of str, or dict of labels
         Of the materials; of labels {label: name}.
     arrays : list of str
-        Which arrays of an image of PyVista hold the materials; else the active scalars do.
-    state : dict, or list of names of arrays of the image
+        Which arrays of an image of PyVista, or of read(), hold the materials; else the active scalars do.
+    state : dict, or list of names of arrays of the image or file
         Arrays (nx, ny, nz) or (nx, ny, nz, components) that the mesh carries along as Mesh.state.
     density : array, number, name, or a list or dict of one a material
         Mass per volume of the material, at least 0. With it state is conserved.
@@ -213,7 +214,8 @@ def hexes(
         Shift the surfaces until every material has the volume of its fractions.
     refinement : {"off", "input_levels", "automatic", "coarsen", "uniform"}
         "automatic": halve cells where films, gaps, curves or the options below ask for it; "coarsen": larger cells
-        away from surfaces; "uniform": halve all. "off" and "input_levels" do nothing here.
+        away from surfaces; "uniform": halve all. "input_levels": the levels of what read() returns; "off": its
+        coarsest level.
     maximum_level : int
         How many times cells are halved (or doubled, by "coarsen") at most, 0 to 10. -1: automatic.
     fine_interfaces : bool

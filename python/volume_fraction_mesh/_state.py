@@ -71,6 +71,8 @@ def _add(field: Field, name: str, value: Any) -> List[str]:
         return []
     if isinstance(value, str):
         return [value]
+    if field.blocks is not None and not (isinstance(value, (list, tuple)) and all(isinstance(word, str) for word in value)):
+        raise TypeError("%s is a %s: of %s names of arrays are needed." % (name, type(value).__name__, field.blocks.path))
     if isinstance(value, Mapping):
         return _add_of_materials(field, name, value)
     if isinstance(value, (list, tuple)):

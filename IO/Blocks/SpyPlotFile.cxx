@@ -1,137 +1,13 @@
-#include "SpyPlotFile.h"
+#include "Blocks/SpyPlotFile.h"
 
-#include "Base/Runtime.h"
+#include "Ranks/Errors.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace vfm
 {
-
-/// Reads a file from its begin on, never past its end, and tells where it is when something is wrong.
-class ByteReader
-{
-public:
-  explicit ByteReader(const std::string& path) : Path(path), Stream(path, std::ios::binary)
-  {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (!this->Stream || error)
-    {
-      throw InputError(
-        path + " cannot be read: " + (error ? error.message() : std::strerror(errno)) + ".");
-    }
-    this->Size = static_cast<std::int64_t>(size);
-  }
-
-  [[noreturn]] void Fail(const std::string& problem) const
-  {
-    throw InputError(this->Path + " is cut or damaged in " + this->Place + " near byte " +
-      std::to_string(this->Position) + ": " + problem + ".");
-  }
-  std::vector<unsigned char> Bytes(std::int64_t count)
-  {
-    this->Reserve(count);
-    std::vector<unsigned char> bytes(static_cast<std::size_t>(count));
-    if (!this->Stream.read(reinterpret_cast<char*>(bytes.data()), count))
-    {
-      this->Fail("it cannot be read");
-    }
-    this->Position += count;
-    return bytes;
-  }
-  void Seek(std::int64_t position)
-  {
-    this->Position = position;
-    this->Reserve(0);
-    this->Stream.seekg(position);
-  }
-  void Skip(std::int64_t count)
-  {
-    this->Reserve(count);
-    this->Position += count;
-    this->Stream.ignore(count); // keeps what is buffered, as seeking does not
-  }
-  int Int() { return static_cast<std::int32_t>(this->Number(4)); }
-  double Double()
-  {
-    const std::uint64_t bits = this->Number(8);
-    double value;
-    std::memcpy(&value, &bits, sizeof(value));
-    return value;
-  }
-  /// A position in the file.
-  std::int64_t Offset()
-  {
-    const double value = this->Double();
-    if (!(value >= 0.0 && value <= static_cast<double>(this->Size)))
-    {
-      std::ostringstream text;
-      text << "it points to byte " << std::setprecision(15) << value << " of " << this->Size;
-      this->Fail(text.str());
-    }
-    return static_cast<std::int64_t>(value);
-  }
-  /// Of that many bytes, up to the first that is 0.
-  std::string Text(int size)
-  {
-    const std::vector<unsigned char> bytes = this->Bytes(size);
-    return std::string(bytes.begin(), std::find(bytes.begin(), bytes.end(), 0));
-  }
-  /// A chunk, its length first, of so many bytes and run-length code of count values.
-  void SkipRuns(std::int64_t before, std::int64_t count)
-  {
-    const std::vector<unsigned char> code = this->Bytes(this->Int());
-    const std::int64_t size = static_cast<std::int64_t>(code.size());
-    std::int64_t values = 0, next = before;
-    while (values < count && next < size)
-    {
-      const int run = code[next];
-      values += run < 128 ? run : run - 128;
-      next += run < 128 ? 5 : 1 + 4 * (run - 128);
-    }
-    if (values != count || next > size)
-    {
-      this->Fail("a chunk of " + std::to_string(size) + " bytes does not hold " +
-        std::to_string(count) + " values");
-    }
-  }
-
-  std::int64_t Position = 0;
-  std::string Path, Place = "the header";
-
-private:
-  void Reserve(std::int64_t count) const
-  {
-    if (count < 0 || count > this->Size - this->Position)
-    {
-      this->Fail(
-        std::to_string(count) + " bytes are to follow, the file has " + std::to_string(this->Size));
-    }
-  }
-  std::uint64_t Number(int size)
-  {
-    std::uint64_t value = 0;
-    this->Reserve(size);
-    for (int i = 0; i < size; ++i)
-    {
-      value = value << 8 | (this->Stream.get() & 0xff);
-    }
-    this->Position += size;
-    return value;
-  }
-
-  std::ifstream Stream;
-  std::int64_t Size = 0;
-};
-
 namespace
 {
 
@@ -144,16 +20,16 @@ std::string PlaceOfStep(std::size_t step)
   return "step " + std::to_string(step);
 }
 
-void SkipTracers(ByteReader& file)
+void SkipTracers(SpyPlotStream& file)
 {
   const int count = file.Int();
   for (int chunk = 0; count > 0 && chunk < 7; ++chunk) // coordinates, block and cell in it
   {
-    file.SkipRuns(0, count);
+    file.Values(count);
   }
 }
 
-void SkipHistogram(ByteReader& file)
+void SkipHistogram(SpyPlotStream& file)
 {
   const int count = file.Int();
   file.Skip(count > 0 ? 4 : 0);
@@ -167,11 +43,29 @@ void SkipHistogram(ByteReader& file)
   }
 }
 
+/// Returns the values of a block without its ghost cells. size: with them.
+Buffer<float> ReadPlanes(SpyPlotStream& file, const Index3& size)
+{
+  Buffer<float> values((size[0] - 2) * (size[1] - 2) * (size[2] - 2));
+  float* to = values.begin();
+  const std::string place = file.Place;
+  for (Index k = 0; k < size[2]; ++k)
+  {
+    file.Place = place + std::to_string(k);
+    const std::vector<float> plane = file.Values(size[0] * size[1]);
+    for (Index j = 1; k > 0 && k + 1 < size[2] && j + 1 < size[1]; ++j)
+    {
+      to = std::copy_n(plane.data() + j * size[0] + 1, size[0] - 2, to);
+    }
+  }
+  return values;
+}
+
 } // namespace
 
 SpyPlotFile::SpyPlotFile(const std::string& path) : FilePath(path)
 {
-  ByteReader file(path);
+  SpyPlotStream file(path);
   this->ReadHeader(file);
   file.Place = "the tables of arrays";
   this->CellFields = this->ReadTable(file);
@@ -184,7 +78,7 @@ SpyPlotFile::SpyPlotFile(const std::string& path) : FilePath(path)
   }
 }
 
-void SpyPlotFile::ReadHeader(ByteReader& file)
+void SpyPlotFile::ReadHeader(SpyPlotStream& file)
 {
   const auto refuse = [this](const std::string& text) { throw InputError(this->FilePath + text); };
   if (file.Text(8) != "spydata")
@@ -219,7 +113,7 @@ void SpyPlotFile::ReadHeader(ByteReader& file)
   file.Skip(4 + (this->Version >= 105 ? 5 * 4 : 0)); // levels, unused
 }
 
-std::vector<SpyPlotFile::Field> SpyPlotFile::ReadTable(ByteReader& file) const
+std::vector<SpyPlotFile::Field> SpyPlotFile::ReadTable(SpyPlotStream& file) const
 {
   std::vector<Field> fields;
   const int count = file.Int();
@@ -236,12 +130,12 @@ std::vector<SpyPlotFile::Field> SpyPlotFile::ReadTable(ByteReader& file) const
   return fields;
 }
 
-void SpyPlotFile::ReadGroups(ByteReader& file)
+void SpyPlotFile::ReadGroups(SpyPlotStream& file)
 {
   for (int count = GroupSize; count == GroupSize;)
   {
     file.Place = "the list of times";
-    const std::int64_t here = file.Position, group = file.Offset();
+    const std::int64_t here = file.Tell(), group = file.Offset();
     if (group <= here)
     {
       file.Fail("it points back");
@@ -275,7 +169,7 @@ void SpyPlotFile::ReadGroups(ByteReader& file)
   }
 }
 
-void SpyPlotFile::ReadDump(ByteReader& file, Dump& dump)
+void SpyPlotFile::ReadDump(SpyPlotStream& file, Dump& dump)
 {
   file.Seek(dump.Position);
   const int count = file.Int();
@@ -294,25 +188,20 @@ void SpyPlotFile::ReadDump(ByteReader& file, Dump& dump)
     variable.Position = file.Offset();
   }
   std::sort(names.begin(), names.end());
-  if (&dump != this->Dumps.data() && names != this->ArrayNames)
+  std::vector<std::string> first = this->Names();
+  std::sort(first.begin(), first.end());
+  if (names != first)
   {
     throw InputError(this->FilePath + " holds other arrays in " + file.Place + " than in step 0.");
   }
-  this->ArrayNames = std::move(names);
   SkipTracers(file);
   SkipHistogram(file);
-  dump.Blocks = file.Position;
-  for (const Block& block : this->ReadBlocks(file))
-  {
-    for (int size : block.Size)
-    {
-      file.SkipRuns(8, size + 1); // after the first node and a step
-    }
-  }
+  dump.Blocks = file.Tell();
+  this->ReadBlocks(file);
 }
 
 /// 'NAME - N' for field NAME of material N.
-std::string SpyPlotFile::FindName(const ByteReader& file, int variable) const
+std::string SpyPlotFile::FindName(const SpyPlotStream& file, int variable) const
 {
   const bool isOfCells = variable < static_cast<int>(this->CellFields.size());
   const std::vector<Field>& fields = isOfCells ? this->CellFields : this->MaterialFields;
@@ -326,8 +215,7 @@ std::string SpyPlotFile::FindName(const ByteReader& file, int variable) const
   return found->Name + (isOfCells ? "" : " - " + std::to_string(material));
 }
 
-/// Those that hold cells.
-std::vector<SpyPlotFile::Block> SpyPlotFile::ReadBlocks(ByteReader& file) const
+std::vector<SpyPlotBlock> SpyPlotFile::ReadBlocks(SpyPlotStream& file) const
 {
   const int count = file.Int();
   if (count != this->NumberOfBlocks)
@@ -335,17 +223,19 @@ std::vector<SpyPlotFile::Block> SpyPlotFile::ReadBlocks(ByteReader& file) const
     file.Fail("it has " + std::to_string(count) + " blocks, the header " +
       std::to_string(this->NumberOfBlocks));
   }
-  std::vector<Block> blocks;
+  std::vector<SpyPlotBlock> blocks;
   for (int number = 0; number < count; ++number)
   {
-    Block block{ number, { file.Int(), file.Int(), file.Int() } };
+    SpyPlotBlock block;
+    block.Number = number;
+    const auto& size = block.Size = { { file.Int(), file.Int(), file.Int() } };
     const bool isUsed = file.Int() != 0;
     file.Skip(4); // whether it is active
     const int level = file.Int();
     file.Skip(this->Version >= 103 ? 6 * 4 : 0); // bounds
-    const int* size = block.Size;
     if (isUsed &&
-      (*std::min_element(size, size + 3) < SmallestBlock || level < 0 || level > LargestLevel ||
+      (*std::min_element(size.begin(), size.end()) < SmallestBlock || level < 0 ||
+        level > LargestLevel ||
         1.0 * size[0] * size[1] * size[2] > std::numeric_limits<std::int32_t>::max()))
     {
       file.Fail("block " + std::to_string(number) + " has " + std::to_string(size[0]) + " x " +
@@ -354,10 +244,25 @@ std::vector<SpyPlotFile::Block> SpyPlotFile::ReadBlocks(ByteReader& file) const
     }
     if (isUsed)
     {
-      blocks.push_back(block);
+      blocks.push_back(std::move(block));
+    }
+  }
+  for (SpyPlotBlock& block : blocks)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      block.Nodes[a] = file.Nodes(block.Size[a] + 1);
     }
   }
   return blocks;
+}
+
+std::vector<SpyPlotBlock> SpyPlotFile::ReadBlocks(std::size_t step) const
+{
+  SpyPlotStream file(this->FilePath);
+  file.Place = PlaceOfStep(step);
+  file.Seek(this->Dumps[step].Blocks);
+  return this->ReadBlocks(file);
 }
 
 std::vector<double> SpyPlotFile::Times() const
@@ -370,34 +275,40 @@ std::vector<double> SpyPlotFile::Times() const
   return times;
 }
 
-void SpyPlotFile::CheckArrays(
-  double time, const std::function<bool(const std::string&)>& isWanted) const
+std::vector<std::string> SpyPlotFile::Names() const
 {
-  const auto dump = std::min_element(this->Dumps.begin(), this->Dumps.end(),
-    [time](const Dump& a, const Dump& b)
-    { return std::abs(a.Time - time) < std::abs(b.Time - time); });
-  const std::string step = PlaceOfStep(dump - this->Dumps.begin());
-  ByteReader file(this->FilePath);
-  file.Place = step;
-  file.Seek(dump->Blocks);
-  const std::vector<Block> blocks = this->ReadBlocks(file);
-  for (const Variable& variable : dump->Variables)
+  std::vector<std::string> names;
+  for (const Variable& variable : this->Dumps[0].Variables)
   {
-    if (!isWanted(variable.Name))
+    names.push_back(variable.Name);
+  }
+  return names;
+}
+
+std::vector<Buffer<float>> SpyPlotFile::ReadArray(std::size_t step, const std::string& name,
+  const std::vector<SpyPlotBlock>& blocks, std::size_t first, std::size_t last) const
+{
+  const std::vector<Variable>& variables = this->Dumps[step].Variables;
+  const auto variable = std::find_if(
+    variables.begin(), variables.end(), [&name](const Variable& own) { return own.Name == name; });
+  SpyPlotStream file(this->FilePath);
+  file.Seek(variable->Position);
+  std::vector<Buffer<float>> arrays;
+  for (std::size_t b = 0; b < last; ++b)
+  {
+    file.Place = "'" + name + "' of " + PlaceOfStep(step) + ", block " +
+      std::to_string(blocks[b].Number) + ", plane ";
+    if (b >= first)
     {
+      arrays.push_back(ReadPlanes(file, blocks[b].Size));
       continue;
     }
-    file.Seek(variable.Position);
-    for (const Block& block : blocks)
+    for (Index plane = 0; plane < blocks[b].Size[2]; ++plane)
     {
-      for (int plane = 0; plane < block.Size[2]; ++plane)
-      {
-        file.Place = "'" + variable.Name + "' of " + step + ", block " +
-          std::to_string(block.Number) + ", plane " + std::to_string(plane);
-        file.SkipRuns(0, static_cast<std::int64_t>(block.Size[0]) * block.Size[1]);
-      }
+      file.SkipChunk();
     }
   }
+  return arrays;
 }
 
 } // namespace vfm

@@ -1,0 +1,217 @@
+#include "Blocks/BlockFile.h"
+#include "Blocks/SpyPlotFile.h"
+#include "Input/NodeCoordinates.h"
+#include "Input/PlainArrays.h"
+#include "OpenFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+/// Whether a text has characters that none is made of, which a terminal would obey.
+bool HasControls(const std::string& text)
+{
+  return std::any_of(
+    text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
+}
+
+/// Returns the binary files that a case file names; a binary file is its own only one.
+std::vector<std::string> FindFiles(const std::string& path)
+{
+  std::ifstream stream = OpenFile(path);
+  std::string line;
+  std::getline(stream, line);
+  if (line.compare(0, 7, "spydata") == 0)
+  {
+    return { path };
+  }
+  if (line.compare(0, 7, "spycase") != 0)
+  {
+    throw InputError("it is no SpyPlot file: it begins neither with spycase nor with spydata.");
+  }
+  std::vector<std::string> files;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  while (std::getline(stream, line))
+  {
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string::npos || line[begin] == '#')
+    {
+      continue;
+    }
+    line = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
+    if (HasControls(line))
+    {
+      throw InputError("it is cut or damaged: a line of it is no name of a file.");
+    }
+    files.push_back((folder / line).string());
+  }
+  if (files.empty())
+  {
+    throw InputError("it names no files.");
+  }
+  return files;
+}
+
+/// A file of the case and which of the ranks that share it this is.
+struct SharedFile
+{
+  SpyPlotFile File;
+  int Share = 0, Shares = 1;
+};
+
+void CheckSame(const SpyPlotFile& first, const SpyPlotFile& other)
+{
+  const std::string which = ", see " + first.Path() + " and " + other.Path() + ".";
+  if (other.Times() != first.Times())
+  {
+    throw InputError("its files hold different times" + which);
+  }
+  std::vector<std::string> names = first.Names(), others = other.Names();
+  std::sort(names.begin(), names.end());
+  std::sort(others.begin(), others.end());
+  if (others != names)
+  {
+    throw InputError("its files hold different arrays" + which);
+  }
+}
+
+/// The nodes of a block along one axis, evenly spaced; node 0 is the first of the ghost cell.
+struct EvenAxis
+{
+  double First, Spacing;
+  Index Cells; ///< with ghost cells
+
+  explicit EvenAxis(const std::vector<float>& nodes) :
+    First(nodes.front()),
+    Spacing((double(nodes.back()) - nodes.front()) / static_cast<double>(nodes.size() - 1)),
+    Cells(static_cast<Index>(nodes.size()) - 1)
+  {
+  }
+  /// Returns the nodes without ghost cells. They are counted from the first inside the domain, which is
+  /// that of the block unless its ghost cell lies outside: so blocks agree bit by bit at the sides of
+  /// the domain.
+  std::vector<double> Inner(double domain) const
+  {
+    const int outside = this->First < domain ? 1 : 0;
+    const double start = outside ? this->First + this->Spacing : this->First;
+    return EvenNodes(
+      start, this->Spacing, 1 - outside, static_cast<int>(this->Cells) - 1 - outside);
+  }
+};
+
+class SpyPlotCase : public BlockFile
+{
+public:
+  SpyPlotCase(const std::string& path, const Ranks& ranks)
+  {
+    const std::vector<std::string> files = FindFiles(path);
+    const int count = static_cast<int>(files.size());
+    const SpyPlotFile first(files[0]);
+    this->StepTimes = first.Times();
+    this->ArrayNames = first.Names();
+    for (int f = ranks.Rank() % count; f < count; f += ranks.Count())
+    {
+      const int shares = count < ranks.Count() ? (ranks.Count() - 1 - f) / count + 1 : 1;
+      this->Files.push_back({ SpyPlotFile(files[f]), ranks.Rank() / count % shares, shares });
+      CheckSame(first, this->Files.back().File);
+    }
+  }
+
+  std::vector<InputBlock> Read(
+    std::size_t step, const std::vector<std::string>& names, Ranks& ranks) const override
+  {
+    std::vector<std::vector<SpyPlotBlock>> blocks;
+    for (const SharedFile& shared : this->Files)
+    {
+      blocks.push_back(shared.File.ReadBlocks(step));
+    }
+    const std::array<double, 3> domain = this->FindDomain(blocks, ranks);
+    std::vector<InputBlock> read;
+    for (std::size_t f = 0; f < this->Files.size(); ++f)
+    {
+      this->ReadShare(this->Files[f], step, names, blocks[f], domain, read);
+    }
+    for (std::size_t b = 0; b < read.size(); ++b)
+    {
+      FinishBlock(read[b], static_cast<int>(b), ranks);
+    }
+    return read;
+  }
+
+private:
+  /// Collective: returns the lower corner of the cells of all blocks that are evenly spaced.
+  std::array<double, 3> FindDomain(
+    const std::vector<std::vector<SpyPlotBlock>>& blocks, Ranks& ranks) const
+  {
+    std::array<double, 3> lower;
+    lower.fill(std::numeric_limits<double>::max());
+    for (std::size_t f = 0; f < blocks.size(); ++f)
+    {
+      for (const SpyPlotBlock& block : blocks[f])
+      {
+        for (int a = 0; a < 3 && !this->Files[f].File.IsFlat(); ++a)
+        {
+          const EvenAxis axis(block.Nodes[a]);
+          lower[a] = std::min(lower[a], axis.First + axis.Spacing);
+        }
+      }
+    }
+    for (double& x : lower)
+    {
+      x = -ranks.Max(-x);
+    }
+    return lower;
+  }
+
+  void ReadShare(const SharedFile& shared, std::size_t step, const std::vector<std::string>& names,
+    const std::vector<SpyPlotBlock>& blocks, const std::array<double, 3>& domain,
+    std::vector<InputBlock>& read) const
+  {
+    const std::size_t first = blocks.size() * shared.Share / shared.Shares;
+    const std::size_t last = blocks.size() * (shared.Share + 1) / shared.Shares;
+    std::vector<std::shared_ptr<PlainArrays>> arrays;
+    for (std::size_t b = first; b < last; ++b)
+    {
+      InputBlock block;
+      Index cells = 1;
+      for (int a = 0; a < 3; ++a)
+      {
+        const std::vector<float>& x = blocks[b].Nodes[a];
+        block.Coordinates[a] = shared.File.IsFlat()
+          ? std::vector<double>(x.begin() + 1, x.end() - 1)
+          : EvenAxis(x).Inner(domain[a]);
+        cells *= blocks[b].Size[a] - 2;
+      }
+      arrays.push_back(std::make_shared<PlainArrays>(cells));
+      block.Arrays = arrays.back();
+      read.push_back(std::move(block));
+    }
+    for (const std::string& name : names)
+    {
+      auto values = shared.File.ReadArray(step, name, blocks, first, last);
+      for (std::size_t b = 0; b < values.size(); ++b)
+      {
+        const auto kept = std::make_shared<Buffer<float>>(std::move(values[b]));
+        arrays[b]->Add(name, ValueType::Float, arrays[b]->NumberOfTuples(), 1,
+          std::shared_ptr<const void>(kept, kept->data()));
+      }
+    }
+  }
+
+  std::vector<SharedFile> Files; // of this rank
+};
+
+} // namespace
+
+std::unique_ptr<BlockFile> OpenSpyPlot(const std::string& path, const Ranks& ranks)
+{
+  return std::make_unique<SpyPlotCase>(path, ranks);
+}
+
+} // namespace vfm

@@ -1,0 +1,50 @@
+#include "FileBlocks.h"
+
+#include "Blocks/BlockFile.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+void CheckNames(const std::vector<std::string>& there, const std::vector<std::string>& names)
+{
+  for (const std::string& name : names)
+  {
+    if (std::find(there.begin(), there.end(), name) == there.end())
+    {
+      std::string list;
+      for (const std::string& other : there)
+      {
+        list += (list.empty() ? "'" : ", '") + other + "'";
+      }
+      throw InputError("it has no array '" + name + "'. Its arrays: " + list + ".");
+    }
+  }
+}
+
+} // namespace
+
+FileBlocks ReadFileBlocks(
+  const std::string& path, int step, const std::optional<std::vector<std::string>>& names)
+{
+  Ranks alone;
+  const std::unique_ptr<BlockFile> file = OpenBlockFile(path, alone);
+  const int steps = static_cast<int>(file->Times().size());
+  const int index = step < 0 ? steps + step : step;
+  if (index < 0 || index >= steps)
+  {
+    throw InputError("there is no step " + std::to_string(step) + ": it has " +
+      std::to_string(steps) + ", counted from 0.");
+  }
+  FileBlocks read{ path, file->Times(), file->Times()[index], names.value_or(file->Names()), {} };
+  CheckNames(file->Names(), read.Names);
+  read.Blocks = file->Read(index, read.Names, alone);
+  std::copy_if(
+    read.Names.begin(), read.Names.end(), std::back_inserter(read.Fractions), IsSpyPlotFraction);
+  return read;
+}
+
+} // namespace vfm
