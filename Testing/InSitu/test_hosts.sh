@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Installs the build, runs the program sculptor, compiles the hosts in C, C++ and Fortran against what was installed, by the lines of
 # Documentation/in-situ.md, runs them on several ranks, and looks with valgrind for leaks and memory errors of ours.
-# usage: test_hosts.sh SOURCE BUILD SCRATCH
+# usage: test_hosts.sh SOURCE BUILD SCRATCH [HOST]      HOST: of the hosts valgrind runs this one alone
 set -euo pipefail
-source="$1" build="$2" scratch="$3"
+source="$1" build="$2" scratch="$3" one="${4:-}"
 rm -rf "$scratch"
 mkdir -p "$scratch"
 export PREFIX="$scratch/prefix" SOURCE="$source"
@@ -15,6 +15,7 @@ export PKG_CONFIG_PATH="$PREFIX/lib/pkgconfig"
 
 # Leaks and errors of MPI and VTK are not ours: only reports with a function of ours among their callers count.
 check_memory() { # usage: check_memory PROGRAM RANKS
+  [[ -z "$one" || "$one" == "$1" ]] || return 0
   command -v valgrind > /dev/null || { echo "no valgrind: memory is not checked"; return; }
   mpiexec --bind-to none -n "$2" valgrind --leak-check=full --show-leak-kinds=definite,indirect \
     --num-callers=40 --log-file="$1.%p.valgrind" "./$1" > "$1.valgrind.out"
