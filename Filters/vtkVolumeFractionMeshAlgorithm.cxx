@@ -71,8 +71,10 @@ void AgreeOn(bool knowsNeighbours, vfm::Ranks& ranks)
 
 vtkCxxSetObjectMacro(vtkVolumeFractionMeshAlgorithm, Controller, vtkMultiProcessController);
 
-vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm()
+vtkVolumeFractionMeshAlgorithm::vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements) :
+  Options(std::make_unique<vfm::MesherOptions>())
 {
+  this->Options->Elements = elements;
   this->SetNumberOfOutputPorts(5);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
@@ -93,66 +95,6 @@ void vtkVolumeFractionMeshAlgorithm::ClearFaceNeighbours()
 {
   this->HasFaceNeighbours = false;
   this->Modified();
-}
-
-void vtkVolumeFractionMeshAlgorithm::AddRefinementBox(
-  double x0, double y0, double z0, double x1, double y1, double z1, double halvings)
-{
-  this->RefinementBoxes.push_back({ { x0, y0, z0, x1, y1, z1, halvings } });
-  this->Modified();
-}
-
-void vtkVolumeFractionMeshAlgorithm::ClearRefinementBoxes()
-{
-  if (!this->RefinementBoxes.empty())
-  {
-    this->RefinementBoxes.clear();
-    this->Modified();
-  }
-}
-
-int vtkVolumeFractionMeshAlgorithm::GetNumberOfRefinementBoxes()
-{
-  return static_cast<int>(this->RefinementBoxes.size());
-}
-
-void vtkVolumeFractionMeshAlgorithm::SetRefinementOptions(vfm::MesherOptions& options) const
-{
-  options.Where = static_cast<vfm::Refinement>(this->Refinement);
-  options.MaximumLevel = this->MaximumLevel;
-  options.FineInterfaces = this->FineInterfaces;
-  options.FineLayers = this->FineLayers;
-  options.ThinCells = this->ThinCells;
-  options.CurvaturePerCell = this->CurvaturePerCell;
-  options.RefineFlippedCells = this->RefineFlippedCells;
-  options.InterfaceLayers = this->InterfaceLayers;
-  options.RefinementArray = this->GetNamedRefinementArray();
-  for (const std::array<double, 7>& b : this->RefinementBoxes)
-  {
-    options.RefinementBoxes.push_back({ { { b[0], b[1], b[2] } }, { { b[3], b[4], b[5] } }, b[6] });
-  }
-}
-
-vfm::MesherOptions vtkVolumeFractionMeshAlgorithm::GetOptions() const
-{
-  vfm::MesherOptions options;
-  options.IsoValue = this->IsoValue;
-  options.MeshVoid = this->MeshVoid;
-  options.StairStep = this->StairStep;
-  options.Method = static_cast<vfm::Smoothing>(this->Smoothing);
-  options.Edges = static_cast<vfm::SharpEdges>(this->SharpEdges);
-  options.TargetScaledJacobian = this->TargetScaledJacobian;
-  options.ConserveVolume = this->ConserveVolume;
-  options.ComputeQuality = this->ComputeQuality;
-  options.FractionTolerance = this->FractionTolerance;
-  options.LabelSmoothing = this->LabelSmoothing;
-  options.MinimumRegionCells = this->MinimumRegionCells;
-  options.MaximumAspectRatio = this->MaximumAspectRatio;
-  options.Children = static_cast<vfm::ChildRule>(this->ChildFractions);
-  this->SetRefinementOptions(options);
-  this->SetStateOptions(options);
-  this->SpecialiseOptions(options);
-  return options;
 }
 
 vtkExecutive* vtkVolumeFractionMeshAlgorithm::CreateDefaultExecutive()
@@ -240,19 +182,19 @@ void vtkVolumeFractionMeshAlgorithm::Run(
 {
   this->Warn(vfm::DescribeMissingLevels(data, ranks), ranks);
   const vfm::MaterialArrays materials = this->FindMaterials(data, ranks);
-  const int threads = vfm::ChooseThreads(this->NumberOfThreads, ranks.Count());
+  const int threads = vfm::ChooseThreads(this->Options->NumberOfThreads, ranks.Count());
   vfm::FilterRuntime runtime(this, threads, &ranks);
   runtime.Progress(0.0, "Reading input");
   vfm::MesherInput input;
   input.Arrays.Fractions = vfm::NamesOf(materials.Fractions);
   input.Arrays.Labels = materials.Labels.Name;
   input.Arrays.Names =
-    vfm::ShareLabelNames(materials.HasLabels() ? this->LabelNamesFile : "", ranks);
+    vfm::ShareLabelNames(materials.HasLabels() ? this->Options->LabelNames : "", ranks);
   input.Arrays.State = this->ChooseState(data, ranks);
   input.Levels = this->FindLevels(data, this->ListArrays(materials, input.Arrays.State), ranks);
   input.StaysInPlace = this->HasFaceNeighbours;
   input.Warn = [&](const std::string& text) { this->Warn(text, ranks); };
-  vfm::MesherResult result = vfm::RunMesher(input, this->GetOptions(), runtime);
+  vfm::MesherResult result = vfm::RunMesher(input, *this->Options, runtime);
   LogStages(result.Report);
   vfm::WorkTogether(ranks,
     [&]
@@ -272,39 +214,6 @@ void vtkVolumeFractionMeshAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   this->PrintArrays(os, indent);
-  os << indent << "FractionTolerance: " << this->FractionTolerance << "\n";
-  os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
-  os << indent << "LabelNamesFile: " << this->LabelNamesFile << "\n";
-  os << indent << "MinimumRegionCells: " << this->MinimumRegionCells << "\n";
-  os << indent << "Refinement: " << this->Refinement << "\n";
-  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
-  os << indent << "FineInterfaces: " << this->FineInterfaces << "\n";
-  os << indent << "FineLayers: " << this->FineLayers << "\n";
-  os << indent << "MaximumAspectRatio: " << this->MaximumAspectRatio << "\n";
-  os << indent << "ChildFractions: " << this->ChildFractions << "\n";
-  os << indent << "ThinCells: " << this->ThinCells << "\n";
-  os << indent << "CurvaturePerCell: " << this->CurvaturePerCell << "\n";
-  os << indent << "RefineFlippedCells: " << this->RefineFlippedCells << "\n";
-  os << indent << "InterfaceLayers: " << this->InterfaceLayers << "\n";
-  os << indent << "RefinementBoxes:" << (this->RefinementBoxes.empty() ? " none" : "") << "\n";
-  for (const std::array<double, 7>& box : this->RefinementBoxes)
-  {
-    os << indent.GetNextIndent();
-    for (double number : box)
-    {
-      os << " " << number;
-    }
-    os << "\n";
-  }
-  os << indent << "IsoValue: " << this->IsoValue << "\n";
-  os << indent << "MeshVoid: " << this->MeshVoid << "\n";
-  os << indent << "StairStep: " << this->StairStep << "\n";
-  os << indent << "Smoothing: " << this->Smoothing << "\n";
-  os << indent << "SharpEdges: " << this->SharpEdges << "\n";
-  os << indent << "TargetScaledJacobian: " << this->TargetScaledJacobian << "\n";
-  os << indent << "ConserveVolume: " << this->ConserveVolume << "\n";
-  os << indent << "ComputeQuality: " << this->ComputeQuality << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "FaceNeighbours:";
   for (std::size_t f = 0; this->HasFaceNeighbours && f < this->FaceNeighbours.size(); ++f)
   {

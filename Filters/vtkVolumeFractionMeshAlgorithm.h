@@ -39,8 +39,42 @@
 #include "vtkVolumeFractionMeshFiltersModule.h" // for export macro
 
 #include <array>  // for member
+#include <memory> // for member
 #include <string> // for member
 #include <vector> // for member
+
+/**
+ * Sets and gets an option of the mesher by its name (Mesher/Options/OptionTable.cxx). Choices and whole numbers, but for those of
+ * tetrahedra, are clamped to their range; other numbers out of range are an error of the update.
+ */
+#define vfmNumberOption(name, type)                                                                \
+  void Set##name(type value)                                                                       \
+  {                                                                                                \
+    this->SetNumber(#name, static_cast<double>(value));                                            \
+  }                                                                                                \
+  type Get##name()                                                                                 \
+  {                                                                                                \
+    return static_cast<type>(this->GetNumber(#name));                                              \
+  }
+#define vfmSwitchOption(name)                                                                      \
+  vfmNumberOption(name, bool);                                                                     \
+  void name##On()                                                                                  \
+  {                                                                                                \
+    this->Set##name(true);                                                                         \
+  }                                                                                                \
+  void name##Off()                                                                                 \
+  {                                                                                                \
+    this->Set##name(false);                                                                        \
+  }
+#define vfmArrayOption(name)                                                                       \
+  void Set##name(const char* array)                                                                \
+  {                                                                                                \
+    this->SetText(#name, array);                                                                   \
+  }                                                                                                \
+  const char* Get##name()                                                                          \
+  {                                                                                                \
+    return this->GetText(#name);                                                                   \
+  }
 
 class vtkMultiProcessController;
 
@@ -53,6 +87,7 @@ struct MaterialArrays;
 struct MeshOutputs;
 struct MesherOptions;
 struct StateChoice;
+enum class ElementKind;
 } // namespace vfm
 
 class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionMeshAlgorithm :
@@ -112,26 +147,6 @@ public:
   const char* GetStateArray(int index);
   ///@}
 
-  enum StateTransferType
-  {
-    STATE_AUTOMATIC = 0,
-    STATE_COPY = 1,
-    STATE_CONSERVE = 2
-  };
-
-  ///@{
-  /**
-   * How elements come to the values of state arrays.
-   * STATE_COPY: each has those of one cell, as told above; sums over the mesh are not those of the input.
-   * STATE_CONSERVE: what the cells hold of each material is given to its elements, all of it and no more: the arrays become averages
-   * of type double over the parts of the cells that an element covers, within the bounds of the cells around, and volume, mass,
-   * momentum, energy and whatever else is chosen have the sums of the input, to rounding.
-   * STATE_AUTOMATIC: STATE_CONSERVE where DensityArrays names an array, else STATE_COPY. Default: STATE_AUTOMATIC.
-   */
-  vtkSetClampMacro(StateTransfer, int, STATE_AUTOMATIC, STATE_CONSERVE);
-  vtkGetMacro(StateTransfer, int);
-  ///@}
-
   ///@{
   /**
    * The density, mass per volume of the material (not of the cell, but for those of the kind "cell"): one array for all materials, or
@@ -170,34 +185,33 @@ public:
 
   ///@{
   /**
-   * 1: what is conserved is constant in each cell; 2: linear, limited by the values around. Default: 2.
+   * A file that names labels (MaterialIdArray), read by the first process: a text with a line for each, the label and its name, a label
+   * file of ITK-SNAP, a lookup table of FreeSurfer or MRIcron, or the XML of an atlas of FSL. Labels that it does not name are
+   * called "Material 7". Errors tell the line: no whole number, a label or a name twice. Default: none.
    */
-  vtkSetClampMacro(StateOrder, int, 1, 2);
-  vtkGetMacro(StateOrder, int);
+  void SetLabelNamesFile(const char* path);
+  const char* GetLabelNamesFile();
   ///@}
 
   ///@{
   /**
-   * By STATE_CONSERVE: the velocity, of three components and the kind mass, and the internal energy per mass, of one. Carried as state arrays
-   * are. Of these momentum and energies of the materials are told (field data, output port 4). Three arrays of one component are one velocity
-   * when any is named, in whose name the axis stands alone ("X velocity", "velocity_x"), or what they share: the mesh has "velocity". Of
-   * energies a material any one is named, or the stem. Empty, or "None": none. Default: empty.
+   * Cells that REFINEMENT_AUTOMATIC refines as by RefinementArray: those of a box in space from the corner (x0, y0, z0) to (x1, y1, z1), in the unit of the input: all cells that it reaches into
+   * by more than a thousandth of their width along every axis, be their centres inside or not. A flat box chooses the cells that it cuts.
+   * Where the array or several boxes choose a cell the most halvings count. Default: no box.
    */
-  vtkSetStdStringFromCharMacro(VelocityArray);
-  vtkGetCharFromStdStringMacro(VelocityArray);
-  vtkSetStdStringFromCharMacro(EnergyArray);
-  vtkGetCharFromStdStringMacro(EnergyArray);
+  void AddRefinementBox(
+    double x0, double y0, double z0, double x1, double y1, double z1, double halvings = 1.0);
+  void ClearRefinementBoxes();
+  int GetNumberOfRefinementBoxes();
   ///@}
 
-  ///@{
-  /**
-   * By STATE_CONSERVE with a VelocityArray: add the velocity of the nodes, a point array of its name. A node has the momentum of an equal
-   * part of each of its elements over their mass, so the momentum of all nodes is that of all elements. Default: off.
-   */
-  vtkSetMacro(NodalVelocity, bool);
-  vtkGetMacro(NodalVelocity, bool);
-  vtkBooleanMacro(NodalVelocity, bool);
-  ///@}
+  // What the numbers of options stand for.
+  enum StateTransferType
+  {
+    STATE_AUTOMATIC = 0,
+    STATE_COPY = 1,
+    STATE_CONSERVE = 2
+  };
 
   enum LostKineticEnergyType
   {
@@ -205,77 +219,11 @@ public:
     LOST_ENERGY_TO_INTERNAL = 1
   };
 
-  ///@{
-  /**
-   * What becomes of the kinetic energy that the mesh lacks since an element, or with NodalVelocity a node, has one mean velocity.
-   * LOST_ENERGY_REPORT: it is told in the field data. LOST_ENERGY_TO_INTERNAL: it is added to EnergyArray where it is lost, so that the sum of
-   * both energies is that of the input. Default: LOST_ENERGY_REPORT.
-   */
-  vtkSetClampMacro(LostKineticEnergy, int, LOST_ENERGY_REPORT, LOST_ENERGY_TO_INTERNAL);
-  vtkGetMacro(LostKineticEnergy, int);
-  ///@}
-
   enum UnmeshedMaterialType
   {
     UNMESHED_GIVE = 0,
     UNMESHED_DROP = 1
   };
-
-  ///@{
-  /**
-   * What becomes by STATE_CONSERVE of material apart from all elements of its kind: spray, removed regions. UNMESHED_GIVE: it is given to the
-   * nearest fragment of its material within three cells; what lies farther is dropped. UNMESHED_DROP: all of it is. What is
-   * dropped is told in the field data and by a warning. Default: UNMESHED_GIVE.
-   */
-  vtkSetClampMacro(UnmeshedMaterial, int, UNMESHED_GIVE, UNMESHED_DROP);
-  vtkGetMacro(UnmeshedMaterial, int);
-  ///@}
-
-  ///@{
-  /**
-   * A cell is void when its materials fill less than this part of it; in (0,1). Default: 0.5.
-   */
-  vtkSetMacro(IsoValue, double);
-  vtkGetMacro(IsoValue, double);
-  ///@}
-
-  ///@{
-  /**
-   * How far outside [0,1] fractions may lie: up to that they are clipped, and sums above 1 by no more are scaled back; other input is
-   * refused. 1e-6 to 0.1. Default: 1e-6, for rounding alone.
-   */
-  vtkSetClampMacro(FractionTolerance, double, 1e-6, 0.1);
-  vtkGetMacro(FractionTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Smooth the steps that labels (MaterialIdArray) make, by this many passes of an average over the cells around, 0 to 10: cells
-   * at interfaces become mixed, each filled most by its own label, and every label keeps the volume of its cells. 2 or 3 serve
-   * most labels; more rounds off edges. 0: off. Volume fractions are not smoothed. Default: 0.
-   */
-  vtkSetClampMacro(LabelSmoothing, int, 0, 10);
-  vtkGetMacro(LabelSmoothing, int);
-  ///@}
-
-  ///@{
-  /**
-   * A file that names labels (MaterialIdArray), read by the first process: a text with a line for each, the label and its name, a label
-   * file of ITK-SNAP, a lookup table of FreeSurfer or MRIcron, or the XML of an atlas of FSL. Labels that it does not name are
-   * called "Material 7". Errors tell the line: no whole number, a label or a name twice. Default: none.
-   */
-  vtkSetStdStringFromCharMacro(LabelNamesFile);
-  vtkGetCharFromStdStringMacro(LabelNamesFile);
-  ///@}
-
-  ///@{
-  /**
-   * A region, cells of one material or of void connected over faces, of fewer cells than this is given to the material or
-   * void with which it shares the most faces: no spray, no crumbs, no small cavities. 0: all stay. Default: 0.
-   */
-  vtkSetClampMacro(MinimumRegionCells, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MinimumRegionCells, int);
-  ///@}
 
   enum RefinementType
   {
@@ -286,141 +234,11 @@ public:
     REFINEMENT_UNIFORM = 4
   };
 
-  ///@{
-  /**
-   * Where the mesh is finer than elsewhere. Each level halves the cells of the one before along every axis.
-   * REFINEMENT_OFF: nowhere; all cells are those of the coarsest level of the input.
-   * REFINEMENT_INPUT_LEVELS: where the input is, which is nowhere unless it has several levels (AMR).
-   * REFINEMENT_AUTOMATIC: where criteria want it; the coarsest level of the input is that of the mesh.
-   * REFINEMENT_COARSEN: near interfaces; the finest level of the input is that of the mesh, cells away from interfaces get larger.
-   * REFINEMENT_UNIFORM: everywhere, so that thin parts get more elements across: each level makes eight times as many.
-   * Default: REFINEMENT_INPUT_LEVELS.
-   */
-  vtkSetClampMacro(Refinement, int, REFINEMENT_OFF, REFINEMENT_UNIFORM);
-  vtkGetMacro(Refinement, int);
-  ///@}
-
-  ///@{
-  /**
-   * How many levels finer than the coarsest the mesh has at most, 0 to 10. Finer data are averaged. -1: all that the input has, by
-   * REFINEMENT_COARSEN as many as its sizes allow, but no more than 3 beyond those of the input, by REFINEMENT_AUTOMATIC and
-   * REFINEMENT_UNIFORM of an input of one level 1, or by REFINEMENT_AUTOMATIC what chosen cells ask for, if that is more. Default: -1.
-   */
-  vtkSetClampMacro(MaximumLevel, int, -1, 10);
-  vtkGetMacro(MaximumLevel, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether all interfaces get the finest cells. Off: cells are only as fine as the input's levels (REFINEMENT_INPUT_LEVELS) or the
-   * criteria (REFINEMENT_AUTOMATIC, with FineLayers of the cells that a place wants around it) ask at each place, and interfaces
-   * run through coarser cells and transitions. REFINEMENT_COARSEN asks nowhere: its mesh then has cells of its coarsest level
-   * alone. Hexahedra only: interfaces of tetrahedra always get the finest cells. Default: on.
-   */
-  vtkSetMacro(FineInterfaces, bool);
-  vtkGetMacro(FineInterfaces, bool);
-  vtkBooleanMacro(FineInterfaces, bool);
-  ///@}
-
-  ///@{
-  /**
-   * How many of the finest cells lie at least between an interface, or with FineInterfaces off a place where a criterion asks for
-   * them, and larger cells; 2 or more. Default: 2.
-   */
-  vtkSetClampMacro(FineLayers, int, 2, 64);
-  vtkGetMacro(FineLayers, int);
-  ///@}
-
   enum ChildFractionsType
   {
     CHILD_FRACTIONS_PLANES = 0,
     CHILD_FRACTIONS_PARENT = 1
   };
-
-  ///@{
-  /**
-   * Cells whose aspect ratio, the largest of their widths over the smallest, is above this are cut across their long axes first, each
-   * into as few equal parts as it takes (of a rectilinear grid each layer into its own number), like those of all levels of an input
-   * that has several. What the parts hold: ChildFractions; every material keeps its volume in each cell. An element carries the
-   * state of the cell of the input. 1.1 or more, 1.5 makes elements of good shape; 0: no cell is cut. Default: 0.
-   */
-  vtkSetMacro(MaximumAspectRatio, double);
-  vtkGetMacro(MaximumAspectRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * What the halves, or parts, of a mixed cell hold where the input has no finer data: pieces cut by planes that keep the volume of every
-   * material, or the fractions of the cell. Labels (MaterialIdArray) tell of no planes: their steps stay, unless LabelSmoothing is
-   * on. Default: CHILD_FRACTIONS_PLANES.
-   */
-  vtkSetClampMacro(ChildFractions, int, CHILD_FRACTIONS_PLANES, CHILD_FRACTIONS_PARENT);
-  vtkGetMacro(ChildFractions, int);
-  ///@}
-
-  ///@{
-  /**
-   * What REFINEMENT_AUTOMATIC looks for, on the finest level of the input; 0: not. All interfaces get the level that the
-   * neediest place wants, up to MaximumLevel; with FineInterfaces off each place what it wants. Cells can be chosen by name, too
-   * (RefinementArray, RefinementBoxes).
-   * ThinCells: films, gaps, rods and small bodies thinner than so many cells, at most 3, until they are no longer. Default: 2.
-   * CurvaturePerCell: interfaces that turn by more than so many radians over a cell, until they turn by less. Default: 0.
-   * RefineFlippedCells: cells whose material had to be changed to make the interfaces manifold; once. Default: off.
-   * InterfaceLayers: all cells within so many layers of an interface, to MaximumLevel. Default: 0.
-   */
-  vtkSetClampMacro(ThinCells, double, 0.0, 3.0);
-  vtkGetMacro(ThinCells, double);
-  vtkSetClampMacro(CurvaturePerCell, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(CurvaturePerCell, double);
-  vtkSetMacro(RefineFlippedCells, bool);
-  vtkGetMacro(RefineFlippedCells, bool);
-  vtkBooleanMacro(RefineFlippedCells, bool);
-  vtkSetClampMacro(InterfaceLayers, int, 0, 64);
-  vtkGetMacro(InterfaceLayers, int);
-  ///@}
-
-  ///@{
-  /**
-   * Cells that REFINEMENT_AUTOMATIC refines whatever they hold, by an array of one component and any numeric type: how
-   * many times each cell is to be halved along every axis, a whole number from 0 to 10; 0/1 for a mask. A cell of the input is one
-   * of its finest level there; of one that MaximumAspectRatio cuts each part is halved. MaximumLevel bounds what they get; at -1 there are
-   * as many levels as they ask for. Cells are refined by families, 2 x 2 x 2 of a level that begin at even indices, and with
-   * FineInterfaces off together with FineLayers of cells around. Blanked cells ask for nothing. All blocks need the array.
-   * With ThinCells 0 nothing else is refined. Empty, or "None": no array. Default: empty.
-   */
-  vtkSetStdStringFromCharMacro(RefinementArray);
-  vtkGetCharFromStdStringMacro(RefinementArray);
-  ///@}
-
-  ///@{
-  /**
-   * The same by a box in space from the corner (x0, y0, z0) to (x1, y1, z1), in the unit of the input: all cells that it reaches into
-   * by more than a thousandth of their width along every axis, be their centres inside or not. A flat box chooses the cells that it cuts.
-   * Where the array or several boxes choose a cell the most halvings count. Default: no box.
-   */
-  void AddRefinementBox(
-    double x0, double y0, double z0, double x1, double y1, double z1, double halvings = 1.0);
-  void ClearRefinementBoxes();
-  int GetNumberOfRefinementBoxes();
-  ///@}
-
-  ///@{
-  /**
-   * Mesh the void too, as material 0. Default: off.
-   */
-  vtkSetMacro(MeshVoid, bool);
-  vtkGetMacro(MeshVoid, bool);
-  vtkBooleanMacro(MeshVoid, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Turn cells into elements and move nothing. Default: off.
-   */
-  vtkSetMacro(StairStep, bool);
-  vtkGetMacro(StairStep, bool);
-  vtkBooleanMacro(StairStep, bool);
-  ///@}
 
   enum SmoothingType
   {
@@ -429,14 +247,6 @@ public:
     SMOOTHING_GEOMETRY_BASED = 2
   };
 
-  ///@{
-  /**
-   * How nodes on surfaces are placed. Default: SMOOTHING_QUADRIC_SURFACE.
-   */
-  vtkSetClampMacro(Smoothing, int, SMOOTHING_OFF, SMOOTHING_GEOMETRY_BASED);
-  vtkGetMacro(Smoothing, int);
-  ///@}
-
   enum SharpEdgesType
   {
     SHARP_EDGES_OFF = 0,
@@ -444,51 +254,132 @@ public:
     SHARP_EDGES_AUTOMATIC = 2
   };
 
-  ///@{
-  /**
-   * Whether edges and corners of the materials are found in the fractions and kept. Has an effect with an IsoValue of 0.5 and
-   * SMOOTHING_QUADRIC_SURFACE alone. Default: SHARP_EDGES_AUTOMATIC.
-   */
-  vtkSetClampMacro(SharpEdges, int, SHARP_EDGES_OFF, SHARP_EDGES_AUTOMATIC);
-  vtkGetMacro(SharpEdges, int);
-  ///@}
-
-  ///@{
-  /**
-   * The quality that smoothing strives for; in [0,1): the scaled Jacobian of hexahedra, for tetrahedra see
-   * vtkVolumeFractionToTet. Larger values give better elements that follow the surfaces less closely.
-   * 0: chosen automatically. Default: 0.
-   */
-  vtkSetMacro(TargetScaledJacobian, double);
-  vtkGetMacro(TargetScaledJacobian, double);
-  ///@}
-
-  ///@{
-  /**
-   * Shift the surfaces until every material has the volume of its fractions. Default: on.
-   */
-  vtkSetMacro(ConserveVolume, bool);
-  vtkGetMacro(ConserveVolume, bool);
-  vtkBooleanMacro(ConserveVolume, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Add the cell array ScaledJacobian. Default: on.
-   */
-  vtkSetMacro(ComputeQuality, bool);
-  vtkGetMacro(ComputeQuality, bool);
-  vtkBooleanMacro(ComputeQuality, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Threads to work with. 0: all cores when there is one process, else one. Default: 0.
-   * The mesh does not depend on it.
-   */
-  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
-  vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  // options: generated
+  /// Mesh the void as well, as material 0, conforming with the materials. Takes on or off; default
+  /// off.
+  vfmSwitchOption(MeshVoid);
+  /// Remove spray, crumbs and small cavities: a region of one material, or of void, of fewer cells
+  /// than this is given to the material or void with which it shares the most faces. 0: all stay.
+  /// Takes a whole number, 0 or more; default 0.
+  vfmNumberOption(MinimumRegionCells, int);
+  /// Clip volume fractions that lie outside [0, 1] by no more than this (a code's over- and
+  /// undershoots), and scale back sums above 1 by no more. Others are refused. 1e-6 is for rounding
+  /// alone. Takes a number from 1e-6 to 0.1; default 1e-6.
+  vfmNumberOption(FractionTolerance, double);
+  /// A cell is void when its materials together fill less than this part of it. Volumes are
+  /// conserved only at 0.5. Takes a number above 0 and below 1; default 0.5.
+  vfmNumberOption(IsoValue, double);
+  /// How elements get the values of state arrays. Copy: every element has the values of the cell
+  /// that holds its centroid, or of the cell beside it with most of the element's material where
+  /// that cell holds less than half. Nothing is averaged, so sums are not conserved. Conserve:
+  /// elements share what the cells hold of their material, so that mass, momentum, energy of every
+  /// material are those of the input. Automatic: Conserve where Density Arrays names one, else
+  /// Copy. Takes Automatic, Copy, Conserve (or 0 to 2); default Automatic.
+  vfmNumberOption(StateTransfer, int);
+  /// What Conserve takes the state to be in a cell. 1: constant. 2: linear, within the bounds of
+  /// the cells around. Takes a whole number from 1 to 2; default 2.
+  vfmNumberOption(StateOrder, int);
+  /// The velocity, of which Conserve tells momentum and kinetic energy of every material, and what
+  /// the mesh lacks of it: an array of three components, or one of three (X velocity). Carried
+  /// along as State Arrays are. Takes the name of a cell array, or None; default None.
+  vfmArrayOption(VelocityArray);
+  /// The internal energy per mass, of which Conserve tells the energy of every material. Of arrays
+  /// a material any one. Carried along as State Arrays are. Takes the name of a cell array, or
+  /// None; default None.
+  vfmArrayOption(EnergyArray);
+  /// Add the velocity of the nodes as a point array, with which a Lagrangian code starts. The
+  /// momentum of all nodes is that of all elements. Takes on or off; default off.
+  vfmSwitchOption(NodalVelocity);
+  /// The kinetic energy that is lost where one element, or one node, moves with the mean velocity
+  /// of several cells. Report: the table of materials tells it. Internal Energy: it is added to
+  /// Energy Array, so that the sum of both energies is that of the input. Takes Report,
+  /// InternalEnergy (or 0 to 1); default Report.
+  vfmNumberOption(LostKineticEnergy, int);
+  /// Material apart from all elements of its kind: spray, removed regions. Give: Conserve gives it
+  /// to the nearest fragment of its material within a few cells. Drop: it is left out. What is left
+  /// out the table of materials tells. Takes Give, Drop (or 0 to 1); default Give.
+  vfmNumberOption(UnmeshedMaterial, int);
+  /// Turn every cell of a material into one hexahedron and move nothing: a quick look at the
+  /// materials. Takes on or off; default off.
+  vfmSwitchOption(StairStep);
+  /// How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of the
+  /// surface; the best mesh. Geometry Based: surface nodes stay on the facets of the surface as
+  /// first found. Off: the steps of the grid with a thin layer of hexahedra along them; valid, but
+  /// neither smooth nor of good quality. Takes Off, QuadricSurface, GeometryBased (or 0 to 2);
+  /// default QuadricSurface.
+  vfmNumberOption(Smoothing, int);
+  /// Whether edges and corners are found in the volume fractions and kept: those of machined parts,
+  /// of shapes and of closed surfaces. Off: they are rounded, by about a third of a cell. On:
+  /// wherever two or three surfaces that cut each other explain the fractions around better than
+  /// one. Automatic: of two materials that meet, only where that is so in much of what one surface
+  /// does not explain, so not in fluids and noise. Has an effect with Smoothing Quadric Surface and
+  /// an IsoValue of 0.5 alone. Takes Off, On, Automatic (or 0 to 2); default Automatic.
+  vfmNumberOption(SharpEdges, int);
+  /// Smooth the steps that material ids make, by this many passes of an average over the cells
+  /// around. Every material keeps the volume of its cells, thin parts stay. 2 or 3 serve most; more
+  /// rounds off edges. Volume fractions are not smoothed. Takes a whole number from 0 to 10;
+  /// default 0.
+  vfmNumberOption(LabelSmoothing, int);
+  /// Shift the surfaces until every fragment has the volume of its volume fractions. Takes on or
+  /// off; default on.
+  vfmSwitchOption(ConserveVolume);
+  /// Where the mesh is finer than elsewhere; each level halves the cells. Input Levels: where the
+  /// input is, if it has levels (AMR). Off: nowhere, all cells are those of the coarsest level.
+  /// Automatic: where the shape needs it. Coarsen: the cells of the input stay near interfaces and
+  /// get larger away from them. Uniform: everywhere, so that thin parts get more elements across.
+  /// Takes Off, InputLevels, Automatic, Coarsen, Uniform (or 0 to 4); default InputLevels.
+  vfmNumberOption(Refinement, int);
+  /// Levels finer than the coarsest, at most. Automatic, -1: all that the input has; 1 where an
+  /// image is refined, or what named cells ask for; by Coarsen as many as the numbers of cells
+  /// allow, at most 3. By Uniform each makes eight times as many elements. Finer data of the input
+  /// are averaged. Takes a whole number from -1 (automatic) to 10; default -1.
+  vfmNumberOption(MaximumLevel, int);
+  /// All interfaces get the finest cells. Off: cells are as fine as the levels of the input or the
+  /// criteria ask at each place, and interfaces cross levels; by Coarsen all cells are then as
+  /// coarse as can be. Hexahedra only: tetrahedra at interfaces are always fine. Takes on or off;
+  /// default on.
+  vfmSwitchOption(FineInterfaces);
+  /// How many of the finest cells lie at least between an interface and larger cells. Without Fine
+  /// Interfaces: around places where Automatic asks for them. Takes a whole number from 2 to 64;
+  /// default 2.
+  vfmNumberOption(FineLayers, int);
+  /// Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than so many
+  /// cells. 0: it does not look for them. Takes a number from 0 (off) to 3; default 2.
+  vfmNumberOption(ThinCells, double);
+  /// Refinement Automatic halves cells where an interface turns by more than so many radians over a
+  /// cell. 0: it does not look for that. Takes a number, 0 (off) or more; default 0.
+  vfmNumberOption(CurvaturePerCell, double);
+  /// Refinement Automatic halves cells once whose material had to be changed to make the interfaces
+  /// manifold. Takes on or off; default off.
+  vfmSwitchOption(RefineFlippedCells);
+  /// Refinement Automatic refines all cells within so many layers of an interface, to Maximum
+  /// Level. 0: it does not. Takes a whole number from 0 to 64; default 0.
+  vfmNumberOption(InterfaceLayers, int);
+  /// Cells that Refinement Automatic refines whatever they hold: the array that tells how many
+  /// times each is to be halved, 0 to 10 (0 and 1 of a mask), up to Maximum Level. Thin Cells 0
+  /// leaves these alone; without Fine Interfaces each place gets what it asks for. Takes the name
+  /// of a cell array, or None; default None.
+  vfmArrayOption(RefinementArray);
+  /// Cut long cells (slices thicker than their pixels) across first, until no cell is so many times
+  /// longer one way than another. 1.5 makes elements of good shape. 0: cells stay as they are.
+  /// Takes 0 (off) or a number, 1.1 or more; default 0.
+  vfmNumberOption(MaximumAspectRatio, double);
+  /// What the halves, or parts, of a mixed cell hold where there is no finer data. Planes: the cell
+  /// is cut by planes that keep the volume of every material. Parent: the fractions of the cell.
+  /// Material ids hold no planes: their steps stay, unless Label Smoothing makes planes of them.
+  /// Takes Planes, Parent (or 0 to 1); default Planes.
+  vfmNumberOption(ChildFractions, int);
+  /// The scaled Jacobian that smoothing strives for. Larger values give better hexahedra that
+  /// follow the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with several.
+  /// Takes a number from 0 (automatic) to below 1; default 0.
+  vfmNumberOption(TargetScaledJacobian, double);
+  /// Add the cell array ScaledJacobian, and its minimum and mean to the field data. A cube has 1, a
+  /// valid hexahedron more than 0. Takes on or off; default on.
+  vfmSwitchOption(ComputeQuality);
+  /// Threads to work with. 0 is automatic: all cores on one process, one thread on each of several.
+  /// The mesh does not depend on it. Takes a whole number, 0 (automatic) or more; default 0.
+  vfmNumberOption(NumberOfThreads, int);
+  // end of options
 
   ///@{
   /**
@@ -508,9 +399,22 @@ public:
   void ClearFaceNeighbours();
   ///@}
 
+#ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * All options of the mesher; one set by its name, as vfm::SetOption does: throws vfm::InputError.
+   */
+  const vfm::MesherOptions& GetMesherOptions() const
+  {
+    return *this->Options;
+  }
+  void SetOption(const std::string& name, const std::string& value);
+  ///@}
+#endif
+
 protected:
-  vtkVolumeFractionMeshAlgorithm();
-  ~vtkVolumeFractionMeshAlgorithm() override;
+  explicit vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements);
+  ~vtkVolumeFractionMeshAlgorithm() override = 0; // an abstract class
 
   vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -520,48 +424,17 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  /**
-   * Sets the kind of elements, and the options that this kind has alone.
-   */
-  virtual void SpecialiseOptions(vfm::MesherOptions& options) const = 0;
+  void SetNumber(const char* option, double value);
+  double GetNumber(const char* option) const;
+  void SetText(const char* option, const char* value);
+  const char* GetText(const char* option) const;
 
   vtkMultiProcessController* Controller = nullptr;
   std::vector<vfm::ChosenArray> VolumeFractionArrays;
   int WordAssociation = vfm::AnyAssociation; // of the words to come
   vfm::ChosenArray MaterialIdArray;
   std::vector<std::string> StateArrays;
-  int StateTransfer = STATE_AUTOMATIC;
-  std::vector<std::string> DensityArrays;
-  std::vector<std::string> StateKinds; // words
-  int StateOrder = 2;
-  std::string VelocityArray, EnergyArray;
-  bool NodalVelocity = false;
-  int LostKineticEnergy = LOST_ENERGY_REPORT;
-  int UnmeshedMaterial = UNMESHED_GIVE;
-  double IsoValue = 0.5;
-  double FractionTolerance = 1e-6;
-  int LabelSmoothing = 0;
-  std::string LabelNamesFile;
-  int MinimumRegionCells = 0;
-  int Refinement = REFINEMENT_INPUT_LEVELS;
-  int MaximumLevel = -1;
-  bool FineInterfaces = true;
-  int FineLayers = 2;
-  double MaximumAspectRatio = 0.0;
-  int ChildFractions = CHILD_FRACTIONS_PLANES;
-  double ThinCells = 2.0, CurvaturePerCell = 0.0;
-  bool RefineFlippedCells = false;
-  int InterfaceLayers = 0;
-  std::string RefinementArray;
-  std::vector<std::array<double, 7>> RefinementBoxes; // as AddRefinementBox takes them
-  bool MeshVoid = false;
-  bool StairStep = false;
-  int Smoothing = SMOOTHING_QUADRIC_SURFACE;
-  int SharpEdges = SHARP_EDGES_AUTOMATIC;
-  double TargetScaledJacobian = 0.0;
-  bool ConserveVolume = true;
-  bool ComputeQuality = true;
-  int NumberOfThreads = 0;
+  std::unique_ptr<vfm::MesherOptions> Options;
   bool HasFaceNeighbours = false;
   std::array<int, 6> FaceNeighbours{ { -1, -1, -1, -1, -1, -1 } };
 
@@ -569,16 +442,11 @@ private:
   vtkVolumeFractionMeshAlgorithm(const vtkVolumeFractionMeshAlgorithm&) = delete;
   void operator=(const vtkVolumeFractionMeshAlgorithm&) = delete;
 
-  std::string GetNamedRefinementArray() const; // empty where none is used
   vfm::MaterialArrays FindMaterials(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
   vfm::ArraysToRead ListArrays(
     const vfm::MaterialArrays& materials, const vfm::StateChoice& state) const;
   void PrintArrays(ostream& os, vtkIndent indent) const;
-  bool IsStateConserved() const;
   vfm::StateChoice ChooseState(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
-  void SetStateOptions(vfm::MesherOptions& options) const;
-  void SetRefinementOptions(vfm::MesherOptions& options) const;
-  vfm::MesherOptions GetOptions() const;
   void Warn(const std::string& text, const vfm::Ranks& ranks) const;
   vfm::InputLevels FindLevels(
     vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const; // collective

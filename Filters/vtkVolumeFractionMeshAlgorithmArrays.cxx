@@ -1,11 +1,12 @@
 /**
- * The arrays that vtkVolumeFractionMeshAlgorithm is told to read.
+ * The options of vtkVolumeFractionMeshAlgorithm, and the arrays that it is told to read.
  */
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include "ChosenState.h"
 #include "MaterialArrays.h"
 #include "Mesher.h"
+#include "Options/SetOptions.h"
 
 #include "vtkDataObject.h"
 
@@ -167,52 +168,113 @@ void vtkVolumeFractionMeshAlgorithm::AddDensityArray(const char* name)
 {
   if (name && *name)
   {
-    AddItem(std::string(name), this->DensityArrays, this);
+    AddItem(std::string(name), this->Options->DensityArrays, this);
   }
 }
 
 void vtkVolumeFractionMeshAlgorithm::ClearDensityArrays()
 {
-  ClearItems(this->DensityArrays, this);
+  ClearItems(this->Options->DensityArrays, this);
 }
 
 int vtkVolumeFractionMeshAlgorithm::GetNumberOfDensityArrays()
 {
-  return static_cast<int>(this->DensityArrays.size());
+  return static_cast<int>(this->Options->DensityArrays.size());
 }
 
 const char* vtkVolumeFractionMeshAlgorithm::GetDensityArray(int index)
 {
-  return TextAt(this->DensityArrays, index);
+  return TextAt(this->Options->DensityArrays, index);
 }
 
 void vtkVolumeFractionMeshAlgorithm::AddStateKind(const char* word)
 {
   if (word && *word)
   {
-    AddItem(std::string(word), this->StateKinds, this);
+    AddItem(std::string(word), this->Options->StateKinds, this);
   }
 }
 
 void vtkVolumeFractionMeshAlgorithm::ClearStateKinds()
 {
-  ClearItems(this->StateKinds, this);
+  ClearItems(this->Options->StateKinds, this);
 }
 
 int vtkVolumeFractionMeshAlgorithm::GetNumberOfStateKinds()
 {
-  return static_cast<int>(this->StateKinds.size());
+  return static_cast<int>(this->Options->StateKinds.size());
 }
 
 const char* vtkVolumeFractionMeshAlgorithm::GetStateKind(int index)
 {
-  return TextAt(this->StateKinds, index);
+  return TextAt(this->Options->StateKinds, index);
 }
 
-std::string vtkVolumeFractionMeshAlgorithm::GetNamedRefinementArray() const
+void vtkVolumeFractionMeshAlgorithm::SetLabelNamesFile(const char* path)
 {
-  const bool isUsed = this->Refinement == REFINEMENT_AUTOMATIC && IsNamed(this->RefinementArray);
-  return isUsed ? this->RefinementArray : "";
+  this->SetText("LabelNames", path);
+}
+
+const char* vtkVolumeFractionMeshAlgorithm::GetLabelNamesFile()
+{
+  return this->GetText("LabelNames");
+}
+
+void vtkVolumeFractionMeshAlgorithm::AddRefinementBox(
+  double x0, double y0, double z0, double x1, double y1, double z1, double halvings)
+{
+  this->Options->RefinementBoxes.push_back({ { x0, y0, z0 }, { x1, y1, z1 }, halvings });
+  this->Modified();
+}
+
+void vtkVolumeFractionMeshAlgorithm::ClearRefinementBoxes()
+{
+  ClearItems(this->Options->RefinementBoxes, this);
+}
+
+int vtkVolumeFractionMeshAlgorithm::GetNumberOfRefinementBoxes()
+{
+  return static_cast<int>(this->Options->RefinementBoxes.size());
+}
+
+void vtkVolumeFractionMeshAlgorithm::SetNumber(const char* name, double value)
+{
+  const vfm::Option& option = *vfm::FindOption(name);
+  const vfm::OptionRange range = vfm::RangeOf(option);
+  const bool isKept = option.Kind == vfm::OptionKind::Real ||
+    (option.Kind == vfm::OptionKind::Integer && option.OnlyTets);
+  const double taken = isKept ? value : std::clamp(value, range.Least, range.Most);
+  if (taken != this->GetNumber(name))
+  {
+    vfm::SetNumber(*this->Options, option, taken);
+    this->Modified();
+  }
+}
+
+double vtkVolumeFractionMeshAlgorithm::GetNumber(const char* name) const
+{
+  return vfm::GetNumber(*this->Options, *vfm::FindOption(name));
+}
+
+void vtkVolumeFractionMeshAlgorithm::SetText(const char* name, const char* value)
+{
+  const std::string before = this->GetText(name), given = value ? value : "";
+  vfm::SetOption(*this->Options, name, given);
+  if (this->GetText(name) != before)
+  {
+    this->Modified();
+  }
+}
+
+const char* vtkVolumeFractionMeshAlgorithm::GetText(const char* name) const
+{
+  return vfm::GetText(*this->Options, *vfm::FindOption(name)).c_str();
+}
+
+void vtkVolumeFractionMeshAlgorithm::SetOption(const std::string& name, const std::string& value)
+{
+  vfm::SetOption(*this->Options, name, value);
+  this->Modified();
 }
 
 vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(
@@ -226,35 +288,10 @@ vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(
   return vfm::FindMaterialArrays(input, std::move(chosen), ranks);
 }
 
-bool vtkVolumeFractionMeshAlgorithm::IsStateConserved() const
-{
-  return this->StateTransfer == STATE_CONSERVE ||
-    (this->StateTransfer == STATE_AUTOMATIC && !this->DensityArrays.empty());
-}
-
 vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState(
   vtkDataObject* input, vfm::Ranks& ranks) const
 {
-  vfm::StateChoice choice;
-  choice.Arrays = this->StateArrays;
-  choice.IsConserved = this->IsStateConserved();
-  if (choice.IsConserved)
-  {
-    choice.Densities = this->DensityArrays;
-    choice.Kinds = this->StateKinds;
-    choice.Velocity = IsNamed(this->VelocityArray) ? this->VelocityArray : "";
-    choice.Energy = IsNamed(this->EnergyArray) ? this->EnergyArray : "";
-    return vfm::FindChosenState(input, std::move(choice), ranks);
-  }
-  return choice;
-}
-
-void vtkVolumeFractionMeshAlgorithm::SetStateOptions(vfm::MesherOptions& options) const
-{
-  options.StateOrder = this->StateOrder;
-  options.UnmeshedMaterial = static_cast<vfm::Unmeshed>(this->UnmeshedMaterial);
-  options.NodalVelocity = this->NodalVelocity;
-  options.LostKineticEnergy = static_cast<vfm::LostEnergy>(this->LostKineticEnergy);
+  return vfm::FindChosenState(input, vfm::ChooseState(*this->Options, this->StateArrays), ranks);
 }
 
 vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(
@@ -270,7 +307,7 @@ vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(
   {
     arrays.Others.push_back({ name, vfm::AnyAssociation });
   }
-  const std::string refinement = this->GetNamedRefinementArray();
+  const std::string refinement = vfm::FindRefinementArray(*this->Options);
   if (!refinement.empty())
   {
     arrays.Others.push_back({ refinement, vfm::AnyAssociation });
@@ -292,14 +329,11 @@ void vtkVolumeFractionMeshAlgorithm::PrintArrays(ostream& os, vtkIndent indent) 
   }
   os << "\n";
   PrintTexts(os, indent, "StateArrays", this->StateArrays);
-  os << indent << "StateTransfer: " << this->StateTransfer << "\n";
-  PrintTexts(os, indent, "DensityArrays", this->DensityArrays);
-  PrintTexts(os, indent, "StateKinds", this->StateKinds);
-  os << indent << "StateOrder: " << this->StateOrder << "\n";
-  os << indent << "VelocityArray: " << this->VelocityArray << "\n";
-  os << indent << "EnergyArray: " << this->EnergyArray << "\n";
-  os << indent << "NodalVelocity: " << this->NodalVelocity << "\n";
-  os << indent << "LostKineticEnergy: " << this->LostKineticEnergy << "\n";
-  os << indent << "UnmeshedMaterial: " << this->UnmeshedMaterial << "\n";
-  os << indent << "RefinementArray: " << this->RefinementArray << "\n";
+  for (const vfm::Option& option : vfm::GetOptionTable())
+  {
+    if (!option.OnlyTets || this->Options->Elements == vfm::ElementKind::Tets)
+    {
+      os << indent << option.Name << ": " << vfm::GetOption(*this->Options, option) << "\n";
+    }
+  }
 }

@@ -6,7 +6,7 @@
 
 vtkStandardNewMacro(vtkVolumeFractionToHex);
 
-void vtkVolumeFractionToHex::SpecialiseOptions(vfm::MesherOptions& options) const
+vtkVolumeFractionToHex::vtkVolumeFractionToHex() :
+  vtkVolumeFractionMeshAlgorithm(vfm::ElementKind::Hexes)
 {
-  options.Elements = vfm::ElementKind::Hexes;
 }

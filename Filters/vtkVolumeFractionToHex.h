@@ -42,10 +42,8 @@ public:
   vtkTypeMacro(vtkVolumeFractionToHex, vtkVolumeFractionMeshAlgorithm);
 
 protected:
-  vtkVolumeFractionToHex() = default;
+  vtkVolumeFractionToHex();
   ~vtkVolumeFractionToHex() override = default;
-
-  void SpecialiseOptions(vfm::MesherOptions& options) const override;
 
 private:
   vtkVolumeFractionToHex(const vtkVolumeFractionToHex&) = delete;

@@ -39,7 +39,6 @@ class VTKVOLUMEFRACTIONMESHFILTERS_EXPORT vtkVolumeFractionToTet :
 public:
   static vtkVolumeFractionToTet* New();
   vtkTypeMacro(vtkVolumeFractionToTet, vtkVolumeFractionMeshAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum MethodType
   {
@@ -48,73 +47,39 @@ public:
     METHOD_LATTICE = 2
   };
 
-  ///@{
-  /**
-   * How the tetrahedra are made. Default: METHOD_TETGEN where it was built in, else METHOD_LATTICE.
-   */
-  vtkSetClampMacro(Method, int, METHOD_TETGEN, METHOD_LATTICE);
-  vtkGetMacro(Method, int);
-  ///@}
-
   /**
    * Whether METHOD_TETGEN was built in; an error where it is asked for and was not.
    */
   static bool HasTetGen();
 
-  ///@{
-  /**
-   * METHOD_TETGEN: wished length of the edges beside the surfaces, in cells; at least 0.1. The triangles of the
-   * surfaces stay as they are. Default: 1.
-   */
-  vtkSetMacro(RelativeSize, double);
-  vtkGetMacro(RelativeSize, double);
-  ///@}
-
-  ///@{
-  /**
-   * METHOD_TETGEN: by how much that length grows over each cell of distance from the surfaces; at least 0.
-   * Default: 0.3.
-   */
-  vtkSetMacro(Growth, double);
-  vtkGetMacro(Growth, double);
-  ///@}
-
-  ///@{
-  /**
-   * METHOD_TETGEN: largest ratio of circumradius to shortest edge of a tetrahedron; at least 1. Default: 1.4.
-   */
-  vtkSetMacro(RadiusEdgeRatio, double);
-  vtkGetMacro(RadiusEdgeRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * METHOD_TETGEN: the dihedral angle that refinement strives for; 0 to 60 degrees. Default: 10.
-   */
-  vtkSetMacro(MinimumDihedralAngle, double);
-  vtkGetMacro(MinimumDihedralAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * METHOD_TETGEN: how much it flips and smooths; 0 to 10. Default: 4.
-   */
-  vtkSetMacro(OptimizationLevel, int);
-  vtkGetMacro(OptimizationLevel, int);
-  ///@}
+  // options: generated
+  /// How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes, cut along the
+  /// surfaces; the best angles, and the nearest to the surface. Cells: every cell is cut into
+  /// tetrahedra around its centre, so that the surfaces have the faces and labels of Volume
+  /// Fraction To Hex. TetGen: the surfaces of Cells, filled by TetGen with tetrahedra that grow
+  /// away from them; the fewest tetrahedra. TetGen is there only where it was built in. Takes
+  /// TetGen, Cells, Lattice (or 0 to 2); default Lattice.
+  vfmNumberOption(Method, int);
+  /// Wished length of the edges beside the surfaces, in cells of the grid. The triangles of the
+  /// surfaces stay as they are. Takes a number from 0.1 to 1e6; default 1.
+  vfmNumberOption(RelativeSize, double);
+  /// By how much the edges grow over each cell of distance from the surfaces. 0 keeps them as short
+  /// everywhere. Takes a number from 0 to 1e6; default 0.3.
+  vfmNumberOption(Growth, double);
+  /// Largest ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values give
+  /// more and better tetrahedra. Takes a number from 1 to 100; default 1.4.
+  vfmNumberOption(RadiusEdgeRatio, double);
+  /// The dihedral angle, in degrees, that refinement strives for. Takes a number from 0 to 60;
+  /// default 10.
+  vfmNumberOption(MinimumDihedralAngle, double);
+  /// How much TetGen flips and smooths the tetrahedra. Takes a whole number from 0 to 10; default
+  /// 4.
+  vfmNumberOption(OptimizationLevel, int);
+  // end of options
 
 protected:
   vtkVolumeFractionToTet();
   ~vtkVolumeFractionToTet() override = default;
-
-  void SpecialiseOptions(vfm::MesherOptions& options) const override;
-
-  int Method;
-  double RelativeSize = 1.0;
-  double Growth = 0.3;
-  double RadiusEdgeRatio = 1.4;
-  double MinimumDihedralAngle = 10.0;
-  int OptimizationLevel = 4;
 
 private:
   vtkVolumeFractionToTet(const vtkVolumeFractionToTet&) = delete;

@@ -2,8 +2,8 @@
 
 #include "ArrayMemory.h"
 #include "ControllerRanks.h"
-#include "FilterOptions.h"
 #include "HostImages.h"
+#include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
 #include "Sculptor.h"
 #include "Stage.h"
@@ -143,10 +143,10 @@ void SculptorSession::SetOption(const std::string& name, const std::string& valu
     this->IndexBase = value == "1" ? 1 : 0;
     return;
   }
-  SetFilterOption(*this->Tets, name, value);
-  if (IsFilterOption(*this->Hexes, name))
+  this->Tets->SetOption(name, value);
+  if (!FindOption(name)->OnlyTets)
   {
-    SetFilterOption(*this->Hexes, name, value);
+    this->Hexes->SetOption(name, value);
   }
   this->Options[name] = value;
 }

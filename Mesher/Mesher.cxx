@@ -73,9 +73,8 @@ LevelCells MesherRun::OpenCells() const
 InputWishes MesherRun::FindWishes() const
 {
   const bool isAutomatic = this->Options.Where == Refinement::Automatic;
-  const InputWishes wishes =
-    FindInputWishes(this->Levels, isAutomatic ? this->Options.RefinementArray : "",
-      isAutomatic ? this->Options.RefinementBoxes : std::vector<RefinementBox>(), this->Group);
+  const InputWishes wishes = FindInputWishes(this->Levels, FindRefinementArray(this->Options),
+    isAutomatic ? this->Options.RefinementBoxes : std::vector<RefinementBox>(), this->Group);
   this->Warn(wishes.Warning);
   return wishes;
 }

@@ -1,7 +1,7 @@
 #include "ArgumentOptions.h"
 
 #include "Base/ParseText.h"
-#include "FilterOptions.h"
+#include "Options/OptionTable.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,13 +14,13 @@ namespace
 using Taker = ArgumentTaker;
 
 /// Sets an option of the mesher to the value that follows.
-Taker TakeOption(const char* name)
+Taker TakeOption(const std::string& name)
 {
   return [name](Arguments& to, ArgumentWords& words, const std::string& option)
   { to.Options.emplace_back(name, words.TakeValue(option)); };
 }
 
-Taker SetOption(const char* name, const char* value)
+Taker SetTo(const std::string& name, const char* value)
 {
   return [name, value](Arguments& to, ArgumentWords&, const std::string&)
   { to.Options.emplace_back(name, value); };
@@ -187,9 +187,26 @@ Taker TakeNames(std::vector<std::string> Arguments::*member)
   { to.*member = words.TakeList(option); };
 }
 
+/// Of options that have names here: the value that follows, switches are turned on.
+std::vector<ArgumentOption> ListMesherArguments()
+{
+  std::vector<ArgumentOption> arguments;
+  for (const Option& option : GetOptionTable())
+  {
+    const std::string& name = option.Argument;
+    if (!name.empty())
+    {
+      const bool isSwitch = option.Kind == OptionKind::Switch;
+      arguments.push_back({ name.substr(0, name.find(' ')), "", "",
+        isSwitch ? SetTo(option.Name, "on") : TakeOption(option.Name) });
+    }
+  }
+  return arguments;
+}
+
 } // namespace
 
-const std::vector<ArgumentOption>& GetArgumentOptions()
+const std::vector<ArgumentOption>& GetOwnArguments()
 {
   static const std::vector<ArgumentOption> options{
     { "--input", "FILE", "what to mesh", TakeText(&Arguments::Input) },
@@ -210,53 +227,13 @@ const std::vector<ArgumentOption>& GetArgumentOptions()
       TakeMaterials },
     { "--state", "A,B,..", "cell arrays that the elements carry along: velocity, temperature",
       TakeNames(&Arguments::State) },
-    { "--density", "A,..",
-      "cell arrays of mass per volume, one or one a material: state is carried so that nothing is "
-      "lost",
-      TakeOption("DensityArrays") },
-    { "--state-kinds", "NAME=KIND,..",
-      "what arrays hold: mass (per mass), mass*OTHER, volume, cell, extensive, copy",
-      TakeOption("StateKinds") },
-    { "--velocity", "ARRAY", "whose momentum and kinetic energy are told",
-      TakeOption("VelocityArray") },
-    { "--energy", "ARRAY", "internal energy per mass", TakeOption("EnergyArray") },
-    { "--nodal-velocity", "", "velocity at nodes too, with the momentum of the elements",
-      SetOption("NodalVelocity", "on") },
-    { "--lost-kinetic-energy", "WHERE",
-      "that means lack: Report it, or add it to the InternalEnergy",
-      TakeOption("LostKineticEnergy") },
-    { "--unmeshed", "WHAT", "spray without elements: Give it to what is near, or Drop it",
-      TakeOption("UnmeshedMaterial") },
-    { "--state-transfer", "HOW",
-      "Automatic: Conserve with --density, else Copy, where elements take values of one cell",
-      TakeOption("StateTransfer") },
-    { "--state-order", "N", "1 constant in cells, 2 linear", TakeOption("StateOrder") },
     { "--fragments", "FILE.csv", "a table of the fragments too: volumes, centroids, neighbours",
       TakeText(&Arguments::Fragments) },
     { "--geometry", "FILE.vtm", "surfaces, curves and vertices too, and what bounds what",
       TakeText(&Arguments::Geometry) },
     { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
       TakeTets },
-    { "--stairstep", "", "cells become elements, nothing moves", SetOption("StairStep", "on") },
-    { "--smooth", "ID", "0 Off, 1 QuadricSurface, 2 GeometryBased", TakeOption("Smoothing") },
-    { "--no-smooth", "", "the same as --smooth Off", SetOption("Smoothing", "Off") },
-    { "--sharp-edges", "WHEN", "keep edges and corners: On, Automatic (parts, not fluids) or Off",
-      TakeOption("SharpEdges") },
-    { "--iso", "V", "a cell filled less than this is void", TakeOption("IsoValue") },
-    { "--void", "", "mesh the void too, as material 0", SetOption("MeshVoid", "on") },
-    { "--label-smoothing", "N",
-      "smooth the steps of labels by N passes of an average, 0 to 10; 2 or 3 do well",
-      TakeOption("LabelSmoothing") },
-    { "--label-names", "FILE",
-      "a table that names labels: a label and its name a line, or of ITK-SNAP, FreeSurfer, FSL",
-      TakeOption("LabelNames") },
-    { "--minimum-region", "N", "regions of fewer than N cells go to what is around them",
-      TakeOption("MinimumRegionCells") },
-    { "--aspect", "R",
-      "cut long cells first, until none is R times longer one way than another; 1.5 does well",
-      TakeOption("MaximumAspectRatio") },
-    { "--clip", "T", "clip fractions that lie outside [0, 1] by no more than T, to 0.1",
-      TakeOption("FractionTolerance") },
+    { "--no-smooth", "", "the same as --smooth Off", SetTo("Smoothing", "Off") },
     { "--refine", "N", "halve all cells N times before they are meshed, 0 to 10", TakeRefine },
     { "--refine-cells", "ARRAY",
       "refine the cells that a cell array names: how many times each is to be halved, 0 to 10",
@@ -280,6 +257,12 @@ const std::vector<ArgumentOption>& GetArgumentOptions()
       [](Arguments& to, ArgumentWords&, const std::string&) { to.Task = Command::Version; } },
   };
   return options;
+}
+
+const std::vector<ArgumentOption>& GetMesherArguments()
+{
+  static const std::vector<ArgumentOption> arguments = ListMesherArguments();
+  return arguments;
 }
 
 } // namespace vfm

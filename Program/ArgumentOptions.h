@@ -20,7 +20,10 @@ struct ArgumentOption
   ArgumentTaker Take;
 };
 
-/// In the order of the help.
-const std::vector<ArgumentOption>& GetArgumentOptions();
+/// Of the program itself, in the order of the help.
+const std::vector<ArgumentOption>& GetOwnArguments();
+
+/// Of the mesher (Option::Argument), which DescribeOptions tells.
+const std::vector<ArgumentOption>& GetMesherArguments();
 
 } // namespace vfm

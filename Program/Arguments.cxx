@@ -3,15 +3,12 @@
 #include "ArgumentOptions.h"
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
-#include "FilterOptions.h"
 #include "Images/ImageFile.h"
+#include "Options/SetOptions.h"
 #include "ReadInput.h"
 #include "State/ArrayStems.h"
 #include "WriteGeometry.h"
 #include "WriteMesh.h"
-
-#include "vtkNew.h"
-#include "vtkVolumeFractionToTet.h"
 
 #include <algorithm>
 #include <set>
@@ -21,13 +18,16 @@ namespace vfm
 namespace
 {
 
-const ArgumentOption& FindOption(const std::string& word)
+const ArgumentOption& FindArgument(const std::string& word)
 {
-  for (const ArgumentOption& option : GetArgumentOptions())
+  for (const auto* arguments : { &GetOwnArguments(), &GetMesherArguments() })
   {
-    if (option.Name == (word == "-h" ? "--help" : word))
+    for (const ArgumentOption& option : *arguments)
     {
-      return option;
+      if (option.Name == (word == "-h" ? "--help" : word))
+      {
+        return option;
+      }
     }
   }
   RefuseArguments("'" + word + "' is no option.");
@@ -119,7 +119,7 @@ void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
 }
 
 /// The last value of an option of the mesher; empty: none.
-std::string FindOption(const Arguments& from, const char* name)
+std::string FindValue(const Arguments& from, const char* name)
 {
   std::string array;
   for (const auto& option : from.Options)
@@ -135,7 +135,7 @@ std::string FindOption(const Arguments& from, const char* name)
 /// Throws where velocity or energy would be missing in the mesh, since only state that is conserved has them.
 void CheckConserved(const Arguments& from)
 {
-  const std::string how = FindOption(from, "StateTransfer");
+  const std::string how = FindValue(from, "StateTransfer");
   const bool isCopied = IsSameWord(how, "Copy") || how == "1"; // numbers stand for words
   const bool isConserved =
     IsSameWord(how, "Conserve") || how == "2" || (!isCopied && !from.Densities.empty());
@@ -149,8 +149,8 @@ void CheckConserved(const Arguments& from)
 /// Arrays are wanted that readers read and that are no materials.
 void SetNamedArrays(Arguments& to)
 {
-  to.RefinementArray = FindOption(to, "RefinementArray");
-  const std::string densities = FindOption(to, "DensityArrays");
+  to.RefinementArray = FindValue(to, "RefinementArray");
+  const std::string densities = FindValue(to, "DensityArrays");
   to.Densities = densities.empty() ? std::vector<std::string>() : SplitText(densities);
   for (const std::string& name : to.Densities)
   {
@@ -159,8 +159,8 @@ void SetNamedArrays(Arguments& to)
       to.State.push_back(name);
     }
   }
-  to.Velocity = FindOption(to, "VelocityArray");
-  to.Energy = FindOption(to, "EnergyArray");
+  to.Velocity = FindValue(to, "VelocityArray");
+  to.Energy = FindValue(to, "EnergyArray");
 }
 
 /// what: for the message.
@@ -260,7 +260,7 @@ Arguments ParseArguments(const std::vector<std::string>& given)
       TakeFile(arguments, word, seen);
       continue;
     }
-    const ArgumentOption& option = FindOption(word);
+    const ArgumentOption& option = FindArgument(word);
     if (IsGivenTwice(option.Name, seen))
     {
       RefuseArguments(option.Name + " is given twice.");
@@ -300,7 +300,7 @@ std::string GetHelp()
     "       [mpiexec -n RANKS] sculptor test [--tetmesh [METHOD]] [--no-smooth] [--stairstep] "
     "[--refine N] ..\n"
     "       [mpiexec -n RANKS] sculptor --list FILE\n\n";
-  for (const ArgumentOption& option : GetArgumentOptions())
+  for (const ArgumentOption& option : GetOwnArguments())
   {
     text += "  " + Padded(option.Name + " " + option.Value, 26) + option.Help + "\n";
   }
@@ -322,9 +322,8 @@ std::string GetHelp()
     "sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL; takes --tetmesh, "
     "--smooth, --no-smooth, --stairstep,\n"
     "--material 1, --refine N, --refine-cells (without an array: a few cells of one box).\n";
-  text += "\nOptions of the mesher, for --set\n";
-  vtkNew<vtkVolumeFractionToTet> mesher;
-  for (const std::string& line : ListFilterOptions(*mesher))
+  text += "\nOptions of the mesher, by --set or a name of their own\n";
+  for (const std::string& line : DescribeOptions(ElementKind::Tets))
   {
     text += "  " + line + "\n";
   }

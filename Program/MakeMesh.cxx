@@ -2,7 +2,6 @@
 
 #include "Base/Runtime.h"
 #include "ControllerRanks.h"
-#include "FilterOptions.h"
 #include "Stage.h"
 #include "VtkMessages.h"
 
@@ -92,7 +91,7 @@ vtkSmartPointer<vtkVolumeFractionMeshAlgorithm> MakeMesher(const Arguments& argu
   {
     for (const auto& option : arguments.Options)
     {
-      SetFilterOption(*mesher, option.first, option.second);
+      mesher->SetOption(option.first, option.second);
     }
   }
   catch (const InputError& error)

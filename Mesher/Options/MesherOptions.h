@@ -99,4 +99,10 @@ struct MesherOptions : MeshSettings, ConserveOptions
   int NumberOfThreads = 0; ///< who makes the Runtime heeds it
 };
 
+/// The array that chooses cells to refine, empty where none does.
+inline std::string FindRefinementArray(const MesherOptions& options)
+{
+  return options.Where == Refinement::Automatic ? options.RefinementArray : "";
+}
+
 } // namespace vfm

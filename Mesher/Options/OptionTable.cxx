@@ -168,7 +168,8 @@ OptionTable StateOptions()
 {
   return {
     Row("StateTransfer", Choice<&M::Transfer>({ "Automatic", "Copy", "Conserve" }),
-      "Copy: every element has the values of the cell that holds its centroid, or of the cell "
+      "How elements get the values of state arrays. Copy: every element has the values of the cell "
+      "that holds its centroid, or of the cell "
       "beside it with most of the element's material where that cell holds less than half. Nothing "
       "is averaged, so sums are not conserved. Conserve: elements share what the cells hold of "
       "their material, so that mass, momentum, energy of every material are those of the input. "

@@ -4,7 +4,6 @@
 #include "Base/Runtime.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace vfm
@@ -22,11 +21,6 @@ std::string WithMeaning(double number, const OptionRange& range)
 {
   const bool isSpecial = range.Special == number;
   return FormatNumber(number) + (isSpecial ? " (" + range.Meaning + ")" : "");
-}
-
-bool IsCount(double number)
-{
-  return number == std::floor(number) && std::abs(number) <= std::numeric_limits<int>::max();
 }
 
 /// Of a number; noun: what it is.
@@ -152,7 +146,12 @@ bool SetText(MesherOptions& options, const Option& option, const std::string& gi
     return SetBoxes(options.*(*boxes), text);
   }
   const std::optional<double> number = ParseValue(option, given);
-  return number && SetNumber(options, option, *number);
+  if (number && RangeOf(option).Holds(*number))
+  {
+    SetNumber(options, option, *number);
+    return true;
+  }
+  return false;
 }
 
 std::string Join(const Boxes& boxes)
@@ -241,19 +240,11 @@ double GetNumber(const MesherOptions& options, const Option& option)
   return count ? options.*(*count) : options.*std::get<double MesherOptions::*>(option.Member);
 }
 
-bool SetNumber(MesherOptions& options, const Option& option, double number)
+void SetNumber(MesherOptions& options, const Option& option, double number)
 {
-  const bool isChoice = option.Kind == OptionKind::Choice;
-  const OptionRange range =
-    isChoice ? OptionRange{ 0.0, static_cast<double>(option.Words.size()) - 1.0 } : option.Range;
-  const bool isCount = option.Kind == OptionKind::Integer;
-  if (!range.Holds(number) || (isCount && !IsCount(number)))
+  if (const auto* choice = std::get_if<ChoiceMember>(&option.Member))
   {
-    return false;
-  }
-  if (isChoice)
-  {
-    std::get<ChoiceMember>(option.Member).Set(options, static_cast<int>(number));
+    choice->Set(options, static_cast<int>(number));
   }
   else if (const auto* flag = std::get_if<bool MesherOptions::*>(&option.Member))
   {
@@ -267,7 +258,27 @@ bool SetNumber(MesherOptions& options, const Option& option, double number)
   {
     options.*std::get<double MesherOptions::*>(option.Member) = number;
   }
-  return true;
+}
+
+OptionRange RangeOf(const Option& option)
+{
+  OptionRange range = option.Range;
+  if (option.Kind == OptionKind::Switch || option.Kind == OptionKind::Choice)
+  {
+    range.Least = 0.0;
+    range.Most = std::max(1.0, static_cast<double>(option.Words.size()) - 1.0);
+  }
+  else if (option.Kind == OptionKind::Integer)
+  {
+    range.Least = std::max<double>(range.Least, std::numeric_limits<int>::min());
+    range.Most = std::min<double>(range.Most, std::numeric_limits<int>::max());
+  }
+  return range;
+}
+
+const std::string& GetText(const MesherOptions& options, const Option& option)
+{
+  return options.*std::get<std::string MesherOptions::*>(option.Member);
 }
 
 void SetOption(MesherOptions& options, const std::string& name, const std::string& value,
@@ -305,7 +316,7 @@ std::string GetOption(const MesherOptions& options, const Option& option)
       return WithoutSpaces(option.Words)[static_cast<int>(GetNumber(options, option))];
     case OptionKind::Array:
     case OptionKind::File:
-      return orNone(options.*std::get<std::string MesherOptions::*>(option.Member));
+      return orNone(GetText(options, option));
     case OptionKind::Arrays:
     case OptionKind::Kinds:
       return orNone(JoinTexts(options.*std::get<Texts MesherOptions::*>(option.Member)));
@@ -336,8 +347,11 @@ std::vector<std::string> DescribeOptions(ElementKind elements, const OptionTable
   {
     if (elements == ElementKind::Tets || !option.OnlyTets)
     {
-      lines.push_back(option.Name + ": " + option.Allowed() + "; default " +
-        GetOption(defaults, option) + (option.OnlyTets ? "; tetrahedra only" : ""));
+      const std::string name = option.Argument.empty() ? "" : ", " + option.Argument;
+      const std::string sentence = option.Text.substr(0, option.Text.find(". "));
+      lines.push_back(option.Name + name + ": " + option.Allowed() + "; default " +
+        GetOption(defaults, option) + (option.OnlyTets ? "; tetrahedra only" : "") + "\n      " +
+        sentence + (sentence.back() == '.' ? "" : "."));
     }
   }
   return lines;

@@ -22,13 +22,18 @@ std::string GetOption(const MesherOptions& options, const Option& option);
 
 /// Of a switch 0 or 1, of a choice the place of the word. Not of other kinds than those and numbers.
 double GetNumber(const MesherOptions& options, const Option& option);
-/// Whether the number is allowed; the options are as before where it is not.
-bool SetNumber(MesherOptions& options, const Option& option, double number);
+/// Sets a number as it is.
+void SetNumber(MesherOptions& options, const Option& option, double number);
+/// The numbers that SetNumber may set so that CheckOptions takes them.
+OptionRange RangeOf(const Option& option);
+
+/// The name of an array or a file; empty: none.
+const std::string& GetText(const MesherOptions& options, const Option& option);
 
 /// Throws InputError, as SetOption does, when a number is out of its range. Of hexahedra the options of tetrahedra are not checked.
 void CheckOptions(const MesherOptions& options, const OptionTable& table = GetOptionTable());
 
-/// For help, a line an option: its name, what it takes and its default.
+/// For help, two lines an option: its name, that of sculptor, what it takes and its default; the first sentence of its text.
 std::vector<std::string> DescribeOptions(
   ElementKind elements, const OptionTable& table = GetOptionTable());
 

@@ -51,6 +51,21 @@ bool IsStem(const std::vector<std::string>& listed, const std::string& name)
 
 } // namespace
 
+bool ConservesState(StateTransfer how, const std::vector<std::string>& densities)
+{
+  return how == StateTransfer::Conserve || (how == StateTransfer::Automatic && !densities.empty());
+}
+
+StateChoice ChooseState(const MesherOptions& options, std::vector<std::string> arrays)
+{
+  if (!ConservesState(options.Transfer, options.DensityArrays))
+  {
+    return { false, std::move(arrays), {}, {}, {}, {} };
+  }
+  return { true, std::move(arrays), options.DensityArrays, options.StateKinds,
+    options.VelocityArray, options.EnergyArray };
+}
+
 bool IsCandidate(const std::string& name, const StateChoice& choice)
 {
   return name == choice.Energy || IsOfVector(name, choice.Velocity);

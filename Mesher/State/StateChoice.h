@@ -3,13 +3,11 @@
  */
 #pragma once
 
-#include <string>
-#include <vector>
+#include "Options/MesherOptions.h"
 
 namespace vfm
 {
 
-/// As chosen by properties of the filters (vtkVolumeFractionMeshAlgorithm tells what they mean).
 struct StateChoice
 {
   bool IsConserved = false;        ///< else all arrays are copied
@@ -18,6 +16,12 @@ struct StateChoice
   std::vector<std::string> Kinds; ///< words name=kind
   std::string Velocity, Energy;   ///< empty: none
 };
+
+/// Whether state is conserved by an option where arrays are the densities.
+bool ConservesState(StateTransfer how, const std::vector<std::string>& densities);
+
+/// What options say of state. arrays: that are carried whether they are conserved or not.
+StateChoice ChooseState(const MesherOptions& options, std::vector<std::string> arrays);
 
 /// An array of the input that CompleteChoice asks for.
 struct StateCandidate

@@ -128,14 +128,15 @@ TEST(SetOptions, NumbersOutOfRangeAreFoundBeforeARun)
   EXPECT_THROW(CheckOptions(options), InputError);
 }
 
-TEST(SetOptions, HelpHasALineAnOption)
+TEST(SetOptions, HelpHasTwoLinesAnOption)
 {
   const std::vector<std::string> hexes = DescribeOptions(ElementKind::Hexes);
   const std::vector<std::string> tets = DescribeOptions(ElementKind::Tets);
   EXPECT_EQ(tets.size(), GetOptionTable().size());
   EXPECT_EQ(tets.size(), hexes.size() + 6);
   EXPECT_NE(std::find(tets.begin(), tets.end(),
-              "Method: TetGen, Cells, Lattice (or 0 to 2); default Lattice; tetrahedra only"),
+              "Method: TetGen, Cells, Lattice (or 0 to 2); default Lattice; tetrahedra only\n"
+              "      How the tetrahedra are made."),
     tets.end());
 }
 
@@ -149,7 +150,8 @@ TEST(SetOptions, AnAddedRowIsAnOption)
   SetOption(options, "new option", "0.75", table);
   EXPECT_EQ(GetOption(options, *FindOption("NewOption", table)), "0.75");
   EXPECT_EQ(DescribeOptions(ElementKind::Hexes, table).back(),
-    "NewOption: a number above 0 and below 1; default 0.5");
+    "NewOption, --iso V: a number above 0 and below 1; default 0.5\n"
+    "      A cell is void when its materials together fill less than this part of it.");
 }
 
 TEST(ParseText, NumbersAreFormattedAsShortAsTheyCanBe)

@@ -11,7 +11,7 @@ N = 12
 DATA = fraction_image(N)
 HAS_TETGEN = "TetGen" in TET_METHODS
 OWN_DEFAULTS = {
-    "Method": "TetGen" if HAS_TETGEN else "Lattice", "RelativeSize": 1.0, "Growth": 0.3, "RadiusEdgeRatio": 1.4,
+    "Method": "Lattice", "RelativeSize": 1.0, "Growth": 0.3, "RadiusEdgeRatio": 1.4,
     "MinimumDihedralAngle": 10.0, "OptimizationLevel": 4}
 OUT_OF_RANGE = {
     "RelativeSize": (0.0, -1.0), "Growth": (-0.1,), "RadiusEdgeRatio": (0.9,), "MinimumDihedralAngle": (-1.0, 61.0),

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import mpi4py.MPI  # which begins MPI
 
 sys.path[:0] = [os.environ["VFM_WRAPPERS"], os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts")]
-from list_properties import all_properties, entries, read_proxies
+from options.documents import all_properties, entries, read_proxies
 from volumefractionmesh import vtkVolumeFractionMeshFilters, vtkVolumeFractionMeshIO
 from vtkmodules import vtkIOParallelXML, vtkIOXML
 from vtkmodules.vtkCommonDataModel import vtkDataObject

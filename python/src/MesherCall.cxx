@@ -58,18 +58,18 @@ StateChoice CompleteState(const MesherCall& call, const BlockArrays& arrays)
 
 } // namespace
 
-StateChoice ReadStateChoice(nb::handle state)
+StateChoice ReadStateChoice(nb::handle state, StateTransfer transfer)
 {
   StateChoice choice;
   if (!state.is_none())
   {
     const auto from = nb::cast<nb::dict>(state);
     Read(from, "arrays", choice.Arrays);
-    Read(from, "conserved", choice.IsConserved);
     Read(from, "densities", choice.Densities);
     Read(from, "kinds", choice.Kinds);
     Read(from, "velocity", choice.Velocity);
     Read(from, "energy", choice.Energy);
+    choice.IsConserved = ConservesState(transfer, choice.Densities);
   }
   return choice;
 }

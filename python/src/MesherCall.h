@@ -29,7 +29,7 @@ struct MesherCall
 };
 
 /// Of a dict, or None.
-StateChoice ReadStateChoice(nanobind::handle state);
+StateChoice ReadStateChoice(nanobind::handle state, StateTransfer transfer);
 
 /// Throws InputError as the functions of InputBlocks and InputLevels do. call must outlive what is returned.
 MesherInput MakeInput(const MesherCall& call, Runtime& runtime);

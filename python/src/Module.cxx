@@ -57,14 +57,14 @@ nb::dict MakeMesh(const vfm::FileBlocks* blocks,
   const std::vector<std::pair<std::string, vfm::NumpyArray>>& arrays, const NodeArrays& coordinates,
   const std::array<double, 9>& axes, const std::array<double, 3>& origin, bool arePoints,
   const std::vector<std::string>& fractions, const std::string& labels,
-  const vfm::LabelNames& names, nb::handle state, const vfm::MesherOptions& options, int threads,
+  const vfm::LabelNames& names, nb::handle state, const vfm::MesherOptions& options,
   nb::handle progress, nb::handle warn)
 {
   const vfm::MesherCall call{ blocks ? blocks->Blocks : std::vector<vfm::InputBlock>(), arrays,
     Copy(coordinates), axes, origin, arePoints, fractions, labels, names,
-    vfm::ReadStateChoice(state) };
+    vfm::ReadStateChoice(state, options.Transfer) };
   const vfm::MesherOptions kept = options; // others may change them meanwhile
-  vfm::PythonRuntime runtime(threads, progress);
+  vfm::PythonRuntime runtime(kept.NumberOfThreads, progress);
   vfm::MesherResult result;
   runtime.Run(
     [&]
@@ -158,7 +158,7 @@ NB_MODULE(_core, module)
   BindBlocks(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
-    "threads"_a, "progress"_a.none(), "warn"_a);
+    "progress"_a.none(), "warn"_a);
   module.def("read_label_names", ReadNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());

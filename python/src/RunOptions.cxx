@@ -1,14 +1,15 @@
 #include "RunOptions.h"
 
-#include "Mesher.h"
-#include "TetPipeline.h"
+#include "Base/ParseText.h"
+#include "Options/SetOptions.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <string>
-#include <type_traits>
+#include <algorithm>
+#include <array>
+#include <cctype>
 
 namespace vfm
 {
@@ -19,157 +20,211 @@ namespace nb = nanobind;
 
 using Box = std::array<double, 7>; // from, to, halvings
 
-class OptionBinder
+/// Quadric Surface: quadric_surface.
+std::string SnakeWord(std::string word)
 {
-public:
-  explicit OptionBinder(nb::module_& module) : Class(module, "Options")
+  for (char& c : word)
   {
-    this->Class.def("__init__",
-      [](MesherOptions* self)
-      {
-        MesherOptions& options = *new (self) MesherOptions();
-        options.Edges = SharpEdges::Automatic;
-        options.Tets = HasTetGen() ? TetMethod::TetGen : TetMethod::Lattice;
-      });
+    c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
-
-  /// get: the member of options.
-  template <class Get>
-  void Add(const char* name, Get get)
-  {
-    using Value = std::decay_t<decltype(get(std::declval<MesherOptions&>()))>;
-    this->Class.def_prop_rw(
-      name, [get](MesherOptions& self) -> Value { return get(self); },
-      [get](MesherOptions& self, Value value) { get(self) = value; });
-  }
-
-  /// The same of an enumeration, as numbers from 0 to last.
-  template <class Get, class Value>
-  void Add(const char* name, Get get, Value last)
-  {
-    this->Class.def_prop_rw(
-      name, [get](MesherOptions& self) { return static_cast<int>(get(self)); },
-      [get, last, name](MesherOptions& self, int value)
-      {
-        if (value < 0 || value > static_cast<int>(last))
-        {
-          const std::string most = std::to_string(static_cast<int>(last));
-          throw nb::value_error((std::string(name) + " must be from 0 to " + most + ".").c_str());
-        }
-        get(self) = static_cast<Value>(value);
-      });
-  }
-
-  void AddElements()
-  {
-    this->Class.def_prop_rw(
-      "tets", [](MesherOptions& self) { return self.Elements == ElementKind::Tets; },
-      [](MesherOptions& self, bool tets)
-      { self.Elements = tets ? ElementKind::Tets : ElementKind::Hexes; });
-  }
-
-  void AddBoxes()
-  {
-    this->Class.def_prop_rw(
-      "refinement_boxes",
-      [](MesherOptions& self)
-      {
-        std::vector<Box> boxes;
-        for (const auto& [l, u, halvings] : self.RefinementBoxes)
-        {
-          boxes.push_back({ { l[0], l[1], l[2], u[0], u[1], u[2], halvings } });
-        }
-        return boxes;
-      },
-      [](MesherOptions& self, const std::vector<Box>& boxes)
-      {
-        self.RefinementBoxes.clear();
-        for (const Box& b : boxes)
-        {
-          self.RefinementBoxes.push_back(
-            { { { b[0], b[1], b[2] } }, { { b[3], b[4], b[5] } }, b[6] });
-        }
-      });
-  }
-
-private:
-  nb::class_<MesherOptions> Class;
-};
-
-using Options = MesherOptions;
-
-void AddMeshOptions(OptionBinder& to)
-{
-  to.Add("iso_value", [](Options& o) -> double& { return o.IsoValue; });
-  to.Add("mesh_void", [](Options& o) -> bool& { return o.MeshVoid; });
-  to.Add("stair_step", [](Options& o) -> bool& { return o.StairStep; });
-  to.Add(
-    "smoothing", [](Options& o) -> Smoothing& { return o.Method; }, Smoothing::GeometryBased);
-  to.Add("target_scaled_jacobian", [](Options& o) -> double& { return o.TargetScaledJacobian; });
-  to.Add(
-    "sharp_edges", [](Options& o) -> SharpEdges& { return o.Edges; }, SharpEdges::Automatic);
-  to.Add("conserve_volume", [](Options& o) -> bool& { return o.ConserveVolume; });
-  to.Add("compute_quality", [](Options& o) -> bool& { return o.ComputeQuality; });
+  return word;
 }
 
-void AddInputOptions(OptionBinder& to)
+/// The words of a choice there, quoted.
+std::string QuoteWords(const Option& option)
 {
-  to.Add("fraction_tolerance", [](Options& o) -> double& { return o.FractionTolerance; });
-  to.Add("label_smoothing", [](Options& o) -> int& { return o.LabelSmoothing; });
-  to.Add("minimum_region_cells", [](Options& o) -> int& { return o.MinimumRegionCells; });
-  to.Add("maximum_aspect_ratio", [](Options& o) -> double& { return o.MaximumAspectRatio; });
+  std::vector<std::string> quoted;
+  for (const std::string& word : option.Words)
+  {
+    quoted.push_back("'" + SnakeWord(word) + "'");
+  }
+  return JoinTexts(quoted);
 }
 
-void AddRefinementOptions(OptionBinder& to)
+/// What an option takes, in the words of Python.
+std::string AllowedInPython(const Option& option)
 {
-  to.Add(
-    "refinement", [](Options& o) -> Refinement& { return o.Where; }, Refinement::Uniform);
-  to.Add("maximum_level", [](Options& o) -> int& { return o.MaximumLevel; });
-  to.Add(
-    "child_fractions", [](Options& o) -> ChildRule& { return o.Children; }, ChildRule::Parent);
-  to.Add("fine_interfaces", [](Options& o) -> bool& { return o.FineInterfaces; });
-  to.Add("fine_layers", [](Options& o) -> int& { return o.FineLayers; });
-  to.Add("thin_cells", [](Options& o) -> double& { return o.ThinCells; });
-  to.Add("curvature_per_cell", [](Options& o) -> double& { return o.CurvaturePerCell; });
-  to.Add("refine_flipped_cells", [](Options& o) -> bool& { return o.RefineFlippedCells; });
-  to.Add("interface_layers", [](Options& o) -> int& { return o.InterfaceLayers; });
-  to.Add("refinement_array", [](Options& o) -> std::string& { return o.RefinementArray; });
-  to.AddBoxes();
+  return option.Kind == OptionKind::Switch ? "True or False"
+    : option.Kind == OptionKind::Choice    ? QuoteWords(option)
+                                           : option.Allowed();
 }
 
-void AddTetOptions(OptionBinder& to)
+std::string Describe(const Option& option, nb::handle value)
 {
-  to.Add(
-    "method", [](Options& o) -> TetMethod& { return o.Tets; }, TetMethod::Lattice);
-  to.Add("relative_size", [](Options& o) -> double& { return o.RelativeSize; });
-  to.Add("growth", [](Options& o) -> double& { return o.Growth; });
-  to.Add("radius_edge_ratio", [](Options& o) -> double& { return o.RadiusEdgeRatio; });
-  to.Add("minimum_dihedral_angle", [](Options& o) -> double& { return o.MinimumDihedralAngle; });
-  to.Add("optimization_level", [](Options& o) -> int& { return o.OptimizationLevel; });
+  return option.Python + " is " + nb::cast<std::string>(nb::repr(value)) + ": it must be " +
+    AllowedInPython(option) + ".";
 }
 
-void AddStateOptions(OptionBinder& to)
+[[noreturn]] void RefuseType(const Option& option, nb::handle value)
 {
-  to.Add("state_order", [](Options& o) -> int& { return o.StateOrder; });
-  to.Add(
-    "give_unmeshed", [](Options& o) -> Unmeshed& { return o.UnmeshedMaterial; }, Unmeshed::Drop);
-  to.Add("nodal_velocity", [](Options& o) -> bool& { return o.NodalVelocity; });
-  to.Add(
-    "lost_to_internal", [](Options& o) -> LostEnergy& { return o.LostKineticEnergy; },
-    LostEnergy::InternalEnergy);
+  PyErr_Clear();
+  throw nb::type_error(Describe(option, value).c_str());
+}
+
+[[noreturn]] void RefuseValue(const Option& option, nb::handle value)
+{
+  PyErr_Clear();
+  throw nb::value_error(Describe(option, value).c_str());
+}
+
+double ReadSwitch(const Option& option, nb::handle value)
+{
+  const int isTrue = PyObject_RichCompareBool(value.ptr(), Py_True, Py_EQ);
+  const int isFalse = PyObject_RichCompareBool(value.ptr(), Py_False, Py_EQ);
+  if (isTrue != 1 && isFalse != 1)
+  {
+    RefuseType(option, value);
+  }
+  return isTrue == 1 ? 1.0 : 0.0;
+}
+
+double ReadChoice(const Option& option, nb::handle value)
+{
+  if (!nb::isinstance<nb::str>(value))
+  {
+    RefuseType(option, value);
+  }
+  const auto word = nb::cast<std::string>(value);
+  const auto found = std::find_if(option.Words.begin(), option.Words.end(),
+    [&word](const std::string& other) { return SnakeWord(other) == word; });
+  if (found == option.Words.end())
+  {
+    RefuseValue(option, value);
+  }
+  return static_cast<double>(found - option.Words.begin());
+}
+
+/// Of a whole number or any; texts are none.
+double ReadNumber(const Option& option, nb::handle value)
+{
+  const bool isText = nb::isinstance<nb::str>(value) || nb::isinstance<nb::bytes>(value);
+  const bool isWhole = option.Kind == OptionKind::Integer;
+  const nb::object number = nb::steal(isText ? nullptr
+      : isWhole                              ? PyNumber_Index(value.ptr())
+                                             : PyNumber_Float(value.ptr()));
+  if (!number.is_valid())
+  {
+    RefuseType(option, value);
+  }
+  const double found = isWhole ? PyLong_AsDouble(number.ptr()) : PyFloat_AsDouble(number.ptr());
+  if (PyErr_Occurred() || !RangeOf(option).Holds(found)) // nor NaN
+  {
+    RefuseValue(option, value);
+  }
+  return found;
+}
+
+void Set(MesherOptions& options, const Option& option, nb::handle value)
+{
+  const double number = option.Kind == OptionKind::Switch ? ReadSwitch(option, value)
+    : option.Kind == OptionKind::Choice                   ? ReadChoice(option, value)
+                                                          : ReadNumber(option, value);
+  SetNumber(options, option, number);
+}
+
+nb::object Get(const MesherOptions& options, const Option& option)
+{
+  const double number = GetNumber(options, option);
+  switch (option.Kind)
+  {
+    case OptionKind::Switch:
+      return nb::bool_(number != 0.0);
+    case OptionKind::Choice:
+      return nb::str(SnakeWord(option.Words[static_cast<int>(number)]).c_str());
+    case OptionKind::Integer:
+      return nb::int_(static_cast<int>(number));
+    default:
+      return nb::float_(number);
+  }
+}
+
+std::vector<Box> GetBoxes(const MesherOptions& options)
+{
+  std::vector<Box> boxes;
+  for (const auto& [l, u, halvings] : options.RefinementBoxes)
+  {
+    boxes.push_back({ { l[0], l[1], l[2], u[0], u[1], u[2], halvings } });
+  }
+  return boxes;
+}
+
+void SetBoxes(MesherOptions& options, const std::vector<Box>& boxes)
+{
+  options.RefinementBoxes.clear();
+  for (const Box& b : boxes)
+  {
+    options.RefinementBoxes.push_back({ { b[0], b[1], b[2] }, { b[3], b[4], b[5] }, b[6] });
+  }
+}
+
+/// Of those that Python has by name, a dict each.
+nb::list DescribeTable()
+{
+  const MesherOptions defaults;
+  nb::list rows;
+  for (const Option& option : GetOptionTable())
+  {
+    if (!option.Python.empty())
+    {
+      nb::dict row;
+      row["name"] = option.Python;
+      row["kind"] = static_cast<int>(option.Kind);
+      row["default"] = Get(defaults, option);
+      row["allowed"] = AllowedInPython(option);
+      nb::list words;
+      for (const std::string& word : option.Words)
+      {
+        words.append(SnakeWord(word));
+      }
+      row["words"] = words;
+      row["least"] = option.Range.Least;
+      row["most"] = option.Range.Most;
+      row["group"] = option.Group;
+      row["tets"] = option.OnlyTets;
+      row["text"] = option.Text;
+      rows.append(row);
+    }
+  }
+  return rows;
+}
+
+void Init(MesherOptions* self, bool tets, const nb::kwargs& values)
+{
+  MesherOptions& options = *new (self) MesherOptions();
+  options.Elements = tets ? ElementKind::Tets : ElementKind::Hexes;
+  for (const auto& [name, value] : values)
+  {
+    const auto given = nb::cast<std::string>(name);
+    const OptionTable& table = GetOptionTable();
+    const auto found = std::find_if(table.begin(), table.end(),
+      [&given](const Option& option) { return option.Python == given; });
+    if (found == table.end())
+    {
+      throw nb::type_error(("There is no option '" + given + "'.").c_str());
+    }
+    Set(options, *found, value);
+  }
 }
 
 } // namespace
 
 void BindOptions(nb::module_& module)
 {
-  OptionBinder binder(module);
-  binder.AddElements();
-  AddMeshOptions(binder);
-  AddInputOptions(binder);
-  AddRefinementOptions(binder);
-  AddTetOptions(binder);
-  AddStateOptions(binder);
+  nb::class_<MesherOptions> type(module, "Options");
+  for (const Option& option : GetOptionTable())
+  {
+    if (!option.Python.empty())
+    {
+      const Option* row = &option;
+      type.def_prop_rw(
+        option.Python.c_str(), [row](const MesherOptions& self) { return Get(self, *row); },
+        [row](MesherOptions& self, nb::handle value) { Set(self, *row, value); });
+    }
+  }
+  type.def("__init__", Init, nb::arg("tets"), nb::arg("values"));
+  type.def_rw("refinement_array", &MesherOptions::RefinementArray);
+  type.def_prop_rw("refinement_boxes", GetBoxes, SetBoxes);
+  module.def("describe_options", DescribeTable);
 }
 
 } // namespace vfm

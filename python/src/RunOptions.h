@@ -8,7 +8,7 @@
 namespace vfm
 {
 
-/// Options: MesherOptions with the defaults of the filters.
+/// Options: MesherOptions by the names that the table has for Python; describe_options.
 void BindOptions(nanobind::module_& module);
 
 } // namespace vfm

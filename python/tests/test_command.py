@@ -11,7 +11,7 @@ import volume_fraction_mesh as vfm
 from fields import BALL, LABELS, PLATE, STATE
 from test_shapes import CUBE, TRIANGLES, write_stl
 from volume_fraction_mesh.__main__ import main, make_parser
-from volume_fraction_mesh._options import COMMON, OF_TETS, STATE as OF_STATE, THREADS
+from volume_fraction_mesh._options import OPTIONS
 
 pyvista = pytest.importorskip("pyvista")
 
@@ -134,9 +134,9 @@ def test_errors(run):
 
 def test_every_option():
     words = make_parser().format_help()
-    for option in OF_STATE + COMMON + OF_TETS + (THREADS,):
+    for option in OPTIONS:
         assert "--" + option.name.replace("_", "-") in words
-    assert "Passes, 0 to 10" in " ".join(words.split())
+    assert "a whole number from 0 to 10" in " ".join(words.split())
 
 
 def test_module():

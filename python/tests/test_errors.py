@@ -164,7 +164,7 @@ WRONG = {
     "aspect ratio": (
         dict(fractions=BALL, maximum_aspect_ratio=1.05),
         ValueError,
-        "MaximumAspectRatio is 1.05: it must be at least 1.1",
+        "maximum_aspect_ratio is 1.05: it must be 0 (off) or a number, 1.1 or more",
     ),
     "arrays without image": (dict(fractions=BALL, arrays=["ball"]), TypeError, "arrays is ['ball']"),
 }

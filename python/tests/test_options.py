@@ -8,25 +8,24 @@ import pytest
 import volume_fraction_mesh as vfm
 from fields import BALL
 from volume_fraction_mesh import _core
-from volume_fraction_mesh._options import COMMON, OF_TETS, STATE, THREADS, options_of
+from volume_fraction_mesh._options import OPTIONS
 
-ALL = STATE + COMMON + OF_TETS + (THREADS,)
-NUMBERS = [option for option in ALL if option.kind in ("whole", "real")]
-IN_CORE = [
-    option
-    for option in ALL
-    if option.name not in ("threads", "state_transfer", "lost_kinetic_energy", "unmeshed_material")
-]
+NUMBERS = [option for option in OPTIONS if option.kind in ("whole", "real")]
+OPENS = {"iso_value": "()", "target_scaled_jacobian": "[)"}  # of ranges
 
 
 def make_of(option):
-    return vfm.tets if option in OF_TETS else vfm.hexes
+    return vfm.tets if option.tets else vfm.hexes
+
+
+def options_of(make):
+    return [option for option in OPTIONS if make is vfm.tets or not option.tets]
 
 
 @pytest.mark.parametrize("make", [vfm.hexes, vfm.tets])
 def test_signatures(make):
     told = inspect.signature(make).parameters
-    for option in options_of(make is vfm.tets) + (THREADS,):
+    for option in options_of(make):
         assert told[option.name].default == option.default and told[option.name].kind is inspect.Parameter.KEYWORD_ONLY
     others = {
         "fractions",
@@ -46,43 +45,41 @@ def test_signatures(make):
         "refinement_array",
         "refinement_boxes",
         "progress",
-        "threads",
     }
-    assert set(told) == others | {option.name for option in options_of(make is vfm.tets)}
+    assert set(told) == others | {option.name for option in options_of(make)}
     for name in told:
         assert re.search(r"\b%s\b.* : " % name, vfm.hexes.__doc__ + vfm.tets.__doc__), name
 
 
-@pytest.mark.parametrize("option", IN_CORE, ids=lambda option: option.name)
+@pytest.mark.parametrize("option", OPTIONS, ids=lambda option: option.name)
 def test_defaults_are_those_of_the_core(option):
-    if option.name == "method":
-        return  # the filters prefer TetGen where it is built in
-    assert getattr(_core.Options(), option.name) == option.check(option.default)
+    assert getattr(_core.Options(option.tets), option.name) == option.default
 
 
 @pytest.mark.parametrize("option", NUMBERS, ids=lambda option: option.name)
 def test_ranges(option):
-    step = 1 if option.kind == "whole" else 1e-9
-    inside = [low for low in (option.low,) if option.ends[0] == "["] + [
-        high for high in (option.high,) if option.ends[1] == "]"
-    ]
-    for value in inside:
-        assert abs(value) == float("inf") or option.check(value) == value
+    of, step = (int, 1) if option.kind == "whole" else (float, 1e-9)
+    least, most = (end if abs(end) == float("inf") else of(end) for end in (option.least, option.most))
+    ends = OPENS.get(option.name, "[]")
+    options = _core.Options(option.tets)
+    for value in (option.default, least if ends[0] == "[" else 0.3, most if ends[1] == "]" else 0.3):
+        if abs(value) < float("inf"):
+            setattr(options, option.name, value)
+            assert getattr(options, option.name) == value
     for value in (
-        option.low - step,
-        option.high + step * max(1, abs(option.high)),
-        float("nan") if option.kind == "real" else option.low - 7,
+        least - step if ends[0] == "[" else least,
+        most + step * max(1, abs(most)) if ends[1] == "]" else most,
+        float("nan") if option.kind == "real" else least - 7,
     ):
         if abs(value) == float("inf"):
             continue
         with pytest.raises(ValueError) as told:
             make_of(option)(BALL, **{option.name: value})
-        assert (
-            option.name in str(told.value) and repr(value) in str(told.value) and "%g" % option.low in str(told.value)
-        )
+        assert str(told.value) == "%s is %r: it must be %s." % (option.name, value, option.allowed)
+        assert re.search("%g" % least, option.allowed.replace("e-", "e-0"))
 
 
-@pytest.mark.parametrize("option", ALL, ids=lambda option: option.name)
+@pytest.mark.parametrize("option", OPTIONS, ids=lambda option: option.name)
 def test_wrong_types(option):
     for value in ("3", None, [1], 1.5 if option.kind == "whole" else {}):
         with pytest.raises((TypeError, ValueError)) as told:
@@ -91,10 +88,12 @@ def test_wrong_types(option):
         assert str(told.value).startswith("%s is %r: it must be " % (option.name, value))
 
 
-@pytest.mark.parametrize("option", [option for option in ALL if option.kind == "word"], ids=lambda option: option.name)
+@pytest.mark.parametrize("option", [option for option in OPTIONS if option.kind == "word"], ids=lambda option: option.name)
 def test_words(option):
-    for number, word in enumerate(option.words):
-        assert option.check(word) == number
+    options = _core.Options(option.tets)
+    for word in option.words:
+        setattr(options, option.name, word)
+        assert getattr(options, option.name) == word
     with pytest.raises(ValueError) as told:
         make_of(option)(BALL, **{option.name: "Quick"})
     assert all(repr(word) in str(told.value) for word in option.words)

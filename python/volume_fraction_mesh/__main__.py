@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-import re
 import sys
 import warnings
 from typing import Any, Dict, List, Optional
@@ -14,25 +13,16 @@ import numpy as np
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
 from ._core import read_label_names
 from ._files import are_labels, read_source
-from ._options import COMMON, OF_TETS, STATE, THREADS, Option
+from ._options import OPTIONS, Option
 from .mesh import Mesh
 
-OPTIONS = STATE + COMMON + OF_TETS
 
-
-def _helps() -> Dict[str, str]:
-    """What the documentation of hexes() and tets() says of each option."""
-    text = (hexes.__doc__ or "") + (tets.__doc__ or "")
-    found = re.findall(r"^    (\w+) : .*\n((?:        .*\n)+)", text, re.MULTILINE)
-    return {name: " ".join(lines.split()).replace("%", "%%") for name, lines in found}
-
-
-def _add_option(group: Any, option: Option, told: str) -> None:
-    word = "--" + option.name.replace("_", "-")
+def _add_option(group: Any, option: Option) -> None:
+    word, told = "--" + option.name.replace("_", "-"), option.text.replace("%", "%%")
     if option.kind == "flag":
         group.add_argument(word, action=argparse.BooleanOptionalAction, default=option.default, help=told)
     else:
-        told += " (%s; %s)" % (option.range(), option.default)
+        told += " (%s; %s)" % (option.allowed, option.default)
         kind = {"word": str, "whole": int, "real": float}[option.kind]
         group.add_argument(word, type=kind, default=option.default, metavar=option.kind.upper(), help=told)
 
@@ -80,11 +70,11 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--surfaces", metavar="FILE", help="write the surfaces of the mesh, .vtp")
     parser.add_argument("--fragments", metavar="FILE", dest="table", help="write a table of the fragments, .csv")
     parser.add_argument("--quiet", action="store_true", help="no progress, no summary")
-    helps = _helps()
-    for title, options in (("options", COMMON + (THREADS,)), ("state", STATE), ("tetrahedra", OF_TETS)):
+    for title in dict.fromkeys(option.group for option in OPTIONS):
         group = parser.add_argument_group(title)
-        for option in options:
-            _add_option(group, option, helps.get(option.name, ""))
+        for option in OPTIONS:
+            if option.group == title:
+                _add_option(group, option)
     return parser
 
 
@@ -92,7 +82,7 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     """Of hexes() or tets()."""
     source = read_source(words.input, words.array, words.cells, words.step)
     given: Dict[str, Any] = {
-        option.name: getattr(words, option.name) for option in STATE + COMMON + (OF_TETS if words.tets else ())
+        option.name: getattr(words, option.name) for option in OPTIONS if words.tets or not option.tets
     }
     labels = words.labels or (not words.fractions and are_labels(source, words.array))
     if source.is_image:
@@ -173,7 +163,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
     warnings.simplefilter("always", VolumeFractionMeshWarning)
     try:
         make = tets if words.tets else hexes
-        mesh = make(**_arguments(words), threads=words.threads, progress=not words.quiet)
+        mesh = make(**_arguments(words), progress=not words.quiet)
         mesh.save(words.output)
         if words.surfaces:
             mesh.to_pyvista("surfaces").save(words.surfaces)

@@ -23,9 +23,22 @@ class Field(NamedTuple):
     blocks: Optional[Blocks] = None  # of a file, which has the arrays; grid and arrays are empty
 
 
-def read_field(given: Mapping[str, Any]) -> Field:
-    """given: the arguments of hexes()."""
-    fractions, labels = given["fractions"], given["labels"]
+class Source(NamedTuple):
+    """Arguments of hexes() that tell of materials and their grid."""
+
+    fractions: Any
+    labels: Any
+    spacing: Any
+    origin: Any
+    coordinates: Any
+    direction: Any
+    order: Any
+    names: Any
+    arrays: Any
+
+
+def read_field(given: Source) -> Field:
+    fractions, labels = given.fractions, given.labels
     if fractions is None and labels is None:
         raise TypeError(
             "Neither fractions nor labels are given: give volume fractions, an array a material, or "
@@ -35,10 +48,10 @@ def read_field(given: Mapping[str, Any]) -> Field:
         raise TypeError("Both fractions and labels are given: give one or the other.")
     if isinstance(fractions, Blocks) or isinstance(labels, Blocks):
         return _blocks_field(given)
-    order = check_order(given["order"])
+    order = check_order(given.order)
     if labels is not None:
         return _read_labels(labels, order, given)
-    image = read_image(fractions, given["arrays"])
+    image = read_image(fractions, given.arrays)
     if image is not None:
         return _image_field(image, given, labels=False)
     return _read_fractions(fractions, order, given)
@@ -58,16 +71,16 @@ def _named_fractions(fractions: Any, names: Optional[Sequence[str]]) -> List[Tup
     return list(zip(names, values))
 
 
-def _read_fractions(fractions: Any, order: str, given: Mapping[str, Any]) -> Field:
-    named = _named_fractions(fractions, given["names"])
+def _read_fractions(fractions: Any, order: str, given: Source) -> Field:
+    named = _named_fractions(fractions, given.names)
     if not named:
         raise ValueError("fractions are empty: an array a material is needed.")
-    images = [read_image(value, given["arrays"]) for _, value in named]
+    images = [read_image(value, given.arrays) for _, value in named]
     first = images[0]
     if first is not None:
         return _join_images([name for name, _ in named], images, given)
-    if any(images) or given["arrays"] is not None:
-        raise TypeError("arrays is %r, or some fractions are images: all must be, or none." % (given["arrays"],))
+    if any(images) or given.arrays is not None:
+        raise TypeError("arrays is %r, or some fractions are images: all must be, or none." % (given.arrays,))
     arrays = CellArrays(order)
     for name, value in named:
         array = as_fractions(value, name)
@@ -76,23 +89,23 @@ def _read_fractions(fractions: Any, order: str, given: Mapping[str, Any]) -> Fie
     return Field(arrays, _given_grid(arrays.cells, given), [name for name, _ in named], "", {})
 
 
-def _given_grid(cells: Any, given: Mapping[str, Any]) -> Grid:
-    return make_grid(cells, given["spacing"], given["origin"], given["coordinates"], given["direction"])
+def _given_grid(cells: Any, given: Source) -> Grid:
+    return make_grid(cells, given.spacing, given.origin, given.coordinates, given.direction)
 
 
-def _read_labels(labels: Any, order: str, given: Mapping[str, Any]) -> Field:
-    image = read_image(labels, given["arrays"])
+def _read_labels(labels: Any, order: str, given: Source) -> Field:
+    image = read_image(labels, given.arrays)
     if image is not None:
         return _image_field(image, given, labels=True)
-    if given["arrays"] is not None:
-        raise TypeError("arrays is %r: it names arrays of an image." % (given["arrays"],))
+    if given.arrays is not None:
+        raise TypeError("arrays is %r: it names arrays of an image." % (given.arrays,))
     if isinstance(labels, (Mapping, list, tuple)):
         raise TypeError("labels are a %s: one array of whole numbers is needed." % type(labels).__name__)
     array = as_numbers(labels, "labels")
     check_3d(array, "labels")
     arrays = CellArrays(order)
     arrays.add("labels", array)
-    return Field(arrays, _given_grid(cells_of(array, order), given), [], "labels", _label_names(given["names"]))
+    return Field(arrays, _given_grid(cells_of(array, order), given), [], "labels", _label_names(given.names))
 
 
 def _label_names(names: Any) -> Dict[int, str]:
@@ -106,20 +119,20 @@ def _label_names(names: Any) -> Dict[int, str]:
     return {int(label): name for label, name in names.items()}
 
 
-def _check_no_grid(given: Mapping[str, Any]) -> None:
+def _check_no_grid(given: Source) -> None:
     """An image tells its grid itself."""
-    told = [name for name in ("coordinates", "direction") if given[name] is not None]
-    told += [name for name, default in (("spacing", UNIT), ("origin", NOWHERE)) if not is_default(given[name], default)]
+    told = [name for name in ("coordinates", "direction") if getattr(given, name) is not None]
+    told += [name for name, default in (("spacing", UNIT), ("origin", NOWHERE)) if not is_default(getattr(given, name), default)]
     if told:
         raise TypeError("%s cannot be given too: the image tells where its cells are." % " and ".join(told))
 
 
-def _blocks_field(given: Mapping[str, Any]) -> Field:
+def _blocks_field(given: Source) -> Field:
     """Of fractions or labels that read() returned."""
     _check_no_grid(given)
-    labels, names = given["labels"], given["names"]
-    blocks = given["fractions"] if labels is None else labels
-    chosen = blocks.fractions if given["arrays"] is None else check_names(given["arrays"])
+    labels, names = given.labels, given.names
+    blocks = given.fractions if labels is None else labels
+    chosen = blocks.fractions if given.arrays is None else check_names(given.arrays)
     grid = Grid((np.empty(0),) * 3)
     if labels is not None:
         if len(chosen) != 1:
@@ -142,9 +155,9 @@ def _image_arrays(image: Image) -> CellArrays:
     return arrays
 
 
-def _image_field(image: Image, given: Mapping[str, Any], labels: bool) -> Field:
+def _image_field(image: Image, given: Source, labels: bool) -> Field:
     _check_no_grid(given)
-    names = given["names"]
+    names = given.names
     if labels:
         if len(image.chosen) != 1:
             raise ValueError("labels are %d arrays, %r: one is needed." % (len(image.chosen), image.chosen))
@@ -160,7 +173,7 @@ def _image_field(image: Image, given: Mapping[str, Any], labels: bool) -> Field:
     return Field(_image_arrays(image), image.grid, chosen, "", {})
 
 
-def _join_images(names: Sequence[str], images: Sequence[Optional[Image]], given: Mapping[str, Any]) -> Field:
+def _join_images(names: Sequence[str], images: Sequence[Optional[Image]], given: Source) -> Field:
     """An image a material, all on one grid."""
     _check_no_grid(given)
     first = images[0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from numbers import Real
 from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -11,13 +12,21 @@ from . import _core
 from ._arrays import check_order, shaped
 from ._grid import make_grid
 from ._images import Fractions
-from ._options import THREADS, Option
 from ._progress import shown
 from ._surfaces import read_surface
 from ._types import Order, Progress, Triple
 
-TOLERANCE = Option("tolerance", "real", 1e-4, 1e-8, 0.1)
+TOLERANCES = (1e-8, 0.1)
 MARGIN = 2  # cells around surfaces
+
+
+def _check_tolerance(value: Any) -> float:
+    text = "tolerance is %r: it must be a number from %g to %g." % (value, *TOLERANCES)
+    if not isinstance(value, Real):
+        raise TypeError(text)
+    if not TOLERANCES[0] <= value <= TOLERANCES[1]:  # nor NaN
+        raise ValueError(text)
+    return float(value)
 
 
 def shapes(
@@ -72,7 +81,7 @@ def shapes(
     """
     if not isinstance(text, str):
         raise TypeError("text is a %s: shapes are told by a str." % type(text).__name__)
-    error, thread_count = TOLERANCE.check(tolerance), THREADS.check(threads)
+    error, thread_count = _check_tolerance(tolerance), _core.Options(False, threads=threads).threads
     nodes = _nodes(_counts(cells), spacing, origin, bounds, coordinates)
     check_order(order)
     with shown(progress) as call:
@@ -125,7 +134,7 @@ def surface(
         )
     if not named:
         raise ValueError("surfaces are empty: at least one is needed.")
-    error, thread_count = TOLERANCE.check(tolerance), THREADS.check(threads)
+    error, thread_count = _check_tolerance(tolerance), _core.Options(False, threads=threads).threads
     found = {name: read_surface(value, triangles) for name, value in named.items()}
     if bounds is None and coordinates is None:
         nodes = _fit([points for points, _ in found.values()], cells)

@@ -2,36 +2,43 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
 
 from ._arrays import as_numbers, shaped
 from ._images import read_image
 from ._input import Field
-from ._options import STATE
 
 if TYPE_CHECKING:
     from ._core import StateChoice
 
 
-def read_state(given: Mapping[str, Any], field: Field) -> Optional[StateChoice]:
-    """As the core takes it, None without any. Adds the arrays to those of the field. given: arguments of hexes()."""
-    arrays = _list_arrays(field, given["state"])
-    densities = _add(field, "density", given["density"])
-    velocities, velocity = _add_one(field, "velocity", given["velocity"])
-    energies, energy = _add_one(field, "energy", given["energy"])
+class StateGiven(NamedTuple):
+    """Arguments of hexes() that tell of state."""
+
+    state: Any
+    density: Any
+    velocity: Any
+    energy: Any
+    state_kinds: Any
+
+
+def read_state(given: StateGiven, field: Field) -> Optional[StateChoice]:
+    """As the core takes it, None without any. Adds the arrays to those of the field."""
+    arrays = _list_arrays(field, given.state)
+    densities = _add(field, "density", given.density)
+    velocities, velocity = _add_one(field, "velocity", given.velocity)
+    energies, energy = _add_one(field, "energy", given.energy)
     for names in (velocities, energies):  # a single one is carried as it is
         arrays += [name for name in names if len(names) > 1 and name not in arrays]
-    transfer = ("automatic", "copy", "conserve")[STATE[0].check(given["state_transfer"])]
-    kinds = _list_kinds(given["state_kinds"])
+    kinds = _list_kinds(given.state_kinds)
     if not (arrays or densities or velocity or energy):
         if kinds:
-            raise ValueError("state_kinds is %r, but no state is given." % (given["state_kinds"],))
+            raise ValueError("state_kinds is %r, but no state is given." % (given.state_kinds,))
         return None
     return {
         "arrays": arrays,
-        "conserved": transfer == "conserve" or (transfer == "automatic" and bool(densities)),
         "densities": densities,
         "kinds": kinds,
         "velocity": velocity,
@@ -135,9 +142,8 @@ def _add_array(field: Field, name: str, value: Any) -> None:
         field.arrays.add_flat(name, image.arrays[image.chosen[0]])
 
 
-def add_refinement(given: Mapping[str, Any], field: Field) -> str:
+def add_refinement(value: Any, field: Field) -> str:
     """The name of the refinement array, "" without one."""
-    value = given["refinement_array"]
     names = _add(field, "refinement_array", value)
     if len(names) > 1:
         raise TypeError("refinement_array is a %s: one array of whole numbers is needed." % type(value).__name__)

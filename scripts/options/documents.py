@@ -1,23 +1,18 @@
-#!/usr/bin/env python3
-"""Writes Documentation/properties.md: the properties of all filters, sources, readers and writers, as the server manager's XML tells them.
-
-usage: scripts/list_properties.py           writes it
-       scripts/list_properties.py --check   fails when it is not what would be written
+"""The tables of the documents: Documentation/properties.md, the properties of all filters, sources, readers and writers, as the server
+manager's XML has them; the options of the Python package.
 """
-import os
 import re
-import sys
 import xml.etree.ElementTree as ElementTree
 
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
-PAGE = os.path.join(ROOT, "Documentation", "properties.md")
-FILES = ["VolumeFractionInput.xml", "VolumeFractionMesh.xml", "VolumeFractionToTet.xml.in", "VolumeFractionFragments.xml",
+from options.table import label, read
+
+FILES = ["VolumeFractionInput.xml", "VolumeFractionMesh.xml", "VolumeFractionToTet.xml", "VolumeFractionFragments.xml",
          "VolumeFractionShapes.xml", "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
+MESHERS = ("VolumeFractionToHex", "VolumeFractionToTet")
 HEAD = """# Properties
 
-Written by `scripts/list_properties.py` from the XML in `Plugin`; the test `documents` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
+Written by `scripts/generate` from the XML in `Plugin` and the table of options; the test `house.Generated` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
 words. *advanced*: shown after a click on the gear beside the search line. What the choices are good for is told in the [user guide](user-guide.md#properties) and in [refined grids](refinement.md)."""
-BUILT = {"@VFM_DEFAULT_TET_METHOD@": "TetGen where it was built in, else Lattice"}
 
 
 def plain(text):
@@ -34,11 +29,13 @@ def default_of(element):
     default = element.get("default_values", "").split(element.get("default_values_delimiter") or "\n")[-1]
     if element.find("BooleanDomain") is not None:
         return {"0": "off", "1": "on"}[default]
-    return BUILT.get(default) or entries(element).get(default, default)
+    return entries(element).get(default, default)
 
 
-def values_of(element):
-    """What it takes."""
+def values_of(element, numbers):
+    """What it takes. numbers: what options of the mesher that are numbers take."""
+    if element.get("name") in numbers and not entries(element):
+        return numbers[element.get("name")]
     if element.find("BooleanDomain") is not None:
         return "on, off"
     for domain, of in (("ArrayListDomain", "cell "), ("MeshArrayListDomain", "")):
@@ -87,10 +84,10 @@ def properties_of(proxy, proxies):
     return [p for p in properties.values() if is_shown(p)]
 
 
-def section(proxy, proxies):
+def section(proxy, proxies, numbers):
     documentation = proxy.find("Documentation")
-    label = proxy.get("label") or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", proxy.get("name"))
-    yield "\n## %s\n`%s`. %s\n" % (label, proxy.get("name"), documentation.get("long_help"))
+    title = proxy.get("label") or label(proxy.get("name"))
+    yield "\n## %s\n`%s`. %s\n" % (title, proxy.get("name"), documentation.get("long_help"))
     base = proxies.get(proxy.get("base_proxyname"))
     if base is not None and not is_part(base):
         yield "All properties of *%s*, of which these have other words, and its own:\n" % base.get("label")
@@ -101,41 +98,29 @@ def section(proxy, proxies):
     yield "| property | takes | default | |\n|---|---|---|---|"
     for element in properties:
         advanced = " *advanced*" if element.get("panel_visibility") == "advanced" else ""
-        yield "| %s%s | %s | %s | %s |" % (element.get("name"), advanced, values_of(element), default_of(element),
+        yield "| %s%s | %s | %s | %s |" % (element.get("name"), advanced, values_of(element, numbers), default_of(element),
                                            plain(element.find("Documentation").text))
 
 
-def read_proxies():
-    """All proxies by name, in the order of the files."""
+def read_proxies(texts=read):
+    """All proxies by name, in the order of the files. texts: of files by their paths."""
     proxies = {}
     for name in FILES:
-        tree = ElementTree.parse(os.path.join(ROOT, "Plugin", name))
-        for group in tree.iter("ProxyGroup"):
+        for group in ElementTree.fromstring(texts("Plugin/" + name)).iter("ProxyGroup"):
             proxies.update((proxy.get("name"), proxy) for proxy in group)
     return proxies
 
 
-def make_page():
-    proxies = read_proxies()
+def make_page(table, texts):
+    proxies = read_proxies(texts)
+    numbers = {row["name"]: re.sub("^an? ", "", row["allowed"]) for row in table if row["kind"] in ("integer", "real")}
     lines = [HEAD]
-    for proxy in proxies.values():
+    for name, proxy in proxies.items():
         if not is_part(proxy):
-            lines += section(proxy, proxies)
+            lines += section(proxy, proxies, numbers if name in MESHERS else {})
     return "\n".join(lines).rstrip() + "\n"
 
 
-def main(arguments):
-    page = make_page()
-    if arguments == ["--check"]:
-        with open(PAGE, encoding="utf-8") as file:
-            if file.read() != page:
-                sys.exit("Documentation/properties.md is not current: run scripts/list_properties.py")
-        return
-    if arguments:
-        sys.exit(__doc__)
-    with open(PAGE, "w", encoding="utf-8") as file:
-        file.write(page)
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
+def files(table, texts):
+    """How each file of the tree becomes current: a function of its text. texts: of all files by their paths."""
+    return {"Documentation/properties.md": lambda text: make_page(table, texts)}

@@ -1,0 +1,110 @@
+/**
+ * describe_options: prints the table of options as JSON, for scripts/generate.
+ */
+#include "Base/ParseText.h"
+#include "Options/SetOptions.h"
+
+#include <iostream>
+
+namespace vfm
+{
+namespace
+{
+
+const char* NameOf(OptionKind kind)
+{
+  switch (kind)
+  {
+    case OptionKind::Switch:
+      return "switch";
+    case OptionKind::Integer:
+      return "integer";
+    case OptionKind::Real:
+      return "real";
+    case OptionKind::Choice:
+      return "choice";
+    case OptionKind::Array:
+      return "array";
+    case OptionKind::File:
+      return "file";
+    case OptionKind::Arrays:
+      return "arrays";
+    case OptionKind::Kinds:
+      return "kinds";
+    case OptionKind::Boxes:
+      return "boxes";
+  }
+  return "";
+}
+
+std::string Quote(const std::string& text)
+{
+  std::string quoted = "\"";
+  for (char c : text)
+  {
+    quoted += c == '"' || c == '\\' ? "\\" : "";
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string List(const std::vector<std::string>& texts)
+{
+  std::vector<std::string> quoted;
+  for (const std::string& text : texts)
+  {
+    quoted.push_back(Quote(text));
+  }
+  return "[" + JoinTexts(quoted) + "]";
+}
+
+const char* Truth(bool is)
+{
+  return is ? "true" : "false";
+}
+
+/// A number, null where there is no end.
+std::string End(double number)
+{
+  return std::abs(number) <= std::numeric_limits<double>::max() ? FormatNumber(number) : "null";
+}
+
+void Print(const Option& option, std::ostream& to)
+{
+  const MesherOptions defaults;
+  const OptionRange& range = option.Range;
+  const bool hasNumber = option.Kind <= OptionKind::Choice;
+  to << "  {\"name\": " << Quote(option.Name) << ", \"kind\": \"" << NameOf(option.Kind)
+     << "\", \"words\": " << List(option.Words) << ", \"least\": " << End(range.Least)
+     << ", \"most\": " << End(range.Most)
+     << ", \"special\": " << (range.Special ? FormatNumber(*range.Special) : "null")
+     << ", \"meaning\": " << Quote(range.Meaning)
+     << ",\n   \"allowed\": " << Quote(option.Allowed())
+     << ", \"default\": " << Quote(GetOption(defaults, option))
+     << ", \"number\": " << (hasNumber ? FormatNumber(GetNumber(defaults, option)) : "null")
+     << ",\n   \"tets\": " << Truth(option.OnlyTets) << ", \"group\": " << Quote(option.Group)
+     << ", \"shown\": " << Quote(option.Shown) << ", \"enabled\": " << Quote(option.Enabled)
+     << ", \"advanced\": " << Truth(option.IsAdvanced) << ", \"listed\": " << Truth(option.IsListed)
+     << ", \"vectors\": " << Truth(option.TakesVectors)
+     << ", \"hidden_of_tets\": " << Truth(option.IsHiddenOfTets)
+     << ", \"python\": " << Quote(option.Python) << ", \"argument\": " << Quote(option.Argument)
+     << ",\n   \"text\": " << Quote(option.Text)
+     << ",\n   \"text_of_tets\": " << Quote(option.TextOfTets) << "}";
+}
+
+} // namespace
+} // namespace vfm
+
+int main()
+{
+  std::cout << "[\n";
+  const char* separator = "";
+  for (const vfm::Option& option : vfm::GetOptionTable())
+  {
+    std::cout << separator;
+    vfm::Print(option, std::cout);
+    separator = ",\n";
+  }
+  std::cout << "\n]\n";
+  return 0;
+}

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""What scripts/generate writes is current, and a row that is added to the table of options comes out everywhere.
+
+usage: TestGenerated.py DESCRIBE_OPTIONS
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+GENERATE = [sys.executable, os.path.join(ROOT, "scripts", "generate"), "--table"]
+TABLE = sys.argv.pop(1)
+# Where it is found, and how. The C interface and the help: SetOptions.AnAddedRowIsAnOption.
+PLACES = {"Plugin/VolumeFractionMesh.xml": 'command="SetNewOption"',
+          "Filters/vtkVolumeFractionMeshAlgorithm.h": "vfmNumberOption(NewOption, double);",
+          "python/volume_fraction_mesh/_mesher.py": "    new_option: float = 0.5,",
+          "python/volume_fraction_mesh/_core.pyi": "    new_option: float\n",
+          "python/README.md": "| `new_option` | number above 0 and below 1, **0.5** | What is new. |",
+          "Documentation/properties.md": "| NewOption *advanced* | number above 0 and below 1 | 0.5 | What is new. |"}
+
+
+class Generated(unittest.TestCase):
+    def test_files_are_current(self):
+        made = subprocess.run([*GENERATE, TABLE, "--check"], stderr=subprocess.PIPE, universal_newlines=True)
+        self.assertEqual(made.stderr, "")
+
+    def test_an_added_row_is_everywhere(self):
+        rows = json.loads(subprocess.run([TABLE], stdout=subprocess.PIPE, check=True).stdout)
+        row = next(row for row in rows if row["name"] == "IsoValue")
+        rows.append({**row, "name": "NewOption", "python": "new_option", "text": "What is new.", "group": "Surface"})
+        with tempfile.TemporaryDirectory() as folder:
+            table = os.path.join(folder, "table.json")
+            with open(table, "w", encoding="utf-8") as file:
+                json.dump(rows, file)
+            subprocess.run([*GENERATE, table, "--into", folder], check=True)
+            for path, text in PLACES.items():
+                with open(os.path.join(folder, path), encoding="utf-8") as file:
+                    self.assertIn(text, file.read(), path)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,20 @@
+"""The accessors of the filters."""
+from options.table import common, of_tets, put, wrap
+
+MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)", "choice": "vfmNumberOption(%s, int)",
+          "real": "vfmNumberOption(%s, double)", "array": "vfmArrayOption(%s)"}
+
+
+def write_accessors(text, rows):
+    lines = []
+    for row in rows:
+        if row["kind"] in MACROS:  # files, lists and boxes have methods of their own
+            lines += wrap("%s Takes %s; default %s." % (row["text"], row["allowed"], row["default"]), "  /// ")
+            lines.append("  " + MACROS[row["kind"]] % row["name"] + ";")
+    return put(text, "// options: generated", "// end of options", lines)
+
+
+def files(table):
+    """How each file of the tree becomes current: a function of its text."""
+    return {"Filters/vtkVolumeFractionMeshAlgorithm.h": lambda text: write_accessors(text, common(table)),
+            "Filters/vtkVolumeFractionToTet.h": lambda text: write_accessors(text, of_tets(table))}
