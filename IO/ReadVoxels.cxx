@@ -1,12 +1,9 @@
 #include "ReadVoxels.h"
 
-#include "ArrayMemory.h"
 #include "OpenFile.h"
 #include "ReadLabelText.h"
 #include "SwapBytes.h"
 #include "VoxelRows.h"
-
-#include "vtkDataArray.h"
 
 #include <algorithm>
 #include <limits>
@@ -85,68 +82,62 @@ void ReadArray(std::istream& stream, bool swap, const VoxelRows& rows, void* cel
 }
 
 /// How values of a type are read, and what they become.
-struct ValueType
+struct StoredType
 {
   char Kind;
   int Size;
-  int VtkType;
+  int Type; ///< of ValueType, in memory
   void (*Read)(std::istream& stream, bool swap, const VoxelRows& rows, void* cells);
 };
 
-constexpr ValueType ValueTypes[] = {
-  { 'b', 1, VTK_UNSIGNED_CHAR, ReadArray<std::uint8_t, unsigned char> },
-  { 'u', 1, VTK_UNSIGNED_CHAR, ReadArray<std::uint8_t, unsigned char> },
-  { 'i', 1, VTK_SIGNED_CHAR, ReadArray<std::int8_t, signed char> },
-  { 'u', 2, VTK_UNSIGNED_SHORT, ReadArray<std::uint16_t, unsigned short> },
-  { 'i', 2, VTK_SHORT, ReadArray<std::int16_t, short> },
-  { 'u', 4, VTK_INT, ReadArray<std::uint32_t, int> },
-  { 'i', 4, VTK_INT, ReadArray<std::int32_t, int> },
-  { 'u', 8, VTK_INT, ReadArray<std::uint64_t, int> },
-  { 'i', 8, VTK_INT, ReadArray<std::int64_t, int> },
-  { 'f', 4, VTK_FLOAT, ReadArray<float, float> },
-  { 'f', 8, VTK_DOUBLE, ReadArray<double, double> },
+constexpr StoredType StoredTypes[] = {
+  { 'b', 1, ValueType::UnsignedChar, ReadArray<std::uint8_t, unsigned char> },
+  { 'u', 1, ValueType::UnsignedChar, ReadArray<std::uint8_t, unsigned char> },
+  { 'i', 1, ValueType::SignedChar, ReadArray<std::int8_t, signed char> },
+  { 'u', 2, ValueType::UnsignedShort, ReadArray<std::uint16_t, unsigned short> },
+  { 'i', 2, ValueType::Short, ReadArray<std::int16_t, short> },
+  { 'u', 4, ValueType::Int, ReadArray<std::uint32_t, int> },
+  { 'i', 4, ValueType::Int, ReadArray<std::int32_t, int> },
+  { 'u', 8, ValueType::Int, ReadArray<std::uint64_t, int> },
+  { 'i', 8, ValueType::Int, ReadArray<std::int64_t, int> },
+  { 'f', 4, ValueType::Float, ReadArray<float, float> },
+  { 'f', 8, ValueType::Double, ReadArray<double, double> },
 };
 
-vtkSmartPointer<vtkDataArray> MakeArray(int type, const std::string& name, const IndexBox& box)
-{
-  const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-  array->SetName(name.c_str());
-  array->SetNumberOfTuples(box.NumberOfCells());
-  return array;
-}
-
-std::vector<vtkSmartPointer<vtkDataArray>> ReadNumPy(const VoxelFile& file, const IndexBox& box)
+std::vector<TypedValues> ReadNumPy(const VoxelFile& file, const IndexBox& box)
 {
   const NumPyHeader& header = *file.NumPy;
-  const ValueType& type = *std::find_if(std::begin(ValueTypes), std::end(ValueTypes),
-    [&header](const ValueType& t) { return t.Kind == header.Kind && t.Size == header.Size; });
+  const StoredType& type = *std::find_if(std::begin(StoredTypes), std::end(StoredTypes),
+    [&header](const StoredType& t) { return t.Kind == header.Kind && t.Size == header.Size; });
   std::ifstream stream = OpenFile(file.Path);
   const VoxelRows rows(file, box);
   const Index arrays = header.Shape.size() == 4 ? header.Shape[0] : 0;
   const std::string name = file.IsFractions() ? "VolumeFraction" : "MaterialId";
-  std::vector<vtkSmartPointer<vtkDataArray>> result;
+  std::vector<TypedValues> result;
   const Index size = file.Cells[0] * file.Cells[1] * file.Cells[2] * header.Size;
   for (Index i = 0; i < std::max<Index>(arrays, 1); ++i)
   {
     stream.seekg(header.Offset + i * size);
-    result.push_back(MakeArray(type.VtkType, name + (arrays ? std::to_string(i + 1) : ""), box));
-    type.Read(stream, header.SwapBytes, rows, FindMemory(result.back()));
+    result.push_back(
+      MakeValues(name + (arrays ? std::to_string(i + 1) : ""), type.Type, box.NumberOfCells()));
+    type.Read(stream, header.SwapBytes, rows, result.back().Bytes.data());
   }
   return result;
 }
 
 } // namespace
 
-std::vector<vtkSmartPointer<vtkDataArray>> ReadVoxels(const VoxelFile& file, const IndexBox& box)
+std::vector<TypedValues> ReadVoxels(const VoxelFile& file, const IndexBox& box)
 {
   if (file.NumPy)
   {
     return ReadNumPy(file, box);
   }
   CheckLabelCount(file); // before memory is asked for
-  const vtkSmartPointer<vtkDataArray> array = MakeArray(VTK_INT, "MaterialId", box);
-  ReadLabelText(file, box, static_cast<int*>(FindMemory(array)));
-  return { array };
+  std::vector<TypedValues> labels;
+  labels.push_back(MakeValues("MaterialId", ValueType::Int, box.NumberOfCells()));
+  ReadLabelText(file, box, reinterpret_cast<int*>(labels[0].Bytes.data()));
+  return labels;
 }
 
 } // namespace vfm

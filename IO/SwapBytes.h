@@ -19,4 +19,13 @@ Value SwapBytes(Value value)
   return value;
 }
 
+/// Whether this machine stores the least byte first.
+inline bool IsLittleEndian()
+{
+  const short one = 1;
+  char first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
 } // namespace vfm

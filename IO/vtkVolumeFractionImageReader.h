@@ -12,10 +12,10 @@
  * | .tif .tiff | resolution as mm, z as x: set Spacing | pages are slices; x to the right, y up |
  * | .dream3d | origin and spacing of the image geometry | DREAM.3D 6, DREAM3D-NX |
  *
- * Coordinates stay those of the file. Slices of left-handed NIfTI images are turned about, as VTK does.
+ * Coordinates stay those of the file. Slices of left-handed NIfTI images are turned about.
  *
- * Any extent can be asked for. Under MPI every process of the Controller opens the file and all must update together. NIfTI
- * (but left-handed ones), raw NRRD and DREAM.3D are read by every process in its part; of others the first process reads the whole and
+ * Any extent can be asked for. Under MPI every process of the Controller opens the file and all must update together. NIfTI,
+ * MetaImage and NRRD that are not compressed, and DREAM.3D are read by every process in its part; of others the first process reads the whole and
  * sends parts.
  *
  * Errors (one message on all processes alike, empty output): the file cannot be read, is damaged, has several values a
@@ -24,34 +24,24 @@
 #ifndef vtkVolumeFractionImageReader_h
 #define vtkVolumeFractionImageReader_h
 
-#include "vtkImageAlgorithm.h"
 #include "vtkVolumeFractionMeshIOModule.h" // for export macro
+#include "vtkVolumeFractionPartReader.h"
 
 #include <memory> // for member
 #include <string> // for member
 
-class vtkMultiProcessController;
-
 namespace vfm
 {
-class ImageFile;
-class Ranks;
+struct ImageFile;
 } // namespace vfm
 
-class VTKVOLUMEFRACTIONMESHIO_EXPORT vtkVolumeFractionImageReader : public vtkImageAlgorithm
+class VTKVOLUMEFRACTIONMESHIO_EXPORT vtkVolumeFractionImageReader :
+  public vtkVolumeFractionPartReader
 {
 public:
   static vtkVolumeFractionImageReader* New();
-  vtkTypeMacro(vtkVolumeFractionImageReader, vtkImageAlgorithm);
+  vtkTypeMacro(vtkVolumeFractionImageReader, vtkVolumeFractionPartReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * The file to read.
-   */
-  vtkSetStdStringFromCharMacro(FileName);
-  vtkGetCharFromStdStringMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -69,37 +59,21 @@ public:
   vtkGetCharFromStdStringMacro(CellArray);
   ///@}
 
-  ///@{
-  /**
-   * The processes that read the file together. Default: the global controller.
-   */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  ///@}
-
 protected:
   vtkVolumeFractionImageReader();
   ~vtkVolumeFractionImageReader() override;
 
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;
+  vfm::ImagePlace Open(bool& areOfCells) override;
+  std::vector<vfm::TypedValues> ReadBox(const vfm::IndexBox& box, vfm::Ranks& ranks) override;
 
-  std::string FileName;
   double Spacing[3] = { 0.0, 0.0, 0.0 };
   std::string CellArray = "FeatureIds";
-  vtkMultiProcessController* Controller = nullptr;
 
 private:
   vtkVolumeFractionImageReader(const vtkVolumeFractionImageReader&) = delete;
   void operator=(const vtkVolumeFractionImageReader&) = delete;
 
-  void Open();
-  void Read(const int extent[6], vfm::Ranks& ranks, vtkImageData* image);
-
   std::unique_ptr<vfm::ImageFile> File;
-  std::string Problem; // why there is no image; the same on all processes
 };
 
 #endif

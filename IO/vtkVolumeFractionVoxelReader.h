@@ -20,34 +20,21 @@
 #ifndef vtkVolumeFractionVoxelReader_h
 #define vtkVolumeFractionVoxelReader_h
 
-#include "vtkImageAlgorithm.h"
 #include "vtkVolumeFractionMeshIOModule.h" // for export macro
-
-#include <array>   // for return value
-#include <cstdint> // for return value
-#include <string>  // for member
-
-class vtkMultiProcessController;
+#include "vtkVolumeFractionPartReader.h"
 
 namespace vfm
 {
 struct VoxelFile;
 } // namespace vfm
 
-class VTKVOLUMEFRACTIONMESHIO_EXPORT vtkVolumeFractionVoxelReader : public vtkImageAlgorithm
+class VTKVOLUMEFRACTIONMESHIO_EXPORT vtkVolumeFractionVoxelReader :
+  public vtkVolumeFractionPartReader
 {
 public:
   static vtkVolumeFractionVoxelReader* New();
-  vtkTypeMacro(vtkVolumeFractionVoxelReader, vtkImageAlgorithm);
+  vtkTypeMacro(vtkVolumeFractionVoxelReader, vtkVolumeFractionPartReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * The file to read.
-   */
-  vtkSetStdStringFromCharMacro(FileName);
-  vtkGetCharFromStdStringMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -95,39 +82,23 @@ public:
   vtkGetMacro(AxisOrder, int);
   ///@}
 
-  ///@{
-  /**
-   * The processes that read the file together. Default: the global controller.
-   */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkGetObjectMacro(Controller, vtkMultiProcessController);
-  ///@}
-
 protected:
-  vtkVolumeFractionVoxelReader();
-  ~vtkVolumeFractionVoxelReader() override;
+  vtkVolumeFractionVoxelReader() = default;
+  ~vtkVolumeFractionVoxelReader() override = default;
 
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;
+  vfm::ImagePlace Open(bool& areOfCells) override;
+  std::vector<vfm::TypedValues> ReadBox(const vfm::IndexBox& box, vfm::Ranks& ranks) override;
 
-  std::string FileName;
   int Dimensions[3] = { 0, 0, 0 };
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double Spacing[3] = { 1.0, 1.0, 1.0 };
   int AxisOrder = AXIS_ORDER_XYZ;
-  vtkMultiProcessController* Controller = nullptr;
 
 private:
   vtkVolumeFractionVoxelReader(const vtkVolumeFractionVoxelReader&) = delete;
   void operator=(const vtkVolumeFractionVoxelReader&) = delete;
 
   vfm::VoxelFile Inspect() const;
-  std::array<std::int64_t, 3> FindSize() const;
-  void Read(const int extent[6], vtkImageData* image) const;
-
-  std::string Problem; // why there is no image; the same on all processes
 };
 
 #endif

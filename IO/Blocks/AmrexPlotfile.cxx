@@ -65,14 +65,6 @@ std::shared_ptr<const void> ReadValues(PlotfileText& file, Index count, bool swa
   return { values, values->data() };
 }
 
-/// Whether the order of bytes that a file gives is that of this machine, or else the other.
-bool IsOwnOrder(std::int64_t first)
-{
-  const std::uint16_t one = 1;
-  const bool isLittle = *reinterpret_cast<const unsigned char*>(&one) == 1;
-  return (first > 1) == isLittle;
-}
-
 } // namespace
 
 Plotfile::Plotfile(const std::string& folder) : Folder(folder)
@@ -242,7 +234,7 @@ BoxValues Plotfile::FindValues(PlotfileText& file, const Block& block) const
   {
     file.Fail("bytes up to " + std::to_string(end) + ", it has " + std::to_string(size));
   }
-  return { begin, static_cast<int>(bytes), !IsOwnOrder(first) };
+  return { begin, static_cast<int>(bytes), (first > 1) != IsLittleEndian() };
 }
 
 InputBlock Plotfile::ReadBlock(const Block& block, const std::vector<std::string>& names) const

@@ -9,8 +9,8 @@
 namespace vfm
 {
 
-/// Collective: the values in each rank's box, without a name; null where the box is empty. Where the file gives parts each rank reads
+/// Collective: the values in each rank's box, without a name; none where the box is empty. Where the file gives parts each rank reads
 /// its own; else the first reads the whole and sends the others theirs. Throws InputError, maybe on some ranks alone.
-vtkSmartPointer<vtkDataArray> ReadPart(ImageFile& file, const IndexBox& box, Ranks& ranks);
+TypedValues ReadPart(const ImageFile& file, const IndexBox& box, Ranks& ranks);
 
 } // namespace vfm

@@ -1,9 +1,6 @@
-#include "ArrayMemory.h"
 #include "Images/Hdf5.h"
 #include "Images/ImageFile.h"
 #include "OpenFile.h"
-
-#include "vtkDataArray.h"
 
 #include <algorithm>
 #include <vector>
@@ -180,15 +177,15 @@ std::vector<CellArray> ListCellArrays(hid_t file, const std::vector<Geometry>& g
   return found;
 }
 
-/// Of values in memory: the array's, and the same to HDF5.
-struct ValueType
+/// A type of values in memory, by ValueType and to HDF5.
+struct MemoryType
 {
-  int Vtk;
+  int Type;
   hid_t Hdf5;
 };
 
 /// One that holds what is stored; of longer whole numbers more than labels may be, so that none becomes another.
-ValueType ChooseType(hid_t stored, const std::string& path)
+MemoryType ChooseType(hid_t stored, const std::string& path)
 {
   const std::size_t size = H5Tget_size(stored);
   switch (H5Tget_class(stored))
@@ -196,12 +193,12 @@ ValueType ChooseType(hid_t stored, const std::string& path)
     case H5T_INTEGER:
     {
       const bool isLong = size > 4 || (size == 4 && H5Tget_sign(stored) == H5T_SGN_NONE);
-      return isLong ? ValueType{ VTK_LONG_LONG, H5T_NATIVE_LLONG }
-                    : ValueType{ VTK_INT, H5T_NATIVE_INT };
+      return isLong ? MemoryType{ ValueType::LongLong, H5T_NATIVE_LLONG }
+                    : MemoryType{ ValueType::Int, H5T_NATIVE_INT };
     }
     case H5T_FLOAT:
-      return size > 4 ? ValueType{ VTK_DOUBLE, H5T_NATIVE_DOUBLE }
-                      : ValueType{ VTK_FLOAT, H5T_NATIVE_FLOAT };
+      return size > 4 ? MemoryType{ ValueType::Double, H5T_NATIVE_DOUBLE }
+                      : MemoryType{ ValueType::Float, H5T_NATIVE_FLOAT };
     default:
       throw InputError(path + " holds no numbers.");
   }
@@ -215,99 +212,90 @@ bool EndsWith(const std::string& path, const std::string& end)
     path.compare(path.size() - whole.size(), whole.size(), whole) == 0;
 }
 
-class Dream3dFile : public ImageFile
+Hdf5Handle Open(const std::string& path)
 {
-public:
-  Dream3dFile(const std::string& path, const std::string& array) : Path(path)
-  {
-    const Hdf5Silence silence;
-    const Hdf5Handle file = this->Open();
-    std::vector<Geometry> geometries;
-    constexpr int depth = 4; // of groups in groups
-    FindGeometries(file, "/DataContainers", 0, geometries);
-    FindGeometries(file, "/DataStructure", depth, geometries);
-    if (geometries.empty())
-    {
-      throw InputError("it holds no image geometry of DREAM.3D 6 (/DataContainers) or DREAM3D-NX "
-                       "(/DataStructure).");
-    }
-    this->Choose(ListCellArrays(file, geometries), array);
-    this->OfCells = true;
-    this->Parts = true;
-  }
+  OpenFile(path);
+  return { H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+    "it is no HDF5 file, or damaged." };
+}
 
-  vtkSmartPointer<vtkDataArray> Read(const IndexBox& box) override
+/// The one of that name.
+CellArray Choose(const std::vector<CellArray>& arrays, const std::string& name)
+{
+  CellArray chosen;
+  std::string others;
+  for (const CellArray& array : arrays)
   {
-    const Hdf5Silence silence;
-    const Hdf5Handle file = this->Open();
-    const Hdf5Handle data(
-      H5Dopen2(file, this->Array.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(this->Array));
-    const Hdf5Handle storedType(H5Dget_type(data), H5Tclose, CannotRead(this->Array));
-    const ValueType type = ChooseType(storedType, this->Array);
-    std::vector<hsize_t> first(GetShape(data).size(), 0), count(first.size(), 1);
-    for (int a = 0; a < 3; ++a)
+    if (!EndsWith(array.Path, name))
     {
-      first[2 - a] = static_cast<hsize_t>(box.Lower[a]);
-      count[2 - a] = static_cast<hsize_t>(box.Size(a));
+      others += (others.empty() ? "" : ", ") + array.Path.substr(array.Path.rfind('/') + 1);
     }
-    const Hdf5Handle stored(H5Dget_space(data), H5Sclose, CannotRead(this->Array));
-    const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-      H5Sclose, CannotRead(this->Array));
-    const auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type.Vtk));
-    values->SetNumberOfTuples(box.NumberOfCells());
-    if (H5Sselect_hyperslab(stored, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
-        0 ||
-      H5Dread(data, type.Hdf5, memory, stored, H5P_DEFAULT, FindMemory(values)) < 0)
+    else if (chosen.Path.empty())
     {
-      throw InputError("the values of " + this->Array + " cannot be read.");
+      chosen = array;
     }
-    return values;
-  }
-
-private:
-  Hdf5Handle Open() const
-  {
-    OpenFile(this->Path);
-    return { H5Fopen(this->Path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-      "it is no HDF5 file, or damaged." };
-  }
-
-  /// The one of that name.
-  void Choose(const std::vector<CellArray>& arrays, const std::string& name)
-  {
-    std::string others;
-    for (const CellArray& array : arrays)
+    else
     {
-      if (!EndsWith(array.Path, name))
-      {
-        others += (others.empty() ? "" : ", ") + array.Path.substr(array.Path.rfind('/') + 1);
-      }
-      else if (this->Array.empty())
-      {
-        this->Array = array.Path;
-        this->Where = array.Place;
-      }
-      else
-      {
-        throw InputError("it holds two cell arrays " + name + ": " + this->Array + " and " +
-          array.Path + ". Name the one that is meant by its path.");
-      }
-    }
-    if (this->Array.empty())
-    {
-      throw InputError("it holds no cell array '" + name +
-        "' of one value a cell. Others are: " + (others.empty() ? "none" : others) + ".");
+      throw InputError("it holds two cell arrays " + name + ": " + chosen.Path + " and " +
+        array.Path + ". Name the one that is meant by its path.");
     }
   }
+  if (chosen.Path.empty())
+  {
+    throw InputError("it holds no cell array '" + name +
+      "' of one value a cell. Others are: " + (others.empty() ? "none" : others) + ".");
+  }
+  return chosen;
+}
 
-  std::string Path, Array;
-};
+TypedValues ReadBox(const std::string& path, const std::string& array, const IndexBox& box)
+{
+  const Hdf5Silence silence;
+  const Hdf5Handle file = Open(path);
+  const Hdf5Handle data(H5Dopen2(file, array.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(array));
+  const Hdf5Handle storedType(H5Dget_type(data), H5Tclose, CannotRead(array));
+  const MemoryType type = ChooseType(storedType, array);
+  std::vector<hsize_t> first(GetShape(data).size(), 0), count(first.size(), 1);
+  for (int a = 0; a < 3; ++a)
+  {
+    first[2 - a] = static_cast<hsize_t>(box.Lower[a]);
+    count[2 - a] = static_cast<hsize_t>(box.Size(a));
+  }
+  const Hdf5Handle stored(H5Dget_space(data), H5Sclose, CannotRead(array));
+  const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+    H5Sclose, CannotRead(array));
+  TypedValues values = MakeValues("", type.Type, box.NumberOfCells());
+  if (H5Sselect_hyperslab(stored, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) <
+      0 ||
+    H5Dread(data, type.Hdf5, memory, stored, H5P_DEFAULT, values.Bytes.data()) < 0)
+  {
+    throw InputError("the values of " + array + " cannot be read.");
+  }
+  return values;
+}
 
 } // namespace
 
-std::unique_ptr<ImageFile> OpenDream3d(const std::string& path, const std::string& array)
+ImageFile OpenDream3d(const std::string& path, const std::string& array)
 {
-  return std::make_unique<Dream3dFile>(path, array);
+  const Hdf5Silence silence;
+  const Hdf5Handle file = Open(path);
+  std::vector<Geometry> geometries;
+  constexpr int depth = 4; // of groups in groups
+  FindGeometries(file, "/DataContainers", 0, geometries);
+  FindGeometries(file, "/DataStructure", depth, geometries);
+  if (geometries.empty())
+  {
+    throw InputError("it holds no image geometry of DREAM.3D 6 (/DataContainers) or DREAM3D-NX "
+                     "(/DataStructure).");
+  }
+  const CellArray chosen = Choose(ListCellArrays(file, geometries), array);
+  ImageFile image;
+  image.Place = chosen.Place;
+  image.IsOfCells = true;
+  image.Read = [path, array = chosen.Path](const IndexBox& box)
+  { return ReadBox(path, array, box); };
+  return image;
 }
 
 } // namespace vfm

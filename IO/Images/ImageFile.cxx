@@ -11,7 +11,7 @@ namespace vfm
 namespace
 {
 
-using Opener = std::function<std::unique_ptr<ImageFile>(const std::string&, const std::string&)>;
+using Opener = std::function<ImageFile(const std::string&, const std::string&)>;
 
 struct Format
 {
@@ -25,7 +25,7 @@ struct Format
   }
 };
 
-Opener Alone(std::unique_ptr<ImageFile> (*open)(const std::string&))
+Opener Alone(ImageFile (*open)(const std::string&))
 {
   return [open](const std::string& path, const std::string&) { return open(path); };
 }
@@ -44,7 +44,7 @@ const std::vector<Format>& Formats()
 
 } // namespace
 
-std::unique_ptr<ImageFile> OpenImageFile(const std::string& path, const std::string& array)
+ImageFile OpenImageFile(const std::string& path, const std::string& array)
 {
   for (const Format& format : Formats())
   {

@@ -1,97 +1,258 @@
 #include "Images/ImageFile.h"
-#include "Images/VtkImageFile.h"
+#include "Images/StoredValues.h"
 #include "OpenFile.h"
-#include "Ranks/Errors.h"
+#include "SwapBytes.h"
 
-#include "vtkMetaImageReader.h"
-#include "vtkNew.h"
-
-#include "vtkmetaio/metaImage.h"
-#include <cstdlib>
+#include <cmath>
 #include <filesystem>
-#include <string>
+#include <map>
+#include <sstream>
 
 namespace vfm
 {
 namespace
 {
 
-/// Where the header ends: with the line that tells where the values are. Throws InputError on numbers of dimensions that the library
-/// would believe.
-double FindHeaderEnd(const std::string& path)
-{
-  std::ifstream stream = OpenFile(path);
-  std::string line;
-  while (std::getline(stream, line) && line.compare(0, 15, "ElementDataFile") != 0)
-  {
-    const std::size_t equals = line.find('=');
-    const int dimensions = equals == std::string::npos ? 0 : std::atoi(line.c_str() + equals + 1);
-    if (line.find("NDims") < equals && (dimensions < 1 || dimensions > 3))
-    {
-      throw InputError(
-        "its image has " + std::to_string(dimensions) + " dimensions; wanted are three.");
-    }
-  }
-  return stream ? static_cast<double>(stream.tellg()) : 0.0;
-}
+constexpr std::size_t LongestLine = 100000;
 
-class MetaImageFile : public VtkImageFile
+/// The fields of the header, and what follows it.
+struct MetaHeader
 {
-public:
-  MetaImageFile(const std::string& path, double headerEnd, vtkMetaImageReader* reader) :
-    VtkImageFile(path, reader)
+  std::map<std::string, std::string> Fields;
+  Index Length = 0; ///< up to the end of the line that names the values
+
+  std::string Find(std::initializer_list<const char*> names, const std::string& without) const
   {
-    vtkmetaio::MetaImage header; // VTK's reader leaves the directions out
-    if (!header.Read(path.c_str(), false))
+    for (const char* name : names)
     {
-      throw InputError("its header cannot be read.");
-    }
-    this->CheckValues(path, headerEnd, header);
-    std::array<Vector3, 3> steps{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
-      { { 0.0, 0.0, 1.0 } } } };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (int c = 0; axis < header.NDims() && c < header.NDims(); ++c)
+      const auto found = this->Fields.find(name);
+      if (found != this->Fields.end())
       {
-        steps[axis][c] = header.TransformMatrix(axis, c);
-      }
-      for (double& step : steps[axis])
-      {
-        step *= this->Where.Spacing[axis];
+        return found->second;
       }
     }
-    if (!AreAtRightAngles(steps))
-    {
-      throw InputError("its TransformMatrix is no rotation: the axes are not at right angles.");
-    }
-    SetSteps(steps, this->Where);
+    return without;
   }
-
-private:
-  /// Files that are cut, which the library reads all the same.
-  void CheckValues(
-    const std::string& path, double headerEnd, const vtkmetaio::MetaImage& header) const
+  bool IsTrue(std::initializer_list<const char*> names) const
   {
-    const std::string name = header.ElementDataFileName();
-    const bool isLocal = name == "LOCAL" || name == "Local" || name == "local";
-    const std::filesystem::path file =
-      isLocal ? std::filesystem::path(path) : std::filesystem::path(path).parent_path() / name;
-    std::error_code none;
-    if (!isLocal && !std::filesystem::is_regular_file(file, none))
+    const std::string value = this->Find(names, "False");
+    return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
+  }
+  /// That many numbers of the first field of these; without one each of these is without.
+  std::vector<double> Numbers(
+    std::initializer_list<const char*> names, std::size_t count, double without) const
+  {
+    const std::string text = this->Find(names, "");
+    std::istringstream stream(text);
+    std::vector<double> numbers(count, without);
+    for (std::size_t i = 0; i < count && !text.empty(); ++i)
     {
-      return; // a list or a pattern of files
+      if (!(stream >> numbers[i]))
+      {
+        throw InputError(std::string("its header says '") + *names.begin() + " = " +
+          text.substr(0, 80) + "', where " + std::to_string(count) + " numbers are wanted.");
+      }
     }
-    CheckLength(file, isLocal ? headerEnd : 0.0, this->CountBytes(), header.CompressedData());
+    return numbers;
   }
 };
 
+std::string Trim(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  return first == std::string::npos
+    ? ""
+    : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+}
+
+MetaHeader ReadHeader(std::ifstream& stream)
+{
+  MetaHeader header;
+  std::string line;
+  while (std::getline(stream, line) && line.size() < LongestLine)
+  {
+    const std::size_t equals = line.find('=');
+    if (equals == std::string::npos)
+    {
+      break;
+    }
+    const std::string name = Trim(line.substr(0, equals));
+    header.Fields[name] = Trim(line.substr(equals + 1));
+    if (name == "ElementDataFile")
+    {
+      header.Length = stream ? static_cast<Index>(stream.tellg()) : 0;
+      return header;
+    }
+  }
+  throw InputError("it is no MetaImage file: its header is no list of NAME = VALUE that ends with "
+                   "ElementDataFile.");
+}
+
+int FindType(const std::string& name)
+{
+  static const std::map<std::string, int> types{ { "MET_CHAR", ValueType::SignedChar },
+    { "MET_UCHAR", ValueType::UnsignedChar }, { "MET_SHORT", ValueType::Short },
+    { "MET_USHORT", ValueType::UnsignedShort }, { "MET_INT", ValueType::Int },
+    { "MET_UINT", ValueType::UnsignedInt }, { "MET_LONG", ValueType::Int },
+    { "MET_ULONG", ValueType::UnsignedInt }, { "MET_LONG_LONG", ValueType::LongLong },
+    { "MET_ULONG_LONG", ValueType::UnsignedLongLong }, { "MET_FLOAT", ValueType::Float },
+    { "MET_DOUBLE", ValueType::Double } };
+  const auto found = types.find(name);
+  if (found == types.end())
+  {
+    throw InputError("its values are of type '" + name.substr(0, 80) +
+      "'. Read are MET_CHAR to MET_ULONG_LONG, MET_FLOAT and MET_DOUBLE.");
+  }
+  return found->second;
+}
+
+ImagePlace FindPlace(const MetaHeader& header)
+{
+  const double dimensions = header.Numbers({ "NDims" }, 1, 0.0)[0];
+  if (!(dimensions >= 1.0 && dimensions <= 3.0))
+  {
+    throw InputError("its image has " + header.Find({ "NDims" }, "no").substr(0, 20) +
+      " dimensions; wanted are three.");
+  }
+  const std::size_t n = static_cast<std::size_t>(dimensions);
+  const std::vector<double> sizes = header.Numbers({ "DimSize" }, n, 0.0),
+                            spacing = header.Numbers({ "ElementSpacing", "ElementSize" }, n, 1.0),
+                            origin = header.Numbers({ "Offset", "Position", "Origin" }, n, 0.0);
+  const bool isTurned = !header.Find({ "TransformMatrix", "Rotation", "Orientation" }, "").empty();
+  const std::vector<double> matrix =
+    header.Numbers({ "TransformMatrix", "Rotation", "Orientation" }, n * n, 0.0);
+  ImagePlace place;
+  place.Size = { { 1, 1, 1 } };
+  std::array<Vector3, 3> steps{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
+    { { 0.0, 0.0, 1.0 } } } };
+  for (std::size_t a = 0; a < n; ++a)
+  {
+    place.Size[a] = ToSize(sizes[a]);
+    place.Origin[a] = origin[a];
+    for (std::size_t c = 0; c < n; ++c)
+    {
+      steps[a][c] = (isTurned ? matrix[a * n + c] : steps[a][c]) * std::abs(spacing[a]);
+    }
+    place.Spacing[a] = std::abs(spacing[a]);
+  }
+  CheckPlace(place);
+  if (!AreAtRightAngles(steps))
+  {
+    throw InputError("its TransformMatrix is no rotation: the axes are not at right angles.");
+  }
+  SetSteps(steps, place);
+  return place;
+}
+
+/// Returns the files with the values, relative to the header: one, those of a list that follows the header, a slice each, or those
+/// of a pattern with first, last and step. None: the values follow the header.
+std::vector<std::string> FindFiles(const MetaHeader& header, std::istream& stream, Index slices)
+{
+  const std::string name = header.Find({ "ElementDataFile" }, "");
+  std::istringstream words(name);
+  std::string pattern;
+  double first = 0.0, last = 0.0, step = 1.0;
+  std::vector<std::string> files;
+  if (name == "LOCAL" || name == "Local" || name == "local")
+  {
+    return files;
+  }
+  if (name.compare(0, 4, "LIST") == 0)
+  {
+    for (std::string line; static_cast<Index>(files.size()) < slices && std::getline(stream, line);)
+    {
+      files.push_back(Trim(line));
+    }
+    return files;
+  }
+  if (name.find('%') != std::string::npos && words >> pattern >> first >> last)
+  {
+    words >> step;
+    return ListNumberedFiles(pattern, first, last, step, slices);
+  }
+  return { name };
+}
+
+/// Returns values that are written as text.
+TypedValues ReadText(const StoredValues& stored, Index count)
+{
+  TypedValues values = MakeValues("", stored.Type, count);
+  std::ifstream stream = OpenFile(stored.Files[0]);
+  stream.seekg(stored.Begin);
+  VisitType(stored.Type,
+    [&](auto tag)
+    {
+      using Value = typename decltype(tag)::Type;
+      for (Index i = 0; i < count; ++i)
+      {
+        double number = 0.0;
+        if (!(stream >> number))
+        {
+          throw InputError("its values are cut short, or no numbers.");
+        }
+        reinterpret_cast<Value*>(values.Bytes.data())[i] = static_cast<Value>(number);
+      }
+    });
+  return values;
+}
+
 } // namespace
 
-std::unique_ptr<ImageFile> OpenMetaImage(const std::string& path)
+ImageFile OpenMetaImage(const std::string& path)
 {
-  const double headerEnd = FindHeaderEnd(path);
-  vtkNew<vtkMetaImageReader> reader;
-  return std::make_unique<MetaImageFile>(path, headerEnd, reader);
+  std::ifstream stream = OpenFile(path);
+  const MetaHeader header = ReadHeader(stream);
+  ImageFile image;
+  image.Place = FindPlace(header);
+  const Index3 size = image.Place.Size;
+  const double values = header.Numbers({ "ElementNumberOfChannels" }, 1, 1.0)[0];
+  if (values != 1.0)
+  {
+    throw InputError("it has " + std::to_string(static_cast<int>(values)) +
+      " values a point (a vector or a colour); wanted is one, a label or a volume fraction.");
+  }
+  StoredValues stored;
+  stored.Type = FindType(header.Find({ "ElementType" }, ""));
+  stored.AreCompressed = header.IsTrue({ "CompressedData" });
+  stored.AreSwapped = WidthOfType(stored.Type) > 1 &&
+    header.IsTrue({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" }) == IsLittleEndian();
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (const std::string& file : FindFiles(header, stream, size[2]))
+  {
+    stored.Files.push_back((folder / file).string());
+  }
+  if (stored.Files.empty())
+  {
+    stored.Files = { path };
+    stored.Begin = header.Length;
+  }
+  const double skip = header.Numbers({ "HeaderSize" }, 1, 0.0)[0];
+  const bool isBinary = header.IsTrue({ "BinaryData" });
+  if (skip == -1.0 && stored.Files.size() == 1) // the values end the file
+  {
+    const double length = static_cast<double>(std::filesystem::file_size(stored.Files[0]));
+    stored.Begin = ToSize(length - stored.CountBytes(size));
+  }
+  else
+  {
+    stored.Begin += ToSize(skip);
+  }
+  if (isBinary)
+  {
+    CheckFiles(stored, size);
+  }
+  else
+  {
+    CheckLength(stored.Files[0], static_cast<double>(stored.Begin),
+      2.0 * stored.CountBytes(size) / double(WidthOfType(stored.Type)) - 1.0, false);
+  }
+  image.ReadsParts = isBinary && !stored.AreCompressed;
+  image.Read = [stored, size, isBinary](const IndexBox& box)
+  {
+    return isBinary ? ReadStored(stored, size, box)
+                    : ReadText(stored, box.NumberOfCells()); // of the whole
+  };
+  return image;
 }
 
 } // namespace vfm

@@ -1,21 +1,14 @@
 #include "Base/Vector3.h"
 #include "Images/ImageFile.h"
-#include "Images/VtkImageFile.h"
+#include "Images/StoredValues.h"
 #include "OpenFile.h"
-#include "Ranks/Errors.h"
 #include "SwapBytes.h"
-
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNIFTIImageHeader.h"
-#include "vtkNIFTIImageReader.h"
-#include "vtkNew.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
+#include <memory>
+#include <optional>
 #include <zlib.h>
 
 namespace vfm
@@ -23,123 +16,271 @@ namespace vfm
 namespace
 {
 
-using Header = vtkNIFTIImageHeader;
+constexpr int Length1 = 348, Length2 = 540; // bytes of the headers of NIfTI-1 and -2
 
-constexpr int ValueTypes[] = { Header::TypeUInt8, Header::TypeInt8, Header::TypeUInt16,
-  Header::TypeInt16, Header::TypeUInt32, Header::TypeInt32, Header::TypeUInt64, Header::TypeInt64,
-  Header::TypeFloat32, Header::TypeFloat64 };
-
-template <class Number>
-Number Take(const char* bytes, bool isSwapped)
-{
-  Number number;
-  std::memcpy(&number, bytes, sizeof(Number));
-  return isSwapped ? SwapBytes(number) : number;
-}
-
-/// VTK's reader runs astray on types of values that it does not know.
-void CheckHeader(const std::string& path)
-{
-  OpenFile(path);
-  constexpr std::int32_t length = 348, length2 = 540; // of NIfTI-1 and -2
-  std::array<char, length> header{};
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
-  const bool isRead = file && gzread(file.get(), header.data(), length) == length;
-  for (bool isSwapped : { false, true })
-  {
-    const auto told = Take<std::int32_t>(header.data(), isSwapped);
-    const bool isFirst = told == length && header[344] == 'n' && header[346] == '1';
-    if (isRead && (isFirst || (told == length2 && header[4] == 'n' && header[6] == '2')))
-    {
-      const auto type = Take<std::int16_t>(header.data() + (isFirst ? 70 : 12), isSwapped);
-      if (std::find(std::begin(ValueTypes), std::end(ValueTypes), type) == std::end(ValueTypes))
-      {
-        throw InputError("its values are of type " + std::to_string(type) +
-          " of NIfTI. Read are whole numbers of 1 to 8 bytes, and reals of 4 or 8.");
-      }
-      return;
-    }
-  }
-  throw InputError("it is no NIfTI file.");
-}
-
-class NiftiFile : public VtkImageFile
+/// Numbers of a header, in whose second version most are longer and elsewhere.
+class NiftiHeader
 {
 public:
-  NiftiFile(const std::string& path, vtkNIFTIImageReader* reader) : VtkImageFile(path, reader)
+  explicit NiftiHeader(const std::string& path)
   {
-    CheckLength(path, 0.0, this->CountBytes(), true); // VTK's reader tells of those cut
-    if (reader->GetTimeDimension() > 1)
+    OpenFile(path);
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
+    this->IsPacked = file && gzdirect(file.get()) == 0;
+    const int read = file ? gzread(file.get(), this->Bytes.data(), Length2) : 0;
+    for (bool isSwapped : { false, true })
     {
-      throw InputError("it holds " + std::to_string(reader->GetTimeDimension()) +
-        " images (times, or maps of several regions). Save the one that is meant.");
-    }
-    this->SetPlace(reader->GetSFormMatrix(), reader->GetQFormMatrix());
-    const double slope = reader->GetRescaleSlope(), intercept = reader->GetRescaleIntercept();
-    if (slope != 0.0 && std::isfinite(slope) && std::isfinite(intercept)) // else as they are stored
-    {
-      this->Slope = slope;
-      this->Intercept = intercept;
-    }
-    this->Parts = reader->GetQFac() > 0.0; // VTK turns the slices of a part wrongly
-  }
-
-  vtkSmartPointer<vtkDataArray> Read(const IndexBox& box) override
-  {
-    const vtkSmartPointer<vtkDataArray> values = VtkImageFile::Read(box);
-    return this->Slope == 1.0 && this->Intercept == 0.0 ? values : this->Rescale(values);
-  }
-
-private:
-  /// The matrices turn and move an image with VTK's order of slices and its spacing, which lies at 0.
-  void SetPlace(vtkMatrix4x4* sform, vtkMatrix4x4* qform)
-  {
-    for (vtkMatrix4x4* matrix : { sform, qform })
-    {
-      std::array<Vector3, 3> steps{};
-      for (int axis = 0; matrix && axis < 3; ++axis)
+      this->IsSwapped = isSwapped;
+      const int length = read >= Length1 ? this->Take<std::int32_t>(0) : 0;
+      const char* magic = this->Bytes.data() + (length == Length1 ? 344 : 4);
+      this->IsSecond = length == Length2;
+      if ((length == Length1 && magic[0] == 'n' && magic[2] == '1') ||
+        (length == Length2 && read == Length2 && magic[0] == 'n' && magic[2] == '2'))
       {
-        for (int c = 0; c < 3; ++c)
-        {
-          steps[axis][c] = matrix->GetElement(c, axis) * this->Where.Spacing[axis];
-        }
-      }
-      if (AreAtRightAngles(steps))
-      {
-        SetSteps(steps, this->Where);
-        this->Where.Origin = { { matrix->GetElement(0, 3), matrix->GetElement(1, 3),
-          matrix->GetElement(2, 3) } };
         return;
       }
     }
-    if (sform || qform)
-    {
-      throw InputError("its sform is sheared: the axes of the image are not at right angles, and "
-                       "there is no qform. Resample the image onto a grid of right angles.");
-    }
+    throw InputError("it is no NIfTI file.");
   }
 
-  vtkSmartPointer<vtkDataArray> Rescale(vtkDataArray* stored) const
+  /// Of type Value1 at byte first in the first version, Value2 at second in the second.
+  template <class Value1, class Value2>
+  double Number(int first, int second, int index = 0) const
   {
-    vtkNew<vtkDoubleArray> values;
-    values->SetNumberOfTuples(stored->GetNumberOfTuples());
-    for (vtkIdType i = 0; i < stored->GetNumberOfTuples(); ++i)
-    {
-      values->SetValue(i, this->Slope * stored->GetComponent(i, 0) + this->Intercept);
-    }
-    return values;
+    return this->IsSecond
+      ? static_cast<double>(this->Take<Value2>(second + index * int(sizeof(Value2))))
+      : static_cast<double>(this->Take<Value1>(first + index * int(sizeof(Value1))));
+  }
+  double Real(int first, int second, int index = 0) const
+  {
+    return this->Number<float, double>(first, second, index);
+  }
+  double Dimension(int i) const { return this->Number<std::int16_t, std::int64_t>(40, 16, i); }
+  /// Of pixdim; 0 stands for 1.
+  double Width(int i) const
+  {
+    const double width = this->Real(76, 104, i);
+    return width == 0.0 ? 1.0 : width;
+  }
+  bool HasForm(int first, int second) const
+  {
+    return this->Number<std::int16_t, std::int32_t>(first, second) > 0;
   }
 
-  double Slope = 1.0, Intercept = 0.0;
+  bool IsPacked = false, IsSwapped = false, IsSecond = false;
+
+private:
+  template <class Value>
+  Value Take(int at) const
+  {
+    Value value;
+    std::memcpy(&value, this->Bytes.data() + at, sizeof(Value));
+    return this->IsSwapped ? SwapBytes(value) : value;
+  }
+
+  std::array<char, Length2> Bytes{};
 };
+
+int FindType(const NiftiHeader& header)
+{
+  const std::pair<int, int> types[] = { { 2, ValueType::UnsignedChar },
+    { 256, ValueType::SignedChar }, { 512, ValueType::UnsignedShort }, { 4, ValueType::Short },
+    { 768, ValueType::UnsignedInt }, { 8, ValueType::Int }, { 1280, ValueType::UnsignedLongLong },
+    { 1024, ValueType::LongLong }, { 16, ValueType::Float }, { 64, ValueType::Double } };
+  const int told = static_cast<int>(header.Number<std::int16_t, std::int16_t>(70, 12));
+  for (const auto& [number, type] : types)
+  {
+    if (number == told)
+    {
+      return type;
+    }
+  }
+  throw InputError("its values are of type " + std::to_string(told) +
+    " of NIfTI. Read are whole numbers of 1 to 8 bytes, and reals of 4 or 8.");
+}
+
+Index3 FindSize(const NiftiHeader& header)
+{
+  const double dimensions = header.Dimension(0);
+  if (!(dimensions >= 0.0 && dimensions <= 7.0))
+  {
+    throw InputError("its image has " + std::to_string(static_cast<int>(dimensions)) +
+      " dimensions; wanted are three.");
+  }
+  const auto size = [&](int i) { return i <= dimensions ? ToSize(header.Dimension(i)) : 1; };
+  if (size(4) > 1)
+  {
+    throw InputError("it holds " + std::to_string(size(4)) +
+      " images (times, or maps of several regions). Save the one that is meant.");
+  }
+  const Index values = size(5);
+  if (values > 1)
+  {
+    throw InputError("it has " + std::to_string(values) +
+      " values a point (a vector or a colour); wanted is one, a label or a volume fraction.");
+  }
+  return { size(1), size(2), size(3) };
+}
+
+/// Axes of an image, and where its first value lies.
+struct Form
+{
+  std::array<Vector3, 3> Axes; ///< times the widths: the steps
+  Vector3 Origin;
+};
+
+Form ReadQuaternion(const NiftiHeader& header)
+{
+  const double b = header.Real(256, 352), c = header.Real(260, 360), d = header.Real(264, 368);
+  const double a = std::sqrt(std::max(0.0, 1.0 - b * b - c * c - d * d));
+  const double all = a * a + b * b + c * c + d * d;
+  double rows[3][3] = { { a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d),
+                          2.0 * (b * d + a * c) },
+    { 2.0 * (b * c + a * d), a * a + c * c - b * b - d * d, 2.0 * (c * d - a * b) },
+    { 2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a + d * d - b * b - c * c } };
+  Form form;
+  for (int i = 0; i < 3; ++i)
+  {
+    Vector3 row;
+    for (int j = 0; j < 3; ++j)
+    {
+      constexpr double rounding = 0x1p-22; // of single precision
+      row[j] = std::abs(rows[i][j] / all) < rounding ? 0.0 : rows[i][j] / all;
+    }
+    const double length = std::sqrt(Dot(row, row));
+    for (int j = 0; j < 3; ++j)
+    {
+      form.Axes[j][i] = row[j] / length;
+    }
+    form.Origin[i] = header.Real(268 + 4 * i, 376 + 8 * i);
+  }
+  return form;
+}
+
+Form ReadMatrix(const NiftiHeader& header)
+{
+  Form form;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      form.Axes[j][i] = header.Real(280 + 16 * i, 400 + 32 * i, j) / header.Width(j + 1);
+    }
+    form.Origin[i] = header.Real(280 + 16 * i, 400 + 32 * i, 3);
+  }
+  return form;
+}
+
+/// Sets the place of an image whose slices are turned about where the file's axes are left-handed; returns whether they are.
+bool SetPlace(const NiftiHeader& header, ImagePlace& place)
+{
+  constexpr int sform = 0, qform = 1;
+  std::optional<Form> forms[2];
+  const double last = static_cast<double>(place.Size[2] - 1);
+  bool isTurned = false;
+  if (header.HasForm(252, 344))
+  {
+    Form& form = forms[qform].emplace(ReadQuaternion(header));
+    isTurned = header.Width(0) < 0.0;
+    form.Origin = isTurned ? form.Origin - header.Width(3) * last * form.Axes[2] : form.Origin;
+  }
+  if (header.HasForm(254, 348))
+  {
+    Form& form = forms[sform].emplace(ReadMatrix(header));
+    const auto& axes = form.Axes;
+    isTurned = forms[qform] ? isTurned : Dot(Cross(axes[0], axes[1]), axes[2]) < 0.0;
+    if (isTurned)
+    {
+      form.Origin = form.Origin + header.Width(3) * last * form.Axes[2];
+      form.Axes[2] = -1.0 * form.Axes[2];
+    }
+  }
+  for (const std::optional<Form>& form : forms)
+  {
+    std::array<Vector3, 3> steps{};
+    for (int a = 0; form && a < 3; ++a)
+    {
+      steps[a] = place.Spacing[a] * form->Axes[a];
+    }
+    if (form && AreAtRightAngles(steps))
+    {
+      SetSteps(steps, place);
+      place.Origin = form->Origin;
+      return isTurned;
+    }
+  }
+  if (forms[sform] || forms[qform])
+  {
+    throw InputError("its sform is sheared: the axes of the image are not at right angles, and "
+                     "there is no qform. Resample the image onto a grid of right angles.");
+  }
+  return isTurned;
+}
+
+void TurnSlices(TypedValues& values, Index slices)
+{
+  const Index slice = static_cast<Index>(values.Bytes.size()) / slices;
+  char* bytes = values.Bytes.data();
+  for (Index k = 0; k < slices / 2; ++k)
+  {
+    std::swap_ranges(bytes + k * slice, bytes + (k + 1) * slice, bytes + (slices - 1 - k) * slice);
+  }
+}
+
+TypedValues Rescale(const TypedValues& stored, double slope, double intercept)
+{
+  const Index count = static_cast<Index>(stored.Bytes.size()) / WidthOfType(stored.Type);
+  TypedValues values = MakeValues("", ValueType::Double, count);
+  VisitType(stored.Type,
+    [&](auto tag)
+    {
+      const auto* from = reinterpret_cast<const typename decltype(tag)::Type*>(stored.Bytes.data());
+      double* to = reinterpret_cast<double*>(values.Bytes.data());
+      for (Index i = 0; i < count; ++i)
+      {
+        to[i] = slope * static_cast<double>(from[i]) + intercept;
+      }
+    });
+  return values;
+}
 
 } // namespace
 
-std::unique_ptr<ImageFile> OpenNifti(const std::string& path)
+ImageFile OpenNifti(const std::string& path)
 {
-  CheckHeader(path);
-  vtkNew<vtkNIFTIImageReader> reader;
-  return std::make_unique<NiftiFile>(path, reader);
+  const NiftiHeader header(path);
+  ImageFile image;
+  image.Place.Size = FindSize(header);
+  image.Place.Spacing = { header.Width(1), header.Width(2), header.Width(3) };
+  StoredValues stored{ { path }, FindType(header) };
+  stored.AreCompressed = header.IsPacked;
+  stored.AreSwapped = header.IsSwapped;
+  stored.Skip = ToSize(header.Number<float, std::int64_t>(108, 168));
+  CheckPlace(image.Place);
+  CheckFiles(stored, image.Place.Size);
+  const bool isTurned = SetPlace(header, image.Place);
+  double slope = header.Real(112, 176), intercept = header.Real(116, 184);
+  if (slope == 0.0 || !std::isfinite(slope) || !std::isfinite(intercept)) // as they are stored
+  {
+    slope = 1.0;
+    intercept = 0.0;
+  }
+  image.Read = [=, size = image.Place.Size](const IndexBox& box)
+  {
+    IndexBox there = box;
+    if (isTurned)
+    {
+      there.Lower[2] = size[2] - box.Upper[2];
+      there.Upper[2] = size[2] - box.Lower[2];
+    }
+    TypedValues values = ReadStored(stored, size, there);
+    if (isTurned)
+    {
+      TurnSlices(values, box.Size(2));
+    }
+    return slope == 1.0 && intercept == 0.0 ? std::move(values) : Rescale(values, slope, intercept);
+  };
+  return image;
 }
 
 } // namespace vfm

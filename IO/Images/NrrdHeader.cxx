@@ -1,7 +1,9 @@
 #include "Images/NrrdHeader.h"
 
 #include "Images/ImagePlace.h"
+#include "Images/StoredValues.h"
 #include "OpenFile.h"
+#include "SwapBytes.h"
 
 #include <algorithm>
 #include <map>
@@ -14,8 +16,9 @@ namespace
 {
 
 constexpr std::size_t LongestLine = 100000;
+constexpr double LargestSkip = 1e15;
 
-/// VTK's reader does not end where the last line of the header has no end, be it for a zero in it.
+/// A header that is cut or of another format.
 void CheckLine(const std::string& line, bool hasEnd)
 {
   const bool isText = std::none_of(line.begin(), line.end(),
@@ -38,7 +41,8 @@ std::map<std::string, std::string> ReadFields(const std::string& path, Index& le
   }
   CheckLine(line, !stream.eof());
   std::map<std::string, std::string> fields;
-  bool hasEnd = false;
+  bool hasEnd = false, isList = false;
+  std::string& list = fields["LIST"]; // names of files, a line each
   while (!hasEnd && std::getline(stream, line))
   {
     CheckLine(line, !stream.eof());
@@ -48,9 +52,14 @@ std::map<std::string, std::string> ReadFields(const std::string& path, Index& le
     }
     hasEnd = line.empty();
     const std::size_t colon = line.find(": ");
-    if (!hasEnd && line[0] != '#' && colon != std::string::npos)
+    if (!hasEnd && isList)
+    {
+      list += line + "\n";
+    }
+    else if (!hasEnd && line[0] != '#' && colon != std::string::npos)
     {
       fields[line.substr(0, colon)] = line.substr(colon + 2);
+      isList = line.compare(0, 4, "data") == 0 && line.compare(colon, 6, ": LIST") == 0;
     }
   }
   length = stream ? static_cast<Index>(stream.tellg()) : 0;
@@ -114,6 +123,92 @@ void ReadSteps(const std::map<std::string, std::string>& fields, NrrdHeader& hea
   }
 }
 
+std::string FindField(const std::map<std::string, std::string>& fields, const std::string& name,
+  const std::string& without)
+{
+  const auto found = fields.find(name);
+  std::string text = found == fields.end() ? without : found->second;
+  text.erase(text.find_last_not_of(" \t") + 1);
+  return text;
+}
+
+int FindType(const std::string& name)
+{
+  static const std::map<std::string, int> types{ { "signed char", ValueType::SignedChar },
+    { "int8", ValueType::SignedChar }, { "int8_t", ValueType::SignedChar },
+    { "uchar", ValueType::UnsignedChar }, { "unsigned char", ValueType::UnsignedChar },
+    { "uint8", ValueType::UnsignedChar }, { "uint8_t", ValueType::UnsignedChar },
+    { "short", ValueType::Short }, { "short int", ValueType::Short },
+    { "signed short", ValueType::Short }, { "signed short int", ValueType::Short },
+    { "int16", ValueType::Short }, { "int16_t", ValueType::Short },
+    { "ushort", ValueType::UnsignedShort }, { "unsigned short", ValueType::UnsignedShort },
+    { "unsigned short int", ValueType::UnsignedShort }, { "uint16", ValueType::UnsignedShort },
+    { "uint16_t", ValueType::UnsignedShort }, { "int", ValueType::Int },
+    { "signed int", ValueType::Int }, { "int32", ValueType::Int }, { "int32_t", ValueType::Int },
+    { "uint", ValueType::UnsignedInt }, { "unsigned int", ValueType::UnsignedInt },
+    { "uint32", ValueType::UnsignedInt }, { "uint32_t", ValueType::UnsignedInt },
+    { "longlong", ValueType::LongLong }, { "long long", ValueType::LongLong },
+    { "long long int", ValueType::LongLong }, { "signed long long", ValueType::LongLong },
+    { "signed long long int", ValueType::LongLong }, { "int64", ValueType::LongLong },
+    { "int64_t", ValueType::LongLong }, { "ulonglong", ValueType::UnsignedLongLong },
+    { "unsigned long long", ValueType::UnsignedLongLong },
+    { "unsigned long long int", ValueType::UnsignedLongLong },
+    { "uint64", ValueType::UnsignedLongLong }, { "uint64_t", ValueType::UnsignedLongLong },
+    { "float", ValueType::Float }, { "double", ValueType::Double } };
+  const auto found = types.find(name);
+  if (found == types.end())
+  {
+    throw InputError("its values are of type '" + name.substr(0, 80) +
+      "'. Read are whole numbers of 1 to 8 bytes, and reals of 4 or 8.");
+  }
+  return found->second;
+}
+
+/// Whether values in an order of bytes are not in that of this machine.
+bool IsSwapped(const std::string& order)
+{
+  if (order != "little" && order != "big")
+  {
+    throw InputError("its endian is '" + order.substr(0, 80) + "'; it must be little or big.");
+  }
+  return (order == "little") != IsLittleEndian();
+}
+
+/// Returns how many bytes of the data lie before the first value.
+Index FindSkip(const std::map<std::string, std::string>& fields)
+{
+  if (FindField(fields, "line skip", "0") != "0")
+  {
+    throw InputError("its header has a line skip, which is not supported.");
+  }
+  const bool hasSkip = fields.count("byte skip") > 0;
+  const double skip = hasSkip ? ParseField(fields, "byte skip", 1)[0] : 0.0;
+  if (!(skip >= 0.0 && skip < LargestSkip))
+  {
+    throw InputError("its byte skip is not a number of bytes from 0.");
+  }
+  return static_cast<Index>(skip);
+}
+
+/// Returns the files that hold the values: of a list, of a pattern with first, last and step, or one.
+std::vector<std::string> FindFiles(const std::map<std::string, std::string>& fields, Index most)
+{
+  const std::string name = FindField(fields, "data file", FindField(fields, "datafile", ""));
+  std::vector<std::string> files;
+  std::istringstream list(fields.at("LIST")), words(name);
+  for (std::string line; std::getline(list, line);)
+  {
+    files.push_back(line);
+  }
+  std::string pattern;
+  double first = 0.0, last = 0.0, step = 0.0;
+  if (files.empty() && words >> pattern >> first >> last >> step)
+  {
+    return ListNumberedFiles(pattern, first, last, step, most);
+  }
+  return files.empty() && !name.empty() ? std::vector<std::string>{ name } : files;
+}
+
 } // namespace
 
 NrrdHeader ReadNrrdHeader(const std::string& path)
@@ -132,17 +227,16 @@ NrrdHeader ReadNrrdHeader(const std::string& path)
     header.Size[a] = ToSize(sizes[a]);
   }
   ReadSteps(fields, header);
-  const auto encoding = fields.find("encoding");
-  const std::string coded = encoding == fields.end() ? "" : encoding->second;
+  const std::string coded = FindField(fields, "encoding", "");
   header.IsRaw = coded == "raw";
   if (!header.IsRaw && coded != "gzip" && coded != "gz")
   {
     throw InputError("its encoding is '" + coded.substr(0, 80) + "'; read are raw and gzip.");
   }
-  for (const char* name : { "data file", "datafile" })
-  {
-    header.Values = fields.count(name) > 0 ? fields.at(name) : header.Values;
-  }
+  header.Type = FindType(FindField(fields, "type", ""));
+  header.IsSwapped = WidthOfType(header.Type) > 1 && IsSwapped(FindField(fields, "endian", ""));
+  header.Skip = FindSkip(fields);
+  header.Files = FindFiles(fields, header.Size[2]);
   return header;
 }
 

@@ -1,13 +1,13 @@
 /**
- * NrrdHeader: what VTK's reader of NRRD leaves out of its image.
+ * NrrdHeader: the header of a NRRD file, a text.
  */
 #pragma once
 
 #include "Base/IndexBox.h"
 
 #include <array>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace vfm
 {
@@ -19,10 +19,12 @@ struct NrrdHeader
   std::array<Vector3, 3> Steps{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
     { { 0.0, 0.0, 1.0 } } } };
   Vector3 Origin{ { 0.0, 0.0, 0.0 } };
+  int Type = 0;       ///< of ValueType
   bool IsRaw = false; ///< else gzip
-  Index Length = 0;   ///< of the header, in bytes
-  /// The file that holds them, or a list or pattern of files; empty: they follow the header.
-  std::string Values;
+  bool IsSwapped = false;
+  Index Skip = 0;                 ///< bytes of the data before the first value
+  Index Length = 0;               ///< of the header, in bytes
+  std::vector<std::string> Files; ///< with the values, relative to the header; none: they follow it
 };
 
 /// Throws InputError, without the path, when it is no header of a three-dimensional image, and on encodings other than raw and gzip.

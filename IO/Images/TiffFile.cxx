@@ -1,15 +1,13 @@
 #include "Images/ImageFile.h"
-#include "Images/VtkImageFile.h"
 #include "OpenFile.h"
 #include "Ranks/Errors.h"
 
-#include "vtkNew.h"
-#include "vtkTIFFReader.h"
-
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <tiffio.h>
+#include <vector>
 
 namespace vfm
 {
@@ -52,18 +50,24 @@ int CountDescribed(TIFF* file)
   return found ? std::atoi(found + std::strlen(key)) : 1;
 }
 
-/// VTK's reader trusts that all pages are like the first, and reads what it does not know as colours.
-void CheckPages(const std::string& path)
+using TiffHandle = std::unique_ptr<TIFF, void (*)(TIFF*)>;
+
+TiffHandle Open(const std::string& path)
 {
   OpenFile(path);
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
-  const std::unique_ptr<TIFF, void (*)(TIFF*)> file(TIFFOpen(path.c_str(), "r"), TIFFClose);
+  TiffHandle file(TIFFOpen(path.c_str(), "r"), TIFFClose);
   if (!file)
   {
     throw InputError("it is no TIFF file.");
   }
-  const Page first(file.get());
+  return file;
+}
+
+/// Checks that all pages are like the first; returns how many there are.
+int CheckPages(TIFF* file, const Page& first)
+{
   if (first.Samples != 1 || (first.Bits != 8 && first.Bits != 16 && first.Bits != 32))
   {
     throw InputError("it has " + std::to_string(first.Samples) + " values of " +
@@ -74,8 +78,8 @@ void CheckPages(const std::string& path)
     throw InputError(
       "its values are not stored in strips of rows (but in tiles, or it is damaged).");
   }
-  const int described = CountDescribed(file.get());
-  const int pages = TIFFNumberOfDirectories(file.get());
+  const int described = CountDescribed(file);
+  const int pages = TIFFNumberOfDirectories(file);
   if (pages < described)
   {
     throw InputError("ImageJ wrote " + std::to_string(described) + " images, but it has " +
@@ -84,22 +88,100 @@ void CheckPages(const std::string& path)
   }
   for (int page = 2; page <= pages; ++page)
   {
-    if (!TIFFReadDirectory(file.get()) || Page(file.get()) != first)
+    if (!TIFFReadDirectory(file) || Page(file) != first)
     {
       throw InputError("page " + std::to_string(page) +
         " is stored otherwise than the first, of another size or type, or damaged.");
     }
   }
+  TIFFSetDirectory(file, 0);
+  return pages;
+}
+
+int FindType(const Page& page)
+{
+  const bool isSigned = page.Format == SAMPLEFORMAT_INT;
+  if (page.Bits == 8)
+  {
+    return isSigned ? ValueType::SignedChar : ValueType::UnsignedChar;
+  }
+  if (page.Bits == 16)
+  {
+    return isSigned ? ValueType::Short : ValueType::UnsignedShort;
+  }
+  return page.Format == SAMPLEFORMAT_IEEEFP ? ValueType::Float
+    : isSigned                              ? ValueType::Int
+                                            : ValueType::UnsignedInt;
+}
+
+/// Widths of voxels in millimetres; 1 where the file does not tell them.
+Vector3 FindSpacing(TIFF* file, int pages)
+{
+  std::uint16_t unit = 0;
+  float x = 0.0F, y = 0.0F;
+  TIFFGetFieldDefaulted(file, TIFFTAG_RESOLUTIONUNIT, &unit);
+  const bool isTold = TIFFGetField(file, TIFFTAG_XRESOLUTION, &x) == 1 &&
+    TIFFGetField(file, TIFFTAG_YRESOLUTION, &y) == 1 && x > 0.0F && y > 0.0F;
+  const double length = unit == RESUNIT_INCH ? 25.4 : unit == RESUNIT_CENTIMETER ? 10.0 : 0.0;
+  if (!isTold || length == 0.0)
+  {
+    return { { 1.0, 1.0, 1.0 } };
+  }
+  return { { length / x, length / y, pages > 1 ? length / x : 1.0 } };
+}
+
+/// Reads one page as VTK does: the first row of the file is the lowest, unless the file says otherwise.
+void ReadPage(TIFF* file, const Index3& size, Index width, char* to)
+{
+  std::uint16_t orientation = 0, meaning = PHOTOMETRIC_MINISBLACK;
+  TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &orientation);
+  TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &meaning);
+  const Index length = size[0] * width;
+  std::vector<char> row(std::max<std::size_t>(TIFFScanlineSize(file), length));
+  for (Index j = 0; j < size[1]; ++j)
+  {
+    if (TIFFReadScanline(file, row.data(), static_cast<std::uint32_t>(j), 0) != 1)
+    {
+      throw InputError("its values cannot be read.");
+    }
+    const Index up = orientation == ORIENTATION_TOPLEFT ? j : size[1] - 1 - j;
+    std::transform(row.begin(), row.begin() + length, to + up * length,
+      [meaning](char c) { return meaning == PHOTOMETRIC_MINISWHITE ? static_cast<char>(~c) : c; });
+  }
 }
 
 } // namespace
 
-std::unique_ptr<ImageFile> OpenTiff(const std::string& path)
+ImageFile OpenTiff(const std::string& path)
 {
-  CheckPages(path);
-  vtkNew<vtkTIFFReader> reader;
-  reader->SetIgnoreColorMap(true); // a palette colours labels
-  return std::make_unique<VtkImageFile>(path, reader);
+  const TiffHandle file = Open(path);
+  const Page first(file.get());
+  const int pages = CheckPages(file.get(), first);
+  ImageFile image;
+  image.Place.Size = { first.Width, first.Height, pages };
+  image.Place.Spacing = FindSpacing(file.get(), pages);
+  CheckPlace(image.Place);
+  const int type = FindType(first);
+  const Index width = WidthOfType(type);
+  const Index3 size = image.Place.Size;
+  CheckLength(path, 0.0, double(size[0]) * double(size[1]) * double(size[2]) * double(width), true);
+  image.ReadsParts = false;
+  image.Read = [path, type, width, size](const IndexBox& box) // of the whole
+  {
+    TypedValues values = MakeValues("", type, box.NumberOfCells());
+    const TiffHandle pagesOfFile = Open(path);
+    for (Index page = 0; page < size[2]; ++page)
+    {
+      if (page > 0 && !TIFFReadDirectory(pagesOfFile.get()))
+      {
+        throw InputError("its values cannot be read.");
+      }
+      ReadPage(
+        pagesOfFile.get(), size, width, values.Bytes.data() + page * size[0] * size[1] * width);
+    }
+    return values;
+  };
+  return image;
 }
 
 } // namespace vfm

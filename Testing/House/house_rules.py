@@ -19,11 +19,12 @@ ALLOWED.update({
     "Shapes": BASE + ("Grid/Fractions",),
     "Parallel/Mpi": BASE,
     "Parallel": BASE + ("Parallel/Mpi",),
-    "IO": BASE + MESHER + ("IO/Blocks", "Parallel"),
+    "IO": BASE + MESHER + ("IO/Blocks", "IO/Images", "Parallel"),
+    "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
     "Filters": GRID + MESHER + ("Shapes", "Parallel"),
     "InSitu": BASE + MESHER + ("Parallel", "Parallel/Mpi", "IO", "Filters"),
-    "Program": BASE + MESHER + ("Parallel", "IO", "IO/Blocks", "Filters", "InSitu"),
+    "Program": BASE + MESHER + ("Parallel", "IO", "IO/Blocks", "IO/Images", "Filters", "InSitu"),
     "Plugin": ("Filters",),
     "python": GRID + MESHER + ("Shapes", "IO/Blocks"),
     "Examples": ("InSitu",),
@@ -38,7 +39,7 @@ ALLOWED.update({
 })
 
 # Folders without VTK, and those of them without MPI.
-WITHOUT_MPI = GRID + MESHER + ("Shapes", "IO/Blocks", "python", "Testing/Support", "Testing/Grid", "Testing/Mesher")
+WITHOUT_MPI = GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Images", "python", "Testing/Support", "Testing/Grid", "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi",)
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
 MPI = re.compile(r"mpi", re.IGNORECASE)

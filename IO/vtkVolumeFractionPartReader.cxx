@@ -1,0 +1,156 @@
+#include "vtkVolumeFractionPartReader.h"
+
+#include "ControllerRanks.h"
+#include "FailedOutput.h"
+#include "ImageExtent.h"
+#include "Images/ImagePlace.h"
+#include "Ranks/WorkTogether.h"
+#include "TypedValues.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <array>
+#include <new>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+vtkCxxSetObjectMacro(vtkVolumeFractionPartReader, Controller, vtkMultiProcessController);
+
+namespace
+{
+
+/// Row by row; its columns are the axes of the image.
+std::array<double, 9> GetDirection(const vfm::ImagePlace& place)
+{
+  std::array<double, 9> direction;
+  for (int i = 0; i < 9; ++i)
+  {
+    direction[i] = place.Axes[i % 3][i / 3];
+  }
+  return direction;
+}
+
+/// Does a step(ranks) together with all processes; returns why it failed, or "".
+template <class Step>
+std::string FindProblem(vtkMultiProcessController* controller, const Step& step)
+{
+  try
+  {
+    vfm::ControllerRanks ranks(controller);
+    vfm::WorkTogether(ranks, [&] { step(ranks); });
+    return "";
+  }
+  catch (const vfm::InputError& error)
+  {
+    return error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "not enough memory.";
+  }
+}
+
+vtkSmartPointer<vtkDataArray> AdoptValues(vfm::TypedValues& values)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(values.Type));
+  const vtkIdType count = values.Bytes.size() / vfm::WidthOfType(values.Type);
+  array->SetName(values.Name.c_str());
+  array->SetVoidArray(values.Bytes.release(), count, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  return array;
+}
+
+} // namespace
+
+vtkVolumeFractionPartReader::vtkVolumeFractionPartReader() : Place(new vfm::ImagePlace)
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkVolumeFractionPartReader::~vtkVolumeFractionPartReader()
+{
+  this->SetController(nullptr);
+}
+
+int vtkVolumeFractionPartReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  this->Problem = FindProblem(this->Controller,
+    [this](vfm::Ranks&)
+    { *this->Place = this->Open(this->AreOfCells); }); // RequestData tells it, once
+  if (!this->Problem.empty())
+  {
+    *this->Place = vfm::ImagePlace();
+  }
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  for (int a = 0; a < 3 && this->Place->Size[a] > 0; ++a)
+  {
+    extent[2 * a + 1] = static_cast<int>(this->Place->Size[a]) - (this->AreOfCells ? 0 : 1);
+  }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), this->Place->Origin.data(), 3);
+  info->Set(vtkDataObject::SPACING(), this->Place->Spacing.data(), 3);
+  info->Set(vtkDataObject::DIRECTION(), GetDirection(*this->Place).data(), 9);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+int vtkVolumeFractionPartReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  int extent[6];
+  info->Get(Pipeline::UPDATE_EXTENT(), extent);
+  std::string problem = this->Problem;
+  if (problem.empty())
+  {
+    problem =
+      FindProblem(this->Controller, [&](vfm::Ranks& ranks) { this->Read(extent, ranks, image); });
+  }
+  if (!problem.empty())
+  {
+    vfm::Fail(this, outputVector, ("Cannot read " + this->FileName + ": " + problem).c_str());
+  }
+  return 1;
+}
+
+void vtkVolumeFractionPartReader::Read(const int extent[6], vfm::Ranks& ranks, vtkImageData* image)
+{
+  const bool isEmpty = vfm::IsEmptyExtent(extent);
+  vfm::IndexBox box;
+  if (!isEmpty)
+  {
+    box = this->AreOfCells ? vfm::FindCells(extent, this->Place->Size) : vfm::FindPoints(extent);
+  }
+  std::vector<vfm::TypedValues> arrays = this->ReadBox(box, ranks);
+  if (isEmpty)
+  {
+    return;
+  }
+  image->SetExtent(const_cast<int*>(extent));
+  image->SetOrigin(this->Place->Origin.data());
+  image->SetSpacing(this->Place->Spacing.data());
+  image->SetDirectionMatrix(GetDirection(*this->Place).data());
+  vtkDataSetAttributes* attributes =
+    image->GetAttributes(this->AreOfCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+  for (vfm::TypedValues& values : arrays)
+  {
+    attributes->AddArray(AdoptValues(values));
+  }
+  attributes->SetActiveScalars(attributes->GetArrayName(0));
+}
+
+void vtkVolumeFractionPartReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
+}
