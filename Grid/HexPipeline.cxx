@@ -4,6 +4,7 @@
 #include "Hex/CoarseSmoothing.h"
 #include "Hex/HexFacets.h"
 #include "Mesh/Geometry.h"
+#include "Mesh/KeepOwned.h"
 #include "Mesh/MeasureFragments.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"

@@ -1,6 +1,7 @@
 #include "TetPipeline.h"
 
 #include "Mesh/Geometry.h"
+#include "Mesh/KeepOwned.h"
 #include "Mesh/MeasureFragments.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"

@@ -2,6 +2,8 @@
 
 #include "Fractions/GhostFractions.h"
 #include "HexPipeline.h"
+#include "Input/InputFractions.h"
+#include "Input/InputLabels.h"
 #include "Input/UseLabels.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"

@@ -1,6 +1,6 @@
 /**
- * Four doubles side by side, for the kernels of the energies. Only for their sources: functions that take lanes
- * must be inlined into those compiled by VFM_CLONES.
+ * Eight floats or four doubles side by side, each of one element, for the kernels of the energies: one source for both. Only for their sources:
+ * functions that take lanes must be inlined into those compiled by VFM_CLONES.
  */
 #pragma once
 
@@ -10,78 +10,182 @@
 namespace vfm
 {
 
-typedef double Lanes __attribute__((vector_size(32)));
+typedef float Float4 __attribute__((vector_size(16)));
+typedef float Float8 __attribute__((vector_size(32)));
+typedef double Double4 __attribute__((vector_size(32)));
 typedef long long Mask __attribute__((vector_size(32)));
 
-struct Lanes3
+/// How many elements are side by side, and their numbers.
+template <class Real>
+struct ElementLanes;
+template <>
+struct ElementLanes<float>
 {
-  Lanes X, Y, Z;
+  static constexpr int Count = 8;
+  using Type = Float8;
+  using Point = Float4;
+};
+template <>
+struct ElementLanes<double>
+{
+  static constexpr int Count = 4;
+  using Type = Double4;
+  using Point = Double4;
 };
 
-VFM_INLINE Lanes Splat(double a)
+template <class Real>
+using LanesOf = typename ElementLanes<Real>::Type;
+
+template <class Real>
+struct VectorLanes
 {
-  return Lanes{ a, a, a, a };
-}
-VFM_INLINE Lanes SquareRoot(const Lanes& a)
+  LanesOf<Real> X, Y, Z;
+};
+
+///@{ Where only doubles are used.
+using Lanes = LanesOf<double>;
+using Lanes3 = VectorLanes<double>;
+///@}
+
+template <class Real>
+VFM_INLINE LanesOf<Real> Fill(Real a)
 {
-  return Lanes{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
+  return a - LanesOf<Real>{}; // keeps the sign of a zero
 }
-VFM_INLINE Lanes3 Plus(const Lanes3& a, const Lanes3& b)
+
+/// 1 in as many of the first lanes, 0 in the others.
+template <class Real>
+VFM_INLINE LanesOf<Real> FirstOnes(int count)
+{
+  constexpr int Count = ElementLanes<Real>::Count;
+  LanesOf<Real> lane;
+  for (int i = 0; i < Count; ++i)
+  {
+    lane[i] = Real(i);
+  }
+  return lane < static_cast<Real>(count) ? Fill<Real>(1.0) : Fill<Real>(0.0);
+}
+
+template <class Real>
+VFM_INLINE VectorLanes<Real> operator+(const VectorLanes<Real>& a, const VectorLanes<Real>& b)
 {
   return { a.X + b.X, a.Y + b.Y, a.Z + b.Z };
 }
-VFM_INLINE Lanes3 Minus(const Lanes3& a, const Lanes3& b)
+template <class Real>
+VFM_INLINE VectorLanes<Real> operator-(const VectorLanes<Real>& a, const VectorLanes<Real>& b)
 {
   return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
 }
-VFM_INLINE Lanes3 Times(const Lanes& s, const Lanes3& a)
+template <class Real>
+VFM_INLINE VectorLanes<Real> Times(const LanesOf<Real>& s, const VectorLanes<Real>& a)
 {
   return { s * a.X, s * a.Y, s * a.Z };
 }
-VFM_INLINE Lanes3 Times(const Lanes3& a, const Lanes3& b)
-{
-  return { a.X * b.X, a.Y * b.Y, a.Z * b.Z };
-}
-VFM_INLINE Lanes Dot(const Lanes3& a, const Lanes3& b)
+template <class Real>
+VFM_INLINE LanesOf<Real> Dot(const VectorLanes<Real>& a, const VectorLanes<Real>& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
-VFM_INLINE Lanes3 Cross(const Lanes3& a, const Lanes3& b)
+template <class Real>
+VFM_INLINE VectorLanes<Real> Cross(const VectorLanes<Real>& a, const VectorLanes<Real>& b)
 {
   return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
 }
-VFM_INLINE double Sum(const Lanes& a)
+
+VFM_INLINE Float8 SquareRoot(const Float8& a)
+{
+  Float8 root;
+  for (int i = 0; i < 8; ++i)
+  {
+    root[i] = std::sqrt(a[i]);
+  }
+  return root;
+}
+VFM_INLINE Double4 SquareRoot(const Double4& a)
+{
+  return Double4{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
+}
+
+/// In the same order on every machine.
+VFM_INLINE double Sum(const Float8& a)
+{
+  const Float4 half =
+    __builtin_shufflevector(a, a, 0, 1, 2, 3) + __builtin_shufflevector(a, a, 4, 5, 6, 7);
+  return (static_cast<double>(half[0]) + half[1]) + (static_cast<double>(half[2]) + half[3]);
+}
+VFM_INLINE double Sum(const Double4& a)
 {
   return (a[0] + a[1]) + (a[2] + a[3]);
 }
-VFM_INLINE Lanes3 Pack(const double* a, const double* b, const double* c, const double* d)
+
+/// Coordinates x, y, z of one point, and a fourth number that says nothing.
+template <class Real>
+using PointOf = typename ElementLanes<Real>::Point;
+
+/// point - origin, subtracted as doubles.
+template <class Real>
+VFM_INLINE PointOf<Real> Difference(const Vector3& point, const Vector3& origin)
 {
-  return { Lanes{ a[0], b[0], c[0], d[0] }, Lanes{ a[1], b[1], c[1], d[1] },
-    Lanes{ a[2], b[2], c[2], d[2] } };
+  return __builtin_convertvector(
+    (Double4{ point[0] - origin[0], point[1] - origin[1], point[2] - origin[2], 0.0 }),
+    PointOf<Real>);
 }
 
-/// A sum of values, gradients and Hessians.
-struct Accumulator
+/// points[at(lane)] side by side.
+template <class At>
+VFM_INLINE VectorLanes<double> GatherPoints(const Double4* points, const At& at)
 {
-  Lanes Value, GX, GY, GZ, XX, YY, ZZ, XY, XZ, YZ;
+  const Double4 a = points[at(0)], b = points[at(1)], c = points[at(2)], d = points[at(3)];
+  const Double4 xz0 = __builtin_shufflevector(a, b, 0, 4, 2, 6),
+                xz1 = __builtin_shufflevector(c, d, 0, 4, 2, 6),
+                y0 = __builtin_shufflevector(a, b, 1, 5, 3, 7),
+                y1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return { __builtin_shufflevector(xz0, xz1, 0, 1, 4, 5),
+    __builtin_shufflevector(y0, y1, 0, 1, 4, 5), __builtin_shufflevector(xz0, xz1, 2, 3, 6, 7) };
+}
+template <class At>
+VFM_INLINE VectorLanes<float> GatherPoints(const Float4* points, const At& at)
+{
+  const auto pair = [&](int lane) {
+    return __builtin_shufflevector(points[at(lane)], points[at(lane + 4)], 0, 1, 2, 3, 4, 5, 6, 7);
+  };
+  const Float8 a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+  const Float8 xy0 = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
+               xy1 = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
+               z0 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
+               z1 = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+  return { __builtin_shufflevector(xy0, xy1, 0, 1, 8, 9, 4, 5, 12, 13),
+    __builtin_shufflevector(xy0, xy1, 2, 3, 10, 11, 6, 7, 14, 15),
+    __builtin_shufflevector(z0, z1, 0, 1, 8, 9, 4, 5, 12, 13) };
+}
+
+/// points[i] - origin, subtracted as doubles.
+VFM_INLINE VectorLanes<double> Differences(const double* const (&points)[4], const Vector3& origin)
+{
+  const auto along = [&](int a) {
+    return Double4{ points[0][a], points[1][a], points[2][a], points[3][a] } - origin[a];
+  };
+  return { along(0), along(1), along(2) };
+}
+
+/// A sum of gradients and Hessians (xx yy zz xy xz yz).
+template <class Real>
+struct DerivativeSums
+{
+  VectorLanes<Real> Gradient;
+  LanesOf<Real> XX, YY, ZZ, XY, XZ, YZ;
+
+  /// Adds a b^T + c d^T, which must be symmetric.
+  VFM_INLINE void AddOuter(const VectorLanes<Real>& a, const VectorLanes<Real>& b,
+    const VectorLanes<Real>& c, const VectorLanes<Real>& d)
+  {
+    this->XX += a.X * b.X + c.X * d.X;
+    this->YY += a.Y * b.Y + c.Y * d.Y;
+    this->ZZ += a.Z * b.Z + c.Z * d.Z;
+    this->XY += a.X * b.Y + c.X * d.Y;
+    this->XZ += a.X * b.Z + c.X * d.Z;
+    this->YZ += a.Y * b.Z + c.Y * d.Z;
+  }
 };
-
-VFM_INLINE void AddOuter(Accumulator& sum, const Lanes& weight, const Lanes3& a)
-{
-  const Lanes3 wa = Times(weight, a);
-  sum.XX += wa.X * a.X;
-  sum.YY += wa.Y * a.Y;
-  sum.ZZ += wa.Z * a.Z;
-  sum.XY += wa.X * a.Y;
-  sum.XZ += wa.X * a.Z;
-  sum.YZ += wa.Y * a.Z;
-}
-
-VFM_INLINE void AddGradient(Accumulator& sum, const Lanes& weight, const Lanes3& a)
-{
-  sum.GX += weight * a.X;
-  sum.GY += weight * a.Y;
-  sum.GZ += weight * a.Z;
-}
 
 } // namespace vfm

@@ -35,20 +35,4 @@ int Partition::PeerOfCell(const Index3& cell) const
   return peer;
 }
 
-std::vector<std::vector<Index>> Partition::Request(
-  const std::vector<std::vector<Index>>& wanted) const
-{
-  std::vector<Bytes> messages;
-  for (const std::vector<Index>& ids : wanted)
-  {
-    messages.push_back(ToBytes(ids));
-  }
-  std::vector<std::vector<Index>> asked;
-  for (const Bytes& bytes : this->TheRanks.Exchange(this->ThePeers, messages))
-  {
-    asked.push_back(FromBytes<Index>(bytes));
-  }
-  return asked;
-}
-
 } // namespace vfm

@@ -43,8 +43,15 @@ public:
   template <class T, class Changed>
   void ExchangeCells(PagedArray<T>& values, const Changed& changed) const;
 
-  /// Tells each peer which ids this rank wants of it; returns those that each wants of this rank. Collective among peers.
-  std::vector<std::vector<Index>> Request(const std::vector<std::vector<Index>>& wanted) const;
+  /// Sends lists[p] to the peer p and returns the list that each peer sent here. Collective among peers.
+  template <class T>
+  std::vector<std::vector<T>> Exchange(const std::vector<std::vector<T>>& lists) const
+  {
+    return ExchangeLists(this->TheRanks, this->ThePeers, lists);
+  }
+  /// Asks each peer about a list of ids; returns the answers in the order of the ids: answer(id) of the peer. Collective among peers.
+  template <class Answer>
+  auto Ask(const std::vector<std::vector<Index>>& ids, const Answer& answer) const;
 
 private:
   /// The cell that decides who owns a node: the lowest in the domain.
@@ -99,6 +106,18 @@ void Partition::ExchangeBoxes(const Pack& pack, const Unpack& unpack) const
   {
     unpack(this->Incoming[p], incoming[p]);
   }
+}
+
+template <class Answer>
+auto Partition::Ask(const std::vector<std::vector<Index>>& ids, const Answer& answer) const
+{
+  std::vector<std::vector<decltype(answer(Index()))>> answers;
+  for (const std::vector<Index>& asked : this->Exchange(ids))
+  {
+    answers.emplace_back();
+    std::transform(asked.begin(), asked.end(), std::back_inserter(answers.back()), answer);
+  }
+  return this->Exchange(answers);
 }
 
 /// Adds the indices in [first, last), of one row, that have another value.

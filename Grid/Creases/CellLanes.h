@@ -113,14 +113,14 @@ VFM_INLINE void MultiplyInsides(ModelLanes& at, const CreaseModel& model)
   at.Fraction = Lanes{};
   for (const CompositionTerm& term : CompositionOf(model.Count, model.Composition))
   {
-    Lanes product = Splat(term.Sign);
+    Lanes product = Fill<double>(term.Sign);
     for (int k = 0; k < model.Count; ++k)
     {
       if (term.Mask >> k & 1)
       {
         const Lanes& inside = at.Surfaces[k].Inside;
         product *= term.Flipped >> k & 1 ? 1.0 - inside : inside;
-        Lanes others = Splat(term.Flipped >> k & 1 ? -term.Sign : term.Sign);
+        Lanes others = Fill<double>(term.Flipped >> k & 1 ? -term.Sign : term.Sign);
         for (int j = 0; j < model.Count; ++j)
         {
           if (j != k && (term.Mask >> j & 1))
@@ -157,7 +157,7 @@ VFM_INLINE Mask SetInside(SurfaceLanes& at, const LocalQuadric& surface, const C
   }
   else
   {
-    at.Inside = height > 0.0 ? Splat(1.0) : zero;
+    at.Inside = height > 0.0 ? Fill(1.0) : zero;
     at.Rates = { zero, { { zero, zero, zero } } };
   }
   return isCut;
@@ -199,7 +199,7 @@ VFM_INLINE void AddErrors(
   const Lanes error = fraction - data;
   const Mask counts = ((data > full) & (data < 1.0 - full)) |
     ((fraction > full) & (fraction < 1.0 - full)) | (error > full) | (error < -full);
-  const Lanes weight = counts ? allWeight : Splat(0.0);
+  const Lanes weight = counts ? allWeight : Fill(0.0);
   sums.Squares += weight * error * error;
   sums.Weights += weight;
 }

@@ -100,25 +100,24 @@ void CreaseSites::Share(FoundCreases& found) const
       found[site.Point].reset();
     }
   }
-  std::vector<Bytes> messages;
-  for (const std::vector<Index>& keys : this->Parts.Request(wanted))
+  std::vector<std::vector<Answer>> answers;
+  for (const std::vector<Index>& keys : this->Parts.Exchange(wanted))
   {
-    std::vector<Answer> answers;
+    answers.emplace_back();
     for (std::size_t i = 0; i < keys.size(); i += KeyLength)
     {
       const CreaseSite site =
         this->Find(keys[i], { static_cast<int>(keys[i + 1]), static_cast<int>(keys[i + 2]) });
       if (site.Point >= 0 && found[site.Point])
       {
-        answers.push_back({ static_cast<Index>(i / KeyLength), *found[site.Point] });
+        answers.back().push_back({ static_cast<Index>(i / KeyLength), *found[site.Point] });
       }
     }
-    messages.push_back(ToBytes(answers));
   }
-  messages = this->Parts.Group().Exchange(this->Parts.Peers(), messages);
+  answers = this->Parts.Exchange(answers);
   for (std::size_t peer = 0; peer < peers; ++peer)
   {
-    for (const Answer& answer : FromBytes<Answer>(messages[peer]))
+    for (const Answer& answer : answers[peer])
     {
       found[asked[peer][answer.Asked].Point] = std::make_unique<const FittedCrease>(answer.Found);
     }

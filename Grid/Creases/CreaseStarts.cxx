@@ -36,7 +36,7 @@ double RoughResidualOf(const CreaseModel& model,
     Lanes fraction{};
     for (const CompositionTerm& term : composition)
     {
-      Lanes product = Splat(term.Sign);
+      Lanes product = Fill<double>(term.Sign);
       for (int k = 0; k < model.Count; ++k)
       {
         if (term.Mask >> k & 1)

@@ -3,7 +3,7 @@
 #include "Base/Sorted.h"
 #include "Fractions/InterfaceCurvature.h"
 #include "Fractions/ThinFeatures.h"
-#include "Labels/Labels.h"
+#include "Labels/ResolveLabels.h"
 
 #include <cmath>
 

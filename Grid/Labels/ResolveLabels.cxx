@@ -1,4 +1,5 @@
-#include "Base/Runtime.h"
+#include "Labels/ResolveLabels.h"
+
 #include "Base/Sorted.h"
 #include "Fractions/FractionSum.h"
 #include "Labels/LabelCondition.h"

@@ -1,4 +1,4 @@
-#include "Mesh/Mesh.h"
+#include "Mesh/KeepOwned.h"
 
 namespace vfm
 {

@@ -78,7 +78,4 @@ Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
 /// Throws InputError on all ranks when there are more points than 32 bits number on any. Collective.
 void CheckNumberOfPoints(Index points, Ranks& ranks);
 
-/// Drops the elements, points and facets that belong to other ranks' cells.
-void KeepOwned(Mesh& mesh, const CartesianGrid& grid);
-
 } // namespace vfm

@@ -22,7 +22,7 @@ PointValues::PointValues(
       ids[peer].push_back(id);
     }
   }
-  for (const std::vector<Index>& asked : partition.Request(ids))
+  for (const std::vector<Index>& asked : partition.Exchange(ids))
   {
     this->Asked.emplace_back();
     std::transform(asked.begin(), asked.end(), std::back_inserter(this->Asked.back()),

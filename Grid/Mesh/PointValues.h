@@ -20,21 +20,19 @@ public:
   template <class T, class Received>
   void Fetch(const std::vector<T>& values, const Received& received) const
   {
-    std::vector<Bytes> messages;
+    std::vector<std::vector<T>> answers;
     for (const std::vector<Index>& points : this->Asked)
     {
-      std::vector<T> answer;
-      std::transform(points.begin(), points.end(), std::back_inserter(answer),
+      answers.emplace_back();
+      std::transform(points.begin(), points.end(), std::back_inserter(answers.back()),
         [&values](Index p) { return p < 0 ? T() : values[p]; });
-      messages.push_back(ToBytes(answer));
     }
-    messages = this->Parts.Group().Exchange(this->Parts.Peers(), messages);
-    for (std::size_t peer = 0; peer < messages.size(); ++peer)
+    answers = this->Parts.Exchange(answers);
+    for (std::size_t peer = 0; peer < answers.size(); ++peer)
     {
-      const std::vector<T> answer = FromBytes<T>(messages[peer]);
-      for (std::size_t i = 0; i < answer.size(); ++i)
+      for (std::size_t i = 0; i < answers[peer].size(); ++i)
       {
-        received(this->Wanted[peer][i], answer[i]);
+        received(this->Wanted[peer][i], answers[peer][i]);
       }
     }
   }

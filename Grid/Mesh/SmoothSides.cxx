@@ -282,12 +282,8 @@ private:
   void TakeDecisions(const std::vector<int>& loose, const std::vector<Decision>& mine)
   {
     const std::vector<Bytes> messages(this->Parts.Peers().size(), ToBytes(mine));
-    std::vector<Decision> told;
-    for (const Bytes& bytes : this->Parts.Group().Exchange(this->Parts.Peers(), messages))
-    {
-      const std::vector<Decision> theirs = FromBytes<Decision>(bytes);
-      told.insert(told.end(), theirs.begin(), theirs.end());
-    }
+    std::vector<Decision> told =
+      JoinItems<Decision>(this->Parts.Group().Exchange(this->Parts.Peers(), messages));
     std::sort(told.begin(), told.end());
     for (int f : loose)
     {

@@ -1,6 +1,6 @@
 #include "Mesh/TetQuality.h"
 
-#include "Base/ElementLanes.h"
+#include "Base/Lanes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -80,17 +80,57 @@ std::vector<T> FromBytes(const Bytes& bytes)
   return items;
 }
 
-/// The items of all ranks, in the order of the ranks.
+/// The items of some messages, one message after the other.
 template <class T>
-std::vector<T> GatherItems(Ranks& ranks, const std::vector<T>& mine)
+std::vector<T> JoinItems(const std::vector<Bytes>& messages)
 {
   std::vector<T> all;
-  for (const Bytes& bytes : ranks.Gather(ToBytes(mine)))
+  for (const Bytes& bytes : messages)
   {
     const std::vector<T> items = FromBytes<T>(bytes);
     all.insert(all.end(), items.begin(), items.end());
   }
   return all;
+}
+
+/// The items of all ranks, in the order of the ranks.
+template <class T>
+std::vector<T> GatherItems(Ranks& ranks, const std::vector<T>& mine)
+{
+  return JoinItems<T>(ranks.Gather(ToBytes(mine)));
+}
+
+/// One message per list.
+template <class T>
+std::vector<Bytes> PackLists(const std::vector<std::vector<T>>& lists)
+{
+  std::vector<Bytes> messages;
+  for (const std::vector<T>& list : lists)
+  {
+    messages.push_back(ToBytes(list));
+  }
+  return messages;
+}
+
+/// Sends lists[i] to rank peers[i] and returns the list that each peer sent here. Peers are as for Ranks::Exchange.
+template <class T>
+std::vector<std::vector<T>> ExchangeLists(
+  Ranks& ranks, const std::vector<int>& peers, const std::vector<std::vector<T>>& lists)
+{
+  std::vector<std::vector<T>> received;
+  for (const Bytes& message : ranks.Exchange(peers, PackLists(lists)))
+  {
+    received.push_back(FromBytes<T>(message));
+  }
+  return received;
+}
+
+/// The same; returns all items that came, in the order of the peers.
+template <class T>
+std::vector<T> ExchangeItems(
+  Ranks& ranks, const std::vector<int>& peers, const std::vector<std::vector<T>>& lists)
+{
+  return JoinItems<T>(ranks.Exchange(peers, PackLists(lists)));
 }
 
 } // namespace vfm

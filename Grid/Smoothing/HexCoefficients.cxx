@@ -31,9 +31,17 @@ VFM_INLINE void SplitEdges(const Lanes& low, const Lanes& high, Lanes& x, Lanes&
   z = high - low;
 }
 
+VFM_INLINE Lanes3 Pack(const double* const* points)
+{
+  const auto along = [points](int a) {
+    return Lanes{ points[0][a], points[1][a], points[2][a], points[3][a] };
+  };
+  return { along(0), along(1), along(2) };
+}
+
 VFM_INLINE Edges MakeEdges(const Corners& c)
 {
-  const Lanes3 low = Pack(c[0], c[1], c[2], c[3]), high = Pack(c[4], c[5], c[6], c[7]);
+  const Lanes3 low = Pack(c.data()), high = Pack(c.data() + 4);
   Edges e;
   SplitEdges(low.X, high.X, e.X.X, e.Y.X, e.Z.X);
   SplitEdges(low.Y, high.Y, e.X.Y, e.Y.Y, e.Z.Y);
@@ -66,7 +74,7 @@ VFM_INLINE void AddProducts(
   const auto add = [&](const Lanes3& lowX, const Lanes3& highX, Lanes* of)
   {
     of[0] = Dot(lowX, first);
-    of[1] = Splat(0.5) * (Dot(lowX, second) + Dot(highX, first));
+    of[1] = 0.5 * (Dot(lowX, second) + Dot(highX, first));
     of[2] = Dot(highX, second);
   };
   add(SplatLane<0>(edges.X), SplatLane<1>(edges.X), products[0]);

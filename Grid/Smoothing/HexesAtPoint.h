@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Base/ElementLanes.h"
+#include "Base/Lanes.h"
 #include "Smoothing/ActiveMesh.h"
 
 namespace vfm

@@ -51,7 +51,7 @@ PointExchange::PointExchange(
     }
   }
   const MoversById byId(movers);
-  const std::vector<std::vector<Index>> requests = partition.Request(wanted);
+  const std::vector<std::vector<Index>> requests = partition.Exchange(wanted);
   this->Peers.resize(colours);
   this->Links.resize(colours);
   for (std::size_t peer = 0; peer < peers; ++peer)
@@ -93,31 +93,17 @@ void PointExchange::Send(int colour, std::vector<Vector3>& points,
   {
     return;
   }
-  std::vector<Bytes> messages;
-  for (const Link& link : this->Links[colour])
+  const auto pack = [&](int mover) { return Message{ points[mover], flags[mover] ? 1.0 : 0.0 }; };
+  const auto unpack = [&](const Link& link, std::size_t i, const Message& message)
   {
-    std::vector<Message> items;
-    for (int mover : link.Outgoing)
+    const int mover = link.Incoming[i];
+    points[mover] = message.X;
+    if (message.Flag > 0.0 && link.WantsFlag[i])
     {
-      items.push_back({ points[mover], flags[mover] ? 1.0 : 0.0 });
+      received(mover);
     }
-    messages.push_back(ToBytes(items));
-  }
-  messages = this->Group->Exchange(this->Peers[colour], messages);
-  for (std::size_t peer = 0; peer < messages.size(); ++peer)
-  {
-    const std::vector<Message> items = FromBytes<Message>(messages[peer]);
-    for (std::size_t i = 0; i < items.size(); ++i)
-    {
-      const Link& link = this->Links[colour][peer];
-      const int mover = link.Incoming[i];
-      points[mover] = items[i].X;
-      if (items[i].Flag > 0.0 && link.WantsFlag[i])
-      {
-        received(mover);
-      }
-    }
-  }
+  };
+  this->SendColour(colour, pack, unpack);
 }
 
 } // namespace vfm

@@ -62,6 +62,10 @@ private:
     std::vector<unsigned char> WantsFlag; // of the incoming ones
   };
 
+  /// Sends what pack(mover) returns of the movers of a colour; calls unpack(link, i, value) with what comes of its incoming movers.
+  template <class Pack, class Unpack>
+  void SendColour(int colour, const Pack& pack, const Unpack& unpack) const;
+
   Ranks* Group = nullptr;
   std::vector<std::vector<int>> Peers;  // by colour: the ranks with movers in common
   std::vector<std::vector<Link>> Links; // by colour and peer; none without peers
@@ -80,28 +84,34 @@ void PointExchange::ForSent(const Visitor& visit) const
 }
 
 template <class Pack, class Unpack>
+void PointExchange::SendColour(int colour, const Pack& pack, const Unpack& unpack) const
+{
+  const std::vector<Link>& links = this->Links[colour];
+  std::vector<std::vector<decltype(pack(0))>> values;
+  for (const Link& link : links)
+  {
+    values.emplace_back();
+    std::transform(
+      link.Outgoing.begin(), link.Outgoing.end(), std::back_inserter(values.back()), pack);
+  }
+  values = ExchangeLists(*this->Group, this->Peers[colour], values);
+  for (std::size_t peer = 0; peer < values.size(); ++peer)
+  {
+    for (std::size_t i = 0; i < values[peer].size(); ++i)
+    {
+      unpack(links[peer], i, values[peer][i]);
+    }
+  }
+}
+
+template <class Pack, class Unpack>
 void PointExchange::SendAll(const Pack& pack, const Unpack& unpack) const
 {
-  using Value = decltype(pack(0));
-  for (std::size_t colour = 0; colour < this->Links.size(); ++colour)
+  for (int colour = 0; colour < this->CountColours(); ++colour)
   {
-    const std::vector<Link>& links = this->Links[colour];
-    std::vector<Bytes> messages;
-    for (const Link& link : links)
-    {
-      std::vector<Value> items;
-      std::transform(link.Outgoing.begin(), link.Outgoing.end(), std::back_inserter(items), pack);
-      messages.push_back(ToBytes(items));
-    }
-    messages = this->Group->Exchange(this->Peers[colour], messages);
-    for (std::size_t peer = 0; peer < messages.size(); ++peer)
-    {
-      const std::vector<Value> items = FromBytes<Value>(messages[peer]);
-      for (std::size_t i = 0; i < items.size(); ++i)
-      {
-        unpack(links[peer].Incoming[i], items[i]);
-      }
-    }
+    this->SendColour(colour, pack,
+      [&unpack](const Link& link, std::size_t i, const auto& value)
+      { unpack(link.Incoming[i], value); });
   }
 }
 

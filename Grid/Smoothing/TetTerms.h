@@ -1,10 +1,10 @@
 /**
  * The terms of TetEnergy and their derivatives, tets side by side: the kernel, for floats and for doubles. Only for sources with
- * VFM_CLONES (Base/ElementLanes.h).
+ * VFM_CLONES (Base/Lanes.h).
  */
 #pragma once
 
-#include "Base/ElementLanes.h"
+#include "Base/Lanes.h"
 #include "Smoothing/TetEnergy.h"
 
 #include <algorithm>

@@ -64,13 +64,13 @@ void LearnMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& p
   const auto placeOf = [&](Index id)
   { return std::lower_bound(ids, ids + mesh.PointIds.size(), id) - ids; };
   std::vector<std::vector<Index>> found;
-  for (const std::vector<Index>& asked : partition.Request(wanted))
+  for (const std::vector<Index>& asked : partition.Exchange(wanted))
   {
     found.emplace_back();
     std::copy_if(asked.begin(), asked.end(), std::back_inserter(found.back()),
       [&](Index id) { return moving[placeOf(id)]; });
   }
-  for (const std::vector<Index>& answered : partition.Request(found))
+  for (const std::vector<Index>& answered : partition.Exchange(found))
   {
     for (Index id : answered)
     {

@@ -3,6 +3,8 @@
 #include "Base/HexNumbering.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
+#include "Hex/TransitionSmoothing.h"
+#include "Tet/CoarseTetsImprove.h"
 #include "Tet/TetImprove.h"
 
 namespace vfm
@@ -413,6 +415,58 @@ void CoarseTets::Fill(
         this->Grid.TetId(this->Hexes[face.Hex].Key, 4 * face.Side + t, mesh.Ids.ElementSlots);
       mesh.Material[at] = this->Hexes[face.Hex].Material;
     }
+  }
+}
+
+/// Copies of lattice nodes go with their node, centres of transition hexes with the upper node of their cell: so points of
+/// one colour share no tet unless they go with one node, and the owner of a cell has all tets at its points.
+std::vector<Mover> CoarseTets::FindMovers(int level) const
+{
+  const OctreeKeys& lattice = this->Grid.Lattice();
+  std::vector<Mover> movers;
+  const auto add = [&](int point, const OctreeKeys::LevelIndex& node)
+  {
+    movers.push_back({ point, this->Local.PointIds[point], lattice.NodeKey(level, node.At, 0),
+      OwnerNode(node), CartesianGrid::Colour(node.At) });
+  };
+  for (int p = 0; p < this->HexPoints; ++p)
+  {
+    const OctreeKeys::LevelIndex node =
+      lattice.NodeOfKey(this->Grid.KeyOfPoint(this->Local.PointIds[p], TetIds.PointSlots));
+    if (node.Level == level && node.Slot > 0)
+    {
+      add(p, node);
+    }
+  }
+  for (std::size_t h = 0; h < this->Hexes.size(); ++h)
+  {
+    OctreeKeys::LevelIndex cell = this->Hexes[h].Cell;
+    if (cell.Level == level && !this->Hexes[h].IsWhole)
+    {
+      cell.At = { { cell.At[0] + 1, cell.At[1] + 1, cell.At[2] + 1 } };
+      add(this->HexPoints + static_cast<int>(h), cell);
+    }
+  }
+  return movers;
+}
+
+/// Level by level: points of one colour and different levels might share a tet. Collective.
+void CoarseTets::Improve(Runtime& runtime)
+{
+  const TetList tets = [this](const auto& visit)
+  {
+    for (const Face& face : this->Faces)
+    {
+      Tet of[4];
+      const int count = face.IsPlain ? 0 : this->TetsOf(face, face.Way, of);
+      std::for_each(of, of + count, [&](const Tet& tet) { visit(tet, this->WidthsOf(face)); });
+    }
+  };
+  const Partition partition(this->Grid.Base(), runtime.Group());
+  for (int level = 0; level < this->Grid.NumberOfRefinements(); ++level)
+  {
+    ImproveCoarseTets(this->FindMovers(level), tets, this->Grid.Finest(), partition, this->Energy,
+      runtime, this->Local);
   }
 }
 

@@ -60,8 +60,6 @@ private:
     bool IsPlain;               // between whole cells, or of one
     int Way; // 0 around the edge between the centres, 1 + k along the diagonal from corner k
   };
-  class Improver;
-
   Vector3 PointAt(int point) const;
   Vector3 WidthsOf(const Face& face) const;
   void TakeHexes(CoarseHexes& hexes);
@@ -77,6 +75,7 @@ private:
   void ChooseWays(Runtime& runtime);
   void FindBadFamilies();
   int FindFine(Index code) const;
+  std::vector<Mover> FindMovers(int level) const;
   void Improve(Runtime& runtime);
 
   const RefinedGrid& Grid;

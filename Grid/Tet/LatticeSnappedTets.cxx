@@ -111,7 +111,7 @@ private:
       wanted[peer].push_back(tet.Id);
       this->Incoming[peer].push_back(static_cast<int>(t));
     }
-    for (const std::vector<Index>& ids : this->Parts.Request(wanted))
+    for (const std::vector<Index>& ids : this->Parts.Exchange(wanted))
     {
       this->Outgoing.emplace_back();
       for (Index id : ids)
@@ -149,23 +149,21 @@ private:
 
   void Exchange()
   {
-    std::vector<Bytes> messages;
+    std::vector<std::vector<int>> labels;
     for (const std::vector<int>& tets : this->Outgoing)
     {
-      std::vector<int> labels;
+      labels.emplace_back();
       for (int tet : tets)
       {
-        labels.push_back(this->Tets[tet].Label);
+        labels.back().push_back(this->Tets[tet].Label);
       }
-      messages.push_back(ToBytes(labels));
     }
-    messages = this->Parts.Group().Exchange(this->Parts.Peers(), messages);
-    for (std::size_t peer = 0; peer < messages.size(); ++peer)
+    labels = this->Parts.Exchange(labels);
+    for (std::size_t peer = 0; peer < labels.size(); ++peer)
     {
-      const std::vector<int> labels = FromBytes<int>(messages[peer]);
-      for (std::size_t i = 0; i < labels.size(); ++i)
+      for (std::size_t i = 0; i < labels[peer].size(); ++i)
       {
-        this->Tets[this->Incoming[peer][i]].Label = labels[i];
+        this->Tets[this->Incoming[peer][i]].Label = labels[peer][i];
       }
     }
   }

@@ -181,24 +181,14 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
       tets[peer].push_back(static_cast<Index>(t));
     }
   }
-  std::vector<Bytes> answers;
-  for (const std::vector<Index>& asked : this->Parts.Request(ids))
-  {
-    std::vector<Index> pieces;
-    for (Index id : asked)
-    {
-      pieces.push_back(offset + this->PieceOf[FindSorted(mesh.ElementIds, id)]);
-    }
-    answers.push_back(ToBytes(pieces));
-  }
-  answers = this->Parts.Group().Exchange(this->Parts.Peers(), answers);
+  const std::vector<std::vector<Index>> pieces = this->Parts.Ask(
+    ids, [&](Index id) { return offset + this->PieceOf[FindSorted(mesh.ElementIds, id)]; });
   PiecePairs same;
-  for (std::size_t peer = 0; peer < answers.size(); ++peer)
+  for (std::size_t peer = 0; peer < pieces.size(); ++peer)
   {
-    const std::vector<Index> pieces = FromBytes<Index>(answers[peer]);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t i = 0; i < pieces[peer].size(); ++i)
     {
-      same.push_back({ { offset + this->PieceOf[tets[peer][i]], pieces[i] } });
+      same.push_back({ { offset + this->PieceOf[tets[peer][i]], pieces[peer][i] } });
     }
   }
   return same;

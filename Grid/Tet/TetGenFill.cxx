@@ -15,8 +15,6 @@
 namespace vfm
 {
 
-extern const int TetGenTerminateIsLinked; // of TetGenTerminate.cxx
-
 using namespace tetfill;
 
 namespace

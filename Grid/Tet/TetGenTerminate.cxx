@@ -3,6 +3,7 @@
  * mesh again and crashes. It is a weak symbol, so this one takes its place, if the dynamic linker sees it:
  * hence default visibility. This file must not include tetgen.h, where the other one is defined inline.
  */
+#include "Tet/TetGenTerminate.h"
 
 class tetgenmesh;
 
@@ -14,8 +15,6 @@ __attribute__((visibility("default"))) void terminatetetgen(tetgenmesh*, int cod
 namespace vfm
 {
 
-/// Referred to by TetGenFill.cxx, so that a linker takes this file out of a static library.
-extern const int TetGenTerminateIsLinked;
 const int TetGenTerminateIsLinked = 1;
 
 } // namespace vfm

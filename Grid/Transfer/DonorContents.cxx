@@ -231,10 +231,8 @@ private:
   /// Sends gifts to who owns the donors, and adds those for mine by the cells that they come from.
   void ExchangeGifts()
   {
-    std::vector<Gift> gifts = std::move(this->Gifts.back());
-    std::vector<double> values = std::move(this->GiftValues.back());
-    this->Receive(this->Gifts, gifts);
-    this->Receive(this->GiftValues, values);
+    const std::vector<Gift> gifts = this->Receive(this->Gifts);
+    const std::vector<double> values = this->Receive(this->GiftValues);
     std::vector<Index> order(gifts.size());
     std::iota(order.begin(), order.end(), Index(0));
     std::stable_sort(order.begin(), order.end(),
@@ -248,19 +246,15 @@ private:
     }
   }
 
+  /// Those of this rank, which are last in sent, then those of its peers.
   template <class T>
-  void Receive(const std::vector<std::vector<T>>& sent, std::vector<T>& items) const
+  std::vector<T> Receive(std::vector<std::vector<T>>& sent) const
   {
-    std::vector<Bytes> outgoing;
-    for (std::size_t p = 0; p + 1 < sent.size(); ++p)
-    {
-      outgoing.push_back(ToBytes(sent[p]));
-    }
-    for (const Bytes& bytes : this->Parts.Group().Exchange(this->Parts.Peers(), outgoing))
-    {
-      const std::vector<T> received = FromBytes<T>(bytes);
-      items.insert(items.end(), received.begin(), received.end());
-    }
+    std::vector<T> items = std::move(sent.back());
+    sent.pop_back();
+    const std::vector<T> received = ExchangeItems(this->Parts.Group(), this->Parts.Peers(), sent);
+    items.insert(items.end(), received.begin(), received.end());
+    return items;
   }
 
   const StateSource& Source;

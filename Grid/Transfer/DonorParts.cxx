@@ -119,17 +119,7 @@ std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<DonorPar
           donor.Fragment, donor.Material, part.Volume, part.Centroid });
       }
     });
-  std::vector<Bytes> outgoing;
-  for (const std::vector<SentPart>& list : sent)
-  {
-    outgoing.push_back(ToBytes(list));
-  }
-  std::vector<SentPart> received;
-  for (const Bytes& bytes : partition.Group().Exchange(partition.Peers(), outgoing))
-  {
-    const std::vector<SentPart> list = FromBytes<SentPart>(bytes);
-    received.insert(received.end(), list.begin(), list.end());
-  }
+  std::vector<SentPart> received = ExchangeItems(partition.Group(), partition.Peers(), sent);
   std::stable_sort(received.begin(), received.end(),
     [](const SentPart& a, const SentPart& b) { return a.Id < b.Id; });
   return received;

@@ -94,7 +94,7 @@ DonorLinks DonorLinks::Narrow(const std::function<bool(int donor)>& wants) const
       }
     }
   }
-  const std::vector<std::vector<Index>> asked = this->Parts->Request(wanted);
+  const std::vector<std::vector<Index>> asked = this->Parts->Exchange(wanted);
   for (std::size_t p = 0; p < asked.size(); ++p)
   {
     narrow.Mine[p].clear();

@@ -108,23 +108,21 @@ private:
 template <class Pack, class Unpack>
 void DonorLinks::Exchange(int width, const Pack& pack, const Unpack& unpack) const
 {
-  std::vector<Bytes> outgoing;
+  std::vector<std::vector<double>> all;
   for (const std::vector<int>& mine : this->Mine)
   {
-    std::vector<double> numbers(mine.size() * width);
+    std::vector<double>& numbers = all.emplace_back(mine.size() * width);
     for (std::size_t i = 0; i < mine.size(); ++i)
     {
       pack(mine[i], numbers.data() + i * width);
     }
-    outgoing.push_back(ToBytes(numbers));
   }
-  const std::vector<Bytes> incoming = this->Parts->Group().Exchange(this->Parts->Peers(), outgoing);
-  for (std::size_t p = 0; p < incoming.size(); ++p)
+  all = this->Parts->Exchange(all);
+  for (std::size_t p = 0; p < all.size(); ++p)
   {
-    const std::vector<double> numbers = FromBytes<double>(incoming[p]);
     for (std::size_t i = 0; i < this->Copies[p].size(); ++i)
     {
-      unpack(this->Copies[p][i], numbers.data() + i * width);
+      unpack(this->Copies[p][i], all[p].data() + i * width);
     }
   }
 }

@@ -119,29 +119,21 @@ private:
           mine[owners[point]].push_back(this->MakeShare(point, element));
         }
       });
-    std::vector<Bytes> messages;
-    for (const std::vector<Share>& shares : mine)
+    const std::vector<std::vector<Momentum>> sums =
+      partition.Exchange(this->Answer(partition.Exchange(mine)));
+    for (std::size_t peer = 0; peer < sums.size(); ++peer)
     {
-      messages.push_back(ToBytes(shares));
-    }
-    Ranks& ranks = partition.Group();
-    messages = this->Answer(ranks.Exchange(partition.Peers(), messages));
-    messages = ranks.Exchange(partition.Peers(), messages);
-    for (std::size_t peer = 0; peer < messages.size(); ++peer)
-    {
-      this->Write(mine[peer], FromBytes<Momentum>(messages[peer]));
+      this->Write(mine[peer], sums[peer]);
     }
   }
 
   /// Of each peer's points, in the order of its shares, the sums over all ranks.
-  std::vector<Bytes> Answer(const std::vector<Bytes>& messages)
+  std::vector<std::vector<Momentum>> Answer(const std::vector<std::vector<Share>>& asked)
   {
-    std::vector<std::vector<Share>> asked;
     std::vector<Share> all;
-    for (const Bytes& message : messages)
+    for (const std::vector<Share>& shares : asked)
     {
-      asked.push_back(FromBytes<Share>(message));
-      all.insert(all.end(), asked.back().begin(), asked.back().end());
+      all.insert(all.end(), shares.begin(), shares.end());
     }
     this->AddOwnShares(all);
     std::sort(all.begin(), all.end());
@@ -154,16 +146,15 @@ private:
       }
       sums.back().Given.Add(share.Given);
     }
-    std::vector<Bytes> answers;
+    std::vector<std::vector<Momentum>> answers;
     for (const std::vector<Share>& shares : asked)
     {
-      std::vector<Momentum> answer;
+      answers.emplace_back();
       for (const Share& share : shares)
       {
         const Share first{ share.Point, 0, {} };
-        answer.push_back(std::lower_bound(sums.begin(), sums.end(), first)->Given);
+        answers.back().push_back(std::lower_bound(sums.begin(), sums.end(), first)->Given);
       }
-      answers.push_back(ToBytes(answer));
     }
     for (const Share& sum : sums)
     {

@@ -84,15 +84,12 @@ bool LearnBoxes(const RankBox& mine, const std::vector<int>& peers, double reach
     told.push_back(box.second);
   }
   const std::size_t before = known.size();
-  for (const Bytes& message :
-    ranks.Exchange(peers, std::vector<Bytes>(peers.size(), ToBytes(told))))
+  for (const RankBox& box :
+    ExchangeItems(ranks, peers, std::vector<std::vector<RankBox>>(peers.size(), told)))
   {
-    for (const RankBox& box : FromBytes<RankBox>(message))
+    if (IsNear(mine, box, reach))
     {
-      if (IsNear(mine, box, reach))
-      {
-        known.emplace(box.Rank, box);
-      }
+      known.emplace(box.Rank, box);
     }
   }
   return known.size() > before;

@@ -76,18 +76,6 @@ private:
 /// Of the blocks of each level.
 using LevelCells = std::vector<std::unique_ptr<InputCells>>;
 
-/// Collective. Fractions of material m are in the array names[m - 1]: of any type with one component, unsigned
-/// char counting 0..255. tolerance: how far outside [0, 1] values may lie, >= FractionTolerance. levels must outlive the result. Throws
-/// InputError, on all ranks alike, on missing arrays.
-LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
-  const std::vector<std::string>& names, double tolerance, Ranks& ranks);
-
-/// Collective. Labels >= 0 are in an array of whole numbers of any type, 0 void. The labels that occur on any rank and level are numbered
-/// 1..N in increasing order. levels must outlive the result. Throws InputError, on all ranks alike, on missing arrays, values that are
-/// no labels.
-LevelCells OpenLabels(
-  const std::vector<InputBlocks>& levels, const std::string& name, Ranks& ranks);
-
 /// Collective: what the cells that this rank meshes, and ghost cells around them, need of the blocks of other ranks. owners: the
 /// cells that the ranks mesh, of all ranks or those near.
 std::vector<SparseCells> ReceiveCells(const std::vector<BlockPlace>& owners,

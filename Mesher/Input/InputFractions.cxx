@@ -1,8 +1,6 @@
-/**
- * Input given by one volume fraction array a material.
- */
+#include "Input/InputFractions.h"
+
 #include "Input/InputArrays.h"
-#include "Input/InputFields.h"
 #include "Ranks/Agreement.h"
 
 #include <functional>

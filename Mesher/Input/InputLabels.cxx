@@ -1,9 +1,7 @@
-/**
- * Input given by one array of material labels, whole numbers of any type.
- */
+#include "Input/InputLabels.h"
+
 #include "Base/Runtime.h"
 #include "Input/InputArrays.h"
-#include "Input/InputFields.h"
 #include "Ranks/Agreement.h"
 
 #include <limits>

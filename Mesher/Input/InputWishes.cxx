@@ -273,21 +273,18 @@ InputWishes ShareOutWishes(const InputWishes& wishes, const InputLevels& input,
     };
     const InputRoute route = FindInputRoute(places, input.Levels[level], ranks.Rank(), 0);
     std::vector<ChosenBox>& mine = shared.Levels[level];
-    std::vector<Bytes> outgoing;
+    std::vector<std::vector<ChosenBox>> outgoing;
     WorkTogether(ranks,
       [&]
       {
         mine = rowsIn(BoxOfRank(places, ranks.Rank()));
         for (const IndexBox& wanted : route.Wanted)
         {
-          outgoing.push_back(ToBytes(rowsIn(wanted)));
+          outgoing.push_back(rowsIn(wanted));
         }
       });
-    for (const Bytes& message : ranks.Exchange(route.Peers, outgoing))
-    {
-      const std::vector<ChosenBox> rows = FromBytes<ChosenBox>(message);
-      mine.insert(mine.end(), rows.begin(), rows.end());
-    }
+    const std::vector<ChosenBox> rows = ExchangeItems(ranks, route.Peers, outgoing);
+    mine.insert(mine.end(), rows.begin(), rows.end());
   }
   return shared;
 }

@@ -7,7 +7,7 @@
  */
 #include "Base/Vector3.h"
 #include "Fractions/RefineCells.h"
-#include "Labels/Labels.h"
+#include "Labels/ResolveLabels.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
 #include "NoCoarseTets.h"

@@ -5,7 +5,7 @@
 #include "Creases/CreasePlaces.h"
 #include "Hex/ActiveHexes.h"
 #include "Hex/HexFacets.h"
-#include "Labels/Labels.h"
+#include "Labels/ResolveLabels.h"
 #include "Pipeline.h"
 #include "Smoothing/AttachCreases.h"
 #include "Smoothing/HexEnergy.h"
