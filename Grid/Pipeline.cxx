@@ -264,9 +264,9 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
   {
     for (Index id : mesh.ElementIds)
     {
-      if (levels.IsCoarseElement(id, mesh.Ids.ElementSlots))
+      if (IsCoarseElement(levels, id, mesh.Ids.ElementSlots))
       {
-        countCoarse(levels.CellOfCoarseElement(id, mesh.Ids.ElementSlots));
+        countCoarse(CellOfCoarseElement(levels, id, mesh.Ids.ElementSlots));
       }
       else
       {
@@ -282,9 +282,9 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
       continue;
     }
     const bool isOwned = levels.Finest().Owned().Contains(CellOfCentre(levels.Finest(), mesh, id));
-    if (isOwned && levels.IsCoarsePoint(id, mesh.Ids.PointSlots))
+    if (isOwned && IsCoarsePoint(levels, id, mesh.Ids.PointSlots))
     {
-      countCoarse(levels.CellOfCoarseCentre(id, mesh.Ids.PointSlots));
+      countCoarse(CellOfCoarseCentre(levels, id, mesh.Ids.PointSlots));
     }
     else
     {

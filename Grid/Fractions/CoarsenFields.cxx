@@ -32,16 +32,8 @@ void AddRun(Index end, int label, Runs& runs)
 void FindRuns(const FractionField& fractions, Index first, Index last, Runs& runs)
 {
   runs.clear();
-  fractions.Visit(
-    first, last, [&](Index, Index end, int label) { AddRun(end - first, label, runs); },
-    [&](Index begin, Index end)
-    {
-      for (Index cell = begin; cell < end; ++cell)
-      {
-        const int label = fractions.IsMixed(cell) ? Mixed : fractions.Label(cell);
-        AddRun(cell + 1 - first, label, runs);
-      }
-    });
+  fractions.VisitRuns(
+    first, last, [&](Index, Index end, int label) { AddRun(end - first, label, runs); });
 }
 
 /// Runs where two rows agree keep their label, the others are mixed.

@@ -141,6 +141,19 @@ public:
       },
       [&](Index begin, Index end, const int*) { each(begin, end); });
   }
+  /// The same as run(begin, end, label); label -1: one cell of several parts.
+  template <class Run>
+  void VisitRuns(Index first, Index last, const Run& run) const
+  {
+    this->Visit(first, last, run,
+      [&](Index begin, Index end)
+      {
+        for (Index cell = begin; cell < end; ++cell)
+        {
+          run(cell, cell + 1, this->IsMixed(cell) ? -1 : this->Label(cell));
+        }
+      });
+  }
   std::size_t MemoryInBytes() const;
 
 private:

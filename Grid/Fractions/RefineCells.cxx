@@ -89,25 +89,6 @@ struct CellRun
   int Label;        // -1: mixed
 };
 
-/// The runs of row (j, k) of a box; mixed ones hold one cell.
-void FindRuns(const CartesianGrid& grid, const FractionField& fractions, const IndexBox& box,
-  Index j, Index k, std::vector<CellRun>& runs)
-{
-  const Index first = grid.Linear({ { box.Lower[0], j, k } });
-  fractions.Visit(
-    first, first + box.Size(0),
-    [&](Index begin, Index end, int label) {
-      runs.push_back({ begin, end, label });
-    },
-    [&](Index begin, Index end)
-    {
-      for (Index cell = begin; cell < end; ++cell)
-      {
-        runs.push_back({ cell, cell + 1, fractions.IsMixed(cell) ? -1 : fractions.Label(cell) });
-      }
-    });
-}
-
 /// Makes the cells that are skipped void, in runs of their own.
 void SkipCells(const CartesianGrid& grid, const std::function<bool(const Index3&)>& skips,
   std::vector<CellRun>& runs)
@@ -159,7 +140,11 @@ private:
     std::vector<CellRun> runs;
     for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
     {
-      FindRuns(this->Grid, this->Fractions, box, j, k, runs);
+      const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
+      this->Fractions.VisitRuns(first, first + box.Size(0),
+        [&runs](Index begin, Index end, int label) {
+          runs.push_back({ begin, end, label });
+        });
     }
     if (skips)
     {

@@ -3,6 +3,7 @@
 #include "Base/Groups.h"
 #include "Hex/NodesNear.h"
 #include "Hex/TransitionSmoothing.h"
+#include "Mesh/LevelIds.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/Attach.h"
 
@@ -106,7 +107,7 @@ void AttachHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse, c
   {
     const Index id = mesh.PointIds[active.MeshPoint[point]];
     Index target = -1;
-    if (!levels.IsCoarsePoint(id, mesh.Ids.PointSlots))
+    if (!IsCoarsePoint(levels, id, mesh.Ids.PointSlots))
     {
       target = interfaces.FindTarget(
         levels.NumberOfRefinements(), NodeOfPoint(levels.Finest(), mesh, id), labels);

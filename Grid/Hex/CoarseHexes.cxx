@@ -2,6 +2,7 @@
 
 #include "Hex/HexTopology.h"
 #include "Hex/TransitionSmoothing.h"
+#include "Mesh/LevelIds.h"
 
 #include <limits>
 
@@ -207,14 +208,14 @@ void CoarseHexes::NumberPoints()
 
 OctreeKeys::LevelIndex CoarseHexes::AnchorOf(const Mesh& mesh, Index pointId) const
 {
-  const bool isCoarse = this->Grid.IsCoarsePoint(pointId, mesh.Ids.PointSlots);
+  const bool isCoarse = IsCoarsePoint(this->Grid, pointId, mesh.Ids.PointSlots);
   const OctreeKeys::LevelIndex finest{ this->Grid.NumberOfRefinements(),
     NodeOfPoint(this->Grid.Finest(), mesh, pointId), 0 };
   if (!isCoarse && this->Grid.IsFineAround(finest.At))
   {
     return finest;
   }
-  const Index key = this->Grid.KeyOfPoint(pointId, mesh.Ids.PointSlots);
+  const Index key = KeyOfPoint(this->Grid, pointId, mesh.Ids.PointSlots);
   const Index anchor = AnchorOfPoint(this->Grid.Families(), this->TheRefined, key);
   if (anchor >= 0)
   {
@@ -291,7 +292,7 @@ private:
   {
     std::copy(x.begin(), x.end(), this->Result.Points.data() + 3 * point);
     this->Result.PointIds[point] =
-      this->Coarse.Grid.PointId(key, this->Result.Ids.PointSlots, slot);
+      PointId(this->Coarse.Grid, key, this->Result.Ids.PointSlots, slot);
   }
 
   void SetCorner(int c, const Corner& corner)
@@ -321,7 +322,7 @@ private:
       this->Result.Elements[8 * this->Hex + VtkCorner[c]] = corners[c];
     }
     this->Result.ElementIds[this->Hex] =
-      this->Coarse.Grid.ElementId(key, this->Result.Ids.ElementSlots, slot);
+      ElementId(this->Coarse.Grid, key, this->Result.Ids.ElementSlots, slot);
     this->Result.Material[this->Hex] = this->Label;
     ++this->Hex;
   }

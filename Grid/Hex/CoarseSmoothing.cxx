@@ -3,6 +3,7 @@
 #include "Base/Vector3.h"
 #include "Hex/HexTopology.h"
 #include "Hex/TransitionSmoothing.h"
+#include "Mesh/LevelIds.h"
 #include "Mesh/Quality.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/HexEnergy.h"
@@ -114,11 +115,11 @@ std::vector<Mover> CoarseSmoother::FindMovers(const std::vector<bool>& isFar) co
   for (std::size_t p = 0; p < this->Result.PointIds.size(); ++p)
   {
     const Index id = this->Result.PointIds[p];
-    if (!this->Levels.IsLatticePoint(id, this->Result.Ids.PointSlots))
+    if (!IsLatticePoint(this->Levels, id, this->Result.Ids.PointSlots))
     {
       continue;
     }
-    const Index key = this->Levels.KeyOfPoint(id, this->Result.Ids.PointSlots);
+    const Index key = KeyOfPoint(this->Levels, id, this->Result.Ids.PointSlots);
     const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
     if (node.Level == 0 && node.Slot == 0 && isFar[this->Levels.Base().Linear(node.At)])
     {

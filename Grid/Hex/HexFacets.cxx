@@ -1,6 +1,7 @@
 #include "Hex/HexFacets.h"
 
 #include "Labels/InterfaceFaces.h"
+#include "Mesh/LevelIds.h"
 #include "Smoothing/ActiveMesh.h"
 
 namespace vfm
@@ -29,7 +30,7 @@ void ForCoarseHexes(const Mesh& mesh, const Visitor& visit)
   for (Index h = mesh.RowOffset.back(); h < static_cast<Index>(mesh.ElementIds.size()); ++h)
   {
     const OctreeKeys::LevelIndex leaf =
-      levels.CellOfCoarseElement(mesh.ElementIds[h], mesh.Ids.ElementSlots);
+      CellOfCoarseElement(levels, mesh.ElementIds[h], mesh.Ids.ElementSlots);
     const Index3 cell = levels.NearestCell(leaf.Level, leaf.At);
     if (levels.Finest().HexBox().Contains(cell)) // the others only serve smoothing
     {

@@ -1,7 +1,7 @@
 #include "Mesh/Mesh.h"
 
 #include "Base/Runtime.h"
-#include "Octree/RefinedGrid.h"
+#include "Mesh/LevelIds.h"
 
 #include <limits>
 
@@ -12,17 +12,17 @@ namespace
 
 bool IsCoarse(const Mesh& mesh, Index element)
 {
-  return mesh.Corners == 8 ? mesh.Levels->IsCoarseElement(element, mesh.Ids.ElementSlots)
-                           : mesh.Levels->IsCoarseTet(element, mesh.Ids.ElementSlots);
+  return mesh.Corners == 8 ? IsCoarseElement(*mesh.Levels, element, mesh.Ids.ElementSlots)
+                           : IsCoarseTet(*mesh.Levels, element, mesh.Ids.ElementSlots);
 }
 
 } // namespace
 
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id)
 {
-  if (mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
+  if (IsCoarsePoint(*mesh.Levels, id, mesh.Ids.PointSlots))
   {
-    return mesh.Levels->NodeOfCoarsePoint(id, mesh.Ids.PointSlots);
+    return NodeOfCoarsePoint(*mesh.Levels, id, mesh.Ids.PointSlots);
   }
   return grid.NodeOfKey((id - 1) / mesh.Ids.PointSlots);
 }
@@ -32,8 +32,8 @@ IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id)
   if (IsCoarse(mesh, id))
   {
     const OctreeKeys::LevelIndex cell = mesh.Corners == 8
-      ? mesh.Levels->CellOfCoarseElement(id, mesh.Ids.ElementSlots)
-      : mesh.Levels->CellOfCoarseTet(id, mesh.Ids.ElementSlots);
+      ? CellOfCoarseElement(*mesh.Levels, id, mesh.Ids.ElementSlots)
+      : CellOfCoarseTet(*mesh.Levels, id, mesh.Ids.ElementSlots);
     return mesh.Levels->FinestCells(cell.Level, cell.At);
   }
   const Index key = (id - 1) / mesh.Ids.ElementSlots;

@@ -6,9 +6,6 @@
  * stand the coarse hexes: coarser cells, and the transition hexes between levels (CoarseHexes.h). Where all interfaces get
  * finest cells, what finds, resolves and moves interfaces meets no coarse hexes; otherwise labels belong to leaves (LeafOf), and
  * interfaces run through coarse hexes too (SplitNodes.h).
- *
- * Ids: the points and elements of finest cells have those of a mesh without levels; those of the coarse hexes follow, by the
- * keys of OctreeKeys. A lattice node that a fine cell has as a corner is a point of that cell.
  */
 #pragma once
 
@@ -78,35 +75,6 @@ public:
   bool IsNear(int level, const Index3& cell) const;
   /// Of the finest cells of a cell, the one nearest to the owned ones.
   Index3 NearestCell(int level, const Index3& cell) const;
-
-  /// Ids in a mesh with so many slots a node or cell of the finest grid, of what has a key in the lattice.
-  Index PointId(Index key, Index slots, int slot = 0) const;
-  Index ElementId(Index key, Index slots, int slot = 0) const;
-  /// Whether a point is a node of the lattice or a copy of one: no point of an interface.
-  bool IsLatticePoint(Index id, Index slots) const
-  {
-    return this->IsCoarsePoint(id, slots) || (id - 1) % slots == 0;
-  }
-  /// The key of such a point, or of the node that it was split from, in the lattice.
-  Index KeyOfPoint(Index id, Index slots) const;
-  /// The node, and lowest cell, of the finest grid that such a point or element of the coarse hexes stems from; ids above
-  /// those of the finest cells.
-  bool IsCoarsePoint(Index id, Index slots) const;
-  bool IsCoarseElement(Index id, Index slots) const;
-  Index3 NodeOfCoarsePoint(Index id, Index slots) const;
-  OctreeKeys::LevelIndex CellOfCoarseElement(Index id, Index slots) const;
-
-  /// The same of tets (CoarseTets.h): points that no finest cell of HexBox has go by their keys, the centres of coarse hexes are points after all others, a tet is number 0..23 of a hex.
-  static constexpr Index TetsOfHex = 24;
-  Index CoarsePointId(Index key, Index slots, int slot = 0) const;
-  Index CentreId(Index hexKey, Index slots) const;
-  Index TetId(Index hexKey, Index number, Index slots) const;
-  bool IsCoarseCentre(Index id, Index slots) const;
-  bool IsCoarseTet(Index id, Index slots) const;
-  OctreeKeys::LevelIndex CellOfCoarseCentre(Index id, Index slots) const;
-  OctreeKeys::LevelIndex CellOfCoarseTet(Index id, Index slots) const;
-  /// Larger than the id of any point of tets.
-  Index EndOfPointIds(Index slots) const;
 
 private:
   /// A visitor of runs of cells that visits what of them, and of so many entries after them, lies in [first, last).

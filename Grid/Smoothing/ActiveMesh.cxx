@@ -2,7 +2,7 @@
 
 #include "Base/Groups.h"
 #include "Base/Vector3.h"
-#include "Octree/RefinedGrid.h"
+#include "Mesh/LevelIds.h"
 
 #include <limits>
 
@@ -62,9 +62,9 @@ std::vector<Vector3> WidthsOfHexes(
   for (Index hex : hexes)
   {
     const Index id = mesh.ElementIds[hex];
-    if (levels.IsCoarseElement(id, mesh.Ids.ElementSlots))
+    if (IsCoarseElement(levels, id, mesh.Ids.ElementSlots))
     {
-      const OctreeKeys::LevelIndex cell = levels.CellOfCoarseElement(id, mesh.Ids.ElementSlots);
+      const OctreeKeys::LevelIndex cell = CellOfCoarseElement(levels, id, mesh.Ids.ElementSlots);
       widths.push_back((1.0 / grid.MeanWidth()) * levels.Lattice().CellWidths(cell.Level, cell.At));
     }
     else

@@ -11,9 +11,9 @@
 
 #include "Interface/Interface.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/PointExchange.h"
 #include "Smoothing/HexRings.h"
 #include "Smoothing/MoveOrder.h"
-#include "Smoothing/PointExchange.h"
 #include "Smoothing/TetStars.h"
 
 namespace vfm

@@ -2,7 +2,7 @@
 
 #include "Base/CartesianGrid.h"
 #include "Base/Groups.h"
-#include "Smoothing/PointExchange.h"
+#include "Mesh/PointExchange.h"
 
 namespace vfm
 {

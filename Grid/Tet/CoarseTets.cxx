@@ -4,6 +4,7 @@
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
 #include "Hex/TransitionSmoothing.h"
+#include "Mesh/LevelIds.h"
 #include "Tet/CoarseTetsImprove.h"
 #include "Tet/TetImprove.h"
 
@@ -24,7 +25,7 @@ CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& run
     return;
   }
   constexpr Index hexKeys = OctreeKeys::HexSlots * 8 / 7; // of all levels, a finest cell
-  CheckIds(this->Grid.Finest(), TetIds.ElementSlots + RefinedGrid::TetsOfHex * hexKeys);
+  CheckIds(this->Grid.Finest(), TetIds.ElementSlots + TetsOfHex * hexKeys);
   this->TakeHexes(hexes);
   CheckNumberOfPoints(this->NumberOfPoints(), runtime.Group());
   this->AddFinePoints();
@@ -50,7 +51,7 @@ void CoarseTets::TakeHexes(CoarseHexes& hexes)
     [&](Index key, const Vector3& x)
     {
       std::copy(x.begin(), x.end(), this->Local.Points.data() + 3 * ids.size());
-      ids.push_back(this->Grid.CoarsePointId(key, TetIds.PointSlots));
+      ids.push_back(CoarsePointId(this->Grid, key, TetIds.PointSlots));
     },
     [&](
       Index key, const OctreeKeys::LevelIndex& cell, int label, const std::array<Index, 8>& corners)
@@ -64,7 +65,7 @@ void CoarseTets::TakeHexes(CoarseHexes& hexes)
   this->HexPoints = static_cast<int>(ids.size());
   for (const Hex& hex : this->Hexes)
   {
-    ids.push_back(this->Grid.CentreId(hex.Key, TetIds.PointSlots));
+    ids.push_back(CentreId(this->Grid, hex.Key, TetIds.PointSlots));
   }
   this->Local.PointIds = Buffer<Index>(ids.size());
   std::copy(ids.begin(), ids.end(), this->Local.PointIds.begin());
@@ -412,7 +413,7 @@ void CoarseTets::Fill(
           point < own ? firstPoint + point : finePoint(code / 2, code % 2);
       }
       mesh.ElementIds[at] =
-        this->Grid.TetId(this->Hexes[face.Hex].Key, 4 * face.Side + t, mesh.Ids.ElementSlots);
+        TetId(this->Grid, this->Hexes[face.Hex].Key, 4 * face.Side + t, mesh.Ids.ElementSlots);
       mesh.Material[at] = this->Hexes[face.Hex].Material;
     }
   }
@@ -432,7 +433,7 @@ std::vector<Mover> CoarseTets::FindMovers(int level) const
   for (int p = 0; p < this->HexPoints; ++p)
   {
     const OctreeKeys::LevelIndex node =
-      lattice.NodeOfKey(this->Grid.KeyOfPoint(this->Local.PointIds[p], TetIds.PointSlots));
+      lattice.NodeOfKey(KeyOfPoint(this->Grid, this->Local.PointIds[p], TetIds.PointSlots));
     if (node.Level == level && node.Slot > 0)
     {
       add(p, node);

@@ -4,7 +4,7 @@
 
 #include "Base/Vector3.h"
 #include "Labels/Fragments.h"
-#include "Octree/RefinedGrid.h"
+#include "Mesh/LevelIds.h"
 #include "Tet/TetFacets.h"
 #include "Tet/TetImprove.h"
 
@@ -240,7 +240,7 @@ private:
       dimension[p] = mesh.GeometryDimension[kept[p]];
       geometry[p] = mesh.GeometryId[kept[p]];
     }
-    Index id = mesh.Levels->EndOfPointIds(mesh.Ids.PointSlots) +
+    Index id = EndOfPointIds(*mesh.Levels, mesh.Ids.PointSlots) +
       OffsetOfPieces(ranks, static_cast<Index>(this->Added.size()));
     for (std::size_t p = 0; p < this->Added.size(); ++p)
     {

@@ -4,7 +4,7 @@
 #include "Base/ExactSum.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
-#include "Octree/RefinedGrid.h"
+#include "Mesh/LevelIds.h"
 
 namespace vfm
 {
@@ -47,9 +47,9 @@ void ForCentres(const TetTopology& topology, const CartesianGrid& grid,
     }
     const Index3 cell = NodeOfPoint(grid, mesh, id);
     IndexBox cells = BoxOfCell(cell);
-    if (mesh.Levels->IsCoarsePoint(id, mesh.Ids.PointSlots))
+    if (IsCoarsePoint(*mesh.Levels, id, mesh.Ids.PointSlots))
     {
-      const OctreeKeys::LevelIndex leaf = mesh.Levels->CellOfCoarseCentre(id, mesh.Ids.PointSlots);
+      const OctreeKeys::LevelIndex leaf = CellOfCoarseCentre(*mesh.Levels, id, mesh.Ids.PointSlots);
       cells = Intersect(mesh.Levels->FinestCells(leaf.Level, leaf.At), grid.HexBox());
     }
     visit(cells, p);

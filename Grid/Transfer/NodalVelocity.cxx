@@ -2,7 +2,7 @@
 
 #include "Base/Partition.h"
 #include "Base/Vector3.h"
-#include "Octree/RefinedGrid.h"
+#include "Mesh/LevelIds.h"
 
 namespace vfm
 {
@@ -87,7 +87,7 @@ private:
   bool IsAlone(Index id) const
   {
     return this->TheMesh.Ids.ElementSlots == 0 &&
-      id >= this->TheMesh.Levels->EndOfPointIds(this->TheMesh.Ids.PointSlots);
+      id >= EndOfPointIds(*this->TheMesh.Levels, this->TheMesh.Ids.PointSlots);
   }
 
   /// Position in Peers() of the owner of each point; -1: this rank.

@@ -4,7 +4,7 @@ import re
 
 # Rooms of Grid and modules of Mesher, bottom to top: an include goes down only. The root of each is above them all.
 ROOMS = {
-    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Creases", "Mesh", "Transfer", "Smoothing",
+    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Transfer", "Creases", "Smoothing",
              "Hex", "Tet"),
     "Mesher": ("Options", "Input", "Levels", "Summary", "State"),
 }

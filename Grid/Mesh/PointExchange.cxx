@@ -1,4 +1,4 @@
-#include "Smoothing/PointExchange.h"
+#include "Mesh/PointExchange.h"
 
 #include <numeric>
 

@@ -1,4 +1,4 @@
-#include "Smoothing/CreaseRules.h"
+#include "Creases/Rules.h"
 
 #include <limits>
 
@@ -68,21 +68,58 @@ struct Bid
   }
 };
 
-} // namespace
-
-CreaseRules::CreaseRules(const std::vector<Facet>& facets, const Mesh& mesh,
-  const ActiveMesh& active, LabelsOf labelsOf, std::vector<CreasePoint>& points) :
-  Active(active),
-  Labels(std::move(labelsOf)),
-  Points(points),
-  Ids(active.Attachments.size()),
-  IsKnown(active.Attachments.size(), 0)
+/// The pairs at the corners of a facet, -1: none.
+struct RuleFacet
 {
-  for (std::size_t p = 0; p < active.X.size(); ++p)
+  std::array<int, 4> At;
+  int Count;
+};
+
+class CreaseRules
+{
+public:
+  CreaseRules(
+    const SurfacePairs& pairs, const std::vector<Facet>& facets, std::vector<CreasePoint>& points);
+  void Run();
+
+private:
+  int FindPair(Index meshPoint, const std::array<int, 2>& labels) const;
+  void ListFacets(const std::vector<Facet>& facets);
+  template <class Value>
+  void Exchange(std::vector<Value>& values) const;
+  template <class Value, class Merge>
+  void Spread(std::vector<Value>& values, int rounds, const Merge& merge) const;
+  template <class Visitor>
+  void ForEdges(const Visitor& visit) const;
+  void MakeCarriers(const std::vector<int>& chosen);
+  void ExchangeKinds();
+  bool IsCarrierAt(int pair) const { return pair >= 0 && IsCarrier(this->Points[pair].Kind); }
+  bool IsNearer(int a, int b) const;
+  bool ShareSide(int a, int b) const;
+  std::vector<unsigned char> FindWilling() const;
+
+  void PickCorners();
+  void Cover();
+  void StraightenZigzags();
+  void DropShortChains();
+  void DropFarSides();
+
+  const SurfacePairs& Pairs;
+  std::vector<CreasePoint>& Points; // of each pair
+  std::vector<Index> Ids;           // of the point of each pair
+  std::vector<unsigned char>
+    IsKnown; // of each pair: it is among those of the point that ranks tell each other
+  std::vector<RuleFacet> Facets;
+};
+
+CreaseRules::CreaseRules(
+  const SurfacePairs& pairs, const std::vector<Facet>& facets, std::vector<CreasePoint>& points) :
+  Pairs(pairs), Points(points), Ids(points.size()), IsKnown(points.size(), 0)
+{
+  for (std::size_t p = 0; p < pairs.Ids.size(); ++p)
   {
-    const Index first = active.AttachmentOffset[p], last = active.AttachmentOffset[p + 1];
-    std::fill(
-      this->Ids.begin() + first, this->Ids.begin() + last, mesh.PointIds[active.MeshPoint[p]]);
+    const Index first = pairs.Offset[p], last = pairs.Offset[p + 1];
+    std::fill(this->Ids.begin() + first, this->Ids.begin() + last, pairs.Ids[p]);
     std::fill(this->IsKnown.begin() + first,
       this->IsKnown.begin() + std::min<Index>(last, first + MostPairs), 1);
   }
@@ -95,15 +132,14 @@ CreaseRules::CreaseRules(const std::vector<Facet>& facets, const Mesh& mesh,
   this->ListFacets(facets);
 }
 
-int CreaseRules::FindAttachment(Index meshPoint, const std::array<int, 2>& labels) const
+int CreaseRules::FindPair(Index meshPoint, const std::array<int, 2>& labels) const
 {
-  const int point = this->Active.PointOf[meshPoint];
+  const int point = this->Pairs.PointOf[meshPoint];
   if (point >= 0)
   {
-    for (Index i = this->Active.AttachmentOffset[point];
-         i < this->Active.AttachmentOffset[point + 1]; ++i)
+    for (Index i = this->Pairs.Offset[point]; i < this->Pairs.Offset[point + 1]; ++i)
     {
-      if (this->IsKnown[i] && this->Labels(this->Active.Attachments[i]) == labels)
+      if (this->IsKnown[i] && this->Pairs.Labels[i] == labels)
       {
         return static_cast<int>(i);
       }
@@ -115,17 +151,17 @@ int CreaseRules::FindAttachment(Index meshPoint, const std::array<int, 2>& label
 /// Those with a point that has a model.
 void CreaseRules::ListFacets(const std::vector<Facet>& facets)
 {
-  std::vector<unsigned char> hasModel(this->Active.X.size(), 0);
+  std::vector<unsigned char> hasModel(this->Pairs.Ids.size(), 0);
   for (std::size_t p = 0; p < hasModel.size(); ++p)
   {
-    for (Index i = this->Active.AttachmentOffset[p]; i < this->Active.AttachmentOffset[p + 1]; ++i)
+    for (Index i = this->Pairs.Offset[p]; i < this->Pairs.Offset[p + 1]; ++i)
     {
       hasModel[p] |= this->Points[i].Kind != CreaseKind::None;
     }
   }
   const auto isNear = [&](Index meshPoint)
   {
-    const int point = this->Active.PointOf[meshPoint];
+    const int point = this->Pairs.PointOf[meshPoint];
     return point >= 0 && hasModel[point];
   };
   for (const Facet& facet : facets)
@@ -138,12 +174,12 @@ void CreaseRules::ListFacets(const std::vector<Facet>& facets)
       std::max(facet.Materials[0], facet.Materials[1]) } };
     RuleFacet own{ {}, facet.Points[2] == facet.Points[3] ? 3 : 4 };
     std::transform(facet.Points.begin(), facet.Points.end(), own.At.begin(),
-      [&](Index p) { return this->FindAttachment(p, labels); });
+      [&](Index p) { return this->FindPair(p, labels); });
     this->Facets.push_back(own);
   }
 }
 
-/// Gives the attachments of points of other ranks the values that these have for the same pairs of labels.
+/// Gives the pairs of points of other ranks the values that these have for the same labels.
 template <class Value>
 void CreaseRules::Exchange(std::vector<Value>& values) const
 {
@@ -153,14 +189,14 @@ void CreaseRules::Exchange(std::vector<Value>& values) const
     Value Of;
   };
   using Slots = std::array<Slot, MostPairs>;
-  const std::vector<Index>& offset = this->Active.AttachmentOffset;
+  const std::vector<Index>& offset = this->Pairs.Offset;
   const auto pack = [&](int mover)
   {
     Slots slots{};
     int used = 0;
     for (Index i = offset[mover]; i < offset[mover + 1] && used < MostPairs; ++i)
     {
-      slots[used++] = { this->Labels(this->Active.Attachments[i]), values[i] };
+      slots[used++] = { this->Pairs.Labels[i], values[i] };
     }
     return slots;
   };
@@ -168,13 +204,13 @@ void CreaseRules::Exchange(std::vector<Value>& values) const
   {
     for (Index i = offset[mover]; i < offset[mover + 1]; ++i)
     {
-      const std::array<int, 2> labels = this->Labels(this->Active.Attachments[i]);
+      const std::array<int, 2>& labels = this->Pairs.Labels[i];
       const auto slot =
         std::find_if(slots.begin(), slots.end(), [&](const Slot& s) { return s.Labels == labels; });
       values[i] = slot != slots.end() ? slot->Of : Value{};
     }
   };
-  this->Active.Exchange.SendAll(pack, unpack);
+  this->Pairs.Exchange.SendAll(pack, unpack);
 }
 
 /// In each round every point merges the values that those of its facets had before.
@@ -201,7 +237,7 @@ void CreaseRules::Spread(std::vector<Value>& values, int rounds, const Merge& me
   }
 }
 
-/// Calls visit(a, b) with the attachments at both ends of the edges of facets.
+/// Calls visit(a, b) with the pairs at both ends of the edges of facets.
 template <class Visitor>
 void CreaseRules::ForEdges(const Visitor& visit) const
 {
@@ -416,7 +452,7 @@ void CreaseRules::DropFarSides()
 void CreaseRules::Run()
 {
   this->PickCorners();
-  const bool isHexes = this->Active.Corners == 8;
+  const bool isHexes = this->Pairs.IsOfHexes;
   for (int round = 0; round < (isHexes ? HexCoverRounds : TetCoverRounds); ++round)
   {
     this->Cover();
@@ -429,19 +465,12 @@ void CreaseRules::Run()
   this->DropFarSides();
 }
 
-std::vector<CreaseKind> CreaseRules::KindsOfPoints() const
+} // namespace
+
+void ApplyCreaseRules(
+  const SurfacePairs& pairs, const std::vector<Facet>& facets, std::vector<CreasePoint>& points)
 {
-  std::vector<CreaseKind> kinds(this->Active.X.size(), CreaseKind::None);
-  for (std::size_t p = 0; p < kinds.size(); ++p)
-  {
-    for (Index i = this->Active.AttachmentOffset[p]; i < this->Active.AttachmentOffset[p + 1]; ++i)
-    {
-      kinds[p] = std::max(kinds[p], this->Points[i].Kind);
-    }
-  }
-  this->Active.Exchange.SendAll([&](int mover) { return kinds[mover]; },
-    [&](int mover, CreaseKind kind) { kinds[mover] = kind; });
-  return kinds;
+  CreaseRules(pairs, facets, points).Run();
 }
 
 } // namespace vfm
