@@ -3,6 +3,7 @@
 #include "Hex/ActiveHexes.h"
 #include "Hex/CoarseSmoothing.h"
 #include "Hex/HexFacets.h"
+#include "Hex/MakeLevels.h"
 #include "Mesh/Geometry.h"
 #include "Mesh/KeepOwned.h"
 #include "Mesh/MeasureFragments.h"
@@ -10,6 +11,7 @@
 #include "Smoothing/Attach.h"
 #include "Smoothing/CellLocator.h"
 #include "Smoothing/HexEnergy.h"
+#include "Smoothing/Improve.h"
 
 #include <optional>
 #include <stdexcept>
@@ -29,119 +31,106 @@ double TargetJacobian(const FractionField& fractions, const MeshOptions& options
   return options.TargetScaledJacobian > 0.0 ? options.TargetScaledJacobian : (several ? 0.5 : 0.55);
 }
 
-/// The stages, on a grid with as many ghost layers as they need.
-class HexStages : private MeshStages
+void FindLabels(MeshJob& job, LabelledGrid& result)
 {
-public:
-  using MeshStages::MeshStages;
-
-  Mesh MakeMesh();
-
-private:
-  void FindLabels();
-  FragmentVolumes FindVolumes(const Fragments& fragments, const Mesh& mesh);
-  /// Returns which points of the mesh may have been moved.
-  std::vector<unsigned char> Smooth(
-    const std::vector<Facet>& facets, FragmentVolumes& volumes, Mesh& mesh);
-
-  LabelledGrid Labelled;
-  std::vector<CreaseKind> Kinds; // of the points of the mesh; empty: none carries an edge
-};
-
-void HexStages::FindLabels()
-{
-  this->Clock.Start("Assigning materials", 0.0);
-  if (InterfacesCrossLevels(this->Options))
+  job.Clock.Start("Assigning materials", 0.0);
+  if (InterfacesCrossLevels(job.Options))
   {
-    LabelLeaves(this->Grid, this->Fractions, this->Options, this->Parts, this->Run, this->Report,
-      this->Labelled);
+    LabelLeaves(job.Grid, job.Fractions, job.Options, job.Parts, job.Run, job.Report, result);
     return;
   }
-  LabelledGrid& result = this->Labelled;
-  result.Labels = AssignMaterials(this->Grid, this->Fractions, this->Options.IsoValue);
-  this->Resolve(result.Labels);
-  this->Clock.Start("Making hexahedra", 0.1);
-  result.Mixed = FindMixedNodes(this->Grid, result.Labels);
-  LevelPlan plan = this->Options.Levels;
-  MakeLevels(this->Grid, result.Labels, result.Mixed, { this->Options.MeshVoid, false, true }, plan,
-    this->Run, this->Report, result.Levels);
+  result.Labels = AssignMaterials(job.Grid, job.Fractions, job.Options.IsoValue);
+  Resolve(job, result.Labels);
+  job.Clock.Start("Making hexahedra", 0.1);
+  result.Mixed = FindMixedNodes(job.Grid, result.Labels);
+  LevelPlan plan = job.Options.Levels;
+  MakeLevels(job.Grid, result.Labels, result.Mixed, { job.Options.MeshVoid, false, true }, plan,
+    job.Run, job.Report, result.Levels);
 }
 
-FragmentVolumes HexStages::FindVolumes(const Fragments& fragments, const Mesh& mesh)
+FragmentVolumes FindVolumes(
+  const MeshJob& job, const LabelArray& labels, const Fragments& fragments, const Mesh& mesh)
 {
-  const CellLocator locator(*mesh.Levels, this->Labelled.Labels, fragments);
+  const CellLocator locator(*mesh.Levels, labels, fragments);
   FragmentVolumes volumes(
-    this->Grid, this->Fractions, fragments.MaterialsOfFragments(), locator, this->Run);
+    job.Grid, job.Fractions, fragments.MaterialsOfFragments(), locator, job.Run);
   if (!mesh.Levels->HasFineInterfaces())
   {
-    volumes.SetStart(MeasureFragments(mesh, this->Grid, fragments.NumberOfFragments(), this->Run));
+    volumes.SetStart(MeasureFragments(mesh, job.Grid, fragments.NumberOfFragments(), job.Run));
   }
   return volumes;
 }
 
-std::vector<unsigned char> HexStages::Smooth(
-  const std::vector<Facet>& facets, FragmentVolumes& volumes, Mesh& mesh)
+/// Of each point of the mesh.
+struct SmoothedPoints
 {
-  const CoarseHexes& coarse = *this->Labelled.Levels.Coarse;
-  std::optional<LevelInterfaces> interfaces(std::in_place, *mesh.Levels, this->Fractions,
-    this->Labelled.Labels, this->Labelled.Mixed, this->Options.IsoValue, this->Run);
-  this->Clock.Start("Fitting surfaces", 0.2);
-  SurfaceTargets targets(interfaces->All(), KindOfTargets(this->Options), this->Run);
-  this->Clock.Update(0.21);
-  ActiveMesh active = MakeActiveHexes(this->Labelled, this->Parts, mesh, this->Run);
-  this->Clock.Update(0.215);
-  AttachHexes(*interfaces, coarse, mesh, facets, this->Run, active);
-  this->Kinds = active.OfMesh(
-    this->AttachToCreases(*interfaces->All().back(), facets, mesh, targets, active), mesh);
+  std::vector<CreaseKind> Kinds;    ///< empty: none carries an edge
+  std::vector<unsigned char> Moved; ///< whether it may have been moved
+};
+
+SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vector<Facet>& facets,
+  FragmentVolumes& volumes, Mesh& mesh)
+{
+  std::optional<LevelInterfaces> interfaces(std::in_place, *mesh.Levels, job.Fractions,
+    labelled.Labels, labelled.Mixed, job.Options.IsoValue, job.Run);
+  job.Clock.Start("Fitting surfaces", 0.2);
+  SurfaceTargets targets(interfaces->All(), KindOfTargets(job.Options), job.Run);
+  job.Clock.Update(0.21);
+  ActiveMesh active = MakeActiveHexes(labelled, job.Parts, mesh, job.Run);
+  job.Clock.Update(0.215);
+  AttachHexes(*interfaces, *labelled.Levels.Coarse, mesh, facets, job.Run, active);
+  std::vector<CreaseKind> kinds = active.OfMesh(
+    AttachToCreases(job, *interfaces->All().back(), facets, mesh, targets, active), mesh);
   SetFacets(facets, active);
   std::vector<int>().swap(active.PointOf);
-  if (KindOfTargets(this->Options) == SurfaceTargets::Kind::Quadrics)
+  if (KindOfTargets(job.Options) == SurfaceTargets::Kind::Quadrics)
   {
     interfaces.reset(); // facets need it
   }
-  const HexEnergy energy(TargetJacobian(this->Fractions, this->Options));
-  Improve({ active, targets, energy, Ramp, volumes, this->Report,
-            this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} },
-    this->Clock, this->Run);
-  active.CopyTo(mesh, this->Grid);
-  return active.ListMoved(mesh);
+  const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
+  Improve({ active, targets, energy, Ramp, volumes, job.Report,
+            job.Options.ConserveVolume && job.Options.IsoValue == 0.5, {}, {} },
+    job.Clock, job.Run);
+  active.CopyTo(mesh, job.Grid);
+  return { std::move(kinds), active.ListMoved(mesh) };
 }
 
-Mesh HexStages::MakeMesh()
+Mesh MakeMesh(MeshJob& job)
 {
-  this->FindLabels();
-  const LabelArray& labels = this->Labelled.Labels;
-  CoarseHexes& coarse = *this->Labelled.Levels.Coarse;
+  LabelledGrid labelled;
+  FindLabels(job, labelled);
+  CoarseHexes& coarse = *labelled.Levels.Coarse;
   PointNumbering numbering(
-    this->Grid, labels, this->Options.MeshVoid, !coarse.Levels().IsUniform());
-  Mesh mesh = BuildHexes(this->Grid, labels, this->Labelled.Mixed, this->Options.StairStep,
-    numbering, this->Run, coarse);
-  mesh.Levels = this->Labelled.Levels.Grid;
-  this->Clock.Start("Finding fragments", 0.12);
-  const Fragments fragments(this->Grid, labels, this->Options.MeshVoid, this->Parts);
-  this->Report.NumberOfFragments = fragments.NumberOfFragments();
-  FillFragments(this->Labelled, numbering, fragments, this->Run, mesh);
-  this->Clock.Update(0.135);
-  const std::vector<Facet> facets =
-    FindHexFacets(this->Labelled, numbering, fragments, this->Parts, mesh);
-  this->Clock.Start("Finding interfaces", 0.15);
-  FragmentVolumes volumes = this->FindVolumes(fragments, mesh);
-  if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)
+    job.Grid, labelled.Labels, job.Options.MeshVoid, !coarse.Levels().IsUniform());
+  Mesh mesh = BuildHexes(
+    job.Grid, labelled.Labels, labelled.Mixed, job.Options.StairStep, numbering, job.Run, coarse);
+  mesh.Levels = labelled.Levels.Grid;
+  job.Clock.Start("Finding fragments", 0.12);
+  const Fragments fragments(job.Grid, labelled.Labels, job.Options.MeshVoid, job.Parts);
+  job.Report.NumberOfFragments = fragments.NumberOfFragments();
+  FillFragments(labelled, numbering, fragments, job.Run, mesh);
+  job.Clock.Update(0.135);
+  const std::vector<Facet> facets = FindHexFacets(labelled, numbering, fragments, job.Parts, mesh);
+  job.Clock.Start("Finding interfaces", 0.15);
+  FragmentVolumes volumes = FindVolumes(job, labelled.Labels, fragments, mesh);
+  SmoothedPoints points;
+  if (!job.Options.StairStep && job.Options.Method != Smoothing::Off)
   {
-    const std::vector<unsigned char> moved = this->Smooth(facets, volumes, mesh);
+    points = Smooth(job, labelled, facets, volumes, mesh);
     if (!mesh.Levels->IsUniform())
     {
-      this->Clock.Start("Smoothing transitions", 0.9);
+      job.Clock.Start("Smoothing transitions", 0.9);
       ReleaseFreeMemory();
-      SmoothCoarse(coarse, moved, mesh, this->Run);
+      SmoothCoarse(coarse, points.Moved, mesh, job.Run);
     }
   }
-  this->Clock.Start("Finding geometry", 0.93);
-  ClassifyGeometry(facets, this->Kinds, this->Parts, mesh, this->Report);
-  KeepOwned(mesh, this->Grid);
-  ReportLevels(mesh, this->Labelled.Levels.Asked, this->Run.Group(), this->Report);
-  ReportVolumes(this->Grid, volumes, this->Report);
-  this->MeasureQuality(mesh);
+  std::vector<unsigned char>().swap(points.Moved);
+  job.Clock.Start("Finding geometry", 0.93);
+  ClassifyGeometry(facets, points.Kinds, job.Parts, mesh, job.Report);
+  KeepOwned(mesh, job.Grid);
+  ReportLevels(mesh, labelled.Levels.Asked, job.Run.Group(), job.Report);
+  ReportVolumes(job.Grid, volumes, job.Report);
+  MeasureQuality(job, mesh);
   return mesh;
 }
 
@@ -164,7 +153,8 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   {
     throw std::logic_error("The grid has fewer ghost layers than LayersFor asks for.");
   }
-  return HexStages(grid, fractions, options, runtime, report).MakeMesh();
+  MeshJob job{ grid, fractions, options, runtime, report };
+  return MakeMesh(job);
 }
 
 } // namespace vfm

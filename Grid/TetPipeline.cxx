@@ -1,11 +1,14 @@
 #include "TetPipeline.h"
 
+#include "Hex/MakeLevels.h"
 #include "Mesh/Geometry.h"
 #include "Mesh/KeepOwned.h"
 #include "Mesh/MeasureFragments.h"
 #include "Pipeline.h"
 #include "Smoothing/Attach.h"
 #include "Smoothing/CellLocator.h"
+#include "Smoothing/Improve.h"
+#include "Tet/ActiveTets.h"
 #include "Tet/CellTets.h"
 #include "Tet/CoarseTets.h"
 #include "Tet/DiagonalFlips.h"
@@ -29,237 +32,242 @@ namespace
 constexpr double ShareBeforeTetGen = 0.15; // of the progress, as of the time
 constexpr int LateFlips = 5;               // sweeps between two rounds of flips in the last stage
 
-/// Makes the mesh of Cells or Lattice.
-class TetMesher : private MeshStages
+/// The labels of the cells. First: before any was flipped, which the lattice does not know of; of refined lattices alone.
+struct CellLabels
 {
-public:
-  using MeshStages::MeshStages;
+  LabelArray Resolved, First;
+};
 
-  Mesh Make()
-  {
-    this->Clock.SetShare(this->Options.Tets == TetMethod::TetGen ? ShareBeforeTetGen : 1.0);
-    this->Assign();
-    this->Build();
-    this->FindFragments();
-    if (!this->Options.StairStep && this->Options.Method != Smoothing::Off)
-    {
-      this->Smooth();
-    }
-    ReportVolumes(this->Grid, *this->Volumes, this->Report);
-    this->Clock.Start("Finding geometry", 0.9);
-    Mesh& mesh = this->Topology.Tets;
-    FillInside(mesh);
-    ClassifyGeometry(this->ListFacets(), this->Kinds, this->Parts, mesh, this->Report);
-    KeepOwned(mesh, this->Grid);
-    ReportLevels(mesh, this->Levels.Asked, this->Run.Group(), this->Report);
-    this->Refill();
-    this->MeasureQuality(mesh);
-    return std::move(mesh);
-  }
-
-private:
-  /// The fragment of the points inside it.
-  static void FillInside(Mesh& mesh)
-  {
-    mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
-    for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
-    {
-      mesh.GeometryId[mesh.Elements[at]] = mesh.Fragment[at / 4];
-    }
-  }
-
-  std::vector<Facet> ListFacets() const
-  {
-    return vfm::ListFacets(this->Faces, this->Grid, this->Parts, this->Topology.Tets);
-  }
-
-  void Refill()
-  {
-#ifdef VFM_HAS_TETGEN
-    if (this->Options.Tets == TetMethod::TetGen)
-    {
-      this->Clock.SetShare(1.0);
-      this->Clock.Start("Filling with TetGen", ShareBeforeTetGen);
-      RefillTets(
-        this->Topology.Tets, this->Grid, this->Labels, this->Options,
-        [this](double done)
-        { this->Clock.Update(ShareBeforeTetGen + (0.95 - ShareBeforeTetGen) * done); },
-        this->Run.Group(), this->Report);
-    }
-#endif
-  }
-
-  void Assign()
-  {
-    this->Clock.Start("Assigning materials", 0.0);
-    this->Labels = AssignMaterials(this->Grid, this->Fractions, this->Options.IsoValue);
-    if (this->HasLevels() && this->Method == TetMethod::Lattice)
-    {
-      this->LabelsOfLevels =
-        this->Labels; // before any is flipped: the lattice does not know of flips
-    }
-    this->Resolve(this->Labels);
-  }
-
-  void Build()
-  {
-    this->Clock.Start("Making tetrahedra", 0.1);
-    const TetEnergy energy(FloorsOf(this->Options));
-    std::optional<LatticeNodes> nodes;
-    if (this->Method == TetMethod::Lattice)
-    {
-      nodes.emplace(this->Grid, this->Fractions, this->Options.IsoValue, this->Run);
-    }
-    const std::unique_ptr<const CoarseTets> made = this->MakeCoarse(nodes, energy);
-    const CoarseTets& coarse = *made;
-    if (nodes)
-    {
-      LatticeTets tets = BuildLatticeTets(
-        this->Grid, *nodes, this->Options.MeshVoid, this->Parts, this->Run, coarse);
-      this->Topology = std::move(tets.Topology);
-      this->Faces = std::move(tets.Faces);
-    }
-    else
-    {
-      this->Topology =
-        BuildCellTets(this->Grid, this->Labels, this->Options.MeshVoid, this->Run, coarse);
-      this->Clock.Start("Finding faces", 0.12);
-      this->Faces = FindTetFaces(this->Topology, this->Grid);
-    }
-  }
-
-  bool HasLevels() const
-  {
-    return this->Options.Levels.Refinements > 0;
-  }
-
-  /// nodes: of Lattice. Refines more until all tets start positive.
-  std::unique_ptr<const CoarseTets> MakeCoarse(
-    const std::optional<LatticeNodes>& nodes, const TetEnergy& energy)
-  {
-    std::vector<Index> interfaces;
-    if (this->HasLevels())
-    {
-      interfaces = nodes ? FindLatticeInterfaces(this->Grid, *nodes)
-                         : FindMixedNodes(this->Grid, this->Labels);
-    }
-    const LabelArray& labels = this->HasLevels() && nodes ? this->LabelsOfLevels : this->Labels;
-    LevelPlan plan = this->Options.Levels;
-    for (;; ++this->Report.LevelRounds)
-    {
-      MakeLevels(this->Grid, labels, interfaces, { this->Options.MeshVoid, true, true }, plan,
-        this->Run, this->Report, this->Levels);
-      auto tets = std::make_unique<const CoarseTets>(*this->Levels.Coarse, energy, this->Run);
-      if (!AddFamilies(tets->BadFamilies(), plan, this->Run.Group()))
-      {
-        return tets;
-      }
-    }
-  }
-
-  void FindFragments()
-  {
-    this->Clock.Start("Finding fragments", 0.15);
-    Mesh& mesh = this->Topology.Tets;
-    if (this->Method == TetMethod::Lattice)
-    {
-      const TetFragments fragments(this->Topology, this->Faces, this->Grid, this->Parts);
-      this->Materials = fragments.Materials();
-      this->Volumes = std::make_unique<FragmentVolumes>(
-        this->Grid, this->Fractions, this->Materials, fragments, this->Run);
-      this->Volumes->SetStart(MeasureFragments(
-        mesh, this->Grid, static_cast<int>(this->Materials.size()) - 1, this->Run));
-    }
-    else
-    {
-      const Fragments fragments(this->Grid, this->Labels, this->Options.MeshVoid, this->Parts);
-      this->Materials = fragments.MaterialsOfFragments();
-      const CellLocator locator(*this->Topology.Tets.Levels, this->Labels, fragments);
-      this->Volumes = std::make_unique<FragmentVolumes>(
-        this->Grid, this->Fractions, this->Materials, locator, this->Run);
-      this->FillFragments(fragments);
-    }
-    this->Report.NumberOfFragments = static_cast<Index>(this->Materials.size()) - 1;
-  }
-
-  /// The fragment of a tet of Cells is that of its cell: the lower one of an inner face, where both have one label.
-  void FillFragments(const Fragments& fragments)
-  {
-    Mesh& mesh = this->Topology.Tets;
-    mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
-    for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
-    {
-      Index centre = mesh.Elements[4 * t + 3];
-      if (IsCentre(mesh, mesh.PointIds[mesh.Elements[4 * t]]))
-      {
-        centre = mesh.Elements[4 * t];
-      }
-      mesh.Fragment[t] =
-        fragments.FragmentOfCell(CellOfCentre(this->Grid, mesh, mesh.PointIds[centre]));
-    }
-  }
-
-  void Smooth()
-  {
-    Mesh& mesh = this->Topology.Tets;
-    this->Clock.Start("Finding interfaces", 0.2);
-    const Interface interface(this->Grid, this->Fractions, this->Labels,
-      FindMixedNodes(this->Grid, this->Labels), this->Options.IsoValue, this->Run);
-    SurfaceTargets targets(interface, KindOfTargets(this->Options), this->Run);
-    ActiveTets active = MakeActiveTets(this->Topology, this->Grid, this->Parts);
-    const std::vector<CreaseKind> kinds = this->Attach(interface, targets, active);
-    this->Kinds = active.OfMesh(kinds, mesh);
-    const TetEnergy energy(FloorsOf(this->Options));
-    std::optional<DiagonalFlips> flips;
-    Improvement improvement{ active, targets, energy, TetRamp(), *this->Volumes, this->Report,
-      this->Options.ConserveVolume && this->Options.IsoValue == 0.5, {}, {} };
-    if (this->Method == TetMethod::Cells)
-    {
-      flips.emplace(mesh, active, energy, kinds);
-      improvement.AfterSweep = [&](Smoother& smoother, const SmoothingStage& stage, int sweep)
-      {
-        if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
-        {
-          flips->Run(stage, [&](int point) { smoother.Wake(point); });
-        }
-      };
-      improvement.AfterRamp = [&]
-      {
-        flips->CopyTo(mesh);
-        this->Faces = FindTetFaces(this->Topology, this->Grid);
-        SetFacets(this->ListFacets(), active);
-      };
-    }
-    Improve(improvement, this->Clock, this->Run);
-    active.CopyTo(mesh, this->Grid);
-  }
-
-  /// Returns the kinds of the active points.
-  std::vector<CreaseKind> Attach(
-    const Interface& interface, SurfaceTargets& targets, ActiveMesh& active)
-  {
-    const std::vector<Facet> facets = this->ListFacets();
-    AttachTets(interface, this->Topology.Tets, facets, this->Method, this->Run, active);
-    const bool hasQuads =
-      this->Method == TetMethod::Cells && this->Options.Edges != SharpEdges::Off;
-    const std::vector<Facet> quads =
-      hasQuads ? JoinTriangles(facets, this->Faces, this->Topology.Tets) : std::vector<Facet>();
-    std::vector<CreaseKind> kinds = this->AttachToCreases(
-      interface, hasQuads ? quads : facets, this->Topology.Tets, targets, active);
-    SetFacets(facets, active);
-    return kinds;
-  }
-
-  const TetMethod Method =
-    this->Options.Tets == TetMethod::Lattice ? TetMethod::Lattice : TetMethod::Cells;
-  LabelArray Labels, LabelsOfLevels;
-  LevelHexes Levels;
+/// The tets of Cells or Lattice.
+struct MadeTets
+{
   TetTopology Topology;
   TetFaces Faces;
-  std::vector<int> Materials; // of the fragments
-  std::unique_ptr<FragmentVolumes> Volumes;
-  std::vector<CreaseKind> Kinds; // of the points of the mesh; empty: none carries an edge
+  std::vector<Index> Asked; ///< LevelHexes::Asked
 };
+
+bool HasLevels(const MeshJob& job)
+{
+  return job.Options.Levels.Refinements > 0;
+}
+
+bool IsLattice(const MeshJob& job)
+{
+  return job.Options.Tets == TetMethod::Lattice;
+}
+
+CellLabels AssignLabels(MeshJob& job)
+{
+  job.Clock.Start("Assigning materials", 0.0);
+  CellLabels labels{ AssignMaterials(job.Grid, job.Fractions, job.Options.IsoValue), {} };
+  if (HasLevels(job) && IsLattice(job))
+  {
+    labels.First = labels.Resolved;
+  }
+  Resolve(job, labels.Resolved);
+  return labels;
+}
+
+/// nodes: of Lattice. Refines more until all tets start positive.
+std::unique_ptr<const CoarseTets> MakeCoarse(MeshJob& job, const CellLabels& labels,
+  const std::optional<LatticeNodes>& nodes, const TetEnergy& energy, LevelHexes& levels)
+{
+  std::vector<Index> interfaces;
+  if (HasLevels(job))
+  {
+    interfaces =
+      nodes ? FindLatticeInterfaces(job.Grid, *nodes) : FindMixedNodes(job.Grid, labels.Resolved);
+  }
+  LevelPlan plan = job.Options.Levels;
+  for (;; ++job.Report.LevelRounds)
+  {
+    MakeLevels(job.Grid, HasLevels(job) && nodes ? labels.First : labels.Resolved, interfaces,
+      { job.Options.MeshVoid, true, true }, plan, job.Run, job.Report, levels);
+    auto tets = std::make_unique<const CoarseTets>(*levels.Coarse, energy, job.Run);
+    if (!AddFamilies(tets->BadFamilies(), plan, job.Run.Group()))
+    {
+      return tets;
+    }
+  }
+}
+
+MadeTets MakeTets(MeshJob& job, const CellLabels& labels)
+{
+  job.Clock.Start("Making tetrahedra", 0.1);
+  const TetEnergy energy(FloorsOf(job.Options));
+  std::optional<LatticeNodes> nodes;
+  if (IsLattice(job))
+  {
+    nodes.emplace(job.Grid, job.Fractions, job.Options.IsoValue, job.Run);
+  }
+  LevelHexes levels;
+  const std::unique_ptr<const CoarseTets> coarse = MakeCoarse(job, labels, nodes, energy, levels);
+  MadeTets made;
+  made.Asked = std::move(levels.Asked);
+  if (nodes)
+  {
+    LatticeTets tets =
+      BuildLatticeTets(job.Grid, *nodes, job.Options.MeshVoid, job.Parts, job.Run, *coarse);
+    made.Topology = std::move(tets.Topology);
+    made.Faces = std::move(tets.Faces);
+  }
+  else
+  {
+    made.Topology =
+      BuildCellTets(job.Grid, labels.Resolved, job.Options.MeshVoid, job.Run, *coarse);
+    job.Clock.Start("Finding faces", 0.12);
+    made.Faces = FindTetFaces(made.Topology, job.Grid);
+  }
+  return made;
+}
+
+std::vector<Facet> ListFacets(const MeshJob& job, const MadeTets& made)
+{
+  return ListFacets(made.Faces, job.Grid, job.Parts, made.Topology.Tets);
+}
+
+/// The fragment of a tet of Cells is that of its cell: the lower one of an inner face, where both have one label.
+void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& mesh)
+{
+  mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
+  for (std::size_t t = 0; t < mesh.ElementIds.size(); ++t)
+  {
+    Index centre = mesh.Elements[4 * t + 3];
+    if (IsCentre(mesh, mesh.PointIds[mesh.Elements[4 * t]]))
+    {
+      centre = mesh.Elements[4 * t];
+    }
+    mesh.Fragment[t] = fragments.FragmentOfCell(CellOfCentre(grid, mesh, mesh.PointIds[centre]));
+  }
+}
+
+/// Fills those of the tets, too.
+FragmentVolumes FindFragments(MeshJob& job, const LabelArray& labels, MadeTets& made)
+{
+  job.Clock.Start("Finding fragments", 0.15);
+  Mesh& mesh = made.Topology.Tets;
+  if (IsLattice(job))
+  {
+    const TetFragments fragments(made.Topology, made.Faces, job.Grid, job.Parts);
+    job.Report.NumberOfFragments = static_cast<Index>(fragments.Materials().size()) - 1;
+    FragmentVolumes volumes(job.Grid, job.Fractions, fragments.Materials(), fragments, job.Run);
+    volumes.SetStart(
+      MeasureFragments(mesh, job.Grid, static_cast<int>(job.Report.NumberOfFragments), job.Run));
+    return volumes;
+  }
+  const Fragments fragments(job.Grid, labels, job.Options.MeshVoid, job.Parts);
+  job.Report.NumberOfFragments = fragments.NumberOfFragments();
+  const CellLocator locator(*mesh.Levels, labels, fragments);
+  FragmentVolumes volumes(
+    job.Grid, job.Fractions, fragments.MaterialsOfFragments(), locator, job.Run);
+  FillFragments(job.Grid, fragments, mesh);
+  return volumes;
+}
+
+/// Returns the kinds of the active points.
+std::vector<CreaseKind> Attach(MeshJob& job, const Interface& interface, const MadeTets& made,
+  SurfaceTargets& targets, ActiveMesh& active)
+{
+  const Mesh& mesh = made.Topology.Tets;
+  const std::vector<Facet> facets = ListFacets(job, made);
+  AttachTets(interface, mesh, facets, IsLattice(job) ? TetMethod::Lattice : TetMethod::Cells,
+    job.Run, active);
+  const bool hasQuads = !IsLattice(job) && job.Options.Edges != SharpEdges::Off;
+  const std::vector<Facet> quads =
+    hasQuads ? JoinTriangles(facets, made.Faces, mesh) : std::vector<Facet>();
+  std::vector<CreaseKind> kinds =
+    AttachToCreases(job, interface, hasQuads ? quads : facets, mesh, targets, active);
+  SetFacets(facets, active);
+  return kinds;
+}
+
+/// Returns the kinds of the points of the mesh.
+std::vector<CreaseKind> Smooth(
+  MeshJob& job, const LabelArray& labels, MadeTets& made, FragmentVolumes& volumes)
+{
+  Mesh& mesh = made.Topology.Tets;
+  job.Clock.Start("Finding interfaces", 0.2);
+  const Interface interface(job.Grid, job.Fractions, labels, FindMixedNodes(job.Grid, labels),
+    job.Options.IsoValue, job.Run);
+  SurfaceTargets targets(interface, KindOfTargets(job.Options), job.Run);
+  ActiveTets active = MakeActiveTets(made.Topology, job.Grid, job.Parts);
+  const std::vector<CreaseKind> kinds = Attach(job, interface, made, targets, active);
+  const TetEnergy energy(FloorsOf(job.Options));
+  std::optional<DiagonalFlips> flips;
+  Improvement improvement{ active, targets, energy, TetRamp(), volumes, job.Report,
+    job.Options.ConserveVolume && job.Options.IsoValue == 0.5, {}, {} };
+  if (!IsLattice(job))
+  {
+    flips.emplace(mesh, active, energy, kinds);
+    improvement.AfterSweep = [&](Smoother& smoother, const SmoothingStage& stage, int sweep)
+    {
+      if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
+      {
+        flips->Run(stage, [&](int point) { smoother.Wake(point); });
+      }
+    };
+    improvement.AfterRamp = [&]
+    {
+      flips->CopyTo(mesh);
+      made.Faces = FindTetFaces(made.Topology, job.Grid);
+      SetFacets(ListFacets(job, made), active);
+    };
+  }
+  Improve(improvement, job.Clock, job.Run);
+  active.CopyTo(mesh, job.Grid);
+  return active.OfMesh(kinds, mesh);
+}
+
+/// The fragment of the points inside it.
+void FillInside(Mesh& mesh)
+{
+  mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
+  for (std::size_t at = 0; at < mesh.Elements.size(); ++at)
+  {
+    mesh.GeometryId[mesh.Elements[at]] = mesh.Fragment[at / 4];
+  }
+}
+
+void Refill(MeshJob& job, const LabelArray& labels, Mesh& mesh)
+{
+#ifdef VFM_HAS_TETGEN
+  if (job.Options.Tets == TetMethod::TetGen)
+  {
+    job.Clock.SetShare(1.0);
+    job.Clock.Start("Filling with TetGen", ShareBeforeTetGen);
+    RefillTets(
+      mesh, job.Grid, labels, job.Options,
+      [&job](double done)
+      { job.Clock.Update(ShareBeforeTetGen + (0.95 - ShareBeforeTetGen) * done); },
+      job.Run.Group(), job.Report);
+  }
+#else
+  (void)job, (void)labels, (void)mesh;
+#endif
+}
+
+Mesh MakeMesh(MeshJob& job)
+{
+  job.Clock.SetShare(job.Options.Tets == TetMethod::TetGen ? ShareBeforeTetGen : 1.0);
+  const CellLabels labels = AssignLabels(job);
+  MadeTets made = MakeTets(job, labels);
+  FragmentVolumes volumes = FindFragments(job, labels.Resolved, made);
+  std::vector<CreaseKind> kinds; // empty: none carries an edge
+  if (!job.Options.StairStep && job.Options.Method != Smoothing::Off)
+  {
+    kinds = Smooth(job, labels.Resolved, made, volumes);
+  }
+  ReportVolumes(job.Grid, volumes, job.Report);
+  job.Clock.Start("Finding geometry", 0.9);
+  Mesh& mesh = made.Topology.Tets;
+  FillInside(mesh);
+  ClassifyGeometry(ListFacets(job, made), kinds, job.Parts, mesh, job.Report);
+  KeepOwned(mesh, job.Grid);
+  ReportLevels(mesh, made.Asked, job.Run.Group(), job.Report);
+  Refill(job, labels.Resolved, mesh);
+  MeasureQuality(job, mesh);
+  return std::move(mesh);
+}
 
 void CheckRange(const char* name, double value, const NumberRange& range)
 {
@@ -305,7 +313,8 @@ Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
   report = MeshReport();
   MeshOptions own = options;
   own.Levels.FineInterfaces = true; // tets know no others
-  return TetMesher(grid, fractions, own, runtime, report).Make();
+  MeshJob job{ grid, fractions, own, runtime, report };
+  return MakeMesh(job);
 }
 
 } // namespace vfm

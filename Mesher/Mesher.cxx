@@ -21,128 +21,130 @@ namespace
 
 constexpr double LabelVolumeTolerance = 1e-6; // relative, of smoothed labels
 
-/// One run, stage by stage. All of it is collective.
-class MesherRun
+/// What all steps of a run use; they are collective.
+struct MesherJob
 {
-public:
-  MesherRun(const MesherInput& input, const MesherOptions& options, Runtime& runtime) :
-    Input(input), Levels(input.Levels), Options(options), Run(runtime), Group(runtime.Group())
-  {
-  }
-
-  MesherResult Make();
-
-private:
-  void Warn(const std::string& text) const
-  {
-    if (this->Group.Rank() == 0 && !text.empty() && this->Input.Warn)
-    {
-      this->Input.Warn(text);
-    }
-  }
-
-  bool AreLabels() const { return !this->Input.Arrays.Labels.empty(); }
-  bool KeepsInterfacesFine() const
-  {
-    return this->Options.FineInterfaces || this->Options.Elements == ElementKind::Tets;
-  }
-
-  LevelCells OpenCells() const;
-  InputWishes FindWishes() const;
-  LevelSetup SetUpLevels(const InputWishes& wishes) const;
-  RemovedRegions PrepareFractions(LevelFields& fields) const;
-  LevelPlan Refine(const LevelSetup& setup, const InputWishes& wishes, LevelFields& fields) const;
-  Mesh MakeMesh(const LevelFields& fields, const MeshOptions& options, MeshReport& report) const;
-  void WarnOfMesh(const MeshReport& report, const InputField& field) const;
-  void Finish(const LevelFields& fields, const MeshOptions& options, MesherResult& result) const;
-
   const MesherInput& Input;
-  const InputLevels& Levels;
   const MesherOptions& Options;
   Runtime& Run;
-  Ranks& Group;
 };
 
-LevelCells MesherRun::OpenCells() const
+void Warn(const MesherJob& job, const std::string& text)
 {
-  const MesherArrays& arrays = this->Input.Arrays;
-  return this->AreLabels() ? OpenLabels(this->Levels.Levels, arrays.Labels, this->Group)
-                           : OpenFractions(this->Levels.Levels, arrays.Fractions,
-                               this->Options.FractionTolerance, this->Group);
+  if (job.Run.Group().Rank() == 0 && !text.empty() && job.Input.Warn)
+  {
+    job.Input.Warn(text);
+  }
+}
+
+bool AreLabels(const MesherJob& job)
+{
+  return !job.Input.Arrays.Labels.empty();
+}
+
+bool KeepsInterfacesFine(const MesherOptions& options)
+{
+  return options.FineInterfaces || options.Elements == ElementKind::Tets;
+}
+
+LevelCells OpenCells(const MesherJob& job)
+{
+  const std::vector<InputBlocks>& levels = job.Input.Levels.Levels;
+  const MesherArrays& arrays = job.Input.Arrays;
+  Ranks& ranks = job.Run.Group();
+  return AreLabels(job)
+    ? OpenLabels(levels, arrays.Labels, ranks)
+    : OpenFractions(levels, arrays.Fractions, job.Options.FractionTolerance, ranks);
 }
 
 /// The cells that are to be refined by name.
-InputWishes MesherRun::FindWishes() const
+InputWishes FindWishes(const MesherJob& job)
 {
-  const bool isAutomatic = this->Options.Where == Refinement::Automatic;
-  const InputWishes wishes = FindInputWishes(this->Levels, FindRefinementArray(this->Options),
-    isAutomatic ? this->Options.RefinementBoxes : std::vector<RefinementBox>(), this->Group);
-  this->Warn(wishes.Warning);
+  const bool isAutomatic = job.Options.Where == Refinement::Automatic;
+  InputWishes wishes = FindInputWishes(job.Input.Levels, FindRefinementArray(job.Options),
+    isAutomatic ? job.Options.RefinementBoxes : std::vector<RefinementBox>(), job.Run.Group());
+  Warn(job, wishes.Warning);
   return wishes;
 }
 
-LevelSetup MesherRun::SetUpLevels(const InputWishes& wishes) const
+LevelSetup SetUpLevels(const MesherJob& job, const InputWishes& wishes)
 {
-  const InputBlocks& coarsest = this->Levels.Levels[0];
+  const InputLevels& levels = job.Input.Levels;
+  const InputBlocks& coarsest = levels.Levels[0];
   const int alignment =
-    this->Input.StaysInPlace ? CountAlignedLevels(coarsest.Boxes(), this->Group) : AnyLevel;
-  LevelSetup setup = DecideLevels(this->Options.Where, this->Options.MaximumLevel,
-    coarsest.Coordinates, this->Levels.Finest(), alignment, wishes.Finest);
-  this->Warn(setup.Warning);
+    job.Input.StaysInPlace ? CountAlignedLevels(coarsest.Boxes(), job.Run.Group()) : AnyLevel;
+  LevelSetup setup = DecideLevels(job.Options.Where, job.Options.MaximumLevel, coarsest.Coordinates,
+    levels.Finest(), alignment, wishes.Finest);
+  Warn(job, setup.Warning);
   return setup;
 }
 
-/// Removes small regions, smooths labels and cuts long cells, as asked.
-RemovedRegions MesherRun::PrepareFractions(LevelFields& fields) const
+/// The cells of level 0 that the ranks mesh.
+std::vector<BlockPlace> FindOwners(
+  const MesherJob& job, const LevelCells& cells, const LevelSetup& setup)
 {
-  FractionField& fractions = fields.Field.Fractions;
-  RemovedRegions removed;
-  if (this->Options.MinimumRegionCells > 1)
+  const InputLevels& levels = job.Input.Levels;
+  return job.Input.StaysInPlace ? levels.Levels[0].Places
+                                : ShareOutCells(levels, cells, setup, job.Run.Group());
+}
+
+RemovedRegions RemoveRegions(const MesherJob& job, LevelFields& fields)
+{
+  if (job.Options.MinimumRegionCells <= 1)
   {
-    this->Run.Progress(0.0, "Removing small regions");
-    removed = RemoveSmallRegions(fields.Grid, this->Options.MinimumRegionCells,
-      this->Options.IsoValue, Partition(fields.Grid, this->Group), fractions);
+    return {};
   }
-  if (this->Options.LabelSmoothing > 0 && this->AreLabels())
+  job.Run.Progress(0.0, "Removing small regions");
+  return RemoveSmallRegions(fields.Grid, job.Options.MinimumRegionCells, job.Options.IsoValue,
+    Partition(fields.Grid, job.Run.Group()), fields.Field.Fractions);
+}
+
+void SmoothFields(const MesherJob& job, LevelFields& fields)
+{
+  if (job.Options.LabelSmoothing <= 0 || !AreLabels(job))
   {
-    this->Run.Progress(0.0, "Smoothing labels");
-    const double error = SmoothLabels(fields.Grid, this->Options.LabelSmoothing,
-      Partition(fields.Grid, this->Group), this->Run, fractions);
-    if (error > LabelVolumeTolerance)
-    {
-      std::ostringstream text;
-      text << "Smoothing could not keep the volumes of all labels: the worst is off by "
-           << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.";
-      this->Warn(text.str());
-    }
+    return;
   }
-  // after labels: the parts of a slice would keep its steps
-  DivideFields(fields, this->Options.MaximumAspectRatio, this->Options.Children, this->Run);
-  return removed;
+  job.Run.Progress(0.0, "Smoothing labels");
+  const double error = SmoothLabels(fields.Grid, job.Options.LabelSmoothing,
+    Partition(fields.Grid, job.Run.Group()), job.Run, fields.Field.Fractions);
+  if (error > LabelVolumeTolerance)
+  {
+    std::ostringstream text;
+    text << "Smoothing could not keep the volumes of all labels: the worst is off by "
+         << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.";
+    Warn(job, text.str());
+  }
+}
+
+/// Levels finer than the grid that criteria and wishes ask for; adds their families.
+int FindRefinements(const MesherJob& job, const LevelSetup& setup, const InputWishes& wishes,
+  int finer, LevelFields& fields)
+{
+  const MesherOptions& options = job.Options;
+  job.Run.Progress(0.0, "Looking for places to refine");
+  const int layers = KeepsInterfacesFine(options) ? 0 : options.FineLayers;
+  RefinementCriteria criteria{ options.ThinCells, options.CurvaturePerCell,
+    options.RefineFlippedCells, options.InterfaceLayers, {}, finer };
+  WorkTogether(
+    job.Run.Group(), [&] { criteria.Chosen = TakeWishes(wishes, setup, layers, fields); });
+  return finer > 0 ? FindFinerLevels(fields, criteria, options.IsoValue, layers, job.Run) : finer;
 }
 
 /// Makes the grid as fine as the finest cells of the mesh, with the ghost layers that meshing needs.
-LevelPlan MesherRun::Refine(
-  const LevelSetup& setup, const InputWishes& wishes, LevelFields& fields) const
+LevelPlan Refine(
+  const MesherJob& job, const LevelSetup& setup, const InputWishes& wishes, LevelFields& fields)
 {
-  const int top = std::min(setup.Finest, this->Levels.Finest());
+  const int top = std::min(setup.Finest, job.Input.Levels.Finest());
   int finer = setup.Finest - top;
-  if (this->Options.Where == Refinement::Automatic)
+  if (job.Options.Where == Refinement::Automatic)
   {
-    this->Run.Progress(0.0, "Looking for places to refine");
-    const int layers = this->KeepsInterfacesFine() ? 0 : this->Options.FineLayers;
-    RefinementCriteria criteria{ this->Options.ThinCells, this->Options.CurvaturePerCell,
-      this->Options.RefineFlippedCells, this->Options.InterfaceLayers, {}, finer };
-    WorkTogether(this->Group, [&] { criteria.Chosen = TakeWishes(wishes, setup, layers, fields); });
-    if (finer > 0)
-    {
-      finer = FindFinerLevels(fields, criteria, this->Options.IsoValue, layers, this->Run);
-    }
+    finer = FindRefinements(job, setup, wishes, finer, fields);
   }
-  RefineFields(fields, finer, this->Options.Children, this->Run);
+  RefineFields(fields, finer, job.Options.Children, job.Run);
   LevelPlan plan;
-  plan.FineInterfaces = this->KeepsInterfacesFine();
-  plan.FineLayers = this->Options.FineLayers;
+  plan.FineInterfaces = KeepsInterfacesFine(job.Options);
+  plan.FineLayers = job.Options.FineLayers;
   if (!setup.IsUniform)
   {
     plan.Refinements = top - setup.Base + finer;
@@ -150,60 +152,50 @@ LevelPlan MesherRun::Refine(
   }
   if (InterfacesCrossLevels(plan))
   {
-    WidenGrid(LayersFor(plan), this->Group, fields.Grid, fields.Field.Fractions);
+    WidenGrid(LayersFor(plan), job.Run.Group(), fields.Grid, fields.Field.Fractions);
   }
   return plan;
 }
 
-Mesh MesherRun::MakeMesh(
-  const LevelFields& fields, const MeshOptions& options, MeshReport& report) const
+Mesh MakeMesh(
+  const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MeshReport& report)
 {
-  if (this->Options.Elements == ElementKind::Hexes)
+  const FractionField& fractions = fields.Field.Fractions;
+  if (job.Options.Elements == ElementKind::Hexes)
   {
-    return MakeHexMesh(fields.Grid, fields.Field.Fractions, options, this->Run, report);
+    return MakeHexMesh(fields.Grid, fractions, options, job.Run, report);
   }
-  Mesh mesh = MakeTetMesh(fields.Grid, fields.Field.Fractions, options, this->Run, report);
+  Mesh mesh = MakeTetMesh(fields.Grid, fractions, options, job.Run, report);
   if (report.RefusedParts > 0)
   {
-    this->Warn("TetGen refused " + std::to_string(report.RefusedParts) +
-      " parts of the mesh: they keep the tetrahedra of the method Cells.");
+    Warn(job,
+      "TetGen refused " + std::to_string(report.RefusedParts) +
+        " parts of the mesh: they keep the tetrahedra of the method Cells.");
   }
   return mesh;
 }
 
-/// Of what may surprise in the mesh.
-void MesherRun::WarnOfMesh(const MeshReport& report, const InputField& field) const
+MeshedGrid DescribeGrid(const LevelFields& fields, const LevelSetup& setup, const LevelPlan& plan)
 {
-  const MendedCells& mended = field.Mended;
-  if (mended.Clipped > 0)
-  {
-    this->Warn("Volume fractions of " + std::to_string(mended.Clipped) +
-      " cells lay outside [0, 1] and were clipped.");
-  }
-  if (mended.Normalised > 0)
-  {
-    this->Warn("The volume fractions of " + std::to_string(mended.Normalised) +
-      " cells sum to slightly more than 1 and were scaled back.");
-  }
-  const bool isEmpty = std::all_of(report.Materials.begin(), report.Materials.end(),
-    [](const MeshReport::Material& material) { return material.Elements == 0; });
-  this->Warn(isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
-                     : DescribeLostMaterials(report, field.Table));
+  const int finest = setup.IsUniform ? setup.Finest : setup.Base + plan.Refinements;
+  return { fields.Grid, fields.Field.Fractions, finest,
+    fields.Division.OfHalves(finest - setup.Base) };
 }
 
 /// Turns the mesh, and tells of it.
-void MesherRun::Finish(
-  const LevelFields& fields, const MeshOptions& options, MesherResult& result) const
+void Finish(
+  const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MesherResult& result)
 {
   const auto append = [](FieldArrays more, FieldArrays& to)
   { std::move(more.begin(), more.end(), std::back_inserter(to)); };
   const Materials& table = fields.Field.Table;
-  TurnMesh(this->Levels.Reading.Frame, result.TheMesh);
+  const ImageFrame& frame = job.Input.Levels.Reading.Frame;
+  TurnMesh(frame, result.TheMesh);
   UseLabels(table, result.TheMesh);
   append(ListSides(result.TheMesh.Tables), result.Fields);
   append(
     ListReport(result.TheMesh, result.Report, table, options, fields.Field.Mended), result.Fields);
-  append(ListDomain(fields.Grid, this->Levels.Reading.Frame), result.Fields);
+  append(ListDomain(fields.Grid, frame), result.Fields);
   append(ListMaterials(result.Report, table, options), result.MaterialFields);
   if (result.State.IsConserved)
   {
@@ -212,37 +204,27 @@ void MesherRun::Finish(
   }
 }
 
-MesherResult MesherRun::Make()
+/// Of what may surprise in the mesh.
+void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
-  const LevelCells cells = this->OpenCells();
-  StateCarrier states(this->Levels, this->Input.Arrays.State, this->Group);
-  InputWishes wishes = this->FindWishes();
-  const LevelSetup setup = this->SetUpLevels(wishes);
-  const std::vector<BlockPlace> owners = this->Input.StaysInPlace
-    ? this->Levels.Levels[0].Places
-    : ShareOutCells(this->Levels, cells, setup, this->Group);
-  wishes = ShareOutWishes(wishes, this->Levels, owners, this->Group);
-  LevelFields fields =
-    MakeLevelFields(this->Levels, cells, setup, this->Options.Children, owners, this->Run);
-  NameLabels(this->Input.Arrays.Names, fields.Field.Table);
-  states.Keep(cells, fields, setup, this->Options.MeshVoid, owners, this->Run);
-  const RemovedRegions removed = this->PrepareFractions(fields);
-  const MeshOptions options{ this->Options, this->Refine(setup, wishes, fields) };
-  MesherResult result;
-  MeshReport& report = result.Report;
-  result.TheMesh = this->MakeMesh(fields, options, report);
-  report.RemovedRegions = removed.Regions;
-  report.RemovedCells = removed.Cells;
-  report.ChosenCells = wishes.Cells;
-  this->Run.Progress(0.98, "Filling output");
-  const int finest = setup.IsUniform ? setup.Finest : setup.Base + options.Levels.Refinements;
-  const MeshedGrid meshed{ fields.Grid, fields.Field.Fractions, finest,
-    fields.Division.OfHalves(finest - setup.Base) };
-  result.State = states.Carry(result.TheMesh, meshed, this->Options, owners, this->Run);
-  WorkTogether(this->Group, [&] { this->Finish(fields, options, result); });
-  this->WarnOfMesh(report, fields.Field);
-  this->Warn(DescribeUnmeshed(result.State.Balance, fields.Field.Table));
-  return result;
+  const MendedCells& mended = field.Mended;
+  if (mended.Clipped > 0)
+  {
+    Warn(job,
+      "Volume fractions of " + std::to_string(mended.Clipped) +
+        " cells lay outside [0, 1] and were clipped.");
+  }
+  if (mended.Normalised > 0)
+  {
+    Warn(job,
+      "The volume fractions of " + std::to_string(mended.Normalised) +
+        " cells sum to slightly more than 1 and were scaled back.");
+  }
+  const bool isEmpty = std::all_of(report.Materials.begin(), report.Materials.end(),
+    [](const MeshReport::Material& material) { return material.Elements == 0; });
+  Warn(job,
+    isEmpty ? "The mesh is empty: no cell is filled by its materials to the iso value."
+            : DescribeLostMaterials(report, field.Table));
 }
 
 } // namespace
@@ -250,7 +232,42 @@ MesherResult MesherRun::Make()
 MesherResult RunMesher(const MesherInput& input, const MesherOptions& options, Runtime& runtime)
 {
   CheckOptions(options);
-  return MesherRun(input, options, runtime).Make();
+  const MesherJob job{ input, options, runtime };
+  const InputLevels& levels = input.Levels;
+  const MesherArrays& arrays = input.Arrays;
+  Ranks& ranks = runtime.Group();
+
+  const LevelCells cells = OpenCells(job);
+  const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
+  InputWishes wishes = FindWishes(job);
+  const LevelSetup setup = SetUpLevels(job, wishes);
+  const std::vector<BlockPlace> owners = FindOwners(job, cells, setup);
+  wishes = ShareOutWishes(wishes, levels, owners, ranks);
+
+  LevelFields fields = MakeLevelFields(levels, cells, setup, options.Children, owners, runtime);
+  NameLabels(arrays.Names, fields.Field.Table);
+  const KeptState kept = KeepState(
+    levels, cells, arrays.State, states, fields, setup, options.MeshVoid, owners, runtime);
+
+  const RemovedRegions removed = RemoveRegions(job, fields);
+  SmoothFields(job, fields);
+  // after labels: the parts of a slice would keep its steps
+  DivideFields(fields, options.MaximumAspectRatio, options.Children, runtime);
+  const MeshOptions meshOptions{ options, Refine(job, setup, wishes, fields) };
+
+  MesherResult result;
+  result.TheMesh = MakeMesh(job, fields, meshOptions, result.Report);
+  result.Report.RemovedRegions = removed.Regions;
+  result.Report.RemovedCells = removed.Cells;
+  result.Report.ChosenCells = wishes.Cells;
+
+  runtime.Progress(0.98, "Filling output");
+  result.State = GiveState(kept, levels, result.TheMesh,
+    DescribeGrid(fields, setup, meshOptions.Levels), options, owners, runtime);
+  WorkTogether(ranks, [&] { Finish(job, fields, meshOptions, result); });
+  WarnOfMesh(job, result.Report, fields.Field);
+  Warn(job, DescribeUnmeshed(result.State.Balance, fields.Field.Table));
+  return result;
 }
 
 } // namespace vfm

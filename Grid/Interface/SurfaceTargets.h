@@ -16,6 +16,7 @@
  */
 #pragma once
 
+#include "Base/Options.h"
 #include "Interface/Interface.h"
 #include "Interface/LocalQuadric.h"
 
@@ -77,5 +78,12 @@ private:
   std::vector<std::vector<Index>> Facets; // faces of its interface around each target
   std::vector<Vector3> Corners; // of facets: each target's surface point moved onto its quadric
 };
+
+/// The kind of targets that the options ask for.
+inline SurfaceTargets::Kind KindOfTargets(const MeshSettings& options)
+{
+  return options.Method == Smoothing::GeometryBased ? SurfaceTargets::Kind::Facets
+                                                    : SurfaceTargets::Kind::Quadrics;
+}
 
 } // namespace vfm

@@ -189,17 +189,17 @@ private:
 } // namespace
 
 FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-  const std::vector<int>& materials, const FragmentLocator& locator, Runtime& runtime) :
-  Materials(materials), Run(runtime), Swept(materials.size(), 0.0)
+  std::vector<int> materials, const FragmentLocator& locator, Runtime& runtime) :
+  Materials(std::move(materials)), Run(runtime), Swept(this->Materials.size(), 0.0)
 {
   const IndexBox& owned = grid.Owned();
   const Index rows = owned.NumberOfCells() > 0 ? owned.Size(1) * owned.Size(2) : 0;
-  TargetSums sums(grid, fractions, materials, locator);
+  TargetSums sums(grid, fractions, this->Materials, locator);
   std::mutex lock;
   runtime.For(0, rows,
     [&](Index first, Index last)
     {
-      TargetSums own(grid, fractions, materials, locator);
+      TargetSums own(grid, fractions, this->Materials, locator);
       for (Index row = first; row < last; ++row)
       {
         own.AddRow(owned.Lower[1] + row % owned.Size(1), owned.Lower[2] + row / owned.Size(1));

@@ -41,7 +41,7 @@ class FragmentVolumes
 public:
   /// materials: of each fragment, [0] unused. Collective, like Measure.
   FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
-    const std::vector<int>& materials, const FragmentLocator& locator, Runtime& runtime);
+    std::vector<int> materials, const FragmentLocator& locator, Runtime& runtime);
 
   /// Says what the mesh has at the start, by fragment over all ranks. Without it: the volumes of the cells.
   void SetStart(std::vector<double> volumes) { this->StartVolumes = std::move(volumes); }
@@ -87,7 +87,7 @@ private:
   double ErrorOf(int fragment) const;
   double WorstOf(bool small) const;
 
-  const std::vector<int>& Materials;
+  const std::vector<int> Materials; // of each fragment
   Runtime& Run;
   std::vector<double> Targets;         // by fragment, orphans shared out
   std::vector<double> Aims;            // the same, what is given up shared out too

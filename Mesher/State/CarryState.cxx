@@ -6,50 +6,47 @@
 namespace vfm
 {
 
-StateCarrier::StateCarrier(const InputLevels& input, StateChoice choice, Ranks& ranks) :
-  Input(input),
-  Choice(std::move(choice)),
-  States(FindStateArrays(input, this->Choice.Arrays, ranks))
-{
-}
-
-void StateCarrier::Keep(const LevelCells& cells, const LevelFields& fields, const LevelSetup& setup,
+KeptState KeepState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
+  const std::vector<StateArray>& states, const LevelFields& fields, const LevelSetup& setup,
   bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime)
 {
-  if (!this->Choice.IsConserved)
+  KeptState kept;
+  if (!choice.IsConserved)
   {
-    this->Plan.Copied.resize(this->States.size());
-    std::iota(this->Plan.Copied.begin(), this->Plan.Copied.end(), 0);
-    return;
+    kept.Copied = states;
+    kept.Places.resize(states.size());
+    std::iota(kept.Places.begin(), kept.Places.end(), 0);
+    return kept;
   }
-  this->Plan = PlanState(this->Choice, this->States, fields.Field.Table);
-  if (!this->Plan.Conserved.empty())
+  StatePlan plan = PlanState(choice, states, fields.Field.Table);
+  kept.Places = plan.Copied;
+  for (std::size_t s : kept.Places)
   {
-    this->Contents = std::make_unique<InputContents>(this->States, this->Plan);
-    this->Kept = std::make_unique<ConservedCells>(this->Input, cells, this->States, *this->Contents,
-      fields, std::min(setup.Finest, this->Input.Finest()), meshVoid, owners, runtime);
+    kept.Copied.push_back(states[s]);
   }
+  if (!plan.Conserved.empty())
+  {
+    kept.Conserved =
+      std::make_unique<ConservedCells>(input, cells, InputContents(states, std::move(plan)), fields,
+        std::min(setup.Finest, input.Finest()), meshVoid, owners, runtime);
+  }
+  return kept;
 }
 
-CarriedState StateCarrier::Carry(const Mesh& mesh, const MeshedGrid& meshed,
-  const ConserveOptions& options, const std::vector<BlockPlace>& owners, Runtime& runtime) const
+CarriedState GiveState(const KeptState& kept, const InputLevels& input, const Mesh& mesh,
+  const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
+  Runtime& runtime)
 {
   CarriedState carried;
-  std::vector<StateArray> copied;
-  for (std::size_t s : this->Plan.Copied)
-  {
-    copied.push_back(this->States[s]);
-  }
   std::map<std::size_t, CarriedArray> arrays; // by the first state of each
-  auto copies = CopyState(this->Input, copied, mesh, meshed, owners, runtime);
+  auto copies = CopyState(input, kept.Copied, mesh, meshed, owners, runtime);
   for (std::size_t c = 0; c < copies.size(); ++c)
   {
-    arrays[this->Plan.Copied[c]] = std::move(copies[c]);
+    arrays[kept.Places[c]] = std::move(copies[c]);
   }
-  if (this->Kept)
+  if (kept.Conserved)
   {
-    ConservedState conserved = ConserveState(
-      mesh, meshed.Grid, *this->Kept, *this->Contents, this->States, options, runtime);
+    ConservedState conserved = ConserveState(mesh, meshed.Grid, *kept.Conserved, options, runtime);
     for (std::size_t a = 0; a < conserved.Arrays.size(); ++a)
     {
       arrays[conserved.States[a]] = std::move(conserved.Arrays[a]);

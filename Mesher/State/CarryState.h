@@ -1,5 +1,6 @@
 /**
- * StateCarrier: carries state arrays of the input over to the mesh, copied or conserved as chosen.
+ * CarryState: state arrays of the input carried over to the mesh, copied or conserved as chosen. What the cells hold is kept before
+ * the fractions change, and given to the elements once there is a mesh.
  */
 #pragma once
 
@@ -9,6 +10,13 @@
 namespace vfm
 {
 
+struct KeptState
+{
+  std::vector<StateArray> Copied;
+  std::vector<std::size_t> Places;                 ///< in the choice, of each of these
+  std::unique_ptr<const ConservedCells> Conserved; ///< null: nothing is conserved
+};
+
 struct CarriedState
 {
   std::vector<CarriedArray> Arrays;          ///< a tuple an element, in the order of the choice
@@ -17,29 +25,16 @@ struct CarriedState
   StateBalance Balance;
 };
 
-class StateCarrier
-{
-public:
-  /// Collective. Throws InputError, on all ranks alike, as FindStateArrays does. input must outlive this.
-  StateCarrier(const InputLevels& input, StateChoice choice, Ranks& ranks);
+/// Collective: keeps what cells hold if anything is conserved. states: those of the choice. fields: as MakeLevelFields made them; setup: their
+/// levels. input and cells must outlive the result. owners: the cells of level 0 that the ranks mesh. Throws InputError, on all ranks
+/// alike, as PlanState and ConservedCells do.
+KeptState KeepState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
+  const std::vector<StateArray>& states, const LevelFields& fields, const LevelSetup& setup,
+  bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
-  /// Collective: keeps what cells hold if anything is conserved. fields: as MakeLevelFields made them; setup: their levels; cells: of
-  /// the input, to outlive this; owners: the cells of level 0 that the ranks mesh. Throws InputError, on all ranks alike, as PlanState and
-  /// ConservedCells do.
-  void Keep(const LevelCells& cells, const LevelFields& fields, const LevelSetup& setup,
-    bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime);
-
-  /// Collective. mesh: of this rank's owned cells, in the axes of the input.
-  CarriedState Carry(const Mesh& mesh, const MeshedGrid& meshed, const ConserveOptions& options,
-    const std::vector<BlockPlace>& owners, Runtime& runtime) const;
-
-private:
-  const InputLevels& Input;
-  const StateChoice Choice;
-  const std::vector<StateArray> States;
-  StatePlan Plan;
-  std::unique_ptr<InputContents> Contents;
-  std::unique_ptr<ConservedCells> Kept;
-};
+/// Collective. mesh: of this rank's owned cells, in the axes of the input.
+CarriedState GiveState(const KeptState& kept, const InputLevels& input, const Mesh& mesh,
+  const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
+  Runtime& runtime);
 
 } // namespace vfm

@@ -25,7 +25,6 @@ struct ConservedState
 /// Collective. mesh: of this rank's owned elements, in the axes of the input; grid: that it was made of. Lost energy stays lost where no
 /// array is the energy.
 ConservedState ConserveState(const Mesh& mesh, const CartesianGrid& grid,
-  const ConservedCells& cells, const InputContents& contents, const std::vector<StateArray>& states,
-  const ConserveOptions& options, Runtime& runtime);
+  const ConservedCells& cells, const ConserveOptions& options, Runtime& runtime);
 
 } // namespace vfm

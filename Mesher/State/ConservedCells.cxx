@@ -6,17 +6,18 @@ namespace vfm
 {
 
 ConservedCells::ConservedCells(const InputLevels& input, const LevelCells& cells,
-  const std::vector<StateArray>& states, const InputContents& contents, const LevelFields& fields,
-  int level, bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime) :
-  Contents(contents),
+  InputContents contents, const LevelFields& fields, int level, bool meshVoid,
+  const std::vector<BlockPlace>& owners, Runtime& runtime) :
+  Contents(std::move(contents)),
   Grid(fields.Grid),
   Fractions(fields.Field.Fractions),
   Names(fields.Field.Table.Names),
   Level(level),
   FirstMaterial(meshVoid ? 0 : 1),
-  Levels{ input, cells, {}, ExchangeState(input, states, level, owners, runtime.Group()) },
+  Levels{ input, cells, {},
+    ExchangeState(input, this->Contents.GetStates(), level, owners, runtime.Group()) },
   Entry(fields.Grid, 0),
-  Fine(contents, this->Levels, this->Names, this->FirstMaterial)
+  Fine(this->Contents, this->Levels, this->Names, this->FirstMaterial)
 {
   this->Receive(owners, runtime.Group());
   WorkTogether(runtime.Group(),
@@ -72,7 +73,7 @@ void ConservedCells::PlaceSources()
   for (int l = 0; l <= std::min(this->Level, this->Levels.Input.Finest()); ++l)
   {
     this->FirstSources.push_back(number);
-    for (const StateSource& source : this->Levels.Values[l]->GetSources())
+    for (const StateBlock& source : this->Levels.Values[l]->GetSources())
     {
       const IndexBox box = Intersect(ChangeLevel(source.Box, this->Level - l), this->Grid.Local());
       ForRows(box,

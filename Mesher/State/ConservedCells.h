@@ -19,15 +19,17 @@ class ConservedCells : public StateCellValues
 {
 public:
   /// Collective. fields: as MakeLevelFields made them, whose grid and fractions are copied; level: of that grid; cells: of the input;
-  /// owners: the cells of level 0 that the ranks mesh. input, cells and contents must outlive this. Throws InputError, on all ranks alike,
+  /// owners: the cells of level 0 that the ranks mesh. input and cells must outlive this. Throws InputError, on all ranks alike,
   /// where a material, or void if it is meshed, has values that are no numbers, or a density below 0.
-  ConservedCells(const InputLevels& input, const LevelCells& cells,
-    const std::vector<StateArray>& states, const InputContents& contents, const LevelFields& fields,
-    int level, bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime);
+  ConservedCells(const InputLevels& input, const LevelCells& cells, InputContents contents,
+    const LevelFields& fields, int level, bool meshVoid, const std::vector<BlockPlace>& owners,
+    Runtime& runtime);
+  ConservedCells(const ConservedCells&) = delete;
+  ConservedCells& operator=(const ConservedCells&) = delete;
 
   const CartesianGrid& GetGrid() const { return this->Grid; }
   const FractionField& GetFractions() const { return this->Fractions; }
-  const std::vector<std::string>& GetNames() const { return this->Names; }
+  const InputContents& GetContents() const { return this->Contents; }
 
   void Read(const Index3& cell, int material, double* values) const override;
 
@@ -48,7 +50,7 @@ private:
   void CheckOwned(Runtime& runtime) const;
   void CheckRow(Index j, Index k) const;
 
-  const InputContents& Contents;
+  const InputContents Contents;
   const CartesianGrid Grid;
   const FractionField Fractions;
   const std::vector<std::string> Names; // of the materials

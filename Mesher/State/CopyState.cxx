@@ -14,7 +14,7 @@ namespace
 /// Where the values of an element are.
 struct StatePlace
 {
-  const StateSource* Source;
+  const StateBlock* Source;
   Index Place;
 };
 
@@ -29,7 +29,7 @@ StatePlace FindPlace(const Index3& cell, int level, const StateValues& values)
     {
       i = l <= level ? i >> (level - l) : (2 * i + 1) << (l - level - 1);
     }
-    if (const StateSource* source = values[l]->Find(own))
+    if (const StateBlock* source = values[l]->Find(own))
     {
       return { source, source->Place(own) };
     }

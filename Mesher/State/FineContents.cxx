@@ -50,10 +50,10 @@ void FineContents::Add(
 }
 
 /// What has the values of each cell of a box of a level; null where no block of that level, or one of a finer, covers it.
-std::vector<const StateSource*> FineContents::FindSources(const IndexBox& box, int level) const
+std::vector<const StateBlock*> FineContents::FindSources(const IndexBox& box, int level) const
 {
-  std::vector<const StateSource*> sources;
-  for (const StateSource& source : this->Levels.Values[level]->GetSources())
+  std::vector<const StateBlock*> sources;
+  for (const StateBlock& source : this->Levels.Values[level]->GetSources())
   {
     const IndexBox common = Intersect(source.Box, box);
     if (common.NumberOfCells() > 0)
@@ -82,7 +82,7 @@ void FineContents::AddLevel(
   const IndexBox& chunk, int level, int finer, std::vector<std::vector<Sums>>& sums) const
 {
   const IndexBox box = ChangeLevel(chunk, finer - level);
-  const std::vector<const StateSource*> sources = this->FindSources(box, finer);
+  const std::vector<const StateBlock*> sources = this->FindSources(box, finer);
   if (sources.empty())
   {
     return;
@@ -93,7 +93,7 @@ void FineContents::AddLevel(
   ForCells(box,
     [&](const Index3& cell)
     {
-      const StateSource* source = sources[IndexInBox(box, cell)];
+      const StateBlock* source = sources[IndexInBox(box, cell)];
       if (!source)
       {
         return;

@@ -56,7 +56,7 @@ private:
 
   void AddLevel(
     const IndexBox& chunk, int level, int finer, std::vector<std::vector<Sums>>& sums) const;
-  std::vector<const StateSource*> FindSources(const IndexBox& box, int level) const;
+  std::vector<const StateBlock*> FindSources(const IndexBox& box, int level) const;
   void AddCell(
     const InputCell& cell, int level, double volume, int material, std::vector<Sums>& sums) const;
   int Store(const std::vector<Sums>& sums);

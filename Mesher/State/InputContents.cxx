@@ -51,19 +51,19 @@ Filling FindFilling(const FractionField& fractions, Index cell, int material)
 
 } // namespace
 
-InputContents::InputContents(const std::vector<StateArray>& states, const StatePlan& plan) :
-  States(states), Plan(plan)
+InputContents::InputContents(std::vector<StateArray> states, StatePlan plan) :
+  States(std::move(states)), Plan(std::move(plan))
 {
-  for (const StateArray& state : states)
+  for (const StateArray& state : this->States)
   {
     this->Readers.push_back(FindReader(CarrierType(state.Type)));
   }
-  for (const ConservedArray& array : plan.Conserved)
+  for (const ConservedArray& array : this->Plan.Conserved)
   {
     this->First.push_back(this->Columns);
     this->Columns += array.Components;
   }
-  this->Columns += plan.Velocity >= 0;
+  this->Columns += this->Plan.Velocity >= 0;
 }
 
 void InputContents::Read(const InputCell& cell, int material, double* values) const
@@ -100,7 +100,7 @@ std::size_t InputContents::StateOf(const ConservedArray& array, int material, in
 }
 
 double InputContents::ReadComponent(
-  const StateSource& source, Index place, std::size_t state, int component) const
+  const StateBlock& source, Index place, std::size_t state, int component) const
 {
   const StateArray& array = this->States[state];
   const std::size_t size = TupleSize(array) / array.Components;

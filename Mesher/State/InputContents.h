@@ -14,7 +14,7 @@ namespace vfm
 /// A cell of some level of the input.
 struct InputCell
 {
-  const StateSource* Source;
+  const StateBlock* Source;
   Index3 Cell;
   double Volume;                  ///< length units cubed
   const FractionField* Fractions; ///< as read
@@ -24,12 +24,12 @@ struct InputCell
 class InputContents
 {
 public:
-  /// Both must outlive this.
-  InputContents(const std::vector<StateArray>& states, const StatePlan& plan);
+  InputContents(std::vector<StateArray> states, StatePlan plan);
 
   /// Values lie one after another: those of the arrays of the plan, then |u|^2 / 2 where there is a velocity.
   int NumberOfColumns() const { return this->Columns; }
   int FirstColumn(std::size_t array) const { return this->First[array]; }
+  const std::vector<StateArray>& GetStates() const { return this->States; }
   const StatePlan& GetPlan() const { return this->Plan; }
 
   /// material: 0 void, which has nothing of arrays a material, and a part of what materials share only where there are none.
@@ -44,11 +44,11 @@ private:
 
   static std::size_t StateOf(const ConservedArray& array, int material, int component);
   double ReadComponent(
-    const StateSource& source, Index place, std::size_t state, int component) const;
+    const StateBlock& source, Index place, std::size_t state, int component) const;
   double FindFactor(const InputCell& cell, const ConservedArray& array, int material) const;
 
-  const std::vector<StateArray>& States;
-  const StatePlan& Plan;
+  const std::vector<StateArray> States;
+  const StatePlan Plan;
   std::vector<ReadValue> Readers; // of each state
   std::vector<int> First;         // column of each array
   int Columns = 0;

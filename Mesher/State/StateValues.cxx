@@ -40,14 +40,14 @@ void LevelValues::Exchange(const std::vector<BlockPlace>& owners, Index ghostLay
   }
 }
 
-const StateSource* LevelValues::Find(const Index3& cell)
+const StateBlock* LevelValues::Find(const Index3& cell)
 {
   if (this->Last < this->Sources.size() && this->Sources[this->Last].Box.Contains(cell))
   {
     return &this->Sources[this->Last];
   }
   const auto found = std::find_if(this->Sources.begin(), this->Sources.end(),
-    [&cell](const StateSource& source) { return source.Box.Contains(cell); });
+    [&cell](const StateBlock& source) { return source.Box.Contains(cell); });
   this->Last = found - this->Sources.begin();
   return found == this->Sources.end() ? nullptr : &*found;
 }
@@ -56,7 +56,7 @@ void LevelValues::AddBlocks()
 {
   for (const InputBlock& block : this->Input.Blocks)
   {
-    StateSource source;
+    StateBlock source;
     source.Box = block.Box;
     for (int a = 0; a < 3; ++a)
     {
@@ -77,7 +77,7 @@ void LevelValues::AddBlocks()
 Bytes LevelValues::Pack(const IndexBox& wanted) const
 {
   Bytes message;
-  for (const StateSource& source : this->Sources)
+  for (const StateBlock& source : this->Sources)
   {
     const IndexBox box = Intersect(source.Box, wanted);
     if (box.NumberOfCells() == 0)
@@ -104,7 +104,7 @@ void LevelValues::AddParts(const Bytes& message)
 {
   for (std::size_t at = 0; at < message.size();)
   {
-    StateSource source;
+    StateBlock source;
     std::memcpy(&source.Box, message.data() + at, sizeof(source.Box));
     source.Stored = source.Box;
     at += sizeof(source.Box);

@@ -25,7 +25,7 @@ private:
 };
 
 /// The cells of a block of this rank, or of a part of one that another sent, and the values of the arrays there.
-struct StateSource
+struct StateBlock
 {
   IndexBox Box, Stored; ///< the cells; those of the arrays, of which they are some
   std::vector<const char*> Values;
@@ -47,9 +47,9 @@ public:
   /// ranks mesh.
   void Exchange(const std::vector<BlockPlace>& owners, Index ghostLayers, Ranks& ranks);
 
-  const std::vector<StateSource>& GetSources() const { return this->Sources; }
+  const std::vector<StateBlock>& GetSources() const { return this->Sources; }
   /// What has the values of a cell, or null.
-  const StateSource* Find(const Index3& cell);
+  const StateBlock* Find(const Index3& cell);
 
 private:
   void AddBlocks();
@@ -60,7 +60,7 @@ private:
   const std::vector<StateArray>& States;
   std::deque<PlainTuples> Tuples;
   std::vector<Bytes> Messages; // some sources point into them
-  std::vector<StateSource> Sources;
+  std::vector<StateBlock> Sources;
   std::size_t Last = 0; // the source found last: elements lie near each other
 };
 

@@ -5,10 +5,11 @@
 #include "Creases/CreasePlaces.h"
 #include "Hex/ActiveHexes.h"
 #include "Hex/HexFacets.h"
+#include "Hex/MakeLevels.h"
 #include "Labels/ResolveLabels.h"
-#include "Pipeline.h"
 #include "Smoothing/AttachCreases.h"
 #include "Smoothing/HexEnergy.h"
+#include "Smoothing/Smoother.h"
 
 #include <gtest/gtest.h>
 

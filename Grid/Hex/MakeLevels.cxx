@@ -1,0 +1,118 @@
+#include "Hex/MakeLevels.h"
+
+#include "Labels/LeafLabels.h"
+#include "Labels/ResolveLabels.h"
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int FlipRounds =
+  4; // in which cells between levels are refined where labels had to be changed
+
+} // namespace
+
+bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& plan, Ranks& ranks)
+{
+  bool found = false;
+  for (std::size_t level = 0; level < families.size(); ++level)
+  {
+    std::vector<Index>& own = plan.Families[level];
+    own.insert(own.end(), families[level].begin(), families[level].end());
+    found = found || !families[level].empty();
+  }
+  return ranks.Any(found);
+}
+
+namespace
+{
+
+void MakeGrid(const CartesianGrid& grid, const LevelPlan& plan,
+  const std::vector<Index>& interfaces, Ranks& ranks, LevelHexes& levels)
+{
+  levels.Coarse.reset();
+  levels.Grid = std::make_shared<const RefinedGrid>(grid, plan, interfaces, ranks);
+  for (int level = static_cast<int>(levels.Asked.size()); level < plan.Refinements; ++level)
+  {
+    levels.Asked.push_back(levels.Grid->Families().Report(level).Wanted);
+  }
+}
+
+} // namespace
+
+void MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
+  const std::vector<Index>& interfaces, const CoarseHexes::Options& hexes, LevelPlan& plan,
+  Runtime& runtime, MeshReport& report, LevelHexes& levels)
+{
+  plan.Families.resize(plan.Refinements);
+  for (;; ++report.LevelRounds)
+  {
+    MakeGrid(grid, plan, interfaces, runtime.Group(), levels);
+    levels.Coarse = std::make_unique<CoarseHexes>(*levels.Grid, labels, hexes, runtime);
+    if (levels.Grid->IsUniform())
+    {
+      return;
+    }
+    ReleaseFreeMemory();
+    if (!AddFamilies(levels.Coarse->BadFamilies(), plan, runtime.Group()))
+    {
+      return;
+    }
+  }
+}
+
+namespace
+{
+
+/// Adds transition cells whose label had to be changed at a price; whether any rank had some. In finer cells it costs less.
+bool AddFlippedFamilies(
+  const RefinedGrid& levels, const std::vector<Index3>& flips, LevelPlan& plan, Ranks& ranks)
+{
+  bool found = false;
+  for (const Index3& cell : flips)
+  {
+    const OctreeKeys::LevelIndex leaf = levels.LeafOf(cell);
+    if (levels.Families().IsTouched(leaf.Level, leaf.At))
+    {
+      plan.Families[leaf.Level].push_back(levels.Lattice().FamilyKeyOf(leaf));
+      found = true;
+    }
+  }
+  return ranks.Any(found);
+}
+
+} // namespace
+
+void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
+  const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
+  LabelledGrid& result)
+{
+  LevelPlan plan = options.Levels;
+  plan.Families.resize(plan.Refinements);
+  const LabelArray ofCells = AssignMaterials(grid, fractions, options.IsoValue);
+  for (;; ++report.LevelRounds)
+  {
+    MakeGrid(grid, plan, {}, runtime.Group(), result.Levels);
+    result.Labels = AssignLeafMaterials(*result.Levels.Grid, fractions, ofCells, options.IsoValue);
+    const ResolveReport resolved =
+      ResolveLabels(grid, fractions, result.Labels, partition, runtime, result.Levels.Grid.get());
+    report.FlippedCells = resolved.FlippedCells;
+    report.ResolveRounds = resolved.Rounds;
+    if (report.LevelRounds < FlipRounds &&
+      AddFlippedFamilies(*result.Levels.Grid, resolved.CostlyFlips, plan, runtime.Group()))
+    {
+      continue;
+    }
+    result.Levels.Coarse = std::make_unique<CoarseHexes>(*result.Levels.Grid, result.Labels,
+      CoarseHexes::Options{ options.MeshVoid, false, !options.StairStep }, runtime);
+    if (!AddFamilies(result.Levels.Coarse->BadFamilies(), plan, runtime.Group()))
+    {
+      break;
+    }
+  }
+  result.Mixed = FindMixedNodes(grid, result.Labels);
+  ReleaseFreeMemory();
+}
+
+} // namespace vfm
