@@ -17,7 +17,7 @@
 #include "Tet/TetFragments.h"
 #include "Tet/TetImprove.h"
 #ifdef VFM_HAS_TETGEN
-#include "Tet/RefillTets.h"
+#include "TetGen/RefillTets.h"
 #endif
 
 #include <memory>

@@ -3,7 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
-#include "Base/VisibleDirection.h"
+#include "Hex/VisibleDirection.h"
 #include "Hex/HexTopology.h"
 #include "Labels/LabelCondition.h"
 #include "Smoothing/HexCoefficients.h"

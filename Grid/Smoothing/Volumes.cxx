@@ -1,7 +1,7 @@
 #include "Smoothing/Volumes.h"
 
 #include "Base/HexVolume.h"
-#include "Base/RowVolumes.h"
+#include "Smoothing/RowVolumes.h"
 
 #include <mutex>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Mesh/Mesh.h"
-#include "Smoothing/ActiveMesh.h"
+#include "Smoothing/ElementEnergy.h"
 
 namespace vfm
 {

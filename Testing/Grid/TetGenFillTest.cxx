@@ -1,7 +1,7 @@
 /**
  * TetGenFill: closed surfaces of many kinds are filled and their triangles kept; wrong ones are refused.
  */
-#include "Tet/TetGenFill.h"
+#include "TetGen/TetGenFill.h"
 
 #include "Base/Runtime.h"
 #include "Base/Vector3.h"

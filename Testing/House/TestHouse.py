@@ -2,7 +2,7 @@
 import os
 import unittest
 
-from house_rules import LONGEST, MOST_AT_ROOT, find_problems, place_of, read_tree
+from house_rules import LONGEST, MOST_AT_ROOT, MOST_IN_FOLDER, find_problems, place_of, read_tree
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
@@ -51,28 +51,28 @@ class WrongTrees(unittest.TestCase):
         self.expect("Grid/Base must not include Mesh/Mesh.h of Grid/Mesh", "Grid/Base/Other.h", '#include "Mesh/Mesh.h"')
 
     def test_include_of_the_root(self):
-        self.expect("Grid/Tet must not include Pipeline.h of Grid", "Grid/Tet/Other.cxx", '#include "Pipeline.h"')
+        self.expect("Grid/Tet must not include Pipeline.h of Grid", "Grid/Tet/Other.h", '#include "Pipeline.h"')
 
     def test_position_and_spaces(self):
         self.expect("Grid/Base/Other.h:2: ", "Grid/Base/Other.h", "#include <map>", '  #  include "Tet/Fill.h"')
 
     def test_room_not_named(self):
-        self.expect("Ranks.h does not name its room", "Grid/Base/Other.cxx", '#include "Ranks.h"')
+        self.expect("Ranks.h does not name its room", "Grid/Base/Other.h", '#include "Ranks.h"')
 
     def test_room_not_named_elsewhere(self):
-        self.expect("../Mesh/Mesh.h does not name its room", "Grid/Tet/Other.cxx", '#include "../Mesh/Mesh.h"')
+        self.expect("../Mesh/Mesh.h does not name its room", "Grid/Tet/Other.h", '#include "../Mesh/Mesh.h"')
 
     def test_no_such_file(self):
-        self.expect("there is no Base/Gone.h", "Grid/Tet/Other.cxx", '#include "Base/Gone.h"')
+        self.expect("there is no Base/Gone.h", "Grid/Tet/Other.h", '#include "Base/Gone.h"')
 
     def test_grid_with_vtk(self):
-        self.expect("does not know VTK: vtkObject.h", "Grid/Mesh/Other.cxx", "#include <vtkObject.h>")
+        self.expect("does not know VTK: vtkObject.h", "Grid/Mesh/Other.h", "#include <vtkObject.h>")
 
     def test_grid_with_mpi(self):
-        self.expect("does not know MPI: mpi.h", "Grid/Other.cxx", '#include "mpi.h"')
+        self.expect("does not know MPI: mpi.h", "Grid/Other.h", '#include "mpi.h"')
 
     def test_shapes_with_vtk(self):
-        self.expect("does not know VTK: vtkObject.h", "Shapes/Shapes.cxx", "#include <vtkObject.h>")
+        self.expect("does not know VTK: vtkObject.h", "Shapes/Shapes.h", "#include <vtkObject.h>")
 
     def test_transport_knows_mpi(self):
         self.tree["Parallel/Mpi/Transport.cxx"] = ["#include <mpi.h>\n"]
@@ -101,6 +101,27 @@ class WrongTrees(unittest.TestCase):
     def test_circle(self):
         self.tree["IO/A.h"] = ['#include "B.h"\n']
         self.expect("circle: IO/A.h > IO/B.h > IO/A.h", "IO/B.h", '#include "A.h"')
+
+    def test_circle_of_modules(self):
+        self.tree["python/volume_fraction_mesh/_a.py"] = ["from ._b import b\n"]
+        self.tree["python/volume_fraction_mesh/_c.py"] = ["def c():\n", "    from ._a import a\n", "    return a\n"]
+        self.expect("circle: python/volume_fraction_mesh/_a.py > python/volume_fraction_mesh/_b.py > python/volume_fraction_mesh/_a.py",
+                    "python/volume_fraction_mesh/_b.py", "from . import _a, _c")
+
+    def test_type_twice(self):
+        self.tree["Grid/Base/One.h"] = ["namespace vfm\n", "{\n", "class Later;\n", "template <class T, class U>\n", "struct Box\n", "{\n", "};\n",
+                                        "template <>\n", "struct Box<int, int> // struct Box {\n", "{\n", "};\n", "}\n"]
+        self.tree["Grid/Base/Two.h"] = ["namespace vfm\n", "{\n", "namespace\n", "{\n", "struct Box\n", "{\n", "};\n", "}\n", "struct Outer\n", "{\n",
+                                        "struct Box\n", "{\n", "};\n", "};\n", "Box f(class Box b) { return b; }\n", "}\n"]
+        self.expect("vfm::Box is in Grid/Base/One.h and Grid/Base/Three.h", "Grid/Base/Three.h", "namespace vfm { class Box final : public Outer", "{", "}; }")
+
+    def test_source_without_header(self):
+        self.expect("Grid/Base/Other.cxx has no header of its name", "Grid/Base/Other.cxx", "")
+
+    def test_crowded_folder(self):
+        for number in range(MOST_IN_FOLDER):
+            self.tree["Grid/Octree/File%d.h" % number] = []
+        self.expect("Grid/Octree has %d files" % (MOST_IN_FOLDER + 1), "Grid/Octree/File.h", "")
 
     def test_new_folder(self):
         self.expect("Grid/Attic is not in the table", "Grid/Attic/Other.h", "// nothing")

@@ -1,11 +1,13 @@
 """The rules of the house: who may include whom, what Grid may know, how long files grow."""
+import ast
+import collections
 import os
 import re
 
 # Rooms of Grid and modules of Mesher, bottom to top: an include goes down only. The root of each is above them all.
 ROOMS = {
     "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Transfer", "Creases", "Smoothing",
-             "Hex", "Tet"),
+             "Hex", "Tet", "TetGen"),
     "Mesher": ("Options", "Input", "Levels", "Summary", "State"),
 }
 GRID, MESHER = (tuple(top + "/" + room for room in ROOMS[top]) + (top,) for top in ("Grid", "Mesher"))
@@ -48,7 +50,11 @@ INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
 CODE = (".h", ".hpp", ".cxx", ".cpp", ".c")
 SOURCES = CODE + (".f90", ".py", ".xml", ".txt", ".cmake")
 LONGEST = 650 # lines
-MOST_AT_ROOT = 8 # files beside the rooms
+MOST_AT_ROOT = 8 # files beside the rooms of Grid
+MOST_IN_FOLDER = 40 # files
+CROWDED = ("IO", "InSitu", "Filters", "Program", "Testing/Python", "Testing/Grid") # folders without that limit
+HAVE_HEADERS = GRID + MESHER + ("Shapes",) # folders whose sources have each a header of its name
+PACKAGE = "python/volume_fraction_mesh"
 
 
 def read_tree(root):
@@ -112,12 +118,8 @@ def find_include_problem(path, bracket, name, file):
     return ""
 
 
-def find_circles(tree):
-    """Each circle of includes once."""
-    after = {}
-    for path, _, bracket, _, file in list_includes(tree):
-        if bracket == '"' and file:
-            after.setdefault(path, []).append(file)
+def find_circles(after):
+    """Each circle once. after: what each file includes or imports."""
     done, problems = set(), []
 
     def visit(path, trail):
@@ -133,6 +135,81 @@ def find_circles(tree):
     return problems
 
 
+def map_includes(tree):
+    """The files that each file includes."""
+    after = {}
+    for path, _, bracket, _, file in list_includes(tree):
+        if bracket == '"' and file:
+            after.setdefault(path, []).append(file)
+    return after
+
+
+def map_imports(tree):
+    """The modules of the Python package that each of its modules imports where it is loaded: not those that a function imports."""
+    after = {}
+    for path in tree:
+        if os.path.dirname(path) == PACKAGE and path.endswith(".py"):
+            for node in ast.parse("".join(tree[path])).body:
+                if isinstance(node, ast.ImportFrom) and node.level == 1:
+                    names = [node.module] if node.module else [alias.name for alias in node.names]
+                    files = ("%s/%s.py" % (PACKAGE, name) for name in names)
+                    after.setdefault(path, []).extend(file for file in files if file in tree)
+    return after
+
+
+LEXEMES = re.compile(r"""//[^\n]*|/\*.*?\*/|R"\(.*?\)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|[{};]|[^{};"'/]+|.""", re.DOTALL)
+SCOPE = re.compile(r"(?:^|\s)(namespace|struct|class|enum class|enum|union)(?:\s+[A-Z_]+)?(?:\s+(\w[\w:]*))?(?:\s+final)?\s*(?::[^:].*)?$", re.DOTALL)
+TEMPLATE = re.compile(r"template\s*<.*>\s*(?=struct|class|union)", re.DOTALL)
+
+
+def read_scope(statement):
+    """(kind, name) of the scope that a statement opens; ("", "") where that has no name that counts, as a function or a specialisation."""
+    match = SCOPE.search(TEMPLATE.sub("", statement).strip())
+    return (match.group(1), match.group(2) or "") if match else ("", "")
+
+
+def list_types(lines):
+    """The types that a file of C++ defines in named namespaces, with these. Macros are not expanded."""
+    text = "".join(line for line in lines if not line.lstrip().startswith("#"))
+    scopes, statement = [], "" # of each brace that is open: the namespace, or None
+    for match in LEXEMES.finditer(text):
+        token = match.group()
+        if token == "{":
+            kind, name = read_scope(statement)
+            if kind not in ("", "namespace") and name and "::" not in name and None not in scopes:
+                yield "::".join(scopes + [name])
+            scopes.append(name if kind == "namespace" and name else None)
+        elif token == "}" and scopes:
+            scopes.pop()
+        if token in ("{", "}", ";"):
+            statement = ""
+        elif not token.startswith(("//", "/*")):
+            statement += token
+
+
+def find_twice(tree):
+    """Types of one name in one namespace."""
+    places = {}
+    for path in sorted(tree):
+        if path.endswith(CODE) and not path.startswith(("Testing/", "Examples/")):
+            for name in list_types(tree[path]):
+                places.setdefault(name, []).append(path)
+    return ["%s is in %s" % (name, " and ".join(paths)) for name, paths in sorted(places.items()) if len(paths) > 1 and "::" in name]
+
+
+def find_bare_sources(tree):
+    """Sources without a header of their name."""
+    return ["%s has no header of its name" % path for path in sorted(tree)
+            if place_of(path) in HAVE_HEADERS and path.endswith(".cxx") and path[:-4] + ".h" not in tree]
+
+
+def find_crowds(tree):
+    """Folders with too many files."""
+    counts = collections.Counter(os.path.dirname(path) for path in tree)
+    return ["%s has %d files" % (folder, count) for folder, count in sorted(counts.items())
+            if count > MOST_IN_FOLDER and folder not in CROWDED]
+
+
 def find_problems(tree):
     """All that breaks a rule."""
     problems = ["%s has %d lines" % (path, len(lines)) for path, lines in sorted(tree.items()) if len(lines) > LONGEST]
@@ -145,4 +222,5 @@ def find_problems(tree):
         problem = find_include_problem(path, bracket, name, file)
         if problem:
             problems.append("%s: %s" % (at, problem))
-    return problems + find_circles(tree)
+    problems += find_twice(tree) + find_bare_sources(tree) + find_crowds(tree)
+    return problems + find_circles(map_includes(tree)) + find_circles(map_imports(tree))

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "Tet/TetGenSurface.h"
+#include "TetGen/TetGenSurface.h"
 
 namespace vfm
 {

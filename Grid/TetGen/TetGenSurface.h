@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/Vector3.h"
-#include "Tet/TetGenFill.h"
+#include "TetGen/TetGenFill.h"
 
 #include <cmath>
 

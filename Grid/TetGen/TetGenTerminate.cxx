@@ -3,7 +3,7 @@
  * mesh again and crashes. It is a weak symbol, so this one takes its place, if the dynamic linker sees it:
  * hence default visibility. This file must not include tetgen.h, where the other one is defined inline.
  */
-#include "Tet/TetGenTerminate.h"
+#include "TetGen/TetGenTerminate.h"
 
 class tetgenmesh;
 

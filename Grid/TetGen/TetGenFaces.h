@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Mesh/TetQuality.h"
-#include "Tet/TetGenSurface.h"
+#include "TetGen/TetGenSurface.h"
 
 #include <algorithm>
 #include <numeric>

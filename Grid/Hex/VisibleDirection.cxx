@@ -1,4 +1,4 @@
-#include "Base/VisibleDirection.h"
+#include "Hex/VisibleDirection.h"
 
 #include "Base/Vector3.h"
 

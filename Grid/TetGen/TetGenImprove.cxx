@@ -1,6 +1,6 @@
-#include "Tet/TetGenImprove.h"
+#include "TetGen/TetGenImprove.h"
 
-#include "Tet/TetGenFaces.h"
+#include "TetGen/TetGenFaces.h"
 
 namespace vfm
 {

@@ -1,8 +1,9 @@
-#include "Tet/TetGenFill.h"
+#include "TetGen/TetGenFill.h"
 
 #include "Base/Runtime.h"
-#include "Tet/TetGenFaces.h"
-#include "Tet/TetGenImprove.h"
+#include "TetGen/TetGenFaces.h"
+#include "TetGen/TetGenImprove.h"
+#include "TetGen/TetGenTerminate.h"
 
 #include <algorithm>
 #include <cmath>

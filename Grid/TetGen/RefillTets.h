@@ -10,7 +10,7 @@
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
 #include "Ranks/Ranks.h"
-#include "Tet/TetGenFill.h"
+#include "TetGen/TetGenFill.h"
 
 namespace vfm
 {

@@ -1,4 +1,4 @@
-#include "Tet/RefillTets.h"
+#include "TetGen/RefillTets.h"
 
 #include "Smoothing/ActiveMesh.h"
 

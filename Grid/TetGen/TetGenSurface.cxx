@@ -1,6 +1,6 @@
-#include "Tet/TetGenSurface.h"
+#include "TetGen/TetGenSurface.h"
 
-#include "Tet/TetGenFaces.h"
+#include "TetGen/TetGenFaces.h"
 
 #include <algorithm>
 #include <cstdio>
