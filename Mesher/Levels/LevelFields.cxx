@@ -91,101 +91,98 @@ private:
   std::vector<std::vector<SparseCells>> Received; // of each level
 };
 
-/// Makes the fields of the levels 0 .. top, then that of top from them.
-class FieldMaker
+/// The levels 0 .. top of the input, each with its grid.
+struct LevelStack
 {
-public:
-  FieldMaker(const InputLevels& input, const LevelCells& cells, const LevelSetup& setup,
-    const std::vector<BlockPlace>& owners, Runtime& runtime) :
-    Input(input), Run(runtime), Top(std::min(setup.Finest, input.Finest()))
-  {
-    const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
-    WorkTogether(runtime.Group(), [&] { CheckCover(input, owned); });
-    const LevelData data(input, cells, owners, this->Top, runtime.Group());
-    WorkTogether(runtime.Group(),
-      [&]
-      {
-        const auto coordinates = HalveWidths(input.Levels[0].Coordinates, std::min(setup.Base, 0));
-        for (int level = 0; level <= this->Top; ++level)
-        {
-          this->Grids.emplace_back(HalveWidths(coordinates, level - std::min(setup.Base, 0)),
-            ChangeLevel(owned, level), GhostLayers);
-          this->Fields.push_back(data.MakeField(level, this->Grids[level]));
-          this->Mended.Add(this->Fields[level].Mended);
-        }
-        if (this->Top < input.Finest())
-        {
-          this->Mended.Add(data.Average(this->Top, this->Grids[this->Top].Owned(),
-            this->Grids[this->Top], this->Fields[this->Top].Fractions));
-        }
-      });
-    this->Average();
-  }
-
-  /// Collective.
-  InputField MakeField(ChildRule rule)
-  {
-    InputField field = std::move(this->Fields[0]);
-    WorkTogether(this->Run.Group(),
-      [&]
-      {
-        for (int level = 0; level < this->Top; ++level)
-        {
-          this->Refine(level, rule, field.Fractions);
-        }
-      });
-    std::vector<Index> mended{ this->Mended.Normalised, this->Mended.Clipped };
-    this->Run.Group().Sum(mended);
-    field.Mended = { mended[0], mended[1] };
-    return field;
-  }
-
-  const CartesianGrid& Grid() const { return this->Grids.back(); }
-
-private:
-  /// Collective: from fine to coarse.
-  void Average()
-  {
-    for (int level = std::min(this->Top, this->Input.Finest() - 1); level >= 0; --level)
-    {
-      const CartesianGrid& grid = this->Grids[level];
-      FractionField& field = this->Fields[level].Fractions;
-      if (level < this->Top)
-      {
-        const CartesianGrid& finer = this->Grids[level + 1];
-        const LevelCover cover(this->Input, level + 1, finer.Owned());
-        AverageCells(finer, this->Fields[level + 1].Fractions, cover, grid.Owned(), grid, field);
-      }
-      FillGhosts(Partition(grid, this->Run.Group()), field);
-    }
-  }
-
-  /// From the fractions of a level to those of the next.
-  void Refine(int level, ChildRule rule, FractionField& fractions)
-  {
-    const CartesianGrid& finer = this->Grids[level + 1];
-    const LevelCover cover(this->Input, level + 1, finer.Local());
-    RefinedCells refined = RefineCells(this->Grids[level], fractions, this->Run, rule,
-      [&cover](const Index3& cell) { return cover.Has(ChildOfCell(cell, 0)); });
-    const FractionField& data = this->Fields[level + 1].Fractions;
-    ForCells(finer.Local(),
-      [&](const Index3& cell)
-      {
-        if (cover.Has(cell))
-        {
-          refined.Fractions.CopyCell(refined.Grid.Linear(cell), data, finer.Linear(cell));
-        }
-      });
-    fractions = std::move(refined.Fractions);
-  }
-
-  const InputLevels& Input;
-  Runtime& Run;
-  const int Top;
   std::vector<CartesianGrid> Grids;
   std::vector<InputField> Fields;
   MendedCells Mended;
 };
+
+/// Collective.
+LevelStack ReadLevels(const InputLevels& input, const LevelCells& cells, const LevelSetup& setup,
+  const std::vector<BlockPlace>& owners, Ranks& ranks)
+{
+  const int top = std::min(setup.Finest, input.Finest());
+  const IndexBox owned = BoxOfRank(owners, ranks.Rank());
+  WorkTogether(ranks, [&] { CheckCover(input, owned); });
+  const LevelData data(input, cells, owners, top, ranks);
+  LevelStack levels;
+  WorkTogether(ranks,
+    [&]
+    {
+      const auto coordinates = HalveWidths(input.Levels[0].Coordinates, std::min(setup.Base, 0));
+      for (int level = 0; level <= top; ++level)
+      {
+        levels.Grids.emplace_back(HalveWidths(coordinates, level - std::min(setup.Base, 0)),
+          ChangeLevel(owned, level), GhostLayers);
+        levels.Fields.push_back(data.MakeField(level, levels.Grids[level]));
+        levels.Mended.Add(levels.Fields[level].Mended);
+      }
+      if (top < input.Finest())
+      {
+        levels.Mended.Add(data.Average(
+          top, levels.Grids[top].Owned(), levels.Grids[top], levels.Fields[top].Fractions));
+      }
+    });
+  return levels;
+}
+
+/// Collective: from fine to coarse.
+void AverageLevels(const InputLevels& input, Ranks& ranks, LevelStack& levels)
+{
+  const int top = static_cast<int>(levels.Grids.size()) - 1;
+  for (int level = std::min(top, input.Finest() - 1); level >= 0; --level)
+  {
+    const CartesianGrid& grid = levels.Grids[level];
+    FractionField& field = levels.Fields[level].Fractions;
+    if (level < top)
+    {
+      const CartesianGrid& finer = levels.Grids[level + 1];
+      const LevelCover cover(input, level + 1, finer.Owned());
+      AverageCells(finer, levels.Fields[level + 1].Fractions, cover, grid.Owned(), grid, field);
+    }
+    FillGhosts(Partition(grid, ranks), field);
+  }
+}
+
+/// From the fractions of a level to those of the next.
+void RefineLevel(const InputLevels& input, const LevelStack& levels, int level, ChildRule rule,
+  Runtime& runtime, FractionField& fractions)
+{
+  const CartesianGrid& finer = levels.Grids[level + 1];
+  const LevelCover cover(input, level + 1, finer.Local());
+  RefinedCells refined = RefineCells(levels.Grids[level], fractions, runtime, rule,
+    [&cover](const Index3& cell) { return cover.Has(ChildOfCell(cell, 0)); });
+  const FractionField& data = levels.Fields[level + 1].Fractions;
+  ForCells(finer.Local(),
+    [&](const Index3& cell)
+    {
+      if (cover.Has(cell))
+      {
+        refined.Fractions.CopyCell(refined.Grid.Linear(cell), data, finer.Linear(cell));
+      }
+    });
+  fractions = std::move(refined.Fractions);
+}
+
+/// Collective: the field of the finest level.
+InputField JoinLevels(const InputLevels& input, ChildRule rule, Runtime& runtime, LevelStack levels)
+{
+  InputField field = std::move(levels.Fields[0]);
+  WorkTogether(runtime.Group(),
+    [&]
+    {
+      for (int level = 0; level + 1 < static_cast<int>(levels.Grids.size()); ++level)
+      {
+        RefineLevel(input, levels, level, rule, runtime, field.Fractions);
+      }
+    });
+  std::vector<Index> mended{ levels.Mended.Normalised, levels.Mended.Clipped };
+  runtime.Group().Sum(mended);
+  field.Mended = { mended[0], mended[1] };
+  return field;
+}
 
 /// Keys of the families of cells of a level, in a box, that finer blocks cover.
 std::vector<Index> FindFamilies(
@@ -292,13 +289,15 @@ std::vector<BlockPlace> ShareOutCells(
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime)
 {
-  FieldMaker maker(input, cells, setup, owners, runtime);
-  InputField field = maker.MakeField(rule);
+  LevelStack levels = ReadLevels(input, cells, setup, owners, runtime.Group());
+  AverageLevels(input, runtime.Group(), levels);
+  CartesianGrid grid = levels.Grids.back();
+  InputField field = JoinLevels(input, rule, runtime, std::move(levels));
   const IndexBox owned = BoxOfRank(owners, runtime.Group().Rank());
   const int top = std::min(setup.Finest, input.Finest());
   LevelFields result{ CartesianGrid(HalveWidths(input.Levels[0].Coordinates, setup.Base),
                         ChangeLevel(owned, setup.Base), GhostLayers),
-    maker.Grid(), std::move(field), {}, {} };
+    std::move(grid), std::move(field), {}, {} };
   const OctreeKeys lattice(result.Base, setup.Finest - setup.Base);
   for (int level = setup.Base; level < top; ++level)
   {

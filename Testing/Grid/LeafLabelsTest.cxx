@@ -5,6 +5,7 @@
 #include "Fractions/FractionSum.h"
 #include "Labels/LabelCondition.h"
 #include "Labels/LeafLabels.h"
+#include "Labels/ResolveLabels.h"
 
 #include <gtest/gtest.h>
 

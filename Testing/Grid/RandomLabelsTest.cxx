@@ -3,7 +3,7 @@
 #include "Sweep.h"
 
 #include "Labels/LabelCondition.h"
-#include "Labels/Labels.h"
+#include "Labels/ResolveLabels.h"
 
 #include <gtest/gtest.h>
 

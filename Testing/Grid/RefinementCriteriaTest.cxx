@@ -3,7 +3,7 @@
 #include "Base/Vector3.h"
 #include "Fractions/InterfaceCurvature.h"
 #include "Fractions/ThinFeatures.h"
-#include "Labels/Labels.h"
+#include "Labels/ResolveLabels.h"
 #include "MeshChecks.h"
 #include "Octree/OctantFamilies.h"
 #include "RankFields.h"

@@ -2,6 +2,7 @@
 #include "Atlas.h"
 #include "Labels/LabelCondition.h"
 #include "Labels/LeafLabels.h"
+#include "Labels/ResolveLabels.h"
 #include "Labels/SmoothLabels.h"
 #include "MeshCases.h"
 #include "RankMeshes.h"
