@@ -2,6 +2,8 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
+#include "Labels/Fragments.h"
+#include "Mesh/PointValues.h"
 
 namespace vfm
 {
@@ -16,35 +18,59 @@ bool IsInterface(const Facet& facet)
   return facet.DomainSide < 0;
 }
 
-} // namespace
-
-Vector3 NormalOf(const Mesh& mesh, const Facet& facet)
+class SideFinder
 {
-  const auto x = [&](int c)
+public:
+  SideFinder(const std::vector<Facet>& facets, const Mesh& mesh, const Partition& partition) :
+    Facets(facets),
+    Input(mesh),
+    Parts(partition),
+    Corners(mesh.CornersOfFacet()),
+    Shared(this->ListPoints(), mesh, partition)
   {
-    const double* point = mesh.Points.data() + 3 * facet.Points[c];
-    return Vector3{ { point[0], point[1], point[2] } };
-  };
-  const Vector3 normal = Unit(Cross(x(2) - x(0), x(3) - x(1)));
-  return facet.Fragments[0] < facet.Fragments[1] ? -1.0 * normal : normal;
-}
+  }
+  SidePoints Find(const std::vector<CreaseKind>& kinds)
+  {
+    this->FindPlaces(kinds);
+    this->CloseGaps();
+    this->FindCuts();
+    this->NumberPoints();
+    return { std::move(this->CutOfFacet), static_cast<int>(this->Cuts.size()),
+      std::move(this->SideOfPoint), std::move(this->CutOfSide) };
+  }
 
-SidePoints::SidePoints(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
-  const Mesh& mesh, const Partition& partition) :
-  Facets(facets),
-  Input(mesh),
-  Parts(partition),
-  Corners(mesh.CornersOfFacet()),
-  Shared(this->ListPoints(), mesh, partition)
-{
-  this->FindPlaces(kinds);
-  this->CloseGaps();
-  this->FindCuts();
-  this->NumberPoints();
-}
+private:
+  using Pair = std::array<int, 2>;
+  /// Where a point lies on the interfaces.
+  enum class Place : unsigned char
+  {
+    None,
+    Inside,
+    OnEdge,
+    Between ///< on several surfaces
+  };
+  std::vector<Index> ListPoints() const;
+  void FindPlaces(const std::vector<CreaseKind>& kinds);
+  void CloseGaps();
+  bool IsBesideEdge(const int* first, const int* last) const;
+  bool IsSharp(const int* first, const int* last) const;
+  void FindCuts();
+  void NumberPoints();
+  void NumberPieces(const std::vector<Piece>& pieces, const std::vector<Index>& pieceOf);
+
+  const std::vector<Facet>& Facets;
+  const Mesh& Input;
+  const Partition& Parts;
+  const int Corners; // of a facet
+  const PointValues Shared;
+  std::vector<Place> PlaceOf;  // of every point
+  std::vector<Pair> Cuts;      // interfaces with edges, ascending
+  std::vector<int> CutOfFacet; // position in Cuts, or -1
+  std::vector<int> SideOfPoint, CutOfSide;
+};
 
 /// The points of interfaces, ascending.
-std::vector<Index> SidePoints::ListPoints() const
+std::vector<Index> SideFinder::ListPoints() const
 {
   std::vector<Index> points;
   for (const Facet& facet : this->Facets)
@@ -58,7 +84,7 @@ std::vector<Index> SidePoints::ListPoints() const
   return points;
 }
 
-void SidePoints::FindPlaces(const std::vector<CreaseKind>& kinds)
+void SideFinder::FindPlaces(const std::vector<CreaseKind>& kinds)
 {
   this->PlaceOf.assign(this->Input.PointIds.size(), Place::None);
   std::vector<Pair> first(this->PlaceOf.size());
@@ -81,7 +107,7 @@ void SidePoints::FindPlaces(const std::vector<CreaseKind>& kinds)
 }
 
 /// Edges go on over points that carry none but around which the facets turn, for a few points.
-void SidePoints::CloseGaps()
+void SideFinder::CloseGaps()
 {
   const Groups<int> around =
     ListFacetsAt(this->Facets, this->Input, [this](int f) { return IsInterface(this->Facets[f]); });
@@ -104,7 +130,7 @@ void SidePoints::CloseGaps()
   }
 }
 
-bool SidePoints::IsBesideEdge(const int* first, const int* last) const
+bool SideFinder::IsBesideEdge(const int* first, const int* last) const
 {
   return std::any_of(first, last,
     [this](int f)
@@ -115,7 +141,7 @@ bool SidePoints::IsBesideEdge(const int* first, const int* last) const
     });
 }
 
-bool SidePoints::IsSharp(const int* first, const int* last) const
+bool SideFinder::IsSharp(const int* first, const int* last) const
 {
   return std::any_of(first, last,
     [&](int f)
@@ -127,7 +153,7 @@ bool SidePoints::IsSharp(const int* first, const int* last) const
 }
 
 /// The interfaces with edges.
-void SidePoints::FindCuts()
+void SideFinder::FindCuts()
 {
   std::vector<Pair> cut;
   for (const Facet& facet : this->Facets)
@@ -149,7 +175,7 @@ void SidePoints::FindCuts()
 }
 
 /// Fills SideOfPoint, of points inside; 0 elsewhere.
-void SidePoints::NumberPoints()
+void SideFinder::NumberPoints()
 {
   const std::size_t count = this->PlaceOf.size();
   std::vector<Index> parent = MakeSets(count);
@@ -182,7 +208,7 @@ void SidePoints::NumberPoints()
   this->NumberPieces(pieces, pieceOf);
 }
 
-void SidePoints::NumberPieces(const std::vector<Piece>& pieces, const std::vector<Index>& pieceOf)
+void SideFinder::NumberPieces(const std::vector<Piece>& pieces, const std::vector<Index>& pieceOf)
 {
   Ranks& ranks = this->Parts.Group();
   const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.size()));
@@ -206,6 +232,25 @@ void SidePoints::NumberPieces(const std::vector<Piece>& pieces, const std::vecto
   {
     this->SideOfPoint.push_back(piece < 0 ? 0 : sides[piece]);
   }
+}
+
+} // namespace
+
+Vector3 NormalOf(const Mesh& mesh, const Facet& facet)
+{
+  const auto x = [&](int c)
+  {
+    const double* point = mesh.Points.data() + 3 * facet.Points[c];
+    return Vector3{ { point[0], point[1], point[2] } };
+  };
+  const Vector3 normal = Unit(Cross(x(2) - x(0), x(3) - x(1)));
+  return facet.Fragments[0] < facet.Fragments[1] ? -1.0 * normal : normal;
+}
+
+SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
+  const Mesh& mesh, const Partition& partition)
+{
+  return SideFinder(facets, mesh, partition).Find(kinds);
 }
 
 } // namespace vfm

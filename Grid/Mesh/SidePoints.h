@@ -7,11 +7,11 @@
 #pragma once
 
 #include "Base/Groups.h"
+#include "Base/Partition.h"
 #include "Base/Vector3.h"
-#include "Labels/Fragments.h"
 #include "Mesh/CreaseKind.h"
 #include "Mesh/Facet.h"
-#include "Mesh/PointValues.h"
+#include "Mesh/Mesh.h"
 
 namespace vfm
 {
@@ -37,49 +37,18 @@ Groups<int> ListFacetsAt(
     });
 }
 
-class SidePoints
+struct SidePoints
 {
-public:
-  /// As of FindSmoothSides; facets and mesh outlive it. Collective.
-  SidePoints(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
-    const Mesh& mesh, const Partition& partition);
-
-  /// The interface of a facet among those with edges, from 0; -1: it has none.
-  int CutOf(std::size_t facet) const { return this->CutOfFacet[facet]; }
-  int NumberOfCuts() const { return static_cast<int>(this->Cuts.size()); }
-  /// The side of a point, numbered from 1 over all ranks by the lowest point; 0: on an edge, on several interfaces or on one without edges.
-  int SideOf(Index point) const { return this->SideOfPoint[point]; }
-  /// The interface of each side; [0] unused.
-  const std::vector<int>& CutsOfSides() const { return this->CutOfSide; }
-
-private:
-  using Pair = std::array<int, 2>;
-  /// Where a point lies on the interfaces.
-  enum class Place : unsigned char
-  {
-    None,
-    Inside,
-    OnEdge,
-    Between ///< on several surfaces
-  };
-  std::vector<Index> ListPoints() const;
-  void FindPlaces(const std::vector<CreaseKind>& kinds);
-  void CloseGaps();
-  bool IsBesideEdge(const int* first, const int* last) const;
-  bool IsSharp(const int* first, const int* last) const;
-  void FindCuts();
-  void NumberPoints();
-  void NumberPieces(const std::vector<Piece>& pieces, const std::vector<Index>& pieceOf);
-
-  const std::vector<Facet>& Facets;
-  const Mesh& Input;
-  const Partition& Parts;
-  const int Corners; // of a facet
-  const PointValues Shared;
-  std::vector<Place> PlaceOf;  // of every point
-  std::vector<Pair> Cuts;      // interfaces with edges, ascending
-  std::vector<int> CutOfFacet; // position in Cuts, or -1
-  std::vector<int> SideOfPoint, CutOfSide;
+  std::vector<int>
+    CutOf; ///< of each facet: its interface among those with edges, from 0; -1: it has none
+  int NumberOfCuts; ///< interfaces with edges
+  /// Of each point its side, numbered from 1 over all ranks by the lowest point; 0: on an edge, on several interfaces or on one without edges.
+  std::vector<int> SideOf;
+  std::vector<int> CutsOfSides; ///< the interface of each side; [0] unused
 };
+
+/// As of FindSmoothSides. Collective.
+SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
+  const Mesh& mesh, const Partition& partition);
 
 } // namespace vfm

@@ -117,11 +117,11 @@ public:
     Input(mesh),
     Parts(partition),
     Corners(mesh.CornersOfFacet()),
-    Points(facets, kinds, mesh, partition),
-    PiecesEnd(static_cast<int>(this->Points.CutsOfSides().size())),
-    CutOfSide(this->Points.CutsOfSides())
+    Points(FindSidePoints(facets, kinds, mesh, partition)),
+    PiecesEnd(static_cast<int>(this->Points.CutsOfSides.size())),
+    CutOfSide(this->Points.CutsOfSides)
   {
-    for (int cut = 0; cut < this->Points.NumberOfCuts(); ++cut)
+    for (int cut = 0; cut < this->Points.NumberOfCuts; ++cut)
     {
       this->CutOfSide.push_back(cut);
     }
@@ -131,7 +131,7 @@ public:
   {
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {
-      this->SideOf.push_back(this->Points.CutOf(f) < 0 ? 0 : this->SideOfPoints(this->Facets[f]));
+      this->SideOf.push_back(this->Points.CutOf[f] < 0 ? 0 : this->SideOfPoints(this->Facets[f]));
     }
     this->DecideOthers();
     this->JoinSides();
@@ -144,7 +144,7 @@ private:
     int side = 0;
     for (Index p : facet.Points)
     {
-      const int other = this->Points.SideOf(p);
+      const int other = this->Points.SideOf[p];
       if (side > 0 && other > 0 && other != side)
       {
         return Undecided;
@@ -224,7 +224,7 @@ private:
       side.Cosine = std::max(side.Cosine, Dot(normal, NormalOf(this->Input, this->Facets[other])));
     }
     const int own = this->SideOf[f];
-    const int rest = own > 0 ? own : this->PiecesEnd + this->Points.CutOf(f);
+    const int rest = own > 0 ? own : this->PiecesEnd + this->Points.CutOf[f];
     std::tuple<int, double, int> nearest(-1, 0.0, -rest);
     for (const auto& [side, its] : sides)
     {
@@ -265,7 +265,7 @@ private:
     {
       std::copy_if(around.Items.data() + around.Begin[p], around.Items.data() + around.Begin[p + 1],
         std::back_inserter(beside),
-        [&](int other) { return this->Points.CutOf(other) == this->Points.CutOf(f); });
+        [&](int other) { return this->Points.CutOf[other] == this->Points.CutOf[f]; });
     }
     SortUnique(beside);
     return beside;
@@ -295,7 +295,7 @@ private:
       }
       else if (this->SideOf[f] == Undecided) // beyond the rim nobody may have decided
       {
-        this->SideOf[f] = this->PiecesEnd + this->Points.CutOf(f);
+        this->SideOf[f] = this->PiecesEnd + this->Points.CutOf[f];
       }
     }
   }
@@ -322,7 +322,7 @@ private:
     SideSets sets(triangles);
     JoinSmooth(borders, sets);
     JoinSlivers(borders, sets);
-    std::vector<int> parts(this->Points.NumberOfCuts(), 0); // sides of each interface
+    std::vector<int> parts(this->Points.NumberOfCuts, 0); // sides of each interface
     for (std::size_t side = 1; side < triangles.size(); ++side)
     {
       const Index root = sets.Root(side);
@@ -330,7 +330,7 @@ private:
     }
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {
-      const bool isCut = this->Points.CutOf(f) >= 0 && parts[this->Points.CutOf(f)] > 1;
+      const bool isCut = this->Points.CutOf[f] >= 0 && parts[this->Points.CutOf[f]] > 1;
       this->SideOf[f] = isCut ? static_cast<int>(sets.Root(this->SideOf[f])) : 0;
     }
   }
@@ -348,7 +348,7 @@ private:
     for (std::size_t f = 0; f < this->Facets.size(); ++f)
     {
       const std::array<Index, 4>& points = this->Facets[f].Points;
-      for (int c = 0; this->Points.CutOf(f) >= 0 && c < this->Corners; ++c)
+      for (int c = 0; this->Points.CutOf[f] >= 0 && c < this->Corners; ++c)
       {
         const Index a = points[c], b = points[(c + 1) % this->Corners];
         places.push_back({ { { std::min(a, b), std::max(a, b) } }, f });
@@ -377,7 +377,7 @@ private:
   {
     const Pair sides{ { std::min(this->SideOf[f], this->SideOf[g]),
       std::max(this->SideOf[f], this->SideOf[g]) } };
-    if (sides[0] != sides[1] && this->Points.CutOf(f) == this->Points.CutOf(g) &&
+    if (sides[0] != sides[1] && this->Points.CutOf[f] == this->Points.CutOf[g] &&
       this->Facets[this->KeyOf(f) < this->KeyOf(g) ? f : g].IsOwned)
     {
       const double cosine =
