@@ -3,8 +3,8 @@
 #include "Base/DisjointSets.h"
 #include "Base/Sorted.h"
 #include "Base/Vector3.h"
-#include "Hex/VisibleDirection.h"
 #include "Hex/HexTopology.h"
+#include "Hex/VisibleDirection.h"
 #include "Labels/LabelCondition.h"
 #include "Smoothing/HexCoefficients.h"
 

@@ -116,6 +116,7 @@ class WrongTrees(unittest.TestCase):
         self.expect("vfm::Box is in Grid/Base/One.h and Grid/Base/Three.h", "Grid/Base/Three.h", "namespace vfm { class Box final : public Outer", "{", "}; }")
 
     def test_source_without_header(self):
+        self.tree["Grid/Base/tool.cxx"] = ["int main()\n"]
         self.expect("Grid/Base/Other.cxx has no header of its name", "Grid/Base/Other.cxx", "")
 
     def test_crowded_folder(self):

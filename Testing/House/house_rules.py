@@ -198,9 +198,10 @@ def find_twice(tree):
 
 
 def find_bare_sources(tree):
-    """Sources without a header of their name."""
+    """Sources without a header of their name that are no programs."""
     return ["%s has no header of its name" % path for path in sorted(tree)
-            if place_of(path) in HAVE_HEADERS and path.endswith(".cxx") and path[:-4] + ".h" not in tree]
+            if place_of(path) in HAVE_HEADERS and path.endswith(".cxx") and path[:-4] + ".h" not in tree
+            and not any(line.startswith("int main(") for line in tree[path])]
 
 
 def find_crowds(tree):
