@@ -2,7 +2,7 @@
 
 #include "ArrayMemory.h"
 #include "CellOrder.h"
-#include "MaterialGuess.h"
+#include "Input/MaterialGuess.h"
 #include "State/StateArrays.h"
 
 #include "vtkDataSet.h"

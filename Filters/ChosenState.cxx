@@ -1,7 +1,7 @@
 #include "ChosenState.h"
 
-#include "ArrayInfo.h"
 #include "CollectBlocks.h"
+#include "FindArrays.h"
 #include "Ranks/Agreement.h"
 
 #include "vtkDataObject.h"

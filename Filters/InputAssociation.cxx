@@ -1,7 +1,7 @@
 #include "InputAssociation.h"
 
 #include "CollectBlocks.h"
-#include "MaterialGuess.h"
+#include "Input/MaterialGuess.h"
 #include "Ranks/Agreement.h"
 
 #include "vtkDataObject.h"

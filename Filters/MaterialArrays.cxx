@@ -1,9 +1,9 @@
 #include "MaterialArrays.h"
 
-#include "ArrayInfo.h"
 #include "CollectBlocks.h"
+#include "FindArrays.h"
+#include "Input/MaterialGuess.h"
 #include "Input/ValueType.h"
-#include "MaterialGuess.h"
 #include "Ranks/Agreement.h"
 
 #include "vtkDataObject.h"

@@ -1,6 +1,7 @@
 #include "BlocksInput.h"
 
 #include "Blocks/BlockFile.h"
+#include "Input/GuessMaterials.h"
 #include "Stage.h"
 
 #include "vtkCellData.h"

@@ -1,10 +1,8 @@
 #include "ChooseArrays.h"
 
 #include "Base/ParseText.h"
-#include "Blocks/BlockFile.h"
 #include "Images/ImageFile.h"
-#include "Input/ValueType.h"
-#include "MaterialGuess.h"
+#include "Input/GuessMaterials.h"
 #include "Ranks/Agreement.h"
 #include "Stage.h"
 
@@ -26,37 +24,17 @@ namespace
 {
 
 constexpr std::size_t ListedLabels = 20;
-constexpr double LargestTolerance = 0.1;         // of fractions, as the mesher takes it
-constexpr const char* LabelsName = "MaterialId"; // as readers of voxels, and the meshes, name them
+constexpr double LargestTolerance = 0.1; // of fractions, as the mesher takes it
 
 bool Lists(const std::vector<std::string>& names, const std::string& name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool IsWhole(const ArrayInfo& array)
-{
-  return array.Components == 1 && !IsRealType(array.Type);
-}
-
-bool IsMaterialId(const ArrayInfo& array)
-{
-  return array.Name == LabelsName && IsWhole(array);
-}
-
 /// Files of images hold one array, of labels where it is of whole numbers.
 bool HoldsLabels(const std::string& path, const std::vector<ArrayInfo>& arrays)
 {
   return IsImageFile(path) && arrays.size() == 1 && IsWhole(arrays[0]);
-}
-
-/// tolerance: outside of [0, 1].
-bool IsFraction(const ArrayInfo& array, double tolerance)
-{
-  const bool isBytes = array.Type == VTK_UNSIGNED_CHAR;
-  return array.Components == 1 &&
-    (isBytes ||
-      (IsRealType(array.Type) && array.Least >= -tolerance && array.Most <= 1.0 + tolerance));
 }
 
 /// Those of arrays that the arguments name as no materials.
@@ -93,24 +71,6 @@ std::string WarnOfNearFractions(
   text << "Not taken for volume fractions: " << JoinTexts(names) << ", with values up to "
        << outside << " outside [0, 1]. --clip T takes those that lie outside by no more than T.";
   return text.str();
-}
-
-/// In the order of their material numbers.
-std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arrays)
-{
-  std::vector<std::string> names;
-  for (const ArrayInfo& array : arrays)
-  {
-    if (IsSpyPlotFraction(array.Name))
-    {
-      names.push_back(array.Name);
-    }
-  }
-  const auto number = [](const std::string& name)
-  { return std::atoi(name.c_str() + name.rfind(' ') + 1); };
-  std::stable_sort(names.begin(), names.end(),
-    [&number](const std::string& a, const std::string& b) { return number(a) < number(b); });
-  return names;
 }
 
 /// Collective.
@@ -320,34 +280,27 @@ ChosenArrays FindMaterials(const std::vector<ArrayInfo>& arrays, ArrayPlace plac
   const Arguments& arguments, double tolerance)
 {
   const bool isOfPoints = place == ArrayPlace::Points;
-  const std::vector<std::string> others = ListOthers(arrays, arguments);
-  ChosenArrays chosen{ FindSpyPlotFractions(arrays), "", arguments.State,
-    "named Material volume fraction - N", "" };
-  chosen.Place = place;
-  if (!chosen.Fractions.empty())
+  GuessedMaterials guess = GuessMaterials(arrays, ListOthers(arrays, arguments), tolerance);
+  if (!guess.AreNumbered && HoldsLabels(arguments.Input, arrays))
   {
-    return chosen;
+    guess = { {}, arrays[0].Name };
   }
-  if (HoldsLabels(arguments.Input, arrays))
+  ChosenArrays chosen{ guess.Fractions, guess.Labels, arguments.State, "", "" };
+  chosen.Place = place;
+  if (guess.AreNumbered)
   {
-    chosen.Labels = arrays[0].Name;
-    chosen.How = isOfPoints ? "labels of points" : "labels";
+    chosen.How = "named Material volume fraction - N";
     return chosen;
   }
   chosen.How =
     std::string("all ") + (isOfPoints ? "point" : "cell") + " arrays with values in [0, 1]";
-  chosen.Warning = WarnOfNearFractions(arrays, arguments, tolerance);
-  for (const ArrayInfo& array : arrays)
+  if (!guess.Labels.empty())
   {
-    if (IsFraction(array, tolerance) && !IsMaterialId(array) && !Lists(others, array.Name))
-    {
-      chosen.Fractions.push_back(array.Name);
-    }
-  }
-  if (chosen.Fractions.empty() && std::any_of(arrays.begin(), arrays.end(), IsMaterialId))
-  {
-    chosen.Labels = LabelsName;
     chosen.How = isOfPoints ? "labels of points" : "labels";
+  }
+  if (!HoldsLabels(arguments.Input, arrays))
+  {
+    chosen.Warning = WarnOfNearFractions(arrays, arguments, tolerance);
   }
   return chosen;
 }

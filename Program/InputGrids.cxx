@@ -1,6 +1,7 @@
 #include "InputGrids.h"
 
 #include "Base/ParseText.h"
+#include "FindArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"

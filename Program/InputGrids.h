@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "ArrayInfo.h"
+#include "Input/ArrayInfo.h"
 
 #include <string>
 #include <vector>

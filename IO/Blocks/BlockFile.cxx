@@ -3,7 +3,6 @@
 #include "FileSuffix.h"
 
 #include <filesystem>
-#include <regex>
 
 namespace vfm
 {
@@ -22,13 +21,6 @@ bool IsBlockFile(const std::string& path)
 std::unique_ptr<BlockFile> OpenBlockFile(const std::string& path, const Ranks& ranks)
 {
   return IsPlotfile(path) ? OpenPlotfile(path) : OpenSpyPlot(path, ranks);
-}
-
-bool IsSpyPlotFraction(const std::string& name)
-{
-  // "Material volume fraction - 1", in newer files "Volume Fraction - 1".
-  static const std::regex pattern(".*[vV]olume [fF]raction - [0-9]+");
-  return std::regex_match(name, pattern);
 }
 
 void FinishBlock(InputBlock& block, int number, const Ranks& ranks)

@@ -54,9 +54,6 @@ std::unique_ptr<BlockFile> OpenPlotfile(const std::string& folder);
 /// Whether it is a folder that holds a file Header.
 bool IsPlotfile(const std::string& path);
 
-/// Whether an array of that name is the volume fraction of a material in a SpyPlot file.
-bool IsSpyPlotFraction(const std::string& name);
-
 /// Throws InputError unless the nodes of a block that was read increase. Sets what follows from them, and
 /// from its place among the blocks of this rank.
 void FinishBlock(InputBlock& block, int number, const Ranks& ranks);

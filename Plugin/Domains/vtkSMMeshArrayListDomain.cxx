@@ -1,6 +1,6 @@
 #include "vtkSMMeshArrayListDomain.h"
 
-#include "MaterialGuess.h"
+#include "Input/MaterialGuess.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"

@@ -27,7 +27,7 @@ ALLOWED.update({
     "Filters": GRID + MESHER + ("Shapes", "Parallel"),
     "InSitu": BASE + MESHER + ("Parallel", "Parallel/Mpi", "IO", "Filters"),
     "Program": BASE + MESHER + ("Parallel", "IO", "IO/Blocks", "IO/Images", "Filters", "InSitu"),
-    "Plugin": ("Filters",),
+    "Plugin": ("Filters", "Mesher/Input"),
     "python": GRID + MESHER + ("Shapes", "IO/Blocks"),
     "Examples": ("InSitu",),
     "Testing/Support": GRID + ("Shapes",),

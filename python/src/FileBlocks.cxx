@@ -1,6 +1,7 @@
 #include "FileBlocks.h"
 
 #include "Blocks/BlockFile.h"
+#include "Input/GuessMaterials.h"
 
 #include <algorithm>
 
@@ -42,8 +43,8 @@ FileBlocks ReadFileBlocks(
   FileBlocks read{ path, file->Times(), file->Times()[index], names.value_or(file->Names()), {} };
   CheckNames(file->Names(), read.Names);
   read.Blocks = file->Read(index, read.Names, alone);
-  std::copy_if(
-    read.Names.begin(), read.Names.end(), std::back_inserter(read.Fractions), IsSpyPlotFraction);
+  constexpr double rounding = 1e-6;
+  read.Fractions = GuessMaterials(ListArrays(read.Blocks), {}, rounding).Fractions;
   return read;
 }
 

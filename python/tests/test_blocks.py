@@ -16,7 +16,7 @@ sys.path.append(os.path.join(ROOT, "Testing", "Python"))
 from spyplot import Block, split, with_ghosts, write_spyplot  # noqa: E402
 
 IMPACT = os.path.join(ROOT, "Data", "impact.spcth")
-PLOTFILE = os.path.join(ROOT, "Data", "AMReX", "plt00000")
+PLOTFILE, SMEARED = (os.path.join(ROOT, "Data", "AMReX", name) for name in ("plt00000", "plt00011"))
 VOLUME = "Material volume fraction - %d"
 SPACING, ORIGIN = 0.25, (-1.0, 0.5, 2.0)
 NODES = [o + SPACING * np.arange(N + 1) for o in ORIGIN]
@@ -87,12 +87,16 @@ def test_levels(tmp_path):
 
 def test_plotfile():
     blocks = vfm.read(PLOTFILE)
-    assert len(blocks) > 1 and blocks.names and blocks.fractions == []
-    with pytest.raises(ValueError, match="Name the arrays of .* that hold materials"):
-        vfm.hexes(blocks)
-    mesh = vfm.hexes(blocks, arrays=["phi"], fraction_tolerance=0.1)
+    assert len(blocks) > 1 and blocks.fractions == blocks.names == ["phi"]
+    mesh = vfm.hexes(blocks)
     check_valid(mesh)
     assert len(mesh.cells) > 1000
+    smeared = vfm.read(SMEARED)  # beyond [0, 1]
+    assert smeared.fractions == []
+    with pytest.raises(ValueError, match="Name the arrays of .* that hold materials"):
+        vfm.hexes(smeared)
+    with pytest.warns(vfm.VolumeFractionMeshWarning, match="were clipped"):
+        check_valid(vfm.hexes(smeared, arrays=["phi"], fraction_tolerance=0.1))
 
 
 def test_command(tmp_path, capsys):

@@ -1,18 +1,12 @@
-#include "ArrayInfo.h"
-
-#include "Ranks/Agreement.h"
-
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
+#include "Input/ArrayInfo.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace vfm
 {
-namespace
-{
 
-void Merge(std::vector<ArrayInfo>& list, const ArrayInfo& info)
+void AddArray(std::vector<ArrayInfo>& list, const ArrayInfo& info)
 {
   const auto found = std::find_if(
     list.begin(), list.end(), [&info](const ArrayInfo& other) { return other.Name == info.Name; });
@@ -28,26 +22,8 @@ void Merge(std::vector<ArrayInfo>& list, const ArrayInfo& info)
   found->HoldsIds = found->HoldsIds || info.HoldsIds;
 }
 
-std::vector<ArrayInfo> FindOwnArrays(const std::vector<vtkDataSetAttributes*>& attributes)
+namespace
 {
-  std::vector<ArrayInfo> list;
-  for (vtkDataSetAttributes* own : attributes)
-  {
-    for (int i = 0; i < own->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = own->GetArray(i);
-      if (array && array->GetName() && array->GetNumberOfTuples() > 0)
-      {
-        const double* range = array->GetRange(0);
-        const bool holdsIds = array == own->GetGlobalIds() || array == own->GetPedigreeIds();
-        Merge(list,
-          { array->GetName(), array->GetDataType(), array->GetNumberOfComponents(), range[0],
-            range[1], 1, true, holdsIds });
-      }
-    }
-  }
-  return list;
-}
 
 /// All of an array but its name, as one message.
 struct Packed
@@ -77,7 +53,7 @@ void Unpack(const Bytes& bytes, std::vector<ArrayInfo>& list)
   {
     const Packed numbers = FromBytes<Packed>(Bytes(at, at + sizeof(Packed)))[0];
     at += sizeof(Packed);
-    Merge(list,
+    AddArray(list,
       { std::string(at, at + numbers.NameLength), numbers.Type, numbers.Components, numbers.Least,
         numbers.Most, numbers.Count, numbers.HasOneType != 0, numbers.HoldsIds != 0 });
     at += numbers.NameLength;
@@ -86,15 +62,37 @@ void Unpack(const Bytes& bytes, std::vector<ArrayInfo>& list)
 
 } // namespace
 
-std::vector<ArrayInfo> FindArrays(
-  const std::vector<vtkDataSetAttributes*>& attributes, Ranks& ranks)
+std::vector<ArrayInfo> UniteArrays(const std::vector<ArrayInfo>& mine, Ranks& ranks)
 {
-  Bytes mine;
-  WorkTogether(ranks, [&] { mine = Pack(FindOwnArrays(attributes)); });
   std::vector<ArrayInfo> list;
-  for (const Bytes& bytes : ranks.Gather(mine))
+  for (const Bytes& bytes : ranks.Gather(Pack(mine)))
   {
     Unpack(bytes, list);
+  }
+  return list;
+}
+
+std::vector<ArrayInfo> ListArrays(const std::vector<InputBlock>& blocks)
+{
+  std::vector<ArrayInfo> list;
+  for (const InputBlock& block : blocks)
+  {
+    for (const std::string& name : block.Arrays->Names())
+    {
+      const auto array = block.Arrays->Find(name);
+      ArrayInfo info{ name, array->Type, array->Components, std::numeric_limits<double>::max(),
+        std::numeric_limits<double>::lowest(), 1, true, block.Arrays->HoldsIds(name) };
+      for (Index tuple = 0; tuple < array->Tuples; ++tuple)
+      {
+        const double value = array->Get(tuple, 0);
+        info.Least = value < info.Least ? value : info.Least;
+        info.Most = value > info.Most ? value : info.Most;
+      }
+      if (array->Tuples > 0)
+      {
+        AddArray(list, info);
+      }
+    }
   }
   return list;
 }

@@ -1,13 +1,13 @@
 /**
  * MaterialGuess: what an array may hold, as far as its name, type and range tell. Filters and panels go by the same rules.
  */
-#ifndef MaterialGuess_h
-#define MaterialGuess_h
+#pragma once
 
-#include "vtkType.h"
+#include "Input/ValueType.h"
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <string>
 
 namespace vfm
@@ -42,20 +42,20 @@ enum class MaterialGuess
   Unclear   ///< one or the other
 };
 
-/// Of an array of one component. type: VTK_DOUBLE and the like.
+/// Of an array of one component. type: of ValueType, 0 for several.
 inline MaterialGuess GuessMaterial(int type, double least, double most)
 {
   constexpr double rounding = 1e-6, mostOfBytes = 255.0;
-  if (type == VTK_FLOAT || type == VTK_DOUBLE)
+  if (IsRealType(type))
   {
     const bool areFractions = least >= -rounding && most <= 1.0 + rounding;
     return areFractions ? MaterialGuess::Fraction : MaterialGuess::Nothing;
   }
-  const bool areBytes = type == VTK_UNSIGNED_CHAR && most == mostOfBytes; // 255 may stand for 1
-  const bool areLabels = least >= 0.0 && most > 0.0 && most <= VTK_INT_MAX && !areBytes;
+  const bool areBytes =
+    type == ValueType::UnsignedChar && most == mostOfBytes; // 255 may stand for 1
+  const bool areLabels =
+    least >= 0.0 && most > 0.0 && most <= std::numeric_limits<int>::max() && !areBytes;
   return areLabels ? MaterialGuess::Labels : MaterialGuess::Unclear;
 }
 
 } // namespace vfm
-
-#endif
