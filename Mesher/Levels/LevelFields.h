@@ -11,8 +11,8 @@
 #include "Fractions/RefineCells.h"
 #include "Input/InputFields.h"
 #include "Input/InputLevels.h"
-#include "Input/InputWishes.h"
 #include "Labels/RefinementCriteria.h"
+#include "Levels/InputWishes.h"
 #include "Levels/LevelSetup.h"
 
 namespace vfm

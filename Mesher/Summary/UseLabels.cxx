@@ -1,4 +1,4 @@
-#include "Input/UseLabels.h"
+#include "Summary/UseLabels.h"
 
 namespace vfm
 {

@@ -1,4 +1,4 @@
-#include "Input/InputWishes.h"
+#include "Levels/InputWishes.h"
 
 #include "Input/InputArrays.h"
 #include "Input/InputRoute.h"
