@@ -246,14 +246,14 @@ void vtkVolumeFractionMeshAlgorithm::SetNumber(const char* name, double value)
   const double taken = isKept ? value : std::clamp(value, range.Least, range.Most);
   if (taken != this->GetNumber(name))
   {
-    vfm::SetNumber(*this->Options, option, taken);
+    option.SetNumber(*this->Options, taken);
     this->Modified();
   }
 }
 
 double vtkVolumeFractionMeshAlgorithm::GetNumber(const char* name) const
 {
-  return vfm::GetNumber(*this->Options, *vfm::FindOption(name));
+  return vfm::FindOption(name)->GetNumber(*this->Options);
 }
 
 void vtkVolumeFractionMeshAlgorithm::SetText(const char* name, const char* value)
@@ -268,7 +268,7 @@ void vtkVolumeFractionMeshAlgorithm::SetText(const char* name, const char* value
 
 const char* vtkVolumeFractionMeshAlgorithm::GetText(const char* name) const
 {
-  return vfm::GetText(*this->Options, *vfm::FindOption(name)).c_str();
+  return ((*this->Options).*vfm::FindOption(name)->Text).c_str();
 }
 
 void vtkVolumeFractionMeshAlgorithm::SetOption(const std::string& name, const std::string& value)

@@ -7,6 +7,7 @@
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
 #include "State/ArrayStems.h"
+#include "State/StateChoice.h"
 #include "WriteGeometry.h"
 #include "WriteMesh.h"
 
@@ -118,49 +119,45 @@ void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
   CheckOutputSuffix(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
 }
 
-/// The last value of an option of the mesher; empty: none.
-std::string FindValue(const Arguments& from, const char* name)
+MesherOptions ReadOptions(const Arguments& from)
 {
-  std::string array;
-  for (const auto& option : from.Options)
+  MesherOptions options;
+  options.Elements = from.Tets ? ElementKind::Tets : ElementKind::Hexes;
+  try
   {
-    if (IsSameWord(option.first, name))
+    for (const auto& [name, value] : from.Options)
     {
-      array = option.second == "None" ? "" : option.second;
+      SetOption(options, name, value);
     }
   }
-  return array;
+  catch (const InputError& error)
+  {
+    throw ProgramError(ExitCode::WrongArguments, error.what());
+  }
+  return options;
 }
 
 /// Throws where velocity or energy would be missing in the mesh, since only state that is conserved has them.
-void CheckConserved(const Arguments& from)
+void CheckConserved(const MesherOptions& options)
 {
-  const std::string how = FindValue(from, "StateTransfer");
-  const bool isCopied = IsSameWord(how, "Copy") || how == "1"; // numbers stand for words
-  const bool isConserved =
-    IsSameWord(how, "Conserve") || how == "2" || (!isCopied && !from.Densities.empty());
-  if (!isConserved && !(from.Velocity + from.Energy).empty())
+  const bool isConserved = ConservesState(options.Transfer, options.DensityArrays);
+  if (!isConserved && !(options.VelocityArray + options.EnergyArray).empty())
   {
     RefuseArguments("--velocity and --energy are for state that is conserved: name a --density, or "
                     "say --state-transfer Conserve. Arrays to be copied are those of --state.");
   }
 }
 
-/// Arrays are wanted that readers read and that are no materials.
-void SetNamedArrays(Arguments& to)
+/// Readers read the densities as other state.
+void AddDensities(Arguments& to)
 {
-  to.RefinementArray = FindValue(to, "RefinementArray");
-  const std::string densities = FindValue(to, "DensityArrays");
-  to.Densities = densities.empty() ? std::vector<std::string>() : SplitText(densities);
-  for (const std::string& name : to.Densities)
+  for (const std::string& name : to.Mesher.DensityArrays)
   {
     if (std::find(to.State.begin(), to.State.end(), name) == to.State.end())
     {
       to.State.push_back(name);
     }
   }
-  to.Velocity = FindValue(to, "VelocityArray");
-  to.Energy = FindValue(to, "EnergyArray");
 }
 
 /// what: for the message.
@@ -228,15 +225,16 @@ Examples
 std::vector<std::string> ListOtherArrays(
   const Arguments& arguments, const std::vector<std::string>& there)
 {
+  const MesherOptions& mesher = arguments.Mesher;
   std::vector<std::string> names = arguments.State, ofVelocity;
   std::copy_if(there.begin(), there.end(), std::back_inserter(ofVelocity),
-    [&arguments](const std::string& name) { return IsOfVector(name, arguments.Velocity); });
+    [&mesher](const std::string& name) { return IsOfVector(name, mesher.VelocityArray); });
   if (ofVelocity.empty())
   {
-    ofVelocity.push_back(arguments.Velocity);
+    ofVelocity.push_back(mesher.VelocityArray);
   }
   names.insert(names.end(), ofVelocity.begin(), ofVelocity.end());
-  names.insert(names.end(), { arguments.Energy, arguments.RefinementArray });
+  names.insert(names.end(), { mesher.EnergyArray, mesher.RefinementArray });
   names.erase(std::remove(names.begin(), names.end(), ""), names.end());
   return names;
 }
@@ -275,6 +273,7 @@ Arguments ParseArguments(const std::vector<std::string>& given)
       return arguments;
     }
   }
+  arguments.Mesher = ReadOptions(arguments);
   if (isTest)
   {
     CheckTest(arguments, seen);
@@ -286,8 +285,8 @@ Arguments ParseArguments(const std::vector<std::string>& given)
   else
   {
     CheckMesh(arguments, seen);
-    SetNamedArrays(arguments);
-    CheckConserved(arguments);
+    AddDensities(arguments);
+    CheckConserved(arguments.Mesher);
   }
   return arguments;
 }

@@ -3,11 +3,11 @@
  */
 #pragma once
 
+#include "Options/MesherOptions.h"
+
 #include <array>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace vfm
 {
@@ -30,16 +30,14 @@ struct Arguments
   std::optional<int> AxisOrder;                         ///< of voxels, vfm::AxisOrder
   std::string Fragments;                                ///< file of their table; empty: none
   std::string Geometry;               ///< file of surfaces, curves and vertices; empty: none
-  std::vector<std::string> Densities; ///< cell arrays, one or one a material
-  std::string Velocity, Energy;       ///< cell arrays; empty: none
   std::vector<std::string> Fractions; ///< cell arrays; empty: found in the input
   std::string Labels;                 ///< cell array; empty: fractions
   std::vector<std::string> Materials; ///< numbers or names of those to mesh; empty: all
   std::vector<std::string> State;     ///< cell arrays that the elements get
-  std::string RefinementArray;        ///< cell array of cells to refine; empty: none
   bool RefinesCells = false;          ///< of the test: chosen cells alone
   bool Tets = false;
   std::vector<std::pair<std::string, std::string>> Options; ///< of the mesher, in their order
+  MesherOptions Mesher;                                     ///< what they say together
   std::optional<int> Step;                                  ///< of the input's times, from 0
   std::optional<double> Time;
   bool SingleFile = false; ///< also from several ranks

@@ -348,11 +348,11 @@ ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
 {
   const ArrayPlace ofFractions = CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
-  CheckNamedArrays(data, "--density", arguments.Densities, ranks); // which State has too
+  CheckNamedArrays(data, "--density", arguments.Mesher.DensityArrays, ranks); // which State has too
   CheckNamedArrays(data, "--state", arguments.State, ranks);
-  if (!arguments.RefinementArray.empty())
+  if (!arguments.Mesher.RefinementArray.empty())
   {
-    CheckNamedArrays(data, "--refine-cells", { arguments.RefinementArray }, ranks);
+    CheckNamedArrays(data, "--refine-cells", { arguments.Mesher.RefinementArray }, ranks);
   }
   const bool isOfLabels = !arguments.Labels.empty();
   const ArrayPlace place =
@@ -369,7 +369,7 @@ ChosenArrays ChooseArrays(
   {
     RefuseArrays(data, arguments, chosen.Warning, ranks);
   }
-  chosen.Refinement = arguments.RefinementArray;
+  chosen.Refinement = arguments.Mesher.RefinementArray;
   return chosen;
 }
 

@@ -87,16 +87,9 @@ vtkSmartPointer<vtkVolumeFractionMeshAlgorithm> MakeMesher(const Arguments& argu
   {
     mesher = vtkSmartPointer<vtkVolumeFractionToHex>::New();
   }
-  try
+  for (const auto& [name, value] : arguments.Options)
   {
-    for (const auto& option : arguments.Options)
-    {
-      mesher->SetOption(option.first, option.second);
-    }
-  }
-  catch (const InputError& error)
-  {
-    throw ProgramError(ExitCode::WrongArguments, error.what());
+    mesher->SetOption(name, value);
   }
   return mesher;
 }

@@ -81,7 +81,8 @@ std::vector<std::string> FindDensities(vtkUnstructuredGrid* mesh, const Argument
     labels.push_back(material.first);
     names.push_back(material.second);
   }
-  const std::vector<std::string>&densities = arguments.Densities, &states = arguments.State;
+  const std::vector<std::string>&densities = arguments.Mesher.DensityArrays,
+        &states = arguments.State;
   const auto isState = [&states](const std::string& name)
   { return std::find(states.begin(), states.end(), name) != states.end(); };
   const bool isLost = !densities.empty() && !mesh->GetCellData()->HasArray(densities[0].c_str());

@@ -3,6 +3,8 @@
 #include "Base/ParseText.h"
 #include "Fractions/ThinFeatures.h"
 
+#include <type_traits>
+
 namespace vfm
 {
 namespace
@@ -13,23 +15,11 @@ using M = MesherOptions;
 /// A row as it is written down: what an option takes, then what else there is to say.
 struct Row : Option
 {
-  struct Value
-  {
-    OptionMember Member;
-    OptionKind Kind;
-    std::vector<std::string> Words = {};
-    OptionRange Range = {};
-  };
-
-  Row(const char* name, Value value, const char* text)
+  Row(const char* name, Option value, const char* meaning) : Option(std::move(value))
   {
     this->Name = name;
-    this->Member = value.Member;
-    this->Kind = value.Kind;
-    this->Words = std::move(value.Words);
-    this->Range = value.Range;
-    this->Text = text;
-    this->Python = this->Kind <= OptionKind::Choice ? SnakeCase(this->Name) : "";
+    this->Meaning = meaning;
+    this->Python = this->GetNumber ? SnakeCase(name) : "";
   }
 
   Row& Above(double least)
@@ -54,7 +44,7 @@ struct Row : Option
   Row& Listed() { return this->Set(this->IsListed, true); }
   Row& WithVectors() { return this->Set(this->TakesVectors, true); }
   Row& NotOfTets() { return this->Set(this->IsHiddenOfTets, true); }
-  Row& OfTets(const char* text) { return this->Set(this->TextOfTets, text); }
+  Row& OfTets(const char* text) { return this->Set(this->MeaningOfTets, text); }
   Row& Sculptor(const char* argument) { return this->Set(this->Argument, argument); }
   Row& InPython(const char* name) { return this->Set(this->Python, name); }
 
@@ -69,58 +59,64 @@ private:
 
 constexpr double NoEnd = std::numeric_limits<double>::infinity();
 
-Row::Value Switch(bool M::*member)
+template <auto Member>
+Option MakeNumber(OptionKind kind)
 {
-  return { member, OptionKind::Switch };
+  Option option;
+  option.Kind = kind;
+  option.GetNumber = [](const M& options) { return static_cast<double>(options.*Member); };
+  option.SetNumber = [](M& options, double number)
+  {
+    auto& place = options.*Member;
+    place = static_cast<std::decay_t<decltype(place)>>(number);
+  };
+  return option;
 }
-Row::Value Number(int M::*member, int least, double most = NoEnd)
+
+template <auto Member>
+Option Switch()
 {
-  return { member, OptionKind::Integer, {}, { static_cast<double>(least), most } };
+  return MakeNumber<Member>(OptionKind::Switch);
 }
-Row::Value Number(double M::*member, double least = -NoEnd, double most = NoEnd)
+
+template <auto Member>
+Option Number(double least, double most = NoEnd)
 {
-  return { member, OptionKind::Real, {}, { least, most } };
+  const bool isWhole = std::is_same_v<std::decay_t<decltype(M().*Member)>, int>;
+  Option option = MakeNumber<Member>(isWhole ? OptionKind::Integer : OptionKind::Real);
+  option.Range = { least, most };
+  return option;
 }
-Row::Value Number(int M::*member, const NumberRange& range)
+
+template <auto Member>
+Option Number(const NumberRange& range = { -NoEnd, NoEnd })
 {
-  return { member, OptionKind::Integer, {}, { range.Least, range.Most } };
-}
-Row::Value Number(double M::*member, const NumberRange& range)
-{
-  return { member, OptionKind::Real, {}, { range.Least, range.Most } };
-}
-Row::Value Array(std::string M::*member)
-{
-  return { member, OptionKind::Array };
-}
-Row::Value File(std::string M::*member)
-{
-  return { member, OptionKind::File };
-}
-Row::Value Arrays(std::vector<std::string> M::*member)
-{
-  return { member, OptionKind::Arrays };
-}
-Row::Value Kinds(std::vector<std::string> M::*member)
-{
-  return { member, OptionKind::Kinds };
-}
-Row::Value Boxes(std::vector<RefinementBox> M::*member)
-{
-  return { member, OptionKind::Boxes };
+  return Number<Member>(range.Least, range.Most);
 }
 
 /// words: of the enumerators, in their order.
 template <auto Member>
-Row::Value Choice(std::vector<std::string> words)
+Option Choice(std::vector<std::string> words)
 {
-  const ChoiceMember member{ [](const M& options) { return static_cast<int>(options.*Member); },
-    [](M& options, int value)
-    {
-      auto& place = options.*Member;
-      place = static_cast<std::decay_t<decltype(place)>>(value);
-    } };
-  return { member, OptionKind::Choice, std::move(words) };
+  Option option = MakeNumber<Member>(OptionKind::Choice);
+  option.Words = std::move(words);
+  return option;
+}
+
+Option Text(OptionKind kind, std::string M::*member)
+{
+  Option option;
+  option.Kind = kind;
+  option.Text = member;
+  return option;
+}
+
+Option Texts(OptionKind kind, std::vector<std::string> M::*member)
+{
+  Option option;
+  option.Kind = kind;
+  option.Texts = member;
+  return option;
 }
 
 const std::string Conserves = "(StateTransfer=Conserve | StateTransfer=Automatic & DensityArrays)";
@@ -131,7 +127,7 @@ const char* const Fills = "Method=TetGen";
 OptionTable MaterialsOptions()
 {
   return {
-    Row("LabelNames", File(&M::LabelNames),
+    Row("LabelNames", Text(OptionKind::File, &M::LabelNames),
       "A file that names the material ids: a text with an id and its name in each line (with a "
       "space, tab or comma between; # for comments), a label file of ITK-SNAP, a lookup table of "
       "FreeSurfer or MRIcron, or the XML of an atlas of FSL. The names are those of MaterialNames, "
@@ -139,22 +135,22 @@ OptionTable MaterialsOptions()
       .ShownIf("MaterialIdArray")
       .Advanced()
       .Sculptor("--label-names FILE"),
-    Row("MeshVoid", Switch(&M::MeshVoid),
+    Row("MeshVoid", Switch<&M::MeshVoid>(),
       "Mesh the void as well, as material 0, conforming with the materials.")
       .Sculptor("--void"),
-    Row("MinimumRegionCells", Number(&M::MinimumRegionCells, 0),
+    Row("MinimumRegionCells", Number<&M::MinimumRegionCells>(0),
       "Remove spray, crumbs and small cavities: a region of one material, or of void, of fewer "
       "cells than this is given to the material or void with which it shares the most faces. 0: "
       "all stay.")
       .Advanced()
       .Sculptor("--minimum-region N"),
-    Row("FractionTolerance", Number(&M::FractionTolerance, 1e-6, 0.1),
+    Row("FractionTolerance", Number<&M::FractionTolerance>(1e-6, 0.1),
       "Clip volume fractions that lie outside [0, 1] by no more than this (a code's over- and "
       "undershoots), and scale back sums above 1 by no more. Others are refused. 1e-6 is for "
       "rounding alone.")
       .Advanced()
       .Sculptor("--clip T"),
-    Row("IsoValue", Number(&M::IsoValue),
+    Row("IsoValue", Number<&M::IsoValue>(),
       "A cell is void when its materials together fill less than this part of it. Volumes are "
       "conserved only at 0.5.")
       .Above(0)
@@ -175,32 +171,32 @@ OptionTable StateOptions()
       "their material, so that mass, momentum, energy of every material are those of the input. "
       "Automatic: Conserve where Density Arrays names one, else Copy.")
       .Sculptor("--state-transfer HOW"),
-    Row("DensityArrays", Arrays(&M::DensityArrays),
+    Row("DensityArrays", Texts(OptionKind::Arrays, &M::DensityArrays),
       "The density: mass per volume of the material. One array for all materials, or one a "
       "material (Material density - 1, ..). Carried along as State Arrays are.")
       .EnabledIf("StateTransfer!=Copy")
       .Sculptor("--density A,.."),
-    Row("StateOrder", Number(&M::StateOrder, 1, 2),
+    Row("StateOrder", Number<&M::StateOrder>(1, 2),
       "What Conserve takes the state to be in a cell. 1: constant. 2: linear, within the bounds of "
       "the cells around.")
       .Listed()
       .EnabledIf(Conserves)
       .Advanced()
       .Sculptor("--state-order N"),
-    Row("VelocityArray", Array(&M::VelocityArray),
+    Row("VelocityArray", Text(OptionKind::Array, &M::VelocityArray),
       "The velocity, of which Conserve tells momentum and kinetic energy of every material, and "
       "what the mesh lacks of it: an array of three components, or one of three (X velocity). "
       "Carried along as State Arrays are.")
       .WithVectors()
       .EnabledIf(Conserves)
       .Sculptor("--velocity ARRAY"),
-    Row("EnergyArray", Array(&M::EnergyArray),
+    Row("EnergyArray", Text(OptionKind::Array, &M::EnergyArray),
       "The internal energy per mass, of which Conserve tells the energy of every material. Of "
       "arrays a material any one. Carried along as State Arrays are.")
       .EnabledIf(Conserves)
       .Advanced()
       .Sculptor("--energy ARRAY"),
-    Row("NodalVelocity", Switch(&M::NodalVelocity),
+    Row("NodalVelocity", Switch<&M::NodalVelocity>(),
       "Add the velocity of the nodes as a point array, with which a Lagrangian code starts. The "
       "momentum of all nodes is that of all elements.")
       .EnabledIf(Moves)
@@ -226,7 +222,7 @@ OptionTable StateOptions()
 OptionTable StateKindsOptions()
 {
   return {
-    Row("StateKinds", Kinds(&M::StateKinds),
+    Row("StateKinds", Texts(OptionKind::Kinds, &M::StateKinds),
       "What Conserve keeps of an array, a row for each that is no velocity, specific energy or "
       "temperature: array=volume (per volume of the material, as pressure), cell (per volume of "
       "the whole cell, as a bulk density), extensive (sums, as a mass), copy (copied as by Copy), "
@@ -242,7 +238,7 @@ OptionTable StateKindsOptions()
 OptionTable SurfaceOptions()
 {
   return {
-    Row("StairStep", Switch(&M::StairStep),
+    Row("StairStep", Switch<&M::StairStep>(),
       "Turn every cell of a material into one hexahedron and move nothing: a quick look at the "
       "materials.")
       .Sculptor("--stairstep")
@@ -268,13 +264,13 @@ OptionTable SurfaceOptions()
       "Surface and an IsoValue of 0.5 alone.")
       .EnabledIf("!StairStep & Smoothing=Quadric Surface")
       .Sculptor("--sharp-edges WHEN"),
-    Row("LabelSmoothing", Number(&M::LabelSmoothing, 0, 10),
+    Row("LabelSmoothing", Number<&M::LabelSmoothing>(0, 10),
       "Smooth the steps that material ids make, by this many passes of an average over the cells "
       "around. Every material keeps the volume of its cells, thin parts stay. 2 or 3 serve most; "
       "more rounds off edges. Volume fractions are not smoothed.")
       .ShownIf("MaterialIdArray")
       .Sculptor("--label-smoothing N"),
-    Row("ConserveVolume", Switch(&M::ConserveVolume),
+    Row("ConserveVolume", Switch<&M::ConserveVolume>(),
       "Shift the surfaces until every fragment has the volume of its volume fractions.")
       .EnabledIf("!StairStep & Smoothing!=Off")
       .Advanced(),
@@ -291,7 +287,7 @@ OptionTable RefinementOptions()
       "level. Automatic: where the shape needs it. Coarsen: the cells of the input stay near "
       "interfaces and get larger away from them. Uniform: everywhere, so that thin parts get more "
       "elements across."),
-    Row("MaximumLevel", Number(&M::MaximumLevel, -1, MostHalvings),
+    Row("MaximumLevel", Number<&M::MaximumLevel>(-1, MostHalvings),
       "Levels finer than the coarsest, at most. Automatic, -1: all that the input has; 1 where an "
       "image is refined, or what named cells ask for; by Coarsen as many as the numbers of cells "
       "allow, at most 3. By Uniform each makes eight times as many elements. Finer data of the "
@@ -299,7 +295,7 @@ OptionTable RefinementOptions()
       .Special(-1, "automatic")
       .Listed()
       .ShownIf("Refinement!=Off"),
-    Row("FineInterfaces", Switch(&M::FineInterfaces),
+    Row("FineInterfaces", Switch<&M::FineInterfaces>(),
       "All interfaces get the finest cells. Off: cells are as fine as the levels of the input or "
       "the criteria ask at each place, and interfaces cross levels; by Coarsen all cells are then "
       "as coarse as can be. Hexahedra only: tetrahedra at interfaces are always fine.")
@@ -307,46 +303,46 @@ OptionTable RefinementOptions()
       .Advanced()
       .NotOfTets()
       .OfTets("No effect on tetrahedra: all interfaces get the finest cells."),
-    Row("FineLayers", Number(&M::FineLayers, 2, 64),
+    Row("FineLayers", Number<&M::FineLayers>(2, 64),
       "How many of the finest cells lie at least between an interface and larger cells. Without "
       "Fine Interfaces: around places where Automatic asks for them.")
       .ShownIf("Refinement=Input Levels,Automatic,Coarsen")
       .Advanced(),
-    Row("ThinCells", Number(&M::ThinCells, 0, LargestThickness),
+    Row("ThinCells", Number<&M::ThinCells>(0, LargestThickness),
       "Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than so "
       "many cells. 0: it does not look for them.")
       .Special(0, "off")
       .ShownIf(Seeks)
       .Advanced(),
-    Row("CurvaturePerCell", Number(&M::CurvaturePerCell, 0),
+    Row("CurvaturePerCell", Number<&M::CurvaturePerCell>(0),
       "Refinement Automatic halves cells where an interface turns by more than so many radians "
       "over a cell. 0: it does not look for that.")
       .Special(0, "off")
       .ShownIf(Seeks)
       .Advanced(),
-    Row("RefineFlippedCells", Switch(&M::RefineFlippedCells),
+    Row("RefineFlippedCells", Switch<&M::RefineFlippedCells>(),
       "Refinement Automatic halves cells once whose material had to be changed to make the "
       "interfaces manifold.")
       .ShownIf(Seeks)
       .Advanced(),
-    Row("InterfaceLayers", Number(&M::InterfaceLayers, 0, 64),
+    Row("InterfaceLayers", Number<&M::InterfaceLayers>(0, 64),
       "Refinement Automatic refines all cells within so many layers of an interface, to Maximum "
       "Level. 0: it does not.")
       .ShownIf(Seeks)
       .Advanced(),
-    Row("RefinementArray", Array(&M::RefinementArray),
+    Row("RefinementArray", Text(OptionKind::Array, &M::RefinementArray),
       "Cells that Refinement Automatic refines whatever they hold: the array that tells how many "
       "times each is to be halved, 0 to 10 (0 and 1 of a mask), up to Maximum Level. Thin Cells 0 "
       "leaves these alone; without Fine Interfaces each place gets what it asks for.")
       .ShownIf(Seeks)
       .Advanced(),
-    Row("RefinementBoxes", Boxes(&M::RefinementBoxes),
+    Row("RefinementBoxes", Option(),
       "Boxes in which Refinement Automatic refines all cells that they reach into. Seven numbers "
       "each: x, y, z of the lower corner, x, y, z of the upper one, and how many times cells are "
       "halved, 0 to 10.")
       .ShownIf(Seeks)
       .Advanced(),
-    Row("MaximumAspectRatio", Number(&M::MaximumAspectRatio, SmallestAspectRatio),
+    Row("MaximumAspectRatio", Number<&M::MaximumAspectRatio>(SmallestAspectRatio),
       "Cut long cells (slices thicker than their pixels) across first, until no cell is so many "
       "times longer one way than another. 1.5 makes elements of good shape. 0: cells stay as they "
       "are.")
@@ -365,7 +361,7 @@ OptionTable RefinementOptions()
 OptionTable QualityOptions()
 {
   return {
-    Row("TargetScaledJacobian", Number(&M::TargetScaledJacobian, 0),
+    Row("TargetScaledJacobian", Number<&M::TargetScaledJacobian>(0),
       "The scaled Jacobian that smoothing strives for. Larger values give better hexahedra that "
       "follow the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with several.")
       .Below(1)
@@ -375,7 +371,7 @@ OptionTable QualityOptions()
       .OfTets("The quality that smoothing strives for: of tetrahedra the sine of the acute "
               "dihedral angles. Larger values give better tetrahedra that follow the surfaces less "
               "closely. 0.5 is 30 degrees; 0 is automatic, a little more than 0.5."),
-    Row("ComputeQuality", Switch(&M::ComputeQuality),
+    Row("ComputeQuality", Switch<&M::ComputeQuality>(),
       "Add the cell array ScaledJacobian, and its minimum and mean to the field data. A cube has "
       "1, a valid hexahedron more than 0.")
       .Advanced()
@@ -388,7 +384,7 @@ OptionTable QualityOptions()
 OptionTable PerformanceOptions()
 {
   return {
-    Row("NumberOfThreads", Number(&M::NumberOfThreads, 0),
+    Row("NumberOfThreads", Number<&M::NumberOfThreads>(0),
       "Threads to work with. 0 is automatic: all cores on one process, one thread on each of "
       "several. The mesh does not depend on it.")
       .Special(0, "automatic")
@@ -406,24 +402,24 @@ OptionTable TetrahedraOptions()
       "into tetrahedra around its centre, so that the surfaces have the faces and labels of Volume "
       "Fraction To Hex. TetGen: the surfaces of Cells, filled by TetGen with tetrahedra that grow "
       "away from them; the fewest tetrahedra. TetGen is there only where it was built in."),
-    Row("RelativeSize", Number(&M::RelativeSize, RelativeSizes),
+    Row("RelativeSize", Number<&M::RelativeSize>(RelativeSizes),
       "Wished length of the edges beside the surfaces, in cells of the grid. The triangles of the "
       "surfaces stay as they are.")
       .ShownIf(Fills),
-    Row("Growth", Number(&M::Growth, Growths),
+    Row("Growth", Number<&M::Growth>(Growths),
       "By how much the edges grow over each cell of distance from the surfaces. 0 keeps them as "
       "short everywhere.")
       .ShownIf(Fills),
-    Row("RadiusEdgeRatio", Number(&M::RadiusEdgeRatio, RadiusEdgeRatios),
+    Row("RadiusEdgeRatio", Number<&M::RadiusEdgeRatio>(RadiusEdgeRatios),
       "Largest ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values "
       "give more and better tetrahedra.")
       .ShownIf(Fills)
       .Advanced(),
-    Row("MinimumDihedralAngle", Number(&M::MinimumDihedralAngle, MinimumDihedralAngles),
+    Row("MinimumDihedralAngle", Number<&M::MinimumDihedralAngle>(MinimumDihedralAngles),
       "The dihedral angle, in degrees, that refinement strives for.")
       .ShownIf(Fills)
       .Advanced(),
-    Row("OptimizationLevel", Number(&M::OptimizationLevel, OptimizationLevels),
+    Row("OptimizationLevel", Number<&M::OptimizationLevel>(OptimizationLevels),
       "How much TetGen flips and smooths the tetrahedra.")
       .ShownIf(Fills)
       .Advanced(),

@@ -10,21 +10,9 @@
 
 #include <limits>
 #include <optional>
-#include <variant>
 
 namespace vfm
 {
-
-/// A member that is an enumeration, as the number of its word.
-struct ChoiceMember
-{
-  int (*Get)(const MesherOptions&);
-  void (*Set)(MesherOptions&, int);
-};
-
-using OptionMember = std::variant<bool MesherOptions::*, int MesherOptions::*,
-  double MesherOptions::*, ChoiceMember, std::string MesherOptions::*,
-  std::vector<std::string> MesherOptions::*, std::vector<RefinementBox> MesherOptions::*>;
 
 enum class OptionKind
 {
@@ -36,7 +24,7 @@ enum class OptionKind
   File,   ///< a path
   Arrays, ///< names of arrays
   Kinds,  ///< words array=kind
-  Boxes
+  Boxes   ///< RefinementBoxes
 };
 
 /// Numbers that an option takes.
@@ -54,9 +42,12 @@ struct OptionRange
 struct Option
 {
   std::string Name;
-  OptionMember Member;
-  OptionKind Kind;
-  OptionRange Range;              ///< of integers and reals
+  OptionKind Kind = OptionKind::Boxes;
+  double (*GetNumber)(const MesherOptions&) = nullptr; ///< of a switch 0 or 1, of a choice its word
+  void (*SetNumber)(MesherOptions&, double) = nullptr;
+  std::string MesherOptions::*Text = nullptr;               ///< of an array or a file
+  std::vector<std::string> MesherOptions::*Texts = nullptr; ///< of arrays or kinds
+  OptionRange Range;                                        ///< of integers and reals
   std::vector<std::string> Words; ///< of a choice, as panels show them; the first is number 0
   bool OnlyTets = false;
   std::string Group; ///< of the panel
@@ -69,8 +60,8 @@ struct Option
   bool IsHiddenOfTets = false; ///< has no effect on them
   std::string Python;          ///< the name there; empty: given in other ways
   std::string Argument;        ///< of sculptor, with what follows: "--iso V"; empty: by --set
-  std::string Text;
-  std::string TextOfTets; ///< empty: the same
+  std::string Meaning;
+  std::string MeaningOfTets; ///< empty: the same
 
   /// For messages and help: "a number above 0 and below 1".
   std::string Allowed() const;

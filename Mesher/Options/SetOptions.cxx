@@ -128,30 +128,32 @@ bool SetTexts(const Option& option, Texts& to, const std::string& text)
   return true;
 }
 
+bool SetNumber(MesherOptions& options, const Option& option, const std::string& text)
+{
+  const std::optional<double> number = ParseValue(option, text);
+  const bool isAllowed = number && RangeOf(option).Holds(*number);
+  if (isAllowed)
+  {
+    option.SetNumber(options, *number);
+  }
+  return isAllowed;
+}
+
 /// Whether the text is allowed.
 bool SetText(MesherOptions& options, const Option& option, const std::string& given)
 {
+  if (option.SetNumber)
+  {
+    return SetNumber(options, option, given);
+  }
   const std::string text = IsSameWord(given, "None") ? "" : given;
-  if (const auto* name = std::get_if<std::string MesherOptions::*>(&option.Member))
+  if (option.Text)
   {
-    options.*(*name) = text;
+    options.*option.Text = text;
     return true;
   }
-  if (const auto* texts = std::get_if<Texts MesherOptions::*>(&option.Member))
-  {
-    return SetTexts(option, options.*(*texts), text);
-  }
-  if (const auto* boxes = std::get_if<Boxes MesherOptions::*>(&option.Member))
-  {
-    return SetBoxes(options.*(*boxes), text);
-  }
-  const std::optional<double> number = ParseValue(option, given);
-  if (number && RangeOf(option).Holds(*number))
-  {
-    SetNumber(options, option, *number);
-    return true;
-  }
-  return false;
+  return option.Texts ? SetTexts(option, options.*option.Texts, text)
+                      : SetBoxes(options.RefinementBoxes, text);
 }
 
 std::string Join(const Boxes& boxes)
@@ -226,40 +228,6 @@ const Option* FindOption(const std::string& name, const OptionTable& table)
   return found == table.end() ? nullptr : &*found;
 }
 
-double GetNumber(const MesherOptions& options, const Option& option)
-{
-  if (const auto* choice = std::get_if<ChoiceMember>(&option.Member))
-  {
-    return choice->Get(options);
-  }
-  if (const auto* flag = std::get_if<bool MesherOptions::*>(&option.Member))
-  {
-    return options.*(*flag) ? 1.0 : 0.0;
-  }
-  const auto* count = std::get_if<int MesherOptions::*>(&option.Member);
-  return count ? options.*(*count) : options.*std::get<double MesherOptions::*>(option.Member);
-}
-
-void SetNumber(MesherOptions& options, const Option& option, double number)
-{
-  if (const auto* choice = std::get_if<ChoiceMember>(&option.Member))
-  {
-    choice->Set(options, static_cast<int>(number));
-  }
-  else if (const auto* flag = std::get_if<bool MesherOptions::*>(&option.Member))
-  {
-    options.*(*flag) = number != 0.0;
-  }
-  else if (const auto* count = std::get_if<int MesherOptions::*>(&option.Member))
-  {
-    options.*(*count) = static_cast<int>(number);
-  }
-  else
-  {
-    options.*std::get<double MesherOptions::*>(option.Member) = number;
-  }
-}
-
 OptionRange RangeOf(const Option& option)
 {
   OptionRange range = option.Range;
@@ -274,11 +242,6 @@ OptionRange RangeOf(const Option& option)
     range.Most = std::min<double>(range.Most, std::numeric_limits<int>::max());
   }
   return range;
-}
-
-const std::string& GetText(const MesherOptions& options, const Option& option)
-{
-  return options.*std::get<std::string MesherOptions::*>(option.Member);
 }
 
 void SetOption(MesherOptions& options, const std::string& name, const std::string& value,
@@ -308,20 +271,20 @@ std::string GetOption(const MesherOptions& options, const Option& option)
   switch (option.Kind)
   {
     case OptionKind::Switch:
-      return GetNumber(options, option) == 0.0 ? "off" : "on";
+      return option.GetNumber(options) == 0.0 ? "off" : "on";
     case OptionKind::Integer:
     case OptionKind::Real:
-      return FormatNumber(GetNumber(options, option));
+      return FormatNumber(option.GetNumber(options));
     case OptionKind::Choice:
-      return WithoutSpaces(option.Words)[static_cast<int>(GetNumber(options, option))];
+      return WithoutSpaces(option.Words)[static_cast<int>(option.GetNumber(options))];
     case OptionKind::Array:
     case OptionKind::File:
-      return orNone(GetText(options, option));
+      return orNone(options.*option.Text);
     case OptionKind::Arrays:
     case OptionKind::Kinds:
-      return orNone(JoinTexts(options.*std::get<Texts MesherOptions::*>(option.Member)));
+      return orNone(JoinTexts(options.*option.Texts));
     case OptionKind::Boxes:
-      return orNone(Join(options.*std::get<Boxes MesherOptions::*>(option.Member)));
+      return orNone(Join(options.RefinementBoxes));
   }
   return "";
 }
@@ -332,9 +295,9 @@ void CheckOptions(const MesherOptions& options, const OptionTable& table)
   {
     const bool isNumber = option.Kind == OptionKind::Integer || option.Kind == OptionKind::Real;
     const bool isUsed = !option.OnlyTets || options.Elements == ElementKind::Tets;
-    if (isNumber && isUsed && !option.Range.Holds(GetNumber(options, option)))
+    if (isNumber && isUsed && !option.Range.Holds(option.GetNumber(options)))
     {
-      Refuse(option, FormatNumber(GetNumber(options, option)));
+      Refuse(option, FormatNumber(option.GetNumber(options)));
     }
   }
 }
@@ -348,7 +311,7 @@ std::vector<std::string> DescribeOptions(ElementKind elements, const OptionTable
     if (elements == ElementKind::Tets || !option.OnlyTets)
     {
       const std::string name = option.Argument.empty() ? "" : ", " + option.Argument;
-      const std::string sentence = option.Text.substr(0, option.Text.find(". "));
+      const std::string sentence = option.Meaning.substr(0, option.Meaning.find(". "));
       lines.push_back(option.Name + name + ": " + option.Allowed() + "; default " +
         GetOption(defaults, option) + (option.OnlyTets ? "; tetrahedra only" : "") + "\n      " +
         sentence + (sentence.back() == '.' ? "" : "."));

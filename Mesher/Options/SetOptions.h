@@ -20,15 +20,8 @@ void SetOption(MesherOptions& options, const std::string& name, const std::strin
 /// The value as SetOption takes it.
 std::string GetOption(const MesherOptions& options, const Option& option);
 
-/// Of a switch 0 or 1, of a choice the place of the word. Not of other kinds than those and numbers.
-double GetNumber(const MesherOptions& options, const Option& option);
-/// Sets a number as it is.
-void SetNumber(MesherOptions& options, const Option& option, double number);
-/// The numbers that SetNumber may set so that CheckOptions takes them.
+/// The numbers that an option takes, of a switch or a choice too.
 OptionRange RangeOf(const Option& option);
-
-/// The name of an array or a file; empty: none.
-const std::string& GetText(const MesherOptions& options, const Option& option);
 
 /// Throws InputError, as SetOption does, when a number is out of its range. Of hexahedra the options of tetrahedra are not checked.
 void CheckOptions(const MesherOptions& options, const OptionTable& table = GetOptionTable());

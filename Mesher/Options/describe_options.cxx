@@ -73,7 +73,6 @@ void Print(const Option& option, std::ostream& to)
 {
   const MesherOptions defaults;
   const OptionRange& range = option.Range;
-  const bool hasNumber = option.Kind <= OptionKind::Choice;
   to << "  {\"name\": " << Quote(option.Name) << ", \"kind\": \"" << NameOf(option.Kind)
      << "\", \"words\": " << List(option.Words) << ", \"least\": " << End(range.Least)
      << ", \"most\": " << End(range.Most)
@@ -81,15 +80,15 @@ void Print(const Option& option, std::ostream& to)
      << ", \"meaning\": " << Quote(range.Meaning)
      << ",\n   \"allowed\": " << Quote(option.Allowed())
      << ", \"default\": " << Quote(GetOption(defaults, option))
-     << ", \"number\": " << (hasNumber ? FormatNumber(GetNumber(defaults, option)) : "null")
+     << ", \"number\": " << (option.GetNumber ? FormatNumber(option.GetNumber(defaults)) : "null")
      << ",\n   \"tets\": " << Truth(option.OnlyTets) << ", \"group\": " << Quote(option.Group)
      << ", \"shown\": " << Quote(option.Shown) << ", \"enabled\": " << Quote(option.Enabled)
      << ", \"advanced\": " << Truth(option.IsAdvanced) << ", \"listed\": " << Truth(option.IsListed)
      << ", \"vectors\": " << Truth(option.TakesVectors)
      << ", \"hidden_of_tets\": " << Truth(option.IsHiddenOfTets)
      << ", \"python\": " << Quote(option.Python) << ", \"argument\": " << Quote(option.Argument)
-     << ",\n   \"text\": " << Quote(option.Text)
-     << ",\n   \"text_of_tets\": " << Quote(option.TextOfTets) << "}";
+     << ",\n   \"text\": " << Quote(option.Meaning)
+     << ",\n   \"text_of_tets\": " << Quote(option.MeaningOfTets) << "}";
 }
 
 } // namespace

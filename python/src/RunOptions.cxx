@@ -119,12 +119,12 @@ void Set(MesherOptions& options, const Option& option, nb::handle value)
   const double number = option.Kind == OptionKind::Switch ? ReadSwitch(option, value)
     : option.Kind == OptionKind::Choice                   ? ReadChoice(option, value)
                                                           : ReadNumber(option, value);
-  SetNumber(options, option, number);
+  option.SetNumber(options, number);
 }
 
 nb::object Get(const MesherOptions& options, const Option& option)
 {
-  const double number = GetNumber(options, option);
+  const double number = option.GetNumber(options);
   switch (option.Kind)
   {
     case OptionKind::Switch:
@@ -181,7 +181,7 @@ nb::list DescribeTable()
       row["most"] = option.Range.Most;
       row["group"] = option.Group;
       row["tets"] = option.OnlyTets;
-      row["text"] = option.Text;
+      row["text"] = option.Meaning;
       rows.append(row);
     }
   }
