@@ -3,6 +3,8 @@
 #include "OpenFile.h"
 #include "SwapBytes.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -72,7 +74,9 @@ MetaHeader ReadHeader(std::ifstream& stream)
   while (std::getline(stream, line) && line.size() < LongestLine)
   {
     const std::size_t equals = line.find('=');
-    if (equals == std::string::npos)
+    const bool isText = std::none_of(line.begin(), line.end(),
+      [](unsigned char c) { return std::iscntrl(c) != 0 && c != '\t' && c != '\r'; });
+    if (equals == std::string::npos || !isText)
     {
       break;
     }
