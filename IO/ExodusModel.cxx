@@ -1,11 +1,11 @@
 #include "ExodusModel.h"
 
 #include "Base/Runtime.h"
-#include "MaterialIds.h"
-#include "MaterialNames.h"
 #include "MeshArrays.h"
+#include "MeshDataOfGrid.h"
 #include "OrderMesh.h"
 #include "Ranks/Agreement.h"
+#include "Summary/MeshMaterials.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -70,16 +70,17 @@ void NameItems(Items& items, std::size_t& longest)
   }
 }
 
-void MakeBlocks(ExodusModel& model, Ranks& ranks)
+void MakeBlocks(const MeshData& mesh, ExodusModel& model, Ranks& ranks)
 {
-  const std::vector<int> materials = FindMaterials(model.Mesh, ranks);
-  const int voidId = materials.front() == 0 ? FindVoidId(model.Mesh, ranks) : 0;
-  const MaterialNames names(model.Mesh);
+  const std::vector<int> materials = FindMaterials(mesh, ranks);
+  const int voidId = materials.front() == 0 ? FindVoidId(mesh, ranks) : 0;
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
   std::map<int, std::size_t> places;
   for (int material : materials)
   {
     places[material] = model.Blocks.size();
-    model.Blocks.push_back({ material == 0 ? voidId : material, names.Name(material), {} });
+    model.Blocks.push_back(
+      { material == 0 ? voidId : material, NameOfMaterial(names, material), {} });
   }
   vtkDataArray* ids = model.Mesh->GetCellData()->GetArray("MaterialId");
   for (vtkIdType cell = 0; cell < model.Mesh->GetNumberOfCells(); ++cell)
@@ -169,8 +170,10 @@ ExodusModel MakeExodusModel(vtkUnstructuredGrid* mesh, Ranks& ranks)
   model.CellIds = FindMeshIds(model.Mesh->GetCellData(), "GlobalCellIds");
   const vtkIdType cells = model.Mesh->GetNumberOfCells();
   model.IsTets = ranks.Any(cells > 0 && model.Mesh->GetCellType(0) == VTK_TETRA);
-  model.Sets = FindMeshSets(model.Mesh, ranks);
-  MakeBlocks(model, ranks);
+  StoredMesh plain;
+  WorkTogether(ranks, [&] { plain = MeshDataOf(model.Mesh); });
+  model.Sets = FindMeshSets(plain.Data, ranks);
+  MakeBlocks(plain.Data, model, ranks);
   NameItems(model.Blocks, model.LongestName);
   NameItems(model.Sets.SideSets, model.LongestName);
   NameItems(model.Sets.NodeSets, model.LongestName);

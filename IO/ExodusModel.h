@@ -5,8 +5,8 @@
 #pragma once
 
 #include "ExodusVariables.h"
-#include "MeshSets.h"
-#include "SharedPoints.h"
+#include "Summary/MeshSets.h"
+#include "Summary/SharedPoints.h"
 
 #include "vtkSmartPointer.h"
 

@@ -169,7 +169,7 @@ MeshPointer GatherMesh(vtkUnstructuredGrid* mesh, Ranks& ranks)
       }
       else if (mesh->GetNumberOfCells() > 0)
       {
-        outgoing[0] = PackMesh(mesh);
+        outgoing[0] = PackGrid(mesh);
       }
     });
   std::vector<Bytes> incoming = ranks.Exchange(peers, outgoing);
@@ -190,7 +190,7 @@ MeshPointer GatherMesh(vtkUnstructuredGrid* mesh, Ranks& ranks)
       {
         if (!bytes.empty())
         {
-          pieces.push_back(UnpackMesh(bytes));
+          pieces.push_back(UnpackGrid(bytes));
           bytes = Bytes();
         }
       }

@@ -12,7 +12,7 @@
 namespace vfm
 {
 
-Bytes PackMesh(vtkUnstructuredGrid* mesh)
+Bytes PackGrid(vtkUnstructuredGrid* mesh)
 {
   vtkNew<vtkUnstructuredGrid> timeless; // the writer would make field data of the time
   timeless->ShallowCopy(mesh);
@@ -28,7 +28,7 @@ Bytes PackMesh(vtkUnstructuredGrid* mesh)
   return Bytes(text.begin(), text.end());
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> UnpackMesh(const Bytes& bytes)
+vtkSmartPointer<vtkUnstructuredGrid> UnpackGrid(const Bytes& bytes)
 {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetReadFromInputString(1);

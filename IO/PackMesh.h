@@ -13,7 +13,7 @@ namespace vfm
 {
 
 /// With all arrays and the field data; not the time.
-Bytes PackMesh(vtkUnstructuredGrid* mesh);
-vtkSmartPointer<vtkUnstructuredGrid> UnpackMesh(const Bytes& bytes);
+Bytes PackGrid(vtkUnstructuredGrid* mesh);
+vtkSmartPointer<vtkUnstructuredGrid> UnpackGrid(const Bytes& bytes);
 
 } // namespace vfm

@@ -74,7 +74,7 @@ MeshPointer ShareHead(vtkUnstructuredGrid* mesh, Ranks& ranks)
     {
       if (ranks.Rank() == static_cast<int>(first))
       {
-        head = PackMesh(TakeFirst(mesh));
+        head = PackGrid(TakeFirst(mesh));
       }
     });
   const std::vector<Bytes> heads = ranks.Gather(head);
@@ -82,7 +82,7 @@ MeshPointer ShareHead(vtkUnstructuredGrid* mesh, Ranks& ranks)
   {
     return mesh;
   }
-  MeshPointer whole = UnpackMesh(heads[static_cast<std::size_t>(first)]);
+  MeshPointer whole = UnpackGrid(heads[static_cast<std::size_t>(first)]);
   auto empty = MeshPointer::New();
   vtkNew<vtkPoints> none;
   empty->SetPoints(none);

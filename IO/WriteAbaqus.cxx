@@ -3,10 +3,11 @@
 #include "AbaqusText.h"
 #include "Base/Runtime.h"
 #include "GatherMesh.h"
-#include "MaterialNames.h"
 #include "MeshArrays.h"
-#include "MeshSets.h"
+#include "MeshDataOfGrid.h"
 #include "Ranks/Agreement.h"
+#include "Summary/MeshMaterials.h"
+#include "Summary/MeshSets.h"
 #include "TextFile.h"
 
 #include "vtkCellArray.h"
@@ -124,11 +125,11 @@ std::vector<Section> MakeSections(vtkUnstructuredGrid* mesh, AbaqusNames& names)
   {
     cells[static_cast<int>(materials->GetComponent(cell, 0))].push_back(cell);
   }
-  const MaterialNames ofMesh(mesh);
+  const std::map<int, std::string> ofMesh = NamesOfMaterials(MeshDataOf(mesh).Data);
   std::vector<Section> sections;
   for (auto& [material, list] : cells)
   {
-    const std::string name = ofMesh.Name(material);
+    const std::string name = NameOfMaterial(ofMesh, material);
     sections.push_back({ material, name, names.Add(name), std::move(list) });
   }
   return sections;
@@ -216,7 +217,7 @@ void WriteAllElements(TextFile& file, const std::vector<Section>& sections)
   }
 }
 
-void WriteNodeSet(TextFile& file, const std::string& name, const std::vector<vtkIdType>& points)
+void WriteNodeSet(TextFile& file, const std::string& name, const std::vector<Index>& points)
 {
   file.Add("*NSET, NSET=" + name + "\n");
   for (std::size_t p = 0; p < points.size(); ++p)
@@ -249,9 +250,9 @@ void WriteSurface(TextFile& file, const Surface& surface, bool ofHexes)
   file.Add("*SURFACE, NAME=" + surface.Name + ", TYPE=ELEMENT\n");
   for (const MeshSide& side : *surface.Sides)
   {
-    file.Add(side.Cell + 1);
+    file.Add(side.Element + 1);
     file.Add(",S");
-    file.Add((ofHexes ? HexFaces : TetFaces)[side.Face]);
+    file.Add((ofHexes ? HexFaces : TetFaces)[side.Side]);
     file.Add("\n");
   }
 }
@@ -269,7 +270,7 @@ void WriteFile(vtkUnstructuredGrid* mesh, const std::string& path)
       "The mesh has more than 999,999,999 nodes or elements, which Abaqus cannot number.");
   }
   Ranks alone;
-  const MeshSets sets = FindMeshSets(mesh, alone);
+  const MeshSets sets = FindMeshSets(MeshDataOf(mesh).Data, alone);
   AbaqusNames names, nodeNames;
   names.Add("EALL");
   nodeNames.Add("NALL");

@@ -229,8 +229,8 @@ void WriteSets(const ExodusModel& model, ExodusFile& file)
     std::vector<Index> elements, sides;
     for (const MeshSide& side : set.Sides)
     {
-      elements.push_back(model.Elements[side.Cell]);
-      sides.push_back(model.IsTets ? TetSides[side.Face] : HexSides[side.Face]);
+      elements.push_back(model.Elements[side.Element]);
+      sides.push_back(model.IsTets ? TetSides[side.Side] : HexSides[side.Side]);
     }
     if (!elements.empty())
     {

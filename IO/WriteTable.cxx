@@ -2,10 +2,6 @@
 
 #include "TextFile.h"
 
-#include "vtkDataArray.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
-
 #include <charconv>
 
 namespace vfm
@@ -34,34 +30,45 @@ std::string PrintNumber(double value)
   return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
 }
 
-std::string PrintValue(vtkAbstractArray* column, vtkIdType row)
+std::string PrintValue(const FieldArray& column, std::size_t row)
 {
-  if (auto texts = vtkStringArray::SafeDownCast(column))
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&column.Values))
   {
-    return Quoted(texts->GetValue(row));
+    return Quoted((*texts)[row]);
   }
-  auto numbers = vtkDataArray::SafeDownCast(column);
-  return numbers ? PrintNumber(numbers->GetComponent(row, 0)) : "";
+  return std::visit(
+    [row](const auto& values)
+    {
+      if constexpr (std::is_convertible_v<decltype(values[row]), double>)
+      {
+        return PrintNumber(static_cast<double>(values[row]));
+      }
+      return std::string();
+    },
+    column.Values);
 }
 
 } // namespace
 
-void WriteTable(vtkTable* table, const std::string& path)
+void WriteTable(const std::vector<FieldArray>& columns, const std::string& path)
 {
   TextFile file(path);
   const auto addLine = [&](const auto& print)
   {
-    for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
+    for (std::size_t c = 0; c < columns.size(); ++c)
     {
       file.Add(c > 0 ? "," : "");
-      file.Add(print(table->GetColumn(c)));
+      file.Add(print(columns[c]));
     }
     file.Add("\n");
   };
-  addLine([](vtkAbstractArray* column) { return Quoted(column->GetName()); });
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  addLine([](const FieldArray& column) { return Quoted(column.Name); });
+  const std::size_t rows = columns.empty()
+    ? 0
+    : std::visit([](const auto& values) { return values.size(); }, columns[0].Values);
+  for (std::size_t row = 0; row < rows; ++row)
   {
-    addLine([row](vtkAbstractArray* column) { return PrintValue(column, row); });
+    addLine([row](const FieldArray& column) { return PrintValue(column, row); });
   }
   file.Close();
 }

@@ -6,8 +6,9 @@
 #include "ControllerRanks.h"
 #include "GatherMesh.h"
 #include "MakeMesh.h"
+#include "MeshDataOfGrid.h"
+#include "PrintSummary.h"
 #include "Stage.h"
-#include "Summary.h"
 #include "WriteMesh.h"
 
 #include "vtkCell.h"
@@ -323,7 +324,7 @@ private:
     const ChosenArrays arrays{ { ArrayName }, "", {}, "", "" };
     KeepMaterials(grid, arrays, run.How.Materials, this->Group);
     this->Mesh = MakeMesh(*mesher, grid, arrays, run.How.Quiet, this->Controller);
-    const MeshSummary summary = Summarise(this->Mesh, this->Group);
+    const MeshSummary summary = Summarise(MeshDataOf(this->Mesh).Data, this->Group);
     if (std::ostream* to = this->Stream())
     {
       *to << run.Title << "\n";

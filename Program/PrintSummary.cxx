@@ -1,7 +1,4 @@
-/**
- * The table of a summary.
- */
-#include "Summary.h"
+#include "PrintSummary.h"
 
 #include <algorithm>
 #include <cmath>

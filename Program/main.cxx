@@ -7,25 +7,24 @@
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
 #include "ControllerRanks.h"
-#include "FragmentTable.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
-#include "MaterialNames.h"
+#include "MeshDataOfGrid.h"
+#include "PrintSummary.h"
 #include "ReadInput.h"
 #include "Stage.h"
 #include "State/ArrayStems.h"
-#include "Summary.h"
+#include "Summary/FragmentTable.h"
+#include "Summary/MeshMaterials.h"
 #include "WriteGeometry.h"
 #include "WriteMesh.h"
 #include "WriteTable.h"
 
-#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkMPI.h"
 #include "vtkMPIController.h"
 #include "vtkNew.h"
-#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
@@ -71,12 +70,11 @@ void PrintHead(const Arguments& arguments, const Input& input, const ChosenArray
 }
 
 /// The arrays of the mesh that hold the densities: those of their names or, where arrays a material became one, that of their stem.
-std::vector<std::string> FindDensities(vtkUnstructuredGrid* mesh, const Arguments& arguments)
+std::vector<std::string> FindDensities(const MeshData& mesh, const Arguments& arguments)
 {
   std::vector<std::string> names;
   std::vector<int> labels;
-  const MaterialNames materials(mesh);
-  for (const auto& material : materials.All())
+  for (const auto& material : NamesOfMaterials(mesh))
   {
     labels.push_back(material.first);
     names.push_back(material.second);
@@ -85,7 +83,7 @@ std::vector<std::string> FindDensities(vtkUnstructuredGrid* mesh, const Argument
         &states = arguments.State;
   const auto isState = [&states](const std::string& name)
   { return std::find(states.begin(), states.end(), name) != states.end(); };
-  const bool isLost = !densities.empty() && !mesh->GetCellData()->HasArray(densities[0].c_str());
+  const bool isLost = !densities.empty() && !FindArray(mesh.ElementArrays, densities[0]);
   if (isLost)
   {
     for (const ArrayStem& stem : MaterialStems(names, labels).FindStems(densities[0]))
@@ -99,15 +97,15 @@ std::vector<std::string> FindDensities(vtkUnstructuredGrid* mesh, const Argument
   return densities;
 }
 
-void WriteFragments(vtkUnstructuredGrid* mesh, const Arguments& arguments, Ranks& ranks)
+void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ranks)
 {
   if (arguments.Fragments.empty())
   {
     return;
   }
-  vtkNew<vtkTable> table;
+  FieldArrays table;
   WorkInStage(ranks, ExitCode::UnreadableInput,
-    [&] { MakeFragmentTable(mesh, FindDensities(mesh, arguments), ranks, table); });
+    [&] { table = MakeFragmentTable(mesh, FindDensities(mesh, arguments), ranks); });
   WorkInStage(ranks, ExitCode::UnwritableOutput,
     [&]
     {
@@ -160,7 +158,8 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
   times.Add("mesh");
   WriteMesh(mesh, arguments.Output, controller,
     arguments.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
-  WriteFragments(mesh, arguments, ranks);
+  const StoredMesh plain = MeshDataOf(mesh);
+  WriteFragments(plain.Data, arguments, ranks);
   if (!arguments.Geometry.empty())
   {
     WriteGeometry(*mesher, input.Time ? &*input.Time : nullptr, arguments.Geometry, controller);
@@ -168,7 +167,7 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
   times.Add("write");
   if (!arguments.Quiet)
   {
-    const MeshSummary summary = Summarise(mesh, ranks);
+    const MeshSummary summary = Summarise(plain.Data, ranks);
     if (ranks.Rank() == 0)
     {
       PrintHead(arguments, input, arrays);

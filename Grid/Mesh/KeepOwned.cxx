@@ -1,5 +1,7 @@
 #include "Mesh/KeepOwned.h"
 
+#include "Mesh/FacetSides.h"
+
 namespace vfm
 {
 namespace
@@ -44,6 +46,7 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
 {
   if (grid.HexBox() == grid.Owned())
   {
+    mesh.Facets = FindElements(ListFacetSides(mesh), mesh);
     return;
   }
   const std::vector<Index> elements = FindOwnedElements(mesh, grid);
@@ -74,6 +77,8 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
   mesh.GeometryId = Keep(mesh.GeometryId, points);
 
   SurfaceFacets& surfaces = mesh.Surfaces;
+  Renumber(surfaces.Points, numbers);
+  mesh.Facets = FindElements(ListFacetSides(mesh), mesh);
   std::vector<Index> facets;
   for (std::size_t q = 0; q < surfaces.IsOwned.size(); ++q)
   {
@@ -83,7 +88,6 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
     }
   }
   surfaces.Points = Keep(surfaces.Points, facets, mesh.CornersOfFacet());
-  Renumber(surfaces.Points, numbers);
   surfaces.SurfaceId = Keep(surfaces.SurfaceId, facets);
   surfaces.MaterialPair = Keep(surfaces.MaterialPair, facets, 2);
   surfaces.DomainSide = Keep(surfaces.DomainSide, facets);

@@ -8,7 +8,7 @@
 namespace vfm
 {
 
-/// Drops the elements, points and facets that belong to other ranks' cells.
+/// Finds Facets, then drops the elements, points and facets that belong to other ranks' cells.
 void KeepOwned(Mesh& mesh, const CartesianGrid& grid);
 
 } // namespace vfm

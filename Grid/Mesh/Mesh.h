@@ -7,10 +7,12 @@
 #include "Base/CartesianGrid.h"
 #include "Base/GlobalIds.h"
 #include "Mesh/GeometryTables.h"
+#include "Mesh/MeshFacet.h"
 #include "Ranks/Ranks.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace vfm
 {
@@ -56,6 +58,9 @@ struct Mesh
   Buffer<int> Fragment; ///< of each element: face-connected piece, numbered from 1 over all ranks
   Buffer<float> ScaledJacobian; ///< verdict's, of each element; empty unless asked for
   SurfaceFacets Surfaces;
+  /// The facets from the elements' point of view, ascending by element and side: one for each element of this rank at a facet, whichever
+  /// rank owns the facet.
+  std::vector<MeshFacet> Facets;
   CurveEdges Curves;
   VertexPoints Vertices;
   GeometryTables Tables;        ///< of all ranks

@@ -4,6 +4,7 @@
 
 #include "Base/Vector3.h"
 #include "Labels/Fragments.h"
+#include "Mesh/FacetSides.h"
 #include "Mesh/LevelIds.h"
 #include "Tet/TetFacets.h"
 #include "Tet/TetImprove.h"
@@ -202,8 +203,15 @@ public:
         kept.push_back(static_cast<Index>(p));
       }
     }
+    std::vector<FacetSide> facets = ListPointsOfFacets(this->Old);
     this->FillPoints(kept, ranks);
     this->FillTets(static_cast<Index>(kept.size()), ranks);
+    for (FacetSide& facet : facets)
+    {
+      std::transform(facet.Points.begin(), facet.Points.begin() + 3, facet.Points.begin(),
+        [this](Index point) { return this->NewIndex[point]; });
+    }
+    this->Old.Facets = FindElements(std::move(facets), this->Old);
     for (Buffer<Index>* points :
       { &this->Old.Surfaces.Points, &this->Old.Curves.Points, &this->Old.Vertices.Points })
     {

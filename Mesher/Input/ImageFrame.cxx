@@ -2,8 +2,10 @@
 
 #include "Ranks/Agreement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace vfm
 {
@@ -61,6 +63,19 @@ void SwapCorners(Buffer<Index>& elements, int corners, const Swap& swap)
   }
 }
 
+/// As the elements' corners are swapped: two of their sides change places.
+void ReverseSides(Mesh& mesh)
+{
+  const int lower = mesh.Corners == 8 ? 4 : 0, upper = mesh.Corners == 8 ? 5 : 3;
+  for (MeshFacet& facet : mesh.Facets)
+  {
+    facet.Side = facet.Side == lower ? upper : facet.Side == upper ? lower : facet.Side;
+  }
+  std::sort(mesh.Facets.begin(), mesh.Facets.end(),
+    [](const MeshFacet& a, const MeshFacet& b)
+    { return std::tie(a.Element, a.Side) < std::tie(b.Element, b.Side); });
+}
+
 /// Turns elements and facets inside out.
 void ReverseCorners(Mesh& mesh)
 {
@@ -73,6 +88,7 @@ void ReverseCorners(Mesh& mesh)
   {
     SwapCorners(mesh.Elements, 4, [](Index* corners) { std::swap(corners[2], corners[3]); });
   }
+  ReverseSides(mesh);
   const int corners = mesh.CornersOfFacet();
   SwapCorners(mesh.Surfaces.Points, corners,
     [corners](Index* facet) { std::swap(facet[1], facet[corners - 1]); });

@@ -43,6 +43,10 @@ MeshData ViewMesh(
   data.PointIds = mesh.PointIds.data();
   data.ElementIds = mesh.ElementIds.data();
   data.Material = mesh.Material.data();
+  data.Fragment = mesh.Fragment.data();
+  data.GeometryDimension = mesh.GeometryDimension.data();
+  data.GeometryId = mesh.GeometryId.data();
+  data.Facets = &mesh.Facets;
   const auto viewIn = [](std::vector<MeshArray>& arrays)
   {
     return [&arrays](const char* name, const auto& values) {

@@ -37,6 +37,10 @@ void UseLabels(const Materials& table, Mesh& mesh)
   }
   SetLabels(table.Labels, mesh.Material);
   SetLabels(table.Labels, mesh.Surfaces.MaterialPair);
+  for (MeshFacet& facet : mesh.Facets)
+  {
+    facet.Behind = facet.Behind > 0 ? table.Labels[facet.Behind] : facet.Behind;
+  }
   for (GeometryTables::Pair& materials : mesh.Tables.SurfaceMaterials)
   {
     SetLabels(table.Labels, materials);

@@ -3,6 +3,7 @@
  */
 #include "FileBlocks.h"
 #include "Input/LabelTable.h"
+#include "MeasureMesh.h"
 #include "MeshResult.h"
 #include "MesherCall.h"
 #include "PythonRuntime.h"
@@ -156,6 +157,7 @@ NB_MODULE(_core, module)
   module.attr("has_tetgen") = vfm::HasTetGen();
   vfm::BindOptions(module);
   BindBlocks(module);
+  vfm::BindMeasures(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
     "progress"_a.none(), "warn"_a);

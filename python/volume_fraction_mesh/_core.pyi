@@ -228,3 +228,37 @@ def triangle_fractions(
 
     Raises ValueError on a surface that is open or not manifold.
     """
+
+def element_volumes(points: NDArray[np.float64], cells: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Exact volumes of hexahedra (m, 8; trilinear) or tetrahedra (m, 4), (m,)."""
+
+class FragmentColumns(TypedDict, total=False):
+    """A row per fragment 1, 2, ...; mass with a density, momentum with a velocity too."""
+
+    material: NDArray[np.int32]
+    elements: NDArray[np.int64]
+    volume: NDArray[np.float64]
+    centroid: NDArray[np.float64]
+    """(n, 3)"""
+    bounds: NDArray[np.float64]
+    """(n, 6): x from, to, y from, to, z from, to."""
+    mass: NDArray[np.float64]
+    momentum: NDArray[np.float64]
+    """(n, 3)"""
+    neighbours: List[NDArray[np.int32]]
+    """Ids of the fragments that share faces with each, ascending."""
+
+def fragments(
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_ids: NDArray[np.int64],
+    dimension: NDArray[np.int32],
+    material: NDArray[np.int32],
+    fragment: NDArray[np.int32],
+    density: Optional[NDArray[np.float64]],
+    velocity: Optional[NDArray[np.float64]],
+) -> FragmentColumns:
+    """What the fragments of a mesh are. dimension: of each point, as geometry_dimension. density, velocity: of each element, (m,) and (m, 3).
+
+    Raises ValueError on arrays of other lengths.
+    """

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional
 
 import numpy as np
 
-from ._moments import element_moments
+from . import _core
 
 if TYPE_CHECKING:
     import meshio
@@ -166,7 +166,8 @@ class Mesh:
 
     def volumes(self) -> np.ndarray:
         """The exact volume of each element, (elements,), in length units cubed."""
-        return element_moments(self.points, self.cells)[0]
+        points, cells = np.ascontiguousarray(self.points, np.float64), np.ascontiguousarray(self.cells, np.int64)
+        return _core.element_volumes(points, cells)
 
     def to_pyvista(self, part: str = "mesh") -> pyvista.DataSet:
         """The mesh, or its "surfaces", "curves" or "vertices", with the arrays and field data of the filters of

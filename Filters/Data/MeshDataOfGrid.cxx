@@ -1,0 +1,216 @@
+#include "MeshDataOfGrid.h"
+
+#include "vtkBitArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit ids");
+
+/// The memory of an array, or of a copy in an array of another class.
+template <class Copy>
+const void* Keep(vtkDataArray* array, bool asItIs, StoredMesh& mesh)
+{
+  vtkSmartPointer<vtkDataArray> kept = array;
+  if (!asItIs || !array->HasStandardMemoryLayout())
+  {
+    kept = vtkSmartPointer<Copy>::New();
+    kept->DeepCopy(array);
+  }
+  mesh.Memory.push_back(std::make_shared<const vtkSmartPointer<vtkDataArray>>(kept));
+  return kept->GetVoidPointer(0);
+}
+
+const void* KeepValues(vtkDataArray* array, StoredMesh& mesh)
+{
+  if (array->HasStandardMemoryLayout())
+  {
+    return Keep<vtkDoubleArray>(array, true, mesh);
+  }
+  vtkSmartPointer<vtkDataArray> plain;
+  plain.TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
+  plain->DeepCopy(array);
+  return Keep<vtkDoubleArray>(plain, true, mesh);
+}
+
+std::vector<MeshArray> ListArrays(vtkDataSetAttributes* data, StoredMesh& mesh)
+{
+  std::vector<MeshArray> arrays;
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    if (!array || !array->GetName())
+    {
+      continue;
+    }
+    MeshArray view{ array->GetName(), array->GetDataType(), array->GetNumberOfComponents(), {},
+      nullptr };
+    if (view.Type == VTK_BIT)
+    {
+      view.Type = ValueType::UnsignedChar;
+      view.Values = Keep<vtkUnsignedCharArray>(array, false, mesh);
+    }
+    else
+    {
+      view.Values = KeepValues(array, mesh);
+    }
+    for (int c = 0; array->HasAComponentName() && c < view.Components; ++c)
+    {
+      const char* name = array->GetComponentName(c);
+      view.ComponentNames.emplace_back(name ? name : "");
+    }
+    arrays.push_back(std::move(view));
+  }
+  return arrays;
+}
+
+template <class T>
+std::vector<T> CopyNumbers(vtkDataArray* array)
+{
+  std::vector<T> values;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      values.push_back(static_cast<T>(array->GetComponent(i, c)));
+    }
+  }
+  return values;
+}
+
+/// Whole numbers of 8 bytes, which doubles do not hold.
+std::vector<Index> CopyIds(vtkDataArray* array)
+{
+  const auto plain = vtkSmartPointer<vtkTypeInt64Array>::New();
+  plain->DeepCopy(array);
+  return { plain->GetPointer(0), plain->GetPointer(0) + plain->GetNumberOfValues() };
+}
+
+std::vector<FieldArray> ListFields(vtkFieldData* data)
+{
+  std::vector<FieldArray> fields;
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(a);
+    if (!array->GetName())
+    {
+      continue;
+    }
+    FieldArray field{ array->GetName(), {}, array->GetNumberOfComponents() };
+    if (auto* texts = vtkStringArray::SafeDownCast(array))
+    {
+      field.Values = std::vector<std::string>(
+        texts->GetPointer(0), texts->GetPointer(0) + texts->GetNumberOfValues());
+    }
+    else if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    {
+      const int size = numbers->GetDataTypeSize();
+      const bool isReal =
+        numbers->GetDataType() == VTK_DOUBLE || size == 0 || numbers->GetDataType() == VTK_FLOAT;
+      if (isReal)
+      {
+        field.Values = CopyNumbers<double>(numbers);
+      }
+      else if (size == 8)
+      {
+        field.Values = CopyIds(numbers);
+      }
+      else
+      {
+        field.Values = CopyNumbers<int>(numbers);
+      }
+    }
+    else
+    {
+      continue;
+    }
+    fields.push_back(std::move(field));
+  }
+  return fields;
+}
+
+/// 8 or 4.
+int FindCorners(vtkUnstructuredGrid* mesh)
+{
+  const int type = mesh->GetCellType(0);
+  bool isOneKind = type == VTK_HEXAHEDRON || type == VTK_TETRA;
+  for (vtkIdType cell = 0; isOneKind && cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    isOneKind = mesh->GetCellType(cell) == type;
+  }
+  if (!isOneKind)
+  {
+    throw InputError("The mesh must be all hexahedra or all tetrahedra.");
+  }
+  return type == VTK_HEXAHEDRON ? 8 : 4;
+}
+
+const Index* KeepElements(vtkCellArray* cells, StoredMesh& mesh)
+{
+  const Index corners = mesh.Data.Corners, count = corners * mesh.Data.NumberOfElements;
+  if (cells->IsStorage64Bit() && cells->GetNumberOfConnectivityIds() == count &&
+    cells->IsHomogeneous() == corners)
+  {
+    return static_cast<const Index*>(
+      Keep<vtkTypeInt64Array>(cells->GetConnectivityArray64(), true, mesh));
+  }
+  std::vector<Index> elements;
+  elements.reserve(count);
+  for (vtkIdType cell = 0; cell < mesh.Data.NumberOfElements; ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    cells->GetCellAtId(cell, size, points);
+    elements.insert(elements.end(), points, points + size);
+  }
+  return mesh.Keep(std::move(elements));
+}
+
+} // namespace
+
+StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
+{
+  StoredMesh stored;
+  MeshData& data = stored.Data;
+  data.NumberOfPoints = mesh->GetNumberOfPoints();
+  data.NumberOfElements = mesh->GetNumberOfCells();
+  if (data.NumberOfPoints > 0)
+  {
+    vtkDataArray* points = mesh->GetPoints()->GetData();
+    data.Points = static_cast<const double*>(
+      Keep<vtkDoubleArray>(points, points->GetDataType() == VTK_DOUBLE, stored));
+  }
+  if (data.NumberOfElements > 0)
+  {
+    data.Corners = FindCorners(mesh);
+    data.Elements = KeepElements(mesh->GetCells(), stored);
+  }
+  data.PointArrays = ListArrays(mesh->GetPointData(), stored);
+  data.ElementArrays = ListArrays(mesh->GetCellData(), stored);
+  data.Fields = ListFields(mesh->GetFieldData());
+  vtkInformation* information = mesh->GetInformation();
+  if (information->Has(vtkDataObject::DATA_TIME_STEP()))
+  {
+    data.Time = information->Get(vtkDataObject::DATA_TIME_STEP());
+  }
+  FindKnownArrays(stored);
+  return stored;
+}
+
+} // namespace vfm

@@ -1,0 +1,52 @@
+#include "Summary/DomainSides.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr double SideTolerance = 1e-9; // of the domain's length; the mesh has the very coordinate
+
+} // namespace
+
+DomainSides::DomainSides(const MeshData& mesh) :
+  TheMesh(mesh), Bounds(NumbersOfField(mesh.Fields, "DomainBounds"))
+{
+  const std::vector<double> frame = NumbersOfField(mesh.Fields, "DomainFrame");
+  if (frame.size() == this->Frame.Axes.size() + this->Frame.Origin.size())
+  {
+    std::copy_n(frame.begin(), this->Frame.Axes.size(), this->Frame.Axes.begin());
+    std::copy(frame.begin() + this->Frame.Axes.size(), frame.end(), this->Frame.Origin.begin());
+  }
+}
+
+bool DomainSides::IsOnSide(Index point, int side) const
+{
+  if (this->Bounds.size() != 6)
+  {
+    return false;
+  }
+  const int axis = side / 2;
+  const double length = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
+  const double* place = this->TheMesh.Point(point);
+  const Vector3 x{ { place[0], place[1], place[2] } };
+  const double own = this->Frame.IsIdentity() ? x[axis] : this->Frame.ToOwn(x)[axis];
+  return std::abs(own - this->Bounds[side]) <= SideTolerance * length;
+}
+
+int DomainSides::SideOfFace(const std::array<Index, 4>& points) const
+{
+  for (int side = 0; side < 6; ++side)
+  {
+    if (std::all_of(points.begin(), points.end(),
+          [&](Index point) { return point < 0 || this->IsOnSide(point, side); }))
+    {
+      return side;
+    }
+  }
+  return NoSide;
+}
+
+} // namespace vfm

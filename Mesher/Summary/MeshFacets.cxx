@@ -1,0 +1,149 @@
+#include "Summary/MeshFacets.h"
+
+#include "Ranks/Agreement.h"
+#include "Summary/DomainSides.h"
+#include "Summary/MatchFaces.h"
+
+#include <map>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr int DimensionInside = 3, DimensionOfSurfaces = 2;
+
+/// The faces that can be on a surface.
+std::vector<MeshFace> CollectFaces(const MeshData& mesh)
+{
+  const ElementFaces table(mesh.Corners);
+  const auto isInside = [&mesh](Index point)
+  {
+    return point >= 0 && mesh.GeometryDimension && mesh.GeometryDimension[point] >= DimensionInside;
+  };
+  std::vector<MeshFace> faces;
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    for (int side = 0; side < table.Count; ++side)
+    {
+      const std::array<Index, 4> points = table.PointsOf(mesh.Element(element), side);
+      if (std::none_of(points.begin(), points.end(), isInside))
+      {
+        faces.push_back({ element, side, points, NothingBehind });
+      }
+    }
+  }
+  return faces;
+}
+
+FaceIds GlobalIds(const MeshFace& face, const MeshData& mesh)
+{
+  FaceIds ids;
+  std::transform(face.Points.begin(), face.Points.end(), ids.begin(),
+    [&mesh](Index point) { return point < 0 ? point : mesh.PointIds[point]; });
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+/// Which smooth side of an interface a face is on: that of its points inside a surface, or what EdgeFacets says.
+class FaceSurfaces
+{
+public:
+  explicit FaceSurfaces(const MeshData& mesh) :
+    TheMesh(mesh), Parts(NumbersOfField(mesh.Fields, "SurfaceParts"))
+  {
+    constexpr std::size_t width = 5; // four points and the surface
+    const FieldArray* field = FindField(mesh.Fields, "EdgeFacets");
+    if (!field || field->Components != static_cast<int>(width))
+    {
+      return;
+    }
+    if (const auto* numbers = std::get_if<std::vector<Index>>(&field->Values))
+    {
+      for (std::size_t at = 0; at + width <= numbers->size(); at += width)
+      {
+        const Index* row = numbers->data() + at;
+        this->EdgeFacets[{ { row[0], row[1], row[2], row[3] } }] = static_cast<int>(row[4]);
+      }
+    }
+  }
+
+  int Find(const MeshFace& face) const
+  {
+    const MeshData& mesh = this->TheMesh;
+    if (this->Parts.empty() || !mesh.GeometryDimension || !mesh.GeometryId)
+    {
+      return 0;
+    }
+    int surface = 0;
+    for (Index point : face.Points)
+    {
+      if (point >= 0 && mesh.GeometryDimension[point] == DimensionOfSurfaces)
+      {
+        surface = std::max(surface, mesh.GeometryId[point]);
+      }
+    }
+    const auto listed = this->EdgeFacets.find(GlobalIds(face, mesh));
+    surface = listed == this->EdgeFacets.end() ? surface : listed->second;
+    const bool isSide = surface >= 1 && surface <= static_cast<int>(this->Parts.size()) &&
+      this->Parts[surface - 1] >= 1;
+    return isSide ? surface : 0;
+  }
+
+private:
+  const MeshData& TheMesh;
+  const std::vector<double> Parts;
+  std::map<FaceIds, int> EdgeFacets;
+};
+
+} // namespace
+
+std::vector<MeshFace> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks)
+{
+  std::vector<MeshFace> faces;
+  std::vector<int> valuesOfFaces;
+  std::vector<FaceIds> ids;
+  WorkTogether(ranks,
+    [&]
+    {
+      Require(mesh.PointIds, "GlobalPointIds", mesh);
+      faces = CollectFaces(mesh);
+      for (const MeshFace& face : faces)
+      {
+        valuesOfFaces.push_back(values[face.Element]);
+        ids.push_back(GlobalIds(face, mesh));
+      }
+    });
+  const std::vector<int> behind = MatchFaces(ids, valuesOfFaces, ranks);
+  std::vector<MeshFace> found;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (behind[f] != valuesOfFaces[f])
+    {
+      found.push_back(faces[f]);
+      found.back().Behind = behind[f];
+    }
+  }
+  return found;
+}
+
+std::vector<MeshFacet> FindMeshFacets(const MeshData& mesh, Ranks& ranks)
+{
+  if (!ranks.Any(mesh.NumberOfElements > 0 && !mesh.Facets))
+  {
+    return mesh.Facets ? *mesh.Facets : std::vector<MeshFacet>();
+  }
+  WorkTogether(ranks, [&mesh] { Require(mesh.Material, "MaterialId", mesh); });
+  const DomainSides domain(mesh);
+  const FaceSurfaces surfaces(mesh);
+  std::vector<MeshFacet> facets;
+  for (const MeshFace& face : FindMeshFaces(mesh, mesh.Material, ranks))
+  {
+    const int side = face.Behind == NothingBehind ? domain.SideOfFace(face.Points) : NoSide;
+    const int surface = side == NoSide ? surfaces.Find(face) : 0;
+    facets.push_back({ face.Element, face.Side, face.Behind, surface, side });
+  }
+  return facets;
+}
+
+} // namespace vfm

@@ -1,0 +1,212 @@
+#include "Summary/MeshSets.h"
+
+#include "Mesh/ElementFaces.h"
+#include "Ranks/Agreement.h"
+#include "Summary/DomainSides.h"
+#include "Summary/MeshFacets.h"
+#include "Summary/MeshMaterials.h"
+
+#include <limits>
+#include <map>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr const char* SideNames[6] = { "x_min", "x_max", "y_min", "y_max", "z_min", "z_max" };
+constexpr int DimensionOfSurfaces = 2;
+
+using Facets = std::vector<MeshFacet>;
+using Pair = std::array<int, 2>;     // of materials that touch; the faces are the first's
+using PairSide = std::array<int, 3>; // and a surface between them
+
+/// Ids of pairs of materials, in the order of the pairs. voidId: the number of material 0 when it is the first.
+std::vector<int> NumberPairs(const std::vector<Pair>& pairs, int voidId)
+{
+  const auto first = [voidId](const Pair& pair) { return pair[0] == 0 ? voidId : pair[0]; };
+  Index factor = 1000, largest = 0;
+  for (const Pair& pair : pairs)
+  {
+    largest = std::max<Index>(largest, first(pair));
+    while (factor <= std::max(first(pair), pair[1]))
+    {
+      factor *= 10;
+    }
+  }
+  std::vector<int> ids;
+  const bool fits = largest < std::numeric_limits<int>::max() / factor;
+  for (const Pair& pair : pairs)
+  {
+    ids.push_back(
+      fits ? static_cast<int>(first(pair) * factor) + pair[1] : 7 + static_cast<int>(ids.size()));
+  }
+  return ids;
+}
+
+/// Ids of smooth sides, in their order. pairIds: of their pairs; greatest: of all pairs.
+std::vector<int> NumberSides(
+  const std::vector<PairSide>& sides, const std::vector<int>& pairIds, int greatest)
+{
+  Index factor = 1000;
+  for (const PairSide& side : sides)
+  {
+    while (factor <= side[2])
+    {
+      factor *= 10;
+    }
+  }
+  const bool fits = greatest < std::numeric_limits<int>::max() / factor;
+  std::vector<int> ids;
+  for (std::size_t s = 0; s < sides.size(); ++s)
+  {
+    ids.push_back(fits ? static_cast<int>(pairIds[s] * factor) + sides[s][2]
+                       : greatest + 1 + static_cast<int>(s));
+  }
+  return ids;
+}
+
+/// The keys of all ranks. Collective.
+template <class Map>
+auto UniteKeys(Ranks& ranks, const Map& map)
+{
+  std::vector<std::decay_t<decltype(map.begin()->first)>> list;
+  for (const auto& entry : map)
+  {
+    list.push_back(entry.first);
+  }
+  return Unite(ranks, std::move(list));
+}
+
+/// Collective: the side sets of the sides of the domain, of pairs, and of the smooth sides of these.
+std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ranks& ranks)
+{
+  std::map<int, std::vector<MeshSide>> ofDomain;
+  std::map<Pair, std::vector<MeshSide>> ofPairs;
+  std::map<PairSide, std::vector<MeshSide>> ofSides;
+  for (const MeshFacet& facet : facets)
+  {
+    const MeshSide here{ facet.Element, facet.Side };
+    if (facet.DomainSide != NoSide)
+    {
+      ofDomain[facet.DomainSide].push_back(here);
+      continue;
+    }
+    const Pair pair{ { mesh.Material[facet.Element], std::max(facet.Behind, 0) } };
+    ofPairs[pair].push_back(here);
+    if (facet.Surface > 0)
+    {
+      ofSides[{ { pair[0], pair[1], facet.Surface } }].push_back(here);
+    }
+  }
+  std::vector<SideSet> sets;
+  for (int side : UniteKeys(ranks, ofDomain))
+  {
+    sets.push_back({ side + 1, SideNames[side], 0, std::move(ofDomain[side]) });
+  }
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
+  const auto nameOf = [&names](int first, int second)
+  { return NameOfMaterial(names, first) + "_to_" + NameOfMaterial(names, second); };
+  const std::vector<Pair> pairs = UniteKeys(ranks, ofPairs);
+  const bool hasVoid = !pairs.empty() && pairs.front()[0] == 0;
+  const std::vector<int> ids = NumberPairs(pairs, hasVoid ? FindVoidId(mesh, ranks) : 0);
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+  {
+    sets.push_back({ ids[p], nameOf(pairs[p][0], pairs[p][1]), 0, std::move(ofPairs[pairs[p]]) });
+  }
+  const std::vector<PairSide> sides = UniteKeys(ranks, ofSides);
+  std::vector<int> pairIds;
+  for (const PairSide& side : sides)
+  {
+    const Pair pair{ { side[0], side[1] } };
+    pairIds.push_back(ids[std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin()]);
+  }
+  const int greatest = ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
+  const std::vector<int> sideIds = NumberSides(sides, pairIds, greatest);
+  for (std::size_t s = 0; s < sides.size(); ++s)
+  {
+    sets.push_back(
+      { sideIds[s], nameOf(sides[s][0], sides[s][1]) + "_" + std::to_string(sides[s][2]),
+        sides[s][2], std::move(ofSides[sides[s]]) });
+  }
+  return sets;
+}
+
+using SurfacePoint = std::array<Index, 2>; // surface and global id
+
+/// Collective: the points at the rims of smooth sides, which are inside no surface, ascending.
+std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, Ranks& ranks)
+{
+  const ElementFaces table(mesh.Corners);
+  std::vector<SurfacePoint> rims;
+  for (const MeshFacet& facet : facets)
+  {
+    if (facet.Surface == 0)
+    {
+      continue;
+    }
+    for (Index point : table.PointsOf(mesh.Element(facet.Element), facet.Side))
+    {
+      if (point >= 0 && mesh.GeometryDimension[point] != DimensionOfSurfaces)
+      {
+        rims.push_back({ { facet.Surface, mesh.PointIds[point] } });
+      }
+    }
+  }
+  return Unite(ranks, std::move(rims));
+}
+
+/// Collective: the node sets of the sides of the domain and of smooth sides.
+std::vector<NodeSet> MakeNodeSets(
+  const MeshData& mesh, const Facets& facets, const std::vector<SideSet>& sideSets, Ranks& ranks)
+{
+  std::vector<NodeSet> sets;
+  const auto add = [&](int id, const std::string& name, const auto& contains)
+  {
+    NodeSet set{ id, name, {} };
+    for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+    {
+      if (contains(point))
+      {
+        set.Points.push_back(point);
+      }
+    }
+    if (ranks.Any(!set.Points.empty()))
+    {
+      sets.push_back(std::move(set));
+    }
+  };
+  const DomainSides domain(mesh);
+  for (int side = 0; side < 6; ++side)
+  {
+    add(side + 1, SideNames[side], [&](Index point) { return domain.IsOnSide(point, side); });
+  }
+  const std::vector<SurfacePoint> rims = FindRims(mesh, facets, ranks);
+  for (const SideSet& sides : sideSets)
+  {
+    if (sides.Surface > 0)
+    {
+      add(sides.Id, sides.Name,
+        [&](Index point)
+        {
+          return mesh.GeometryDimension[point] == DimensionOfSurfaces
+            ? mesh.GeometryId[point] == sides.Surface
+            : std::binary_search(
+                rims.begin(), rims.end(), SurfacePoint{ { sides.Surface, mesh.PointIds[point] } });
+        });
+    }
+  }
+  return sets;
+}
+
+} // namespace
+
+MeshSets FindMeshSets(const MeshData& mesh, Ranks& ranks)
+{
+  const Facets facets = FindMeshFacets(mesh, ranks);
+  std::vector<SideSet> sides = MakeSideSets(mesh, facets, ranks);
+  std::vector<NodeSet> nodes = MakeNodeSets(mesh, facets, sides, ranks);
+  return { std::move(sides), std::move(nodes) };
+}
+
+} // namespace vfm

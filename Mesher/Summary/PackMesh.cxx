@@ -1,0 +1,221 @@
+#include "Summary/PackMesh.h"
+
+namespace vfm
+{
+namespace
+{
+
+class Packer
+{
+public:
+  template <class T>
+  void Add(const T& value)
+  {
+    this->AddMany(&value, 1);
+  }
+  template <class T>
+  void AddMany(const T* values, Index count)
+  {
+    const char* begin = reinterpret_cast<const char*>(values);
+    this->Packed.insert(this->Packed.end(), begin, begin + count * sizeof(T));
+  }
+  void Add(const std::string& text)
+  {
+    this->Add(static_cast<Index>(text.size()));
+    this->AddMany(text.data(), static_cast<Index>(text.size()));
+  }
+  template <class T>
+  void Add(const std::vector<T>& values)
+  {
+    this->Add(static_cast<Index>(values.size()));
+    for (const T& value : values)
+    {
+      this->Add(value);
+    }
+  }
+
+  Bytes Packed;
+};
+
+class Unpacker
+{
+public:
+  explicit Unpacker(const Bytes& bytes) : Next(bytes.data()) {}
+
+  template <class T>
+  T Take()
+  {
+    T value;
+    this->TakeTo(value);
+    return value;
+  }
+  template <class T>
+  void TakeTo(T& value)
+  {
+    std::memcpy(&value, this->Next, sizeof(T));
+    this->Next += sizeof(T);
+  }
+  void TakeTo(std::string& text)
+  {
+    const auto size = this->Take<Index>();
+    text.assign(this->Next, size);
+    this->Next += size;
+  }
+  template <class T>
+  void TakeTo(std::vector<T>& values)
+  {
+    values.resize(this->Take<Index>());
+    for (T& value : values)
+    {
+      this->TakeTo(value);
+    }
+  }
+  template <class T>
+  std::vector<T> TakeMany(Index count)
+  {
+    std::vector<T> values(count);
+    if (count > 0)
+    {
+      std::memcpy(values.data(), this->Next, count * sizeof(T));
+      this->Next += count * sizeof(T);
+    }
+    return values;
+  }
+
+private:
+  const char* Next;
+};
+
+Index SizeOf(const MeshArray& array, Index tuples)
+{
+  return VisitType(array.Type,
+    [&](auto tag) {
+      return tuples * array.Components * static_cast<Index>(sizeof(typename decltype(tag)::Type));
+    });
+}
+
+void AddArrays(const std::vector<MeshArray>& arrays, Index tuples, Packer& packer)
+{
+  packer.Add(static_cast<Index>(arrays.size()));
+  for (const MeshArray& array : arrays)
+  {
+    packer.Add(array.Name);
+    packer.Add(array.Type);
+    packer.Add(array.Components);
+    packer.Add(array.ComponentNames);
+    packer.AddMany(static_cast<const char*>(array.Values), SizeOf(array, tuples));
+  }
+}
+
+std::vector<MeshArray> TakeArrays(Index tuples, Unpacker& unpacker, StoredMesh& mesh)
+{
+  std::vector<MeshArray> arrays(unpacker.Take<Index>());
+  for (MeshArray& array : arrays)
+  {
+    unpacker.TakeTo(array.Name);
+    unpacker.TakeTo(array.Type);
+    unpacker.TakeTo(array.Components);
+    unpacker.TakeTo(array.ComponentNames);
+    if (tuples > 0)
+    {
+      array.Values = mesh.Keep(unpacker.TakeMany<char>(SizeOf(array, tuples)));
+    }
+  }
+  return arrays;
+}
+
+void AddFields(const std::vector<FieldArray>& fields, Packer& packer)
+{
+  packer.Add(static_cast<Index>(fields.size()));
+  for (const FieldArray& field : fields)
+  {
+    packer.Add(field.Name);
+    packer.Add(field.Components);
+    packer.Add(static_cast<int>(field.Values.index()));
+    std::visit([&packer](const auto& values) { packer.Add(values); }, field.Values);
+  }
+}
+
+/// Fills the alternative of that number.
+template <std::size_t Number = 0>
+void TakeValues(std::size_t number, Unpacker& unpacker, FieldArray& field)
+{
+  if constexpr (Number < std::variant_size_v<decltype(FieldArray::Values)>)
+  {
+    if (number == Number)
+    {
+      unpacker.TakeTo(field.Values.template emplace<Number>());
+      return;
+    }
+    TakeValues<Number + 1>(number, unpacker, field);
+  }
+}
+
+std::vector<FieldArray> TakeFields(Unpacker& unpacker)
+{
+  std::vector<FieldArray> fields(unpacker.Take<Index>());
+  for (FieldArray& field : fields)
+  {
+    unpacker.TakeTo(field.Name);
+    unpacker.TakeTo(field.Components);
+    TakeValues(unpacker.Take<int>(), unpacker, field);
+  }
+  return fields;
+}
+
+} // namespace
+
+Bytes PackMesh(const MeshData& mesh)
+{
+  Packer packer;
+  packer.Add(mesh.Corners);
+  packer.Add(mesh.NumberOfPoints);
+  packer.Add(mesh.NumberOfElements);
+  packer.AddMany(mesh.Points, 3 * mesh.NumberOfPoints);
+  packer.AddMany(mesh.Elements, mesh.Corners * mesh.NumberOfElements);
+  AddArrays(mesh.PointArrays, mesh.NumberOfPoints, packer);
+  AddArrays(mesh.ElementArrays, mesh.NumberOfElements, packer);
+  AddFields(mesh.Fields, packer);
+  packer.Add(mesh.Facets != nullptr);
+  if (mesh.Facets)
+  {
+    packer.Add(*mesh.Facets);
+  }
+  return std::move(packer.Packed);
+}
+
+Bytes PackHead(const MeshData& mesh)
+{
+  MeshData head;
+  head.Corners = mesh.Corners;
+  head.PointArrays = mesh.PointArrays;
+  head.ElementArrays = mesh.ElementArrays;
+  head.Fields = mesh.Fields;
+  return PackMesh(head);
+}
+
+StoredMesh UnpackMesh(const Bytes& bytes)
+{
+  Unpacker unpacker(bytes);
+  StoredMesh mesh;
+  MeshData& data = mesh.Data;
+  unpacker.TakeTo(data.Corners);
+  unpacker.TakeTo(data.NumberOfPoints);
+  unpacker.TakeTo(data.NumberOfElements);
+  data.Points = mesh.Keep(unpacker.TakeMany<double>(3 * data.NumberOfPoints));
+  data.Elements = mesh.Keep(unpacker.TakeMany<Index>(data.Corners * data.NumberOfElements));
+  data.PointArrays = TakeArrays(data.NumberOfPoints, unpacker, mesh);
+  data.ElementArrays = TakeArrays(data.NumberOfElements, unpacker, mesh);
+  data.Fields = TakeFields(unpacker);
+  if (unpacker.Take<bool>())
+  {
+    const auto facets = std::make_shared<std::vector<MeshFacet>>();
+    unpacker.TakeTo(*facets);
+    data.Facets = facets.get();
+    mesh.Memory.push_back(facets);
+  }
+  FindKnownArrays(mesh);
+  return mesh;
+}
+
+} // namespace vfm

@@ -1,0 +1,106 @@
+#include "Summary/SharedPoints.h"
+
+#include "Ranks/ExchangeAll.h"
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+/// A point that this rank and another one have.
+struct Meeting
+{
+  Index Id;
+  Index Rank; ///< the other one
+  bool operator<(const Meeting& other) const
+  {
+    return this->Id != other.Id ? this->Id < other.Id : this->Rank < other.Rank;
+  }
+};
+
+template <class T>
+std::vector<Bytes> ToMessages(const std::vector<std::vector<T>>& lists)
+{
+  std::vector<Bytes> messages;
+  for (const std::vector<T>& list : lists)
+  {
+    messages.push_back(ToBytes(list));
+  }
+  return messages;
+}
+
+/// For the ids that each rank sent here, those that others sent too.
+std::vector<Bytes> FindMeetings(const std::vector<Bytes>& questions)
+{
+  std::vector<Meeting> all; // of each id, the ranks that have it
+  for (std::size_t rank = 0; rank < questions.size(); ++rank)
+  {
+    for (Index id : FromBytes<Index>(questions[rank]))
+    {
+      all.push_back({ id, static_cast<Index>(rank) });
+    }
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<std::vector<Meeting>> answers(questions.size());
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end)
+  {
+    while (end < all.size() && all[end].Id == all[begin].Id)
+    {
+      ++end;
+    }
+    for (std::size_t one = begin; one < end; ++one)
+    {
+      for (std::size_t other = begin; other < end; ++other)
+      {
+        if (one != other)
+        {
+          answers[all[one].Rank].push_back(all[other]);
+        }
+      }
+    }
+  }
+  return ToMessages(answers);
+}
+
+} // namespace
+
+SharedPoints FindSharedPoints(const std::vector<Index>& ids, Ranks& ranks)
+{
+  SharedPoints shared;
+  shared.IsOwned.assign(ids.size(), 1);
+  if (ranks.Count() == 1)
+  {
+    return shared;
+  }
+  std::vector<std::vector<Index>> questions(ranks.Count());
+  std::vector<Meeting> places; // the ids in order; Rank: the place
+  for (std::size_t p = 0; p < ids.size(); ++p)
+  {
+    questions[ids[p] % ranks.Count()].push_back(ids[p]);
+    places.push_back({ ids[p], static_cast<Index>(p) });
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<Meeting> meetings;
+  for (const Bytes& answer :
+    ExchangeAll(FindMeetings(ExchangeAll(ToMessages(questions), ranks)), ranks))
+  {
+    const std::vector<Meeting> some = FromBytes<Meeting>(answer);
+    meetings.insert(meetings.end(), some.begin(), some.end());
+  }
+  std::sort(meetings.begin(), meetings.end());
+  auto place = places.begin();
+  for (const Meeting& meeting : meetings)
+  {
+    while (place->Id < meeting.Id)
+    {
+      ++place;
+    }
+    shared.Places[static_cast<int>(meeting.Rank)].push_back(place->Rank);
+    shared.IsOwned[place->Rank] &= meeting.Rank > ranks.Rank();
+  }
+  return shared;
+}
+
+} // namespace vfm

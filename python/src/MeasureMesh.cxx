@@ -1,0 +1,153 @@
+#include "MeasureMesh.h"
+
+#include "NumpyFields.h"
+#include "Summary/ElementMoments.h"
+#include "Summary/FragmentTable.h"
+
+#include <nanobind/stl/optional.h>
+
+#include <algorithm>
+
+namespace vfm
+{
+namespace
+{
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+template <class T, class... Shape>
+using Array = nb::ndarray<const T, nb::c_contig, nb::device::cpu, Shape...>;
+using Points = Array<double, nb::shape<-1, 3>>;
+using Cells = Array<std::int64_t, nb::ndim<2>>;
+template <class T>
+using Column = Array<T, nb::ndim<1>>;
+
+MeshData View(const Points& points, const Cells& cells)
+{
+  MeshData mesh;
+  mesh.NumberOfPoints = static_cast<Index>(points.shape(0));
+  mesh.NumberOfElements = static_cast<Index>(cells.shape(0));
+  mesh.Corners = static_cast<int>(cells.shape(1));
+  mesh.Points = points.data();
+  mesh.Elements = cells.data();
+  const auto isPoint = [&](Index point) { return point >= 0 && point < mesh.NumberOfPoints; };
+  if ((mesh.Corners != 8 && mesh.Corners != 4) ||
+    !std::all_of(cells.data(), cells.data() + cells.size(), isPoint))
+  {
+    throw nb::value_error("cells must be points of hexahedra (n, 8) or tetrahedra (n, 4).");
+  }
+  return mesh;
+}
+
+template <class T>
+const T* OfEach(const Column<T>& values, Index count, const char* name)
+{
+  if (static_cast<Index>(values.shape(0)) != count)
+  {
+    throw nb::value_error((std::string(name) + " has another length than the mesh.").c_str());
+  }
+  return values.data();
+}
+
+nb::object MeasureVolumes(const Points& points, const Cells& cells)
+{
+  const std::vector<ElementMoments> moments = FindElementMoments(View(points, cells));
+  Buffer<double> volumes(moments.size());
+  std::transform(moments.begin(), moments.end(), volumes.begin(),
+    [](const ElementMoments& element) { return element.Volume; });
+  return ToNumpy(volumes);
+}
+
+/// get: number a of a row's T.
+template <class T, class Get>
+nb::object MakeColumn(const std::vector<FragmentSummary>& rows, const Get& get, int components = 0)
+{
+  const int width = std::max(components, 1);
+  Buffer<T> values(rows.size() * width);
+  for (std::size_t at = 0; at < values.size(); ++at)
+  {
+    values[at] = get(rows[at / width], at % width);
+  }
+  return ToNumpy(values, components);
+}
+
+nb::dict ToColumns(const std::vector<FragmentSummary>& rows, bool hasMass, bool hasMomentum)
+{
+  using Row = const FragmentSummary&;
+  nb::dict columns;
+  columns["material"] = MakeColumn<int>(rows, [](Row row, int) { return row.Material; });
+  columns["elements"] = MakeColumn<Index>(rows, [](Row row, int) { return row.Elements; });
+  columns["volume"] = MakeColumn<double>(rows, [](Row row, int) { return row.Volume; });
+  columns["centroid"] = MakeColumn<double>(
+    rows, [](Row row, int a) { return row.Centroid[a]; }, 3);
+  columns["bounds"] = MakeColumn<double>(
+    rows, [](Row row, int a) { return row.Bounds[a]; }, 6);
+  if (hasMass)
+  {
+    columns["mass"] = MakeColumn<double>(rows, [](Row row, int) { return row.Mass; });
+  }
+  if (hasMomentum)
+  {
+    columns["momentum"] = MakeColumn<double>(
+      rows, [](Row row, int a) { return row.Momentum[a]; }, 3);
+  }
+  nb::list neighbours;
+  for (const FragmentSummary& row : rows)
+  {
+    Buffer<int> ids(row.Neighbours.size());
+    std::copy(row.Neighbours.begin(), row.Neighbours.end(), ids.begin());
+    neighbours.append(ToNumpy(ids));
+  }
+  columns["neighbours"] = neighbours;
+  return columns;
+}
+
+nb::dict MeasureFragments(const Points& points, const Cells& cells,
+  const Column<std::int64_t>& pointIds, const Column<int>& dimension, const Column<int>& material,
+  const Column<int>& fragment, const std::optional<Column<double>>& density,
+  const std::optional<Points>& velocity)
+{
+  MeshData mesh = View(points, cells);
+  mesh.PointIds = OfEach(pointIds, mesh.NumberOfPoints, "point_ids");
+  mesh.GeometryDimension = OfEach(dimension, mesh.NumberOfPoints, "dimension");
+  mesh.Material = OfEach(material, mesh.NumberOfElements, "material");
+  mesh.Fragment = OfEach(fragment, mesh.NumberOfElements, "fragment");
+  FragmentArrays arrays;
+  if (density)
+  {
+    const double* values = OfEach(*density, mesh.NumberOfElements, "density");
+    mesh.ElementArrays.push_back({ "density", ValueType::Double, 1, {}, values });
+    arrays.Densities = { "density" };
+  }
+  if (density && velocity)
+  {
+    if (static_cast<Index>(velocity->shape(0)) != mesh.NumberOfElements)
+    {
+      throw nb::value_error("velocity has another length than the mesh.");
+    }
+    mesh.ElementArrays.push_back({ "velocity", ValueType::Double, 3, {}, velocity->data() });
+    arrays.Velocity = "velocity";
+  }
+  Ranks alone;
+  try
+  {
+    return ToColumns(
+      FindFragments(mesh, arrays, alone), density.has_value(), !arrays.Velocity.empty());
+  }
+  catch (const InputError& error)
+  {
+    throw nb::value_error(error.what());
+  }
+}
+
+} // namespace
+
+void BindMeasures(nb::module_& module)
+{
+  module.def("element_volumes", MeasureVolumes, "points"_a, "cells"_a);
+  module.def("fragments", MeasureFragments, "points"_a, "cells"_a, "point_ids"_a, "dimension"_a,
+    "material"_a, "fragment"_a, "density"_a.none(), "velocity"_a.none());
+}
+
+} // namespace vfm
