@@ -14,7 +14,7 @@ endif ()
 vtk_module_scan(
   MODULE_FILES
     "${PROJECT_SOURCE_DIR}/Filters/vtk.module"
-    "${PROJECT_SOURCE_DIR}/IO/vtk.module"
+    "${PROJECT_SOURCE_DIR}/Filters/Files/vtk.module"
   REQUEST_MODULES      VolumeFractionMesh::Filters VolumeFractionMesh::IO
   PROVIDES_MODULES     vfm_modules
   REQUIRES_MODULES     vfm_required
@@ -23,7 +23,7 @@ vtk_module_scan(
 set(vfm_components ${vfm_required})
 list(TRANSFORM vfm_components REPLACE "^VTK::" "" REGEX "^VTK::")
 
-set(vfm_program_components CommonCore CommonMisc IOIOSS IOParallelXML IOXML ParallelMPI)
+set(vfm_program_components CommonCore CommonMisc IOIOSS IOXML ParallelMPI)
 if (VFM_PLUGIN OR VFM_WRAP_PYTHON) # Catalyst runs Python too
   list(APPEND vfm_program_components Python WrappingPythonCore)
 endif ()

@@ -3,11 +3,12 @@
 #include "ArrayMemory.h"
 #include "ControllerRanks.h"
 #include "HostImages.h"
+#include "MeshDataOfGrid.h"
+#include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
 #include "Sculptor.h"
 #include "Stage.h"
-#include "WriteMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -383,10 +384,14 @@ void SculptorSession::Write(const char* path)
         {
           throw InputError("path is a null pointer.");
         }
-        CheckOutputSuffix(path);
-        CheckOutputFolder(path);
+        const std::string problem = FindOutputProblem(path);
+        if (!problem.empty())
+        {
+          throw InputError(problem);
+        }
       });
-    WriteMesh(mesh, path, controller);
+    WorkInStage(
+      ranks, ExitCode::UnwritableOutput, [&] { WriteMesh(MeshDataOf(mesh).Data, path, ranks); });
   }
   catch (const ProgramError& error)
   {

@@ -4,12 +4,12 @@
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
 #include "Images/ImageFile.h"
+#include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
 #include "State/ArrayStems.h"
 #include "State/StateChoice.h"
 #include "WriteGeometry.h"
-#include "WriteMesh.h"
 
 #include <algorithm>
 #include <set>
@@ -100,6 +100,16 @@ void CheckRefinement(const std::set<std::string>& seen)
   }
 }
 
+void CheckOutput(const Arguments& from)
+{
+  const std::string problem =
+    FindOutputProblem(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
+  if (!problem.empty())
+  {
+    RefuseArguments(problem);
+  }
+}
+
 void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
 {
   CheckInput(from);
@@ -116,7 +126,7 @@ void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
   {
     CheckGeometrySuffix(from.Geometry);
   }
-  CheckOutputSuffix(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
+  CheckOutput(from);
 }
 
 MesherOptions ReadOptions(const Arguments& from)
@@ -192,7 +202,7 @@ void CheckTest(const Arguments& from, const std::set<std::string>& seen)
   CheckRefinement(seen);
   if (!from.Output.empty())
   {
-    CheckOutputSuffix(from.Output);
+    CheckOutput(from);
   }
 }
 

@@ -4,12 +4,12 @@
 #include "CheckSurface.h"
 #include "ChooseArrays.h"
 #include "ControllerRanks.h"
-#include "GatherMesh.h"
 #include "MakeMesh.h"
 #include "MeshDataOfGrid.h"
+#include "Meshes/WriteMesh.h"
 #include "PrintSummary.h"
 #include "Stage.h"
-#include "WriteMesh.h"
+#include "Summary/GatherMesh.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
@@ -163,10 +163,11 @@ void CheckParts(const MeshSummary& summary, double volumeError, Checks& checks)
 /// Collective.
 void CheckElements(vtkUnstructuredGrid* mesh, Ranks& ranks, Checks& checks)
 {
-  const auto whole = GatherMesh(mesh, ranks);
+  const StoredMesh part = MeshDataOf(mesh);
+  const StoredMesh whole = GatherMesh(part.Data, ranks);
   if (ranks.Rank() == 0)
   {
-    const SurfaceCheck surface = CheckSurface(whole);
+    const SurfaceCheck surface = CheckSurface(whole.Data);
     checks.Check("the elements conform", surface.IsConforming);
     checks.Check("the surface of each box is closed, in one piece and without holes",
       surface.Pieces == 2 && surface.Spheres == 2);
@@ -301,7 +302,8 @@ public:
     this->MakeAndCheck(runs[1], plain);
     if (!this->Given.Output.empty())
     {
-      WriteMesh(this->Mesh, this->Given.Output, this->Controller);
+      WorkInStage(this->Group, ExitCode::UnwritableOutput,
+        [this] { WriteMesh(MeshDataOf(this->Mesh).Data, this->Given.Output, this->Group); });
     }
     if (this->Group.Rank() == 0)
     {

@@ -1,9 +1,7 @@
 #include "CheckSurface.h"
 
 #include "Base/DisjointSets.h"
-
-#include "vtkCell.h"
-#include "vtkUnstructuredGrid.h"
+#include "Mesh/ElementFaces.h"
 
 #include <algorithm>
 #include <map>
@@ -15,7 +13,7 @@ namespace vfm
 namespace
 {
 
-using Points = std::vector<vtkIdType>;
+using Points = std::vector<Index>;
 
 struct Face
 {
@@ -24,16 +22,16 @@ struct Face
 };
 
 /// By their corners in order.
-std::map<Points, Face> FindFaces(vtkUnstructuredGrid* mesh)
+std::map<Points, Face> FindFaces(const MeshData& mesh)
 {
   std::map<Points, Face> faces;
-  for (vtkIdType e = 0; e < mesh->GetNumberOfCells(); ++e)
+  const ElementFaces table(mesh.Corners);
+  for (Index e = 0; e < mesh.NumberOfElements; ++e)
   {
-    vtkCell* element = mesh->GetCell(e);
-    for (int f = 0; f < element->GetNumberOfFaces(); ++f)
+    for (int f = 0; f < table.Count; ++f)
     {
-      vtkIdList* ids = element->GetFace(f)->GetPointIds();
-      const Points corners(ids->begin(), ids->end());
+      const std::array<Index, 4> points = table.PointsOf(mesh.Element(e), f);
+      const Points corners(points.begin(), points.begin() + table.Corners);
       Points key = corners;
       std::sort(key.begin(), key.end());
       Face& face = faces[key];
@@ -53,7 +51,7 @@ std::map<Points, std::vector<Index>> FindEdges(const std::vector<Points>& surfac
     const Points& corners = surface[f];
     for (std::size_t c = 0; c < corners.size(); ++c)
     {
-      const vtkIdType a = corners[c], b = corners[(c + 1) % corners.size()];
+      const Index a = corners[c], b = corners[(c + 1) % corners.size()];
       edges[{ std::min(a, b), std::max(a, b) }].push_back(static_cast<Index>(f));
     }
   }
@@ -73,7 +71,7 @@ std::map<Index, Index> FindEulerNumbers(
     }
   }
   std::map<Index, Index> numbers;
-  std::map<Index, std::set<vtkIdType>> points;
+  std::map<Index, std::set<Index>> points;
   for (std::size_t f = 0; f < surface.size(); ++f)
   {
     const Index piece = FindRoot(pieces, static_cast<Index>(f));
@@ -93,7 +91,7 @@ std::map<Index, Index> FindEulerNumbers(
 
 } // namespace
 
-SurfaceCheck CheckSurface(vtkUnstructuredGrid* mesh)
+SurfaceCheck CheckSurface(const MeshData& mesh)
 {
   SurfaceCheck check;
   std::vector<Points> surface;

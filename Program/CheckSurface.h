@@ -3,7 +3,7 @@
  */
 #pragma once
 
-class vtkUnstructuredGrid;
+#include "Summary/MeshData.h"
 
 namespace vfm
 {
@@ -17,6 +17,6 @@ struct SurfaceCheck
 };
 
 /// Of hexahedra or tetrahedra. A crack between elements, or a node that hangs on a face, is a piece more or an edge of other than two faces.
-SurfaceCheck CheckSurface(vtkUnstructuredGrid* mesh);
+SurfaceCheck CheckSurface(const MeshData& mesh);
 
 } // namespace vfm

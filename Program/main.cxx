@@ -10,6 +10,8 @@
 #include "ListInput.h"
 #include "MakeMesh.h"
 #include "MeshDataOfGrid.h"
+#include "Meshes/WriteMesh.h"
+#include "Meshes/WriteTable.h"
 #include "PrintSummary.h"
 #include "ReadInput.h"
 #include "Stage.h"
@@ -17,8 +19,6 @@
 #include "Summary/FragmentTable.h"
 #include "Summary/MeshMaterials.h"
 #include "WriteGeometry.h"
-#include "WriteMesh.h"
-#include "WriteTable.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -119,8 +119,7 @@ void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ran
       }
       catch (const InputError& error)
       {
-        throw InputError(
-          "Cannot write the table " + arguments.Fragments + ": " + error.what() + ".");
+        throw InputError("Cannot write the table " + arguments.Fragments + ": " + error.what());
       }
     });
 }
@@ -135,9 +134,10 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
     {
       for (const std::string& path : { arguments.Output, arguments.Fragments, arguments.Geometry })
       {
-        if (!path.empty())
+        const std::string problem = path.empty() ? "" : FindFolderProblem(path);
+        if (!problem.empty())
         {
-          CheckOutputFolder(path);
+          throw InputError(problem);
         }
       }
     });
@@ -156,9 +156,13 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
     mesh->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *input.Time);
   }
   times.Add("mesh");
-  WriteMesh(mesh, arguments.Output, controller,
-    arguments.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
   const StoredMesh plain = MeshDataOf(mesh);
+  WorkInStage(ranks, ExitCode::UnwritableOutput,
+    [&]
+    {
+      WriteMesh(plain.Data, arguments.Output, ranks,
+        arguments.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
+    });
   WriteFragments(plain.Data, arguments, ranks);
   if (!arguments.Geometry.empty())
   {

@@ -8,6 +8,7 @@
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
@@ -182,9 +183,8 @@ const Index* KeepElements(vtkCellArray* cells, StoredMesh& mesh)
   return mesh.Keep(std::move(elements));
 }
 
-} // namespace
-
-StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
+/// corners: of a cell.
+StoredMesh ViewCells(vtkPointSet* mesh, vtkCellArray* cells, int corners)
 {
   StoredMesh stored;
   MeshData& data = stored.Data;
@@ -198,8 +198,8 @@ StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
   }
   if (data.NumberOfElements > 0)
   {
-    data.Corners = FindCorners(mesh);
-    data.Elements = KeepElements(mesh->GetCells(), stored);
+    data.Corners = corners;
+    data.Elements = KeepElements(cells, stored);
   }
   data.PointArrays = ListArrays(mesh->GetPointData(), stored);
   data.ElementArrays = ListArrays(mesh->GetCellData(), stored);
@@ -211,6 +211,23 @@ StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
   }
   FindKnownArrays(stored);
   return stored;
+}
+
+} // namespace
+
+StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
+{
+  const bool isEmpty = mesh->GetNumberOfCells() == 0;
+  return ViewCells(mesh, mesh->GetCells(), isEmpty ? 0 : FindCorners(mesh));
+}
+
+StoredMesh MeshDataOf(vtkPolyData* mesh)
+{
+  vtkCellArray* cells = mesh->GetNumberOfVerts() > 0 ? mesh->GetVerts()
+    : mesh->GetNumberOfLines() > 0                   ? mesh->GetLines()
+                                                     : mesh->GetPolys();
+  const bool isEmpty = mesh->GetNumberOfCells() == 0;
+  return ViewCells(mesh, cells, isEmpty ? 0 : static_cast<int>(cells->GetCellSize(0)));
 }
 
 } // namespace vfm

@@ -22,19 +22,23 @@ ALLOWED.update({
     "Parallel/Mpi": BASE,
     "Parallel": BASE + ("Parallel/Mpi",),
     "Filters/Data": GRID + MESHER[:4],
-    "IO": GRID + MESHER + ("IO/Blocks", "IO/Images", "Parallel", "Filters/Data"),
+    "IO": BASE + MESHER,
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
+    "IO/Meshes": BASE + MESHER + ("IO",),
     "Filters": GRID + MESHER + ("Shapes", "Parallel", "Filters/Data"),
-    "InSitu": BASE + MESHER + ("Parallel", "Parallel/Mpi", "IO", "Filters"),
-    "Program": BASE + MESHER + ("Parallel", "IO", "IO/Blocks", "IO/Images", "Filters", "Filters/Data", "InSitu"),
+    "Filters/Files": BASE + MESHER + ("Parallel", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
+    "InSitu": BASE + MESHER + ("Parallel", "Parallel/Mpi", "IO/Meshes", "Filters", "Filters/Data"),
+    "Program": BASE + ("Grid/Mesh",) + MESHER + (
+        "Parallel", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "Filters", "Filters/Data", "Filters/Files", "InSitu"),
     "Plugin": ("Filters", "Mesher/Input"),
-    "python": GRID + MESHER + ("Shapes", "IO/Blocks"),
+    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Meshes"),
     "Examples": ("InSitu",),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
     "Testing/Benchmarks": GRID + ("Shapes", "Filters", "Testing/Support"),
+    "Testing/IO": GRID + MESHER + ("Shapes", "IO/Meshes", "Testing/Support"),
     "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
@@ -42,7 +46,9 @@ ALLOWED.update({
 })
 
 # Folders without VTK, and those of them without MPI.
-WITHOUT_MPI = GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Images", "python", "Testing/Support", "Testing/Grid", "Testing/Mesher")
+WITHOUT_MPI = GRID + MESHER + (
+    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "python", "Testing/IO", "Testing/Support", "Testing/Grid",
+    "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi",)
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
 MPI = re.compile(r"mpi", re.IGNORECASE)

@@ -1,10 +1,6 @@
 /// What sculptor test takes for a crack between elements.
 #include "CheckSurface.h"
 
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkUnstructuredGrid.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +20,6 @@ public:
   {
     const int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
       { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
-    vtkIdType ids[8];
     for (int c = 0; c < 8; ++c)
     {
       std::array<int, 3> at = lower;
@@ -32,28 +27,27 @@ public:
       {
         at[a] += width * corners[c][a];
       }
-      const auto point = this->Points.emplace(at, this->Coordinates->GetNumberOfPoints());
-      if (point.second)
-      {
-        this->Coordinates->InsertNextPoint(at[0], at[1], at[2]);
-      }
-      ids[c] = point.first->second;
+      const auto point = this->Points.emplace(at, this->Count);
+      this->Count += point.second;
+      this->Elements.push_back(point.first->second);
     }
-    this->Grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
   }
   /// Elements to come share no point with those before.
   void Forget() { this->Points.clear(); }
 
-  SurfaceCheck Check()
+  SurfaceCheck Check() const
   {
-    this->Grid->SetPoints(this->Coordinates);
-    return CheckSurface(this->Grid);
+    vfm::MeshData mesh;
+    mesh.NumberOfPoints = this->Count;
+    mesh.NumberOfElements = static_cast<vfm::Index>(this->Elements.size() / 8);
+    mesh.Elements = this->Elements.data();
+    return CheckSurface(mesh);
   }
 
 private:
-  std::map<std::array<int, 3>, vtkIdType> Points;
-  vtkNew<vtkPoints> Coordinates;
-  vtkNew<vtkUnstructuredGrid> Grid;
+  std::map<std::array<int, 3>, vfm::Index> Points;
+  vfm::Index Count = 0;
+  std::vector<vfm::Index> Elements;
 };
 
 void Expect(const SurfaceCheck& check, bool isConforming, int pieces, int spheres)

@@ -1,4 +1,4 @@
-"""The filters and the Python package make the same meshes, bit for bit.
+"""The filters and the Python package make the same meshes, bit for bit, and write the same files.
 
 Prints a line `case sha256` for each of python/tests/digest_cases.py as the filters make it. The environment variable
 VFM_PACKAGE_PYTHON names a Python that has the package: it then makes them too, and another digest is a failure.
@@ -6,6 +6,7 @@ Without it the lines alone are printed.
 """
 
 import os
+import re
 import subprocess
 import sys
 
@@ -19,7 +20,17 @@ CASES_FOLDER = os.path.join(ROOT, "python", "tests")
 sys.path[:0] = [os.path.join(ROOT, "Testing", "Python"), CASES_FOLDER]
 
 from digest_cases import CASES, ORIGIN, SPACING, digest  # noqa: E402: after the path
-from vfmtest import VolumeFractionToHex, VolumeFractionToTet, elements, main, mesh_of, points_of  # noqa: E402
+from vfmtest import (  # noqa: E402
+    VolumeFractionToHex,
+    VolumeFractionToTet,
+    elements,
+    in_folder,
+    main,
+    mesh_of,
+    points_of,
+    producer,
+    servermanager,
+)
 
 ROLES = {"density": "DensityArrays", "velocity": "VelocityArray", "energy": "EnergyArray"}
 
@@ -93,8 +104,8 @@ def arrays_of(result, case):
     }
 
 
-def digests_of_the_package():
-    """By case; nothing where no Python has it."""
+def digests_of_the_package(folder):
+    """By case; nothing where no Python has it. folder: for files of the meshes."""
     python = os.environ.get("VFM_PACKAGE_PYTHON")
     if not python:
         return {}
@@ -102,13 +113,37 @@ def digests_of_the_package():
         name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH")
     }
     run = subprocess.run(
-        [python, os.path.join(CASES_FOLDER, "digest_cases.py")], env=kept, stdout=subprocess.PIPE, check=True, text=True
+        [python, os.path.join(CASES_FOLDER, "digest_cases.py"), folder],
+        env=kept,
+        stdout=subprocess.PIPE,
+        check=True,
+        text=True,
     )
     return dict(line.rsplit(" ", 1) for line in run.stdout.splitlines())
 
 
-def test_same_bits():
-    expected, others = digests_of_the_package(), []
+def read_without_date(path):
+    """The bytes of a file; the date in the QA record of Exodus as zeros."""
+    with open(path, "rb") as file:
+        return re.sub(rb"\d{4}/\d\d/\d\d(\0+)\d\d:\d\d:\d\d", b"0000/00/00\\g<1>00:00:00", file.read())
+
+
+def files_differ(mesh, name, folder):
+    """The files of the package that the writers of the plugin write with other bytes."""
+    found = []
+    for ending, writer in (("exo", "Exodus"), ("inp", "Abaqus")):
+        path = os.path.join(folder, "plugin." + ending)
+        writers = servermanager.writers
+        getattr(writers, "VolumeFraction%sWriter" % writer)(Input=producer(mesh), FileName=path).UpdatePipeline()
+        other = os.path.join(folder, "%s.%s" % (name, ending))
+        if read_without_date(path) != read_without_date(other):
+            found.append(os.path.basename(other))
+    return found
+
+
+@in_folder
+def test_same_bits(at):
+    expected, others = digests_of_the_package(at("")), []
     for name, make in CASES.items():
         case = make()
         result = mesh_of(
@@ -118,7 +153,9 @@ def test_same_bits():
         print(name, found, flush=True)
         if expected and expected[name] != found:
             others.append(name)
-    assert not others, "the package makes other meshes: %s" % others
+        if expected:
+            others += files_differ(result.mesh, name, at(""))
+    assert not others, "the package makes other meshes or files: %s" % others
 
 
 main(globals())

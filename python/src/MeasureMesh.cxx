@@ -1,6 +1,7 @@
 #include "MeasureMesh.h"
 
 #include "NumpyFields.h"
+#include "NumpyMesh.h"
 #include "Summary/ElementMoments.h"
 #include "Summary/FragmentTable.h"
 
@@ -16,29 +17,8 @@ namespace
 namespace nb = nanobind;
 using namespace nb::literals;
 
-template <class T, class... Shape>
-using Array = nb::ndarray<const T, nb::c_contig, nb::device::cpu, Shape...>;
-using Points = Array<double, nb::shape<-1, 3>>;
-using Cells = Array<std::int64_t, nb::ndim<2>>;
 template <class T>
-using Column = Array<T, nb::ndim<1>>;
-
-MeshData View(const Points& points, const Cells& cells)
-{
-  MeshData mesh;
-  mesh.NumberOfPoints = static_cast<Index>(points.shape(0));
-  mesh.NumberOfElements = static_cast<Index>(cells.shape(0));
-  mesh.Corners = static_cast<int>(cells.shape(1));
-  mesh.Points = points.data();
-  mesh.Elements = cells.data();
-  const auto isPoint = [&](Index point) { return point >= 0 && point < mesh.NumberOfPoints; };
-  if ((mesh.Corners != 8 && mesh.Corners != 4) ||
-    !std::all_of(cells.data(), cells.data() + cells.size(), isPoint))
-  {
-    throw nb::value_error("cells must be points of hexahedra (n, 8) or tetrahedra (n, 4).");
-  }
-  return mesh;
-}
+using Column = nb::ndarray<const T, nb::c_contig, nb::device::cpu, nb::ndim<1>>;
 
 template <class T>
 const T* OfEach(const Column<T>& values, Index count, const char* name)
@@ -50,9 +30,9 @@ const T* OfEach(const Column<T>& values, Index count, const char* name)
   return values.data();
 }
 
-nb::object MeasureVolumes(const Points& points, const Cells& cells)
+nb::object MeasureVolumes(const NumpyPoints& points, const NumpyCells& cells)
 {
-  const std::vector<ElementMoments> moments = FindElementMoments(View(points, cells));
+  const std::vector<ElementMoments> moments = FindElementMoments(ViewMesh(points, cells));
   Buffer<double> volumes(moments.size());
   std::transform(moments.begin(), moments.end(), volumes.begin(),
     [](const ElementMoments& element) { return element.Volume; });
@@ -103,12 +83,12 @@ nb::dict ToColumns(const std::vector<FragmentSummary>& rows, bool hasMass, bool 
   return columns;
 }
 
-nb::dict MeasureFragments(const Points& points, const Cells& cells,
+nb::dict MeasureFragments(const NumpyPoints& points, const NumpyCells& cells,
   const Column<std::int64_t>& pointIds, const Column<int>& dimension, const Column<int>& material,
   const Column<int>& fragment, const std::optional<Column<double>>& density,
-  const std::optional<Points>& velocity)
+  const std::optional<NumpyPoints>& velocity)
 {
-  MeshData mesh = View(points, cells);
+  MeshData mesh = ViewMesh(points, cells);
   mesh.PointIds = OfEach(pointIds, mesh.NumberOfPoints, "point_ids");
   mesh.GeometryDimension = OfEach(dimension, mesh.NumberOfPoints, "dimension");
   mesh.Material = OfEach(material, mesh.NumberOfElements, "material");

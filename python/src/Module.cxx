@@ -12,6 +12,7 @@
 #include "Shapes/ClosedSurface.h"
 #include "Shapes/ShapesText.h"
 #include "TetPipeline.h"
+#include "WriteFile.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
@@ -158,6 +159,7 @@ NB_MODULE(_core, module)
   vfm::BindOptions(module);
   BindBlocks(module);
   vfm::BindMeasures(module);
+  vfm::BindWriters(module);
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
     "progress"_a.none(), "warn"_a);

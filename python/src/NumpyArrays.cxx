@@ -34,9 +34,14 @@ int TypeOf(const std::string& name, const NumpyArray& values)
     "can.");
 }
 
-void Add(const std::string& name, const NumpyArray& values, PlainArrays& arrays)
+} // namespace
+
+NumpyView::NumpyView(const std::string& name, const NumpyArray& values) :
+  Type(TypeOf(name, values)),
+  Components(values.ndim() == 2 ? static_cast<int>(values.shape(1)) : 1),
+  Rows(values.ndim() > 0 ? static_cast<Index>(values.shape(0)) : 0),
+  Values(values.data())
 {
-  const int type = TypeOf(name, values);
   if (values.ndim() < 1 || values.ndim() > 2)
   {
     throw InputError("The array '" + name + "' has " + std::to_string(values.ndim()) +
@@ -46,11 +51,7 @@ void Add(const std::string& name, const NumpyArray& values, PlainArrays& arrays)
   {
     throw InputError("The array '" + name + "' is not aligned in memory: copy it.");
   }
-  const int components = values.ndim() == 2 ? static_cast<int>(values.shape(1)) : 1;
-  arrays.Add(name, type, static_cast<Index>(values.shape(0)), components, values.data());
 }
-
-} // namespace
 
 std::shared_ptr<const BlockArrays> MakeBlockArrays(
   Index cells, const std::vector<std::pair<std::string, NumpyArray>>& arrays)
@@ -58,7 +59,8 @@ std::shared_ptr<const BlockArrays> MakeBlockArrays(
   auto block = std::make_shared<PlainArrays>(cells);
   for (const auto& [name, values] : arrays)
   {
-    Add(name, values, *block);
+    const NumpyView view(name, values);
+    block->Add(name, view.Type, view.Rows, view.Components, view.Values);
   }
   return block;
 }

@@ -17,6 +17,16 @@ namespace vfm
 
 using NumpyArray = nanobind::ndarray<nanobind::ro, nanobind::c_contig, nanobind::device::cpu>;
 
+/// What an array is: type, one of ValueType, rows and values per row. Throws InputError on other shapes than (rows,) and
+/// (rows, components), and on other types.
+struct NumpyView
+{
+  NumpyView(const std::string& name, const NumpyArray& values);
+  int Type, Components;
+  Index Rows;
+  const void* Values;
+};
+
 /// arrays: names and values of shape (cells,) or (cells, components), to outlive what is returned. Throws InputError on other shapes and
 /// types.
 std::shared_ptr<const BlockArrays> MakeBlockArrays(

@@ -6,6 +6,8 @@ properties of the filters.
 """
 
 import hashlib
+import os
+import sys
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
@@ -179,11 +181,14 @@ def mesh_of(case: Case, **more: Any) -> Any:
     return (vfm.tets if case.tets else vfm.hexes)(**settings(case), **more)
 
 
-def main() -> None:
-    """Prints a line `case sha256` each."""
+def main(folder: str = "") -> None:
+    """Prints a line `case sha256` each. folder: where to write files of the meshes."""
     for name, make in CASES.items():
-        print(name, digest(vars(mesh_of(make()))), flush=True)
+        mesh = mesh_of(make())
+        print(name, digest(vars(mesh)), flush=True)
+        for ending in ("exo", "inp") if folder else ():
+            mesh.save(os.path.join(folder, "%s.%s" % (name, ending)))
 
 
 if __name__ == "__main__":
-    main()
+    main(*sys.argv[1:])

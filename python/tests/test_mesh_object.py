@@ -120,31 +120,75 @@ def test_files(mesh, ending, tmp_path):
         assert np.array_equal(
             np.concatenate([block.data for block in again.cells]), mesh.cells[np.argsort(mesh.material, kind="stable")]
         )
-        assert set(again.point_sets["SURFACE_1"]) == set(mesh.surfaces.cells[mesh.surfaces.surface_id == 1].ravel())
         text = path.read_text()
         assert "ELSET=PLATE\n" in text and ("TYPE=C3D8," if mesh is HEXES else "TYPE=C3D4,") in text
+        assert "*NSET, NSET=X_MIN\n" in text and "*SURFACE, NAME=BALL_TO_PLATE, TYPE=ELEMENT\n" in text
+        assert "*INITIAL CONDITIONS, TYPE=VELOCITY\n" in text
     else:
         assert sorted(len(block.data) for block in again.cells) == sorted(counts.values())
 
 
-def test_files_without_pyvista(tmp_path, monkeypatch):
-    meshio = pytest.importorskip("meshio")
+@BOTH
+def test_exodus(mesh, tmp_path):
+    netcdf = pytest.importorskip("netCDF4")
+    mesh.save(tmp_path / "mesh.e", time=0.25)
+    with netcdf.Dataset(tmp_path / "mesh.e") as data:
+        data.set_auto_mask(False)
+        assert np.array_equal(data["node_num_map"][:], mesh.point_ids)
+        assert np.array_equal(np.sort(data["elem_num_map"][:]), np.sort(mesh.cell_ids))
+        assert np.array_equal(np.column_stack([data["coord" + axis][:] for axis in "xyz"]), mesh.points)
+        assert data["time_whole"][:].tolist() == [0.25] and data["qa_records"][0, 0].tobytes().startswith(b"VolumeFr")
+        blocks = {bytes(n).rstrip(b"\0").decode(): i for n, i in zip(data["eb_names"][:], data["eb_prop1"][:])}
+        assert blocks["ball"] == 1 and blocks["plate"] == 2
+        sides = [bytes(n).rstrip(b"\0").decode() for n in data["ss_names"][:]]
+        assert {"x_min", "z_min", "ball_to_plate", "plate_to_ball"} <= set(sides), sides
+        first = mesh.cells[mesh.material == 1] + 1
+        assert np.array_equal(data["connect1"][:], first)
+        names = [bytes(n).rstrip(b"\0").decode() for n in data["name_elem_var"][:]]
+        place = names.index("T") + 1
+        assert np.array_equal(data["vals_elem_var%deb1" % place][0], mesh.state["T"][mesh.material == 1])
+        assert {"velocity_X", "velocity_Y", "velocity_Z"} <= {
+            bytes(n).rstrip(b"\0").decode() for n in data["name_nod_var"][:]
+        }
+
+
+def test_vtu_has_all(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    HEXES.save(tmp_path / "mesh.vtu", time=0.5)
+    grid, wanted = pyvista.read(tmp_path / "mesh.vtu"), HEXES.to_pyvista()
+    assert np.array_equal(grid.points, wanted.points) and np.array_equal(grid.cells, wanted.cells)
+    for found, arrays in ((grid.cell_data, wanted.cell_data), (grid.point_data, wanted.point_data)):
+        assert list(found) == list(arrays)
+        for name in arrays:
+            assert found[name].dtype == arrays[name].dtype and np.array_equal(found[name], arrays[name]), name
+    assert list(grid.field_data["MaterialNames"]) == list(wanted.field_data["MaterialNames"])
+    assert grid.GetPointData().GetGlobalIds().GetName() == "GlobalPointIds"
+    assert grid.GetCellData().GetScalars().GetName() == "MaterialId" and grid.field_data["TimeValue"][0] == 0.5
+
+
+def test_files_that_cannot_be_written(tmp_path, monkeypatch):
+    for ending in ("vtu", "e", "inp"):
+        with pytest.raises(OSError, match="no/mesh.%s: No such file" % ending):
+            HEXES.save(tmp_path / "no" / ("mesh." + ending))
+    with pytest.raises(TypeError, match="colour"):
+        HEXES.save(tmp_path / "mesh.vtu", colour=1)
     from volume_fraction_mesh import _save
 
-    monkeypatch.setattr(_save, "find_spec", lambda name: None if name == "pyvista" else name)
-    HEXES.save(str(tmp_path / "mesh.vtu"))
-    assert np.array_equal(meshio.read(tmp_path / "mesh.vtu").points, HEXES.points)
     monkeypatch.setattr(_save, "find_spec", lambda name: None)
-    with pytest.raises(ImportError, match="PyVista or meshio"):
-        HEXES.save(tmp_path / "mesh.vtu")
+    with pytest.raises(ImportError, match="pip install meshio"):
+        HEXES.save(tmp_path / "mesh.msh")
+    HEXES.save(tmp_path / "mesh.vtu")
+    assert [file.name for file in tmp_path.iterdir()] == ["mesh.vtu"]
 
 
-def test_names_of_sets():
-    from volume_fraction_mesh._abaqus import set_names
+def test_names_of_sets(tmp_path):
+    def sets_of(mesh):
+        mesh.save(tmp_path / "names.inp")
+        lines = (tmp_path / "names.inp").read_text().splitlines()
+        return [line.split("ELSET=")[1] for line in lines if line.startswith("*ELEMENT")]
 
-    mesh = vfm.hexes({"a b": BALL, "A_b": PLATE})
-    assert list(set_names(mesh).values()) == ["A_B", "A_B_2"]
-    assert list(set_names(vfm.hexes(labels=BALL > 0.5, names={1: "7 \u00e9t\u00e9"})).values()) == ["S_7_T"]
+    assert sets_of(vfm.hexes({"a b": BALL, "A_b": PLATE})) == ["A_B", "A_B_2"]
+    assert sets_of(vfm.hexes(labels=BALL > 0.5, names={1: "7 \u00e9t\u00e9"})) == ["S_7_T"]
 
 
 def test_files_without_ending(tmp_path):

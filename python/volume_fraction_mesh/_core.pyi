@@ -210,6 +210,22 @@ def shape_fractions(
 def read_blocks(path: str, step: int, names: Optional[Sequence[str]]) -> Blocks:
     """Blocks of a SpyPlot case or an AMReX plotfile. names: of the arrays to read, None for all. Raises ValueError."""
 
+def write_mesh(
+    path: str,
+    points: NDArray[np.float64],
+    cells: NDArray[np.int64],
+    point_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    cell_arrays: Sequence[Tuple[str, NDArray[Any]]],
+    fields: Fields,
+    time: Optional[float],
+) -> None:
+    """Writes a mesh as .vtu, .e, .ex2, .exo or .inp.
+
+    point_arrays: with GlobalPointIds, int64; cell_arrays: with GlobalCellIds, int64, and MaterialId, int32; all of shape (items,) or
+    (items, components), C-contiguous; fields: int32, int64, float64 or lists of texts. Raises OSError, with the path and the reason, when
+    the file cannot be written; then it is removed.
+    """
+
 def read_label_names(path: str) -> Dict[int, str]:
     """What a text table calls labels: lines of a label and its name, a label file of ITK-SNAP, a table of FreeSurfer or MRIcron.
 

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Tuple
 
-from ._abaqus import write as write_abaqus
+import numpy as np
+
+from . import _core
+from ._pyvista import cell_arrays, point_arrays
 
 if TYPE_CHECKING:
     from .mesh import Mesh
 
-EXODUS = (".e", ".ex2", ".exo")
+OWN = (".vtu", ".e", ".ex2", ".exo", ".inp")  # written by the package itself
 
 
 def save(mesh: Mesh, path: Any, **options: Any) -> None:
@@ -22,19 +25,41 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
         raise ValueError(
             "%r has no ending, which would tell what kind of file to write: .vtu, .e, .inp, .msh .." % path
         )
-    if suffix in (".vtu", ".vtk") and find_spec("pyvista"):
+    if suffix in OWN:
+        _save_own(mesh, path, **options)
+    elif suffix == ".vtk" and find_spec("pyvista"):
         mesh.to_pyvista().save(path, **options)
     elif suffix == ".vtp":
         mesh.to_pyvista("surfaces").save(path, **options)
-    elif suffix == ".inp":
-        write_abaqus(mesh, path, **options)
     elif find_spec("meshio"):
         _save_by_meshio(mesh, path, suffix, **options)
     else:
-        raise ImportError(
-            "%s is written by %s: pip install %s"
-            % (path, *(["PyVista or meshio", "meshio"] if suffix == ".vtu" else ["meshio"] * 2))
-        )
+        raise ImportError("%s is written by meshio: pip install meshio" % path)
+
+
+def _save_own(mesh: Mesh, path: str, time: Optional[float] = None) -> None:
+    _core.write_mesh(
+        path,
+        np.ascontiguousarray(mesh.points, np.float64),
+        np.ascontiguousarray(mesh.cells, np.int64),
+        _arrays(point_arrays(mesh)),
+        _arrays(cell_arrays(mesh)),
+        {name: _field(values) for name, values in mesh.fields.items()},
+        time,
+    )
+
+
+def _arrays(arrays: Mapping[str, Any]) -> List[Tuple[str, np.ndarray]]:
+    return [(name, np.ascontiguousarray(values)) for name, values in arrays.items()]
+
+
+def _field(values: Any) -> Any:
+    """Texts as a list; numbers in one of the types that fields have."""
+    array = np.asarray(values)
+    if array.dtype.kind == "U":
+        return array.tolist()
+    kind = np.float64 if array.dtype.kind == "f" else np.int32 if array.dtype == np.int32 else np.int64
+    return np.ascontiguousarray(np.atleast_1d(array), kind)
 
 
 def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
@@ -48,9 +73,6 @@ def _save_by_meshio(mesh: Mesh, path: str, suffix: str, **options: Any) -> None:
     if suffix == ".msh":
         data = for_gmsh(mesh)
         options = {"file_format": "gmsh22", **options}
-    elif suffix in EXODUS:
-        data = mesh.to_meshio(blocks=True)
-        options = {"file_format": "exodus", **options}
     else:
         data = mesh.to_meshio()
     meshio.write(path, data, **options)

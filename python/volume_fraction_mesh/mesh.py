@@ -196,15 +196,21 @@ class Mesh:
     def save(self, path: Any, **options: Any) -> None:
         """Write a file, whose kind its ending tells.
 
-        .vtu is written by PyVista if that is there, else by meshio; .vtk and .vtp (the surfaces) by PyVista; .inp
-        (Abaqus, CalculiX: a set of elements a material, a set of nodes a surface) needs nothing; all others by meshio:
-        .e, .exo (Exodus: points, and a block a material; needs netCDF4), .msh (Gmsh), .xdmf, .med, ..
+        The package itself writes .vtu (ParaView), .e, .ex2 and .exo (Exodus: blocks, side sets and node sets with
+        names, global ids, variables) and .inp (Abaqus, CalculiX), as the plugin writes them; PyVista writes .vtk and
+        .vtp (the surfaces); meshio writes all others: .msh (Gmsh), .xdmf, .med, ..
 
         Parameters
         ----------
         path : str or os.PathLike
         **options
-            Of pyvista.DataSet.save or meshio.write.
+            Of a file by the package itself: time, a float, the time of the mesh. Of others those of
+            pyvista.DataSet.save or meshio.write.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written; then it is removed.
         """
         from ._save import save
 

@@ -1,0 +1,13 @@
+#include "vtkVolumeFractionAbaqusWriter.h"
+
+#include "Meshes/WriteAbaqus.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkVolumeFractionAbaqusWriter);
+
+void vtkVolumeFractionAbaqusWriter::WriteMesh(
+  const vfm::MeshData& mesh, const std::string& path, vfm::Ranks& ranks)
+{
+  vfm::WriteAbaqus(mesh, path, ranks);
+}

@@ -1,0 +1,71 @@
+#include "Meshes/AbaqusText.h"
+
+#include <charconv>
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::size_t LongestName = 80;
+
+bool IsLetter(char c)
+{
+  return c >= 'A' && c <= 'Z';
+}
+
+std::string CleanName(const std::string& name)
+{
+  std::string clean;
+  for (char c : name)
+  {
+    c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    if (IsLetter(c) || (c >= '0' && c <= '9'))
+    {
+      clean += c;
+    }
+    else if (!clean.empty() && clean.back() != '_')
+    {
+      clean += '_';
+    }
+  }
+  if (!clean.empty() && clean.back() == '_')
+  {
+    clean.pop_back();
+  }
+  if (clean.empty() || !IsLetter(clean.front()))
+  {
+    clean = "S_" + clean;
+  }
+  return clean.substr(0, LongestName);
+}
+
+} // namespace
+
+std::string AbaqusNames::Add(const std::string& name)
+{
+  const std::string clean = CleanName(name);
+  std::string unique = clean;
+  for (int count = 2; !this->Used.insert(unique).second; ++count)
+  {
+    const std::string end = "_" + std::to_string(count);
+    unique = clean.substr(0, LongestName - end.size()) + end;
+  }
+  return unique;
+}
+
+AbaqusNumber::AbaqusNumber(double value)
+{
+  char* const first = this->Characters.data();
+  char* const last = first + this->Characters.size();
+  this->Length = std::to_chars(first, last, value).ptr - first;
+  for (int digits = std::numeric_limits<double>::digits10 + 1; this->Length > AbaqusNumberLength;
+       --digits)
+  {
+    this->Length =
+      std::to_chars(first, last, value, std::chars_format::general, digits).ptr - first;
+  }
+}
+
+} // namespace vfm

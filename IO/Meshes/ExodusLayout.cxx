@@ -1,0 +1,374 @@
+#include "Meshes/ExodusLayout.h"
+
+#include "Meshes/NemesisLayout.h"
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+
+namespace vfm
+{
+namespace
+{
+
+/// Exodus' number of a face of a hexahedron, of a tetrahedron, by VTK's.
+constexpr Index HexSides[6] = { 4, 2, 1, 3, 5, 6 };
+constexpr Index TetSides[4] = { 1, 2, 3, 4 };
+
+constexpr std::size_t NameLength = 256, QaLength = 33, LineLength = 81; // with the final zero
+constexpr std::size_t LeastLongestName = 32;
+constexpr float LibraryVersion = 8.11f, NemesisVersion = 2.6f; // of the files that this describes
+constexpr int WideMaps = 0x0400, WideNumbers = 0x1000;         // bits of int64_status
+
+/// Dimensions that several variables have.
+struct Sizes
+{
+  std::size_t Name, Time, Axes, Nodes, Elements, Blocks, NodeSets, SideSets;
+};
+
+Index Size(std::size_t size)
+{
+  return static_cast<Index>(size);
+}
+
+bool HasWideNumbers(const ExodusModel& model)
+{
+  return std::max(model.TotalNodes, model.TotalElements) > std::numeric_limits<int>::max();
+}
+
+std::string Describe(const ExodusModel& model)
+{
+  return std::to_string(model.TotalElements) +
+    (model.Mesh.Data.Corners == 4 ? " tetrahedra" : " hexahedra") + " and " +
+    std::to_string(model.TotalNodes) + " nodes, materials: " + std::to_string(model.Blocks.size());
+}
+
+std::string Now(const char* format)
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[QaLength];
+  text[std::strftime(text, sizeof(text), format, &local)] = '\0';
+  return text;
+}
+
+/// Texts of one length each, filled with zeros.
+std::function<NetcdfValues()> Texts(std::vector<std::string> texts, std::size_t length)
+{
+  return [texts = std::move(texts), length]
+  {
+    std::string all;
+    for (const std::string& text : texts)
+    {
+      all += text.substr(0, length - 1);
+      all.resize((all.size() / length + 1) * length, '\0');
+    }
+    return all;
+  };
+}
+
+template <class Items, class Get>
+auto Collect(const Items& items, const Get& get)
+{
+  std::vector<std::decay_t<decltype(get(*items.begin()))>> values;
+  values.reserve(items.size());
+  std::transform(items.begin(), items.end(), std::back_inserter(values), get);
+  return values;
+}
+
+template <class Items>
+std::vector<std::string> NamesOf(const Items& items)
+{
+  return Collect(items, [](const auto& item) { return item.Name; });
+}
+
+void AddNames(NetcdfLayout& layout, const std::string& name, std::size_t count, std::size_t length,
+  std::vector<std::string> names)
+{
+  AddVariable(layout, name, NetcdfKind::Text, { count, length },
+    Texts(std::move(names), NameLength), { { "_FillValue", std::string(1, '\0') } });
+}
+
+void AddHead(NetcdfLayout& layout, const ExodusModel& model)
+{
+  const int wide = (model.HasWideIds ? WideMaps : 0) | (HasWideNumbers(model) ? WideNumbers : 0);
+  layout.Attributes = { { "api_version", LibraryVersion }, { "version", LibraryVersion },
+    { "floating_point_word_size", 8 }, { "file_size", 1 },
+    { "maximum_name_length", static_cast<int>(std::max(model.LongestName, LeastLongestName)) },
+    { "int64_status", wide }, { "title", "VolumeFractionMesh: " + Describe(model) } };
+}
+
+Sizes AddSizes(NetcdfLayout& layout, const ExodusModel& model)
+{
+  const auto add = [&layout](const char* name, std::size_t length)
+  { return AddDimension(layout, name, Size(length)); };
+  Sizes sizes{};
+  sizes.Name = add("len_name", NameLength);
+  layout.Dimensions.push_back({ "time_step", 0 });
+  sizes.Time = sizes.Name + 1;
+  sizes.Axes = add("num_dim", 3);
+  sizes.Nodes = add("num_nodes", model.Mesh.Data.NumberOfPoints);
+  sizes.Elements = add("num_elem", model.Mesh.Data.NumberOfElements);
+  sizes.Blocks = add("num_el_blk", model.Blocks.size());
+  sizes.NodeSets = add("num_node_sets", model.Sets.NodeSets.size());
+  sizes.SideSets = add("num_side_sets", model.Sets.SideSets.size());
+  return sizes;
+}
+
+/// Status (whether this part has some) and ids of blocks or sets. getCount: of the items of a block or set.
+template <class Entities, class GetCount>
+void AddIds(NetcdfLayout& layout, const std::string& prefix, std::size_t dimension,
+  const Entities& entities, const GetCount& getCount)
+{
+  AddVariable(layout, prefix + "_status", NetcdfKind::Int, { dimension },
+    [values = Collect(
+       entities, [&](const auto& entity) { return static_cast<Index>(getCount(entity) > 0); })]
+    { return values; });
+  AddVariable(layout, prefix + "_prop1", NetcdfKind::Int, { dimension },
+    [&entities]
+    { return Collect(entities, [](const auto& entity) { return static_cast<Index>(entity.Id); }); },
+    { { "name", "ID" } });
+}
+
+void AddNodes(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
+{
+  const MeshData& mesh = model.Mesh.Data;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    AddVariable(
+      layout, std::string("coord") + "xyz" [axis], NetcdfKind::Real, { sizes.Nodes },
+      [&mesh, axis]
+      {
+        std::vector<double> values(mesh.NumberOfPoints);
+        for (Index point = 0; point < mesh.NumberOfPoints; ++point)
+        {
+          values[point] = mesh.Point(point)[axis];
+        }
+        return values;
+      });
+  }
+}
+
+void AddEntities(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
+{
+  AddVariable(layout, "time_whole", NetcdfKind::Real, { sizes.Time },
+    [&model] { return std::vector<double>{ model.Mesh.Data.Time.value_or(0.0) }; });
+  AddIds(layout, "eb", sizes.Blocks, model.Blocks,
+    [](const ExodusBlock& block) { return block.Elements.size(); });
+  AddIds(layout, "ns", sizes.NodeSets, model.Sets.NodeSets,
+    [](const NodeSet& set) { return set.Points.size(); });
+  AddIds(layout, "ss", sizes.SideSets, model.Sets.SideSets,
+    [](const SideSet& set) { return set.Sides.size(); });
+  AddNodes(layout, model, sizes);
+  AddNames(layout, "eb_names", sizes.Blocks, sizes.Name, NamesOf(model.Blocks));
+  AddNames(layout, "ns_names", sizes.NodeSets, sizes.Name, NamesOf(model.Sets.NodeSets));
+  AddNames(layout, "ss_names", sizes.SideSets, sizes.Name, NamesOf(model.Sets.SideSets));
+  AddNames(layout, "coor_names", sizes.Axes, sizes.Name, { "x", "y", "z" });
+}
+
+void AddRecords(NetcdfLayout& layout, const ExodusModel& model)
+{
+  const std::size_t records = AddDimension(layout, "num_qa_rec", 1);
+  const std::size_t four = AddDimension(layout, "four", 4);
+  const std::size_t length = AddDimension(layout, "len_string", QaLength);
+  const std::size_t lines = AddDimension(layout, "num_info", 1);
+  const std::size_t lineLength = AddDimension(layout, "len_line", LineLength);
+  AddVariable(layout, "qa_records", NetcdfKind::Text, { records, four, length },
+    Texts({ "VolumeFractionMesh", VFM_VERSION, Now("%Y/%m/%d"), Now("%H:%M:%S") }, QaLength));
+  AddVariable(layout, "info_records", NetcdfKind::Text, { lines, lineLength },
+    Texts({ Describe(model) }, LineLength));
+}
+
+std::vector<Index> CornersOf(const MeshData& mesh, const ExodusBlock& block)
+{
+  std::vector<Index> corners;
+  corners.reserve(mesh.Corners * block.Elements.size());
+  for (Index element : block.Elements)
+  {
+    const Index* points = mesh.Element(element);
+    std::transform(points, points + mesh.Corners, std::back_inserter(corners),
+      [](Index point) { return point + 1; });
+  }
+  return corners;
+}
+
+/// @return the dimension of each block.
+std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& model)
+{
+  const MeshData& mesh = model.Mesh.Data;
+  std::vector<std::size_t> dimensions;
+  for (const ExodusBlock& block : model.Blocks)
+  {
+    const std::string number = std::to_string(dimensions.size() + 1);
+    dimensions.push_back(
+      AddDimension(layout, "num_el_in_blk" + number, Size(block.Elements.size())));
+    const std::size_t corners =
+      AddDimension(layout, "num_nod_per_el" + number, block.Elements.empty() ? 0 : mesh.Corners);
+    AddVariable(layout, "connect" + number, KindOfNumbers(model), { dimensions.back(), corners },
+      [&mesh, &block] { return CornersOf(mesh, block); },
+      { { "elem_type", mesh.Corners == 4 ? "TETRA" : "HEX8" } });
+  }
+  return dimensions;
+}
+
+void AddSets(NetcdfLayout& layout, const ExodusModel& model)
+{
+  const NetcdfKind kind = KindOfNumbers(model);
+  int count = 0;
+  for (const NodeSet& set : model.Sets.NodeSets)
+  {
+    const std::string number = std::to_string(++count);
+    const std::size_t nodes = AddDimension(layout, "num_nod_ns" + number, Size(set.Points.size()));
+    AddVariable(layout, "node_ns" + number, kind, { nodes },
+      [&set] { return Collect(set.Points, [](Index point) { return point + 1; }); });
+  }
+  count = 0;
+  for (const SideSet& set : model.Sets.SideSets)
+  {
+    const std::string number = std::to_string(++count);
+    const std::size_t sides = AddDimension(layout, "num_side_ss" + number, Size(set.Sides.size()));
+    AddVariable(layout, "elem_ss" + number, kind, { sides },
+      [&set, &model] {
+        return Collect(
+          set.Sides, [&](const MeshSide& side) { return model.Numbers[side.Element]; });
+      });
+    const Index* sideNumbers = model.Mesh.Data.Corners == 4 ? TetSides : HexSides;
+    AddVariable(layout, "side_ss" + number, kind, { sides },
+      [&set, sideNumbers]
+      { return Collect(set.Sides, [&](const MeshSide& side) { return sideNumbers[side.Side]; }); });
+  }
+}
+
+void AddGlobalVariables(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
+{
+  const std::size_t count = AddDimension(layout, "num_glo_var", Size(model.GlobalVariables.size()));
+  AddNames(layout, "name_glo_var", count, sizes.Name, NamesOf(model.GlobalVariables));
+  AddVariable(layout, "vals_glo_var", NetcdfKind::Real, { sizes.Time, count },
+    [&model]
+    {
+      return Collect(
+        model.GlobalVariables, [](const ExodusNumber& number) { return number.Value; });
+    });
+}
+
+/// Variables of nodes; files without nodes have none.
+void AddPointVariables(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
+{
+  const Index points = model.Mesh.Data.NumberOfPoints;
+  const std::size_t count =
+    AddDimension(layout, "num_nod_var", points > 0 ? Size(model.PointVariables.size()) : 0);
+  AddNames(layout, "name_nod_var", count, sizes.Name, NamesOf(model.PointVariables));
+  int number = 0;
+  for (const ExodusVariable& variable : model.PointVariables)
+  {
+    AddVariable(layout, "vals_nod_var" + std::to_string(++number), NetcdfKind::Real,
+      { sizes.Time, sizes.Nodes },
+      [&variable, points]
+      {
+        std::vector<double> values(points);
+        for (Index point = 0; point < points; ++point)
+        {
+          values[point] = ValueAt(*variable.Array, point, variable.Component);
+        }
+        return values;
+      });
+  }
+}
+
+/// All blocks have all variables.
+void AddElementVariables(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes,
+  const std::vector<std::size_t>& blocks)
+{
+  const std::size_t count =
+    AddDimension(layout, "num_elem_var", Size(model.ElementVariables.size()));
+  AddNames(layout, "name_elem_var", count, sizes.Name, NamesOf(model.ElementVariables));
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    const ExodusBlock& block = model.Blocks[b];
+    int number = 0;
+    for (const ExodusVariable& variable : model.ElementVariables)
+    {
+      AddVariable(layout, "vals_elem_var" + std::to_string(++number) + "eb" + std::to_string(b + 1),
+        NetcdfKind::Real, { sizes.Time, blocks[b] },
+        [&block, &variable]
+        {
+          return Collect(block.Elements,
+            [&variable](Index element)
+            { return ValueAt(*variable.Array, element, variable.Component); });
+        });
+    }
+  }
+  AddVariable(layout, "elem_var_tab", NetcdfKind::Int, { sizes.Blocks, count },
+    [cells = model.Blocks.size() * model.ElementVariables.size()]
+    { return std::vector<Index>(cells, 1); });
+}
+
+void AddMaps(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
+{
+  const NetcdfKind kind = model.HasWideIds ? NetcdfKind::WideInt : NetcdfKind::Int;
+  const MeshData& mesh = model.Mesh.Data;
+  AddVariable(layout, "node_num_map", kind, { sizes.Nodes },
+    [&mesh] { return std::vector<Index>(mesh.PointIds, mesh.PointIds + mesh.NumberOfPoints); });
+  AddVariable(layout, "elem_num_map", kind, { sizes.Elements },
+    [&mesh, &model]
+    {
+      std::vector<Index> ids(mesh.NumberOfElements);
+      for (Index element = 0; element < mesh.NumberOfElements; ++element)
+      {
+        ids[model.Numbers[element] - 1] = mesh.ElementIds[element];
+      }
+      return ids;
+    });
+}
+
+} // namespace
+
+std::size_t AddDimension(NetcdfLayout& layout, const std::string& name, Index length)
+{
+  return length > 0 ? layout.AddDimension(name, length) : NoDimension;
+}
+
+void AddVariable(NetcdfLayout& layout, const std::string& name, NetcdfKind kind,
+  std::vector<std::size_t> dimensions, std::function<NetcdfValues()> values,
+  std::vector<NetcdfText> attributes)
+{
+  if (std::find(dimensions.begin(), dimensions.end(), NoDimension) == dimensions.end())
+  {
+    layout.Variables.push_back(
+      { name, kind, std::move(dimensions), std::move(values), std::move(attributes) });
+  }
+}
+
+NetcdfKind KindOfNumbers(const ExodusModel& model)
+{
+  return HasWideNumbers(model) ? NetcdfKind::WideInt : NetcdfKind::Int;
+}
+
+NetcdfLayout MakeExodusLayout(const ExodusModel& model, int ranks)
+{
+  NetcdfLayout layout;
+  AddHead(layout, model);
+  const Sizes sizes = AddSizes(layout, model);
+  AddEntities(layout, model, sizes);
+  if (ranks > 1)
+  {
+    layout.Attributes.emplace_back("nemesis_file_version", NemesisVersion);
+    layout.Attributes.emplace_back("nemesis_api_version", LibraryVersion);
+    AddNemesisHead(layout, model, ranks);
+  }
+  AddRecords(layout, model);
+  const std::vector<std::size_t> blocks = AddBlocks(layout, model);
+  AddSets(layout, model);
+  AddGlobalVariables(layout, model, sizes);
+  AddPointVariables(layout, model, sizes);
+  AddElementVariables(layout, model, sizes, blocks);
+  if (ranks > 1)
+  {
+    AddNemesis(layout, model);
+  }
+  AddMaps(layout, model, sizes);
+  return layout;
+}
+
+} // namespace vfm

@@ -1,0 +1,168 @@
+#include "Meshes/ExodusModel.h"
+
+#include "Ranks/Agreement.h"
+#include "Summary/GatherMesh.h"
+#include "Summary/MeshMaterials.h"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr std::size_t MostLetters = 255;      // of a name: the limit of the Exodus library
+constexpr double LargestArray = 4294967292.0; // bytes, of netCDF's format with 64-bit offsets
+constexpr Index LargestPlainId = std::numeric_limits<std::int32_t>::max();
+
+std::string ToLower(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+/// Appends the id to a name that is too long or that an earlier item has. Readers (IOSS) ignore case.
+template <class Items>
+void NameItems(Items& items, std::size_t& longest)
+{
+  std::set<std::string> seen;
+  for (auto& item : items)
+  {
+    if (item.Name.size() > MostLetters || seen.count(ToLower(item.Name)) > 0)
+    {
+      const std::string ending = "_" + std::to_string(item.Id);
+      item.Name = item.Name.substr(0, MostLetters - ending.size()) + ending;
+    }
+    seen.insert(ToLower(item.Name));
+    longest = std::max(longest, item.Name.size());
+  }
+}
+
+void MakeBlocks(ExodusModel& model, Ranks& ranks)
+{
+  const MeshData& mesh = model.Mesh.Data;
+  const std::vector<int> materials = FindMaterials(mesh, ranks);
+  const int voidId = materials.front() == 0 ? FindVoidId(mesh, ranks) : 0;
+  const std::map<int, std::string> names = NamesOfMaterials(mesh);
+  std::map<int, std::size_t> places;
+  for (int material : materials)
+  {
+    places[material] = model.Blocks.size();
+    model.Blocks.push_back(
+      { material == 0 ? voidId : material, NameOfMaterial(names, material), {} });
+  }
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
+  {
+    model.Blocks[places[mesh.Material[element]]].Elements.push_back(element);
+  }
+  std::sort(model.Blocks.begin(), model.Blocks.end(),
+    [](const ExodusBlock& a, const ExodusBlock& b) { return a.Id < b.Id; });
+  model.Numbers.resize(mesh.NumberOfElements);
+  Index next = 0;
+  for (const ExodusBlock& block : model.Blocks)
+  {
+    for (Index element : block.Elements)
+    {
+      model.Numbers[element] = ++next;
+    }
+  }
+}
+
+/// Totals over the ranks, and the points that ranks share.
+void CountAll(ExodusModel& model, Ranks& ranks)
+{
+  const MeshData& mesh = model.Mesh.Data;
+  model.Sharing = FindSharedPoints({ mesh.PointIds, mesh.PointIds + mesh.NumberOfPoints }, ranks);
+  const std::vector<char>& isOwned = model.Sharing.IsOwned;
+  std::vector<std::int64_t> counts{ std::count(isOwned.begin(), isOwned.end(), 1),
+    mesh.NumberOfElements };
+  for (const ExodusBlock& block : model.Blocks)
+  {
+    counts.push_back(static_cast<std::int64_t>(block.Elements.size()));
+  }
+  for (const SideSet& set : model.Sets.SideSets)
+  {
+    counts.push_back(static_cast<std::int64_t>(set.Sides.size()));
+  }
+  for (const NodeSet& set : model.Sets.NodeSets)
+  {
+    counts.push_back(std::count_if(set.Points.begin(), set.Points.end(),
+      [&isOwned](Index point) { return isOwned[point] != 0; }));
+  }
+  ranks.Sum(counts);
+  auto next = counts.begin();
+  model.TotalNodes = *next++;
+  model.TotalElements = *next++;
+  for (ExodusBlock& block : model.Blocks)
+  {
+    block.Total = *next++;
+  }
+  model.SideTotals.assign(next, next + model.Sets.SideSets.size());
+  next += model.Sets.SideSets.size();
+  model.NodeTotals.assign(next, counts.end());
+}
+
+/// The variables, the same on all ranks, with short names.
+void ListArrays(ExodusModel& model, Ranks& ranks)
+{
+  const MeshData& mesh = model.Mesh.Data;
+  model.PointVariables = ListVariables(mesh.PointArrays, mesh.PointIds);
+  model.ElementVariables = ListVariables(mesh.ElementArrays, mesh.ElementIds);
+  model.GlobalVariables = ListNumbers(mesh.Fields);
+  std::string all;
+  const auto take = [&](auto& variables)
+  {
+    for (auto& variable : variables)
+    {
+      variable.Name = variable.Name.substr(0, MostLetters);
+      model.LongestName = std::max(model.LongestName, variable.Name.size());
+      all += variable.Name + '\n';
+    }
+    all += '\n';
+  };
+  take(model.PointVariables);
+  take(model.ElementVariables);
+  take(model.GlobalVariables);
+  if (Unite(ranks, std::vector<std::size_t>{ std::hash<std::string>()(all) }).size() > 1)
+  {
+    throw InputError("The parts of the mesh have different arrays.");
+  }
+}
+
+void FindSizes(ExodusModel& model, Ranks& ranks)
+{
+  const MeshData& mesh = model.Mesh.Data;
+  const auto isWide = [](const Index* ids, Index count)
+  { return count > 0 && *std::max_element(ids, ids + count) > LargestPlainId; };
+  model.HasWideIds = ranks.Any(
+    isWide(mesh.PointIds, mesh.NumberOfPoints) || isWide(mesh.ElementIds, mesh.NumberOfElements));
+  const double largest =
+    std::max(4.0 * static_cast<double>(mesh.Corners) * static_cast<double>(mesh.NumberOfElements),
+      8.0 * static_cast<double>(mesh.NumberOfPoints));
+  model.HasLargeArrays = ranks.Max(largest) > LargestArray;
+}
+
+} // namespace
+
+ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks)
+{
+  ExodusModel model;
+  model.Mesh = OrderMesh(mesh, ranks);
+  model.Sets = FindMeshSets(model.Mesh.Data, ranks);
+  MakeBlocks(model, ranks);
+  NameItems(model.Blocks, model.LongestName);
+  NameItems(model.Sets.SideSets, model.LongestName);
+  NameItems(model.Sets.NodeSets, model.LongestName);
+  ListArrays(model, ranks);
+  CountAll(model, ranks);
+  FindSizes(model, ranks);
+  return model;
+}
+
+} // namespace vfm

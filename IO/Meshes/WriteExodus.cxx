@@ -1,0 +1,79 @@
+#include "Meshes/WriteExodus.h"
+
+#include "Meshes/ExodusLayout.h"
+#include "Meshes/OutputFile.h"
+#include "Meshes/WriteNetcdf.h"
+#include "Ranks/WorkTogether.h"
+#include "Summary/GatherMesh.h"
+
+#include <optional>
+
+namespace vfm
+{
+namespace
+{
+
+/// path.N.RANK, the rank with as many digits as N.
+std::string PartPath(const std::string& path, const Ranks& ranks)
+{
+  if (ranks.Count() == 1)
+  {
+    return path;
+  }
+  const std::string count = std::to_string(ranks.Count()), rank = std::to_string(ranks.Rank());
+  return path + "." + count + "." + std::string(count.size() - rank.size(), '0') + rank;
+}
+
+/// The message of a failure says which of several files it is.
+void WritePart(const ExodusModel& model, const std::string& part, int ranks)
+{
+  try
+  {
+    WriteNetcdf(MakeExodusLayout(model, ranks), part,
+      model.HasWideIds || model.HasLargeArrays ? NetcdfFormat::Wide : NetcdfFormat::Classic);
+  }
+  catch (const InputError& error)
+  {
+    throw InputError((ranks > 1 ? part + ": " : "") + error.what());
+  }
+}
+
+/// Collective: the files of all ranks, or none.
+void WriteParts(const MeshData& mesh, const std::string& path, Ranks& ranks)
+{
+  const ExodusModel model = MakeExodusModel(mesh, ranks);
+  const std::string part = PartPath(path, ranks);
+  std::optional<UnfinishedFile> file;
+  WorkTogether(ranks,
+    [&]
+    {
+      WritePart(model, part, ranks.Count());
+      file.emplace(part);
+      ranks.Any(false); // throws where another rank failed
+    });
+  file->Keep();
+}
+
+} // namespace
+
+void WriteExodus(const MeshData& mesh, const std::string& path, Ranks& ranks, ExodusParts parts)
+{
+  if (parts == ExodusParts::OneARank || ranks.Count() == 1)
+  {
+    WriteParts(mesh, path, ranks);
+    return;
+  }
+  const StoredMesh ordered = OrderMesh(mesh, ranks);
+  const StoredMesh whole = GatherMesh(ordered.Data, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      if (ranks.Rank() == 0)
+      {
+        Ranks alone;
+        WriteParts(whole.Data, path, alone);
+      }
+    });
+}
+
+} // namespace vfm

@@ -1,0 +1,111 @@
+#include "Meshes/WriteMesh.h"
+
+#include "Base/ParseText.h"
+#include "FileSuffix.h"
+#include "Meshes/WriteAbaqus.h"
+#include "Meshes/WriteExodus.h"
+#include "Meshes/WriteVtu.h"
+#include "Ranks/WorkTogether.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+
+namespace vfm
+{
+namespace
+{
+
+using Writer = void (*)(const MeshData&, const std::string& path, Ranks&);
+
+struct Format
+{
+  const char* Suffix;
+  Writer Write;       ///< collective
+  Writer WriteSingle; ///< one file from several ranks; null when there is none such
+};
+
+template <ExodusParts parts>
+void WriteExodusFiles(const MeshData& mesh, const std::string& path, Ranks& ranks)
+{
+  WriteExodus(mesh, path, ranks, parts);
+}
+
+constexpr Writer WriteExodusParts = WriteExodusFiles<ExodusParts::OneARank>;
+constexpr Writer WriteExodusFile = WriteExodusFiles<ExodusParts::One>;
+
+constexpr Format Formats[] = { { ".vtu", WriteVtu, WriteVtu }, { ".pvtu", WritePvtu, nullptr },
+  { ".e", WriteExodusParts, WriteExodusFile }, { ".ex2", WriteExodusParts, WriteExodusFile },
+  { ".exo", WriteExodusParts, WriteExodusFile }, { ".inp", WriteAbaqus, WriteAbaqus } };
+
+const Format* FindFormat(const std::string& path)
+{
+  const auto found = std::find_if(std::begin(Formats), std::end(Formats),
+    [&path](const Format& format) { return HasSuffix(path, format.Suffix); });
+  return found == std::end(Formats) ? nullptr : found;
+}
+
+} // namespace
+
+std::vector<std::string> GetOutputSuffixes()
+{
+  std::vector<std::string> suffixes;
+  for (const Format& format : Formats)
+  {
+    suffixes.emplace_back(format.Suffix);
+  }
+  return suffixes;
+}
+
+std::string FindOutputProblem(const std::string& path, OutputFiles files)
+{
+  const Format* format = FindFormat(path);
+  if (!format)
+  {
+    return "The output " + path + " is of an unknown kind. Written are " +
+      JoinTexts(GetOutputSuffixes()) + ".";
+  }
+  const bool isRefused = files == OutputFiles::Single && !format->WriteSingle;
+  return isRefused ? "The output " + path + " is always several files." : "";
+}
+
+std::string FindFolderProblem(const std::string& path)
+{
+  const std::size_t slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  return access(folder.c_str(), W_OK | X_OK) == 0
+    ? ""
+    : "Cannot write the output " + path + ": " + std::strerror(errno) + ".";
+}
+
+void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, OutputFiles files)
+{
+  WorkTogether(ranks,
+    [&]
+    {
+      for (const std::string& problem : { FindOutputProblem(path, files), FindFolderProblem(path) })
+      {
+        if (!problem.empty())
+        {
+          throw InputError(problem);
+        }
+      }
+      const Format& format = *FindFormat(path);
+      const Writer write = files == OutputFiles::Single ? format.WriteSingle : format.Write;
+      try
+      {
+        write(mesh, path, ranks);
+      }
+      catch (const FailedTogether&) // has the message of another rank
+      {
+        throw;
+      }
+      catch (const InputError& error)
+      {
+        throw InputError("Cannot write the output " + path + ": " + error.what(), error.Code());
+      }
+    });
+}
+
+} // namespace vfm

@@ -1,0 +1,161 @@
+#include "Meshes/WriteNetcdf4.h"
+
+#ifdef VFM_HAS_NETCDF
+
+#include "Meshes/OutputFile.h"
+#include "Ranks/Errors.h"
+
+#include <netcdf.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr nc_type TypeOf[] = { NC_CHAR, NC_INT, NC_INT64, NC_DOUBLE };
+
+/// status: what a function of the library returned.
+void Check(int status)
+{
+  if (status != NC_NOERR)
+  {
+    const bool isOfSystem = status > 0 || (status == NC_EHDFERR && errno != 0);
+    const char* reason =
+      isOfSystem ? std::strerror(status > 0 ? status : errno) : nc_strerror(status);
+    throw InputError(reason + std::string("."));
+  }
+}
+
+/// An open file; the destructor closes it.
+struct OpenNetcdf
+{
+  explicit OpenNetcdf(const std::string& path)
+  {
+    errno = 0;
+    Check(nc_create(path.c_str(), NC_CLOBBER | NC_NETCDF4, &this->Id));
+  }
+  ~OpenNetcdf()
+  {
+    if (this->Id >= 0)
+    {
+      nc_close(this->Id);
+    }
+  }
+  OpenNetcdf(const OpenNetcdf&) = delete;
+  OpenNetcdf& operator=(const OpenNetcdf&) = delete;
+  void Close() { Check(nc_close(std::exchange(this->Id, -1))); }
+
+  int Id = -1;
+};
+
+void PutAttribute(int file, int variable, const std::string& name, const std::string& text)
+{
+  Check(nc_put_att_text(file, variable, name.c_str(), text.size(), text.data()));
+}
+
+void Define(int file, const NetcdfLayout& layout, std::vector<int>& variables)
+{
+  std::vector<int> dimensions;
+  for (const NetcdfDimension& dimension : layout.Dimensions)
+  {
+    Check(nc_def_dim(file, dimension.Name.c_str(), static_cast<std::size_t>(dimension.Length),
+      &dimensions.emplace_back()));
+  }
+  for (const auto& attribute : layout.Attributes)
+  {
+    const char* name = attribute.first.c_str();
+    if (const auto* text = std::get_if<std::string>(&attribute.second))
+    {
+      PutAttribute(file, NC_GLOBAL, name, *text);
+    }
+    else if (const auto* integer = std::get_if<int>(&attribute.second))
+    {
+      Check(nc_put_att_int(file, NC_GLOBAL, name, NC_INT, 1, integer));
+    }
+    else
+    {
+      const float real = std::get<float>(attribute.second);
+      Check(nc_put_att_float(file, NC_GLOBAL, name, NC_FLOAT, 1, &real));
+    }
+  }
+  for (const NetcdfVariable& variable : layout.Variables)
+  {
+    std::vector<int> ids;
+    for (std::size_t dimension : variable.Dimensions)
+    {
+      ids.push_back(dimensions[dimension]);
+    }
+    Check(nc_def_var(file, variable.Name.c_str(), TypeOf[static_cast<int>(variable.Kind)],
+      static_cast<int>(ids.size()), ids.data(), &variables.emplace_back()));
+    for (const NetcdfText& attribute : variable.Attributes)
+    {
+      PutAttribute(file, variables.back(), attribute.Name, attribute.Value);
+    }
+  }
+  int oldMode = 0;
+  Check(nc_set_fill(file, NC_NOFILL, &oldMode));
+  Check(nc_enddef(file));
+}
+
+void PutValues(int file, int id, const NetcdfLayout& layout, const NetcdfVariable& variable)
+{
+  std::vector<std::size_t> starts(variable.Dimensions.size(), 0), counts;
+  for (std::size_t dimension : variable.Dimensions)
+  {
+    const Index length = layout.Dimensions[dimension].Length;
+    counts.push_back(static_cast<std::size_t>(std::max<Index>(length, 1)));
+  }
+  const NetcdfValues values = variable.Values();
+  if (const auto* text = std::get_if<std::string>(&values))
+  {
+    Check(nc_put_vara_text(file, id, starts.data(), counts.data(), text->data()));
+  }
+  else if (const auto* integers = std::get_if<std::vector<Index>>(&values))
+  {
+    const std::vector<long long> numbers(integers->begin(), integers->end());
+    Check(nc_put_vara_longlong(file, id, starts.data(), counts.data(), numbers.data()));
+  }
+  else
+  {
+    Check(nc_put_vara_double(
+      file, id, starts.data(), counts.data(), std::get<std::vector<double>>(values).data()));
+  }
+}
+
+} // namespace
+
+bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path)
+{
+  OpenNetcdf file(path);
+  UnfinishedFile begun(path);
+  std::vector<int> variables;
+  Define(file.Id, layout, variables);
+  for (std::size_t v = 0; v < variables.size(); ++v)
+  {
+    PutValues(file.Id, variables[v], layout, layout.Variables[v]);
+  }
+  file.Close();
+  begun.Keep();
+  return true;
+}
+
+} // namespace vfm
+
+#else
+
+namespace vfm
+{
+
+bool TryWriteNetcdf4(const NetcdfLayout&, const std::string&)
+{
+  return false;
+}
+
+} // namespace vfm
+
+#endif

@@ -1,0 +1,168 @@
+#include "Meshes/WriteVtu.h"
+
+#include "Meshes/OutputFile.h"
+#include "Meshes/VtuText.h"
+#include "Ranks/Agreement.h"
+#include "Summary/GatherMesh.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <list>
+
+namespace vfm
+{
+namespace
+{
+
+constexpr unsigned char HexType = 12, TetType = 10; // of VTK's cells
+
+template <class T>
+std::string_view View(const T* values, Index count)
+{
+  return { reinterpret_cast<const char*>(values), sizeof(T) * static_cast<std::size_t>(count) };
+}
+
+/// Adds PointData or CellData. tuples: number of points or elements.
+void AddArrays(
+  OutputFile& file, const char* element, const std::vector<MeshArray>& arrays, Index tuples)
+{
+  file.Add(std::string("<") + element + DescribeVtuRoles(arrays) + ">\n");
+  for (const MeshArray& array : arrays)
+  {
+    const auto size = VisitType(array.Type,
+      [](auto tag) { return static_cast<Index>(sizeof(typename decltype(tag)::Type)); });
+    AddVtuArray(file, DescribeVtuArray(array),
+      View(static_cast<const char*>(array.Values), size * array.Components * tuples));
+  }
+  file.Add(std::string("</") + element + ">\n");
+}
+
+void AddCells(OutputFile& file, const MeshData& mesh)
+{
+  const Index count = mesh.NumberOfElements;
+  file.Add("<Cells>\n");
+  AddVtuArray(
+    file, "type=\"Int64\" Name=\"connectivity\"", View(mesh.Elements, mesh.Corners * count));
+  std::vector<Index> offsets(count);
+  for (Index element = 0; element < count; ++element)
+  {
+    offsets[element] = mesh.Corners * (element + 1);
+  }
+  AddVtuArray(file, "type=\"Int64\" Name=\"offsets\"", View(offsets.data(), count));
+  const std::vector<unsigned char> types(count, mesh.Corners == 8 ? HexType : TetType);
+  AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", View(types.data(), count));
+  file.Add("</Cells>\n");
+}
+
+constexpr const char* PointAttributes = "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"";
+
+void WritePiece(const MeshData& mesh, const std::string& path)
+{
+  OutputFile file(path);
+  file.Add(VtuHead("UnstructuredGrid") + "<UnstructuredGrid>\n");
+  AddVtuFields(file, mesh);
+  file.Add("<Piece NumberOfPoints=\"" + std::to_string(mesh.NumberOfPoints) +
+    "\" NumberOfCells=\"" + std::to_string(mesh.NumberOfElements) + "\">\n");
+  AddArrays(file, "PointData", mesh.PointArrays, mesh.NumberOfPoints);
+  AddArrays(file, "CellData", mesh.ElementArrays, mesh.NumberOfElements);
+  file.Add("<Points>\n");
+  AddVtuArray(file, PointAttributes, View(mesh.Points, 3 * mesh.NumberOfPoints));
+  file.Add("</Points>\n");
+  AddCells(file, mesh);
+  file.Add("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  file.Close();
+}
+
+void AddArrayList(OutputFile& file, const char* element, const std::vector<MeshArray>& arrays)
+{
+  file.Add(std::string("<") + element + DescribeVtuRoles(arrays) + ">\n");
+  for (const MeshArray& array : arrays)
+  {
+    file.Add("<PDataArray " + DescribeVtuArray(array) + "/>\n");
+  }
+  file.Add(std::string("</") + element + ">\n");
+}
+
+/// The file that names the pieces which are filled.
+void WriteSummary(const MeshData& mesh, const std::string& path,
+  const std::vector<std::string>& pieces, const std::vector<char>& isFilled)
+{
+  OutputFile file(path);
+  file.Add(VtuHead("PUnstructuredGrid") + "<PUnstructuredGrid GhostLevel=\"0\">\n");
+  AddVtuFields(file, mesh);
+  AddArrayList(file, "PPointData", mesh.PointArrays);
+  AddArrayList(file, "PCellData", mesh.ElementArrays);
+  file.Add(std::string("<PPoints>\n<PDataArray ") + PointAttributes + "/>\n</PPoints>\n");
+  for (std::size_t rank = 0; rank < pieces.size(); ++rank)
+  {
+    file.Add(isFilled[rank] ? "<Piece Source=\"" + XmlText(pieces[rank]) + "\"/>\n" : "");
+  }
+  file.Add("</PUnstructuredGrid>\n</VTKFile>\n");
+  file.Close();
+}
+
+void MakeFolder(const std::filesystem::path& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directory(folder, error);
+  if (error)
+  {
+    throw InputError(folder.string() + ": " + error.message() + ".");
+  }
+}
+
+} // namespace
+
+void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
+{
+  const StoredMesh whole = GatherMesh(mesh, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      if (ranks.Rank() == 0)
+      {
+        MeshData timed = whole.Data;
+        timed.Time = mesh.Time;
+        WritePiece(timed, path);
+      }
+    });
+}
+
+void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
+{
+  const MeshData part = ShareHead(mesh, ranks);
+  const std::vector<char> isFilled =
+    GatherItems(ranks, std::vector<char>{ static_cast<char>(part.NumberOfElements > 0) });
+  const std::filesystem::path folder = std::filesystem::path(path).replace_extension();
+  const std::string name = folder.filename().string();
+  std::vector<std::string> pieces;
+  for (int rank = 0; rank < ranks.Count(); ++rank)
+  {
+    pieces.push_back(name + "/" + name + "_" + std::to_string(rank) + ".vtu");
+  }
+  std::list<UnfinishedFile> files;
+  WorkTogether(ranks,
+    [&]
+    {
+      MakeFolder(folder);
+      if (isFilled[ranks.Rank()])
+      {
+        const std::string piece = (folder.parent_path() / pieces[ranks.Rank()]).string();
+        WritePiece(part, piece);
+        files.emplace_back(piece);
+      }
+      if (ranks.Rank() == 0)
+      {
+        WriteSummary(part, path, pieces, isFilled);
+        files.emplace_back(path);
+      }
+      ranks.Any(false); // throws where another rank failed
+    });
+  for (UnfinishedFile& file : files)
+  {
+    file.Keep();
+  }
+}
+
+} // namespace vfm

@@ -1,0 +1,100 @@
+#include "WriteFile.h"
+
+#include "Meshes/WriteMesh.h"
+#include "NumpyArrays.h"
+#include "NumpyMesh.h"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace vfm
+{
+namespace
+{
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+using NamedArrays = std::vector<std::pair<std::string, NumpyArray>>;
+
+std::vector<MeshArray> ListArrays(const NamedArrays& arrays, Index rows)
+{
+  std::vector<MeshArray> list;
+  for (const auto& [name, values] : arrays)
+  {
+    const NumpyView view(name, values);
+    if (view.Rows != rows)
+    {
+      throw InputError("The array '" + name + "' has another length than the mesh.");
+    }
+    const bool isId = name == "GlobalPointIds" || name == "GlobalCellIds";
+    list.push_back({ name, isId ? ValueType::Id : view.Type, view.Components, {}, view.Values });
+  }
+  return list;
+}
+
+template <class T>
+FieldArray CopyField(const std::string& name, const NumpyView& view)
+{
+  const T* values = static_cast<const T*>(view.Values);
+  return { name, std::vector<T>(values, values + view.Rows * view.Components), view.Components };
+}
+
+FieldArray ReadField(const std::string& name, nb::handle value)
+{
+  if (nb::isinstance<nb::list>(value))
+  {
+    return { name, nb::cast<std::vector<std::string>>(value) };
+  }
+  const NumpyArray array = nb::cast<NumpyArray>(value);
+  const NumpyView view(name, array);
+  switch (view.Type)
+  {
+    case ValueType::Int:
+      return CopyField<int>(name, view);
+    case ValueType::LongLong:
+      return CopyField<Index>(name, view);
+    case ValueType::Double:
+      return CopyField<double>(name, view);
+    default:
+      throw InputError("The field '" + name + "' is neither int32 nor int64 nor float64.");
+  }
+}
+
+void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCells& cells,
+  const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
+  std::optional<double> time)
+{
+  try
+  {
+    StoredMesh mesh{ ViewMesh(points, cells), {} };
+    mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
+    mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
+    for (const auto& [name, value] : fields)
+    {
+      mesh.Data.Fields.push_back(ReadField(nb::cast<std::string>(name), value));
+    }
+    mesh.Data.Time = time;
+    FindKnownArrays(mesh);
+    const nb::gil_scoped_release others;
+    Ranks alone;
+    WriteMesh(mesh.Data, path, alone);
+  }
+  catch (const InputError& error)
+  {
+    PyErr_SetString(PyExc_OSError, error.what());
+    throw nb::python_error();
+  }
+}
+
+} // namespace
+
+void BindWriters(nb::module_& module)
+{
+  module.def("write_mesh", WriteFile, "path"_a, "points"_a, "cells"_a, "point_arrays"_a,
+    "cell_arrays"_a, "fields"_a, "time"_a.none());
+}
+
+} // namespace vfm

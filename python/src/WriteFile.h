@@ -1,0 +1,14 @@
+/**
+ * WriteFile: binds the writers of files of meshes.
+ */
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace vfm
+{
+
+/// Adds write_mesh to the module.
+void BindWriters(nanobind::module_& module);
+
+} // namespace vfm
