@@ -10,8 +10,8 @@
 #include "Mesher.h"
 #include "MissingLevels.h"
 #include "Ranks/WorkTogether.h"
-#include "ReadLabelNames.h"
 #include "StateOutput.h"
+#include "Summary/ReadLabelNames.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
@@ -53,18 +53,6 @@ void LogTraffic(const vfm::MessageRanks& ranks)
     ranks.Rank(), static_cast<long long>(sent.Messages), static_cast<long long>(sent.MessageBytes),
     static_cast<long long>(sent.Exchanges), static_cast<long long>(sent.Reductions),
     static_cast<long long>(sent.GatheredBytes), static_cast<long long>(sent.Gathers));
-}
-
-/// Collective: throws unless all ranks choose the same, neighbours that are known or cells that are shared out.
-void AgreeOn(bool knowsNeighbours, vfm::Ranks& ranks)
-{
-  std::vector<vfm::Index> count{ knowsNeighbours ? 1 : 0 };
-  ranks.Sum(count);
-  if (count[0] > 0 && count[0] < ranks.Count())
-  {
-    throw vfm::InputError("Only " + std::to_string(count[0]) + " of " +
-      std::to_string(ranks.Count()) + " ranks name their face neighbours. All must, or none.");
-  }
 }
 
 } // namespace
@@ -170,11 +158,8 @@ void vtkVolumeFractionMeshAlgorithm::Warn(const std::string& text, const vfm::Ra
 vfm::InputLevels vtkVolumeFractionMeshAlgorithm::FindLevels(
   vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const
 {
-  AgreeOn(this->HasFaceNeighbours, ranks);
-  vfm::CollectedBlocks collected = vfm::CollectAllBlocks(input, arrays, ranks);
-  return this->HasFaceNeighbours
-    ? vfm::FindNeighbourLevels(std::move(collected), this->FaceNeighbours, ranks)
-    : vfm::FindInputLevels(std::move(collected), ranks);
+  return vfm::FindLevels(vfm::CollectAllBlocks(input, arrays, ranks),
+    this->HasFaceNeighbours ? std::make_optional(this->FaceNeighbours) : std::nullopt, ranks);
 }
 
 void vtkVolumeFractionMeshAlgorithm::Run(

@@ -3,7 +3,6 @@
  */
 #include "CMLPSculptor.c.h"
 
-#include "MeshPointers.h"
 #include "SculptorCalls.h"
 
 #include <limits>
@@ -56,17 +55,17 @@ void SetTotals(
 void CopyMesh(SculptorSession& session, const vfm::FragmentParts::Part* part, int corners,
   double* coords, int* elements)
 {
-  vtkUnstructuredGrid* mesh = session.GetMesh();
-  const Index points = part ? static_cast<Index>(part->Points.size()) : mesh->GetNumberOfPoints();
-  const Index all = part ? static_cast<Index>(part->Elements.size()) : mesh->GetNumberOfCells();
-  const Index count = vfm::CornersOf(mesh) == corners ? all : 0;
-  const double* from = vfm::CoordinatesOf(mesh);
+  const vfm::Mesh& mesh = session.GetMesh();
+  const Index points = part ? part->Points.size() : mesh.PointIds.size();
+  const Index all = part ? part->Elements.size() : mesh.ElementIds.size();
+  const Index count = mesh.Corners == corners ? all : 0;
+  const double* from = mesh.Points.data();
   double* to = points > 0 ? NotNull(coords, "coords") : nullptr;
   for (Index p = 0; p < points; ++p)
   {
     std::copy_n(from + 3 * (part ? part->Points[p] : p), 3, to + 3 * p);
   }
-  const Index* corner = count > 0 ? vfm::ConnectivityOf(mesh) : nullptr;
+  const Index* corner = mesh.Elements.data();
   int* node = count > 0 ? NotNull(elements, corners == HexCorners ? "hexes" : "tets") : nullptr;
   const int base = session.GetIndexBase();
   for (Index e = 0; e < count; ++e)
@@ -171,9 +170,9 @@ void c_get_free_totals(int handle, int* num_nodes, int* num_hexes, int* num_tets
   WithSession(handle,
     [=](SculptorSession& session)
     {
-      vtkUnstructuredGrid* mesh = session.GetMesh();
-      SetTotals(mesh->GetNumberOfPoints(), mesh->GetNumberOfCells(), vfm::CornersOf(mesh),
-        num_nodes, num_hexes, num_tets);
+      const vfm::Mesh& mesh = session.GetMesh();
+      SetTotals(
+        mesh.PointIds.size(), mesh.ElementIds.size(), mesh.Corners, num_nodes, num_hexes, num_tets);
     });
 }
 
@@ -206,7 +205,7 @@ int c_get_fragment_totals(int handle, int ifrag, int* num_nodes, int* num_hexes,
     {
       const vfm::FragmentParts::Part part = GetPart(session, ifrag);
       SetTotals(static_cast<Index>(part.Points.size()), static_cast<Index>(part.Elements.size()),
-        vfm::CornersOf(session.GetMesh()), num_nodes, num_hexes, num_tets);
+        session.GetMesh().Corners, num_nodes, num_hexes, num_tets);
     });
 }
 

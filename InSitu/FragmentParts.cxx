@@ -1,30 +1,22 @@
 #include "FragmentParts.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkIntArray.h"
-#include "vtkUnstructuredGrid.h"
-
 #include <numeric>
 
 namespace vfm
 {
 
-FragmentParts::FragmentParts(vtkUnstructuredGrid* mesh) :
-  Mesh(mesh), Order(mesh->GetNumberOfCells())
+FragmentParts::FragmentParts(const Mesh& mesh) : TheMesh(mesh), Order(mesh.Fragment.size())
 {
-  const int* fragments =
-    vtkIntArray::SafeDownCast(mesh->GetCellData()->GetArray("FragmentId"))->GetPointer(0);
-  const std::size_t count = this->Order.size();
-  const int largest = count ? *std::max_element(fragments, fragments + count) : 0;
+  const Buffer<int>& fragments = mesh.Fragment;
+  const int largest = fragments.empty() ? 0 : *std::max_element(fragments.begin(), fragments.end());
   this->First.assign(largest + 2, 0);
-  for (std::size_t e = 0; e < count; ++e)
+  for (int fragment : fragments)
   {
-    ++this->First[fragments[e] + 1];
+    ++this->First[fragment + 1];
   }
   std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
   std::vector<Index> next = this->First;
-  for (std::size_t e = 0; e < count; ++e)
+  for (std::size_t e = 0; e < fragments.size(); ++e)
   {
     this->Order[next[fragments[e]]++] = static_cast<Index>(e);
   }
@@ -39,11 +31,10 @@ FragmentParts::Part FragmentParts::Get(int fragment) const
   }
   part.Elements.assign(
     this->Order.begin() + this->First[fragment], this->Order.begin() + this->First[fragment + 1]);
+  const int corners = this->TheMesh.Corners;
   for (Index element : part.Elements)
   {
-    vtkIdType corners = 0;
-    const vtkIdType* points = nullptr;
-    this->Mesh->GetCells()->GetCellAtId(element, corners, points);
+    const Index* points = this->TheMesh.Elements.data() + corners * element;
     part.Points.insert(part.Points.end(), points, points + corners);
   }
   std::sort(part.Points.begin(), part.Points.end());

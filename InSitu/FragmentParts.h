@@ -3,9 +3,9 @@
  */
 #pragma once
 
-#include "Base/CartesianGrid.h"
+#include "Mesh/Mesh.h"
 
-class vtkUnstructuredGrid;
+#include <vector>
 
 namespace vfm
 {
@@ -13,8 +13,8 @@ namespace vfm
 class FragmentParts
 {
 public:
-  /// mesh: elements of one kind with the cell array FragmentId, numbers from 1. It must outlive this.
-  explicit FragmentParts(vtkUnstructuredGrid* mesh);
+  /// mesh: must outlive this.
+  explicit FragmentParts(const Mesh& mesh);
 
   struct Part
   {
@@ -25,7 +25,7 @@ public:
   Part Get(int fragment) const;
 
 private:
-  vtkUnstructuredGrid* Mesh;
+  const Mesh& TheMesh;
   std::vector<Index> Order,
     First; // elements by fragment; of each fragment from 0 its first, and the end
 };

@@ -1,12 +1,6 @@
 #include "HostCommunicator.h"
 
-#include "Base/Runtime.h"
-
-#include "vtkMPI.h"
-#include "vtkMPICommunicator.h"
-#include "vtkMPIController.h"
-
-#include <new>
+#include <string>
 
 namespace vfm
 {
@@ -21,16 +15,6 @@ bool IsMpiRunning()
   return begun && !ended;
 }
 
-vtkSmartPointer<vtkMultiProcessController> MakeController(MPI_Comm communicator)
-{
-  vtkNew<vtkMPICommunicator> ranks;
-  vtkMPICommunicatorOpaqueComm handle(&communicator);
-  ranks->InitializeExternal(&handle);
-  vtkNew<vtkMPIController> controller;
-  controller->SetCommunicator(ranks);
-  return controller;
-}
-
 } // namespace
 
 HostCommunicator::~HostCommunicator()
@@ -40,7 +24,7 @@ HostCommunicator::~HostCommunicator()
 
 void HostCommunicator::Free()
 {
-  this->Controller = nullptr;
+  this->OfMine.reset();
   if (this->Mine != MPI_COMM_NULL && IsMpiRunning())
   {
     MPI_Comm_free(&this->Mine);
@@ -67,28 +51,17 @@ void HostCommunicator::Set(int communicator)
   }
 }
 
-vtkMultiProcessController* HostCommunicator::GetController()
+Ranks& HostCommunicator::GetRanks()
 {
-  if (!this->Controller && IsMpiRunning())
+  if (!this->OfMine && IsMpiRunning())
   {
-    MPI_Comm_dup(this->Given == MPI_COMM_NULL ? MPI_COMM_WORLD : this->Given, &this->Mine);
-    int isMade = 1, areMade = 0;
-    try
+    if (this->Mine == MPI_COMM_NULL)
     {
-      this->Controller = MakeController(this->Mine);
+      MPI_Comm_dup(this->Given == MPI_COMM_NULL ? MPI_COMM_WORLD : this->Given, &this->Mine);
     }
-    catch (const std::bad_alloc&)
-    {
-      isMade = 0;
-    }
-    MPI_Allreduce(&isMade, &areMade, 1, MPI_INT, MPI_MIN, this->Mine);
-    if (!areMade)
-    {
-      this->Free();
-      throw std::bad_alloc();
-    }
+    this->OfMine.emplace(this->Mine);
   }
-  return this->Controller;
+  return this->OfMine ? *this->OfMine : this->Alone;
 }
 
 } // namespace vfm

@@ -1,13 +1,11 @@
 /**
- * HostCommunicator: the ranks of a host code's MPI communicator, for VTK, with messages of their own.
+ * HostCommunicator: the ranks of a host code's MPI communicator, with messages of their own.
  */
 #pragma once
 
-#include "vtkSmartPointer.h"
+#include "MpiTransport.h"
 
-#include <mpi.h>
-
-class vtkMultiProcessController;
+#include <optional>
 
 namespace vfm
 {
@@ -23,15 +21,16 @@ public:
 
   /// The ranks of a Fortran handle. Throws InputError when MPI does not run or it is no communicator.
   void Set(int communicator);
-  /// Collective when called first: null where MPI does not run, else the controller of a duplicate of what was Set, or of
-  /// MPI_COMM_WORLD. It belongs to this.
-  vtkMultiProcessController* GetController();
+  /// Collective when called first: the ranks of a duplicate of what was Set, or of MPI_COMM_WORLD; this process alone where MPI does not
+  /// run. They belong to this.
+  Ranks& GetRanks();
 
 private:
   void Free();
 
   MPI_Comm Given = MPI_COMM_NULL, Mine = MPI_COMM_NULL;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::optional<MpiRanks> OfMine;
+  Ranks Alone;
 };
 
 } // namespace vfm

@@ -1,7 +1,5 @@
 #include "HostWishes.h"
 
-#include "vtkVolumeFractionMeshAlgorithm.h"
-
 #include <algorithm>
 
 namespace vfm
@@ -35,42 +33,18 @@ bool HostWishes::AddTo(HostGrid& grid, Ranks& ranks)
   return true;
 }
 
-NamedRefinement::NamedRefinement(vtkVolumeFractionMeshAlgorithm& mesher, bool areNamed) :
-  Mesher(mesher),
-  Array(mesher.GetRefinementArray()),
-  Refinement(mesher.GetRefinement()),
-  MaximumLevel(mesher.GetMaximumLevel()),
-  InterfaceLayers(mesher.GetInterfaceLayers()),
-  ThinCells(mesher.GetThinCells()),
-  CurvaturePerCell(mesher.GetCurvaturePerCell()),
-  RefineFlippedCells(mesher.GetRefineFlippedCells())
+void RefineNamedCells(MesherOptions& options)
 {
-  if (!areNamed)
+  options.RefinementArray = ArrayName;
+  if (options.Where != Refinement::Automatic || options.MaximumLevel == 0) // then nothing else asks
   {
-    return;
+    options.Where = Refinement::Automatic;
+    options.MaximumLevel = options.MaximumLevel == 0 ? -1 : options.MaximumLevel;
+    options.ThinCells = 0.0;
+    options.CurvaturePerCell = 0.0;
+    options.RefineFlippedCells = false;
+    options.InterfaceLayers = 0;
   }
-  mesher.SetRefinementArray(ArrayName);
-  const int automatic = vtkVolumeFractionMeshAlgorithm::REFINEMENT_AUTOMATIC;
-  if (this->Refinement != automatic || this->MaximumLevel == 0) // then nothing else asks
-  {
-    mesher.SetRefinement(automatic);
-    mesher.SetMaximumLevel(this->MaximumLevel == 0 ? -1 : this->MaximumLevel);
-    mesher.SetThinCells(0.0);
-    mesher.SetCurvaturePerCell(0.0);
-    mesher.SetRefineFlippedCells(false);
-    mesher.SetInterfaceLayers(0);
-  }
-}
-
-NamedRefinement::~NamedRefinement()
-{
-  this->Mesher.SetRefinementArray(this->Array.c_str());
-  this->Mesher.SetRefinement(this->Refinement);
-  this->Mesher.SetMaximumLevel(this->MaximumLevel);
-  this->Mesher.SetThinCells(this->ThinCells);
-  this->Mesher.SetCurvaturePerCell(this->CurvaturePerCell);
-  this->Mesher.SetRefineFlippedCells(this->RefineFlippedCells);
-  this->Mesher.SetInterfaceLayers(this->InterfaceLayers);
 }
 
 } // namespace vfm

@@ -4,11 +4,10 @@
 #pragma once
 
 #include "HostGrid.h"
+#include "Mesher.h"
 #include "Ranks/Ranks.h"
 
 #include <map>
-
-class vtkVolumeFractionMeshAlgorithm;
 
 namespace vfm
 {
@@ -27,21 +26,7 @@ private:
   std::vector<std::vector<int>> Zeros; // of boxes
 };
 
-/// While this lives a mesher refines the cells that are named, if any are, besides what its options ask; afterwards it is as before.
-class NamedRefinement
-{
-public:
-  NamedRefinement(vtkVolumeFractionMeshAlgorithm& mesher, bool areNamed);
-  ~NamedRefinement();
-  NamedRefinement(const NamedRefinement&) = delete;
-  NamedRefinement& operator=(const NamedRefinement&) = delete;
-
-private:
-  vtkVolumeFractionMeshAlgorithm& Mesher;
-  const std::string Array;
-  const int Refinement, MaximumLevel, InterfaceLayers;
-  const double ThinCells, CurvaturePerCell;
-  const bool RefineFlippedCells;
-};
+/// Sets the options for a mesh whose cells are refined where AddTo says, besides what they ask.
+void RefineNamedCells(MesherOptions& options);
 
 } // namespace vfm

@@ -3,16 +3,37 @@
  */
 #include "Sculptor.h"
 
-#include "MeshPointers.h"
 #include "SculptorCalls.h"
-
-#include "vtkDoubleArray.h"
 
 #include <algorithm>
 
 using vfm::NotNull;
 using vfm::SculptorSession;
 using vfm::WithSession;
+
+namespace
+{
+
+/// Null without values.
+template <class Value>
+int GetArray(
+  int sculptor, vfm::Buffer<Value> vfm::Mesh::*array, const Value** values, const char* name)
+{
+  return WithSession(sculptor,
+    [=](SculptorSession& session)
+    {
+      const vfm::Buffer<Value>& own = session.GetMesh().*array;
+      *NotNull(values, name) = own.empty() ? nullptr : own.data();
+    });
+}
+
+void GiveState(const vfm::CarriedArray& state, int* components, const double** values)
+{
+  *NotNull(components, "components") = state.Components;
+  *NotNull(values, "values") = reinterpret_cast<const double*>(state.Values.data());
+}
+
+} // namespace
 
 int sculptor_create(int* sculptor)
 {
@@ -121,75 +142,55 @@ int sculptor_get_counts(int sculptor, int64_t* points, int64_t* elements, int* c
   return WithSession(sculptor,
     [=](SculptorSession& session)
     {
-      vtkUnstructuredGrid* mesh = session.GetMesh();
-      *NotNull(points, "points") = mesh->GetNumberOfPoints();
-      *NotNull(elements, "elements") = mesh->GetNumberOfCells();
-      *NotNull(corners, "corners") = vfm::CornersOf(mesh);
+      const vfm::Mesh& mesh = session.GetMesh();
+      *NotNull(points, "points") = static_cast<int64_t>(mesh.PointIds.size());
+      *NotNull(elements, "elements") = static_cast<int64_t>(mesh.ElementIds.size());
+      *NotNull(corners, "corners") = mesh.ElementIds.empty() ? 0 : mesh.Corners;
     });
 }
 
 int sculptor_get_points(int sculptor, const double** coordinates)
 {
-  return WithSession(sculptor,
-    [=](SculptorSession& session)
-    { *NotNull(coordinates, "coordinates") = vfm::CoordinatesOf(session.GetMesh()); });
+  return GetArray(sculptor, &vfm::Mesh::Points, coordinates, "coordinates");
 }
 
 int sculptor_get_elements(int sculptor, const int64_t** connectivity)
 {
-  return WithSession(sculptor,
-    [=](SculptorSession& session)
-    { *NotNull(connectivity, "connectivity") = vfm::ConnectivityOf(session.GetMesh()); });
+  return GetArray(sculptor, &vfm::Mesh::Elements, connectivity, "connectivity");
 }
 
 int sculptor_get_point_ids(int sculptor, const int64_t** ids)
 {
-  return WithSession(sculptor,
-    [=](SculptorSession& session)
-    { *NotNull(ids, "ids") = session.GetPointValues<int64_t>("GlobalPointIds"); });
+  return GetArray(sculptor, &vfm::Mesh::PointIds, ids, "ids");
 }
 
 int sculptor_get_element_ids(int sculptor, const int64_t** ids)
 {
-  return WithSession(sculptor,
-    [=](SculptorSession& session)
-    { *NotNull(ids, "ids") = session.GetCellValues<int64_t>("GlobalCellIds"); });
+  return GetArray(sculptor, &vfm::Mesh::ElementIds, ids, "ids");
 }
 
 int sculptor_get_materials(int sculptor, const int** ids)
 {
-  return WithSession(sculptor,
-    [=](SculptorSession& session)
-    { *NotNull(ids, "ids") = session.GetCellValues<int>("MaterialId"); });
+  return GetArray(sculptor, &vfm::Mesh::Material, ids, "ids");
 }
 
 int sculptor_get_fragments(int sculptor, const int** ids)
 {
-  return WithSession(sculptor,
-    [=](SculptorSession& session)
-    { *NotNull(ids, "ids") = session.GetCellValues<int>("FragmentId"); });
+  return GetArray(sculptor, &vfm::Mesh::Fragment, ids, "ids");
 }
 
 int sculptor_get_state(int sculptor, const char* name, int* components, const double** values)
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
-    {
-      vtkDoubleArray* state = session.GetState(NotNull(name, "name"));
-      *NotNull(components, "components") = state->GetNumberOfComponents();
-      *NotNull(values, "values") = state->GetPointer(0);
-    });
+    { GiveState(session.GetState(NotNull(name, "name")), components, values); });
 }
 
 int sculptor_get_point_state(int sculptor, const char* name, int* components, const double** values)
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
-    {
-      vtkDoubleArray* state = session.GetPointState(NotNull(name, "name"));
-      *NotNull(components, "components") = state->GetNumberOfComponents();
-      *NotNull(values, "values") = state->GetPointer(0);
-    });
+    { GiveState(session.GetPointState(NotNull(name, "name")), components, values); });
 }
 
 int sculptor_get_number(int sculptor, const char* name, int index, double* value)

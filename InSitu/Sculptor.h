@@ -1,6 +1,6 @@
 /**
  * Sculptor.h: hexahedral and tetrahedral meshes from the volume fractions of a running simulation, for C and Fortran
- * (module sculptor in sculptor.f90). Link libsculptor; needs VTK's libraries, no ParaView server.
+ * (module sculptor in sculptor.f90). Link libsculptor; needs MPI and netCDF, no VTK, no ParaView.
  *
  * CMLPSculptor.c.h has the ten calls of Sculptor's report, for one material; these do more. Handles are the same for both.
  *

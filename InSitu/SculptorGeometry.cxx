@@ -5,19 +5,32 @@
 
 #include "SculptorCalls.h"
 
-#include "vtkIntArray.h"
-
 using vfm::NotNull;
 using vfm::SculptorSession;
 using vfm::WithSession;
+
+namespace
+{
+
+/// Facets, edges or vertices, of so many corners, with their ids. Null without any.
+void GiveCells(const vfm::Buffer<vfm::Index>& own, const vfm::Buffer<int>& ownIds, int64_t* count,
+  const char* nameOfCount, const int64_t** points, const char* nameOfPoints, const int** ids)
+{
+  *NotNull(count, nameOfCount) = static_cast<int64_t>(ownIds.size());
+  *NotNull(points, nameOfPoints) = ownIds.empty() ? nullptr : own.data();
+  *NotNull(ids, "ids") = ownIds.empty() ? nullptr : ownIds.data();
+}
+
+} // namespace
 
 int sculptor_get_geometry(int sculptor, const int** dimensions, const int** ids)
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
     {
-      *NotNull(dimensions, "dimensions") = session.GetPointValues<int>("GeometryDimension");
-      *NotNull(ids, "ids") = session.GetPointValues<int>("GeometryId");
+      const vfm::Mesh& mesh = session.GetMesh();
+      *NotNull(dimensions, "dimensions") = mesh.GeometryDimension.data();
+      *NotNull(ids, "ids") = mesh.GeometryId.data();
     });
 }
 
@@ -27,11 +40,10 @@ int sculptor_get_surfaces(
   return WithSession(sculptor,
     [=](SculptorSession& session)
     {
-      const vfm::GeometryParts::Cells cells = session.GetGeometryCells(2);
-      *NotNull(facets, "facets") = cells.Count;
-      *NotNull(corners, "corners") = cells.Corners;
-      *NotNull(connectivity, "connectivity") = cells.Points;
-      *NotNull(ids, "ids") = cells.Ids;
+      const vfm::Mesh& mesh = session.GetMesh();
+      const vfm::SurfaceFacets& own = mesh.Surfaces;
+      *NotNull(corners, "corners") = own.SurfaceId.empty() ? 0 : mesh.CornersOfFacet();
+      GiveCells(own.Points, own.SurfaceId, facets, "facets", connectivity, "connectivity", ids);
     });
 }
 
@@ -40,10 +52,8 @@ int sculptor_get_curves(int sculptor, int64_t* edges, const int64_t** connectivi
   return WithSession(sculptor,
     [=](SculptorSession& session)
     {
-      const vfm::GeometryParts::Cells cells = session.GetGeometryCells(1);
-      *NotNull(edges, "edges") = cells.Count;
-      *NotNull(connectivity, "connectivity") = cells.Points;
-      *NotNull(ids, "ids") = cells.Ids;
+      const vfm::CurveEdges& own = session.GetMesh().Curves;
+      GiveCells(own.Points, own.CurveId, edges, "edges", connectivity, "connectivity", ids);
     });
 }
 
@@ -52,10 +62,8 @@ int sculptor_get_vertices(int sculptor, int64_t* vertices, const int64_t** point
   return WithSession(sculptor,
     [=](SculptorSession& session)
     {
-      const vfm::GeometryParts::Cells cells = session.GetGeometryCells(0);
-      *NotNull(vertices, "vertices") = cells.Count;
-      *NotNull(points, "points") = cells.Points;
-      *NotNull(ids, "ids") = cells.Ids;
+      const vfm::VertexPoints& own = session.GetMesh().Vertices;
+      GiveCells(own.Points, own.VertexId, vertices, "vertices", points, "points", ids);
     });
 }
 
@@ -65,9 +73,10 @@ int sculptor_get_bounds(
   return WithSession(sculptor,
     [=](SculptorSession& session)
     {
-      vtkIntArray* array = session.GetGeometryTable(NotNull(table, "table"));
-      *NotNull(rows, "rows") = static_cast<int>(array->GetNumberOfTuples());
-      *NotNull(columns, "columns") = array->GetNumberOfComponents();
-      *NotNull(values, "values") = array->GetPointer(0);
+      const vfm::FieldArray& own = session.GetGeometryTable(NotNull(table, "table"));
+      const auto& numbers = std::get<std::vector<int>>(own.Values);
+      *NotNull(rows, "rows") = static_cast<int>(numbers.size()) / own.Components;
+      *NotNull(columns, "columns") = own.Components;
+      *NotNull(values, "values") = numbers.data();
     });
 }

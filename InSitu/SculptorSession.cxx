@@ -1,29 +1,16 @@
 #include "SculptorSession.h"
 
-#include "ArrayMemory.h"
-#include "ControllerRanks.h"
-#include "HostImages.h"
-#include "MeshDataOfGrid.h"
+#include "Base/ThreadRuntime.h"
+#include "HostInput.h"
 #include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
 #include "Sculptor.h"
 #include "Stage.h"
+#include "State/ViewMesh.h"
+#include "Summary/ReadLabelNames.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkDummyController.h"
-#include "vtkExecutive.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPointData.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolumeFractionToHex.h"
-#include "vtkVolumeFractionToTet.h"
-
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -101,37 +88,65 @@ int CodeOf(const FailedTogether& error)
   return error.Code() ? error.Code() : SCULPTOR_ERROR_INTERNAL;
 }
 
-vtkDataArray* FindMeshArray(vtkFieldData* arrays, const std::string& name)
+///@{ A value of a field; texts are none.
+template <class Value>
+double NumberAt(const std::vector<Value>& values, const std::string& name, int index)
 {
-  vtkDataArray* array = arrays->GetArray(name.c_str());
-  if (!array)
+  if (index < 0 || index >= static_cast<Index>(values.size()))
   {
-    throw InputError("The mesh has no values named '" + name + "'.");
+    throw InputError("'" + name + "' has " + std::to_string(values.size()) +
+      " values, counted from 0; asked for " + std::to_string(index) + ".");
   }
-  return array;
+  return static_cast<double>(values[index]);
+}
+
+double NumberAt(const std::vector<std::string>&, const std::string& name, int)
+{
+  throw InputError("The mesh has no values named '" + name + "'.");
+}
+///@}
+
+std::vector<std::string> NamesOf(const std::vector<FieldName>& fields)
+{
+  std::vector<std::string> names;
+  for (const FieldName& field : fields)
+  {
+    names.push_back(field.Name);
+  }
+  return names;
+}
+
+std::vector<StateCandidate> FindCandidates(const FieldNames& names, const StateChoice& choice)
+{
+  std::vector<StateCandidate> candidates;
+  for (const std::vector<FieldName>* fields : { &names.Materials, &names.States })
+  {
+    for (const FieldName& field : *fields)
+    {
+      if (IsCandidate(field.Name, choice))
+      {
+        candidates.push_back({ field.Name, field.Components });
+      }
+    }
+  }
+  return candidates;
 }
 
 /// where: for the message.
-vtkDoubleArray* FindState(vtkFieldData* arrays, const std::string& name, const std::string& where)
+const CarriedArray& FindState(
+  const CarriedArray* first, std::size_t count, const std::string& name, const std::string& where)
 {
-  auto* array = vtkDoubleArray::SafeDownCast(arrays->GetArray(name.c_str()));
-  if (!array)
+  const auto found = std::find_if(first, first + count,
+    [&name](const CarriedArray& array)
+    { return array.Name == name && array.Type == ValueType::Double; });
+  if (found == first + count)
   {
     throw InputError("The mesh has no state" + where + " named '" + name + "'.");
   }
-  return array;
-}
-
-template <class T>
-const T* ValuesOf(vtkFieldData* arrays, const char* name)
-{
-  return static_cast<const T*>(FindMemory(FindMeshArray(arrays, name)));
+  return *found;
 }
 
 } // namespace
-
-SculptorSession::SculptorSession() = default;
-SculptorSession::~SculptorSession() = default;
 
 void SculptorSession::SetOption(const std::string& name, const std::string& value)
 {
@@ -144,12 +159,9 @@ void SculptorSession::SetOption(const std::string& name, const std::string& valu
     this->IndexBase = value == "1" ? 1 : 0;
     return;
   }
-  this->Tets->SetOption(name, value);
-  if (!FindOption(name)->OnlyTets)
-  {
-    this->Hexes->SetOption(name, value);
-  }
-  this->Options[name] = value;
+  this->Options.Elements = ElementKind::Tets; // which have all options
+  vfm::SetOption(this->Options, name, value);
+  this->Texts[name] = value;
 }
 
 void SculptorSession::SetNeighbours(const int* ranks)
@@ -160,11 +172,6 @@ void SculptorSession::SetNeighbours(const int* ranks)
     this->Neighbours.emplace();
     std::copy_n(ranks, 6, this->Neighbours->begin());
   }
-}
-
-vtkVolumeFractionMeshAlgorithm* SculptorSession::GetMesher(bool tets) const
-{
-  return tets ? static_cast<vtkVolumeFractionMeshAlgorithm*>(this->Tets) : this->Hexes;
 }
 
 void SculptorSession::CheckNeighbours() const
@@ -184,75 +191,47 @@ void SculptorSession::CheckNeighbours() const
 std::string SculptorSession::Describe(bool tets) const
 {
   std::string text = tets ? "tets" : "hexes";
-  for (const auto& option : this->Options)
+  for (const auto& option : this->Texts)
   {
     text += '\n' + option.first + '=' + option.second;
   }
   return text;
 }
 
-void SculptorSession::Configure(vtkVolumeFractionMeshAlgorithm* mesher, const FieldNames& names,
-  vtkMultiProcessController* controller)
+MesherResult SculptorSession::Run(
+  bool tets, bool areCellsNamed, const FieldNames& names, const HostGrid& grid, Ranks& ranks)
 {
-  mesher->SetController(controller);
-  mesher->ClearVolumeFractionArrays();
-  mesher->ClearStateArrays();
-  mesher->SetMaterialIdArray(names.HasMaterialIds ? MaterialIdName : "");
-  for (const FieldName& material : names.Materials)
+  MesherOptions options = this->Options;
+  options.Elements = tets ? ElementKind::Tets : ElementKind::Hexes;
+  if (areCellsNamed)
   {
-    mesher->AddVolumeFractionArray(material.Name.c_str());
+    RefineNamedCells(options);
   }
-  for (const FieldName& state : names.States)
+  MesherInput input;
+  input.Arrays.Labels = names.HasMaterialIds ? MaterialIdName : "";
+  input.Arrays.Fractions = NamesOf(names.Materials);
+  if (names.HasMaterialIds)
   {
-    mesher->AddStateArray(state.Name.c_str());
+    input.Arrays.Names = ShareLabelNames(options.LabelNames, ranks);
   }
-  if (this->Neighbours)
-  {
-    mesher->SetFaceNeighbours(this->Neighbours->data());
-  }
-  else
-  {
-    mesher->ClearFaceNeighbours();
-  }
-}
-
-/// Keeps the outputs alone, not the host's arrays.
-void SculptorSession::Run(vtkVolumeFractionMeshAlgorithm* mesher, const HostGrid& grid)
-{
-  VtkMessages messages;
-  messages.Watch(mesher);
-  mesher->SetInputDataObject(MakeBlocks(grid, 0, static_cast<unsigned int>(grid.Boxes.size())));
-  const bool isDone = mesher->GetExecutive()->Update();
-  mesher->SetInputDataObject(nullptr);
-  vtkUnstructuredGrid* output = mesher->GetOutput();
-  auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  mesh->ShallowCopy(output);
-  this->Geometry.emplace(*mesher);
-  for (int port = 0; port < mesher->GetNumberOfOutputPorts(); ++port)
-  {
-    mesher->GetOutputDataObject(port)->Initialize();
-  }
-  for (const std::string& warning : messages.GetWarnings())
-  {
-    this->WarningText += warning + "\n";
-  }
-  if (messages.HasErrors() || !isDone)
-  {
-    throw SculptorError(messages.TellsLackOfMemory() ? SCULPTOR_ERROR_MEMORY : SCULPTOR_ERROR_INPUT,
-      messages.HasErrors() ? messages.GetErrorText() : "The mesh could not be made.");
-  }
-  this->Mesh = mesh;
+  const StateChoice state = ChooseState(options, NamesOf(names.States));
+  input.Arrays.State = CompleteChoice(state, FindCandidates(names, state));
+  input.Levels =
+    FindLevels(CollectHostBlocks(grid, ranks.Rank(), ranks.Count()), this->Neighbours, ranks);
+  input.StaysInPlace = this->Neighbours.has_value();
+  input.Warn = [this](const std::string& text) { this->WarningText += text + "\n"; };
+  ThreadRuntime runtime(ChooseThreads(options.NumberOfThreads, ranks.Count()), &ranks);
+  return RunMesher(input, options, runtime);
 }
 
 void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
 {
-  this->Mesh = nullptr;
+  this->Result.reset();
   this->Parts.reset();
-  this->Geometry.reset();
+  this->Tables.clear();
   this->WarningText.clear();
   HostWishes wishes = std::exchange(this->Wishes, {});
-  vtkMultiProcessController* controller = this->Communicator.GetController();
-  ControllerRanks ranks(controller);
+  Ranks& ranks = this->Communicator.GetRanks();
   FieldNames names;
   const auto agree = [&]
   {
@@ -271,10 +250,7 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
     HostGrid grid = this->Blocks.Place(ranks);
     const bool areNamed = wishes.AddTo(grid, ranks);
     NameRank(ranks, [&grid] { CheckHostGrid(grid); });
-    vtkVolumeFractionMeshAlgorithm* mesher = this->GetMesher(tets);
-    this->Configure(mesher, names, controller);
-    const NamedRefinement refinement(*mesher, areNamed);
-    this->Run(mesher, grid);
+    this->Result = this->Run(tets, areNamed, names, grid, ranks);
   };
   const auto work = [&]
   {
@@ -287,94 +263,83 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
   }
   catch (const FailedTogether& error)
   {
-    this->Mesh = nullptr; // this rank may have made its part
+    this->Result.reset(); // this rank may have made its part
     throw SculptorError(CodeOf(error), error.what());
   }
 }
 
-vtkUnstructuredGrid* SculptorSession::GetMesh() const
+const MesherResult& SculptorSession::GetResult() const
 {
-  if (!this->Mesh)
+  if (!this->Result)
   {
     throw SculptorError(SCULPTOR_ERROR_NO_MESH, "There is no mesh yet, or the last one failed.");
   }
-  return this->Mesh;
+  return *this->Result;
 }
 
 const FragmentParts& SculptorSession::GetFragmentParts()
 {
-  vtkUnstructuredGrid* mesh = this->GetMesh();
   if (!this->Parts)
   {
-    this->Parts.emplace(mesh);
+    this->Parts.emplace(this->GetMesh());
   }
   return *this->Parts;
 }
 
-GeometryParts::Cells SculptorSession::GetGeometryCells(int dimension)
-{
-  vtkUnstructuredGrid* mesh = this->GetMesh();
-  return this->Geometry->Get(dimension, mesh);
-}
-
-vtkIntArray* SculptorSession::GetGeometryTable(const std::string& name) const
-{
-  this->GetMesh();
-  return this->Geometry->GetTable(name);
-}
-
 int SculptorSession::GetNumberOfFragments() const
 {
-  return static_cast<int>(this->GetNumber("NumberOfFragments", 0));
+  return static_cast<int>(this->GetResult().Report.NumberOfFragments);
 }
 
-template <class T>
-const T* SculptorSession::GetCellValues(const char* name) const
+const FieldArray& SculptorSession::GetGeometryTable(const std::string& name)
 {
-  return ValuesOf<T>(this->GetMesh()->GetCellData(), name);
+  const GeometryTables& tables = this->GetMesh().Tables;
+  if (this->Tables.empty())
+  {
+    for (FieldArrays lists : { ListSurfaces(tables), ListCurves(tables), ListVertices(tables) })
+    {
+      std::move(lists.begin(), lists.end(), std::back_inserter(this->Tables));
+    }
+  }
+  for (const FieldArray& table : this->Tables)
+  {
+    if (table.Name == name && std::holds_alternative<std::vector<int>>(table.Values))
+    {
+      return table;
+    }
+  }
+  throw InputError("There is no table '" + name + "' of what bounds what.");
 }
 
-template <class T>
-const T* SculptorSession::GetPointValues(const char* name) const
+const CarriedArray& SculptorSession::GetState(const std::string& name) const
 {
-  return ValuesOf<T>(this->GetMesh()->GetPointData(), name);
+  const std::vector<CarriedArray>& states = this->GetResult().State.Arrays;
+  return FindState(states.data(), states.size(), name, "");
 }
 
-template const int* SculptorSession::GetCellValues<int>(const char*) const;
-template const std::int64_t* SculptorSession::GetCellValues<std::int64_t>(const char*) const;
-template const int* SculptorSession::GetPointValues<int>(const char*) const;
-template const std::int64_t* SculptorSession::GetPointValues<std::int64_t>(const char*) const;
-
-vtkDoubleArray* SculptorSession::GetState(const std::string& name) const
+const CarriedArray& SculptorSession::GetPointState(const std::string& name) const
 {
-  return FindState(this->GetMesh()->GetCellData(), name, "");
-}
-
-vtkDoubleArray* SculptorSession::GetPointState(const std::string& name) const
-{
-  return FindState(this->GetMesh()->GetPointData(), name, " of nodes");
+  const std::optional<CarriedArray>& velocity = this->GetResult().State.NodalVelocity;
+  return FindState(velocity ? &*velocity : nullptr, velocity ? 1 : 0, name, " of nodes");
 }
 
 double SculptorSession::GetNumber(const std::string& name, int index) const
 {
-  vtkDataArray* values = FindMeshArray(this->GetMesh()->GetFieldData(), name);
-  const vtkIdType count = values->GetNumberOfValues();
-  if (index < 0 || index >= count)
+  const FieldArrays& fields = this->GetResult().Fields;
+  const auto found = std::find_if(
+    fields.begin(), fields.end(), [&name](const FieldArray& field) { return field.Name == name; });
+  if (found == fields.end())
   {
-    throw InputError("'" + name + "' has " + std::to_string(count) +
-      " values, counted from 0; asked for " + std::to_string(index) + ".");
+    throw InputError("The mesh has no values named '" + name + "'.");
   }
-  const int components = values->GetNumberOfComponents();
-  return values->GetComponent(index / components, index % components);
+  return std::visit(
+    [&](const auto& values) { return NumberAt(values, name, index); }, found->Values);
 }
 
 void SculptorSession::Write(const char* path)
 {
-  vtkUnstructuredGrid* mesh = this->GetMesh(); // all ranks have one, or none
-  vtkMultiProcessController* controller = this->Communicator.GetController();
-  vtkNew<vtkDummyController> alone;
-  controller = controller ? controller : alone;
-  ControllerRanks ranks(controller);
+  const MesherResult& result = this->GetResult(); // all ranks have one, or none
+  Ranks& ranks = this->Communicator.GetRanks();
   try
   {
     WorkInStage(ranks, ExitCode::WrongArguments,
@@ -390,8 +355,8 @@ void SculptorSession::Write(const char* path)
           throw InputError(problem);
         }
       });
-    WorkInStage(
-      ranks, ExitCode::UnwritableOutput, [&] { WriteMesh(MeshDataOf(mesh).Data, path, ranks); });
+    const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+    WorkInStage(ranks, ExitCode::UnwritableOutput, [&] { WriteMesh(mesh, path, ranks); });
   }
   catch (const ProgramError& error)
   {

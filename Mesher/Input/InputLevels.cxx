@@ -364,6 +364,20 @@ InputLevels FindNeighbourLevels(
   return input;
 }
 
+InputLevels FindLevels(
+  CollectedBlocks collected, const std::optional<std::array<int, 6>>& faces, Ranks& ranks)
+{
+  std::vector<Index> count{ faces ? 1 : 0 };
+  ranks.Sum(count);
+  if (count[0] > 0 && count[0] < ranks.Count())
+  {
+    throw InputError("Only " + std::to_string(count[0]) + " of " + std::to_string(ranks.Count()) +
+      " ranks name their face neighbours. All must, or none.");
+  }
+  return faces ? FindNeighbourLevels(std::move(collected), *faces, ranks)
+               : FindInputLevels(std::move(collected), ranks);
+}
+
 void CheckCover(const InputLevels& input, const IndexBox& box)
 {
   if (input.Finest() == 0 || box.NumberOfCells() == 0)

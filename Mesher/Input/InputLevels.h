@@ -17,6 +17,8 @@
 
 #include "Input/InputBlocks.h"
 
+#include <optional>
+
 namespace vfm
 {
 
@@ -59,6 +61,10 @@ InputLevels FindInputLevels(CollectedBlocks collected, Ranks& ranks);
 /// Refuses arrays of points, too.
 InputLevels FindNeighbourLevels(
   CollectedBlocks collected, const std::array<int, 6>& faces, Ranks& ranks);
+
+/// Collective: the one or the other, by neighbours where every rank knows them. Throws InputError when some ranks do alone.
+InputLevels FindLevels(
+  CollectedBlocks collected, const std::optional<std::array<int, 6>>& faces, Ranks& ranks);
 
 /// Throws InputError when, in a box of cells of level 0, some are in no block, or finer blocks cover a part of a cell. Of a
 /// single level nothing is checked: it has no gaps.

@@ -30,7 +30,7 @@ class WrongTrees(unittest.TestCase):
             "Parallel/Controller.h": ['#include "Base/Ranks.h"\n', "#include <vtkObject.h>\n"],
             "IO/Meshes/Writer.h": ['#include "Base/Ranks.h"\n'],
             "Filters/vtkFilter.h": ['#include "Pipeline.h"\n', '#include "Shapes/Shapes.h"\n', '#include "vtkFilterModule.h"\n'],
-            "InSitu/Sculptor.h": ['#include "vtkFilter.h"\n', '#include "Writer.h"\n'],
+            "InSitu/Sculptor.h": ['#include "Base/Ranks.h"\n', "#include <mpi.h>\n"],
             "Examples/impact/Options.h": [],
             "Examples/impact/main.cxx": ['#include "Options.h"\n', '#include "Sculptor.h"\n'],
             "Testing/Support/Cases.h": ['#include "Pipeline.h"\n'],
@@ -73,6 +73,9 @@ class WrongTrees(unittest.TestCase):
 
     def test_shapes_with_vtk(self):
         self.expect("does not know VTK: vtkObject.h", "Shapes/Shapes.h", "#include <vtkObject.h>")
+
+    def test_c_interface_with_vtk(self):
+        self.expect("InSitu does not know VTK: vtkObject.h", "InSitu/Other.cxx", "#include <vtkObject.h>")
 
     def test_transport_knows_mpi(self):
         self.tree["Parallel/Mpi/Transport.cxx"] = ["#include <mpi.h>\n"]

@@ -28,12 +28,13 @@ ALLOWED.update({
     "IO/Meshes": BASE + MESHER + ("IO",),
     "Filters": GRID + MESHER + ("Shapes", "Parallel", "Filters/Data"),
     "Filters/Files": BASE + MESHER + ("Parallel", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
-    "InSitu": BASE + MESHER + ("Parallel", "Parallel/Mpi", "IO/Meshes", "Filters", "Filters/Data"),
+    "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Meshes"),
+    "InSitu/Catalyst": BASE + ("Parallel", "Parallel/Mpi", "InSitu"),
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
         "Parallel", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "Filters", "Filters/Data", "Filters/Files", "InSitu"),
     "Plugin": ("Filters", "Mesher/Input"),
     "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Meshes"),
-    "Examples": ("InSitu",),
+    "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
     "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
@@ -42,14 +43,14 @@ ALLOWED.update({
     "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
-    "Testing/InSitu": BASE + ("Parallel", "Filters", "IO", "InSitu", "Program"),
+    "Testing/InSitu": BASE + ("Parallel", "Filters", "Filters/Data", "InSitu", "InSitu/Catalyst", "Program"),
 })
 
 # Folders without VTK, and those of them without MPI.
 WITHOUT_MPI = GRID + MESHER + (
     "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "python", "Testing/IO", "Testing/Support", "Testing/Grid",
     "Testing/Mesher")
-PLAIN = WITHOUT_MPI + ("Parallel/Mpi",)
+PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
 MPI = re.compile(r"mpi", re.IGNORECASE)
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')

@@ -38,7 +38,7 @@ if (TARGET VTK::IOCatalystConduit)
   vfm_add_catalyst_tests(CatalystMeshTest full)
   target_sources(CatalystMeshTest PRIVATE LevelBlocks.cxx)
   target_link_libraries(CatalystMeshTest PRIVATE
-    vfm_insitu VTK::IOCatalystConduit VTK::ParallelCore VTK::ParallelMPI VTK::mpi)
+    vfm_host_blocks VolumeFractionMesh::Filters vfm_parallel VTK::IOCatalystConduit VTK::ParallelCore VTK::ParallelMPI VTK::mpi)
 else ()
   message(STATUS "No tests of how VTK reads Conduit: it was built without its module IOCatalystConduit (VTK_ENABLE_CATALYST)")
 endif ()

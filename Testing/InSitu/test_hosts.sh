@@ -37,6 +37,11 @@ expect "^sculptor $(pkg-config --modversion sculptor)\$" version.out
 "$PREFIX/bin/sculptor" test > sculptor.out
 expect "^PASS" sculptor.out
 
+# The library needs no VTK and no ParaView, nor anything that is linked to them.
+ldd "$PREFIX/lib/libsculptor.so" > libraries.out
+expect "libmpi" libraries.out
+! grep -i "vtk\|paraview\|not found" libraries.out || { echo "libsculptor needs VTK or ParaView, or lacks something"; exit 1; }
+
 # Headers and modules for hosts with warnings as errors.
 headers="$(pkg-config --variable=includedir sculptor)"
 for standard in 99 11; do

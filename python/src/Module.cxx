@@ -2,7 +2,6 @@
  * The module _core: its functions are told in _core.pyi.
  */
 #include "FileBlocks.h"
-#include "Input/LabelTable.h"
 #include "MeasureMesh.h"
 #include "MeshResult.h"
 #include "MesherCall.h"
@@ -11,6 +10,7 @@
 #include "ShapeFractions.h"
 #include "Shapes/ClosedSurface.h"
 #include "Shapes/ShapesText.h"
+#include "Summary/ReadLabelNames.h"
 #include "TetPipeline.h"
 #include "WriteFile.h"
 
@@ -140,9 +140,7 @@ vfm::LabelNames ReadNames(const std::string& path)
 {
   try
   {
-    return vfm::ReadLabelTable(path,
-      [](const vfm::LabelTable& table)
-      { table.Refuse(0, "it is XML, which the filters of ParaView read alone."); });
+    return vfm::ReadLabelNames(path);
   }
   catch (const vfm::InputError& error)
   {

@@ -56,8 +56,4 @@ private:
   std::vector<Row> Rows;
 };
 
-/// readXml: of a file that begins with <. Throws InputError with path and line: no file, no label (a whole number from 0), a label or a name
-/// twice, no name.
-LabelNames ReadLabelTable(const std::string& path, const std::function<void(LabelTable&)>& readXml);
-
 } // namespace vfm

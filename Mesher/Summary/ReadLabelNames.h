@@ -1,6 +1,5 @@
 /**
- * ReadLabelNames: what a text table (LabelTable), or the XML of an atlas of FSL, calls the labels of an image. The images of such an
- * atlas hold one more than its indices where it is of probabilities.
+ * ReadLabelNames: what a file calls the labels of an image: a table (LabelTable), or the XML of an atlas (AtlasXml).
  */
 #pragma once
 

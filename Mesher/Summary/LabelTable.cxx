@@ -1,4 +1,4 @@
-#include "Input/LabelTable.h"
+#include "Summary/LabelTable.h"
 
 #include "Base/ParseText.h"
 #include "Ranks/Errors.h"
@@ -167,28 +167,6 @@ LabelNames LabelTable::MakeNames()
     names[row.Label] = row.Name;
   }
   return names;
-}
-
-LabelNames ReadLabelTable(const std::string& path, const std::function<void(LabelTable&)>& readXml)
-{
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (stream.peek() == std::ifstream::traits_type::eof())
-  {
-    throw InputError("Cannot read the names of labels from " + path + ": " +
-      (errno ? std::strerror(errno) : "the file is empty") + ".");
-  }
-  const bool isXml = stream.peek() == '<';
-  LabelTable table(path, isXml ? "element " : "line ");
-  if (isXml)
-  {
-    readXml(table);
-  }
-  else
-  {
-    table.ReadText(stream);
-  }
-  return table.MakeNames();
 }
 
 } // namespace vfm

@@ -1,0 +1,16 @@
+/**
+ * HostInput: a HostGrid as the input of a run of the mesher, without a copy.
+ */
+#pragma once
+
+#include "HostGrid.h"
+#include "Input/InputBlocks.h"
+
+namespace vfm
+{
+
+/// The boxes of this rank as blocks. Coordinates are the same bits on every rank, and on every level that has the node. The arrays are the
+/// host's memory. rank, ranks: for messages.
+CollectedBlocks CollectHostBlocks(const HostGrid& grid, int rank, int ranks);
+
+} // namespace vfm
