@@ -131,7 +131,8 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
 
 void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
-  const MeshData part = ShareHead(mesh, ranks);
+  const bool isEmpty = !ranks.Any(mesh.NumberOfElements > 0);
+  const MeshData part = isEmpty ? mesh : ShareHead(mesh, ranks);
   const std::vector<char> isFilled =
     GatherItems(ranks, std::vector<char>{ static_cast<char>(part.NumberOfElements > 0) });
   const std::filesystem::path folder = std::filesystem::path(path).replace_extension();
@@ -145,9 +146,9 @@ void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
   WorkTogether(ranks,
     [&]
     {
-      MakeFolder(folder);
       if (isFilled[ranks.Rank()])
       {
+        MakeFolder(folder);
         const std::string piece = (folder.parent_path() / pieces[ranks.Rank()]).string();
         WritePiece(part, piece);
         files.emplace_back(piece);
