@@ -53,7 +53,8 @@ public:
     if (HasOneWidth(this->Mesh))
     {
       const Vector3& widths = this->Mesh.Widths[0];
-      scale = Double4{ 1.0 / widths[0], 1.0 / widths[1], 1.0 / widths[2], 0.0 };
+      const double z = 1.0 / widths[2]; // twice: valgrind does not know how a 0 behind it is made
+      scale = Double4{ 1.0 / widths[0], 1.0 / widths[1], z, z };
       this->Scale = { Fill(static_cast<float>(scale[0])), Fill(static_cast<float>(scale[1])),
         Fill(static_cast<float>(scale[2])) };
     }
