@@ -19,13 +19,6 @@ struct TypedValues
   Buffer<char> Bytes;        ///< value by value, x fastest, in the byte order of this machine
 };
 
-/// Bytes of a value.
-inline Index WidthOfType(int type)
-{
-  return VisitType(
-    type, [](auto tag) { return static_cast<Index>(sizeof(typename decltype(tag)::Type)); });
-}
-
 inline TypedValues MakeValues(const std::string& name, int type, Index count)
 {
   return { name, type, Buffer<char>(count * WidthOfType(type)) };

@@ -301,14 +301,12 @@ const FieldArray& SculptorSession::GetGeometryTable(const std::string& name)
       std::move(lists.begin(), lists.end(), std::back_inserter(this->Tables));
     }
   }
-  for (const FieldArray& table : this->Tables)
+  const FieldArray* table = FindField(this->Tables, name);
+  if (!table || !std::holds_alternative<std::vector<int>>(table->Values))
   {
-    if (table.Name == name && std::holds_alternative<std::vector<int>>(table.Values))
-    {
-      return table;
-    }
+    throw InputError("There is no table '" + name + "' of what bounds what.");
   }
-  throw InputError("There is no table '" + name + "' of what bounds what.");
+  return *table;
 }
 
 const CarriedArray& SculptorSession::GetState(const std::string& name) const
@@ -325,15 +323,13 @@ const CarriedArray& SculptorSession::GetPointState(const std::string& name) cons
 
 double SculptorSession::GetNumber(const std::string& name, int index) const
 {
-  const FieldArrays& fields = this->GetResult().Fields;
-  const auto found = std::find_if(
-    fields.begin(), fields.end(), [&name](const FieldArray& field) { return field.Name == name; });
-  if (found == fields.end())
+  const FieldArray* field = FindField(this->GetResult().Fields, name);
+  if (!field)
   {
     throw InputError("The mesh has no values named '" + name + "'.");
   }
   return std::visit(
-    [&](const auto& values) { return NumberAt(values, name, index); }, found->Values);
+    [&](const auto& values) { return NumberAt(values, name, index); }, field->Values);
 }
 
 void SculptorSession::Write(const char* path)

@@ -3,7 +3,6 @@
 #include "vtkBitArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
@@ -12,7 +11,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -24,30 +22,17 @@ namespace
 
 static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit ids");
 
-/// The memory of an array, or of a copy in an array of another class.
-template <class Copy>
-const void* Keep(vtkDataArray* array, bool asItIs, StoredMesh& mesh)
+/// The values of an array in plain memory, as numbers of a type of VTK: its own, or a copy.
+const void* Keep(vtkDataArray* array, int type, StoredMesh& mesh)
 {
   vtkSmartPointer<vtkDataArray> kept = array;
-  if (!asItIs || !array->HasStandardMemoryLayout())
+  if (array->GetDataType() != type || !array->HasStandardMemoryLayout())
   {
-    kept = vtkSmartPointer<Copy>::New();
+    kept.TakeReference(vtkDataArray::CreateDataArray(type));
     kept->DeepCopy(array);
   }
   mesh.Memory.push_back(std::make_shared<const vtkSmartPointer<vtkDataArray>>(kept));
   return kept->GetVoidPointer(0);
-}
-
-const void* KeepValues(vtkDataArray* array, StoredMesh& mesh)
-{
-  if (array->HasStandardMemoryLayout())
-  {
-    return Keep<vtkDoubleArray>(array, true, mesh);
-  }
-  vtkSmartPointer<vtkDataArray> plain;
-  plain.TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
-  plain->DeepCopy(array);
-  return Keep<vtkDoubleArray>(plain, true, mesh);
 }
 
 std::vector<MeshArray> ListArrays(vtkDataSetAttributes* data, StoredMesh& mesh)
@@ -60,17 +45,9 @@ std::vector<MeshArray> ListArrays(vtkDataSetAttributes* data, StoredMesh& mesh)
     {
       continue;
     }
-    MeshArray view{ array->GetName(), array->GetDataType(), array->GetNumberOfComponents(), {},
-      nullptr };
-    if (view.Type == VTK_BIT)
-    {
-      view.Type = ValueType::UnsignedChar;
-      view.Values = Keep<vtkUnsignedCharArray>(array, false, mesh);
-    }
-    else
-    {
-      view.Values = KeepValues(array, mesh);
-    }
+    const int type = array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType();
+    MeshArray view{ array->GetName(), type, array->GetNumberOfComponents(), {},
+      Keep(array, type, mesh) };
     for (int c = 0; array->HasAComponentName() && c < view.Components; ++c)
     {
       const char* name = array->GetComponentName(c);
@@ -168,8 +145,8 @@ const Index* KeepElements(vtkCellArray* cells, StoredMesh& mesh)
   if (cells->IsStorage64Bit() && cells->GetNumberOfConnectivityIds() == count &&
     cells->IsHomogeneous() == corners)
   {
-    return static_cast<const Index*>(
-      Keep<vtkTypeInt64Array>(cells->GetConnectivityArray64(), true, mesh));
+    vtkDataArray* connectivity = cells->GetConnectivityArray64();
+    return static_cast<const Index*>(Keep(connectivity, connectivity->GetDataType(), mesh));
   }
   std::vector<Index> elements;
   elements.reserve(count);
@@ -193,8 +170,7 @@ StoredMesh ViewCells(vtkPointSet* mesh, vtkCellArray* cells, int corners)
   if (data.NumberOfPoints > 0)
   {
     vtkDataArray* points = mesh->GetPoints()->GetData();
-    data.Points = static_cast<const double*>(
-      Keep<vtkDoubleArray>(points, points->GetDataType() == VTK_DOUBLE, stored));
+    data.Points = static_cast<const double*>(Keep(points, VTK_DOUBLE, stored));
   }
   if (data.NumberOfElements > 0)
   {

@@ -5,8 +5,6 @@ namespace vfm
 namespace
 {
 
-constexpr int DimensionInside = 3;
-
 bool IsBefore(const FacetSide& side, const FacetSide& other)
 {
   return side.Points < other.Points;
@@ -73,7 +71,7 @@ std::vector<MeshFacet> FindElements(std::vector<FacetSide> sides, const Mesh& me
   std::sort(sides.begin(), sides.end(), IsBefore);
   const ElementFaces faces(mesh.Corners);
   const auto isInside = [&mesh](Index point)
-  { return point >= 0 && mesh.GeometryDimension[point] >= DimensionInside; };
+  { return point >= 0 && mesh.GeometryDimension[point] >= DimensionOfVolumes; };
   std::vector<MeshFacet> facets;
   for (std::size_t e = 0; e < mesh.ElementIds.size(); ++e)
   {

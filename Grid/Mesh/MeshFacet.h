@@ -10,6 +10,9 @@ namespace vfm
 
 constexpr int NothingBehind = -1;
 
+/// GeometryDimension of points on a surface, and inside a volume.
+constexpr int DimensionOfSurfaces = 2, DimensionOfVolumes = 3;
+
 struct MeshFacet
 {
   Index Element;  ///< of this rank, from 0

@@ -30,10 +30,9 @@ void AddArrays(
   file.Add(std::string("<") + element + DescribeVtuRoles(arrays) + ">\n");
   for (const MeshArray& array : arrays)
   {
-    const auto size = VisitType(array.Type,
-      [](auto tag) { return static_cast<Index>(sizeof(typename decltype(tag)::Type)); });
     AddVtuArray(file, DescribeVtuArray(array),
-      View(static_cast<const char*>(array.Values), size * array.Components * tuples));
+      View(static_cast<const char*>(array.Values),
+        WidthOfType(array.Type) * array.Components * tuples));
   }
   file.Add(std::string("</") + element + ">\n");
 }
@@ -122,9 +121,7 @@ void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
     {
       if (ranks.Rank() == 0)
       {
-        MeshData timed = whole.Data;
-        timed.Time = mesh.Time;
-        WritePiece(timed, path);
+        WritePiece(whole.Data, path);
       }
     });
 }

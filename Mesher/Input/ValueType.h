@@ -70,6 +70,13 @@ auto VisitType(int type, const Visit& visit)
   }
 }
 
+/// Bytes of a number.
+inline std::int64_t WidthOfType(int type)
+{
+  return VisitType(
+    type, [](auto tag) { return static_cast<std::int64_t>(sizeof(typename decltype(tag)::Type)); });
+}
+
 /// For messages.
 inline const char* NameOfType(int type)
 {

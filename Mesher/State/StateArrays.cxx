@@ -158,9 +158,7 @@ int CarrierType(int type)
 
 std::size_t TupleSize(const StateArray& array)
 {
-  return static_cast<std::size_t>(array.Components) *
-    VisitType(
-      CarrierType(array.Type), [](auto tag) { return sizeof(typename decltype(tag)::Type); });
+  return static_cast<std::size_t>(array.Components * WidthOfType(CarrierType(array.Type)));
 }
 
 } // namespace vfm

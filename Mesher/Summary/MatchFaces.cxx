@@ -105,12 +105,7 @@ std::vector<int> MatchFaces(
       places[rank].push_back(f);
     }
   }
-  std::vector<Bytes> messages;
-  for (const std::vector<Face>& some : open)
-  {
-    messages.push_back(ToBytes(some));
-  }
-  messages = ExchangeAll(std::move(messages), ranks);
+  std::vector<Bytes> messages = ExchangeAll(PackLists(open), ranks);
   WorkTogether(ranks, [&messages] { messages = Answer(messages); });
   messages = ExchangeAll(std::move(messages), ranks);
   for (int rank = 0; rank < ranks.Count(); ++rank)

@@ -11,15 +11,14 @@ namespace vfm
 namespace
 {
 
-constexpr int DimensionInside = 3, DimensionOfSurfaces = 2;
-
 /// The faces that can be on a surface.
 std::vector<MeshFace> CollectFaces(const MeshData& mesh)
 {
   const ElementFaces table(mesh.Corners);
   const auto isInside = [&mesh](Index point)
   {
-    return point >= 0 && mesh.GeometryDimension && mesh.GeometryDimension[point] >= DimensionInside;
+    return point >= 0 && mesh.GeometryDimension &&
+      mesh.GeometryDimension[point] >= DimensionOfVolumes;
   };
   std::vector<MeshFace> faces;
   for (Index element = 0; element < mesh.NumberOfElements; ++element)

@@ -15,7 +15,6 @@ namespace
 {
 
 constexpr const char* SideNames[6] = { "x_min", "x_max", "y_min", "y_max", "z_min", "z_max" };
-constexpr int DimensionOfSurfaces = 2;
 
 using Facets = std::vector<MeshFacet>;
 using Pair = std::array<int, 2>;     // of materials that touch; the faces are the first's

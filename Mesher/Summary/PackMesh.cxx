@@ -88,10 +88,7 @@ private:
 
 Index SizeOf(const MeshArray& array, Index tuples)
 {
-  return VisitType(array.Type,
-    [&](auto tag) {
-      return tuples * array.Components * static_cast<Index>(sizeof(typename decltype(tag)::Type));
-    });
+  return tuples * array.Components * WidthOfType(array.Type);
 }
 
 void AddArrays(const std::vector<MeshArray>& arrays, Index tuples, Packer& packer)

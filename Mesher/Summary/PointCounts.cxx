@@ -51,17 +51,7 @@ std::vector<PartPoint> DealPoints(const std::vector<PartPoint>& own, Ranks& rank
   {
     shares[point.Id % ranks.Count()].push_back(point);
   }
-  std::vector<Bytes> messages;
-  for (const std::vector<PartPoint>& share : shares)
-  {
-    messages.push_back(ToBytes(share));
-  }
-  std::vector<PartPoint> mine;
-  for (const Bytes& bytes : ExchangeAll(std::move(messages), ranks))
-  {
-    const std::vector<PartPoint> some = FromBytes<PartPoint>(bytes);
-    mine.insert(mine.end(), some.begin(), some.end());
-  }
+  auto mine = JoinItems<PartPoint>(ExchangeAll(PackLists(shares), ranks));
   Tidy(mine);
   return mine;
 }

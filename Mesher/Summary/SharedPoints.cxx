@@ -20,17 +20,6 @@ struct Meeting
   }
 };
 
-template <class T>
-std::vector<Bytes> ToMessages(const std::vector<std::vector<T>>& lists)
-{
-  std::vector<Bytes> messages;
-  for (const std::vector<T>& list : lists)
-  {
-    messages.push_back(ToBytes(list));
-  }
-  return messages;
-}
-
 /// For the ids that each rank sent here, those that others sent too.
 std::vector<Bytes> FindMeetings(const std::vector<Bytes>& questions)
 {
@@ -61,7 +50,7 @@ std::vector<Bytes> FindMeetings(const std::vector<Bytes>& questions)
       }
     }
   }
-  return ToMessages(answers);
+  return PackLists(answers);
 }
 
 } // namespace
@@ -82,13 +71,8 @@ SharedPoints FindSharedPoints(const std::vector<Index>& ids, Ranks& ranks)
     places.push_back({ ids[p], static_cast<Index>(p) });
   }
   std::sort(places.begin(), places.end());
-  std::vector<Meeting> meetings;
-  for (const Bytes& answer :
-    ExchangeAll(FindMeetings(ExchangeAll(ToMessages(questions), ranks)), ranks))
-  {
-    const std::vector<Meeting> some = FromBytes<Meeting>(answer);
-    meetings.insert(meetings.end(), some.begin(), some.end());
-  }
+  auto meetings =
+    JoinItems<Meeting>(ExchangeAll(FindMeetings(ExchangeAll(PackLists(questions), ranks)), ranks));
   std::sort(meetings.begin(), meetings.end());
   auto place = places.begin();
   for (const Meeting& meeting : meetings)

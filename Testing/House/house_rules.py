@@ -60,8 +60,8 @@ SOURCES = CODE + (".f90", ".py", ".xml", ".txt", ".cmake")
 LONGEST = 650 # lines
 MOST_AT_ROOT = 8 # files beside the rooms of Grid
 MOST_IN_FOLDER = 40 # files
-CROWDED = ("IO", "InSitu", "Filters", "Program", "Testing/Python", "Testing/Grid") # folders without that limit
-HAVE_HEADERS = GRID + MESHER + ("Shapes",) # folders whose sources have each a header of its name
+CROWDED = ("Filters", "Testing/Python", "Testing/Grid") # folders without that limit
+HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Meshes", "Filters/Data", "Filters/Files") # folders whose sources have each a header of its name
 PACKAGE = "python/volume_fraction_mesh"
 
 

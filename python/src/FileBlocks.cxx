@@ -40,7 +40,8 @@ FileBlocks ReadFileBlocks(
     throw InputError("there is no step " + std::to_string(step) + ": it has " +
       std::to_string(steps) + ", counted from 0.");
   }
-  FileBlocks read{ path, file->Times(), file->Times()[index], names.value_or(file->Names()), {} };
+  FileBlocks read{ path, file->Times(), file->Times()[index], names.value_or(file->Names()), {},
+    {} };
   CheckNames(file->Names(), read.Names);
   read.Blocks = file->Read(index, read.Names, alone);
   constexpr double rounding = 1e-6;
