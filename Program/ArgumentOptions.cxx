@@ -1,268 +1,140 @@
 #include "ArgumentOptions.h"
 
 #include "Base/ParseText.h"
-#include "Options/OptionTable.h"
+#include "Meshes/WriteMesh.h"
+#include "Options/SetOptions.h"
+#include "ReadInput.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace vfm
 {
 namespace
 {
 
-using Taker = ArgumentTaker;
+const std::vector<ArgumentOption> OwnOptions{
+  { "--input", "FILE", "what to mesh" },
+  { "--output", "FILE", "where the mesh goes" },
+  { "--dimensions", "NX,NY,NZ", "numbers of cells of a .spn file" },
+  { "--origin", "X,Y,Z", "lower corner of a .spn or .npy file, default 0,0,0" },
+  { "--spacing", "X,Y,Z", "edges of its cells, default 1,1,1" },
+  { "--axis-order", "ORDER",
+    "its array's indices, xyz (default) to zyx, as Sculpt's spn_xyz_order" },
+  { "--fractions", "A,B,..", "cell arrays, the volume fraction of one material each" },
+  { "--labels", "ARRAY", "instead: integer cell array that names the material of each cell" },
+  { "--material", "ID,..|all",
+    "mesh only these, the others count as void; numbers from 1, or names of arrays" },
+  { "--state", "A,B,..", "cell arrays that the elements carry along: velocity, temperature" },
+  { "--fragments", "FILE.csv", "a table of the fragments too: volumes, centroids, neighbours" },
+  { "--geometry", "FILE.vtm", "surfaces, curves and vertices too, and what bounds what" },
+  { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
+    "Method" },
+  { "--no-smooth", "", "the same as --smooth Off" },
+  { "--refine", "N", "halve all cells N times before they are meshed, 0 to 10" },
+  { "--refine-cells", "ARRAY",
+    "refine the cells that a cell array names: how many times each is to be halved, 0 to 10",
+    "RefinementArray" },
+  { "--refine-box", "BOX",
+    "and all in the box X0,Y0,Z0,X1,Y1,Z1 or X0,..,Z1,N, N times (1); as often as there are "
+    "boxes",
+    "RefinementBoxes", true },
+  { "--set", "Option=Value ..", "any option of the mesher, see below", "", true },
+  { "--list", "", "what the input holds: times, grid, cell arrays, materials; nothing is meshed" },
+  { "--step", "N", "which time of the input, from 0" },
+  { "--time", "T", "the time of the input nearest to T" },
+  { "--single-file", "", "Exodus from several ranks as one file, which the first rank gathers" },
+  { "--quiet", "", "no progress and no table" },
+  { "--help", "", "this text; also -h" },
+  { "--version", "", "the version" },
+};
 
-/// Sets an option of the mesher to the value that follows.
-Taker TakeOption(const std::string& name)
-{
-  return [name](Arguments& to, ArgumentWords& words, const std::string& option)
-  { to.Options.emplace_back(name, words.TakeValue(option)); };
-}
+constexpr const char* Usage =
+  R"(sculptor: a conforming mesh of every material from volume fractions on a grid of cells
 
-Taker SetTo(const std::string& name, const char* value)
-{
-  return [name, value](Arguments& to, ArgumentWords&, const std::string&)
-  { to.Options.emplace_back(name, value); };
-}
+usage: [mpiexec -n RANKS] sculptor [--input] FILE [--output] FILE [options]
+       [mpiexec -n RANKS] sculptor test [--tetmesh [METHOD]] [--no-smooth] [--stairstep] [--refine N] ..
+       [mpiexec -n RANKS] sculptor --list FILE
 
-void TakeRefine(Arguments& to, ArgumentWords& words, const std::string& option)
-{
-  const std::string text = words.TakeValue(option);
-  if (!ParseCount(text, 0, MostHalvings)) // MaximumLevel takes -1, too
-  {
-    RefuseArguments(option + " takes a whole number from 0 to " + std::to_string(MostHalvings) +
-      ", not '" + text + "'.");
-  }
-  to.Options.emplace_back("Refinement", "Uniform");
-  to.Options.emplace_back("MaximumLevel", text);
-}
+)";
 
-/// What is named to be refined is all that is, unless options say otherwise.
-void RefineByName(Arguments& to)
-{
-  const std::pair<std::string, std::string> first{ "Refinement", "Automatic" };
-  if (to.Options.empty() || to.Options[0] != first)
-  {
-    to.Options.insert(
-      to.Options.begin(), { first, { "ThinCells", "0" }, { "FineInterfaces", "off" } });
-  }
-}
+constexpr const char* Materials =
+  R"(Without --fractions and --labels: the arrays 'Material volume fraction - N', else all cell arrays of float,
+double or unsigned char with values in [0, 1] (unsigned char: 0..255), else the labels 'MaterialId';
+of images, if cells have none, arrays of points likewise, each point the centre of a cell; whole numbers of an image file are labels.
+sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL; takes --tetmesh, --smooth, --no-smooth, --stairstep,
+--material 1, --refine N, --refine-cells (without an array: a few cells of one box).
 
-void TakeRefineCells(Arguments& to, ArgumentWords& words, const std::string& option)
-{
-  RefineByName(to);
-  if (to.Task == Command::Test)
-  {
-    to.RefinesCells = true;
-    return;
-  }
-  to.Options.emplace_back("RefinementArray", words.TakeValue(option));
-}
+Options of the mesher, by --set or a name of their own
+)";
 
-void TakeRefineBox(Arguments& to, ArgumentWords& words, const std::string& option)
-{
-  RefineByName(to);
-  const std::string box = words.TakeValue(option);
-  const auto boxes = std::find_if(to.Options.begin(), to.Options.end(),
-    [](const auto& set) { return set.first == "RefinementBoxes"; });
-  if (boxes == to.Options.end())
-  {
-    to.Options.emplace_back("RefinementBoxes", box);
-    return;
-  }
-  boxes->second += ";" + box;
-}
+constexpr const char* ExitCodes = R"(
+Exit codes
+  0  all went well
+  1  wrong arguments
+  2  the input cannot be read, or holds no fitting arrays
+  3  the mesher refuses the input, its message tells why; of sculptor test: a check failed
+  4  the output cannot be written
+  5  not enough memory, or an internal error
 
-void TakeSettings(Arguments& to, ArgumentWords& words, const std::string& option)
-{
-  do
-  {
-    const std::string setting = words.TakeValue(option);
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos)
-    {
-      RefuseArguments(option + " takes Option=Value, not '" + setting + "'.");
-    }
-    to.Options.emplace_back(
-      TrimText(setting.substr(0, equals)), TrimText(setting.substr(equals + 1)));
-  } while (words.HasValue());
-}
+Examples
+  sculptor impact.spcth impact.e
+  mpiexec -n 8 sculptor --input splash.vti --fractions water --output splash.pvtu
+  sculptor --input grains.vti --labels grain --tetmesh Lattice --output grains.e
+  sculptor --input grains.spn --dimensions 20,20,20 --spacing 0.1,0.1,0.1 --output grains.e
+  sculptor --input parts.vti --material 2 --set TargetScaledJacobian=0.4 --output second.vtu
+  sculptor --input scan.vti --labels tissue --label-smoothing 3 --aspect 1.5 --output scan.e
+)";
 
-void TakeStep(Arguments& to, ArgumentWords& words, const std::string& option)
+std::vector<ArgumentOption> ListOptions()
 {
-  const std::string text = words.TakeValue(option);
-  to.Step = ParseCount(text, 0, std::numeric_limits<int>::max());
-  if (!to.Step)
-  {
-    RefuseArguments(option + " takes a whole number from 0, not '" + text + "'.");
-  }
-}
-
-void TakeTime(Arguments& to, ArgumentWords& words, const std::string& option)
-{
-  constexpr double largest = std::numeric_limits<double>::max();
-  const std::string text = words.TakeValue(option);
-  to.Time = ParseNumber(text, -largest, largest);
-  if (!to.Time)
-  {
-    RefuseArguments(option + " takes a number, not '" + text + "'.");
-  }
-}
-
-void TakeMaterials(Arguments& to, ArgumentWords& words, const std::string& option)
-{
-  to.Materials = words.TakeList(option);
-  if (to.Materials.size() == 1 && IsSameWord(to.Materials[0], "all"))
-  {
-    to.Materials.clear();
-  }
-}
-
-/// Three values with commas between them.
-template <class Value>
-Taker TakeThree(std::optional<std::array<Value, 3>> Arguments::*member, Value least, Value most,
-  std::function<std::optional<Value>(const std::string&, Value, Value)> parse, const char* what)
-{
-  return [=](Arguments& to, ArgumentWords& words, const std::string& option)
-  {
-    const std::string text = words.TakeValue(option);
-    const std::vector<std::string> parts = SplitText(text);
-    std::array<Value, 3> values{};
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const auto value = parts.size() == 3 ? parse(parts[i], least, most) : std::nullopt;
-      if (!value)
-      {
-        RefuseArguments(
-          option + " takes three " + what + " with commas between them, not '" + text + "'.");
-      }
-      values[i] = *value;
-    }
-    to.*member = values;
-  };
-}
-
-Taker TakeDimensions()
-{
-  return TakeThree<int>(
-    &Arguments::Dimensions, 1, std::numeric_limits<int>::max() - 1, ParseCount, "numbers of cells");
-}
-
-Taker TakeLengths(
-  std::optional<std::array<double, 3>> Arguments::*member, double least, const char* what)
-{
-  return TakeThree<double>(member, least, std::numeric_limits<double>::max(), ParseNumber, what);
-}
-
-void TakeAxisOrder(Arguments& to, ArgumentWords& words, const std::string& option)
-{
-  const std::string text = words.TakeValue(option);
-  to.AxisOrder = ParseChoice(text, { "xyz", "xzy", "yxz", "yzx", "zxy", "zyx" });
-  if (!to.AxisOrder)
-  {
-    RefuseArguments(
-      option + " takes xyz, xzy, yxz, yzx, zxy or zyx, or its number from 0, not '" + text + "'.");
-  }
-}
-
-void TakeTets(Arguments& to, ArgumentWords& words, const std::string&)
-{
-  to.Tets = true;
-  if (words.HasValue())
-  {
-    to.Options.emplace_back("Method", words.Take());
-  }
-}
-
-Taker TakeText(std::string Arguments::*member)
-{
-  return [member](Arguments& to, ArgumentWords& words, const std::string& option)
-  { to.*member = words.TakeValue(option); };
-}
-
-Taker TakeNames(std::vector<std::string> Arguments::*member)
-{
-  return [member](Arguments& to, ArgumentWords& words, const std::string& option)
-  { to.*member = words.TakeList(option); };
-}
-
-/// Of options that have names here: the value that follows, switches are turned on.
-std::vector<ArgumentOption> ListMesherArguments()
-{
-  std::vector<ArgumentOption> arguments;
+  std::vector<ArgumentOption> options = OwnOptions;
   for (const Option& option : GetOptionTable())
   {
-    const std::string& name = option.Argument;
-    if (!name.empty())
+    const std::string& argument = option.Argument;
+    if (!argument.empty())
     {
-      const bool isSwitch = option.Kind == OptionKind::Switch;
-      arguments.push_back({ name.substr(0, name.find(' ')), "", "",
-        isSwitch ? SetTo(option.Name, "on") : TakeOption(option.Name) });
+      const std::size_t space = argument.find(' ');
+      const std::string value = space == std::string::npos ? "" : argument.substr(space + 1);
+      options.push_back({ argument.substr(0, space), value, "", option.Name });
     }
   }
-  return arguments;
+  return options;
+}
+
+std::string Padded(std::string text, std::size_t width)
+{
+  text.resize(std::max(width, text.size() + 2), ' ');
+  return text;
 }
 
 } // namespace
 
-const std::vector<ArgumentOption>& GetOwnArguments()
+const std::vector<ArgumentOption>& GetArgumentOptions()
 {
-  static const std::vector<ArgumentOption> options{
-    { "--input", "FILE", "what to mesh", TakeText(&Arguments::Input) },
-    { "--output", "FILE", "where the mesh goes", TakeText(&Arguments::Output) },
-    { "--dimensions", "NX,NY,NZ", "numbers of cells of a .spn file", TakeDimensions() },
-    { "--origin", "X,Y,Z", "lower corner of a .spn or .npy file, default 0,0,0",
-      TakeLengths(&Arguments::Origin, std::numeric_limits<double>::lowest(), "numbers") },
-    { "--spacing", "X,Y,Z", "edges of its cells, default 1,1,1",
-      TakeLengths(&Arguments::Spacing, std::numeric_limits<double>::min(), "numbers above 0") },
-    { "--axis-order", "ORDER",
-      "its array's indices, xyz (default) to zyx, as Sculpt's spn_xyz_order", TakeAxisOrder },
-    { "--fractions", "A,B,..", "cell arrays, the volume fraction of one material each",
-      TakeNames(&Arguments::Fractions) },
-    { "--labels", "ARRAY", "instead: integer cell array that names the material of each cell",
-      TakeText(&Arguments::Labels) },
-    { "--material", "ID,..|all",
-      "mesh only these, the others count as void; numbers from 1, or names of arrays",
-      TakeMaterials },
-    { "--state", "A,B,..", "cell arrays that the elements carry along: velocity, temperature",
-      TakeNames(&Arguments::State) },
-    { "--fragments", "FILE.csv", "a table of the fragments too: volumes, centroids, neighbours",
-      TakeText(&Arguments::Fragments) },
-    { "--geometry", "FILE.vtm", "surfaces, curves and vertices too, and what bounds what",
-      TakeText(&Arguments::Geometry) },
-    { "--tetmesh", "[METHOD]", "tetrahedra instead of hexahedra; TetGen, Cells or Lattice",
-      TakeTets },
-    { "--no-smooth", "", "the same as --smooth Off", SetTo("Smoothing", "Off") },
-    { "--refine", "N", "halve all cells N times before they are meshed, 0 to 10", TakeRefine },
-    { "--refine-cells", "ARRAY",
-      "refine the cells that a cell array names: how many times each is to be halved, 0 to 10",
-      TakeRefineCells },
-    { "--refine-box", "BOX",
-      "and all in the box X0,Y0,Z0,X1,Y1,Z1 or X0,..,Z1,N, N times (1); as often as there are "
-      "boxes",
-      TakeRefineBox },
-    { "--set", "Option=Value ..", "any option of the mesher, see below", TakeSettings },
-    { "--list", "", "what the input holds: times, grid, cell arrays, materials; nothing is meshed",
-      [](Arguments& to, ArgumentWords&, const std::string&) { to.Task = Command::List; } },
-    { "--step", "N", "which time of the input, from 0", TakeStep },
-    { "--time", "T", "the time of the input nearest to T", TakeTime },
-    { "--single-file", "", "Exodus from several ranks as one file, which the first rank gathers",
-      [](Arguments& to, ArgumentWords&, const std::string&) { to.SingleFile = true; } },
-    { "--quiet", "", "no progress and no table",
-      [](Arguments& to, ArgumentWords&, const std::string&) { to.Quiet = true; } },
-    { "--help", "", "this text; also -h",
-      [](Arguments& to, ArgumentWords&, const std::string&) { to.Task = Command::Help; } },
-    { "--version", "", "the version",
-      [](Arguments& to, ArgumentWords&, const std::string&) { to.Task = Command::Version; } },
-  };
+  static const std::vector<ArgumentOption> options = ListOptions();
   return options;
 }
 
-const std::vector<ArgumentOption>& GetMesherArguments()
+std::string GetHelp()
 {
-  static const std::vector<ArgumentOption> arguments = ListMesherArguments();
-  return arguments;
+  std::string text = Usage;
+  for (const ArgumentOption& option : OwnOptions)
+  {
+    text += "  " + Padded(option.Name + " " + option.Value, 26) + option.Help + "\n";
+  }
+  text += "\nInput: " + JoinTexts(GetInputSuffixes()) +
+    "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; of FILE.N.RANK any "
+    "one stands for all, with any FILE\n  AMReX: the folder of a plotfile\n"
+    "Output: " +
+    JoinTexts(GetOutputSuffixes()) +
+    "\n  .vtu and .inp (Abaqus, CalculiX) are one file, also from several ranks; Exodus from N "
+    "ranks is one file a rank,\n  FILE.N.RANK\n" +
+    Materials;
+  for (const std::string& line : DescribeOptions(ElementKind::Tets))
+  {
+    text += "  " + line + "\n";
+  }
+  return text + ExitCodes;
 }
 
 } // namespace vfm

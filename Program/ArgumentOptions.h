@@ -1,29 +1,27 @@
 /**
- * ArgumentOptions: the options of the command line: names, help, what each does with the words that follow.
+ * ArgumentOptions: the options of the command line, and the help.
  */
 #pragma once
 
-#include "ArgumentWords.h"
-#include "Arguments.h"
-
-#include <functional>
+#include <string>
+#include <vector>
 
 namespace vfm
 {
 
-/// Takes the values of an option, whose name is the last argument. Throws ProgramError (WrongArguments).
-using ArgumentTaker = std::function<void(Arguments&, ArgumentWords&, const std::string&)>;
-
 struct ArgumentOption
 {
-  std::string Name, Value, Help;
-  ArgumentTaker Take;
+  std::string Name;
+  std::string Value; ///< what follows, empty: nothing; [VALUE]: or nothing
+  std::string Help;  ///< empty: GetHelp shows the option with that of the mesher
+  std::string
+    MesherOption = {};    ///< set to the value, or on; empty: the program reads the value itself
+  bool MayRepeat = false; ///< may be given several times
 };
 
-/// Of the program itself, in the order of the help.
-const std::vector<ArgumentOption>& GetOwnArguments();
+/// The program's own options, then the mesher's that have a name here (Option::Argument).
+const std::vector<ArgumentOption>& GetArgumentOptions();
 
-/// Of the mesher (Option::Argument), which DescribeOptions tells.
-const std::vector<ArgumentOption>& GetMesherArguments();
+std::string GetHelp();
 
 } // namespace vfm

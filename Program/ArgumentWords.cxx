@@ -1,51 +1,99 @@
 #include "ArgumentWords.h"
 
-#include "Base/ParseText.h"
+#include "ArgumentOptions.h"
+
+#include <algorithm>
 
 namespace vfm
 {
+namespace
+{
+
+const ArgumentOption& FindArgument(const std::string& name)
+{
+  const std::vector<ArgumentOption>& options = GetArgumentOptions();
+  const auto found = std::find_if(options.begin(), options.end(),
+    [&](const ArgumentOption& option) { return option.Name == (name == "-h" ? "--help" : name); });
+  if (found == options.end())
+  {
+    RefuseArguments("'" + name + "' is no option.");
+  }
+  return *found;
+}
+
+/// A word that is no option: the input, or after it the output.
+void AddFile(GivenArguments& given, const std::string& file)
+{
+  const char* name = given.count("--input") == 0 ? "--input" : "--output";
+  if (!given.insert({ name, { file } }).second)
+  {
+    RefuseArguments(
+      "'" + file + "' is a file too many: the input and the output are named already.");
+  }
+}
+
+using Word = std::vector<std::string>::const_iterator;
+
+/// The values of the option at word, which then is the one after them.
+std::vector<std::string> TakeValues(
+  Word& word, Word end, const ArgumentOption& option, bool takesValue)
+{
+  std::vector<std::string> values;
+  const std::size_t equals = word->find('=');
+  if (equals != std::string::npos)
+  {
+    values.push_back(word->substr(equals + 1));
+  }
+  const bool takesSeveral = option.Value.find(" ..") != std::string::npos;
+  const auto isValue = [](const std::string& next) { return next.compare(0, 2, "--") != 0; };
+  for (++word; word != end && isValue(*word) && takesValue && (values.empty() || takesSeveral);
+       ++word)
+  {
+    values.push_back(*word);
+  }
+  if (!takesValue && !values.empty())
+  {
+    RefuseArguments(option.Name + " takes no value, but '" + values[0] + "' is given.");
+  }
+  if (takesValue && (values.empty() ? option.Value[0] != '[' : values.back().empty()))
+  {
+    RefuseArguments(option.Name + " needs a value.");
+  }
+  return values;
+}
+
+} // namespace
 
 void RefuseArguments(const std::string& message)
 {
   throw ProgramError(ExitCode::WrongArguments, message + " See sculptor --help.");
 }
 
-ArgumentWords::ArgumentWords(const std::vector<std::string>& words)
+GivenArguments ReadWords(const std::vector<std::string>& words, bool isTest)
 {
-  for (const std::string& word : words)
+  GivenArguments given;
+  for (auto word = words.begin(); word != words.end();)
   {
-    const std::size_t equals = IsOption(word) ? word.find('=') : std::string::npos;
-    this->Left.push_back(word.substr(0, equals));
-    if (equals != std::string::npos)
+    if (!word->empty() && word->front() != '-')
     {
-      this->Joined.insert(this->Left.size());
-      this->Left.push_back(word.substr(equals + 1));
+      AddFile(given, *word++);
+      continue;
     }
-  }
-}
-
-std::string ArgumentWords::TakeValue(const std::string& option)
-{
-  if (!this->HasValue() || this->Left[this->Next].empty())
-  {
-    RefuseArguments(option + " needs a value.");
-  }
-  return this->Take();
-}
-
-std::vector<std::string> ArgumentWords::TakeList(const std::string& option)
-{
-  const std::vector<std::string> list = SplitText(this->TakeValue(option));
-  std::set<std::string> seen;
-  for (const std::string& item : list)
-  {
-    if (item.empty() || !seen.insert(item).second)
+    const ArgumentOption& option = FindArgument(word->substr(0, word->find('=')));
+    if (!option.MayRepeat && given.count(option.Name) > 0)
     {
-      RefuseArguments(option +
-        (item.empty() ? " has an empty name in its list." : " names '" + item + "' twice."));
+      RefuseArguments(option.Name + " is given twice.");
     }
+    const bool takesValue = !option.Value.empty() && !(isTest && option.Name == "--refine-cells");
+    const std::vector<std::string> values = TakeValues(word, words.end(), option, takesValue);
+    if (option.Name == "--help" || option.Name == "--version")
+    {
+      return { { option.Name, {} } };
+    }
+    std::vector<std::string>& to = given[option.Name];
+    to.insert(to.end(), values.begin(), values.end());
   }
-  return list;
+  return given;
 }
 
 } // namespace vfm

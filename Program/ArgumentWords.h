@@ -1,39 +1,27 @@
 /**
- * ArgumentWords: the words of a command line, one after another, and how a wrong one ends the program.
+ * ArgumentWords: the options that a command line gives, and how a wrong one ends the program.
  */
 #pragma once
 
 #include "Stage.h"
 
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace vfm
 {
 
+/// Values of the options that are given, by names of options; a switch has none. Files without an option are values of --input and
+/// --output, in this order.
+using GivenArguments = std::map<std::string, std::vector<std::string>>;
+
 /// Throws ProgramError (WrongArguments).
 [[noreturn]] void RefuseArguments(const std::string& message);
 
-/// The words of a command line, taken from the front.
-class ArgumentWords
-{
-public:
-  explicit ArgumentWords(const std::vector<std::string>& words);
-  bool HasWord() const { return this->Next < this->Left.size(); }
-  bool HasValue() const { return this->HasWord() && !IsOption(this->Left[this->Next]); }
-  /// Whether the next word stood behind the = of an option.
-  bool HasJoinedValue() const { return this->Joined.count(this->Next) > 0; }
-  std::string Take() { return this->Left[this->Next++]; }
-  std::string TakeValue(const std::string& option);
-  /// Names with commas between them, each once.
-  std::vector<std::string> TakeList(const std::string& option);
-
-private:
-  static bool IsOption(const std::string& word) { return word.compare(0, 2, "--") == 0; }
-  std::vector<std::string> Left;
-  std::set<std::size_t> Joined; // places of values behind an =
-  std::size_t Next = 0;
-};
+/// Values may follow an option as the next word or after "=". Of words with --help or --version only this option is returned.
+/// Throws ProgramError (WrongArguments) when an option is unknown, is given twice, lacks a value or takes none.
+/// @param words  without the program's name; of the test, whose --refine-cells takes no value, also without "test"
+GivenArguments ReadWords(const std::vector<std::string>& words, bool isTest);
 
 } // namespace vfm

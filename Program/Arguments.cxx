@@ -1,6 +1,7 @@
 #include "Arguments.h"
 
 #include "ArgumentOptions.h"
+#include "ArgumentWords.h"
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
 #include "Images/ImageFile.h"
@@ -12,6 +13,7 @@
 #include "WriteGeometry.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace vfm
@@ -19,37 +21,161 @@ namespace vfm
 namespace
 {
 
-const ArgumentOption& FindArgument(const std::string& word)
+constexpr double LargestNumber = std::numeric_limits<double>::max();
+constexpr int LargestCount = std::numeric_limits<int>::max();
+
+std::vector<std::string> ValuesOf(const GivenArguments& given, const std::string& name)
 {
-  for (const auto* arguments : { &GetOwnArguments(), &GetMesherArguments() })
+  const auto found = given.find(name);
+  return found == given.end() ? std::vector<std::string>() : found->second;
+}
+
+/// The value of an option, values of several of its kind with semicolons between them; empty where there is none.
+std::string TextOf(const GivenArguments& given, const std::string& name)
+{
+  return JoinTexts(ValuesOf(given, name), ";");
+}
+
+/// The value as parse returns it; nothing where the option is not given.
+template <class Parse>
+auto ReadValue(
+  const GivenArguments& given, const std::string& name, const std::string& takes, Parse parse)
+{
+  const std::string text = TextOf(given, name);
+  const auto value = text.empty() ? std::nullopt : parse(text);
+  if (!text.empty() && !value)
   {
-    for (const ArgumentOption& option : *arguments)
+    RefuseArguments(name + " takes " + takes + ", not '" + text + "'.");
+  }
+  return value;
+}
+
+/// Three values with commas between them.
+template <class Value>
+std::optional<std::array<Value, 3>> ReadThree(const GivenArguments& given, const std::string& name,
+  const std::string& what, std::optional<Value> parse(const std::string&, Value, Value),
+  Value least, Value most)
+{
+  const auto parseAll = [=](const std::string& text) -> std::optional<std::array<Value, 3>>
+  {
+    const std::vector<std::string> parts = SplitText(text);
+    std::array<Value, 3> values{};
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      if (option.Name == (word == "-h" ? "--help" : word))
+      const auto value = parts.size() == 3 ? parse(parts[i], least, most) : std::nullopt;
+      if (!value)
       {
-        return option;
+        return std::nullopt;
       }
+      values[i] = *value;
+    }
+    return values;
+  };
+  return ReadValue(given, name, "three " + what + " with commas between them", parseAll);
+}
+
+std::optional<int> ReadCount(
+  const GivenArguments& given, const std::string& name, const std::string& range, int most)
+{
+  return ReadValue(given, name, "a whole number from 0" + range,
+    [=](const std::string& text) { return ParseCount(text, 0, most); });
+}
+
+/// Names with commas between them, each once.
+std::vector<std::string> ReadList(const GivenArguments& given, const std::string& name)
+{
+  const std::string text = TextOf(given, name);
+  const std::vector<std::string> list = text.empty() ? std::vector<std::string>() : SplitText(text);
+  std::set<std::string> seen;
+  for (const std::string& item : list)
+  {
+    if (item.empty() || !seen.insert(item).second)
+    {
+      RefuseArguments(
+        name + (item.empty() ? " has an empty name in its list." : " names '" + item + "' twice."));
     }
   }
-  RefuseArguments("'" + word + "' is no option.");
+  return list;
 }
 
-bool IsGivenTwice(const std::string& name, std::set<std::string>& seen)
+Arguments ReadValues(const GivenArguments& given)
 {
-  return !seen.insert(name == "--no-smooth" ? "--smooth" : name).second && name != "--set" &&
-    name != "--refine-box";
-}
-
-/// A word that is no option: the input, or after it the output.
-void TakeFile(Arguments& to, const std::string& word, std::set<std::string>& seen)
-{
-  const bool isInput = seen.insert("--input").second;
-  if (!isInput && !seen.insert("--output").second)
+  Arguments to;
+  to.Input = TextOf(given, "--input");
+  to.Output = TextOf(given, "--output");
+  to.Dimensions =
+    ReadThree(given, "--dimensions", "numbers of cells", ParseCount, 1, LargestCount - 1);
+  to.Origin = ReadThree(given, "--origin", "numbers", ParseNumber, -LargestNumber, LargestNumber);
+  to.Spacing = ReadThree(given, "--spacing", "numbers above 0", ParseNumber,
+    std::numeric_limits<double>::min(), LargestNumber);
+  to.AxisOrder =
+    ReadValue(given, "--axis-order", "xyz, xzy, yxz, yzx, zxy or zyx, or its number from 0",
+      [](const std::string& text) {
+        return ParseChoice(text, { "xyz", "xzy", "yxz", "yzx", "zxy", "zyx" });
+      });
+  to.Fragments = TextOf(given, "--fragments");
+  to.Geometry = TextOf(given, "--geometry");
+  to.Fractions = ReadList(given, "--fractions");
+  to.Labels = TextOf(given, "--labels");
+  to.Materials = ReadList(given, "--material");
+  if (to.Materials.size() == 1 && IsSameWord(to.Materials[0], "all"))
   {
-    RefuseArguments(
-      "'" + word + "' is a file too many: the input and the output are named already.");
+    to.Materials.clear();
   }
-  (isInput ? to.Input : to.Output) = word;
+  to.State = ReadList(given, "--state");
+  to.Tets = given.count("--tetmesh") > 0;
+  to.Step = ReadCount(given, "--step", "", LargestCount);
+  to.Time = ReadValue(given, "--time", "a number",
+    [](const std::string& text) { return ParseNumber(text, -LargestNumber, LargestNumber); });
+  to.SingleFile = given.count("--single-file") > 0;
+  to.Quiet = given.count("--quiet") > 0;
+  return to;
+}
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// What options of refinement set besides their own values. Where cells are named, only they are refined.
+Settings ListRefinement(const GivenArguments& given)
+{
+  const std::optional<int> halvings =
+    ReadCount(given, "--refine", " to " + std::to_string(MostHalvings), MostHalvings);
+  if (halvings)
+  {
+    return { { "Refinement", "Uniform" }, { "MaximumLevel", std::to_string(*halvings) } };
+  }
+  if (given.count("--refine-cells") + given.count("--refine-box") > 0)
+  {
+    return { { "Refinement", "Automatic" }, { "ThinCells", "0" }, { "FineInterfaces", "off" } };
+  }
+  return {};
+}
+
+/// Options of the mesher with their values, those of --set last, so that they replace others.
+Settings ListSettings(const GivenArguments& given)
+{
+  Settings settings = ListRefinement(given);
+  if (given.count("--no-smooth") > 0)
+  {
+    settings.emplace_back("Smoothing", "Off");
+  }
+  for (const ArgumentOption& option : GetArgumentOptions())
+  {
+    const std::string value = option.Value.empty() ? "on" : TextOf(given, option.Name);
+    if (given.count(option.Name) > 0 && !option.MesherOption.empty() && !value.empty())
+    {
+      settings.emplace_back(option.MesherOption, value);
+    }
+  }
+  for (const std::string& word : ValuesOf(given, "--set"))
+  {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos)
+    {
+      RefuseArguments("--set takes Option=Value, not '" + word + "'.");
+    }
+    settings.emplace_back(TrimText(word.substr(0, equals)), TrimText(word.substr(equals + 1)));
+  }
+  return settings;
 }
 
 void CheckVoxels(const Arguments& from)
@@ -82,22 +208,7 @@ void CheckInput(const Arguments& from)
     RefuseArguments("--input FILE is missing.");
   }
   CheckInputSuffix(from.Input);
-  if (from.Step && from.Time)
-  {
-    RefuseArguments("--step and --time exclude each other.");
-  }
   CheckVoxels(from);
-}
-
-void CheckRefinement(const std::set<std::string>& seen)
-{
-  for (const char* name : { "--refine-cells", "--refine-box" })
-  {
-    if (seen.count("--refine") > 0 && seen.count(name) > 0)
-    {
-      RefuseArguments(std::string("--refine and ") + name + " exclude each other.");
-    }
-  }
 }
 
 void CheckOutput(const Arguments& from)
@@ -110,18 +221,13 @@ void CheckOutput(const Arguments& from)
   }
 }
 
-void CheckMesh(const Arguments& from, const std::set<std::string>& seen)
+void CheckMesh(const Arguments& from)
 {
   CheckInput(from);
   if (from.Output.empty())
   {
     RefuseArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
   }
-  if (!from.Labels.empty() && !from.Fractions.empty())
-  {
-    RefuseArguments("--fractions and --labels exclude each other.");
-  }
-  CheckRefinement(seen);
   if (!from.Geometry.empty())
   {
     CheckGeometrySuffix(from.Geometry);
@@ -170,65 +276,41 @@ void AddDensities(Arguments& to)
   }
 }
 
-/// what: for the message.
-void CheckOptions(
-  const std::string& what, const std::vector<std::string>& known, const std::set<std::string>& seen)
+void CheckExclusive(const GivenArguments& given)
 {
-  for (const std::string& name : seen)
+  for (const auto& [one, other] :
+    { std::pair("--step", "--time"), { "--fractions", "--labels" }, { "--smooth", "--no-smooth" },
+      { "--refine", "--refine-cells" }, { "--refine", "--refine-box" } })
   {
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (given.count(one) + given.count(other) == 2)
     {
-      RefuseArguments(what + " takes " + JoinTexts(known) + ", not " + name + ".");
+      RefuseArguments(std::string(one) + " and " + other + " exclude each other.");
     }
   }
 }
 
-void CheckList(const Arguments& from, const std::set<std::string>& seen)
+/// task: for the message.
+void CheckTaken(
+  const GivenArguments& given, const std::string& task, const std::vector<std::string>& taken)
 {
-  CheckOptions("--list",
-    { "--input", "--dimensions", "--origin", "--spacing", "--axis-order", "--step", "--time",
-      "--list" },
-    seen);
-  CheckInput(from);
-}
-
-/// The test makes its own input.
-void CheckTest(const Arguments& from, const std::set<std::string>& seen)
-{
-  CheckOptions("sculptor test",
-    { "--tetmesh", "--stairstep", "--smooth", "--no-smooth", "--material", "--refine",
-      "--refine-cells", "--output", "--quiet" },
-    seen);
-  CheckRefinement(seen);
-  if (!from.Output.empty())
+  for (const auto& argument : given)
   {
-    CheckOutput(from);
+    if (std::find(taken.begin(), taken.end(), argument.first) == taken.end())
+    {
+      RefuseArguments(task + " takes " + JoinTexts(taken) + ", not " + argument.first + ".");
+    }
   }
 }
 
-std::string Padded(std::string text, std::size_t width)
+Command FindTask(const GivenArguments& given, bool isTest)
 {
-  text.resize(std::max(width, text.size() + 2), ' ');
-  return text;
+  const auto has = [&given](const char* name) { return given.count(name) > 0; };
+  return has("--help") ? Command::Help
+    : has("--version") ? Command::Version
+    : isTest           ? Command::Test
+    : has("--list")    ? Command::List
+                       : Command::Mesh;
 }
-
-constexpr const char* ExitCodes = R"(
-Exit codes
-  0  all went well
-  1  wrong arguments
-  2  the input cannot be read, or holds no fitting arrays
-  3  the mesher refuses the input, its message tells why; of sculptor test: a check failed
-  4  the output cannot be written
-  5  not enough memory, or an internal error
-
-Examples
-  sculptor impact.spcth impact.e
-  mpiexec -n 8 sculptor --input splash.vti --fractions water --output splash.pvtu
-  sculptor --input grains.vti --labels grain --tetmesh Lattice --output grains.e
-  sculptor --input grains.spn --dimensions 20,20,20 --spacing 0.1,0.1,0.1 --output grains.e
-  sculptor --input parts.vti --material 2 --set TargetScaledJacobian=0.4 --output second.vtu
-  sculptor --input scan.vti --labels tissue --label-smoothing 3 --aspect 1.5 --output scan.e
-)";
 
 } // namespace
 
@@ -249,94 +331,43 @@ std::vector<std::string> ListOtherArrays(
   return names;
 }
 
-Arguments ParseArguments(const std::vector<std::string>& given)
+Arguments ParseArguments(const std::vector<std::string>& words)
 {
-  Arguments arguments;
-  ArgumentWords words(given);
-  const bool isTest = !given.empty() && given[0] == "test";
-  if (isTest)
-  {
-    arguments.Task = Command::Test;
-    words.Take();
-  }
-  std::set<std::string> seen;
-  while (words.HasWord())
-  {
-    const std::string word = words.Take();
-    if (!isTest && !word.empty() && word[0] != '-')
-    {
-      TakeFile(arguments, word, seen);
-      continue;
-    }
-    const ArgumentOption& option = FindArgument(word);
-    if (IsGivenTwice(option.Name, seen))
-    {
-      RefuseArguments(option.Name + " is given twice.");
-    }
-    option.Take(arguments, words, option.Name);
-    if (words.HasJoinedValue())
-    {
-      RefuseArguments(option.Name + " takes no value, but '" + words.Take() + "' is given.");
-    }
-    if (arguments.Task == Command::Help || arguments.Task == Command::Version)
-    {
-      return arguments;
-    }
-  }
+  const bool isTest = !words.empty() && words[0] == "test";
+  const GivenArguments given = ReadWords({ words.begin() + (isTest ? 1 : 0), words.end() }, isTest);
+  CheckExclusive(given);
+  Arguments arguments = ReadValues(given);
+  arguments.Task = FindTask(given, isTest);
+  arguments.Options = ListSettings(given);
   arguments.Mesher = ReadOptions(arguments);
-  if (isTest)
+  switch (arguments.Task)
   {
-    CheckTest(arguments, seen);
-  }
-  else if (arguments.Task == Command::List)
-  {
-    CheckList(arguments, seen);
-  }
-  else
-  {
-    CheckMesh(arguments, seen);
-    AddDensities(arguments);
-    CheckConserved(arguments.Mesher);
+    case Command::Test: // which makes its own input
+      CheckTaken(given, "sculptor test",
+        { "--tetmesh", "--stairstep", "--smooth", "--no-smooth", "--material", "--refine",
+          "--refine-cells", "--output", "--quiet" });
+      arguments.RefinesCells = given.count("--refine-cells") > 0;
+      if (!arguments.Output.empty())
+      {
+        CheckOutput(arguments);
+      }
+      break;
+    case Command::List:
+      CheckTaken(given, "--list",
+        { "--input", "--dimensions", "--origin", "--spacing", "--axis-order", "--step", "--time",
+          "--list" });
+      CheckInput(arguments);
+      break;
+    case Command::Mesh:
+      CheckMesh(arguments);
+      AddDensities(arguments);
+      CheckConserved(arguments.Mesher);
+      break;
+    case Command::Help:
+    case Command::Version:
+      break;
   }
   return arguments;
-}
-
-std::string GetHelp()
-{
-  std::string text =
-    "sculptor: a conforming mesh of every material from volume fractions on a grid of cells\n\n"
-    "usage: [mpiexec -n RANKS] sculptor [--input] FILE [--output] FILE [options]\n"
-    "       [mpiexec -n RANKS] sculptor test [--tetmesh [METHOD]] [--no-smooth] [--stairstep] "
-    "[--refine N] ..\n"
-    "       [mpiexec -n RANKS] sculptor --list FILE\n\n";
-  for (const ArgumentOption& option : GetOwnArguments())
-  {
-    text += "  " + Padded(option.Name + " " + option.Value, 26) + option.Help + "\n";
-  }
-  text += "\nInput: " + JoinTexts(GetInputSuffixes()) +
-    "\n  Exodus: hexahedra that form a Cartesian grid, with element variables; of FILE.N.RANK any "
-    "one stands for all, with any FILE\n  AMReX: the folder of a plotfile\n";
-  text += "Output: " + JoinTexts(GetOutputSuffixes()) +
-    "\n  .vtu and .inp (Abaqus, CalculiX) are one file, also from several ranks; Exodus from N "
-    "ranks is "
-    "one file a rank,\n  FILE.N.RANK\n";
-  text += "Without --fractions and --labels: the arrays 'Material volume fraction - N', else all "
-          "cell arrays of float,\n"
-          "double or unsigned char with values in [0, 1] (unsigned char: 0..255), else the labels "
-          "'MaterialId';\n"
-          "of images, if cells have none, arrays of points likewise, each point the centre of a "
-          "cell; whole numbers of an image "
-          "file are labels.\n";
-  text +=
-    "sculptor test: meshes two boxes, checks the mesh and prints PASS or FAIL; takes --tetmesh, "
-    "--smooth, --no-smooth, --stairstep,\n"
-    "--material 1, --refine N, --refine-cells (without an array: a few cells of one box).\n";
-  text += "\nOptions of the mesher, by --set or a name of their own\n";
-  for (const std::string& line : DescribeOptions(ElementKind::Tets))
-  {
-    text += "  " + line + "\n";
-  }
-  return text + ExitCodes;
 }
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * Arguments: the command line of sculptor, and its help.
+ * Arguments: the command line of sculptor.
  */
 #pragma once
 
@@ -51,7 +51,5 @@ std::vector<std::string> ListOtherArrays(
 
 /// words: without the program's name. Throws ProgramError (WrongArguments).
 Arguments ParseArguments(const std::vector<std::string>& words);
-
-std::string GetHelp();
 
 } // namespace vfm

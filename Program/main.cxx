@@ -1,6 +1,7 @@
 /**
  * sculptor: meshes volume fractions in a file, on any number of MPI ranks.
  */
+#include "ArgumentOptions.h"
 #include "Arguments.h"
 #include "Base/ParseText.h"
 #include "Base/Runtime.h"

@@ -110,12 +110,12 @@ std::string TrimText(const std::string& text)
                                     : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-std::string JoinTexts(const std::vector<std::string>& texts)
+std::string JoinTexts(const std::vector<std::string>& texts, const std::string& separator)
 {
   std::string joined;
   for (const std::string& text : texts)
   {
-    joined += (joined.empty() ? "" : ", ") + text;
+    joined += (joined.empty() ? "" : separator) + text;
   }
   return joined;
 }

@@ -32,8 +32,8 @@ std::string SnakeCase(const std::string& name);
 /// Without the spaces, tabs and ends of lines around it.
 std::string TrimText(const std::string& text);
 
-/// Parted by commas.
-std::string JoinTexts(const std::vector<std::string>& texts);
+/// With the separator between them.
+std::string JoinTexts(const std::vector<std::string>& texts, const std::string& separator = ", ");
 /// The parts between the commas, without the spaces around them; empty ones too.
 std::vector<std::string> SplitText(const std::string& text);
 

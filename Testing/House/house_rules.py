@@ -43,7 +43,8 @@ ALLOWED.update({
     "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Support"),
     "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
     "Testing/Digests": ("Filters",),
-    "Testing/InSitu": BASE + ("Parallel", "Filters", "Filters/Data", "InSitu", "InSitu/Catalyst", "Program"),
+    "Testing/InSitu": BASE + ("Parallel", "Filters", "Filters/Data", "InSitu", "InSitu/Catalyst"),
+    "Testing/Program": MESHER + ("InSitu", "Program"),
 })
 
 # Folders without VTK, and those of them without MPI.

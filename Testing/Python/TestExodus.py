@@ -374,8 +374,6 @@ def test_ranks_fail_alike(at):
     assert result.returncode == 4 and result.stderr.count("sculptor:") == 1, result
     assert "full.exo.3.1: No space left on device" in result.stderr, result
     assert set(os.listdir(at(""))) <= {"full.exo.3.1", "in.vti"}, os.listdir(at(""))
-    result = mpi_run(1, [SCULPTOR, "--input", path, "--output", at("mesh.pvtu"), "--single-file"])
-    assert result.returncode == 1 and "always several files" in result.stderr, result
 
 
 main(globals())

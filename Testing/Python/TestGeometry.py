@@ -99,9 +99,6 @@ def test_opens_in_paraview(at):
 def test_refused(at):
     path = write(fraction_image(), at("in.vti"))
     mesh = "--input", path, "--output", at("mesh.vtu")
-    refused(1, "--geometry needs a value", *mesh, "--geometry", ranks=2)
-    refused(1, "of an unknown kind. Written is .vtm", *mesh, "--geometry", at("geometry.vtu"), ranks=2)
-    refused(1, "not --geometry", "test", "--geometry", at("geometry.vtm"))
     refused(4, "No such file or directory", *mesh, "--geometry", at("none/geometry.vtm"), ranks=2)
     assert not os.path.exists(at("mesh.vtu"))
     open(at("geometry"), "w").close()  # where the folder of the blocks must stand

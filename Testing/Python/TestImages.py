@@ -268,8 +268,6 @@ def test_refused(at):
 @in_folder
 def test_wrong_spacing(at):
     path = write_tiff(at("a.tif"), LABELS)
-    refused(1, "--origin and --axis-order are for .spn and .npy files", path, at("out.vtu"), "--origin", "0,0,0")
-    refused(1, "--spacing is for .nii, .nii.gz, .nrrd", "a.vti", at("out.vtu"), "--spacing", "1,1,1")
     it = vtkVolumeFractionImageReader()
     it.SetFileName(path)
     it.SetSpacing(1, 1, -1)

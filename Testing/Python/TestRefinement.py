@@ -7,7 +7,7 @@ from amr_files import ORIGIN, make_amr, vtk_amr
 import exodus_dump
 from compare_meshes import difference, merge, read_pieces
 from mesh_sets import find_sets
-from sculptor_program import check_same, mesh_file, refused
+from sculptor_program import check_same, mesh_file
 from vfmtest import (
     VolumeFractionShapes, VolumeFractionToHex, add_array, check_hexes, collect, digest, elements, exodus_parts, facets, hex_volumes,
     image, in_folder, main, mesh_of, points_of, producer, rectilinear, run, save_data, simple)
@@ -375,8 +375,6 @@ def test_sculptor(at):
         result = mesh_of(data, **properties)
         mesh_file(at("data.vti"), at("out.vtu"), "--fractions", "ball,plate", *options, ranks=2)
         check_same(at("out.vtu"), result.mesh)
-    for word in ("Refinement=Coarse", "MaximumLevel=many", "FineLayers=1.5", "FineInterfaces=perhaps", "RefineFlippedCells=perhaps", "ThinCells=x"):
-        refused(1, word.split("=")[0], "--input", at("data.vti"), "--output", at("no.vtu"), "--set", word)
 
 
 def test_malformed_values():

@@ -141,9 +141,7 @@ def test_what_holds_no_materials(at):
 def test_errors(at):
     for ranks in (1, 2):
         refused(2, "No such file", "--list", at("missing.vti"), ranks=ranks)
-    refused(1, "of an unknown kind", "--list", at("in.xyz"))
     refused(2, "no step 7", "--list", os.path.join(DATA, "impact.spcth"), "--step", "7", ranks=2)
-    refused(1, "--dimensions NX,NY,NZ is missing", "--list", write_text(at("grains.spn"), grains()))
 
 
 main(globals())

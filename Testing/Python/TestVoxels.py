@@ -344,16 +344,8 @@ def test_refused_by_sculptor(at):
         lines = result.stderr.splitlines()
         assert result.returncode == code and len(lines) == 1 and text in lines[0] and result.stdout == "", (text, result)
 
-    text, array = write_text(at("a.spn"), GRAINS), write_numpy(at("a.npy"), GRAINS)
+    text = write_text(at("a.spn"), GRAINS)
     bad_text, bad_array = write_text(at("b.spn"), GRAINS - 1), write_numpy(at("b.npy"), GRAINS - 1, "i4")
-    refused(1, "--dimensions NX,NY,NZ is missing", "--input", text)
-    refused(1, "--dimensions is for .spn files", "--input", array, *SIZED)
-    refused(1, "--origin and --axis-order are for", "--input", at("a.vti"), *PLACED)
-    refused(1, "three numbers of cells", "--input", text, "--dimensions", "9,11")
-    refused(1, "three numbers of cells", "--input", text, "--dimensions", "9,11,0")
-    refused(1, "three numbers with commas", "--input", text, *SIZED, "--origin", "1,2,x")
-    refused(1, "three numbers above 0", "--input", text, *SIZED, "--spacing", "1,0,1")
-    refused(1, "takes xyz, xzy", "--input", text, *SIZED, "--axis-order", "xxz")
     for ranks in (1, 3):
         refused(2, "sculptor: Cannot read %s: it holds 1287 values, but 9 x 11 x 12" % text, "--input", text,
                 "--dimensions", "9,11,12", ranks=ranks)
