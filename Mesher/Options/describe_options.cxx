@@ -11,31 +11,9 @@ namespace vfm
 namespace
 {
 
-const char* NameOf(OptionKind kind)
-{
-  switch (kind)
-  {
-    case OptionKind::Switch:
-      return "switch";
-    case OptionKind::Integer:
-      return "integer";
-    case OptionKind::Real:
-      return "real";
-    case OptionKind::Choice:
-      return "choice";
-    case OptionKind::Array:
-      return "array";
-    case OptionKind::File:
-      return "file";
-    case OptionKind::Arrays:
-      return "arrays";
-    case OptionKind::Kinds:
-      return "kinds";
-    case OptionKind::Boxes:
-      return "boxes";
-  }
-  return "";
-}
+/// By OptionKind.
+constexpr const char* KindNames[] = { "switch", "integer", "real", "choice", "array", "file",
+  "arrays", "kinds", "boxes" };
 
 std::string Quote(const std::string& text)
 {
@@ -73,9 +51,9 @@ void Print(const Option& option, std::ostream& to)
 {
   const MesherOptions defaults;
   const OptionRange& range = option.Range;
-  to << "  {\"name\": " << Quote(option.Name) << ", \"kind\": \"" << NameOf(option.Kind)
-     << "\", \"words\": " << List(option.Words) << ", \"least\": " << End(range.Least)
-     << ", \"most\": " << End(range.Most)
+  to << "  {\"name\": " << Quote(option.Name) << ", \"kind\": \""
+     << KindNames[static_cast<int>(option.Kind)] << "\", \"words\": " << List(option.Words)
+     << ", \"least\": " << End(range.Least) << ", \"most\": " << End(range.Most)
      << ", \"special\": " << (range.Special ? FormatNumber(*range.Special) : "null")
      << ", \"meaning\": " << Quote(range.Meaning)
      << ",\n   \"allowed\": " << Quote(option.Allowed())

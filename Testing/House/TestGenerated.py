@@ -18,6 +18,7 @@ PLACES = {"Plugin/VolumeFractionMesh.xml": 'command="SetNewOption"',
           "Filters/vtkVolumeFractionMeshAlgorithm.h": "vfmNumberOption(NewOption, double);",
           "python/volume_fraction_mesh/_mesher.py": "    new_option: float = 0.5,",
           "python/volume_fraction_mesh/_core.pyi": "    new_option: float\n",
+          "Documentation/sculptor.md": "| `--new V` | NewOption | number above 0 and below 1 | 0.5 | What is new. |",
           "python/README.md": "| `new_option` | number above 0 and below 1, **0.5** | What is new. |",
           "Documentation/properties.md": "| NewOption *advanced* | number above 0 and below 1 | 0.5 | What is new. |"}
 
@@ -30,7 +31,7 @@ class Generated(unittest.TestCase):
     def test_an_added_row_is_everywhere(self):
         rows = json.loads(subprocess.run([TABLE], stdout=subprocess.PIPE, check=True).stdout)
         row = next(row for row in rows if row["name"] == "IsoValue")
-        rows.append({**row, "name": "NewOption", "python": "new_option", "text": "What is new.", "group": "Surface"})
+        rows.append({**row, "name": "NewOption", "python": "new_option", "argument": "--new V", "text": "What is new.", "group": "Surface"})
         with tempfile.TemporaryDirectory() as folder:
             table = os.path.join(folder, "table.json")
             with open(table, "w", encoding="utf-8") as file:

@@ -1,10 +1,9 @@
 """The tables of the documents: Documentation/properties.md, the properties of all filters, sources, readers and writers, as the server
-manager's XML has them; the options of the Python package.
+manager's XML has them; the options of the mesher that have a name in the program sculptor.
 """
-import re
 import xml.etree.ElementTree as ElementTree
 
-from options.table import label, read
+from options.table import allowed, label, put, read
 
 FILES = ["VolumeFractionInput.xml", "VolumeFractionMesh.xml", "VolumeFractionToTet.xml", "VolumeFractionFragments.xml",
          "VolumeFractionShapes.xml", "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
@@ -113,7 +112,7 @@ def read_proxies(texts=read):
 
 def make_page(table, texts):
     proxies = read_proxies(texts)
-    numbers = {row["name"]: re.sub("^an? ", "", row["allowed"]) for row in table if row["kind"] in ("integer", "real")}
+    numbers = {row["name"]: allowed(row) for row in table if row["kind"] in ("integer", "real")}
     lines = [HEAD]
     for name, proxy in proxies.items():
         if not is_part(proxy):
@@ -121,6 +120,15 @@ def make_page(table, texts):
     return "\n".join(lines).rstrip() + "\n"
 
 
+def write_arguments(text, table):
+    """The options of the mesher that the program sculptor has a name for."""
+    named = [row for row in table if row["argument"]]
+    lines = ["| `%(argument)s` | %(name)s | %(takes)s | %(default)s | %(text)s |" % {**row, "takes": allowed(row)} for row in named]
+    return put(text, "options: generated", "end of options",
+               ["", "| option | sets | takes | default | |", "|---|---|---|---|---|"] + lines + [""])
+
+
 def files(table, texts):
     """How each file of the tree becomes current: a function of its text. texts: of all files by their paths."""
-    return {"Documentation/properties.md": lambda text: make_page(table, texts)}
+    return {"Documentation/properties.md": lambda text: make_page(table, texts),
+            "Documentation/sculptor.md": lambda text: write_arguments(text, table)}

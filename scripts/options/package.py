@@ -1,7 +1,6 @@
 """The signatures and parameters of hexes() and tets() of the Python package, the class Options of its core, and its README's table."""
-import re
 
-from options.table import common, label, of_tets, put, snake, wrap
+from options.table import allowed, common, label, of_tets, put, snake, wrap
 
 WIDTH = 120
 
@@ -85,7 +84,7 @@ def readme_row(row, table):
     elif row["kind"] == "choice":
         words = ", ".join('"%s"' % snake(word) for word in row["words"]).replace(value(row), bold)
     else:
-        words = re.sub("^an? ", "", row["allowed"]) + ", " + bold
+        words = allowed(row) + ", " + bold
     return "| `%s` | %s | %s%s |" % (row["python"], words, "of `tets`: " if row["tets"] else "", explain(row, table))
 
 

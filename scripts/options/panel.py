@@ -3,6 +3,7 @@
 When a property is shown, or not grey, the table says by names and words: "!StairStep & Smoothing!=Off", "Refinement!=Off |
 MaximumAspectRatio!=0", "(A=x | A=y & B) & C". A name alone: the switch is on, an array is named.
 """
+import ast
 import re
 from xml.sax.saxutils import escape, quoteattr
 
@@ -23,55 +24,39 @@ def element(tag, attributes, inside=()):
     return [start + ">"] + ["  " + line for line in inside] + ["</%s>" % tag]
 
 
-class Condition:
-    """What a text of the table says, as decorators of a mode."""
+def parse_condition(text):
+    """A tree of Python: strings, which are words of the text, joined by "and" and "or"."""
+    words = re.sub(r"!?\w+(?:!?=[^&|()]+)?", lambda word: repr(word.group().strip()), text)
+    return ast.parse(words.replace("&", "and").replace("|", "or"), mode="eval").body
 
-    def __init__(self, text, mode, rows):
-        self.words = re.findall(r"[&|()!]|[\w]+(?:!?=[^&|()]+)?", text)
-        self.mode, self.rows = mode, rows
 
-    def decorators(self):
-        """All must hold: a decorator each."""
-        return [line for part in self.parts(self.join("|")) for line in self.lines(part)]
+def write_condition(text, mode, rows):
+    """Decorators of the mode, all of which must hold."""
+    tree = parse_condition(text)
+    parts = tree.values if isinstance(tree, ast.BoolOp) and isinstance(tree.op, ast.And) else [tree]
+    return [line for part in parts for line in write_decorator(part, mode, rows)]
 
-    def parts(self, tree):
-        return tree[1] if tree[0] == "and" else [tree]
 
-    def join(self, sign):
-        """A tree of ("or" | "and", trees) and words; "&" binds more."""
-        trees = [self.join("&") if sign == "|" else self.atom()]
-        while self.words and self.words[0] == sign:
-            self.words.pop(0)
-            trees.append(self.join("&") if sign == "|" else self.atom())
-        trees = [part for tree in trees for part in (tree[1] if tree[0] == "and" and sign == "&" else [tree])]
-        return trees[0] if len(trees) == 1 else ({"|": "or", "&": "and"}[sign], trees)
+def write_decorator(tree, mode, rows, is_inside=False):
+    if isinstance(tree, ast.Constant):
+        pairs = [("type", "GenericDecorator"), ("mode", mode)] + write_word(tree.value, rows)
+        return element("PropertyWidgetDecorator", pairs)
+    inside = element("Expression", [("type", type(tree.op).__name__.lower())],
+                     [line for part in tree.values for line in write_decorator(part, mode, rows, True)])
+    return inside if is_inside else element("PropertyWidgetDecorator", [("type", "CompositeDecorator")], inside)
 
-    def atom(self):
-        word = self.words.pop(0)
-        if word == "(":
-            tree = self.join("|")
-            self.words.pop(0)
-            return tree
-        return ("word", "!" + self.words.pop(0) if word == "!" else word.strip())
 
-    def lines(self, tree, is_inside=False):
-        if tree[0] == "word":
-            return element("PropertyWidgetDecorator", [("type", "GenericDecorator"), ("mode", self.mode)] + self.of_word(tree[1]))
-        inside = element("Expression", [("type", tree[0])], [line for part in tree[1] for line in self.lines(part, True)])
-        return inside if is_inside else element("PropertyWidgetDecorator", [("type", "CompositeDecorator")], inside)
-
-    def of_word(self, word):
-        name, sign, values = re.match(r"!?(\w+)(!?=)?(.*)", word).groups()
-        if name == "MaterialIdArray":
-            return [("property", name), ("index", 4), ("value", "None"), ("inverse", 1)]
-        row = self.rows[name]
-        if not sign:
-            if row["kind"] == "switch":
-                return [("property", name), ("value", 0 if word.startswith("!") else 1)]
-            return [("property", name), ("value", "null" if row["kind"] == "arrays" else "None"), ("inverse", 1)]
-        numbers = [str(row["words"].index(value)) if row["words"] else value for value in values.strip().split(",")]
-        pairs = [("property", name), ("value" if len(numbers) == 1 else "values", " ".join(numbers))]
-        return pairs + ([("inverse", 1)] if sign == "!=" else [])
+def write_word(word, rows):
+    name, sign, values = re.match(r"!?(\w+)(!?=)?(.*)", word).groups()
+    row = rows.get(name)
+    if not sign and row and row["kind"] == "switch":
+        return [("property", name), ("value", 0 if word.startswith("!") else 1)]
+    if not sign:
+        none = [("value", "null" if row["kind"] == "arrays" else "None")] if row else [("index", 4), ("value", "None")]
+        return [("property", name), *none, ("inverse", 1)]
+    numbers = [str(row["words"].index(value)) if row["words"] else value for value in values.split(",")]
+    pairs = [("property", name), ("value" if len(numbers) == 1 else "values", " ".join(numbers))]
+    return pairs + ([("inverse", 1)] if sign == "!=" else [])
 
 
 def range_of(row):
@@ -116,7 +101,7 @@ def hints(row, rows, is_hidden):
             line for i, text in enumerate(BOX) for line in element("ComponentLabel", [("component", i), ("label", text)])])
     for key, mode in (("shown", "visibility"), ("enabled", "enabled_state")):
         if row[key] and not is_hidden:
-            lines += Condition(row[key], mode, rows).decorators()
+            lines += write_condition(row[key], mode, rows)
     return element("Hints", [], lines) if lines else []
 
 

@@ -36,6 +36,11 @@ def label(name):
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
 
 
+def allowed(row):
+    """What a value may be, without an article."""
+    return re.sub("^an? ", "", row["allowed"])
+
+
 def snake(word):
     """As Python has it: quadric_surface."""
     return word.lower().replace(" ", "_")
