@@ -84,16 +84,21 @@ std::optional<int> ReadCount(
 /// Names with commas between them, each once.
 std::vector<std::string> ReadList(const GivenArguments& given, const std::string& name)
 {
-  const std::string text = TextOf(given, name);
-  const std::vector<std::string> list = text.empty() ? std::vector<std::string>() : SplitText(text);
-  std::set<std::string> seen;
-  for (const std::string& item : list)
+  if (given.count(name) == 0)
   {
-    if (item.empty() || !seen.insert(item).second)
-    {
-      RefuseArguments(
-        name + (item.empty() ? " has an empty name in its list." : " names '" + item + "' twice."));
-    }
+    return {};
+  }
+  std::vector<std::string> list = SplitText(TextOf(given, name));
+  if (std::find(list.begin(), list.end(), "") != list.end())
+  {
+    RefuseArguments(name + " has an empty name in its list.");
+  }
+  std::set<std::string> seen;
+  const auto twice = std::find_if(list.begin(), list.end(),
+    [&seen](const std::string& item) { return !seen.insert(item).second; });
+  if (twice != list.end())
+  {
+    RefuseArguments(name + " names '" + *twice + "' twice.");
   }
   return list;
 }
