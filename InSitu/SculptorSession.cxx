@@ -2,13 +2,13 @@
 
 #include "Base/ThreadRuntime.h"
 #include "HostInput.h"
+#include "Labels/ReadLabelNames.h"
 #include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
 #include "Sculptor.h"
 #include "Stage.h"
 #include "State/ViewMesh.h"
-#include "Summary/ReadLabelNames.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,11 @@
 #include "HexPipeline.h"
 #include "Input/InputFractions.h"
 #include "Input/InputLabels.h"
+#include "Input/UseLabels.h"
 #include "Labels/SmallRegions.h"
 #include "Labels/SmoothLabels.h"
 #include "Options/SetOptions.h"
 #include "Ranks/Agreement.h"
-#include "Summary/UseLabels.h"
 #include "TetPipeline.h"
 
 #include <algorithm>

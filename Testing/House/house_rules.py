@@ -25,15 +25,16 @@ ALLOWED.update({
     "IO": BASE + MESHER,
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
+    "IO/Labels": BASE + ("Mesher/Input",),
     "IO/Meshes": BASE + MESHER + ("IO",),
-    "Filters": GRID + MESHER + ("Shapes", "Parallel", "Filters/Data"),
+    "Filters": GRID + MESHER + ("Shapes", "Parallel", "IO/Labels", "Filters/Data"),
     "Filters/Files": BASE + MESHER + ("Parallel", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
-    "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Meshes"),
+    "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
     "InSitu/Catalyst": BASE + ("Parallel", "Parallel/Mpi", "InSitu"),
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
         "Parallel", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "Filters", "Filters/Data", "Filters/Files", "InSitu"),
     "Plugin": ("Filters", "Mesher/Input"),
-    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Meshes"),
+    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
     "Testing/Support": GRID + ("Shapes",),
     "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
@@ -49,7 +50,7 @@ ALLOWED.update({
 
 # Folders without VTK, and those of them without MPI.
 WITHOUT_MPI = GRID + MESHER + (
-    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "python", "Testing/IO", "Testing/Support", "Testing/Grid",
+    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "python", "Testing/IO", "Testing/Support", "Testing/Grid",
     "Testing/Mesher")
 PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
 VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
@@ -62,7 +63,7 @@ LONGEST = 650 # lines
 MOST_AT_ROOT = 8 # files beside the rooms of Grid
 MOST_IN_FOLDER = 40 # files
 CROWDED = ("Filters", "Testing/Python", "Testing/Grid") # folders without that limit
-HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Meshes", "Filters/Data", "Filters/Files") # folders whose sources have each a header of its name
+HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Labels", "IO/Meshes", "Filters/Data", "Filters/Files") # folders whose sources have each a header of its name
 PACKAGE = "python/volume_fraction_mesh"
 
 

@@ -23,7 +23,7 @@ TABLES = {
     "XML": '<?xml version="1.0" encoding="ISO-8859-1"?>\n<atlas version="1.0"><header><name>A</name><type>Probabilistic</type></header>\n'
            '<data><label index="2" x="48" y="94" z="35">Frontal\n  Pole</label>\n<label index="6" x="1" y="2" z="3">Insula</label>\n'
            "</data></atlas>\n",
-    "XML of labels": '<atlas><header><type>Label</type></header><data>\n<label index="3">Frontal Pole</label>\n'
+    "XML of labels": '<atlas><header><type>Label</type></header><data>\n<label index="3">Frontal P&#111;le</label>\n'
                      '<label index="7">Insula</label></data></atlas>\n',
 }
 WORDS = {  # of one word, with numbers after them

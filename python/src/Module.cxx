@@ -2,6 +2,7 @@
  * The module _core: its functions are told in _core.pyi.
  */
 #include "FileBlocks.h"
+#include "Labels/ReadLabelNames.h"
 #include "MeasureMesh.h"
 #include "MeshResult.h"
 #include "MesherCall.h"
@@ -10,7 +11,6 @@
 #include "ShapeFractions.h"
 #include "Shapes/ClosedSurface.h"
 #include "Shapes/ShapesText.h"
-#include "Summary/ReadLabelNames.h"
 #include "TetPipeline.h"
 #include "WriteFile.h"
 

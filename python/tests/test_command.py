@@ -89,6 +89,10 @@ def test_nifti(run):
     (run.folder / "names.txt").write_text('# label file of ITK-SNAP\n1 255 0 0 1 1 1 "left side"\n2 0 255 0 1 1 1 "right"\n')
     run("@in.nii.gz", "@out.vtu", "--names", "@names.txt", "--mesh-void", "--surfaces", "@surfaces.vtp")
     assert read(run.folder / "out.vtu").points[:, 0].max() <= 1
+    labels = '<label index="1">left side</label><label index="2">P&#244;le</label>'
+    (run.folder / "names.xml").write_text("<atlas><header><type>Label</type></header><data>%s</data></atlas>" % labels)
+    run("@in.nii.gz", "@out.inp", "--names", "@names.xml")
+    assert "left_side" in (run.folder / "out.inp").read_text()
     nibabel.save(nibabel.Nifti1Image(BALL.astype(np.float32), affine), run.folder / "ball.nii")
     run("@ball.nii", "@out.vtu")
     assert read(run.folder / "out.vtu").n_cells == len(vfm.hexes(BALL.astype(np.float32)))

@@ -1,4 +1,4 @@
-#include "Summary/LabelTable.h"
+#include "LabelTable.h"
 
 #include "Base/ParseText.h"
 #include "Ranks/Errors.h"

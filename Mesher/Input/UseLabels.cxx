@@ -1,4 +1,4 @@
-#include "Summary/UseLabels.h"
+#include "Input/UseLabels.h"
 
 namespace vfm
 {

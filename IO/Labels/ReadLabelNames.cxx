@@ -1,7 +1,7 @@
-#include "Summary/ReadLabelNames.h"
+#include "ReadLabelNames.h"
 
+#include "AtlasXml.h"
 #include "Ranks/WorkTogether.h"
-#include "Summary/AtlasXml.h"
 
 #include <cerrno>
 #include <cstring>
