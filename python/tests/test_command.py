@@ -92,7 +92,7 @@ def test_nifti(run):
     labels = '<label index="1">left side</label><label index="2">P&#244;le</label>'
     (run.folder / "names.xml").write_text("<atlas><header><type>Label</type></header><data>%s</data></atlas>" % labels)
     run("@in.nii.gz", "@out.inp", "--names", "@names.xml")
-    assert "left_side" in (run.folder / "out.inp").read_text()
+    assert "** P_LE: material 2" in (run.folder / "out.inp").read_text()
     nibabel.save(nibabel.Nifti1Image(BALL.astype(np.float32), affine), run.folder / "ball.nii")
     run("@ball.nii", "@out.vtu")
     assert read(run.folder / "out.vtu").n_cells == len(vfm.hexes(BALL.astype(np.float32)))
