@@ -266,6 +266,7 @@ TEST(Arguments, RefusedValues)
         "--dimensions takes three numbers of cells with commas between them, not '9,11'." },
       { "--dimensions 9,11,0", "takes three numbers of cells with commas between them" },
       { "--dimensions 9,11,1.5", "takes three numbers of cells with commas between them" },
+      { "--dimensions 9,11,2147483647", "takes three numbers of cells with commas between them" },
       { "--dimensions 9,11,1,1", "takes three numbers of cells with commas between them" },
       { "--origin 1,2,x", "--origin takes three numbers with commas between them, not '1,2,x'." },
       { "--origin 1,2,inf", "--origin takes three numbers with commas between them" },
