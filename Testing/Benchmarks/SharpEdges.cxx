@@ -11,11 +11,11 @@
 #include "Base/Vector3.h"
 #include "MeasureAlone.h"
 #include "MeshCases.h"
+#include "RandomDraw.h"
 #include "SharpCases.h"
 
 #include <cstdio>
 #include <cstring>
-#include <random>
 #include <sstream>
 
 using namespace vfm;
@@ -168,11 +168,11 @@ FractionField MakeSmoothNoise(const CartesianGrid& grid)
 {
   constexpr double Spread = 4.0;
   const IndexBox& box = grid.Global();
-  std::mt19937 engine(1);
+  RandomDraw draw(1);
   std::vector<double> noise(box.NumberOfCells());
   for (double& value : noise)
   {
-    value = (static_cast<double>(engine()) + .5) / 4294967296.0;
+    value = draw.Between(0.0, 1.0);
   }
   FractionField field(grid, 1);
   ForCells(box,

@@ -3,12 +3,12 @@
 #include "Creases/BoxCut.h"
 #include "Creases/CreaseFit.h"
 #include "Creases/CreaseStarts.h"
-#include "Random.h"
+#include "RandomDraw.h"
 
 #include <gtest/gtest.h>
 
 using namespace vfm;
-using vfm::testing::Random;
+using vfm::testing::RandomDraw;
 
 namespace
 {
@@ -42,36 +42,36 @@ double VolumeOf(const std::array<BoxPlane, 3>& planes, int mask, std::array<Plan
 }
 
 /// Planes that cut the cube; every fourth is parallel to sides of it.
-std::array<BoxPlane, 3> RandomPlanes(Random& random)
+std::array<BoxPlane, 3> RandomPlanes(RandomDraw& random)
 {
   std::array<BoxPlane, 3> planes;
   for (BoxPlane& plane : planes)
   {
-    plane.Normal = random.Vector(1.0);
+    plane.Normal = random.Vector(-1.0, 1.0);
     for (double& n : plane.Normal)
     {
-      n = random(0.0, 1.0) < 0.25 ? 0.0 : n;
+      n = random.Between(0.0, 1.0) < 0.25 ? 0.0 : n;
     }
     plane.Normal[0] = Norm(plane.Normal) < 0.3 ? 1.0 : plane.Normal[0];
-    plane.Height = 0.95 * random(-1.0, 1.0) * ReachOf(plane);
+    plane.Height = 0.95 * random.Between(-1.0, 1.0) * ReachOf(plane);
   }
   return planes;
 }
 
 /// A model of three surfaces about the corner of a box turned a little, or of the first of them.
-CreaseModel MakeModel(int surfaces, int composition, double curvature, Random& random)
+CreaseModel MakeModel(int surfaces, int composition, double curvature, RandomDraw& random)
 {
   CreaseModel model;
   model.Count = surfaces;
   model.Composition = composition;
   for (int k = 0; k < surfaces; ++k)
   {
-    Vector3 normal = random.Vector(0.3);
+    Vector3 normal = random.Vector(-0.3, 0.3);
     normal[k] += 1.0;
-    model.Surfaces[k] = MakeLocalPlane(random.Vector(0.4), Unit(normal));
+    model.Surfaces[k] = MakeLocalPlane(random.Vector(-0.4, 0.4), Unit(normal));
     for (int i = 0; i < 6; ++i)
     {
-      model.Surfaces[k].C[i] = random(-1.0, 1.0) * (i < 3 ? 0.1 : curvature);
+      model.Surfaces[k].C[i] = random.Between(-1.0, 1.0) * (i < 3 ? 0.1 : curvature);
     }
   }
   return model;
@@ -117,7 +117,7 @@ void ForAllCompositions(const Function& function)
 
 TEST(CreaseModel, BoxesUnderPlanesHaveTheVolumeOfPolyhedra)
 {
-  Random random;
+  RandomDraw random(1);
   for (int i = 0; i < 1000; ++i)
   {
     const std::array<BoxPlane, 3> planes = RandomPlanes(random);
@@ -131,7 +131,7 @@ TEST(CreaseModel, BoxesUnderPlanesHaveTheVolumeOfPolyhedra)
 
 TEST(CreaseModel, RatesAreDifferencesOfVolumes)
 {
-  Random random;
+  RandomDraw random(1);
   const double step = 1e-5;
   for (int i = 0; i < 200; ++i)
   {
@@ -163,14 +163,14 @@ TEST(CreaseModel, RatesAreDifferencesOfVolumes)
 
 TEST(CreaseModel, FractionsAreThoseOfTheComposition)
 {
-  Random random;
+  RandomDraw random(1);
   ForAllCompositions(
     [&random](int surfaces, int composition)
     {
       for (int i = 0; i < 50; ++i)
       {
         const CreaseModel model = MakeModel(surfaces, composition, 0.0, random);
-        SampleCell cell{ random.Vector(0.5), { { 0.5, 0.4, 0.7 } }, 0.0, 1.0 };
+        SampleCell cell{ random.Vector(-0.5, 0.5), { { 0.5, 0.4, 0.7 } }, 0.0, 1.0 };
         std::array<BoxPlane, 3> planes{ { { { { 1.0, 0.0, 0.0 } }, 9.0 },
           { { { 1.0, 0.0, 0.0 } }, 9.0 }, { { { 1.0, 0.0, 0.0 } }, 9.0 } } };
         for (int k = 0; k < surfaces; ++k)
@@ -212,7 +212,7 @@ TEST(CreaseModel, CompositionsAreWhatTheyAreCalled)
 
 TEST(CreaseModel, DerivativesAreDifferencesOfFractions)
 {
-  Random random;
+  RandomDraw random(1);
   const double step = 1e-5;
   ForAllCompositions(
     [&](int surfaces, int composition)
@@ -282,7 +282,7 @@ TEST(CreaseModel, AreasAreThoseBetweenTheLabels)
 
 TEST(CreaseModel, FitFindsPlanesOfEveryComposition)
 {
-  Random random;
+  RandomDraw random(1);
   ForAllCompositions(
     [&random](int surfaces, int composition)
     {
@@ -292,8 +292,8 @@ TEST(CreaseModel, FitFindsPlanesOfEveryComposition)
       CreaseModel model = truth;
       for (int k = 0; k < surfaces; ++k)
       {
-        model.Surfaces[k] = MakeLocalPlane(truth.Surfaces[k].Base + random.Vector(0.2),
-          Unit(truth.Surfaces[k].N + random.Vector(0.1)));
+        model.Surfaces[k] = MakeLocalPlane(truth.Surfaces[k].Base + random.Vector(-0.2, 0.2),
+          Unit(truth.Surfaces[k].N + random.Vector(-0.1, 0.1)));
       }
       const double before = ResidualOf(model, cells);
       FitModel(model, cells, 3, 12);
@@ -311,7 +311,7 @@ TEST(CreaseModel, FitFindsPlanesOfEveryComposition)
 
 TEST(CreaseModel, FitFindsQuadrics)
 {
-  Random random;
+  RandomDraw random(1);
   ForAllCompositions(
     [&random](int surfaces, int composition)
     {
@@ -333,7 +333,7 @@ TEST(CreaseModel, FitFindsQuadrics)
 
 TEST(CreaseModel, StartsBeginWithTheCompositionOfTheData)
 {
-  Random random;
+  RandomDraw random(1);
   ForAllCompositions(
     [&random](int surfaces, int composition)
     {

@@ -5,11 +5,10 @@
 #include "Base/HexNumbering.h"
 #include "Base/Vector3.h"
 #include "MeshCases.h"
+#include "RandomDraw.h"
 #include "RankFields.h"
 
 #include <gtest/gtest.h>
-
-#include <random>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -197,43 +196,25 @@ void CompareWithHand(const ElementList& list, const CartesianGrid& grid)
   EXPECT_LT(worstMoment, 3e-13); // coordinates are some sizes of an element
 }
 
-class Random
-{
-public:
-  explicit Random(unsigned seed) : Engine(seed) {}
-  double operator()(double low, double high)
-  {
-    return low + (high - low) * static_cast<double>(this->Engine()) / 4294967296.0;
-  }
-  Vector3 Point(double low, double high)
-  {
-    const double x = (*this)(low, high), y = (*this)(low, high), z = (*this)(low, high);
-    return { { x, y, z } };
-  }
-
-private:
-  std::mt19937 Engine;
-};
-
 /// A box of a size with corners moved by up to a share of it.
-std::vector<Vector3> DrawHex(Random& random, const Vector3& lower, double size, double share)
+std::vector<Vector3> DrawHex(RandomDraw& random, const Vector3& lower, double size, double share)
 {
   std::vector<Vector3> points(8);
   for (int c = 0; c < 8; ++c)
   {
     const Vector3 unit{ { double(c & 1), double(c >> 1 & 1), double(c >> 2) } };
-    points[VtkCorner[c]] = lower + size * (unit + random.Point(-share, share));
+    points[VtkCorner[c]] = lower + size * (unit + random.Vector(-share, share));
   }
   return points;
 }
 
-std::vector<Vector3> DrawTet(Random& random, const Vector3& lower, double size)
+std::vector<Vector3> DrawTet(RandomDraw& random, const Vector3& lower, double size)
 {
   std::vector<Vector3> points(4);
   double volume = 0.0;
   while (volume < 0.02)
   {
-    std::generate(points.begin(), points.end(), [&] { return random.Point(0.0, 1.0); });
+    std::generate(points.begin(), points.end(), [&] { return random.Vector(0.0, 1.0); });
     volume = Dot(points[1] - points[0], Cross(points[2] - points[0], points[3] - points[0]));
   }
   for (Vector3& x : points)
@@ -278,32 +259,32 @@ void ExpectFilled(const Mesh& mesh, const CartesianGrid& grid, double tolerance)
 
 TEST(Overlaps, OfRandomHexes)
 {
-  Random random(1);
+  RandomDraw random(1);
   const CartesianGrid grid = MakeUnevenGrid(5);
   ElementList list(8);
   for (int i = 0; i < 60; ++i)
   {
     const double size = i % 3 == 0 ? 0.3 : (i % 3 == 1 ? 1.1 : 2.6);
-    list.Add(DrawHex(random, random.Point(0.5, 1.5), size, 0.12));
+    list.Add(DrawHex(random, random.Vector(0.5, 1.5), size, 0.12));
   }
   CompareWithHand(list, grid);
 }
 
 TEST(Overlaps, OfRandomTets)
 {
-  Random random(2);
+  RandomDraw random(2);
   const CartesianGrid grid = MakeUnevenGrid(5);
   ElementList list(4);
   for (int i = 0; i < 300; ++i)
   {
-    list.Add(DrawTet(random, random.Point(0.0, 2.0), i % 3 == 0 ? 0.4 : (i % 3 == 1 ? 1.0 : 3.0)));
+    list.Add(DrawTet(random, random.Vector(0.0, 2.0), i % 3 == 0 ? 0.4 : (i % 3 == 1 ? 1.0 : 3.0)));
   }
   CompareWithHand(list, grid);
 }
 
 TEST(Overlaps, OfElementsWithCornersOnPlanes)
 {
-  Random random(3);
+  RandomDraw random(3);
   const CartesianGrid grid = MakeUnitGrid(4);
   ElementList hexes(8), tets(4);
   for (int i = 0; i < 60; ++i)
@@ -313,7 +294,7 @@ TEST(Overlaps, OfElementsWithCornersOnPlanes)
     {
       for (double& component : x)
       {
-        component = random(0.0, 1.0) < 0.6 ? std::round(component) : component;
+        component = random.Between(0.0, 1.0) < 0.6 ? std::round(component) : component;
       }
     }
     hexes.Add(hex);
@@ -333,7 +314,7 @@ TEST(Overlaps, OfElementsWithCornersOnPlanes)
 
 TEST(Overlaps, OfManyCells)
 {
-  Random random(4);
+  RandomDraw random(4);
   ElementList hexes(8), tets(4);
   hexes.Add(DrawHex(random, { { 2.0, 2.0, 2.0 } }, 8.0, 0.15));
   tets.Add(DrawTet(random, { { 1.0, 1.0, 1.0 } }, 10.0));
@@ -371,7 +352,7 @@ TEST(Overlaps, ABoxIsItsCellBitForBit)
 
 TEST(Overlaps, LargeOffsetsCostNoDigits)
 {
-  Random random(5);
+  RandomDraw random(5);
   ElementList here(8), there(8);
   const double far = 1048576.0;
   for (int i = 0; i < 20; ++i)

@@ -2,12 +2,12 @@
 #include "Base/Plic.h"
 #include "Base/ConvexClip.h"
 #include "Base/Vector3.h"
-#include "Random.h"
+#include "RandomDraw.h"
 
 #include <gtest/gtest.h>
 
 using namespace vfm;
-using vfm::testing::Random;
+using vfm::testing::RandomDraw;
 
 namespace
 {
@@ -25,11 +25,12 @@ double ClippedVolume(const Vector3& n, double d)
 
 TEST(Plic, VolumesAreThoseOfPolyhedra)
 {
-  Random random;
+  RandomDraw random(1);
   for (int i = 0; i < 20000; ++i)
   {
-    const Vector3 n{ { random(-1, 1), random(-1, 1), i % 3 ? random(-1, 1) : 0.0 } };
-    const double d = random(-1.2, 1.2);
+    const Vector3 n{ { random.Between(-1, 1), random.Between(-1, 1),
+      i % 3 ? random.Between(-1, 1) : 0.0 } };
+    const double d = random.Between(-1.2, 1.2);
     ASSERT_NEAR(VolumeBelowPlane(n, d), ClippedVolume(n, d), 1e-12)
       << ::testing::PrintToString(n) << d;
   }
@@ -38,22 +39,24 @@ TEST(Plic, VolumesAreThoseOfPolyhedra)
 /// Components of any smallness: nothing is lost in differences.
 TEST(Plic, VolumesOfPlanesAlongTheGrid)
 {
-  Random random;
+  RandomDraw random(1);
   for (int i = 0; i < 20000; ++i)
   {
-    const double a = std::pow(10.0, random(-13, -3)), b = std::pow(10.0, random(-13, -3));
-    const double d = random(-0.49, 0.49);
+    const double a = std::pow(10.0, random.Between(-13, -3)),
+                 b = std::pow(10.0, random.Between(-13, -3));
+    const double d = random.Between(-0.49, 0.49);
     ASSERT_NEAR(VolumeBelowPlane({ { a, -b, 1.0 } }, d), 0.5 + d, 1e-15) << a << " " << b;
   }
 }
 
 TEST(Plic, PlanesHaveTheirVolume)
 {
-  Random random;
+  RandomDraw random(1);
   for (int i = 0; i < 2000; ++i)
   {
-    const Vector3 n{ { random(-1, 1), random(-1, 1), std::pow(10.0, random(-12, 0)) } };
-    const double fraction = random(0, 1);
+    const Vector3 n{ { random.Between(-1, 1), random.Between(-1, 1),
+      std::pow(10.0, random.Between(-12, 0)) } };
+    const double fraction = random.Between(0, 1);
     ASSERT_NEAR(VolumeBelowPlane(n, PlaneOfVolume(n, fraction)), fraction, 1e-11);
   }
 }

@@ -1,33 +1,17 @@
 /// Option SharpEdges: true edges and corners are near, what is smooth stays, and every mesh is valid and the same on any ranks.
 #include "NearestTriangle.h"
+#include "RandomDraw.h"
 #include "RankMeshes.h"
 #include "SharpCases.h"
 #include "Sweep.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 using namespace vfm;
 using namespace vfm::testing;
 
 namespace
 {
-
-double Draw(std::mt19937& engine, double low, double high)
-{
-  return low + (high - low) * (static_cast<double>(engine()) + .5) / 4294967296.0;
-}
-
-Vector3 DrawVector(std::mt19937& engine, double low, double high)
-{
-  Vector3 v;
-  for (double& c : v)
-  {
-    c = Draw(engine, low, high);
-  }
-  return v;
-}
 
 MeshOptions OptionsOf(SharpEdges mode, TetMethod method = TetMethod::Lattice)
 {
@@ -67,22 +51,22 @@ std::string FindProblem(const Mesh& mesh, const MeshReport& report, double toler
 }
 
 /// One to three turned boxes, cylinders and half-spaces in one another.
-std::vector<Shape> DrawSolids(std::mt19937& engine, double n)
+std::vector<Shape> DrawSolids(RandomDraw& draw, double n)
 {
   std::vector<Shape> shapes;
-  const int count = 1 + engine() % 3;
+  const int count = 1 + draw.Whole(0, 2);
   for (int s = 0; s < count; ++s)
   {
-    const Vector3 at = DrawVector(engine, .4 * n, .6 * n);
-    const Vector3 turned = DrawVector(engine, -90.0, 90.0);
-    const int material = 1 + engine() % 2;
-    shapes.push_back(engine() % 2 == 0
-        ? MakeBox(material, at, DrawVector(engine, .35 * n, .6 * n), turned)
+    const Vector3 at = draw.Vector(.4 * n, .6 * n);
+    const Vector3 turned = draw.Vector(-90.0, 90.0);
+    const int material = 1 + draw.Whole(0, 1);
+    shapes.push_back(draw.Whole(0, 1) == 0
+        ? MakeBox(material, at, draw.Vector(.35 * n, .6 * n), turned)
         : MakeCylinder(
-            material, at, Draw(engine, .2 * n, .3 * n), Draw(engine, .35 * n, .6 * n), turned));
+            material, at, draw.Between(.2 * n, .3 * n), draw.Between(.35 * n, .6 * n), turned));
   }
-  shapes.push_back(MakeHalfSpace(
-    3, { { .5 * n, .5 * n, Draw(engine, .2 * n, .5 * n) } }, DrawVector(engine, -1.0, 1.0)));
+  shapes.push_back(
+    MakeHalfSpace(3, { { .5 * n, .5 * n, draw.Between(.2 * n, .5 * n) } }, draw.Vector(-1.0, 1.0)));
   return shapes;
 }
 
@@ -119,20 +103,20 @@ TEST(SharpCases, EdgesAndCornersLieOnTheSurface)
 
 TEST(SharpCases, TheNearestTriangleIsFound)
 {
-  std::mt19937 engine(1);
+  RandomDraw draw(1);
   std::vector<NearestTriangle::Corners> triangles(200);
   for (NearestTriangle::Corners& triangle : triangles)
   {
-    const Vector3 at = DrawVector(engine, 0.0, 12.0);
+    const Vector3 at = draw.Vector(0.0, 12.0);
     for (Vector3& corner : triangle)
     {
-      corner = at + DrawVector(engine, -1.0, 1.0);
+      corner = at + draw.Vector(-1.0, 1.0);
     }
   }
   const NearestTriangle nearest(triangles);
   for (int i = 0; i < 500; ++i)
   {
-    const Vector3 x = DrawVector(engine, -6.0, 18.0);
+    const Vector3 x = draw.Vector(-6.0, 18.0);
     double expected = 1e300;
     for (const NearestTriangle::Corners& triangle : triangles)
     {
@@ -234,10 +218,10 @@ TEST(SharpEdges, RandomSolidsAreValid)
 {
   for (unsigned seed : ListSeeds(6))
   {
-    std::mt19937 engine(seed);
+    RandomDraw draw(seed);
     const int n = 16;
     const CartesianGrid grid = MakeUnitGrid(n);
-    const FractionField field = FractionsOfShapes(grid, DrawSolids(engine, n), 3);
+    const FractionField field = FractionsOfShapes(grid, DrawSolids(draw, n), 3);
     for (const Maker& maker : Makers)
     {
       Runtime runtime;

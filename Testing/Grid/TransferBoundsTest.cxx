@@ -2,6 +2,7 @@
 #include "StateCases.h"
 
 #include "Base/Vector3.h"
+#include "RandomDraw.h"
 #include "RankFields.h"
 #include "Shapes/ShapesScenes.h"
 #include "Sweep.h"
@@ -9,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 using namespace vfm;
 using namespace vfm::testing;
@@ -26,30 +26,29 @@ struct RandomState
   explicit RandomState(unsigned seed) : Random(seed), Grid(MakeGrid()), Fractions(MakeFractions())
   {
     this->Values.resize(Columns * (Materials + 1) * this->Grid.Global().NumberOfCells());
-    const double jump = this->Draw() < 0.5 ? 1e6 : 1e-6;
+    const double jump = this->Random.Chance(0.5) ? 1e6 : 1e-6;
     std::size_t i = 0;
     for (double& value : this->Values)
     {
       const std::size_t column = i % Columns, material = i / Columns % (Materials + 1);
-      const bool isZero = column == 0 && this->Draw() < 0.01;
-      value = isZero ? 0.0 : (0.1 + this->Draw()) * (material == 2 ? jump : 1.0);
-      value *= ((column > 0 && column < 4) || column == 13) && this->Draw() < 0.5 ? -1.0 : 1.0;
+      const bool isZero = column == 0 && this->Random.Chance(0.01);
+      value = isZero ? 0.0 : this->Random.Between(0.1, 1.1) * (material == 2 ? jump : 1.0);
+      value *=
+        ((column > 0 && column < 4) || column == 13) && this->Random.Chance(0.5) ? -1.0 : 1.0;
       ++i;
     }
   }
 
-  double Draw() { return (static_cast<double>(this->Random()) + 0.5) / 4294967296.0; }
-
   CartesianGrid MakeGrid()
   {
-    const int n = 5 + static_cast<int>(5 * this->Draw());
-    return this->Draw() < 0.5 ? MakeUnitGrid(n, n + 1, 6) : MakeUnevenGrid(n);
+    const int n = this->Random.Whole(5, 9);
+    return this->Random.Chance(0.5) ? MakeUnitGrid(n, n + 1, 6) : MakeUnevenGrid(n);
   }
 
   FractionField MakeFractions()
   {
-    const double kind = this->Draw();
-    const unsigned seed = this->Random();
+    const double kind = this->Random.Between(0.0, 1.0);
+    const unsigned seed = this->Random.Seed();
     if (kind < 0.3)
     {
       return MakeRandomLabels(this->Grid, Materials, 0, seed);
@@ -64,8 +63,9 @@ struct RandomState
     {
       for (int i = 0; i < 2; ++i)
       {
-        const Vector3 at{ { this->Draw(), this->Draw(), this->Draw() } };
-        shapes.push_back(MakeSphere(m, Scaled(at, upper), (0.1 + 0.4 * this->Draw()) * upper[0]));
+        const Vector3 at = this->Random.Vector(0.0, 1.0);
+        shapes.push_back(
+          MakeSphere(m, Scaled(at, upper), this->Random.Between(0.1, 0.5) * upper[0]));
       }
     }
     return FractionsOfShapes(this->Grid, shapes, Materials, 1e-2);
@@ -76,7 +76,7 @@ struct RandomState
     return this->Values.data() + Columns * ((Materials + 1) * this->Grid.CellKey(cell) + material);
   }
 
-  std::mt19937 Random;
+  RandomDraw Random;
   CartesianGrid Grid;
   FractionField Fractions;
   std::vector<double> Values;
@@ -93,12 +93,13 @@ StateCase MakeCase(RandomState& state)
     } };
   c.Quantities = MakeCodeQuantities();
   c.Density = 0;
-  c.Make = state.Draw() < 0.5 ? MakeHexMesh : MakeTetMesh;
-  c.Options.Tets = state.Draw() < 0.5 ? TetMethod::Cells : TetMethod::Lattice;
-  c.Options.MeshVoid = state.Draw() < 0.3;
-  c.Options.StairStep = state.Draw() < 0.1;
-  c.Order = state.Draw() < 0.2 ? 1 : 2;
-  c.GiveUnmeshed = state.Draw() < 0.5;
+  c.Make = state.Random.Chance(0.5) ? MakeHexMesh : MakeTetMesh;
+  c.Options.Tets = state.Random.Chance(0.5) ? TetMethod::Cells : TetMethod::Lattice;
+  c.Options.MeshVoid = state.Random.Chance(0.3);
+  c.Options.StairStep = state.Random.Chance(0.1);
+  c.Order = state.Random.Chance(0.2) ? 1 : 2;
+  c.GiveUnmeshed = state.Random.Chance(0.5);
+  c.Options.ConserveVolume = state.Random.Chance(0.25); // meeting volumes takes most of the time
   return c;
 }
 

@@ -2,11 +2,11 @@
 
 #include "Base/Vector3.h"
 #include "MeshChecks.h"
+#include "RandomDraw.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <random>
 #include <set>
 
 namespace vfm
@@ -27,7 +27,7 @@ constexpr int LargestChain = 8, SmallestBlob = 9, LargestBlob = 600;
 class AtlasPainter
 {
 public:
-  AtlasPainter(Index n, unsigned seed) : N(n), Engine(seed), Labels(n * n * n, 0) {}
+  AtlasPainter(Index n, unsigned seed) : N(n), Draw(seed), Labels(n * n * n, 0) {}
 
   void PaintCells(int count);
   void PaintBlob();
@@ -37,7 +37,7 @@ public:
   int LabelAt(const Index3& p) const { return this->Labels[this->At(p)]; }
 
 private:
-  double Random() { return (static_cast<double>(this->Engine()) + 0.5) / 4294967296.0; }
+  double Random() { return this->Draw.Between(0.0, 1.0); }
   Index At(const Index3& p) const { return p[0] + this->N * (p[1] + this->N * p[2]); }
   bool Contains(const Index3& p) const
   {
@@ -56,7 +56,7 @@ private:
   void Grow(const Index3& start, Index size, const std::function<double(const Index3&)>& distance);
 
   Index N;
-  std::mt19937 Engine;
+  RandomDraw Draw;
   std::vector<int> Labels;
   int Count = 0;    // labels so far
   int LastCell = 0; // the last label of a Voronoi cell
@@ -168,7 +168,7 @@ Index3 AtlasPainter::DrawStart(bool onInterface)
     Index3 p;
     for (Index& i : p)
     {
-      i = static_cast<Index>(this->Engine() % static_cast<unsigned>(this->N));
+      i = static_cast<Index>(this->Draw.Whole(0, static_cast<int>(this->N) - 1));
     }
     if (this->MayTake(p) && (tries > Tries || this->IsOnInterface(p) == onInterface))
     {

@@ -3,12 +3,12 @@
 #include "Smoothing/ActiveMesh.h"
 
 #include "Base/Vector3.h"
+#include "RandomDraw.h"
 #include "Shapes/ShapesScenes.h"
 
 #include <chrono>
 #include <cstdio>
 #include <map>
-#include <random>
 #include <set>
 
 namespace vfm
@@ -220,16 +220,11 @@ MeshCase MakeSphereCase(int diameter)
 
 MeshCase MakePolycrystalCase(int grains, int n, unsigned seed)
 {
-  std::mt19937 engine(seed);
+  RandomDraw draw(seed);
   auto seeds = std::make_shared<std::vector<Vector3>>();
   for (int g = 0; g < grains; ++g)
   {
-    Vector3 x;
-    for (double& c : x)
-    {
-      c = n * (static_cast<double>(engine()) + 0.5) / 4294967296.0;
-    }
-    seeds->push_back(x);
+    seeds->push_back(draw.Vector(0.0, n));
   }
   std::vector<Shape> shapes;
   for (int g = 0; g < grains; ++g)

@@ -1,8 +1,9 @@
 #include "RankFields.h"
 
+#include "RandomDraw.h"
+
 #include <atomic>
 #include <cmath>
-#include <random>
 #include <thread>
 
 namespace vfm
@@ -85,23 +86,23 @@ bool HaveSameParts(const FractionField& a, Index i, const FractionField& b, Inde
 FractionField MakePatchyFractions(const CartesianGrid& grid, int materials, unsigned seed)
 {
   FractionField field(grid, materials);
-  std::mt19937 engine(seed);
-  const auto random = [&engine] { return (static_cast<double>(engine()) + 0.5) / 4294967296.0; };
+  RandomDraw draw(seed);
   ForCells(grid.Local(),
     [&](const Index3& p)
     {
       const Index cell = grid.Linear(p);
-      if (random() < 0.5)
+      if (draw.Chance(0.5))
       {
-        field.SetLabel(cell, static_cast<int>(random() * (materials + 1)));
+        field.SetLabel(cell, static_cast<int>(draw.Between(0.0, 1.0) * (materials + 1)));
         return;
       }
       std::vector<FractionField::Part> parts;
       double rest = 1.0;
       for (int m = 1; m <= materials; ++m)
       {
-        const double fraction = rest * std::pow(random(), random() < 0.2 ? 12.0 : 1.0);
-        if (fraction > 1e-9 && random() < 0.7)
+        const double fraction =
+          rest * std::pow(draw.Between(0.0, 1.0), draw.Chance(0.2) ? 12.0 : 1.0);
+        if (fraction > 1e-9 && draw.Chance(0.7))
         {
           parts.push_back({ m, fraction });
           rest -= fraction;

@@ -3,6 +3,8 @@
  */
 #pragma once
 
+#include "Base/CartesianGrid.h"
+
 #include <cmath>
 #include <random>
 
@@ -20,6 +22,16 @@ public:
   double Between(double low, double high)
   {
     return low + (high - low) * (static_cast<double>(this->Engine()) + 0.5) / 4294967296.0;
+  }
+  /// Each component in (low, high).
+  Vector3 Vector(double low, double high)
+  {
+    Vector3 v;
+    for (double& component : v)
+    {
+      component = this->Between(low, high);
+    }
+    return v;
   }
   /// In (low, high), its logarithm evenly spread; 0 < low.
   double Scale(double low, double high)
