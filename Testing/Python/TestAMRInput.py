@@ -6,8 +6,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from amr_cases import N, block_of, collection, cover, cut, doubled, everywhere, fields, means, multiblock, nested, non_overlapping, overlapping
 from vfmtest import (
-    GHOST, HIDDEN, ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, collect, digest, elements, image, in_folder,
-    main, mesh_of, run, write, simple)
+    GHOST, HIDDEN, ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, check_error, collect, digest, elements, image, in_folder,
+    main, mesh_of, write, simple)
 
 REFINED = 8  # bit of vtkGhostType
 FIELDS = fields(2)
@@ -36,12 +36,6 @@ def leaves():
 
 def volumes(result):
     return np.array(result.field("TargetVolume"))
-
-
-def check_error(data, *texts, **properties):
-    result = run(data, **properties)
-    assert len(result.errors) == 1 and all(text in result.errors[0] for text in texts), (result.errors, texts)
-    assert result.mesh.GetNumberOfCells() == 0
 
 
 def test_all_levels_everywhere_are_the_finest_image():

@@ -5,11 +5,9 @@ One rank alone keeps its meshes in FOLDER; any number of ranks must give the sam
 import os
 import sys
 
-from vtkmodules.vtkParallelCore import vtkCommunicator
-
 from amr_cases import N, fields, multiblock, nested
 from gold_meshes import RANK, RANKS, check_gold, dealt, make_folder
-from vfmtest import VolumeFractionToHex, VolumeFractionToTet, collect, main, producer, reduced, uniform
+from vfmtest import VolumeFractionToHex, VolumeFractionToTet, check_error, main, producer, uniform
 
 FOLDER = os.path.join(sys.argv[1], "amr")
 FIELDS = fields(2)
@@ -30,25 +28,16 @@ def test_same_mesh():
                        FOLDER, name, seed == 0)
 
 
-def check_error(blocks, all_fields, *texts, **properties):
-    """One message, the same on all ranks."""
-    hexes = VolumeFractionToHex(Input=producer(multiblock(all_fields, blocks)), VolumeFractionArrays=["ball", "plate"], **properties)
-    errors, _ = collect(hexes.GetClientSideObject())
-    hexes.UpdatePipeline()
-    right = len(errors) == 1 and all(text in errors[0] for text in texts)
-    assert reduced(int(right), vtkCommunicator.SUM_OP) == RANKS, (errors, texts)
-
-
 def test_errors():
     blocks, whole = nested(), ((0, N),) * 3
     deal = lambda blocks: [block for i, block in enumerate(blocks) if i % RANKS == RANK]
-    check_error(deal(blocks[1:]), FIELDS, "leave a gap", "cell (0, 0, 0) of level 0")
-    check_error(deal([(0, whole), (1, ((2, 5), (2, 6), (2, 6)))]), FIELDS, "Finer blocks cover only a part of cell (1, 1, 2)")
-    check_error(deal(blocks + blocks[-1:]), FIELDS, "overlap")
+    check_error(multiblock(FIELDS, deal(blocks[1:])), "leave a gap", "cell (0, 0, 0) of level 0")
+    check_error(multiblock(FIELDS, deal([(0, whole), (1, ((2, 5), (2, 6), (2, 6)))])), "Finer blocks cover only a part of cell (1, 1, 2)")
+    check_error(multiblock(FIELDS, deal(blocks + blocks[-1:])), "overlap")
     less = [FIELDS[0], {"ball": FIELDS[1]["ball"]}]
-    check_error(deal([(0, whole), (1, ((2, 6),) * 3)]), less, "has no numeric cell array 'plate'")
+    check_error(multiblock(less, deal([(0, whole), (1, ((2, 6),) * 3)])), "has no numeric cell array 'plate'")
     bad = [FIELDS[0], {**FIELDS[1], "ball": FIELDS[1]["ball"] + 1.5}]
-    check_error(deal([(0, whole), (1, ((2, 6),) * 3)]), bad, "Volume fraction array 'ball' holds")
+    check_error(multiblock(bad, deal([(0, whole), (1, ((2, 6),) * 3)])), "Volume fraction array 'ball' holds")
 
 
 main(globals())

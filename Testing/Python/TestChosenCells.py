@@ -1,14 +1,17 @@
 """Cells that are named to be refined: by an array, by boxes; alone, with other criteria, on every kind of input."""
+import functools
+
 import numpy as np
 
 from amr_cases import cut, fields, multiblock, nested
 from exodus_grids import hexes
 from vfmtest import (
-    HIDDEN, ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, check_hexes,
+    HIDDEN, ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, check_error, check_hexes,
     check_surfaces, digest, elements, hex_volumes, image, labels, main, mesh_of, points_of, producer, rectilinear, run)
 
 N = 12
 ALONE = {"Refinement": "Automatic", "ThinCells": 0.0, "FineInterfaces": 0}  # nothing but what is chosen
+check_choice_error = functools.partial(check_error, **ALONE)
 CELLS = np.zeros((N, N, N), int)
 CELLS[4:6, 6:9, 2:4] = 1
 
@@ -270,33 +273,27 @@ def test_wishes_finer_than_the_mesh_are_left():
         amr_of([nothing(0), nothing(1)], nested(1), 1, MaximumLevel=0))
 
 
-def check_error(data, *words, **properties):
-    result = run(data, **{**ALONE, **properties})
-    assert len(result.errors) == 1 and all(word in result.errors[0] for word in words), result.errors
-    assert result.mesh.GetNumberOfCells() == 0
-
-
 def test_wrong_arrays():
     for value, text in ((np.nan, "nan"), (-1, "-1"), (1.5, "1.5"), (11, "11"), (np.inf, "inf")):
         wishes = CELLS.astype(float)
         wishes[3, 2, 1] = value
-        check_error(data_of(wishes), "'wish' holds " + text, "(1, 2, 3)", "whole number from 0 to 10", RefinementArray="wish")
-    check_error(data_of(), "no numeric cell array 'wish'", RefinementArray="wish")
+        check_choice_error(data_of(wishes), "'wish' holds " + text, "(1, 2, 3)", "whole number from 0 to 10", RefinementArray="wish")
+    check_choice_error(data_of(), "no numeric cell array 'wish'", RefinementArray="wish")
     vectors = data_of()
     add_array(vectors.GetCellData(), "wish", np.zeros((N, N, N, 3)))
-    check_error(vectors, "'wish' has 3", RefinementArray="wish")
+    check_choice_error(vectors, "'wish' has 3", RefinementArray="wish")
     at_points = data_of()
     add_array(at_points.GetPointData(), "wish", np.zeros((N + 1, N + 1, N + 1)))
-    check_error(at_points, "'wish' is point data", RefinementArray="wish")
+    check_choice_error(at_points, "'wish' is point data", RefinementArray="wish")
     result = run(multiblock(fields(1), nested(1), extra=[{"wish": nothing(0)}, {}]), RefinementArray="wish", **ALONE)
     assert len(result.errors) == 1 and "'wish'" in result.errors[0]
 
 
 def test_wrong_boxes():
-    check_error(data_of(), "box 2", "along y", RefinementBoxes=box((1, 1, 1), (2, 2, 2)) + box((1, 2, 1), (2, 1, 2)))
-    check_error(data_of(), "box 1", "along z", RefinementBoxes=[0, 0, np.nan, 1, 1, 1, 1])
+    check_choice_error(data_of(), "box 2", "along y", RefinementBoxes=box((1, 1, 1), (2, 2, 2)) + box((1, 2, 1), (2, 1, 2)))
+    check_choice_error(data_of(), "box 1", "along z", RefinementBoxes=[0, 0, np.nan, 1, 1, 1, 1])
     for halvings in (-1, 0.5, 11, np.nan):
-        check_error(data_of(), "box 1", "whole number from 0 to 10", RefinementBoxes=box((1, 1, 1), (2, 2, 2), halvings))
+        check_choice_error(data_of(), "box 1", "whole number from 0 to 10", RefinementBoxes=box((1, 1, 1), (2, 2, 2), halvings))
 
 
 main(globals())

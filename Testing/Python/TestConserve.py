@@ -1,12 +1,15 @@
 """State that is conserved: sums over the mesh, in numpy, are those over the input, for every material."""
+import functools
+
 import numpy as np
 
 from conserve_cases import (
     ARRAYS, BOTH, CELLS, CONSERVE, DATA, FRACTIONS, KINDS, MAKES, N, STATE, VOLUME, cells_of, check_balance, check_energy, close, conserved,
     elements_hold, volumes_of)
-from vfmtest import add_array, digest, image, main, mesh_of, run, table_of
+from vfmtest import add_array, check_error, digest, image, main, mesh_of, run, table_of
 
 BALL, PLATE = FRACTIONS[1], FRACTIONS[2]
+check_conserve_error = functools.partial(check_error, **CONSERVE)
 
 
 def test_all_kinds_of_meshes():
@@ -184,8 +187,8 @@ def test_velocity_by_components():
         array = result.mesh.GetCellData().GetArray(stem)
         assert [array.GetComponentName(c) for c in range(3)] == ["X", "Y", "Z"]
     data.GetCellData().RemoveArray("z_vel")
-    check_error(data, "no numeric cell array 'z_vel'", VelocityArray="x_vel")
-    check_error(data, "no numeric cell array 'vel'", VelocityArray="vel")
+    check_conserve_error(data, "no numeric cell array 'z_vel'", VelocityArray="x_vel")
+    check_conserve_error(data, "no numeric cell array 'vel'", VelocityArray="vel")
 
 
 def test_names_that_begin_alike():
@@ -226,44 +229,36 @@ def test_extensive_arrays_a_material():
         assert close((result.cells("mass") * volumes_of(result))[own].sum(), values.sum() * VOLUME, held[1].sum() * VOLUME), m
 
 
-def check_error(data, *words, **properties):
-    result = run(data, **{**CONSERVE, **properties})
-    assert len(result.errors) == 1, result.errors
-    for word in words:
-        assert word in result.errors[0], (word, result.errors[0])
-    assert result.mesh.GetNumberOfCells() == 0
-
-
 def test_errors_of_the_choice():
     for word in ("pressure", "pressure=", "=volume", "pressure=weight", "pressure=mass*"):
-        check_error(DATA, "'%s' is none" % word, "write array=kind", "mass, volume, cell, extensive, copy", StateKinds=[word])
-    check_error(DATA, "name 'pressur', which is no state array", StateKinds=["pressur=volume"])
-    check_error(DATA, "name 'pressure' twice", StateKinds=["pressure=volume", "pressure=mass"])
+        check_conserve_error(DATA, "'%s' is none" % word, "write array=kind", "mass, volume, cell, extensive, copy", StateKinds=[word])
+    check_conserve_error(DATA, "name 'pressur', which is no state array", StateKinds=["pressur=volume"])
+    check_conserve_error(DATA, "name 'pressure' twice", StateKinds=["pressure=volume", "pressure=mass"])
     for weight in ("nothing", "pressure", "velocity", "temperature"):
-        check_error(DATA, "'temperature' cannot be weighed with '%s'" % weight, StateKinds=["pressure=volume", "temperature=mass*" + weight])
-    check_error(DATA, "no numeric cell array 'rho'", DensityArrays=["rho"])
-    check_error(DATA, "'density' cannot be copied", StateKinds=["density=copy"])
-    check_error(DATA, "'density' cannot be of the kind mass", StateKinds=["density=mass"])
-    check_error(DATA, "'density' and 'pressure' are two", DensityArrays=["density", "pressure"], StateKinds=[])
-    check_error(DATA, "'velocity' has 3 components", DensityArrays=["velocity"], VelocityArray="None", StateKinds=["velocity=volume"])
-    check_error(DATA, "velocity array 'energy' has 1 component: velocity has 3", VelocityArray="energy")
-    check_error(DATA, "energy array 'velocity' has 3 components: energy has 1", EnergyArray="velocity")
-    check_error(DATA, "energy array 'pressure' must be of the kind mass", EnergyArray="pressure")
-    check_error(DATA, "energy array 'press' is neither an array of the input nor what names of state arrays have in common", EnergyArray="press")
+        check_conserve_error(DATA, "'temperature' cannot be weighed with '%s'" % weight, StateKinds=["pressure=volume", "temperature=mass*" + weight])
+    check_conserve_error(DATA, "no numeric cell array 'rho'", DensityArrays=["rho"])
+    check_conserve_error(DATA, "'density' cannot be copied", StateKinds=["density=copy"])
+    check_conserve_error(DATA, "'density' cannot be of the kind mass", StateKinds=["density=mass"])
+    check_conserve_error(DATA, "'density' and 'pressure' are two", DensityArrays=["density", "pressure"], StateKinds=[])
+    check_conserve_error(DATA, "'velocity' has 3 components", DensityArrays=["velocity"], VelocityArray="None", StateKinds=["velocity=volume"])
+    check_conserve_error(DATA, "velocity array 'energy' has 1 component: velocity has 3", VelocityArray="energy")
+    check_conserve_error(DATA, "energy array 'velocity' has 3 components: energy has 1", EnergyArray="velocity")
+    check_conserve_error(DATA, "energy array 'pressure' must be of the kind mass", EnergyArray="pressure")
+    check_conserve_error(DATA, "energy array 'press' is neither an array of the input nor what names of state arrays have in common", EnergyArray="press")
 
 
 def test_errors_of_arrays_a_material():
     data = image({"f1": BALL, "f2": PLATE, "rho1": BALL + 1, "rho2": PLATE + 1, "u1": BALL, "rho": BALL + 1})
     fractions = {"VolumeFractionArrays": ["f1", "f2"], "VelocityArray": "None", "EnergyArray": "None", "StateKinds": []}
-    check_error(data, "'rho1' is that of one material", "'f2'", "'rho2'", "rho1=volume", **fractions, DensityArrays=["rho1"], StateArrays=[])
-    check_error(data, "'u1' is that of one material", "'u2'", "u1=mass", **fractions, DensityArrays=["rho1", "rho2"], StateArrays=["u1"])
+    check_conserve_error(data, "'rho1' is that of one material", "'f2'", "'rho2'", "rho1=volume", **fractions, DensityArrays=["rho1"], StateArrays=[])
+    check_conserve_error(data, "'u1' is that of one material", "'u2'", "u1=mass", **fractions, DensityArrays=["rho1", "rho2"], StateArrays=["u1"])
     kinds = {**fractions, "StateKinds": ["rho1=volume", "rho2=cell"]}
-    check_error(data, "'rho1' and 'rho2' differ", "one array of the mesh, 'rho'", **kinds, DensityArrays=["rho1", "rho2"], StateArrays=[])
-    check_error(data, "'rho1', 'rho2', .. become the array 'rho'", "another of that name", **fractions, DensityArrays=["rho1", "rho2"], StateArrays=["rho"])
+    check_conserve_error(data, "'rho1' and 'rho2' differ", "one array of the mesh, 'rho'", **kinds, DensityArrays=["rho1", "rho2"], StateArrays=[])
+    check_conserve_error(data, "'rho1', 'rho2', .. become the array 'rho'", "another of that name", **fractions, DensityArrays=["rho1", "rho2"], StateArrays=["rho"])
     result = mesh_of(data, **{**fractions, "StateKinds": ["u1=volume"]}, DensityArrays=["rho1", "rho2"], StateArrays=["u1"])
     assert result.cells("u1").dtype == float
     data = image({"f1": BALL, "f2": PLATE, **{axis + " u1": BALL for axis in "XYZ"}, "rho": BALL + 1})
-    check_error(data, "'X u1' is a component of one material's velocity", **{**fractions, "VelocityArray": "X u1"}, DensityArrays=["rho"], StateArrays=[])
+    check_conserve_error(data, "'X u1' is a component of one material's velocity", **{**fractions, "VelocityArray": "X u1"}, DensityArrays=["rho"], StateArrays=[])
 
 
 def test_errors_of_values():
@@ -273,13 +268,13 @@ def test_errors_of_values():
         values[7, 5, 6] = value
         data = image({"ball": BALL, "plate": PLATE, **ARRAYS, name: values})
         kind = "density" if name == "density" else "state"
-        check_error(data, "The %s array '%s' is %s in cell (6, 5, 7), which holds 'ball'" % (kind, name, word))
+        check_conserve_error(data, "The %s array '%s' is %s in cell (6, 5, 7), which holds 'ball'" % (kind, name, word))
         empty = (BALL + PLATE)[11, 0, 0]
         values = ARRAYS[name].copy()
         values[11, 0, 0] = value
         data = image({"ball": BALL, "plate": PLATE, **ARRAYS, name: values})
         assert empty == 0 and not run(data, **CONSERVE).errors
-        check_error(data, "which holds 'Void'", MeshVoid=1)
+        check_conserve_error(data, "which holds 'Void'", MeshVoid=1)
 
 
 main(globals())

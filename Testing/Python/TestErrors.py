@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 from amr_cases import set_boxes
 from vfmtest import (
-    GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, collect, failure_of, fraction_image, image, labels, main,
+    GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, check_error, collect, failure_of, fraction_image, image, labels, main,
     producer, rectilinear, run, VolumeFractionFragments, VolumeFractionToHex, servermanager)
 
 N = 8
@@ -27,22 +27,6 @@ def changed(name, cell, value, dtype=np.float64):
     values = {key: array.astype(dtype) for key, array in arrays().items()}
     values[name][cell[::-1]] = value
     return image(values)
-
-
-def check_error(data, *words, **properties):
-    """The run fails with one message that has all the words, and leaves nothing else in the outputs."""
-    result = run(data, **properties)
-    assert len(result.errors) == 1, result.errors
-    for word in words:
-        assert word in result.errors[0], (word, result.errors[0])
-    assert result.mesh.IsA("vtkUnstructuredGrid") and result.surfaces.IsA("vtkPolyData")
-    for output in (result.mesh, result.surfaces, result.curves, result.vertices):
-        assert output.GetNumberOfCells() == 0 and output.GetNumberOfPoints() == 0
-        assert output.GetCellData().GetNumberOfArrays() == 0
-    assert result.materials.GetNumberOfColumns() == 0
-    for output in (result.mesh, result.surfaces, result.curves, result.vertices, result.materials):
-        assert output.GetFieldData().GetNumberOfArrays() == 1
-        assert result.errors[0].strip().endswith("): " + failure_of(output)), (result.errors, failure_of(output))
 
 
 def blocks(*data):

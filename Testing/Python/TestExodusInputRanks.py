@@ -2,6 +2,7 @@
 
 The mesh is that of whole blocks; what is wrong on one rank is told on all.
 """
+import functools
 import zlib
 
 import numpy as np
@@ -10,12 +11,13 @@ from vtkmodules.vtkCommonDataModel import VTK_TETRA, VTK_VOXEL, vtkMultiBlockDat
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from exodus_grids import GRADED, N, fields, hexes, ragged
-from vfmtest import main, rectilinear, reduced, run
+from vfmtest import check_error, main, rectilinear, reduced, run
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 MINE = ragged(RANK, RANKS)
 CHOSEN = {"VolumeFractionArrays": ["MAT_10", "MAT_20"], "StateArrays": ["number"]}
+check_input_error = functools.partial(check_error, **CHOSEN)
 
 
 def blocks(*data):
@@ -59,18 +61,6 @@ def test_ranks_without_cells():
         assert of_mesh(blocks(*([hexes(fields(), cells, GRADED)] if RANK == rank else []))) == expected
 
 
-def check_error(data, *words, **properties):
-    """The run fails on all ranks with one message that has all the words."""
-    result = run(data, **{**CHOSEN, **properties})
-    message = result.errors[0].split("): ", 1)[1] if result.errors else ""
-    value = zlib.crc32(message.encode())
-    same = reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)
-    assert same and len(result.errors) == 1, result.errors
-    for word in words:
-        assert word in message, (word, message)
-    assert result.mesh.GetNumberOfCells() == 0
-
-
 def spoilt(rank, change):
     """The parts, with change(points, connectivity) made on one rank."""
     data = hexes(fields(), MINE, GRADED)
@@ -87,8 +77,8 @@ def test_shape_on_one_rank():
         connectivity[:8] = connectivity[80:88]
 
     for rank in range(RANKS):
-        check_error(spoilt(rank, skew), "The input of rank %d: cell" % rank, "is no box", "Transform")
-        check_error(spoilt(rank, double), "The input of rank %d: cell 0 and cell 10 lie in the same place" % rank)
+        check_input_error(spoilt(rank, skew), "The input of rank %d: cell" % rank, "is no box", "Transform")
+        check_input_error(spoilt(rank, double), "The input of rank %d: cell 0 and cell 10 lie in the same place" % rank)
 
 
 def test_tetrahedron_on_one_rank():
@@ -96,14 +86,14 @@ def test_tetrahedron_on_one_rank():
         data = hexes(fields(), MINE, GRADED)
         if RANK == rank:
             data.InsertNextCell(VTK_TETRA, 4, [0, 1, 2, 3])
-        check_error(blocks(data), "Block 0 of rank %d: cell %d is a vtkTetra" % (rank, len(ragged(rank, RANKS))))
+        check_input_error(blocks(data), "Block 0 of rank %d: cell %d is a vtkTetra" % (rank, len(ragged(rank, RANKS))))
 
 
 def test_parts_that_do_not_tile():
     for rank in range(RANKS):
-        check_error(hexes(fields(), MINE[1:] if RANK == rank else MINE, GRADED), "leave a gap: 1 of the 1728")
+        check_input_error(hexes(fields(), MINE[1:] if RANK == rank else MINE, GRADED), "leave a gap: 1 of the 1728")
         other = ragged((rank + 1) % RANKS, RANKS)[:1]
-        check_error(hexes(fields(), np.append(MINE, other) if RANK == rank else MINE, GRADED), "The input of rank ", "overlap")
+        check_input_error(hexes(fields(), np.append(MINE, other) if RANK == rank else MINE, GRADED), "The input of rank ", "overlap")
 
 
 def test_array_missing_on_one_rank():
@@ -111,7 +101,7 @@ def test_array_missing_on_one_rank():
         data = hexes(fields(), MINE, GRADED)
         if RANK == rank:
             data.GetCellData().RemoveArray("MAT_20")
-        check_error(data, "The input of rank %d has no numeric cell array 'MAT_20'" % rank)
+        check_input_error(data, "The input of rank %d has no numeric cell array 'MAT_20'" % rank)
 
 
 main(globals())

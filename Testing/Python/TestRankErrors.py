@@ -11,7 +11,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 
 from amr_cases import set_boxes
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, labels, main, producer, reduced, run,
+    ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, check_error, collect, image, labels, main, producer, reduced, run,
     VolumeFractionToHex,
     VolumeFractionToTet)
 
@@ -48,19 +48,6 @@ def on(rank, change):
 def is_same_everywhere(text):
     value = zlib.crc32(text.encode())
     return reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)
-
-
-def check_error(data, *words, **properties):
-    """The run fails on all ranks with one message that has all the words, and leaves nothing in the outputs."""
-    result = run(data, **properties)
-    message = result.errors[0].split("): ", 1)[1] if result.errors else ""
-    same = is_same_everywhere(message)  # by all ranks, before any may fail
-    assert same, message
-    assert len(result.errors) == 1, result.errors
-    for word in words:
-        assert word in message, (word, message)
-    for output in (result.mesh, result.surfaces):
-        assert output.GetNumberOfCells() == 0 and output.GetNumberOfPoints() == 0
 
 
 def set_value(name, cell, value):

@@ -8,8 +8,8 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 from state_rule import graded_coordinates, of_labels, specks, state_cells, with_void
 from vfmtest import (
-    GHOST, HIDDEN, ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, digest, elements, fraction_image, image, labels,
-    main, mesh_of, producer, rectilinear, run, uniform, VolumeFractionToHex, VolumeFractionToTet)
+    GHOST, HIDDEN, ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, check_error, digest, elements, fraction_image, image, labels,
+    main, mesh_of, producer, rectilinear, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
 NUMBERS = np.arange(N ** 3, dtype=np.int64).reshape(N, N, N)
@@ -226,14 +226,6 @@ def test_list_of_the_property():
             mesher.UpdatePipeline()
             cells = mesher.GetClientSideObject().GetOutputDataObject(0).GetCellData()
             assert [name for name in ("number", "velocity") if cells.HasArray(name)] == chosen
-
-
-def check_error(data, *words, **properties):
-    result = run(data, **properties)
-    assert len(result.errors) == 1, result.errors
-    for word in words:
-        assert word in result.errors[0], (word, result.errors[0])
-    assert result.mesh.GetNumberOfCells() == 0 and result.mesh.GetCellData().GetNumberOfArrays() == 0
 
 
 def test_arrays_that_cannot_be_carried():

@@ -10,6 +10,7 @@ import tempfile
 import time
 import traceback
 import unittest
+import zlib
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -18,7 +19,7 @@ from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkVersion
 from vtkmodules.vtkCommonMath import vtkMatrix3x3
 from vtkmodules.vtkIOIOSS import vtkIOSSReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 if "VFM_PLUGIN" in os.environ:
     from paraview import servermanager, simple
@@ -372,6 +373,24 @@ def mesh_of(data, make=None, **properties):
     assert not result.errors, result.errors
     assert result.mesh.GetNumberOfCells() > 0
     return result
+
+
+def check_error(data, *words, make=None, **properties):
+    """The run fails on every rank with the same message, one that has all the words, and leaves nothing else in the outputs."""
+    result = run(data, make, **properties)
+    message = result.errors[0].strip().split("): ", 1)[1] if result.errors else ""
+    value = zlib.crc32(message.encode())
+    same = reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)  # by all ranks, before any may fail
+    assert same and len(result.errors) == 1, result.errors
+    for word in words:
+        assert word in message, (word, message)
+    assert result.mesh.IsA("vtkUnstructuredGrid") and result.surfaces.IsA("vtkPolyData")
+    for output in (result.mesh, result.surfaces, result.curves, result.vertices):
+        assert output.GetNumberOfCells() == 0 and output.GetNumberOfPoints() == 0
+        assert output.GetCellData().GetNumberOfArrays() == 0
+    assert result.materials.GetNumberOfColumns() == 0
+    for output in (result.mesh, result.surfaces, result.curves, result.vertices, result.materials):
+        assert output.GetFieldData().GetNumberOfArrays() == 1 and failure_of(output) == message, (message, failure_of(output))
 
 
 def uniform(levels):
