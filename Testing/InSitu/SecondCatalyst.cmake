@@ -17,7 +17,6 @@ function (vfm_add_catalyst_tests name label)
     set_tests_properties(ranks${ranks}.${name} PROPERTIES
       ENVIRONMENT "CATALYST_IMPLEMENTATION_NAME=vfm_double;CATALYST_IMPLEMENTATION_PATHS=$<TARGET_FILE_DIR:catalyst_vfm_double>;${vfm_mpi_environment}"
       LABELS "${label}"
-      PROCESSORS 2
       TIMEOUT ${vfm_timeout})
   endforeach ()
 endfunction ()
@@ -29,7 +28,6 @@ add_test(NAME ranks3.CatalystDump
 set_tests_properties(ranks3.CatalystDump PROPERTIES
   ENVIRONMENT "${vfm_mpi_environment}"
   LABELS quick
-  PROCESSORS 2
   TIMEOUT ${vfm_timeout})
 
 # How VTK reads it.

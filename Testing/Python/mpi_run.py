@@ -5,9 +5,10 @@ import subprocess
 
 # What tells a process that it belongs to an MPI run.
 OF_THIS_PROCESS = ("PMIX_", "PMI_", "ORTE_", "OMPI_")
-# Open MPI looks for no networks, which is half the time of a short run, and lets other ranks work while one waits.
+# The settings of vfm_mpi_environment in Testing/CMakeLists.txt.
 SETTINGS = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
-            "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader"}
+            "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMPI_MCA_ess_singleton_isolated": "1",
+            "OMPI_MCA_odls_base_sigkill_timeout": "0"}
 LIMIT = 600  # seconds; machines are shared
 LAUNCHER_NOTE = re.compile(r"^-{60,}\n.*?^-{60,}\n", re.DOTALL | re.MULTILINE)  # that a rank failed; Open MPI 5 cannot be quiet
 
