@@ -22,7 +22,7 @@ int ToInt(Index count)
 {
   if (count > std::numeric_limits<int>::max())
   {
-    throw vfm::SculptorError(SCULPTOR_ERROR_SIZE,
+    throw vfm::InputError(vfm::ErrorCode::TooLarge,
       std::to_string(count) + " is more than an int counts; use the calls sculptor_get_*.");
   }
   return static_cast<int>(count);

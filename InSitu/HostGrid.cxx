@@ -123,12 +123,6 @@ void CheckHostGrid(const HostGrid& grid)
   }
 }
 
-void CheckHostBox(const HostGrid& grid, const HostBox& box)
-{
-  CheckAxes(grid);
-  CheckBox(grid, box);
-}
-
 Vector3 SpacingOf(const HostGrid& grid, int level)
 {
   Vector3 spacing;

@@ -14,17 +14,19 @@
 #include "Base/IndexBox.h"
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace vfm
 {
 
+/// The numbers are those of VTK.
 enum class HostType
 {
-  Double,
-  Float,
-  Int,
-  UnsignedChar
+  UnsignedChar = 3,
+  Int = 6,
+  Float = 10,
+  Double = 11
 };
 
 /// Values of the host, one tuple of components a cell. They must stay where they are as long as data made of them lives,
@@ -55,43 +57,26 @@ struct HostGrid
   std::vector<HostBox> Boxes;
 };
 
-/// The kind of array for values of the host's type.
-template <class T>
-constexpr HostType HostTypeOf();
-template <>
-constexpr HostType HostTypeOf<double>()
-{
-  return HostType::Double;
-}
-template <>
-constexpr HostType HostTypeOf<float>()
-{
-  return HostType::Float;
-}
-template <>
-constexpr HostType HostTypeOf<int>()
-{
-  return HostType::Int;
-}
-template <>
-constexpr HostType HostTypeOf<unsigned char>()
-{
-  return HostType::UnsignedChar;
-}
-
-/// An array of the host's values. name: not empty; values: one tuple of components for every cell of its box.
+/// An array of the host's values: double, float, int or unsigned char. name: not empty; values: one tuple of components for every
+/// cell of its box.
 template <class T>
 HostArray MakeHostArray(const std::string& name, const T* values, int components = 1)
 {
-  return { name, components, HostTypeOf<T>(), values };
+  constexpr bool isDouble = std::is_same_v<T, double>, isFloat = std::is_same_v<T, float>,
+                 isInt = std::is_same_v<T, int>;
+  static_assert(isDouble || isFloat || isInt || std::is_same_v<T, unsigned char>);
+  return { name, components,
+    isDouble    ? HostType::Double
+      : isFloat ? HostType::Float
+      : isInt   ? HostType::Int
+                : HostType::UnsignedChar,
+    values };
 }
 
 /// Throws InputError that names what is wrong: spacing that is not positive, numbers that are not finite, no cells,
 /// more cells along an axis than an int counts; a box that is empty or leaves the grid, a level out of range; an array
 /// without name, values or components, or twice in a box. Boxes that overlap or leave gaps are found by the mesher.
 void CheckHostGrid(const HostGrid& grid);
-/// The same for the grid with this box alone.
-void CheckHostBox(const HostGrid& grid, const HostBox& box);
 
 /// Edges of the cells of a level.
 Vector3 SpacingOf(const HostGrid& grid, int level);

@@ -8,21 +8,6 @@ namespace vfm
 namespace
 {
 
-int ValueTypeOf(HostType type)
-{
-  switch (type)
-  {
-    case HostType::Float:
-      return ValueType::Float;
-    case HostType::Int:
-      return ValueType::Int;
-    case HostType::UnsignedChar:
-      return ValueType::UnsignedChar;
-    default:
-      return ValueType::Double;
-  }
-}
-
 InputBlock MakeBlock(const HostGrid& grid, const HostBox& box)
 {
   InputBlock block;
@@ -36,7 +21,7 @@ InputBlock MakeBlock(const HostGrid& grid, const HostBox& box)
   auto arrays = std::make_shared<PlainArrays>(cells);
   for (const HostArray& array : box.Arrays)
   {
-    arrays->Add(array.Name, ValueTypeOf(array.Type), cells, array.Components, array.Values);
+    arrays->Add(array.Name, static_cast<int>(array.Type), cells, array.Components, array.Values);
   }
   block.Arrays = arrays;
   return block;

@@ -21,15 +21,7 @@ struct BoundedCells
 template <class Work>
 void NameBlock(std::size_t block, std::size_t blocks, const Work& work)
 {
-  try
-  {
-    work();
-  }
-  catch (const InputError& error)
-  {
-    const std::string name = "Block " + std::to_string(block) + ": ";
-    throw InputError((blocks > 1 ? name : "") + error.what(), error.Code());
-  }
+  PrefixErrors(blocks > 1 ? "Block " + std::to_string(block) + ": " : "", work);
 }
 
 /// Throws InputError on numbers that are not finite, a box that is flat or inside out, intervals below 1, levels out of

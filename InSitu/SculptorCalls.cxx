@@ -20,11 +20,38 @@ SculptorTable& Table()
   return *table;
 }
 
-SculptorError WrongHandle(int handle)
+InputError WrongHandle(int handle)
 {
-  return { SCULPTOR_ERROR_HANDLE,
+  return { ErrorCode::WrongHandle,
     "There is no sculptor " + std::to_string(handle) +
       ": it was never created, or has been deleted." };
+}
+
+/// The code of the C interface.
+int CodeOf(ErrorCode code)
+{
+  switch (code)
+  {
+    case ErrorCode::Unknown:
+    case ErrorCode::WrongArguments:
+      return SCULPTOR_ERROR_ARGUMENT;
+    case ErrorCode::UnreadableInput:
+    case ErrorCode::RefusedMesh:
+      return SCULPTOR_ERROR_INPUT;
+    case ErrorCode::UnwritableOutput:
+      return SCULPTOR_ERROR_FILE;
+    case ErrorCode::InternalError:
+      return SCULPTOR_ERROR_INTERNAL;
+    case ErrorCode::OutOfMemory:
+      return SCULPTOR_ERROR_MEMORY;
+    case ErrorCode::NoMesh:
+      return SCULPTOR_ERROR_NO_MESH;
+    case ErrorCode::TooLarge:
+      return SCULPTOR_ERROR_SIZE;
+    case ErrorCode::WrongHandle:
+      return SCULPTOR_ERROR_HANDLE;
+  }
+  return SCULPTOR_ERROR_INTERNAL;
 }
 
 } // namespace
@@ -35,13 +62,9 @@ void LastCall::Tell() noexcept
   {
     throw;
   }
-  catch (const SculptorError& error)
-  {
-    this->Set(error.Code, error.what());
-  }
   catch (const InputError& error)
   {
-    this->Set(SCULPTOR_ERROR_ARGUMENT, error.what());
+    this->Set(CodeOf(error.Code()), error.what());
   }
   catch (const std::bad_alloc&)
   {

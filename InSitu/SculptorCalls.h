@@ -56,7 +56,7 @@ struct Sculptor
 int AddSculptor();
 /// Null when there is none.
 std::shared_ptr<Sculptor> FindSculptor(int handle);
-/// Throws SculptorError when there is none.
+/// Throws InputError when there is none.
 void RemoveSculptor(int handle);
 
 /// Of this thread: to create, to delete, or with a handle that no sculptor has.

@@ -7,7 +7,6 @@
 #include "Options/SetOptions.h"
 #include "Ranks/WorkTogether.h"
 #include "Sculptor.h"
-#include "Stage.h"
 #include "State/ViewMesh.h"
 
 #include <algorithm>
@@ -31,61 +30,11 @@ void AgreeOn(const std::string& text, Ranks& ranks)
   }
 }
 
-/// Of a failure to write.
-int CodeOf(ExitCode code)
-{
-  switch (code)
-  {
-    case ExitCode::WrongArguments:
-      return SCULPTOR_ERROR_ARGUMENT;
-    case ExitCode::UnwritableOutput:
-      return SCULPTOR_ERROR_FILE;
-    default:
-      return SCULPTOR_ERROR_INTERNAL;
-  }
-}
-
 /// Does the work of this rank alone; errors tell the rank, where there are several.
 template <class Work>
 void NameRank(const Ranks& ranks, const Work& work)
 {
-  try
-  {
-    work();
-  }
-  catch (const InputError& error)
-  {
-    const std::string rank = "Rank " + std::to_string(ranks.Rank()) + ": ";
-    throw InputError((ranks.Count() > 1 ? rank : "") + error.what(), error.Code());
-  }
-}
-
-/// Makes errors that carry their SculptorCode to other ranks; code: of wrong input.
-template <class Work>
-void WorkWithCode(int code, const Work& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const SculptorError& error)
-  {
-    throw InputError(error.what(), error.Code);
-  }
-  catch (const InputError& error)
-  {
-    throw InputError(error.what(), error.Code() ? error.Code() : code);
-  }
-}
-
-/// Of an error of all ranks.
-int CodeOf(const FailedTogether& error)
-{
-  if (error.Code() == Failure::OutOfMemory)
-  {
-    return SCULPTOR_ERROR_MEMORY;
-  }
-  return error.Code() ? error.Code() : SCULPTOR_ERROR_INTERNAL;
+  PrefixErrors(ranks.Count() > 1 ? "Rank " + std::to_string(ranks.Rank()) + ": " : "", work);
 }
 
 ///@{ A value of a field; texts are none.
@@ -252,19 +201,19 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
     NameRank(ranks, [&grid] { CheckHostGrid(grid); });
     this->Result = this->Run(tets, areNamed, names, grid, ranks);
   };
-  const auto work = [&]
-  {
-    WorkWithCode(SCULPTOR_ERROR_ARGUMENT, agree);
-    WorkWithCode(SCULPTOR_ERROR_INPUT, mesh);
-  };
   try
   {
-    WorkTogether(ranks, work, Ranks::Frame::Stage);
+    WorkInStage(ranks, ErrorCode::RefusedMesh,
+      [&]
+      {
+        ClassifyErrors(ErrorCode::WrongArguments, agree);
+        mesh();
+      });
   }
-  catch (const FailedTogether& error)
+  catch (const InputError&)
   {
     this->Result.reset(); // this rank may have made its part
-    throw SculptorError(CodeOf(error), error.what());
+    throw;
   }
 }
 
@@ -272,7 +221,7 @@ const MesherResult& SculptorSession::GetResult() const
 {
   if (!this->Result)
   {
-    throw SculptorError(SCULPTOR_ERROR_NO_MESH, "There is no mesh yet, or the last one failed.");
+    throw InputError(ErrorCode::NoMesh, "There is no mesh yet, or the last one failed.");
   }
   return *this->Result;
 }
@@ -336,28 +285,21 @@ void SculptorSession::Write(const char* path)
 {
   const MesherResult& result = this->GetResult(); // all ranks have one, or none
   Ranks& ranks = this->Communicator.GetRanks();
-  try
-  {
-    WorkInStage(ranks, ExitCode::WrongArguments,
-      [&]
+  WorkInStage(ranks, ErrorCode::WrongArguments,
+    [&]
+    {
+      if (!path)
       {
-        if (!path)
-        {
-          throw InputError("path is a null pointer.");
-        }
-        const std::string problem = FindOutputProblem(path);
-        if (!problem.empty())
-        {
-          throw InputError(problem);
-        }
-      });
-    const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
-    WorkInStage(ranks, ExitCode::UnwritableOutput, [&] { WriteMesh(mesh, path, ranks); });
-  }
-  catch (const ProgramError& error)
-  {
-    throw SculptorError(CodeOf(error.Code), error.what());
-  }
+        throw InputError("path is a null pointer.");
+      }
+      const std::string problem = FindOutputProblem(path);
+      if (!problem.empty())
+      {
+        throw InputError(problem);
+      }
+    });
+  const MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+  WorkInStage(ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh, path, ranks); });
 }
 
 } // namespace vfm

@@ -1,6 +1,6 @@
 /**
  * SculptorSession: what stands behind a handle of the C interface: the fields that a host gave, the mesh made of them
- * by the mesher, and the arrays that the host asks for. Throws InputError on wrong arguments and SculptorError on the rest.
+ * by the mesher, and the arrays that the host asks for. Throws InputError, without a code on wrong arguments.
  */
 #pragma once
 
@@ -18,13 +18,6 @@
 namespace vfm
 {
 
-/// A failure that is no wrong argument, with its SculptorCode.
-struct SculptorError : std::runtime_error
-{
-  SculptorError(int code, const std::string& message) : std::runtime_error(message), Code(code) {}
-  int Code;
-};
-
 class SculptorSession
 {
 public:
@@ -38,7 +31,7 @@ public:
   /// Collective. prepare: sets fields and options; when it fails on any rank, all fail.
   void MakeMesh(bool tets, const std::function<void()>& prepare);
 
-  ///@{ Throw SculptorError when there is no mesh.
+  ///@{ Throw InputError when there is no mesh.
   const Mesh& GetMesh() const { return this->GetResult().TheMesh; }
   const FragmentParts& GetFragmentParts();
   int GetNumberOfFragments() const;

@@ -66,7 +66,7 @@ std::vector<std::string> TakeValues(
 
 void RefuseArguments(const std::string& message)
 {
-  throw ProgramError(ExitCode::WrongArguments, message + " See sculptor --help.");
+  throw InputError(ErrorCode::WrongArguments, message + " See sculptor --help.");
 }
 
 GivenArguments ReadWords(const std::vector<std::string>& words, bool isTest)

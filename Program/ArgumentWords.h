@@ -3,7 +3,7 @@
  */
 #pragma once
 
-#include "Stage.h"
+#include "Ranks/WorkTogether.h"
 
 #include <map>
 #include <string>
@@ -16,11 +16,11 @@ namespace vfm
 /// --output, in this order.
 using GivenArguments = std::map<std::string, std::vector<std::string>>;
 
-/// Throws ProgramError (WrongArguments).
+/// Throws InputError (WrongArguments).
 [[noreturn]] void RefuseArguments(const std::string& message);
 
 /// Values may follow an option as the next word or after "=". Of words with --help or --version only this option is returned.
-/// Throws ProgramError (WrongArguments) when an option is unknown, is given twice, lacks a value or takes none.
+/// Throws InputError (WrongArguments) when an option is unknown, is given twice, lacks a value or takes none.
 /// @param words  without the program's name; of the test, whose --refine-cells takes no value, also without "test"
 GivenArguments ReadWords(const std::vector<std::string>& words, bool isTest);
 

@@ -244,17 +244,14 @@ MesherOptions ReadOptions(const Arguments& from)
 {
   MesherOptions options;
   options.Elements = from.Tets ? ElementKind::Tets : ElementKind::Hexes;
-  try
-  {
-    for (const auto& [name, value] : from.Options)
+  ClassifyErrors(ErrorCode::WrongArguments,
+    [&]
     {
-      SetOption(options, name, value);
-    }
-  }
-  catch (const InputError& error)
-  {
-    throw ProgramError(ExitCode::WrongArguments, error.what());
-  }
+      for (const auto& [name, value] : from.Options)
+      {
+        SetOption(options, name, value);
+      }
+    });
   return options;
 }
 

@@ -49,7 +49,7 @@ struct Arguments
 std::vector<std::string> ListOtherArrays(
   const Arguments& arguments, const std::vector<std::string>& there);
 
-/// words: without the program's name. Throws ProgramError (WrongArguments).
+/// words: without the program's name. Throws InputError (WrongArguments).
 Arguments ParseArguments(const std::vector<std::string>& words);
 
 } // namespace vfm

@@ -2,7 +2,7 @@
 
 #include "Blocks/BlockFile.h"
 #include "Input/GuessMaterials.h"
-#include "Stage.h"
+#include "Ranks/WorkTogether.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -79,19 +79,17 @@ vtkSmartPointer<vtkRectilinearGrid> MakeGrid(const InputBlock& block)
 Input ReadBlocks(const Arguments& arguments, Ranks& ranks)
 {
   Input input;
-  WorkInStage(ranks, ExitCode::UnreadableInput,
+  WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
+      std::unique_ptr<BlockFile> file;
+      CheckInput(arguments.Input, [&] { file = OpenBlockFile(arguments.Input, ranks); });
+      input.Times = file->Times();
+      input.Time = ChooseTime(arguments, input.Times);
+      const auto step = std::find(input.Times.begin(), input.Times.end(), *input.Time);
+      const std::vector<std::string> names = ChooseNames(arguments, file->Names());
       CheckInput(arguments.Input,
-        [&]
-        {
-          const auto file = OpenBlockFile(arguments.Input, ranks);
-          input.Times = file->Times();
-          input.Time = ChooseTime(arguments, input.Times);
-          const auto step = std::find(input.Times.begin(), input.Times.end(), *input.Time);
-          input.Blocks =
-            file->Read(step - input.Times.begin(), ChooseNames(arguments, file->Names()), ranks);
-        });
+        [&] { input.Blocks = file->Read(step - input.Times.begin(), names, ranks); });
       vtkNew<vtkMultiBlockDataSet> data;
       for (const InputBlock& block : input.Blocks)
       {

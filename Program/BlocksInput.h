@@ -11,7 +11,7 @@ namespace vfm
 {
 
 /// Collective: reads the arrays that the arguments name, or the volume fractions of a SpyPlot file, or all
-/// where these are none or one is missing. Throws ProgramError (UnreadableInput).
+/// where these are none or one is missing. Throws InputError (UnreadableInput).
 Input ReadBlocks(const Arguments& arguments, Ranks& ranks);
 
 } // namespace vfm

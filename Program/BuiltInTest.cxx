@@ -8,7 +8,7 @@
 #include "MeshDataOfGrid.h"
 #include "Meshes/WriteMesh.h"
 #include "PrintSummary.h"
-#include "Stage.h"
+#include "Ranks/WorkTogether.h"
 #include "Summary/GatherMesh.h"
 
 #include "vtkCell.h"
@@ -302,7 +302,7 @@ public:
     this->MakeAndCheck(runs[1], plain);
     if (!this->Given.Output.empty())
     {
-      WorkInStage(this->Group, ExitCode::UnwritableOutput,
+      WorkInStage(this->Group, ErrorCode::UnwritableOutput,
         [this] { WriteMesh(MeshDataOf(this->Mesh).Data, this->Given.Output, this->Group); });
     }
     if (this->Group.Rank() == 0)

@@ -4,7 +4,7 @@
 #include "Images/ImageFile.h"
 #include "Input/GuessMaterials.h"
 #include "Ranks/Agreement.h"
-#include "Stage.h"
+#include "Ranks/WorkTogether.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -87,7 +87,7 @@ std::string WarnOfNearFractions(
             "others, unless named as --fractions.";
   }
   text += warning.empty() ? "" : " " + warning;
-  throw ProgramError(ExitCode::UnreadableInput,
+  throw InputError(ErrorCode::UnreadableInput,
     text + " Name them (--fractions A,B,..), or an array of labels (--labels ARRAY).");
 }
 
@@ -107,7 +107,7 @@ std::size_t FindMaterial(const std::string& material, const std::vector<std::str
     {
       known.push_back(std::to_string(m + 1) + " " + fractions[m]);
     }
-    throw ProgramError(ExitCode::WrongArguments,
+    throw InputError(ErrorCode::WrongArguments,
       "There is no material '" + material +
         "' (--material). The materials are: " + JoinTexts(known) + ".");
   }
@@ -128,12 +128,12 @@ void CheckUse(const ChosenArrays& arrays, const std::string& name)
 {
   if (Lists(arrays.State, name))
   {
-    throw ProgramError(ExitCode::WrongArguments,
+    throw InputError(ErrorCode::WrongArguments,
       "The elements cannot carry '" + name + "' (--state): --material leaves materials of it out.");
   }
   if (arrays.Refinement == name)
   {
-    throw ProgramError(ExitCode::WrongArguments,
+    throw InputError(ErrorCode::WrongArguments,
       "Cells cannot be refined by '" + name +
         "' (--refine-cells): --material leaves materials of it out.");
   }
@@ -210,7 +210,7 @@ std::set<int> ParseLabels(const std::vector<std::string>& materials)
     const auto label = ParseCount(material, 1, std::numeric_limits<int>::max());
     if (!label)
     {
-      throw ProgramError(ExitCode::WrongArguments,
+      throw InputError(ErrorCode::WrongArguments,
         "'" + material + "' is no label (--material): labels are whole numbers from 1.");
     }
     labels.insert(*label);
@@ -229,7 +229,7 @@ void CheckLabels(const std::set<int>& kept, const std::vector<int>& found, const
       {
         known.push_back(std::to_string(found[i]));
       }
-      throw ProgramError(ExitCode::WrongArguments,
+      throw InputError(ErrorCode::WrongArguments,
         "There is no material " + std::to_string(label) + " (--material) in the array '" + name +
           "'. It holds " + JoinTexts(known) + (found.size() > ListedLabels ? ", ..." : "") + ".");
     }
@@ -267,7 +267,7 @@ ArrayPlace CheckNamedArrays(vtkDataObject* data, const std::string& option,
     {
       continue;
     }
-    throw ProgramError(ExitCode::UnreadableInput,
+    throw InputError(ErrorCode::UnreadableInput,
       (isOfPoints ? "The array '" + name + "' (" + option + ") has values of points, not of cells. "
                   : "The input has no numeric array '" + name + "' (" + option + "). ") +
         DescribeArrays(data, ranks));
@@ -329,7 +329,7 @@ ChosenArrays FindMaterials(
 std::vector<int> FindLabels(vtkDataObject* data, const ChosenArrays& arrays, Ranks& ranks)
 {
   std::set<int> found;
-  WorkInStage(ranks, ExitCode::InternalError,
+  WorkInStage(ranks, ErrorCode::InternalError,
     [&]
     {
       for (vtkDataSet* grid : GetGrids(data))
@@ -382,13 +382,13 @@ void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
   }
   if (arrays.Labels.empty())
   {
-    WorkInStage(ranks, ExitCode::WrongArguments, [&] { KeepFractions(data, arrays, materials); });
+    WorkInStage(ranks, ErrorCode::WrongArguments, [&] { KeepFractions(data, arrays, materials); });
     return;
   }
   CheckUse(arrays, arrays.Labels);
   const std::set<int> kept = ParseLabels(materials);
   CheckLabels(kept, FindLabels(data, arrays, ranks), arrays.Labels);
-  WorkInStage(ranks, ExitCode::InternalError,
+  WorkInStage(ranks, ErrorCode::InternalError,
     [&]
     {
       for (vtkDataSet* grid : GetGrids(data))

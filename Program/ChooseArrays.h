@@ -34,13 +34,13 @@ ChosenArrays FindMaterials(
 /// Collective: the labels above 0 that the arrays hold, ascending.
 std::vector<int> FindLabels(vtkDataObject* data, const ChosenArrays& arrays, Ranks& ranks);
 
-/// Collective: what the arguments name, else what fits. Throws ProgramError
+/// Collective: what the arguments name, else what fits. Throws InputError
 /// (UnreadableInput), which lists the arrays that are there, when nothing fits, and where none has a name that is given.
 ChosenArrays ChooseArrays(
   vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks);
 
 /// Collective: makes cells of materials that the list (numbers or names of arrays) does not name void, by replacing
-/// arrays of data. An empty list keeps all. Throws ProgramError (WrongArguments) on a material that is not there, and when the
+/// arrays of data. An empty list keeps all. Throws InputError (WrongArguments) on a material that is not there, and when the
 /// elements are to carry an array that would be replaced.
 void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
   const std::vector<std::string>& materials, Ranks& ranks);

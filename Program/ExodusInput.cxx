@@ -5,7 +5,7 @@
 #include "FileSuffix.h"
 #include "InputGrids.h"
 #include "Ranks/Agreement.h"
-#include "Stage.h"
+#include "Ranks/WorkTogether.h"
 #include "VtkMessages.h"
 #include "VtkVersions.h"
 
@@ -288,7 +288,7 @@ bool IsExodusFile(const std::string& path)
 Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)
 {
   const std::vector<std::string> paths = FindFiles(arguments.Input);
-  WorkInStage(ranks, ExitCode::UnreadableInput,
+  WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
       const std::string role =
@@ -300,14 +300,14 @@ Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks
     });
   ExodusFiles files(arguments, messages);
   WorkInStage(
-    ranks, ExitCode::UnreadableInput, [&] { files.Open(DealFiles(paths, ranks), paths); });
+    ranks, ErrorCode::UnreadableInput, [&] { files.Open(DealFiles(paths, ranks), paths); });
   const std::vector<double> times = AgreeOnTimes(files, ranks);
   const std::vector<std::string> names = ChooseNames(arguments, UniteNames(files, ranks));
   Input input;
   input.Time = ChooseTime(arguments, times);
   input.Times = times;
   WorkInStage(
-    ranks, ExitCode::UnreadableInput, [&] { input.Data = files.Read(names, input.Time); });
+    ranks, ErrorCode::UnreadableInput, [&] { input.Data = files.Read(names, input.Time); });
   return input;
 }
 

@@ -21,7 +21,7 @@ bool IsExodusFile(const std::string& path);
 
 /// Collective. The element blocks of all files, dealt to the ranks by file, with the element variables that the arguments name,
 /// or all. A label array of real type whose values are whole becomes one of integers, since Exodus files hold no others; the label
-/// array "object_id" is the id of the element block. messages: where VTK's go. Throws ProgramError (UnreadableInput).
+/// array "object_id" is the id of the element block. messages: where VTK's go. Throws InputError (UnreadableInput).
 Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks);
 
 } // namespace vfm

@@ -5,8 +5,8 @@
 #include "Base/ParseText.h"
 #include "ChooseArrays.h"
 #include "InputGrids.h"
+#include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
-#include "Stage.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCompositeDataSet.h"
@@ -285,7 +285,7 @@ void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to)
     : std::vector<ArrayInfo>();
   const bool isOfPoints = arrays.Place == ArrayPlace::Points && !points.empty();
   std::vector<GridInfo> mine;
-  WorkInStage(ranks, ExitCode::InternalError,
+  WorkInStage(ranks, ErrorCode::InternalError,
     [&]
     {
       for (vtkDataSet* grid : GetGrids(input.Data))

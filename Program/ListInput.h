@@ -12,7 +12,7 @@ namespace vfm
 {
 
 /// Collective: reads the time that the arguments ask for, else the first, and prints on rank 0. The same on any number of ranks. Throws
-/// ProgramError (UnreadableInput).
+/// InputError (UnreadableInput).
 void ListInput(const Arguments& arguments, Ranks& ranks, std::ostream& to);
 
 } // namespace vfm

@@ -2,7 +2,7 @@
 
 #include "Base/Runtime.h"
 #include "ControllerRanks.h"
-#include "Stage.h"
+#include "Ranks/WorkTogether.h"
 #include "VtkMessages.h"
 
 #include "vtkCallbackCommand.h"
@@ -68,8 +68,8 @@ void CheckErrors(const VtkMessages& messages)
 {
   if (messages.HasErrors())
   {
-    throw ProgramError(
-      messages.TellsLackOfMemory() ? ExitCode::InternalError : ExitCode::RefusedMesh,
+    throw InputError(
+      messages.TellsLackOfMemory() ? ErrorCode::InternalError : ErrorCode::RefusedMesh,
       messages.GetErrorText());
   }
 }
@@ -105,7 +105,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(vtkVolumeFractionMeshAlgorithm& me
   mesher.SetController(controller);
   mesher.SetInputDataObject(data);
   SetArrays(mesher, arrays);
-  WorkInStage(ranks, ExitCode::RefusedMesh,
+  WorkInStage(ranks, ErrorCode::RefusedMesh,
     [&]
     {
       const bool isShown = !isQuiet && ranks.Rank() == 0 && isatty(STDERR_FILENO);

@@ -7,8 +7,8 @@
 #include "ExodusInput.h"
 #include "FileSuffix.h"
 #include "Images/ImageFile.h"
+#include "Ranks/WorkTogether.h"
 #include "ReaderSteps.h"
-#include "Stage.h"
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
@@ -180,7 +180,7 @@ void CheckInputSuffix(const std::string& path)
 {
   if (!FindFormat(path) && !IsExodusFile(path) && !IsBlockFile(path))
   {
-    throw ProgramError(ExitCode::WrongArguments,
+    throw InputError(ErrorCode::WrongArguments,
       "The input " + path + " is of an unknown kind. Read are " + JoinTexts(GetInputSuffixes()) +
         ", and folders of AMReX plotfiles.");
   }
@@ -201,14 +201,14 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
   }
   vtkSmartPointer<vtkAlgorithm> reader;
   Input input;
-  WorkInStage(ranks, ExitCode::UnreadableInput,
+  WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
       CheckInputFile(arguments.Input);
       reader = FindFormat(arguments.Input)->MakeReader(arguments);
       messages.Watch(reader);
     });
-  WorkInStage(ranks, ExitCode::UnreadableInput,
+  WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
       reader->UpdateInformation();
@@ -216,7 +216,7 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
       input.Times = GetTimes(reader);
       input.Time = ChooseTime(arguments, input.Times);
     });
-  WorkInStage(ranks, ExitCode::UnreadableInput,
+  WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
       if (input.Time)

@@ -15,10 +15,10 @@ namespace vfm
 
 /// Such as ".vti".
 std::vector<std::string> GetInputSuffixes();
-/// Throws ProgramError (WrongArguments) when files of that name are not read.
+/// Throws InputError (WrongArguments) when files of that name are not read.
 void CheckInputSuffix(const std::string& path);
 
-/// Collective. Throws ProgramError (UnreadableInput).
+/// Collective. Throws InputError (UnreadableInput).
 Input ReadInput(const Arguments& arguments, Ranks& ranks);
 
 } // namespace vfm

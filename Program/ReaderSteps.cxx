@@ -1,7 +1,7 @@
 #include "ReaderSteps.h"
 
 #include "OpenFile.h"
-#include "Stage.h"
+#include "Ranks/WorkTogether.h"
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
@@ -18,31 +18,17 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 void RefuseInput(const std::string& message)
 {
-  throw ProgramError(ExitCode::UnreadableInput, message);
+  throw InputError(ErrorCode::UnreadableInput, message);
 }
 
 void CheckInput(const std::string& path, const std::function<void()>& check)
 {
-  try
-  {
-    check();
-  }
-  catch (const InputError& error)
-  {
-    RefuseInput("Cannot read the input " + path + ": " + error.what());
-  }
+  PrefixErrors("Cannot read the input " + path + ": ", check);
 }
 
 void CheckInputFile(const std::string& path, const std::string& role)
 {
-  try
-  {
-    OpenFile(path);
-  }
-  catch (const InputError& error)
-  {
-    RefuseInput("Cannot read the input " + path + role + ": " + error.what());
-  }
+  CheckInput(path + role, [&path] { OpenFile(path); });
 }
 
 std::vector<double> GetTimes(vtkAlgorithm* reader)

@@ -29,7 +29,7 @@ struct Input
   std::vector<InputBlock> Blocks = {}; ///< whose memory Data uses
 };
 
-/// Throws ProgramError (UnreadableInput), as all that follows.
+/// Throws InputError (UnreadableInput), as all that follows.
 [[noreturn]] void RefuseInput(const std::string& message);
 
 /// Does a check, whose InputError does not name the input.

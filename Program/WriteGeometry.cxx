@@ -3,7 +3,7 @@
 #include "ControllerRanks.h"
 #include "FileSuffix.h"
 #include "GatherGeometry.h"
-#include "Stage.h"
+#include "Ranks/WorkTogether.h"
 #include "VtkMessages.h"
 
 #include "vtkCompositeDataSet.h"
@@ -72,7 +72,7 @@ void CheckGeometrySuffix(const std::string& path)
 {
   if (!HasSuffix(path, ".vtm"))
   {
-    throw ProgramError(ExitCode::WrongArguments,
+    throw InputError(ErrorCode::WrongArguments,
       "The geometry " + path + " is of an unknown kind. Written is .vtm.");
   }
 }
@@ -83,22 +83,16 @@ void WriteGeometry(vtkVolumeFractionMeshAlgorithm& mesher, const double* time,
   ControllerRanks ranks(controller);
   VtkMessages messages;
   const VtkSilence silence(messages);
-  try
+  const auto write = [&]
   {
-    WorkInStage(ranks, ExitCode::UnwritableOutput,
-      [&]
-      {
-        const auto blocks = CollectBlocks(mesher, time, ranks);
-        if (ranks.Rank() == 0)
-        {
-          WriteBlocks(blocks, path, messages);
-        }
-      });
-  }
-  catch (const ProgramError& error)
-  {
-    throw ProgramError(error.Code, "Cannot write the geometry " + path + ": " + error.what());
-  }
+    const auto blocks = CollectBlocks(mesher, time, ranks);
+    if (ranks.Rank() == 0)
+    {
+      WriteBlocks(blocks, path, messages);
+    }
+  };
+  PrefixErrors("Cannot write the geometry " + path + ": ",
+    [&] { WorkInStage(ranks, ErrorCode::UnwritableOutput, write); });
 }
 
 } // namespace vfm

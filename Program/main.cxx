@@ -14,8 +14,8 @@
 #include "Meshes/WriteMesh.h"
 #include "Meshes/WriteTable.h"
 #include "PrintSummary.h"
+#include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
-#include "Stage.h"
 #include "State/ArrayStems.h"
 #include "Summary/FragmentTable.h"
 #include "Summary/MeshMaterials.h"
@@ -105,23 +105,17 @@ void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ran
     return;
   }
   FieldArrays table;
-  WorkInStage(ranks, ExitCode::UnreadableInput,
+  WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&] { table = MakeFragmentTable(mesh, FindDensities(mesh, arguments), ranks); });
-  WorkInStage(ranks, ExitCode::UnwritableOutput,
+  WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
       if (ranks.Rank() > 0)
       {
         return;
       }
-      try
-      {
-        WriteTable(table, arguments.Fragments);
-      }
-      catch (const InputError& error)
-      {
-        throw InputError("Cannot write the table " + arguments.Fragments + ": " + error.what());
-      }
+      PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
+        [&] { WriteTable(table, arguments.Fragments); });
     });
 }
 
@@ -130,7 +124,7 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
   ControllerRanks ranks(controller);
   StageTimes times(ranks);
   const auto mesher = MakeMesher(arguments);
-  WorkInStage(ranks, ExitCode::UnwritableOutput,
+  WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
       for (const std::string& path : { arguments.Output, arguments.Fragments, arguments.Geometry })
@@ -158,7 +152,7 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
   }
   times.Add("mesh");
   const StoredMesh plain = MeshDataOf(mesh);
-  WorkInStage(ranks, ExitCode::UnwritableOutput,
+  WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
       WriteMesh(plain.Data, arguments.Output, ranks,
@@ -181,7 +175,15 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
   }
 }
 
-ExitCode Work(const Arguments& arguments, vtkMultiProcessController* controller)
+/// Exit status of a failure: 1 to 4 are its code, 5 is any other.
+int StatusOf(ErrorCode code)
+{
+  const bool isListed = code >= ErrorCode::WrongArguments && code <= ErrorCode::UnwritableOutput;
+  return static_cast<int>(isListed ? code : ErrorCode::InternalError);
+}
+
+/// Returns the exit status.
+int Work(const Arguments& arguments, vtkMultiProcessController* controller)
 {
   const bool isFirst = controller->GetLocalProcessId() == 0;
   switch (arguments.Task)
@@ -193,7 +195,7 @@ ExitCode Work(const Arguments& arguments, vtkMultiProcessController* controller)
       std::cout << (isFirst ? "sculptor " VFM_VERSION "\n" : "");
       break;
     case Command::Test:
-      return RunBuiltInTest(arguments, controller) ? ExitCode::Good : ExitCode::RefusedMesh;
+      return RunBuiltInTest(arguments, controller) ? 0 : StatusOf(ErrorCode::RefusedMesh);
     case Command::List:
     {
       ControllerRanks ranks(controller);
@@ -204,36 +206,36 @@ ExitCode Work(const Arguments& arguments, vtkMultiProcessController* controller)
       MeshFile(arguments, controller);
       break;
   }
-  return ExitCode::Good;
+  return 0;
 }
 
-ExitCode Run(const std::vector<std::string>& words, vtkMultiProcessController* controller)
+int Run(const std::vector<std::string>& words, vtkMultiProcessController* controller)
 {
   try
   {
     ControllerRanks ranks(controller);
-    ExitCode code = ExitCode::Good;
+    int status = 0;
     WorkInStage(
-      ranks, ExitCode::InternalError, [&] { code = Work(ParseArguments(words), controller); },
+      ranks, ErrorCode::InternalError, [&] { status = Work(ParseArguments(words), controller); },
       Ranks::Frame::Program);
-    return code;
+    return status;
   }
-  catch (const ProgramError& error) // on all ranks
+  catch (const InputError& error) // on all ranks
   {
     if (controller->GetLocalProcessId() == 0)
     {
       std::cerr << "sculptor: " << error.what() << "\n";
     }
-    return error.Code;
+    return StatusOf(error.Code());
   }
   catch (const std::exception& error)
   {
     std::cerr << "sculptor: internal error: " << error.what() << std::endl;
     if (controller->GetNumberOfProcesses() > 1)
     {
-      MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::InternalError)); // others may wait
+      MPI_Abort(MPI_COMM_WORLD, StatusOf(ErrorCode::InternalError)); // others may wait
     }
-    return ExitCode::InternalError;
+    return StatusOf(ErrorCode::InternalError);
   }
 }
 
@@ -245,9 +247,9 @@ int main(int argc, char* argv[])
   vtkNew<vtkMPIController> controller;
   controller->Initialize(&argc, &argv, 0);
   vtkMultiProcessController::SetGlobalController(controller);
-  const vfm::ExitCode code = vfm::Run(std::vector<std::string>(argv + 1, argv + argc), controller);
+  const int status = vfm::Run(std::vector<std::string>(argv + 1, argv + argc), controller);
   std::cout.flush();
   vtkMultiProcessController::SetGlobalController(nullptr);
   controller->Finalize();
-  return static_cast<int>(code);
+  return status;
 }

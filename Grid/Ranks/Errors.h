@@ -10,10 +10,26 @@
 #include <cstring>
 #include <exception>
 #include <limits>
+#include <new>
 #include <string>
 
 namespace vfm
 {
+
+/// What failed. Programs and hosts report it by numbers of their own.
+enum class ErrorCode : std::int32_t
+{
+  Unknown, ///< the caller knows (ClassifyErrors)
+  WrongArguments,
+  UnreadableInput,
+  RefusedMesh, ///< input that cannot be meshed
+  UnwritableOutput,
+  InternalError,
+  OutOfMemory,
+  NoMesh,
+  TooLarge,
+  WrongHandle
+};
 
 /// Why a rank failed, as it is sent.
 struct Failure
@@ -21,11 +37,11 @@ struct Failure
   static constexpr std::size_t LongestText = 2032;
 
   std::int32_t Rank; ///< that failed, of those that the sender knows of
-  std::int32_t Code; ///< of the error
+  ErrorCode Code;
   char Text[LongestText];
 
-  Failure() noexcept : Failure(NoRank, 0, "") {}
-  Failure(int rank, int code, const char* text) noexcept : Rank(rank), Code(code)
+  Failure() noexcept : Failure(NoRank, ErrorCode::Unknown, "") {}
+  Failure(int rank, ErrorCode code, const char* text) noexcept : Rank(rank), Code(code)
   {
     const std::size_t length = std::min(std::strlen(text), LongestText - 1);
     std::memcpy(this->Text, text, length);
@@ -42,7 +58,6 @@ struct Failure
     return order != 0 ? order < 0 : this->Code < other.Code;
   }
 
-  static constexpr std::int32_t OutOfMemory = -1; ///< a code; others are of programs
   static constexpr std::int32_t NoRank = std::numeric_limits<std::int32_t>::max();
 };
 
@@ -54,33 +69,24 @@ inline Failure LackOfMemory(int rank, int count) noexcept
   {
     std::snprintf(text, sizeof(text), "Not enough memory on rank %d.", rank);
   }
-  return { rank, Failure::OutOfMemory, text };
+  return { rank, ErrorCode::OutOfMemory, text };
 }
 
-/// The input cannot be meshed; what() tells which array, which value, where, what to do. Texts beyond Failure::LongestText are cut.
+/// The input cannot be meshed, or what the code says; what() tells which array, which value, where, what to do. Texts beyond
+/// Failure::LongestText are cut.
 class InputError : public std::exception
 {
 public:
-  explicit InputError(const char* text, int code = 0) noexcept : What(0, code, text) {}
-  explicit InputError(const std::string& text, int code = 0) noexcept :
-    InputError(text.c_str(), code)
-  {
-  }
+  explicit InputError(const Failure& failure) noexcept : What(failure) {}
+  InputError(ErrorCode code, const std::string& text) noexcept : What(0, code, text.c_str()) {}
+  explicit InputError(const char* text) noexcept : What(0, ErrorCode::Unknown, text) {}
+  explicit InputError(const std::string& text) noexcept : InputError(text.c_str()) {}
   const char* what() const noexcept override { return this->What.Text; }
-  /// Failure::OutOfMemory, or of programs, which give it a meaning; told to other ranks with the text.
-  int Code() const { return this->What.Code; }
+  /// Told to other ranks with the text.
+  ErrorCode Code() const { return this->What.Code; }
 
 private:
   Failure What;
-};
-
-/// An error of which all ranks know, and which all throw (WorkTogether).
-class FailedTogether : public InputError
-{
-public:
-  explicit FailedTogether(const Failure& failure) noexcept : InputError(failure.Text, failure.Code)
-  {
-  }
 };
 
 /// Thrown out of a stage when the user asked to stop.
@@ -88,5 +94,45 @@ struct Aborted : std::exception
 {
   const char* what() const noexcept override { return "aborted"; }
 };
+
+/// Does the work; the messages of its errors get the prefix.
+template <class Work>
+void PrefixErrors(const std::string& prefix, const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(error.Code(), prefix + error.what());
+  }
+}
+
+/// Does the work; its errors get the code if they have none. Aborted and lack of memory pass through.
+template <class Work>
+void ClassifyErrors(ErrorCode code, const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(error.Code() == ErrorCode::Unknown ? code : error.Code(), error.what());
+  }
+  catch (const Aborted&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    throw InputError(code, error.what());
+  }
+}
 
 } // namespace vfm

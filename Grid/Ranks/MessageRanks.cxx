@@ -226,7 +226,7 @@ bool MessageRanks::IsFailure(const Head& head, std::int32_t where, int from) noe
     std::snprintf(text, sizeof(text),
       "Ranks %d and %d are not in the same work: one of them has failed and did not tell.", first,
       second);
-    this->Known = Failure(first, 0, text);
+    this->Known = Failure(first, ErrorCode::Unknown, text);
   }
   return head.Failed || isElsewhere;
 }
@@ -301,7 +301,7 @@ void MessageRanks::Settle() noexcept
 
 void MessageRanks::ThrowKnown()
 {
-  const FailedTogether error(this->Known);
+  const InputError error(this->Known);
   if (!this->IsInFrame)
   {
     this->Known = Failure();

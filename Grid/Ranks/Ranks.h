@@ -54,7 +54,7 @@ public:
     return true;
   }
   virtual void Leave() {}
-  [[noreturn]] virtual void Fail(const Failure& mine) { throw FailedTogether(mine); }
+  [[noreturn]] virtual void Fail(const Failure& mine) { throw InputError(mine); }
   ///@}
 };
 

@@ -25,7 +25,7 @@ void WorkTogether(Ranks& ranks, Ranks::Frame frame, void (*work)(void*), void* w
       ranks.Leave();
       throw;
     }
-    ranks.Fail({ ranks.Rank(), 0, error.what() });
+    ranks.Fail({ ranks.Rank(), ErrorCode::Unknown, error.what() });
   }
   catch (const InputError& error)
   {
@@ -37,11 +37,11 @@ void WorkTogether(Ranks& ranks, Ranks::Frame frame, void (*work)(void*), void* w
   }
   catch (const std::exception& error)
   {
-    ranks.Fail({ ranks.Rank(), 0, error.what() });
+    ranks.Fail({ ranks.Rank(), ErrorCode::Unknown, error.what() });
   }
   catch (...)
   {
-    ranks.Fail({ ranks.Rank(), 0, "An unknown failure." });
+    ranks.Fail({ ranks.Rank(), ErrorCode::Unknown, "An unknown failure." });
   }
 }
 

@@ -20,14 +20,7 @@ class PlotfileText
 public:
   explicit PlotfileText(const std::string& path) : Path(path)
   {
-    try
-    {
-      this->Stream = OpenFile(path);
-    }
-    catch (const InputError& error)
-    {
-      throw InputError(path + " cannot be read: " + error.what());
-    }
+    PrefixErrors(path + " cannot be read: ", [&] { this->Stream = OpenFile(path); });
   }
 
   [[noreturn]] void Fail(const std::string& expected)

@@ -27,15 +27,10 @@ std::string PartPath(const std::string& path, const Ranks& ranks)
 /// The message of a failure says which of several files it is.
 void WritePart(const ExodusModel& model, const std::string& part, int ranks)
 {
-  try
-  {
-    WriteNetcdf(MakeExodusLayout(model, ranks), part,
-      model.HasWideIds || model.HasLargeArrays ? NetcdfFormat::Wide : NetcdfFormat::Classic);
-  }
-  catch (const InputError& error)
-  {
-    throw InputError((ranks > 1 ? part + ": " : "") + error.what());
-  }
+  const NetcdfFormat format =
+    model.HasWideIds || model.HasLargeArrays ? NetcdfFormat::Wide : NetcdfFormat::Classic;
+  PrefixErrors(ranks > 1 ? part + ": " : "",
+    [&] { WriteNetcdf(MakeExodusLayout(model, ranks), part, format); });
 }
 
 /// Collective: the files of all ranks, or none.

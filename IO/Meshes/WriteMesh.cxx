@@ -93,18 +93,7 @@ void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks, Outp
       }
       const Format& format = *FindFormat(path);
       const Writer write = files == OutputFiles::Single ? format.WriteSingle : format.Write;
-      try
-      {
-        write(mesh, path, ranks);
-      }
-      catch (const FailedTogether&) // has the message of another rank
-      {
-        throw;
-      }
-      catch (const InputError& error)
-      {
-        throw InputError("Cannot write the output " + path + ": " + error.what(), error.Code());
-      }
+      PrefixErrors("Cannot write the output " + path + ": ", [&] { write(mesh, path, ranks); });
     });
 }
 

@@ -35,6 +35,8 @@ struct HostNumber
   double Value = 0.0;
 };
 
+class CatalystRun;
+
 class CatalystAdaptor
 {
 public:
@@ -65,8 +67,8 @@ public:
   int GetNumberOfStepsMade() const;
 
 private:
-  class Internals;
-  std::unique_ptr<Internals> Self;
+  std::unique_ptr<CatalystRun> Run;
+  std::string Error;
 };
 
 } // namespace vfm

@@ -1,12 +1,14 @@
 #include "HostImages.h"
 
+#include "HiddenCells.h"
+
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
-#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <cstring>
 
 namespace vfm
 {
@@ -14,35 +16,18 @@ namespace
 {
 
 /// VTK asks for a pointer that is not const; nothing writes to the input of a filter.
-template <class Array>
-vtkSmartPointer<vtkDataArray> Wrap(const HostArray& from, Index cells)
+vtkSmartPointer<vtkDataArray> MakeArray(const HostArray& from, Index cells)
 {
-  using Value = typename Array::ValueType;
-  vtkNew<Array> array;
+  auto array =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(static_cast<int>(from.Type)));
   array->SetName(from.Name.c_str());
   array->SetNumberOfComponents(from.Components);
   const int keep = 1; // VTK does not free the values
-  array->SetArray(
-    const_cast<Value*>(static_cast<const Value*>(from.Values)), cells * from.Components, keep);
+  array->SetVoidArray(const_cast<void*>(from.Values), cells * from.Components, keep);
   return array;
 }
 
-vtkSmartPointer<vtkDataArray> MakeArray(const HostArray& from, Index cells)
-{
-  switch (from.Type)
-  {
-    case HostType::Float:
-      return Wrap<vtkFloatArray>(from, cells);
-    case HostType::Int:
-      return Wrap<vtkIntArray>(from, cells);
-    case HostType::UnsignedChar:
-      return Wrap<vtkUnsignedCharArray>(from, cells);
-    default:
-      return Wrap<vtkDoubleArray>(from, cells);
-  }
-}
-
-vtkSmartPointer<vtkImageData> MakeCheckedImage(const HostGrid& grid, const HostBox& box)
+vtkSmartPointer<vtkImageData> MakeImage(const HostGrid& grid, const HostBox& box)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetOrigin(grid.Origin.data());
@@ -61,13 +46,20 @@ vtkSmartPointer<vtkImageData> MakeCheckedImage(const HostGrid& grid, const HostB
   return image;
 }
 
-} // namespace
+static_assert(DuplicateCell == vtkDataSetAttributes::DUPLICATECELL &&
+    HiddenCell == vtkDataSetAttributes::HIDDENCELL,
+  "the bits are VTK's");
 
-vtkSmartPointer<vtkImageData> MakeImage(const HostGrid& grid, const HostBox& box)
+void AddGhostTypes(const std::vector<unsigned char>& types, vtkDataObject* image)
 {
-  CheckHostBox(grid, box);
-  return MakeCheckedImage(grid, box);
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(GhostTypeName);
+  array->SetNumberOfValues(static_cast<vtkIdType>(types.size()));
+  std::memcpy(array->GetPointer(0), types.data(), types.size());
+  image->GetAttributes(vtkDataObject::CELL)->AddArray(array);
 }
+
+} // namespace
 
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(
   const HostGrid& grid, unsigned int first, unsigned int total)
@@ -77,7 +69,25 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(
   blocks->SetNumberOfBlocks(total);
   for (const HostBox& box : grid.Boxes)
   {
-    blocks->SetBlock(first++, MakeCheckedImage(grid, box));
+    blocks->SetBlock(first++, MakeImage(grid, box));
+  }
+  return blocks;
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> MakeAllBlocks(const HostGrid& grid, Ranks& ranks)
+{
+  CheckHostGrid(grid);
+  const HostPlaces places = GatherHostPlaces(grid, ranks);
+  auto block = static_cast<unsigned int>(places.First);
+  auto blocks = MakeBlocks(grid, block, static_cast<unsigned int>(places.All.size()));
+  for (const HostBox& box : grid.Boxes)
+  {
+    const std::vector<unsigned char> types = HideCovered(box, places);
+    if (!types.empty())
+    {
+      AddGhostTypes(types, blocks->GetBlock(block));
+    }
+    ++block;
   }
   return blocks;
 }

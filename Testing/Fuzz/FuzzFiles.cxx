@@ -14,8 +14,8 @@
 #include "Arguments.h"
 #include "ChooseArrays.h"
 #include "MakeMesh.h"
+#include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
-#include "Stage.h"
 
 #include "vtkDummyController.h"
 #include "vtkNew.h"
@@ -114,10 +114,12 @@ std::string MeshFile(const fs::path& path, const std::vector<std::string>& words
     MakeMesh(*mesher, input.Data, arrays, true, controller);
     return "meshed";
   }
-  catch (const ProgramError& error)
+  catch (const InputError& error)
   {
-    return std::string(error.Code == ExitCode::InternalError ? "internal error: " : "refused: ") +
-      error.what();
+    const ErrorCode code = error.Code();
+    const bool isInternal = code == ErrorCode::InternalError || code == ErrorCode::OutOfMemory;
+    const char* how = isInternal ? "internal error: " : "refused: ";
+    return (code == ErrorCode::Unknown ? "throws: " : how) + std::string(error.what());
   }
   catch (const std::exception& error)
   {

@@ -153,7 +153,7 @@ std::array<Outcome, 2> RunWith(const Work& work, const FaultAt& fault)
           WorkTogether(ranks, [&] { outcome.Made[rank] = work(ranks); });
           outcome.Calls[rank] = ClearFault();
         }
-        catch (const FailedTogether& error)
+        catch (const InputError& error)
         {
           outcome.Calls[rank] = ClearFault();
           outcome.Messages[rank] = error.what();

@@ -30,9 +30,9 @@ ALLOWED.update({
     "Filters": GRID + MESHER + ("Shapes", "Parallel", "IO/Labels", "Filters/Data"),
     "Filters/Files": BASE + MESHER + ("Parallel", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
     "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
-    "InSitu/Catalyst": BASE + ("Parallel", "Parallel/Mpi", "InSitu"),
+    "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
-        "Parallel", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "Filters", "Filters/Data", "Filters/Files", "InSitu"),
+        "Parallel", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "Filters", "Filters/Data", "Filters/Files"),
     "Plugin": ("Filters", "Mesher/Input"),
     "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes"),
     "Examples": ("InSitu", "InSitu/Catalyst"),

@@ -1,5 +1,5 @@
-/// AllBlocks: what ParaView sees of a grid of two levels.
-#include "AllBlocks.h"
+/// HostImages: what ParaView sees of a grid of two levels.
+#include "HostImages.h"
 
 #include "vtkCellData.h"
 #include "vtkImageData.h"

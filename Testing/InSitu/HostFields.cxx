@@ -3,7 +3,7 @@
 #include "CMLPSculptor.c.h"
 #include "HostImages.h"
 
-#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
 namespace vfm
@@ -93,15 +93,15 @@ void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher)
   {
     grid.Spacing[a] = (bounds[3 + a] - bounds[a]) / static_cast<double>(HostCells[a]);
   }
-  const HostBox box{ fields.Cells,
+  grid.Boxes = { { fields.Cells,
     { MakeHostArray("ball", fields.Ball.data()), MakeHostArray("plate", fields.Plate.data()),
       MakeHostArray("velocity", fields.Velocity.data(), 3),
-      MakeHostArray("density", fields.Density.data()) } };
+      MakeHostArray("density", fields.Density.data()) } } };
   mesher.SetController(nullptr);
   mesher.AddVolumeFractionArray("ball");
   mesher.AddVolumeFractionArray("plate");
   mesher.AddStateArray("velocity");
-  mesher.SetInputDataObject(MakeImage(grid, box));
+  mesher.SetInputDataObject(MakeBlocks(grid, 0, 1)->GetBlock(0));
   mesher.Update();
 }
 

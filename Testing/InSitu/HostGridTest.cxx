@@ -40,6 +40,12 @@ struct Host
   }
 };
 
+vtkSmartPointer<vtkImageData> MakeImage(HostGrid grid, const HostBox& box)
+{
+  grid.Boxes = { box };
+  return vtkImageData::SafeDownCast(MakeBlocks(grid, 0, 1)->GetBlock(0));
+}
+
 void ExpectError(const std::function<void(HostGrid&)>& change, const std::string& part)
 {
   const Host host;

@@ -107,7 +107,7 @@ std::vector<std::string> RunTogether(ThreadHub& hub, Ranks::Frame frame, const B
           WorkTogether(
             ranks, [&] { body(ranks); }, frame);
         }
-        catch (const FailedTogether& error)
+        catch (const InputError& error)
         {
           messages[rank] = error.what();
         }
@@ -191,7 +191,7 @@ TEST(WorkTogether, FramesInsideOfOthers)
             {
               WorkTogether(inner, [&] { DoSteps(inner, faults); });
             }
-            catch (const FailedTogether&)
+            catch (const InputError&)
             {
               ++failed[outer.Rank()];
             }
@@ -239,7 +239,7 @@ TEST(WorkTogether, FailuresThatAreNotTold)
                   WorkTogether(inner, [&] { DoSteps(inner, {}); });
                 }
               }
-              catch (const FailedTogether&)
+              catch (const InputError&)
               {
               }
               if (goesOn)
@@ -300,7 +300,7 @@ TEST(WorkTogether, LongTextsAreCut)
     WorkTogether(alone, [] { throw InputError(std::string(5000, 'x')); });
     FAIL();
   }
-  catch (const FailedTogether& error)
+  catch (const InputError& error)
   {
     EXPECT_EQ(error.what(), std::string(Failure::LongestText - 1, 'x'));
   }

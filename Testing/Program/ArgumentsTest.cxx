@@ -2,7 +2,6 @@
 #include "Arguments.h"
 #include "ArgumentOptions.h"
 #include "Options/SetOptions.h"
-#include "Stage.h"
 
 #include <gtest/gtest.h>
 
@@ -41,9 +40,9 @@ std::string RefusalOf(const Words& words)
   {
     ParseArguments(words);
   }
-  catch (const ProgramError& error)
+  catch (const InputError& error)
   {
-    EXPECT_EQ(error.Code, ExitCode::WrongArguments) << error.what();
+    EXPECT_EQ(error.Code(), ErrorCode::WrongArguments) << error.what();
     return error.what();
   }
   return "";

@@ -1,8 +1,8 @@
-#include "CatalystAdaptor.h"
-
-#include "AgreeOnErrors.h"
-#include "AllBlocks.h"
-#include "ControllerRanks.h"
+/**
+ * The first kind of Catalyst: ParaView's own library.
+ */
+#include "CatalystRun.h"
+#include "HostImages.h"
 #include "PythonGuard.h"
 #include "ScriptPipeline.h"
 
@@ -13,7 +13,6 @@
 #include "vtkFieldData.h"
 #include "vtkMPI.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 
 namespace vfm
@@ -22,12 +21,6 @@ namespace
 {
 
 constexpr const char* InputName = "input";
-
-/// Of the communicator that Catalyst was given.
-vtkMultiProcessController* Controller()
-{
-  return vtkMultiProcessController::GetGlobalController();
-}
 
 void AddNumbers(const std::vector<HostNumber>& numbers, vtkDataObject* data)
 {
@@ -40,17 +33,13 @@ void AddNumbers(const std::vector<HostNumber>& numbers, vtkDataObject* data)
   }
 }
 
-} // namespace
-
-class CatalystAdaptor::Internals : public Failures
+class FirstCatalyst : public CatalystRun
 {
 public:
-  Internals(MPI_Comm communicator, const std::vector<std::string>& scripts);
-  ~Internals();
-  bool Process(const HostGrid& grid, vtkCPDataDescription* description,
-    const std::vector<HostNumber>& numbers);
-
-  int StepsMade = 0;
+  FirstCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts);
+  ~FirstCatalyst() override;
+  bool Process(
+    const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers) override;
 
 private:
   template <class Work>
@@ -58,26 +47,23 @@ private:
   void AddScript(const std::string& path);
   bool IsWanted(vtkCPDataDescription* description);
 
-  bool Started = false;
+  bool IsStarted = false;
   PythonGuard Python;
-  MPI_Comm Communicator = MPI_COMM_NULL;
   vtkNew<vtkCPProcessor> Processor;
   std::vector<vtkSmartPointer<ScriptPipeline>> Scripts;
 };
 
-CatalystAdaptor::Internals::Internals(
-  MPI_Comm communicator, const std::vector<std::string>& scripts)
+FirstCatalyst::FirstCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts) :
+  CatalystRun(communicator)
 {
-  static bool started = false; // ParaView cannot start again after it has ended
-  MPI_Comm_dup(communicator, &this->Communicator);
   vtkMPICommunicatorOpaqueComm handle(&this->Communicator);
-  this->Started = !started && this->Processor->Initialize(handle);
-  if (!this->Started)
+  this->IsStarted = !HasStarted && this->Processor->Initialize(handle);
+  if (!this->IsStarted)
   {
-    this->LeftOut = "Catalyst cannot start: it runs or has run before in this process.";
+    this->RefuseStart();
     return;
   }
-  started = true;
+  HasStarted = true;
   for (const std::string& path : scripts)
   {
     this->AddScript(path);
@@ -85,7 +71,7 @@ CatalystAdaptor::Internals::Internals(
   this->Python.GuardScripts();
 }
 
-CatalystAdaptor::Internals::~Internals()
+FirstCatalyst::~FirstCatalyst()
 {
   for (const vtkSmartPointer<ScriptPipeline>& script : this->Scripts)
   {
@@ -93,16 +79,15 @@ CatalystAdaptor::Internals::~Internals()
   }
   this->Scripts.clear();
   this->Processor->RemoveAllPipelines();
-  if (this->Started)
+  if (this->IsStarted)
   {
     this->Processor->Finalize();
   }
-  MPI_Comm_free(&this->Communicator);
 }
 
 /// Throws what Python printed when the work is false; otherwise: what is told when it printed nothing.
 template <class Work>
-void CatalystAdaptor::Internals::RunPython(const Work& work, const std::string& otherwise)
+void FirstCatalyst::RunPython(const Work& work, const std::string& otherwise)
 {
   const bool worked = work();
   const std::string printed = this->Python.TakeErrors();
@@ -112,10 +97,9 @@ void CatalystAdaptor::Internals::RunPython(const Work& work, const std::string& 
   }
 }
 
-void CatalystAdaptor::Internals::AddScript(const std::string& path)
+void FirstCatalyst::AddScript(const std::string& path)
 {
-  ControllerRanks ranks(Controller());
-  if (!CanRead(path, ranks, this->LeftOut))
+  if (!this->CanRead(path))
   {
     return;
   }
@@ -128,7 +112,7 @@ void CatalystAdaptor::Internals::AddScript(const std::string& path)
   const auto open = [&] {
     this->RunPython([&] { return pipeline->Open(path); }, "Script " + path + " cannot be loaded.");
   };
-  if (Agree(ranks, open, this->LeftOut))
+  if (this->Agree(open, this->LeftOut))
   {
     this->Processor->AddPipeline(pipeline);
     this->Scripts.push_back(pipeline);
@@ -136,16 +120,15 @@ void CatalystAdaptor::Internals::AddScript(const std::string& path)
 }
 
 /// Whether any script wants the step; those that cannot be asked are left out from now on.
-bool CatalystAdaptor::Internals::IsWanted(vtkCPDataDescription* description)
+bool FirstCatalyst::IsWanted(vtkCPDataDescription* description)
 {
-  ControllerRanks ranks(Controller());
   std::vector<vtkSmartPointer<ScriptPipeline>> kept;
   for (const vtkSmartPointer<ScriptPipeline>& script : this->Scripts)
   {
     const auto ask = [&] {
       this->RunPython([&] { return script->Ask(description); }, "A Catalyst script cannot be run.");
     };
-    if (Agree(ranks, ask, this->LeftOut))
+    if (this->Agree(ask, this->LeftOut))
     {
       kept.push_back(script);
     }
@@ -155,25 +138,28 @@ bool CatalystAdaptor::Internals::IsWanted(vtkCPDataDescription* description)
     }
   }
   this->Scripts = kept;
-  return !kept.empty() && ranks.Any(description->GetIfGridIsNecessary(InputName));
+  return !kept.empty() && this->Group.Any(description->GetIfGridIsNecessary(InputName));
 }
 
-bool CatalystAdaptor::Internals::Process(
-  const HostGrid& grid, vtkCPDataDescription* description, const std::vector<HostNumber>& numbers)
+bool FirstCatalyst::Process(
+  const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers)
 {
+  vtkNew<vtkCPDataDescription> description;
+  description->AddInput(InputName);
+  description->SetTimeData(step.Time, step.Number);
+  description->SetForceOutput(step.IsLast);
   if (!this->IsWanted(description))
   {
     return true;
   }
-  ControllerRanks ranks(Controller());
   vtkSmartPointer<vtkMultiBlockDataSet> blocks;
   const auto make = [&]
   {
-    blocks = MakeAllBlocks(grid, ranks);
+    blocks = MakeAllBlocks(grid, this->Group);
     AddNumbers(numbers, blocks);
     description->GetInputDescriptionByName(InputName)->SetGrid(blocks);
   };
-  if (!Agree(ranks, make, this->Failed))
+  if (!this->Agree(make, this->Failed))
   {
     return false;
   }
@@ -183,38 +169,17 @@ bool CatalystAdaptor::Internals::Process(
     this->RunPython(
       [&] { return this->Processor->CoProcess(description); }, "A Catalyst script failed.");
   };
-  const bool done = Agree(ranks, run, this->Failed);
+  const bool done = this->Agree(run, this->Failed);
   blocks->Initialize(); // the scripts keep it, but not the host's memory
   return done;
 }
 
-CatalystAdaptor::CatalystAdaptor(MPI_Comm communicator, const std::vector<std::string>& scripts) :
-  Self(std::make_unique<Internals>(communicator, scripts))
-{
-}
+} // namespace
 
-CatalystAdaptor::~CatalystAdaptor() = default;
-
-bool CatalystAdaptor::Process(
-  const HostGrid& grid, double time, int step, const std::vector<HostNumber>& numbers, bool last)
+std::unique_ptr<CatalystRun> StartCatalyst(
+  MPI_Comm communicator, const std::vector<std::string>& scripts)
 {
-  vtkNew<vtkCPDataDescription> description;
-  description->AddInput(InputName);
-  description->SetTimeData(time, step);
-  description->SetForceOutput(last);
-  this->Self->Failed.clear();
-  const bool processed = this->Self->Process(grid, description, numbers);
-  return processed && this->GetError().empty();
-}
-
-const std::string& CatalystAdaptor::GetError() const
-{
-  return this->Self->Tell();
-}
-
-int CatalystAdaptor::GetNumberOfStepsMade() const
-{
-  return this->Self->StepsMade;
+  return std::make_unique<FirstCatalyst>(communicator, scripts);
 }
 
 } // namespace vfm

@@ -1,8 +1,8 @@
-#include "CatalystAdaptor.h"
-
-#include "AgreeOnErrors.h"
+/**
+ * The second kind of Catalyst: libcatalyst.
+ */
+#include "CatalystRun.h"
 #include "DescribeGrid.h"
-#include "MpiTransport.h"
 
 #include <catalyst.hpp>
 
@@ -55,64 +55,54 @@ bool IsIdle()
     !std::getenv("CATALYST_DATA_DUMP_DIRECTORY");
 }
 
-} // namespace
-
-class CatalystAdaptor::Internals : public Failures
+class SecondCatalyst : public CatalystRun
 {
 public:
-  Internals(MPI_Comm communicator, const std::vector<std::string>& scripts);
-  ~Internals();
-  /// step: the node catalyst/state.
-  bool Process(const HostGrid& grid, const Node& step, const std::vector<HostNumber>& numbers);
-
-  int StepsMade = 0;
+  SecondCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts);
+  ~SecondCatalyst() override;
+  bool Process(
+    const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers) override;
 
 private:
   void Start(const std::vector<std::string>& scripts);
 
-  MPI_Comm Communicator = MPI_COMM_NULL;
   bool IsStarted = false;  ///< so that it has to end
   bool TakesSteps = false; ///< the same on all ranks
 };
 
-CatalystAdaptor::Internals::Internals(
-  MPI_Comm communicator, const std::vector<std::string>& scripts)
+SecondCatalyst::SecondCatalyst(MPI_Comm communicator, const std::vector<std::string>& scripts) :
+  CatalystRun(communicator)
 {
-  static bool started = false; // ParaView cannot start again after it has ended
-  MPI_Comm_dup(communicator, &this->Communicator);
-  if (started)
+  if (HasStarted)
   {
-    this->LeftOut = "Catalyst cannot start: it runs or has run before in this process.";
+    this->RefuseStart();
     return;
   }
-  MpiRanks ranks(this->Communicator);
   std::vector<std::string> kept;
   for (const std::string& script : scripts)
   {
-    if (CanRead(script, ranks, this->LeftOut))
+    if (this->CanRead(script))
     {
       kept.push_back(script);
     }
   }
   if (scripts.empty() || !kept.empty())
   {
-    started = true;
-    this->TakesSteps = Agree(
-      ranks, [&] { this->Start(kept); }, this->LeftOut);
+    HasStarted = true;
+    this->TakesSteps = this->Agree([&] { this->Start(kept); }, this->LeftOut);
   }
 }
 
-CatalystAdaptor::Internals::~Internals()
+SecondCatalyst::~SecondCatalyst()
 {
   if (this->IsStarted)
   {
     const Node nothing;
     catalyst_finalize(conduit_cpp::c_node(&nothing));
   }
-  MPI_Comm_free(&this->Communicator);
 }
 
-void CatalystAdaptor::Internals::Start(const std::vector<std::string>& scripts)
+void SecondCatalyst::Start(const std::vector<std::string>& scripts)
 {
   Node parameters;
   Node catalyst = parameters["catalyst"];
@@ -130,68 +120,47 @@ void CatalystAdaptor::Internals::Start(const std::vector<std::string>& scripts)
   }
 }
 
-bool CatalystAdaptor::Internals::Process(
-  const HostGrid& grid, const Node& step, const std::vector<HostNumber>& numbers)
+bool SecondCatalyst::Process(
+  const HostGrid& grid, const HostStep& step, const std::vector<HostNumber>& numbers)
 {
   if (!this->TakesSteps)
   {
     return true;
   }
-  MpiRanks ranks(this->Communicator);
   Node parameters;
   const auto describe = [&]
   {
-    Node catalyst = parameters["catalyst"];
-    catalyst["state"].set_node(step);
+    Node catalyst = parameters["catalyst"], state = catalyst["state"];
+    state["timestep"].set_int64(step.Number);
+    state["cycle"].set_int64(step.Number);
+    state["time"].set_float64(step.Time);
+    state["last"].set_int64(step.IsLast);
     Node channel = catalyst["channels"][InputName], meshes = channel["data"];
     channel["type"].set_string("multimesh");
-    DescribeGrid(grid, numbers, ranks, meshes);
+    DescribeGrid(grid, numbers, this->Group, meshes);
   };
-  if (!Agree(ranks, describe, this->Failed))
+  if (!this->Agree(describe, this->Failed))
   {
     return false;
   }
   ++this->StepsMade;
   // An implementation does not call a failed script again, but on other ranks it would: they would wait for this one.
-  this->TakesSteps = Agree(
-    ranks,
+  this->TakesSteps = this->Agree(
     [&]
     {
       Check(catalyst_execute(conduit_cpp::c_node(&parameters)),
-        "Catalyst failed at step " + std::to_string(step["timestep"].to_int64()));
+        "Catalyst failed at step " + std::to_string(step.Number));
     },
     this->LeftOut);
   return this->TakesSteps;
 }
 
-CatalystAdaptor::CatalystAdaptor(MPI_Comm communicator, const std::vector<std::string>& scripts) :
-  Self(std::make_unique<Internals>(communicator, scripts))
-{
-}
+} // namespace
 
-CatalystAdaptor::~CatalystAdaptor() = default;
-
-bool CatalystAdaptor::Process(
-  const HostGrid& grid, double time, int step, const std::vector<HostNumber>& numbers, bool last)
+std::unique_ptr<CatalystRun> StartCatalyst(
+  MPI_Comm communicator, const std::vector<std::string>& scripts)
 {
-  Node state;
-  state["timestep"].set_int64(step);
-  state["cycle"].set_int64(step);
-  state["time"].set_float64(time);
-  state["last"].set_int64(last);
-  this->Self->Failed.clear();
-  const bool processed = this->Self->Process(grid, state, numbers);
-  return processed && this->GetError().empty();
-}
-
-const std::string& CatalystAdaptor::GetError() const
-{
-  return this->Self->Tell();
-}
-
-int CatalystAdaptor::GetNumberOfStepsMade() const
-{
-  return this->Self->StepsMade;
+  return std::make_unique<SecondCatalyst>(communicator, scripts);
 }
 
 } // namespace vfm
