@@ -43,7 +43,7 @@ def grains(n=14, count=9):
     return {"grain%d" % g: (nearest == g).reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5)) for g in range(count)}
 
 
-def noise(n=12):
+def noise(n=9):
     return {"id": np.random.default_rng(7).choice([0, 2, 3, 5, 11], (n + 2, n, n + 1)).astype(np.int32)}
 
 

@@ -9,7 +9,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from state_rule import graded_coordinates, of_labels, specks, state_cells, with_void
 from vfmtest import TET_METHODS, main, rectilinear, reduced, run, VolumeFractionToTet
 
-N = 12
+N = 9
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 COORDINATES = graded_coordinates(N)
