@@ -5,7 +5,8 @@
 #include "Input/MaterialGuess.h"
 #include "State/StateArrays.h"
 
-#include "vtkDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 
 namespace vfm
@@ -74,7 +75,7 @@ private:
 class DataArrays : public BlockArrays
 {
 public:
-  DataArrays(vtkDataSet* data, int association, std::shared_ptr<CellOrder> order) :
+  DataArrays(vtkDataObject* data, int association, std::shared_ptr<CellOrder> order) :
     Data(data), Association(association), Order(std::move(order))
   {
   }
@@ -86,7 +87,8 @@ public:
 
   std::shared_ptr<const BlockArray> Find(const std::string& name) const override
   {
-    vtkDataArray* array = this->Attributes()->GetArray(name.c_str());
+    vtkDataSetAttributes* attributes = this->Attributes();
+    vtkDataArray* array = attributes ? attributes->GetArray(name.c_str()) : nullptr;
     if (!array)
     {
       return nullptr;
@@ -110,9 +112,10 @@ public:
   std::vector<std::string> Names() const override
   {
     std::vector<std::string> names;
-    for (int a = 0; a < this->Attributes()->GetNumberOfArrays(); ++a)
+    vtkDataSetAttributes* attributes = this->Attributes();
+    for (int a = 0; attributes && a < attributes->GetNumberOfArrays(); ++a)
     {
-      const char* name = this->Attributes()->GetArrayName(a);
+      const char* name = attributes->GetArrayName(a);
       names.emplace_back(name ? name : "");
     }
     return names;
@@ -121,7 +124,7 @@ public:
 private:
   vtkDataSetAttributes* Attributes() const { return this->Data->GetAttributes(this->Association); }
 
-  vtkDataSet* Data;
+  vtkDataObject* Data;
   int Association;
   std::shared_ptr<CellOrder> Order;
 };
@@ -129,7 +132,7 @@ private:
 } // namespace
 
 std::shared_ptr<const BlockArrays> ArraysOf(
-  vtkDataSet* data, int association, std::shared_ptr<CellOrder> order)
+  vtkDataObject* data, int association, std::shared_ptr<CellOrder> order)
 {
   return std::make_shared<DataArrays>(data, association, std::move(order));
 }

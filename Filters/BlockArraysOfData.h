@@ -1,5 +1,5 @@
 /**
- * BlockArraysOfData: the arrays of cells or points of a data set of VTK as those of a block.
+ * BlockArraysOfData: the arrays of cells or points of data of VTK as those of a block.
  */
 #pragma once
 
@@ -7,15 +7,15 @@
 
 #include <memory>
 
-class vtkDataSet;
+class vtkDataObject;
 
 namespace vfm
 {
 
 class CellOrder;
 
-/// association: vtkDataObject::CELL or POINT. order: of the cells of a block; null: as they are. The data set must not change.
+/// association: vtkDataObject::CELL or POINT. order: of the cells of a block; null: as they are. The data must not change.
 std::shared_ptr<const BlockArrays> ArraysOf(
-  vtkDataSet* data, int association, std::shared_ptr<CellOrder> order = nullptr);
+  vtkDataObject* data, int association, std::shared_ptr<CellOrder> order = nullptr);
 
 } // namespace vfm

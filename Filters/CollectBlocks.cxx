@@ -232,6 +232,22 @@ std::shared_ptr<std::vector<unsigned char>> MarksOf(vtkDataArray* ghostTypes)
   return std::make_shared<std::vector<unsigned char>>(first, first + types->GetNumberOfValues());
 }
 
+ArraysToRead ListArrays(
+  std::vector<ChosenArray> materials, const StateChoice& state, const MesherOptions& options)
+{
+  ArraysToRead arrays{ std::move(materials), {} };
+  for (const std::string& name : state.Arrays)
+  {
+    arrays.Others.push_back({ name });
+  }
+  const std::string refinement = FindRefinementArray(options);
+  if (!refinement.empty())
+  {
+    arrays.Others.push_back({ refinement });
+  }
+  return arrays;
+}
+
 CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays, Ranks& ranks)
 {
   std::vector<InputPart> parts;

@@ -12,6 +12,7 @@
 
 #include "ChosenArray.h"
 #include "Input/InputBlocks.h"
+#include "State/StateChoice.h"
 
 #include "vtkDataObject.h"
 
@@ -37,6 +38,10 @@ std::shared_ptr<std::vector<unsigned char>> MarksOf(vtkDataArray* ghostTypes);
 
 /// Of this rank alone. input: null for none.
 std::vector<InputPart> FindParts(vtkDataObject* input, int rank, bool isAlone);
+
+/// The arrays of the materials, of the state and of the cells to refine.
+ArraysToRead ListArrays(
+  std::vector<ChosenArray> materials, const StateChoice& state, const MesherOptions& options);
 
 /// Collective; data: this rank's part, null for none. The blocks that have cells which are no ghosts. Throws InputError, on all ranks alike,
 /// on data of another kind, flat or empty grids, direction matrices that differ or are sheared, points of grids that are no images,

@@ -1,7 +1,8 @@
 #include "MaterialArrays.h"
 
+#include "BlockArraysOfData.h"
 #include "CollectBlocks.h"
-#include "FindArrays.h"
+#include "Input/ArrayInfo.h"
 #include "Input/MaterialGuess.h"
 #include "Input/ValueType.h"
 #include "Ranks/Agreement.h"
@@ -29,8 +30,8 @@ struct Candidate
 /// centres of cells.
 std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
 {
-  std::map<int, std::vector<vtkDataSetAttributes*>> attributes{ { vtkDataObject::CELL, {} },
-    { vtkDataObject::POINT, {} } };
+  std::map<int, ArrayLists> lists{ { vtkDataObject::CELL, {} }, { vtkDataObject::POINT, {} } };
+  std::map<int, std::vector<ArrayInfo>> arrays;
   std::vector<Index> parts{ 0 };
   WorkTogether(ranks,
     [&]
@@ -38,22 +39,24 @@ std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
       for (const InputPart& part : FindParts(input, ranks.Rank(), ranks.Count() == 1))
       {
         parts[0] += part.HasPoints();
-        for (auto& own : attributes)
+        for (auto& [association, own] : lists)
         {
-          const bool isMeshed =
-            own.first == vtkDataObject::CELL || vtkImageData::SafeDownCast(part.Data);
-          if (isMeshed && part.Data->GetAttributes(own.first))
+          if (association == vtkDataObject::CELL || vtkImageData::SafeDownCast(part.Data))
           {
-            own.second.push_back(part.Data->GetAttributes(own.first));
+            own.push_back(ArraysOf(part.Data, association));
           }
         }
+      }
+      for (const auto& [association, own] : lists)
+      {
+        arrays[association] = ListArrays(own);
       }
     });
   ranks.Sum(parts);
   std::vector<Candidate> found;
-  for (const auto& own : attributes)
+  for (const auto& [association, own] : arrays)
   {
-    for (const ArrayInfo& array : FindArrays(own.second, ranks))
+    for (const ArrayInfo& array : UniteArrays(own, ranks))
     {
       if (array.Components != 1 || array.HoldsIds || !IsOffered(array.Name))
       {
@@ -63,7 +66,7 @@ std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
       const MaterialGuess guess = GuessMaterial(type, array.Least, array.Most);
       const bool isClear = array.Count == parts[0] || guess == MaterialGuess::Nothing;
       found.push_back(
-        { { array.Name, own.first }, type, isClear ? guess : MaterialGuess::Unclear });
+        { { array.Name, association }, type, isClear ? guess : MaterialGuess::Unclear });
     }
   }
   return found;

@@ -23,6 +23,10 @@ struct MaterialArrays
   ChosenArray Labels; ///< without a name: none
 
   bool HasLabels() const { return !this->Labels.Name.empty(); }
+  std::vector<ChosenArray> List() const
+  {
+    return this->HasLabels() ? std::vector<ChosenArray>{ this->Labels } : this->Fractions;
+  }
 };
 
 /// Collective: either fractions or labels. Throws InputError, on all ranks alike, when nothing is chosen and nothing or too much could be

@@ -176,7 +176,8 @@ void vtkVolumeFractionMeshAlgorithm::Run(
   input.Arrays.Names =
     vfm::ShareLabelNames(materials.HasLabels() ? this->Options->LabelNames : "", ranks);
   input.Arrays.State = this->ChooseState(data, ranks);
-  input.Levels = this->FindLevels(data, this->ListArrays(materials, input.Arrays.State), ranks);
+  input.Levels = this->FindLevels(
+    data, vfm::ListArrays(materials.List(), input.Arrays.State, *this->Options), ranks);
   input.StaysInPlace = this->HasFaceNeighbours;
   input.Warn = [&](const std::string& text) { this->Warn(text, ranks); };
   vfm::MesherResult result = vfm::RunMesher(input, *this->Options, runtime);

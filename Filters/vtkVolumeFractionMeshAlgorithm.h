@@ -443,8 +443,6 @@ private:
   void operator=(const vtkVolumeFractionMeshAlgorithm&) = delete;
 
   vfm::MaterialArrays FindMaterials(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
-  vfm::ArraysToRead ListArrays(
-    const vfm::MaterialArrays& materials, const vfm::StateChoice& state) const;
   void PrintArrays(ostream& os, vtkIndent indent) const;
   vfm::StateChoice ChooseState(vtkDataObject* input, vfm::Ranks& ranks) const; // collective
   void Warn(const std::string& text, const vfm::Ranks& ranks) const;

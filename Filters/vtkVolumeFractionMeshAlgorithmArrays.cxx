@@ -3,7 +3,8 @@
  */
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
-#include "ChosenState.h"
+#include "BlockArraysOfData.h"
+#include "CollectBlocks.h"
 #include "MaterialArrays.h"
 #include "Mesher.h"
 #include "Options/SetOptions.h"
@@ -291,28 +292,15 @@ vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(
 vfm::StateChoice vtkVolumeFractionMeshAlgorithm::ChooseState(
   vtkDataObject* input, vfm::Ranks& ranks) const
 {
-  return vfm::FindChosenState(input, vfm::ChooseState(*this->Options, this->StateArrays), ranks);
-}
-
-vfm::ArraysToRead vtkVolumeFractionMeshAlgorithm::ListArrays(
-  const vfm::MaterialArrays& materials, const vfm::StateChoice& state) const
-{
-  vfm::ArraysToRead arrays;
-  arrays.Materials = materials.Fractions;
-  if (materials.HasLabels())
+  vfm::ArrayLists arrays;
+  for (const vfm::InputPart& part : vfm::FindParts(input, ranks.Rank(), ranks.Count() == 1))
   {
-    arrays.Materials.push_back(materials.Labels);
+    for (int association : { vtkDataObject::CELL, vtkDataObject::POINT })
+    {
+      arrays.push_back(vfm::ArraysOf(part.Data, association));
+    }
   }
-  for (const std::string& name : state.Arrays)
-  {
-    arrays.Others.push_back({ name, vfm::AnyAssociation });
-  }
-  const std::string refinement = vfm::FindRefinementArray(*this->Options);
-  if (!refinement.empty())
-  {
-    arrays.Others.push_back({ refinement, vfm::AnyAssociation });
-  }
-  return arrays;
+  return vfm::CompleteChoice(vfm::ChooseState(*this->Options, this->StateArrays), arrays, ranks);
 }
 
 void vtkVolumeFractionMeshAlgorithm::PrintArrays(ostream& os, vtkIndent indent) const

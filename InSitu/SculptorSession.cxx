@@ -65,22 +65,6 @@ std::vector<std::string> NamesOf(const std::vector<FieldName>& fields)
   return names;
 }
 
-std::vector<StateCandidate> FindCandidates(const FieldNames& names, const StateChoice& choice)
-{
-  std::vector<StateCandidate> candidates;
-  for (const std::vector<FieldName>* fields : { &names.Materials, &names.States })
-  {
-    for (const FieldName& field : *fields)
-    {
-      if (IsCandidate(field.Name, choice))
-      {
-        candidates.push_back({ field.Name, field.Components });
-      }
-    }
-  }
-  return candidates;
-}
-
 /// where: for the message.
 const CarriedArray& FindState(
   const CarriedArray* first, std::size_t count, const std::string& name, const std::string& where)
@@ -163,10 +147,10 @@ MesherResult SculptorSession::Run(
   {
     input.Arrays.Names = ShareLabelNames(options.LabelNames, ranks);
   }
-  const StateChoice state = ChooseState(options, NamesOf(names.States));
-  input.Arrays.State = CompleteChoice(state, FindCandidates(names, state));
-  input.Levels =
-    FindLevels(CollectHostBlocks(grid, ranks.Rank(), ranks.Count()), this->Neighbours, ranks);
+  CollectedBlocks collected = CollectHostBlocks(grid, ranks.Rank(), ranks.Count());
+  input.Arrays.State =
+    CompleteChoice(ChooseState(options, NamesOf(names.States)), ListsOf(collected.Blocks), ranks);
+  input.Levels = FindLevels(std::move(collected), this->Neighbours, ranks);
   input.StaysInPlace = this->Neighbours.has_value();
   input.Warn = [this](const std::string& text) { this->WarningText += text + "\n"; };
   ThreadRuntime runtime(ChooseThreads(options.NumberOfThreads, ranks.Count()), &ranks);

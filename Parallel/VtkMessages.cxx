@@ -112,11 +112,6 @@ std::string VtkMessages::GetErrorText() const
   return joined;
 }
 
-bool VtkMessages::TellsLackOfMemory() const
-{
-  return this->GetErrorText().compare(0, 17, "Not enough memory") == 0;
-}
-
 void VtkMessages::Clear()
 {
   this->Errors.clear();

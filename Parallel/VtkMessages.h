@@ -37,8 +37,6 @@ public:
   bool HasErrors() const { return !this->GetErrors().empty(); }
   /// All errors as one line, or an empty text.
   std::string GetErrorText() const;
-  /// Whether an error is the filters' lack of memory.
-  bool TellsLackOfMemory() const;
   void Clear();
 
   void AddError(const std::string& message);

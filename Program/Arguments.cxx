@@ -5,12 +5,12 @@
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
 #include "Images/ImageFile.h"
+#include "Meshes/WriteGeometry.h"
 #include "Meshes/WriteMesh.h"
 #include "Options/SetOptions.h"
 #include "ReadInput.h"
 #include "State/ArrayStems.h"
 #include "State/StateChoice.h"
-#include "WriteGeometry.h"
 
 #include <algorithm>
 #include <limits>
@@ -233,9 +233,10 @@ void CheckMesh(const Arguments& from)
   {
     RefuseArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
   }
-  if (!from.Geometry.empty())
+  const std::string problem = from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry);
+  if (!problem.empty())
   {
-    CheckGeometrySuffix(from.Geometry);
+    RefuseArguments(problem);
   }
   CheckOutput(from);
 }

@@ -1,26 +1,16 @@
 #include "BuiltInTest.h"
 
 #include "Base/CartesianGrid.h"
+#include "Blocks/BlockFile.h"
 #include "CheckSurface.h"
-#include "ChooseArrays.h"
-#include "ControllerRanks.h"
+#include "Input/NodeCoordinates.h"
+#include "Input/PlainArrays.h"
 #include "MakeMesh.h"
-#include "MeshDataOfGrid.h"
 #include "Meshes/WriteMesh.h"
 #include "PrintSummary.h"
 #include "Ranks/WorkTogether.h"
+#include "State/ViewMesh.h"
 #include "Summary/GatherMesh.h"
-
-#include "vtkCell.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkImageData.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,49 +51,46 @@ bool IsChosen(const Index3& cell)
   return std::find(ChosenCells().begin(), ChosenCells().end(), cell) != ChosenCells().end();
 }
 
-/// The cells of the grid with x in [begin, end). parts: of a cell along an axis, as in all that follows.
-vtkSmartPointer<vtkImageData> MakeSlab(Index begin, Index end, Index parts)
+/// Adds an array with 1 in the cells for which holds is true, else 0.
+template <class Value, class Holds>
+void AddValues(
+  const std::string& name, int type, const IndexBox& cells, const Holds& holds, PlainArrays& to)
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  const int cells = static_cast<int>(parts * CellsYZ);
-  image->SetExtent(static_cast<int>(begin), static_cast<int>(end), 0, cells, 0, cells);
-  const double width = Width / static_cast<double>(parts);
-  image->SetSpacing(width, width, width);
-  vtkNew<vtkDoubleArray> fractions;
-  vtkNew<vtkUnsignedCharArray> chosen;
-  fractions->SetName(ArrayName);
-  chosen->SetName(ChosenName);
-  for (Index k = 0; k < cells; ++k)
-  {
-    for (Index j = 0; j < cells; ++j)
-    {
-      for (Index i = begin; i < end; ++i)
-      {
-        const bool isFull = std::any_of(Boxes().begin(), Boxes().end(),
-          [&](const IndexBox& box) {
-            return box.Contains({ { i / parts, j / parts, k / parts } });
-          });
-        fractions->InsertNextValue(isFull ? 1.0 : 0.0);
-        chosen->InsertNextValue(IsChosen({ { i, j, k } }) ? 1 : 0);
-      }
-    }
-  }
-  image->GetCellData()->AddArray(fractions);
-  image->GetCellData()->AddArray(chosen);
-  return image;
+  Buffer<Value> values(cells.NumberOfCells());
+  Value* at = values.data();
+  ForCells(cells, [&](const Index3& cell) { *at++ = holds(cell) ? Value(1) : Value(0); });
+  to.Keep(name, type, std::move(values));
 }
 
-/// Of this rank; without blocks when there are more ranks than slabs.
-vtkSmartPointer<vtkMultiBlockDataSet> MakeGrid(Ranks& ranks, Index parts)
+/// The slab of this rank; without blocks when there are more ranks than slabs. parts: of a cell along an axis, as in all that follows.
+Input MakeGrid(Index parts, const Ranks& ranks)
 {
-  const Index begin = parts * CellsX * ranks.Rank() / ranks.Count();
-  const Index end = parts * CellsX * (ranks.Rank() + 1) / ranks.Count();
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  if (begin < end)
+  IndexBox cells{ {}, { { 0, parts * CellsYZ, parts * CellsYZ } } };
+  cells.Lower[0] = parts * CellsX * ranks.Rank() / ranks.Count();
+  cells.Upper[0] = parts * CellsX * (ranks.Rank() + 1) / ranks.Count();
+  if (cells.NumberOfCells() == 0)
   {
-    blocks->SetBlock(0, MakeSlab(begin, end, parts));
+    return MakeInput({}, false);
   }
-  return blocks;
+  InputBlock block;
+  for (int a = 0; a < 3; ++a)
+  {
+    block.Coordinates[a] = EvenNodes(0.0, Width / static_cast<double>(parts),
+      static_cast<int>(cells.Lower[a]), static_cast<int>(cells.Upper[a]));
+  }
+  const auto arrays = std::make_shared<PlainArrays>(cells.NumberOfCells());
+  const auto isFull = [parts](const Index3& cell)
+  {
+    return std::any_of(Boxes().begin(), Boxes().end(),
+      [&](const IndexBox& box) {
+        return box.Contains({ { cell[0] / parts, cell[1] / parts, cell[2] / parts } });
+      });
+  };
+  AddValues<double>(ArrayName, ValueType::Double, cells, isFull, *arrays);
+  AddValues<unsigned char>(ChosenName, ValueType::UnsignedChar, cells, IsChosen, *arrays);
+  block.Arrays = arrays;
+  FinishBlock(block, 0, ranks);
+  return MakeInput({ { block }, {} }, false);
 }
 
 /// Of a box of hexahedra. One a part and one a face of the box, which is the buffer layer; stairs have none.
@@ -161,10 +148,9 @@ void CheckParts(const MeshSummary& summary, double volumeError, Checks& checks)
 }
 
 /// Collective.
-void CheckElements(vtkUnstructuredGrid* mesh, Ranks& ranks, Checks& checks)
+void CheckElements(const MeshData& mesh, Ranks& ranks, Checks& checks)
 {
-  const StoredMesh part = MeshDataOf(mesh);
-  const StoredMesh whole = GatherMesh(part.Data, ranks);
+  const StoredMesh whole = GatherMesh(mesh, ranks);
   if (ranks.Rank() == 0)
   {
     const SurfaceCheck surface = CheckSurface(whole.Data);
@@ -188,27 +174,23 @@ void CheckCounts(
 }
 
 /// Collective: the least number of elements that have their centroid in one of the chosen cells.
-Index CountInChosenCells(vtkUnstructuredGrid* mesh, Ranks& ranks)
+Index CountInChosenCells(const MeshData& mesh, Ranks& ranks)
 {
-  constexpr double width = Width / PartsOfCell;
+  const double widths = mesh.Corners * Width / PartsOfCell; // of the sum over corners
   std::vector<Index> counts(ChosenCells().size(), 0);
-  for (vtkIdType e = 0; e < mesh->GetNumberOfCells(); ++e)
+  for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
-    vtkPoints* points = mesh->GetCell(e)->GetPoints();
-    Vector3 sum{ { 0.0, 0.0, 0.0 } };
-    for (vtkIdType p = 0; p < points->GetNumberOfPoints(); ++p)
+    Vector3 sum{};
+    for (int c = 0; c < mesh.Corners; ++c)
     {
       for (int a = 0; a < 3; ++a)
       {
-        sum[a] += points->GetPoint(p)[a];
+        sum[a] += mesh.Point(mesh.Element(element)[c])[a];
       }
     }
     Index3 cell;
-    for (int a = 0; a < 3; ++a)
-    {
-      cell[a] =
-        static_cast<Index>(sum[a] / static_cast<double>(points->GetNumberOfPoints()) / width);
-    }
+    std::transform(sum.begin(), sum.end(), cell.begin(),
+      [widths](double x) { return static_cast<Index>(x / widths); });
     const auto at = std::find(ChosenCells().begin(), ChosenCells().end(), cell);
     if (at != ChosenCells().end())
     {
@@ -220,12 +202,11 @@ Index CountInChosenCells(vtkUnstructuredGrid* mesh, Ranks& ranks)
 }
 
 /// Collective. plain: the mesh without refinement.
-void CheckChosen(vtkUnstructuredGrid* mesh, const MeshSummary& summary, const MeshSummary& plain,
+void CheckChosen(const MeshData& mesh, const MeshSummary& summary, const MeshSummary& plain,
   bool isStairs, Ranks& ranks, Checks& checks)
 {
-  const double chosen = mesh->GetFieldData()->GetArray("ChosenCells")->GetComponent(0, 0);
   checks.Check(std::to_string(ChosenCells().size()) + " chosen cells",
-    chosen == static_cast<double>(ChosenCells().size()));
+    NumbersOfField(mesh.Fields, "ChosenCells")[0] == static_cast<double>(ChosenCells().size()));
   const Index least = CountInChosenCells(mesh, ranks);
   checks.Check("8 elements or more in each of the chosen cells", least >= 8);
   if (summary.IsTets) // whose interfaces get the finest cells everywhere
@@ -247,125 +228,91 @@ struct Run
   Arguments How;
 };
 
-bool IsOfRefinement(const std::pair<std::string, std::string>& option)
-{
-  const std::vector<std::string> names{ "Refinement", "MaximumLevel", "ThinCells",
-    "FineInterfaces" }; // by the options of the test
-  return std::find(names.begin(), names.end(), option.first) != names.end();
-}
-
 /// The grid as it is, and refined: as the arguments ask, else once.
-std::vector<Run> PlanRuns(const Arguments& given)
+std::array<Run, 2> PlanRuns(const Arguments& given)
 {
   Run plain{ "As it is", given }, refined{ "Refined 1", given };
-  auto& options = plain.How.Options;
-  options.erase(std::remove_if(options.begin(), options.end(), IsOfRefinement), options.end());
+  const MesherOptions defaults;
+  MesherOptions& options = plain.How.Mesher;
+  options.Where = defaults.Where;
+  options.MaximumLevel = defaults.MaximumLevel;
+  options.ThinCells = defaults.ThinCells;
+  options.FineInterfaces = defaults.FineInterfaces;
   plain.How.RefinesCells = false;
   if (given.RefinesCells)
   {
     refined.Title = "Chosen cells refined";
-    refined.How.Options.emplace_back("RefinementArray", ChosenName);
+    refined.How.Mesher.RefinementArray = ChosenName;
   }
-  else if (options.size() == given.Options.size())
+  else if (given.Mesher.Where == Refinement::Uniform)
   {
-    refined.How.Options.insert(
-      refined.How.Options.end(), { { "Refinement", "Uniform" }, { "MaximumLevel", "1" } });
+    refined.Title = "Refined " + std::to_string(given.Mesher.MaximumLevel);
   }
   else
   {
-    refined.Title = "Refined " + std::to_string(MakeMesher(given)->GetMaximumLevel());
+    refined.How.Mesher.Where = Refinement::Uniform;
+    refined.How.Mesher.MaximumLevel = 1;
   }
   return { plain, refined };
 }
 
-/// Meshes the boxes and checks what comes out.
-class BoxTest
+/// Collective. plain: the mesh without refinement, for one where chosen cells are refined. parts: of a cell in the input.
+void CheckMesh(const MeshData& mesh, const MeshSummary& summary, const MeshSummary& plain,
+  const Arguments& how, Index parts, Ranks& ranks, Checks& checks)
 {
-public:
-  BoxTest(const Arguments& given, vtkMultiProcessController* controller) :
-    Given(given),
-    Controller(controller),
-    Group(controller),
-    Result(this->Stream()),
-    Parts(given.RefinesCells ? PartsOfCell : 1)
+  const MesherOptions& options = how.Mesher;
+  const bool moves = !options.StairStep && options.Method != Smoothing::Off;
+  CheckParts(summary,
+    how.RefinesCells && !summary.IsTets && !moves ? UnmovedVolumeError : VolumeError, checks);
+  CheckElements(mesh, ranks, checks);
+  if (how.RefinesCells)
   {
+    CheckChosen(mesh, summary, plain, options.StairStep, ranks, checks);
+    return;
   }
-
-  bool Do()
+  for (std::size_t b = 0; !summary.IsTets && b < Boxes().size(); ++b)
   {
-    const std::vector<Run> runs = PlanRuns(this->Given);
-    const MeshSummary plain = this->MakeAndCheck(runs[0], {});
-    if (this->Stream())
-    {
-      *this->Stream() << "\n";
-    }
-    this->MakeAndCheck(runs[1], plain);
-    if (!this->Given.Output.empty())
-    {
-      WorkInStage(this->Group, ErrorCode::UnwritableOutput,
-        [this] { WriteMesh(MeshDataOf(this->Mesh).Data, this->Given.Output, this->Group); });
-    }
-    if (this->Group.Rank() == 0)
-    {
-      std::cout << (this->Result.AllHold() ? "PASS" : "FAIL") << "\n";
-    }
-    return !this->Group.Any(!this->Result.AllHold());
+    CheckCounts(summary, b, parts << std::max(options.MaximumLevel, 0), options.StairStep, checks);
   }
-
-private:
-  std::ostream* Stream()
-  {
-    return this->Group.Rank() == 0 && !this->Given.Quiet ? &std::cout : nullptr;
-  }
-
-  /// plain: the mesh without refinement, for one where chosen cells are refined.
-  MeshSummary MakeAndCheck(const Run& run, const MeshSummary& plain)
-  {
-    const auto mesher = MakeMesher(run.How);
-    const auto grid = MakeGrid(this->Group, this->Parts);
-    const ChosenArrays arrays{ { ArrayName }, "", {}, "", "" };
-    KeepMaterials(grid, arrays, run.How.Materials, this->Group);
-    this->Mesh = MakeMesh(*mesher, grid, arrays, run.How.Quiet, this->Controller);
-    const MeshSummary summary = Summarise(MeshDataOf(this->Mesh).Data, this->Group);
-    if (std::ostream* to = this->Stream())
-    {
-      *to << run.Title << "\n";
-      PrintSummary(summary, {}, *to);
-    }
-    const bool moves = !mesher->GetStairStep() &&
-      mesher->GetSmoothing() != vtkVolumeFractionMeshAlgorithm::SMOOTHING_OFF;
-    CheckParts(summary,
-      run.How.RefinesCells && !summary.IsTets && !moves ? UnmovedVolumeError : VolumeError,
-      this->Result);
-    CheckElements(this->Mesh, this->Group, this->Result);
-    if (run.How.RefinesCells)
-    {
-      CheckChosen(this->Mesh, summary, plain, mesher->GetStairStep(), this->Group, this->Result);
-    }
-    else if (!summary.IsTets)
-    {
-      for (std::size_t b = 0; b < Boxes().size(); ++b)
-      {
-        CheckCounts(summary, b, this->Parts << std::max(mesher->GetMaximumLevel(), 0),
-          mesher->GetStairStep(), this->Result);
-      }
-    }
-    return summary;
-  }
-
-  const Arguments& Given;
-  vtkMultiProcessController* Controller;
-  ControllerRanks Group;
-  Checks Result;
-  const Index Parts;
-  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
-};
+}
 
 } // namespace
 
-bool RunBuiltInTest(const Arguments& arguments, vtkMultiProcessController* controller)
+bool RunBuiltInTest(const Arguments& arguments, Ranks& ranks)
 {
-  return BoxTest(arguments, controller).Do();
+  const Index parts = arguments.RefinesCells ? PartsOfCell : 1;
+  std::ostream* to = ranks.Rank() == 0 && !arguments.Quiet ? &std::cout : nullptr;
+  Checks checks(to);
+  const Input input = MakeGrid(parts, ranks);
+  ChosenArrays arrays;
+  arrays.Fractions = { ArrayName };
+  MesherResult result;
+  MeshData mesh;
+  MeshSummary plain;
+  const std::array<Run, 2> runs = PlanRuns(arguments);
+  for (const Run& run : runs)
+  {
+    result = MakeMesh(run.How, input, arrays, ranks);
+    mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+    const MeshSummary summary = Summarise(mesh, ranks);
+    if (to)
+    {
+      *to << (&run == &runs[0] ? "" : "\n") << run.Title << "\n";
+      PrintSummary(summary, {}, *to);
+    }
+    CheckMesh(mesh, summary, plain, run.How, parts, ranks, checks);
+    plain = summary;
+  }
+  if (!arguments.Output.empty())
+  {
+    WorkInStage(
+      ranks, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh, arguments.Output, ranks); });
+  }
+  if (ranks.Rank() == 0)
+  {
+    std::cout << (checks.AllHold() ? "PASS" : "FAIL") << "\n";
+  }
+  return !ranks.Any(!checks.AllHold());
 }
 
 } // namespace vfm

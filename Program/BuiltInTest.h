@@ -4,8 +4,7 @@
 #pragma once
 
 #include "Arguments.h"
-
-class vtkMultiProcessController;
+#include "Ranks/Ranks.h"
 
 namespace vfm
 {
@@ -14,6 +13,6 @@ namespace vfm
 /// are two fragments of one material. Meshes it as the arguments ask without refinement, and refined: chosen cells, or all as
 /// often as the arguments ask, else once. Prints the tables, what is checked, and PASS or FAIL on rank 0, and writes the last
 /// mesh when the arguments name an output. False when a check fails. Throws InputError.
-bool RunBuiltInTest(const Arguments& arguments, vtkMultiProcessController* controller);
+bool RunBuiltInTest(const Arguments& arguments, Ranks& ranks);
 
 } // namespace vfm

@@ -1,7 +1,7 @@
 #include "CheckSurface.h"
 
 #include "Base/DisjointSets.h"
-#include "Mesh/ElementFaces.h"
+#include "Summary/MeshFacets.h"
 
 #include <algorithm>
 #include <map>
@@ -14,33 +14,6 @@ namespace
 {
 
 using Points = std::vector<Index>;
-
-struct Face
-{
-  int Elements = 0;
-  Points Corners; ///< around it
-};
-
-/// By their corners in order.
-std::map<Points, Face> FindFaces(const MeshData& mesh)
-{
-  std::map<Points, Face> faces;
-  const ElementFaces table(mesh.Corners);
-  for (Index e = 0; e < mesh.NumberOfElements; ++e)
-  {
-    for (int f = 0; f < table.Count; ++f)
-    {
-      const std::array<Index, 4> points = table.PointsOf(mesh.Element(e), f);
-      const Points corners(points.begin(), points.begin() + table.Corners);
-      Points key = corners;
-      std::sort(key.begin(), key.end());
-      Face& face = faces[key];
-      ++face.Elements;
-      face.Corners = corners;
-    }
-  }
-  return faces;
-}
 
 /// The faces at each edge of a surface.
 std::map<Points, std::vector<Index>> FindEdges(const std::vector<Points>& surface)
@@ -91,18 +64,25 @@ std::map<Index, Index> FindEulerNumbers(
 
 } // namespace
 
-SurfaceCheck CheckSurface(const MeshData& mesh)
+SurfaceCheck CheckSurface(MeshData mesh)
 {
-  SurfaceCheck check;
+  mesh.GeometryDimension = nullptr; // faces inside the mesh are looked at, too
+  Ranks alone;
   std::vector<Points> surface;
-  for (const auto& face : FindFaces(mesh))
+  try
   {
-    check.IsConforming = check.IsConforming && face.second.Elements <= 2;
-    if (face.second.Elements == 1)
+    const std::vector<int> oneValue(mesh.NumberOfElements, 0);
+    for (const MeshFace& face : FindMeshFaces(mesh, oneValue.data(), alone))
     {
-      surface.push_back(face.second.Corners);
+      surface.emplace_back(
+        face.Points.begin(), std::find(face.Points.begin(), face.Points.end(), -1));
     }
   }
+  catch (const InputError&) // of a face of more than two elements
+  {
+    return { false, 0, 0 };
+  }
+  SurfaceCheck check;
   const auto edges = FindEdges(surface);
   for (const auto& edge : edges)
   {

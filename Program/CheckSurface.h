@@ -16,7 +16,7 @@ struct SurfaceCheck
   int Spheres = 0; ///< of these, without holes or handles (Euler characteristic 2)
 };
 
-/// Of hexahedra or tetrahedra. A crack between elements, or a node that hangs on a face, is a piece more or an edge of other than two faces.
-SurfaceCheck CheckSurface(const MeshData& mesh);
+/// Of hexahedra or tetrahedra with global ids of their points. A crack between elements, or a node that hangs on a face, is a piece more or an edge of other than two faces.
+SurfaceCheck CheckSurface(MeshData mesh);
 
 } // namespace vfm

@@ -3,18 +3,15 @@
 #include "Base/ParseText.h"
 #include "Images/ImageFile.h"
 #include "Input/GuessMaterials.h"
+#include "Input/PlainArrays.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/WorkTogether.h"
-
-#include "vtkDataArray.h"
-#include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkNew.h"
-#include "vtkSignedCharArray.h"
+#include "State/StateArrays.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <cstring>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -75,12 +72,12 @@ std::string WarnOfNearFractions(
 
 /// Collective.
 [[noreturn]] void RefuseArrays(
-  vtkDataObject* data, const Arguments& arguments, const std::string& warning, Ranks& ranks)
+  const Input& input, const Arguments& arguments, const std::string& warning, Ranks& ranks)
 {
   std::string text =
     "No array of the input that can be meshed holds volume fractions: numbers in [0, 1] of type "
     "float or double, or unsigned char. " +
-    DescribeArrays(data, ranks);
+    DescribeArrays(input, ranks);
   if (!ListOtherArrays(arguments, {}).empty())
   {
     text += " Those of --state, --density, --velocity, --energy and --refine-cells are taken for "
@@ -114,24 +111,15 @@ std::size_t FindMaterial(const std::string& material, const std::vector<std::str
   return *number - 1;
 }
 
-void ReplaceByZeros(vtkDataSetAttributes* attributes, const std::string& name)
-{
-  vtkNew<vtkSignedCharArray> zeros; // the smallest type that does not count 0..255
-  zeros->SetName(name.c_str());
-  zeros->SetNumberOfTuples(attributes->GetArray(name.c_str())->GetNumberOfTuples());
-  zeros->Fill(0);
-  attributes->AddArray(zeros);
-}
-
 /// Of an array that --material changes.
-void CheckUse(const ChosenArrays& arrays, const std::string& name)
+void CheckUse(const Arguments& arguments, const std::string& name)
 {
-  if (Lists(arrays.State, name))
+  if (Lists(arguments.State, name))
   {
     throw InputError(ErrorCode::WrongArguments,
       "The elements cannot carry '" + name + "' (--state): --material leaves materials of it out.");
   }
-  if (arrays.Refinement == name)
+  if (arguments.Mesher.RefinementArray == name)
   {
     throw InputError(ErrorCode::WrongArguments,
       "Cells cannot be refined by '" + name +
@@ -139,67 +127,88 @@ void CheckUse(const ChosenArrays& arrays, const std::string& name)
   }
 }
 
-void KeepFractions(
-  vtkDataObject* data, const ChosenArrays& arrays, const std::vector<std::string>& materials)
+/// Replaces arrays of the blocks: add(arrays, replaced) adds the new ones, once for blocks that share their arrays.
+template <class Add>
+void ReplaceArrays(std::vector<InputBlock>& blocks, const Add& add)
 {
-  const std::vector<std::string>& fractions = arrays.Fractions;
-  std::set<std::size_t> kept;
-  for (const std::string& material : materials)
+  std::map<std::shared_ptr<const BlockArrays>, std::shared_ptr<PlainArrays>> all;
+  for (InputBlock& block : blocks)
   {
-    kept.insert(FindMaterial(material, fractions));
-  }
-  for (std::size_t m = 0; m < fractions.size(); ++m)
-  {
-    if (kept.count(m) > 0)
+    std::shared_ptr<PlainArrays>& replaced = all[block.Arrays];
+    if (!replaced)
     {
-      continue;
+      replaced = std::make_shared<PlainArrays>(block.Arrays);
+      add(*block.Arrays, *replaced);
     }
-    CheckUse(arrays, fractions[m]);
-    for (vtkDataSet* grid : GetGrids(data))
+    block.Arrays = replaced;
+  }
+}
+
+void KeepFractions(std::vector<InputBlock>& blocks, const std::vector<std::string>& fractions,
+  const Arguments& arguments)
+{
+  std::vector<std::string> dropped = fractions;
+  for (const std::string& material : arguments.Materials)
+  {
+    dropped[FindMaterial(material, fractions)].clear();
+  }
+  dropped.erase(std::remove(dropped.begin(), dropped.end(), ""), dropped.end());
+  for (const std::string& name : dropped)
+  {
+    CheckUse(arguments, name);
+  }
+  ReplaceArrays(blocks,
+    [&dropped](const BlockArrays& own, PlainArrays& replaced)
     {
-      vtkDataSetAttributes* attributes = GetAttributes(grid, arrays.Place);
-      if (attributes->GetArray(fractions[m].c_str()))
+      for (const std::string& name : dropped)
       {
-        ReplaceByZeros(attributes, fractions[m]);
+        if (const auto array = own.Find(name))
+        {
+          // of the smallest type that does not count 0..255
+          replaced.Keep(name, ValueType::SignedChar, Buffer<signed char>(array->Tuples, 0));
+        }
       }
-    }
-  }
+    });
 }
 
 /// Null when it is none of labels, as the mesher's message tells.
-vtkDataArray* GetLabels(vtkDataSet* grid, const ChosenArrays& arrays)
+std::shared_ptr<const BlockArray> GetLabels(const BlockArrays& arrays, const std::string& name)
 {
-  vtkDataArray* array = GetAttributes(grid, arrays.Place)->GetArray(arrays.Labels.c_str());
-  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+  const auto array = arrays.Find(name);
+  return array && array->Components == 1 ? array : nullptr;
 }
 
 /// 0 of void, and of what is no label: that the mesher refuses.
-int GetLabel(vtkDataArray* array, vtkIdType cell)
+int GetLabel(double value)
 {
-  const double value = array->GetComponent(cell, 0);
   const bool isInt = value > 0.0 && value <= std::numeric_limits<int>::max(); // nor NaN
   return isInt ? static_cast<int>(value) : 0;
 }
 
-/// Sets labels that are not kept to 0.
-void KeepLabels(vtkDataSet* grid, const ChosenArrays& arrays, const std::set<int>& kept)
+/// Adds a copy of an array with labels that are not kept set to 0.
+void AddLabels(
+  const std::string& name, const BlockArray& array, const std::set<int>& kept, PlainArrays& to)
 {
-  vtkDataArray* array = GetLabels(grid, arrays);
-  if (!array)
-  {
-    return;
-  }
-  vtkSmartPointer<vtkDataArray> changed;
-  changed.TakeReference(array->NewInstance());
-  changed->DeepCopy(array);
-  for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
-  {
-    if (kept.count(GetLabel(array, cell)) == 0)
+  const int type = CarrierType(array.Type);
+  VisitType(type,
+    [&](auto tag)
     {
-      changed->SetComponent(cell, 0, 0.0);
-    }
-  }
-  GetAttributes(grid, arrays.Place)->AddArray(changed);
+      using Value = typename decltype(tag)::Type;
+      Buffer<Value> values(array.Tuples);
+      if (array.Memory)
+      {
+        std::memcpy(values.data(), array.Memory, array.Tuples * sizeof(Value));
+      }
+      else
+      {
+        array.Copy(0, array.Tuples, values.data());
+      }
+      for (Value& value : values)
+      {
+        value = kept.count(GetLabel(static_cast<double>(value))) > 0 ? value : Value(0);
+      }
+      to.Keep(name, type, std::move(values));
+    });
 }
 
 std::set<int> ParseLabels(const std::vector<std::string>& materials)
@@ -236,41 +245,37 @@ void CheckLabels(const std::set<int>& kept, const std::vector<int>& found, const
   }
 }
 
-/// How many ranks have a numeric array of that name. Collective.
-std::int64_t CountRanksWith(
-  vtkDataObject* data, ArrayPlace place, const std::string& name, Ranks& ranks)
+/// Collective: whether any rank has a numeric array of that name.
+bool HasArray(const Input& input, ArrayPlace place, const std::string& name, Ranks& ranks)
 {
-  const std::vector<vtkDataSet*> grids = GetGrids(data);
-  std::vector<std::int64_t> count{ std::any_of(grids.begin(), grids.end(),
-    [&](vtkDataSet* grid)
-    { return GetAttributes(grid, place)->GetArray(name.c_str()) != nullptr; }) };
-  ranks.Sum(count);
-  return count[0];
+  const ArrayLists lists = ListsOf(input, place);
+  return ranks.Any(std::any_of(lists.begin(), lists.end(),
+    [&name](const auto& arrays) { return arrays->Find(name) != nullptr; }));
 }
 
 /// Collective: refuses names of arrays that no rank has where they can be meshed; what else they must be the mesher checks. Returns the
 /// place of the last. option: that names them.
-ArrayPlace CheckNamedArrays(vtkDataObject* data, const std::string& option,
+ArrayPlace CheckNamedArrays(const Input& input, const std::string& option,
   const std::vector<std::string>& names, Ranks& ranks)
 {
   ArrayPlace place = ArrayPlace::Cells;
   for (const std::string& name : names)
   {
     place = ArrayPlace::Cells;
-    if (CountRanksWith(data, ArrayPlace::Cells, name, ranks) > 0)
+    if (HasArray(input, ArrayPlace::Cells, name, ranks))
     {
       continue;
     }
     place = ArrayPlace::Points;
-    const bool isOfPoints = CountRanksWith(data, ArrayPlace::Points, name, ranks) > 0;
-    if (isOfPoints && AreImages(data, ranks))
+    const bool isOfPoints = HasArray(input, ArrayPlace::Points, name, ranks);
+    if (isOfPoints && AreImages(input, ranks))
     {
       continue;
     }
     throw InputError(ErrorCode::UnreadableInput,
       (isOfPoints ? "The array '" + name + "' (" + option + ") has values of points, not of cells. "
                   : "The input has no numeric array '" + name + "' (" + option + "). ") +
-        DescribeArrays(data, ranks));
+        DescribeArrays(input, ranks));
   }
   return place;
 }
@@ -285,8 +290,7 @@ ChosenArrays FindMaterials(const std::vector<ArrayInfo>& arrays, ArrayPlace plac
   {
     guess = { {}, arrays[0].Name };
   }
-  ChosenArrays chosen{ guess.Fractions, guess.Labels, arguments.State, "", "" };
-  chosen.Place = place;
+  ChosenArrays chosen{ guess.Fractions, guess.Labels, "", "", place };
   if (guess.AreNumbered)
   {
     chosen.How = "named Material volume fraction - N";
@@ -313,88 +317,91 @@ bool HasMaterials(const ChosenArrays& arrays)
 } // namespace
 
 ChosenArrays FindMaterials(
-  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
+  const Input& input, const Arguments& arguments, double tolerance, Ranks& ranks)
 {
-  const std::vector<ArrayInfo> cells = FindArrays(data, ArrayPlace::Cells, ranks);
+  const std::vector<ArrayInfo> cells = FindArrays(input, ArrayPlace::Cells, ranks);
   const ChosenArrays ofCells = FindMaterials(cells, ArrayPlace::Cells, arguments, tolerance);
-  if (HasMaterials(ofCells) || !AreImages(data, ranks))
+  if (HasMaterials(ofCells) || !AreImages(input, ranks))
   {
     return ofCells;
   }
   const ChosenArrays ofPoints = FindMaterials(
-    FindArrays(data, ArrayPlace::Points, ranks), ArrayPlace::Points, arguments, tolerance);
+    FindArrays(input, ArrayPlace::Points, ranks), ArrayPlace::Points, arguments, tolerance);
   return HasMaterials(ofPoints) || cells.empty() ? ofPoints : ofCells;
 }
 
-std::vector<int> FindLabels(vtkDataObject* data, const ChosenArrays& arrays, Ranks& ranks)
+std::vector<int> FindLabels(const ArrayLists& lists, const std::string& name, Ranks& ranks)
 {
   std::set<int> found;
   WorkInStage(ranks, ErrorCode::InternalError,
     [&]
     {
-      for (vtkDataSet* grid : GetGrids(data))
+      for (const std::shared_ptr<const BlockArrays>& arrays : lists)
       {
-        vtkDataArray* array = GetLabels(grid, arrays);
-        for (vtkIdType cell = 0; array && cell < array->GetNumberOfTuples(); ++cell)
+        const auto array = GetLabels(*arrays, name);
+        for (Index cell = 0; array && cell < array->Tuples; ++cell)
         {
-          found.insert(GetLabel(array, cell));
+          found.insert(GetLabel(array->Get(cell, 0)));
         }
       }
     });
   return Unite(ranks, std::vector<int>(found.upper_bound(0), found.end()));
 }
 
-ChosenArrays ChooseArrays(
-  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks)
+ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks& ranks)
 {
-  const ArrayPlace ofFractions = CheckNamedArrays(data, "--fractions", arguments.Fractions, ranks);
-  CheckNamedArrays(data, "--density", arguments.Mesher.DensityArrays, ranks); // which State has too
-  CheckNamedArrays(data, "--state", arguments.State, ranks);
-  if (!arguments.Mesher.RefinementArray.empty())
+  const MesherOptions& mesher = arguments.Mesher;
+  const ArrayPlace ofFractions = CheckNamedArrays(input, "--fractions", arguments.Fractions, ranks);
+  CheckNamedArrays(input, "--density", mesher.DensityArrays, ranks); // which State has too
+  CheckNamedArrays(input, "--state", arguments.State, ranks);
+  if (!mesher.RefinementArray.empty())
   {
-    CheckNamedArrays(data, "--refine-cells", { arguments.Mesher.RefinementArray }, ranks);
+    CheckNamedArrays(input, "--refine-cells", { mesher.RefinementArray }, ranks);
   }
   const bool isOfLabels = !arguments.Labels.empty();
   const ArrayPlace place =
-    isOfLabels ? CheckNamedArrays(data, "--labels", { arguments.Labels }, ranks) : ofFractions;
+    isOfLabels ? CheckNamedArrays(input, "--labels", { arguments.Labels }, ranks) : ofFractions;
   const char* ofPoints = place == ArrayPlace::Points ? " of points" : "";
-  ChosenArrays chosen{ arguments.Fractions, arguments.Labels, arguments.State,
-    (isOfLabels ? "labels" : "as asked") + std::string(ofPoints), "" };
-  chosen.Place = place;
+  ChosenArrays chosen{ arguments.Fractions, arguments.Labels,
+    (isOfLabels ? "labels" : "as asked") + std::string(ofPoints), "", place };
   if (!HasMaterials(chosen))
   {
-    chosen = FindMaterials(data, arguments, tolerance, ranks);
+    chosen = FindMaterials(input, arguments, mesher.FractionTolerance, ranks);
   }
   if (!HasMaterials(chosen))
   {
-    RefuseArrays(data, arguments, chosen.Warning, ranks);
+    RefuseArrays(input, arguments, chosen.Warning, ranks);
   }
-  chosen.Refinement = arguments.Mesher.RefinementArray;
   return chosen;
 }
 
-void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
-  const std::vector<std::string>& materials, Ranks& ranks)
+void KeepMaterials(std::vector<InputBlock>& blocks, const ChosenArrays& arrays,
+  const Arguments& arguments, Ranks& ranks)
 {
-  if (materials.empty())
+  if (arguments.Materials.empty())
   {
     return;
   }
   if (arrays.Labels.empty())
   {
-    WorkInStage(ranks, ErrorCode::WrongArguments, [&] { KeepFractions(data, arrays, materials); });
+    WorkInStage(ranks, ErrorCode::WrongArguments,
+      [&] { KeepFractions(blocks, arrays.Fractions, arguments); });
     return;
   }
-  CheckUse(arrays, arrays.Labels);
-  const std::set<int> kept = ParseLabels(materials);
-  CheckLabels(kept, FindLabels(data, arrays, ranks), arrays.Labels);
+  CheckUse(arguments, arrays.Labels);
+  const std::set<int> kept = ParseLabels(arguments.Materials);
+  CheckLabels(kept, FindLabels(ListsOf(blocks), arrays.Labels, ranks), arrays.Labels);
   WorkInStage(ranks, ErrorCode::InternalError,
     [&]
     {
-      for (vtkDataSet* grid : GetGrids(data))
-      {
-        KeepLabels(grid, arrays, kept);
-      }
+      ReplaceArrays(blocks,
+        [&](const BlockArrays& own, PlainArrays& replaced)
+        {
+          if (const auto labels = GetLabels(own, arrays.Labels))
+          {
+            AddLabels(arrays.Labels, *labels, kept, replaced);
+          }
+        });
     });
 }
 

@@ -5,13 +5,11 @@
 #pragma once
 
 #include "Arguments.h"
-#include "InputGrids.h"
+#include "Input.h"
 #include "Ranks/Ranks.h"
 
 #include <string>
 #include <vector>
-
-class vtkDataObject;
 
 namespace vfm
 {
@@ -20,29 +18,26 @@ struct ChosenArrays
 {
   std::vector<std::string> Fractions; ///< of material 1, 2, ...; empty: labels
   std::string Labels;                 ///< empty too: no materials
-  std::vector<std::string> State;     ///< that the elements carry along
   std::string How;                    ///< for the user: why these
   std::string Warning;                ///< empty, or what may be missing among them
-  std::string Refinement = {};        ///< of cells to refine; empty: none
   ArrayPlace Place = ArrayPlace::Cells;
 };
 
 /// Collective: the materials that are taken where the arguments name none; maybe none. tolerance: of fractions, outside of [0, 1].
 ChosenArrays FindMaterials(
-  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks);
+  const Input& input, const Arguments& arguments, double tolerance, Ranks& ranks);
 
-/// Collective: the labels above 0 that the arrays hold, ascending.
-std::vector<int> FindLabels(vtkDataObject* data, const ChosenArrays& arrays, Ranks& ranks);
+/// Collective: the labels above 0 that the arrays of that name hold, ascending.
+std::vector<int> FindLabels(const ArrayLists& lists, const std::string& name, Ranks& ranks);
 
 /// Collective: what the arguments name, else what fits. Throws InputError
 /// (UnreadableInput), which lists the arrays that are there, when nothing fits, and where none has a name that is given.
-ChosenArrays ChooseArrays(
-  vtkDataObject* data, const Arguments& arguments, double tolerance, Ranks& ranks);
+ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks& ranks);
 
-/// Collective: makes cells of materials that the list (numbers or names of arrays) does not name void, by replacing
-/// arrays of data. An empty list keeps all. Throws InputError (WrongArguments) on a material that is not there, and when the
-/// elements are to carry an array that would be replaced.
-void KeepMaterials(vtkDataObject* data, const ChosenArrays& arrays,
-  const std::vector<std::string>& materials, Ranks& ranks);
+/// Collective: makes cells of materials that the arguments (numbers or names of arrays) do not name void, by replacing
+/// arrays of the blocks. Throws InputError (WrongArguments) on a material that is not there, and when the elements are to carry an array
+/// that would be replaced.
+void KeepMaterials(std::vector<InputBlock>& blocks, const ChosenArrays& arrays,
+  const Arguments& arguments, Ranks& ranks);
 
 } // namespace vfm

@@ -3,9 +3,9 @@
 #include "Base/ParseText.h"
 #include "ExodusFileCheck.h"
 #include "FileSuffix.h"
-#include "InputGrids.h"
 #include "Ranks/Agreement.h"
 #include "Ranks/WorkTogether.h"
+#include "VtkInput.h"
 #include "VtkMessages.h"
 #include "VtkVersions.h"
 
@@ -119,11 +119,10 @@ vtkSmartPointer<vtkIOSSReader> MakeReader(
 class ExodusFiles
 {
 public:
-  ExodusFiles(const Arguments& from, VtkMessages& messages) : From(from), Messages(messages)
+  ExodusFiles(const Arguments& from, VtkMessages& messages) : Messages(messages)
   {
-    const auto asksFor = [](const std::vector<std::string>& names)
-    { return std::find(names.begin(), names.end(), BlockIds) != names.end(); };
-    this->ReadsBlockIds = from.Labels == BlockIds || asksFor(ListOtherArrays(from, {}));
+    const std::vector<std::string> named = ListNamedArrays(from, {});
+    this->ReadsBlockIds = std::find(named.begin(), named.end(), BlockIds) != named.end();
   }
 
   /// Reads what files hold. all: the files of all ranks.
@@ -152,20 +151,19 @@ public:
     return this->Readers.empty() ? std::vector<double>() : GetTimes(this->Readers[0]);
   }
 
-  /// The element variables of all files, each name ended by a zero.
-  Bytes CollectNames() const
+  /// The element variables of all files; nothing but their names.
+  std::vector<ArrayInfo> ListVariables() const
   {
-    Bytes names;
+    std::vector<ArrayInfo> list;
     for (vtkIOSSReader* reader : this->Readers)
     {
       vtkDataArraySelection* fields = reader->GetElementBlockFieldSelection();
       for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
       {
-        const std::string name = fields->GetArrayName(i);
-        names.insert(names.end(), name.c_str(), name.c_str() + name.size() + 1);
+        AddArray(list, { fields->GetArrayName(i) });
       }
     }
-    return names;
+    return list;
   }
 
   /// The element blocks, with the variables of these names.
@@ -184,14 +182,7 @@ public:
         reader->GetElementBlockFieldSelection()->EnableArray(name.c_str());
       }
       const int pieces = reader->GetNumberOfFileNames(); // the last is that of the file
-      if (time)
-      {
-        reader->UpdateTimeStep(*time, pieces - 1, pieces);
-      }
-      else
-      {
-        reader->UpdatePiece(pieces - 1, pieces, 0);
-      }
+      UpdatePiece(reader, time, pieces - 1, pieces);
       CheckReaderErrors(this->Messages, this->Paths[f]);
       for (vtkDataSet* grid : GetGrids(reader->GetOutputDataObject(0)))
       {
@@ -202,7 +193,6 @@ public:
   }
 
 private:
-  const Arguments& From;
   VtkMessages& Messages;
   bool ReadsBlockIds;
   std::vector<std::string> Paths;
@@ -235,14 +225,9 @@ std::vector<double> AgreeOnTimes(const ExodusFiles& files, Ranks& ranks)
 std::vector<std::string> UniteNames(const ExodusFiles& files, Ranks& ranks)
 {
   std::set<std::string> names;
-  for (const Bytes& bytes : ranks.Gather(files.CollectNames()))
+  for (const ArrayInfo& variable : UniteArrays(files.ListVariables(), ranks))
   {
-    for (auto at = bytes.begin(); at != bytes.end();)
-    {
-      const auto end = std::find(at, bytes.end(), '\0');
-      names.emplace(at, end);
-      at = end + 1;
-    }
+    names.insert(variable.Name);
   }
   return { names.begin(), names.end() };
 }
@@ -251,13 +236,7 @@ std::vector<std::string> UniteNames(const ExodusFiles& files, Ranks& ranks)
 std::vector<std::string> ChooseNames(
   const Arguments& arguments, const std::vector<std::string>& known)
 {
-  std::vector<std::string> asked = arguments.Fractions;
-  const std::vector<std::string> others = ListOtherArrays(arguments, known);
-  asked.insert(asked.end(), others.begin(), others.end());
-  if (!arguments.Labels.empty())
-  {
-    asked.push_back(arguments.Labels);
-  }
+  const std::vector<std::string> asked = ListNamedArrays(arguments, known);
   for (const std::string& name : asked)
   {
     if (name != BlockIds && !std::binary_search(known.begin(), known.end(), name))
@@ -304,10 +283,11 @@ Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks
   const std::vector<double> times = AgreeOnTimes(files, ranks);
   const std::vector<std::string> names = ChooseNames(arguments, UniteNames(files, ranks));
   Input input;
-  input.Time = ChooseTime(arguments, times);
-  input.Times = times;
+  const std::optional<double> time = ChooseTime(arguments, times);
   WorkInStage(
-    ranks, ErrorCode::UnreadableInput, [&] { input.Data = files.Read(names, input.Time); });
+    ranks, ErrorCode::UnreadableInput, [&] { input = MakeInput(files.Read(names, time), ranks); });
+  input.Time = time;
+  input.Times = times;
   return input;
 }
 

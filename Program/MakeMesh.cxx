@@ -1,21 +1,13 @@
 #include "MakeMesh.h"
 
-#include "Base/Runtime.h"
-#include "ControllerRanks.h"
+#include "Base/ThreadRuntime.h"
+#include "CollectBlocks.h"
+#include "Labels/ReadLabelNames.h"
 #include "Ranks/WorkTogether.h"
-#include "VtkMessages.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-#include "vtkMultiProcessController.h"
-#include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolumeFractionToHex.h"
-#include "vtkVolumeFractionToTet.h"
-
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <unistd.h>
 
 namespace vfm
@@ -23,101 +15,97 @@ namespace vfm
 namespace
 {
 
-/// One line of a terminal, rewritten while the mesher works and cleared at the end.
-class ProgressLine
+/// Shows the progress as one line of a terminal, which is cleared at the end.
+class TerminalRuntime : public ThreadRuntime
 {
 public:
-  explicit ProgressLine(vtkAlgorithm& algorithm) : Algorithm(algorithm)
+  TerminalRuntime(int threads, Ranks& ranks, bool isShown) :
+    ThreadRuntime(threads, &ranks), IsShown(isShown)
   {
-    this->Observer->SetCallback(&ProgressLine::Show);
-    algorithm.AddObserver(vtkCommand::ProgressEvent, this->Observer);
   }
-  ~ProgressLine()
+  ~TerminalRuntime() override
   {
-    this->Algorithm.RemoveObserver(this->Observer);
-    std::fprintf(stderr, "\r\033[K");
+    if (this->IsShown)
+    {
+      std::fprintf(stderr, "\r\033[K");
+    }
+  }
+  void Progress(double fraction, const char* stage) override
+  {
+    if (this->IsShown)
+    {
+      std::fprintf(stderr, "\r\033[K%3.0f %% %s", 100.0 * fraction, stage);
+      std::fflush(stderr);
+    }
   }
 
 private:
-  static void Show(vtkObject* caller, unsigned long, void*, void*)
-  {
-    vtkAlgorithm* algorithm = static_cast<vtkAlgorithm*>(caller);
-    const char* stage = algorithm->GetProgressText();
-    std::fprintf(
-      stderr, "\r\033[K%3.0f %% %s", 100.0 * algorithm->GetProgress(), stage ? stage : "");
-    std::fflush(stderr);
-  }
-  vtkAlgorithm& Algorithm;
-  vtkNew<vtkCallbackCommand> Observer;
+  const bool IsShown;
 };
 
-void SetArrays(vtkVolumeFractionMeshAlgorithm& mesher, const ChosenArrays& arrays)
+/// Collective.
+MesherArrays NameArrays(
+  const Arguments& arguments, const Input& input, const ChosenArrays& arrays, Ranks& ranks)
 {
-  for (const std::string& name : arrays.Fractions)
-  {
-    mesher.AddVolumeFractionArray(name.c_str());
-  }
-  mesher.SetMaterialIdArray(arrays.Labels.c_str());
-  for (const std::string& name : arrays.State)
-  {
-    mesher.AddStateArray(name.c_str());
-  }
+  ArrayLists lists = ListsOf(input, ArrayPlace::Cells);
+  const ArrayLists points = ListsOf(input, ArrayPlace::Points);
+  lists.insert(lists.end(), points.begin(), points.end());
+  return { arrays.Fractions, arrays.Labels,
+    ShareLabelNames(arrays.Labels.empty() ? "" : arguments.Mesher.LabelNames, ranks),
+    CompleteChoice(ChooseState(arguments.Mesher, arguments.State), lists, ranks) };
 }
 
-void CheckErrors(const VtkMessages& messages)
+std::vector<ChosenArray> ListMaterials(const MesherArrays& arrays)
 {
-  if (messages.HasErrors())
+  std::vector<ChosenArray> materials;
+  for (const std::string& name :
+    arrays.Labels.empty() ? arrays.Fractions : std::vector<std::string>{ arrays.Labels })
   {
-    throw InputError(
-      messages.TellsLackOfMemory() ? ErrorCode::InternalError : ErrorCode::RefusedMesh,
-      messages.GetErrorText());
+    materials.push_back({ name });
   }
+  return materials;
 }
 
 } // namespace
 
-vtkSmartPointer<vtkVolumeFractionMeshAlgorithm> MakeMesher(const Arguments& arguments)
+MesherResult MakeMesh(
+  const Arguments& arguments, const Input& input, const ChosenArrays& arrays, Ranks& ranks)
 {
-  vtkSmartPointer<vtkVolumeFractionMeshAlgorithm> mesher;
-  if (arguments.Tets)
-  {
-    mesher = vtkSmartPointer<vtkVolumeFractionToTet>::New();
-  }
-  else
-  {
-    mesher = vtkSmartPointer<vtkVolumeFractionToHex>::New();
-  }
-  for (const auto& [name, value] : arguments.Options)
-  {
-    mesher->SetOption(name, value);
-  }
-  return mesher;
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(vtkVolumeFractionMeshAlgorithm& mesher,
-  vtkDataObject* data, const ChosenArrays& arrays, bool isQuiet,
-  vtkMultiProcessController* controller)
-{
-  ControllerRanks ranks(controller);
-  VtkMessages messages;
-  const VtkSilence silence(messages);
-  messages.Watch(&mesher);
-  mesher.SetController(controller);
-  mesher.SetInputDataObject(data);
-  SetArrays(mesher, arrays);
+  const MesherOptions& options = arguments.Mesher;
+  MesherInput mesherInput;
+  CollectedBlocks collected;
   WorkInStage(ranks, ErrorCode::RefusedMesh,
     [&]
     {
-      const bool isShown = !isQuiet && ranks.Rank() == 0 && isatty(STDERR_FILENO);
-      const auto line = isShown ? std::make_unique<ProgressLine>(mesher) : nullptr;
-      mesher.UpdatePiece(ranks.Rank(), ranks.Count(), 0);
-      CheckErrors(messages);
+      mesherInput.Arrays = NameArrays(arguments, input, arrays, ranks);
+      collected = input.Collect(
+        ListArrays(ListMaterials(mesherInput.Arrays), mesherInput.Arrays.State, options), ranks);
     });
-  for (const std::string& warning : messages.GetWarnings())
+  KeepMaterials(collected.Blocks, arrays, arguments, ranks);
+  std::vector<std::string> warnings;
+  mesherInput.Warn = [&warnings](const std::string& text)
   {
-    std::cerr << "sculptor: warning: " << warning << "\n";
+    if (!text.empty() && std::find(warnings.begin(), warnings.end(), text) == warnings.end())
+    {
+      warnings.push_back(text);
+    }
+  };
+  mesherInput.Warn(input.Warning);
+  MesherResult result;
+  WorkInStage(ranks, ErrorCode::RefusedMesh,
+    [&]
+    {
+      const bool isShown = !arguments.Quiet && ranks.Rank() == 0 && isatty(STDERR_FILENO);
+      TerminalRuntime runtime(
+        ChooseThreads(options.NumberOfThreads, ranks.Count()), ranks, isShown);
+      mesherInput.Levels = FindInputLevels(std::move(collected), ranks);
+      result = RunMesher(mesherInput, options, runtime);
+    });
+  for (const std::string& warning : warnings)
+  {
+    std::cerr << (ranks.Rank() == 0 ? "sculptor: warning: " + warning + "\n" : "");
   }
-  return vtkUnstructuredGrid::SafeDownCast(mesher.GetOutputDataObject(0));
+  return result;
 }
 
 } // namespace vfm

@@ -1,28 +1,18 @@
 /**
- * MakeMesh: runs a mesher on the input of all ranks and tells what it says.
+ * MakeMesh: runs the mesher on the input of all ranks.
  */
 #pragma once
 
-#include "Arguments.h"
 #include "ChooseArrays.h"
-
-#include "vtkSmartPointer.h"
-
-class vtkDataObject;
-class vtkMultiProcessController;
-class vtkUnstructuredGrid;
-class vtkVolumeFractionMeshAlgorithm;
+#include "Mesher.h"
 
 namespace vfm
 {
 
-/// The mesher with its options. Throws InputError (WrongArguments) on options that it does not have.
-vtkSmartPointer<vtkVolumeFractionMeshAlgorithm> MakeMesher(const Arguments& arguments);
-
-/// Collective: this rank's part of the mesh. Shows the progress on a terminal unless quiet, and warnings, on rank 0.
-/// Throws InputError (RefusedMesh; InternalError for lack of memory) with the mesher's message.
-vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(vtkVolumeFractionMeshAlgorithm& mesher,
-  vtkDataObject* data, const ChosenArrays& arrays, bool isQuiet,
-  vtkMultiProcessController* controller);
+/// Collective: this rank's part of the mesh, of the materials of the arguments. Shows the progress on a terminal unless quiet, and
+/// warnings, on rank 0. Throws InputError: WrongArguments as KeepMaterials, else RefusedMesh with the mesher's message, or InternalError
+/// for lack of memory.
+MesherResult MakeMesh(
+  const Arguments& arguments, const Input& input, const ChosenArrays& arrays, Ranks& ranks);
 
 } // namespace vfm

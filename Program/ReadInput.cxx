@@ -6,15 +6,14 @@
 #include "BlocksInput.h"
 #include "ExodusInput.h"
 #include "FileSuffix.h"
+#include "ImageInput.h"
 #include "Images/ImageFile.h"
 #include "Ranks/WorkTogether.h"
-#include "ReaderSteps.h"
+#include "VtkInput.h"
 #include "VtkMessages.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
-#include "vtkVolumeFractionImageReader.h"
-#include "vtkVolumeFractionVoxelReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
@@ -60,62 +59,17 @@ vtkSmartPointer<vtkAlgorithm> MakeAmrReader(const Arguments& arguments)
   return reader;
 }
 
-vtkSmartPointer<vtkAlgorithm> MakeVoxelReader(const Arguments& arguments)
-{
-  auto reader = vtkSmartPointer<vtkVolumeFractionVoxelReader>::New();
-  reader->SetFileName(arguments.Input.c_str());
-  if (arguments.Dimensions)
-  {
-    reader->SetDimensions(arguments.Dimensions->data());
-  }
-  if (arguments.Origin)
-  {
-    reader->SetOrigin(arguments.Origin->data());
-  }
-  if (arguments.Spacing)
-  {
-    reader->SetSpacing(arguments.Spacing->data());
-  }
-  reader->SetAxisOrder(arguments.AxisOrder.value_or(reader->GetAxisOrder()));
-  return reader;
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeImageReader(const Arguments& arguments)
-{
-  auto reader = vtkSmartPointer<vtkVolumeFractionImageReader>::New();
-  reader->SetFileName(arguments.Input.c_str());
-  if (arguments.Spacing)
-  {
-    reader->SetSpacing(arguments.Spacing->data());
-  }
-  if (!arguments.Labels.empty())
-  {
-    reader->SetCellArray(arguments.Labels.c_str());
-  }
-  return reader;
-}
-
 const std::vector<Format>& Formats()
 {
-  static const std::vector<Format> formats = []
-  {
-    std::vector<Format> list{
-      MakeFormat<vtkXMLImageDataReader>(".vti"),
-      MakeFormat<vtkXMLPImageDataReader>(".pvti"),
-      MakeFormat<vtkXMLRectilinearGridReader>(".vtr"),
-      MakeFormat<vtkXMLPRectilinearGridReader>(".pvtr"),
-      MakeFormat<vtkXMLMultiBlockDataReader>(".vtm"),
-      { ".vthb", MakeAmrReader },
-      { ".vth", MakeAmrReader },
-      { ".spn", MakeVoxelReader },
-      { ".npy", MakeVoxelReader },
-    };
-    for (const std::string& suffix : GetImageSuffixes())
-    {
-      list.push_back({ suffix, MakeImageReader });
-    }
-    return list;
-  }();
+  static const std::vector<Format> formats{
+    MakeFormat<vtkXMLImageDataReader>(".vti"),
+    MakeFormat<vtkXMLPImageDataReader>(".pvti"),
+    MakeFormat<vtkXMLRectilinearGridReader>(".vtr"),
+    MakeFormat<vtkXMLPRectilinearGridReader>(".pvtr"),
+    MakeFormat<vtkXMLMultiBlockDataReader>(".vtm"),
+    { ".vthb", MakeAmrReader },
+    { ".vth", MakeAmrReader },
+  };
   return formats;
 }
 
@@ -170,15 +124,18 @@ std::vector<std::string> GetInputSuffixes()
   {
     suffixes.push_back(format.Suffix);
   }
-  suffixes.push_back(SpyPlotSuffix);
-  const std::vector<std::string> exodus = GetExodusSuffixes();
-  suffixes.insert(suffixes.end(), exodus.begin(), exodus.end());
+  for (const std::vector<std::string>& more :
+    { GetVoxelSuffixes(), GetImageSuffixes(), { SpyPlotSuffix }, GetExodusSuffixes() })
+  {
+    suffixes.insert(suffixes.end(), more.begin(), more.end());
+  }
   return suffixes;
 }
 
 void CheckInputSuffix(const std::string& path)
 {
-  if (!FindFormat(path) && !IsExodusFile(path) && !IsBlockFile(path))
+  if (!FindFormat(path) && !IsVoxelFile(path) && !IsImageFile(path) && !IsExodusFile(path) &&
+    !IsBlockFile(path))
   {
     throw InputError(ErrorCode::WrongArguments,
       "The input " + path + " is of an unknown kind. Read are " + JoinTexts(GetInputSuffixes()) +
@@ -192,6 +149,10 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
   {
     return ReadBlocks(arguments, ranks);
   }
+  if (IsVoxelFile(arguments.Input) || IsImageFile(arguments.Input))
+  {
+    return ReadImage(arguments, ranks);
+  }
   VtkMessages messages;
   const VtkSilence silence(messages);
   const QuietStream errors(STDERR_FILENO, stderr), output(STDOUT_FILENO, stdout);
@@ -199,36 +160,22 @@ Input ReadInput(const Arguments& arguments, Ranks& ranks)
   {
     return ReadExodus(arguments, messages, ranks);
   }
-  vtkSmartPointer<vtkAlgorithm> reader;
   Input input;
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&]
     {
       CheckInputFile(arguments.Input);
-      reader = FindFormat(arguments.Input)->MakeReader(arguments);
+      const auto reader = FindFormat(arguments.Input)->MakeReader(arguments);
       messages.Watch(reader);
-    });
-  WorkInStage(ranks, ErrorCode::UnreadableInput,
-    [&]
-    {
       reader->UpdateInformation();
       CheckReaderErrors(messages, arguments.Input);
-      input.Times = GetTimes(reader);
-      input.Time = ChooseTime(arguments, input.Times);
-    });
-  WorkInStage(ranks, ErrorCode::UnreadableInput,
-    [&]
-    {
-      if (input.Time)
-      {
-        reader->UpdateTimeStep(*input.Time, ranks.Rank(), ranks.Count());
-      }
-      else
-      {
-        reader->UpdatePiece(ranks.Rank(), ranks.Count(), 0);
-      }
+      const std::vector<double> times = GetTimes(reader);
+      const std::optional<double> time = ChooseTime(arguments, times);
+      UpdatePiece(reader, time, ranks.Rank(), ranks.Count());
       CheckReaderErrors(messages, arguments.Input);
-      input.Data = reader->GetOutputDataObject(0);
+      input = MakeInput(reader->GetOutputDataObject(0), ranks);
+      input.Time = time;
+      input.Times = times;
     });
   return input;
 }

@@ -21,9 +21,9 @@ void RefuseInput(const std::string& message)
   throw InputError(ErrorCode::UnreadableInput, message);
 }
 
-void CheckInput(const std::string& path, const std::function<void()>& check)
+void CheckInput(const std::string& path, const std::function<void()>& step, const std::string& head)
 {
-  PrefixErrors("Cannot read the input " + path + ": ", check);
+  PrefixErrors(head + path + ": ", step);
 }
 
 void CheckInputFile(const std::string& path, const std::string& role)
@@ -62,6 +62,32 @@ std::optional<double> ChooseTime(const Arguments& arguments, const std::vector<d
   return *std::min_element(times.begin(), times.end(),
     [&arguments](double a, double b)
     { return std::abs(a - *arguments.Time) < std::abs(b - *arguments.Time); });
+}
+
+std::vector<std::string> ListNamedArrays(
+  const Arguments& arguments, const std::vector<std::string>& there)
+{
+  std::vector<std::string> names = arguments.Fractions;
+  const std::vector<std::string> others = ListOtherArrays(arguments, there);
+  names.insert(names.end(), others.begin(), others.end());
+  if (!arguments.Labels.empty())
+  {
+    names.push_back(arguments.Labels);
+  }
+  return names;
+}
+
+void UpdatePiece(
+  vtkAlgorithm* reader, const std::optional<double>& time, int piece, int numberOfPieces)
+{
+  if (time)
+  {
+    reader->UpdateTimeStep(*time, piece, numberOfPieces);
+  }
+  else
+  {
+    reader->UpdatePiece(piece, numberOfPieces, 0);
+  }
 }
 
 void CheckReaderErrors(const VtkMessages& messages, const std::string& path)

@@ -4,9 +4,7 @@
 #pragma once
 
 #include "Arguments.h"
-#include "Input/InputBlocks.h"
-
-#include "vtkSmartPointer.h"
+#include "Input.h"
 
 #include <functional>
 #include <optional>
@@ -14,26 +12,18 @@
 #include <vector>
 
 class vtkAlgorithm;
-class vtkDataObject;
 
 namespace vfm
 {
 
 class VtkMessages;
 
-struct Input
-{
-  vtkSmartPointer<vtkDataObject> Data; ///< of this rank
-  std::optional<double> Time;          ///< of the step that was read, where the file has times
-  std::vector<double> Times = {};      ///< of all steps
-  std::vector<InputBlock> Blocks = {}; ///< whose memory Data uses
-};
-
 /// Throws InputError (UnreadableInput), as all that follows.
 [[noreturn]] void RefuseInput(const std::string& message);
 
-/// Does a check, whose InputError does not name the input.
-void CheckInput(const std::string& path, const std::function<void()>& check);
+/// Does a step of reading, whose InputError does not name the input. head: of the message, before the path.
+void CheckInput(const std::string& path, const std::function<void()>& step,
+  const std::string& head = "Cannot read the input ");
 
 /// The file can be opened and is not empty. role: follows the path in the message.
 void CheckInputFile(const std::string& path, const std::string& role = "");
@@ -43,6 +33,14 @@ std::vector<double> GetTimes(vtkAlgorithm* reader);
 
 /// The one that the arguments ask for, else the first; nothing where the file has no times.
 std::optional<double> ChooseTime(const Arguments& arguments, const std::vector<double>& times);
+
+/// The arrays of materials that the arguments name, and the others (ListOtherArrays).
+std::vector<std::string> ListNamedArrays(
+  const Arguments& arguments, const std::vector<std::string>& there);
+
+/// Reads a piece at a time, where the file has times.
+void UpdatePiece(
+  vtkAlgorithm* reader, const std::optional<double>& time, int piece, int numberOfPieces);
 
 void CheckReaderErrors(const VtkMessages& messages, const std::string& path);
 

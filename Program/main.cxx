@@ -4,30 +4,21 @@
 #include "ArgumentOptions.h"
 #include "Arguments.h"
 #include "Base/ParseText.h"
-#include "Base/Runtime.h"
 #include "BuiltInTest.h"
 #include "ChooseArrays.h"
-#include "ControllerRanks.h"
 #include "ListInput.h"
 #include "MakeMesh.h"
-#include "MeshDataOfGrid.h"
+#include "Meshes/WriteGeometry.h"
 #include "Meshes/WriteMesh.h"
 #include "Meshes/WriteTable.h"
+#include "MpiTransport.h"
 #include "PrintSummary.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
 #include "State/ArrayStems.h"
+#include "State/ViewMesh.h"
 #include "Summary/FragmentTable.h"
 #include "Summary/MeshMaterials.h"
-#include "WriteGeometry.h"
-
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
-#include "vtkMPI.h"
-#include "vtkMPIController.h"
-#include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include <algorithm>
 #include <chrono>
@@ -100,30 +91,45 @@ std::vector<std::string> FindDensities(const MeshData& mesh, const Arguments& ar
 
 void WriteFragments(const MeshData& mesh, const Arguments& arguments, Ranks& ranks)
 {
-  if (arguments.Fragments.empty())
-  {
-    return;
-  }
   FieldArrays table;
   WorkInStage(ranks, ErrorCode::UnreadableInput,
     [&] { table = MakeFragmentTable(mesh, FindDensities(mesh, arguments), ranks); });
   WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
-      if (ranks.Rank() > 0)
+      if (ranks.Rank() == 0)
       {
-        return;
+        PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
+          [&] { WriteTable(table, arguments.Fragments); });
       }
-      PrefixErrors("Cannot write the table " + arguments.Fragments + ": ",
-        [&] { WriteTable(table, arguments.Fragments); });
     });
 }
 
-void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
+/// Collective.
+void WriteFiles(
+  const MesherResult& result, const MeshData& mesh, const Arguments& arguments, Ranks& ranks)
 {
-  ControllerRanks ranks(controller);
+  WorkInStage(ranks, ErrorCode::UnwritableOutput,
+    [&]
+    {
+      WriteMesh(mesh, arguments.Output, ranks,
+        arguments.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
+    });
+  if (!arguments.Fragments.empty())
+  {
+    WriteFragments(mesh, arguments, ranks);
+  }
+  if (!arguments.Geometry.empty())
+  {
+    const auto write = [&] { WriteGeometry(result.TheMesh, mesh.Time, arguments.Geometry, ranks); };
+    PrefixErrors("Cannot write the geometry " + arguments.Geometry + ": ",
+      [&] { WorkInStage(ranks, ErrorCode::UnwritableOutput, write); });
+  }
+}
+
+void MeshFile(const Arguments& arguments, Ranks& ranks)
+{
   StageTimes times(ranks);
-  const auto mesher = MakeMesher(arguments);
   WorkInStage(ranks, ErrorCode::UnwritableOutput,
     [&]
     {
@@ -137,36 +143,21 @@ void MeshFile(const Arguments& arguments, vtkMultiProcessController* controller)
       }
     });
   const Input input = ReadInput(arguments, ranks);
-  const ChosenArrays arrays =
-    ChooseArrays(input.Data, arguments, mesher->GetFractionTolerance(), ranks);
+  const ChosenArrays arrays = ChooseArrays(input, arguments, ranks);
   if (ranks.Rank() == 0 && !arrays.Warning.empty())
   {
     std::cerr << "sculptor: warning: " << arrays.Warning << "\n";
   }
-  KeepMaterials(input.Data, arrays, arguments.Materials, ranks);
   times.Add("read");
-  const auto mesh = MakeMesh(*mesher, input.Data, arrays, arguments.Quiet, controller);
-  if (input.Time)
-  {
-    mesh->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *input.Time);
-  }
+  const MesherResult result = MakeMesh(arguments, input, arrays, ranks);
   times.Add("mesh");
-  const StoredMesh plain = MeshDataOf(mesh);
-  WorkInStage(ranks, ErrorCode::UnwritableOutput,
-    [&]
-    {
-      WriteMesh(plain.Data, arguments.Output, ranks,
-        arguments.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
-    });
-  WriteFragments(plain.Data, arguments, ranks);
-  if (!arguments.Geometry.empty())
-  {
-    WriteGeometry(*mesher, input.Time ? &*input.Time : nullptr, arguments.Geometry, controller);
-  }
+  MeshData mesh = ViewMesh(result.TheMesh, result.State, result.Fields);
+  mesh.Time = input.Time;
+  WriteFiles(result, mesh, arguments, ranks);
   times.Add("write");
   if (!arguments.Quiet)
   {
-    const MeshSummary summary = Summarise(plain.Data, ranks);
+    const MeshSummary summary = Summarise(mesh, ranks);
     if (ranks.Rank() == 0)
     {
       PrintHead(arguments, input, arrays);
@@ -183,9 +174,9 @@ int StatusOf(ErrorCode code)
 }
 
 /// Returns the exit status.
-int Work(const Arguments& arguments, vtkMultiProcessController* controller)
+int Work(const Arguments& arguments, Ranks& ranks)
 {
-  const bool isFirst = controller->GetLocalProcessId() == 0;
+  const bool isFirst = ranks.Rank() == 0;
   switch (arguments.Task)
   {
     case Command::Help:
@@ -195,34 +186,30 @@ int Work(const Arguments& arguments, vtkMultiProcessController* controller)
       std::cout << (isFirst ? "sculptor " VFM_VERSION "\n" : "");
       break;
     case Command::Test:
-      return RunBuiltInTest(arguments, controller) ? 0 : StatusOf(ErrorCode::RefusedMesh);
+      return RunBuiltInTest(arguments, ranks) ? 0 : StatusOf(ErrorCode::RefusedMesh);
     case Command::List:
-    {
-      ControllerRanks ranks(controller);
       ListInput(arguments, ranks, std::cout);
       break;
-    }
     case Command::Mesh:
-      MeshFile(arguments, controller);
+      MeshFile(arguments, ranks);
       break;
   }
   return 0;
 }
 
-int Run(const std::vector<std::string>& words, vtkMultiProcessController* controller)
+int Run(const std::vector<std::string>& words, Ranks& ranks)
 {
   try
   {
-    ControllerRanks ranks(controller);
     int status = 0;
     WorkInStage(
-      ranks, ErrorCode::InternalError, [&] { status = Work(ParseArguments(words), controller); },
+      ranks, ErrorCode::InternalError, [&] { status = Work(ParseArguments(words), ranks); },
       Ranks::Frame::Program);
     return status;
   }
   catch (const InputError& error) // on all ranks
   {
-    if (controller->GetLocalProcessId() == 0)
+    if (ranks.Rank() == 0)
     {
       std::cerr << "sculptor: " << error.what() << "\n";
     }
@@ -231,7 +218,7 @@ int Run(const std::vector<std::string>& words, vtkMultiProcessController* contro
   catch (const std::exception& error)
   {
     std::cerr << "sculptor: internal error: " << error.what() << std::endl;
-    if (controller->GetNumberOfProcesses() > 1)
+    if (ranks.Count() > 1)
     {
       MPI_Abort(MPI_COMM_WORLD, StatusOf(ErrorCode::InternalError)); // others may wait
     }
@@ -244,12 +231,10 @@ int Run(const std::vector<std::string>& words, vtkMultiProcessController* contro
 
 int main(int argc, char* argv[])
 {
-  vtkNew<vtkMPIController> controller;
-  controller->Initialize(&argc, &argv, 0);
-  vtkMultiProcessController::SetGlobalController(controller);
-  const int status = vfm::Run(std::vector<std::string>(argv + 1, argv + argc), controller);
+  MPI_Init(&argc, &argv);
+  vfm::MpiRanks ranks(MPI_COMM_WORLD);
+  const int status = vfm::Run(std::vector<std::string>(argv + 1, argv + argc), ranks);
   std::cout.flush();
-  vtkMultiProcessController::SetGlobalController(nullptr);
-  controller->Finalize();
+  MPI_Finalize();
   return status;
 }

@@ -7,7 +7,6 @@
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
@@ -160,8 +159,9 @@ const Index* KeepElements(vtkCellArray* cells, StoredMesh& mesh)
   return mesh.Keep(std::move(elements));
 }
 
-/// corners: of a cell.
-StoredMesh ViewCells(vtkPointSet* mesh, vtkCellArray* cells, int corners)
+} // namespace
+
+StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
 {
   StoredMesh stored;
   MeshData& data = stored.Data;
@@ -174,8 +174,8 @@ StoredMesh ViewCells(vtkPointSet* mesh, vtkCellArray* cells, int corners)
   }
   if (data.NumberOfElements > 0)
   {
-    data.Corners = corners;
-    data.Elements = KeepElements(cells, stored);
+    data.Corners = FindCorners(mesh);
+    data.Elements = KeepElements(mesh->GetCells(), stored);
   }
   data.PointArrays = ListArrays(mesh->GetPointData(), stored);
   data.ElementArrays = ListArrays(mesh->GetCellData(), stored);
@@ -187,23 +187,6 @@ StoredMesh ViewCells(vtkPointSet* mesh, vtkCellArray* cells, int corners)
   }
   FindKnownArrays(stored);
   return stored;
-}
-
-} // namespace
-
-StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
-{
-  const bool isEmpty = mesh->GetNumberOfCells() == 0;
-  return ViewCells(mesh, mesh->GetCells(), isEmpty ? 0 : FindCorners(mesh));
-}
-
-StoredMesh MeshDataOf(vtkPolyData* mesh)
-{
-  vtkCellArray* cells = mesh->GetNumberOfVerts() > 0 ? mesh->GetVerts()
-    : mesh->GetNumberOfLines() > 0                   ? mesh->GetLines()
-                                                     : mesh->GetPolys();
-  const bool isEmpty = mesh->GetNumberOfCells() == 0;
-  return ViewCells(mesh, cells, isEmpty ? 0 : static_cast<int>(cells->GetCellSize(0)));
 }
 
 } // namespace vfm

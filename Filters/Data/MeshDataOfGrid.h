@@ -5,7 +5,6 @@
 
 #include "Summary/MeshData.h"
 
-class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace vfm
@@ -15,7 +14,5 @@ namespace vfm
 /// are left out; so is the kind of an empty mesh (Corners are 8). Throws InputError when cells are not all hexahedra or
 /// all tetrahedra.
 StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh);
-/// The same of cells of one kind: facets, edges or vertices, whose number of points is Corners.
-StoredMesh MeshDataOf(vtkPolyData* mesh);
 
 } // namespace vfm

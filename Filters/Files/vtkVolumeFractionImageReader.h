@@ -27,13 +27,7 @@
 #include "vtkVolumeFractionMeshIOModule.h" // for export macro
 #include "vtkVolumeFractionPartReader.h"
 
-#include <memory> // for member
 #include <string> // for member
-
-namespace vfm
-{
-struct ImageFile;
-} // namespace vfm
 
 class VTKVOLUMEFRACTIONMESHIO_EXPORT vtkVolumeFractionImageReader :
   public vtkVolumeFractionPartReader
@@ -60,11 +54,10 @@ public:
   ///@}
 
 protected:
-  vtkVolumeFractionImageReader();
-  ~vtkVolumeFractionImageReader() override;
+  vtkVolumeFractionImageReader() = default;
+  ~vtkVolumeFractionImageReader() override = default;
 
-  vfm::ImagePlace Open(bool& areOfCells) override;
-  std::vector<vfm::TypedValues> ReadBox(const vfm::IndexBox& box, vfm::Ranks& ranks) override;
+  vfm::ImageSource Open() override;
 
   double Spacing[3] = { 0.0, 0.0, 0.0 };
   std::string CellArray = "FeatureIds";
@@ -72,8 +65,6 @@ protected:
 private:
   vtkVolumeFractionImageReader(const vtkVolumeFractionImageReader&) = delete;
   void operator=(const vtkVolumeFractionImageReader&) = delete;
-
-  std::unique_ptr<vfm::ImageFile> File;
 };
 
 #endif

@@ -3,9 +3,8 @@
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
 #include "ImageExtent.h"
-#include "Images/ImagePlace.h"
+#include "Images/ImageSource.h"
 #include "Ranks/WorkTogether.h"
-#include "TypedValues.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -67,7 +66,7 @@ vtkSmartPointer<vtkDataArray> AdoptValues(vfm::TypedValues& values)
 
 } // namespace
 
-vtkVolumeFractionPartReader::vtkVolumeFractionPartReader() : Place(new vfm::ImagePlace)
+vtkVolumeFractionPartReader::vtkVolumeFractionPartReader() : Source(new vfm::ImageSource)
 {
   this->SetNumberOfInputPorts(0);
   this->SetController(vtkMultiProcessController::GetGlobalController());
@@ -82,22 +81,22 @@ int vtkVolumeFractionPartReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->Problem = FindProblem(this->Controller,
-    [this](vfm::Ranks&)
-    { *this->Place = this->Open(this->AreOfCells); }); // RequestData tells it, once
+    [this](vfm::Ranks&) { *this->Source = this->Open(); }); // RequestData tells it, once
   if (!this->Problem.empty())
   {
-    *this->Place = vfm::ImagePlace();
+    *this->Source = vfm::ImageSource();
   }
+  const vfm::ImagePlace& place = this->Source->Place;
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  for (int a = 0; a < 3 && this->Place->Size[a] > 0; ++a)
+  for (int a = 0; a < 3 && place.Size[a] > 0; ++a)
   {
-    extent[2 * a + 1] = static_cast<int>(this->Place->Size[a]) - (this->AreOfCells ? 0 : 1);
+    extent[2 * a + 1] = static_cast<int>(place.Size[a]) - (this->Source->IsOfCells ? 0 : 1);
   }
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(vtkDataObject::ORIGIN(), this->Place->Origin.data(), 3);
-  info->Set(vtkDataObject::SPACING(), this->Place->Spacing.data(), 3);
-  info->Set(vtkDataObject::DIRECTION(), GetDirection(*this->Place).data(), 9);
+  info->Set(vtkDataObject::ORIGIN(), place.Origin.data(), 3);
+  info->Set(vtkDataObject::SPACING(), place.Spacing.data(), 3);
+  info->Set(vtkDataObject::DIRECTION(), GetDirection(place).data(), 9);
   info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   return 1;
 }
@@ -124,23 +123,24 @@ int vtkVolumeFractionPartReader::RequestData(
 
 void vtkVolumeFractionPartReader::Read(const int extent[6], vfm::Ranks& ranks, vtkImageData* image)
 {
-  const bool isEmpty = vfm::IsEmptyExtent(extent);
+  const vfm::ImagePlace& place = this->Source->Place;
+  const bool areOfCells = this->Source->IsOfCells, isEmpty = vfm::IsEmptyExtent(extent);
   vfm::IndexBox box;
   if (!isEmpty)
   {
-    box = this->AreOfCells ? vfm::FindCells(extent, this->Place->Size) : vfm::FindPoints(extent);
+    box = areOfCells ? vfm::FindCells(extent, place.Size) : vfm::FindPoints(extent);
   }
-  std::vector<vfm::TypedValues> arrays = this->ReadBox(box, ranks);
+  std::vector<vfm::TypedValues> arrays = this->Source->Read(box, ranks);
   if (isEmpty)
   {
     return;
   }
   image->SetExtent(const_cast<int*>(extent));
-  image->SetOrigin(this->Place->Origin.data());
-  image->SetSpacing(this->Place->Spacing.data());
-  image->SetDirectionMatrix(GetDirection(*this->Place).data());
+  image->SetOrigin(place.Origin.data());
+  image->SetSpacing(place.Spacing.data());
+  image->SetDirectionMatrix(GetDirection(place).data());
   vtkDataSetAttributes* attributes =
-    image->GetAttributes(this->AreOfCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+    image->GetAttributes(areOfCells ? vtkDataObject::CELL : vtkDataObject::POINT);
   for (vfm::TypedValues& values : arrays)
   {
     attributes->AddArray(AdoptValues(values));

@@ -13,15 +13,12 @@
 
 #include <memory> // for member
 #include <string> // for member
-#include <vector> // for return value
 
 class vtkMultiProcessController;
 
 namespace vfm
 {
-struct ImagePlace;
-struct IndexBox;
-struct TypedValues;
+struct ImageSource;
 class Ranks;
 } // namespace vfm
 
@@ -57,14 +54,9 @@ protected:
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;
 
   /**
-   * Returns where the image lies; without a size it is empty. Sets whether its values are those of cells. Throws InputError without
-   * the path.
+   * Returns the image in the file. Throws InputError without the path.
    */
-  virtual vfm::ImagePlace Open(bool& areOfCells) = 0;
-  /**
-   * Collective. Returns the arrays in a box of values, which may be empty. Throws InputError without the path.
-   */
-  virtual std::vector<vfm::TypedValues> ReadBox(const vfm::IndexBox& box, vfm::Ranks& ranks) = 0;
+  virtual vfm::ImageSource Open() = 0;
 
   std::string FileName;
   vtkMultiProcessController* Controller = nullptr;
@@ -75,8 +67,7 @@ private:
 
   void Read(const int extent[6], vfm::Ranks& ranks, vtkImageData* image);
 
-  std::unique_ptr<vfm::ImagePlace> Place;
-  bool AreOfCells = false;
+  std::unique_ptr<vfm::ImageSource> Source;
   std::string Problem; // why there is no image; the same on all processes
 };
 

@@ -1,49 +1,18 @@
 #include "vtkVolumeFractionVoxelReader.h"
 
-#include "Images/ImagePlace.h"
-#include "Ranks/Errors.h"
-#include "ReadVoxels.h"
+#include "Images/ImageSource.h"
 
 #include "vtkObjectFactory.h"
 
-#include <algorithm>
-#include <cmath>
-
 vtkStandardNewMacro(vtkVolumeFractionVoxelReader);
 
-vfm::VoxelFile vtkVolumeFractionVoxelReader::Inspect() const
+vfm::ImageSource vtkVolumeFractionVoxelReader::Open()
 {
-  return vfm::InspectVoxels(this->FileName,
+  return vfm::OpenVoxels(this->FileName,
     { this->Dimensions[0], this->Dimensions[1], this->Dimensions[2] },
+    { { this->Origin[0], this->Origin[1], this->Origin[2] } },
+    { { this->Spacing[0], this->Spacing[1], this->Spacing[2] } },
     static_cast<vfm::AxisOrder>(this->AxisOrder));
-}
-
-vfm::ImagePlace vtkVolumeFractionVoxelReader::Open(bool& areOfCells)
-{
-  vfm::ImagePlace place;
-  areOfCells = true;
-  for (int a = 0; a < 3; ++a)
-  {
-    if (!(this->Spacing[a] > 0.0) || !std::isfinite(this->Spacing[a] + this->Origin[a]))
-    {
-      throw vfm::InputError("Spacing must be above 0, and Origin finite.");
-    }
-    place.Origin[a] = this->Origin[a];
-    place.Spacing[a] = this->Spacing[a];
-  }
-  const vfm::Index3 cells = this->Inspect().Cells;
-  // A text of which the size is not told yet is refused when it is read.
-  if (*std::min_element(cells.begin(), cells.end()) > 0)
-  {
-    place.Size = cells;
-  }
-  return place;
-}
-
-std::vector<vfm::TypedValues> vtkVolumeFractionVoxelReader::ReadBox(
-  const vfm::IndexBox& box, vfm::Ranks&)
-{
-  return vfm::ReadVoxels(this->Inspect(), box);
 }
 
 void vtkVolumeFractionVoxelReader::PrintSelf(ostream& os, vtkIndent indent)

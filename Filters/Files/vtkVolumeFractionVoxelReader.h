@@ -23,11 +23,6 @@
 #include "vtkVolumeFractionMeshIOModule.h" // for export macro
 #include "vtkVolumeFractionPartReader.h"
 
-namespace vfm
-{
-struct VoxelFile;
-} // namespace vfm
-
 class VTKVOLUMEFRACTIONMESHIO_EXPORT vtkVolumeFractionVoxelReader :
   public vtkVolumeFractionPartReader
 {
@@ -86,8 +81,7 @@ protected:
   vtkVolumeFractionVoxelReader() = default;
   ~vtkVolumeFractionVoxelReader() override = default;
 
-  vfm::ImagePlace Open(bool& areOfCells) override;
-  std::vector<vfm::TypedValues> ReadBox(const vfm::IndexBox& box, vfm::Ranks& ranks) override;
+  vfm::ImageSource Open() override;
 
   int Dimensions[3] = { 0, 0, 0 };
   double Origin[3] = { 0.0, 0.0, 0.0 };
@@ -97,8 +91,6 @@ protected:
 private:
   vtkVolumeFractionVoxelReader(const vtkVolumeFractionVoxelReader&) = delete;
   void operator=(const vtkVolumeFractionVoxelReader&) = delete;
-
-  vfm::VoxelFile Inspect() const;
 };
 
 #endif

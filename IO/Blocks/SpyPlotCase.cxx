@@ -197,9 +197,7 @@ private:
       auto values = shared.File.ReadArray(step, name, blocks, first, last);
       for (std::size_t b = 0; b < values.size(); ++b)
       {
-        const auto kept = std::make_shared<Buffer<float>>(std::move(values[b]));
-        arrays[b]->Add(name, ValueType::Float, arrays[b]->NumberOfTuples(), 1,
-          std::shared_ptr<const void>(kept, kept->data()));
+        arrays[b]->Keep(name, ValueType::Float, std::move(values[b]));
       }
     }
   }

@@ -16,6 +16,16 @@ constexpr std::size_t BufferSize = 1 << 20;
 
 } // namespace
 
+void MakeFolder(const std::string& path)
+{
+  std::error_code error;
+  std::filesystem::create_directory(path, error);
+  if (error)
+  {
+    throw InputError(path + ": " + error.message() + ".");
+  }
+}
+
 UnfinishedFile::UnfinishedFile(std::string path) : Path(std::move(path)) {}
 
 UnfinishedFile::~UnfinishedFile()

@@ -11,6 +11,9 @@
 namespace vfm
 {
 
+/// Makes a folder unless it is there. Throws InputError with the path and the reason.
+void MakeFolder(const std::string& path);
+
 /// Removes a file in the destructor unless Keep was called. It never removes a device.
 class UnfinishedFile
 {

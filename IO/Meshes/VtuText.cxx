@@ -136,12 +136,32 @@ void AddField(OutputFile& file, const FieldArray& field, const std::vector<Value
   }
 }
 
+template <class T>
+std::string_view View(const T* values, Index count)
+{
+  return { reinterpret_cast<const char*>(values), sizeof(T) * static_cast<std::size_t>(count) };
+}
+
+/// Adds PointData or CellData. tuples: number of points or elements.
+void AddArrays(
+  OutputFile& file, const char* element, const std::vector<MeshArray>& arrays, Index tuples)
+{
+  file.Add(std::string("<") + element + DescribeVtuRoles(arrays) + ">\n");
+  for (const MeshArray& array : arrays)
+  {
+    AddVtuArray(file, DescribeVtuArray(array),
+      View(static_cast<const char*>(array.Values),
+        WidthOfType(array.Type) * array.Components * tuples));
+  }
+  file.Add(std::string("</") + element + ">\n");
+}
+
 } // namespace
 
-std::string VtuHead(const std::string& type)
+std::string VtuHead(const std::string& type, const std::string& version)
 {
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type +
-    "\" version=\"0.1\" byte_order=\"LittleEndian\" " + HeadAttributes + ">\n";
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"" + version +
+    "\" byte_order=\"LittleEndian\" " + HeadAttributes + ">\n";
 }
 
 std::string XmlText(const std::string& text)
@@ -209,16 +229,40 @@ void AddVtuFields(OutputFile& file, const MeshData& mesh)
   file.Add("</FieldData>\n");
 }
 
+void AddVtuMesh(OutputFile& file, const MeshData& mesh)
+{
+  AddArrays(file, "PointData", mesh.PointArrays, mesh.NumberOfPoints);
+  AddArrays(file, "CellData", mesh.ElementArrays, mesh.NumberOfElements);
+  file.Add("<Points>\n");
+  AddVtuArray(file, VtuPointAttributes, View(mesh.Points, 3 * mesh.NumberOfPoints));
+  file.Add("</Points>\n");
+}
+
+void AddVtuElements(OutputFile& file, const MeshData& mesh)
+{
+  const Index count = mesh.NumberOfElements;
+  AddVtuArray(
+    file, "type=\"Int64\" Name=\"connectivity\"", View(mesh.Elements, mesh.Corners * count));
+  std::vector<Index> offsets(count);
+  for (Index element = 0; element < count; ++element)
+  {
+    offsets[element] = mesh.Corners * (element + 1);
+  }
+  AddVtuArray(file, "type=\"Int64\" Name=\"offsets\"", View(offsets.data(), count));
+}
+
 std::string DescribeVtuRoles(const std::vector<MeshArray>& arrays)
 {
-  constexpr const char* roles[][2] = { { "MaterialId", "Scalars" },
-    { "GlobalCellIds", "GlobalIds" }, { "GlobalPointIds", "GlobalIds" } };
+  constexpr const char* roles[][2] = { { "MaterialId", "Scalars" }, { "SurfaceId", "Scalars" },
+    { "CurveId", "Scalars" }, { "VertexId", "Scalars" }, { "GlobalCellIds", "GlobalIds" },
+    { "GlobalPointIds", "GlobalIds" } };
   std::string text;
   for (const auto& [name, role] : roles)
   {
-    if (FindArray(arrays, name))
+    const std::string attribute = std::string(" ") + role;
+    if (FindArray(arrays, name) && text.find(attribute) == std::string::npos)
     {
-      text += std::string(" ") + role + "=\"" + name + "\"";
+      text += attribute + "=\"" + name + "\"";
     }
   }
   return text;

@@ -5,8 +5,6 @@
 #include "Ranks/Agreement.h"
 #include "Summary/GatherMesh.h"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <list>
 
@@ -15,46 +13,7 @@ namespace vfm
 namespace
 {
 
-constexpr unsigned char HexType = 12, TetType = 10; // of VTK's cells
-
-template <class T>
-std::string_view View(const T* values, Index count)
-{
-  return { reinterpret_cast<const char*>(values), sizeof(T) * static_cast<std::size_t>(count) };
-}
-
-/// Adds PointData or CellData. tuples: number of points or elements.
-void AddArrays(
-  OutputFile& file, const char* element, const std::vector<MeshArray>& arrays, Index tuples)
-{
-  file.Add(std::string("<") + element + DescribeVtuRoles(arrays) + ">\n");
-  for (const MeshArray& array : arrays)
-  {
-    AddVtuArray(file, DescribeVtuArray(array),
-      View(static_cast<const char*>(array.Values),
-        WidthOfType(array.Type) * array.Components * tuples));
-  }
-  file.Add(std::string("</") + element + ">\n");
-}
-
-void AddCells(OutputFile& file, const MeshData& mesh)
-{
-  const Index count = mesh.NumberOfElements;
-  file.Add("<Cells>\n");
-  AddVtuArray(
-    file, "type=\"Int64\" Name=\"connectivity\"", View(mesh.Elements, mesh.Corners * count));
-  std::vector<Index> offsets(count);
-  for (Index element = 0; element < count; ++element)
-  {
-    offsets[element] = mesh.Corners * (element + 1);
-  }
-  AddVtuArray(file, "type=\"Int64\" Name=\"offsets\"", View(offsets.data(), count));
-  const std::vector<unsigned char> types(count, mesh.Corners == 8 ? HexType : TetType);
-  AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", View(types.data(), count));
-  file.Add("</Cells>\n");
-}
-
-constexpr const char* PointAttributes = "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"";
+constexpr char HexType = 12, TetType = 10; // of VTK's cells
 
 void WritePiece(const MeshData& mesh, const std::string& path)
 {
@@ -63,13 +22,12 @@ void WritePiece(const MeshData& mesh, const std::string& path)
   AddVtuFields(file, mesh);
   file.Add("<Piece NumberOfPoints=\"" + std::to_string(mesh.NumberOfPoints) +
     "\" NumberOfCells=\"" + std::to_string(mesh.NumberOfElements) + "\">\n");
-  AddArrays(file, "PointData", mesh.PointArrays, mesh.NumberOfPoints);
-  AddArrays(file, "CellData", mesh.ElementArrays, mesh.NumberOfElements);
-  file.Add("<Points>\n");
-  AddVtuArray(file, PointAttributes, View(mesh.Points, 3 * mesh.NumberOfPoints));
-  file.Add("</Points>\n");
-  AddCells(file, mesh);
-  file.Add("</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  AddVtuMesh(file, mesh);
+  file.Add("<Cells>\n");
+  AddVtuElements(file, mesh);
+  const std::string types(mesh.NumberOfElements, mesh.Corners == 8 ? HexType : TetType);
+  AddVtuArray(file, "type=\"UInt8\" Name=\"types\"", types);
+  file.Add("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
   file.Close();
 }
 
@@ -92,23 +50,13 @@ void WriteSummary(const MeshData& mesh, const std::string& path,
   AddVtuFields(file, mesh);
   AddArrayList(file, "PPointData", mesh.PointArrays);
   AddArrayList(file, "PCellData", mesh.ElementArrays);
-  file.Add(std::string("<PPoints>\n<PDataArray ") + PointAttributes + "/>\n</PPoints>\n");
+  file.Add(std::string("<PPoints>\n<PDataArray ") + VtuPointAttributes + "/>\n</PPoints>\n");
   for (std::size_t rank = 0; rank < pieces.size(); ++rank)
   {
     file.Add(isFilled[rank] ? "<Piece Source=\"" + XmlText(pieces[rank]) + "\"/>\n" : "");
   }
   file.Add("</PUnstructuredGrid>\n</VTKFile>\n");
   file.Close();
-}
-
-void MakeFolder(const std::filesystem::path& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directory(folder, error);
-  if (error)
-  {
-    throw InputError(folder.string() + ": " + error.message() + ".");
-  }
 }
 
 } // namespace

@@ -72,24 +72,61 @@ std::vector<ArrayInfo> UniteArrays(const std::vector<ArrayInfo>& mine, Ranks& ra
   return list;
 }
 
-std::vector<ArrayInfo> ListArrays(const std::vector<InputBlock>& blocks)
+namespace
 {
-  std::vector<ArrayInfo> list;
+
+/// Sets Least and Most, of the first component.
+void FindRange(const BlockArray& array, ArrayInfo& info)
+{
+  info.Least = std::numeric_limits<double>::max();
+  info.Most = std::numeric_limits<double>::lowest();
+  const auto visit = [&](const auto& valueOf)
+  {
+    for (Index tuple = 0; tuple < array.Tuples; ++tuple)
+    {
+      const double value = valueOf(tuple);
+      info.Least = value < info.Least ? value : info.Least;
+      info.Most = value > info.Most ? value : info.Most;
+    }
+  };
+  if (!array.Memory)
+  {
+    visit([&array](Index tuple) { return array.Get(tuple, 0); });
+    return;
+  }
+  VisitType(array.Type,
+    [&](auto tag)
+    {
+      const auto* values = static_cast<const typename decltype(tag)::Type*>(array.Memory);
+      visit([&](Index tuple) { return static_cast<double>(values[tuple * array.Components]); });
+    });
+}
+
+} // namespace
+
+ArrayLists ListsOf(const std::vector<InputBlock>& blocks)
+{
+  ArrayLists lists;
   for (const InputBlock& block : blocks)
   {
-    for (const std::string& name : block.Arrays->Names())
+    lists.push_back(block.Arrays);
+  }
+  return lists;
+}
+
+std::vector<ArrayInfo> ListArrays(const ArrayLists& lists)
+{
+  std::vector<ArrayInfo> list;
+  for (const std::shared_ptr<const BlockArrays>& arrays : lists)
+  {
+    for (const std::string& name : arrays->Names())
     {
-      const auto array = block.Arrays->Find(name);
-      ArrayInfo info{ name, array->Type, array->Components, std::numeric_limits<double>::max(),
-        std::numeric_limits<double>::lowest(), 1, true, block.Arrays->HoldsIds(name) };
-      for (Index tuple = 0; tuple < array->Tuples; ++tuple)
+      const std::shared_ptr<const BlockArray> array = arrays->Find(name);
+      if (array && array->Tuples > 0)
       {
-        const double value = array->Get(tuple, 0);
-        info.Least = value < info.Least ? value : info.Least;
-        info.Most = value > info.Most ? value : info.Most;
-      }
-      if (array->Tuples > 0)
-      {
+        ArrayInfo info{ name, array->Type, array->Components, 0.0, 0.0, 1, true,
+          arrays->HoldsIds(name) };
+        FindRange(*array, info);
         AddArray(list, info);
       }
     }

@@ -29,7 +29,12 @@ void AddArray(std::vector<ArrayInfo>& list, const ArrayInfo& info);
 /// Collective. mine: arrays of this rank. Returns those of all ranks, in the order in which ranks list them.
 std::vector<ArrayInfo> UniteArrays(const std::vector<ArrayInfo>& mine, Ranks& ranks);
 
-/// Returns the arrays of blocks that have values, of this rank.
-std::vector<ArrayInfo> ListArrays(const std::vector<InputBlock>& blocks);
+/// The arrays of the blocks or data sets of a rank.
+using ArrayLists = std::vector<std::shared_ptr<const BlockArrays>>;
+
+ArrayLists ListsOf(const std::vector<InputBlock>& blocks);
+
+/// Returns the arrays of this rank that have values.
+std::vector<ArrayInfo> ListArrays(const ArrayLists& lists);
 
 } // namespace vfm

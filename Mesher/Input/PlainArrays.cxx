@@ -1,5 +1,7 @@
 #include "Input/PlainArrays.h"
 
+#include <algorithm>
+
 namespace vfm
 {
 namespace
@@ -62,15 +64,19 @@ std::shared_ptr<const BlockArray> PlainArrays::Find(const std::string& name) con
       return array;
     }
   }
-  return nullptr;
+  return this->Others ? this->Others->Find(name) : nullptr;
 }
 
 std::vector<std::string> PlainArrays::Names() const
 {
-  std::vector<std::string> names;
+  std::vector<std::string> names =
+    this->Others ? this->Others->Names() : std::vector<std::string>();
   for (const auto& array : this->Arrays)
   {
-    names.push_back(array.first);
+    if (std::find(names.begin(), names.end(), array.first) == names.end())
+    {
+      names.push_back(array.first);
+    }
   }
   return names;
 }

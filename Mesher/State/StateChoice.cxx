@@ -98,4 +98,30 @@ StateChoice CompleteChoice(StateChoice choice, const std::vector<StateCandidate>
   return choice;
 }
 
+StateChoice CompleteChoice(StateChoice choice, const ArrayLists& mine, Ranks& ranks)
+{
+  std::vector<StateCandidate> candidates;
+  if (choice.Velocity.empty() && choice.Energy.empty())
+  {
+    return CompleteChoice(std::move(choice), candidates);
+  }
+  std::vector<ArrayInfo> arrays;
+  for (const std::shared_ptr<const BlockArrays>& list : mine)
+  {
+    for (const std::string& name : list->Names())
+    {
+      const auto array = IsCandidate(name, choice) ? list->Find(name) : nullptr;
+      if (array && array->Tuples > 0)
+      {
+        AddArray(arrays, { name, array->Type, array->Components });
+      }
+    }
+  }
+  for (const ArrayInfo& array : UniteArrays(arrays, ranks))
+  {
+    candidates.push_back({ array.Name, array.Components });
+  }
+  return CompleteChoice(std::move(choice), candidates);
+}
+
 } // namespace vfm

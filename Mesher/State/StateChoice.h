@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Input/ArrayInfo.h"
 #include "Options/MesherOptions.h"
 
 namespace vfm
@@ -37,5 +38,8 @@ bool IsCandidate(const std::string& name, const StateChoice& choice);
 /// whose components are arrays of their own, by its name or that of one of them, these, and Velocity becomes that of x. candidates: those
 /// arrays of the input for which IsCandidate holds.
 StateChoice CompleteChoice(StateChoice choice, const std::vector<StateCandidate>& candidates);
+
+/// Collective: the same, by the arrays of all ranks.
+StateChoice CompleteChoice(StateChoice choice, const ArrayLists& mine, Ranks& ranks);
 
 } // namespace vfm

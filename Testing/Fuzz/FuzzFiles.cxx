@@ -12,15 +12,9 @@
 #include "RunApart.h"
 
 #include "Arguments.h"
-#include "ChooseArrays.h"
 #include "MakeMesh.h"
 #include "Ranks/WorkTogether.h"
 #include "ReadInput.h"
-
-#include "vtkDummyController.h"
-#include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolumeFractionMeshAlgorithm.h"
 
 #include <algorithm>
 #include <cctype>
@@ -103,15 +97,10 @@ std::string MeshFile(const fs::path& path, const std::vector<std::string>& words
   all.insert(all.end(), words.begin(), words.end());
   try
   {
-    vtkNew<vtkDummyController> controller;
-    vtkMultiProcessController::SetGlobalController(controller);
     Ranks alone;
     const Arguments arguments = ParseArguments(all);
-    const auto mesher = MakeMesher(arguments);
     const Input input = ReadInput(arguments, alone);
-    const ChosenArrays arrays =
-      ChooseArrays(input.Data, arguments, mesher->GetFractionTolerance(), alone);
-    MakeMesh(*mesher, input.Data, arrays, true, controller);
+    MakeMesh(arguments, input, ChooseArrays(input, arguments, alone), alone);
     return "meshed";
   }
   catch (const InputError& error)

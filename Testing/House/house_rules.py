@@ -32,7 +32,7 @@ ALLOWED.update({
     "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
-        "Parallel", "IO", "IO/Blocks", "IO/Images", "IO/Meshes", "Filters", "Filters/Data", "Filters/Files"),
+        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "Filters"),
     "Plugin": ("Filters", "Mesher/Input"),
     "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes"),
     "Examples": ("InSitu", "InSitu/Catalyst"),

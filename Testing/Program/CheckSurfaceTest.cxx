@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <numeric>
 
 using vfm::CheckSurface;
 using vfm::SurfaceCheck;
@@ -37,7 +38,10 @@ public:
 
   SurfaceCheck Check() const
   {
+    std::vector<vfm::Index> ids(this->Count);
+    std::iota(ids.begin(), ids.end(), 1);
     vfm::MeshData mesh;
+    mesh.PointIds = ids.data();
     mesh.NumberOfPoints = this->Count;
     mesh.NumberOfElements = static_cast<vfm::Index>(this->Elements.size() / 8);
     mesh.Elements = this->Elements.data();

@@ -45,7 +45,7 @@ FileBlocks ReadFileBlocks(
   CheckNames(file->Names(), read.Names);
   read.Blocks = file->Read(index, read.Names, alone);
   constexpr double rounding = 1e-6;
-  read.Fractions = GuessMaterials(ListArrays(read.Blocks), {}, rounding).Fractions;
+  read.Fractions = GuessMaterials(ListArrays(ListsOf(read.Blocks)), {}, rounding).Fractions;
   return read;
 }
 

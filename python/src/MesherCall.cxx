@@ -42,20 +42,6 @@ InputBlock MakeBlock(const MesherCall& call)
   return block;
 }
 
-/// With what the names of velocity and energy stand for.
-StateChoice CompleteState(const MesherCall& call, const BlockArrays& arrays)
-{
-  std::vector<StateCandidate> candidates;
-  for (const std::string& name : arrays.Names())
-  {
-    if (IsCandidate(name, call.State))
-    {
-      candidates.push_back({ name, arrays.Find(name)->Components });
-    }
-  }
-  return CompleteChoice(call.State, candidates);
-}
-
 } // namespace
 
 StateChoice ReadStateChoice(nb::handle state, StateTransfer transfer)
@@ -80,10 +66,10 @@ MesherInput MakeInput(const MesherCall& call, Runtime& runtime)
   collected.Blocks = call.Blocks.empty() ? std::vector<InputBlock>{ MakeBlock(call) } : call.Blocks;
   collected.Reading.ArePoints = call.ArePoints;
   collected.Reading.Frame = MakeImageFrame(call.Axes, call.Origin, "The input");
-  const std::shared_ptr<const BlockArrays> arrays = collected.Blocks[0].Arrays;
   MesherInput input;
+  input.Arrays = { call.Fractions, call.Labels, call.Names,
+    CompleteChoice(call.State, ArrayLists{ collected.Blocks[0].Arrays }, runtime.Group()) };
   input.Levels = FindInputLevels(std::move(collected), runtime.Group());
-  input.Arrays = { call.Fractions, call.Labels, call.Names, CompleteState(call, *arrays) };
   return input;
 }
 

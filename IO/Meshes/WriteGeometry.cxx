@@ -1,0 +1,84 @@
+#include "Meshes/WriteGeometry.h"
+
+#include "FileSuffix.h"
+#include "Meshes/OutputFile.h"
+#include "Meshes/VtuText.h"
+#include "Ranks/WorkTogether.h"
+#include "Summary/GatherGeometry.h"
+
+#include <filesystem>
+#include <list>
+
+namespace vfm
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+void WritePart(const MeshData& cells, const std::string& path)
+{
+  OutputFile file(path);
+  const std::string kind = cells.Corners == 1 ? "Verts" : cells.Corners == 2 ? "Lines" : "Polys";
+  file.Add(VtuHead("PolyData") + "<PolyData>\n");
+  AddVtuFields(file, cells);
+  file.Add("<Piece NumberOfPoints=\"" + std::to_string(cells.NumberOfPoints) + "\" NumberOf" +
+    kind + "=\"" + std::to_string(cells.NumberOfElements) + "\">\n");
+  AddVtuMesh(file, cells);
+  file.Add("<" + kind + ">\n");
+  AddVtuElements(file, cells);
+  file.Add("</" + kind + ">\n</Piece>\n</PolyData>\n</VTKFile>\n");
+  file.Close();
+}
+
+void WriteParts(
+  std::vector<GeometryPart> parts, const std::optional<double>& time, const std::string& path)
+{
+  const fs::path folder = fs::path(path).replace_extension();
+  const std::string name = folder.filename().string();
+  MakeFolder(folder.string());
+  OutputFile file(path);
+  file.Add(VtuHead("vtkMultiBlockDataSet", "1.0") + "<vtkMultiBlockDataSet>\n");
+  std::list<UnfinishedFile> files;
+  for (GeometryPart& part : parts)
+  {
+    const std::string number = std::to_string(files.size());
+    const std::string piece = name + "_" + number + ".vtp";
+    part.Cells.Data.Time = time;
+    WritePart(part.Cells.Data, (folder / piece).string());
+    files.emplace_back((folder / piece).string());
+    file.Add("<DataSet index=\"" + number + "\" name=\"" + part.Name + "\" file=\"" +
+      XmlText(name + "/" + piece) + "\"/>\n");
+  }
+  file.Add("</vtkMultiBlockDataSet>\n</VTKFile>\n");
+  file.Close();
+  for (UnfinishedFile& written : files)
+  {
+    written.Keep();
+  }
+}
+
+} // namespace
+
+std::string FindGeometryProblem(const std::string& path)
+{
+  return HasSuffix(path, ".vtm")
+    ? ""
+    : "The geometry " + path + " is of an unknown kind. Written is .vtm.";
+}
+
+void WriteGeometry(
+  const Mesh& mesh, const std::optional<double>& time, const std::string& path, Ranks& ranks)
+{
+  std::vector<GeometryPart> parts = GatherGeometry(mesh, ranks);
+  WorkTogether(ranks,
+    [&]
+    {
+      if (ranks.Rank() == 0)
+      {
+        WriteParts(std::move(parts), time, path);
+      }
+    });
+}
+
+} // namespace vfm
