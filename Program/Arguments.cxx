@@ -103,40 +103,6 @@ std::vector<std::string> ReadList(const GivenArguments& given, const std::string
   return list;
 }
 
-Arguments ReadValues(const GivenArguments& given)
-{
-  Arguments to;
-  to.Input = TextOf(given, "--input");
-  to.Output = TextOf(given, "--output");
-  to.Dimensions =
-    ReadThree(given, "--dimensions", "numbers of cells", ParseCount, 1, LargestCount - 1);
-  to.Origin = ReadThree(given, "--origin", "numbers", ParseNumber, -LargestNumber, LargestNumber);
-  to.Spacing = ReadThree(given, "--spacing", "numbers above 0", ParseNumber,
-    std::numeric_limits<double>::min(), LargestNumber);
-  to.AxisOrder =
-    ReadValue(given, "--axis-order", "xyz, xzy, yxz, yzx, zxy or zyx, or its number from 0",
-      [](const std::string& text) {
-        return ParseChoice(text, { "xyz", "xzy", "yxz", "yzx", "zxy", "zyx" });
-      });
-  to.Fragments = TextOf(given, "--fragments");
-  to.Geometry = TextOf(given, "--geometry");
-  to.Fractions = ReadList(given, "--fractions");
-  to.Labels = TextOf(given, "--labels");
-  to.Materials = ReadList(given, "--material");
-  if (to.Materials.size() == 1 && IsSameWord(to.Materials[0], "all"))
-  {
-    to.Materials.clear();
-  }
-  to.State = ReadList(given, "--state");
-  to.Tets = given.count("--tetmesh") > 0;
-  to.Step = ReadCount(given, "--step", "", LargestCount);
-  to.Time = ReadValue(given, "--time", "a number",
-    [](const std::string& text) { return ParseNumber(text, -LargestNumber, LargestNumber); });
-  to.SingleFile = given.count("--single-file") > 0;
-  to.Quiet = given.count("--quiet") > 0;
-  return to;
-}
-
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// What options of refinement set besides their own values. Where cells are named, only they are refined.
@@ -183,6 +149,56 @@ Settings ListSettings(const GivenArguments& given)
   return settings;
 }
 
+MesherOptions ReadOptions(const GivenArguments& given)
+{
+  MesherOptions options;
+  options.Elements = given.count("--tetmesh") > 0 ? ElementKind::Tets : ElementKind::Hexes;
+  ClassifyErrors(ErrorCode::WrongArguments,
+    [&]
+    {
+      for (const auto& [name, value] : ListSettings(given))
+      {
+        SetOption(options, name, value);
+      }
+    });
+  return options;
+}
+
+Arguments ReadValues(const GivenArguments& given)
+{
+  Arguments to;
+  to.Input = TextOf(given, "--input");
+  to.Output = TextOf(given, "--output");
+  to.Dimensions =
+    ReadThree(given, "--dimensions", "numbers of cells", ParseCount, 1, LargestCount - 1);
+  to.Origin = ReadThree(given, "--origin", "numbers", ParseNumber, -LargestNumber, LargestNumber);
+  to.Spacing = ReadThree(given, "--spacing", "numbers above 0", ParseNumber,
+    std::numeric_limits<double>::min(), LargestNumber);
+  to.AxisOrder =
+    ReadValue(given, "--axis-order", "xyz, xzy, yxz, yzx, zxy or zyx, or its number from 0",
+      [](const std::string& text) {
+        return ParseChoice(text, { "xyz", "xzy", "yxz", "yzx", "zxy", "zyx" });
+      });
+  to.Fragments = TextOf(given, "--fragments");
+  to.Geometry = TextOf(given, "--geometry");
+  to.Fractions = ReadList(given, "--fractions");
+  to.Labels = TextOf(given, "--labels");
+  to.Materials = ReadList(given, "--material");
+  if (to.Materials.size() == 1 && IsSameWord(to.Materials[0], "all"))
+  {
+    to.Materials.clear();
+  }
+  to.State = ReadList(given, "--state");
+  to.RefinesCells = given.count("--refine-cells") > 0;
+  to.Mesher = ReadOptions(given);
+  to.Step = ReadCount(given, "--step", "", LargestCount);
+  to.Time = ReadValue(given, "--time", "a number",
+    [](const std::string& text) { return ParseNumber(text, -LargestNumber, LargestNumber); });
+  to.SingleFile = given.count("--single-file") > 0;
+  to.Quiet = given.count("--quiet") > 0;
+  return to;
+}
+
 void CheckVoxels(const Arguments& from)
 {
   const bool isText = HasSuffix(from.Input, ".spn");
@@ -216,14 +232,19 @@ void CheckInput(const Arguments& from)
   CheckVoxels(from);
 }
 
-void CheckOutput(const Arguments& from)
+/// problem: empty where there is none.
+void CheckProblem(const std::string& problem)
 {
-  const std::string problem =
-    FindOutputProblem(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual);
   if (!problem.empty())
   {
     RefuseArguments(problem);
   }
+}
+
+void CheckOutput(const Arguments& from)
+{
+  CheckProblem(
+    FindOutputProblem(from.Output, from.SingleFile ? OutputFiles::Single : OutputFiles::AsUsual));
 }
 
 void CheckMesh(const Arguments& from)
@@ -233,27 +254,8 @@ void CheckMesh(const Arguments& from)
   {
     RefuseArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
   }
-  const std::string problem = from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry);
-  if (!problem.empty())
-  {
-    RefuseArguments(problem);
-  }
+  CheckProblem(from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry));
   CheckOutput(from);
-}
-
-MesherOptions ReadOptions(const Arguments& from)
-{
-  MesherOptions options;
-  options.Elements = from.Tets ? ElementKind::Tets : ElementKind::Hexes;
-  ClassifyErrors(ErrorCode::WrongArguments,
-    [&]
-    {
-      for (const auto& [name, value] : from.Options)
-      {
-        SetOption(options, name, value);
-      }
-    });
-  return options;
 }
 
 /// Throws where velocity or energy would be missing in the mesh, since only state that is conserved has them.
@@ -341,15 +343,12 @@ Arguments ParseArguments(const std::vector<std::string>& words)
   CheckExclusive(given);
   Arguments arguments = ReadValues(given);
   arguments.Task = FindTask(given, isTest);
-  arguments.Options = ListSettings(given);
-  arguments.Mesher = ReadOptions(arguments);
   switch (arguments.Task)
   {
     case Command::Test: // which makes its own input
       CheckTaken(given, "sculptor test",
         { "--tetmesh", "--stairstep", "--smooth", "--no-smooth", "--material", "--refine",
           "--refine-cells", "--output", "--quiet" });
-      arguments.RefinesCells = given.count("--refine-cells") > 0;
       if (!arguments.Output.empty())
       {
         CheckOutput(arguments);

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 
 namespace vfm
 {
@@ -35,10 +34,8 @@ struct Arguments
   std::vector<std::string> Materials; ///< numbers or names of those to mesh; empty: all
   std::vector<std::string> State;     ///< cell arrays that the elements get
   bool RefinesCells = false;          ///< of the test: chosen cells alone
-  bool Tets = false;
-  std::vector<std::pair<std::string, std::string>> Options; ///< of the mesher, in their order
-  MesherOptions Mesher;                                     ///< what they say together
-  std::optional<int> Step;                                  ///< of the input's times, from 0
+  MesherOptions Mesher;
+  std::optional<int> Step; ///< of the input's times, from 0
   std::optional<double> Time;
   bool SingleFile = false; ///< also from several ranks
   bool Quiet = false;

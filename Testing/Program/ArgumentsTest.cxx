@@ -62,7 +62,7 @@ void ExpectRefusals(const std::string& begin, const Values& cases)
 void ExpectOptions(const Arguments& arguments, const Values& values, const std::string& line)
 {
   MesherOptions expected;
-  expected.Elements = arguments.Tets ? ElementKind::Tets : ElementKind::Hexes;
+  expected.Elements = arguments.Mesher.Elements;
   for (const auto& [name, value] : values)
   {
     SetOption(expected, name, value);
@@ -90,7 +90,7 @@ TEST(Arguments, ValuesOfTheProgram)
 {
   const Arguments none = ParseMesh("");
   EXPECT_FALSE(none.Dimensions || none.Origin || none.Spacing || none.AxisOrder || none.Step ||
-    none.Time || none.Tets || none.SingleFile || none.Quiet || none.RefinesCells);
+    none.Time || none.SingleFile || none.Quiet || none.RefinesCells);
   EXPECT_TRUE(none.Fractions.empty() && none.Labels.empty() && none.Materials.empty());
   const Arguments voxels = Parse("in.spn out.e --dimensions 2,3,4 --origin -.5,0,1e3 "
                                  "--spacing=.1,.2,3 --axis-order ZYX --single-file --quiet");
@@ -197,7 +197,8 @@ TEST(Arguments, Tasks)
   const Arguments test =
     Parse("test --tetmesh Cells --refine-cells --material 1 --quiet --output a.e");
   EXPECT_EQ(test.Task, Command::Test);
-  EXPECT_TRUE(test.Tets && test.RefinesCells && test.Quiet);
+  EXPECT_EQ(test.Mesher.Elements, ElementKind::Tets);
+  EXPECT_TRUE(test.RefinesCells && test.Quiet);
   EXPECT_EQ(test.Output, "a.e");
   ExpectOptions(test,
     { { "Method", "Cells" }, { "Refinement", "Automatic" }, { "ThinCells", "0" },
