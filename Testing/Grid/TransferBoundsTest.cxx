@@ -97,6 +97,7 @@ StateCase MakeCase(RandomState& state)
   c.Options.Tets = state.Random.Chance(0.5) ? TetMethod::Cells : TetMethod::Lattice;
   c.Options.MeshVoid = state.Random.Chance(0.3);
   c.Options.StairStep = state.Random.Chance(0.1);
+  c.Options.Method = state.Random.Chance(0.3) ? Smoothing::Off : Smoothing::QuadricSurface;
   c.Order = state.Random.Chance(0.2) ? 1 : 2;
   c.GiveUnmeshed = state.Random.Chance(0.5);
   c.Options.ConserveVolume = state.Random.Chance(0.25); // meeting volumes takes most of the time
