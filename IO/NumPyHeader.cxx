@@ -2,6 +2,7 @@
 
 #include "Base/Runtime.h"
 #include "OpenFile.h"
+#include "SwapBytes.h"
 
 #include <algorithm>
 #include <charconv>
@@ -15,14 +16,6 @@ namespace
 
 constexpr char Magic[] = "\x93NUMPY";
 constexpr std::size_t MagicSize = 6, LongestHeader = 1 << 20;
-
-bool IsLittleEndianMachine()
-{
-  const std::uint16_t one = 1;
-  char first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
-}
 
 [[noreturn]] void RefuseHeader(const std::string& text)
 {
@@ -87,7 +80,7 @@ void SetType(const std::string& type, NumPyHeader& header)
   }
   header.Kind = type[kind];
   std::from_chars(type.data() + kind + 1, type.data() + type.size(), header.Size);
-  header.SwapBytes = type[0] == (IsLittleEndianMachine() ? '>' : '<');
+  header.SwapBytes = type[0] == (IsLittleEndian() ? '>' : '<');
 }
 
 /// The length of the header's text, little endian.

@@ -44,7 +44,7 @@ void PythonRuntime::Run(const std::function<void()>& work)
   }
   catch (const InputError& error)
   {
-    if (error.Code() == Failure::OutOfMemory)
+    if (error.Code() == ErrorCode::OutOfMemory)
     {
       throw std::bad_alloc();
     }

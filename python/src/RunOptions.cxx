@@ -1,6 +1,5 @@
 #include "RunOptions.h"
 
-#include "Base/ParseText.h"
 #include "Options/SetOptions.h"
 
 #include <nanobind/stl/array.h>
@@ -30,15 +29,22 @@ std::string SnakeWord(std::string word)
   return word;
 }
 
-/// The words of a choice there, quoted.
+/// The words of a choice.
+std::vector<std::string> WordsInPython(const Option& option)
+{
+  std::vector<std::string> words;
+  std::transform(option.Words.begin(), option.Words.end(), std::back_inserter(words), SnakeWord);
+  return words;
+}
+
 std::string QuoteWords(const Option& option)
 {
-  std::vector<std::string> quoted;
-  for (const std::string& word : option.Words)
+  std::string text;
+  for (const std::string& word : WordsInPython(option))
   {
-    quoted.push_back("'" + SnakeWord(word) + "'");
+    text += (text.empty() ? "'" : ", '") + word + "'";
   }
-  return JoinTexts(quoted);
+  return text;
 }
 
 /// What an option takes, in the words of Python.
@@ -47,6 +53,14 @@ std::string AllowedInPython(const Option& option)
   return option.Kind == OptionKind::Switch ? "True or False"
     : option.Kind == OptionKind::Choice    ? QuoteWords(option)
                                            : option.Allowed();
+}
+
+const char* KindInPython(const Option& option)
+{
+  return option.Kind == OptionKind::Switch ? "flag"
+    : option.Kind == OptionKind::Choice    ? "word"
+    : option.Kind == OptionKind::Integer   ? "whole"
+                                           : "real";
 }
 
 std::string Describe(const Option& option, nb::handle value)
@@ -157,35 +171,34 @@ void SetBoxes(MesherOptions& options, const std::vector<Box>& boxes)
   }
 }
 
-/// Of those that Python has by name, a dict each.
-nb::list DescribeTable()
+/// Those that have a name in Python.
+std::vector<const Option*> ListOptions()
 {
-  const MesherOptions defaults;
-  nb::list rows;
+  std::vector<const Option*> options;
   for (const Option& option : GetOptionTable())
   {
     if (!option.Python.empty())
     {
-      nb::dict row;
-      row["name"] = option.Python;
-      row["kind"] = static_cast<int>(option.Kind);
-      row["default"] = Get(defaults, option);
-      row["allowed"] = AllowedInPython(option);
-      nb::list words;
-      for (const std::string& word : option.Words)
-      {
-        words.append(SnakeWord(word));
-      }
-      row["words"] = words;
-      row["least"] = option.Range.Least;
-      row["most"] = option.Range.Most;
-      row["group"] = option.Group;
-      row["tets"] = option.OnlyTets;
-      row["text"] = option.Meaning;
-      rows.append(row);
+      options.push_back(&option);
     }
   }
-  return rows;
+  return options;
+}
+
+void BindTable(nb::module_& module)
+{
+  nb::class_<Option>(module, "Option")
+    .def_ro("name", &Option::Python)
+    .def_prop_ro("kind", KindInPython)
+    .def_prop_ro("default", [](const Option& self) { return Get(MesherOptions(), self); })
+    .def_prop_ro("allowed", AllowedInPython)
+    .def_prop_ro("words", WordsInPython)
+    .def_prop_ro("least", [](const Option& self) { return self.Range.Least; })
+    .def_prop_ro("most", [](const Option& self) { return self.Range.Most; })
+    .def_ro("group", &Option::Group)
+    .def_ro("tets", &Option::OnlyTets)
+    .def_ro("text", &Option::Meaning);
+  module.def("list_options", ListOptions, nb::rv_policy::reference);
 }
 
 void Init(MesherOptions* self, bool tets, const nb::kwargs& values)
@@ -211,20 +224,16 @@ void Init(MesherOptions* self, bool tets, const nb::kwargs& values)
 void BindOptions(nb::module_& module)
 {
   nb::class_<MesherOptions> type(module, "Options");
-  for (const Option& option : GetOptionTable())
+  for (const Option* option : ListOptions())
   {
-    if (!option.Python.empty())
-    {
-      const Option* row = &option;
-      type.def_prop_rw(
-        option.Python.c_str(), [row](const MesherOptions& self) { return Get(self, *row); },
-        [row](MesherOptions& self, nb::handle value) { Set(self, *row, value); });
-    }
+    type.def_prop_rw(
+      option->Python.c_str(), [option](const MesherOptions& self) { return Get(self, *option); },
+      [option](MesherOptions& self, nb::handle value) { Set(self, *option, value); });
   }
   type.def("__init__", Init, nb::arg("tets"), nb::arg("values"));
   type.def_rw("refinement_array", &MesherOptions::RefinementArray);
   type.def_prop_rw("refinement_boxes", GetBoxes, SetBoxes);
-  module.def("describe_options", DescribeTable);
+  BindTable(module);
 }
 
 } // namespace vfm

@@ -10,8 +10,7 @@ import pytest
 import volume_fraction_mesh as vfm
 from fields import BALL, LABELS, PLATE, STATE
 from test_shapes import CUBE, TRIANGLES, write_stl
-from volume_fraction_mesh.__main__ import main, make_parser
-from volume_fraction_mesh._options import OPTIONS
+from volume_fraction_mesh.__main__ import OPTIONS, main, make_parser
 
 pyvista = pytest.importorskip("pyvista")
 

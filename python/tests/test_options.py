@@ -8,8 +8,8 @@ import pytest
 import volume_fraction_mesh as vfm
 from fields import BALL
 from volume_fraction_mesh import _core
-from volume_fraction_mesh._options import OPTIONS
 
+OPTIONS = _core.list_options()
 NUMBERS = [option for option in OPTIONS if option.kind in ("whole", "real")]
 OPENS = {"iso_value": "()", "target_scaled_jacobian": "[)"}  # of ranges
 

@@ -12,7 +12,7 @@ import pytest
 import volume_fraction_mesh as vfm
 from fields import BALL, GRAINS, PLATE, STATE
 from test_shapes import CUBE, TRIANGLES, write_stl
-from volume_fraction_mesh._options import OPTIONS
+from volume_fraction_mesh._core import list_options
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 README = os.path.join(FOLDER, "README.md")
@@ -31,7 +31,7 @@ def blocks():
 
 def test_table_of_options():
     rows = dict(re.findall(r"^\| `(\w+)` \| (.*?) \|", read(), re.MULTILINE))
-    for option in OPTIONS:
+    for option in list_options():
         expected = '"%s"' % option.default if option.kind == "word" else "%g" % option.default
         expected = str(option.default) if option.kind == "flag" else expected
         assert option.name in rows, option.name

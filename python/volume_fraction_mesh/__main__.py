@@ -11,10 +11,11 @@ from typing import Any, Dict, List, Optional
 import numpy as np
 
 from . import VolumeFractionMeshWarning, __version__, fragments, hexes, tets
-from ._core import read_label_names
+from ._core import Option, list_options, read_label_names
 from ._files import are_labels, read_source
-from ._options import OPTIONS, Option
 from .mesh import Mesh
+
+OPTIONS = list_options()
 
 
 def _add_option(group: Any, option: Option) -> None:

@@ -65,16 +65,8 @@ def write_functions(text, table):
 
 
 def write_stub(text, table):
-    lines = []
-    for row in in_python(table):
-        lines += ["    %s: %s" % (row["python"], type_of(row)), '    """%s"""' % takes(row)]
+    lines = ["    %s: %s" % (row["python"], type_of(row)) for row in in_python(table)]
     return put(text, "# options: generated", "# end of options", lines)
-
-
-def takes(row):
-    if row["kind"] == "choice":
-        return ", ".join(snake(word) for word in row["words"]) + "."
-    return "True or False." if row["kind"] == "switch" else row["allowed"][0].upper() + row["allowed"][1:] + "."
 
 
 def readme_row(row, table):
