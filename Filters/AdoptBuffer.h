@@ -4,15 +4,32 @@
 #pragma once
 
 #include "Base/Buffer.h"
+#include "Base/IndexBox.h"
 
-#include "vtkAbstractArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <type_traits>
 
 namespace vfm
 {
 
+///@{ The array of VTK for values of a type. The functions are not defined.
+vtkDoubleArray* ArrayFor(double);
+vtkFloatArray* ArrayFor(float);
+vtkIdTypeArray* ArrayFor(Index);
+vtkIntArray* ArrayFor(int);
+vtkStringArray* ArrayFor(const std::string&);
+template <class T>
+using ArrayOf = std::remove_pointer_t<decltype(ArrayFor(T()))>;
+///@}
+
 /// A VTK array that owns the memory of the buffer from now on.
-template <class Array, class T>
+template <class T, class Array = ArrayOf<T>>
 vtkSmartPointer<Array> AdoptBuffer(Buffer<T>& buffer, const char* name, int components = 1)
 {
   using Value = typename Array::ValueType;

@@ -1,12 +1,9 @@
 #include "FieldValues.h"
 
-#include "vtkDoubleArray.h"
+#include "AdoptBuffer.h"
+
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkIntArray.h"
-#include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 namespace vfm
@@ -16,10 +13,10 @@ namespace
 
 using ArrayPointer = vtkSmartPointer<vtkAbstractArray>;
 
-template <class Array, class T>
-ArrayPointer MakeArray(const std::vector<T>& values, int components)
+template <class T>
+ArrayPointer ToArray(const std::vector<T>& values, int components)
 {
-  auto array = vtkSmartPointer<Array>::New();
+  auto array = vtkSmartPointer<ArrayOf<T>>::New();
   array->SetNumberOfComponents(components);
   array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -27,26 +24,6 @@ ArrayPointer MakeArray(const std::vector<T>& values, int components)
     array->SetValue(static_cast<vtkIdType>(i), values[i]);
   }
   return array;
-}
-
-ArrayPointer ToArray(const std::vector<int>& values, int components)
-{
-  return MakeArray<vtkIntArray>(values, components);
-}
-
-ArrayPointer ToArray(const std::vector<Index>& values, int components)
-{
-  return MakeArray<vtkIdTypeArray>(values, components);
-}
-
-ArrayPointer ToArray(const std::vector<double>& values, int components)
-{
-  return MakeArray<vtkDoubleArray>(values, components);
-}
-
-ArrayPointer ToArray(const std::vector<std::string>& values, int components)
-{
-  return MakeArray<vtkStringArray>(values, components);
 }
 
 ArrayPointer ToArray(const FieldArray& field)

@@ -8,10 +8,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -36,8 +32,8 @@ vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
     offsets[c] = cellSize * static_cast<Index>(c);
   }
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(AdoptBuffer<vtkTypeInt64Array>(offsets, nullptr),
-    AdoptBuffer<vtkTypeInt64Array>(buffer, "Connectivity"));
+  cells->SetData(AdoptBuffer<Index, vtkTypeInt64Array>(offsets, nullptr),
+    AdoptBuffer<Index, vtkTypeInt64Array>(buffer, "Connectivity"));
   return cells;
 }
 
@@ -85,32 +81,15 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
     point = place;
   }
   vtkNew<vtkPoints> vtkpoints;
-  vtkpoints->SetData(AdoptBuffer<vtkDoubleArray>(usedPoints, "Points", 3));
+  vtkpoints->SetData(AdoptBuffer(usedPoints, "Points", 3));
   output->SetPoints(vtkpoints);
-  output->GetPointData()->SetGlobalIds(AdoptBuffer<vtkIdTypeArray>(usedIds, "GlobalPointIds"));
+  output->GetPointData()->SetGlobalIds(AdoptBuffer(usedIds, "GlobalPointIds"));
 }
-
-///@{ The array of VTK for the values of a buffer.
-vtkSmartPointer<vtkDataArray> Adopt(Buffer<int>& values, const char* name)
-{
-  return AdoptBuffer<vtkIntArray>(values, name);
-}
-
-vtkSmartPointer<vtkDataArray> Adopt(Buffer<Index>& values, const char* name)
-{
-  return AdoptBuffer<vtkIdTypeArray>(values, name);
-}
-
-vtkSmartPointer<vtkDataArray> Adopt(Buffer<float>& values, const char* name)
-{
-  return AdoptBuffer<vtkFloatArray>(values, name);
-}
-///@}
 
 /// For VisitElementArrays, VisitPointArrays.
 auto AdoptInto(vtkDataSetAttributes* arrays)
 {
-  return [arrays](const char* name, auto& values) { arrays->AddArray(Adopt(values, name)); };
+  return [arrays](const char* name, auto& values) { arrays->AddArray(AdoptBuffer(values, name)); };
 }
 
 void SetSurfaces(Mesh& mesh, vtkPolyData* surfaces)
@@ -119,9 +98,9 @@ void SetSurfaces(Mesh& mesh, vtkPolyData* surfaces)
   SetUsedPoints(facets.Points, mesh, surfaces);
   surfaces->SetPolys(AdoptCells(facets.Points, mesh.CornersOfFacet()));
   vtkCellData* sides = surfaces->GetCellData();
-  sides->SetScalars(AdoptBuffer<vtkIntArray>(facets.SurfaceId, "SurfaceId"));
-  sides->AddArray(AdoptBuffer<vtkIntArray>(facets.MaterialPair, "MaterialPair", 2));
-  sides->AddArray(AdoptBuffer<vtkIntArray>(facets.DomainSide, "DomainSide"));
+  sides->SetScalars(AdoptBuffer(facets.SurfaceId, "SurfaceId"));
+  sides->AddArray(AdoptBuffer(facets.MaterialPair, "MaterialPair", 2));
+  sides->AddArray(AdoptBuffer(facets.DomainSide, "DomainSide"));
   AddFields(ListSurfaces(mesh.Tables), surfaces->GetFieldData());
 }
 
@@ -129,7 +108,7 @@ void SetCurves(Mesh& mesh, vtkPolyData* curves)
 {
   SetUsedPoints(mesh.Curves.Points, mesh, curves);
   curves->SetLines(AdoptCells(mesh.Curves.Points, 2));
-  curves->GetCellData()->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Curves.CurveId, "CurveId"));
+  curves->GetCellData()->SetScalars(AdoptBuffer(mesh.Curves.CurveId, "CurveId"));
   AddFields(ListCurves(mesh.Tables), curves->GetFieldData());
 }
 
@@ -137,7 +116,7 @@ void SetVertices(Mesh& mesh, vtkPolyData* vertices)
 {
   SetUsedPoints(mesh.Vertices.Points, mesh, vertices);
   vertices->SetVerts(AdoptCells(mesh.Vertices.Points, 1));
-  vertices->GetCellData()->SetScalars(AdoptBuffer<vtkIntArray>(mesh.Vertices.VertexId, "VertexId"));
+  vertices->GetCellData()->SetScalars(AdoptBuffer(mesh.Vertices.VertexId, "VertexId"));
   AddFields(ListVertices(mesh.Tables), vertices->GetFieldData());
 }
 
@@ -150,7 +129,7 @@ void SetMeshOutput(Mesh& mesh, const MeshOutputs& outputs)
   SetVertices(mesh, outputs.Vertices);
   vtkUnstructuredGrid* output = outputs.Mesh;
   vtkNew<vtkPoints> points;
-  points->SetData(AdoptBuffer<vtkDoubleArray>(mesh.Points, "Points", 3));
+  points->SetData(AdoptBuffer(mesh.Points, "Points", 3));
   output->SetPoints(points);
   if (mesh.ElementIds.empty())
   {

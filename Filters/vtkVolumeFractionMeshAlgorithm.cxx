@@ -11,6 +11,7 @@
 #include "Mesher.h"
 #include "MissingLevels.h"
 #include "Ranks/WorkTogether.h"
+#include "RequestPiece.h"
 #include "StateOutput.h"
 
 #include "vtkCompositeDataSet.h"
@@ -119,12 +120,7 @@ int vtkVolumeFractionMeshAlgorithm::RequestUpdateExtent(
     vtkInformation* info = outputVector->GetInformationObject(port);
     info->Set(levels, std::max(info->Get(levels), GhostLayersClaimed));
   }
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  input->Set(levels, 0);
-  vtkMultiProcessController* controller = this->Controller;
-  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller ? controller->GetLocalProcessId() : 0);
-  input->Set(
-    Pipeline::UPDATE_NUMBER_OF_PIECES(), controller ? controller->GetNumberOfProcesses() : 1);
+  vfm::RequestPiece(this->Controller, inputVector);
   return 1;
 }
 

@@ -1,5 +1,6 @@
 #include "vtkVolumeFractionShapes.h"
 
+#include "AdoptBuffer.h"
 #include "CollectivePipeline.h"
 #include "FilterRuntime.h"
 #include "Shapes/ShapesFractions.h"
@@ -9,14 +10,12 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
@@ -98,49 +97,6 @@ std::vector<vfm::Shape> MakePreset(int preset, const vfm::Vector3& lower, const 
   }
   return vfm::MakeScene(static_cast<vfm::Scene>(preset - 1), lower, upper);
 }
-
-/// Writes fractions into the arrays of an image, one a material.
-class ArrayWriter
-{
-public:
-  ArrayWriter(const int extent[6], int materials, vtkImageData* image)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      this->Cells.Lower[a] = extent[2 * a];
-      this->Cells.Upper[a] = extent[2 * a + 1];
-    }
-    for (int m = 1; m <= materials; ++m)
-    {
-      const auto array = vtkSmartPointer<vtkDoubleArray>::New();
-      array->SetName(("Material" + std::to_string(m)).c_str());
-      array->SetNumberOfTuples(image->GetNumberOfCells());
-      array->FillValue(0.0);
-      image->GetCellData()->AddArray(array);
-      this->Values.push_back(array->GetPointer(0));
-    }
-  }
-
-  void Write(const vfm::IndexBox& box, const std::vector<vfm::FractionField::Part>& parts) const
-  {
-    for (const vfm::FractionField::Part& part : parts)
-    {
-      double* values = this->Values[part.Material - 1];
-      vfm::ForRows(box,
-        [&](vfm::Index j, vfm::Index k)
-        {
-          const vfm::Index row = vfm::IndexInBox(this->Cells, { { box.Lower[0], j, k } });
-          std::fill_n(values + row, box.Size(0), part.Fraction);
-        });
-    }
-  }
-
-  const vfm::IndexBox& GetCells() const { return this->Cells; }
-
-private:
-  vfm::IndexBox Cells;
-  std::vector<double*> Values;
-};
 
 bool HasCells(const int extent[6])
 {
@@ -282,16 +238,23 @@ void vtkVolumeFractionShapes::Fill(
   image->SetExtent(const_cast<int*>(extent));
   image->SetOrigin(place.Origin);
   image->SetSpacing(place.Spacing);
-  const ArrayWriter writer(extent, vfm::CountMaterials(shapes), image);
-  if (HasCells(extent))
+  const bool hasCells = HasCells(extent); // else the image may have flat ones
+  std::vector<vfm::Buffer<double>> fractions(vfm::CountMaterials(shapes));
+  if (hasCells)
   {
     vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
     vfm::FilterRuntime runtime(this,
       vfm::ChooseThreads(this->NumberOfThreads, processes ? processes->GetNumberOfProcesses() : 1));
-    runtime.Progress(0.0, "Computing fractions");
-    vfm::ComputeShapeFractions(coordinates, writer.GetCells(), shapes, this->Tolerance, runtime,
-      [&writer](const vfm::IndexBox& cells, const std::vector<vfm::FractionField::Part>& parts)
-      { writer.Write(cells, parts); });
+    const vfm::IndexBox cells{ { extent[0], extent[2], extent[4] },
+      { extent[1], extent[3], extent[5] } };
+    fractions = vfm::FractionArraysOfShapes(coordinates, cells, shapes, this->Tolerance, runtime);
+  }
+  for (std::size_t m = 0; m < fractions.size(); ++m)
+  {
+    vfm::Buffer<double> values =
+      hasCells ? std::move(fractions[m]) : vfm::Buffer<double>(image->GetNumberOfCells(), 0.0);
+    const std::string name = "Material" + std::to_string(m + 1);
+    image->GetCellData()->AddArray(vfm::AdoptBuffer(values, name.c_str()));
   }
 }
 

@@ -493,6 +493,33 @@ void ComputeShapeFractions(const std::array<std::vector<double>, 3>& coordinates
   runtime.For(0, count, work);
 }
 
+std::vector<Buffer<double>> FractionArraysOfShapes(
+  const std::array<std::vector<double>, 3>& coordinates, const IndexBox& box,
+  const std::vector<Shape>& shapes, double tolerance, Runtime& runtime)
+{
+  std::vector<Buffer<double>> arrays;
+  for (int m = 0; m < CountMaterials(shapes); ++m)
+  {
+    arrays.emplace_back(box.NumberOfCells(), 0.0);
+  }
+  const auto sink = [&](const IndexBox& cells, const Parts& parts)
+  {
+    for (const FractionField::Part& part : parts)
+    {
+      double* values = arrays[part.Material - 1].data();
+      ForRows(cells,
+        [&](Index j, Index k)
+        {
+          const Index row = IndexInBox(box, { { cells.Lower[0], j, k } });
+          std::fill_n(values + row, cells.Size(0), part.Fraction);
+        });
+    }
+  };
+  runtime.Progress(0.0, "Computing fractions");
+  ComputeShapeFractions(coordinates, box, shapes, tolerance, runtime, sink);
+  return arrays;
+}
+
 FractionField FractionsOfShapes(const CartesianGrid& grid, const std::vector<Shape>& shapes,
   int materials, double tolerance, Runtime& runtime)
 {

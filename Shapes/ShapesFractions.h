@@ -11,6 +11,7 @@
  */
 #pragma once
 
+#include "Base/Buffer.h"
 #include "Base/Runtime.h"
 #include "Fractions/FractionField.h"
 #include "Shapes/Shapes.h"
@@ -39,6 +40,11 @@ using ShapePartsSink =
 void ComputeShapeFractions(const std::array<std::vector<double>, 3>& coordinates,
   const IndexBox& box, const std::vector<Shape>& shapes, double tolerance, Runtime& runtime,
   const ShapePartsSink& sink);
+
+/// The same as an array per material of the cells of the box, x fastest.
+std::vector<Buffer<double>> FractionArraysOfShapes(
+  const std::array<std::vector<double>, 3>& coordinates, const IndexBox& box,
+  const std::vector<Shape>& shapes, double tolerance, Runtime& runtime);
 
 /// The fractions in the local box of a grid. materials: 0 for CountMaterials(shapes).
 FractionField FractionsOfShapes(const CartesianGrid& grid, const std::vector<Shape>& shapes,

@@ -3,8 +3,10 @@
 #include "vtkBitArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
@@ -57,24 +59,11 @@ std::vector<MeshArray> ListArrays(vtkDataSetAttributes* data, StoredMesh& mesh)
   return arrays;
 }
 
-template <class T>
+/// The values in the type of another array.
+template <class T, class Array>
 std::vector<T> CopyNumbers(vtkDataArray* array)
 {
-  std::vector<T> values;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-    {
-      values.push_back(static_cast<T>(array->GetComponent(i, c)));
-    }
-  }
-  return values;
-}
-
-/// Whole numbers of 8 bytes, which doubles do not hold.
-std::vector<Index> CopyIds(vtkDataArray* array)
-{
-  const auto plain = vtkSmartPointer<vtkTypeInt64Array>::New();
+  const auto plain = vtkSmartPointer<Array>::New();
   plain->DeepCopy(array);
   return { plain->GetPointer(0), plain->GetPointer(0) + plain->GetNumberOfValues() };
 }
@@ -102,15 +91,15 @@ std::vector<FieldArray> ListFields(vtkFieldData* data)
         numbers->GetDataType() == VTK_DOUBLE || size == 0 || numbers->GetDataType() == VTK_FLOAT;
       if (isReal)
       {
-        field.Values = CopyNumbers<double>(numbers);
+        field.Values = CopyNumbers<double, vtkDoubleArray>(numbers);
       }
       else if (size == 8)
       {
-        field.Values = CopyIds(numbers);
+        field.Values = CopyNumbers<Index, vtkTypeInt64Array>(numbers);
       }
       else
       {
-        field.Values = CopyNumbers<int>(numbers);
+        field.Values = CopyNumbers<int, vtkIntArray>(numbers);
       }
     }
     else

@@ -1,6 +1,6 @@
 #include "Input/InputArrays.h"
 
-#include "Base/Runtime.h"
+#include "Base/ParseText.h"
 
 namespace vfm
 {
@@ -9,12 +9,7 @@ namespace
 
 std::string ListNames(const std::vector<std::string>& names)
 {
-  std::string list;
-  for (const std::string& name : names)
-  {
-    list += (list.empty() ? "'" : ", '") + name + "'";
-  }
-  return list.empty() ? "none" : list;
+  return names.empty() ? "none" : "'" + JoinTexts(names, "', '") + "'";
 }
 
 } // namespace

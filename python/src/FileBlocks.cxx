@@ -1,5 +1,6 @@
 #include "FileBlocks.h"
 
+#include "Base/ParseText.h"
 #include "Blocks/BlockFile.h"
 #include "Input/GuessMaterials.h"
 
@@ -16,12 +17,8 @@ void CheckNames(const std::vector<std::string>& there, const std::vector<std::st
   {
     if (std::find(there.begin(), there.end(), name) == there.end())
     {
-      std::string list;
-      for (const std::string& other : there)
-      {
-        list += (list.empty() ? "'" : ", '") + other + "'";
-      }
-      throw InputError("it has no array '" + name + "'. Its arrays: " + list + ".");
+      throw InputError(
+        "it has no array '" + name + "'. Its arrays: '" + JoinTexts(there, "', '") + "'.");
     }
   }
 }

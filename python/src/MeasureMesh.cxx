@@ -110,15 +110,8 @@ nb::dict MeasureFragments(const NumpyPoints& points, const NumpyCells& cells,
     arrays.Velocity = "velocity";
   }
   Ranks alone;
-  try
-  {
-    return ToColumns(
-      FindFragments(mesh, arrays, alone), density.has_value(), !arrays.Velocity.empty());
-  }
-  catch (const InputError& error)
-  {
-    throw nb::value_error(error.what());
-  }
+  return ToColumns(
+    FindFragments(mesh, arrays, alone), density.has_value(), !arrays.Velocity.empty());
 }
 
 } // namespace

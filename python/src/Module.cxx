@@ -113,15 +113,11 @@ nb::object FillTriangles(const Places& points, const Corners& triangles,
 vfm::FileBlocks ReadBlocks(
   const std::string& path, int step, const std::optional<std::vector<std::string>>& names)
 {
-  try
-  {
-    nb::gil_scoped_release others;
-    return vfm::ReadFileBlocks(path, step, names);
-  }
-  catch (const vfm::InputError& error)
-  {
-    throw nb::value_error(("Cannot read " + path + ": " + error.what()).c_str());
-  }
+  const nb::gil_scoped_release others;
+  vfm::FileBlocks blocks;
+  vfm::PrefixErrors(
+    "Cannot read " + path + ": ", [&] { blocks = vfm::ReadFileBlocks(path, step, names); });
+  return blocks;
 }
 
 void BindBlocks(nb::module_& module)
@@ -136,15 +132,20 @@ void BindBlocks(nb::module_& module)
   module.def("read_blocks", ReadBlocks, "path"_a, "step"_a, "names"_a.none());
 }
 
-vfm::LabelNames ReadNames(const std::string& path)
+/// InputError as an exception of Python.
+void TranslateError(const std::exception_ptr& raised, void*)
 {
   try
   {
-    return vfm::ReadLabelNames(path);
+    std::rethrow_exception(raised);
   }
   catch (const vfm::InputError& error)
   {
-    throw nb::value_error(error.what());
+    const vfm::ErrorCode code = error.Code();
+    PyErr_SetString(code == vfm::ErrorCode::OutOfMemory ? PyExc_MemoryError
+        : code == vfm::ErrorCode::UnwritableOutput      ? PyExc_OSError
+                                                        : PyExc_ValueError,
+      error.what());
   }
 }
 
@@ -152,6 +153,7 @@ vfm::LabelNames ReadNames(const std::string& path)
 
 NB_MODULE(_core, module)
 {
+  nb::register_exception_translator(TranslateError);
   module.attr("version") = VFM_VERSION;
   module.attr("has_tetgen") = vfm::HasTetGen();
   vfm::BindOptions(module);
@@ -161,7 +163,7 @@ NB_MODULE(_core, module)
   module.def("mesh", MakeMesh, "blocks"_a.none(), "arrays"_a, "coordinates"_a, "axes"_a, "origin"_a,
     "are_points"_a, "fractions"_a, "labels"_a, "label_names"_a, "state"_a.none(), "options"_a,
     "progress"_a.none(), "warn"_a);
-  module.def("read_label_names", ReadNames, "path"_a);
+  module.def("read_label_names", vfm::ReadLabelNames, "path"_a);
   module.def("shape_fractions", FillShapes, "text"_a, "coordinates"_a, "tolerance"_a, "threads"_a,
     "progress"_a.none());
   module.def("triangle_fractions", FillTriangles, "points"_a, "triangles"_a, "coordinates"_a,

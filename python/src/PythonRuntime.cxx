@@ -1,7 +1,6 @@
 #include "PythonRuntime.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 namespace vfm
@@ -41,14 +40,6 @@ void PythonRuntime::Run(const std::function<void()>& work)
   catch (const Aborted&)
   {
     std::rethrow_exception(std::exchange(this->Raised, nullptr)); // nothing else throws it
-  }
-  catch (const InputError& error)
-  {
-    if (error.Code() == ErrorCode::OutOfMemory)
-    {
-      throw std::bad_alloc();
-    }
-    throw nanobind::value_error(error.what());
   }
 }
 

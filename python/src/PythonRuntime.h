@@ -27,8 +27,7 @@ public:
   /// a negative number of threads.
   PythonRuntime(int threads, nanobind::handle progress);
 
-  /// Does the work without the lock of Python, which the thread must have. Throws what Python raised meanwhile, ValueError for InputError, and
-  /// std::bad_alloc.
+  /// Does the work without the lock of Python, which the thread must have. Throws what Python raised meanwhile.
   void Run(const std::function<void()>& work);
 
   /// Calls Python inside of Run, from the thread that called it. Throws Aborted when the call raises.

@@ -1,5 +1,6 @@
 #include "RunOptions.h"
 
+#include "Base/ParseText.h"
 #include "Options/SetOptions.h"
 
 #include <nanobind/stl/array.h>
@@ -37,21 +38,11 @@ std::vector<std::string> WordsInPython(const Option& option)
   return words;
 }
 
-std::string QuoteWords(const Option& option)
-{
-  std::string text;
-  for (const std::string& word : WordsInPython(option))
-  {
-    text += (text.empty() ? "'" : ", '") + word + "'";
-  }
-  return text;
-}
-
 /// What an option takes, in the words of Python.
 std::string AllowedInPython(const Option& option)
 {
   return option.Kind == OptionKind::Switch ? "True or False"
-    : option.Kind == OptionKind::Choice    ? QuoteWords(option)
+    : option.Kind == OptionKind::Choice    ? "'" + JoinTexts(WordsInPython(option), "', '") + "'"
                                            : option.Allowed();
 }
 

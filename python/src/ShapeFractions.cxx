@@ -44,34 +44,6 @@ std::vector<Shape> MakeShapes(const NodeCoordinates& coordinates,
   return shapes;
 }
 
-std::vector<Buffer<double>> Fill(const NodeCoordinates& coordinates,
-  const std::vector<Shape>& shapes, double tolerance, Runtime& runtime)
-{
-  const IndexBox all = CellsOf(coordinates);
-  std::vector<Buffer<double>> fractions;
-  for (int m = 0; m < CountMaterials(shapes); ++m)
-  {
-    fractions.emplace_back(all.NumberOfCells(), 0.0);
-  }
-  const auto write = [&](const IndexBox& box, const std::vector<FractionField::Part>& parts)
-  {
-    for (const FractionField::Part& part : parts)
-    {
-      double* values = fractions[part.Material - 1].data();
-      Runtime alone;
-      ForRows(alone, box,
-        [&](Index j, Index k, Index)
-        {
-          const Index row = IndexInBox(all, { { box.Lower[0], j, k } });
-          std::fill_n(values + row, box.Size(0), part.Fraction);
-        });
-    }
-  };
-  runtime.Progress(0.0, "Computing fractions");
-  ComputeShapeFractions(coordinates, all, shapes, tolerance, runtime, write);
-  return fractions;
-}
-
 } // namespace
 
 nanobind::list ComputeFractions(const NodeCoordinates& coordinates,
@@ -82,8 +54,9 @@ nanobind::list ComputeFractions(const NodeCoordinates& coordinates,
   runtime.Run(
     [&]
     {
-      CellsOf(coordinates);
-      fractions = Fill(coordinates, MakeShapes(coordinates, make), tolerance, runtime);
+      const IndexBox cells = CellsOf(coordinates);
+      fractions = FractionArraysOfShapes(
+        coordinates, cells, MakeShapes(coordinates, make), tolerance, runtime);
     });
   nanobind::list arrays;
   for (Buffer<double>& values : fractions)

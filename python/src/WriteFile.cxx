@@ -3,6 +3,7 @@
 #include "Meshes/WriteMesh.h"
 #include "NumpyArrays.h"
 #include "NumpyMesh.h"
+#include "Ranks/WorkTogether.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -67,26 +68,18 @@ void WriteFile(const std::string& path, const NumpyPoints& points, const NumpyCe
   const NamedArrays& pointArrays, const NamedArrays& cellArrays, const nb::dict& fields,
   std::optional<double> time)
 {
-  try
+  StoredMesh mesh{ ViewMesh(points, cells), {} };
+  mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
+  mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
+  for (const auto& [name, value] : fields)
   {
-    StoredMesh mesh{ ViewMesh(points, cells), {} };
-    mesh.Data.PointArrays = ListArrays(pointArrays, mesh.Data.NumberOfPoints);
-    mesh.Data.ElementArrays = ListArrays(cellArrays, mesh.Data.NumberOfElements);
-    for (const auto& [name, value] : fields)
-    {
-      mesh.Data.Fields.push_back(ReadField(nb::cast<std::string>(name), value));
-    }
-    mesh.Data.Time = time;
-    FindKnownArrays(mesh);
-    const nb::gil_scoped_release others;
-    Ranks alone;
-    WriteMesh(mesh.Data, path, alone);
+    mesh.Data.Fields.push_back(ReadField(nb::cast<std::string>(name), value));
   }
-  catch (const InputError& error)
-  {
-    PyErr_SetString(PyExc_OSError, error.what());
-    throw nb::python_error();
-  }
+  mesh.Data.Time = time;
+  FindKnownArrays(mesh);
+  const nb::gil_scoped_release others;
+  Ranks alone;
+  WorkInStage(alone, ErrorCode::UnwritableOutput, [&] { WriteMesh(mesh.Data, path, alone); });
 }
 
 } // namespace

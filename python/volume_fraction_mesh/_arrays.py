@@ -11,15 +11,11 @@ ORDERS = ("xyz", "zyx")
 
 def check_order(order: Any) -> str:
     """One of ORDERS."""
-    if not isinstance(order, str):
-        raise TypeError(
-            "order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])." % (order,)
-        )
-    if order not in ORDERS:
-        raise ValueError(
-            "order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])." % (order,)
-        )
-    return order
+    if isinstance(order, str) and order in ORDERS:
+        return order
+    raise (ValueError if isinstance(order, str) else TypeError)(
+        "order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])." % (order,)
+    )
 
 
 def as_numbers(values: Any, name: str) -> np.ndarray:
