@@ -23,7 +23,7 @@ vtk_module_scan(
 set(vfm_components ${vfm_required})
 list(TRANSFORM vfm_components REPLACE "^VTK::" "" REGEX "^VTK::")
 
-set(vfm_program_components CommonCore CommonMisc IOIOSS IOXML ParallelMPI)
+set(vfm_program_components CommonCore IOIOSS IOXML ParallelMPI)
 if (VFM_PLUGIN OR VFM_WRAP_PYTHON) # Catalyst runs Python too
   list(APPEND vfm_program_components Python WrappingPythonCore)
 endif ()

@@ -33,17 +33,17 @@ namespace
 std::array<std::vector<double>, 3> ImageCoordinates(
   vtkImageData* image, const InputReading& reading)
 {
-  const double* x = image->GetOrigin();
-  const Vector3 origin = reading.Frame.OriginOf({ { x[0], x[1], x[2] } });
-  std::array<std::vector<double>, 3> coordinates;
+  Vector3 origin, spacing;
+  image->GetOrigin(origin.data());
+  image->GetSpacing(spacing.data());
+  const int* extent = image->GetExtent();
+  IndexBox cells;
   for (int a = 0; a < 3; ++a)
   {
-    const int* extent = image->GetExtent() + 2 * a;
-    const double spacing = image->GetSpacing()[a];
-    const double start = reading.ArePoints ? origin[a] - 0.5 * spacing : origin[a];
-    coordinates[a] = EvenNodes(start, spacing, extent[0], extent[1] + reading.ArePoints);
+    cells.Lower[a] = extent[2 * a];
+    cells.Upper[a] = extent[2 * a + 1] + reading.ArePoints;
   }
-  return coordinates;
+  return EvenCoordinates(reading.Frame.OriginOf(origin), spacing, cells, reading.ArePoints);
 }
 
 std::array<std::vector<double>, 3> RectilinearCoordinates(vtkRectilinearGrid* grid)

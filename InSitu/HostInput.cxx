@@ -11,12 +11,7 @@ namespace
 InputBlock MakeBlock(const HostGrid& grid, const HostBox& box)
 {
   InputBlock block;
-  const Vector3 spacing = SpacingOf(grid, box.Level);
-  for (int a = 0; a < 3; ++a)
-  {
-    block.Coordinates[a] = EvenNodes(grid.Origin[a], spacing[a],
-      static_cast<int>(box.Cells.Lower[a]), static_cast<int>(box.Cells.Upper[a]));
-  }
+  block.Coordinates = EvenCoordinates(grid.Origin, SpacingOf(grid, box.Level), box.Cells);
   const Index cells = box.Cells.NumberOfCells();
   auto arrays = std::make_shared<PlainArrays>(cells);
   for (const HostArray& array : box.Arrays)
@@ -29,17 +24,13 @@ InputBlock MakeBlock(const HostGrid& grid, const HostBox& box)
 
 } // namespace
 
-CollectedBlocks CollectHostBlocks(const HostGrid& grid, int rank, int ranks)
+CollectedBlocks CollectHostBlocks(const HostGrid& grid, const Ranks& ranks)
 {
   CollectedBlocks collected;
   for (const HostBox& box : grid.Boxes)
   {
-    InputBlock block = MakeBlock(grid, box);
-    block.Number = static_cast<int>(collected.Blocks.size());
-    block.Name = NameBlock(block.Number, rank, ranks == 1);
-    CheckCoordinates(block);
-    KeepAllCells(block);
-    collected.Blocks.push_back(std::move(block));
+    collected.Blocks.push_back(MakeBlock(grid, box));
+    FinishBlock(collected.Blocks.back(), static_cast<int>(collected.Blocks.size()) - 1, ranks);
   }
   return collected;
 }

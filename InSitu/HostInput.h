@@ -10,7 +10,7 @@ namespace vfm
 {
 
 /// The boxes of this rank as blocks. Coordinates are the same bits on every rank, and on every level that has the node. The arrays are the
-/// host's memory. rank, ranks: for messages.
-CollectedBlocks CollectHostBlocks(const HostGrid& grid, int rank, int ranks);
+/// host's memory.
+CollectedBlocks CollectHostBlocks(const HostGrid& grid, const Ranks& ranks);
 
 } // namespace vfm

@@ -147,7 +147,7 @@ MesherResult SculptorSession::Run(
   {
     input.Arrays.Names = ShareLabelNames(options.LabelNames, ranks);
   }
-  CollectedBlocks collected = CollectHostBlocks(grid, ranks.Rank(), ranks.Count());
+  CollectedBlocks collected = CollectHostBlocks(grid, ranks);
   input.Arrays.State =
     CompleteChoice(ChooseState(options, NamesOf(names.States)), ListsOf(collected.Blocks), ranks);
   input.Levels = FindLevels(std::move(collected), this->Neighbours, ranks);

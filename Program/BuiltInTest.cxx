@@ -1,7 +1,6 @@
 #include "BuiltInTest.h"
 
 #include "Base/CartesianGrid.h"
-#include "Blocks/BlockFile.h"
 #include "CheckSurface.h"
 #include "Input/NodeCoordinates.h"
 #include "Input/PlainArrays.h"
@@ -51,33 +50,28 @@ bool IsChosen(const Index3& cell)
   return std::find(ChosenCells().begin(), ChosenCells().end(), cell) != ChosenCells().end();
 }
 
-/// Adds an array with 1 in the cells for which holds is true, else 0.
-template <class Value, class Holds>
-void AddValues(
-  const std::string& name, int type, const IndexBox& cells, const Holds& holds, PlainArrays& to)
+/// Adds an array with a value in the cells for which holds is true, else 0.
+template <class Holds>
+void AddValues(const std::string& name, unsigned char value, const IndexBox& cells,
+  const Holds& holds, PlainArrays& to)
 {
-  Buffer<Value> values(cells.NumberOfCells());
-  Value* at = values.data();
-  ForCells(cells, [&](const Index3& cell) { *at++ = holds(cell) ? Value(1) : Value(0); });
-  to.Keep(name, type, std::move(values));
+  std::vector<unsigned char> values;
+  ForCells(cells, [&](const Index3& cell) { values.push_back(holds(cell) ? value : 0); });
+  to.Keep(name, ValueType::UnsignedChar, std::move(values));
 }
 
 /// The slab of this rank; without blocks when there are more ranks than slabs. parts: of a cell along an axis, as in all that follows.
 Input MakeGrid(Index parts, const Ranks& ranks)
 {
-  IndexBox cells{ {}, { { 0, parts * CellsYZ, parts * CellsYZ } } };
-  cells.Lower[0] = parts * CellsX * ranks.Rank() / ranks.Count();
-  cells.Upper[0] = parts * CellsX * (ranks.Rank() + 1) / ranks.Count();
+  const IndexBox cells = FindSlab({ { parts * CellsX, parts * CellsYZ, parts * CellsYZ } }, ranks);
   if (cells.NumberOfCells() == 0)
   {
     return MakeInput({}, false);
   }
   InputBlock block;
-  for (int a = 0; a < 3; ++a)
-  {
-    block.Coordinates[a] = EvenNodes(0.0, Width / static_cast<double>(parts),
-      static_cast<int>(cells.Lower[a]), static_cast<int>(cells.Upper[a]));
-  }
+  const double width = Width / static_cast<double>(parts);
+  block.Coordinates = EvenCoordinates({}, { { width, width, width } }, cells);
+  FinishBlock(block, 0, ranks);
   const auto arrays = std::make_shared<PlainArrays>(cells.NumberOfCells());
   const auto isFull = [parts](const Index3& cell)
   {
@@ -86,10 +80,9 @@ Input MakeGrid(Index parts, const Ranks& ranks)
         return box.Contains({ { cell[0] / parts, cell[1] / parts, cell[2] / parts } });
       });
   };
-  AddValues<double>(ArrayName, ValueType::Double, cells, isFull, *arrays);
-  AddValues<unsigned char>(ChosenName, ValueType::UnsignedChar, cells, IsChosen, *arrays);
+  AddValues(ArrayName, 255, cells, isFull, *arrays); // bytes are parts of 255
+  AddValues(ChosenName, 1, cells, IsChosen, *arrays);
   block.Arrays = arrays;
-  FinishBlock(block, 0, ranks);
   return MakeInput({ { block }, {} }, false);
 }
 

@@ -13,87 +13,81 @@ namespace vfm
 namespace
 {
 
-using Points = std::vector<Index>;
+using Points = std::vector<Index>; // around a face
 
-/// The faces at each edge of a surface.
-std::map<Points, std::vector<Index>> FindEdges(const std::vector<Points>& surface)
+/// The faces that are on one element only. Throws InputError where one is on more than two.
+std::vector<Points> FindSurface(MeshData mesh)
 {
-  std::map<Points, std::vector<Index>> edges;
-  for (std::size_t f = 0; f < surface.size(); ++f)
+  mesh.GeometryDimension = nullptr; // faces inside the mesh are searched, too
+  const std::vector<int> oneValue(mesh.NumberOfElements, 0);
+  Ranks alone;
+  std::vector<Points> surface;
+  for (const MeshFace& face : FindMeshFaces(mesh, oneValue.data(), alone))
+  {
+    const auto end = std::find(face.Points.begin(), face.Points.end(), -1);
+    surface.emplace_back(face.Points.begin(), end);
+  }
+  return surface;
+}
+
+struct EdgeFaces
+{
+  int Count = 0;
+  Index First = 0;
+};
+
+SurfaceCheck CheckFaces(const std::vector<Points>& surface)
+{
+  const auto count = static_cast<Index>(surface.size());
+  std::vector<Index> pieces = MakeSets(surface.size());
+  std::map<std::pair<Index, Index>, EdgeFaces> edges;
+  for (Index f = 0; f < count; ++f)
   {
     const Points& corners = surface[f];
     for (std::size_t c = 0; c < corners.size(); ++c)
     {
-      const Index a = corners[c], b = corners[(c + 1) % corners.size()];
-      edges[{ std::min(a, b), std::max(a, b) }].push_back(static_cast<Index>(f));
+      EdgeFaces& edge = edges[std::minmax(corners[c], corners[(c + 1) % corners.size()])];
+      edge.First = edge.Count++ == 0 ? f : edge.First;
+      Join(pieces, edge.First, f);
     }
   }
-  return edges;
-}
-
-/// Points - edges + faces of each piece of a surface.
-std::map<Index, Index> FindEulerNumbers(
-  const std::vector<Points>& surface, const std::map<Points, std::vector<Index>>& edges)
-{
-  std::vector<Index> pieces = MakeSets(surface.size());
-  for (const auto& edge : edges)
+  SurfaceCheck check;
+  std::map<Index, Index> eulerNumbers; // points - edges + faces of each piece
+  std::set<std::pair<Index, Index>> seen;
+  for (Index f = 0; f < count; ++f)
   {
-    for (Index face : edge.second)
+    const Index piece = FindRoot(pieces, f);
+    ++eulerNumbers[piece];
+    for (Index point : surface[f])
     {
-      Join(pieces, edge.second[0], face);
+      eulerNumbers[piece] += seen.emplace(piece, point).second;
     }
   }
-  std::map<Index, Index> numbers;
-  std::map<Index, std::set<Index>> points;
-  for (std::size_t f = 0; f < surface.size(); ++f)
+  for (const auto& [points, faces] : edges)
   {
-    const Index piece = FindRoot(pieces, static_cast<Index>(f));
-    points[piece].insert(surface[f].begin(), surface[f].end());
-    ++numbers[piece];
+    --eulerNumbers[FindRoot(pieces, faces.First)];
+    check.IsConforming = check.IsConforming && faces.Count == 2;
   }
-  for (const auto& edge : edges)
+  for (const auto& [piece, number] : eulerNumbers)
   {
-    --numbers[FindRoot(pieces, edge.second[0])];
+    ++check.Pieces;
+    check.Spheres += number == 2;
   }
-  for (const auto& piece : points)
-  {
-    numbers[piece.first] += static_cast<Index>(piece.second.size());
-  }
-  return numbers;
+  return check;
 }
 
 } // namespace
 
-SurfaceCheck CheckSurface(MeshData mesh)
+SurfaceCheck CheckSurface(const MeshData& mesh)
 {
-  mesh.GeometryDimension = nullptr; // faces inside the mesh are looked at, too
-  Ranks alone;
-  std::vector<Points> surface;
   try
   {
-    const std::vector<int> oneValue(mesh.NumberOfElements, 0);
-    for (const MeshFace& face : FindMeshFaces(mesh, oneValue.data(), alone))
-    {
-      surface.emplace_back(
-        face.Points.begin(), std::find(face.Points.begin(), face.Points.end(), -1));
-    }
+    return CheckFaces(FindSurface(mesh));
   }
-  catch (const InputError&) // of a face of more than two elements
+  catch (const InputError&)
   {
     return { false, 0, 0 };
   }
-  SurfaceCheck check;
-  const auto edges = FindEdges(surface);
-  for (const auto& edge : edges)
-  {
-    check.IsConforming = check.IsConforming && edge.second.size() == 2;
-  }
-  for (const auto& piece : FindEulerNumbers(surface, edges))
-  {
-    ++check.Pieces;
-    check.Spheres += piece.second == 2;
-  }
-  return check;
 }
 
 } // namespace vfm

@@ -17,6 +17,6 @@ struct SurfaceCheck
 };
 
 /// Of hexahedra or tetrahedra with global ids of their points. A crack between elements, or a node that hangs on a face, is a piece more or an edge of other than two faces.
-SurfaceCheck CheckSurface(MeshData mesh);
+SurfaceCheck CheckSurface(const MeshData& mesh);
 
 } // namespace vfm

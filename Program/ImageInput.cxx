@@ -28,16 +28,6 @@ ImageSource OpenSource(const Arguments& arguments)
     static_cast<AxisOrder>(arguments.AxisOrder.value_or(0)));
 }
 
-/// This rank's part of an image, across its longest axis; empty where there are more ranks than layers.
-IndexBox FindSlab(const Index3& size, const Ranks& ranks)
-{
-  IndexBox slab{ {}, size };
-  const auto axis = std::max_element(size.begin(), size.end()) - size.begin();
-  slab.Lower[axis] = size[axis] * ranks.Rank() / ranks.Count();
-  slab.Upper[axis] = size[axis] * (ranks.Rank() + 1) / ranks.Count();
-  return slab.NumberOfCells() > 0 ? slab : IndexBox();
-}
-
 ImageFrame FrameOf(const ImagePlace& image)
 {
   std::array<double, 9> axes;
@@ -52,19 +42,11 @@ InputBlock MakeBlock(const ImageSource& source, const IndexBox& slab,
   std::vector<TypedValues> values, const ImageFrame& frame, const Ranks& ranks)
 {
   InputBlock block;
-  block.Name = NameBlock(-1, ranks.Rank(), ranks.Count() == 1);
   block.ArePoints = !source.IsOfCells;
   block.Box = slab;
-  const Vector3 origin = frame.OriginOf(source.Place.Origin);
-  for (int a = 0; a < 3; ++a)
-  {
-    const double spacing = source.Place.Spacing[a];
-    const double start = block.ArePoints ? origin[a] - 0.5 * spacing : origin[a];
-    block.Coordinates[a] =
-      EvenNodes(start, spacing, static_cast<int>(slab.Lower[a]), static_cast<int>(slab.Upper[a]));
-  }
-  CheckCoordinates(block);
-  KeepAllCells(block);
+  block.Coordinates = EvenCoordinates(
+    frame.OriginOf(source.Place.Origin), source.Place.Spacing, slab, block.ArePoints);
+  FinishBlock(block, -1, ranks);
   auto arrays = std::make_shared<PlainArrays>(slab.NumberOfCells());
   for (TypedValues& own : values)
   {

@@ -67,6 +67,15 @@ Input MakeInput(CollectedBlocks blocks, bool areOfImage)
   return input;
 }
 
+IndexBox FindSlab(const Index3& cells, const Ranks& ranks)
+{
+  IndexBox slab{ {}, cells };
+  const auto axis = std::max_element(cells.begin(), cells.end()) - cells.begin();
+  slab.Lower[axis] = cells[axis] * ranks.Rank() / ranks.Count();
+  slab.Upper[axis] = cells[axis] * (ranks.Rank() + 1) / ranks.Count();
+  return slab.NumberOfCells() > 0 ? slab : IndexBox();
+}
+
 ArrayLists ListsOf(const Input& input, ArrayPlace place)
 {
   ArrayLists lists;

@@ -52,6 +52,9 @@ struct Input
 /// An input of blocks, or of the pieces of one image, with their Box.
 Input MakeInput(CollectedBlocks blocks, bool areOfImage);
 
+/// This rank's part of a grid with so many cells, across its longest axis; empty where there are more ranks than layers.
+IndexBox FindSlab(const Index3& cells, const Ranks& ranks);
+
 ArrayLists ListsOf(const Input& input, ArrayPlace place);
 
 /// Collective: whether all pieces are images.

@@ -23,12 +23,4 @@ std::unique_ptr<BlockFile> OpenBlockFile(const std::string& path, const Ranks& r
   return IsPlotfile(path) ? OpenPlotfile(path) : OpenSpyPlot(path, ranks);
 }
 
-void FinishBlock(InputBlock& block, int number, const Ranks& ranks)
-{
-  block.Number = number;
-  block.Name = NameBlock(number, ranks.Rank(), ranks.Count() == 1);
-  CheckCoordinates(block);
-  KeepAllCells(block);
-}
-
 } // namespace vfm

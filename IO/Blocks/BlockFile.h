@@ -54,8 +54,4 @@ std::unique_ptr<BlockFile> OpenPlotfile(const std::string& folder);
 /// Whether it is a folder that holds a file Header.
 bool IsPlotfile(const std::string& path);
 
-/// Throws InputError unless the nodes of a block that was read increase. Sets what follows from them, and
-/// from its place among the blocks of this rank.
-void FinishBlock(InputBlock& block, int number, const Ranks& ranks);
-
 } // namespace vfm

@@ -215,6 +215,14 @@ void KeepAllCells(InputBlock& block)
   block.Kept = { {}, block.Dimensions };
 }
 
+void FinishBlock(InputBlock& block, int number, const Ranks& ranks)
+{
+  block.Number = number;
+  block.Name = NameBlock(number, ranks.Rank(), ranks.Count() == 1);
+  CheckCoordinates(block);
+  KeepAllCells(block);
+}
+
 bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks)
 {
   bool fit = true;

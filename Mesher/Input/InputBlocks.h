@@ -111,6 +111,10 @@ void CheckCoordinates(const InputBlock& block);
 /// Sets Dimensions and Kept, by Coordinates: all cells.
 void KeepAllCells(InputBlock& block);
 
+/// Sets what follows from the nodes of a block and from its number on this rank, -1 for an input that is no composite. Throws as
+/// CheckCoordinates.
+void FinishBlock(InputBlock& block, int number, const Ranks& ranks);
+
 /// Collective: whether no block has nodes between those of another.
 bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks);
 

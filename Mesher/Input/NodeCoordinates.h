@@ -28,6 +28,19 @@ inline std::vector<double> EvenNodes(double start, double spacing, int first, in
   return x;
 }
 
+/// The nodes of cells of an image along its axes: node 0 is at the origin or, where points are cells, half a spacing before it.
+inline std::array<std::vector<double>, 3> EvenCoordinates(
+  const Vector3& origin, const Vector3& spacing, const IndexBox& cells, bool arePoints = false)
+{
+  std::array<std::vector<double>, 3> coordinates;
+  for (int a = 0; a < 3; ++a)
+  {
+    coordinates[a] = EvenNodes(arePoints ? origin[a] - 0.5 * spacing[a] : origin[a], spacing[a],
+      static_cast<int>(cells.Lower[a]), static_cast<int>(cells.Upper[a]));
+  }
+  return coordinates;
+}
+
 /// Of values in increasing order, the smallest of those that are close. width: of the smallest cell.
 inline std::vector<double> MergeClose(const std::vector<double>& sorted, double width)
 {

@@ -30,14 +30,12 @@ Index CountCells(const std::array<std::vector<double>, 3>& coordinates)
   return count;
 }
 
-InputBlock MakeBlock(const MesherCall& call)
+InputBlock MakeBlock(const MesherCall& call, const Ranks& ranks)
 {
   InputBlock block;
-  block.Name = "The input";
   block.ArePoints = call.ArePoints;
   block.Coordinates = call.Coordinates;
-  CheckCoordinates(block);
-  KeepAllCells(block);
+  FinishBlock(block, -1, ranks);
   block.Arrays = MakeBlockArrays(CountCells(call.Coordinates), call.Arrays);
   return block;
 }
@@ -63,7 +61,8 @@ StateChoice ReadStateChoice(nb::handle state, StateTransfer transfer)
 MesherInput MakeInput(const MesherCall& call, Runtime& runtime)
 {
   CollectedBlocks collected;
-  collected.Blocks = call.Blocks.empty() ? std::vector<InputBlock>{ MakeBlock(call) } : call.Blocks;
+  collected.Blocks =
+    call.Blocks.empty() ? std::vector<InputBlock>{ MakeBlock(call, runtime.Group()) } : call.Blocks;
   collected.Reading.ArePoints = call.ArePoints;
   collected.Reading.Frame = MakeImageFrame(call.Axes, call.Origin, "The input");
   MesherInput input;
