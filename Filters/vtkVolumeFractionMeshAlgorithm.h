@@ -399,19 +399,6 @@ public:
   void ClearFaceNeighbours();
   ///@}
 
-#ifndef __VTK_WRAP__
-  ///@{
-  /**
-   * All options of the mesher; one set by its name, as vfm::SetOption does: throws vfm::InputError.
-   */
-  const vfm::MesherOptions& GetMesherOptions() const
-  {
-    return *this->Options;
-  }
-  void SetOption(const std::string& name, const std::string& value);
-  ///@}
-#endif
-
 protected:
   explicit vtkVolumeFractionMeshAlgorithm(vfm::ElementKind elements);
   ~vtkVolumeFractionMeshAlgorithm() override = 0; // an abstract class

@@ -272,12 +272,6 @@ const char* vtkVolumeFractionMeshAlgorithm::GetText(const char* name) const
   return ((*this->Options).*vfm::FindOption(name)->Text).c_str();
 }
 
-void vtkVolumeFractionMeshAlgorithm::SetOption(const std::string& name, const std::string& value)
-{
-  vfm::SetOption(*this->Options, name, value);
-  this->Modified();
-}
-
 vfm::MaterialArrays vtkVolumeFractionMeshAlgorithm::FindMaterials(
   vtkDataObject* input, vfm::Ranks& ranks) const
 {

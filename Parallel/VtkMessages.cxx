@@ -1,5 +1,7 @@
 #include "VtkMessages.h"
 
+#include "Base/ParseText.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -103,20 +105,9 @@ const std::vector<std::string>& VtkMessages::GetErrors() const
 
 std::string VtkMessages::GetErrorText() const
 {
-  std::string joined;
-  for (const std::string& error : this->GetErrors())
-  {
-    joined += (joined.empty() ? "" : " ") + error;
-  }
+  std::string joined = JoinTexts(this->GetErrors(), " ");
   std::replace(joined.begin(), joined.end(), '\n', ' ');
   return joined;
-}
-
-void VtkMessages::Clear()
-{
-  this->Errors.clear();
-  this->Failures.clear();
-  this->Warnings.clear();
 }
 
 void VtkMessages::AddError(const std::string& message)

@@ -37,7 +37,6 @@ public:
   bool HasErrors() const { return !this->GetErrors().empty(); }
   /// All errors as one line, or an empty text.
   std::string GetErrorText() const;
-  void Clear();
 
   void AddError(const std::string& message);
   void AddWarning(const std::string& message);
