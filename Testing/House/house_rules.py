@@ -21,7 +21,7 @@ ALLOWED.update({
     "Shapes": BASE + ("Grid/Fractions",),
     "Parallel/Mpi": BASE,
     "Parallel": BASE + ("Parallel/Mpi",),
-    "Filters/Data": GRID + MESHER[:4],
+    "Filters/Data": GRID + MESHER[:4] + ("Parallel",),
     "IO": BASE + MESHER,
     "IO/Images": BASE + MESHER + ("IO",),
     "IO/Blocks": BASE + MESHER + ("IO",),
@@ -32,7 +32,7 @@ ALLOWED.update({
     "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
     "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
     "Program": BASE + ("Grid/Mesh",) + MESHER + (
-        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "Filters"),
+        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "Filters", "Filters/Data"),
     "Plugin": ("Filters", "Mesher/Input"),
     "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes"),
     "Examples": ("InSitu", "InSitu/Catalyst"),
@@ -62,7 +62,7 @@ SOURCES = CODE + (".f90", ".py", ".xml", ".txt", ".cmake")
 LONGEST = 650 # lines
 MOST_AT_ROOT = 8 # files beside the rooms of Grid
 MOST_IN_FOLDER = 40 # files
-CROWDED = ("Filters", "Testing/Python", "Testing/Grid") # folders without that limit
+CROWDED = ("Testing/Python",) # folders without that limit
 HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Labels", "IO/Meshes", "Filters/Data", "Filters/Files") # folders whose sources have each a header of its name
 PACKAGE = "python/volume_fraction_mesh"
 
