@@ -2,7 +2,6 @@
 
 #include "ControllerRanks.h"
 #include "FailedOutput.h"
-#include "ImageExtent.h"
 #include "Images/ImageSource.h"
 #include "Ranks/WorkTogether.h"
 
@@ -14,6 +13,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <array>
 #include <new>
 
@@ -23,6 +23,31 @@ vtkCxxSetObjectMacro(vtkVolumeFractionPartReader, Controller, vtkMultiProcessCon
 
 namespace
 {
+
+bool IsEmptyExtent(const int extent[6])
+{
+  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
+}
+
+/// Of an extent that is not empty, its points.
+vfm::IndexBox FindPoints(const int extent[6])
+{
+  return { { { extent[0], extent[2], extent[4] } },
+    { { vfm::Index(extent[1]) + 1, vfm::Index(extent[3]) + 1, vfm::Index(extent[5]) + 1 } } };
+}
+
+/// The cells of an extent of points; where it is flat, as VTK cuts pieces of less than a cell and slices, those beside it.
+vfm::IndexBox FindCells(const int extent[6], const vfm::Index3& cells)
+{
+  vfm::IndexBox box;
+  for (int a = 0; a < 3; ++a)
+  {
+    const bool isFlat = extent[2 * a] == extent[2 * a + 1];
+    box.Lower[a] = std::min<vfm::Index>(extent[2 * a], isFlat ? cells[a] - 1 : cells[a]);
+    box.Upper[a] = std::max(vfm::Index(extent[2 * a + 1]), box.Lower[a] + (isFlat ? 1 : 0));
+  }
+  return box;
+}
 
 /// Row by row; its columns are the axes of the image.
 std::array<double, 9> GetDirection(const vfm::ImagePlace& place)
@@ -124,11 +149,11 @@ int vtkVolumeFractionPartReader::RequestData(
 void vtkVolumeFractionPartReader::Read(const int extent[6], vfm::Ranks& ranks, vtkImageData* image)
 {
   const vfm::ImagePlace& place = this->Source->Place;
-  const bool areOfCells = this->Source->IsOfCells, isEmpty = vfm::IsEmptyExtent(extent);
+  const bool areOfCells = this->Source->IsOfCells, isEmpty = IsEmptyExtent(extent);
   vfm::IndexBox box;
   if (!isEmpty)
   {
-    box = areOfCells ? vfm::FindCells(extent, place.Size) : vfm::FindPoints(extent);
+    box = areOfCells ? FindCells(extent, place.Size) : FindPoints(extent);
   }
   std::vector<vfm::TypedValues> arrays = this->Source->Read(box, ranks);
   if (isEmpty)
