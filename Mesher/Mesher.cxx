@@ -42,11 +42,6 @@ bool AreLabels(const MesherJob& job)
   return !job.Input.Arrays.Labels.empty();
 }
 
-bool KeepsInterfacesFine(const MesherOptions& options)
-{
-  return options.FineInterfaces || options.Elements == ElementKind::Tets;
-}
-
 LevelCells OpenCells(const MesherJob& job)
 {
   const std::vector<InputBlocks>& levels = job.Input.Levels.Levels;
@@ -123,7 +118,7 @@ int FindRefinements(const MesherJob& job, const LevelSetup& setup, const InputWi
 {
   const MesherOptions& options = job.Options;
   job.Run.Progress(0.0, "Looking for places to refine");
-  const int layers = KeepsInterfacesFine(options) ? 0 : options.FineLayers;
+  const int layers = options.FineInterfaces ? 0 : options.FineLayers;
   RefinementCriteria criteria{ options.ThinCells, options.CurvaturePerCell,
     options.RefineFlippedCells, options.InterfaceLayers, {}, finer };
   WorkTogether(
@@ -142,9 +137,7 @@ LevelPlan Refine(
     finer = FindRefinements(job, setup, wishes, finer, fields);
   }
   RefineFields(fields, finer, job.Options.Children, job.Run);
-  LevelPlan plan;
-  plan.FineInterfaces = KeepsInterfacesFine(job.Options);
-  plan.FineLayers = job.Options.FineLayers;
+  LevelPlan plan{ job.Options, 0, {} };
   if (!setup.IsUniform)
   {
     plan.Refinements = top - setup.Base + finer;
@@ -229,9 +222,11 @@ void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField
 
 } // namespace
 
-MesherResult RunMesher(const MesherInput& input, const MesherOptions& options, Runtime& runtime)
+MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Runtime& runtime)
 {
-  CheckOptions(options);
+  CheckOptions(given);
+  MesherOptions options = given;
+  options.FineInterfaces |= options.Elements == ElementKind::Tets; // they know no others
   const MesherJob job{ input, options, runtime };
   const InputLevels& levels = input.Levels;
   const MesherArrays& arrays = input.Arrays;

@@ -22,7 +22,7 @@ std::vector<Points> FindSurface(MeshData mesh)
   const std::vector<int> oneValue(mesh.NumberOfElements, 0);
   Ranks alone;
   std::vector<Points> surface;
-  for (const MeshFace& face : FindMeshFaces(mesh, oneValue.data(), alone))
+  for (const FacetSide& face : FindMeshFaces(mesh, oneValue.data(), alone))
   {
     const auto end = std::find(face.Points.begin(), face.Points.end(), -1);
     surface.emplace_back(face.Points.begin(), end);

@@ -5,6 +5,10 @@
 
 #include "Base/IndexBox.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace vfm
 {
 
@@ -49,6 +53,19 @@ std::vector<Item> Joined(const std::vector<std::vector<Item>>& lists)
     items.insert(items.end(), list.begin(), list.end());
   }
   return items;
+}
+
+/// Lists of what map returns for the items of some lists.
+template <class Item, class Map>
+auto MapLists(const std::vector<std::vector<Item>>& lists, const Map& map)
+{
+  std::vector<std::vector<std::decay_t<decltype(map(std::declval<Item>()))>>> mapped;
+  for (const std::vector<Item>& list : lists)
+  {
+    mapped.emplace_back();
+    std::transform(list.begin(), list.end(), std::back_inserter(mapped.back()), map);
+  }
+  return mapped;
 }
 
 } // namespace vfm

@@ -53,14 +53,19 @@ struct TetGenOptions
   int OptimizationLevel = 4;          ///< of TetGen's flips and smoothing
 };
 
+/// What a user sets of a refined grid.
+struct LevelSettings
+{
+  /// All interfaces get cells of the grid. false: only where Families are, so interfaces of hexahedra cross levels.
+  bool FineInterfaces = true;
+  /// >= 2: cells of the grid kept around those at an interface, where these get them.
+  int FineLayers = 2;
+};
+
 /// Where cells may be coarser than those of the grid given to the pipelines (RefinedGrid.h).
-struct LevelPlan
+struct LevelPlan : LevelSettings
 {
   int Refinements = 0; ///< base cells are 2^Refinements cells of the grid along each axis
-  bool FineInterfaces =
-    true; ///< all interfaces get cells of the grid; false: where Families are alone, so interfaces cross levels
-  int FineLayers =
-    2; ///< >= 2: cells of the grid kept around those at an interface, where these get them
   std::vector<std::vector<Index>>
     Families; ///< to refine besides: of each refinement, those of this rank (OctreeKeys::FamilyKey)
 };

@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "Base/Groups.h"
 #include "Base/PagedArray.h"
 #include "Base/RunCoding.h"
 #include "Ranks/Ranks.h"
@@ -111,13 +112,7 @@ void Partition::ExchangeBoxes(const Pack& pack, const Unpack& unpack) const
 template <class Answer>
 auto Partition::Ask(const std::vector<std::vector<Index>>& ids, const Answer& answer) const
 {
-  std::vector<std::vector<decltype(answer(Index()))>> answers;
-  for (const std::vector<Index>& asked : this->Exchange(ids))
-  {
-    answers.emplace_back();
-    std::transform(asked.begin(), asked.end(), std::back_inserter(answers.back()), answer);
-  }
-  return this->Exchange(answers);
+  return this->Exchange(MapLists(this->Exchange(ids), answer));
 }
 
 /// Adds the indices in [first, last), of one row, that have another value.

@@ -25,4 +25,15 @@ std::int64_t FindSorted(const List& items, const Item& item)
   return at != items.end() && *at == item ? at - items.begin() : -1;
 }
 
+/// Calls body(first, last) for the runs of items that alike(first item, other item) tells to belong together.
+template <class Iterator, class Alike, class Body>
+void ForRuns(Iterator begin, Iterator end, const Alike& alike, const Body& body)
+{
+  for (Iterator first = begin, last = begin; first != end; first = last)
+  {
+    last = std::find_if(first, end, [&](const auto& item) { return !alike(*first, item); });
+    body(first, last);
+  }
+}
+
 } // namespace vfm

@@ -37,245 +37,234 @@ SiteList SitesOf(const Candidates& candidates)
   return sites;
 }
 
+using Result = std::optional<FittedCrease>;
+
 /// Finds models in three phases; each reads what those before have found.
-class CreaseFinder
+struct Work
 {
-public:
-  CreaseFinder(const CreaseInput& input, const Partition& partition, Runtime& runtime) :
-    Input(input),
-    Source(input.Source),
-    Sites(input.Source, partition),
-    Pairs(Sites),
-    Run(runtime),
-    Found(Source.Points().size())
-  {
-  }
-
-  void Find(SharpEdges mode)
-  {
-    this->FindStrong();
-    this->FindSharpPairs();
-    if (mode == SharpEdges::Automatic)
-    {
-      this->DropSmoothPairs();
-    }
-    if (!this->Sites.Group().Any(!this->Strong.empty()))
-    {
-      return;
-    }
-    this->SearchCrossings();
-    this->SearchModels();
-    this->Sites.Share(this->Found);
-    this->SearchLeft();
-    this->Sites.Share(this->Found);
-  }
-
-  /// Calls visit(site, crease) for the owned points that have one and those near, ascending.
-  template <class Visitor>
-  void ForFound(const Visitor& visit) const
-  {
-    for (const CreaseSite& site : this->Sites.Near())
-    {
-      if (this->Found[site.Point])
-      {
-        visit(site, *this->Found[site.Point]);
-      }
-    }
-  }
-
-private:
-  using Result = std::optional<FittedCrease>;
-
-  CreaseSearch SearchOf(const CreaseSite& site) const
-  {
-    return CreaseSearch(this->Input, site.Node, site.Point, this->Pairs.Contains(site));
-  }
-  bool IsStrong(const CreaseSite& site) const
-  {
-    return std::binary_search(this->Strong.begin(), this->Strong.end(), site);
-  }
-
-  void FindStrong()
-  {
-    const SiteList& sites = this->Sites.Near();
-    std::vector<unsigned char> isStrong(sites.size(), 0);
-    ForEach(this->Run, sites.size(),
-      [&](Index i) { isStrong[i] = this->SearchOf(sites[i]).NearResidual() >= StrongResidual; });
-    for (std::size_t i = 0; i < sites.size(); ++i)
-    {
-      if (isStrong[i])
-      {
-        this->Strong.push_back(sites[i]);
-      }
-    }
-  }
-
-  void FindSharpPairs()
-  {
-    this->Pairs.Sample(this->Strong);
-    this->SearchCrossingsAt(this->Pairs.Chosen());
-    this->Pairs.Judge(this->Found);
-  }
-
-  void DropSmoothPairs()
-  {
-    const auto dropped = std::stable_partition(this->Strong.begin(), this->Strong.end(),
-      [this](const CreaseSite& site) { return this->Pairs.Contains(site); });
-    std::for_each(dropped, this->Strong.end(),
-      [this](const CreaseSite& site) { this->Found[site.Point].reset(); });
-    this->Strong.erase(dropped, this->Strong.end());
-  }
-
-  /// search(site, walk): what is found at a site; kept after all have been searched, in place of what was found there before.
-  template <class Search>
-  void SearchAll(const SiteList& sites, const Search& search)
-  {
-    std::vector<Result> results(sites.size());
-    this->Run.For(0, static_cast<Index>(sites.size()),
-      [&](Index begin, Index end)
-      {
-        FaceWalk walk(this->Source);
-        for (Index i = begin; i < end; ++i)
-        {
-          results[i] = search(sites[i], walk);
-        }
-      });
-    for (std::size_t i = 0; i < sites.size(); ++i)
-    {
-      if (results[i])
-      {
-        this->Found[sites[i].Point] = std::make_unique<const FittedCrease>(*results[i]);
-      }
-    }
-  }
-
-  void SearchCrossingsAt(const SiteList& sites)
-  {
-    this->SearchAll(sites,
-      [this](const CreaseSite& site, FaceWalk& walk)
-      {
-        CreaseSearch search = this->SearchOf(site);
-        return search.Gather() ? search.FromCrossings(walk) : Result();
-      });
-  }
-
-  /// First phase: some of the strong points, also beside the owned ones.
-  void SearchCrossings()
-  {
-    SiteList sites;
-    std::copy_if(this->Strong.begin(), this->Strong.end(), std::back_inserter(sites),
-      [this](const CreaseSite& site)
-      { return this->Sites.IsFirst(site) && !this->Found[site.Point]; });
-    this->SearchCrossingsAt(sites);
-  }
-
-  /// Where the models that have been found by now may be tried.
-  Candidates FindCandidates() const
-  {
-    Candidates candidates;
-    this->ForFound(
-      [&](const CreaseSite& from, const FittedCrease&)
-      {
-        for (const CreaseSite& at : this->Sites.ListAround(from))
-        {
-          candidates.push_back({ at, from });
-        }
-      });
-    std::sort(candidates.begin(), candidates.end());
-    return candidates;
-  }
-
-  /// The models to be tried at a point, the nearest first.
-  std::vector<NearCrease> ListModels(const CreaseSite& site, const Candidates& candidates) const
-  {
-    const NodeFrame frame = FrameOf(this->Source, site.Node);
-    const auto range = std::equal_range(candidates.begin(), candidates.end(), Candidate{ site, {} },
-      [](const Candidate& a, const Candidate& b) { return a.At < b.At; });
-    std::vector<NearCrease> models;
-    for (auto candidate = range.first; candidate != range.second; ++candidate)
-    {
-      const Vector3 origin = FrameOf(this->Source, candidate->From.Node).Origin;
-      models.push_back(
-        { this->Found[candidate->From.Point].get(), Divided(origin - frame.Origin, frame.Widths) });
-    }
-    std::stable_sort(models.begin(), models.end(),
-      [](const NearCrease& a, const NearCrease& b)
-      { return Dot(a.From, a.From) < Dot(b.From, b.From); });
-    return models;
-  }
-
-  /// Second phase: all owned points, from the models of the first.
-  void SearchModels()
-  {
-    const Candidates candidates = this->FindCandidates();
-    SiteList sites = SitesOf(candidates);
-    const SiteList strong = this->Sites.ListOwned(this->Strong);
-    sites.insert(sites.end(), strong.begin(), strong.end());
-    SortUnique(sites);
-    this->SearchAll(sites,
-      [&](const CreaseSite& site, FaceWalk& walk)
-      { return this->SearchAt(site, candidates, walk); });
-  }
-
-  Result SearchAt(const CreaseSite& site, const Candidates& candidates, FaceWalk& walk) const
-  {
-    const FittedCrease* own = this->Found[site.Point].get();
-    CreaseSearch search = this->SearchOf(site);
-    if ((own && own->Residual < ExcellentResidual) || !search.Gather() ||
-      search.QuadricResidual() < WeakResidual)
-    {
-      return {};
-    }
-    const std::vector<NearCrease> models = this->ListModels(site, candidates);
-    Result found = search.FromModels(models);
-    if (own)
-    {
-      return found && found->Residual < own->Residual ? found : Result();
-    }
-    if (!found && !models.empty())
-    {
-      found = search.FromSurfaces(models);
-    }
-    if (!found && !this->Sites.IsFirst(site) && this->IsStrong(site))
-    {
-      found = search.FromCrossings(walk);
-    }
-    return found;
-  }
-
-  /// Third phase: strong points of pairs that have edges, still without a model as near corners, from what those around have found by now.
-  void SearchLeft()
-  {
-    const auto isDone = [this](const Candidate& candidate)
-    {
-      const CreaseSite& at = candidate.At;
-      return this->Found[at.Point] || !this->IsStrong(at) || !this->Pairs.Contains(at);
-    };
-    Candidates candidates = this->FindCandidates();
-    candidates.erase(
-      std::remove_if(candidates.begin(), candidates.end(), isDone), candidates.end());
-    this->SearchAll(SitesOf(candidates),
-      [&](const CreaseSite& site, FaceWalk&)
-      {
-        CreaseSearch search = this->SearchOf(site);
-        if (!search.Gather())
-        {
-          return Result();
-        }
-        const std::vector<NearCrease> models = this->ListModels(site, candidates);
-        const Result found = search.FromModels(models);
-        return found ? found : search.FromSurfaces(models);
-      });
-  }
-
   const CreaseInput& Input;
-  const Interface& Source;
-  const CreaseSites Sites;
-  SharpPairs Pairs;
+  const Partition& Parts;
   Runtime& Run;
-  SiteList Strong;
-  FoundCreases Found;
+  const Interface& Source = Input.Source;
+  const CreaseSites Sites{ Source, Parts };
+  SharpPairs Pairs{ Sites };
+  SiteList Strong{};
+  FoundCreases Found = FoundCreases(Source.Points().size());
 };
+
+CreaseSearch SearchOf(const Work& work, const CreaseSite& site)
+{
+  return CreaseSearch(work.Input, site.Node, site.Point, work.Pairs.Contains(site));
+}
+
+void FindStrong(Work& work)
+{
+  const SiteList& sites = work.Sites.Near();
+  std::vector<unsigned char> isStrong(sites.size(), 0);
+  ForEach(work.Run, sites.size(),
+    [&](Index i) { isStrong[i] = SearchOf(work, sites[i]).NearResidual() >= StrongResidual; });
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    if (isStrong[i])
+    {
+      work.Strong.push_back(sites[i]);
+    }
+  }
+}
+
+/// search(site, walk): what is found at a site; kept after all have been searched, in place of what was found there before.
+template <class Search>
+void SearchAll(Work& work, const SiteList& sites, const Search& search)
+{
+  std::vector<Result> results(sites.size());
+  work.Run.For(0, static_cast<Index>(sites.size()),
+    [&](Index begin, Index end)
+    {
+      FaceWalk walk(work.Source);
+      for (Index i = begin; i < end; ++i)
+      {
+        results[i] = search(sites[i], walk);
+      }
+    });
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    if (results[i])
+    {
+      work.Found[sites[i].Point] = std::make_unique<const FittedCrease>(*results[i]);
+    }
+  }
+}
+
+void SearchCrossingsAt(Work& work, const SiteList& sites)
+{
+  SearchAll(work, sites,
+    [&](const CreaseSite& site, FaceWalk& walk)
+    {
+      CreaseSearch search = SearchOf(work, site);
+      return search.Gather() ? search.FromCrossings(walk) : Result();
+    });
+}
+
+void FindSharpPairs(Work& work)
+{
+  work.Pairs.Sample(work.Strong);
+  SearchCrossingsAt(work, work.Pairs.Chosen());
+  work.Pairs.Judge(work.Found);
+}
+
+void DropSmoothPairs(Work& work)
+{
+  const auto dropped = std::stable_partition(work.Strong.begin(), work.Strong.end(),
+    [&](const CreaseSite& site) { return work.Pairs.Contains(site); });
+  std::for_each(
+    dropped, work.Strong.end(), [&](const CreaseSite& site) { work.Found[site.Point].reset(); });
+  work.Strong.erase(dropped, work.Strong.end());
+}
+
+/// First phase: some of the strong points, also beside the owned ones.
+void SearchCrossings(Work& work)
+{
+  SiteList sites;
+  std::copy_if(work.Strong.begin(), work.Strong.end(), std::back_inserter(sites),
+    [&](const CreaseSite& site) { return work.Sites.IsFirst(site) && !work.Found[site.Point]; });
+  SearchCrossingsAt(work, sites);
+}
+
+/// Calls visit(site, crease) for the owned points that have one and those near, ascending.
+template <class Visitor>
+void ForFound(const Work& work, const Visitor& visit)
+{
+  for (const CreaseSite& site : work.Sites.Near())
+  {
+    if (work.Found[site.Point])
+    {
+      visit(site, *work.Found[site.Point]);
+    }
+  }
+}
+
+/// Where the models that have been found by now may be tried.
+Candidates FindCandidates(const Work& work)
+{
+  Candidates candidates;
+  ForFound(work,
+    [&](const CreaseSite& from, const FittedCrease&)
+    {
+      for (const CreaseSite& at : work.Sites.ListAround(from))
+      {
+        candidates.push_back({ at, from });
+      }
+    });
+  std::sort(candidates.begin(), candidates.end());
+  return candidates;
+}
+
+bool IsStrong(const Work& work, const CreaseSite& site)
+{
+  return std::binary_search(work.Strong.begin(), work.Strong.end(), site);
+}
+
+/// The models to be tried at a point, the nearest first.
+std::vector<NearCrease> ListModels(
+  const Work& work, const CreaseSite& site, const Candidates& candidates)
+{
+  const NodeFrame frame = FrameOf(work.Source, site.Node);
+  const auto range = std::equal_range(candidates.begin(), candidates.end(), Candidate{ site, {} },
+    [](const Candidate& a, const Candidate& b) { return a.At < b.At; });
+  std::vector<NearCrease> models;
+  for (auto candidate = range.first; candidate != range.second; ++candidate)
+  {
+    const Vector3 origin = FrameOf(work.Source, candidate->From.Node).Origin;
+    models.push_back(
+      { work.Found[candidate->From.Point].get(), Divided(origin - frame.Origin, frame.Widths) });
+  }
+  std::stable_sort(models.begin(), models.end(),
+    [](const NearCrease& a, const NearCrease& b)
+    { return Dot(a.From, a.From) < Dot(b.From, b.From); });
+  return models;
+}
+
+Result SearchAt(
+  const Work& work, const CreaseSite& site, const Candidates& candidates, FaceWalk& walk)
+{
+  const FittedCrease* own = work.Found[site.Point].get();
+  CreaseSearch search = SearchOf(work, site);
+  if ((own && own->Residual < ExcellentResidual) || !search.Gather() ||
+    search.QuadricResidual() < WeakResidual)
+  {
+    return {};
+  }
+  const std::vector<NearCrease> models = ListModels(work, site, candidates);
+  Result found = search.FromModels(models);
+  if (own)
+  {
+    return found && found->Residual < own->Residual ? found : Result();
+  }
+  if (!found && !models.empty())
+  {
+    found = search.FromSurfaces(models);
+  }
+  if (!found && !work.Sites.IsFirst(site) && IsStrong(work, site))
+  {
+    found = search.FromCrossings(walk);
+  }
+  return found;
+}
+
+/// Second phase: all owned points, from the models of the first.
+void SearchModels(Work& work)
+{
+  const Candidates candidates = FindCandidates(work);
+  SiteList sites = SitesOf(candidates);
+  const SiteList strong = work.Sites.ListOwned(work.Strong);
+  sites.insert(sites.end(), strong.begin(), strong.end());
+  SortUnique(sites);
+  SearchAll(work, sites,
+    [&](const CreaseSite& site, FaceWalk& walk) { return SearchAt(work, site, candidates, walk); });
+}
+
+/// Third phase: strong points of pairs that have edges, still without a model as near corners, from what those around have found by now.
+void SearchLeft(Work& work)
+{
+  const auto isDone = [&](const Candidate& candidate)
+  {
+    const CreaseSite& at = candidate.At;
+    return work.Found[at.Point] || !IsStrong(work, at) || !work.Pairs.Contains(at);
+  };
+  Candidates candidates = FindCandidates(work);
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), isDone), candidates.end());
+  SearchAll(work, SitesOf(candidates),
+    [&](const CreaseSite& site, FaceWalk&)
+    {
+      CreaseSearch search = SearchOf(work, site);
+      if (!search.Gather())
+      {
+        return Result();
+      }
+      const std::vector<NearCrease> models = ListModels(work, site, candidates);
+      const Result found = search.FromModels(models);
+      return found ? found : search.FromSurfaces(models);
+    });
+}
+
+void FindAll(Work& work, SharpEdges mode)
+{
+  FindStrong(work);
+  FindSharpPairs(work);
+  if (mode == SharpEdges::Automatic)
+  {
+    DropSmoothPairs(work);
+  }
+  if (!work.Sites.Group().Any(!work.Strong.empty()))
+  {
+    return;
+  }
+  SearchCrossings(work);
+  SearchModels(work);
+  work.Sites.Share(work.Found);
+  SearchLeft(work);
+  work.Sites.Share(work.Found);
+}
 
 } // namespace
 
@@ -288,9 +277,9 @@ Creases::Creases(const Interface& interface, const FractionField& fractions,
     return;
   }
   const CreaseInput input{ interface, fractions, targets, firstTarget };
-  CreaseFinder finder(input, partition, runtime);
-  finder.Find(mode);
-  finder.ForFound(
+  Work work{ input, partition, runtime };
+  FindAll(work, mode);
+  ForFound(work,
     [&](const CreaseSite& site, const FittedCrease& crease)
     {
       const NodeFrame frame = FrameOf(interface, site.Node);

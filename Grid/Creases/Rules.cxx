@@ -75,113 +75,19 @@ struct RuleFacet
   int Count;
 };
 
-class CreaseRules
+struct Work
 {
-public:
-  CreaseRules(
-    const SurfacePairs& pairs, const std::vector<Facet>& facets, std::vector<CreasePoint>& points);
-  void Run();
-
-private:
-  int FindPair(Index meshPoint, const std::array<int, 2>& labels) const;
-  void ListFacets(const std::vector<Facet>& facets);
-  template <class Value>
-  void Exchange(std::vector<Value>& values) const;
-  template <class Value, class Merge>
-  void Spread(std::vector<Value>& values, int rounds, const Merge& merge) const;
-  template <class Visitor>
-  void ForEdges(const Visitor& visit) const;
-  void MakeCarriers(const std::vector<int>& chosen);
-  void ExchangeKinds();
-  bool IsCarrierAt(int pair) const { return pair >= 0 && IsCarrier(this->Points[pair].Kind); }
-  bool IsNearer(int a, int b) const;
-  bool ShareSide(int a, int b) const;
-  std::vector<unsigned char> FindWilling() const;
-
-  void PickCorners();
-  void Cover();
-  void StraightenZigzags();
-  void DropShortChains();
-  void DropFarSides();
-
   const SurfacePairs& Pairs;
-  std::vector<CreasePoint>& Points; // of each pair
-  std::vector<Index> Ids;           // of the point of each pair
-  std::vector<unsigned char>
-    IsKnown; // of each pair: it is among those of the point that ranks tell each other
-  std::vector<RuleFacet> Facets;
+  std::vector<CreasePoint>& Points;                           // of each pair
+  std::vector<Index> Ids = std::vector<Index>(Points.size()); // of the point of each pair
+  /// Of each pair: it is among those of the point that ranks tell each other.
+  std::vector<unsigned char> IsKnown = std::vector<unsigned char>(Points.size());
+  std::vector<RuleFacet> Facets{};
 };
-
-CreaseRules::CreaseRules(
-  const SurfacePairs& pairs, const std::vector<Facet>& facets, std::vector<CreasePoint>& points) :
-  Pairs(pairs), Points(points), Ids(points.size()), IsKnown(points.size(), 0)
-{
-  for (std::size_t p = 0; p < pairs.Ids.size(); ++p)
-  {
-    const Index first = pairs.Offset[p], last = pairs.Offset[p + 1];
-    std::fill(this->Ids.begin() + first, this->Ids.begin() + last, pairs.Ids[p]);
-    std::fill(this->IsKnown.begin() + first,
-      this->IsKnown.begin() + std::min<Index>(last, first + MostPairs), 1);
-  }
-  this->Exchange(this->IsKnown);
-  this->Exchange(this->Points);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    points[i] = this->IsKnown[i] ? points[i] : CreasePoint();
-  }
-  this->ListFacets(facets);
-}
-
-int CreaseRules::FindPair(Index meshPoint, const std::array<int, 2>& labels) const
-{
-  const int point = this->Pairs.PointOf[meshPoint];
-  if (point >= 0)
-  {
-    for (Index i = this->Pairs.Offset[point]; i < this->Pairs.Offset[point + 1]; ++i)
-    {
-      if (this->IsKnown[i] && this->Pairs.Labels[i] == labels)
-      {
-        return static_cast<int>(i);
-      }
-    }
-  }
-  return -1;
-}
-
-/// Those with a point that has a model.
-void CreaseRules::ListFacets(const std::vector<Facet>& facets)
-{
-  std::vector<unsigned char> hasModel(this->Pairs.Ids.size(), 0);
-  for (std::size_t p = 0; p < hasModel.size(); ++p)
-  {
-    for (Index i = this->Pairs.Offset[p]; i < this->Pairs.Offset[p + 1]; ++i)
-    {
-      hasModel[p] |= this->Points[i].Kind != CreaseKind::None;
-    }
-  }
-  const auto isNear = [&](Index meshPoint)
-  {
-    const int point = this->Pairs.PointOf[meshPoint];
-    return point >= 0 && hasModel[point];
-  };
-  for (const Facet& facet : facets)
-  {
-    if (facet.DomainSide >= 0 || !std::any_of(facet.Points.begin(), facet.Points.end(), isNear))
-    {
-      continue;
-    }
-    const std::array<int, 2> labels{ { std::min(facet.Materials[0], facet.Materials[1]),
-      std::max(facet.Materials[0], facet.Materials[1]) } };
-    RuleFacet own{ {}, facet.Points[2] == facet.Points[3] ? 3 : 4 };
-    std::transform(facet.Points.begin(), facet.Points.end(), own.At.begin(),
-      [&](Index p) { return this->FindPair(p, labels); });
-    this->Facets.push_back(own);
-  }
-}
 
 /// Gives the pairs of points of other ranks the values that these have for the same labels.
 template <class Value>
-void CreaseRules::Exchange(std::vector<Value>& values) const
+void Exchange(const Work& work, std::vector<Value>& values)
 {
   struct Slot
   {
@@ -189,14 +95,14 @@ void CreaseRules::Exchange(std::vector<Value>& values) const
     Value Of;
   };
   using Slots = std::array<Slot, MostPairs>;
-  const std::vector<Index>& offset = this->Pairs.Offset;
+  const std::vector<Index>& offset = work.Pairs.Offset;
   const auto pack = [&](int mover)
   {
     Slots slots{};
     int used = 0;
     for (Index i = offset[mover]; i < offset[mover + 1] && used < MostPairs; ++i)
     {
-      slots[used++] = { this->Pairs.Labels[i], values[i] };
+      slots[used++] = { work.Pairs.Labels[i], values[i] };
     }
     return slots;
   };
@@ -204,23 +110,23 @@ void CreaseRules::Exchange(std::vector<Value>& values) const
   {
     for (Index i = offset[mover]; i < offset[mover + 1]; ++i)
     {
-      const std::array<int, 2>& labels = this->Pairs.Labels[i];
+      const std::array<int, 2>& labels = work.Pairs.Labels[i];
       const auto slot =
         std::find_if(slots.begin(), slots.end(), [&](const Slot& s) { return s.Labels == labels; });
       values[i] = slot != slots.end() ? slot->Of : Value{};
     }
   };
-  this->Pairs.Exchange.SendAll(pack, unpack);
+  work.Pairs.Exchange.SendAll(pack, unpack);
 }
 
 /// In each round every point merges the values that those of its facets had before.
 template <class Value, class Merge>
-void CreaseRules::Spread(std::vector<Value>& values, int rounds, const Merge& merge) const
+void Spread(const Work& work, std::vector<Value>& values, int rounds, const Merge& merge)
 {
   for (int round = 0; round < rounds; ++round)
   {
     const std::vector<Value> before = values;
-    for (const RuleFacet& facet : this->Facets)
+    for (const RuleFacet& facet : work.Facets)
     {
       for (int a = 0; a < facet.Count; ++a)
       {
@@ -233,15 +139,44 @@ void CreaseRules::Spread(std::vector<Value>& values, int rounds, const Merge& me
         }
       }
     }
-    this->Exchange(values);
+    Exchange(work, values);
+  }
+}
+
+void PickCorners(Work& work)
+{
+  std::vector<Bid> bids(work.Points.size(), Bid{ {}, CornerReach, NoId });
+  for (std::size_t i = 0; i < bids.size(); ++i)
+  {
+    if (work.Points[i].CornerDistance < CornerReach)
+    {
+      bids[i] = { work.Points[i].Corner, work.Points[i].CornerDistance, work.Ids[i] };
+    }
+  }
+  const auto merge = [&](int i, Bid& mine, const Bid& other)
+  {
+    const bool isMine = work.Points[i].CornerDistance >= CornerReach ||
+      Norm(other.Corner - work.Points[i].Corner) < SameCorner;
+    if (isMine && other < mine)
+    {
+      mine = other;
+    }
+  };
+  Spread(work, bids, CornerRings, merge);
+  for (std::size_t i = 0; i < bids.size(); ++i)
+  {
+    if (bids[i].Id == work.Ids[i])
+    {
+      work.Points[i].Kind = CreaseKind::Corner;
+    }
   }
 }
 
 /// Calls visit(a, b) with the pairs at both ends of the edges of facets.
 template <class Visitor>
-void CreaseRules::ForEdges(const Visitor& visit) const
+void ForEdges(const Work& work, const Visitor& visit)
 {
-  for (const RuleFacet& facet : this->Facets)
+  for (const RuleFacet& facet : work.Facets)
   {
     for (int c = 0; c < facet.Count; ++c)
     {
@@ -254,69 +189,40 @@ void CreaseRules::ForEdges(const Visitor& visit) const
   }
 }
 
-void CreaseRules::ExchangeKinds()
+void ExchangeKinds(Work& work)
 {
-  std::vector<CreaseKind> kinds(this->Points.size());
+  std::vector<CreaseKind> kinds(work.Points.size());
   for (std::size_t i = 0; i < kinds.size(); ++i)
   {
-    kinds[i] = this->Points[i].Kind;
+    kinds[i] = work.Points[i].Kind;
   }
-  this->Exchange(kinds);
+  Exchange(work, kinds);
   for (std::size_t i = 0; i < kinds.size(); ++i)
   {
-    this->Points[i].Kind = kinds[i];
+    work.Points[i].Kind = kinds[i];
   }
 }
 
-void CreaseRules::MakeCarriers(const std::vector<int>& chosen)
+void MakeCarriers(Work& work, const std::vector<int>& chosen)
 {
   for (int i : chosen)
   {
-    this->Points[i].Kind = CreaseKind::Edge;
+    work.Points[i].Kind = CreaseKind::Edge;
   }
-  this->ExchangeKinds();
+  ExchangeKinds(work);
 }
 
 /// Whether a is nearer to its edge than b is to its.
-bool CreaseRules::IsNearer(int a, int b) const
+bool IsNearer(const Work& work, int a, int b)
 {
-  const double da = this->Points[a].EdgeDistance, db = this->Points[b].EdgeDistance;
-  return da != db ? da < db : this->Ids[a] < this->Ids[b];
-}
-
-void CreaseRules::PickCorners()
-{
-  std::vector<Bid> bids(this->Points.size(), Bid{ {}, CornerReach, NoId });
-  for (std::size_t i = 0; i < bids.size(); ++i)
-  {
-    if (this->Points[i].CornerDistance < CornerReach)
-    {
-      bids[i] = { this->Points[i].Corner, this->Points[i].CornerDistance, this->Ids[i] };
-    }
-  }
-  const auto merge = [this](int i, Bid& mine, const Bid& other)
-  {
-    const bool isMine = this->Points[i].CornerDistance >= CornerReach ||
-      Norm(other.Corner - this->Points[i].Corner) < SameCorner;
-    if (isMine && other < mine)
-    {
-      mine = other;
-    }
-  };
-  this->Spread(bids, CornerRings, merge);
-  for (std::size_t i = 0; i < bids.size(); ++i)
-  {
-    if (bids[i].Id == this->Ids[i])
-    {
-      this->Points[i].Kind = CreaseKind::Corner;
-    }
-  }
+  const double da = work.Points[a].EdgeDistance, db = work.Points[b].EdgeDistance;
+  return da != db ? da < db : work.Ids[a] < work.Ids[b];
 }
 
 /// Whether some surface holds for both ends of a mesh edge.
-bool CreaseRules::ShareSide(int a, int b) const
+bool ShareSide(const Work& work, int a, int b)
 {
-  const CreasePoint &first = this->Points[a], &second = this->Points[b];
+  const CreasePoint &first = work.Points[a], &second = work.Points[b];
   const auto isOn = [](const CreasePoint& point, const Vector3& normal)
   {
     return point.Kind == CreaseKind::Side ? Dot(point.Normal, normal) > LargestCosine
@@ -328,42 +234,47 @@ bool CreaseRules::ShareSide(int a, int b) const
     : isOn(second, first.EdgeNormals[0]) || isOn(second, first.EdgeNormals[1]);
 }
 
-void CreaseRules::Cover()
+void Cover(Work& work)
 {
   std::vector<int> chosen;
-  const auto isSide = [this](int i) { return this->Points[i].Kind == CreaseKind::Side; };
-  const auto isEdge = [this](int i) { return this->Points[i].Kind == CreaseKind::Edge; };
-  this->ForEdges(
+  const auto isSide = [&](int i) { return work.Points[i].Kind == CreaseKind::Side; };
+  const auto isEdge = [&](int i) { return work.Points[i].Kind == CreaseKind::Edge; };
+  ForEdges(work,
     [&](int a, int b)
     {
       const bool mayCross = (isSide(a) && (isSide(b) || isEdge(b))) || (isEdge(a) && isSide(b));
-      if (mayCross && !this->ShareSide(a, b))
+      if (mayCross && !ShareSide(work, a, b))
       {
-        const int asked = isSide(b) && (isEdge(a) || !this->IsNearer(a, b)) ? b : a;
-        if (this->Points[asked].EdgeDistance < CoverReach)
+        const int asked = isSide(b) && (isEdge(a) || !IsNearer(work, a, b)) ? b : a;
+        if (work.Points[asked].EdgeDistance < CoverReach)
         {
           chosen.push_back(asked);
         }
       }
     });
-  this->MakeCarriers(chosen);
+  MakeCarriers(work, chosen);
+}
+
+bool IsCarrierAt(const Work& work, int pair)
+{
+  return pair >= 0 && IsCarrier(work.Points[pair].Kind);
 }
 
 /// Sides that may become carriers: none of their quads has three.
-std::vector<unsigned char> CreaseRules::FindWilling() const
+std::vector<unsigned char> FindWilling(const Work& work)
 {
-  std::vector<unsigned char> willing(this->Points.size());
+  std::vector<unsigned char> willing(work.Points.size());
   for (std::size_t i = 0; i < willing.size(); ++i)
   {
-    const CreasePoint& point = this->Points[i];
+    const CreasePoint& point = work.Points[i];
     willing[i] = point.Kind == CreaseKind::Side && point.EdgeDistance < ZigzagReach;
   }
-  for (const RuleFacet& facet : this->Facets)
+  for (const RuleFacet& facet : work.Facets)
   {
     int carriers = 0;
     for (int c = 0; c < facet.Count; ++c)
     {
-      carriers += this->IsCarrierAt(facet.At[c]);
+      carriers += IsCarrierAt(work, facet.At[c]);
     }
     for (int c = 0; c < facet.Count && carriers + 1 == facet.Count; ++c)
     {
@@ -373,48 +284,48 @@ std::vector<unsigned char> CreaseRules::FindWilling() const
       }
     }
   }
-  this->Exchange(willing);
+  Exchange(work, willing);
   return willing;
 }
 
-void CreaseRules::StraightenZigzags()
+void StraightenZigzags(Work& work)
 {
-  const std::vector<unsigned char> willing = this->FindWilling();
+  const std::vector<unsigned char> willing = FindWilling(work);
   std::vector<int> chosen;
-  for (const RuleFacet& facet : this->Facets)
+  for (const RuleFacet& facet : work.Facets)
   {
     for (int d = 0; d < 2 && facet.Count == 4; ++d)
     {
       const int a = facet.At[1 - d], b = facet.At[3 - d];
-      if (this->IsCarrierAt(facet.At[d]) && this->IsCarrierAt(facet.At[d + 2]) &&
-        !this->IsCarrierAt(a) && !this->IsCarrierAt(b))
+      if (IsCarrierAt(work, facet.At[d]) && IsCarrierAt(work, facet.At[d + 2]) &&
+        !IsCarrierAt(work, a) && !IsCarrierAt(work, b))
       {
         const bool mayA = a >= 0 && willing[a], mayB = b >= 0 && willing[b];
         if (mayA || mayB)
         {
-          chosen.push_back(!mayB || (mayA && this->IsNearer(a, b)) ? a : b);
+          chosen.push_back(!mayB || (mayA && IsNearer(work, a, b)) ? a : b);
         }
       }
     }
   }
-  this->MakeCarriers(chosen);
+  MakeCarriers(work, chosen);
 }
 
-void CreaseRules::DropShortChains()
+void DropShortChains(Work& work)
 {
-  std::vector<Chain> chains(this->Points.size());
+  std::vector<Chain> chains(work.Points.size());
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    const CreasePoint& point = this->Points[i];
+    const CreasePoint& point = work.Points[i];
     if (IsCarrier(point.Kind))
     {
-      chains[i].Ids[0] = this->Ids[i];
+      chains[i].Ids[0] = work.Ids[i];
       chains[i].Chord = point.Kind == CreaseKind::Corner
         ? AnyChord
         : Norm(point.EdgeNormals[0] - point.EdgeNormals[1]);
     }
   }
-  this->Spread(chains, ChainRings,
+  Spread(work, chains, ChainRings,
     [](int, Chain& mine, const Chain& other)
     {
       if (GoesOn(mine, other))
@@ -424,45 +335,76 @@ void CreaseRules::DropShortChains()
     });
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (this->IsCarrierAt(static_cast<int>(i)) && chains[i].Ids.back() == NoId)
+    if (IsCarrierAt(work, static_cast<int>(i)) && chains[i].Ids.back() == NoId)
     {
-      this->Points[i].Kind = CreaseKind::None;
+      work.Points[i].Kind = CreaseKind::None;
     }
   }
 }
 
-void CreaseRules::DropFarSides()
+void DropFarSides(Work& work)
 {
-  std::vector<unsigned char> near(this->Points.size());
+  std::vector<unsigned char> near(work.Points.size());
   for (std::size_t i = 0; i < near.size(); ++i)
   {
-    near[i] = this->IsCarrierAt(static_cast<int>(i)) || this->Points[i].IsSheet;
+    near[i] = IsCarrierAt(work, static_cast<int>(i)) || work.Points[i].IsSheet;
   }
-  this->Spread(
-    near, SideRings, [](int, unsigned char& mine, unsigned char other) { mine |= other; });
+  Spread(
+    work, near, SideRings, [](int, unsigned char& mine, unsigned char other) { mine |= other; });
   for (std::size_t i = 0; i < near.size(); ++i)
   {
     if (!near[i])
     {
-      this->Points[i].Kind = CreaseKind::None;
+      work.Points[i].Kind = CreaseKind::None;
     }
   }
 }
 
-void CreaseRules::Run()
+int FindPair(const Work& work, Index meshPoint, const std::array<int, 2>& labels)
 {
-  this->PickCorners();
-  const bool isHexes = this->Pairs.IsOfHexes;
-  for (int round = 0; round < (isHexes ? HexCoverRounds : TetCoverRounds); ++round)
+  const int point = work.Pairs.PointOf[meshPoint];
+  if (point >= 0)
   {
-    this->Cover();
+    for (Index i = work.Pairs.Offset[point]; i < work.Pairs.Offset[point + 1]; ++i)
+    {
+      if (work.IsKnown[i] && work.Pairs.Labels[i] == labels)
+      {
+        return static_cast<int>(i);
+      }
+    }
   }
-  if (isHexes) // tets have diagonals between carriers (DiagonalFlips.h)
+  return -1;
+}
+
+/// Those with a point that has a model.
+void ListFacets(Work& work, const std::vector<Facet>& facets)
+{
+  std::vector<unsigned char> hasModel(work.Pairs.Ids.size(), 0);
+  for (std::size_t p = 0; p < hasModel.size(); ++p)
   {
-    this->StraightenZigzags();
+    for (Index i = work.Pairs.Offset[p]; i < work.Pairs.Offset[p + 1]; ++i)
+    {
+      hasModel[p] |= work.Points[i].Kind != CreaseKind::None;
+    }
   }
-  this->DropShortChains();
-  this->DropFarSides();
+  const auto isNear = [&](Index meshPoint)
+  {
+    const int point = work.Pairs.PointOf[meshPoint];
+    return point >= 0 && hasModel[point];
+  };
+  for (const Facet& facet : facets)
+  {
+    if (facet.DomainSide >= 0 || !std::any_of(facet.Points.begin(), facet.Points.end(), isNear))
+    {
+      continue;
+    }
+    const std::array<int, 2> labels{ { std::min(facet.Materials[0], facet.Materials[1]),
+      std::max(facet.Materials[0], facet.Materials[1]) } };
+    RuleFacet own{ {}, facet.Points[2] == facet.Points[3] ? 3 : 4 };
+    std::transform(facet.Points.begin(), facet.Points.end(), own.At.begin(),
+      [&](Index p) { return FindPair(work, p, labels); });
+    work.Facets.push_back(own);
+  }
 }
 
 } // namespace
@@ -470,7 +412,33 @@ void CreaseRules::Run()
 void ApplyCreaseRules(
   const SurfacePairs& pairs, const std::vector<Facet>& facets, std::vector<CreasePoint>& points)
 {
-  CreaseRules(pairs, facets, points).Run();
+  Work work{ pairs, points };
+  for (std::size_t p = 0; p < pairs.Ids.size(); ++p)
+  {
+    const Index first = pairs.Offset[p], last = pairs.Offset[p + 1];
+    std::fill(work.Ids.begin() + first, work.Ids.begin() + last, pairs.Ids[p]);
+    std::fill(work.IsKnown.begin() + first,
+      work.IsKnown.begin() + std::min<Index>(last, first + MostPairs), 1);
+  }
+  Exchange(work, work.IsKnown);
+  Exchange(work, points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[i] = work.IsKnown[i] ? points[i] : CreasePoint();
+  }
+  ListFacets(work, facets);
+  PickCorners(work);
+  const bool isHexes = work.Pairs.IsOfHexes;
+  for (int round = 0; round < (isHexes ? HexCoverRounds : TetCoverRounds); ++round)
+  {
+    Cover(work);
+  }
+  if (isHexes) // tets have diagonals between carriers (DiagonalFlips.h)
+  {
+    StraightenZigzags(work);
+  }
+  DropShortChains(work);
+  DropFarSides(work);
 }
 
 } // namespace vfm

@@ -122,275 +122,260 @@ private:
   std::vector<Vector3> Section;
 };
 
-class Splitter
+struct Around
 {
-public:
-  Splitter(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell,
-    const Index3& counts) :
-    Grid(grid),
-    Cell(cell),
-    Fractions(fractions),
-    Parts(fractions.Parts(grid.Linear(cell))),
-    TheChildren(counts)
-  {
-    this->AddAround(grid, cell, grid.Linear(cell), { { 0, 0, 0 } });
-    for (int c = 0; c < 27; ++c)
-    {
-      const Index3 d = StepAround(c);
-      const Index3 q = CellAround(cell, c);
-      if (c != 13 && grid.InDomain(q))
-      {
-        this->AddAround(grid, cell, grid.Linear(q), d);
-      }
-    }
-  }
+  Index Cell;
+  Vector3 Centre, Size; // in the frame of the cell
+};
 
-  std::vector<ChildFractions> Split() const
-  {
-    const auto count = this->Parts.Last - this->Parts.First;
-    return count == 2 ? this->SplitInTwo() : this->CutOneByOne();
-  }
+/// A part to be cut off by a plane.
+struct Choice
+{
+  std::size_t Place; // among those that are left
+  std::vector<FractionSample> Samples;
+  LayerFit Fit;
+  double Score = 0.0; // the less the better
+};
 
-private:
-  struct Around
-  {
-    Index Cell;
-    Vector3 Centre, Size; // in the frame of the cell
-  };
+struct Work
+{
+  const CartesianGrid& Grid;
+  const FractionField& Fractions;
+  const Index3 Cell;
+  const Children TheChildren;
+  const FractionField::Range Parts = Fractions.Parts(Grid.Linear(Cell));
+  std::vector<Around> Cells{}; // first the cell itself
+};
 
-  void AddAround(const CartesianGrid& grid, const Index3& middle, Index cell, const Index3& d)
-  {
-    Around around{ cell, {}, {} };
-    for (int a = 0; a < 3; ++a)
-    {
-      const double width = grid.Width(a, middle[a]);
-      const double own = grid.Width(a, middle[a] + d[a]);
-      around.Size[a] = own / width;
-      around.Centre[a] = 0.5 * static_cast<double>(d[a]) * (1.0 + around.Size[a]);
-    }
-    this->Cells.push_back(around);
-  }
-
-  /// A part among some, itself included, where the cells hold any of them.
-  std::vector<FractionSample> Sample(int material, const std::vector<int>& among) const
-  {
-    std::vector<FractionSample> samples;
-    for (const Around& around : this->Cells)
-    {
-      double sum = 0.0;
-      for (int part : among)
-      {
-        sum += this->Fractions.Fraction(around.Cell, part);
-      }
-      if (sum > 0.0)
-      {
-        samples.push_back({ around.Centre, around.Size,
-          std::min(this->Fractions.Fraction(around.Cell, material) / sum, 1.0), sum });
-      }
-    }
-    return samples;
-  }
-
-  /// A part against all else.
-  std::vector<FractionSample> Sample(int material) const
-  {
-    std::vector<FractionSample> samples;
-    for (const Around& around : this->Cells)
-    {
-      samples.push_back(
-        { around.Centre, around.Size, this->Fractions.Fraction(around.Cell, material), 1.0 });
-    }
-    return samples;
-  }
-
-  bool HasOthersAround() const
-  {
-    return std::any_of(this->Cells.begin(), this->Cells.end(),
-      [this](const Around& around)
-      {
-        double sum = 0.0;
-        for (const FractionField::Part& part : this->Parts)
-        {
-          sum += this->Fractions.Fraction(around.Cell, part.Material);
-        }
-        return sum < 1.0 - 1e-9;
-      });
-  }
-
-  /// A part to be cut off by a plane.
-  struct Choice
-  {
-    std::size_t Place; // among those that are left
-    std::vector<FractionSample> Samples;
-    LayerFit Fit;
-    double Score = 0.0; // the less the better
-  };
-
-  /// The part that a plane divides best from the others that are left (positions in Parts), or first from all else.
-  Choice Choose(const std::vector<std::size_t>& left, bool isFirst) const
-  {
-    const bool isPair = left.size() == 2, knowsOthers = isFirst && this->HasOthersAround();
-    std::vector<int> materials;
-    for (std::size_t position : left)
-    {
-      materials.push_back(this->Parts.First[position].Material);
-    }
-    std::vector<Choice> choices;
-    for (std::size_t place = 0; place < left.size(); ++place)
-    {
-      const bool isNew = place == 0 || !isPair; // of a pair either part gives the same plane
-      if (isFirst && (isNew || knowsOthers))
-      {
-        choices.push_back({ place, this->Sample(materials[place]), {} });
-      }
-      if (isNew && (!isFirst || (isPair && knowsOthers)))
-      {
-        choices.push_back({ place, this->Sample(materials[place], materials), {} });
-      }
-    }
-    for (Choice& choice : choices)
-    {
-      choice.Fit = FitHalfSpace(choice.Samples);
-      choice.Score = choice.Fit.IsFound ? choice.Fit.Error + this->Doubt(choice.Samples) : 2.0;
-    }
-    return *std::min_element(choices.begin(), choices.end(),
-      [](const Choice& a, const Choice& b) { return a.Score < b.Score; });
-  }
-
-  /// Cells that tell nothing count as off by what a good fit may be.
-  double Doubt(const std::vector<FractionSample>& samples) const
-  {
-    double known = 0.0;
-    for (const FractionSample& sample : samples)
-    {
-      known += sample.Weight;
-    }
-    return GoodFit * (1.0 - known / static_cast<double>(this->Cells.size()));
-  }
-
-  std::vector<ChildFractions> SplitInTwo() const
-  {
-    Choice choice = this->Choose({ 0, 1 }, true);
-    std::size_t cut = choice.Place; // the part within the layer
-    if (!choice.Fit.IsFound || choice.Fit.Error > GoodFit)
-    {
-      TryFilms(choice.Samples, choice.Fit, cut);
-    }
-    const double fraction = this->Parts.First[cut].Fraction;
-    std::vector<ChildFractions> children(2);
-    children[cut] = choice.Fit.IsFound && choice.Fit.Error <= GoodFit
-      ? this->FindChildren(choice.Fit.Region)
-      : this->ShareSmoothly(cut);
-    Correct(children[cut], this->TheChildren.Full(), fraction);
-    for (double& value : children[cut])
-    {
-      value = std::fabs(value - 0.5) < Tie ? 0.5 : value;
-      children[1 - cut].push_back(1.0 - value);
-    }
-    return children;
-  }
-
-  ChildFractions FindChildren(const Layer& layer) const
-  {
-    ChildFractions children(this->TheChildren.Count());
-    for (std::size_t c = 0; c < children.size(); ++c)
-    {
-      children[c] = FractionInLayer(layer, this->TheChildren.Centre(c), this->TheChildren.Size());
-    }
-    return children;
-  }
-
-  /// Of edges, corners, rods and balls, which no plane fits.
-  ChildFractions ShareSmoothly(std::size_t part) const
-  {
-    const FractionField::Part& first = this->Parts.First[part];
-    const std::vector<double> weights(this->Fractions.NumberOfMaterials() + 1, 1.0);
-    const std::vector<MaterialPatch> patches = MakePatches(this->Grid, this->Fractions, this->Cell,
-      { first.Material, this->Parts.First[1 - part].Material }, weights);
-    return ShareChildren(patches[0], patches[1], this->TheChildren.Counts, first.Fraction);
-  }
-
-  /// A film of either part.
-  static void TryFilms(std::vector<FractionSample> samples, LayerFit& fit, std::size_t& cut)
-  {
-    double largest = fit.IsFound ? FilmAdvantage * fit.Error : 2.0;
-    for (std::size_t part : { cut, 1 - cut })
-    {
-      const LayerFit film = FitFilm(samples);
-      if (film.Error < largest)
-      {
-        fit = film;
-        cut = part;
-        largest = film.Error;
-      }
-      for (FractionSample& sample : samples)
-      {
-        sample.Value = 1.0 - sample.Value;
-      }
-    }
-  }
-
-  std::vector<ChildFractions> CutOneByOne() const
-  {
-    const std::size_t count = this->Parts.Last - this->Parts.First;
-    std::vector<ChildFractions> children(count);
-    std::vector<std::size_t> left(count); // positions in Parts
-    std::iota(left.begin(), left.end(), std::size_t(0));
-    ChildFractions room = this->TheChildren.Full();
-    Remainder remainder(this->TheChildren);
-    while (left.size() > 1)
-    {
-      const Choice choice = this->Choose(left, left.size() == count);
-      if (!choice.Fit.IsFound)
-      {
-        break;
-      }
-      const std::size_t position = left[choice.Place];
-      const double fraction = this->Parts.First[position].Fraction;
-      children[position] = remainder.CutOff(choice.Fit.Region.Normal, fraction);
-      Correct(children[position], room, fraction);
-      for (std::size_t c = 0; c < room.size(); ++c)
-      {
-        room[c] -= children[position][c];
-      }
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(choice.Place));
-    }
-    this->Share(left, room, children);
-    return children;
-  }
-
-  /// The parts that are left fill the room evenly.
-  void Share(const std::vector<std::size_t>& left, const ChildFractions& room,
-    std::vector<ChildFractions>& children) const
+/// A part among some, itself included, where the cells hold any of them.
+std::vector<FractionSample> Sample(const Work& work, int material, const std::vector<int>& among)
+{
+  std::vector<FractionSample> samples;
+  for (const Around& around : work.Cells)
   {
     double sum = 0.0;
-    for (std::size_t position : left)
+    for (int part : among)
     {
-      sum += this->Parts.First[position].Fraction;
+      sum += work.Fractions.Fraction(around.Cell, part);
     }
-    for (std::size_t position : left)
+    if (sum > 0.0)
     {
-      for (double value : room)
-      {
-        children[position].push_back(value * (this->Parts.First[position].Fraction / sum));
-      }
+      samples.push_back({ around.Centre, around.Size,
+        std::min(work.Fractions.Fraction(around.Cell, material) / sum, 1.0), sum });
     }
   }
+  return samples;
+}
 
-  const CartesianGrid& Grid;
-  const Index3 Cell;
-  const FractionField& Fractions;
-  const FractionField::Range Parts;
-  const Children TheChildren;
-  std::vector<Around> Cells; // first the cell itself
-};
+/// A part against all else.
+std::vector<FractionSample> Sample(const Work& work, int material)
+{
+  std::vector<FractionSample> samples;
+  for (const Around& around : work.Cells)
+  {
+    samples.push_back(
+      { around.Centre, around.Size, work.Fractions.Fraction(around.Cell, material), 1.0 });
+  }
+  return samples;
+}
+
+bool HasOthersAround(const Work& work)
+{
+  return std::any_of(work.Cells.begin(), work.Cells.end(),
+    [&](const Around& around)
+    {
+      double sum = 0.0;
+      for (const FractionField::Part& part : work.Parts)
+      {
+        sum += work.Fractions.Fraction(around.Cell, part.Material);
+      }
+      return sum < 1.0 - 1e-9;
+    });
+}
+
+/// Cells that tell nothing count as off by what a good fit may be.
+double Doubt(const Work& work, const std::vector<FractionSample>& samples)
+{
+  double known = 0.0;
+  for (const FractionSample& sample : samples)
+  {
+    known += sample.Weight;
+  }
+  return GoodFit * (1.0 - known / static_cast<double>(work.Cells.size()));
+}
+
+/// The part that a plane divides best from the others that are left (positions in Parts), or first from all else.
+Choice Choose(const Work& work, const std::vector<std::size_t>& left, bool isFirst)
+{
+  const bool isPair = left.size() == 2, knowsOthers = isFirst && HasOthersAround(work);
+  std::vector<int> materials;
+  for (std::size_t position : left)
+  {
+    materials.push_back(work.Parts.First[position].Material);
+  }
+  std::vector<Choice> choices;
+  for (std::size_t place = 0; place < left.size(); ++place)
+  {
+    const bool isNew = place == 0 || !isPair; // of a pair either part gives the same plane
+    if (isFirst && (isNew || knowsOthers))
+    {
+      choices.push_back({ place, Sample(work, materials[place]), {} });
+    }
+    if (isNew && (!isFirst || (isPair && knowsOthers)))
+    {
+      choices.push_back({ place, Sample(work, materials[place], materials), {} });
+    }
+  }
+  for (Choice& choice : choices)
+  {
+    choice.Fit = FitHalfSpace(choice.Samples);
+    choice.Score = choice.Fit.IsFound ? choice.Fit.Error + Doubt(work, choice.Samples) : 2.0;
+  }
+  return *std::min_element(choices.begin(), choices.end(),
+    [](const Choice& a, const Choice& b) { return a.Score < b.Score; });
+}
+
+ChildFractions FindChildren(const Work& work, const Layer& layer)
+{
+  ChildFractions children(work.TheChildren.Count());
+  for (std::size_t c = 0; c < children.size(); ++c)
+  {
+    children[c] = FractionInLayer(layer, work.TheChildren.Centre(c), work.TheChildren.Size());
+  }
+  return children;
+}
+
+/// Of edges, corners, rods and balls, which no plane fits.
+ChildFractions ShareSmoothly(const Work& work, std::size_t part)
+{
+  const FractionField::Part& first = work.Parts.First[part];
+  const std::vector<double> weights(work.Fractions.NumberOfMaterials() + 1, 1.0);
+  const std::vector<MaterialPatch> patches = MakePatches(work.Grid, work.Fractions, work.Cell,
+    { first.Material, work.Parts.First[1 - part].Material }, weights);
+  return ShareChildren(patches[0], patches[1], work.TheChildren.Counts, first.Fraction);
+}
+
+/// A film of either part.
+void TryFilms(std::vector<FractionSample> samples, LayerFit& fit, std::size_t& cut)
+{
+  double largest = fit.IsFound ? FilmAdvantage * fit.Error : 2.0;
+  for (std::size_t part : { cut, 1 - cut })
+  {
+    const LayerFit film = FitFilm(samples);
+    if (film.Error < largest)
+    {
+      fit = film;
+      cut = part;
+      largest = film.Error;
+    }
+    for (FractionSample& sample : samples)
+    {
+      sample.Value = 1.0 - sample.Value;
+    }
+  }
+}
+
+std::vector<ChildFractions> SplitInTwo(const Work& work)
+{
+  Choice choice = Choose(work, { 0, 1 }, true);
+  std::size_t cut = choice.Place; // the part within the layer
+  if (!choice.Fit.IsFound || choice.Fit.Error > GoodFit)
+  {
+    TryFilms(choice.Samples, choice.Fit, cut);
+  }
+  const double fraction = work.Parts.First[cut].Fraction;
+  std::vector<ChildFractions> children(2);
+  children[cut] = choice.Fit.IsFound && choice.Fit.Error <= GoodFit
+    ? FindChildren(work, choice.Fit.Region)
+    : ShareSmoothly(work, cut);
+  Correct(children[cut], work.TheChildren.Full(), fraction);
+  for (double& value : children[cut])
+  {
+    value = std::fabs(value - 0.5) < Tie ? 0.5 : value;
+    children[1 - cut].push_back(1.0 - value);
+  }
+  return children;
+}
+
+/// The parts that are left fill the room evenly.
+void Share(const Work& work, const std::vector<std::size_t>& left, const ChildFractions& room,
+  std::vector<ChildFractions>& children)
+{
+  double sum = 0.0;
+  for (std::size_t position : left)
+  {
+    sum += work.Parts.First[position].Fraction;
+  }
+  for (std::size_t position : left)
+  {
+    for (double value : room)
+    {
+      children[position].push_back(value * (work.Parts.First[position].Fraction / sum));
+    }
+  }
+}
+
+std::vector<ChildFractions> CutOneByOne(const Work& work)
+{
+  const std::size_t count = work.Parts.Last - work.Parts.First;
+  std::vector<ChildFractions> children(count);
+  std::vector<std::size_t> left(count); // positions in Parts
+  std::iota(left.begin(), left.end(), std::size_t(0));
+  ChildFractions room = work.TheChildren.Full();
+  Remainder remainder(work.TheChildren);
+  while (left.size() > 1)
+  {
+    const Choice choice = Choose(work, left, left.size() == count);
+    if (!choice.Fit.IsFound)
+    {
+      break;
+    }
+    const std::size_t position = left[choice.Place];
+    const double fraction = work.Parts.First[position].Fraction;
+    children[position] = remainder.CutOff(choice.Fit.Region.Normal, fraction);
+    Correct(children[position], room, fraction);
+    for (std::size_t c = 0; c < room.size(); ++c)
+    {
+      room[c] -= children[position][c];
+    }
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(choice.Place));
+  }
+  Share(work, left, room, children);
+  return children;
+}
+
+void AddAround(
+  Work& work, const CartesianGrid& grid, const Index3& middle, Index cell, const Index3& d)
+{
+  Around around{ cell, {}, {} };
+  for (int a = 0; a < 3; ++a)
+  {
+    const double width = grid.Width(a, middle[a]);
+    const double own = grid.Width(a, middle[a] + d[a]);
+    around.Size[a] = own / width;
+    around.Centre[a] = 0.5 * static_cast<double>(d[a]) * (1.0 + around.Size[a]);
+  }
+  work.Cells.push_back(around);
+}
 
 } // namespace
 
 std::vector<ChildFractions> SplitCell(const CartesianGrid& grid, const FractionField& fractions,
   const Index3& cell, const Index3& counts)
 {
-  return Splitter(grid, fractions, cell, counts).Split();
+  Work work{ grid, fractions, cell, Children(counts) };
+  AddAround(work, grid, cell, grid.Linear(cell), { { 0, 0, 0 } });
+  for (int c = 0; c < 27; ++c)
+  {
+    const Index3 d = StepAround(c);
+    const Index3 q = CellAround(cell, c);
+    if (c != 13 && grid.InDomain(q))
+    {
+      AddAround(work, grid, cell, grid.Linear(q), d);
+    }
+  }
+  const auto count = work.Parts.Last - work.Parts.First;
+  return count == 2 ? SplitInTwo(work) : CutOneByOne(work);
 }
 
 } // namespace vfm

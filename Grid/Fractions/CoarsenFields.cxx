@@ -56,100 +56,88 @@ struct CoarseRow
   std::vector<FractionSum> Mixed;
 };
 
-class Coarsener
+struct Work
 {
-public:
-  Coarsener(const CartesianGrid& grid, const FractionField& fractions, int halvings,
-    const CartesianGrid& coarse) :
-    Grid(grid),
-    Fractions(fractions),
-    Coarse(coarse),
-    Halvings(halvings),
-    Factor(Index(1) << halvings)
-  {
-  }
-
-  void MakeRow(Index j, Index k, CoarseRow& row) const
-  {
-    row = CoarseRow();
-    const IndexBox& box = this->Coarse.Local();
-    Index begin = 0;
-    for (const Run& run : this->MergeRows(j, k))
-    {
-      // whole cells of the run; those that it shares with the one before are mixed
-      const Index first = (begin + this->Factor - 1) / this->Factor, last = run.End / this->Factor;
-      if (run.Label != Mixed && first < last)
-      {
-        this->AddMixed(first, row.Pieces);
-        AddRun(last, run.Label, row.Pieces);
-      }
-      begin = run.End;
-    }
-    this->AddMixed(box.Size(0), row.Pieces);
-    begin = 0;
-    for (const Run& run : row.Pieces)
-    {
-      for (Index i = begin; run.Label == Mixed && i < run.End; ++i)
-      {
-        row.Mixed.push_back(this->Average({ { box.Lower[0] + i, j, k } }));
-      }
-      begin = run.End;
-    }
-  }
-
-private:
-  static void AddMixed(Index end, Runs& pieces)
-  {
-    if ((pieces.empty() ? 0 : pieces.back().End) < end)
-    {
-      AddRun(end, Mixed, pieces);
-    }
-  }
-
-  /// Of the rows of the grid's cells in a row of coarse ones.
-  Runs MergeRows(Index j, Index k) const
-  {
-    const IndexBox& box = this->Coarse.Local();
-    Runs all, row, merged;
-    const IndexBox rows{ { { box.Lower[0], j, k } }, { { box.Upper[0], j + 1, k + 1 } } };
-    ForRows(ChangeLevel(rows, this->Halvings),
-      [&](Index y, Index z)
-      {
-        const Index first = this->Grid.Linear({ { box.Lower[0] * this->Factor, y, z } });
-        FindRuns(this->Fractions, first, first + box.Size(0) * this->Factor, row);
-        if (all.empty())
-        {
-          all.swap(row);
-          return;
-        }
-        Merge(all, row, merged);
-        all.swap(merged);
-      });
-    return all;
-  }
-
-  FractionSum Average(const Index3& cell) const
-  {
-    FractionSum sum;
-    ForCells(ChangeLevel(BoxOfCell(cell), this->Halvings),
-      [&](const Index3& p)
-      {
-        double share = 1.0;
-        for (int a = 0; a < 3; ++a)
-        {
-          share *= this->Grid.Width(a, p[a]) / this->Coarse.Width(a, cell[a]);
-        }
-        sum.Add(this->Fractions, this->Grid.Linear(p), share);
-      });
-    return sum;
-  }
-
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   const CartesianGrid& Coarse;
-  int Halvings;
-  Index Factor;
+  const int Halvings;
+  const Index Factor = Index(1) << Halvings;
 };
+
+void AddMixed(Index end, Runs& pieces)
+{
+  if ((pieces.empty() ? 0 : pieces.back().End) < end)
+  {
+    AddRun(end, Mixed, pieces);
+  }
+}
+
+/// Of the rows of the grid's cells in a row of coarse ones.
+Runs MergeRows(const Work& work, Index j, Index k)
+{
+  const IndexBox& box = work.Coarse.Local();
+  Runs all, row, merged;
+  const IndexBox rows{ { { box.Lower[0], j, k } }, { { box.Upper[0], j + 1, k + 1 } } };
+  ForRows(ChangeLevel(rows, work.Halvings),
+    [&](Index y, Index z)
+    {
+      const Index first = work.Grid.Linear({ { box.Lower[0] * work.Factor, y, z } });
+      FindRuns(work.Fractions, first, first + box.Size(0) * work.Factor, row);
+      if (all.empty())
+      {
+        all.swap(row);
+        return;
+      }
+      Merge(all, row, merged);
+      all.swap(merged);
+    });
+  return all;
+}
+
+FractionSum Average(const Work& work, const Index3& cell)
+{
+  FractionSum sum;
+  ForCells(ChangeLevel(BoxOfCell(cell), work.Halvings),
+    [&](const Index3& p)
+    {
+      double share = 1.0;
+      for (int a = 0; a < 3; ++a)
+      {
+        share *= work.Grid.Width(a, p[a]) / work.Coarse.Width(a, cell[a]);
+      }
+      sum.Add(work.Fractions, work.Grid.Linear(p), share);
+    });
+  return sum;
+}
+
+void MakeRow(const Work& work, Index j, Index k, CoarseRow& row)
+{
+  row = CoarseRow();
+  const IndexBox& box = work.Coarse.Local();
+  Index begin = 0;
+  for (const Run& run : MergeRows(work, j, k))
+  {
+    // whole cells of the run; those that it shares with the one before are mixed
+    const Index first = (begin + work.Factor - 1) / work.Factor, last = run.End / work.Factor;
+    if (run.Label != Mixed && first < last)
+    {
+      AddMixed(first, row.Pieces);
+      AddRun(last, run.Label, row.Pieces);
+    }
+    begin = run.End;
+  }
+  AddMixed(box.Size(0), row.Pieces);
+  begin = 0;
+  for (const Run& run : row.Pieces)
+  {
+    for (Index i = begin; run.Label == Mixed && i < run.End; ++i)
+    {
+      row.Mixed.push_back(Average(work, { { box.Lower[0] + i, j, k } }));
+    }
+    begin = run.End;
+  }
+}
 
 void StoreRow(const CoarseRow& row, FractionField::RowWriter& writer)
 {
@@ -212,7 +200,7 @@ FractionField CoarsenFractions(const CartesianGrid& grid, const FractionField& f
   int halvings, const CartesianGrid& coarse, Runtime& runtime)
 {
   FractionField field(coarse, fractions.NumberOfMaterials());
-  const Coarsener coarsener(grid, fractions, halvings, coarse);
+  const Work work{ grid, fractions, coarse, halvings };
   const IndexBox& box = coarse.Local();
   if (box.NumberOfCells() == 0)
   {
@@ -222,8 +210,8 @@ FractionField CoarsenFractions(const CartesianGrid& grid, const FractionField& f
   FractionField::RowWriter writer(field);
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
-    ForEach(runtime, box.Size(1),
-      [&](Index row) { coarsener.MakeRow(box.Lower[1] + row, k, rows[row]); });
+    ForEach(
+      runtime, box.Size(1), [&](Index row) { MakeRow(work, box.Lower[1] + row, k, rows[row]); });
     for (Index row = 0; row < box.Size(1); ++row)
     {
       writer.Start(coarse.Linear({ { box.Lower[0], box.Lower[1] + row, k } }));

@@ -106,6 +106,20 @@ public:
     const Index m = ~static_cast<Index>(this->Entry[cell]);
     return { this->List.data() + this->Offset[m], this->List.data() + this->Offset[m + 1] };
   }
+  /// Calls visit(material, fraction) for what a cell holds, of a pure one once.
+  template <class Visitor>
+  void ForParts(Index cell, const Visitor& visit) const
+  {
+    if (!this->IsMixed(cell))
+    {
+      visit(this->Label(cell), 1.0);
+      return;
+    }
+    for (const Part& part : this->Parts(cell))
+    {
+      visit(part.Material, part.Fraction);
+    }
+  }
   double Fraction(Index cell, int material) const
   {
     return this->IsMixed(cell) ? FractionOf(this->Parts(cell), material)

@@ -5,15 +5,9 @@ namespace vfm
 
 void FractionSum::Add(const FractionField& fractions, Index cell, double share)
 {
-  if (!fractions.IsMixed(cell))
-  {
-    PartOf(this->List, fractions.Label(cell)).Fraction += share;
-    return;
-  }
-  for (const FractionField::Part& part : fractions.Parts(cell))
-  {
-    PartOf(this->List, part.Material).Fraction += share * part.Fraction;
-  }
+  fractions.ForParts(cell,
+    [&](int material, double fraction)
+    { PartOf(this->List, material).Fraction += share * fraction; });
 }
 
 void FractionSum::Divide(double by)

@@ -37,143 +37,142 @@ double ThicknessOfVolume(const Vector3& n, double middle, double fraction)
   return 0.5 * (low + high);
 }
 
-/// Gauss-Newton over two angles of the normal and, of films, the place of the middle.
-class Fitter
+struct Trial
 {
-public:
-  Fitter(const std::vector<FractionSample>& samples, bool isFilm) :
-    Samples(samples), IsFilm(isFilm), Unknowns(isFilm ? 3 : 2)
-  {
-    for (const FractionSample& sample : samples)
-    {
-      for (int a = 0; a < 3; ++a)
-      {
-        this->IsKnown[a] = this->IsKnown[a] || sample.Centre[a] != 0.0;
-      }
-    }
-  }
+  Layer Region;
+  double Middle = 0.0;
+  std::vector<double> Errors; // of the samples
+  double SquaredError = 0.0;  // weighted sum
+};
 
-  LayerFit Fit(const Vector3& normal, double middle) const
-  {
-    Trial best = this->Try(normal, middle);
-    for (int step = 0; step < LargestSteps && this->Improve(best); ++step)
-    {
-    }
-    double weights = 0.0;
-    for (std::size_t i = 1; i < this->Samples.size(); ++i)
-    {
-      weights += this->Samples[i].Weight;
-    }
-    LayerFit fit;
-    fit.IsFound = true;
-    fit.Region = best.Region;
-    fit.Error = weights > 0.0 ? std::sqrt(best.SquaredError / weights) : 0.0;
-    return fit;
-  }
-
-private:
-  struct Trial
-  {
-    Layer Region;
-    double Middle = 0.0;
-    std::vector<double> Errors; // of the samples
-    double SquaredError = 0.0;  // weighted sum
-  };
-
-  /// The layer with the cell's volume.
-  Trial Try(const Vector3& normal, double middle) const
-  {
-    Trial trial;
-    trial.Middle = middle;
-    const double inside = this->Samples[0].Value;
-    if (this->IsFilm)
-    {
-      const double half = ThicknessOfVolume(normal, middle, inside);
-      trial.Region = { normal, middle - half, middle + half };
-    }
-    else
-    {
-      trial.Region = { normal, -std::numeric_limits<double>::infinity(),
-        PlaneOfVolume(normal, inside) };
-    }
-    trial.Errors.reserve(this->Samples.size());
-    for (const FractionSample& sample : this->Samples)
-    {
-      const double error = FractionInLayer(trial.Region, sample.Centre, sample.Size) - sample.Value;
-      trial.Errors.push_back(error);
-      trial.SquaredError += sample.Weight * error * error;
-    }
-    return trial;
-  }
-
-  /// The trial whose unknowns differ from those of another: two turns and a shift.
-  Trial TryBeside(const Trial& from, const Vector3& step) const
-  {
-    const Vector3& n = from.Region.Normal;
-    Vector3 u, v;
-    MakeTangents(n, u, v);
-    Vector3 turned = n + step[0] * u + step[1] * v;
-    for (int a = 0; a < 3; ++a)
-    {
-      turned[a] = this->IsKnown[a] ? turned[a] : n[a];
-    }
-    return this->Try(Unit(turned), from.Middle + step[2]);
-  }
-
-  Vector3 FindStep(const Trial& from) const
-  {
-    std::array<Trial, 3> beside;
-    for (int a = 0; a < this->Unknowns; ++a)
-    {
-      Vector3 step{ { 0.0, 0.0, 0.0 } };
-      step[a] = Difference;
-      beside[a] = this->TryBeside(from, step);
-    }
-    Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d b = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < this->Samples.size(); ++i)
-    {
-      Eigen::Vector3d slope = Eigen::Vector3d::Zero();
-      for (int a = 0; a < this->Unknowns; ++a)
-      {
-        slope[a] = (beside[a].Errors[i] - from.Errors[i]) / Difference;
-      }
-      A += this->Samples[i].Weight * slope * slope.transpose();
-      b -= this->Samples[i].Weight * from.Errors[i] * slope;
-    }
-    const double damping = Damping * A.trace() + std::numeric_limits<double>::min();
-    for (int a = 0; a < 3; ++a)
-    {
-      A(a, a) += damping;
-    }
-    const Eigen::Vector3d step = A.ldlt().solve(b);
-    const double length = step.norm();
-    const double scale = length > LongestStep ? LongestStep / length : 1.0;
-    return { { scale * step[0], scale * step[1], scale * step[2] } };
-  }
-
-  /// Whether another step may help.
-  bool Improve(Trial& best) const
-  {
-    Vector3 step = this->FindStep(best);
-    for (int halving = 0; halving < 4; ++halving, step = 0.3 * step)
-    {
-      Trial trial = this->TryBeside(best, step);
-      if (trial.SquaredError < best.SquaredError)
-      {
-        const bool helped = trial.SquaredError < (1.0 - SmallestGain) * best.SquaredError;
-        best = std::move(trial);
-        return helped && Norm(step) > SmallestStep;
-      }
-    }
-    return false;
-  }
-
+/// Gauss-Newton over two angles of the normal and, of films, the place of the middle.
+struct Work
+{
   const std::vector<FractionSample>& Samples;
   const bool IsFilm;
-  const int Unknowns;
+  const int Unknowns = IsFilm ? 3 : 2;
   std::array<bool, 3> IsKnown{ { false, false, false } }; // along axes with cells beside
 };
+
+/// The layer with the cell's volume.
+Trial Try(const Work& work, const Vector3& normal, double middle)
+{
+  Trial trial;
+  trial.Middle = middle;
+  const double inside = work.Samples[0].Value;
+  if (work.IsFilm)
+  {
+    const double half = ThicknessOfVolume(normal, middle, inside);
+    trial.Region = { normal, middle - half, middle + half };
+  }
+  else
+  {
+    trial.Region = { normal, -std::numeric_limits<double>::infinity(),
+      PlaneOfVolume(normal, inside) };
+  }
+  trial.Errors.reserve(work.Samples.size());
+  for (const FractionSample& sample : work.Samples)
+  {
+    const double error = FractionInLayer(trial.Region, sample.Centre, sample.Size) - sample.Value;
+    trial.Errors.push_back(error);
+    trial.SquaredError += sample.Weight * error * error;
+  }
+  return trial;
+}
+
+/// The trial whose unknowns differ from those of another: two turns and a shift.
+Trial TryBeside(const Work& work, const Trial& from, const Vector3& step)
+{
+  const Vector3& n = from.Region.Normal;
+  Vector3 u, v;
+  MakeTangents(n, u, v);
+  Vector3 turned = n + step[0] * u + step[1] * v;
+  for (int a = 0; a < 3; ++a)
+  {
+    turned[a] = work.IsKnown[a] ? turned[a] : n[a];
+  }
+  return Try(work, Unit(turned), from.Middle + step[2]);
+}
+
+Vector3 FindStep(const Work& work, const Trial& from)
+{
+  std::array<Trial, 3> beside;
+  for (int a = 0; a < work.Unknowns; ++a)
+  {
+    Vector3 step{ { 0.0, 0.0, 0.0 } };
+    step[a] = Difference;
+    beside[a] = TryBeside(work, from, step);
+  }
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < work.Samples.size(); ++i)
+  {
+    Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+    for (int a = 0; a < work.Unknowns; ++a)
+    {
+      slope[a] = (beside[a].Errors[i] - from.Errors[i]) / Difference;
+    }
+    A += work.Samples[i].Weight * slope * slope.transpose();
+    b -= work.Samples[i].Weight * from.Errors[i] * slope;
+  }
+  const double damping = Damping * A.trace() + std::numeric_limits<double>::min();
+  for (int a = 0; a < 3; ++a)
+  {
+    A(a, a) += damping;
+  }
+  const Eigen::Vector3d step = A.ldlt().solve(b);
+  const double length = step.norm();
+  const double scale = length > LongestStep ? LongestStep / length : 1.0;
+  return { { scale * step[0], scale * step[1], scale * step[2] } };
+}
+
+/// Whether another step may help.
+bool Improve(const Work& work, Trial& best)
+{
+  Vector3 step = FindStep(work, best);
+  for (int halving = 0; halving < 4; ++halving, step = 0.3 * step)
+  {
+    Trial trial = TryBeside(work, best, step);
+    if (trial.SquaredError < best.SquaredError)
+    {
+      const bool helped = trial.SquaredError < (1.0 - SmallestGain) * best.SquaredError;
+      best = std::move(trial);
+      return helped && Norm(step) > SmallestStep;
+    }
+  }
+  return false;
+}
+
+Work MakeWork(const std::vector<FractionSample>& samples, bool isFilm)
+{
+  Work work{ samples, isFilm };
+  for (const FractionSample& sample : samples)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      work.IsKnown[a] = work.IsKnown[a] || sample.Centre[a] != 0.0;
+    }
+  }
+  return work;
+}
+
+LayerFit Fit(const Work& work, const Vector3& normal, double middle)
+{
+  Trial best = Try(work, normal, middle);
+  for (int step = 0; step < LargestSteps && Improve(work, best); ++step)
+  {
+  }
+  double weights = 0.0;
+  for (std::size_t i = 1; i < work.Samples.size(); ++i)
+  {
+    weights += work.Samples[i].Weight;
+  }
+  LayerFit fit;
+  fit.IsFound = true;
+  fit.Region = best.Region;
+  fit.Error = weights > 0.0 ? std::sqrt(best.SquaredError / weights) : 0.0;
+  return fit;
+}
 
 /// The filled volume's place and least direction, measured against the spread of the cells themselves.
 void FindFilm(const std::vector<FractionSample>& samples, Vector3& normal, double& middle)
@@ -235,7 +234,7 @@ LayerFit FitHalfSpace(const std::vector<FractionSample>& samples)
   {
     return LayerFit();
   }
-  return Fitter(samples, false).Fit(Unit(-1.0 * slope), 0.0);
+  return Fit(MakeWork(samples, false), Unit(-1.0 * slope), 0.0);
 }
 
 LayerFit FitFilm(const std::vector<FractionSample>& samples)
@@ -243,14 +242,14 @@ LayerFit FitFilm(const std::vector<FractionSample>& samples)
   Vector3 normal;
   double middle = 0.0;
   FindFilm(samples, normal, middle);
-  const Fitter fitter(samples, true);
-  LayerFit best = fitter.Fit(normal, middle);
+  const Work work = MakeWork(samples, true);
+  LayerFit best = Fit(work, normal, middle);
   // steps stop where a film that lies in the cell alone stays the same wherever in it
   for (double shift : { -OtherPlace, OtherPlace })
   {
     if (best.Error > CloseFit)
     {
-      const LayerFit other = fitter.Fit(normal, middle + shift);
+      const LayerFit other = Fit(work, normal, middle + shift);
       best = other.Error < best.Error ? other : best;
     }
   }

@@ -115,101 +115,94 @@ void SkipCells(const CartesianGrid& grid, const std::function<bool(const Index3&
 }
 
 /// Cuts the cells of a box, layer by layer along z.
-class CellCutter
+struct Work
 {
-public:
-  CellCutter(const CartesianGrid& grid, const FractionField& fractions,
-    const CellDivision& division, ChildRule rule, Runtime& runtime) :
-    Grid(grid), Fractions(fractions), Division(division), Rule(rule), Run(runtime)
-  {
-  }
-
-  void Cut(const IndexBox& box, const std::function<bool(const Index3&)>& skips,
-    RefinedCells& refined) const
-  {
-    for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
-    {
-      this->CutLayer(box, k, skips, refined);
-    }
-  }
-
-private:
-  void CutLayer(const IndexBox& box, Index k, const std::function<bool(const Index3&)>& skips,
-    RefinedCells& refined) const
-  {
-    std::vector<CellRun> runs;
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-    {
-      const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
-      this->Fractions.VisitRuns(first, first + box.Size(0),
-        [&runs](Index begin, Index end, int label) {
-          runs.push_back({ begin, end, label });
-        });
-    }
-    if (skips)
-    {
-      SkipCells(this->Grid, skips, runs);
-    }
-    const std::vector<std::vector<ChildFractions>> mixed = this->ShareOut(runs);
-    ChildRows children(this->Grid, this->Fractions, this->Division, refined);
-    auto run = runs.begin();
-    auto split = mixed.begin();
-    for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
-    {
-      const Index end = this->Grid.Linear({ { box.Upper[0], j, k } });
-      children.Start({ { box.Lower[0], j, k } });
-      for (; run != runs.end() && run->End <= end; ++run)
-      {
-        if (run->Label >= 0)
-        {
-          children.AddLabel(run->Label, run->Begin, run->End);
-          continue;
-        }
-        children.AddMixed(run->Begin, *split++);
-      }
-      children.Finish();
-    }
-  }
-
-  /// What the children of the mixed cells among the runs hold.
-  std::vector<std::vector<ChildFractions>> ShareOut(const std::vector<CellRun>& runs) const
-  {
-    std::vector<Index> mixed;
-    for (const CellRun& run : runs)
-    {
-      if (run.Label < 0)
-      {
-        mixed.push_back(run.Begin);
-      }
-    }
-    std::vector<std::vector<ChildFractions>> children(mixed.size());
-    ForEach(this->Run, mixed.size(),
-      [&](Index m) { children[m] = this->ShareOut(this->Grid.Position(mixed[m])); });
-    return children;
-  }
-
-  /// The parts of a mixed cell in its children.
-  std::vector<ChildFractions> ShareOut(const Index3& cell) const
-  {
-    const Index3 counts = this->Division.Parts(cell);
-    if (this->Rule == ChildRule::Planes && counts != Index3{ { 1, 1, 1 } })
-    {
-      return SplitCell(this->Grid, this->Fractions, cell, counts);
-    }
-    std::vector<ChildFractions> children;
-    for (const FractionField::Part& part : this->Fractions.Parts(this->Grid.Linear(cell)))
-    {
-      children.emplace_back(counts[0] * counts[1] * counts[2], part.Fraction);
-    }
-    return children;
-  }
-
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   const CellDivision& Division;
   const ChildRule Rule;
   Runtime& Run;
 };
+
+/// The parts of a mixed cell in its children.
+std::vector<ChildFractions> ShareOut(const Work& work, const Index3& cell)
+{
+  const Index3 counts = work.Division.Parts(cell);
+  if (work.Rule == ChildRule::Planes && counts != Index3{ { 1, 1, 1 } })
+  {
+    return SplitCell(work.Grid, work.Fractions, cell, counts);
+  }
+  std::vector<ChildFractions> children;
+  for (const FractionField::Part& part : work.Fractions.Parts(work.Grid.Linear(cell)))
+  {
+    children.emplace_back(counts[0] * counts[1] * counts[2], part.Fraction);
+  }
+  return children;
+}
+
+/// What the children of the mixed cells among the runs hold.
+std::vector<std::vector<ChildFractions>> ShareOut(
+  const Work& work, const std::vector<CellRun>& runs)
+{
+  std::vector<Index> mixed;
+  for (const CellRun& run : runs)
+  {
+    if (run.Label < 0)
+    {
+      mixed.push_back(run.Begin);
+    }
+  }
+  std::vector<std::vector<ChildFractions>> children(mixed.size());
+  ForEach(work.Run, mixed.size(),
+    [&](Index m) { children[m] = ShareOut(work, work.Grid.Position(mixed[m])); });
+  return children;
+}
+
+void CutLayer(const Work& work, const IndexBox& box, Index k,
+  const std::function<bool(const Index3&)>& skips, RefinedCells& refined)
+{
+  std::vector<CellRun> runs;
+  for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  {
+    const Index first = work.Grid.Linear({ { box.Lower[0], j, k } });
+    work.Fractions.VisitRuns(first, first + box.Size(0),
+      [&runs](Index begin, Index end, int label) {
+        runs.push_back({ begin, end, label });
+      });
+  }
+  if (skips)
+  {
+    SkipCells(work.Grid, skips, runs);
+  }
+  const std::vector<std::vector<ChildFractions>> mixed = ShareOut(work, runs);
+  ChildRows children(work.Grid, work.Fractions, work.Division, refined);
+  auto run = runs.begin();
+  auto split = mixed.begin();
+  for (Index j = box.Lower[1]; j < box.Upper[1]; ++j)
+  {
+    const Index end = work.Grid.Linear({ { box.Upper[0], j, k } });
+    children.Start({ { box.Lower[0], j, k } });
+    for (; run != runs.end() && run->End <= end; ++run)
+    {
+      if (run->Label >= 0)
+      {
+        children.AddLabel(run->Label, run->Begin, run->End);
+        continue;
+      }
+      children.AddMixed(run->Begin, *split++);
+    }
+    children.Finish();
+  }
+}
+
+void Cut(const Work& work, const IndexBox& box, const std::function<bool(const Index3&)>& skips,
+  RefinedCells& refined)
+{
+  for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
+  {
+    CutLayer(work, box, k, skips, refined);
+  }
+}
 
 RefinedCells MakeVoidCells(
   const CartesianGrid& grid, const FractionField& fractions, const CellDivision& division)
@@ -251,7 +244,7 @@ RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractio
 {
   const CellDivision halves(grid.Global().Upper, 2);
   RefinedCells refined = MakeVoidCells(grid, fractions, halves);
-  CellCutter(grid, fractions, halves, rule, runtime).Cut(grid.Extended(ReadLayers), skips, refined);
+  Cut({ grid, fractions, halves, rule, runtime }, grid.Extended(ReadLayers), skips, refined);
   return refined;
 }
 
@@ -259,7 +252,7 @@ RefinedCells DivideCells(const CartesianGrid& grid, const FractionField& fractio
   const CellDivision& division, Runtime& runtime, ChildRule rule)
 {
   RefinedCells refined = MakeVoidCells(grid, fractions, division);
-  CellCutter(grid, fractions, division, rule, runtime).Cut(grid.Owned(), {}, refined);
+  Cut({ grid, fractions, division, rule, runtime }, grid.Owned(), {}, refined);
   return refined;
 }
 

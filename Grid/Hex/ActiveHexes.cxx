@@ -16,72 +16,65 @@ constexpr Index Rings = 2;            // cells around interfaces whose points mo
 constexpr Index PointsOfBlock = 4096; // that are looked at by one thread
 
 /// Which points move, and with which nodes.
-class MoverFinder
+struct Work
 {
-public:
-  MoverFinder(const LabelledGrid& labelled, const Mesh& mesh) :
-    Coarse(*labelled.Levels.Coarse),
-    Levels(*labelled.Levels.Grid),
-    Input(mesh),
-    Halvings(this->Levels.HasFineInterfaces() ? 0 : this->Levels.NumberOfRefinements())
-  {
-    for (int halvings = 0; halvings <= this->Halvings; ++halvings)
-    {
-      this->Near.emplace_back(this->Levels.Finest(), labelled.Mixed, halvings, Rings);
-    }
-    if (this->Halvings > 0)
-    {
-      this->Near.emplace_back(this->Levels.Finest(), labelled.Mixed, this->Halvings, Rings + 1);
-    }
-  }
-
-  std::vector<Mover> Find(Runtime& runtime) const
-  {
-    const Index points = static_cast<Index>(this->Input.PointIds.size());
-    std::vector<std::vector<Mover>> found((points + PointsOfBlock - 1) / PointsOfBlock);
-    ForEach(runtime, found.size(),
-      [&](Index block)
-      {
-        const Index first = block * PointsOfBlock;
-        for (Index p = first; p < std::min(points, first + PointsOfBlock); ++p)
-        {
-          this->AddMover(p, found[block]);
-        }
-      });
-    return Joined(found);
-  }
-
-private:
-  void AddMover(Index point, std::vector<Mover>& movers) const
-  {
-    const Index id = this->Input.PointIds[point];
-    if (!this->MayMove(id))
-    {
-      return;
-    }
-    const OctreeKeys::LevelIndex node = this->Coarse.AnchorOf(this->Input, id);
-    const int halvings = this->Levels.NumberOfRefinements() - node.Level;
-    if (halvings <= this->Halvings && this->Near[halvings].Has(node.At))
-    {
-      movers.push_back({ point, id, this->Levels.Lattice().NodeKey(node.Level, node.At, 0),
-        this->Levels.FinestNode(node.Level, node.At), ColourOfNode(node) });
-    }
-  }
-
-  bool MayMove(Index id) const
-  {
-    const Index3 node = NodeOfPoint(this->Levels.Finest(), this->Input, id);
-    const int shift = this->Halvings;
-    return this->Near.back().Has({ { node[0] >> shift, node[1] >> shift, node[2] >> shift } });
-  }
-
-  const CoarseHexes& Coarse;
-  const RefinedGrid& Levels;
+  const LabelledGrid& Labelled;
   const Mesh& Input;
-  const int Halvings; // from the coarsest level with interfaces to the finest
-  std::vector<NodesNear>
-    Near; // by halvings; the last, of the coarsest, is wide enough for all points that move
+  const CoarseHexes& Coarse = *Labelled.Levels.Coarse;
+  const RefinedGrid& Levels = *Labelled.Levels.Grid;
+  /// From the coarsest level with interfaces to the finest.
+  const int Halvings = Levels.HasFineInterfaces() ? 0 : Levels.NumberOfRefinements();
+  /// By halvings; the last, of the coarsest, is wide enough for all points that move.
+  std::vector<NodesNear> Near{};
 };
+
+bool MayMove(const Work& work, Index id)
+{
+  const Index3 node = NodeOfPoint(work.Levels.Finest(), work.Input, id);
+  const int shift = work.Halvings;
+  return work.Near.back().Has({ { node[0] >> shift, node[1] >> shift, node[2] >> shift } });
+}
+
+void AddMover(const Work& work, Index point, std::vector<Mover>& movers)
+{
+  const Index id = work.Input.PointIds[point];
+  if (!MayMove(work, id))
+  {
+    return;
+  }
+  const OctreeKeys::LevelIndex node = work.Coarse.AnchorOf(work.Input, id);
+  const int halvings = work.Levels.NumberOfRefinements() - node.Level;
+  if (halvings <= work.Halvings && work.Near[halvings].Has(node.At))
+  {
+    movers.push_back({ point, id, work.Levels.Lattice().NodeKey(node.Level, node.At, 0),
+      work.Levels.FinestNode(node.Level, node.At), ColourOfNode(node) });
+  }
+}
+
+std::vector<Mover> FindMovers(const LabelledGrid& labelled, const Mesh& mesh, Runtime& runtime)
+{
+  Work work{ labelled, mesh };
+  for (int halvings = 0; halvings <= work.Halvings; ++halvings)
+  {
+    work.Near.emplace_back(work.Levels.Finest(), labelled.Mixed, halvings, Rings);
+  }
+  if (work.Halvings > 0)
+  {
+    work.Near.emplace_back(work.Levels.Finest(), labelled.Mixed, work.Halvings, Rings + 1);
+  }
+  const Index points = static_cast<Index>(work.Input.PointIds.size());
+  std::vector<std::vector<Mover>> found((points + PointsOfBlock - 1) / PointsOfBlock);
+  ForEach(runtime, found.size(),
+    [&](Index block)
+    {
+      const Index first = block * PointsOfBlock;
+      for (Index p = first; p < std::min(points, first + PointsOfBlock); ++p)
+      {
+        AddMover(work, p, found[block]);
+      }
+    });
+  return Joined(found);
+}
 
 } // namespace
 
@@ -89,7 +82,7 @@ ActiveMesh MakeActiveHexes(
   const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh, Runtime& runtime)
 {
   const RefinedGrid& levels = *labelled.Levels.Grid;
-  ActiveMeshBuilder builder(8, mesh.PointIds.size(), MoverFinder(labelled, mesh).Find(runtime));
+  ActiveMeshBuilder builder(8, mesh.PointIds.size(), FindMovers(labelled, mesh, runtime));
   const std::vector<Index> hexes = builder.AddAround(mesh);
   ActiveMesh active = builder.Finish(&partition, 8 * (levels.NumberOfRefinements() + 1),
     levels.HasFineInterfaces() ? ActiveMeshBuilder::Nodes::OfGrid : ActiveMeshBuilder::Nodes::Any);

@@ -24,7 +24,8 @@ CoarseHexes::CoarseHexes(
     SmoothTransitions(grid.Lattice(), this->TheRefined, runtime, true, options.AsCubes);
   if (!grid.HasFineInterfaces())
   {
-    this->TheSplits = SplitNodes(grid, this->TheRefined, this->Region, labels, options.MeshVoid);
+    this->TheSplits =
+      FindSplitNodes(grid, this->TheRefined, this->Region, labels, options.MeshVoid);
   }
   this->FindBadFamilies(report.BadCells);
   for (Index key : this->TheRefined.HexKeys)
@@ -40,7 +41,7 @@ void CoarseHexes::FindBadFamilies(const std::vector<OctreeKeys::LevelIndex>& bad
 {
   if (this->HasBuffers)
   {
-    this->Bad = this->TheSplits.BadFamilies();
+    this->Bad = this->TheSplits.BadFamilies;
   }
   this->Bad.resize(this->Grid.NumberOfRefinements());
   for (const OctreeKeys::LevelIndex& cell : badCells)
@@ -290,9 +291,8 @@ public:
 private:
   void SetPoint(Index point, Index key, int slot, const Vector3& x)
   {
-    std::copy(x.begin(), x.end(), this->Result.Points.data() + 3 * point);
-    this->Result.PointIds[point] =
-      PointId(this->Coarse.Grid, key, this->Result.Ids.PointSlots, slot);
+    this->Result.SetPoint(
+      point, x, PointId(this->Coarse.Grid, key, this->Result.Ids.PointSlots, slot));
   }
 
   void SetCorner(int c, const Corner& corner)
@@ -317,14 +317,8 @@ private:
 
   void SetHex(Index key, int slot, const std::array<Index, 8>& corners)
   {
-    for (int c = 0; c < 8; ++c)
-    {
-      this->Result.Elements[8 * this->Hex + VtkCorner[c]] = corners[c];
-    }
-    this->Result.ElementIds[this->Hex] =
-      ElementId(this->Coarse.Grid, key, this->Result.Ids.ElementSlots, slot);
-    this->Result.Material[this->Hex] = this->Label;
-    ++this->Hex;
+    this->Result.SetElement(this->Hex++, InVtkOrder(corners),
+      ElementId(this->Coarse.Grid, key, this->Result.Ids.ElementSlots, slot), this->Label);
   }
 
   CoarseHexes& Coarse;
@@ -341,7 +335,7 @@ void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoints& finePoints)
   const OctreeKeys& lattice = this->Grid.Lattice();
   for (Index n = 0; n < this->TheSplits.Count(); ++n)
   {
-    const OctreeKeys::LevelIndex node = lattice.NodeOfKey(this->TheSplits.Key(n));
+    const OctreeKeys::LevelIndex node = lattice.NodeOfKey(this->TheSplits.Keys[n]);
     if (!this->IsPointOfFine(node))
     {
       continue;

@@ -39,57 +39,41 @@ std::vector<bool> FindNodesFarFromRefined(const CoarseHexes& coarse)
 }
 
 /// The points that move, and the hexes at them.
-class CoarseSmoother
+struct Work
 {
-public:
-  CoarseSmoother(const CoarseHexes& coarse, const std::vector<unsigned char>& isFrozen, Mesh& mesh,
-    const Partition& partition) :
-    Levels(coarse.Levels()), Refined(coarse.Refined()), Result(mesh)
-  {
-    ActiveMeshBuilder builder(
-      8, mesh.PointIds.size(), this->FindMovers(FindNodesFarFromRefined(coarse)));
-    const std::vector<Index> hexes = builder.AddAround(mesh);
-    this->Active = builder.Finish(&partition, 8 * this->Levels.NumberOfRefinements());
-    this->Active.Widths = WidthsOfHexes(this->Levels, mesh, hexes);
-    this->Active.PlacePoints(this->Levels.Finest(), mesh);
-    for (std::size_t p = 0; p < this->Active.MeshPoint.size(); ++p)
-    {
-      this->Active.IsActive[p] &= !isFrozen[this->Active.MeshPoint[p]];
-    }
-  }
-
-  void Run(Runtime& runtime)
-  {
-    const HexEnergy energy(TargetScaledJacobian);
-    Smoother smoother(this->Active, nullptr, energy, runtime);
-    smoother.RunStage(AllHexes, [](double) {});
-    std::vector<unsigned char> isActive = this->ListPointsOfPoorHexes();
-    this->Active.IsActive.swap(isActive);
-    smoother.RunStage(PoorHexes, [](double) {});
-    this->Active.IsActive.swap(isActive);
-    this->Active.CopyTo(this->Result, this->Levels.Finest());
-  }
-
-private:
-  std::vector<Mover> FindMovers(const std::vector<bool>& isFar) const;
-  bool TouchesFinerLevels(Index key, int next) const;
-  std::vector<unsigned char> ListPointsOfPoorHexes() const;
-
   const RefinedGrid& Levels;
   const RefinedMesh& Refined;
   Mesh& Result;
-  ActiveMesh Active;
+  ActiveMesh Active{};
 };
+
+/// Of each point: whether it moves and has a poor hex. All hexes of owned points are known, so ranks agree.
+std::vector<unsigned char> ListPointsOfPoorHexes(const Work& work)
+{
+  std::vector<unsigned char> isListed(work.Active.X.size(), 0);
+  for (auto points = work.Active.Elements.begin(); points != work.Active.Elements.end();
+       points += 8)
+  {
+    std::array<Index, 8> hex;
+    std::copy_n(points, 8, hex.begin());
+    if (HexScaledJacobian(work.Active.X[0].data(), InVtkOrder(hex).data()) < GoodScaledJacobian)
+    {
+      std::for_each(
+        points, points + 8, [&](int point) { isListed[point] = work.Active.IsActive[point]; });
+    }
+  }
+  return isListed;
+}
 
 /// Whether a cell of the level `next` at a lattice node is refined. The hexes in it lie two levels below the node that the
 /// point moves with, so the owner may not know all of them: the point stays.
-bool CoarseSmoother::TouchesFinerLevels(Index key, int next) const
+bool TouchesFinerLevels(const Work& work, Index key, int next)
 {
-  if (next >= this->Levels.NumberOfRefinements())
+  if (next >= work.Levels.NumberOfRefinements())
   {
     return false;
   }
-  const OctreeKeys& lattice = this->Levels.Lattice();
+  const OctreeKeys& lattice = work.Levels.Lattice();
   const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
   const int shift = next - node.Level;
   for (int c = 0; node.Slot == 0 && c < 8; ++c)
@@ -99,7 +83,7 @@ bool CoarseSmoother::TouchesFinerLevels(Index key, int next) const
     {
       cell[a] = (node.At[a] << shift) - 1 + (c >> a & 1);
     }
-    if (lattice.HasCell(next, cell) && this->Levels.Families().IsRefined(next, cell))
+    if (lattice.HasCell(next, cell) && work.Levels.Families().IsRefined(next, cell))
     {
       return true;
     }
@@ -108,30 +92,30 @@ bool CoarseSmoother::TouchesFinerLevels(Index key, int next) const
 }
 
 /// Also those that stay: other ranks may ask for them.
-std::vector<Mover> CoarseSmoother::FindMovers(const std::vector<bool>& isFar) const
+std::vector<Mover> FindMovers(const Work& work, const std::vector<bool>& isFar)
 {
   std::vector<Mover> movers;
-  const OctreeKeys& lattice = this->Levels.Lattice();
-  for (std::size_t p = 0; p < this->Result.PointIds.size(); ++p)
+  const OctreeKeys& lattice = work.Levels.Lattice();
+  for (std::size_t p = 0; p < work.Result.PointIds.size(); ++p)
   {
-    const Index id = this->Result.PointIds[p];
-    if (!IsLatticePoint(this->Levels, id, this->Result.Ids.PointSlots))
+    const Index id = work.Result.PointIds[p];
+    if (!IsLatticePoint(work.Levels, id, work.Result.Ids.PointSlots))
     {
       continue;
     }
-    const Index key = KeyOfPoint(this->Levels, id, this->Result.Ids.PointSlots);
+    const Index key = KeyOfPoint(work.Levels, id, work.Result.Ids.PointSlots);
     const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
-    if (node.Level == 0 && node.Slot == 0 && isFar[this->Levels.Base().Linear(node.At)])
+    if (node.Level == 0 && node.Slot == 0 && isFar[work.Levels.Base().Linear(node.At)])
     {
       continue;
     }
-    const Index anchor = AnchorOfPoint(this->Levels.Families(), this->Refined, key);
+    const Index anchor = AnchorOfPoint(work.Levels.Families(), work.Refined, key);
     if (anchor < 0)
     {
       continue;
     }
     const OctreeKeys::LevelIndex at = lattice.NodeOfKey(anchor);
-    if (!this->TouchesFinerLevels(key, at.Level + 1))
+    if (!TouchesFinerLevels(work, key, at.Level + 1))
     {
       movers.push_back({ static_cast<Index>(p), anchor, anchor / OctreeKeys::NodeSlots,
         OwnerNode(at), ColourOfNode(at) });
@@ -140,34 +124,31 @@ std::vector<Mover> CoarseSmoother::FindMovers(const std::vector<bool>& isFar) co
   return movers;
 }
 
-/// Of each point: whether it moves and has a poor hex. All hexes of owned points are known, so ranks agree.
-std::vector<unsigned char> CoarseSmoother::ListPointsOfPoorHexes() const
-{
-  std::vector<unsigned char> isListed(this->Active.X.size(), 0);
-  for (auto points = this->Active.Elements.begin(); points != this->Active.Elements.end();
-       points += 8)
-  {
-    std::array<Index, 8> hex;
-    for (int c = 0; c < 8; ++c)
-    {
-      hex[VtkCorner[c]] = points[c];
-    }
-    if (HexScaledJacobian(this->Active.X[0].data(), hex.data()) < GoodScaledJacobian)
-    {
-      std::for_each(
-        points, points + 8, [&](int point) { isListed[point] = this->Active.IsActive[point]; });
-    }
-  }
-  return isListed;
-}
-
 } // namespace
 
 void SmoothCoarse(const CoarseHexes& coarse, const std::vector<unsigned char>& isFrozen, Mesh& mesh,
   Runtime& runtime)
 {
   const Partition partition(coarse.Levels().Base(), runtime.Group());
-  CoarseSmoother(coarse, isFrozen, mesh, partition).Run(runtime);
+  Work work{ coarse.Levels(), coarse.Refined(), mesh };
+  ActiveMeshBuilder builder(
+    8, mesh.PointIds.size(), FindMovers(work, FindNodesFarFromRefined(coarse)));
+  const std::vector<Index> hexes = builder.AddAround(mesh);
+  work.Active = builder.Finish(&partition, 8 * work.Levels.NumberOfRefinements());
+  work.Active.Widths = WidthsOfHexes(work.Levels, mesh, hexes);
+  work.Active.PlacePoints(work.Levels.Finest(), mesh);
+  for (std::size_t p = 0; p < work.Active.MeshPoint.size(); ++p)
+  {
+    work.Active.IsActive[p] &= !isFrozen[work.Active.MeshPoint[p]];
+  }
+  const HexEnergy energy(TargetScaledJacobian);
+  Smoother smoother(work.Active, nullptr, energy, runtime);
+  smoother.RunStage(AllHexes, [](double) {});
+  std::vector<unsigned char> isActive = ListPointsOfPoorHexes(work);
+  work.Active.IsActive.swap(isActive);
+  smoother.RunStage(PoorHexes, [](double) {});
+  work.Active.IsActive.swap(isActive);
+  work.Active.CopyTo(work.Result, work.Levels.Finest());
 }
 
 } // namespace vfm

@@ -98,189 +98,155 @@ void FillInnerPoints(const LabelledGrid& labelled, const PointNumbering& numberi
   }
 }
 
-class HexFacetFinder
+struct Work
 {
-public:
-  HexFacetFinder(const LabelledGrid& labelled, const PointNumbering& numbering,
-    const Fragments& fragments, const Partition& partition, const Mesh& mesh) :
-    Labelled(labelled),
-    Levels(*labelled.Levels.Grid),
-    Grid(this->Levels.Finest()),
-    Numbering(numbering),
-    Pieces(fragments),
-    Parts(partition),
-    Input(mesh),
-    Box(this->Grid.HexBox())
-  {
-  }
-
-  std::vector<Facet> Find()
-  {
-    this->Reserve();
-    ForRowsOfHexes(this->Box, this->Input,
-      [this](Index j, Index k, Index first, Index last)
-      { this->AddDomainFacets(j, k, first, last); });
-    ForCoarseHexes(
-      this->Input, [this](Index hex, const Index3& cell) { this->AddDomainFacets(hex, cell); });
-    ForInterfaceFaces(this->Grid, this->Labelled.Labels, this->Labelled.Mixed, this->Box,
-      [this](const InterfaceFace& face, const Index3& lower, const Index3& upper)
-      { this->AddFineFacet(face, lower, upper); });
-    for (const SplitNodes::Face& face : this->Labelled.Levels.Coarse->Splits().Faces())
-    {
-      this->AddCoarseFacet(face);
-    }
-    return std::move(this->Found);
-  }
-
-private:
-  /// What is not used is never touched.
-  void Reserve()
-  {
-    Index sides = 0;
-    for (int a = 0; a < 3; ++a)
-    {
-      sides += 2 * this->Box.Size((a + 1) % 3) * this->Box.Size((a + 2) % 3);
-    }
-    this->Found.reserve(sides + 2 * this->Labelled.Mixed.size());
-  }
-
-  /// Of the hexes of a row of finest cells.
-  void AddDomainFacets(Index j, Index k, Index first, Index last)
-  {
-    const Index* ids = this->Input.ElementIds.data();
-    const Index start = HexIds.ElementSlots * this->Grid.CellKey({ { 0, j, k } }) + 1;
-    const Index3& n = this->Grid.Global().Upper;
-    Index begin = last, end = last; // of those between the first and the last cell
-    if (j > 0 && k > 0 && j < n[1] - 1 && k < n[2] - 1)
-    {
-      begin = std::lower_bound(ids + first, ids + last, start + HexIds.ElementSlots) - ids;
-      end =
-        std::lower_bound(ids + begin, ids + last, start + HexIds.ElementSlots * (n[0] - 1)) - ids;
-    }
-    for (Index h = first; h < last; ++h)
-    {
-      if (h == begin)
-      {
-        h = end;
-      }
-      if (h < last)
-      {
-        const Index place = ids[h] - start;
-        this->AddDomainFacets(h, static_cast<int>(place % HexIds.ElementSlots),
-          { { place / HexIds.ElementSlots, j, k } });
-      }
-    }
-  }
-
-  /// slot: 0 core hex, 1 + face buffer hex, whose faces along its own axis are not on the boundary.
-  void AddDomainFacets(Index hex, int slot, const Index3& cell)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      if (slot > 0 && (slot - 1) / 2 == a)
-      {
-        continue;
-      }
-      if (cell[a] == 0)
-      {
-        this->AddDomainFacet(hex, 2 * a, 2 * a, cell);
-      }
-      if (cell[a] == this->Grid.Global().Upper[a] - 1)
-      {
-        this->AddDomainFacet(hex, 2 * a + 1, 2 * a + 1, cell);
-      }
-    }
-  }
-
-  /// Of a coarse hex, which may lie in its cell in any way.
-  void AddDomainFacets(Index hex, const Index3& cell)
-  {
-    std::array<int, 8> sides;
-    for (int c = 0; c < 8; ++c)
-    {
-      const Index point = this->Input.Elements[8 * hex + VtkCorner[c]];
-      sides[c] = FindDomainSides(this->Grid, this->Input.Points.data() + 3 * point);
-    }
-    for (int f = 0; f < 6; ++f)
-    {
-      const std::array<int, 4>& face = FaceCorners[f];
-      const int common = sides[face[0]] & sides[face[1]] & sides[face[2]] & sides[face[3]];
-      for (int side = 0; common != 0 && side < 6; ++side)
-      {
-        if (common >> side & 1)
-        {
-          this->AddDomainFacet(hex, f, side, cell);
-        }
-      }
-    }
-  }
-
-  void AddDomainFacet(Index hex, int face, int side, const Index3& cell)
-  {
-    Facet facet{ {}, { { this->Input.Material[hex], 0 } }, { { this->Input.Fragment[hex], 0 } },
-      side, this->Parts.OwnsCell(cell) };
-    for (int c = 0; c < 4; ++c)
-    {
-      facet.Points[c] = this->Input.Elements[8 * hex + VtkCorner[FaceCorners[face][c]]];
-    }
-    this->Found.push_back(facet);
-  }
-
-  /// Of a face with a finest cell on a side.
-  void AddFineFacet(const InterfaceFace& face, const Index3& lower, const Index3& upper)
-  {
-    if (!this->Levels.IsFine(lower) && !this->Levels.IsFine(upper))
-    {
-      return;
-    }
-    Facet facet{ {}, { { face.LowerLabel, face.UpperLabel } },
-      { { this->Pieces.FragmentOfCell(lower), this->Pieces.FragmentOfCell(upper) } }, -1,
-      this->Parts.OwnsCell(this->Numbering.IsMeshed(face.LowerLabel) ? lower : upper) };
-    const std::array<Index, 4> nodes = NodesOfFace(this->Grid, face);
-    std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
-      [this](Index node) { return this->Numbering.FirstPoint(node); });
-    this->Found.push_back(facet);
-  }
-
-  /// Of a face between two coarse hexes.
-  void AddCoarseFacet(const SplitNodes::Face& face)
-  {
-    Facet facet{ {}, {}, {}, -1, false };
-    for (int c = 0; c < 4; ++c)
-    {
-      facet.Points[c] = this->Labelled.Levels.Coarse->SplitPoints()[face.Nodes[c]];
-      if (facet.Points[c] < 0)
-      {
-        return;
-      }
-    }
-    for (int side = 0; side < 2; ++side)
-    {
-      const OctreeKeys::LevelIndex& leaf = face.Sides[side].Cell;
-      const Index3 cell = this->Levels.NearestCell(leaf.Level, leaf.At);
-      if (leaf.Level == this->Levels.NumberOfRefinements() || !this->Box.Contains(cell))
-      {
-        return;
-      }
-      facet.Materials[side] = face.Sides[side].Label;
-      facet.Fragments[side] = this->Pieces.FragmentOfCell(cell);
-    }
-    const int writer = this->Numbering.IsMeshed(facet.Materials[0]) ? 0 : 1;
-    const OctreeKeys::LevelIndex& leaf = face.Sides[writer].Cell;
-    facet.IsOwned = this->Parts.OwnsCell(this->Levels.FinestNode(leaf.Level, leaf.At));
-    this->Found.push_back(facet);
-  }
-
   const LabelledGrid& Labelled;
-  const RefinedGrid& Levels;
-  const CartesianGrid& Grid;
   const PointNumbering& Numbering;
   const Fragments& Pieces;
   const Partition& Parts;
   const Mesh& Input;
-  const IndexBox Box;
-  std::vector<Facet> Found;
+  const RefinedGrid& Levels = *Labelled.Levels.Grid;
+  const CartesianGrid& Grid = Levels.Finest();
+  const IndexBox Box = Grid.HexBox();
+  std::vector<Facet> Found{};
 };
+
+/// What is not used is never touched.
+void Reserve(Work& work)
+{
+  Index sides = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    sides += 2 * work.Box.Size((a + 1) % 3) * work.Box.Size((a + 2) % 3);
+  }
+  work.Found.reserve(sides + 2 * work.Labelled.Mixed.size());
+}
+
+void AddDomainFacet(Work& work, Index hex, int face, int side, const Index3& cell)
+{
+  Facet facet{ {}, { { work.Input.Material[hex], 0 } }, { { work.Input.Fragment[hex], 0 } }, side,
+    work.Parts.OwnsCell(cell) };
+  for (int c = 0; c < 4; ++c)
+  {
+    facet.Points[c] = work.Input.Elements[8 * hex + VtkCorner[FaceCorners[face][c]]];
+  }
+  work.Found.push_back(facet);
+}
+
+/// slot: 0 core hex, 1 + face buffer hex, whose faces along its own axis are not on the boundary.
+void AddDomainFacets(Work& work, Index hex, int slot, const Index3& cell)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    if (slot > 0 && (slot - 1) / 2 == a)
+    {
+      continue;
+    }
+    if (cell[a] == 0)
+    {
+      AddDomainFacet(work, hex, 2 * a, 2 * a, cell);
+    }
+    if (cell[a] == work.Grid.Global().Upper[a] - 1)
+    {
+      AddDomainFacet(work, hex, 2 * a + 1, 2 * a + 1, cell);
+    }
+  }
+}
+
+/// Of the hexes of a row of finest cells.
+void AddDomainFacets(Work& work, Index j, Index k, Index first, Index last)
+{
+  const Index* ids = work.Input.ElementIds.data();
+  const Index start = HexIds.ElementSlots * work.Grid.CellKey({ { 0, j, k } }) + 1;
+  const Index3& n = work.Grid.Global().Upper;
+  Index begin = last, end = last; // of those between the first and the last cell
+  if (j > 0 && k > 0 && j < n[1] - 1 && k < n[2] - 1)
+  {
+    begin = std::lower_bound(ids + first, ids + last, start + HexIds.ElementSlots) - ids;
+    end = std::lower_bound(ids + begin, ids + last, start + HexIds.ElementSlots * (n[0] - 1)) - ids;
+  }
+  for (Index h = first; h < last; ++h)
+  {
+    if (h == begin)
+    {
+      h = end;
+    }
+    if (h < last)
+    {
+      const Index place = ids[h] - start;
+      AddDomainFacets(work, h, static_cast<int>(place % HexIds.ElementSlots),
+        { { place / HexIds.ElementSlots, j, k } });
+    }
+  }
+}
+
+/// Of a coarse hex, which may lie in its cell in any way.
+void AddDomainFacets(Work& work, Index hex, const Index3& cell)
+{
+  std::array<int, 8> sides;
+  for (int c = 0; c < 8; ++c)
+  {
+    const Index point = work.Input.Elements[8 * hex + VtkCorner[c]];
+    sides[c] = FindDomainSides(work.Grid, work.Input.Points.data() + 3 * point);
+  }
+  for (int f = 0; f < 6; ++f)
+  {
+    const std::array<int, 4>& face = FaceCorners[f];
+    const int common = sides[face[0]] & sides[face[1]] & sides[face[2]] & sides[face[3]];
+    for (int side = 0; common != 0 && side < 6; ++side)
+    {
+      if (common >> side & 1)
+      {
+        AddDomainFacet(work, hex, f, side, cell);
+      }
+    }
+  }
+}
+
+/// Of a face with a finest cell on a side.
+void AddFineFacet(Work& work, const InterfaceFace& face, const Index3& lower, const Index3& upper)
+{
+  if (!work.Levels.IsFine(lower) && !work.Levels.IsFine(upper))
+  {
+    return;
+  }
+  Facet facet{ {}, { { face.LowerLabel, face.UpperLabel } },
+    { { work.Pieces.FragmentOfCell(lower), work.Pieces.FragmentOfCell(upper) } }, -1,
+    work.Parts.OwnsCell(work.Numbering.IsMeshed(face.LowerLabel) ? lower : upper) };
+  const std::array<Index, 4> nodes = NodesOfFace(work.Grid, face);
+  std::transform(nodes.begin(), nodes.end(), facet.Points.begin(),
+    [&](Index node) { return work.Numbering.FirstPoint(node); });
+  work.Found.push_back(facet);
+}
+
+/// Of a face between two coarse hexes.
+void AddCoarseFacet(Work& work, const SplitNodes::Face& face)
+{
+  Facet facet{ {}, {}, {}, -1, false };
+  for (int c = 0; c < 4; ++c)
+  {
+    facet.Points[c] = work.Labelled.Levels.Coarse->SplitPoints()[face.Nodes[c]];
+    if (facet.Points[c] < 0)
+    {
+      return;
+    }
+  }
+  for (int side = 0; side < 2; ++side)
+  {
+    const OctreeKeys::LevelIndex& leaf = face.Sides[side].Cell;
+    const Index3 cell = work.Levels.NearestCell(leaf.Level, leaf.At);
+    if (leaf.Level == work.Levels.NumberOfRefinements() || !work.Box.Contains(cell))
+    {
+      return;
+    }
+    facet.Materials[side] = face.Sides[side].Label;
+    facet.Fragments[side] = work.Pieces.FragmentOfCell(cell);
+  }
+  const int writer = work.Numbering.IsMeshed(facet.Materials[0]) ? 0 : 1;
+  const OctreeKeys::LevelIndex& leaf = face.Sides[writer].Cell;
+  facet.IsOwned = work.Parts.OwnsCell(work.Levels.FinestNode(leaf.Level, leaf.At));
+  work.Found.push_back(facet);
+}
 
 } // namespace
 
@@ -317,7 +283,20 @@ void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering
 std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
   const Fragments& fragments, const Partition& partition, const Mesh& mesh)
 {
-  return HexFacetFinder(labelled, numbering, fragments, partition, mesh).Find();
+  Work work{ labelled, numbering, fragments, partition, mesh };
+  Reserve(work);
+  ForRowsOfHexes(work.Box, work.Input,
+    [&](Index j, Index k, Index first, Index last) { AddDomainFacets(work, j, k, first, last); });
+  ForCoarseHexes(
+    work.Input, [&](Index hex, const Index3& cell) { AddDomainFacets(work, hex, cell); });
+  ForInterfaceFaces(work.Grid, work.Labelled.Labels, work.Labelled.Mixed, work.Box,
+    [&](const InterfaceFace& face, const Index3& lower, const Index3& upper)
+    { AddFineFacet(work, face, lower, upper); });
+  for (const SplitNodes::Face& face : work.Labelled.Levels.Coarse->Splits().Faces)
+  {
+    AddCoarseFacet(work, face);
+  }
+  return std::move(work.Found);
 }
 
 } // namespace vfm

@@ -87,13 +87,7 @@ public:
   /// FirstPoint of some nodes of a row where it is a G, below 0 elsewhere. copy: holds them where they are in pages.
   const int* CodesOf(Index first, Index count, std::vector<int>& copy) const;
 
-private:
-  friend class HexTopologyBuilder;
-  int MeshedRank(Index node, int label) const;
-  int CodeOf(Index node) const
-  {
-    return this->Codes.empty() ? this->SomeCodes[node] : this->Codes[node];
-  }
+  /// What BuildHexes sets: the index of G, or ~(index of S).
   void SetCode(Index node, int code)
   {
     if (this->Codes.empty())
@@ -105,6 +99,13 @@ private:
   }
   /// Of nodes of a row: code, code + step ...
   void SetCodes(Index first, Index count, Index code, int step);
+
+private:
+  int MeshedRank(Index node, int label) const;
+  int CodeOf(Index node) const
+  {
+    return this->Codes.empty() ? this->SomeCodes[node] : this->Codes[node];
+  }
 
   const CartesianGrid& Grid;
   const LabelArray& Labels;

@@ -17,15 +17,8 @@
 namespace vfm
 {
 
-class SplitNodes
+struct SplitNodes
 {
-public:
-  /// None.
-  SplitNodes() = default;
-  /// refined: the hexes of the base cells of region, without the finest ones. labels: of the finest grid, alike in each leaf.
-  SplitNodes(const RefinedGrid& grid, const RefinedMesh& refined, const IndexBox& region,
-    const LabelArray& labels, bool meshVoid);
-
   using Side = HexStars::Side;
   /// A face between two labels; not both sides are finest cells.
   struct Face
@@ -35,36 +28,35 @@ public:
     std::array<Side, 2> Sides; ///< the first has the smaller label
   };
 
+  std::vector<Index> Keys; ///< of the nodes (OctreeKeys::NodeOfKey), ascending
+  std::vector<Index> LabelOffset{ 0 };
+  std::vector<int> Labels;    ///< around the nodes, ascending: those of n from LabelOffset[n] on
+  std::vector<Vector3> Inner; ///< of each label: where its I starts, length units of the grid
+  std::vector<Face> Faces;
+  /// Key and faces of hexes of the refined mesh and of untouched base cells, ascending: bit f set when face f (-x +x -y +y -z +z) is on an
+  /// interface.
+  std::vector<std::pair<Index, int>> HexFaces;
+  /// Families that owned cells want to refine because no valid mesh would start there: of each refinement, ascending.
+  std::vector<std::vector<Index>> BadFamilies;
+
   Index Count() const { return static_cast<Index>(this->Keys.size()); }
-  /// The number of the node with a key (OctreeKeys::NodeOfKey), or -1 where it is not split.
+  /// The number of the node with a key, or -1 where it is not split.
   Index Find(Index key) const;
-  Index Key(Index n) const { return this->Keys[n]; }
   /// The labels around a node, ascending.
   const int* LabelsBegin(Index n) const { return this->Labels.data() + this->LabelOffset[n]; }
   const int* LabelsEnd(Index n) const { return this->Labels.data() + this->LabelOffset[n + 1]; }
   /// Position of a label among them.
   int RankOf(Index n, int label) const;
-  /// Where the I of a label starts, length units of the grid.
   const Vector3& InnerPoint(Index n, int rank) const
   {
     return this->Inner[this->LabelOffset[n] + rank];
   }
-  const std::vector<Face>& Faces() const { return this->TheFaces; }
-  /// Bit f set when face f (-x +x -y +y -z +z) of a hex of the refined mesh or of an untouched base cell is on an interface.
+  /// The faces of HexFaces of a hex.
   int FacesOfHex(Index hexKey) const;
-
-  /// Families that owned cells want to refine because no valid mesh would start there: of each refinement, ascending.
-  const std::vector<std::vector<Index>>& BadFamilies() const { return this->Families; }
-
-private:
-  friend class SplitNodesBuilder;
-  std::vector<Index> Keys; // ascending
-  std::vector<Index> LabelOffset;
-  std::vector<int> Labels;
-  std::vector<Vector3> Inner; // of each label
-  std::vector<Face> TheFaces;
-  std::vector<std::pair<Index, int>> HexFaces; // hex key, faces; ascending
-  std::vector<std::vector<Index>> Families;
 };
+
+/// refined: the hexes of the base cells of region, without the finest ones. labels: of the finest grid, alike in each leaf.
+SplitNodes FindSplitNodes(const RefinedGrid& grid, const RefinedMesh& refined,
+  const IndexBox& region, const LabelArray& labels, bool meshVoid);
 
 } // namespace vfm

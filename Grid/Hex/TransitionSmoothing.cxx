@@ -3,6 +3,7 @@
 #include "Base/Vector3.h"
 #include "Hex/HexTopology.h"
 #include "Mesh/Quality.h"
+#include "Ranks/Agreement.h"
 #include "Smoothing/ActiveMeshBuilder.h"
 #include "Smoothing/HexCoefficients.h"
 #include "Smoothing/HexEnergy.h"
@@ -39,86 +40,30 @@ std::vector<Mover> ListMovers(const OctreeKeys& lattice, const RefinedMesh& mesh
 }
 
 /// The transition hexes and the points that move, in lattice coordinates or in lengths over the mean width.
-class TransitionMesh
+struct Work
 {
-public:
-  TransitionMesh(
-    const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& partition, bool inLattice) :
-    Lattice(lattice),
-    Refined(mesh),
-    Parts(partition),
-    InLattice(inLattice),
-    Scale(lattice.Base().MeanWidth())
-  {
-    ActiveMeshBuilder builder(8, mesh.NumberOfPoints(), ListMovers(lattice, mesh));
-    std::vector<Vector3> widths;
-    for (Index h = 0; h < mesh.NumberOfHexes(); ++h)
-    {
-      if (mesh.IsTransition[h])
-      {
-        builder.Add(mesh.Hexes.data() + 8 * h);
-        widths.push_back(this->AddCell(lattice.HexOfKey(mesh.HexKeys[h])));
-      }
-    }
-    this->Active = builder.Finish(&partition);
-    this->Active.Widths = std::move(widths);
-    this->PlacePoints();
-    this->IsFree = this->Active.IsActive;
-  }
-
-  void Untangle(Runtime& runtime, TransitionReport& report);
-  void Smooth(Runtime& runtime);
-  void CopyBack() const;
-
-private:
-  Vector3 AddCell(const OctreeKeys::LevelIndex& cell);
-  void PlacePoints();
-  double SmallestCorner(std::size_t hex) const;
-  void ActivateFlat(Index& flat, Index& inverted);
-
   const OctreeKeys& Lattice;
   RefinedMesh& Refined;
   const Partition& Parts;
-  bool InLattice;
-  double Scale;
-  ActiveMesh Active; // free points first, in the order of RefinedMesh::FreePoints
-  std::vector<unsigned char> IsFree;
-  std::vector<unsigned char> IsOwned; // of each hex: whether this rank counts it
+  const bool InLattice;
+  const double Scale = Lattice.Base().MeanWidth();
+  ActiveMesh Active{}; // free points first, in the order of RefinedMesh::FreePoints
+  std::vector<unsigned char> IsFree{};
+  std::vector<unsigned char> IsOwned{}; // of each hex: whether this rank counts it
 };
 
-/// Counts a hex as that of the owner of its cell; returns its widths.
-Vector3 TransitionMesh::AddCell(const OctreeKeys::LevelIndex& cell)
-{
-  this->IsOwned.push_back(this->Parts.OwnsCell(BaseCellOf(cell)));
-  const double width = std::ldexp(1.0, -cell.Level);
-  return this->InLattice ? Vector3{ { width, width, width } }
-                         : (1.0 / this->Scale) * this->Lattice.CellWidths(cell.Level, cell.At);
-}
-
-void TransitionMesh::PlacePoints()
-{
-  for (std::size_t n = 0; n < this->Active.MeshPoint.size(); ++n)
-  {
-    const Index point = this->Active.MeshPoint[n];
-    const double* p = this->Refined.Points.data() + 3 * point;
-    this->Active.X[n] = this->InLattice ? this->Lattice.FromPoint({ { p[0], p[1], p[2] } })
-                                        : ToGrid(this->Lattice.Base(), p);
-    this->Active.Fixed[n] = FixedOnSides(this->Refined.DomainSides[point]);
-  }
-}
-
 /// Smallest corner determinant of a hex, in cell volumes.
-double TransitionMesh::SmallestCorner(std::size_t hex) const
+double SmallestCorner(const Work& work, std::size_t hex)
 {
-  const Vector3& widths = this->Active.WidthsAt(static_cast<Index>(8 * hex));
-  const int* points = this->Active.Elements.data() + 8 * hex;
+  const Vector3& widths = work.Active.WidthsAt(static_cast<Index>(8 * hex));
+  const int* points = work.Active.Elements.data() + 8 * hex;
   double smallest = 1e300;
   for (int c = 0; c < 8; ++c)
   {
     const auto edge = [&](int a)
     {
       return Divided(
-        this->Active.X[points[c | 1 << a]] - this->Active.X[points[c & ~(1 << a)]], widths);
+        work.Active.X[points[c | 1 << a]] - work.Active.X[points[c & ~(1 << a)]], widths);
     };
     smallest = std::min(smallest, Dot(edge(0), Cross(edge(1), edge(2))));
   }
@@ -126,14 +71,14 @@ double TransitionMesh::SmallestCorner(std::size_t hex) const
 }
 
 /// Leaves only the free points of flat and inverted hexes active; counts the hexes.
-void TransitionMesh::ActivateFlat(Index& flat, Index& inverted)
+void ActivateFlat(Work& work, Index& flat, Index& inverted)
 {
   flat = inverted = 0;
-  std::fill(this->Active.IsActive.begin(), this->Active.IsActive.end(), 0);
-  for (std::size_t h = 0; 8 * h < this->Active.Elements.size(); ++h)
+  std::fill(work.Active.IsActive.begin(), work.Active.IsActive.end(), 0);
+  for (std::size_t h = 0; 8 * h < work.Active.Elements.size(); ++h)
   {
-    const double smallest = this->SmallestCorner(h);
-    inverted += this->IsOwned[h] && smallest <= SmallestDeterminant;
+    const double smallest = SmallestCorner(work, h);
+    inverted += work.IsOwned[h] && smallest <= SmallestDeterminant;
     if (smallest > FlatDeterminant)
     {
       continue;
@@ -141,21 +86,21 @@ void TransitionMesh::ActivateFlat(Index& flat, Index& inverted)
     ++flat;
     for (int c = 0; c < 8; ++c)
     {
-      const int point = this->Active.Elements[8 * h + c];
-      this->Active.IsActive[point] = this->IsFree[point];
+      const int point = work.Active.Elements[8 * h + c];
+      work.Active.IsActive[point] = work.IsFree[point];
     }
   }
 }
 
-void TransitionMesh::Untangle(Runtime& runtime, TransitionReport& report)
+void Untangle(Work& work, Runtime& runtime, TransitionReport& report)
 {
   UntangleEnergy energy;
-  Smoother smoother(this->Active, nullptr, energy, runtime);
+  Smoother smoother(work.Active, nullptr, energy, runtime);
   double eps = LargestEps;
   for (int sweep = 0; sweep <= UntangleSweeps; ++sweep)
   {
     Index flat, inverted;
-    this->ActivateFlat(flat, inverted);
+    ActivateFlat(work, flat, inverted);
     if (sweep == 0)
     {
       report.InvertedHexes += inverted;
@@ -169,31 +114,71 @@ void TransitionMesh::Untangle(Runtime& runtime, TransitionReport& report)
     smoother.RunStage({ 1, 0.0, ShapeWeight, 1, 0.0 }, [](double) {});
     ++report.UntangleSweeps;
   }
-  this->Active.IsActive = this->IsFree;
+  work.Active.IsActive = work.IsFree;
 }
 
-void TransitionMesh::Smooth(Runtime& runtime)
+void Smooth(Work& work, Runtime& runtime)
 {
   const HexEnergy energy(TargetScaledJacobian);
-  Smoother(this->Active, nullptr, energy, runtime).RunRamp(Ramp);
+  Smoother(work.Active, nullptr, energy, runtime).RunRamp(Ramp);
 }
 
-void TransitionMesh::CopyBack() const
+void CopyBack(const Work& work)
 {
-  const CartesianGrid& grid = this->Lattice.Base();
-  for (std::size_t n = 0; n < this->Refined.FreePoints.size(); ++n)
+  const CartesianGrid& grid = work.Lattice.Base();
+  for (std::size_t n = 0; n < work.Refined.FreePoints.size(); ++n)
   {
     const Vector3 x =
-      this->InLattice ? this->Lattice.ToPoint(this->Active.X[n]) : this->Scale * this->Active.X[n];
+      work.InLattice ? work.Lattice.ToPoint(work.Active.X[n]) : work.Scale * work.Active.X[n];
     for (int a = 0; a < 3; ++a)
     {
-      if (!(this->Active.Fixed[n] >> a & 1))
+      if (!(work.Active.Fixed[n] >> a & 1))
       {
-        this->Refined.Points[3 * this->Active.MeshPoint[n] + a] =
-          this->InLattice ? x[a] : grid.Coordinates(a)[0] + x[a];
+        work.Refined.Points[3 * work.Active.MeshPoint[n] + a] =
+          work.InLattice ? x[a] : grid.Coordinates(a)[0] + x[a];
       }
     }
   }
+}
+
+/// Counts a hex as that of the owner of its cell; returns its widths.
+Vector3 AddCell(Work& work, const OctreeKeys::LevelIndex& cell)
+{
+  work.IsOwned.push_back(work.Parts.OwnsCell(BaseCellOf(cell)));
+  const double width = std::ldexp(1.0, -cell.Level);
+  return work.InLattice ? Vector3{ { width, width, width } }
+                        : (1.0 / work.Scale) * work.Lattice.CellWidths(cell.Level, cell.At);
+}
+
+void PlacePoints(Work& work)
+{
+  for (std::size_t n = 0; n < work.Active.MeshPoint.size(); ++n)
+  {
+    const Index point = work.Active.MeshPoint[n];
+    const double* p = work.Refined.Points.data() + 3 * point;
+    work.Active.X[n] = work.InLattice ? work.Lattice.FromPoint({ { p[0], p[1], p[2] } })
+                                      : ToGrid(work.Lattice.Base(), p);
+    work.Active.Fixed[n] = FixedOnSides(work.Refined.DomainSides[point]);
+  }
+}
+
+void Activate(Work& work)
+{
+  const RefinedMesh& mesh = work.Refined;
+  ActiveMeshBuilder builder(8, mesh.NumberOfPoints(), ListMovers(work.Lattice, mesh));
+  std::vector<Vector3> widths;
+  for (Index h = 0; h < mesh.NumberOfHexes(); ++h)
+  {
+    if (mesh.IsTransition[h])
+    {
+      builder.Add(mesh.Hexes.data() + 8 * h);
+      widths.push_back(AddCell(work, work.Lattice.HexOfKey(mesh.HexKeys[h])));
+    }
+  }
+  work.Active = builder.Finish(&work.Parts);
+  work.Active.Widths = std::move(widths);
+  PlacePoints(work);
+  work.IsFree = work.Active.IsActive;
 }
 
 /// How good the transition hexes are.
@@ -256,13 +241,14 @@ bool HasCubes(const CartesianGrid& grid)
 void MovePoints(const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& partition,
   bool inLattice, bool smooth, Runtime& runtime, TransitionReport& report)
 {
-  TransitionMesh transitions(lattice, mesh, partition, inLattice);
-  transitions.Untangle(runtime, report);
+  Work work{ lattice, mesh, partition, inLattice };
+  Activate(work);
+  Untangle(work, runtime, report);
   if (smooth)
   {
-    transitions.Smooth(runtime);
+    Smooth(work, runtime);
   }
-  transitions.CopyBack();
+  CopyBack(work);
 }
 
 /// As cubes first, then by their own widths, unless that is worse: of oblong cells some centres suffer.
@@ -310,9 +296,7 @@ TransitionReport SmoothTransitions(
   {
     MoveByWidths(lattice, mesh, partition, smooth, runtime, report);
   }
-  std::vector<std::int64_t> inverted{ report.InvertedHexes };
-  runtime.Group().Sum(inverted);
-  report.InvertedHexes = inverted[0];
+  report.InvertedHexes = SumOverRanks(report.InvertedHexes, runtime.Group());
   return report;
 }
 

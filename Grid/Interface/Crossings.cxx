@@ -22,256 +22,224 @@ constexpr double SmallestSlope =
 constexpr double AddedSlope = 0.3;
 constexpr Index SearchRadius = 2; // of FindCrossingNear, in cells
 
-class CrossingFinder
+/// One of the two cells of the dual edge.
+struct Side
 {
-public:
-  CrossingFinder(const CartesianGrid& grid, const FractionField& fractions,
-    const InterfaceFace& face, double isoValue) :
-    Grid(grid),
-    Fractions(fractions),
-    Face(face),
-    First(face.First()),
-    Second(face.Second()),
-    IsoValue(isoValue),
-    Scale(1.0 / grid.MeanWidth())
-  {
-  }
+  Index Cell;
+  Vector3 Centre; // grid coordinates
+  Vector3 Widths; // grid coordinates
+  double D;       // difference field
+  Vector3
+    Gradient; // of D in the cell's frame, at sides of the domain turned to the normal of the fitted plane
+  bool IsOneSided; // at a side of the domain
+  bool HasPlane;   // fitted
+};
 
-  Crossing Find() const
-  {
-    const Side lower = this->MakeSide(this->Face.Node - this->Grid.Stride(this->Face.Axis));
-    const Side upper = this->MakeSide(this->Face.Node);
-    const double t = this->LinearParameter(lower, upper);
-    Crossing crossing;
-    crossing.Point = (1.0 - t) * lower.Centre + t * upper.Centre;
-    if (this->IsoValue == 0.5)
-    {
-      this->MoveToPlanes(lower, upper, crossing.Point);
-    }
-    crossing.Normal = this->BlendNormals(lower, upper, t);
-    const double filled = this->PairFills(lower.Cell) * this->PairFills(upper.Cell);
-    crossing.Weight = std::max(filled * filled, LeastWeight);
-    return crossing;
-  }
-
-private:
-  /// One of the two cells of the dual edge.
-  struct Side
-  {
-    Index Cell;
-    Vector3 Centre; // grid coordinates
-    Vector3 Widths; // grid coordinates
-    double D;       // difference field
-    Vector3
-      Gradient; // of D in the cell's frame, at sides of the domain turned to the normal of the fitted plane
-    bool IsOneSided; // at a side of the domain
-    bool HasPlane;   // fitted
-  };
-
-  Vector3 CellCentre(const Index3& p) const
-  {
-    Vector3 c;
-    for (int a = 0; a < 3; ++a)
-    {
-      const std::vector<double>& x = this->Grid.Coordinates(a);
-      c[a] = (0.5 * (x[p[a]] + x[p[a] + 1]) - x[0]) * this->Scale;
-    }
-    return c;
-  }
-
-  Vector3 CellWidths(const Index3& p) const
-  {
-    return { { this->Grid.Width(0, p[0]) * this->Scale, this->Grid.Width(1, p[1]) * this->Scale,
-      this->Grid.Width(2, p[2]) * this->Scale } };
-  }
-
-  double Difference(Index cell) const
-  {
-    return this->First == 0
-      ? 2.0 * (1.0 - this->IsoValue - this->Fractions.Fraction(cell, 0))
-      : this->Fractions.Fraction(cell, this->Second) - this->Fractions.Fraction(cell, this->First);
-  }
-
-  Side MakeSide(Index cell) const
-  {
-    Side side;
-    const Index3 p = this->Grid.Position(cell);
-    side.Cell = cell;
-    side.Centre = this->CellCentre(p);
-    side.Widths = this->CellWidths(p);
-    side.D = this->Difference(cell);
-    side.Gradient = this->Gradient(side, p);
-    side.IsOneSided = !this->Grid.InDomain({ { p[0] - 1, p[1] - 1, p[2] - 1 } }) ||
-      !this->Grid.InDomain({ { p[0] + 1, p[1] + 1, p[2] + 1 } });
-    side.HasPlane = side.IsOneSided && this->TurnToPlane(p, side);
-    return side;
-  }
-
-  /// Over the cells of 3^3 in the domain.
-  Vector3 Gradient(const Side& side, const Index3& p) const
-  {
-    GradientFit fit;
-    for (int c = 0; c < 27; ++c)
-    {
-      const Index3 q = CellAround(p, c);
-      if (c != 13 && this->Grid.InDomain(q))
-      {
-        fit.Add(Divided(this->CellCentre(q) - side.Centre, side.Widths),
-          this->Difference(this->Grid.Linear(q)) - side.D);
-      }
-    }
-    return fit.Solve();
-  }
-
-  /// How much of a cell is of either label.
-  double PairFills(Index cell) const
-  {
-    return this->Fractions.Fraction(cell, this->First) +
-      this->Fractions.Fraction(cell, this->Second);
-  }
-
-  /// Adds the first label's part of what the pair fills, unless that is little.
-  void AddSample(const Side& side, const Index3& p, std::vector<FractionSample>& samples) const
-  {
-    const Index cell = this->Grid.Linear(p);
-    const double filled = this->PairFills(cell);
-    if (filled >= SampleShare)
-    {
-      samples.push_back({ Divided(this->CellCentre(p) - side.Centre, side.Widths),
-        Divided(this->CellWidths(p), side.Widths),
-        std::min(this->Fractions.Fraction(cell, this->First) / filled, 1.0), 1.0 });
-    }
-  }
-
-  /// Turns the gradient to the normal of the plane that fits the fractions over 3^3. False where none does.
-  bool TurnToPlane(const Index3& p, Side& side) const
-  {
-    std::vector<FractionSample> samples;
-    samples.reserve(27);
-    this->AddSample(side, p, samples);
-    if (samples.empty() || !IsMixed(samples[0].Value))
-    {
-      return false;
-    }
-    for (int c = 0; c < 27; ++c)
-    {
-      const Index3 q = CellAround(p, c);
-      if (c != 13 && this->Grid.InDomain(q))
-      {
-        this->AddSample(side, q, samples);
-      }
-    }
-    const LayerFit fit = FitHalfSpace(samples);
-    if (!fit.IsFound || fit.Error > GoodFit)
-    {
-      return false;
-    }
-    side.Gradient = Norm(side.Gradient) * fit.Region.Normal;
-    return true;
-  }
-
-  /// Where D changes sign along the dual edge, 0 at the lower cell, 1 at the upper.
-  double LinearParameter(const Side& lower, const Side& upper) const
-  {
-    const double sign = this->Face.LowerLabel == this->First ? 1.0 : -1.0;
-    const double a = sign * lower.D, b = sign * upper.D; // a < 0 < b unless a cell was flipped
-    if (a <= 0.0 && b >= 0.0 && a < b)
-    {
-      return a / (a - b);
-    }
-    return a > 0.0 && b > 0.0 ? 0.0 : (a < 0.0 && b < 0.0 ? 1.0 : 0.5);
-  }
-
-  static bool IsMixed(double fraction)
-  {
-    return fraction > PureFraction && fraction < 1.0 - PureFraction;
-  }
-
-  /// The pair's share of the cell filled by its first label; false where the cell carries no plane.
-  bool PlaneFraction(const Side& side, double& fraction) const
-  {
-    if (this->First == 0)
-    {
-      fraction = this->Fractions.Fraction(side.Cell, 0);
-    }
-    else
-    {
-      const double a = this->Fractions.Fraction(side.Cell, this->First);
-      const double b = this->Fractions.Fraction(side.Cell, this->Second);
-      if (a + b < PairShare)
-      {
-        return false;
-      }
-      fraction = a / (a + b);
-    }
-    return IsMixed(fraction) && Norm(side.Gradient) > 1e-12;
-  }
-
-  /// The cut of the cell's plane with the dual edge.
-  Vector3 CutOfPlane(const Side& side, double fraction) const
-  {
-    const Vector3 n = Unit(side.Gradient);
-    const double d = PlaneOfVolume(n, fraction);
-    const double slope =
-      this->Face.LowerLabel == this->First ? n[this->Face.Axis] : -n[this->Face.Axis];
-    Vector3 foot = d * n;
-    if (slope >= SteepPlane)
-    {
-      foot = { { 0.0, 0.0, 0.0 } };
-      foot[this->Face.Axis] = d / n[this->Face.Axis];
-    }
-    return side.Centre + Scaled(side.Widths, foot);
-  }
-
-  void MoveToPlanes(const Side& lower, const Side& upper, Vector3& point) const
-  {
-    Vector3 sum{ { 0.0, 0.0, 0.0 } };
-    double weights = 0.0;
-    for (const Side* side : { &lower, &upper })
-    {
-      double f = 0.0;
-      if (this->PlaneFraction(*side, f))
-      {
-        const double w = f * (1.0 - f) + 0.01;
-        sum = sum + w * this->CutOfPlane(*side, f);
-        weights += w;
-      }
-    }
-    if (weights > 0.0)
-    {
-      point = (1.0 / weights) * sum;
-    }
-  }
-
-  Vector3 BlendNormals(const Side& lower, const Side& upper, double t) const
-  {
-    if (lower.IsOneSided && upper.IsOneSided && lower.HasPlane != upper.HasPlane)
-    {
-      t = upper.HasPlane ? 1.0 : 0.0; // a gradient would tilt it
-    }
-    const Vector3 widths = 0.5 * (lower.Widths + upper.Widths);
-    Vector3 n = Unit((1.0 - t) * Scaled(widths, Divided(lower.Gradient, lower.Widths)) +
-      t * Scaled(widths, Divided(upper.Gradient, upper.Widths)));
-    const double sign = this->Face.LowerLabel == this->First ? 1.0 : -1.0;
-    if (sign * n[this->Face.Axis] < SmallestSlope)
-    {
-      n[this->Face.Axis] += sign * AddedSlope;
-      if (sign * n[this->Face.Axis] <= 0.0) // gradients that contradict the labels
-      {
-        n = { { 0.0, 0.0, 0.0 } };
-        n[this->Face.Axis] = sign;
-      }
-    }
-    return Unit(Divided(n, widths));
-  }
-
+struct Work
+{
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   const InterfaceFace& Face;
-  int First, Second;
   double IsoValue;
-  double Scale;
+  int First = Face.First(), Second = Face.Second();
+  double Scale = 1.0 / Grid.MeanWidth();
 };
+
+Vector3 CellCentre(const Work& work, const Index3& p)
+{
+  Vector3 c;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = work.Grid.Coordinates(a);
+    c[a] = (0.5 * (x[p[a]] + x[p[a] + 1]) - x[0]) * work.Scale;
+  }
+  return c;
+}
+
+Vector3 CellWidths(const Work& work, const Index3& p)
+{
+  return { { work.Grid.Width(0, p[0]) * work.Scale, work.Grid.Width(1, p[1]) * work.Scale,
+    work.Grid.Width(2, p[2]) * work.Scale } };
+}
+
+double Difference(const Work& work, Index cell)
+{
+  return work.First == 0
+    ? 2.0 * (1.0 - work.IsoValue - work.Fractions.Fraction(cell, 0))
+    : work.Fractions.Fraction(cell, work.Second) - work.Fractions.Fraction(cell, work.First);
+}
+
+/// Over the cells of 3^3 in the domain.
+Vector3 Gradient(const Work& work, const Side& side, const Index3& p)
+{
+  GradientFit fit;
+  for (int c = 0; c < 27; ++c)
+  {
+    const Index3 q = CellAround(p, c);
+    if (c != 13 && work.Grid.InDomain(q))
+    {
+      fit.Add(Divided(CellCentre(work, q) - side.Centre, side.Widths),
+        Difference(work, work.Grid.Linear(q)) - side.D);
+    }
+  }
+  return fit.Solve();
+}
+
+/// How much of a cell is of either label.
+double PairFills(const Work& work, Index cell)
+{
+  return work.Fractions.Fraction(cell, work.First) + work.Fractions.Fraction(cell, work.Second);
+}
+
+/// Adds the first label's part of what the pair fills, unless that is little.
+void AddSample(
+  const Work& work, const Side& side, const Index3& p, std::vector<FractionSample>& samples)
+{
+  const Index cell = work.Grid.Linear(p);
+  const double filled = PairFills(work, cell);
+  if (filled >= SampleShare)
+  {
+    samples.push_back({ Divided(CellCentre(work, p) - side.Centre, side.Widths),
+      Divided(CellWidths(work, p), side.Widths),
+      std::min(work.Fractions.Fraction(cell, work.First) / filled, 1.0), 1.0 });
+  }
+}
+
+bool IsMixed(double fraction)
+{
+  return fraction > PureFraction && fraction < 1.0 - PureFraction;
+}
+
+/// Turns the gradient to the normal of the plane that fits the fractions over 3^3. False where none does.
+bool TurnToPlane(const Work& work, const Index3& p, Side& side)
+{
+  std::vector<FractionSample> samples;
+  samples.reserve(27);
+  AddSample(work, side, p, samples);
+  if (samples.empty() || !IsMixed(samples[0].Value))
+  {
+    return false;
+  }
+  for (int c = 0; c < 27; ++c)
+  {
+    const Index3 q = CellAround(p, c);
+    if (c != 13 && work.Grid.InDomain(q))
+    {
+      AddSample(work, side, q, samples);
+    }
+  }
+  const LayerFit fit = FitHalfSpace(samples);
+  if (!fit.IsFound || fit.Error > GoodFit)
+  {
+    return false;
+  }
+  side.Gradient = Norm(side.Gradient) * fit.Region.Normal;
+  return true;
+}
+
+Side MakeSide(const Work& work, Index cell)
+{
+  Side side;
+  const Index3 p = work.Grid.Position(cell);
+  side.Cell = cell;
+  side.Centre = CellCentre(work, p);
+  side.Widths = CellWidths(work, p);
+  side.D = Difference(work, cell);
+  side.Gradient = Gradient(work, side, p);
+  side.IsOneSided = !work.Grid.InDomain({ { p[0] - 1, p[1] - 1, p[2] - 1 } }) ||
+    !work.Grid.InDomain({ { p[0] + 1, p[1] + 1, p[2] + 1 } });
+  side.HasPlane = side.IsOneSided && TurnToPlane(work, p, side);
+  return side;
+}
+
+/// Where D changes sign along the dual edge, 0 at the lower cell, 1 at the upper.
+double LinearParameter(const Work& work, const Side& lower, const Side& upper)
+{
+  const double sign = work.Face.LowerLabel == work.First ? 1.0 : -1.0;
+  const double a = sign * lower.D, b = sign * upper.D; // a < 0 < b unless a cell was flipped
+  if (a <= 0.0 && b >= 0.0 && a < b)
+  {
+    return a / (a - b);
+  }
+  return a > 0.0 && b > 0.0 ? 0.0 : (a < 0.0 && b < 0.0 ? 1.0 : 0.5);
+}
+
+/// The pair's share of the cell filled by its first label; false where the cell carries no plane.
+bool PlaneFraction(const Work& work, const Side& side, double& fraction)
+{
+  if (work.First == 0)
+  {
+    fraction = work.Fractions.Fraction(side.Cell, 0);
+  }
+  else
+  {
+    const double a = work.Fractions.Fraction(side.Cell, work.First);
+    const double b = work.Fractions.Fraction(side.Cell, work.Second);
+    if (a + b < PairShare)
+    {
+      return false;
+    }
+    fraction = a / (a + b);
+  }
+  return IsMixed(fraction) && Norm(side.Gradient) > 1e-12;
+}
+
+/// The cut of the cell's plane with the dual edge.
+Vector3 CutOfPlane(const Work& work, const Side& side, double fraction)
+{
+  const Vector3 n = Unit(side.Gradient);
+  const double d = PlaneOfVolume(n, fraction);
+  const double slope = work.Face.LowerLabel == work.First ? n[work.Face.Axis] : -n[work.Face.Axis];
+  Vector3 foot = d * n;
+  if (slope >= SteepPlane)
+  {
+    foot = { { 0.0, 0.0, 0.0 } };
+    foot[work.Face.Axis] = d / n[work.Face.Axis];
+  }
+  return side.Centre + Scaled(side.Widths, foot);
+}
+
+void MoveToPlanes(const Work& work, const Side& lower, const Side& upper, Vector3& point)
+{
+  Vector3 sum{ { 0.0, 0.0, 0.0 } };
+  double weights = 0.0;
+  for (const Side* side : { &lower, &upper })
+  {
+    double f = 0.0;
+    if (PlaneFraction(work, *side, f))
+    {
+      const double w = f * (1.0 - f) + 0.01;
+      sum = sum + w * CutOfPlane(work, *side, f);
+      weights += w;
+    }
+  }
+  if (weights > 0.0)
+  {
+    point = (1.0 / weights) * sum;
+  }
+}
+
+Vector3 BlendNormals(const Work& work, const Side& lower, const Side& upper, double t)
+{
+  if (lower.IsOneSided && upper.IsOneSided && lower.HasPlane != upper.HasPlane)
+  {
+    t = upper.HasPlane ? 1.0 : 0.0; // a gradient would tilt it
+  }
+  const Vector3 widths = 0.5 * (lower.Widths + upper.Widths);
+  Vector3 n = Unit((1.0 - t) * Scaled(widths, Divided(lower.Gradient, lower.Widths)) +
+    t * Scaled(widths, Divided(upper.Gradient, upper.Widths)));
+  const double sign = work.Face.LowerLabel == work.First ? 1.0 : -1.0;
+  if (sign * n[work.Face.Axis] < SmallestSlope)
+  {
+    n[work.Face.Axis] += sign * AddedSlope;
+    if (sign * n[work.Face.Axis] <= 0.0) // gradients that contradict the labels
+    {
+      n = { { 0.0, 0.0, 0.0 } };
+      n[work.Face.Axis] = sign;
+    }
+  }
+  return Unit(Divided(n, widths));
+}
 
 /// A face by its place from another one.
 struct FaceStep
@@ -315,7 +283,20 @@ std::vector<FaceStep> MakeSteps(int axis)
 Crossing FindCrossing(const CartesianGrid& grid, const FractionField& fractions,
   const InterfaceFace& face, double isoValue)
 {
-  return CrossingFinder(grid, fractions, face, isoValue).Find();
+  const Work work{ grid, fractions, face, isoValue };
+  const Side lower = MakeSide(work, work.Face.Node - work.Grid.Stride(work.Face.Axis));
+  const Side upper = MakeSide(work, work.Face.Node);
+  const double t = LinearParameter(work, lower, upper);
+  Crossing crossing;
+  crossing.Point = (1.0 - t) * lower.Centre + t * upper.Centre;
+  if (work.IsoValue == 0.5)
+  {
+    MoveToPlanes(work, lower, upper, crossing.Point);
+  }
+  crossing.Normal = BlendNormals(work, lower, upper, t);
+  const double filled = PairFills(work, lower.Cell) * PairFills(work, upper.Cell);
+  crossing.Weight = std::max(filled * filled, LeastWeight);
+  return crossing;
 }
 
 Crossing FindCrossingNear(const CartesianGrid& grid, const FractionField& fractions,

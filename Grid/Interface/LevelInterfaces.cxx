@@ -88,89 +88,76 @@ private:
 };
 
 /// Gives cells of a level the labels of the leaves, where they are to have them. finest: of the finest grid, 2^halvings times as fine.
-class LeafLabelSetter
+struct Work
 {
-public:
-  LeafLabelSetter(const CartesianGrid& finest, const LabelArray& finestLabels, int halvings,
-    const CartesianGrid& grid, LevelCells& cells, LabelArray& labels) :
-    Finest(finest),
-    FinestLabels(finestLabels),
-    Halvings(halvings),
-    Grid(grid),
-    Cells(cells),
-    Labels(labels)
-  {
-  }
-
-  /// Returns the cells in coarser leaves that got another label, ascending.
-  std::vector<Index> Apply()
-  {
-    const IndexBox& box = this->Grid.Local();
-    ForRows(box, [&](Index j, Index k) { this->ApplyToRow({ { box.Lower[0], j, k } }); });
-    return std::move(this->Steps);
-  }
-
-private:
-  /// Cells whose label is that of their lowest finest cell are passed over, in runs.
-  void ApplyToRow(const Index3& start)
-  {
-    const Index row = this->Grid.Linear(start), size = this->Grid.Local().Size(0);
-    const Index finestRow = this->Finest.Linear(
-      { { start[0] << this->Halvings, start[1] << this->Halvings, start[2] << this->Halvings } });
-    const Index round = (Index(1) << this->Halvings) - 1;
-    const auto cellFrom = [&](Index finest)
-    { return row + ((finest - finestRow + round) >> this->Halvings); };
-    std::vector<std::array<Index, 2>> others; // cells and their leaves' labels
-    std::vector<Index> found;
-    this->FinestLabels.Visit(
-      finestRow, finestRow + (size << this->Halvings),
-      [&](Index begin, Index end, int label)
-      {
-        found.clear();
-        FindOthers(this->Labels, cellFrom(begin), cellFrom(end), label, found);
-        for (Index cell : found)
-        {
-          others.push_back({ { cell, label } });
-        }
-      },
-      [&](Index begin, Index end, const int* values)
-      {
-        for (Index cell = cellFrom(begin); cell < cellFrom(end); ++cell)
-        {
-          const int label = values[finestRow + ((cell - row) << this->Halvings) - begin];
-          if (this->Labels[cell] != label)
-          {
-            others.push_back({ { cell, label } });
-          }
-        }
-      });
-    for (const std::array<Index, 2>& other : others)
-    {
-      this->Set(other[0], static_cast<int>(other[1]));
-    }
-  }
-
-  void Set(Index cell, int label)
-  {
-    if (this->Cells.HasLeafLabel(this->Grid.Position(cell)))
-    {
-      this->Labels.Set(cell, label);
-      this->Grid.ForMirrors(cell, [&](Index mirror) { this->Labels.Set(mirror, label); });
-      if (!this->Cells.IsLeaf(this->Grid.Position(cell)))
-      {
-        this->Steps.push_back(cell);
-      }
-    }
-  }
-
   const CartesianGrid& Finest;
   const LabelArray& FinestLabels;
   int Halvings;
   const CartesianGrid& Grid;
   LevelCells& Cells;
   LabelArray& Labels;
-  std::vector<Index> Steps;
+  std::vector<Index> Steps{};
 };
+
+void Set(Work& work, Index cell, int label)
+{
+  if (work.Cells.HasLeafLabel(work.Grid.Position(cell)))
+  {
+    work.Labels.Set(cell, label);
+    work.Grid.ForMirrors(cell, [&](Index mirror) { work.Labels.Set(mirror, label); });
+    if (!work.Cells.IsLeaf(work.Grid.Position(cell)))
+    {
+      work.Steps.push_back(cell);
+    }
+  }
+}
+
+/// Cells whose label is that of their lowest finest cell are passed over, in runs.
+void ApplyToRow(Work& work, const Index3& start)
+{
+  const Index row = work.Grid.Linear(start), size = work.Grid.Local().Size(0);
+  const Index finestRow = work.Finest.Linear(
+    { { start[0] << work.Halvings, start[1] << work.Halvings, start[2] << work.Halvings } });
+  const Index round = (Index(1) << work.Halvings) - 1;
+  const auto cellFrom = [&](Index finest)
+  { return row + ((finest - finestRow + round) >> work.Halvings); };
+  std::vector<std::array<Index, 2>> others; // cells and their leaves' labels
+  std::vector<Index> found;
+  work.FinestLabels.Visit(
+    finestRow, finestRow + (size << work.Halvings),
+    [&](Index begin, Index end, int label)
+    {
+      found.clear();
+      FindOthers(work.Labels, cellFrom(begin), cellFrom(end), label, found);
+      for (Index cell : found)
+      {
+        others.push_back({ { cell, label } });
+      }
+    },
+    [&](Index begin, Index end, const int* values)
+    {
+      for (Index cell = cellFrom(begin); cell < cellFrom(end); ++cell)
+      {
+        const int label = values[finestRow + ((cell - row) << work.Halvings) - begin];
+        if (work.Labels[cell] != label)
+        {
+          others.push_back({ { cell, label } });
+        }
+      }
+    });
+  for (const std::array<Index, 2>& other : others)
+  {
+    Set(work, other[0], static_cast<int>(other[1]));
+  }
+}
+
+/// Returns the cells in coarser leaves that got another label, ascending.
+std::vector<Index> Apply(Work& work)
+{
+  const IndexBox& box = work.Grid.Local();
+  ForRows(box, [&](Index j, Index k) { ApplyToRow(work, { { box.Lower[0], j, k } }); });
+  return std::move(work.Steps);
+}
 
 /// Steps from a node to those at most SearchRadius away along each axis, the shortest first.
 std::vector<Index3> MakeSteps()
@@ -218,8 +205,8 @@ void LevelInterfaces::AddLevel(int level, const CartesianGrid& grid, const Fract
   LevelCells cells(this->Levels, level);
   LabelArray own = AssignMaterials(grid, fractions, isoValue);
   const int halvings = this->Levels.NumberOfRefinements() - level;
-  const std::vector<Index> steps =
-    LeafLabelSetter(this->Levels.Finest(), labels, halvings, grid, cells, own).Apply();
+  Work work{ this->Levels.Finest(), labels, halvings, grid, cells, own };
+  const std::vector<Index> steps = Apply(work);
   std::vector<Index> nodes = FindMixedNodes(grid, own);
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
                 [&](Index node) { return !cells.IsNear(grid.Position(node)); }),

@@ -142,89 +142,66 @@ std::vector<int> RegionGraph::Merge()
   return materials;
 }
 
-/// What is done to the fractions of the owned cells.
-class RegionRemover
+/// From one material to another, near a removed region.
+struct Change
 {
-public:
-  RegionRemover(const CartesianGrid& grid, const FractionField& fractions, double isoValue,
-    const Partition& partition) :
-    Grid(grid),
-    Fractions(fractions),
-    IsoValue(isoValue),
-    Parts(partition),
-    Labels(AssignMaterials(grid, fractions, isoValue)),
-    Regions(grid, this->Labels, true, partition)
-  {
-  }
+  int From, To;
+};
 
-  RemovedRegions Decide(Index minimumCells);
-  FractionField Apply() const;
-
-private:
-  /// From one material to another, near a removed region.
-  struct Change
-  {
-    int From, To;
-  };
-
-  template <class Body>
-  void ForOwnedCells(const Body& body) const;
-  std::vector<Index> CountCells() const;
-  std::vector<SharedFaces> FindFaces(const std::vector<Index>& cells, Index minimumCells) const;
-  std::vector<Change> FindChanges(const Index3& cell, int label) const;
-  std::vector<Part> ChangeParts(const Index3& p, int oldLabel, int label) const;
-
+/// What is done to the fractions of the owned cells.
+struct Work
+{
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   double IsoValue;
   const Partition& Parts;
-  LabelArray Labels;
-  Fragments Regions;
-  std::vector<int> NewMaterials; // of each region
+  const LabelArray Labels = AssignMaterials(Grid, Fractions, IsoValue);
+  const vfm::Fragments Regions{ Grid, Labels, true, Parts };
+  std::vector<int> NewMaterials{}; // of each region
 };
 
 /// Calls body(position, cell, region).
 template <class Body>
-void RegionRemover::ForOwnedCells(const Body& body) const
+void ForOwnedCells(const Work& work, const Body& body)
 {
-  const IndexBox& box = this->Grid.Owned();
+  const IndexBox& box = work.Grid.Owned();
   ForRows(box,
     [&](Index j, Index k)
     {
-      this->Regions.ForRuns(j, k,
+      work.Regions.ForRuns(j, k,
         [&](Index first, Index last, int region)
         {
           const Index end = std::min(last, box.Upper[0]);
           for (Index i = std::max(first, box.Lower[0]); i < end; ++i)
           {
-            body(Index3{ { i, j, k } }, this->Grid.Linear({ { i, j, k } }), region);
+            body(Index3{ { i, j, k } }, work.Grid.Linear({ { i, j, k } }), region);
           }
         });
     });
 }
 
 /// Of each region, over all ranks.
-std::vector<Index> RegionRemover::CountCells() const
+std::vector<Index> CountCells(const Work& work)
 {
-  std::vector<Index> cells(this->Regions.NumberOfFragments() + 1, 0);
-  this->ForOwnedCells([&](const Index3&, Index, int region) { ++cells[region]; });
-  this->Parts.Group().Sum(cells);
+  std::vector<Index> cells(work.Regions.NumberOfFragments() + 1, 0);
+  ForOwnedCells(work, [&](const Index3&, Index, int region) { ++cells[region]; });
+  work.Parts.Group().Sum(cells);
   return cells;
 }
 
 /// Of the small regions, seen from the owned cells in them; on all ranks.
-std::vector<SharedFaces> RegionRemover::FindFaces(
-  const std::vector<Index>& cells, Index minimumCells) const
+std::vector<SharedFaces> FindFaces(
+  const Work& work, const std::vector<Index>& cells, Index minimumCells)
 {
   std::map<std::pair<Index, Index>, Index> counts;
-  this->ForOwnedCells(
+  ForOwnedCells(work,
     [&](const Index3& p, Index, int region)
     {
       for (int face = 0; cells[region] < minimumCells && face < 6; ++face)
       {
         Index3 q = p;
         q[face / 2] += (face & 1) ? 1 : -1;
-        const int other = this->Grid.InDomain(q) ? this->Regions.FragmentOfCell(q) : region;
+        const int other = work.Grid.InDomain(q) ? work.Regions.FragmentOfCell(q) : region;
         if (other != region)
         {
           ++counts[{ region, other }];
@@ -236,19 +213,19 @@ std::vector<SharedFaces> RegionRemover::FindFaces(
   {
     mine.push_back({ count.first.first, count.first.second, count.second });
   }
-  return GatherItems(this->Parts.Group(), mine);
+  return GatherItems(work.Parts.Group(), mine);
 }
 
-RemovedRegions RegionRemover::Decide(Index minimumCells)
+RemovedRegions Decide(Work& work, Index minimumCells)
 {
-  const std::vector<Index> cells = this->CountCells();
-  const std::vector<int>& materials = this->Regions.MaterialsOfFragments();
-  this->NewMaterials =
-    RegionGraph(materials, cells, minimumCells, this->FindFaces(cells, minimumCells)).Merge();
+  const std::vector<Index> cells = CountCells(work);
+  const std::vector<int>& materials = work.Regions.MaterialsOfFragments();
+  work.NewMaterials =
+    RegionGraph(materials, cells, minimumCells, FindFaces(work, cells, minimumCells)).Merge();
   RemovedRegions removed;
   for (std::size_t r = 1; r < materials.size(); ++r)
   {
-    if (this->NewMaterials[r] != materials[r])
+    if (work.NewMaterials[r] != materials[r])
     {
       ++removed.Regions;
       removed.Cells += cells[r];
@@ -258,17 +235,17 @@ RemovedRegions RegionRemover::Decide(Index minimumCells)
 }
 
 /// What the removed regions around a cell ask for, its own first, then by their numbers; none from the cell's label.
-std::vector<RegionRemover::Change> RegionRemover::FindChanges(const Index3& cell, int label) const
+std::vector<Change> FindChanges(const Work& work, const Index3& cell, int label)
 {
-  const int own = this->Regions.FragmentOfCell(cell);
-  const std::vector<int>& materials = this->Regions.MaterialsOfFragments();
+  const int own = work.Regions.FragmentOfCell(cell);
+  const std::vector<int>& materials = work.Regions.MaterialsOfFragments();
   std::set<int> around;
   for (int v = 0; v < 27; ++v)
   {
     const Index3 q = CellAround(cell, v);
-    if (v != 13 && this->Grid.InDomain(q))
+    if (v != 13 && work.Grid.InDomain(q))
     {
-      around.insert(this->Regions.FragmentOfCell(q));
+      around.insert(work.Regions.FragmentOfCell(q));
     }
   }
   std::vector<int> order{ own };
@@ -276,7 +253,7 @@ std::vector<RegionRemover::Change> RegionRemover::FindChanges(const Index3& cell
   std::vector<Change> changes;
   for (int region : order)
   {
-    const int from = materials[region], to = this->NewMaterials[region];
+    const int from = materials[region], to = work.NewMaterials[region];
     const auto isKnown = [from](const Change& change) { return change.From == from; };
     if (from != to && from != label && std::none_of(changes.begin(), changes.end(), isKnown))
     {
@@ -302,30 +279,30 @@ std::vector<Part> Moved(std::vector<Part> parts, int from, int to)
 }
 
 /// The parts of a mixed cell in the end.
-std::vector<Part> RegionRemover::ChangeParts(const Index3& p, int oldLabel, int label) const
+std::vector<Part> ChangeParts(const Work& work, const Index3& p, int oldLabel, int label)
 {
-  const FractionField::Range old = this->Fractions.Parts(this->Grid.Linear(p));
+  const FractionField::Range old = work.Fractions.Parts(work.Grid.Linear(p));
   std::vector<Part> parts(old.begin(), old.end());
-  for (const Change& change : this->FindChanges(p, label))
+  for (const Change& change : FindChanges(work, p, label))
   {
     std::vector<Part> moved = Moved(parts, change.From, change.To);
     const bool isOwn = oldLabel != label && change.From == oldLabel;
-    const bool isKept = isOwn || MaterialOfParts(moved, this->IsoValue) == label;
+    const bool isKept = isOwn || MaterialOfParts(moved, work.IsoValue) == label;
     parts = isKept ? moved : Moved(parts, change.From, label);
   }
-  if (MaterialOfParts(parts, this->IsoValue) != label)
+  if (MaterialOfParts(parts, work.IsoValue) != label)
   {
     parts = { { label, 1.0 } }; // three materials, none of which fills half
   }
   return parts;
 }
 
-FractionField RegionRemover::Apply() const
+FractionField Apply(const Work& work)
 {
-  FractionField result(this->Grid, this->Fractions.NumberOfMaterials());
+  FractionField result(work.Grid, work.Fractions.NumberOfMaterials());
   FractionField::RowWriter row(result);
-  const IndexBox& box = this->Grid.Owned();
-  this->ForOwnedCells(
+  const IndexBox& box = work.Grid.Owned();
+  ForOwnedCells(work,
     [&](const Index3& p, Index cell, int region)
     {
       if (p[0] == box.Lower[0])
@@ -333,13 +310,13 @@ FractionField RegionRemover::Apply() const
         row.Finish();
         row.Start(cell);
       }
-      const int label = this->NewMaterials[region];
-      if (!this->Fractions.IsMixed(cell))
+      const int label = work.NewMaterials[region];
+      if (!work.Fractions.IsMixed(cell))
       {
         row.AddLabel(label);
         return;
       }
-      row.CopyParts(this->ChangeParts(p, this->Labels[cell], label));
+      row.CopyParts(ChangeParts(work, p, work.Labels[cell], label));
     });
   row.Finish();
   return result;
@@ -350,11 +327,11 @@ FractionField RegionRemover::Apply() const
 RemovedRegions RemoveSmallRegions(const CartesianGrid& grid, Index minimumCells, double isoValue,
   const Partition& partition, FractionField& fractions)
 {
-  RegionRemover remover(grid, fractions, isoValue, partition);
-  const RemovedRegions removed = remover.Decide(minimumCells);
+  Work work{ grid, fractions, isoValue, partition };
+  const RemovedRegions removed = Decide(work, minimumCells);
   if (removed.Regions > 0)
   {
-    fractions = remover.Apply();
+    fractions = Apply(work);
     FillGhosts(partition, fractions);
   }
   return removed;

@@ -69,114 +69,6 @@ struct Tally
   }
 };
 
-class LabelSmoother
-{
-public:
-  LabelSmoother(const CartesianGrid& grid, const FractionField& labels, const Partition& partition,
-    Runtime& runtime);
-
-  /// Moves the interfaces until the volumes are nearly right.
-  void PartCells(const FractionField& smooth);
-  /// Scales fractions until they are.
-  void ScaleFractions();
-  /// Largest relative error of a volume.
-  double Error() const;
-  void Store(FractionField& labels) const;
-
-private:
-  template <class Body>
-  void Visit(const Body& body);
-  std::vector<int> LabelsAround(const Index3& cell) const;
-  void PartCell(const FractionField& smooth, ActiveCell& cell, Tally& tally) const;
-  void ScaleCell(ActiveCell& cell, const std::vector<double>& factors) const;
-  void AddRates(const ActiveCell& cell, Tally& tally) const;
-  std::vector<double> FindSteps(double largest);
-
-  const CartesianGrid& Grid;
-  const Partition& Parts;
-  Runtime& Run;
-  LabelArray Labels;
-  std::vector<ActiveCell> Cells;
-  std::vector<double> Totals;  // of the labels, by material, mean cells
-  std::vector<double> Lack;    // what the cells hold less
-  std::vector<double> Weights; // of the fields, by material
-  Tally Last;
-};
-
-LabelSmoother::LabelSmoother(const CartesianGrid& grid, const FractionField& labels,
-  const Partition& partition, Runtime& runtime) :
-  Grid(grid),
-  Parts(partition),
-  Run(runtime),
-  Labels(AssignMaterials(grid, labels, 0.5)),
-  Lack(labels.NumberOfMaterials() + 1, 0.0),
-  Weights(this->Lack.size(), 1.0),
-  Last(this->Lack.size())
-{
-  const double scale = std::pow(grid.MeanWidth(), -3.0);
-  PagedArray<unsigned char> isActive(grid, 0);
-  for (Index node : FindMixedNodes(grid, this->Labels))
-  {
-    for (int c = 0; c < 8; ++c)
-    {
-      isActive.Set(grid.CellOfNode(node, c), 1);
-    }
-  }
-  std::vector<ExactSum> totals(this->Lack.size());
-  partition.ForCells(grid.Owned(),
-    [&](Index cell)
-    {
-      const Index3 p = grid.Position(cell);
-      const double volume = grid.CellVolume(p) * scale;
-      const int label = this->Labels[cell];
-      totals[label].Add(volume);
-      if (isActive[cell])
-      {
-        this->Cells.push_back({ p, label, volume, LeastFloor, { { label, 1.0 } } });
-      }
-    });
-  this->Totals = SumOverRanks(totals, partition.Group());
-}
-
-/// Calls body(cell, tally) for the active cells, by several threads, and sets Last and Lack.
-template <class Body>
-void LabelSmoother::Visit(const Body& body)
-{
-  Tally sum(this->Lack.size());
-  std::mutex mutex;
-  this->Run.For(0, static_cast<Index>(this->Cells.size()),
-    [&](Index begin, Index end)
-    {
-      Tally mine(this->Lack.size());
-      for (Index c = begin; c < end; ++c)
-      {
-        mine.Volumes[this->Cells[c].Label].Add(-this->Cells[c].Volume);
-        body(this->Cells[c], mine);
-        mine.AddVolumes(this->Cells[c]);
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      sum.Add(mine);
-    });
-  this->Last = std::move(sum);
-  this->Lack = SumOverRanks(this->Last.Volumes, this->Parts.Group());
-  for (double& lack : this->Lack)
-  {
-    lack = -lack;
-  }
-}
-
-/// The labels of a cell and of the 26 around it, ascending.
-std::vector<int> LabelSmoother::LabelsAround(const Index3& cell) const
-{
-  std::vector<int> found;
-  for (int v = 0; v < 27; ++v)
-  {
-    found.push_back(this->Labels[this->Grid.Linear(CellAround(cell, v))]);
-  }
-  SortUnique(found);
-  return found;
-}
-
 double OwnFraction(const ActiveCell& cell)
 {
   return FractionField::FractionOf(cell.Parts, cell.Label);
@@ -207,11 +99,106 @@ double FindFloor(const ActiveCell& cell, const std::vector<MaterialPatch>& patch
   return std::max(LeastFloor, other / (own + other));
 }
 
-void LabelSmoother::PartCell(const FractionField& smooth, ActiveCell& cell, Tally& tally) const
+struct Work
+{
+  const CartesianGrid& Grid;
+  const Partition& Parts;
+  Runtime& Run;
+  const LabelArray Labels;
+  std::vector<double> Lack; // what the cells hold less, by material
+  std::vector<double> Weights = std::vector<double>(Lack.size(), 1.0); // of the fields
+  Tally Last{ Lack.size() };
+  std::vector<ActiveCell> Cells{};
+  std::vector<double> Totals{}; // of the labels, mean cells
+};
+
+/// The cells of this rank at interfaces, and the volumes of all labels.
+void FindCells(Work& work)
+{
+  const CartesianGrid& grid = work.Grid;
+  const double scale = std::pow(grid.MeanWidth(), -3.0);
+  PagedArray<unsigned char> isActive(grid, 0);
+  for (Index node : FindMixedNodes(grid, work.Labels))
+  {
+    for (int c = 0; c < 8; ++c)
+    {
+      isActive.Set(grid.CellOfNode(node, c), 1);
+    }
+  }
+  std::vector<ExactSum> totals(work.Lack.size());
+  work.Parts.ForCells(grid.Owned(),
+    [&](Index cell)
+    {
+      const Index3 p = grid.Position(cell);
+      const double volume = grid.CellVolume(p) * scale;
+      const int label = work.Labels[cell];
+      totals[label].Add(volume);
+      if (isActive[cell])
+      {
+        work.Cells.push_back({ p, label, volume, LeastFloor, { { label, 1.0 } } });
+      }
+    });
+  work.Totals = SumOverRanks(totals, work.Parts.Group());
+}
+
+/// Largest relative error of a volume.
+double Error(const Work& work)
+{
+  double worst = 0.0;
+  for (std::size_t m = 0; m < work.Lack.size(); ++m)
+  {
+    if (work.Totals[m] > 0.0)
+    {
+      worst = std::max(worst, std::fabs(work.Lack[m]) / work.Totals[m]);
+    }
+  }
+  return worst;
+}
+
+/// Calls body(cell, tally) for the active cells, by several threads, and sets Last and Lack.
+template <class Body>
+void Visit(Work& work, const Body& body)
+{
+  Tally sum(work.Lack.size());
+  std::mutex mutex;
+  work.Run.For(0, static_cast<Index>(work.Cells.size()),
+    [&](Index begin, Index end)
+    {
+      Tally mine(work.Lack.size());
+      for (Index c = begin; c < end; ++c)
+      {
+        mine.Volumes[work.Cells[c].Label].Add(-work.Cells[c].Volume);
+        body(work.Cells[c], mine);
+        mine.AddVolumes(work.Cells[c]);
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      sum.Add(mine);
+    });
+  work.Last = std::move(sum);
+  work.Lack = SumOverRanks(work.Last.Volumes, work.Parts.Group());
+  for (double& lack : work.Lack)
+  {
+    lack = -lack;
+  }
+}
+
+/// The labels of a cell and of the 26 around it, ascending.
+std::vector<int> LabelsAround(const Work& work, const Index3& cell)
+{
+  std::vector<int> found;
+  for (int v = 0; v < 27; ++v)
+  {
+    found.push_back(work.Labels[work.Grid.Linear(CellAround(cell, v))]);
+  }
+  SortUnique(found);
+  return found;
+}
+
+void PartCell(const Work& work, const FractionField& smooth, ActiveCell& cell, Tally& tally)
 {
   std::vector<PairRate> rates;
-  const std::vector<MaterialPatch> patches = MakePatches(
-    this->Grid, smooth, cell.Position, this->LabelsAround(cell.Position), this->Weights);
+  const std::vector<MaterialPatch> patches =
+    MakePatches(work.Grid, smooth, cell.Position, LabelsAround(work, cell.Position), work.Weights);
   cell.Parts = FindSharpFractions(patches, &rates);
   cell.Floor = FindFloor(cell, patches);
   if (OwnFraction(cell) < cell.Floor)
@@ -225,10 +212,10 @@ void LabelSmoother::PartCell(const FractionField& smooth, ActiveCell& cell, Tall
   }
 }
 
-std::vector<double> LabelSmoother::FindSteps(double largest)
+std::vector<double> FindSteps(Work& work, double largest)
 {
   std::vector<double> steps =
-    SolveForLack(GatherPairSums(this->Last.Rates, this->Parts.Group()), this->Lack);
+    SolveForLack(GatherPairSums(work.Last.Rates, work.Parts.Group()), work.Lack);
   for (double& step : steps)
   {
     step = std::exp(std::min(std::max(step, -largest), largest));
@@ -236,24 +223,25 @@ std::vector<double> LabelSmoother::FindSteps(double largest)
   return steps;
 }
 
-void LabelSmoother::PartCells(const FractionField& smooth)
+/// Moves the interfaces until the volumes are nearly right.
+void PartCells(Work& work, const FractionField& smooth)
 {
   for (int round = 0; round < WeightRounds; ++round)
   {
-    this->Visit([&](ActiveCell& cell, Tally& tally) { this->PartCell(smooth, cell, tally); });
-    if (this->Error() < WeightsAreGood || round + 1 == WeightRounds)
+    Visit(work, [&](ActiveCell& cell, Tally& tally) { PartCell(work, smooth, cell, tally); });
+    if (Error(work) < WeightsAreGood || round + 1 == WeightRounds)
     {
       break;
     }
-    const std::vector<double> steps = this->FindSteps(LargestWeightStep);
+    const std::vector<double> steps = FindSteps(work, LargestWeightStep);
     for (std::size_t m = 0; m < steps.size(); ++m)
     {
-      this->Weights[m] *= steps[m];
+      work.Weights[m] *= steps[m];
     }
   }
 }
 
-void LabelSmoother::ScaleCell(ActiveCell& cell, const std::vector<double>& factors) const
+void ScaleCell(ActiveCell& cell, const std::vector<double>& factors)
 {
   double sum = 0.0;
   for (Part& part : cell.Parts)
@@ -272,9 +260,9 @@ void LabelSmoother::ScaleCell(ActiveCell& cell, const std::vector<double>& facto
 }
 
 /// What the materials of a cell gain of each other when they are scaled. A label at its floor goes no lower.
-void LabelSmoother::AddRates(const ActiveCell& cell, Tally& tally) const
+void AddRates(const Work& work, const ActiveCell& cell, Tally& tally)
 {
-  const bool isHeld = OwnFraction(cell) <= cell.Floor && this->Lack[cell.Label] <= 0.0;
+  const bool isHeld = OwnFraction(cell) <= cell.Floor && work.Lack[cell.Label] <= 0.0;
   for (auto a = cell.Parts.begin(); a != cell.Parts.end(); ++a)
   {
     for (auto b = a + 1; b != cell.Parts.end(); ++b)
@@ -287,41 +275,29 @@ void LabelSmoother::AddRates(const ActiveCell& cell, Tally& tally) const
   }
 }
 
-void LabelSmoother::ScaleFractions()
+/// Scales fractions until they are.
+void ScaleFractions(Work& work)
 {
-  std::vector<double> factors(this->Lack.size(), 1.0);
+  std::vector<double> factors(work.Lack.size(), 1.0);
   for (int round = 0; round < ScaleRounds; ++round)
   {
-    this->Visit(
+    Visit(work,
       [&](ActiveCell& cell, Tally& tally)
       {
-        this->ScaleCell(cell, factors);
-        this->AddRates(cell, tally);
+        ScaleCell(cell, factors);
+        AddRates(work, cell, tally);
       });
-    if (this->Error() < VolumesAreGood)
+    if (Error(work) < VolumesAreGood)
     {
       break;
     }
-    factors = this->FindSteps(LargestScaleStep);
+    factors = FindSteps(work, LargestScaleStep);
   }
 }
 
-double LabelSmoother::Error() const
+void Store(const Work& work, FractionField& labels)
 {
-  double worst = 0.0;
-  for (std::size_t m = 0; m < this->Lack.size(); ++m)
-  {
-    if (this->Totals[m] > 0.0)
-    {
-      worst = std::max(worst, std::fabs(this->Lack[m]) / this->Totals[m]);
-    }
-  }
-  return worst;
-}
-
-void LabelSmoother::Store(FractionField& labels) const
-{
-  for (const ActiveCell& cell : this->Cells)
+  for (const ActiveCell& cell : work.Cells)
   {
     std::vector<Part> parts;
     for (const Part& part : cell.Parts)
@@ -331,7 +307,7 @@ void LabelSmoother::Store(FractionField& labels) const
         parts.push_back(part);
       }
     }
-    labels.CopyParts(this->Grid.Linear(cell.Position), parts);
+    labels.CopyParts(work.Grid.Linear(cell.Position), parts);
   }
 }
 
@@ -340,12 +316,14 @@ void LabelSmoother::Store(FractionField& labels) const
 double SmoothLabels(const CartesianGrid& grid, int passes, const Partition& partition,
   Runtime& runtime, FractionField& labels)
 {
-  LabelSmoother smoother(grid, labels, partition, runtime);
-  smoother.PartCells(AverageFractions(grid, labels, passes, partition, runtime));
-  smoother.ScaleFractions();
-  smoother.Store(labels);
+  Work work{ grid, partition, runtime, AssignMaterials(grid, labels, 0.5),
+    std::vector<double>(labels.NumberOfMaterials() + 1, 0.0) };
+  FindCells(work);
+  PartCells(work, AverageFractions(grid, labels, passes, partition, runtime));
+  ScaleFractions(work);
+  Store(work, labels);
   FillGhosts(partition, labels);
-  return smoother.Error();
+  return Error(work);
 }
 
 } // namespace vfm

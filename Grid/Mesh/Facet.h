@@ -13,7 +13,7 @@ namespace vfm
 /// where it points.
 struct Facet
 {
-  std::array<Index, 4> Points;  ///< of the mesh, around it; the last twice in triangles
+  std::array<Index, 4> Points;  ///< of the mesh or its active part; the last twice in triangles
   std::array<int, 2> Materials; ///< behind and before it; 0: void, or beyond the domain
   std::array<int, 2> Fragments; ///< the same; 0: not meshed, or beyond the domain
   int DomainSide;               ///< -1, or 0..5 for -x +x -y +y -z +z

@@ -97,280 +97,261 @@ Numbering<SurfaceSet> GatherSets(Ranks& ranks, const std::vector<SurfaceSet>& se
   return Numbering<SurfaceSet>(std::move(all));
 }
 
-class GeometryFinder
+struct Work
 {
-public:
-  /// sides: of the facets.
-  GeometryFinder(
-    const std::vector<Facet>& facets, std::vector<int> sides, Ranks& ranks, Mesh& mesh) :
-    Facets(facets),
-    Sides(std::move(sides)),
-    Group(ranks),
-    Result(mesh),
-    Corners(mesh.CornersOfFacet())
-  {
-  }
-
-  void Run(MeshReport& report)
-  {
-    report.NumberOfSurfaces = this->FillSurfaces();
-    this->ClassifySurfacePoints();
-    const Junctions junctions(this->Result);
-    report.NumberOfVertices = this->FillVertices(junctions);
-    report.NumberOfCurves = this->FillCurves(junctions);
-    this->ListEdgeFacets();
-    MeasureSurfaces(this->Result, this->Group);
-  }
-
-private:
-  Index FillSurfaces()
-  {
-    std::vector<SurfaceKey> keys;
-    RecentSurfaces known;
-    for (std::size_t q = 0; q < this->Facets.size(); ++q)
-    {
-      if (this->Facets[q].IsOwned) // what is beyond the rim is not known
-      {
-        known.Find(KeyOf(this->Facets[q], this->Sides[q]),
-          [&keys](const SurfaceKey& key)
-          {
-            keys.push_back(key);
-            return 0;
-          });
-      }
-    }
-    const Numbering<SurfaceKey> numbers = Gather(this->Group, keys);
-    SurfaceFacets& surfaces = this->Result.Surfaces;
-    const std::size_t count = this->Facets.size();
-    surfaces.Points = Buffer<Index>(this->Corners * count);
-    surfaces.SurfaceId = Buffer<int>(count);
-    surfaces.MaterialPair = Buffer<int>(2 * count);
-    surfaces.DomainSide = Buffer<int>(count);
-    surfaces.IsOwned.resize(count);
-    RecentSurfaces numbered;
-    for (std::size_t q = 0; q < count; ++q)
-    {
-      const Facet& facet = this->Facets[q];
-      this->SetFacet(q, facet);
-      surfaces.SurfaceId[q] = numbered.Find(KeyOf(facet, this->Sides[q]),
-        [&numbers](const SurfaceKey& key) { return numbers.Find(key); });
-      surfaces.DomainSide[q] = facet.DomainSide;
-      surfaces.IsOwned[q] = facet.IsOwned;
-    }
-    this->FillSurfaceTables(numbers.All());
-    return numbers.Count();
-  }
-
-  /// The smaller material first; the normal points to it.
-  void SetFacet(std::size_t q, const Facet& facet)
-  {
-    Index* points = this->Result.Surfaces.Points.data() + this->Corners * q;
-    std::copy_n(facet.Points.begin(), this->Corners, points);
-    int* pair = this->Result.Surfaces.MaterialPair.data() + 2 * q;
-    std::reverse_copy(facet.Materials.begin(), facet.Materials.end(), pair);
-    if (pair[0] > pair[1])
-    {
-      std::swap(pair[0], pair[1]);
-      std::swap(points[1], points[this->Corners - 1]);
-    }
-  }
-
-  void FillSurfaceTables(const std::vector<SurfaceKey>& surfaces)
-  {
-    GeometryTables& tables = this->Result.Tables;
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
-    {
-      const SurfaceKey& key = surfaces[s];
-      Pair volumes{ { std::max(key[0], 0), key[1] } }, materials{ { key[2], key[3] } };
-      for (int volume : volumes)
-      {
-        if (volume > 0)
-        {
-          tables.VolumeSurfaces.push_back({ { volume, static_cast<int>(s) + 1 } });
-        }
-      }
-      if (materials[0] > materials[1])
-      {
-        std::swap(materials[0], materials[1]);
-        std::swap(volumes[0], volumes[1]);
-      }
-      tables.SurfaceVolumes.push_back(volumes);
-      tables.SurfaceMaterials.push_back(materials);
-      tables.SurfaceSides.push_back(key[0] < 0 ? -1 - key[0] : -1);
-      const bool isNext =
-        s > 0 && std::equal(key.begin(), key.begin() + 2, surfaces[s - 1].begin());
-      tables.SurfaceParts.push_back(key[4] == 0 ? 0 : isNext ? tables.SurfaceParts.back() + 1 : 1);
-    }
-    std::sort(tables.VolumeSurfaces.begin(), tables.VolumeSurfaces.end());
-  }
-
-  void ClassifySurfacePoints()
-  {
-    Mesh& mesh = this->Result;
-    mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
-    const Index* point = mesh.Surfaces.Points.data();
-    for (int surface : mesh.Surfaces.SurfaceId)
-    {
-      for (const Index* end = point + this->Corners; point < end; ++point)
-      {
-        mesh.GeometryDimension[*point] = 2;
-        mesh.GeometryId[*point] = surface;
-      }
-    }
-  }
-
-  bool IsOwned(const Junction& junction) const
-  {
-    return this->Result.Surfaces.IsOwned[junction.First] != 0;
-  }
-
-  Index FillVertices(const Junctions& junctions)
-  {
-    Mesh& mesh = this->Result;
-    std::vector<Index> points, ids;
-    for (std::size_t p = 0; p < junctions.Points().size(); ++p)
-    {
-      const Index point = junctions.Points()[p].Points[0];
-      if (junctions.IsVertex(p) && this->IsOwned(junctions.Points()[p]))
-      {
-        points.push_back(point);
-        ids.push_back(mesh.PointIds[point]);
-      }
-    }
-    const Numbering<Index> numbers = Gather(this->Group, ids);
-    for (std::size_t p = 0; p < junctions.Points().size(); ++p)
-    {
-      const Index point = junctions.Points()[p].Points[0];
-      if (junctions.IsVertex(p))
-      {
-        mesh.GeometryDimension[point] = 0;
-        mesh.GeometryId[point] = numbers.Find(mesh.PointIds[point]);
-      }
-    }
-    mesh.Vertices.Points = Buffer<Index>(points.size());
-    mesh.Vertices.VertexId = Buffer<int>(points.size());
-    std::copy(points.begin(), points.end(), mesh.Vertices.Points.begin());
-    std::transform(points.begin(), points.end(), mesh.Vertices.VertexId.begin(),
-      [&mesh](Index point) { return mesh.GeometryId[point]; });
-    return numbers.Count();
-  }
-
-  /// After the vertices.
-  Index FillCurves(const Junctions& junctions)
-  {
-    std::vector<const Junction*> owned;
-    std::vector<SurfaceSet> sets;
-    for (const Junction& edge : junctions.Edges())
-    {
-      if (this->IsOwned(edge))
-      {
-        owned.push_back(&edge);
-        sets.push_back(edge.Surfaces);
-      }
-    }
-    const Numbering<SurfaceSet> numbers = GatherSets(this->Group, sets);
-    Mesh& mesh = this->Result;
-    for (std::size_t p = 0; p < junctions.Points().size(); ++p)
-    {
-      const Junction& point = junctions.Points()[p];
-      if (!junctions.IsVertex(p))
-      {
-        mesh.GeometryDimension[point.Points[0]] = 1;
-        mesh.GeometryId[point.Points[0]] = numbers.Find(point.Surfaces);
-      }
-    }
-    std::stable_sort(owned.begin(), owned.end(),
-      [](const Junction* a, const Junction* b) { return a->Surfaces < b->Surfaces; });
-    mesh.Curves.Points = Buffer<Index>(2 * owned.size());
-    mesh.Curves.CurveId = Buffer<int>(owned.size());
-    for (std::size_t e = 0; e < owned.size(); ++e)
-    {
-      std::copy_n(owned[e]->Points.begin(), 2, mesh.Curves.Points.data() + 2 * e);
-      mesh.Curves.CurveId[e] = numbers.Find(owned[e]->Surfaces);
-    }
-    this->FillCurveTables(numbers.All());
-    return numbers.Count();
-  }
-
-  void FillCurveTables(const std::vector<SurfaceSet>& curves)
-  {
-    Mesh& mesh = this->Result;
-    GeometryTables& tables = mesh.Tables;
-    for (std::size_t c = 0; c < curves.size(); ++c)
-    {
-      for (int surface : curves[c])
-      {
-        tables.SurfaceCurves.push_back({ { surface, static_cast<int>(c) + 1 } });
-      }
-    }
-    std::sort(tables.SurfaceCurves.begin(), tables.SurfaceCurves.end());
-    std::vector<std::int64_t> ends(curves.size(), 0);
-    std::vector<Pair> pairs;
-    for (std::size_t at = 0; at < mesh.Curves.Points.size(); ++at)
-    {
-      const Index point = mesh.Curves.Points[at];
-      if (mesh.GeometryDimension[point] == 0)
-      {
-        const int curve = mesh.Curves.CurveId[at / 2];
-        ++ends[curve - 1];
-        pairs.push_back({ { curve, mesh.GeometryId[point] } });
-      }
-    }
-    this->Group.Sum(ends);
-    tables.CurveEnds.assign(ends.begin(), ends.end());
-    tables.CurveVertices = Gather(this->Group, pairs).All();
-  }
-
-  /// After points are classified.
-  void ListEdgeFacets()
-  {
-    const Mesh& mesh = this->Result;
-    std::vector<EdgeFacet> mine;
-    for (std::size_t q = 0; q < this->Facets.size(); ++q)
-    {
-      if (this->Sides[q] > 0 && this->Facets[q].IsOwned && !this->IsToldByPoints(q))
-      {
-        EdgeFacet facet{ { -1, -1, -1, -1, mesh.Surfaces.SurfaceId[q] } };
-        const Index* points = mesh.Surfaces.Points.data() + this->Corners * q;
-        std::transform(points, points + this->Corners, facet.begin() + (4 - this->Corners),
-          [&mesh](Index point) { return mesh.PointIds[point]; });
-        std::sort(facet.begin(), facet.begin() + 4);
-        mine.push_back(facet);
-      }
-    }
-    this->Result.Tables.EdgeFacets = Gather(this->Group, mine).All();
-  }
-
-  bool IsToldByPoints(std::size_t q) const
-  {
-    const Mesh& mesh = this->Result;
-    const Index* points = mesh.Surfaces.Points.data() + this->Corners * q;
-    int inside = 0, others = 0;
-    for (int c = 0; c < this->Corners; ++c)
-    {
-      if (mesh.GeometryDimension[points[c]] == 2)
-      {
-        ++inside;
-        others += mesh.GeometryId[points[c]] != mesh.Surfaces.SurfaceId[q];
-      }
-    }
-    return inside > 0 && others == 0;
-  }
-
   const std::vector<Facet>& Facets;
-  const std::vector<int> Sides;
+  const std::vector<int> Sides; // of the facets
   Ranks& Group;
   Mesh& Result;
-  const int Corners; // of a facet
+  const int Corners = Result.CornersOfFacet();
 };
+
+/// The smaller material first; the normal points to it.
+void SetFacet(Work& work, std::size_t q, const Facet& facet)
+{
+  Index* points = work.Result.Surfaces.Points.data() + work.Corners * q;
+  std::copy_n(facet.Points.begin(), work.Corners, points);
+  int* pair = work.Result.Surfaces.MaterialPair.data() + 2 * q;
+  std::reverse_copy(facet.Materials.begin(), facet.Materials.end(), pair);
+  if (pair[0] > pair[1])
+  {
+    std::swap(pair[0], pair[1]);
+    std::swap(points[1], points[work.Corners - 1]);
+  }
+}
+
+void FillSurfaceTables(Work& work, const std::vector<SurfaceKey>& surfaces)
+{
+  GeometryTables& tables = work.Result.Tables;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    const SurfaceKey& key = surfaces[s];
+    Pair volumes{ { std::max(key[0], 0), key[1] } }, materials{ { key[2], key[3] } };
+    for (int volume : volumes)
+    {
+      if (volume > 0)
+      {
+        tables.VolumeSurfaces.push_back({ { volume, static_cast<int>(s) + 1 } });
+      }
+    }
+    if (materials[0] > materials[1])
+    {
+      std::swap(materials[0], materials[1]);
+      std::swap(volumes[0], volumes[1]);
+    }
+    tables.SurfaceVolumes.push_back(volumes);
+    tables.SurfaceMaterials.push_back(materials);
+    tables.SurfaceSides.push_back(key[0] < 0 ? -1 - key[0] : -1);
+    const bool isNext = s > 0 && std::equal(key.begin(), key.begin() + 2, surfaces[s - 1].begin());
+    tables.SurfaceParts.push_back(key[4] == 0 ? 0 : isNext ? tables.SurfaceParts.back() + 1 : 1);
+  }
+  std::sort(tables.VolumeSurfaces.begin(), tables.VolumeSurfaces.end());
+}
+
+Index FillSurfaces(Work& work)
+{
+  std::vector<SurfaceKey> keys;
+  RecentSurfaces known;
+  for (std::size_t q = 0; q < work.Facets.size(); ++q)
+  {
+    if (work.Facets[q].IsOwned) // what is beyond the rim is not known
+    {
+      known.Find(KeyOf(work.Facets[q], work.Sides[q]),
+        [&keys](const SurfaceKey& key)
+        {
+          keys.push_back(key);
+          return 0;
+        });
+    }
+  }
+  const Numbering<SurfaceKey> numbers = Gather(work.Group, keys);
+  SurfaceFacets& surfaces = work.Result.Surfaces;
+  const std::size_t count = work.Facets.size();
+  surfaces.Points = Buffer<Index>(work.Corners * count);
+  surfaces.SurfaceId = Buffer<int>(count);
+  surfaces.MaterialPair = Buffer<int>(2 * count);
+  surfaces.DomainSide = Buffer<int>(count);
+  surfaces.IsOwned.resize(count);
+  RecentSurfaces numbered;
+  for (std::size_t q = 0; q < count; ++q)
+  {
+    const Facet& facet = work.Facets[q];
+    SetFacet(work, q, facet);
+    surfaces.SurfaceId[q] = numbered.Find(
+      KeyOf(facet, work.Sides[q]), [&numbers](const SurfaceKey& key) { return numbers.Find(key); });
+    surfaces.DomainSide[q] = facet.DomainSide;
+    surfaces.IsOwned[q] = facet.IsOwned;
+  }
+  FillSurfaceTables(work, numbers.All());
+  return numbers.Count();
+}
+
+void ClassifySurfacePoints(Work& work)
+{
+  Mesh& mesh = work.Result;
+  mesh.GeometryDimension = Buffer<int>(mesh.PointIds.size(), 3);
+  const Index* point = mesh.Surfaces.Points.data();
+  for (int surface : mesh.Surfaces.SurfaceId)
+  {
+    for (const Index* end = point + work.Corners; point < end; ++point)
+    {
+      mesh.GeometryDimension[*point] = 2;
+      mesh.GeometryId[*point] = surface;
+    }
+  }
+}
+
+bool IsOwned(const Work& work, const Junction& junction)
+{
+  return work.Result.Surfaces.IsOwned[junction.First] != 0;
+}
+
+Index FillVertices(Work& work, const Junctions& junctions)
+{
+  Mesh& mesh = work.Result;
+  std::vector<Index> points, ids;
+  for (std::size_t p = 0; p < junctions.Points().size(); ++p)
+  {
+    const Index point = junctions.Points()[p].Points[0];
+    if (junctions.IsVertex(p) && IsOwned(work, junctions.Points()[p]))
+    {
+      points.push_back(point);
+      ids.push_back(mesh.PointIds[point]);
+    }
+  }
+  const Numbering<Index> numbers = Gather(work.Group, ids);
+  for (std::size_t p = 0; p < junctions.Points().size(); ++p)
+  {
+    const Index point = junctions.Points()[p].Points[0];
+    if (junctions.IsVertex(p))
+    {
+      mesh.GeometryDimension[point] = 0;
+      mesh.GeometryId[point] = numbers.Find(mesh.PointIds[point]);
+    }
+  }
+  mesh.Vertices.Points = Buffer<Index>(points.size());
+  mesh.Vertices.VertexId = Buffer<int>(points.size());
+  std::copy(points.begin(), points.end(), mesh.Vertices.Points.begin());
+  std::transform(points.begin(), points.end(), mesh.Vertices.VertexId.begin(),
+    [&mesh](Index point) { return mesh.GeometryId[point]; });
+  return numbers.Count();
+}
+
+void FillCurveTables(Work& work, const std::vector<SurfaceSet>& curves)
+{
+  Mesh& mesh = work.Result;
+  GeometryTables& tables = mesh.Tables;
+  for (std::size_t c = 0; c < curves.size(); ++c)
+  {
+    for (int surface : curves[c])
+    {
+      tables.SurfaceCurves.push_back({ { surface, static_cast<int>(c) + 1 } });
+    }
+  }
+  std::sort(tables.SurfaceCurves.begin(), tables.SurfaceCurves.end());
+  std::vector<std::int64_t> ends(curves.size(), 0);
+  std::vector<Pair> pairs;
+  for (std::size_t at = 0; at < mesh.Curves.Points.size(); ++at)
+  {
+    const Index point = mesh.Curves.Points[at];
+    if (mesh.GeometryDimension[point] == 0)
+    {
+      const int curve = mesh.Curves.CurveId[at / 2];
+      ++ends[curve - 1];
+      pairs.push_back({ { curve, mesh.GeometryId[point] } });
+    }
+  }
+  work.Group.Sum(ends);
+  tables.CurveEnds.assign(ends.begin(), ends.end());
+  tables.CurveVertices = Gather(work.Group, pairs).All();
+}
+
+/// After the vertices.
+Index FillCurves(Work& work, const Junctions& junctions)
+{
+  std::vector<const Junction*> owned;
+  std::vector<SurfaceSet> sets;
+  for (const Junction& edge : junctions.Edges())
+  {
+    if (IsOwned(work, edge))
+    {
+      owned.push_back(&edge);
+      sets.push_back(edge.Surfaces);
+    }
+  }
+  const Numbering<SurfaceSet> numbers = GatherSets(work.Group, sets);
+  Mesh& mesh = work.Result;
+  for (std::size_t p = 0; p < junctions.Points().size(); ++p)
+  {
+    const Junction& point = junctions.Points()[p];
+    if (!junctions.IsVertex(p))
+    {
+      mesh.GeometryDimension[point.Points[0]] = 1;
+      mesh.GeometryId[point.Points[0]] = numbers.Find(point.Surfaces);
+    }
+  }
+  std::stable_sort(owned.begin(), owned.end(),
+    [](const Junction* a, const Junction* b) { return a->Surfaces < b->Surfaces; });
+  mesh.Curves.Points = Buffer<Index>(2 * owned.size());
+  mesh.Curves.CurveId = Buffer<int>(owned.size());
+  for (std::size_t e = 0; e < owned.size(); ++e)
+  {
+    std::copy_n(owned[e]->Points.begin(), 2, mesh.Curves.Points.data() + 2 * e);
+    mesh.Curves.CurveId[e] = numbers.Find(owned[e]->Surfaces);
+  }
+  FillCurveTables(work, numbers.All());
+  return numbers.Count();
+}
+
+bool IsToldByPoints(const Work& work, std::size_t q)
+{
+  const Mesh& mesh = work.Result;
+  const Index* points = mesh.Surfaces.Points.data() + work.Corners * q;
+  int inside = 0, others = 0;
+  for (int c = 0; c < work.Corners; ++c)
+  {
+    if (mesh.GeometryDimension[points[c]] == 2)
+    {
+      ++inside;
+      others += mesh.GeometryId[points[c]] != mesh.Surfaces.SurfaceId[q];
+    }
+  }
+  return inside > 0 && others == 0;
+}
+
+/// After points are classified.
+void ListEdgeFacets(Work& work)
+{
+  const Mesh& mesh = work.Result;
+  std::vector<EdgeFacet> mine;
+  for (std::size_t q = 0; q < work.Facets.size(); ++q)
+  {
+    if (work.Sides[q] > 0 && work.Facets[q].IsOwned && !IsToldByPoints(work, q))
+    {
+      EdgeFacet facet{ { -1, -1, -1, -1, mesh.Surfaces.SurfaceId[q] } };
+      const Index* points = mesh.Surfaces.Points.data() + work.Corners * q;
+      std::transform(points, points + work.Corners, facet.begin() + (4 - work.Corners),
+        [&mesh](Index point) { return mesh.PointIds[point]; });
+      std::sort(facet.begin(), facet.begin() + 4);
+      mine.push_back(facet);
+    }
+  }
+  work.Result.Tables.EdgeFacets = Gather(work.Group, mine).All();
+}
 
 } // namespace
 
 void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
   const Partition& partition, Mesh& mesh, MeshReport& report)
 {
-  GeometryFinder(facets, FindSmoothSides(facets, kinds, mesh, partition), partition.Group(), mesh)
-    .Run(report);
+  Work work{ facets, FindSmoothSides(facets, kinds, mesh, partition), partition.Group(), mesh };
+  report.NumberOfSurfaces = FillSurfaces(work);
+  ClassifySurfacePoints(work);
+  const Junctions junctions(work.Result);
+  report.NumberOfVertices = FillVertices(work, junctions);
+  report.NumberOfCurves = FillCurves(work, junctions);
+  ListEdgeFacets(work);
+  MeasureSurfaces(work.Result, work.Group);
 }
 
 } // namespace vfm

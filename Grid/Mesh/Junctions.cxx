@@ -49,9 +49,8 @@ std::vector<Junction> FindJunctions(const Mesh& mesh, std::vector<Incidence> pla
 {
   std::sort(places.begin(), places.end());
   std::vector<Junction> junctions;
-  for (auto first = places.begin(), last = first; first != places.end(); first = last)
+  const auto add = [&](auto first, auto last)
   {
-    last = std::upper_bound(first, places.end(), *first);
     Junction junction{ first->Points, {}, first->Facet };
     for (auto place = first; place != last; ++place)
     {
@@ -66,7 +65,10 @@ std::vector<Junction> FindJunctions(const Mesh& mesh, std::vector<Incidence> pla
         })->Facet;
       junctions.push_back(std::move(junction));
     }
-  }
+  };
+  ForRuns(
+    places.begin(), places.end(),
+    [](const Incidence& a, const Incidence& b) { return a.Points == b.Points; }, add);
   return junctions;
 }
 

@@ -12,8 +12,7 @@ double VolumeOfElement(const Mesh& mesh, Index element, double unit)
   std::array<Vector3, 8> x;
   for (int c = 0; c < mesh.Corners; ++c)
   {
-    const Index point = mesh.Elements[mesh.Corners * element + c];
-    std::copy_n(mesh.Points.data() + 3 * point, 3, x[c].begin());
+    x[c] = mesh.PointAt(mesh.Elements[mesh.Corners * element + c]);
   }
   if (mesh.Corners == 4)
   {

@@ -27,8 +27,7 @@ std::vector<double> SumFacets(const Mesh& mesh, const Vector3& origin, double un
     std::array<Vector3, 4> x;
     for (int c = 0; c < corners; ++c)
     {
-      const double* point = mesh.Points.data() + 3 * facets.Points[corners * f + c];
-      x[c] = scale * (Vector3{ { point[0], point[1], point[2] } } - origin);
+      x[c] = scale * (mesh.PointAt(facets.Points[corners * f + c]) - origin);
     }
     ExactSum* sum = sums.data() + SumsOfSurface * (facets.SurfaceId[f] - 1);
     for (int c = 2; c < corners; ++c)

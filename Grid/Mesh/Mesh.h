@@ -70,6 +70,37 @@ struct Mesh
   std::shared_ptr<const RefinedGrid> Levels; ///< which cells of the grid they are; never null
 
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
+
+  /// Makes room for points and their ids, and for elements, their ids and materials.
+  void ResizePoints(Index count)
+  {
+    this->Points = Buffer<double>(3 * count);
+    this->PointIds = Buffer<Index>(count);
+  }
+  void ResizeElements(Index count)
+  {
+    this->Elements = Buffer<Index>(this->Corners * count);
+    this->ElementIds = Buffer<Index>(count);
+    this->Material = Buffer<int>(count);
+  }
+  Vector3 PointAt(Index point) const
+  {
+    const double* x = this->Points.data() + 3 * point;
+    return { { x[0], x[1], x[2] } };
+  }
+  void SetPoint(Index point, const Vector3& x, Index id)
+  {
+    std::copy(x.begin(), x.end(), this->Points.data() + 3 * point);
+    this->PointIds[point] = id;
+  }
+  /// points: in VTK order.
+  template <class ElementPoints>
+  void SetElement(Index element, const ElementPoints& points, Index id, int material)
+  {
+    std::copy(points.begin(), points.end(), this->Elements.data() + this->Corners * element);
+    this->ElementIds[element] = id;
+    this->Material[element] = material;
+  }
 };
 
 /// The grid node that owns a point, from its id. Tets: the node of the block in which it starts.

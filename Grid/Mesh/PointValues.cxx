@@ -22,12 +22,8 @@ PointValues::PointValues(
       ids[peer].push_back(id);
     }
   }
-  for (const std::vector<Index>& asked : partition.Exchange(ids))
-  {
-    this->Asked.emplace_back();
-    std::transform(asked.begin(), asked.end(), std::back_inserter(this->Asked.back()),
-      [&mesh](Index id) { return FindSorted(mesh.PointIds, id); });
-  }
+  this->Asked =
+    MapLists(partition.Exchange(ids), [&mesh](Index id) { return FindSorted(mesh.PointIds, id); });
 }
 
 } // namespace vfm

@@ -20,14 +20,8 @@ public:
   template <class T, class Received>
   void Fetch(const std::vector<T>& values, const Received& received) const
   {
-    std::vector<std::vector<T>> answers;
-    for (const std::vector<Index>& points : this->Asked)
-    {
-      answers.emplace_back();
-      std::transform(points.begin(), points.end(), std::back_inserter(answers.back()),
-        [&values](Index p) { return p < 0 ? T() : values[p]; });
-    }
-    answers = this->Parts.Exchange(answers);
+    const std::vector<std::vector<T>> answers = this->Parts.Exchange(
+      MapLists(this->Asked, [&values](Index p) { return p < 0 ? T() : values[p]; }));
     for (std::size_t peer = 0; peer < answers.size(); ++peer)
     {
       for (std::size_t i = 0; i < answers[peer].size(); ++i)

@@ -18,82 +18,55 @@ bool IsInterface(const Facet& facet)
   return facet.DomainSide < 0;
 }
 
-class SideFinder
+using Pair = std::array<int, 2>;
+
+/// Where a point lies on the interfaces.
+enum class Place : unsigned char
 {
-public:
-  SideFinder(const std::vector<Facet>& facets, const Mesh& mesh, const Partition& partition) :
-    Facets(facets),
-    Input(mesh),
-    Parts(partition),
-    Corners(mesh.CornersOfFacet()),
-    Shared(this->ListPoints(), mesh, partition)
-  {
-  }
-  SidePoints Find(const std::vector<CreaseKind>& kinds)
-  {
-    this->FindPlaces(kinds);
-    this->CloseGaps();
-    this->FindCuts();
-    this->NumberPoints();
-    return { std::move(this->CutOfFacet), static_cast<int>(this->Cuts.size()),
-      std::move(this->SideOfPoint), std::move(this->CutOfSide) };
-  }
-
-private:
-  using Pair = std::array<int, 2>;
-  /// Where a point lies on the interfaces.
-  enum class Place : unsigned char
-  {
-    None,
-    Inside,
-    OnEdge,
-    Between ///< on several surfaces
-  };
-  std::vector<Index> ListPoints() const;
-  void FindPlaces(const std::vector<CreaseKind>& kinds);
-  void CloseGaps();
-  bool IsBesideEdge(const int* first, const int* last) const;
-  bool IsSharp(const int* first, const int* last) const;
-  void FindCuts();
-  void NumberPoints();
-  void NumberPieces(const std::vector<Piece>& pieces, const std::vector<Index>& pieceOf);
-
-  const std::vector<Facet>& Facets;
-  const Mesh& Input;
-  const Partition& Parts;
-  const int Corners; // of a facet
-  const PointValues Shared;
-  std::vector<Place> PlaceOf;  // of every point
-  std::vector<Pair> Cuts;      // interfaces with edges, ascending
-  std::vector<int> CutOfFacet; // position in Cuts, or -1
-  std::vector<int> SideOfPoint, CutOfSide;
+  None,
+  Inside,
+  OnEdge,
+  Between ///< on several surfaces
 };
 
 /// The points of interfaces, ascending.
-std::vector<Index> SideFinder::ListPoints() const
+std::vector<Index> ListPoints(const std::vector<Facet>& facets, int corners)
 {
   std::vector<Index> points;
-  for (const Facet& facet : this->Facets)
+  for (const Facet& facet : facets)
   {
     if (IsInterface(facet))
     {
-      points.insert(points.end(), facet.Points.begin(), facet.Points.begin() + this->Corners);
+      points.insert(points.end(), facet.Points.begin(), facet.Points.begin() + corners);
     }
   }
   SortUnique(points);
   return points;
 }
 
-void SideFinder::FindPlaces(const std::vector<CreaseKind>& kinds)
+struct Work
 {
-  this->PlaceOf.assign(this->Input.PointIds.size(), Place::None);
-  std::vector<Pair> first(this->PlaceOf.size());
-  for (const Facet& facet : this->Facets)
+  const std::vector<Facet>& Facets;
+  const Mesh& Input;
+  const Partition& Parts;
+  const int Corners = Input.CornersOfFacet();
+  const PointValues Shared{ ListPoints(Facets, Corners), Input, Parts };
+  std::vector<Place> PlaceOf{};  // of every point
+  std::vector<Pair> Cuts{};      // interfaces with edges, ascending
+  std::vector<int> CutOfFacet{}; // position in Cuts, or -1
+  std::vector<int> SideOfPoint{}, CutOfSide{};
+};
+
+void FindPlaces(Work& work, const std::vector<CreaseKind>& kinds)
+{
+  work.PlaceOf.assign(work.Input.PointIds.size(), Place::None);
+  std::vector<Pair> first(work.PlaceOf.size());
+  for (const Facet& facet : work.Facets)
   {
-    for (int c = 0; c < this->Corners; ++c)
+    for (int c = 0; c < work.Corners; ++c)
     {
       const Index p = facet.Points[c];
-      Place& place = this->PlaceOf[p];
+      Place& place = work.PlaceOf[p];
       if (place == Place::None)
       {
         first[p] = SurfaceOf(facet);
@@ -102,92 +75,116 @@ void SideFinder::FindPlaces(const std::vector<CreaseKind>& kinds)
       place = first[p] == SurfaceOf(facet) ? place : Place::Between;
     }
   }
-  this->Shared.Fetch(
-    this->PlaceOf, [this](Index point, Place place) { this->PlaceOf[point] = place; });
+  work.Shared.Fetch(work.PlaceOf, [&](Index point, Place place) { work.PlaceOf[point] = place; });
 }
 
-/// Edges go on over points that carry none but around which the facets turn, for a few points.
-void SideFinder::CloseGaps()
-{
-  const Groups<int> around =
-    ListFacetsAt(this->Facets, this->Input, [this](int f) { return IsInterface(this->Facets[f]); });
-  for (int step = 0; step < LongestGap; ++step)
-  {
-    std::vector<Place> places(this->PlaceOf);
-    for (std::size_t p = 0; p < places.size(); ++p)
-    {
-      const int* first = around.Items.data() + around.Begin[p];
-      const int* last = around.Items.data() + around.Begin[p + 1];
-      if (places[p] == Place::Inside && this->IsBesideEdge(first, last) &&
-        this->IsSharp(first, last))
-      {
-        places[p] = Place::OnEdge;
-      }
-    }
-    this->PlaceOf.swap(places);
-    this->Shared.Fetch(
-      this->PlaceOf, [this](Index point, Place place) { this->PlaceOf[point] = place; });
-  }
-}
-
-bool SideFinder::IsBesideEdge(const int* first, const int* last) const
-{
-  return std::any_of(first, last,
-    [this](int f)
-    {
-      const std::array<Index, 4>& points = this->Facets[f].Points;
-      return std::any_of(points.begin(), points.end(),
-        [this](Index q) { return this->PlaceOf[q] == Place::OnEdge; });
-    });
-}
-
-bool SideFinder::IsSharp(const int* first, const int* last) const
+bool IsBesideEdge(const Work& work, const int* first, const int* last)
 {
   return std::any_of(first, last,
     [&](int f)
     {
-      const Vector3 normal = NormalOf(this->Input, this->Facets[f]);
-      return std::any_of(first, last,
-        [&](int g) { return Dot(normal, NormalOf(this->Input, this->Facets[g])) < SharpCosine; });
+      const std::array<Index, 4>& points = work.Facets[f].Points;
+      return std::any_of(
+        points.begin(), points.end(), [&](Index q) { return work.PlaceOf[q] == Place::OnEdge; });
     });
 }
 
+bool IsSharp(const Work& work, const int* first, const int* last)
+{
+  return std::any_of(first, last,
+    [&](int f)
+    {
+      const Vector3 normal = NormalOf(work.Input, work.Facets[f]);
+      return std::any_of(first, last,
+        [&](int g) { return Dot(normal, NormalOf(work.Input, work.Facets[g])) < SharpCosine; });
+    });
+}
+
+/// Edges go on over points that carry none but around which the facets turn, for a few points.
+void CloseGaps(Work& work)
+{
+  const Groups<int> around =
+    ListFacetsAt(work.Facets, work.Input, [&](int f) { return IsInterface(work.Facets[f]); });
+  for (int step = 0; step < LongestGap; ++step)
+  {
+    std::vector<Place> places(work.PlaceOf);
+    for (std::size_t p = 0; p < places.size(); ++p)
+    {
+      const int* first = around.Items.data() + around.Begin[p];
+      const int* last = around.Items.data() + around.Begin[p + 1];
+      if (places[p] == Place::Inside && IsBesideEdge(work, first, last) &&
+        IsSharp(work, first, last))
+      {
+        places[p] = Place::OnEdge;
+      }
+    }
+    work.PlaceOf.swap(places);
+    work.Shared.Fetch(work.PlaceOf, [&](Index point, Place place) { work.PlaceOf[point] = place; });
+  }
+}
+
 /// The interfaces with edges.
-void SideFinder::FindCuts()
+void FindCuts(Work& work)
 {
   std::vector<Pair> cut;
-  for (const Facet& facet : this->Facets)
+  for (const Facet& facet : work.Facets)
   {
     if (IsInterface(facet) && facet.IsOwned &&
       std::any_of(facet.Points.begin(), facet.Points.end(),
-        [this](Index p) { return this->PlaceOf[p] == Place::OnEdge; }))
+        [&](Index p) { return work.PlaceOf[p] == Place::OnEdge; }))
     {
       cut.push_back(SurfaceOf(facet));
     }
   }
   SortUnique(cut);
-  this->Cuts = GatherItems(this->Parts.Group(), cut);
-  SortUnique(this->Cuts);
-  for (const Facet& facet : this->Facets)
+  work.Cuts = GatherItems(work.Parts.Group(), cut);
+  SortUnique(work.Cuts);
+  for (const Facet& facet : work.Facets)
   {
-    this->CutOfFacet.push_back(static_cast<int>(FindSorted(this->Cuts, SurfaceOf(facet))));
+    work.CutOfFacet.push_back(static_cast<int>(FindSorted(work.Cuts, SurfaceOf(facet))));
+  }
+}
+
+void NumberPieces(Work& work, const std::vector<Piece>& pieces, const std::vector<Index>& pieceOf)
+{
+  Ranks& ranks = work.Parts.Group();
+  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.size()));
+  std::vector<Index> numbers(pieceOf);
+  for (Index& number : numbers)
+  {
+    number += number < 0 ? 0 : offset;
+  }
+  PiecePairs same;
+  work.Shared.Fetch(numbers,
+    [&](Index point, Index piece)
+    {
+      if (piece >= 0 && numbers[point] >= 0)
+      {
+        same.push_back({ { numbers[point], piece } });
+      }
+    });
+  SortUnique(same);
+  const std::vector<int> sides = NumberFragments(pieces, same, offset, ranks, work.CutOfSide);
+  for (Index piece : pieceOf)
+  {
+    work.SideOfPoint.push_back(piece < 0 ? 0 : sides[piece]);
   }
 }
 
 /// Fills SideOfPoint, of points inside; 0 elsewhere.
-void SideFinder::NumberPoints()
+void NumberPoints(Work& work)
 {
-  const std::size_t count = this->PlaceOf.size();
+  const std::size_t count = work.PlaceOf.size();
   std::vector<Index> parent = MakeSets(count);
   std::vector<int> cutOf(count, -1);
-  for (std::size_t f = 0; f < this->Facets.size(); ++f)
+  for (std::size_t f = 0; f < work.Facets.size(); ++f)
   {
-    const std::array<Index, 4>& points = this->Facets[f].Points;
-    for (int c = 0; this->CutOfFacet[f] >= 0 && c < this->Corners; ++c)
+    const std::array<Index, 4>& points = work.Facets[f].Points;
+    for (int c = 0; work.CutOfFacet[f] >= 0 && c < work.Corners; ++c)
     {
-      const Index a = points[c], b = points[(c + 1) % this->Corners];
-      cutOf[a] = this->PlaceOf[a] == Place::Inside ? this->CutOfFacet[f] : -1;
-      if (cutOf[a] >= 0 && this->PlaceOf[b] == Place::Inside)
+      const Index a = points[c], b = points[(c + 1) % work.Corners];
+      cutOf[a] = work.PlaceOf[a] == Place::Inside ? work.CutOfFacet[f] : -1;
+      if (cutOf[a] >= 0 && work.PlaceOf[b] == Place::Inside)
       {
         Join(parent, a, b);
       }
@@ -201,48 +198,18 @@ void SideFinder::NumberPoints()
     if (root == p)
     {
       pieceOf[p] = static_cast<Index>(pieces.size());
-      pieces.push_back({ this->Input.PointIds[p], cutOf[p] });
+      pieces.push_back({ work.Input.PointIds[p], cutOf[p] });
     }
     pieceOf[p] = root < 0 ? -1 : pieceOf[root];
   }
-  this->NumberPieces(pieces, pieceOf);
-}
-
-void SideFinder::NumberPieces(const std::vector<Piece>& pieces, const std::vector<Index>& pieceOf)
-{
-  Ranks& ranks = this->Parts.Group();
-  const Index offset = OffsetOfPieces(ranks, static_cast<Index>(pieces.size()));
-  std::vector<Index> numbers(pieceOf);
-  for (Index& number : numbers)
-  {
-    number += number < 0 ? 0 : offset;
-  }
-  PiecePairs same;
-  this->Shared.Fetch(numbers,
-    [&](Index point, Index piece)
-    {
-      if (piece >= 0 && numbers[point] >= 0)
-      {
-        same.push_back({ { numbers[point], piece } });
-      }
-    });
-  SortUnique(same);
-  const std::vector<int> sides = NumberFragments(pieces, same, offset, ranks, this->CutOfSide);
-  for (Index piece : pieceOf)
-  {
-    this->SideOfPoint.push_back(piece < 0 ? 0 : sides[piece]);
-  }
+  NumberPieces(work, pieces, pieceOf);
 }
 
 } // namespace
 
 Vector3 NormalOf(const Mesh& mesh, const Facet& facet)
 {
-  const auto x = [&](int c)
-  {
-    const double* point = mesh.Points.data() + 3 * facet.Points[c];
-    return Vector3{ { point[0], point[1], point[2] } };
-  };
+  const auto x = [&](int c) { return mesh.PointAt(facet.Points[c]); };
   const Vector3 normal = Unit(Cross(x(2) - x(0), x(3) - x(1)));
   return facet.Fragments[0] < facet.Fragments[1] ? -1.0 * normal : normal;
 }
@@ -250,7 +217,13 @@ Vector3 NormalOf(const Mesh& mesh, const Facet& facet)
 SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
   const Mesh& mesh, const Partition& partition)
 {
-  return SideFinder(facets, mesh, partition).Find(kinds);
+  Work work{ facets, mesh, partition };
+  FindPlaces(work, kinds);
+  CloseGaps(work);
+  FindCuts(work);
+  NumberPoints(work);
+  return { std::move(work.CutOfFacet), static_cast<int>(work.Cuts.size()),
+    std::move(work.SideOfPoint), std::move(work.CutOfSide) };
 }
 
 } // namespace vfm

@@ -14,69 +14,16 @@ constexpr Index Halo = 4; // cells around the box on which positions in it depen
 constexpr double Step = 0.5, ConcaveStep = 0.25;
 constexpr int PowersOf3[3] = { 1, 3, 9 }, PowersOf7[3] = { 1, 7, 49 };
 
-/// Pillows around the slabs of one axis.
-class AxisPillow
+/// An old edge from a copied node, behind a pillow face in a local direction.
+struct Spoke
 {
-public:
-  AxisPillow(const OctantFamilies& sets, int level, int axis, const std::vector<int>& slabs,
-    PillowedLevel& mesh) :
-    Sets(sets),
-    Level(level),
-    Axis(axis),
-    Mesh(mesh),
-    Inside(mesh.Hexes.size()),
-    PillowFaces(mesh.Hexes.size(), 0),
-    Copies(mesh.Nodes.size(), { { -1, -1 } }),
-    NodesBefore(static_cast<int>(mesh.Nodes.size()))
-  {
-    for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
-    {
-      this->Inside[h] = slabs[mesh.Hexes[h].Cell] >> axis & 1;
-    }
-  }
+  int Copy, Direction;
+  int End;
+};
 
-  void Run()
-  {
-    this->FindPillowFaces();
-    this->CopyNodes();
-    this->PlaceCopies();
-    this->InsertHexes();
-  }
-
-private:
-  /// An old edge from a copied node, behind a pillow face in a local direction.
-  struct Spoke
-  {
-    int Copy, Direction;
-    int End;
-  };
-
-  Index SlabOf(std::size_t hex) const
-  {
-    return this->Mesh.Cells[this->Mesh.Hexes[hex].Cell][this->Axis] >> 1;
-  }
-  static int FaceAt(int corner, int axis) { return 2 * axis + (corner >> axis & 1); }
-  bool IsPillowed(std::size_t hex, int face) const { return this->PillowFaces[hex] >> face & 1; }
-
-  /// The digit of the copies of a node in a slab, 1 or 2.
-  int DigitIn(int node, Index slab) const
-  {
-    return this->Mesh.Nodes[node].Base[this->Axis] == 2 * slab ? 2 : 1;
-  }
-  int CopyIn(int node, Index slab) const
-  {
-    return this->Copies[node][this->DigitIn(node, slab) - 1];
-  }
-
-  void FindPillowFaces();
-  bool MayPillow(std::size_t hex, int face) const;
-  void CopyNodes();
-  std::vector<Spoke> ListSpokes() const;
-  std::vector<std::uint64_t> FindConvexPairs() const;
-  void PlaceCopies();
-  void InsertHexes();
-  bool ComesBefore(int a, int b) const;
-
+/// Pillows around the slabs of one axis.
+struct Work
+{
   const OctantFamilies& Sets;
   int Level, Axis;
   PillowedLevel& Mesh;
@@ -86,8 +33,34 @@ private:
   int NodesBefore;
 };
 
+Index SlabOf(const Work& work, std::size_t hex)
+{
+  return work.Mesh.Cells[work.Mesh.Hexes[hex].Cell][work.Axis] >> 1;
+}
+
+int FaceAt(int corner, int axis)
+{
+  return 2 * axis + (corner >> axis & 1);
+}
+
+/// Faces on the domain boundary are pillowed at the end of a slab only.
+bool MayPillow(const Work& work, std::size_t hex, int face)
+{
+  int sides = 63;
+  for (int c = 0; c < 8; ++c)
+  {
+    if (FaceAt(c, face / 2) == face)
+    {
+      sides &= work.Mesh.Nodes[work.Mesh.Hexes[hex].Nodes[c]].Sides;
+    }
+  }
+  const bool upperEnd = work.Sets.Lattice().Cells(work.Level, work.Axis) % 2 == 0;
+  const int ends = (upperEnd ? 3 : 1) << (2 * work.Axis);
+  return sides == 0 || (sides & ends);
+}
+
 /// Outer faces of the hexes of each slab.
-void AxisPillow::FindPillowFaces()
+void FindPillowFaces(Work& work)
 {
   struct Side
   {
@@ -101,17 +74,17 @@ void AxisPillow::FindPillowFaces()
     }
   };
   std::vector<Side> sides;
-  for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
+  for (std::size_t h = 0; h < work.Mesh.Hexes.size(); ++h)
   {
-    for (int f = 0; this->Inside[h] && f < 6; ++f)
+    for (int f = 0; work.Inside[h] && f < 6; ++f)
     {
-      Side side{ {}, this->SlabOf(h), h, f };
+      Side side{ {}, SlabOf(work, h), h, f };
       int n = 0;
       for (int c = 0; c < 8; ++c)
       {
         if (FaceAt(c, f / 2) == f)
         {
-          side.Nodes[n++] = this->Mesh.Hexes[h].Nodes[c];
+          side.Nodes[n++] = work.Mesh.Hexes[h].Nodes[c];
         }
       }
       std::sort(side.Nodes.begin(), side.Nodes.end());
@@ -123,84 +96,84 @@ void AxisPillow::FindPillowFaces()
   {
     const bool shared =
       (s > 0 && !(sides[s - 1] < sides[s])) || (s + 1 < sides.size() && !(sides[s] < sides[s + 1]));
-    if (!shared && this->MayPillow(sides[s].Hex, sides[s].Face))
+    if (!shared && MayPillow(work, sides[s].Hex, sides[s].Face))
     {
-      this->PillowFaces[sides[s].Hex] |= 1 << sides[s].Face;
+      work.PillowFaces[sides[s].Hex] |= 1 << sides[s].Face;
     }
   }
 }
 
-/// Faces on the domain boundary are pillowed at the end of a slab only.
-bool AxisPillow::MayPillow(std::size_t hex, int face) const
+bool IsPillowed(const Work& work, std::size_t hex, int face)
 {
-  int sides = 63;
-  for (int c = 0; c < 8; ++c)
-  {
-    if (FaceAt(c, face / 2) == face)
-    {
-      sides &= this->Mesh.Nodes[this->Mesh.Hexes[hex].Nodes[c]].Sides;
-    }
-  }
-  const bool upperEnd = this->Sets.Lattice().Cells(this->Level, this->Axis) % 2 == 0;
-  const int ends = (upperEnd ? 3 : 1) << (2 * this->Axis);
-  return sides == 0 || (sides & ends);
+  return work.PillowFaces[hex] >> face & 1;
 }
 
-void AxisPillow::CopyNodes()
+/// The digit of the copies of a node in a slab, 1 or 2.
+int DigitIn(const Work& work, int node, Index slab)
 {
-  for (std::size_t h = 0; h < this->Inside.size(); ++h)
+  return work.Mesh.Nodes[node].Base[work.Axis] == 2 * slab ? 2 : 1;
+}
+
+int CopyIn(const Work& work, int node, Index slab)
+{
+  return work.Copies[node][DigitIn(work, node, slab) - 1];
+}
+
+void CopyNodes(Work& work)
+{
+  for (std::size_t h = 0; h < work.Inside.size(); ++h)
   {
-    const Index slab = this->SlabOf(h);
-    for (int at = 0; this->PillowFaces[h] && at < 24; ++at)
+    const Index slab = SlabOf(work, h);
+    for (int at = 0; work.PillowFaces[h] && at < 24; ++at)
     {
       const int c = at / 3;
-      const int node = this->Mesh.Hexes[h].Nodes[c];
-      if (!this->IsPillowed(h, FaceAt(c, at % 3)) || this->CopyIn(node, slab) >= 0)
+      const int node = work.Mesh.Hexes[h].Nodes[c];
+      if (!IsPillowed(work, h, FaceAt(c, at % 3)) || CopyIn(work, node, slab) >= 0)
       {
         continue;
       }
-      const int digit = this->DigitIn(node, slab);
-      this->Copies[node][digit - 1] = static_cast<int>(this->Mesh.Nodes.size());
-      PillowedLevel::Node copy = this->Mesh.Nodes[node];
-      copy.Slot += digit * PowersOf3[this->Axis];
-      if (copy.Base[this->Axis] % 2 == 0)
+      const int digit = DigitIn(work, node, slab);
+      work.Copies[node][digit - 1] = static_cast<int>(work.Mesh.Nodes.size());
+      PillowedLevel::Node copy = work.Mesh.Nodes[node];
+      copy.Slot += digit * PowersOf3[work.Axis];
+      if (copy.Base[work.Axis] % 2 == 0)
       {
-        copy.Sides &= ~(3 << (2 * this->Axis));
+        copy.Sides &= ~(3 << (2 * work.Axis));
       }
-      this->Mesh.Nodes.push_back(copy);
+      work.Mesh.Nodes.push_back(copy);
     }
   }
 }
 
 /// An order of the nodes that does not depend on what else the mesh holds.
-bool AxisPillow::ComesBefore(int a, int b) const
+bool ComesBefore(const Work& work, int a, int b)
 {
-  const PillowedLevel::Node &n = this->Mesh.Nodes[a], &m = this->Mesh.Nodes[b];
+  const PillowedLevel::Node &n = work.Mesh.Nodes[a], &m = work.Mesh.Nodes[b];
   return std::tie(n.Base, n.Slot) < std::tie(m.Base, m.Slot);
 }
 
 /// By copy, direction and end, each once.
-std::vector<AxisPillow::Spoke> AxisPillow::ListSpokes() const
+std::vector<Spoke> ListSpokes(const Work& work)
 {
   std::vector<Spoke> spokes;
-  for (std::size_t h = 0; h < this->Inside.size(); ++h)
+  for (std::size_t h = 0; h < work.Inside.size(); ++h)
   {
-    const std::array<int, 8>& nodes = this->Mesh.Hexes[h].Nodes;
-    for (int at = 0; this->PillowFaces[h] && at < 24; ++at)
+    const std::array<int, 8>& nodes = work.Mesh.Hexes[h].Nodes;
+    for (int at = 0; work.PillowFaces[h] && at < 24; ++at)
     {
       const int c = at / 3, face = FaceAt(c, at % 3);
-      if (this->IsPillowed(h, face))
+      if (IsPillowed(work, h, face))
       {
-        spokes.push_back({ this->CopyIn(nodes[c], this->SlabOf(h)), face, nodes[c ^ 1 << at % 3] });
+        spokes.push_back({ CopyIn(work, nodes[c], SlabOf(work, h)), face, nodes[c ^ 1 << at % 3] });
       }
     }
   }
   std::sort(spokes.begin(), spokes.end(),
-    [this](const Spoke& a, const Spoke& b)
+    [&](const Spoke& a, const Spoke& b)
     {
       return std::tie(a.Copy, a.Direction) != std::tie(b.Copy, b.Direction)
         ? std::tie(a.Copy, a.Direction) < std::tie(b.Copy, b.Direction)
-        : this->ComesBefore(a.End, b.End);
+        : ComesBefore(work, a.End, b.End);
     });
   spokes.erase(std::unique(spokes.begin(), spokes.end(),
                  [](const Spoke& a, const Spoke& b)
@@ -210,41 +183,41 @@ std::vector<AxisPillow::Spoke> AxisPillow::ListSpokes() const
 }
 
 /// Of each copy, bit 6 f + g: a hex corner there has pillow faces in both local directions.
-std::vector<std::uint64_t> AxisPillow::FindConvexPairs() const
+std::vector<std::uint64_t> FindConvexPairs(const Work& work)
 {
-  std::vector<std::uint64_t> pairs(this->Mesh.Nodes.size() - this->NodesBefore, 0);
-  for (std::size_t h = 0; h < this->Inside.size(); ++h)
+  std::vector<std::uint64_t> pairs(work.Mesh.Nodes.size() - work.NodesBefore, 0);
+  for (std::size_t h = 0; h < work.Inside.size(); ++h)
   {
-    for (int at = 0; this->PillowFaces[h] && at < 72; ++at)
+    for (int at = 0; work.PillowFaces[h] && at < 72; ++at)
     {
       const int c = at / 9, f = FaceAt(c, at / 3 % 3), g = FaceAt(c, at % 3);
-      if (this->IsPillowed(h, f) && this->IsPillowed(h, g))
+      if (IsPillowed(work, h, f) && IsPillowed(work, h, g))
       {
-        const int copy = this->CopyIn(this->Mesh.Hexes[h].Nodes[c], this->SlabOf(h));
-        pairs[copy - this->NodesBefore] |= std::uint64_t(1) << (6 * f + g);
+        const int copy = CopyIn(work, work.Mesh.Hexes[h].Nodes[c], SlabOf(work, h));
+        pairs[copy - work.NodesBefore] |= std::uint64_t(1) << (6 * f + g);
       }
     }
   }
   return pairs;
 }
 
-void AxisPillow::PlaceCopies()
+void PlaceCopies(Work& work)
 {
-  const std::vector<Spoke> spokes = this->ListSpokes();
-  const std::vector<std::uint64_t> convex = this->FindConvexPairs();
+  const std::vector<Spoke> spokes = ListSpokes(work);
+  const std::vector<std::uint64_t> convex = FindConvexPairs(work);
   for (std::size_t first = 0; first < spokes.size();)
   {
     const int copy = spokes[first].Copy;
-    const std::uint64_t pairs = convex[copy - this->NodesBefore];
+    const std::uint64_t pairs = convex[copy - work.NodesBefore];
     Vector3 ends[6]{};
     int count[6]{};
     for (; first < spokes.size() && spokes[first].Copy == copy; ++first)
     {
       const Spoke& spoke = spokes[first];
-      ends[spoke.Direction] = ends[spoke.Direction] + this->Mesh.Nodes[spoke.End].X;
+      ends[spoke.Direction] = ends[spoke.Direction] + work.Mesh.Nodes[spoke.End].X;
       ++count[spoke.Direction];
     }
-    PillowedLevel::Node& node = this->Mesh.Nodes[copy];
+    PillowedLevel::Node& node = work.Mesh.Nodes[copy];
     const Vector3 start = node.X; // that of the original
     for (int f = 0; f < 6; ++f)
     {
@@ -263,30 +236,30 @@ void AxisPillow::PlaceCopies()
   }
 }
 
-void AxisPillow::InsertHexes()
+void InsertHexes(Work& work)
 {
-  for (std::size_t h = 0; h < this->Inside.size(); ++h)
+  for (std::size_t h = 0; h < work.Inside.size(); ++h)
   {
-    if (!this->Inside[h])
+    if (!work.Inside[h])
     {
       continue;
     }
-    const Index slab = this->SlabOf(h);
-    const PillowedLevel::Hex old = this->Mesh.Hexes[h];
+    const Index slab = SlabOf(work, h);
+    const PillowedLevel::Hex old = work.Mesh.Hexes[h];
     std::array<int, 8> inner = old.Nodes;
     for (int& node : inner)
     {
-      const int copy = this->CopyIn(node, slab);
+      const int copy = CopyIn(work, node, slab);
       node = copy >= 0 ? copy : node;
     }
     for (int f = 0; f < 6; ++f)
     {
-      if (!this->IsPillowed(h, f))
+      if (!IsPillowed(work, h, f))
       {
         continue;
       }
       PillowedLevel::Hex made = old;
-      made.Slot += (1 + f) * PowersOf7[this->Axis];
+      made.Slot += (1 + f) * PowersOf7[work.Axis];
       for (int c = 0; c < 8; ++c)
       {
         if (FaceAt(c, f / 2) != f)
@@ -294,10 +267,26 @@ void AxisPillow::InsertHexes()
           made.Nodes[c] = inner[c ^ 1 << f / 2];
         }
       }
-      this->Mesh.Hexes.push_back(made);
+      work.Mesh.Hexes.push_back(made);
     }
-    this->Mesh.Hexes[h].Nodes = inner;
+    work.Mesh.Hexes[h].Nodes = inner;
   }
+}
+
+void Pillow(const OctantFamilies& sets, int level, int axis, const std::vector<int>& slabs,
+  PillowedLevel& mesh)
+{
+  Work work{ sets, level, axis, mesh, {}, std::vector<unsigned char>(mesh.Hexes.size(), 0),
+    std::vector<std::array<int, 2>>(mesh.Nodes.size(), { { -1, -1 } }),
+    static_cast<int>(mesh.Nodes.size()) };
+  for (const PillowedLevel::Hex& hex : mesh.Hexes)
+  {
+    work.Inside.push_back(slabs[hex.Cell] >> axis & 1);
+  }
+  FindPillowFaces(work);
+  CopyNodes(work);
+  PlaceCopies(work);
+  InsertHexes(work);
 }
 
 /// The touched cells of a box, ascending by key of their hexes.
@@ -400,7 +389,7 @@ PillowedLevel PillowSlabs(const OctantFamilies& sets, int level, const IndexBox&
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    AxisPillow(sets, level, axis, slabs, mesh).Run();
+    Pillow(sets, level, axis, slabs, mesh);
   }
   return mesh;
 }

@@ -1,5 +1,5 @@
 /**
- * Errors (WorkTogether) and lists on which all ranks agree.
+ * Errors (WorkTogether), sums and lists on which all ranks agree.
  */
 #pragma once
 
@@ -9,6 +9,14 @@
 
 namespace vfm
 {
+
+/// Collective: the sum of a number over the ranks.
+inline std::int64_t SumOverRanks(std::int64_t mine, Ranks& ranks)
+{
+  std::vector<std::int64_t> sum{ mine };
+  ranks.Sum(sum);
+  return sum[0];
+}
 
 /// Collective: the values that any rank holds, each once, in increasing order, on all ranks. They are united pair by
 /// pair up a binary tree and sent down again: 2 log2 P messages at most on any rank.

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "Interface/Interface.h"
+#include "Mesh/Facet.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/PointExchange.h"
 #include "Smoothing/HexRings.h"
@@ -26,13 +27,6 @@ struct Attachment
   std::array<int, 2> Fragments{}; ///< of its first and second label; 0 where not meshed
   double Offset = 0.0; ///< by which its zero level moves to the second label; in the target's frame
   double Weight = 1.0; ///< of its squared distance, among those of all attachments
-};
-
-/// A face between two fragments: what volumes are measured with, on one rank each.
-struct InterfaceFacet
-{
-  std::array<int, 4> Points;    ///< around it; the last twice in triangles
-  std::array<int, 2> Fragments; ///< behind and before it (by the normal); 0 where not meshed
 };
 
 /// A position in ActiveMesh::Elements.
@@ -64,7 +58,8 @@ struct ActiveMesh
   PointExchange Exchange; ///< of the points that move
   std::vector<Index> AttachmentOffset; ///< of each point, as CornerOffset
   std::vector<Attachment> Attachments;
-  std::vector<InterfaceFacet> Facets;
+  /// The faces between two fragments with which volumes are measured, on one rank each; their points are those here.
+  std::vector<Facet> Facets;
   const double* MeshPoints = nullptr; ///< the points of the mesh
   Vector3 Origin{};                   ///< of grid coordinates
   double Scale = 1.0;                 ///< their unit

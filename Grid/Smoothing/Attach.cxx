@@ -136,10 +136,11 @@ void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active)
       [&](int a, int b) { return facets[a].Fragments[1] < facets[b].Fragments[1]; });
     for (int f : measured)
     {
-      InterfaceFacet facet{ {}, facets[f].Fragments };
-      std::transform(facets[f].Points.begin(), facets[f].Points.end(), facet.Points.begin(),
-        [&](Index point) { return active.PointOf[point]; });
-      active.Facets.push_back(facet);
+      active.Facets.push_back(facets[f]);
+      for (Index& point : active.Facets.back().Points)
+      {
+        point = active.PointOf[point];
+      }
     }
   }
 }

@@ -201,8 +201,10 @@ VFM_INLINE bool IsGood(const Found<float>& found, double energy)
     AllExceed(Fill(PoorestInFloat), found.Poorest);
 }
 
+/// Returns the energy, as the other does.
 template <class Source>
-VFM_INLINE double Evaluate(Source& source, const Request& what, Found<typename Source::Real>& found)
+VFM_INLINE double Compute(
+  Source& source, const Request& what, Found<typename Source::Real>& found, double& energy)
 {
   using Real = typename Source::Real;
   Factors<Real> factors = MakeFactors<Real>(what.Floors, what.Stage);
@@ -211,7 +213,7 @@ VFM_INLINE double Evaluate(Source& source, const Request& what, Found<typename S
     const Tets<Real> tets = source.Take(factors);
     found.Add(tets, ComputeTerms(tets, factors));
   }
-  return Sum(found.Value);
+  return energy = Sum(found.Value);
 }
 
 /// Adds what was summed in widths of the cells.
@@ -230,14 +232,14 @@ VFM_INLINE void AddTo(Derivatives& d, const Sums<Real>& sum, const VectorLanes<R
 }
 
 template <class Source>
-VFM_INLINE Derivatives Differentiate(
-  Source& source, const Request& what, Found<typename Source::Real>& found)
+VFM_INLINE double Compute(
+  Source& source, const Request& what, Found<typename Source::Real>& found, Derivatives& d)
 {
   using Real = typename Source::Real;
   Factors<Real> factors = MakeFactors<Real>(what.Floors, what.Stage);
   const bool hasOneWidth = HasOneWidth(what.Mesh);
   Sums<Real> sum{};
-  Derivatives d;
+  d = Derivatives();
   while (!source.IsDone())
   {
     const Tets<Real> tets = source.Take(factors);
@@ -250,8 +252,20 @@ VFM_INLINE Derivatives Differentiate(
       sum = Sums<Real>{};
     }
   }
-  d.Value = Sum(found.Value);
-  return d;
+  return d.Value = Sum(found.Value);
+}
+
+/// Whether floats do.
+template <class Result>
+VFM_INLINE bool ComputeInFloat(const Request& what, Result& result)
+{
+  if (!what.Mesh.Stars.Has(what.Point))
+  {
+    return false;
+  }
+  TetsInFloat tets(what);
+  Found<float> found;
+  return IsGood(found, Compute(tets, what, found, result));
 }
 
 // Virtual functions cannot be compiled for several machines, so these are free.
@@ -261,22 +275,15 @@ double EvaluateInDouble(const Request& what)
 {
   TetsInDouble tets(what);
   Found<double> found;
-  const double energy = Evaluate(tets, what, found);
+  double energy;
+  Compute(tets, what, found, energy);
   return AllExceed(found.Least, Fill(SmallestDeterminant)) ? energy : InvalidEnergy;
 }
 
-/// Whether floats do.
 VFM_CLONES
 bool EvaluateInFloat(const Request& what, double& energy)
 {
-  if (!what.Mesh.Stars.Has(what.Point))
-  {
-    return false;
-  }
-  TetsInFloat tets(what);
-  Found<float> found;
-  energy = Evaluate(tets, what, found);
-  return IsGood(found, energy);
+  return ComputeInFloat(what, energy);
 }
 
 VFM_CLONES
@@ -284,21 +291,15 @@ Derivatives DifferentiateInDouble(const Request& what)
 {
   TetsInDouble tets(what);
   Found<double> found;
-  return Differentiate(tets, what, found);
+  Derivatives d;
+  Compute(tets, what, found, d);
+  return d;
 }
 
-/// Whether floats do.
 VFM_CLONES
 bool DifferentiateInFloat(const Request& what, Derivatives& d)
 {
-  if (!what.Mesh.Stars.Has(what.Point))
-  {
-    return false;
-  }
-  TetsInFloat tets(what);
-  Found<float> found;
-  d = Differentiate(tets, what, found);
-  return IsGood(found, d.Value);
+  return ComputeInFloat(what, d);
 }
 
 VFM_CLONES

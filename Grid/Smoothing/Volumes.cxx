@@ -24,7 +24,7 @@ struct FacetSum
   ExactSum Swept, Area;
 };
 
-void AddFacet(const ActiveMesh& mesh, const InterfaceFacet& facet, std::vector<FacetSum>& sums)
+void AddFacet(const ActiveMesh& mesh, const Facet& facet, std::vector<FacetSum>& sums)
 {
   if (sums.empty() || sums.back().Fragments != facet.Fragments)
   {
@@ -33,7 +33,7 @@ void AddFacet(const ActiveMesh& mesh, const InterfaceFacet& facet, std::vector<F
   std::array<Vector3, 4> start, now;
   for (int c = 0; c < 4; ++c)
   {
-    start[c] = mesh.StartOf(facet.Points[c]);
+    start[c] = mesh.StartOf(static_cast<int>(facet.Points[c]));
     now[c] = mesh.X[facet.Points[c]];
   }
   sums.back().Swept.Add(VolumeBetween(start, now));
@@ -136,15 +136,9 @@ private:
   {
     const Index cell = this->Grid.Linear(p);
     const double volume = this->Volumes.OfCell(p);
-    if (!this->Fractions.IsMixed(cell))
-    {
-      this->AddPart(p, fragment, this->Fractions.Label(cell), volume);
-      return;
-    }
-    for (const FractionField::Part& part : this->Fractions.Parts(cell))
-    {
-      this->AddPart(p, fragment, part.Material, part.Fraction * volume);
-    }
+    this->Fractions.ForParts(cell,
+      [&](int material, double fraction)
+      { this->AddPart(p, fragment, material, fraction * volume); });
   }
 
   void AddRun(Index first, Index last, Index j, Index k, int fragment)

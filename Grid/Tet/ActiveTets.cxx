@@ -2,8 +2,6 @@
 
 #include "Smoothing/ActiveMeshBuilder.h"
 
-#include <iterator>
-
 namespace vfm
 {
 namespace
@@ -63,18 +61,12 @@ void LearnMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& p
   const Index* ids = mesh.PointIds.data();
   const auto placeOf = [&](Index id)
   { return std::lower_bound(ids, ids + mesh.PointIds.size(), id) - ids; };
-  std::vector<std::vector<Index>> found;
-  for (const std::vector<Index>& asked : partition.Exchange(wanted))
+  const auto answers = partition.Ask(wanted, [&](Index id) { return moving[placeOf(id)]; });
+  for (std::size_t peer = 0; peer < wanted.size(); ++peer)
   {
-    found.emplace_back();
-    std::copy_if(asked.begin(), asked.end(), std::back_inserter(found.back()),
-      [&](Index id) { return moving[placeOf(id)]; });
-  }
-  for (const std::vector<Index>& answered : partition.Exchange(found))
-  {
-    for (Index id : answered)
+    for (std::size_t i = 0; i < wanted[peer].size(); ++i)
     {
-      moving[placeOf(id)] = 1;
+      moving[placeOf(wanted[peer][i])] = answers[peer][i];
     }
   }
 }

@@ -1,7 +1,7 @@
 #include "Tet/CellTets.h"
 
-#include "Tet/CoarseTets.h"
-#include "Tet/LatticeStencils.h"
+#include "Labels/InterfaceFaces.h"
+#include "Tet/BlockPoints.h"
 
 #include <numeric>
 
@@ -10,286 +10,204 @@ namespace vfm
 namespace
 {
 
-class CellTetBuilder
+/// A face of the grid; the label of a side outside the domain is -1.
+struct Face : InterfaceFace
 {
-public:
-  CellTetBuilder(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
-    Runtime& runtime, const CoarseTets& coarse) :
-    Grid(grid),
-    Labels(labels),
-    Box(grid.HexBox()),
-    Nodes(NodesOf(this->Box)),
-    MeshVoid(meshVoid),
-    Run(runtime),
-    Coarse(coarse)
-  {
-  }
+  Index3 Block;
+};
 
-  TetTopology Build()
-  {
-    Mesh& mesh = this->Result.Tets;
-    mesh.Corners = 4;
-    mesh.Ids = TetIds;
-    mesh.Levels = this->Coarse.Levels().shared_from_this();
-    CheckIds(this->Grid, TetIds.ElementSlots);
-    this->FirstPoint = Buffer<int>(this->Grid.NumberOfEntries(), -1);
-    this->MakePoints();
-    const Index fineTets = this->CountTets();
-    const Index tets = fineTets + this->Coarse.NumberOfTets();
-    mesh.Elements = Buffer<Index>(4 * tets);
-    mesh.ElementIds = Buffer<Index>(tets);
-    mesh.Material = Buffer<int>(tets);
-    ForRows(
-      this->Run, this->Nodes, [this](Index j, Index k, Index row) { this->FillTets(j, k, row); });
-    this->Coarse.Fill(this->Result, this->FinePoints, fineTets,
-      [this](Index at, Index slot)
-      { return slot == CentreSlot ? this->Centre(at) : Index(this->FirstPoint[at]); });
-    return std::move(this->Result);
-  }
-
-private:
-  struct Face
-  {
-    Index3 Block;
-    Index Node;
-    int Axis;
-    int Lower, Upper; // labels of the cells; -1 outside the domain
-  };
-
-  bool IsFine(const Index3& cell) const { return this->Coarse.Levels().IsFine(cell); }
-
-  /// Bits of the slots that a block uses.
-  int SlotsOf(const Index3& p, Index node) const
-  {
-    const bool isCentre =
-      this->Box.Contains(p) && IsMeshed(this->Labels[node], this->MeshVoid) && this->IsFine(p);
-    int slots = isCentre << CentreSlot;
-    const bool isVertex = this->Coarse.Levels().TouchesFine(p);
-    for (int c = 0; isVertex && c < 8; ++c)
-    {
-      const Index3 cell = CellOfStar(p, c);
-      const bool meshed = this->Box.Contains(cell) &&
-        IsMeshed(this->Labels[this->Grid.CellOfNode(node, c)], this->MeshVoid);
-      slots |= meshed << VertexSlot;
-    }
-    return slots;
-  }
-
-  template <class Body>
-  void OverBlocks(Index j, Index k, const Body& body) const
-  {
-    Index3 p{ { this->Box.Lower[0], j, k } };
-    Index node = this->Grid.Linear(p);
-    for (; p[0] <= this->Box.Upper[0]; ++p[0], ++node)
-    {
-      body(p, node);
-    }
-  }
-
-  void MakePoints()
-  {
-    std::vector<Index> offset(this->Nodes.Size(1) * this->Nodes.Size(2) + 1, 0);
-    ForRows(this->Run, this->Nodes,
-      [&](Index j, Index k, Index row)
-      {
-        this->OverBlocks(j, k,
-          [&](const Index3& p, Index node)
-          {
-            const int slots = this->SlotsOf(p, node);
-            offset[row + 1] += (slots & 1) + (slots >> 1);
-          });
-      });
-    std::partial_sum(offset.begin(), offset.end(), offset.begin());
-    this->FinePoints = offset.back();
-    const Index points = this->FinePoints + this->Coarse.NumberOfPoints();
-    CheckNumberOfPoints(points, this->Run.Group());
-    Mesh& mesh = this->Result.Tets;
-    mesh.Points = Buffer<double>(3 * points);
-    mesh.PointIds = Buffer<Index>(points);
-    this->Result.Positions.assign(points, PointPosition::Inside);
-    ForRows(this->Run, this->Nodes,
-      [&](Index j, Index k, Index row)
-      {
-        Index point = offset[row];
-        this->OverBlocks(
-          j, k, [&](const Index3& p, Index node) { this->FillPoints(p, node, point); });
-      });
-  }
-
-  void FillPoints(const Index3& p, Index node, Index& point)
-  {
-    const int slots = this->SlotsOf(p, node);
-    Mesh& mesh = this->Result.Tets;
-    this->FirstPoint[node] = static_cast<int>(point);
-    const Vector3 low = this->Grid.NodePoint(p);
-    for (Index slot : { VertexSlot, CentreSlot })
-    {
-      if (!(slots >> slot & 1))
-      {
-        continue;
-      }
-      Vector3 x = low;
-      for (int a = 0; slot == CentreSlot && a < 3; ++a)
-      {
-        x[a] = 0.5 * (low[a] + this->Grid.Coordinates(a)[p[a] + 1]);
-      }
-      std::copy(x.begin(), x.end(), mesh.Points.data() + 3 * point);
-      mesh.PointIds[point] = TetIds.PointSlots * this->Grid.NodeKey(p) + slot + 1;
-      if (slot == VertexSlot)
-      {
-        this->Result.Positions[point] = this->PositionOf(p, node);
-      }
-      ++point;
-    }
-  }
-
-  PointPosition PositionOf(const Index3& p, Index node) const
-  {
-    const std::array<int, 8> star = StarOfNode(this->Grid, this->Labels, node);
-    const bool mixed =
-      std::any_of(star.begin(), star.end(), [&](int label) { return label != star[0]; });
-    return mixed
-      ? PointPosition::OnInterface
-      : (this->Grid.DomainSides(p) != 0 ? PointPosition::OnDomain : PointPosition::Inside);
-  }
-
-  /// Calls body(face) for the faces of a row of blocks whose cells are all fine and in the box, in the order of ids.
-  template <class Body>
-  void OverFaces(Index j, Index k, const Body& body) const
-  {
-    this->OverBlocks(j, k,
-      [&](const Index3& p, Index node)
-      {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-          Index3 below = p;
-          --below[axis];
-          const bool inLower = below[axis] >= 0;
-          const bool inUpper = p[axis] < this->Grid.Global().Upper[axis];
-          if (p[u] < this->Box.Upper[u] && p[v] < this->Box.Upper[v] &&
-            (!inLower || (this->Box.Contains(below) && this->IsFine(below))) &&
-            (!inUpper || (this->Box.Contains(p) && this->IsFine(p))))
-          {
-            body(Face{ p, node, axis, inLower ? this->Labels[node - this->Grid.Stride(axis)] : -1,
-              inUpper ? this->Labels[node] : -1 });
-          }
-        }
-      });
-  }
-
-  Index CountTets()
-  {
-    this->FirstTet.assign(this->Nodes.Size(1) * this->Nodes.Size(2) + 1, 0);
-    ForRows(this->Run, this->Nodes,
-      [this](Index j, Index k, Index row)
-      {
-        this->OverFaces(j, k,
-          [&](const Face& face)
-          {
-            this->FirstTet[row + 1] +=
-              2 * (IsMeshed(face.Lower, this->MeshVoid) + IsMeshed(face.Upper, this->MeshVoid));
-          });
-      });
-    std::partial_sum(this->FirstTet.begin(), this->FirstTet.end(), this->FirstTet.begin());
-    return this->FirstTet.back();
-  }
-
-  Index Centre(Index cell) const
-  {
-    const Index first = this->FirstPoint[cell];
-    return first + (SlotOfPoint(this->Result.Tets.PointIds[first]) == VertexSlot);
-  }
-
-  void FillTets(Index j, Index k, Index row)
-  {
-    Index tet = this->FirstTet[row];
-    this->OverFaces(j, k,
-      [&](const Face& face)
-      {
-        if (face.Lower == face.Upper)
-        {
-          this->FillInnerFace(face, tet);
-          return;
-        }
-        this->FillHalves(face, face.Lower, 0, tet);
-        this->FillHalves(face, face.Upper, face.Lower < 0 ? 0 : 2, tet);
-      });
-  }
-
-  /// The corners around a face, seen from above against the clock.
-  std::array<Index, 4> CornersOf(const Face& face) const
-  {
-    const Index u = this->Grid.Stride((face.Axis + 1) % 3),
-                v = this->Grid.Stride((face.Axis + 2) % 3);
-    return { { this->FirstPoint[face.Node], this->FirstPoint[face.Node + u],
-      this->FirstPoint[face.Node + u + v], this->FirstPoint[face.Node + v] } };
-  }
-
-  /// Four tets around the edge between the centres.
-  void FillInnerFace(const Face& face, Index& tet)
-  {
-    if (!IsMeshed(face.Lower, this->MeshVoid))
-    {
-      return;
-    }
-    const std::array<Index, 4> q = this->CornersOf(face);
-    const Index below = this->Centre(face.Node - this->Grid.Stride(face.Axis));
-    const Index above = this->Centre(face.Node);
-    for (int t = 0; t < 4; ++t)
-    {
-      this->SetTet(tet++, { { below, above, q[t], q[(t + 1) % 4] } }, face, t, face.Lower);
-    }
-  }
-
-  /// Two tets between the halves of the quad and the centre on one side. They stand one after the other, the halves
-  /// (q0 q1 q2) and (q0 q2 q3) as seen from the centre against the clock: what DiagonalFlips relies on.
-  void FillHalves(const Face& face, int label, int firstPiece, Index& tet)
-  {
-    if (!IsMeshed(label, this->MeshVoid))
-    {
-      return;
-    }
-    const bool isUpper = label == face.Upper;
-    std::array<Index, 4> q = this->CornersOf(face);
-    std::rotate(q.begin(), q.begin() + LatticeTables::Diagonal(face.Block), q.end());
-    if (!isUpper)
-    {
-      std::swap(q[1], q[3]);
-    }
-    const Index centre =
-      this->Centre(isUpper ? face.Node : face.Node - this->Grid.Stride(face.Axis));
-    this->SetTet(tet++, { { q[0], q[1], q[2], centre } }, face, firstPiece, label);
-    this->SetTet(tet++, { { q[0], q[2], q[3], centre } }, face, firstPiece + 1, label);
-  }
-
-  void SetTet(Index tet, const std::array<Index, 4>& points, const Face& face, int t, int label)
-  {
-    Mesh& mesh = this->Result.Tets;
-    std::copy(points.begin(), points.end(), mesh.Elements.data() + 4 * tet);
-    mesh.ElementIds[tet] =
-      TetIds.ElementSlots * this->Grid.NodeKey(face.Block) + (4 * face.Axis + t) * PiecesPerTet + 1;
-    mesh.Material[tet] = label;
-  }
-
+struct Work
+{
   const CartesianGrid& Grid;
   const LabelArray& Labels;
-  IndexBox Box, Nodes;
   bool MeshVoid;
   Runtime& Run;
   const CoarseTets& Coarse;
-  Buffer<int> FirstPoint; // of each block
-  Index FinePoints = 0;
-  std::vector<Index> FirstTet; // of each row
-  TetTopology Result;
+  const IndexBox Box = Grid.HexBox(), Nodes = NodesOf(Box);
+  Buffer<int> FirstPoint{ static_cast<std::size_t>(Grid.NumberOfEntries()), -1 }; // of each block
+  std::vector<Index> FirstTet{};                                                  // of each row
+  TetTopology Result{};
 };
+
+bool IsFine(const Work& work, const Index3& cell)
+{
+  return work.Coarse.Levels().IsFine(cell);
+}
+
+/// Bits of the slots that a block uses.
+int SlotsOf(const Work& work, const Index3& p, Index node)
+{
+  const bool isCentre =
+    work.Box.Contains(p) && IsMeshed(work.Labels[node], work.MeshVoid) && IsFine(work, p);
+  int slots = isCentre << CentreSlot;
+  const bool isVertex = work.Coarse.Levels().TouchesFine(p);
+  for (int c = 0; isVertex && c < 8; ++c)
+  {
+    const Index3 cell = CellOfStar(p, c);
+    const bool meshed = work.Box.Contains(cell) &&
+      IsMeshed(work.Labels[work.Grid.CellOfNode(node, c)], work.MeshVoid);
+    slots |= meshed << VertexSlot;
+  }
+  return slots;
+}
+
+template <class Body>
+void OverBlocks(const Work& work, Index j, Index k, const Body& body)
+{
+  Index3 p{ { work.Box.Lower[0], j, k } };
+  Index node = work.Grid.Linear(p);
+  for (; p[0] <= work.Box.Upper[0]; ++p[0], ++node)
+  {
+    body(p, node);
+  }
+}
+
+PointPosition PositionOf(const Work& work, const Index3& p, Index node)
+{
+  const std::array<int, 8> star = StarOfNode(work.Grid, work.Labels, node);
+  const bool mixed =
+    std::any_of(star.begin(), star.end(), [&](int label) { return label != star[0]; });
+  return mixed ? PointPosition::OnInterface
+               : (work.Grid.DomainSides(p) != 0 ? PointPosition::OnDomain : PointPosition::Inside);
+}
+
+/// Calls body(face) for the faces of a row of blocks whose cells are all fine and in the box, in the order of ids.
+template <class Body>
+void OverFaces(const Work& work, Index j, Index k, const Body& body)
+{
+  OverBlocks(work, j, k,
+    [&](const Index3& p, Index node)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        Index3 below = p;
+        --below[axis];
+        const bool inLower = below[axis] >= 0;
+        const bool inUpper = p[axis] < work.Grid.Global().Upper[axis];
+        if (p[u] < work.Box.Upper[u] && p[v] < work.Box.Upper[v] &&
+          (!inLower || (work.Box.Contains(below) && IsFine(work, below))) &&
+          (!inUpper || (work.Box.Contains(p) && IsFine(work, p))))
+        {
+          body(Face{ { node, axis, inLower ? work.Labels[node - work.Grid.Stride(axis)] : -1,
+                       inUpper ? work.Labels[node] : -1 },
+            p });
+        }
+      }
+    });
+}
+
+Index CountTets(Work& work)
+{
+  work.FirstTet.assign(work.Nodes.Size(1) * work.Nodes.Size(2) + 1, 0);
+  ForRows(work.Run, work.Nodes,
+    [&](Index j, Index k, Index row)
+    {
+      OverFaces(work, j, k,
+        [&](const Face& face)
+        {
+          work.FirstTet[row + 1] += 2 *
+            (IsMeshed(face.LowerLabel, work.MeshVoid) + IsMeshed(face.UpperLabel, work.MeshVoid));
+        });
+    });
+  std::partial_sum(work.FirstTet.begin(), work.FirstTet.end(), work.FirstTet.begin());
+  return work.FirstTet.back();
+}
+
+Index Centre(const Work& work, Index cell)
+{
+  const Index first = work.FirstPoint[cell];
+  return first + (SlotOfPoint(work.Result.Tets.PointIds[first]) == VertexSlot);
+}
+
+/// The corners around a face, seen from above against the clock.
+std::array<Index, 4> CornersOf(const Work& work, const Face& face)
+{
+  std::array<Index, 4> corners = NodesOfFace(work.Grid, face);
+  std::for_each(
+    corners.begin(), corners.end(), [&](Index& corner) { corner = work.FirstPoint[corner]; });
+  return corners;
+}
+
+void SetTet(
+  Work& work, Index tet, const std::array<Index, 4>& points, const Face& face, int t, int label)
+{
+  work.Result.Tets.SetElement(tet, points,
+    TetIds.ElementSlots * work.Grid.NodeKey(face.Block) + (4 * face.Axis + t) * PiecesPerTet + 1,
+    label);
+}
+
+/// Four tets around the edge between the centres.
+void FillInnerFace(Work& work, const Face& face, Index& tet)
+{
+  if (!IsMeshed(face.LowerLabel, work.MeshVoid))
+  {
+    return;
+  }
+  const std::array<Index, 4> q = CornersOf(work, face);
+  const Index below = Centre(work, face.Node - work.Grid.Stride(face.Axis));
+  const Index above = Centre(work, face.Node);
+  for (int t = 0; t < 4; ++t)
+  {
+    SetTet(work, tet++, { { below, above, q[t], q[(t + 1) % 4] } }, face, t, face.LowerLabel);
+  }
+}
+
+/// Two tets between the halves of the quad and the centre on one side. They stand one after the other, the halves
+/// (q0 q1 q2) and (q0 q2 q3) as seen from the centre against the clock: what DiagonalFlips relies on.
+void FillHalves(Work& work, const Face& face, int label, int firstPiece, Index& tet)
+{
+  if (!IsMeshed(label, work.MeshVoid))
+  {
+    return;
+  }
+  const bool isUpper = label == face.UpperLabel;
+  std::array<Index, 4> q = CornersOf(work, face);
+  std::rotate(q.begin(), q.begin() + LatticeTables::Diagonal(face.Block), q.end());
+  if (!isUpper)
+  {
+    std::swap(q[1], q[3]);
+  }
+  const Index centre = Centre(work, isUpper ? face.Node : face.Node - work.Grid.Stride(face.Axis));
+  SetTet(work, tet++, { { q[0], q[1], q[2], centre } }, face, firstPiece, label);
+  SetTet(work, tet++, { { q[0], q[2], q[3], centre } }, face, firstPiece + 1, label);
+}
+
+void FillTets(Work& work, Index j, Index k, Index row)
+{
+  Index tet = work.FirstTet[row];
+  OverFaces(work, j, k,
+    [&](const Face& face)
+    {
+      if (face.LowerLabel == face.UpperLabel)
+      {
+        FillInnerFace(work, face, tet);
+        return;
+      }
+      FillHalves(work, face, face.LowerLabel, 0, tet);
+      FillHalves(work, face, face.UpperLabel, face.LowerLabel < 0 ? 0 : 2, tet);
+    });
+}
 
 } // namespace
 
 TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
   Runtime& runtime, const CoarseTets& coarse)
 {
-  return CellTetBuilder(grid, labels, meshVoid, runtime, coarse).Build();
+  Work work{ grid, labels, meshVoid, runtime, coarse };
+  CheckIds(grid, TetIds.ElementSlots);
+  const Index finePoints = MakeBlockPoints(
+    grid, coarse, runtime, [&](const Index3& p, Index node) { return SlotsOf(work, p, node); },
+    [&](const Index3& p, Index node, Index slot)
+    { return slot == VertexSlot ? PositionOf(work, p, node) : PointPosition::Inside; },
+    work.FirstPoint, work.Result);
+  const Index fineTets = CountTets(work);
+  work.Result.Tets.ResizeElements(fineTets + coarse.NumberOfTets());
+  ForRows(work.Run, work.Nodes, [&](Index j, Index k, Index row) { FillTets(work, j, k, row); });
+  work.Coarse.Fill(work.Result, finePoints, fineTets,
+    [&](Index at, Index slot)
+    { return slot == CentreSlot ? Centre(work, at) : Index(work.FirstPoint[at]); });
+  return std::move(work.Result);
 }
 
 } // namespace vfm

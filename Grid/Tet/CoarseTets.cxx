@@ -137,8 +137,7 @@ void CoarseTets::AddCentres()
     for (Index& corner : this->Hexes[h].Corners)
     {
       corner = corner < 0 ? this->FindFine(2 * ~corner + VertexSlot) : corner;
-      const double* x = this->Local.Points.data() + 3 * corner;
-      sum = sum + Vector3{ { x[0], x[1], x[2] } };
+      sum = sum + this->Local.PointAt(corner);
     }
     const Vector3 centre = 0.125 * sum;
     std::copy(centre.begin(), centre.end(), this->Local.Points.data() + 3 * (this->HexPoints + h));

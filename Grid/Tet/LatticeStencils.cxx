@@ -122,205 +122,201 @@ int Orientation(const std::array<std::uint8_t, 4>& sets)
   return sum;
 }
 
+using Polygon = std::vector<int>; // of sets, around it
+
 /// Cuts one lattice tet. Every region is convex at the start, so the fans below are positive.
-class StencilMaker
+struct Work
 {
-public:
-  /// classes: 0 for snapped nodes, else nodes of one number have one label.
-  StencilMaker(const LatticeTet& tet, const std::array<int, 4>& classes) : Tet(tet)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      this->Members[classes[i]] |= 1 << i;
-    }
-  }
-
-  LatticeStencil Make()
-  {
-    const int labels = (this->Members[1] != 0) + (this->Members[2] != 0) + (this->Members[3] != 0) +
-      (this->Members[4] != 0);
-    if (labels < 2)
-    {
-      this->Open(this->Members[1]);
-      this->Add(1, 2, 4, 8);
-    }
-    for (int c = 1; c <= labels && labels > 1; ++c)
-    {
-      this->Open(this->Members[c]);
-      this->AddRegion(this->Members[c]);
-    }
-    return this->Result;
-  }
-
-private:
-  using Polygon = std::vector<int>; // of sets, around it
-
-  void Open(int members)
-  {
-    int node = -1;
-    for (int i = 3; i >= 0; --i)
-    {
-      node = members >> i & 1 ? i : node;
-    }
-    const int first = this->Result.Count > 0 ? this->Result.List[this->Result.Count - 1].Last : 0;
-    this->Result.List[this->Result.Count++] = { node, first, first, 0 };
-  }
-
-  void Add(int a, int b, int c, int d)
-  {
-    std::array<std::uint8_t, 4> sets{ { static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b),
-      static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(d) } };
-    if (Orientation(sets) < 0)
-    {
-      std::swap(sets[2], sets[3]);
-    }
-    LatticeStencil::Region& region = this->Result.List[this->Result.Count - 1];
-    this->Result.Tets[region.Last++] = sets;
-    region.Points |= 1u << a | 1u << b | 1u << c | 1u << d;
-  }
-
-  void AddRegion(int members)
-  {
-    const int snapped = this->Members[0], free = 15 & ~snapped;
-    const std::array<int, 4> w = Split(snapped);
-    if (CountNodes(free) == 2)
-    {
-      this->Add(w[0], w[1], members, free);
-      return;
-    }
-    if (CountNodes(free) == 3)
-    {
-      this->AddFan(snapped, this->OnFace(free, members));
-      return;
-    }
-    std::vector<Polygon> sides;
-    for (int i = 0; i < 4; ++i)
-    {
-      sides.push_back(this->OnFace(15 & ~(1 << i), members));
-    }
-    for (int c = 1; c < 5; ++c)
-    {
-      if (this->Members[c] != 0 && this->Members[c] != members)
-      {
-        sides.push_back(this->Between(members, this->Members[c]));
-      }
-    }
-    int apex = members;
-    for (const Polygon& side : sides)
-    {
-      apex = side.empty() ? apex : this->Lower(apex, this->Lowest(side));
-    }
-    for (const Polygon& side : sides)
-    {
-      if (std::find(side.begin(), side.end(), apex) == side.end())
-      {
-        this->AddFan(apex, side);
-      }
-    }
-  }
-
-  /// Joins the triangles of a polygon, fanned from its point of the smallest id, to a point.
-  void AddFan(int apex, const Polygon& polygon)
-  {
-    const int from = polygon.empty() ? 0 : this->Lowest(polygon);
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-    {
-      const int a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      if (a != from && b != from)
-      {
-        this->Add(apex, from, a, b);
-      }
-    }
-  }
-
-  /// The part of a triangle that belongs to some of the nodes.
-  Polygon OnFace(int triangle, int members) const
-  {
-    const int inside = triangle & members, outside = triangle & ~members;
-    const std::array<int, 4> in = Split(inside), out = Split(outside);
-    switch (CountNodes(inside))
-    {
-      case 0:
-        return {};
-      case 1:
-        return this->AreEqual(outside)
-          ? Polygon{ inside, inside | out[0], inside | out[1] }
-          : Polygon{ inside, inside | out[0], triangle, inside | out[1] };
-      case 2:
-        return { in[0], in[1], in[1] | outside, in[0] | outside };
-      default:
-        return { in[0], in[1], in[2] };
-    }
-  }
-
-  /// The interface between two regions of a tet without snapped nodes.
-  Polygon Between(int a, int b) const
-  {
-    const int rest = 15 & ~(a | b), both = CountNodes(a) + CountNodes(b);
-    const std::array<int, 4> p = Split(CountNodes(a) > CountNodes(b) ? a : b), r = Split(rest);
-    const int q = CountNodes(a) > CountNodes(b) ? b : a;
-    if (both == 2)
-    {
-      return this->AreEqual(rest) ? Polygon{ a | b, a | b | r[0], a | b | r[1] }
-                                  : Polygon{ a | b, a | b | r[0], 15, a | b | r[1] };
-    }
-    if (both == 3)
-    {
-      return { p[0] | q, p[1] | q, p[1] | q | rest, p[0] | q | rest };
-    }
-    if (CountNodes(q) == 1)
-    {
-      return { p[0] | q, p[1] | q, p[2] | q };
-    }
-    const std::array<int, 4> s = Split(q);
-    return { p[0] | s[0], p[0] | s[1], p[1] | s[1], p[1] | s[0] };
-  }
-
-  /// The nodes of a set, one by one.
-  static std::array<int, 4> Split(int set)
-  {
-    std::array<int, 4> nodes{};
-    int count = 0;
-    for (int node = 1; node < 16; node *= 2)
-    {
-      if (set & node)
-      {
-        nodes[count++] = node;
-      }
-    }
-    return nodes;
-  }
-
-  bool AreEqual(int set) const
-  {
-    return std::any_of(this->Members.begin(), this->Members.end(),
-      [&](int members) { return (set & ~members) == 0; });
-  }
-
-  /// Of two sets the one whose point has the smaller id, on any grid.
-  int Lower(int a, int b) const
-  {
-    const auto rank = [&](int set)
-    {
-      const HalfPoint& block = this->Tet.Block[set];
-      return std::make_tuple(block[2], block[1], block[0], this->Tet.Slot[set]);
-    };
-    return rank(b) < rank(a) ? b : a;
-  }
-  int Lowest(const Polygon& polygon) const
-  {
-    int lowest = polygon[0];
-    for (int set : polygon)
-    {
-      lowest = this->Lower(lowest, set);
-    }
-    return lowest;
-  }
-
   const LatticeTet& Tet;
   std::array<int, 5> Members{}; // the nodes of each class
-  LatticeStencil Result;
+  LatticeStencil Result{};
 };
+
+void Open(Work& work, int members)
+{
+  int node = -1;
+  for (int i = 3; i >= 0; --i)
+  {
+    node = members >> i & 1 ? i : node;
+  }
+  const int first = work.Result.Count > 0 ? work.Result.List[work.Result.Count - 1].Last : 0;
+  work.Result.List[work.Result.Count++] = { node, first, first, 0 };
+}
+
+void Add(Work& work, int a, int b, int c, int d)
+{
+  std::array<std::uint8_t, 4> sets{ { static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b),
+    static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(d) } };
+  if (Orientation(sets) < 0)
+  {
+    std::swap(sets[2], sets[3]);
+  }
+  LatticeStencil::Region& region = work.Result.List[work.Result.Count - 1];
+  work.Result.Tets[region.Last++] = sets;
+  region.Points |= 1u << a | 1u << b | 1u << c | 1u << d;
+}
+
+/// Of two sets the one whose point has the smaller id, on any grid.
+int Lower(const Work& work, int a, int b)
+{
+  const auto rank = [&](int set)
+  {
+    const HalfPoint& block = work.Tet.Block[set];
+    return std::make_tuple(block[2], block[1], block[0], work.Tet.Slot[set]);
+  };
+  return rank(b) < rank(a) ? b : a;
+}
+
+int Lowest(const Work& work, const Polygon& polygon)
+{
+  int lowest = polygon[0];
+  for (int set : polygon)
+  {
+    lowest = Lower(work, lowest, set);
+  }
+  return lowest;
+}
+
+/// Joins the triangles of a polygon, fanned from its point of the smallest id, to a point.
+void AddFan(Work& work, int apex, const Polygon& polygon)
+{
+  const int from = polygon.empty() ? 0 : Lowest(work, polygon);
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const int a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    if (a != from && b != from)
+    {
+      Add(work, apex, from, a, b);
+    }
+  }
+}
+
+/// The nodes of a set, one by one.
+std::array<int, 4> Split(int set)
+{
+  std::array<int, 4> nodes{};
+  int count = 0;
+  for (int node = 1; node < 16; node *= 2)
+  {
+    if (set & node)
+    {
+      nodes[count++] = node;
+    }
+  }
+  return nodes;
+}
+
+bool AreEqual(const Work& work, int set)
+{
+  return std::any_of(
+    work.Members.begin(), work.Members.end(), [&](int members) { return (set & ~members) == 0; });
+}
+
+/// The part of a triangle that belongs to some of the nodes.
+Polygon OnFace(const Work& work, int triangle, int members)
+{
+  const int inside = triangle & members, outside = triangle & ~members;
+  const std::array<int, 4> in = Split(inside), out = Split(outside);
+  switch (CountNodes(inside))
+  {
+    case 0:
+      return {};
+    case 1:
+      return AreEqual(work, outside)
+        ? Polygon{ inside, inside | out[0], inside | out[1] }
+        : Polygon{ inside, inside | out[0], triangle, inside | out[1] };
+    case 2:
+      return { in[0], in[1], in[1] | outside, in[0] | outside };
+    default:
+      return { in[0], in[1], in[2] };
+  }
+}
+
+/// The interface between two regions of a tet without snapped nodes.
+Polygon Between(const Work& work, int a, int b)
+{
+  const int rest = 15 & ~(a | b), both = CountNodes(a) + CountNodes(b);
+  const std::array<int, 4> p = Split(CountNodes(a) > CountNodes(b) ? a : b), r = Split(rest);
+  const int q = CountNodes(a) > CountNodes(b) ? b : a;
+  if (both == 2)
+  {
+    return AreEqual(work, rest) ? Polygon{ a | b, a | b | r[0], a | b | r[1] }
+                                : Polygon{ a | b, a | b | r[0], 15, a | b | r[1] };
+  }
+  if (both == 3)
+  {
+    return { p[0] | q, p[1] | q, p[1] | q | rest, p[0] | q | rest };
+  }
+  if (CountNodes(q) == 1)
+  {
+    return { p[0] | q, p[1] | q, p[2] | q };
+  }
+  const std::array<int, 4> s = Split(q);
+  return { p[0] | s[0], p[0] | s[1], p[1] | s[1], p[1] | s[0] };
+}
+
+void AddRegion(Work& work, int members)
+{
+  const int snapped = work.Members[0], free = 15 & ~snapped;
+  const std::array<int, 4> w = Split(snapped);
+  if (CountNodes(free) == 2)
+  {
+    Add(work, w[0], w[1], members, free);
+    return;
+  }
+  if (CountNodes(free) == 3)
+  {
+    AddFan(work, snapped, OnFace(work, free, members));
+    return;
+  }
+  std::vector<Polygon> sides;
+  for (int i = 0; i < 4; ++i)
+  {
+    sides.push_back(OnFace(work, 15 & ~(1 << i), members));
+  }
+  for (int c = 1; c < 5; ++c)
+  {
+    if (work.Members[c] != 0 && work.Members[c] != members)
+    {
+      sides.push_back(Between(work, members, work.Members[c]));
+    }
+  }
+  int apex = members;
+  for (const Polygon& side : sides)
+  {
+    apex = side.empty() ? apex : Lower(work, apex, Lowest(work, side));
+  }
+  for (const Polygon& side : sides)
+  {
+    if (std::find(side.begin(), side.end(), apex) == side.end())
+    {
+      AddFan(work, apex, side);
+    }
+  }
+}
+
+/// classes: 0 for snapped nodes, else nodes of one number have one label.
+LatticeStencil MakeStencil(const LatticeTet& tet, const std::array<int, 4>& classes)
+{
+  Work work{ tet };
+  for (int i = 0; i < 4; ++i)
+  {
+    work.Members[classes[i]] |= 1 << i;
+  }
+  const int labels = (work.Members[1] != 0) + (work.Members[2] != 0) + (work.Members[3] != 0) +
+    (work.Members[4] != 0);
+  if (labels < 2)
+  {
+    Open(work, work.Members[1]);
+    Add(work, 1, 2, 4, 8);
+  }
+  for (int c = 1; c <= labels && labels > 1; ++c)
+  {
+    Open(work, work.Members[c]);
+    AddRegion(work, work.Members[c]);
+  }
+  return work.Result;
+}
 
 /// The axis of the face that tells which nodes a point has, since they differ on the domain; -1: they do not.
 int FaceAxis(int slot)
@@ -417,7 +413,7 @@ void LatticeTables::AddPatterns()
   {
     for (const std::array<int, 4>& classes : patterns)
     {
-      this->Stencils.push_back(StencilMaker(tet, classes).Make());
+      this->Stencils.push_back(MakeStencil(tet, classes));
     }
   }
 }

@@ -86,19 +86,16 @@ std::vector<Index> FindNonManifoldNodes(const TetTopology& topology, const TetFa
   const Mesh& mesh = topology.Tets;
   const std::vector<Corner> corners = ListCorners(topology, faces);
   std::vector<Index> nonManifold;
-  for (std::size_t first = 0, last = 0; first < corners.size(); first = last)
-  {
-    const Corner& corner = corners[first];
-    for (last = first; last < corners.size() && corners[last].Material == corner.Material &&
-         corners[last].Point == corner.Point;
-         ++last)
+  ForRuns(
+    corners.data(), corners.data() + corners.size(),
+    [](const Corner& a, const Corner& b) { return a.Material == b.Material && a.Point == b.Point; },
+    [&](const Corner* first, const Corner* last)
     {
-    }
-    if (partition.OwnsNode(NodeOfPoint(grid, mesh, mesh.PointIds[corner.Point])))
-    {
-      CheckFan(&corner, corners.data() + last, nonManifold);
-    }
-  }
+      if (partition.OwnsNode(NodeOfPoint(grid, mesh, mesh.PointIds[first->Point])))
+      {
+        CheckFan(first, last, nonManifold);
+      }
+    });
   std::vector<Index> nodes;
   for (Index point : nonManifold)
   {

@@ -6,6 +6,7 @@
 #include "Labels/Fragments.h"
 #include "Mesh/FacetSides.h"
 #include "Mesh/LevelIds.h"
+#include "Ranks/Agreement.h"
 #include "Tet/TetFacets.h"
 #include "Tet/TetImprove.h"
 
@@ -308,7 +309,7 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
   const double share = 1.0 / std::max<double>(1.0, static_cast<double>(mesh.ElementIds.size()));
   double done = 0.0; // of all tets
   Refilled refilled(mesh, grid);
-  std::vector<Index> refused(1, 0);
+  Index refused = 0;
   for (const Part& part : FindParts(mesh, grid))
   {
     const double weight = share * static_cast<double>(part.Tets.size());
@@ -324,14 +325,13 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
     else
     {
       refilled.KeepPart(part);
-      ++refused[0];
+      ++refused;
     }
     done += weight;
     progress(done);
   }
   refilled.Finish(ranks);
-  ranks.Sum(refused);
-  report.RefusedParts = refused[0];
+  report.RefusedParts = SumOverRanks(refused, ranks);
 }
 
 } // namespace vfm

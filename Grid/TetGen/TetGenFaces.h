@@ -3,6 +3,7 @@
  */
 #pragma once
 
+#include "Base/Sorted.h"
 #include "Mesh/TetQuality.h"
 #include "TetGen/TetGenSurface.h"
 
@@ -71,15 +72,9 @@ inline std::vector<Face> SortedFaces(const TetGenPart& part, const std::vector<T
 template <typename Body>
 void ForGroups(const std::vector<Face>& faces, const Body& body)
 {
-  for (std::size_t first = 0, last; first < faces.size(); first = last)
-  {
-    last = first + 1;
-    while (last < faces.size() && faces[last].Corners == faces[first].Corners)
-    {
-      ++last;
-    }
-    body(&faces[first], &faces[0] + last);
-  }
+  ForRuns(
+    faces.data(), faces.data() + faces.size(),
+    [](const Face& a, const Face& b) { return a.Corners == b.Corners; }, body);
 }
 
 /// Disjoint sets of 0..n-1.

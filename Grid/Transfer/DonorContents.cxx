@@ -54,227 +54,199 @@ struct Gift
   double Volume;
 };
 
-class DonorFiller
+struct Work
 {
-public:
-  DonorFiller(const StateSource& source, const WholeElements& whole, const Partition& partition,
-    DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed) :
-    Source(source),
-    Grid(source.Request.Grid),
-    Whole(whole),
-    Parts(partition),
-    Donors(donors),
-    Input(input),
-    Unmeshed(unmeshed),
-    Values(donors.Count(), source.Columns),
-    Own(source.Columns.Count()),
-    Gifts(partition.Peers().size() + 1),
-    GiftValues(partition.Peers().size() + 1)
-  {
-  }
-
-  DonorValues Fill()
-  {
-    const FractionField& fractions = this->Source.Request.Fractions;
-    ForCells(this->Grid.Owned(),
-      [&](const Index3& p)
-      {
-        const Index cell = this->Grid.Linear(p);
-        if (!fractions.IsMixed(cell))
-        {
-          this->Deal(p, cell, fractions.Label(cell), 1.0);
-          return;
-        }
-        for (const FractionField::Part& part : fractions.Parts(cell))
-        {
-          this->Deal(p, cell, part.Material, part.Fraction);
-        }
-      });
-    this->FillEmpty();
-    this->ExchangeGifts();
-    return std::move(this->Values);
-  }
-
-private:
-  /// The content of a material in a cell.
-  void Deal(const Index3& p, Index cell, int material, double fraction)
-  {
-    const double volume = fraction * this->Grid.CellVolume(p);
-    if (!this->Source.Counts(material) || !(volume > 0.0))
-    {
-      return;
-    }
-    this->Source.Read(p, material, this->Own.data());
-    this->Input.Add(material, volume, this->Own.data());
-    double overlap = 0.0;
-    this->Donors.ForCell(cell,
-      [&](int s)
-      { overlap += this->Donors[s].Material == material ? this->Donors[s].Overlap : 0.0; });
-    if (overlap > 0.0)
-    {
-      this->Donors.ForCell(cell,
-        [&](int s)
-        {
-          if (this->Donors[s].Material == material)
-          {
-            this->Donors[s].Volume = volume * (this->Donors[s].Overlap / overlap);
-            std::copy(this->Own.begin(), this->Own.end(), this->Values.Of(s));
-          }
-        });
-    }
-    else if (!this->Whole.Covers(cell) && !this->Give(p, material, volume))
-    {
-      this->Unmeshed.Add(material, volume, this->Own.data());
-    }
-  }
-
-  bool Give(const Index3& p, int material, double volume)
-  {
-    if (!this->Source.IsMeshed[material])
-    {
-      return false;
-    }
-    int nearest = this->FindNearest(p, material, RimReach);
-    if (nearest < 0 && this->Source.Request.GiveUnmeshed)
-    {
-      nearest = this->FindNearest(p, material, GivingReach);
-    }
-    if (nearest < 0)
-    {
-      return false;
-    }
-    const Donor& donor = this->Donors[nearest];
-    const Index3 to = this->Grid.Position(donor.Cell);
-    const std::size_t peer = donor.IsOwned ? this->Gifts.size() - 1 : this->Parts.PeerOfCell(to);
-    this->Gifts[peer].push_back(
-      { this->Grid.CellKey(p), this->Grid.CellKey(to), donor.Fragment, volume });
-    this->GiftValues[peer].insert(this->GiftValues[peer].end(), this->Own.begin(), this->Own.end());
-    return true;
-  }
-
-  /// The donor of a material whose cell is nearest; in it the largest. -1: none.
-  int FindNearest(const Index3& p, int material, int layers) const
-  {
-    int nearest = -1;
-    double least = std::numeric_limits<double>::max();
-    ForCells(Grow(BoxOfCell(p), layers, this->Grid.Local()),
-      [&](const Index3& q)
-      {
-        this->Donors.ForCell(this->Grid.Linear(q),
-          [&](int s)
-          {
-            const Donor& donor = this->Donors[s];
-            if (donor.Material != material || !(donor.Overlap > 0.0))
-            {
-              return;
-            }
-            const double distance = this->SquaredDistance(p, q);
-            if (distance < least ||
-              (distance == least && this->Donors[nearest].Cell == donor.Cell &&
-                donor.Overlap > this->Donors[nearest].Overlap))
-            {
-              nearest = s;
-              least = distance;
-            }
-          });
-      });
-    return nearest;
-  }
-
-  double SquaredDistance(const Index3& p, const Index3& q) const
-  {
-    double sum = 0.0;
-    for (int a = 0; a < 3; ++a)
-    {
-      const std::vector<double>& x = this->Grid.Coordinates(a);
-      const double d = (x[p[a]] + x[p[a] + 1]) - (x[q[a]] + x[q[a] + 1]);
-      sum += d * d;
-    }
-    return sum;
-  }
-
-  /// Donors in cells without their material have values, though no volume: those of the nearest cell with some. They hold if nothing
-  /// comes from elsewhere.
-  void FillEmpty()
-  {
-    for (int s = 0; s < this->Donors.Count(); ++s)
-    {
-      const Donor& donor = this->Donors[s];
-      Index3 cell;
-      if (donor.IsOwned && !(donor.Volume > 0.0) &&
-        (this->FindMaterial(donor, RimReach, cell) || this->FindMaterial(donor, GivingReach, cell)))
-      {
-        this->Source.Read(cell, donor.Material, this->Values.Of(s));
-      }
-    }
-  }
-
-  /// The nearest cell with the material of a donor.
-  bool FindMaterial(const Donor& donor, int layers, Index3& cell) const
-  {
-    const Index3 p = this->Grid.Position(donor.Cell);
-    double least = std::numeric_limits<double>::max();
-    ForCells(Grow(BoxOfCell(p), layers, this->Grid.Local()),
-      [&](const Index3& q)
-      {
-        const double distance = this->SquaredDistance(p, q);
-        if (distance<least&& this->Source.Request.Fractions.Fraction(
-              this->Grid.Linear(q), donor.Material)> 0.0)
-        {
-          cell = q;
-          least = distance;
-        }
-      });
-    return least < std::numeric_limits<double>::max();
-  }
-
-  /// Sends gifts to who owns the donors, and adds those for mine by the cells that they come from.
-  void ExchangeGifts()
-  {
-    const std::vector<Gift> gifts = this->Receive(this->Gifts);
-    const std::vector<double> values = this->Receive(this->GiftValues);
-    std::vector<Index> order(gifts.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::stable_sort(order.begin(), order.end(),
-      [&gifts](Index a, Index b) { return gifts[a].From < gifts[b].From; });
-    for (Index g : order)
-    {
-      const int s =
-        this->Donors.Find(this->Grid.Linear(this->Grid.CellOfKey(gifts[g].To)), gifts[g].Fragment);
-      this->Source.Columns.Mix(this->Donors[s].Volume, this->Values.Of(s), gifts[g].Volume,
-        values.data() + g * static_cast<Index>(this->Own.size()));
-    }
-  }
-
-  /// Those of this rank, which are last in sent, then those of its peers.
-  template <class T>
-  std::vector<T> Receive(std::vector<std::vector<T>>& sent) const
-  {
-    std::vector<T> items = std::move(sent.back());
-    sent.pop_back();
-    const std::vector<T> received = ExchangeItems(this->Parts.Group(), this->Parts.Peers(), sent);
-    items.insert(items.end(), received.begin(), received.end());
-    return items;
-  }
-
   const StateSource& Source;
-  const CartesianGrid& Grid;
   const WholeElements& Whole;
   const Partition& Parts;
   DonorTable& Donors;
   MaterialSums &Input, &Unmeshed;
-  DonorValues Values;
-  std::vector<double> Own;                     // of the cell that is dealt
-  std::vector<std::vector<Gift>> Gifts;        // by peer; last those for donors of this rank
-  std::vector<std::vector<double>> GiftValues; // of each
+  const CartesianGrid& Grid = Source.Request.Grid;
+  DonorValues Values{ Donors.Count(), Source.Columns };
+  /// Of the cell that is dealt.
+  std::vector<double> Own = std::vector<double>(Source.Columns.Count());
+  /// By peer; last those for donors of this rank.
+  std::vector<std::vector<Gift>> Gifts{ Parts.Peers().size() + 1 };
+  std::vector<std::vector<double>> GiftValues{ Parts.Peers().size() + 1 }; // of each
 };
+
+double SquaredDistance(const Work& work, const Index3& p, const Index3& q)
+{
+  double sum = 0.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::vector<double>& x = work.Grid.Coordinates(a);
+    const double d = (x[p[a]] + x[p[a] + 1]) - (x[q[a]] + x[q[a] + 1]);
+    sum += d * d;
+  }
+  return sum;
+}
+
+/// The donor of a material whose cell is nearest; in it the largest. -1: none.
+int FindNearest(const Work& work, const Index3& p, int material, int layers)
+{
+  int nearest = -1;
+  double least = std::numeric_limits<double>::max();
+  ForCells(Grow(BoxOfCell(p), layers, work.Grid.Local()),
+    [&](const Index3& q)
+    {
+      work.Donors.ForCell(work.Grid.Linear(q),
+        [&](int s)
+        {
+          const Donor& donor = work.Donors[s];
+          if (donor.Material != material || !(donor.Overlap > 0.0))
+          {
+            return;
+          }
+          const double distance = SquaredDistance(work, p, q);
+          if (distance < least ||
+            (distance == least && work.Donors[nearest].Cell == donor.Cell &&
+              donor.Overlap > work.Donors[nearest].Overlap))
+          {
+            nearest = s;
+            least = distance;
+          }
+        });
+    });
+  return nearest;
+}
+
+bool Give(Work& work, const Index3& p, int material, double volume)
+{
+  if (!work.Source.IsMeshed[material])
+  {
+    return false;
+  }
+  int nearest = FindNearest(work, p, material, RimReach);
+  if (nearest < 0 && work.Source.Request.GiveUnmeshed)
+  {
+    nearest = FindNearest(work, p, material, GivingReach);
+  }
+  if (nearest < 0)
+  {
+    return false;
+  }
+  const Donor& donor = work.Donors[nearest];
+  const Index3 to = work.Grid.Position(donor.Cell);
+  const std::size_t peer = donor.IsOwned ? work.Gifts.size() - 1 : work.Parts.PeerOfCell(to);
+  work.Gifts[peer].push_back(
+    { work.Grid.CellKey(p), work.Grid.CellKey(to), donor.Fragment, volume });
+  work.GiftValues[peer].insert(work.GiftValues[peer].end(), work.Own.begin(), work.Own.end());
+  return true;
+}
+
+/// The content of a material in a cell.
+void Deal(Work& work, const Index3& p, Index cell, int material, double fraction)
+{
+  const double volume = fraction * work.Grid.CellVolume(p);
+  if (!work.Source.Counts(material) || !(volume > 0.0))
+  {
+    return;
+  }
+  work.Source.Read(p, material, work.Own.data());
+  work.Input.Add(material, volume, work.Own.data());
+  double overlap = 0.0;
+  work.Donors.ForCell(cell,
+    [&](int s) { overlap += work.Donors[s].Material == material ? work.Donors[s].Overlap : 0.0; });
+  if (overlap > 0.0)
+  {
+    work.Donors.ForCell(cell,
+      [&](int s)
+      {
+        if (work.Donors[s].Material == material)
+        {
+          work.Donors[s].Volume = volume * (work.Donors[s].Overlap / overlap);
+          std::copy(work.Own.begin(), work.Own.end(), work.Values.Of(s));
+        }
+      });
+  }
+  else if (!work.Whole.Covers(cell) && !Give(work, p, material, volume))
+  {
+    work.Unmeshed.Add(material, volume, work.Own.data());
+  }
+}
+
+/// The nearest cell with the material of a donor.
+bool FindMaterial(const Work& work, const Donor& donor, int layers, Index3& cell)
+{
+  const Index3 p = work.Grid.Position(donor.Cell);
+  double least = std::numeric_limits<double>::max();
+  ForCells(Grow(BoxOfCell(p), layers, work.Grid.Local()),
+    [&](const Index3& q)
+    {
+      const double distance = SquaredDistance(work, p, q);
+      if (distance < least &&
+        work.Source.Request.Fractions.Fraction(work.Grid.Linear(q), donor.Material) > 0.0)
+      {
+        cell = q;
+        least = distance;
+      }
+    });
+  return least < std::numeric_limits<double>::max();
+}
+
+/// Donors in cells without their material have values, though no volume: those of the nearest cell with some. They hold if nothing
+/// comes from elsewhere.
+void FillEmpty(Work& work)
+{
+  for (int s = 0; s < work.Donors.Count(); ++s)
+  {
+    const Donor& donor = work.Donors[s];
+    Index3 cell;
+    if (donor.IsOwned && !(donor.Volume > 0.0) &&
+      (FindMaterial(work, donor, RimReach, cell) || FindMaterial(work, donor, GivingReach, cell)))
+    {
+      work.Source.Read(cell, donor.Material, work.Values.Of(s));
+    }
+  }
+}
+
+/// Those of this rank, which are last in sent, then those of its peers.
+template <class T>
+std::vector<T> Receive(const Work& work, std::vector<std::vector<T>>& sent)
+{
+  std::vector<T> items = std::move(sent.back());
+  sent.pop_back();
+  const std::vector<T> received = ExchangeItems(work.Parts.Group(), work.Parts.Peers(), sent);
+  items.insert(items.end(), received.begin(), received.end());
+  return items;
+}
+
+/// Sends gifts to who owns the donors, and adds those for mine by the cells that they come from.
+void ExchangeGifts(Work& work)
+{
+  const std::vector<Gift> gifts = Receive(work, work.Gifts);
+  const std::vector<double> values = Receive(work, work.GiftValues);
+  std::vector<Index> order(gifts.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&gifts](Index a, Index b) { return gifts[a].From < gifts[b].From; });
+  for (Index g : order)
+  {
+    const int s =
+      work.Donors.Find(work.Grid.Linear(work.Grid.CellOfKey(gifts[g].To)), gifts[g].Fragment);
+    work.Source.Columns.Mix(work.Donors[s].Volume, work.Values.Of(s), gifts[g].Volume,
+      values.data() + g * static_cast<Index>(work.Own.size()));
+  }
+}
 
 } // namespace
 
 DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
   const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed)
 {
-  return DonorFiller(source, whole, partition, donors, input, unmeshed).Fill();
+  Work work{ source, whole, partition, donors, input, unmeshed };
+  const FractionField& fractions = work.Source.Request.Fractions;
+  ForCells(work.Grid.Owned(),
+    [&](const Index3& p)
+    {
+      const Index cell = work.Grid.Linear(p);
+      fractions.ForParts(
+        cell, [&](int material, double fraction) { Deal(work, p, cell, material, fraction); });
+    });
+  FillEmpty(work);
+  ExchangeGifts(work);
+  return std::move(work.Values);
 }
 
 } // namespace vfm

@@ -8,70 +8,61 @@ namespace
 constexpr double Rounding = 1e-12; // of a cell's volume
 
 /// Tells the misfits among the cells of this rank.
-class MisfitFinder
+struct Work
 {
-public:
-  MisfitFinder(const CartesianGrid& grid, const FractionField& fractions,
-    const WholeElements& whole, const DonorTable& donors,
-    const std::vector<unsigned char>& isMeshed) :
-    Grid(grid), Fractions(fractions), Whole(whole), Donors(donors), IsMeshed(isMeshed)
-  {
-  }
-
-  std::vector<Index> Find()
-  {
-    const IndexBox& box = this->Grid.Owned();
-    ForRows(box,
-      [&](Index j, Index k)
-      {
-        const Index first = this->Grid.Linear({ { box.Lower[0], j, k } });
-        const double section = this->Grid.Width(1, j) * this->Grid.Width(2, k);
-        const auto look = [&](Index begin, Index end)
-        {
-          for (Index cell = begin; cell < end; ++cell)
-          {
-            const double width = this->Grid.Width(0, box.Lower[0] + cell - first);
-            if (!this->Fits(cell, width * section))
-            {
-              this->Cells.push_back(cell);
-            }
-          }
-        };
-        this->Fractions.Visit(
-          first, first + box.Size(0), [&](Index begin, Index end, int) { look(begin, end); }, look);
-      });
-    return std::move(this->Cells);
-  }
-
-private:
-  bool Fits(Index cell, double volume) const
-  {
-    if (this->Whole.Covers(cell))
-    {
-      return true;
-    }
-    if (this->Fractions.IsMixed(cell))
-    {
-      return false;
-    }
-    const int label = this->Fractions.Label(cell);
-    double own = this->IsMeshed[label] ? volume : 0.0, others = 0.0;
-    this->Donors.ForCell(cell,
-      [&](int s)
-      {
-        const Donor& donor = this->Donors[s];
-        (donor.Material == label ? own : others) -= donor.Overlap;
-      });
-    return std::fabs(own) <= Rounding * volume && -others <= Rounding * volume;
-  }
-
   const CartesianGrid& Grid;
   const FractionField& Fractions;
   const WholeElements& Whole;
   const DonorTable& Donors;
   const std::vector<unsigned char>& IsMeshed;
-  std::vector<Index> Cells;
+  std::vector<Index> Cells{};
 };
+
+bool Fits(const Work& work, Index cell, double volume)
+{
+  if (work.Whole.Covers(cell))
+  {
+    return true;
+  }
+  if (work.Fractions.IsMixed(cell))
+  {
+    return false;
+  }
+  const int label = work.Fractions.Label(cell);
+  double own = work.IsMeshed[label] ? volume : 0.0, others = 0.0;
+  work.Donors.ForCell(cell,
+    [&](int s)
+    {
+      const Donor& donor = work.Donors[s];
+      (donor.Material == label ? own : others) -= donor.Overlap;
+    });
+  return std::fabs(own) <= Rounding * volume && -others <= Rounding * volume;
+}
+
+std::vector<Index> Find(Work& work)
+{
+  const IndexBox& box = work.Grid.Owned();
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      const Index first = work.Grid.Linear({ { box.Lower[0], j, k } });
+      const double section = work.Grid.Width(1, j) * work.Grid.Width(2, k);
+      const auto look = [&](Index begin, Index end)
+      {
+        for (Index cell = begin; cell < end; ++cell)
+        {
+          const double width = work.Grid.Width(0, box.Lower[0] + cell - first);
+          if (!Fits(work, cell, width * section))
+          {
+            work.Cells.push_back(cell);
+          }
+        }
+      };
+      work.Fractions.Visit(
+        first, first + box.Size(0), [&](Index begin, Index end, int) { look(begin, end); }, look);
+    });
+  return std::move(work.Cells);
+}
 
 } // namespace
 
@@ -80,7 +71,8 @@ MisfitCells::MisfitCells(const CartesianGrid& grid, const FractionField& fractio
   const Partition& partition) :
   Grid(grid), Nearness(grid, 0)
 {
-  std::vector<Index> misfits = MisfitFinder(grid, fractions, whole, donors, isMeshed).Find();
+  Work work{ grid, fractions, whole, donors, isMeshed };
+  std::vector<Index> misfits = Find(work);
   for (Index cell : misfits)
   {
     this->Nearness.Set(cell, DonorLayers + 1);

@@ -39,189 +39,176 @@ Vector3 VectorAt(const Buffer<double>& vectors, Index i)
 }
 
 /// Adds what elements give to points, on whatever ranks, in the order of the elements' ids.
-class PointSums
+struct Work
 {
-public:
-  PointSums(const Mesh& mesh, const CartesianGrid& grid, const Buffer<double>& mass,
-    const Buffer<double>& velocity) :
-    TheMesh(mesh), Grid(grid), Mass(mass), Velocity(velocity), Sums(mesh.PointIds.size())
-  {
-  }
-
-  std::vector<Momentum> Add(Ranks& ranks)
-  {
-    this->ForShares(
-      [this](Index point, Index element) { this->Sums[point].Add(this->GivenBy(element)); });
-    const Partition partition(this->Grid, ranks);
-    if (!partition.Peers().empty())
-    {
-      this->AddOfPeers(partition);
-    }
-    return std::move(this->Sums);
-  }
-
-private:
-  template <class Body>
-  void ForShares(const Body& body) const
-  {
-    const Index corners = this->TheMesh.Corners;
-    for (std::size_t i = 0; i < this->TheMesh.Elements.size(); ++i)
-    {
-      body(this->TheMesh.Elements[i], static_cast<Index>(i) / corners);
-    }
-  }
-
-  Momentum GivenBy(Index element) const
-  {
-    const double mass = this->Mass[element] / this->TheMesh.Corners;
-    return { mass, mass * VectorAt(this->Velocity, element) };
-  }
-
-  Share MakeShare(Index point, Index element) const
-  {
-    return { this->TheMesh.PointIds[point], this->TheMesh.ElementIds[element],
-      this->GivenBy(element) };
-  }
-
-  /// Whether no other rank has the point: one that TetGen made.
-  bool IsAlone(Index id) const
-  {
-    return this->TheMesh.Ids.ElementSlots == 0 &&
-      id >= EndOfPointIds(*this->TheMesh.Levels, this->TheMesh.Ids.PointSlots);
-  }
-
-  /// Position in Peers() of the owner of each point; -1: this rank.
-  std::vector<int> FindOwners(const Partition& partition) const
-  {
-    std::vector<int> owners(this->TheMesh.PointIds.size(), -1);
-    for (std::size_t p = 0; p < owners.size(); ++p)
-    {
-      const Index id = this->TheMesh.PointIds[p];
-      if (!this->IsAlone(id))
-      {
-        const Index3 node = NodeOfPoint(this->Grid, this->TheMesh, id);
-        owners[p] = partition.OwnsNode(node) ? -1 : partition.PeerOfNode(node);
-      }
-    }
-    return owners;
-  }
-
-  /// The owner of a point, which need not have it, hears of all shares, and tells their sum.
-  void AddOfPeers(const Partition& partition)
-  {
-    const std::vector<int> owners = this->FindOwners(partition);
-    std::vector<std::vector<Share>> mine(partition.Peers().size());
-    this->ForShares(
-      [&](Index point, Index element)
-      {
-        if (owners[point] >= 0)
-        {
-          mine[owners[point]].push_back(this->MakeShare(point, element));
-        }
-      });
-    const std::vector<std::vector<Momentum>> sums =
-      partition.Exchange(this->Answer(partition.Exchange(mine)));
-    for (std::size_t peer = 0; peer < sums.size(); ++peer)
-    {
-      this->Write(mine[peer], sums[peer]);
-    }
-  }
-
-  /// Of each peer's points, in the order of its shares, the sums over all ranks.
-  std::vector<std::vector<Momentum>> Answer(const std::vector<std::vector<Share>>& asked)
-  {
-    std::vector<Share> all;
-    for (const std::vector<Share>& shares : asked)
-    {
-      all.insert(all.end(), shares.begin(), shares.end());
-    }
-    this->AddOwnShares(all);
-    std::sort(all.begin(), all.end());
-    std::vector<Share> sums; // one a point
-    for (const Share& share : all)
-    {
-      if (sums.empty() || sums.back().Point != share.Point)
-      {
-        sums.push_back({ share.Point, 0, {} });
-      }
-      sums.back().Given.Add(share.Given);
-    }
-    std::vector<std::vector<Momentum>> answers;
-    for (const std::vector<Share>& shares : asked)
-    {
-      answers.emplace_back();
-      for (const Share& share : shares)
-      {
-        const Share first{ share.Point, 0, {} };
-        answers.back().push_back(std::lower_bound(sums.begin(), sums.end(), first)->Given);
-      }
-    }
-    for (const Share& sum : sums)
-    {
-      this->WriteOwn(sum);
-    }
-    return answers;
-  }
-
-  /// Adds the shares of this rank in the points of which there are some.
-  void AddOwnShares(std::vector<Share>& shares) const
-  {
-    std::vector<char> isAsked(this->TheMesh.PointIds.size(), 0);
-    for (const Share& share : shares)
-    {
-      const Index point = this->FindPoint(share.Point);
-      if (point >= 0)
-      {
-        isAsked[point] = 1;
-      }
-    }
-    this->ForShares(
-      [&](Index point, Index element)
-      {
-        if (isAsked[point])
-        {
-          shares.push_back(this->MakeShare(point, element));
-        }
-      });
-  }
-
-  /// -1: this rank does not have it.
-  Index FindPoint(Index id) const
-  {
-    const Buffer<Index>& ids = this->TheMesh.PointIds;
-    const Index* at = std::lower_bound(ids.begin(), ids.end(), id);
-    return at != ids.end() && *at == id ? at - ids.begin() : -1;
-  }
-
-  void WriteOwn(const Share& sum)
-  {
-    const Index point = this->FindPoint(sum.Point);
-    if (point >= 0)
-    {
-      this->Sums[point] = sum.Given;
-    }
-  }
-
-  void Write(const std::vector<Share>& shares, const std::vector<Momentum>& sums)
-  {
-    for (std::size_t i = 0; i < shares.size(); ++i)
-    {
-      this->Sums[this->FindPoint(shares[i].Point)] = sums[i];
-    }
-  }
-
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const Buffer<double>&Mass, &Velocity;
-  std::vector<Momentum> Sums; // of each point
+  std::vector<Momentum> Sums = std::vector<Momentum>(TheMesh.PointIds.size()); // of each point
 };
+
+template <class Body>
+void ForShares(const Work& work, const Body& body)
+{
+  const Index corners = work.TheMesh.Corners;
+  for (std::size_t i = 0; i < work.TheMesh.Elements.size(); ++i)
+  {
+    body(work.TheMesh.Elements[i], static_cast<Index>(i) / corners);
+  }
+}
+
+Momentum GivenBy(const Work& work, Index element)
+{
+  const double mass = work.Mass[element] / work.TheMesh.Corners;
+  return { mass, mass * VectorAt(work.Velocity, element) };
+}
+
+Share MakeShare(const Work& work, Index point, Index element)
+{
+  return { work.TheMesh.PointIds[point], work.TheMesh.ElementIds[element], GivenBy(work, element) };
+}
+
+/// Whether no other rank has the point: one that TetGen made.
+bool IsAlone(const Work& work, Index id)
+{
+  return work.TheMesh.Ids.ElementSlots == 0 &&
+    id >= EndOfPointIds(*work.TheMesh.Levels, work.TheMesh.Ids.PointSlots);
+}
+
+/// Position in Peers() of the owner of each point; -1: this rank.
+std::vector<int> FindOwners(const Work& work, const Partition& partition)
+{
+  std::vector<int> owners(work.TheMesh.PointIds.size(), -1);
+  for (std::size_t p = 0; p < owners.size(); ++p)
+  {
+    const Index id = work.TheMesh.PointIds[p];
+    if (!IsAlone(work, id))
+    {
+      const Index3 node = NodeOfPoint(work.Grid, work.TheMesh, id);
+      owners[p] = partition.OwnsNode(node) ? -1 : partition.PeerOfNode(node);
+    }
+  }
+  return owners;
+}
+
+/// -1: this rank does not have it.
+Index FindPoint(const Work& work, Index id)
+{
+  const Buffer<Index>& ids = work.TheMesh.PointIds;
+  const Index* at = std::lower_bound(ids.begin(), ids.end(), id);
+  return at != ids.end() && *at == id ? at - ids.begin() : -1;
+}
+
+/// Adds the shares of this rank in the points of which there are some.
+void AddOwnShares(const Work& work, std::vector<Share>& shares)
+{
+  std::vector<char> isAsked(work.TheMesh.PointIds.size(), 0);
+  for (const Share& share : shares)
+  {
+    const Index point = FindPoint(work, share.Point);
+    if (point >= 0)
+    {
+      isAsked[point] = 1;
+    }
+  }
+  ForShares(work,
+    [&](Index point, Index element)
+    {
+      if (isAsked[point])
+      {
+        shares.push_back(MakeShare(work, point, element));
+      }
+    });
+}
+
+void WriteOwn(Work& work, const Share& sum)
+{
+  const Index point = FindPoint(work, sum.Point);
+  if (point >= 0)
+  {
+    work.Sums[point] = sum.Given;
+  }
+}
+
+/// Of each peer's points, in the order of its shares, the sums over all ranks.
+std::vector<std::vector<Momentum>> Answer(Work& work, const std::vector<std::vector<Share>>& asked)
+{
+  std::vector<Share> all;
+  for (const std::vector<Share>& shares : asked)
+  {
+    all.insert(all.end(), shares.begin(), shares.end());
+  }
+  AddOwnShares(work, all);
+  std::sort(all.begin(), all.end());
+  std::vector<Share> sums; // one a point
+  for (const Share& share : all)
+  {
+    if (sums.empty() || sums.back().Point != share.Point)
+    {
+      sums.push_back({ share.Point, 0, {} });
+    }
+    sums.back().Given.Add(share.Given);
+  }
+  std::vector<std::vector<Momentum>> answers;
+  for (const std::vector<Share>& shares : asked)
+  {
+    answers.emplace_back();
+    for (const Share& share : shares)
+    {
+      const Share first{ share.Point, 0, {} };
+      answers.back().push_back(std::lower_bound(sums.begin(), sums.end(), first)->Given);
+    }
+  }
+  for (const Share& sum : sums)
+  {
+    WriteOwn(work, sum);
+  }
+  return answers;
+}
+
+void Write(Work& work, const std::vector<Share>& shares, const std::vector<Momentum>& sums)
+{
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    work.Sums[FindPoint(work, shares[i].Point)] = sums[i];
+  }
+}
+
+/// The owner of a point, which need not have it, hears of all shares, and tells their sum.
+void AddOfPeers(Work& work, const Partition& partition)
+{
+  const std::vector<int> owners = FindOwners(work, partition);
+  std::vector<std::vector<Share>> mine(partition.Peers().size());
+  ForShares(work,
+    [&](Index point, Index element)
+    {
+      if (owners[point] >= 0)
+      {
+        mine[owners[point]].push_back(MakeShare(work, point, element));
+      }
+    });
+  const std::vector<std::vector<Momentum>> sums =
+    partition.Exchange(Answer(work, partition.Exchange(mine)));
+  for (std::size_t peer = 0; peer < sums.size(); ++peer)
+  {
+    Write(work, mine[peer], sums[peer]);
+  }
+}
 
 } // namespace
 
 NodalVelocity FindNodalVelocity(const Mesh& mesh, const CartesianGrid& grid,
   const Buffer<double>& mass, const Buffer<double>& velocity, Runtime& runtime)
 {
-  const std::vector<Momentum> sums = PointSums(mesh, grid, mass, velocity).Add(runtime.Group());
+  Work work{ mesh, grid, mass, velocity };
+  ForShares(
+    work, [&](Index point, Index element) { work.Sums[point].Add(GivenBy(work, element)); });
+  const Partition partition(grid, runtime.Group());
+  if (!partition.Peers().empty())
+  {
+    AddOfPeers(work, partition);
+  }
+  const std::vector<Momentum>& sums = work.Sums;
   NodalVelocity nodal{ Buffer<double>(3 * sums.size()), Buffer<double>(sums.size()),
     Buffer<double>(mass.size()) };
   ForEach(runtime, sums.size(),

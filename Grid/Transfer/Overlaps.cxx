@@ -168,9 +168,8 @@ private:
     const int corners = this->TheMesh.Corners;
     for (int c = 0; c < corners; ++c)
     {
-      const Index point = this->TheMesh.Elements[corners * element + c];
-      std::copy_n(this->TheMesh.Points.data() + 3 * point, 3,
-        this->Corners[corners == 8 ? VtkCorner[c] : c].begin());
+      this->Corners[corners == 8 ? VtkCorner[c] : c] =
+        this->TheMesh.PointAt(this->TheMesh.Elements[corners * element + c]);
     }
     this->Lower = this->Upper = this->Corners[0];
     for (int c = 1; c < corners; ++c)

@@ -14,8 +14,7 @@ Vector3 FindCentroid(const Mesh& mesh, Index element)
   Vector3 sum{ { 0.0, 0.0, 0.0 } };
   for (int c = 0; c < mesh.Corners; ++c)
   {
-    const double* x = mesh.Points.data() + 3 * mesh.Elements[mesh.Corners * element + c];
-    sum = sum + Vector3{ { x[0], x[1], x[2] } };
+    sum = sum + mesh.PointAt(mesh.Elements[mesh.Corners * element + c]);
   }
   return (1.0 / mesh.Corners) * sum; // 4 or 8: exact
 }

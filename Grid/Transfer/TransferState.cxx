@@ -74,218 +74,201 @@ private:
 };
 
 /// All steps, one after another.
-class StateTransfer
+struct Work
 {
-public:
-  StateTransfer(const Mesh& mesh, const TransferRequest& request, Runtime& runtime) :
-    TheMesh(mesh),
-    Request(request),
-    Grid(request.Grid),
-    Run(runtime),
-    Parts(request.Grid, runtime.Group()),
-    Columns(request.Quantities, request.Density),
-    IsMeshed(FindMeshed(mesh, request.Fractions.NumberOfMaterials(), runtime.Group())),
-    Source(request, this->Columns, this->IsMeshed),
-    Whole(mesh, request.Grid, request.Fractions, runtime),
-    Donors(request.Grid)
-  {
-  }
+  const Mesh& TheMesh;
+  const TransferRequest& Request;
+  Runtime& Run;
+  const CartesianGrid& Grid = Request.Grid;
+  const Partition Parts{ Grid, Run.Group() };
+  const StateColumns Columns{ Request.Quantities, Request.Density };
+  /// By material.
+  const std::vector<unsigned char> IsMeshed =
+    FindMeshed(TheMesh, Request.Fractions.NumberOfMaterials(), Run.Group());
+  const StateSource Source{ Request, Columns, IsMeshed };
+  const WholeElements Whole{ TheMesh, Grid, Request.Fractions, Run };
+  DonorTable Donors{ Grid };
+};
 
-  TransferredState Transfer()
+template <class Wants>
+std::vector<DonorParts> FindParts(Work& work, const Wants& wants, std::vector<DonorShape>& shapes)
+{
+  std::vector<Index> elements;
+  for (Index e = 0; e < static_cast<Index>(work.TheMesh.Material.size()); ++e)
   {
-    const int materials = static_cast<int>(this->IsMeshed.size());
-    std::vector<DonorShape> shapes;
-    const std::vector<DonorParts> moved =
-      this->FindParts([this](Index e) { return !this->Whole.IsWhole(e); }, shapes);
-    const MisfitCells misfits(
-      this->Grid, this->Request.Fractions, this->Whole, this->Donors, this->IsMeshed, this->Parts);
-    const std::vector<DonorParts> near = this->FindParts(
-      [&](Index e) { return this->Whole.IsWhole(e) && this->IsNear(misfits, e); }, shapes);
-    const FlowRegion region = this->FindRegion(misfits);
-    const std::vector<DonorParts> inside = this->FindParts(
-      [&](Index e)
-      {
-        return this->Whole.IsWhole(e) && !this->IsNear(misfits, e) &&
-          region.HoldsAll(this->TheMesh.Fragment[e]);
-      },
-      shapes);
-    CentreShapes(this->Donors, shapes);
-    const DonorLinks links(this->Grid, this->Parts, this->Donors);
-    MaterialSums input(materials, this->Columns), unmeshed(materials, this->Columns);
-    DonorValues values =
-      FillDonors(this->Source, this->Whole, this->Parts, this->Donors, input, unmeshed);
-    TransferredState state;
-    state.Factors = MoveContents(this->Source, region, links, this->Run, this->Donors, values);
-    this->UpdateCopies(links, values);
-    const Slopes slopes = this->Request.Order == 1
-      ? Slopes(this->Columns)
-      : Slopes(this->Columns, this->Grid, this->Donors, values, shapes,
-          this->LinksToParts(links, moved), this->Run);
-    this->Allocate(state);
-    this->FillFromDonors(moved, slopes, values, state);
-    this->FillFromDonors(near, slopes, values, state);
-    this->FillFromDonors(inside, slopes, values, state);
-    this->FillFromCells(region, state);
-    state.Input = input.Finish(this->Run.Group());
-    state.Unmeshed = unmeshed.Finish(this->Run.Group());
-    return state;
-  }
-
-private:
-  template <class Wants>
-  std::vector<DonorParts> FindParts(const Wants& wants, std::vector<DonorShape>& shapes)
-  {
-    std::vector<Index> elements;
-    for (Index e = 0; e < static_cast<Index>(this->TheMesh.Material.size()); ++e)
+    if (wants(e))
     {
-      if (wants(e))
-      {
-        elements.push_back(e);
-      }
-    }
-    return FindDonorParts(
-      this->TheMesh, elements, this->Grid, this->Parts, this->Run, this->Donors, shapes);
-  }
-
-  bool IsNear(const MisfitCells& misfits, Index element) const
-  {
-    bool isNear = false;
-    ForCells(this->Whole.CellsOf(element),
-      [&](const Index3& p)
-      { isNear = isNear || misfits.IsNear(this->Grid.Linear(p), DonorLayers); });
-    return isNear;
-  }
-
-  /// Between which donors contents move; donors of elements that are no whole cells, or near misfits, there are. Collective.
-  FlowRegion FindRegion(const MisfitCells& misfits)
-  {
-    const DonorLinks links(this->Grid, this->Parts, this->Donors);
-    return { misfits, FindDivided(this->Grid, misfits, links, this->Donors, this->Run.Group()) };
-  }
-
-  /// Gives copies what their owners hold now.
-  void UpdateCopies(const DonorLinks& links, DonorValues& values)
-  {
-    links.Exchange(
-      1 + this->Columns.Count(),
-      [&](int s, double* numbers)
-      {
-        numbers[0] = this->Donors[s].Volume;
-        std::copy_n(values.Of(s), this->Columns.Count(), numbers + 1);
-      },
-      [&](int s, const double* numbers)
-      {
-        this->Donors[s].Volume = numbers[0];
-        std::copy_n(numbers + 1, this->Columns.Count(), values.Of(s));
-      });
-  }
-
-  DonorLinks LinksToParts(const DonorLinks& links, const std::vector<DonorParts>& moved) const
-  {
-    std::vector<unsigned char> wanted(this->Donors.Count(), 0);
-    for (const DonorParts& some : moved)
-    {
-      for (const DonorPart& part : some.Parts)
-      {
-        wanted[part.Donor] = 1;
-      }
-    }
-    return links.Narrow([&wanted](int s) { return wanted[s]; });
-  }
-
-  void Allocate(TransferredState& state) const
-  {
-    const std::size_t elements = this->TheMesh.Material.size();
-    for (const StateQuantity& quantity : this->Request.Quantities)
-    {
-      state.Values.emplace_back(elements * quantity.Components);
-    }
-    state.Mass = Buffer<double>(elements);
-  }
-
-  void Write(const ElementState& element, Index e, TransferredState& state) const
-  {
-    state.Mass[e] = element.Mass();
-    int c = 0;
-    for (std::size_t q = 0; q < this->Request.Quantities.size(); ++q)
-    {
-      const int components = this->Request.Quantities[q].Components;
-      for (int i = 0; i < components; ++i)
-      {
-        state.Values[q][e * components + i] = element.Value(c++);
-      }
+      elements.push_back(e);
     }
   }
+  return FindDonorParts(
+    work.TheMesh, elements, work.Grid, work.Parts, work.Run, work.Donors, shapes);
+}
 
-  void FillFromDonors(const std::vector<DonorParts>& pieces, const Slopes& slopes,
-    const DonorValues& values, TransferredState& state)
-  {
-    for (const DonorParts& some : pieces)
+bool IsNear(const Work& work, const MisfitCells& misfits, Index element)
+{
+  bool isNear = false;
+  ForCells(work.Whole.CellsOf(element),
+    [&](const Index3& p) { isNear = isNear || misfits.IsNear(work.Grid.Linear(p), DonorLayers); });
+  return isNear;
+}
+
+/// Between which donors contents move; donors of elements that are no whole cells, or near misfits, there are. Collective.
+FlowRegion FindRegion(Work& work, const MisfitCells& misfits)
+{
+  const DonorLinks links(work.Grid, work.Parts, work.Donors);
+  return { misfits, FindDivided(work.Grid, misfits, links, work.Donors, work.Run.Group()) };
+}
+
+/// Gives copies what their owners hold now.
+void UpdateCopies(Work& work, const DonorLinks& links, DonorValues& values)
+{
+  links.Exchange(
+    1 + work.Columns.Count(),
+    [&](int s, double* numbers)
     {
-      this->Run.For(0, static_cast<Index>(some.Elements.size()),
-        [&](Index begin, Index end)
-        {
-          ElementState element(this->Columns);
-          for (Index i = begin; i < end; ++i)
-          {
-            element.Start();
-            for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
-            {
-              const DonorPart& part = some.Parts[p];
-              const Donor& donor = this->Donors[part.Donor];
-              std::copy_n(values.Of(part.Donor), this->Columns.Count(), element.NextValues());
-              slopes.AddAt(part.Donor, part.Centroid - donor.Centroid, element.NextValues());
-              element.Add(part.Volume, part.Volume * (donor.Volume / donor.Overlap));
-            }
-            this->Write(element, some.Elements[i], state);
-          }
-        });
+      numbers[0] = work.Donors[s].Volume;
+      std::copy_n(values.Of(s), work.Columns.Count(), numbers + 1);
+    },
+    [&](int s, const double* numbers)
+    {
+      work.Donors[s].Volume = numbers[0];
+      std::copy_n(numbers + 1, work.Columns.Count(), values.Of(s));
+    });
+}
+
+DonorLinks LinksToParts(
+  const Work& work, const DonorLinks& links, const std::vector<DonorParts>& moved)
+{
+  std::vector<unsigned char> wanted(work.Donors.Count(), 0);
+  for (const DonorParts& some : moved)
+  {
+    for (const DonorPart& part : some.Parts)
+    {
+      wanted[part.Donor] = 1;
     }
   }
+  return links.Narrow([&wanted](int s) { return wanted[s]; });
+}
 
-  /// Whole elements without donors.
-  void FillFromCells(const FlowRegion& region, TransferredState& state)
+void Allocate(const Work& work, TransferredState& state)
+{
+  const std::size_t elements = work.TheMesh.Material.size();
+  for (const StateQuantity& quantity : work.Request.Quantities)
   {
-    this->Run.For(0, static_cast<Index>(this->TheMesh.Material.size()),
+    state.Values.emplace_back(elements * quantity.Components);
+  }
+  state.Mass = Buffer<double>(elements);
+}
+
+void Write(const Work& work, const ElementState& element, Index e, TransferredState& state)
+{
+  state.Mass[e] = element.Mass();
+  int c = 0;
+  for (std::size_t q = 0; q < work.Request.Quantities.size(); ++q)
+  {
+    const int components = work.Request.Quantities[q].Components;
+    for (int i = 0; i < components; ++i)
+    {
+      state.Values[q][e * components + i] = element.Value(c++);
+    }
+  }
+}
+
+void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces, const Slopes& slopes,
+  const DonorValues& values, TransferredState& state)
+{
+  for (const DonorParts& some : pieces)
+  {
+    work.Run.For(0, static_cast<Index>(some.Elements.size()),
       [&](Index begin, Index end)
       {
-        ElementState element(this->Columns);
-        for (Index e = begin; e < end; ++e)
+        ElementState element(work.Columns);
+        for (Index i = begin; i < end; ++i)
         {
-          if (!this->Whole.IsWhole(e) || this->IsNear(region.Misfits, e) ||
-            region.HoldsAll(this->TheMesh.Fragment[e]))
-          {
-            continue;
-          }
           element.Start();
-          ForCells(this->Whole.CellsOf(e),
-            [&](const Index3& p)
-            {
-              this->Source.Read(p, this->TheMesh.Material[e], element.NextValues());
-              element.Add(this->Grid.CellVolume(p), this->Grid.CellVolume(p));
-            });
-          this->Write(element, e, state);
+          for (int p = some.Offsets[i]; p < some.Offsets[i + 1]; ++p)
+          {
+            const DonorPart& part = some.Parts[p];
+            const Donor& donor = work.Donors[part.Donor];
+            std::copy_n(values.Of(part.Donor), work.Columns.Count(), element.NextValues());
+            slopes.AddAt(part.Donor, part.Centroid - donor.Centroid, element.NextValues());
+            element.Add(part.Volume, part.Volume * (donor.Volume / donor.Overlap));
+          }
+          Write(work, element, some.Elements[i], state);
         }
       });
   }
+}
 
-  const Mesh& TheMesh;
-  const TransferRequest& Request;
-  const CartesianGrid& Grid;
-  Runtime& Run;
-  const Partition Parts;
-  const StateColumns Columns;
-  const std::vector<unsigned char> IsMeshed; // by material
-  const StateSource Source;
-  const WholeElements Whole;
-  DonorTable Donors;
-};
+/// Whole elements without donors.
+void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state)
+{
+  work.Run.For(0, static_cast<Index>(work.TheMesh.Material.size()),
+    [&](Index begin, Index end)
+    {
+      ElementState element(work.Columns);
+      for (Index e = begin; e < end; ++e)
+      {
+        if (!work.Whole.IsWhole(e) || IsNear(work, region.Misfits, e) ||
+          region.HoldsAll(work.TheMesh.Fragment[e]))
+        {
+          continue;
+        }
+        element.Start();
+        ForCells(work.Whole.CellsOf(e),
+          [&](const Index3& p)
+          {
+            work.Source.Read(p, work.TheMesh.Material[e], element.NextValues());
+            element.Add(work.Grid.CellVolume(p), work.Grid.CellVolume(p));
+          });
+        Write(work, element, e, state);
+      }
+    });
+}
 
 } // namespace
 
 TransferredState TransferState(const Mesh& mesh, const TransferRequest& request, Runtime& runtime)
 {
-  return StateTransfer(mesh, request, runtime).Transfer();
+  Work work{ mesh, request, runtime };
+  const int materials = static_cast<int>(work.IsMeshed.size());
+  std::vector<DonorShape> shapes;
+  const std::vector<DonorParts> moved = FindParts(
+    work, [&](Index e) { return !work.Whole.IsWhole(e); }, shapes);
+  const MisfitCells misfits(
+    work.Grid, work.Request.Fractions, work.Whole, work.Donors, work.IsMeshed, work.Parts);
+  const std::vector<DonorParts> near = FindParts(
+    work, [&](Index e) { return work.Whole.IsWhole(e) && IsNear(work, misfits, e); }, shapes);
+  const FlowRegion region = FindRegion(work, misfits);
+  const std::vector<DonorParts> inside = FindParts(
+    work,
+    [&](Index e)
+    {
+      return work.Whole.IsWhole(e) && !IsNear(work, misfits, e) &&
+        region.HoldsAll(work.TheMesh.Fragment[e]);
+    },
+    shapes);
+  CentreShapes(work.Donors, shapes);
+  const DonorLinks links(work.Grid, work.Parts, work.Donors);
+  MaterialSums input(materials, work.Columns), unmeshed(materials, work.Columns);
+  DonorValues values =
+    FillDonors(work.Source, work.Whole, work.Parts, work.Donors, input, unmeshed);
+  TransferredState state;
+  state.Factors = MoveContents(work.Source, region, links, work.Run, work.Donors, values);
+  UpdateCopies(work, links, values);
+  const Slopes slopes = work.Request.Order == 1
+    ? Slopes(work.Columns)
+    : Slopes(work.Columns, work.Grid, work.Donors, values, shapes, LinksToParts(work, links, moved),
+        work.Run);
+  Allocate(work, state);
+  FillFromDonors(work, moved, slopes, values, state);
+  FillFromDonors(work, near, slopes, values, state);
+  FillFromDonors(work, inside, slopes, values, state);
+  FillFromCells(work, region, state);
+  state.Input = input.Finish(work.Run.Group());
+  state.Unmeshed = unmeshed.Finish(work.Run.Group());
+  return state;
 }
 
 } // namespace vfm

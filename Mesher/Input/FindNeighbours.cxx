@@ -1,6 +1,7 @@
 #include "Input/FindNeighbours.h"
 
 #include "Base/Runtime.h"
+#include "Base/Sorted.h"
 #include "Ranks/Agreement.h"
 
 #include <map>
@@ -44,8 +45,7 @@ std::vector<int> ListPeers(const RankBox& mine, const std::array<int, 6>& faces,
       peers.push_back(rank);
     }
   }
-  std::sort(peers.begin(), peers.end());
-  peers.erase(std::unique(peers.begin(), peers.end()), peers.end());
+  SortUnique(peers);
   return peers;
 }
 
@@ -61,13 +61,12 @@ std::int64_t HashPair(std::uint64_t low, std::uint64_t high)
 /// All ranks must know that naming is mutual before anyone waits for anyone: the two sides of a pair cancel.
 void CheckMutual(const RankBox& mine, const std::vector<int>& peers, Ranks& ranks)
 {
-  std::vector<std::int64_t> sum{ 0 };
+  std::int64_t sum = 0;
   for (int peer : peers)
   {
-    sum[0] += mine.Rank < peer ? HashPair(mine.Rank, peer) : -HashPair(peer, mine.Rank);
+    sum += mine.Rank < peer ? HashPair(mine.Rank, peer) : -HashPair(peer, mine.Rank);
   }
-  ranks.Sum(sum);
-  if (sum[0] != 0)
+  if (SumOverRanks(sum, ranks) != 0)
   {
     throw InputError("Some rank names a face neighbour that does not name it: where rank i gives "
                      "j, j must give i.");

@@ -189,67 +189,64 @@ InputLevels MakeLevels(const std::vector<InputBlock>& blocks, const std::vector<
   return input;
 }
 
-/// Marks the cells of this rank's blocks that finer blocks cover as hidden, and no others.
-class CoverMarker
+struct Work
 {
-public:
-  explicit CoverMarker(InputLevels& input) : Input(input) {}
-
-  void Mark()
-  {
-    for (int level = 0; level < this->Input.Finest(); ++level)
-    {
-      for (InputBlock& block : this->Input.Levels[level].Blocks)
-      {
-        this->MarkBlock(block, level);
-      }
-    }
-  }
-
-private:
-  void MarkBlock(InputBlock& block, int level)
-  {
-    for (int finer = level + 1; finer <= this->Input.Finest(); ++finer)
-    {
-      for (const BlockPlace& place : this->Input.Levels[finer].Places)
-      {
-        const IndexBox box = Intersect(ChangeLevel(place.Box, level - finer), block.Box);
-        if (box.NumberOfCells() > 0)
-        {
-          this->Hide(block, box);
-        }
-      }
-    }
-  }
-
-  void Hide(InputBlock& block, const IndexBox& box)
-  {
-    const auto marks = this->FindCopy(block);
-    block.Marks = marks;
-    ForRows(box,
-      [&](Index j, Index k)
-      {
-        unsigned char* row = marks->data() + block.CellId({ { box.Lower[0], j, k } });
-        std::fill_n(row, box.Size(0), CellMark::Hidden);
-      });
-  }
-
-  /// Marks of the block to write in, shared by the blocks of one set of arrays.
-  std::shared_ptr<std::vector<unsigned char>> FindCopy(const InputBlock& block)
-  {
-    auto& copy = this->Copies[block.Arrays.get()];
-    if (!copy)
-    {
-      copy = block.Marks
-        ? std::make_shared<std::vector<unsigned char>>(*block.Marks)
-        : std::make_shared<std::vector<unsigned char>>(block.Arrays->NumberOfTuples(), 0);
-    }
-    return copy;
-  }
-
   InputLevels& Input;
-  std::map<const BlockArrays*, std::shared_ptr<std::vector<unsigned char>>> Copies;
+  std::map<const BlockArrays*, std::shared_ptr<std::vector<unsigned char>>> Copies{};
 };
+
+/// Marks of the block to write in, shared by the blocks of one set of arrays.
+std::shared_ptr<std::vector<unsigned char>> FindCopy(Work& work, const InputBlock& block)
+{
+  auto& copy = work.Copies[block.Arrays.get()];
+  if (!copy)
+  {
+    copy = block.Marks
+      ? std::make_shared<std::vector<unsigned char>>(*block.Marks)
+      : std::make_shared<std::vector<unsigned char>>(block.Arrays->NumberOfTuples(), 0);
+  }
+  return copy;
+}
+
+void Hide(Work& work, InputBlock& block, const IndexBox& box)
+{
+  const auto marks = FindCopy(work, block);
+  block.Marks = marks;
+  ForRows(box,
+    [&](Index j, Index k)
+    {
+      unsigned char* row = marks->data() + block.CellId({ { box.Lower[0], j, k } });
+      std::fill_n(row, box.Size(0), CellMark::Hidden);
+    });
+}
+
+void MarkBlock(Work& work, InputBlock& block, int level)
+{
+  for (int finer = level + 1; finer <= work.Input.Finest(); ++finer)
+  {
+    for (const BlockPlace& place : work.Input.Levels[finer].Places)
+    {
+      const IndexBox box = Intersect(ChangeLevel(place.Box, level - finer), block.Box);
+      if (box.NumberOfCells() > 0)
+      {
+        Hide(work, block, box);
+      }
+    }
+  }
+}
+
+/// Marks the cells of this rank's blocks that finer blocks cover as hidden, and no others.
+void MarkCovered(InputLevels& input)
+{
+  Work work{ input };
+  for (int level = 0; level < work.Input.Finest(); ++level)
+  {
+    for (InputBlock& block : work.Input.Levels[level].Blocks)
+    {
+      MarkBlock(work, block, level);
+    }
+  }
+}
 
 /// Collective: the blocks of several levels.
 InputLevels SortByLevels(std::vector<InputBlock> blocks, const Vector3& coarsest, Ranks& ranks)
@@ -278,7 +275,7 @@ InputLevels SortByLevels(std::vector<InputBlock> blocks, const Vector3& coarsest
     level.Places = GatherPlaces(level.Blocks, ranks);
     CheckOverlaps(level.Places, ranks.Count() == 1);
   }
-  CoverMarker(input).Mark();
+  MarkCovered(input);
   return input;
 }
 
@@ -367,11 +364,10 @@ InputLevels FindNeighbourLevels(
 InputLevels FindLevels(
   CollectedBlocks collected, const std::optional<std::array<int, 6>>& faces, Ranks& ranks)
 {
-  std::vector<Index> count{ faces ? 1 : 0 };
-  ranks.Sum(count);
-  if (count[0] > 0 && count[0] < ranks.Count())
+  const Index count = SumOverRanks(faces ? 1 : 0, ranks);
+  if (count > 0 && count < ranks.Count())
   {
-    throw InputError("Only " + std::to_string(count[0]) + " of " + std::to_string(ranks.Count()) +
+    throw InputError("Only " + std::to_string(count) + " of " + std::to_string(ranks.Count()) +
       " ranks name their face neighbours. All must, or none.");
   }
   return faces ? FindNeighbourLevels(std::move(collected), *faces, ranks)

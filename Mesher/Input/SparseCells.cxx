@@ -1,55 +1,9 @@
 #include "Input/SparseCells.h"
 
+#include "Input/PackBytes.h"
+
 namespace vfm
 {
-namespace
-{
-
-template <class T>
-void Append(const T* items, std::size_t count, Bytes& bytes)
-{
-  const char* first = reinterpret_cast<const char*>(items);
-  bytes.insert(bytes.end(), first, first + count * sizeof(T));
-}
-
-template <class T>
-void Append(const std::vector<T>& items, Bytes& bytes)
-{
-  const std::size_t count = items.size();
-  Append(&count, 1, bytes);
-  Append(items.data(), count, bytes);
-}
-
-/// Takes items from a message, one after the other.
-class Unpacker
-{
-public:
-  explicit Unpacker(const Bytes& bytes) : Message(bytes) {}
-  bool IsAtEnd() const { return this->At == this->Message.size(); }
-  template <class T>
-  void Take(T* items, std::size_t count)
-  {
-    if (count > 0)
-    {
-      std::memcpy(items, this->Message.data() + this->At, count * sizeof(T));
-      this->At += count * sizeof(T);
-    }
-  }
-  template <class T>
-  void Take(std::vector<T>& items)
-  {
-    std::size_t count = 0;
-    this->Take(&count, 1);
-    items.resize(count);
-    this->Take(items.data(), count);
-  }
-
-private:
-  const Bytes& Message;
-  std::size_t At = 0;
-};
-
-} // namespace
 
 double SparseCells::Fraction(Index cell, int material) const
 {
@@ -70,16 +24,16 @@ double SparseCells::Fraction(Index cell, int material) const
 
 Bytes PackCells(const std::vector<SparseCells>& boxes)
 {
-  Bytes bytes;
+  Packer packer;
   for (const SparseCells& cells : boxes)
   {
-    Append(&cells.Box, 1, bytes);
-    Append(cells.Entry, bytes);
-    Append(cells.Offset, bytes);
-    Append(cells.Material, bytes);
-    Append(cells.Value, bytes);
+    packer.Add(cells.Box);
+    packer.Add(cells.Entry);
+    packer.Add(cells.Offset);
+    packer.Add(cells.Material);
+    packer.Add(cells.Value);
   }
-  return bytes;
+  return std::move(packer.Packed);
 }
 
 std::vector<SparseCells> UnpackCells(const Bytes& bytes)
@@ -89,11 +43,11 @@ std::vector<SparseCells> UnpackCells(const Bytes& bytes)
   {
     boxes.emplace_back();
     SparseCells& cells = boxes.back();
-    message.Take(&cells.Box, 1);
-    message.Take(cells.Entry);
-    message.Take(cells.Offset);
-    message.Take(cells.Material);
-    message.Take(cells.Value);
+    message.TakeTo(cells.Box);
+    message.TakeTo(cells.Entry);
+    message.TakeTo(cells.Offset);
+    message.TakeTo(cells.Material);
+    message.TakeTo(cells.Value);
   }
   return boxes;
 }

@@ -19,12 +19,7 @@ struct SparseCells
   std::vector<int> Material;      ///< of the items of all lists
   std::vector<double> Value;      ///< their fractions as read
 
-  Index CellId(const Index3& cell) const
-  {
-    return ((cell[2] - this->Box.Lower[2]) * this->Box.Size(1) + cell[1] - this->Box.Lower[1]) *
-      this->Box.Size(0) +
-      cell[0] - this->Box.Lower[0];
-  }
+  Index CellId(const Index3& cell) const { return IndexInBox(this->Box, cell); }
   /// Appends the next cell; items: its materials with their fractions, { Material, Value }, in order.
   template <class Item>
   void AddCell(const std::vector<Item>& items);

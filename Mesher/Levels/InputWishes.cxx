@@ -91,119 +91,96 @@ IndexBox CellsIn(const std::array<std::vector<double>, 3>& coordinates, const Re
 }
 
 /// Reads what cells want, block by block.
-class WishReader
+struct Work
 {
-public:
-  WishReader(
-    const InputLevels& input, const std::string& array, const std::vector<RefinementBox>& boxes) :
-    Input(input),
-    Array(array),
-    Boxes(TurnBoxes(boxes, input.Reading.Frame)),
-    CellsOfBoxes(boxes.size())
-  {
-  }
-
-  std::vector<std::vector<ChosenBox>> Read()
-  {
-    for (int level = 0; level <= this->Input.Finest(); ++level)
-    {
-      this->ReadLevel(level);
-    }
-    return std::move(this->Rows);
-  }
-
-  /// Of each box how many cells of this rank's blocks it reaches into.
-  const std::vector<Index>& GetCellsOfBoxes() const { return this->CellsOfBoxes; }
-
-private:
-  void ReadLevel(int level)
-  {
-    this->Rows.emplace_back();
-    const InputBlocks& blocks = this->Input.Levels[level];
-    this->Places.clear();
-    for (const RefinementBox& box : this->Boxes)
-    {
-      this->Places.push_back(
-        { CellsIn(blocks.Coordinates, box), static_cast<Index>(box.Halvings) });
-    }
-    for (const InputBlock& block : blocks.Blocks)
-    {
-      const auto array = this->Array.empty() ? nullptr : FindArray(block, this->Array);
-      ForRows(block.Box, [&](Index j, Index k) { this->ReadRow(block, array.get(), level, j, k); });
-      for (std::size_t b = 0; b < this->Boxes.size(); ++b)
-      {
-        this->CellsOfBoxes[b] += Intersect(this->Places[b].Cells, block.Box).NumberOfCells();
-      }
-    }
-  }
-
-  void ReadRow(const InputBlock& block, const BlockArray* array, int level, Index j, Index k)
-  {
-    const Index begin = block.Box.Lower[0], count = block.Box.Size(0);
-    this->Row.assign(count, 0);
-    for (const ChosenBox& place : this->Places)
-    {
-      const IndexBox cells =
-        Intersect(place.Cells, { { { begin, j, k } }, { { begin + count, j + 1, k + 1 } } });
-      for (Index i = cells.Lower[0]; cells.NumberOfCells() > 0 && i < cells.Upper[0]; ++i)
-      {
-        this->Row[i - begin] = std::max(this->Row[i - begin], place.Halvings);
-      }
-    }
-    const Index id = block.CellId({ { begin, j, k } });
-    ClearHidden(block, id, count, this->Row.data());
-    for (Index i = 0; array && i < count; ++i)
-    {
-      if (!IsHidden(block, id + i))
-      {
-        const double value = array->Get(id + i, 0);
-        this->CheckValue(value, { { begin + i, j, k } }, level);
-        this->Row[i] = std::max(this->Row[i], static_cast<Index>(value));
-      }
-    }
-    this->AddRow({ { begin, j, k } });
-  }
-
-  void CheckValue(double value, const Index3& cell, int level) const
-  {
-    if (!IsNumberOfHalvings(value))
-    {
-      std::ostringstream text;
-      text << "The refinement array '" << this->Array << "' holds " << value << " in "
-           << TextOf(cell);
-      text << (this->Input.Finest() > 0 ? " of level " + std::to_string(level) : "")
-           << ": it must tell how many times each cell is to be halved, a whole number from 0 to "
-           << MostHalvings << ".";
-      throw InputError(text.str());
-    }
-  }
-
-  /// Cells of equal wishes are one box.
-  void AddRow(const Index3& first)
-  {
-    const Index count = static_cast<Index>(this->Row.size());
-    for (Index i = 0, end = 0; i < count; i = end)
-    {
-      while (end < count && this->Row[end] == this->Row[i])
-      {
-        ++end;
-      }
-      if (this->Row[i] > 0)
-      {
-        this->Rows.back().push_back({ { { { first[0] + i, first[1], first[2] } },
-                                        { { first[0] + end, first[1] + 1, first[2] + 1 } } },
-          this->Row[i] });
-      }
-    }
-  }
-
   const InputLevels& Input;
   const std::string& Array;
   const std::vector<RefinementBox> Boxes;
-  std::vector<std::vector<ChosenBox>> Rows; // of each level
-  std::vector<ChosenBox> Places;            // of Boxes on the level that is read
-  std::vector<Index> CellsOfBoxes, Row;
+  std::vector<Index> CellsOfBoxes = std::vector<Index>(Boxes.size()); // that this rank reads
+  std::vector<std::vector<ChosenBox>> Rows{};                         // of each level
+  std::vector<ChosenBox> Places{}; // of Boxes on the level that is read
+  std::vector<Index> Row{};
 };
+
+void CheckValue(const Work& work, double value, const Index3& cell, int level)
+{
+  if (!IsNumberOfHalvings(value))
+  {
+    std::ostringstream text;
+    text << "The refinement array '" << work.Array << "' holds " << value << " in " << TextOf(cell);
+    text << (work.Input.Finest() > 0 ? " of level " + std::to_string(level) : "")
+         << ": it must tell how many times each cell is to be halved, a whole number from 0 to "
+         << MostHalvings << ".";
+    throw InputError(text.str());
+  }
+}
+
+/// Cells of equal wishes are one box.
+void AddRow(Work& work, const Index3& first)
+{
+  const Index count = static_cast<Index>(work.Row.size());
+  for (Index i = 0, end = 0; i < count; i = end)
+  {
+    while (end < count && work.Row[end] == work.Row[i])
+    {
+      ++end;
+    }
+    if (work.Row[i] > 0)
+    {
+      work.Rows.back().push_back({ { { { first[0] + i, first[1], first[2] } },
+                                     { { first[0] + end, first[1] + 1, first[2] + 1 } } },
+        work.Row[i] });
+    }
+  }
+}
+
+void ReadRow(
+  Work& work, const InputBlock& block, const BlockArray* array, int level, Index j, Index k)
+{
+  const Index begin = block.Box.Lower[0], count = block.Box.Size(0);
+  work.Row.assign(count, 0);
+  for (const ChosenBox& place : work.Places)
+  {
+    const IndexBox cells =
+      Intersect(place.Cells, { { { begin, j, k } }, { { begin + count, j + 1, k + 1 } } });
+    for (Index i = cells.Lower[0]; cells.NumberOfCells() > 0 && i < cells.Upper[0]; ++i)
+    {
+      work.Row[i - begin] = std::max(work.Row[i - begin], place.Halvings);
+    }
+  }
+  const Index id = block.CellId({ { begin, j, k } });
+  ClearHidden(block, id, count, work.Row.data());
+  for (Index i = 0; array && i < count; ++i)
+  {
+    if (!IsHidden(block, id + i))
+    {
+      const double value = array->Get(id + i, 0);
+      CheckValue(work, value, { { begin + i, j, k } }, level);
+      work.Row[i] = std::max(work.Row[i], static_cast<Index>(value));
+    }
+  }
+  AddRow(work, { { begin, j, k } });
+}
+
+void ReadLevel(Work& work, int level)
+{
+  work.Rows.emplace_back();
+  const InputBlocks& blocks = work.Input.Levels[level];
+  work.Places.clear();
+  for (const RefinementBox& box : work.Boxes)
+  {
+    work.Places.push_back({ CellsIn(blocks.Coordinates, box), static_cast<Index>(box.Halvings) });
+  }
+  for (const InputBlock& block : blocks.Blocks)
+  {
+    const auto array = work.Array.empty() ? nullptr : FindArray(block, work.Array);
+    ForRows(block.Box, [&](Index j, Index k) { ReadRow(work, block, array.get(), level, j, k); });
+    for (std::size_t b = 0; b < work.Boxes.size(); ++b)
+    {
+      work.CellsOfBoxes[b] += Intersect(work.Places[b].Cells, block.Box).NumberOfCells();
+    }
+  }
+}
 
 std::string WarnOfEmptyBoxes(const std::vector<Index>& cells)
 {
@@ -230,8 +207,16 @@ InputWishes FindInputWishes(const InputLevels& input, const std::string& array,
     return wishes;
   }
   CheckBoxes(boxes);
-  WishReader reader(input, array, boxes);
-  WorkTogether(ranks, [&] { wishes.Levels = reader.Read(); });
+  Work work{ input, array, TurnBoxes(boxes, input.Reading.Frame) };
+  WorkTogether(ranks,
+    [&]
+    {
+      for (int level = 0; level <= input.Finest(); ++level)
+      {
+        ReadLevel(work, level);
+      }
+    });
+  wishes.Levels = std::move(work.Rows);
   Index cells = 0, finest = 0;
   for (int level = 0; level <= input.Finest(); ++level)
   {
@@ -241,7 +226,7 @@ InputWishes FindInputWishes(const InputLevels& input, const std::string& array,
       finest = std::max(finest, level + row.Halvings);
     }
   }
-  std::vector<Index> counts = reader.GetCellsOfBoxes();
+  std::vector<Index> counts = std::move(work.CellsOfBoxes);
   counts.push_back(cells);
   ranks.Sum(counts);
   wishes.Cells = counts.back();

@@ -39,57 +39,43 @@ void AverageCells(const CartesianGrid& fineGrid, const FractionField& fine, cons
 }
 
 /// What the blocks hold, level by level, where this rank needs it.
-class LevelData
+struct LevelData
 {
-public:
-  /// Collective. top: the finest level that is kept; of finer ones the owned cells are received alone.
-  LevelData(const InputLevels& input, const LevelCells& cells,
-    const std::vector<BlockPlace>& owners, int top, Ranks& ranks) :
-    Input(input), Cells(cells)
-  {
-    for (int level = 0; level <= input.Finest(); ++level)
-    {
-      this->Received.push_back(ReceiveCells(ChangeLevel(owners, level), input.Levels[level],
-        *cells[level], level > top ? 0 : GhostLayers, ranks));
-    }
-  }
-
-  InputField MakeField(int level, const CartesianGrid& grid) const
-  {
-    return this->Cells[level]->MakeField(grid, this->Received[level]);
-  }
-
-  /// Sets the cells of a box that finer blocks cover to the means of what these hold; returns how many finer cells were mended.
-  MendedCells Average(
-    int level, const IndexBox& box, const CartesianGrid& grid, FractionField& field) const
-  {
-    MendedCells mended;
-    ForCells(ChangeLevel(box, -ChunkLevels),
-      [&](const Index3& place)
-      {
-        const IndexBox chunk = Intersect(ChangeLevel(BoxOfCell(place), ChunkLevels), box);
-        const IndexBox finerBox = ChangeLevel(chunk, 1);
-        const LevelCover cover(this->Input, level + 1, finerBox);
-        if (!cover.IsEmpty())
-        {
-          const CartesianGrid finerGrid(this->Input.Levels[level + 1].Coordinates, finerBox);
-          InputField finer = this->MakeField(level + 1, finerGrid);
-          mended.Add(finer.Mended);
-          if (level + 1 < this->Input.Finest())
-          {
-            mended.Add(this->Average(level + 1, finerBox, finerGrid, finer.Fractions));
-          }
-          AverageCells(finerGrid, finer.Fractions, cover, chunk, grid, field);
-        }
-      });
-    return mended;
-  }
-
-private:
   const InputLevels& Input;
   const LevelCells& Cells;
-  std::vector<std::vector<SparseCells>> Received; // of each level
+  std::vector<std::vector<SparseCells>> Received{}; // of each level
 };
+
+InputField MakeField(const LevelData& data, int level, const CartesianGrid& grid)
+{
+  return data.Cells[level]->MakeField(grid, data.Received[level]);
+}
+
+/// Sets the cells of a box that finer blocks cover to the means of what these hold; returns how many finer cells were mended.
+MendedCells Average(const LevelData& data, int level, const IndexBox& box,
+  const CartesianGrid& grid, FractionField& field)
+{
+  MendedCells mended;
+  ForCells(ChangeLevel(box, -ChunkLevels),
+    [&](const Index3& place)
+    {
+      const IndexBox chunk = Intersect(ChangeLevel(BoxOfCell(place), ChunkLevels), box);
+      const IndexBox finerBox = ChangeLevel(chunk, 1);
+      const LevelCover cover(data.Input, level + 1, finerBox);
+      if (!cover.IsEmpty())
+      {
+        const CartesianGrid finerGrid(data.Input.Levels[level + 1].Coordinates, finerBox);
+        InputField finer = MakeField(data, level + 1, finerGrid);
+        mended.Add(finer.Mended);
+        if (level + 1 < data.Input.Finest())
+        {
+          mended.Add(Average(data, level + 1, finerBox, finerGrid, finer.Fractions));
+        }
+        AverageCells(finerGrid, finer.Fractions, cover, chunk, grid, field);
+      }
+    });
+  return mended;
+}
 
 /// The levels 0 .. top of the input, each with its grid.
 struct LevelStack
@@ -106,7 +92,13 @@ LevelStack ReadLevels(const InputLevels& input, const LevelCells& cells, const L
   const int top = std::min(setup.Finest, input.Finest());
   const IndexBox owned = BoxOfRank(owners, ranks.Rank());
   WorkTogether(ranks, [&] { CheckCover(input, owned); });
-  const LevelData data(input, cells, owners, top, ranks);
+  LevelData data{ input, cells };
+  for (int level = 0; level <= input.Finest(); ++level)
+  {
+    data.Received.push_back(
+      ReceiveCells(ChangeLevel(owners, level), input.Levels[level], *cells[level],
+        level > top ? 0 : GhostLayers, ranks)); // of finer levels the owned cells alone
+  }
   LevelStack levels;
   WorkTogether(ranks,
     [&]
@@ -116,13 +108,13 @@ LevelStack ReadLevels(const InputLevels& input, const LevelCells& cells, const L
       {
         levels.Grids.emplace_back(HalveWidths(coordinates, level - std::min(setup.Base, 0)),
           ChangeLevel(owned, level), GhostLayers);
-        levels.Fields.push_back(data.MakeField(level, levels.Grids[level]));
+        levels.Fields.push_back(MakeField(data, level, levels.Grids[level]));
         levels.Mended.Add(levels.Fields[level].Mended);
       }
       if (top < input.Finest())
       {
-        levels.Mended.Add(data.Average(
-          top, levels.Grids[top].Owned(), levels.Grids[top], levels.Fields[top].Fractions));
+        levels.Mended.Add(Average(
+          data, top, levels.Grids[top].Owned(), levels.Grids[top], levels.Fields[top].Fractions));
       }
     });
   return levels;

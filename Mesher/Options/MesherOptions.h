@@ -72,7 +72,7 @@ struct ConserveOptions
 };
 
 /// Empty names are those of no array or file.
-struct MesherOptions : MeshSettings, ConserveOptions
+struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
 {
   MesherOptions() { this->Edges = SharpEdges::Automatic; }
 
@@ -87,8 +87,6 @@ struct MesherOptions : MeshSettings, ConserveOptions
   std::string VelocityArray, EnergyArray;
   Refinement Where = Refinement::InputLevels;
   int MaximumLevel = -1;
-  bool FineInterfaces = true; ///< of tets always
-  int FineLayers = 2;
   double ThinCells = 2.0, CurvaturePerCell = 0.0;
   bool RefineFlippedCells = false;
   int InterfaceLayers = 0;

@@ -135,7 +135,7 @@ void ConservedCells::CheckRow(Index j, Index k) const
   {
     const Index at = this->Grid.Linear({ { i, j, k } });
     const int source = this->Entry[at];
-    const auto check = [&](int material)
+    const auto check = [&](int material, double)
     {
       if (source >= 0 && material >= this->FirstMaterial)
       {
@@ -145,15 +145,7 @@ void ConservedCells::CheckRow(Index j, Index k) const
         this->Contents.Check(values.data(), material, cell.Cell, level, this->Names);
       }
     };
-    if (!this->Fractions.IsMixed(at))
-    {
-      check(this->Fractions.Label(at));
-      continue;
-    }
-    for (const FractionField::Part& part : this->Fractions.Parts(at))
-    {
-      check(part.Material);
-    }
+    this->Fractions.ForParts(at, check);
   }
 }
 

@@ -102,15 +102,9 @@ void FineContents::AddLevel(
       const InputCell fine{ source, cell, grid.CellVolume(cell), &fractions, at };
       const Index3 whole = ChangeLevel(BoxOfCell(cell), level - finer).Lower;
       std::vector<Sums>& parts = sums[IndexInBox(chunk, whole)];
-      if (!fractions.IsMixed(at))
-      {
-        this->AddCell(fine, finer, fine.Volume, fractions.Label(at), parts);
-        return;
-      }
-      for (const FractionField::Part& part : fractions.Parts(at))
-      {
-        this->AddCell(fine, finer, fine.Volume * part.Fraction, part.Material, parts);
-      }
+      fractions.ForParts(at,
+        [&](int material, double fraction)
+        { this->AddCell(fine, finer, fine.Volume * fraction, material, parts); });
     });
 }
 

@@ -35,17 +35,12 @@ struct Filling
 Filling FindFilling(const FractionField& fractions, Index cell, int material)
 {
   Filling filling;
-  if (!fractions.IsMixed(cell))
-  {
-    filling.Own = fractions.Label(cell) == material ? 1.0 : 0.0;
-    filling.All = fractions.Label(cell) > 0 ? 1.0 : 0.0;
-    return filling;
-  }
-  for (const FractionField::Part& part : fractions.Parts(cell))
-  {
-    filling.Own += part.Material == material ? part.Fraction : 0.0;
-    filling.All += part.Material > 0 ? part.Fraction : 0.0;
-  }
+  fractions.ForParts(cell,
+    [&](int other, double fraction)
+    {
+      filling.Own += other == material ? fraction : 0.0;
+      filling.All += other > 0 ? fraction : 0.0;
+    });
   return filling;
 }
 

@@ -1,10 +1,10 @@
 #include "State/StateArrays.h"
 
 #include "Input/InputArrays.h"
+#include "Input/PackBytes.h"
 #include "Ranks/Agreement.h"
 
 #include <functional>
-#include <sstream>
 
 namespace vfm
 {
@@ -36,39 +36,26 @@ void CheckAgainst(const StateArray& expected, const InputBlock& block)
   }
 }
 
-/// As a message: numbers and names of components, each ended by a zero.
 Bytes Pack(const std::vector<StateArray>& states)
 {
-  std::ostringstream text;
+  Packer packer;
   for (const StateArray& state : states)
   {
-    text << state.Type << '\0' << state.Components << '\0' << state.ComponentNames.size() << '\0';
-    for (const std::string& name : state.ComponentNames)
-    {
-      text << name << '\0';
-    }
+    packer.Add(state.Type);
+    packer.Add(state.Components);
+    packer.Add(state.ComponentNames);
   }
-  const std::string packed = text.str();
-  return { packed.begin(), packed.end() };
+  return std::move(packer.Packed);
 }
 
 std::vector<StateArray> Unpack(const Bytes& bytes, const std::vector<std::string>& names)
 {
-  std::istringstream text(std::string(bytes.begin(), bytes.end()));
-  const auto take = [&text]
-  {
-    std::string item;
-    std::getline(text, item, '\0');
-    return item;
-  };
+  Unpacker unpacker(bytes);
   std::vector<StateArray> states;
   for (const std::string& name : names)
   {
-    StateArray state{ name, std::stoi(take()), 0, {} };
-    state.Components = std::stoi(take());
-    state.ComponentNames.resize(std::stoi(take()));
-    std::generate(state.ComponentNames.begin(), state.ComponentNames.end(), take);
-    states.push_back(std::move(state));
+    states.push_back({ name, unpacker.Take<int>(), unpacker.Take<int>(), {} });
+    unpacker.TakeTo(states.back().ComponentNames);
   }
   return states;
 }

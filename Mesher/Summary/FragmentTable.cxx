@@ -206,11 +206,11 @@ void FindNeighbours(const MeshData& mesh, Ranks& ranks, std::vector<FragmentSumm
 {
   using Pair = std::array<int, 2>;
   std::vector<Pair> pairs;
-  for (const MeshFace& face : FindMeshFaces(mesh, mesh.Fragment, ranks))
+  for (const FacetSide& face : FindMeshFaces(mesh, mesh.Fragment, ranks))
   {
-    if (face.Behind != NothingBehind)
+    if (face.Facet.Behind != NothingBehind)
     {
-      pairs.push_back({ { mesh.Fragment[face.Element], face.Behind } });
+      pairs.push_back({ { mesh.Fragment[face.Facet.Element], face.Facet.Behind } });
     }
   }
   for (const Pair& pair : Unite(ranks, std::move(pairs)))

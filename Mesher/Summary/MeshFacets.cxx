@@ -12,7 +12,7 @@ namespace
 {
 
 /// The faces that can be on a surface.
-std::vector<MeshFace> CollectFaces(const MeshData& mesh)
+std::vector<FacetSide> CollectFaces(const MeshData& mesh)
 {
   const ElementFaces table(mesh.Corners);
   const auto isInside = [&mesh](Index point)
@@ -20,7 +20,7 @@ std::vector<MeshFace> CollectFaces(const MeshData& mesh)
     return point >= 0 && mesh.GeometryDimension &&
       mesh.GeometryDimension[point] >= DimensionOfVolumes;
   };
-  std::vector<MeshFace> faces;
+  std::vector<FacetSide> faces;
   for (Index element = 0; element < mesh.NumberOfElements; ++element)
   {
     for (int side = 0; side < table.Count; ++side)
@@ -28,14 +28,14 @@ std::vector<MeshFace> CollectFaces(const MeshData& mesh)
       const std::array<Index, 4> points = table.PointsOf(mesh.Element(element), side);
       if (std::none_of(points.begin(), points.end(), isInside))
       {
-        faces.push_back({ element, side, points, NothingBehind });
+        faces.push_back({ points, { element, side, NothingBehind, 0, NoSide } });
       }
     }
   }
   return faces;
 }
 
-FaceIds GlobalIds(const MeshFace& face, const MeshData& mesh)
+FaceIds GlobalIds(const FacetSide& face, const MeshData& mesh)
 {
   FaceIds ids;
   std::transform(face.Points.begin(), face.Points.end(), ids.begin(),
@@ -67,7 +67,7 @@ public:
     }
   }
 
-  int Find(const MeshFace& face) const
+  int Find(const FacetSide& face) const
   {
     const MeshData& mesh = this->TheMesh;
     if (this->Parts.empty() || !mesh.GeometryDimension || !mesh.GeometryId)
@@ -97,9 +97,9 @@ private:
 
 } // namespace
 
-std::vector<MeshFace> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks)
+std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks)
 {
-  std::vector<MeshFace> faces;
+  std::vector<FacetSide> faces;
   std::vector<int> valuesOfFaces;
   std::vector<FaceIds> ids;
   WorkTogether(ranks,
@@ -107,20 +107,20 @@ std::vector<MeshFace> FindMeshFaces(const MeshData& mesh, const int* values, Ran
     {
       Require(mesh.PointIds, "GlobalPointIds", mesh);
       faces = CollectFaces(mesh);
-      for (const MeshFace& face : faces)
+      for (const FacetSide& face : faces)
       {
-        valuesOfFaces.push_back(values[face.Element]);
+        valuesOfFaces.push_back(values[face.Facet.Element]);
         ids.push_back(GlobalIds(face, mesh));
       }
     });
   const std::vector<int> behind = MatchFaces(ids, valuesOfFaces, ranks);
-  std::vector<MeshFace> found;
+  std::vector<FacetSide> found;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     if (behind[f] != valuesOfFaces[f])
     {
       found.push_back(faces[f]);
-      found.back().Behind = behind[f];
+      found.back().Facet.Behind = behind[f];
     }
   }
   return found;
@@ -136,11 +136,12 @@ std::vector<MeshFacet> FindMeshFacets(const MeshData& mesh, Ranks& ranks)
   const DomainSides domain(mesh);
   const FaceSurfaces surfaces(mesh);
   std::vector<MeshFacet> facets;
-  for (const MeshFace& face : FindMeshFaces(mesh, mesh.Material, ranks))
+  for (const FacetSide& face : FindMeshFaces(mesh, mesh.Material, ranks))
   {
-    const int side = face.Behind == NothingBehind ? domain.SideOfFace(face.Points) : NoSide;
-    const int surface = side == NoSide ? surfaces.Find(face) : 0;
-    facets.push_back({ face.Element, face.Side, face.Behind, surface, side });
+    facets.push_back(face.Facet);
+    MeshFacet& facet = facets.back();
+    facet.DomainSide = facet.Behind == NothingBehind ? domain.SideOfFace(face.Points) : NoSide;
+    facet.Surface = facet.DomainSide == NoSide ? surfaces.Find(face) : 0;
   }
   return facets;
 }

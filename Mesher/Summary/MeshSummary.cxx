@@ -1,6 +1,7 @@
 #include "Summary/MeshSummary.h"
 
 #include "Base/ExactSum.h"
+#include "Ranks/Agreement.h"
 #include "Ranks/MaxOfEach.h"
 #include "Summary/ElementMoments.h"
 #include "Summary/MeshMaterials.h"
@@ -147,14 +148,13 @@ std::vector<int> FindParts(const MeshData& mesh, const int* values, const Place&
 /// The volume of a mean element, so that sums are as exact for small lengths as for large ones.
 double FindUnit(const std::vector<double>& volumes, Index elements, Ranks& ranks)
 {
-  std::vector<std::int64_t> count{ elements };
-  ranks.Sum(count);
+  const std::int64_t count = SumOverRanks(elements, ranks);
   double total = 0.0;
   for (double volume : volumes)
   {
     total += volume;
   }
-  return count[0] > 0 && total > 0.0 ? total / static_cast<double>(count[0]) : 1.0;
+  return count > 0 && total > 0.0 ? total / static_cast<double>(count) : 1.0;
 }
 
 void NameMaterials(

@@ -1,90 +1,11 @@
 #include "Summary/PackMesh.h"
 
+#include "Input/PackBytes.h"
+
 namespace vfm
 {
 namespace
 {
-
-class Packer
-{
-public:
-  template <class T>
-  void Add(const T& value)
-  {
-    this->AddMany(&value, 1);
-  }
-  template <class T>
-  void AddMany(const T* values, Index count)
-  {
-    const char* begin = reinterpret_cast<const char*>(values);
-    this->Packed.insert(this->Packed.end(), begin, begin + count * sizeof(T));
-  }
-  void Add(const std::string& text)
-  {
-    this->Add(static_cast<Index>(text.size()));
-    this->AddMany(text.data(), static_cast<Index>(text.size()));
-  }
-  template <class T>
-  void Add(const std::vector<T>& values)
-  {
-    this->Add(static_cast<Index>(values.size()));
-    for (const T& value : values)
-    {
-      this->Add(value);
-    }
-  }
-
-  Bytes Packed;
-};
-
-class Unpacker
-{
-public:
-  explicit Unpacker(const Bytes& bytes) : Next(bytes.data()) {}
-
-  template <class T>
-  T Take()
-  {
-    T value;
-    this->TakeTo(value);
-    return value;
-  }
-  template <class T>
-  void TakeTo(T& value)
-  {
-    std::memcpy(&value, this->Next, sizeof(T));
-    this->Next += sizeof(T);
-  }
-  void TakeTo(std::string& text)
-  {
-    const auto size = this->Take<Index>();
-    text.assign(this->Next, size);
-    this->Next += size;
-  }
-  template <class T>
-  void TakeTo(std::vector<T>& values)
-  {
-    values.resize(this->Take<Index>());
-    for (T& value : values)
-    {
-      this->TakeTo(value);
-    }
-  }
-  template <class T>
-  std::vector<T> TakeMany(Index count)
-  {
-    std::vector<T> values(count);
-    if (count > 0)
-    {
-      std::memcpy(values.data(), this->Next, count * sizeof(T));
-      this->Next += count * sizeof(T);
-    }
-    return values;
-  }
-
-private:
-  const char* Next;
-};
 
 Index SizeOf(const MeshArray& array, Index tuples)
 {

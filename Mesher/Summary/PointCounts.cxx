@@ -1,5 +1,6 @@
 #include "Summary/PointCounts.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/ExchangeAll.h"
 
 #include <algorithm>
@@ -9,24 +10,7 @@ namespace vfm
 namespace
 {
 
-struct PartPoint
-{
-  Index Part, Id;
-  bool operator<(const PartPoint& other) const
-  {
-    return this->Part != other.Part ? this->Part < other.Part : this->Id < other.Id;
-  }
-  bool operator==(const PartPoint& other) const
-  {
-    return this->Part == other.Part && this->Id == other.Id;
-  }
-};
-
-void Tidy(std::vector<PartPoint>& points)
-{
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-}
+using PartPoint = std::array<Index, 2>; // part, id
 
 std::vector<PartPoint> FindOwnPoints(const MeshData& mesh, const std::vector<int>& partOf)
 {
@@ -36,10 +20,10 @@ std::vector<PartPoint> FindOwnPoints(const MeshData& mesh, const std::vector<int
     const Index* points = mesh.Element(static_cast<Index>(e));
     for (int c = 0; c < mesh.Corners; ++c)
     {
-      found.push_back({ partOf[e], mesh.PointIds[points[c]] });
+      found.push_back({ { partOf[e], mesh.PointIds[points[c]] } });
     }
   }
-  Tidy(found);
+  SortUnique(found);
   return found;
 }
 
@@ -49,10 +33,10 @@ std::vector<PartPoint> DealPoints(const std::vector<PartPoint>& own, Ranks& rank
   std::vector<std::vector<PartPoint>> shares(ranks.Count());
   for (const PartPoint& point : own)
   {
-    shares[point.Id % ranks.Count()].push_back(point);
+    shares[point[1] % ranks.Count()].push_back(point);
   }
   auto mine = JoinItems<PartPoint>(ExchangeAll(PackLists(shares), ranks));
-  Tidy(mine);
+  SortUnique(mine);
   return mine;
 }
 
@@ -64,7 +48,7 @@ std::vector<Index> CountPoints(
   std::vector<std::int64_t> counts(numberOfParts, 0);
   for (const PartPoint& point : DealPoints(FindOwnPoints(mesh, partOf), ranks))
   {
-    ++counts[point.Part];
+    ++counts[point[0]];
   }
   ranks.Sum(counts);
   return counts;

@@ -1,5 +1,6 @@
 #include "Summary/SharedPoints.h"
 
+#include "Base/Sorted.h"
 #include "Ranks/ExchangeAll.h"
 
 #include <algorithm>
@@ -33,23 +34,17 @@ std::vector<Bytes> FindMeetings(const std::vector<Bytes>& questions)
   }
   std::sort(all.begin(), all.end());
   std::vector<std::vector<Meeting>> answers(questions.size());
-  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end)
-  {
-    while (end < all.size() && all[end].Id == all[begin].Id)
+  ForRuns(
+    all.begin(), all.end(), [](const Meeting& a, const Meeting& b) { return a.Id == b.Id; },
+    [&](auto begin, auto end)
     {
-      ++end;
-    }
-    for (std::size_t one = begin; one < end; ++one)
-    {
-      for (std::size_t other = begin; other < end; ++other)
+      for (auto one = begin; one != end; ++one)
       {
-        if (one != other)
-        {
-          answers[all[one].Rank].push_back(all[other]);
-        }
+        std::vector<Meeting>& answer = answers[one->Rank];
+        answer.insert(answer.end(), begin, one);
+        answer.insert(answer.end(), one + 1, end);
       }
-    }
-  }
+    });
   return PackLists(answers);
 }
 
