@@ -255,6 +255,10 @@ public:
   };
 
   // options: generated
+  /// Leave the mesh of an image with a direction matrix in the axes of the image, so that sides of
+  /// the domain lie along x, y and z. Off: the mesh is turned to where the image lies in space.
+  /// State arrays and refinement boxes are not turned. Takes on or off; default off.
+  vfmSwitchOption(ImageAxes);
   /// Mesh the void as well, as material 0, conforming with the materials. Takes on or off; default
   /// off.
   vfmSwitchOption(MeshVoid);

@@ -182,7 +182,7 @@ void Finish(
   const auto append = [](FieldArrays more, FieldArrays& to)
   { std::move(more.begin(), more.end(), std::back_inserter(to)); };
   const Materials& table = fields.Field.Table;
-  const ImageFrame& frame = job.Input.Levels.Reading.Frame;
+  const ImageFrame frame = job.Options.ImageAxes ? ImageFrame() : job.Input.Levels.Reading.Frame;
   TurnMesh(frame, result.TheMesh);
   UseLabels(table, result.TheMesh);
   append(ListSides(result.TheMesh.Tables), result.Fields);

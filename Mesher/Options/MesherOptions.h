@@ -80,6 +80,7 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
   std::string LabelNames; ///< a file
+  bool ImageAxes = false; ///< the mesh is not turned
   int MinimumRegionCells = 0;
   StateTransfer Transfer = StateTransfer::Automatic;
   std::vector<std::string> DensityArrays;

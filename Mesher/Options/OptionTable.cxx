@@ -135,6 +135,13 @@ OptionTable MaterialsOptions()
       .ShownIf("MaterialIdArray")
       .Advanced()
       .Sculptor("--label-names FILE"),
+    Row("ImageAxes", Switch<&M::ImageAxes>(),
+      "Leave the mesh of an image with a direction matrix in the axes of the image, so that sides "
+      "of "
+      "the domain lie along x, y and z. Off: the mesh is turned to where the image lies in space. "
+      "State arrays and refinement boxes are not turned.")
+      .Advanced()
+      .Sculptor("--image-axes"),
     Row("MeshVoid", Switch<&M::MeshVoid>(),
       "Mesh the void as well, as material 0, conforming with the materials.")
       .Sculptor("--void"),

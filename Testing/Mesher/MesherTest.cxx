@@ -2,6 +2,7 @@
 #include "Mesher.h"
 #include "Input/NodeCoordinates.h"
 #include "Shapes/ShapesFractions.h"
+#include "Summary/MeshData.h"
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,24 @@ TEST(Mesher, StateIsThatOfACellOfTheElement)
   {
     EXPECT_GE(values->Get(static_cast<Index>(numbers[e]), 0), 0.5);
   }
+}
+
+TEST(Mesher, MeshesOfTurnedImagesStayInTheirAxesIfAsked)
+{
+  Runtime serial;
+  MesherOptions options;
+  const MesherResult own = RunMesher(MakeInput(true), options, serial);
+  MesherInput mirrored = MakeInput(true);
+  mirrored.Levels.Reading.Frame =
+    MakeImageFrame({ 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0 }, { { 0.0, 0.0, 5.0 } }, "A");
+  const MesherResult turned = RunMesher(mirrored, options, serial);
+  EXPECT_NE(ListOf(turned.TheMesh.Points), ListOf(own.TheMesh.Points));
+  EXPECT_TRUE(FindField(turned.Fields, "DomainFrame"));
+  options.ImageAxes = true;
+  const MesherResult left = RunMesher(mirrored, options, serial);
+  EXPECT_EQ(ListOf(left.TheMesh.Points), ListOf(own.TheMesh.Points));
+  EXPECT_EQ(ListOf(left.TheMesh.Elements), ListOf(own.TheMesh.Elements));
+  EXPECT_FALSE(FindField(left.Fields, "DomainFrame"));
 }
 
 TEST(Mesher, TellsOfTheMesh)
