@@ -2,7 +2,7 @@
 import numpy as np
 
 from vfmtest import (
-    DEFAULTS, ORIGIN, SPACING, ball_and_plate, box_along_axes, check_surfaces, digest, fraction_image, image, labels, main, mesh_of, points_of, producer, run,
+    ORIGIN, SPACING, ball_and_plate, box_along_axes, check_surfaces, digest, fraction_image, image, labels, list_defaults, main, mesh_of, points_of, producer, run,
     simple, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
@@ -31,10 +31,11 @@ def mesh_of_film(thickness, refinement):
 
 
 def test_names_and_defaults():
+    defaults = list_defaults(of_tets=False)
     for source in (producer(fraction_image(4)), simple.Wavelet()):
         hexes = VolumeFractionToHex(Input=source)
-        assert set(hexes.ListProperties()) == {"Input"} | set(DEFAULTS)
-        for name, value in DEFAULTS.items():
+        assert set(hexes.ListProperties()) == {"Input"} | set(defaults)
+        for name, value in defaults.items():
             assert getattr(hexes, name) == value, (name, getattr(hexes, name))
 
 

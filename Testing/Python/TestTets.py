@@ -6,15 +6,12 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vfmtest import (
-    DEFAULTS, ORIGIN, SPACING, TET_METHODS, ball_and_plate, check_error, digest, elements, face_owners, facets, fraction_image,
-    image, labels, main, mesh_of, producer, run, tet_volumes, VolumeFractionToTet)
+    ORIGIN, SPACING, TET_METHODS, ball_and_plate, check_error, digest, elements, face_owners, facets, fraction_image,
+    image, labels, list_defaults, main, mesh_of, producer, run, tet_volumes, VolumeFractionToTet)
 
 N = 12
 DATA = fraction_image(N)
 HAS_TETGEN = "TetGen" in TET_METHODS
-OWN_DEFAULTS = {
-    "Method": "Lattice", "RelativeSize": 1.0, "Growth": 0.3, "RadiusEdgeRatio": 1.4,
-    "MinimumDihedralAngle": 10.0, "OptimizationLevel": 4}
 OUT_OF_RANGE = {
     "RelativeSize": (0.0, -1.0), "Growth": (-0.1,), "RadiusEdgeRatio": (0.9,), "MinimumDihedralAngle": (-1.0, 61.0),
     "OptimizationLevel": (-1, 11)}
@@ -50,13 +47,14 @@ def check_mesh(result):
 
 def test_names_and_defaults():
     tets = VolumeFractionToTet(Input=producer(fraction_image(4)))
-    assert set(tets.ListProperties()) == {"Input", "HasTetGen"} | set(DEFAULTS) | set(OWN_DEFAULTS)
-    for name, value in {**DEFAULTS, **OWN_DEFAULTS}.items():
+    defaults = list_defaults(of_tets=True)
+    assert set(tets.ListProperties()) == {"Input", "HasTetGen"} | set(defaults)
+    for name, value in defaults.items():
         assert getattr(tets, name) == value, (name, getattr(tets, name))
 
 
 def test_default_method():
-    assert digest(tets_of(DATA)) == digest(MESHES[OWN_DEFAULTS["Method"]])
+    assert digest(tets_of(DATA)) == digest(MESHES["Lattice"])
 
 
 def test_fine_interfaces_are_for_hexahedra():

@@ -4,7 +4,10 @@ The environment variable VFM_PLUGIN names the plugin; without it, plain VTK stan
 test_*; main() runs all, and says which need ParaView.
 """
 import hashlib
+import json
 import os
+import re
+import subprocess
 import sys
 import tempfile
 import time
@@ -37,15 +40,20 @@ GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
 HEX_FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
 HEX_EDGES = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]])  # at each corner
 TET_FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
-DEFAULTS = {  # of the properties of both meshing filters
-    "VolumeFractionArrays": [], "MaterialIdArray": [None, "None"], "StateArrays": [], "StateTransfer": "Automatic", "DensityArrays": [],
-    "StateKinds": [], "StateOrder": "2", "VelocityArray": "None", "EnergyArray": "None", "NodalVelocity": 0, "LostKineticEnergy": "Report",
-    "UnmeshedMaterial": "Give", "LabelSmoothing": 0, "LabelNames": "", "MinimumRegionCells": 0, "FractionTolerance": 1e-6,
-    "Refinement": "Input Levels", "MaximumLevel": "Automatic", "FineInterfaces": 1, "FineLayers": 2, "ChildFractions": "Planes",
-    "MaximumAspectRatio": 0.0, "ThinCells": 2.0, "CurvaturePerCell": 0.0, "RefineFlippedCells": 0, "InterfaceLayers": 0,
-    "RefinementArray": "None", "RefinementBoxes": [], "MeshVoid": 0, "IsoValue": 0.5, "StairStep": 0, "Smoothing": "Quadric Surface",
-    "SharpEdges": "Automatic", "TargetScaledJacobian": 0.0, "ConserveVolume": 1, "ComputeQuality": 1, "NumberOfThreads": 0}
 SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)  # exact in binary: blocks match bit for bit
+
+
+def list_defaults(of_tets):
+    """What the properties of a meshing filter are at first, by the table of options (the program describe_options)."""
+    built = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "bin", "describe_options")
+    rows = json.loads(subprocess.check_output([os.environ.get("VFM_OPTIONS", built)]))
+    defaults = {"VolumeFractionArrays": [], "MaterialIdArray": [None, "None"], "StateArrays": []}
+    for row in rows:
+        if of_tets or not row["tets"]:
+            words = re.sub("(?<=[a-z])(?=[A-Z])", " ", row["default"])
+            lists = dict.fromkeys(("arrays", "kinds", "boxes"), [])
+            defaults[row["name"]] = {**lists, "array": "None", "file": "", "choice": words}.get(row["kind"], row["number"])
+    return {**defaults, "StateOrder": "2", "MaximumLevel": "Automatic"}  # which panels have words for
 
 
 def ball_and_plate(n=12):
