@@ -3,7 +3,7 @@
 set(vfm_python_environment
   "VFM_WRAPPERS=${vfm_lib_folder}/python3/dist-packages" "VFM_SCULPTOR=$<TARGET_FILE:sculptor>"
   "VFM_OPTIONS=$<TARGET_FILE:describe_options>"
-  "PYTHONPATH=${CMAKE_CURRENT_SOURCE_DIR}/Support/QuickStart" PYTHONDONTWRITEBYTECODE=1 ${vfm_mpi_environment})
+  "PYTHONPATH=${CMAKE_CURRENT_SOURCE_DIR}/Python:${CMAKE_CURRENT_SOURCE_DIR}/Support/QuickStart" PYTHONDONTWRITEBYTECODE=1 ${vfm_mpi_environment})
 if (VFM_PLUGIN)
   set(vfm_python pvpython)
   set(vfm_ranks_python "${pvbatch_EXECUTABLE}" --sym)

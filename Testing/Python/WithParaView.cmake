@@ -1,24 +1,23 @@
 # Tests that need ParaView itself: its windows, servers, filters and readers.
 foreach (name IN ITEMS Colours Examples Printed Server)
-  vfm_add_python_test(pvpython ${name} full)
+  vfm_add_python_test(pvpython ParaView ${name} full)
 endforeach ()
-vfm_add_python_test(pvbatch Pipeline full)
-vfm_add_python_test(pvpython Saving quick)
+vfm_add_python_test(pvbatch Filters Pipeline full)
+vfm_add_python_test(pvpython Files Saving quick)
 # ParaView itself reports input of another kind when the filter is made.
 set_tests_properties(pvpython.Errors PROPERTIES FAIL_REGULAR_EXPRESSION "Traceback")
 
 # Files of shock codes by ParaView's reader.
 if (TARGET ParaView::VTKExtensionsIOSPCTH)
-  foreach (name IN ITEMS ConserveInputs SpyPlot)
-    vfm_add_python_test(pvpython ${name} full)
-  endforeach ()
+  vfm_add_python_test(pvpython Files SpyPlot full)
+  vfm_add_python_test(pvpython Filters ConserveInputs full)
   vfm_add_ranks_test(RankSpyPlot 3 full)
 endif ()
 
 # Ranks of which the first alone runs the script.
 add_test(NAME ranks4.RankOutputs
   COMMAND "${mpiexec_EXECUTABLE}" --oversubscribe --bind-to none -n 4
-    "${pvbatch_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/TestRankOutputs.py" "${CMAKE_CURRENT_BINARY_DIR}/ranks")
+    "${pvbatch_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Ranks/TestRankOutputs.py" "${CMAKE_CURRENT_BINARY_DIR}/ranks")
 vfm_set_python_properties(ranks4.RankOutputs full)
 set_tests_properties(ranks4.RankOutputs PROPERTIES FIXTURES_REQUIRED Ranks)
 vfm_add_ranks_test(RankSeries 4 full)
@@ -27,10 +26,10 @@ vfm_add_ranks_test(RankSeries 4 full)
 find_program(xvfb_run_EXECUTABLE xvfb-run REQUIRED)
 set(on_screen "${xvfb_run_EXECUTABLE}" -a -s "-screen 0 1280x1024x24 -noreset")
 add_test(NAME pvpython.Applies
-  COMMAND ${on_screen} "${pvpython_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/TestApplies.py")
+  COMMAND ${on_screen} "${pvpython_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/ParaView/TestApplies.py")
 add_test(NAME ranks3.Applies
   COMMAND ${on_screen} "${mpiexec_EXECUTABLE}" --oversubscribe --bind-to none -n 3 "${pvbatch_EXECUTABLE}" --sym
-    "${CMAKE_CURRENT_SOURCE_DIR}/TestApplies.py" "${CMAKE_CURRENT_BINARY_DIR}/applies")
+    "${CMAKE_CURRENT_SOURCE_DIR}/ParaView/TestApplies.py" "${CMAKE_CURRENT_BINARY_DIR}/applies")
 foreach (test IN ITEMS pvpython.Applies ranks3.Applies)
   vfm_set_python_properties(${test} full)
   set_tests_properties(${test} PROPERTIES FAIL_REGULAR_EXPRESSION "Traceback") # errors are shown
@@ -38,7 +37,7 @@ endforeach ()
 
 find_program(paraview_EXECUTABLE paraview)
 if (paraview_EXECUTABLE)
-  vfm_add_python_test(pvpython Window full)
+  vfm_add_python_test(pvpython ParaView Window full)
 else ()
   message(STATUS "ParaView's window (paraview) was not found: no test clicks there")
 endif ()
@@ -46,7 +45,7 @@ endif ()
 # Real solves on the meshes.
 find_program(ccx_EXECUTABLE ccx)
 if (ccx_EXECUTABLE)
-  vfm_add_python_test(pvpython Calculix full)
+  vfm_add_python_test(pvpython ParaView Calculix full)
 else ()
   message(STATUS "CalculiX (ccx, package calculix-ccx) was not found: no test solves on the meshes")
 endif ()
@@ -56,7 +55,7 @@ file(GLOB figures CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Examples/report/figur
 foreach (figure IN LISTS figures)
   get_filename_component(name "${figure}" NAME_WE)
   add_test(NAME "report.${name}"
-    COMMAND "${pvpython_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/TestReport.py" "${figure}")
+    COMMAND "${pvpython_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/ParaView/TestReport.py" "${figure}")
   vfm_set_python_properties("report.${name}" full)
   set_property(TEST "report.${name}" APPEND PROPERTY ENVIRONMENT "BUILD_DIR=${PROJECT_BINARY_DIR}")
 endforeach ()

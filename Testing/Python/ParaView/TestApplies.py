@@ -12,7 +12,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from vfmtest import failure_of, fraction_image, labels, main, reduced, write, VolumeFractionToHex
 from vfmtest import NumPyVoxelReader, VolumeFractionFragments, VolumeFractionShapes
 
-BALL_AND_PLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "ball_and_plate.vti")
+BALL_AND_PLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "ball_and_plate.vti")
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 FAILING = RANKS // 2  # the rank where one alone fails

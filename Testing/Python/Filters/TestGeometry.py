@@ -79,7 +79,7 @@ def time_of(data):
 
 @in_folder
 def test_time(at):
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "impact.spcth")
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "impact.spcth")
     mesh_file(path, at("mesh.vtu"), "--geometry", at("geometry.vtm"), "--step", "1", ranks=2)
     time = time_of(read_pieces(at("mesh.vtu"))[0])
     assert time > 0 and {time_of(block) for block in read_geometry(at("geometry.vtm")).values()} == {time}

@@ -13,7 +13,7 @@ from paraview import simple
 from mpi_run import OF_THIS_PROCESS, SETTINGS
 
 PLUGIN = os.environ["VFM_PLUGIN"]
-FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "ball_and_plate.vti")
+FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "ball_and_plate.vti")
 MISSED = re.compile("Could not create object of type: vtkSMMesh(ArrayList)?Domain")  # by a client while it lacks the plugin
 OURS = "ExodusAndSetsWriter"
 LIMIT = 300  # seconds; machines are shared

@@ -14,7 +14,7 @@ from inp_file import InpFile
 from vfmtest import (
     TET_METHODS, ball_and_plate, image, in_folder, main, producer, VolumeFractionShapes, VolumeFractionToHex, VolumeFractionToTet)
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Examples"))
 import calculix
 
 KINDS = ["Hex"] + TET_METHODS

@@ -19,7 +19,7 @@ from vfmtest import (
     ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, box_along_axes, exodus_parts, fraction_image,
     image, in_folder, labels, main, mesh_of, rectilinear, uniform, write, simple)
 
-DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
 SPLASH = os.path.join(DATA, "splash_2ms.vti")
 NAMED = {"Refinement": "Automatic", "ThinCells": 0, "FineInterfaces": 0}  # what --refine-cells and --refine-box set

@@ -17,7 +17,7 @@ from exodus_grids import TIMES, fields, hexes, shuffled, write_exodus
 from sculptor_program import rows, sculptor
 from vfmtest import hex_volumes, main, tet_volumes
 
-DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data")
 FOLDER = tempfile.mkdtemp()
 CELL = 1 / 32  # of impact.spcth
 

@@ -24,7 +24,7 @@ from vfmtest import (
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 FOLDER = sys.argv[1]
-SPLASH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "splash_3500us.vti")
+SPLASH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "splash_3500us.vti")
 
 
 def sphere(n=16):

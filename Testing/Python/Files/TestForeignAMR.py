@@ -16,8 +16,8 @@ from spyplot_cases import without_reader_fields
 from vfmtest import PYTHON, Result, VolumeFractionToHex, VolumeFractionToTet, collect, digest, in_folder, main, mesh_of, simple
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-DATA = os.path.join(HERE, "..", "..", "Data")
-EXAMPLES = os.path.join(HERE, "..", "..", "Examples")
+DATA = os.path.join(HERE, "..", "..", "..", "Data")
+EXAMPLES = os.path.join(HERE, "..", "..", "..", "Examples")
 FRACTIONS = ["ball", "rest"]
 SPY = ["Material volume fraction - 1", "Material volume fraction - 2"]
 AMR = make_amr()

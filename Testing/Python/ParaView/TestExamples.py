@@ -21,7 +21,7 @@ from vtkmodules.vtkIOXML import (
 from mpi_run import mpi_run
 from vfmtest import exodus_parts, fraction_image, image, in_folder, main, mesh_of, tet_volumes, write
 
-EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples")
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Examples")
 DATA = os.path.join(EXAMPLES, "..", "Data")
 SCRIPT = os.path.join(EXAMPLES, "mesh_series.py")
 ATLAS = "/usr/share/mricron/templates/HarvardOxford-cort-maxprob-thr0-1mm.nii.gz"

@@ -9,7 +9,7 @@ from exodus_of_mesh import check
 from mpi_run import mpi_run
 from vfmtest import in_folder, main, VolumeFractionToHex
 
-FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "fin.vti")
+FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "fin.vti")
 MENUS, PANEL, MANAGER = "menubar/menu", "propertiesDock/propertiesPanel/", "PluginManagerDialog/"
 LOAD_PLUGIN = [
     (MENUS + "Tools", "activate", "actionManage_Plugins"), (MANAGER + "splitter/localGroup/loadLocal", "activate", ""),

@@ -14,9 +14,9 @@ from spyplot_cases import (
 from vfmtest import VolumeFractionToHex, VolumeFractionToTet, collect, image, in_folder, main, mesh_of, uniform
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-IMPACT = os.path.join(HERE, "..", "..", "Data", "impact.spcth")
+IMPACT = os.path.join(HERE, "..", "..", "..", "Data", "impact.spcth")
 IMPACT_SIZES = [3161, 3144, 3195, 3312]  # elements of its four times
-SERIES = os.path.join(HERE, "..", "..", "Examples", "mesh_series.py")
+SERIES = os.path.join(HERE, "..", "..", "..", "Examples", "mesh_series.py")
 
 
 def open_case(path, to_bytes=False):

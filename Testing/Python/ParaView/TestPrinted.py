@@ -5,7 +5,7 @@ import re
 from sculptor_program import sculptor
 from vfmtest import in_folder, main
 
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
 COMMANDS = [  # of the blocks of the page, in their order: ranks and words
     (4, "--input Data/splash_3500us.vti --output splash.pvtu"),
     (1, "--input Data/ball_and_plate.vti --tetmesh Lattice --output tets.vtu"),

@@ -16,7 +16,7 @@ from vfmtest import (
     VolumeFractionToHex)
 
 BALL, PLATE = FRACTIONS[1], FRACTIONS[2]
-IMPACT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "impact.spcth")
+IMPACT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "impact.spcth")
 
 
 def test_finer_meshes():

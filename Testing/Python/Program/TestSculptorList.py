@@ -14,7 +14,7 @@ from sculptor_program import refused, sculptor
 from vfmtest import ORIGIN, SPACING, add_array, ball_and_plate, image, in_folder, labels, main, rectilinear, write
 from voxels import SIZE, grains, write_numpy, write_text
 
-DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
+DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data")
 N = 12
 
 
