@@ -120,7 +120,7 @@ class Documents(unittest.TestCase):
                 if not any(fnmatch.fnmatchcase(prefix + name, pattern) for name in tests for prefix in ("", "All/")):
                     problems.append("%s: no test %s" % (page, pattern))
             problems += ["%s: no test %s" % (page, name) for name in re.findall(r"\bctest\b[^`\n]* -R ([\w.]+)", text)
-                         if not glob.glob(os.path.join(ROOT, "Testing", "*", "Test%s*.py" % name.split(".")[-1]))]
+                         if not glob.glob(os.path.join(ROOT, "Testing", "**", "Test%s*.py" % name.split(".")[-1]), recursive=True)]
         self.check(problems)
 
     def test_fractions_begin_with_zero(self):
