@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace vfm
 {
@@ -17,6 +18,13 @@ inline bool HasSuffix(const std::string& path, const std::string& suffix)
   return path.size() > suffix.size() &&
     std::equal(suffix.rbegin(), suffix.rend(), path.rbegin(),
       [&lower](char wanted, char given) { return wanted == lower(given); });
+}
+
+/// Whether it has any of these.
+inline bool HasSuffix(const std::string& path, const std::vector<std::string>& suffixes)
+{
+  return std::any_of(suffixes.begin(), suffixes.end(),
+    [&path](const std::string& suffix) { return HasSuffix(path, suffix); });
 }
 
 } // namespace vfm

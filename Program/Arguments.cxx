@@ -4,6 +4,7 @@
 #include "ArgumentWords.h"
 #include "Base/ParseText.h"
 #include "FileSuffix.h"
+#include "ImageInput.h"
 #include "Images/ImageFile.h"
 #include "Meshes/WriteGeometry.h"
 #include "Meshes/WriteMesh.h"
@@ -211,7 +212,7 @@ void CheckVoxels(const Arguments& from)
   {
     RefuseArguments("--dimensions is for .spn files.");
   }
-  const bool isVoxels = isText || HasSuffix(from.Input, ".npy");
+  const bool isVoxels = IsVoxelFile(from.Input);
   if (!isVoxels && (from.Origin || from.AxisOrder))
   {
     RefuseArguments("--origin and --axis-order are for .spn and .npy files.");

@@ -257,11 +257,9 @@ std::vector<std::string> GetExodusSuffixes()
 
 bool IsExodusFile(const std::string& path)
 {
-  const std::vector<std::string> suffixes = GetExodusSuffixes();
   std::error_code error; // of a path that cannot be looked at: no folder
   return (ParseDecomposedName(path) && !std::filesystem::is_directory(path, error)) ||
-    std::any_of(suffixes.begin(), suffixes.end(),
-      [&](const std::string& suffix) { return HasSuffix(path, suffix); });
+    HasSuffix(path, GetExodusSuffixes());
 }
 
 Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks)

@@ -7,8 +7,6 @@
 #include "Ranks/WorkTogether.h"
 #include "ReaderSteps.h"
 
-#include <algorithm>
-
 namespace vfm
 {
 namespace
@@ -65,7 +63,7 @@ std::vector<std::string> GetVoxelSuffixes()
 
 bool IsVoxelFile(const std::string& path)
 {
-  return HasSuffix(path, ".spn") || HasSuffix(path, ".npy");
+  return HasSuffix(path, GetVoxelSuffixes());
 }
 
 Input ReadImage(const Arguments& arguments, Ranks& ranks)

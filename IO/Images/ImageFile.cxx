@@ -3,7 +3,6 @@
 #include "FileSuffix.h"
 #include "Ranks/Errors.h"
 
-#include <algorithm>
 #include <functional>
 
 namespace vfm
@@ -17,12 +16,6 @@ struct Format
 {
   std::vector<std::string> Suffixes;
   Opener Open;
-
-  bool HasSuffix(const std::string& path) const
-  {
-    return std::any_of(this->Suffixes.begin(), this->Suffixes.end(),
-      [&path](const std::string& suffix) { return vfm::HasSuffix(path, suffix); });
-  }
 };
 
 Opener Alone(ImageFile (*open)(const std::string&))
@@ -48,7 +41,7 @@ ImageFile OpenImageFile(const std::string& path, const std::string& array)
 {
   for (const Format& format : Formats())
   {
-    if (format.HasSuffix(path))
+    if (HasSuffix(path, format.Suffixes))
     {
       return format.Open(path, array);
     }
@@ -72,8 +65,7 @@ const std::vector<std::string>& GetImageSuffixes()
 
 bool IsImageFile(const std::string& path)
 {
-  return std::any_of(Formats().begin(), Formats().end(),
-    [&path](const Format& format) { return format.HasSuffix(path); });
+  return HasSuffix(path, GetImageSuffixes());
 }
 
 } // namespace vfm
