@@ -65,13 +65,17 @@ void FillRow(const CartesianGrid& grid, const Fragments& fragments, Index j, Ind
   int fragment = 0;
   for (Index h = first; h < last; ++h)
   {
-    const Index i = (mesh.ElementIds[h] - 1) / HexIds.ElementSlots - key;
+    const Index place = mesh.ElementIds[h] - 1;
+    const Index i = place / HexIds.ElementSlots - key;
     if (i >= runEnd)
     {
       fragment = fragments.FragmentOfCell({ { i, j, k } }, runEnd);
     }
     mesh.Fragment[h] = fragment;
-    mesh.GeometryId[mesh.Elements[8 * h]] = fragment; // enough for points G inside the domain
+    if (place % HexIds.ElementSlots == 0) // hexes of slot 0 alone have a lowest corner of their own
+    {
+      mesh.GeometryId[mesh.Elements[8 * h]] = fragment; // enough for points G inside the domain
+    }
   }
 }
 
