@@ -139,7 +139,7 @@ vtkPointSet* FindCorners(vtkDataObject* data)
   return vtkStructuredGrid::SafeDownCast(data);
 }
 
-[[noreturn]] void RefusePoints(const InputPart& part)
+[[noreturn]] void RejectPoints(const InputPart& part)
 {
   throw InputError(part.Name + " is a " + part.Data->GetClassName() +
     ", and point data are chosen. A point is the centre of a cell in images (image data, uniform "
@@ -156,7 +156,7 @@ void AddBlocks(const InputPart& part, const InputReading& reading, std::vector<I
   vtkRectilinearGrid* rectilinear = vtkRectilinearGrid::SafeDownCast(part.Data);
   if (reading.ArePoints && (corners || rectilinear) && part.HasPoints())
   {
-    RefusePoints(part);
+    RejectPoints(part);
   }
   if (corners)
   {

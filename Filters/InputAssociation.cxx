@@ -79,7 +79,7 @@ const char* NameOf(int association)
   return association == vtkDataObject::CELL ? "cell data" : "point data";
 }
 
-[[noreturn]] void RefuseMixture(const ChosenArray& array, int association, const ChosenArray& other)
+[[noreturn]] void RejectMixture(const ChosenArray& array, int association, const ChosenArray& other)
 {
   throw InputError("'" + array.Name + "' is " + NameOf(association) + ", and '" + other.Name +
     "' is " + NameOf(OtherThan(association)) +
@@ -105,7 +105,7 @@ void CheckKind(
   const int other = OtherThan(association);
   if (array.Association == other || IsOnly(places, other))
   {
-    RefuseMixture(array, other, material);
+    RejectMixture(array, other, material);
   }
 }
 

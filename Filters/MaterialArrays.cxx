@@ -56,7 +56,7 @@ std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
   std::vector<Candidate> found;
   for (const auto& [association, own] : arrays)
   {
-    for (const ArrayInfo& array : UniteArrays(own, ranks))
+    for (const ArrayInfo& array : UnionOfArrays(own, ranks))
     {
       if (array.Components != 1 || array.HoldsIds || !IsOffered(array.Name))
       {

@@ -69,9 +69,9 @@ private:
   Box FindBox(vtkIdType cell);
   const vtkIdType* FindPoints(vtkIdType cell);
   bool IsPlaced(PlacedCell& cell);
-  [[noreturn]] void Refuse(vtkIdType cell, const std::string& what) const;
+  [[noreturn]] void Reject(vtkIdType cell, const std::string& what) const;
   void CheckSides(vtkIdType cell);
-  [[noreturn]] void RefusePlace(vtkIdType cell);
+  [[noreturn]] void RejectPlace(vtkIdType cell);
 
   vtkPointSet* Data;
   const std::string& Name;
@@ -82,7 +82,7 @@ private:
   vtkNew<vtkIdList> Points;              // of the cell last asked for
 };
 
-void Hexahedra::Refuse(vtkIdType cell, const std::string& what) const
+void Hexahedra::Reject(vtkIdType cell, const std::string& what) const
 {
   throw InputError(this->Name + ": cell " + std::to_string(cell) + " " + what);
 }
@@ -98,7 +98,7 @@ void Hexahedra::FindCells()
     const bool isHex = type == VTK_HEXAHEDRON || type == VTK_VOXEL;
     if (!isHex && this->Data->GetCell(cell)->GetCellDimension() == 3)
     {
-      this->Refuse(cell,
+      this->Reject(cell,
         std::string("is a ") + this->Data->GetCell(cell)->GetClassName() +
           ". Only hexahedra and voxels that are the cells of a Cartesian grid can be meshed: bring "
           "other cells onto a grid first (ParaView's filter Resample To Image).");
@@ -126,7 +126,7 @@ Hexahedra::Box Hexahedra::FindBox(vtkIdType cell)
   if (this->Points->GetNumberOfIds() != Corners ||
     std::any_of(points, points + Corners, [count](vtkIdType p) { return p < 0 || p >= count; }))
   {
-    this->Refuse(cell, "has not eight points of the mesh.");
+    this->Reject(cell, "has not eight points of the mesh.");
   }
   for (int c = 0; c < Corners; ++c)
   {
@@ -136,7 +136,7 @@ Hexahedra::Box Hexahedra::FindBox(vtkIdType cell)
     {
       if (!std::isfinite(point[a]))
       {
-        this->Refuse(
+        this->Reject(
           cell, "has a corner that is not finite, its point " + std::to_string(points[c]) + ".");
       }
       box[a] = { { std::min(box[a][0], point[a]), std::max(box[a][1], point[a]) } };
@@ -156,7 +156,7 @@ void Hexahedra::FindWidths()
       const double width = box[a][1] - box[a][0];
       if (!(width > 0.0))
       {
-        this->Refuse(cell, std::string("is flat along ") + AxisNames[a] + "." + Advice);
+        this->Reject(cell, std::string("is flat along ") + AxisNames[a] + "." + Advice);
       }
       this->Width[a] = std::min(this->Width[a], width);
     }
@@ -237,14 +237,14 @@ void Hexahedra::CheckSides(vtkIdType cell)
         text << "is no box with sides along the axes: its point " << points[c] << " at ("
              << point[0] << ", " << point[1] << ", " << point[2] << ") lies between its "
              << AxisNames[a] << " sides at " << box[a][0] << " and " << box[a][1] << "." << Advice;
-        this->Refuse(cell, text.str());
+        this->Reject(cell, text.str());
       }
     }
   }
 }
 
 /// Of cells whose sides are good: why a cell has no place.
-void Hexahedra::RefusePlace(vtkIdType cell)
+void Hexahedra::RejectPlace(vtkIdType cell)
 {
   const Box box = this->FindBox(cell);
   std::ostringstream text;
@@ -259,10 +259,10 @@ void Hexahedra::RefusePlace(vtkIdType cell)
            << box[a][0] << " and " << box[a][1]
            << ". All cells of a block must lie on one Cartesian grid; of a refined one (AMR) give "
               "every level its own blocks.";
-      this->Refuse(cell, text.str());
+      this->Reject(cell, text.str());
     }
   }
-  this->Refuse(cell, std::string("has two corners in the same place.") + Advice);
+  this->Reject(cell, std::string("has two corners in the same place.") + Advice);
 }
 
 std::vector<PlacedCell> Hexahedra::Place()
@@ -278,7 +278,7 @@ std::vector<PlacedCell> Hexahedra::Place()
       {
         this->CheckSides(cell);
       }
-      this->RefusePlace(id);
+      this->RejectPlace(id);
     }
   }
   std::stable_sort(placed.begin(), placed.end());
@@ -286,7 +286,7 @@ std::vector<PlacedCell> Hexahedra::Place()
   {
     if (placed[p].Place == placed[p - 1].Place)
     {
-      this->Refuse(placed[p - 1].Id,
+      this->Reject(placed[p - 1].Id,
         "and cell " + std::to_string(placed[p].Id) +
           " lie in the same place. Cells must not overlap, except ghost cells that the array "
           "vtkGhostType marks.");

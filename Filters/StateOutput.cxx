@@ -27,21 +27,21 @@ vtkSmartPointer<vtkDataArray> PackBits(vtkDataArray* bytes)
   return bits;
 }
 
-vtkSmartPointer<vtkDataArray> Adopt(CarriedArray& carried)
+vtkSmartPointer<vtkDataArray> Adopt(TransferredArray& transferred)
 {
-  const int type = CarrierType(carried.Type);
+  const int type = CarrierType(transferred.Type);
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  const std::size_t values = carried.Values.size() / array->GetDataTypeSize();
-  array->SetNumberOfComponents(carried.Components);
-  array->SetVoidArray(carried.Values.release(), static_cast<vtkIdType>(values), 0,
+  const std::size_t values = transferred.Values.size() / array->GetDataTypeSize();
+  array->SetNumberOfComponents(transferred.Components);
+  array->SetVoidArray(transferred.Values.release(), static_cast<vtkIdType>(values), 0,
     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-  array = carried.Type == type ? array : PackBits(array);
-  array->SetName(carried.Name.c_str());
-  for (std::size_t c = 0; c < carried.ComponentNames.size(); ++c)
+  array = transferred.Type == type ? array : PackBits(array);
+  array->SetName(transferred.Name.c_str());
+  for (std::size_t c = 0; c < transferred.ComponentNames.size(); ++c)
   {
-    if (!carried.ComponentNames[c].empty())
+    if (!transferred.ComponentNames[c].empty())
     {
-      array->SetComponentName(static_cast<vtkIdType>(c), carried.ComponentNames[c].c_str());
+      array->SetComponentName(static_cast<vtkIdType>(c), transferred.ComponentNames[c].c_str());
     }
   }
   return array;
@@ -49,9 +49,9 @@ vtkSmartPointer<vtkDataArray> Adopt(CarriedArray& carried)
 
 } // namespace
 
-void SetStateOutput(CarriedState& state, vtkUnstructuredGrid* mesh)
+void SetStateOutput(OutputState& state, vtkUnstructuredGrid* mesh)
 {
-  for (CarriedArray& array : state.Arrays)
+  for (TransferredArray& array : state.Arrays)
   {
     mesh->GetCellData()->AddArray(Adopt(array));
   }

@@ -11,6 +11,6 @@ namespace vfm
 {
 
 /// Cell arrays and, of nodes, a point array. Their memory is adopted, not copied.
-void SetStateOutput(CarriedState& state, vtkUnstructuredGrid* mesh);
+void SetStateOutput(OutputState& state, vtkUnstructuredGrid* mesh);
 
 } // namespace vfm

@@ -64,7 +64,7 @@ FragmentVolumes FindVolumes(
 /// Of each point of the mesh.
 struct SmoothedPoints
 {
-  std::vector<CreaseKind> Kinds;    ///< empty: none carries an edge
+  std::vector<FeatureKind> Kinds;   ///< empty: none carries an edge
   std::vector<unsigned char> Moved; ///< whether it may have been moved
 };
 
@@ -79,8 +79,8 @@ SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vec
   ActiveMesh active = MakeActiveHexes(labelled, job.Parts, mesh, job.Run);
   job.Clock.Update(0.215);
   AttachHexes(*interfaces, *labelled.Levels.Coarse, mesh, facets, job.Run, active);
-  std::vector<CreaseKind> kinds = active.OfMesh(
-    AttachToCreases(job, *interfaces->All().back(), facets, mesh, targets, active), mesh);
+  std::vector<FeatureKind> kinds = active.OfMesh(
+    AttachToFeatures(job, *interfaces->All().back(), facets, mesh, targets, active), mesh);
   SetFacets(facets, active);
   std::vector<int>().swap(active.PointOf);
   if (KindOfTargets(job.Options) == SurfaceTargets::Kind::Quadrics)
@@ -128,7 +128,7 @@ Mesh MakeMesh(MeshJob& job)
   job.Clock.Start("Finding geometry", 0.93);
   ClassifyGeometry(facets, points.Kinds, job.Parts, mesh, job.Report);
   KeepOwned(mesh, job.Grid);
-  ReportLevels(mesh, labelled.Levels.Asked, job.Run.Group(), job.Report);
+  ReportLevels(mesh, labelled.Levels.RequestedFamilies, job.Run.Group(), job.Report);
   ReportVolumes(job.Grid, volumes, job.Report);
   MeasureQuality(job, mesh);
   return mesh;

@@ -4,7 +4,7 @@
 #include "Mesh/LevelIds.h"
 #include "Mesh/MeasureMaterials.h"
 #include "Mesh/Quality.h"
-#include "Smoothing/AttachCreases.h"
+#include "Smoothing/AttachFeatures.h"
 #include "Tet/TetTopology.h"
 
 namespace vfm
@@ -42,14 +42,14 @@ namespace
 {
 
 void CountCarriers(
-  const std::vector<CreaseKind>& kinds, const ActiveMesh& active, Ranks& ranks, MeshReport& report)
+  const std::vector<FeatureKind>& kinds, const ActiveMesh& active, Ranks& ranks, MeshReport& report)
 {
   std::vector<std::int64_t> counts(2, 0);
   active.ForOwned(
     [&](int point)
     {
-      counts[0] += kinds[point] == CreaseKind::Edge;
-      counts[1] += kinds[point] == CreaseKind::Corner;
+      counts[0] += kinds[point] == FeatureKind::Edge;
+      counts[1] += kinds[point] == FeatureKind::Corner;
     });
   ranks.Sum(counts);
   report.EdgePoints = counts[0];
@@ -58,21 +58,21 @@ void CountCarriers(
 
 } // namespace
 
-std::vector<CreaseKind> AttachToCreases(MeshJob& job, const Interface& interface,
+std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interface,
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active)
 {
   const MeshOptions& options = job.Options;
   if (options.Edges == SharpEdges::Off || options.IsoValue != 0.5 ||
     options.Method != Smoothing::QuadricSurface)
   {
-    return std::vector<CreaseKind>(active.X.size(), CreaseKind::None);
+    return std::vector<FeatureKind>(active.X.size(), FeatureKind::None);
   }
   job.Clock.Start("Finding creases", 0.22);
   const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
-  const Creases creases(
+  const SharpFeatures features(
     interface, job.Fractions, targets, firstTarget, options.Edges, job.Parts, job.Run);
-  const std::vector<CreaseKind> kinds =
-    AttachCreases({ creases, interface, firstTarget }, facets, mesh, targets, active, job.Run);
+  const std::vector<FeatureKind> kinds =
+    AttachFeatures({ features, interface, firstTarget }, facets, mesh, targets, active, job.Run);
   CountCarriers(kinds, active, job.Run.Group(), job.Report);
   return kinds;
 }
@@ -128,7 +128,7 @@ std::vector<std::int64_t> CountHexes(const Mesh& mesh)
 } // namespace
 
 void ReportLevels(
-  const Mesh& mesh, const std::vector<Index>& asked, Ranks& ranks, MeshReport& report)
+  const Mesh& mesh, const std::vector<Index>& requested, Ranks& ranks, MeshReport& report)
 {
   if (mesh.Levels->IsUniform())
   {
@@ -144,9 +144,9 @@ void ReportLevels(
     {
       const OctantFamilies::LevelReport& families = mesh.Levels->Families().Report(level);
       MeshReport::Level& last = report.Levels.back();
-      last.Families = families.Wanted + families.Balance + families.NonManifold;
-      last.AddedForBalance = last.Families - families.Wanted;
-      last.AddedForValidity = families.Wanted - asked[level];
+      last.Families = families.Requested + families.Balance + families.NonManifold;
+      last.AddedForBalance = last.Families - families.Requested;
+      last.AddedForValidity = families.Requested - requested[level];
     }
   }
   report.TransitionCells = hexes[refinements + 1];

@@ -7,8 +7,8 @@
 #include "Fractions/FractionField.h"
 #include "Interface/SurfaceTargets.h"
 #include "Labels/Labels.h"
-#include "Mesh/CreaseKind.h"
 #include "Mesh/Facet.h"
+#include "Mesh/FeatureKind.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/StageClock.h"
 #include "Smoothing/ActiveMesh.h"
@@ -36,12 +36,12 @@ void Resolve(MeshJob& job, LabelArray& labels);
 
 /// If the options ask for it, finds the edges of interfaces and draws the attached points there to them. interface: that of the finest grid.
 /// Returns the kinds of all points of the active mesh. Collective.
-std::vector<CreaseKind> AttachToCreases(MeshJob& job, const Interface& interface,
+std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interface,
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active);
 
 /// Families and hexes of each level, over all ranks; mesh: the owned hexes or tets; asked: LevelHexes::Asked. Collective.
 void ReportLevels(
-  const Mesh& mesh, const std::vector<Index>& asked, Ranks& ranks, MeshReport& report);
+  const Mesh& mesh, const std::vector<Index>& requested, Ranks& ranks, MeshReport& report);
 
 /// Collective.
 void MeasureQuality(MeshJob& job, Mesh& mesh);

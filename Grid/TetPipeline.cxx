@@ -43,7 +43,7 @@ struct MadeTets
 {
   TetTopology Topology;
   TetFaces Faces;
-  std::vector<Index> Asked; ///< LevelHexes::Asked
+  std::vector<Index> RequestedFamilies; ///< LevelHexes::Asked
 };
 
 bool HasLevels(const MeshJob& job)
@@ -103,7 +103,7 @@ MadeTets MakeTets(MeshJob& job, const CellLabels& labels)
   LevelHexes levels;
   const std::unique_ptr<const CoarseTets> coarse = MakeCoarse(job, labels, nodes, energy, levels);
   MadeTets made;
-  made.Asked = std::move(levels.Asked);
+  made.RequestedFamilies = std::move(levels.RequestedFamilies);
   if (nodes)
   {
     LatticeTets tets =
@@ -165,7 +165,7 @@ FragmentVolumes FindFragments(MeshJob& job, const LabelArray& labels, MadeTets& 
 }
 
 /// Returns the kinds of the active points.
-std::vector<CreaseKind> Attach(MeshJob& job, const Interface& interface, const MadeTets& made,
+std::vector<FeatureKind> Attach(MeshJob& job, const Interface& interface, const MadeTets& made,
   SurfaceTargets& targets, ActiveMesh& active)
 {
   const Mesh& mesh = made.Topology.Tets;
@@ -175,14 +175,14 @@ std::vector<CreaseKind> Attach(MeshJob& job, const Interface& interface, const M
   const bool hasQuads = !IsLattice(job) && job.Options.Edges != SharpEdges::Off;
   const std::vector<Facet> quads =
     hasQuads ? JoinTriangles(facets, made.Faces, mesh) : std::vector<Facet>();
-  std::vector<CreaseKind> kinds =
-    AttachToCreases(job, interface, hasQuads ? quads : facets, mesh, targets, active);
+  std::vector<FeatureKind> kinds =
+    AttachToFeatures(job, interface, hasQuads ? quads : facets, mesh, targets, active);
   SetFacets(facets, active);
   return kinds;
 }
 
 /// Returns the kinds of the points of the mesh.
-std::vector<CreaseKind> Smooth(
+std::vector<FeatureKind> Smooth(
   MeshJob& job, const LabelArray& labels, MadeTets& made, FragmentVolumes& volumes)
 {
   Mesh& mesh = made.Topology.Tets;
@@ -191,7 +191,7 @@ std::vector<CreaseKind> Smooth(
     job.Options.IsoValue, job.Run);
   SurfaceTargets targets(interface, KindOfTargets(job.Options), job.Run);
   ActiveTets active = MakeActiveTets(made.Topology, job.Grid, job.Parts);
-  const std::vector<CreaseKind> kinds = Attach(job, interface, made, targets, active);
+  const std::vector<FeatureKind> kinds = Attach(job, interface, made, targets, active);
   const TetEnergy energy(FloorsOf(job.Options));
   std::optional<DiagonalFlips> flips;
   Improvement improvement{ active, targets, energy, TetRamp(), volumes, job.Report,
@@ -252,7 +252,7 @@ Mesh MakeMesh(MeshJob& job)
   const CellLabels labels = AssignLabels(job);
   MadeTets made = MakeTets(job, labels);
   FragmentVolumes volumes = FindFragments(job, labels.Resolved, made);
-  std::vector<CreaseKind> kinds; // empty: none carries an edge
+  std::vector<FeatureKind> kinds; // empty: none carries an edge
   if (!job.Options.StairStep && job.Options.Method != Smoothing::Off)
   {
     kinds = Smooth(job, labels.Resolved, made, volumes);
@@ -263,7 +263,7 @@ Mesh MakeMesh(MeshJob& job)
   FillInside(mesh);
   ClassifyGeometry(ListFacets(job, made), kinds, job.Parts, mesh, job.Report);
   KeepOwned(mesh, job.Grid);
-  ReportLevels(mesh, made.Asked, job.Run.Group(), job.Report);
+  ReportLevels(mesh, made.RequestedFamilies, job.Run.Group(), job.Report);
   Refill(job, labels.Resolved, mesh);
   MeasureQuality(job, mesh);
   return std::move(mesh);

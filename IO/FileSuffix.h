@@ -17,7 +17,7 @@ inline bool HasSuffix(const std::string& path, const std::string& suffix)
   { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   return path.size() > suffix.size() &&
     std::equal(suffix.rbegin(), suffix.rend(), path.rbegin(),
-      [&lower](char wanted, char given) { return wanted == lower(given); });
+      [&lower](char requested, char given) { return requested == lower(given); });
 }
 
 /// Whether it has any of these.

@@ -17,7 +17,7 @@ namespace
 constexpr char Magic[] = "\x93NUMPY";
 constexpr std::size_t MagicSize = 6, LongestHeader = 1 << 20;
 
-[[noreturn]] void RefuseHeader(const std::string& text)
+[[noreturn]] void RejectHeader(const std::string& text)
 {
   throw InputError("its NumPy header has no " + text + ".");
 }
@@ -30,7 +30,7 @@ std::string FindValue(const std::string& header, const std::string& key)
   place = place == std::string::npos ? place : header.find_first_not_of(" ", place + 1);
   if (place == std::string::npos)
   {
-    RefuseHeader("'" + key + "'");
+    RejectHeader("'" + key + "'");
   }
   return header.substr(place);
 }
@@ -49,7 +49,7 @@ std::vector<Index> ParseShape(const std::string& value)
   const std::size_t end = value.find(')');
   if (value[0] != '(' || end == std::string::npos)
   {
-    RefuseHeader("shape");
+    RejectHeader("shape");
   }
   for (const char *next = value.data() + 1, *last = value.data() + end; next < last;)
   {
@@ -62,7 +62,7 @@ std::vector<Index> ParseShape(const std::string& value)
     const auto [stop, error] = std::from_chars(next, last, size);
     if (error != std::errc() || size < 0)
     {
-      RefuseHeader("shape of whole numbers");
+      RejectHeader("shape of whole numbers");
     }
     shape.push_back(size);
     next = stop;

@@ -76,7 +76,7 @@ public:
     const auto [stop, error] = std::from_chars(this->Next, this->End, label);
     if (error != std::errc() || label < 0 || (stop < this->End && !IsSpace(*stop)))
     {
-      this->Refuse();
+      this->Reject();
     }
     this->Next = stop;
     return true;
@@ -105,7 +105,7 @@ private:
     return this->Stream.gcount() > 0;
   }
 
-  [[noreturn]] void Refuse() const
+  [[noreturn]] void Reject() const
   {
     const char* end = std::find_if(this->Next, this->End, IsSpace);
     Index number = 0;
@@ -133,7 +133,7 @@ private:
   Index Offset = 0; ///< of the buffer in the file
 };
 
-[[noreturn]] void RefuseCount(const VoxelFile& file)
+[[noreturn]] void RejectCount(const VoxelFile& file)
 {
   const Index values = CountValues(file.Path);
   throw InputError("it holds " + std::to_string(values) +
@@ -141,7 +141,7 @@ private:
     std::to_string(file.Cells[0] * file.Cells[1] * file.Cells[2]) + ".");
 }
 
-[[noreturn]] void AskForCells(const VoxelFile& file)
+[[noreturn]] void RequireCells(const VoxelFile& file)
 {
   const Index values = CountValues(file.Path);
   const Index edge = std::lround(std::cbrt(static_cast<double>(values)));
@@ -161,10 +161,10 @@ void CheckLabelCount(const VoxelFile& file)
   const Index3& cells = file.Cells;
   if (*std::min_element(cells.begin(), cells.end()) < 1)
   {
-    AskForCells(file);
+    RequireCells(file);
   }
-  const double wanted = static_cast<double>(cells[0]) * cells[1] * cells[2];
-  if (wanted > static_cast<double>(std::numeric_limits<Index>::max() / 2))
+  const double requested = static_cast<double>(cells[0]) * cells[1] * cells[2];
+  if (requested > static_cast<double>(std::numeric_limits<Index>::max() / 2))
   {
     throw InputError(DescribeCells(cells) + " cells are too many.");
   }
@@ -172,7 +172,7 @@ void CheckLabelCount(const VoxelFile& file)
   if (static_cast<Index>(std::filesystem::file_size(file.Path)) <
     2 * cells[0] * cells[1] * cells[2] - 1)
   {
-    RefuseCount(file);
+    RejectCount(file);
   }
 }
 
@@ -191,7 +191,7 @@ void ReadLabelText(const VoxelFile& file, const IndexBox& box, int* labels)
       {
         if (!stream.Read(label))
         {
-          RefuseCount(file);
+          RejectCount(file);
         }
         if (i >= part.First && i < part.Last)
         {
@@ -203,7 +203,7 @@ void ReadLabelText(const VoxelFile& file, const IndexBox& box, int* labels)
   }
   if (stream.Read(label))
   {
-    RefuseCount(file);
+    RejectCount(file);
   }
 }
 

@@ -34,7 +34,7 @@ bool IsWrong(Stored value)
 }
 
 template <class Stored>
-[[noreturn]] void RefuseLabel(const Index3& cell, Stored value)
+[[noreturn]] void RejectLabel(const Index3& cell, Stored value)
 {
   throw InputError("the label of cell (" + std::to_string(cell[0]) + ", " +
     std::to_string(cell[1]) + ", " + std::to_string(cell[2]) + ") is " + std::to_string(value) +
@@ -69,7 +69,7 @@ void ReadArray(std::istream& stream, bool swap, const VoxelRows& rows, void* cel
       const auto wrong = std::find_if(values.begin(), values.end(), IsWrong<Stored>);
       if (wrong != values.end())
       {
-        RefuseLabel(rows.Cell(plane, row, wrong - values.begin()), *wrong);
+        RejectLabel(rows.Cell(plane, row, wrong - values.begin()), *wrong);
       }
       const VoxelRows::Part part = rows.Find(plane, row);
       Kept* to = kept + part.Cell;

@@ -74,18 +74,19 @@ void CheckShape(const NumPyHeader& header)
 void CheckLength(const std::string& path, const NumPyHeader& header)
 {
   const Index there = static_cast<Index>(std::filesystem::file_size(path)) - header.Offset;
-  Index wanted = header.Size;
+  Index requested = header.Size;
   for (Index size : header.Shape)
   {
     // No file is as long as the largest number.
-    wanted = wanted > std::numeric_limits<Index>::max() / size ? std::numeric_limits<Index>::max()
-                                                               : wanted * size;
+    requested = requested > std::numeric_limits<Index>::max() / size
+      ? std::numeric_limits<Index>::max()
+      : requested * size;
   }
-  if (there != wanted)
+  if (there != requested)
   {
     throw InputError("an array of shape " + DescribeShape(header.Shape) + " and type '" +
-      header.Type + "' has " + std::to_string(wanted) + " bytes, but the file " +
-      (there < wanted ? "is cut short: it holds " : "holds ") + std::to_string(there) +
+      header.Type + "' has " + std::to_string(requested) + " bytes, but the file " +
+      (there < requested ? "is cut short: it holds " : "holds ") + std::to_string(there) +
       " after its header.");
   }
 }

@@ -47,7 +47,7 @@ std::string TextOf(const FieldNames& names)
 }
 
 /// What the blocks of a rank have that differs, or an empty text.
-std::string TellDifference(const FieldNames& mine, const FieldNames& others)
+std::string ReportDifference(const FieldNames& mine, const FieldNames& others)
 {
   const bool same = mine.Materials == others.Materials && mine.States == others.States &&
     mine.HasMaterialIds == others.HasMaterialIds;
@@ -163,7 +163,7 @@ void HostBlocks::Block::Check(const FieldNames& first) const
       "Give either the volume fractions of materials (sculptor_add_material) or material ids "
       "(sculptor_set_material_ids).");
   }
-  const std::string differs = TellDifference(this->Names(), first);
+  const std::string differs = ReportDifference(this->Names(), first);
   if (!differs.empty())
   {
     throw InputError("It has " + differs);
@@ -190,7 +190,7 @@ FieldNames HostBlocks::AgreeOnNames(Ranks& ranks) const
   const Bytes mine = owner == ranks.Rank() ? Pack(this->Blocks[0].Names()) : Bytes();
   const FieldNames names = Unpack(ranks.Gather(mine)[owner]);
   const std::string differs =
-    hasBlocks ? TellDifference(this->Blocks[0].Names(), names) : std::string();
+    hasBlocks ? ReportDifference(this->Blocks[0].Names(), names) : std::string();
   if (!differs.empty())
   {
     throw InputError(

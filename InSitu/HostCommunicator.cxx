@@ -24,12 +24,12 @@ HostCommunicator::~HostCommunicator()
 
 void HostCommunicator::Free()
 {
-  this->OfMine.reset();
-  if (this->Mine != MPI_COMM_NULL && IsMpiRunning())
+  this->OfDuplicate.reset();
+  if (this->Duplicate != MPI_COMM_NULL && IsMpiRunning())
   {
-    MPI_Comm_free(&this->Mine);
+    MPI_Comm_free(&this->Duplicate);
   }
-  this->Mine = MPI_COMM_NULL;
+  this->Duplicate = MPI_COMM_NULL;
 }
 
 void HostCommunicator::Set(int communicator)
@@ -53,15 +53,15 @@ void HostCommunicator::Set(int communicator)
 
 Ranks& HostCommunicator::GetRanks()
 {
-  if (!this->OfMine && IsMpiRunning())
+  if (!this->OfDuplicate && IsMpiRunning())
   {
-    if (this->Mine == MPI_COMM_NULL)
+    if (this->Duplicate == MPI_COMM_NULL)
     {
-      MPI_Comm_dup(this->Given == MPI_COMM_NULL ? MPI_COMM_WORLD : this->Given, &this->Mine);
+      MPI_Comm_dup(this->Given == MPI_COMM_NULL ? MPI_COMM_WORLD : this->Given, &this->Duplicate);
     }
-    this->OfMine.emplace(this->Mine);
+    this->OfDuplicate.emplace(this->Duplicate);
   }
-  return this->OfMine ? *this->OfMine : this->Alone;
+  return this->OfDuplicate ? *this->OfDuplicate : this->Alone;
 }
 
 } // namespace vfm

@@ -28,8 +28,8 @@ public:
 private:
   void Free();
 
-  MPI_Comm Given = MPI_COMM_NULL, Mine = MPI_COMM_NULL;
-  std::optional<MpiRanks> OfMine;
+  MPI_Comm Given = MPI_COMM_NULL, Duplicate = MPI_COMM_NULL;
+  std::optional<MpiRanks> OfDuplicate;
   Ranks Alone;
 };
 

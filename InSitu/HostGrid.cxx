@@ -85,10 +85,10 @@ void CheckArrays(const HostBox& box)
 
 void CheckBox(const HostGrid& grid, const HostBox& box)
 {
-  if (box.Level < 0 || box.Level > MostHostLevels)
+  if (box.Level < 0 || box.Level > MaximumHostLevels)
   {
     throw InputError(NameBox(box) + " has no level from 0, the coarsest, to " +
-      std::to_string(MostHostLevels) + ".");
+      std::to_string(MaximumHostLevels) + ".");
   }
   for (int a = 0; a < 3; ++a)
   {

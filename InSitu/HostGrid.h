@@ -46,7 +46,7 @@ struct HostBox
   int Level = 0; ///< 0: the coarsest
 };
 
-constexpr int MostHostLevels = 30; ///< above level 0
+constexpr int MaximumHostLevels = 30; ///< above level 0
 
 /// A grid, of which this rank holds some boxes, or none. Node (i,j,k) of level L is at Origin + (i,j,k) * Spacing / 2^L.
 struct HostGrid

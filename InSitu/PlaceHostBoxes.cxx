@@ -11,11 +11,11 @@ namespace vfm
 namespace
 {
 
-constexpr double PlaceTolerance = 1e-3;  // of a cell
-constexpr double MostCells = 2147483646; // along an axis, as VTK counts them
+constexpr double PlaceTolerance = 1e-3;     // of a cell
+constexpr double MaximumCells = 2147483646; // along an axis, as VTK counts them
 constexpr const char* AxisNames[3] = { "x", "y", "z" };
 
-[[noreturn]] void Refuse(const std::string& what, int axis, double value)
+[[noreturn]] void Reject(const std::string& what, int axis, double value)
 {
   std::ostringstream text;
   text << what << " along " << AxisNames[axis] << " (" << value << ").";
@@ -61,9 +61,9 @@ Axis FindAxis(const std::vector<BoundedCells>& mine, int a, Ranks& ranks)
   lower = -ranks.Max(-lower);
   upper = ranks.Max(upper);
   const double cells = std::max(std::round((upper - lower) / ranks.Max(width)), 1.0);
-  if (cells > MostCells)
+  if (cells > MaximumCells)
   {
-    Refuse("The boxes of all ranks together have too many cells", a, cells);
+    Reject("The boxes of all ranks together have too many cells", a, cells);
   }
   return { lower, (upper - lower) / cells, static_cast<Index>(cells) };
 }
@@ -78,7 +78,7 @@ void PlaceAlong(const BoundedCells& box, int a, const Axis& axis, IndexBox& cell
   cells.Upper[a] = std::llround(last);
   if (cells.Size(a) != box.Intervals[a])
   {
-    Refuse(box.Level == 0 ? "The cells of the ranks differ in size"
+    Reject(box.Level == 0 ? "The cells of the ranks differ in size"
                           : "Cells of level " + std::to_string(box.Level) + " are not " +
           std::to_string(Index(1) << box.Level) +
           " in one of level 0, of which a whole number must fill the grid,",
@@ -87,7 +87,7 @@ void PlaceAlong(const BoundedCells& box, int a, const Axis& axis, IndexBox& cell
   if (std::abs(first - std::round(first)) > PlaceTolerance ||
     std::abs(last - std::round(last)) > PlaceTolerance)
   {
-    Refuse("A rank's box does not start and end on the grid of the others", a, box.Lower[a]);
+    Reject("A rank's box does not start and end on the grid of the others", a, box.Lower[a]);
   }
 }
 
@@ -106,10 +106,10 @@ HostBox PlaceBox(const BoundedCells& cells, const std::array<Axis, 3>& axes)
 void CheckBoundedCells(const BoundedCells& cells)
 {
   constexpr const char* intervals[3] = { "xint", "yint", "zint" };
-  if (cells.Level < 0 || cells.Level > MostHostLevels)
+  if (cells.Level < 0 || cells.Level > MaximumHostLevels)
   {
     throw InputError("The level of a block is " + std::to_string(cells.Level) +
-      "; it must be 0, the coarsest, to " + std::to_string(MostHostLevels) + ".");
+      "; it must be 0, the coarsest, to " + std::to_string(MaximumHostLevels) + ".");
   }
   for (int a = 0; a < 3; ++a)
   {
@@ -121,7 +121,7 @@ void CheckBoundedCells(const BoundedCells& cells)
     const double length = cells.Upper[a] - cells.Lower[a];
     if (!std::isfinite(length) || !(length > 0.0))
     {
-      Refuse("The bounding box has no finite length greater than 0", a, length);
+      Reject("The bounding box has no finite length greater than 0", a, length);
     }
   }
 }

@@ -27,7 +27,7 @@ int GetArray(
     });
 }
 
-void GiveState(const vfm::CarriedArray& state, int* components, const double** values)
+void GiveState(const vfm::TransferredArray& state, int* components, const double** values)
 {
   *NotNull(components, "components") = state.Components;
   *NotNull(values, "values") = reinterpret_cast<const double*>(state.Values.data());
@@ -89,7 +89,7 @@ int sculptor_clear_blocks(int sculptor)
     [](SculptorSession& session)
     {
       session.Blocks.Clear();
-      session.Wishes = {};
+      session.Requests = {};
     });
 }
 
@@ -123,7 +123,7 @@ int sculptor_set_refinement(int sculptor, const int* halvings)
 {
   return WithSession(sculptor,
     [=](SculptorSession& session)
-    { session.Wishes.Set(std::max<std::size_t>(session.Blocks.Count(), 1) - 1, halvings); });
+    { session.Requests.Set(std::max<std::size_t>(session.Blocks.Count(), 1) - 1, halvings); });
 }
 
 int sculptor_clear_fields(int sculptor)

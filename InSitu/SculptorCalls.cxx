@@ -36,7 +36,7 @@ int CodeOf(ErrorCode code)
     case ErrorCode::WrongArguments:
       return SCULPTOR_ERROR_ARGUMENT;
     case ErrorCode::UnreadableInput:
-    case ErrorCode::RefusedMesh:
+    case ErrorCode::RejectedMesh:
       return SCULPTOR_ERROR_INPUT;
     case ErrorCode::UnwritableOutput:
       return SCULPTOR_ERROR_FILE;
@@ -56,7 +56,7 @@ int CodeOf(ErrorCode code)
 
 } // namespace
 
-void LastCall::Tell() noexcept
+void LastCall::Report() noexcept
 {
   try
   {
@@ -130,7 +130,7 @@ LastCall& CallWithoutSculptor()
   return call;
 }
 
-int RefuseHandle(int handle)
+int RejectHandle(int handle)
 {
   return CallWithoutSculptor().Do([=] { throw WrongHandle(handle); });
 }

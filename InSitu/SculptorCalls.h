@@ -29,7 +29,7 @@ public:
     }
     catch (...)
     {
-      this->Tell();
+      this->Report();
     }
     return this->Code;
   }
@@ -39,7 +39,7 @@ public:
 
 private:
   /// Of the exception in flight.
-  void Tell() noexcept;
+  void Report() noexcept;
   void Set(int code, const char* text) noexcept;
 
   int Code = SCULPTOR_OK;
@@ -61,14 +61,14 @@ void RemoveSculptor(int handle);
 
 /// Of this thread: to create, to delete, or with a handle that no sculptor has.
 LastCall& CallWithoutSculptor();
-int RefuseHandle(int handle);
+int RejectHandle(int handle);
 
 /// Does the work with the session of a handle; returns the code.
 template <class Work>
 int WithSession(int handle, const Work& work)
 {
   const std::shared_ptr<Sculptor> sculptor = FindSculptor(handle);
-  return sculptor ? sculptor->Call.Do([&] { work(sculptor->Session); }) : RefuseHandle(handle);
+  return sculptor ? sculptor->Call.Do([&] { work(sculptor->Session); }) : RejectHandle(handle);
 }
 
 /// The pointer; throws InputError with the argument's name when it is null.

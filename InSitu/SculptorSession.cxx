@@ -66,11 +66,11 @@ std::vector<std::string> NamesOf(const std::vector<FieldName>& fields)
 }
 
 /// where: for the message.
-const CarriedArray& FindState(
-  const CarriedArray* first, std::size_t count, const std::string& name, const std::string& where)
+const TransferredArray& FindState(const TransferredArray* first, std::size_t count,
+  const std::string& name, const std::string& where)
 {
   const auto found = std::find_if(first, first + count,
-    [&name](const CarriedArray& array)
+    [&name](const TransferredArray& array)
     { return array.Name == name && array.Type == ValueType::Double; });
   if (found == first + count)
   {
@@ -163,7 +163,7 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
   this->Parts.reset();
   this->Tables.clear();
   this->WarningText.clear();
-  HostWishes wishes = std::exchange(this->Wishes, {});
+  HostRefinement requests = std::exchange(this->Requests, {});
   Ranks& ranks = this->Communicator.GetRanks();
   FieldNames names;
   const auto agree = [&]
@@ -181,13 +181,13 @@ void SculptorSession::MakeMesh(bool tets, const std::function<void()>& prepare)
   const auto mesh = [&]
   {
     HostGrid grid = this->Blocks.Place(ranks);
-    const bool areNamed = wishes.AddTo(grid, ranks);
+    const bool areNamed = requests.AddTo(grid, ranks);
     NameRank(ranks, [&grid] { CheckHostGrid(grid); });
     this->Result = this->Run(tets, areNamed, names, grid, ranks);
   };
   try
   {
-    WorkInStage(ranks, ErrorCode::RefusedMesh,
+    WorkInStage(ranks, ErrorCode::RejectedMesh,
       [&]
       {
         ClassifyErrors(ErrorCode::WrongArguments, agree);
@@ -242,15 +242,15 @@ const FieldArray& SculptorSession::GetGeometryTable(const std::string& name)
   return *table;
 }
 
-const CarriedArray& SculptorSession::GetState(const std::string& name) const
+const TransferredArray& SculptorSession::GetState(const std::string& name) const
 {
-  const std::vector<CarriedArray>& states = this->GetResult().State.Arrays;
+  const std::vector<TransferredArray>& states = this->GetResult().State.Arrays;
   return FindState(states.data(), states.size(), name, "");
 }
 
-const CarriedArray& SculptorSession::GetPointState(const std::string& name) const
+const TransferredArray& SculptorSession::GetPointState(const std::string& name) const
 {
-  const std::optional<CarriedArray>& velocity = this->GetResult().State.NodalVelocity;
+  const std::optional<TransferredArray>& velocity = this->GetResult().State.NodalVelocity;
   return FindState(velocity ? &*velocity : nullptr, velocity ? 1 : 0, name, " of nodes");
 }
 

@@ -7,7 +7,7 @@
 #include "FragmentParts.h"
 #include "HostBlocks.h"
 #include "HostCommunicator.h"
-#include "HostWishes.h"
+#include "HostRefinement.h"
 #include "Mesher.h"
 
 #include <functional>
@@ -26,8 +26,8 @@ public:
   void SetOption(const std::string& name, const std::string& value);
   /// Null: not known.
   void SetNeighbours(const int* ranks);
-  HostBlocks Blocks; ///< what is missing or wrong there is told by MakeMesh, on all ranks
-  HostWishes Wishes; ///< for the next mesh, of its blocks
+  HostBlocks Blocks;       ///< what is missing or wrong there is told by MakeMesh, on all ranks
+  HostRefinement Requests; ///< for the next mesh, of its blocks
   /// Collective. prepare: sets fields and options; when it fails on any rank, all fail.
   void MakeMesh(bool tets, const std::function<void()>& prepare);
 
@@ -38,8 +38,8 @@ public:
   /// A table of integers, of what bounds what, by its name.
   const FieldArray& GetGeometryTable(const std::string& name);
   /// A state of doubles that was carried along, of the elements or of the points.
-  const CarriedArray& GetState(const std::string& name) const;
-  const CarriedArray& GetPointState(const std::string& name) const;
+  const TransferredArray& GetState(const std::string& name) const;
+  const TransferredArray& GetPointState(const std::string& name) const;
   double GetNumber(const std::string& name, int index) const;
   /// Collective.
   void Write(const char* path);

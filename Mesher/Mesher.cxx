@@ -53,23 +53,23 @@ LevelCells OpenCells(const MesherJob& job)
 }
 
 /// The cells that are to be refined by name.
-InputWishes FindWishes(const MesherJob& job)
+InputRequests FindRequests(const MesherJob& job)
 {
   const bool isAutomatic = job.Options.Where == Refinement::Automatic;
-  InputWishes wishes = FindInputWishes(job.Input.Levels, FindRefinementArray(job.Options),
+  InputRequests requests = FindInputRequests(job.Input.Levels, FindRefinementArray(job.Options),
     isAutomatic ? job.Options.RefinementBoxes : std::vector<RefinementBox>(), job.Run.Group());
-  Warn(job, wishes.Warning);
-  return wishes;
+  Warn(job, requests.Warning);
+  return requests;
 }
 
-LevelSetup SetUpLevels(const MesherJob& job, const InputWishes& wishes)
+LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
 {
   const InputLevels& levels = job.Input.Levels;
   const InputBlocks& coarsest = levels.Levels[0];
   const int alignment =
     job.Input.StaysInPlace ? CountAlignedLevels(coarsest.Boxes(), job.Run.Group()) : AnyLevel;
   LevelSetup setup = DecideLevels(job.Options.Where, job.Options.MaximumLevel, coarsest.Coordinates,
-    levels.Finest(), alignment, wishes.Finest);
+    levels.Finest(), alignment, requests.Finest);
   Warn(job, setup.Warning);
   return setup;
 }
@@ -80,7 +80,7 @@ std::vector<BlockPlace> FindOwners(
 {
   const InputLevels& levels = job.Input.Levels;
   return job.Input.StaysInPlace ? levels.Levels[0].Places
-                                : ShareOutCells(levels, cells, setup, job.Run.Group());
+                                : DistributeCells(levels, cells, setup, job.Run.Group());
 }
 
 RemovedRegions RemoveRegions(const MesherJob& job, LevelFields& fields)
@@ -113,7 +113,7 @@ void SmoothFields(const MesherJob& job, LevelFields& fields)
 }
 
 /// Levels finer than the grid that criteria and wishes ask for; adds their families.
-int FindRefinements(const MesherJob& job, const LevelSetup& setup, const InputWishes& wishes,
+int FindRefinements(const MesherJob& job, const LevelSetup& setup, const InputRequests& requests,
   int finer, LevelFields& fields)
 {
   const MesherOptions& options = job.Options;
@@ -122,19 +122,19 @@ int FindRefinements(const MesherJob& job, const LevelSetup& setup, const InputWi
   RefinementCriteria criteria{ options.ThinCells, options.CurvaturePerCell,
     options.RefineFlippedCells, options.InterfaceLayers, {}, finer };
   WorkTogether(
-    job.Run.Group(), [&] { criteria.Chosen = TakeWishes(wishes, setup, layers, fields); });
+    job.Run.Group(), [&] { criteria.Chosen = TakeRequests(requests, setup, layers, fields); });
   return finer > 0 ? FindFinerLevels(fields, criteria, options.IsoValue, layers, job.Run) : finer;
 }
 
 /// Makes the grid as fine as the finest cells of the mesh, with the ghost layers that meshing needs.
 LevelPlan Refine(
-  const MesherJob& job, const LevelSetup& setup, const InputWishes& wishes, LevelFields& fields)
+  const MesherJob& job, const LevelSetup& setup, const InputRequests& requests, LevelFields& fields)
 {
   const int top = std::min(setup.Finest, job.Input.Levels.Finest());
   int finer = setup.Finest - top;
   if (job.Options.Where == Refinement::Automatic)
   {
-    finer = FindRefinements(job, setup, wishes, finer, fields);
+    finer = FindRefinements(job, setup, requests, finer, fields);
   }
   RefineFields(fields, finer, job.Options.Children, job.Run);
   LevelPlan plan{ job.Options, 0, {} };
@@ -186,8 +186,8 @@ void Finish(
   TurnMesh(frame, result.TheMesh);
   UseLabels(table, result.TheMesh);
   append(ListSides(result.TheMesh.Tables), result.Fields);
-  append(
-    ListReport(result.TheMesh, result.Report, table, options, fields.Field.Mended), result.Fields);
+  append(ListReport(result.TheMesh, result.Report, table, options, fields.Field.Corrected),
+    result.Fields);
   append(ListDomain(fields.Grid, frame), result.Fields);
   append(ListMaterials(result.Report, table, options), result.MaterialFields);
   if (result.State.IsConserved)
@@ -200,17 +200,17 @@ void Finish(
 /// Of what may surprise in the mesh.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
-  const MendedCells& mended = field.Mended;
-  if (mended.Clipped > 0)
+  const CorrectedCells& corrected = field.Corrected;
+  if (corrected.Clipped > 0)
   {
     Warn(job,
-      "Volume fractions of " + std::to_string(mended.Clipped) +
+      "Volume fractions of " + std::to_string(corrected.Clipped) +
         " cells lay outside [0, 1] and were clipped.");
   }
-  if (mended.Normalised > 0)
+  if (corrected.Normalised > 0)
   {
     Warn(job,
-      "The volume fractions of " + std::to_string(mended.Normalised) +
+      "The volume fractions of " + std::to_string(corrected.Normalised) +
         " cells sum to slightly more than 1 and were scaled back.");
   }
   const bool isEmpty = std::all_of(report.Materials.begin(), report.Materials.end(),
@@ -234,27 +234,27 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
 
   const LevelCells cells = OpenCells(job);
   const std::vector<StateArray> states = FindStateArrays(levels, arrays.State.Arrays, ranks);
-  InputWishes wishes = FindWishes(job);
-  const LevelSetup setup = SetUpLevels(job, wishes);
+  InputRequests requests = FindRequests(job);
+  const LevelSetup setup = SetUpLevels(job, requests);
   const std::vector<BlockPlace> owners = FindOwners(job, cells, setup);
-  wishes = ShareOutWishes(wishes, levels, owners, ranks);
+  requests = DistributeRequests(requests, levels, owners, ranks);
 
   LevelFields fields = MakeLevelFields(levels, cells, setup, options.Children, owners, runtime);
   NameLabels(arrays.Names, fields.Field.Table);
-  const KeptState kept = KeepState(
+  const StoredState kept = StoreState(
     levels, cells, arrays.State, states, fields, setup, options.MeshVoid, owners, runtime);
 
   const RemovedRegions removed = RemoveRegions(job, fields);
   SmoothFields(job, fields);
   // after labels: the parts of a slice would keep its steps
   DivideFields(fields, options.MaximumAspectRatio, options.Children, runtime);
-  const MeshOptions meshOptions{ options, Refine(job, setup, wishes, fields) };
+  const MeshOptions meshOptions{ options, Refine(job, setup, requests, fields) };
 
   MesherResult result;
   result.TheMesh = MakeMesh(job, fields, meshOptions, result.Report);
   result.Report.RemovedRegions = removed.Regions;
   result.Report.RemovedCells = removed.Cells;
-  result.Report.ChosenCells = wishes.Cells;
+  result.Report.ChosenCells = requests.Cells;
 
   runtime.Progress(0.98, "Filling output");
   result.State = GiveState(kept, levels, result.TheMesh,

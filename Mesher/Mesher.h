@@ -36,7 +36,7 @@ struct MesherResult
 {
   Mesh TheMesh; ///< in space, its materials by their labels
   MeshReport Report;
-  CarriedState State;
+  OutputState State;
   FieldArrays Fields;         ///< ListSides, ListReport, ListDomain, ListBalance
   FieldArrays MaterialFields; ///< ListMaterials, ListBalance; a row a material
 };

@@ -191,14 +191,14 @@ int CollectivePipeline::CallAlgorithm(vtkInformation* request, int direction,
     if (!hasReturned)
     {
       // what made the input has told why, long ago when it is a writer that asks
-      this->Tell(error.what(), hasInput || outInfo->GetNumberOfInformationObjects() == 0);
+      this->Report(error.what(), hasInput || outInfo->GetNumberOfInformationObjects() == 0);
     }
   }
   return result;
 }
 
 /// isShown: else only those who watch the algorithm are told.
-void CollectivePipeline::Tell(const char* text, bool isShown)
+void CollectivePipeline::Report(const char* text, bool isShown)
 {
   if (isShown || this->Algorithm->HasObserver(vtkCommand::ErrorEvent))
   {

@@ -46,7 +46,7 @@ private:
   vtkTypeBool ProcessDataRequest(
     vtkInformation* request, vtkInformationVector** inInfo, vtkInformationVector* outInfo);
   void CheckInput(vtkInformationVector** inInfo, const Ranks& ranks);
-  void Tell(const char* text, bool isShown);
+  void Report(const char* text, bool isShown);
 
   GetController Controller = [] { return nullptr; };
   bool HasInputFailed = false; // since data were asked for

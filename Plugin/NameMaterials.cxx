@@ -159,10 +159,10 @@ void WriteLegend(vtkSMProxy* colourMap, const Legend& legend)
 
 bool NameMaterials(vtkSMProxy* colourMap, const MaterialNames& names, MaterialNames& given)
 {
-  constexpr std::size_t MostNames = 256; // a legend of more cannot be read
+  constexpr std::size_t MaximumNames = 256; // a legend of more cannot be read
   vtkSMPropertyHelper categories(colourMap, "IndexedLookup");
   const bool isNew = categories.GetAsInt() == 0;
-  if (names.empty() || (names.size() > MostNames && given.empty()) ||
+  if (names.empty() || (names.size() > MaximumNames && given.empty()) ||
     (isNew && !IsUnchanged(colourMap)))
   {
     return false;
@@ -170,7 +170,7 @@ bool NameMaterials(vtkSMProxy* colourMap, const MaterialNames& names, MaterialNa
   Legend legend = ReadLegend(colourMap);
   if (AddNames(legend, names, given))
   {
-    categories.Set(legend.Texts.size() / 2 > MostNames ? 0 : 1);
+    categories.Set(legend.Texts.size() / 2 > MaximumNames ? 0 : 1);
     WriteLegend(colourMap, legend);
     vtkSMPropertyHelper(colourMap, "AnnotationsInitialized").Set(1);
     colourMap->UpdateVTKObjects();

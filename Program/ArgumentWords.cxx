@@ -16,7 +16,7 @@ const ArgumentOption& FindArgument(const std::string& name)
     [&](const ArgumentOption& option) { return option.Name == (name == "-h" ? "--help" : name); });
   if (found == options.end())
   {
-    RefuseArguments("'" + name + "' is no option.");
+    RejectArguments("'" + name + "' is no option.");
   }
   return *found;
 }
@@ -27,7 +27,7 @@ void AddFile(GivenArguments& given, const std::string& file)
   const char* name = given.count("--input") == 0 ? "--input" : "--output";
   if (!given.insert({ name, { file } }).second)
   {
-    RefuseArguments(
+    RejectArguments(
       "'" + file + "' is a file too many: the input and the output are named already.");
   }
 }
@@ -53,18 +53,18 @@ std::vector<std::string> TakeValues(
   }
   if (!takesValue && !values.empty())
   {
-    RefuseArguments(option.Name + " takes no value, but '" + values[0] + "' is given.");
+    RejectArguments(option.Name + " takes no value, but '" + values[0] + "' is given.");
   }
   if (takesValue && (values.empty() ? option.Value[0] != '[' : values.back().empty()))
   {
-    RefuseArguments(option.Name + " needs a value.");
+    RejectArguments(option.Name + " needs a value.");
   }
   return values;
 }
 
 } // namespace
 
-void RefuseArguments(const std::string& message)
+void RejectArguments(const std::string& message)
 {
   throw InputError(ErrorCode::WrongArguments, message + " See sculptor --help.");
 }
@@ -82,7 +82,7 @@ GivenArguments ReadWords(const std::vector<std::string>& words, bool isTest)
     const ArgumentOption& option = FindArgument(word->substr(0, word->find('=')));
     if (!option.MayRepeat && given.count(option.Name) > 0)
     {
-      RefuseArguments(option.Name + " is given twice.");
+      RejectArguments(option.Name + " is given twice.");
     }
     const bool takesValue = !option.Value.empty() && !(isTest && option.Name == "--refine-cells");
     const std::vector<std::string> values = TakeValues(word, words.end(), option, takesValue);

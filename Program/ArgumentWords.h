@@ -17,7 +17,7 @@ namespace vfm
 using GivenArguments = std::map<std::string, std::vector<std::string>>;
 
 /// Throws InputError (WrongArguments).
-[[noreturn]] void RefuseArguments(const std::string& message);
+[[noreturn]] void RejectArguments(const std::string& message);
 
 /// Values may follow an option as the next word or after "=". Of words with --help or --version only this option is returned.
 /// Throws InputError (WrongArguments) when an option is unknown, is given twice, lacks a value or takes none.

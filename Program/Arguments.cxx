@@ -46,7 +46,7 @@ auto ReadValue(
   const auto value = text.empty() ? std::nullopt : parse(text);
   if (!text.empty() && !value)
   {
-    RefuseArguments(name + " takes " + takes + ", not '" + text + "'.");
+    RejectArguments(name + " takes " + takes + ", not '" + text + "'.");
   }
   return value;
 }
@@ -92,14 +92,14 @@ std::vector<std::string> ReadList(const GivenArguments& given, const std::string
   std::vector<std::string> list = SplitText(TextOf(given, name));
   if (std::find(list.begin(), list.end(), "") != list.end())
   {
-    RefuseArguments(name + " has an empty name in its list.");
+    RejectArguments(name + " has an empty name in its list.");
   }
   std::set<std::string> seen;
   const auto twice = std::find_if(list.begin(), list.end(),
     [&seen](const std::string& item) { return !seen.insert(item).second; });
   if (twice != list.end())
   {
-    RefuseArguments(name + " names '" + *twice + "' twice.");
+    RejectArguments(name + " names '" + *twice + "' twice.");
   }
   return list;
 }
@@ -110,7 +110,7 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 Settings ListRefinement(const GivenArguments& given)
 {
   const std::optional<int> halvings =
-    ReadCount(given, "--refine", " to " + std::to_string(MostHalvings), MostHalvings);
+    ReadCount(given, "--refine", " to " + std::to_string(MaximumHalvings), MaximumHalvings);
   if (halvings)
   {
     return { { "Refinement", "Uniform" }, { "MaximumLevel", std::to_string(*halvings) } };
@@ -143,7 +143,7 @@ Settings ListSettings(const GivenArguments& given)
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos)
     {
-      RefuseArguments("--set takes Option=Value, not '" + word + "'.");
+      RejectArguments("--set takes Option=Value, not '" + word + "'.");
     }
     settings.emplace_back(TrimText(word.substr(0, equals)), TrimText(word.substr(equals + 1)));
   }
@@ -205,21 +205,21 @@ void CheckVoxels(const Arguments& from)
   const bool isText = HasSuffix(from.Input, ".spn");
   if (isText && !from.Dimensions)
   {
-    RefuseArguments(
+    RejectArguments(
       "The input " + from.Input + " does not tell its size: --dimensions NX,NY,NZ is missing.");
   }
   if (!isText && from.Dimensions)
   {
-    RefuseArguments("--dimensions is for .spn files.");
+    RejectArguments("--dimensions is for .spn files.");
   }
   const bool isVoxels = IsVoxelFile(from.Input);
   if (!isVoxels && (from.Origin || from.AxisOrder))
   {
-    RefuseArguments("--origin and --axis-order are for .spn and .npy files.");
+    RejectArguments("--origin and --axis-order are for .spn and .npy files.");
   }
   if (!isVoxels && !IsImageFile(from.Input) && from.Spacing)
   {
-    RefuseArguments("--spacing is for " + JoinTexts(GetImageSuffixes()) + ", .spn and .npy files.");
+    RejectArguments("--spacing is for " + JoinTexts(GetImageSuffixes()) + ", .spn and .npy files.");
   }
 }
 
@@ -227,7 +227,7 @@ void CheckInput(const Arguments& from)
 {
   if (from.Input.empty())
   {
-    RefuseArguments("--input FILE is missing.");
+    RejectArguments("--input FILE is missing.");
   }
   CheckInputSuffix(from.Input);
   CheckVoxels(from);
@@ -238,7 +238,7 @@ void CheckProblem(const std::string& problem)
 {
   if (!problem.empty())
   {
-    RefuseArguments(problem);
+    RejectArguments(problem);
   }
 }
 
@@ -253,7 +253,7 @@ void CheckMesh(const Arguments& from)
   CheckInput(from);
   if (from.Output.empty())
   {
-    RefuseArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
+    RejectArguments("--output FILE is missing, as in sculptor " + from.Input + " mesh.vtu.");
   }
   CheckProblem(from.Geometry.empty() ? "" : FindGeometryProblem(from.Geometry));
   CheckOutput(from);
@@ -265,7 +265,7 @@ void CheckConserved(const MesherOptions& options)
   const bool isConserved = ConservesState(options.Transfer, options.DensityArrays);
   if (!isConserved && !(options.VelocityArray + options.EnergyArray).empty())
   {
-    RefuseArguments("--velocity and --energy are for state that is conserved: name a --density, or "
+    RejectArguments("--velocity and --energy are for state that is conserved: name a --density, or "
                     "say --state-transfer Conserve. Arrays to be copied are those of --state.");
   }
 }
@@ -290,7 +290,7 @@ void CheckExclusive(const GivenArguments& given)
   {
     if (given.count(one) + given.count(other) == 2)
     {
-      RefuseArguments(std::string(one) + " and " + other + " exclude each other.");
+      RejectArguments(std::string(one) + " and " + other + " exclude each other.");
     }
   }
 }
@@ -303,7 +303,7 @@ void CheckTaken(
   {
     if (std::find(taken.begin(), taken.end(), argument.first) == taken.end())
     {
-      RefuseArguments(task + " takes " + JoinTexts(taken) + ", not " + argument.first + ".");
+      RejectArguments(task + " takes " + JoinTexts(taken) + ", not " + argument.first + ".");
     }
   }
 }

@@ -71,7 +71,7 @@ std::string WarnOfNearFractions(
 }
 
 /// Collective.
-[[noreturn]] void RefuseArrays(
+[[noreturn]] void RejectArrays(
   const Input& input, const Arguments& arguments, const std::string& warning, Ranks& ranks)
 {
   std::string text =
@@ -345,7 +345,7 @@ std::vector<int> FindLabels(const ArrayLists& lists, const std::string& name, Ra
         }
       }
     });
-  return Unite(ranks, std::vector<int>(found.upper_bound(0), found.end()));
+  return UnionOverRanks(ranks, std::vector<int>(found.upper_bound(0), found.end()));
 }
 
 ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks& ranks)
@@ -370,7 +370,7 @@ ChosenArrays ChooseArrays(const Input& input, const Arguments& arguments, Ranks&
   }
   if (!HasMaterials(chosen))
   {
-    RefuseArrays(input, arguments, chosen.Warning, ranks);
+    RejectArrays(input, arguments, chosen.Warning, ranks);
   }
   return chosen;
 }

@@ -28,14 +28,14 @@ void CheckAssertions(const std::string& path, const NetcdfHeader& header)
   { return dimension.Name == "num_dim" && dimension.Length >= 1 && dimension.Length <= 3; };
   if (std::none_of(header.Dimensions.begin(), header.Dimensions.end(), isSpace))
   {
-    RefuseInput("Cannot read the input " + path +
+    RejectInput("Cannot read the input " + path +
       ": the file is damaged or no Exodus file: it does not tell a number of dimensions, num_dim.");
   }
   for (const NetcdfHeader::Attribute& attribute : header.Attributes)
   {
     if (!IsReadableAttribute(attribute))
     {
-      RefuseInput("Cannot read the input " + path +
+      RejectInput("Cannot read the input " + path +
         ": the file is damaged, or an attribute of it is neither text nor 32-bit integers nor "
         "64-bit real numbers.");
     }
@@ -48,7 +48,7 @@ void CheckAssertions(const std::string& path, const NetcdfHeader& header)
       isTable ? ReadNetcdfInts(path, variable) : std::vector<std::int32_t>();
     if (std::any_of(flags.begin(), flags.end(), [](std::int32_t flag) { return (flag & ~1) != 0; }))
     {
-      RefuseInput("Cannot read the input " + path + ": the file is damaged: its variable '" +
+      RejectInput("Cannot read the input " + path + ": the file is damaged: its variable '" +
         TruthTable + "' holds other numbers than 0 and 1.");
     }
   }
@@ -65,11 +65,11 @@ void CheckExodusFile(const std::string& path, const std::string& first)
   }
   if (static_cast<std::int64_t>(std::filesystem::file_size(path)) < header->Size)
   {
-    RefuseInput("Cannot read the input " + path + ": the file is cut off or damaged.");
+    RejectInput("Cannot read the input " + path + ": the file is cut off or damaged.");
   }
   if (other && header->Records != other->Records)
   {
-    RefuseInput("Cannot read the input " + path + ": it holds " + std::to_string(header->Records) +
+    RejectInput("Cannot read the input " + path + ": it holds " + std::to_string(header->Records) +
       " times, but " + first + " holds " + std::to_string(other->Records) + ".");
   }
   CheckAssertions(path, *header);

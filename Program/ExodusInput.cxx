@@ -82,7 +82,7 @@ public:
   {
     if (this->Descriptor < 0)
     {
-      RefuseInput("Cannot read the input " + path + ": " + std::strerror(errno) + ".");
+      RejectInput("Cannot read the input " + path + ": " + std::strerror(errno) + ".");
     }
   }
   ~PlainName() { close(this->Descriptor); }
@@ -201,7 +201,7 @@ private:
 };
 
 /// Those of a rank: ranks that follow on each other have files that follow on each other.
-std::vector<std::string> DealFiles(const std::vector<std::string>& paths, Ranks& ranks)
+std::vector<std::string> DistributeFiles(const std::vector<std::string>& paths, Ranks& ranks)
 {
   const auto begin = [&](int rank)
   { return paths.begin() + (paths.size() * rank + ranks.Count() - 1) / ranks.Count(); };
@@ -222,10 +222,10 @@ std::vector<double> AgreeOnTimes(const ExodusFiles& files, Ranks& ranks)
 }
 
 /// Collective: the element variables that any file has.
-std::vector<std::string> UniteNames(const ExodusFiles& files, Ranks& ranks)
+std::vector<std::string> UnionOfNames(const ExodusFiles& files, Ranks& ranks)
 {
   std::set<std::string> names;
-  for (const ArrayInfo& variable : UniteArrays(files.ListVariables(), ranks))
+  for (const ArrayInfo& variable : UnionOfArrays(files.ListVariables(), ranks))
   {
     names.insert(variable.Name);
   }
@@ -236,16 +236,16 @@ std::vector<std::string> UniteNames(const ExodusFiles& files, Ranks& ranks)
 std::vector<std::string> ChooseNames(
   const Arguments& arguments, const std::vector<std::string>& known)
 {
-  const std::vector<std::string> asked = ListNamedArrays(arguments, known);
-  for (const std::string& name : asked)
+  const std::vector<std::string> requested = ListNamedArrays(arguments, known);
+  for (const std::string& name : requested)
   {
     if (name != BlockIds && !std::binary_search(known.begin(), known.end(), name))
     {
-      RefuseInput("The input " + arguments.Input + " has no element variable '" + name +
+      RejectInput("The input " + arguments.Input + " has no element variable '" + name +
         "'. It has: " + (known.empty() ? "none" : JoinTexts(known)) + ".");
     }
   }
-  return arguments.Fractions.empty() && arguments.Labels.empty() ? known : asked;
+  return arguments.Fractions.empty() && arguments.Labels.empty() ? known : requested;
 }
 
 } // namespace
@@ -277,9 +277,9 @@ Input ReadExodus(const Arguments& arguments, VtkMessages& messages, Ranks& ranks
     });
   ExodusFiles files(arguments, messages);
   WorkInStage(
-    ranks, ErrorCode::UnreadableInput, [&] { files.Open(DealFiles(paths, ranks), paths); });
+    ranks, ErrorCode::UnreadableInput, [&] { files.Open(DistributeFiles(paths, ranks), paths); });
   const std::vector<double> times = AgreeOnTimes(files, ranks);
-  const std::vector<std::string> names = ChooseNames(arguments, UniteNames(files, ranks));
+  const std::vector<std::string> names = ChooseNames(arguments, UnionOfNames(files, ranks));
   Input input;
   const std::optional<double> time = ChooseTime(arguments, times);
   WorkInStage(

@@ -100,7 +100,7 @@ std::vector<ArrayInfo> FindArrays(const Input& input, ArrayPlace place, Ranks& r
 {
   std::vector<ArrayInfo> list;
   WorkTogether(ranks, [&] { list = ListArrays(ListsOf(input, place)); });
-  list = UniteArrays(list, ranks);
+  list = UnionOfArrays(list, ranks);
   list.erase(std::remove_if(list.begin(), list.end(),
                [](const ArrayInfo& array) { return IsGhostName(array.Name); }),
     list.end());

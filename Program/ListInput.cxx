@@ -19,7 +19,7 @@ namespace
 constexpr double LevelTolerance = 0.01; // of the logarithm of a ratio of widths
 
 /// Around all; Count is the sum.
-CellsInfo Unite(const std::vector<CellsInfo>& pieces)
+CellsInfo UnionOverRanks(const std::vector<CellsInfo>& pieces)
 {
   CellsInfo all = pieces[0];
   all.Count = 0;
@@ -99,7 +99,7 @@ void PrintBlocks(const std::vector<CellsInfo>& blocks, const Vector3& widest, st
 /// isOne: the pieces of one grid, else its blocks.
 void PrintGrid(const std::vector<CellsInfo>& pieces, bool isOne, bool isOfPoints, std::ostream& to)
 {
-  const CellsInfo all = pieces.empty() ? CellsInfo() : Unite(pieces);
+  const CellsInfo all = pieces.empty() ? CellsInfo() : UnionOverRanks(pieces);
   const IndexBox& box = all.Box;
   // pieces share points
   const Index cells = isOne && isOfPoints ? box.NumberOfCells() : all.Count;

@@ -74,7 +74,7 @@ MesherResult MakeMesh(
   const MesherOptions& options = arguments.Mesher;
   MesherInput mesherInput;
   CollectedBlocks collected;
-  WorkInStage(ranks, ErrorCode::RefusedMesh,
+  WorkInStage(ranks, ErrorCode::RejectedMesh,
     [&]
     {
       mesherInput.Arrays = NameArrays(arguments, input, arrays, ranks);
@@ -92,7 +92,7 @@ MesherResult MakeMesh(
   };
   mesherInput.Warn(input.Warning);
   MesherResult result;
-  WorkInStage(ranks, ErrorCode::RefusedMesh,
+  WorkInStage(ranks, ErrorCode::RejectedMesh,
     [&]
     {
       const bool isShown = !arguments.Quiet && ranks.Rank() == 0 && isatty(STDERR_FILENO);

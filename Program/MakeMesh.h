@@ -10,7 +10,7 @@ namespace vfm
 {
 
 /// Collective: this rank's part of the mesh, of the materials of the arguments. Shows the progress on a terminal unless quiet, and
-/// warnings, on rank 0. Throws InputError: WrongArguments as KeepMaterials, else RefusedMesh with the mesher's message, or InternalError
+/// warnings, on rank 0. Throws InputError: WrongArguments as KeepMaterials, else RejectedMesh with the mesher's message, or InternalError
 /// for lack of memory.
 MesherResult MakeMesh(
   const Arguments& arguments, const Input& input, const ChosenArrays& arrays, Ranks& ranks);

@@ -16,7 +16,7 @@ namespace vfm
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-void RefuseInput(const std::string& message)
+void RejectInput(const std::string& message)
 {
   throw InputError(ErrorCode::UnreadableInput, message);
 }
@@ -44,14 +44,14 @@ std::optional<double> ChooseTime(const Arguments& arguments, const std::vector<d
   const std::size_t step = arguments.Step.value_or(0);
   if (step >= std::max<std::size_t>(times.size(), 1))
   {
-    RefuseInput("The input " + arguments.Input + " has no step " + std::to_string(step) +
+    RejectInput("The input " + arguments.Input + " has no step " + std::to_string(step) +
       ": it has " + std::to_string(std::max<std::size_t>(times.size(), 1)) + ", counted from 0.");
   }
   if (times.empty())
   {
     if (arguments.Time)
     {
-      RefuseInput("The input " + arguments.Input + " has no times, so --time cannot choose one.");
+      RejectInput("The input " + arguments.Input + " has no times, so --time cannot choose one.");
     }
     return std::nullopt;
   }
@@ -96,7 +96,7 @@ void CheckReaderErrors(const VtkMessages& messages, const std::string& path)
   {
     const std::string text = messages.GetErrorText(), prefix = "Cannot read " + path;
     const bool tellsPath = text.compare(0, prefix.size(), prefix) == 0;
-    RefuseInput(tellsPath ? text : "Cannot read the input " + path + ": " + text);
+    RejectInput(tellsPath ? text : "Cannot read the input " + path + ": " + text);
   }
 }
 

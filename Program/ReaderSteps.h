@@ -19,7 +19,7 @@ namespace vfm
 class VtkMessages;
 
 /// Throws InputError (UnreadableInput), as all that follows.
-[[noreturn]] void RefuseInput(const std::string& message);
+[[noreturn]] void RejectInput(const std::string& message);
 
 /// Does a step of reading, whose InputError does not name the input. head: of the message, before the path.
 void CheckInput(const std::string& path, const std::function<void()>& step,

@@ -186,7 +186,7 @@ int Work(const Arguments& arguments, Ranks& ranks)
       std::cout << (isFirst ? "sculptor " VFM_VERSION "\n" : "");
       break;
     case Command::Test:
-      return RunBuiltInTest(arguments, ranks) ? 0 : StatusOf(ErrorCode::RefusedMesh);
+      return RunBuiltInTest(arguments, ranks) ? 0 : StatusOf(ErrorCode::RejectedMesh);
     case Command::List:
       ListInput(arguments, ranks, std::cout);
       break;

@@ -129,7 +129,7 @@ void CheckClosed(const std::vector<Side>& sides)
 struct Neighbour
 {
   Index Triangle;
-  bool IsAlike;
+  bool IsSameTurn;
 };
 
 /// Three of each triangle.
@@ -151,7 +151,7 @@ std::vector<Neighbour> FindNeighbours(const std::vector<Side>& sides)
 }
 
 /// Each part faces the way of its first triangle.
-void TurnAlike(const std::vector<Neighbour>& neighbours, Triangles& triangles)
+void OrientConsistently(const std::vector<Neighbour>& neighbours, Triangles& triangles)
 {
   std::vector<bool> isDone(triangles.size(), false), isTurned(triangles.size(), false);
   std::vector<Index> toDo;
@@ -172,7 +172,7 @@ void TurnAlike(const std::vector<Neighbour>& neighbours, Triangles& triangles)
         if (!isDone[next.Triangle])
         {
           isDone[next.Triangle] = true;
-          isTurned[next.Triangle] = isTurned[t] == next.IsAlike;
+          isTurned[next.Triangle] = isTurned[t] == next.IsSameTurn;
           toDo.push_back(next.Triangle);
         }
       }
@@ -206,7 +206,7 @@ ClosedSurface CloseSurface(std::vector<Vector3> points, Triangles triangles)
   DropCollapsed(triangles);
   const std::vector<Side> sides = SortSides(triangles);
   CheckClosed(sides);
-  TurnAlike(FindNeighbours(sides), triangles);
+  OrientConsistently(FindNeighbours(sides), triangles);
   ClosedSurface surface{ std::move(points), std::move(triangles) };
   if (TriangleSolid(PlaceTriangles(surface)).MeasureVolume() < 0.0)
   {

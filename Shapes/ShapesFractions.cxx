@@ -403,11 +403,11 @@ public:
   void Add()
   {
     const Index percent = 100 * ++this->Done / this->Count;
-    if (std::this_thread::get_id() != this->Teller || percent == this->Told)
+    if (std::this_thread::get_id() != this->ReportingThread || percent == this->Reported)
     {
       return;
     }
-    this->Told = percent;
+    this->Reported = percent;
     try
     {
       this->Run.Progress(0.01 * static_cast<double>(percent), "Computing fractions");
@@ -422,10 +422,10 @@ public:
 private:
   const Index Count;
   Runtime& Run;
-  const std::thread::id Teller = std::this_thread::get_id();
+  const std::thread::id ReportingThread = std::this_thread::get_id();
   std::atomic<Index> Done{ 0 };
   std::atomic<bool> Stopped{ false };
-  Index Told = 0; // percent
+  Index Reported = 0; // percent
 };
 
 void CheckTolerance(double tolerance)

@@ -24,7 +24,7 @@ namespace
 static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit ids");
 
 /// The values of an array in plain memory, as numbers of a type of VTK: its own, or a copy.
-const void* Keep(vtkDataArray* array, int type, StoredMesh& mesh)
+const void* Store(vtkDataArray* array, int type, StoredMesh& mesh)
 {
   vtkSmartPointer<vtkDataArray> kept = array;
   if (array->GetDataType() != type || !array->HasStandardMemoryLayout())
@@ -48,7 +48,7 @@ std::vector<MeshArray> ListArrays(vtkDataSetAttributes* data, StoredMesh& mesh)
     }
     const int type = array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType();
     MeshArray view{ array->GetName(), type, array->GetNumberOfComponents(), {},
-      Keep(array, type, mesh) };
+      Store(array, type, mesh) };
     for (int c = 0; array->HasAComponentName() && c < view.Components; ++c)
     {
       const char* name = array->GetComponentName(c);
@@ -134,7 +134,7 @@ const Index* KeepElements(vtkCellArray* cells, StoredMesh& mesh)
     cells->IsHomogeneous() == corners)
   {
     vtkDataArray* connectivity = cells->GetConnectivityArray64();
-    return static_cast<const Index*>(Keep(connectivity, connectivity->GetDataType(), mesh));
+    return static_cast<const Index*>(Store(connectivity, connectivity->GetDataType(), mesh));
   }
   std::vector<Index> elements;
   elements.reserve(count);
@@ -145,7 +145,7 @@ const Index* KeepElements(vtkCellArray* cells, StoredMesh& mesh)
     cells->GetCellAtId(cell, size, points);
     elements.insert(elements.end(), points, points + size);
   }
-  return mesh.Keep(std::move(elements));
+  return mesh.Store(std::move(elements));
 }
 
 } // namespace
@@ -159,7 +159,7 @@ StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh)
   if (data.NumberOfPoints > 0)
   {
     vtkDataArray* points = mesh->GetPoints()->GetData();
-    data.Points = static_cast<const double*>(Keep(points, VTK_DOUBLE, stored));
+    data.Points = static_cast<const double*>(Store(points, VTK_DOUBLE, stored));
   }
   if (data.NumberOfElements > 0)
   {

@@ -9,25 +9,26 @@ namespace vfm
 
 std::string DescribeMissingLevels(vtkDataObject* input, Ranks& ranks)
 {
-  constexpr std::size_t mostLevels = 64;
-  std::vector<std::int64_t> counts(2 * mostLevels, 0); // of each level boxes, then those with data
+  constexpr std::size_t maximumLevels = 64;
+  std::vector<std::int64_t> counts(
+    2 * maximumLevels, 0); // of each level boxes, then those with data
   RefinedGrids* amr = RefinedGrids::SafeDownCast(input);
   const std::size_t levels = amr ? amr->GetNumberOfLevels() : 0;
-  for (std::size_t level = 0; level < std::min(levels, mostLevels); ++level)
+  for (std::size_t level = 0; level < std::min(levels, maximumLevels); ++level)
   {
     const unsigned int number = static_cast<unsigned int>(level);
     const unsigned int boxes = NumberOfBoxes(amr, number);
     counts[level] = boxes;
     for (unsigned int box = 0; box < boxes; ++box)
     {
-      counts[mostLevels + level] += GetBox(amr, number, box) != nullptr;
+      counts[maximumLevels + level] += GetBox(amr, number, box) != nullptr;
     }
   }
   ranks.Sum(counts);
   std::string missing;
-  for (std::size_t level = 0; level < mostLevels; ++level)
+  for (std::size_t level = 0; level < maximumLevels; ++level)
   {
-    if (counts[level] > 0 && counts[mostLevels + level] == 0)
+    if (counts[level] > 0 && counts[maximumLevels + level] == 0)
     {
       missing += (missing.empty() ? "" : ", ") + std::to_string(level);
     }

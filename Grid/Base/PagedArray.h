@@ -123,7 +123,7 @@ private:
   Index NumberOfPages() const { return static_cast<Index>(this->Shared->NumberOfPages); }
   /// Real values in the p-th page; the last one may have fewer.
   Index SizeOfPage(Index p) const { return std::min(PageSize, this->Length - p * PageSize); }
-  static bool AreAlike(const T* values, Index count)
+  static bool AreEqual(const T* values, Index count)
   {
     return std::all_of(values + 1, values + count, [&](T value) { return value == values[0]; });
   }
@@ -289,7 +289,7 @@ void PagedArray<T>::FillPage(Index row, Index p, Index begin, Index end, T value
   }
   T* page = this->OwnPage(row, p);
   std::fill(page + begin, page + end, value);
-  if (AreAlike(page, this->SizeOfPage(p)))
+  if (AreEqual(page, this->SizeOfPage(p)))
   {
     this->SharePage(row, p, value);
   }
@@ -322,7 +322,7 @@ void PagedArray<T>::Set(Index n, T value)
   const Index p = i / PageSize, last = this->SizeOfPage(p) - 1;
   T* page = this->OwnPage(row, p);
   page[i % PageSize] = value;
-  if (i % PageSize == last && AreAlike(page, last + 1)) // where indices are set in their order
+  if (i % PageSize == last && AreEqual(page, last + 1)) // where indices are set in their order
   {
     this->SharePage(row, p, value);
     this->ShareRow(row);
@@ -367,7 +367,7 @@ void PagedArray<T>::Write(Index first, Index last, const T* values)
     [&](Index row, Index p, Index begin, Index end, Index n)
     {
       const T* from = values + (n - first);
-      if (AreAlike(from, end - begin))
+      if (AreEqual(from, end - begin))
       {
         this->FillPage(row, p, begin, end, from[0]);
         return;

@@ -52,7 +52,7 @@ public:
   }
   /// Asks each peer about a list of ids; returns the answers in the order of the ids: answer(id) of the peer. Collective among peers.
   template <class Answer>
-  auto Ask(const std::vector<std::vector<Index>>& ids, const Answer& answer) const;
+  auto Query(const std::vector<std::vector<Index>>& ids, const Answer& answer) const;
 
 private:
   /// The cell that decides who owns a node: the lowest in the domain.
@@ -110,7 +110,7 @@ void Partition::ExchangeBoxes(const Pack& pack, const Unpack& unpack) const
 }
 
 template <class Answer>
-auto Partition::Ask(const std::vector<std::vector<Index>>& ids, const Answer& answer) const
+auto Partition::Query(const std::vector<std::vector<Index>>& ids, const Answer& answer) const
 {
   return this->Exchange(MapLists(this->Exchange(ids), answer));
 }

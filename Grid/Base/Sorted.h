@@ -26,8 +26,8 @@ std::int64_t FindSorted(const List& items, const Item& item)
 }
 
 /// Calls body(first, last) for the runs of items that alike(first item, other item) tells to belong together.
-template <class Iterator, class Alike, class Body>
-void ForRuns(Iterator begin, Iterator end, const Alike& alike, const Body& body)
+template <class Iterator, class IsEqual, class Body>
+void ForRuns(Iterator begin, Iterator end, const IsEqual& alike, const Body& body)
 {
   for (Iterator first = begin, last = begin; first != end; first = last)
   {

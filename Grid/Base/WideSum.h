@@ -35,7 +35,7 @@ public:
     digit[0] += sign * static_cast<std::int64_t>(low & Mask);
     digit[1] += sign * static_cast<std::int64_t>((low >> 32) + (high & Mask));
     digit[2] += sign * static_cast<std::int64_t>(high >> 32);
-    if (++this->Count == MostAtOnce)
+    if (++this->Count == MaximumAtOnce)
     {
       this->Carry();
     }
@@ -83,7 +83,7 @@ public:
 private:
   static constexpr int Length = 68;
   static constexpr std::uint64_t Mask = 0xffffffffULL;
-  static constexpr int MostAtOnce = 1 << 28; // so that no digit leaves 63 bits
+  static constexpr int MaximumAtOnce = 1 << 28; // so that no digit leaves 63 bits
 
   /// Leaves 32 bits in each digit, the sign in the last.
   void Carry()

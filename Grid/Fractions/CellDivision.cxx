@@ -46,9 +46,9 @@ struct Layers
     bool hasMore = false;
     for (std::size_t i = 0; i < this->Widths.size(); ++i)
     {
-      const double wanted = std::ceil(this->Widths[i] / largest * (1.0 - Slack));
-      hasMore = hasMore || wanted > this->Parts[i];
-      this->Parts[i] = std::max(this->Parts[i], wanted);
+      const double requested = std::ceil(this->Widths[i] / largest * (1.0 - Slack));
+      hasMore = hasMore || requested > this->Parts[i];
+      this->Parts[i] = std::max(this->Parts[i], requested);
     }
     return hasMore;
   }

@@ -81,7 +81,7 @@ Trial Try(const Work& work, const Vector3& normal, double middle)
 }
 
 /// The trial whose unknowns differ from those of another: two turns and a shift.
-Trial TryBeside(const Work& work, const Trial& from, const Vector3& step)
+Trial TryAdjacent(const Work& work, const Trial& from, const Vector3& step)
 {
   const Vector3& n = from.Region.Normal;
   Vector3 u, v;
@@ -101,7 +101,7 @@ Vector3 FindStep(const Work& work, const Trial& from)
   {
     Vector3 step{ { 0.0, 0.0, 0.0 } };
     step[a] = Difference;
-    beside[a] = TryBeside(work, from, step);
+    beside[a] = TryAdjacent(work, from, step);
   }
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
@@ -132,7 +132,7 @@ bool Improve(const Work& work, Trial& best)
   Vector3 step = FindStep(work, best);
   for (int halving = 0; halving < 4; ++halving, step = 0.3 * step)
   {
-    Trial trial = TryBeside(work, best, step);
+    Trial trial = TryAdjacent(work, best, step);
     if (trial.SquaredError < best.SquaredError)
     {
       const bool helped = trial.SquaredError < (1.0 - SmallestGain) * best.SquaredError;

@@ -125,7 +125,7 @@ struct Work
 };
 
 /// The parts of a mixed cell in its children.
-std::vector<ChildFractions> ShareOut(const Work& work, const Index3& cell)
+std::vector<ChildFractions> Distribute(const Work& work, const Index3& cell)
 {
   const Index3 counts = work.Division.Parts(cell);
   if (work.Rule == ChildRule::Planes && counts != Index3{ { 1, 1, 1 } })
@@ -141,7 +141,7 @@ std::vector<ChildFractions> ShareOut(const Work& work, const Index3& cell)
 }
 
 /// What the children of the mixed cells among the runs hold.
-std::vector<std::vector<ChildFractions>> ShareOut(
+std::vector<std::vector<ChildFractions>> Distribute(
   const Work& work, const std::vector<CellRun>& runs)
 {
   std::vector<Index> mixed;
@@ -154,7 +154,7 @@ std::vector<std::vector<ChildFractions>> ShareOut(
   }
   std::vector<std::vector<ChildFractions>> children(mixed.size());
   ForEach(work.Run, mixed.size(),
-    [&](Index m) { children[m] = ShareOut(work, work.Grid.Position(mixed[m])); });
+    [&](Index m) { children[m] = Distribute(work, work.Grid.Position(mixed[m])); });
   return children;
 }
 
@@ -174,7 +174,7 @@ void CutLayer(const Work& work, const IndexBox& box, Index k,
   {
     SkipCells(work.Grid, skips, runs);
   }
-  const std::vector<std::vector<ChildFractions>> mixed = ShareOut(work, runs);
+  const std::vector<std::vector<ChildFractions>> mixed = Distribute(work, runs);
   ChildRows children(work.Grid, work.Fractions, work.Division, refined);
   auto run = runs.begin();
   auto split = mixed.begin();

@@ -30,7 +30,7 @@ CoarseHexes::CoarseHexes(
   this->FindBadFamilies(report.BadCells);
   for (Index key : this->TheRefined.HexKeys)
   {
-    this->Wanted.push_back(this->IsWanted(grid.Lattice().HexOfKey(key)));
+    this->Requested.push_back(this->IsRequested(grid.Lattice().HexOfKey(key)));
   }
   this->MarkPoints();
   this->NumberPoints();
@@ -53,7 +53,7 @@ void CoarseHexes::FindBadFamilies(const std::vector<OctreeKeys::LevelIndex>& bad
 /// A point on or in an owned cell is placed by all hexes around it. These lie in cells of its level around the cell of the level
 /// before that it was made in, so a cell is wanted where its parent is near. Void is not wanted unless it is meshed; the label of a
 /// cell that lies beyond the local box is not known, and its hexes are made.
-bool CoarseHexes::IsWanted(const OctreeKeys::LevelIndex& cell) const
+bool CoarseHexes::IsRequested(const OctreeKeys::LevelIndex& cell) const
 {
   const bool isNear = cell.Level == 0 ? this->Grid.IsNear(0, cell.At)
                                       : this->Grid.IsNear(cell.Level - 1, ParentOfCell(cell.At));
@@ -72,14 +72,14 @@ void CoarseHexes::ForHexes(const Visitor& visit)
   {
     for (; hex < this->TheRefined.NumberOfHexes() && this->TheRefined.HexKeys[hex] < end; ++hex)
     {
-      for (int c = 0; this->Wanted[hex] && c < 8; ++c)
+      for (int c = 0; this->Requested[hex] && c < 8; ++c)
       {
         const Index point = this->TheRefined.Hexes[8 * hex + VtkCorner[c]];
         const Index key = this->TheRefined.PointKeys[point];
         const OctreeKeys::LevelIndex node = lattice.NodeOfKey(key);
         corners[c] = { &this->NumberOf(point, node), node, key };
       }
-      if (this->Wanted[hex])
+      if (this->Requested[hex])
       {
         const Index key = this->TheRefined.HexKeys[hex];
         visit(key, lattice.HexOfKey(key), corners);
@@ -91,7 +91,7 @@ void CoarseHexes::ForHexes(const Visitor& visit)
     {
       const Index key = lattice.HexKey(0, cell, 0);
       visitUpTo(key);
-      if (!this->IsWanted({ 0, cell, 0 }))
+      if (!this->IsRequested({ 0, cell, 0 }))
       {
         return;
       }
@@ -235,7 +235,7 @@ void CoarseHexes::DropParts()
   this->TheRefined = std::move(kept);
   this->NodeNumber = Buffer<int>();
   std::vector<int>().swap(this->PointNumber);
-  std::vector<unsigned char>().swap(this->Wanted);
+  std::vector<unsigned char>().swap(this->Requested);
 }
 
 /// Writes points and hexes one after another.
@@ -373,7 +373,7 @@ void CoarseHexes::Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FineP
   this->DropParts();
 }
 
-void CoarseHexes::TakeApart(const PointVisitor& onPoint, const HexVisitor& onHex)
+void CoarseHexes::Visit(const PointVisitor& onPoint, const HexVisitor& onHex)
 {
   this->ForPoints(
     [&](int number, Index key, const Vector3& x)

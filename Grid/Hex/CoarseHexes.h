@@ -66,7 +66,7 @@ public:
     Index key, const OctreeKeys::LevelIndex& cell, int label, const std::array<Index, 8>& corners)>;
   /// Instead of Fill, of hexes that are not split: gives points and hexes one by one. corners: numbered by bits, positions in the
   /// order of the points, or ~(linear index) of a node that a finest cell has.
-  void TakeApart(const PointVisitor& onPoint, const HexVisitor& onHex);
+  void Visit(const PointVisitor& onPoint, const HexVisitor& onHex);
 
 private:
   static constexpr int Unused = -1, Used = -2, Fine = -3;
@@ -80,7 +80,7 @@ private:
   };
   class Writer;
 
-  bool IsWanted(const OctreeKeys::LevelIndex& cell) const;
+  bool IsRequested(const OctreeKeys::LevelIndex& cell) const;
   /// The number of the split node with a key, or -1.
   Index FindSplit(Index key) const { return this->TheSplits.Find(key); }
   /// Bits of the faces of a hex that have buffer hexes.
@@ -110,11 +110,11 @@ private:
   const LabelArray& Labels;
   bool MeshVoid;
   bool HasBuffers;
-  IndexBox Region;                   // base cells whose hexes are made
-  RefinedMesh TheRefined;            // without the finest cells; wanted or not
-  std::vector<unsigned char> Wanted; // of each hex of TheRefined
-  Buffer<int> NodeNumber;            // of base nodes: index of the point, or what it is
-  std::vector<int> PointNumber;      // of points of TheRefined that are no base nodes
+  IndexBox Region;                      // base cells whose hexes are made
+  RefinedMesh TheRefined;               // without the finest cells; wanted or not
+  std::vector<unsigned char> Requested; // of each hex of TheRefined
+  Buffer<int> NodeNumber;               // of base nodes: index of the point, or what it is
+  std::vector<int> PointNumber;         // of points of TheRefined that are no base nodes
   SplitNodes TheSplits;
   std::vector<std::vector<Index>> Bad;
   std::vector<Index> SplitPoint;

@@ -17,7 +17,7 @@ struct LevelHexes
   std::shared_ptr<const RefinedGrid> Grid;
   std::unique_ptr<CoarseHexes> Coarse;
   /// How many families were asked for, of each refinement, before any was added because no valid mesh started.
-  std::vector<Index> Asked;
+  std::vector<Index> RequestedFamilies;
 };
 
 struct LabelledGrid

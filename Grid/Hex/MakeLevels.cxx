@@ -33,9 +33,10 @@ void MakeGrid(const CartesianGrid& grid, const LevelPlan& plan,
 {
   levels.Coarse.reset();
   levels.Grid = std::make_shared<const RefinedGrid>(grid, plan, interfaces, ranks);
-  for (int level = static_cast<int>(levels.Asked.size()); level < plan.Refinements; ++level)
+  for (int level = static_cast<int>(levels.RequestedFamilies.size()); level < plan.Refinements;
+       ++level)
   {
-    levels.Asked.push_back(levels.Grid->Families().Report(level).Wanted);
+    levels.RequestedFamilies.push_back(levels.Grid->Families().Report(level).Requested);
   }
 }
 

@@ -185,7 +185,7 @@ bool HasLatticeLabels(const Work& work, Index n, const std::vector<int>& labels)
 }
 
 /// Refines the coarser cells of a star.
-void WantFiner(Work& work, const Star& star)
+void RequestFiner(Work& work, const Star& star)
 {
   for (const Corner& at : star)
   {
@@ -225,7 +225,7 @@ void PlaceInnerPoints(
   if ((isBad || !HasLatticeLabels(work, n, labels)) &&
     std::any_of(star.begin(), star.end(), isOwned))
   {
-    WantFiner(work, star);
+    RequestFiner(work, star);
   }
 }
 
@@ -358,7 +358,7 @@ void CheckHexes(Work& work)
       const Index n = work.Result.Find(work.Stars.KeyAt(hex, c));
       if (n >= 0)
       {
-        WantFiner(work, work.Stars.StarOf(n));
+        RequestFiner(work, work.Stars.StarOf(n));
       }
     }
   }

@@ -20,8 +20,8 @@ static_assert(
 /// How many halvings, 0..most, multiply the cells across a length by about a factor.
 int HalvingsFor(double factor, int most)
 {
-  const double wanted = std::ceil(std::log2(factor) - Slack);
-  return static_cast<int>(std::min(std::max(wanted, 0.0), static_cast<double>(most)));
+  const double requested = std::ceil(std::log2(factor) - Slack);
+  return static_cast<int>(std::min(std::max(requested, 0.0), static_cast<double>(most)));
 }
 
 void CheckCriteria(const RefinementCriteria& criteria)
@@ -51,12 +51,12 @@ struct Work
   const double IsoValue;
   const Partition& ThePartition;
   Runtime& Run;
-  RefinementWishes Result{};
+  RefinementRequests Result{};
 };
 
 void SumCounts(Work& work)
 {
-  RefinementWishes& result = work.Result;
+  RefinementRequests& result = work.Result;
   Index* const all[] = { &result.ThinCells, &result.CurvedCells, &result.FlippedCells,
     &result.NearCells, &result.ChosenCells, &result.AllCells };
   std::vector<Index> counts;
@@ -72,17 +72,18 @@ void SumCounts(Work& work)
 }
 
 /// Of each cell the most halvings, in the order of keys.
-void Tidy(std::vector<RefinementWish>& cells)
+void Tidy(std::vector<RefinementRequest>& cells)
 {
   std::sort(cells.begin(), cells.end(),
-    [](const RefinementWish& a, const RefinementWish& b)
+    [](const RefinementRequest& a, const RefinementRequest& b)
     { return a.Cell != b.Cell ? a.Cell < b.Cell : a.Halvings > b.Halvings; });
-  cells.erase(std::unique(cells.begin(), cells.end(),
-                [](const RefinementWish& a, const RefinementWish& b) { return a.Cell == b.Cell; }),
+  cells.erase(
+    std::unique(cells.begin(), cells.end(),
+      [](const RefinementRequest& a, const RefinementRequest& b) { return a.Cell == b.Cell; }),
     cells.end());
 }
 
-void Wish(Work& work, const Index3& cell, int halvings, Index& count)
+void AddRequest(Work& work, const Index3& cell, int halvings, Index& count)
 {
   if (halvings > 0)
   {
@@ -92,7 +93,7 @@ void Wish(Work& work, const Index3& cell, int halvings, Index& count)
 }
 
 /// Whether what is around a pure cell is not the same.
-bool IsBesideOthers(const Work& work, const Index3& p, Index cell)
+bool IsNextToOthers(const Work& work, const Index3& p, Index cell)
 {
   for (int c = 0; c < 27; ++c)
   {
@@ -125,7 +126,7 @@ int HalvingsForThickness(const Work& work, const Index3& p, Index cell)
   return most;
 }
 
-void AskThickness(Work& work)
+void RequestByThickness(Work& work)
 {
   if (!(work.Criteria.ThinCells > 0.0))
   {
@@ -136,7 +137,7 @@ void AskThickness(Work& work)
     [&](const Index3& p)
     {
       const Index cell = work.Grid.Linear(p);
-      if (work.Fractions.IsMixed(cell) || IsBesideOthers(work, p, cell))
+      if (work.Fractions.IsMixed(cell) || IsNextToOthers(work, p, cell))
       {
         cells.push_back(p);
       }
@@ -147,11 +148,11 @@ void AskThickness(Work& work)
     { halvings[n] = HalvingsForThickness(work, cells[n], work.Grid.Linear(cells[n])); });
   for (std::size_t n = 0; n < cells.size(); ++n)
   {
-    Wish(work, cells[n], halvings[n], work.Result.ThinCells);
+    AddRequest(work, cells[n], halvings[n], work.Result.ThinCells);
   }
 }
 
-void AskCurvature(Work& work)
+void RequestByCurvature(Work& work)
 {
   if (!(work.Criteria.CurvaturePerCell > 0.0))
   {
@@ -160,7 +161,7 @@ void AskCurvature(Work& work)
   for (const CellCurvature& c : FindCurvatures(work.Grid, work.Fractions, work.Run))
   {
     const double factor = c.Curvature / work.Criteria.CurvaturePerCell;
-    Wish(work, work.Grid.Position(c.Cell), HalvingsFor(factor, work.Criteria.MaximumLevel),
+    AddRequest(work, work.Grid.Position(c.Cell), HalvingsFor(factor, work.Criteria.MaximumLevel),
       work.Result.CurvedCells);
   }
 }
@@ -198,7 +199,7 @@ PagedArray<int> FindNear(const Work& work, const LabelArray& labels)
   return isNear;
 }
 
-void AskLabels(Work& work)
+void RequestByLabels(Work& work)
 {
   if (!work.Criteria.FlippedCells && work.Criteria.InterfaceLayers <= 0)
   {
@@ -211,7 +212,7 @@ void AskLabels(Work& work)
     [&](const Index3& p)
     {
       const Index cell = work.Grid.Linear(p);
-      Wish(work, p, work.Criteria.FlippedCells && labels[cell] != before[cell],
+      AddRequest(work, p, work.Criteria.FlippedCells && labels[cell] != before[cell],
         work.Result.FlippedCells);
     });
   if (work.Criteria.InterfaceLayers > 0)
@@ -221,14 +222,14 @@ void AskLabels(Work& work)
       [&](const Index3& p)
       {
         const int halvings = isNear[work.Grid.Linear(p)] ? work.Criteria.MaximumLevel : 0;
-        Wish(work, p, halvings, work.Result.NearCells);
+        AddRequest(work, p, halvings, work.Result.NearCells);
       });
   }
 }
 
-void AskChosen(Work& work)
+void RequestChosen(Work& work)
 {
-  std::vector<RefinementWish> chosen; // boxes may share cells
+  std::vector<RefinementRequest> chosen; // boxes may share cells
   for (const ChosenBox& box : work.Criteria.Chosen)
   {
     const int halvings = std::min(static_cast<int>(box.Halvings), work.Criteria.MaximumLevel);
@@ -247,37 +248,37 @@ void AskChosen(Work& work)
 
 } // namespace
 
-RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
+RefinementRequests FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
   const RefinementCriteria& criteria, double isoValue, const Partition& partition, Runtime& runtime)
 {
   CheckCriteria(criteria);
   Work work{ grid, fractions, criteria, isoValue, partition, runtime };
   if (work.Criteria.MaximumLevel > 0)
   {
-    AskThickness(work);
-    AskCurvature(work);
-    AskLabels(work);
-    AskChosen(work);
+    RequestByThickness(work);
+    RequestByCurvature(work);
+    RequestByLabels(work);
+    RequestChosen(work);
   }
-  RefinementWishes& result = work.Result;
+  RefinementRequests& result = work.Result;
   Tidy(result.Cells);
   result.AllCells = static_cast<Index>(result.Cells.size());
   SumCounts(work);
   int most = 0;
-  for (const RefinementWish& wish : result.Cells)
+  for (const RefinementRequest& request : result.Cells)
   {
-    most = std::max(most, wish.Halvings);
+    most = std::max(most, request.Halvings);
   }
   result.Refinements = static_cast<int>(work.ThePartition.Group().Max(most));
   return std::move(result);
 }
 
-void AddWantedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& wanted, int layers,
-  std::vector<std::vector<Index>>& families)
+void AddRequestedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& requested,
+  int layers, std::vector<std::vector<Index>>& families)
 {
-  const int halvings = static_cast<int>(wanted.Halvings), finest = level + halvings;
-  const IndexBox children =
-    Grow(ChangeLevel(wanted.Cells, halvings), layers, ChangeLevel(lattice.Base().Global(), finest));
+  const int halvings = static_cast<int>(requested.Halvings), finest = level + halvings;
+  const IndexBox children = Grow(
+    ChangeLevel(requested.Cells, halvings), layers, ChangeLevel(lattice.Base().Global(), finest));
   for (int l = level; l < finest; ++l)
   {
     const IndexBox around =
@@ -286,14 +287,14 @@ void AddWantedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& wa
   }
 }
 
-std::vector<std::vector<Index>> FindWantedFamilies(
-  const OctreeKeys& lattice, const RefinementWishes& wishes, int layers)
+std::vector<std::vector<Index>> FindRequestedFamilies(
+  const OctreeKeys& lattice, const RefinementRequests& requests, int layers)
 {
-  std::vector<std::vector<Index>> families(wishes.Refinements);
-  for (const RefinementWish& wish : wishes.Cells)
+  std::vector<std::vector<Index>> families(requests.Refinements);
+  for (const RefinementRequest& request : requests.Cells)
   {
-    AddWantedFamilies(lattice, 0, { BoxOfCell(lattice.Base().CellOfKey(wish.Cell)), wish.Halvings },
-      layers, families);
+    AddRequestedFamilies(lattice, 0,
+      { BoxOfCell(lattice.Base().CellOfKey(request.Cell)), request.Halvings }, layers, families);
   }
   for (std::vector<Index>& keys : families)
   {

@@ -39,16 +39,16 @@ struct RefinementCriteria
 };
 
 /// A cell that wants to be halved.
-struct RefinementWish
+struct RefinementRequest
 {
   Index Cell;   ///< CartesianGrid::CellKey
   int Halvings; ///< 1..MaximumLevel
 };
 
-struct RefinementWishes
+struct RefinementRequests
 {
-  std::vector<RefinementWish> Cells; ///< owned, ascending
-  int Refinements = 0;               ///< the most halvings on any rank
+  std::vector<RefinementRequest> Cells; ///< owned, ascending
+  int Refinements = 0;                  ///< the most halvings on any rank
   // how many cells each criterion asks for, over all ranks; some by several
   Index ThinCells = 0, CurvedCells = 0, FlippedCells = 0, NearCells = 0, ChosenCells = 0;
   Index AllCells = 0;
@@ -56,18 +56,18 @@ struct RefinementWishes
 
 /// Asks the criteria. grid: with ghost layers (GhostLayers); isoValue: of the labels, as in MeshOptions.
 /// Throws InputError when a criterion is out of range. Collective.
-RefinementWishes FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
+RefinementRequests FindRefinement(const CartesianGrid& grid, const FractionField& fractions,
   const RefinementCriteria& criteria, double isoValue, const Partition& partition,
   Runtime& runtime);
 
 /// Adds to those of each refinement (OctreeKeys::FamilyKey), in any order and some twice, the families that hold what cells of a level
 /// want to be halved. layers: so many more cells around, of the level that the place wants; >= 0.
-void AddWantedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& wanted, int layers,
-  std::vector<std::vector<Index>>& families);
+void AddRequestedFamilies(const OctreeKeys& lattice, int level, const ChosenBox& requested,
+  int layers, std::vector<std::vector<Index>>& families);
 
 /// The families of each refinement (OctreeKeys::FamilyKey) that hold what this rank's cells want to be halved, ascending: what
-/// OctantFamilies asks for. lattice: of the same grid, with at least wishes.Refinements refinements. layers: as of AddWantedFamilies.
-std::vector<std::vector<Index>> FindWantedFamilies(
-  const OctreeKeys& lattice, const RefinementWishes& wishes, int layers = 0);
+/// OctantFamilies asks for. lattice: of the same grid, with at least wishes.Refinements refinements. layers: as of AddRequestedFamilies.
+std::vector<std::vector<Index>> FindRequestedFamilies(
+  const OctreeKeys& lattice, const RefinementRequests& requests, int layers = 0);
 
 } // namespace vfm

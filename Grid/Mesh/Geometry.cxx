@@ -303,7 +303,7 @@ Index FillCurves(Work& work, const Junctions& junctions)
   return numbers.Count();
 }
 
-bool IsToldByPoints(const Work& work, std::size_t q)
+bool IsKnownFromPoints(const Work& work, std::size_t q)
 {
   const Mesh& mesh = work.Result;
   const Index* points = mesh.Surfaces.Points.data() + work.Corners * q;
@@ -326,7 +326,7 @@ void ListEdgeFacets(Work& work)
   std::vector<EdgeFacet> mine;
   for (std::size_t q = 0; q < work.Facets.size(); ++q)
   {
-    if (work.Sides[q] > 0 && work.Facets[q].IsOwned && !IsToldByPoints(work, q))
+    if (work.Sides[q] > 0 && work.Facets[q].IsOwned && !IsKnownFromPoints(work, q))
     {
       EdgeFacet facet{ { -1, -1, -1, -1, mesh.Surfaces.SurfaceId[q] } };
       const Index* points = mesh.Surfaces.Points.data() + work.Corners * q;
@@ -341,7 +341,7 @@ void ListEdgeFacets(Work& work)
 
 } // namespace
 
-void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
+void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Partition& partition, Mesh& mesh, MeshReport& report)
 {
   Work work{ facets, FindSmoothSides(facets, kinds, mesh, partition), partition.Group(), mesh };

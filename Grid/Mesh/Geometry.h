@@ -10,8 +10,8 @@
 #pragma once
 
 #include "Base/Partition.h"
-#include "Mesh/CreaseKind.h"
 #include "Mesh/Facet.h"
+#include "Mesh/FeatureKind.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshReport.h"
 
@@ -21,7 +21,7 @@ namespace vfm
 /// Fills mesh.Surfaces, mesh.Curves, mesh.Vertices, mesh.Tables, mesh.GeometryDimension, mesh.GeometryId of the points on facets (inside
 /// volumes they are their fragments), and the counts of the report. kinds: as of FindSmoothSides. mesh: points in their last places.
 /// Collective.
-void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
+void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Partition& partition, Mesh& mesh, MeshReport& report);
 
 } // namespace vfm

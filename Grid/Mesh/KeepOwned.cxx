@@ -9,7 +9,7 @@ namespace
 
 /// The items whose index is kept, in order; several values an item.
 template <class T>
-Buffer<T> Keep(const Buffer<T>& items, const std::vector<Index>& kept, Index width = 1)
+Buffer<T> Select(const Buffer<T>& items, const std::vector<Index>& kept, Index width = 1)
 {
   Buffer<T> result(kept.size() * width);
   for (std::size_t i = 0; i < kept.size(); ++i)
@@ -52,10 +52,10 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
   const std::vector<Index> elements = FindOwnedElements(mesh, grid);
   mesh.WholeCells =
     std::lower_bound(elements.begin(), elements.end(), mesh.WholeCells) - elements.begin();
-  mesh.Elements = Keep(mesh.Elements, elements, mesh.Corners);
-  mesh.ElementIds = Keep(mesh.ElementIds, elements);
-  mesh.Material = Keep(mesh.Material, elements);
-  mesh.Fragment = Keep(mesh.Fragment, elements);
+  mesh.Elements = Select(mesh.Elements, elements, mesh.Corners);
+  mesh.ElementIds = Select(mesh.ElementIds, elements);
+  mesh.Material = Select(mesh.Material, elements);
+  mesh.Fragment = Select(mesh.Fragment, elements);
 
   std::vector<Index> numbers(mesh.PointIds.size(), -1), points;
   for (Index point : mesh.Elements)
@@ -71,10 +71,10 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
     }
   }
   Renumber(mesh.Elements, numbers);
-  mesh.Points = Keep(mesh.Points, points, 3);
-  mesh.PointIds = Keep(mesh.PointIds, points);
-  mesh.GeometryDimension = Keep(mesh.GeometryDimension, points);
-  mesh.GeometryId = Keep(mesh.GeometryId, points);
+  mesh.Points = Select(mesh.Points, points, 3);
+  mesh.PointIds = Select(mesh.PointIds, points);
+  mesh.GeometryDimension = Select(mesh.GeometryDimension, points);
+  mesh.GeometryId = Select(mesh.GeometryId, points);
 
   SurfaceFacets& surfaces = mesh.Surfaces;
   Renumber(surfaces.Points, numbers);
@@ -87,10 +87,10 @@ void KeepOwned(Mesh& mesh, const CartesianGrid& grid)
       facets.push_back(static_cast<Index>(q));
     }
   }
-  surfaces.Points = Keep(surfaces.Points, facets, mesh.CornersOfFacet());
-  surfaces.SurfaceId = Keep(surfaces.SurfaceId, facets);
-  surfaces.MaterialPair = Keep(surfaces.MaterialPair, facets, 2);
-  surfaces.DomainSide = Keep(surfaces.DomainSide, facets);
+  surfaces.Points = Select(surfaces.Points, facets, mesh.CornersOfFacet());
+  surfaces.SurfaceId = Select(surfaces.SurfaceId, facets);
+  surfaces.MaterialPair = Select(surfaces.MaterialPair, facets, 2);
+  surfaces.DomainSide = Select(surfaces.DomainSide, facets);
   Renumber(mesh.Curves.Points, numbers);
   Renumber(mesh.Vertices.Points, numbers);
 }

@@ -40,18 +40,18 @@ PointExchange::PointExchange(
     return;
   }
   std::vector<std::vector<Link>> links(peers, std::vector<Link>(colours));
-  std::vector<std::vector<Index>> wanted(peers);
+  std::vector<std::vector<Index>> requested(peers);
   for (std::size_t m = 0; m < movers.size(); ++m)
   {
     if (!partition.OwnsNode(movers[m].Owner))
     {
       const int peer = partition.PeerOfNode(movers[m].Owner);
-      wanted[peer].push_back(movers[m].Id);
+      requested[peer].push_back(movers[m].Id);
       links[peer][movers[m].Colour].Incoming.push_back(static_cast<int>(m));
     }
   }
   const MoversById byId(movers);
-  const std::vector<std::vector<Index>> requests = partition.Exchange(wanted);
+  const std::vector<std::vector<Index>> requests = partition.Exchange(requested);
   this->Peers.resize(colours);
   this->Links.resize(colours);
   for (std::size_t peer = 0; peer < peers; ++peer)
@@ -66,7 +66,7 @@ PointExchange::PointExchange(
       Link& link = links[peer][colour];
       if (!link.Outgoing.empty() || !link.Incoming.empty())
       {
-        link.WantsFlag.assign(link.Incoming.size(), 1);
+        link.NeedsFlag.assign(link.Incoming.size(), 1);
         this->Peers[colour].push_back(partition.Peers()[peer]);
         this->Links[colour].push_back(std::move(link));
       }
@@ -74,13 +74,13 @@ PointExchange::PointExchange(
   }
 }
 
-void PointExchange::WantFlags(const std::vector<unsigned char>& ofMovers)
+void PointExchange::RequestFlags(const std::vector<unsigned char>& ofMovers)
 {
   for (std::vector<Link>& links : this->Links)
   {
     for (Link& link : links)
     {
-      std::transform(link.Incoming.begin(), link.Incoming.end(), link.WantsFlag.begin(),
+      std::transform(link.Incoming.begin(), link.Incoming.end(), link.NeedsFlag.begin(),
         [&](int mover) { return ofMovers[mover]; });
     }
   }
@@ -98,7 +98,7 @@ void PointExchange::Send(int colour, std::vector<Vector3>& points,
   {
     const int mover = link.Incoming[i];
     points[mover] = message.X;
-    if (message.Flag > 0.0 && link.WantsFlag[i])
+    if (message.Flag > 0.0 && link.NeedsFlag[i])
     {
       received(mover);
     }

@@ -38,7 +38,7 @@ public:
   void ForSent(const Visitor& visit) const;
 
   /// Says of which of the peers' movers flags are wanted; before, of all.
-  void WantFlags(const std::vector<unsigned char>& ofMovers);
+  void RequestFlags(const std::vector<unsigned char>& ofMovers);
 
   /// Sends the positions of the movers of a colour and receives those of the peers' movers.
   /// points, flags: those of the movers come first, in their order; flags are sent along. received(mover) is called where a flag was set
@@ -59,7 +59,7 @@ private:
   struct Link
   {
     std::vector<int> Outgoing, Incoming;
-    std::vector<unsigned char> WantsFlag; // of the incoming ones
+    std::vector<unsigned char> NeedsFlag; // of the incoming ones
   };
 
   /// Sends what pack(mover) returns of the movers of a colour; calls unpack(link, i, value) with what comes of its incoming movers.

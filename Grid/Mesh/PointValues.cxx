@@ -8,9 +8,9 @@ namespace vfm
 
 PointValues::PointValues(
   const std::vector<Index>& points, const Mesh& mesh, const Partition& partition) :
-  Parts(partition), Wanted(partition.Peers().size())
+  Parts(partition), Requested(partition.Peers().size())
 {
-  std::vector<std::vector<Index>> ids(this->Wanted.size());
+  std::vector<std::vector<Index>> ids(this->Requested.size());
   for (Index point : points)
   {
     const Index id = mesh.PointIds[point];
@@ -18,11 +18,11 @@ PointValues::PointValues(
     if (!partition.OwnsNode(node))
     {
       const int peer = partition.PeerOfNode(node);
-      this->Wanted[peer].push_back(point);
+      this->Requested[peer].push_back(point);
       ids[peer].push_back(id);
     }
   }
-  this->Asked =
+  this->ToSend =
     MapLists(partition.Exchange(ids), [&mesh](Index id) { return FindSorted(mesh.PointIds, id); });
 }
 

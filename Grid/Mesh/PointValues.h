@@ -21,20 +21,20 @@ public:
   void Fetch(const std::vector<T>& values, const Received& received) const
   {
     const std::vector<std::vector<T>> answers = this->Parts.Exchange(
-      MapLists(this->Asked, [&values](Index p) { return p < 0 ? T() : values[p]; }));
+      MapLists(this->ToSend, [&values](Index p) { return p < 0 ? T() : values[p]; }));
     for (std::size_t peer = 0; peer < answers.size(); ++peer)
     {
       for (std::size_t i = 0; i < answers[peer].size(); ++i)
       {
-        received(this->Wanted[peer][i], answers[peer][i]);
+        received(this->Requested[peer][i], answers[peer][i]);
       }
     }
   }
 
 private:
   const Partition& Parts;
-  std::vector<std::vector<Index>> Wanted; // of each peer
-  std::vector<std::vector<Index>> Asked;  // by each peer; -1: not here
+  std::vector<std::vector<Index>> Requested; // of each peer
+  std::vector<std::vector<Index>> ToSend;    // by each peer; -1: not here
 };
 
 } // namespace vfm

@@ -57,7 +57,7 @@ struct Work
   std::vector<int> SideOfPoint{}, CutOfSide{};
 };
 
-void FindPlaces(Work& work, const std::vector<CreaseKind>& kinds)
+void FindPlaces(Work& work, const std::vector<FeatureKind>& kinds)
 {
   work.PlaceOf.assign(work.Input.PointIds.size(), Place::None);
   std::vector<Pair> first(work.PlaceOf.size());
@@ -78,7 +78,7 @@ void FindPlaces(Work& work, const std::vector<CreaseKind>& kinds)
   work.Shared.Fetch(work.PlaceOf, [&](Index point, Place place) { work.PlaceOf[point] = place; });
 }
 
-bool IsBesideEdge(const Work& work, const int* first, const int* last)
+bool IsNextToEdge(const Work& work, const int* first, const int* last)
 {
   return std::any_of(first, last,
     [&](int f)
@@ -112,7 +112,7 @@ void CloseGaps(Work& work)
     {
       const int* first = around.Items.data() + around.Begin[p];
       const int* last = around.Items.data() + around.Begin[p + 1];
-      if (places[p] == Place::Inside && IsBesideEdge(work, first, last) &&
+      if (places[p] == Place::Inside && IsNextToEdge(work, first, last) &&
         IsSharp(work, first, last))
       {
         places[p] = Place::OnEdge;
@@ -214,7 +214,7 @@ Vector3 NormalOf(const Mesh& mesh, const Facet& facet)
   return facet.Fragments[0] < facet.Fragments[1] ? -1.0 * normal : normal;
 }
 
-SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
+SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Mesh& mesh, const Partition& partition)
 {
   Work work{ facets, mesh, partition };

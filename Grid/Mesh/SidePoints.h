@@ -9,8 +9,8 @@
 #include "Base/Groups.h"
 #include "Base/Partition.h"
 #include "Base/Vector3.h"
-#include "Mesh/CreaseKind.h"
 #include "Mesh/Facet.h"
+#include "Mesh/FeatureKind.h"
 #include "Mesh/Mesh.h"
 
 namespace vfm
@@ -48,7 +48,7 @@ struct SidePoints
 };
 
 /// As of FindSmoothSides. Collective.
-SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<CreaseKind>& kinds,
+SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Mesh& mesh, const Partition& partition);
 
 } // namespace vfm

@@ -154,7 +154,7 @@ std::array<Index, 4> KeyOf(const Work& work, std::size_t f)
 }
 
 /// The facets of the same interface at its points.
-std::vector<int> ListBeside(const Work& work, std::size_t f, const Groups<int>& around)
+std::vector<int> ListAdjacent(const Work& work, std::size_t f, const Groups<int>& around)
 {
   std::vector<int> beside;
   for (Index p : work.Facets[f].Points)
@@ -185,7 +185,7 @@ int NearestSide(const Work& work, std::size_t f, const Groups<int>& around)
   };
   std::map<int, Around> sides;
   const Vector3 normal = NormalOf(work.Input, work.Facets[f]);
-  for (int other : ListBeside(work, f, around))
+  for (int other : ListAdjacent(work, f, around))
   {
     Around& side = sides[work.SideOf[other]];
     side.Edges += ShareEdge(work, f, other);
@@ -227,14 +227,14 @@ void TakeDecisions(Work& work, const std::vector<int>& loose, const std::vector<
 
 /// The owner of a facet knows all those around it.
 template <class Condition>
-void Decide(
-  Work& work, const std::vector<int>& loose, const Groups<int>& around, const Condition& isWanted)
+void Decide(Work& work, const std::vector<int>& loose, const Groups<int>& around,
+  const Condition& isRequested)
 {
   std::vector<int> decided(work.SideOf);
   std::vector<Decision> mine;
   for (int f : loose)
   {
-    if (work.Facets[f].IsOwned && isWanted(f))
+    if (work.Facets[f].IsOwned && isRequested(f))
     {
       decided[f] = NearestSide(work, f, around);
       mine.push_back({ KeyOf(work, f), decided[f] });
@@ -392,7 +392,7 @@ void JoinSides(Work& work)
 } // namespace
 
 std::vector<int> FindSmoothSides(const std::vector<Facet>& facets,
-  const std::vector<CreaseKind>& kinds, const Mesh& mesh, const Partition& partition)
+  const std::vector<FeatureKind>& kinds, const Mesh& mesh, const Partition& partition)
 {
   if (!partition.Group().Any(std::any_of(kinds.begin(), kinds.end(), IsCarrier)))
   {

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "Base/Partition.h"
-#include "Mesh/CreaseKind.h"
 #include "Mesh/Facet.h"
+#include "Mesh/FeatureKind.h"
 #include "Mesh/Mesh.h"
 
 namespace vfm
@@ -21,6 +21,6 @@ namespace vfm
 /// kinds: of every point of the mesh, as far as it is on owned nodes; none: no point carries an edge. mesh: points in their last
 /// places. Collective.
 std::vector<int> FindSmoothSides(const std::vector<Facet>& facets,
-  const std::vector<CreaseKind>& kinds, const Mesh& mesh, const Partition& partition);
+  const std::vector<FeatureKind>& kinds, const Mesh& mesh, const Partition& partition);
 
 } // namespace vfm

@@ -27,14 +27,15 @@ Index3 Moved(Index3 p, int b, Index alongB, int c, Index alongC)
 
 } // namespace
 
-OctantFamilies::OctantFamilies(const OctreeKeys& lattice, std::vector<std::vector<Index>> wanted) :
-  TheLattice(lattice), Sets(std::move(wanted)), Reports(lattice.NumberOfRefinements())
+OctantFamilies::OctantFamilies(
+  const OctreeKeys& lattice, std::vector<std::vector<Index>> requested) :
+  TheLattice(lattice), Sets(std::move(requested)), Reports(lattice.NumberOfRefinements())
 {
   this->Sets.resize(this->Reports.size());
   for (int level = this->NumberOfRefinements() - 1; level >= 0; --level)
   {
     SortUnique(this->Sets[level]);
-    this->Reports[level].Wanted = static_cast<Index>(this->Sets[level].size());
+    this->Reports[level].Requested = static_cast<Index>(this->Sets[level].size());
     if (level + 1 < this->NumberOfRefinements())
     {
       this->AddBalance(level);

@@ -24,7 +24,7 @@ class OctantFamilies
 public:
   struct LevelReport
   {
-    Index Wanted = 0;      ///< families asked for
+    Index Requested = 0;   ///< families asked for
     Index Balance = 0;     ///< added because the next level needs them
     Index NonManifold = 0; ///< added by the rule of non-manifold edges
     int Rounds = 0;        ///< in which the rule of non-manifold edges added some
@@ -32,7 +32,7 @@ public:
 
   /// wanted: of each refinement, the keys of families (OctreeKeys::FamilyKey) in any order, repeated or not; fewer
   /// lists than refinements: none in the last ones; those of all ranks (GatherItems). Keeps a reference to the lattice.
-  OctantFamilies(const OctreeKeys& lattice, std::vector<std::vector<Index>> wanted);
+  OctantFamilies(const OctreeKeys& lattice, std::vector<std::vector<Index>> requested);
 
   const OctreeKeys& Lattice() const { return this->TheLattice; }
   int NumberOfRefinements() const { return this->TheLattice.NumberOfRefinements(); }

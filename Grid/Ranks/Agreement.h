@@ -21,7 +21,7 @@ inline std::int64_t SumOverRanks(std::int64_t mine, Ranks& ranks)
 /// Collective: the values that any rank holds, each once, in increasing order, on all ranks. They are united pair by
 /// pair up a binary tree and sent down again: 2 log2 P messages at most on any rank.
 template <class T>
-std::vector<T> Unite(Ranks& ranks, std::vector<T> values)
+std::vector<T> UnionOverRanks(Ranks& ranks, std::vector<T> values)
 {
   const auto tidy = [&values]
   {

@@ -22,7 +22,7 @@ enum class ErrorCode : std::int32_t
   Unknown, ///< the caller knows (ClassifyErrors)
   WrongArguments,
   UnreadableInput,
-  RefusedMesh, ///< input that cannot be meshed
+  RejectedMesh, ///< input that cannot be meshed
   UnwritableOutput,
   InternalError,
   OutOfMemory,

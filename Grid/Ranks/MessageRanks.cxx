@@ -59,10 +59,10 @@ std::vector<Bytes> TakeItems(const Bytes& list, int count)
 } // namespace
 
 /// What one rank sends to its peers and receives from them. All memory for sending is there before anything is sent.
-class MessageRanks::Parcels
+class MessageRanks::LargeMessages
 {
 public:
-  Parcels(Transport& way, const std::vector<int>& peers, const std::vector<Bytes>& outgoing,
+  LargeMessages(Transport& way, const std::vector<int>& peers, const std::vector<Bytes>& outgoing,
     std::int32_t where) :
     Way(way), Peers(peers), Heads(peers.size()), Incoming(peers.size())
   {
@@ -142,19 +142,19 @@ private:
 };
 
 /// Sends to any number of ranks without memory: so many at a time. Beyond that it counts on the transport to take in a few kB.
-class MessageRanks::Letters
+class MessageRanks::SmallMessages
 {
 public:
-  explicit Letters(Transport& way) : Way(way) {}
-  ~Letters()
+  explicit SmallMessages(Transport& way) : Way(way) {}
+  ~SmallMessages()
   {
     for (std::size_t i = 0; i < std::min(this->Count, this->Slots.size()); ++i)
     {
       this->Way.Wait(this->Slots[i]);
     }
   }
-  Letters(const Letters&) = delete;
-  Letters& operator=(const Letters&) = delete;
+  SmallMessages(const SmallMessages&) = delete;
+  SmallMessages& operator=(const SmallMessages&) = delete;
 
   /// The data must stay until this ends.
   void Send(const void* data, std::size_t size, int to) noexcept
@@ -278,13 +278,13 @@ void MessageRanks::Settle() noexcept
   for (bool again = true; again;)
   {
     again = false;
-    Letters letters(this->Way);
+    SmallMessages messages(this->Way);
     for (int other = 0; other < this->NumberOfRanks; ++other)
     {
       if (other != this->MyRank && this->Heard[other] != Settled)
       {
-        letters.Send(&head, sizeof(head), other);
-        letters.Send(&told, sizeof(told), other);
+        messages.Send(&head, sizeof(head), other);
+        messages.Send(&told, sizeof(told), other);
       }
     }
     this->HearOfAll();
@@ -327,8 +327,8 @@ void MessageRanks::Leave()
   {
     Head mine;
     mine.Where = this->Where(true);
-    Letters letters(this->Way);
-    letters.Send(&mine, sizeof(mine), (this->MyRank + step) % this->NumberOfRanks);
+    SmallMessages messages(this->Way);
+    messages.Send(&mine, sizeof(mine), (this->MyRank + step) % this->NumberOfRanks);
     const int from = (this->MyRank - step + this->NumberOfRanks) % this->NumberOfRanks;
     const Head head = this->ReceiveHead(from);
     if (this->IsFailure(head, mine.Where, from))
@@ -362,21 +362,21 @@ std::vector<Bytes> MessageRanks::Swap(
     this->ThrowKnown();
   }
   const std::int32_t where = this->Where(false);
-  Parcels parcels(this->Way, peers, outgoing, where);
-  parcels.Begin();
+  LargeMessages messages(this->Way, peers, outgoing, where);
+  messages.Begin();
   bool failed = false;
   for (std::size_t p = 0; p < peers.size(); ++p)
   {
-    parcels.Received[p] = this->ReceiveHead(peers[p]);
-    failed = this->IsFailure(parcels.Received[p], where, peers[p]) || failed;
+    messages.Received[p] = this->ReceiveHead(peers[p]);
+    failed = this->IsFailure(messages.Received[p], where, peers[p]) || failed;
   }
   try
   {
     std::vector<Bytes> incoming;
     if (!failed)
     {
-      incoming = parcels.Receive();
-      parcels.WaitForSent();
+      incoming = messages.Receive();
+      messages.WaitForSent();
       return incoming;
     }
   }
@@ -386,11 +386,11 @@ std::vector<Bytes> MessageRanks::Swap(
   }
   for (std::size_t p = 0; p < peers.size(); ++p)
   {
-    const Head& head = parcels.Received[p];
+    const Head& head = messages.Received[p];
     this->Drop(head.Failed ? 0 : head.SizeAfter(), peers[p]);
   }
   this->Settle();
-  parcels.WaitForSent();
+  messages.WaitForSent();
   this->ThrowKnown();
 }
 

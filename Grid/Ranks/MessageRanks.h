@@ -83,8 +83,8 @@ private:
       return this->Size > std::int64_t(sizeof(this->Small)) ? this->Size : 0;
     }
   };
-  class Parcels;
-  class Letters;
+  class LargeMessages;
+  class SmallMessages;
 
   std::vector<Bytes> Swap(const std::vector<int>& peers, const std::vector<Bytes>& outgoing);
   template <class Merge>

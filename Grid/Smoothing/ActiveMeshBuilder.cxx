@@ -64,7 +64,7 @@ std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* parti
 }
 
 /// Movers of other ranks wake those here that share an element with them; most do with none.
-void ActiveMeshBuilder::WantFlags(const std::vector<MoveOrder::Node>& nodes)
+void ActiveMeshBuilder::RequestFlags(const std::vector<MoveOrder::Node>& nodes)
 {
   const ActiveMesh& mesh = this->Result;
   std::vector<unsigned char> isOwned(mesh.MeshPoint.size(), 0), isNear(isOwned);
@@ -79,7 +79,7 @@ void ActiveMeshBuilder::WantFlags(const std::vector<MoveOrder::Node>& nodes)
       std::for_each(points, points + mesh.Corners, [&](int point) { isNear[point] = 1; });
     }
   }
-  this->Result.Exchange.WantFlags(isNear);
+  this->Result.Exchange.RequestFlags(isNear);
 }
 
 ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, Nodes which)
@@ -98,7 +98,7 @@ ActiveMesh ActiveMeshBuilder::Finish(const Partition* partition, int colours, No
   if (this->Result.Exchange.HasPeers() &&
     this->Result.Corners == 8) // tets may get other points (DiagonalFlips)
   {
-    this->WantFlags(nodes);
+    this->RequestFlags(nodes);
   }
   this->Result.Order = which == Nodes::OfGrid ? MoveOrder::ByPlanes(nodes, this->Result.Exchange)
                                               : MoveOrder::ByColour(nodes, colours);

@@ -42,7 +42,7 @@ public:
 private:
   int AddPoint(Index meshPoint);
   std::vector<MoveOrder::Node> ListNodes(const Partition* partition) const;
-  void WantFlags(const std::vector<MoveOrder::Node>& nodes);
+  void RequestFlags(const std::vector<MoveOrder::Node>& nodes);
 
   std::vector<Mover> Movers;
   ActiveMesh Result;

@@ -12,8 +12,8 @@ constexpr int SweepsPerCorrection = 4;
 constexpr double VolumeTolerance = 2e-4; // relative, of the rounds with smoothing
 constexpr int SmallRounds = 40;          // for small fragments alone
 constexpr double SmallTolerance = 5e-3;  // relative, of a small fragment
-constexpr int Nudges = 6;
-constexpr int MoreNudges = 4;           // where fragments were given up
+constexpr int Moves = 6;
+constexpr int MoreMoves = 4;            // where fragments were given up
 constexpr double FinalTolerance = 1e-7; // relative
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
@@ -49,10 +49,10 @@ void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clo
     volumes.Measure(what.Active);
     clock.Update(0.92);
   }
-  const int nudges = Nudges + (volumes.GiveUp(SmallTolerance) ? MoreNudges : 0);
-  for (int nudge = 0; nudge < nudges && volumes.WorstError() > FinalTolerance; ++nudge)
+  const int moves = Moves + (volumes.ExcludeSmall(SmallTolerance) ? MoreMoves : 0);
+  for (int move = 0; move < moves && volumes.WorstError() > FinalTolerance; ++move)
   {
-    smoother.Nudge(volumes.FindShifts(what.Active), what.Ramp.back());
+    smoother.MoveAlongNormals(volumes.FindShifts(what.Active), what.Ramp.back());
     volumes.Measure(what.Active);
   }
 }

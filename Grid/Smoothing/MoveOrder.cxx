@@ -13,7 +13,7 @@ using Node = MoveOrder::Node;
 
 constexpr Index GroupsOfTask = 32;  // of one colour
 constexpr Index LeastOfChunk = 256; // points: a chunk is worth a thread
-constexpr Index MostChunks = 32;
+constexpr Index MaximumChunks = 32;
 constexpr Index EnoughChunks = 8;
 
 /// Even planes come before the odd ones next to them.
@@ -92,11 +92,11 @@ private:
   void Cut(const std::vector<Index>& points)
   {
     const Index pairs = static_cast<Index>(points.size());
-    const Index wanted = std::min({ MostChunks, 1 + this->Total / LeastOfChunk, pairs });
+    const Index requested = std::min({ MaximumChunks, 1 + this->Total / LeastOfChunk, pairs });
     Index sum = 0, inChunk = 0;
     for (Index own : points)
     {
-      if (inChunk > 0 && (sum + own / 2) * wanted >= (this->Count + 1) * this->Total)
+      if (inChunk > 0 && (sum + own / 2) * requested >= (this->Count + 1) * this->Total)
       {
         ++this->Count;
         inChunk = 0;

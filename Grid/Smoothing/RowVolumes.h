@@ -25,7 +25,7 @@ public:
   /// Goes to row (j, k) of the owned cells.
   void Start(Index j, Index k)
   {
-    if (this->Known.size() >= MostRows)
+    if (this->Known.size() >= MaximumRows)
     {
       this->Known.clear();
     }
@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t MostRows = 256;
+  static constexpr std::size_t MaximumRows = 256;
   const CartesianGrid& Grid;
   double Scale;
   std::map<std::array<double, 2>, std::vector<ExactSum>> Known; // up to each cell, by widths

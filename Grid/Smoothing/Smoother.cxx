@@ -16,8 +16,8 @@ constexpr double Armijo = 1e-4;       // share of the predicted decrease that a 
 constexpr double Noise = 1e-6;        // of an energy, relative: it may be a sum of floats
 constexpr double SettledFalls = 4.0;  // falls that count; where less is promised a point settles
 constexpr double BarrierShare = 0.9;  // 1 - 1 / p, of the powers of a hard barrier
-constexpr double NudgeRadius = 0.01;  // in mean cells
-constexpr double NudgePrice = 1.05;   // factor by which a nudge may raise the barrier
+constexpr double MoveRadius = 0.01;   // in mean cells
+constexpr double MovePrice = 1.05;    // factor by which a nudge may raise the barrier
 constexpr double OffsetAhead = 0.25;  // of an attachment, of 0 or of its point, in cells
 constexpr double LongestOffset = 1.0; // from 0
 constexpr double LargestPrice =
@@ -265,17 +265,18 @@ bool Smoother::Follow(
   return true;
 }
 
-void Smoother::Nudge(const std::vector<double>& shifts, const SmoothingStage& stage)
+void Smoother::MoveAlongNormals(const std::vector<double>& shifts, const SmoothingStage& stage)
 {
-  const auto nudge = [&](int point)
+  const auto move = [&](int point)
   {
-    this->NudgePoint(point, shifts, stage);
+    this->MoveAlongNormal(point, shifts, stage);
     return NoVisit;
   };
-  this->MoveAndCheck([&] { this->ForPoints(nudge); });
+  this->MoveAndCheck([&] { this->ForPoints(move); });
 }
 
-void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage)
+void Smoother::MoveAlongNormal(
+  int point, const std::vector<double>& shifts, const SmoothingStage& stage)
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;
   if (offsets[point] == offsets[point + 1])
@@ -294,9 +295,9 @@ void Smoother::NudgePoint(int point, const std::vector<double>& shifts, const Sm
     step[a] = this->Mesh.Fixed[point] >> a & 1 ? 0.0 : step[a];
   }
   const double length = Norm(step);
-  const Vector3 x = this->Moved(point, (length > NudgeRadius ? NudgeRadius / length : 1.0) * step);
+  const Vector3 x = this->Moved(point, (length > MoveRadius ? MoveRadius / length : 1.0) * step);
   if (this->Energy.Evaluate(this->Mesh, point, x, stage) <=
-      NudgePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) &&
+      MovePrice * this->Energy.Evaluate(this->Mesh, point, this->Mesh.X[point], stage) &&
     this->MayMove(point, x))
   {
     this->Mesh.X[point] = x;
@@ -317,7 +318,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
     held |= more;
     step = SolveNewton(held, d);
     isFree = this->StaysWithin(point, step);
-    more = isFree ? 0 : this->HeldAxes(point, step) & ~held;
+    more = isFree ? 0 : this->FixedAxes(point, step) & ~held;
   } while (more != 0);
   const Vector3& widths =
     this->Mesh.WidthsAt(this->Mesh.CornerList[this->Mesh.CornerOffset[point]]);
@@ -352,7 +353,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
 }
 
 /// Bit a: the point is as far along axis a as it may, and would go on.
-int Smoother::HeldAxes(int point, const Vector3& step) const
+int Smoother::FixedAxes(int point, const Vector3& step) const
 {
   int held = 0;
   const Vector3& x = this->Mesh.X[point];

@@ -33,7 +33,7 @@ public:
   void RunRamp(const SmoothingRamp& ramp);
 
   /// Has the point and its neighbours looked at in the next sweep.
-  void Wake(int point) { this->MarkNeighbours(point); }
+  void MarkForUpdate(int point) { this->MarkNeighbours(point); }
 
   /// Whether an attachment may have an offset of up to a cell.
   using HasLongOffset = std::function<bool(const Attachment&)>;
@@ -45,7 +45,7 @@ public:
 
   /// Moves every surface point by the shifts of its attachments along their normals (grid coordinates), at most
   /// a hundredth of a cell, where its elements stay as good by the energy of a stage.
-  void Nudge(const std::vector<double>& shifts, const SmoothingStage& stage);
+  void MoveAlongNormals(const std::vector<double>& shifts, const SmoothingStage& stage);
 
   /// What was done so far on this rank.
   int Sweeps() const { return this->NumberOfSweeps; }
@@ -59,7 +59,7 @@ private:
   void MoveAndCheck(const std::function<void()>& move);
   template <class Move>
   double ForPoints(const Move& move);
-  void NudgePoint(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
+  void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
   /// Whether the point is within the mesh's bounds, and still is when it has made a step.
@@ -74,7 +74,7 @@ private:
     }
     return stays;
   }
-  int HeldAxes(int point, const Vector3& step) const;
+  int FixedAxes(int point, const Vector3& step) const;
   Vector3 Moved(int point, const Vector3& step) const;
   double DistanceEnergy(int point, const Vector3& x, double lambda) const;
   void AddDistance(int point, double lambda, Derivatives& d) const;

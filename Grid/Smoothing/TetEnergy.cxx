@@ -113,7 +113,7 @@ private:
   TetStars::Star Star;
   Index At, End;
   VectorLanes<float> Scale;
-  Float4 Near[TetStars::MostNeighbours];
+  Float4 Near[TetStars::MaximumNeighbours];
 };
 
 /// The same, four at a time in doubles: the last four are filled up with the last tet, which then does not count.

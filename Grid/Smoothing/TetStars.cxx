@@ -42,7 +42,7 @@ void TetStars::Build(const std::vector<int>& elements, const std::vector<Index>&
           static_cast<unsigned char>(placeOf[other]));
       }
     }
-    if (star.size() > MostNeighbours)
+    if (star.size() > MaximumNeighbours)
     {
       star.clear();
       this->Tets.resize(firstTets);

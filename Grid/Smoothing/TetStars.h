@@ -17,7 +17,7 @@ class TetStars
 public:
   static constexpr int Width = 8;
   /// Points with more have no star.
-  static constexpr int MostNeighbours = 64;
+  static constexpr int MaximumNeighbours = 64;
   /// k: places of corner k of each tet among the neighbours.
   using Eight = std::array<std::array<unsigned char, Width>, 3>;
 

@@ -298,23 +298,23 @@ double FragmentVolumes::WorstSmallError() const
   return this->WorstOf(true);
 }
 
-bool FragmentVolumes::GiveUp(double error)
+bool FragmentVolumes::ExcludeSmall(double error)
 {
-  std::vector<unsigned char> isGivenUp(this->Targets.size(), 0);
+  std::vector<unsigned char> isExcluded(this->Targets.size(), 0);
   std::vector<double> lack(this->TotalOfMaterial.size(), 0.0), kept(lack);
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
     const int m = this->Materials[f];
-    isGivenUp[f] = this->IsSmall(f) && this->ErrorOf(f) > error;
-    lack[m] += isGivenUp[f] ? this->Aims[f] - this->VolumeOf(f) : 0.0;
-    kept[m] += isGivenUp[f] ? 0.0 : this->Aims[f];
+    isExcluded[f] = this->IsSmall(f) && this->ErrorOf(f) > error;
+    lack[m] += isExcluded[f] ? this->Aims[f] - this->VolumeOf(f) : 0.0;
+    kept[m] += isExcluded[f] ? 0.0 : this->Aims[f];
   }
   for (int f = 1; f < static_cast<int>(this->Targets.size()); ++f)
   {
     const int m = this->Materials[f];
-    this->Aims[f] = isGivenUp[f] ? this->VolumeOf(f) : this->Aims[f] * (1.0 + lack[m] / kept[m]);
+    this->Aims[f] = isExcluded[f] ? this->VolumeOf(f) : this->Aims[f] * (1.0 + lack[m] / kept[m]);
   }
-  return std::find(isGivenUp.begin(), isGivenUp.end(), 1) != isGivenUp.end();
+  return std::find(isExcluded.begin(), isExcluded.end(), 1) != isExcluded.end();
 }
 
 double FragmentVolumes::WorstError() const

@@ -67,7 +67,7 @@ public:
 
   /// From now on, shifts leave the small fragments that are off by more than a relative error as they are, and give what they lack to
   /// the other fragments of their material, in proportion to their targets. Whether there were some.
-  bool GiveUp(double error);
+  bool ExcludeSmall(double error);
 
   /// Per material from 0, in cells of mean size. Targets count every cell, also where no cell holds the label.
   std::vector<double> MaterialTargets() const { return this->TotalOfMaterial; }

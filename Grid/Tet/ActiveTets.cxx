@@ -36,7 +36,7 @@ bool IsOwned(
 
 /// Asks the owners which of the points within two tets of owned moving points move too: at the rim not all
 /// tets of a point are here. Collective among peers.
-void LearnMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& partition,
+void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& partition,
   std::vector<unsigned char>& moving)
 {
   if (partition.Peers().empty())
@@ -49,24 +49,24 @@ void LearnMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& p
     near[p] = near[p] && IsOwned(grid, mesh, partition, p);
   }
   near = Spread(mesh, Spread(mesh, near));
-  std::vector<std::vector<Index>> wanted(partition.Peers().size());
+  std::vector<std::vector<Index>> requested(partition.Peers().size());
   for (std::size_t p = 0; p < near.size(); ++p)
   {
     if (near[p] && !moving[p] && !IsOwned(grid, mesh, partition, p))
     {
-      wanted[partition.PeerOfNode(NodeOfPoint(grid, mesh, mesh.PointIds[p]))].push_back(
+      requested[partition.PeerOfNode(NodeOfPoint(grid, mesh, mesh.PointIds[p]))].push_back(
         mesh.PointIds[p]);
     }
   }
   const Index* ids = mesh.PointIds.data();
   const auto placeOf = [&](Index id)
   { return std::lower_bound(ids, ids + mesh.PointIds.size(), id) - ids; };
-  const auto answers = partition.Ask(wanted, [&](Index id) { return moving[placeOf(id)]; });
-  for (std::size_t peer = 0; peer < wanted.size(); ++peer)
+  const auto answers = partition.Query(requested, [&](Index id) { return moving[placeOf(id)]; });
+  for (std::size_t peer = 0; peer < requested.size(); ++peer)
   {
-    for (std::size_t i = 0; i < wanted[peer].size(); ++i)
+    for (std::size_t i = 0; i < requested[peer].size(); ++i)
     {
-      moving[placeOf(wanted[peer][i])] = answers[peer][i];
+      moving[placeOf(requested[peer][i])] = answers[peer][i];
     }
   }
 }
@@ -82,7 +82,7 @@ std::vector<Mover> FindMovers(
     moving[p] = topology.Positions[p] == PointPosition::OnInterface;
   }
   moving = Spread(mesh, moving);
-  LearnMoving(grid, mesh, partition, moving);
+  ReceiveMoving(grid, mesh, partition, moving);
   std::vector<Mover> movers;
   for (std::size_t p = 0; p < moving.size(); ++p)
   {

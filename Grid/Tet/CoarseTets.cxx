@@ -47,7 +47,7 @@ void CoarseTets::TakeHexes(CoarseHexes& hexes)
 {
   this->Local.Points = Buffer<double>(3 * hexes.NumberOfPoints());
   std::vector<Index> ids;
-  hexes.TakeApart(
+  hexes.Visit(
     [&](Index key, const Vector3& x)
     {
       std::copy(x.begin(), x.end(), this->Local.Points.data() + 3 * ids.size());

@@ -13,7 +13,7 @@ constexpr double SmallestGain = 1e-6; // relative, of a flip
 
 /// The halves of a quad stand side by side, those of its lower side first (CellTets.cxx).
 DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEnergy& energy,
-  const std::vector<CreaseKind>& kinds) :
+  const std::vector<FeatureKind>& kinds) :
   Active(active), Energy(energy), Kinds(kinds)
 {
   const auto faceOf = [&](std::size_t tet)

@@ -5,7 +5,7 @@
  */
 #pragma once
 
-#include "Mesh/CreaseKind.h"
+#include "Mesh/FeatureKind.h"
 #include "Smoothing/TetEnergy.h"
 #include "Tet/ActiveTets.h"
 
@@ -17,7 +17,7 @@ class DiagonalFlips
 public:
   /// kinds: of the points of the active mesh. Keeps references to all but the mesh.
   DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEnergy& energy,
-    const std::vector<CreaseKind>& kinds);
+    const std::vector<FeatureKind>& kinds);
 
   /// Flips what should be; calls changed(point) for every point of a flipped quad.
   void Run(const SmoothingStage& stage, const std::function<void(int)>& changed);
@@ -41,7 +41,7 @@ private:
 
   ActiveTets& Active;
   const TetEnergy& Energy;
-  const std::vector<CreaseKind>& Kinds;
+  const std::vector<FeatureKind>& Kinds;
   std::vector<Quad> Quads;
 };
 

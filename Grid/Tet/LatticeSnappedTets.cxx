@@ -104,8 +104,8 @@ void FindNeighbours(Work& work, const std::vector<SnappedFace>& faces)
 /// Of the tets of other ranks the labels are asked for.
 void FindOwners(Work& work)
 {
-  std::vector<std::vector<Index>> wanted(work.Parts.Peers().size());
-  work.Incoming.resize(wanted.size());
+  std::vector<std::vector<Index>> requested(work.Parts.Peers().size());
+  work.Incoming.resize(requested.size());
   for (std::size_t t = 0; t < work.Tets.size(); ++t)
   {
     const SnappedTet& tet = work.Tets[t];
@@ -116,7 +116,7 @@ void FindOwners(Work& work)
       continue;
     }
     const int peer = work.Parts.PeerOfCell(cell);
-    wanted[peer].push_back(tet.Id);
+    requested[peer].push_back(tet.Id);
     work.Incoming[peer].push_back(static_cast<int>(t));
   }
   const auto find = [&](Index id)
@@ -125,7 +125,7 @@ void FindOwners(Work& work)
       [](const SnappedTet& t, Index key) { return t.Id < key; });
     return static_cast<int>(tet - work.Tets.begin());
   };
-  work.Outgoing = MapLists(work.Parts.Exchange(wanted), find);
+  work.Outgoing = MapLists(work.Parts.Exchange(requested), find);
 }
 
 } // namespace

@@ -101,7 +101,7 @@ void Mark(Work& work, Index block, std::uint64_t slots)
 }
 
 /// Points that coarse tets have in common with fine cells: at the rim no other tets may have them.
-void MarkBesideCoarse(Work& work, const Row& row)
+void MarkNextToCoarse(Work& work, const Row& row)
 {
   Index3 p{ { work.Box.Lower[0], row.J, row.K } };
   Index n = work.Grid.Linear(p);
@@ -427,7 +427,7 @@ TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool
   ForRows(NodesOf(work.Box), [&](Index j, Index k) { work.Rows.emplace_back(j, k); });
   if (!work.Levels.IsUniform())
   {
-    OverRows(work, [&](Row& row) { MarkBesideCoarse(work, row); });
+    OverRows(work, [&](Row& row) { MarkNextToCoarse(work, row); });
   }
   OverRows(work, [&](Row& row) { Count(work, row); });
   SettleSnappedTets(work);

@@ -181,7 +181,7 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
       tets[peer].push_back(static_cast<Index>(t));
     }
   }
-  const std::vector<std::vector<Index>> pieces = this->Parts.Ask(
+  const std::vector<std::vector<Index>> pieces = this->Parts.Query(
     ids, [&](Index id) { return offset + this->PieceOf[FindSorted(mesh.ElementIds, id)]; });
   PiecePairs same;
   for (std::size_t peer = 0; peer < pieces.size(); ++peer)

@@ -178,7 +178,7 @@ public:
     }
   }
 
-  void KeepPart(const Part& part)
+  void StorePart(const Part& part)
   {
     for (Index t : part.Tets)
     {
@@ -309,7 +309,7 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
   const double share = 1.0 / std::max<double>(1.0, static_cast<double>(mesh.ElementIds.size()));
   double done = 0.0; // of all tets
   Refilled refilled(mesh, grid);
-  Index refused = 0;
+  Index rejected = 0;
   for (const Part& part : FindParts(mesh, grid))
   {
     const double weight = share * static_cast<double>(part.Tets.size());
@@ -324,14 +324,14 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
     }
     else
     {
-      refilled.KeepPart(part);
-      ++refused;
+      refilled.StorePart(part);
+      ++rejected;
     }
     done += weight;
     progress(done);
   }
   refilled.Finish(ranks);
-  report.RefusedParts = SumOverRanks(refused, ranks);
+  report.RefusedParts = SumOverRanks(rejected, ranks);
 }
 
 } // namespace vfm

@@ -105,13 +105,13 @@ private:
 };
 
 /// What the callback, a plain function, needs to know. Set under the mutex.
-struct Wish
+struct SizeRequest
 {
   const SizeFunction* Size;
   const LocalPart* Local;
   FillClock* Clock;
 };
-thread_local const Wish* CurrentWish = nullptr;
+thread_local const SizeRequest* CurrentRequest = nullptr;
 
 bool IsTooLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
 {
@@ -131,9 +131,9 @@ bool IsTooLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
       longest = std::max(longest, Dot(edge, edge));
     }
   }
-  CurrentWish->Clock->Count();
-  const LocalPart& local = *CurrentWish->Local;
-  const double wished = (*CurrentWish->Size)(local.ToWorld(centre));
+  CurrentRequest->Clock->Count();
+  const LocalPart& local = *CurrentRequest->Local;
+  const double wished = (*CurrentRequest->Size)(local.ToWorld(centre));
   return wished > 0.0 &&
     std::ldexp(std::sqrt(longest), local.Exponent) > LongestOverWished * wished;
 }
@@ -373,10 +373,10 @@ std::string RunOnce(const LocalPart& local, std::size_t partPoints, const TetGen
   const int old = static_cast<int>(local.Points.size());
   const int limit = NewPointsAtLeast + NewPointsPerPoint * old;
   Input input(local, HoleSeeds(local));
-  const Wish wish{ &size, &local, &clock };
+  const SizeRequest request{ &size, &local, &clock };
   if (size)
   {
-    CurrentWish = &wish;
+    CurrentRequest = &request;
     input.Io.tetunsuitable = &IsTooLarge;
   }
   tetgenbehavior b = Switches(options, limit);

@@ -10,7 +10,7 @@ namespace vfm
 namespace
 {
 
-constexpr Index SmallestBlock = 4, MostBlocks = 4000; // cells along an axis; of all ranks
+constexpr Index SmallestBlock = 4, MaximumBlocks = 4000; // cells along an axis; of all ranks
 constexpr double Hold = 1e-6; // of the diagonal, added: a graph has no potential of its own
 constexpr int BitsOfWidth = 40;
 
@@ -77,7 +77,7 @@ void CoarseGraph::Number(const FlowGraph& graph, Ranks& ranks)
 {
   Index size = SmallestBlock;
   std::vector<BlockName> names = GatherNames(graph, size, ranks);
-  for (std::size_t before = 0; names.size() > MostBlocks && names.size() != before;)
+  for (std::size_t before = 0; names.size() > MaximumBlocks && names.size() != before;)
   {
     before = names.size();
     size *= 2;

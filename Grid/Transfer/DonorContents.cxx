@@ -136,7 +136,7 @@ bool Give(Work& work, const Index3& p, int material, double volume)
 }
 
 /// The content of a material in a cell.
-void Deal(Work& work, const Index3& p, Index cell, int material, double fraction)
+void Distribute(Work& work, const Index3& p, Index cell, int material, double fraction)
 {
   const double volume = fraction * work.Grid.CellVolume(p);
   if (!work.Source.Counts(material) || !(volume > 0.0))
@@ -241,8 +241,8 @@ DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
     [&](const Index3& p)
     {
       const Index cell = work.Grid.Linear(p);
-      fractions.ForParts(
-        cell, [&](int material, double fraction) { Deal(work, p, cell, material, fraction); });
+      fractions.ForParts(cell,
+        [&](int material, double fraction) { Distribute(work, p, cell, material, fraction); });
     });
   FillEmpty(work);
   ExchangeGifts(work);

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/WideSum.h"
-#include "Transfer/MisfitCells.h"
+#include "Transfer/MismatchCells.h"
 #include "Transfer/StateColumns.h"
 
 namespace vfm

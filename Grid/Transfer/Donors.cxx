@@ -50,14 +50,14 @@ DonorLinks::DonorLinks(const CartesianGrid& grid, const Partition& partition, Do
   const auto pack = [&](const IndexBox& box)
   {
     std::vector<DonorName> names;
-    this->Mine.emplace_back();
+    this->Local.emplace_back();
     partition.ForCells(box,
       [&](Index cell)
       {
         donors.ForCell(cell,
           [&](int s)
           {
-            this->Mine.back().push_back(s);
+            this->Local.back().push_back(s);
             names.push_back({ grid.CellKey(grid.Position(cell)), donors[s].Fragment,
               donors[s].Material, donors[s].Overlap, donors[s].Centroid });
           });
@@ -81,7 +81,7 @@ DonorLinks::DonorLinks(const CartesianGrid& grid, const Partition& partition, Do
 DonorLinks DonorLinks::Narrow(const std::function<bool(int donor)>& wants) const
 {
   DonorLinks narrow = *this;
-  std::vector<std::vector<Index>> wanted(this->Copies.size());
+  std::vector<std::vector<Index>> requested(this->Copies.size());
   for (std::size_t p = 0; p < this->Copies.size(); ++p)
   {
     narrow.Copies[p].clear();
@@ -89,18 +89,18 @@ DonorLinks DonorLinks::Narrow(const std::function<bool(int donor)>& wants) const
     {
       if (wants(this->Copies[p][i]))
       {
-        wanted[p].push_back(static_cast<Index>(i));
+        requested[p].push_back(static_cast<Index>(i));
         narrow.Copies[p].push_back(this->Copies[p][i]);
       }
     }
   }
-  const std::vector<std::vector<Index>> asked = this->Parts->Exchange(wanted);
-  for (std::size_t p = 0; p < asked.size(); ++p)
+  const std::vector<std::vector<Index>> requested = this->Parts->Exchange(requested);
+  for (std::size_t p = 0; p < requested.size(); ++p)
   {
-    narrow.Mine[p].clear();
-    for (Index i : asked[p])
+    narrow.Local[p].clear();
+    for (Index i : requested[p])
     {
-      narrow.Mine[p].push_back(this->Mine[p][i]);
+      narrow.Local[p].push_back(this->Local[p][i]);
     }
   }
   return narrow;

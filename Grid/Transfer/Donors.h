@@ -102,14 +102,14 @@ public:
 
 private:
   const Partition* Parts;
-  std::vector<std::vector<int>> Mine, Copies; // by peer
+  std::vector<std::vector<int>> Local, Copies; // by peer
 };
 
 template <class Pack, class Unpack>
 void DonorLinks::Exchange(int width, const Pack& pack, const Unpack& unpack) const
 {
   std::vector<std::vector<double>> all;
-  for (const std::vector<int>& mine : this->Mine)
+  for (const std::vector<int>& mine : this->Local)
   {
     std::vector<double>& numbers = all.emplace_back(mine.size() * width);
     for (std::size_t i = 0; i < mine.size(); ++i)

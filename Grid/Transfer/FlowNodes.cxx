@@ -9,7 +9,7 @@ namespace vfm
 
 bool FlowRegion::Holds(const Donor& donor) const
 {
-  return this->Misfits.IsNear(donor.Cell, FluxLayers) || this->HoldsAll(donor.Fragment);
+  return this->Mismatches.IsNear(donor.Cell, FluxLayers) || this->HoldsAll(donor.Fragment);
 }
 
 bool FlowRegion::HoldsAll(int fragment) const
@@ -131,10 +131,10 @@ void FlowNodes::NumberPieces(std::vector<Index> parent, Ranks& ranks)
   }
 }
 
-std::vector<int> FindDivided(const CartesianGrid& grid, const MisfitCells& misfits,
+std::vector<int> FindDivided(const CartesianGrid& grid, const MismatchCells& mismatches,
   const DonorLinks& links, const DonorTable& donors, Ranks& ranks)
 {
-  const FlowRegion region{ misfits, {} };
+  const FlowRegion region{ mismatches, {} };
   std::vector<int> fragments = FlowNodes(grid, region, links, donors, ranks).FragmentsOfPieces();
   fragments.erase(fragments.begin()); // of no piece
   std::sort(fragments.begin(), fragments.end());

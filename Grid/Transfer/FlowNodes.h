@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "Transfer/MisfitCells.h"
+#include "Transfer/MismatchCells.h"
 #include "Transfer/PotentialFlow.h"
 
 namespace vfm
@@ -13,7 +13,7 @@ namespace vfm
 /// Which donors are nodes.
 struct FlowRegion
 {
-  const MisfitCells& Misfits;
+  const MismatchCells& Mismatches;
   std::vector<int> Divided; ///< fragments of which all donors are, ascending; the same on all ranks
 
   bool Holds(const Donor& donor) const;
@@ -59,7 +59,7 @@ private:
 };
 
 /// The fragments whose donors near misfits are in several pieces, ascending. Collective.
-std::vector<int> FindDivided(const CartesianGrid& grid, const MisfitCells& misfits,
+std::vector<int> FindDivided(const CartesianGrid& grid, const MismatchCells& mismatches,
   const DonorLinks& links, const DonorTable& donors, Ranks& ranks);
 
 } // namespace vfm

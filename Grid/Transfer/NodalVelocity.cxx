@@ -131,10 +131,11 @@ void WriteOwn(Work& work, const Share& sum)
 }
 
 /// Of each peer's points, in the order of its shares, the sums over all ranks.
-std::vector<std::vector<Momentum>> Answer(Work& work, const std::vector<std::vector<Share>>& asked)
+std::vector<std::vector<Momentum>> Answer(
+  Work& work, const std::vector<std::vector<Share>>& requested)
 {
   std::vector<Share> all;
-  for (const std::vector<Share>& shares : asked)
+  for (const std::vector<Share>& shares : requested)
   {
     all.insert(all.end(), shares.begin(), shares.end());
   }
@@ -150,7 +151,7 @@ std::vector<std::vector<Momentum>> Answer(Work& work, const std::vector<std::vec
     sums.back().Given.Add(share.Given);
   }
   std::vector<std::vector<Momentum>> answers;
-  for (const std::vector<Share>& shares : asked)
+  for (const std::vector<Share>& shares : requested)
   {
     answers.emplace_back();
     for (const Share& share : shares)

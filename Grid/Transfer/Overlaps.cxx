@@ -116,12 +116,12 @@ private:
         least = std::min(least, grid.Width(a, i));
         most = std::max(most, grid.Width(a, i));
       }
-      isGraded = isGraded || most > MostGrading * least;
+      isGraded = isGraded || most > MaximumGrading * least;
     }
     return isGraded;
   }
 
-  static constexpr double MostGrading = 2.0; // with which no element leaves what ranks see
+  static constexpr double MaximumGrading = 2.0; // with which no element leaves what ranks see
 
   const Mesh& TheMesh;
   const CartesianGrid& Grid;

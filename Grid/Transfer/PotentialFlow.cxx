@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr double Accuracy = 3e-15; // rms, of the size of a node's cell
-constexpr int MostSteps = 20000;
+constexpr int MaximumSteps = 20000;
 constexpr double Near =
   1e8; // times what is small, in squares: from there on rounding may undo what steps do
 constexpr double Worse = 4.0; // times the least so far: it does
@@ -135,15 +135,15 @@ std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> ex
     work.Largest = std::max(work.Largest, sizes[i]);
   }
   work.Largest = runtime.Group().Max(work.Largest);
-  const auto misfit = [&](Index i)
+  const auto mismatch = [&](Index i)
   {
     const double part = work.Residual[i] / work.Sizes[i];
     return part * part;
   };
   const double small = Accuracy * Accuracy * Sum(work, 1e9, [](Index) { return 1.0; });
-  double square = FirstSum(work, misfit), least = square;
+  double square = FirstSum(work, mismatch), least = square;
   double product = 0.0; // of residual and correction
-  for (int step = 0; step < MostSteps && square > small; ++step)
+  for (int step = 0; step < MaximumSteps && square > small; ++step)
   {
     if (least < Near * small && square > Worse * least)
     {
@@ -164,7 +164,7 @@ std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> ex
       {
         work.Potential[i] += length * work.Direction[i];
         work.Residual[i] -= length * work.Image[i];
-        return misfit(i);
+        return mismatch(i);
       });
   }
   work.Graph.Update(work.Potential);

@@ -11,11 +11,11 @@ StateColumns::StateColumns(const std::vector<StateQuantity>& quantities, int den
   std::vector<int> starts;
   for (const StateQuantity& quantity : quantities)
   {
-    starts.push_back(this->Asked);
-    this->Asked += quantity.Components;
+    starts.push_back(this->QuantityCount);
+    this->QuantityCount += quantity.Components;
   }
-  const int count = this->Asked + (density < 0);
-  this->DensityColumn = density < 0 ? this->Asked : starts[density];
+  const int count = this->QuantityCount + (density < 0);
+  this->DensityColumn = density < 0 ? this->QuantityCount : starts[density];
   this->Constant.assign(count, 0);
   std::vector<int> depths;
   for (const StateQuantity& quantity : quantities)

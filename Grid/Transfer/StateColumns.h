@@ -19,7 +19,7 @@ public:
 
   /// Those of the quantities, and a last one where these have no density: 1, so that mass is the volume that cells have.
   int Count() const { return static_cast<int>(this->Bases.size()); }
-  int CountOfQuantities() const { return this->Asked; }
+  int CountOfQuantities() const { return this->QuantityCount; }
   /// The column whose content a column is multiplied with; -1 volume.
   int Base(int column) const { return this->Bases[column]; }
   /// All columns, each after its base.
@@ -38,7 +38,7 @@ public:
 private:
   std::vector<int> Bases, Sequence;
   std::vector<unsigned char> Constant;
-  int Asked = 0, DensityColumn = 0;
+  int QuantityCount = 0, DensityColumn = 0;
 };
 
 } // namespace vfm

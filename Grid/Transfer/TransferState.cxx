@@ -90,8 +90,9 @@ struct Work
   DonorTable Donors{ Grid };
 };
 
-template <class Wants>
-std::vector<DonorParts> FindParts(Work& work, const Wants& wants, std::vector<DonorShape>& shapes)
+template <class IsNeeded>
+std::vector<DonorParts> FindParts(
+  Work& work, const IsNeeded& wants, std::vector<DonorShape>& shapes)
 {
   std::vector<Index> elements;
   for (Index e = 0; e < static_cast<Index>(work.TheMesh.Material.size()); ++e)
@@ -105,19 +106,20 @@ std::vector<DonorParts> FindParts(Work& work, const Wants& wants, std::vector<Do
     work.TheMesh, elements, work.Grid, work.Parts, work.Run, work.Donors, shapes);
 }
 
-bool IsNear(const Work& work, const MisfitCells& misfits, Index element)
+bool IsNear(const Work& work, const MismatchCells& mismatches, Index element)
 {
   bool isNear = false;
   ForCells(work.Whole.CellsOf(element),
-    [&](const Index3& p) { isNear = isNear || misfits.IsNear(work.Grid.Linear(p), DonorLayers); });
+    [&](const Index3& p)
+    { isNear = isNear || mismatches.IsNear(work.Grid.Linear(p), DonorLayers); });
   return isNear;
 }
 
 /// Between which donors contents move; donors of elements that are no whole cells, or near misfits, there are. Collective.
-FlowRegion FindRegion(Work& work, const MisfitCells& misfits)
+FlowRegion FindRegion(Work& work, const MismatchCells& mismatches)
 {
   const DonorLinks links(work.Grid, work.Parts, work.Donors);
-  return { misfits, FindDivided(work.Grid, misfits, links, work.Donors, work.Run.Group()) };
+  return { mismatches, FindDivided(work.Grid, mismatches, links, work.Donors, work.Run.Group()) };
 }
 
 /// Gives copies what their owners hold now.
@@ -140,15 +142,15 @@ void UpdateCopies(Work& work, const DonorLinks& links, DonorValues& values)
 DonorLinks LinksToParts(
   const Work& work, const DonorLinks& links, const std::vector<DonorParts>& moved)
 {
-  std::vector<unsigned char> wanted(work.Donors.Count(), 0);
+  std::vector<unsigned char> requested(work.Donors.Count(), 0);
   for (const DonorParts& some : moved)
   {
     for (const DonorPart& part : some.Parts)
     {
-      wanted[part.Donor] = 1;
+      requested[part.Donor] = 1;
     }
   }
-  return links.Narrow([&wanted](int s) { return wanted[s]; });
+  return links.Narrow([&requested](int s) { return requested[s]; });
 }
 
 void Allocate(const Work& work, TransferredState& state)
@@ -210,7 +212,7 @@ void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state
       ElementState element(work.Columns);
       for (Index e = begin; e < end; ++e)
       {
-        if (!work.Whole.IsWhole(e) || IsNear(work, region.Misfits, e) ||
+        if (!work.Whole.IsWhole(e) || IsNear(work, region.Mismatches, e) ||
           region.HoldsAll(work.TheMesh.Fragment[e]))
         {
           continue;
@@ -236,16 +238,16 @@ TransferredState TransferState(const Mesh& mesh, const TransferRequest& request,
   std::vector<DonorShape> shapes;
   const std::vector<DonorParts> moved = FindParts(
     work, [&](Index e) { return !work.Whole.IsWhole(e); }, shapes);
-  const MisfitCells misfits(
+  const MismatchCells mismatches(
     work.Grid, work.Request.Fractions, work.Whole, work.Donors, work.IsMeshed, work.Parts);
   const std::vector<DonorParts> near = FindParts(
-    work, [&](Index e) { return work.Whole.IsWhole(e) && IsNear(work, misfits, e); }, shapes);
-  const FlowRegion region = FindRegion(work, misfits);
+    work, [&](Index e) { return work.Whole.IsWhole(e) && IsNear(work, mismatches, e); }, shapes);
+  const FlowRegion region = FindRegion(work, mismatches);
   const std::vector<DonorParts> inside = FindParts(
     work,
     [&](Index e)
     {
-      return work.Whole.IsWhole(e) && !IsNear(work, misfits, e) &&
+      return work.Whole.IsWhole(e) && !IsNear(work, mismatches, e) &&
         region.HoldsAll(work.TheMesh.Fragment[e]);
     },
     shapes);

@@ -197,7 +197,7 @@ private:
       auto values = shared.File.ReadArray(step, name, blocks, first, last);
       for (std::size_t b = 0; b < values.size(); ++b)
       {
-        arrays[b]->Keep(name, ValueType::Float, std::move(values[b]));
+        arrays[b]->Store(name, ValueType::Float, std::move(values[b]));
       }
     }
   }

@@ -80,16 +80,16 @@ SpyPlotFile::SpyPlotFile(const std::string& path) : FilePath(path)
 
 void SpyPlotFile::ReadHeader(SpyPlotStream& file)
 {
-  const auto refuse = [this](const std::string& text) { throw InputError(this->FilePath + text); };
+  const auto reject = [this](const std::string& text) { throw InputError(this->FilePath + text); };
   if (file.Text(8) != "spydata")
   {
-    refuse(" is no SpyPlot file: it does not begin with spydata.");
+    reject(" is no SpyPlot file: it does not begin with spydata.");
   }
   file.Skip(128); // a description
   this->Version = file.Int();
   if (this->Version < OldestVersion || this->Version > NewestVersion)
   {
-    refuse(" is of version " + std::to_string(this->Version) + " of the format. Versions " +
+    reject(" is of version " + std::to_string(this->Version) + " of the format. Versions " +
       std::to_string(OldestVersion) + " to " + std::to_string(NewestVersion) + " are read.");
   }
   const int bits = this->Version >= 102 ? file.Int() : 64;
@@ -101,14 +101,14 @@ void SpyPlotFile::ReadHeader(SpyPlotStream& file)
   const int dimensions = file.Int();
   if (dimensions != 3)
   {
-    refuse(
+    reject(
       " has " + std::to_string(dimensions) + " dimensions. Cells in three dimensions are needed.");
   }
   file.Skip(2 * 4 + 6 * 8); // materials, bounds
   this->NumberOfBlocks = file.Int();
   if (this->Version >= 105 && file.Int() != 0)
   {
-    refuse(" has markers of materials, which are not supported.");
+    reject(" has markers of materials, which are not supported.");
   }
   file.Skip(4 + (this->Version >= 105 ? 5 * 4 : 0)); // levels, unused
 }
@@ -135,7 +135,7 @@ void SpyPlotFile::ReadGroups(SpyPlotStream& file)
   for (int count = GroupSize; count == GroupSize;)
   {
     file.Place = "the list of times";
-    const std::int64_t here = file.Tell(), group = file.Offset();
+    const std::int64_t here = file.GetPosition(), group = file.Offset();
     if (group <= here)
     {
       file.Fail("it points back");
@@ -196,7 +196,7 @@ void SpyPlotFile::ReadDump(SpyPlotStream& file, Dump& dump)
   }
   SkipTracers(file);
   SkipHistogram(file);
-  dump.Blocks = file.Tell();
+  dump.Blocks = file.GetPosition();
   this->ReadBlocks(file);
 }
 

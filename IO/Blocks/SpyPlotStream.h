@@ -21,7 +21,7 @@ public:
   explicit SpyPlotStream(const std::string& path);
 
   [[noreturn]] void Fail(const std::string& problem) const;
-  std::int64_t Tell() const { return this->Position; }
+  std::int64_t GetPosition() const { return this->Position; }
   void Seek(std::int64_t position);
   void Skip(std::int64_t count);
   int Int() { return static_cast<std::int32_t>(this->Number(4)); }

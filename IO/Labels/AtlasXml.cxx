@@ -95,7 +95,7 @@ void ReadAtlasXml(const std::string& text, LabelTable& table)
   if (!isXml || atlas.Type.empty() || !atlas.HasData)
   {
     const std::string problem = isXml ? "" : XML_ErrorString(XML_GetErrorCode(parser.get()));
-    table.Refuse(0,
+    table.Reject(0,
       "it is no XML file of an atlas (header with a type, data)" +
         (isXml ? "."
                : "; line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + ": " +
@@ -109,7 +109,7 @@ void ReadAtlasXml(const std::string& text, LabelTable& table)
     const std::string name = JoinWords(atlas.Labels[i].Name);
     if (!label || *label == std::numeric_limits<int>::max() || name.empty())
     {
-      table.Refuse(place, "it has no index or no name.");
+      table.Reject(place, "it has no index or no name.");
     }
     table.AddElement(place, *label + (isOfProbabilities ? 1 : 0), name);
   }
@@ -121,7 +121,7 @@ void ReadAtlasXml(const std::string& text, LabelTable& table)
 
 void vfm::ReadAtlasXml(const std::string&, LabelTable& table)
 {
-  table.Refuse(0, "this build reads no XML, for lack of expat.");
+  table.Reject(0, "this build reads no XML, for lack of expat.");
 }
 
 #endif

@@ -55,7 +55,7 @@ std::optional<int> LabelTable::ParseLabel(const std::string& text)
     : std::nullopt;
 }
 
-void LabelTable::Refuse(int place, const std::string& problem) const
+void LabelTable::Reject(int place, const std::string& problem) const
 {
   throw InputError("Cannot read the names of labels from " + this->Path +
     (place > 0 ? ", " + this->NamePlace(place) : "") + ": " + problem);
@@ -77,7 +77,7 @@ void LabelTable::ReadLine(const std::string& line, int number)
     {
       return;
     }
-    this->Refuse(number,
+    this->Reject(number,
       "it begins with '" + first.substr(0, 40) + "', which is no label: a whole number from 0 to " +
         std::to_string(std::numeric_limits<int>::max()) + ".");
   }
@@ -91,7 +91,7 @@ void LabelTable::ReadLine(const std::string& line, int number)
   row.Name = FindName(rest, isParted ? line[next] : '\t');
   if (row.Name.empty())
   {
-    this->Refuse(number, "label " + first + " has no name.");
+    this->Reject(number, "label " + first + " has no name.");
   }
   std::istringstream words(rest);
   std::string word;
@@ -140,7 +140,7 @@ LabelNames LabelTable::MakeNames()
 {
   if (this->Rows.empty())
   {
-    this->Refuse(0, "it holds none.");
+    this->Reject(0, "it holds none.");
   }
   const bool isWord = this->HasColumnsOfNumbers();
   std::map<int, int> places;
@@ -152,7 +152,7 @@ LabelNames LabelTable::MakeNames()
     const auto label = places.emplace(row.Label, row.Place);
     if (!label.second)
     {
-      this->Refuse(row.Place,
+      this->Reject(row.Place,
         "label " + std::to_string(row.Label) + " is in " + this->NamePlace(label.first->second) +
           " too.");
     }
@@ -160,7 +160,7 @@ LabelNames LabelTable::MakeNames()
     if (!name.second)
     {
       const Row& other = *name.first->second;
-      this->Refuse(row.Place,
+      this->Reject(row.Place,
         "the name '" + row.Name + "' is that of label " + std::to_string(other.Label) + " in " +
           this->NamePlace(other.Place) + " too.");
     }

@@ -33,7 +33,7 @@ public:
   LabelNames MakeNames();
 
   /// Throws InputError. place: of a line or element; 0: the whole table.
-  [[noreturn]] void Refuse(int place, const std::string& problem) const;
+  [[noreturn]] void Reject(int place, const std::string& problem) const;
 
   /// A whole number from 0 that fills the text.
   static std::optional<int> ParseLabel(const std::string& text);

@@ -16,7 +16,7 @@ namespace vfm
 namespace
 {
 
-constexpr std::size_t MostLetters = 255;      // of a name: the limit of the Exodus library
+constexpr std::size_t MaximumLetters = 255;   // of a name: the limit of the Exodus library
 constexpr double LargestArray = 4294967292.0; // bytes, of netCDF's format with 64-bit offsets
 constexpr Index LargestPlainId = std::numeric_limits<std::int32_t>::max();
 
@@ -34,10 +34,10 @@ void NameItems(Items& items, std::size_t& longest)
   std::set<std::string> seen;
   for (auto& item : items)
   {
-    if (item.Name.size() > MostLetters || seen.count(ToLower(item.Name)) > 0)
+    if (item.Name.size() > MaximumLetters || seen.count(ToLower(item.Name)) > 0)
     {
       const std::string ending = "_" + std::to_string(item.Id);
-      item.Name = item.Name.substr(0, MostLetters - ending.size()) + ending;
+      item.Name = item.Name.substr(0, MaximumLetters - ending.size()) + ending;
     }
     seen.insert(ToLower(item.Name));
     longest = std::max(longest, item.Name.size());
@@ -120,7 +120,7 @@ void ListArrays(ExodusModel& model, Ranks& ranks)
   {
     for (auto& variable : variables)
     {
-      variable.Name = variable.Name.substr(0, MostLetters);
+      variable.Name = variable.Name.substr(0, MaximumLetters);
       model.LongestName = std::max(model.LongestName, variable.Name.size());
       all += variable.Name + '\n';
     }
@@ -129,7 +129,7 @@ void ListArrays(ExodusModel& model, Ranks& ranks)
   take(model.PointVariables);
   take(model.ElementVariables);
   take(model.GlobalVariables);
-  if (Unite(ranks, std::vector<std::size_t>{ std::hash<std::string>()(all) }).size() > 1)
+  if (UnionOverRanks(ranks, std::vector<std::size_t>{ std::hash<std::string>()(all) }).size() > 1)
   {
     throw InputError("The parts of the mesh have different arrays.");
   }

@@ -8,7 +8,7 @@ namespace vfm
 namespace
 {
 
-constexpr std::size_t MostNumbers = 100;
+constexpr std::size_t MaximumNumbers = 100;
 constexpr const char* TableNames[] = { "SurfaceParts", "EdgeFacets" }; // no numbers of the mesh
 constexpr const char* IdNames[] = { "GlobalPointIds", "GlobalCellIds", "vtkGhostType" };
 
@@ -55,7 +55,7 @@ std::vector<ExodusNumber> ListNumbers(const std::vector<FieldArray>& fields)
   for (const FieldArray& field : fields)
   {
     const std::vector<double> values = NumbersOfField(fields, field.Name);
-    const bool isListed = values.size() <= MostNumbers && !IsOneOf(field.Name, TableNames);
+    const bool isListed = values.size() <= MaximumNumbers && !IsOneOf(field.Name, TableNames);
     for (std::size_t i = 0; isListed && i < values.size(); ++i)
     {
       numbers.push_back({ field.Name + Ending(i, values.size(), false), values[i] });

@@ -66,8 +66,8 @@ std::string FindOutputProblem(const std::string& path, OutputFiles files)
     return "The output " + path + " is of an unknown kind. Written are " +
       JoinTexts(GetOutputSuffixes()) + ".";
   }
-  const bool isRefused = files == OutputFiles::Single && !format->WriteSingle;
-  return isRefused ? "The output " + path + " is always several files." : "";
+  const bool isRejected = files == OutputFiles::Single && !format->WriteSingle;
+  return isRejected ? "The output " + path + " is always several files." : "";
 }
 
 std::string FindFolderProblem(const std::string& path)

@@ -45,7 +45,7 @@ bool CatalystRun::CanRead(const std::string& script)
   return this->Agree(read, this->LeftOut);
 }
 
-void CatalystRun::RefuseStart()
+void CatalystRun::RejectStart()
 {
   this->LeftOut = "Catalyst cannot start: it runs or has run before in this process.";
 }

@@ -55,7 +55,7 @@ protected:
   /// Whether all ranks can read the script; else it is left out.
   bool CanRead(const std::string& script);
 
-  void RefuseStart();
+  void RejectStart();
 
   static bool HasStarted; // ParaView cannot start again after it has ended
   MPI_Comm Communicator;  // a duplicate

@@ -62,7 +62,7 @@ void Unpack(const Bytes& bytes, std::vector<ArrayInfo>& list)
 
 } // namespace
 
-std::vector<ArrayInfo> UniteArrays(const std::vector<ArrayInfo>& mine, Ranks& ranks)
+std::vector<ArrayInfo> UnionOfArrays(const std::vector<ArrayInfo>& mine, Ranks& ranks)
 {
   std::vector<ArrayInfo> list;
   for (const Bytes& bytes : ranks.Gather(Pack(mine)))

@@ -27,7 +27,7 @@ struct ArrayInfo
 void AddArray(std::vector<ArrayInfo>& list, const ArrayInfo& info);
 
 /// Collective. mine: arrays of this rank. Returns those of all ranks, in the order in which ranks list them.
-std::vector<ArrayInfo> UniteArrays(const std::vector<ArrayInfo>& mine, Ranks& ranks);
+std::vector<ArrayInfo> UnionOfArrays(const std::vector<ArrayInfo>& mine, Ranks& ranks);
 
 /// The arrays of the blocks or data sets of a rank.
 using ArrayLists = std::vector<std::shared_ptr<const BlockArrays>>;

@@ -74,7 +74,7 @@ void CheckMutual(const RankBox& mine, const std::vector<int>& peers, Ranks& rank
 }
 
 /// One hop: tells the peers what this rank knows, and learns what is near. Whether anything was new.
-bool LearnBoxes(const RankBox& mine, const std::vector<int>& peers, double reach, Ranks& ranks,
+bool ReceiveBoxes(const RankBox& mine, const std::vector<int>& peers, double reach, Ranks& ranks,
   std::map<int, RankBox>& known)
 {
   std::vector<RankBox> told;
@@ -120,7 +120,7 @@ std::vector<RankBox> FindNeighbours(
   bool isNew = true;
   for (int hop = 0; hop <= Hops || ranks.Any(isNew); ++hop)
   {
-    isNew = LearnBoxes(mine, peers, reach, ranks, known);
+    isNew = ReceiveBoxes(mine, peers, reach, ranks, known);
   }
   WorkTogether(ranks, [&] { CheckTouch(mine, peers, known); });
   known.erase(mine.Rank);

@@ -148,7 +148,7 @@ ImageFrame AgreeOnFrame(std::vector<ImageFrame> frames, Ranks& ranks)
   {
     return {};
   }
-  frames = Unite(ranks, std::move(frames));
+  frames = UnionOverRanks(ranks, std::move(frames));
   const ImageFrame &first = frames.front(), &last = frames.back();
   if (first.Axes != last.Axes)
   {

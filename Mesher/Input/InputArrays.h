@@ -59,7 +59,7 @@ void ReadMemory(const void* values, Index first, Index count, Value* row)
 
 /// Reads the value first; returns how many from there on, of count, are known to be the same.
 template <class Value>
-using AlikeReader = Index (*)(const void* values, Index first, Index count, Value& value);
+using EqualRunReader = Index (*)(const void* values, Index first, Index count, Value& value);
 
 template <class Value, class Stored>
 Index ReadMemoryRun(const void* values, Index first, Index count, Value& value)
@@ -69,14 +69,14 @@ Index ReadMemoryRun(const void* values, Index first, Index count, Value& value)
   const Stored same = *stored;
   ReadMemory<Value, Stored>(values, first, 1, &value);
   Index n = 1;
-  for (bool areAlike = true; areAlike && n + block <= count; n += areAlike ? block : 0)
+  for (bool areEqual = true; areEqual && n + block <= count; n += areEqual ? block : 0)
   {
     int others = 0;
     for (Index i = 0; i < block; ++i)
     {
       others += stored[n + i] != same;
     }
-    areAlike = others == 0;
+    areEqual = others == 0;
   }
   while (n < count && stored[n] == same)
   {
@@ -111,7 +111,7 @@ struct Column
   std::shared_ptr<const BlockArray> Array;
   const void* Values;
   RowReader<Value> Read = ReadArray<Value>;
-  AlikeReader<Value> ReadRun = ReadArrayRun<Value>;
+  EqualRunReader<Value> ReadRun = ReadArrayRun<Value>;
 
   explicit Column(std::shared_ptr<const BlockArray> array) :
     Array(std::move(array)), Values(this->Array.get())

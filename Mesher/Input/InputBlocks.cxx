@@ -39,7 +39,7 @@ std::vector<double> MergeCoordinates(const std::vector<InputBlock>& blocks, int 
   {
     mine.insert(mine.end(), block.Coordinates[axis].begin(), block.Coordinates[axis].end());
   }
-  return MergeClose(Unite(ranks, std::move(mine)), width);
+  return MergeClose(UnionOverRanks(ranks, std::move(mine)), width);
 }
 
 /// Finds the cells of the block along an axis of the global grid; false when another block has nodes between its own.
@@ -51,7 +51,7 @@ bool PlaceBlock(InputBlock& block, int axis, const std::vector<double>& global)
   return block.Box.Size(axis) + 1 == static_cast<Index>(x.size());
 }
 
-[[noreturn]] void RefusePlace(const InputBlock& block, int axis, const std::vector<double>& global)
+[[noreturn]] void RejectPlace(const InputBlock& block, int axis, const std::vector<double>& global)
 {
   const std::vector<double>& x = block.Coordinates[axis];
   std::size_t i = 0; // the first node after one of another block
@@ -86,7 +86,7 @@ InputBlocks PlaceOwnBlocks(std::vector<InputBlock> blocks, Ranks& ranks)
         {
           if (!PlaceBlock(block, axis, input.Coordinates[axis]))
           {
-            RefusePlace(block, axis, input.Coordinates[axis]);
+            RejectPlace(block, axis, input.Coordinates[axis]);
           }
         }
       }

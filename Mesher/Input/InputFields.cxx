@@ -44,12 +44,12 @@ void InputCells::FindInterfaceCells(std::size_t block, std::vector<Index3>& foun
 namespace
 {
 
-Bytes PackFor(const IndexBox& wanted, const InputBlocks& input, const InputCells& cells)
+Bytes PackFor(const IndexBox& requested, const InputBlocks& input, const InputCells& cells)
 {
   std::vector<SparseCells> packets;
   for (const InputBlock& block : input.Blocks)
   {
-    const IndexBox box = Intersect(block.Box, wanted);
+    const IndexBox box = Intersect(block.Box, requested);
     if (box.NumberOfCells() > 0)
     {
       packets.push_back(cells.Extract(block, box));
@@ -68,9 +68,9 @@ std::vector<SparseCells> ReceiveCells(const std::vector<BlockPlace>& owners,
   WorkTogether(ranks,
     [&]
     {
-      for (const IndexBox& wanted : route.Wanted)
+      for (const IndexBox& requested : route.Requested)
       {
-        outgoing.push_back(PackFor(wanted, input, cells));
+        outgoing.push_back(PackFor(requested, input, cells));
       }
     });
   std::vector<SparseCells> received;

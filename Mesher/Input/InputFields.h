@@ -23,12 +23,12 @@ struct Materials
 };
 
 /// How many cells of the input were changed.
-struct MendedCells
+struct CorrectedCells
 {
   Index Normalised = 0; ///< the sum of their fractions exceeded 1 and was scaled back
   Index Clipped = 0;    ///< a fraction lay outside [0, 1] and was clipped
 
-  void Add(const MendedCells& other)
+  void Add(const CorrectedCells& other)
   {
     this->Normalised += other.Normalised;
     this->Clipped += other.Clipped;
@@ -39,7 +39,7 @@ struct InputField
 {
   FractionField Fractions; ///< of the grid's local box
   Materials Table;         ///< the same on all ranks
-  MendedCells Mended;
+  CorrectedCells Corrected;
 };
 
 /// What the arrays of this rank's blocks hold. Nothing here communicates.

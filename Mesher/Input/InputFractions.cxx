@@ -203,7 +203,7 @@ InputField FractionCells::MakeField(
   }
   const LocalReader reader(grid, *this, received);
   InputField field{ FractionField::FromReader(grid, count, reader), std::move(table), {} };
-  field.Mended = { field.Fractions.NumberOfNormalisedCells(),
+  field.Corrected = { field.Fractions.NumberOfNormalisedCells(),
     field.Fractions.NumberOfClippedCells() };
   return field;
 }

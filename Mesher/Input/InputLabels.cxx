@@ -208,7 +208,7 @@ LevelCells OpenLabels(const std::vector<InputBlocks>& levels, const std::string&
         cells.push_back(std::move(own));
       }
     });
-  labels = Unite(ranks, std::move(labels));
+  labels = UnionOverRanks(ranks, std::move(labels));
   for (LabelCells* own : opened)
   {
     own->SetTable(labels);

@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr double LevelTolerance = 0.01; // of the logarithm of a ratio of widths
-constexpr int MostLevels = 30;
+constexpr int MaximumLevels = 30;
 
 double MeanWidth(const InputBlock& block, int axis)
 {
@@ -52,7 +52,7 @@ int FindLevel(const InputBlock& block, const Vector3& coarsest)
   for (int axis = 0; axis < 3; ++axis)
   {
     if (!(std::fabs(LevelAlong(block, axis, coarsest) - level) < LevelTolerance) ||
-      level > MostLevels)
+      level > MaximumLevels)
     {
       std::ostringstream text;
       text
@@ -113,7 +113,7 @@ std::vector<double> FindBaseNodes(const std::vector<InputBlock>& blocks,
     }
   }
   std::vector<double> x;
-  for (const BaseNode& node : Unite(ranks, std::move(nodes)))
+  for (const BaseNode& node : UnionOverRanks(ranks, std::move(nodes)))
   {
     if (node.At == static_cast<Index>(x.size()))
     {
@@ -279,7 +279,7 @@ InputLevels SortByLevels(std::vector<InputBlock> blocks, const Vector3& coarsest
   return input;
 }
 
-void RefusePoints(const InputReading& reading, const std::string& why)
+void RejectPoints(const InputReading& reading, const std::string& why)
 {
   if (reading.ArePoints)
   {
@@ -338,7 +338,7 @@ InputLevels FindInputLevels(CollectedBlocks collected, Ranks& ranks)
   InputLevels input;
   if (ranks.Any(differ) && !FitOneGrid(blocks, ranks))
   {
-    RefusePoints(reading,
+    RejectPoints(reading,
       "The input has several levels (AMR), whose points do not stand "
       "in the middle of cells that nest");
     input = SortByLevels(std::move(blocks), coarsest, ranks);
@@ -354,7 +354,7 @@ InputLevels FindInputLevels(CollectedBlocks collected, Ranks& ranks)
 InputLevels FindNeighbourLevels(
   CollectedBlocks collected, const std::array<int, 6>& faces, Ranks& ranks)
 {
-  RefusePoints(collected.Reading, "Face neighbours are those of boxes of cells");
+  RejectPoints(collected.Reading, "Face neighbours are those of boxes of cells");
   InputLevels input;
   input.Levels.push_back(FindNeighbourBlocks(std::move(collected.Blocks), faces, ranks));
   input.Reading = collected.Reading;

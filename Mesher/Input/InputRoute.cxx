@@ -22,14 +22,14 @@ InputRoute FindInputRoute(
   InputRoute route;
   for (const BlockPlace& owner : owners)
   {
-    const IndexBox wanted = needs(owner.Box);
+    const IndexBox requested = needs(owner.Box);
     const bool wants = std::any_of(input.Blocks.begin(), input.Blocks.end(),
-      [&wanted](const InputBlock& block)
-      { return Intersect(block.Box, wanted).NumberOfCells() > 0; });
+      [&requested](const InputBlock& block)
+      { return Intersect(block.Box, requested).NumberOfCells() > 0; });
     if (owner.Rank != myRank && (wants || senders.count(owner.Rank) > 0))
     {
       route.Peers.push_back(owner.Rank);
-      route.Wanted.push_back(wanted);
+      route.Requested.push_back(requested);
     }
   }
   return route;

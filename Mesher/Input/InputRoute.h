@@ -13,7 +13,7 @@ struct InputRoute
 {
   std::vector<int> Peers; ///< ascending
   std::vector<IndexBox>
-    Wanted; ///< by each peer: the cells that it meshes and ghost cells around them
+    Requested; ///< by each peer: the cells that it meshes and ghost cells around them
 };
 
 /// owners: the cells that the ranks mesh, of all ranks or those near.

@@ -45,14 +45,14 @@ enum class MaterialGuess
 /// Of an array of one component. type: of ValueType, 0 for several.
 inline MaterialGuess GuessMaterial(int type, double least, double most)
 {
-  constexpr double rounding = 1e-6, mostOfBytes = 255.0;
+  constexpr double rounding = 1e-6, maximumOfBytes = 255.0;
   if (IsRealType(type))
   {
     const bool areFractions = least >= -rounding && most <= 1.0 + rounding;
     return areFractions ? MaterialGuess::Fraction : MaterialGuess::Nothing;
   }
   const bool areBytes =
-    type == ValueType::UnsignedChar && most == mostOfBytes; // 255 may stand for 1
+    type == ValueType::UnsignedChar && most == maximumOfBytes; // 255 may stand for 1
   const bool areLabels =
     least >= 0.0 && most > 0.0 && most <= std::numeric_limits<int>::max() && !areBytes;
   return areLabels ? MaterialGuess::Labels : MaterialGuess::Unclear;

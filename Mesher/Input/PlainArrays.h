@@ -29,7 +29,7 @@ public:
     std::shared_ptr<const void> values);
   /// The same of a vector or Buffer of numbers, or of their bytes, with one component.
   template <class Values>
-  void Keep(const std::string& name, int type, Values values)
+  void Store(const std::string& name, int type, Values values)
   {
     const auto tuples = static_cast<Index>(values.size() * sizeof(values[0])) / WidthOfType(type);
     const auto kept = std::make_shared<const Values>(std::move(values));

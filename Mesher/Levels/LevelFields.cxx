@@ -52,10 +52,10 @@ InputField MakeField(const LevelData& data, int level, const CartesianGrid& grid
 }
 
 /// Sets the cells of a box that finer blocks cover to the means of what these hold; returns how many finer cells were mended.
-MendedCells Average(const LevelData& data, int level, const IndexBox& box,
+CorrectedCells Average(const LevelData& data, int level, const IndexBox& box,
   const CartesianGrid& grid, FractionField& field)
 {
-  MendedCells mended;
+  CorrectedCells corrected;
   ForCells(ChangeLevel(box, -ChunkLevels),
     [&](const Index3& place)
     {
@@ -66,15 +66,15 @@ MendedCells Average(const LevelData& data, int level, const IndexBox& box,
       {
         const CartesianGrid finerGrid(data.Input.Levels[level + 1].Coordinates, finerBox);
         InputField finer = MakeField(data, level + 1, finerGrid);
-        mended.Add(finer.Mended);
+        corrected.Add(finer.Corrected);
         if (level + 1 < data.Input.Finest())
         {
-          mended.Add(Average(data, level + 1, finerBox, finerGrid, finer.Fractions));
+          corrected.Add(Average(data, level + 1, finerBox, finerGrid, finer.Fractions));
         }
         AverageCells(finerGrid, finer.Fractions, cover, chunk, grid, field);
       }
     });
-  return mended;
+  return corrected;
 }
 
 /// The levels 0 .. top of the input, each with its grid.
@@ -82,7 +82,7 @@ struct LevelStack
 {
   std::vector<CartesianGrid> Grids;
   std::vector<InputField> Fields;
-  MendedCells Mended;
+  CorrectedCells Corrected;
 };
 
 /// Collective.
@@ -109,11 +109,11 @@ LevelStack ReadLevels(const InputLevels& input, const LevelCells& cells, const L
         levels.Grids.emplace_back(HalveWidths(coordinates, level - std::min(setup.Base, 0)),
           ChangeLevel(owned, level), GhostLayers);
         levels.Fields.push_back(MakeField(data, level, levels.Grids[level]));
-        levels.Mended.Add(levels.Fields[level].Mended);
+        levels.Corrected.Add(levels.Fields[level].Corrected);
       }
       if (top < input.Finest())
       {
-        levels.Mended.Add(Average(
+        levels.Corrected.Add(Average(
           data, top, levels.Grids[top].Owned(), levels.Grids[top], levels.Fields[top].Fractions));
       }
     });
@@ -170,9 +170,9 @@ InputField JoinLevels(const InputLevels& input, ChildRule rule, Runtime& runtime
         RefineLevel(input, levels, level, rule, runtime, field.Fractions);
       }
     });
-  std::vector<Index> mended{ levels.Mended.Normalised, levels.Mended.Clipped };
-  runtime.Group().Sum(mended);
-  field.Mended = { mended[0], mended[1] };
+  std::vector<Index> corrected{ levels.Corrected.Normalised, levels.Corrected.Clipped };
+  runtime.Group().Sum(corrected);
+  field.Corrected = { corrected[0], corrected[1] };
   return field;
 }
 
@@ -239,7 +239,7 @@ bool AreAligned(const std::vector<IndexBox>& boxes, int levels)
 
 } // namespace
 
-std::vector<BlockPlace> ShareOutCells(
+std::vector<BlockPlace> DistributeCells(
   const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks)
 {
   const int coarser = std::max(-setup.Base, 0);
@@ -317,8 +317,8 @@ void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule
   FillGhosts(Partition(fields.Grid, runtime.Group()), fields.Field.Fractions);
 }
 
-std::vector<ChosenBox> TakeWishes(
-  const InputWishes& wishes, const LevelSetup& setup, int layers, LevelFields& fields)
+std::vector<ChosenBox> TakeRequests(
+  const InputRequests& requests, const LevelSetup& setup, int layers, LevelFields& fields)
 {
   const Index steps = static_cast<Index>(fields.Families.size()); // of Grid above Base
   const OctreeKeys lattice(fields.Base, static_cast<int>(steps));
@@ -327,11 +327,11 @@ std::vector<ChosenBox> TakeWishes(
   {
     const int step = level - setup.Base;
     const CellDivision division = fields.Division.OfHalves(step);
-    for (const ChosenBox& row : wishes.Levels[level])
+    for (const ChosenBox& row : requests.Levels[level])
     {
       const IndexBox cells = division.Divide(row.Cells);
       const Index halvings = std::min(row.Halvings, steps - step);
-      AddWantedFamilies(lattice, step, { cells, halvings }, layers, fields.Families);
+      AddRequestedFamilies(lattice, step, { cells, halvings }, layers, fields.Families);
       if (row.Halvings > halvings)
       {
         beyond.push_back(
@@ -350,14 +350,14 @@ int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, dou
   int layers, Runtime& runtime)
 {
   const Partition partition(fields.Grid, runtime.Group());
-  const RefinementWishes wishes =
+  const RefinementRequests requests =
     FindRefinement(fields.Grid, fields.Field.Fractions, criteria, isoValue, partition, runtime);
-  const OctreeKeys lattice(fields.Grid, wishes.Refinements);
-  for (std::vector<Index>& families : FindWantedFamilies(lattice, wishes, layers))
+  const OctreeKeys lattice(fields.Grid, requests.Refinements);
+  for (std::vector<Index>& families : FindRequestedFamilies(lattice, requests, layers))
   {
     fields.Families.push_back(std::move(families)); // keys are those of the lattice over Base
   }
-  return wishes.Refinements;
+  return requests.Refinements;
 }
 
 void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runtime)

@@ -12,7 +12,7 @@
 #include "Input/InputFields.h"
 #include "Input/InputLevels.h"
 #include "Labels/RefinementCriteria.h"
-#include "Levels/InputWishes.h"
+#include "Levels/InputRequests.h"
 #include "Levels/LevelSetup.h"
 
 namespace vfm
@@ -31,7 +31,7 @@ struct LevelFields
 };
 
 /// Collective: the cells of level 0 that each rank meshes, by rank (MakePartition): whole cells of the base.
-std::vector<BlockPlace> ShareOutCells(
+std::vector<BlockPlace> DistributeCells(
   const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks);
 
 /// Collective. owners: the cells of level 0 that the ranks mesh, of all ranks or those near. Throws InputError, on all ranks
@@ -46,11 +46,11 @@ void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule
 
 /// Adds the families between Base and Grid that cells of the input want, and those of so many layers around; returns, in cells of Grid, what
 /// they want beyond it. wishes: of the cells that this rank meshes; setup: of those levels.
-std::vector<ChosenBox> TakeWishes(
-  const InputWishes& wishes, const LevelSetup& setup, int layers, LevelFields& fields);
+std::vector<ChosenBox> TakeRequests(
+  const InputRequests& requests, const LevelSetup& setup, int layers, LevelFields& fields);
 
 /// Collective: how many levels finer than Grid the criteria want; adds the families that they want to refine, and those of so many
-/// layers of cells around (FindWantedFamilies).
+/// layers of cells around (FindRequestedFamilies).
 int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
   int layers, Runtime& runtime);
 

@@ -38,10 +38,10 @@ int CountJoins(const std::vector<double>& x, int most)
 }
 
 /// Lowers the base as far as the sizes allow.
-void Coarsen(const std::array<std::vector<double>, 3>& coordinates, int wanted, int alignment,
+void Coarsen(const std::array<std::vector<double>, 3>& coordinates, int requested, int alignment,
   LevelSetup& setup)
 {
-  const int most = wanted - setup.Finest; // below level 0; negative: the base is a finer one
+  const int most = requested - setup.Finest; // below level 0; negative: the base is a finer one
   int joins = std::min(most, alignment);
   std::string limit = joins < most ? "the boxes of the ranks do" : "";
   for (int axis = 0; axis < 3 && joins > 0; ++axis)
@@ -58,7 +58,7 @@ void Coarsen(const std::array<std::vector<double>, 3>& coordinates, int wanted, 
   if (joins < most)
   {
     setup.Warning = "Coarsening makes " + std::to_string(setup.Finest - setup.Base) +
-      " levels above the coarsest, not " + std::to_string(wanted) + ": " + limit +
+      " levels above the coarsest, not " + std::to_string(requested) + ": " + limit +
       " not allow more. A number of cells that is a multiple of a higher power of 2 does.";
   }
 }

@@ -50,7 +50,7 @@ enum class Unmeshed
 };
 
 /// The most halvings of a cell.
-constexpr int MostHalvings = 10;
+constexpr int MaximumHalvings = 10;
 
 /// The least MaximumAspectRatio. Less would multiply cells: widths within a tenth of each other take up to ten parts of a cell along an axis.
 constexpr double SmallestAspectRatio = 1.1;

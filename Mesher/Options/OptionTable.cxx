@@ -24,12 +24,12 @@ struct Row : Option
 
   Row& Above(double least)
   {
-    this->Range.IsLeastOpen = true;
+    this->Range.IsMinimumOpen = true;
     return this->Set(this->Range.Least, least);
   }
   Row& Below(double most)
   {
-    this->Range.IsMostOpen = true;
+    this->Range.IsMaximumOpen = true;
     return this->Set(this->Range.Most, most);
   }
   Row& Special(double number, const char* meaning)
@@ -294,7 +294,7 @@ OptionTable RefinementOptions()
       "level. Automatic: where the shape needs it. Coarsen: the cells of the input stay near "
       "interfaces and get larger away from them. Uniform: everywhere, so that thin parts get more "
       "elements across."),
-    Row("MaximumLevel", Number<&M::MaximumLevel>(-1, MostHalvings),
+    Row("MaximumLevel", Number<&M::MaximumLevel>(-1, MaximumHalvings),
       "Levels finer than the coarsest, at most. Automatic, -1: all that the input has; 1 where an "
       "image is refined, or what named cells ask for; by Coarsen as many as the numbers of cells "
       "allow, at most 3. By Uniform each makes eight times as many elements. Finer data of the "
@@ -460,8 +460,8 @@ OptionTable JoinGroups()
 bool OptionRange::Holds(double number) const
 {
   return (this->Special && number == *this->Special) ||
-    ((this->IsLeastOpen ? number > this->Least : number >= this->Least) &&
-      (this->IsMostOpen ? number < this->Most : number <= this->Most));
+    ((this->IsMinimumOpen ? number > this->Least : number >= this->Least) &&
+      (this->IsMaximumOpen ? number < this->Most : number <= this->Most));
 }
 
 const OptionTable& GetOptionTable()

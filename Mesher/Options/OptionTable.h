@@ -32,9 +32,9 @@ struct OptionRange
 {
   double Least = -std::numeric_limits<double>::infinity();
   double Most = std::numeric_limits<double>::infinity();
-  bool IsLeastOpen = false, IsMostOpen = false; ///< not allowed themselves
-  std::optional<double> Special = std::nullopt; ///< a number with a meaning of its own
-  std::string Meaning = {};                     ///< of Special: off, automatic
+  bool IsMinimumOpen = false, IsMaximumOpen = false; ///< not allowed themselves
+  std::optional<double> Special = std::nullopt;      ///< a number with a meaning of its own
+  std::string Meaning = {};                          ///< of Special: off, automatic
 
   bool Holds(double number) const;
 };

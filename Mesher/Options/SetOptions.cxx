@@ -32,10 +32,10 @@ std::string DescribeRange(const std::string& noun, const OptionRange& range)
   const std::string least = WithMeaning(range.Least, range);
   if (!hasMost)
   {
-    return text + noun + ", " + (range.IsLeastOpen ? "above " + least : least + " or more");
+    return text + noun + ", " + (range.IsMinimumOpen ? "above " + least : least + " or more");
   }
-  const std::string to = range.IsMostOpen ? "below " : "";
-  if (range.IsLeastOpen)
+  const std::string to = range.IsMaximumOpen ? "below " : "";
+  if (range.IsMinimumOpen)
   {
     return text + noun + " above " + least + " and " + (to.empty() ? "up to " : to) +
       FormatNumber(range.Most);
@@ -78,7 +78,7 @@ std::optional<RefinementBox> ParseBox(const std::string& text)
       ParseNumber(part, -Largest, Largest).value_or(std::numeric_limits<double>::quiet_NaN()));
   }
   const bool isBox =
-    (parts.size() == 6 || (parts.size() == 7 && ParseCount(parts[6], 0, MostHalvings))) &&
+    (parts.size() == 6 || (parts.size() == 7 && ParseCount(parts[6], 0, MaximumHalvings))) &&
     std::all_of(numbers.begin(), numbers.end(), [](double number) { return number == number; });
   if (!isBox)
   {
@@ -184,7 +184,7 @@ std::string ListNames(ElementKind elements, const OptionTable& table)
   return JoinTexts(names);
 }
 
-[[noreturn]] void Refuse(const Option& option, const std::string& value)
+[[noreturn]] void Reject(const Option& option, const std::string& value)
 {
   throw InputError(
     "The option " + option.Name + " cannot be '" + value + "': it takes " + option.Allowed() + ".");
@@ -216,7 +216,7 @@ std::string Option::Allowed() const
              "extensive, copy";
     case OptionKind::Boxes:
       return "x0,y0,z0,x1,y1,z1 or with the number of halvings, 0 to " +
-        std::to_string(MostHalvings) + ", as seventh; semicolons part boxes";
+        std::to_string(MaximumHalvings) + ", as seventh; semicolons part boxes";
   }
   return "";
 }
@@ -261,7 +261,7 @@ void SetOption(MesherOptions& options, const std::string& name, const std::strin
   }
   if (!SetText(options, *option, value))
   {
-    Refuse(*option, value);
+    Reject(*option, value);
   }
 }
 
@@ -297,7 +297,7 @@ void CheckOptions(const MesherOptions& options, const OptionTable& table)
     const bool isUsed = !option.OnlyTets || options.Elements == ElementKind::Tets;
     if (isNumber && isUsed && !option.Range.Holds(option.GetNumber(options)))
     {
-      Refuse(option, FormatNumber(option.GetNumber(options)));
+      Reject(option, FormatNumber(option.GetNumber(options)));
     }
   }
 }

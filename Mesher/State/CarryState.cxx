@@ -6,11 +6,11 @@
 namespace vfm
 {
 
-KeptState KeepState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
+StoredState StoreState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
   const std::vector<StateArray>& states, const LevelFields& fields, const LevelSetup& setup,
   bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime)
 {
-  KeptState kept;
+  StoredState kept;
   if (!choice.IsConserved)
   {
     kept.Copied = states;
@@ -33,12 +33,12 @@ KeptState KeepState(const InputLevels& input, const LevelCells& cells, const Sta
   return kept;
 }
 
-CarriedState GiveState(const KeptState& kept, const InputLevels& input, const Mesh& mesh,
+OutputState GiveState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
   const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
   Runtime& runtime)
 {
-  CarriedState carried;
-  std::map<std::size_t, CarriedArray> arrays; // by the first state of each
+  OutputState transferred;
+  std::map<std::size_t, TransferredArray> arrays; // by the first state of each
   auto copies = CopyState(input, kept.Copied, mesh, meshed, owners, runtime);
   for (std::size_t c = 0; c < copies.size(); ++c)
   {
@@ -51,15 +51,15 @@ CarriedState GiveState(const KeptState& kept, const InputLevels& input, const Me
     {
       arrays[conserved.States[a]] = std::move(conserved.Arrays[a]);
     }
-    carried.NodalVelocity = std::move(conserved.NodalVelocity);
-    carried.Balance = std::move(conserved.Balance);
-    carried.IsConserved = true;
+    transferred.NodalVelocity = std::move(conserved.NodalVelocity);
+    transferred.Balance = std::move(conserved.Balance);
+    transferred.IsConserved = true;
   }
   for (auto& array : arrays)
   {
-    carried.Arrays.push_back(std::move(array.second));
+    transferred.Arrays.push_back(std::move(array.second));
   }
-  return carried;
+  return transferred;
 }
 
 } // namespace vfm

@@ -10,30 +10,30 @@
 namespace vfm
 {
 
-struct KeptState
+struct StoredState
 {
   std::vector<StateArray> Copied;
   std::vector<std::size_t> Places;                 ///< in the choice, of each of these
   std::unique_ptr<const ConservedCells> Conserved; ///< null: nothing is conserved
 };
 
-struct CarriedState
+struct OutputState
 {
-  std::vector<CarriedArray> Arrays;          ///< a tuple an element, in the order of the choice
-  std::optional<CarriedArray> NodalVelocity; ///< a tuple a point
-  bool IsConserved = false;                  ///< any, so that there is a balance
+  std::vector<TransferredArray> Arrays;          ///< a tuple an element, in the order of the choice
+  std::optional<TransferredArray> NodalVelocity; ///< a tuple a point
+  bool IsConserved = false;                      ///< any, so that there is a balance
   StateBalance Balance;
 };
 
 /// Collective: keeps what cells hold if anything is conserved. states: those of the choice. fields: as MakeLevelFields made them; setup: their
 /// levels. input and cells must outlive the result. owners: the cells of level 0 that the ranks mesh. Throws InputError, on all ranks
 /// alike, as PlanState and ConservedCells do.
-KeptState KeepState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
+StoredState StoreState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
   const std::vector<StateArray>& states, const LevelFields& fields, const LevelSetup& setup,
   bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
 /// Collective. mesh: of this rank's owned cells, in the axes of the input.
-CarriedState GiveState(const KeptState& kept, const InputLevels& input, const Mesh& mesh,
+OutputState GiveState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
   const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
   Runtime& runtime);
 

@@ -155,7 +155,7 @@ void MultiplyByVolume(const Mesh& mesh, int components, Buffer<double>& values, 
     });
 }
 
-CarriedArray MakeArray(
+TransferredArray MakeArray(
   const ConservedArray& array, const std::vector<StateArray>& states, Buffer<double>& values)
 {
   return { array.Name, ValueType::Double, array.Components, NamesFor(array, states),

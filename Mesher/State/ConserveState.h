@@ -4,9 +4,9 @@
 #pragma once
 
 #include "Options/MesherOptions.h"
-#include "State/CarriedArray.h"
 #include "State/ConservedCells.h"
 #include "State/StateBalance.h"
+#include "State/TransferredArray.h"
 
 #include <optional>
 
@@ -15,10 +15,10 @@ namespace vfm
 
 struct ConservedState
 {
-  std::vector<CarriedArray> Arrays; ///< a tuple an element, of type double
+  std::vector<TransferredArray> Arrays; ///< a tuple an element, of type double
   std::vector<std::size_t>
     States; ///< of each the first state array of the input that it comes from
-  std::optional<CarriedArray> NodalVelocity; ///< a tuple a point
+  std::optional<TransferredArray> NodalVelocity; ///< a tuple a point
   StateBalance Balance;
 };
 

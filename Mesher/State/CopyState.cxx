@@ -38,11 +38,11 @@ StatePlace FindPlace(const Index3& cell, int level, const StateValues& values)
 }
 
 /// number: of the array among all.
-CarriedArray MakeOutput(
+TransferredArray MakeOutput(
   const StateArray& state, std::size_t number, const std::vector<StatePlace>& places)
 {
   const std::size_t size = TupleSize(state);
-  CarriedArray array{ state.Name, state.Type, state.Components, state.ComponentNames,
+  TransferredArray array{ state.Name, state.Type, state.Components, state.ComponentNames,
     Buffer<char>(places.size() * size) };
   char* to = array.Values.data();
   for (const StatePlace& place : places)
@@ -55,11 +55,11 @@ CarriedArray MakeOutput(
 
 } // namespace
 
-std::vector<CarriedArray> CopyState(const InputLevels& input, const std::vector<StateArray>& states,
-  const Mesh& mesh, const MeshedGrid& meshed, const std::vector<BlockPlace>& owners,
-  Runtime& runtime)
+std::vector<TransferredArray> CopyState(const InputLevels& input,
+  const std::vector<StateArray>& states, const Mesh& mesh, const MeshedGrid& meshed,
+  const std::vector<BlockPlace>& owners, Runtime& runtime)
 {
-  std::vector<CarriedArray> arrays;
+  std::vector<TransferredArray> arrays;
   if (states.empty())
   {
     return arrays;

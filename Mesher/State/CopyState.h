@@ -7,8 +7,8 @@
 #include "Fractions/CellDivision.h"
 #include "Fractions/FractionField.h"
 #include "Mesh/Mesh.h"
-#include "State/CarriedArray.h"
 #include "State/StateArrays.h"
+#include "State/TransferredArray.h"
 
 namespace vfm
 {
@@ -26,8 +26,8 @@ struct MeshedGrid
 /// mesh: of this rank's owned cells. An element has the values of the finest cell of the input around the middle of its cell of the grid.
 /// owners: the cells of level 0 that the ranks mesh. Ghost cells give nothing, blanked cells what their arrays hold. Ranks
 /// send each other what their local boxes need; nothing is sent without states.
-std::vector<CarriedArray> CopyState(const InputLevels& input, const std::vector<StateArray>& states,
-  const Mesh& mesh, const MeshedGrid& meshed, const std::vector<BlockPlace>& owners,
-  Runtime& runtime);
+std::vector<TransferredArray> CopyState(const InputLevels& input,
+  const std::vector<StateArray>& states, const Mesh& mesh, const MeshedGrid& meshed,
+  const std::vector<BlockPlace>& owners, Runtime& runtime);
 
 } // namespace vfm

@@ -138,13 +138,13 @@ std::vector<FieldArray> ListBalance(const StateBalance& balance, bool meshVoid)
 
 std::string DescribeUnmeshed(const StateBalance& balance, const Materials& table)
 {
-  constexpr int MostNames = 20;
+  constexpr int MaximumNames = 20;
   std::ostringstream list;
   int count = 0;
   for (std::size_t m = 1; m < balance.Input.size(); ++m)
   {
     const StateSums &all = balance.Input[m], &left = balance.Unmeshed[m];
-    if (left.Volume > SmallPart * all.Volume && ++count <= MostNames)
+    if (left.Volume > SmallPart * all.Volume && ++count <= MaximumNames)
     {
       list << (count > 1 ? ", " : "") << "'" << table.Names[m] << "' volume " << left.Volume
            << " of " << all.Volume;
@@ -154,9 +154,9 @@ std::string DescribeUnmeshed(const StateBalance& balance, const Materials& table
       }
     }
   }
-  if (count > MostNames)
+  if (count > MaximumNames)
   {
-    list << " and " << count - MostNames << " materials more";
+    list << " and " << count - MaximumNames << " materials more";
   }
   return count == 0
     ? ""

@@ -117,7 +117,7 @@ StateChoice CompleteChoice(StateChoice choice, const ArrayLists& mine, Ranks& ra
       }
     }
   }
-  for (const ArrayInfo& array : UniteArrays(arrays, ranks))
+  for (const ArrayInfo& array : UnionOfArrays(arrays, ranks))
   {
     candidates.push_back({ array.Name, array.Components });
   }

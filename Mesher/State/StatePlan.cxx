@@ -177,7 +177,7 @@ StateGroup FindVelocity(const Work& work)
   return group;
 }
 
-[[noreturn]] void RefusePartial(const Work& work, const std::string& name, const ArrayStem& stem)
+[[noreturn]] void RejectPartial(const Work& work, const std::string& name, const ArrayStem& stem)
 {
   std::size_t missing = 0;
   while (FindState(work, stem.Members[missing]) >= 0)
@@ -219,7 +219,7 @@ StateGroup FindGroup(const Work& work, std::size_t state)
   }
   if (!stems.empty() && !IsCopied(work, alone) && !FindWord(work, alone.Name))
   {
-    RefusePartial(work, alone.Name, stems[0]);
+    RejectPartial(work, alone.Name, stems[0]);
   }
   return alone;
 }

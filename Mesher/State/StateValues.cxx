@@ -28,9 +28,9 @@ void LevelValues::Exchange(const std::vector<BlockPlace>& owners, Index ghostLay
     [&]
     {
       this->AddBlocks();
-      for (const IndexBox& wanted : route.Wanted)
+      for (const IndexBox& requested : route.Requested)
       {
-        outgoing.push_back(this->Pack(wanted));
+        outgoing.push_back(this->Pack(requested));
       }
     });
   this->Messages = ranks.Exchange(route.Peers, outgoing);
@@ -74,12 +74,12 @@ void LevelValues::AddBlocks()
 }
 
 /// Of each block the box that is wanted, then its values, one array after the other.
-Bytes LevelValues::Pack(const IndexBox& wanted) const
+Bytes LevelValues::Pack(const IndexBox& requested) const
 {
   Bytes message;
   for (const StateBlock& source : this->Sources)
   {
-    const IndexBox box = Intersect(source.Box, wanted);
+    const IndexBox box = Intersect(source.Box, requested);
     if (box.NumberOfCells() == 0)
     {
       continue;

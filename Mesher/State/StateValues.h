@@ -53,7 +53,7 @@ public:
 
 private:
   void AddBlocks();
-  Bytes Pack(const IndexBox& wanted) const;
+  Bytes Pack(const IndexBox& requested) const;
   void AddParts(const Bytes& message);
 
   const InputBlocks& Input;

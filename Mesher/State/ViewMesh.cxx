@@ -23,7 +23,7 @@ int TypeOf(const Buffer<float>&)
   return ValueType::Float;
 }
 
-MeshArray View(const CarriedArray& array)
+MeshArray View(const TransferredArray& array)
 {
   return { array.Name, CarrierType(array.Type), array.Components, array.ComponentNames,
     array.Values.data() };
@@ -31,8 +31,7 @@ MeshArray View(const CarriedArray& array)
 
 } // namespace
 
-MeshData ViewMesh(
-  const Mesh& mesh, const CarriedState& state, const std::vector<FieldArray>& fields)
+MeshData ViewMesh(const Mesh& mesh, const OutputState& state, const std::vector<FieldArray>& fields)
 {
   MeshData data;
   data.Corners = mesh.Corners;
@@ -55,7 +54,7 @@ MeshData ViewMesh(
   };
   VisitElementArrays(mesh, viewIn(data.ElementArrays));
   VisitPointArrays(mesh, viewIn(data.PointArrays));
-  for (const CarriedArray& array : state.Arrays)
+  for (const TransferredArray& array : state.Arrays)
   {
     data.ElementArrays.push_back(View(array));
   }

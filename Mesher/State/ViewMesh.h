@@ -11,6 +11,6 @@ namespace vfm
 
 /// mesh, state: must outlive what is returned. fields: of the whole mesh; copied.
 MeshData ViewMesh(
-  const Mesh& mesh, const CarriedState& state, const std::vector<FieldArray>& fields);
+  const Mesh& mesh, const OutputState& state, const std::vector<FieldArray>& fields);
 
 } // namespace vfm

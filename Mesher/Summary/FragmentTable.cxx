@@ -165,7 +165,7 @@ void SumElements(const MeshData& mesh, const Moments& moments, const ElementStat
 }
 
 /// Collective: the sums and extremes of all ranks as fragments.
-std::vector<FragmentSummary> UniteFragments(
+std::vector<FragmentSummary> MergeFragments(
   const std::vector<Sums>& sums, std::vector<double>& extremes, const Units& units, Ranks& ranks)
 {
   std::vector<std::int64_t> elements;
@@ -213,7 +213,7 @@ void FindNeighbours(const MeshData& mesh, Ranks& ranks, std::vector<FragmentSumm
       pairs.push_back({ { mesh.Fragment[face.Facet.Element], face.Facet.Behind } });
     }
   }
-  for (const Pair& pair : Unite(ranks, std::move(pairs)))
+  for (const Pair& pair : UnionOverRanks(ranks, std::move(pairs)))
   {
     fragments[pair[0] - 1].Neighbours.push_back(pair[1]);
   }
@@ -303,7 +303,7 @@ std::vector<FragmentSummary> FindFragments(
   std::vector<Sums> sums(count);
   std::vector<double> extremes(Extremes * count, Nowhere);
   SumElements(mesh, moments, state, units, sums, extremes);
-  std::vector<FragmentSummary> fragments = UniteFragments(sums, extremes, units, ranks);
+  std::vector<FragmentSummary> fragments = MergeFragments(sums, extremes, units, ranks);
   FindNeighbours(mesh, ranks, fragments);
   return fragments;
 }

@@ -41,7 +41,7 @@ std::vector<OwnCells> ListCells(const Mesh& mesh)
 
 void SetCellIds(std::vector<Index> ids, StoredMesh& cells)
 {
-  cells.Data.ElementIds = cells.Keep(std::move(ids));
+  cells.Data.ElementIds = cells.Store(std::move(ids));
   cells.Data.ElementArrays.back().Values = cells.Data.ElementIds;
 }
 
@@ -66,9 +66,9 @@ StoredMesh ViewCells(const Mesh& mesh, const OwnCells& own, Index firstId)
   data.Corners = own.Corners;
   data.NumberOfPoints = static_cast<Index>(used.size());
   data.NumberOfElements = static_cast<Index>(elements.size()) / own.Corners;
-  data.Points = cells.Keep(std::move(points));
-  data.Elements = cells.Keep(std::move(elements));
-  data.PointIds = cells.Keep(std::move(pointIds));
+  data.Points = cells.Store(std::move(points));
+  data.Elements = cells.Store(std::move(elements));
+  data.PointIds = cells.Store(std::move(pointIds));
   data.PointArrays = { { "GlobalPointIds", ValueType::Id, 1, {}, data.PointIds } };
   data.ElementArrays = own.Arrays;
   data.ElementArrays.push_back({ "GlobalCellIds", ValueType::Id, 1, {}, nullptr });

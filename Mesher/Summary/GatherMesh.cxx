@@ -95,7 +95,7 @@ std::vector<MeshArray> MergeArrays(const Pieces& pieces, const std::vector<Item>
       [&](auto tag) -> const void*
       {
         using Value = typename decltype(tag)::Type;
-        return merged.Keep(MergeValues<Value>(pieces, items, array.Components,
+        return merged.Store(MergeValues<Value>(pieces, items, array.Components,
           [&](const MeshData& piece) { return static_cast<const Value*>(valuesOf(piece)); }));
       });
   }
@@ -151,9 +151,9 @@ StoredMesh MergePieces(const Pieces& pieces)
   data.Corners = pieces[0]->Corners;
   data.NumberOfPoints = static_cast<Index>(points.size());
   data.NumberOfElements = static_cast<Index>(elements.size());
-  data.Points = merged.Keep(
+  data.Points = merged.Store(
     MergeValues<double>(pieces, points, 3, [](const MeshData& piece) { return piece.Points; }));
-  data.Elements = merged.Keep(MergeElements(pieces, points, elements));
+  data.Elements = merged.Store(MergeElements(pieces, points, elements));
   data.PointArrays = MergeArrays(pieces, points, &MeshData::PointArrays, merged);
   data.ElementArrays = MergeArrays(pieces, elements, &MeshData::ElementArrays, merged);
   data.Fields = pieces[0]->Fields;

@@ -41,7 +41,7 @@ void SetPointer(StoredMesh& mesh, const std::vector<MeshArray>& arrays, const ch
         std::vector<T> converted(count);
         std::transform(values, values + count, converted.begin(),
           [](Value value) { return static_cast<T>(value); });
-        pointer = mesh.Keep(std::move(converted));
+        pointer = mesh.Store(std::move(converted));
       }
     });
 }
@@ -65,7 +65,7 @@ const MeshArray* FindArray(const std::vector<MeshArray>& arrays, const std::stri
   return FindByName(arrays, name);
 }
 
-void RefuseWithout(const std::string& name)
+void RejectMissing(const std::string& name)
 {
   throw InputError(
     "The mesh has no array " + name + ". A mesh of Volume Fraction To Hex or To Tet is needed.");
@@ -76,7 +76,7 @@ const MeshArray& GetArray(const std::vector<MeshArray>& arrays, const std::strin
   const MeshArray* array = FindArray(arrays, name);
   if (!array)
   {
-    RefuseWithout(name);
+    RejectMissing(name);
   }
   return *array;
 }

@@ -58,7 +58,7 @@ struct StoredMesh
 
   /// Keeps the values and returns a view of them.
   template <class T>
-  const T* Keep(std::vector<T> values)
+  const T* Store(std::vector<T> values)
   {
     auto kept = std::make_shared<const std::vector<T>>(std::move(values));
     this->Memory.push_back(kept);
@@ -74,14 +74,14 @@ void FindKnownArrays(StoredMesh& mesh);
 const MeshArray* FindArray(const std::vector<MeshArray>& arrays, const std::string& name);
 /// The same; throws InputError without one.
 const MeshArray& GetArray(const std::vector<MeshArray>& arrays, const std::string& name);
-[[noreturn]] void RefuseWithout(const std::string& name);
+[[noreturn]] void RejectMissing(const std::string& name);
 /// A pointer of MeshData; throws InputError when it is null, though there are elements.
 template <class T>
 const T* Require(const T* values, const char* name, const MeshData& mesh)
 {
   if (!values && mesh.NumberOfElements > 0)
   {
-    RefuseWithout(name);
+    RejectMissing(name);
   }
   return values;
 }

@@ -97,13 +97,13 @@ void AddMaterials(FieldArrays& fields, const MeshReport& report, const Materials
 } // namespace
 
 FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materials& table,
-  const MeshOptions& options, const MendedCells& mended)
+  const MeshOptions& options, const CorrectedCells& corrected)
 {
   FieldArrays fields;
   AddMaterials(fields, report, table, options.MeshVoid, { { "MaterialNames", "MaterialIds" } });
   fields.push_back({ "FragmentTargetVolume", TakeMeshed(report.FragmentTargetVolume, false) });
-  AddCount(fields, "NormalisedCells", mended.Normalised);
-  AddCount(fields, "ClippedCells", mended.Clipped);
+  AddCount(fields, "NormalisedCells", corrected.Normalised);
+  AddCount(fields, "ClippedCells", corrected.Clipped);
   AddCount(fields, "RemovedRegions", report.RemovedRegions);
   AddCount(fields, "RemovedCells", report.RemovedCells);
   AddCount(fields, "ChosenCells", report.ChosenCells);
@@ -200,7 +200,7 @@ FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame)
 
 std::string DescribeLostMaterials(const MeshReport& report, const Materials& table)
 {
-  constexpr std::size_t MostNames = 20;
+  constexpr std::size_t MaximumNames = 20;
   std::vector<std::string> lost;
   for (std::size_t m = 1; m < report.TargetVolume.size(); ++m)
   {
@@ -210,13 +210,13 @@ std::string DescribeLostMaterials(const MeshReport& report, const Materials& tab
     }
   }
   std::string list;
-  for (std::size_t l = 0; l < std::min(lost.size(), MostNames); ++l)
+  for (std::size_t l = 0; l < std::min(lost.size(), MaximumNames); ++l)
   {
     list += (l > 0 ? ", " : "") + lost[l];
   }
-  if (lost.size() > MostNames)
+  if (lost.size() > MaximumNames)
   {
-    list += " and " + std::to_string(lost.size() - MostNames) + " more";
+    list += " and " + std::to_string(lost.size() - MaximumNames) + " more";
   }
   return lost.empty()
     ? ""

@@ -23,7 +23,7 @@ using FieldArrays = std::vector<FieldArray>;
 /// Of tetrahedra also RefusedParts, and MinimumDihedralAngle, MaximumDihedralAngle, DihedralAngles if computed.
 /// mesh: tells the kind of its elements, its arrays may be gone.
 FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materials& table,
-  const MeshOptions& options, const MendedCells& mended);
+  const MeshOptions& options, const CorrectedCells& corrected);
 
 /// Columns with a row a material, void only when meshed: Name, MaterialId, TargetVolume, MeshVolume (length units cubed), VolumeError,
 /// Elements, Fragments, and MinimumScaledJacobian, MeanScaledJacobian if computed (0 without an element).

@@ -48,7 +48,7 @@ std::vector<int> FindMaterials(const MeshData& mesh, Ranks& ranks)
         throw InputError("MaterialId " + std::to_string(*mine.begin()) + " is negative.");
       }
     });
-  return Unite(ranks, std::vector<int>(mine.begin(), mine.end()));
+  return UnionOverRanks(ranks, std::vector<int>(mine.begin(), mine.end()));
 }
 
 int FindVoidId(const MeshData& mesh, Ranks& ranks)

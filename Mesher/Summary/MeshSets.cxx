@@ -67,14 +67,14 @@ std::vector<int> NumberSides(
 
 /// The keys of all ranks. Collective.
 template <class Map>
-auto UniteKeys(Ranks& ranks, const Map& map)
+auto UnionOfKeys(Ranks& ranks, const Map& map)
 {
   std::vector<std::decay_t<decltype(map.begin()->first)>> list;
   for (const auto& entry : map)
   {
     list.push_back(entry.first);
   }
-  return Unite(ranks, std::move(list));
+  return UnionOverRanks(ranks, std::move(list));
 }
 
 /// Collective: the side sets of the sides of the domain, of pairs, and of the smooth sides of these.
@@ -99,21 +99,21 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
     }
   }
   std::vector<SideSet> sets;
-  for (int side : UniteKeys(ranks, ofDomain))
+  for (int side : UnionOfKeys(ranks, ofDomain))
   {
     sets.push_back({ side + 1, SideNames[side], 0, std::move(ofDomain[side]) });
   }
   const std::map<int, std::string> names = NamesOfMaterials(mesh);
   const auto nameOf = [&names](int first, int second)
   { return NameOfMaterial(names, first) + "_to_" + NameOfMaterial(names, second); };
-  const std::vector<Pair> pairs = UniteKeys(ranks, ofPairs);
+  const std::vector<Pair> pairs = UnionOfKeys(ranks, ofPairs);
   const bool hasVoid = !pairs.empty() && pairs.front()[0] == 0;
   const std::vector<int> ids = NumberPairs(pairs, hasVoid ? FindVoidId(mesh, ranks) : 0);
   for (std::size_t p = 0; p < pairs.size(); ++p)
   {
     sets.push_back({ ids[p], nameOf(pairs[p][0], pairs[p][1]), 0, std::move(ofPairs[pairs[p]]) });
   }
-  const std::vector<PairSide> sides = UniteKeys(ranks, ofSides);
+  const std::vector<PairSide> sides = UnionOfKeys(ranks, ofSides);
   std::vector<int> pairIds;
   for (const PairSide& side : sides)
   {
@@ -152,7 +152,7 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
       }
     }
   }
-  return Unite(ranks, std::move(rims));
+  return UnionOverRanks(ranks, std::move(rims));
 }
 
 /// Collective: the node sets of the sides of the domain and of smooth sides.

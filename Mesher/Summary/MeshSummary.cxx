@@ -96,7 +96,7 @@ std::vector<PartSums> SumParts(const MeshData& mesh, const std::vector<ElementMo
 }
 
 /// Over all ranks; points are those of each part.
-std::vector<PartSummary> UniteParts(
+std::vector<PartSummary> MergeParts(
   const std::vector<PartSums>& parts, const std::vector<Index>& points, double unit, Ranks& ranks)
 {
   std::vector<std::int64_t> elements;
@@ -132,7 +132,7 @@ std::vector<PartSummary> SummariseParts(const MeshData& mesh,
   const std::vector<ElementMoments>& moments, const std::vector<int>& partOf,
   std::size_t numberOfParts, double unit, Ranks& ranks)
 {
-  return UniteParts(SumParts(mesh, moments, partOf, numberOfParts, unit),
+  return MergeParts(SumParts(mesh, moments, partOf, numberOfParts, unit),
     CountPoints(mesh, partOf, numberOfParts, ranks), unit, ranks);
 }
 

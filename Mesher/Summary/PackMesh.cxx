@@ -36,7 +36,7 @@ std::vector<MeshArray> TakeArrays(Index tuples, Unpacker& unpacker, StoredMesh& 
     unpacker.TakeTo(array.ComponentNames);
     if (tuples > 0)
     {
-      array.Values = mesh.Keep(unpacker.TakeMany<char>(SizeOf(array, tuples)));
+      array.Values = mesh.Store(unpacker.TakeMany<char>(SizeOf(array, tuples)));
     }
   }
   return arrays;
@@ -120,8 +120,8 @@ StoredMesh UnpackMesh(const Bytes& bytes)
   unpacker.TakeTo(data.Corners);
   unpacker.TakeTo(data.NumberOfPoints);
   unpacker.TakeTo(data.NumberOfElements);
-  data.Points = mesh.Keep(unpacker.TakeMany<double>(3 * data.NumberOfPoints));
-  data.Elements = mesh.Keep(unpacker.TakeMany<Index>(data.Corners * data.NumberOfElements));
+  data.Points = mesh.Store(unpacker.TakeMany<double>(3 * data.NumberOfPoints));
+  data.Elements = mesh.Store(unpacker.TakeMany<Index>(data.Corners * data.NumberOfElements));
   data.PointArrays = TakeArrays(data.NumberOfPoints, unpacker, mesh);
   data.ElementArrays = TakeArrays(data.NumberOfElements, unpacker, mesh);
   data.Fields = TakeFields(unpacker);

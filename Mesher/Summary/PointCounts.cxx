@@ -28,7 +28,7 @@ std::vector<PartPoint> FindOwnPoints(const MeshData& mesh, const std::vector<int
 }
 
 /// The points whose ids are this rank's to count.
-std::vector<PartPoint> DealPoints(const std::vector<PartPoint>& own, Ranks& ranks)
+std::vector<PartPoint> DistributePoints(const std::vector<PartPoint>& own, Ranks& ranks)
 {
   std::vector<std::vector<PartPoint>> shares(ranks.Count());
   for (const PartPoint& point : own)
@@ -46,7 +46,7 @@ std::vector<Index> CountPoints(
   const MeshData& mesh, const std::vector<int>& partOf, std::size_t numberOfParts, Ranks& ranks)
 {
   std::vector<std::int64_t> counts(numberOfParts, 0);
-  for (const PartPoint& point : DealPoints(FindOwnPoints(mesh, partOf), ranks))
+  for (const PartPoint& point : DistributePoints(FindOwnPoints(mesh, partOf), ranks))
   {
     ++counts[point[0]];
   }

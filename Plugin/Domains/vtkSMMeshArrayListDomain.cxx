@@ -108,9 +108,9 @@ int vtkSMMeshArrayListDomain::SetDefaultValues(vtkSMProperty* property, bool use
       association = this->GetDomainAssociation(i);
     }
   }
-  const vfm::MaterialGuess wanted =
+  const vfm::MaterialGuess requested =
     this->Role == "labels" ? vfm::MaterialGuess::Labels : vfm::MaterialGuess::Fraction;
-  if (candidates == 1 && found == wanted)
+  if (candidates == 1 && found == requested)
   {
     vtkSMPropertyHelper helper(property);
     helper.SetUseUnchecked(useUnchecked);

@@ -104,7 +104,7 @@ TimedMesh MakeTimed(
   return timed;
 }
 
-double SecondsOfCreases(const MeshReport& report)
+double SecondsOfFeatures(const MeshReport& report)
 {
   double seconds = 0.0;
   for (const MeshReport::Stage& stage : report.Stages)
@@ -157,7 +157,7 @@ void PrintTable(const Method& method, const std::vector<SharpEdges>& modes, cons
         static_cast<long long>(timed.Report.NumberOfSurfaces),
         static_cast<long long>(timed.Report.NumberOfCurves),
         static_cast<long long>(timed.Report.NumberOfVertices), timed.Seconds,
-        SecondsOfCreases(timed.Report));
+        SecondsOfFeatures(timed.Report));
       std::fflush(stdout);
     }
   }
@@ -260,7 +260,7 @@ void PrintControls(const Method& method, const std::vector<SharpEdges>& modes, c
         NameOf(modes[m]), FormatQuality(meshes[m]).c_str(),
         FormatCarriers(meshes[m].Report).c_str(), off.Result.PointIds.size(),
         static_cast<long long>(moved.Any), static_cast<long long>(moved.Far), seconds[m],
-        SecondsOfCreases(meshes[m].Report), seconds[m] / seconds.back());
+        SecondsOfFeatures(meshes[m].Report), seconds[m] / seconds.back());
       std::fflush(stdout);
     }
   }

@@ -202,19 +202,19 @@ void Print(const std::string& name, int threads, int ranks, const Outcome& o)
 
 int main(int argc, char** argv)
 {
-  const std::string wanted = argc > 1 ? argv[1] : "all";
+  const std::string requested = argc > 1 ? argv[1] : "all";
   const auto argument = [&](int a, int otherwise)
   { return argc > a ? std::max(1, std::atoi(argv[a])) : otherwise; };
   const int runs = argument(2, 3), threads = argument(3, 1), ranks = argument(4, 1);
   bool isKnown = false;
   for (const SpeedCase& what : ListCases())
   {
-    if (wanted == "list")
+    if (requested == "list")
     {
       std::printf("%s\n", what.Name.c_str());
       isKnown = true;
     }
-    else if (wanted == "all" || wanted == what.Name)
+    else if (requested == "all" || requested == what.Name)
     {
       std::printf("%s", isKnown ? "" : Header);
       isKnown = true;
@@ -223,7 +223,7 @@ int main(int argc, char** argv)
   }
   if (!isKnown)
   {
-    std::fprintf(stderr, "Speed: there is no case %s\n", wanted.c_str());
+    std::fprintf(stderr, "Speed: there is no case %s\n", requested.c_str());
   }
   return isKnown ? 0 : 1;
 }

@@ -1,4 +1,4 @@
-"""The documents agree with the tree: links, names of files, commands and tests, the table of properties, the rooms of Grid."""
+"""The documents agree with the tree: links, names of files, commands and tests, the table of properties, the modules of Grid."""
 import fnmatch
 import glob
 import os
@@ -46,7 +46,7 @@ def stems(folder):
     return {os.path.splitext(name)[0] for name in os.listdir(os.path.join(ROOT, folder)) if name.endswith((".h", ".cxx"))}
 
 
-def rooms():
+def modules():
     return [top + "/" + name for top in ("Grid", "Mesher") for name in os.listdir(os.path.join(ROOT, top))
             if os.path.isdir(os.path.join(ROOT, top, name))]
 
@@ -97,16 +97,16 @@ class Documents(unittest.TestCase):
 
     def test_every_file_of_grid_is_named(self):
         named = set(QUOTED.findall(read("Documentation/architecture.md")))
-        folders = ["Grid", "Mesher", "Shapes"] + rooms()
+        folders = ["Grid", "Mesher", "Shapes"] + modules()
         self.assertIn("Grid/Tet", folders)
         self.check(["%s/%s is in no table" % (folder, stem) for folder in folders for stem in sorted(stems(folder) - named)])
 
     def test_tables_name_no_other_file(self):
         page = read("Documentation/architecture.md")
-        tables = page[page.index("## Rooms of Grid"):page.index("## The stages")]
+        tables = page[page.index("## Modules of Grid"):page.index("## The stages")]
         cells = [line.split("|")[1] for line in tables.splitlines() if line.startswith("| `")]
         self.assertGreater(len(cells), 20)
-        known = set().union(*map(stems, ["Grid", "Mesher", "Shapes"] + rooms()))
+        known = set().union(*map(stems, ["Grid", "Mesher", "Shapes"] + modules()))
         self.check(sorted(set(QUOTED.findall(" ".join(cells))) - known))
 
     def test_programs_and_tests_exist(self):

@@ -15,8 +15,8 @@ namespace testing
 namespace
 {
 
-constexpr double LeastWork = 6.0, MostWork = 3000.0; // finest cells, about, and ranks count
-constexpr int MostCells = 12;                        // along an axis, of the base
+constexpr double LeastWork = 6.0, MaximumWork = 3000.0; // finest cells, about, and ranks count
+constexpr int MaximumCells = 12;                        // along an axis, of the base
 
 std::string ToText(double value)
 {
@@ -36,12 +36,12 @@ struct Extent
 Index3 DrawSize(const Extent& extent, RandomDraw& draw)
 {
   const double work =
-    draw.Scale(LeastWork, MostWork) / ((1 << 2 * extent.Refinements) * (1 + extent.Ranks));
+    draw.Scale(LeastWork, MaximumWork) / ((1 << 2 * extent.Refinements) * (1 + extent.Ranks));
   Index3 cells;
   double product = 1.0;
   for (Index& n : cells)
   {
-    n = draw.Whole(1, MostCells);
+    n = draw.Whole(1, MaximumCells);
     product *= static_cast<double>(n);
   }
   while (product > std::max(work, 1.0))
@@ -153,25 +153,25 @@ RefinementCriteria DrawCriteria(const CartesianGrid& grid, int most, RandomDraw&
 }
 
 /// Halves the cells, as often as they ask for it, and keeps where they did.
-void RefineWhereAsked(const Extent& extent, RandomDraw& draw, FuzzCase& c)
+void RefineWhereRequested(const Extent& extent, RandomDraw& draw, FuzzCase& c)
 {
   Runtime runtime;
   LevelPlan& plan = c.Options.Levels;
   const Partition partition(c.Grid, runtime.Group());
-  const RefinementWishes wishes = FindRefinement(c.Grid, c.Fractions,
+  const RefinementRequests requests = FindRefinement(c.Grid, c.Fractions,
     DrawCriteria(c.Grid, extent.Refinements, draw), c.Options.IsoValue, partition, runtime);
-  plan.Refinements = wishes.Refinements;
+  plan.Refinements = requests.Refinements;
   plan.Families =
-    FindWantedFamilies(OctreeKeys(c.Grid, wishes.Refinements), wishes, draw.Whole(0, 1));
+    FindRequestedFamilies(OctreeKeys(c.Grid, requests.Refinements), requests, draw.Whole(0, 1));
   const ChildRule rule = draw.Pick({ ChildRule::Planes, ChildRule::Parent });
-  for (int step = 0; step < wishes.Refinements; ++step)
+  for (int step = 0; step < requests.Refinements; ++step)
   {
     RefinedCells refined = RefineCells(c.Grid, c.Fractions, runtime, rule);
     c.Grid = std::move(refined.Grid);
     c.Fractions = std::move(refined.Fractions);
   }
-  c.Words += ", " + std::to_string(wishes.Refinements) + " refinements where asked, " +
-    std::to_string(wishes.ChosenCells) + " chosen";
+  c.Words += ", " + std::to_string(requests.Refinements) + " refinements where asked, " +
+    std::to_string(requests.ChosenCells) + " chosen";
 }
 
 void DrawFamilies(const Extent& extent, RandomDraw& draw, FuzzCase& c)
@@ -247,7 +247,7 @@ FuzzCase MakeFuzzCase(unsigned seed)
   if (extent.Refinements > 0)
   {
     DrawPlan(draw, c);
-    isAsked ? RefineWhereAsked(extent, draw, c) : DrawFamilies(extent, draw, c);
+    isAsked ? RefineWhereRequested(extent, draw, c) : DrawFamilies(extent, draw, c);
   }
   if (extent.Ranks > 1)
   {

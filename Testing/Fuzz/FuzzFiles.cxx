@@ -124,9 +124,9 @@ std::string FindProblem(const ApartResult& result)
     return result.Failure;
   }
   const std::string& text = result.Text;
-  const bool isRefused =
+  const bool isRejected =
     (text.compare(0, 9, "refused: ") == 0 && text.size() > 20) || text == LacksMemory;
-  if (text != "meshed" && !isRefused)
+  if (text != "meshed" && !isRejected)
   {
     return text;
   }

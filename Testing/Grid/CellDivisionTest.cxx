@@ -124,7 +124,7 @@ double FindLargestLoss(const CartesianGrid& grid, const FractionField& field,
 
 } // namespace
 
-TEST(CellDivision, CutsIntoTheFewestPartsThatServe)
+TEST(CellDivision, CutsIntoTheFewestPartsThatSuffice)
 {
   const auto parts = [](const Vector3& widths, double ratio) {
     return DivideLongCells(MakeCells({ { 2, 3, 4 } }, widths), ratio).Parts({ { 1, 1, 1 } });
@@ -155,7 +155,7 @@ TEST(CellDivision, CutsIntoTheFewestPartsThatServe)
   }
 }
 
-TEST(CellDivision, CutsLongLayersAlone)
+TEST(CellDivision, CutsOnlyLongLayers)
 {
   Coordinates x = MakeCells({ { 4, 4, 5 } }, { { 1.0, 1.0, 1.0 } });
   x[2] = { 0.0, 1.0, 2.0, 6.0, 7.2, 9.2 };

@@ -220,7 +220,7 @@ class FaultTest : public ::testing::TestWithParam<FaultCase>
 
 } // namespace
 
-TEST_P(FaultTest, AllRanksTellTheSame)
+TEST_P(FaultTest, AllRanksReportTheSame)
 {
   const Work work = this->GetParam().Make();
   const Outcome good = RunWith(work, { -1, 0, FaultKind::Once })[1];

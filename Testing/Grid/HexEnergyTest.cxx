@@ -200,7 +200,7 @@ TEST(HexEnergyTest, NearlyInvertedCornersAreComputedInDoubles)
   }
 }
 
-TEST(HexEnergyTest, InvertedCornersAreRefused)
+TEST(HexEnergyTest, InvertedCornersAreRejected)
 {
   const ActiveMesh mesh = MakeStar(0.0, 1, { Cube });
   const SmoothingStage stage{ 1, 1.0, 0.1, 1, 0.0 };

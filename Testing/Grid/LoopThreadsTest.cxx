@@ -61,7 +61,7 @@ TEST(LoopThreads, DoEachItemOnce)
   }
 }
 
-TEST(LoopThreads, ShareLongLoopsAlone)
+TEST(LoopThreads, ShareOnlyLongLoops)
 {
   LoopThreads threads;
   std::mutex lock;

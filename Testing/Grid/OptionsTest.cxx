@@ -158,7 +158,7 @@ TEST(Options, IsoValueMovesTheSurface)
   EXPECT_LT(volumes[2], 0.95 * volumes[1]);
 }
 
-TEST(Options, OutOfRangeIsRefused)
+TEST(Options, OutOfRangeIsRejected)
 {
   const MeshCase c = MakeMeshCase("sphere 8");
   MeshOptions iso, target;

@@ -393,7 +393,7 @@ TEST(Overlaps, LargeOffsetsCostNoDigits)
   }
 }
 
-TEST(Overlaps, WhatIsBesideGoesToTheRim)
+TEST(Overlaps, AdjacentMaterialGoesToTheRim)
 {
   ElementList list(4);
   list.Add({ { { -1.5, 0.2, 0.2 } }, { { 0.5, 0.2, 0.2 } }, { { -1.5, 0.9, 0.2 } },

@@ -122,7 +122,7 @@ TEST(PagedArray, HoldsWhatAVectorHolds)
   }
 }
 
-TEST(PagedArray, KeepsValuesThatAreAlikeOnce)
+TEST(PagedArray, StoresEqualValuesOnce)
 {
   const CartesianGrid grid = MakeUnitGrid(254, 40, 40);
   const std::size_t dense = grid.NumberOfEntries() * sizeof(int);

@@ -99,7 +99,7 @@ private:
         points[this->Grid.Linear(node)] = static_cast<Index>(ids.size());
         ids.push_back(this->Grid.NodeKey(node) * HexIds.PointSlots + 1);
         places.push_back(body.Place({ { 1.0 * node[0], 1.0 * node[1], 1.0 * node[2] } }));
-        this->Kinds.push_back(body.IsEdge(node) ? CreaseKind::Edge : CreaseKind::None);
+        this->Kinds.push_back(body.IsEdge(node) ? FeatureKind::Edge : FeatureKind::None);
       });
     this->Result.PointIds = Buffer<Index>(ids.size());
     this->Result.GeometryId = Buffer<int>(ids.size(), 1);
@@ -115,7 +115,7 @@ private:
   const Partition Parts;
   Mesh Result;
   std::vector<Facet> Facets;
-  std::vector<CreaseKind> Kinds;
+  std::vector<FeatureKind> Kinds;
 };
 
 /// Of one process; expects the same of 2, 3 and 8.
@@ -272,7 +272,7 @@ TEST(SmoothSides, AnInterfaceOfTwoPieces)
 }
 
 /// A point that carriers enclose is of the side around it.
-TEST(SmoothSides, SliversJoinTheSideBesideThem)
+TEST(SmoothSides, SliversJoinTheAdjacentSide)
 {
   const auto isEdge = [](const Index3& node)
   {

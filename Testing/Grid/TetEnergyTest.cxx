@@ -484,7 +484,7 @@ TEST(TetEnergy, IsInDoublesWhereFloatsDoNot)
   ActiveMesh fan;
   fan.Corners = 4;
   fan.X = { { { 0.0, 0.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } };
-  const int count = TetStars::MostNeighbours;
+  const int count = TetStars::MaximumNeighbours;
   for (int i = 0; i < count; ++i)
   {
     const double angle = 2.0 * Pi * i / count;

@@ -425,7 +425,7 @@ TEST(TetGenFill, UnusedPointsStay)
 namespace
 {
 
-void ExpectRefused(const char* name, const TetGenPart& part)
+void ExpectRejected(const char* name, const TetGenPart& part)
 {
   const TetGenFill fill = Fill(part, Constant(0.5));
   std::printf("%s: %s\n", name, fill.Refusal.c_str());
@@ -441,25 +441,25 @@ TEST(TetGenFill, RefusesNumbers)
 {
   const TetGenPart cube = Cube(2);
   TetGenPart part;
-  ExpectRefused("empty", part);
+  ExpectRejected("empty", part);
   part.Points = cube.Points;
-  ExpectRefused("no triangles", part);
+  ExpectRejected("no triangles", part);
   for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), 1e308 })
   {
     part = cube;
     part.Points[3][1] = bad;
     part.Points[4][1] = -bad;
-    ExpectRefused("not finite", part);
+    ExpectRejected("not finite", part);
   }
   for (const int bad : { -1, 26, std::numeric_limits<int>::max() })
   {
     part = cube;
     part.Triangles[5][1] = bad;
-    ExpectRefused("index", part);
+    ExpectRejected("index", part);
   }
   part = cube;
   part.Triangles[5][1] = part.Triangles[5][0];
-  ExpectRefused("corner twice", part);
+  ExpectRejected("corner twice", part);
 }
 
 TEST(TetGenFill, RefusesShapes)
@@ -470,26 +470,26 @@ TEST(TetGenFill, RefusesShapes)
   {
     p[2] = 1.0;
   }
-  ExpectRefused("flat", part);
+  ExpectRejected("flat", part);
   for (Vector3& p : part.Points)
   {
     p[2] = p[0] + p[1];
   }
-  ExpectRefused("flat and tilted", part);
+  ExpectRejected("flat and tilted", part);
   part = cube;
   part.Triangles.pop_back();
-  ExpectRefused("open", part);
+  ExpectRejected("open", part);
   part = cube;
   std::swap(part.Triangles[0][0], part.Triangles[0][1]);
-  ExpectRefused("one turned", part);
+  ExpectRejected("one turned", part);
   part = TetGenPart();
   Append(part, cube, true);
-  ExpectRefused("all turned", part);
+  ExpectRejected("all turned", part);
   part = cube;
   part.Triangles.insert(part.Triangles.end(), cube.Triangles.begin(), cube.Triangles.end());
-  ExpectRefused("duplicate triangles", part);
+  ExpectRejected("duplicate triangles", part);
   Append(part = cube, cube, false);
-  ExpectRefused("duplicate points", part);
+  ExpectRejected("duplicate points", part);
 }
 
 TEST(TetGenFill, RefusesCrossings)
@@ -504,11 +504,11 @@ TEST(TetGenFill, RefusesCrossings)
       p = 0.9 * p + Vector3{ { 0.3, 0.4, 0.2 + 0.05 * i } };
     }
     Append(part, second, i % 2 == 1);
-    ExpectRefused("two crossing", part);
+    ExpectRejected("two crossing", part);
   }
   TetGenPart part = cube;
   Append(part, Ball(1, 0.6, { { 0.5, 0.5, 0.5 } }), true);
-  ExpectRefused("hole through the surface", part);
+  ExpectRejected("hole through the surface", part);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> shift(-0.2, 0.2);
   for (int i = 0; i < 20; ++i)

@@ -65,7 +65,7 @@ void WithMesh(int count, MeshMaker make, const Work& work)
       MeshReport report;
       const Mesh mesh =
         make(grid, CopyToLocal(whole.Grid, whole.Fractions, grid), {}, runtime, report);
-      MeshData data = ViewMesh(mesh, CarriedState(), ListDomain(whole.Grid, ImageFrame()));
+      MeshData data = ViewMesh(mesh, OutputState(), ListDomain(whole.Grid, ImageFrame()));
       data.Fields.push_back(
         { "MaterialNames", std::vector<std::string>{ "one", "\"two\" & <more>", "three" } });
       data.Fields.push_back({ "MaterialIds", std::vector<int>{ 1, 2, 3 } });

@@ -73,7 +73,7 @@ TEST(AllBlocks, CellsBelowFinerOnesAreHidden)
   EXPECT_EQ(host.Right[0], 0); // the host's memory is as it was
 }
 
-TEST(AllBlocks, OneLevelIsTheHostsMemoryAlone)
+TEST(AllBlocks, OneLevelIsOnlyTheHostsMemory)
 {
   const Host host;
   HostGrid grid = host.Describe();

@@ -11,16 +11,16 @@ namespace testing
 namespace
 {
 
-int OwnerOf(int block, int blocks, Deal deal)
+int OwnerOf(int block, int blocks, Distribute distribution)
 {
   const int ranks = NumberOfRanks();
-  switch (deal)
+  switch (distribution)
   {
-    case Deal::InTurn:
+    case Distribute::InTurn:
       return block % ranks;
-    case Deal::InTurnButToTheLast:
+    case Distribute::InTurnButToTheLast:
       return block % std::max(ranks - 1, 1);
-    case Deal::FromBehind:
+    case Distribute::FromBehind:
       return (blocks - 1 - block) * ranks / blocks;
     default:
       return ranks - 1;
@@ -39,12 +39,13 @@ Host::~Host()
   EXPECT_EQ(sculptor_delete(this->Sculptor), SCULPTOR_OK);
 }
 
-void Host::Deal(const std::vector<Place>& places, const Vector3& spacing, vfm::testing::Deal deal)
+void Host::Distribute(
+  const std::vector<Place>& places, const Vector3& spacing, vfm::testing::Distribute distribution)
 {
   this->Blocks.clear();
   for (std::size_t b = 0; b < places.size(); ++b)
   {
-    if (OwnerOf(static_cast<int>(b), static_cast<int>(places.size()), deal) == MyRank())
+    if (OwnerOf(static_cast<int>(b), static_cast<int>(places.size()), distribution) == MyRank())
     {
       this->Blocks.emplace_back(places[b].Level, places[b].Cells, spacing);
     }

@@ -17,7 +17,7 @@ namespace testing
 /// Widths of cells of level 0: that are exact in binary, and that are not.
 constexpr Vector3 Binary{ { 0.125, 0.25, 0.125 } }, Decimal{ { 0.1, 0.125, 0.11 } };
 
-enum class Deal
+enum class Distribute
 {
   InTurn,
   InTurnButToTheLast, ///< which is empty
@@ -35,7 +35,8 @@ public:
   Host& operator=(const Host&) = delete;
 
   /// Fills the blocks of this rank, but does not hand them over. spacing: of level 0.
-  void Deal(const std::vector<Place>& places, const Vector3& spacing, vfm::testing::Deal deal);
+  void Distribute(const std::vector<Place>& places, const Vector3& spacing,
+    vfm::testing::Distribute distribution);
   /// In place of all blocks before. ids: instead of fractions.
   void HandOver(bool ids = false) const;
   /// The digest of the mesh of all ranks.

@@ -161,7 +161,7 @@ int CatalystNodes::Rank, CatalystNodes::Ranks;
 
 constexpr const char* LeftOut = "Script /no/such/script.py cannot be read.";
 
-TEST_F(CatalystNodes, StartTellsScriptsAndCommunicator)
+TEST_F(CatalystNodes, StartReportsScriptsAndCommunicator)
 {
   EXPECT_EQ(Start["catalyst/scripts"].number_of_children(), 1);
   EXPECT_EQ(Start["catalyst/scripts/script0/filename"].as_string(),
@@ -279,8 +279,8 @@ TEST_F(CatalystNodes, EveryBoxFieldAndNumberIsHandedOver)
         EXPECT_TRUE(conduit_cpp::Blueprint::verify("mesh", mesh, info));
         EXPECT_EQ(mesh.name(), "box" + std::to_string(m));
         EXPECT_EQ(mesh["state/fields/Fragments"].to_float64(), 2.0);
-        const bool isMine = m < static_cast<int>(this->Boxes.size());
-        isMine ? ExpectBox(this->Boxes[m], mesh) : ExpectNoCells(mesh);
+        const bool isOwn = m < static_cast<int>(this->Boxes.size());
+        isOwn ? ExpectBox(this->Boxes[m], mesh) : ExpectNoCells(mesh);
       }
       return catalyst_status_ok;
     };
@@ -332,7 +332,7 @@ TEST_F(CatalystNodes, WrongGridsAreNotHandedOver)
 }
 
 /// The last test, since then nothing is handed over any more.
-TEST_F(CatalystNodes, WhatFailsOnOneRankIsToldOnAll)
+TEST_F(CatalystNodes, AFailureOnOneRankIsReportedOnAll)
 {
   const auto look = [](const Node&)
   { return Rank == Ranks - 1 ? static_cast<catalyst_status>(Failed) : catalyst_status_ok; };

@@ -134,7 +134,7 @@ TEST(HostGrid, BlocksOfOtherRanksAreNull)
   }
 }
 
-TEST(HostGrid, TellsWhatIsWrong)
+TEST(HostGrid, ReportsWhatIsWrong)
 {
   ExpectError([](HostGrid& g) { g.Origin[1] = std::numeric_limits<double>::infinity(); },
     "origin of the grid along y is not finite");

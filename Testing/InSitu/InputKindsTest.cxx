@@ -155,12 +155,12 @@ constexpr Kind Kinds[] = { { "blocks of blocks", AsBlocksOfBlocks },
 std::uint64_t DigestOfHost(const std::vector<Place>& places, bool ids = false)
 {
   Host host;
-  host.Deal(places, Binary, Deal::InTurn);
+  host.Distribute(places, Binary, Distribute::InTurn);
   host.HandOver(ids);
   return host.Mesh();
 }
 
-LevelGrids Dealt(const std::vector<Place>& places)
+LevelGrids Distributed(const std::vector<Place>& places)
 {
   return MakeGrids(places, Binary, MyRank(), NumberOfRanks());
 }
@@ -184,7 +184,7 @@ TEST(InputKinds, CompositeDataSets)
     const std::uint64_t expected = DigestOfHost(places);
     for (const Kind& kind : Kinds)
     {
-      EXPECT_EQ(Mesher(kind.Make(Dealt(places))).Digest(), expected) << kind.Name;
+      EXPECT_EQ(Mesher(kind.Make(Distributed(places))).Digest(), expected) << kind.Name;
     }
     const auto overlapping = MakeOverlapping(places, Binary, MyRank(), NumberOfRanks());
     EXPECT_EQ(Mesher(overlapping).Digest(), expected);
@@ -194,7 +194,7 @@ TEST(InputKinds, CompositeDataSets)
 /// Some readers load few levels unless told otherwise.
 TEST(InputKinds, LevelsThatAreNotLoaded)
 {
-  LevelGrids grids = Dealt(NestedPlaces());
+  LevelGrids grids = Distributed(NestedPlaces());
   std::fill(grids[1].begin(), grids[1].end(), nullptr);
   std::fill(grids[2].begin(), grids[2].end(), nullptr);
   const Mesher mesher(AsLevels(grids));
@@ -211,7 +211,7 @@ TEST(InputKinds, ArraysByComponents)
 {
   for (bool ids : { false, true })
   {
-    const LevelGrids grids = Dealt(NestedPlaces());
+    const LevelGrids grids = Distributed(NestedPlaces());
     for (const auto& level : grids)
     {
       for (vtkUniformGrid* grid : level)
@@ -236,7 +236,7 @@ TEST(InputKinds, GhostTypesByComponents)
     { 0, { { { 3, 0, 0 } }, BaseCells } } };
   std::vector<Place> overlapping = places;
   overlapping[1].Cells.Lower[0] -= 1;
-  const LevelGrids grids = Dealt(overlapping);
+  const LevelGrids grids = Distributed(overlapping);
   if (vtkUniformGrid* grid = grids[0][1])
   {
     vtkNew<vtkUnsignedCharArray> types;
@@ -261,7 +261,7 @@ TEST(InputKinds, ArraysThatComputeTheirValues)
     std::array<std::uint64_t, 2> digests{};
     for (bool inMemory : { false, true })
     {
-      const LevelGrids grids = Dealt({ { 0, { { { 0, 0, 0 } }, BaseCells } } });
+      const LevelGrids grids = Distributed({ { 0, { { { 0, 0, 0 } }, BaseCells } } });
       if (vtkUniformGrid* grid = grids[0][0])
       {
         const vtkIdType cells = grid->GetNumberOfCells();

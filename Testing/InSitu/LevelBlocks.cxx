@@ -137,9 +137,9 @@ LevelGrids MakeGrids(const std::vector<Place>& places, const Vector3& spacing, i
   for (const Place& place : places)
   {
     grids.resize(std::max<std::size_t>(grids.size(), place.Level + 1));
-    const bool isMine = number++ % ranks == rank;
+    const bool isOwn = number++ % ranks == rank;
     grids[place.Level].push_back(
-      isMine ? MakeUniformGrid(LevelBlock(place.Level, place.Cells, spacing)) : nullptr);
+      isOwn ? MakeUniformGrid(LevelBlock(place.Level, place.Cells, spacing)) : nullptr);
   }
   return grids;
 }

@@ -17,14 +17,14 @@ class SculptorBlockErrors : public ::testing::Test
 protected:
   void SetUp() override
   {
-    this->Good.Deal(NestedPlaces(), Binary, Deal::ToTheLast);
+    this->Good.Distribute(NestedPlaces(), Binary, Distribute::ToTheLast);
     ASSERT_EQ(sculptor_set_option(this->Bad.Sculptor, "StairStep", "1"), SCULPTOR_OK);
   }
 
   /// With the blocks as changed.
   void Expect(int code, const std::string& words, const std::function<void(Host&)>& change)
   {
-    this->Bad.Deal(NestedPlaces(), Binary, Deal::ToTheLast);
+    this->Bad.Distribute(NestedPlaces(), Binary, Distribute::ToTheLast);
     change(this->Bad);
     this->Bad.HandOver();
     this->Bad.ExpectError(code, words);
@@ -96,7 +96,7 @@ TEST_F(SculptorBlockErrors, Gap)
     {
       if (!host.Blocks.empty())
       {
-        host.Deal(LeafPlaces(), Binary, Deal::ToTheLast);
+        host.Distribute(LeafPlaces(), Binary, Distribute::ToTheLast);
         host.Blocks.erase(host.Blocks.begin());
         host.Blocks.emplace_back(0, IndexBox{ { { 0, 0, 0 } }, { { 2, 4, 4 } } }, Binary);
       }
@@ -120,7 +120,7 @@ TEST_F(SculptorBlockErrors, FieldsBeforeTheFirstBlock)
 TEST_F(SculptorBlockErrors, NamesThatDiffer)
 {
   const int s = this->Bad.Sculptor;
-  this->Bad.Deal(NestedPlaces(), Binary, Deal::InTurn);
+  this->Bad.Distribute(NestedPlaces(), Binary, Distribute::InTurn);
   this->Bad.HandOver();
   if (!this->Bad.Blocks.empty() && this->IsLast)
   {
@@ -140,7 +140,7 @@ TEST_F(SculptorBlockErrors, NamesThatDifferBetweenRanks)
   {
     GTEST_SKIP() << "needs two ranks";
   }
-  this->Bad.Deal(NestedPlaces(), Binary, Deal::InTurn);
+  this->Bad.Distribute(NestedPlaces(), Binary, Distribute::InTurn);
   this->Bad.HandOver(MyRank() == 1);
   this->Bad.ExpectError(SCULPTOR_ERROR_ARGUMENT,
     "do not agree: rank 1 has material ids, states 'velocity' (3); others have materials");
@@ -149,7 +149,7 @@ TEST_F(SculptorBlockErrors, NamesThatDifferBetweenRanks)
 TEST_F(SculptorBlockErrors, Neighbours)
 {
   const int none[6] = { -1, -1, -1, -1, -1, -1 };
-  this->Bad.Deal(NestedPlaces(), Binary, Deal::ToTheLast);
+  this->Bad.Distribute(NestedPlaces(), Binary, Distribute::ToTheLast);
   this->Bad.HandOver();
   sculptor_set_neighbours(this->Bad.Sculptor, this->IsLast ? none : nullptr);
   this->Bad.ExpectError(

@@ -96,11 +96,14 @@ TEST_P(SculptorBlocks, AreThoseOfTheFilter)
     ASSERT_EQ(
       sculptor_set_option(host.Sculptor, option.first.c_str(), option.second.c_str()), SCULPTOR_OK);
   }
-  for (Deal deal : { Deal::InTurn, Deal::InTurnButToTheLast, Deal::FromBehind, Deal::ToTheLast })
+  for (Distribute distribution : { Distribute::InTurn, Distribute::InTurnButToTheLast,
+         Distribute::FromBehind, Distribute::ToTheLast })
   {
-    host.Deal(deal == Deal::FromBehind ? CutPlaces() : NestedPlaces(), Decimal, deal);
+    host.Distribute(
+      distribution == Distribute::FromBehind ? CutPlaces() : NestedPlaces(), Decimal, distribution);
     host.HandOver(kind.Ids);
-    EXPECT_EQ(host.Mesh(kind.Tets), expected) << kind.Name << ", deal " << static_cast<int>(deal);
+    EXPECT_EQ(host.Mesh(kind.Tets), expected)
+      << kind.Name << ", deal " << static_cast<int>(distribution);
   }
   if (MyRank() == 0)
   {
@@ -114,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, SculptorBlocks, ::testing::Range(0, 5));
 TEST(SculptorBlocks, SeveralOfLevelZero)
 {
   Host host;
-  host.Deal(CutPlaces(), Binary, Deal::InTurn);
+  host.Distribute(CutPlaces(), Binary, Distribute::InTurn);
   host.HandOver();
   EXPECT_EQ(host.Mesh(), DigestOfFilter(Kinds()[0], CutPlaces(), Binary));
 }
@@ -125,7 +128,7 @@ TEST(SculptorBlocks, GridsThatChange)
   Host host;
   for (const std::vector<Place>& places : { NestedPlaces(), LeafPlaces(), NestedPlaces() })
   {
-    host.Deal(places, Binary, Deal::InTurn);
+    host.Distribute(places, Binary, Distribute::InTurn);
     host.HandOver();
     EXPECT_EQ(host.Mesh(), DigestOfFilter(Kinds()[0], places, Binary));
   }
@@ -155,7 +158,7 @@ TEST(SculptorBlocks, OneBoxInstead)
   };
   Host fresh, host;
   const std::uint64_t expected = mesh(fresh);
-  host.Deal(NestedPlaces(), Binary, Deal::InTurn);
+  host.Distribute(NestedPlaces(), Binary, Distribute::InTurn);
   host.HandOver();
   const std::uint64_t blocks = host.Mesh();
   EXPECT_EQ(mesh(host), expected);

@@ -67,7 +67,7 @@ protected:
 
 } // namespace
 
-TEST_F(SculptorChosenCells, OfTheNextMeshAlone)
+TEST_F(SculptorChosenCells, OnlyOfTheNextMesh)
 {
   const double plain = this->MeshByReport(0);
   EXPECT_EQ(this->Number("ChosenCells"), 0.0);

@@ -176,7 +176,7 @@ TEST_F(SculptorState, SumsAreThoseOfTheCells)
     "The mesh has no state of nodes named 'velocity'.");
 }
 
-TEST_F(SculptorState, WrongNamesAreToldOnAllRanks)
+TEST_F(SculptorState, WrongNamesAreReportedOnAllRanks)
 {
   ASSERT_EQ(this->Set("DensityArrays", "weight"), SCULPTOR_OK);
   this->HandOver();

@@ -128,7 +128,7 @@ TEST(FindNeighbours, ReachOverThinBoxes)
     });
 }
 
-TEST(FindNeighbours, WrongNeighboursAreRefusedOnEveryRank)
+TEST(FindNeighbours, WrongNeighboursAreRejectedOnEveryRank)
 {
   for (const std::string& message : MessagesWith(5, 1, 99))
   {

@@ -69,7 +69,7 @@ Report MakeReport(
       MeshReport measured;
       const Mesh mesh =
         MakeHexMesh(grid, CopyToLocal(whole, field, grid), MeshOptions(), runtime, measured);
-      const MeshData data = ViewMesh(mesh, CarriedState(), ListDomain(whole, ImageFrame()));
+      const MeshData data = ViewMesh(mesh, OutputState(), ListDomain(whole, ImageFrame()));
       const StoredMesh gathered = GatherMesh(data, ranks);
       const FieldArrays fragments = MakeFragmentTable(data, {}, ranks);
       const MeshSets sets = FindMeshSets(OrderMesh(data, ranks).Data, ranks);

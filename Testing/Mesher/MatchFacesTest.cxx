@@ -136,7 +136,7 @@ TEST(MatchFaces, TrianglesAreNoQuadrilaterals)
   EXPECT_EQ(MatchFaces(faces, { 5, 6, 7 }, alone), (std::vector<int>{ 7, NothingBehind, 5 }));
 }
 
-TEST(MatchFaces, ThreeElementsAreRefusedOnEveryRank)
+TEST(MatchFaces, ThreeElementsAreRejectedOnEveryRank)
 {
   const FaceIds good{ { 1, 2, 3, 4 } }, bad{ { 2, 3, 4, 5 } };
   for (int count : { 1, 3, 4 })

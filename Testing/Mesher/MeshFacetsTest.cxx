@@ -51,7 +51,7 @@ Counts CountFacets(const std::vector<MeshFacet>& facets, Ranks& ranks)
 std::vector<MeshFacet> Compare(
   const CartesianGrid& whole, const ImageFrame& frame, const Mesh& mesh, Ranks& ranks)
 {
-  MeshData data = ViewMesh(mesh, CarriedState(), ListSides(mesh.Tables));
+  MeshData data = ViewMesh(mesh, OutputState(), ListSides(mesh.Tables));
   for (FieldArray& field : ListDomain(whole, frame))
   {
     data.Fields.push_back(std::move(field));

@@ -99,7 +99,7 @@ std::vector<T> ListOf(const Buffer<T>& buffer)
   return { buffer.begin(), buffer.end() };
 }
 
-TEST(Mesher, ReadsMemoryAndValuesAlike)
+TEST(Mesher, ReadsMemoryAndValuesTheSameWay)
 {
   Runtime serial;
   for (const ElementKind kind : { ElementKind::Hexes, ElementKind::Tets })
@@ -120,7 +120,7 @@ TEST(Mesher, StateIsThatOfACellOfTheElement)
   Runtime serial;
   const MesherInput input = MakeInput(true);
   const MesherResult result = RunMesher(input, MesherOptions(), serial);
-  const CarriedArray& state = result.State.Arrays.at(0);
+  const TransferredArray& state = result.State.Arrays.at(0);
   EXPECT_EQ(state.Name, "x");
   ASSERT_EQ(state.Values.size(), sizeof(double) * result.TheMesh.ElementIds.size());
   const double* numbers = reinterpret_cast<const double*>(state.Values.data());
@@ -131,7 +131,7 @@ TEST(Mesher, StateIsThatOfACellOfTheElement)
   }
 }
 
-TEST(Mesher, MeshesOfTurnedImagesStayInTheirAxesIfAsked)
+TEST(Mesher, MeshesOfRotatedImagesStayInTheirAxesOnRequest)
 {
   Runtime serial;
   MesherOptions options;
@@ -149,7 +149,7 @@ TEST(Mesher, MeshesOfTurnedImagesStayInTheirAxesIfAsked)
   EXPECT_FALSE(FindField(left.Fields, "DomainFrame"));
 }
 
-TEST(Mesher, TellsOfTheMesh)
+TEST(Mesher, ReportsTheMesh)
 {
   Runtime serial;
   const MesherResult result = RunMesher(MakeInput(true), MesherOptions(), serial);

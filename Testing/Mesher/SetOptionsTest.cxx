@@ -87,7 +87,7 @@ TEST(SetOptions, RefusalsNameOptionValueAndWhatIsAllowed)
     0u);
 }
 
-TEST(SetOptions, OptionsOfTetrahedraAreRefusedByHexahedra)
+TEST(SetOptions, OptionsOfTetrahedraAreRejectedByHexahedra)
 {
   MesherOptions options;
   const std::string refusal = Refusal(options, "Method", "Cells");

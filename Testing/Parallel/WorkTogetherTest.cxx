@@ -217,7 +217,7 @@ TEST(WorkTogether, FramesInsideOfOthers)
 
 /// A rank that does not come to what the others do together, since it failed where nobody tells: nobody waits for it, nor takes its
 /// later messages for those of the work.
-TEST(WorkTogether, FailuresThatAreNotTold)
+TEST(WorkTogether, FailuresThatAreNotReported)
 {
   for (int count : { 2, 3, 5 })
   {

@@ -210,7 +210,7 @@ TEST(Arguments, Tasks)
     "test");
 }
 
-TEST(Arguments, RefusedWords)
+TEST(Arguments, RejectedWords)
 {
   ExpectRefusals("",
     { { "", "--input FILE is missing. See sculptor --help." },
@@ -245,7 +245,7 @@ TEST(Arguments, RefusedWords)
     "--labels needs a value. See sculptor --help.");
 }
 
-TEST(Arguments, RefusedValues)
+TEST(Arguments, RejectedValues)
 {
   ExpectRefusals("in.vti out.vtu ",
     { { "--fractions a,,b", "--fractions has an empty name in its list." },
@@ -281,7 +281,7 @@ TEST(Arguments, RefusedValues)
       { "in.vti a.vtu --spacing 1,1,1", "--spacing is for .nii, .nii.gz, .nrrd" } });
 }
 
-TEST(Arguments, RefusedOptionsOfTheMesher)
+TEST(Arguments, RejectedOptionsOfTheMesher)
 {
   ExpectRefusals("in.vti out.vtu ",
     { { "--iso 0,5", "The option IsoValue cannot be '0,5': it takes" },
@@ -311,7 +311,7 @@ TEST(Arguments, RefusedOptionsOfTheMesher)
       { "--density rho --energy e --state-transfer copy", "--state-transfer Conserve" } });
 }
 
-TEST(Arguments, RefusedOfTestsAndLists)
+TEST(Arguments, RejectedTestsAndLists)
 {
   ExpectRefusals("test ",
     { { "--input in.vti", "sculptor test takes --tetmesh, --stairstep, " },

@@ -17,13 +17,13 @@ using Materials = std::vector<MeshReport::Material>;
 
 bool AreEqual(const Materials& a, const Materials& b)
 {
-  const auto areAlike = [](const MeshReport::Material& one, const MeshReport::Material& other)
+  const auto areEqual = [](const MeshReport::Material& one, const MeshReport::Material& other)
   {
     return one.Elements == other.Elements && one.Fragments == other.Fragments &&
       one.MinimumScaledJacobian == other.MinimumScaledJacobian &&
       one.MeanScaledJacobian == other.MeanScaledJacobian;
   };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), areAlike);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), areEqual);
 }
 
 bool AreEqual(const MeshReport& a, const MeshReport& b)

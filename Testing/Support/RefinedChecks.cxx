@@ -23,7 +23,7 @@ RefinedCase MakeEmptyCase(const std::string& name, const Index3& n, int levels)
   made.Name = name;
   made.Grid = std::make_shared<CartesianGrid>(MakeUnitGrid(n[0], n[1], n[2]));
   made.Lattice = std::make_shared<OctreeKeys>(*made.Grid, levels);
-  made.Wanted.resize(levels);
+  made.Requested.resize(levels);
   return made;
 }
 
@@ -203,15 +203,15 @@ double HexVolume(const WholeMesh& mesh, const std::array<int, 8>& hex)
 } // namespace
 
 RefinedCase MakeFamilyCase(
-  const std::string& name, const Index3& n, const std::function<bool(const Index3&)>& wanted)
+  const std::string& name, const Index3& n, const std::function<bool(const Index3&)>& requested)
 {
   RefinedCase made = MakeEmptyCase(name, n, 1);
   ForFamilies(*made.Lattice, 0,
     [&](const Index3& q)
     {
-      if (wanted(q))
+      if (requested(q))
       {
-        made.Wanted[0].push_back(made.Lattice->FamilyKey(0, q));
+        made.Requested[0].push_back(made.Lattice->FamilyKey(0, q));
       }
     });
   return made;
@@ -229,7 +229,7 @@ RefinedCase MakeRandomCase(const Index3& n, int levels, double chance, unsigned 
     {
       if (random() < chance * 4294967296.0)
       {
-        made.Wanted[levels - 1].push_back(made.Lattice->FamilyKey(levels - 1, q));
+        made.Requested[levels - 1].push_back(made.Lattice->FamilyKey(levels - 1, q));
       }
     });
   return made;
@@ -257,7 +257,7 @@ RefinedCase MakeShellCase(Index n, int levels)
       const double radius = 0.36 * n;
       if (nearest < radius * radius && farthest > radius * radius)
       {
-        made.Wanted[level].push_back(made.Lattice->FamilyKey(level, q));
+        made.Requested[level].push_back(made.Lattice->FamilyKey(level, q));
       }
     });
   return made;

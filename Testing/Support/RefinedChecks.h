@@ -20,12 +20,12 @@ struct RefinedCase
   std::string Name;
   std::shared_ptr<CartesianGrid> Grid;
   std::shared_ptr<OctreeKeys> Lattice;
-  std::vector<std::vector<Index>> Wanted; ///< family keys by level
+  std::vector<std::vector<Index>> Requested; ///< family keys by level
 };
 
 /// One level: the families of a grid of n cells for which wanted(family) holds.
 RefinedCase MakeFamilyCase(
-  const std::string& name, const Index3& n, const std::function<bool(const Index3&)>& wanted);
+  const std::string& name, const Index3& n, const std::function<bool(const Index3&)>& requested);
 /// Families of the finest of several levels, each with a chance.
 RefinedCase MakeRandomCase(const Index3& n, int levels, double chance, unsigned seed);
 /// The families of the finest of several levels that the sphere of radius .36 n in the middle cuts.

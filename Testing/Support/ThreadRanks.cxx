@@ -54,7 +54,7 @@ void ThreadTransport::Begin(Transfer& transfer) noexcept
 {
   if (transfer.IsSent)
   {
-    this->Hub.Put(transfer.Other, this->Mine, transfer);
+    this->Hub.Put(transfer.Other, this->Rank, transfer);
   }
 }
 
@@ -62,11 +62,11 @@ void ThreadTransport::Wait(Transfer& transfer) noexcept
 {
   if (transfer.IsSent)
   {
-    this->Hub.WaitForTaken(transfer.Other, this->Mine, transfer);
+    this->Hub.WaitForTaken(transfer.Other, this->Rank, transfer);
   }
   else
   {
-    this->Hub.Take(this->Mine, transfer.Other, transfer);
+    this->Hub.Take(this->Rank, transfer.Other, transfer);
   }
 }
 

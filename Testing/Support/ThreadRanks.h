@@ -44,14 +44,14 @@ private:
 class ThreadTransport : public Transport
 {
 public:
-  ThreadTransport(ThreadHub& hub, int rank) : Hub(hub), Mine(rank) {}
+  ThreadTransport(ThreadHub& hub, int rank) : Hub(hub), Rank(rank) {}
   void Begin(Transfer& transfer) noexcept override;
   void Wait(Transfer& transfer) noexcept override;
-  bool HasArrived(int from) noexcept override { return this->Hub.HasAny(this->Mine, from); }
+  bool HasArrived(int from) noexcept override { return this->Hub.HasAny(this->Rank, from); }
 
 private:
   ThreadHub& Hub;
-  int Mine;
+  int Rank;
 };
 
 class ThreadRanks : private ThreadTransport, public MessageRanks

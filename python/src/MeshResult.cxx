@@ -50,10 +50,10 @@ void TakeMesh(Mesh& mesh, nb::dict& all)
   all["vertices"] = TakeVertices(mesh.Vertices);
 }
 
-void TakeState(CarriedState& state, nb::dict& all)
+void TakeState(OutputState& state, nb::dict& all)
 {
   nb::dict arrays;
-  for (CarriedArray& array : state.Arrays)
+  for (TransferredArray& array : state.Arrays)
   {
     arrays[array.Name.c_str()] = ToNumpy(array);
   }

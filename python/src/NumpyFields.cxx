@@ -34,7 +34,7 @@ nb::object ToPython(const std::vector<T>& values, int components)
 
 } // namespace
 
-nb::object ToNumpy(CarriedArray& array)
+nb::object ToNumpy(TransferredArray& array)
 {
   const int columns = array.Components == 1 ? 0 : array.Components;
   return VisitType(array.Type,

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/Buffer.h"
-#include "State/CarriedArray.h"
+#include "State/TransferredArray.h"
 #include "Summary/MeshFields.h"
 
 #include <nanobind/nanobind.h>
@@ -31,7 +31,7 @@ nanobind::object ToNumpy(Buffer<T>& values, int columns = 0)
 }
 
 /// In the type of the array, a row a tuple where it has several components.
-nanobind::object ToNumpy(CarriedArray& array);
+nanobind::object ToNumpy(TransferredArray& array);
 
 /// By name: arrays of numpy, or lists of texts.
 nanobind::dict ToDict(const FieldArrays& fields);

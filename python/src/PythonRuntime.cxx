@@ -120,13 +120,13 @@ void PythonRuntime::Progress(double fraction, const char* stage)
 {
   const Clock::time_point now = Clock::now();
   this->Look(now);
-  if (this->Callable.is_none() || (now < this->NextTelling && this->Told == stage))
+  if (this->Callable.is_none() || (now < this->NextReport && this->Reported == stage))
   {
     return;
   }
   this->CallPython([&] { this->Callable(fraction, stage); });
-  this->Told = stage;
-  this->NextTelling = Clock::now() + BetweenTellings;
+  this->Reported = stage;
+  this->NextReport = Clock::now() + BetweenTellings;
 }
 
 } // namespace vfm

@@ -49,8 +49,8 @@ private:
   const std::thread::id Caller = std::this_thread::get_id();
   std::atomic<bool> IsStopped{ false };
   std::exception_ptr Raised; // by Python; set once
-  Clock::time_point NextLook, NextTelling;
-  std::string Told; // the last stage
+  Clock::time_point NextLook, NextReport;
+  std::string Reported; // the last stage
 };
 
 } // namespace vfm

@@ -60,13 +60,13 @@ std::string Describe(const Option& option, nb::handle value)
     AllowedInPython(option) + ".";
 }
 
-[[noreturn]] void RefuseType(const Option& option, nb::handle value)
+[[noreturn]] void RejectType(const Option& option, nb::handle value)
 {
   PyErr_Clear();
   throw nb::type_error(Describe(option, value).c_str());
 }
 
-[[noreturn]] void RefuseValue(const Option& option, nb::handle value)
+[[noreturn]] void RejectValue(const Option& option, nb::handle value)
 {
   PyErr_Clear();
   throw nb::value_error(Describe(option, value).c_str());
@@ -78,7 +78,7 @@ double ReadSwitch(const Option& option, nb::handle value)
   const int isFalse = PyObject_RichCompareBool(value.ptr(), Py_False, Py_EQ);
   if (isTrue != 1 && isFalse != 1)
   {
-    RefuseType(option, value);
+    RejectType(option, value);
   }
   return isTrue == 1 ? 1.0 : 0.0;
 }
@@ -87,14 +87,14 @@ double ReadChoice(const Option& option, nb::handle value)
 {
   if (!nb::isinstance<nb::str>(value))
   {
-    RefuseType(option, value);
+    RejectType(option, value);
   }
   const auto word = nb::cast<std::string>(value);
   const auto found = std::find_if(option.Words.begin(), option.Words.end(),
     [&word](const std::string& other) { return SnakeWord(other) == word; });
   if (found == option.Words.end())
   {
-    RefuseValue(option, value);
+    RejectValue(option, value);
   }
   return static_cast<double>(found - option.Words.begin());
 }
@@ -109,12 +109,12 @@ double ReadNumber(const Option& option, nb::handle value)
                                              : PyNumber_Float(value.ptr()));
   if (!number.is_valid())
   {
-    RefuseType(option, value);
+    RejectType(option, value);
   }
   const double found = isWhole ? PyLong_AsDouble(number.ptr()) : PyFloat_AsDouble(number.ptr());
   if (PyErr_Occurred() || !RangeOf(option).Holds(found)) // nor NaN
   {
-    RefuseValue(option, value);
+    RejectValue(option, value);
   }
   return found;
 }

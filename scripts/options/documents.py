@@ -10,7 +10,7 @@ FILES = ["VolumeFractionInput.xml", "VolumeFractionMesh.xml", "VolumeFractionToT
 MESHERS = ("VolumeFractionToHex", "VolumeFractionToTet")
 HEAD = """# Properties
 
-Written by `scripts/generate` from the XML in `Plugin` and the table of options; the test `house.Generated` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
+Written by `scripts/generate` from the XML in `Plugin` and the table of options; the test `structure.Generated` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
 words. *advanced*: shown after a click on the gear beside the search line. What the choices are good for is told in the [user guide](user-guide.md#properties) and in [refined grids](refinement.md)."""
 
 

@@ -45,7 +45,7 @@ private:
   template <class Work>
   void RunPython(const Work& work, const std::string& otherwise);
   void AddScript(const std::string& path);
-  bool IsWanted(vtkCPDataDescription* description);
+  bool IsRequested(vtkCPDataDescription* description);
 
   bool IsStarted = false;
   PythonGuard Python;
@@ -60,7 +60,7 @@ FirstCatalyst::FirstCatalyst(MPI_Comm communicator, const std::vector<std::strin
   this->IsStarted = !HasStarted && this->Processor->Initialize(handle);
   if (!this->IsStarted)
   {
-    this->RefuseStart();
+    this->RejectStart();
     return;
   }
   HasStarted = true;
@@ -120,13 +120,15 @@ void FirstCatalyst::AddScript(const std::string& path)
 }
 
 /// Whether any script wants the step; those that cannot be asked are left out from now on.
-bool FirstCatalyst::IsWanted(vtkCPDataDescription* description)
+bool FirstCatalyst::IsRequested(vtkCPDataDescription* description)
 {
   std::vector<vtkSmartPointer<ScriptPipeline>> kept;
   for (const vtkSmartPointer<ScriptPipeline>& script : this->Scripts)
   {
-    const auto ask = [&] {
-      this->RunPython([&] { return script->Ask(description); }, "A Catalyst script cannot be run.");
+    const auto ask = [&]
+    {
+      this->RunPython(
+        [&] { return script->RequestFields(description); }, "A Catalyst script cannot be run.");
     };
     if (this->Agree(ask, this->LeftOut))
     {
@@ -148,7 +150,7 @@ bool FirstCatalyst::Process(
   description->AddInput(InputName);
   description->SetTimeData(step.Time, step.Number);
   description->SetForceOutput(step.IsLast);
-  if (!this->IsWanted(description))
+  if (!this->IsRequested(description))
   {
     return true;
   }

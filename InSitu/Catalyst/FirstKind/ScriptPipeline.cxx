@@ -13,7 +13,7 @@ bool ScriptPipeline::Open(const std::string& path)
   return this->Script->PrepareFromScript(path);
 }
 
-bool ScriptPipeline::Ask(vtkCPDataDescription* description)
+bool ScriptPipeline::RequestFields(vtkCPDataDescription* description)
 {
   if (!this->Initialized)
   {
@@ -26,7 +26,7 @@ bool ScriptPipeline::Ask(vtkCPDataDescription* description)
 
 int ScriptPipeline::RequestDataDescription(vtkCPDataDescription* description)
 {
-  return this->Ask(description) && description->GetIfAnyGridNecessary();
+  return this->RequestFields(description) && description->GetIfAnyGridNecessary();
 }
 
 int ScriptPipeline::CoProcess(vtkCPDataDescription* description)

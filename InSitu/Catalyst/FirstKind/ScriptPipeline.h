@@ -23,7 +23,7 @@ public:
   bool Open(const std::string& path);
 
   /// Whether the script could be asked; runs it first. What it wants is in the description.
-  bool Ask(vtkCPDataDescription* description);
+  bool RequestFields(vtkCPDataDescription* description);
 
   /// vtkCPProcessor's calls. 1: it wants the step; it worked; it ended.
   int RequestDataDescription(vtkCPDataDescription* description) override;

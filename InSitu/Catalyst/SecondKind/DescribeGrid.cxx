@@ -130,9 +130,9 @@ void DescribeGrid(
   }
   for (std::size_t b = 0; b < places.Most; ++b)
   {
-    const bool isMine = b < grid.Boxes.size();
-    const HostBox box = isMine ? grid.Boxes[b] : HostBox();
-    const std::size_t domain = isMine ? places.First + b : places.All.size() + ranks.Rank();
+    const bool isOwn = b < grid.Boxes.size();
+    const HostBox box = isOwn ? grid.Boxes[b] : HostBox();
+    const std::size_t domain = isOwn ? places.First + b : places.All.size() + ranks.Rank();
     Node mesh = meshes["box" + std::to_string(b)], state = mesh["state"];
     DescribeState(box.Level, domain, numbers, state);
     DescribeCells(grid, box, mesh);

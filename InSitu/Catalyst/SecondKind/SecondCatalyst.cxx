@@ -75,7 +75,7 @@ SecondCatalyst::SecondCatalyst(MPI_Comm communicator, const std::vector<std::str
 {
   if (HasStarted)
   {
-    this->RefuseStart();
+    this->RejectStart();
     return;
   }
   std::vector<std::string> kept;

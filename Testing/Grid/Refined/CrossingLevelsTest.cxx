@@ -85,9 +85,9 @@ TEST_P(CrossingShapes, MeshIsValidAndNear)
   EXPECT_EQ(FindTopologyProblem(f.Result), "");
   EXPECT_EQ(FindFragmentProblem(f.Result), "");
   EXPECT_TRUE(IsPositiveEverywhere(f.Result));
-  const Index asked = static_cast<Index>(options.Levels.Families.back().size());
+  const Index requested = static_cast<Index>(options.Levels.Families.back().size());
   const MeshReport::Level& last = f.Report.Levels[p.Refinements - 1];
-  EXPECT_EQ(last.Families - last.AddedForBalance - last.AddedForValidity, asked);
+  EXPECT_EQ(last.Families - last.AddedForBalance - last.AddedForValidity, requested);
   EXPECT_EQ(last.AddedForValidity > 0, f.Report.LevelRounds > 0);
   // In cells of the base, where most of these interfaces are.
   const double width = 1 << p.Refinements;

@@ -59,7 +59,7 @@ LevelPlan MakePlan(int refinements, std::vector<std::vector<Index>> families)
 
 /// Families of the last refinement that have isWanted(position of their lowest finest cell).
 LevelPlan MakePlan(
-  const CartesianGrid& grid, int refinements, const std::function<bool(const Index3&)>& isWanted)
+  const CartesianGrid& grid, int refinements, const std::function<bool(const Index3&)>& isRequested)
 {
   std::vector<std::vector<Index>> families(refinements);
   IndexBox box;
@@ -70,7 +70,7 @@ LevelPlan MakePlan(
   ForCells(box,
     [&](const Index3& q)
     {
-      if (isWanted({ { 4 * q[0], 4 * q[1], 4 * q[2] } }))
+      if (isRequested({ { 4 * q[0], 4 * q[1], 4 * q[2] } }))
       {
         families.back().push_back(IndexInBox(box, q));
       }
@@ -296,7 +296,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, RandomLeaves,
   ::testing::Values(RandomCase{ 1, 1 }, RandomCase{ 1, 2 }, RandomCase{ 1, 3 }, RandomCase{ 2, 1 },
     RandomCase{ 2, 2 }, RandomCase{ 2, 3 }));
 
-TEST(LeafLabels, OfFineCellsAloneAreThoseOfCells)
+TEST(LeafLabels, OfFineCellsOnlyAreThoseOfCells)
 {
   for (unsigned seed : ListSeeds(6))
   {

@@ -179,7 +179,7 @@ TEST(CellLocator, AreTheNearestLeaves)
   }
 }
 
-TEST(CellLocator, GiveACoarseLeafToThePieceBeside)
+TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
 {
   // two bodies of material 2: one beside the leaf at x 4..8 that holds a fifth of it everywhere, one far away
   const CartesianGrid grid = MakeUnitGrid(24, 4, 4);

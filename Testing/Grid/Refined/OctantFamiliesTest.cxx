@@ -69,10 +69,10 @@ TEST(OctantFamilies, FillsANonManifoldEdge)
     [](const Index3& q) {
       return q == Index3{ { 1, 1, 3 } } || q == Index3{ { 3, 3, 3 } };
     });
-  const OctantFamilies sets(*c.Lattice, c.Wanted);
+  const OctantFamilies sets(*c.Lattice, c.Requested);
   EXPECT_EQ(sets.Keys(0).size(), 3u);
   EXPECT_TRUE(Has(sets, 0, 2, 2, 3));
-  EXPECT_EQ(sets.Report(0).Wanted, 2);
+  EXPECT_EQ(sets.Report(0).Requested, 2);
   EXPECT_EQ(sets.Report(0).NonManifold, 1);
   EXPECT_EQ(sets.Report(0).Rounds, 1);
 }
@@ -96,22 +96,23 @@ TEST(OctantFamilies, AreClosed)
     const int levels = 1 + seed % 3;
     const Index n = levels == 1 ? 22 : levels == 2 ? 13 : 7;
     const RefinedCase c = MakeRandomCase({ { n, n + 2, n } }, levels, 0.01 * (1 + seed % 9), seed);
-    auto wanted = c.Wanted;
+    auto requested = c.Requested;
     std::mt19937 random(seed);
-    for (auto& keys : wanted)
+    for (auto& keys : requested)
     {
       keys.insert(keys.end(), keys.begin(), keys.begin() + keys.size() / 2);
       std::shuffle(keys.begin(), keys.end(), random);
     }
-    const OctantFamilies sets(*c.Lattice, c.Wanted), shuffled(*c.Lattice, wanted);
+    const OctantFamilies sets(*c.Lattice, c.Requested), shuffled(*c.Lattice, requested);
     for (int level = 0; level < levels; ++level)
     {
       EXPECT_EQ(CountNonManifoldEdges(sets, level), 0);
       EXPECT_EQ(level > 0 ? CountBareFamilies(sets, level) : 0, 0);
       EXPECT_TRUE(sets.Keys(level) == shuffled.Keys(level));
       const OctantFamilies::LevelReport& r = sets.Report(level);
-      EXPECT_EQ(static_cast<Index>(sets.Keys(level).size()), r.Wanted + r.Balance + r.NonManifold);
-      for (Index key : c.Wanted[level])
+      EXPECT_EQ(
+        static_cast<Index>(sets.Keys(level).size()), r.Requested + r.Balance + r.NonManifold);
+      for (Index key : c.Requested[level])
       {
         EXPECT_TRUE(sets.HasFamily(level, c.Lattice->FamilyOfKey(level, key)));
       }

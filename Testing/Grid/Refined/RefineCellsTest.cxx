@@ -385,7 +385,7 @@ TEST(RefineCells, MeshesComeNearerToTheSurface)
   }
 }
 
-TEST(RefineCells, ChildrenLikeTheirParentAndNoneWhereNotWanted)
+TEST(RefineCells, ChildrenLikeTheirParentAndNoneWhereNotRequested)
 {
   const CartesianGrid grid({ { { 0.0, 1.0, 2.0 }, { 0.0, 1.0 }, { 0.0, 1.0 } } });
   FractionField field(grid, 2);

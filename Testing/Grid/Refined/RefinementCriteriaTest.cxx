@@ -34,7 +34,7 @@ FractionField Fill(const CartesianGrid& grid, const std::vector<Shape>& shapes)
   return FractionsOfShapes(grid, shapes);
 }
 
-RefinementWishes Ask(
+RefinementRequests RequestsOf(
   const CartesianGrid& grid, const FractionField& field, const RefinementCriteria& criteria)
 {
   Runtime runtime;
@@ -68,12 +68,12 @@ RefinementCriteria AllCriteria()
   return criteria;
 }
 
-std::map<Index, int> ToMap(const std::vector<RefinementWish>& wishes)
+std::map<Index, int> ToMap(const std::vector<RefinementRequest>& requests)
 {
   std::map<Index, int> map;
-  for (const RefinementWish& wish : wishes)
+  for (const RefinementRequest& request : requests)
   {
-    EXPECT_TRUE(map.emplace(wish.Cell, wish.Halvings).second);
+    EXPECT_TRUE(map.emplace(request.Cell, request.Halvings).second);
   }
   return map;
 }
@@ -97,10 +97,10 @@ std::vector<double> Thicknesses(
 
 /// Of the cells that a surface goes through the part that asks for so many halvings or more. Those near the sides of the domain
 /// are left out: there an oblique plate and its mirror image are one thick edge.
-double PartThatAsks(const CartesianGrid& grid, const RefinementWishes& wishes, int halvings,
+double PartToRefine(const CartesianGrid& grid, const RefinementRequests& requests, int halvings,
   const std::function<bool(const Index3&)>& goesThrough)
 {
-  const std::map<Index, int> map = ToMap(wishes.Cells);
+  const std::map<Index, int> map = ToMap(requests.Cells);
   Index cells = 0, asking = 0;
   ForCells({ { { 4, 4, 4 } }, { { Cells - 4, Cells - 4, Cells - 4 } } },
     [&](const Index3& p)
@@ -130,7 +130,7 @@ bool Cuts(const Vector3& normal, const Index3& p)
 
 } // namespace
 
-TEST(ThinFeatures, TellTheThicknessOfFilms)
+TEST(ThinFeatures, FindTheThicknessOfFilms)
 {
   const CartesianGrid grid = MakeUnitGrid(Cells);
   for (double thickness : { 0.4, 0.7, 1.0, 1.5, 2.0 })
@@ -171,7 +171,8 @@ TEST(ThinFeatures, ThickBodiesAreThickEverywhere)
     const FractionField field = Fill(grid, { shape });
     EXPECT_GT(Thicknesses(grid, field, 1, 1e-3).front(), 2.0) << static_cast<int>(shape.Kind);
     EXPECT_GT(Thicknesses(grid, field, 0, 1e-3).front(), 2.0) << static_cast<int>(shape.Kind);
-    EXPECT_EQ(Ask(grid, field, ThinOnly(2.0, 2)).AllCells, 0) << static_cast<int>(shape.Kind);
+    EXPECT_EQ(RequestsOf(grid, field, ThinOnly(2.0, 2)).AllCells, 0)
+      << static_cast<int>(shape.Kind);
   }
 }
 
@@ -186,7 +187,7 @@ TEST(ThinFeatures, RodsAndBallsThinnerThanTwoCellsAreThin)
       const FractionField field = Fill(grid, { shape });
       const std::vector<double> found = Thicknesses(grid, field, 1, 1e-3);
       EXPECT_LT(found.back(), 1.1 * diameter);
-      EXPECT_GT(Ask(grid, field, ThinOnly(2.0, 1)).ThinCells, 0);
+      EXPECT_GT(RequestsOf(grid, field, ThinOnly(2.0, 1)).ThinCells, 0);
     }
   }
 }
@@ -262,7 +263,7 @@ TEST(Curvature, SurvivesNoise)
   EXPECT_LT(found[found.size() * 19 / 20], 0.3);
 }
 
-TEST(RefinementCriteria, EveryCellOfAThinPlateAsks)
+TEST(RefinementCriteria, EveryCellOfAThinPlateRequests)
 {
   const CartesianGrid grid = MakeUnitGrid(Cells);
   const std::map<double, int> halvings{ { 0.4, 2 }, { 1.0, 1 }, { 1.5, 1 } };
@@ -271,13 +272,13 @@ TEST(RefinementCriteria, EveryCellOfAThinPlateAsks)
     for (const Vector3& normal : Normals)
     {
       const FractionField field = Fill(grid, { MakePlate(1, Middle, normal, entry.first) });
-      const RefinementWishes wishes = Ask(grid, field, ThinOnly(2.0, 3));
-      EXPECT_GE(PartThatAsks(grid, wishes, entry.second,
+      const RefinementRequests requests = RequestsOf(grid, field, ThinOnly(2.0, 3));
+      EXPECT_GE(PartToRefine(grid, requests, entry.second,
                   [&normal](const Index3& p) { return Cuts(normal, p); }),
         0.99)
         << entry.first << " " << ::testing::PrintToString(normal);
-      EXPECT_GE(wishes.Refinements, entry.second);
-      EXPECT_EQ(Ask(grid, field, ThinOnly(2.0, 1)).Refinements, 1);
+      EXPECT_GE(requests.Refinements, entry.second);
+      EXPECT_EQ(RequestsOf(grid, field, ThinOnly(2.0, 1)).Refinements, 1);
     }
   }
 }
@@ -289,44 +290,44 @@ TEST(RefinementCriteria, FilmsBetweenMaterialsAreFoundToo)
   const FractionField field = Fill(grid,
     { MakePlate(3, Middle, normal, 1.0), MakeHalfSpace(1, Middle, normal),
       MakeHalfSpace(2, Middle, -1.0 * normal) });
-  const RefinementWishes wishes = Ask(grid, field, ThinOnly(2.0, 1));
+  const RefinementRequests requests = RequestsOf(grid, field, ThinOnly(2.0, 1));
   EXPECT_GE(
-    PartThatAsks(grid, wishes, 1, [&normal](const Index3& p) { return Cuts(normal, p); }), 0.99);
+    PartToRefine(grid, requests, 1, [&normal](const Index3& p) { return Cuts(normal, p); }), 0.99);
 }
 
 TEST(RefinementCriteria, OneLayerOfPureCellsIsThin)
 {
   const CartesianGrid grid = MakeUnitGrid(9);
   const FractionField field = MakeLabels(grid, 1, [](const Index3& p) { return p[2] == 4; });
-  const RefinementWishes wishes = Ask(grid, field, ThinOnly(2.0, 1));
-  EXPECT_EQ(wishes.ThinCells, 81);
-  EXPECT_EQ(wishes.AllCells, 81);
+  const RefinementRequests requests = RequestsOf(grid, field, ThinOnly(2.0, 1));
+  EXPECT_EQ(requests.ThinCells, 81);
+  EXPECT_EQ(requests.AllCells, 81);
 }
 
-TEST(RefinementCriteria, SpecksAskForNothing)
+TEST(RefinementCriteria, SpecksRequestNothing)
 {
   const CartesianGrid grid = MakeUnitGrid(9);
   FractionField field(grid, 1);
   field.SetParts(grid.Linear({ { 4, 4, 4 } }), { { 1, 1e-4 } });
-  EXPECT_EQ(Ask(grid, field, ThinOnly(2.0, 3)).AllCells, 0);
+  EXPECT_EQ(RequestsOf(grid, field, ThinOnly(2.0, 3)).AllCells, 0);
 }
 
-TEST(RefinementCriteria, SmallRadiiAskForHalvings)
+TEST(RefinementCriteria, SmallRadiiRequestHalvings)
 {
   const CartesianGrid grid = MakeUnitGrid(Cells);
   RefinementCriteria criteria = ThinOnly(0.0, 3);
   criteria.CurvaturePerCell = 0.25;
   const auto ask = [&](double radius)
-  { return Ask(grid, Fill(grid, { MakeSphere(1, Middle, radius) }), criteria); };
+  { return RequestsOf(grid, Fill(grid, { MakeSphere(1, Middle, radius) }), criteria); };
   EXPECT_EQ(ask(8.0).AllCells, 0);
-  const RefinementWishes small = ask(3.0), smaller = ask(1.5);
+  const RefinementRequests small = ask(3.0), smaller = ask(1.5);
   EXPECT_EQ(small.Refinements, 1);
   EXPECT_GT(small.CurvedCells, 100);
   EXPECT_EQ(small.CurvedCells, small.AllCells);
   EXPECT_EQ(smaller.Refinements, 2);
 }
 
-TEST(RefinementCriteria, FlippedCellsAskForOne)
+TEST(RefinementCriteria, FlippedCellsRequestOne)
 {
   const CartesianGrid grid = MakeUnitGrid(10);
   const FractionField field = MakeRandomLabels(grid, 2, 0, 5);
@@ -343,10 +344,10 @@ TEST(RefinementCriteria, FlippedCellsAskForOne)
         expected[grid.CellKey(p)] = 1;
       }
     });
-  const RefinementWishes wishes = Ask(grid, field, LabelsOnly(true, 0));
+  const RefinementRequests requests = RequestsOf(grid, field, LabelsOnly(true, 0));
   EXPECT_FALSE(expected.empty());
-  EXPECT_TRUE(ToMap(wishes.Cells) == expected);
-  EXPECT_EQ(wishes.FlippedCells, static_cast<Index>(expected.size()));
+  EXPECT_TRUE(ToMap(requests.Cells) == expected);
+  EXPECT_EQ(requests.FlippedCells, static_cast<Index>(expected.size()));
 }
 
 TEST(RefinementCriteria, LayersCountFromTheInterface)
@@ -356,8 +357,8 @@ TEST(RefinementCriteria, LayersCountFromTheInterface)
     grid, 1, [](const Index3& p) { return p[0] >= 4 && p[0] < 7 && p[1] >= 4 && p[2] < 5; });
   for (int layers = 0; layers <= 5; ++layers)
   {
-    const RefinementWishes wishes = Ask(grid, field, LabelsOnly(false, layers));
-    const std::map<Index, int> map = ToMap(wishes.Cells);
+    const RefinementRequests requests = RequestsOf(grid, field, LabelsOnly(false, layers));
+    const std::map<Index, int> map = ToMap(requests.Cells);
     ForCells(grid.Owned(),
       [&](const Index3& p)
       {
@@ -379,7 +380,7 @@ TEST(RefinementCriteria, LayersCountFromTheInterface)
   }
 }
 
-TEST(RefinementCriteria, ChosenCellsAskForWhatTheyAreGiven)
+TEST(RefinementCriteria, ChosenCellsRequestTheirHalvings)
 {
   const CartesianGrid grid = MakeUnitGrid(6, 5, 4);
   const IndexBox first{ { { 0, 1, 1 } }, { { 3, 3, 2 } } },
@@ -390,13 +391,13 @@ TEST(RefinementCriteria, ChosenCellsAskForWhatTheyAreGiven)
   std::map<Index, int> expected{ { grid.CellKey({ { 5, 4, 3 } }), 1 } };
   ForCells(second, [&](const Index3& p) { expected[grid.CellKey(p)] = 1; });
   ForCells(first, [&](const Index3& p) { expected[grid.CellKey(p)] = 2; }); // the maximum level
-  const RefinementWishes wishes = Ask(grid, FractionField(grid, 1), criteria);
-  EXPECT_TRUE(ToMap(wishes.Cells) == expected);
-  EXPECT_EQ(wishes.Refinements, 2);
-  EXPECT_EQ(wishes.ChosenCells, static_cast<Index>(expected.size()));
-  EXPECT_EQ(wishes.AllCells, wishes.ChosenCells);
+  const RefinementRequests requests = RequestsOf(grid, FractionField(grid, 1), criteria);
+  EXPECT_TRUE(ToMap(requests.Cells) == expected);
+  EXPECT_EQ(requests.Refinements, 2);
+  EXPECT_EQ(requests.ChosenCells, static_cast<Index>(expected.size()));
+  EXPECT_EQ(requests.AllCells, requests.ChosenCells);
   criteria.MaximumLevel = 0;
-  EXPECT_EQ(Ask(grid, FractionField(grid, 1), criteria).ChosenCells, 0);
+  EXPECT_EQ(RequestsOf(grid, FractionField(grid, 1), criteria).ChosenCells, 0);
 }
 
 namespace
@@ -404,26 +405,27 @@ namespace
 
 /// Of each level, the families of all cells of the level that a place wants, in it and so many layers around.
 std::vector<std::set<Index>> FamiliesAround(
-  const OctreeKeys& lattice, const RefinementWishes& wishes, int layers)
+  const OctreeKeys& lattice, const RefinementRequests& requests, int layers)
 {
-  std::vector<std::set<Index>> families(wishes.Refinements);
+  std::vector<std::set<Index>> families(requests.Refinements);
   const CartesianGrid& grid = lattice.Base();
-  for (const RefinementWish& wish : wishes.Cells)
+  for (const RefinementRequest& request : requests.Cells)
   {
     const Index nx = grid.Global().Upper[0], ny = grid.Global().Upper[1];
-    const Index3 cell{ { wish.Cell % nx, wish.Cell / nx % ny, wish.Cell / (nx * ny) } };
-    const Index along = (Index(1) << wish.Halvings) + 2 * layers;
+    const Index3 cell{ { request.Cell % nx, request.Cell / nx % ny, request.Cell / (nx * ny) } };
+    const Index along = (Index(1) << request.Halvings) + 2 * layers;
     ForCells({ { { 0, 0, 0 } }, { { along, along, along } } },
       [&](const Index3& d)
       {
         Index3 p;
         for (int a = 0; a < 3; ++a)
         {
-          p[a] = (cell[a] << wish.Halvings) + d[a] - layers;
+          p[a] = (cell[a] << request.Halvings) + d[a] - layers;
         }
-        for (int level = 0; level < wish.Halvings && lattice.HasCell(wish.Halvings, p); ++level)
+        for (int level = 0; level < request.Halvings && lattice.HasCell(request.Halvings, p);
+             ++level)
         {
-          const int shift = wish.Halvings - level + 1;
+          const int shift = request.Halvings - level + 1;
           families[level].insert(
             lattice.FamilyKey(level, { { p[0] >> shift, p[1] >> shift, p[2] >> shift } }));
         }
@@ -434,18 +436,19 @@ std::vector<std::set<Index>> FamiliesAround(
 
 } // namespace
 
-TEST(RefinementCriteria, FamiliesHoldWhatIsWanted)
+TEST(RefinementCriteria, FamiliesHoldWhatIsRequested)
 {
   const CartesianGrid grid = MakeUnitGrid(7, 6, 5);
   const OctreeKeys lattice(grid, 3);
-  RefinementWishes wishes;
-  wishes.Refinements = 3;
-  wishes.Cells = { { grid.CellKey({ { 1, 2, 3 } }), 1 }, { grid.CellKey({ { 2, 2, 3 } }), 2 },
+  RefinementRequests requests;
+  requests.Refinements = 3;
+  requests.Cells = { { grid.CellKey({ { 1, 2, 3 } }), 1 }, { grid.CellKey({ { 2, 2, 3 } }), 2 },
     { grid.CellKey({ { 6, 5, 4 } }), 3 } };
   for (int layers : { 0, 1, 2, 3, 5, 9 })
   {
-    const std::vector<std::vector<Index>> families = FindWantedFamilies(lattice, wishes, layers);
-    const std::vector<std::set<Index>> expected = FamiliesAround(lattice, wishes, layers);
+    const std::vector<std::vector<Index>> families =
+      FindRequestedFamilies(lattice, requests, layers);
+    const std::vector<std::set<Index>> expected = FamiliesAround(lattice, requests, layers);
     ASSERT_EQ(families.size(), 3u);
     for (int level = 0; level < 3; ++level)
     {
@@ -454,22 +457,23 @@ TEST(RefinementCriteria, FamiliesHoldWhatIsWanted)
         << layers << " layers, level " << level;
     }
   }
-  EXPECT_EQ(OctantFamilies(lattice, FindWantedFamilies(lattice, wishes)).Report(2).Wanted, 8);
+  EXPECT_EQ(
+    OctantFamilies(lattice, FindRequestedFamilies(lattice, requests)).Report(2).Requested, 8);
 }
 
-TEST(RefinementCriteria, FamiliesHoldWhatCellsOfALevelWant)
+TEST(RefinementCriteria, FamiliesHoldTheRequestsOfALevel)
 {
   const CartesianGrid base = MakeUnitGrid(7, 6, 5), halves = MakeUnitGrid(14, 12, 10);
   const OctreeKeys lattice(base, 3), ofHalves(halves, 2);
   const IndexBox box{ { { 3, 4, 1 } }, { { 6, 5, 4 } } };
   for (int layers : { 0, 2, 3 })
   {
-    RefinementWishes wishes;
-    wishes.Refinements = 2;
-    ForCells(box, [&](const Index3& p) { wishes.Cells.push_back({ halves.CellKey(p), 2 }); });
-    const std::vector<std::set<Index>> expected = FamiliesAround(ofHalves, wishes, layers);
+    RefinementRequests requests;
+    requests.Refinements = 2;
+    ForCells(box, [&](const Index3& p) { requests.Cells.push_back({ halves.CellKey(p), 2 }); });
+    const std::vector<std::set<Index>> expected = FamiliesAround(ofHalves, requests, layers);
     std::vector<std::vector<Index>> families(3);
-    AddWantedFamilies(lattice, 1, { box, 2 }, layers, families);
+    AddRequestedFamilies(lattice, 1, { box, 2 }, layers, families);
     EXPECT_TRUE(families[0].empty());
     for (int level = 1; level < 3; ++level)
     {
@@ -487,7 +491,7 @@ TEST(RefinementCriteria, RanksAgree)
   const Vector3 middle{ { 0.5 * size, 0.7 * size, 0.9 * size } };
   const FractionField field = Fill(
     whole, { MakePlate(1, middle, { { 1, 2, 3 } }, 1.2), MakeSphere(2, 0.6 * middle, 0.2 * size) });
-  const RefinementWishes alone = Ask(whole, field, AllCriteria());
+  const RefinementRequests alone = RequestsOf(whole, field, AllCriteria());
   ASSERT_GT(alone.ThinCells, 0);
   ASSERT_GT(alone.CurvedCells, 0);
   ASSERT_GT(alone.NearCells, 0);
@@ -504,7 +508,7 @@ TEST(RefinementCriteria, RanksAgree)
       {
         RankRuntime runtime(group);
         const CartesianGrid grid = MakeRankGrid(whole, boxes[group.Rank()]);
-        const RefinementWishes mine = FindRefinement(grid, CopyToLocal(whole, field, grid),
+        const RefinementRequests mine = FindRefinement(grid, CopyToLocal(whole, field, grid),
           AllCriteria(), 0.5, Partition(grid, group), runtime);
         const std::lock_guard<std::mutex> guard(lock);
         EXPECT_EQ(mine.Refinements, alone.Refinements);
@@ -514,34 +518,34 @@ TEST(RefinementCriteria, RanksAgree)
         EXPECT_EQ(mine.NearCells, alone.NearCells);
         EXPECT_EQ(mine.ChosenCells, alone.ChosenCells);
         EXPECT_EQ(mine.AllCells, alone.AllCells);
-        for (const auto& wish : ToMap(mine.Cells))
+        for (const auto& request : ToMap(mine.Cells))
         {
-          EXPECT_TRUE(merged.insert(wish).second);
+          EXPECT_TRUE(merged.insert(request).second);
         }
       });
     EXPECT_TRUE(merged == ToMap(alone.Cells)) << ranks << " ranks";
   }
 }
 
-TEST(RefinementCriteria, NothingIsAskedWhenAllIsOff)
+TEST(RefinementCriteria, NothingIsRequestedWhenAllIsOff)
 {
   const CartesianGrid grid = MakeUnitGrid(8);
   const FractionField field = MakeRandomLabels(grid, 2, 0, 1);
-  EXPECT_EQ(Ask(grid, field, LabelsOnly(false, 0)).AllCells, 0);
+  EXPECT_EQ(RequestsOf(grid, field, LabelsOnly(false, 0)).AllCells, 0);
   RefinementCriteria criteria = AllCriteria();
   criteria.MaximumLevel = 0;
-  EXPECT_EQ(Ask(grid, field, criteria).AllCells, 0);
-  EXPECT_EQ(Ask(grid, field, criteria).Refinements, 0);
+  EXPECT_EQ(RequestsOf(grid, field, criteria).AllCells, 0);
+  EXPECT_EQ(RequestsOf(grid, field, criteria).Refinements, 0);
 }
 
 TEST(RefinementCriteria, RefusesWhatIsOutOfRange)
 {
   const CartesianGrid grid = MakeUnitGrid(4);
   const FractionField field(grid, 1);
-  EXPECT_THROW(Ask(grid, field, ThinOnly(3.5, 1)), InputError);
-  EXPECT_THROW(Ask(grid, field, ThinOnly(std::nan(""), 1)), InputError);
-  EXPECT_THROW(Ask(grid, field, ThinOnly(2.0, -1)), InputError);
+  EXPECT_THROW(RequestsOf(grid, field, ThinOnly(3.5, 1)), InputError);
+  EXPECT_THROW(RequestsOf(grid, field, ThinOnly(std::nan(""), 1)), InputError);
+  EXPECT_THROW(RequestsOf(grid, field, ThinOnly(2.0, -1)), InputError);
   RefinementCriteria criteria;
   criteria.CurvaturePerCell = std::nan("");
-  EXPECT_THROW(Ask(grid, field, criteria), InputError);
+  EXPECT_THROW(RequestsOf(grid, field, criteria), InputError);
 }

@@ -49,7 +49,7 @@ std::string DescribeSets(const OctantFamilies& sets)
   {
     const OctantFamilies::LevelReport& r = sets.Report(level);
     text += (level ? " " : "") + std::to_string(sets.Keys(level).size()) + " (" +
-      std::to_string(r.Wanted) + "+" + std::to_string(r.Balance) + "+" +
+      std::to_string(r.Requested) + "+" + std::to_string(r.Balance) + "+" +
       std::to_string(r.NonManifold) + ")";
   }
   return text;
@@ -91,7 +91,7 @@ void CheckCase(
 {
   SCOPED_TRACE(c.Name);
   const auto begin = std::chrono::steady_clock::now();
-  const OctantFamilies sets(*c.Lattice, c.Wanted);
+  const OctantFamilies sets(*c.Lattice, c.Requested);
   RefinedMesh mesh = MakeRefinedMesh(sets);
   const double makeSeconds = SecondsSince(begin);
   const WholeMesh start = AddUntouchedCells(*c.Lattice, mesh);
@@ -267,7 +267,7 @@ TEST(TwoRefinement, PartsAreThoseOfTheWhole)
     const int levels = 1 + seed % 2;
     const RefinedCase c = MakeRandomCase(
       { { 14, 14, 14 } }, levels, (levels == 1 ? 0.05 : 0.01) * (1 + seed % 5), seed);
-    const OctantFamilies sets(*c.Lattice, c.Wanted);
+    const OctantFamilies sets(*c.Lattice, c.Requested);
     RefinedMesh whole = MakeRefinedMesh(sets);
     for (const IndexBox& box : { MakeBox(6, 8), MakeBox(0, 5), MakeBox(5, 14), MakeBox(7, 8) })
     {
@@ -283,7 +283,7 @@ TEST(TwoRefinement, PartsAreThoseOfTheWhole)
 TEST(TwoRefinement, UntouchedCellsAreTheRest)
 {
   const RefinedCase c = MakeRandomCase({ { 10, 9, 8 } }, 1, 0.05, 4);
-  const OctantFamilies sets(*c.Lattice, c.Wanted);
+  const OctantFamilies sets(*c.Lattice, c.Requested);
   const IndexBox box{ { { 2, 0, 3 } }, { { 10, 5, 7 } } };
   const RefinedMesh mesh = MakeRefinedMesh(sets, box);
   Index untouched = 0, expected = 0;
@@ -308,7 +308,7 @@ TEST(TwoRefinement, ColoursAreIndependent)
   for (const RefinedCase& c : { MakeRandomCase({ { 14, 14, 14 } }, 1, 0.15, 5),
          MakeRandomCase({ { 10, 9, 10 } }, 2, 0.03, 6) })
   {
-    const OctantFamilies sets(*c.Lattice, c.Wanted);
+    const OctantFamilies sets(*c.Lattice, c.Requested);
     const RefinedMesh mesh = MakeRefinedMesh(sets);
     std::vector<Index> place(mesh.NumberOfPoints(), -1);
     for (const RefinedMesh::FreePoint& point : mesh.FreePoints)
@@ -332,7 +332,7 @@ TEST(TwoRefinement, ColoursAreIndependent)
 TEST(TwoRefinement, ThreadsChangeNothing)
 {
   const RefinedCase c = MakeRandomCase({ { 10, 10, 10 } }, 1, 0.2, 7);
-  const OctantFamilies sets(*c.Lattice, c.Wanted);
+  const OctantFamilies sets(*c.Lattice, c.Requested);
   RefinedMesh one = MakeRefinedMesh(sets), three = one;
   Runtime serial;
   ThreadedRuntime threaded;
@@ -348,7 +348,7 @@ TEST(TwoRefinement, RanksChangeNothing)
     { MakeRandomCase({ { 12, 10, 11 } }, 1, 0.15, 8), MakeRandomCase({ { 8, 9, 10 } }, 2, 0.02, 9),
       Stretch(MakeRandomCase({ { 10, 10, 10 } }, 1, 0.1, 10), { { 1.0, 1.3, 0.7 } }, 1.03) })
   {
-    const OctantFamilies sets(*c.Lattice, c.Wanted);
+    const OctantFamilies sets(*c.Lattice, c.Requested);
     RefinedMesh whole = MakeRefinedMesh(sets);
     Runtime serial;
     const TransitionReport alone = SmoothTransitions(*c.Lattice, whole, serial);
@@ -363,7 +363,7 @@ TEST(TwoRefinement, RanksChangeNothing)
         {
           const CartesianGrid grid = MakeRankGrid(*c.Grid, boxes[ranks.Rank()]);
           const OctreeKeys lattice(grid, c.Lattice->NumberOfRefinements());
-          const OctantFamilies own(lattice, c.Wanted);
+          const OctantFamilies own(lattice, c.Requested);
           RefinedMesh part = MakeRefinedMesh(own, grid.Extended(1));
           RankRuntime runtime(ranks);
           const TransitionReport report = SmoothTransitions(lattice, part, runtime);

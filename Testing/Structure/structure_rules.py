@@ -1,0 +1,235 @@
+"""The rules of the structure: who may include whom, what Grid may know, how long files grow."""
+import ast
+import collections
+import os
+import re
+
+# Modules of Grid and Mesher, bottom to top: an include goes down only. The root of each is above them all.
+MODULES = {
+    "Grid": ("Ranks", "Base", "Fractions", "Octree", "Labels", "Interface", "Mesh", "Transfer", "SharpFeatures", "Smoothing",
+             "Hex", "Tet", "TetGen"),
+    "Mesher": ("Options", "Input", "Levels", "Summary", "State"),
+}
+GRID, MESHER = (tuple(top + "/" + module for module in MODULES[top]) + (top,) for top in ("Grid", "Mesher"))
+IN_MODULES = frozenset(GRID[:-1] + MESHER[:-1])
+BASE = ("Grid/Ranks", "Grid/Base")
+
+# What a folder may include besides itself.
+ALLOWED = {place: GRID[:level] for level, place in enumerate(GRID)}
+ALLOWED.update({place: GRID + MESHER[:level] for level, place in enumerate(MESHER)})
+ALLOWED.update({
+    "Shapes": BASE + ("Grid/Fractions",),
+    "Parallel/Mpi": BASE,
+    "Parallel": BASE + ("Parallel/Mpi",),
+    "Filters/Data": GRID + MESHER[:4] + ("Parallel",),
+    "IO": BASE + MESHER,
+    "IO/Images": BASE + MESHER + ("IO",),
+    "IO/Blocks": BASE + MESHER + ("IO",),
+    "IO/Labels": BASE + ("Mesher/Input",),
+    "IO/Meshes": BASE + MESHER + ("IO",),
+    "Filters": GRID + MESHER + ("Shapes", "Parallel", "IO/Labels", "Filters/Data"),
+    "Filters/Files": BASE + MESHER + ("Parallel", "IO", "IO/Images", "IO/Meshes", "Filters/Data"),
+    "InSitu": BASE + ("Grid/Mesh",) + MESHER + ("Parallel/Mpi", "IO/Labels", "IO/Meshes"),
+    "InSitu/Catalyst": BASE + ("Parallel/Mpi", "InSitu"),
+    "Program": BASE + ("Grid/Mesh",) + MESHER + (
+        "Parallel", "Parallel/Mpi", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "Filters", "Filters/Data"),
+    "Plugin": ("Filters", "Mesher/Input"),
+    "python": GRID + MESHER + ("Shapes", "IO/Blocks", "IO/Labels", "IO/Meshes"),
+    "Examples": ("InSitu", "InSitu/Catalyst"),
+    "Testing/Support": GRID + ("Shapes",),
+    "Testing/Grid": GRID + ("Shapes", "Testing/Support"),
+    "Testing/Fuzz": GRID + MESHER + ("Shapes", "Filters", "InSitu", "Program", "Testing/Support"),
+    "Testing/Benchmarks": GRID + ("Shapes", "Filters", "Testing/Support"),
+    "Testing/IO": GRID + MESHER + ("Shapes", "IO/Meshes", "Testing/Support"),
+    "Testing/Mesher": GRID + MESHER + ("Shapes", "Testing/Support"),
+    "Testing/Parallel": BASE + ("Parallel", "Testing/Support"),
+    "Testing/Digests": ("Filters",),
+    "Testing/InSitu": BASE + ("Parallel", "Filters", "Filters/Data", "InSitu", "InSitu/Catalyst"),
+    "Testing/Program": MESHER + ("InSitu", "Program"),
+})
+
+# Folders without VTK, and those of them without MPI.
+WITHOUT_MPI = GRID + MESHER + (
+    "Shapes", "IO", "IO/Blocks", "IO/Images", "IO/Labels", "IO/Meshes", "python", "Testing/IO", "Testing/Support", "Testing/Grid",
+    "Testing/Mesher")
+PLAIN = WITHOUT_MPI + ("Parallel/Mpi", "InSitu")
+VTK = re.compile(r"(vtk|paraview|pv|pq)", re.IGNORECASE)
+MPI = re.compile(r"mpi", re.IGNORECASE)
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)')
+
+CODE = (".h", ".hpp", ".cxx", ".cpp", ".c")
+SOURCES = CODE + (".f90", ".py", ".xml", ".txt", ".cmake")
+LONGEST = 650 # lines
+MOST_AT_ROOT = 8 # files beside the modules of Grid
+MOST_IN_FOLDER = 40 # files
+HAVE_HEADERS = GRID + MESHER + ("Shapes", "Parallel", "IO", "IO/Labels", "IO/Meshes", "Filters/Data", "Filters/Files") # folders whose sources have each a header of its name
+PACKAGE = "python/volume_fraction_mesh"
+
+
+def read_tree(root):
+    """The lines of all sources by path; Grid's other files without lines."""
+    tree = {}
+    for folder, folders, files in os.walk(root):
+        folders[:] = [f for f in folders if not f.startswith((".", "build")) and f not in ("out", "__pycache__")]
+        if "CMakeCache.txt" in files:
+            folders[:], files = [], []
+        for name in files:
+            path = os.path.relpath(os.path.join(folder, name), root).replace(os.sep, "/")
+            if name.endswith(SOURCES):
+                with open(os.path.join(root, path), encoding="utf-8") as file:
+                    tree[path] = file.readlines()
+            elif path.startswith("Grid/"):
+                tree[path] = []
+    return tree
+
+
+def place_of(path):
+    """The module or folder of a file."""
+    folders = path.split("/")[:-1]
+    two = "/".join(folders[:2])
+    return two if two in ALLOWED or folders and (folders[0] in MODULES or folders[0] == "Testing") else "/".join(folders[:1])
+
+
+def find_file(tree, folders, path, name):
+    """The file that an include names: beside the including one, or in one of the folders; None without one."""
+    beside = os.path.normpath(os.path.join(os.path.dirname(path), name))
+    if beside in tree:
+        return beside
+    found = [os.path.join(folder, name) for folder in folders if os.path.join(folder, name) in tree]
+    return min(found, key=lambda other: (place_of(other) != place_of(path), other), default=None)
+
+
+def list_includes(tree):
+    """Of the code: (path, "path:line", bracket, name, file or None). Modules are no folders to search."""
+    folders = {os.path.dirname(path) for path in tree} - IN_MODULES | {""}
+    for path in sorted(tree):
+        for number, line in enumerate(tree[path] if path.endswith(CODE) else (), 1):
+            match = INCLUDE.match(line)
+            if match:
+                bracket, name = match.groups()
+                yield path, "%s:%d" % (path, number), bracket, name, find_file(tree, folders, path, name)
+
+
+def find_include_problem(path, bracket, name, file):
+    """"" or what is wrong with an include."""
+    place = place_of(path)
+    if place in PLAIN and VTK.match(name):
+        return "%s does not know VTK: %s" % (place, name)
+    if place in WITHOUT_MPI and MPI.match(name):
+        return "%s does not know MPI: %s" % (place, name)
+    if file is None or bracket == "<":
+        return "there is no %s" % name if bracket == '"' and place in PLAIN else ""
+    other = place_of(file)
+    if other in IN_MODULES and name != file.split("/", 1)[1]:
+        return "%s does not name its module" % name
+    if other != place and other not in ALLOWED.get(place, ()):
+        return "%s must not include %s of %s" % (place, name, other)
+    return ""
+
+
+def find_circles(after):
+    """Each circle once. after: what each file includes or imports."""
+    done, problems = set(), []
+
+    def visit(path, trail):
+        if path in trail:
+            problems.append("circle: " + " > ".join(trail[trail.index(path):] + [path]))
+        elif path not in done:
+            for other in after.get(path, ()):
+                visit(other, trail + [path])
+            done.add(path)
+
+    for path in sorted(after):
+        visit(path, [])
+    return problems
+
+
+def map_includes(tree):
+    """The files that each file includes."""
+    after = {}
+    for path, _, bracket, _, file in list_includes(tree):
+        if bracket == '"' and file:
+            after.setdefault(path, []).append(file)
+    return after
+
+
+def map_imports(tree):
+    """The modules of the Python package that each of its modules imports where it is loaded: not those that a function imports."""
+    after = {}
+    for path in tree:
+        if os.path.dirname(path) == PACKAGE and path.endswith(".py"):
+            for node in ast.parse("".join(tree[path])).body:
+                if isinstance(node, ast.ImportFrom) and node.level == 1:
+                    names = [node.module] if node.module else [alias.name for alias in node.names]
+                    files = ("%s/%s.py" % (PACKAGE, name) for name in names)
+                    after.setdefault(path, []).extend(file for file in files if file in tree)
+    return after
+
+
+LEXEMES = re.compile(r"""//[^\n]*|/\*.*?\*/|R"\(.*?\)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'|[{};]|[^{};"'/]+|.""", re.DOTALL)
+SCOPE = re.compile(r"(?:^|\s)(namespace|struct|class|enum class|enum|union)(?:\s+[A-Z_]+)?(?:\s+(\w[\w:]*))?(?:\s+final)?\s*(?::[^:].*)?$", re.DOTALL)
+TEMPLATE = re.compile(r"template\s*<.*>\s*(?=struct|class|union)", re.DOTALL)
+
+
+def read_scope(statement):
+    """(kind, name) of the scope that a statement opens; ("", "") where that has no name that counts, as a function or a specialisation."""
+    match = SCOPE.search(TEMPLATE.sub("", statement).strip())
+    return (match.group(1), match.group(2) or "") if match else ("", "")
+
+
+def list_types(lines):
+    """The types that a file of C++ defines in named namespaces, with these. Macros are not expanded."""
+    text = "".join(line for line in lines if not line.lstrip().startswith("#"))
+    scopes, statement = [], "" # of each brace that is open: the namespace, or None
+    for match in LEXEMES.finditer(text):
+        token = match.group()
+        if token == "{":
+            kind, name = read_scope(statement)
+            if kind not in ("", "namespace") and name and "::" not in name and None not in scopes:
+                yield "::".join(scopes + [name])
+            scopes.append(name if kind == "namespace" and name else None)
+        elif token == "}" and scopes:
+            scopes.pop()
+        if token in ("{", "}", ";"):
+            statement = ""
+        elif not token.startswith(("//", "/*")):
+            statement += token
+
+
+def find_twice(tree):
+    """Types of one name in one namespace."""
+    places = {}
+    for path in sorted(tree):
+        if path.endswith(CODE) and not path.startswith(("Testing/", "Examples/")):
+            for name in list_types(tree[path]):
+                places.setdefault(name, []).append(path)
+    return ["%s is in %s" % (name, " and ".join(paths)) for name, paths in sorted(places.items()) if len(paths) > 1 and "::" in name]
+
+
+def find_bare_sources(tree):
+    """Sources without a header of their name that are no programs."""
+    return ["%s has no header of its name" % path for path in sorted(tree)
+            if place_of(path) in HAVE_HEADERS and path.endswith(".cxx") and path[:-4] + ".h" not in tree
+            and not any(line.startswith("int main(") for line in tree[path])]
+
+
+def find_crowds(tree):
+    """Folders with too many files."""
+    counts = collections.Counter(os.path.dirname(path) for path in tree)
+    return ["%s has %d files" % (folder, count) for folder, count in sorted(counts.items()) if count > MOST_IN_FOLDER]
+
+
+def find_problems(tree):
+    """All that breaks a rule."""
+    problems = ["%s has %d lines" % (path, len(lines)) for path, lines in sorted(tree.items()) if len(lines) > LONGEST]
+    places = {place_of(path) for path in tree if path.endswith(CODE)}
+    problems += ["%s is not in the table" % place for place in sorted(places - set(ALLOWED))]
+    at_root = [path for path in tree if place_of(path) == "Grid"]
+    if len(at_root) > MOST_AT_ROOT:
+        problems.append("Grid's root has %d files" % len(at_root))
+    for path, at, bracket, name, file in list_includes(tree):
+        problem = find_include_problem(path, bracket, name, file)
+        if problem:
+            problems.append("%s: %s" % (at, problem))
+    problems += find_twice(tree) + find_bare_sources(tree) + find_crowds(tree)
+    return problems + find_circles(map_includes(tree)) + find_circles(map_imports(tree))
