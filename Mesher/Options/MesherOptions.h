@@ -1,5 +1,5 @@
 /**
- * MesherOptions: what a user sets of a run, with all defaults. OptionTable.cxx names and explains each.
+ * MesherOptions: user options of a run with defaults; OptionTable.cxx explains each.
  */
 #pragma once
 
@@ -18,51 +18,52 @@ enum class ElementKind
   Tets
 };
 
-/// Where the mesh is finer than elsewhere.
+/// Where the mesh is refined.
 enum class Refinement
 {
-  Off,         ///< the coarsest level of the input
-  InputLevels, ///< the levels of the input
-  Automatic,   ///< criteria, on the coarsest level of the input
-  Coarsen,     ///< the input is the finest level
-  Uniform      ///< all cells are as fine as the finest
+  Off,         ///< nowhere; all cells are of the coarsest level of the input
+  InputLevels, ///< where the input has finer levels
+  Automatic,   ///< where criteria or user-selected cells request it
+  Coarsen,     ///< near interfaces; the finest level is that of the input
+  Uniform      ///< everywhere; all cells are of the finest level
 };
 
 enum class StateTransfer
 {
-  Automatic, ///< Conserve where an array of density is named
+  Automatic, ///< Conserve if a density array is named, else Copy
   Copy,
   Conserve
 };
 
-/// What becomes of kinetic energy that is lost where velocities are averaged.
+/// Treatment of kinetic energy that is lost where velocities are averaged.
 enum class LostEnergy
 {
   Report,
   InternalEnergy
 };
 
-/// What becomes of material apart from all elements of its kind.
+/// Treatment of material that is not attached to any element of its kind.
 enum class Unmeshed
 {
-  Give, ///< to the nearest fragment of the material
+  Give, ///< added to the nearest fragment of the material
   Drop
 };
 
-/// The most halvings of a cell.
+/// Maximum number of halvings of a cell.
 constexpr int MaximumHalvings = 10;
 
-/// The least MaximumAspectRatio. Less would multiply cells: widths within a tenth of each other take up to ten parts of a cell along an axis.
+/// Minimum of the option MaximumAspectRatio. Smaller values would multiply cells: at 1.1 already, a
+/// cell can be divided into ten parts along an axis.
 constexpr double SmallestAspectRatio = 1.1;
 
-/// From the least to the greatest x, y, z, in the unit of the input, and how many times cells are to be halved.
+/// A box in world coordinates, in length units of the input, and how often its cells are halved.
 struct RefinementBox
 {
   Vector3 Lower, Upper;
   double Halvings;
 };
 
-/// How state is conserved.
+/// Options of conservative state transfer.
 struct ConserveOptions
 {
   int StateOrder = 2;
@@ -71,7 +72,7 @@ struct ConserveOptions
   Unmeshed UnmeshedMaterial = Unmeshed::Give;
 };
 
-/// Empty names are those of no array or file.
+/// All user options. An empty name means no array or no file.
 struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
 {
   MesherOptions() { this->Edges = SharpEdges::Automatic; }
@@ -79,12 +80,12 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   ElementKind Elements = ElementKind::Hexes;
   double FractionTolerance = 1e-6;
   int LabelSmoothing = 0;
-  std::string LabelNames; ///< a file
-  bool ImageAxes = false; ///< the mesh is not turned
+  std::string LabelNames; ///< path of a file
+  bool ImageAxes = false; ///< true: the mesh is not rotated to world coordinates
   int MinimumRegionCells = 0;
   StateTransfer Transfer = StateTransfer::Automatic;
   std::vector<std::string> DensityArrays;
-  std::vector<std::string> StateKinds; ///< words name=kind
+  std::vector<std::string> StateKinds; ///< entries name=kind
   std::string VelocityArray, EnergyArray;
   Refinement Where = Refinement::InputLevels;
   int MaximumLevel = -1;
@@ -95,10 +96,10 @@ struct MesherOptions : MeshSettings, LevelSettings, ConserveOptions
   std::vector<RefinementBox> RefinementBoxes;
   double MaximumAspectRatio = 0.0;
   ChildRule Children = ChildRule::Planes;
-  int NumberOfThreads = 0; ///< who makes the Runtime heeds it
+  int NumberOfThreads = 0; ///< used by the code that creates the Runtime
 };
 
-/// The array that chooses cells to refine, empty where none does.
+/// Returns the name of the refinement array, or "" unless Refinement is Automatic.
 inline std::string FindRefinementArray(const MesherOptions& options)
 {
   return options.Where == Refinement::Automatic ? options.RefinementArray : "";

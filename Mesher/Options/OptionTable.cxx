@@ -12,7 +12,7 @@ namespace
 
 using M = MesherOptions;
 
-/// A row as it is written down: what an option takes, then what else there is to say.
+/// A row of the table; chained calls set further properties of the option.
 struct Row : Option
 {
   Row(const char* name, Option value, const char* meaning) : Option(std::move(value))
@@ -94,7 +94,7 @@ Option Number(const NumberRange& range = { -NoEnd, NoEnd })
   return Number<Member>(range.Least, range.Most);
 }
 
-/// words: of the enumerators, in their order.
+/// words: names of the enumerators, in order.
 template <auto Member>
 Option Choice(std::vector<std::string> words)
 {
@@ -128,37 +128,36 @@ OptionTable MaterialsOptions()
 {
   return {
     Row("LabelNames", Text(OptionKind::File, &M::LabelNames),
-      "A file that names the material ids: a text with an id and its name in each line (with a "
-      "space, tab or comma between; # for comments), a label file of ITK-SNAP, a lookup table of "
-      "FreeSurfer or MRIcron, or the XML of an atlas of FSL. The names are those of MaterialNames, "
-      "of the blocks and sets of files, and of the legend.")
+      "File that names the material ids. A text file has an id and its name in each line, "
+      "separated by spaces, tabs or commas; # starts a comment. Other formats: label files of "
+      "ITK-SNAP, lookup tables of FreeSurfer and MRIcron, and the XML of an FSL atlas. The names "
+      "appear in MaterialNames, in the blocks and sets of files, and in the legend.")
       .ShownIf("MaterialIdArray")
       .Advanced()
       .Sculptor("--label-names FILE"),
     Row("ImageAxes", Switch<&M::ImageAxes>(),
-      "Leave the mesh of an image with a direction matrix in the axes of the image, so that sides "
-      "of "
-      "the domain lie along x, y and z. Off: the mesh is turned to where the image lies in space. "
-      "State arrays and refinement boxes are not turned.")
+      "Leave the mesh of an image with a direction matrix in the axes of the image. The sides of "
+      "the domain then lie along x, y and z. Off: the mesh is rotated to the position of the image "
+      "in space. State arrays and refinement boxes are not rotated.")
       .Advanced()
       .Sculptor("--image-axes"),
     Row("MeshVoid", Switch<&M::MeshVoid>(),
       "Mesh the void as well, as material 0, conforming with the materials.")
       .Sculptor("--void"),
     Row("MinimumRegionCells", Number<&M::MinimumRegionCells>(0),
-      "Remove spray, crumbs and small cavities: a region of one material, or of void, of fewer "
-      "cells than this is given to the material or void with which it shares the most faces. 0: "
-      "all stay.")
+      "Remove small fragments and cavities. A face-connected region of one material, or of void, "
+      "with fewer cells than this becomes part of the material or void with which it shares the "
+      "most faces. 0: all regions stay.")
       .Advanced()
       .Sculptor("--minimum-region N"),
     Row("FractionTolerance", Number<&M::FractionTolerance>(1e-6, 0.1),
-      "Clip volume fractions that lie outside [0, 1] by no more than this (a code's over- and "
-      "undershoots), and scale back sums above 1 by no more. Others are refused. 1e-6 is for "
-      "rounding alone.")
+      "Clip volume fractions that lie outside [0, 1] by at most this value, such as over- and "
+      "undershoots of a simulation. Sums above 1 by at most this value, or by at most 0.001, are "
+      "scaled back to 1. Larger deviations are errors. The default of 1e-6 covers rounding only.")
       .Advanced()
       .Sculptor("--clip T"),
     Row("IsoValue", Number<&M::IsoValue>(),
-      "A cell is void when its materials together fill less than this part of it. Volumes are "
+      "A cell is void if its materials together fill less than this fraction of it. Volumes are "
       "conserved only at 0.5.")
       .Above(0)
       .Below(1)
@@ -171,55 +170,56 @@ OptionTable StateOptions()
 {
   return {
     Row("StateTransfer", Choice<&M::Transfer>({ "Automatic", "Copy", "Conserve" }),
-      "How elements get the values of state arrays. Copy: every element has the values of the cell "
-      "that holds its centroid, or of the cell "
-      "beside it with most of the element's material where that cell holds less than half. Nothing "
-      "is averaged, so sums are not conserved. Conserve: elements share what the cells hold of "
-      "their material, so that mass, momentum, energy of every material are those of the input. "
-      "Automatic: Conserve where Density Arrays names one, else Copy.")
+      "How elements get the values of state arrays. Copy: each element takes the values of the "
+      "cell that contains its centroid. If its material fills less than half of that cell, the "
+      "neighbour cell with most of the material is used. Nothing is averaged, so sums are not "
+      "conserved. Conserve: the contents of the cells are distributed to the elements, so that "
+      "mass, momentum and energy of each material match the input. Automatic: Conserve if Density "
+      "Arrays names an array, otherwise Copy.")
       .Sculptor("--state-transfer HOW"),
     Row("DensityArrays", Texts(OptionKind::Arrays, &M::DensityArrays),
-      "The density: mass per volume of the material. One array for all materials, or one a "
-      "material (Material density - 1, ..). Carried along as State Arrays are.")
+      "Density: mass per volume of the material. Select one array for all materials, or one array "
+      "per material (Material density - 1, ..). Transferred like State Arrays.")
       .EnabledIf("StateTransfer!=Copy")
       .Sculptor("--density A,.."),
     Row("StateOrder", Number<&M::StateOrder>(1, 2),
-      "What Conserve takes the state to be in a cell. 1: constant. 2: linear, within the bounds of "
-      "the cells around.")
+      "How Conserve reconstructs the state within a cell. 1: constant. 2: linear, within the range "
+      "of the neighbour cells.")
       .Listed()
       .EnabledIf(Conserves)
       .Advanced()
       .Sculptor("--state-order N"),
     Row("VelocityArray", Text(OptionKind::Array, &M::VelocityArray),
-      "The velocity, of which Conserve tells momentum and kinetic energy of every material, and "
-      "what the mesh lacks of it: an array of three components, or one of three (X velocity). "
-      "Carried along as State Arrays are.")
+      "Velocity. Conserve preserves and reports the momentum of each material, and reports its "
+      "kinetic energy and the part that is lost. Select an array of three components, or one of "
+      "three arrays with a component each (X velocity). Transferred like State Arrays.")
       .WithVectors()
       .EnabledIf(Conserves)
       .Sculptor("--velocity ARRAY"),
     Row("EnergyArray", Text(OptionKind::Array, &M::EnergyArray),
-      "The internal energy per mass, of which Conserve tells the energy of every material. Of "
-      "arrays a material any one. Carried along as State Arrays are.")
+      "Internal energy per unit mass. Conserve preserves and reports it for each material. If "
+      "every material has its own energy array, select any one of them. Transferred like State "
+      "Arrays.")
       .EnabledIf(Conserves)
       .Advanced()
       .Sculptor("--energy ARRAY"),
     Row("NodalVelocity", Switch<&M::NodalVelocity>(),
-      "Add the velocity of the nodes as a point array, with which a Lagrangian code starts. The "
-      "momentum of all nodes is that of all elements.")
+      "Add the velocity of the nodes as a point array, the initial state of a Lagrangian code. The "
+      "momentum of all nodes equals the momentum of all elements.")
       .EnabledIf(Moves)
       .Advanced()
       .Sculptor("--nodal-velocity"),
     Row("LostKineticEnergy", Choice<&M::LostKineticEnergy>({ "Report", "Internal Energy" }),
-      "The kinetic energy that is lost where one element, or one node, moves with the mean "
-      "velocity of several cells. Report: the table of materials tells it. Internal Energy: it is "
-      "added to Energy Array, so that the sum of both energies is that of the input.")
+      "Treatment of the kinetic energy that is lost where one element, or one node, moves with the "
+      "mean velocity of several cells. Report: the table of materials lists it. Internal Energy: "
+      "it is added to Energy Array, so that the sum of both energies matches the input.")
       .EnabledIf(Moves + " & EnergyArray")
       .Advanced()
       .Sculptor("--lost-kinetic-energy WHERE"),
     Row("UnmeshedMaterial", Choice<&M::UnmeshedMaterial>({ "Give", "Drop" }),
-      "Material apart from all elements of its kind: spray, removed regions. Give: Conserve gives "
-      "it to the nearest fragment of its material within a few cells. Drop: it is left out. What "
-      "is left out the table of materials tells.")
+      "Treatment of material that is not attached to any element of its kind, such as small drops "
+      "and removed regions. Give: Conserve adds it to the nearest fragment of its material within "
+      "a few cells. Drop: it is left out. The table of materials lists how much is left out.")
       .EnabledIf(Conserves)
       .Advanced()
       .Sculptor("--unmeshed WHAT"),
@@ -230,12 +230,12 @@ OptionTable StateKindsOptions()
 {
   return {
     Row("StateKinds", Texts(OptionKind::Kinds, &M::StateKinds),
-      "What Conserve keeps of an array, a row for each that is no velocity, specific energy or "
-      "temperature: array=volume (per volume of the material, as pressure), cell (per volume of "
-      "the whole cell, as a bulk density), extensive (sums, as a mass), copy (copied as by Copy), "
-      "mass*other (per mass, weighed with another state array: temperature=mass*heat_capacity). "
-      "Arrays that are not named are of the kind mass (per mass), those of whole numbers copy, "
-      "densities volume.")
+      "Quantity that Conserve preserves for an array, one entry array=kind per array. Kind volume: "
+      "per volume of the material, such as pressure. Kind cell: per volume of the whole cell, such "
+      "as a bulk density. Kind extensive: sums, such as a mass. Kind copy: copied, as by Copy. "
+      "Kind mass*other: per mass, weighted by another state array "
+      "(temperature=mass*heat_capacity). Arrays without an entry are of kind mass (per mass, such "
+      "as velocity), except densities (volume) and arrays of integers (copy).")
       .EnabledIf(Conserves)
       .Advanced()
       .Sculptor("--state-kinds NAME=KIND,.."),
@@ -246,39 +246,38 @@ OptionTable SurfaceOptions()
 {
   return {
     Row("StairStep", Switch<&M::StairStep>(),
-      "Turn every cell of a material into one hexahedron and move nothing: a quick look at the "
+      "Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the "
       "materials.")
       .Sculptor("--stairstep")
-      .OfTets("Turn the cells of a material into tetrahedra and move nothing: a quick look at the "
-              "materials."),
+      .OfTets("Turn the cells of a material into tetrahedra and move no nodes: a quick preview of "
+              "the materials."),
     Row("Smoothing", Choice<&M::Method>({ "Off", "Quadric Surface", "Geometry Based" }),
       "How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of "
-      "the surface; the best mesh. Geometry Based: surface nodes stay on the facets of the surface "
-      "as first found. Off: the steps of the grid with a thin layer of hexahedra along them; "
-      "valid, but neither smooth nor of good quality.")
+      "the surface, which gives the best mesh. Geometry Based: surface nodes stay on the facets of "
+      "the initial surface. Off: the surface keeps the steps of the grid, with a thin layer of "
+      "hexahedra along them; valid, but neither smooth nor of good quality.")
       .EnabledIf("!StairStep")
       .Sculptor("--smooth ID")
-      .OfTets(
-        "How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of "
-        "the surface; the best mesh. Geometry Based: surface nodes stay on the facets of the "
-        "surface as first found. Off: the nodes stay where they start; valid, but not smooth."),
+      .OfTets("How the nodes are placed. Quadric Surface: surface nodes follow smooth local "
+              "quadrics of the surface, which gives the best mesh. Geometry Based: surface nodes "
+              "stay on the facets of the initial surface. Off: the nodes stay at their initial "
+              "positions; valid, but not smooth."),
     Row("SharpEdges", Choice<&M::Edges>({ "Off", "On", "Automatic" }),
-      "Whether edges and corners are found in the volume fractions and kept: those of machined "
-      "parts, of shapes and of closed surfaces. Off: they are rounded, by about a third of a cell. "
-      "On: wherever two or three surfaces that cut each other explain the fractions around better "
-      "than one. Automatic: of two materials that meet, only where that is so in much of what one "
-      "surface does not explain, so not in fluids and noise. Has an effect with Smoothing Quadric "
-      "Surface and an IsoValue of 0.5 alone.")
+      "Detect edges and corners in the volume fractions and preserve them, as in machined parts, "
+      "shapes and closed surfaces. Off: they are rounded by about a third of a cell. On: all "
+      "points of interfaces are tested. Automatic: only between materials where samples of the "
+      "points that one surface does not fit show edges, so not in fluids and noise. Requires "
+      "Smoothing Quadric Surface and an IsoValue of 0.5.")
       .EnabledIf("!StairStep & Smoothing=Quadric Surface")
       .Sculptor("--sharp-edges WHEN"),
     Row("LabelSmoothing", Number<&M::LabelSmoothing>(0, 10),
-      "Smooth the steps that material ids make, by this many passes of an average over the cells "
-      "around. Every material keeps the volume of its cells, thin parts stay. 2 or 3 serve most; "
-      "more rounds off edges. Volume fractions are not smoothed.")
+      "Smooth the steps of material ids, by this number of averaging passes over neighbour cells. "
+      "Each material keeps the volume of its cells, and thin parts stay. 2 or 3 passes suit most "
+      "images; more round off edges. Volume fractions are not smoothed.")
       .ShownIf("MaterialIdArray")
       .Sculptor("--label-smoothing N"),
     Row("ConserveVolume", Switch<&M::ConserveVolume>(),
-      "Shift the surfaces until every fragment has the volume of its volume fractions.")
+      "Shift the surfaces until each fragment has the volume given by its volume fractions.")
       .EnabledIf("!StairStep & Smoothing!=Off")
       .Advanced(),
   };
@@ -289,77 +288,77 @@ OptionTable RefinementOptions()
   return {
     Row("Refinement",
       Choice<&M::Where>({ "Off", "Input Levels", "Automatic", "Coarsen", "Uniform" }),
-      "Where the mesh is finer than elsewhere; each level halves the cells. Input Levels: where "
-      "the input is, if it has levels (AMR). Off: nowhere, all cells are those of the coarsest "
-      "level. Automatic: where the shape needs it. Coarsen: the cells of the input stay near "
-      "interfaces and get larger away from them. Uniform: everywhere, so that thin parts get more "
-      "elements across."),
+      "Where the mesh is refined; each level halves the cells. Input Levels: where the input has "
+      "finer levels (AMR). Off: nowhere, all cells are of the coarsest level. Automatic: where the "
+      "shape of the materials requires it. Coarsen: the cells of the input stay near interfaces "
+      "and get larger away from them. Uniform: everywhere, so that thin parts get more elements "
+      "across."),
     Row("MaximumLevel", Number<&M::MaximumLevel>(-1, MaximumHalvings),
-      "Levels finer than the coarsest, at most. Automatic, -1: all that the input has; 1 where an "
-      "image is refined, or what named cells ask for; by Coarsen as many as the numbers of cells "
-      "allow, at most 3. By Uniform each makes eight times as many elements. Finer data of the "
-      "input are averaged.")
+      "Maximum number of levels above the coarsest. Automatic (-1): all levels of the input, and "
+      "for a refined image 1, or the levels that user-selected cells request. Coarsen then makes "
+      "as many as the numbers of cells allow, up to 3. Uniform multiplies the number of elements "
+      "by eight per level. Finer data of the input are averaged.")
       .Special(-1, "automatic")
       .Listed()
       .ShownIf("Refinement!=Off"),
     Row("FineInterfaces", Switch<&M::FineInterfaces>(),
-      "All interfaces get the finest cells. Off: cells are as fine as the levels of the input or "
-      "the criteria ask at each place, and interfaces cross levels; by Coarsen all cells are then "
-      "as coarse as can be. Hexahedra only: tetrahedra at interfaces are always fine.")
+      "All interfaces get the finest cells. Off: each place gets the level of the input or of the "
+      "criteria there, and interfaces cross levels. With Coarsen all cells are then as coarse as "
+      "possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells.")
       .ShownIf("Refinement=Input Levels,Automatic,Coarsen")
       .Advanced()
       .NotOfTets()
       .OfTets("No effect on tetrahedra: all interfaces get the finest cells."),
     Row("FineLayers", Number<&M::FineLayers>(2, 64),
-      "How many of the finest cells lie at least between an interface and larger cells. Without "
-      "Fine Interfaces: around places where Automatic asks for them.")
+      "Minimum number of finest cells between an interface and larger cells. Without Fine "
+      "Interfaces: number of fine cells around the places that Automatic refines.")
       .ShownIf("Refinement=Input Levels,Automatic,Coarsen")
       .Advanced(),
     Row("ThinCells", Number<&M::ThinCells>(0, LargestThickness),
-      "Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than so "
-      "many cells. 0: it does not look for them.")
+      "Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than this "
+      "number of cells. 0: off.")
       .Special(0, "off")
       .ShownIf(Seeks)
       .Advanced(),
     Row("CurvaturePerCell", Number<&M::CurvaturePerCell>(0),
-      "Refinement Automatic halves cells where an interface turns by more than so many radians "
-      "over a cell. 0: it does not look for that.")
+      "Refinement Automatic halves cells where an interface turns by more than this angle per "
+      "cell, in radians. 0: off.")
       .Special(0, "off")
       .ShownIf(Seeks)
       .Advanced(),
     Row("RefineFlippedCells", Switch<&M::RefineFlippedCells>(),
-      "Refinement Automatic halves cells once whose material had to be changed to make the "
+      "Refinement Automatic halves, once, the cells whose material had to be changed to make the "
       "interfaces manifold.")
       .ShownIf(Seeks)
       .Advanced(),
     Row("InterfaceLayers", Number<&M::InterfaceLayers>(0, 64),
-      "Refinement Automatic refines all cells within so many layers of an interface, to Maximum "
-      "Level. 0: it does not.")
+      "Refinement Automatic refines all cells within this number of layers of an interface, to "
+      "Maximum Level. 0: off.")
       .ShownIf(Seeks)
       .Advanced(),
     Row("RefinementArray", Text(OptionKind::Array, &M::RefinementArray),
-      "Cells that Refinement Automatic refines whatever they hold: the array that tells how many "
-      "times each is to be halved, 0 to 10 (0 and 1 of a mask), up to Maximum Level. Thin Cells 0 "
-      "leaves these alone; without Fine Interfaces each place gets what it asks for.")
+      "Array of the number of times that Refinement Automatic halves each cell, 0 to 10 (0 and 1 "
+      "in a mask), up to Maximum Level. With Thin Cells 0 only these cells are refined. Without "
+      "Fine Interfaces each place gets the level that is requested there.")
       .ShownIf(Seeks)
       .Advanced(),
     Row("RefinementBoxes", Option(),
-      "Boxes in which Refinement Automatic refines all cells that they reach into. Seven numbers "
-      "each: x, y, z of the lower corner, x, y, z of the upper one, and how many times cells are "
-      "halved, 0 to 10.")
+      "Boxes in which Refinement Automatic refines all cells that they overlap. A box is seven "
+      "numbers: x, y, z of the lower corner, x, y, z of the upper corner, and the number of times "
+      "that cells are halved, 0 to 10.")
       .ShownIf(Seeks)
       .Advanced(),
     Row("MaximumAspectRatio", Number<&M::MaximumAspectRatio>(SmallestAspectRatio),
-      "Cut long cells (slices thicker than their pixels) across first, until no cell is so many "
-      "times longer one way than another. 1.5 makes elements of good shape. 0: cells stay as they "
-      "are.")
+      "Divide cells of high aspect ratio first (slices thicker than their pixels), until no width "
+      "of a cell exceeds another by more than this factor. 1.5 gives elements of good shape. 0: "
+      "off.")
       .Special(0, "off")
       .Sculptor("--aspect R"),
     Row("ChildFractions", Choice<&M::Children>({ "Planes", "Parent" }),
-      "What the halves, or parts, of a mixed cell hold where there is no finer data. Planes: the "
-      "cell is cut by planes that keep the volume of every material. Parent: the fractions of the "
-      "cell. Material ids hold no planes: their steps stay, unless Label Smoothing makes planes of "
-      "them.")
+      "Volume fractions in the halves, or parts, of a mixed cell where there are no finer data. "
+      "Planes: the cell is cut by planes that preserve the volume of each material. Parent: the "
+      "parts get the fractions of the cell. Material ids keep their steps with either choice, "
+      "unless Label Smoothing is on.")
       .ShownIf("Refinement!=Off | MaximumAspectRatio!=0")
       .Advanced(),
   };
@@ -369,22 +368,22 @@ OptionTable QualityOptions()
 {
   return {
     Row("TargetScaledJacobian", Number<&M::TargetScaledJacobian>(0),
-      "The scaled Jacobian that smoothing strives for. Larger values give better hexahedra that "
+      "Target of smoothing for the scaled Jacobian. Larger values give better hexahedra that "
       "follow the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with several.")
       .Below(1)
       .Special(0, "automatic")
       .EnabledIf("!StairStep & Smoothing!=Off")
       .Advanced()
-      .OfTets("The quality that smoothing strives for: of tetrahedra the sine of the acute "
-              "dihedral angles. Larger values give better tetrahedra that follow the surfaces less "
-              "closely. 0.5 is 30 degrees; 0 is automatic, a little more than 0.5."),
+      .OfTets("Target of smoothing for the quality of tetrahedra, the sine of their acute dihedral "
+              "angles. Larger values give better tetrahedra that follow the surfaces less closely. "
+              "0.5 is 30 degrees; 0 is automatic, slightly above 0.5."),
     Row("ComputeQuality", Switch<&M::ComputeQuality>(),
-      "Add the cell array ScaledJacobian, and its minimum and mean to the field data. A cube has "
-      "1, a valid hexahedron more than 0.")
+      "Add the cell array ScaledJacobian, and its minimum and mean to the field data. It is 1 for "
+      "a cube and above 0 for a valid hexahedron.")
       .Advanced()
       .OfTets(
         "Add the cell array ScaledJacobian, and to the field data its minimum and mean and the "
-        "dihedral angles: the smallest, the largest, and how many lie in each ten degrees."),
+        "dihedral angles: the smallest, the largest, and a histogram in steps of ten degrees."),
   };
 }
 
@@ -392,8 +391,8 @@ OptionTable PerformanceOptions()
 {
   return {
     Row("NumberOfThreads", Number<&M::NumberOfThreads>(0),
-      "Threads to work with. 0 is automatic: all cores on one process, one thread on each of "
-      "several. The mesh does not depend on it.")
+      "Number of threads. 0 is automatic: all cores on one rank, one thread per rank on several. "
+      "The mesh does not depend on it.")
       .Special(0, "automatic")
       .Advanced()
       .InPython("threads"),
@@ -404,30 +403,31 @@ OptionTable TetrahedraOptions()
 {
   return {
     Row("Method", Choice<&M::Tets>({ "TetGen", "Cells", "Lattice" }),
-      "How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes, cut along "
-      "the surfaces; the best angles, and the nearest to the surface. Cells: every cell is cut "
-      "into tetrahedra around its centre, so that the surfaces have the faces and labels of Volume "
-      "Fraction To Hex. TetGen: the surfaces of Cells, filled by TetGen with tetrahedra that grow "
-      "away from them; the fewest tetrahedra. TetGen is there only where it was built in."),
+      "How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes is cut along "
+      "the surfaces, which gives the best angles and the closest fit. Cells: each cell is cut into "
+      "tetrahedra around its centre, so that the surfaces have the faces and labels of Volume "
+      "Fraction To Hex. TetGen: TetGen fills the surfaces of Cells with tetrahedra that grow away "
+      "from them, which gives the fewest tetrahedra. TetGen is optional when this software is "
+      "built."),
     Row("RelativeSize", Number<&M::RelativeSize>(RelativeSizes),
-      "Wished length of the edges beside the surfaces, in cells of the grid. The triangles of the "
-      "surfaces stay as they are.")
+      "Target length of the edges next to the surfaces, in cells of the grid. The triangles of the "
+      "surfaces do not change.")
       .ShownIf(Fills),
     Row("Growth", Number<&M::Growth>(Growths),
-      "By how much the edges grow over each cell of distance from the surfaces. 0 keeps them as "
+      "Increase of the edge length per cell of distance from the surfaces. 0: edges are equally "
       "short everywhere.")
       .ShownIf(Fills),
     Row("RadiusEdgeRatio", Number<&M::RadiusEdgeRatio>(RadiusEdgeRatios),
-      "Largest ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values "
+      "Maximum ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values "
       "give more and better tetrahedra.")
       .ShownIf(Fills)
       .Advanced(),
     Row("MinimumDihedralAngle", Number<&M::MinimumDihedralAngle>(MinimumDihedralAngles),
-      "The dihedral angle, in degrees, that refinement strives for.")
+      "Target of refinement for the smallest dihedral angle, in degrees.")
       .ShownIf(Fills)
       .Advanced(),
     Row("OptimizationLevel", Number<&M::OptimizationLevel>(OptimizationLevels),
-      "How much TetGen flips and smooths the tetrahedra.")
+      "How much TetGen improves the tetrahedra by flips and smoothing.")
       .ShownIf(Fills)
       .Advanced(),
   };

@@ -1,8 +1,10 @@
 /**
- * OptionTable: every option of the mesher, a row each: its name, what it takes, where front ends show it, and what it means.
+ * OptionTable: all options of the mesher, one row per option: name, allowed values, display in
+ * front ends, and help text.
  *
- * SetOptions.h sets and checks options by it; scripts/generate writes from it (describe_options prints it) the properties of the
- * filters, the signatures of the Python package and the tables of the documents.
+ * SetOptions.h sets and checks options by this table. scripts/generate reads it from
+ * describe_options and writes the properties of the filters, the signatures of the Python package
+ * and the tables of the pages.
  */
 #pragma once
 
@@ -20,56 +22,60 @@ enum class OptionKind
   Integer,
   Real,
   Choice,
-  Array,  ///< the name of an array
-  File,   ///< a path
+  Array,  ///< name of an array
+  File,   ///< path of a file
   Arrays, ///< names of arrays
-  Kinds,  ///< words array=kind
+  Kinds,  ///< entries array=kind
   Boxes   ///< RefinementBoxes
 };
 
-/// Numbers that an option takes.
+/// Numbers that an option accepts.
 struct OptionRange
 {
   double Least = -std::numeric_limits<double>::infinity();
   double Most = std::numeric_limits<double>::infinity();
-  bool IsMinimumOpen = false, IsMaximumOpen = false; ///< not allowed themselves
-  std::optional<double> Special = std::nullopt;      ///< a number with a meaning of its own
-  std::string Meaning = {};                          ///< of Special: off, automatic
+  bool IsMinimumOpen = false, IsMaximumOpen = false; ///< the limits are excluded
+  std::optional<double> Special = std::nullopt;      ///< number with a special meaning
+  std::string Meaning = {};                          ///< meaning of Special: off, automatic
 
+  /// Returns whether the number is in the range or equal to Special.
   bool Holds(double number) const;
 };
 
+/// A row of the table. The kind determines which of GetNumber, Text and Texts is set.
 struct Option
 {
   std::string Name;
   OptionKind Kind = OptionKind::Boxes;
-  double (*GetNumber)(const MesherOptions&) = nullptr; ///< of a switch 0 or 1, of a choice its word
+  /// Reads a number; 0 or 1 for a switch, the index of the word for a choice. Null for texts.
+  double (*GetNumber)(const MesherOptions&) = nullptr;
   void (*SetNumber)(MesherOptions&, double) = nullptr;
-  std::string MesherOptions::*Text = nullptr;               ///< of an array or a file
-  std::vector<std::string> MesherOptions::*Texts = nullptr; ///< of arrays or kinds
-  OptionRange Range;                                        ///< of integers and reals
-  std::vector<std::string> Words; ///< of a choice, as panels show them; the first is number 0
+  std::string MesherOptions::*Text = nullptr;               ///< set for an array or a file
+  std::vector<std::string> MesherOptions::*Texts = nullptr; ///< set for arrays or kinds
+  OptionRange Range;                                        ///< range of integers and reals
+  std::vector<std::string> Words; ///< words of a choice, as in panels; the first is number 0
   bool OnlyTets = false;
-  std::string Group; ///< of the panel
-  std::string
-    Shown; ///< the panel hides it unless this holds (scripts/options/panel.py tells the notation); empty: always shown
-  std::string Enabled; ///< the panel greys it unless this holds
+  std::string Group; ///< group in the panel
+  /// Condition under which the panel shows the option, in the notation of scripts/options/panel.py;
+  /// empty: always.
+  std::string Shown;
+  std::string Enabled; ///< condition under which the panel enables the option; empty: always
   bool IsAdvanced = false;
   bool IsListed = false;       ///< the panel lists all numbers
   bool TakesVectors = false;   ///< the array may have several components
-  bool IsHiddenOfTets = false; ///< has no effect on them
-  std::string Python;          ///< the name there; empty: given in other ways
-  std::string Argument;        ///< of sculptor, with what follows: "--iso V"; empty: by --set
-  std::string Meaning;
-  std::string MeaningOfTets; ///< empty: the same
+  bool IsHiddenOfTets = false; ///< no effect on tetrahedra
+  std::string Python;          ///< name in Python; empty: the package sets it in other ways
+  std::string Argument;        ///< argument of sculptor: "--iso V"; empty: only by --set
+  std::string Meaning;         ///< help text; the first sentence is a summary
+  std::string MeaningOfTets;   ///< help text for tetrahedra; empty: the same
 
-  /// For messages and help: "a number above 0 and below 1".
+  /// Returns the allowed values, for messages and help: "a number above 0 and below 1".
   std::string Allowed() const;
 };
 
 using OptionTable = std::vector<Option>;
 
-/// In the order of the panel.
+/// Returns all options in the order of the panel.
 const OptionTable& GetOptionTable();
 
 } // namespace vfm

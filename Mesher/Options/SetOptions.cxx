@@ -23,7 +23,7 @@ std::string WithMeaning(double number, const OptionRange& range)
   return FormatNumber(number) + (isSpecial ? " (" + range.Meaning + ")" : "");
 }
 
-/// Of a number; noun: what it is.
+/// Describes the allowed values; noun: what a value is called.
 std::string DescribeRange(const std::string& noun, const OptionRange& range)
 {
   const bool hasMost = range.Most <= Largest;
@@ -67,7 +67,7 @@ std::optional<double> ParseValue(const Option& option, const std::string& text)
   }
 }
 
-/// Nothing where it is no box.
+/// Parses six numbers, or seven with the number of halvings.
 std::optional<RefinementBox> ParseBox(const std::string& text)
 {
   const Texts parts = SplitText(text);
@@ -106,7 +106,7 @@ bool SetBoxes(Boxes& to, const std::string& text)
   return true;
 }
 
-/// Which kinds there are is told where the arrays are known.
+/// Kinds are only checked for an '='; PlanState, which knows the arrays, checks the rest.
 bool SetTexts(const Option& option, Texts& to, const std::string& text)
 {
   const Texts parts = text.empty() ? Texts() : SplitText(text);
@@ -139,7 +139,7 @@ bool SetNumber(MesherOptions& options, const Option& option, const std::string& 
   return isAllowed;
 }
 
-/// Whether the text is allowed.
+/// Returns whether the text is allowed; otherwise the options do not change.
 bool SetText(MesherOptions& options, const Option& option, const std::string& given)
 {
   if (option.SetNumber)
@@ -199,7 +199,7 @@ std::string Option::Allowed() const
     case OptionKind::Switch:
       return "on or off";
     case OptionKind::Integer:
-      return DescribeRange("a whole number", this->Range);
+      return DescribeRange("an integer", this->Range);
     case OptionKind::Real:
       return DescribeRange("a number", this->Range);
     case OptionKind::Choice:
@@ -215,8 +215,8 @@ std::string Option::Allowed() const
       return "name=kind with commas between them, or None; kinds: mass, mass*other, volume, cell, "
              "extensive, copy";
     case OptionKind::Boxes:
-      return "x0,y0,z0,x1,y1,z1 or with the number of halvings, 0 to " +
-        std::to_string(MaximumHalvings) + ", as seventh; semicolons part boxes";
+      return "x0,y0,z0,x1,y1,z1, optionally followed by the number of halvings, 0 to " +
+        std::to_string(MaximumHalvings) + "; boxes are separated by semicolons";
   }
   return "";
 }
@@ -256,7 +256,7 @@ void SetOption(MesherOptions& options, const std::string& name, const std::strin
   if (option->OnlyTets && options.Elements != ElementKind::Tets)
   {
     throw InputError("The option " + option->Name + " (given '" + value +
-      "') is one of tetrahedra, and hexahedra are asked for. Their options are: " +
+      "') applies to tetrahedra only, and the mesh has hexahedra. Options for hexahedra: " +
       ListNames(options.Elements, table) + ".");
   }
   if (!SetText(options, *option, value))

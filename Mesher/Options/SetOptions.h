@@ -1,6 +1,6 @@
 /**
- * SetOptions: options set, read and checked by their names. Names and words are taken in any case, with or without spaces; numbers
- * are parsed whole, with a decimal point in any locale.
+ * SetOptions: sets, reads and checks options by name. Upper and lower case and spaces in names and
+ * words do not matter. Numbers have a decimal point in any locale; trailing characters are errors.
  */
 #pragma once
 
@@ -9,24 +9,30 @@
 namespace vfm
 {
 
-/// Null where there is none of that name.
+/// Returns the option with a name, or null.
 const Option* FindOption(const std::string& name, const OptionTable& table = GetOptionTable());
 
-/// Throws InputError, which names the option, the value and what is allowed, when there is no such option, it is one of tetrahedra and
-/// options.Elements are not, or the value is not allowed; the options are then as before.
+/// Sets an option. If it throws, the options do not change.
+/// @param value text as GetOption returns it; words of a choice, or their numbers
+/// @throws InputError if there is no such option, if it applies to tetrahedra only and
+/// options.Elements are hexahedra, or if the value is not allowed; the message names the option,
+/// the value and the allowed values
 void SetOption(MesherOptions& options, const std::string& name, const std::string& value,
   const OptionTable& table = GetOptionTable());
 
-/// The value as SetOption takes it.
+/// Returns the value of an option as text that SetOption accepts.
 std::string GetOption(const MesherOptions& options, const Option& option);
 
-/// The numbers that an option takes, of a switch or a choice too.
+/// Returns the range of numbers that an option accepts; for switches and choices, of their words.
 OptionRange RangeOf(const Option& option);
 
-/// Throws InputError, as SetOption does, when a number is out of its range. Of hexahedra the options of tetrahedra are not checked.
+/// Checks the ranges of all numbers; options for tetrahedra only if options.Elements are
+/// tetrahedra.
+/// @throws InputError as SetOption does
 void CheckOptions(const MesherOptions& options, const OptionTable& table = GetOptionTable());
 
-/// For help, two lines an option: its name, that of sculptor, what it takes and its default; the first sentence of its text.
+/// Returns help texts, two lines per option: name, argument of sculptor, allowed values, default;
+/// then the first sentence of its meaning.
 std::vector<std::string> DescribeOptions(
   ElementKind elements, const OptionTable& table = GetOptionTable());
 

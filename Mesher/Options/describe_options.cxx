@@ -11,7 +11,7 @@ namespace vfm
 namespace
 {
 
-/// By OptionKind.
+/// Names of kinds, indexed by OptionKind.
 constexpr const char* KindNames[] = { "switch", "integer", "real", "choice", "array", "file",
   "arrays", "kinds", "boxes" };
 
@@ -41,7 +41,7 @@ const char* Truth(bool is)
   return is ? "true" : "false";
 }
 
-/// A number, null where there is no end.
+/// Returns a limit as JSON: a number, or null if infinite.
 std::string End(double number)
 {
   return std::abs(number) <= std::numeric_limits<double>::max() ? FormatNumber(number) : "null";

@@ -59,10 +59,10 @@ TEST(SetOptions, RefusalsNameOptionValueAndWhatIsAllowed)
     { "IsoValue=1", "it takes a number above 0 and below 1." },
     { "TargetScaledJacobian=1", "it takes a number from 0 (automatic) to below 1." },
     { "FractionTolerance=0.2", "it takes a number from 1e-6 to 0.1." },
-    { "MaximumLevel=11", "it takes a whole number from -1 (automatic) to 10." },
+    { "MaximumLevel=11", "it takes an integer from -1 (automatic) to 10." },
     { "MaximumAspectRatio=1.05", "it takes 0 (off) or a number, 1.1 or more." },
     { "CurvaturePerCell=-1", "it takes a number, 0 (off) or more." },
-    { "MinimumRegionCells=4294967296", "it takes a whole number, 0 or more." },
+    { "MinimumRegionCells=4294967296", "it takes an integer, 0 or more." },
     { "RelativeSize=1e7", "it takes a number from 0.1 to 1e6." },
     { "RadiusEdgeRatio=101", "it takes a number from 1 to 100." },
     { "IsoValue=0.5x", "it takes" },
@@ -92,8 +92,8 @@ TEST(SetOptions, OptionsOfTetrahedraAreRejectedByHexahedra)
   MesherOptions options;
   const std::string refusal = Refusal(options, "Method", "Cells");
   EXPECT_EQ(
-    refusal.find("The option Method (given 'Cells') is one of tetrahedra, and hexahedra are "
-                 "asked for. Their options are: "),
+    refusal.find("The option Method (given 'Cells') applies to tetrahedra only, and the mesh has "
+                 "hexahedra. Options for hexahedra: "),
     0u);
   EXPECT_EQ(refusal.find("RelativeSize"), std::string::npos);
   options.Elements = ElementKind::Tets;
@@ -151,7 +151,7 @@ TEST(SetOptions, AnAddedRowIsAnOption)
   EXPECT_EQ(GetOption(options, *FindOption("NewOption", table)), "0.75");
   EXPECT_EQ(DescribeOptions(ElementKind::Hexes, table).back(),
     "NewOption, --iso V: a number above 0 and below 1; default 0.5\n"
-    "      A cell is void when its materials together fill less than this part of it.");
+    "      A cell is void if its materials together fill less than this fraction of it.");
 }
 
 TEST(ParseText, NumbersAreFormattedAsShortAsTheyCanBe)

@@ -1,4 +1,5 @@
-/// The command line of sculptor: what arguments set, and the message and the exit code of each that is refused.
+/// The command line of sculptor: what arguments set, and the message and the exit code of each that
+/// is refused.
 #include "Arguments.h"
 #include "ArgumentOptions.h"
 #include "Options/SetOptions.h"
@@ -295,7 +296,7 @@ TEST(Arguments, RejectedOptionsOfTheMesher)
       { "--refine-box 0,0,0,1,1", "The option RefinementBoxes cannot be '0,0,0,1,1'" },
       { "--refine-box 0,0,0,1,1,1,11", "The option RefinementBoxes cannot be '0,0,0,1,1,1,11'" },
       { "--set Wrong=1", "There is no option 'Wrong'" },
-      { "--set Method=Cells", "is one of tetrahedra, and hexahedra are asked for." },
+      { "--set Method=Cells", "applies to tetrahedra only, and the mesh has hexahedra." },
       { "--tetmesh Wrong", "The option Method cannot be 'Wrong'" },
       { "--tetmesh=", "--tetmesh needs a value." },
       { "--state-transfer keep", "The option StateTransfer cannot be 'keep'" },

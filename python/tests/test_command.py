@@ -139,7 +139,7 @@ def test_every_option():
     words = make_parser().format_help()
     for option in OPTIONS:
         assert "--" + option.name.replace("_", "-") in words
-    assert "a whole number from 0 to 10" in " ".join(words.split())
+    assert "an integer from 0 to 10" in " ".join(words.split())
 
 
 def test_module():
