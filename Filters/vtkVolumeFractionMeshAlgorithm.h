@@ -255,133 +255,136 @@ public:
   };
 
   // options: generated
-  /// Leave the mesh of an image with a direction matrix in the axes of the image, so that sides of
-  /// the domain lie along x, y and z. Off: the mesh is turned to where the image lies in space.
-  /// State arrays and refinement boxes are not turned. Takes on or off; default off.
+  /// Leave the mesh of an image with a direction matrix in the axes of the image. The sides of the
+  /// domain then lie along x, y and z. Off: the mesh is rotated to the position of the image in
+  /// space. State arrays and refinement boxes are not rotated. Allowed: on or off; default off.
   vfmSwitchOption(ImageAxes);
-  /// Mesh the void as well, as material 0, conforming with the materials. Takes on or off; default
-  /// off.
+  /// Mesh the void as well, as material 0, conforming with the materials. Allowed: on or off;
+  /// default off.
   vfmSwitchOption(MeshVoid);
-  /// Remove spray, crumbs and small cavities: a region of one material, or of void, of fewer cells
-  /// than this is given to the material or void with which it shares the most faces. 0: all stay.
-  /// Takes a whole number, 0 or more; default 0.
+  /// Remove small fragments and cavities. A face-connected region of one material, or of void, with
+  /// fewer cells than this becomes part of the material or void with which it shares the most
+  /// faces. 0: all regions stay. Allowed: an integer, 0 or more; default 0.
   vfmNumberOption(MinimumRegionCells, int);
-  /// Clip volume fractions that lie outside [0, 1] by no more than this (a code's over- and
-  /// undershoots), and scale back sums above 1 by no more. Others are refused. 1e-6 is for rounding
-  /// alone. Takes a number from 1e-6 to 0.1; default 1e-6.
+  /// Clip volume fractions that lie outside [0, 1] by at most this value, such as over- and
+  /// undershoots of a simulation. Sums above 1 by at most this value, or by at most 0.001, are
+  /// scaled back to 1. Larger deviations are errors. The default of 1e-6 covers rounding only.
+  /// Allowed: a number from 1e-6 to 0.1; default 1e-6.
   vfmNumberOption(FractionTolerance, double);
-  /// A cell is void when its materials together fill less than this part of it. Volumes are
-  /// conserved only at 0.5. Takes a number above 0 and below 1; default 0.5.
+  /// A cell is void if its materials together fill less than this fraction of it. Volumes are
+  /// conserved only at 0.5. Allowed: a number above 0 and below 1; default 0.5.
   vfmNumberOption(IsoValue, double);
-  /// How elements get the values of state arrays. Copy: every element has the values of the cell
-  /// that holds its centroid, or of the cell beside it with most of the element's material where
-  /// that cell holds less than half. Nothing is averaged, so sums are not conserved. Conserve:
-  /// elements share what the cells hold of their material, so that mass, momentum, energy of every
-  /// material are those of the input. Automatic: Conserve where Density Arrays names one, else
-  /// Copy. Takes Automatic, Copy, Conserve (or 0 to 2); default Automatic.
+  /// How elements get the values of state arrays. Copy: each element takes the values of the cell
+  /// that contains its centroid. If its material fills less than half of that cell, the neighbour
+  /// cell with most of the material is used. Nothing is averaged, so sums are not conserved.
+  /// Conserve: the contents of the cells are distributed to the elements, so that mass, momentum
+  /// and energy of each material match the input. Automatic: Conserve if Density Arrays names an
+  /// array, otherwise Copy. Allowed: Automatic, Copy, Conserve (or 0 to 2); default Automatic.
   vfmNumberOption(StateTransfer, int);
-  /// What Conserve takes the state to be in a cell. 1: constant. 2: linear, within the bounds of
-  /// the cells around. Takes a whole number from 1 to 2; default 2.
+  /// How Conserve reconstructs the state within a cell. 1: constant. 2: linear, within the range of
+  /// the neighbour cells. Allowed: an integer from 1 to 2; default 2.
   vfmNumberOption(StateOrder, int);
-  /// The velocity, of which Conserve tells momentum and kinetic energy of every material, and what
-  /// the mesh lacks of it: an array of three components, or one of three (X velocity). Carried
-  /// along as State Arrays are. Takes the name of a cell array, or None; default None.
+  /// Velocity. Conserve preserves and reports the momentum of each material, and reports its
+  /// kinetic energy and the part that is lost. Select an array of three components, or one of three
+  /// arrays with a component each (X velocity). Transferred like State Arrays. Allowed: the name of
+  /// a cell array, or None; default None.
   vfmArrayOption(VelocityArray);
-  /// The internal energy per mass, of which Conserve tells the energy of every material. Of arrays
-  /// a material any one. Carried along as State Arrays are. Takes the name of a cell array, or
-  /// None; default None.
+  /// Internal energy per unit mass. Conserve preserves and reports it for each material. If every
+  /// material has its own energy array, select any one of them. Transferred like State Arrays.
+  /// Allowed: the name of a cell array, or None; default None.
   vfmArrayOption(EnergyArray);
-  /// Add the velocity of the nodes as a point array, with which a Lagrangian code starts. The
-  /// momentum of all nodes is that of all elements. Takes on or off; default off.
+  /// Add the velocity of the nodes as a point array, the initial state of a Lagrangian code. The
+  /// momentum of all nodes equals the momentum of all elements. Allowed: on or off; default off.
   vfmSwitchOption(NodalVelocity);
-  /// The kinetic energy that is lost where one element, or one node, moves with the mean velocity
-  /// of several cells. Report: the table of materials tells it. Internal Energy: it is added to
-  /// Energy Array, so that the sum of both energies is that of the input. Takes Report,
+  /// Treatment of the kinetic energy that is lost where one element, or one node, moves with the
+  /// mean velocity of several cells. Report: the table of materials lists it. Internal Energy: it
+  /// is added to Energy Array, so that the sum of both energies matches the input. Allowed: Report,
   /// InternalEnergy (or 0 to 1); default Report.
   vfmNumberOption(LostKineticEnergy, int);
-  /// Material apart from all elements of its kind: spray, removed regions. Give: Conserve gives it
-  /// to the nearest fragment of its material within a few cells. Drop: it is left out. What is left
-  /// out the table of materials tells. Takes Give, Drop (or 0 to 1); default Give.
+  /// Treatment of material that is not attached to any element of its kind, such as small drops and
+  /// removed regions. Give: Conserve adds it to the nearest fragment of its material within a few
+  /// cells. Drop: it is left out. The table of materials lists how much is left out. Allowed: Give,
+  /// Drop (or 0 to 1); default Give.
   vfmNumberOption(UnmeshedMaterial, int);
-  /// Turn every cell of a material into one hexahedron and move nothing: a quick look at the
-  /// materials. Takes on or off; default off.
+  /// Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the
+  /// materials. Allowed: on or off; default off.
   vfmSwitchOption(StairStep);
   /// How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of the
-  /// surface; the best mesh. Geometry Based: surface nodes stay on the facets of the surface as
-  /// first found. Off: the steps of the grid with a thin layer of hexahedra along them; valid, but
-  /// neither smooth nor of good quality. Takes Off, QuadricSurface, GeometryBased (or 0 to 2);
-  /// default QuadricSurface.
+  /// surface, which gives the best mesh. Geometry Based: surface nodes stay on the facets of the
+  /// initial surface. Off: the surface keeps the steps of the grid, with a thin layer of hexahedra
+  /// along them; valid, but neither smooth nor of good quality. Allowed: Off, QuadricSurface,
+  /// GeometryBased (or 0 to 2); default QuadricSurface.
   vfmNumberOption(Smoothing, int);
-  /// Whether edges and corners are found in the volume fractions and kept: those of machined parts,
-  /// of shapes and of closed surfaces. Off: they are rounded, by about a third of a cell. On:
-  /// wherever two or three surfaces that cut each other explain the fractions around better than
-  /// one. Automatic: of two materials that meet, only where that is so in much of what one surface
-  /// does not explain, so not in fluids and noise. Has an effect with Smoothing Quadric Surface and
-  /// an IsoValue of 0.5 alone. Takes Off, On, Automatic (or 0 to 2); default Automatic.
+  /// Detect edges and corners in the volume fractions and preserve them, as in machined parts,
+  /// shapes and closed surfaces. Off: they are rounded by about a third of a cell. On: all points
+  /// of interfaces are tested. Automatic: only between materials where samples of the points that
+  /// one surface does not fit show edges, so not in fluids and noise. Requires Smoothing Quadric
+  /// Surface and an IsoValue of 0.5. Allowed: Off, On, Automatic (or 0 to 2); default Automatic.
   vfmNumberOption(SharpEdges, int);
-  /// Smooth the steps that material ids make, by this many passes of an average over the cells
-  /// around. Every material keeps the volume of its cells, thin parts stay. 2 or 3 serve most; more
-  /// rounds off edges. Volume fractions are not smoothed. Takes a whole number from 0 to 10;
-  /// default 0.
+  /// Smooth the steps of material ids, by this number of averaging passes over neighbour cells.
+  /// Each material keeps the volume of its cells, and thin parts stay. 2 or 3 passes suit most
+  /// images; more round off edges. Volume fractions are not smoothed. Allowed: an integer from 0 to
+  /// 10; default 0.
   vfmNumberOption(LabelSmoothing, int);
-  /// Shift the surfaces until every fragment has the volume of its volume fractions. Takes on or
-  /// off; default on.
+  /// Shift the surfaces until each fragment has the volume given by its volume fractions. Allowed:
+  /// on or off; default on.
   vfmSwitchOption(ConserveVolume);
-  /// Where the mesh is finer than elsewhere; each level halves the cells. Input Levels: where the
-  /// input is, if it has levels (AMR). Off: nowhere, all cells are those of the coarsest level.
-  /// Automatic: where the shape needs it. Coarsen: the cells of the input stay near interfaces and
+  /// Where the mesh is refined; each level halves the cells. Input Levels: where the input has
+  /// finer levels (AMR). Off: nowhere, all cells are of the coarsest level. Automatic: where the
+  /// shape of the materials requires it. Coarsen: the cells of the input stay near interfaces and
   /// get larger away from them. Uniform: everywhere, so that thin parts get more elements across.
-  /// Takes Off, InputLevels, Automatic, Coarsen, Uniform (or 0 to 4); default InputLevels.
+  /// Allowed: Off, InputLevels, Automatic, Coarsen, Uniform (or 0 to 4); default InputLevels.
   vfmNumberOption(Refinement, int);
-  /// Levels finer than the coarsest, at most. Automatic, -1: all that the input has; 1 where an
-  /// image is refined, or what named cells ask for; by Coarsen as many as the numbers of cells
-  /// allow, at most 3. By Uniform each makes eight times as many elements. Finer data of the input
-  /// are averaged. Takes a whole number from -1 (automatic) to 10; default -1.
+  /// Maximum number of levels above the coarsest. Automatic (-1): all levels of the input, and for
+  /// a refined image 1, or the levels that user-selected cells request. Coarsen then makes as many
+  /// as the numbers of cells allow, up to 3. Uniform multiplies the number of elements by eight per
+  /// level. Finer data of the input are averaged. Allowed: an integer from -1 (automatic) to 10;
+  /// default -1.
   vfmNumberOption(MaximumLevel, int);
-  /// All interfaces get the finest cells. Off: cells are as fine as the levels of the input or the
-  /// criteria ask at each place, and interfaces cross levels; by Coarsen all cells are then as
-  /// coarse as can be. Hexahedra only: tetrahedra at interfaces are always fine. Takes on or off;
-  /// default on.
+  /// All interfaces get the finest cells. Off: each place gets the level of the input or of the
+  /// criteria there, and interfaces cross levels. With Coarsen all cells are then as coarse as
+  /// possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells. Allowed: on
+  /// or off; default on.
   vfmSwitchOption(FineInterfaces);
-  /// How many of the finest cells lie at least between an interface and larger cells. Without Fine
-  /// Interfaces: around places where Automatic asks for them. Takes a whole number from 2 to 64;
-  /// default 2.
+  /// Minimum number of finest cells between an interface and larger cells. Without Fine Interfaces:
+  /// number of fine cells around the places that Automatic refines. Allowed: an integer from 2 to
+  /// 64; default 2.
   vfmNumberOption(FineLayers, int);
-  /// Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than so many
-  /// cells. 0: it does not look for them. Takes a number from 0 (off) to 3; default 2.
+  /// Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than this
+  /// number of cells. 0: off. Allowed: a number from 0 (off) to 3; default 2.
   vfmNumberOption(ThinCells, double);
-  /// Refinement Automatic halves cells where an interface turns by more than so many radians over a
-  /// cell. 0: it does not look for that. Takes a number, 0 (off) or more; default 0.
+  /// Refinement Automatic halves cells where an interface turns by more than this angle per cell,
+  /// in radians. 0: off. Allowed: a number, 0 (off) or more; default 0.
   vfmNumberOption(CurvaturePerCell, double);
-  /// Refinement Automatic halves cells once whose material had to be changed to make the interfaces
-  /// manifold. Takes on or off; default off.
+  /// Refinement Automatic halves, once, the cells whose material had to be changed to make the
+  /// interfaces manifold. Allowed: on or off; default off.
   vfmSwitchOption(RefineFlippedCells);
-  /// Refinement Automatic refines all cells within so many layers of an interface, to Maximum
-  /// Level. 0: it does not. Takes a whole number from 0 to 64; default 0.
+  /// Refinement Automatic refines all cells within this number of layers of an interface, to
+  /// Maximum Level. 0: off. Allowed: an integer from 0 to 64; default 0.
   vfmNumberOption(InterfaceLayers, int);
-  /// Cells that Refinement Automatic refines whatever they hold: the array that tells how many
-  /// times each is to be halved, 0 to 10 (0 and 1 of a mask), up to Maximum Level. Thin Cells 0
-  /// leaves these alone; without Fine Interfaces each place gets what it asks for. Takes the name
-  /// of a cell array, or None; default None.
+  /// Array of the number of times that Refinement Automatic halves each cell, 0 to 10 (0 and 1 in a
+  /// mask), up to Maximum Level. With Thin Cells 0 only these cells are refined. Without Fine
+  /// Interfaces each place gets the level that is requested there. Allowed: the name of a cell
+  /// array, or None; default None.
   vfmArrayOption(RefinementArray);
-  /// Cut long cells (slices thicker than their pixels) across first, until no cell is so many times
-  /// longer one way than another. 1.5 makes elements of good shape. 0: cells stay as they are.
-  /// Takes 0 (off) or a number, 1.1 or more; default 0.
+  /// Divide cells of high aspect ratio first (slices thicker than their pixels), until no width of
+  /// a cell exceeds another by more than this factor. 1.5 gives elements of good shape. 0: off.
+  /// Allowed: 0 (off) or a number, 1.1 or more; default 0.
   vfmNumberOption(MaximumAspectRatio, double);
-  /// What the halves, or parts, of a mixed cell hold where there is no finer data. Planes: the cell
-  /// is cut by planes that keep the volume of every material. Parent: the fractions of the cell.
-  /// Material ids hold no planes: their steps stay, unless Label Smoothing makes planes of them.
-  /// Takes Planes, Parent (or 0 to 1); default Planes.
+  /// Volume fractions in the halves, or parts, of a mixed cell where there are no finer data.
+  /// Planes: the cell is cut by planes that preserve the volume of each material. Parent: the parts
+  /// get the fractions of the cell. Material ids keep their steps with either choice, unless Label
+  /// Smoothing is on. Allowed: Planes, Parent (or 0 to 1); default Planes.
   vfmNumberOption(ChildFractions, int);
-  /// The scaled Jacobian that smoothing strives for. Larger values give better hexahedra that
-  /// follow the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with several.
-  /// Takes a number from 0 (automatic) to below 1; default 0.
+  /// Target of smoothing for the scaled Jacobian. Larger values give better hexahedra that follow
+  /// the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with several. Allowed:
+  /// a number from 0 (automatic) to below 1; default 0.
   vfmNumberOption(TargetScaledJacobian, double);
-  /// Add the cell array ScaledJacobian, and its minimum and mean to the field data. A cube has 1, a
-  /// valid hexahedron more than 0. Takes on or off; default on.
+  /// Add the cell array ScaledJacobian, and its minimum and mean to the field data. It is 1 for a
+  /// cube and above 0 for a valid hexahedron. Allowed: on or off; default on.
   vfmSwitchOption(ComputeQuality);
-  /// Threads to work with. 0 is automatic: all cores on one process, one thread on each of several.
-  /// The mesh does not depend on it. Takes a whole number, 0 (automatic) or more; default 0.
+  /// Number of threads. 0 is automatic: all cores on one rank, one thread per rank on several. The
+  /// mesh does not depend on it. Allowed: an integer, 0 (automatic) or more; default 0.
   vfmNumberOption(NumberOfThreads, int);
   // end of options
 

@@ -53,27 +53,27 @@ public:
   static bool HasTetGen();
 
   // options: generated
-  /// How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes, cut along the
-  /// surfaces; the best angles, and the nearest to the surface. Cells: every cell is cut into
+  /// How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes is cut along
+  /// the surfaces, which gives the best angles and the closest fit. Cells: each cell is cut into
   /// tetrahedra around its centre, so that the surfaces have the faces and labels of Volume
-  /// Fraction To Hex. TetGen: the surfaces of Cells, filled by TetGen with tetrahedra that grow
-  /// away from them; the fewest tetrahedra. TetGen is there only where it was built in. Takes
-  /// TetGen, Cells, Lattice (or 0 to 2); default Lattice.
+  /// Fraction To Hex. TetGen: TetGen fills the surfaces of Cells with tetrahedra that grow away
+  /// from them, which gives the fewest tetrahedra. TetGen is optional when this software is built.
+  /// Allowed: TetGen, Cells, Lattice (or 0 to 2); default Lattice.
   vfmNumberOption(Method, int);
-  /// Wished length of the edges beside the surfaces, in cells of the grid. The triangles of the
-  /// surfaces stay as they are. Takes a number from 0.1 to 1e6; default 1.
+  /// Target length of the edges next to the surfaces, in cells of the grid. The triangles of the
+  /// surfaces do not change. Allowed: a number from 0.1 to 1e6; default 1.
   vfmNumberOption(RelativeSize, double);
-  /// By how much the edges grow over each cell of distance from the surfaces. 0 keeps them as short
-  /// everywhere. Takes a number from 0 to 1e6; default 0.3.
+  /// Increase of the edge length per cell of distance from the surfaces. 0: edges are equally short
+  /// everywhere. Allowed: a number from 0 to 1e6; default 0.3.
   vfmNumberOption(Growth, double);
-  /// Largest ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values give
-  /// more and better tetrahedra. Takes a number from 1 to 100; default 1.4.
+  /// Maximum ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values give
+  /// more and better tetrahedra. Allowed: a number from 1 to 100; default 1.4.
   vfmNumberOption(RadiusEdgeRatio, double);
-  /// The dihedral angle, in degrees, that refinement strives for. Takes a number from 0 to 60;
-  /// default 10.
+  /// Target of refinement for the smallest dihedral angle, in degrees. Allowed: a number from 0 to
+  /// 60; default 10.
   vfmNumberOption(MinimumDihedralAngle, double);
-  /// How much TetGen flips and smooths the tetrahedra. Takes a whole number from 0 to 10; default
-  /// 4.
+  /// How much TetGen improves the tetrahedra by flips and smoothing. Allowed: an integer from 0 to
+  /// 10; default 4.
   vfmNumberOption(OptimizationLevel, int);
   // end of options
 

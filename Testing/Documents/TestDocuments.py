@@ -173,7 +173,7 @@ class Searches(unittest.TestCase):
     def test_property_table(self):
         page = read("Documentation/properties.md")
         for row in ("| Method | TetGen, Cells, Lattice | Lattice |", "| MeshVoid | on, off | off |",
-                    "| IsoValue *advanced* | number above 0 and below 1 | 0.5 |", "| Dimensions | 3 whole numbers, 0 or more | 0 0 0 |"):
+                    "| IsoValue *advanced* | number above 0 and below 1 | 0.5 |", "| Dimensions | 3 integers, 0 or more | 0 0 0 |"):
             self.assertIn(row, page)
         self.assertNotIn("FileName", page)
 

@@ -182,102 +182,104 @@ def hexes(
     Other Parameters
     ----------------
     image_axes : bool, default False
-        Leave the mesh of an image with a direction matrix in the axes of the image, so that sides of the domain lie
-        along x, y and z. Off: the mesh is turned to where the image lies in space. State arrays and refinement boxes
-        are not turned.
+        Leave the mesh of an image with a direction matrix in the axes of the image. The sides of the domain then lie
+        along x, y and z. Off: the mesh is rotated to the position of the image in space. State arrays and refinement
+        boxes are not rotated.
     mesh_void : bool, default False
         Mesh the void as well, as material 0, conforming with the materials.
     minimum_region_cells : int, default 0
-        A whole number, 0 or more. Remove spray, crumbs and small cavities: a region of one material, or of void, of
-        fewer cells than this is given to the material or void with which it shares the most faces. 0: all stay.
+        An integer, 0 or more. Remove small fragments and cavities. A face-connected region of one material, or of void,
+        with fewer cells than this becomes part of the material or void with which it shares the most faces. 0: all
+        regions stay.
     fraction_tolerance : float, default 1e-06
-        A number from 1e-6 to 0.1. Clip volume fractions that lie outside [0, 1] by no more than this (a code's over-
-        and undershoots), and scale back sums above 1 by no more. Others are refused. 1e-6 is for rounding alone.
+        A number from 1e-6 to 0.1. Clip volume fractions that lie outside [0, 1] by at most this value, such as over-
+        and undershoots of a simulation. Sums above 1 by at most this value, or by at most 0.001, are scaled back to 1.
+        Larger deviations are errors. The default of 1e-6 covers rounding only.
     iso_value : float, default 0.5
-        A number above 0 and below 1. A cell is void when its materials together fill less than this part of it. Volumes
-        are conserved only at 0.5.
+        A number above 0 and below 1. A cell is void if its materials together fill less than this fraction of it.
+        Volumes are conserved only at 0.5.
     state_transfer : {"automatic", "copy", "conserve"}, default "automatic"
-        How elements get the values of state arrays. Copy: every element has the values of the cell that holds its
-        centroid, or of the cell beside it with most of the element's material where that cell holds less than half.
-        Nothing is averaged, so sums are not conserved. Conserve: elements share what the cells hold of their material,
-        so that mass, momentum, energy of every material are those of the input. Automatic: Conserve where Density
-        Arrays names one, else Copy.
+        How elements get the values of state arrays. Copy: each element takes the values of the cell that contains its
+        centroid. If its material fills less than half of that cell, the neighbour cell with most of the material is
+        used. Nothing is averaged, so sums are not conserved. Conserve: the contents of the cells are distributed to the
+        elements, so that mass, momentum and energy of each material match the input. Automatic: Conserve if Density
+        Arrays names an array, otherwise Copy.
     state_order : int, default 2
-        A whole number from 1 to 2. What Conserve takes the state to be in a cell. 1: constant. 2: linear, within the
-        bounds of the cells around.
+        An integer from 1 to 2. How Conserve reconstructs the state within a cell. 1: constant. 2: linear, within the
+        range of the neighbour cells.
     nodal_velocity : bool, default False
-        Add the velocity of the nodes as a point array, with which a Lagrangian code starts. The momentum of all nodes
-        is that of all elements.
+        Add the velocity of the nodes as a point array, the initial state of a Lagrangian code. The momentum of all
+        nodes equals the momentum of all elements.
     lost_kinetic_energy : {"report", "internal_energy"}, default "report"
-        The kinetic energy that is lost where one element, or one node, moves with the mean velocity of several cells.
-        Report: the table of materials tells it. Internal Energy: it is added to Energy Array, so that the sum of both
-        energies is that of the input.
+        Treatment of the kinetic energy that is lost where one element, or one node, moves with the mean velocity of
+        several cells. Report: the table of materials lists it. Internal Energy: it is added to Energy Array, so that
+        the sum of both energies matches the input.
     unmeshed_material : {"give", "drop"}, default "give"
-        Material apart from all elements of its kind: spray, removed regions. Give: Conserve gives it to the nearest
-        fragment of its material within a few cells. Drop: it is left out. What is left out the table of materials
-        tells.
+        Treatment of material that is not attached to any element of its kind, such as small drops and removed regions.
+        Give: Conserve adds it to the nearest fragment of its material within a few cells. Drop: it is left out. The
+        table of materials lists how much is left out.
     stair_step : bool, default False
-        Turn every cell of a material into one hexahedron and move nothing: a quick look at the materials.
+        Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the materials.
     smoothing : {"off", "quadric_surface", "geometry_based"}, default "quadric_surface"
-        How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of the surface; the best
-        mesh. Geometry Based: surface nodes stay on the facets of the surface as first found. Off: the steps of the grid
-        with a thin layer of hexahedra along them; valid, but neither smooth nor of good quality.
+        How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of the surface, which
+        gives the best mesh. Geometry Based: surface nodes stay on the facets of the initial surface. Off: the surface
+        keeps the steps of the grid, with a thin layer of hexahedra along them; valid, but neither smooth nor of good
+        quality.
     sharp_edges : {"off", "on", "automatic"}, default "automatic"
-        Whether edges and corners are found in the volume fractions and kept: those of machined parts, of shapes and of
-        closed surfaces. Off: they are rounded, by about a third of a cell. On: wherever two or three surfaces that cut
-        each other explain the fractions around better than one. Automatic: of two materials that meet, only where that
-        is so in much of what one surface does not explain, so not in fluids and noise. Has an effect with Smoothing
-        Quadric Surface and an IsoValue of 0.5 alone.
+        Detect edges and corners in the volume fractions and preserve them, as in machined parts, shapes and closed
+        surfaces. Off: they are rounded by about a third of a cell. On: all points of interfaces are tested. Automatic:
+        only between materials where samples of the points that one surface does not fit show edges, so not in fluids
+        and noise. Requires Smoothing Quadric Surface and an IsoValue of 0.5.
     label_smoothing : int, default 0
-        A whole number from 0 to 10. Smooth the steps that material ids make, by this many passes of an average over the
-        cells around. Every material keeps the volume of its cells, thin parts stay. 2 or 3 serve most; more rounds off
-        edges. Volume fractions are not smoothed.
+        An integer from 0 to 10. Smooth the steps of material ids, by this number of averaging passes over neighbour
+        cells. Each material keeps the volume of its cells, and thin parts stay. 2 or 3 passes suit most images; more
+        round off edges. Volume fractions are not smoothed.
     conserve_volume : bool, default True
-        Shift the surfaces until every fragment has the volume of its volume fractions.
+        Shift the surfaces until each fragment has the volume given by its volume fractions.
     refinement : {"off", "input_levels", "automatic", "coarsen", "uniform"}, default "input_levels"
-        Where the mesh is finer than elsewhere; each level halves the cells. Input Levels: where the input is, if it has
-        levels (AMR). Off: nowhere, all cells are those of the coarsest level. Automatic: where the shape needs it.
+        Where the mesh is refined; each level halves the cells. Input Levels: where the input has finer levels (AMR).
+        Off: nowhere, all cells are of the coarsest level. Automatic: where the shape of the materials requires it.
         Coarsen: the cells of the input stay near interfaces and get larger away from them. Uniform: everywhere, so that
         thin parts get more elements across.
     maximum_level : int, default -1
-        A whole number from -1 (automatic) to 10. Levels finer than the coarsest, at most. Automatic, -1: all that the
-        input has; 1 where an image is refined, or what named cells ask for; by Coarsen as many as the numbers of cells
-        allow, at most 3. By Uniform each makes eight times as many elements. Finer data of the input are averaged.
+        An integer from -1 (automatic) to 10. Maximum number of levels above the coarsest. Automatic (-1): all levels of
+        the input, and for a refined image 1, or the levels that user-selected cells request. Coarsen then makes as many
+        as the numbers of cells allow, up to 3. Uniform multiplies the number of elements by eight per level. Finer data
+        of the input are averaged.
     fine_interfaces : bool, default True
-        All interfaces get the finest cells. Off: cells are as fine as the levels of the input or the criteria ask at
-        each place, and interfaces cross levels; by Coarsen all cells are then as coarse as can be. Hexahedra only:
-        tetrahedra at interfaces are always fine.
+        All interfaces get the finest cells. Off: each place gets the level of the input or of the criteria there, and
+        interfaces cross levels. With Coarsen all cells are then as coarse as possible. Hexahedra only: tetrahedra at
+        interfaces are always of the finest cells.
     fine_layers : int, default 2
-        A whole number from 2 to 64. How many of the finest cells lie at least between an interface and larger cells.
-        Without fine_interfaces: around places where Automatic asks for them.
+        An integer from 2 to 64. Minimum number of finest cells between an interface and larger cells. Without
+        fine_interfaces: number of fine cells around the places that Automatic refines.
     thin_cells : float, default 2.0
         A number from 0 (off) to 3. Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than
-        so many cells. 0: it does not look for them.
+        this number of cells. 0: off.
     curvature_per_cell : float, default 0.0
-        A number, 0 (off) or more. Refinement Automatic halves cells where an interface turns by more than so many
-        radians over a cell. 0: it does not look for that.
+        A number, 0 (off) or more. Refinement Automatic halves cells where an interface turns by more than this angle
+        per cell, in radians. 0: off.
     refine_flipped_cells : bool, default False
-        Refinement Automatic halves cells once whose material had to be changed to make the interfaces manifold.
+        Refinement Automatic halves, once, the cells whose material had to be changed to make the interfaces manifold.
     interface_layers : int, default 0
-        A whole number from 0 to 64. Refinement Automatic refines all cells within so many layers of an interface, to
-        maximum_level. 0: it does not.
+        An integer from 0 to 64. Refinement Automatic refines all cells within this number of layers of an interface, to
+        maximum_level. 0: off.
     maximum_aspect_ratio : float, default 0.0
-        0 (off) or a number, 1.1 or more. Cut long cells (slices thicker than their pixels) across first, until no cell
-        is so many times longer one way than another. 1.5 makes elements of good shape. 0: cells stay as they are.
+        0 (off) or a number, 1.1 or more. Divide cells of high aspect ratio first (slices thicker than their pixels),
+        until no width of a cell exceeds another by more than this factor. 1.5 gives elements of good shape. 0: off.
     child_fractions : {"planes", "parent"}, default "planes"
-        What the halves, or parts, of a mixed cell hold where there is no finer data. Planes: the cell is cut by planes
-        that keep the volume of every material. Parent: the fractions of the cell. Material ids hold no planes: their
-        steps stay, unless label_smoothing makes planes of them.
+        Volume fractions in the halves, or parts, of a mixed cell where there are no finer data. Planes: the cell is cut
+        by planes that preserve the volume of each material. Parent: the parts get the fractions of the cell. Material
+        ids keep their steps with either choice, unless label_smoothing is on.
     target_scaled_jacobian : float, default 0.0
-        A number from 0 (automatic) to below 1. The scaled Jacobian that smoothing strives for. Larger values give
-        better hexahedra that follow the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with
-        several.
+        A number from 0 (automatic) to below 1. Target of smoothing for the scaled Jacobian. Larger values give better
+        hexahedra that follow the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with several.
     compute_quality : bool, default True
-        Add the cell array ScaledJacobian, and its minimum and mean to the field data. A cube has 1, a valid hexahedron
-        more than 0.
+        Add the cell array ScaledJacobian, and its minimum and mean to the field data. It is 1 for a cube and above 0
+        for a valid hexahedron.
     threads : int, default 0
-        A whole number, 0 (automatic) or more. Threads to work with. 0 is automatic: all cores on one process, one
-        thread on each of several. The mesh does not depend on it.
+        An integer, 0 (automatic) or more. Number of threads. 0 is automatic: all cores on one rank, one thread per rank
+        on several. The mesh does not depend on it.
 
     Returns
     -------
@@ -386,23 +388,24 @@ def tets(
     Other Parameters
     ----------------
     method : {"tetgen", "cells", "lattice"}, default "lattice"
-        How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes, cut along the surfaces; the best
-        angles, and the nearest to the surface. Cells: every cell is cut into tetrahedra around its centre, so that the
-        surfaces have the faces and labels of Volume Fraction To Hex. TetGen: the surfaces of Cells, filled by TetGen
-        with tetrahedra that grow away from them; the fewest tetrahedra. TetGen is there only where it was built in.
+        How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes is cut along the surfaces, which
+        gives the best angles and the closest fit. Cells: each cell is cut into tetrahedra around its centre, so that
+        the surfaces have the faces and labels of Volume Fraction To Hex. TetGen: TetGen fills the surfaces of Cells
+        with tetrahedra that grow away from them, which gives the fewest tetrahedra. TetGen is optional when this
+        software is built.
     relative_size : float, default 1.0
-        A number from 0.1 to 1e6. Wished length of the edges beside the surfaces, in cells of the grid. The triangles of
-        the surfaces stay as they are.
+        A number from 0.1 to 1e6. Target length of the edges next to the surfaces, in cells of the grid. The triangles
+        of the surfaces do not change.
     growth : float, default 0.3
-        A number from 0 to 1e6. By how much the edges grow over each cell of distance from the surfaces. 0 keeps them as
+        A number from 0 to 1e6. Increase of the edge length per cell of distance from the surfaces. 0: edges are equally
         short everywhere.
     radius_edge_ratio : float, default 1.4
-        A number from 1 to 100. Largest ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values
+        A number from 1 to 100. Maximum ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values
         give more and better tetrahedra.
     minimum_dihedral_angle : float, default 10.0
-        A number from 0 to 60. The dihedral angle, in degrees, that refinement strives for.
+        A number from 0 to 60. Target of refinement for the smallest dihedral angle, in degrees.
     optimization_level : int, default 4
-        A whole number from 0 to 10. How much TetGen flips and smooths the tetrahedra.
+        An integer from 0 to 10. How much TetGen improves the tetrahedra by flips and smoothing.
 
     Returns
     -------

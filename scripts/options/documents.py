@@ -42,7 +42,7 @@ def values_of(element, numbers):
             return of + "arrays" if element.get("repeat_command") else "a cell array" if of else "an array"
     if entries(element):
         return ", ".join(entries(element).values())
-    kind = {"IntVectorProperty": "whole number", "DoubleVectorProperty": "number", "StringVectorProperty": "text"}[element.tag]
+    kind = {"IntVectorProperty": "integer", "DoubleVectorProperty": "number", "StringVectorProperty": "text"}[element.tag]
     count = int(element.get("number_of_elements") or element.get("number_of_elements_per_command", "1"))
     kind = kind if count == 1 else "%d %ss" % (count, kind)
     kind += " each" if element.get("repeat_command") else ""

@@ -1,7 +1,8 @@
-"""The accessors of the filters."""
+"""Accessors of the filters."""
 from options.table import common, of_tets, put, wrap
 
-MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)", "choice": "vfmNumberOption(%s, int)",
+MACROS = {"switch": "vfmSwitchOption(%s)", "integer": "vfmNumberOption(%s, int)",
+          "choice": "vfmNumberOption(%s, int)",
           "real": "vfmNumberOption(%s, double)", "array": "vfmArrayOption(%s)"}
 
 
@@ -9,12 +10,14 @@ def write_accessors(text, rows):
     lines = []
     for row in rows:
         if row["kind"] in MACROS:  # files, lists and boxes have methods of their own
-            lines += wrap("%s Takes %s; default %s." % (row["text"], row["allowed"], row["default"]), "  /// ")
+            text_of_row = "%(text)s Allowed: %(allowed)s; default %(default)s." % row
+            lines += wrap(text_of_row, "  /// ")
             lines.append("  " + MACROS[row["kind"]] % row["name"] + ";")
     return put(text, "// options: generated", "// end of options", lines)
 
 
 def files(table):
-    """How each file of the tree becomes current: a function of its text."""
-    return {"Filters/vtkVolumeFractionMeshAlgorithm.h": lambda text: write_accessors(text, common(table)),
+    """Returns, for each generated file, a function that updates its text."""
+    return {"Filters/vtkVolumeFractionMeshAlgorithm.h":
+                lambda text: write_accessors(text, common(table)),
             "Filters/vtkVolumeFractionToTet.h": lambda text: write_accessors(text, of_tets(table))}
