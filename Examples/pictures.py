@@ -2,6 +2,8 @@
 import math
 
 from paraview import simple
+from vtkmodules.vtkFiltersCore import vtkImageAppend
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 SIZE = (1600, 1200)
 VIEW_ANGLE = 18  # degrees
@@ -70,13 +72,20 @@ def cut(mesh, origin, normal):
 
 
 def colour_by_quality(display, view, lowest):
-    """The scaled Jacobian from lowest to 1, with a bar below."""
-    simple.ColorBy(display, ("CELLS", "ScaledJacobian"))
-    table = simple.GetColorTransferFunction("ScaledJacobian")
-    table.ApplyPreset(VIRIDIS, True)
-    table.RescaleTransferFunction(math.floor(10 * lowest) / 10, 1.0)
+    """Colours elements by scaled Jacobian, from `lowest` to 1, with a bar below."""
+    colour_by(display, view, "ScaledJacobian", "Scaled Jacobian", math.floor(10 * lowest) / 10)
+
+
+def colour_by(display, view, array, title, lowest, preset=VIRIDIS, inverted=False):
+    """Colours cells by an array, from `lowest` to 1, with a bar below."""
+    simple.ColorBy(display, ("CELLS", array))
+    table = simple.GetColorTransferFunction(array)
+    table.ApplyPreset(preset, True)
+    if inverted:
+        table.InvertTransferFunction()
+    table.RescaleTransferFunction(lowest, 1.0)
     bar = simple.GetScalarBar(table, view)
-    bar.Title, bar.ComponentTitle = "Scaled Jacobian", ""
+    bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = TEXT
     bar.TitleFontSize, bar.LabelFontSize = 30, 26
     bar.ScalarBarThickness, bar.ScalarBarLength = 28, 0.5
@@ -89,3 +98,19 @@ def save(view, path):
     simple.Render(view)
     simple.SaveScreenshot(path, view, ImageResolution=view.ViewSize)
     simple.Delete(view)
+
+
+def join(left, right, path):
+    """Writes two pictures of the same height side by side."""
+    pair = vtkImageAppend()
+    pair.SetAppendAxis(0)
+    for picture in (left, right):
+        reader = vtkPNGReader()
+        reader.SetFileName(picture)
+        reader.Update()
+        pair.AddInputData(reader.GetOutput())
+    pair.Update()
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(pair.GetOutput())
+    writer.Write()

@@ -6,7 +6,7 @@ usage: pvpython demo.py PLUGIN OUT [CASE ...]
 For every case: OUT/CASE.vtu, OUT/CASE.e (Exodus with element blocks, side sets and node sets), OUT/CASE.inp (Abaqus and
 CalculiX), OUT/CASE.csv (the table of fragments), OUT/CASE_surface.png (the surface with the edges of the hexahedra)
 and OUT/CASE_cut.png (the hexahedra inside, coloured by scaled Jacobian); and of tetrahedra the same with CASE_tets,
-without the picture of the surface. What is newer than the input, the plugin and the scripts is kept. Needs an X
+without the picture of the surface. For the first case also OUT/CASE_fractions_and_mesh.png: input and mesh side by side. What is newer than the input, the plugin and the scripts is kept. Needs an X
 server.
 """
 import glob
@@ -38,6 +38,8 @@ class Case:
         self.camera, self.zoom = camera, zoom
         self.cut_normal, self.cut_camera, self.cut_zoom = cut_normal, cut_camera, cut_zoom
 
+
+LEAST_DRAWN = 0.01  # volume fraction of the cells in the picture of the input
 
 CASES = [
     Case("splash", "splash_3500us.vti", ["water"], "TetGen", (0.75, -1.0, 0.65), 1.25, (0, 1, 0), (0.3, -1.0, 0.5), 1.6),
@@ -107,15 +109,30 @@ def draw_surface(case, mesh, path):
     pictures.save(view, path)
 
 
+def cut_origin(bounds):
+    """A point near the middle, off it by a little since it may be in a plane of the grid."""
+    return [0.495 * bounds[2 * a] + 0.505 * bounds[2 * a + 1] for a in range(3)]
+
+
+def draw_fractions(case, out, bounds, path):
+    """Draws the cells behind the plane of `draw_cut` that hold the first material, coloured by its volume fraction."""
+    source = open_field(case, out)
+    name = case.arrays[0]
+    cells = simple.Threshold(Input=source, Scalars=["CELLS", name], LowerThreshold=LEAST_DRAWN, UpperThreshold=1.0)
+    view = pictures.make_view()
+    display = pictures.show(pictures.cut(cells, cut_origin(bounds), case.cut_normal), view)
+    pictures.colour_by(display, view, name, "Volume fraction", 0.0, "Blues", inverted=True)
+    pictures.aim(view, bounds, case.cut_camera, case.cut_zoom)
+    pictures.save(view, path)
+
+
 def draw_cut(case, mesh, path):
     """The elements behind a plane, whole, coloured by scaled Jacobian."""
     information = mesh.GetDataInformation()
     bounds = information.GetBounds()
     lowest = information.GetCellDataInformation().GetArrayInformation("ScaledJacobian").GetComponentRange(0)[0]
     view = pictures.make_view()
-    # Off the middle by a little, which may be a plane of the grid.
-    origin = [0.495 * bounds[2 * a] + 0.505 * bounds[2 * a + 1] for a in range(3)]
-    display = pictures.show(pictures.cut(mesh, origin, case.cut_normal), view)
+    display = pictures.show(pictures.cut(mesh, cut_origin(bounds), case.cut_normal), view)
     pictures.colour_by_quality(display, view, lowest)
     pictures.aim(view, bounds, case.cut_camera, case.cut_zoom)
     pictures.save(view, path)
@@ -164,6 +181,7 @@ def main(plugin, out, names):
     code = glob.glob(os.path.join(os.path.dirname(plugin), "*.so"))
     code += [os.path.abspath(__file__)]
     code += [os.path.join(ROOT, "Examples", name) for name in ("write_exodus.py", "gerris_to_vthb.py", "pictures.py")]
+    fractions, pair = (os.path.join(out, CASES[0].name + ending) for ending in ("_fractions.png", "_fractions_and_mesh.png"))
     rows = []
     for case in CASES:
         if names and case.name not in names:
@@ -177,6 +195,9 @@ def main(plugin, out, names):
                 draw_cut(case, open_mesh(vtu), cut)
             if make_filter is hex_filter and not is_newer([surface], [vtu] + code):
                 draw_surface(case, open_mesh(vtu), surface)
+            if make_filter is hex_filter and case is CASES[0] and not is_newer([pair], [cut]):
+                draw_fractions(case, out, read_mesh(vtu).GetBounds(), fractions)
+                pictures.join(fractions, cut, pair)
             rows += table_rows(name, read_mesh(vtu))
     print_table(rows)
 
