@@ -7,17 +7,20 @@ namespace vfm
 namespace
 {
 
-constexpr double FarthestSide = 1.5; // from where a point started, in cells
-constexpr double SheetCosine = -0.9; // between the normals of surfaces that face each other
+// Largest distance of a side from the initial position of a point, in cells.
+constexpr double FarthestSide = 1.5;
+// Largest cosine between the normals of surfaces that face each other.
+constexpr double SheetCosine = -0.9;
 
-/// Of squared distances, against 1 of quadrics.
+/// Weights of squared distances; the weight of quadrics is 1.
 struct FeatureWeights
 {
   double Side, Carrier;
 };
 constexpr FeatureWeights HexWeights{ 4.0, 20.0 }, TetWeights{ 12.0, 30.0 };
 
-/// The model that holds for a pair at a point, nullptr: none, and where the point started in the frame of the model.
+/// Model for a pair at a point, or nullptr, and the initial position of the point in the
+/// frame of the model.
 struct ModelAt
 {
   const NodeFeature* Feature;
@@ -34,7 +37,7 @@ ModelAt FindModel(const SharpFeatures& models, const SurfacePairs& pairs, Index 
     : ModelAt{ nullptr, {} };
 }
 
-/// Whether a model is two surfaces that face each other, with a thin gap or film between them.
+/// Returns whether a model consists of two surfaces that face each other across a thin gap or film.
 bool IsSheet(const FeatureModel& model)
 {
   Vector3 first, second;
@@ -66,7 +69,7 @@ FeaturePoint PointOf(const ModelAt& at)
   return point;
 }
 
-/// Of each pair.
+/// Returns the place of each pair relative to its model.
 std::vector<FeaturePoint> Classify(
   const SharpFeatures& models, const SurfacePairs& pairs, Runtime& runtime)
 {
@@ -86,7 +89,7 @@ std::vector<FeaturePoint> Classify(
   return points;
 }
 
-/// The highest kind of the pairs of each point.
+/// Returns the highest kind of the pairs of each point.
 std::vector<FeatureKind> KindsOfPoints(
   const SurfacePairs& pairs, const std::vector<FeaturePoint>& points)
 {
@@ -103,7 +106,8 @@ std::vector<FeatureKind> KindsOfPoints(
   return kinds;
 }
 
-/// Adds what a point of some kind is drawn to; bluntness: of the edge there, 1 without one.
+/// Adds the surfaces that attract a point of a kind to the targets, and sets bluntness to that of
+/// its edge, or 1.
 FeaturePull MakePull(
   const ModelAt& at, FeatureKind kind, bool isOfHexes, SurfaceTargets& targets, double& bluntness)
 {

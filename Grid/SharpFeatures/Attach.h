@@ -1,5 +1,6 @@
 /**
- * Which points of a mesh carry edges and corners of interfaces (Rules.h), and what they are drawn to.
+ * Attach: selects the mesh points that carry edges and corners of interfaces (Rules.h), and the
+ * surfaces that attract them during smoothing.
  */
 #pragma once
 
@@ -9,32 +10,40 @@
 namespace vfm
 {
 
-/// The models of an interface, and its first surface point among the targets.
+/// Sharp features of an interface.
 struct InterfaceFeatures
 {
   const SharpFeatures& Models;
   const Interface& Source;
-  Index FirstTarget;
+  Index FirstTarget; ///< target of the interface's first surface point
 };
 
-/// What a pair of labels at a point is drawn to in place of its quadric: so many surfaces of a model, each with this weight.
+/// Surfaces of a model that attract a point for one pair of labels, in place of the
+/// quadric of the pair.
 struct FeaturePull
 {
-  int Count = 0; ///< 0: it keeps its quadric
-  std::array<Index, 3> Targets{};
-  double Weight = 1.0; ///< of squared distances, against 1 of quadrics
+  int Count = 0;                  ///< number of surfaces; 0: the pair keeps its quadric
+  std::array<Index, 3> Targets{}; ///< of the surfaces, Count of them
+  double Weight = 1.0;            ///< weight of squared distances; the weight of quadrics is 1
 };
 
+/// Result of PullToFeatures.
 struct FeaturePulls
 {
-  std::vector<FeaturePull> OfPairs;
-  std::vector<FeatureKind> Kinds; ///< of each point, the same on all ranks that hold it
-  std::vector<float>
-    Bluntness; ///< of the sharpest edge that each point carries; 1: it carries none
+  std::vector<FeaturePull> OfPairs; ///< one per pair; Count is 0 at points that other ranks move
+  std::vector<FeatureKind> Kinds;   ///< kind of each point, equal on all ranks that hold it
+  /// Bluntness of the sharpest edge that each point carries; 1: it carries no edge.
+  std::vector<float> Bluntness;
 };
 
-/// Draws points near edges to the surfaces of the models of the surface points that they are attached to: carriers to those that
-/// meet there. Appends these surfaces to the targets. Collective.
+/// Finds the surfaces that attract the points near sharp features. A carrier is attracted to all
+/// surfaces that meet at its edge or corner, a side point to its side. The model is that of the
+/// surface point that the pair is attached to.
+/// @param features  sharp features of the finest interface
+/// @param pairs  surface points of the mesh in their initial position
+/// @param facets  surface facets of this rank
+/// @param[in,out] targets  the surfaces are appended
+/// @pre Collective.
 FeaturePulls PullToFeatures(const InterfaceFeatures& features, const SurfacePairs& pairs,
   const std::vector<Facet>& facets, SurfaceTargets& targets, Runtime& runtime);
 

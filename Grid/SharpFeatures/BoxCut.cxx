@@ -17,7 +17,7 @@ struct Line
   double A, B, C;
 };
 
-/// A convex polygon: what up to four lines leave of the square [-1/2,1/2]^2.
+/// Convex polygon: the part of the square [-1/2,1/2]^2 that up to four lines leave.
 class SquarePolygon
 {
 public:
@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  /// A line adds one corner; one more for every two, where rounding bends sides: 4, 6, 9, 13, 19.
+  /// A line adds one corner. Where rounding bends sides, it adds one per two: 4, 6, 9, 13, 19.
   static constexpr int Most = 19;
 
   void Add(double x, double y)
@@ -91,14 +91,14 @@ private:
   std::array<double, Most> X, Y;
 };
 
-/// Where a plane is inside on the face of the cube at x[axis] = value.
+/// Returns the line that bounds the inside of a plane on the face of the cube at x[axis] = value.
 Line OnFace(const BoxPlane& plane, int axis, double value)
 {
   return { plane.Normal[(axis + 1) % 3], plane.Normal[(axis + 2) % 3],
     plane.Height + plane.Normal[axis] * value };
 }
 
-/// The part of plane k that bounds what is inside of all planes of the mask.
+/// Measures the part of plane k that bounds the inside of all planes of the mask.
 PlaneRates SectionOf(const std::array<BoxPlane, 3>& planes, int mask, int k)
 {
   const BoxPlane& plane = planes[k];
@@ -131,7 +131,7 @@ PlaneRates SectionOf(const std::array<BoxPlane, 3>& planes, int mask, int k)
 
 double CutBox(const std::array<BoxPlane, 3>& planes, int mask, std::array<PlaneRates, 3>& rates)
 {
-  // By the divergence of x - corner: the faces at the corner, the most inner one, add nothing.
+  // Divergence theorem for x - corner, the innermost corner: the three faces there contribute 0.
   Vector3 inner{};
   for (int k = 0; k < 3; ++k)
   {

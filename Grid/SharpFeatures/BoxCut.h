@@ -1,7 +1,8 @@
 /**
- * BoxCut: the part of the unit cube centred at 0 on the inner side of up to three planes, and how it changes with each.
+ * BoxCut: volume of the part of the unit cube centred at 0 that is inside up to three planes, and
+ * its derivatives by each plane.
  *
- * Templates take a double or four side by side (Base/Lanes.h).
+ * Templates take one double or four lanes (Base/Lanes.h).
  */
 #pragma once
 
@@ -13,7 +14,8 @@
 namespace vfm
 {
 
-/// Inside: Normal . x + Height >= 0. The normal need not be a unit vector; not zero where the plane cuts.
+/// A plane; its inside is Normal . x + Height >= 0. The normal need not be a unit vector; it is
+/// nonzero where the plane cuts.
 template <class Real>
 struct BoxPlaneOf
 {
@@ -22,7 +24,8 @@ struct BoxPlaneOf
 };
 using BoxPlane = BoxPlaneOf<double>;
 
-/// What a plane's part of the boundary does to a volume: its area and first moments over |Normal|.
+/// Derivatives of a volume by a plane: area and first moments of the plane's part of the boundary,
+/// divided by |Normal|.
 template <class Real>
 struct PlaneRatesOf
 {
@@ -37,7 +40,7 @@ VFM_INLINE Real Magnitude(const Real& a)
   return a < 0.0 ? -a : a;
 }
 
-/// Largest |Normal . x| in the cube.
+/// Returns the largest |Normal . x| in the cube.
 template <class Real>
 VFM_INLINE Real ReachOf(const BoxPlaneOf<Real>& plane)
 {
@@ -53,17 +56,17 @@ struct SquarePartOf
 };
 using SquarePart = SquarePartOf<double>;
 
-/// Of the unit square [0,1]^2 where p x + q y < beta; p, q >= 0.
+/// Measures the part of the unit square [0,1]^2 where p x + q y < beta; p, q >= 0.
 template <class Real>
 VFM_INLINE SquarePartOf<Real> UnderLine(const Real& p, const Real& q, const Real& beta)
 {
-  // From the nearer of the corners (0,0) and (1,1), with the larger component along y.
+  // Measures from the nearer of the corners (0,0) and (1,1), with the larger component along y.
   const Real zero{}, rest = p + q - beta;
   const auto isLow = beta <= rest;
   const Real nearer = isLow ? beta : rest, b = nearer < 0.0 ? zero : nearer;
   const Real low = p < q ? p : q, high = (p < q ? q : p) + 1e-300;
   const Real left = b / high;
-  // A trapezoid, or a triangle of base b / low.
+  // The part is a trapezoid, or a triangle of base b / low.
   const auto isTriangle = b < low;
   const Real base = isTriangle ? b / low : zero;
   const Real right = isTriangle ? zero : (b - low) / high;
@@ -76,12 +79,15 @@ VFM_INLINE SquarePartOf<Real> UnderLine(const Real& p, const Real& q, const Real
   return { isLow ? area : 1.0 - area, isLow ? x : 0.5 - area + x, isLow ? y : 0.5 - area + y };
 }
 
-/// Volume inside of a plane. Closed: the section, seen along the largest component of the normal, is what two parallel lines leave of a
-/// square. (Volumes as in Plic.h; areas and moments without polygons.)
+/// Returns the volume inside one plane, in closed form: seen along the largest component of the
+/// normal, the section is the part of a square between two parallel lines. Volumes are computed as
+/// in Plic.h; areas and moments need no polygons.
+/// @param[out] rates  derivatives of the volume by the plane
 template <class Real>
 VFM_INLINE Real CutBox(const BoxPlaneOf<Real>& plane, PlaneRatesOf<Real>& rates)
 {
-  // Reflected into [0,1]^3 where p . s < alpha, p >= 0; axes in turn so that that of the largest p is the third.
+  // Reflects the cube into [0,1]^3, where p . s < alpha with p >= 0. Rotates the axes so that the
+  // third has the largest p.
   const std::array<Real, 3>& n = plane.Normal;
   const std::array<Real, 3> p{ { Magnitude(n[0]), Magnitude(n[1]), Magnitude(n[2]) } };
   const auto isX = (p[0] >= p[1]) & (p[0] >= p[2]);
@@ -105,7 +111,10 @@ VFM_INLINE Real CutBox(const BoxPlaneOf<Real>& plane, PlaneRatesOf<Real>& rates)
   return height + above.Area;
 }
 
-/// Volume inside of all planes of a mask, two or more; their sections and three faces of the cube are clipped.
+/// Returns the volume inside all planes of a mask, by clipping their sections and three
+/// faces of the cube.
+/// @param mask  bits of two or three planes
+/// @param[out] rates  derivatives by each plane of the mask; others are left unchanged
 double CutBox(const std::array<BoxPlane, 3>& planes, int mask, std::array<PlaneRates, 3>& rates);
 
 } // namespace vfm

@@ -1,5 +1,6 @@
 /**
- * What a crease model leaves in four cells side by side. Only for sources with VFM_CLONES (Base/Lanes.h).
+ * CellLanes: fractions of a sharp-feature model in four cells at once, one per lane. Only for
+ * sources with VFM_CLONES (Base/Lanes.h).
  */
 #pragma once
 
@@ -11,6 +12,7 @@
 namespace vfm
 {
 
+/// Four cells, one per lane, in the frame of a node.
 struct CellLanes
 {
   Lanes3 Centre, Width;
@@ -28,22 +30,25 @@ VFM_INLINE CellLanes Load(const FourCells& four)
     Load(four.Weight) };
 }
 
-/// A surface in four cells: its tangent plane over their centres, in the frames of the cells as unit cubes.
+/// A surface in four cells: its tangent plane over their centres, in the frame of each cell
+/// as a unit cube.
 struct SurfaceLanes
 {
-  Lanes U, V; ///< of the centres
-  Lanes AlongU, AlongV;
+  Lanes U, V;           ///< coordinates of the cell centres on the surface
+  Lanes AlongU, AlongV; ///< slopes of the surface
   BoxPlaneOf<Lanes> Plane;
-  Lanes Inside;              ///< what is inside of the plane alone
-  PlaneRatesOf<Lanes> Rates; ///< of this, then of the model's fraction
+  Lanes Inside;              ///< share of the cell inside this plane
+  PlaneRatesOf<Lanes> Rates; ///< derivatives of Inside, later of the fraction of the model
 };
 
+/// Fractions of a model in four cells.
 struct ModelLanes
 {
   Lanes Fraction;
-  std::array<SurfaceLanes, FeatureModel::MaximumSurfaces> Surfaces; ///< the first Count
-  bool IsCut;                                                       ///< any cell, by any surface
-  bool IsShared; ///< any cell, by more surfaces than one
+  /// The first FeatureModel::Count are set.
+  std::array<SurfaceLanes, FeatureModel::MaximumSurfaces> Surfaces;
+  bool IsCut;    ///< whether any surface cuts any cell
+  bool IsShared; ///< whether several surfaces cut one of the cells
 };
 
 VFM_INLINE bool Any(const Mask& mask)
@@ -66,7 +71,7 @@ VFM_INLINE void SetPlane(SurfaceLanes& at, const LocalQuadric& s, const CellLane
   at.V = v;
   at.AlongU = c[1] + 2.0 * c[3] * u + c[4] * v;
   at.AlongV = c[2] + c[4] * u + 2.0 * c[5] * v;
-  const double mean = (c[3] + c[5]) / 12.0; // of the quadratic term
+  const double mean = (c[3] + c[5]) / 12.0; // mean of the quadratic term over a cell
   at.Plane.Height =
     DotWith(s.N, r) - (c[0] + mean + (c[1] + c[3] * u + c[4] * v) * u + (c[2] + c[5] * v) * v);
   at.Plane.Normal = { { cells.Width.X * (s.N[0] - at.AlongU * s.U[0] - at.AlongV * s.V[0]),
@@ -74,11 +79,12 @@ VFM_INLINE void SetPlane(SurfaceLanes& at, const LocalQuadric& s, const CellLane
     cells.Width.Z * (s.N[2] - at.AlongU * s.U[2] - at.AlongV * s.V[2]) } };
 }
 
-/// Fraction in one cell that several planes cut, and its rates. in, out: planes that leave it wholly inside, outside.
+/// Returns the fraction in one cell that several planes cut, and adds to the rates of the planes.
+/// @param in,out  bits of the planes whose inside contains the whole cell, or none of it
 double FractionUnder(const Composition& composition, const std::array<BoxPlane, 3>& planes, int in,
   int out, std::array<PlaneRates, 3>& rates);
 
-/// The same in a lane.
+/// Sets the exact fraction and rates in one lane.
 VFM_INLINE void CutLane(ModelLanes& at, const FeatureModel& model, int lane)
 {
   std::array<BoxPlane, FeatureModel::MaximumSurfaces> planes;
@@ -106,7 +112,8 @@ VFM_INLINE void CutLane(ModelLanes& at, const FeatureModel& model, int lane)
   }
 }
 
-/// Where one plane at most cuts a cell, what is inside of several is the product of what is inside of each.
+/// Sets fractions and rates from products of the shares inside each plane. This is exact in cells
+/// that at most one plane cuts.
 VFM_INLINE void MultiplyInsides(ModelLanes& at, const FeatureModel& model)
 {
   std::array<Lanes, FeatureModel::MaximumSurfaces> factors{};
@@ -145,7 +152,7 @@ VFM_INLINE void MultiplyInsides(ModelLanes& at, const FeatureModel& model)
   }
 }
 
-/// Plane, Inside and Rates of a surface; returns which cells it cuts.
+/// Sets Plane, Inside and Rates of a surface; returns the cells that it cuts.
 VFM_INLINE Mask SetInside(SurfaceLanes& at, const LocalQuadric& surface, const CellLanes& cells)
 {
   SetPlane(at, surface, cells);
@@ -163,7 +170,7 @@ VFM_INLINE Mask SetInside(SurfaceLanes& at, const LocalQuadric& surface, const C
   return isCut;
 }
 
-/// Fractions in four cells, and what each surface does to them.
+/// Sets the fractions in four cells and their derivatives by each surface.
 VFM_INLINE void SetFractions(
   ModelLanes& at, const FeatureModel& model, const CellLanes& cells, SharedCells how)
 {
@@ -186,7 +193,7 @@ VFM_INLINE void SetFractions(
   }
 }
 
-/// Of the fractions of a model in cells (FeatureFit.h).
+/// Sums for the residual of a model (FeatureFit.h).
 struct ResidualSums
 {
   Lanes Squares, Weights;
@@ -195,7 +202,7 @@ struct ResidualSums
 VFM_INLINE void AddErrors(
   ResidualSums& sums, const Lanes& fraction, const Lanes& data, const Lanes& allWeight)
 {
-  constexpr double full = 1e-6; // fractions nearer to 0 or 1 are of full cells
+  constexpr double full = 1e-6; // cells closer to 0 or 1 count as empty or full
   const Lanes error = fraction - data;
   const Mask counts = ((data > full) & (data < 1.0 - full)) |
     ((fraction > full) & (fraction < 1.0 - full)) | (error > full) | (error < -full);
@@ -210,7 +217,8 @@ VFM_INLINE double RootMeanSquare(const ResidualSums& sums)
   return weights > 0.0 ? std::sqrt(Sum(sums.Squares) / weights) : 0.0;
 }
 
-/// Chain rule: plane -> coefficients of its surface.
+/// Returns the derivatives of fractions by the coefficients of a surface, by the chain
+/// rule over its plane.
 VFM_INLINE std::array<Lanes, 6> DerivativesBy(
   const SurfaceLanes& at, const LocalQuadric& s, const Lanes3& width)
 {

@@ -1,5 +1,6 @@
 /**
- * How the surfaces of a crease model are put together: as few products of indicators as there can be.
+ * Compositions: ways to combine the surfaces of a sharp-feature model, with as few products of
+ * indicator functions as possible.
  */
 #pragma once
 
@@ -8,13 +9,14 @@
 namespace vfm
 {
 
-/// Sign times the indicator of what is inside of all surfaces of a mask, outside of those that are flipped. Mask 0: 1; Sign 0: none.
+/// Sign times the indicator of the region inside all surfaces of Mask; for flipped surfaces, the
+/// outside counts as the inside. Mask 0: the constant 1. Sign 0: no term.
 struct CompositionTerm
 {
   int Sign, Mask, Flipped;
 };
 
-/// At most one has more than one surface: A or B = 1 - (not A and not B).
+/// Sum of two terms, of which at most one has several surfaces: A or B = 1 - (not A and not B).
 using Composition = std::array<CompositionTerm, 2>;
 
 constexpr std::array<Composition, 1> CompositionsOfOne{ {
@@ -35,6 +37,7 @@ constexpr std::array<Composition, 8> CompositionsOfThree{ {
   { { { 1, 4, 0 }, { 1, 7, 4 } } },
 } };
 
+/// Returns a composition by the number of surfaces, 1 to 3, and its index (FeatureModel.h).
 inline const Composition& CompositionOf(int surfaces, int composition)
 {
   if (surfaces == 1)

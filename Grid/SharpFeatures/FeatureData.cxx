@@ -9,19 +9,22 @@ namespace vfm
 namespace
 {
 
-constexpr double WholePair = 0.99; // what a pair fills of a cell that tells of it
-constexpr double SmallestShare =
-  0.3;                          // of the weights of all cells, that those of the pair must have
-constexpr Index SeedRadius = 2; // of the nodes whose faces' crossings give planes
-constexpr int SeedRings = 3;    // of faces that lead there
+// Least sum of the fractions of both labels in a cell that is used.
+constexpr double WholePair = 0.99;
+// Least share of the weights that cells of the pair must have.
+constexpr double SmallestShare = 0.3;
+constexpr Index SeedRadius = 2; // distance of nodes with crossings that define planes
+constexpr int SeedRings = 3;    // rings of faces that connect them to the node
 constexpr std::size_t MaximumPlanes = 3;
 constexpr int FewestSupporters = 5;
-constexpr double LeastShare = 0.35;        // of the crossings that lie on planes, about an edge
-constexpr double SupportCosine = 0.965926; // of 15 degrees, between crossings of one plane
-constexpr double SupportDistance = 0.25;   // between the plane of a crossing and another
-constexpr double PlaneCosine = 0.939693;   // of 20 degrees, between two planes
+constexpr double LeastShare = 0.35; // least share of crossings on planes, around an edge
+// 15 degrees, between normals of crossings on one plane
+constexpr double SupportCosine = 0.965926;
+// Distance between the plane of one crossing and another crossing.
+constexpr double SupportDistance = 0.25;
+constexpr double PlaneCosine = 0.939693; // 20 degrees, between two planes
 
-/// Middles and half widths of the cells of a stencil along one axis, in the frame.
+/// Centres and half widths of the cells of a stencil along one axis, in the local frame.
 struct AxisCells
 {
   std::array<double, 6> Centre, Half;
@@ -89,7 +92,7 @@ public:
     return true;
   }
 
-  /// Of the crossings, on no plane yet.
+  /// Returns the number of crossings that are not yet on a plane.
   int CountFree() const
   {
     int count = 0;
@@ -159,7 +162,7 @@ private:
   }
 
   const std::vector<LocalCrossing>& Crossings;
-  std::size_t Words; ///< of a set of crossings as bits
+  std::size_t Words; ///< number of words of a set of crossings, one bit per crossing
   std::vector<std::uint64_t> Supporters, IsFree;
 };
 

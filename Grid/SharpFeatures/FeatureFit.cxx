@@ -10,20 +10,21 @@ namespace
 {
 
 constexpr int MaximumCoefficients = 6 * FeatureModel::MaximumSurfaces;
-constexpr double Hair =
-  1e-5; // by which surfaces are moved into cells, those that lie between them too
-constexpr double LongestStep = 0.5; // of a coefficient in an iteration
+// Shift of surfaces that lie between cells, so that they cut cells too.
+constexpr double Hair = 1e-5;
+constexpr double LongestStep = 0.5; // change of a coefficient per iteration
 constexpr double FirstDamping = 1e-3, LeastDamping = 1e-6;
-constexpr int Trials = 4; // dampings in an iteration
+constexpr int Trials = 4; // dampings per iteration
 constexpr double LeastGain = 1e-2, ShortestStep = 1e-4, LeastCost = 1e-6;
 
-/// Keeps what the data leave open where it is: planes nearly free, curvatures small.
+/// Returns the weight of the square of a coefficient in the cost. It fixes coefficients that the
+/// data leave open: planes stay nearly free, curvatures small.
 double RidgeOf(int coefficient)
 {
   return coefficient < 3 ? 1e-8 : 0.02;
 }
 
-/// Sums of the normal equations, still four side by side. The Hessian's lower half.
+/// Sums of the normal equations, one per lane. Only the lower half of the Hessian is set.
 struct NormalSums
 {
   Lanes Cost;
@@ -31,7 +32,7 @@ struct NormalSums
   std::array<std::array<Lanes, MaximumCoefficients>, MaximumCoefficients> Hessian;
 };
 
-/// Adds the products of rows of a surface with those of the same or an earlier one.
+/// Adds the products of the rows of a surface with rows of the same or an earlier surface.
 VFM_INLINE void AddProducts(NormalSums& sums, const std::array<Lanes, MaximumCoefficients>& rows,
   const Lanes& weight, int firstRow, int firstColumn, int coefficients)
 {
@@ -82,7 +83,8 @@ void SumCells(NormalSums& sums, const FeatureModel& model, const PackedCells& ce
   }
 }
 
-/// The weighted sum of squares at a model with half its gradient and Hessian (Gauss-Newton), over the first coefficients of each surface.
+/// Weighted sum of squares at a model, with half its gradient and Gauss-Newton Hessian, by the
+/// first coefficients of each surface.
 class NormalEquations
 {
 public:
@@ -109,7 +111,7 @@ public:
 
   double Cost;
 
-  /// The step down at a damping, by Cholesky's factors.
+  /// Returns the descent step for a damping, by Cholesky factorisation.
   std::array<double, MaximumCoefficients> Solve(double damping) const
   {
     std::array<std::array<double, MaximumCoefficients>, MaximumCoefficients> lower;
@@ -147,7 +149,7 @@ private:
   std::array<std::array<double, MaximumCoefficients>, MaximumCoefficients> Hessian; ///< lower half
 };
 
-/// Moves a model by a step, clamped; returns the longest component of the step.
+/// Moves a model by a step with clamped components; returns the largest one before clamping.
 double MoveBy(
   FeatureModel& model, int coefficients, const std::array<double, MaximumCoefficients>& step)
 {

@@ -9,15 +9,15 @@ namespace vfm
 namespace
 {
 
-constexpr int SideSteps = 4, EdgeSteps = 4, CornerSteps = 8; // of Newton
-constexpr double Hair = 1e-6;             // distance of points that are on a surface, in cells
-constexpr double SmallestEdgeSine = 0.02; // squared, between the normals of two surfaces
-constexpr double SmallestCornerVolume =
-  0.5; // of the normals of three; flatter ones are pieces of curved sides
-constexpr double FarthestCorner = 4.0;        // in cells
-constexpr double Lost = 2.0 * FarthestCorner; // where Newton is not followed
+constexpr int SideSteps = 4, EdgeSteps = 4, CornerSteps = 8; // Newton iterations
+constexpr double Hair = 1e-6;             // largest distance of a point on a surface, in cells
+constexpr double SmallestEdgeSine = 0.02; // square of the sine, between the normals of two surfaces
+// Determinant of three unit normals; flatter corners are parts of curved sides.
+constexpr double SmallestCornerVolume = 0.5;
+constexpr double FarthestCorner = 4.0;        // distance in cells
+constexpr double Lost = 2.0 * FarthestCorner; // distance at which Newton iterations stop
 
-/// From y to where surfaces i and j meet.
+/// Moves y to the line where surfaces i and j meet.
 std::optional<EdgePlace> PointOfEdge(const FeatureModel& model, int i, int j, const Vector3& y)
 {
   EdgePlace edge{ { { i, j } }, y, 0.0, {} };
@@ -37,7 +37,8 @@ std::optional<EdgePlace> PointOfEdge(const FeatureModel& model, int i, int j, co
   return edge;
 }
 
-/// Whether the second label ends at surface k where the point is inside of `others` of the others, or of some of the mask too.
+/// Returns whether the second label ends at surface k, for a point inside the surfaces `others` and
+/// inside some of the surfaces of the mask.
 bool Counts(const FeatureModel& model, int k, int mask, int others)
 {
   for (int bits = 0; bits < 1 << model.Count; ++bits)
@@ -55,7 +56,7 @@ bool Counts(const FeatureModel& model, int k, int mask, int others)
 
 bool IsBoundary(const FeatureModel& model, int mask, const Vector3& y)
 {
-  int others = 0, unsure = 0; // of the other surfaces: y is inside, on them
+  int others = 0, unsure = 0; // surfaces outside the mask that y is inside, or on
   for (int k = 0; k < model.Count; ++k)
   {
     Vector3 normal;

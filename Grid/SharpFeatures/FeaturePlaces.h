@@ -1,5 +1,6 @@
 /**
- * Places on a crease model: feet on its surfaces, points of its edges, its corner.
+ * FeaturePlaces: feet on the surfaces of a sharp-feature model, points of its edges, its corner.
+ * All points are in the local frame of the model, in cells.
  */
 #pragma once
 
@@ -10,43 +11,49 @@
 namespace vfm
 {
 
-/// Whether the second label ends at y, which lies on the surfaces of a mask, at all of these.
+/// Returns whether the second label ends at a point at each of the surfaces of a mask.
+/// @param mask  bits of surfaces on which y lies
 bool IsBoundary(const FeatureModel& model, int mask, const Vector3& y);
 
-/// The nearest surface whose foot from y bounds the second label; where none does, the nearest of all.
+/// Foot of a point on a surface of a model.
 struct SidePlace
 {
   int Surface;
   Vector3 Foot;
-  Vector3 Normal;  ///< unit, there
-  double Distance; ///< from y
+  Vector3 Normal;  ///< unit, at the foot
+  double Distance; ///< distance to y
 };
+/// Returns the nearest foot from y that bounds the second label. If no foot bounds it,
+/// returns the nearest foot.
 SidePlace FindSide(const FeatureModel& model, const Vector3& y);
 
-/// How blunt an edge is where two surfaces with such unit normals meet: 1 where the angle between them is right or obtuse, less where it is
-/// acute on one side, and 0 where both fall together.
+/// Returns the bluntness of an edge where surfaces with two unit normals meet. It is 1 for right
+/// and obtuse angles, less for acute angles on one side, and 0 where both surfaces coincide.
 inline double BluntnessOf(const Vector3& a, const Vector3& b)
 {
   return std::min(1.0, std::sqrt(std::max(0.0, 1.0 + Dot(a, b))));
 }
 
-/// The point nearest to y of an edge that bounds the second label.
+/// Point of an edge that bounds the second label.
 struct EdgePlace
 {
   std::array<int, 2> Surfaces;
   Vector3 Point;
-  double Distance;                ///< from y
+  double Distance;                ///< distance to y
   std::array<Vector3, 2> Normals; ///< unit, of the surfaces there
 };
+/// Returns the point nearest to y on an edge that bounds the second label, or nothing if the model
+/// has no such edge.
 std::optional<EdgePlace> FindEdge(const FeatureModel& model, const Vector3& y);
 
-/// Where three surfaces meet, within 4 cells of y.
+/// Point where three surfaces meet.
 struct CornerPlace
 {
   Vector3 Point;
-  double Distance;  ///< from y
-  double Bluntness; ///< of its sharpest edge
+  double Distance;  ///< distance to y
+  double Bluntness; ///< bluntness of its sharpest edge
 };
+/// Returns the corner of a model of three surfaces if it lies within 4 cells of y.
 std::optional<CornerPlace> FindCorner(const FeatureModel& model, const Vector3& y);
 
 } // namespace vfm

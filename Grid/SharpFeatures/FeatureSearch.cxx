@@ -11,26 +11,30 @@ namespace
 {
 
 constexpr double Accepted = 0.03; // largest residual of a model
-constexpr double AcceptedNarrow =
-  0.01; // of one in the narrow stencil, which has less data, where the pair is not known to have edges
-constexpr double Gain = 3.0;                // by which it must be below those of one surface
-constexpr double ClearGain = 12.0;          // at which the point's own quadric is enough to tell
-constexpr double NarrowTrigger = 0.06;      // least residual of the quadric in the narrow stencil
-constexpr double SmallestArea = 2.0;        // of a surface of a model
-constexpr double SmallestCosine = 0.882948; // of 28 degrees, between surfaces of a model
-constexpr double SeedCosine = 0.939693;     // of 20 degrees, between seeds that are alike
-constexpr double SeedDistance = 0.5;        // the same
-constexpr double FarthestSeed = 2.5;        // its foot from the node
-constexpr int SeedSteps = 3;                // of Newton, to that foot
+// Largest residual in the narrow stencil, which has less data, of pairs not known to have edges.
+constexpr double AcceptedNarrow = 0.01;
+// Least factor by which a model must be better than one surface.
+constexpr double Gain = 3.0;
+// Least factor over the quadric of the point that needs no other comparison.
+constexpr double ClearGain = 12.0;
+// Least residual of the quadric for a search in the narrow stencil.
+constexpr double NarrowTrigger = 0.06;
+constexpr double SmallestArea = 2.0;        // area of each surface of a model
+constexpr double SmallestCosine = 0.882948; // 28 degrees, between surfaces of a model
+constexpr double SeedCosine = 0.939693;     // 20 degrees, between equal seeds
+constexpr double SeedDistance = 0.5;        // distance between equal seeds
+constexpr double FarthestSeed = 2.5;        // distance from the node to the foot on the seed
+constexpr int SeedSteps = 3;                // Newton iterations to that foot
 constexpr std::size_t MaximumSeeds = 4;
-constexpr double StartLimit = 0.25;      // residual of a model before its fit
-constexpr double PlaneLimit = 0.12;      // after the fit of planes
-constexpr double ThirdLimit = 0.15;      // of two surfaces, for a third to be tried
-constexpr double ThirdGain = 0.6;        // of three surfaces over two
-constexpr std::size_t MaximumStarts = 2; // that are fitted
-constexpr std::array<double, 2> RoughLimits{ { 0.16, 0.12 } }; // after each rough iteration
-constexpr double NearlyAccepted =
-  1.7; // times the largest accepted residual, after the first iterations with quadrics
+constexpr double StartLimit = 0.25;      // largest residual of a model before its fit
+constexpr double PlaneLimit = 0.12;      // the same after the fit of planes
+constexpr double ThirdLimit = 0.15;      // the same of two surfaces, for a third to be tried
+constexpr double ThirdGain = 0.6;        // largest residual of three surfaces relative to two
+constexpr std::size_t MaximumStarts = 2; // number of models that are fitted
+// Largest residual after each rough iteration.
+constexpr std::array<double, 2> RoughLimits{ { 0.16, 0.12 } };
+// Largest residual after the first iterations with quadrics, relative to the accepted residual.
+constexpr double NearlyAccepted = 1.7;
 constexpr int PlaneIterations = 5, FirstQuadricIterations = 2, QuadricIterations = 10,
               SingleIterations = 8, NearIterations = 5;
 
@@ -49,7 +53,7 @@ void FitQuadrics(FittedFeature& feature, const PackedCells& cells, double accept
   }
 }
 
-/// Planes first, then quadrics; given up where it leads nowhere.
+/// Fits planes, then quadrics; stops early if the residual stays high.
 FittedFeature FitStart(const FeatureModel& start, const FitData& data)
 {
   const PackedCells& cells = data.Cells;
@@ -70,7 +74,7 @@ FittedFeature FitStart(const FeatureModel& start, const FitData& data)
   return feature;
 }
 
-/// The best model of so many of the seeds.
+/// Returns the best model made of `count` of the seeds.
 FittedFeature FitSeveral(const FeatureStarts& starts, int count, const FitData& data)
 {
   FittedFeature best;
@@ -118,7 +122,7 @@ bool IsPlausible(const FeatureModel& model, const PackedCells& cells)
   return true;
 }
 
-/// The different surfaces of other nodes' models near the node; those of excellent models first.
+/// Collects the distinct surfaces of other nodes' models near the node, excellent models first.
 std::vector<LocalQuadric> CollectSurfaces(std::vector<NearFeature> others)
 {
   std::stable_partition(others.begin(), others.end(),
@@ -222,7 +226,8 @@ std::optional<FittedFeature> FeatureSearch::FromSeeds(const std::vector<LocalQua
   {
     return wide;
   }
-  const PackedCells narrow = Narrowed(this->Around, NarrowStencil); // of bodies a few cells thick
+  // The narrow stencil suits bodies a few cells thick.
+  const PackedCells narrow = Narrowed(this->Around, NarrowStencil);
   const double before = ResidualOf(ModelOf(this->Quadric), narrow);
   if (before <= NarrowTrigger)
   {

@@ -1,9 +1,14 @@
 /**
- * FeatureSearch: the model of several surfaces that explains the fractions around one surface point, where one surface does not.
+ * FeatureSearch: finds a model of several surfaces that explains the fractions around one surface
+ * point, where one surface does not.
  *
- * All lengths in cells; residuals are weighted rms of fractions (FeatureFit.h). A model is accepted by the fractions alone: where it is off by
- * less than .03, and by less than a third of what the quadric of the point and one fitted to the same fractions are off, each surface has an
- * area of two cells or more, and any two differ by 28 degrees.
+ * All lengths are in cells. Residuals are weighted rms errors of fractions (FeatureFit.h).
+ * Acceptance depends on the fractions only:
+ * - The residual is below 0.03.
+ * - It is below a third of the residual of the quadric of the point, and of a quadric fitted
+ *   to the same fractions.
+ * - Each surface has an area of at least two cells.
+ * - Any two surfaces differ by at least 28 degrees.
  */
 #pragma once
 
@@ -16,31 +21,32 @@
 namespace vfm
 {
 
-constexpr double ExcellentResidual = 0.005; // below which nothing better is looked for
+constexpr double ExcellentResidual = 0.005; // the search stops at a model below this residual
 
+/// Model and its residual.
 struct FittedFeature
 {
   FeatureModel Model;
   double Residual = 1e30;
 };
 
-/// A model of another node, and where its node lies in this one's frame.
+/// Model of another node.
 struct NearFeature
 {
   const FittedFeature* Feature;
-  Vector3 From;
+  Vector3 From; ///< position of that node in the local frame of this one
 };
 
-/// What is searched through.
+/// Input of all searches.
 struct FeatureInput
 {
   const Interface& Source;
   const FractionField& Fractions;
   const SurfaceTargets& Targets;
-  Index FirstTarget; ///< that of the first of the interface's points
+  Index FirstTarget; ///< target of the interface's first surface point
 };
 
-/// What models are fitted to and must be better than.
+/// Data that models are fitted to, and residuals that they must fall below.
 struct FitData
 {
   const PackedCells& Cells;
@@ -48,26 +54,33 @@ struct FitData
   double Accepted; ///< largest residual of a model
 };
 
+/// Search at one surface point. Keeps references to its input; one thread uses it.
 class FeatureSearch
 {
 public:
-  /// node: position in Interface::Nodes(); point: in Points(), of that node. isSharp: the pair is known to have edges, so that models of less
-  /// data are trusted. Keeps references.
+  /// @param input  must outlive the search
+  /// @param node  position in Interface::Nodes()
+  /// @param point  position in Interface::Points(), at that node
+  /// @param isSharp  the pair is known to have edges, so models of less data are trusted
   FeatureSearch(const FeatureInput& input, Index node, Index point, bool isSharp);
 
-  /// How far the quadric of the point is off near it; 0 where the data does not tell.
+  /// Returns the residual of the quadric of the point near it, or 0 if too few cells
+  /// contain only the pair.
   double NearResidual() const;
 
-  /// Collects what is around; false: not enough of the pair.
+  /// Collects the cells around the point; returns false if too few contain only the pair.
   bool Gather();
-  /// How far the quadric of the point is off, over all cells around. After Gather.
+  /// Returns the residual of the quadric of the point over all collected cells.
+  /// @pre Gather() returned true.
   double QuadricResidual() const { return this->Before; }
 
-  /// The best model of planes that the crossings around tell.
+  /// Returns the best model of planes that contain crossings around the point.
+  /// @pre Gather() returned true, also for the next two.
   std::optional<FittedFeature> FromCrossings(FaceWalk& walk) const;
-  /// The best of models of other nodes, sorted: the nearest first; fitted to the fractions here.
+  /// Returns the best model of other nodes, fitted to the fractions here;
+  /// others: the nearest first.
   std::optional<FittedFeature> FromModels(const std::vector<NearFeature>& others) const;
-  /// The best model of the surfaces of other nodes' models.
+  /// Returns the best model made of surfaces of the models of other nodes.
   std::optional<FittedFeature> FromSurfaces(const std::vector<NearFeature>& others) const;
 
 private:
@@ -83,7 +96,7 @@ private:
   NodeFrame Frame;
   LocalQuadric Quadric;
   std::vector<SampleCell> Around;
-  PackedCells Packed; ///< the same
+  PackedCells Packed; ///< the cells of Around in the layout of fits
   double Before = 0.0;
 };
 

@@ -7,10 +7,10 @@ namespace vfm
 namespace
 {
 
-/// What an owner answers to one who asks for the models of some sites.
+/// Model that an owner returns for a requested site.
 struct Answer
 {
-  Index Place; // how many were asked for before
+  Index Place; // position of the site in the request
   FittedFeature Found;
 };
 
@@ -87,7 +87,7 @@ FeatureSite FeatureSites::Find(Index key, const LabelPair& pair) const
 void FeatureSites::Share(FoundFeatures& found) const
 {
   const std::size_t peers = this->Parts.Peers().size();
-  std::vector<SiteList> requested(peers);
+  std::vector<SiteList> sites(peers);
   std::vector<std::vector<Index>> requested(peers);
   for (const FeatureSite& site : this->Near())
   {
@@ -95,7 +95,7 @@ void FeatureSites::Share(FoundFeatures& found) const
     {
       const LabelPair pair = this->PairOf(site);
       const int peer = this->Parts.PeerOfNode(this->PositionOf(site));
-      requested[peer].push_back(site);
+      sites[peer].push_back(site);
       requested[peer].insert(requested[peer].end(), { this->KeyOf(site), pair.first, pair.second });
       found[site.Point].reset();
     }
@@ -119,8 +119,7 @@ void FeatureSites::Share(FoundFeatures& found) const
   {
     for (const Answer& answer : answers[peer])
     {
-      found[requested[peer][answer.Place].Point] =
-        std::make_unique<const FittedFeature>(answer.Found);
+      found[sites[peer][answer.Place].Point] = std::make_unique<const FittedFeature>(answer.Found);
     }
   }
 }

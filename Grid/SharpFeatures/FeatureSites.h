@@ -1,5 +1,6 @@
 /**
- * FeatureSites: the surface points that a rank finds models of: those of its nodes, and others near, whose models are tried there.
+ * FeatureSites: surface points for which a rank needs models: points at its own nodes, and nearby
+ * points whose models are tried there.
  */
 #pragma once
 
@@ -13,7 +14,7 @@ namespace vfm
 
 using LabelPair = std::pair<int, int>;
 
-/// A surface point and its node, as positions in the interface.
+/// A surface point and its node, as positions in Interface::Points() and Nodes().
 struct FeatureSite
 {
   Index Node, Point;
@@ -22,13 +23,16 @@ struct FeatureSite
 };
 using SiteList = std::vector<FeatureSite>; // ascending
 
-/// Models by surface point; nullptr: none.
+/// Model of each surface point, or nullptr.
 using FoundFeatures = std::vector<std::unique_ptr<const FittedFeature>>;
 
+/// Surface points near the owned nodes of a rank. Keeps references to the
+/// interface and the partition.
 class FeatureSites
 {
 public:
-  /// Nodes along each axis between a point and one where its model is tried.
+  /// Largest distance, in nodes along each axis, between a point and another where
+  /// its model is tried.
   static constexpr Index Spread = 2;
 
   FeatureSites(const Interface& interface, const Partition& partition);
@@ -39,7 +43,7 @@ public:
   {
     return this->Source.Grid().Position(this->Source.Nodes()[site.Node]);
   }
-  /// The same on all ranks.
+  /// Returns the key of the node, equal on all ranks.
   Index KeyOf(const FeatureSite& site) const
   {
     return this->Source.Grid().NodeKey(this->PositionOf(site));
@@ -53,23 +57,25 @@ public:
   {
     return this->Parts.OwnsNode(this->PositionOf(site));
   }
-  /// One diagonal of nodes in three: those are searched first.
+  /// Returns whether the node is on one of every three diagonal planes; those
+  /// points are searched first.
   bool IsFirst(const FeatureSite& site) const
   {
     const Index3 p = this->PositionOf(site);
     return (p[0] + p[1] + p[2]) % 3 == 0;
   }
 
-  /// All at owned nodes and within Spread of these.
+  /// Returns all sites at owned nodes and within Spread of them.
   const SiteList& Near() const { return this->TheNear; }
-  /// The owned ones among sites.
+  /// Returns the owned sites of a list.
   SiteList ListOwned(const SiteList& sites) const;
-  /// The owned ones of the same pair within Spread of a site.
+  /// Returns the owned sites of the same pair within Spread of a site.
   SiteList ListAround(const FeatureSite& site) const;
-  /// The site of a pair at the node of a key; Point -1: none.
+  /// Returns the site of a pair at the node with a key; its Point is -1 if there is no such site.
   FeatureSite Find(Index key, const LabelPair& pair) const;
 
-  /// Replaces the models near the owned ones by those that the other ranks have found there. Collective among peers.
+  /// Replaces the models at sites of other ranks by the models that their owners have found.
+  /// @pre Collective among peers.
   void Share(FoundFeatures& found) const;
 
 private:

@@ -23,7 +23,7 @@ void SetShares(const LocalQuadric& surface, const PackedCells& cells, Shares& sh
   }
 }
 
-/// shares: of the surfaces of the model.
+/// Returns the rough residual of a model; shares: inside each surface of the model.
 VFM_CLONES
 double RoughResidualOf(const FeatureModel& model,
   const std::array<const Shares*, FeatureModel::MaximumSurfaces>& shares, const PackedCells& cells)

@@ -1,5 +1,6 @@
 /**
- * Which models of seeds are worth a fit: all their compositions ranked before any.
+ * FeatureStarts: ranks all compositions of seed surfaces by rough residuals, to select the models
+ * worth a fit.
  */
 #pragma once
 
@@ -14,20 +15,22 @@ struct FeatureStart
   FeatureModel Model;
 };
 
+/// Models made of seed surfaces. Keeps references to the seeds and the cells.
 class FeatureStarts
 {
 public:
-  /// Keeps references.
   FeatureStarts(const std::vector<LocalQuadric>& seeds, const PackedCells& cells);
 
-  /// The best `most` of the models of `count` of the seeds, in all compositions, by rough residuals: where several surfaces cut a cell, what is
-  /// inside of all of them is taken for the product of what is inside of each.
+  /// Returns the best models made of `count` of the seeds, in all compositions, by rough residual.
+  /// Where several surfaces cut a cell, the share inside all of them is taken as the product of the
+  /// shares inside each.
+  /// @param most  largest number of models returned
   std::vector<FeatureStart> Best(int count, std::size_t most) const;
 
 private:
   const std::vector<LocalQuadric>& Seeds;
   const PackedCells& Cells;
-  std::vector<std::vector<std::array<double, 4>>> Inside; ///< shares of cells, by seed
+  std::vector<std::vector<std::array<double, 4>>> Inside; ///< share of each cell inside each seed
 };
 
 } // namespace vfm

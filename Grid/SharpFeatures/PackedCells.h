@@ -1,5 +1,5 @@
 /**
- * PackedCells: the cells around a node, four side by side, as fits take them.
+ * PackedCells: the cells around a node in groups of four, the layout that fits read.
  */
 #pragma once
 
@@ -8,20 +8,22 @@
 namespace vfm
 {
 
-/// What is inside of several surfaces in a cell that they all cut: exactly, or as the product of what is inside of each, which costs a fraction.
+/// How to measure the region inside several surfaces in a cell that all of them cut: exactly, or as
+/// the product of the shares inside each, which is several times cheaper.
 enum class SharedCells
 {
   Exact,
   Product
 };
 
-/// Missing cells are of width and weight 0: no plane cuts them.
+/// Four cells. The last group is filled with cells of width and weight 0, which no plane cuts.
 struct alignas(32) FourCells
 {
-  std::array<std::array<double, 4>, 3> Centre, Width; ///< by axis
+  std::array<std::array<double, 4>, 3> Centre, Width; ///< [axis][cell]
   std::array<double, 4> Fraction, Weight;
 };
 
+/// Owns a copy of the cells.
 class PackedCells
 {
 public:
@@ -41,6 +43,7 @@ public:
     }
   }
 
+  /// Returns the number of groups.
   std::size_t Count() const { return this->Fours.size(); }
   std::vector<FourCells>::const_iterator begin() const { return this->Fours.begin(); }
   std::vector<FourCells>::const_iterator end() const { return this->Fours.end(); }

@@ -7,25 +7,31 @@ namespace vfm
 namespace
 {
 
-constexpr double LargestCosine = 0.883; // between the normals of two sides: 28 degrees
-constexpr double CoverReach = 1.6; // of an edge from a point that is asked to carry it, in cells
-constexpr int HexCoverRounds = 1,
-              TetCoverRounds = 3;   // the first sees sides alone; hexes suffer where carriers crowd
-constexpr double ZigzagReach = 1.2; // the same where only the shape of the chain asks
+constexpr double LargestCosine = 0.883; // cosine of 28 degrees, between the normals of two sides
+// Largest distance of a point to the edge that Cover makes it carry, in cells.
+constexpr double CoverReach = 1.6;
+// The first round finds no edge carriers. Hexes deteriorate where carriers crowd, so they
+// get only one round.
+constexpr int HexCoverRounds = 1, TetCoverRounds = 3;
+// The same for zigzags, where only the shape of the chain matters.
+constexpr double ZigzagReach = 1.2;
 constexpr double CornerReach = 2.0;
-constexpr double SameCorner = 1.0; // distance of two models' corners that are one, in mean cells
-constexpr int CornerRings = 3;     // of facets
+// Below this distance, in mean cells, two models have the same corner.
+constexpr double SameCorner = 1.0;
+constexpr int CornerRings = 3;           // rings of facets
 constexpr std::size_t ShortestChain = 9; // carriers
-constexpr double LargestTurn =
-  0.2; // between the chords of an edge at two carriers beside each other
+// Largest difference of the chords of an edge at two adjacent carriers.
+constexpr double LargestTurn = 0.2;
 constexpr int ChainRings = 8, SideRings = 3;
-constexpr int MaximumPairs = 3; // of labels with edges at one point
+constexpr int MaximumPairs = 3; // pairs of labels, at one point, that ranks exchange
 constexpr Index NoId = std::numeric_limits<Index>::max();
 
-constexpr double NoChord = -1.0, AnyChord = 10.0; // of points that carry nothing, of corners
+// Chords of points that carry nothing, and of corners.
+constexpr double NoChord = -1.0, AnyChord = 10.0;
 
-/// A piece of an edge: the lowest ids of its carriers that one of them knows of, ascending, and the chord between the unit normals
-/// of its surfaces there, which grows with the angle.
+/// Part of an edge, as known at one of its carriers: the lowest ids of connected
+/// carriers, ascending, and the chord between the unit normals of the two surfaces, which
+/// grows with their angle.
 struct Chain
 {
   std::array<Index, ShortestChain> Ids;
@@ -49,14 +55,14 @@ void Add(Chain& chain, Index id)
   }
 }
 
-/// Whether the edge at one carrier may be that at another beside it.
+/// Returns whether the edge at one carrier may continue at an adjacent one.
 bool GoesOn(const Chain& a, const Chain& b)
 {
   return a.Chord != NoChord && b.Chord != NoChord &&
     (a.Chord == AnyChord || b.Chord == AnyChord || std::fabs(a.Chord - b.Chord) < LargestTurn);
 }
 
-/// Who is nearest to a corner, as far as is known.
+/// Nearest point to a corner found so far.
 struct Bid
 {
   Vector3 Corner;
@@ -68,7 +74,7 @@ struct Bid
   }
 };
 
-/// The pairs at the corners of a facet, -1: none.
+/// Pair at each corner of a facet, or -1.
 struct RuleFacet
 {
   std::array<int, 4> At;
@@ -78,14 +84,14 @@ struct RuleFacet
 struct Work
 {
   const SurfacePairs& Pairs;
-  std::vector<FeaturePoint>& Points;                          // of each pair
-  std::vector<Index> Ids = std::vector<Index>(Points.size()); // of the point of each pair
-  /// Of each pair: it is among those of the point that ranks tell each other.
+  std::vector<FeaturePoint>& Points;                          // one per pair
+  std::vector<Index> Ids = std::vector<Index>(Points.size()); // id of the point of each pair
+  /// Whether a pair is one of the MaximumPairs of its point that ranks exchange.
   std::vector<unsigned char> IsKnown = std::vector<unsigned char>(Points.size());
   std::vector<RuleFacet> Facets{};
 };
 
-/// Gives the pairs of points of other ranks the values that these have for the same labels.
+/// Sets the values of pairs at points of other ranks to the values there for the same labels.
 template <class Value>
 void Exchange(const Work& work, std::vector<Value>& values)
 {
@@ -119,7 +125,8 @@ void Exchange(const Work& work, std::vector<Value>& values)
   work.Pairs.Exchange.SendAll(pack, unpack);
 }
 
-/// In each round every point merges the values that those of its facets had before.
+/// Merges, in each round, into the value of each pair the previous values at the other
+/// corners of its facets.
 template <class Value, class Merge>
 void Spread(const Work& work, std::vector<Value>& values, int rounds, const Merge& merge)
 {
@@ -172,7 +179,7 @@ void PickCorners(Work& work)
   }
 }
 
-/// Calls visit(a, b) with the pairs at both ends of the edges of facets.
+/// Calls visit(a, b) with the pairs at both ends of each edge of each facet.
 template <class Visitor>
 void ForEdges(const Work& work, const Visitor& visit)
 {
@@ -212,14 +219,14 @@ void MakeCarriers(Work& work, const std::vector<int>& chosen)
   ExchangeKinds(work);
 }
 
-/// Whether a is nearer to its edge than b is to its.
+/// Returns whether a is nearer to its edge than b is to its own; the lower id decides a tie.
 bool IsNearer(const Work& work, int a, int b)
 {
   const double da = work.Points[a].EdgeDistance, db = work.Points[b].EdgeDistance;
   return da != db ? da < db : work.Ids[a] < work.Ids[b];
 }
 
-/// Whether some surface holds for both ends of a mesh edge.
+/// Returns whether both ends of a mesh edge lie on one common surface.
 bool ShareSide(const Work& work, int a, int b)
 {
   const FeaturePoint &first = work.Points[a], &second = work.Points[b];
@@ -260,7 +267,7 @@ bool IsCarrierAt(const Work& work, int pair)
   return pair >= 0 && IsCarrier(work.Points[pair].Kind);
 }
 
-/// Sides that may become carriers: none of their quads has three.
+/// Marks the sides that may become carriers: none of their quads has three.
 std::vector<unsigned char> FindWilling(const Work& work)
 {
   std::vector<unsigned char> willing(work.Points.size());
@@ -376,7 +383,7 @@ int FindPair(const Work& work, Index meshPoint, const std::array<int, 2>& labels
   return -1;
 }
 
-/// Those with a point that has a model.
+/// Lists the facets with at least one point that has a model.
 void ListFacets(Work& work, const std::vector<Facet>& facets)
 {
   std::vector<unsigned char> hasModel(work.Pairs.Ids.size(), 0);

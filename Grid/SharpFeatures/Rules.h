@@ -1,14 +1,19 @@
 /**
- * Rules: which points of a mesh carry the edges and corners of its interfaces. All rules look at the facets of one pair of labels, quads or
- * triangles, and at all points at once, so that no order matters; after each a rank tells the others what has become of the points it owns.
+ * Rules: select the points of a mesh that carry the edges and corners of its interfaces. Each rule
+ * reads the facets (quads or triangles) of one pair of labels and acts on all points at once, so
+ * the order of points does not matter. After each rule, every rank sends the result at its own
+ * points to the other ranks.
  *
- * - Corner: of the points within three facets, the nearest to it.
- * - Cover: of two points on different sides that a mesh edge joins, the one nearer to its edge becomes a carrier. So no mesh edge
- *   joins two sides, and the chain of carriers has no gaps. In tets so does, then, a point on a side that is none of those of a carrier beside it.
- * - Zigzag, in hexes: of a quad that has carriers on one diagonal alone, the nearer of the others becomes one too, unless a quad would then have four: edges of
- *   interfaces run along mesh edges rather than across quads.
- * - Chains: carriers in pieces of fewer than nine, each beside the next with about the same angle between its surfaces, are none.
- * - Sides without a carrier within three facets are none.
+ * - Corner: of the points within three facets of a corner, the nearest carries it.
+ * - Cover: if a mesh edge joins points on different sides, the point nearer to its interface edge
+ *   becomes a carrier. No mesh edge then joins two sides, and the chain of carriers has no gaps. In
+ *   tets, a side point next to a carrier becomes a carrier too unless they share a side.
+ * - Zigzag, in hexes: if exactly two opposite points of a quad are carriers, the nearer of the
+ *   other two becomes a carrier, unless a quad would then have four. Interface edges then run along
+ *   mesh edges instead of across quads.
+ * - Chains: carriers in a connected chain of fewer than nine are dropped. Adjacent carriers are
+ *   connected if the angles between their surfaces are about equal.
+ * - Sides: side points without a carrier within three facets are dropped.
  */
 #pragma once
 
@@ -20,35 +25,44 @@
 namespace vfm
 {
 
-/// The surface points of a mesh of hexes or tets, and the pairs of labels that meet at each. Points of the whole mesh have an index here, or none.
+/// Surface points of a mesh of hexes or tets, and the pairs of labels that meet at each. Only
+/// surface points of the mesh have an index here.
 struct SurfacePairs
 {
   bool IsOfHexes;
-  const std::vector<Vector3>& Places; ///< of each point, grid coordinates
-  const std::vector<Index>& Offset;   ///< of each point: its pairs are [Offset[p], Offset[p + 1])
-  const std::vector<int>& PointOf;    ///< of each point of the mesh: its index here, or -1
-  const PointExchange& Exchange;      ///< of the points
-  std::vector<Index> Ids;             ///< of each point, the same on all ranks
-  std::vector<unsigned char> IsOwned; ///< of each point: this rank moves it
-  std::vector<Index> SurfacePoint;    ///< of each pair: position in Interface::Points(), or -1
-  std::vector<std::array<int, 2>>
-    Labels; ///< of each pair, the smaller first; -1 where SurfacePoint is
+  const std::vector<Vector3>& Places; ///< position of each point, grid coordinates
+  const std::vector<Index>& Offset;   ///< the pairs of point p are [Offset[p], Offset[p + 1])
+  const std::vector<int>& PointOf;    ///< index here of each point of the mesh, or -1
+  const PointExchange& Exchange;      ///< sends values of points to the ranks that share them
+  std::vector<Index> Ids;             ///< id of each point, equal on all ranks
+  std::vector<unsigned char> IsOwned; ///< whether this rank moves each point
+  std::vector<Index> SurfacePoint;    ///< position of each pair in Interface::Points(), or -1
+  /// Labels of each pair, the smaller first; -1 where SurfacePoint is -1.
+  std::vector<std::array<int, 2>> Labels;
 };
 
-/// What is known of a point and a pair of labels from the model there. Distances in cells, from acute edges and their corners less: times their bluntness, because cells
-/// beside these have less than half of the label, so its interface starts farther away.
+/// Place of a point and a pair of labels relative to the model there. Distances are in cells.
+/// Distances from an acute edge and its corners are multiplied by their bluntness: cells next to it
+/// are less than half full of the label, so its interface starts farther away.
 struct FeaturePoint
 {
   FeatureKind Kind = FeatureKind::None;
-  Vector3 Normal{};                     ///< of the side
-  bool IsSheet = false;                 ///< a thin gap or film: it needs no edge near
-  double EdgeDistance = 1e30;           ///< of the nearest edge
-  std::array<Vector3, 2> EdgeNormals{}; ///< of the surfaces that meet there
-  Vector3 Corner{};                     ///< grid coordinates
-  double CornerDistance = 1e30;         ///< such: there is none
+  Vector3 Normal{}; ///< unit normal of the side
+  /// The model is a thin gap or film, which is kept without an edge nearby.
+  bool IsSheet = false;
+  double EdgeDistance = 1e30; ///< distance to the nearest edge; 1e30: there is no edge
+  /// Unit normals of the surfaces that meet at that edge.
+  std::array<Vector3, 2> EdgeNormals{};
+  Vector3 Corner{};             ///< grid coordinates
+  double CornerDistance = 1e30; ///< distance to the corner; 1e30: there is no corner
 };
 
-/// Changes the kinds of the points of some pairs; those at points of other ranks are taken from these. Collective among peers.
+/// Applies the rules to the kinds of all pairs.
+/// @param pairs  points of the surfaces and their pairs of labels
+/// @param facets  surface facets of this rank; facets on the domain boundary are skipped
+/// @param[in,out] points  one per pair, set by the rank that moves the point; other
+///   ranks receive its values
+/// @pre Collective among peers.
 void ApplyFeatureRules(
   const SurfacePairs& pairs, const std::vector<Facet>& facets, std::vector<FeaturePoint>& points);
 

@@ -10,12 +10,12 @@ namespace vfm
 namespace
 {
 
-/// Residual of the quadric near a point, at which crossings are searched.
+/// Residual of a quadric near its point, from which planes are searched for among the crossings.
 constexpr double StrongResidual = 0.03;
-/// Over all cells around, at which models of points near are tried.
+/// Residual over all cells around a point, from which the models of nearby points are tried.
 constexpr double WeakResidual = 0.02;
 
-/// That the model of another point may be tried at one.
+/// The model of point From may be tried at point At.
 struct Candidate
 {
   FeatureSite At, From;
@@ -39,7 +39,7 @@ SiteList SitesOf(const Candidates& candidates)
 
 using Result = std::optional<FittedFeature>;
 
-/// Finds models in three phases; each reads what those before have found.
+/// Finds models in three phases; each reads the results of the phases before it.
 struct Work
 {
   const FeatureInput& Input;
@@ -72,7 +72,8 @@ void FindStrong(Work& work)
   }
 }
 
-/// search(site, walk): what is found at a site; kept after all have been searched, in place of what was found there before.
+/// Calls search(site, walk) at each site. Results replace earlier models only after all
+/// sites have been searched.
 template <class Search>
 void SearchAll(Work& work, const SiteList& sites, const Search& search)
 {
@@ -121,7 +122,7 @@ void DropSmoothPairs(Work& work)
   work.Strong.erase(dropped, work.Strong.end());
 }
 
-/// First phase: some of the strong points, also beside the owned ones.
+/// First phase: searches some of the strong points, including points near the owned ones.
 void SearchCrossings(Work& work)
 {
   SiteList sites;
@@ -130,7 +131,7 @@ void SearchCrossings(Work& work)
   SearchCrossingsAt(work, sites);
 }
 
-/// Calls visit(site, crease) for the owned points that have one and those near, ascending.
+/// Calls visit(site, feature) for each owned or nearby point that has a model, ascending.
 template <class Visitor>
 void ForFound(const Work& work, const Visitor& visit)
 {
@@ -143,7 +144,7 @@ void ForFound(const Work& work, const Visitor& visit)
   }
 }
 
-/// Where the models that have been found by now may be tried.
+/// Lists the points at which the models found so far may be tried.
 Candidates FindCandidates(const Work& work)
 {
   Candidates candidates;
@@ -164,7 +165,7 @@ bool IsStrong(const Work& work, const FeatureSite& site)
   return std::binary_search(work.Strong.begin(), work.Strong.end(), site);
 }
 
-/// The models to be tried at a point, the nearest first.
+/// Lists the models to try at a point, the nearest first.
 std::vector<NearFeature> ListModels(
   const Work& work, const FeatureSite& site, const Candidates& candidates)
 {
@@ -211,7 +212,7 @@ Result SearchAt(
   return found;
 }
 
-/// Second phase: all owned points, from the models of the first.
+/// Second phase: searches the owned points, starting from the models of the first phase.
 void SearchModels(Work& work)
 {
   const Candidates candidates = FindCandidates(work);
@@ -224,7 +225,8 @@ void SearchModels(Work& work)
     { return SearchAt(work, site, candidates, walk); });
 }
 
-/// Third phase: strong points of pairs that have edges, still without a model as near corners, from what those around have found by now.
+/// Third phase: tries the models found so far at strong points that still lack one, for example
+/// near corners. Only pairs that have edges are searched.
 void SearchLeft(Work& work)
 {
   const auto isDone = [&](const Candidate& candidate)

@@ -1,6 +1,7 @@
 /**
- * SharpFeatures: edges and corners of interfaces that fractions alone tell. At each surface point where one quadric does not explain the
- * fractions around, up to three surfaces cut by each other are fitted to them, and kept where they explain them three times better.
+ * SharpFeatures: edges and corners of interfaces, found from the volume fractions. Models of up to
+ * three surfaces that cut each other are fitted at each surface point where one quadric does not
+ * explain the fractions nearby. A model is kept if it explains them three times better.
  */
 #pragma once
 
@@ -13,24 +14,34 @@
 namespace vfm
 {
 
-/// The model at a surface point, in the local frame of its node.
+/// Model at a surface point, in the local frame of its node.
 struct NodeFeature
 {
   FeatureModel Model;
-  Vector3 Origin, Widths; ///< of the frame: grid coordinates of the interface
+  Vector3 Origin, Widths; ///< grid coordinates of the interface; they define the frame
 };
 
+/// Models at the surface points of one interface that are near edges and corners. Owns the models;
+/// it does not change after construction.
 class SharpFeatures
 {
 public:
-  /// None.
+  /// Has no models.
   SharpFeatures() = default;
-  /// interface: of the finest grid; targets: firstTarget is the first of the interface's points. Collective.
+  /// Finds the models at the owned surface points and at points of other
+  /// ranks within FeatureSites::Spread nodes.
+  /// @param interface  interface of the finest grid
+  /// @param fractions  fractions that the interface was made from, owned and ghost cells
+  /// @param targets  fitted quadrics of the surface points
+  /// @param firstTarget  target of the interface's first surface point
+  /// @param mode  Off: no models; Automatic: only for pairs of labels whose
+  ///   samples show edges (SharpPairs)
+  /// @pre Collective; mode is equal on all ranks.
   SharpFeatures(const Interface& interface, const FractionField& fractions,
     const SurfaceTargets& targets, Index firstTarget, SharpEdges mode, const Partition& partition,
     Runtime& runtime);
 
-  /// Of a surface point (position in Interface::Points()); nullptr: none.
+  /// Returns the model at a surface point (position in Interface::Points()), or nullptr.
   const NodeFeature* Find(Index point) const
   {
     const auto at = std::lower_bound(this->Points.begin(), this->Points.end(), point);
@@ -39,7 +50,9 @@ public:
   }
   bool IsEmpty() const { return this->Points.empty(); }
 
-  /// For tests and what is known from elsewhere: the models of some points, ascending.
+  /// Stores given models, for tests and for features known from another source.
+  /// @param points  positions in Interface::Points(), ascending
+  /// @param models  one per point
   SharpFeatures(std::vector<Index> points, std::vector<NodeFeature> models) :
     Points(std::move(points)), Models(std::move(models))
   {

@@ -10,16 +10,17 @@ namespace vfm
 namespace
 {
 
-constexpr double SampleSize = 128.0;   // points of a pair
-constexpr double SmallestShare = 0.45; // of them with a model, of a pair that has edges
+constexpr double SampleSize = 128.0; // points per pair, at most about this many
+// least share of points with a model, for a pair that has edges
+constexpr double SmallestShare = 0.45;
 
-/// A number of a node that tells nothing of where it is.
+/// Returns a hash of the key of a node, which does not depend on its place in a regular way.
 Index Shuffle(Index key)
 {
   return static_cast<Index>((static_cast<std::uint64_t>(key) * 0x9E3779B97F4A7C15u) >> 32);
 }
 
-/// Sums over pairs of labels of all ranks of value(site).
+/// Returns the sums of value(site) per pair of labels, over all ranks.
 template <class Value>
 std::vector<PairSum> SumByPair(const FeatureSites& all, const SiteList& sites, const Value& value)
 {

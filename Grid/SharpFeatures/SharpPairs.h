@@ -1,8 +1,9 @@
 /**
- * SharpPairs: the pairs of labels whose interfaces have edges, told by a sample of the points where one surface does not explain the fractions.
+ * SharpPairs: finds the pairs of labels whose interfaces have edges, from a sample of the points
+ * where one surface does not explain the fractions.
  *
- * Solids with edges have models at more than half of these points; drops and waves, bodies that touch, thin films and noise at two fifths or
- * fewer.
+ * Solids with edges have models at more than half of these points. Drops, waves, bodies that touch,
+ * thin films and noise have models at two fifths or fewer.
  */
 #pragma once
 
@@ -14,19 +15,25 @@
 namespace vfm
 {
 
+/// Pairs of labels with edges, equal on all ranks.
 class SharpPairs
 {
 public:
-  /// No pair has edges, as far as is known.
+  /// Starts without pairs; all: the sites of the interface, must outlive this object.
   explicit SharpPairs(const FeatureSites& all) : All(all) {}
 
-  /// strong: the points where one surface does not do, owned ones and others. Collective.
+  /// Selects the sample.
+  /// @param strong  points where one surface does not suffice, owned and nearby
+  /// @pre Collective.
   void Sample(const SiteList& strong);
-  /// The owned points of the sample.
+  /// Returns the owned points of the sample.
   const SiteList& Chosen() const { return this->Sampled; }
-  /// By what was found at the points of the sample. Collective.
+  /// Adds the pairs with models at enough points of the sample.
+  /// @param found  models by surface point
+  /// @pre Collective.
   void Classify(const FoundFeatures& found);
 
+  /// Returns whether the pair of a site has edges.
   bool Contains(const FeatureSite& site) const
   {
     return this->Sharp.count(this->All.PairOf(site)) > 0;
