@@ -25,7 +25,7 @@ void AddArray(std::vector<ArrayInfo>& list, const ArrayInfo& info)
 namespace
 {
 
-/// All of an array but its name, as one message.
+/// An ArrayInfo in a message, without its name.
 struct Packed
 {
   int Type, Components, HasOneType, HoldsIds;
@@ -75,7 +75,7 @@ std::vector<ArrayInfo> UnionOfArrays(const std::vector<ArrayInfo>& mine, Ranks& 
 namespace
 {
 
-/// Sets Least and Most, of the first component.
+/// Sets the range of the first component.
 void FindRange(const BlockArray& array, ArrayInfo& info)
 {
   info.Least = std::numeric_limits<double>::max();

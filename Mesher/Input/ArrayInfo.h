@@ -1,5 +1,6 @@
 /**
- * ArrayInfo: what the arrays of a name hold, in the blocks or data sets of all ranks together.
+ * ArrayInfo: type, components and range of the arrays of one name, over the blocks or data sets of
+ * all ranks.
  */
 #pragma once
 
@@ -15,23 +16,27 @@ namespace vfm
 struct ArrayInfo
 {
   std::string Name;
-  int Type = 0; ///< of ValueType, of the first
+  int Type = 0; ///< ValueType of the first array
   int Components = 0;
-  double Least = 0.0, Most = 0.0; ///< of the first component, NaN left out
-  Index Count = 0;                ///< of the arrays
+  double Least = 0.0, Most = 0.0; ///< range of the first component, without NaN
+  Index Count = 0;                ///< number of arrays
   bool HasOneType = true;
-  bool HoldsIds = false; ///< some are global or pedigree ids
+  bool HoldsIds = false; ///< true if any array is a global or pedigree id
 };
 
-/// Adds an array to a list, or to the one of its name there.
+/// Adds an array to a list, or merges it with the entry of the same name.
 void AddArray(std::vector<ArrayInfo>& list, const ArrayInfo& info);
 
-/// Collective. mine: arrays of this rank. Returns those of all ranks, in the order in which ranks list them.
+/// Merges the lists of all ranks.
+/// @param mine arrays of this rank
+/// @return arrays of all ranks, ordered by rank and place in its list
+/// @pre Collective
 std::vector<ArrayInfo> UnionOfArrays(const std::vector<ArrayInfo>& mine, Ranks& ranks);
 
-/// The arrays of the blocks or data sets of a rank.
+/// The arrays of all blocks or data sets of a rank.
 using ArrayLists = std::vector<std::shared_ptr<const BlockArrays>>;
 
+/// Returns the arrays of each block.
 ArrayLists ListsOf(const std::vector<InputBlock>& blocks);
 
 /// Returns the arrays of this rank that have values.

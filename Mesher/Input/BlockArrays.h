@@ -1,5 +1,5 @@
 /**
- * BlockArrays: the arrays of a block of the input, whoever holds them: a data set of VTK, or arrays of numpy.
+ * BlockArrays: interface to the arrays of a block of the input (VTK data sets, numpy arrays, ...).
  */
 #pragma once
 
@@ -13,35 +13,38 @@
 namespace vfm
 {
 
-/// An array with a tuple a cell, in the order of the block.
+/// An array with one tuple per cell, x fastest. Read by several threads.
 class BlockArray
 {
 public:
   virtual ~BlockArray() = default;
 
-  int Type = ValueType::Double; ///< of ValueType
+  int Type = ValueType::Double; ///< one of ValueType
   int Components = 1;
   Index Tuples = 0;
-  std::vector<std::string> ComponentNames; ///< empty, or one a component, "" where it has none
-  const void* Memory = nullptr;            ///< all values, tuple by tuple; null: they lie otherwise
+  std::vector<std::string> ComponentNames; ///< empty, or one per component; "" if unnamed
+  /// All values, shape (Tuples, Components), row-major; null if they are stored in another way.
+  const void* Memory = nullptr;
 
-  /// Without Memory: a value as a double, and tuples copied in the type in which they travel (CarrierType).
+  /// Returns a value as a double.
   virtual double Get(Index tuple, int component) const = 0;
+  /// Copies tuples in the type of messages (CarrierType); only used if Memory is null.
   virtual void Copy(Index first, Index count, void* to) const = 0;
 };
 
+/// The arrays of one or several blocks.
 class BlockArrays
 {
 public:
   virtual ~BlockArrays() = default;
 
-  /// Cells, or points where these are cells.
+  /// Returns the number of cells, or of points if points are used as cells.
   virtual Index NumberOfTuples() const = 0;
-  /// Null when none of numbers has that name. Called by one thread.
+  /// Returns the numeric array with a name, or null. Called by one thread.
   virtual std::shared_ptr<const BlockArray> Find(const std::string& name) const = 0;
-  /// Whether the array of that name numbers cells or points.
+  /// Returns whether the array with a name holds ids of cells or points.
   virtual bool HoldsIds(const std::string& name) const = 0;
-  /// For messages.
+  /// Returns the names of all arrays, for messages.
   virtual std::vector<std::string> Names() const = 0;
 };
 

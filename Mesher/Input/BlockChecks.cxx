@@ -11,7 +11,7 @@ namespace
 
 constexpr double LargestNodeKey = 0x1p59; // node ids are key * 16 + slot, in 63 bits
 
-/// The first cell that no block holds, given that there is one.
+/// Returns the first cell without a block; there must be one.
 Index3 FindGap(const IndexBox& global, const std::vector<BlockPlace>& places)
 {
   for (Index k = 0; k < global.Upper[2]; ++k)
@@ -37,7 +37,7 @@ Index3 FindGap(const IndexBox& global, const std::vector<BlockPlace>& places)
           return cell;
         }
         i = (*found)->Upper[0];
-        nextRow = std::min(nextRow, (*found)->Upper[1]); // until then every row is like this one
+        nextRow = std::min(nextRow, (*found)->Upper[1]); // rows before are equal to this one
       }
     }
   }

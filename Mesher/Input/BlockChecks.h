@@ -1,5 +1,5 @@
 /**
- * BlockChecks: what the blocks of one grid must be: apart, without gaps, not too many cells.
+ * BlockChecks: checks that blocks tile one grid, and that 64-bit ids can number its nodes.
  */
 #pragma once
 
@@ -8,16 +8,22 @@
 namespace vfm
 {
 
-/// Collective: the places of the blocks of all ranks, by rank.
+/// Returns the places of the blocks of all ranks, ordered by rank.
+/// @pre Collective
 std::vector<BlockPlace> GatherPlaces(const std::vector<InputBlock>& blocks, Ranks& ranks);
 
-/// Throws InputError when two places share a cell. isAlone: one rank, for messages.
+/// Checks that places do not overlap.
+/// @param isAlone whether there is only one rank; messages then name no ranks
+/// @throws InputError naming two blocks and a common cell
 void CheckOverlaps(std::vector<BlockPlace> places, bool isAlone);
 
-/// Throws InputError when the places, which do not overlap, do not fill the grid.
+/// Checks that the places fill the grid.
+/// @throws InputError naming the first cell without a block
+/// @pre places do not overlap
 void CheckGaps(const InputBlocks& input);
 
-/// Throws InputError when the grid has more nodes than ids can number.
+/// Checks that 64-bit ids can number all nodes of the grid.
+/// @throws InputError that states the number of nodes
 void CheckIds(const InputBlocks& input);
 
 } // namespace vfm

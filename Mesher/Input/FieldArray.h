@@ -1,5 +1,5 @@
 /**
- * FieldArray: numbers or texts that tell of a mesh as a whole.
+ * FieldArray: an array that belongs to the mesh as a whole, with integers, reals or texts.
  */
 #pragma once
 
@@ -18,11 +18,11 @@ struct FieldArray
 {
   std::string Name;
   std::variant<std::vector<int>, std::vector<Index>, std::vector<double>, std::vector<std::string>>
-    Values; ///< tuple by tuple
+    Values; ///< shape (tuples, Components), row-major
   int Components = 1;
 };
 
-/// One of so many components as rows have.
+/// Returns an array with one tuple per row.
 template <class Value, std::size_t Length>
 FieldArray FieldOfRows(std::string name, const std::vector<std::array<Value, Length>>& rows)
 {

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int Hops = 2;                 // face neighbours, then edges, then corners
-constexpr double TouchTolerance = 1e-6; // of the box's size
+constexpr double TouchTolerance = 1e-6; // relative to the size of the box
 
 bool IsNear(const RankBox& a, const RankBox& b, double reach)
 {
@@ -28,7 +28,7 @@ bool IsNear(const RankBox& a, const RankBox& b, double reach)
   return true;
 }
 
-/// The distinct ranks across the faces.
+/// Returns the distinct ranks across the faces.
 std::vector<int> ListPeers(const RankBox& mine, const std::array<int, 6>& faces, int count)
 {
   std::vector<int> peers;
@@ -38,7 +38,7 @@ std::vector<int> ListPeers(const RankBox& mine, const std::array<int, 6>& faces,
     {
       throw InputError("Rank " + std::to_string(mine.Rank) + " names " + std::to_string(rank) +
         " as a face neighbour; there are ranks 0 to " + std::to_string(count - 1) +
-        ", and -1 stands for none.");
+        ", and -1 for no neighbour.");
     }
     if (rank >= 0)
     {
@@ -49,7 +49,7 @@ std::vector<int> ListPeers(const RankBox& mine, const std::array<int, 6>& faces,
   return peers;
 }
 
-/// A number of 31 bits for a pair of ranks (finaliser of MurmurHash3, Appleby).
+/// Returns a hash of 31 bits for a pair of ranks (finaliser of MurmurHash3, Appleby).
 std::int64_t HashPair(std::uint64_t low, std::uint64_t high)
 {
   std::uint64_t h = (low << 32) + high;
@@ -58,7 +58,8 @@ std::int64_t HashPair(std::uint64_t low, std::uint64_t high)
   return static_cast<std::int64_t>((h ^ h >> 33) & 0x7fffffff);
 }
 
-/// All ranks must know that naming is mutual before anyone waits for anyone: the two sides of a pair cancel.
+/// Checks that face neighbours name each other, by a sum in which the two sides of a pair cancel.
+/// Must precede all exchanges: otherwise a rank could wait for a message that is never sent.
 void CheckMutual(const RankBox& mine, const std::vector<int>& peers, Ranks& ranks)
 {
   std::int64_t sum = 0;
@@ -73,7 +74,8 @@ void CheckMutual(const RankBox& mine, const std::vector<int>& peers, Ranks& rank
   }
 }
 
-/// One hop: tells the peers what this rank knows, and learns what is near. Whether anything was new.
+/// Makes one hop: sends the known boxes to the peers and adds received boxes that are near.
+/// Returns whether a new box was added.
 bool ReceiveBoxes(const RankBox& mine, const std::vector<int>& peers, double reach, Ranks& ranks,
   std::map<int, RankBox>& known)
 {

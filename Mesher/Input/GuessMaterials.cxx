@@ -11,7 +11,7 @@ namespace vfm
 namespace
 {
 
-/// In the order of their material numbers.
+/// Returns the SpyPlot arrays, ordered by material number.
 std::vector<std::string> FindSpyPlotFractions(const std::vector<ArrayInfo>& arrays)
 {
   std::vector<std::string> names;

@@ -1,5 +1,5 @@
 /**
- * GuessMaterials: which arrays of an input hold its materials, where nobody names them.
+ * GuessMaterials: selects the arrays of materials if the user does not.
  */
 #pragma once
 
@@ -11,27 +11,28 @@
 namespace vfm
 {
 
-/// Name of arrays of labels, as readers of voxels and the meshes have it.
+/// Name of label arrays in meshes and in the output of voxel readers.
 constexpr const char* LabelsName = "MaterialId";
 
 struct GuessedMaterials
 {
-  std::vector<std::string> Fractions; ///< of material 1, 2, ...
-  std::string Labels;                 ///< empty: fractions, or nothing
-  bool AreNumbered = false;           ///< Fractions have the names of SpyPlot files
+  std::vector<std::string> Fractions; ///< arrays of material 1, 2, ...
+  std::string Labels;                 ///< array of labels; empty: fractions, or nothing
+  bool AreNumbered = false;           ///< true if Fractions have names as in SpyPlot files
 };
 
-/// Whether an array of that name is the volume fraction of a material in a SpyPlot file.
+/// Returns whether a name is that of a volume fraction in a SpyPlot file.
 bool IsSpyPlotFraction(const std::string& name);
 
-/// Whether an array has one whole number per cell.
+/// Returns whether an array has one integer per cell.
 bool IsWhole(const ArrayInfo& array);
 
-/// Whether values of an array are fractions: bytes, or real numbers in [0, 1] up to tolerance.
+/// Returns whether all values are fractions: unsigned char, or reals in [0, 1] up to tolerance.
 bool IsFraction(const ArrayInfo& array, double tolerance);
 
-/// Returns the arrays that are named like those of SpyPlot files, by material; else all fractions but MaterialId and others; else
-/// MaterialId as labels; else nothing. others: names of arrays that hold no materials.
+/// Selects the arrays of materials: arrays with names as in SpyPlot files, ordered by material;
+/// else all fractions except MaterialId and others; else MaterialId as labels; else nothing.
+/// @param others names of arrays that do not hold materials
 GuessedMaterials GuessMaterials(
   const std::vector<ArrayInfo>& arrays, const std::vector<std::string>& others, double tolerance);
 

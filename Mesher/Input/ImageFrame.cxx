@@ -12,8 +12,8 @@ namespace vfm
 namespace
 {
 
-constexpr double Orthonormal = 1e-5; // products of axes; files hold them in single precision
-constexpr double Rounding = 1e-6;    // of an element, in single precision
+constexpr double Orthonormal = 1e-5; // tolerance of products of axes; files have single precision
+constexpr double Rounding = 1e-6;    // tolerance of a matrix element, in single precision
 
 using Axes = std::array<double, 9>;
 
@@ -63,7 +63,7 @@ void SwapCorners(Buffer<Index>& elements, int corners, const Swap& swap)
   }
 }
 
-/// As the elements' corners are swapped: two of their sides change places.
+/// Exchanges the two sides of elements that change places when corners are swapped.
 void ReverseSides(Mesh& mesh)
 {
   const int lower = mesh.Corners == 8 ? 4 : 0, upper = mesh.Corners == 8 ? 5 : 3;
@@ -76,7 +76,7 @@ void ReverseSides(Mesh& mesh)
     { return std::tie(a.Element, a.Side) < std::tie(b.Element, b.Side); });
 }
 
-/// Turns elements and facets inside out.
+/// Reverses the orientation of elements and facets.
 void ReverseCorners(Mesh& mesh)
 {
   if (mesh.Corners == 8)
@@ -133,7 +133,7 @@ ImageFrame MakeImageFrame(
   CheckAxes(axes, name);
   ImageFrame frame;
   frame.Axes = axes;
-  if (!frame.IsIdentity()) // else the origin plays no part
+  if (!frame.IsIdentity()) // otherwise the origin has no effect
   {
     frame.Origin = origin;
   }

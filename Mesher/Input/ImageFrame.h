@@ -1,9 +1,10 @@
 /**
  * ImageFrame: the axes of images with a direction matrix.
  *
- * Such images are meshed in their own axes, as if their matrix were the identity; then the points of the mesh are turned about an origin.
- * A matrix that mirrors (determinant -1) turns elements and facets inside out: they get the order of their corners reversed.
- * All blocks have one matrix. Blocks with other origins are moved along the common axes, so that they stand where they do in space.
+ * Such images are meshed in image axes, as if the matrix were the identity. Afterwards the points
+ * of the mesh are rotated about an origin. A matrix of determinant -1 inverts elements and facets;
+ * the order of their corners is then reversed. All blocks must have the same matrix. Blocks with
+ * other origins are shifted along the common axes to their position in space.
  */
 #pragma once
 
@@ -18,38 +19,44 @@
 namespace vfm
 {
 
+/// A point u in image axes has world coordinates Origin + Axes (u - Origin).
 struct ImageFrame
 {
-  std::array<double, 9> Axes{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; ///< row by row, as VTK's
-  Vector3 Origin{ { 0.0, 0.0, 0.0 } };                         ///< stays in its place
+  std::array<double, 9> Axes{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }; ///< row-major, as in VTK
+  Vector3 Origin{ { 0.0, 0.0, 0.0 } };                         ///< centre of the rotation
 
   bool operator==(const ImageFrame& other) const
   {
     return this->Axes == other.Axes && this->Origin == other.Origin;
   }
-  /// By axes first.
+  /// Orders by axes, then by origin.
   bool operator<(const ImageFrame& other) const
   {
     return this->Axes != other.Axes ? this->Axes < other.Axes : this->Origin < other.Origin;
   }
   bool IsIdentity() const { return this->Axes == ImageFrame().Axes; }
-  /// Whether each axis of the images lies along one of space, but for rounding.
+  /// Returns whether each image axis is parallel to x, y or z, up to rounding.
   bool IsAligned() const;
   bool IsMirrored() const;
   Vector3 ToSpace(const Vector3& own) const;
   Vector3 ToOwn(const Vector3& inSpace) const;
-  /// Where the axes of an image with an origin begin.
+  /// Returns the origin of an image in image axes.
   Vector3 OriginOf(const Vector3& origin) const;
 };
 
-/// Of an image. axes: its direction matrix, row by row; name: of the image, for messages. Throws InputError when they are not orthonormal.
+/// Makes the frame of an image.
+/// @param axes direction matrix, row-major
+/// @param name name of the image, for messages
+/// @throws InputError if the axes are not orthonormal to 1e-5
 ImageFrame MakeImageFrame(
   const std::array<double, 9>& axes, const Vector3& origin, const std::string& name);
 
-/// Collective: that of the images of all ranks; of none the identity. Throws InputError, on all ranks alike, where axes differ.
+/// Returns the common frame of the images of all ranks; the identity if there are no images.
+/// @throws InputError if axes differ, on all ranks
+/// @pre Collective
 ImageFrame AgreeOnFrame(std::vector<ImageFrame> frames, Ranks& ranks);
 
-/// From the images' own axes to space.
+/// Transforms a mesh from image axes to world coordinates.
 void TurnMesh(const ImageFrame& frame, Mesh& mesh);
 
 } // namespace vfm

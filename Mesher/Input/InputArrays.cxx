@@ -38,7 +38,7 @@ std::shared_ptr<const BlockArray> FindArray(const InputBlock& block, const std::
   if (array->Components != 1)
   {
     throw InputError("The array '" + name + "' has " + std::to_string(array->Components) +
-      " components: an array with one value a cell is needed.");
+      " components: an array with one value per cell is needed.");
   }
   return array;
 }
@@ -50,8 +50,8 @@ std::shared_ptr<const BlockArray> FindMaterialArray(
   if (block.Arrays->HoldsIds(name))
   {
     throw InputError("'" + name +
-      "' holds ids, which number cells or points: it holds no materials. Choose other arrays, or "
-      "rename it if it does.");
+      "' holds ids of cells or points, not materials. Choose other arrays, or rename this one if "
+      "it holds materials.");
   }
   return array;
 }

@@ -1,5 +1,6 @@
 /**
- * The arrays of the cells of the input's blocks, read in rows without copying them. Where points are cells they are point data.
+ * InputArrays: reads cell arrays of blocks row by row, without copying them. If points are used as
+ * cells, the arrays are point data.
  */
 #pragma once
 
@@ -13,28 +14,31 @@
 namespace vfm
 {
 
-/// The array of that name with a tuple a cell, in the order of the block. Throws InputError when there is none of numbers.
+/// Returns the array with a name: one tuple per cell, in the order of the block.
+/// @throws InputError if there is no numeric array of that name, or its size is wrong
 std::shared_ptr<const BlockArray> FindTuples(const InputBlock& block, const std::string& name);
 
-/// The array of that name with one component and a value a cell. Throws InputError when there is none.
+/// Returns the array with a name and one component.
+/// @throws InputError if FindTuples does, or if the array has several components
 std::shared_ptr<const BlockArray> FindArray(const InputBlock& block, const std::string& name);
 
-/// The same of an array that holds materials: of ids, which number cells or points, throws InputError.
+/// Returns an array that may hold materials.
+/// @throws InputError if FindArray does, or if the array holds ids of cells or points
 std::shared_ptr<const BlockArray> FindMaterialArray(
   const InputBlock& block, const std::string& name);
 
-/// Reads count consecutive values of an array, from the value first on.
+/// Reads count consecutive values of an array, beginning at first.
 template <class Value>
 using RowReader = void (*)(const void* values, Index first, Index count, Value* row);
 
-/// The stored value that stands for 1: fractions of type unsigned char count 0..255, labels never.
+/// Returns the stored value that means 1: 255 for fractions of type unsigned char, 1 for labels.
 template <class Value>
 constexpr Value StoredOne(bool bytes)
 {
   return std::is_same<Value, double>::value && bytes ? Value(255) : Value(1);
 }
 
-/// Real numbers that are no labels, as those of blanked cells may be, become 0.
+/// Converts a stored value. Reals outside the range of integers (blanked cells) become 0.
 template <class Value, class Stored>
 Value Convert(Stored stored)
 {
@@ -57,14 +61,14 @@ void ReadMemory(const void* values, Index first, Index count, Value* row)
   }
 }
 
-/// Reads the value first; returns how many from there on, of count, are known to be the same.
+/// Reads the value at first; returns how many values from there on, up to count, are equal.
 template <class Value>
 using EqualRunReader = Index (*)(const void* values, Index first, Index count, Value& value);
 
 template <class Value, class Stored>
 Index ReadMemoryRun(const void* values, Index first, Index count, Value& value)
 {
-  constexpr Index block = 16; // are compared at once
+  constexpr Index block = 16; // values that are compared together
   const Stored* stored = static_cast<const Stored*>(values) + first;
   const Stored same = *stored;
   ReadMemory<Value, Stored>(values, first, 1, &value);
@@ -85,7 +89,7 @@ Index ReadMemoryRun(const void* values, Index first, Index count, Value& value)
   return n;
 }
 
-/// For arrays that are not plain memory; values is the BlockArray.
+/// Reads arrays that are not plain memory; values points to the BlockArray.
 template <class Value>
 void ReadArray(const void* values, Index first, Index count, Value* row)
 {
@@ -104,7 +108,7 @@ Index ReadArrayRun(const void* values, Index first, Index, Value& value)
   return 1;
 }
 
-/// An array of one block.
+/// An array of one block, with readers for its type.
 template <class Value>
 struct Column
 {
@@ -130,7 +134,7 @@ struct Column
   }
 };
 
-/// Whether a cell, by its place in the arrays, is blanked.
+/// Returns whether a cell is blanked; id: position in the arrays.
 inline bool IsHidden(const InputBlock& block, Index id)
 {
   return block.Marks && ((*block.Marks)[id] & CellMark::Hidden) != 0;
@@ -150,8 +154,8 @@ void ClearHidden(const InputBlock& block, Index first, Index count, Value* row)
   }
 }
 
-/// Reads the values of a row of cells along x of one block, given in the indices of the global grid; those of
-/// blanked cells are 0.
+/// Reads a row of cells along x of one block; values of blanked cells are 0.
+/// @param first first cell, in indices of the global grid
 template <class Value>
 void ReadRow(const InputBlock& block, const Column<Value>& column, const Index3& first, Index count,
   Value* row)
@@ -161,7 +165,7 @@ void ReadRow(const InputBlock& block, const Column<Value>& column, const Index3&
   ClearHidden(block, id, count, row);
 }
 
-/// Calls visit(offset in the row, length, value) for the cells of such a row in order, alike ones together.
+/// Calls visit(offset in the row, length, value) for runs of equal values of a row, in order.
 template <class Value, class Visit>
 void ReadRuns(const InputBlock& block, const Column<Value>& column, const Index3& first,
   Index count, const Visit& visit)

@@ -30,7 +30,7 @@ double FindSmallestWidth(const std::vector<InputBlock>& blocks, int axis)
   return least;
 }
 
-/// Collective: node coordinates of all blocks along an axis, those that are close merged.
+/// Collective. Returns the node coordinates of all blocks along an axis; close ones are merged.
 std::vector<double> MergeCoordinates(const std::vector<InputBlock>& blocks, int axis, Ranks& ranks)
 {
   const double width = -ranks.Max(-FindSmallestWidth(blocks, axis));
@@ -42,7 +42,7 @@ std::vector<double> MergeCoordinates(const std::vector<InputBlock>& blocks, int 
   return MergeClose(UnionOverRanks(ranks, std::move(mine)), width);
 }
 
-/// Finds the cells of the block along an axis of the global grid; false when another block has nodes between its own.
+/// Sets Box of the block along an axis. Returns false if another block has nodes between its nodes.
 bool PlaceBlock(InputBlock& block, int axis, const std::vector<double>& global)
 {
   const std::vector<double>& x = block.Coordinates[axis];
@@ -54,7 +54,7 @@ bool PlaceBlock(InputBlock& block, int axis, const std::vector<double>& global)
 [[noreturn]] void RejectPlace(const InputBlock& block, int axis, const std::vector<double>& global)
 {
   const std::vector<double>& x = block.Coordinates[axis];
-  std::size_t i = 0; // the first node after one of another block
+  std::size_t i = 0; // first node that follows a node of another block
   while (
     i + 1 < x.size() && FindNode(global, x[i]) == block.Box.Lower[axis] + static_cast<Index>(i))
   {
@@ -67,7 +67,7 @@ bool PlaceBlock(InputBlock& block, int axis, const std::vector<double>& global)
   throw InputError(text.str());
 }
 
-/// Collective: the blocks of this rank in the grid of all.
+/// Collective. Finds the positions of this rank's blocks in the common grid.
 InputBlocks PlaceOwnBlocks(std::vector<InputBlock> blocks, Ranks& ranks)
 {
   InputBlocks input;
@@ -94,7 +94,7 @@ InputBlocks PlaceOwnBlocks(std::vector<InputBlock> blocks, Ranks& ranks)
   return input;
 }
 
-/// The places of this rank's block and of those that the neighbours have, by rank.
+/// Returns the places of this rank's block and of its neighbours' blocks, ordered by rank.
 std::vector<BlockPlace> FindPlacesAround(
   const IndexBox& box, const std::array<int, 6>& faces, Ranks& ranks)
 {
@@ -120,7 +120,7 @@ std::vector<BlockPlace> FindPlacesAround(
   return places;
 }
 
-/// Overlaps must have been ruled out.
+/// Checks that the neighbours hold all ghost cells; places must not overlap.
 void CheckGhostCells(const InputBlocks& input, int rank)
 {
   const IndexBox local = Grow(input.Blocks[0].Box, GhostLayers, input.Global());
@@ -138,15 +138,14 @@ void CheckGhostCells(const InputBlocks& input, int rank)
   }
 }
 
-/// Whether a box ends on a plane of points where another begins.
+/// Returns whether a box ends on the plane of points where another begins.
 bool IsShared(const IndexBox& box, int axis, const IndexBox& other)
 {
   return other.Lower[axis] == box.Upper[axis] - 1 &&
     std::max(box.Size(axis), other.Size(axis)) > 1 && Intersect(box, other).NumberOfCells() > 0;
 }
 
-/// Collective: blocks of points, as readers deal images, have the plane of points in common where they meet. It is left to the block
-/// that begins there.
+/// Collective. Removes the plane of points that adjacent blocks share from the lower block.
 void DropSharedPlanes(InputBlocks& input, Ranks& ranks)
 {
   bool dropped = false;

@@ -1,16 +1,17 @@
 /**
- * InputBlocks: blocks of cells, on any number of ranks, that tile one Cartesian grid, and where each block's cells lie in it.
+ * InputBlocks: blocks of cells, on any number of ranks, that tile one Cartesian grid, and their
+ * positions in the grid. InputLevels.h sorts blocks of several levels.
  *
- * They come in any order, dealt to the ranks in any way. A rank may have none. Blocks are matched by the coordinates of their nodes.
- * Those of several levels are sorted by InputLevels.h.
- * Where points are cells, each is the centre of a cell of its own. Blocks that share a plane of points, as readers deal images, have
- * each of them once. Images with a direction matrix lie in their own axes (ImageFrame). Blanked cells are void.
+ * Blocks may have any order and any distribution over the ranks; a rank may have none. They are
+ * matched by the coordinates of their nodes. Node coordinates closer than 1e-3 of the smallest cell
+ * width are merged to the smallest of them, so the grid does not depend on order and distribution.
  *
- * Where a host code knows the ranks across the faces of its box, the blocks of the ranks around are found from these
- * alone (FindNeighbourBlocks), and every rank meshes the cells that it has.
+ * If points are used as cells, each point is the centre of a cell. Readers may give a plane of
+ * points to both blocks that it separates; it is then used once. Images with a direction matrix are
+ * in image axes (ImageFrame). Blanked cells are void.
  *
- * Node coordinates that differ by less than a thousandth of the smallest cell are one; the smallest is
- * kept, so the grid does not depend on the order of the blocks or their ranks.
+ * If a host code knows the ranks across the faces of its box, blocks of nearby ranks are found from
+ * them (FindNeighbourBlocks), and each rank meshes its own cells.
  */
 #pragma once
 
@@ -26,33 +27,34 @@
 namespace vfm
 {
 
-/// Bits of what is said of a cell, those of VTK's vtkGhostType.
+/// Bits of the marks of a cell, as in the VTK array vtkGhostType.
 namespace CellMark
 {
 constexpr unsigned char Ghost = 1, Hidden = 32;
 }
 
-/// How the parts of an input are read; the same on all ranks.
+/// How the parts of an input are read; equal on all ranks.
 struct InputReading
 {
-  bool ArePoints = false; ///< points of images are cells
+  bool ArePoints = false; ///< points of images are used as cells
   ImageFrame Frame;
 };
 
+/// A box of cells of the input on this rank. Several blocks may share one set of arrays.
 struct InputBlock
 {
-  std::shared_ptr<const BlockArrays> Arrays; ///< several blocks may be parts of one set of arrays
-  int Number = -1;                           ///< among several, else -1
-  std::string Name;                          ///< for messages: "The input", "Block 3 of rank 1"
-  bool ArePoints = false;                    ///< of Arrays: its points are the cells
-  std::shared_ptr<const std::vector<unsigned char>> Marks; ///< CellMark of the cells, or null
-  Index FirstCell = 0;                                     ///< of the block in Arrays and Marks
-  Index3 Dimensions{ { 0, 0, 0 } };                        ///< cells of the block along each axis
-  IndexBox Kept; ///< cells that are no ghosts, indices within the block
-  std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of Kept
-  IndexBox Box;                                   ///< Kept in the indices of the global grid
+  std::shared_ptr<const BlockArrays> Arrays;
+  int Number = -1;        ///< number among the blocks of a composite data set; -1: not a composite
+  std::string Name;       ///< name in messages: "The input", "Block 3 of rank 1"
+  bool ArePoints = false; ///< true if the arrays are point data
+  std::shared_ptr<const std::vector<unsigned char>> Marks; ///< CellMark of each cell, or null
+  Index FirstCell = 0;              ///< position of the first cell in Arrays and Marks
+  Index3 Dimensions{ { 0, 0, 0 } }; ///< number of cells along each axis, with ghost cells
+  IndexBox Kept;                    ///< cells that are not ghost cells, in indices of the block
+  std::array<std::vector<double>, 3> Coordinates; ///< nodes of Kept along each axis
+  IndexBox Box;                                   ///< Kept in indices of the global grid
 
-  /// Position in the arrays (FindTuples) of a cell given in the indices of the global grid.
+  /// Returns the position in the arrays (FindTuples) of a cell in indices of the global grid.
   Index CellId(const Index3& cell) const
   {
     Index id = 0;
@@ -64,18 +66,20 @@ struct InputBlock
   }
 };
 
-/// The place of a block of any rank, or the cells that a rank meshes.
+/// A block of any rank, or the cells that a rank meshes.
 struct BlockPlace
 {
-  IndexBox Box; ///< in the indices of the global grid
+  IndexBox Box; ///< cells in indices of the global grid
   int Rank = 0, Number = -1;
 };
 
+/// The blocks of one grid, or of one level of a refined grid.
 struct InputBlocks
 {
-  std::vector<InputBlock> Blocks; ///< of this rank
-  std::vector<BlockPlace> Places; ///< of all ranks, or those near (56 bytes a block), by rank
-  std::array<std::vector<double>, 3> Coordinates; ///< of the nodes of the global grid, per axis
+  std::vector<InputBlock> Blocks; ///< blocks of this rank
+  /// Blocks of all ranks, or of nearby ranks, ordered by rank; 56 bytes per block.
+  std::vector<BlockPlace> Places;
+  std::array<std::vector<double>, 3> Coordinates; ///< nodes of the global grid along each axis
 
   IndexBox Global() const
   {
@@ -83,7 +87,7 @@ struct InputBlocks
     { return static_cast<Index>(this->Coordinates[a].size()) - 1; };
     return { { { 0, 0, 0 } }, { { cells(0), cells(1), cells(2) } } };
   }
-  /// Of this rank's blocks.
+  /// Returns the boxes of the blocks of this rank.
   std::vector<IndexBox> Boxes() const
   {
     std::vector<IndexBox> boxes;
@@ -95,36 +99,45 @@ struct InputBlocks
   }
 };
 
-/// What was collected, on this rank and on all.
+/// Blocks before their positions in the grid are known.
 struct CollectedBlocks
 {
-  std::vector<InputBlock> Blocks; ///< with all but Box set
+  std::vector<InputBlock> Blocks; ///< blocks of this rank, all members set except Box
   InputReading Reading;
 };
 
-/// For messages. number: of the block among several, or -1 for an input that is no composite.
+/// Returns the name of a block in messages.
+/// @param number number of the block; -1 if the input is not a composite data set
+/// @param isAlone whether there is only one rank; the name then has no rank
 std::string NameBlock(int number, int rank, bool isAlone);
 
-/// Throws InputError on a block that is flat or whose coordinates do not increase.
+/// Checks the node coordinates of a block.
+/// @throws InputError if the block is flat, or if coordinates do not increase or are not finite
 void CheckCoordinates(const InputBlock& block);
 
-/// Sets Dimensions and Kept, by Coordinates: all cells.
+/// Sets Dimensions and Kept to all cells between Coordinates.
 void KeepAllCells(InputBlock& block);
 
-/// Sets what follows from the nodes of a block and from its number on this rank, -1 for an input that is no composite. Throws as
-/// CheckCoordinates.
+/// Sets Number, Name, Dimensions and Kept of a block without ghost cells.
+/// @param number number of the block; -1 if the input is not a composite data set
+/// @throws InputError as CheckCoordinates does
 void FinishBlock(InputBlock& block, int number, const Ranks& ranks);
 
-/// Collective: whether no block has nodes between those of another.
+/// Returns whether all blocks fit one grid: no block has nodes between the nodes of another.
+/// @pre Collective
 bool FitOneGrid(std::vector<InputBlock> blocks, Ranks& ranks);
 
-/// Collective. Throws InputError, on all ranks alike, on blocks that do not tile one box and grids whose
-/// ids exceed 63 bits.
+/// Finds the positions of all blocks in one grid.
+/// @throws InputError if blocks do not tile one box, or ids would exceed 63 bits; on all ranks
+/// @pre Collective
 InputBlocks FindInputBlocks(CollectedBlocks collected, Ranks& ranks);
 
-/// Collective; the same, every rank having one block. faces: the ranks across -x +x -y +y -z +z of it, or -1. Places: of
-/// this rank and of those that hold its ghost cells. Throws InputError, on all ranks alike, when neighbours do not
-/// match (FindNeighbours) or do not hold all ghost cells, too.
+/// Finds the positions of blocks in one grid from face neighbours; each rank has one block.
+/// @param faces ranks across -x +x -y +y -z +z of the block, or -1
+/// @return Places has this rank and the ranks that hold its ghost cells
+/// @throws InputError if FindInputBlocks does, or if neighbours do not match (FindNeighbours) or do
+/// not hold all ghost cells; on all ranks
+/// @pre Collective
 InputBlocks FindNeighbourBlocks(
   std::vector<InputBlock> blocks, const std::array<int, 6>& faces, Ranks& ranks);
 

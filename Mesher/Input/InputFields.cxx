@@ -21,7 +21,7 @@ void InputCells::FindInterfaceCells(std::size_t block, std::vector<Index3>& foun
   const IndexBox& box = this->Input.Blocks[block].Box;
   const Index n = box.Size(0), plane = n * box.Size(1);
   std::vector<int> last(plane),
-    row(n); // last: the row before, and above it what is left of the plane before
+    row(n); // last: previous rows of this plane, then the remaining rows of the previous plane
   ForRows(box,
     [&](Index j, Index k)
     {

@@ -1,6 +1,7 @@
 /**
- * The materials in the cells of the input, given by either one volume fraction array a material or one array
- * of labels, and their way from the ranks that read them to the ranks that mesh them.
+ * InputFields: the materials in the cells of the input, and their exchange between the ranks that
+ * read cells and the ranks that mesh them. Materials are given by one volume fraction array per
+ * material (InputFractions.h) or by one array of labels (InputLabels.h).
  */
 #pragma once
 
@@ -15,18 +16,18 @@
 namespace vfm
 {
 
-/// The materials of a field, by their number in the Grid code: 0 is void, 1..N the materials.
+/// The materials of a field, indexed by material number of the folder Grid: 0 void, 1..N materials.
 struct Materials
 {
   std::vector<std::string> Names;
-  std::vector<int> Labels; ///< what the user calls them; 0 is void
+  std::vector<int> Labels; ///< ids of the user; 0 is void
 };
 
-/// How many cells of the input were changed.
+/// Numbers of cells of the input that were changed.
 struct CorrectedCells
 {
-  Index Normalised = 0; ///< the sum of their fractions exceeded 1 and was scaled back
-  Index Clipped = 0;    ///< a fraction lay outside [0, 1] and was clipped
+  Index Normalised = 0; ///< cells whose fractions summed to more than 1 and were scaled back
+  Index Clipped = 0;    ///< cells with a fraction outside [0, 1] that was clipped
 
   void Add(const CorrectedCells& other)
   {
@@ -35,34 +36,38 @@ struct CorrectedCells
   }
 };
 
+/// The materials in the cells of a grid.
 struct InputField
 {
-  FractionField Fractions; ///< of the grid's local box
-  Materials Table;         ///< the same on all ranks
+  FractionField Fractions; ///< volume fractions in the local box of the grid
+  Materials Table;         ///< equal on all ranks
   CorrectedCells Corrected;
 };
 
-/// What the arrays of this rank's blocks hold. Nothing here communicates.
+/// The materials in the cells of this rank's blocks. No member communicates.
 class InputCells
 {
 public:
   virtual ~InputCells() = default;
 
-  /// The cells that are mixed, or differ from the cell before them along an axis of their block.
+  /// Returns the cells that are mixed, or differ from the previous cell of the block along
+  /// any axis.
   std::vector<Index3> FindInterfaceCells() const;
 
-  /// The cells of a box that lies within a block.
+  /// Extracts the cells of a box that lies within a block.
   virtual SparseCells Extract(const InputBlock& block, const IndexBox& box) const = 0;
 
-  /// The field of the local box: from the arrays where this rank has them, else from what it received, void where nobody has;
-  /// those mended are counted among the owned ones. Throws InputError on values that are no fractions.
+  /// Makes the field of the local box of a grid.
+  /// Values come from the arrays of this rank, else from received cells; other cells are void.
+  /// @return Corrected counts owned cells only
+  /// @throws InputError if values are not fractions
   virtual InputField MakeField(
     const CartesianGrid& grid, const std::vector<SparseCells>& received) const = 0;
 
 protected:
   explicit InputCells(const InputBlocks& input) : Input(input) {}
 
-  /// The materials of a row of cells of a block; Mixed where it has not just one.
+  /// Finds the material of each cell of a row of a block; Mixed if a cell has several.
   static constexpr int Mixed = -1;
   virtual void ReadMaterials(
     std::size_t block, const Index3& first, Index count, int* materials) const = 0;
@@ -73,11 +78,12 @@ private:
   void FindInterfaceCells(std::size_t block, std::vector<Index3>& found) const;
 };
 
-/// Of the blocks of each level.
+/// The materials in the blocks of each level.
 using LevelCells = std::vector<std::unique_ptr<InputCells>>;
 
-/// Collective: what the cells that this rank meshes, and ghost cells around them, need of the blocks of other ranks. owners: the
-/// cells that the ranks mesh, of all ranks or those near.
+/// Receives the cells that this rank meshes, with ghost cells, from the blocks of other ranks.
+/// @param owners cells that each rank meshes, of all ranks or of nearby ranks
+/// @pre Collective
 std::vector<SparseCells> ReceiveCells(const std::vector<BlockPlace>& owners,
   const InputBlocks& input, const InputCells& cells, Index ghostLayers, Ranks& ranks);
 

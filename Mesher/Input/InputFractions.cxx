@@ -10,7 +10,7 @@ namespace vfm
 namespace
 {
 
-constexpr double ByteRounding = 0.50001 / 255; // of a fraction stored as unsigned char
+constexpr double ByteRounding = 0.50001 / 255; // rounding of fractions stored as unsigned char
 
 class FractionCells : public InputCells
 {
@@ -29,11 +29,11 @@ public:
     }
   }
 
-  /// Of each material, how many of its arrays are of type unsigned char; of all ranks once set, as a rank may be sent what
-  /// another has as bytes.
+  /// Number of arrays of type unsigned char of each material. Set to the sum over all ranks,
+  /// because a rank may receive values that another rank stores as unsigned char.
   const std::vector<Index>& GetBytes() const { return this->Bytes; }
   void SetBytes(std::vector<Index> bytes) { this->Bytes = std::move(bytes); }
-  /// Of fractions of type unsigned char: 128 + 128 is 256 / 255.
+  /// Returns the rounding error of fractions of type unsigned char: 128 + 128 is 256 / 255.
   double Rounding(int material) const { return this->Bytes[material - 1] > 0 ? ByteRounding : 0.0; }
 
   double Tolerance() const { return this->OutsideTolerance; }
@@ -60,10 +60,10 @@ private:
   std::vector<std::string> Names;
   double OutsideTolerance;
   std::vector<Index> Bytes;
-  std::vector<Column<double>> Columns; // of each block, its materials
+  std::vector<Column<double>> Columns; // materials of each block
 };
 
-/// Reads rows of the local box from the blocks of this rank and from boxes that other ranks sent.
+/// Reads rows of the local box from the blocks of this rank and from received boxes.
 class LocalReader : public FractionField::Reader
 {
 public:
@@ -103,7 +103,7 @@ private:
   struct Source
   {
     IndexBox Box;
-    std::size_t Number; // of the block, or after the blocks of the received box
+    std::size_t Number; // number of the block, or number of blocks + number of the received box
   };
 
   void AddSource(const IndexBox& box, std::size_t number, const IndexBox& local)
@@ -135,7 +135,7 @@ private:
   const FractionCells& Cells;
   const std::vector<SparseCells>& Received;
   Index Lowest;
-  std::vector<std::vector<Source>> Layers; // per layer of cells along z of the local box
+  std::vector<std::vector<Source>> Layers; // sources of each layer of cells along z
 };
 
 void FractionCells::ReadMaterials(

@@ -1,5 +1,5 @@
 /**
- * Input given by one volume fraction array a material.
+ * InputFractions: input given by one volume fraction array per material.
  */
 #pragma once
 
@@ -8,9 +8,13 @@
 namespace vfm
 {
 
-/// Collective. Fractions of material m are in the array names[m - 1]: of any type with one component, unsigned
-/// char counting 0..255. tolerance: how far outside [0, 1] values may lie, >= FractionTolerance. levels must outlive the result. Throws
-/// InputError, on all ranks alike, on missing arrays.
+/// Opens the arrays of volume fractions.
+/// @param levels blocks of each level; must outlive the result
+/// @param names array of each material, of any numeric type with one component; values of type
+/// unsigned char are divided by 255
+/// @param tolerance maximum distance of values from [0, 1], at least FractionTolerance
+/// @throws InputError if an array is missing, on all ranks
+/// @pre Collective
 LevelCells OpenFractions(const std::vector<InputBlocks>& levels,
   const std::vector<std::string>& names, double tolerance, Ranks& ranks);
 

@@ -15,7 +15,7 @@ namespace
 
 constexpr Index RowLength = 4096; // labels read at a time
 
-/// Value: Index, or of arrays of real numbers double.
+/// Returns a value as a label. Value: Index, or double for arrays of reals.
 template <class Value>
 int CheckedLabel(Value value, const std::string& name, const Index3& first, Index offset)
 {
@@ -25,14 +25,14 @@ int CheckedLabel(Value value, const std::string& name, const Index3& first, Inde
     std::ostringstream text;
     text << "The material id array '" << name << "' holds " << value << " in "
          << TextOf({ { first[0] + offset, first[1], first[2] } })
-         << ": material ids are whole numbers in [0, " << std::numeric_limits<int>::max()
+         << ": material ids are integers in [0, " << std::numeric_limits<int>::max()
          << "], 0 is void.";
     throw InputError(text.str());
   }
   return static_cast<int>(value);
 }
 
-/// Calls visit(first cell, count) for the rows of a box, cut where they are long.
+/// Calls visit(first cell, count) for the rows of a box; long rows are split.
 template <class Visit>
 void VisitRows(const IndexBox& box, const Visit& visit)
 {
@@ -57,9 +57,9 @@ public:
     }
   }
 
-  /// Those that occur here, and 0. Throws InputError on values that are no labels.
+  /// Returns the labels on this rank, and 0. Throws InputError if a value is not a label.
   std::vector<int> FindLabels() const;
-  /// labels: of all ranks, increasing, 0 first.
+  /// Sets the labels of all ranks, increasing, 0 first.
   void SetTable(std::vector<int> labels);
 
   SparseCells Extract(const InputBlock& block, const IndexBox& box) const override;
@@ -76,7 +76,7 @@ private:
   int MaterialOf(Index label) const;
 
   std::string Name;
-  std::vector<Column<Index>> Columns; // of each block
+  std::vector<Column<Index>> Columns; // labels of each block
   Materials Table;
 };
 

@@ -1,5 +1,5 @@
 /**
- * Input given by one array of material labels, whole numbers of any type.
+ * InputLabels: input given by one array of material labels, integers in any numeric type.
  */
 #pragma once
 
@@ -8,9 +8,12 @@
 namespace vfm
 {
 
-/// Collective. Labels >= 0 are in an array of whole numbers of any type, 0 void. The labels that occur on any rank and level are numbered
-/// 1..N in increasing order. levels must outlive the result. Throws InputError, on all ranks alike, on missing arrays, values that are
-/// no labels.
+/// Opens the array of labels. Labels that occur on any rank and level get the material numbers 1..N
+/// in increasing order.
+/// @param levels blocks of each level; must outlive the result
+/// @param name array of labels >= 0, in any numeric type with one component; 0 is void
+/// @throws InputError if an array is missing or a value is not a label, on all ranks
+/// @pre Collective
 LevelCells OpenLabels(
   const std::vector<InputBlocks>& levels, const std::string& name, Ranks& ranks);
 

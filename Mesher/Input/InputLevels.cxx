@@ -17,7 +17,7 @@ namespace vfm
 namespace
 {
 
-constexpr double LevelTolerance = 0.01; // of the logarithm of a ratio of widths
+constexpr double LevelTolerance = 0.01; // tolerance of log2 of a ratio of widths
 constexpr int MaximumLevels = 30;
 
 double MeanWidth(const InputBlock& block, int axis)
@@ -26,7 +26,7 @@ double MeanWidth(const InputBlock& block, int axis)
   return (x.back() - x.front()) / static_cast<double>(x.size() - 1);
 }
 
-/// Collective.
+/// Collective. Returns the largest mean cell widths.
 Vector3 FindCoarsestWidths(const std::vector<InputBlock>& blocks, Ranks& ranks)
 {
   Vector3 widths{ { 0.0, 0.0, 0.0 } };
@@ -66,11 +66,11 @@ int FindLevel(const InputBlock& block, const Vector3& coarsest)
   return level;
 }
 
-/// A node of level 0 as a block has it.
+/// A node of level 0 in a block.
 struct BaseNode
 {
   Index At;
-  Index Level; ///< of the block
+  Index Level; ///< level of the block
   double X;
 
   bool operator<(const BaseNode& other) const
@@ -85,7 +85,8 @@ struct BaseNode
   }
 };
 
-/// Collective: the nodes of level 0 along an axis. levels: of the blocks.
+/// Collective. Finds the nodes of level 0 along one axis.
+/// @param levels levels of the blocks
 std::vector<double> FindBaseNodes(const std::vector<InputBlock>& blocks,
   const std::vector<int>& levels, int axis, double coarsest, Ranks& ranks)
 {
@@ -158,7 +159,7 @@ void PlaceOnLevel(InputBlock& block, int level, const InputBlocks& grid)
       {
         std::ostringstream text;
         text << block.Name << " does not fit the other blocks along " << AxisNames[axis] << " near "
-             << x[i] << ": its cells are those of level " << level
+             << x[i] << ": its cells have the size of level " << level
              << " of a refined grid (AMR), but the nearest node of that level is at "
              << all[FindNearest(all, x[i])] << ".";
         throw InputError(text.str());
@@ -167,7 +168,7 @@ void PlaceOnLevel(InputBlock& block, int level, const InputBlocks& grid)
   }
 }
 
-/// Collective: the grids of all levels, without blocks.
+/// Collective. Makes the grids of all levels, without blocks.
 InputLevels MakeLevels(const std::vector<InputBlock>& blocks, const std::vector<int>& levels,
   const Vector3& coarsest, Ranks& ranks)
 {
@@ -195,7 +196,7 @@ struct Work
   std::map<const BlockArrays*, std::shared_ptr<std::vector<unsigned char>>> Copies{};
 };
 
-/// Marks of the block to write in, shared by the blocks of one set of arrays.
+/// Returns marks of a block that can be changed; blocks of one set of arrays share them.
 std::shared_ptr<std::vector<unsigned char>> FindCopy(Work& work, const InputBlock& block)
 {
   auto& copy = work.Copies[block.Arrays.get()];
@@ -235,7 +236,7 @@ void MarkBlock(Work& work, InputBlock& block, int level)
   }
 }
 
-/// Marks the cells of this rank's blocks that finer blocks cover as hidden, and no others.
+/// Marks the cells of this rank's blocks that finer blocks cover as hidden.
 void MarkCovered(InputLevels& input)
 {
   Work work{ input };
@@ -248,7 +249,7 @@ void MarkCovered(InputLevels& input)
   }
 }
 
-/// Collective: the blocks of several levels.
+/// Collective. Sorts the blocks of several levels.
 InputLevels SortByLevels(std::vector<InputBlock> blocks, const Vector3& coarsest, Ranks& ranks)
 {
   std::vector<int> levels;
@@ -338,9 +339,8 @@ InputLevels FindInputLevels(CollectedBlocks collected, Ranks& ranks)
   InputLevels input;
   if (ranks.Any(differ) && !FitOneGrid(blocks, ranks))
   {
-    RejectPoints(reading,
-      "The input has several levels (AMR), whose points do not stand "
-      "in the middle of cells that nest");
+    RejectPoints(
+      reading, "The input has several levels (AMR), whose points are not centres of nested cells");
     input = SortByLevels(std::move(blocks), coarsest, ranks);
   }
   else
@@ -354,7 +354,7 @@ InputLevels FindInputLevels(CollectedBlocks collected, Ranks& ranks)
 InputLevels FindNeighbourLevels(
   CollectedBlocks collected, const std::array<int, 6>& faces, Ranks& ranks)
 {
-  RejectPoints(collected.Reading, "Face neighbours are those of boxes of cells");
+  RejectPoints(collected.Reading, "Face neighbours require boxes of cells");
   InputLevels input;
   input.Levels.push_back(FindNeighbourBlocks(std::move(collected.Blocks), faces, ranks));
   input.Reading = collected.Reading;
@@ -368,7 +368,7 @@ InputLevels FindLevels(
   if (count > 0 && count < ranks.Count())
   {
     throw InputError("Only " + std::to_string(count) + " of " + std::to_string(ranks.Count()) +
-      " ranks name their face neighbours. All must, or none.");
+      " ranks name their face neighbours. All ranks must, or no rank.");
   }
   return faces ? FindNeighbourLevels(std::move(collected), *faces, ranks)
                : FindInputLevels(std::move(collected), ranks);

@@ -1,17 +1,18 @@
 /**
- * InputLevels: the blocks of an input, sorted by the levels of a refined grid (AMR), and where their cells lie in the grid of
- * their level.
+ * InputLevels: the blocks of an input, sorted by the levels of a refined grid (AMR), and their
+ * positions in the grid of their level.
  *
- * Level 0 has the widest cells; each level halves the cells of the one before along every axis (OctreeKeys.h). The level of
- * a block follows from its cells' widths alone, so any composite data set serves, and blocks of ratio 4 lie two levels up;
- * levels between may have no blocks. Blocks of several levels have cells of equal widths; those of one level may be graded.
+ * Level 0 has the widest cells; each further level halves the cells along all axes (OctreeKeys.h).
+ * The cell width of a block determines its level, so any composite data set is accepted. A block of
+ * ratio 4 is two levels higher, and levels may have no blocks. If there are several levels, blocks
+ * have cells of equal width; a single level may be graded.
  *
- * Level 0 and the finer ones together fill a box. Where there are finer blocks, coarser ones may lie below (vtkOverlappingAMR)
- * or not (vtkNonOverlappingAMR): what they hold there is ignored, whatever vtkGhostType says. A cell is covered by finer
- * blocks in whole or not at all.
+ * All levels together fill a box. Below finer blocks, coarser blocks may exist (vtkOverlappingAMR)
+ * or not (vtkNonOverlappingAMR); their values there are ignored, independent of vtkGhostType. Finer
+ * blocks cover a cell completely or not at all.
  *
- * The nodes of level 0 are those of its blocks, and beyond them of the coarsest blocks that have them; finer ones are halves.
- * Blocks must agree with them to a thousandth of a cell.
+ * The nodes of level 0 come from its blocks, elsewhere from the coarsest blocks that have them.
+ * Nodes of finer levels are midpoints. Nodes of blocks must match to 1e-3 of a cell.
  */
 #pragma once
 
@@ -22,27 +23,28 @@
 namespace vfm
 {
 
+/// The levels of an input.
 struct InputLevels
 {
-  std::vector<InputBlocks>
-    Levels; ///< from the coarsest on; Coordinates are those of the level's whole grid
+  /// Levels from the coarsest to the finest; Coordinates belong to the whole grid of a level.
+  std::vector<InputBlocks> Levels;
 
   InputReading Reading;
 
   int Finest() const { return static_cast<int>(this->Levels.size()) - 1; }
 };
 
-/// Of all places.
+/// Converts boxes to another level; levels: number of levels, negative for coarser ones.
 std::vector<BlockPlace> ChangeLevel(std::vector<BlockPlace> places, int levels);
 
-/// The cells of a box of some level that hold data of that level or of a finer one.
+/// Cells in a box of a level that contain data of that level or of a finer one.
 class LevelCover
 {
 public:
   LevelCover(const InputLevels& input, int level, const IndexBox& box);
 
   bool Has(const Index3& cell) const { return this->Covered[IndexInBox(this->Box, cell)]; }
-  /// Whether there is none.
+  /// Returns whether no cell contains such data.
   bool IsEmpty() const
   {
     return std::find(this->Covered.begin(), this->Covered.end(), true) == this->Covered.end();
@@ -53,21 +55,29 @@ private:
   std::vector<bool> Covered;
 };
 
-/// Collective. Throws InputError, on all ranks alike, as FindInputBlocks does; of several levels, when widths differ by no power of two, blocks do not lie on the grid of their
-/// level, blocks of one level overlap, or ids exceed 63 bits, and when arrays of points are chosen. Gaps are found by CheckCover.
+/// Sorts blocks by level. Does not find gaps between several levels (CheckCover).
+/// @throws InputError on all ranks. One level: if FindInputBlocks does. Several levels: if cell
+/// widths do not differ by powers of two, blocks do not lie on the grid of their level, blocks of
+/// one level overlap, ids would exceed 63 bits, or point arrays are selected.
+/// @pre Collective
 InputLevels FindInputLevels(CollectedBlocks collected, Ranks& ranks);
 
-/// Collective; the same of an input of one level, every rank having one block (FindNeighbourBlocks).
-/// Refuses arrays of points, too.
+/// Finds the positions of the blocks of an input of one level from face neighbours; each rank has
+/// one block.
+/// @param faces ranks across -x +x -y +y -z +z of the block, or -1
+/// @throws InputError if FindNeighbourBlocks does, or if point arrays are selected; on all ranks
+/// @pre Collective
 InputLevels FindNeighbourLevels(
   CollectedBlocks collected, const std::array<int, 6>& faces, Ranks& ranks);
 
-/// Collective: the one or the other, by neighbours where every rank knows them. Throws InputError when some ranks do alone.
+/// Calls FindNeighbourLevels if all ranks give face neighbours, or FindInputLevels if none does.
+/// @throws InputError as they do, and if only some ranks give face neighbours
+/// @pre Collective
 InputLevels FindLevels(
   CollectedBlocks collected, const std::optional<std::array<int, 6>>& faces, Ranks& ranks);
 
-/// Throws InputError when, in a box of cells of level 0, some are in no block, or finer blocks cover a part of a cell. Of a
-/// single level nothing is checked: it has no gaps.
+/// Checks that blocks cover a box of cells of level 0. A single level is not checked again.
+/// @throws InputError if a cell is in no block, or if finer blocks cover only a part of a cell
 void CheckCover(const InputLevels& input, const IndexBox& box);
 
 } // namespace vfm

@@ -1,6 +1,6 @@
 /**
- * InputRoute: which ranks send each other what their blocks hold, so that each has the cells that it meshes and their
- * ghost cells.
+ * InputRoute: finds the ranks that exchange contents of blocks, so that each rank gets the cells
+ * that it meshes and their ghost cells.
  */
 #pragma once
 
@@ -11,16 +11,17 @@ namespace vfm
 
 struct InputRoute
 {
-  std::vector<int> Peers; ///< ascending
-  std::vector<IndexBox>
-    Requested; ///< by each peer: the cells that it meshes and ghost cells around them
+  std::vector<int> Peers; ///< ranks that send or receive, ascending
+  /// Cells that each peer meshes, and ghost cells around them.
+  std::vector<IndexBox> Requested;
 };
 
-/// owners: the cells that the ranks mesh, of all ranks or those near.
+/// Finds the peers of this rank.
+/// @param owners cells that each rank meshes, of all ranks or of nearby ranks
 InputRoute FindInputRoute(const std::vector<BlockPlace>& owners, const InputBlocks& input,
   int myRank, Index ghostLayers = GhostLayers);
 
-/// The box of a rank in such a list; it must be there.
+/// Returns the box of a rank, which must be in the list.
 const IndexBox& BoxOfRank(const std::vector<BlockPlace>& owners, int rank);
 
 } // namespace vfm

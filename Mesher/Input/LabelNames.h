@@ -1,5 +1,5 @@
 /**
- * LabelNames: what labels are called.
+ * LabelNames: names of labels.
  */
 #pragma once
 
@@ -11,11 +11,12 @@ namespace vfm
 
 struct Materials;
 
-/// By label.
+/// Names by label.
 using LabelNames = std::map<int, std::string>;
 
-/// Labels above 0; those without a name keep theirs, and names of labels that are not there are left out. Throws InputError where a name
-/// is then that of another label too ("Material 7").
+/// Sets the names of labels above 0. Labels without an entry keep their names; other entries
+/// are ignored.
+/// @throws InputError if two labels then have the same name, such as "Material 7"
 void NameLabels(const LabelNames& names, Materials& table);
 
 } // namespace vfm

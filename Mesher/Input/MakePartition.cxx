@@ -9,7 +9,7 @@ namespace vfm
 namespace
 {
 
-/// A box for the ranks [First, First + Count).
+/// A box that belongs to the ranks [First, First + Count).
 struct Part
 {
   IndexBox Box;
@@ -35,8 +35,8 @@ public:
     return total;
   }
 
-  /// The weight of each plane of each part that has several ranks, across axes[p]; first[p]: where the planes of
-  /// part p begin.
+  /// Returns the weights of the planes across axes[p] of each part p with several ranks; they begin
+  /// at first[p].
   std::vector<Index> WeighPlanes(const std::vector<Part>& parts, const std::vector<int>& axes,
     const std::vector<Index>& first) const
   {
@@ -65,7 +65,7 @@ public:
     return planes;
   }
 
-  /// halves[p]: where the first of the one or two parts stands that part p became.
+  /// Updates the parts of cells after a cut; halves[p]: index of the first half of part p.
   void Follow(const std::vector<Part>& parts, const std::vector<int>& halves)
   {
     for (std::size_t c = 0; c < this->Cells.size(); ++c)
@@ -96,7 +96,7 @@ IndexBox FindBounds(const std::vector<IndexBox>& boxes)
   return bounds;
 }
 
-/// Whether every rank holds one box, none much heavier than the mean.
+/// Returns whether every rank holds one box and weights are balanced (GoodBalance).
 bool IsPartition(const std::vector<IndexBox>& blocks, const Weights& weights, Ranks& ranks)
 {
   Index cells = 0;
@@ -121,7 +121,8 @@ int FindLongestAxis(const IndexBox& box)
   return longest;
 }
 
-/// How many of the planes the first share of the weight gets; at least one each where there are two.
+/// Returns the number of planes whose weight is nearest to a share of the total; each side gets at
+/// least one plane if there are two.
 Index FindCut(const Index* planes, Index count, double share)
 {
   double total = 0.0, sum = 0.0;
@@ -144,7 +145,7 @@ Index FindCut(const Index* planes, Index count, double share)
   return cut;
 }
 
-/// Cuts every part that has several ranks.
+/// Cuts each part that has several ranks.
 std::vector<Part> CutParts(const std::vector<Part>& parts, Weights& weights, Ranks& ranks)
 {
   std::vector<int> axes, halves;

@@ -1,9 +1,11 @@
 /**
- * MakePartition: one box of cells a rank.
+ * MakePartition: partitions the grid into one box of cells per rank.
  *
- * The global box is cut in two across its longest axis, the ranks likewise, and so on (recursive coordinate bisection:
- * Berger, Bokhari 1987). A cut lies where the weights of the two sides come nearest to their ranks' shares. Planes are
- * weighed in integers summed over the ranks, so all ranks find the same boxes, and none sees the grid.
+ * Recursive coordinate bisection (Berger and Bokhari, IEEE Transactions on Computers C-36, 1987):
+ * the global box is cut across its longest axis, the ranks are divided in halves, and so on. A cut
+ * lies where the weights of the sides are nearest to the shares of their ranks. Weights of planes
+ * are integers summed over the ranks, so all ranks find the same boxes, and no rank needs the
+ * whole grid.
  */
 #pragma once
 
@@ -16,16 +18,21 @@ namespace vfm
 {
 
 constexpr Index CellWeight = 1, InterfaceCellWeight = 20;
-/// Largest over mean weight of the ranks up to which input stays where it is.
+/// The input is not redistributed if the ratio of maximum to mean weight of the ranks is at
+/// most this.
 constexpr double GoodBalance = 1.5;
 
-/// The box of each rank, the same list on all ranks. Boxes are disjoint, fill global, and may be empty.
-/// blocks: the cells that this rank holds; those of all ranks fill global once. When they form one box on every rank
-/// and the weights are balanced, those boxes are the partition.
-/// findInterfaceCells: lists those of this rank's cells that weigh more; it must not communicate. Its exceptions are
-/// thrown on all ranks (WorkTogether). Not called when there is one rank.
-/// mayStay: false: never those boxes; blocks may then overlap and leave gaps.
-/// Memory and messages a rank: 48 bytes a rank of all, and 8 bytes a plane of the boxes that are being cut.
+/// Partitions the global box.
+/// @param blocks cells that this rank holds; the cells of all ranks fill the global box once. If
+/// they form one box on every rank and the weights are balanced, these boxes are the partition.
+/// @param findInterfaceCells returns the cells of this rank that weigh more. It must not
+/// communicate; its exceptions are thrown on all ranks (WorkTogether). Not called on a single rank.
+/// @param mayStay false: never use the boxes of the blocks, which may then overlap and leave gaps
+/// @return box of each rank, the same list on all ranks; boxes are disjoint, fill the global box,
+/// and may be empty
+/// @pre Collective
+/// @note Memory and messages per rank: 48 bytes per rank, and 8 bytes per plane of the boxes that
+/// are cut.
 std::vector<IndexBox> MakePartition(const IndexBox& global, const std::vector<IndexBox>& blocks,
   const std::function<std::vector<Index3>()>& findInterfaceCells, Ranks& ranks,
   bool mayStay = true);

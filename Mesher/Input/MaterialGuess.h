@@ -1,5 +1,5 @@
 /**
- * MaterialGuess: what an array may hold, as far as its name, type and range tell. Filters and panels go by the same rules.
+ * MaterialGuess: guesses the content of an array from its name, type and range, for all front ends.
  */
 #pragma once
 
@@ -13,13 +13,13 @@
 namespace vfm
 {
 
-/// Whether an array of that name only says which cells or points are copies or blanked.
+/// Returns whether a name is that of an array that marks ghost and blanked cells or points.
 inline bool IsGhostName(const std::string& name)
 {
   return name == "vtkGhostType" || name == "vtkGhostLevels";
 }
 
-/// Whether an array of that name numbers cells or points, as VTK, ParaView and the filters here name such arrays.
+/// Returns whether a name is used for ids of cells or points by VTK, ParaView or this project.
 inline bool IsIdName(const std::string& name)
 {
   const char* const names[] = { "GlobalCellIds", "GlobalPointIds", "vtkOriginalCellIds",
@@ -28,7 +28,7 @@ inline bool IsIdName(const std::string& name)
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// Whether an array of that name is offered: none that VTK or ParaView keep for themselves.
+/// Returns whether panels list an array of that name; internal arrays of VTK and ParaView are not.
 inline bool IsOffered(const std::string& name)
 {
   return !IsGhostName(name) && !IsIdName(name) && name != "vtkValidPointMask";
@@ -36,13 +36,14 @@ inline bool IsOffered(const std::string& name)
 
 enum class MaterialGuess
 {
-  Nothing,  ///< neither
+  Nothing,  ///< neither fractions nor labels
   Fraction, ///< volume fractions of a material
-  Labels,   ///< a material a cell
-  Unclear   ///< one or the other
+  Labels,   ///< material of each cell
+  Unclear   ///< fractions or labels
 };
 
-/// Of an array of one component. type: of ValueType, 0 for several.
+/// Guesses the content of an array of one component.
+/// @param type one of ValueType; 0 if blocks have different types
 inline MaterialGuess GuessMaterial(int type, double least, double most)
 {
   constexpr double rounding = 1e-6, maximumOfBytes = 255.0;
@@ -51,8 +52,7 @@ inline MaterialGuess GuessMaterial(int type, double least, double most)
     const bool areFractions = least >= -rounding && most <= 1.0 + rounding;
     return areFractions ? MaterialGuess::Fraction : MaterialGuess::Nothing;
   }
-  const bool areBytes =
-    type == ValueType::UnsignedChar && most == maximumOfBytes; // 255 may stand for 1
+  const bool areBytes = type == ValueType::UnsignedChar && most == maximumOfBytes; // 255 may mean 1
   const bool areLabels =
     least >= 0.0 && most > 0.0 && most <= std::numeric_limits<int>::max() && !areBytes;
   return areLabels ? MaterialGuess::Labels : MaterialGuess::Unclear;

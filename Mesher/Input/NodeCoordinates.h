@@ -1,5 +1,6 @@
 /**
- * NodeCoordinates: the coordinates of the nodes of a grid along one axis, found from values that may differ by a little.
+ * NodeCoordinates: node coordinates of a grid along one axis, from values with
+ * rounding differences.
  */
 #pragma once
 
@@ -11,13 +12,13 @@
 namespace vfm
 {
 
-/// For messages.
+/// Names of the axes in messages.
 constexpr const char* AxisNames[3] = { "x", "y", "z" };
 
-/// Node coordinates that differ by less than this part of the smallest cell width are one.
+/// Node coordinates closer than this fraction of the smallest cell width are merged.
 constexpr double MatchTolerance = 1e-3;
 
-/// The nodes first .. last, evenly spaced, where node 0 is at start.
+/// Returns evenly spaced nodes first .. last; node 0 is at start.
 inline std::vector<double> EvenNodes(double start, double spacing, int first, int last)
 {
   std::vector<double> x;
@@ -28,7 +29,8 @@ inline std::vector<double> EvenNodes(double start, double spacing, int first, in
   return x;
 }
 
-/// The nodes of cells of an image along its axes: node 0 is at the origin or, where points are cells, half a spacing before it.
+/// Returns the nodes of cells of an image along its axes. Node 0 is at the origin, or half a
+/// spacing before it if points are used as cells.
 inline std::array<std::vector<double>, 3> EvenCoordinates(
   const Vector3& origin, const Vector3& spacing, const IndexBox& cells, bool arePoints = false)
 {
@@ -41,7 +43,7 @@ inline std::array<std::vector<double>, 3> EvenCoordinates(
   return coordinates;
 }
 
-/// Of values in increasing order, the smallest of those that are close. width: of the smallest cell.
+/// Merges close values to the smallest of them. sorted: increasing; width: smallest cell width.
 inline std::vector<double> MergeClose(const std::vector<double>& sorted, double width)
 {
   std::vector<double> merged;
@@ -55,7 +57,7 @@ inline std::vector<double> MergeClose(const std::vector<double>& sorted, double 
   return merged;
 }
 
-/// Position of the node that a value was merged into.
+/// Returns the index of the node that a value was merged into.
 inline Index FindNode(const std::vector<double>& merged, double value)
 {
   return std::upper_bound(merged.begin(), merged.end(), value) - merged.begin() - 1;

@@ -1,5 +1,5 @@
 /**
- * PackBytes: numbers, texts and lists of these in a message, one after another.
+ * PackBytes: packs numbers, texts and lists of both into a message, in order.
  */
 #pragma once
 
@@ -12,6 +12,7 @@
 namespace vfm
 {
 
+/// Appends values to a message.
 class Packer
 {
 public:
@@ -49,11 +50,11 @@ public:
   Bytes Packed;
 };
 
-/// Takes out what a Packer added, in the same order.
+/// Reads the values that a Packer added, in the same order.
 class Unpacker
 {
 public:
-  /// bytes: must outlive this.
+  /// bytes must outlive this object.
   explicit Unpacker(const Bytes& bytes) : Next(bytes.data()), End(bytes.data() + bytes.size()) {}
   bool IsAtEnd() const { return this->Next == this->End; }
 

@@ -7,11 +7,11 @@ namespace vfm
 namespace
 {
 
-/// All in memory, so that nothing is asked for a value.
+/// An array in memory; readers use Memory, not the virtual functions.
 class PlainArray : public BlockArray
 {
 public:
-  std::shared_ptr<const void> Kept; ///< owns Memory, or not
+  std::shared_ptr<const void> Kept; ///< owner of Memory; null for views
 
   double Get(Index tuple, int component) const override
   {

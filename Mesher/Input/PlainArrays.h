@@ -1,5 +1,5 @@
 /**
- * PlainArrays: the arrays of a block in memory, tuple by tuple, which are not copied.
+ * PlainArrays: arrays of a block in contiguous memory, row-major. They are not copied.
  */
 #pragma once
 
@@ -11,23 +11,26 @@
 namespace vfm
 {
 
+/// Views or owns its arrays, depending on the function that adds them.
 class PlainArrays : public BlockArrays
 {
 public:
-  /// tuples: of the block.
+  /// Makes an empty list; tuples: number of tuples of the block.
   explicit PlainArrays(Index tuples) : Tuples(tuples) {}
-  /// Arrays that are added replace those of others.
+  /// Extends a list; added arrays replace arrays of the same name.
   explicit PlainArrays(std::shared_ptr<const BlockArrays> others) :
     Tuples(others->NumberOfTuples()), Others(std::move(others))
   {
   }
 
-  /// type: of ValueType, no bits. values, shape (tuples, components), must outlive this.
+  /// Adds a view of an array.
+  /// @param type one of ValueType except Bit
+  /// @param values shape (tuples, components), row-major; must outlive this object
   void Add(const std::string& name, int type, Index tuples, int components, const void* values);
-  /// The same of values that this keeps.
+  /// Adds an array and shares ownership of its values.
   void Add(const std::string& name, int type, Index tuples, int components,
     std::shared_ptr<const void> values);
-  /// The same of a vector or Buffer of numbers, or of their bytes, with one component.
+  /// Adds an array of one component and stores its values: a vector or Buffer of numbers or bytes.
   template <class Values>
   void Store(const std::string& name, int type, Values values)
   {

@@ -1,7 +1,7 @@
 /**
- * SparseCells: the materials in the cells of a box as they are sent to another rank. A cell filled by one material
- * or by void is a label; any other has a list of the materials of which its arrays hold something, whatever the
- * number is: the receiver checks the values, so that it finds what a rank with the arrays would find.
+ * SparseCells: the materials in a box of cells, in the form that is sent to another rank. A cell
+ * filled by one material or by void is a label. Any other cell has a list of all nonzero values,
+ * even invalid ones: the receiver checks them, as a rank that reads the arrays does.
  */
 #pragma once
 
@@ -13,18 +13,18 @@ namespace vfm
 
 struct SparseCells
 {
-  IndexBox Box;                   ///< global indices
-  std::vector<int> Entry;         ///< of each cell, x fastest: label >= 0, or ~(index of its list)
-  std::vector<Index> Offset{ 0 }; ///< lists + 1
-  std::vector<int> Material;      ///< of the items of all lists
-  std::vector<double> Value;      ///< their fractions as read
+  IndexBox Box;                   ///< box in global indices
+  std::vector<int> Entry;         ///< each cell, x fastest: label >= 0, or ~(index of its list)
+  std::vector<Index> Offset{ 0 }; ///< first item of each list, and the end
+  std::vector<int> Material;      ///< materials of the items of all lists
+  std::vector<double> Value;      ///< fractions of the items as read
 
   Index CellId(const Index3& cell) const { return IndexInBox(this->Box, cell); }
-  /// Appends the next cell; items: its materials with their fractions, { Material, Value }, in order.
+  /// Appends the next cell; items: its materials and fractions, { Material, Value }, by material.
   template <class Item>
   void AddCell(const std::vector<Item>& items);
   bool IsListed(Index cell) const { return this->Entry[cell] < 0; }
-  /// The fraction of a material in a cell of the box.
+  /// Returns the fraction of a material in a cell of the box.
   double Fraction(Index cell, int material) const;
 };
 
@@ -45,7 +45,7 @@ void SparseCells::AddCell(const std::vector<Item>& items)
   this->Offset.push_back(static_cast<Index>(this->Material.size()));
 }
 
-/// One message of any number of boxes.
+/// Packs any number of boxes into one message.
 Bytes PackCells(const std::vector<SparseCells>& boxes);
 std::vector<SparseCells> UnpackCells(const Bytes& bytes);
 

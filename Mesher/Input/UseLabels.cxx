@@ -5,7 +5,7 @@ namespace vfm
 namespace
 {
 
-/// Whether each label is its own number.
+/// Returns whether each label is equal to its material number.
 bool AreNumbers(const std::vector<int>& labels)
 {
   for (std::size_t m = 0; m < labels.size(); ++m)

@@ -1,5 +1,5 @@
 /**
- * UseLabels: from the numbers of materials to what the user calls them.
+ * UseLabels: replaces material numbers by the ids of the user.
  */
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace vfm
 {
 
-/// In elements, facets and tables of surfaces.
+/// Replaces material numbers in elements, facets and tables of surfaces.
 void UseLabels(const Materials& table, Mesh& mesh);
 
 } // namespace vfm

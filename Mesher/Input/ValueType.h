@@ -1,5 +1,5 @@
 /**
- * ValueType: the types of numbers that arrays of the input have, numbered as VTK numbers them.
+ * ValueType: the numeric types of input arrays, with the numbers of VTK.
  */
 #pragma once
 
@@ -23,15 +23,15 @@ inline bool IsRealType(int type)
   return type == ValueType::Float || type == ValueType::Double;
 }
 
-/// What stands for a type of C++ in a call.
+/// Passes a C++ type as an argument.
 template <class T>
 struct TypeTag
 {
   using Type = T;
 };
 
-/// Calls visit(TypeTag<T>) with the type of C++ in which numbers of a type lie in memory. Throws InputError on bits and on what is no type
-/// of numbers.
+/// Calls visit(TypeTag<T>) with the C++ type of the numbers of a type.
+/// @throws InputError if the type is Bit or not numeric
 template <class Visit>
 auto VisitType(int type, const Visit& visit)
 {
@@ -66,18 +66,18 @@ auto VisitType(int type, const Visit& visit)
     case ValueType::UnsignedLongLong:
       return visit(TypeTag<unsigned long long>());
     default:
-      throw InputError("A state array is of a type without numbers.");
+      throw InputError("The type of a state array is not numeric.");
   }
 }
 
-/// Bytes of a number.
+/// Returns the size of a number in bytes.
 inline std::int64_t WidthOfType(int type)
 {
   return VisitType(
     type, [](auto tag) { return static_cast<std::int64_t>(sizeof(typename decltype(tag)::Type)); });
 }
 
-/// For messages.
+/// Returns the name of a type for messages.
 inline const char* NameOfType(int type)
 {
   const char* const names[] = { "void", "bit", "char", "unsigned char", "short", "unsigned short",

@@ -95,7 +95,7 @@ WRONG = {
     "labels, half": (
         dict(labels=LABELS + 0.5),
         ValueError,
-        "holds 2.5 in cell (0, 0, 0): material ids are whole numbers",
+        "holds 2.5 in cell (0, 0, 0): material ids are integers",
     ),
     "labels, negative": (dict(labels=LABELS - 1), ValueError, "holds -1 in cell"),
     "labels, two": (dict(labels=[LABELS, LABELS]), TypeError, "labels are a list: one array"),

@@ -328,7 +328,7 @@ def test_sculptor_labels(at):
     assert sculptor(path, at("out.vtu"), "--labels", "object_id").returncode == 0
     check_file(at("out.vtu"), expected, "ids of blocks")
     path = write_exodus(at("in.e"), lambda step: {"all": hexes({"MAT": ids + 0.5}, cells)})
-    refused(3, "'MAT' holds 5.5 in cell (0, 0, 0): material ids are whole numbers", path, at("no.vtu"), "--labels", "MAT")
+    refused(3, "'MAT' holds 5.5 in cell (0, 0, 0): material ids are integers", path, at("no.vtu"), "--labels", "MAT")
 
 
 def refused(code, text, path, output, *arguments, ranks=1):

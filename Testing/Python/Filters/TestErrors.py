@@ -140,7 +140,7 @@ def test_material_ids_that_are_not_whole_numbers():
         for value, text in ((1.5, "1.5"), (-1, "-1"), (np.nan, "nan"), (np.inf, "inf"), (2.0 ** 31, "2.14748e+09")):
             ids = labels(N).astype(dtype)
             ids[6, 5, 4] = value
-            check_error(image({"id": ids}), "'id' holds %s in cell (4, 5, 6)" % text, "whole numbers", MaterialIdArray="id")
+            check_error(image({"id": ids}), "'id' holds %s in cell (4, 5, 6)" % text, "material ids are integers", MaterialIdArray="id")
 
 
 def test_arrays_that_hold_no_materials():

@@ -502,7 +502,7 @@ def test_refused_input(at):
         files = ["--input", path, "--output", at("no.vtu")]
         refused(3, "'ball' holds 1.5 in cell", *files, "--fractions", "ball", ranks=ranks)
         refused(2, "no numeric array 'wrong' (--fractions). Its cell arrays: ball (double, 0 to 1.5).", *files, "--fractions", "wrong", ranks=ranks)
-        refused(3, "material ids are whole numbers", *files, "--labels", "ball", ranks=ranks)
+        refused(3, "material ids are integers", *files, "--labels", "ball", ranks=ranks)
     assert not os.path.exists(at("no.vtu"))
 
 
