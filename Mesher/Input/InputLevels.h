@@ -56,9 +56,9 @@ private:
 };
 
 /// Sorts blocks by level. Does not find gaps between several levels (CheckCover).
-/// @throws InputError on all ranks. One level: if FindInputBlocks does. Several levels: if cell
-/// widths do not differ by powers of two, blocks do not lie on the grid of their level, blocks of
-/// one level overlap, ids would exceed 63 bits, or point arrays are selected.
+/// @throws InputError if FindInputBlocks does (one level); on all ranks. If there are several
+/// levels, also if cell widths do not differ by powers of two, or if blocks of a level overlap or
+/// do not lie on its grid. Ids must fit into 63 bits, and point arrays must not be selected.
 /// @pre Collective
 InputLevels FindInputLevels(CollectedBlocks collected, Ranks& ranks);
 

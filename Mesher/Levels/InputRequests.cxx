@@ -23,7 +23,7 @@ bool IsNumberOfHalvings(double value)
   std::ostringstream text;
   text << "The refinement box " << number + 1 << " reaches from (" << box.Lower[0] << ", "
        << box.Lower[1] << ", " << box.Lower[2] << ") to (" << box.Upper[0] << ", " << box.Upper[1]
-       << ", " << box.Upper[2] << ") and asks for " << box.Halvings << " halvings: " << why << ".";
+       << ", " << box.Upper[2] << ") and requests " << box.Halvings << " halvings: " << why << ".";
   throw InputError(text.str());
 }
 
@@ -42,12 +42,12 @@ void CheckBoxes(const std::vector<RefinementBox>& boxes)
     if (!IsNumberOfHalvings(boxes[b].Halvings))
     {
       RejectBox(
-        b, boxes[b], "that must be a whole number from 0 to " + std::to_string(MaximumHalvings));
+        b, boxes[b], "the number must be an integer from 0 to " + std::to_string(MaximumHalvings));
     }
   }
 }
 
-/// Boxes in the own axes of images (ImageFrame).
+/// Transforms boxes to image axes (ImageFrame).
 std::vector<RefinementBox> TurnBoxes(std::vector<RefinementBox> boxes, const ImageFrame& frame)
 {
   if (boxes.empty() || frame.IsIdentity())
@@ -57,8 +57,8 @@ std::vector<RefinementBox> TurnBoxes(std::vector<RefinementBox> boxes, const Ima
   if (!frame.IsAligned())
   {
     throw InputError(
-      "Refinement boxes have sides along x, y and z, and the image is turned against "
-      "these (direction matrix). Choose the cells by a Refinement Array.");
+      "Refinement boxes have sides along x, y and z, but the image is rotated against these axes "
+      "(direction matrix). Select the cells by a Refinement Array.");
   }
   for (RefinementBox& box : boxes)
   {
@@ -72,7 +72,7 @@ std::vector<RefinementBox> TurnBoxes(std::vector<RefinementBox> boxes, const Ima
   return boxes;
 }
 
-/// The cells of a grid that a box reaches into.
+/// Returns the cells of a grid that a box overlaps.
 IndexBox CellsIn(const std::array<std::vector<double>, 3>& coordinates, const RefinementBox& box)
 {
   IndexBox cells;
@@ -90,15 +90,15 @@ IndexBox CellsIn(const std::array<std::vector<double>, 3>& coordinates, const Re
   return cells;
 }
 
-/// Reads what cells want, block by block.
+/// State while requests are read, block by block.
 struct Work
 {
   const InputLevels& Input;
   const std::string& Array;
   const std::vector<RefinementBox> Boxes;
-  std::vector<Index> CellsOfBoxes = std::vector<Index>(Boxes.size()); // that this rank reads
-  std::vector<std::vector<ChosenBox>> Rows{};                         // of each level
-  std::vector<ChosenBox> Places{}; // of Boxes on the level that is read
+  std::vector<Index> CellsOfBoxes = std::vector<Index>(Boxes.size()); // selected on this rank
+  std::vector<std::vector<ChosenBox>> Rows{};                         // selected, by level
+  std::vector<ChosenBox> Places{};                                    // Boxes on the current level
   std::vector<Index> Row{};
 };
 
@@ -109,13 +109,13 @@ void CheckValue(const Work& work, double value, const Index3& cell, int level)
     std::ostringstream text;
     text << "The refinement array '" << work.Array << "' holds " << value << " in " << TextOf(cell);
     text << (work.Input.Finest() > 0 ? " of level " + std::to_string(level) : "")
-         << ": it must tell how many times each cell is to be halved, a whole number from 0 to "
+         << ": it must hold the number of halvings of each cell, an integer from 0 to "
          << MaximumHalvings << ".";
     throw InputError(text.str());
   }
 }
 
-/// Cells of equal wishes are one box.
+/// Adds the cells of a row; consecutive cells with equal requests are one box.
 void AddRow(Work& work, const Index3& first)
 {
   const Index count = static_cast<Index>(work.Row.size());

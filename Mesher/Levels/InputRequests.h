@@ -1,9 +1,10 @@
 /**
- * InputRequests: the cells of the input that are chosen to be halved, by an array or by boxes in space, from the ranks that
- * read them to those that mesh them.
+ * InputRequests: user-selected cells of the input that are to be halved, selected by an array or by
+ * boxes, and their transfer from the ranks that read them to the ranks that mesh them.
  *
- * A cell is that of the finest block there: what coarser blocks hold below finer ones is ignored. Blanked cells are not chosen. A box
- * chooses the cells that it reaches into by more than a thousandth of their width along every axis; of array and boxes the most halvings count.
+ * Only the finest blocks count; coarser blocks below finer ones are ignored. Blanked cells are not
+ * selected. A box selects the cells that it overlaps by more than 1e-3 of their width along every
+ * axis. A cell gets the maximum number of halvings of the array and all boxes.
  */
 #pragma once
 
@@ -17,22 +18,28 @@
 namespace vfm
 {
 
+/// Requests for halvings of cells.
 struct InputRequests
 {
-  std::vector<std::vector<ChosenBox>>
-    Levels;        ///< rows of cells of each level, that this rank reads or meshes
-  Index Cells = 0; ///< that are chosen, over all ranks
-  int Finest = 0;  ///< the finest level that they want to be of, over all ranks; 0 without cells
-  std::string Warning; ///< empty, or which boxes choose no cell
+  /// Rows of selected cells of each level, among the cells that this rank reads or meshes.
+  std::vector<std::vector<ChosenBox>> Levels;
+  Index Cells = 0;     ///< number of selected cells on all ranks
+  int Finest = 0;      ///< finest requested level on all ranks; 0 without cells
+  std::string Warning; ///< empty, or the boxes that select no cell
 };
 
-/// Collective: what the cells want that this rank reads. array: its name, of any type and one component, in all blocks; empty: none.
-/// Throws InputError, on all ranks alike, on a missing array, values that are no whole numbers from 0 to MaximumHalvings, and boxes that
-/// ask for others or end before they begin.
+/// Finds the requests of the cells that this rank reads.
+/// @param array name of the array, of any numeric type and one component, in all blocks;
+/// empty: none
+/// @throws InputError if the array is missing, if numbers of halvings are not integers from 0 to
+/// MaximumHalvings, or if a box ends before it begins; on all ranks
+/// @pre Collective
 InputRequests FindInputRequests(const InputLevels& input, const std::string& array,
   const std::vector<RefinementBox>& boxes, Ranks& ranks);
 
-/// Collective: what the cells want that this rank meshes. owners: of the cells of level 0, of all ranks or those near.
+/// Returns the requests of the cells that this rank meshes.
+/// @param owners cells of level 0 that each rank meshes, of all ranks or of nearby ranks
+/// @pre Collective
 InputRequests DistributeRequests(const InputRequests& requests, const InputLevels& input,
   const std::vector<BlockPlace>& owners, Ranks& ranks);
 

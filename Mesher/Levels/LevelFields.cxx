@@ -17,16 +17,16 @@ namespace
 {
 
 constexpr int ChunkLevels =
-  3; // chunks that are averaged at a time have so many halvings of their cells
+  3; // cells are averaged in chunks of 2^ChunkLevels cells along each axis
 
-/// Sets the cells of a box that finer ones cover to the means of these.
+/// Sets the cells of a box below finer blocks to the means of their children.
 void AverageCells(const CartesianGrid& fineGrid, const FractionField& fine, const LevelCover& cover,
   const IndexBox& box, const CartesianGrid& grid, FractionField& field)
 {
   ForCells(box,
     [&](const Index3& cell)
     {
-      if (cover.Has(ChildOfCell(cell, 0))) // then the others, too (CheckCover)
+      if (cover.Has(ChildOfCell(cell, 0))) // then all children are covered (CheckCover)
       {
         FractionSum mean;
         for (int c = 0; c < 8; ++c)
@@ -38,12 +38,12 @@ void AverageCells(const CartesianGrid& fineGrid, const FractionField& fine, cons
     });
 }
 
-/// What the blocks hold, level by level, where this rank needs it.
+/// Materials of all levels in the region of this rank.
 struct LevelData
 {
   const InputLevels& Input;
   const LevelCells& Cells;
-  std::vector<std::vector<SparseCells>> Received{}; // of each level
+  std::vector<std::vector<SparseCells>> Received{}; // cells of other ranks, by level
 };
 
 InputField MakeField(const LevelData& data, int level, const CartesianGrid& grid)
@@ -51,7 +51,8 @@ InputField MakeField(const LevelData& data, int level, const CartesianGrid& grid
   return data.Cells[level]->MakeField(grid, data.Received[level]);
 }
 
-/// Sets the cells of a box that finer blocks cover to the means of what these hold; returns how many finer cells were mended.
+/// Sets the cells of a box below finer blocks to means over these blocks, recursively. Returns the
+/// numbers of finer cells that were corrected.
 CorrectedCells Average(const LevelData& data, int level, const IndexBox& box,
   const CartesianGrid& grid, FractionField& field)
 {
@@ -77,7 +78,7 @@ CorrectedCells Average(const LevelData& data, int level, const IndexBox& box,
   return corrected;
 }
 
-/// The levels 0 .. top of the input, each with its grid.
+/// Levels 0 .. top of the input with their grids.
 struct LevelStack
 {
   std::vector<CartesianGrid> Grids;
@@ -85,7 +86,7 @@ struct LevelStack
   CorrectedCells Corrected;
 };
 
-/// Collective.
+/// Collective. Reads the levels of this rank; data finer than the top level are averaged.
 LevelStack ReadLevels(const InputLevels& input, const LevelCells& cells, const LevelSetup& setup,
   const std::vector<BlockPlace>& owners, Ranks& ranks)
 {
@@ -95,9 +96,8 @@ LevelStack ReadLevels(const InputLevels& input, const LevelCells& cells, const L
   LevelData data{ input, cells };
   for (int level = 0; level <= input.Finest(); ++level)
   {
-    data.Received.push_back(
-      ReceiveCells(ChangeLevel(owners, level), input.Levels[level], *cells[level],
-        level > top ? 0 : GhostLayers, ranks)); // of finer levels the owned cells alone
+    data.Received.push_back(ReceiveCells(ChangeLevel(owners, level), input.Levels[level],
+      *cells[level], level > top ? 0 : GhostLayers, ranks)); // only owned cells of finer levels
   }
   LevelStack levels;
   WorkTogether(ranks,
@@ -120,7 +120,7 @@ LevelStack ReadLevels(const InputLevels& input, const LevelCells& cells, const L
   return levels;
 }
 
-/// Collective: from fine to coarse.
+/// Collective. Averages cells below finer blocks, from fine to coarse, and fills ghost cells.
 void AverageLevels(const InputLevels& input, Ranks& ranks, LevelStack& levels)
 {
   const int top = static_cast<int>(levels.Grids.size()) - 1;
@@ -138,7 +138,7 @@ void AverageLevels(const InputLevels& input, Ranks& ranks, LevelStack& levels)
   }
 }
 
-/// From the fractions of a level to those of the next.
+/// Replaces the fractions of a level by the fractions of the next finer level.
 void RefineLevel(const InputLevels& input, const LevelStack& levels, int level, ChildRule rule,
   Runtime& runtime, FractionField& fractions)
 {
@@ -158,7 +158,7 @@ void RefineLevel(const InputLevels& input, const LevelStack& levels, int level, 
   fractions = std::move(refined.Fractions);
 }
 
-/// Collective: the field of the finest level.
+/// Collective. Returns the field of the finest level.
 InputField JoinLevels(const InputLevels& input, ChildRule rule, Runtime& runtime, LevelStack levels)
 {
   InputField field = std::move(levels.Fields[0]);
@@ -176,7 +176,7 @@ InputField JoinLevels(const InputLevels& input, ChildRule rule, Runtime& runtime
   return field;
 }
 
-/// Keys of the families of cells of a level, in a box, that finer blocks cover.
+/// Returns the keys of the families of a level, in a box, below finer blocks.
 std::vector<Index> FindFamilies(
   const InputLevels& input, int level, const IndexBox& owned, const OctreeKeys& lattice, int step)
 {
@@ -194,7 +194,8 @@ std::vector<Index> FindFamilies(
   return keys;
 }
 
-/// The families that hold the parts of the cells of others. lattice, divided: of the bases before and after.
+/// Returns the families that contain the parts of cells after a division.
+/// @param lattice,divided keys of the bases before and after
 std::vector<Index> DivideFamilies(const std::vector<Index>& keys, int step,
   const CellDivision& division, const OctreeKeys& lattice, const OctreeKeys& divided)
 {
@@ -211,7 +212,7 @@ std::vector<Index> DivideFamilies(const std::vector<Index>& keys, int step,
   return result;
 }
 
-/// Cuts the cells of Base as its division says, and those of Grid alike; ghost cells are void then.
+/// Divides the cells of Base and Grid by fields.Division. Ghost cells are void afterwards.
 void DivideCells(LevelFields& fields, ChildRule rule, Runtime& runtime)
 {
   const int levels = static_cast<int>(fields.Families.size());
@@ -229,7 +230,7 @@ void DivideCells(LevelFields& fields, ChildRule rule, Runtime& runtime)
   fields.Field.Fractions = std::move(refined.Fractions);
 }
 
-/// Whether boxes of level 0 consist of whole cells of a coarser one.
+/// Returns whether boxes of level 0 consist of whole cells of a coarser level.
 bool AreAligned(const std::vector<IndexBox>& boxes, int levels)
 {
   return std::all_of(boxes.begin(), boxes.end(),
@@ -320,7 +321,7 @@ void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule
 std::vector<ChosenBox> TakeRequests(
   const InputRequests& requests, const LevelSetup& setup, int layers, LevelFields& fields)
 {
-  const Index steps = static_cast<Index>(fields.Families.size()); // of Grid above Base
+  const Index steps = static_cast<Index>(fields.Families.size()); // levels from Base to Grid
   const OctreeKeys lattice(fields.Base, static_cast<int>(steps));
   std::vector<ChosenBox> beyond;
   for (int level = setup.Base; level - setup.Base <= steps; ++level)
@@ -355,7 +356,7 @@ int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, dou
   const OctreeKeys lattice(fields.Grid, requests.Refinements);
   for (std::vector<Index>& families : FindRequestedFamilies(lattice, requests, layers))
   {
-    fields.Families.push_back(std::move(families)); // keys are those of the lattice over Base
+    fields.Families.push_back(std::move(families)); // keys are equal to keys of the lattice of Base
   }
   return requests.Refinements;
 }

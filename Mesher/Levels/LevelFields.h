@@ -1,9 +1,12 @@
 /**
- * LevelFields: the fractions of the grid that is meshed, from the blocks of all levels of the input.
+ * LevelFields: the fractions of the grid that is meshed, from the blocks of all levels of
+ * the input.
  *
- * First from fine to coarse: a cell that finer blocks cover has the mean of its eight halves. Then from coarse to fine:
- * halves of cells that no finer block covers are made by RefineCells. So every material keeps the volume that the finest data
- * have of it, to rounding, on every level. Each rank averages its own cells, and gets its ghost cells from their owners: the same on any number of ranks.
+ * First, from fine to coarse, a cell below finer blocks gets the mean of its eight children. Then,
+ * from coarse to fine, RefineCells makes the children of cells without finer blocks. The volume of
+ * each material on every level therefore equals that of the finest data, up to rounding. Each rank
+ * averages its own cells and receives its ghost cells from their owners, so the result does not
+ * depend on the number of ranks.
  */
 #pragma once
 
@@ -18,43 +21,55 @@
 namespace vfm
 {
 
+/// The grid that is meshed, its fractions, and the families of cells that are refined.
 struct LevelFields
 {
-  CartesianGrid Base; ///< of level LevelSetup::Base
-  CartesianGrid
-    Grid; ///< of LevelSetup::Finest or, where that is coarser, of the finest level of the input
-  InputField Field; ///< of Grid
-  /// Of each refinement between Base and Grid the families (OctreeKeys::FamilyKey) of this rank's cells that finer blocks
-  /// cover, ascending; empty lists unless the mesh takes the input's levels.
+  CartesianGrid Base; ///< grid of level LevelSetup::Base
+  /// Grid of LevelSetup::Finest, or of the finest level of the input if that is coarser.
+  CartesianGrid Grid;
+  InputField Field; ///< materials in Grid
+  /// For each refinement between Base and Grid, the families (OctreeKeys::FamilyKey) of this rank's
+  /// cells that finer blocks cover, ascending; empty lists unless the mesh uses the input levels.
   std::vector<std::vector<Index>> Families;
-  CellDivision Division; ///< of the cells of Base, into those that it now has
+  CellDivision Division; ///< division of the original cells of Base into its present cells
 };
 
-/// Collective: the cells of level 0 that each rank meshes, by rank (MakePartition): whole cells of the base.
+/// Distributes the cells over the ranks (MakePartition), in whole cells of the base.
+/// @return cells of level 0 that each rank meshes, ordered by rank
+/// @pre Collective
 std::vector<BlockPlace> DistributeCells(
   const InputLevels& input, const LevelCells& cells, const LevelSetup& setup, Ranks& ranks);
 
-/// Collective. owners: the cells of level 0 that the ranks mesh, of all ranks or those near. Throws InputError, on all ranks
-/// alike, on values that are no fractions, and as CheckCover does.
+/// Makes the grids and fractions of this rank.
+/// @param owners cells of level 0 that each rank meshes, of all ranks or of nearby ranks
+/// @throws InputError if values are not fractions, or if CheckCover does; on all ranks
+/// @pre Collective
 LevelFields MakeLevelFields(const InputLevels& input, const LevelCells& cells,
   const LevelSetup& setup, ChildRule rule, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
-/// Collective: cuts the cells of Base, and those of Grid alike, until none has an aspect ratio above a number (DivideLongCells):
-/// levels keep their ratios, families their places. 0: none is cut; else at least SmallestAspectRatio. Throws InputError, on all ranks
-/// alike, where there would be too many cells.
+/// Divides the cells of Base and Grid until no aspect ratio exceeds a maximum (DivideLongCells).
+/// Ratios between levels and the places of families do not change.
+/// @param maximumAspectRatio at least SmallestAspectRatio; 0: no division
+/// @throws InputError if there would be too many cells, on all ranks
+/// @pre Collective
 void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule, Runtime& runtime);
 
-/// Adds the families between Base and Grid that cells of the input want, and those of so many layers around; returns, in cells of Grid, what
-/// they want beyond it. wishes: of the cells that this rank meshes; setup: of those levels.
+/// Adds the families between Base and Grid that user-selected cells request.
+/// @param requests requests of the cells that this rank meshes
+/// @param layers number of layers around selected cells whose families are added too
+/// @return requests for halvings beyond Grid, in cells of Grid
 std::vector<ChosenBox> TakeRequests(
   const InputRequests& requests, const LevelSetup& setup, int layers, LevelFields& fields);
 
-/// Collective: how many levels finer than Grid the criteria want; adds the families that they want to refine, and those of so many
-/// layers of cells around (FindRequestedFamilies).
+/// Finds how many levels finer than Grid the criteria request, and adds the requested families.
+/// @param layers number of layers of cells around (FindRequestedFamilies)
+/// @return number of levels
+/// @pre Collective
 int FindFinerLevels(LevelFields& fields, const RefinementCriteria& criteria, double isoValue,
   int layers, Runtime& runtime);
 
-/// Collective: halves all cells of Grid so many times.
+/// Halves all cells of Grid; steps: number of times.
+/// @pre Collective
 void RefineFields(LevelFields& fields, int steps, ChildRule rule, Runtime& runtime);
 
 } // namespace vfm

@@ -9,9 +9,9 @@ namespace vfm
 namespace
 {
 
-constexpr int LevelsOfCoarsening = 3; // unless more are asked for
+constexpr int LevelsOfCoarsening = 3; // default; MaximumLevel can request more
 
-/// Whether the nodes left out lie in the middle of their neighbours.
+/// Returns whether the nodes that coarsening removes are midpoints of their neighbours.
 bool AreHalves(const std::vector<double>& x, Index step)
 {
   for (std::size_t i = step; i + step < x.size(); i += 2 * step)
@@ -25,7 +25,7 @@ bool AreHalves(const std::vector<double>& x, Index step)
   return true;
 }
 
-/// How often the cells along an axis can be joined in twos, at most so many times.
+/// Returns how often pairs of cells along an axis can be joined, up to most times.
 int CountJoins(const std::vector<double>& x, int most)
 {
   const Index cells = static_cast<Index>(x.size()) - 1;
@@ -37,11 +37,11 @@ int CountJoins(const std::vector<double>& x, int most)
   return joins;
 }
 
-/// Lowers the base as far as the sizes allow.
+/// Coarsens the base as far as the numbers and widths of cells allow.
 void Coarsen(const std::array<std::vector<double>, 3>& coordinates, int requested, int alignment,
   LevelSetup& setup)
 {
-  const int most = requested - setup.Finest; // below level 0; negative: the base is a finer one
+  const int most = requested - setup.Finest; // levels below 0; negative: the base is finer than 0
   int joins = std::min(most, alignment);
   std::string limit = joins < most ? "the boxes of the ranks do" : "";
   for (int axis = 0; axis < 3 && joins > 0; ++axis)

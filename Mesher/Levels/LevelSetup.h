@@ -1,5 +1,6 @@
 /**
- * LevelSetup: which levels a mesh has, decided from the property Refinement, the levels of the input and its sizes.
+ * LevelSetup: decides the levels of a mesh from the option Refinement and the levels and sizes of
+ * the input.
  */
 #pragma once
 
@@ -12,30 +13,35 @@
 namespace vfm
 {
 
-/// Levels are those of the input: 0 is its coarsest, negative ones are coarser than it.
+/// Levels of a mesh, numbered as in the input: 0 is its coarsest level, coarser levels
+/// are negative.
 struct LevelSetup
 {
-  int Base = 0; ///< the coarsest level of the mesh
-  int Finest =
-    0; ///< the level of the grid that is meshed; finer data are averaged, coarser ones divided
+  int Base = 0; ///< coarsest level of the mesh
+  /// Level of the grid that is meshed; finer data are averaged, coarser cells are halved.
+  int Finest = 0;
   bool IsUniform = false;        ///< all cells of the mesh are of the finest level
-  bool TakesInputLevels = false; ///< refined where the input has finer blocks
-  std::string Warning;           ///< empty, or why there are fewer levels than were asked for
+  bool TakesInputLevels = false; ///< the mesh is refined where the input has finer blocks
+  std::string Warning;           ///< empty, or why there are fewer levels than requested
 
-  /// Of the mesh; 0 where it is uniform.
+  /// Returns the number of refinements of the mesh; 0 if it is uniform.
   int Refinements() const { return this->IsUniform ? 0 : this->Finest - this->Base; }
 };
 
-/// Boxes can be coarsened as often as one wants.
+/// Number of levels if boxes do not limit coarsening.
 constexpr int AnyLevel = 62;
 
-/// Collective: how often the boxes of all ranks can be coarsened, so that each consists of whole cells.
+/// Returns how often the boxes of all ranks can be coarsened so that each consists of whole cells.
+/// @pre Collective
 int CountAlignedLevels(const std::vector<IndexBox>& boxes, Ranks& ranks);
 
-/// coordinates: nodes of the input's coarsest level; inputFinest: its finest level; maximumLevel: how many levels above the
-/// coarsest of the mesh at most, -1: of the data all, by coarsening at most 3, of an image refined 1, or what chosen cells want.
-/// alignment: levels by which the boxes of the ranks can be coarsened, where they are given. wishedFinest: the finest level that
-/// chosen cells want to be of; 0 without any.
+/// Decides the levels of a mesh.
+/// @param maximumLevel maximum number of levels above the coarsest level of the mesh. -1: all
+/// levels of the data; at most 3 by coarsening; 1 for a refined image, or as selected cells request
+/// @param coordinates nodes of the coarsest level of the input
+/// @param inputFinest finest level of the input
+/// @param alignment levels by which the boxes of the ranks can be coarsened, or AnyLevel
+/// @param wishedFinest finest level that selected cells request; 0 without cells
 LevelSetup DecideLevels(Refinement how, int maximumLevel,
   const std::array<std::vector<double>, 3>& coordinates, int inputFinest, int alignment,
   int wishedFinest);

@@ -26,8 +26,8 @@ std::string GetOption(const MesherOptions& options, const Option& option);
 /// Returns the range of numbers that an option accepts; for switches and choices, of their words.
 OptionRange RangeOf(const Option& option);
 
-/// Checks the ranges of all numbers; options for tetrahedra only if options.Elements are
-/// tetrahedra.
+/// Checks the ranges of all numbers; options for tetrahedra only if options.Elements
+/// are tetrahedra.
 /// @throws InputError as SetOption does
 void CheckOptions(const MesherOptions& options, const OptionTable& table = GetOptionTable());
 

@@ -277,7 +277,7 @@ def test_wrong_arrays():
     for value, text in ((np.nan, "nan"), (-1, "-1"), (1.5, "1.5"), (11, "11"), (np.inf, "inf")):
         wishes = CELLS.astype(float)
         wishes[3, 2, 1] = value
-        check_choice_error(data_of(wishes), "'wish' holds " + text, "(1, 2, 3)", "whole number from 0 to 10", RefinementArray="wish")
+        check_choice_error(data_of(wishes), "'wish' holds " + text, "(1, 2, 3)", "an integer from 0 to 10", RefinementArray="wish")
     check_choice_error(data_of(), "no numeric cell array 'wish'", RefinementArray="wish")
     vectors = data_of()
     add_array(vectors.GetCellData(), "wish", np.zeros((N, N, N, 3)))
@@ -293,7 +293,7 @@ def test_wrong_boxes():
     check_choice_error(data_of(), "box 2", "along y", RefinementBoxes=box((1, 1, 1), (2, 2, 2)) + box((1, 2, 1), (2, 1, 2)))
     check_choice_error(data_of(), "box 1", "along z", RefinementBoxes=[0, 0, np.nan, 1, 1, 1, 1])
     for halvings in (-1, 0.5, 11, np.nan):
-        check_choice_error(data_of(), "box 1", "whole number from 0 to 10", RefinementBoxes=box((1, 1, 1), (2, 2, 2), halvings))
+        check_choice_error(data_of(), "box 1", "an integer from 0 to 10", RefinementBoxes=box((1, 1, 1), (2, 2, 2), halvings))
 
 
 main(globals())
