@@ -8,7 +8,7 @@ namespace vfm
 namespace
 {
 
-/// What a cell takes from its two neighbours along an axis.
+/// Shares that a cell takes from the lower and the upper neighbour along an axis.
 struct Shares
 {
   double Lower, Upper;
@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /// The cells of a layer along z that are not pure, row by row, x fastest.
+  /// Appends the averages of the cells of a row that are not pure, x fastest.
   void AverageRow(const IndexBox& box, Index j, Index k, std::vector<FractionSum>& mixed) const
   {
     for (Index i = box.Lower[0]; i < box.Upper[0]; ++i)
@@ -105,7 +105,7 @@ FractionField AverageAlong(const CartesianGrid& grid, const FractionField& from,
   FractionField to(grid, from.NumberOfMaterials());
   const RowAverage average(grid, from, axis);
   const Index rows = std::max<Index>(box.Size(1), 0);
-  std::vector<std::vector<FractionSum>> mixed(rows); // of a layer
+  std::vector<std::vector<FractionSum>> mixed(rows); // one per row of a layer
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {
     ForEach(runtime, rows,
@@ -127,7 +127,7 @@ FractionField AverageAlong(const CartesianGrid& grid, const FractionField& from,
 FractionField AverageFractions(const CartesianGrid& grid, FractionField fractions, int passes,
   const Partition& partition, Runtime& runtime)
 {
-  int layers = GhostLayers; // in which the fractions are right
+  int layers = GhostLayers; // ghost layers with valid fractions
   for (int pass = 0; pass < passes; ++pass)
   {
     if (layers == 1)

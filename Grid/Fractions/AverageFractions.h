@@ -1,5 +1,6 @@
 /**
- * Fractions averaged over the cells around, several times: what smooths the steps of labels.
+ * AverageFractions: repeated averages of fractions over adjacent cells, which smooth
+ * the steps of labels.
  */
 #pragma once
 
@@ -10,10 +11,14 @@
 namespace vfm
 {
 
-/// Each pass gives a cell 1/4, 1/2, 1/4 of what the three cells along x hold, then the same along y and z. Between cells of
-/// different widths the thinner one decides how much passes. Cells on a side of the domain take nothing along the axis across it, so that
-/// planes stay planes. The result is right in the owned cells and the layer around them. The same on any number of ranks and threads.
-/// Collective.
+/// Averages fractions over adjacent cells. In each pass a cell gets 1/4, 1/2, 1/4 of the
+/// fractions of the three cells along x, then the same along y and z. The thinner of two cells
+/// limits their exchange. Cells on a side of the domain exchange nothing along the axis across
+/// it, so planes stay planes.
+/// @param fractions  owned and ghost cells
+/// @return valid in the owned cells and one layer around them
+/// @pre Collective.
+/// @note Bitwise reproducible on any number of ranks and threads.
 FractionField AverageFractions(const CartesianGrid& grid, FractionField fractions, int passes,
   const Partition& partition, Runtime& runtime);
 

@@ -13,12 +13,12 @@ namespace vfm
 namespace
 {
 
-constexpr double Slack = 1e-3; // of the aspect ratio: widths are known no better
+constexpr double Slack = 1e-3; // relative to the aspect ratio; widths are not more accurate
 
-/// The widths of the layers along an axis, and into how many parts they are cut.
+/// Widths of the layers along an axis, and the number of parts of each.
 struct Layers
 {
-  std::vector<double> Widths, Parts; // doubles: they may not fit an Index
+  std::vector<double> Widths, Parts; // Parts: double, because an Index may be too small
 
   explicit Layers(const std::vector<double>& nodes) : Parts(nodes.size() - 1, 1.0)
   {
@@ -40,7 +40,7 @@ struct Layers
   {
     return std::accumulate(this->Parts.begin(), this->Parts.end(), 0.0);
   }
-  /// Cuts until no width exceeds the largest; returns whether that took more parts.
+  /// Divides layers until no width exceeds the largest; returns whether that needed more parts.
   bool Cut(double largest)
   {
     bool hasMore = false;
@@ -65,7 +65,7 @@ void CheckNumberOfParts(const std::vector<Layers>& axes, double maximumAspectRat
   {
     std::ostringstream text;
     text << "Cells cut until no aspect ratio is above " << maximumAspectRatio
-         << " have more nodes than 64-bit global ids can number. Allow a larger one.";
+         << " have more nodes than 64-bit global ids can number. Allow a larger aspect ratio.";
     throw InputError(text.str());
   }
 }

@@ -1,6 +1,6 @@
 /**
- * CellDivision: into how many equal parts the cells of a grid are cut along each axis, the same number in all cells of a
- * layer across the axis, so that the parts are cells of a grid too.
+ * CellDivision: divides the cells of a grid into equal parts along each axis. Cells of one layer
+ * across an axis all have the same number of parts, so the parts are cells of a grid too.
  */
 #pragma once
 
@@ -9,42 +9,51 @@
 namespace vfm
 {
 
+/// Number of parts of each layer of cells along each axis. It does not change after construction.
 class CellDivision
 {
 public:
-  /// No cell is cut, of any grid.
+  /// Divides no cell, on any grid.
   CellDivision() = default;
-  /// parts: of each layer of cells along each axis, >= 1.
+  /// @param parts  number of parts of each layer of cells along each axis, >= 1
   explicit CellDivision(const std::array<std::vector<Index>, 3>& parts);
-  /// All cells of a grid in so many along each axis.
+  /// Divides all cells of a grid of cells[axis] cells into the same number of
+  /// parts along each axis.
   CellDivision(const Index3& cells, Index parts);
 
-  /// Whether no cell is cut.
+  /// Returns whether no cell is divided.
   bool IsNone() const { return this->First[0].empty(); }
-  /// Of a cell, along each axis.
+  /// Returns the number of parts of a cell along each axis.
   Index3 Parts(const Index3& cell) const;
-  /// The parts of the cells of a box.
+  /// Returns the box of the parts of the cells of a box.
   IndexBox Divide(const IndexBox& box) const;
-  /// The coordinates of the nodes of the parts; those of the cells stay, bit for bit.
+  /// Returns the node coordinates of the parts. Existing nodes stay bitwise identical.
   std::array<std::vector<double>, 3> Divide(std::array<std::vector<double>, 3> coordinates) const;
-  /// The cell that a part is of.
+  /// Returns the cell that contains a part.
   Index3 ParentOf(const Index3& part) const;
 
-  /// The same of the cells halved so many times along each axis.
+  /// Returns the division of the cells halved `times` times along each axis; each gets as many
+  /// parts as its original cell.
   CellDivision OfHalves(int times) const;
 
 private:
-  std::array<std::vector<Index>, 3> First; // part of each layer, and the end; empty: none is cut
+  // First part of each layer, and the end; empty: no cell is divided.
+  std::array<std::vector<Index>, 3> First;
 };
 
-/// Nodes that cut each width in so many equal parts.
+/// Returns nodes that divide each width into a number of equal parts.
 std::vector<double> DivideWidths(const std::vector<double>& nodes, const std::vector<Index>& parts);
 
-/// The division into the fewest cells of which none is wider along one axis than a number, > 1, times its width along
-/// another (to a thousandth). The aspect ratio of a cell is the larger where the widths of the layers that cross in it differ more,
-/// and each layer along x crosses each along y and z. So the narrowest layer of the other two axes bounds every layer:
-/// each is cut in as many parts as that asks for, again while that makes narrower ones. Parts only grow, and never past those of
-/// any other division that serves, so the least that serves comes out. Throws InputError when 64-bit ids could not number the nodes.
+/// Returns the division into the fewest cells whose aspect ratio is at most a
+/// maximum, to a thousandth.
+///
+/// Each layer along an axis crosses each layer along the other two, so the narrowest layer of these
+/// bounds its width. Each layer is divided into the fewest parts that this bound requires. This is
+/// repeated while it makes narrower layers. Numbers of parts only grow, and never exceed the
+/// numbers of any other valid division, so the result is the smallest one.
+/// @param coordinates  node coordinates of the whole grid
+/// @param maximumAspectRatio  > 1
+/// @throws InputError  if 64-bit ids cannot number the nodes
 CellDivision DivideLongCells(
   const std::array<std::vector<double>, 3>& coordinates, double maximumAspectRatio);
 

@@ -12,12 +12,14 @@ namespace vfm
 namespace
 {
 
-constexpr double GoodFit = 0.1;       // rms error of fractions: the surface is no film
-constexpr double FilmAdvantage = 0.6; // of a plane's error: a film must fit so much better
-constexpr double Nothing = 1e-13;     // fractions below are none
-constexpr double Tie = 1e-12;         // of one half: is one, so that a flat face gets one label
+// Largest rms error of fractions of a plane or film that is accepted.
+constexpr double GoodFit = 0.1;
+constexpr double FilmAdvantage = 0.6; // largest error of a film, relative to the plane
+constexpr double Nothing = 1e-13;     // smaller fractions count as 0
+// Fractions this close to one half become one half, so that a flat face gets one label.
+constexpr double Tie = 1e-12;
 
-/// Where the children of a cell are, in its frame.
+/// Positions of the children of a cell, in its frame.
 class Children
 {
 public:
@@ -41,7 +43,7 @@ public:
     }
     return centre;
   }
-  /// All filled.
+  /// Returns the fractions of full children.
   ChildFractions Full() const { return ChildFractions(this->Count(), 1.0); }
 
   const Index3 Counts;
@@ -50,8 +52,8 @@ private:
   const Vector3 ChildSize;
 };
 
-/// Makes the fractions sum to as many times that of the cell as there are: they are off by the rounding of planes. room: the
-/// most a child can hold.
+/// Corrects the rounding of planes: makes the mean fraction of the children equal to the fraction
+/// of the cell. Values stay between 0 and the largest fraction of each child.
 void Correct(ChildFractions& values, const ChildFractions& room, double fraction)
 {
   double missing = static_cast<double>(values.size()) * fraction, weights = 0.0;
@@ -69,7 +71,7 @@ void Correct(ChildFractions& values, const ChildFractions& room, double fraction
   }
 }
 
-/// What planes have left of a cell.
+/// Part of a cell that planes have left.
 class Remainder
 {
 public:
@@ -83,7 +85,8 @@ public:
     }
   }
 
-  /// Cuts off the volume below the plane of a normal; returns how it is spread over the children.
+  /// Cuts off a volume below a plane with a normal; returns the fractions of that
+  /// volume in the children.
   ChildFractions CutOff(const Vector3& normal, double volume)
   {
     const HalfSpace plane{ normal, this->FindOffset(normal, volume) };
@@ -118,23 +121,24 @@ private:
   }
 
   ConvexPiece Whole, Below, Above;
-  std::vector<ConvexPiece> Pieces; // of the children
+  std::vector<ConvexPiece> Pieces; // remaining part of each child
   std::vector<Vector3> Section;
 };
 
+/// Cell of the neighbourhood, in the frame of the divided cell.
 struct Around
 {
   Index Cell;
-  Vector3 Centre, Size; // in the frame of the cell
+  Vector3 Centre, Size;
 };
 
-/// A part to be cut off by a plane.
+/// Part that a plane may cut off.
 struct Choice
 {
-  std::size_t Place; // among those that are left
+  std::size_t Place; // position among the parts that are left
   std::vector<FractionSample> Samples;
   LayerFit Fit;
-  double Score = 0.0; // the less the better
+  double Score = 0.0; // lower is better
 };
 
 struct Work
@@ -144,10 +148,10 @@ struct Work
   const Index3 Cell;
   const Children TheChildren;
   const FractionField::Range Parts = Fractions.Parts(Grid.Linear(Cell));
-  std::vector<Around> Cells{}; // first the cell itself
+  std::vector<Around> Cells{}; // the divided cell first
 };
 
-/// A part among some, itself included, where the cells hold any of them.
+/// Samples a part among some parts, itself included, in the cells that hold any of them.
 std::vector<FractionSample> Sample(const Work& work, int material, const std::vector<int>& among)
 {
   std::vector<FractionSample> samples;
@@ -167,7 +171,7 @@ std::vector<FractionSample> Sample(const Work& work, int material, const std::ve
   return samples;
 }
 
-/// A part against all else.
+/// Samples a part against everything else.
 std::vector<FractionSample> Sample(const Work& work, int material)
 {
   std::vector<FractionSample> samples;
@@ -193,7 +197,7 @@ bool HasOthersAround(const Work& work)
     });
 }
 
-/// Cells that tell nothing count as off by what a good fit may be.
+/// Returns the error of cells without data; each counts with the error of a good fit.
 double Doubt(const Work& work, const std::vector<FractionSample>& samples)
 {
   double known = 0.0;
@@ -204,7 +208,8 @@ double Doubt(const Work& work, const std::vector<FractionSample>& samples)
   return GoodFit * (1.0 - known / static_cast<double>(work.Cells.size()));
 }
 
-/// The part that a plane divides best from the others that are left (positions in Parts), or first from all else.
+/// Returns the part that a plane separates best from the other parts left (positions in Parts), or,
+/// first, from everything else.
 Choice Choose(const Work& work, const std::vector<std::size_t>& left, bool isFirst)
 {
   const bool isPair = left.size() == 2, knowsOthers = isFirst && HasOthersAround(work);
@@ -216,7 +221,7 @@ Choice Choose(const Work& work, const std::vector<std::size_t>& left, bool isFir
   std::vector<Choice> choices;
   for (std::size_t place = 0; place < left.size(); ++place)
   {
-    const bool isNew = place == 0 || !isPair; // of a pair either part gives the same plane
+    const bool isNew = place == 0 || !isPair; // both parts of a pair give the same plane
     if (isFirst && (isNew || knowsOthers))
     {
       choices.push_back({ place, Sample(work, materials[place]), {} });
@@ -245,7 +250,7 @@ ChildFractions FindChildren(const Work& work, const Layer& layer)
   return children;
 }
 
-/// Of edges, corners, rods and balls, which no plane fits.
+/// Divides edges, corners, rods and balls, which no plane fits.
 ChildFractions ShareSmoothly(const Work& work, std::size_t part)
 {
   const FractionField::Part& first = work.Parts.First[part];
@@ -255,7 +260,7 @@ ChildFractions ShareSmoothly(const Work& work, std::size_t part)
   return ShareChildren(patches[0], patches[1], work.TheChildren.Counts, first.Fraction);
 }
 
-/// A film of either part.
+/// Replaces the fit by the film of either part that fits much better.
 void TryFilms(std::vector<FractionSample> samples, LayerFit& fit, std::size_t& cut)
 {
   double largest = fit.IsFound ? FilmAdvantage * fit.Error : 2.0;
@@ -278,7 +283,7 @@ void TryFilms(std::vector<FractionSample> samples, LayerFit& fit, std::size_t& c
 std::vector<ChildFractions> SplitInTwo(const Work& work)
 {
   Choice choice = Choose(work, { 0, 1 }, true);
-  std::size_t cut = choice.Place; // the part within the layer
+  std::size_t cut = choice.Place; // the part inside the layer
   if (!choice.Fit.IsFound || choice.Fit.Error > GoodFit)
   {
     TryFilms(choice.Samples, choice.Fit, cut);
@@ -297,7 +302,7 @@ std::vector<ChildFractions> SplitInTwo(const Work& work)
   return children;
 }
 
-/// The parts that are left fill the room evenly.
+/// Fills the space that planes have left evenly with the remaining parts.
 void Share(const Work& work, const std::vector<std::size_t>& left, const ChildFractions& room,
   std::vector<ChildFractions>& children)
 {

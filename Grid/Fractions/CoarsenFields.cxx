@@ -8,9 +8,9 @@ namespace vfm
 namespace
 {
 
-constexpr int Mixed = -1; // label of cells of several parts, or of several labels
+constexpr int Mixed = -1; // label of mixed cells, and of blocks with several labels
 
-/// Cells from the end of the run before, up to End, in a row.
+/// Cells of a row, from the end of the previous run to End.
 struct Run
 {
   Index End;
@@ -28,7 +28,7 @@ void AddRun(Index end, int label, Runs& runs)
   runs.push_back({ end, label });
 }
 
-/// The runs of the cells [first, last) of a row; ends count from first.
+/// Finds the runs of the cells [first, last) of a row; ends count from first.
 void FindRuns(const FractionField& fractions, Index first, Index last, Runs& runs)
 {
   runs.clear();
@@ -36,7 +36,7 @@ void FindRuns(const FractionField& fractions, Index first, Index last, Runs& run
     first, last, [&](Index, Index end, int label) { AddRun(end - first, label, runs); });
 }
 
-/// Runs where two rows agree keep their label, the others are mixed.
+/// Merges the runs of two rows: cells keep the label on which both agree, others are mixed.
 void Merge(const Runs& a, const Runs& b, Runs& merged)
 {
   merged.clear();
@@ -49,7 +49,7 @@ void Merge(const Runs& a, const Runs& b, Runs& merged)
   }
 }
 
-/// A row of coarse cells: runs of them, and those that are mixed, in their order.
+/// Row of coarse cells: its runs, and the sums of its mixed cells in order.
 struct CoarseRow
 {
   Runs Pieces;
@@ -73,7 +73,7 @@ void AddMixed(Index end, Runs& pieces)
   }
 }
 
-/// Of the rows of the grid's cells in a row of coarse ones.
+/// Merges the runs of all rows of fine cells in a row of coarse cells.
 Runs MergeRows(const Work& work, Index j, Index k)
 {
   const IndexBox& box = work.Coarse.Local();
@@ -118,7 +118,7 @@ void MakeRow(const Work& work, Index j, Index k, CoarseRow& row)
   Index begin = 0;
   for (const Run& run : MergeRows(work, j, k))
   {
-    // whole cells of the run; those that it shares with the one before are mixed
+    // Coarse cells inside the run; a cell shared with the previous run is mixed.
     const Index first = (begin + work.Factor - 1) / work.Factor, last = run.End / work.Factor;
     if (run.Label != Mixed && first < last)
     {
@@ -206,7 +206,7 @@ FractionField CoarsenFractions(const CartesianGrid& grid, const FractionField& f
   {
     return field;
   }
-  std::vector<CoarseRow> rows(box.Size(1)); // of a layer
+  std::vector<CoarseRow> rows(box.Size(1)); // one per row of a layer
   FractionField::RowWriter writer(field);
   for (Index k = box.Lower[2]; k < box.Upper[2]; ++k)
   {

@@ -1,5 +1,6 @@
 /**
- * Coarser grids of a grid, and its fractions on them: what the levels of a refined grid are, seen from the finest one.
+ * CoarsenFields: coarser grids made of blocks of cells, and the fractions on them. They are the
+ * levels of a refined grid, made from the finest one.
  */
 #pragma once
 
@@ -9,15 +10,20 @@
 namespace vfm
 {
 
-/// The grid whose cells are 2^halvings cells of a grid along each axis, with the same owned cells and so many ghost layers of its
-/// own. Throws InputError when whole cells do not make up the grid and the owned box.
+/// Returns the grid whose cells are blocks of 2^halvings cells along each axis, with
+/// the same owned region.
+/// @param ghostLayers  number of ghost layers, in coarse cells
+/// @throws InputError  if blocks do not fill the grid and the owned box exactly
 CartesianGrid CoarsenGrid(const CartesianGrid& grid, int halvings, int ghostLayers);
 
-/// Of the ghost layers of such a grid, the most that the grid's local box holds whole, not above a bound.
+/// Returns how many coarse ghost layers the local box of a grid contains entirely, at most `most`.
 int CountCoarseGhosts(const CartesianGrid& grid, int halvings, int most);
 
-/// Means of the fractions of a grid, weighted with volumes, on CoarsenGrid(grid, halvings, g); the grid must hold all cells of its
-/// local box. Cells of one label follow by runs. The same on any number of ranks and threads.
+/// Returns the means of fractions on a coarser grid, weighted by volume. Cells of one label are
+/// handled in runs.
+/// @param grid,fractions  must contain all cells of the local box of `coarse`
+/// @param coarse  CoarsenGrid(grid, halvings, g) for any g
+/// @note Bitwise reproducible on any number of ranks and threads.
 FractionField CoarsenFractions(const CartesianGrid& grid, const FractionField& fractions,
   int halvings, const CartesianGrid& coarse, Runtime& runtime);
 

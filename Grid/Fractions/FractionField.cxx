@@ -10,8 +10,8 @@ namespace vfm
 namespace
 {
 
-constexpr double SumTolerance = 1e-3; // above 1, at least
-constexpr double Negligible = 1e-9;   // fractions below are none
+constexpr double SumTolerance = 1e-3; // excess over 1 that is always accepted
+constexpr double Negligible = 1e-9;   // smaller fractions count as 0
 constexpr Index RowLength = 4096;     // cells read at a time
 
 bool IsOutside(double value, double tolerance)
@@ -31,13 +31,14 @@ double CheckedFraction(
                                   : "volume fractions must be finite numbers.")
          << (IsOutside(value, LargestFractionTolerance)
                 ? ""
-                : " A larger FractionTolerance clips those that lie a little outside.");
+                : " Increase FractionTolerance to clip values slightly outside.");
     throw InputError(text.str());
   }
   return std::min(std::max(value, 0.0), 1.0);
 }
 
-/// Whether the parts of a cell sum above 1 by more than the rounding of their materials explains.
+/// Returns whether the parts of a cell sum above 1 by more than the rounding
+/// of their materials explains.
 bool IsOverfull(const std::vector<FractionField::Part>& parts, const FractionField::Reader& reader,
   int numberOfMaterials, const Index3& cell)
 {
@@ -131,7 +132,7 @@ int FractionField::StoreCopy(Range parts)
   return this->CloseParts();
 }
 
-/// The entry of a cell that gets the parts added last.
+/// Returns the entry of a cell that consists of the parts added last.
 int FractionField::CloseParts()
 {
   this->Offset.push_back(static_cast<Index>(this->List.size()));

@@ -1,7 +1,7 @@
 /**
- * FractionField: the volume fractions of all materials in every cell of the local box, stored sparsely.
- * A cell filled by one material (or void) is a label; a mixed cell has a short list of (material,
- * fraction), so a thousand grains cost no thousand arrays.
+ * FractionField: volume fractions of all materials in every cell of the local box, stored sparsely.
+ * A cell filled by one material (or void) stores a label. A mixed cell stores a short list of
+ * (material, fraction), so a thousand grains need no thousand arrays.
  *
  * Materials are numbered 1..N, void is 0. The fractions of a cell, void included, sum to 1.
  */
@@ -14,11 +14,13 @@
 namespace vfm
 {
 
-/// Fractions may lie so far outside [0,1] by rounding.
+/// Distance of fractions outside [0,1] that rounding explains.
 constexpr double FractionTolerance = 1e-6;
-/// No user may allow more.
+/// Largest tolerance that a user may set.
 constexpr double LargestFractionTolerance = 0.1;
 
+/// Fractions by linear index of the cells of a grid, owned and ghost. Owns its data. Threads may
+/// read at the same time, but not write.
 class FractionField
 {
 public:
@@ -37,76 +39,87 @@ public:
     const Part* end() const { return this->Last; }
   };
 
-  /// Every cell void.
+  /// Makes every cell void.
   FractionField(const CartesianGrid& grid, int numberOfMaterials);
 
-  /// Fractions given one array a material. Reader has
-  ///   void Read(int material, Index3 first, Index count, double* values)
-  /// which fills the fractions of material 1..N in count cells along x.
-  /// Fractions outside [0,1] by no more than the tolerance are clipped, and counted where by more than 1e-6. Sums above 1 are
-  /// normalised, and counted where rounding does not explain them. Throws InputError on NaN or infinity, values farther outside,
-  /// sums above 1 by more than 1e-3, by more than the tolerance and by more than the rounding of all materials.
+  /// Source of fractions, with one array per material.
   class Reader
   {
   public:
     virtual ~Reader() = default;
+    /// Reads the fractions of one material in a row of cells.
+    /// @param material  1 to N
+    /// @param first  position of the first cell
+    /// @param count  number of cells along x
+    /// @param[out] values  fractions, count of them
     virtual void Read(int material, const Index3& first, Index count, double* values) const = 0;
-    /// How far the type that stores the fractions of a material may have rounded one of them up.
+    /// Returns by how much the stored type of a material may have rounded a fraction up.
     virtual double Rounding(int /*material*/) const { return 0.0; }
-    /// How far outside [0,1] values may lie.
+    /// Returns how far outside [0,1] values may lie.
     virtual double Tolerance() const { return FractionTolerance; }
-    /// For messages.
+    /// Returns the name of the array of a material, for messages.
     virtual std::string Name(int material) const = 0;
   };
+  /// Reads the fractions of all cells of the local box. Fractions outside [0,1] by at most the
+  /// tolerance are clipped; those outside by more than 1e-6 are counted. Sums above 1 are
+  /// normalised, and counted if rounding does not explain them.
+  /// @throws InputError  thrown on the rank that holds the cell: NaN, infinity, or a value farther
+  ///   outside; a sum above 1 by more than 1e-3 and by more than the tolerance plus the
+  ///   rounding of all materials
   static FractionField FromReader(const CartesianGrid& grid, int numberOfMaterials, const Reader&);
 
   int NumberOfMaterials() const { return this->Materials; }
-  /// Owned cells whose sum exceeded 1 by more than rounding explains, and was scaled back.
+  /// Returns the number of owned cells whose sum exceeded 1 by more than rounding explains.
   Index NumberOfNormalisedCells() const { return this->Normalised; }
-  /// Owned cells where a fraction lay outside [0,1] by more than rounding explains, and was clipped.
+  /// Returns the number of owned cells with a fraction outside [0,1] by
+  /// more than rounding explains.
   Index NumberOfClippedCells() const { return this->Clipped; }
 
   void SetLabel(Index cell, int label) { this->Entry.Set(cell, label); }
-  /// parts: fractions of distinct materials >= 1, each > 0, sum <= 1 but for rounding.
+  /// Sets the materials of a cell; void fills the rest.
+  /// @param parts  distinct materials >= 1, ascending, fractions > 0; their sum may
+  ///   exceed 1 by rounding
   void SetParts(Index cell, const std::vector<Part>& parts);
 
-  /// The parts of a cell as Parts() of another field has them, void included: nothing is normalised. Of one part its label.
+  /// Sets the parts of a cell without normalisation.
+  /// @param parts  Parts() of another field, void included; a single part sets its label
   void CopyParts(Index cell, Range parts);
-  /// What a cell of another field holds.
+  /// Copies a cell of another field.
   void CopyCell(Index cell, const FractionField& from, Index other);
 
-  /// Sets cells of a row one after the other, faster and in less memory than cell by cell. The layer around the local box
-  /// may get the labels of the cells beside it, so that rows of one label stay alike.
+  /// Sets the cells of a row in order, faster and in less memory than cell by cell. The
+  /// layer around the local box may get the labels of adjacent cells, so that rows of one
+  /// label remain one run.
   class RowWriter
   {
   public:
     explicit RowWriter(FractionField& field) : Field(field) {}
-    /// first: the first cell.
+    /// Starts a row at its first cell.
     void Start(Index first);
     void AddLabel(int label, Index count = 1);
-    /// Like SetParts and CopyParts.
+    /// Adds a cell, like SetParts; the next two like CopyParts and CopyCell.
     void AddParts(const std::vector<Part>& parts);
     void CopyParts(Range parts);
     void CopyCell(const FractionField& from, Index other);
-    /// To be called after the last cell.
+    /// Writes the remaining cells; must be called after the last cell.
     void Finish();
 
   private:
     FractionField& Field;
     Index First = 0;
-    std::vector<int> Entries; // of the cells from First
+    std::vector<int> Entries; // entries of the cells from First on
   };
 
   bool IsMixed(Index cell) const { return this->Entry[cell] < 0; }
-  /// The label of a cell that is not mixed.
+  /// Returns the label of a cell that is not mixed.
   int Label(Index cell) const { return this->Entry[cell]; }
-  /// The parts of a mixed cell in the order of their materials, void first when present.
+  /// Returns the parts of a mixed cell in the order of their materials, void first if present.
   Range Parts(Index cell) const
   {
     const Index m = ~static_cast<Index>(this->Entry[cell]);
     return { this->List.data() + this->Offset[m], this->List.data() + this->Offset[m + 1] };
   }
-  /// Calls visit(material, fraction) for what a cell holds, of a pure one once.
+  /// Calls visit(material, fraction) for each part of a cell, once for a pure cell.
   template <class Visitor>
   void ForParts(Index cell, const Visitor& visit) const
   {
@@ -125,7 +138,7 @@ public:
     return this->IsMixed(cell) ? FractionOf(this->Parts(cell), material)
                                : (this->Label(cell) == material ? 1.0 : 0.0);
   }
-  /// Of a material among some parts.
+  /// Returns the fraction of a material among some parts, or 0.
   static double FractionOf(Range parts, int material)
   {
     for (const Part& part : parts)
@@ -137,8 +150,8 @@ public:
     }
     return 0.0;
   }
-  /// Visits the cells [first, last) of a row in order: pure(begin, end, label) for some of the same label, each(begin, end)
-  /// for others.
+  /// Visits the cells [first, last) of a row in order: pure(begin, end, label) for some runs of one
+  /// label, each(begin, end) for all other cells.
   template <class Pure, class Each>
   void Visit(Index first, Index last, const Pure& pure, const Each& each) const
   {
@@ -155,7 +168,7 @@ public:
       },
       [&](Index begin, Index end, const int*) { each(begin, end); });
   }
-  /// The same as run(begin, end, label); label -1: one cell of several parts.
+  /// Visits the same cells as run(begin, end, label); label -1: one mixed cell.
   template <class Run>
   void VisitRuns(Index first, Index last, const Run& run) const
   {
@@ -182,11 +195,12 @@ private:
   std::vector<Part> List;
 };
 
-/// The label of a mixed cell: void where the materials fill less than isoValue, else the material of the largest fraction,
-/// ties to the smaller. parts: in the order of their materials.
+/// Returns the label of a mixed cell: void if the materials fill less than isoValue, else the
+/// material with the largest fraction, the smaller number on a tie.
+/// @param parts  sorted by material
 int MaterialOfParts(FractionField::Range parts, double isoValue);
 
-/// The label of a cell, of a pure one its own.
+/// Returns the label of a cell, pure or mixed.
 inline int MaterialOfCell(const FractionField& fractions, Index cell, double isoValue)
 {
   return fractions.IsMixed(cell) ? MaterialOfParts(fractions.Parts(cell), isoValue)

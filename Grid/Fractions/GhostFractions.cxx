@@ -7,7 +7,8 @@ namespace
 
 using Part = FractionField::Part;
 
-/// How many bytes the entries take; a label, or ~(how many parts), of every cell; the parts.
+/// Packs a box: the number of bytes of the entries; an entry per cell, its label or ~(number of
+/// parts); the parts.
 Bytes PackBox(const FractionField& fractions, const Partition& partition, const IndexBox& box)
 {
   RunCoder<int> entries;
@@ -74,7 +75,7 @@ void UnpackBox(
     });
 }
 
-/// The fractions of the owned cells, on a grid that owns the same.
+/// Copies the fractions of the owned cells to a grid that owns the same cells.
 FractionField CopyOwned(
   const CartesianGrid& from, const FractionField& fractions, const CartesianGrid& to)
 {

@@ -1,5 +1,5 @@
 /**
- * The fractions of ghost cells, from the ranks that own them.
+ * GhostFractions: receives the fractions of ghost cells from the ranks that own them.
  */
 #pragma once
 
@@ -10,10 +10,15 @@
 namespace vfm
 {
 
-/// Sets the ghost cells of a field to what it is in the cells of their owners. Collective.
+/// Sets the fractions of ghost cells to the values on the ranks that own them.
+/// @pre Collective.
 void FillGhosts(const Partition& partition, FractionField& fractions);
 
-/// Gives a grid so many layers, and fractions in them; nothing where it has them on all ranks. Collective.
+/// Extends a grid and its fractions to the requested layers. Does nothing if all
+/// ranks have them already.
+/// @param layers  requested layers of ghost cells and hexes
+/// @param[in,out] grid,fractions  replaced together
+/// @pre Collective.
 void WidenGrid(
   const GridLayers& layers, Ranks& ranks, CartesianGrid& grid, FractionField& fractions);
 

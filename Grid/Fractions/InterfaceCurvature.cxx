@@ -13,27 +13,28 @@ namespace vfm
 namespace
 {
 
-constexpr int PlaneReach =
-  CurvatureReach - 1;             // of the planes that are fitted; their normals read one cell more
-constexpr double FitRadius = 1.5; // of the Gaussian weight, in cells
-constexpr double SmallestCosine = 0.3; // between the normals of two planes of one interface
-constexpr double SmallSlope = 1e-6;    // of fractions: less is no direction
-constexpr double LittleArea = 1e-9;    // of a plane in its cell: tells nothing
+// Distance of the planes that are fitted; their normals read one cell more.
+constexpr int PlaneReach = CurvatureReach - 1;
+constexpr double FitRadius = 1.5; // radius of the Gaussian weight, in cells
+// Smallest cosine between the normals of two planes of one interface.
+constexpr double SmallestCosine = 0.3;
+constexpr double SmallSlope = 1e-6; // fractions with a smaller slope have no direction
+constexpr double LittleArea = 1e-9; // planes with a smaller area in their cell are ignored
 constexpr int FewestPlanes = 6;
-// against the weight of all planes
+// Regularisation, relative to the weight of all planes.
 constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-6, 1e-6, 1e-4, 1e-4, 1e-4 } };
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// The interface of one part in a cell.
+/// Interface of one part in a cell.
 struct CellPlane
 {
   Vector3 Middle{ { 0.0, 0.0, 0.0 } }, Normal{ { 0.0, 0.0, 0.0 } };
   double Area = 0.0;
 };
 
-/// The middle of a flat convex polygon and its area.
+/// Returns the centroid and the area of a flat convex polygon.
 CellPlane MeasurePolygon(const std::vector<Vector3>& polygon, const Vector3& normal)
 {
   CellPlane plane;
@@ -67,7 +68,7 @@ void ForMixedCells(
     });
 }
 
-/// Cuts cells by the planes that the gradients of fractions give.
+/// Cuts cells by planes across the gradients of fractions.
 class PlaneCutter
 {
 public:
@@ -78,7 +79,7 @@ public:
   {
   }
 
-  /// Area 0 where fractions show no direction.
+  /// Returns the interface of a part in a cell; its area is 0 if the fractions show no direction.
   CellPlane Cut(const Index3& cell, const FractionField::Part& part)
   {
     GradientFit gradient;
@@ -111,14 +112,14 @@ private:
   std::vector<Vector3> Section;
 };
 
-/// The planes of all parts of the mixed cells that the owned ones read.
+/// Planes of all parts of the mixed cells that the owned cells read.
 class PlaneField
 {
 public:
   PlaneField(const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime) :
     Grid(grid), Fractions(fractions)
   {
-    std::vector<Index> first(1, 0); // of each cell's planes
+    std::vector<Index> first(1, 0); // first plane of each cell, and the end
     ForMixedCells(grid, fractions, grid.Extended(PlaneReach),
       [&](const Index3& p)
       {
@@ -143,14 +144,15 @@ public:
       });
   }
 
-  /// The plane of a part in a cell, or null.
+  /// Returns the plane of a part in a cell, or nullptr.
   const CellPlane* Find(Index cell, int material) const
   {
     const Index n = FindSorted(this->Cells, cell);
     return n < 0 ? nullptr : this->Get(n, material);
   }
 
-  /// Calls body(offset from the cell, plane) for the planes of a material around a cell, x fastest.
+  /// Calls body(offset from the cell, plane) for the planes of a material in the
+  /// cells around, x fastest.
   template <class Body>
   void ForAround(const Index3& cell, int material, const Body& body) const
   {
@@ -190,15 +192,16 @@ private:
 
   const CartesianGrid& Grid;
   const FractionField& Fractions;
-  std::vector<Index> Cells; // mixed ones, ascending
+  std::vector<Index> Cells; // mixed cells, ascending
   std::vector<Index> First;
   std::vector<CellPlane> Planes;
 };
 
-/// The larger principal curvature of the height field with the terms q of the paraboloid.
+/// Returns the magnitude of the larger principal curvature of the height field with
+/// the paraboloid terms q.
 double LargestCurvature(const Vector6& q)
 {
-  Eigen::Matrix2d first, second; // fundamental forms
+  Eigen::Matrix2d first, second; // first and second fundamental forms
   first << 1.0 + q[1] * q[1], q[1] * q[2], q[1] * q[2], 1.0 + q[2] * q[2];
   second << q[3], q[4], q[4], q[5];
   second /= std::sqrt(1.0 + q[1] * q[1] + q[2] * q[2]);
@@ -207,7 +210,7 @@ double LargestCurvature(const Vector6& q)
   return solver.eigenvalues().cwiseAbs().maxCoeff();
 }
 
-/// Of a part in a cell; negative where it cannot be told.
+/// Returns the curvature of a part in a cell, or a negative value if it has too few planes.
 double FitCurvature(const PlaneField& planes, const Index3& cell, Index linear, int material)
 {
   const CellPlane* base = planes.Find(linear, material);
@@ -264,7 +267,7 @@ std::vector<CellCurvature> FindCurvatures(
     {
       const Index cell = curvatures[n].Cell;
       const FractionField::Range parts = fractions.Parts(cell);
-      if (parts.end() - parts.begin() == 2) // of both the same
+      if (parts.end() - parts.begin() == 2) // both have the same curvature
       {
         curvatures[n].Curvature =
           FitCurvature(planes, grid.Position(cell), cell, parts.begin()[1].Material);

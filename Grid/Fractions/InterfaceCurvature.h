@@ -1,9 +1,11 @@
 /**
- * The curvature of interfaces, from fractions: a paraboloid through the planes in the mixed cells around (their middles),
- * in the frame of the one in the cell.
+ * InterfaceCurvature: curvature of interfaces, from fractions. In each mixed cell a paraboloid
+ * is fitted to the centroids of the interface planes in the mixed cells around, in the frame
+ * of its own plane.
  *
- * Everything is in cells: those of uneven grids count as cubes. Edges and corners come out as curved by about one over a
- * cell. Faces between pure cells have no planes: labels without fractions tell no curvature.
+ * Lengths are in cells; cells of uneven grids count as cubes. Edges and corners have a curvature
+ * of about 1 per cell width. Faces between pure cells have no planes, so labels without
+ * fractions give no curvature.
  */
 #pragma once
 
@@ -15,18 +17,22 @@
 namespace vfm
 {
 
-/// Cells within so many levels of a cell are read.
+/// Distance, in cells along each axis, of the cells that are read.
 constexpr int CurvatureReach = 3;
 
+/// Curvature of the interface in a cell.
 struct CellCurvature
 {
-  Index Cell; ///< linear
-  double
-    Curvature; ///< the larger of the two principal ones by magnitude, times the width of a cell
+  Index Cell; ///< linear index
+  /// Magnitude of the larger principal curvature, times the width of a cell.
+  double Curvature;
 };
 
-/// Of the owned cells with two parts where it can be told, in the order of the grid. The cells around must be in the local
-/// box or outside the domain. The same on any number of ranks and threads.
+/// Finds the curvature in the owned cells that have two parts and enough planes around.
+/// @param fractions  the cells within CurvatureReach of owned cells must be in the local box or
+///   outside the domain
+/// @return ascending by cell
+/// @note Bitwise reproducible on any number of ranks and threads.
 std::vector<CellCurvature> FindCurvatures(
   const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);
 

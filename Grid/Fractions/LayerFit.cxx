@@ -14,16 +14,17 @@ namespace
 {
 
 constexpr int LargestSteps = 12;
-constexpr double Difference = 1e-5;     // of the unknowns, for derivatives
-constexpr double LongestStep = 0.5;     // of the unknowns
-constexpr double SmallestStep = 1e-9;   // the next would be of the order of rounding
-constexpr double SmallestGain = 0.01;   // of the squared error, relative
-constexpr double SmallestSlope = 1e-12; // gradients below are none
+constexpr double Difference = 1e-5;     // change of the unknowns for numerical derivatives
+constexpr double LongestStep = 0.5;     // largest change of the unknowns per step
+constexpr double SmallestStep = 1e-9;   // after a smaller step, the next would be rounding
+constexpr double SmallestGain = 0.01;   // relative gain in squared error below which steps stop
+constexpr double SmallestSlope = 1e-12; // smaller gradients count as 0
 constexpr double Damping = 1e-9;
-constexpr double CloseFit = 0.01;   // error from which a film is sought from other places too
-constexpr double OtherPlace = 0.25; // of its middle
+constexpr double CloseFit = 0.01;   // error above which films at other places are tried too
+constexpr double OtherPlace = 0.25; // shift of the middle to these places
 
-/// The half thickness for which the layer around the plane n.x = middle fills a part of the cell.
+/// Returns the half thickness of the layer around the plane n.x = middle that fills a
+/// fraction of the cell.
 double ThicknessOfVolume(const Vector3& n, double middle, double fraction)
 {
   double low = 0.0;
@@ -41,20 +42,20 @@ struct Trial
 {
   Layer Region;
   double Middle = 0.0;
-  std::vector<double> Errors; // of the samples
+  std::vector<double> Errors; // one per sample
   double SquaredError = 0.0;  // weighted sum
 };
 
-/// Gauss-Newton over two angles of the normal and, of films, the place of the middle.
+/// Gauss-Newton method over two angles of the normal and, for films, the position of the middle.
 struct Work
 {
   const std::vector<FractionSample>& Samples;
   const bool IsFilm;
   const int Unknowns = IsFilm ? 3 : 2;
-  std::array<bool, 3> IsKnown{ { false, false, false } }; // along axes with cells beside
+  std::array<bool, 3> IsKnown{ { false, false, false } }; // axes along which there are other cells
 };
 
-/// The layer with the cell's volume.
+/// Returns the layer that keeps the volume in the cell.
 Trial Try(const Work& work, const Vector3& normal, double middle)
 {
   Trial trial;
@@ -80,7 +81,7 @@ Trial Try(const Work& work, const Vector3& normal, double middle)
   return trial;
 }
 
-/// The trial whose unknowns differ from those of another: two turns and a shift.
+/// Returns a trial whose unknowns differ from another by a step: two rotations and a shift.
 Trial TryAdjacent(const Work& work, const Trial& from, const Vector3& step)
 {
   const Vector3& n = from.Region.Normal;
@@ -126,7 +127,7 @@ Vector3 FindStep(const Work& work, const Trial& from)
   return { { scale * step[0], scale * step[1], scale * step[2] } };
 }
 
-/// Whether another step may help.
+/// Makes one step; returns whether another may help.
 bool Improve(const Work& work, Trial& best)
 {
   Vector3 step = FindStep(work, best);
@@ -174,7 +175,8 @@ LayerFit Fit(const Work& work, const Vector3& normal, double middle)
   return fit;
 }
 
-/// The filled volume's place and least direction, measured against the spread of the cells themselves.
+/// Finds the centre of the filled volume and the direction of its least extent, relative to the
+/// extent of the cells.
 void FindFilm(const std::vector<FractionSample>& samples, Vector3& normal, double& middle)
 {
   double mass = 0.0, weights = 0.0;
@@ -199,7 +201,7 @@ void FindFilm(const std::vector<FractionSample>& samples, Vector3& normal, doubl
   }
   for (int a = 0; a < 3; ++a)
   {
-    if (spread[a] <= 0.0) // a grid one cell thick: no film lies across it
+    if (spread[a] <= 0.0) // the grid is one cell thick: no film lies across it
     {
       spread[a] = inertia(a, a) = 1.0;
     }
@@ -244,7 +246,7 @@ LayerFit FitFilm(const std::vector<FractionSample>& samples)
   FindFilm(samples, normal, middle);
   const Work work = MakeWork(samples, true);
   LayerFit best = Fit(work, normal, middle);
-  // steps stop where a film that lies in the cell alone stays the same wherever in it
+  // A film inside this cell only looks the same anywhere in it, so steps stop.
   for (double shift : { -OtherPlace, OtherPlace })
   {
     if (best.Error > CloseFit)

@@ -8,9 +8,9 @@ namespace vfm
 namespace
 {
 
-constexpr int ReadLayers = GhostLayers / 2; // coarse ghost layers whose cells are cut
+constexpr int ReadLayers = GhostLayers / 2; // ghost layers whose cells are divided
 
-/// The rows of children of a row of cells.
+/// Writes the rows of children of a row of cells.
 class ChildRows
 {
 public:
@@ -82,14 +82,14 @@ private:
   std::vector<Writer> Rows; // y fastest
 };
 
-/// A run of cells of a row.
+/// Run of cells of a row.
 struct CellRun
 {
-  Index Begin, End; // linear
+  Index Begin, End; // linear indices
   int Label;        // -1: mixed
 };
 
-/// Makes the cells that are skipped void, in runs of their own.
+/// Makes skipped cells void, as runs of their own.
 void SkipCells(const CartesianGrid& grid, const std::function<bool(const Index3&)>& skips,
   std::vector<CellRun>& runs)
 {
@@ -114,7 +114,7 @@ void SkipCells(const CartesianGrid& grid, const std::function<bool(const Index3&
   runs = std::move(cut);
 }
 
-/// Cuts the cells of a box, layer by layer along z.
+/// Divides the cells of a box, layer by layer along z.
 struct Work
 {
   const CartesianGrid& Grid;
@@ -124,7 +124,7 @@ struct Work
   Runtime& Run;
 };
 
-/// The parts of a mixed cell in its children.
+/// Returns the fractions of the parts of a mixed cell in its children.
 std::vector<ChildFractions> Distribute(const Work& work, const Index3& cell)
 {
   const Index3 counts = work.Division.Parts(cell);
@@ -140,7 +140,7 @@ std::vector<ChildFractions> Distribute(const Work& work, const Index3& cell)
   return children;
 }
 
-/// What the children of the mixed cells among the runs hold.
+/// Returns the fractions in the children of the mixed cells among the runs.
 std::vector<std::vector<ChildFractions>> Distribute(
   const Work& work, const std::vector<CellRun>& runs)
 {

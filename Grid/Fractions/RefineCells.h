@@ -1,5 +1,6 @@
 /**
- * Every cell of a grid cut in 2x2x2 or otherwise, and the fractions of its children.
+ * RefineCells: divides every cell of a grid into 2x2x2 or other numbers of children, and the
+ * fractions among them.
  */
 #pragma once
 
@@ -12,34 +13,42 @@
 namespace vfm
 {
 
-/// How a mixed cell is shared out to its children.
+/// Rule that divides a mixed cell among its children.
 enum class ChildRule
 {
-  Planes, ///< by planes that keep every volume (ChildFractions.h)
-  Parent  ///< each gets the fractions of the cell
+  Planes, ///< separates parts by planes that keep every volume (ChildFractions.h)
+  Parent  ///< gives each child the fractions of the cell
 };
 
+/// A grid and its fractions.
 struct RefinedCells
 {
   CartesianGrid Grid;
   FractionField Fractions;
 };
 
-/// The node coordinates of a grid whose cells are halved along each axis, so many times; negative: joined in twos.
+/// Returns the node coordinates of a grid whose cells are halved `times` times along each axis. A
+/// negative number joins pairs of cells.
 std::array<std::vector<double>, 3> HalveWidths(
   std::array<std::vector<double>, 3> coordinates, int times = 1);
 
-/// The owned cells halved along each axis, with GhostLayers layers of half cells around them. grid: the whole domain,
-/// or a rank's part with ghost layers of its own: four are read. Pure cells give their label to their children, mixed
-/// ones fractions that average to theirs. The same on any number of ranks and threads; nothing is
-/// communicated. skips(cell): whether the halves of a cell are not wanted, they are void then; may be empty.
-/// Throws InputError when the finer grid has too many nodes for 64-bit ids, or coordinates too near to halve.
+/// Halves the owned cells along each axis, with GhostLayers layers of half cells around them.
+/// Children of pure cells get their label, children of mixed cells fractions with the same mean.
+/// Nothing is communicated.
+/// @param grid  the whole domain, or the part of a rank with at least four ghost layers
+/// @param fractions  owned and ghost cells
+/// @param skips  skips(cell): whether the children of a cell are not needed; they become
+///   void; may be empty
+/// @throws InputError  if the finer grid has too many nodes for 64-bit ids, or coordinates too
+///   close to halve
+/// @note Bitwise reproducible on any number of ranks and threads.
 RefinedCells RefineCells(const CartesianGrid& grid, const FractionField& fractions,
   Runtime& runtime, ChildRule rule = ChildRule::Planes,
   const std::function<bool(const Index3&)>& skips = {});
 
-/// The owned cells cut as a division of the grid says, and GhostLayers layers around them, which are void: FillGhosts gets them
-/// from their owners, since a child may be as wide as its cell. grid: with a ghost layer at least. Otherwise as RefineCells.
+/// Divides the owned cells. The GhostLayers layers around them are void: a child may be as wide as
+/// its cell, so FillGhosts must get them from their owners. Otherwise like RefineCells.
+/// @param grid  has at least one ghost layer
 RefinedCells DivideCells(const CartesianGrid& grid, const FractionField& fractions,
   const CellDivision& division, Runtime& runtime, ChildRule rule = ChildRule::Planes);
 

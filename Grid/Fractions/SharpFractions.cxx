@@ -8,12 +8,13 @@ namespace vfm
 namespace
 {
 
-constexpr int SamplesAlong = 4; // an edge of an octant where three materials meet
-constexpr double Nudge = 1e-3;  // of a difference, to measure its rate
-constexpr double Flat = 1e-12;  // a difference with a smaller slope has no plane
+// Samples along an edge of an octant where three materials meet.
+constexpr int SamplesAlong = 4;
+constexpr double Nudge = 1e-3; // relative change of a difference that measures its rate
+constexpr double Flat = 1e-12; // a difference with a smaller slope has no plane
 constexpr double OctantPart = 0.125;
-constexpr double LargestShift =
-  8.0; // fields differ by no more than 1 at cells, so by less than that between
+// Fields differ by at most 1 at cells, and by less than this between them.
+constexpr double LargestShift = 8.0;
 constexpr double SmallestShift = 1e-12;
 
 using Corners = std::array<double, 8>;
@@ -30,7 +31,8 @@ Corners CornersOfOctant(const MaterialPatch& patch, int octant)
   return corners;
 }
 
-/// Whether a has no less than b in the whole octant: a difference that is trilinear has its extremes at corners.
+/// Returns whether a is nowhere less than b in the octant: a trilinear difference has
+/// its extremes at corners.
 bool Covers(const Corners& a, const Corners& b)
 {
   for (int c = 0; c < 8; ++c)
@@ -47,10 +49,10 @@ struct Contender
 {
   std::size_t Patch;
   Corners Values;
-  double Part; // of the octant
+  double Part; // fraction of the octant
 };
 
-/// Those that no other covers; of equal ones the first.
+/// Returns the patches that no other covers, the first of equal ones.
 std::vector<Contender> FindContenders(const std::vector<MaterialPatch>& patches, int octant)
 {
   std::vector<Contender> found;
@@ -70,7 +72,7 @@ std::vector<Contender> FindContenders(const std::vector<MaterialPatch>& patches,
   return found;
 }
 
-/// The difference of two contenders as a plane in the unit cube around 0: Mean + Slope.x
+/// Difference of two contenders as a linear function in the unit cube around 0: Mean + Slope.x
 struct Difference
 {
   double Mean = 0.0;
@@ -88,7 +90,7 @@ struct Difference
       }
     }
   }
-  /// The part of the cube where it is above -shift.
+  /// Returns the fraction of the cube where it is above -shift.
   double PartAbove(double shift) const
   {
     return Norm(this->Slope) > Flat ? VolumeBelowPlane(-1.0 * this->Slope, this->Mean + shift)
@@ -106,7 +108,7 @@ void PartByPlane(std::vector<Contender>& two, const std::vector<MaterialPatch>& 
   {
     return;
   }
-  double value = 0.0; // of either field where they are equal, about
+  double value = 0.0; // approximate value of both fields where they are equal
   for (int c = 0; c < 8; ++c)
   {
     value += 0.0625 * (two[0].Values[c] + two[1].Values[c]);
@@ -158,14 +160,14 @@ void PartBySamples(std::vector<Contender>& several)
   }
 }
 
-/// What a child has of an octant.
+/// Part of a child in one octant.
 struct Piece
 {
-  double Part; // of the child
+  double Part; // fraction of the child
   Difference Ahead;
 };
 
-/// The interval of child n of several that lies in the lower or upper half of a cell: of that half from 0 to 1.
+/// Interval of child n of several in the lower or upper half of a cell; the half is [0, 1].
 struct HalfInterval
 {
   double Lower, Upper;
@@ -174,7 +176,7 @@ struct HalfInterval
     Lower(Clamp(2 * n - half * count, count)), Upper(Clamp(2 * n + 2 - half * count, count))
   {
   }
-  /// Of the child.
+  /// Returns the fraction of the child in this half.
   double Part(Index count) const
   {
     return 0.5 * static_cast<double>(count) * (this->Upper - this->Lower);
@@ -188,7 +190,8 @@ private:
   }
 };
 
-/// The pieces of a child in the octants of its cell, with how far one field is ahead of another.
+/// Returns the pieces of a child in the octants of its cell, with the lead of one
+/// field over the other.
 std::vector<Piece> CutAtOctants(const MaterialPatch& first, const MaterialPatch& second,
   const Index3& child, const Index3& counts)
 {
@@ -216,8 +219,9 @@ std::vector<Piece> CutAtOctants(const MaterialPatch& first, const MaterialPatch&
   return pieces;
 }
 
-/// From the values in the middle of three cells in a row to those on the sides and in the middle of the second. On a side of
-/// the domain the field goes on as inside, so that planes stay planes.
+/// Converts the values at the centres of three cells in a row to values on the sides and
+/// in the middle of the second. On a side of the domain the field is extrapolated, so
+/// that planes stay planes.
 void Interpolate(const CartesianGrid& grid, int axis, Index i, std::array<double, 27>& values)
 {
   const Index last = grid.Global().Upper[axis] - 1;
@@ -339,7 +343,7 @@ std::vector<double> ShareChildren(
     (sum < fraction ? less : more) = trial;
     (sum < fraction ? lessSum : moreSum) = sum;
   }
-  // where the fields run side by side the sum jumps: in between
+  // Where the fields are parallel, the sum jumps; interpolates across the jump.
   const double t = moreSum > lessSum ? (fraction - lessSum) / (moreSum - lessSum) : 0.0;
   for (std::size_t c = 0; c < children.size(); ++c)
   {

@@ -1,9 +1,11 @@
 /**
- * Sharp fractions in a cell from a smooth field of fractions: the part of the cell where a material has the most.
+ * SharpFractions: sharp fractions in a cell, from a smooth field of fractions. A material gets the
+ * part of the cell where its field is the largest.
  *
- * The field of a material is linear along each axis between the centres of the cells, and what a cell holds stands
- * at its centre; up to the sides of the domain it goes on as it is inside. So it is trilinear in each octant of a cell.
- * Two materials in an octant part it by the plane that their difference has there; three or more by samples.
+ * The field of a material has the fraction of each cell at the cell centre and is linear between
+ * centres along each axis. Up to the sides of the domain it is extrapolated. So it is trilinear in
+ * each octant of a cell. The plane of their difference separates two materials in an octant; three
+ * or more are sampled.
  */
 #pragma once
 
@@ -12,33 +14,39 @@
 namespace vfm
 {
 
-/// The field of a material around a cell: at the place (x, y, z), each 0..2 for its lower side, middle and upper side along
-/// an axis, Values[x + 3 y + 9 z].
+/// Field of a material around a cell. Values[x + 3 y + 9 z] is its value at the lower side (0),
+/// middle (1) or upper side (2) along x, y and z.
 struct MaterialPatch
 {
   int Material;
   std::array<double, 27> Values;
 };
 
-/// In a cell, First gains Rate * (a - b) of the cell from Second when their fields grow by the small parts a and b.
+/// Exchange between two materials in a cell. First gains Rate * (a - b) of the cell from Second if
+/// their fields grow by small relative amounts a and b.
 struct PairRate
 {
   int First, Second; ///< the smaller first
   double Rate;
 };
 
-/// The patches of some materials, in their order, around a cell of the domain; the 26 cells around it must be in memory.
-/// weights: by material, times which its field counts.
+/// Returns the patches of some materials around a cell, in the order of the materials.
+/// @param smooth  the 26 cells around must be in the local box or outside the domain
+/// @param weights  factor of each field, by material
 std::vector<MaterialPatch> MakePatches(const CartesianGrid& grid, const FractionField& smooth,
   const Index3& cell, const std::vector<int>& materials, const std::vector<double>& weights);
 
-/// The part of the cell where each material has the most; those that have it nowhere are left out. Sums to 1.
-/// rates: added to, unless null.
+/// Returns the fraction of the cell where each material has the largest field. Materials without a
+/// fraction are left out; the sum is 1.
+/// @param[in,out] rates  rates of pairs of materials are appended, unless it is null
 std::vector<FractionField::Part> FindSharpFractions(
   const std::vector<MaterialPatch>& patches, std::vector<PairRate>* rates = nullptr);
 
-/// The part of each child that the first of two materials has, when it has a given part of the cell (0..1): where its
-/// field exceeds the other's by so much as gives that. counts: of the children along each axis, numbered as in ChildFractions.h.
+/// Returns the fraction of each child that the first of two materials fills. It fills the region
+/// where its field plus a constant exceeds the field of the second.
+/// @param counts  number of children along each axis
+/// @param fraction  fraction of the cell that the first fills, 0 to 1; determines the constant
+/// @return one entry per child, x fastest
 std::vector<double> ShareChildren(
   const MaterialPatch& first, const MaterialPatch& second, const Index3& counts, double fraction);
 

@@ -9,13 +9,13 @@ namespace vfm
 namespace
 {
 
-constexpr double Step = 0.25;       // along the line, in cells
-constexpr double Climb = 1.5;       // how far the largest fraction is sought
-constexpr double Drop = 0.1;        // of a fraction: less is the unevenness of cells
-constexpr double Nothing = 0.02;    // a fraction with which a region ends
-constexpr double SmallSlope = 1e-9; // a trace of squared gradients below is none
+constexpr double Step = 0.25;       // distance of samples on the line, in cells
+constexpr double Climb = 1.5;       // distance within which the largest fraction is sought
+constexpr double Drop = 0.1;        // a smaller decrease of fractions is unevenness of cells
+constexpr double Nothing = 0.02;    // a region ends at this fraction
+constexpr double SmallSlope = 1e-9; // squared gradients with a smaller trace have no direction
 
-/// The fractions of one material around a cell.
+/// Fractions of one material around a cell.
 class Surroundings
 {
 public:
@@ -35,7 +35,8 @@ public:
     return this->Fractions.Fraction(this->Grid.Linear(q), this->Material);
   }
 
-  /// Linear along each axis between the middles of cells; x: from the middle of the cell.
+  /// Interpolates linearly along each axis between cell centres; x: position relative to the centre
+  /// of the cell.
   double At(const Vector3& x) const
   {
     Index3 lower;
@@ -91,8 +92,9 @@ private:
   const int Material;
 };
 
-/// The direction in which fractions change the most around the cell; 0 where they do not. The squares of the gradients tell
-/// that of films, where gradients of both sides cancel; their mean tells the inward direction at edges.
+/// Returns the direction in which fractions change most around the cell, or 0 if they do not. The
+/// squares of the gradients give the direction of films, where gradients of both sides cancel.
+/// Their mean gives the inward direction at edges.
 Vector3 FindDirection(const Surroundings& around)
 {
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
@@ -132,7 +134,7 @@ public:
     this->Last = static_cast<int>((ThicknessReach - 2) / most / Step);
   }
 
-  /// The step with the largest fraction that is reached without a drop.
+  /// Returns the step with the largest fraction that is reached without a drop.
   int FindPeak() const
   {
     int peak = 0;
@@ -158,7 +160,8 @@ public:
     return peak;
   }
 
-  /// The sum from a step on to the end of the region, that step counted half; or enough when it is not less.
+  /// Returns the sum from a step to the end of the region, with half weight at that step, or
+  /// `enough` if it is not smaller.
   double SumFrom(int first, int sign, double enough) const
   {
     double low = this->At(first), sum = 0.5 * Step * low, sumAtLow = sum;
@@ -188,10 +191,10 @@ private:
 
   const Surroundings& Around;
   const Vector3 Direction;
-  int Last; // step within reach
+  int Last; // last step within reach
 };
 
-/// Through one cell.
+/// Returns the thickness along the line through one cell.
 double MeasureLine(const Surroundings& around, double enough)
 {
   const Vector3 direction = FindDirection(around);
@@ -205,7 +208,8 @@ double MeasureLine(const Surroundings& around, double enough)
   return forward < enough ? std::min(forward + line.SumFrom(peak, -1, enough), enough) : enough;
 }
 
-/// The cell with the largest fraction among a cell and the 26 around it; of equal ones the cell itself, then the first.
+/// Returns the cell with the largest fraction among a cell and the 26 around it. On a tie it is the
+/// cell itself, then the first.
 Index3 FindFullest(const CartesianGrid& grid, const Surroundings& around, const Index3& cell)
 {
   double largest = around.At(Index3{ { 0, 0, 0 } });

@@ -1,15 +1,17 @@
 /**
- * How thick the region of a material, or of void, is at a cell: from the fractions, so that films of less than a cell
- * count, and oblique ones for which labels have holes.
+ * ThinFeatures: thickness of the region of a material, or of void, at a cell. It is measured from
+ * the fractions, so films thinner than a cell count, and oblique films whose labels have holes.
  *
- * The fractions are summed along the line through the cell on which they change the most: across a film, from the surface
- * of a body inwards, at a sharp edge along the middle between its faces. From the largest fraction near the cell the
- * sum goes both ways to where there is no more of the material, or to where there is the least of it before the next region
- * begins. Of films that is the thickness to about two tenths of a cell; rods and balls thinner than two cells give less,
- * since cells hold more than them across the line too. Where the region is thicker at the cell around that holds the most of it
- * that counts: so corners of thick bodies are thick.
+ * The fractions are summed along the line through the cell on which they change most. It runs
+ * across a film, from the surface of a body inwards, and from a sharp edge between its faces. The
+ * sum starts at the largest fraction near the cell and goes both ways. It ends where the material
+ * ends, or at the least fraction before the next region. For films this is the thickness to about
+ * 0.2 cells. Rods and balls thinner than two cells give less, since cells extend beyond them across
+ * the line too. If the region is thicker at the adjacent cell with the largest fraction, that
+ * thickness counts, so corners of thick bodies are thick.
  *
- * Everything is in cells: those of uneven grids count as cubes. The sides of the domain are mirrors.
+ * Lengths are in cells; cells of uneven grids count as cubes. The sides of the
+ * domain act as mirrors.
  */
 #pragma once
 
@@ -18,13 +20,16 @@
 namespace vfm
 {
 
-/// Cells within so many levels of a cell are read.
+/// Distance, in cells along each axis, of the cells that are read.
 constexpr int ThicknessReach = 6;
-/// The largest thickness that can be told.
+/// Largest thickness that can be measured.
 constexpr double LargestThickness = 3.0;
 
-/// The thickness of the region of a material (0 void) at a cell that holds some of it, or enough when it is not less;
-/// enough: at most LargestThickness. The cells around must be in the local box or outside the domain.
+/// Returns the thickness of the region of a material at a cell, or `enough` if it is not smaller.
+/// @param fractions  the cells within ThicknessReach must be in the local box or outside the domain
+/// @param cell  position of a cell that holds some of the material
+/// @param material  0 is void
+/// @param enough  thickness of interest, at most LargestThickness
 double FindThickness(const CartesianGrid& grid, const FractionField& fractions, const Index3& cell,
   int material, double enough);
 
