@@ -1,6 +1,5 @@
 /**
- * Buffer: a plain array of T whose memory VTK can adopt without a copy (std::free gives it back).
- * Elements are not initialised. Move only.
+ * Buffer: an array of plain data whose memory VTK can adopt without a copy.
  */
 #pragma once
 
@@ -12,6 +11,8 @@
 namespace vfm
 {
 
+/// Array of trivially copyable values. It owns its memory, which comes from AllocateBytes and is
+/// freed by std::free. It can be moved, not copied.
 template <class T>
 class Buffer
 {
@@ -19,6 +20,8 @@ class Buffer
 
 public:
   Buffer() = default;
+  /// Allocates `size` values without initialising them.
+  /// @throws std::bad_alloc  if there is not enough memory
   explicit Buffer(std::size_t size) :
     Data(static_cast<T*>(AllocateBytes(size * sizeof(T)))), Size(size)
   {
@@ -38,7 +41,7 @@ public:
   }
   ~Buffer() { std::free(this->Data); }
 
-  /// Takes memory that release gave away.
+  /// Returns a buffer that owns the given memory, for instance the result of release().
   static Buffer From(T* data, std::size_t size)
   {
     Buffer buffer;
@@ -53,7 +56,7 @@ public:
     std::swap(this->Size, other.Size);
   }
 
-  /// Gives the memory away; the new owner calls std::free.
+  /// Returns the memory and leaves the buffer empty. The caller frees the memory by std::free.
   T* release()
   {
     this->Size = 0;

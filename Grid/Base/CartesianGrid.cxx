@@ -40,7 +40,7 @@ CartesianGrid::CartesianGrid(std::array<std::vector<double>, 3> coordinates, con
   int ghostLayers, int hexLayers) :
   X(std::move(coordinates)), GlobalBox(WholeBox(this->X)), OwnedBox(owned), HexGhosts(hexLayers)
 {
-  this->LocalBox = this->GlobalBox; // so that Extended cuts at the domain
+  this->LocalBox = this->GlobalBox; // Extended clips at LocalBox: here at the domain
   this->LocalBox = this->Extended(ghostLayers);
   Index stride = 1;
   for (int a = 0; a < 3; ++a)

@@ -1,17 +1,6 @@
 /**
- * CartesianGrid: a uniform or rectilinear grid of cells, of which this process holds one box plus
- * ghost layers. Cells and nodes are implicit.
- *
- * Indices. (i,j,k) are global. The linear index of the cell (i,j,k) and of the node (i,j,k), its lower
- * corner, is the same number: their arrays have one shape, the local box with one more layer of cells
- * on every side. So the eight cells of a node, the eight nodes of a cell and the neighbours of either
- * are fixed offsets, and every node of the local box has eight cells in memory. The outermost layer
- * mirrors the cell inside it where the stages want a value beyond the domain boundary (labels).
- *
- * Corner c of cell n is node n + Offset(c); cell c of the star of node n is n - Offset(7) + Offset(c).
- * Faces are numbered -x +x -y +y -z +z = 0..5.
- *
- * Keys. NodeKey and CellKey are global, the same on any number of processes.
+ * CartesianGrid: the box of cells of a uniform or rectilinear grid that one rank holds, and the
+ * numbering of its cells, nodes and faces.
  */
 #pragma once
 
@@ -20,41 +9,63 @@
 namespace vfm
 {
 
-/// Layers of ghost cells that the stages need around the owned cells. What a stage reads and writes is derived from these two.
+/// Number of layers of ghost cells that the stages need around the owned cells. The ranges that a
+/// stage reads and writes are derived from GhostLayers and HexLayers. LayersFor (Options.h) returns
+/// larger numbers if interfaces cross levels.
 constexpr int GhostLayers = 6;
-/// Of those, the layers whose hexes are made too, for smoothing and geometry at the rim of a rank's cells. Where interfaces cross
-/// levels both are more: LayersFor (Options.h).
+/// Number of the innermost ghost layers whose hexes this rank makes too. Smoothing and geometry at
+/// the boundary of the owned cells need them.
 constexpr int HexLayers = 2;
 
+/// Uniform or rectilinear grid, of which this rank holds one box of owned cells and ghost layers
+/// around it. Cells and nodes are implicit. The grid does not change after construction, so threads
+/// may read it at the same time.
+///
+/// Indices. (i,j,k) are global. Cell (i,j,k) and its lower corner, node (i,j,k), have the same
+/// linear index. Arrays over cells and over nodes have one shape: the local box with one more layer
+/// of cells on every side. Therefore the eight cells of a node, the eight nodes of a cell and the
+/// neighbours of both are at fixed offsets, and every node of the local box has eight cells in
+/// memory. Stages that need values beyond the domain boundary (labels) copy them from the cell next
+/// to it into the outermost layer; see ForMirrors.
+///
+/// Numbering. Corner c of cell n is node n + CornerOffset(c). Cell c of the star of node n is n -
+/// CornerOffset(7) + CornerOffset(c). Faces -x +x -y +y -z +z have the numbers 0 to 5.
+///
+/// Keys. NodeKey and CellKey are global numbers that do not depend on the number of ranks.
 class CartesianGrid
 {
 public:
-  /// coordinates: of all nodes of the whole grid, one increasing list an axis (length units of the user).
-  /// owned: the cells whose hexes this process makes. ghostLayers: layers of cells held around them. hexLayers: of those, the layers
-  /// whose hexes are made too.
-  /// Throws InputError when a list has fewer than two entries or does not increase.
+  /// Makes the grid of one rank.
+  /// @param coordinates  node coordinates of the whole grid, one increasing list per axis, in the
+  ///   length unit of the input
+  /// @param owned  cells whose hexes this rank makes
+  /// @param ghostLayers  number of layers of cells held around the owned cells
+  /// @param hexLayers  number of the innermost of these layers whose hexes are made too
+  /// @throws InputError  if a list has fewer than two entries or does not increase
   CartesianGrid(std::array<std::vector<double>, 3> coordinates, const IndexBox& owned,
     int ghostLayers = 0, int hexLayers = HexLayers);
 
-  /// The whole grid in one process.
+  /// Makes a grid of which one rank owns all cells.
   explicit CartesianGrid(std::array<std::vector<double>, 3> coordinates);
 
   const IndexBox& Global() const { return this->GlobalBox; }
   const IndexBox& Owned() const { return this->OwnedBox; }
   const IndexBox& Local() const { return this->LocalBox; }
-  /// The owned cells and up to levels of the ghost layers around them.
+  /// Returns the owned cells and at most `levels` of the ghost layers around them.
   IndexBox Extended(int levels) const;
-  /// The cells whose hexes are made here: the owned ones and those near them.
+  /// Returns the cells whose hexes this rank makes: the owned cells and HexLayers around them.
   IndexBox HexBox() const { return this->Extended(this->HexGhosts); }
 
-  /// Length of every array over cells or nodes.
+  /// Returns the length of every array over cells or nodes.
   Index NumberOfEntries() const { return this->Entries; }
   Index Stride(int axis) const { return this->Strides[axis]; }
+  /// Returns the linear index of cell or node (i,j,k).
   Index Linear(const Index3& p) const
   {
     return (p[0] - this->Origin[0]) + (p[1] - this->Origin[1]) * this->Strides[1] +
       (p[2] - this->Origin[2]) * this->Strides[2];
   }
+  /// Returns (i,j,k) of a linear index.
   Index3 Position(Index n) const
   {
     const Index k = n / this->Strides[2];
@@ -63,12 +74,13 @@ public:
     return { { i + this->Origin[0], j + this->Origin[1], k + this->Origin[2] } };
   }
 
-  /// From a cell to its corner c.
+  /// Returns the linear index of corner c of a cell minus the index of the cell.
   Index CornerOffset(int c) const { return this->Corners[c]; }
   Index NodeOfCell(Index cell, int c) const { return cell + this->Corners[c]; }
-  /// Cell c of the star of a node: c has the bit of an axis set when the cell lies on its + side.
+  /// Returns cell c of the star of a node. Bit a of c is set if the cell is on the +
+  /// side of axis a.
   Index CellOfNode(Index node, int c) const { return node + this->Corners[c] - this->Corners[7]; }
-  /// The cell across face f.
+  /// Returns the cell across a face.
   Index Neighbour(Index cell, int face) const
   {
     return (face & 1) ? cell + this->Strides[face / 2] : cell - this->Strides[face / 2];
@@ -79,7 +91,8 @@ public:
   {
     return { { this->X[0][p[0]], this->X[1][p[1]], this->X[2][p[2]] } };
   }
-  /// The cell that holds a point, between two cells the upper one; beside the domain one beside it.
+  /// Returns the cell that contains a point; on a face the upper of its two cells. For a point
+  /// outside the domain an index is -1 or the number of cells.
   Index3 CellAt(const Vector3& point) const;
   const std::array<std::vector<double>, 3>& Coordinates() const { return this->X; }
   const std::vector<double>& Coordinates(int axis) const { return this->X[axis]; }
@@ -88,7 +101,8 @@ public:
   {
     return this->Width(0, c[0]) * this->Width(1, c[1]) * this->Width(2, c[2]);
   }
-  /// Cube root of the mean cell volume: the length that makes the grid's numbers near 1.
+  /// Returns the cube root of the mean cell volume, the length unit in which coordinate
+  /// differences are near 1.
   double MeanWidth() const;
 
   Index CellKey(const Index3& c) const
@@ -105,19 +119,20 @@ public:
     const Index3& n = this->GlobalBox.Upper;
     return Unpack(key, { { n[0] + 1, n[1] + 1, n[2] + 1 } });
   }
-  /// The cell above a node, on the upper sides of the domain the one below.
+  /// Returns the cell above a node; on the upper sides of the domain the cell below it.
   Index3 CellOfBlock(const Index3& node) const
   {
     const Index3& n = this->GlobalBox.Upper;
     return { { std::min(node[0], n[0] - 1), std::min(node[1], n[1] - 1),
       std::min(node[2], n[2] - 1) } };
   }
-  /// Nodes of one colour have no cell in common: parity of i, j and k, 0..7.
+  /// Returns the colour of a node, 0 to 7, the parities of i, j and k. Nodes of one colour
+  /// have no common cell.
   static int Colour(const Index3& p)
   {
     return static_cast<int>((p[0] & 1) | (p[1] & 1) << 1 | (p[2] & 1) << 2);
   }
-  /// Bit f set when the node lies on side f of the domain.
+  /// Returns the sides of the domain on which a node lies: bit f is set for side f.
   int DomainSides(const Index3& node) const
   {
     int sides = 0;
@@ -128,7 +143,8 @@ public:
     return sides;
   }
 
-  /// Calls body(n) for the cells of the outer layer that mirror a cell: none but at the rim of the local box.
+  /// Calls body(n) for each cell n of the outermost layer that mirrors the given cell. Only cells
+  /// at the boundary of the local box have mirrors.
   template <class Body>
   void ForMirrors(Index cell, const Body& body) const;
 

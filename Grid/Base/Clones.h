@@ -1,10 +1,11 @@
 /**
- * Functions compiled once for machines with AVX2 and once for all.
+ * VFM_CLONES compiles a function twice, with and without AVX2; the processor selects
+ * one at run time.
  */
 #pragma once
 
-// The same source for machines with and without AVX2; no fused multiply-add, so both give the same bits.
-// ThreadSanitizer cannot choose between them: it is not there yet when the program is loaded.
+// Both versions omit fused multiply-add, so their results are bitwise identical. ThreadSanitizer is
+// excluded: the version is selected at load time, before its runtime is ready.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__SANITIZE_THREAD__)
 #define VFM_CLONES __attribute__((target_clones("avx2", "default")))
 #else

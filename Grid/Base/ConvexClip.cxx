@@ -11,9 +11,9 @@ namespace vfm
 namespace
 {
 
-constexpr double OnPlane = 1e-14; // of the lengths that enter the height
+constexpr double OnPlane = 1e-14; // tolerance relative to the lengths that the height is made from
 
-/// Sorts the corners of a convex polygon counter-clockwise about the normal; drops repeated ones.
+/// Sorts the corners of a convex polygon counter-clockwise about the normal and removes duplicates.
 void SortAround(const Vector3& normal, std::vector<Vector3>& points)
 {
   Vector3 center{ { 0, 0, 0 } };
@@ -21,7 +21,7 @@ void SortAround(const Vector3& normal, std::vector<Vector3>& points)
   {
     center = center + (1.0 / static_cast<double>(points.size())) * p;
   }
-  int axis = 0; // the least along the normal
+  int axis = 0; // axis with the smallest component of the normal
   for (int a = 1; a < 3; ++a)
   {
     axis = std::abs(normal[a]) < std::abs(normal[axis]) ? a : axis;
@@ -47,7 +47,7 @@ void SortAround(const Vector3& normal, std::vector<Vector3>& points)
   }
 }
 
-/// Ends the face that began at first, or drops it when it is no polygon.
+/// Ends the face that began at `first`, or removes it if it has fewer than three corners.
 void CloseFace(ConvexPiece& piece, std::size_t first)
 {
   if (piece.Points.size() - first < 3)
@@ -58,8 +58,9 @@ void CloseFace(ConvexPiece& piece, std::size_t first)
   piece.Ends.push_back(piece.Points.size());
 }
 
-/// Of the corners over the plane. What is within rounding of the plane is on it: a face that an
-/// earlier plane made must not be cut again by the same plane.
+/// Returns the heights of the corners over the plane and updates the lowest and the
+/// highest. Heights within rounding error become 0, so that the plane does not cut again a
+/// face that it made before.
 std::vector<double> MeasureHeights(
   const ConvexPiece& piece, const HalfSpace& plane, double& lowest, double& highest)
 {
@@ -142,7 +143,7 @@ void ClipPiece(const ConvexPiece& piece, const HalfSpace& plane, ConvexPiece& in
       (in ? inside : outside).Points.push_back(piece.Points[i]);
       if (in != (height[next] <= 0.0))
       {
-        // From the inner end: both faces of the edge get the same point.
+        // Computed from the inner end: both faces of the edge get the same point.
         const std::size_t a = in ? i : next, b = in ? next : i;
         const Vector3 cut = piece.Points[a] +
           height[a] / (height[a] - height[b]) * (piece.Points[b] - piece.Points[a]);

@@ -11,19 +11,19 @@
 namespace vfm
 {
 
-/// Points with Normal . x <= Offset; Normal has length 1 and points out.
+/// Half-space of the points with Normal . x <= Offset. Normal has length 1 and points out.
 struct HalfSpace
 {
   Vector3 Normal;
   double Offset;
 };
 
-/// The faces one after another, each its corners counter-clockwise seen from outside; corners are
-/// repeated in every face they belong to.
+/// Convex polyhedron, stored as a list of faces. Each face lists its corners counter-clockwise,
+/// seen from outside; a corner is repeated in every face that contains it.
 struct ConvexPiece
 {
   std::vector<Vector3> Points;
-  std::vector<std::size_t> Ends; ///< of each face in Points
+  std::vector<std::size_t> Ends; ///< end of each face in Points
 
   bool IsEmpty() const { return this->Ends.empty(); }
   void Clear()
@@ -33,12 +33,16 @@ struct ConvexPiece
   }
 };
 
+/// Returns the box between two corners.
 ConvexPiece MakeBoxPiece(const Vector3& lower, const Vector3& upper);
 
+/// Returns the volume of a piece; never negative.
 double ComputeVolume(const ConvexPiece& piece);
 
-/// Cuts the piece in two; a part of no extent is empty. section: the polygon of the cut,
-/// counter-clockwise about the normal of the plane, empty when the plane misses the piece.
+/// Cuts a piece in two.
+/// @param[out] inside,outside  the parts on both sides of the plane; a part without volume is empty
+/// @param[out] section  polygon of the cut, counter-clockwise about the normal of the plane; empty
+///   if the plane does not cut the piece
 void ClipPiece(const ConvexPiece& piece, const HalfSpace& plane, ConvexPiece& inside,
   ConvexPiece& outside, std::vector<Vector3>& section);
 

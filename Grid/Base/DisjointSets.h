@@ -1,5 +1,5 @@
 /**
- * Disjoint sets of 0..n-1 as a forest of parents; at the start every item is its own.
+ * Disjoint sets of the items 0 to n-1 (union-find), stored as the parent of each item.
  */
 #pragma once
 
@@ -10,6 +10,7 @@
 namespace vfm
 {
 
+/// Returns `count` sets of one item each.
 inline std::vector<Index> MakeSets(std::size_t count)
 {
   std::vector<Index> parent(count);
@@ -17,6 +18,7 @@ inline std::vector<Index> MakeSets(std::size_t count)
   return parent;
 }
 
+/// Returns the lowest item of the set that contains an item, and shortens the path to it.
 inline Index FindRoot(std::vector<Index>& parent, Index item)
 {
   while (parent[item] != item)
@@ -27,7 +29,8 @@ inline Index FindRoot(std::vector<Index>& parent, Index item)
   return item;
 }
 
-/// The lower root wins, so a root is the lowest item of its set.
+/// Joins the sets of two items. The lower root becomes the root, so a root is the lowest
+/// item of its set.
 inline void Join(std::vector<Index>& parent, Index a, Index b)
 {
   a = FindRoot(parent, a);

@@ -1,5 +1,5 @@
 /**
- * ExactSum: a sum of doubles that does not depend on their order.
+ * ExactSum: a sum of doubles that does not depend on the order of the summands.
  */
 #pragma once
 
@@ -10,18 +10,20 @@
 namespace vfm
 {
 
-/// In units of 2^-36, 128 bits wide.
+/// Sum as a 128-bit integer in units of 2^-36. Each summand is truncated to this unit; the sum of
+/// the truncated values is exact.
 class ExactSum
 {
 public:
   void Add(double value) { this->Total += Rounded(value); }
-  /// As often as that.
+  /// Adds a value `times` times.
   void Add(double value, std::int64_t times) { this->Total += Rounded(value) * times; }
   void Add(const ExactSum& other) { this->Total += other.Total; }
   void Subtract(const ExactSum& other) { this->Total -= other.Total; }
   double Value() const { return static_cast<double>(this->Total) / Unit; }
 
-  /// Two 64-bit numbers whose sums over fewer than 2^23 ranks are exact, and back.
+  /// High and Low return the sum as two integers of 64 bits. Their sums over fewer than 2^23 ranks
+  /// are exact. Set converts them back.
   std::int64_t High() const { return static_cast<std::int64_t>(this->Total >> LowBits); }
   std::int64_t Low() const { return static_cast<std::int64_t>(this->Total & LowMask); }
   void Set(std::int64_t high, std::int64_t low)
@@ -37,14 +39,15 @@ private:
   static Integer Rounded(double value)
   {
     const double units = value * Unit;
-    const bool isShort =
-      units > -0x1p62 && units < 0x1p62; // which processors convert by themselves
+    // Processors have an instruction that converts to 64 bits, none for 128 bits.
+    const bool isShort = units > -0x1p62 && units < 0x1p62;
     return isShort ? static_cast<std::int64_t>(units) : static_cast<Integer>(units);
   }
   Integer Total = 0;
 };
 
-/// The values of the sums over all ranks.
+/// Returns the values of the sums over all ranks.
+/// @pre Collective over `ranks`; the same number of sums on each rank.
 inline std::vector<double> SumOverRanks(const std::vector<ExactSum>& sums, Ranks& ranks)
 {
   std::vector<std::int64_t> parts;

@@ -1,9 +1,11 @@
 /**
- * Global ids: made from the index of a node, cell or face and a slot, so no rank needs to ask another.
+ * Global ids of points and elements, computed from grid keys without communication.
  *
- * A point is slot 0 .. PointSlots - 1 of a grid node: id = NodeKey * PointSlots + slot + 1.
- * An element is a slot of a cell (hexes) or node (tets): id = key * ElementSlots + slot + 1.
- * What refinement makes beside the cells of the finest grid is numbered after these (RefinedGrid.h).
+ * - A point has a slot from 0 to PointSlots - 1 of a grid node: id = NodeKey * PointSlots
+ *   + slot + 1.
+ * - An element has a slot of a cell (hexes) or node (tets): id = key * ElementSlots + slot + 1.
+ *
+ * Points and elements of coarser levels have ids after all of these (RefinedGrid.h).
  */
 #pragma once
 
@@ -12,21 +14,25 @@
 namespace vfm
 {
 
-/// How many ids there are to a node or cell of the grid.
+/// Numbers of ids per node or cell of the grid.
 struct IdScheme
 {
   Index PointSlots;
-  Index ElementSlots; ///< 0: elements are counted from 1, and know no cell (TetGen)
+  /// 0: elements are numbered from 1, independent of cells (TetGen).
+  Index ElementSlots;
 };
 
-/// Points: G or S, then up to 15 I. Hexes: the core and a buffer hex a face (HexTopology.h).
+/// Slots of points: G or S, then up to 15 I. Slots of hexes: the core and one buffer hex
+/// per face (HexTopology.h).
 constexpr IdScheme HexIds{ 16, 7 };
 
-/// Tets: four of the lattice to each of the three faces of a block (TetTopology.h), each cut into pieces.
+/// Slots of tets: four lattice tets for each of the three faces of a block (TetTopology.h), each
+/// cut into at most PiecesPerTet pieces.
 constexpr Index PiecesPerTet = 64;
 constexpr IdScheme TetIds{ 64, 12 * PiecesPerTet };
 
-/// Throws InputError when ids of so many slots a node do not fit in 63 bits.
+/// Checks that ids with `slots` slots per node fit in 63 bits.
+/// @throws InputError  if the grid has too many nodes
 void CheckIds(const CartesianGrid& grid, Index slots);
 
 } // namespace vfm

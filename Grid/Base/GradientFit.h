@@ -1,5 +1,5 @@
 /**
- * The gradient of cell values at a cell: least squares over the cells around it, weights 1 / distance^2.
+ * GradientFit: the gradient of cell values at a cell, by least squares over the cells around it.
  */
 #pragma once
 
@@ -10,10 +10,14 @@
 namespace vfm
 {
 
+/// Least-squares fit of a gradient with weights 1 / distance^2.
 class GradientFit
 {
 public:
-  /// A cell at r (not zero) from the middle one, whose value differs by difference. weight: of its value.
+  /// Adds a cell to the fit.
+  /// @param r  vector from the middle cell, not zero
+  /// @param difference  value of the cell minus the value of the middle cell
+  /// @param weight  factor on the weight 1 / |r|^2
   void Add(const Vector3& r, double difference, double weight = 1.0)
   {
     const Eigen::Vector3d x(r[0], r[1], r[2]);
@@ -22,13 +26,13 @@ public:
     this->B += w * difference * x;
   }
 
-  /// 0 along axes on which there are no cells around.
+  /// Returns the gradient, with 0 along axes without neighbours.
   Vector3 Solve() const
   {
     Eigen::Matrix3d a = this->A;
     for (int axis = 0; axis < 3; ++axis)
     {
-      a(axis, axis) += a(axis, axis) == 0.0; // a grid one cell thick
+      a(axis, axis) += a(axis, axis) == 0.0; // the grid is one cell thick
     }
     const Eigen::Vector3d g = a.ldlt().solve(this->B);
     return { { g[0], g[1], g[2] } };

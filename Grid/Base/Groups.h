@@ -1,5 +1,6 @@
 /**
- * Groups: items of numbered groups in one array, those of a group together.
+ * Groups: the items of numbered groups in one array, group after group. Functions
+ * on lists of lists.
  */
 #pragma once
 
@@ -12,14 +13,19 @@
 namespace vfm
 {
 
+/// Items of the groups 0 to n-1 (compressed rows).
 template <class Item>
 struct Groups
 {
-  std::vector<Index> Begin; ///< of each group in Items, and the end
-  std::vector<Item> Items;  ///< in a group in the order in which they were told
+  std::vector<Index> Begin; ///< begin of each group in Items, then the number of items
+  /// Items of group 0, then of group 1 and so on. The items of a group keep the
+  /// order of the visits.
+  std::vector<Item> Items;
 };
 
-/// forItems(visit) calls visit(group, item) for all items, the same each time: they are counted, then written.
+/// Makes `count` groups.
+/// @param forItems  forItems(visit) calls visit(group, item) for all items. It runs twice, to count
+///   the items and to store them, and must visit the same items in the same order.
 template <class Item, class ForItems>
 Groups<Item> MakeGroups(std::size_t count, const ForItems& forItems)
 {
@@ -37,7 +43,7 @@ Groups<Item> MakeGroups(std::size_t count, const ForItems& forItems)
   return groups;
 }
 
-/// The items of several lists, one list after another.
+/// Returns the items of several lists, one list after another.
 template <class Item>
 std::vector<Item> Joined(const std::vector<std::vector<Item>>& lists)
 {
@@ -55,7 +61,7 @@ std::vector<Item> Joined(const std::vector<std::vector<Item>>& lists)
   return items;
 }
 
-/// Lists of what map returns for the items of some lists.
+/// Returns lists of the same lengths with map(item) for each item.
 template <class Item, class Map>
 auto MapLists(const std::vector<std::vector<Item>>& lists, const Map& map)
 {

@@ -5,7 +5,7 @@
 namespace vfm
 {
 
-/// Four points of Gauss at once.
+/// Evaluates four Gauss points at once.
 VFM_CLONES
 double VolumeBetween(const std::array<Vector3, 4>& a, const std::array<Vector3, 4>& b)
 {

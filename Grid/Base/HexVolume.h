@@ -8,7 +8,8 @@
 namespace vfm
 {
 
-/// Of the trilinear hex from the quad a to the quad b, by Gauss's rule of 2x2x2 points (exact). Corners in VTK's order.
+/// Returns the volume of the trilinear hex between the quads a and b, whose corners are in VTK's
+/// order. The Gauss rule with 2x2x2 points is exact.
 double VolumeBetween(const std::array<Vector3, 4>& a, const std::array<Vector3, 4>& b);
 
 } // namespace vfm

@@ -18,7 +18,7 @@ using Index = std::int64_t;
 using Index3 = std::array<Index, 3>;
 using Vector3 = std::array<double, 3>;
 
-/// Cells with Lower <= (i,j,k) < Upper.
+/// Box of the cells with Lower <= (i,j,k) < Upper.
 struct IndexBox
 {
   Index3 Lower{ { 0, 0, 0 } };
@@ -41,7 +41,7 @@ struct IndexBox
     }
     return true;
   }
-  /// Whether one of the cells has the node as a corner.
+  /// Returns whether the node is a corner of a cell of the box.
   bool Touches(const Index3& node) const
   {
     bool touches = this->NumberOfCells() > 0;
@@ -51,7 +51,8 @@ struct IndexBox
     }
     return touches;
   }
-  /// The cell of the box that a cell is or, from beside the box, the nearest; not of a box without cells.
+  /// Returns the cell of the box nearest to a cell.
+  /// @pre The box has cells.
   Index3 Nearest(const Index3& cell) const
   {
     Index3 nearest;
@@ -63,7 +64,7 @@ struct IndexBox
   }
 };
 
-/// Calls body(j, k) for the rows along x of a box with cells, y fastest.
+/// Calls body(j, k) for the rows along x of a box, y fastest; never for a box without cells.
 template <class Body>
 void ForRows(const IndexBox& box, const Body& body)
 {
@@ -93,22 +94,25 @@ void ForCells(const IndexBox& box, const Body& body)
   }
 }
 
-/// The cells that both boxes hold; a box without cells where there is none.
+/// Returns the common cells of two boxes; a box without cells if there are none.
 IndexBox Intersect(const IndexBox& a, const IndexBox& b);
 
-/// The box and that many layers of cells around it, cut at the limits. A box without cells gets none.
+/// Returns the box with `layers` layers of cells around it, clipped to `limits`. A box without
+/// cells is returned unchanged.
 IndexBox Grow(const IndexBox& box, Index layers, const IndexBox& limits);
 
-/// The cells of a box, halved so many times; negative: the larger cells of which it holds a part.
+/// Returns the box on a grid whose cells are halved `levels` times. If `levels` is negative, the
+/// cells are doubled -levels times; the result holds every larger cell that overlaps the box.
 IndexBox ChangeLevel(const IndexBox& box, int levels);
 
-/// The nodes of the cells of a box, each by the cell above it.
+/// Returns the nodes of the cells of a box, as a box of node indices.
 IndexBox NodesOf(const IndexBox& box);
 
-/// For messages.
+/// Returns "cell (i, j, k)" for messages.
 std::string TextOf(const Index3& cell);
 
-/// The index of a cell in arrays over the cells of a box, x fastest, and the cell with an index.
+/// IndexInBox returns the index of a cell in arrays over the cells of a box, x fastest. CellInBox
+/// returns the cell of an index.
 inline Index IndexInBox(const IndexBox& box, const Index3& cell)
 {
   return ((cell[2] - box.Lower[2]) * box.Size(1) + cell[1] - box.Lower[1]) * box.Size(0) + cell[0] -
@@ -121,37 +125,38 @@ inline Index3 CellInBox(const IndexBox& box, Index index)
     index / (nx * ny) + box.Lower[2] } };
 }
 
-/// The node at corner c of a cell.
+/// Returns the node at corner c of a cell.
 inline Index3 CornerOfCell(const Index3& cell, int c)
 {
   return { { cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2 & 1) } };
 }
-/// Cell c of the star of a node.
+/// Returns cell c of the star of a node.
 inline Index3 CellOfStar(const Index3& node, int c)
 {
   return CornerOfCell({ { node[0] - 1, node[1] - 1, node[2] - 1 } }, c);
 }
-/// The box of one cell.
+/// Returns the box of one cell.
 inline IndexBox BoxOfCell(const Index3& cell)
 {
   return { cell, CornerOfCell(cell, 7) };
 }
-/// The steps 0..26 from a cell to those around it, x fastest; 13 to itself.
+/// Returns step n, 0 to 26, from a cell to the cells around it, x fastest. Step 13 is zero.
 inline Index3 StepAround(int n)
 {
   return { { n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 } };
 }
+/// Returns the cell at step n from a cell.
 inline Index3 CellAround(const Index3& cell, int n)
 {
   const Index3 step = StepAround(n);
   return { { cell[0] + step[0], cell[1] + step[1], cell[2] + step[2] } };
 }
-/// Half c of a cell along each axis: bit a set on the + side of axis a.
+/// Returns child c of a cell halved along each axis. Bit a of c is set on the + side of axis a.
 inline Index3 ChildOfCell(const Index3& cell, int c)
 {
   return CornerOfCell({ { 2 * cell[0], 2 * cell[1], 2 * cell[2] } }, c);
 }
-/// The cell that a cell is a half of; of a level of octants the family of a cell.
+/// Returns the parent of a cell; for a level of octants the family of a cell.
 inline Index3 ParentOfCell(const Index3& cell)
 {
   return { { cell[0] >> 1, cell[1] >> 1, cell[2] >> 1 } };

@@ -1,6 +1,7 @@
 /**
- * Eight floats or four doubles side by side, each of one element, for the kernels of the energies: one source for both. Only for their sources:
- * functions that take lanes must be inlined into those compiled by VFM_CLONES.
+ * SIMD types of eight floats or four doubles for the energy kernels, one lane per element, with one
+ * source for both types. Only sources of kernels include it: functions that take lanes must be
+ * inlined into functions compiled by VFM_CLONES.
  */
 #pragma once
 
@@ -15,7 +16,7 @@ typedef float Float8 __attribute__((vector_size(32)));
 typedef double Double4 __attribute__((vector_size(32)));
 typedef long long Mask __attribute__((vector_size(32)));
 
-/// How many elements are side by side, and their numbers.
+/// Number of lanes, vector type of the lanes and vector type of one point.
 template <class Real>
 struct ElementLanes;
 template <>
@@ -36,24 +37,26 @@ struct ElementLanes<double>
 template <class Real>
 using LanesOf = typename ElementLanes<Real>::Type;
 
+/// One vector (x, y, z) per lane.
 template <class Real>
 struct VectorLanes
 {
   LanesOf<Real> X, Y, Z;
 };
 
-///@{ Where only doubles are used.
+///@{ Names for code that uses only doubles.
 using Lanes = LanesOf<double>;
 using Lanes3 = VectorLanes<double>;
 ///@}
 
+/// Returns lanes that all hold a.
 template <class Real>
 VFM_INLINE LanesOf<Real> Fill(Real a)
 {
   return a - LanesOf<Real>{}; // keeps the sign of a zero
 }
 
-/// 1 in as many of the first lanes, 0 in the others.
+/// Returns 1 in the first `count` lanes and 0 in the others.
 template <class Real>
 VFM_INLINE LanesOf<Real> FirstOnes(int count)
 {
@@ -106,7 +109,7 @@ VFM_INLINE Double4 SquareRoot(const Double4& a)
   return Double4{ std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3]) };
 }
 
-/// In the same order on every machine.
+/// Returns the sum of the lanes, added in the same order on every machine.
 VFM_INLINE double Sum(const Float8& a)
 {
   const Float4 half =
@@ -118,11 +121,11 @@ VFM_INLINE double Sum(const Double4& a)
   return (a[0] + a[1]) + (a[2] + a[3]);
 }
 
-/// Coordinates x, y, z of one point, and a fourth number that says nothing.
+/// Coordinates x, y, z of one point and an unused fourth number.
 template <class Real>
 using PointOf = typename ElementLanes<Real>::Point;
 
-/// point - origin, subtracted as doubles.
+/// Returns point - origin, subtracted in double precision.
 template <class Real>
 VFM_INLINE PointOf<Real> Difference(const Vector3& point, const Vector3& origin)
 {
@@ -131,7 +134,7 @@ VFM_INLINE PointOf<Real> Difference(const Vector3& point, const Vector3& origin)
     PointOf<Real>);
 }
 
-/// points[at(lane)] side by side.
+/// Returns points[at(lane)] in each lane.
 template <class At>
 VFM_INLINE VectorLanes<double> GatherPoints(const Double4* points, const At& at)
 {
@@ -159,7 +162,7 @@ VFM_INLINE VectorLanes<float> GatherPoints(const Float4* points, const At& at)
     __builtin_shufflevector(z0, z1, 0, 1, 8, 9, 4, 5, 12, 13) };
 }
 
-/// points[i] - origin, subtracted as doubles.
+/// Returns points[i] - origin in lane i, subtracted in double precision.
 VFM_INLINE VectorLanes<double> Differences(const double* const (&points)[4], const Vector3& origin)
 {
   const auto along = [&](int a) {
@@ -168,7 +171,7 @@ VFM_INLINE VectorLanes<double> Differences(const double* const (&points)[4], con
   return { along(0), along(1), along(2) };
 }
 
-/// A sum of gradients and Hessians (xx yy zz xy xz yz).
+/// Sum of gradients and of Hessians (xx yy zz xy xz yz).
 template <class Real>
 struct DerivativeSums
 {

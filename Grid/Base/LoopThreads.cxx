@@ -11,11 +11,11 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double LeastShared = 40e-6; // seconds of work below which others are not asked
-constexpr double LeastRange = 10e-6;  // seconds of a range, so that taking it costs nothing
+constexpr double LeastShared = 40e-6; // seconds; loops with less work left run on one thread
+constexpr double LeastRange = 10e-6;  // seconds per range; makes the cost of taking it negligible
 constexpr std::chrono::microseconds Watching(100);
-constexpr int RangesOfThread = 16; // at most: bodies may begin with something
-constexpr int FirstRanges = 64;    // the first range is such a part of what a thread has to do
+constexpr int RangesOfThread = 16; // maximum; a body may have a fixed cost per range
+constexpr int FirstRanges = 64;    // the first range is 1/64 of the share of a thread
 
 double SecondsSince(Clock::time_point begin)
 {
@@ -31,7 +31,7 @@ void Pause()
 #endif
 }
 
-/// Whether something comes true within a few microseconds.
+/// Returns whether a condition becomes true within the time Watching.
 template <class Condition>
 bool Watch(const Condition& isTrue)
 {
@@ -93,7 +93,8 @@ void LoopThreads::For(int threads, std::int64_t first, std::int64_t last, const 
   }
 }
 
-/// Of few items each is a range. Those who watch out take some at once, others once it is known that they are worth it.
+/// Runs a loop of few items, one item per range. Threads that spin take items at once. Sleeping
+/// threads are woken after the first item if the remaining work exceeds LeastShared.
 void LoopThreads::RunItems(std::int64_t first, int threads)
 {
   this->Grain = 1;
@@ -107,7 +108,9 @@ void LoopThreads::RunItems(std::int64_t first, int threads)
   this->Finish();
 }
 
-/// Does ranges alone, each twice as long as the one before, until it is known that others are worth it and how long ranges should be.
+/// Runs ranges on this thread, each twice as long as the one before. Once the time per item
+/// shows that the remaining work exceeds LeastShared, it sets the length of ranges and
+/// wakes the other threads.
 void LoopThreads::RunMany(std::int64_t first, int threads)
 {
   const double share = static_cast<double>(this->Last - first) / threads;
@@ -148,7 +151,7 @@ void LoopThreads::Start(int others)
       this->Others.emplace_back([this] { this->Work(); });
     }
   }
-  catch (const std::exception&) // those that there are do it
+  catch (const std::exception&) // the threads started so far do the work
   {
   }
 }
@@ -165,7 +168,8 @@ void LoopThreads::Wake(int others)
   if (this->Sleeping > 0)
   {
     {
-      const std::lock_guard<std::mutex> guard(this->Lock); // none is between looking and sleeping
+      // With the lock, no thread is between its check and its sleep.
+      const std::lock_guard<std::mutex> guard(this->Lock);
     }
     this->HasLoop.notify_all();
   }
@@ -194,7 +198,7 @@ void LoopThreads::RunRange(std::int64_t begin, std::int64_t end) noexcept
   }
 }
 
-/// Whether a range was left.
+/// Runs the next range. Returns whether there was one.
 bool LoopThreads::RunNext() noexcept
 {
   const std::int64_t grain = this->Grain, begin = this->Begin.fetch_add(grain);
@@ -228,7 +232,7 @@ void LoopThreads::WaitForOthers()
 
 void LoopThreads::Work() noexcept
 {
-  std::uint64_t done = 0; // number of the last loop that this thread came to
+  std::uint64_t done = 0; // number of the last loop that this thread joined
   for (;;)
   {
     std::uint64_t state = this->WaitForLoop(done);
@@ -252,7 +256,7 @@ void LoopThreads::Work() noexcept
   }
 }
 
-/// Returns the state of a loop that is open and not done.
+/// Waits for an open loop other than `done`, or for the end. Returns its state.
 std::uint64_t LoopThreads::WaitForLoop(std::uint64_t done)
 {
   std::uint64_t state = this->State;

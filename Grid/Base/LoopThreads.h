@@ -1,8 +1,5 @@
 /**
- * LoopThreads: threads that share the loops of a run, kept from one to the next.
- *
- * The calling thread begins each loop and looks at the clock: a loop that it will soon have done wakes no others, whatever its
- * items cost. Between loops threads watch out for a few microseconds, since smoothing runs thousands of them, then sleep.
+ * LoopThreads: threads that share the loops of a run and stay alive between loops.
  */
 #pragma once
 
@@ -18,6 +15,9 @@
 namespace vfm
 {
 
+/// Pool of threads for loops. The calling thread begins each loop and measures the time; it wakes
+/// the other threads only if enough work is left. Idle threads spin for 100 microseconds, because
+/// smoothing runs thousands of loops, and then sleep. One thread calls For at a time.
 class LoopThreads
 {
 public:
@@ -28,13 +28,16 @@ public:
   LoopThreads& operator=(const LoopThreads&) = delete;
   ~LoopThreads();
 
-  /// Calls body(begin, end) on disjoint ranges that cover [first, last), on at most so many threads, this one among them. The first
-  /// exception is thrown on, once all ranges were tried. Others are started when a loop needs them; those that the system does not
-  /// give are done without. Loops inside of loops take one thread.
+  /// Calls body(begin, end) on disjoint ranges that cover [first, last). A nested loop runs on the
+  /// calling thread. Other threads are started by the first loop that needs them; if the system
+  /// cannot start all of them, the loop runs on fewer. Rethrows the first exception of a body after
+  /// all ranges have run.
+  /// @param threads  maximum number of threads, including the calling one
   void For(int threads, std::int64_t first, std::int64_t last, const Body& body);
 
 private:
-  /// The others' view of a loop: how many work on it, whether more may, and its number.
+  /// Bits of State: the number of other threads that work on the loop (Working), whether more
+  /// threads may join (IsOpen), and the number of the loop (from Next).
   static constexpr std::uint64_t IsOpen = 1 << 16, Next = 1 << 17, Working = IsOpen - 1;
 
   void RunItems(std::int64_t first, int threads);
@@ -56,14 +59,14 @@ private:
 
   std::vector<std::thread> Others;
   bool HasStarted = false, IsLooping = false;
-  bool Spins = true; // where each thread has a core
+  bool Spins = true; // false: there are fewer cores than threads
 
   const Body* TheBody = nullptr;
   std::int64_t Last = 0, Grain = 1;
-  std::exception_ptr Thrown; // the first
+  std::exception_ptr Thrown; // first exception of a body
 
   alignas(64) std::atomic<std::uint64_t> State{ 0 };
-  alignas(64) std::atomic<std::int64_t> Begin{ 0 }; // of the next range
+  alignas(64) std::atomic<std::int64_t> Begin{ 0 }; // begin of the next range
   alignas(64) std::mutex Lock;
   std::condition_variable HasLoop, HasDone;
   std::atomic<int> Sleeping{ 0 };

@@ -1,6 +1,6 @@
 /**
- * Memory for large arrays: from malloc's family (std::free gives it back, so VTK can adopt it), on huge pages
- * where the system has them. Touching a gigabyte first costs 0.1 s instead of 0.8 s.
+ * Memory for large arrays. It is freed by std::free, so VTK can adopt it, and uses huge pages where
+ * the system has them: the first access to a gigabyte takes 0.1 s instead of 0.8 s.
  */
 #pragma once
 
@@ -18,6 +18,8 @@
 namespace vfm
 {
 
+/// Returns uninitialised memory, to be freed by std::free. Blocks of 4 MB or more use huge pages.
+/// @throws std::bad_alloc  if there is not enough memory
 inline void* AllocateBytes(std::size_t bytes)
 {
   constexpr std::size_t hugePage = std::size_t(1) << 21;
@@ -33,7 +35,7 @@ inline void* AllocateBytes(std::size_t bytes)
 #ifdef MADV_HUGEPAGE
     if (memory)
     {
-      madvise(memory, bytes, MADV_HUGEPAGE); // advice: where it fails, pages are small
+      madvise(memory, bytes, MADV_HUGEPAGE); // if it fails, pages are small
     }
 #endif
   }
@@ -44,7 +46,7 @@ inline void* AllocateBytes(std::size_t bytes)
   return memory;
 }
 
-/// Gives freed memory back to the system, which malloc may keep up to 64 MB of.
+/// Returns freed memory to the system; otherwise malloc may keep up to 64 MB of it.
 inline void ReleaseFreeMemory()
 {
 #ifdef __GLIBC__
@@ -52,7 +54,7 @@ inline void ReleaseFreeMemory()
 #endif
 }
 
-/// For std::vector.
+/// Allocator for std::vector that uses AllocateBytes.
 template <class T>
 struct LargeAllocator
 {

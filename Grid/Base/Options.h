@@ -1,5 +1,5 @@
 /**
- * What the pipelines are asked for.
+ * Options of the pipelines MakeHexMesh, MakeTetMesh and of their stages.
  */
 #pragma once
 
@@ -10,31 +10,31 @@
 namespace vfm
 {
 
-/// How surface nodes are placed.
+/// Placement of surface nodes.
 enum class Smoothing
 {
   Off,            ///< valid start positions: the stair-step interface with a thin buffer layer
-  QuadricSurface, ///< barrier energy, surface nodes drawn to local quadrics of the true interface
+  QuadricSurface, ///< barrier energy, surface nodes attracted to local quadrics of the interface
   GeometryBased   ///< barrier energy, surface nodes kept on the facets of the unsmoothed interface
 };
 
-/// Whether edges and corners of interfaces are found and kept.
+/// Detection of sharp features, the edges and corners of interfaces, which the mesh then preserves.
 enum class SharpEdges
 {
   Off,
   On,
-  Automatic ///< of the pairs of materials where the fractions tell them nearly everywhere that one surface does not do
+  Automatic ///< only between pairs of materials whose samples show edges (SharpPairs.h)
 };
 
-/// How tetrahedra are made.
+/// Method that makes tetrahedra.
 enum class TetMethod
 {
   TetGen, ///< the smoothed interfaces of Cells as constrained surfaces, filled by TetGen
-  Cells,  ///< a body-centred lattice of the cells; the interfaces are those of the hex mesh
+  Cells,  ///< a body-centred lattice of the cells; the hex mesh has the same interfaces
   Lattice ///< a body-centred lattice of cell centres and nodes, cut where labels differ
 };
 
-/// What numbers an option takes, both ends included.
+/// Range of an option, limits included.
 struct NumberRange
 {
   double Least, Most;
@@ -43,54 +43,59 @@ struct NumberRange
 constexpr NumberRange RelativeSizes{ 0.1, 1e6 }, Growths{ 0.0, 1e6 },
   RadiusEdgeRatios{ 1.0, 100.0 }, MinimumDihedralAngles{ 0.0, 60.0 }, OptimizationLevels{ 0, 10 };
 
-/// What TetGen is asked for.
+/// Options of TetGen.
 struct TetGenOptions
 {
   double RelativeSize = 1.0;          ///< edge length at the interfaces, in cells
-  double Growth = 0.3;                ///< by how much it grows over each cell of distance from them
-  double RadiusEdgeRatio = 1.4;       ///< largest circumradius over shortest edge
-  double MinimumDihedralAngle = 10.0; ///< degrees: what refinement strives for
-  int OptimizationLevel = 4;          ///< of TetGen's flips and smoothing
+  double Growth = 0.3;                ///< increase of the length per cell of distance from them
+  double RadiusEdgeRatio = 1.4;       ///< maximum ratio of circumradius and shortest edge
+  double MinimumDihedralAngle = 10.0; ///< target of refinement, degrees
+  int OptimizationLevel = 4;          ///< level of TetGen's flips and smoothing
 };
 
-/// What a user sets of a refined grid.
+/// User options of a refined grid.
 struct LevelSettings
 {
-  /// All interfaces get cells of the grid. false: only where Families are, so interfaces of hexahedra cross levels.
+  /// true: all interfaces get cells of the finest level. false: only cells of Families do, so the
+  /// interfaces of hexahedra cross levels.
   bool FineInterfaces = true;
-  /// >= 2: cells of the grid kept around those at an interface, where these get them.
+  /// Number of layers of finest cells around the finest cells at interfaces, at least 2.
   int FineLayers = 2;
 };
 
-/// Where cells may be coarser than those of the grid given to the pipelines (RefinedGrid.h).
+/// Plan of a refined grid: which cells may be coarser than the cells of the grid given to the
+/// pipelines (RefinedGrid.h).
 struct LevelPlan : LevelSettings
 {
   int Refinements = 0; ///< base cells are 2^Refinements cells of the grid along each axis
-  std::vector<std::vector<Index>>
-    Families; ///< to refine besides: of each refinement, those of this rank (OctreeKeys::FamilyKey)
+  /// Additional families to refine: for each refinement the keys of the families owned by this rank
+  /// (OctreeKeys::FamilyKey).
+  std::vector<std::vector<Index>> Families;
 };
 
-/// What a user sets of the pipelines.
+/// User options of the pipelines.
 struct MeshSettings : TetGenOptions
 {
-  double IsoValue = 0.5;  ///< (0,1): a cell is void when its materials fill less than this
-  bool MeshVoid = false;  ///< mesh the void too, as material 0
-  bool StairStep = false; ///< cells become hexes, nothing is inserted or moved
+  double IsoValue = 0.5;  ///< limit of void, in (0,1): a cell is void if its materials fill less
+  bool MeshVoid = false;  ///< true: void is meshed as material 0
+  bool StairStep = false; ///< true: cells become hexes; nothing is inserted or moved
   Smoothing Method = Smoothing::QuadricSurface;
-  double TargetScaledJacobian =
-    0.0; ///< [0,1): quality against distance; 0: .55 one material, .5 several
+  /// Weight of quality against distance, in [0,1). 0 selects 0.55 for one
+  /// material, 0.5 for several.
+  double TargetScaledJacobian = 0.0;
   SharpEdges Edges = SharpEdges::Off;  ///< only with IsoValue 0.5 and Smoothing::QuadricSurface
-  bool ConserveVolume = true;          ///< meet the fractions' volumes; only with IsoValue 0.5
+  bool ConserveVolume = true;          ///< match the fractions' volumes; only with IsoValue 0.5
   bool ComputeQuality = true;          ///< fill Mesh::ScaledJacobian
-  TetMethod Tets = TetMethod::Lattice; ///< of tetrahedral meshes
+  TetMethod Tets = TetMethod::Lattice; ///< method of tetrahedral meshes
 };
 
+/// All options of a pipeline.
 struct MeshOptions : MeshSettings
 {
   LevelPlan Levels;
 };
 
-/// Whether interfaces may run through cells of several levels.
+/// Returns whether interfaces may run through cells of several levels.
 inline bool InterfacesCrossLevels(const LevelPlan& levels)
 {
   return levels.Refinements > 0 && !levels.FineInterfaces;
@@ -100,15 +105,16 @@ inline bool InterfacesCrossLevels(const MeshOptions& options)
   return InterfacesCrossLevels(options.Levels);
 }
 
-/// Layers of cells around the owned ones.
+/// Numbers of layers of cells around the owned cells.
 struct GridLayers
 {
-  int Ghosts = GhostLayers; ///< that are held
-  int Hexes = HexLayers;    ///< of these, that are meshed too
+  int Ghosts = GhostLayers; ///< layers that the rank holds
+  int Hexes = HexLayers;    ///< innermost of these layers, which the rank meshes too
 };
 
-/// The layers that a grid needs to be meshed. Where interfaces cross levels these are layers of the base, since what moves with a
-/// node of the base is at hexes as far as a base cell away.
+/// Returns the numbers of layers that a mesh needs. If interfaces cross levels, they are
+/// multiplied by the width of a base cell: points that move with a base node belong to hexes up to
+/// a base cell away.
 inline GridLayers LayersFor(const LevelPlan& levels)
 {
   GridLayers layers;

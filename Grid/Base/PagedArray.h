@@ -1,14 +1,5 @@
 /**
- * PagedArray: a value for each linear index of a CartesianGrid, in little memory where neighbours are alike.
- *
- * Each row along x is cut into pages of 32 values. All pages of one value are one page, shared, and all rows of one
- * value are one table of pages, shared:
- *   row -> table of its pages -> page -> value
- * so 8 bytes a row, and what rows and pages of several values need. The lowest bit of a pointer says that what
- * it points to is shared.
- *
- * Fill and Write leave no page or row of one value unshared; Set may, but where it comes to indices in their order.
- * Threads may write to different rows at the same time.
+ * PagedArray: one value per linear index of a CartesianGrid, compressed where neighbours are equal.
  */
 #pragma once
 
@@ -23,10 +14,19 @@
 namespace vfm
 {
 
+/// Compressed array of the shape of a CartesianGrid. Each row along x consists of
+/// pages of 32 values:
+///   row -> table of its pages -> page -> value
+/// Uniform pages (of one value) with equal values are one shared page. Uniform rows with equal
+/// values share one table. A uniform row takes 8 bytes; other rows and pages need their own memory.
+/// The lowest bit of a pointer marks a shared target.
+///
+/// Fill and Write share every page and row that becomes uniform. Set does so only if indices are
+/// set in ascending order. Threads may write to different rows at the same time.
 template <class T>
 class PagedArray
 {
-  using Link = std::uintptr_t; // a pointer, and in its lowest bit whether what is there is shared
+  using Link = std::uintptr_t; // pointer; its lowest bit is set if the target is shared
   static bool IsShared(Link link) { return link & 1; }
   static const Link* TableAt(Link link) { return reinterpret_cast<const Link*>(link & ~Link(1)); }
   static const T* PageAt(Link link) { return reinterpret_cast<const T*>(link & ~Link(1)); }
@@ -35,7 +35,7 @@ public:
   using value_type = T;
   static constexpr Index PageSize = 32;
 
-  /// A row to read; i counts from its first index.
+  /// Read access to a row. The index i counts from the first index of the row.
   class RowView
   {
   public:
@@ -44,9 +44,9 @@ public:
       const auto n = static_cast<std::uint64_t>(i); // unsigned numbers divide faster
       return this->Page(n / PageSize)[n % PageSize];
     }
-    /// The values of the p-th page.
+    /// Returns the values of page p.
     const T* Page(Index p) const { return PageAt(TableAt(this->Row)[p]); }
-    /// Whether the page, the row, is known to be of one value.
+    /// Returns whether the page or the row is known to be uniform.
     bool IsUniform(Index p) const { return IsShared(TableAt(this->Row)[p]); }
     bool IsUniform() const { return IsShared(this->Row); }
 
@@ -57,7 +57,7 @@ public:
   };
 
   PagedArray() = default;
-  /// Of the grid's shape, each value the same.
+  /// Makes an array of the grid's shape with equal values.
   PagedArray(const CartesianGrid& grid, T value);
   PagedArray(const PagedArray& other);
   PagedArray(PagedArray&& other) noexcept = default;
@@ -75,21 +75,23 @@ public:
     const Index row = this->RowOf(n);
     return RowView(this->Rows[row])[n - row * this->Length];
   }
+  /// Returns the row of an index.
   RowView Row(Index n) const { return RowView(this->Rows[this->RowOf(n)]); }
   Index RowLength() const { return this->Length; }
-  /// Position of an index in its row.
+  /// Returns the position of an index in its row.
   Index InRow(Index n) const { return n - this->RowOf(n) * this->Length; }
 
   void Set(Index n, T value);
-  /// Sets [first, last), of one row.
+  /// Sets [first, last), which is in one row.
   void Fill(Index first, Index last, T value);
-  /// Sets [first, last), of one row, to values[0], values[1] ...
+  /// Sets [first, last), which is in one row, to values[0], values[1] ...
   void Write(Index first, Index last, const T* values);
-  /// Makes the row that holds index `to` like the one that holds `from`.
+  /// Copies the row of index `from` to the row of index `to`.
   void CopyRow(Index from, Index to);
 
-  /// Visits [first, last), of one row, in order: same(begin, end, value) where the values are known to be alike, else
-  /// each(begin, end, values), values[0] that of begin.
+  /// Visits [first, last), which is in one row, in ascending order. Calls same(begin,
+  /// end, value) for ranges known to be uniform and each(begin, end, values) for others,
+  /// with values[0] at begin.
   template <class Same, class Each>
   void Visit(Index first, Index last, const Same& same, const Each& each) const;
 
@@ -110,18 +112,18 @@ private:
     std::mutex Mutex;
     SlotArena Pages, Tables;
     std::unordered_map<T, Constant> Constants;
-    std::size_t NumberOfPages; // of a row
+    std::size_t NumberOfPages; // pages per row
   };
 
   __extension__ typedef unsigned __int128 Wide;
-  /// n / Length: exact while n * Length < 2^64.
+  /// Returns n / Length; exact if n * Length < 2^64.
   Index RowOf(Index n) const
   {
     return static_cast<Index>(
       static_cast<Wide>(static_cast<std::uint64_t>(n)) * this->Inverse >> 64);
   }
   Index NumberOfPages() const { return static_cast<Index>(this->Shared->NumberOfPages); }
-  /// Real values in the p-th page; the last one may have fewer.
+  /// Returns the number of values used in page p. The last page may have fewer than PageSize.
   Index SizeOfPage(Index p) const { return std::min(PageSize, this->Length - p * PageSize); }
   static bool AreEqual(const T* values, Index count)
   {
@@ -190,7 +192,7 @@ typename PagedArray<T>::Constant& PagedArray<T>::FindConstant(T value)
 {
   const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
   const auto at = this->Shared->Constants.try_emplace(value);
-  Constant& constant = at.first->second; // stays where it is
+  Constant& constant = at.first->second; // its address does not change
   if (at.second)
   {
     std::fill_n(constant.Values, PageSize, value);
@@ -213,7 +215,7 @@ void PagedArray<T>::Give(SlotArena& arena, Link link)
   arena.Give(reinterpret_cast<void*>(link));
 }
 
-/// The table of a row, to be changed.
+/// Returns the table of a row for writing; copies a shared table first.
 template <class T>
 typename PagedArray<T>::Link* PagedArray<T>::OwnTable(Index row)
 {
@@ -227,7 +229,7 @@ typename PagedArray<T>::Link* PagedArray<T>::OwnTable(Index row)
   return reinterpret_cast<Link*>(link);
 }
 
-/// The values of a page, to be changed.
+/// Returns the values of a page for writing; copies a shared page first.
 template <class T>
 T* PagedArray<T>::OwnPage(Index row, Index p)
 {
@@ -241,7 +243,7 @@ T* PagedArray<T>::OwnPage(Index row, Index p)
   return reinterpret_cast<T*>(link);
 }
 
-/// Makes a page that of one value.
+/// Replaces a page by the shared page of a value.
 template <class T>
 void PagedArray<T>::SharePage(Index row, Index p, T value)
 {
@@ -253,7 +255,7 @@ void PagedArray<T>::SharePage(Index row, Index p, T value)
   link = this->SharedPage(value);
 }
 
-/// Shares the table of a row whose pages are all of one value.
+/// Replaces the table of a row by a shared table if all its pages are the same shared page.
 template <class T>
 void PagedArray<T>::ShareRow(Index row)
 {
@@ -273,7 +275,7 @@ void PagedArray<T>::ShareRow(Index row)
   }
 }
 
-/// Sets [begin, end) of a page.
+/// Sets [begin, end) of a page; shares the page if it becomes uniform.
 template <class T>
 void PagedArray<T>::FillPage(Index row, Index p, Index begin, Index end, T value)
 {
@@ -295,7 +297,7 @@ void PagedArray<T>::FillPage(Index row, Index p, Index begin, Index end, T value
   }
 }
 
-/// Calls body(row, page, begin, end, index of begin) for the parts of pages that make [first, last).
+/// Calls body(row, page, begin, end, index of begin) for the parts of pages in [first, last).
 template <class T>
 template <class Body>
 void PagedArray<T>::ForPages(Index first, Index last, const Body& body)
@@ -322,7 +324,8 @@ void PagedArray<T>::Set(Index n, T value)
   const Index p = i / PageSize, last = this->SizeOfPage(p) - 1;
   T* page = this->OwnPage(row, p);
   page[i % PageSize] = value;
-  if (i % PageSize == last && AreEqual(page, last + 1)) // where indices are set in their order
+  // After the last index of a page, the page is complete if indices are set in ascending order.
+  if (i % PageSize == last && AreEqual(page, last + 1))
   {
     this->SharePage(row, p, value);
     this->ShareRow(row);

@@ -31,11 +31,11 @@ std::vector<double> SolveForLack(const std::vector<PairSum>& sums, const std::ve
   std::vector<Eigen::Triplet<double>> entries;
   for (int f = 0; f < count; ++f)
   {
-    entries.emplace_back(f, f, 1e-6); // one that touches nothing
+    entries.emplace_back(f, f, 1e-6); // keeps items without sums regular
   }
   for (const PairSum& sum : sums)
   {
-    const int a = sum.First - 1, b = sum.Second - 1; // -1: held at 0
+    const int a = sum.First - 1, b = sum.Second - 1; // -1: mu is fixed to 0
     const double value = sum.Value.Value();
     for (int side : { a, b })
     {

@@ -1,6 +1,6 @@
 /**
- * Sums over the interfaces of pairs (of fragments, of materials), the same on all ranks, and what moves these interfaces
- * so that both sides get what they lack.
+ * PairSums: sums over the interfaces between pairs of fragments or materials, equal on all ranks,
+ * and the shifts of these interfaces that correct the volumes of all items.
  */
 #pragma once
 
@@ -13,18 +13,23 @@
 namespace vfm
 {
 
+/// Sum over the interface between two items.
 struct PairSum
 {
-  int First, Second; ///< the smaller first
+  int First, Second; ///< numbers of the items, First < Second
   ExactSum Value;
 };
+/// Sums of this rank by (First, Second).
 using PairSumMap = std::map<std::pair<int, int>, ExactSum>;
 
-/// The sums over all ranks, sorted by their pairs. Collective.
+/// Returns the sums over all ranks, sorted by pair.
+/// @pre Collective over `ranks`.
 std::vector<PairSum> GatherPairSums(const PairSumMap& mine, Ranks& ranks);
 
-/// Solves sum_b S_ab (mu_a - mu_b) = lack_a for all a from 1, with mu = 0 for 0. S_ab >= 0: what a gains of b when mu_a grows by 1.
-/// lack: [0] unused. Items without sums get mu near lack / 1e-6.
+/// Solves sum_b S_ab (mu_a - mu_b) = lack_a for all items a >= 1, with mu_0 = 0.
+/// @param sums  S_ab >= 0: the amount that item a gains from item b if mu_a grows by 1
+/// @param lack  missing amount per item; lack[0] is not used
+/// @return mu per item; near lack / 1e-6 for items without sums
 std::vector<double> SolveForLack(const std::vector<PairSum>& sums, const std::vector<double>& lack);
 
 } // namespace vfm

@@ -9,7 +9,7 @@ namespace vfm
 namespace
 {
 
-/// Lower case without spaces.
+/// Returns the text in lower case without spaces.
 std::string Plain(const std::string& text)
 {
   std::string plain;

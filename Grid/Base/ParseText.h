@@ -1,5 +1,6 @@
 /**
- * ParseText: values from the words of a file, a command line or a host, whole and in any locale, or nothing.
+ * ParseText: numbers, switches and choices from text, independent of the locale, and functions on
+ * texts. The parsers use the whole text and return nothing if it does not hold an allowed value.
  */
 #pragma once
 
@@ -10,31 +11,33 @@
 namespace vfm
 {
 
-/// Equal but for case and spaces: "Quadric Surface" is "quadricsurface".
+/// Returns whether two texts are equal except for case and spaces, such as "Quadric
+/// Surface" and "quadricsurface".
 bool IsSameWord(const std::string& one, const std::string& other);
 
-/// From least to most, both included; never infinite or NaN.
+/// Returns the number or integer if it is in the range [least, most]; never NaN.
 std::optional<double> ParseNumber(const std::string& text, double least, double most);
 std::optional<int> ParseCount(const std::string& text, int least, int most);
 
-/// on, true, yes, 1; off, false, no, 0.
+/// Returns true for on, true, yes and 1, and false for off, false, no and 0.
 std::optional<bool> ParseSwitch(const std::string& text);
 
-/// The place of the text among the words, or the number it is, from 0.
+/// Returns the position of the text among the words. The text may also be the
+/// position itself, from 0.
 std::optional<int> ParseChoice(const std::string& text, const std::vector<std::string>& words);
 
-/// The shortest text that ParseNumber makes the same number of: 0.5, 1e-6.
+/// Returns the shortest text from which ParseNumber reads the same number: 0.5, 1e-6.
 std::string FormatNumber(double number);
 
-/// IsoValue: iso_value.
+/// Returns a name in snake case: iso_value for IsoValue.
 std::string SnakeCase(const std::string& name);
 
-/// Without the spaces, tabs and ends of lines around it.
+/// Returns the text without spaces, tabs and line ends at its begin and end.
 std::string TrimText(const std::string& text);
 
-/// With the separator between them.
+/// Returns the texts with the separator between them.
 std::string JoinTexts(const std::vector<std::string>& texts, const std::string& separator = ", ");
-/// The parts between the commas, without the spaces around them; empty ones too.
+/// Returns the parts between commas, trimmed, including empty parts.
 std::vector<std::string> SplitText(const std::string& text);
 
 } // namespace vfm

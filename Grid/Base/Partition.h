@@ -1,7 +1,6 @@
 /**
- * Partition: which rank owns which box of the grid, and the exchange of cell values with the ranks around.
- *
- * The rank that owns the lowest-index cell at a node owns the node. A rank whose box is empty owns nothing.
+ * Partition: the ownership of cells and nodes by ranks, and the exchange of
+ * cell values between ranks.
  */
 #pragma once
 
@@ -13,49 +12,65 @@
 namespace vfm
 {
 
+/// Distribution of a grid over ranks. Each rank owns a box of cells. The rank that owns the cell
+/// with the lowest index at a node owns the node. A rank with an empty box owns nothing. The grid
+/// and the ranks must outlive this object.
 class Partition
 {
 public:
-  /// Collective: gathers the owned boxes (48 bytes a rank, the only thing here that grows with the ranks).
+  /// Gathers the owned and local boxes of all ranks (96 bytes per rank) and stores
+  /// the boxes of peers.
+  /// @pre Collective over `ranks`.
   Partition(const CartesianGrid& grid, Ranks& ranks);
 
   Ranks& Group() const { return this->TheRanks; }
-  /// Ranks whose owned cells this one holds as ghosts, or the other way round; ascending.
+  /// Returns the peers in ascending order: ranks that own ghost cells of this rank, or hold owned
+  /// cells of this rank as ghosts.
   const std::vector<int>& Peers() const { return this->ThePeers; }
   bool OwnsCell(const Index3& cell) const { return this->Grid.Owned().Contains(cell); }
   bool OwnsNode(const Index3& node) const { return this->OwnsCell(LowestCell(node)); }
-  /// Position in Peers() of the owner of a cell or node of the local box that this rank does not own.
+  /// PeerOfCell and PeerOfNode return the position in Peers() of the owner of a cell or node.
+  /// @pre The cell or node is in the local box and this rank does not own it.
   int PeerOfCell(const Index3& cell) const;
   int PeerOfNode(const Index3& node) const { return this->PeerOfCell(LowestCell(node)); }
 
-  /// Sends each peer what pack(box) makes of my cells that it holds as ghosts; unpack(box, bytes) gets what came for mine.
+  /// Sends data of owned cells to the peers that hold them as ghosts.
+  /// @param pack  pack(box) returns the bytes of a box of owned cells
+  /// @param unpack  unpack(box, bytes) stores the bytes of a box of ghost cells
+  /// @pre Collective among peers.
   template <class Pack, class Unpack>
   void ExchangeBoxes(const Pack& pack, const Unpack& unpack) const;
 
-  /// Calls body(cell) for the cells of a box, x fastest.
+  /// Calls body(cell) for the linear indices of the cells of a box, x fastest.
   template <class Body>
   void ForCells(const IndexBox& box, const Body& body) const;
-  /// Calls body(first, last) for the rows of cells of a box in order.
+  /// Calls body(first, last) for the linear indices of each row of a box, y fastest.
   template <class Body>
   void ForRows(const IndexBox& box, const Body& body) const;
 
-  /// Fills the ghost cells of an array of the grid's shape with the values of their owners.
-  /// changed(cell) is called for every ghost cell whose value was another.
+  /// Sets the ghost cells of an array to the values of their owners.
+  /// @param values  array of the grid's shape
+  /// @param changed  changed(cell) is called for every ghost cell whose value differed
+  /// @pre Collective among peers.
   template <class T, class Changed>
   void ExchangeCells(PagedArray<T>& values, const Changed& changed) const;
 
-  /// Sends lists[p] to the peer p and returns the list that each peer sent here. Collective among peers.
+  /// Sends lists[p] to peer p and returns the list received from each peer.
+  /// @pre Collective among peers.
   template <class T>
   std::vector<std::vector<T>> Exchange(const std::vector<std::vector<T>>& lists) const
   {
     return ExchangeLists(this->TheRanks, this->ThePeers, lists);
   }
-  /// Asks each peer about a list of ids; returns the answers in the order of the ids: answer(id) of the peer. Collective among peers.
+  /// Sends a list of ids to each peer and returns their answers in the order of the ids.
+  /// @param ids  ids by peer
+  /// @param answer  answer(id) is called on the peer that receives the id
+  /// @pre Collective among peers.
   template <class Answer>
   auto Query(const std::vector<std::vector<Index>>& ids, const Answer& answer) const;
 
 private:
-  /// The cell that decides who owns a node: the lowest in the domain.
+  /// Returns the cell with the lowest index at a node, whose owner owns the node.
   static Index3 LowestCell(const Index3& node)
   {
     return { { std::max<Index>(node[0] - 1, 0), std::max<Index>(node[1] - 1, 0),
@@ -65,9 +80,9 @@ private:
   const CartesianGrid& Grid;
   Ranks& TheRanks;
   std::vector<int> ThePeers;
-  std::vector<IndexBox> Owned;    // of each peer
-  std::vector<IndexBox> Outgoing; // my cells that each peer holds as ghosts
-  std::vector<IndexBox> Incoming; // its cells that I hold
+  std::vector<IndexBox> Owned;    // owned cells of each peer
+  std::vector<IndexBox> Outgoing; // owned cells of this rank that each peer holds as ghosts
+  std::vector<IndexBox> Incoming; // ghost cells of this rank that each peer owns
 };
 
 template <class Body>
@@ -115,7 +130,7 @@ auto Partition::Query(const std::vector<std::vector<Index>>& ids, const Answer& 
   return this->Exchange(MapLists(this->Exchange(ids), answer));
 }
 
-/// Adds the indices in [first, last), of one row, that have another value.
+/// Appends to `others` the indices in [first, last), which is in one row, that have another value.
 template <class T>
 void FindOthers(
   const PagedArray<T>& values, Index first, Index last, T value, std::vector<Index>& others)

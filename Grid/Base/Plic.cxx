@@ -12,8 +12,9 @@ double Cube(double x)
   return x > 0.0 ? x * x * x : 0.0;
 }
 
-/// Volume of the unit cube [0,1]^3 where m.x < alpha, m >= 0 ascending with sum 1, alpha <= 1/2.
-/// By cases, none of which subtracts what a small m has made large.
+/// Returns the volume of the unit cube [0,1]^3 where m.x < alpha, with m >= 0 ascending and
+/// of sum 1, and alpha <= 1/2. The cases avoid cancellation of terms that a small component
+/// of m makes large.
 double VolumeOfCorner(const Vector3& m, double alpha)
 {
   if (alpha < m[0])
@@ -29,7 +30,8 @@ double VolumeOfCorner(const Vector3& m, double alpha)
   return (2.0 * alpha - m[0] - m[1]) / (2.0 * m[2]);
 }
 
-/// n as ascending magnitudes with sum 1; returns the sum of the magnitudes.
+/// Sets m to the magnitudes of n, ascending and scaled to the sum 1. Returns
+/// the sum before scaling.
 double Normalise(const Vector3& n, Vector3& m)
 {
   m = { { std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2]) } };
@@ -42,6 +44,7 @@ double Normalise(const Vector3& n, Vector3& m)
   return size;
 }
 
+/// Returns the volume of the unit cube [0,1]^3 where m.x < alpha, for m from Normalise.
 double VolumeBelow(const Vector3& m, double alpha)
 {
   if (alpha <= 0.0 || alpha >= 1.0)

@@ -1,6 +1,6 @@
 /**
- * Planes in cells (PLIC, piecewise linear interface calculation) in the frame of the unit cell centred
- * at the origin.
+ * Planes in cells (PLIC, piecewise linear interface calculation), in coordinates of the unit cell
+ * centred at the origin.
  */
 #pragma once
 
@@ -9,11 +9,13 @@
 namespace vfm
 {
 
-/// Volume of the unit cell centred at 0 where n.x < d. n need not be a unit vector; not zero.
-/// Scardovelli, Zaleski (2000): analytic relations connecting linear interfaces and volume fractions.
+/// Returns the volume of the unit cell centred at the origin where n.x < d. Scardovelli and
+/// Zaleski, Analytical relations connecting linear interfaces and volume fractions in rectangular
+/// grids, J. Comput. Phys. 164 (2000) 228-237.
+/// @param n  normal of any length, not zero
 double VolumeBelowPlane(const Vector3& n, double d);
 
-/// The d for which VolumeBelowPlane(n, d) = fraction, by bisection to 1e-12 of the cell.
+/// Returns the d for which VolumeBelowPlane(n, d) = fraction, by bisection to 1e-12 of the cell.
 double PlaneOfVolume(const Vector3& n, double fraction);
 
 } // namespace vfm

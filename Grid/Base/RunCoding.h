@@ -1,6 +1,6 @@
 /**
- * A sequence of numbers in another one, shorter where many in a row are alike: a count n > 0 and a number that comes n times,
- * or a count n < 0 and -n numbers.
+ * Run-length coding of sequences of integers. A code is a list of counts and numbers: a count n > 0
+ * is followed by a number that is repeated n times, a count n < 0 by -n numbers.
  */
 #pragma once
 
@@ -12,12 +12,13 @@
 namespace vfm
 {
 
-/// T: a signed integer.
+/// Writes a code.
+/// @tparam T  signed integer
 template <class T>
 class RunCoder
 {
 public:
-  /// Adds the same number several times.
+  /// Adds the same number `count` times.
   void AddRun(T value, std::int64_t count)
   {
     while (count > 0)
@@ -56,16 +57,18 @@ private:
   }
 
   std::vector<T> Items;
-  std::size_t Last = 0; // place of the last count
+  std::size_t Last = 0; // position of the last count
 };
 
+/// Reads a code.
 template <class T>
 class RunReader
 {
 public:
   explicit RunReader(std::vector<T> coded) : Items(std::move(coded)) {}
 
-  /// The next `count` numbers: calls same(n, value) and each(n, values) in their order.
+  /// Reads the next `count` numbers. Calls same(n, value) for runs and each(n, values) for other
+  /// numbers in the order of the sequence.
   template <class Same, class Each>
   void Read(std::int64_t count, const Same& same, const Each& each)
   {
@@ -84,7 +87,7 @@ public:
       }
       const T n = static_cast<T>(std::min<std::int64_t>(-left, count));
       each(n, values);
-      // what is left moves to its count
+      // The count of the remaining numbers replaces the last number that was read.
       const T rest = left + n;
       this->At += n;
       this->Items[this->At] = rest;
@@ -95,7 +98,7 @@ public:
 
 private:
   std::vector<T> Items;
-  std::size_t At = 0; // of the count that is being read
+  std::size_t At = 0; // position of the count that is being read
 };
 
 } // namespace vfm

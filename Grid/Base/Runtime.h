@@ -1,6 +1,5 @@
 /**
- * What the stages ask of the program around them: loops over threads, other ranks, progress, abort.
- * The base class is the serial program; ThreadRuntime has threads.
+ * Runtime: the interface of the stages to threads, ranks, progress display and abort.
  */
 #pragma once
 
@@ -14,13 +13,15 @@
 namespace vfm
 {
 
+/// Environment of a run. The base class runs loops serially on a single rank; derived classes add
+/// threads, ranks and progress.
 class Runtime
 {
 public:
   virtual ~Runtime() = default;
 
   /// Calls body(begin, end) on disjoint ranges that cover [first, last), possibly at the same time.
-  /// No result may depend on how the range is cut.
+  /// @pre Results do not depend on the division into ranges.
   virtual void For(std::int64_t first, std::int64_t last,
     const std::function<void(std::int64_t, std::int64_t)>& body)
   {
@@ -30,15 +31,17 @@ public:
     }
   }
 
-  /// The processes that share the grid.
+  /// Returns the ranks that share the grid.
   virtual Ranks& Group()
   {
     static Ranks alone;
     return alone;
   }
 
-  /// Tells that the named stage is at fraction (0..1) of the whole run.
-  /// Throws Aborted when the user wants to stop; on one rank only when it is alone. Called by one thread.
+  /// Reports progress. Only one thread may call it.
+  /// @param fraction  completed part of the whole run, 0 to 1
+  /// @param stage  name of the current stage
+  /// @throws Aborted  if the user stops a run on a single rank
   virtual void Progress(double fraction, const char* stage)
   {
     (void)fraction;
@@ -46,7 +49,7 @@ public:
   }
 };
 
-/// Calls body(i) for 0 .. count - 1, possibly several at the same time.
+/// Calls body(i) for 0 <= i < count, possibly several at the same time.
 template <class Count, class Body>
 void ForEach(Runtime& runtime, Count count, const Body& body)
 {
@@ -60,7 +63,8 @@ void ForEach(Runtime& runtime, Count count, const Body& body)
     });
 }
 
-/// Calls body(j, k, number) for the rows along x of a box, numbered with y fastest, possibly several at the same time.
+/// Calls body(j, k, number) for the rows along x of a box, possibly several at the same time. Rows
+/// are numbered from 0, y fastest.
 template <class Body>
 void ForRows(Runtime& runtime, const IndexBox& box, const Body& body)
 {

@@ -9,7 +9,7 @@ namespace vfm
 namespace
 {
 
-// A block is as large as all before it, so that little is left unused.
+// A block is as large as all blocks before it together, which limits the unused memory.
 constexpr std::size_t SmallestBlock = std::size_t(1) << 12, LargestBlock = std::size_t(1) << 22;
 
 } // namespace
@@ -34,7 +34,8 @@ void* SlotArena::Take()
   {
     const std::size_t bytes = std::min(std::max(this->BlockBytes, SmallestBlock), LargestBlock);
     this->Left = std::max<std::size_t>(bytes / this->SlotBytes, 1);
-    this->Blocks.push_back(nullptr); // so that a block is never without its place in the list
+    // The list grows before the block is allocated: no block leaks if the list cannot grow.
+    this->Blocks.push_back(nullptr);
     this->Blocks.back() = AllocateBytes(this->Left * this->SlotBytes);
     this->BlockBytes += this->Left * this->SlotBytes;
     this->Next = static_cast<char*>(this->Blocks.back());

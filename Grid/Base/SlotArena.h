@@ -1,6 +1,5 @@
 /**
- * SlotArena: many pieces of memory of one size, taken and given back one at a time, freed together.
- * They lie in large blocks, so a piece costs no more than its size. Not for several threads at once.
+ * SlotArena: an allocator of slots of memory of one size.
  */
 #pragma once
 
@@ -10,18 +9,21 @@
 namespace vfm
 {
 
+/// Pool of slots of one size in large blocks, without overhead per slot. Slots are taken and
+/// returned one at a time; the destructor frees all of them. It is not thread-safe.
 class SlotArena
 {
 public:
-  /// bytes: of a slot; a multiple of 8.
+  /// @param bytes  size of a slot, a multiple of 8
   explicit SlotArena(std::size_t bytes) : SlotBytes(bytes) {}
   SlotArena(const SlotArena&) = delete;
   SlotArena& operator=(const SlotArena&) = delete;
   ~SlotArena();
 
-  /// A slot, not initialised.
+  /// Returns an uninitialised slot.
+  /// @throws std::bad_alloc  if there is not enough memory
   void* Take();
-  /// Gives a slot back, for Take to hand out again.
+  /// Returns a slot to the pool for reuse.
   void Give(void* slot) { this->Spare.push_back(slot); }
 
   std::size_t MemoryInBytes() const
@@ -31,10 +33,10 @@ public:
 
 private:
   std::size_t SlotBytes;
-  std::size_t BlockBytes = 0; // of all blocks
+  std::size_t BlockBytes = 0; // size of all blocks
   std::vector<void*> Blocks, Spare;
-  char* Next = nullptr; // in the last block
-  std::size_t Left = 0; // slots from there
+  char* Next = nullptr; // first unused slot of the last block
+  std::size_t Left = 0; // number of slots from Next
 };
 
 } // namespace vfm

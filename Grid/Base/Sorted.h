@@ -1,5 +1,5 @@
 /**
- * Sorted lists.
+ * Functions on sorted lists.
  */
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace vfm
 {
 
-/// Sorts a list and leaves one of equal items.
+/// Sorts a list and removes duplicates.
 template <class List>
 void SortUnique(List& items)
 {
@@ -17,7 +17,7 @@ void SortUnique(List& items)
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-/// The position of an item in a sorted list, or -1.
+/// Returns the position of an item in a sorted list, or -1 if the list does not contain it.
 template <class List, class Item>
 std::int64_t FindSorted(const List& items, const Item& item)
 {
@@ -25,13 +25,15 @@ std::int64_t FindSorted(const List& items, const Item& item)
   return at != items.end() && *at == item ? at - items.begin() : -1;
 }
 
-/// Calls body(first, last) for the runs of items that alike(first item, other item) tells to belong together.
+/// Calls body(first, last) for each run of consecutive items that are equal.
+/// @param isEqual  isEqual(first item of the run, other item) returns whether the item
+///   belongs to the run
 template <class Iterator, class IsEqual, class Body>
-void ForRuns(Iterator begin, Iterator end, const IsEqual& alike, const Body& body)
+void ForRuns(Iterator begin, Iterator end, const IsEqual& isEqual, const Body& body)
 {
   for (Iterator first = begin, last = begin; first != end; first = last)
   {
-    last = std::find_if(first, end, [&](const auto& item) { return !alike(*first, item); });
+    last = std::find_if(first, end, [&](const auto& item) { return !isEqual(*first, item); });
     body(first, last);
   }
 }

@@ -1,5 +1,5 @@
 /**
- * ThreadRuntime: loops on threads that are kept from loop to loop, and the ranks that work on one grid.
+ * ThreadRuntime: a Runtime with threads and ranks.
  */
 #pragma once
 
@@ -12,20 +12,26 @@
 namespace vfm
 {
 
-/// Threads for the number that a user gave; 0: all cores on one process, one thread on each of several.
+/// Returns the number of threads per rank.
+/// @param given  number that the user set; 0: all cores on a single rank, one
+///   thread on several ranks
+/// @param processes  number of ranks
 inline int ChooseThreads(int given, int processes)
 {
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   return given > 0 ? given : processes > 1 ? 1 : cores;
 }
 
+/// Runtime whose loops share threads that stay alive between loops (LoopThreads).
 class ThreadRuntime : public Runtime
 {
 public:
-  /// ranks: null for one process; must outlive this.
+  /// @param threads  maximum number of threads
+  /// @param ranks  must outlive this object; null for a single rank
   explicit ThreadRuntime(int threads, Ranks* ranks = nullptr) : Count(threads), TheRanks(ranks) {}
 
-  /// An exception in the body is thrown on, once all threads have ended. Threads that the system does not give are done without.
+  /// Runs a loop on at most `threads` threads; fewer if the system cannot start them. Rethrows the
+  /// first exception of the body after all ranges have run.
   void For(std::int64_t first, std::int64_t last,
     const std::function<void(std::int64_t, std::int64_t)>& body) override
   {
@@ -34,7 +40,7 @@ public:
   Ranks& Group() override { return this->TheRanks ? *this->TheRanks : this->Runtime::Group(); }
 
 protected:
-  const int Count; // of threads
+  const int Count; // maximum number of threads
 
 private:
   Ranks* TheRanks;

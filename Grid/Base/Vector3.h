@@ -34,13 +34,13 @@ inline double Norm(const Vector3& a)
 {
   return std::sqrt(Dot(a, a));
 }
-/// a / |a|; a zero vector stays zero.
+/// Returns a / |a|, or a itself if it is zero.
 inline Vector3 Unit(const Vector3& a)
 {
   const double norm = Norm(a);
   return norm > 0.0 ? (1.0 / norm) * a : a;
 }
-/// Component by component.
+/// Scaled and Divided return the product and the quotient by component.
 inline Vector3 Scaled(const Vector3& a, const Vector3& b)
 {
   return { { a[0] * b[0], a[1] * b[1], a[2] * b[2] } };
@@ -49,7 +49,8 @@ inline Vector3 Divided(const Vector3& a, const Vector3& b)
 {
   return { { a[0] / b[0], a[1] / b[1], a[2] / b[2] } };
 }
-/// Two unit vectors that make a frame with n.
+/// Sets u and v to unit vectors that are orthogonal to n and to each other.
+/// @param n  unit vector
 inline void MakeTangents(const Vector3& n, Vector3& u, Vector3& v)
 {
   int flat = 0;

@@ -1,5 +1,5 @@
 /**
- * WideSum: a sum of doubles of any size that does not depend on their order, exact until its value is taken.
+ * WideSum: a sum of doubles of any magnitude that does not depend on the order of the summands.
  */
 #pragma once
 
@@ -11,7 +11,8 @@
 namespace vfm
 {
 
-/// All bits that doubles have, in digits of 32: each number is added to three of them.
+/// Exact sum. It stores all bits that doubles can have in digits of 32 bits. Each summand is added
+/// to three digits. Only Value rounds.
 class WideSum
 {
 public:
@@ -27,7 +28,8 @@ public:
     const std::uint64_t exponent = bits >> 52 & 0x7ff;
     const std::uint64_t mantissa =
       (bits & 0xfffffffffffffULL) | static_cast<std::uint64_t>(exponent > 0) << 52;
-    const std::uint64_t place = exponent - (exponent > 0); // of the last bit, above 2^-1074
+    // Position of the last bit, whose value is 2^(place - 1074).
+    const std::uint64_t place = exponent - (exponent > 0);
     const std::uint64_t low = (mantissa & Mask) << place % 32,
                         high = (mantissa >> 32) << place % 32;
     const std::int64_t sign = bits >> 63 ? -1 : 1;
@@ -41,7 +43,7 @@ public:
     }
   }
 
-  /// Not a number when one of the summands was none or infinite.
+  /// Returns the sum, or NaN if a summand was infinite or NaN.
   double Value() const
   {
     WideSum sum = *this;
@@ -60,7 +62,8 @@ public:
     return isNegative ? -value : value;
   }
 
-  /// Makes each the sum over all ranks. Collective.
+  /// Replaces each sum by its sum over all ranks.
+  /// @pre Collective over `ranks`; the same number of sums on each rank.
   static void SumOverRanks(std::vector<WideSum>& sums, Ranks& ranks)
   {
     std::vector<std::int64_t> parts;
@@ -83,9 +86,9 @@ public:
 private:
   static constexpr int Length = 68;
   static constexpr std::uint64_t Mask = 0xffffffffULL;
-  static constexpr int MaximumAtOnce = 1 << 28; // so that no digit leaves 63 bits
+  static constexpr int MaximumAtOnce = 1 << 28; // limit at which digits still fit in 63 bits
 
-  /// Leaves 32 bits in each digit, the sign in the last.
+  /// Reduces each digit to 32 bits by carrying into the next; the last digit keeps the sign.
   void Carry()
   {
     for (int d = 0; d + 1 < Length; ++d)
