@@ -1,5 +1,5 @@
 /**
- * Errors (WorkTogether), sums and lists on which all ranks agree.
+ * Sums and lists that are equal on all ranks; includes WorkTogether for common errors.
  */
 #pragma once
 
@@ -10,7 +10,8 @@
 namespace vfm
 {
 
-/// Collective: the sum of a number over the ranks.
+/// Returns the sum of a number over all ranks.
+/// @pre Collective over `ranks`.
 inline std::int64_t SumOverRanks(std::int64_t mine, Ranks& ranks)
 {
   std::vector<std::int64_t> sum{ mine };
@@ -18,8 +19,10 @@ inline std::int64_t SumOverRanks(std::int64_t mine, Ranks& ranks)
   return sum[0];
 }
 
-/// Collective: the values that any rank holds, each once, in increasing order, on all ranks. They are united pair by
-/// pair up a binary tree and sent down again: 2 log2 P messages at most on any rank.
+/// Returns the values that at least one rank holds, ascending and without duplicates.
+/// @pre Collective over `ranks`.
+/// @note Lists are merged up a binary tree and sent down again. A rank of P sends at most
+///   2 log2 P messages.
 template <class T>
 std::vector<T> UnionOverRanks(Ranks& ranks, std::vector<T> values)
 {
@@ -40,7 +43,7 @@ std::vector<T> UnionOverRanks(Ranks& ranks, std::vector<T> values)
       tidy();
     }
   }
-  if (rank > 0) // step: the lowest bit of the rank
+  if (rank > 0) // step is the lowest set bit of the rank
   {
     ranks.Exchange({ rank - step }, { ToBytes(values) });
     values = FromBytes<T>(ranks.Exchange({ rank - step }, { Bytes() })[0]);

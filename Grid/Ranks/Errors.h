@@ -1,6 +1,6 @@
 /**
- * What ends the work of a rank. Texts are kept in place, so that where memory has run out an error can still be thrown and told
- * to the other ranks.
+ * Errors that end the work of a rank. They contain their texts, so they can be thrown and sent to
+ * other ranks even without free memory.
  */
 #pragma once
 
@@ -16,10 +16,10 @@
 namespace vfm
 {
 
-/// What failed. Programs and hosts report it by numbers of their own.
+/// Kind of an error. Programs and hosts translate it to their own numbers.
 enum class ErrorCode : std::int32_t
 {
-  Unknown, ///< the caller knows (ClassifyErrors)
+  Unknown, ///< not classified; a caller sets the code (ClassifyErrors)
   WrongArguments,
   UnreadableInput,
   RejectedMesh, ///< input that cannot be meshed
@@ -31,12 +31,12 @@ enum class ErrorCode : std::int32_t
   WrongHandle
 };
 
-/// Why a rank failed, as it is sent.
+/// Failure of a rank in the form in which ranks send it. Longer texts are truncated.
 struct Failure
 {
   static constexpr std::size_t LongestText = 2032;
 
-  std::int32_t Rank; ///< that failed, of those that the sender knows of
+  std::int32_t Rank; ///< the failed rank; the lowest one that the sender knows of
   ErrorCode Code;
   char Text[LongestText];
 
@@ -47,7 +47,7 @@ struct Failure
     std::memcpy(this->Text, text, length);
     std::memset(this->Text + length, 0, LongestText - length);
   }
-  /// Which of two all ranks tell: that of the lower rank.
+  /// Orders failures by rank. All ranks report the smallest failure.
   bool operator<(const Failure& other) const noexcept
   {
     if (this->Rank != other.Rank)
@@ -61,7 +61,7 @@ struct Failure
   static constexpr std::int32_t NoRank = std::numeric_limits<std::int32_t>::max();
 };
 
-/// Of one rank of several, or alone.
+/// Returns the failure "Not enough memory", with the number of the rank if there are several.
 inline Failure LackOfMemory(int rank, int count) noexcept
 {
   char text[64] = "Not enough memory.";
@@ -72,8 +72,8 @@ inline Failure LackOfMemory(int rank, int count) noexcept
   return { rank, ErrorCode::OutOfMemory, text };
 }
 
-/// The input cannot be meshed, or what the code says; what() tells which array, which value, where, what to do. Texts beyond
-/// Failure::LongestText are cut.
+/// Error of the input, or of the kind given by the code. what() names the array, the value and the
+/// place, and says what to do. Texts longer than Failure::LongestText are truncated.
 class InputError : public std::exception
 {
 public:
@@ -82,20 +82,20 @@ public:
   explicit InputError(const char* text) noexcept : What(0, ErrorCode::Unknown, text) {}
   explicit InputError(const std::string& text) noexcept : InputError(text.c_str()) {}
   const char* what() const noexcept override { return this->What.Text; }
-  /// Told to other ranks with the text.
+  /// Returns the code, which other ranks receive with the text.
   ErrorCode Code() const { return this->What.Code; }
 
 private:
   Failure What;
 };
 
-/// Thrown out of a stage when the user asked to stop.
+/// Exception of a stage that the user stopped.
 struct Aborted : std::exception
 {
   const char* what() const noexcept override { return "aborted"; }
 };
 
-/// Does the work; the messages of its errors get the prefix.
+/// Runs work() and adds the prefix to the messages of its InputErrors.
 template <class Work>
 void PrefixErrors(const std::string& prefix, const Work& work)
 {
@@ -109,7 +109,8 @@ void PrefixErrors(const std::string& prefix, const Work& work)
   }
 }
 
-/// Does the work; its errors get the code if they have none. Aborted and lack of memory pass through.
+/// Runs work() and converts its exceptions to InputErrors. The code is set if an error has none.
+/// Aborted and std::bad_alloc are not converted.
 template <class Work>
 void ClassifyErrors(ErrorCode code, const Work& work)
 {

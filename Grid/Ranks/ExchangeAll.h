@@ -8,7 +8,9 @@
 namespace vfm
 {
 
-/// Collective: sends messages[r] to each rank r and returns what those sent here; the own message stays.
+/// Sends messages[r] to each rank r and returns the messages received, by rank. The message to this
+/// rank is returned without being sent.
+/// @pre Collective over `ranks`.
 std::vector<Bytes> ExchangeAll(std::vector<Bytes> messages, Ranks& ranks);
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * The largest of each of some values over all ranks.
+ * MaxOfEach: maxima over all ranks.
  */
 #pragma once
 
@@ -11,7 +11,8 @@
 namespace vfm
 {
 
-/// Collective: in place.
+/// Replaces each value by its maximum over all ranks.
+/// @pre Collective over `ranks`; the same number of values on each rank.
 inline void MaxOfEach(std::vector<double>& values, Ranks& ranks)
 {
   for (const Bytes& bytes : ranks.Gather(ToBytes(values)))

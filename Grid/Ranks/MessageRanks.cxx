@@ -10,7 +10,7 @@ namespace vfm
 namespace
 {
 
-constexpr std::int8_t Settled = -1; // of a rank that knows that this one failed
+constexpr std::int8_t Settled = -1; // in Heard: the rank knows that this rank failed
 
 /// Calls transfer(first byte, size) for the pieces of a message.
 template <class Transfer>
@@ -58,7 +58,8 @@ std::vector<Bytes> TakeItems(const Bytes& list, int count)
 
 } // namespace
 
-/// What one rank sends to its peers and receives from them. All memory for sending is there before anything is sent.
+/// Messages that this rank sends to its peers and receives from them. All memory for sending is
+/// allocated before the first message is sent.
 class MessageRanks::LargeMessages
 {
 public:
@@ -89,7 +90,7 @@ public:
   void Begin() noexcept { this->BeginAll(this->Sends); }
   void WaitForSent() noexcept { this->WaitForAll(this->Sends); }
 
-  /// The messages that follow these heads.
+  /// Receives the messages that belong to the heads in Received.
   std::vector<Bytes> Receive()
   {
     std::vector<Transport::Transfer> pieces;
@@ -106,7 +107,7 @@ public:
     return std::move(this->Incoming);
   }
 
-  std::vector<Head> Received; ///< from each peer
+  std::vector<Head> Received; ///< head from each peer
 
 private:
   static void Add(const void* data, std::size_t size, int other, bool isSent,
@@ -136,12 +137,13 @@ private:
 
   Transport& Way;
   const std::vector<int>& Peers;
-  std::vector<Head> Heads; // sent
+  std::vector<Head> Heads; // heads to each peer
   std::vector<Transport::Transfer> Sends;
   std::vector<Bytes> Incoming;
 };
 
-/// Sends to any number of ranks without memory: so many at a time. Beyond that it counts on the transport to take in a few kB.
+/// Sends messages to any number of ranks without allocating memory. At most 128 messages are under
+/// way at a time; beyond that it relies on the transport to buffer a few kB.
 class MessageRanks::SmallMessages
 {
 public:
@@ -156,7 +158,7 @@ public:
   SmallMessages(const SmallMessages&) = delete;
   SmallMessages& operator=(const SmallMessages&) = delete;
 
-  /// The data must stay until this ends.
+  /// Begins to send data, which must not change before this object is destroyed.
   void Send(const void* data, std::size_t size, int to) noexcept
   {
     Transport::Transfer& slot = this->Slots[this->Count % this->Slots.size()];
@@ -191,7 +193,7 @@ void MessageRanks::Receive(void* data, std::size_t size, int from) noexcept
   this->Way.Wait(transfer);
 }
 
-/// Notes what it tells of a failure.
+/// Receives a head. If it reports a failure, receives and stores that too.
 MessageRanks::Head MessageRanks::ReceiveHead(int from) noexcept
 {
   Head head;
@@ -215,7 +217,8 @@ std::int32_t MessageRanks::Where(bool isLeaving) const noexcept
   return 2 * static_cast<std::int32_t>(this->Within) + isLeaving;
 }
 
-/// Whether the sender failed, or is not where this rank is, which is noted.
+/// Returns whether the sender failed or is in another frame than this rank, which is
+/// stored as a failure.
 bool MessageRanks::IsFailure(const Head& head, std::int32_t where, int from) noexcept
 {
   const bool isElsewhere = !head.Failed && head.Where != where;
@@ -224,8 +227,8 @@ bool MessageRanks::IsFailure(const Head& head, std::int32_t where, int from) noe
     char text[128];
     const int first = std::min(from, this->MyRank), second = std::max(from, this->MyRank);
     std::snprintf(text, sizeof(text),
-      "Ranks %d and %d are not in the same work: one of them has failed and did not tell.", first,
-      second);
+      "Ranks %d and %d are in different collective steps: one of them failed without reporting it.",
+      first, second);
     this->Known = Failure(first, ErrorCode::Unknown, text);
   }
   return head.Failed || isElsewhere;
@@ -245,8 +248,8 @@ MessageRanks::Head MessageRanks::MakeFailedHead() const noexcept
   return head;
 }
 
-/// Drops what comes until every rank that was told has told that it failed. From all at once: one may be waiting for what
-/// it sent to another.
+/// Discards messages until every rank has reported that it failed. It receives from all ranks at
+/// once, because a rank may be waiting until another rank receives its message.
 void MessageRanks::HearOfAll() noexcept
 {
   for (bool isWaiting = true; isWaiting;)
@@ -269,8 +272,9 @@ void MessageRanks::HearOfAll() noexcept
   }
 }
 
-/// Tells all others what is Known, and hears from all that they have failed too. A rank that was inside an inner frame is told again
-/// whenever it fails there, until it fails in the frame of this one. Of all that is told in one frame all ranks choose the same.
+/// Sends the known failure to all other ranks and waits until all have reported theirs. A rank that
+/// fails in a frame inside this one is sent the failure again, until it fails in the frame of this
+/// rank. From all failures reported in one frame, all ranks select the same one.
 void MessageRanks::Settle() noexcept
 {
   const Failure told = this->Known;
@@ -320,7 +324,8 @@ bool MessageRanks::Enter(Frame frame) noexcept
   return true;
 }
 
-/// A barrier, without memory: who leaves it knows that all have come to it.
+/// Waits until all ranks have reached the end of the frame (a dissemination barrier).
+/// It needs no memory.
 void MessageRanks::Leave()
 {
   for (int step = 1; step < this->NumberOfRanks; step *= 2)
@@ -410,8 +415,9 @@ std::vector<Bytes> MessageRanks::Exchange(
   return this->Swap(peers, outgoing);
 }
 
-/// Makes mine of all ranks; merge(bytes, others): must not depend on the order. Doubles the ranks that are merged each round; those beyond
-/// a power of two give theirs to one before.
+/// Merges the bytes of all ranks by recursive doubling. Ranks beyond the largest power of two take
+/// part through one rank below it.
+/// @param merge  merge(bytes, others) must not depend on the order
 template <class Merge>
 void MessageRanks::Combine(Bytes& mine, const Merge& merge)
 {

@@ -1,11 +1,5 @@
 /**
- * MessageRanks: ranks that send messages over a transport (MPI, threads).
- *
- * Waiting for a message is the only way of waiting for others. Each begins with a head, which tells its size or that the
- * sender has failed; small messages are in the head. Messages between two ranks stay in order, so each rank finds a failure at
- * the same place in every run. A rank that fails sends this head to all others and drops what they send until theirs comes; one that
- * receives it fails likewise. Then nothing is on its way. All this needs no memory. Ranks that are not in the same work, as one whose
- * failure was swallowed, fail too when they wait for each other.
+ * MessageRanks: ranks that exchange messages over a transport such as MPI or threads.
  */
 #pragma once
 
@@ -16,35 +10,48 @@
 namespace vfm
 {
 
-/// Moves bytes between processes; those from one to another arrive in order. Nothing here throws.
+/// Transport of bytes between ranks. Bytes from one rank to another arrive in
+/// order. No function throws.
 class Transport
 {
 public:
-  /// Bytes under way.
+  /// State of bytes that are being sent or received.
   struct Transfer
   {
     char* Data;
     std::size_t Size;
-    int Other; ///< rank
+    int Other; ///< the other rank
     bool IsSent, IsDone;
     Transfer* Next;
-    void* Request; ///< of the transport
+    void* Request; ///< data of the transport
   };
 
   virtual ~Transport() = default;
-  /// Begins to send or to receive all of the bytes, at most LongestPiece; both must stay until Wait returns.
+  /// Begins to send or to receive at most LongestPiece bytes. The transfer and its bytes must not
+  /// move before Wait returns.
   virtual void Begin(Transfer& transfer) noexcept = 0;
+  /// Waits until a transfer is complete.
   virtual void Wait(Transfer& transfer) noexcept = 0;
-  /// Whether something from that rank can be received.
+  /// Returns whether bytes from a rank can be received without waiting.
   virtual bool HasArrived(int from) noexcept = 0;
 
   static constexpr std::size_t LongestPiece = std::size_t(1) << 20;
 };
 
+/// Ranks on a transport. Ranks wait for each other only by waiting for messages. Each
+/// message begins with a head that holds its size, or says that the sender failed. Small
+/// messages are inside the head.
+///
+/// Failures. A rank that fails sends a failure head to all others and discards their messages until
+/// each has replied with a failure head. A rank that receives one fails with the same error.
+/// Afterwards no message is under way. This needs no memory. Messages between two ranks keep their
+/// order, so each rank detects a failure at the same place in every run. If an error was swallowed,
+/// ranks can be in different frames; they fail too as soon as one waits for the other.
 class MessageRanks : public Ranks
 {
 public:
-  /// The transport must outlive this.
+  /// @param transport  must outlive this object
+  /// @param rank,count  number of this rank and of ranks
   MessageRanks(Transport& transport, int rank, int count);
   MessageRanks(const MessageRanks&) = delete;
   MessageRanks& operator=(const MessageRanks&) = delete;
@@ -53,7 +60,7 @@ public:
 
   std::vector<Bytes> Exchange(
     const std::vector<int>& peers, const std::vector<Bytes>& outgoing) override;
-  /// These take log2 P rounds of messages.
+  /// Gather, Sum and Max take log2 P rounds of messages on P ranks.
   std::vector<Bytes> Gather(const Bytes& mine) override;
   void Sum(std::vector<std::int64_t>& values) override;
   double Max(double value) override;
@@ -62,7 +69,8 @@ public:
   void Leave() override;
   [[noreturn]] void Fail(const Failure& mine) override;
 
-  /// What this rank sent since it was made. A gather counts with what it brings in, not with its messages.
+  /// Communication of this rank since construction. A gather is counted by the bytes that it
+  /// returns, not by its messages.
   struct Traffic
   {
     std::int64_t Exchanges = 0, Messages = 0, MessageBytes = 0;
@@ -71,13 +79,14 @@ public:
   const Traffic& Sent() const { return this->Counted; }
 
 private:
-  /// The begin of a message.
+  /// Begin of a message.
   struct Head
   {
-    std::int64_t Size = 0;   ///< of the message
-    std::int32_t Failed = 0; ///< else 1 + the frame that failed, and the message is a Failure
-    std::int32_t Where = 0;  ///< the sender is: its frame, and whether it is about to leave it
-    char Small[112] = {};    ///< the message, when it is not longer
+    std::int64_t Size = 0;   ///< size of the message in bytes
+    std::int32_t Failed = 0; ///< 0, or 1 + the frame that failed; then the message is a Failure
+    std::int32_t Where = 0;  ///< 2 * frame of the sender, + 1 if the sender is leaving it
+    char Small[112] = {};    ///< the message, if it fits
+    /// Returns the number of bytes that follow the head.
     std::int64_t SizeAfter() const
     {
       return this->Size > std::int64_t(sizeof(this->Small)) ? this->Size : 0;
@@ -104,10 +113,10 @@ private:
   const int MyRank, NumberOfRanks;
   Frame Within = Frame::Inner;
   bool IsInFrame = false, HasFailed = false;
-  std::int8_t HeardOfFew[4096] = {};    ///< there before any work begins
-  std::vector<std::int8_t> HeardOfMany; ///< in place of these, where ranks are more
-  std::int8_t* Heard; ///< by rank, while this one fails: Head::Failed of its last head
-  Failure Known;      ///< what is known of the failure
+  std::int8_t HeardOfFew[4096] = {};    ///< memory of Heard, allocated before any work
+  std::vector<std::int8_t> HeardOfMany; ///< memory of Heard if there are more ranks
+  std::int8_t* Heard; ///< while this rank fails: Head::Failed of the last head from each rank
+  Failure Known;      ///< smallest failure known so far
   Traffic Counted;
 };
 

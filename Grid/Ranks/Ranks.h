@@ -1,6 +1,5 @@
 /**
- * The processes that share a grid. The base class is the serial program: one rank, nothing to exchange.
- * MessageRanks is any number of them. Every call is collective unless it says otherwise.
+ * Ranks: the interface to the ranks that share a grid, and functions that exchange lists.
  */
 #pragma once
 
@@ -15,39 +14,50 @@ namespace vfm
 
 using Bytes = std::vector<char>;
 
+/// Group of ranks. The base class is a single rank without communication; MessageRanks is a
+/// group of any number of ranks. Every call is collective unless stated otherwise. One thread of
+/// each rank may call.
 class Ranks
 {
 public:
   virtual ~Ranks() = default;
+  /// Returns the number of this rank, from 0. Not collective.
   virtual int Rank() const { return 0; }
+  /// Returns the number of ranks. Not collective.
   virtual int Count() const { return 1; }
 
-  /// Sends outgoing[i] to rank peers[i] and returns what peers[i] sent here. Peers are ascending and mutual; only the
-  /// peers need to call.
+  /// Sends outgoing[i] to rank peers[i] and returns the message received from each peer.
+  /// @param peers  ascending ranks other than this one; if a is a peer of b, b is a peer of a
+  /// @pre Collective among peers; other ranks need not call.
   virtual std::vector<Bytes> Exchange(
     const std::vector<int>& peers, const std::vector<Bytes>& outgoing)
   {
     (void)peers;
     return outgoing;
   }
-  /// What every rank gave, by rank, on all ranks.
+  /// Returns the bytes of every rank, by rank, on all ranks.
   virtual std::vector<Bytes> Gather(const Bytes& mine) { return { mine }; }
-  /// Sums over the ranks, element by element, in place.
+  /// Replaces each value by its sum over all ranks. Each rank passes the same number of values.
   virtual void Sum(std::vector<std::int64_t>& values) { (void)values; }
+  /// Returns the maximum over all ranks.
   virtual double Max(double value) { return value; }
 
+  /// Returns whether the value is true on at least one rank.
   bool Any(bool value) { return this->Max(value ? 1.0 : 0.0) > 0.0; }
 
-  /// What is inside of what, from the outside in, where works on the same processes do not know each other: a program, what it does in
-  /// turn, a filter as VTK runs it, and what it does.
+  /// Kinds of frames, from the outermost to the innermost. A frame is a piece of collective work
+  /// with common error handling (WorkTogether). Frames nest even if the libraries that open them do
+  /// not know of each other.
   enum class Frame
   {
-    Program,
-    Stage,
-    Filter,
-    Inner
+    Program, ///< a whole program
+    Stage,   ///< a step of a program or host
+    Filter,  ///< a filter as VTK runs it
+    Inner    ///< a step inside a filter
   };
-  ///@{ For WorkTogether alone. Enter: false inside a frame. Leave: when all ranks do. Fail: throws on all ranks.
+  ///@{ Only for WorkTogether.
+  /// Enter begins a frame; it returns false inside another frame. Leave ends the frame after all
+  /// ranks have called it. Fail ends the frame and throws the same error on all ranks.
   virtual bool Enter(Frame frame) noexcept
   {
     (void)frame;
@@ -58,6 +68,8 @@ public:
   ///@}
 };
 
+/// Returns the bytes of a list.
+/// @tparam T  trivially copyable type
 template <class T>
 Bytes ToBytes(const std::vector<T>& items)
 {
@@ -69,6 +81,7 @@ Bytes ToBytes(const std::vector<T>& items)
   return bytes;
 }
 
+/// Returns the list that ToBytes converted.
 template <class T>
 std::vector<T> FromBytes(const Bytes& bytes)
 {
@@ -80,7 +93,7 @@ std::vector<T> FromBytes(const Bytes& bytes)
   return items;
 }
 
-/// The items of some messages, one message after the other.
+/// Returns the items of several messages, one message after another.
 template <class T>
 std::vector<T> JoinItems(const std::vector<Bytes>& messages)
 {
@@ -93,14 +106,15 @@ std::vector<T> JoinItems(const std::vector<Bytes>& messages)
   return all;
 }
 
-/// The items of all ranks, in the order of the ranks.
+/// Returns the items of all ranks, in the order of the ranks.
+/// @pre Collective over `ranks`.
 template <class T>
 std::vector<T> GatherItems(Ranks& ranks, const std::vector<T>& mine)
 {
   return JoinItems<T>(ranks.Gather(ToBytes(mine)));
 }
 
-/// One message per list.
+/// Returns one message per list.
 template <class T>
 std::vector<Bytes> PackLists(const std::vector<std::vector<T>>& lists)
 {
@@ -112,7 +126,8 @@ std::vector<Bytes> PackLists(const std::vector<std::vector<T>>& lists)
   return messages;
 }
 
-/// Sends lists[i] to rank peers[i] and returns the list that each peer sent here. Peers are as for Ranks::Exchange.
+/// Sends lists[i] to rank peers[i] and returns the list received from each peer (Ranks::Exchange).
+/// @pre Collective among peers.
 template <class T>
 std::vector<std::vector<T>> ExchangeLists(
   Ranks& ranks, const std::vector<int>& peers, const std::vector<std::vector<T>>& lists)
@@ -125,7 +140,8 @@ std::vector<std::vector<T>> ExchangeLists(
   return received;
 }
 
-/// The same; returns all items that came, in the order of the peers.
+/// Sends lists[i] to rank peers[i] and returns all items received, in the order of the peers.
+/// @pre Collective among peers.
 template <class T>
 std::vector<T> ExchangeItems(
   Ranks& ranks, const std::vector<int>& peers, const std::vector<std::vector<T>>& lists)

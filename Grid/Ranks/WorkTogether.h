@@ -1,5 +1,6 @@
 /**
- * WorkTogether: no rank waits for one that failed.
+ * WorkTogether: collective work with common error handling, so that no rank waits
+ * for a failed rank.
  */
 #pragma once
 
@@ -10,13 +11,17 @@
 namespace vfm
 {
 
-/// As below, with the work as a function of a pointer.
+/// Calls work(what) in a frame; the function below explains frames.
 void WorkTogether(Ranks& ranks, Ranks::Frame frame, void (*work)(void*), void* what);
 
-/// Collective: every rank does its work, which may communicate through these ranks. When it throws on any rank (InputError, lack of
-/// memory, anything else), all ranks throw InputError with the code and the message of the lowest rank that failed on its own account, even those that
-/// wait for messages or have done their work; what was on its way is gone, and the ranks can be used again. Inside another such
-/// work of the same ranks it is the work alone. Needs no memory. Aborted, which only a lone rank may throw, passes through.
+/// Calls work() on every rank in a frame. The work may communicate through `ranks`. If it throws on
+/// any rank, all ranks throw, even ranks that wait for messages or have finished their work.
+/// Messages under way are discarded, and the ranks can be used again. Inside another frame of the
+/// same ranks, work() is only called. The error handling needs no memory.
+/// @throws InputError  the code and message of the lowest rank whose own work threw any exception
+/// @throws Aborted  if the work of a single rank throws it; on several ranks
+///   it becomes an InputError
+/// @pre Collective over `ranks`.
 template <class Work>
 void WorkTogether(Ranks& ranks, Work&& work, Ranks::Frame frame = Ranks::Frame::Inner)
 {
@@ -26,8 +31,9 @@ void WorkTogether(Ranks& ranks, Work&& work, Ranks::Frame frame = Ranks::Frame::
     const_cast<void*>(static_cast<const void*>(&work)));
 }
 
-/// Collective: the same, in a step of a program or a host. Errors that have no code get this one; of an exception that is no
-/// std::exception it is InternalError.
+/// Calls work() by WorkTogether as a step of a program or host. Errors without a code get the given
+/// code; exceptions that are not derived from std::exception get InternalError.
+/// @pre Collective over `ranks`.
 template <class Work>
 void WorkInStage(
   Ranks& ranks, ErrorCode code, const Work& work, Ranks::Frame frame = Ranks::Frame::Stage)
