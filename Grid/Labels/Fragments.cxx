@@ -24,7 +24,7 @@ std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePair
   {
     Join(parent, pair[0], pair[1]);
   }
-  std::map<Index, Index> lowest; // root -> lowest cell of the joined piece
+  std::map<Index, Index> lowest; // root -> lowest cell of the fragment
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     const auto at = lowest.emplace(FindRoot(parent, p), pieces[p].Lowest).first;
@@ -124,7 +124,8 @@ void Fragments::JoinRows(Index row, Index other, std::vector<Index>& parent) con
   }
 }
 
-/// The pieces of this rank's box, in the order of their lowest cell; runs get 1 + their number, for now.
+/// Returns the local components of this rank's box by their lowest cell. Runs temporarily get 1 +
+/// the number of their component.
 std::vector<Piece> Fragments::FindPieces(
   const CartesianGrid& grid, std::vector<Index>& parent, bool meshVoid)
 {
@@ -151,7 +152,8 @@ std::vector<Piece> Fragments::FindPieces(
   return pieces;
 }
 
-/// Pairs of pieces of different ranks that hold the same cell. Pieces of this rank are numbered from offset.
+/// Returns the pairs of local components of different ranks that contain the same cell. Components
+/// of this rank are numbered from offset.
 PiecePairs Fragments::FindSame(
   const CartesianGrid& grid, const Partition& partition, Index offset) const
 {

@@ -1,5 +1,5 @@
 /**
- * Fragments: face-connected pieces of one label.
+ * Fragments: face-connected sets of cells of one label, numbered over all ranks.
  */
 #pragma once
 
@@ -8,36 +8,47 @@
 namespace vfm
 {
 
-/// A connected part of a fragment, on one rank.
+/// Local component: a connected part of a fragment on one rank.
 struct Piece
 {
-  Index Lowest; ///< id of its lowest cell or element
+  Index Lowest; ///< id of the lowest cell or element
   Index Label;
 };
 using PiecePairs = std::vector<std::array<Index, 2>>;
 
-/// The number of this rank's first piece when the pieces of all ranks stand in the order of the ranks. Collective.
+/// Returns the number of this rank's first local component if components are numbered over all
+/// ranks, in the order of ranks.
+/// @pre Collective.
 Index OffsetOfPieces(Ranks& ranks, Index count);
 
-/// Joins the pieces of all ranks and numbers the fragments from 1 by their lowest cell. same: pairs of pieces (numbers over
-/// all ranks) that are one. Returns the fragment of each of mine; materials: of each fragment, [0] unused. Collective.
+/// Joins the local components of all ranks into fragments, which are numbered from 1
+/// by their lowest cell.
+/// @param mine  local components of this rank
+/// @param same  pairs of components, numbered over all ranks, that belong to one fragment
+/// @param offset  OffsetOfPieces of this rank
+/// @param[out] materials  label of each fragment; [0] is unused
+/// @return fragment of each local component of this rank
+/// @pre Collective.
 std::vector<int> NumberFragments(const std::vector<Piece>& mine, const PiecePairs& same,
   Index offset, Ranks& ranks, std::vector<int>& materials);
 
-/// Piece of every cell of HexBox, numbered from 1 over all ranks by the lowest cell; 0 in cells that are not meshed.
-/// Stored as runs of equal label along x, so that memory follows the interfaces.
+/// Fragment of every cell of HexBox, numbered from 1 over all ranks by the lowest cell; 0 in
+/// cells that are not meshed. Stored as runs of equal label along x, so memory is
+/// proportional to the interfaces.
 class Fragments
 {
 public:
-  /// Collective. Every rank learns of all pieces of all ranks: 16 bytes a piece and rank that holds a part of it.
+  /// Finds the fragments. Every rank receives the local components of all ranks, 16 bytes each.
+  /// @pre Collective.
   Fragments(
     const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, const Partition& partition);
 
   int NumberOfFragments() const { return static_cast<int>(this->Materials.size()) - 1; }
-  /// Of a cell in HexBox. runEnd: set to the end of the row's cells of the same fragment.
+  /// Returns the fragment of a cell in HexBox.
   int FragmentOfCell(const Index3& cell) const;
+  /// Also sets runEnd to the end of the run of cells of this fragment along x.
   int FragmentOfCell(const Index3& cell, Index& runEnd) const;
-  /// Of every fragment; [0] unused.
+  /// Returns the material of every fragment; [0] is unused.
   const std::vector<int>& MaterialsOfFragments() const { return this->Materials; }
 
   /// Calls body(first cell, last cell + 1, fragment) for the runs of row (j, k) in order.
@@ -73,7 +84,7 @@ private:
   Index End;
   std::vector<RunOfCells> Runs;
   std::vector<Index> RowStart;
-  std::vector<int> Materials; // by fragment, [0] unused
+  std::vector<int> Materials; // one per fragment; [0] is unused
 };
 
 } // namespace vfm

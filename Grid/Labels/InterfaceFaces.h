@@ -1,5 +1,5 @@
 /**
- * The faces of cells between two labels.
+ * InterfaceFaces: the faces of cells between two labels.
  */
 #pragma once
 
@@ -8,25 +8,27 @@
 namespace vfm
 {
 
-/// A face between two labels, named by its lowest node and its axis; its cells are node - stride and node.
+/// Face between two labels, given by its lowest node and its axis. Its lower cell is node - stride,
+/// its upper cell is node.
 struct InterfaceFace
 {
   Index Node;
   int Axis;
-  int LowerLabel, UpperLabel; ///< of the cell on the - and on the + side
+  int LowerLabel, UpperLabel; ///< labels of the cells on the - and the + side
   int First() const { return std::min(this->LowerLabel, this->UpperLabel); }
   int Second() const { return std::max(this->LowerLabel, this->UpperLabel); }
 };
 
-/// Its nodes, around its axis.
+/// Returns the nodes of a face, in order around its axis.
 inline std::array<Index, 4> NodesOfFace(const CartesianGrid& grid, const InterfaceFace& face)
 {
   const Index b = grid.Stride((face.Axis + 1) % 3), c = grid.Stride((face.Axis + 2) % 3);
   return { { face.Node, face.Node + b, face.Node + b + c, face.Node + c } };
 }
 
-/// Calls visit(face, lower cell, upper cell) for the faces whose cells both lie in a box, by node and axis.
-/// mixed: FindMixedNodes, or some of them.
+/// Calls visit(face, lower cell, upper cell) for the faces whose cells are both in a box,
+/// by node and axis.
+/// @param mixed  FindMixedNodes, or some of these nodes
 template <class Visitor>
 void ForInterfaceFaces(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, const IndexBox& box, const Visitor& visit)

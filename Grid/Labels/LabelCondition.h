@@ -1,19 +1,25 @@
 /**
- * The label condition: which 2x2x2 stars of labels give manifold interfaces and a valid start.
+ * LabelCondition: the condition on 2x2x2 stars of labels that makes interfaces manifold and the
+ * initial mesh valid.
  *
- * A star is the eight cells around a grid node, numbered by bits (x first). The region of a label in it
- * is a mask of eight bits. An axis is violated by a region when both a + and a - face normal of the
- * region occur along it; a region with no violated axis is unate. A star passes when the region of every
- * label in it, void included, is unate. Unate regions and their complements are face connected, so
- * passing stars are manifold for every label.
+ * A star is the eight cells around a grid node, numbered by bits (x first). The region of a label
+ * in it is a mask of eight bits. The region violates an axis if it has face normals in both
+ * directions along it. A region that violates no axis is unate. A star passes if the region of
+ * every label in it, void included, is unate. Unate regions and their complements are face
+ * connected, so passing stars are manifold for every label.
  *
- * Validity. In a passing star put the surface node S on the grid node v and the inner node I of a label
- * at v + d, d = +-delta against the outward normals of its region, 0 on axes without one. With
- * delta = 1/8 of the smaller of the two widths at the node along the axis all hexes are positive throughout, whatever the widths. Measure in
- * each cell by its own: delta <= 1/8 there. The twelve edges of a core hex are 1 - 2 delta or more along their axis and at most 2 delta along
- * the two others, so any three, one of each axis, are diagonally dominant and have a positive determinant (delta < 1/6); the Bernstein
- * coefficients of the Jacobian are means of such. In a buffer hex the edges across are delta along that axis, the others 0, and among these
- * others the same holds of two. Beyond the domain the star mirrors.
+ * Validity. In a passing star, put the surface node S on the grid node v, and the inner node I of
+ * each label at v + d. Along an axis with a face normal of its region, d = +-delta against the
+ * outward normal; along others, d = 0. Let delta be 1/8 of the smaller of the two widths at the
+ * node along the axis. Then all hexes are positive throughout, for any widths. In units of the
+ * width of each cell, delta <= 1/8:
+ * - Core hex: each of its twelve edges is at least 1 - 2 delta along its axis and at most 2 delta
+ *   along the two others. Any three edges, one per axis, are therefore diagonally dominant and
+ *   have a positive determinant (delta < 1/6). The Bernstein coefficients of the Jacobian are
+ *   means of such determinants.
+ * - Buffer hex: the edges across it are delta along that axis and 0 along the others. For these
+ *   others, the same argument holds with two edges.
+ * The star is mirrored at the domain boundary.
  */
 #pragma once
 
@@ -22,10 +28,12 @@
 namespace vfm
 {
 
+/// Outward face normals of a region of a star.
 struct RegionNormals
 {
-  unsigned char Plus = 0;  ///< bit a: a face of the region looks along +a
-  unsigned char Minus = 0; ///< bit a: a face of the region looks along -a
+  unsigned char Plus = 0;  ///< bit a is set if a face of the region has the normal +a
+  unsigned char Minus = 0; ///< bit a is set if a face of the region has the normal -a
+  /// Returns the number of axes that the region violates.
   constexpr int ViolatedAxes() const
   {
     const int both = this->Plus & this->Minus;
@@ -67,7 +75,7 @@ constexpr std::array<RegionNormals, 256> MakeRegionNormals()
 
 } // namespace detail
 
-/// Outward face normals of every region of a star.
+/// Outward face normals of every region, by its mask.
 constexpr std::array<RegionNormals, 256> RegionNormalsTable = detail::MakeRegionNormals();
 
 constexpr int CountUnateRegions()
@@ -79,9 +87,9 @@ constexpr int CountUnateRegions()
   }
   return count;
 }
-static_assert(CountUnateRegions() == 102, "of the 254 mixed two-label stars 102 pass");
+static_assert(CountUnateRegions() == 102, "102 of the 254 mixed two-label stars pass");
 
-/// The cells of a star that hold a label.
+/// Returns the mask of the cells of a star that have a label.
 template <class Star>
 constexpr int RegionOfLabel(const Star& star, int label)
 {
@@ -93,7 +101,7 @@ constexpr int RegionOfLabel(const Star& star, int label)
   return region;
 }
 
-/// Number of (label, axis) pairs with both normals: 0 for a star that passes.
+/// Returns the number of (label, axis) pairs with both normals; 0 for a star that passes.
 template <class Star>
 constexpr int CountViolations(const Star& star)
 {
@@ -112,7 +120,7 @@ constexpr int CountViolations(const Star& star)
   return count;
 }
 
-/// The distinct labels of a star, ascending.
+/// Distinct labels of a star, ascending.
 struct StarLabels
 {
   std::array<int, 8> Label{};
@@ -142,6 +150,7 @@ struct StarLabels
   }
   const int* begin() const { return this->Label.data(); }
   const int* end() const { return this->Label.data() + this->Count; }
+  /// Returns the position of a label of the star.
   int RankOf(int label) const
   {
     int rank = 0;

@@ -23,7 +23,7 @@ void MirrorRows(const CartesianGrid& grid, LabelArray& labels)
     });
 }
 
-/// Whether four rows, the p-th pages of four rows, are known to be of one and the same label.
+/// Returns whether four rows, or the p-th pages of four rows, are known to have one label.
 bool AreOneLabel(const FourRows& rows)
 {
   return std::all_of(rows.begin(), rows.end(),
@@ -36,8 +36,8 @@ bool AreOneLabel(const FourRows& rows, Index p)
     { return row.IsUniform(p) && row.Page(p)[0] == rows[0].Page(p)[0]; });
 }
 
-/// Adds the nodes of a row but its first whose cells differ. first: its first node; size: its nodes; rows: the
-/// cells of its columns.
+/// Adds the mixed nodes of a row, except its first node. first: the first node; size: number of
+/// nodes; rows: the cells around the row.
 void AddMixedNodes(Index first, Index size, const FourRows& rows, std::vector<Index>& mixed)
 {
   if (AreOneLabel(rows))
@@ -45,7 +45,7 @@ void AddMixedNodes(Index first, Index size, const FourRows& rows, std::vector<In
     return;
   }
   constexpr Index PageSize = LabelArray::PageSize;
-  bool before = false; // whether the four cells of the column before differ
+  bool before = false; // whether the four cells of the previous column differ
   int label = rows[0][0];
   for (Index p = 0; p * PageSize < size; ++p)
   {
@@ -92,7 +92,7 @@ LabelArray AssignMaterials(
     [&](Index j, Index k)
     {
       const Index first = grid.Linear({ { box.Lower[0], j, k } }), last = first + box.Size(0);
-      // each run with its mirrored cell, so that rows of one label are written as such
+      // Each run includes its mirrored cell, so that rows of one label are written as one run.
       const auto begins = [&](Index begin) { return begin - (begin == first); };
       const auto ends = [&](Index end) { return end + (end == last); };
       fractions.Visit(

@@ -1,6 +1,6 @@
 /**
- * One label a cell: the material it is meshed as, 0 void. The array has the shape of CartesianGrid's
- * cells, its outer layer mirrored.
+ * Labels: one label per cell, the material that it is meshed as; 0 is void. The array has the shape
+ * of the cells of CartesianGrid; its outer layer mirrors the cells inside.
  */
 #pragma once
 
@@ -12,17 +12,17 @@ namespace vfm
 
 using LabelArray = PagedArray<int>;
 
-/// The labels of all cells of the local box; of a pure one its own.
+/// Returns the labels of all cells of the local box (MaterialOfCell).
 LabelArray AssignMaterials(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue);
 
-/// Whether elements are made of a label; of -1, which stands for none, never.
+/// Returns whether elements are made of a label; false for -1, which means that there is no label.
 inline bool IsMeshed(int label, bool meshVoid)
 {
   return label > 0 || (label == 0 && meshVoid);
 }
 
-/// The eight labels around a node.
+/// Returns the eight labels around a node.
 inline std::array<int, 8> StarOfNode(
   const CartesianGrid& grid, const LabelArray& labels, Index node)
 {
@@ -37,7 +37,7 @@ inline std::array<int, 8> StarOfNode(
   return star;
 }
 
-/// The nodes of the local box with more than one label around them, ascending.
+/// Returns the nodes of the local box with more than one label around them, ascending.
 std::vector<Index> FindMixedNodes(const CartesianGrid& grid, const LabelArray& labels);
 
 } // namespace vfm

@@ -14,7 +14,7 @@ IndexBox LabelUnits::LeafCells(const Index3& cell) const
 
 void FillLabels(const CartesianGrid& grid, const IndexBox& cells, int label, LabelArray& labels)
 {
-  IndexBox box = cells; // with the mirrors
+  IndexBox box = cells; // the cells and their mirrors
   for (int a = 0; a < 3; ++a)
   {
     box.Lower[a] -= cells.Lower[a] == grid.Local().Lower[a];
@@ -28,8 +28,9 @@ void FillLabels(const CartesianGrid& grid, const IndexBox& cells, int label, Lab
     });
 }
 
-/// A leaf whose finest cells all have one label has it by its mean, too: where one material is the largest in each cell it is
-/// so in their sum, likewise void. So only leaves with a mixed node inside need their mean.
+/// If all finest cells of a leaf have one label, their mean has it too: a material that is the
+/// largest in each cell is the largest in their sum. The same holds for void. So only leaves with a
+/// mixed node inside need their mean.
 LabelArray AssignLeafMaterials(
   const RefinedGrid& levels, const FractionField& fractions, LabelArray labels, double isoValue)
 {

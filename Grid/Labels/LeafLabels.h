@@ -1,6 +1,7 @@
 /**
- * Labels of the leaves of a refined grid: the cells that are not refined further (RefinedGrid.h). They are kept as labels of
- * the finest cells, alike within each leaf, so that all who read labels see a regular grid.
+ * LeafLabels: labels of the leaves of a refined grid, the cells that are not refined further
+ * (RefinedGrid.h). They are stored as labels of the finest cells, equal within each leaf, so code
+ * that reads labels sees a regular grid.
  */
 #pragma once
 
@@ -10,33 +11,38 @@
 namespace vfm
 {
 
-/// What has one label and changes it as a whole: a cell of the grid or, with levels, a leaf. A unit is called by the linear
-/// index of its lowest cell in the local box. Leaves at the rim of the local box count as far as they lie inside.
+/// Units of labels. A unit has one label and changes it as a whole: it is a cell of the grid or,
+/// with levels, a leaf. It is identified by the linear index of its lowest cell in the local box.
+/// Leaves at the rim of the local box consist of their cells inside it.
 class LabelUnits
 {
 public:
-  /// leaves: null when units are cells. Keeps references.
+  /// @param grid,leaves  must outlive this object; leaves: nullptr if units are cells
   LabelUnits(const CartesianGrid& grid, const RefinedGrid* leaves) : Grid(grid), Leaves(leaves) {}
 
-  /// Cells along an edge of the largest units.
+  /// Returns the number of cells along an edge of the largest units.
   int LargestWidth() const { return this->Leaves ? 1 << this->Leaves->NumberOfRefinements() : 1; }
 
-  /// The unit of a cell of the local box, or of the one that a cell beside it mirrors.
+  /// Returns the unit of a cell of the local box, or of the cell that a cell outside it mirrors.
   Index UnitOf(const Index3& cell) const
   {
     const Index3 inside = this->Grid.Local().Nearest(cell);
     return this->IsCell(inside) ? this->Grid.Linear(inside)
                                 : this->Grid.Linear(this->LeafCells(inside).Lower);
   }
+  /// Returns the cells of a unit in the local box.
   IndexBox CellsOf(Index unit) const
   {
     const Index3 p = this->Grid.Position(unit);
     return this->IsCell(p) ? BoxOfCell(p) : this->LeafCells(p);
   }
-  /// The cells of the star of a node on the surface of a unit that belong to the unit or mirror it: a mask of eight bits.
+  /// Returns the cells in the star of a node that belong to a unit or mirror it, as a
+  /// mask of eight bits.
+  /// @param node  node on the surface of the unit
+  /// @param cells  CellsOf(unit)
   int RegionAt(const Index3& node, const IndexBox& cells) const
   {
-    constexpr std::array<int, 3> Low{ { 0x55, 0x33, 0x0f } }; // the cells of a star on the - side
+    constexpr std::array<int, 3> Low{ { 0x55, 0x33, 0x0f } }; // cells of a star on the - side
     const IndexBox& box = this->Grid.Local();
     int region = 0xff;
     for (int a = 0; a < 3; ++a)
@@ -56,10 +62,13 @@ private:
   const RefinedGrid* Leaves;
 };
 
-/// Gives the cells of a box of the local box a label, and the cells that mirror them.
+/// Sets the label of a box of cells in the local box, and of the cells that mirror them.
 void FillLabels(const CartesianGrid& grid, const IndexBox& cells, int label, LabelArray& labels);
 
-/// AssignMaterials of the leaves, by their mean fractions. fractions, labels: of the cells of levels.Finest().
+/// Labels the leaves by their mean fractions.
+/// @param fractions  fractions of the cells of levels.Finest()
+/// @param labels  AssignMaterials of the same cells
+/// @return labels of the cells, equal within each leaf
 LabelArray AssignLeafMaterials(
   const RefinedGrid& levels, const FractionField& fractions, LabelArray labels, double isoValue);
 

@@ -12,12 +12,15 @@ namespace vfm
 namespace
 {
 
-constexpr double Slack = 0.15; // of a halving: so much is not worth one (a tenth of a length)
-constexpr double Speck = 0.05; // cells: what is thinner cannot be resolved and asks for nothing
-static_assert(
-  ThicknessReach <= GhostLayers && CurvatureReach <= GhostLayers, "cells that are read");
+// This fraction of a halving, a tenth of a length, is not worth another one.
+constexpr double Slack = 0.15;
+// Thickness, in cells, below which features are not resolved and request nothing.
+constexpr double Speck = 0.05;
+static_assert(ThicknessReach <= GhostLayers && CurvatureReach <= GhostLayers,
+  "ghost layers contain the cells that are read");
 
-/// How many halvings, 0..most, multiply the cells across a length by about a factor.
+/// Returns the number of halvings, 0 to most, that multiply the cells across a length
+/// by about a factor.
 int HalvingsFor(double factor, int most)
 {
   const double requested = std::ceil(std::log2(factor) - Slack);
@@ -28,8 +31,8 @@ void CheckCriteria(const RefinementCriteria& criteria)
 {
   if (!(criteria.ThinCells <= LargestThickness))
   {
-    throw InputError("Thin features are those below " + std::to_string(criteria.ThinCells) +
-      " cells: give at most " + std::to_string(LargestThickness) + ".");
+    throw InputError("The thickness of thin features is " + std::to_string(criteria.ThinCells) +
+      " cells: it must be at most " + std::to_string(LargestThickness) + ".");
   }
   if (std::isnan(criteria.CurvaturePerCell))
   {
@@ -42,7 +45,7 @@ void CheckCriteria(const RefinementCriteria& criteria)
   }
 }
 
-/// Asks one criterion after another.
+/// Evaluates one criterion after another.
 struct Work
 {
   const CartesianGrid& Grid;
@@ -71,7 +74,7 @@ void SumCounts(Work& work)
   }
 }
 
-/// Of each cell the most halvings, in the order of keys.
+/// Sorts requests by key and keeps the most halvings of each cell.
 void Tidy(std::vector<RefinementRequest>& cells)
 {
   std::sort(cells.begin(), cells.end(),
@@ -92,7 +95,7 @@ void AddRequest(Work& work, const Index3& cell, int halvings, Index& count)
   }
 }
 
-/// Whether what is around a pure cell is not the same.
+/// Returns whether a pure cell has a mixed neighbour or one of another label.
 bool IsNextToOthers(const Work& work, const Index3& p, Index cell)
 {
   for (int c = 0; c < 27; ++c)
@@ -111,7 +114,7 @@ bool IsNextToOthers(const Work& work, const Index3& p, Index cell)
   return false;
 }
 
-/// The most halvings that a part of the cell wants.
+/// Returns the most halvings that a part of the cell requests.
 int HalvingsForThickness(const Work& work, const Index3& p, Index cell)
 {
   const double enough = work.Criteria.ThinCells;
@@ -174,7 +177,8 @@ void MarkAround(const Work& work, Index node, PagedArray<int>& marks)
   }
 }
 
-/// Whether each owned cell lies within the layers: cells at nodes with several labels, then cells at those.
+/// Marks the owned cells within the layers: first the cells at mixed nodes, then the cells that
+/// share a node with marked ones.
 PagedArray<int> FindNear(const Work& work, const LabelArray& labels)
 {
   PagedArray<int> isNear(work.Grid, 0);
@@ -282,7 +286,7 @@ void AddRequestedFamilies(const OctreeKeys& lattice, int level, const ChosenBox&
   for (int l = level; l < finest; ++l)
   {
     const IndexBox around =
-      ChangeLevel(children, l - finest - 1); // a family is two cells of its level
+      ChangeLevel(children, l - finest - 1); // a family spans two cells of its level
     ForCells(around, [&](const Index3& q) { families[l].push_back(lattice.FamilyKey(l, q)); });
   }
 }

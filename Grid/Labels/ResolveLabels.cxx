@@ -14,14 +14,16 @@ namespace vfm
 namespace
 {
 
-constexpr int Perturbations = 40;   // ways out of dead ends before one order of labels must end it
-constexpr int GreedyRounds = 400;   // likewise
-constexpr double CostlyFlip = 0.3;  // of a flip, in cells of the grid
-constexpr double CostOffset = 0.05; // a flip that gives up no fraction still has a price
-constexpr Index SmallLabel = 1000;  // cells; of labels with fewer each cell costs more
-constexpr double PriceOfGrowth = 0.3; // of a cell too many, in prices of one too few
+// Perturbations of dead ends before one order of labels must end them.
+constexpr int Perturbations = 40;
+constexpr int GreedyRounds = 400; // rounds before the same
+// Shift of the interface by a costly flip, in cells of the grid.
+constexpr double CostlyFlip = 0.3;
+constexpr double CostOffset = 0.05;   // price of a flip that loses no fraction
+constexpr Index SmallLabel = 1000;    // cells; each cell of a label with fewer costs more
+constexpr double PriceOfGrowth = 0.3; // price of a cell too many, relative to a cell too few
 
-/// The change of one unit that scores best.
+/// Best change of one unit.
 struct Candidate
 {
   double Score;
@@ -52,11 +54,12 @@ void ForSurfaceNodes(const IndexBox& cells, const Body& body)
     });
 }
 
-/// How many cells of the domain each label has had at first and has now: what a flip costs the smaller of both labels.
+/// Number of cells of each label in the domain, initially and now. It determines how much a flip
+/// costs the smaller of both labels.
 class LabelSizes
 {
 public:
-  /// Collective.
+  /// @pre Collective.
   LabelSizes(
     const CartesianGrid& grid, const LabelArray& labels, int count, const Partition& partition) :
     First(count, 0), Group(&partition.Group())
@@ -76,13 +79,14 @@ public:
       [](Index cells) { return cells > 0 && cells < SmallLabel; });
   }
 
-  /// Of a label at first, no more than a small one may have.
+  /// Returns the initial size of a label, at most SmallLabel.
   Index CappedSize(int label) const { return std::min<Index>(this->First[label], SmallLabel); }
 
   bool IsLast(Index cells, int label) const { return this->Now[label] <= cells; }
 
-  /// Times which a flip of some cells costs: 1 between large labels. A small one that has as many cells as at first, or fewer, can
-  /// less afford to lose some, and one that has as many or more to get some.
+  /// Returns the factor on the price of a flip of some cells; 1 between large labels. A small label
+  /// pays more for the loss of cells if it has at most its initial number, and for a gain if it has
+  /// at least that number.
   double Factor(Index cells, int current, int label) const
   {
     const auto partOf = [&](int l)
@@ -91,14 +95,15 @@ public:
       this->Now[label] >= this->First[label] ? PriceOfGrowth * partOf(label) : 0.0 });
   }
 
-  /// Counts what this rank flips.
+  /// Counts a flip of this rank.
   void Add(Index cells, int current, int label)
   {
     this->Change.resize(this->Now.size(), 0);
     this->Change[current] -= cells;
     this->Change[label] += cells;
   }
-  /// Makes it known. Collective.
+  /// Sums the flips of all ranks.
+  /// @pre Collective.
   void Share()
   {
     this->Change.resize(this->Now.size(), 0);
@@ -114,7 +119,7 @@ public:
 private:
   std::vector<std::int64_t> First, Now, Change;
   Ranks* Group;
-  bool HasSmall = false; // else no size matters
+  bool HasSmall = false; // if false, sizes do not matter
 };
 
 struct Work
@@ -127,17 +132,17 @@ struct Work
   const LabelUnits Units;
   const IndexBox Reach = Grid.Extended(Units.LargestWidth());
   std::vector<Index> Violated{};
-  /// Labels of the flipped units, owned ones and those around.
+  /// Initial labels of flipped units, owned or nearby.
   std::unordered_map<Index, int> Original{};
   std::unique_ptr<LabelSizes> Sizes{};
   int Turn = 0;
-  bool InOrder = false;  // whether units take smaller labels in the last order alone
+  bool InOrder = false;  // whether units may only take smaller labels, in the last order
   bool KeepsLast = true; // whether no label may lose its last unit
   std::unordered_map<Index, Candidate> Candidates{};
 };
 
-/// Whether a node touches a unit whose change competes with those of the owned ones. Owned boxes consist of whole
-/// base cells, so these units lie in Reach.
+/// Returns whether a node touches a unit whose change competes with changes of owned units. Owned
+/// boxes consist of complete base cells, so these units are in Reach.
 bool IsNear(const Work& work, Index node)
 {
   return work.Reach.Touches(work.Grid.Position(node));
@@ -161,7 +166,8 @@ void KeepViolated(Work& work)
   nodes.erase(std::remove(nodes.begin(), nodes.end(), -1), nodes.end());
 }
 
-/// Place of a label in the present order: it begins at label Turn and wraps around. In the last one, small labels come first.
+/// Returns the position of a label in the current order, which begins at label Turn and wraps
+/// around. In the last order, small labels come first.
 Index Order(const Work& work, int label)
 {
   const Index count = work.Fractions.NumberOfMaterials() + 1;
@@ -174,7 +180,7 @@ bool MayTake(const Work& work, int current, int label, bool decreasing)
   return label != current && !(decreasing && Order(work, label) > Order(work, current));
 }
 
-/// Violations removed at the nodes of a unit when it takes each of some labels.
+/// Returns the violations removed at the nodes of a unit by each of some labels.
 std::vector<int> FindGains(const Work& work, const IndexBox& cells, const std::vector<int>& labels)
 {
   std::vector<int> gains(labels.size(), 0);
@@ -196,7 +202,8 @@ std::vector<int> FindGains(const Work& work, const IndexBox& cells, const std::v
   return gains;
 }
 
-/// The fraction that a unit gives up times its width: how far the interface moves, in cells of the grid.
+/// Returns the fraction that a unit loses times its width: how far the interface moves, in
+/// cells of the grid.
 double Cost(const Work& work, const IndexBox& cells, int current, int label)
 {
   const FractionSum mean = MeanOfCells(work.Grid, work.Fractions, cells);
@@ -210,7 +217,8 @@ double Price(const Work& work, const IndexBox& cells, int current, int label)
     (CostOffset + Cost(work, cells, current, label));
 }
 
-/// The best of some labels that a unit may take, ascending; label -1: none.
+/// Returns the best of some labels, ascending, that a unit may take; its label is -1
+/// if there is none.
 Candidate Consider(const Work& work, Index unit, const std::vector<int>& labels, bool decreasing)
 {
   const IndexBox cells = work.Units.CellsOf(unit);
@@ -252,7 +260,7 @@ void FindCandidates(Work& work, bool decreasing)
     }
   }
   SortUnique(changes);
-  std::vector<std::size_t> begins; // of the changes of each unit, and the end
+  std::vector<std::size_t> begins; // first change of each unit, and the end
   for (std::size_t n = 0; n < changes.size(); ++n)
   {
     if (n == 0 || changes[n].first != changes[n - 1].first)
@@ -288,7 +296,7 @@ void FindCandidates(Work& work, bool decreasing)
   }
 }
 
-/// Whether a candidate beats those of all units around that share a node with it.
+/// Returns whether no candidate around that shares a node with this one beats it.
 bool IsBestAround(const Work& work, const IndexBox& cells, const Candidate& mine)
 {
   bool isBest = true;
@@ -304,7 +312,8 @@ bool IsBestAround(const Work& work, const IndexBox& cells, const Candidate& mine
   return isBest;
 }
 
-/// Flips the best candidates. Each rank remembers the first labels of the units that may flip around its own, too.
+/// Flips the best candidates. Each rank also stores the initial labels of units that may flip
+/// around its own.
 void Flip(Work& work)
 {
   std::vector<std::pair<IndexBox, int>> flips;
@@ -350,7 +359,8 @@ void Flip(Work& work)
   }
 }
 
-/// Makes the first labels of units candidates where no star minds.
+/// Makes the initial labels of units candidates where they leave the
+/// number of violations unchanged.
 void FindRestorable(Work& work)
 {
   work.Candidates.clear();
@@ -377,8 +387,9 @@ void FindRestorable(Work& work)
   }
 }
 
-/// Lets units take their first labels again where no star minds, until none can: what perturbations changed in vain. Returns the
-/// rounds. Ends, since each gives fewer units another label. Of units beyond Reach not all flips are known.
+/// Restores the initial labels of units where that adds no violation, until no unit is left:
+/// reverts useless perturbations. It ends because each round reduces the number of changed units.
+/// Not all flips of units beyond Reach are known. Returns the number of rounds.
 int Restore(Work& work)
 {
   for (int rounds = 0;; ++rounds)
@@ -393,7 +404,7 @@ int Restore(Work& work)
   }
 }
 
-/// Units of several cells whose flip moves the interface by more than CostlyFlip.
+/// Lists units of several cells whose flip moves the interface by more than CostlyFlip.
 std::vector<Index3> FindCostlyFlips(const Work& work)
 {
   std::vector<Index3> flips;
@@ -421,11 +432,12 @@ Index CountChanges(const Work& work)
 
 } // namespace
 
-/// Greedy rounds remove violations. In a dead end one round of perturbations lets units take a smaller label in an order
-/// of the labels that turns from perturbation to perturbation. At last the order stays, so the sum of the units' labels falls until
-/// no star is violated: a violated star has several labels, hence a unit that can take a smaller label of the star; the best
-/// of all candidates flips, and units that flip at once have no star in common. Only where the last order leaves nothing else, a label loses
-/// its last unit.
+/// Greedy rounds remove violations. In a dead end, one round of perturbations lets units take a
+/// smaller label in an order of labels that rotates with each perturbation. In the end the order is
+/// fixed, so the sum of the labels of units decreases until no star is violated. A violated star
+/// has several labels, hence a unit that can take a smaller label of the star. The best of all
+/// candidates flips, and units that flip at once share no star. Only if the last order leaves no
+/// other choice, a label loses its last unit.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
   LabelArray& labels, const Partition& partition, Runtime& runtime, const RefinedGrid* leaves)
 {

@@ -1,5 +1,5 @@
 /**
- * ResolveLabels: labels of cells, or of leaves, from which a valid mesh can be made.
+ * ResolveLabels: changes labels of cells, or of leaves, until a valid mesh can be made.
  */
 #pragma once
 
@@ -11,20 +11,28 @@ namespace vfm
 
 class RefinedGrid;
 
+/// Changes made by ResolveLabels.
 struct ResolveReport
 {
-  Index FlippedCells = 0; ///< cells, or leaves, that have another label than before
+  Index FlippedCells = 0; ///< cells or leaves, over all ranks, whose label differs from before
   int Rounds = 0;
-  std::vector<Index3>
-    CostlyFlips; ///< lowest cells of owned leaves, coarser than the grid's cells, whose flip moves the interface far
+  /// Lowest cells of owned leaves of several cells whose flip moves the interface far.
+  std::vector<Index3> CostlyFlips;
 };
 
-/// Changes labels until every star passes the label condition (LabelCondition.h). The result does not
-/// depend on the order of cells: a round flips every cell whose score (violations removed against
-/// fraction given up) beats those of its 26 neighbours. Cells of labels with few cells cost more, and no label loses its last while there
-/// is another way; at the end cells get their first labels again where that does no harm. Ranks flip their own cells and exchange the labels after each round.
-/// leaves: where given, leaves flip as a whole, and a leaf competes with all that share a node with it; labels must be alike
-/// within each (AssignLeafMaterials), and the grid needs 3 base cells of ghosts.
+/// Changes labels until every star passes the label condition (LabelCondition.h). It works in
+/// rounds. A cell flips if its score (violations removed against fraction lost) beats the scores of
+/// its 26 neighbours. The result does not depend on the order of cells. Cells of labels with few
+/// cells cost more. A label loses its last cell only if there is no other way. At the end, cells
+/// get their initial labels again where that adds no violation. Ranks flip their own cells and
+/// exchange the labels after each round.
+/// @param fractions  fractions of the cells of the local box
+/// @param[in,out] labels  labels of the same cells, from AssignMaterials or AssignLeafMaterials
+/// @param leaves  if given, leaves flip as a whole and compete with all leaves that share a
+///   node with them; labels must be equal within each leaf, and the grid needs ghost layers
+///   of three base cells
+/// @pre Collective.
+/// @note Bitwise reproducible on any number of ranks and threads.
 ResolveReport ResolveLabels(const CartesianGrid& grid, const FractionField& fractions,
   LabelArray& labels, const Partition& partition, Runtime& runtime,
   const RefinedGrid* leaves = nullptr);

@@ -15,33 +15,35 @@ namespace
 
 using Part = FractionField::Part;
 
-/// Faces that a small region shares with another, as one rank sees them.
+/// Number of faces that a small region shares with another, as one rank sees them.
 struct SharedFaces
 {
   Index Region, Other, Count;
 };
 
-/// Which regions join which, decided alike on all ranks. Regions are numbered from 1 by their lowest cell.
+/// Decides which regions join, equally on all ranks. Regions are numbered from 1
+/// by their lowest cell.
 class RegionGraph
 {
 public:
-  /// materials, cells: of each region, [0] unused. shared: may name a pair several times.
+  /// @param materials,cells  one per region; [0] is unused
+  /// @param shared  may contain a pair several times
   RegionGraph(std::vector<int> materials, std::vector<Index> cells, Index minimumCells,
     const std::vector<SharedFaces>& shared);
 
-  /// The material of each region in the end, [0] unused.
+  /// Returns the final material of each region; [0] is unused.
   std::vector<int> Merge();
 
 private:
   int ChooseMaterial(Index region, std::set<Index>& joined);
   void Join(Index region, Index other);
 
-  std::vector<int> Material; // of roots
-  std::vector<Index> Cells;  // of roots
+  std::vector<int> Material; // one per root
+  std::vector<Index> Cells;  // one per root
   std::vector<Index> Parent; // sets of regions
   Index MinimumCells;
-  std::map<Index, std::map<Index, Index>>
-    Faces; // of small roots, by regions that need not be roots
+  // Number of faces of small roots, by region; regions need not be roots.
+  std::map<Index, std::map<Index, Index>> Faces;
 };
 
 RegionGraph::RegionGraph(std::vector<int> materials, std::vector<Index> cells, Index minimumCells,
@@ -57,10 +59,11 @@ RegionGraph::RegionGraph(std::vector<int> materials, std::vector<Index> cells, I
   }
 }
 
-/// The material with the most faces around a region; joined: the regions of it there. -1: there is nothing around.
+/// Returns the material with the most faces around a region, or -1 if nothing is around. joined:
+/// adds the adjacent regions of that material.
 int RegionGraph::ChooseMaterial(Index region, std::set<Index>& joined)
 {
-  std::map<int, Index> faces; // by material
+  std::map<int, Index> faces; // one count per material
   for (const auto& shared : this->Faces[region])
   {
     const Index other = FindRoot(this->Parent, shared.first);
@@ -85,7 +88,7 @@ int RegionGraph::ChooseMaterial(Index region, std::set<Index>& joined)
   return best;
 }
 
-/// The lower number, so the lower cell, stays the root.
+/// Joins two regions. The one with the lower number, hence the lower cell, stays the root.
 void RegionGraph::Join(Index region, Index other)
 {
   const Index root = std::min(region, other), child = std::max(region, other);
@@ -142,13 +145,13 @@ std::vector<int> RegionGraph::Merge()
   return materials;
 }
 
-/// From one material to another, near a removed region.
+/// Change from one material to another, near a removed region.
 struct Change
 {
   int From, To;
 };
 
-/// What is done to the fractions of the owned cells.
+/// Changes the fractions of the owned cells.
 struct Work
 {
   const CartesianGrid& Grid;
@@ -157,10 +160,10 @@ struct Work
   const Partition& Parts;
   const LabelArray Labels = AssignMaterials(Grid, Fractions, IsoValue);
   const vfm::Fragments Regions{ Grid, Labels, true, Parts };
-  std::vector<int> NewMaterials{}; // of each region
+  std::vector<int> NewMaterials{}; // one per region
 };
 
-/// Calls body(position, cell, region).
+/// Calls body(position, cell, region) for the owned cells.
 template <class Body>
 void ForOwnedCells(const Work& work, const Body& body)
 {
@@ -180,7 +183,7 @@ void ForOwnedCells(const Work& work, const Body& body)
     });
 }
 
-/// Of each region, over all ranks.
+/// Returns the number of cells of each region, over all ranks.
 std::vector<Index> CountCells(const Work& work)
 {
   std::vector<Index> cells(work.Regions.NumberOfFragments() + 1, 0);
@@ -189,7 +192,7 @@ std::vector<Index> CountCells(const Work& work)
   return cells;
 }
 
-/// Of the small regions, seen from the owned cells in them; on all ranks.
+/// Counts the faces of small regions, seen from their owned cells. Returns the counts of all ranks.
 std::vector<SharedFaces> FindFaces(
   const Work& work, const std::vector<Index>& cells, Index minimumCells)
 {
@@ -234,7 +237,8 @@ RemovedRegions Decide(Work& work, Index minimumCells)
   return removed;
 }
 
-/// What the removed regions around a cell ask for, its own first, then by their numbers; none from the cell's label.
+/// Returns the changes by the removed regions around a cell, its own first, then by number. No
+/// change takes from the label of the cell.
 std::vector<Change> FindChanges(const Work& work, const Index3& cell, int label)
 {
   const int own = work.Regions.FragmentOfCell(cell);
@@ -263,7 +267,7 @@ std::vector<Change> FindChanges(const Work& work, const Index3& cell, int label)
   return changes;
 }
 
-/// Moves a fraction; in the order of materials again.
+/// Moves a fraction from one material to another; parts stay in the order of materials.
 std::vector<Part> Moved(std::vector<Part> parts, int from, int to)
 {
   const auto source = std::find_if(
@@ -278,7 +282,7 @@ std::vector<Part> Moved(std::vector<Part> parts, int from, int to)
   return parts;
 }
 
-/// The parts of a mixed cell in the end.
+/// Returns the final parts of a mixed cell.
 std::vector<Part> ChangeParts(const Work& work, const Index3& p, int oldLabel, int label)
 {
   const FractionField::Range old = work.Fractions.Parts(work.Grid.Linear(p));
@@ -292,7 +296,7 @@ std::vector<Part> ChangeParts(const Work& work, const Index3& p, int oldLabel, i
   }
   if (MaterialOfParts(parts, work.IsoValue) != label)
   {
-    parts = { { label, 1.0 } }; // three materials, none of which fills half
+    parts = { { label, 1.0 } }; // three materials, each below one half
   }
   return parts;
 }

@@ -1,5 +1,6 @@
 /**
- * Small regions given to what surrounds them. A region is a face-connected piece of cells of one material, or of void.
+ * SmallRegions: assigns small regions to the material around them. A region is a face-connected set
+ * of cells of one material, or of void.
  */
 #pragma once
 
@@ -9,21 +10,26 @@
 namespace vfm
 {
 
+/// Numbers over all ranks.
 struct RemovedRegions
 {
-  Index Regions = 0; ///< that have another material now; of all ranks
-  Index Cells = 0;   ///< in them
+  Index Regions = 0; ///< regions whose material changed
+  Index Cells = 0;   ///< cells in these regions
 };
 
-/// Removes the regions of fewer than minimumCells cells: of the cells as the fractions label them (AssignMaterials). The smallest
-/// first, of equal ones that with the lowest cell, a region gets the material, or void, with which it shares the most faces, of
-/// equal ones the smaller number, and is one with the regions of it that it touches; that goes on while the union is too small.
-/// A region that fills the whole domain stays.
+/// Removes the regions of fewer than minimumCells cells, as AssignMaterials labels them. The
+/// smallest region comes first, on a tie the region with the lowest cell. It gets the material, or
+/// void, with which it shares the most faces, on a tie the smaller number. It is then united with
+/// the regions of that material that it touches. This is repeated while the union is too small. A
+/// region that fills the entire domain stays.
 ///
-/// In the cells of a removed region, and in those around them (26) that have another label, the fraction of the material that was
-/// there goes to the new one; where that would change the label of a cell around, it goes to the cell's own. So no other
-/// label changes, and volumes follow. fractions: right in all cells of the local box; so is the result. Every rank learns of all
-/// regions. The same on any number of ranks. Collective.
+/// The fraction of the old material goes to the new one in the cells of a removed region, and in
+/// each of the 26 cells around them that has another label. If that would change the label of a
+/// cell around, it goes to the label of that cell. So no other label changes, and volumes follow.
+/// Every rank receives all regions.
+/// @param[in,out] fractions  valid in all cells of the local box, before and after
+/// @pre Collective.
+/// @note Bitwise reproducible on any number of ranks.
 RemovedRegions RemoveSmallRegions(const CartesianGrid& grid, Index minimumCells, double isoValue,
   const Partition& partition, FractionField& fractions);
 

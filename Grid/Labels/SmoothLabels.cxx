@@ -18,27 +18,27 @@ namespace
 
 using Part = FractionField::Part;
 
-constexpr double LeastFloor = 0.501; // of a cell's own label
+constexpr double LeastFloor = 0.501; // least fraction of the own label of a cell
 constexpr int MiddleOfPatch = 13;
-constexpr int WeightRounds = 5;         // of moving the interfaces
-constexpr double WeightsAreGood = 1e-4; // relative error of a volume that ends them
+constexpr int WeightRounds = 5;         // rounds that move the interfaces
+constexpr double WeightsAreGood = 1e-4; // relative error of volumes at which they end
 constexpr double LargestWeightStep = 0.3;
-constexpr int ScaleRounds = 60; // of scaling the fractions
+constexpr int ScaleRounds = 60; // rounds that scale the fractions
 constexpr double VolumesAreGood = 1e-9;
 constexpr double LargestScaleStep = 1.0;
-constexpr double Negligible = 1e-9; // fractions below are none
+constexpr double Negligible = 1e-9; // smaller fractions count as 0
 
-/// A cell that may become mixed.
+/// Cell that may become mixed.
 struct ActiveCell
 {
   Index3 Position;
   int Label;
-  double Volume;           // mean cells
-  double Floor;            // the least fraction of its label
-  std::vector<Part> Parts; // in the order of their materials
+  double Volume;           // in volumes of a mean cell
+  double Floor;            // least fraction of its label
+  std::vector<Part> Parts; // ascending by material
 };
 
-/// Volumes by material and what they would gain of each other.
+/// Volumes by material, and the rates at which materials gain volume from each other.
 struct Tally
 {
   std::vector<ExactSum> Volumes;
@@ -74,7 +74,7 @@ double OwnFraction(const ActiveCell& cell)
   return FractionField::FractionOf(cell.Parts, cell.Label);
 }
 
-/// A cell's own label gets its floor, the others in proportion what is left.
+/// Sets the own label of a cell to its floor and scales the others to the rest.
 void RaiseOwn(ActiveCell& cell)
 {
   const double scale = (1.0 - cell.Floor) / (1.0 - OwnFraction(cell));
@@ -85,8 +85,8 @@ void RaiseOwn(ActiveCell& cell)
   }
 }
 
-/// The weaker the label of a cell is in its own middle, the thinner is the part to which it belongs, and the more of the cell it
-/// keeps: a single cell stays nearly whole.
+/// Returns the floor of a cell. The weaker its label is at its centre, the thinner is the part to
+/// which it belongs, and the more of the cell it keeps. A single cell stays nearly full.
 double FindFloor(const ActiveCell& cell, const std::vector<MaterialPatch>& patches)
 {
   double own = 0.0, other = 0.0;
@@ -105,14 +105,14 @@ struct Work
   const Partition& Parts;
   Runtime& Run;
   const LabelArray Labels;
-  std::vector<double> Lack; // what the cells hold less, by material
-  std::vector<double> Weights = std::vector<double>(Lack.size(), 1.0); // of the fields
+  std::vector<double> Lack; // volume that is missing in the cells, by material
+  std::vector<double> Weights = std::vector<double>(Lack.size(), 1.0); // factors of the fields
   Tally Last{ Lack.size() };
   std::vector<ActiveCell> Cells{};
-  std::vector<double> Totals{}; // of the labels, mean cells
+  std::vector<double> Totals{}; // volumes of the labels, in mean cells
 };
 
-/// The cells of this rank at interfaces, and the volumes of all labels.
+/// Finds the cells of this rank at interfaces, and the volumes of all labels.
 void FindCells(Work& work)
 {
   const CartesianGrid& grid = work.Grid;
@@ -141,7 +141,7 @@ void FindCells(Work& work)
   work.Totals = SumOverRanks(totals, work.Parts.Group());
 }
 
-/// Largest relative error of a volume.
+/// Returns the largest relative error of a volume.
 double Error(const Work& work)
 {
   double worst = 0.0;
@@ -155,7 +155,7 @@ double Error(const Work& work)
   return worst;
 }
 
-/// Calls body(cell, tally) for the active cells, by several threads, and sets Last and Lack.
+/// Calls body(cell, tally) for the active cells on several threads; sets Last and Lack.
 template <class Body>
 void Visit(Work& work, const Body& body)
 {
@@ -182,7 +182,7 @@ void Visit(Work& work, const Body& body)
   }
 }
 
-/// The labels of a cell and of the 26 around it, ascending.
+/// Returns the labels of a cell and of the 26 around it, ascending.
 std::vector<int> LabelsAround(const Work& work, const Index3& cell)
 {
   std::vector<int> found;
@@ -259,7 +259,8 @@ void ScaleCell(ActiveCell& cell, const std::vector<double>& factors)
   }
 }
 
-/// What the materials of a cell gain of each other when they are scaled. A label at its floor goes no lower.
+/// Adds the rates at which the materials of a cell gain from each other when they are scaled. A
+/// label at its floor loses nothing.
 void AddRates(const Work& work, const ActiveCell& cell, Tally& tally)
 {
   const bool isHeld = OwnFraction(cell) <= cell.Floor && work.Lack[cell.Label] <= 0.0;
@@ -275,7 +276,7 @@ void AddRates(const Work& work, const ActiveCell& cell, Tally& tally)
   }
 }
 
-/// Scales fractions until they are.
+/// Scales fractions until the volumes are right.
 void ScaleFractions(Work& work)
 {
   std::vector<double> factors(work.Lack.size(), 1.0);

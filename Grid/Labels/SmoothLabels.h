@@ -1,11 +1,12 @@
 /**
- * Fractions of smooth interfaces from labels, whose own interfaces are steps of whole cells.
+ * SmoothLabels: fractions of smooth interfaces, from labels whose own interfaces are
+ * steps of entire cells.
  *
- * A smooth field of every label (AverageFractions) parts the cells between the labels (SharpFractions). Only cells that have a
- * cell with another label among the 26 around them become mixed, of the labels found there, and each keeps its own label
- * as its largest fraction; so thin parts and single cells stay, and the topology of the labels too. Then the
- * interfaces move, each label by a weight of its own, until all have their volumes again; what is left of the
- * error the mixed cells take up.
+ * A smooth field of every label (AverageFractions) divides the cells among the labels
+ * (SharpFractions). Only cells with another label among the 26 cells around them become mixed, of
+ * the labels found there. Each keeps its own label as its largest fraction. So thin parts and
+ * single cells remain, and the topology of the labels too. Then a weight per label moves the
+ * interfaces until all labels have their volumes again. The mixed cells absorb the remaining error.
  */
 #pragma once
 
@@ -16,9 +17,13 @@
 namespace vfm
 {
 
-/// labels: a field without mixed cells, right in all cells of the local box; so is the result. passes >= 0 of the
-/// average. Returns the largest relative error of the volume of a label (void is one). The same on any number of ranks and
-/// threads. Collective.
+/// Replaces labels by fractions of smooth interfaces.
+/// @param passes  number of passes of the average, >= 0
+/// @param[in,out] labels  valid in all cells of the local box, before and after;
+///   starts without mixed cells
+/// @return largest relative error of the volume of a label, void included
+/// @pre Collective.
+/// @note Bitwise reproducible on any number of ranks and threads.
 double SmoothLabels(const CartesianGrid& grid, int passes, const Partition& partition,
   Runtime& runtime, FractionField& labels);
 
