@@ -1,11 +1,12 @@
 #!/usr/bin/env pvpython
-"""Writes impact.spcth, impact/impact.spcth.0 and .1: four times of a ball that strikes a plate, in the format of SpyPlot files.
+"""Writes impact.spcth, impact/impact.spcth.0 and .1: four times of a ball that strikes a plate, in
+the format of SpyPlot files.
 
 usage: impact --cells 32 --dump DUMPS
        pvpython impact.py DUMPS FOLDER
 
-32 x 19 x 14 cells of 1/32 cm, in blocks of which each file has two; material 1 is the ball, 2 the plate. Float32, as the format
-has it; times in seconds, velocities in cm/s.
+32 x 19 x 14 cells of 1/32 cm, in blocks of which each file has two; material 1 is the ball, 2 the
+plate. Float32, as the format has it; times in seconds, velocities in cm/s.
 """
 import os
 import sys
@@ -31,12 +32,16 @@ def read_step(path):
     reader.Update()
     image = reader.GetOutput()
     size = [n - 1 for n in image.GetDimensions()]
-    cells = {name: vtk_to_numpy(image.GetCellData().GetArray(name)) for name in ("ball", "plate", "velocity")}
-    arrays = {"Material volume fraction - 1": cells["ball"], "Material volume fraction - 2": cells["plate"]}
+    cells = {name: vtk_to_numpy(image.GetCellData().GetArray(name))
+             for name in ("ball", "plate", "velocity")}
+    arrays = {"Material volume fraction - 1": cells["ball"],
+              "Material volume fraction - 2": cells["plate"]}
     for i, axis in enumerate("XYZ"):
         arrays[axis + " velocity"] = 1e5 * cells["velocity"][:, i]  # km/s
-    nodes = [(image.GetOrigin()[a] + np.arange(size[a] + 1) * image.GetSpacing()[a]) * CM for a in range(3)]
-    return nodes, {name: values.astype(np.float32).reshape(size[::-1]) for name, values in arrays.items()}
+    nodes = [(image.GetOrigin()[a] + np.arange(size[a] + 1) * image.GetSpacing()[a]) * CM
+             for a in range(3)]
+    return nodes, {name: values.astype(np.float32).reshape(size[::-1])
+                   for name, values in arrays.items()}
 
 
 def main(dumps, folder):
@@ -46,7 +51,8 @@ def main(dumps, folder):
     for path in paths:
         nodes, arrays = read_step(path)
         steps.append(arrays)
-    write_spyplot(folder, "impact", [step * TIME_STEP for step in STEPS], split(nodes, steps, (2, 1, 2)), files=2, parts="impact")
+    write_spyplot(folder, "impact", [step * TIME_STEP for step in STEPS],
+                  split(nodes, steps, (2, 1, 2)), files=2, parts="impact")
 
 
 if __name__ == "__main__":

@@ -3,9 +3,10 @@
 
 usage: pvpython shapes.py PLUGIN ball_and_plate|fin OUT.vti
 
-ball_and_plate: a ball that has sunk a little into a plate, 48 x 48 x 36 cells of 1/24, cell arrays `ball` and `plate` (double);
-the ball keeps its volume, the plate gets what is left of each cell. fin: a ball with an oblique plate 1.2 cells thick that sticks out
-of it, 40 x 32 x 32 cells of 1/16, cell array `body` (double).
+ball_and_plate: a ball that has sunk a little into a plate, 48 x 48 x 36 cells of 1/24, cell arrays
+`ball` and `plate` (double); the ball keeps its volume, the plate gets what is left of each cell.
+fin: a ball with an oblique plate 1.2 cells thick that sticks out of it, 40 x 32 x 32 cells of 1/16,
+cell array `body` (double).
 """
 import os
 import sys
@@ -33,7 +34,8 @@ def main(plugin, scene, path):
     need_files(plugin)
     names, dimensions, bounds, shapes = SCENES[scene]
     load_plugin(plugin, globals())  # defines VolumeFractionShapes
-    source = VolumeFractionShapes(Shapes=shapes, Dimensions=dimensions, Bounds=bounds, Tolerance=1e-6)
+    source = VolumeFractionShapes(Shapes=shapes, Dimensions=dimensions, Bounds=bounds,
+                                  Tolerance=1e-6)
     source.UpdatePipeline()
     image = servermanager.Fetch(source)
     for i, name in enumerate(names):

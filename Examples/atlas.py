@@ -1,11 +1,14 @@
 #!/usr/bin/env pvpython
-"""From an atlas of the brain to a mesh of its regions: the Harvard-Oxford cortex, 48 regions in voxels of 1 mm (NIfTI).
+"""From an atlas of the brain to a mesh of its regions: the Harvard-Oxford cortex, 48 regions in
+voxels of 1 mm (NIfTI).
 
-usage: pvpython atlas.py --plugin VolumeFractionMesh.so [--atlas FILE.nii.gz] [--every 2] [--mesh FILE.exo] [--picture FILE.png]
+usage: pvpython atlas.py --plugin VolumeFractionMesh.so [--atlas FILE.nii.gz] [--every 2] [--mesh
+       FILE.exo] [--picture FILE.png]
 
-The atlas is in Debian's package mricron-data. Its steps are smoothed, and crumbs of fewer than 20 mm^3 go to what is around them. Prints the
-regions with their hexahedra and volumes, the quality, time and memory. The mesh keeps the names of the regions, as blocks and sets of
-.exo and .inp. The picture, which needs a screen or xvfb-run, shows both halves, front and back, in a colour a region.
+The atlas is in Debian's package mricron-data. Its steps are smoothed, and crumbs of fewer than 20
+mm^3 go to what is around them. Prints the regions with their hexahedra and volumes, the quality,
+time and memory. The mesh keeps the names of the regions, as blocks and sets of .exo and .inp. The
+picture, which needs a screen or xvfb-run, shows both halves, front and back, in a colour a region.
 """
 import argparse
 import gzip
@@ -32,17 +35,20 @@ CAMERA, ASIDE, SIZE = (-1.6, 1.1, 0.7), 25.0, (1600, 1000)
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
     parser.add_argument("--atlas", default=ATLAS, help="an image of labels (default: %(default)s)")
-    parser.add_argument("--every", type=int, default=1, metavar="N", help="take each N-th voxel along every axis (default: all)")
+    parser.add_argument("--every", type=int, default=1, metavar="N",
+                        help="take each N-th voxel along every axis (default: all)")
     parser.add_argument("--mesh", metavar="FILE", help="save the mesh: .exo, .inp or .vtu")
     parser.add_argument("--picture", metavar="FILE", help="a picture of the regions, .png")
     return parser.parse_args()
 
 
 def read_names(path):
-    """The text that MRIcron keeps between header and values of an image: a label and its name in each line."""
+    """The text that MRIcron keeps between header and values of an image: a label and its name in
+    each line."""
     with (gzip.open if path.endswith(".gz") else open)(path, "rb") as file:
         header = file.read(348)
         order = "<" if header[:4] == struct.pack("<i", 348) else ">"
@@ -56,14 +62,15 @@ def make_mesher(arguments, names):
     image.UpdatePipeline()
     extent = image.GetDataInformation().GetExtent()
     n = arguments.every
-    coarse = simple.ExtractSubset(Input=image, VOI=extent, SampleRateI=n, SampleRateJ=n, SampleRateK=n) if n > 1 else image
+    coarse = simple.ExtractSubset(Input=image, VOI=extent, SampleRateI=n, SampleRateJ=n,
+                                  SampleRateK=n) if n > 1 else image
     coarse.UpdatePipeline()
     voxel = 1.0
     for edge in coarse.GetClientSideObject().GetOutputDataObject(0).GetSpacing():
         voxel *= edge
     return VolumeFractionToHex(
-        Input=coarse, VolumeFractionArrays=[], MaterialIdArray="Labels", LabelNames=names, LabelSmoothing=SMOOTHING,
-        MinimumRegionCells=round(CRUMB / voxel))
+        Input=coarse, VolumeFractionArrays=[], MaterialIdArray="Labels", LabelNames=names,
+        LabelSmoothing=SMOOTHING, MinimumRegionCells=round(CRUMB / voxel))
 
 
 def field_of(mesh, name):
@@ -73,7 +80,9 @@ def field_of(mesh, name):
 
 def print_report(mesh, seconds):
     materials = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId")).tolist()
-    regions = list(zip(*(field_of(mesh, name) for name in ("MaterialIds", "MaterialNames", "MeshVolume", "VolumeError"))))
+    regions = list(zip(*(field_of(mesh, name)
+                         for name in ("MaterialIds", "MaterialNames", "MeshVolume",
+                                      "VolumeError"))))
     print("region %-68s %10s %12s" % ("", "hexahedra", "cm^3"))
     for label, name, volume, _ in regions:
         print("%6d %-68s %10d %12.3f" % (label, name, materials.count(label), volume / 1000))
@@ -81,8 +90,11 @@ def print_report(mesh, seconds):
     print("%d regions, %d hexahedra, scaled Jacobian %.3f to 1, mean %.3f" % (
         len(regions), len(quality), quality.min(), quality.mean()))
     print("worst error of a volume %.1e; %d crumbs of %d voxels given away" % (
-        max(abs(error) for *_, error in regions), field_of(mesh, "RemovedRegions")[0], field_of(mesh, "RemovedCells")[0]))
-    print("%.0f s, %.2f GB at most" % (seconds, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2 ** 20))
+        max(abs(error) for *_, error in regions), field_of(mesh, "RemovedRegions")[0],
+        field_of(mesh, "RemovedCells")[0]))
+    print("%.0f s, %.2f GB at most" % (seconds,
+                                       resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+                                       / 2 ** 20))
 
 
 def colour_by_region(display, view):

@@ -1,8 +1,10 @@
-"""Meshes a bracket given as a surface of triangles, its edges rounded and kept, and tells how far the true edges are from both meshes.
+"""Meshes a bracket given as a surface of triangles, its edges rounded and kept, and tells how far
+the true edges are from both meshes.
 
 usage: pvbatch Examples/bracket.py OUT [--cells N] [--plugin PLUGIN.so] [--no-pictures]
 
-OUT gets bracket.stl, the meshes bracket_off.vtu and bracket_on.vtu and, where there is an X server, pictures. Lengths are told in cells.
+OUT gets bracket.stl, the meshes bracket_off.vtu and bracket_on.vtu and, where there is an X server,
+pictures. Lengths are told in cells.
 """
 import argparse
 import math
@@ -34,9 +36,11 @@ def make_locator(points, quads):
     """Of the four triangles around the centre of each quad."""
     count = len(points)
     centres = count + np.arange(len(quads))
-    triangles = np.concatenate([np.stack([quads[:, c], quads[:, (c + 1) % 4], centres], axis=1) for c in range(4)])
+    triangles = np.concatenate([np.stack([quads[:, c], quads[:, (c + 1) % 4], centres], axis=1)
+                                for c in range(4)])
     data, cells, places = vtkPolyData(), vtkCellArray(), vtkPoints()
-    places.SetData(numpy_to_vtk(np.concatenate([points, points[quads].mean(axis=1)]).astype(float), deep=True))
+    places.SetData(numpy_to_vtk(np.concatenate([points, points[quads].mean(axis=1)]).astype(float),
+                                deep=True))
     cells.SetData(3, numpy_to_vtkIdTypeArray(triangles.astype(np.int64).ravel(), deep=True))
     data.SetPoints(places)
     data.SetPolys(cells)
@@ -67,12 +71,16 @@ def measure(mode, mesh, width):
     surface = servermanager.Fetch(mesh, idx=1)
     points, quads = quads_of(surface)
     data, locator = make_locator(points, quads)
-    found = {kind: distances(locator, samples) / width for kind, samples in bracket_stl.edges(0.1 * width).items()}
+    found = {kind: distances(locator, samples) / width
+             for kind, samples in bracket_stl.edges(0.1 * width).items()}
     fillets = [d / width for d in map(bracket_stl.from_fillet, points) if d is not None]
     field = servermanager.Fetch(mesh, idx=0).GetFieldData()
-    quality = [field.GetArray(name).GetValue(0) for name in ("MinimumScaledJacobian", "MeanScaledJacobian")]
+    quality = [field.GetArray(name).GetValue(0)
+               for name in ("MinimumScaledJacobian", "MeanScaledJacobian")]
     print("| %s | %.3f/%.3f | %s | %s | %.4f/%.4f |" % (
-        mode, *quality, *("%.3f/%.3f (%.3f)" % (d.max(), rms(d), np.percentile(d, 99)) for d in (found["edges"], found["rims"])),
+        mode, *quality,
+        *("%.3f/%.3f (%.3f)" % (d.max(), rms(d), np.percentile(d, 99))
+          for d in (found["edges"], found["rims"])),
         max(fillets), rms(fillets)), flush=True)
     return points
 
@@ -86,10 +94,13 @@ def picture(mesh, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out")
-    parser.add_argument("--cells", type=int, default=96, help="along the longest side (default: %(default)s)")
-    parser.add_argument("--plugin", default=os.path.join(HERE, "..", "build", "lib", "VolumeFractionMesh.so"))
+    parser.add_argument("--cells", type=int, default=96,
+                        help="along the longest side (default: %(default)s)")
+    parser.add_argument("--plugin",
+                        default=os.path.join(HERE, "..", "build", "lib", "VolumeFractionMesh.so"))
     parser.add_argument("--no-pictures", action="store_true")
     arguments = parser.parse_args()
     load_plugin(arguments.plugin, globals())
@@ -99,7 +110,8 @@ def main():
     bracket_stl.write_stl(stl, bracket_stl.bracket())
     width = SIZE[0] / (arguments.cells - 4)  # two cells stay free on each side
     fractions = VolumeFractionOfSurface(
-        Input=simple.STLReader(FileNames=[stl]), Dimensions=[math.ceil(size / width) + 4 for size in SIZE])
+        Input=simple.STLReader(FileNames=[stl]),
+        Dimensions=[math.ceil(size / width) + 4 for size in SIZE])
     print("| SharpEdges | scaled Jacobian min/mean | edges to mesh max/rms (p99) | rims of holes | fillets to truth |\n|---|---|---|---|---|")
     points = {}
     for mode in ("Off", "On"):
@@ -113,9 +125,11 @@ def main():
     moved = moved[[bracket_stl.from_fillet(point) is not None for point in points["Off"]]]
     curves = vtk_to_numpy(servermanager.Fetch(mesh, idx=2).GetPoints().GetData())
     print("of %d points on fillets %d moved by more than 0.02 cells, at most %.3f, along the surface; on curves there: %d" % (
-        len(moved), np.sum(moved > 0.02), moved.max(), sum(bracket_stl.from_fillet(point) is not None for point in curves)))
+        len(moved), np.sum(moved > 0.02), moved.max(),
+        sum(bracket_stl.from_fillet(point) is not None for point in curves)))
     print("surfaces, curves and vertices: %d, %d, %d" % tuple(
-        servermanager.Fetch(mesh, idx=0).GetFieldData().GetArray("NumberOf" + name).GetValue(0) for name in ("Surfaces", "Curves", "Vertices")))
+        servermanager.Fetch(mesh, idx=0).GetFieldData().GetArray("NumberOf" + name).GetValue(0)
+        for name in ("Surfaces", "Curves", "Vertices")))
 
 
 if __name__ == "__main__":

@@ -1,9 +1,11 @@
-"""A bracket as a closed surface of triangles: edges of 90 and 135 degrees, holes, fillets. Plain Python.
+"""A bracket as a closed surface of triangles: edges of 90 and 135 degrees, holes, fillets. Plain
+Python.
 
 usage: python3 Examples/bracket_stl.py OUT.stl
 
-An L of 60 x 50 mm is drawn 40 mm deep, along y. Its inner corner has a fillet of 8 mm, its outer one of 12 mm, the end of the base a
-chamfer of 4 mm; two holes of 11 mm go through the base, one of 18 mm through the wall. The other edges are sharp.
+An L of 60 x 50 mm is drawn 40 mm deep, along y. Its inner corner has a fillet of 8 mm, its outer
+one of 12 mm, the end of the base a chamfer of 4 mm; two holes of 11 mm go through the base, one of
+18 mm through the wall. The other edges are sharp.
 """
 import math
 import struct
@@ -23,11 +25,13 @@ HOLES = (  # a point of the axis at its begin, the end, the radius
 def arc(circle, first, last):
     """Points in x and z, angles in degrees."""
     angles = (math.radians(first + (last - first) * i / STEPS) for i in range(STEPS + 1))
-    return [(circle[0] + circle[2] * math.cos(a), circle[1] + circle[2] * math.sin(a)) for a in angles]
+    return [(circle[0] + circle[2] * math.cos(a), circle[1] + circle[2] * math.sin(a))
+            for a in angles]
 
 
 SHARP = ((60.0, 0.0), (60.0, 8.0), (56.0, BASE), (WALL, 50.0), (0.0, 50.0))  # corners of the L
-OUTLINE = arc(OUTER, 180, 270) + list(SHARP[:3]) + arc(INNER, 270, 180) + list(SHARP[3:])  # counter-clockwise from -y
+# counter-clockwise from -y
+OUTLINE = arc(OUTER, 180, 270) + list(SHARP[:3]) + arc(INNER, 270, 180) + list(SHARP[3:])
 
 
 def rim(hole, end):
@@ -56,7 +60,8 @@ def crosses(a, b, c, d):
 
 
 def with_holes(outer, holes):
-    """One closed line around a polygon (counter-clockwise) and its holes (clockwise): cut to each from the nearest corner that sees it."""
+    """One closed line around a polygon (counter-clockwise) and its holes (clockwise): cut to each
+    from the nearest corner that sees it."""
     for hole in sorted(holes, key=lambda points: -max(points)[0]):
         sides = [(line[i - 1], line[i]) for line in [outer] + list(holes) for i in range(len(line))]
         start = hole.index(max(hole))
@@ -68,7 +73,8 @@ def with_holes(outer, holes):
 
 
 def triangulate(line):
-    """Triangles of a simple polygon, counter-clockwise: ears cut off, the fattest first of each round."""
+    """Triangles of a simple polygon, counter-clockwise: ears cut off, the fattest first of each
+    round."""
     line, triangles = list(line), []
     while len(line) > 3:
         best, ear = 0.0, None
@@ -77,7 +83,8 @@ def triangulate(line):
             double = area(a, b, c)
             fat = double / max(math.dist(a, b), math.dist(b, c), math.dist(c, a)) ** 2
             if fat > best and not any(
-                    area(a, b, p) >= 0 and area(b, c, p) >= 0 and area(c, a, p) >= 0 for p in line if p not in (a, b, c)):
+                    area(a, b, p) >= 0 and area(b, c, p) >= 0 and area(c, a, p) >= 0 for p in line
+                    if p not in (a, b, c)):
                 best, ear = fat, i
         triangles.append((line[ear - 1], line[ear], line[(ear + 1) % len(line)]))
         del line[ear]
@@ -85,12 +92,14 @@ def triangulate(line):
 
 
 def fill(outer, holes, axis):
-    """Triangles of a plane face between lines in space; axis: where it looks, 1..3 for x..z, negative along -x..-z."""
+    """Triangles of a plane face between lines in space; axis: where it looks, 1..3 for x..z,
+    negative along -x..-z."""
     kept = [a for a in range(3) if a != abs(axis) - 1]
     flips = (axis > 0) == (abs(axis) == 2)  # y: x, z are a left-handed frame
     place = {(p[kept[0]], p[kept[1]]): p for line in [outer] + holes for p in line}
     flat = [[(p[kept[0]], p[kept[1]]) for p in line] for line in [outer] + holes]
-    turned = [line if (total_area(line) > 0) == (n == 0) else line[::-1] for n, line in enumerate(flat)]
+    turned = [line if (total_area(line) > 0) == (n == 0) else line[::-1]
+              for n, line in enumerate(flat)]
     triangles = triangulate(with_holes(turned[0], turned[1:]))
     return [tuple(place[p] for p in (t[::-1] if flips else t)) for t in triangles]
 
@@ -114,11 +123,14 @@ def faces_along():
         x0, z0 = OUTLINE[i - 1]
         corners = [(x0, 0.0, z0), (x, 0.0, z), (x, DEPTH, z), (x0, DEPTH, z0)]
         if x == x0:
-            triangles += fill(corners, [r for r in rims if all(p[0] == x for p in r)], 1 if z > z0 else -1)
+            triangles += fill(corners, [r for r in rims if all(p[0] == x for p in r)],
+                              1 if z > z0 else -1)
         elif z == z0:
-            triangles += fill(corners, [r for r in rims if all(p[2] == z for p in r)], -3 if x > x0 else 3)
+            triangles += fill(corners, [r for r in rims if all(p[2] == z for p in r)],
+                              -3 if x > x0 else 3)
         else:
-            triangles += [(corners[0], corners[2], corners[1]), (corners[0], corners[3], corners[2])]
+            triangles += [(corners[0], corners[2], corners[1]),
+                          (corners[0], corners[3], corners[2])]
     return triangles
 
 
@@ -138,17 +150,20 @@ def straight(a, b, step):
 
 
 def edges(step):
-    """Points along the sharp edges, by kind: those around a hole, all others; no farther apart than a step."""
+    """Points along the sharp edges, by kind: those around a hole, all others; no farther apart than
+    a step."""
     lines = [((x, 0.0, z), (x, DEPTH, z)) for x, z in SHARP]
     lines += [((x0, y, z0), (x, y, z)) for y in (0.0, DEPTH)
               for (x0, z0), (x, z) in zip(OUTLINE, OUTLINE[1:] + OUTLINE[:1])]
     rims = [rim(hole, end) for hole in HOLES for end in (0, 1)]
-    return {"rims": [p for r in rims for i in range(len(r)) for p in straight(r[i - 1], r[i], step)],
+    return {"rims": [p for r in rims for i in range(len(r))
+                     for p in straight(r[i - 1], r[i], step)],
             "edges": [p for a, b in lines for p in straight(a, b, step)]}
 
 
 def from_fillet(point):
-    """The nearest fillet's distance from a point near it; None for one that is near none or near an end of one."""
+    """The nearest fillet's distance from a point near it; None for one that is near none or near an
+    end of one."""
     x, y, z = point
     for cx, cz, radius in (INNER, OUTER):
         along, up = cx - x, cz - z
@@ -163,7 +178,8 @@ def write_stl(path, triangles):
     with open(path, "wb") as file:
         file.write(b"bracket".ljust(80) + struct.pack("<I", len(triangles)))
         for triangle in triangles:
-            file.write(struct.pack("<12fH", 0.0, 0.0, 0.0, *(c for point in triangle for c in point), 0))
+            file.write(struct.pack("<12fH", 0.0, 0.0, 0.0,
+                                   *(c for point in triangle for c in point), 0))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 """Runs CalculiX (ccx) on a mesh that was written as .inp, and reads what it prints.
 
-Linear elasticity: write_deck() writes the input of one static step, which includes the mesh; run() solves it; read_results()
-reads displacements, reaction forces and stresses. From the file Examples/ball_under_pressure.py one sees how.
+Linear elasticity: write_deck() writes the input of one static step, which includes the mesh; run()
+solves it; read_results() reads displacements, reaction forces and stresses. From the file
+Examples/ball_under_pressure.py one sees how.
 """
 import os
 import re
@@ -15,24 +16,28 @@ SHORT_EXPONENT = re.compile(r"(\d)([+-]\d{3})\b")  # Fortran writes 1.5E-101 as 
 
 def number(value):
     """A number in the 20 characters that CalculiX reads."""
-    return next(text for text in ("%.*g" % (digits, value) for digits in range(17, 0, -1)) if len(text) <= 20)
+    return next(text for text in ("%.*g" % (digits, value) for digits in range(17, 0, -1))
+                if len(text) <= 20)
 
 
 def write_deck(path, mesh, materials, boundary, pressures=(), reactions=()):
     """Writes the input file of a static step.
 
-    mesh: the .inp file, in the folder of path. materials: {element set: (Young's modulus, Poisson's ratio)}.
-    boundary: (node or node set, first direction, last direction, displacement) each. pressures: (surface, pressure) each.
-    reactions: node sets whose total reaction force is printed.
+    mesh: the .inp file, in the folder of path. materials: {element set: (Young's modulus, Poisson's
+    ratio)}. boundary: (node or node set, first direction, last direction, displacement) each.
+    pressures: (surface, pressure) each. reactions: node sets whose total reaction force is printed.
     """
     lines = ["*INCLUDE, INPUT=" + os.path.basename(mesh)]
     for name, (modulus, ratio) in materials.items():
-        lines += ["*MATERIAL, NAME=" + name, "*ELASTIC", "%s, %s" % (number(modulus), number(ratio)),
+        lines += ["*MATERIAL, NAME=" + name, "*ELASTIC",
+                  "%s, %s" % (number(modulus), number(ratio)),
                   "*SOLID SECTION, ELSET=%s, MATERIAL=%s" % (name, name)]
     lines += ["*STEP", "*STATIC", "*BOUNDARY"]
-    lines += ["%s, %d, %d, %s" % (node, first, last, number(value)) for node, first, last, value in boundary]
+    lines += ["%s, %d, %d, %s" % (node, first, last, number(value))
+              for node, first, last, value in boundary]
     if pressures:
-        lines += ["*DSLOAD"] + ["%s, P, %s" % (surface, number(value)) for surface, value in pressures]
+        lines += ["*DSLOAD"] + ["%s, P, %s" % (surface, number(value))
+                                for surface, value in pressures]
     lines += ["*NODE PRINT, NSET=NALL", "U", "*EL PRINT, ELSET=EALL", "S"]
     for name in reactions:
         lines += ["*NODE PRINT, NSET=%s, TOTALS=ONLY" % name, "RF"]
@@ -41,18 +46,22 @@ def write_deck(path, mesh, materials, boundary, pressures=(), reactions=()):
 
 
 def run(path, seconds=600, threads=1):
-    """Solves the deck at path (.inp); the results lie beside it. Raises RuntimeError with what ccx says when it fails."""
+    """Solves the deck at path (.inp); the results lie beside it. Raises RuntimeError with what ccx
+    says when it fails."""
     folder, name = os.path.split(os.path.splitext(path)[0])
-    result = subprocess.run(["ccx", "-i", name], cwd=folder or ".", env={**os.environ, "OMP_NUM_THREADS": str(threads)},
-                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=seconds)
+    result = subprocess.run(["ccx", "-i", name], cwd=folder or ".",
+                            env={**os.environ, "OMP_NUM_THREADS": str(threads)},
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            timeout=seconds)
     if result.returncode != 0 or "*ERROR" in result.stdout or "Job finished" not in result.stdout:
         raise RuntimeError("ccx ends with %d: %s" % (result.returncode, result.stdout[-2000:]))
     return result.stdout
 
 
 class Results:
-    """displacements: (nodes, 3). stresses: (elements, integration points, 6), xx yy zz xy xz yz; elements and nodes in the
-    order of their numbers. reactions: {node set: total force}. Printed with seven digits."""
+    """displacements: (nodes, 3). stresses: (elements, integration points, 6), xx yy zz xy xz yz;
+    elements and nodes in the order of their numbers. reactions: {node set: total force}. Printed
+    with seven digits."""
 
     def __init__(self, tables):
         self.reactions = {name: rows[0] for title, name, rows in tables if title == "total force"}

@@ -1,9 +1,10 @@
 # script-version: 2.0
 """Meshes the volume fractions of a running simulation: a ParaView Catalyst script (version 2).
 
-Give it to vfm::CatalystAdaptor of either kind or any other Catalyst adaptor whose input is named "input": a uniform grid in one or
-more blocks a rank, or a refined one (AMR) of blocks on several levels. Every mesh becomes OUT/NAME_SSSSSS.pvtu (S: the step),
-the series OUT/NAME.pvd, on demand an Exodus file and a picture.
+Give it to vfm::CatalystAdaptor of either kind or any other Catalyst adaptor whose input is named
+"input": a uniform grid in one or more blocks a rank, or a refined one (AMR) of blocks on several
+levels. Every mesh becomes OUT/NAME_SSSSSS.pvtu (S: the step), the series OUT/NAME.pvd, on demand an
+Exodus file and a picture.
 
 Settings: the values below, or environment variables of the simulation:
   VFM_PLUGIN    path of VolumeFractionMesh.so
@@ -12,18 +13,26 @@ Settings: the values below, or environment variables of the simulation:
   VFM_OUT       folder of the files
   VFM_NAME      first part of their names
   VFM_STEPS     these steps are meshed, between commas
-  VFM_EVERY     every so many steps; 0: none. Default: 1, but 0 where VFM_STEPS or VFM_TRIGGER is set
+  VFM_EVERY     every so many steps; 0: none. Default: 1, but 0 where VFM_STEPS or VFM_TRIGGER is
+                set
   VFM_TRIGGER   and those when one of these, between semicolons, comes true:
-                  NAME changes              a global number that the simulation hands over, as "Fragments", is another;
+                  NAME changes              a global number that the simulation hands over, as
+                  "Fragments", is another;
                                             the first step counts as a change
                   NAME > VALUE              ... has passed the value; also NAME < VALUE
-                  sum ARRAY > VALUE         the sum of a cell array over all cells has; also min, max; vectors by length;
-                                            a finer cell counts as the part that it is of a coarsest one
+                  sum ARRAY > VALUE         the sum of a cell array over all cells has; also min,
+                  max; vectors by length;
+                                            a finer cell counts as the part that it is of a coarsest
+                                            one
   VFM_STATE     cell arrays that the elements carry along, between commas: velocity, temperature
-  VFM_DENSITY   cell arrays of mass per volume, one or one a material: state is then carried so that nothing is lost
-  VFM_VELOCITY, VFM_ENERGY, VFM_STATE_KINDS, VFM_STATE_TRANSFER, VFM_STATE_ORDER, VFM_NODAL_VELOCITY, VFM_LOST_KINETIC_ENERGY,
-  VFM_UNMESHED  the properties VelocityArray, EnergyArray, StateKinds (NAME=KIND between commas), StateTransfer, StateOrder,
-                NodalVelocity (0 or 1), LostKineticEnergy and UnmeshedMaterial of the filter; empty: its defaults
+  VFM_DENSITY   cell arrays of mass per volume, one or one a material: state is then carried so that
+                nothing is lost
+  VFM_VELOCITY, VFM_ENERGY, VFM_STATE_KINDS, VFM_STATE_TRANSFER, VFM_STATE_ORDER,
+  VFM_NODAL_VELOCITY, VFM_LOST_KINETIC_ENERGY,
+  VFM_UNMESHED  the properties VelocityArray, EnergyArray, StateKinds (NAME=KIND between commas),
+                StateTransfer, StateOrder,
+                NodalVelocity (0 or 1), LostKineticEnergy and UnmeshedMaterial of the filter; empty:
+                its defaults
   VFM_TETS      tetrahedra by this method, TetGen, Cells or Lattice; empty: hexahedra
   VFM_EXODUS    1: NAME_SSSSSS.e too, with side sets, on N ranks NAME_SSSSSS.e.N.0 and so on
   VFM_PICTURE   1: NAME_SSSSSS.png too, where there is an X server (DISPLAY)
@@ -83,17 +92,21 @@ def names_of(text):
 
 
 PROPERTIES = {  # of the filter: the setting, and what makes its value of it
-    "StateArrays": ("STATE", names_of), "DensityArrays": ("DENSITY", names_of), "VelocityArray": ("VELOCITY", str),
-    "EnergyArray": ("ENERGY", str), "StateKinds": ("STATE_KINDS", names_of), "StateTransfer": ("STATE_TRANSFER", str),
+    "StateArrays": ("STATE", names_of), "DensityArrays": ("DENSITY", names_of),
+    "VelocityArray": ("VELOCITY", str),
+    "EnergyArray": ("ENERGY", str), "StateKinds": ("STATE_KINDS", names_of),
+    "StateTransfer": ("STATE_TRANSFER", str),
     "StateOrder": ("STATE_ORDER", int), "NodalVelocity": ("NODAL_VELOCITY", int),
     "LostKineticEnergy": ("LOST_KINETIC_ENERGY", str), "UnmeshedMaterial": ("UNMESHED", str)}
 
 
 def word_of(chosen, value):
-    """The word of an enumeration that a text means: blanks and case do not count. Other values as they are."""
+    """The word of an enumeration that a text means: blanks and case do not count. Other values as
+    they are."""
     plain = lambda word: word.replace(" ", "").lower()
     is_word = isinstance(chosen, servermanager.EnumerationProperty) and isinstance(value, str)
-    return next((word for word in chosen.Available if plain(word) == plain(value)), value) if is_word else value
+    return next((word for word in chosen.Available if plain(word) == plain(value)),
+                value) if is_word else value
 
 
 def is_first_rank():
@@ -126,15 +139,18 @@ def blocks_of(data):
 
 
 def numbers_named(data, name):
-    """Arrays of a global number: the first kind of Catalyst gives it to the data, the second to its parts."""
+    """Arrays of a global number: the first kind of Catalyst gives it to the data, the second to its
+    parts."""
     is_collection = isinstance(data, vtkPartitionedDataSetCollection)
-    parts = map(data.GetPartitionedDataSet, range(data.GetNumberOfPartitionedDataSets())) if is_collection else []
+    parts = map(data.GetPartitionedDataSet,
+                range(data.GetNumberOfPartitionedDataSets())) if is_collection else []
     arrays = [part.GetFieldData().GetArray(name) for part in [data, *parts]]
     return [array for array in arrays if array]
 
 
 def own_values(block, name):
-    """The values of a cell array, lengths of vectors, without what other blocks tell of; None if there is no such array."""
+    """The values of a cell array, lengths of vectors, without what other blocks tell of; None if
+    there is no such array."""
     array, ghosts = block.GetCellData().GetArray(name), block.GetCellData().GetArray("vtkGhostType")
     if array is None:
         return None
@@ -157,7 +173,8 @@ class Trigger:
         if len(words) == 2 and words[1] == "changes":
             self.name, self.comparison = words[0], None
         elif len(words) == 3 and words[1] in COMPARISONS:
-            self.name, self.comparison, self.limit = words[0], COMPARISONS[words[1]], float(words[2])
+            self.name, self.comparison, self.limit = words[0], COMPARISONS[words[1]], float(
+                words[2])
         else:
             raise ValueError("VFM_TRIGGER: cannot read '%s'" % self.text)
 
@@ -180,12 +197,16 @@ class Trigger:
     def reduce(self, data):
         of_values, of_ranks, nothing = REDUCTIONS[self.reduction]
         blocks = blocks_of(data)
-        widest = reduced(max([cell_volume(block) for block in blocks], default=0.0), vtkCommunicator.MAX_OP)
+        widest = reduced(max([cell_volume(block) for block in blocks], default=0.0),
+                         vtkCommunicator.MAX_OP)
         parts = [(own_values(block, self.name), cell_volume(block) / widest) for block in blocks]
-        parts = [part * weight if self.reduction == "sum" else part for part, weight in parts if part is not None]
+        parts = [part * weight if self.reduction == "sum" else part for part, weight in parts
+                 if part is not None]
         if not reduced(len(parts), vtkCommunicator.SUM_OP):
-            raise ValueError("VFM_TRIGGER: the simulation hands over no cell array '%s'" % self.name)
-        return reduced(of_values([of_values(part) for part in parts if part.size] or [nothing]), of_ranks)
+            raise ValueError("VFM_TRIGGER: the simulation hands over no cell array '%s'"
+                             % self.name)
+        return reduced(of_values([of_values(part) for part in parts if part.size] or [nothing]),
+                       of_ranks)
 
 
 class Choice:
@@ -219,13 +240,15 @@ def has_display():
 
 
 class Picture:
-    """The outside of the mesh with the edges of the elements, a colour a material; the camera stays where it is."""
+    """The outside of the mesh with the edges of the elements, a colour a material; the camera stays
+    where it is."""
 
     def __init__(self, mesher, bounds):
         self.mesher, self.parts = mesher, {}
         simple._DisableFirstRenderCameraReset()
         self.view = pictures.make_view()
-        pictures.aim(self.view, bounds, [float(x) for x in names_of(setting("CAMERA"))], float(setting("ZOOM")))
+        pictures.aim(self.view, bounds, [float(x) for x in names_of(setting("CAMERA"))],
+                     float(setting("ZOOM")))
 
     def save(self, materials, time, path):
         for material in materials:
@@ -240,15 +263,19 @@ class Mesher:
 
     def __init__(self, source):
         tets = setting("TETS")
-        self.filter = VolumeFractionToTet(Input=source, Method=tets) if tets else VolumeFractionToHex(Input=source)
+        self.filter = VolumeFractionToTet(Input=source,
+                                          Method=tets) if tets else VolumeFractionToHex(
+                                              Input=source)
         self.filter.VolumeFractionArrays = [] if setting("LABELS") else names_of(setting("ARRAYS"))
         self.filter.MaterialIdArray = setting("LABELS") or "None"
         for name, (key, value) in PROPERTIES.items():
             if setting(key):
-                setattr(self.filter, name, word_of(self.filter.GetProperty(name), value(setting(key))))
+                setattr(self.filter, name,
+                        word_of(self.filter.GetProperty(name), value(setting(key))))
         self.errors = []
         self.filter.GetClientSideObject().AddObserver("ErrorEvent", self.make_observer())
-        self.stem, self.series, self.picture = os.path.join(setting("OUT"), setting("NAME")), [], None
+        self.stem, self.series, self.picture = os.path.join(setting("OUT"),
+                                                            setting("NAME")), [], None
         self.wants_picture = int(setting("PICTURE")) > 0
         os.makedirs(setting("OUT"), exist_ok=True)
 
@@ -265,7 +292,9 @@ class Mesher:
         self.filter.UpdatePipeline(time)
         mesh = self.filter.GetClientSideObject().GetOutputDataObject(0)
         if self.errors or mesh.GetFieldData().GetArray("MeshVolume") is None:
-            raise RuntimeError("no mesh of step %d: %s" % (step, " ".join(self.errors) or "see the messages before"))
+            raise RuntimeError("no mesh of step %d: %s" % (step,
+                                                           " ".join(self.errors)
+                                                           or "see the messages before"))
         return mesh
 
     def write(self, mesh, step, time):
@@ -282,7 +311,8 @@ class Mesher:
         self.series.append(entry)
         if is_first_rank():
             with open(self.stem + ".pvd", "w") as file:
-                file.write('<VTKFile type="Collection" version="0.1">\n<Collection>\n' + "".join(self.series) +
+                file.write('<VTKFile type="Collection" version="0.1">\n<Collection>\n'
+                           + "".join(self.series) +
                            "</Collection>\n</VTKFile>\n")
 
     def draw(self, mesh, data, step, time):
@@ -303,7 +333,8 @@ def bounds_of(data):
     for block in blocks_of(data):
         pairs = zip(bounds, block.GetBounds())
         bounds = [max(pair) if i % 2 else min(pair) for i, pair in enumerate(pairs)]
-    return [reduced(x, vtkCommunicator.MAX_OP if i % 2 else vtkCommunicator.MIN_OP) for i, x in enumerate(bounds)]
+    return [reduced(x, vtkCommunicator.MAX_OP if i % 2 else vtkCommunicator.MIN_OP)
+            for i, x in enumerate(bounds)]
 
 
 load_plugin(setting("PLUGIN"), globals())  # defines VolumeFractionToHex, VolumeFractionToTet
@@ -314,7 +345,8 @@ mesher = None
 
 
 def RequestDataDescription(description):
-    """By the first kind of Catalyst asked before the simulation makes any data; the second makes them when the source is updated."""
+    """By the first kind of Catalyst asked before the simulation makes any data; the second makes
+    them when the source is updated."""
     if choice.may_want(description.GetTimeStep()):
         for i in range(description.GetNumberOfInputDescriptions()):
             description.GetInputDescription(i).AllFieldsOn()

@@ -1,9 +1,11 @@
-"""Makes AMR data (.vthb) of what Gerris writes, an octree of cells: pvpython gerris_to_vthb.py CELLS.txt[.gz] OUT.vthb
+"""Makes AMR data (.vthb) of what Gerris writes, an octree of cells: pvpython gerris_to_vthb.py
+CELLS.txt[.gz] OUT.vthb
 
-CELLS.txt is of Gerris' OutputSimulation { format = text }: a line of names '1:x 2:y 3:z 4:T ...' and a line for each
-leaf cell, its centre and its values; one box of length 1 around 0, any fields. Level 0 of the result is that of the
-coarsest leaves. Boxes of a level cover the cells of that level and what is refined further; there they have the means
-of the cells below, so that the volume of a fluid is the same on all levels.
+CELLS.txt is of Gerris' OutputSimulation { format = text }: a line of names '1:x 2:y 3:z 4:T ...'
+and a line for each leaf cell, its centre and its values; one box of length 1 around 0, any fields.
+Level 0 of the result is that of the coarsest leaves. Boxes of a level cover the cells of that level
+and what is refined further; there they have the means of the cells below, so that the volume of a
+fluid is the same on all levels.
 """
 import gzip
 import os
@@ -24,7 +26,8 @@ LOWER = -0.5  # of the box of Gerris
 def read_cells(path):
     """Names of the fields, centres (n, 3) as parts of the box, and values (n, fields)."""
     with (gzip.open if path.endswith(".gz") else open)(path, "rt") as file:
-        names = [word.partition(":")[2] for word in file.readline().lstrip("# ").split() if ":" in word]
+        names = [word.partition(":")[2] for word in file.readline().lstrip("# ").split()
+                 if ":" in word]
         if names[:3] != ["x", "y", "z"]:
             raise SystemExit("%s has no cells of Gerris in three dimensions." % path)
         table = np.loadtxt(file, ndmin=2)
@@ -32,7 +35,8 @@ def read_cells(path):
 
 
 def find_levels(centres):
-    """Level of each leaf: with n = 2^level cells along the box, a centre is at an odd multiple of 1 / 2n."""
+    """Level of each leaf: with n = 2^level cells along the box, a centre is at an odd multiple of 1
+    / 2n."""
     levels = np.full(len(centres), -1)
     for level in range(DEEPEST, -1, -1):
         halves = centres * 2 ** (level + 1)
@@ -45,7 +49,8 @@ def find_levels(centres):
 
 
 def fill_levels(centres, levels, values):
-    """Of each level from the coarsest of the leaves on: which cells exist (z, y, x), and their values (z, y, x, fields)."""
+    """Of each level from the coarsest of the leaves on: which cells exist (z, y, x), and their
+    values (z, y, x, fields)."""
     exist, filled = {}, {}
     for level in range(levels.max(), levels.min() - 1, -1):
         n = 2 ** level
@@ -63,7 +68,8 @@ def fill_levels(centres, levels, values):
 
 
 def cover(cells):
-    """Boxes, slices in z y x, that hold each of these cells once: from the first cell left along x, then y, then z."""
+    """Boxes, slices in z y x, that hold each of these cells once: from the first cell left along x,
+    then y, then z."""
     left, boxes = cells.copy(), []
     while left.any():
         z, y, x = np.unravel_index(np.argmax(left), left.shape)
@@ -80,7 +86,9 @@ def make_amr(names, exist, filled):
     lists = {level: cover(exist[level]) for level in sorted(exist)}
     amr = vtkOverlappingAMR()
     counts = [len(boxes) for boxes in lists.values()]
-    amr.Initialize(counts) if hasattr(amr, "GetAMRMetaData") else amr.Initialize(len(counts), counts)  # since VTK 9.6, before
+    # since VTK 9.6, before
+    amr.Initialize(counts) if hasattr(amr,
+                                      "GetAMRMetaData") else amr.Initialize(len(counts), counts)
     amr.SetOrigin([LOWER] * 3)
     amr.SetGridDescription(8)  # VTK_XYZ_GRID
     for number, (level, boxes) in enumerate(lists.items()):
@@ -98,7 +106,8 @@ def make_amr(names, exist, filled):
                 grid.GetCellData().AddArray(array)
             amr.SetAMRBox(number, i, vtkAMRBox([int(f) for f in first], [int(e) - 1 for e in end]))
             amr.SetDataSet(number, i, grid)
-        print("level %d: cells of %g, %d leaves and others in %d boxes" % (number, h, exist[level].sum(), len(boxes)))
+        print("level %d: cells of %g, %d leaves and others in %d boxes"
+              % (number, h, exist[level].sum(), len(boxes)))
     return amr
 
 

@@ -1,47 +1,61 @@
-"""A small explicit Lagrangian solver for hexahedra that begins anywhere: with positions, velocities of nodes, and density, specific
-internal energy, stress and history of elements, as a mesh of VolumeFractionMesh carries them over from an Eulerian code.
+"""A small explicit Lagrangian solver for hexahedra that begins anywhere: with positions, velocities
+of nodes, and density, specific internal energy, stress and history of elements, as a mesh of
+VolumeFractionMesh carries them over from an Eulerian code.
 
-Elements have uniform strain, one stress, and viscosity against hourglasses (Flanagan and Belytschko 1981); nodes have equal parts of their
-elements' masses. Velocities and positions go by velocity Verlet. An element's internal energy changes by the work that the very forces on
-its corners do (compatible, Caramana, Burton, Shashkov and Whalen 1998), so mass, momentum and the sum of both energies stay to
-rounding. The material is that of Examples/impact (MaterialPoints.cxx tells of it): Mie-Grueneisen pressure, J2 plasticity with hardening and
-softening, failure. Units: mm, microseconds, mg; so GPa, km/s, J.
+Elements have uniform strain, one stress, and viscosity against hourglasses (Flanagan and Belytschko
+1981); nodes have equal parts of their elements' masses. Velocities and positions go by velocity
+Verlet. An element's internal energy changes by the work that the very forces on its corners do
+(compatible, Caramana, Burton, Shashkov and Whalen 1998), so mass, momentum and the sum of both
+energies stay to rounding. The material is that of Examples/impact (MaterialPoints.cxx tells of it):
+Mie-Grueneisen pressure, J2 plasticity with hardening and softening, failure. Units: mm,
+microseconds, mg; so GPa, km/s, J.
 
-What it lacks: contact. Bodies that share nodes where they touch stay tied there; those that do not would pass through each other.
-Elements that failed and came apart, or are crushed flat, are given up: their forces end, their mass stays on their nodes and
-their energy in the sums.
+What it lacks: contact. Bodies that share nodes where they touch stay tied there; those that do not
+would pass through each other. Elements that failed and came apart, or are crushed flat, are given
+up: their forces end, their mass stays on their nodes and their energy in the sums.
 """
 import numpy as np
 
 # One entry for each material, from 1: see Examples/impact/MaterialPoints.cxx.
 MATERIALS = {
-    "density": [2.785, 7.83], "sound": [5.328, 4.569], "slope": [1.338, 1.49], "grueneisen": [2.0, 1.93], "shear": [27.6, 80.0],
-    "yield0": [0.4, 1.6], "hardening": [0.0, 0.5], "exponent": [1.0, 0.3], "melt": [1.0, 0.7], "failure": [0.1, 0.8],
-    "spall": [1.0, 3.0]}
+    "density": [2.785, 7.83], "sound": [5.328, 4.569], "slope": [1.338, 1.49],
+    "grueneisen": [2.0, 1.93], "shear": [27.6, 80.0],
+    "yield0": [0.4, 1.6], "hardening": [0.0, 0.5], "exponent": [1.0, 0.3], "melt": [1.0, 0.7],
+    "failure": [0.1, 0.8], "spall": [1.0, 3.0]}
 
 LINEAR_VISCOSITY, QUADRATIC_VISCOSITY = 0.15, 1.5
 HOURGLASS_VISCOSITY = 0.1
 COURANT_NUMBER, LARGEST_COMPRESSION = 0.6, 0.1  # of a step
 TRIAXIALITY_FACTOR, TRIAXIALITY_LIMIT = 1.5, 1.5
-GIVEN_UP_RATIO, GIVEN_UP_LENGTH = 3.0, 0.15  # of what failed: volume over that at rest; of all: length over that at the start
+# of what failed: volume over that at rest; of all: length over that at the start
+GIVEN_UP_RATIO, GIVEN_UP_LENGTH = 3.0, 0.15
 
-CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]])
-HOURGLASSES = np.array([[c[1] * c[2], c[0] * c[2], c[0] * c[1], c[0] * c[1] * c[2]] for c in CORNERS], float)  # corner, mode
-# Each corner's view of the hexahedron that corner 0 has: the numbers of the corners that take the places of 0 to 7.
-VIEWS = [(0, 1, 2, 3, 4, 5, 6, 7), (1, 2, 3, 0, 5, 6, 7, 4), (2, 3, 0, 1, 6, 7, 4, 5), (3, 0, 1, 2, 7, 4, 5, 6),
-         (4, 7, 6, 5, 0, 3, 2, 1), (5, 4, 7, 6, 1, 0, 3, 2), (6, 5, 4, 7, 2, 1, 0, 3), (7, 6, 5, 4, 3, 2, 1, 0)]
+CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1],
+                    [1, 1, 1], [-1, 1, 1]])
+# corner, mode
+HOURGLASSES = np.array([[c[1] * c[2], c[0] * c[2], c[0] * c[1], c[0] * c[1] * c[2]]
+                        for c in CORNERS], float)
+# Each corner's view of the hexahedron that corner 0 has: the numbers of the corners that take the
+# places of 0 to 7.
+VIEWS = [(0, 1, 2, 3, 4, 5, 6, 7), (1, 2, 3, 0, 5, 6, 7, 4), (2, 3, 0, 1, 6, 7, 4, 5),
+         (3, 0, 1, 2, 7, 4, 5, 6),
+         (4, 7, 6, 5, 0, 3, 2, 1), (5, 4, 7, 6, 1, 0, 3, 2), (6, 5, 4, 7, 2, 1, 0, 3),
+         (7, 6, 5, 4, 3, 2, 1, 0)]
 
 
 def volume_gradients(x):
-    """By the corners' places x (3, 8, elements): the derivatives of the trilinear volume (3, 8, elements), and the volume."""
+    """By the corners' places x (3, 8, elements): the derivatives of the trilinear volume (3, 8,
+    elements), and the volume."""
     x = x - x[:, :1]
     gradients = np.empty_like(x)
     for corner, view in enumerate(VIEWS):
         for axis in range(3):
             y, z = ([x[(axis + turn) % 3, n] for n in view] for turn in (1, 2))
             gradients[axis, corner] = (
-                y[1] * ((z[5] - z[2]) + (z[4] - z[3])) + y[2] * (z[1] - z[3]) + y[3] * ((z[2] - z[7]) + (z[1] - z[4])) +
-                y[4] * ((z[7] - z[5]) + (z[3] - z[1])) + y[5] * (z[4] - z[1]) + y[7] * (z[3] - z[4])) / 12
+                y[1] * ((z[5] - z[2]) + (z[4] - z[3])) + y[2] * (z[1] - z[3]) + y[3]
+                * ((z[2] - z[7]) + (z[1] - z[4])) +
+                y[4] * ((z[7] - z[5]) + (z[3] - z[1])) + y[5] * (z[4] - z[1]) + y[7]
+                * (z[3] - z[4])) / 12
     return gradients, (x * gradients).sum((0, 1)) / 3
 
 
@@ -56,16 +70,18 @@ def contract(a, b):
 
 
 class Lagrangian:
-    """points (nodes, 3), hexahedra (elements, 8), materials from 1 and state: arrays over elements of density, energy, ratio (volume over
-    that at rest), deviator (elements, 6), plastic_strain, damage, toughness. velocities: of the nodes; None: means of the state's velocity
-    by mass."""
+    """points (nodes, 3), hexahedra (elements, 8), materials from 1 and state: arrays over elements
+    of density, energy, ratio (volume over that at rest), deviator (elements, 6), plastic_strain,
+    damage, toughness. velocities: of the nodes; None: means of the state's velocity by mass."""
 
     def __init__(self, points, hexahedra, materials, state, velocities=None):
         self.x = np.ascontiguousarray(points.T)
         self.corners, self.body = np.ascontiguousarray(hexahedra.T), materials - 1
         self.m = {name: np.array(values)[self.body] for name, values in MATERIALS.items()}
-        self.energy, self.deviator = state["energy"].copy(), np.ascontiguousarray(state["deviator"].T)
-        self.strain = np.maximum(state["plastic_strain"], 0)  # sums that are carried may be 0 but for rounding
+        self.energy, self.deviator = state["energy"].copy(), np.ascontiguousarray(
+            state["deviator"].T)
+        # sums that are carried may be 0 but for rounding
+        self.strain = np.maximum(state["plastic_strain"], 0)
         self.damage, self.toughness = (state[name].copy() for name in ("damage", "toughness"))
         self.gradients, self.volume = volume_gradients(self.x[:, self.corners])
         self.length = length_of(self.gradients, self.volume)
@@ -73,7 +89,9 @@ class Lagrangian:
         self.mass = state["density"] * self.volume
         self.rest_volume = self.volume / state["ratio"]
         self.node_mass = self.to_nodes(np.broadcast_to(self.mass / 8, self.corners.shape))
-        self.v = np.ascontiguousarray(velocities.T) if velocities is not None else self.to_mean_velocities(state["velocity"].T)
+        self.v = np.ascontiguousarray(
+            velocities.T) if velocities is not None else self.to_mean_velocities(
+                state["velocity"].T)
         self.lives = np.ones(len(self.mass), bool)
         self.time, self.steps = 0.0, 0
         self.pressure = self.pressure_of(self.energy)
@@ -85,7 +103,8 @@ class Lagrangian:
 
     def to_mean_velocities(self, velocities):
         """Of the nodes, by those of the elements."""
-        shares = [self.to_nodes(np.broadcast_to(self.mass / 8 * v, self.corners.shape)) for v in velocities]
+        shares = [self.to_nodes(np.broadcast_to(self.mass / 8 * v, self.corners.shape))
+                  for v in velocities]
         return np.array(shares) / self.node_mass
 
     def accelerations(self):
@@ -97,14 +116,16 @@ class Lagrangian:
         bulk = m["density"] * m["sound"] ** 2
         strain = np.clip(1 - ratio, 0, 0.8 / m["slope"])
         cold = np.where(ratio >= 1, bulk * (1 / ratio - 1),
-                        bulk * strain * (1 - m["grueneisen"] * strain / 2) / (1 - m["slope"] * strain) ** 2)
+                        bulk * strain * (1 - m["grueneisen"] * strain / 2)
+                        / (1 - m["slope"] * strain) ** 2)
         pressure = cold + m["grueneisen"] * m["density"] * energy
         return np.where(self.damage >= 1, np.maximum(pressure, 0), pressure)
 
     def step_size(self):
         """Stable, and no element loses much of its volume."""
         m, closing = self.m, np.maximum(0, -self.rate * np.cbrt(self.volume))
-        speed = (np.sqrt(m["sound"] ** 2 + 4 / 3 * m["shear"] / m["density"]) + 2 * m["slope"] * np.maximum(0, 1 - self.volume / self.rest_volume) *
+        speed = (np.sqrt(m["sound"] ** 2 + 4 / 3 * m["shear"] / m["density"]) + 2 * m["slope"]
+                 * np.maximum(0, 1 - self.volume / self.rest_volume) *
                  m["sound"] + 2 * (LINEAR_VISCOSITY * m["sound"] + QUADRATIC_VISCOSITY * closing))
         wave = COURANT_NUMBER * (self.length / speed)[self.lives].min()
         fastest = np.abs(self.rate[self.lives]).max()
@@ -119,14 +140,16 @@ class Lagrangian:
         self.gradients, self.volume = volume_gradients(self.x[:, self.corners])
         self.length = length_of(self.gradients, self.volume)
         at_corners = half[:, self.corners]
-        velocity_gradient = np.einsum("ian,jan->ijn", at_corners, old_gradients + self.gradients) / (old_volume + self.volume)
+        velocity_gradient = np.einsum("ian,jan->ijn", at_corners,
+                                      old_gradients + self.gradients) / (old_volume + self.volume)
         self.give_up()
         expected = self.energy - dt * (old_forces * at_corners).sum((0, 1)) / self.mass
         self.deform(velocity_gradient, dt, expected)
         self.forces = self.find_forces(half)
         new = half + dt / 2 * self.accelerations()
         mean = ((self.v + new) / 2)[:, self.corners]
-        self.energy = self.energy - dt / 2 * ((old_forces + self.forces) * mean).sum((0, 1)) / self.mass
+        self.energy = self.energy - dt / 2 * ((old_forces + self.forces)
+                                              * mean).sum((0, 1)) / self.mass
         self.v = new
         self.time, self.steps = self.time + dt, self.steps + 1
 
@@ -140,14 +163,17 @@ class Lagrangian:
         self.gradients = np.where(gone, 0, self.gradients)
 
     def deform(self, l, dt, energy):
-        """Stress by the velocity gradient l (3, 3, elements) over a step. energy: at its end, nearly."""
+        """Stress by the velocity gradient l (3, 3, elements) over a step. energy: at its end,
+        nearly."""
         m, s = self.m, self.deviator
         self.rate = np.where(self.lives, l[0, 0] + l[1, 1] + l[2, 2], 0)
-        d = np.array([l[0, 0] - self.rate / 3, l[1, 1] - self.rate / 3, l[2, 2] - self.rate / 3, (l[0, 1] + l[1, 0]) / 2,
-                      (l[1, 2] + l[2, 1]) / 2, (l[0, 2] + l[2, 0]) / 2])
+        d = np.array([l[0, 0] - self.rate / 3, l[1, 1] - self.rate / 3, l[2, 2] - self.rate / 3,
+                      (l[0, 1] + l[1, 0]) / 2, (l[1, 2] + l[2, 1]) / 2, (l[0, 2] + l[2, 0]) / 2])
         xy, yz, xz = (l[0, 1] - l[1, 0]) / 2, (l[1, 2] - l[2, 1]) / 2, (l[0, 2] - l[2, 0]) / 2
-        spin = np.array([2 * (xy * s[3] + xz * s[5]), 2 * (yz * s[4] - xy * s[3]), -2 * (xz * s[5] + yz * s[4]),
-                         xy * (s[1] - s[0]) + xz * s[4] + yz * s[5], yz * (s[2] - s[1]) - xy * s[5] - xz * s[3],
+        spin = np.array([2 * (xy * s[3] + xz * s[5]), 2 * (yz * s[4] - xy * s[3]),
+                         -2 * (xz * s[5] + yz * s[4]),
+                         xy * (s[1] - s[0]) + xz * s[4] + yz * s[5],
+                         yz * (s[2] - s[1]) - xy * s[5] - xz * s[3],
                          xz * (s[2] - s[0]) + xy * s[4] - yz * s[3]])
         s = s + dt * (2 * m["shear"] * d + spin)
         stress = np.sqrt(1.5 * contract(s, s))
@@ -162,14 +188,17 @@ class Lagrangian:
 
     def yield_stress(self, energy):
         m = self.m
-        return np.clip(1 - energy / m["melt"], 0, 1) * (m["yield0"] + m["hardening"] * self.strain ** m["exponent"])
+        return np.clip(1 - energy / m["melt"], 0,
+                       1) * (m["yield0"] + m["hardening"] * self.strain ** m["exponent"])
 
     def wear(self, plastic, energy):
         m = self.m
         limit = np.maximum(self.yield_stress(energy), 1e-3 * m["yield0"])
         triaxiality = np.clip(-self.pressure / limit, -TRIAXIALITY_LIMIT, TRIAXIALITY_LIMIT)
-        grown = self.damage + plastic / (self.toughness * m["failure"] * np.exp(-TRIAXIALITY_FACTOR * triaxiality))
-        self.damage = np.where(self.pressure < -self.toughness * m["spall"], 1, np.minimum(grown, 1))
+        grown = self.damage + plastic / (self.toughness * m["failure"]
+                                         * np.exp(-TRIAXIALITY_FACTOR * triaxiality))
+        self.damage = np.where(self.pressure < -self.toughness * m["spall"], 1,
+                               np.minimum(grown, 1))
         failed = self.damage >= 1
         self.deviator = np.where(failed, 0, self.deviator)
         self.pressure = np.where(failed, np.maximum(self.pressure, 0), self.pressure)
@@ -179,12 +208,14 @@ class Lagrangian:
         m, s = self.m, self.deviator
         size, density = np.cbrt(self.volume), self.mass / self.volume
         closing = np.maximum(0, -self.rate * size)
-        p = self.pressure + density * closing * (LINEAR_VISCOSITY * m["sound"] + QUADRATIC_VISCOSITY * closing)
+        p = self.pressure + density * closing * (LINEAR_VISCOSITY * m["sound"] + QUADRATIC_VISCOSITY
+                                                 * closing)
         stress = np.array([[s[0] - p, s[3], s[5]], [s[3], s[1] - p, s[4]], [s[5], s[4], s[2] - p]])
         forces = -np.einsum("ijn,jan->ian", stress, self.gradients)
         x = self.x[:, self.corners]
         modes = HOURGLASSES.T[:, :, None] - np.einsum(
-            "kjn,jan->kan", np.einsum("jan,ak->kjn", x - x[:, :1], HOURGLASSES), self.gradients) / self.volume
+            "kjn,jan->kan", np.einsum("jan,ak->kjn", x - x[:, :1], HOURGLASSES),
+            self.gradients) / self.volume
         amounts = np.einsum("kan,ian->kin", modes, velocity[:, self.corners])
         drag = HOURGLASS_VISCOSITY / 4 * density * m["sound"] * size ** 2
         return np.where(self.lives, forces - drag * np.einsum("kan,kin->ian", modes, amounts), 0)
@@ -198,12 +229,14 @@ class Lagrangian:
             watch(self)
 
     def totals(self):
-        """Of each body: mass, momentum (3), kinetic and internal energy; of all nodes and elements, also those given up."""
+        """Of each body: mass, momentum (3), kinetic and internal energy; of all nodes and elements,
+        also those given up."""
         at_corners = self.v[:, self.corners]
         rows = []
         for body in range(len(MATERIALS["density"])):
             mine = self.body == body
             mass, velocity = self.mass[mine], at_corners[:, :, mine]
-            rows.append([mass.sum(), *(mass * velocity.mean(1)).sum(1), (mass * (velocity ** 2).sum(0).mean(0)).sum() / 2,
+            rows.append([mass.sum(), *(mass * velocity.mean(1)).sum(1),
+                         (mass * (velocity ** 2).sum(0).mean(0)).sum() / 2,
                          (mass * self.energy[mine]).sum()])
         return np.array(rows)

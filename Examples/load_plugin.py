@@ -1,5 +1,5 @@
-"""Loads the plugin for a script that was told where it is, also by a path from the present folder, which ParaView since 5.13 takes for
-a name."""
+"""Loads the plugin for a script that was told where it is, also by a path from the present folder,
+which ParaView since 5.13 takes for a name."""
 import os
 
 from paraview import simple

@@ -1,16 +1,19 @@
 #!/usr/bin/env pvbatch
-"""Meshes every time step of a file series: one .vtu, and on demand one Exodus file and one table of fragments, a step.
+"""Meshes every time step of a file series: one .vtu, and on demand one Exodus file and one table of
+fragments, a step.
 
-usage: pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array water --out meshes [--exodus] dump_*.vti
+usage: pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array water --out meshes [--exodus]
+       dump_*.vti
        pvbatch mesh_series.py --plugin VolumeFractionMesh.so --material-ids id --out meshes run.pvd
        pvbatch mesh_series.py --plugin VolumeFractionMesh.so --out meshes impact.spcth
        pvbatch mesh_series.py --plugin VolumeFractionMesh.so --array phi --out meshes plt*
 
-Files of one extension are the steps of one series, in the order of the numbers in their names; a file that holds
-several steps (.pvd, .spcth) gives all of them. Without --array and --material-ids a SpyPlot case (.spcth) is meshed by its
-arrays 'Material volume fraction - N'. Of refined data (.vthb, AMReX plotfiles, .hierarchy of Enzo, .flash) all levels are
-read. Steps go to OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, one line each on
-standard output. Exit status 1 if a step could not be meshed; the other steps are meshed all the same.
+Files of one extension are the steps of one series, in the order of the numbers in their names; a
+file that holds several steps (.pvd, .spcth) gives all of them. Without --array and --material-ids a
+SpyPlot case (.spcth) is meshed by its arrays 'Material volume fraction - N'. Of refined data
+(.vthb, AMReX plotfiles, .hierarchy of Enzo, .flash) all levels are read. Steps go to
+OUT/NAME_0000.vtu, OUT/NAME_0001.vtu and so on, one line each on standard output. Exit status 1 if a
+step could not be meshed; the other steps are meshed all the same.
 """
 import argparse
 import os
@@ -26,17 +29,24 @@ from write_exodus import write_exodus
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="+", help="files of the series, or one file that holds it")
     parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
-    parser.add_argument("--array", action="append", default=[], help="volume fractions of the next material; repeatable")
-    parser.add_argument("--material-ids", metavar="ARRAY", help="integer array of material ids, instead of --array")
+    parser.add_argument("--array", action="append", default=[],
+                        help="volume fractions of the next material; repeatable")
+    parser.add_argument("--material-ids", metavar="ARRAY",
+                        help="integer array of material ids, instead of --array")
     parser.add_argument("--out", default=".", help="folder of the meshes (default: this one)")
     parser.add_argument("--name", default="mesh", help="first part of their names (default: mesh)")
-    parser.add_argument("--exodus", action="store_true", help="write .e files too, with blocks and side sets; not of empty meshes")
-    parser.add_argument("--fragments", action="store_true", help="write a table of the fragments too, .csv")
-    parser.add_argument("--target", type=float, default=0.0, help="TargetScaledJacobian (default: 0, automatic)")
-    parser.add_argument("--tets", choices=("TetGen", "Cells", "Lattice"), help="tetrahedra, by this method")
+    parser.add_argument("--exodus", action="store_true",
+                        help="write .e files too, with blocks and side sets; not of empty meshes")
+    parser.add_argument("--fragments", action="store_true",
+                        help="write a table of the fragments too, .csv")
+    parser.add_argument("--target", type=float, default=0.0,
+                        help="TargetScaledJacobian (default: 0, automatic)")
+    parser.add_argument("--tets", choices=("TetGen", "Cells", "Lattice"),
+                        help="tetrahedra, by this method")
     parser.add_argument("--void", action="store_true", help="mesh the void too, as material 0")
     arguments = parser.parse_args()
     if arguments.array and arguments.material_ids or not (
@@ -71,7 +81,8 @@ def open_files(files, arrays):
 
 
 def open_series(files, arrays):
-    """The reader of the files; of a SpyPlot case it reads these arrays, or the volume fractions, whose names are added then."""
+    """The reader of the files; of a SpyPlot case it reads these arrays, or the volume fractions,
+    whose names are added then."""
     if not is_spyplot(files):
         return open_files(sorted(files, key=number_key), arrays)
     if len(files) > 1:
@@ -79,10 +90,12 @@ def open_series(files, arrays):
     source = simple.OpenDataFile(files[0])
     if source is None:
         return None
-    fractions = [name for name in source.CellArrays.Available if re.search(r"[vV]olume [fF]raction - \d+$", name)]
+    fractions = [name for name in source.CellArrays.Available
+                 if re.search(r"[vV]olume [fF]raction - \d+$", name)]
     arrays += [] if arrays else sorted(fractions, key=number_key)
     source.CellArrays = arrays
-    source.DownConvertVolumeFraction = 0  # not before the files are open: ParaView 5.11 forgets it otherwise
+    # not before the files are open: ParaView 5.11 forgets it otherwise
+    source.DownConvertVolumeFraction = 0
     return source
 
 
@@ -90,15 +103,19 @@ def find_times(source):
     """The time steps of the series; one unnamed step when it has none."""
     source.UpdatePipelineInformation()
     times = source.TimestepValues
-    return list(times) if hasattr(times, "__len__") and len(times) else [times] if isinstance(times, float) else [None]
+    return list(times) if hasattr(times,
+                                  "__len__") and len(times) else [times] if isinstance(
+                                      times, float) else [None]
 
 
 def report(mesh, path):
     field = lambda name: mesh.GetFieldData().GetAbstractArray(name)
-    volumes = ", ".join("%s %.6g" % (field("MaterialNames").GetValue(i), field("MeshVolume").GetValue(i))
+    volumes = ", ".join("%s %.6g" % (field("MaterialNames").GetValue(i),
+                                     field("MeshVolume").GetValue(i))
                         for i in range(field("MeshVolume").GetNumberOfValues()))
     lowest = field("MinimumScaledJacobian").GetValue(0)
-    print("%s: %d elements, min scaled Jacobian %.3f, volumes: %s" % (path, mesh.GetNumberOfCells(), lowest, volumes))
+    print("%s: %d elements, min scaled Jacobian %.3f, volumes: %s"
+          % (path, mesh.GetNumberOfCells(), lowest, volumes))
 
 
 def main():
@@ -109,7 +126,9 @@ def main():
     source = open_series(arguments.files, arrays)
     if source is None:
         sys.exit("cannot read " + arguments.files[0])
-    mesher = VolumeFractionToTet(Input=source, Method=arguments.tets) if arguments.tets else VolumeFractionToHex(Input=source)
+    mesher = VolumeFractionToTet(Input=source,
+                                 Method=arguments.tets) if arguments.tets else VolumeFractionToHex(
+                                     Input=source)
     mesher.VolumeFractionArrays = arguments.array
     mesher.MaterialIdArray = arguments.material_ids or "None"
     mesher.TargetScaledJacobian, mesher.MeshVoid = arguments.target, int(arguments.void)

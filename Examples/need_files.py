@@ -1,4 +1,5 @@
-"""What scripts ask before they start: a file that is missing ends them with one message and exit status 1."""
+"""What scripts ask before they start: a file that is missing ends them with one message and exit
+status 1."""
 import os
 import sys
 

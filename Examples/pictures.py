@@ -9,7 +9,8 @@ SIZE = (1600, 1200)
 VIEW_ANGLE = 18  # degrees
 EDGES = (0.13, 0.17, 0.22)
 TEXT = (0.15, 0.15, 0.15)
-IS_RENAMED = simple.GetParaViewVersion() >= (6, 1)  # names of colour maps lost what is in brackets, formats became those of C++
+# names of colour maps lost what is in brackets, formats became those of C++
+IS_RENAMED = simple.GetParaViewVersion() >= (6, 1)
 VIRIDIS = "Viridis" if IS_RENAMED else "Viridis (matplotlib)"
 
 
@@ -31,7 +32,8 @@ def make_view(size=SIZE):
 
 
 def aim(view, bounds, direction, zoom, sink=0.1):
-    """Looks from the direction at a point below the middle of the bounds, by sink of their radius, with z up."""
+    """Looks from the direction at a point below the middle of the bounds, by sink of their radius,
+    with z up."""
     centre = [(bounds[2 * a] + bounds[2 * a + 1]) / 2 for a in range(3)]
     radius = math.dist(bounds[0::2], bounds[1::2]) / 2
     centre[2] -= sink * radius
@@ -59,7 +61,8 @@ def show(proxy, view, colour=None, edges=True):
 
 def show_material(mesh, view, material):
     """The elements of a material in the colour that the plugin gives it; returns their proxy."""
-    part = simple.Threshold(Input=mesh, Scalars=["CELLS", "MaterialId"], LowerThreshold=material, UpperThreshold=material)
+    part = simple.Threshold(Input=mesh, Scalars=["CELLS", "MaterialId"], LowerThreshold=material,
+                            UpperThreshold=material)
     simple.ColorBy(show(part, view), ("CELLS", "MaterialId"))
     return part
 
@@ -89,7 +92,8 @@ def colour_by(display, view, array, title, lowest, preset=VIRIDIS, inverted=Fals
     bar.TitleColor = bar.LabelColor = TEXT
     bar.TitleFontSize, bar.LabelFontSize = 30, 26
     bar.ScalarBarThickness, bar.ScalarBarLength = 28, 0.5
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(2), number_format(2)
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, number_format(
+        2), number_format(2)
     bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", (0.25, 0.045)
     display.SetScalarBarVisibility(view, True)
 

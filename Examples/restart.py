@@ -1,19 +1,23 @@
 #!/usr/bin/env pvpython
-"""A ball strikes a plate: begun by an Eulerian code (Examples/impact), meshed with its state, and carried on by a Lagrangian one
-(lagrangian.py). Tells mass, momentum and energy before, at the hand-over and after.
+"""A ball strikes a plate: begun by an Eulerian code (Examples/impact), meshed with its state, and
+carried on by a Lagrangian one (lagrangian.py). Tells mass, momentum and energy before, at the
+hand-over and after.
 
-usage: pvpython restart.py --plugin VolumeFractionMesh.so --impact build/bin/impact [--cells 80] [--step 100] [--last 200]
+usage: pvpython restart.py --plugin VolumeFractionMesh.so --impact build/bin/impact [--cells 80]
+       [--step 100] [--last 200]
                            [--transfer Conserve|Copy] [--out DIR] [--picture FILE.png]
 
-Runs impact to the step --last with its state at the step --step, where the mesh is made; the solver goes on from there for as long as impact
-does, which is what to compare with. Writes into OUT
-  before.csv      of each step of impact: mass, momentum, kinetic and internal energy of ball and plate, and of what left the grid
+Runs impact to the step --last with its state at the step --step, where the mesh is made; the solver
+goes on from there for as long as impact does, which is what to compare with. Writes into OUT
+  before.csv      of each step of impact: mass, momentum, kinetic and internal energy of ball and
+                  plate, and of what left the grid
   handover.vtu    the mesh with its state
   after.csv       the same sums of each step of the solver
   after.vtu       the mesh where and as the solver leaves it
   restart.png     both tables drawn
-With Copy elements take the values of one cell each, and nodes the mean velocity of their elements by mass: what the transfer is for. The
-picture, which needs a screen or xvfb-run, shows both meshes, cut.
+With Copy elements take the values of one cell each, and nodes the mean velocity of their elements
+by mass: what the transfer is for. The picture, which needs a screen or xvfb-run, shows both meshes,
+cut.
 """
 import argparse
 import csv
@@ -34,23 +38,28 @@ from load_plugin import load_plugin
 from need_files import need_files
 
 BODIES = ["ball", "plate"]
-QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]", "kinetic energy [J]",
-              "internal energy [J]"]
+QUANTITIES = ["mass [mg]", "momentum x [mg km/s]", "momentum y [mg km/s]", "momentum z [mg km/s]",
+              "kinetic energy [J]", "internal energy [J]"]
 VIEW_SIZE, SPEED = (1200, 720), 3.0  # of the pictures; km/s of the brightest colour
 LEAST_FRACTION = 1e-9  # the mesher takes less for none
 STATES = ["velocity", "energy", "ratio", "deviator", "plastic_strain", "damage", "toughness"]
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--plugin", required=True, help="path of VolumeFractionMesh.so")
     parser.add_argument("--impact", required=True, help="path of the program impact")
-    parser.add_argument("--cells", type=int, default=80, help="cells of the grid along x (default: 80)")
-    parser.add_argument("--step", type=int, default=100, help="of impact, where the mesh is made (default: 100)")
-    parser.add_argument("--last", type=int, default=200, help="step of impact that tells how long to go on (default: 200)")
+    parser.add_argument("--cells", type=int, default=80,
+                        help="cells of the grid along x (default: 80)")
+    parser.add_argument("--step", type=int, default=100,
+                        help="of impact, where the mesh is made (default: 100)")
+    parser.add_argument("--last", type=int, default=200,
+                        help="step of impact that tells how long to go on (default: 200)")
     parser.add_argument("--transfer", choices=("Conserve", "Copy"), default="Conserve")
     parser.add_argument("--out", default="restart", help="folder of the files (default: restart)")
-    parser.add_argument("--picture", metavar="FILE", help="a picture of the meshes and the tables, .png")
+    parser.add_argument("--picture", metavar="FILE",
+                        help="a picture of the meshes and the tables, .png")
     return parser.parse_args()
 
 
@@ -63,19 +72,23 @@ def of_bodies(stem):
 
 def run_impact(arguments):
     """The path of the dump where the mesh is made."""
-    command = [arguments.impact, "--cells", arguments.cells, "--steps", arguments.last, "--every", arguments.step, "--restart",
-               os.path.join(arguments.out, "dump"), "--history", os.path.join(arguments.out, "before.csv")]
+    command = [arguments.impact, "--cells", arguments.cells, "--steps", arguments.last, "--every",
+               arguments.step, "--restart",
+               os.path.join(arguments.out, "dump"), "--history",
+               os.path.join(arguments.out, "before.csv")]
     if subprocess.run([str(word) for word in command], stdout=subprocess.DEVNULL).returncode != 0:
         sys.exit("impact failed, see above")
     return os.path.join(arguments.out, "dump", "restart_%04d.pvti" % arguments.step)
 
 
 def totals_of_cells(data):
-    """QUANTITIES of each body, as its cells hold them but for crumbs that the mesher takes for none; exact sums."""
+    """QUANTITIES of each body, as its cells hold them but for crumbs that the mesher takes for
+    none; exact sums."""
     volume = math.prod(data.GetSpacing())
     rows = []
     for body, name in enumerate(BODIES):
-        fraction, density, velocity, energy = (vtk_to_numpy(data.GetCellData().GetArray(array)) for array in (
+        fraction, density, velocity, energy = (vtk_to_numpy(data.GetCellData().GetArray(array))
+                                               for array in (
             name, *(of_bodies(stem)[body] for stem in ("density", "velocity", "energy"))))
         fraction = np.where(fraction > LEAST_FRACTION, fraction, 0)
         rows.append(exact_totals(fraction * density * volume, velocity, energy))
@@ -85,7 +98,8 @@ def totals_of_cells(data):
 def totals_of_points(before, step):
     """The same of the points of impact."""
     row = np.flatnonzero(before["step"] == step)[0]
-    return np.array([[before[body + " " + quantity][row] for quantity in QUANTITIES] for body in BODIES])
+    return np.array([[before[body + " " + quantity][row] for quantity in QUANTITIES]
+                     for body in BODIES])
 
 
 def totals_not_meshed(mesh):
@@ -99,7 +113,8 @@ def totals_not_meshed(mesh):
 
 def exact_totals(mass, velocity, energy):
     speeds = (velocity ** 2).sum(1)
-    return [math.fsum(values) for values in (mass, *(mass * velocity.T), mass * speeds / 2, mass * energy)]
+    return [math.fsum(values)
+            for values in (mass, *(mass * velocity.T), mass * speeds / 2, mass * energy)]
 
 
 # ---- the hand-over ----
@@ -109,8 +124,10 @@ def make_mesh(dump, transfer):
     source.UpdatePipeline()
     densities = of_bodies("density")
     states = [name for stem in STATES for name in of_bodies(stem)]
-    options = dict(StateArrays=states, DensityArrays=densities, VelocityArray=of_bodies("velocity")[0],
-                   EnergyArray=of_bodies("energy")[0], NodalVelocity=1, LostKineticEnergy="Internal Energy")
+    options = dict(StateArrays=states, DensityArrays=densities,
+                   VelocityArray=of_bodies("velocity")[0],
+                   EnergyArray=of_bodies("energy")[0], NodalVelocity=1,
+                   LostKineticEnergy="Internal Energy")
     if transfer == "Copy":
         options = dict(StateArrays=states + densities)
     mesher = VolumeFractionToHex(Input=source, VolumeFractionArrays=BODIES, **options)
@@ -126,7 +143,8 @@ def read_mesh(path):
 
 
 def read_state(mesh, name, body):
-    """Of each element. By Copy there are arrays of both bodies, of which each element has its own."""
+    """Of each element. By Copy there are arrays of both bodies, of which each element has its
+    own."""
     data = mesh.GetCellData()
     if data.HasArray(name):
         return vtk_to_numpy(data.GetArray(name))
@@ -141,7 +159,8 @@ def start_solver(mesh):
     materials = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId"))
     state = {name: read_state(mesh, name, materials - 1) for name in STATES + ["density"]}
     at_nodes = mesh.GetPointData().GetArray("velocity")
-    return Lagrangian(points, hexahedra, materials, state, vtk_to_numpy(at_nodes) if at_nodes else None)
+    return Lagrangian(points, hexahedra, materials, state,
+                      vtk_to_numpy(at_nodes) if at_nodes else None)
 
 
 # ---- after ----
@@ -150,10 +169,13 @@ def run_solver(solver, start, duration, path):
     solver.time = start
     with open(path, "w", newline="", encoding="ascii") as file:
         table = csv.writer(file)
-        table.writerow(["step", "time [us]"] + [body + " " + quantity for body in BODIES for quantity in QUANTITIES] +
+        table.writerow(["step",
+                        "time [us]"] + [body + " " + quantity for body in BODIES
+                                        for quantity in QUANTITIES] +
                        ["elements given up"])
         solver.run(duration, lambda s: table.writerow(
-            [s.steps, repr(s.time), *map(repr, s.totals().ravel().tolist()), np.count_nonzero(~s.lives)]))
+            [s.steps, repr(s.time), *map(repr, s.totals().ravel().tolist()),
+             np.count_nonzero(~s.lives)]))
 
 
 def save_mesh(mesh, solver, path):
@@ -161,8 +183,10 @@ def save_mesh(mesh, solver, path):
     moved = mesh.NewInstance()
     moved.DeepCopy(mesh)
     moved.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(solver.x.T), deep=1))
-    for data, name, values in ((moved.GetPointData(), "velocity", solver.v.T), (moved.GetCellData(), "pressure", solver.pressure),
-                               (moved.GetCellData(), "damage", solver.damage), (moved.GetCellData(), "energy", solver.energy),
+    for data, name, values in ((moved.GetPointData(), "velocity", solver.v.T),
+                               (moved.GetCellData(), "pressure", solver.pressure),
+                               (moved.GetCellData(), "damage", solver.damage),
+                               (moved.GetCellData(), "energy", solver.energy),
                                (moved.GetCellData(), "alive", solver.lives.astype(np.uint8))):
         array = numpy_to_vtk(np.ascontiguousarray(values), deep=1)
         array.SetName(name)
@@ -192,21 +216,24 @@ def total_energy(totals):
 
 
 def report(rows):
-    """rows: what is compared, totals after and before. Differences over those before; of momentum over its length."""
-    print("%-30s%12s%12s%12s%12s%12s" % ("relative difference", "mass", *BODIES, "momentum", "energy"))
+    """rows: what is compared, totals after and before. Differences over those before; of momentum
+    over its length."""
+    print("%-30s%12s%12s%12s%12s%12s" % ("relative difference", "mass", *BODIES, "momentum",
+                                         "energy"))
     for what, after, before in rows:
         change = after - before
         print("%-30s%12.1e%12.1e%12.1e%12.1e%12.1e" % (
             what, change[:, 0].sum() / before[:, 0].sum(), *(change[:, 0] / before[:, 0]),
-            np.linalg.norm(change[:, 1:4].sum(0)) / np.linalg.norm(before[:, 1:4].sum(0)), total_energy(change) / total_energy(before)))
+            np.linalg.norm(change[:, 1:4].sum(0)) / np.linalg.norm(before[:, 1:4].sum(0)),
+            total_energy(change) / total_energy(before)))
 
 
 def draw_tables(figure, places, before, after, start):
     """Momentum and energy over time, with the hand-over; impact goes on as a thin line."""
     momentum, energy = (figure.add_subplot(place) for place in places)
     first = before["time [us]"] <= start * (1 + 1e-12)
-    lines = [(momentum, "momentum x [mg km/s]", "x"), (momentum, "momentum z [mg km/s]", "z"), (energy, "kinetic energy [J]", "kinetic"),
-             (energy, "internal energy [J]", "internal")]
+    lines = [(momentum, "momentum x [mg km/s]", "x"), (momentum, "momentum z [mg km/s]", "z"),
+             (energy, "kinetic energy [J]", "kinetic"), (energy, "internal energy [J]", "internal")]
     for number, (axes, quantity, label) in enumerate(lines):
         colour = "C%d" % number
         old, new = sum_of(before, quantity), sum_of(after, quantity)
@@ -215,7 +242,8 @@ def draw_tables(figure, places, before, after, start):
         axes.plot(after["time [us]"], new, color=colour, lw=2, label=label)
     for table, chosen in ((before, first), (after, slice(None))):
         total = sum_of(table, "kinetic energy [J]") + sum_of(table, "internal energy [J]")
-        energy.plot(table["time [us]"][chosen], total[chosen], color="black", lw=2, label="both" if table is after else None)
+        energy.plot(table["time [us]"][chosen], total[chosen], color="black", lw=2,
+                    label="both" if table is after else None)
     for axes, title in ((momentum, "Momentum [mg km/s]"), (energy, "Energy [J]")):
         axes.axvline(start, color="0.4", lw=1, ls="--")
         axes.set(title=title, xlabel="time [µs]", xlim=(0, after["time [us]"][-1]))
@@ -231,8 +259,10 @@ def render(path, picture):
     mesh = simple.OpenDataFile(path)
     mesh.UpdatePipeline()
     if mesh.CellData.GetArray("alive"):
-        mesh = simple.Threshold(Input=mesh, Scalars=["CELLS", "alive"], LowerThreshold=1, UpperThreshold=1)
-    speed = simple.Calculator(Input=mesh, AttributeType="Point Data", Function="mag(velocity)", ResultArrayName="speed")
+        mesh = simple.Threshold(Input=mesh, Scalars=["CELLS", "alive"], LowerThreshold=1,
+                                UpperThreshold=1)
+    speed = simple.Calculator(Input=mesh, AttributeType="Point Data", Function="mag(velocity)",
+                              ResultArrayName="speed")
     shown = pictures.show(pictures.cut(speed, [0, 3.01, 0], [0, 1, 0]), view)
     simple.ColorBy(shown, ("POINTS", "speed"))
     table = simple.GetColorTransferFunction("speed")
@@ -262,7 +292,8 @@ def draw(arguments, before, after, start):
         shown[-1].imshow(pyplot.imread(path + ".png"))
         shown[-1].axis("off")
         shown[-1].set_title("%.2f µs" % time)
-    figure.colorbar(cm.ScalarMappable(colors.Normalize(0, SPEED), "viridis"), ax=shown, label="speed of the nodes [km/s]", shrink=0.8, pad=0.01)
+    figure.colorbar(cm.ScalarMappable(colors.Normalize(0, SPEED), "viridis"), ax=shown,
+                    label="speed of the nodes [km/s]", shrink=0.8, pad=0.01)
     draw_tables(figure, [grid[1, 0], grid[1, 1]], before, after, start)
     figure.savefig(arguments.picture, dpi=100)
 
@@ -275,7 +306,8 @@ def main():
     load_plugin(arguments.plugin, globals())  # defines VolumeFractionToHex
     os.makedirs(arguments.out, exist_ok=True)
     source, mesher = make_mesh(run_impact(arguments), arguments.transfer)
-    files = {name: os.path.join(arguments.out, name) for name in ("before.csv", "after.csv", "handover.vtu", "after.vtu")}
+    files = {name: os.path.join(arguments.out, name)
+             for name in ("before.csv", "after.csv", "handover.vtu", "after.vtu")}
     simple.SaveData(files["handover.vtu"], proxy=mesher, DataMode="Binary")
     mesh = read_mesh(files["handover.vtu"])
     if mesh.GetNumberOfCells() == 0:
@@ -283,12 +315,15 @@ def main():
     before = read_table(files["before.csv"])
     times = dict(zip(before["step"].astype(int), before["time [us]"]))
     solver = start_solver(mesh)
-    cells, at_start = totals_of_cells(source.GetClientSideObject().GetOutputDataObject(0)), solver.totals()
+    cells, at_start = totals_of_cells(
+        source.GetClientSideObject().GetOutputDataObject(0)), solver.totals()
     left_out = totals_not_meshed(mesh)
-    run_solver(solver, times[arguments.step], times[arguments.last] - times[arguments.step], files["after.csv"])
+    run_solver(solver, times[arguments.step], times[arguments.last] - times[arguments.step],
+               files["after.csv"])
     save_mesh(mesh, solver, files["after.vtu"])
     report([("points of impact to cells", cells, totals_of_points(before, arguments.step)),
-            ("cells to mesh and not meshed", at_start + left_out, cells), ("the solver's run", solver.totals(), at_start)])
+            ("cells to mesh and not meshed", at_start + left_out, cells),
+            ("the solver's run", solver.totals(), at_start)])
     print("not meshed: %.3g mg" % left_out[:, 0].sum())
     draw(arguments, before, read_table(files["after.csv"]), times[arguments.step])
     print("%s: %d hexahedra, %d steps, %d given up" % (

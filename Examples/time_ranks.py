@@ -1,6 +1,7 @@
 """Times Volume Fraction To Hex on a gyroid, and the memory that it takes on every rank.
 
-usage: mpiexec --bind-to none -n N pvbatch --sym Examples/time_ranks.py PLUGIN [CELLS an axis, default 128]
+usage: mpiexec --bind-to none -n N pvbatch --sym Examples/time_ranks.py PLUGIN [CELLS an axis,
+       default 128]
 One thread a rank. The time is that of the filter alone, its input ready.
 """
 import os

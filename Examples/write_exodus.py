@@ -1,12 +1,15 @@
 #!/usr/bin/env pvpython
-"""Writes a mesh of Volume Fraction To Hex or To Tet as Exodus: element blocks, side sets, node sets, global ids.
+"""Writes a mesh of Volume Fraction To Hex or To Tet as Exodus: element blocks, side sets, node
+sets, global ids.
 
 usage: pvpython write_exodus.py MESH.vtu MESH.exo
-       mpiexec -n P pvbatch --sym write_exodus.py MESH.pvtu MESH.exo     writes MESH.exo.P.0, MESH.exo.P.1, ...
+       mpiexec -n P pvbatch --sym write_exodus.py MESH.pvtu MESH.exo     writes MESH.exo.P.0,
+       MESH.exo.P.1, ...
 
-The plugin is build/lib/VolumeFractionMesh.so, or that of the environment variable VFM_PLUGIN. In a script that has loaded it,
-SaveData("mesh.exo", proxy=hexes) does the same; write_exodus(mesh, path) takes a vtkUnstructuredGrid and any ending, and
-raises RuntimeError when it fails; on several ranks all call it, each with its piece.
+The plugin is build/lib/VolumeFractionMesh.so, or that of the environment variable VFM_PLUGIN. In a
+script that has loaded it, SaveData("mesh.exo", proxy=hexes) does the same; write_exodus(mesh, path)
+takes a vtkUnstructuredGrid and any ending, and raises RuntimeError when it fails; on several ranks
+all call it, each with its piece.
 """
 import os
 import sys
@@ -23,7 +26,8 @@ def write_exodus(mesh, path, single_file=False):
     """single_file: one of the whole mesh, also from several ranks."""
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(mesh)
-    writer = servermanager.writers.VolumeFractionExodusWriter(Input=source, FileName=path, SingleFile=int(single_file))
+    writer = servermanager.writers.VolumeFractionExodusWriter(
+        Input=source, FileName=path, SingleFile=int(single_file))
     writer.UpdatePipeline()
     failed = writer.GetClientSideObject().GetWriter().GetErrorCode()
     simple.Delete(source)
@@ -34,7 +38,8 @@ def write_exodus(mesh, path, single_file=False):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    PLUGIN = os.environ.get("VFM_PLUGIN", os.path.join(HERE, "..", "build", "lib", "VolumeFractionMesh.so"))
+    PLUGIN = os.environ.get("VFM_PLUGIN",
+                            os.path.join(HERE, "..", "build", "lib", "VolumeFractionMesh.so"))
     need_files(PLUGIN, sys.argv[1])
     load_plugin(PLUGIN, globals())
     reader = simple.OpenDataFile(sys.argv[1])

@@ -21,7 +21,8 @@ def measure(program, case):
 
 
 def compare(before, after, runs, case):
-    """Prints a row: the medians, the median of the ratios of neighbouring runs, quality before and after."""
+    """Prints a row: the medians, the median of the ratios of neighbouring runs, quality before and
+    after."""
     pairs = [(measure(before, case), measure(after, case)) for _ in range(runs)]
     ratio = statistics.median(b['cpu'] / a['cpu'] for b, a in pairs)
     old, new = (min((pair[i] for pair in pairs), key=lambda row: row['seconds']) for i in (0, 1))

@@ -3,11 +3,12 @@
 
 usage: pvpython demo.py PLUGIN OUT [CASE ...]
 
-For every case: OUT/CASE.vtu, OUT/CASE.e (Exodus with element blocks, side sets and node sets), OUT/CASE.inp (Abaqus and
-CalculiX), OUT/CASE.csv (the table of fragments), OUT/CASE_surface.png (the surface with the edges of the hexahedra)
-and OUT/CASE_cut.png (the hexahedra inside, coloured by scaled Jacobian); and of tetrahedra the same with CASE_tets,
-without the picture of the surface. For the first case also OUT/CASE_fractions_and_mesh.png: input and mesh side by side. What is newer than the input, the plugin and the scripts is kept. Needs an X
-server.
+For every case: OUT/CASE.vtu, OUT/CASE.e (Exodus with element blocks, side sets and node sets),
+OUT/CASE.inp (Abaqus and CalculiX), OUT/CASE.csv (the table of fragments), OUT/CASE_surface.png (the
+surface with the edges of the hexahedra) and OUT/CASE_cut.png (the hexahedra inside, coloured by
+scaled Jacobian); and of tetrahedra the same with CASE_tets, without the picture of the surface. For
+the first case also OUT/CASE_fractions_and_mesh.png: input and mesh side by side. What is newer than
+the input, the plugin and the scripts is kept. Needs an X server.
 """
 import glob
 import os
@@ -29,9 +30,11 @@ from write_exodus import write_exodus
 
 
 class Case:
-    """A field of Data, how it is meshed, and from where it is seen (direction to the camera, zoom)."""
+    """A field of Data, how it is meshed, and from where it is seen (direction to the camera,
+    zoom)."""
 
-    def __init__(self, name, file, arrays, tet_method, camera, zoom, cut_normal, cut_camera, cut_zoom, options=None):
+    def __init__(self, name, file, arrays, tet_method, camera, zoom, cut_normal, cut_camera,
+                 cut_zoom, options=None):
         self.name, self.file, self.arrays = name, os.path.join(ROOT, "Data", file), arrays
         self.tet_method = tet_method  # TetGen becomes Cells where it was not built in
         self.options = options or {}  # properties of both filters
@@ -42,12 +45,14 @@ class Case:
 LEAST_DRAWN = 0.01  # volume fraction of the cells in the picture of the input
 
 CASES = [
-    Case("splash", "splash_3500us.vti", ["water"], "TetGen", (0.75, -1.0, 0.65), 1.25, (0, 1, 0), (0.3, -1.0, 0.5), 1.6),
-    Case("ball_and_plate", "ball_and_plate.vti", ["ball", "plate"], "Lattice", (0.7, -1.0, 0.5), 1.25, (0, 1, 0),
-         (0.3, -1.0, 0.35), 1.5),
-    Case("drop", "Gerris/impact_0.24.txt.gz", ["T"], "Lattice", (0.7, -1.0, 0.7), 1.25, (0, 1, 0), (0.3, -1.0, 0.3), 1.5),
-    Case("fin", "fin.vti", ["body"], "Cells", (0.5, -1.0, 0.8), 1.3, (0, 1, 0), (0.2, -1.0, 0.3), 1.5,
-         {"Refinement": "Automatic", "FineInterfaces": 0}),
+    Case("splash", "splash_3500us.vti", ["water"], "TetGen", (0.75, -1.0, 0.65), 1.25, (0, 1, 0),
+         (0.3, -1.0, 0.5), 1.6),
+    Case("ball_and_plate", "ball_and_plate.vti", ["ball", "plate"], "Lattice", (0.7, -1.0, 0.5),
+         1.25, (0, 1, 0), (0.3, -1.0, 0.35), 1.5),
+    Case("drop", "Gerris/impact_0.24.txt.gz", ["T"], "Lattice", (0.7, -1.0, 0.7), 1.25, (0, 1, 0),
+         (0.3, -1.0, 0.3), 1.5),
+    Case("fin", "fin.vti", ["body"], "Cells", (0.5, -1.0, 0.8), 1.3, (0, 1, 0), (0.2, -1.0, 0.3),
+         1.5, {"Refinement": "Automatic", "FineInterfaces": 0}),
 ]
 
 
@@ -71,7 +76,8 @@ def hex_filter(case, source):
 
 def tet_filter(case, source):
     tets = VolumeFractionToTet(Input=source, VolumeFractionArrays=case.arrays, **case.options)
-    tets.Method = "Cells" if case.tet_method == "TetGen" and not tets.GetPropertyValue("HasTetGen") else case.tet_method
+    tets.Method = "Cells" if case.tet_method == "TetGen" and not tets.GetPropertyValue(
+        "HasTetGen") else case.tet_method
     return tets
 
 
@@ -95,7 +101,8 @@ def make_mesh(case, source, make_filter, vtu, exodus, abaqus, table):
     simple.SaveData(vtu, proxy=mesher, DataMode="Binary", CompressorType="ZLib")
     write_exodus(read_mesh(vtu), exodus)
     simple.SaveData(abaqus, proxy=mesher)
-    simple.SaveData(table, proxy=VolumeFractionFragments(Input=mesher), Precision=16, UseScientificNotation=1)
+    simple.SaveData(table, proxy=VolumeFractionFragments(Input=mesher), Precision=16,
+                    UseScientificNotation=1)
     simple.Delete(mesher)
     simple.Delete(source)
 
@@ -115,10 +122,12 @@ def cut_origin(bounds):
 
 
 def draw_fractions(case, out, bounds, path):
-    """Draws the cells behind the plane of `draw_cut` that hold the first material, coloured by its volume fraction."""
+    """Draws the cells behind the plane of `draw_cut` that hold the first material, coloured by its
+    volume fraction."""
     source = open_field(case, out)
     name = case.arrays[0]
-    cells = simple.Threshold(Input=source, Scalars=["CELLS", name], LowerThreshold=LEAST_DRAWN, UpperThreshold=1.0)
+    cells = simple.Threshold(Input=source, Scalars=["CELLS", name], LowerThreshold=LEAST_DRAWN,
+                             UpperThreshold=1.0)
     view = pictures.make_view()
     display = pictures.show(pictures.cut(cells, cut_origin(bounds), case.cut_normal), view)
     pictures.colour_by(display, view, name, "Volume fraction", 0.0, "Blues", inverted=True)
@@ -130,7 +139,8 @@ def draw_cut(case, mesh, path):
     """The elements behind a plane, whole, coloured by scaled Jacobian."""
     information = mesh.GetDataInformation()
     bounds = information.GetBounds()
-    lowest = information.GetCellDataInformation().GetArrayInformation("ScaledJacobian").GetComponentRange(0)[0]
+    lowest = information.GetCellDataInformation().GetArrayInformation(
+        "ScaledJacobian").GetComponentRange(0)[0]
     view = pictures.make_view()
     display = pictures.show(pictures.cut(mesh, cut_origin(bounds), case.cut_normal), view)
     pictures.colour_by_quality(display, view, lowest)
@@ -151,15 +161,17 @@ def field(mesh, name):
 
 def table_rows(name, mesh):
     """A row a material: elements, least and mean scaled Jacobian, volume and its error."""
-    materials, quality = mesh.GetCellData().GetArray("MaterialId"), mesh.GetCellData().GetArray("ScaledJacobian")
+    materials, quality = mesh.GetCellData().GetArray("MaterialId"), mesh.GetCellData().GetArray(
+        "ScaledJacobian")
     per_material = {material: [] for material in field(mesh, "MaterialIds")}
     for cell in range(mesh.GetNumberOfCells()):
         per_material[materials.GetValue(cell)].append(quality.GetValue(cell))
-    columns = zip(per_material.items(), *(field(mesh, name) for name in ("MaterialNames", "MeshVolume", "TargetVolume")))
+    columns = zip(per_material.items(),
+                  *(field(mesh, name) for name in ("MaterialNames", "MeshVolume", "TargetVolume")))
     for (_, values), material, volume, target in columns:
         error = 100 * (volume / target - 1)
-        yield (name, material, str(len(values)), "%.3f" % min(values), "%.3f" % (sum(values) / len(values)),
-               "%.6g" % volume, "%+.4f" % error)
+        yield (name, material, str(len(values)), "%.3f" % min(values),
+               "%.3f" % (sum(values) / len(values)), "%.6g" % volume, "%+.4f" % error)
 
 
 def print_table(rows):
@@ -167,28 +179,33 @@ def print_table(rows):
     widths = [max(len(row[c]) for row in rows) for c in range(len(rows[0]))]
     for row in rows:
         left = "  ".join(cell.ljust(width) for cell, width in zip(row[:2], widths))
-        print(left + "  " + "  ".join(cell.rjust(width) for cell, width in zip(row[2:], widths[2:])))
+        print(left + "  " + "  ".join(cell.rjust(width)
+                                      for cell, width in zip(row[2:], widths[2:])))
 
 
 def main(plugin, out, names):
     need_files(plugin)
     unknown = set(names) - {case.name for case in CASES}
     if unknown:
-        sys.exit("no case %s; cases are %s" % (", ".join(sorted(unknown)), ", ".join(case.name for case in CASES)))
+        sys.exit("no case %s; cases are %s" % (", ".join(sorted(unknown)),
+                                               ", ".join(case.name for case in CASES)))
     load_plugin(plugin, globals())  # defines the filters
     simple._DisableFirstRenderCameraReset()
     os.makedirs(out, exist_ok=True)
     code = glob.glob(os.path.join(os.path.dirname(plugin), "*.so"))
     code += [os.path.abspath(__file__)]
-    code += [os.path.join(ROOT, "Examples", name) for name in ("write_exodus.py", "gerris_to_vthb.py", "pictures.py")]
-    fractions, pair = (os.path.join(out, CASES[0].name + ending) for ending in ("_fractions.png", "_fractions_and_mesh.png"))
+    code += [os.path.join(ROOT, "Examples", name)
+             for name in ("write_exodus.py", "gerris_to_vthb.py", "pictures.py")]
+    fractions, pair = (os.path.join(out, CASES[0].name + ending)
+                       for ending in ("_fractions.png", "_fractions_and_mesh.png"))
     rows = []
     for case in CASES:
         if names and case.name not in names:
             continue
         for name, make_filter in ((case.name, hex_filter), (case.name + "_tets", tet_filter)):
             vtu, exodus, abaqus, table, surface, cut = (
-                os.path.join(out, name + ending) for ending in (".vtu", ".e", ".inp", ".csv", "_surface.png", "_cut.png"))
+                os.path.join(out, name + ending)
+                for ending in (".vtu", ".e", ".inp", ".csv", "_surface.png", "_cut.png"))
             if not is_newer([vtu, exodus, abaqus, table], [case.file] + code):
                 make_mesh(case, open_field(case, out), make_filter, vtu, exodus, abaqus, table)
             if not is_newer([cut], [vtu] + code):

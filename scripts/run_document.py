@@ -1,11 +1,13 @@
 #!/usr/bin/env pvpython
-"""Runs the Python blocks of a document, one after the other as one script, in a folder where they leave their files. What a
-document shows, indented, right after a block that prints must be what it prints.
+"""Runs the Python blocks of a document, one after the other as one script, in a folder where they
+leave their files. What a document shows, indented, right after a block that prints must be what it
+prints.
 
-usage: pvpython run_document.py DOCUMENT FOLDER [LIB, default build/lib]     or python3, where a document has plain VTK
+usage: pvpython run_document.py DOCUMENT FOLDER [LIB, default build/lib]     or python3, where a
+       document has plain VTK
 
-The blocks find Data there, and LIB, with the plugin and the classes for Python, under the name that documents give it, both as links.
-Pictures need an X server.
+The blocks find Data there, and LIB, with the plugin and the classes for Python, under the name that
+documents give it, both as links. Pictures need an X server.
 """
 import contextlib
 import io
@@ -22,12 +24,14 @@ BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n((?: {4}[^\n]*\n)+))?", re.DOTA
 
 
 def read_blocks(document):
-    """The code of each block, on the lines that it has in the document, so that errors name these; and what it is said to print."""
+    """The code of each block, on the lines that it has in the document, so that errors name these;
+    and what it is said to print."""
     with open(document, encoding="utf-8") as file:
         text = file.read()
     for block in BLOCK.finditer(text):
         shown = re.sub("^ {4}", "", block[2] or "", flags=re.MULTILINE)
-        yield "\n" * text[:block.start(1)].count("\n") + block[1], shown if "print(" in block[1] else ""
+        yield "\n" * text[:block.start(1)].count("\n") + block[1], shown if "print(" in block[
+            1] else ""
 
 
 def run_block(code, shown, names):

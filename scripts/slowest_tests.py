@@ -7,7 +7,8 @@ import xml.etree.ElementTree as ElementTree
 
 
 def main(path, count="20"):
-    seconds = {case.get("name"): float(case.get("time")) for case in ElementTree.parse(path).getroot().iter("testcase")}
+    seconds = {case.get("name"): float(case.get("time"))
+               for case in ElementTree.parse(path).getroot().iter("testcase")}
     slowest = sorted(seconds, key=seconds.get, reverse=True)[:int(count)]
     print("Slowest of %d tests, %.0f s in all:" % (len(seconds), sum(seconds.values())))
     for name in slowest:

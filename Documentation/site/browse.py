@@ -1,4 +1,5 @@
-"""Opens the site in Chromium without a screen, on a wide and on a narrow screen, as a reader would: the first page, a search, a scene.
+"""Opens the site in Chromium without a screen, on a wide and on a narrow screen, as a reader would:
+the first page, a search, a scene.
 
 usage: browse.py HTML SCREENSHOTS      folders: the built site, and where pictures go
 Fails if a search finds nothing, or if a scene is not drawn or does not change when it is cut."""
@@ -24,7 +25,8 @@ class QuietHandler(http.server.SimpleHTTPRequestHandler):
 
 def serve(folder):
     """The address of a server of a folder on this machine."""
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(QuietHandler, directory=folder))
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0),
+                                             functools.partial(QuietHandler, directory=folder))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return "http://127.0.0.1:%d" % server.server_port
 
@@ -35,13 +37,15 @@ def open_browser():
     for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
                      "--enable-unsafe-swiftshader", "--hide-scrollbars"):
         options.add_argument(argument)
-    return webdriver.Chrome(options=options, service=webdriver.ChromeService("/usr/bin/chromedriver"))
+    return webdriver.Chrome(options=options,
+                            service=webdriver.ChromeService("/usr/bin/chromedriver"))
 
 
 def set_screen(browser, width, height):
     """The size of the page itself, without the frame of the browser, which has a least width."""
     browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
+                            {"width": width, "height": height, "deviceScaleFactor": 1,
+                             "mobile": width < 600})
 
 
 def wait_for(browser, condition):
@@ -56,11 +60,13 @@ def search(browser, address):
 
 def open_scene(browser, address, name):
     browser.get("%s/scenes/%s.html" % (address, name))
-    wait_for(browser, lambda b: b.find_element(By.TAG_NAME, "body").get_attribute("data-ready") == "yes")
+    wait_for(browser,
+             lambda b: b.find_element(By.TAG_NAME, "body").get_attribute("data-ready") == "yes")
 
 
 def cut(browser, percent):
-    browser.execute_script("cut.value = arguments[0]; cut.dispatchEvent(new Event('input'));", percent)
+    browser.execute_script("cut.value = arguments[0]; cut.dispatchEvent(new Event('input'));",
+                           percent)
 
 
 def main():
@@ -71,11 +77,14 @@ def main():
     try:
         for width, height in SCREENS:
             set_screen(browser, width, height)
-            take = lambda name: browser.save_screenshot(os.path.join(pictures, "%s_%d.png" % (name, width)))
+            take = lambda name: browser.save_screenshot(
+                os.path.join(pictures, "%s_%d.png" % (name, width)))
             browser.get(address + "/README.html")
             take("index")
-            beyond = browser.execute_script("return document.documentElement.scrollWidth - window.innerWidth")
-            assert beyond <= 0, "the first page is %d pixels wider than a screen of %d" % (beyond, width)
+            beyond = browser.execute_script(
+                "return document.documentElement.scrollWidth - window.innerWidth")
+            assert beyond <= 0, "the first page is %d pixels wider than a screen of %d" % (
+                beyond, width)
             search(browser, address)
             take("search")
             browser.get(address + "/Documentation/user/tutorial.html")

@@ -1,7 +1,9 @@
 """Writes the scenes of the site: meshes that a browser turns and cuts.
 
-usage: scenes.py FOLDER VTK_JS      in the root of the repository; the package volume_fraction_mesh, pyvista and nibabel are installed
-A scene is a page, made from scene.html, and a script with the mesh: points, elements, their neighbours and colours."""
+usage: scenes.py FOLDER VTK_JS      in the root of the repository; the package volume_fraction_mesh,
+       pyvista and nibabel are installed
+A scene is a page, made from scene.html, and a script with the mesh: points, elements, their
+neighbours and colours."""
 import base64
 import json
 import os
@@ -22,20 +24,24 @@ FACES = {8: ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1
 
 def make_splash():
     mesh = vfm.hexes(pv.read("Data/splash_3500us.vti"), arrays=["water"])
-    return mesh, color_by_quality(mesh), "Splash: %s hexahedra, coloured by scaled Jacobian from %g (blue) to %g (yellow)" % (
+    return mesh, color_by_quality(
+        mesh), "Splash: %s hexahedra, coloured by scaled Jacobian from %g (blue) to %g (yellow)" % (
         format(len(mesh.cells), ","), LOW, HIGH)
 
 
 def make_ball_and_plate():
     mesh = vfm.hexes(pv.read("Data/ball_and_plate.vti"), arrays=["ball", "plate"])
-    return mesh, color_by_number(mesh.material), "Ball and plate: %s hexahedra of two materials" % format(len(mesh.cells), ",")
+    return mesh, color_by_number(
+        mesh.material), "Ball and plate: %s hexahedra of two materials" % format(
+            len(mesh.cells), ",")
 
 
 def make_atlas():
     image = nibabel.load(ATLAS)
     labels = np.asanyarray(image.dataobj).astype(np.int32)[100:124, 95:119, 65:89]
     mesh = vfm.tets(labels=labels, label_smoothing=3)
-    return mesh, color_by_number(mesh.material), "Brain atlas (AAL), 24 x 24 x 24 voxels: %s tetrahedra of %d regions" % (
+    return mesh, color_by_number(
+        mesh.material), "Brain atlas (AAL), 24 x 24 x 24 voxels: %s tetrahedra of %d regions" % (
         format(len(mesh.cells), ","), len(np.unique(mesh.material)))
 
 
@@ -82,8 +88,10 @@ def write_scene(folder, name, mesh, colors, caption):
     cells = np.asarray(mesh.cells)
     points = np.asarray(mesh.points)
     points = (points - points.mean(axis=0)) / np.ptp(points, axis=0).max()
-    scene = {"caption": caption, "corners": cells.shape[1], "faces": FACES[cells.shape[1]], "points": encode(points, "<f4"),
-             "cells": encode(cells, "<i4"), "neighbours": encode(find_neighbours(cells), "<i4"), "colors": encode(colors, "u1")}
+    scene = {"caption": caption, "corners": cells.shape[1], "faces": FACES[cells.shape[1]],
+             "points": encode(points, "<f4"),
+             "cells": encode(cells, "<i4"), "neighbours": encode(find_neighbours(cells), "<i4"),
+             "colors": encode(colors, "u1")}
     with open(os.path.join(folder, name + ".js"), "w", encoding="utf-8") as file:
         file.write("const scene = %s;\n" % json.dumps(scene))
     with open(os.path.join(HERE, "scene.html"), encoding="utf-8") as file:

@@ -1,5 +1,6 @@
 #!/usr/bin/env pvpython
-"""Figure 17: a half sphere, and the half cylinder of its caption, whose buffer layers leave through a side of the domain.
+"""Figure 17: a half sphere, and the half cylinder of its caption, whose buffer layers leave through
+a side of the domain.
 
 usage: pvpython figure_17.py OUT
 """
@@ -14,7 +15,8 @@ from rank_pictures import draw_quality, join, with_rank
 RADIUS, MIDDLE = 8.0, (12.0, 12.0, 12.0)  # cells are of edge 1; the side is z = 12
 BODIES = {
     "half sphere": ("sphere radius=%g center=%g,%g,%g" % (RADIUS, *MIDDLE), (0, 1, 2)),
-    "half cylinder": ("cylinder radius=%g height=40 center=%g,%g,%g rotation=90,0,0" % (RADIUS, *MIDDLE), (0, 2)),
+    "half cylinder": ("cylinder radius=%g height=40 center=%g,%g,%g rotation=90,0,0"
+                      % (RADIUS, *MIDDLE), (0, 2)),
 }
 
 
@@ -22,11 +24,13 @@ def main(out):
     rows, panels = [], []
     for name, (shapes, axes) in BODIES.items():
         stem = os.path.join(out, "figure_17_" + name.replace(" ", "_"))
-        field = report.make_field(stem + ".vti", Shapes=shapes, Dimensions=[24, 24, 12], Bounds=[0, 24, 0, 24, 0, 12])
+        field = report.make_field(stem + ".vti", Shapes=shapes, Dimensions=[24, 24, 12],
+                                  Bounds=[0, 24, 0, 24, 0, 12])
         meshes = report.mesh_field(field, stem + ".pvtu")
         points = points_of(meshes[0])
         rim = points[(points[:, 2] == 12.0) & (values(meshes, "GeometryDimension", "Point") < 2)]
-        rim = rim[(rim[:, 1] > 0) & (rim[:, 1] < 24)]  # those at the ends of the cylinder lie on two sides
+        # those at the ends of the cylinder lie on two sides
+        rim = rim[(rim[:, 1] > 0) & (rim[:, 1] < 24)]
         off = np.abs(np.linalg.norm(rim[:, axes] - np.take(MIDDLE, axes), axis=1) - RADIUS)
         rows += [
             (name + ": hexahedra", report.number(meshes[0].GetNumberOfCells()), ""),

@@ -17,13 +17,15 @@ STEPS = (0, 120, 360, 480)
 
 def main(out):
     folder = os.path.join(out, "figure_18")
-    report.run_program(report.IMPACT, "--every", "120", "--steps", "481", "--sculptor", folder, ranks=RANKS)
+    report.run_program(report.IMPACT, "--every", "120", "--steps", "481", "--sculptor", folder,
+                       ranks=RANKS)
     rows, panels = [], []
     for step in STEPS:
         meshes = read_ranks(os.path.join(folder, "impact_%04d.pvtu" % step))
         elements = sum(mesh.GetNumberOfCells() for mesh in meshes)
         rows.append(("step %d: hexahedra, fragments" % step,
-                     "%s, %d" % (report.number(elements), field_value(meshes, "NumberOfFragments")), ""))
+                     "%s, %d" % (report.number(elements), field_value(meshes, "NumberOfFragments")),
+                     ""))
         rows.append(report.quality_row(meshes, "step %d: " % step))
         panels.append(os.path.join(out, "figure_18_%d.png" % step))
         draw(with_rank(meshes), "MaterialId", 1, 2, panels[-1], camera=(0.35, -1.0, 0.45), zoom=1.3)

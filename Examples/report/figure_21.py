@@ -18,7 +18,8 @@ def main(out):
         meshes = report.mesh_field(field, stem + ".pvtu", ranks=ranks)
         counts = [mesh.GetNumberOfCells() for mesh in meshes]
         rows += [report.same_row("%d ranks" % ranks, meshes, one),
-                 ("%d ranks: hexahedra of a rank" % ranks, "%s to %s" % (report.number(min(counts)), report.number(max(counts))), ""),
+                 ("%d ranks: hexahedra of a rank" % ranks,
+                  "%s to %s" % (report.number(min(counts)), report.number(max(counts))), ""),
                  report.shared_row(meshes, "%d ranks: " % ranks)]
         panels.append(stem + ".png")
         draw(with_rank(meshes), "Rank", 0, ranks - 1, panels[-1], size=(800, 700), zoom=1.05)

@@ -1,4 +1,5 @@
-"""Meshes that sculptor wrote in pieces, one a rank: their arrays, what ranks share, whether two are the same."""
+"""Meshes that sculptor wrote in pieces, one a rank: their arrays, what ranks share, whether two are
+the same."""
 import glob
 import hashlib
 import os
@@ -23,7 +24,8 @@ def read_ranks(path):
 
 
 def points_of(mesh):
-    return vtk_to_numpy(mesh.GetPoints().GetData()) if mesh.GetNumberOfPoints() else np.zeros((0, 3))
+    return vtk_to_numpy(mesh.GetPoints().GetData()) if mesh.GetNumberOfPoints() else np.zeros(
+        (0, 3))
 
 
 def values(meshes, name, of="Cell"):
@@ -43,13 +45,16 @@ def connectivity(meshes):
     for mesh in meshes:
         if mesh.GetNumberOfCells():
             ids = vtk_to_numpy(mesh.GetPointData().GetArray("GlobalPointIds"))
-            rows.append(ids[vtk_to_numpy(mesh.GetCells().GetConnectivityArray())].reshape(mesh.GetNumberOfCells(), -1))
+            rows.append(ids[vtk_to_numpy(mesh.GetCells().GetConnectivityArray())].reshape(
+                mesh.GetNumberOfCells(), -1))
     return np.concatenate(rows)
 
 
 def shared_points(meshes):
-    """How many points several ranks have, and how many of these do not lie at one place, bit for bit."""
-    ids, places = values(meshes, "GlobalPointIds", "Point"), np.concatenate([points_of(mesh) for mesh in meshes])
+    """How many points several ranks have, and how many of these do not lie at one place, bit for
+    bit."""
+    ids, places = values(meshes, "GlobalPointIds",
+                         "Point"), np.concatenate([points_of(mesh) for mesh in meshes])
     order = np.argsort(ids, kind="stable")
     again = ids[order][1:] == ids[order][:-1]
     moved = (places[order][1:] != places[order][:-1]).any(axis=1) & again
@@ -57,10 +62,12 @@ def shared_points(meshes):
 
 
 def digest(meshes):
-    """Of ids, coordinates, elements and materials, in the order of the ids: the same for the same mesh, however it is dealt out."""
+    """Of ids, coordinates, elements and materials, in the order of the ids: the same for the same
+    mesh, however it is dealt out."""
     ids, first = np.unique(values(meshes, "GlobalPointIds", "Point"), return_index=True)
     order = np.argsort(values(meshes, "GlobalCellIds"))
-    parts = [ids, np.concatenate([points_of(mesh) for mesh in meshes])[first], values(meshes, "GlobalCellIds")[order],
+    parts = [ids, np.concatenate([points_of(mesh) for mesh in meshes])[first],
+             values(meshes, "GlobalCellIds")[order],
              connectivity(meshes)[order], values(meshes, "MaterialId")[order]]
     total = hashlib.sha256()
     for part in parts:
@@ -69,22 +76,28 @@ def digest(meshes):
 
 
 def facets(meshes):
-    """The faces of hexahedra that no other has: global ids of their corners, turned outward, and the rank of each."""
-    faces = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
+    """The faces of hexahedra that no other has: global ids of their corners, turned outward, and
+    the rank of each."""
+    faces = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1],
+                      [4, 5, 6, 7]])
     corners = connectivity(meshes)[:, faces].reshape(-1, 4)
     rank = np.repeat(np.arange(len(meshes)), [6 * mesh.GetNumberOfCells() for mesh in meshes])
-    _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True, return_counts=True)
+    _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True,
+                                return_counts=True)
     return corners[first[count == 1]], rank[first[count == 1]]
 
 
 def surface_angles(meshes):
-    """Degrees between facets that share an edge, of edges inside a rank's part of the surface and of those between ranks."""
+    """Degrees between facets that share an edge, of edges inside a rank's part of the surface and
+    of those between ranks."""
     corners, rank = facets(meshes)
     ids, first = np.unique(values(meshes, "GlobalPointIds", "Point"), return_index=True)
-    places = np.concatenate([points_of(mesh) for mesh in meshes])[first][np.searchsorted(ids, corners)]
+    places = np.concatenate([points_of(mesh)
+                             for mesh in meshes])[first][np.searchsorted(ids, corners)]
     normals = np.cross(places[:, 2] - places[:, 0], places[:, 3] - places[:, 1])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
-    edges = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    edges = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2),
+                    axis=1)
     order = np.lexsort(edges.T)
     left, right = order[0::2], order[1::2]
     assert (edges[left] == edges[right]).all(), "the surface is not closed, or touches itself"

@@ -1,4 +1,5 @@
-"""Pictures of meshes in pieces, one a rank: put apart, in colours of numbers, several in one file."""
+"""Pictures of meshes in pieces, one a rank: put apart, in colours of numbers, several in one
+file."""
 import colorsys
 import os
 import sys
@@ -18,8 +19,8 @@ SIZE = (1000, 750)
 
 
 def with_rank(meshes, apart=0.0):
-    """All ranks' elements in one grid with the cell array Rank; apart: moves each rank's away from the middle by that part of its
-    distance."""
+    """All ranks' elements in one grid with the cell array Rank; apart: moves each rank's away from
+    the middle by that part of its distance."""
     places = np.concatenate([points_of(mesh) for mesh in meshes])
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
     append = vtkAppendFilter()
@@ -57,17 +58,24 @@ def colour_by_number(display, array, least, most):
     table = simple.GetColorTransferFunction(array)
     table.InterpretValuesAsCategories = 1
     table.AnnotationsInitialized = 1
-    table.Annotations = [text for number in range(least, most + 1) for text in (str(number), str(number))]
-    table.IndexedColors = [channel for number in range(least, most + 1) for channel in colour_of(number)]
+    table.Annotations = [text for number in range(least, most + 1)
+                         for text in (str(number), str(number))]
+    table.IndexedColors = [channel for number in range(least, most + 1)
+                           for channel in colour_of(number)]
 
 
 def draw(mesh, array, least, most, path, edges=True, **look):
-    """The mesh from outside in colours of an array of whole numbers; look: how camera, zoom and size differ."""
-    save_view(mesh, lambda view: colour_by_number(pictures.show(mesh, view, edges=edges), array, least, most), path, **look)
+    """The mesh from outside in colours of an array of whole numbers; look: how camera, zoom and
+    size differ."""
+    save_view(mesh,
+              lambda view: colour_by_number(pictures.show(mesh, view, edges=edges), array, least,
+                                            most), path, **look)
 
 
 def draw_quality(mesh, lowest, path, **look):
-    save_view(mesh, lambda view: pictures.colour_by_quality(pictures.show(mesh, view), view, lowest), path, sink=0.15, **look)
+    save_view(mesh,
+              lambda view: pictures.colour_by_quality(pictures.show(mesh, view), view, lowest),
+              path, sink=0.15, **look)
 
 
 def save_view(mesh, show, path, camera=(0.7, -1.0, 0.7), zoom=1.1, size=SIZE, sink=0.0):
@@ -85,7 +93,8 @@ def join(panels, path, columns):
         reader.SetFileName(panel)
         reader.Update()
         width, height, _ = reader.GetOutput().GetDimensions()
-        images.append(vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1))
+        images.append(
+            vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1))
         os.remove(panel)
     rows = [np.concatenate(images[i:i + columns], axis=1) for i in range(0, len(images), columns)]
     whole = np.concatenate(rows[::-1])  # images begin below

@@ -1,6 +1,6 @@
-"""What the scripts of the figures share: fields of shapes, meshes made by sculptor on ranks of MPI, the table of a
-figure. "The report" is SAND2010-6400 (Owen, Staten: Parallel octree-based hexahedral mesh generation for Eulerian to
-Lagrangian conversion)."""
+"""What the scripts of the figures share: fields of shapes, meshes made by sculptor on ranks of MPI,
+the table of a figure. "The report" is SAND2010-6400 (Owen, Staten: Parallel octree-based hexahedral
+mesh generation for Eulerian to Lagrangian conversion)."""
 import os
 import subprocess
 import sys
@@ -10,7 +10,8 @@ from paraview import simple
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, "..", "..")
 BUILD = os.environ.get("BUILD_DIR", os.path.join(ROOT, "build"))
-PLUGIN, SCULPTOR, IMPACT = (os.path.join(BUILD, name) for name in ("lib/VolumeFractionMesh.so", "bin/sculptor", "bin/impact"))
+PLUGIN, SCULPTOR, IMPACT = (os.path.join(BUILD, name)
+                            for name in ("lib/VolumeFractionMesh.so", "bin/sculptor", "bin/impact"))
 sys.path.insert(0, os.path.dirname(HERE))
 from load_plugin import load_plugin
 from need_files import need_files
@@ -22,8 +23,9 @@ OF_THIS_PROCESS = ("PMIX_", "PMI_", "ORTE_", "OMPI_")
 
 
 def run(figure):
-    """Calls a script's function with the folder where the figure goes, the only word of the command line; prints and writes the table
-    of the rows that it returns: what, ours, the report's or nothing."""
+    """Calls a script's function with the folder where the figure goes, the only word of the command
+    line; prints and writes the table of the rows that it returns: what, ours, the report's or
+    nothing."""
     script = sys.modules["__main__"]
     if len(sys.argv) != 2:
         sys.exit(script.__doc__)
@@ -32,7 +34,8 @@ def run(figure):
     os.makedirs(out, exist_ok=True)
     load_plugin(PLUGIN, vars(simple))
     simple._DisableFirstRenderCameraReset()
-    lines = ["| | ours | report |", "|---|---|---|"] + ["| %s | %s | %s |" % row for row in figure(out)]
+    lines = ["| | ours | report |",
+             "|---|---|---|"] + ["| %s | %s | %s |" % row for row in figure(out)]
     print("\n".join(lines))
     name = os.path.splitext(os.path.basename(script.__file__))[0]
     with open(os.path.join(out, name + ".md"), "w", encoding="utf-8") as file:
@@ -45,15 +48,18 @@ def number(value):
 
 def quality_row(meshes, label=""):
     quality = rank_meshes.values(meshes, "ScaledJacobian")
-    return label + "smallest, mean scaled Jacobian", "%.3f, %.3f" % (quality.min(), quality.mean()), ""
+    return label + "smallest, mean scaled Jacobian", "%.3f, %.3f" % (
+        quality.min(), quality.mean()), ""
 
 
 def positive_row(meshes, theirs=""):
-    return "not positive", number(int((rank_meshes.values(meshes, "ScaledJacobian") <= 0).sum())), theirs
+    return "not positive", number(int((rank_meshes.values(meshes,
+                                                          "ScaledJacobian") <= 0).sum())), theirs
 
 
 def angles_row(meshes):
-    ends = [rank_meshes.field_value(meshes, name + "DihedralAngle") for name in ("Minimum", "Maximum")]
+    ends = [rank_meshes.field_value(meshes, name + "DihedralAngle")
+            for name in ("Minimum", "Maximum")]
     return "dihedral angles", "%.1f to %.1f degrees" % tuple(ends), ""
 
 
@@ -64,7 +70,8 @@ def counts_row(label, meshes):
 
 def shared_row(meshes, label=""):
     counts = rank_meshes.shared_points(meshes)
-    return label + "points of several ranks, of these not at one place", "%s, %s" % tuple(map(number, counts)), ""
+    return label + "points of several ranks, of these not at one place", "%s, %s" % tuple(
+        map(number, counts)), ""
 
 
 def same_row(label, meshes, one):
@@ -76,20 +83,25 @@ def same_row(label, meshes, one):
 def boxes_row(meshes, label=""):
     """Of the boxes of the built-in test."""
     fragments = rank_meshes.values(meshes, "FragmentId")
-    return label + "hexahedra of the boxes", "%d, %d" % tuple((fragments == box).sum() for box in (1, 2)), ""
+    return label + "hexahedra of the boxes", "%d, %d" % tuple(
+        (fragments == box).sum() for box in (1, 2)), ""
 
 
 def run_program(program, *arguments, ranks=1):
     """On ranks of MPI, more than there are cores where need be. Returns its standard output."""
-    variables = {name: value for name, value in os.environ.items() if not name.startswith(OF_THIS_PROCESS)}
+    variables = {name: value for name, value in os.environ.items()
+                 if not name.startswith(OF_THIS_PROCESS)}
     if os.geteuid() == 0:
         variables.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     variables["OMPI_MCA_mpi_yield_when_idle"] = "1"
-    launcher = ["mpiexec", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] if ranks > 1 else []
+    launcher = ["mpiexec", "--oversubscribe", "--bind-to", "none", "-n",
+                str(ranks)] if ranks > 1 else []
     command = launcher + [program, *arguments]
-    result = subprocess.run(command, env=variables, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    result = subprocess.run(command, env=variables, stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if result.returncode != 0:
-        sys.exit("%s failed with exit status %d: %s%s" % (" ".join(command), result.returncode, result.stdout, result.stderr))
+        sys.exit("%s failed with exit status %d: %s%s" % (" ".join(command), result.returncode,
+                                                          result.stdout, result.stderr))
     return result.stdout
 
 
@@ -103,7 +115,8 @@ def make_field(path, **properties):
 
 def eight_shapes(out):
     """One of each body of CTH's, each a material."""
-    return make_field(os.path.join(out, "eight_shapes.vti"), Preset="Eight Shapes", Dimensions=[46, 46, 46], Bounds=[0, 46, 0, 46, 0, 46])
+    return make_field(os.path.join(out, "eight_shapes.vti"), Preset="Eight Shapes",
+                      Dimensions=[46, 46, 46], Bounds=[0, 46, 0, 46, 0, 46])
 
 
 def mesh_field(field, path, *options, ranks=1):

@@ -1,8 +1,10 @@
 """The meshes are the same bits in every build: the sha256 of all values of five, in a line each.
 
-With GCC 12 and glibc 2.36, and with GCC 14 and glibc 2.41, the bits are the same on x86-64; other architectures, compilers and C libraries may differ in the
-last ones, and then in more. So do processors without fused multiply-add, for which glibc has another exp: GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX
-shows it. A change that is to change meshes changes these lines.
+With GCC 12 and glibc 2.36, and with GCC 14 and glibc 2.41, the bits are the same on x86-64; other
+architectures, compilers and C libraries may differ in the last ones, and then in more. So do
+processors without fused multiply-add, for which glibc has another exp:
+GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX shows it. A change that is to change meshes
+changes these lines.
 
 usage: python3 TestDigests.py bin/MeshValues
 """

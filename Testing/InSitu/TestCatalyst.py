@@ -1,6 +1,6 @@
-"""Catalyst in a small simulation, CatalystHost: Examples/catalyst_mesh.py makes the filter's own meshes on any number of
-ranks, at the steps that are chosen; scripts that fail leave the simulation alive. With --picture, under an X server: a
-picture of the mesh.
+"""Catalyst in a small simulation, CatalystHost: Examples/catalyst_mesh.py makes the filter's own
+meshes on any number of ranks, at the steps that are chosen; scripts that fail leave the simulation
+alive. With --picture, under an X server: a picture of the mesh.
 
 Environment: VFM_PLUGIN, the plugin; VFM_CATALYST_HOST, the simulation.
 """
@@ -112,7 +112,8 @@ NO_PYTHON = "def catalyst_execute(info:\n"
 
 
 def part_in_ball(step, level=0):
-    z, y, x = np.meshgrid(*[(np.arange(n * SAMPLES << level) + 0.5) / (SAMPLES << level) for n in CELLS[::-1]], indexing="ij")
+    z, y, x = np.meshgrid(*[(np.arange(n * SAMPLES << level) + 0.5) / (SAMPLES << level)
+                            for n in CELLS[::-1]], indexing="ij")
     centre = (5.5 + 0.5 * step, 6.0, 6.5 - 0.25 * step)
     inside = (x - centre[0]) ** 2 + (y - centre[1]) ** 2 + (z - centre[2]) ** 2 < 10.5625
     shape = [n for size in CELLS[::-1] for n in (size << level, SAMPLES)]
@@ -137,7 +138,8 @@ def field(step):
 
 def refined_field(step):
     """The fields of both levels as AMR."""
-    fine = {name: np.ascontiguousarray(values[MIDDLE_OF_LEVEL_1]) for name, values in arrays(step, 1).items()}
+    fine = {name: np.ascontiguousarray(values[MIDDLE_OF_LEVEL_1])
+            for name, values in arrays(step, 1).items()}
     grids = [image(arrays(step), kind=vtkUniformGrid), image(fine, kind=vtkUniformGrid)]
     data = vtkOverlappingAMR()
     set_boxes(data, [1, 1])
@@ -155,7 +157,8 @@ def refined_field(step):
 
 
 def run_host(ranks, scripts, *options, **settings):
-    return mpi_run(ranks, [os.environ["VFM_CATALYST_HOST"], *options, *scripts], without=() if PICTURE else ("DISPLAY",),
+    return mpi_run(ranks, [os.environ["VFM_CATALYST_HOST"], *options, *scripts],
+                   without=() if PICTURE else ("DISPLAY",),
                    **{"VFM_" + key: value for key, value in settings.items()})
 
 
@@ -175,18 +178,23 @@ def run_example(ranks, out, *options, **settings):
     assert result.returncode == 0, result
     assert "Traceback" not in result.stderr and "ERR|" not in result.stderr, result.stderr
     assert result.stdout.count("host: step") == STEPS, result.stdout
-    steps = sorted(int(re.sub(r"\D", "", name)) for name in os.listdir(out) if name.endswith(".pvtu"))
-    assert steps == [int(step) for step in re.findall(r"mesh_(\d+).pvtu: \d+ elements", result.stdout)], result.stdout
+    steps = sorted(int(re.sub(r"\D", "", name)) for name in os.listdir(out)
+                   if name.endswith(".pvtu"))
+    assert steps == [int(step)
+                     for step in re.findall(r"mesh_(\d+).pvtu: \d+ elements",
+                                            result.stdout)], result.stdout
     return steps, result
 
 
 def expect_mesh(out, step, ranks, gold):
-    """The mesh of the step in the files is that of the filter, bit for bit, on several ranks in as many pieces."""
+    """The mesh of the step in the files is that of the filter, bit for bit, on several ranks in as
+    many pieces."""
     pieces = read_pieces(os.path.join(out, "mesh_%06d.pvtu" % step))
     assert len(pieces) == ranks
     for piece in pieces:
         assert piece.GetFieldData().GetArray("Fragments").GetValue(0) == (2.0 if step < 2 else 1.0)
-        for name in ("Fragments", "BallAddress", "__CatalystChannel__", "TimeValue"):  # of the input
+        # of the input
+        for name in ("Fragments", "BallAddress", "__CatalystChannel__", "TimeValue"):
             piece.GetFieldData().RemoveArray(name)
     differs = difference(merge(pieces), merge([gold]))
     assert not differs, differs
@@ -199,29 +207,36 @@ def test_meshes_are_those_of_the_filter():
         with tempfile.TemporaryDirectory() as out:
             steps, result = run_example(ranks, out, "--boxes", str(boxes))
             assert steps == list(range(STEPS))
-            assert result.stdout.count(NO_DISPLAY) == 1 and "4 steps made" in result.stdout, result.stdout
+            assert result.stdout.count(
+                NO_DISPLAY) == 1 and "4 steps made" in result.stdout, result.stdout
             for step in steps:
                 expect_mesh(out, step, ranks, golds[step])
-            times = re.findall(r'timestep="([^"]*)" file="([^"]*)"', open(os.path.join(out, "mesh.pvd")).read())
+            times = re.findall(r'timestep="([^"]*)" file="([^"]*)"',
+                               open(os.path.join(out, "mesh.pvd")).read())
             assert times == [(repr(0.125 * s), "mesh_%06d.pvtu" % s) for s in steps], times
 
 
 def test_refined_grids():
     tets = {"TETS": "Lattice"}
-    for ranks, boxes, kind, steps in ((1, 2, {}, [1]), (3, 2, {}, [1, 3]), (3, 1, tets, [2])):  # at last one rank has none
+    # at last one rank has none
+    for ranks, boxes, kind, steps in ((1, 2, {}, [1]), (3, 2, {}, [1, 3]), (3, 1, tets, [2])):
         with tempfile.TemporaryDirectory() as out:
             settings = {**kind, "STEPS": ",".join(map(str, steps))}
-            assert run_example(ranks, out, "--boxes", str(boxes), "--refined", **settings)[0] == steps
+            assert run_example(ranks, out, "--boxes", str(boxes), "--refined",
+                               **settings)[0] == steps
             for step in steps:
                 data = refined_field(step)
-                gold = mesh_of(data, VolumeFractionToTet, Method="Lattice") if kind else mesh_of(data)
+                gold = mesh_of(data, VolumeFractionToTet,
+                               Method="Lattice") if kind else mesh_of(data)
                 expect_mesh(out, step, ranks, gold.mesh)
 
 
 def test_what_scripts_see_of_refined_grids():
     """Coarse cells below finer ones are hidden; sums count each place once, in cells of level 0."""
     coarse, fine = part_in_ball(0), part_in_ball(0, 1)
-    ball = coarse.sum() - coarse[tuple(slice(*span) for span in MIDDLE)].sum() + fine[MIDDLE_OF_LEVEL_1].sum() / 8
+    ball = coarse.sum() - coarse[tuple(slice(*span)
+                                       for span in MIDDLE)].sum() + fine[
+                                           MIDDLE_OF_LEVEL_1].sum() / 8
     result = run_code(2, VOLUME, options=("--refined",))
     assert result.returncode == 0, result
     assert result.stdout.count("volume in cells: %d" % np.prod(CELLS)) == STEPS, result.stdout
@@ -236,9 +251,11 @@ def test_what_scripts_see_of_refined_grids():
 def test_labels_tets_and_exodus():
     gold = mesh_of(field(2), VolumeFractionToTet, MaterialIdArray="id", Method="Cells").mesh
     with tempfile.TemporaryDirectory() as out:
-        steps, result = run_example(2, out, LABELS="id", TETS="Cells", STEPS="2", EXODUS="1", PICTURE="0")
+        steps, result = run_example(2, out, LABELS="id", TETS="Cells", STEPS="2", EXODUS="1",
+                                    PICTURE="0")
         assert steps == [2] and NO_DISPLAY not in result.stdout
-        assert "2 steps made" in result.stdout, result.stdout  # that one and, whatever is wanted, the last
+        # that one and, whatever is wanted, the last
+        assert "2 steps made" in result.stdout, result.stdout
         expect_mesh(out, 2, 2, gold)
         exodus = sorted(name for name in os.listdir(out) if ".e." in name)
         assert exodus == ["mesh_000002.e.2.0", "mesh_000002.e.2.1"], exodus
@@ -247,16 +264,20 @@ def test_labels_tets_and_exodus():
 def test_state():
     """Copied; conserved, of first order, with the labels for densities."""
     copied = mesh_of(field(1), StateArrays=["ball", "id"]).mesh
-    conserved = mesh_of(field(2), StateArrays=["ball"], DensityArrays=["id"], StateKinds=["ball=volume"], StateOrder=1).mesh
-    more = {"DENSITY": "id", "STATE_KINDS": "ball=volume", "STATE_ORDER": "1", "STATE_TRANSFER": "conserve", "LOST_KINETIC_ENERGY": "InternalEnergy"}
-    for step, gold, settings in ((1, copied, {"STATE": "ball,id"}), (2, conserved, {"STATE": "ball", **more})):
+    conserved = mesh_of(field(2), StateArrays=["ball"], DensityArrays=["id"],
+                        StateKinds=["ball=volume"], StateOrder=1).mesh
+    more = {"DENSITY": "id", "STATE_KINDS": "ball=volume", "STATE_ORDER": "1",
+            "STATE_TRANSFER": "conserve", "LOST_KINETIC_ENERGY": "InternalEnergy"}
+    for step, gold, settings in ((1, copied, {"STATE": "ball,id"}),
+                                 (2, conserved, {"STATE": "ball", **more})):
         with tempfile.TemporaryDirectory() as out:
             assert run_example(2, out, STEPS=str(step), PICTURE="0", **settings)[0] == [step]
             expect_mesh(out, step, 2, gold)
 
 
 def test_triggers():
-    plate = [3 * CELLS[0] * CELLS[1] - part_in_ball(step)[:3].sum() for step in range(STEPS)]  # the ball sinks in
+    # the ball sinks in
+    plate = [3 * CELLS[0] * CELLS[1] - part_in_ball(step)[:3].sum() for step in range(STEPS)]
     limit = 0.5 * (plate[-2] + plate[-1])
     assert plate[0] > limit > plate[-1] and plate == sorted(plate)[::-1], plate
     expected = {"Fragments changes": [0, 2], "Fragments < 1.5": [2], "sum plate < %r" % limit: [3],
@@ -275,7 +296,8 @@ def test_triggers():
 def test_arrays_are_the_hosts_memory():
     for ranks, options in ((1, ()), (2, ()), (2, ("--boxes", "1"))):
         result = run_code(ranks, ZERO_COPY, options=options)
-        assert result.returncode == 0 and result.stdout.count("handed over") == STEPS, result  # the first rank prints
+        # the first rank prints
+        assert result.returncode == 0 and result.stdout.count("handed over") == STEPS, result
 
 
 def test_nothing_is_made_that_nobody_wants():
@@ -285,13 +307,16 @@ def test_nothing_is_made_that_nobody_wants():
 
 
 def expect_failure(result, text, failed, made, others=()):
-    """The host lived to the end; the failed steps and no others told the text on all ranks; others: failed otherwise."""
+    """The host lived to the end; the failed steps and no others told the text on all ranks; others:
+    failed otherwise."""
     assert result.returncode == 3, result
     for step in range(STEPS):
-        told = re.search(r"host: step %d (.*?)\n(?=host:|executed|catalyst_mesh|$)" % step, result.stdout, re.DOTALL)
+        told = re.search(r"host: step %d (.*?)\n(?=host:|executed|catalyst_mesh|$)" % step,
+                         result.stdout, re.DOTALL)
         line = told.group(1)
         assert (text in line) == (step in failed), (step, line)
-        assert line.startswith("failed" if step in failed or step in others else "done"), (step, line)
+        assert line.startswith("failed" if step in failed or step in others
+                               else "done"), (step, line)
     assert "host: %d steps made" % made in result.stdout, result.stdout
 
 
@@ -301,9 +326,11 @@ def test_failing_scripts_leave_the_host_alive():
     result = run_code(2, RAISES_AT_STEP_1, EXITS)
     expect_failure(result, "script0.py: ValueError: a script that fails", [1], 4, others=every)
     expect_failure(result, "script1.py: SystemExit: 7", every, 4)
-    assert "Traceback" in result.stderr and result.stdout.count("executed") == 3, result  # the first rank prints
+    # the first rank prints
+    assert "Traceback" in result.stderr and result.stdout.count("executed") == 3, result
     result = run_code(2, EXITS_AT_IMPORT, NO_PYTHON, RAISES_IN_INITIALIZE)
-    for text in ("script0.py: SystemExit: 7", "script1.py: SyntaxError", "script2.py: KeyError: 'cannot begin'"):
+    for text in ("script0.py: SystemExit: 7", "script1.py: SyntaxError",
+                 "script2.py: KeyError: 'cannot begin'"):
         expect_failure(result, text, every, 0)
     result = run_code(2, RAISES_IN_FINALIZE)
     assert result.returncode == 0 and "cannot end" in result.stderr, result
@@ -319,7 +346,8 @@ def test_script_that_fails_while_others_wait_in_a_filter():
 
 def test_missing_script():
     every = list(range(STEPS))
-    expect_failure(run_host(2, ["/no/such/script.py"]), "Script /no/such/script.py cannot be read", every, 0)
+    expect_failure(run_host(2, ["/no/such/script.py"]), "Script /no/such/script.py cannot be read",
+                   every, 0)
     # Others run all the same.
     with tempfile.TemporaryDirectory() as out:
         result = run_host(1, ["/no/such/script.py", EXAMPLE], OUT=out, STEPS="1", PICTURE="0")
@@ -332,8 +360,10 @@ def test_wrong_grids_and_settings():
     result = run_host(2, [EXAMPLE], "--bad-step", "2", OUT=folder.name, PICTURE="0")
     expect_failure(result, "[3, 15) x [0, 12) x [0, 10) leaves the grid along x", [2], 3)
     for settings, text in (
-            ({"ARRAYS": "ball,steel"}, "no mesh of step 0: "), ({"TRIGGER": "Holes changes"}, "no number 'Holes'"),
-            ({"TRIGGER": "sum steel > 1"}, "no cell array 'steel'"), ({"TRIGGER": "more fragments"}, "cannot read 'more"),
+            ({"ARRAYS": "ball,steel"}, "no mesh of step 0: "),
+            ({"TRIGGER": "Holes changes"}, "no number 'Holes'"),
+            ({"TRIGGER": "sum steel > 1"}, "no cell array 'steel'"),
+            ({"TRIGGER": "more fragments"}, "cannot read 'more"),
             ({"PLUGIN": "/no/plugin.so"}, "")):
         result = run_host(1, [EXAMPLE], OUT=folder.name, **settings)
         assert result.returncode == 3 and "host: step 0 failed: Script " in result.stdout, result
@@ -350,10 +380,12 @@ def check_picture():
                 reader = vtkPNGReader()
                 reader.SetFileName(os.path.join(out, "mesh_%06d.png" % step))
                 reader.Update()
-                pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)[:, :3]
+                pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)[
+                    :, :3]
                 blue, brown = pixels[:, 2] - pixels[:, 0] > 40, pixels[:, 0] - pixels[:, 2] > 40
                 share = blue.mean(), brown.mean()  # ball and plate, whatever the light
-                print("%d ranks, step %d: %.4f of the picture blue, %.4f brown" % (ranks, step, *share))
+                print("%d ranks, step %d: %.4f of the picture blue, %.4f brown"
+                      % (ranks, step, *share))
                 assert 0.01 < share[0] < 0.3 and 0.05 < share[1] < 0.6, share
                 pictures.append(pixels)
             assert (pictures[0] != pictures[1]).any()

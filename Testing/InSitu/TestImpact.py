@@ -1,8 +1,9 @@
-"""The small simulation of Examples/impact, meshed while it runs by the C interface and by Catalyst on 1, 2 and 4 ranks: the
-meshes are those that the filter makes of the dumped fields, bit for bit, and the fragments are the connected components
-of the fields.
+"""The small simulation of Examples/impact, meshed while it runs by the C interface and by Catalyst
+on 1, 2 and 4 ranks: the meshes are those that the filter makes of the dumped fields, bit for bit,
+and the fragments are the connected components of the fields.
 
-usage: pvpython TestImpact.py IMPACT FOLDER [catalyst]     VFM_PLUGIN: the plugin; without it see vtk_simple.py
+usage: pvpython TestImpact.py IMPACT FOLDER [catalyst]     VFM_PLUGIN: the plugin; without it see
+       vtk_simple.py
 Also prints the fragments over time, and what meshing takes beside a step of the simulation.
 """
 import glob
@@ -30,8 +31,8 @@ def run_impact(impact, folder, ranks, catalyst):
     """Runs the simulation; what it printed."""
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(os.path.join(folder, "catalyst"))  # impact makes the others
-    command = [impact, "--cells", CELLS, "--time", END_TIME, "--every", EVERY, "--dump", os.path.join(folder, "dump"),
-               "--sculptor", os.path.join(folder, "sculptor")]
+    command = [impact, "--cells", CELLS, "--time", END_TIME, "--every", EVERY, "--dump",
+               os.path.join(folder, "dump"), "--sculptor", os.path.join(folder, "sculptor")]
     if catalyst:
         command += ["--catalyst", os.path.join(ROOT, "Examples", "catalyst_mesh.py")]
     run = mpi_run(ranks, command, VFM_ARRAYS="ball,plate", VFM_NAME="impact", VFM_PICTURE="0",
@@ -43,14 +44,17 @@ def run_impact(impact, folder, ranks, catalyst):
 
 def check_refused(impact, catalyst):
     """What is wrong is told once, and in the exit status."""
-    cases = [(["--sculptor"], "--sculptor needs a value: DIR"), (["--dump", "/dev/null"], "cannot make the folder /dev/null"),
-             (["--sculptor", "/dev/null"], "cannot make the folder /dev/null"), (["--cells", "8"], "--cells takes a number from 16")]
+    cases = [(["--sculptor"], "--sculptor needs a value: DIR"),
+             (["--dump", "/dev/null"], "cannot make the folder /dev/null"),
+             (["--sculptor", "/dev/null"], "cannot make the folder /dev/null"),
+             (["--cells", "8"], "--cells takes a number from 16")]
     if catalyst:
         cases += [(["--catalyst", "none.py"], "Script none.py cannot be read.")]
     for arguments, text in cases:
         for ranks in (1, 3):
             run = mpi_run(ranks, [impact, *arguments])
-            assert run.returncode == 1 and run.stderr.startswith("impact: ") and text in run.stderr, (arguments, run)
+            assert run.returncode == 1 and run.stderr.startswith(
+                "impact: ") and text in run.stderr, (arguments, run)
             assert run.stdout == "" and len(run.stderr.splitlines()) == 1, (arguments, run)
 
 
@@ -60,7 +64,8 @@ def check_failing_script(impact, folder):
     os.makedirs(folder, exist_ok=True)
     with open(script, "w", encoding="utf-8") as file:
         file.write("def catalyst_execute(info):\n    raise ValueError('no mesh')\n")
-    run = mpi_run(2, [impact, "--cells", "16", "--steps", "2", "--every", "1", "--catalyst", script])
+    run = mpi_run(2,
+                  [impact, "--cells", "16", "--steps", "2", "--every", "1", "--catalyst", script])
     assert run.returncode == 1 and "step     2" in run.stdout, run
     assert "ValueError: no mesh" in run.stderr and "impact: an output failed, as told above" in run.stderr, run
 
@@ -76,7 +81,8 @@ def files_by_step(folder, ending):
 def mesh_of(dump):
     """The filter's mesh of a dump with its states, as a data set of its own."""
     source = simple.XMLPartitionedImageDataReader(FileName=[dump])
-    mesher = VolumeFractionToHex(Input=source, VolumeFractionArrays=["ball", "plate"], StateArrays=STATES)
+    mesher = VolumeFractionToHex(Input=source, VolumeFractionArrays=["ball", "plate"],
+                                 StateArrays=STATES)
     mesher.UpdatePipeline()
     output = mesher.GetClientSideObject().GetOutputDataObject(0)
     mesh = output.NewInstance()
@@ -87,8 +93,8 @@ def mesh_of(dump):
 
 
 def count_components(labels):
-    """Face-connected components of ball and plate in cells labelled 0 void, 1 ball, 2 plate: each cell takes the greatest number beside
-    it until none changes."""
+    """Face-connected components of ball and plate in cells labelled 0 void, 1 ball, 2 plate: each
+    cell takes the greatest number beside it until none changes."""
     numbers, before = np.arange(1, labels.size + 1).reshape(labels.shape), None
     while before is None or (numbers != before).any():
         before = numbers.copy()
@@ -106,7 +112,8 @@ def labels_of_field(dump):
     source.UpdatePipeline()
     image = source.GetClientSideObject().GetOutputDataObject(0)
     size = [n - 1 for n in reversed(image.GetDimensions())]
-    ball, plate = (vtk_to_numpy(image.GetCellData().GetArray(name)).reshape(size) for name in ("ball", "plate"))
+    ball, plate = (vtk_to_numpy(image.GetCellData().GetArray(name)).reshape(size)
+                   for name in ("ball", "plate"))
     labels = np.where(ball + plate < 0.5, 0, np.where(ball >= plate, 1, 2))
     simple.Delete(source)
     return labels
@@ -114,7 +121,8 @@ def labels_of_field(dump):
 
 def labels_of_mesh(mesh, size):
     """Of each cell the material that it was meshed as: that of the hexahedron in its middle."""
-    ids, materials = (vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("GlobalCellIds", "MaterialId"))
+    ids, materials = (vtk_to_numpy(mesh.GetCellData().GetArray(name))
+                      for name in ("GlobalCellIds", "MaterialId"))
     cells, slots = np.divmod(ids - 1, 7)
     labels = np.zeros(np.prod(size), int)
     labels[cells[slots == 0]] = materials[slots == 0]
@@ -123,7 +131,8 @@ def labels_of_mesh(mesh, size):
 
 def fragments_of(mesh):
     """Fragments of ball and of plate."""
-    materials, fragments = (vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("MaterialId", "FragmentId"))
+    materials, fragments = (vtk_to_numpy(mesh.GetCellData().GetArray(name))
+                            for name in ("MaterialId", "FragmentId"))
     return [len(np.unique(fragments[materials == material])) for material in (1, 2)]
 
 
@@ -136,11 +145,12 @@ def check_same(path, expected, what):
 
 
 def check_fragments(mesh, dump, step):
-    """Fragments are the components of the cells as they were meshed; those of the field itself differ where cells were
-    flipped to another label for the sake of a manifold."""
+    """Fragments are the components of the cells as they were meshed; those of the field itself
+    differ where cells were flipped to another label for the sake of a manifold."""
     field = labels_of_field(dump)
     meshed = labels_of_mesh(mesh, field.shape)
-    fragments, components, raw = fragments_of(mesh), count_components(meshed), count_components(field)
+    fragments, components, raw = fragments_of(mesh), count_components(meshed), count_components(
+        field)
     flips = mesh.GetFieldData().GetArray("FlippedCells").GetValue(0)
     print("step %5d: fragments %3d ball, %3d plate; components of the cells as meshed %3d, %3d; of the field %3d, %3d; "
           "%d cells flipped" % (step, *fragments, *components, *raw, flips))
@@ -153,7 +163,8 @@ def main(impact, folder, catalyst):
     check_refused(impact, catalyst)
     if catalyst:
         check_failing_script(impact, folder)
-    outputs = {ranks: run_impact(impact, os.path.join(folder, str(ranks)), ranks, catalyst) for ranks in RANKS}
+    outputs = {ranks: run_impact(impact, os.path.join(folder, str(ranks)), ranks, catalyst)
+               for ranks in RANKS}
     first = os.path.join(folder, str(RANKS[0]))
     dumps = files_by_step(os.path.join(first, "dump"), ".pvti")
     assert len(dumps) >= 4, dumps
@@ -167,10 +178,14 @@ def main(impact, folder, catalyst):
         without = merge([mesh])
         for ranks in RANKS:
             here = os.path.join(folder, str(ranks))
-            check_same(files_by_step(os.path.join(here, "sculptor"), ".pvtu")[step], with_states, "C interface")
+            check_same(files_by_step(os.path.join(here, "sculptor"), ".pvtu")[step], with_states,
+                       "C interface")
             if catalyst:
-                check_same(files_by_step(os.path.join(here, "catalyst"), ".pvtu")[step], without, "Catalyst")
-    assert series[0] == [1, 1] and series[-1][0] > 1, "the ball does not go from one piece to several: %s" % series
+                check_same(files_by_step(os.path.join(here, "catalyst"), ".pvtu")[step], without,
+                           "Catalyst")
+    assert series[0] == [1,
+                         1] and series[-1][
+                             0] > 1, "the ball does not go from one piece to several: %s" % series
     for ranks, text in outputs.items():
         print("-- %d rank(s)\n%s" % (ranks, text))
 

@@ -1,5 +1,5 @@
-"""Examples/restart.py and its solver: what the points of impact had the cells have, the elements and nodes, and the solver keeps; the
-solver's forces and shocks are right.
+"""Examples/restart.py and its solver: what the points of impact had the cells have, the elements
+and nodes, and the solver keeps; the solver's forces and shocks are right.
 
 usage: pvpython TestRestart.py IMPACT PLUGIN FOLDER
 """
@@ -26,8 +26,10 @@ CASE = ["--cells", "24", "--step", "30", "--last", "42"]
 def block(cells, width):
     """Points and hexahedra of a block of cells."""
     n = np.array(cells) + 1
-    points = np.stack(np.meshgrid(*[width * np.arange(count) for count in n], indexing="ij"), -1).reshape(-1, 3)
-    first = np.stack(np.meshgrid(*[np.arange(count) for count in cells], indexing="ij"), -1).reshape(-1, 1, 3)
+    points = np.stack(np.meshgrid(*[width * np.arange(count) for count in n], indexing="ij"),
+                      -1).reshape(-1, 3)
+    first = np.stack(np.meshgrid(*[np.arange(count) for count in cells], indexing="ij"),
+                     -1).reshape(-1, 1, 3)
     place = first + (CORNERS > 0)
     return points, (place[..., 0] * n[1] + place[..., 1]) * n[2] + place[..., 2]
 
@@ -35,7 +37,8 @@ def block(cells, width):
 def at_rest(elements, material):
     """State of elements that nothing has happened to."""
     state = {name: np.zeros(elements) for name in ("energy", "plastic_strain", "damage")}
-    return {**state, "density": np.full(elements, MATERIALS["density"][material - 1]), "ratio": np.ones(elements),
+    return {**state, "density": np.full(elements, MATERIALS["density"][material - 1]),
+            "ratio": np.ones(elements),
             "toughness": np.full(elements, 1e9), "deviator": np.zeros((elements, 6))}
 
 
@@ -53,7 +56,8 @@ def check_gradients():
 
 
 def check_flight():
-    """A body that turns and flies as a whole, a little deformed, keeps its angular momentum to second order, all else to rounding."""
+    """A body that turns and flies as a whole, a little deformed, keeps its angular momentum to
+    second order, all else to rounding."""
     points, hexahedra = block((4, 3, 5), 0.1)
     spin, elements = np.array([0.3, -0.2, 0.4]), len(hexahedra)
     velocities = np.cross(spin, points) + [1, 2, 3]
@@ -63,15 +67,21 @@ def check_flight():
     solver.run(0.3, lambda _: None)
     assert solver.steps > 20 and np.allclose(angular(), before, rtol=1e-4), (before, angular())
     change = (solver.totals() - at_start).sum(0)
-    assert np.abs(change[:4]).max() < 1e-13 * at_start[:, 0].sum() and abs(change[4] + change[5]) < 1e-13 * at_start[:, 4].sum(), change
+    assert np.abs(change[:4]).max() < 1e-13 * at_start[:,
+                                                       0].sum() and abs(
+                                                           change[4] + change[
+                                                               5]) < 1e-13 * at_start[
+                                                                   :, 4].sum(), change
     assert at_start[0].tolist() == [0] * 6  # no ball
 
 
 def check_shock():
-    """Two halves of aluminium meet: between the shocks is the pressure of the Hugoniot and two thirds of the yield stress."""
+    """Two halves of aluminium meet: between the shocks is the pressure of the Hugoniot and two
+    thirds of the yield stress."""
     points, hexahedra = block((24, 24, 24), 0.05)
     elements, speed = len(hexahedra), 0.5
-    velocities = np.where(points[:, :1] < 0.599, speed, np.where(points[:, :1] > 0.601, -speed, 0)) * [1, 0, 0]
+    velocities = np.where(points[:, :1] < 0.599, speed,
+                          np.where(points[:, :1] > 0.601, -speed, 0)) * [1, 0, 0]
     solver = Lagrangian(points, hexahedra, np.full(elements, 1), at_rest(elements, 1), velocities)
     at_start = solver.totals().sum(0)
     solver.run(0.055, lambda _: None)
@@ -93,7 +103,8 @@ def run_restart(impact, plugin, folder, *options):
     print(run.stdout)
     assert run.returncode == 0, run
     rows = re.findall(r"^(.*?)((?: +[-+.\de]+){5})$", run.stdout, re.M)
-    return {name.strip(): np.abs(np.array(numbers.split(), float)) for name, numbers in rows}, run.stdout
+    return {name.strip(): np.abs(np.array(numbers.split(), float))
+            for name, numbers in rows}, run.stdout
 
 
 def read_csv(path):
@@ -104,16 +115,20 @@ def read_csv(path):
 def check_restart(impact, plugin, folder):
     rows, text = run_restart(impact, plugin, os.path.join(folder, "conserve"))
     points = rows["points of impact to cells"]
-    assert points[[1, 3, 4]].max() <= ROUNDING and points.max() <= 1e-9, points  # less crumbs of the plate
+    # less crumbs of the plate
+    assert points[[1, 3, 4]].max() <= ROUNDING and points.max() <= 1e-9, points
     for name in ("cells to mesh and not meshed", "the solver's run"):
         assert rows[name].max() <= ROUNDING, (name, rows[name])
     assert "not meshed: 0 mg" in text
     copied, _ = run_restart(impact, plugin, os.path.join(folder, "copy"), "--transfer", "Copy")
-    assert copied["cells to mesh and not meshed"][3:].min() > 1e-4, copied  # else this test tells nothing
-    before, after = (read_csv(os.path.join(folder, "conserve", name)) for name in ("before.csv", "after.csv"))
+    # else this test tells nothing
+    assert copied["cells to mesh and not meshed"][3:].min() > 1e-4, copied
+    before, after = (read_csv(os.path.join(folder, "conserve", name))
+                     for name in ("before.csv", "after.csv"))
     assert float(before[30]["time [us]"]) == float(after[0]["time [us]"]) and len(after) > 12
     assert np.isclose(float(after[-1]["time [us]"]), float(before[-1]["time [us]"]), rtol=1e-12)
-    gained = float(after[-1]["plate momentum x [mg km/s]"]) - float(after[0]["plate momentum x [mg km/s]"])
+    gained = float(after[-1]["plate momentum x [mg km/s]"]) - float(
+        after[0]["plate momentum x [mg km/s]"])
     assert gained > 0.1, gained  # the ball goes on pushing
     assert os.path.getsize(os.path.join(folder, "conserve", "restart.png")) > 10000
 
@@ -129,7 +144,8 @@ def check_ranks(impact, folder):
             files.append(file.read())
     assert files[0] == files[1] and files[0].count(b"\n") == 42
     run = mpi_run(2, [impact, "--history", os.path.join(folder, "none", "history.csv")])
-    assert run.returncode == 1 and "cannot write" in run.stderr and len(run.stderr.splitlines()) == 1, run
+    assert run.returncode == 1 and "cannot write" in run.stderr and len(
+        run.stderr.splitlines()) == 1, run
 
 
 def main(impact, plugin, folder):

@@ -1,8 +1,8 @@
 """The filters and the Python package make the same meshes, bit for bit, and write the same files.
 
-Prints a line `case sha256` for each of python/tests/digest_cases.py as the filters make it. The environment variable
-VFM_PACKAGE_PYTHON names a Python that has the package: it then makes them too, and another digest is a failure.
-Without it the lines alone are printed.
+Prints a line `case sha256` for each of python/tests/digest_cases.py as the filters make it. The
+environment variable VFM_PACKAGE_PYTHON names a Python that has the package: it then makes them too,
+and another digest is a failure. Without it the lines alone are printed.
 """
 
 import os
@@ -72,7 +72,8 @@ def properties_of(case):
     for name, value in case.options.items():
         if isinstance(value, str):
             value = value.replace("_", " ").title()
-        found["".join(part.capitalize() for part in name.split("_"))] = int(value) if value is True else value
+        found["".join(part.capitalize()
+                      for part in name.split("_"))] = int(value) if value is True else value
     found["VolumeFractionArrays"], found["StateArrays"] = list(case.fractions), list(case.state)
     if case.labels:
         found["MaterialIdArray"] = case.labels
@@ -110,7 +111,8 @@ def digests_of_the_package(folder):
     if not python:
         return {}
     kept = {
-        name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH")
+        name: value for name, value in os.environ.items()
+        if name not in ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH")
     }
     run = subprocess.run(
         [python, os.path.join(CASES_FOLDER, "digest_cases.py"), folder],
@@ -125,7 +127,8 @@ def digests_of_the_package(folder):
 def read_without_date(path):
     """The bytes of a file; the date in the QA record of Exodus as zeros."""
     with open(path, "rb") as file:
-        return re.sub(rb"\d{4}/\d\d/\d\d(\0+)\d\d:\d\d:\d\d", b"0000/00/00\\g<1>00:00:00", file.read())
+        return re.sub(rb"\d{4}/\d\d/\d\d(\0+)\d\d:\d\d:\d\d", b"0000/00/00\\g<1>00:00:00",
+                      file.read())
 
 
 def files_differ(mesh, name, folder):
@@ -146,7 +149,8 @@ def test_same_bits(at):
     for name, make in CASES.items():
         case = make()
         result = mesh_of(
-            grid_of(case), VolumeFractionToTet if case.tets else VolumeFractionToHex, **properties_of(case)
+            grid_of(case), VolumeFractionToTet if case.tets else VolumeFractionToHex,
+            **properties_of(case)
         )
         found = digest(arrays_of(result, case))
         print(name, found, flush=True)

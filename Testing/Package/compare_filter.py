@@ -1,8 +1,10 @@
-"""Time and memory of the package beside the filter's, on the same grid, in turn; prints a row for each mesh.
+"""Time and memory of the package beside the filter's, on the same grid, in turn; prints a row for
+each mesh.
 
 usage: VFM_PLUGIN=build/lib/VolumeFractionMesh.so compare_filter.py PVPYTHON PYTHON [CELLS [RUNS]]
-PYTHON: of an environment that has the package. CELLS: of a side, 128; RUNS: of each, 5. One thread. Memory is the most that a
-program held less what it held before the call; time is that of the processor, the least of the runs.
+PYTHON: of an environment that has the package. CELLS: of a side, 128; RUNS: of each, 5. One thread.
+Memory is the most that a program held less what it held before the call; time is that of the
+processor, the least of the runs.
 """
 import os
 import subprocess
@@ -15,7 +17,8 @@ CASES = ("hexes", "tets")
 def held(most):
     """Megabytes that this program holds, or the most that it held since forget()."""
     with open("/proc/self/status", encoding="ascii") as file:
-        return next(int(line.split()[1]) for line in file if line.startswith("VmHWM" if most else "VmRSS")) / 1e3
+        return next(int(line.split()[1]) for line in file
+                    if line.startswith("VmHWM" if most else "VmRSS")) / 1e3
 
 
 def forget():
@@ -76,20 +79,23 @@ def run_filter(case, cells):
 
 
 def measure(program, side, case, cells):
-    lines = subprocess.run([program, os.path.abspath(__file__), "--run", side, case, str(cells)], check=True,
-                           stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    lines = subprocess.run([program, os.path.abspath(__file__), "--run", side, case, str(cells)],
+                           check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
     words = next(line for line in lines if line.startswith("measured")).split()
     return [float(word) for word in words[1:]]
 
 
 def compare(pvpython, python, cells=128, runs=5):
-    print("| %d^3 | filter s | package s | ratio | filter MB | package MB | ratio | elements |\n|%s" % (cells, "---|" * 8))
+    print("| %d^3 | filter s | package s | ratio | filter MB | package MB | ratio | elements |\n|%s"
+          % (cells, "---|" * 8))
     for case in CASES:
-        pairs = [(measure(pvpython, "filter", case, cells), measure(python, "package", case, cells)) for _ in range(runs)]
+        pairs = [(measure(pvpython, "filter", case, cells), measure(python, "package", case, cells))
+                 for _ in range(runs)]
         other, own = (min(pair[i] for pair in pairs) for i in (0, 1))
         assert other[2] == own[2], "not the same mesh"
         print("| %s | %.2f | %.2f | %.3f | %.0f | %.0f | %.3f | %d |"
-              % (case, other[0], own[0], own[0] / other[0], other[1], own[1], own[1] / other[1], own[2]), flush=True)
+              % (case, other[0], own[0], own[0] / other[0], other[1], own[1], own[1] / other[1],
+                 own[2]), flush=True)
 
 
 def main():

@@ -1,4 +1,5 @@
-"""What the tests of refined input (AMR) share: a ball and a plate on several levels, and the data sets that hold them.
+"""What the tests of refined input (AMR) share: a ball and a plate on several levels, and the data
+sets that hold them.
 
 A block is (level, box): a box ((z0, z1), (y0, y1), (x0, x1)) of cells of that level.
 """
@@ -23,7 +24,8 @@ def doubled(values):
 
 
 def fields(levels, n=N):
-    """Arrays of each level, those of coarser ones the means of those of the finest; "number" tells level and cell."""
+    """Arrays of each level, those of coarser ones the means of those of the finest; "number" tells
+    level and cell."""
     result = [dict(zip(("ball", "plate"), ball_and_plate(n << levels)))]
     for _ in range(levels):
         result.insert(0, {name: means(values) for name, values in result[0].items()})
@@ -41,11 +43,14 @@ def block_of(all_fields, block, extra=None, kind=vtkUniformGrid):
     """The grid of a block; extra: more arrays of the whole level."""
     level, box = block
     window = tuple(slice(*span) for span in box)
-    arrays = {name: np.ascontiguousarray(values[window]) for name, values in {**all_fields[level], **(extra or {})}.items()}
+    arrays = {name: np.ascontiguousarray(values[window])
+              for name, values in {**all_fields[level], **(extra or {})}.items()}
     h = spacing(level)
     origin = [ORIGIN[a] + box[2 - a][0] * h[a] for a in range(3)]
     if kind == "rectilinear":
-        return rectilinear(arrays, [origin[a] + h[a] * np.arange(box[2 - a][1] - box[2 - a][0] + 1) for a in range(3)])
+        return rectilinear(arrays,
+                           [origin[a] + h[a] * np.arange(box[2 - a][1] - box[2 - a][0] + 1)
+                            for a in range(3)])
     grid = image(arrays, kind=kind)
     grid.SetOrigin(origin)
     grid.SetSpacing(h)
@@ -67,7 +72,8 @@ def nested(levels=2):
     """Level 0 everywhere, the others in the middle and, of level 1, at a corner of the domain."""
     blocks = [(0, box) for box in cut(N, 2)]
     if levels > 0:
-        blocks += [(1, ((2, 12), (2, 10), (2, 6))), (1, ((2, 12), (2, 10), (6, 10))), (1, ((0, 4), (10, 12), (10, 12)))]
+        blocks += [(1, ((2, 12), (2, 10), (2, 6))), (1, ((2, 12), (2, 10), (6, 10))),
+                   (1, ((0, 4), (10, 12), (10, 12)))]
     if levels > 1:
         blocks += [(2, ((8, 20), (6, 18), (8, 16)))]
     return blocks
@@ -107,11 +113,13 @@ def overlapping(all_fields, blocks, extra=None, ratio=2):
 
 def set_boxes(data, counts):
     """The numbers of boxes of each level of AMR data, which VTK takes otherwise since 9.6."""
-    data.Initialize(counts) if hasattr(data, "GetAMRMetaData") else data.Initialize(len(counts), counts)
+    data.Initialize(counts) if hasattr(data,
+                                       "GetAMRMetaData") else data.Initialize(len(counts), counts)
 
 
 def amr_data(grids, ratio=None):
-    """The uniform grids of each level, coarsest first, as vtkOverlappingAMR of that ratio, or vtkNonOverlappingAMR."""
+    """The uniform grids of each level, coarsest first, as vtkOverlappingAMR of that ratio, or
+    vtkNonOverlappingAMR."""
     data = vtkOverlappingAMR() if ratio else vtkNonOverlappingAMR()
     set_boxes(data, [len(level) for level in grids])
     if ratio:
@@ -123,7 +131,9 @@ def amr_data(grids, ratio=None):
             data.SetRefinementRatio(level, ratio)
         for i, grid in enumerate(own):
             if ratio:
-                data.SetAMRBox(level, i, vtkAMRBox(grid.GetOrigin(), grid.GetDimensions(), grid.GetSpacing(), ORIGIN))
+                data.SetAMRBox(level, i,
+                               vtkAMRBox(grid.GetOrigin(), grid.GetDimensions(), grid.GetSpacing(),
+                                         ORIGIN))
             data.SetDataSet(level, i, grid)
     if ratio:
         data.GenerateParentChildInformation()

@@ -1,7 +1,9 @@
-"""Small AMR data and its files as four codes write them: VTK (.vthb), AMReX plotfiles, Enzo, FLASH; SpyPlot by spyplot.py.
+"""Small AMR data and its files as four codes write them: VTK (.vthb), AMReX plotfiles, Enzo, FLASH;
+SpyPlot by spyplot.py.
 
-All hold the same: a ball in a box, fractions of it and of the rest, refined where its surface is. Coarse cells under
-finer ones have the mean of these, so that every level has the same volumes. Enzo and FLASH need h5py.
+All hold the same: a ball in a box, fractions of it and of the rest, refined where its surface is.
+Coarse cells under finer ones have the mean of these, so that every level has the same volumes. Enzo
+and FLASH need h5py.
 """
 import os
 import shutil
@@ -21,7 +23,8 @@ SAMPLES = 2  # of a finest cell along each axis
 
 
 class AmrBlock:
-    """Cells of a level from index lo on; arrays {name: values (z, y, x)}; leaf: nothing finer lies on any of its cells."""
+    """Cells of a level from index lo on; arrays {name: values (z, y, x)}; leaf: nothing finer lies
+    on any of its cells."""
 
     def __init__(self, level, lo, arrays, leaf):
         self.level, self.lo, self.arrays, self.leaf = level, np.asarray(lo), arrays, leaf
@@ -31,7 +34,8 @@ class AmrBlock:
 
 
 class Amr:
-    """Blocks by level, coarsest first, on cells of width / ratio^level from ORIGIN; roots: blocks of level 0 in x y z."""
+    """Blocks by level, coarsest first, on cells of width / ratio^level from ORIGIN; roots: blocks
+    of level 0 in x y z."""
 
     def __init__(self, blocks, ratio, levels, roots, width=SPACING):
         self.blocks = sorted(blocks, key=lambda block: block.level)  # stable
@@ -63,16 +67,18 @@ def finest_fractions(cells):
 
 
 def make_amr(levels=3, ratio=2, roots=(3, 3, 3), finest=None, width=SPACING):
-    """The ball, or the fractions of the finest level {name: (z, y, x)}; a block is refined where it holds an interface of the
-    first. Of the ball's 3 x 3 x 3 blocks those in the corners are not."""
+    """The ball, or the fractions of the finest level {name: (z, y, x)}; a block is refined where it
+    holds an interface of the first. Of the ball's 3 x 3 x 3 blocks those in the corners are not."""
     finest = finest or finest_fractions(np.array(roots) * BLOCK * ratio ** (levels - 1))
-    fields = [{name: means(values, ratio ** (levels - 1 - level)) for name, values in finest.items()}
+    fields = [{name: means(values, ratio ** (levels - 1 - level))
+               for name, values in finest.items()}
               for level in range(levels)]
     blocks = []
 
     def add(level, lo):
         x, y, z = lo
-        arrays = {name: values[z:z + BLOCK, y:y + BLOCK, x:x + BLOCK] for name, values in fields[level].items()}
+        arrays = {name: values[z:z + BLOCK, y:y + BLOCK, x:x + BLOCK]
+                  for name, values in fields[level].items()}
         refined = level + 1 < levels and 0 < next(iter(arrays.values())).mean() < 1
         blocks.append(AmrBlock(level, lo, arrays, not refined))
         if refined:
@@ -97,7 +103,8 @@ def uniform_grid(amr, block):
 def vtk_amr(amr, kind=vtkOverlappingAMR):
     """A VTK data set: all blocks when they may overlap, or the leaves alone."""
     overlapping = kind is vtkOverlappingAMR
-    grids = [[uniform_grid(amr, block) for block in amr.of_level(level) if overlapping or block.leaf] for level in range(amr.levels)]
+    grids = [[uniform_grid(amr, block) for block in amr.of_level(level) if overlapping
+              or block.leaf] for level in range(amr.levels)]
     return amr_data(grids, amr.ratio if overlapping else None)
 
 
@@ -115,19 +122,24 @@ def box_text(lo, hi):
 
 
 def write_plotfile(folder, amr, time=0.5):
-    """An AMReX plotfile (HyperCLaw-V1.1): a folder with Header and Level_0 ..; all values little endian doubles."""
+    """An AMReX plotfile (HyperCLaw-V1.1): a folder with Header and Level_0 ..; all values little
+    endian doubles."""
     shutil.rmtree(folder, ignore_errors=True)
     names = list(amr.blocks[0].arrays)
     upper = ORIGIN + amr.domain(0) * amr.width
-    lines = ["HyperCLaw-V1.1", len(names), *names, 3, repr(time), amr.levels - 1, "%r %r %r" % tuple(ORIGIN.tolist()),
+    lines = ["HyperCLaw-V1.1", len(names), *names, 3, repr(time), amr.levels - 1,
+             "%r %r %r" % tuple(ORIGIN.tolist()),
              "%r %r %r" % tuple(upper.tolist()), " ".join([str(amr.ratio)] * (amr.levels - 1)),
-             " ".join(box_text((0, 0, 0), amr.domain(level) - 1) for level in range(amr.levels)), " ".join(["0"] * amr.levels)]
-    lines += ["%r %r %r" % tuple(amr.spacing(level).tolist()) for level in range(amr.levels)] + [0, 0]
+             " ".join(box_text((0, 0, 0), amr.domain(level) - 1) for level in range(amr.levels)),
+             " ".join(["0"] * amr.levels)]
+    lines += ["%r %r %r" % tuple(amr.spacing(level).tolist())
+              for level in range(amr.levels)] + [0, 0]
     for level in range(amr.levels):
         blocks = amr.of_level(level)
         lines += ["%d %d %r" % (level, len(blocks), time), 0]
         for block in blocks:
-            lines += ["%r %r" % pair for pair in zip(amr.corner(block).tolist(), amr.corner(block, True).tolist())]
+            lines += ["%r %r" % pair
+                      for pair in zip(amr.corner(block).tolist(), amr.corner(block, True).tolist())]
         lines.append("Level_%d/Cell" % level)
         write_plotfile_level(os.path.join(folder, "Level_%d" % level), blocks, names)
     with open(os.path.join(folder, "Header"), "w") as out:
@@ -142,19 +154,22 @@ def write_plotfile_level(folder, blocks, names):
     with open(os.path.join(folder, "Cell_D_00000"), "wb") as out:
         for block, box in zip(blocks, boxes):
             header.append("FabOnDisk: Cell_D_00000 %d" % out.tell())
-            out.write(b"FAB ((8, (64 11 52 0 1 12 0 1023)),(8, (8 7 6 5 4 3 2 1)))%s %d\n" % (box.encode(), len(names)))
+            out.write(b"FAB ((8, (64 11 52 0 1 12 0 1023)),(8, (8 7 6 5 4 3 2 1)))%s %d\n"
+                      % (box.encode(), len(names)))
             for name in names:
                 out.write(np.asarray(block.arrays[name], "<f8").tobytes())
     for function in (np.min, np.max):
         header += ["", "%d,%d" % (len(blocks), len(names))]
-        header += ["".join("%r," % float(function(block.arrays[name])) for name in names) for block in blocks]
+        header += ["".join("%r," % float(function(block.arrays[name])) for name in names)
+                   for block in blocks]
     with open(os.path.join(folder, "Cell_H"), "w") as out:
         out.write("".join("%s\n" % line for line in header))
 
 
 def write_enzo(folder, amr, name="DD0001"):
-    """Enzo's parameter file, .hierarchy and one .cpu0000 of HDF5; returns the path of the .hierarchy. All children of a
-    block follow it and each other, as a list of grids of this level and one of the next."""
+    """Enzo's parameter file, .hierarchy and one .cpu0000 of HDF5; returns the path of the
+    .hierarchy. All children of a block follow it and each other, as a list of grids of this level
+    and one of the next."""
     import h5py
 
     os.makedirs(folder, exist_ok=True)
@@ -172,22 +187,26 @@ def write_enzo(folder, amr, name="DD0001"):
             text += ("\nGrid = %d\nTask = 0\nGridRank = 3\nGridDimension = %s\nGridStartIndex = 3 3 3\nGridEndIndex = %s\n"
                      "GridLeftEdge = %s\nGridRightEdge = %s\nTime = 0.5\nNumberOfBaryonFields = %d\nBaryonFileName = %s\n"
                      "NumberOfParticles = 0\n" % (
-                         number, row(block.size() + 6), row(block.size() + 2), row(amr.corner(block)),
+                         number, row(block.size() + 6), row(block.size() + 2),
+                         row(amr.corner(block)),
                          row(amr.corner(block, True)), len(block.arrays), name + ".cpu0000"))
             following = grids[number].level if number < len(grids) else block.level
-            # The reader gives what follows the level of the last grid that points to a next level, plus one.
+            # The reader gives what follows the level of the last grid that points to a next level,
+            # plus one.
             if following > block.level:
                 text += "Pointer: Grid[%d]->NextGridThisLevel = 0\nPointer: Grid[%d]->NextGridNextLevel = %d\n" % (
                     number, number, number + 1)
             else:
-                text += "Pointer: Grid[%d]->NextGridThisLevel = %d\n" % (number, number + 1 if number < len(grids) else 0)
+                text += "Pointer: Grid[%d]->NextGridThisLevel = %d\n" % (
+                    number, number + 1 if number < len(grids) else 0)
     with open(path + ".hierarchy", "w") as out:
         out.write(text)
     return path + ".hierarchy"
 
 
 def write_flash(path, amr, time=0.5):
-    """A FLASH3 checkpoint or plot file (format version 9): blocks of one size in an octree; levels count from 1."""
+    """A FLASH3 checkpoint or plot file (format version 9): blocks of one size in an octree; levels
+    count from 1."""
     import h5py
 
     assert amr.ratio == 2
@@ -195,10 +214,13 @@ def write_flash(path, amr, time=0.5):
     corners = np.array([[amr.corner(block), amr.corner(block, True)] for block in blocks])
     with h5py.File(path, "w") as out:
         out["sim info"] = np.array([(9,)], dtype=[("file format version", "<i4")])
-        whole = {"nxb": BLOCK, "nyb": BLOCK, "nzb": BLOCK, "globalnumblocks": len(blocks), "nstep": 1, "dimensionality": 3}
-        out["integer scalars"] = np.array([(name.ljust(20).encode(), value) for name, value in whole.items()],
+        whole = {"nxb": BLOCK, "nyb": BLOCK, "nzb": BLOCK, "globalnumblocks": len(blocks),
+                 "nstep": 1, "dimensionality": 3}
+        out["integer scalars"] = np.array([(name.ljust(20).encode(), value)
+                                           for name, value in whole.items()],
                                           dtype=[("name", "S20"), ("value", "<i4")])
-        out["real scalars"] = np.array([(b"time".ljust(20), time)], dtype=[("name", "S20"), ("value", "<f8")])
+        out["real scalars"] = np.array([(b"time".ljust(20), time)],
+                                       dtype=[("name", "S20"), ("value", "<f8")])
         out["gid"] = np.full((len(blocks), 15), -1, "<i4")
         out["bounding box"] = corners.transpose(0, 2, 1)
         out["coordinates"] = corners.mean(axis=1)
@@ -212,7 +234,8 @@ def write_flash(path, amr, time=0.5):
 
 
 def spyplot_blocks(amr, steps=1):
-    """The leaves as blocks of a SpyPlot file, with ghost cells of a value that no reader may let through."""
+    """The leaves as blocks of a SpyPlot file, with ghost cells of a value that no reader may let
+    through."""
     blocks = []
     for block in amr.blocks:
         if not block.leaf:

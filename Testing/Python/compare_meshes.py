@@ -1,10 +1,11 @@
 #!/usr/bin/env pvpython
 """Merges the pieces of a mesh by their global ids and compares meshes bit for bit.
 
-usage: pvpython compare_meshes.py MESH.pvtu GOLD.pvtu     also .vtu, and .pvtp and .vtp for surfaces, curves, vertices
+usage: pvpython compare_meshes.py MESH.pvtu GOLD.pvtu     also .vtu, and .pvtp and .vtp for
+       surfaces, curves, vertices
 
-Points that several pieces share must be the same in all; a cell may be in one piece only; field data must be the same
-in all pieces. The order of points and cells is of no matter.
+Points that several pieces share must be the same in all; a cell may be in one piece only; field
+data must be the same in all pieces. The order of points and cells is of no matter.
 """
 import os
 import sys
@@ -36,7 +37,8 @@ def arrays_of(attributes):
 
 
 def field_of(data):
-    arrays = [data.GetFieldData().GetAbstractArray(i) for i in range(data.GetFieldData().GetNumberOfArrays())]
+    arrays = [data.GetFieldData().GetAbstractArray(i)
+              for i in range(data.GetFieldData().GetNumberOfArrays())]
     return {a.GetName(): [a.GetValue(v) for v in range(a.GetNumberOfValues())] for a in arrays}
 
 
@@ -45,7 +47,8 @@ def piece_of(data):
     points = arrays_of(data.GetPointData())
     points["Points"] = vtk_to_numpy(data.GetPoints().GetData())
     cells = arrays_of(data.GetCellData())
-    kinds = [data.GetCells()] if data.IsA("vtkUnstructuredGrid") else [data.GetVerts(), data.GetLines(), data.GetPolys()]
+    kinds = [data.GetCells()] if data.IsA("vtkUnstructuredGrid") else [
+        data.GetVerts(), data.GetLines(), data.GetPolys()]
     filled = max(kinds, key=lambda kind: kind.GetNumberOfCells())
     ids = points["GlobalPointIds"][vtk_to_numpy(filled.GetConnectivityArray())]
     cells["Connectivity"] = ids.reshape(data.GetNumberOfCells(), -1)
@@ -59,30 +62,37 @@ def joined(pieces):
 
 def rows_as_bytes(arrays, order):
     """All arrays side by side, a row an item, each row as raw bytes: compares bit for bit."""
-    parts = [np.ascontiguousarray(arrays[name][order]).reshape(len(order), -1).view(np.uint8) for name in sorted(arrays)]
+    parts = [np.ascontiguousarray(arrays[name][order]).reshape(len(order), -1).view(np.uint8)
+             for name in sorted(arrays)]
     return np.concatenate(parts, axis=1)
 
 
 def merge(pieces):
-    """The whole of a mesh from its data sets: {"points", "cells": bytes a row in the order of the ids, "field"}."""
+    """The whole of a mesh from its data sets: {"points", "cells": bytes a row in the order of the
+    ids, "field"}."""
     filled = [piece for piece in pieces if piece.GetNumberOfCells() > 0]
     fields = [field_of(piece) for piece in pieces]
-    assert all(repr(field) == repr(fields[0]) for field in fields), "the pieces have different field data"
+    assert all(repr(field) == repr(fields[0])
+               for field in fields), "the pieces have different field data"
     if not filled:
-        return {"points": np.zeros((0, 0), np.uint8), "cells": np.zeros((0, 0), np.uint8), "field": repr(fields[0])}
+        return {"points": np.zeros((0, 0), np.uint8), "cells": np.zeros((0, 0), np.uint8),
+                "field": repr(fields[0])}
     points, cells = (joined(parts) for parts in zip(*map(piece_of, filled)))
     order = np.argsort(points["GlobalPointIds"], kind="stable")
     rows = rows_as_bytes(points, order)
     ids = points["GlobalPointIds"][order]
     repeated = ids[1:] == ids[:-1]
-    assert (rows[1:][repeated] == rows[:-1][repeated]).all(), "copies of a point differ between pieces"
+    assert (rows[1:][repeated] == rows[:-1][
+        repeated]).all(), "copies of a point differ between pieces"
     kept = np.concatenate([[True], ~repeated])
     if "GlobalCellIds" in cells:
-        assert len(np.unique(cells["GlobalCellIds"])) == len(cells["GlobalCellIds"]), "a cell is in two pieces"
+        assert len(np.unique(cells["GlobalCellIds"])) == len(
+            cells["GlobalCellIds"]), "a cell is in two pieces"
         cell_order = np.argsort(cells["GlobalCellIds"])
     else:
         cell_order = np.lexsort(np.sort(cells["Connectivity"], axis=1).T)
-    return {"points": rows[kept], "cells": rows_as_bytes(cells, cell_order), "field": repr(fields[0])}
+    return {"points": rows[kept], "cells": rows_as_bytes(cells, cell_order),
+            "field": repr(fields[0])}
 
 
 def difference(one, other):
@@ -93,7 +103,8 @@ def difference(one, other):
         differ = (one[part] != other[part]).any(axis=1)
         if differ.any():
             return "%d of %d %s differ" % (differ.sum(), len(differ), part)
-    return "" if one["field"] == other["field"] else "field data %s instead of %s" % (one["field"], other["field"])
+    return "" if one["field"] == other["field"] else "field data %s instead of %s" % (
+        one["field"], other["field"])
 
 
 if __name__ == "__main__":

@@ -1,13 +1,16 @@
-"""What the tests of conserved state share: state on cells, and totals in numpy of the cells of an input and of the elements of a mesh."""
+"""What the tests of conserved state share: state on cells, and totals in numpy of the cells of an
+input and of the elements of a mesh."""
 import numpy as np
 
 from vfmtest import (
-    SPACING, TET_METHODS, VolumeFractionToTet, ball_and_plate, elements, hex_volumes, image, mesh_of, points_of, tet_volumes)
+    SPACING, TET_METHODS, VolumeFractionToTet, ball_and_plate, elements, hex_volumes, image,
+    mesh_of, points_of, tet_volumes)
 
 MASS = ["temperature", "heat_capacity"]
 STATE = ["pressure", "inertia", "bulk", *MASS]
 KINDS = ["pressure=volume", "inertia=extensive", "bulk=cell", "temperature=mass*heat_capacity"]
-CONSERVE = {"DensityArrays": ["density"], "VelocityArray": "velocity", "EnergyArray": "energy", "StateArrays": STATE, "StateKinds": KINDS}
+CONSERVE = {"DensityArrays": ["density"], "VelocityArray": "velocity", "EnergyArray": "energy",
+            "StateArrays": STATE, "StateKinds": KINDS}
 BOTH = {"NodalVelocity": 1, "LostKineticEnergy": "Internal Energy"}
 TOLERANCE = 1e-13
 
@@ -19,28 +22,34 @@ def state(shape, seed=1, jump=10.0):
     noise = lambda: 0.2 * random.random(shape)
     density = np.where(z < 0.35, jump, 1.0) * (1 + 0.5 * x + 0.3 * y * y + noise())
     velocity = np.stack([np.sin(2 * x) + z + 0.3, x * y + noise(), -z + noise()], axis=-1)
-    return {"density": density, "velocity": velocity, "energy": 1 + x + noise(), "pressure": x * y - 0.2, "inertia": 2 + noise(),
-            "bulk": 1 + x + noise(), "temperature": 300 + 10 * z + noise(), "heat_capacity": np.where(z < 0.35, 4.0, 1.0) * (1 + y)}
+    return {"density": density, "velocity": velocity, "energy": 1 + x + noise(),
+            "pressure": x * y - 0.2, "inertia": 2 + noise(),
+            "bulk": 1 + x + noise(), "temperature": 300 + 10 * z + noise(),
+            "heat_capacity": np.where(z < 0.35, 4.0, 1.0) * (1 + y)}
 
 
 def cells_of(fractions, arrays, volume, density="density"):
-    """What cells hold: {material: {total: value}}; fractions: {material: of each cell}; volume: of each cell. density: that array, or
-    one of each material."""
+    """What cells hold: {material: {total: value}}; fractions: {material: of each cell}; volume: of
+    each cell. density: that array, or one of each material."""
     filled = sum(f for material, f in fractions.items() if material != 0)
     result = {}
     for material, fraction in fractions.items():
         own = fraction > 0
         volumes = (fraction * volume)[own]
         mass = volumes * arrays[density[material] if isinstance(density, dict) else density][own]
-        share = (fraction / np.where(filled > 0, filled, 1))[own] if material else (filled == 0)[own]
+        share = (fraction / np.where(filled > 0, filled,
+                                     1))[own] if material else (filled == 0)[own]
         cell_volume = np.broadcast_to(volume, fraction.shape)[own]
         totals = {"volume": volumes.sum(), "mass": mass.sum()}
         if "velocity" in arrays:
             velocity = arrays["velocity"][own]
             totals["momentum"] = mass @ velocity
             totals["kinetic"] = 0.5 * mass @ (velocity ** 2).sum(axis=1)
-        for name, weight in (("energy", mass), ("heat_capacity", mass), ("pressure", volumes), ("inertia", share), ("bulk", share * cell_volume),
-                             ("temperature", mass * arrays["heat_capacity"][own] if "heat_capacity" in arrays else mass)):
+        for name, weight in (("energy", mass), ("heat_capacity", mass), ("pressure", volumes),
+                             ("inertia", share), ("bulk", share * cell_volume),
+                             ("temperature",
+                              mass * arrays["heat_capacity"][own] if "heat_capacity" in arrays
+                              else mass)):
             if name in arrays:
                 totals[name] = (weight * arrays[name][own]).sum()
         result[material] = totals
@@ -60,19 +69,23 @@ def added(parts):
 
 def volumes_of(result):
     corners = elements(result)
-    return hex_volumes(points_of(result), corners) if corners.shape[1] == 8 else tet_volumes(points_of(result), corners)
+    return hex_volumes(points_of(result),
+                       corners) if corners.shape[1] == 8 else tet_volumes(
+                           points_of(result), corners)
 
 
 def nodal_kinetic(result, mass, name="velocity"):
     """Kinetic energy and momentum of the nodes, with the lumped mass of the elements."""
     corners, nodal = elements(result), result.points(name)
-    lumped = np.bincount(corners.ravel(), np.repeat(mass / corners.shape[1], corners.shape[1]), len(nodal))
+    lumped = np.bincount(corners.ravel(), np.repeat(mass / corners.shape[1], corners.shape[1]),
+                         len(nodal))
     return 0.5 * lumped @ (nodal ** 2).sum(axis=1), lumped @ nodal
 
 
 def elements_hold(result, density="density"):
     """What the elements hold: {material: {total: value}}."""
-    arrays = {result.mesh.GetCellData().GetArrayName(i) for i in range(result.mesh.GetCellData().GetNumberOfArrays())}
+    arrays = {result.mesh.GetCellData().GetArrayName(i)
+              for i in range(result.mesh.GetCellData().GetNumberOfArrays())}
     volume = volumes_of(result)
     mass = volume * result.cells(density)
     totals = {}
@@ -83,8 +96,11 @@ def elements_hold(result, density="density"):
             velocity = result.cells("velocity")[own]
             held["momentum"] = mass[own] @ velocity
             held["kinetic"] = 0.5 * mass[own] @ (velocity ** 2).sum(axis=1)
-        for name, weight in (("energy", mass), ("heat_capacity", mass), ("pressure", volume), ("inertia", 1 + 0 * mass), ("bulk", volume),
-                             ("temperature", mass * result.cells("heat_capacity") if "heat_capacity" in arrays else mass)):
+        for name, weight in (("energy", mass), ("heat_capacity", mass), ("pressure", volume),
+                             ("inertia", 1 + 0 * mass), ("bulk", volume),
+                             ("temperature",
+                              mass * result.cells("heat_capacity") if "heat_capacity" in arrays
+                              else mass)):
             if name in arrays:
                 held[name] = (weight * result.cells(name))[own].sum()
     return totals
@@ -95,7 +111,8 @@ def close(one, other, scale):
 
 
 def check_balance(result, cells, skipped=("volume", "kinetic"), unmeshed=None):
-    """What elements hold is what the cells did, but for what is told to be not meshed ({material: totals})."""
+    """What elements hold is what the cells did, but for what is told to be not meshed ({material:
+    totals})."""
     mesh = elements_hold(result)
     assert mesh.keys() <= cells.keys() and mesh, (mesh.keys(), cells.keys())
     for material, held in mesh.items():
@@ -113,7 +130,8 @@ def check_balance(result, cells, skipped=("volume", "kinetic"), unmeshed=None):
 
 
 def check_energy(result, cells, name="energy", lost=0.0):
-    """Internal and kinetic energy of the mesh, kinetic of the nodes where they have velocities, are together those of the cells."""
+    """Internal and kinetic energy of the mesh, kinetic of the nodes where they have velocities, are
+    together those of the cells."""
     volume = volumes_of(result)
     mass = volume * result.cells("density")
     internal = mass @ result.cells(name)
@@ -122,7 +140,8 @@ def check_energy(result, cells, name="energy", lost=0.0):
         assert close(momentum, mass @ result.cells("velocity"), np.sqrt(2 * mass.sum() * kinetic))
     else:
         kinetic = 0.5 * mass @ (result.cells("velocity") ** 2).sum(axis=1)
-    total = sum(cells[material]["energy"] + cells[material]["kinetic"] for material in result.field("MaterialIds"))
+    total = sum(cells[material]["energy"] + cells[material]["kinetic"]
+                for material in result.field("MaterialIds"))
     assert close(internal + kinetic + lost, total, total), (internal + kinetic + lost) / total - 1
 
 

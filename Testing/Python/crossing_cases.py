@@ -1,4 +1,5 @@
-"""Bodies that want fine cells in one place only, so that their interfaces cross levels (FineInterfaces off)."""
+"""Bodies that want fine cells in one place only, so that their interfaces cross levels
+(FineInterfaces off)."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -14,8 +15,8 @@ def text(values):
 
 
 def ball_with_film(n, fin):
-    """Exact fractions (z, y, x) in n cells along each axis of a ball, and of an oblique film beside it or, fin, one that sticks
-    out of it; the centre and the radius of the ball in cells."""
+    """Exact fractions (z, y, x) in n cells along each axis of a ball, and of an oblique film beside
+    it or, fin, one that sticks out of it; the centre and the radius of the ball in cells."""
     cell = 2 / n  # the box goes from -1 to 1
     radius = 0.25 * n
     centre = np.array([-0.16 * n, 0.01 * n, 0.007 * n])
@@ -24,7 +25,8 @@ def ball_with_film(n, fin):
     film = centre if fin else centre + (radius + 5) * normal
     shapes = "sphere radius=%r center=%s; plate thickness=%r center=%s normal=%s" % (
         radius * cell, text(centre * cell), FILM * cell, text(film * cell), text(normal))
-    sides = [((0, 0, 0), (-1, 0, 0)), ((1.9, 0, 0), (1, 0, 0.1)), ((0, 0.7, 0), (0, 1, 0.05)), ((0, -0.7, 0), (0, -1, 0.1))]
+    sides = [((0, 0, 0), (-1, 0, 0)), ((1.9, 0, 0), (1, 0, 0.1)), ((0, 0.7, 0), (0, 1, 0.05)),
+             ((0, -0.7, 0), (0, -1, 0.1))]
     for place, outwards in sides if fin else []:
         shapes += " cut=%s,%s" % (text((centre + radius * np.array(place)) * cell), text(outwards))
     source = VolumeFractionShapes(Dimensions=[n] * 3, Shapes=shapes)

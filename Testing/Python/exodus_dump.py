@@ -1,4 +1,5 @@
-"""Reads Exodus files through the text of ncdump, which shares no code with the writer or with ParaView's readers.
+"""Reads Exodus files through the text of ncdump, which shares no code with the writer or with
+ParaView's readers.
 
 Parts of one mesh are joined by their global ids, so that meshes compare whatever files they are in.
 """
@@ -8,12 +9,14 @@ import subprocess
 import numpy as np
 
 # Nodes of the sides, from 0, as the Exodus manual draws them: counterclockwise from outside.
-SIDES = {8: np.array([[1, 2, 6, 5], [2, 3, 7, 6], [3, 4, 8, 7], [1, 5, 8, 4], [1, 4, 3, 2], [5, 6, 7, 8]]) - 1,
+SIDES = {8: np.array([[1, 2, 6, 5], [2, 3, 7, 6], [3, 4, 8, 7], [1, 5, 8, 4], [1, 4, 3, 2],
+                      [5, 6, 7, 8]]) - 1,
          4: np.array([[1, 2, 4], [2, 3, 4], [1, 4, 3], [1, 3, 2]]) - 1}
 
 
 def run_ncdump(*arguments):
-    return subprocess.run(["ncdump", *arguments], check=True, stdout=subprocess.PIPE, text=True).stdout
+    return subprocess.run(["ncdump", *arguments], check=True, stdout=subprocess.PIPE,
+                          text=True).stdout
 
 
 def kind(path):
@@ -23,23 +26,30 @@ def kind(path):
 
 def parse_values(text):
     if '"' in text:
-        return [re.sub(r"\\(.)", r"\1", value) for value in re.findall(r'"((?:[^"\\]|\\.)*)"', text)]
+        return [re.sub(r"\\(.)", r"\1", value)
+                for value in re.findall(r'"((?:[^"\\]|\\.)*)"', text)]
     words = text.replace("\n", " ").split(",")
     whole = all(re.fullmatch(r"\s*-?\d+\s*", word) for word in words)
-    return np.array([int(word) for word in words], np.int64) if whole else np.array([float(word) for word in words])
+    return np.array([int(word) for word in words],
+                    np.int64) if whole else np.array([float(word) for word in words])
 
 
 class Dump:
-    """One file: sizes, attributes and variables as flat lists, by the names that the Exodus library gives them."""
+    """One file: sizes, attributes and variables as flat lists, by the names that the Exodus library
+    gives them."""
 
     def __init__(self, path):
         text = run_ncdump("-p", "9,17", path)
         head, _, data = text.partition("\ndata:\n")
-        self.sizes = {name: int(size) for name, size in re.findall(r"^\t(\w+) = (?:UNLIMITED ; // \()?(\d+)", head, re.M)}
+        self.sizes = {name: int(size)
+                      for name, size in re.findall(r"^\t(\w+) = (?:UNLIMITED ; // \()?(\d+)", head,
+                                                   re.M)}
         self.attributes = dict(re.findall(r'^\t\t(\w*:\w+) = "?(.*?)"? ;$', head, re.M))
-        self.types = {name: word for word, name in re.findall(r"^\t(\w+) (\w+)(?:\(|;| ;)", head, re.M)}
+        self.types = {name: word
+                      for word, name in re.findall(r"^\t(\w+) (\w+)(?:\(|;| ;)", head, re.M)}
         # a value may hold ";", a line that ends with " ;" ends the variable
-        self.values = {name: parse_values(values) for name, values in re.findall(r"^ (\w+) =\s(.*?) ;$", data, re.M | re.S)}
+        self.values = {name: parse_values(values)
+                       for name, values in re.findall(r"^ (\w+) =\s(.*?) ;$", data, re.M | re.S)}
 
     def size(self, name):
         return self.sizes.get(name, 0)
@@ -72,7 +82,9 @@ class Dump:
         result = {}
         for v, name in enumerate(self.values.get("name_%s_var" % kind, []), 1):
             parts = ["%s%deb%d" % (prefix, v, b + 1) for b in range(self.size("num_el_blk"))]
-            result[name] = np.concatenate([self.get(part) for part in (parts if kind == "elem" else [prefix + str(v)])])
+            result[name] = np.concatenate([self.get(part)
+                                           for part in (parts if kind == "elem"
+                                                        else [prefix + str(v)])])
         return result
 
     def globals(self):
@@ -91,16 +103,19 @@ def add(items, key, value, what):
 
 def rows(variables, count):
     """A tuple of all variables, in the order of their names, for each of count items."""
-    return list(zip(*(variables[name].tolist() for name in sorted(variables)))) if variables else [()] * count
+    return list(zip(*(variables[name].tolist()
+                      for name in sorted(variables)))) if variables else [()] * count
 
 
 def join(dumps):
     """The mesh in the files as dictionaries by global ids.
 
-    blocks {id: name}, nodes {id: (x, y, z, variables ..)}, elements {id: (block id, node ids, variables ..)},
-    side sets and node sets {(id, name): set of (element id, node ids of the face) or of node ids}.
+    blocks {id: name}, nodes {id: (x, y, z, variables ..)}, elements {id: (block id, node ids,
+    variables ..)}, side sets and node sets {(id, name): set of (element id, node ids of the face)
+    or of node ids}.
     """
-    mesh = {"blocks": {}, "nodes": {}, "elements": {}, "sides": {}, "node sets": {}, "globals": None}
+    mesh = {"blocks": {}, "nodes": {}, "elements": {}, "sides": {}, "node sets": {},
+            "globals": None}
     for dump in dumps:
         node_ids, element_ids = dump.get("node_num_map").tolist(), dump.get("elem_num_map").tolist()
         elements, points = dump.elements(), dump.points()
@@ -113,7 +128,8 @@ def join(dumps):
         variables = rows(dump.variables("elem", "vals_elem_var"), len(element_ids))
         for element, (block, corners), values in zip(element_ids, elements, variables):
             assert element not in mesh["elements"], "an element is in two parts"
-            mesh["elements"][element] = (blocks[block], tuple(node_ids[c] for c in corners), *values)
+            mesh["elements"][element] = (blocks[block], tuple(node_ids[c] for c in corners),
+                                         *values)
         for i, key in enumerate(zip(dump.get("ss_prop1").tolist(), dump.names("ss"))):
             faces = mesh["sides"].setdefault(key, set())
             new = {(element_ids[e], tuple(sorted(node_ids[c] for c in corners)))
@@ -121,22 +137,27 @@ def join(dumps):
             assert len(new) == len(dump.sides(i)[0]) and not new & faces, "a side is there twice"
             faces |= new
         for i, key in enumerate(zip(dump.get("ns_prop1").tolist(), dump.names("ns"))):
-            mesh["node sets"].setdefault(key, set()).update(node_ids[n - 1] for n in dump.get("node_ns%d" % (i + 1)))
+            mesh["node sets"].setdefault(key,
+                                         set()).update(node_ids[n - 1]
+                                                       for n in dump.get("node_ns%d" % (i + 1)))
         mesh["globals"] = dump.globals()
     return mesh
 
 
 def check_parts(dumps):
-    """What Nemesis says in each part agrees with all parts together; communication maps are mutual."""
+    """What Nemesis says in each part agrees with all parts together; communication maps are
+    mutual."""
     mesh, shared = join(dumps), {}
     for rank, dump in enumerate(dumps):
         assert (dump.size("num_processors"), dump.size("num_procs_file")) == (len(dumps), 1)
         assert dump.size("num_nodes_global") == len(mesh["nodes"])
         assert dump.size("num_elems_global") == len(mesh["elements"])
-        assert dump.get("el_blk_ids_global").tolist() == list(mesh["blocks"]) == dump.get("eb_prop1").tolist()
+        assert dump.get("el_blk_ids_global").tolist() == list(mesh["blocks"]) == dump.get(
+            "eb_prop1").tolist()
         counts = [sum(e[0] == block for e in mesh["elements"].values()) for block in mesh["blocks"]]
         assert dump.get("el_blk_cnt_global").tolist() == counts
-        for kind, sets, count in (("ss", mesh["sides"], "ss_side_cnt_global"), ("ns", mesh["node sets"], "ns_node_cnt_global")):
+        for kind, sets, count in (("ss", mesh["sides"], "ss_side_cnt_global"),
+                                  ("ns", mesh["node sets"], "ns_node_cnt_global")):
             assert dump.get("%s_ids_global" % kind).tolist() == [key[0] for key in sets]
             assert dump.get(count).tolist() == [len(items) for items in sets.values()]
         node_ids = dump.get("node_num_map")
@@ -149,7 +170,8 @@ def check_parts(dumps):
         border = set(nodes.tolist())
         assert set((dump.get("node_mapb") - 1).tolist()) == border
         assert set((dump.get("node_mapi") - 1).tolist()) == set(range(len(node_ids))) - border
-        on_border = {e for e, (_, corners) in enumerate(dump.elements()) if border & set(corners.tolist())}
+        on_border = {e for e, (_, corners) in enumerate(dump.elements())
+                     if border & set(corners.tolist())}
         assert set((dump.get("elem_mapb") - 1).tolist()) == on_border
         assert len(dump.get("elem_mapi")) + len(on_border) == dump.size("num_elem")
     nodes_of = [set(dump.get("node_num_map").tolist()) for dump in dumps]
@@ -157,4 +179,6 @@ def check_parts(dumps):
         for other in range(len(dumps)):
             both = nodes_of[one] & nodes_of[other] if one != other else set()
             assert set(shared.get((one, other), [])) == both, "nodes of %d and %d" % (one, other)
-            assert shared.get((one, other)) == shared.get((other, one)), "the maps of %d and %d differ" % (one, other)
+            assert shared.get((one, other)) == shared.get((other,
+                                                           one)), "the maps of %d and %d differ" % (
+                                                               one, other)

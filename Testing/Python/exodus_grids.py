@@ -1,7 +1,9 @@
 """Hexahedra that form a Cartesian grid, and Exodus files of them.
 
-mpiexec -n P pvbatch --sym exodus_grids.py write FILE                   writes FILE.P.0, ..., each a ragged part of the grid
-mpiexec -n P pvbatch --sym exodus_grids.py mesh READER STEP FILE OUT    meshes FILE, read by OpenDataFile, IOSSReader or ExodusIIReader
+mpiexec -n P pvbatch --sym exodus_grids.py write FILE                   writes FILE.P.0, ..., each a
+ragged part of the grid
+mpiexec -n P pvbatch --sym exodus_grids.py mesh READER STEP FILE OUT    meshes FILE, read by
+OpenDataFile, IOSSReader or ExodusIIReader
 """
 import sys
 
@@ -11,26 +13,31 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_HEXAHEDRON, VTK_VOXEL, vtkCellArray, vtkCompositeDataSet, vtkDataAssembly, vtkPartitionedDataSetCollection,
-    vtkUnstructuredGrid)
+    VTK_HEXAHEDRON, VTK_VOXEL, vtkCellArray, vtkCompositeDataSet, vtkDataAssembly,
+    vtkPartitionedDataSetCollection, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from vfmtest import ORIGIN, SPACING, VolumeFractionToHex, ball_and_plate, main, needs_vtk, simple
 
-CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1],
+                    [0, 1, 1]])
 VOXEL_CORNERS = CORNERS[[0, 1, 3, 2, 4, 5, 7, 6]]
 N = 12
 UNIFORM = [ORIGIN[a] + SPACING[a] * np.arange(N + 1.0) for a in range(3)]
-GRADED = [np.cumsum(np.resize(widths, N + 1)) for widths in ([0.25, 0.5, 0.375], [0.5, 0.25], [0.25])]  # exact as float, too
+# exact as float, too
+GRADED = [np.cumsum(np.resize(widths, N + 1))
+          for widths in ([0.25, 0.5, 0.375], [0.5, 0.25], [0.25])]
 TIMES = [0.5, 2.0]
 
 
 def fields(step=0):
-    """The element variables at a time: MAT_10 and MAT_20 of ball_and_plate, and each cell's number."""
+    """The element variables at a time: MAT_10 and MAT_20 of ball_and_plate, and each cell's
+    number."""
     ball, plate = ball_and_plate(N)
     turn = slice(None, None, -1 if step else 1)
-    return {"MAT_10": ball[turn], "MAT_20": plate[turn], "number": np.arange(N ** 3, dtype=float).reshape(N, N, N)}
+    return {"MAT_10": ball[turn], "MAT_20": plate[turn],
+            "number": np.arange(N ** 3, dtype=float).reshape(N, N, N)}
 
 
 def shuffled(seed=1):
@@ -47,7 +54,8 @@ def ragged(rank, ranks):
 
 
 def hexes(arrays, cells, coordinates=UNIFORM, kind=VTK_HEXAHEDRON):
-    """The cells with these numbers, x fastest, in that order, with cell arrays {name: values (z, y, x)} and global ids."""
+    """The cells with these numbers, x fastest, in that order, with cell arrays {name: values (z, y,
+    x)} and global ids."""
     size = np.array([len(x) - 1 for x in coordinates])
     z, y, x = np.unravel_index(cells, size[::-1])
     corners = CORNERS if kind == VTK_HEXAHEDRON else VOXEL_CORNERS
@@ -61,13 +69,15 @@ def hexes(arrays, cells, coordinates=UNIFORM, kind=VTK_HEXAHEDRON):
     connected.SetData(8, numpy_to_vtkIdTypeArray(connectivity.ravel().astype(np.int64), deep=1))
     grid.SetPoints(holder)
     grid.SetCells(kind, connected)
-    for attributes, numbers in ((grid.GetCellData(), np.asarray(cells)), (grid.GetPointData(), used)):
+    for attributes, numbers in ((grid.GetCellData(), np.asarray(cells)),
+                                (grid.GetPointData(), used)):
         array = numpy_to_vtkIdTypeArray(numbers.astype(np.int64) + 1, deep=1)
         array.SetName("ids")
         attributes.SetGlobalIds(array)
     for name, values in arrays.items():
         values = np.asarray(values)
-        array = numpy_to_vtk(np.ascontiguousarray(values.reshape(-1, *values.shape[3:])[cells]), deep=1)
+        array = numpy_to_vtk(np.ascontiguousarray(values.reshape(-1, *values.shape[3:])[cells]),
+                             deep=1)
         array.SetName(name)
         grid.GetCellData().AddArray(array)
     return grid
@@ -90,7 +100,8 @@ class Steps(VTKPythonAlgorithmBase):
     """Element blocks that change with time."""
 
     def __init__(self, times, make):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPartitionedDataSetCollection")
+        super().__init__(nInputPorts=0, nOutputPorts=1,
+                         outputType="vtkPartitionedDataSetCollection")
         self.times, self.make = times, make
 
     def RequestInformation(self, request, inputs, outputs):
@@ -123,7 +134,9 @@ def write_ragged(path):
     controller = vtkMultiProcessController.GetGlobalController()
     cells = ragged(controller.GetLocalProcessId(), controller.GetNumberOfProcesses())
     half = len(cells) // 2
-    write_exodus(path, lambda step: {"left": hexes(fields(step), cells[:half]), "right": hexes(fields(step), cells[half:])})
+    write_exodus(path,
+                 lambda step: {"left": hexes(fields(step), cells[:half]),
+                               "right": hexes(fields(step), cells[half:])})
 
 
 def read(kind, path):

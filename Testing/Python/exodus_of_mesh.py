@@ -10,9 +10,11 @@ def columns(attributes):
     """The variables that a file has of the arrays: vectors by X, Y, Z; no ids."""
     result = {}
     for i in range(attributes.GetNumberOfArrays()):
-        name, values = attributes.GetArrayName(i), vtk_to_numpy(attributes.GetArray(i)).astype(float)
+        name, values = attributes.GetArrayName(i), vtk_to_numpy(attributes.GetArray(i)).astype(
+            float)
         if not name.startswith("Global"):
-            result.update({name: values} if values.ndim == 1 else {name + "_" + axis: values[:, a] for a, axis in enumerate("XYZ")})
+            result.update({name: values} if values.ndim == 1
+                          else {name + "_" + axis: values[:, a] for a, axis in enumerate("XYZ")})
     return np.array([result[name] for name in sorted(result)]).T.tolist()
 
 
@@ -24,10 +26,12 @@ def expected(mesh):
     block_of = lambda material: int(material) or int(void)
     sides, nodes = find_sets(mesh)
     points = vtk_to_numpy(mesh.GetPoints().GetData()).tolist()
-    cells = zip(array(mesh.GetCellData(), "GlobalCellIds").tolist(), materials, ids[elements_of(mesh)].tolist(),
-                columns(mesh.GetCellData()))
-    return {"blocks": {block_of(m): names[m] for m in set(materials.tolist())}, "sides": sides, "node sets": nodes,
-            "nodes": {i: (*p, *v) for i, p, v in zip(ids.tolist(), points, columns(mesh.GetPointData()))},
+    cells = zip(array(mesh.GetCellData(), "GlobalCellIds").tolist(), materials,
+                ids[elements_of(mesh)].tolist(), columns(mesh.GetCellData()))
+    return {"blocks": {block_of(m): names[m] for m in set(materials.tolist())}, "sides": sides,
+            "node sets": nodes,
+            "nodes": {i: (*p, *v)
+                      for i, p, v in zip(ids.tolist(), points, columns(mesh.GetPointData()))},
             "elements": {i: (block_of(m), tuple(c), *v) for i, m, c, v in cells}}
 
 
@@ -41,4 +45,5 @@ def check(dumps, mesh, wanted=None):
         assert found["globals"][name] == field.GetArray(name).GetTuple1(0)
     for dump in dumps:
         assert dump.get("qa_records")[0] == "VolumeFractionMesh"
-        assert dump.sizes["time_step"] == 1 and dump.attributes["connect1:elem_type"] == ("HEX8" if mesh.GetCellType(0) == 12 else "TETRA")
+        assert dump.sizes["time_step"] == 1 and dump.attributes["connect1:elem_type"] == (
+            "HEX8" if mesh.GetCellType(0) == 12 else "TETRA")

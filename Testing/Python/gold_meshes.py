@@ -1,4 +1,5 @@
-"""Meshes that any number of ranks must make bit for bit as one rank alone did, which keeps them in a folder."""
+"""Meshes that any number of ranks must make bit for bit as one rank alone did, which keeps them in
+a folder."""
 import os
 import pickle
 

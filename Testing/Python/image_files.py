@@ -1,5 +1,6 @@
-"""Files of images, one value a voxel, as the programs of medical imaging and of grain structures write them, for tests of their
-readers. Values are (z, y, x); a place is where the middle of the first voxel lies and the steps to the next along x, y and z."""
+"""Files of images, one value a voxel, as the programs of medical imaging and of grain structures
+write them, for tests of their readers. Values are (z, y, x); a place is where the middle of the
+first voxel lies and the steps to the next along x, y and z."""
 import gzip
 import os
 import struct
@@ -11,11 +12,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkTIFFWriter
 
-NIFTI_TYPES = {"u1": 2, "i2": 4, "i4": 8, "f4": 16, "f8": 64, "i1": 256, "u2": 512, "u4": 768, "i8": 1024, "u8": 1280}
-NRRD_TYPES = {"u1": "unsigned char", "i1": "signed char", "u2": "ushort", "i2": "short", "u4": "uint32", "i4": "int", "f4": "float",
-              "f8": "double"}
-META_TYPES = {"u1": "MET_UCHAR", "i1": "MET_CHAR", "u2": "MET_USHORT", "i2": "MET_SHORT", "i4": "MET_INT", "f4": "MET_FLOAT",
-              "f8": "MET_DOUBLE"}
+NIFTI_TYPES = {"u1": 2, "i2": 4, "i4": 8, "f4": 16, "f8": 64, "i1": 256, "u2": 512, "u4": 768,
+               "i8": 1024, "u8": 1280}
+NRRD_TYPES = {"u1": "unsigned char", "i1": "signed char", "u2": "ushort", "i2": "short",
+              "u4": "uint32", "i4": "int", "f4": "float", "f8": "double"}
+META_TYPES = {"u1": "MET_UCHAR", "i1": "MET_CHAR", "u2": "MET_USHORT", "i2": "MET_SHORT",
+              "i4": "MET_INT", "f4": "MET_FLOAT", "f8": "MET_DOUBLE"}
 STRAIGHT = np.diag([0.25, 0.25, 0.5])  # steps
 
 
@@ -36,7 +38,8 @@ def quaternion(axes):
     r = np.transpose(axes)
     a = np.sqrt(max(0.0, 1 + np.trace(r))) / 2
     if a > 0.1:
-        return [(r[2, 1] - r[1, 2]) / (4 * a), (r[0, 2] - r[2, 0]) / (4 * a), (r[1, 0] - r[0, 1]) / (4 * a)]
+        return [(r[2, 1] - r[1, 2]) / (4 * a), (r[0, 2] - r[2, 0]) / (4 * a),
+                (r[1, 0] - r[0, 1]) / (4 * a)]
     b, c, d = np.sqrt(np.maximum(0.0, 1 + 2 * np.diag(r) - np.trace(r))) / 2
     return [b, np.copysign(c, r[0, 1]), np.copysign(d, r[0, 2])]  # b above 0
 
@@ -67,13 +70,15 @@ def write_nifti(path, values, origin, steps=STRAIGHT, forms="s", slope=(1, 0), d
     return save(path, bytes(header), values.astype(order + kind(values)).tobytes())
 
 
-def write_nrrd(path, values, origin, steps=STRAIGHT, encoding="gzip", space="left-posterior-superior", more="", data=None):
+def write_nrrd(path, values, origin, steps=STRAIGHT, encoding="gzip",
+               space="left-posterior-superior", more="", data=None):
     """data: the name of a file beside it that takes the values."""
     vector = lambda v: "(%s)" % ",".join(repr(float(x)) for x in v)
     head = "NRRD0005\n# by a test\ntype: %s\ndimension: 3\n" % NRRD_TYPES[kind(values)]
     head += "space: %s\n" % space if space else ""
     head += "sizes: %d %d %d\n" % values.shape[::-1]
-    head += "space directions: %s\nspace origin: %s\n" % (" ".join(map(vector, steps)), vector(origin)) if space else (
+    head += "space directions: %s\nspace origin: %s\n" % (" ".join(map(vector, steps)),
+                                                          vector(origin)) if space else (
         "spacings: %r %r %r\n" % tuple(np.diag(steps)))
     head += "kinds: domain domain domain\nendian: little\nencoding: %s\n%s" % (encoding, more)
     values = values.astype("<" + kind(values)).tobytes()
@@ -96,7 +101,8 @@ def write_meta(path, values, origin, steps=STRAIGHT, packed=False):
     head = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = %s\n" % bool(packed)
     head += "CompressedDataSize = %d\n" % len(data) if packed else ""
     head += "TransformMatrix = %s\nOffset = %s\nElementSpacing = %s\nDimSize = %d %d %d\nElementType = %s\nElementDataFile = %s\n" % (
-        numbers(steps / spacing[:, None]), numbers(origin), numbers(spacing), *values.shape[::-1], META_TYPES[kind(values)], raw)
+        numbers(steps / spacing[:, None]), numbers(origin), numbers(spacing), *values.shape[::-1],
+        META_TYPES[kind(values)], raw)
     if not local:
         save(os.path.join(os.path.dirname(path), raw), data)
     return save(path, head.encode(), data if local else b"")
@@ -118,21 +124,26 @@ def write_imagej(path, values):
     """As ImageJ does with stacks above 4 GB: one page, the other slices behind it."""
     depth, height, width = values.shape
     text = b"ImageJ=1.53t\nimages=%d\nslices=%d\n\0" % (depth, depth)
-    tags = {256: width, 257: height, 258: 8, 259: 1, 262: 1, 270: 0, 273: 0, 277: 1, 278: height, 279: width * height}
+    tags = {256: width, 257: height, 258: 8, 259: 1, 262: 1, 270: 0, 273: 0, 277: 1, 278: height,
+            279: width * height}
     start = 8 + 2 + 12 * len(tags) + 4
     tags[270], tags[273] = start, start + len(text)
-    entries = [struct.pack("<HHII", tag, 2 if tag == 270 else 4, len(text) if tag == 270 else 1, tags[tag]) for tag in sorted(tags)]
-    return save(path, struct.pack("<2sHIH", b"II", 42, 8, len(tags)), *entries, bytes(4), text, values.astype("u1").tobytes())
+    entries = [struct.pack("<HHII", tag, 2 if tag == 270 else 4, len(text) if tag == 270 else 1,
+                           tags[tag]) for tag in sorted(tags)]
+    return save(path, struct.pack("<2sHIH", b"II", 42, 8, len(tags)), *entries, bytes(4), text,
+                values.astype("u1").tobytes())
 
 
 def write_dream3d(path, values, origin, spacing, name="FeatureIds", more=()):
-    """As DREAM.3D 6 does; the origin is the corner of the first cell. more: names of the other containers with the same."""
+    """As DREAM.3D 6 does; the origin is the corner of the first cell. more: names of the other
+    containers with the same."""
     with h5py.File(path, "w") as file:
         for container in ("ImageDataContainer", *more):
             group = file.create_group("DataContainers/" + container)
             geometry = group.create_group("_SIMPL_GEOMETRY")
             geometry["DIMENSIONS"] = np.array(values.shape[::-1], "i8")
-            geometry["SPACING"], geometry["ORIGIN"] = np.array(spacing, "f4"), np.array(origin, "f4")
+            geometry["SPACING"], geometry["ORIGIN"] = np.array(spacing, "f4"), np.array(
+                origin, "f4")
             group["CellData/" + name] = values[..., None]
             group["CellData/EulerAngles"] = np.zeros(values.shape + (3,), "f4")
             group["CellFeatureData/Volumes"] = np.zeros((4, 1), "f4")
@@ -146,7 +157,8 @@ def write_dream3d_nx(path, values, origin, spacing):
         geometry = file.create_group("DataStructure/Small IN100/Image Geometry")
         geometry.attrs["ObjectType"] = np.bytes_("ImageGeom")
         geometry.attrs["_DIMENSIONS"] = np.array(values.shape[::-1], "u8")
-        geometry.attrs["_SPACING"], geometry.attrs["_ORIGIN"] = np.array(spacing, "f4"), np.array(origin, "f4")
+        geometry.attrs["_SPACING"], geometry.attrs["_ORIGIN"] = np.array(spacing, "f4"), np.array(
+            origin, "f4")
         geometry.create_dataset("Cell Data/FeatureIds", data=values[..., None], compression="gzip")
         geometry.create_dataset("Cell Data/Phases", data=np.ones(values.shape + (1,), "i4"))
     return path

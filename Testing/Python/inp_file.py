@@ -1,18 +1,20 @@
-"""Reads the mesh of an Abaqus input file, strictly: what the writer should not write is an error."""
+"""Reads the mesh of an Abaqus input file, strictly: what the writer should not write is an
+error."""
 import re
 
 import numpy as np
 
 NAME = re.compile(r"[A-Z][A-Z0-9_]{0,79}\Z")
 # Corners of the faces S1, S2, ... of the manual.
-FACES = {"C3D8": [(1, 2, 3, 4), (5, 8, 7, 6), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 8, 4), (4, 8, 5, 1)],
+FACES = {"C3D8": [(1, 2, 3, 4), (5, 8, 7, 6), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 8, 4),
+                  (4, 8, 5, 1)],
          "C3D4": [(1, 2, 3), (1, 4, 2), (2, 4, 3), (3, 4, 1)]}
 
 
 class InpFile:
-    """heading: lines. comments: lines. nodes: text of coordinates (n, 3). elements: {number: corners}. element_sets,
-    node_sets: {name: numbers}. surfaces: {name: [(element, face)]}, faces from 1. velocities: text of components (n, 3). All numbers are
-    those of the file."""
+    """heading: lines. comments: lines. nodes: text of coordinates (n, 3). elements: {number:
+    corners}. element_sets, node_sets: {name: numbers}. surfaces: {name: [(element, face)]}, faces
+    from 1. velocities: text of components (n, 3). All numbers are those of the file."""
 
     def __init__(self, path):
         with open(path, encoding="ascii") as file:
@@ -31,7 +33,8 @@ class InpFile:
             else:
                 read(line)
         self.nodes = np.array(self.nodes)
-        assert set(self.element_sets) & set(self.surfaces) == set(), "CalculiX loses loads on surfaces of such names"
+        assert set(self.element_sets) & set(
+            self.surfaces) == set(), "CalculiX loses loads on surfaces of such names"
 
     def start(self, line):
         """What reads the data lines under a keyword."""
@@ -72,7 +75,8 @@ class InpFile:
         if axis == "1":
             self.velocities.append([])
         self.velocities[-1].append(component)
-        assert (int(node), int(axis)) == (len(self.velocities), len(self.velocities[-1])) and len(component) <= 20, text
+        assert (int(node), int(axis)) == (len(self.velocities),
+                                          len(self.velocities[-1])) and len(component) <= 20, text
 
     def read_element(self, text, numbers):
         number, *corners = map(int, text.split(","))

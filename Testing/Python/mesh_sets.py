@@ -19,17 +19,20 @@ def material_names(mesh):
     """{id: name}, 0 the void."""
     field = mesh.GetFieldData()
     names, ids = field.GetAbstractArray("MaterialNames"), field.GetArray("MaterialIds")
-    return {0: "Void", **{int(ids.GetTuple1(i)): names.GetValue(i) for i in range(names.GetNumberOfValues())}}
+    return {0: "Void",
+            **{int(ids.GetTuple1(i)): names.GetValue(i) for i in range(names.GetNumberOfValues())}}
 
 
 def on_sides(mesh):
     """Whether each point is on each of the six sides of the domain."""
-    points, bounds = vtk_to_numpy(mesh.GetPoints().GetData()), array(mesh.GetFieldData(), "DomainBounds")
+    points, bounds = vtk_to_numpy(mesh.GetPoints().GetData()), array(
+        mesh.GetFieldData(), "DomainBounds")
     return np.stack([points[:, side // 2] == bounds[side] for side in range(6)], axis=1)
 
 
 def find_sets(mesh):
-    """({(id, name): set of (element id, sorted point ids)}, {(id, name): set of point ids}) of a whole mesh."""
+    """({(id, name): set of (element id, sorted point ids)}, {(id, name): set of point ids}) of a
+    whole mesh."""
     cells, ids = elements_of(mesh), array(mesh.GetPointData(), "GlobalPointIds")
     table = HEX_FACES if cells.shape[1] == 8 else TET_FACES
     materials, names = array(mesh.GetCellData(), "MaterialId").tolist(), material_names(mesh)
@@ -52,5 +55,6 @@ def find_sets(mesh):
                 one, other = materials[element], (behind or [0])[0]
                 key = ((one or void) * 1000 + other, "%s_to_%s" % (names[one], names[other]))
             side_sets.setdefault(key, set()).add((cell_ids[element], points))
-    node_sets = {(s + 1, AXES[s]): set(ids[sides[:, s]].tolist()) for s in range(6) if sides[:, s].any()}
+    node_sets = {(s + 1, AXES[s]): set(ids[sides[:, s]].tolist()) for s in range(6)
+                 if sides[:, s].any()}
     return side_sets, node_sets

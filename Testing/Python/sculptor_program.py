@@ -26,7 +26,8 @@ def refused(code, text, *arguments, ranks=1):
     result = sculptor(*arguments, ranks=ranks)
     lines = result.stderr.splitlines()
     assert result.returncode == code, (code, result)
-    assert len(lines) == 1 and lines[0].startswith("sculptor: ") and text in lines[0], (text, result)
+    assert len(lines) == 1 and lines[0].startswith("sculptor: ") and text in lines[0], (
+        text, result)
     assert result.stdout == "", result
 
 
@@ -41,11 +42,13 @@ def rows(text):
 
 
 def check_same(output, mesh, time=None, besides=()):
-    """The file holds the mesh, and its time when it has one; besides: field data that it has beside the mesh's."""
+    """The file holds the mesh, and its time when it has one; besides: field data that it has beside
+    the mesh's."""
     pieces = read_pieces(output)
     for piece in pieces:
         field = piece.GetFieldData()
-        assert (field.GetArray("TimeValue").GetTuple1(0) if time is not None else field.GetArray("TimeValue")) == time
+        assert (field.GetArray("TimeValue").GetTuple1(0) if time is not None
+                else field.GetArray("TimeValue")) == time
         for name in ("TimeValue", *besides):
             field.RemoveArray(name)
     problem = difference(merge(pieces), merge([mesh]))

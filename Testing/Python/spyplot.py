@@ -1,6 +1,8 @@
-"""Writes SpyPlot files as CTH does, for tests: a case file and binary files of blocks with one layer of ghost cells.
+"""Writes SpyPlot files as CTH does, for tests: a case file and binary files of blocks with one
+layer of ghost cells.
 
-All numbers are big endian; coordinates and fields are float32, run-length encoded; file positions are doubles.
+All numbers are big endian; coordinates and fields are float32, run-length encoded; file positions
+are doubles.
 """
 import os
 import struct
@@ -13,7 +15,8 @@ LONGEST_RUN = 127
 
 
 class Block:
-    """Node coordinates x y z and the fields of each time, {name: (z, y, x)}; both with the layer of ghost cells."""
+    """Node coordinates x y z and the fields of each time, {name: (z, y, x)}; both with the layer of
+    ghost cells."""
 
     def __init__(self, coordinates, steps, level=0):
         self.coordinates = [np.asarray(x, np.float32) for x in coordinates]
@@ -30,9 +33,11 @@ def with_ghosts(x):
 
 
 def split(coordinates, steps, counts=(1, 1, 1)):
-    """A domain without ghost cells as counts blocks in x y z, x first; coordinates and steps as those of a Block."""
+    """A domain without ghost cells as counts blocks in x y z, x first; coordinates and steps as
+    those of a Block."""
     nodes = [with_ghosts(np.asarray(x, float)) for x in coordinates]
-    padded = [{name: np.pad(value, 1, constant_values=OUTSIDE) for name, value in step.items()} for step in steps]
+    padded = [{name: np.pad(value, 1, constant_values=OUTSIDE) for name, value in step.items()}
+              for step in steps]
     spans = [[(part[0], part[-1] + 3) for part in np.array_split(np.arange(len(x) - 1), count)]
              for x, count in zip(coordinates, counts)]  # in padded cells
     return [Block([nodes[0][i:I + 1], nodes[1][j:J + 1], nodes[2][k:K + 1]],
@@ -58,7 +63,8 @@ def chunk(data):
 
 
 def encode(values):
-    """Run-length code: a byte n < 128 before one value that counts n times, or 128 + n before n values."""
+    """Run-length code: a byte n < 128 before one value that counts n times, or 128 + n before n
+    values."""
     values = np.asarray(values, ">f4").ravel()
     starts = np.concatenate([[0], np.flatnonzero(values[1:] != values[:-1]) + 1, [len(values)]])
     result, single = b"", []
@@ -84,7 +90,8 @@ def encode(values):
 
 
 def encode_nodes(x):
-    """First node and step, then run-length code of what is left of each node without its number of steps."""
+    """First node and step, then run-length code of what is left of each node without its number of
+    steps."""
     step = x[1] - x[0]
     if not np.array_equal(x, x[0] + np.arange(len(x), dtype=np.float32) * step):
         step = np.float32(0)
@@ -93,19 +100,24 @@ def encode_nodes(x):
 
 
 class Fields:
-    """Numbers and tables of the arrays; 'NAME - N' is field NAME of material N, the others are cell fields."""
+    """Numbers and tables of the arrays; 'NAME - N' is field NAME of material N, the others are cell
+    fields."""
 
     def __init__(self, names):
         materials = sorted({name.rpartition(" - ")[0] for name in names} - {""})
         self.cells = [name for name in names if " - " not in name]
         self.materials = materials
         self.names = names
-        self.count = max([int(name.rpartition(" - ")[2]) for name in names if " - " in name], default=0)
+        self.count = max([int(name.rpartition(" - ")[2]) for name in names if " - " in name],
+                         default=0)
 
     def number(self, name):
-        """Cell fields count from 0; those of materials are 100 times that of the field plus the material."""
+        """Cell fields count from 0; those of materials are 100 times that of the field plus the
+        material."""
         field, _, material = name.rpartition(" - ")
-        return 100 * (1 + self.materials.index(field)) + int(material) if field else self.cells.index(name)
+        return 100 * (1
+                      + self.materials.index(field)) + int(material) if field else self.cells.index(
+                          name)
 
     def tables(self, version):
         result = b""
@@ -119,7 +131,8 @@ class Fields:
 
 
 def unused(blocks):
-    """How many blocks without data go before these; one block alone stays alone: it is a flat mesh."""
+    """How many blocks without data go before these; one block alone stays alone: it is a flat
+    mesh."""
     return int(len(blocks) > 1)
 
 
@@ -127,8 +140,10 @@ def header(version, blocks, fields, file, files):
     used = np.array([[x[[1, -2]] for x in block.coordinates] for block in blocks], float)
     result = b"spydata\0" + text("A test", 128) + ints(version)
     result += ints(64) if version >= 102 else b""  # bits of a file position
-    result += ints(0, file, files, 30, 3, fields.count, fields.count)  # 30: Cartesian, three dimensions
-    result += doubles(*used[:, :, 0].min(axis=0), *used[:, :, 1].max(axis=0)) + ints(len(blocks) + unused(blocks))
+    # 30: Cartesian, three dimensions
+    result += ints(0, file, files, 30, 3, fields.count, fields.count)
+    result += doubles(*used[:, :, 0].min(axis=0),
+                      *used[:, :, 1].max(axis=0)) + ints(len(blocks) + unused(blocks))
     result += ints(0) if version >= 105 else b""  # no markers
     result += ints(1 + max(block.level for block in blocks))
     return result + (ints(*[0] * 5) if version >= 105 else b"")
@@ -138,7 +153,8 @@ def dump(version, position, blocks, step, fields):
     """One time from that file position on."""
     data = []
     for name in fields.names:
-        data.append(b"".join(chunk(encode(plane)) for block in blocks for plane in block.steps[step][name]))
+        data.append(b"".join(chunk(encode(plane)) for block in blocks
+                             for plane in block.steps[step][name]))
     bounds = [0] * (6 if version >= 103 else 0)
     grids = ints(0, 0)  # no tracers, no histogram
     grids += ints(len(blocks) + unused(blocks)) + ints(4, 4, 4, 0, 0, 0, *bounds) * unused(blocks)
@@ -171,15 +187,17 @@ def write_file(path, version, times, blocks, file, files):
 def write_spyplot(folder, name, times, blocks, files=1, version=105, parts=""):
     """Writes name.spcth and name.spcth.0 .. in the folder and returns the path of the first.
 
-    times: fewer than 100, ascending; blocks: spread over the files in turn; version: of the format, 101 to 105. Files of
-    one block each are a flat mesh, whose nodes may be anywhere; more blocks a file are uniform, as of block-structured data.
-    parts: the folder in the folder where all but the first lie.
+    times: fewer than 100, ascending; blocks: spread over the files in turn; version: of the format,
+    101 to 105. Files of one block each are a flat mesh, whose nodes may be anywhere; more blocks a
+    file are uniform, as of block-structured data. parts: the folder in the folder where all but the
+    first lie.
     """
     assert len(times) < GROUP and all(len(block.steps) == len(times) for block in blocks)
     os.makedirs(os.path.join(folder, parts), exist_ok=True)
     names = [os.path.join(parts, "%s.spcth.%d" % (name, file)) for file in range(files)]
     for file in range(files):
-        write_file(os.path.join(folder, names[file]), version, times, blocks[file::files], file, files)
+        write_file(os.path.join(folder, names[file]), version, times, blocks[file::files], file,
+                   files)
     path = os.path.join(folder, name + ".spcth")
     with open(path, "w") as out:
         out.write("spycase\n# files\n" + "".join(line + "\n" for line in names))

@@ -1,4 +1,5 @@
-"""What the tests of SpyPlot files share: a ball and a plate at two times, and the same as an image."""
+"""What the tests of SpyPlot files share: a ball and a plate at two times, and the same as an
+image."""
 import numpy as np
 
 from spyplot import Block, split
@@ -8,9 +9,11 @@ SPY = ["Material volume fraction - 1", "Material volume fraction - 2"]
 STATE = "X velocity"
 TIMES = [0, 2e-6]
 NODES = [x + h * np.arange(13) for x, h in zip(ORIGIN, SPACING)]
-# Nodes that are no binary fractions, as only flat meshes can have them: a mesh is of the float32 ones in the file.
+# Nodes that are no binary fractions, as only flat meshes can have them: a mesh is of the float32
+# ones in the file.
 UNEVEN_NODES = [(x + np.arange(13) * 0.1).astype(np.float32) for x in (-0.35, 0.2, 1.7)]
-# Blocks in x y z and files; files of one block each are a flat mesh (rectilinear grids), others block-structured.
+# Blocks in x y z and files; files of one block each are a flat mesh (rectilinear grids), others
+# block-structured.
 LAYOUTS = [((1, 1, 1), 1), ((2, 1, 2), 1), ((2, 1, 2), 2), ((2, 1, 2), 4)]
 
 
@@ -25,14 +28,17 @@ def steps():
 def refined_blocks():
     """Blocks of which some are repeated on a second level."""
     fine = [np.linspace(x[0], x[-1], 25) for x in NODES]
-    doubled = [{name: np.kron(value, np.ones((2, 2, 2))) for name, value in step.items()} for step in steps()]
+    doubled = [{name: np.kron(value, np.ones((2, 2, 2))) for name, value in step.items()}
+               for step in steps()]
     return split(NODES, steps(), (2, 1, 2)) + [
-        Block(block.coordinates, block.steps, level=1) for block in split(fine, doubled, (4, 4, 4))[:2]]
+        Block(block.coordinates, block.steps, level=1)
+        for block in split(fine, doubled, (4, 4, 4))[:2]]
 
 
 def as_bytes(arrays):
     """The fractions as ParaView's reader converts them by default: cut off, not rounded."""
-    return {name: (value * np.float32(255)).astype(np.uint8) if name in SPY else value for name, value in arrays.items()}
+    return {name: (value * np.float32(255)).astype(np.uint8) if name in SPY else value
+            for name, value in arrays.items()}
 
 
 def data_of_step(step, nodes=None, to_bytes=False):

@@ -1,4 +1,5 @@
-"""The rule of state arrays in numpy, on its own: from which cell an element has its values (Grid/Transfer/StateCells.h)."""
+"""The rule of state arrays in numpy, on its own: from which cell an element has its values
+(Grid/Transfer/StateCells.h)."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -22,21 +23,25 @@ def centroids(result):
 
 
 def cells_made_of(result, size):
-    """The cell (i, j, k) of each hexahedron, the one above the face of each tetrahedron, from their ids."""
+    """The cell (i, j, k) of each hexahedron, the one above the face of each tetrahedron, from their
+    ids."""
     is_hex = elements(result).shape[1] == 8
     n = size if is_hex else size + 1
     key = (result.cells("GlobalCellIds") - 1) // (7 if is_hex else 768)
-    return np.minimum(np.stack([key % n[0], key // n[0] % n[1], key // (n[0] * n[1])], axis=1), size - 1)
+    return np.minimum(np.stack([key % n[0], key // n[0] % n[1], key // (n[0] * n[1])], axis=1),
+                      size - 1)
 
 
 def state_cells(result, coordinates, fractions, limited=True):
     """The number (x fastest) of each element's cell; and how many took a neighbour's.
 
-    coordinates: of the nodes, x y z; fractions: of all materials, void too; limited: not for tetrahedra by TetGen.
+    coordinates: of the nodes, x y z; fractions: of all materials, void too; limited: not for
+    tetrahedra by TetGen.
     """
     size = np.array([len(x) - 1 for x in coordinates])
     centre = centroids(result)
-    cell = np.stack([np.searchsorted(x, centre[:, a], side="right") - 1 for a, x in enumerate(coordinates)], axis=1)
+    cell = np.stack([np.searchsorted(x, centre[:, a], side="right") - 1
+                     for a, x in enumerate(coordinates)], axis=1)
     inside = np.clip(cell, 0, size - 1)
     own = cells_made_of(result, size) if limited else inside
     home = np.clip(inside, own - REACH, own + REACH)
@@ -44,12 +49,14 @@ def state_cells(result, coordinates, fractions, limited=True):
     table = np.stack([fractions[label].ravel() for label in labels])
     material = np.searchsorted(labels, result.cells("MaterialId"))
     number = lambda c: (c[:, 2] * size[1] + c[:, 1]) * size[0] + c[:, 0]
-    steps = [np.array([i, j, k]) for k in (-1, 0, 1) for j in (-1, 0, 1) for i in (-1, 0, 1)]  # by index
+    # by index
+    steps = [np.array([i, j, k]) for k in (-1, 0, 1) for j in (-1, 0, 1) for i in (-1, 0, 1)]
     fraction, distance, numbers = [], [], []
     for near in (home + step for step in steps):
         exists = ((near >= 0) & (near < size)).all(axis=1)
         near = np.clip(near, 0, size - 1)
-        middle = np.stack([0.5 * (x[near[:, a]] + x[near[:, a] + 1]) for a, x in enumerate(coordinates)], axis=1)
+        middle = np.stack([0.5 * (x[near[:, a]] + x[near[:, a] + 1])
+                           for a, x in enumerate(coordinates)], axis=1)
         offset = (centre - middle) ** 2
         fraction.append(np.where(exists, table[material, number(near)], -1))
         distance.append(offset[:, 0] + offset[:, 1] + offset[:, 2])
@@ -66,7 +73,8 @@ def graded_coordinates(n):
 
 
 def specks(n, seed=2):
-    """Random fractions of 64ths in few cells: smoothing carries what becomes of them far over thin cells."""
+    """Random fractions of 64ths in few cells: smoothing carries what becomes of them far over thin
+    cells."""
     random = np.random.default_rng(seed)
     filled = random.random((n, n, n)) < 0.1
     return np.where(filled, np.ceil(64 * random.random((n, n, n))) / 64, 0)

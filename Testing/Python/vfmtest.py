@@ -1,7 +1,8 @@
 """What the Python tests share: the plugin, small fields, and runs whose messages are collected.
 
-The environment variable VFM_PLUGIN names the plugin; without it, plain VTK stands in for paraview.simple (vtk_simple). A test is a function
-test_*; main() runs all, and says which need ParaView.
+The environment variable VFM_PLUGIN names the plugin; without it, plain VTK stands in for
+paraview.simple (vtk_simple). A test is a function test_*; main() runs all, and says which need
+ParaView.
 """
 import hashlib
 import json
@@ -27,7 +28,8 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 if "VFM_PLUGIN" in os.environ:
     from paraview import servermanager, simple
     from paraview.modules.vtkRemotingCore import vtkProcessModule
-    simple.LoadPlugin(os.path.abspath(os.environ["VFM_PLUGIN"]), remote=False, ns=globals())  # defines VolumeFractionToHex, VolumeFractionToTet
+    # defines VolumeFractionToHex, VolumeFractionToTet
+    simple.LoadPlugin(os.path.abspath(os.environ["VFM_PLUGIN"]), remote=False, ns=globals())
     RUNS_ON_ALL_RANKS = vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()
     PYTHON = ["pvbatch", "--sym"]  # which runs a script on all ranks
 else:
@@ -37,27 +39,35 @@ else:
     RUNS_ON_ALL_RANKS = True
     PYTHON = [sys.executable]
 GHOST, HIDDEN = 1, 32  # bits of vtkGhostType
-HEX_FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]])
-HEX_EDGES = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]])  # at each corner
+HEX_FACES = np.array([[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1],
+                      [4, 5, 6, 7]])
+# at each corner
+HEX_EDGES = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2],
+                      [6, 4, 3]])
 TET_FACES = np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 2, 1]])
 SPACING, ORIGIN = (0.25, 0.25, 0.5), (-1.0, 0.5, 2.0)  # exact in binary: blocks match bit for bit
 
 
 def list_defaults(of_tets):
-    """What the properties of a meshing filter are at first, by the table of options (the program describe_options)."""
-    built = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "bin", "describe_options")
+    """What the properties of a meshing filter are at first, by the table of options (the program
+    describe_options)."""
+    built = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "bin",
+                         "describe_options")
     rows = json.loads(subprocess.check_output([os.environ.get("VFM_OPTIONS", built)]))
     defaults = {"VolumeFractionArrays": [], "MaterialIdArray": [None, "None"], "StateArrays": []}
     for row in rows:
         if of_tets or not row["tets"]:
             words = re.sub("(?<=[a-z])(?=[A-Z])", " ", row["default"])
             lists = dict.fromkeys(("arrays", "kinds", "boxes"), [])
-            defaults[row["name"]] = {**lists, "array": "None", "file": "", "choice": words}.get(row["kind"], row["number"])
-    return {**defaults, "StateOrder": "2", "MaximumLevel": "Automatic"}  # which panels have words for
+            defaults[row["name"]] = {**lists, "array": "None", "file": "",
+                                     "choice": words}.get(row["kind"], row["number"])
+    # which panels have words for
+    return {**defaults, "StateOrder": "2", "MaximumLevel": "Automatic"}
 
 
 def ball_and_plate(n=12):
-    """Fractions of a ball on a plate, each (n, n, n) in the order z, y, x; the ball keeps its volume."""
+    """Fractions of a ball on a plate, each (n, n, n) in the order z, y, x; the ball keeps its
+    volume."""
     s = 4
     z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s] * 3, indexing="ij")
     ball = (x - n / 2) ** 2 + (y - n / 2) ** 2 + (z - 0.55 * n) ** 2 < (0.3 * n) ** 2
@@ -68,7 +78,8 @@ def ball_and_plate(n=12):
 
 def box_along_axes(low, high, n=12):
     """Exact fractions of a box between two corners in cells, (n, n, n) in the order z, y, x."""
-    parts = [np.clip(np.minimum(np.arange(n) + 1, h) - np.maximum(np.arange(n), l), 0, 1) for l, h in zip(low, high)]
+    parts = [np.clip(np.minimum(np.arange(n) + 1, h) - np.maximum(np.arange(n), l), 0, 1)
+             for l, h in zip(low, high)]
     return np.einsum("k,j,i->kji", *parts[::-1])
 
 
@@ -89,7 +100,8 @@ def add_array(attributes, name, values, dtype=None):
 
 
 def image(arrays, first=(0, 0, 0), kind=vtkImageData):
-    """An image with cell arrays {name: values (z, y, x)}; first: index of its first node in extent."""
+    """An image with cell arrays {name: values (z, y, x)}; first: index of its first node in
+    extent."""
     values = next(iter(arrays.values()))
     data = kind()
     data.SetOrigin(ORIGIN)
@@ -102,8 +114,8 @@ def image(arrays, first=(0, 0, 0), kind=vtkImageData):
 
 
 def at_points(data, matrix=None):
-    """The image whose points, with these arrays and the state of ghosts, are the centres of the cells of an image; matrix: its direction
-    matrix, about the first point."""
+    """The image whose points, with these arrays and the state of ghosts, are the centres of the
+    cells of an image; matrix: its direction matrix, about the first point."""
     points, (x0, x1, y0, y1, z0, z1) = vtkImageData(), data.GetExtent()
     points.SetExtent(x0, x1 - 1, y0, y1 - 1, z0, z1 - 1)
     points.SetSpacing(data.GetSpacing())
@@ -146,7 +158,8 @@ class Result:
     """Outputs of a run, its error and warning messages, and the time when the mesh was made."""
 
     def __init__(self, algorithm, errors, warnings):
-        self.mesh, self.surfaces, self.curves, self.vertices, self.materials = map(algorithm.GetOutputDataObject, range(5))
+        self.mesh, self.surfaces, self.curves, self.vertices, self.materials = map(
+            algorithm.GetOutputDataObject, range(5))
         self.errors, self.warnings = errors, warnings
 
     def cells(self, name):
@@ -169,7 +182,8 @@ def failure_of(data):
 def table_of(table):
     """The columns of a table by their names, in order."""
     columns = [table.GetColumn(c) for c in range(table.GetNumberOfColumns())]
-    return {column.GetName(): [column.GetValue(row) for row in range(table.GetNumberOfRows())] for column in columns}
+    return {column.GetName(): [column.GetValue(row) for row in range(table.GetNumberOfRows())]
+            for column in columns}
 
 
 def elements(result):
@@ -186,7 +200,8 @@ def facets(result):
 
 def tet_volumes(points, tets):
     p = points[tets]
-    return np.einsum("ij,ij->i", p[:, 1] - p[:, 0], np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 0])) / 6
+    return np.einsum("ij,ij->i", p[:, 1] - p[:, 0],
+                     np.cross(p[:, 2] - p[:, 0], p[:, 3] - p[:, 0])) / 6
 
 
 def face_owners(cells, materials):
@@ -201,14 +216,18 @@ def face_owners(cells, materials):
 
 
 def surface_faces(cells, materials):
-    """The two materials, 0 for none, of each face on one side of which there is another material or nothing."""
-    return {face: tuple(sorted(pair if len(pair) == 2 else pair + [0])) for face, pair in face_owners(cells, materials).items()
+    """The two materials, 0 for none, of each face on one side of which there is another material or
+    nothing."""
+    return {face: tuple(sorted(pair if len(pair) == 2 else pair + [0]))
+            for face, pair in face_owners(cells, materials).items()
             if len(pair) == 1 or pair[0] != pair[1]}
 
 
 def check_surfaces(result):
-    """Port 1 holds each interface face and each face on the domain's sides once, with its materials."""
-    expected = surface_faces(result.points("GlobalPointIds")[elements(result)], result.cells("MaterialId"))
+    """Port 1 holds each interface face and each face on the domain's sides once, with its
+    materials."""
+    expected = surface_faces(result.points("GlobalPointIds")[elements(result)],
+                             result.cells("MaterialId"))
     ids = vtk_to_numpy(result.surfaces.GetPointData().GetGlobalIds())
     faces = list(map(tuple, np.sort(ids[facets(result)], axis=1).tolist()))
     assert len(faces) == len(set(faces)) and set(faces) == set(expected)
@@ -226,7 +245,8 @@ def points_of(result):
 
 def domain_faces(result, faces):
     """Which faces, rows of points of the mesh, lie in whole on a side of the domain."""
-    on = [points_of(result)[:, side // 2] == bound for side, bound in enumerate(result.field("DomainBounds"))]
+    on = [points_of(result)[:, side // 2] == bound
+          for side, bound in enumerate(result.field("DomainBounds"))]
     return np.any([side[faces].all(axis=1) for side in on], axis=0)
 
 
@@ -241,15 +261,19 @@ def hex_volumes(points, hexes):
 
 
 def check_hexes(result):
-    """The mesh is conforming and valid, as far as it is quick to tell: faces are on two hexes, or on one at the domain's sides
-    or beside what is not meshed; every corner is positive; the volumes are those reported; surfaces hold the faces they must."""
+    """The mesh is conforming and valid, as far as it is quick to tell: faces are on two hexes, or
+    on one at the domain's sides or beside what is not meshed; every corner is positive; the volumes
+    are those reported; surfaces hold the faces they must."""
     points, cells = points_of(result), elements(result)
     assert len(np.unique(result.points("GlobalPointIds"))) == len(points) == len(np.unique(cells))
     corner = points[cells]
     edges = corner[:, HEX_EDGES] - corner[:, :, None]
-    assert (np.einsum("hci,hci->hc", edges[:, :, 0], np.cross(edges[:, :, 1], edges[:, :, 2])) > 0).all(), "a corner is not positive"
+    assert (np.einsum("hci,hci->hc", edges[:, :, 0],
+                      np.cross(edges[:, :, 1],
+                               edges[:, :, 2])) > 0).all(), "a corner is not positive"
     faces = np.sort(cells[:, HEX_FACES].reshape(-1, 4), axis=1)
-    distinct, first, which, counts = np.unique(faces, axis=0, return_index=True, return_inverse=True, return_counts=True)
+    distinct, first, which, counts = np.unique(faces, axis=0, return_index=True,
+                                               return_inverse=True, return_counts=True)
     assert counts.max() <= 2, "a face is on more than two hexes"
     material = np.repeat(result.cells("MaterialId"), 6)
     sums = np.bincount(which.ravel(), weights=material, minlength=len(counts)).astype(int)
@@ -266,8 +290,11 @@ def check_hexes(result):
     assert np.array_equal(expected[order], own[own_order]), "the surfaces have other faces"
     pairs = np.sort(np.stack([material[first], other], axis=1)[is_surface], axis=1)[order]
     inner = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide"))[own_order] < 0
-    assert np.array_equal(inner, ~on_domain[is_surface][order]), "a single face is inside the domain"
-    assert np.array_equal(pairs[inner], vtk_to_numpy(result.surfaces.GetCellData().GetArray("MaterialPair"))[own_order][inner])
+    assert np.array_equal(inner,
+                          ~on_domain[is_surface][order]), "a single face is inside the domain"
+    assert np.array_equal(pairs[inner],
+                          vtk_to_numpy(result.surfaces.GetCellData().GetArray("MaterialPair"))[
+                              own_order][inner])
     volumes = hex_volumes(points, cells)
     for i, expected_volume in zip(result.field("MaterialIds"), result.field("MeshVolume")):
         volume = volumes[result.cells("MaterialId") == i].sum()
@@ -275,7 +302,8 @@ def check_hexes(result):
 
 
 def collect(algorithm):
-    """Lists that the errors and warnings of the algorithm will be added to; they are not shown then."""
+    """Lists that the errors and warnings of the algorithm will be added to; they are not shown
+    then."""
     errors, warnings = [], []
 
     def on_error(_, __, text):
@@ -292,7 +320,8 @@ def collect(algorithm):
 
 
 def held_class(proxy):
-    """The class of ours that a proxy of files runs: inside of one that knows series, where ParaView is."""
+    """The class of ours that a proxy of files runs: inside of one that knows series, where ParaView
+    is."""
     algorithm = proxy.GetClientSideObject()
     get = getattr(algorithm, "GetReader", None) or getattr(algorithm, "GetWriter", None)
     return get() if get else algorithm
@@ -306,12 +335,15 @@ def producer(data):
 
 def ghost_cells(source):
     """ParaView's filter of ghost cells, which has another name since 5.13."""
-    return (getattr(simple, "GhostCells", None) or simple.GhostCellsGenerator)(Input=source, BuildIfRequired=0)
+    return (getattr(simple, "GhostCells", None)
+            or simple.GhostCellsGenerator)(Input=source, BuildIfRequired=0)
 
 
 def save_data(path, proxy):
-    """Saves inline: expat since 2.6, and Debian's 2.5.0-1+deb12u5, keeps VTK 9.2 from reading appended data."""
-    simple.SaveData(path, proxy=proxy, **({} if path.endswith((".vtk", ".csv")) else {"DataMode": "Binary"}))
+    """Saves inline: expat since 2.6, and Debian's 2.5.0-1+deb12u5, keeps VTK 9.2 from reading
+    appended data."""
+    simple.SaveData(path, proxy=proxy,
+                    **({} if path.endswith((".vtk", ".csv")) else {"DataMode": "Binary"}))
 
 
 def write(data, path, writer=vtkXMLImageDataWriter, pieces=0):
@@ -339,7 +371,8 @@ def new_ioss_reader():
 
 
 def exodus_parts(path):
-    """The parts with elements of an Exodus file and those of the other ranks, which the reader finds: (block's name, part)."""
+    """The parts with elements of an Exodus file and those of the other ranks, which the reader
+    finds: (block's name, part)."""
     reader = new_ioss_reader()
     reader.SetFileName(path)
     reader.Update()
@@ -364,8 +397,8 @@ def has_tetgen():
 
 
 def run(data, make=None, **properties):
-    """The filter, VolumeFractionToHex or make, on data with its messages; fractions 'ball' and 'plate' unless other
-    arrays are named."""
+    """The filter, VolumeFractionToHex or make, on data with its messages; fractions 'ball' and
+    'plate' unless other arrays are named."""
     if not {"VolumeFractionArrays", "MaterialIdArray"} & set(properties):
         properties["VolumeFractionArrays"] = ["ball", "plate"]
     mesher = (make or VolumeFractionToHex)(Input=producer(data), **properties)
@@ -384,11 +417,13 @@ def mesh_of(data, make=None, **properties):
 
 
 def check_error(data, *words, make=None, **properties):
-    """The run fails on every rank with the same message, one that has all the words, and leaves nothing else in the outputs."""
+    """The run fails on every rank with the same message, one that has all the words, and leaves
+    nothing else in the outputs."""
     result = run(data, make, **properties)
     message = result.errors[0].strip().split("): ", 1)[1] if result.errors else ""
     value = zlib.crc32(message.encode())
-    same = reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)  # by all ranks, before any may fail
+    # by all ranks, before any may fail
+    same = reduced(value, vtkCommunicator.MIN_OP) == reduced(value, vtkCommunicator.MAX_OP)
     assert same and len(result.errors) == 1, result.errors
     for word in words:
         assert word in message, (word, message)
@@ -398,7 +433,8 @@ def check_error(data, *words, make=None, **properties):
         assert output.GetCellData().GetNumberOfArrays() == 0
     assert result.materials.GetNumberOfColumns() == 0
     for output in (result.mesh, result.surfaces, result.curves, result.vertices, result.materials):
-        assert output.GetFieldData().GetNumberOfArrays() == 1 and failure_of(output) == message, (message, failure_of(output))
+        assert output.GetFieldData().GetNumberOfArrays() == 1 and failure_of(output) == message, (
+            message, failure_of(output))
 
 
 def uniform(levels):

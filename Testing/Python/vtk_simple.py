@@ -1,6 +1,7 @@
-"""paraview.simple as far as the tests need it, for builds without ParaView: the classes that are wrapped for Python (VFM_WRAPPERS), with
-the commands, words and defaults of their properties that the plugin's XML tells, and readers and writers of VTK. A test that asks for
-anything else is skipped. On several ranks of mpiexec all run the script, as with pvbatch --sym."""
+"""paraview.simple as far as the tests need it, for builds without ParaView: the classes that are
+wrapped for Python (VFM_WRAPPERS), with the commands, words and defaults of their properties that
+the plugin's XML tells, and readers and writers of VTK. A test that asks for anything else is
+skipped. On several ranks of mpiexec all run the script, as with pvbatch --sym."""
 import os
 import sys
 import types
@@ -9,7 +10,8 @@ from xml.etree import ElementTree
 
 import mpi4py.MPI  # which begins MPI
 
-sys.path[:0] = [os.environ["VFM_WRAPPERS"], os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts")]
+sys.path[:0] = [os.environ["VFM_WRAPPERS"],
+                os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts")]
 from options.documents import all_properties, entries, read_proxies
 from volumefractionmesh import vtkVolumeFractionMeshFilters, vtkVolumeFractionMeshIO
 from vtkmodules import vtkIOParallelXML, vtkIOXML
@@ -18,7 +20,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.vtkParallelMPI import vtkMPIController
 
-ASSOCIATIONS = {"POINTS": vtkDataObject.FIELD_ASSOCIATION_POINTS, "CELLS": vtkDataObject.FIELD_ASSOCIATION_CELLS,
+ASSOCIATIONS = {"POINTS": vtkDataObject.FIELD_ASSOCIATION_POINTS,
+                "CELLS": vtkDataObject.FIELD_ASSOCIATION_CELLS,
                 "FIELD": vtkDataObject.FIELD_ASSOCIATION_NONE}
 NUMBERS = {"IntVectorProperty": int, "DoubleVectorProperty": float, "StringVectorProperty": str}
 
@@ -58,7 +61,8 @@ class OutputPort:
 
     def arrays(self, kind):
         attributes = self.output().GetAttributesAsFieldData(kind)
-        return {attributes.GetArrayName(i): attributes.GetAbstractArray(i) for i in range(attributes.GetNumberOfArrays())}
+        return {attributes.GetArrayName(i): attributes.GetAbstractArray(i)
+                for i in range(attributes.GetNumberOfArrays())}
 
     PointData = property(lambda self: self.arrays(vtkDataObject.POINT))
     CellData = property(lambda self: self.arrays(vtkDataObject.CELL))
@@ -73,7 +77,8 @@ class Proxy(OutputPort):
         vars(self).update(proxy=self, port=0, values={}, algorithm=self.make())
         for name, element in self.properties.items():
             default = element.get("default_values")
-            if default is not None and not default.startswith("@"):  # which the build chooses, and the class knows
+            # which the build chooses, and the class knows
+            if default is not None and not default.startswith("@"):
                 self.set(name, element, default.split(element.get("default_values_delimiter")))
         if Input is not None:
             self.Input = Input
@@ -101,17 +106,21 @@ class Proxy(OutputPort):
         return OutputPort(self, port)
 
     def set(self, name, element, value):
-        command, clean, words = getattr(self.algorithm, element.get("command")), element.get("clean_command"), entries(element)
+        command, clean, words = getattr(self.algorithm,
+                                        element.get("command")), element.get(
+                                            "clean_command"), entries(element)
         self.values[name] = words.get(str(value), value)
         values = list(value) if isinstance(value, (list, tuple)) else [value]
         numbers = {text: number for number, text in words.items()}
-        values = [NUMBERS[element.tag](numbers.get(v, v)) if v is not None else "None" for v in values]
+        values = [NUMBERS[element.tag](numbers.get(v, v)) if v is not None else "None"
+                  for v in values]
         if clean:
             getattr(self.algorithm, clean)()
             count = int(element.get("number_of_elements_per_command"))
             for i in range(0, len(values), count):
                 command(*values[i:i + count])
-        elif element.get("default_values_delimiter"):  # an array: its name, that after its association, or the form of panels
+        # an array: its name, that after its association, or the form of panels
+        elif element.get("default_values_delimiter"):
             panel = len(values) == int(element.get("number_of_elements"))
             command(*(values if panel else [ASSOCIATIONS.get(word, word) for word in values[-2:]]))
         elif values:
@@ -139,7 +148,8 @@ class Proxy(OutputPort):
 
 
 def proxy_class(name, algorithm, properties, outputs=()):
-    return type(name, (Proxy,), {"make": staticmethod(algorithm), "properties": properties, "outputs": outputs})
+    return type(name, (Proxy,),
+                {"make": staticmethod(algorithm), "properties": properties, "outputs": outputs})
 
 
 def own_or_of_base(element, path):
@@ -154,15 +164,19 @@ def plugin_class(element):
     for inside in own_or_of_base(element, "SubProxy/Proxy"):
         maker = ELEMENTS[inside.get("proxyname")]
         held = all_properties(maker, ELEMENTS)
-        properties = {p.get("name"): held[p.get("name")] for p in own_or_of_base(element, "SubProxy/ExposedProperties/Property")}
+        properties = {p.get("name"): held[p.get("name")]
+                      for p in own_or_of_base(element, "SubProxy/ExposedProperties/Property")}
         properties["FileName"] = FILE_NAME
     name = maker.get("class")
-    algorithm = getattr(vtkVolumeFractionMeshFilters, name, None) or getattr(vtkVolumeFractionMeshIO, name)
-    return proxy_class(element.get("name"), algorithm, properties, own_or_of_base(element, "OutputPort"))
+    algorithm = getattr(vtkVolumeFractionMeshFilters, name,
+                        None) or getattr(vtkVolumeFractionMeshIO, name)
+    return proxy_class(element.get("name"), algorithm, properties,
+                       own_or_of_base(element, "OutputPort"))
 
 
 def reader_class(name, algorithm, **commands):
-    properties = {n: ElementTree.Element("IntVectorProperty", name=n, command=command) for n, command in commands.items()}
+    properties = {n: ElementTree.Element("IntVectorProperty", name=n, command=command)
+                  for n, command in commands.items()}
     return proxy_class(name, algorithm, {"FileName": FILE_NAME, **properties})
 
 
@@ -174,7 +188,8 @@ def by_endings(kind):
 
 FILE_NAME = ElementTree.Element("StringVectorProperty", name="FileName", command="SetFileName")
 ELEMENTS = read_proxies()
-PROXIES = {name: plugin_class(element) for name, element in ELEMENTS.items() if own_or_of_base(element, "Documentation")}
+PROXIES = {name: plugin_class(element) for name, element in ELEMENTS.items()
+           if own_or_of_base(element, "Documentation")}
 
 
 class servermanager:
@@ -186,16 +201,22 @@ class servermanager:
 
 
 XMLImageDataReader = reader_class("XMLImageDataReader", vtkIOXML.vtkXMLImageDataReader)
-XMLPartitionedImageDataReader = reader_class("XMLPartitionedImageDataReader", vtkIOXML.vtkXMLPImageDataReader)
+XMLPartitionedImageDataReader = reader_class("XMLPartitionedImageDataReader",
+                                             vtkIOXML.vtkXMLPImageDataReader)
 XMLUniformGridAMRReader = reader_class(
-    "XMLUniformGridAMRReader", vtkIOXML.vtkXMLUniformGridAMRReader, DefaultNumberOfLevels="SetMaximumLevelsToReadByDefault")
+    "XMLUniformGridAMRReader", vtkIOXML.vtkXMLUniformGridAMRReader,
+    DefaultNumberOfLevels="SetMaximumLevelsToReadByDefault")
 READERS = {
-    **by_endings("ReaderFactory"), "vti": XMLImageDataReader, "pvti": XMLPartitionedImageDataReader, "vthb": XMLUniformGridAMRReader,
+    **by_endings("ReaderFactory"), "vti": XMLImageDataReader, "pvti": XMLPartitionedImageDataReader,
+    "vthb": XMLUniformGridAMRReader,
     "vtu": reader_class("XMLUnstructuredGridReader", vtkIOXML.vtkXMLUnstructuredGridReader),
-    "pvtu": reader_class("XMLPartitionedUnstructuredGridReader", vtkIOXML.vtkXMLPUnstructuredGridReader),
+    "pvtu": reader_class("XMLPartitionedUnstructuredGridReader",
+                         vtkIOXML.vtkXMLPUnstructuredGridReader),
     "vtm": reader_class("XMLMultiBlockDataReader", vtkIOXML.vtkXMLMultiBlockDataReader)}
-WRITERS = {"vti": vtkIOXML.vtkXMLImageDataWriter, "vtu": vtkIOXML.vtkXMLUnstructuredGridWriter, "vtp": vtkIOXML.vtkXMLPolyDataWriter,
-           "pvtu": vtkIOParallelXML.vtkXMLPUnstructuredGridWriter, "pvtp": vtkIOParallelXML.vtkXMLPPolyDataWriter}
+WRITERS = {"vti": vtkIOXML.vtkXMLImageDataWriter, "vtu": vtkIOXML.vtkXMLUnstructuredGridWriter,
+           "vtp": vtkIOXML.vtkXMLPolyDataWriter,
+           "pvtu": vtkIOParallelXML.vtkXMLPUnstructuredGridWriter,
+           "pvtp": vtkIOParallelXML.vtkXMLPPolyDataWriter}
 OWN_WRITERS = by_endings("WriterFactory")
 
 

@@ -1,4 +1,5 @@
-"""From a segmented micrograph to hexahedra: pixels of grains, one layer thick, whose steps are smoothed.
+"""From a segmented micrograph to hexahedra: pixels of grains, one layer thick, whose steps are
+smoothed.
 
 usage: python micrograph.py [--mesh grains.vtu] [--picture grains.png]
 """
@@ -66,7 +67,8 @@ def main() -> None:
     if words.mesh:
         smooth.save(words.mesh)
     if words.picture:
-        show([("pixels", steps), ("hexahedra, label_smoothing=3, minimum_region_cells=6", smooth)], words.picture)
+        show([("pixels", steps), ("hexahedra, label_smoothing=3, minimum_region_cells=6", smooth)],
+             words.picture)
 
 
 if __name__ == "__main__":

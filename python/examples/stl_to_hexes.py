@@ -1,4 +1,5 @@
-"""From an STL file to hexahedra that keep its edges: a nut, its fractions, its mesh, and the faces to put loads on.
+"""From an STL file to hexahedra that keep its edges: a nut, its fractions, its mesh, and the faces
+to put loads on.
 
 usage: python stl_to_hexes.py [--stl part.stl] [--mesh part.vtu] [--picture part.png]
 """
@@ -21,12 +22,15 @@ def write_nut(path: str) -> None:
     angle = np.arange(POINTS) * 2 * np.pi / POINTS
     radius = WIDTH * np.cos(np.pi / 6) / np.cos(angle % (np.pi / 3) - np.pi / 6)
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    rings = [np.column_stack([r * circle, np.full(POINTS, z)]) for z in (0, HEIGHT) for r in (radius[:, None], HOLE)]
+    rings = [np.column_stack([r * circle, np.full(POINTS, z)]) for z in (0, HEIGHT)
+             for r in (radius[:, None], HOLE)]
     here = np.arange(POINTS)
     there = np.roll(here, -1)
     outer, inner, top, top_inner = (ring * POINTS for ring in range(4))
-    sides = [(outer, top), (top, top_inner), (top_inner, inner), (inner, outer)]  # each from ring to ring
-    quads = np.concatenate([np.stack([a + here, a + there, b + there, b + here], axis=1) for a, b in sides])
+    # each from ring to ring
+    sides = [(outer, top), (top, top_inner), (top_inner, inner), (inner, outer)]
+    quads = np.concatenate([np.stack([a + here, a + there, b + there, b + here], axis=1)
+                            for a, b in sides])
     faces = np.column_stack([np.full(len(quads), 4), quads])
     pyvista.PolyData(np.concatenate(rings), faces.ravel()).triangulate().save(path)
 
@@ -64,7 +68,8 @@ def main() -> None:
     print("%d x %d x %d cells" % fractions["steel"].shape)
     mesh = vfm.hexes(fractions, sharp_edges="on")
     print(mesh)
-    print("volume %.3f of %.3f" % (mesh.materials["MeshVolume"][0], mesh.materials["TargetVolume"][0]))
+    print("volume %.3f of %.3f" % (mesh.materials["MeshVolume"][0],
+                                   mesh.materials["TargetVolume"][0]))
     fields = mesh.surfaces.fields
     top = int(np.argmax(np.reshape(fields["SurfaceNormals"], (-1, 3)) @ [0, 0, 1]))
     print(

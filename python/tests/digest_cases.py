@@ -1,8 +1,8 @@
 """Meshes that the package and the filters of ParaView must make alike, to the bit.
 
-Inputs are made by +, -, *, / and sqrt alone, so that they are the same on every machine. A case is told in words of
-neither: `settings(case)` are keyword arguments of hexes() and tets(), Testing/Package/TestSameBits.py has them as
-properties of the filters.
+Inputs are made by +, -, *, / and sqrt alone, so that they are the same on every machine. A case is
+told in words of neither: `settings(case)` are keyword arguments of hexes() and tets(),
+Testing/Package/TestSameBits.py has them as properties of the filters.
 """
 
 import hashlib
@@ -17,9 +17,9 @@ TURNED = ((0.6, 0.8, 0.0), (0.8, -0.6, 0.0), (0.0, 0.0, 1.0))  # a mirror, too
 
 
 class Case(NamedTuple):
-    """arrays: by name, in Fortran order: [i, j, k] or [i, j, k, component], i along x; fractions: names, one a
-    material, or labels: one name;
-    nodes: coordinates instead of SPACING and ORIGIN; options: by the names and words of Python."""
+    """arrays: by name, in Fortran order: [i, j, k] or [i, j, k, component], i along x; fractions:
+    names, one a material, or labels: one name; nodes: coordinates instead of SPACING and ORIGIN;
+    options: by the names and words of Python."""
 
     arrays: Dict[str, np.ndarray]
     options: Dict[str, Any] = {}
@@ -49,7 +49,9 @@ def averaged(inside: np.ndarray, parts: int) -> np.ndarray:
 
 def ball_and_plate(n: int = 12, parts: int = 4) -> Dict[str, np.ndarray]:
     x, y, z = centres(n, parts)
-    ball = (x - n / 2) * (x - n / 2) + (y - n / 2) * (y - n / 2) + (z - 0.55 * n) * (z - 0.55 * n) < 0.09 * n * n
+    ball = (x - n / 2) * (x - n / 2) + (y - n / 2) * (y - n
+                                                      / 2) + (z - 0.55 * n) * (
+                                                          z - 0.55 * n) < 0.09 * n * n
     plate = np.broadcast_to(z < 0.33 * n, ball.shape) & ~ball
     return {"ball": averaged(ball, parts), "plate": averaged(plate, parts)}
 
@@ -97,8 +99,10 @@ def state_of(n: int = 12) -> Dict[str, np.ndarray]:
 
 BOTH = ("ball", "plate")
 CASES = {
-    "hexes of a turned box with sharp edges": lambda: Case({"box": turned_box()}, {"sharp_edges": "on"}, ["box"]),
-    "hexes of two materials, the void meshed": lambda: Case(ball_and_plate(), {"mesh_void": True}, BOTH),
+    "hexes of a turned box with sharp edges": lambda: Case({"box": turned_box()},
+                                                           {"sharp_edges": "on"}, ["box"]),
+    "hexes of two materials, the void meshed": lambda: Case(ball_and_plate(), {"mesh_void": True},
+                                                            BOTH),
     "hexes of labels": lambda: Case({"grain": grains()}, labels="grain"),
     "hexes of labels smoothed, small regions removed": lambda: Case(
         {"grain": grains()}, {"label_smoothing": 3, "minimum_region_cells": 4}, labels="grain"
@@ -111,7 +115,8 @@ CASES = {
         {"film": film()}, {"refinement": "automatic", "fine_interfaces": False}, ["film"]
     ),
     "tets by the lattice, coarse away from surfaces": lambda: Case(
-        ball_and_plate(16), {"refinement": "coarsen", "method": "lattice", "mesh_void": True}, BOTH, tets=True
+        ball_and_plate(16), {"refinement": "coarsen", "method": "lattice", "mesh_void": True}, BOTH,
+        tets=True
     ),
     "tets by cells, state copied": lambda: Case(
         {**ball_and_plate(), **state_of()},
@@ -133,7 +138,8 @@ CASES = {
 
 
 def digest(arrays: Dict[str, Any]) -> str:
-    """arrays: points, cells, point_ids, cell_ids, material, fragment, quality, and of state and point_state dicts."""
+    """arrays: points, cells, point_ids, cell_ids, material, fragment, quality, and of state and
+    point_state dicts."""
     sha = hashlib.sha256()
     kinds = {
         "points": "f8",

@@ -46,7 +46,8 @@ def check_valid(mesh):
         edges = corner[:, HEX_EDGES] - corner[:, :, None]
     else:
         edges = (corner[:, 1:] - corner[:, :1])[:, None]
-    assert (np.einsum("hci,hci->hc", edges[:, :, 0], np.cross(edges[:, :, 1], edges[:, :, 2])) > 0).all()
+    assert (np.einsum("hci,hci->hc", edges[:, :, 0],
+                      np.cross(edges[:, :, 1], edges[:, :, 2])) > 0).all()
     volumes = mesh.volumes()
     for label, volume in zip(mesh.materials["MaterialId"], mesh.materials["MeshVolume"]):
         assert np.isclose(volumes[mesh.material == label].sum(), volume, rtol=1e-9)

@@ -35,7 +35,8 @@ def test_stretched_bar(make, tmp_path):
     with open(tmp_path / "bar.inp", "a") as file:
         file.write(DECK)
     told = subprocess.run(
-        ["ccx", "bar"], cwd=tmp_path, capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"}
+        ["ccx", "bar"], cwd=tmp_path, capture_output=True, text=True,
+        env={**os.environ, "OMP_NUM_THREADS": "1"}
     )
     assert "Job finished" in told.stdout, told.stdout
     force = [float(word) for word in (tmp_path / "bar.dat").read_text().split()[-3:]]

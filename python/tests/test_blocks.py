@@ -24,7 +24,8 @@ TIMES = [0.0, 2.5]
 
 
 def arrays_of(ball):
-    given = {VOLUME % 1: ball, VOLUME % 2: np.minimum(PLATE, 1 - ball), "T": STATE["temperature"], "id": LABELS}
+    given = {VOLUME % 1: ball, VOLUME % 2: np.minimum(PLATE, 1 - ball), "T": STATE["temperature"],
+             "id": LABELS}
     return {name: np.asarray(array, np.float32) for name, array in given.items()}
 
 
@@ -46,8 +47,10 @@ def test_same_as_arrays(tmp_path):
         path = write(tmp_path, counts, files)
         for step, index in ((0, 0), (1, 1), (1, -1)):
             blocks = vfm.read(path, step=index)
-            assert len(blocks) == np.prod(counts) and blocks.times == TIMES and blocks.time == TIMES[step]
-            assert set(blocks.names) == set(STEPS[0]) and blocks.fractions == [VOLUME % 1, VOLUME % 2]
+            assert len(blocks) == np.prod(
+                counts) and blocks.times == TIMES and blocks.time == TIMES[step]
+            assert set(blocks.names) == set(STEPS[0]) and blocks.fractions == [
+                VOLUME % 1, VOLUME % 2]
             mesh = vfm.hexes(blocks, state=["T"])
             expected = mesh_of(STEPS[step], state={"T": STEPS[step]["T"]})
             assert same(mesh, expected) and np.array_equal(mesh.state["T"], expected.state["T"])
@@ -69,7 +72,8 @@ def refined(value):
         width = SPACING / 2**level
         nodes = [with_ghosts(o + width * (i + np.arange(5))) for o, i in zip(ORIGIN, lower)]
         middles = [(x[1:] + x[:-1]) / 2 for x in nodes]
-        array = np.asarray(value(*np.meshgrid(*middles, indexing="ij")), np.float32).transpose(2, 1, 0)
+        array = np.asarray(value(*np.meshgrid(*middles, indexing="ij")),
+                           np.float32).transpose(2, 1, 0)
         return Block(nodes, [{VOLUME % 1: array}], level)
 
     corners = [(i, j, k) for k in (0, 4) for j in (0, 4) for i in (0, 4)]
@@ -77,7 +81,8 @@ def refined(value):
 
 
 def test_levels(tmp_path):
-    path = write_spyplot(str(tmp_path), "levels", [0.0], refined(lambda x, y, z: (x < 0.2) & (y < 1.7)), 3)
+    path = write_spyplot(str(tmp_path), "levels", [0.0],
+                         refined(lambda x, y, z: (x < 0.2) & (y < 1.7)), 3)
     blocks = vfm.read(path)
     assert len(blocks) == 15
     fine, coarse = vfm.hexes(blocks, fine_interfaces=False), vfm.hexes(blocks, refinement="off")
@@ -113,7 +118,8 @@ def test_errors(tmp_path):
     for error, text, call in (
         (FileNotFoundError, "There is no file", lambda: vfm.read(str(tmp_path / "none.spcth"))),
         (ValueError, "neither a SpyPlot file", lambda: vfm.read(str(tmp_path))),
-        (ValueError, "it has no array 'none'. Its arrays: '", lambda: vfm.read(path, arrays=["none"])),
+        (ValueError, "it has no array 'none'. Its arrays: '",
+         lambda: vfm.read(path, arrays=["none"])),
         (ValueError, "there is no step 2: it has 2", lambda: vfm.read(path, step=2)),
         (ValueError, "there is no step -3", lambda: vfm.read(path, step=-3)),
         (TypeError, "must be a list of names", lambda: vfm.read(path, arrays="T")),
@@ -133,7 +139,8 @@ def test_damaged(tmp_path):
     size = os.path.getsize(path + ".1")
     os.truncate(path + ".1", size - 1)
     vfm.read(path)
-    with pytest.raises(ValueError, match="case.spcth.1 is cut or damaged in '.*' of step 1, block 2, plane "):
+    with pytest.raises(ValueError,
+                       match="case.spcth.1 is cut or damaged in '.*' of step 1, block 2, plane "):
         vfm.read(path, step=1)
     shutil.copytree(PLOTFILE, tmp_path / "plt")
     os.remove(tmp_path / "plt" / "Level_0" / "Cell_H")

@@ -37,7 +37,8 @@ def test_numpy(run):
     np.save(run.folder / "labels.npy", LABELS)
     told = run("@labels.npy", "@out.vtu", "--label-smoothing", "2", "--spacing", "0.5")
     expected = vfm.hexes(labels=LABELS, label_smoothing=2, spacing=0.5)
-    assert told.strip() == repr(expected) and np.array_equal(read(run.folder / "out.vtu").points, expected.points)
+    assert told.strip() == repr(expected) and np.array_equal(
+        read(run.folder / "out.vtu").points, expected.points)
     np.savez(run.folder / "both.npz", ball=BALL, plate=PLATE, **STATE)
     run(
         "@both.npz",
@@ -69,14 +70,16 @@ def test_numpy(run):
         "--no-compute-quality",
     )
     mesh = read(run.folder / "out.vtu")
-    assert set(mesh.celltypes) == {pyvista.CellType.TETRA} and {"temperature", "density", "velocity"} <= set(
+    assert set(mesh.celltypes) == {pyvista.CellType.TETRA} and {
+        "temperature", "density", "velocity"} <= set(
         mesh.cell_data.keys()
     )
     assert "ScaledJacobian" not in mesh.cell_data.keys()
     with open(run.folder / "table.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 2 and np.isclose(
-        float(rows[0]["mass"]) + float(rows[1]["mass"]), ((BALL + PLATE) * STATE["density"]).sum() * 2
+        float(rows[0]["mass"]) + float(rows[1]["mass"]),
+        ((BALL + PLATE) * STATE["density"]).sum() * 2
     )
     assert {"momentum_x", "x_min", "centroid_z", "neighbours"} <= set(rows[0])
 
@@ -85,11 +88,14 @@ def test_nifti(run):
     nibabel = pytest.importorskip("nibabel")
     affine = np.diag([-2.0, 2, 2, 1])
     nibabel.save(nibabel.Nifti1Image(LABELS.astype(np.uint8), affine), run.folder / "in.nii.gz")
-    (run.folder / "names.txt").write_text('# label file of ITK-SNAP\n1 255 0 0 1 1 1 "left side"\n2 0 255 0 1 1 1 "right"\n')
-    run("@in.nii.gz", "@out.vtu", "--names", "@names.txt", "--mesh-void", "--surfaces", "@surfaces.vtp")
+    (run.folder / "names.txt").write_text(
+        '# label file of ITK-SNAP\n1 255 0 0 1 1 1 "left side"\n2 0 255 0 1 1 1 "right"\n')
+    run("@in.nii.gz", "@out.vtu", "--names", "@names.txt", "--mesh-void", "--surfaces",
+        "@surfaces.vtp")
     assert read(run.folder / "out.vtu").points[:, 0].max() <= 1
     labels = '<label index="1">left side</label><label index="2">P&#244;le</label>'
-    (run.folder / "names.xml").write_text("<atlas><header><type>Label</type></header><data>%s</data></atlas>" % labels)
+    (run.folder / "names.xml").write_text(
+        "<atlas><header><type>Label</type></header><data>%s</data></atlas>" % labels)
     run("@in.nii.gz", "@out.inp", "--names", "@names.xml")
     assert "** P_LE: material 2" in (run.folder / "out.inp").read_text()
     nibabel.save(nibabel.Nifti1Image(BALL.astype(np.float32), affine), run.folder / "ball.nii")
@@ -112,7 +118,8 @@ def test_other_images(run):
 def test_surface(run):
     write_stl(run.folder / "part.stl", CUBE, TRIANGLES, True)
     told = run("@part.stl", "@out.vtu", "--cells", "10", "--sharp-edges", "on")
-    assert "hexahedra" in told and np.allclose(read(run.folder / "out.vtu").points.max(axis=0), 1, atol=0.02)
+    assert "hexahedra" in told and np.allclose(read(run.folder / "out.vtu").points.max(axis=0), 1,
+                                               atol=0.02)
 
 
 def test_errors(run):
@@ -122,7 +129,8 @@ def test_errors(run):
     np.save(run.folder / "labels.npy", LABELS)
     for words, text in (
         (["@both.npz", "@out.vtu"], "'plate' holds 2"),
-        (["@both.npz", "@out.vtu", "--array", "foam"], "no array 'foam'. Its arrays: 'ball', 'plate'"),
+        (["@both.npz", "@out.vtu", "--array", "foam"],
+         "no array 'foam'. Its arrays: 'ball', 'plate'"),
         (["@both.npz", "@out.vtu", "--labels"], "has 2 arrays"),
         (["@flat.npy", "@out.vtu"], "three axes"),
         (["@none.npy", "@out.vtu"], "none.npy"),
@@ -144,6 +152,7 @@ def test_every_option():
 
 def test_module():
     run = subprocess.run(
-        [sys.executable, "-m", "volume_fraction_mesh", "--version"], capture_output=True, text=True, check=True
+        [sys.executable, "-m", "volume_fraction_mesh", "--version"], capture_output=True, text=True,
+        check=True
     )
     assert run.stdout.strip() == vfm.__version__

@@ -26,14 +26,16 @@ def test_views(kind):
         (np.ascontiguousarray(array).T, "xyz"),
     ):
         flat = added(given, order)
-        assert np.shares_memory(flat, given) and flat.flags.c_contiguous and flat.shape == (array.size,)
+        assert np.shares_memory(flat,
+                                given) and flat.flags.c_contiguous and flat.shape == (array.size,)
         assert np.array_equal(flat, given.ravel("F" if order == "xyz" else "C"))
 
 
 def test_views_of_fractions_and_labels():
     for array in (BALL, BALL.astype(np.float32), (BALL * 255).astype(np.uint8)):
         assert (
-            np.shares_memory(added(np.asfortranarray(array), "xyz", as_fractions), np.asfortranarray(array))
+            np.shares_memory(added(np.asfortranarray(array), "xyz", as_fractions),
+                             np.asfortranarray(array))
             or not array.flags.f_contiguous
         )
     fortran = np.asfortranarray(BALL)
@@ -64,7 +66,8 @@ def test_copies_where_they_must_be():
 def test_images_are_views():
     nibabel = pytest.importorskip("nibabel")
     array = np.asfortranarray(LABELS.astype(np.int16))
-    assert np.shares_memory(read_image(nibabel.Nifti1Image(array, np.eye(4)), None).arrays["Material 1"], array)
+    assert np.shares_memory(read_image(nibabel.Nifti1Image(array, np.eye(4)),
+                                       None).arrays["Material 1"], array)
     pyvista = pytest.importorskip("pyvista")
     image = pyvista.ImageData(dimensions=(13, 13, 13))
     image.cell_data["a"] = np.arange(12.0**3)
@@ -92,7 +95,8 @@ print((peak() - before) / (array.nbytes / 1024))
 def test_memory():
     """What a run takes, in sizes of the array: a copy takes one more."""
     grown = [
-        float(subprocess.run([sys.executable, "-c", MEMORY, order], check=True, capture_output=True).stdout)
+        float(subprocess.run([sys.executable, "-c", MEMORY, order], check=True,
+                             capture_output=True).stdout)
         for order in "FC"
     ]
     assert grown[1] - grown[0] > 0.8, grown

@@ -8,11 +8,13 @@ import sys
 import pytest
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "examples")
-SCREEN = [shutil.which("xvfb-run"), "-a"] if shutil.which("xvfb-run") and not os.environ.get("DISPLAY") else []
+SCREEN = [shutil.which("xvfb-run"),
+          "-a"] if shutil.which("xvfb-run") and not os.environ.get("DISPLAY") else []
 
 
 @pytest.mark.parametrize(
-    "name", sorted(name for name in os.listdir(EXAMPLES) if name.endswith(".py")) if os.path.isdir(EXAMPLES) else []
+    "name", sorted(name for name in os.listdir(EXAMPLES) if name.endswith(".py"))
+    if os.path.isdir(EXAMPLES) else []
 )
 def test_example(name, tmp_path):
     pytest.importorskip("pyvista")

@@ -26,9 +26,11 @@ def test_bodies(make):
     assert table["elements"].sum() == len(mesh) and "mass" not in table
     order = np.argsort(-table["volume"])
     radii = np.cbrt(table["volume"][order[1:]] * 0.75 / np.pi)
-    assert np.allclose(radii, [0.3, 0.2], rtol=2e-3) and np.isclose(table["volume"][order[0]], 2, rtol=1e-6)
+    assert np.allclose(radii, [0.3, 0.2],
+                       rtol=2e-3) and np.isclose(table["volume"][order[0]], 2, rtol=1e-6)
     assert np.allclose(table["volume"], table["fraction_volume"], rtol=1e-6)
-    assert np.allclose(table["centroid"][order], [[0, 0, -0.75], [-0.5, 0, 0], [0.5, 0.1, 0]], atol=2e-3)
+    assert np.allclose(table["centroid"][order], [[0, 0, -0.75], [-0.5, 0, 0], [0.5, 0.1, 0]],
+                       atol=2e-3)
     assert np.allclose(table["bounds"][order[1]], [-0.8, -0.2, -0.3, 0.3, -0.3, 0.3], atol=0.02)
     assert all(len(ids) == 0 for ids in table["neighbours"])
 
@@ -37,21 +39,26 @@ def test_neighbours():
     mesh = vfm.hexes([BALL, PLATE], mesh_void=True)
     table = vfm.fragments(mesh)
     around = {
-        int(m): {int(table["material"][f - 1]) for f in ids} for m, ids in zip(table["material"], table["neighbours"])
+        int(m): {int(table["material"][f - 1]) for f in ids}
+        for m, ids in zip(table["material"], table["neighbours"])
     }
-    assert around == {0: {1, 2}, 1: {0, 2}, 2: {0, 1}} and table["name"][int(np.argmin(table["material"]))] == "Void"
+    assert around == {0: {1, 2}, 1: {0, 2},
+                      2: {0, 1}} and table["name"][int(np.argmin(table["material"]))] == "Void"
 
 
 def test_mass_and_momentum():
     mesh = vfm.hexes(
-        [BALL, PLATE], density=STATE["density"], velocity=STATE["velocity"], state={"T": STATE["temperature"]}
+        [BALL, PLATE], density=STATE["density"], velocity=STATE["velocity"],
+        state={"T": STATE["temperature"]}
     )
     table = vfm.fragments(mesh)
     for fraction, row in zip((BALL, PLATE), np.argsort(table["material"])):
         mass = fraction * STATE["density"]
         assert np.isclose(table["mass"][row], mass.sum(), rtol=1e-12)
-        assert np.allclose(table["momentum"][row], np.einsum("ijk,ijkc->c", mass, STATE["velocity"]), rtol=1e-10)
-    assert np.isclose(vfm.fragments(mesh, density="T")["mass"].sum(), (mesh.volumes() * mesh.state["T"]).sum())
+        assert np.allclose(table["momentum"][row],
+                           np.einsum("ijk,ijkc->c", mass, STATE["velocity"]), rtol=1e-10)
+    assert np.isclose(vfm.fragments(mesh, density="T")["mass"].sum(),
+                      (mesh.volumes() * mesh.state["T"]).sum())
     with pytest.raises(KeyError, match="no array 'weight'. Its state: 'T', 'density', 'velocity'"):
         vfm.fragments(mesh, density="weight")
 

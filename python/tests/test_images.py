@@ -39,8 +39,10 @@ def test_pyvista_cells():
     image = cell_image(pyvista)
     mesh = vfm.hexes(image, arrays=["ball", "plate"])
     assert same(mesh, PLAIN) and mesh.materials["Name"] == ["ball", "plate"]
-    assert vfm.hexes(image, arrays=["ball", "plate"], names=["a", "b"]).materials["Name"] == ["a", "b"]
-    assert same(vfm.hexes(labels=image, arrays=["id"]), vfm.hexes(labels=LABELS, spacing=SPACING, origin=ORIGIN))
+    assert vfm.hexes(image, arrays=["ball", "plate"],
+                     names=["a", "b"]).materials["Name"] == ["a", "b"]
+    assert same(vfm.hexes(labels=image, arrays=["id"]),
+                vfm.hexes(labels=LABELS, spacing=SPACING, origin=ORIGIN))
     image.set_active_scalars("plate")
     assert vfm.hexes(image).materials["Name"] == ["plate"]
     with pytest.raises(ValueError, match="no numeric cell array 'foam'. Its cell arrays: .*'ball'"):
@@ -54,7 +56,8 @@ def test_pyvista_cells():
 def test_pyvista_state():
     pyvista = pytest.importorskip("pyvista")
     image = cell_image(pyvista)
-    mesh = vfm.hexes(image, arrays=["ball", "plate"], state=["T"], density="density", velocity="velocity")
+    mesh = vfm.hexes(image, arrays=["ball", "plate"], state=["T"], density="density",
+                     velocity="velocity")
     arrays = vfm.hexes(
         [BALL, PLATE],
         spacing=SPACING,
@@ -66,7 +69,8 @@ def test_pyvista_state():
     assert list(mesh.state) == list(arrays.state) == ["T", "density", "velocity"]
     assert all(np.array_equal(mesh.state[name], arrays.state[name]) for name in mesh.state)
     assert mesh.roles == arrays.roles == {"density": "density", "velocity": "velocity"}
-    given = vfm.hexes(image, arrays=["ball"], state={"new": STATE["temperature"].transpose(2, 1, 0)})
+    given = vfm.hexes(image, arrays=["ball"],
+                      state={"new": STATE["temperature"].transpose(2, 1, 0)})
     assert "new" in given.state
 
 
@@ -74,7 +78,8 @@ def test_pyvista_points():
     pyvista = pytest.importorskip("pyvista")
     image = point_image(pyvista)
     mesh = vfm.hexes(image, arrays=["ball", "plate"])
-    assert np.allclose(mesh.points, PLAIN.points, atol=1e-12) and np.array_equal(mesh.cells, PLAIN.cells)
+    assert np.allclose(mesh.points, PLAIN.points,
+                       atol=1e-12) and np.array_equal(mesh.cells, PLAIN.cells)
     image.set_active_scalars("id")
     assert len(vfm.hexes(labels=image))
     image.point_data["bad"] = np.full(N**3, 2.0)
@@ -150,7 +155,8 @@ def test_nibabel_fractions(tmp_path):
     nibabel.save(nibabel.Nifti1Image(both, np.diag([0.5, 0.5, 0.5, 1])), tmp_path / "both.nii.gz")
     mesh = vfm.hexes(nibabel.load(tmp_path / "both.nii.gz"))
     nodes = [(np.arange(N + 1) - 0.5) * 0.5] * 3
-    assert same(mesh, vfm.hexes([BALL.astype(np.float32), PLATE.astype(np.float32)], coordinates=nodes))
+    assert same(mesh,
+                vfm.hexes([BALL.astype(np.float32), PLATE.astype(np.float32)], coordinates=nodes))
     images = [nibabel.Nifti1Image(array, np.eye(4)) for array in (BALL, PLATE)]
     assert vfm.hexes(dict(zip("ab", images))).materials["Name"] == ["a", "b"]
     with pytest.raises(ValueError, match="'a' and 'b' lie on different grids"):
@@ -176,7 +182,8 @@ def test_simpleitk():
     turned = vfm.hexes(labels=image)
     plain = vfm.hexes(labels=LABELS, coordinates=nodes)
     assert np.allclose(turned.points, (plain.points - ORIGIN) @ TURN.T + ORIGIN, atol=1e-12)
-    both = sitk.GetImageFromArray(np.stack([BALL, PLATE], axis=3).transpose(2, 1, 0, 3), isVector=True)
+    both = sitk.GetImageFromArray(np.stack([BALL, PLATE], axis=3).transpose(2, 1, 0, 3),
+                                  isVector=True)
     assert len(vfm.hexes(both).materials["Name"]) == 2
     with pytest.raises(ValueError, match="has 2 axes"):
         vfm.hexes(labels=image[:, :, 3])

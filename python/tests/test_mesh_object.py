@@ -22,18 +22,22 @@ BOTH = pytest.mark.parametrize("mesh", [HEXES, TETS], ids=["hexes", "tets"])
 def test_repr():
     text = repr(HEXES)
     assert (
-        text.startswith("Mesh(%d hexahedra, %d points, 3 materials, " % (len(HEXES), len(HEXES.points)))
+        text.startswith("Mesh(%d hexahedra, %d points, 3 materials, "
+                        % (len(HEXES), len(HEXES.points)))
         and "scaled Jacobian 0." in text
     )
-    assert "tetrahedra" in repr(TETS) and "Jacobian" not in repr(vfm.hexes(BALL, compute_quality=False))
+    assert "tetrahedra" in repr(TETS) and "Jacobian" not in repr(
+        vfm.hexes(BALL, compute_quality=False))
 
 
 @BOTH
 def test_pickle(mesh):
     again = pickle.loads(pickle.dumps(mesh))
     assert same(again, mesh) and repr(again) == repr(mesh) and again.roles == mesh.roles
-    assert np.array_equal(again.state["T"], mesh.state["T"]) and again.materials["Name"] == mesh.materials["Name"]
-    assert np.array_equal(again.surfaces.cells, mesh.surfaces.cells) and set(again.surfaces.fields) == set(
+    assert np.array_equal(again.state["T"],
+                          mesh.state["T"]) and again.materials["Name"] == mesh.materials["Name"]
+    assert np.array_equal(again.surfaces.cells,
+                          mesh.surfaces.cells) and set(again.surfaces.fields) == set(
         mesh.surfaces.fields
     )
 
@@ -50,21 +54,27 @@ def test_pyvista(mesh, tmp_path):
     grid = mesh.to_pyvista()
     assert np.array_equal(grid.points, mesh.points) and grid.n_cells == len(mesh)
     assert np.array_equal(next(iter(grid.cells_dict.values())), mesh.cells)
-    expected = {"MaterialId", "FragmentId", "GlobalCellIds", "ScaledJacobian", "T", "density", "velocity"}
+    expected = {"MaterialId", "FragmentId", "GlobalCellIds", "ScaledJacobian", "T", "density",
+                "velocity"}
     assert set(grid.cell_data.keys()) == expected
-    assert set(grid.point_data.keys()) == {"GlobalPointIds", "GeometryDimension", "GeometryId", "velocity"}
-    assert grid.points.dtype == np.float64 and list(grid.field_data["MaterialNames"])[-2:] == ["ball", "plate"]
-    assert np.isclose(grid.compute_cell_sizes().cell_data["Volume"].sum(), mesh.volumes().sum(), rtol=1e-3)
+    assert set(grid.point_data.keys()) == {"GlobalPointIds", "GeometryDimension", "GeometryId",
+                                           "velocity"}
+    assert grid.points.dtype == np.float64 and list(grid.field_data["MaterialNames"])[-2:] == [
+        "ball", "plate"]
+    assert np.isclose(grid.compute_cell_sizes().cell_data["Volume"].sum(), mesh.volumes().sum(),
+                      rtol=1e-3)
     grid.save(tmp_path / "mesh.vtu")
     again = pyvista.read(tmp_path / "mesh.vtu")
-    assert np.array_equal(again.points, mesh.points) and np.array_equal(again.cell_data["T"], mesh.state["T"])
+    assert np.array_equal(again.points,
+                          mesh.points) and np.array_equal(again.cell_data["T"], mesh.state["T"])
     assert set(again.cell_data.keys()) == expected and "MeshVolume" in again.field_data.keys()
 
 
 @BOTH
 def test_pyvista_parts(mesh):
     pytest.importorskip("pyvista")
-    surfaces, curves, vertices = (mesh.to_pyvista(part) for part in ("surfaces", "curves", "vertices"))
+    surfaces, curves, vertices = (mesh.to_pyvista(part)
+                                  for part in ("surfaces", "curves", "vertices"))
     assert surfaces.n_cells == len(mesh.surfaces.cells) and np.array_equal(
         surfaces.cell_data["SurfaceId"], mesh.surfaces.surface_id
     )
@@ -73,8 +83,10 @@ def test_pyvista_parts(mesh):
         and "SurfaceAreas" in surfaces.field_data.keys()
     )
     corners = surfaces.regular_faces
-    assert np.array_equal(surfaces.point_data["GlobalPointIds"][corners], mesh.point_ids[mesh.surfaces.cells])
-    assert curves.n_cells == len(mesh.curves.cells) and vertices.n_cells == len(mesh.vertices.points)
+    assert np.array_equal(surfaces.point_data["GlobalPointIds"][corners],
+                          mesh.point_ids[mesh.surfaces.cells])
+    assert curves.n_cells == len(mesh.curves.cells) and vertices.n_cells == len(
+        mesh.vertices.points)
     with pytest.raises(ValueError, match="part is 'volume'"):
         mesh.to_pyvista("volume")
     assert vfm.hexes(BALL).to_pyvista("curves").n_cells == 0
@@ -116,9 +128,11 @@ def test_files(mesh, ending, tmp_path):
         assert set(again.field_data) == set(mesh.materials["Name"])
         assert int((np.concatenate(again.cell_data["gmsh:physical"]) == 2).sum()) == counts[2]
     elif ending == "inp":
-        assert {block.type for block in again.cells} == {mesh.kind} and len(again.cells) == len(counts)
+        assert {block.type
+                for block in again.cells} == {mesh.kind} and len(again.cells) == len(counts)
         assert np.array_equal(
-            np.concatenate([block.data for block in again.cells]), mesh.cells[np.argsort(mesh.material, kind="stable")]
+            np.concatenate([block.data for block in again.cells]),
+            mesh.cells[np.argsort(mesh.material, kind="stable")]
         )
         text = path.read_text()
         assert "ELSET=PLATE\n" in text and ("TYPE=C3D8," if mesh is HEXES else "TYPE=C3D4,") in text
@@ -136,9 +150,12 @@ def test_exodus(mesh, tmp_path):
         data.set_auto_mask(False)
         assert np.array_equal(data["node_num_map"][:], mesh.point_ids)
         assert np.array_equal(np.sort(data["elem_num_map"][:]), np.sort(mesh.cell_ids))
-        assert np.array_equal(np.column_stack([data["coord" + axis][:] for axis in "xyz"]), mesh.points)
-        assert data["time_whole"][:].tolist() == [0.25] and data["qa_records"][0, 0].tobytes().startswith(b"VolumeFr")
-        blocks = {bytes(n).rstrip(b"\0").decode(): i for n, i in zip(data["eb_names"][:], data["eb_prop1"][:])}
+        assert np.array_equal(np.column_stack([data["coord" + axis][:] for axis in "xyz"]),
+                              mesh.points)
+        assert data["time_whole"][:].tolist() == [0.25] and data["qa_records"][
+            0, 0].tobytes().startswith(b"VolumeFr")
+        blocks = {bytes(n).rstrip(b"\0").decode(): i
+                  for n, i in zip(data["eb_names"][:], data["eb_prop1"][:])}
         assert blocks["ball"] == 1 and blocks["plate"] == 2
         sides = [bytes(n).rstrip(b"\0").decode() for n in data["ss_names"][:]]
         assert {"x_min", "z_min", "ball_to_plate", "plate_to_ball"} <= set(sides), sides
@@ -146,7 +163,8 @@ def test_exodus(mesh, tmp_path):
         assert np.array_equal(data["connect1"][:], first)
         names = [bytes(n).rstrip(b"\0").decode() for n in data["name_elem_var"][:]]
         place = names.index("T") + 1
-        assert np.array_equal(data["vals_elem_var%deb1" % place][0], mesh.state["T"][mesh.material == 1])
+        assert np.array_equal(data["vals_elem_var%deb1" % place][0],
+                              mesh.state["T"][mesh.material == 1])
         assert {"velocity_X", "velocity_Y", "velocity_Z"} <= {
             bytes(n).rstrip(b"\0").decode() for n in data["name_nod_var"][:]
         }
@@ -160,10 +178,12 @@ def test_vtu_has_all(tmp_path):
     for found, arrays in ((grid.cell_data, wanted.cell_data), (grid.point_data, wanted.point_data)):
         assert list(found) == list(arrays)
         for name in arrays:
-            assert found[name].dtype == arrays[name].dtype and np.array_equal(found[name], arrays[name]), name
+            assert found[name].dtype == arrays[name].dtype and np.array_equal(
+                found[name], arrays[name]), name
     assert list(grid.field_data["MaterialNames"]) == list(wanted.field_data["MaterialNames"])
     assert grid.GetPointData().GetGlobalIds().GetName() == "GlobalPointIds"
-    assert grid.GetCellData().GetScalars().GetName() == "MaterialId" and grid.field_data["TimeValue"][0] == 0.5
+    assert grid.GetCellData().GetScalars().GetName() == "MaterialId" and grid.field_data[
+        "TimeValue"][0] == 0.5
 
 
 def test_files_that_cannot_be_written(tmp_path, monkeypatch):

@@ -28,7 +28,8 @@ def test_meshes_are_valid(make):
     assert (mesh.points.min(axis=0) >= [-1, 2, 3]).all() and (
         mesh.points.max(axis=0) <= [0.2 + 1e-9, 4.4 + 1e-9, 4.2]
     ).all()
-    assert set(mesh.material) == {1, 2} and mesh.quality.min() > 0.05 and len(mesh) == len(mesh.cells)
+    assert set(mesh.material) == {1,
+                                  2} and mesh.quality.min() > 0.05 and len(mesh) == len(mesh.cells)
 
 
 def test_types_and_shapes():
@@ -47,7 +48,8 @@ def test_types_and_shapes():
         assert array.shape == shape and array.dtype == kind and array.flags.c_contiguous, name
     assert MESH.geometry.dimension.shape == MESH.geometry.id.shape == (points,)
     facets = len(MESH.surfaces.cells)
-    assert MESH.surfaces.cells.shape == (facets, 4) and MESH.surfaces.material_pair.shape == (facets, 2)
+    assert MESH.surfaces.cells.shape == (facets,
+                                         4) and MESH.surfaces.material_pair.shape == (facets, 2)
     assert vfm.tets([BALL]).surfaces.cells.shape[1] == 3
     assert MESH.curves.cells.shape[1] == 2 and MESH.vertices.points.ndim == 1
     assert (
@@ -58,7 +60,8 @@ def test_types_and_shapes():
 
 
 def test_ways_to_give_fractions():
-    assert same(vfm.hexes({"b": BALL, "p": PLATE}), MESH) and same(vfm.hexes((BALL, PLATE), names=["b", "p"]), MESH)
+    assert same(vfm.hexes({"b": BALL, "p": PLATE}),
+                MESH) and same(vfm.hexes((BALL, PLATE), names=["b", "p"]), MESH)
     assert (
         vfm.hexes({"b": BALL, "p": PLATE}).materials["Name"]
         == ["b", "p"]
@@ -73,7 +76,8 @@ def test_ways_to_give_fractions():
 def test_orders():
     """The axes of arrays, and how they lie in memory, change nothing."""
     turned = [array.transpose(2, 1, 0) for array in (BALL, PLATE)]
-    for copy in (np.asfortranarray, np.ascontiguousarray, lambda array: array[::-1, ::-1][::-1, ::-1]):
+    for copy in (np.asfortranarray, np.ascontiguousarray,
+                 lambda array: array[::-1, ::-1][::-1, ::-1]):
         assert same(vfm.hexes([copy(BALL), copy(PLATE)]), MESH)
         assert same(vfm.hexes([copy(array) for array in turned], order="zyx"), MESH)
     assert not np.array_equal(vfm.hexes(turned).points, MESH.points)
@@ -86,7 +90,8 @@ def test_orders():
 def test_types_of_fractions():
     singles = [array.astype(np.float32) for array in (BALL, PLATE)]
     expected = vfm.hexes([array.astype(np.float64) for array in singles])
-    assert same(vfm.hexes(singles), expected) and same(vfm.hexes([array.astype(">f4") for array in singles]), expected)
+    assert same(vfm.hexes(singles),
+                expected) and same(vfm.hexes([array.astype(">f4") for array in singles]), expected)
     full = vfm.hexes([LABELS == 1, LABELS == 2])
     assert same(full, vfm.hexes([(LABELS == 1).astype(float), (LABELS == 2).astype(float)]))
     assert same(full, vfm.hexes([np.uint8(255) * (LABELS == 1), np.uint8(255) * (LABELS == 2)]))
@@ -104,7 +109,8 @@ def test_types_of_labels():
 
 
 def test_labels():
-    mesh = vfm.hexes(labels=GRAINS, names={1: "first", 3: "second", 99: "not there"}, label_smoothing=2)
+    mesh = vfm.hexes(labels=GRAINS, names={1: "first", 3: "second", 99: "not there"},
+                     label_smoothing=2)
     check_valid(mesh)
     assert set(mesh.material) == set(GRAINS.ravel().tolist()) == set(mesh.materials["MaterialId"])
     assert mesh.materials["Name"][:3] == ["first", "second", "Material 5"]
@@ -119,10 +125,12 @@ def test_coordinates():
     check_valid(mesh)
     widths = [np.diff(x) for x in nodes]
     assert np.allclose(
-        mesh.materials["TargetVolume"], [np.einsum("ijk,i,j,k", array, *widths) for array in (BALL, PLATE)]
+        mesh.materials["TargetVolume"],
+        [np.einsum("ijk,i,j,k", array, *widths) for array in (BALL, PLATE)]
     )
     even = [np.arange(N + 1) * s + o for o, s in zip((1, 2, 3), (0.5, 0.25, 2))]
-    assert same(vfm.hexes([BALL], coordinates=even), vfm.hexes([BALL], origin=(1, 2, 3), spacing=(0.5, 0.25, 2)))
+    assert same(vfm.hexes([BALL], coordinates=even),
+                vfm.hexes([BALL], origin=(1, 2, 3), spacing=(0.5, 0.25, 2)))
     assert same(vfm.hexes([BALL], spacing=0.5), vfm.hexes([BALL], spacing=[0.5] * 3))
 
 
@@ -138,7 +146,8 @@ def test_direction():
 def test_threads_change_no_bit():
     for name, make in CASES.items():
         case = make()
-        assert len({digest(vars(mesh_of(case, threads=threads))) for threads in (1, 2, 3)}) == 1, name
+        assert len({digest(vars(mesh_of(case, threads=threads)))
+                    for threads in (1, 2, 3)}) == 1, name
 
 
 def test_digest_feels_every_bit():
@@ -161,7 +170,8 @@ def test_options_have_effect():
     assert 5 < len(fine) / len(vfm.hexes([BALL])) < 9
     chosen = np.zeros((N, N, N), int)
     chosen[:4, :4, :4] = 1
-    settings = {"refinement": "automatic", "thin_cells": 0, "fine_interfaces": False, "mesh_void": True}
+    settings = {"refinement": "automatic", "thin_cells": 0, "fine_interfaces": False,
+                "mesh_void": True}
     by_array = vfm.hexes([BALL], refinement_array=chosen, **settings)
     by_box = vfm.hexes([BALL], refinement_boxes=[(0, 0, 0, 4, 4, 4)], **settings)
     assert same(by_array, by_box) and len(by_array) > len(vfm.hexes([BALL], mesh_void=True))

@@ -26,7 +26,8 @@ def options_of(make):
 def test_signatures(make):
     told = inspect.signature(make).parameters
     for option in options_of(make):
-        assert told[option.name].default == option.default and told[option.name].kind is inspect.Parameter.KEYWORD_ONLY
+        assert told[option.name].default == option.default and told[
+            option.name].kind is inspect.Parameter.KEYWORD_ONLY
     others = {
         "fractions",
         "labels",
@@ -59,10 +60,12 @@ def test_defaults_are_those_of_the_core(option):
 @pytest.mark.parametrize("option", NUMBERS, ids=lambda option: option.name)
 def test_ranges(option):
     of, step = (int, 1) if option.kind == "whole" else (float, 1e-9)
-    least, most = (end if abs(end) == float("inf") else of(end) for end in (option.least, option.most))
+    least, most = (end if abs(end) == float("inf") else of(end)
+                   for end in (option.least, option.most))
     ends = OPENS.get(option.name, "[]")
     options = _core.Options(option.tets)
-    for value in (option.default, least if ends[0] == "[" else 0.3, most if ends[1] == "]" else 0.3):
+    for value in (option.default, least if ends[0] == "[" else 0.3,
+                  most if ends[1] == "]" else 0.3):
         if abs(value) < float("inf"):
             setattr(options, option.name, value)
             assert getattr(options, option.name) == value
@@ -88,7 +91,8 @@ def test_wrong_types(option):
         assert str(told.value).startswith("%s is %r: it must be " % (option.name, value))
 
 
-@pytest.mark.parametrize("option", [option for option in OPTIONS if option.kind == "word"], ids=lambda option: option.name)
+@pytest.mark.parametrize("option", [option for option in OPTIONS if option.kind == "word"],
+                         ids=lambda option: option.name)
 def test_words(option):
     options = _core.Options(option.tets)
     for word in option.words:

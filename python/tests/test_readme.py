@@ -69,5 +69,6 @@ def test_links():
 def test_no_package_is_needed():
     """But numpy."""
     code = "import sys, volume_fraction_mesh; print(*{name.split('.')[0] for name in sys.modules})"
-    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                           check=True).stdout.split()
     assert not {"pyvista", "vtkmodules", "meshio", "nibabel", "SimpleITK", "tqdm"} & set(found)

@@ -34,7 +34,8 @@ except KeyboardInterrupt:
 @pytest.mark.parametrize("after, threads", [(1.0, 1), (2.0, 2), (4.0, 2)])
 def test_interrupt(after, threads):
     run = subprocess.run(
-        [sys.executable, "-c", INTERRUPTED, str(after), str(threads)], capture_output=True, text=True, timeout=100
+        [sys.executable, "-c", INTERRUPTED, str(after), str(threads)], capture_output=True,
+        text=True, timeout=100
     )
     assert run.returncode == 0 and run.stdout, run.stderr
     print("Ctrl-C after %.0f s ended the run in %.2f s" % (after, float(run.stdout)))
@@ -83,7 +84,8 @@ def test_progress_of_a_function():
     assert all(0 <= fraction <= 1 and isinstance(stage, str) and stage for fraction, stage in told)
     assert len({stage for _, stage in told}) > 3
     shapes = []
-    vfm.shapes("sphere radius=5 center=6,6,6", 12, progress=lambda fraction, stage: shapes.append(fraction))
+    vfm.shapes("sphere radius=5 center=6,6,6", 12, progress=lambda fraction,
+               stage: shapes.append(fraction))
     assert shapes
 
 

@@ -42,13 +42,15 @@ def write_stl(path, points, triangles, binary):
             ]
         path.write_text("\n".join(lines + ["endsolid part"]))
         return
-    records = [struct.pack("<12fH", 0, 0, 0, *points[triangle].ravel(), 0) for triangle in triangles]
+    records = [struct.pack("<12fH", 0, 0, 0, *points[triangle].ravel(), 0)
+               for triangle in triangles]
     path.write_bytes(b"solid" + bytes(75) + struct.pack("<I", len(triangles)) + b"".join(records))
 
 
 def test_shapes():
     found = vfm.shapes(
-        "sphere radius=0.5 # a ball\nhalfspace point=0,0,-0.6 normal=0,0,1 material=2", (16, 12, 10), bounds=BOUNDS
+        "sphere radius=0.5 # a ball\nhalfspace point=0,0,-0.6 normal=0,0,1 material=2",
+        (16, 12, 10), bounds=BOUNDS
     )
     assert list(found) == ["Material1", "Material2"] and found["Material1"].shape == (16, 12, 10)
     volume = 8 / (16 * 12 * 10)
@@ -57,7 +59,8 @@ def test_shapes():
     )
     mesh = vfm.hexes(found)
     check_valid(mesh)
-    assert np.allclose(mesh.materials["MeshVolume"], [np.pi / 6, 1.6], rtol=1e-3) and mesh.points.min() == -1
+    assert np.allclose(mesh.materials["MeshVolume"], [np.pi / 6, 1.6],
+                       rtol=1e-3) and mesh.points.min() == -1
 
 
 def test_grids_of_shapes():
@@ -67,9 +70,12 @@ def test_grids_of_shapes():
         found = vfm.shapes(text, 10, **grid)
         assert np.allclose(found["Material1"], expected["Material1"], atol=1e-12)
     turned = vfm.shapes(text, 10, bounds=BOUNDS, order="zyx")
-    assert np.array_equal(turned["Material1"].T, expected["Material1"]) and same(vfm.hexes(turned), vfm.hexes(expected))
+    assert np.array_equal(turned["Material1"].T,
+                          expected["Material1"]) and same(vfm.hexes(turned), vfm.hexes(expected))
     given = vfm.hexes(dict(expected), coordinates=expected.coordinates)
-    assert same(given, vfm.hexes(expected)) and same(vfm.hexes(pickle.loads(pickle.dumps(expected))), given)
+    assert same(given,
+                vfm.hexes(expected)) and same(vfm.hexes(pickle.loads(pickle.dumps(expected))),
+                                              given)
     assert expected["Material1"].flags.f_contiguous and turned["Material1"].flags.c_contiguous
     many = vfm.shapes(text, 10, bounds=BOUNDS, threads=3)
     assert np.array_equal(many["Material1"], expected["Material1"])
@@ -116,7 +122,8 @@ def test_ways_to_give_surfaces():
     assert expected["Material1"].shape == (8, 9, 10)
     inside_out = vfm.surface((CUBE, TRIANGLES[:, ::-1]), (8, 9, 10))
     assert np.array_equal(inside_out["Material1"], expected["Material1"])
-    assert list(vfm.surface({"steel": (CUBE, TRIANGLES), "lead": (CUBE + 2, TRIANGLES)}, 12)) == ["steel", "lead"]
+    assert list(vfm.surface({"steel": (CUBE, TRIANGLES), "lead": (CUBE + 2, TRIANGLES)},
+                            12)) == ["steel", "lead"]
     fixed = vfm.surface((CUBE, TRIANGLES), 4, bounds=[-0.5, 1.5] * 3)
     assert np.isclose(fixed["Material1"].sum(), 8) and np.isclose(fixed["Material1"][1, 1, 1], 1)
     flat = vfm.surface((CUBE * [4, 2, 1], TRIANGLES), 12)
@@ -131,10 +138,13 @@ def test_surfaces_of_others(tmp_path):
     volume = found["Material1"].sum() * np.prod([np.diff(x)[0] for x in found.coordinates])
     assert np.isclose(volume, ball.volume, rtol=1e-5)
     ball.save(tmp_path / "ball.stl")
-    assert np.allclose(vfm.surface(tmp_path / "ball.stl", 16)["Material1"], found["Material1"], atol=1e-4)
+    assert np.allclose(vfm.surface(tmp_path / "ball.stl", 16)["Material1"], found["Material1"],
+                       atol=1e-4)
     assert np.isclose(vfm.surface(pyvista.Cube(), 8)["Material1"].sum(), 64)
     quads = meshio.Mesh(
-        CUBE, [("quad", [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])]
+        CUBE, [("quad",
+                [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2],
+                 [1, 3, 7, 5]])]
     )
     meshio.write(tmp_path / "cube.ply", quads)
     for value in (quads, tmp_path / "cube.ply"):

@@ -10,7 +10,8 @@ SPACING = (0.5, 0.25, 1.0)
 CELL = np.prod(SPACING)
 MAKES = [vfm.hexes, vfm.tets]
 FRACTIONS = {"ball": BALL, "plate": PLATE}
-DENSITY, VELOCITY, ENERGY, HEAT = (STATE[name] for name in ("density", "velocity", "energy", "temperature"))
+DENSITY, VELOCITY, ENERGY, HEAT = (STATE[name]
+                                   for name in ("density", "velocity", "energy", "temperature"))
 GIVEN = {"density": DENSITY, "velocity": VELOCITY, "energy": ENERGY, "spacing": SPACING}
 
 
@@ -27,10 +28,13 @@ def test_conserved(make, order):
     for label, fraction in enumerate(FRACTIONS.values(), 1):
         own, mass = mesh.material == label, fraction * CELL * DENSITY
         assert close(masses[own].sum(), mass.sum(), mass.sum())
-        assert close((masses * mesh.state["T"])[own].sum(), (mass * HEAT).sum(), (mass * HEAT).sum())
+        assert close((masses * mesh.state["T"])[own].sum(), (mass * HEAT).sum(),
+                     (mass * HEAT).sum())
         momentum = np.einsum("ijk,ijkc->c", mass, VELOCITY)
-        assert close(masses[own] @ mesh.state["velocity"][own], momentum, np.abs(mass[..., None] * VELOCITY).sum())
-        assert close((masses * mesh.state["energy"])[own].sum(), (mass * ENERGY).sum(), (mass * ENERGY).sum())
+        assert close(masses[own] @ mesh.state["velocity"][own], momentum,
+                     np.abs(mass[..., None] * VELOCITY).sum())
+        assert close((masses * mesh.state["energy"])[own].sum(), (mass * ENERGY).sum(),
+                     (mass * ENERGY).sum())
         for column in ("InputMass", "MeshMass"):
             assert close(mesh.materials[column][label - 1], mass.sum(), mass.sum())
 
@@ -59,7 +63,8 @@ def test_copied(make):
     assert mesh.state["velocity"].shape == (len(mesh), 3)
     x, y = mesh.state["code"] % 100 - 50, mesh.state["code"] // 100
     centre = mesh.points[mesh.cells].mean(axis=1)
-    assert np.abs(centre[:, 0] - x - 0.5).mean() < 0.6 and np.abs(centre[:, 1] - y - 0.5).mean() < 0.6
+    assert np.abs(centre[:,
+                         0] - x - 0.5).mean() < 0.6 and np.abs(centre[:, 1] - y - 0.5).mean() < 0.6
 
 
 def test_copied_of_stair_steps():
@@ -74,15 +79,18 @@ def test_copied_of_stair_steps():
 def test_transfer():
     assert vfm.hexes(FRACTIONS, state={"T": HEAT}, **GIVEN).materials["InputMass"].shape == (2,)
     copied = vfm.hexes(FRACTIONS, state={"T": HEAT}, state_transfer="copy", **GIVEN)
-    assert "InputMass" not in copied.materials and set(copied.state) == {"T", "velocity", "energy", "density"}
+    assert "InputMass" not in copied.materials and set(copied.state) == {
+        "T", "velocity", "energy", "density"}
     mesh = vfm.hexes(FRACTIONS, state={"T": HEAT}, state_transfer="conserve", spacing=SPACING)
     total = sum((fraction * HEAT).sum() for fraction in FRACTIONS.values()) * CELL
-    assert np.isclose((mesh.volumes() * mesh.state["T"]).sum(), total, rtol=1e-5)  # mass is the volume of the cells
+    # mass is the volume of the cells
+    assert np.isclose((mesh.volumes() * mesh.state["T"]).sum(), total, rtol=1e-5)
 
 
 def test_kinds():
     state = {"pressure": HEAT, "charge": BALL * 3, "code": STATE["code"]}
-    for kinds in ({"pressure": "volume", "charge": "extensive"}, ["pressure=volume", "charge=extensive"]):
+    for kinds in ({"pressure": "volume", "charge": "extensive"},
+                  ["pressure=volume", "charge=extensive"]):
         mesh = vfm.hexes(FRACTIONS, state=state, state_kinds=kinds, **GIVEN)
         total = ((BALL + PLATE) * HEAT).sum() * CELL
         assert close((mesh.volumes() * mesh.state["pressure"]).sum(), total, total)
@@ -94,9 +102,11 @@ def test_arrays_of_materials():
     dense = {"ball": DENSITY, "plate": 3 * DENSITY}
     mesh = vfm.hexes(FRACTIONS, density=dense, spacing=SPACING)
     again = vfm.hexes(FRACTIONS, density=[DENSITY, 3 * DENSITY], spacing=SPACING)
-    assert list(mesh.state) == ["density"] and np.array_equal(mesh.state["density"], again.state["density"])
+    assert list(mesh.state) == ["density"] and np.array_equal(
+        mesh.state["density"], again.state["density"])
     masses = [(FRACTIONS[name] * dense[name]).sum() * CELL for name in FRACTIONS]
-    assert np.allclose(mesh.materials["MeshMass"], masses, rtol=1e-13) and mesh.roles["density"] == "density"
+    assert np.allclose(mesh.materials["MeshMass"], masses,
+                       rtol=1e-13) and mesh.roles["density"] == "density"
     both = vfm.hexes(
         FRACTIONS,
         density=dense,
@@ -113,13 +123,15 @@ def test_arrays_of_labels():
     labels = np.where(BALL > 0.5, 7, np.where(PLATE > 0.5, 3, 0))
     mesh = vfm.hexes(labels=labels, density={3: DENSITY, 7: 2 * DENSITY})
     expected = [DENSITY[labels == 3].sum(), 2 * DENSITY[labels == 7].sum()]
-    assert list(mesh.state) == ["density"] and np.allclose(mesh.materials["MeshMass"], expected, rtol=1e-13)
+    assert list(mesh.state) == ["density"] and np.allclose(mesh.materials["MeshMass"], expected,
+                                                           rtol=1e-13)
 
 
 def test_numbers():
     """Of all cells, or of all cells of a material."""
     expected = vfm.hexes(FRACTIONS, density={"ball": 0 * BALL + 2, "plate": 0 * BALL + 3})
-    for order, fractions in (("xyz", FRACTIONS), ("zyx", {name: array.T for name, array in FRACTIONS.items()})):
+    for order, fractions in (("xyz", FRACTIONS),
+                             ("zyx", {name: array.T for name, array in FRACTIONS.items()})):
         mesh = vfm.hexes(fractions, density={"ball": 2, "plate": 3.0}, order=order)
         assert np.array_equal(mesh.state["density"], expected.state["density"])
     assert np.allclose(vfm.hexes(BALL, density=7).state["density"], 7, rtol=1e-6)

@@ -1,4 +1,5 @@
-"""Hexahedral and tetrahedral meshes of every material from volume fractions or labels on Cartesian grids.
+"""Hexahedral and tetrahedral meshes of every material from volume fractions or labels on Cartesian
+grids.
 
 >>> import volume_fraction_mesh as vfm
 >>> mesh = vfm.hexes(vfm.shapes("sphere radius=0.7", 20, bounds=[-1, 1] * 3))

@@ -1,4 +1,5 @@
-"""The command vfmesh: from a file of volume fractions, labels or a closed surface to a file of a mesh."""
+"""The command vfmesh: from a file of volume fractions, labels or a closed surface to a file of a
+mesh."""
 
 from __future__ import annotations
 
@@ -21,11 +22,13 @@ OPTIONS = list_options()
 def _add_option(group: Any, option: Option) -> None:
     word, told = "--" + option.name.replace("_", "-"), option.text.replace("%", "%%")
     if option.kind == "flag":
-        group.add_argument(word, action=argparse.BooleanOptionalAction, default=option.default, help=told)
+        group.add_argument(word, action=argparse.BooleanOptionalAction, default=option.default,
+                           help=told)
     else:
         told += " (%s; %s)" % (option.allowed, option.default)
         kind = {"word": str, "whole": int, "real": float}[option.kind]
-        group.add_argument(word, type=kind, default=option.default, metavar=option.kind.upper(), help=told)
+        group.add_argument(word, type=kind, default=option.default, metavar=option.kind.upper(),
+                           help=told)
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -33,25 +36,33 @@ def make_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="vfmesh", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("input", help=".npy, .npz, .spcth, a folder of an AMReX plotfile, NIfTI (nibabel), .vti (PyVista), .stl, or what SimpleITK reads")
+    parser.add_argument("input",
+                        help=".npy, .npz, .spcth, a folder of an AMReX plotfile, NIfTI (nibabel), .vti (PyVista), .stl, or what SimpleITK reads")
     parser.add_argument("output", help=".vtu, .e, .inp, .msh .., as Mesh.save")
     parser.add_argument("--version", action="version", version=__version__)
     parser.add_argument("--tets", action="store_true", help="tetrahedra instead of hexahedra")
     kind = parser.add_mutually_exclusive_group()
-    kind.add_argument("--labels", action="store_true", help="the array holds labels (else its type and range tell)")
+    kind.add_argument("--labels", action="store_true",
+                      help="the array holds labels (else its type and range tell)")
     kind.add_argument("--fractions", action="store_true", help="the arrays hold volume fractions")
     parser.add_argument(
-        "--array", action="append", metavar="NAME", help="an array of the file that holds a material; repeat for more"
+        "--array", action="append", metavar="NAME",
+        help="an array of the file that holds a material; repeat for more"
     )
-    parser.add_argument("--names", metavar="FILE", help="a text with a label and its name in each line, a label file of ITK-SNAP, or a table of FreeSurfer")
+    parser.add_argument("--names", metavar="FILE",
+                        help="a text with a label and its name in each line, a label file of ITK-SNAP, or a table of FreeSurfer")
     parser.add_argument(
-        "--spacing", type=float, nargs="+", metavar="WIDTH", help="of .npy and .npz: one, or three for x, y and z"
+        "--spacing", type=float, nargs="+", metavar="WIDTH",
+        help="of .npy and .npz: one, or three for x, y and z"
     )
     parser.add_argument(
-        "--origin", type=float, nargs=3, metavar="X", help="of .npy and .npz: the corner of the first cell"
+        "--origin", type=float, nargs=3, metavar="X",
+        help="of .npy and .npz: the corner of the first cell"
     )
-    parser.add_argument("--order", choices=("xyz", "zyx"), default="xyz", help="of .npy and .npz: axes of the arrays")
-    parser.add_argument("--cells", type=int, default=64, help="of a surface: cells along its longest side (64)")
+    parser.add_argument("--order", choices=("xyz", "zyx"), default="xyz",
+                        help="of .npy and .npz: axes of the arrays")
+    parser.add_argument("--cells", type=int, default=64,
+                        help="of a surface: cells along its longest side (64)")
     parser.add_argument("--step", type=int, default=0, help="of .spcth: which of its times, from 0")
     for name, told in (
         ("state", "carried along; repeat for more"),
@@ -66,10 +77,12 @@ def make_parser() -> argparse.ArgumentParser:
     ):
         parser.add_argument("--" + name, metavar="NAME", help=told)
     parser.add_argument(
-        "--refinement-box", type=float, nargs=7, action="append", metavar="X", help="x0 y0 z0 x1 y1 z1 halvings"
+        "--refinement-box", type=float, nargs=7, action="append", metavar="X",
+        help="x0 y0 z0 x1 y1 z1 halvings"
     )
     parser.add_argument("--surfaces", metavar="FILE", help="write the surfaces of the mesh, .vtp")
-    parser.add_argument("--fragments", metavar="FILE", dest="table", help="write a table of the fragments, .csv")
+    parser.add_argument("--fragments", metavar="FILE", dest="table",
+                        help="write a table of the fragments, .csv")
     parser.add_argument("--quiet", action="store_true", help="no progress, no summary")
     for title in dict.fromkeys(option.group for option in OPTIONS):
         group = parser.add_argument_group(title)
@@ -83,7 +96,8 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     """Of hexes() or tets()."""
     source = read_source(words.input, words.array, words.cells, words.step)
     given: Dict[str, Any] = {
-        option.name: getattr(words, option.name) for option in OPTIONS if words.tets or not option.tets
+        option.name: getattr(words, option.name) for option in OPTIONS if words.tets
+        or not option.tets
     }
     labels = words.labels or (not words.fractions and are_labels(source, words.array))
     if source.is_image:
@@ -92,7 +106,8 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     elif labels:
         if len(source.materials) != 1:
             raise ValueError(
-                "%s has %d arrays: choose the one that holds labels by --array." % (words.input, len(source.materials))
+                "%s has %d arrays: choose the one that holds labels by --array."
+                % (words.input, len(source.materials))
             )
         given["labels"] = next(iter(source.materials.values()))
     else:
@@ -104,10 +119,12 @@ def _arguments(words: argparse.Namespace) -> Dict[str, Any]:
     if words.origin is not None:
         given["origin"] = words.origin
     given.update(
-        order=words.order, state=words.state, velocity=words.velocity, energy=words.energy, density=words.density
+        order=words.order, state=words.state, velocity=words.velocity, energy=words.energy,
+        density=words.density
     )
     given.update(
-        state_kinds=words.state_kind, refinement_array=words.refinement_array, refinement_boxes=words.refinement_box
+        state_kinds=words.state_kind, refinement_array=words.refinement_array,
+        refinement_boxes=words.refinement_box
     )
     return _name_arrays(given, source.others)
 
@@ -123,7 +140,8 @@ def _name_arrays(given: Dict[str, Any], arrays: Dict[str, np.ndarray]) -> Dict[s
     ]
     given["state"] = [str(name) for name in given["state"] or []]
     chosen = {
-        str(name): arrays[str(name)] for name in named if str(name) in arrays and name != given["refinement_array"]
+        str(name): arrays[str(name)] for name in named if str(name) in arrays
+        and name != given["refinement_array"]
     }
     missing = [name for name in given["state"] if name not in arrays]
     if missing:
@@ -150,7 +168,8 @@ def write_table(mesh: Mesh, path: str) -> None:
         if name in axes:
             columns.update(zip(axes[name], values.T))
         else:
-            columns[name] = [" ".join(map(str, ids)) for ids in values] if name == "neighbours" else values
+            columns[name] = [" ".join(map(str, ids))
+                             for ids in values] if name == "neighbours" else values
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(columns)

@@ -1,4 +1,5 @@
-"""Arrays of cells as the core takes them: flat, x fastest, numeric, and where it can be not copied."""
+"""Arrays of cells as the core takes them: flat, x fastest, numeric, and where it can be not
+copied."""
 
 from __future__ import annotations
 
@@ -14,7 +15,8 @@ def check_order(order: Any) -> str:
     if isinstance(order, str) and order in ORDERS:
         return order
     raise (ValueError if isinstance(order, str) else TypeError)(
-        "order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])." % (order,)
+        "order is %r: it must be 'xyz' (array[i, j, k], i along x) or 'zyx' (array[k, j, i])."
+        % (order,)
     )
 
 
@@ -25,7 +27,8 @@ def as_numbers(values: Any, name: str) -> np.ndarray:
     array = np.asarray(values)
     if array.dtype.kind not in "biuf" or array.dtype.itemsize > 8:
         raise TypeError(
-            "The array %r is of the type %s: whole or real numbers of up to 8 bytes are needed." % (name, array.dtype)
+            "The array %r is of the type %s: whole or real numbers of up to 8 bytes are needed."
+            % (name, array.dtype)
         )
     if array.dtype == np.bool_:
         return array.view(np.uint8)
@@ -56,10 +59,12 @@ def check_3d(array: np.ndarray, name: str) -> None:
             4: " Of one array a material give a list, as list(array).",
         }
         raise ValueError(
-            "The array %r has the shape %r: three axes are needed.%s" % (name, array.shape, hint.get(array.ndim, ""))
+            "The array %r has the shape %r: three axes are needed.%s"
+            % (name, array.shape, hint.get(array.ndim, ""))
         )
     if array.size == 0:
-        raise ValueError("The array %r has the shape %r: there are no cells in it." % (name, array.shape))
+        raise ValueError("The array %r has the shape %r: there are no cells in it."
+                         % (name, array.shape))
 
 
 def cells_of(array: np.ndarray, order: str) -> Tuple[int, ...]:
@@ -93,7 +98,8 @@ class CellArrays:
         self.flat: Dict[str, np.ndarray] = {}
 
     def add(self, name: str, array: np.ndarray) -> None:
-        """Of three axes and, if it has several components, a fourth. The first one tells the cells."""
+        """Of three axes and, if it has several components, a fourth. The first one tells the
+        cells."""
         self._check_name(name)
         if array.ndim not in (3, 4) or array.size == 0:
             raise ValueError(
@@ -106,7 +112,8 @@ class CellArrays:
         if cells != self.cells:
             expected = self.cells if self.order == "xyz" else self.cells[::-1]
             raise ValueError(
-                "The array %r has the shape %r, other arrays of the grid have %r." % (name, array.shape, expected)
+                "The array %r has the shape %r, other arrays of the grid have %r."
+                % (name, array.shape, expected)
             )
         self.flat[name] = flatten(array, self.order)
 

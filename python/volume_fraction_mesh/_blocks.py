@@ -1,4 +1,5 @@
-"""Files of blocks of cells, on any number of levels: SpyPlot cases of CTH and plotfiles of codes on AMReX."""
+"""Files of blocks of cells, on any number of levels: SpyPlot cases of CTH and plotfiles of codes on
+AMReX."""
 
 from __future__ import annotations
 
@@ -14,13 +15,15 @@ def is_block_file(path: str) -> bool:
     return path.lower().endswith(".spcth") or os.path.isfile(os.path.join(path, "Header"))
 
 
-def read(path: Union[str, "os.PathLike[str]"], *, step: int = 0, arrays: Optional[Sequence[str]] = None) -> Blocks:
+def read(path: Union[str, "os.PathLike[str]"], *, step: int = 0,
+         arrays: Optional[Sequence[str]] = None) -> Blocks:
     """Read a SpyPlot case of CTH, or an AMReX plotfile, as input of `hexes` and `tets`.
 
     Parameters
     ----------
     path : str or path
-        A case file ``.spcth`` or one of its binary files, versions 101 to 105; or the folder of a plotfile.
+        A case file ``.spcth`` or one of its binary files, versions 101 to 105; or the folder of a
+        plotfile.
     step : int, default 0
         Which of the times of the file; negative ones count from the end.
     arrays : list of str, optional
@@ -29,9 +32,9 @@ def read(path: Union[str, "os.PathLike[str]"], *, step: int = 0, arrays: Optiona
     Returns
     -------
     Blocks
-        Blocks of cells on all levels, without ghost cells. Attributes: ``path``, ``times``, ``time``; ``names`` of the
-        arrays; ``fractions``, those that hold materials if `hexes` is given none by ``arrays=``. ``len(blocks)``:
-        number of blocks.
+        Blocks of cells on all levels, without ghost cells. Attributes: ``path``, ``times``,
+        ``time``; ``names`` of the arrays; ``fractions``, those that hold materials if `hexes` is
+        given none by ``arrays=``. ``len(blocks)``: number of blocks.
 
     Raises
     ------
@@ -49,5 +52,7 @@ def read(path: Union[str, "os.PathLike[str]"], *, step: int = 0, arrays: Optiona
     if not os.path.exists(path):
         raise FileNotFoundError("There is no file %s." % path)
     if not is_block_file(path):
-        raise ValueError("%s is neither a SpyPlot file (.spcth) nor a folder with the Header of a plotfile." % path)
+        raise ValueError(
+            "%s is neither a SpyPlot file (.spcth) nor a folder with the Header of a plotfile."
+            % path)
     return _core.read_blocks(path, step, None if arrays is None else list(arrays))

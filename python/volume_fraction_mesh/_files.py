@@ -17,7 +17,8 @@ SURFACES = (".stl", ".obj", ".ply", ".off")
 
 
 class Source(NamedTuple):
-    """materials: an image, or arrays by name; others: arrays of the same file that are no materials."""
+    """materials: an image, or arrays by name; others: arrays of the same file that are no
+    materials."""
 
     materials: Any
     others: Dict[str, np.ndarray]
@@ -25,7 +26,8 @@ class Source(NamedTuple):
 
 
 def read_source(path: str, names: Optional[Sequence[str]], cells: int, step: int) -> Source:
-    """names: of the arrays that hold materials; cells: of a surface, along its longest side; step: of several times."""
+    """names: of the arrays that hold materials; cells: of a surface, along its longest side; step:
+    of several times."""
     low = path.lower()
     if is_block_file(path):
         return Source(read(path, step=step), {}, True)
@@ -68,7 +70,8 @@ def _read_numpy(path: str, names: Optional[Sequence[str]]) -> Source:
     missing = [name for name in chosen if name not in arrays]
     if missing:
         raise ValueError(
-            "%s has no array %r. Its arrays: %s." % (path, missing[0], ", ".join(map(repr, arrays)) or "none")
+            "%s has no array %r. Its arrays: %s." % (path, missing[0],
+                                                     ", ".join(map(repr, arrays)) or "none")
         )
     return Source({name: arrays.pop(name) for name in chosen}, arrays, False)
 

@@ -10,24 +10,27 @@ from . import _core
 from .mesh import Mesh
 
 
-def fragments(mesh: Mesh, density: Optional[str] = None, velocity: Optional[str] = None) -> Dict[str, Any]:
+def fragments(mesh: Mesh, density: Optional[str] = None,
+              velocity: Optional[str] = None) -> Dict[str, Any]:
     """A table of the fragments, the pieces of one material whose elements are connected over faces.
 
     Parameters
     ----------
     mesh : Mesh
     density : str
-        The array of Mesh.state that is mass per volume; else that which hexes() was given as density.
+        The array of Mesh.state that is mass per volume; else that which hexes() was given as
+        density.
     velocity : str
         The array of Mesh.state that is the velocity; else that which hexes() was given.
 
     Returns
     -------
     dict
-        Columns with a row a fragment: id, material (int32), name (list of str), elements (int64), fraction_volume (of
-        the cells' fractions), volume (of the mesh; length units cubed), centroid (n, 3), bounds (n, 6: minimum and
-        maximum of x, y, z), with a density mass, with a velocity too momentum (n, 3), and neighbours (list of arrays
-        of ids that it shares faces with).
+        Columns with a row a fragment: id, material (int32), name (list of str), elements (int64),
+        fraction_volume (of the cells' fractions), volume (of the mesh; length units cubed),
+        centroid (n, 3), bounds (n, 6: minimum and maximum of x, y, z), with a density mass, with a
+        velocity too momentum (n, 3), and neighbours (list of arrays of ids that it shares faces
+        with).
 
     Raises
     ------
@@ -43,7 +46,8 @@ def fragments(mesh: Mesh, density: Optional[str] = None, velocity: Optional[str]
         _numbers(mesh.material, np.int32),
         _numbers(mesh.fragment, np.int32),
         None if density is None else _numbers(_state(mesh, density), np.float64),
-        None if density is None or velocity is None else _numbers(_state(mesh, velocity), np.float64),
+        None if density is None or velocity is None
+        else _numbers(_state(mesh, velocity), np.float64),
     )
     material, elements = columns.pop("material"), columns.pop("elements")
     names = dict(zip((int(i) for i in mesh.materials["MaterialId"]), mesh.materials["Name"]))
@@ -63,5 +67,6 @@ def _numbers(values: Any, kind: Any) -> np.ndarray:
 
 def _state(mesh: Mesh, name: str) -> np.ndarray:
     if name not in mesh.state:
-        raise KeyError("The mesh has no array %r. Its state: %s." % (name, ", ".join(map(repr, mesh.state)) or "none"))
+        raise KeyError("The mesh has no array %r. Its state: %s."
+                       % (name, ", ".join(map(repr, mesh.state)) or "none"))
     return mesh.state[name]

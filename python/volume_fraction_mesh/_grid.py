@@ -12,8 +12,9 @@ NOWHERE = (0.0, 0.0, 0.0)
 
 
 class Grid(NamedTuple):
-    """nodes: coordinates along x, y, z, each increasing; direction: (3, 3), its columns are the axes of the grid;
-    origin: about which they turn; are_points: whether cells come from the points of an image."""
+    """nodes: coordinates along x, y, z, each increasing; direction: (3, 3), its columns are the
+    axes of the grid; origin: about which they turn; are_points: whether cells come from the points
+    of an image."""
 
     nodes: Tuple[np.ndarray, ...]
     direction: np.ndarray = np.eye(3)
@@ -27,10 +28,12 @@ class Grid(NamedTuple):
 
     def is_same(self, other: Grid) -> bool:
         """But for rounding."""
-        if self.cells != other.cells or not np.allclose(self.direction, other.direction, rtol=0, atol=1e-5):
+        if self.cells != other.cells or not np.allclose(self.direction, other.direction, rtol=0,
+                                                        atol=1e-5):
             return False
         widths = [(x[-1] - x[0]) / (len(x) - 1) for x in self.nodes]
-        return all(np.abs(a - b).max() <= 1e-3 * width for a, b, width in zip(self.nodes, other.nodes, widths))
+        return all(np.abs(a - b).max() <= 1e-3 * width
+                   for a, b, width in zip(self.nodes, other.nodes, widths))
 
 
 def even_nodes(start: float, spacing: float, first: int, last: int) -> np.ndarray:
@@ -38,7 +41,8 @@ def even_nodes(start: float, spacing: float, first: int, last: int) -> np.ndarra
     return start + np.arange(first, last + 1) * spacing
 
 
-def point_nodes(origin: Iterable[float], spacing: Iterable[float], counts: Sequence[int]) -> Tuple[np.ndarray, ...]:
+def point_nodes(origin: Iterable[float], spacing: Iterable[float],
+                counts: Sequence[int]) -> Tuple[np.ndarray, ...]:
     """Of cells whose centres are so many points, the first at origin."""
     return tuple(even_nodes(o - 0.5 * s, s, 0, n) for o, s, n in zip(origin, spacing, counts))
 
@@ -69,20 +73,24 @@ def _given_nodes(coordinates: Any, cells: Sequence[int]) -> Tuple[np.ndarray, ..
     try:
         nodes = tuple(np.asarray(x, dtype=np.float64) for x in coordinates)
     except (TypeError, ValueError):
-        raise TypeError("coordinates must be three arrays of numbers, the nodes along x, y and z.") from None
+        raise TypeError(
+            "coordinates must be three arrays of numbers, the nodes along x, y and z.") from None
     if len(nodes) != 3:
-        raise ValueError("coordinates has %d arrays: three are needed, the nodes along x, y and z." % len(nodes))
+        raise ValueError("coordinates has %d arrays: three are needed, the nodes along x, y and z."
+                         % len(nodes))
     for axis, x, count in zip(AXES, nodes, cells):
         if x.shape != (count + 1,):
             raise ValueError(
-                "coordinates along %s has the shape %r: %d cells have %d nodes." % (axis, x.shape, count, count + 1)
+                "coordinates along %s has the shape %r: %d cells have %d nodes."
+                % (axis, x.shape, count, count + 1)
             )
         if not (np.isfinite(x).all() and (np.diff(x) > 0).all()):
             raise ValueError("coordinates along %s do not increase, or are not finite." % axis)
     return nodes
 
 
-def make_grid(cells: Sequence[int], spacing: Any, origin: Any, coordinates: Any, direction: Any) -> Grid:
+def make_grid(cells: Sequence[int], spacing: Any, origin: Any, coordinates: Any,
+              direction: Any) -> Grid:
     """cells: how many along x, y and z."""
     corner = _numbers("origin", origin, 3)
     turned = np.eye(3) if direction is None else _numbers("direction", direction, 9).reshape(3, 3)
@@ -91,7 +99,8 @@ def make_grid(cells: Sequence[int], spacing: Any, origin: Any, coordinates: Any,
         nodes = tuple(even_nodes(o, s, 0, n) for o, s, n in zip(corner, widths, cells))
     else:
         if not (is_default(spacing, UNIT) and is_default(origin, NOWHERE)):
-            raise ValueError("coordinates tell where the nodes are: spacing and origin cannot be given too.")
+            raise ValueError(
+                "coordinates tell where the nodes are: spacing and origin cannot be given too.")
         nodes = _given_nodes(coordinates, cells)
         corner = np.array([x[0] for x in nodes])
     return Grid(nodes, turned, tuple(corner.tolist()))

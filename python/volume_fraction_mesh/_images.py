@@ -16,8 +16,8 @@ GHOSTS = "vtkGhostType"
 
 
 class Image(NamedTuple):
-    """arrays: (cells,) or (cells, components), x fastest; chosen: those that hold materials; order: in which arrays
-    beside it come."""
+    """arrays: (cells,) or (cells, components), x fastest; chosen: those that hold materials; order:
+    in which arrays beside it come."""
 
     grid: Grid
     arrays: Dict[str, np.ndarray]
@@ -26,7 +26,8 @@ class Image(NamedTuple):
 
 
 class Fractions(Dict[str, np.ndarray]):
-    """Volume fractions on a grid, an array a material by its name. hexes() and tets() take the grid from it.
+    """Volume fractions on a grid, an array a material by its name. hexes() and tets() take the grid
+    from it.
 
     Attributes
     ----------
@@ -36,7 +37,8 @@ class Fractions(Dict[str, np.ndarray]):
         The axes of the arrays.
     """
 
-    def __init__(self, arrays: Mapping[str, np.ndarray], coordinates: Sequence[np.ndarray], order: str):
+    def __init__(self, arrays: Mapping[str, np.ndarray], coordinates: Sequence[np.ndarray],
+                 order: str):
         super().__init__(arrays)
         self.coordinates = tuple(coordinates)
         self.order = order
@@ -46,7 +48,8 @@ class Fractions(Dict[str, np.ndarray]):
 
 
 def read_image(value: Any, names: Optional[Sequence[str]]) -> Optional[Image]:
-    """None of what is no image. names: of the arrays that hold materials, else those that the image itself tells."""
+    """None of what is no image. names: of the arrays that hold materials, else those that the image
+    itself tells."""
     if isinstance(value, Fractions):
         return _read_fractions(value, names)
     kinds = [kind.__module__.split(".")[0] + "." + kind.__name__ for kind in type(value).__mro__]
@@ -56,7 +59,8 @@ def read_image(value: Any, names: Optional[Sequence[str]]) -> Optional[Image]:
     if reader is None:
         return None
     if names is not None:
-        raise ValueError("arrays is %r: a %s has no names of arrays." % (names, type(value).__name__))
+        raise ValueError("arrays is %r: a %s has no names of arrays."
+                         % (names, type(value).__name__))
     return reader(value)
 
 
@@ -81,7 +85,8 @@ def _read_vtk(image: Any, names: Optional[Sequence[str]]) -> Image:
     is_image = hasattr(image, "GetSpacing")
     chosen = [_active_name(image)] if names is None else check_names(names)
     cells, points = image.GetCellData(), image.GetPointData()
-    are_points = not all(cells.HasArray(name) for name in chosen) and all(points.HasArray(name) for name in chosen)
+    are_points = not all(cells.HasArray(name)
+                         for name in chosen) and all(points.HasArray(name) for name in chosen)
     if are_points and not is_image:
         raise ValueError(
             "The input is a %s, and point data are chosen. A point is the centre of a cell in images alone; of other "
@@ -93,7 +98,8 @@ def _read_vtk(image: Any, names: Optional[Sequence[str]]) -> Image:
             "The image has ghost or blanked cells (%s): give arrays without ghosts, and 0 where cells are blanked."
             % GHOSTS
         )
-    return Image(_image_grid(image, are_points) if is_image else _rectilinear_grid(image), arrays, chosen, "zyx")
+    return Image(_image_grid(image, are_points) if is_image else _rectilinear_grid(image), arrays,
+                 chosen, "zyx")
 
 
 def _active_name(image: Any) -> str:
@@ -153,7 +159,8 @@ def _components(array: np.ndarray, name: str) -> Dict[str, np.ndarray]:
         return {name: array}
     if array.shape[1] == 1:
         return {name: array[:, 0]}
-    return {"%s %d" % (name, i + 1): np.ascontiguousarray(array[:, i]) for i in range(array.shape[1])}
+    return {"%s %d" % (name, i + 1): np.ascontiguousarray(array[:, i])
+            for i in range(array.shape[1])}
 
 
 def _read_nibabel(image: Any) -> Image:
@@ -172,10 +179,12 @@ def _read_nibabel(image: Any) -> Image:
             % (values.shape, tuple(spacing.tolist()))
         )
     many = len(volumes) > 1
-    arrays = {"Material %d" % (v + 1) if many else "Material 1": volume for v, volume in enumerate(volumes)}
+    arrays = {"Material %d" % (v + 1) if many else "Material 1": volume
+              for v, volume in enumerate(volumes)}
     nodes = point_nodes(affine[:3, 3], spacing, values.shape)
     return Image(
-        Grid(nodes, affine[:3, :3] / spacing, tuple(affine[:3, 3].tolist()), True), arrays, list(arrays), "xyz"
+        Grid(nodes, affine[:3, :3] / spacing, tuple(affine[:3, 3].tolist()), True), arrays,
+        list(arrays), "xyz"
     )
 
 
@@ -187,10 +196,12 @@ def _read_sitk(image: Any) -> Image:
         raise ValueError("The image has %d axes: three are needed." % image.GetDimension())
     values = as_numbers(GetArrayViewFromImage(image), "image")
     if values.size == 0:
-        raise ValueError("The image has the shape %r: there are no cells in it." % (image.GetSize(),))
+        raise ValueError("The image has the shape %r: there are no cells in it."
+                         % (image.GetSize(),))
     arrays = _components(flatten(values, "zyx"), "Material")
     if len(arrays) == 1:
         arrays = {"Material 1": next(iter(arrays.values()))}
     nodes = point_nodes(image.GetOrigin(), image.GetSpacing(), image.GetSize())
     direction = np.reshape(image.GetDirection(), (3, 3))
-    return Image(Grid(nodes, direction, tuple(image.GetOrigin()), True), arrays, list(arrays), "zyx")
+    return Image(Grid(nodes, direction, tuple(image.GetOrigin()), True), arrays, list(arrays),
+                 "zyx")

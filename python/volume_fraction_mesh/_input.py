@@ -13,7 +13,8 @@ from ._images import Image, check_names, read_image
 
 
 class Field(NamedTuple):
-    """fractions: names of arrays, one a material, or labels: the name of one; label_names: by label."""
+    """fractions: names of arrays, one a material, or labels: the name of one; label_names: by
+    label."""
 
     arrays: CellArrays
     grid: Grid
@@ -67,7 +68,8 @@ def _named_fractions(fractions: Any, names: Optional[Sequence[str]]) -> List[Tup
     if names is None:
         names = ["Material %d" % (i + 1) for i in range(len(values))]
     if isinstance(names, str) or isinstance(names, Mapping) or len(names) != len(values):
-        raise ValueError("names is %r: a list of %d, one for each material, is needed." % (names, len(values)))
+        raise ValueError("names is %r: a list of %d, one for each material, is needed."
+                         % (names, len(values)))
     return list(zip(names, values))
 
 
@@ -80,7 +82,8 @@ def _read_fractions(fractions: Any, order: str, given: Source) -> Field:
     if first is not None:
         return _join_images([name for name, _ in named], images, given)
     if any(images) or given.arrays is not None:
-        raise TypeError("arrays is %r, or some fractions are images: all must be, or none." % (given.arrays,))
+        raise TypeError("arrays is %r, or some fractions are images: all must be, or none."
+                        % (given.arrays,))
     arrays = CellArrays(order)
     for name, value in named:
         array = as_fractions(value, name)
@@ -100,12 +103,14 @@ def _read_labels(labels: Any, order: str, given: Source) -> Field:
     if given.arrays is not None:
         raise TypeError("arrays is %r: it names arrays of an image." % (given.arrays,))
     if isinstance(labels, (Mapping, list, tuple)):
-        raise TypeError("labels are a %s: one array of whole numbers is needed." % type(labels).__name__)
+        raise TypeError("labels are a %s: one array of whole numbers is needed."
+                        % type(labels).__name__)
     array = as_numbers(labels, "labels")
     check_3d(array, "labels")
     arrays = CellArrays(order)
     arrays.add("labels", array)
-    return Field(arrays, _given_grid(cells_of(array, order), given), [], "labels", _label_names(given.names))
+    return Field(arrays, _given_grid(cells_of(array, order), given), [], "labels",
+                 _label_names(given.names))
 
 
 def _label_names(names: Any) -> Dict[int, str]:
@@ -115,16 +120,19 @@ def _label_names(names: Any) -> Dict[int, str]:
         raise TypeError("names of labels is %r: a dict, label: name, is needed." % (names,))
     for label, name in names.items():
         if not isinstance(label, (int, np.integer)) or not isinstance(name, str):
-            raise TypeError("names of labels has %r: %r. A whole number and a text are needed." % (label, name))
+            raise TypeError("names of labels has %r: %r. A whole number and a text are needed."
+                            % (label, name))
     return {int(label): name for label, name in names.items()}
 
 
 def _check_no_grid(given: Source) -> None:
     """An image tells its grid itself."""
     told = [name for name in ("coordinates", "direction") if getattr(given, name) is not None]
-    told += [name for name, default in (("spacing", UNIT), ("origin", NOWHERE)) if not is_default(getattr(given, name), default)]
+    told += [name for name, default in (("spacing", UNIT), ("origin", NOWHERE))
+             if not is_default(getattr(given, name), default)]
     if told:
-        raise TypeError("%s cannot be given too: the image tells where its cells are." % " and ".join(told))
+        raise TypeError("%s cannot be given too: the image tells where its cells are."
+                        % " and ".join(told))
 
 
 def _blocks_field(given: Source) -> Field:
@@ -136,10 +144,12 @@ def _blocks_field(given: Source) -> Field:
     grid = Grid((np.empty(0),) * 3)
     if labels is not None:
         if len(chosen) != 1:
-            raise ValueError("labels are %d arrays, %r: one is needed, arrays=[...]." % (len(chosen), chosen))
+            raise ValueError("labels are %d arrays, %r: one is needed, arrays=[...]."
+                             % (len(chosen), chosen))
         return Field(CellArrays("xyz"), grid, [], chosen[0], _label_names(names), blocks)
     if names is not None:
-        raise TypeError("names cannot be given: the materials of %s are called as its arrays." % blocks.path)
+        raise TypeError("names cannot be given: the materials of %s are called as its arrays."
+                        % blocks.path)
     if not chosen:
         raise ValueError(
             "Name the arrays of %s that hold materials, arrays=[...]. It has %s."
@@ -160,7 +170,8 @@ def _image_field(image: Image, given: Source, labels: bool) -> Field:
     names = given.names
     if labels:
         if len(image.chosen) != 1:
-            raise ValueError("labels are %d arrays, %r: one is needed." % (len(image.chosen), image.chosen))
+            raise ValueError("labels are %d arrays, %r: one is needed."
+                             % (len(image.chosen), image.chosen))
         return Field(_image_arrays(image), image.grid, [], image.chosen[0], _label_names(names))
     for name in image.chosen:
         if name in image.arrays:
@@ -169,7 +180,8 @@ def _image_field(image: Image, given: Source, labels: bool) -> Field:
     if names is not None:
         chosen = [name for name, _ in _named_fractions([None] * len(chosen), names)]
         renamed = dict(zip(image.chosen, chosen))
-        image = image._replace(arrays={renamed.get(name, name): array for name, array in image.arrays.items()})
+        image = image._replace(arrays={renamed.get(name, name): array
+                                       for name, array in image.arrays.items()})
     return Field(_image_arrays(image), image.grid, chosen, "", {})
 
 
@@ -181,8 +193,11 @@ def _join_images(names: Sequence[str], images: Sequence[Optional[Image]], given:
     arrays = CellArrays(first.order, first.grid.cells)
     for name, image in zip(names, images):
         if image is None or len(image.chosen) != 1:
-            raise TypeError("fractions has %r, which is not an image of one array: all must be, or none." % name)
+            raise TypeError(
+                "fractions has %r, which is not an image of one array: all must be, or none."
+                % name)
         if not image.grid.is_same(first.grid):
-            raise ValueError("The images %r and %r lie on different grids: resample one of them." % (names[0], name))
+            raise ValueError("The images %r and %r lie on different grids: resample one of them."
+                             % (names[0], name))
         arrays.add_flat(name, as_fractions(image.arrays[image.chosen[0]], name))
     return Field(arrays, first.grid, list(names), "", {})

@@ -1,4 +1,5 @@
-"""hexes() and tets(): from arrays or images to a mesh. Their options are written by scripts/generate."""
+"""hexes() and tets(): from arrays or images to a mesh. Their options are written by
+scripts/generate."""
 
 from __future__ import annotations
 
@@ -22,8 +23,8 @@ CALLER = 3  # of hexes(), for warnings
 
 
 class VolumeFractionMeshWarning(UserWarning):
-    """Of what may surprise in a mesh: fractions that were clipped, materials without an element, material that is
-    left out."""
+    """Of what may surprise in a mesh: fractions that were clipped, materials without an element,
+    material that is left out."""
 
 
 def _run(
@@ -68,10 +69,12 @@ def _find_roles(state: Optional[StateChoice], carried: Mapping[str, ArrayLike]) 
         return {}
     densities, velocity = ["density", *state["densities"]], state["velocity"]
     kinds = dict(word.split("=", 1) for word in state["kinds"])
-    are_volume = bool(state["densities"]) and all(kinds.get(name, "volume") == "volume" for name in densities)
+    are_volume = bool(state["densities"]) and all(kinds.get(name, "volume") == "volume"
+                                                  for name in densities)
     found = {"density": next((name for name in densities if are_volume and name in carried), None)}
     # of components the core makes one array, whose name is part of theirs
-    vectors = [name for name in carried if velocity and name in velocity and np.shape(carried[name])[1:] == (3,)]
+    vectors = [name for name in carried if velocity and name in velocity
+               and np.shape(carried[name])[1:] == (3,)]
     found["velocity"] = max(vectors, key=len, default=None)
     return {role: name for role, name in found.items() if name}
 
@@ -126,22 +129,25 @@ def hexes(
     threads: int = 0,
     # end of options
 ) -> Mesh:
-    """A conforming mesh of hexahedra of every material, from volume fractions or labels on a grid of cells.
+    """A conforming mesh of hexahedra of every material, from volume fractions or labels on a grid
+    of cells.
 
-    The mesh follows the surfaces between the materials and the void, every hexahedron has a positive Jacobian at
-    every corner, and every material keeps the volume of its fractions. It does not depend on the number of threads,
-    to the bit.
+    The mesh follows the surfaces between the materials and the void, every hexahedron has a
+    positive Jacobian at every corner, and every material keeps the volume of its fractions. It does
+    not depend on the number of threads, to the bit.
 
     Parameters
     ----------
     fractions : array, image, or a list or dict of them
-        The part of each cell that a material fills, one array (nx, ny, nz) a material: real numbers in [0, 1], bool,
-        or uint8 from 0 to 255. A dict names the materials. What the arrays of a cell leave of 1 is void. Images:
-        pyvista.ImageData and RectilinearGrid (and VTK's own), nibabel (a fourth axis: materials), SimpleITK
-        (components: materials), and what read(), shapes() and surface() return; they tell the grid themselves.
-        Points of images are the centres of cells.
+        The part of each cell that a material fills, one array (nx, ny, nz) a material: real numbers
+        in [0, 1], bool, or uint8 from 0 to 255. A dict names the materials. What the arrays of a
+        cell leave of 1 is void. Images: pyvista.ImageData and RectilinearGrid (and VTK's own),
+        nibabel (a fourth axis: materials), SimpleITK (components: materials), and what read(),
+        shapes() and surface() return; they tell the grid themselves. Points of images are the
+        centres of cells.
     labels : array or image
-        Instead of fractions: the material of each cell (nx, ny, nz), whole numbers of any type, 0 void.
+        Instead of fractions: the material of each cell (nx, ny, nz), whole numbers of any type, 0
+        void.
     spacing : float or three
         Widths of the cells along x, y and z, in any unit of length.
     origin : three floats
@@ -149,16 +155,17 @@ def hexes(
     coordinates : three arrays (n + 1,)
         The nodes along x, y and z, increasing, instead of spacing and origin: cells of any widths.
     direction : (3, 3) array
-        An orthonormal matrix whose columns are the axes of the grid, about its first node (of images about the first
-        point).
+        An orthonormal matrix whose columns are the axes of the grid, about its first node (of
+        images about the first point).
     order : {"xyz", "zyx"}
-        "xyz": array[i, j, k] has i along x. "zyx": array[k, j, i], as of scikit-image, tifffile and SimpleITK's
-        arrays. Arrays are not copied if they are in Fortran order with "xyz", in C order with "zyx". All else,
-        spacing, origin, results, is x, y, z.
+        "xyz": array[i, j, k] has i along x. "zyx": array[k, j, i], as of scikit-image, tifffile and
+        SimpleITK's arrays. Arrays are not copied if they are in Fortran order with "xyz", in C
+        order with "zyx". All else, spacing, origin, results, is x, y, z.
     names : list of str, or dict of labels
         Of the materials; of labels {label: name}.
     arrays : list of str
-        Which arrays of an image of PyVista, or of read(), hold the materials; else the active scalars do.
+        Which arrays of an image of PyVista, or of read(), hold the materials; else the active
+        scalars do.
     state : dict, or list of names of arrays of the image or file
         Arrays (nx, ny, nz) or (nx, ny, nz, components) that the mesh carries along as Mesh.state.
     density : array, number, name, or a list or dict of one a material
@@ -168,118 +175,128 @@ def hexes(
     energy : array, number, name, or a list or dict of one a material
         Internal energy per mass.
     state_kinds : dict
-        What is conserved of an array: "mass" (per mass, the default of real numbers), "mass*other", "volume" (per
-        volume of the material), "cell" (per volume of the cell), "extensive" (sums), "copy" (the default of whole
-        numbers).
+        What is conserved of an array: "mass" (per mass, the default of real numbers), "mass*other",
+        "volume" (per volume of the material), "cell" (per volume of the cell), "extensive" (sums),
+        "copy" (the default of whole numbers).
     refinement_array : array or name
         How many times refinement "automatic" is to halve each cell (nx, ny, nz), 0 to 10.
     refinement_boxes : list of seven floats each
         x0, y0, z0, x1, y1, z1, halvings: boxes in which refinement "automatic" halves cells.
     progress : bool or callable
-        True: a bar of tqdm, or lines to standard error. A function gets the fraction done and the stage; what it
-        raises ends the run.
+        True: a bar of tqdm, or lines to standard error. A function gets the fraction done and the
+        stage; what it raises ends the run.
 
     Other Parameters
     ----------------
     image_axes : bool, default False
-        Leave the mesh of an image with a direction matrix in the axes of the image. The sides of the domain then lie
-        along x, y and z. Off: the mesh is rotated to the position of the image in space. State arrays and refinement
-        boxes are not rotated.
+        Leave the mesh of an image with a direction matrix in the axes of the image. The sides of
+        the domain then lie along x, y and z. Off: the mesh is rotated to the position of the image
+        in space. State arrays and refinement boxes are not rotated.
     mesh_void : bool, default False
         Mesh the void as well, as material 0, conforming with the materials.
     minimum_region_cells : int, default 0
-        An integer, 0 or more. Remove small fragments and cavities. A face-connected region of one material, or of void,
-        with fewer cells than this becomes part of the material or void with which it shares the most faces. 0: all
-        regions stay.
+        An integer, 0 or more. Remove small fragments and cavities. A face-connected region of one
+        material, or of void, with fewer cells than this becomes part of the material or void with
+        which it shares the most faces. 0: all regions stay.
     fraction_tolerance : float, default 1e-06
-        A number from 1e-6 to 0.1. Clip volume fractions that lie outside [0, 1] by at most this value, such as over-
-        and undershoots of a simulation. Sums above 1 by at most this value, or by at most 0.001, are scaled back to 1.
-        Larger deviations are errors. The default of 1e-6 covers rounding only.
+        A number from 1e-6 to 0.1. Clip volume fractions that lie outside [0, 1] by at most this
+        value, such as over- and undershoots of a simulation. Sums above 1 by at most this value, or
+        by at most 0.001, are scaled back to 1. Larger deviations are errors. The default of 1e-6
+        covers rounding only.
     iso_value : float, default 0.5
-        A number above 0 and below 1. A cell is void if its materials together fill less than this fraction of it.
-        Volumes are conserved only at 0.5.
+        A number above 0 and below 1. A cell is void if its materials together fill less than this
+        fraction of it. Volumes are conserved only at 0.5.
     state_transfer : {"automatic", "copy", "conserve"}, default "automatic"
-        How elements get the values of state arrays. Copy: each element takes the values of the cell that contains its
-        centroid. If its material fills less than half of that cell, the neighbour cell with most of the material is
-        used. Nothing is averaged, so sums are not conserved. Conserve: the contents of the cells are distributed to the
-        elements, so that mass, momentum and energy of each material match the input. Automatic: Conserve if Density
-        Arrays names an array, otherwise Copy.
+        How elements get the values of state arrays. Copy: each element takes the values of the cell
+        that contains its centroid. If its material fills less than half of that cell, the neighbour
+        cell with most of the material is used. Nothing is averaged, so sums are not conserved.
+        Conserve: the contents of the cells are distributed to the elements, so that mass, momentum
+        and energy of each material match the input. Automatic: Conserve if Density Arrays names an
+        array, otherwise Copy.
     state_order : int, default 2
-        An integer from 1 to 2. How Conserve reconstructs the state within a cell. 1: constant. 2: linear, within the
-        range of the neighbour cells.
+        An integer from 1 to 2. How Conserve reconstructs the state within a cell. 1: constant. 2:
+        linear, within the range of the neighbour cells.
     nodal_velocity : bool, default False
-        Add the velocity of the nodes as a point array, the initial state of a Lagrangian code. The momentum of all
-        nodes equals the momentum of all elements.
+        Add the velocity of the nodes as a point array, the initial state of a Lagrangian code. The
+        momentum of all nodes equals the momentum of all elements.
     lost_kinetic_energy : {"report", "internal_energy"}, default "report"
-        Treatment of the kinetic energy that is lost where one element, or one node, moves with the mean velocity of
-        several cells. Report: the table of materials lists it. Internal Energy: it is added to Energy Array, so that
-        the sum of both energies matches the input.
+        Treatment of the kinetic energy that is lost where one element, or one node, moves with the
+        mean velocity of several cells. Report: the table of materials lists it. Internal Energy: it
+        is added to Energy Array, so that the sum of both energies matches the input.
     unmeshed_material : {"give", "drop"}, default "give"
-        Treatment of material that is not attached to any element of its kind, such as small drops and removed regions.
-        Give: Conserve adds it to the nearest fragment of its material within a few cells. Drop: it is left out. The
-        table of materials lists how much is left out.
+        Treatment of material that is not attached to any element of its kind, such as small drops
+        and removed regions. Give: Conserve adds it to the nearest fragment of its material within a
+        few cells. Drop: it is left out. The table of materials lists how much is left out.
     stair_step : bool, default False
-        Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the materials.
+        Turn each cell of a material into one hexahedron and move no nodes: a quick preview of the
+        materials.
     smoothing : {"off", "quadric_surface", "geometry_based"}, default "quadric_surface"
-        How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of the surface, which
-        gives the best mesh. Geometry Based: surface nodes stay on the facets of the initial surface. Off: the surface
-        keeps the steps of the grid, with a thin layer of hexahedra along them; valid, but neither smooth nor of good
-        quality.
+        How the nodes are placed. Quadric Surface: surface nodes follow smooth local quadrics of the
+        surface, which gives the best mesh. Geometry Based: surface nodes stay on the facets of the
+        initial surface. Off: the surface keeps the steps of the grid, with a thin layer of
+        hexahedra along them; valid, but neither smooth nor of good quality.
     sharp_edges : {"off", "on", "automatic"}, default "automatic"
-        Detect edges and corners in the volume fractions and preserve them, as in machined parts, shapes and closed
-        surfaces. Off: they are rounded by about a third of a cell. On: all points of interfaces are tested. Automatic:
-        only between materials where samples of the points that one surface does not fit show edges, so not in fluids
-        and noise. Requires Smoothing Quadric Surface and an IsoValue of 0.5.
+        Detect edges and corners in the volume fractions and preserve them, as in machined parts,
+        shapes and closed surfaces. Off: they are rounded by about a third of a cell. On: all points
+        of interfaces are tested. Automatic: only between materials where samples of the points that
+        one surface does not fit show edges, so not in fluids and noise. Requires Smoothing Quadric
+        Surface and an IsoValue of 0.5.
     label_smoothing : int, default 0
-        An integer from 0 to 10. Smooth the steps of material ids, by this number of averaging passes over neighbour
-        cells. Each material keeps the volume of its cells, and thin parts stay. 2 or 3 passes suit most images; more
-        round off edges. Volume fractions are not smoothed.
+        An integer from 0 to 10. Smooth the steps of material ids, by this number of averaging
+        passes over neighbour cells. Each material keeps the volume of its cells, and thin parts
+        stay. 2 or 3 passes suit most images; more round off edges. Volume fractions are not
+        smoothed.
     conserve_volume : bool, default True
         Shift the surfaces until each fragment has the volume given by its volume fractions.
     refinement : {"off", "input_levels", "automatic", "coarsen", "uniform"}, default "input_levels"
-        Where the mesh is refined; each level halves the cells. Input Levels: where the input has finer levels (AMR).
-        Off: nowhere, all cells are of the coarsest level. Automatic: where the shape of the materials requires it.
-        Coarsen: the cells of the input stay near interfaces and get larger away from them. Uniform: everywhere, so that
-        thin parts get more elements across.
+        Where the mesh is refined; each level halves the cells. Input Levels: where the input has
+        finer levels (AMR). Off: nowhere, all cells are of the coarsest level. Automatic: where the
+        shape of the materials requires it. Coarsen: the cells of the input stay near interfaces and
+        get larger away from them. Uniform: everywhere, so that thin parts get more elements across.
     maximum_level : int, default -1
-        An integer from -1 (automatic) to 10. Maximum number of levels above the coarsest. Automatic (-1): all levels of
-        the input, and for a refined image 1, or the levels that user-selected cells request. Coarsen then makes as many
-        as the numbers of cells allow, up to 3. Uniform multiplies the number of elements by eight per level. Finer data
-        of the input are averaged.
+        An integer from -1 (automatic) to 10. Maximum number of levels above the coarsest. Automatic
+        (-1): all levels of the input, and for a refined image 1, or the levels that user-selected
+        cells request. Coarsen then makes as many as the numbers of cells allow, up to 3. Uniform
+        multiplies the number of elements by eight per level. Finer data of the input are averaged.
     fine_interfaces : bool, default True
-        All interfaces get the finest cells. Off: each place gets the level of the input or of the criteria there, and
-        interfaces cross levels. With Coarsen all cells are then as coarse as possible. Hexahedra only: tetrahedra at
-        interfaces are always of the finest cells.
+        All interfaces get the finest cells. Off: each place gets the level of the input or of the
+        criteria there, and interfaces cross levels. With Coarsen all cells are then as coarse as
+        possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells.
     fine_layers : int, default 2
-        An integer from 2 to 64. Minimum number of finest cells between an interface and larger cells. Without
-        fine_interfaces: number of fine cells around the places that Automatic refines.
+        An integer from 2 to 64. Minimum number of finest cells between an interface and larger
+        cells. Without fine_interfaces: number of fine cells around the places that Automatic
+        refines.
     thin_cells : float, default 2.0
-        A number from 0 (off) to 3. Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than
-        this number of cells. 0: off.
+        A number from 0 (off) to 3. Refinement Automatic halves cells at films, gaps, rods and small
+        bodies thinner than this number of cells. 0: off.
     curvature_per_cell : float, default 0.0
-        A number, 0 (off) or more. Refinement Automatic halves cells where an interface turns by more than this angle
-        per cell, in radians. 0: off.
+        A number, 0 (off) or more. Refinement Automatic halves cells where an interface turns by
+        more than this angle per cell, in radians. 0: off.
     refine_flipped_cells : bool, default False
-        Refinement Automatic halves, once, the cells whose material had to be changed to make the interfaces manifold.
+        Refinement Automatic halves, once, the cells whose material had to be changed to make the
+        interfaces manifold.
     interface_layers : int, default 0
-        An integer from 0 to 64. Refinement Automatic refines all cells within this number of layers of an interface, to
-        maximum_level. 0: off.
+        An integer from 0 to 64. Refinement Automatic refines all cells within this number of layers
+        of an interface, to maximum_level. 0: off.
     maximum_aspect_ratio : float, default 0.0
-        0 (off) or a number, 1.1 or more. Divide cells of high aspect ratio first (slices thicker than their pixels),
-        until no width of a cell exceeds another by more than this factor. 1.5 gives elements of good shape. 0: off.
+        0 (off) or a number, 1.1 or more. Divide cells of high aspect ratio first (slices thicker
+        than their pixels), until no width of a cell exceeds another by more than this factor. 1.5
+        gives elements of good shape. 0: off.
     child_fractions : {"planes", "parent"}, default "planes"
-        Volume fractions in the halves, or parts, of a mixed cell where there are no finer data. Planes: the cell is cut
-        by planes that preserve the volume of each material. Parent: the parts get the fractions of the cell. Material
-        ids keep their steps with either choice, unless label_smoothing is on.
+        Volume fractions in the halves, or parts, of a mixed cell where there are no finer data.
+        Planes: the cell is cut by planes that preserve the volume of each material. Parent: the
+        parts get the fractions of the cell. Material ids keep their steps with either choice,
+        unless label_smoothing is on.
     target_scaled_jacobian : float, default 0.0
-        A number from 0 (automatic) to below 1. Target of smoothing for the scaled Jacobian. Larger values give better
-        hexahedra that follow the surfaces less closely. 0 is automatic: 0.55 with one material, 0.5 with several.
+        A number from 0 (automatic) to below 1. Target of smoothing for the scaled Jacobian. Larger
+        values give better hexahedra that follow the surfaces less closely. 0 is automatic: 0.55
+        with one material, 0.5 with several.
     compute_quality : bool, default True
-        Add the cell array ScaledJacobian, and its minimum and mean to the field data. It is 1 for a cube and above 0
-        for a valid hexahedron.
+        Add the cell array ScaledJacobian, and its minimum and mean to the field data. It is 1 for a
+        cube and above 0 for a valid hexahedron.
     threads : int, default 0
-        An integer, 0 (automatic) or more. Number of threads. 0 is automatic: all cores on one rank, one thread per rank
-        on several. The mesh does not depend on it.
+        An integer, 0 (automatic) or more. Number of threads. 0 is automatic: all cores on one rank,
+        one thread per rank on several. The mesh does not depend on it.
 
     Returns
     -------
@@ -288,7 +305,8 @@ def hexes(
     Raises
     ------
     ValueError
-        Of values that cannot be meshed: the message names array and cell (i, j, k along x, y, z), or option and range.
+        Of values that cannot be meshed: the message names array and cell (i, j, k along x, y, z),
+        or option and range.
     TypeError
         Of arguments that are none, or of a wrong type.
     MemoryError, KeyboardInterrupt
@@ -313,16 +331,22 @@ def hexes(
         # arguments of hexes: generated by scripts/generate
         image_axes=image_axes, mesh_void=mesh_void, minimum_region_cells=minimum_region_cells,
         fraction_tolerance=fraction_tolerance, iso_value=iso_value, state_transfer=state_transfer,
-        state_order=state_order, nodal_velocity=nodal_velocity, lost_kinetic_energy=lost_kinetic_energy,
-        unmeshed_material=unmeshed_material, stair_step=stair_step, smoothing=smoothing, sharp_edges=sharp_edges,
+        state_order=state_order, nodal_velocity=nodal_velocity,
+        lost_kinetic_energy=lost_kinetic_energy,
+        unmeshed_material=unmeshed_material, stair_step=stair_step, smoothing=smoothing,
+        sharp_edges=sharp_edges,
         label_smoothing=label_smoothing, conserve_volume=conserve_volume, refinement=refinement,
-        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
+        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
+        thin_cells=thin_cells,
         curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
-        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
-        target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality, threads=threads,
+        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
+        child_fractions=child_fractions,
+        target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
+        threads=threads,
         # end of arguments
     )
-    source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names, arrays)
+    source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
+                    arrays)
     carried = StateGiven(state, density, velocity, energy, state_kinds)
     return _run(options, source, carried, refinement_array, refinement_boxes, progress)
 
@@ -383,25 +407,27 @@ def tets(
     optimization_level: int = 4,
     # end of options
 ) -> Mesh:
-    """A conforming mesh of tetrahedra, each of a positive volume, of every material. All that hexes() takes, and:
+    """A conforming mesh of tetrahedra, each of a positive volume, of every material. All that
+    hexes() takes, and:
 
     Other Parameters
     ----------------
     method : {"tetgen", "cells", "lattice"}, default "lattice"
-        How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes is cut along the surfaces, which
-        gives the best angles and the closest fit. Cells: each cell is cut into tetrahedra around its centre, so that
-        the surfaces have the faces and labels of Volume Fraction To Hex. TetGen: TetGen fills the surfaces of Cells
-        with tetrahedra that grow away from them, which gives the fewest tetrahedra. TetGen is optional when this
-        software is built.
+        How the tetrahedra are made. Lattice: a lattice of cell centres and grid nodes is cut along
+        the surfaces, which gives the best angles and the closest fit. Cells: each cell is cut into
+        tetrahedra around its centre, so that the surfaces have the faces and labels of Volume
+        Fraction To Hex. TetGen: TetGen fills the surfaces of Cells with tetrahedra that grow away
+        from them, which gives the fewest tetrahedra. TetGen is optional when this software is
+        built.
     relative_size : float, default 1.0
-        A number from 0.1 to 1e6. Target length of the edges next to the surfaces, in cells of the grid. The triangles
-        of the surfaces do not change.
+        A number from 0.1 to 1e6. Target length of the edges next to the surfaces, in cells of the
+        grid. The triangles of the surfaces do not change.
     growth : float, default 0.3
-        A number from 0 to 1e6. Increase of the edge length per cell of distance from the surfaces. 0: edges are equally
-        short everywhere.
+        A number from 0 to 1e6. Increase of the edge length per cell of distance from the surfaces.
+        0: edges are equally short everywhere.
     radius_edge_ratio : float, default 1.4
-        A number from 1 to 100. Maximum ratio of the circumradius of a tetrahedron to its shortest edge. Smaller values
-        give more and better tetrahedra.
+        A number from 1 to 100. Maximum ratio of the circumradius of a tetrahedron to its shortest
+        edge. Smaller values give more and better tetrahedra.
     minimum_dihedral_angle : float, default 10.0
         A number from 0 to 60. Target of refinement for the smallest dihedral angle, in degrees.
     optimization_level : int, default 4
@@ -416,17 +442,23 @@ def tets(
         # arguments of tets: generated by scripts/generate
         image_axes=image_axes, mesh_void=mesh_void, minimum_region_cells=minimum_region_cells,
         fraction_tolerance=fraction_tolerance, iso_value=iso_value, state_transfer=state_transfer,
-        state_order=state_order, nodal_velocity=nodal_velocity, lost_kinetic_energy=lost_kinetic_energy,
-        unmeshed_material=unmeshed_material, stair_step=stair_step, smoothing=smoothing, sharp_edges=sharp_edges,
+        state_order=state_order, nodal_velocity=nodal_velocity,
+        lost_kinetic_energy=lost_kinetic_energy,
+        unmeshed_material=unmeshed_material, stair_step=stair_step, smoothing=smoothing,
+        sharp_edges=sharp_edges,
         label_smoothing=label_smoothing, conserve_volume=conserve_volume, refinement=refinement,
-        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers, thin_cells=thin_cells,
+        maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
+        thin_cells=thin_cells,
         curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
-        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
-        target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality, threads=threads, method=method,
+        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
+        child_fractions=child_fractions,
+        target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
+        threads=threads, method=method,
         relative_size=relative_size, growth=growth, radius_edge_ratio=radius_edge_ratio,
         minimum_dihedral_angle=minimum_dihedral_angle, optimization_level=optimization_level,
         # end of arguments
     )
-    source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names, arrays)
+    source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,
+                    arrays)
     carried = StateGiven(state, density, velocity, energy, state_kinds)
     return _run(options, source, carried, refinement_array, refinement_boxes, progress)

@@ -24,7 +24,8 @@ def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
     import meshio
 
     parts = (
-        [np.flatnonzero(mesh.material == i) for i in material_names(mesh)] if blocks else [np.arange(len(mesh.cells))]
+        [np.flatnonzero(mesh.material == i) for i in material_names(mesh)] if blocks
+        else [np.arange(len(mesh.cells))]
     )
     parts = [part for part in parts if len(part)]
     data = {name: [array[part] for part in parts] for name, array in cell_arrays(mesh).items()}
@@ -40,7 +41,8 @@ def convert(mesh: Mesh, blocks: bool) -> meshio.Mesh:
 def _sets(mesh: Mesh, parts: List[np.ndarray]) -> Dict[str, Any]:
     """The cells of each material, in each block."""
     return {
-        name: [np.flatnonzero(mesh.material[part] == i) for part in parts] for i, name in material_names(mesh).items()
+        name: [np.flatnonzero(mesh.material[part] == i) for part in parts]
+        for i, name in material_names(mesh).items()
     }
 
 

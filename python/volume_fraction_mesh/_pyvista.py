@@ -22,18 +22,22 @@ def convert(mesh: Mesh, part: str) -> Any:
         return _volume(mesh, pyvista)
     if part == "surfaces":
         own = mesh.surfaces
-        arrays = {"SurfaceId": own.surface_id, "MaterialPair": own.material_pair, "DomainSide": own.domain_side}
+        arrays = {"SurfaceId": own.surface_id, "MaterialPair": own.material_pair,
+                  "DomainSide": own.domain_side}
         return _flat(mesh, own.cells, "faces", arrays, own.fields)
     if part == "curves":
-        return _flat(mesh, mesh.curves.cells, "lines", {"CurveId": mesh.curves.curve_id}, mesh.curves.fields)
+        return _flat(mesh, mesh.curves.cells, "lines", {"CurveId": mesh.curves.curve_id},
+                     mesh.curves.fields)
     return _flat(
-        mesh, mesh.vertices.points[:, None], "verts", {"VertexId": mesh.vertices.vertex_id}, mesh.vertices.fields
+        mesh, mesh.vertices.points[:, None], "verts", {"VertexId": mesh.vertices.vertex_id},
+        mesh.vertices.fields
     )
 
 
 def cell_arrays(mesh: Mesh) -> Dict[str, np.ndarray]:
     """Of the elements, by the names of the filters."""
-    arrays = {"MaterialId": mesh.material, "FragmentId": mesh.fragment, "GlobalCellIds": mesh.cell_ids}
+    arrays = {"MaterialId": mesh.material, "FragmentId": mesh.fragment,
+              "GlobalCellIds": mesh.cell_ids}
     if mesh.quality is not None:
         arrays["ScaledJacobian"] = mesh.quality
     return {**arrays, **mesh.state}
@@ -63,7 +67,8 @@ def _volume(mesh: Mesh, pyvista: Any) -> Any:
     return grid
 
 
-def _flat(mesh: Mesh, cells: np.ndarray, kind: str, arrays: Mapping[str, np.ndarray], fields: Mapping[str, Any]) -> Any:
+def _flat(mesh: Mesh, cells: np.ndarray, kind: str, arrays: Mapping[str, np.ndarray],
+          fields: Mapping[str, Any]) -> Any:
     """The points that are used alone."""
     import pyvista
 

@@ -23,7 +23,8 @@ def save(mesh: Mesh, path: Any, **options: Any) -> None:
     suffix = os.path.splitext(path)[1].lower()
     if not suffix:
         raise ValueError(
-            "%r has no ending, which would tell what kind of file to write: .vtu, .e, .inp, .msh .." % path
+            "%r has no ending, which would tell what kind of file to write: .vtu, .e, .inp, .msh .."
+            % path
         )
     if suffix in OWN:
         _save_own(mesh, path, **options)

@@ -42,20 +42,24 @@ def shapes(
     threads: int = 0,
     progress: Progress = None,
 ) -> Fractions:
-    """Volume fractions of solid shapes, an array a material, which hexes() and tets() take as they are.
+    """Volume fractions of solid shapes, an array a material, which hexes() and tets() take as they
+    are.
 
     Parameters
     ----------
     text : str
-        One shape a line, or parted by semicolons, values without spaces; the first that contains a point owns it::
+        One shape a line, or parted by semicolons, values without spaces; the first that contains a
+        point owns it::
 
             sphere radius=0.4 center=0,0,0        ellipsoid radii=0.4,0.3,0.2      box size=1,1,0.5
-            cylinder radius=0.2 height=1          cone bottom=0.4 top=0.1 height=1  torus ring=0.5 tube=0.2
-            halfspace point=0,0,0 normal=0,0,1    plate thickness=0.1 normal=1,1,0  gyroid period=1 level=0
+            cylinder radius=0.2 height=1          cone bottom=0.4 top=0.1 height=1  torus ring=0.5
+            tube=0.2
+            halfspace point=0,0,0 normal=0,0,1    plate thickness=0.1 normal=1,1,0  gyroid period=1
+            level=0
             polycrystal grains=20 seed=1
 
-        All take material=1 and cut=x,y,z,nx,ny,nz (the part behind a plane); all but halfspace and polycrystal
-        a center, those with axes of their own a rotation (degrees about x, y, z).
+        All take material=1 and cut=x,y,z,nx,ny,nz (the part behind a plane); all but halfspace and
+        polycrystal a center, those with axes of their own a rotation (degrees about x, y, z).
     cells : int or three
         How many along x, y and z.
     spacing, origin, coordinates
@@ -101,7 +105,8 @@ def surface(
     threads: int = 0,
     progress: Progress = None,
 ) -> Fractions:
-    """Volume fractions of what closed surfaces of triangles hold, which hexes() and tets() take as they are.
+    """Volume fractions of what closed surfaces of triangles hold, which hexes() and tets() take as
+    they are.
 
     Parameters
     ----------
@@ -113,7 +118,8 @@ def surface(
     triangles : (m, 3) int array
         Of points that are given as an array.
     bounds, coordinates
-        The grid, else one with cubic cells around the surfaces and two cells between them and its sides.
+        The grid, else one with cubic cells around the surfaces and two cells between them and its
+        sides.
     order, tolerance, threads, progress
         As of shapes().
 
@@ -144,13 +150,15 @@ def surface(
     flat = {}
     with shown(progress) as call:
         for name, (points, corners) in found.items():
-            flat[name] = _core.triangle_fractions(points, corners, list(nodes), error, thread_count, call)
+            flat[name] = _core.triangle_fractions(points, corners, list(nodes), error, thread_count,
+                                                  call)
     return _pack(flat, nodes, order)
 
 
 def _pack(flat: Mapping[str, np.ndarray], nodes: Sequence[np.ndarray], order: str) -> Fractions:
     counts = [len(x) - 1 for x in nodes]
-    return Fractions({name: shaped(array, counts, order) for name, array in flat.items()}, nodes, order)
+    return Fractions({name: shaped(array, counts, order) for name, array in flat.items()}, nodes,
+                     order)
 
 
 def _counts(cells: Any, least: int = 1) -> Tuple[int, ...]:
@@ -163,7 +171,8 @@ def _counts(cells: Any, least: int = 1) -> Tuple[int, ...]:
     return tuple(int(n) for n in np.broadcast_to(numbers, 3))
 
 
-def _nodes(counts: Sequence[int], spacing: Any, origin: Any, bounds: Any, coordinates: Any) -> Tuple[np.ndarray, ...]:
+def _nodes(counts: Sequence[int], spacing: Any, origin: Any, bounds: Any,
+           coordinates: Any) -> Tuple[np.ndarray, ...]:
     if coordinates is not None:
         counts = [len(x) - 1 for x in coordinates]
     if bounds is None:
@@ -187,6 +196,7 @@ def _fit(surfaces: List[np.ndarray], cells: Any) -> Tuple[np.ndarray, ...]:
     if not (np.isfinite(width) and width > 0):
         raise ValueError("The surfaces have no extent, or points that are not finite.")
     if np.ndim(cells) == 0:  # as few as hold the surfaces
-        counts = np.minimum(counts, np.ceil((upper - lower) / width * (1 - 1e-9)).astype(int) + 2 * MARGIN)
+        counts = np.minimum(counts,
+                            np.ceil((upper - lower) / width * (1 - 1e-9)).astype(int) + 2 * MARGIN)
     corner = 0.5 * (lower + upper) - 0.5 * width * counts
     return make_grid(counts.tolist(), width, corner, None, None).nodes

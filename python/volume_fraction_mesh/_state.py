@@ -73,20 +73,24 @@ def _list_kinds(kinds: Any) -> List[str]:
 
 
 def _add(field: Field, name: str, value: Any) -> List[str]:
-    """Names of the arrays that a value stands for: names already, one array for all materials, or one a material."""
+    """Names of the arrays that a value stands for: names already, one array for all materials, or
+    one a material."""
     if value is None:
         return []
     if isinstance(value, str):
         return [value]
-    if field.blocks is not None and not (isinstance(value, (list, tuple)) and all(isinstance(word, str) for word in value)):
-        raise TypeError("%s is a %s: of %s names of arrays are needed." % (name, type(value).__name__, field.blocks.path))
+    if field.blocks is not None and not (isinstance(value, (list, tuple))
+                                         and all(isinstance(word, str) for word in value)):
+        raise TypeError("%s is a %s: of %s names of arrays are needed."
+                        % (name, type(value).__name__, field.blocks.path))
     if isinstance(value, Mapping):
         return _add_of_materials(field, name, value)
     if isinstance(value, (list, tuple)):
         if value and all(isinstance(word, str) for word in value):
             return list(value)
         if field.labels:
-            raise TypeError("%s is a %s: of labels a dict, label: array, is needed." % (name, type(value).__name__))
+            raise TypeError("%s is a %s: of labels a dict, label: array, is needed."
+                            % (name, type(value).__name__))
         if len(value) != len(field.fractions):
             raise ValueError(
                 "%s has %d arrays: one for all materials or one for each of %d is needed."
@@ -98,11 +102,13 @@ def _add(field: Field, name: str, value: Any) -> List[str]:
 
 
 def _add_one(field: Field, name: str, value: Any) -> Tuple[List[str], str]:
-    """The same, and by which name the core is told of them: one of theirs, or what those of materials share."""
+    """The same, and by which name the core is told of them: one of theirs, or what those of
+    materials share."""
     names = _add(field, name, value)
     if isinstance(value, str):
         return [], value
-    are_own = len(names) > 1 and not isinstance(value[0] if isinstance(value, (list, tuple)) else None, str)
+    are_own = len(names) > 1 and not isinstance(value[0] if isinstance(value, (list, tuple))
+                                                else None, str)
     return names, name if are_own else names[0] if names else ""
 
 
@@ -116,7 +122,9 @@ def _add_of_materials(field: Field, name: str, values: Mapping[Any, Any]) -> Lis
     if len(values) == 1 and _are_alone(field, next(iter(values))):
         _add_array(field, name, next(iter(values.values())))
         return [name]
-    numbers = {key: key for key in values} if field.labels else {key: i + 1 for i, key in enumerate(field.fractions)}
+    numbers = {key: key
+               for key in values} if field.labels else {key: i + 1
+                                                        for i, key in enumerate(field.fractions)}
     for key, number in numbers.items():
         _add_array(field, "%s - %s" % (name, number), values[key])
     return ["%s - %s" % (name, number) for number in numbers.values()]
@@ -134,10 +142,12 @@ def _add_array(field: Field, name: str, value: Any) -> None:
     if image is None:
         array = as_numbers(value, name)
         if array.ndim == 0:
-            array = shaped(np.full(int(np.prod(field.grid.cells)), array), field.grid.cells, field.arrays.order)
+            array = shaped(np.full(int(np.prod(field.grid.cells)), array), field.grid.cells,
+                           field.arrays.order)
         field.arrays.add(name, array)
     elif len(image.chosen) != 1 or not image.grid.is_same(field.grid):
-        raise ValueError("The image %r lies on another grid than the materials, or has several arrays." % name)
+        raise ValueError(
+            "The image %r lies on another grid than the materials, or has several arrays." % name)
     else:
         field.arrays.add_flat(name, image.arrays[image.chosen[0]])
 
@@ -146,7 +156,8 @@ def add_refinement(value: Any, field: Field) -> str:
     """The name of the refinement array, "" without one."""
     names = _add(field, "refinement_array", value)
     if len(names) > 1:
-        raise TypeError("refinement_array is a %s: one array of whole numbers is needed." % type(value).__name__)
+        raise TypeError("refinement_array is a %s: one array of whole numbers is needed."
+                        % type(value).__name__)
     return "".join(names)
 
 
@@ -157,7 +168,8 @@ def list_boxes(boxes: Any) -> List[List[float]]:
     try:
         found = [[float(number) for number in box] for box in boxes]
     except (TypeError, ValueError):
-        raise TypeError("refinement_boxes is %r: a list of boxes of seven numbers is needed." % (boxes,)) from None
+        raise TypeError("refinement_boxes is %r: a list of boxes of seven numbers is needed."
+                        % (boxes,)) from None
     for box in found:
         if len(box) not in (6, 7):
             raise ValueError(

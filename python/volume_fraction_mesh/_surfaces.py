@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 Triangles = Tuple[np.ndarray, np.ndarray]
-RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])  # of a binary STL
+# of a binary STL
+RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
 def read_surface(value: Any, triangles: Optional[ArrayLike] = None) -> Triangles:
@@ -64,7 +65,8 @@ def _read_stl(path: str) -> Triangles:
     else:
         lines = (line.split() for line in data.decode("ascii", "replace").splitlines())
         try:
-            corners = np.array([line[1:4] for line in lines if line and line[0].lower() == "vertex"], dtype=np.float64)
+            corners = np.array([line[1:4] for line in lines if line
+                                and line[0].lower() == "vertex"], dtype=np.float64)
         except ValueError:
             corners = np.empty((0, 3))
         if corners.ndim != 2 or corners.shape[1:] != (3,) or len(corners) % 3 or not len(corners):

@@ -32,7 +32,8 @@ class Geometry:
 
 @dataclass(eq=False)
 class Surfaces:
-    """The facets of all surfaces: between two materials, around what is meshed, on the sides of the domain.
+    """The facets of all surfaces: between two materials, around what is meshed, on the sides of the
+    domain.
 
     Attributes
     ----------
@@ -45,8 +46,8 @@ class Surfaces:
     domain_side : (facets,) int32
         -1 inside, 0..5 on the side -x +x -y +y -z +z of the domain.
     fields : dict
-        Of each surface its SurfaceVolumes, SurfaceMaterials, SurfaceSides, SurfaceParts, SurfaceAreas,
-        SurfaceCentroids, SurfaceNormals, and the pairs VolumeSurfaces.
+        Of each surface its SurfaceVolumes, SurfaceMaterials, SurfaceSides, SurfaceParts,
+        SurfaceAreas, SurfaceCentroids, SurfaceNormals, and the pairs VolumeSurfaces.
     """
 
     cells: np.ndarray
@@ -110,7 +111,8 @@ class Mesh:
     point_ids, cell_ids : (points,), (elements,) int64
         Unique, made from the place in the grid, from 1, not consecutive.
     quality : (elements,) float32 or None
-        Scaled Jacobian (verdict's): 1 of a cube or a regular tetrahedron, above 0 of a valid element.
+        Scaled Jacobian (verdict's): 1 of a cube or a regular tetrahedron, above 0 of a valid
+        element.
     geometry : Geometry
     surfaces, curves, vertices : Surfaces, Curves, Vertices
     state : dict
@@ -118,12 +120,14 @@ class Mesh:
     point_state : dict
         Arrays of the points: the velocity of the nodes, if it was asked for.
     materials : dict
-        A column a name, a row a material: Name, MaterialId, TargetVolume, MeshVolume, VolumeError, Elements,
-        Fragments, ..; with conserved state its sums, InputMass, MeshMass, UnmeshedMass and so on.
+        A column a name, a row a material: Name, MaterialId, TargetVolume, MeshVolume, VolumeError,
+        Elements, Fragments, ..; with conserved state its sums, InputMass, MeshMass, UnmeshedMass
+        and so on.
     fields : dict
         What is told of the whole mesh: MinimumScaledJacobian, NumberOfFragments, FlippedCells, ..
     roles : dict
-        Which arrays of state are the "density" (mass per volume of the material) and the "velocity", if any are.
+        Which arrays of state are the "density" (mass per volume of the material) and the
+        "velocity", if any are.
     """
 
     points: np.ndarray
@@ -166,12 +170,13 @@ class Mesh:
 
     def volumes(self) -> np.ndarray:
         """The exact volume of each element, (elements,), in length units cubed."""
-        points, cells = np.ascontiguousarray(self.points, np.float64), np.ascontiguousarray(self.cells, np.int64)
+        points, cells = np.ascontiguousarray(self.points,
+                                             np.float64), np.ascontiguousarray(self.cells, np.int64)
         return _core.element_volumes(points, cells)
 
     def to_pyvista(self, part: str = "mesh") -> pyvista.DataSet:
-        """The mesh, or its "surfaces", "curves" or "vertices", with the arrays and field data of the filters of
-        ParaView.
+        """The mesh, or its "surfaces", "curves" or "vertices", with the arrays and field data of
+        the filters of ParaView.
 
         Returns
         -------
@@ -196,9 +201,10 @@ class Mesh:
     def save(self, path: Any, **options: Any) -> None:
         """Write a file, whose kind its ending tells.
 
-        The package itself writes .vtu (ParaView), .e, .ex2 and .exo (Exodus: blocks, side sets and node sets with
-        names, global ids, variables) and .inp (Abaqus, CalculiX), as the plugin writes them; PyVista writes .vtk and
-        .vtp (the surfaces); meshio writes all others: .msh (Gmsh), .xdmf, .med, ..
+        The package itself writes .vtu (ParaView), .e, .ex2 and .exo (Exodus: blocks, side sets and
+        node sets with names, global ids, variables) and .inp (Abaqus, CalculiX), as the plugin
+        writes them; PyVista writes .vtk and .vtp (the surfaces); meshio writes all others: .msh
+        (Gmsh), .xdmf, .med, ..
 
         Parameters
         ----------
@@ -220,7 +226,8 @@ class Mesh:
 def make_mesh(result: Mapping[str, Any], roles: Dict[str, str]) -> Mesh:
     """Of what the core returns."""
     result = dict(result)
-    surfaces, curves, vertices = result.pop("surfaces"), result.pop("curves"), result.pop("vertices")
+    surfaces, curves, vertices = result.pop("surfaces"), result.pop("curves"), result.pop(
+        "vertices")
     nodal = result.pop("nodal_velocity")
     return Mesh(
         points=result["points"],

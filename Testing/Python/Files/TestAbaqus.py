@@ -1,4 +1,5 @@
-"""Meshes as Abaqus input files: the file is the mesh, its names and numbers can be read, what cannot be written is told."""
+"""Meshes as Abaqus input files: the file is the mesh, its names and numbers can be read, what
+cannot be written is told."""
 import os
 import resource
 import signal
@@ -11,8 +12,8 @@ from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
 from inp_file import InpFile
 from mpi_run import mpi_run
 from vfmtest import (
-    TET_METHODS, VolumeFractionToTet, add_array, collect, elements, face_owners, fraction_image, in_folder, main,
-    mesh_of, producer, tet_volumes, write, simple)
+    TET_METHODS, VolumeFractionToTet, add_array, collect, elements, face_owners, fraction_image,
+    in_folder, main, mesh_of, producer, tet_volumes, write, simple)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 SIDES = ("X_MIN", "X_MAX", "Y_MIN", "Y_MAX", "Z_MIN", "Z_MAX")
@@ -50,17 +51,20 @@ def sides_of(points):
     """The numbers of the nodes on each side of the box of the fields."""
     low, high = np.array([-1, 0.5, 2]), np.array([2, 3.5, 8])  # fraction_image()
     on = [points[:, axis] == bound[axis] for axis in range(3) for bound in (low, high)]
-    return {name: set((np.flatnonzero(mask) + 1).tolist()) for name, mask in zip(SIDES, on) if mask.any()}
+    return {name: set((np.flatnonzero(mask) + 1).tolist()) for name, mask in zip(SIDES, on)
+            if mask.any()}
 
 
 def expected_surfaces(result):
-    """{name: faces as sorted corner numbers} by the materials on both sides of every face of every element."""
+    """{name: faces as sorted corner numbers} by the materials on both sides of every face of every
+    element."""
     numbers = elements(result) + 1
     sides = sides_of(vtk_to_numpy(result.mesh.GetPoints().GetData()))
     surfaces = {}
     for face, owners in face_owners(numbers, result.cells("MaterialId")).items():
         if len(owners) == 1:
-            name = [side for side, nodes in sides.items() if nodes.issuperset(face)] or [NAMES[owners[0]] + "_TO_VOID"]
+            name = [side for side, nodes in sides.items()
+                    if nodes.issuperset(face)] or [NAMES[owners[0]] + "_TO_VOID"]
             surfaces.setdefault(name[0], set()).add(face)
         elif owners[0] != owners[1]:
             for a, b in (owners, owners[::-1]):
@@ -82,7 +86,8 @@ def check_file(file, result):
     corners = np.array([file.elements[number + 1] for number in range(len(file.elements))])
     assert (corners == elements(result) + 1).all() and file.type == "C3D%d" % corners.shape[1]
     check_orientation(file.nodes.astype(float), corners - 1)
-    sets = {NAMES[m]: set((np.flatnonzero(materials == m) + 1).tolist()) for m in set(materials.tolist())}
+    sets = {NAMES[m]: set((np.flatnonzero(materials == m) + 1).tolist())
+            for m in set(materials.tolist())}
     assert {name: set(numbers) for name, numbers in file.element_sets.items()} == {
         **sets, "EALL": set(range(1, len(materials) + 1))}
     assert len(file.element_sets["EALL"]) == len(materials)
@@ -95,7 +100,9 @@ def check_file(file, result):
 
 @in_folder
 def test_file_is_the_mesh(at):
-    kinds = [{}, {"MeshVoid": 1}] + [{"make": VolumeFractionToTet, "Method": method} for method in TET_METHODS]
+    kinds = [{},
+             {"MeshVoid": 1}] + [{"make": VolumeFractionToTet, "Method": method}
+                                 for method in TET_METHODS]
     for kind in kinds:
         result = mesh_of(fraction_image(), **kind)
         file = saved(result.mesh, at("mesh.inp"))
@@ -107,7 +114,8 @@ def test_file_is_the_mesh(at):
 def test_velocities_of_nodes(at):
     """A vector of the points whose name tells that it is one, and no other."""
     result = mesh_of(fraction_image())
-    values = np.random.default_rng(5).normal(size=(result.mesh.GetNumberOfPoints(), 3)) * 10.0 ** np.arange(-3, 6, 3)
+    values = np.random.default_rng(5).normal(size=(result.mesh.GetNumberOfPoints(),
+                                                   3)) * 10.0 ** np.arange(-3, 6, 3)
     for name, array in (("velocity gradient", np.tile(values, 3)), ("force", values)):
         add_array(result.mesh.GetPointData(), name, array).SetNumberOfComponents(array.shape[1])
     assert not len(saved(result.mesh, at("mesh.inp")).velocities)
@@ -119,9 +127,11 @@ def test_velocities_of_nodes(at):
 
 @in_folder
 def test_save_data(at):
-    hexes = VolumeFractionToTet(Input=producer(fraction_image()), VolumeFractionArrays=["ball", "plate"], Method="Lattice")
+    hexes = VolumeFractionToTet(Input=producer(fraction_image()),
+                                VolumeFractionArrays=["ball", "plate"], Method="Lattice")
     simple.SaveData(at("mesh.inp"), proxy=hexes)
-    check_file(InpFile(at("mesh.inp")), mesh_of(fraction_image(), VolumeFractionToTet, Method="Lattice"))
+    check_file(InpFile(at("mesh.inp")),
+               mesh_of(fraction_image(), VolumeFractionToTet, Method="Lattice"))
 
 
 def row_of_elements(count, kind=VTK_HEXAHEDRON, scale=1.0):
@@ -130,14 +140,18 @@ def row_of_elements(count, kind=VTK_HEXAHEDRON, scale=1.0):
     points = vtkPoints()
     points.SetDataTypeToDouble()
     mesh.SetPoints(points)
-    cube = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
-    corners = {VTK_HEXAHEDRON: range(8), VTK_TETRA: [0, 1, 3, 4], VTK_WEDGE: [0, 1, 3, 4, 5, 7]}[kind]
+    cube = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1],
+                     [0, 1, 1]])
+    corners = {VTK_HEXAHEDRON: range(8), VTK_TETRA: [0, 1, 3, 4],
+               VTK_WEDGE: [0, 1, 3, 4, 5, 7]}[kind]
     for i in range(count):
         ids = [points.InsertNextPoint(*(scale * (cube[c] + [2 * i, 0, 0]))) for c in corners]
         mesh.InsertNextCell(kind, len(ids), ids)
-    for data, name, numbers in ((mesh.GetCellData(), "MaterialId", np.arange(1, count + 1, dtype=np.int32)),
+    for data, name, numbers in ((mesh.GetCellData(), "MaterialId",
+                                 np.arange(1, count + 1, dtype=np.int32)),
                                 (mesh.GetCellData(), "GlobalCellIds", np.arange(count) + 1),
-                                (mesh.GetPointData(), "GlobalPointIds", np.arange(mesh.GetNumberOfPoints()) + 1)):
+                                (mesh.GetPointData(), "GlobalPointIds",
+                                 np.arange(mesh.GetNumberOfPoints()) + 1)):
         array = numpy_to_vtk(numbers, deep=1)
         array.SetName(name)
         data.AddArray(array)
@@ -147,9 +161,12 @@ def row_of_elements(count, kind=VTK_HEXAHEDRON, scale=1.0):
 @in_folder
 def test_names(at):
     long = "x" * 90
-    cases = [("Material volume fraction - 1", "MATERIAL_VOLUME_FRACTION_1"), ("material/volume//fraction 1", "MATERIAL_VOLUME_FRACTION_1_2"),
-             ("MATERIAL_VOLUME_FRACTION_1_2", "MATERIAL_VOLUME_FRACTION_1_2_2"), ("7 up", "S_7_UP"), ("", "S_"), ("größe", "GR_E"),
-             ("EALL", "EALL_2"), (" a, b\n*STEP ", "A_B_STEP"), (long, "X" * 80), (long + "y", "X" * 78 + "_2"), ("_tail_", "TAIL")]
+    cases = [("Material volume fraction - 1", "MATERIAL_VOLUME_FRACTION_1"),
+             ("material/volume//fraction 1", "MATERIAL_VOLUME_FRACTION_1_2"),
+             ("MATERIAL_VOLUME_FRACTION_1_2", "MATERIAL_VOLUME_FRACTION_1_2_2"), ("7 up", "S_7_UP"),
+             ("", "S_"), ("größe", "GR_E"),
+             ("EALL", "EALL_2"), (" a, b\n*STEP ", "A_B_STEP"), (long, "X" * 80),
+             (long + "y", "X" * 78 + "_2"), ("_tail_", "TAIL")]
     mesh = row_of_elements(len(cases) + 1)
     names, ids = vtkStringArray(), vtkIntArray()
     names.SetName("MaterialNames")
@@ -161,8 +178,11 @@ def test_names(at):
     mesh.GetFieldData().AddArray(ids)
     file = saved(mesh, at("mesh.inp"))
     found = {numbers[0]: name for name, numbers in file.element_sets.items() if name != "EALL"}
-    assert found == {i + 1: name for i, name in enumerate([name for _, name in cases] + ["MATERIAL_%d" % (len(cases) + 1)])}
-    assert len(file.surfaces) == len(cases) + 1 and "MATERIAL_VOLUME_FRACTION_1_TO_VOID" in file.surfaces
+    assert found == {i + 1: name
+                     for i, name in enumerate([name for _, name in cases]
+                                              + ["MATERIAL_%d" % (len(cases) + 1)])}
+    assert len(file.surfaces) == len(
+        cases) + 1 and "MATERIAL_VOLUME_FRACTION_1_TO_VOID" in file.surfaces
     assert "** MATERIAL_VOLUME_FRACTION_1: material 1, Material volume fraction - 1" in file.comments
 
 
@@ -180,8 +200,10 @@ def test_sides_keep_their_names(at):
 @in_folder
 def test_numbers(at):
     random = np.random.default_rng(1)
-    values = np.concatenate([random.normal(size=600) * 10.0 ** random.integers(-30, 30, 600), [0, -0.0, 1, -1 / 3, 1e22 / 3, 5e-324,
-                             -1e-99 / 7, -1e-7 / 3, 1.7976931348623157e308, 0.1, 123456789012345680000.0, 1e5]])
+    values = np.concatenate([random.normal(size=600) * 10.0 ** random.integers(-30, 30, 600),
+                             [0, -0.0, 1, -1 / 3, 1e22 / 3, 5e-324,
+                             -1e-99 / 7, -1e-7 / 3, 1.7976931348623157e308, 0.1,
+                             123456789012345680000.0, 1e5]])
     mesh = row_of_elements(51)
     coordinates = vtk_to_numpy(mesh.GetPoints().GetData()).ravel()
     coordinates[:len(values)] = values
@@ -193,11 +215,14 @@ def test_numbers(at):
 @in_folder
 def test_same_bytes_on_all_ranks(at):
     path = write(fraction_image(), at("in.vti"))
-    for arguments, kind in (([], {}), (["--tetmesh", "Lattice"], {"make": VolumeFractionToTet, "Method": "Lattice"})):
+    for arguments, kind in (([], {}),
+                            (["--tetmesh", "Lattice"],
+                             {"make": VolumeFractionToTet, "Method": "Lattice"})):
         result = mesh_of(fraction_image(), **kind)
         assert not write_inp(result.mesh, at("filter.inp"))
         for ranks in (1, 2, 3):
-            run = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", at("%d.inp" % ranks), *arguments])
+            run = mpi_run(ranks,
+                          [SCULPTOR, "--input", path, "--output", at("%d.inp" % ranks), *arguments])
             assert run.returncode == 0 and run.stderr == "", run
             check_same_bytes(at("filter.inp"), at("%d.inp" % ranks))
 
@@ -209,7 +234,8 @@ def check_same_bytes(one, other):
 
 @in_folder
 def test_pieces_read_by_one_rank(at):
-    """Points between the pieces are there twice, cells are in another order, and the mesh is whole again."""
+    """Points between the pieces are there twice, cells are in another order, and the mesh is whole
+    again."""
     path = write(fraction_image(), at("in.vti"))
     assert mpi_run(3, [SCULPTOR, "--input", path, "--output", at("mesh.pvtu")]).returncode == 0
     mesh = simple.OpenDataFile(at("mesh.pvtu"))

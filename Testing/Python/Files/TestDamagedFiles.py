@@ -1,6 +1,8 @@
-"""Damaged files of each kind that the program sculptor reads: no crash, no hang, one message each (Testing/Fuzz/FuzzFiles).
+"""Damaged files of each kind that the program sculptor reads: no crash, no hang, one message each
+(Testing/Fuzz/FuzzFiles).
 
-VFM_SEEDS=first:count takes other seeds; a folder as an argument keeps the good files there, to repeat a seed by hand:
+VFM_SEEDS=first:count takes other seeds; a folder as an argument keeps the good files there, to
+repeat a seed by hand:
     VFM_FUZZ_FILES FOLDER --seed S --keep
 """
 import os
@@ -12,7 +14,8 @@ import numpy as np
 
 from amr_files import make_amr, write_plotfile, write_vthb
 from exodus_grids import hexes, write_exodus
-from image_files import write_dream3d, write_dream3d_nx, write_meta, write_nifti, write_nrrd, write_tiff
+from image_files import (
+    write_dream3d, write_dream3d_nx, write_meta, write_nifti, write_nrrd, write_tiff)
 from spyplot import split, write_spyplot
 from spyplot_cases import NODES, TIMES, steps
 from vfmtest import image, main, write
@@ -29,12 +32,15 @@ def fields():
 
 
 def small_steps():
-    return [{name: value[:SIDE, 3:3 + SIDE, 3:3 + SIDE] for name, value in step.items()} for step in steps()]
+    return [{name: value[:SIDE, 3:3 + SIDE, 3:3 + SIDE] for name, value in step.items()}
+            for step in steps()]
 
 
 def write_exodus_grid(path):
     coordinates = [np.arange(SIDE + 1.0)] * 3
-    return write_exodus(path, lambda step: {"cells": hexes(fields(), np.arange(SIDE ** 3), coordinates)}, TIMES)
+    return write_exodus(path,
+                        lambda step: {"cells": hexes(fields(), np.arange(SIDE ** 3), coordinates)},
+                        TIMES)
 
 
 def write_all(folder):
@@ -52,7 +58,8 @@ def write_all(folder):
 
     add("spn", "a.spn", size, lambda path: write_text(path, labels))
     add("npy-labels", "a.npy", [], lambda path: write_numpy(path, labels))
-    add("npy-wide", "a.npy", [], lambda path: write_numpy(path, labels, np.dtype(">i8"), fortran=True))
+    add("npy-wide", "a.npy", [],
+        lambda path: write_numpy(path, labels, np.dtype(">i8"), fortran=True))
     add("npy-fractions", "a.npy", [], lambda path: np.save(path, np.stack(list(fields().values()))))
     for counts, files, name in (((1, 1, 2), 1, "spcth"), ((2, 1, 1), 2, "spcth-flat")):
         add(name, "a.spcth", [], lambda path: write_spyplot(
@@ -70,8 +77,10 @@ def write_all(folder):
     add("mha", "a.mha", [], lambda path: write_meta(path, voxels, origin))
     add("mhd", "a.mhd", [], lambda path: write_meta(path, voxels, origin, packed=True))
     add("tiff", "a.tif", [], lambda path: write_tiff(path, voxels))
-    add("dream3d", "a.dream3d", [], lambda path: write_dream3d(path, voxels.astype("i4"), origin, spacing))
-    add("dream3d-nx", "a.dream3d", [], lambda path: write_dream3d_nx(path, voxels.astype("i4"), origin, spacing))
+    add("dream3d", "a.dream3d", [],
+        lambda path: write_dream3d(path, voxels.astype("i4"), origin, spacing))
+    add("dream3d-nx", "a.dream3d", [],
+        lambda path: write_dream3d_nx(path, voxels.astype("i4"), origin, spacing))
     with open(os.path.join(folder, "inputs"), "w") as out:
         out.write("\n".join(inputs) + "\n")
 
@@ -81,9 +90,10 @@ def run_fuzzer(folder):
     fuzzer = [os.environ["VFM_FUZZ_FILES"], folder]
     for line in open(os.path.join(folder, "inputs")).read().splitlines():
         name, file, *words = line.split()
-        subprocess.run([os.environ["VFM_SCULPTOR"], "--input", os.path.join(folder, name, file), "--output",
-                        os.path.join(folder, "out.vtu"), "--quiet", *words], check=True)
-    result = subprocess.run(fuzzer + ["--seed", str(SEEDS), "--count", str(COUNT)], capture_output=True, text=True, errors="replace")
+        subprocess.run([os.environ["VFM_SCULPTOR"], "--input", os.path.join(folder, name, file),
+                        "--output", os.path.join(folder, "out.vtu"), "--quiet", *words], check=True)
+    result = subprocess.run(fuzzer + ["--seed", str(SEEDS), "--count", str(COUNT)],
+                            capture_output=True, text=True, errors="replace")
     print(result.stdout, result.stderr)
     assert result.returncode == 0, result.stdout
 

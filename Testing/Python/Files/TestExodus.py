@@ -1,4 +1,5 @@
-"""Meshes as Exodus files: what another reader (ncdump) and ParaView's read is the mesh, in one file and in parts."""
+"""Meshes as Exodus files: what another reader (ncdump) and ParaView's read is the mesh, in one file
+and in parts."""
 import os
 import resource
 
@@ -15,9 +16,10 @@ from mesh_sets import AXES, array, find_sets, material_names
 from mpi_run import mpi_run
 from spyplot import split, write_spyplot
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image, held_class, in_folder, labels, main, mesh_of,
-    new_ioss_reader, producer, save_data, servermanager, simple, VolumeFractionShapes, VolumeFractionToHex,
-    VolumeFractionToTet)
+    ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, collect, fraction_image, image,
+    held_class, in_folder, labels, main, mesh_of,
+    new_ioss_reader, producer, save_data, servermanager, simple, VolumeFractionShapes,
+    VolumeFractionToHex, VolumeFractionToTet)
 
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 CELLS = {"make": VolumeFractionToTet, "Method": "Cells"}
@@ -25,7 +27,8 @@ SPY = "Material volume fraction - %d"
 
 
 def writer_of(mesh, path, **properties):
-    return servermanager.writers.VolumeFractionExodusWriter(Input=producer(mesh), FileName=path, **properties)
+    return servermanager.writers.VolumeFractionExodusWriter(Input=producer(mesh), FileName=path,
+                                                            **properties)
 
 
 def write(mesh, path, **properties):
@@ -38,7 +41,9 @@ def write(mesh, path, **properties):
 
 def area_vectors(faces):
     """Of faces (n, 3 or 4, 3)."""
-    return np.cross(faces[:, 2] - faces[:, 0], faces[:, -1] - faces[:, 1] if faces.shape[1] == 4 else faces[:, 1] - faces[:, 0]) / (
+    return np.cross(faces[:, 2] - faces[:, 0],
+                    faces[:, -1] - faces[:, 1] if faces.shape[1] == 4
+                    else faces[:, 1] - faces[:, 0]) / (
         2 if faces.shape[1] == 4 else -2)
 
 
@@ -46,12 +51,16 @@ def surface_areas(result, names):
     """{name of a side set: sum of the area vectors} by the second output of the filter."""
     surfaces, sums = result.surfaces, {}
     points = vtk_to_numpy(surfaces.GetPoints().GetData())
-    facets = vtk_to_numpy(surfaces.GetPolys().GetConnectivityArray()).reshape(surfaces.GetNumberOfCells(), -1)
+    facets = vtk_to_numpy(surfaces.GetPolys().GetConnectivityArray()).reshape(
+        surfaces.GetNumberOfCells(), -1)
     areas = area_vectors(points[facets])
-    pairs, sides, ids = (array(surfaces.GetCellData(), name) for name in ("MaterialPair", "DomainSide", "SurfaceId"))
+    pairs, sides, ids = (array(surfaces.GetCellData(), name)
+                         for name in ("MaterialPair", "DomainSide", "SurfaceId"))
     parts = array(surfaces.GetFieldData(), "SurfaceParts")
-    for area, (low, high), side, surface in zip(areas, pairs.tolist(), sides.tolist(), ids.tolist()):
-        keys = [(AXES[side], 1)] if side >= 0 else [("%s_to_%s" % (names[high], names[low]), 1)]  # the normal leaves the second
+    for area, (low, high), side, surface in zip(areas, pairs.tolist(), sides.tolist(),
+                                                ids.tolist()):
+        # the normal leaves the second
+        keys = [(AXES[side], 1)] if side >= 0 else [("%s_to_%s" % (names[high], names[low]), 1)]
         if side < 0 and low > 0:
             keys.append(("%s_to_%s" % (names[low], names[high]), -1))
         if parts[surface - 1] > 0:
@@ -62,7 +71,8 @@ def surface_areas(result, names):
 
 
 def check_areas(path, result):
-    """The faces of each side set, from the file, point out of their elements and have the area of the surfaces."""
+    """The faces of each side set, from the file, point out of their elements and have the area of
+    the surfaces."""
     dump = Dump(path)
     elements, points = dump.elements(), dump.points()
     sums = surface_areas(result, material_names(result.mesh))
@@ -72,7 +82,8 @@ def check_areas(path, result):
         middles = points[np.array([elements[e][1] for e in dump.sides(i)[0]])].mean(axis=1)
         areas = area_vectors(faces)
         assert (np.einsum("ij,ij->i", areas, faces.mean(axis=1) - middles) > 0).all(), name
-        assert np.allclose(areas.sum(axis=0), sums[name], rtol=1e-12, atol=1e-12), (name, areas.sum(axis=0), sums[name])
+        assert np.allclose(areas.sum(axis=0), sums[name], rtol=1e-12,
+                           atol=1e-12), (name, areas.sum(axis=0), sums[name])
 
 
 def velocity_field():
@@ -86,7 +97,8 @@ def velocity_field():
 @in_folder
 def test_one_file(at):
     data = velocity_field()
-    cases = ({}, {"MeshVoid": 1}, {"StairStep": 1}, CELLS, {"make": VolumeFractionToTet, "Method": "Lattice"}, {**CELLS, "MeshVoid": 1})
+    cases = ({}, {"MeshVoid": 1}, {"StairStep": 1}, CELLS,
+             {"make": VolumeFractionToTet, "Method": "Lattice"}, {**CELLS, "MeshVoid": 1})
     for i, properties in enumerate(cases):
         result = mesh_of(data, StateArrays=["velocity"], **properties)
         path = at("mesh%d.exo" % i)
@@ -107,11 +119,13 @@ def test_values_of_nodes(at):
     dump = Dump(at("mesh.e"))
     check([dump], result.mesh)
     for kind in ("nod", "elem"):
-        assert {"velocity_X", "velocity_Y", "velocity_Z"} <= set(dump.get("name_%s_var" % kind)), kind
+        assert {"velocity_X", "velocity_Y",
+                "velocity_Z"} <= set(dump.get("name_%s_var" % kind)), kind
     ids = array(result.mesh.GetPointData(), "GlobalPointIds")
     wanted = dict(zip(ids.tolist(), values.tolist()))
     for part in (part for name in ("ball", "plate") for part in ioss(at("mesh.e"))[name]):
-        found = dict(zip(array(part.GetPointData(), "ids").tolist(), array(part.GetPointData(), "velocity").tolist()))
+        found = dict(zip(array(part.GetPointData(), "ids").tolist(),
+                         array(part.GetPointData(), "velocity").tolist()))
         assert found and all(wanted[point] == velocity for point, velocity in found.items())
 
 
@@ -127,7 +141,8 @@ def ioss(path):
     for i in range(data.GetNumberOfPartitionedDataSets()):
         for p in range(data.GetNumberOfPartitions(i)):
             if data.GetPartition(i, p):
-                found.setdefault(data.GetMetaData(i).Get(data.NAME()), []).append(data.GetPartition(i, p))
+                found.setdefault(data.GetMetaData(i).Get(data.NAME()),
+                                 []).append(data.GetPartition(i, p))
     return found
 
 
@@ -140,18 +155,23 @@ def test_paraview_reads_it(at):
         if material:
             block, chosen = parts[name][0], result.cells("MaterialId") == material
             ids = array(block.GetCellData(), "ids")
-            velocities = dict(zip(ids.tolist(), array(block.GetCellData(), "velocity").tolist()))  # of three components
-            wanted = zip(result.cells("GlobalCellIds")[chosen].tolist(), result.cells("velocity")[chosen].tolist())
+            # of three components
+            velocities = dict(zip(ids.tolist(), array(block.GetCellData(), "velocity").tolist()))
+            wanted = zip(result.cells("GlobalCellIds")[chosen].tolist(),
+                         result.cells("velocity")[chosen].tolist())
             assert velocities == dict(wanted)
     for sets in (sides, nodes):
         for (_, name), items in sets.items():
-            assert len(items) in [part.GetNumberOfCells() for part in parts[name.lower()]], name  # IOSS knows no capitals
+            # IOSS knows no capitals
+            assert len(items) in [part.GetNumberOfCells() for part in parts[name.lower()]], name
     reader = vtkExodusIIReader()
     reader.SetFileName(at("mesh.exo"))
     reader.UpdateInformation()
-    for kind, names in ((reader.ELEM_BLOCK, ["ball", "plate"]), (reader.SIDE_SET, [name for _, name in sorted(sides)]),
+    for kind, names in ((reader.ELEM_BLOCK, ["ball", "plate"]),
+                        (reader.SIDE_SET, [name for _, name in sorted(sides)]),
                         (reader.NODE_SET, [name for _, name in sorted(nodes)])):
-        assert [reader.GetObjectName(kind, i) for i in range(reader.GetNumberOfObjects(kind))] == names
+        assert [reader.GetObjectName(kind, i)
+                for i in range(reader.GetNumberOfObjects(kind))] == names
         for i in range(len(names)):
             reader.SetObjectStatus(kind, i, 1)
     reader.Update()
@@ -161,11 +181,13 @@ def test_paraview_reads_it(at):
 
 @in_folder
 def test_wide_ids(at):
-    """Ids above 2^31, as tets of large grids have them, and above 2^53, where doubles are no longer exact."""
+    """Ids above 2^31, as tets of large grids have them, and above 2^53, where doubles are no longer
+    exact."""
     for shift in (2 ** 31, 2 ** 62):
         mesh = vtkUnstructuredGrid()
         mesh.DeepCopy(mesh_of(fraction_image(8)).mesh)
-        for data, name in ((mesh.GetPointData(), "GlobalPointIds"), (mesh.GetCellData(), "GlobalCellIds")):
+        for data, name in ((mesh.GetPointData(), "GlobalPointIds"),
+                           (mesh.GetCellData(), "GlobalCellIds")):
             array(data, name)[:] += shift
         assert not write(mesh, at("wide.exo")) and exodus_dump.kind(at("wide.exo")) == "netCDF-4"
         dump = Dump(at("wide.exo"))
@@ -179,7 +201,9 @@ def test_pieces_that_one_process_reads(at):
     """Points between pieces are there once."""
     result = mesh_of(fraction_image())
     save_data(at("mesh.vtu"), producer(result.mesh))
-    assert mpi_run(2, [SCULPTOR, "--input", vti(at, fraction_image()), "--output", at("mesh.pvtu")]).returncode == 0
+    assert mpi_run(2,
+                   [SCULPTOR, "--input", vti(at, fraction_image()), "--output",
+                    at("mesh.pvtu")]).returncode == 0
     for name in ("mesh.vtu", "mesh.pvtu"):
         reader = simple.OpenDataFile(at(name))
         simple.SaveData(at(name + ".exo"), proxy=reader)
@@ -188,14 +212,17 @@ def test_pieces_that_one_process_reads(at):
 
 @in_folder
 def test_names(at):
-    """Names longer than the library takes, and those that differ by capitals only, end with the number."""
+    """Names longer than the library takes, and those that differ by capitals only, end with the
+    number."""
     ball, plate = ball_and_plate(8)
     names = ["m" * 300, "Iron", "IRON"]
     half = np.where(np.arange(8) < 4, 1.0, 0.0)
-    result = mesh_of(image({names[0]: ball, names[1]: plate * half, names[2]: plate * (1 - half)}), VolumeFractionArrays=names)
+    result = mesh_of(image({names[0]: ball, names[1]: plate * half, names[2]: plate * (1 - half)}),
+                     VolumeFractionArrays=names)
     assert not write(result.mesh, at("mesh.exo"))
     dump = Dump(at("mesh.exo"))
-    assert sorted(dump.names("eb")) == sorted(["m" * 253 + "_1", "Iron", "IRON_3"]), dump.names("eb")
+    assert sorted(dump.names("eb")) == sorted(["m" * 253 + "_1", "Iron",
+                                               "IRON_3"]), dump.names("eb")
     for kind in ("eb", "ss", "ns"):
         lower = [name.lower() for name in dump.names(kind)]
         assert len(set(lower)) == len(lower) and max(map(len, lower)) <= 255
@@ -213,7 +240,8 @@ def test_material_ids(at):
         assert dump.get("eb_prop1").tolist() == [1, high]
         pairs = dict(zip(dump.names("ss"), dump.get("ss_prop1").tolist()))
         order = [pairs[name] for name in dump.names("ss") if "_to_" in name]
-        assert order == ([factor, factor + high, high * factor, high * factor + 1] if factor else [7, 8, 9, 10]), pairs
+        assert order == ([factor, factor + high, high * factor, high * factor + 1] if factor
+                         else [7, 8, 9, 10]), pairs
     result = mesh_of(image({"id": ids}), MaterialIdArray="id", MeshVoid=1)
     errors = write(result.mesh, at("none.exo"))
     assert len(errors) == 1 and "No number is left for the void" in errors[0], errors
@@ -237,7 +265,8 @@ def test_refused(at):
     os.symlink("/dev/full", at("full.exo"))
     for data, name, text in (
             (no_material, "a.exo", "no array MaterialId"), (zero, "b.exo", "must be 1 or more"),
-            (mixed, "c.exo", "all hexahedra or all tetrahedra"), (vtkUnstructuredGrid(), "d.exo", "The mesh is empty"),
+            (mixed, "c.exo", "all hexahedra or all tetrahedra"),
+            (vtkUnstructuredGrid(), "d.exo", "The mesh is empty"),
             (mesh, "no/e.exo", "No such file or directory"), (mesh, "folder.exo", "Is a directory"),
             (mesh, "full.exo", "No space left on device")):
         errors = write(data, at(name))
@@ -277,35 +306,44 @@ def check_ranks(at, path, mesh, *arguments):
         output = at("mesh%d.exo" % ranks)
         result = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", output, *arguments])
         assert result.returncode == 0 and result.stderr == "", result
-        names = [output] if ranks == 1 else ["%s.%d.%d" % (output, ranks, rank) for rank in range(ranks)]
+        names = [output] if ranks == 1 else ["%s.%d.%d" % (output, ranks, rank)
+                                             for rank in range(ranks)]
         dumps = [Dump(name) for name in names]
         check(dumps, mesh, wanted)
         if ranks > 1:
             check_parts(dumps)
             single = at("single%d.exo" % ranks)
-            result = mpi_run(ranks, [SCULPTOR, "--input", path, "--output", single, "--single-file", *arguments])
-            assert result.returncode == 0 and without_date(single) == without_date(at("mesh1.exo")), result
+            result = mpi_run(ranks,
+                             [SCULPTOR, "--input", path, "--output", single, "--single-file",
+                              *arguments])
+            assert result.returncode == 0 and without_date(single) == without_date(
+                at("mesh1.exo")), result
             parts = ioss(names[-1])  # any of them
-            assert sum(part.GetNumberOfCells() for part in parts["x_min"] if part.GetCellType(0) != 1) == x_min  # 1: node set
+            # 1: node set
+            assert sum(part.GetNumberOfCells() for part in parts["x_min"]
+                       if part.GetCellType(0) != 1) == x_min
 
 
 @in_folder
 def test_ranks(at):
     path = vti(at, fraction_image())
     check_ranks(at, path, mesh_of(fraction_image()).mesh)
-    check_ranks(at, path, mesh_of(fraction_image(), **CELLS, MeshVoid=1).mesh, "--tetmesh", "Cells", "--void")
+    check_ranks(at, path, mesh_of(fraction_image(), **CELLS, MeshVoid=1).mesh, "--tetmesh", "Cells",
+                "--void")
 
 
 @in_folder
 def test_spyplot(at):
-    """From files of CTH to files of Exodus, with a vector and a number that the elements carry along."""
+    """From files of CTH to files of Exodus, with a vector and a number that the elements carry
+    along."""
     ball, plate = ball_and_plate()
     step = {"Pressure": 1e5 * ball, SPY % 1: ball, SPY % 2: np.minimum(plate, 1 - ball)}
     step = {name: value.astype(np.float32) for name, value in step.items()}
     nodes = [x + h * np.arange(13) for x, h in zip(ORIGIN, SPACING)]
     path = write_spyplot(at(""), "case", [2e-6], split(nodes, [step], (2, 1, 2)), 2)
     for properties, arguments in (({}, []), (CELLS, ["--tetmesh", "Cells"])):
-        mesh = mesh_of(image(step), VolumeFractionArrays=[SPY % 1, SPY % 2], StateArrays=["Pressure"], **properties).mesh
+        mesh = mesh_of(image(step), VolumeFractionArrays=[SPY % 1, SPY % 2],
+                       StateArrays=["Pressure"], **properties).mesh
         check_ranks(at, path, mesh, "--state", "Pressure", *arguments)
         assert Dump(at("mesh1.exo")).get("time_whole").tolist() == [2e-6]
         assert sorted(join([Dump(at("mesh1.exo"))])["blocks"].values()) == [SPY % 1, SPY % 2]
@@ -313,16 +351,19 @@ def test_spyplot(at):
 
 def turned_box(n=16):
     """A box turned in a matrix, off the grid: smooth sides on both."""
-    source = VolumeFractionShapes(Shapes="box size=0.95,1.05,1 rotation=25,20,15 center=0.02,0,0.03 material=1; box size=2,2,2 material=2",
+    source = VolumeFractionShapes(
+        Shapes="box size=0.95,1.05,1 rotation=25,20,15 center=0.02,0,0.03 material=1; box size=2,2,2 material=2",
                                   Bounds=[-1, 1] * 3, Dimensions=[n] * 3)
     return servermanager.Fetch(source)
 
 
 @in_folder
 def test_smooth_sides(at):
-    """Each side of a box is a side set and a node set, seen from either material; the same in the parts of ranks."""
+    """Each side of a box is a side set and a node set, seen from either material; the same in the
+    parts of ranks."""
     data = turned_box()
-    for kind, properties in (("", {}), ("Lattice", {"make": VolumeFractionToTet, "Method": "Lattice"})):
+    for kind, properties in (("", {}),
+                             ("Lattice", {"make": VolumeFractionToTet, "Method": "Lattice"})):
         arguments = {"VolumeFractionArrays": ["Material1", "Material2"], "SharpEdges": "On"}
         result = mesh_of(data, **arguments, **properties)
         path = at("sides.exo")
@@ -330,12 +371,15 @@ def test_smooth_sides(at):
         check_areas(path, result)
         whole = join([Dump(path)])
         sides = [key for key in whole["sides"] if key[1].startswith("Material1_to_Material2_")]
-        assert len(sides) == 6 and all(key[0] == 1002000 + int(key[1].rsplit("_", 1)[1]) for key in sides), sides
+        assert len(sides) == 6 and all(key[0] == 1002000 + int(key[1].rsplit("_", 1)[1])
+                                       for key in sides), sides
         for key in sides:
             nodes = {node for _, corners in whole["sides"][key] for node in corners}
             assert whole["node sets"][key] == nodes and len(nodes) > 30, key
         output = at("parts%s.exo" % kind)
-        run = mpi_run(3, [SCULPTOR, "--input", vti(at, data), "--fractions", "Material1,Material2", "--sharp-edges", "On", "--output", output,
+        run = mpi_run(3,
+                      [SCULPTOR, "--input", vti(at, data), "--fractions", "Material1,Material2",
+                       "--sharp-edges", "On", "--output", output,
                           *(["--tetmesh", kind] if kind else [])])
         assert run.returncode == 0, run
         dumps = [Dump("%s.3.%d" % (output, rank)) for rank in range(3)]
@@ -359,10 +403,12 @@ def test_ranks_without_elements(at):
     for dump in dumps:
         for kind in ("eb", "ss", "ns"):
             assert dump.names(kind) == dumps[0].names(kind)
-        assert dump.get("name_elem_var") == dumps[0].get("name_elem_var") and dump.globals() == dumps[0].globals()
+        assert dump.get("name_elem_var") == dumps[0].get(
+            "name_elem_var") and dump.globals() == dumps[0].globals()
     blocks = ioss(at("mesh.exo.12.03"))  # IOSS knows neither capitals nor spaces
     names = [name.lower().replace(" ", "_") for name in wanted["blocks"].values()]
-    assert sum(part.GetNumberOfCells() for name in names for part in blocks[name]) == len(wanted["elements"]), blocks
+    assert sum(part.GetNumberOfCells() for name in names
+               for part in blocks[name]) == len(wanted["elements"]), blocks
 
 
 @in_folder

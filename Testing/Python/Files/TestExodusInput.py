@@ -1,5 +1,6 @@
-"""Exodus files, and other hexahedra that form a Cartesian grid, as input: the meshes of the image, bit for bit, from ParaView's
-readers and the program sculptor on several ranks; and what is said about other meshes and damaged files."""
+"""Exodus files, and other hexahedra that form a Cartesian grid, as input: the meshes of the image,
+bit for bit, from ParaView's readers and the program sculptor on several ranks; and what is said
+about other meshes and damaged files."""
 import functools
 import os
 import re
@@ -18,8 +19,8 @@ from compare_meshes import difference, merge, read_pieces
 from exodus_grids import GRADED, N, TIMES, UNIFORM, fields, hexes, shuffled, write_exodus
 from mpi_run import mpi_run
 from vfmtest import (
-    PYTHON, GHOST, HIDDEN, VolumeFractionToTet, add_array, check_error, digest, image, in_folder, main, mesh_of, needs_vtk, rectilinear, uniform,
-    write)
+    PYTHON, GHOST, HIDDEN, VolumeFractionToTet, add_array, check_error, digest, image, in_folder,
+    main, mesh_of, needs_vtk, rectilinear, uniform, write)
 
 FRACTIONS = ["MAT_10", "MAT_20"]
 CHOSEN = {"VolumeFractionArrays": FRACTIONS, "StateArrays": ["number"]}
@@ -53,7 +54,8 @@ def test_order_of_cells():
 def test_blocks():
     cells = shuffled()
     expected = of_grid()
-    check_same(blocks(*[hexes(fields(), part) for part in np.split(cells, [5, 600, 601])]), expected)
+    check_same(blocks(*[hexes(fields(), part) for part in np.split(cells, [5, 600, 601])]),
+               expected)
     left = np.flatnonzero(ALL % N < 5)
     right = image({name: values[:, :, 5:] for name, values in fields().items()})
     right.SetOrigin(UNIFORM[0][5], UNIFORM[1][0], UNIFORM[2][0])
@@ -62,36 +64,44 @@ def test_blocks():
 
 def test_spacing_and_options():
     graded = hexes(fields(), shuffled(), GRADED)
-    for properties in ({}, uniform(1), {"make": VolumeFractionToTet, "Method": "Cells"}, {"MeshVoid": 1}):
+    for properties in ({}, uniform(1), {"make": VolumeFractionToTet, "Method": "Cells"},
+                       {"MeshVoid": 1}):
         check_same(graded, of_grid(coordinates=GRADED, **properties), **properties)
 
 
 def test_float_coordinates():
-    """Nodes of cells that are wide apart in a file may differ by rounding; one tenth is not exact."""
+    """Nodes of cells that are wide apart in a file may differ by rounding; one tenth is not
+    exact."""
     tenths = [0.1 * np.arange(N + 1.0)] * 3
     data = hexes(fields(), shuffled(), tenths)
     points = vtk_to_numpy(data.GetPoints().GetData())
     points += np.random.default_rng(2).uniform(0, 1e-6, points.shape)
-    exact = [np.array([points[np.abs(points[:, a] - x) < 0.01, a].min() for x in tenths[a]]) for a in range(3)]
+    exact = [np.array([points[np.abs(points[:, a] - x) < 0.01, a].min() for x in tenths[a]])
+             for a in range(3)]
     check_same(data, of_grid(coordinates=exact))
 
 
 def test_labels():
     ids = np.random.default_rng(3).choice([0, 2, 5], (N, N, N)).astype(np.int32)
     expected = mesh_of(image({"id": ids}), MaterialIdArray="id", StateArrays=["id"])
-    check_same(hexes({"id": ids}, shuffled()), expected, MaterialIdArray="id", StateArrays=["id"], VolumeFractionArrays=[])
+    check_same(hexes({"id": ids}, shuffled()), expected, MaterialIdArray="id", StateArrays=["id"],
+               VolumeFractionArrays=[])
 
 
 def test_state_arrays():
     generator = np.random.default_rng(4)
-    state = {"v": generator.normal(size=(N, N, N, 3)).astype(np.float32), "n": generator.integers(0, 9, (N, N, N)).astype(np.int16)}
+    state = {"v": generator.normal(size=(N, N, N, 3)).astype(np.float32),
+             "n": generator.integers(0, 9, (N, N, N)).astype(np.int16)}
     expected = of_grid()
     cells = shuffled()
-    result = mesh_of(hexes({**fields(), **state}, cells), **{**CHOSEN, "StateArrays": ["number", "v", "n"]})
+    result = mesh_of(hexes({**fields(), **state}, cells),
+                     **{**CHOSEN, "StateArrays": ["number", "v", "n"]})
     place = expected.cells("number").astype(int)
     for name, values in state.items():
         found = result.cells(name)
-        assert found.dtype == values.dtype and (found == values.reshape(N ** 3, *values.shape[3:])[place]).all()
+        assert found.dtype == values.dtype and (found
+                                                == values.reshape(N ** 3, *values.shape[3:])[
+                                                    place]).all()
 
 
 def test_ghosts():
@@ -105,7 +115,8 @@ def test_ghosts():
     for mine, others in ((cells[:800], cells[800:900]), (cells[800:], cells[100:200])):
         types = np.zeros(N ** 3, np.uint8)
         types[others] = GHOST
-        arrays = {name: np.where(types.reshape(N, N, N) > 0, 77.0, values) for name, values in fields().items()}
+        arrays = {name: np.where(types.reshape(N, N, N) > 0, 77.0, values)
+                  for name, values in fields().items()}
         mixed = np.random.default_rng(1).permutation(np.concatenate([mine, others]))
         parts.append(hexes({**arrays, "vtkGhostType": types.reshape(N, N, N)}, mixed))
     check_same(blocks(*parts), of_grid())
@@ -136,7 +147,8 @@ def structured(coordinates):
     grid = vtkStructuredGrid()
     size = [len(x) for x in coordinates]
     grid.SetDimensions(size)
-    nodes = np.stack(np.meshgrid(*coordinates, indexing="ij"), axis=-1).transpose(2, 1, 0, 3).reshape(-1, 3)
+    nodes = np.stack(np.meshgrid(*coordinates, indexing="ij"),
+                     axis=-1).transpose(2, 1, 0, 3).reshape(-1, 3)
     points = vtkPoints()
     for node in nodes:
         points.InsertNextPoint(node)
@@ -157,7 +169,9 @@ def test_structured_grid():
     data.BlankCell(600)
     types = np.zeros(N ** 3, np.uint8)
     types[600] = HIDDEN
-    check_same(data, mesh_of(rectilinear({**fields(), "vtkGhostType": types.reshape(N, N, N)}, GRADED), **CHOSEN))
+    check_same(data,
+               mesh_of(rectilinear({**fields(), "vtkGhostType": types.reshape(N, N, N)}, GRADED),
+                       **CHOSEN))
 
 
 def moved(change, cells=ALL):
@@ -178,34 +192,45 @@ def set_point(point, axis, value):
 
 
 def test_other_shapes():
-    check_input_error(moved(set_point(0, 0, -0.9)), "The input: cell 0 is no box", "its point 0 at (-0.9, 0.5, 2)", "Transform")
-    check_input_error(moved(turn), "cell 0 is no box with sides along the axes", "Transform", "Resample To Image")
+    check_input_error(moved(set_point(0, 0, -0.9)), "The input: cell 0 is no box",
+                      "its point 0 at (-0.9, 0.5, 2)", "Transform")
+    check_input_error(moved(turn), "cell 0 is no box with sides along the axes", "Transform",
+                      "Resample To Image")
     check_input_error(moved(set_point(14, 2, np.nan)), "corner that is not finite", "point 14")
-    check_input_error(moved(lambda points: points.__setitem__((slice(None), 1), 3.0)), "cell 0 is flat along y")
+    check_input_error(moved(lambda points: points.__setitem__((slice(None), 1), 3.0)),
+                      "cell 0 is flat along y")
     data = hexes(fields(), ALL)
-    vtk_to_numpy(data.GetCells().GetConnectivityArray())[8] = 2  # corner 0 of cell 1 becomes its corner 1
+    # corner 0 of cell 1 becomes its corner 1
+    vtk_to_numpy(data.GetCells().GetConnectivityArray())[8] = 2
     check_input_error(data, "cell 1 has two corners in the same place")
 
 
 def test_other_cells():
     check_input_error(quads(VTK_TETRA), "The input: cell 0 is a vtkTetra", "Resample To Image")
-    check_input_error(blocks(hexes(fields(), ALL), quads(VTK_TETRA)), "Block 1: cell 0 is a vtkTetra")
+    check_input_error(blocks(hexes(fields(), ALL), quads(VTK_TETRA)),
+                      "Block 1: cell 0 is a vtkTetra")
     check_input_error(quads(), "no cells", "3D grid of cells")
     check_input_error(blocks(quads(), quads()), "no cells", "3D grid of cells")
 
 
 def test_cells_that_do_not_tile():
-    check_input_error(hexes(fields(), np.delete(ALL, [40, 400])), "leave a gap: 2 of the 1728", "cell (4, 3, 0)")
-    check_input_error(hexes(fields(), np.append(ALL, 77)), "cell 77 and cell 1728 lie in the same place")
-    check_input_error(blocks(hexes(fields(), ALL[:300]), hexes(fields(), ALL[299:])), "Block 0 and Block 1 overlap", "cell (11, 0, 2)")
+    check_input_error(hexes(fields(), np.delete(ALL, [40, 400])), "leave a gap: 2 of the 1728",
+                      "cell (4, 3, 0)")
+    check_input_error(hexes(fields(), np.append(ALL, 77)),
+                      "cell 77 and cell 1728 lie in the same place")
+    check_input_error(blocks(hexes(fields(), ALL[:300]), hexes(fields(), ALL[299:])),
+                      "Block 0 and Block 1 overlap", "cell (11, 0, 2)")
     half = [np.linspace(x[0], x[-1], 2 * N + 1) for x in UNIFORM]
-    fine = hexes({name: np.repeat(np.repeat(np.repeat(v, 2, 0), 2, 1), 2, 2) for name, v in fields().items()}, [0, 1], half)
-    check_input_error(blocks(fine, hexes(fields(), ALL[1:])), "Finer blocks cover only a part of cell (0, 0, 0) of level 0")
+    fine = hexes({name: np.repeat(np.repeat(np.repeat(v, 2, 0), 2, 1), 2, 2)
+                  for name, v in fields().items()}, [0, 1], half)
+    check_input_error(blocks(fine, hexes(fields(), ALL[1:])),
+                      "Finer blocks cover only a part of cell (0, 0, 0) of level 0")
 
 
 def test_missing_arrays():
     data = hexes(fields(), shuffled())
-    check_input_error(data, "has no numeric cell array 'MAT_30'. Its cell arrays: 'ids', 'MAT_10', 'MAT_20', 'number'",
+    check_input_error(data,
+                      "has no numeric cell array 'MAT_30'. Its cell arrays: 'ids', 'MAT_10', 'MAT_20', 'number'",
                 VolumeFractionArrays=["MAT_30"])
     check_input_error(data, "has no numeric cell array 'heat'", StateArrays=["heat"])
 
@@ -231,7 +256,8 @@ def files():
     return {
         "one": write_exodus(at("one.exo"), lambda step: {"all": hexes(fields(step), ALL)}),
         "blocks": write_exodus(at("blocks.g"), lambda step: {
-            name: hexes(fields(step), part) for name, part in zip("zay", np.split(cells, [600, 601]))}),
+            name: hexes(fields(step), part)
+            for name, part in zip("zay", np.split(cells, [600, 601]))}),
         "parts": at("parts.e.3.0"),
     }
 
@@ -261,7 +287,8 @@ def test_readers_of_paraview(at):
                 mesher = exodus_grids.mesh_of_reader(reader, step, path)
                 mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
                 check_pieces([mesh], expected[step], (kind, reader, step))
-    for ranks, reader, kind in ((2, "IOSSReader", "blocks"), (3, "ExodusIIReader", "parts"), (3, "OpenDataFile", "parts")):
+    for ranks, reader, kind in ((2, "IOSSReader", "blocks"), (3, "ExodusIIReader", "parts"),
+                                (3, "OpenDataFile", "parts")):
         run_script(ranks, "mesh", reader, "1", files()[kind], at("out.pvtu"))
         check_file(at("out.pvtu"), expected[1], (kind, reader, ranks))
 
@@ -271,8 +298,11 @@ def test_sculptor(at):
     expected = [of_grid(step) for step in range(len(TIMES))]
     asked = ("--fractions", "MAT_10,MAT_20", "--state", "number", "--quiet")
     for kind, path in files().items():
-        for ranks, step, words in ((1, 0, ()), (2, 1, ("--time", "1.9")), (3, 0, ()), (4, 1, ("--step", "1"))):
-            result = sculptor(path.replace("3.0", "3.1"), at("out.vtu"), *asked, *words, ranks=ranks)  # any part stands for all
+        for ranks, step, words in ((1, 0, ()), (2, 1, ("--time", "1.9")), (3, 0, ()),
+                                   (4, 1, ("--step", "1"))):
+            # any part stands for all
+            result = sculptor(path.replace("3.0", "3.1"), at("out.vtu"), *asked, *words,
+                              ranks=ranks)
             assert result.returncode == 0 and result.stderr == "", result
             check_file(at("out.vtu"), expected[step], (kind, ranks, words))
         result = sculptor(path, at("out.vtu"))
@@ -281,41 +311,52 @@ def test_sculptor(at):
 
 @in_folder
 def test_sculptor_part_of_one(at):
-    """FILE.1.0, part 0 of 1, with any FILE; of ParaView's writer, and of ours a mesh of whole cells."""
+    """FILE.1.0, part 0 of 1, with any FILE; of ParaView's writer, and of ours a mesh of whole
+    cells."""
     expected, cells = of_grid(1), shuffled()
     path = write_exodus(at("whole.exo"), lambda step: {"all": hexes(fields(step), cells)})
     for name in ("cube_mesh.exo.1.0", "cube.1.0", "cube.E.1.0", "cube.1.00"):
         path = shutil.move(path, at(name))  # FILE itself is not there
         for ranks in (1, 3):
-            result = sculptor(path, at("out.vtu"), "--fractions", "MAT_10,MAT_20", "--state", "number", "--time", "2", ranks=ranks)
+            result = sculptor(path, at("out.vtu"), "--fractions", "MAT_10,MAT_20", "--state",
+                              "number", "--time", "2", ranks=ranks)
             assert result.returncode == 0 and result.stderr == "" and "time 2\n" in result.stdout, result
             check_file(at("out.vtu"), expected, (name, ranks))
     sculptor_program.refused(2, "No such file", at("other.1.0"), at("no.vtu"), ranks=2)
     sculptor_program.refused(1, "of an unknown kind", at("cube.1.1"), at("no.vtu"))
     grid = write(image(fields()), at("grid.vti"))
-    sculptor_program.mesh_file(grid, at("ours.e"), "--fractions", "MAT_10,MAT_20", "--stairstep", "--void", "--state", "number")
-    sculptor_program.mesh_file(shutil.move(at("ours.e"), at("ours.1.0")), at("out.vtu"), "--labels", "object_id", "--state", "number")
-    numbers = np.concatenate([vtk_to_numpy(piece.GetCellData().GetArray("number")) for piece in read_pieces(at("out.vtu"))])
+    sculptor_program.mesh_file(grid, at("ours.e"), "--fractions", "MAT_10,MAT_20", "--stairstep",
+                               "--void", "--state", "number")
+    sculptor_program.mesh_file(shutil.move(at("ours.e"), at("ours.1.0")), at("out.vtu"), "--labels",
+                               "object_id", "--state", "number")
+    numbers = np.concatenate([vtk_to_numpy(piece.GetCellData().GetArray("number"))
+                              for piece in read_pieces(at("out.vtu"))])
     assert set(numbers.tolist()) == set(ALL.tolist())
 
 
 @in_folder
 def test_sculptor_velocity(at):
-    """Exodus keeps the components of a vector apart: vel_X, vel_Y, vel_Z; the sums are those of the image."""
+    """Exodus keeps the components of a vector apart: vel_X, vel_Y, vel_Z; the sums are those of the
+    image."""
     arrays = fields()
     ramp = np.linspace(1, 2, N)[:, None, None] + 0 * arrays["MAT_10"]
-    grid = write(image({**arrays, "vel": np.stack([ramp, ramp ** 2, 1 - ramp], -1), "rho": 1 + ramp}), at("grid.vti"))
+    grid = write(image({**arrays, "vel": np.stack([ramp, ramp ** 2, 1 - ramp], -1),
+                        "rho": 1 + ramp}), at("grid.vti"))
     words = ["--fractions", "MAT_10,MAT_20"]
-    sculptor_program.mesh_file(grid, at("cells.e"), *words, "--stairstep", "--void", "--state", "MAT_10,MAT_20,vel,rho")
+    sculptor_program.mesh_file(grid, at("cells.e"), *words, "--stairstep", "--void", "--state",
+                               "MAT_10,MAT_20,vel,rho")
     words += ["--density", "rho", "--velocity", "vel", "--nodal-velocity"]
     needs_vtk(9, 2, "its reader takes a side set and a node set of one name")
-    sums = [re.findall("^(?:mass|momentum).*", sculptor_program.mesh_file(path, at("out.vtu"), *words), re.M) for path in (grid, at("cells.e"))]
+    sums = [re.findall("^(?:mass|momentum).*",
+                       sculptor_program.mesh_file(path, at("out.vtu"), *words), re.M)
+                       for path in (grid, at("cells.e"))]
     assert len(sums[0]) == 4 and sums[0] == sums[1], sums
 
 
 @in_folder
 def test_sculptor_labels(at):
-    """Element variables are real; a label array of whole numbers is taken all the same, and so are the ids of the blocks."""
+    """Element variables are real; a label array of whole numbers is taken all the same, and so are
+    the ids of the blocks."""
     ids = np.random.default_rng(3).choice([0, 2, 5], (N, N, N))
     expected = mesh_of(image({"MAT": ids.astype(np.int32)}), MaterialIdArray="MAT")
     cells = shuffled()
@@ -324,15 +365,18 @@ def test_sculptor_labels(at):
     check_file(at("out.vtu"), expected, "labels")
     path = write_exodus(at("in.e"), lambda step: {
         "five": hexes({}, ALL[ids.ravel() == 5]), "rest": hexes({}, ALL[ids.ravel() != 5])}, [0.0])
-    expected = mesh_of(image({"object_id": np.where(ids == 5, 1, 2).astype(np.int32)}), MaterialIdArray="object_id")
+    expected = mesh_of(image({"object_id": np.where(ids == 5, 1, 2).astype(np.int32)}),
+                       MaterialIdArray="object_id")
     assert sculptor(path, at("out.vtu"), "--labels", "object_id").returncode == 0
     check_file(at("out.vtu"), expected, "ids of blocks")
     path = write_exodus(at("in.e"), lambda step: {"all": hexes({"MAT": ids + 0.5}, cells)})
-    refused(3, "'MAT' holds 5.5 in cell (0, 0, 0): material ids are integers", path, at("no.vtu"), "--labels", "MAT")
+    refused(3, "'MAT' holds 5.5 in cell (0, 0, 0): material ids are integers", path, at("no.vtu"),
+            "--labels", "MAT")
 
 
 def refused(code, text, path, output, *arguments, ranks=1):
-    sculptor_program.refused(code, text, "--input", path, "--output", output, *arguments, ranks=ranks)
+    sculptor_program.refused(code, text, "--input", path, "--output", output, *arguments,
+                             ranks=ranks)
 
 
 @in_folder
@@ -340,7 +384,8 @@ def test_sculptor_refuses(at):
     no = at("no.vtu")
     for ranks, kind in ((1, "one"), (1, "parts"), (2, "parts"), (3, "blocks")):
         path = files()[kind]
-        refused(2, "has no element variable 'MAT_30'. It has: MAT_10, MAT_20, number.", path, no, "--fractions", "MAT_30", ranks=ranks)
+        refused(2, "has no element variable 'MAT_30'. It has: MAT_10, MAT_20, number.", path, no,
+                "--fractions", "MAT_30", ranks=ranks)
         refused(2, "has no element variable 'heat'", path, no, "--state", "heat", ranks=ranks)
         refused(2, "has no step 2: it has 2, counted from 0", path, no, "--step", "2", ranks=ranks)
     refused(2, "absent.e: No such file", at("absent.e"), no)
@@ -373,12 +418,15 @@ def test_damaged_parts(at):
             shutil.copy(os.path.join(FOLDER.name, os.path.basename(path)), path)
         os.remove(part[rank])
         for ranks in counts:
-            refused(2, "parts.e.3.%d (one of 3 files): No such file" % rank, part[(rank + 1) % 3], no, ranks=ranks)
-        with open(os.path.join(FOLDER.name, "parts.e.3.%d" % rank), "rb") as whole, open(part[rank], "wb") as cut:
+            refused(2, "parts.e.3.%d (one of 3 files): No such file" % rank, part[(rank + 1) % 3],
+                    no, ranks=ranks)
+        with open(os.path.join(FOLDER.name, "parts.e.3.%d" % rank),
+                  "rb") as whole, open(part[rank], "wb") as cut:
             cut.write(whole.read()[:-20000])
         for ranks in counts:
             refused(2, "parts.e.3.%d: the file is cut off" % rank, part[0], no, ranks=ranks)
-        shutil.copy(write_exodus(at("other.e"), lambda step: {"left": hexes(fields(), ALL)}, [0.5]), part[rank])
+        shutil.copy(write_exodus(at("other.e"), lambda step: {"left": hexes(fields(), ALL)}, [0.5]),
+                    part[rank])
         refused(2, "it holds %d times, but " % (1 if rank else 2), part[2], no, ranks=counts[0])
 
 

@@ -1,5 +1,5 @@
-"""AMR data in the files of other codes through ParaView's readers: the same data of five formats gives the same mesh; runs of
-Gerris and of AMReX, too, keep their volumes."""
+"""AMR data in the files of other codes through ParaView's readers: the same data of five formats
+gives the same mesh; runs of Gerris and of AMReX, too, keep their volumes."""
 import importlib.util
 import os
 import subprocess
@@ -8,12 +8,15 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkNonOverlappingAMR
 
 from amr_files import (
-    SPACING, Amr, make_amr, spyplot_blocks, vtk_amr, write_enzo, write_flash, write_plotfile, write_vthb)
+    SPACING, Amr, make_amr, spyplot_blocks, vtk_amr, write_enzo, write_flash, write_plotfile,
+    write_vthb)
 from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file
 from spyplot import write_file, write_spyplot
 from spyplot_cases import without_reader_fields
-from vfmtest import PYTHON, Result, VolumeFractionToHex, VolumeFractionToTet, collect, digest, in_folder, main, mesh_of, simple
+from vfmtest import (
+    PYTHON, Result, VolumeFractionToHex, VolumeFractionToTet, collect, digest, in_folder, main,
+    mesh_of, simple)
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.join(HERE, "..", "..", "..", "Data")
@@ -48,9 +51,11 @@ def readers(at):
     """Of the same data: format, reader, names of the fractions."""
     yield "overlapping", read_vthb(write_vthb(at("o.vthb"), AMR)), FRACTIONS
     yield "leaves", read_vthb(write_vthb(at("n.vthb"), AMR, vtkNonOverlappingAMR)), FRACTIONS
-    yield "AMReX", read_levels(simple.AMReXBoxLibGridReader, write_plotfile(at("plt00000"), AMR)), FRACTIONS
+    yield "AMReX", read_levels(simple.AMReXBoxLibGridReader,
+                               write_plotfile(at("plt00000"), AMR)), FRACTIONS
     for files in (1, 3):
-        yield "SpyPlot", read_spyplot(write_spyplot(at(""), "spy%d" % files, [0.0], spyplot_blocks(AMR), files)), SPY
+        yield "SpyPlot", read_spyplot(write_spyplot(at(""), "spy%d" % files, [0.0],
+                                                    spyplot_blocks(AMR), files)), SPY
     if HAS_H5PY:
         yield "Enzo", read_levels(simple.EnzoReader, write_enzo(at("enzo"), AMR)), FRACTIONS
         yield "FLASH", read_levels(simple.FlashReader, write_flash(at("run.flash"), AMR)), FRACTIONS
@@ -67,8 +72,10 @@ def mesh_from(source, arrays, make=None, **properties):
 
 def check_volumes(result, expected, places=1e-6):
     assert not result.errors, result.errors
-    assert np.allclose(result.field("TargetVolume"), expected, rtol=places), (result.field("TargetVolume"), expected)
-    assert np.allclose(result.field("MeshVolume"), expected, rtol=places), (result.field("MeshVolume"), expected)
+    assert np.allclose(result.field("TargetVolume"), expected,
+                       rtol=places), (result.field("TargetVolume"), expected)
+    assert np.allclose(result.field("MeshVolume"), expected,
+                       rtol=places), (result.field("MeshVolume"), expected)
 
 
 def volumes_of(amr):
@@ -97,8 +104,10 @@ def check_sculptor(at, amr, paths):
         reference = mesh_of(vtk_amr(amr), VolumeFractionArrays=FRACTIONS, Refinement=mode)
         for path in paths:
             for ranks in all_ranks:
-                mesh_file(path, at("out.vtu"), "--set", "Refinement=" + mode.replace(" ", ""), ranks=ranks)
-                meshes = [without_reader_fields(mesh) for mesh in (*read_pieces(at("out.vtu")), reference.mesh)]
+                mesh_file(path, at("out.vtu"), "--set", "Refinement=" + mode.replace(" ", ""),
+                          ranks=ranks)
+                meshes = [without_reader_fields(mesh)
+                          for mesh in (*read_pieces(at("out.vtu")), reference.mesh)]
                 for mesh in meshes:
                     mesh.GetFieldData().RemoveArray("MaterialNames")
                 problem = difference(merge(meshes[:1]), merge(meshes[1:]))
@@ -120,7 +129,8 @@ def test_sculptor_spyplot(at):
     blocks = spyplot_blocks(amr)
     path = write_spyplot(at(""), "spy", [0.0], blocks, 3)
     check_sculptor(at, amr, [path])
-    for kinds in ((blocks[:1], blocks[1:]), (blocks[:-1], blocks[-1:])):  # ParaView's reader takes one kind only
+    # ParaView's reader takes one kind only
+    for kinds in ((blocks[:1], blocks[1:]), (blocks[:-1], blocks[-1:])):
         write_spyplot(at(""), "spy", [0.0], blocks, 2)
         for file in (0, 1):
             write_file(at("spy.spcth.%d" % file), 105, [0.0], kinds[file], file, 2)
@@ -131,7 +141,8 @@ def test_sculptor_spyplot(at):
 def test_tets(at):
     reference = None
     for name, source, arrays in list(readers(at))[:3]:
-        result = mesh_from(source, arrays, VolumeFractionToTet, Method="Lattice", Refinement="Uniform")
+        result = mesh_from(source, arrays, VolumeFractionToTet, Method="Lattice",
+                           Refinement="Uniform")
         check_volumes(result, volumes_of(AMR))
         reference = reference or digest(result)
         assert digest(result) == reference, name
@@ -144,7 +155,8 @@ def test_ratio_four(at):
     for mode in MODES:
         result = mesh_from(source, FRACTIONS, Refinement=mode)
         check_volumes(result, volumes_of(amr))
-        assert digest(result) == digest(mesh_of(vtk_amr(amr), VolumeFractionArrays=FRACTIONS, Refinement=mode)), mode
+        assert digest(result) == digest(mesh_of(vtk_amr(amr), VolumeFractionArrays=FRACTIONS,
+                                                Refinement=mode)), mode
 
 
 @in_folder
@@ -152,24 +164,29 @@ def test_levels_of_the_reader(at):
     """Levels that the reader leaves out are not missed: the blocks that are there count."""
     folder = write_plotfile(at("plt00000"), AMR)
     for level in (0, 1):
-        result = mesh_from(read_levels(simple.AMReXBoxLibGridReader, folder, level=level), FRACTIONS, Refinement="Uniform")
+        result = mesh_from(read_levels(simple.AMReXBoxLibGridReader, folder, level=level),
+                           FRACTIONS, Refinement="Uniform")
         check_volumes(result, volumes_of(AMR))
-        known = Amr([block for block in AMR.blocks if block.level <= level], 2, level + 1, AMR.roots)
+        known = Amr([block for block in AMR.blocks if block.level <= level], 2, level + 1,
+                    AMR.roots)
         reference = mesh_of(vtk_amr(known), VolumeFractionArrays=FRACTIONS, Refinement="Uniform")
         assert digest(result) == digest(reference), level
     result = mesh_from(simple.OpenDataFile(folder), FRACTIONS)  # as it opens: no array is ticked
-    assert len(result.errors) == 1 and "no numeric cell array 'ball'" in result.errors[0], result.errors
+    assert len(result.errors) == 1 and "no numeric cell array 'ball'" in result.errors[
+        0], result.errors
 
 
 def test_amrex_run():
     """A ball in a vortex; the scheme leaves [0, 1] a little."""
     exact = 0.01413679
-    source = read_levels(simple.AMReXBoxLibGridReader, os.path.join(DATA, "AMReX", "plt00000"), ["phi"])
+    source = read_levels(simple.AMReXBoxLibGridReader, os.path.join(DATA, "AMReX", "plt00000"),
+                         ["phi"])
     for mode in MODES:
         result = mesh_from(source, ["phi"], Refinement=mode)
         check_volumes(result, [exact], 1e-5)
         assert np.isclose(exact, 4 / 3 * np.pi * 0.15 ** 3, rtol=1e-3)
-    source = read_levels(simple.AMReXBoxLibGridReader, os.path.join(DATA, "AMReX", "plt00011"), ["phi"])
+    source = read_levels(simple.AMReXBoxLibGridReader, os.path.join(DATA, "AMReX", "plt00011"),
+                         ["phi"])
     result = mesh_from(source, ["phi"])
     assert len(result.errors) == 1 and "phi" in result.errors[0], result.errors
     clipped = simple.Calculator(Input=source, AttributeType="Cell Data", ResultArrayName="clipped",
@@ -177,16 +194,20 @@ def test_amrex_run():
     for mode in MODES:
         result = mesh_from(clipped, ["clipped"], Refinement=mode)
         check_volumes(result, result.field("TargetVolume"))
-        assert np.isclose(result.field("TargetVolume")[0], exact, rtol=0.01), result.field("TargetVolume")
+        assert np.isclose(result.field("TargetVolume")[0], exact,
+                          rtol=0.01), result.field("TargetVolume")
         own = mesh_from(source, ["phi"], Refinement=mode, FractionTolerance=0.02)
-        assert own.field("ClippedCells")[0] > 0 and np.isclose(own.field("TargetVolume"), result.field("TargetVolume"), rtol=1e-6), mode
+        assert own.field("ClippedCells")[0] > 0 and np.isclose(
+            own.field("TargetVolume"), result.field("TargetVolume"), rtol=1e-6), mode
 
 
 @in_folder
 def test_gerris_run(at):
     """A drop that has fallen into a pool, an octree of cells."""
-    command = [PYTHON[0], os.path.join(EXAMPLES, "gerris_to_vthb.py"), os.path.join(DATA, "Gerris", "impact_0.24.txt.gz")]
-    run = subprocess.run(command + [at("drop.vthb")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    command = [PYTHON[0], os.path.join(EXAMPLES, "gerris_to_vthb.py"),
+               os.path.join(DATA, "Gerris", "impact_0.24.txt.gz")]
+    run = subprocess.run(command + [at("drop.vthb")], stdout=subprocess.PIPE,
+                         stderr=subprocess.STDOUT, text=True)
     assert run.returncode == 0 and "level 3: cells of 0.015625, 20480 leaves" in run.stdout, run
     sizes = []
     for mode in MODES:
@@ -194,8 +215,10 @@ def test_gerris_run(at):
         check_volumes(result, [0.314048])
         sizes.append(result.mesh.GetNumberOfCells())
     print("elements of the drop:", dict(zip(MODES, sizes)))
-    assert sizes[0] < sizes[1] < 0.6 * sizes[2], sizes  # single cells of the octree are refined by families
-    run = subprocess.run(command[:2] + [os.path.join(DATA, "README.md"), at("no.vthb")], stderr=subprocess.PIPE, text=True)
+    # single cells of the octree are refined by families
+    assert sizes[0] < sizes[1] < 0.6 * sizes[2], sizes
+    run = subprocess.run(command[:2] + [os.path.join(DATA, "README.md"), at("no.vthb")],
+                         stderr=subprocess.PIPE, text=True)
     assert run.returncode == 1 and "has no cells of Gerris in three dimensions" in run.stderr, run
 
 

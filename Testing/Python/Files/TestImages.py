@@ -1,5 +1,6 @@
-"""Images of labels in the formats of medical imaging and of grain structures: the mesh is bit for bit that of the same labels as
-cells, by the readers of the plugin and by sculptor; turned images lie where their files say; damaged files give one message."""
+"""Images of labels in the formats of medical imaging and of grain structures: the mesh is bit for
+bit that of the same labels as cells, by the readers of the plugin and by sculptor; turned images
+lie where their files say; damaged files give one message."""
 import os
 import sys
 
@@ -8,9 +9,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from compare_meshes import difference, merge, read_pieces
 from image_files import (
-    STRAIGHT, save, write_dream3d, write_dream3d_nx, write_imagej, write_meta, write_nifti, write_nrrd, write_tiff)
+    STRAIGHT, save, write_dream3d, write_dream3d_nx, write_imagej, write_meta, write_nifti,
+    write_nrrd, write_tiff)
 from sculptor_program import mesh_file, refused, sculptor
-from vfmtest import ORIGIN, SPACING, LabelImageReader, collect, image, in_folder, main, mesh_of, points_of, simple
+from vfmtest import (
+    ORIGIN, SPACING, LabelImageReader, collect, image, in_folder, main, mesh_of, points_of, simple)
 from voxels import grains, turned
 
 sys.path.insert(0, os.environ["VFM_WRAPPERS"])
@@ -21,7 +24,8 @@ MIDDLE = np.add(ORIGIN, np.multiply(SPACING, 0.5))  # of the first voxel
 CELLS = image({"Labels": LABELS.astype("i4")})  # what all are meshed as
 QUARTER = np.array([[0, 0.25, 0], [-0.25, 0, 0], [0, 0, 0.5]])  # turned, exact in binary
 MIRRORED = np.array([[0.25, 0, 0], [0, 0.25, 0], [0, 0, -0.5]])
-OBLIQUE = np.array([[0.6, 0, 0.8], [0.64, 0.6, -0.48], [-0.48, 0.8, 0.36]]) * [[0.25], [0.25], [0.5]]
+OBLIQUE = np.array([[0.6, 0, 0.8], [0.64, 0.6, -0.48],
+                    [-0.48, 0.8, 0.36]]) * [[0.25], [0.25], [0.5]]
 
 
 def straight_files(at):
@@ -32,14 +36,16 @@ def straight_files(at):
         (write_nifti(at("C.NII"), LABELS.astype("i4"), MIDDLE, forms="sq", order=">"), []),
         (write_nifti(at("real.nii.gz"), LABELS.astype("f4"), MIDDLE), ["--labels", "Values"]),
         (write_nrrd(at("d.nrrd"), LABELS, MIDDLE), []),
-        (write_nrrd(at("e.nrrd"), LABELS.astype("i2"), MIDDLE, encoding="raw", space="left-anterior-superior"), []),
+        (write_nrrd(at("e.nrrd"), LABELS.astype("i2"), MIDDLE, encoding="raw",
+                    space="left-anterior-superior"), []),
         (write_nrrd(at("f.nhdr"), LABELS.astype("u2"), MIDDLE, data="f.values"), []),
         (write_nrrd(at("g.nhdr"), LABELS, MIDDLE, encoding="raw", data="g.values"), []),
         (write_meta(at("h.mha"), LABELS, MIDDLE), []),
         (write_meta(at("i.mhd"), LABELS.astype("u2"), MIDDLE, packed=True), []),
         (write_dream3d(at("j.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING), []),
         (write_dream3d_nx(at("k.dream3d"), LABELS.astype("i4"), ORIGIN, SPACING), []),
-        (write_dream3d(at("l.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]), ["--labels", "Other/CellData/FeatureIds"]),
+        (write_dream3d(at("l.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]),
+         ["--labels", "Other/CellData/FeatureIds"]),
     ]
 
 
@@ -58,7 +64,8 @@ def read(path, spacing=(0, 0, 0), cell_array="FeatureIds"):
 def steps_of(data):
     """From voxel to voxel along each axis."""
     matrix = data.GetDirectionMatrix()
-    return np.array([[matrix.GetElement(c, a) * data.GetSpacing()[a] for c in range(3)] for a in range(3)])
+    return np.array([[matrix.GetElement(c, a) * data.GetSpacing()[a] for c in range(3)]
+                     for a in range(3)])
 
 
 def check_same(mesh, other, what):
@@ -67,7 +74,8 @@ def check_same(mesh, other, what):
 
 
 def labels_mesh(source, name):
-    return merge([mesh_of(source.GetClientSideObject().GetOutputDataObject(0), MaterialIdArray=name).mesh])
+    return merge([mesh_of(source.GetClientSideObject().GetOutputDataObject(0),
+                          MaterialIdArray=name).mesh])
 
 
 GOLD = merge([mesh_of(CELLS, MaterialIdArray="Labels").mesh])
@@ -115,28 +123,38 @@ def test_stack_of_slices(at):
 
 @in_folder
 def test_turned_images_lie_where_the_file_says(at):
-    """The mesh is that of the image in its own axes, the points turned and moved, here and by sculptor on ranks."""
+    """The mesh is that of the image in its own axes, the points turned and moved, here and by
+    sculptor on ranks."""
     own = image({"Labels": LABELS.astype("i4")})
     own.SetOrigin([-0.5 * s for s in SPACING])
     for name, steps in (("quarter", QUARTER), ("mirrored", MIRRORED), ("oblique", OBLIQUE)):
-        for path in (write_nrrd(at("a.nrrd"), LABELS, MIDDLE, steps), write_meta(at("a.mha"), LABELS, MIDDLE, steps)):
+        for path in (write_nrrd(at("a.nrrd"), LABELS, MIDDLE, steps),
+                     write_meta(at("a.mha"), LABELS, MIDDLE, steps)):
             data = read(path)
-            assert np.abs(steps_of(data) - steps).max() < 1e-15 and np.allclose(data.GetOrigin(), MIDDLE, 0, 0), (path, name)
-            straight, result = mesh_of(own, MaterialIdArray="Labels"), mesh_of(data, MaterialIdArray="Labels")
+            assert np.abs(steps_of(data)
+                          - steps).max() < 1e-15 and np.allclose(data.GetOrigin(), MIDDLE, 0, 0), (
+                              path, name)
+            straight, result = mesh_of(own,
+                                       MaterialIdArray="Labels"), mesh_of(
+                                           data, MaterialIdArray="Labels")
             turn = steps / np.linalg.norm(steps, axis=1)[:, None]
-            expected = dict(zip(straight.points("GlobalPointIds"), points_of(straight) @ turn + MIDDLE))
+            expected = dict(zip(straight.points("GlobalPointIds"),
+                                points_of(straight) @ turn + MIDDLE))
             where = np.array([expected[i] for i in result.points("GlobalPointIds")])
-            assert len(expected) == len(where) and np.abs(where - points_of(result)).max() < 1e-12, (path, name)
+            assert len(expected) == len(where) and np.abs(where
+                                                          - points_of(result)).max() < 1e-12, (
+                                                              path, name)
             mesh_file(path, at("out.vtu"), ranks=3)
             check_same(merge(read_pieces(at("out.vtu"))), merge([result.mesh]), (path, name))
 
 
 @in_folder
 def test_nifti_forms(at):
-    """Every voxel lies where sform or qform say, whatever the order of slices in memory; the sform wins; a sheared one leaves
-    the place to the qform."""
+    """Every voxel lies where sform or qform say, whatever the order of slices in memory; the sform
+    wins; a sheared one leaves the place to the qform."""
     generator = np.random.default_rng(7)
-    for name, steps in (("straight", STRAIGHT), ("quarter", QUARTER), ("mirrored", MIRRORED), ("oblique", OBLIQUE)):
+    for name, steps in (("straight", STRAIGHT), ("quarter", QUARTER), ("mirrored", MIRRORED),
+                        ("oblique", OBLIQUE)):
         for forms in ("s", "q", "sq"):
             data = read(write_nifti(at("a.nii.gz"), LABELS, MIDDLE, steps, forms))
             values = vtk_to_numpy(data.GetPointData().GetArray("Labels")).reshape(LABELS.shape)
@@ -146,7 +164,8 @@ def test_nifti_forms(at):
                 i, j, k = np.linalg.solve(steps.T, place - MIDDLE)
                 nearest = np.rint([i, j, k]).astype(int)
                 assert np.abs(nearest - [i, j, k]).max() < 1e-5, (name, forms)
-                assert LABELS[tuple(nearest[::-1])] == values[tuple(index[::-1])], (name, forms, index)
+                assert LABELS[tuple(nearest[::-1])] == values[tuple(index[::-1])], (
+                    name, forms, index)
     data = read(write_nifti(at("none.nii"), LABELS, MIDDLE, QUARTER, forms=""))
     assert data.GetOrigin() == (0, 0, 0) and np.allclose(steps_of(data), STRAIGHT)
     raw = bytearray(open(write_nifti(at("both.nii"), LABELS, MIDDLE, STRAIGHT, "sq"), "rb").read())
@@ -189,8 +208,11 @@ def test_slope_that_is_no_number(at):
 def test_values_of_dream3d_keep_their_digits(at):
     for values in (LABELS + np.uint32(2 ** 31), LABELS + np.int64(2 ** 40), LABELS / 7):
         it = read(write_dream3d(at("a.dream3d"), values, ORIGIN, SPACING))
-        assert (vtk_to_numpy(it.GetCellData().GetArray("FeatureIds")) == values.ravel()).all(), values.dtype
-    refused(3, "holds 2147483648 in", write_dream3d(at("b.dream3d"), LABELS + np.uint32(2 ** 31), ORIGIN, SPACING), at("out.vtu"))
+        assert (vtk_to_numpy(
+            it.GetCellData().GetArray("FeatureIds")) == values.ravel()).all(), values.dtype
+    refused(3, "holds 2147483648 in",
+            write_dream3d(at("b.dream3d"), LABELS + np.uint32(2 ** 31), ORIGIN, SPACING),
+            at("out.vtu"))
 
 
 @in_folder
@@ -199,10 +221,15 @@ def test_list(at):
     for ranks in (1, 3):
         listed = sculptor("--list", path, ranks=ranks).stdout.splitlines()
         assert listed[2] == "1287 cells around points, 9 x 11 x 13", listed
-        assert listed[5].split()[:2] == ["point", "array"] and listed[6].split() == ["Labels", "unsigned", "char", "1", "0", "4"]
-        assert listed[8] == "materials from Labels (labels of points)" and [int(l) for l in listed[9:]] == [1, 2, 3, 4]
-    listed = sculptor("--list", write_dream3d(at("a.dream3d"), LABELS, ORIGIN, SPACING)).stdout.splitlines()
-    assert listed[2] == "1287 cells, 9 x 11 x 13" and listed[8] == "materials from FeatureIds (labels)", listed
+        assert listed[5].split()[:2] == ["point",
+                                         "array"] and listed[6].split() == [
+                                             "Labels", "unsigned", "char", "1", "0", "4"]
+        assert listed[8] == "materials from Labels (labels of points)" and [
+            int(l) for l in listed[9:]] == [1, 2, 3, 4]
+    listed = sculptor("--list",
+                      write_dream3d(at("a.dream3d"), LABELS, ORIGIN, SPACING)).stdout.splitlines()
+    assert listed[2] == "1287 cells, 9 x 11 x 13" and listed[
+        8] == "materials from FeatureIds (labels)", listed
 
 
 @in_folder
@@ -228,40 +255,57 @@ def test_refused(at):
             (at("none.nii"), "No such file"),
             (save(at("empty.mha")), "the file is empty"),
             (save(at("text.nii"), b"hello\n" * 99), "it is no NIfTI file"),
-            (cut(write_nifti(at("cut.nii"), LABELS, MIDDLE), 900), "cut short: they have 1287 bytes"),
-            (cut(write_nifti(at("cut.nii.gz"), LABELS, MIDDLE), 250), "its compressed values are cut short"),
+            (cut(write_nifti(at("cut.nii"), LABELS, MIDDLE), 900),
+             "cut short: they have 1287 bytes"),
+            (cut(write_nifti(at("cut.nii.gz"), LABELS, MIDDLE), 250),
+             "its compressed values are cut short"),
             (write_nifti(at("shear.nii"), LABELS, MIDDLE, shear), "its sform is sheared"),
-            (write_nifti(at("many.nii"), many, MIDDLE, dim=(4, 9, 11, 13, 2, 1, 1, 1)), "it holds 2 images"),
-            (write_nifti(at("long.nii"), LABELS, MIDDLE, dim=(3, 9000, 9000, 9000, 1, 1, 1, 1)), "are cut short"),
+            (write_nifti(at("many.nii"), many, MIDDLE, dim=(4, 9, 11, 13, 2, 1, 1, 1)),
+             "it holds 2 images"),
+            (write_nifti(at("long.nii"), LABELS, MIDDLE, dim=(3, 9000, 9000, 9000, 1, 1, 1, 1)),
+             "are cut short"),
             (save(at("text.nrrd"), b"hello\n"), "it is no NRRD file"),
-            (cut(write_nrrd(at("cut.nrrd"), LABELS, MIDDLE, encoding="raw"), 900), "cut short: they have 1287 bytes"),
-            (cut(write_nrrd(at("cut_gzip.nrrd"), LABELS, MIDDLE), 400), "its compressed values are cut short"),
-            (write_nrrd(at("ascii.nrrd"), LABELS, MIDDLE, encoding="ascii"), "its encoding is 'ascii'; read are raw and gzip"),
-            (write_nrrd(at("shear.nrrd"), LABELS, MIDDLE, shear), "its space directions are not at right angles"),
-            (save(at("four.nrrd"), b"NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 3 3 3\nencoding: raw\n\n", bytes(54)),
+            (cut(write_nrrd(at("cut.nrrd"), LABELS, MIDDLE, encoding="raw"), 900),
+             "cut short: they have 1287 bytes"),
+            (cut(write_nrrd(at("cut_gzip.nrrd"), LABELS, MIDDLE), 400),
+             "its compressed values are cut short"),
+            (write_nrrd(at("ascii.nrrd"), LABELS, MIDDLE, encoding="ascii"),
+             "its encoding is 'ascii'; read are raw and gzip"),
+            (write_nrrd(at("shear.nrrd"), LABELS, MIDDLE, shear),
+             "its space directions are not at right angles"),
+            (save(at("four.nrrd"),
+                  b"NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 3 3 3\nencoding: raw\n\n",
+                  bytes(54)),
              "its image has 4 dimensions"),
-            (save(at("sizes.nrrd"), b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 x\nencoding: raw\n\n", bytes(27)),
+            (save(at("sizes.nrrd"),
+                  b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 x\nencoding: raw\n\n", bytes(27)),
              "its header says 'sizes: 3 x', where 3 numbers are wanted"),
             (save(at("text.mha"), b"hello\n"), "it is no MetaImage file"),
-            (save(at("dims.mhd"), b"ObjectType = Image\nNDims = 999999999\nDimSize = 1 1 1\nElementDataFile = a.raw\n"),
+            (save(at("dims.mhd"),
+                  b"ObjectType = Image\nNDims = 999999999\nDimSize = 1 1 1\nElementDataFile = a.raw\n"),
              "its image has 999999999 dimensions"),
-            (cut(write_meta(at("cut.mha"), LABELS, MIDDLE), 900), "cut short: they have 1287 bytes"),
+            (cut(write_meta(at("cut.mha"), LABELS, MIDDLE), 900),
+             "cut short: they have 1287 bytes"),
             (write_meta(at("shear.mhd"), LABELS, MIDDLE, shear), "TransformMatrix is no rotation"),
             (save(at("text.tif"), b"hello\n"), "it is no TIFF file"),
             (write_imagej(at("imagej.tif"), LABELS), "ImageJ wrote 13 images, but it has 1 page."),
             (save(at("text.dream3d"), b"hello\n"), "it is no HDF5 file, or damaged"),
-            (cut(write_dream3d(at("cut.dream3d"), LABELS, ORIGIN, SPACING), 3000), "it is no HDF5 file, or damaged"),
+            (cut(write_dream3d(at("cut.dream3d"), LABELS, ORIGIN, SPACING), 3000),
+             "it is no HDF5 file, or damaged"),
             (write_dream3d(at("name.dream3d"), LABELS, ORIGIN, SPACING, name="GrainIds"),
              "it holds no cell array 'FeatureIds' of one value a cell. Others are: GrainIds."),
-            (write_dream3d(at("two.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]), "it holds two cell arrays FeatureIds")):
+            (write_dream3d(at("two.dream3d"), LABELS, ORIGIN, SPACING, more=["Other"]),
+             "it holds two cell arrays FeatureIds")):
         it = vtkVolumeFractionImageReader()
         it.SetFileName(path)
         errors, _ = collect(it)
         it.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
         it.Update()
-        assert len(errors) == 1 and "Cannot read %s: " % path in errors[0] and text in errors[0], (path, errors)
+        assert len(errors) == 1 and "Cannot read %s: " % path in errors[0] and text in errors[0], (
+            path, errors)
         assert it.GetOutput().GetPointData().GetNumberOfArrays() == it.GetOutput().GetCellData().GetNumberOfArrays() == 0, path
-        for ranks in (1, 3) if path.endswith(("text.nii", "cut_gzip.nrrd", "two.dream3d")) else (1,):
+        for ranks in (1,
+                      3) if path.endswith(("text.nii", "cut_gzip.nrrd", "two.dream3d")) else (1,):
             refused(2, text, path, at("out.vtu"), ranks=ranks)
 
 

@@ -1,5 +1,5 @@
-"""Names of labels from tables of every kind: they are MaterialNames, and names of blocks and sets of files; what is wrong with a
-table is told with its line, on all ranks alike."""
+"""Names of labels from tables of every kind: they are MaterialNames, and names of blocks and sets
+of files; what is wrong with a table is told with its line, on all ranks alike."""
 import numpy as np
 
 from image_files import save, write_nrrd
@@ -33,7 +33,8 @@ WORDS = {  # of one word, with numbers after them
 
 
 def names(text, at, **properties):
-    return mesh_of(DATA, MaterialIdArray="id", LabelNames=save(at("names"), text.encode()), **properties).field("MaterialNames")
+    return mesh_of(DATA, MaterialIdArray="id", LabelNames=save(at("names"), text.encode()),
+                   **properties).field("MaterialNames")
 
 
 @in_folder
@@ -44,7 +45,8 @@ def test_kinds_of_tables(at):
         assert names(text, at) == ["Left-Cortex", "Insula", "Material 12"], (kind, names(text, at))
     assert names("3 area 17\n7 area 18\n", at) == ["area 17", "area 18", "Material 12"]
     assert names("3 area 17\n7 Insula\n", at) == ["area 17", "Insula", "Material 12"]
-    assert names("3 Größe\n7 Insula", at, make=VolumeFractionToTet, Method="Lattice") == ["Größe", "Insula", "Material 12"]
+    assert names("3 Größe\n7 Insula", at, make=VolumeFractionToTet,
+                 Method="Lattice") == ["Größe", "Insula", "Material 12"]
     assert names("3 A\n", at, MeshVoid=1) == ["Void", "A", "Material 7", "Material 12"]
 
 
@@ -58,7 +60,8 @@ def test_fractions_have_their_own_names(at):
 @in_folder
 def test_refused(at):
     for text, problem in (
-            ("3 A\n7 B\nx C\n", "line 3: it begins with 'x', which is no label: a whole number from 0 to 2147483647"),
+            ("3 A\n7 B\nx C\n",
+             "line 3: it begins with 'x', which is no label: a whole number from 0 to 2147483647"),
             ("3 A\n-7 B\n", "line 2: it begins with '-7'"),
             ("Name 3\n3 A\n", "line 1: it begins with 'Name'"),
             ("3.5 A\n", "line 1: it begins with '3.5'"),
@@ -77,14 +80,16 @@ def test_refused(at):
         assert len(result.errors) == 1 and problem in result.errors[0], (text, result.errors)
         assert result.mesh.GetNumberOfCells() == 0
     result = run(DATA, MaterialIdArray="id", LabelNames=at("none"))
-    assert "Cannot read the names of labels from %s: No such file" % at("none") in result.errors[0], result.errors
+    assert "Cannot read the names of labels from %s: No such file" % at("none") in result.errors[
+        0], result.errors
 
 
 @in_folder
 def test_sculptor(at):
     """By the option, in its table, its files and its errors, on ranks too."""
     path = write_nrrd(at("a.nrrd"), LABELS.astype("u1"), (0, 0, 0))
-    table = save(at("names.txt"), b"3\tPole, front (of it)\n7\tpole, FRONT (of it)\n12\t" + b"x" * 300 + b"\n")
+    table = save(at("names.txt"),
+                 b"3\tPole, front (of it)\n7\tpole, FRONT (of it)\n12\t" + b"x" * 300 + b"\n")
     for ranks in (1, 3):
         printed = mesh_file(path, at("out.e"), "--label-names", table, "--single-file", ranks=ranks)
         assert "3 Pole, front (of it)" in printed, printed
@@ -96,7 +101,8 @@ def test_sculptor(at):
     assert {"POLE_FRONT_OF_IT", "POLE_FRONT_OF_IT_2", "X" * 80} <= set(sets), sorted(sets)
     save(at("bad.txt"), b"3 A\n3 B\n")
     for ranks in (1, 3):
-        refused(3, "bad.txt, line 2: label 3 is in line 1 too.", path, at("out.e"), "--label-names", at("bad.txt"), ranks=ranks)
+        refused(3, "bad.txt, line 2: label 3 is in line 1 too.", path, at("out.e"), "--label-names",
+                at("bad.txt"), ranks=ranks)
 
 
 main(globals())

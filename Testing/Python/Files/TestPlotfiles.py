@@ -1,4 +1,5 @@
-"""AMReX plotfiles (folders) by the program sculptor: meshes of them, and files that are cut or damaged."""
+"""AMReX plotfiles (folders) by the program sculptor: meshes of them, and files that are cut or
+damaged."""
 import os
 import shutil
 
@@ -21,7 +22,8 @@ def test_mesh(at):
     text = mesh_file(folder + "/", at("one.vtu"), "--fractions", "ball")
     assert "rest" not in text
     mesh_file(write_vthb(at("one.vthb"), FLAT), at("vthb.vtu"), "--fractions", "ball")
-    problem = difference(merge(read_pieces(at("vthb.vtu"))), merge(without_time(read_pieces(at("one.vtu")))))
+    problem = difference(merge(read_pieces(at("vthb.vtu"))),
+                         merge(without_time(read_pieces(at("one.vtu")))))
     assert not problem, problem
 
 
@@ -84,7 +86,8 @@ def test_damaged(at):
         ("Header", line(15, b"0 9 0.5"), "the corners of all boxes of level 0"),
         ("Header", line(15, b"0 0 0.5"), "the number of boxes of level 0"),
         ("Header", cut(-12), "the folder and the name of the files of level 0"),
-        ("Header", replace(b"Level_0/Cell", b"Level_7/Cell"), "Level_7/Cell_H cannot be read: No such file"),
+        ("Header", replace(b"Level_0/Cell", b"Level_7/Cell"),
+         "Level_7/Cell_H cannot be read: No such file"),
         ("Level_0/Cell_H", None, "Level_0/Cell_H cannot be read: No such file"),
         ("Level_0/Cell_H", line(0, b"2"), "version 1 of its format"),
         ("Level_0/Cell_H", line(2, b"3"), "as many arrays as Header, 2"),
@@ -93,16 +96,21 @@ def test_damaged(at):
         ("Level_0/Cell_H", line(5, b"((0,0,0) (3,3,3)"), "as many boxes as Header, 8"),
         ("Level_0/Cell_H", line(15, b""), "the files of all boxes"),
         ("Level_0/Cell_H", line(15, b"FabOnDisk: Cell_D_00000 -5"), "positions in files"),
-        ("Level_0/Cell_H", line(15, b"FabOnDisk: Cell_D_00009 0"), "Cell_D_00009 cannot be read: No such file"),
-        ("Level_0/Cell_H", line(15, b"FabOnDisk: Cell_D_00000 %d" % size), "a box at byte %d" % size),
+        ("Level_0/Cell_H", line(15, b"FabOnDisk: Cell_D_00009 0"),
+         "Cell_D_00009 cannot be read: No such file"),
+        ("Level_0/Cell_H", line(15, b"FabOnDisk: Cell_D_00000 %d" % size),
+         "a box at byte %d" % size),
         ("Level_0/Cell_H", line(15, b"FabOnDisk: Cell_D_00000 7"), "a box at byte 7"),
-        ("Level_0/Cell_H", line(5, b"((0,0,0) (3,3,2) (0,0,0))"), "the box at byte 0 that the list of its level has"),
+        ("Level_0/Cell_H", line(5, b"((0,0,0) (3,3,2) (0,0,0))"),
+         "the box at byte 0 that the list of its level has"),
         ("Level_0/Cell_D_00000", None, "Cell_D_00000 cannot be read: No such file"),
         ("Level_0/Cell_D_00000", cut(size - 1), "bytes up to %d, it has %d" % (size, size - 1)),
         ("Level_0/Cell_D_00000", cut(size // 2), "Cell_D_00000 is cut"),
         ("Level_0/Cell_D_00000", cut(20), "numbers of 32 or 64 bits at byte 0"),
-        ("Level_0/Cell_D_00000", replace(b"(64 11", b"(48 11"), "numbers of 32 or 64 bits at byte 0"),
-        ("Level_0/Cell_D_00000", replace(b"(8, (8 7", b"(8, (9 7"), "numbers of 32 or 64 bits at byte 0"),
+        ("Level_0/Cell_D_00000", replace(b"(64 11", b"(48 11"),
+         "numbers of 32 or 64 bits at byte 0"),
+        ("Level_0/Cell_D_00000", replace(b"(8, (8 7", b"(8, (9 7"),
+         "numbers of 32 or 64 bits at byte 0"),
         ("Level_0/Cell_D_00000", replace(b"(0,0,0)) 2\n", b"(0,0,0)) 1\n"), "2 arrays at byte 0"),
     ]
     for number, (name, change, text) in enumerate(cases):

@@ -1,7 +1,9 @@
-"""Who saves what by the end of a file's name: meshes go to the plugin's writers, other data to ParaView's as if there were no plugin.
+"""Who saves what by the end of a file's name: meshes go to the plugin's writers, other data to
+ParaView's as if there were no plugin.
 
 usage: pvpython TestSaving.py
-       pvpython TestSaving.py NAMES     without the plugin: writes which writer ParaView takes of OTHERS for each of ENDS
+       pvpython TestSaving.py NAMES     without the plugin: writes which writer ParaView takes of
+       OTHERS for each of ENDS
 """
 import json
 import os
@@ -30,13 +32,15 @@ def kinds_of(source):
     """What the window lists: [description, ends] of each kind of file, in its order."""
     source.UpdatePipeline()
     listed = factory().GetSupportedFileTypes(source.SMProxy, source.Port).split(";;")
-    return [[kind.split("(")[0], kind.split("(")[1][:-1].replace("*.", "").split()] for kind in listed]
+    return [[kind.split("(")[0], kind.split("(")[1][:-1].replace("*.", "").split()]
+            for kind in listed]
 
 
 def writers_of(source):
     """The name of the writer of each end that some writer takes."""
     ends = {end for _, ends in kinds_of(source) for end in ends}
-    return {end: simple.CreateWriter("file." + end, source).GetXMLName() for end in ENDS if end in ends}
+    return {end: simple.CreateWriter("file." + end, source).GetXMLName() for end in ENDS
+            if end in ends}
 
 
 def writers_of_others():
@@ -51,16 +55,19 @@ if len(sys.argv) == 2:
 from exodus_dump import Dump
 from exodus_of_mesh import check
 from vfmtest import (
-    collect, failure_of, fraction_image, in_folder, main, producer, save_data, VolumeFractionToHex, VolumeFractionToTet)
+    collect, failure_of, fraction_image, in_folder, main, producer, save_data, VolumeFractionToHex,
+    VolumeFractionToTet)
 
 
 def mesher_of(make=VolumeFractionToHex, **properties):
-    return make(Input=producer(fraction_image(SIZE)), **{"VolumeFractionArrays": ["ball", "plate"], **properties})
+    return make(Input=producer(fraction_image(SIZE)),
+                **{"VolumeFractionArrays": ["ball", "plate"], **properties})
 
 
 @in_folder
 def test_meshes_by_the_ends_of_exodus(at):
-    for make, properties in ((VolumeFractionToHex, {}), (VolumeFractionToTet, {"Method": "Lattice"})):
+    for make, properties in ((VolumeFractionToHex, {}),
+                             (VolumeFractionToTet, {"Method": "Lattice"})):
         mesher = mesher_of(make, **properties)
         for end in EXODUS:
             simple.SaveData(at("mesh." + end), proxy=mesher)
@@ -79,7 +86,8 @@ def test_a_mesh_for_abaqus(at):
 def test_a_mesh_saved_before_and_part_of_one(at):
     mesher = mesher_of()
     save_data(at("mesh.vtu"), mesher)
-    part = simple.Threshold(Input=mesher, Scalars=["CELLS", "MaterialId"], LowerThreshold=1, UpperThreshold=1)
+    part = simple.Threshold(Input=mesher, Scalars=["CELLS", "MaterialId"], LowerThreshold=1,
+                            UpperThreshold=1)
     for source in (simple.OpenDataFile(at("mesh.vtu")), part):
         assert {writers_of(source)[end] for end in EXODUS} == {"ExodusAndSetsWriter"}
     simple.SaveData(at("part.exo"), proxy=part)
@@ -88,9 +96,11 @@ def test_a_mesh_saved_before_and_part_of_one(at):
 
 @in_folder
 def test_others_by_their_own_writers(at):
-    """As another process tells, without the plugin. A mesh that was cut has elements of other kinds and no ids of points."""
+    """As another process tells, without the plugin. A mesh that was cut has elements of other kinds
+    and no ids of points."""
     variables = {name: value for name, value in os.environ.items() if name != "PV_PLUGIN_PATH"}
-    subprocess.run(["pvpython", os.path.abspath(__file__), at("names")], env=variables, check=True, stdin=subprocess.DEVNULL)
+    subprocess.run(["pvpython", os.path.abspath(__file__), at("names")], env=variables, check=True,
+                   stdin=subprocess.DEVNULL)
     with open(at("names")) as file:
         wanted = json.load(file)
     assert set(wanted) == set(OTHERS) and "e" in wanted["tetrahedra"], wanted
@@ -106,13 +116,16 @@ def test_others_are_saved(at):
     simple.SaveData(at("other.e"), proxy=other)
     dump = Dump(at("other.e"))
     assert dump.size("num_elem") == other.GetDataInformation().GetNumberOfCells() > 0, dump.sizes
-    assert "VolumeFractionMesh" not in list(dump.get("qa_records")) and not dump.size("num_side_sets")
+    assert "VolumeFractionMesh" not in list(dump.get("qa_records")) and not dump.size(
+        "num_side_sets")
 
 
 def test_the_window_offers_ours_first():
-    """Newer ParaViews take the kind of file that is chosen in the list, which is the first of the end."""
+    """Newer ParaViews take the kind of file that is chosen in the list, which is the first of the
+    end."""
     kinds = kinds_of(mesher_of())
-    assert ["Exodus and Sets", EXODUS] in kinds and ["Abaqus and CalculiX Input Files", ["inp"]] in kinds, kinds
+    assert ["Exodus and Sets", EXODUS] in kinds and ["Abaqus and CalculiX Input Files",
+                                                     ["inp"]] in kinds, kinds
     for end in EXODUS:
         assert [name for name, ends in kinds if end in ends][0] == "Exodus and Sets", kinds
     for make in OTHERS.values():

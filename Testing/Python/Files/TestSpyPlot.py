@@ -1,4 +1,5 @@
-"""SpyPlot files (.spcth): by ParaView's reader into the filters, a time after the other, and by the program sculptor."""
+"""SpyPlot files (.spcth): by ParaView's reader into the filters, a time after the other, and by the
+program sculptor."""
 import os
 import struct
 import subprocess
@@ -10,8 +11,10 @@ from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file, refused, sculptor
 from spyplot import GROUP, Fields, header, split, write_spyplot
 from spyplot_cases import (
-    LAYOUTS, NODES, SPY, STATE, TIMES, UNEVEN_NODES, data_of_step, refined_blocks, steps, without_reader_fields)
-from vfmtest import VolumeFractionToHex, VolumeFractionToTet, collect, image, in_folder, main, mesh_of, uniform
+    LAYOUTS, NODES, SPY, STATE, TIMES, UNEVEN_NODES, data_of_step, refined_blocks, steps,
+    without_reader_fields)
+from vfmtest import (
+    VolumeFractionToHex, VolumeFractionToTet, collect, image, in_folder, main, mesh_of, uniform)
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 IMPACT = os.path.join(HERE, "..", "..", "..", "Data", "impact.spcth")
@@ -28,16 +31,19 @@ def open_case(path, to_bytes=False):
 
 
 def mesh_of_step(step, make=None, nodes=None, to_bytes=False, **properties):
-    return mesh_of(data_of_step(step, nodes, to_bytes), make, VolumeFractionArrays=SPY, **properties).mesh
+    return mesh_of(data_of_step(step, nodes, to_bytes), make, VolumeFractionArrays=SPY,
+                   **properties).mesh
 
 
 def check_equal(mesh, reference, what):
-    problem = difference(merge([without_reader_fields(mesh)]), merge([without_reader_fields(reference)]))
+    problem = difference(merge([without_reader_fields(mesh)]),
+                         merge([without_reader_fields(reference)]))
     assert not problem, "%s: %s" % (what, problem)
 
 
 def check_output(output, reference):
-    problem = difference(merge([without_reader_fields(piece) for piece in read_pieces(output)]), merge([reference]))
+    problem = difference(merge([without_reader_fields(piece) for piece in read_pieces(output)]),
+                         merge([reference]))
     assert not problem, "%s: %s" % (output, problem)
 
 
@@ -48,11 +54,13 @@ def test_reader_into_filters(at):
         assert difference(merge(meshes[:1]), merge(meshes[1:]))
         for counts, files in LAYOUTS:
             path = write_spyplot(at(""), "case", TIMES, split(NODES, steps(), counts), files)
-            hexes = VolumeFractionToHex(Input=open_case(path, to_bytes), VolumeFractionArrays=SPY, StateArrays=[STATE])
+            hexes = VolumeFractionToHex(Input=open_case(path, to_bytes), VolumeFractionArrays=SPY,
+                                        StateArrays=[STATE])
             errors, warnings = collect(hexes.GetClientSideObject())
             for step in (1, 0, 1):
                 hexes.UpdatePipeline(TIMES[step])
-                check_equal(hexes.GetClientSideObject().GetOutputDataObject(0), meshes[step], (to_bytes, counts, files, step))
+                check_equal(hexes.GetClientSideObject().GetOutputDataObject(0), meshes[step],
+                            (to_bytes, counts, files, step))
             assert not errors and not warnings, (errors, warnings)
 
 
@@ -61,9 +69,11 @@ def test_reader_into_tets(at):
     lattice = dict(Method="Lattice", make=VolumeFractionToTet)
     for nodes, counts, files in ((UNEVEN_NODES, (2, 1, 2), 4), (NODES, (2, 1, 2), 2)):
         path = write_spyplot(at(""), "case", TIMES, split(nodes, steps(), counts), files)
-        tets = VolumeFractionToTet(Input=open_case(path), VolumeFractionArrays=SPY, Method="Lattice")
+        tets = VolumeFractionToTet(Input=open_case(path), VolumeFractionArrays=SPY,
+                                   Method="Lattice")
         tets.UpdatePipeline(TIMES[1])
-        check_equal(tets.GetClientSideObject().GetOutputDataObject(0), mesh_of_step(1, nodes=nodes, **lattice), files)
+        check_equal(tets.GetClientSideObject().GetOutputDataObject(0),
+                    mesh_of_step(1, nodes=nodes, **lattice), files)
 
 
 @in_folder
@@ -71,11 +81,12 @@ def test_reader_refined(at):
     """The fine blocks repeat the coarse cells."""
     for step in (0, 1):
         hexes = VolumeFractionToHex(
-            Input=open_case(write_spyplot(at(""), "refined", TIMES, refined_blocks())), VolumeFractionArrays=SPY,
-            StateArrays=[STATE], ChildFractions="Parent", **uniform(-1))
+            Input=open_case(write_spyplot(at(""), "refined", TIMES, refined_blocks())),
+            VolumeFractionArrays=SPY, StateArrays=[STATE], ChildFractions="Parent", **uniform(-1))
         hexes.UpdatePipeline(TIMES[step])
         check_equal(hexes.GetClientSideObject().GetOutputDataObject(0),
-                    mesh_of_step(step, StateArrays=[STATE], ChildFractions="Parent", **uniform(1)), step)
+                    mesh_of_step(step, StateArrays=[STATE], ChildFractions="Parent", **uniform(1)),
+                    step)
 
 
 def impact_mesh(time):
@@ -90,7 +101,8 @@ def impact_times():
 
 
 def test_time_controls():
-    """The animation scene is what the buttons of the window move; a spreadsheet is a view that needs no screen."""
+    """The animation scene is what the buttons of the window move; a spreadsheet is a view that
+    needs no screen."""
     for source in simple.GetSources().values():  # their times would be steps, too
         simple.Delete(source)
     meshes = [impact_mesh(time) for time in impact_times()]
@@ -101,8 +113,8 @@ def test_time_controls():
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     assert list(scene.TimeKeeper.TimestepValues) == impact_times()
-    for move, step in (("GoToFirst", 0), ("GoToNext", 1), ("GoToNext", 2), ("GoToLast", 3), ("GoToPrevious", 2),
-                       ("GoToFirst", 0), ("Play", 3)):
+    for move, step in (("GoToFirst", 0), ("GoToNext", 1), ("GoToNext", 2), ("GoToLast", 3),
+                       ("GoToPrevious", 2), ("GoToFirst", 0), ("Play", 3)):
         getattr(scene, move)()
         check_equal(hexes.GetClientSideObject().GetOutputDataObject(0), meshes[step], move)
 
@@ -117,7 +129,8 @@ def test_series_script(at):
     for step, time in enumerate(impact_times()):
         check_equal(read_pieces(at("all/mesh_%04d.vtu" % step))[0], impact_mesh(time), step)
     result = run("--out", at("ball"), "--array", SPY[0], IMPACT)
-    assert result.returncode == 0 and result.stdout.count(SPY[0]) == 4 and SPY[1] not in result.stdout, result
+    assert result.returncode == 0 and result.stdout.count(SPY[0]) == 4 and SPY[
+        1] not in result.stdout, result
 
 
 @in_folder
@@ -131,14 +144,17 @@ def test_sculptor_series(at):
 def test_sculptor_blocks(at):
     meshes = [mesh_of_step(step, StateArrays=[STATE]) for step in (0, 1)]
     for counts, files, version, ranks in (
-            ((2, 1, 2), 1, 105, 1), ((2, 1, 2), 2, 103, 3), ((2, 1, 2), 4, 101, 2), ((1, 1, 1), 1, 102, 3)):
+            ((2, 1, 2), 1, 105, 1), ((2, 1, 2), 2, 103, 3), ((2, 1, 2), 4, 101, 2),
+            ((1, 1, 1), 1, 102, 3)):
         path = write_spyplot(at(""), "blocks", TIMES, split(NODES, steps(), counts), files, version)
         for arguments, step in (([], 0), (["--step", "1"], 1), (["--time", "1.5e-6"], 1)):
             text = mesh_file(path, at("out.vtu"), "--state", STATE, *arguments, ranks=ranks)
             assert "time %g\n" % TIMES[step] in text
             check_output(at("out.vtu"), meshes[step])
-    assert sculptor("--input", "blocks.spcth", "--output", "near.vtu", folder=at("")).returncode == 0
-    refused(2, "no step 2: it has 2", "--input", path, "--output", at("no.vtu"), "--step", "2", ranks=2)
+    assert sculptor("--input", "blocks.spcth", "--output", "near.vtu",
+                    folder=at("")).returncode == 0
+    refused(2, "no step 2: it has 2", "--input", path, "--output", at("no.vtu"), "--step", "2",
+            ranks=2)
     path = write_spyplot(at(""), "refined", TIMES, refined_blocks())
     settings = ["Refinement=Uniform", "ChildFractions=Parent"]
     for ranks in (1, 3):
@@ -156,21 +172,24 @@ def test_sculptor_flat_mesh(at):
 
 @in_folder
 def test_sculptor_conserves_state(at):
-    """Densities of each material, and a velocity whose components are apart: those of the filter on the same arrays."""
+    """Densities of each material, and a velocity whose components are apart: those of the filter on
+    the same arrays."""
     densities = ["Material density - 1", "Material density - 2"]
     step = steps()[1]
     ramp = np.linspace(0, 1, 12, dtype=np.float32)[:, None, None] + 0 * step[SPY[0]]
-    step.update({densities[0]: 2 + ramp, densities[1]: 8 - ramp, "Y velocity": 3 * ramp, "Z velocity": 1 - ramp})
+    step.update({densities[0]: 2 + ramp, densities[1]: 8 - ramp, "Y velocity": 3 * ramp,
+                 "Z velocity": 1 - ramp})
     path = write_spyplot(at(""), "state", [0], split(NODES, [step], (2, 1, 2)), 2)
     joined = {**step, "velocity": np.stack([step[axis + " velocity"] for axis in "XYZ"], -1)}
-    mesh = mesh_of(image(joined), VolumeFractionArrays=SPY, DensityArrays=densities, VelocityArray="velocity", NodalVelocity=1,
-                   EnergyArray="Pressure").mesh
+    mesh = mesh_of(image(joined), VolumeFractionArrays=SPY, DensityArrays=densities,
+                   VelocityArray="velocity", NodalVelocity=1, EnergyArray="Pressure").mesh
     for ranks, velocity in ((1, "velocity"), (2, "velocity"), (1, "X velocity")):
-        out = mesh_file(path, at("out.vtu"), "--density", ",".join(densities), "--velocity", velocity, "--energy", "Pressure",
-                        "--nodal-velocity", ranks=ranks)
+        out = mesh_file(path, at("out.vtu"), "--density", ",".join(densities), "--velocity",
+                        velocity, "--energy", "Pressure", "--nodal-velocity", ranks=ranks)
         assert "materials from %s, %s (" % tuple(SPY) in out and "momentum z" in out, out
         check_output(at("out.vtu"), mesh)
-    assert mesh.GetCellData().HasArray("Material density") and mesh.GetPointData().HasArray("velocity")
+    assert mesh.GetCellData().HasArray("Material density") and mesh.GetPointData().HasArray(
+        "velocity")
 
 
 @in_folder
@@ -178,12 +197,15 @@ def test_sculptor_newer_names(at):
     names = dict(zip(SPY, ("Volume Fraction - 1", "Volume Fraction - 2")))
     renamed = [{names.get(name, name): value for name, value in step.items()} for step in steps()]
     path = write_spyplot(at(""), "names", TIMES, split(NODES, renamed))
-    assert "materials from Volume Fraction - 1, Volume Fraction - 2 (" in mesh_file(path, at("out.vtu"))
+    assert "materials from Volume Fraction - 1, Volume Fraction - 2 (" in mesh_file(
+        path, at("out.vtu"))
 
 
 def write_small(at, files=1, version=105, change=None, times=TIMES):
-    """Two blocks a file of 4 x 4 x 6 cells; change(steps) may spoil the arrays. Returns the path and the blocks."""
-    small = [{name: value[:6, 4:8, 4:8] for name, value in step.items()} for step in steps()][:len(times)]
+    """Two blocks a file of 4 x 4 x 6 cells; change(steps) may spoil the arrays. Returns the path
+    and the blocks."""
+    small = [{name: value[:6, 4:8, 4:8] for name, value in step.items()}
+             for step in steps()][:len(times)]
     if change:
         change(small)
     blocks = split([x[:n] for x, n in zip(NODES, (5, 5, 7))], small, (1, 1, 2 * files))
@@ -259,7 +281,8 @@ def test_damaged_files(at):
         (int_at(mark["grids"], -1), "-1 bytes are to follow"),
         (int_at(mark["grids"], 2 ** 31 - 1), "2147483647 bytes are to follow"),
         (int_at(mark["grids"], 7), "a chunk of 7 bytes does not hold"),
-        (int_at(volume, 2 ** 31 - 1), "'Material volume fraction - 1' of step 0, block 1, plane 0 near"),
+        (int_at(volume, 2 ** 31 - 1),
+         "'Material volume fraction - 1' of step 0, block 1, plane 0 near"),
         (int_at(volume, -1), "'Material volume fraction - 1' of step 0, block 1, plane 0 near"),
         (int_at(volume, 4), "a chunk of 4 bytes does not hold 36 values"),
         (int_at(136, 100), "is of version 100 of the format. Versions 101 to 105 are read"),
@@ -280,7 +303,8 @@ def test_cut_in_last_time(at):
         content = file.read()
     mark = landmarks(content, blocks)
     places = [(mark[name] + more, "step 0 near") for name, more in (
-        ("dump", 2), ("offsets", -4), ("offsets", 0), ("tracers", 4), ("blocks", 3), ("blocks", 70), ("grids", 0), ("grids", 9))]
+        ("dump", 2), ("offsets", -4), ("offsets", 0), ("tracers", 4), ("blocks", 3), ("blocks", 70),
+        ("grids", 0), ("grids", 9))]
     last = mark["fields"][3]
     places += [(mark["fields"][1] + 2, "it points to byte"), (last, "it points to byte"),
                (last + 3, "'X velocity' of step 0, block 1, plane 0 near"),
@@ -289,16 +313,19 @@ def test_cut_in_last_time(at):
     for number, (place, text) in enumerate(places):
         with open(path + ".0", "wb") as file:
             file.write(content[:place - 1])
-        refused(2, text, "--input", path, "--output", at("no.vtu"), "--state", STATE, ranks=1 + number % 2)
+        refused(2, text, "--input", path, "--output", at("no.vtu"), "--state", STATE,
+                ranks=1 + number % 2)
     mesh_file(path, at("out.vtu"))  # what is not read need not be there
 
 
 @in_folder
 def test_damaged_cases(at):
     for change, text in (
-            (lambda: os.truncate(path + ".2", os.path.getsize(path + ".2") // 2), "case.spcth.2 is cut or damaged"),
+            (lambda: os.truncate(path + ".2", os.path.getsize(path + ".2") // 2),
+             "case.spcth.2 is cut or damaged"),
             (lambda: os.remove(path + ".1"), "case.spcth.1 cannot be read: No such file"),
-            (lambda: (os.remove(path + ".1"), os.mkdir(path + ".1")), "case.spcth.1 cannot be read: Is a directory"),
+            (lambda: (os.remove(path + ".1"), os.mkdir(path + ".1")),
+             "case.spcth.1 cannot be read: Is a directory"),
             (lambda: write_text(path, "spycase\n  \n"), "it names no files"),
             (lambda: write_text(path, "spycase\n"), "it names no files"),
             (lambda: write_text(path, "no case\n"), "it is no SpyPlot file"),
@@ -309,14 +336,17 @@ def test_damaged_cases(at):
             refused(2, text, "--input", path, "--output", at("no.vtu"), ranks=ranks)
         if os.path.isdir(path + ".1"):
             os.rmdir(path + ".1")
-    for text, other in (("different times", dict(times=TIMES[:1])), ("different times", dict(times=[0, 3e-6])),
-                        ("different arrays", dict(change=lambda steps: [step.pop("Pressure") for step in steps]))):
+    for text, other in (("different times", dict(times=TIMES[:1])),
+                        ("different times", dict(times=[0, 3e-6])),
+                        ("different arrays",
+                         dict(change=lambda steps: [step.pop("Pressure") for step in steps]))):
         write_small(at, files=2, **other)
         os.rename(path + ".1", at("other"))
         write_small(at, files=2)
         os.rename(at("other"), path + ".1")
         for ranks in (1, 2):
-            refused(2, "its files hold " + text, "--input", path, "--output", at("no.vtu"), ranks=ranks)
+            refused(2, "its files hold " + text, "--input", path, "--output", at("no.vtu"),
+                    ranks=ranks)
 
 
 def write_text(path, text):

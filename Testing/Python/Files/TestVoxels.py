@@ -1,5 +1,5 @@
-"""Readers of voxels, .spn and .npy: by the proxies, by the class and by sculptor the mesh is that of the same image in memory;
-damaged files give one message."""
+"""Readers of voxels, .spn and .npy: by the proxies, by the class and by sculptor the mesh is that
+of the same image in memory; damaged files give one message."""
 import os
 import struct
 import sys
@@ -12,8 +12,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from compare_meshes import difference, merge, read_pieces
 from mpi_run import mpi_run
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect, failure_of, image, in_folder, main,
-    mesh_of, simple)
+    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect, failure_of,
+    image, in_folder, main, mesh_of, simple)
 from voxels import ORDERS, SIZE, grains, turned, write_numpy, write_text
 
 sys.path.insert(0, os.environ["VFM_WRAPPERS"])
@@ -24,7 +24,8 @@ GRAINS = grains()
 PLACE = dict(Origin=ORIGIN, Spacing=SPACING)
 PLACED = ["--origin", ",".join(map(str, ORIGIN)), "--spacing", ",".join(map(str, SPACING))]
 SIZED = ["--dimensions", ",".join(map(str, SIZE))]
-DTYPES = {"?": 3, "u1": 3, "i1": 15, "u2": 5, "i2": 4, "u4": 6, "i4": 6, "u8": 6, "i8": 6}  # and VTK's types
+# and VTK's types
+DTYPES = {"?": 3, "u1": 3, "i1": 15, "u2": 5, "i2": 4, "u4": 6, "i4": 6, "u8": 6, "i8": 6}
 SCULPTOR = os.environ["VFM_SCULPTOR"]
 
 
@@ -73,12 +74,14 @@ def read(path, **options):
 
 def values(data, name="MaterialId"):
     """The cell array as a[x, y, z]."""
-    return vtk_to_numpy(data.GetCellData().GetArray(name)).reshape([max(n - 1, 1) for n in data.GetDimensions()], order="F")
+    return vtk_to_numpy(data.GetCellData().GetArray(name)).reshape(
+        [max(n - 1, 1) for n in data.GetDimensions()], order="F")
 
 
 @in_folder
 def test_same_mesh_by_the_proxies(at):
-    for make, properties in ((VolumeFractionToHex, {}), (VolumeFractionToTet, {"Method": "Lattice"})):
+    for make, properties in ((VolumeFractionToHex, {}),
+                             (VolumeFractionToTet, {"Method": "Lattice"})):
         gold = expected(make, **properties)
         for path, options in (
                 (write_text(at("a.spn"), GRAINS), dict(Dimensions=SIZE)),
@@ -87,7 +90,8 @@ def test_same_mesh_by_the_proxies(at):
                 (write_numpy(at("D.NPY"), GRAINS, ">i8", fortran=True), {}),
                 (write_numpy(at("e.npy"), GRAINS, "i2", "ZYX"), dict(AxisOrder="ZYX"))):
             source = simple.OpenDataFile(path, **PLACE, **options)
-            assert type(source).__name__ == ("SculptVoxelReader" if path.endswith("spn") else "NumPyVoxelReader")
+            assert type(source).__name__ == ("SculptVoxelReader" if path.endswith("spn")
+                                             else "NumPyVoxelReader")
             check_same(meshes(source, make, **properties), gold, path)
 
 
@@ -96,12 +100,15 @@ def test_same_mesh_by_sculptor(at):
     text, array = write_text(at("a.spn"), GRAINS), write_numpy(at("a.npy"), GRAINS)
     turned_text = write_text(at("z.spn"), GRAINS, "ZYX")
     for make, options, properties in ((VolumeFractionToHex, [], {}),
-                                      (VolumeFractionToTet, ["--tetmesh", "lattice"], {"Method": "Lattice"})):
+                                      (VolumeFractionToTet, ["--tetmesh", "lattice"],
+                                       {"Method": "Lattice"})):
         gold = expected(make, **properties)
         for arguments in ([text, *SIZED], [array], [turned_text, *SIZED, "--axis-order", "zyx"]):
             for ranks in (1, 3):
                 output = at("out.vtu")
-                result = mpi_run(ranks, [SCULPTOR, "--input", *arguments, *PLACED, *options, "--output", output])
+                result = mpi_run(ranks,
+                                 [SCULPTOR, "--input", *arguments, *PLACED, *options, "--output",
+                                  output])
                 assert result.returncode == 0 and result.stderr == "", result
                 assert "materials from MaterialId (labels)" in result.stdout
                 check_same(merge(read_pieces(output)), gold, (arguments, ranks))
@@ -111,10 +118,14 @@ def test_same_mesh_by_sculptor(at):
 @in_folder
 def test_sculptor_keeps_materials(at):
     path = write_numpy(at("a.npy"), GRAINS)
-    result = mpi_run(1, [SCULPTOR, "--input", path, *PLACED, "--material", "2,3", "--output", at("out.vtu")])
+    result = mpi_run(1,
+                     [SCULPTOR, "--input", path, *PLACED, "--material", "2,3", "--output",
+                      at("out.vtu")])
     assert result.returncode == 0, result
-    data = image({"MaterialId": np.where(np.isin(turned(GRAINS, "ZYX"), (2, 3)), turned(GRAINS, "ZYX"), 0).astype(np.int32)})
-    check_same(merge(read_pieces(at("out.vtu"))), merge([mesh_of(data, MaterialIdArray="MaterialId").mesh]), "2,3")
+    data = image({"MaterialId": np.where(np.isin(turned(GRAINS, "ZYX"), (2, 3)),
+                                         turned(GRAINS, "ZYX"), 0).astype(np.int32)})
+    check_same(merge(read_pieces(at("out.vtu"))),
+               merge([mesh_of(data, MaterialIdArray="MaterialId").mesh]), "2,3")
 
 
 @in_folder
@@ -133,9 +144,12 @@ def test_types_and_orders(at):
         for end in "<>":
             for order in ORDERS:
                 for fortran in (False, True):
-                    given = GRAINS > 1 if dtype == "?" else GRAINS + (100 if kind == 15 else 250 if kind == 3 else 30000)
-                    data = read(write_numpy(at("a.npy"), given, end + dtype, order, fortran), order=order)
-                    assert (values(data) == given).all() and data.GetOrigin() == ORIGIN and data.GetSpacing() == SPACING
+                    given = GRAINS > 1 if dtype == "?" else GRAINS + (
+                        100 if kind == 15 else 250 if kind == 3 else 30000)
+                    data = read(write_numpy(at("a.npy"), given, end + dtype, order, fortran),
+                                order=order)
+                    assert (values(
+                        data) == given).all() and data.GetOrigin() == ORIGIN and data.GetSpacing() == SPACING
                     assert data.GetCellData().GetArray(0).GetDataType() == kind, dtype
     for order in ORDERS:
         data = read(write_text(at("a.spn"), GRAINS, order), order=order)
@@ -153,7 +167,8 @@ def test_versions(at):
 @in_folder
 def test_white_space(at):
     words = list(map(str, GRAINS.ravel()))
-    for text in (" ".join(words), "\r\n".join(words) + "\r\n", "\n\n \t" + "\t ".join(words) + " \n\n", "\v\f".join(words)):
+    for text in (" ".join(words), "\r\n".join(words) + "\r\n",
+                 "\n\n \t" + "\t ".join(words) + " \n\n", "\v\f".join(words)):
         with open(at("a.spn"), "w", newline="") as file:
             file.write(text)
         assert (values(read(at("a.spn"))) == GRAINS).all()
@@ -163,22 +178,28 @@ def test_white_space(at):
 def test_numbers_across_buffers(at):
     """A text of some megabytes, of which the numbers lie across the parts that are read."""
     size = (70, 80, 90)
-    given = np.random.default_rng(3).integers(0, 2 ** 31, size) // 10 ** np.random.default_rng(4).integers(0, 10, size)
+    given = np.random.default_rng(3).integers(0, 2 ** 31,
+                                              size) // 10 ** np.random.default_rng(4).integers(
+                                                  0, 10, size)
     assert (values(read(write_text(at("a.spn"), given), size=size)) == given).all()
 
 
 @in_folder
 def test_sub_extents(at):
     size = [n + 1 for n in SIZE]
-    for path in (write_text(at("a.spn"), GRAINS, "YZX"), write_numpy(at("a.npy"), GRAINS, "i4", "YZX"),
+    for path in (write_text(at("a.spn"), GRAINS, "YZX"),
+                 write_numpy(at("a.npy"), GRAINS, "i4", "YZX"),
                  write_numpy(at("b.npy"), GRAINS, "u1", "YZX", True)):
-        for extent in ((2, 5, 0, 11, 3, 4), (0, 9, 0, 11, 12, 13), (4, 4, 0, 11, 0, 13), (9, 9, 11, 11, 13, 13)):
+        for extent in ((2, 5, 0, 11, 3, 4), (0, 9, 0, 11, 12, 13), (4, 4, 0, 11, 0, 13),
+                       (9, 9, 11, 11, 13, 13)):
             it = reader(path, order="YZX")
             it.UpdateInformation()
             info = it.GetOutputInformation(0)
-            assert info.Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT()) == (0, 9, 0, 11, 0, 13), size
+            assert info.Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT()) == (
+                0, 9, 0, 11, 0, 13), size
             it.UpdateExtent(extent)
-            lower = [min(extent[2 * a], SIZE[a] - 1) for a in range(3)]  # of flat ones, the cells beside them
+            # of flat ones, the cells beside them
+            lower = [min(extent[2 * a], SIZE[a] - 1) for a in range(3)]
             x, y, z = (slice(lower[a], max(extent[2 * a + 1], lower[a] + 1)) for a in range(3))
             assert it.GetOutput().GetExtent() == extent
             assert (values(it.GetOutput()) == GRAINS[x, y, z]).all()
@@ -187,7 +208,9 @@ def test_sub_extents(at):
 @in_folder
 def test_fractions(at):
     parts = [part.transpose(2, 1, 0) for part in ball_and_plate()]
-    gold = merge([mesh_of(image({"VolumeFraction%d" % (i + 1): p.transpose(2, 1, 0) for i, p in enumerate(parts)}),
+    gold = merge(
+        [mesh_of(image({"VolumeFraction%d" % (i + 1): p.transpose(2, 1, 0)
+                        for i, p in enumerate(parts)}),
                           VolumeFractionArrays=["VolumeFraction1", "VolumeFraction2"]).mesh])
     np.save(at("two.npy"), np.stack(parts))
     hexes = VolumeFractionToHex(Input=simple.OpenDataFile(at("two.npy"), **PLACE),
@@ -201,13 +224,15 @@ def test_fractions(at):
         np.save(at("one.npy"), np.asfortranarray(parts[0].astype(dtype)))
         data = read(at("one.npy"))
         assert (values(data, "VolumeFraction") == parts[0].astype(dtype)).all()
-        assert data.GetCellData().GetNumberOfArrays() == 1 and data.GetCellData().GetArray(0).GetDataType() == kind
+        assert data.GetCellData().GetNumberOfArrays() == 1 and data.GetCellData().GetArray(
+            0).GetDataType() == kind
 
 
 @in_folder
 def test_file_series(at):
     steps = [np.roll(GRAINS, step, axis=0) for step in range(3)]
-    for suffix, write, options in (("spn", write_text, dict(Dimensions=SIZE)), ("npy", write_numpy, {})):
+    for suffix, write, options in (("spn", write_text, dict(Dimensions=SIZE)),
+                                   ("npy", write_numpy, {})):
         files = [write(at("a_%d.%s" % (i, suffix)), step) for i, step in enumerate(steps)]
         source = simple.OpenDataFile(files, **options)
         assert list(source.TimestepValues) == [0, 1, 2]
@@ -225,7 +250,8 @@ def test_properties():
 
 
 def check_refused(path, *words, size=SIZE, change=None):
-    """The reader fails with one message that names the file and has the words, and leaves no labels."""
+    """The reader fails with one message that names the file and has the words, and leaves no
+    labels."""
     it = reader(path, size)
     if change:
         change(it)
@@ -234,7 +260,8 @@ def check_refused(path, *words, size=SIZE, change=None):
     assert len(errors) == 1, errors
     for word in ("Cannot read %s: " % path, *words):
         assert word in errors[0], (word, errors)
-    assert it.GetOutput().GetCellData().GetNumberOfArrays() == 0 and failure_of(it.GetOutput()) in errors[0]
+    assert it.GetOutput().GetCellData().GetNumberOfArrays() == 0 and failure_of(
+        it.GetOutput()) in errors[0]
 
 
 def test_refused_files():
@@ -276,7 +303,8 @@ def test_refused_text(at):
     text(good, "holds 24 values, but", size=(2 ** 20, 2 ** 20, 2 ** 20))
     text(good, "are too many", size=(2 ** 31 - 2,) * 3)
     for wrong in (0.0, -1.0, np.nan, np.inf):
-        text(good, "Spacing must be above 0", change=lambda it, wrong=wrong: it.SetSpacing(1, wrong, 1))
+        text(good, "Spacing must be above 0", change=lambda it,
+             wrong=wrong: it.SetSpacing(1, wrong, 1))
     text(good, "Origin finite", change=lambda it: it.SetOrigin(np.nan, 0, 0))
 
 
@@ -315,7 +343,8 @@ def test_refused_arrays(at):
     array(header(words % ("'|u1'", "(2, x, 4)")), "no shape of whole numbers")
     array(header(words % ("'|u1'", "(-2, 3, 4)")), "no shape of whole numbers")
     array(header("{'descr':"), "no 'descr'")
-    array(header(words % ("'<u8'", "(%d, %d, %d)" % ((2 ** 31 - 2,) * 3))), "is cut short: it holds 0")
+    array(header(words % ("'<u8'", "(%d, %d, %d)" % ((2 ** 31 - 2,) * 3))),
+          "is cut short: it holds 0")
     array(header(words % ("'<u8'", "(3000000000, 1, 1)")), "too large")
     array(b"\x93NUMPY\x02\x00\xff\xff\xff\xff" + bytes(100), "header is cut short")
     for dtype in ("<c8", "<f2", "<U3", "|S2", "<M8[s]", "|V4", "<f16"):
@@ -329,8 +358,8 @@ def test_refused_arrays(at):
     array(np.zeros((1, 1, 2, 3, 4)), "shape (1, 1, 2, 3, 4)", "or 4-D")
     array(np.asfortranarray(np.zeros((2, 3, 4, 5))), "Fortran order", "ascontiguousarray")
     array(np.zeros((2, 0, 4)), "no cells")
-    for dtype, wrong in (("i1", -7), ("<i2", -7), (">i4", -7), ("<i8", -2 ** 40), ("<i8", 2 ** 31), (">u4", 2 ** 31),
-                         ("<u8", 2 ** 64 - 1)):
+    for dtype, wrong in (("i1", -7), ("<i2", -7), (">i4", -7), ("<i8", -2 ** 40), ("<i8", 2 ** 31),
+                         (">u4", 2 ** 31), ("<u8", 2 ** 64 - 1)):
         for fortran in (False, True):
             bad = np.zeros((2, 3, 4), dtype, order="F" if fortran else "C")
             bad[1, 0, 2] = wrong
@@ -342,15 +371,19 @@ def test_refused_by_sculptor(at):
     def refused(code, text, *arguments, ranks=1):
         result = mpi_run(ranks, [SCULPTOR, *arguments, "--output", at("out.vtu")])
         lines = result.stderr.splitlines()
-        assert result.returncode == code and len(lines) == 1 and text in lines[0] and result.stdout == "", (text, result)
+        assert result.returncode == code and len(lines) == 1 and text in lines[
+            0] and result.stdout == "", (text, result)
 
     text = write_text(at("a.spn"), GRAINS)
-    bad_text, bad_array = write_text(at("b.spn"), GRAINS - 1), write_numpy(at("b.npy"), GRAINS - 1, "i4")
+    bad_text, bad_array = write_text(at("b.spn"),
+                                     GRAINS - 1), write_numpy(at("b.npy"), GRAINS - 1, "i4")
     for ranks in (1, 3):
-        refused(2, "sculptor: Cannot read %s: it holds 1287 values, but 9 x 11 x 12" % text, "--input", text,
-                "--dimensions", "9,11,12", ranks=ranks)
-        refused(2, "sculptor: Cannot read %s: line " % bad_text, "--input", bad_text, *SIZED, ranks=ranks)
-        refused(2, "sculptor: Cannot read %s: the label of cell (" % bad_array, "--input", bad_array, ranks=ranks)
+        refused(2, "sculptor: Cannot read %s: it holds 1287 values, but 9 x 11 x 12" % text,
+                "--input", text, "--dimensions", "9,11,12", ranks=ranks)
+        refused(2, "sculptor: Cannot read %s: line " % bad_text, "--input", bad_text, *SIZED,
+                ranks=ranks)
+        refused(2, "sculptor: Cannot read %s: the label of cell (" % bad_array, "--input",
+                bad_array, ranks=ranks)
     assert not os.path.exists(at("out.vtu"))
 
 

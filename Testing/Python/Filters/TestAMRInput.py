@@ -4,10 +4,12 @@ from vtkmodules.vtkCommonDataModel import vtkUniformGrid
 from vtkmodules.vtkIOXML import vtkXMLUniformGridAMRWriter
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from amr_cases import N, block_of, collection, cover, cut, doubled, everywhere, fields, means, multiblock, nested, non_overlapping, overlapping
+from amr_cases import (
+    N, block_of, collection, cover, cut, doubled, everywhere, fields, means, multiblock, nested,
+    non_overlapping, overlapping)
 from vfmtest import (
-    GHOST, HIDDEN, ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, check_error, collect, digest, elements, image, in_folder,
-    main, mesh_of, write, simple)
+    GHOST, HIDDEN, ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array,
+    check_error, collect, digest, elements, image, in_folder, main, mesh_of, write, simple)
 
 REFINED = 8  # bit of vtkGhostType
 FIELDS = fields(2)
@@ -27,9 +29,11 @@ def without_number(arrays):
 def leaves():
     """Blocks of 3 levels none of which lies on another."""
     covered = lambda box, level: any(
-        own == level + 1 and all(2 * a < d and c < 2 * b for (a, b), (c, d) in zip(box, other)) for own, other in result)
+        own == level + 1 and all(2 * a < d and c < 2 * b for (a, b), (c, d) in zip(box, other))
+        for own, other in result)
     result = [(2, ((8, 16), (8, 16), (8, 16)))]
-    result += [(1, box) for box in cut(2 * N, 6) if all(2 <= a < 10 for a, _ in box) and not covered(box, 1)]
+    result += [(1, box) for box in cut(2 * N, 6) if all(2 <= a < 10 for a, _ in box)
+               and not covered(box, 1)]
     result += [(0, box) for box in cut(N, 6) if not all(1 <= a < 5 for a, _ in box)]
     return result
 
@@ -42,9 +46,12 @@ def test_all_levels_everywhere_are_the_finest_image():
     for make in (VolumeFractionToHex, VolumeFractionToTet):
         kind = {"Method": "Lattice"} if make is VolumeFractionToTet else {}
         for levels in (1, 2):
-            whole = mesh_of(finest_image(FIELDS[levels], levels), make, StateArrays=["number"], **kind)
-            for data in (overlapping(FIELDS, everywhere(levels)), multiblock(FIELDS, everywhere(levels), "rectilinear")):
-                assert digest(mesh_of(data, make, StateArrays=["number"], **UNIFORM, **kind)) == digest(whole)
+            whole = mesh_of(finest_image(FIELDS[levels], levels), make, StateArrays=["number"],
+                            **kind)
+            for data in (overlapping(FIELDS, everywhere(levels)),
+                         multiblock(FIELDS, everywhere(levels), "rectilinear")):
+                assert digest(mesh_of(data, make, StateArrays=["number"], **UNIFORM,
+                                      **kind)) == digest(whole)
 
 
 def test_finest_data_count():
@@ -53,7 +60,9 @@ def test_finest_data_count():
     for flag, value in ((0, np.nan), (REFINED, 77), (HIDDEN, 0.5)):
         arrays, flags = [dict(own) for own in FIELDS], []
         for level in range(3):
-            below = cover(nested(), 2, level + 1)[::2, ::2, ::2] if level < 2 else np.zeros((4 * N,) * 3, bool)
+            below = cover(nested(), 2, level + 1)[::2, ::2,
+                                                  ::2] if level < 2 else np.zeros(
+                                                      (4 * N,) * 3, bool)
             flags.append({"vtkGhostType": np.where(below, flag, 0).astype(np.uint8)})
             for name in ("ball", "plate"):
                 arrays[level][name] = np.where(below, value, arrays[level][name])
@@ -62,10 +71,15 @@ def test_finest_data_count():
 
 def test_data_sets_of_every_kind():
     reference = digest(mesh_of(overlapping(FIELDS, nested()), **UNIFORM))
-    for data in (multiblock(FIELDS, nested()), multiblock(FIELDS, nested()[::-1], "rectilinear"), collection(FIELDS, nested())):
+    for data in (multiblock(FIELDS, nested()), multiblock(FIELDS, nested()[::-1], "rectilinear"),
+                 collection(FIELDS, nested())):
         assert digest(mesh_of(data, **UNIFORM)) == reference
     leaf = non_overlapping(FIELDS, leaves())
-    assert digest(mesh_of(leaf, **UNIFORM)) == digest(mesh_of(multiblock(FIELDS, [(0, ((0, N),) * 3), (1, ((2, 10),) * 3), leaves()[0]]), **UNIFORM))
+    assert digest(mesh_of(leaf,
+                          **UNIFORM)) == digest(
+                              mesh_of(multiblock(FIELDS,
+                                                 [(0, ((0, N),) * 3), (1, ((2, 10),) * 3),
+                                                  leaves()[0]]), **UNIFORM))
 
 
 def test_ratio_of_four():
@@ -77,7 +91,8 @@ def test_ratio_of_four():
 
 def test_ghost_layers_are_dropped():
     reference = digest(mesh_of(multiblock(FIELDS, nested(1)), **UNIFORM))
-    wide = [(level, tuple((max(a - 1, 0), min(b + 1, N << level)) for a, b in box)) for level, box in nested(1)]
+    wide = [(level, tuple((max(a - 1, 0), min(b + 1, N << level)) for a, b in box))
+            for level, box in nested(1)]
     data = multiblock(FIELDS, wide)
     for i, (level, box) in enumerate(nested(1)):
         ghost = np.full([b - a for a, b in wide[i][1]], GHOST, np.uint8)
@@ -109,22 +124,26 @@ def unit_cubes(blocks):
 
 
 def test_volumes_are_kept():
-    """Averaged down to any level and divided up to any. TargetVolume sums in units of 2^-36, in which these cubes' volumes are
-    exact, and fractions that planes make are not."""
+    """Averaged down to any level and divided up to any. TargetVolume sums in units of 2^-36, in
+    which these cubes' volumes are exact, and fractions that planes make are not."""
     for blocks in (nested(), leaves()):
         expected = composite_volumes(blocks)
-        for properties in ({}, {"Refinement": "Off"}, *({**UNIFORM, "MaximumLevel": level} for level in (0, 1, 2, 3)),
+        for properties in ({}, {"Refinement": "Off"},
+                           *({**UNIFORM, "MaximumLevel": level} for level in (0, 1, 2, 3)),
                            {"Refinement": "Input Levels", "MaximumLevel": 1}):
             for rule, tolerance in (("Parent", 1e-12), ("Planes", 1e-9)):
-                found = volumes(mesh_of(unit_cubes(blocks), StairStep=1, ChildFractions=rule, **properties))
-                assert np.allclose(found, expected, rtol=tolerance, atol=0), (properties, rule, found - expected)
+                found = volumes(mesh_of(unit_cubes(blocks), StairStep=1, ChildFractions=rule,
+                                        **properties))
+                assert np.allclose(found, expected, rtol=tolerance,
+                                   atol=0), (properties, rule, found - expected)
 
 
 def test_level_0_is_the_mean():
     """FIELDS of coarse levels are means: averaged data give the mesh of the coarse image."""
     for level in (0, 1):
         whole = digest(mesh_of(finest_image(without_number(FIELDS[level]), level)))
-        spoilt = [{name: values * (own == 2) for name, values in arrays.items()} for own, arrays in enumerate(FIELDS)]
+        spoilt = [{name: values * (own == 2) for name, values in arrays.items()}
+                  for own, arrays in enumerate(FIELDS)]
         data = multiblock([without_number(arrays) for arrays in spoilt], everywhere(2))
         assert digest(mesh_of(data, **UNIFORM, MaximumLevel=level)) == whole
         if level == 0:
@@ -140,7 +159,8 @@ def test_children_by_planes_or_as_their_parent():
 
 def test_labels():
     """Halves have the label of the cell; averaged labels are fractions."""
-    labels = [{"id": np.where(arrays["ball"] + arrays["plate"] < 0.5, 0, np.where(arrays["ball"] >= arrays["plate"], 7, 3))}
+    labels = [{"id": np.where(arrays["ball"] + arrays["plate"] < 0.5, 0,
+                              np.where(arrays["ball"] >= arrays["plate"], 7, 3))}
               for arrays in FIELDS]
     result = mesh_of(multiblock(labels, nested()), MaterialIdArray="id", StairStep=1, **UNIFORM)
     whole = doubled(doubled(labels[0]["id"]))
@@ -148,28 +168,33 @@ def test_labels():
         window = tuple(slice(a << (2 - level), b << (2 - level)) for a, b in box)
         own = labels[level]["id"] if level == 2 else doubled(labels[level]["id"])
         whole[window] = own[window]
-    assert digest(result) == digest(mesh_of(finest_image({"id": whole}), MaterialIdArray="id", StairStep=1))
+    assert digest(result) == digest(mesh_of(finest_image({"id": whole}), MaterialIdArray="id",
+                                            StairStep=1))
     ids = labels[1]["id"]
     data = multiblock(labels, [(0, ((0, N),) * 3), (1, ((0, 2 * N),) * 3)])
     coarse = {"three": means((ids == 3).astype(float)), "seven": means((ids == 7).astype(float))}
     off = mesh_of(data, MaterialIdArray="id", Refinement="Off")
     reference = mesh_of(image(coarse), VolumeFractionArrays=["three", "seven"])
     assert off.field("TargetVolume") == reference.field("TargetVolume")
-    assert np.array_equal(vtk_to_numpy(off.mesh.GetPoints().GetData()), vtk_to_numpy(reference.mesh.GetPoints().GetData()))
+    assert np.array_equal(vtk_to_numpy(off.mesh.GetPoints().GetData()),
+                          vtk_to_numpy(reference.mesh.GetPoints().GetData()))
 
 
 def test_labels_under_finer_blocks_do_not_count():
     labels = [{"id": np.ones((N << level,) * 3, np.int32)} for level in (0, 1)]
     labels[0]["id"][1:5, 1:5, 1:5] = -5
-    result = mesh_of(multiblock(labels, [(0, ((0, N),) * 3), (1, ((2, 10),) * 3)]), MaterialIdArray="id", StairStep=1, **UNIFORM)
-    assert result.field("MaterialNames") == ["Material 1"] and result.mesh.GetNumberOfCells() == (2 * N) ** 3
+    result = mesh_of(multiblock(labels, [(0, ((0, N),) * 3), (1, ((2, 10),) * 3)]),
+                     MaterialIdArray="id", StairStep=1, **UNIFORM)
+    assert result.field("MaterialNames") == ["Material 1"] and result.mesh.GetNumberOfCells() == (
+        2 * N) ** 3
 
 
 def test_state_of_the_finest_data():
-    full = [{"full": np.ones((N << level,) * 3), "number": FIELDS[level]["number"]} for level in range(3)]
+    full = [{"full": np.ones((N << level,) * 3), "number": FIELDS[level]["number"]}
+            for level in range(3)]
     for maximum in (0, 1, 2, 3):
-        result = mesh_of(multiblock(full, nested()), VolumeFractionArrays=["full"], StateArrays=["number"], StairStep=1, **UNIFORM,
-                         MaximumLevel=maximum)
+        result = mesh_of(multiblock(full, nested()), VolumeFractionArrays=["full"],
+                         StateArrays=["number"], StairStep=1, **UNIFORM, MaximumLevel=maximum)
         centres = vtk_to_numpy(result.mesh.GetPoints().GetData())[elements(result)].mean(axis=1)
         assert len(centres) == (N << maximum) ** 3
         expected = np.full(len(centres), -1)
@@ -185,11 +210,13 @@ def test_state_of_the_finest_data():
 @in_folder
 def test_files(at):
     reference = digest(mesh_of(overlapping(FIELDS, nested()), **UNIFORM))
-    reader = simple.OpenDataFile(write(overlapping(FIELDS, nested()), at("levels.vthb"), vtkXMLUniformGridAMRWriter), DefaultNumberOfLevels=1)
+    reader = simple.OpenDataFile(write(overlapping(FIELDS, nested()), at("levels.vthb"),
+                                       vtkXMLUniformGridAMRWriter), DefaultNumberOfLevels=1)
     hexes = VolumeFractionToHex(Input=reader, VolumeFractionArrays=["ball", "plate"], **UNIFORM)
     errors, warnings = collect(hexes.GetClientSideObject())
     hexes.UpdatePipeline()
-    assert not errors and len(warnings) == 1 and "boxes without data on level 1" in warnings[0], (errors, warnings)
+    assert not errors and len(warnings) == 1 and "boxes without data on level 1" in warnings[0], (
+        errors, warnings)
     assert "Set Default Number Of Levels of the reader to 0" in warnings[0]
     reader.DefaultNumberOfLevels = 0  # all
     hexes.UpdatePipeline()
@@ -197,7 +224,8 @@ def test_files(at):
     mesh = hexes.GetClientSideObject().GetOutputDataObject(0)
     data = mesh_of(overlapping(FIELDS, nested()), **UNIFORM)
     assert digest(data) == reference and mesh.GetNumberOfCells() == data.mesh.GetNumberOfCells()
-    assert np.array_equal(vtk_to_numpy(mesh.GetPoints().GetData()), vtk_to_numpy(data.mesh.GetPoints().GetData()))
+    assert np.array_equal(vtk_to_numpy(mesh.GetPoints().GetData()),
+                          vtk_to_numpy(data.mesh.GetPoints().GetData()))
 
 
 def moved(block, shift):
@@ -221,29 +249,34 @@ def test_what_is_refused():
     flat = block_of(FIELDS, (1, ((0, 6),) * 3))
     flat.SetSpacing([SPACING[0] / 2, SPACING[1] / 2, SPACING[2]])
     check_error(with_block(good(), 20, flat), "Block 12", "the same along x, y and z")
-    check_error(with_block(good(), 11, moved(blocks[11], (0.3, 0, 0))), "Block 11 does not fit the other blocks along x",
-                "level 2 of a refined grid")
-    check_error(with_block(good(), 11, moved(blocks[11], (0, 1, 0))), "Finer blocks cover only a part of cell (", "of level 1")
+    check_error(with_block(good(), 11, moved(blocks[11], (0.3, 0, 0))),
+                "Block 11 does not fit the other blocks along x", "level 2 of a refined grid")
+    check_error(with_block(good(), 11, moved(blocks[11], (0, 1, 0))),
+                "Finer blocks cover only a part of cell (", "of level 1")
     check_error(with_block(good(), 10, moved(blocks[10], (0, 8, 0))), "leave a gap")
     check_error(multiblock(FIELDS, blocks[1:]), "leave a gap", "cell (0, 0, 0) of level 0")
     check_error(multiblock(FIELDS, blocks + blocks[-1:]), "Block 11 and Block 12 overlap")
-    check_error(multiblock(FIELDS, [(0, ((0, N),) * 3), (1, ((2, 5), (2, 6), (2, 6)))]), "Finer blocks cover only a part of cell (1, 1, 2)")
+    check_error(multiblock(FIELDS, [(0, ((0, N),) * 3), (1, ((2, 5), (2, 6), (2, 6)))]),
+                "Finer blocks cover only a part of cell (1, 1, 2)")
 
 
 def test_arrays_that_are_missing():
     blocks = [(0, ((0, N),) * 3), (1, ((2, 6),) * 3)]
     less = [FIELDS[0], {"ball": FIELDS[1]["ball"], "disc": FIELDS[1]["plate"]}]
-    check_error(multiblock(less, blocks), "Block 1 has no numeric cell array 'plate'", "'ball', 'disc'")
-    check_error(multiblock([less[1] and {"id": np.ones((N,) * 3, np.int32)}, less[1]], blocks), "Block 1 has no numeric cell array 'id'",
-                MaterialIdArray="id")
-    check_error(multiblock(less, blocks), "has no numeric cell array 'number'", VolumeFractionArrays=["ball"], StateArrays=["number"])
+    check_error(multiblock(less, blocks), "Block 1 has no numeric cell array 'plate'",
+                "'ball', 'disc'")
+    check_error(multiblock([less[1] and {"id": np.ones((N,) * 3, np.int32)}, less[1]], blocks),
+                "Block 1 has no numeric cell array 'id'", MaterialIdArray="id")
+    check_error(multiblock(less, blocks), "has no numeric cell array 'number'",
+                VolumeFractionArrays=["ball"], StateArrays=["number"])
 
 
 def test_coarsen_says_what_limits_it():
     data = image({"ball": np.ones((8, 12, 8))})
     mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Coarsen", MaximumLevel=2)
     result = mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Coarsen", MaximumLevel=3)
-    assert len(result.warnings) == 1 and "12 cells along y" in result.warnings[0] and "2 levels" in result.warnings[0], result.warnings
+    assert len(result.warnings) == 1 and "12 cells along y" in result.warnings[
+        0] and "2 levels" in result.warnings[0], result.warnings
     assert not mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Coarsen").warnings
 
 

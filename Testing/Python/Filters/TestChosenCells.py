@@ -1,4 +1,5 @@
-"""Cells that are named to be refined: by an array, by boxes; alone, with other criteria, on every kind of input."""
+"""Cells that are named to be refined: by an array, by boxes; alone, with other criteria, on every
+kind of input."""
 import functools
 
 import numpy as np
@@ -6,11 +7,14 @@ import numpy as np
 from amr_cases import cut, fields, multiblock, nested
 from exodus_grids import hexes
 from vfmtest import (
-    HIDDEN, ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, check_error, check_hexes,
-    check_surfaces, digest, elements, hex_volumes, image, labels, main, mesh_of, points_of, producer, rectilinear, run)
+    HIDDEN, ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, add_array,
+    ball_and_plate, check_error, check_hexes,
+    check_surfaces, digest, elements, hex_volumes, image, labels, main, mesh_of, points_of,
+    producer, rectilinear, run)
 
 N = 12
-ALONE = {"Refinement": "Automatic", "ThinCells": 0.0, "FineInterfaces": 0}  # nothing but what is chosen
+# nothing but what is chosen
+ALONE = {"Refinement": "Automatic", "ThinCells": 0.0, "FineInterfaces": 0}
 check_choice_error = functools.partial(check_error, **ALONE)
 CELLS = np.zeros((N, N, N), int)
 CELLS[4:6, 6:9, 2:4] = 1
@@ -18,7 +22,8 @@ CELLS[4:6, 6:9, 2:4] = 1
 
 def data_of(wishes=None, dtype=np.float64, **more):
     arrays = dict(zip(("ball", "plate"), ball_and_plate(N)))
-    return image({**arrays, **({} if wishes is None else {"wish": np.asarray(wishes, dtype)}), **more})
+    return image({**arrays, **({} if wishes is None else {"wish": np.asarray(wishes, dtype)}),
+                  **more})
 
 
 def of_array(wishes, make=None, dtype=np.float64, **properties):
@@ -26,7 +31,8 @@ def of_array(wishes, make=None, dtype=np.float64, **properties):
 
 
 def of_boxes(*boxes, **properties):
-    return mesh_of(data_of(), RefinementBoxes=[number for box in boxes for number in box], **{**ALONE, **properties})
+    return mesh_of(data_of(), RefinementBoxes=[number for box in boxes for number in box],
+                   **{**ALONE, **properties})
 
 
 def box(lower, upper, halvings=1):
@@ -43,7 +49,8 @@ def in_box(lower, upper, halvings=1):
 
 
 def sizes(wishes, **properties):
-    """Of each cell of the grid, the largest volume of the elements in it, in cells; all space is meshed, nothing moves."""
+    """Of each cell of the grid, the largest volume of the elements in it, in cells; all space is
+    meshed, nothing moves."""
     result = of_array(wishes, StairStep=1, MeshVoid=1, **properties)
     check_hexes(result)
     points, cells = points_of(result), elements(result)
@@ -80,16 +87,20 @@ def test_cells_get_the_levels_that_they_ask_for():
 
 
 def test_meshes_are_valid_and_keep_volumes():
-    for properties in ({}, {"MeshVoid": 1}, {"FineInterfaces": 1}, {"ThinCells": 2.0}, {"InterfaceLayers": 1, "MaximumLevel": 1}):
+    for properties in ({}, {"MeshVoid": 1}, {"FineInterfaces": 1}, {"ThinCells": 2.0},
+                       {"InterfaceLayers": 1, "MaximumLevel": 1}):
         result = of_array(CELLS, **properties)
         check_hexes(result)
-        assert np.allclose(result.field("MeshVolume"), result.field("TargetVolume"), rtol=1e-6, atol=0)
+        assert np.allclose(result.field("MeshVolume"), result.field("TargetVolume"), rtol=1e-6,
+                           atol=0)
         assert result.field("ChosenCells") == [12]
-        assert result.field("MinimumScaledJacobian")[0] > 0.3, (properties, result.field("MinimumScaledJacobian"))
+        assert result.field("MinimumScaledJacobian")[0] > 0.3, (
+            properties, result.field("MinimumScaledJacobian"))
 
 
 def test_fine_interfaces_get_the_finest_cells():
-    """A cell away from all interfaces decides; the interfaces are those of the mesh with cells as fine throughout."""
+    """A cell away from all interfaces decides; the interfaces are those of the mesh with cells as
+    fine throughout."""
     wishes = np.zeros((N, N, N), int)
     wishes[0, 0, 0] = 1
     count = lambda **properties: of_array(wishes, **properties).mesh.GetNumberOfCells()
@@ -102,7 +113,8 @@ def test_tetrahedra():
     for method in TET_METHODS:
         result = of_array(CELLS, VolumeFractionToTet, Method=method)
         check_surfaces(result)
-        assert result.cells("ScaledJacobian").min() > 0 and result.mesh.GetNumberOfCells() > 1.5 * plain, method
+        assert result.cells(
+            "ScaledJacobian").min() > 0 and result.mesh.GetNumberOfCells() > 1.5 * plain, method
         assert np.allclose(result.field("MeshVolume"), result.field("TargetVolume"), rtol=1e-6)
 
 
@@ -117,28 +129,36 @@ def test_nothing_chosen_changes_nothing():
     result = of_array(0 * CELLS)
     assert digest(result) == digest(plain)
     assert result.field("ChosenCells") == plain.field("ChosenCells") == [0] and not result.warnings
-    assert digest(of_array(CELLS, Refinement="Off")) == digest(plain)  # only Automatic looks for them
+    # only Automatic looks for them
+    assert digest(of_array(CELLS, Refinement="Off")) == digest(plain)
     assert digest(of_boxes(box((2, 6, 4), (4, 9, 6), 0))) == digest(plain)
 
 
 def test_boxes_are_arrays():
     expected = digest(of_array(CELLS))
     assert digest(of_boxes(box((2, 6, 4), (4, 9, 6)))) == expected
-    assert digest(of_boxes(box((2.99, 6.1, 4.5), (3.01, 8.2, 5.3)))) == expected  # each cell that it reaches into
+    # each cell that it reaches into
+    assert digest(of_boxes(box((2.99, 6.1, 4.5), (3.01, 8.2, 5.3)))) == expected
     assert digest(of_boxes(box((2.5, 6, 4), (3.5, 8, 6)), box((2, 7.5, 4), (4, 9, 6)))) == expected
-    flat = of_boxes(box((2, 8.5, 4), (4, 8.5, 6)), box((2, 6.5, 4), (4, 7.5, 5)), box((2, 6.5, 5), (4, 7.5, 6)))
+    flat = of_boxes(box((2, 8.5, 4), (4, 8.5, 6)), box((2, 6.5, 4), (4, 7.5, 5)),
+                    box((2, 6.5, 5), (4, 7.5, 6)))
     assert digest(flat) == expected and flat.field("ChosenCells") == [12]
     two = in_box((0, 0, 0), (3, 3, 3), 2)
     both = np.maximum(two, in_box((2, 1, 1), (9, 4, 2)))
-    assert digest(of_boxes(box((2, 1, 1), (9, 4, 2)), box((-5, -5, -5), (3, 3, 3), 2))) == digest(of_array(both))
-    mixed = mesh_of(data_of(two), RefinementArray="wish", RefinementBoxes=box((2, 1, 1), (9, 4, 2)), **ALONE)
-    assert digest(mixed) == digest(of_array(both)) and mixed.field("ChosenCells") == [(both > 0).sum()]
+    assert digest(of_boxes(box((2, 1, 1), (9, 4, 2)),
+                           box((-5, -5, -5), (3, 3, 3), 2))) == digest(of_array(both))
+    mixed = mesh_of(data_of(two), RefinementArray="wish", RefinementBoxes=box((2, 1, 1), (9, 4, 2)),
+                    **ALONE)
+    assert digest(mixed) == digest(of_array(both)) and mixed.field("ChosenCells") == [
+        (both > 0).sum()]
     infinite = ORIGIN[0] + 2 * SPACING[0]
-    assert digest(of_boxes([infinite, -np.inf, -np.inf, np.inf, np.inf, np.inf, 1])) == digest(of_array(in_box((2, 0, 0), (N, N, N))))
+    assert digest(of_boxes([infinite, -np.inf, -np.inf, np.inf, np.inf, np.inf,
+                            1])) == digest(of_array(in_box((2, 0, 0), (N, N, N))))
 
 
 def test_boxes_beside_cells_choose_none():
-    result = of_boxes(box((3, 3, 3), (3, 4, 4)), box((2, 6, 4), (4, 9, 6)), box((20, 20, 20), (21, 21, 21)))
+    result = of_boxes(box((3, 3, 3), (3, 4, 4)), box((2, 6, 4), (4, 9, 6)),
+                      box((20, 20, 20), (21, 21, 21)))
     assert len(result.warnings) == 1 and "box 1, 3" in result.warnings[0], result.warnings
     assert digest(result) == digest(of_array(CELLS))
     tiny = of_boxes(box((2, 6, 4), (4.0005, 9, 6)))  # less than a thousandth
@@ -146,38 +166,45 @@ def test_boxes_beside_cells_choose_none():
 
 
 def test_properties_can_be_cleared():
-    mesher = VolumeFractionToHex(Input=producer(data_of(CELLS)), VolumeFractionArrays=["ball", "plate"], RefinementArray="wish",
+    mesher = VolumeFractionToHex(Input=producer(data_of(CELLS)),
+                                 VolumeFractionArrays=["ball", "plate"], RefinementArray="wish",
                                 RefinementBoxes=box((2, 6, 4), (4, 9, 6)), **ALONE)
     algorithm = mesher.GetClientSideObject()
     mesher.UpdatePipeline()
-    assert "RefinementBoxes: None" not in str(algorithm) and "RefinementArray: wish" in str(algorithm)
+    assert "RefinementBoxes: None" not in str(algorithm) and "RefinementArray: wish" in str(
+        algorithm)
     refined = algorithm.GetOutputDataObject(0).GetNumberOfCells()
     mesher.RefinementBoxes, mesher.RefinementArray = [], "None"
     mesher.UpdatePipeline()
-    assert "RefinementBoxes: None" in str(algorithm) and algorithm.GetOutputDataObject(0).GetNumberOfCells() < refined
+    assert "RefinementBoxes: None" in str(algorithm) and algorithm.GetOutputDataObject(
+        0).GetNumberOfCells() < refined
 
 
 def test_rectilinear_grids():
     ball, plate = ball_and_plate(N)
-    graded = lambda a: (ORIGIN[a] + SPACING[a] * np.cumsum(np.concatenate([[0], 1.03 ** np.arange(N)]))).tolist()
+    graded = lambda a: (ORIGIN[a] + SPACING[a]
+                        * np.cumsum(np.concatenate([[0], 1.03 ** np.arange(N)]))).tolist()
     x = [graded(a) for a in range(3)]
     grid = rectilinear({"ball": ball, "plate": plate, "wish": CELLS}, x)
     result = mesh_of(grid, RefinementArray="wish", **ALONE)
     check_hexes(result)
     place = [x[0][2], x[1][6], x[2][4], x[0][4], x[1][9], x[2][6], 1]
-    assert digest(mesh_of(grid, RefinementBoxes=place, **ALONE)) == digest(result) != digest(mesh_of(grid, Refinement="Off"))
+    assert digest(mesh_of(grid, RefinementBoxes=place,
+                          **ALONE)) == digest(result) != digest(mesh_of(grid, Refinement="Off"))
 
 
 def test_hexahedra_in_any_order():
     """As Exodus files hold them."""
     ball, plate = ball_and_plate(N)
-    grid = hexes({"ball": ball, "plate": plate, "wish": CELLS}, np.random.default_rng(3).permutation(N ** 3),
+    grid = hexes({"ball": ball, "plate": plate, "wish": CELLS},
+                 np.random.default_rng(3).permutation(N ** 3),
                  [ORIGIN[a] + SPACING[a] * np.arange(N + 1) for a in range(3)])
     assert digest(mesh_of(grid, RefinementArray="wish", **ALONE)) == digest(of_array(CELLS))
 
 
 def test_labels():
-    result = mesh_of(image({"id": labels(N), "wish": CELLS}), MaterialIdArray="id", RefinementArray="wish", LabelSmoothing=2, **ALONE)
+    result = mesh_of(image({"id": labels(N), "wish": CELLS}), MaterialIdArray="id",
+                     RefinementArray="wish", LabelSmoothing=2, **ALONE)
     check_hexes(result)
     assert len(result.field("LevelCells")) == 2 and result.field("ChosenCells") == [12]
 
@@ -187,18 +214,21 @@ def test_cut_cells():
     result = of_array(CELLS, MaximumAspectRatio=1.1)
     check_hexes(result)
     parts = data_of(CELLS)  # cells of 0.25, 0.25, 0.5 are cut in two along z
-    cut = image({"ball": parts_of(parts, "ball"), "plate": parts_of(parts, "plate"), "wish": parts_of(parts, "wish")})
+    cut = image({"ball": parts_of(parts, "ball"), "plate": parts_of(parts, "plate"),
+                 "wish": parts_of(parts, "wish")})
     cut.SetSpacing(SPACING[0], SPACING[1], SPACING[2] / 2)
     expected = mesh_of(cut, RefinementArray="wish", **ALONE)
     assert result.field("ChosenCells") == [12] and expected.field("ChosenCells") == [24]
     assert result.field("RefinedCells") == expected.field("RefinedCells")
     parent = of_array(CELLS, MaximumAspectRatio=1.1, ChildFractions="Parent")
-    assert digest(parent) == digest(mesh_of(cut, RefinementArray="wish", ChildFractions="Parent", **ALONE))
+    assert digest(parent) == digest(mesh_of(cut, RefinementArray="wish", ChildFractions="Parent",
+                                            **ALONE))
 
 
 def parts_of(data, name):
     array = data.GetCellData().GetArray(name)
-    values = np.array([array.GetValue(i) for i in range(array.GetNumberOfTuples())]).reshape(N, N, N)
+    values = np.array([array.GetValue(i)
+                       for i in range(array.GetNumberOfTuples())]).reshape(N, N, N)
     return values.repeat(2, 0)
 
 
@@ -213,14 +243,16 @@ def test_blanked_cells_ask_for_nothing():
     kept = data_of(np.where(blank > 0, 0, CELLS))
     add_array(kept.GetCellData(), "vtkGhostType", blank)
     result = mesh_of(data, RefinementArray="wish", **ALONE)
-    assert result.field("ChosenCells") == [6] and digest(result) == digest(mesh_of(kept, RefinementArray="wish", **ALONE))
-    assert mesh_of(data, RefinementBoxes=box((2, 6, 4), (4, 9, 6)), **ALONE).field("ChosenCells") == [6]
+    assert result.field("ChosenCells") == [6] and digest(result) == digest(
+        mesh_of(kept, RefinementArray="wish", **ALONE))
+    assert mesh_of(data, RefinementBoxes=box((2, 6, 4), (4, 9, 6)),
+                   **ALONE).field("ChosenCells") == [6]
 
 
 def amr_of(wishes, blocks, levels, **properties):
     """wishes: an array of each level."""
-    return mesh_of(multiblock(fields(levels), blocks, extra=[{"wish": own} for own in wishes]), RefinementArray="wish",
-                   **{**ALONE, **properties})
+    return mesh_of(multiblock(fields(levels), blocks, extra=[{"wish": own} for own in wishes]),
+                   RefinementArray="wish", **{**ALONE, **properties})
 
 
 MIDDLE = [(0, part) for part in cut(6, 2)] + [(1, ((4, 8), (4, 8), (4, 8)))]
@@ -231,7 +263,8 @@ def nothing(level):
 
 
 def test_levels_of_the_input():
-    """A cell counts from its own level: a coarse one that asks for as much as finer blocks give needs no more levels."""
+    """A cell counts from its own level: a coarse one that asks for as much as finer blocks give
+    needs no more levels."""
     plain = amr_of([nothing(0), nothing(1)], MIDDLE, 1)
     assert len(plain.field("LevelCells")) == 2 and plain.field("ChosenCells") == [0]
     coarse = nothing(0)
@@ -254,7 +287,8 @@ def test_levels_of_the_input():
 def test_coarse_data_below_finer_are_ignored():
     covered = nothing(0)
     covered[2:4, 2:4, 2:4] = np.nan
-    assert digest(amr_of([covered, nothing(1)], nested(1), 1)) == digest(amr_of([nothing(0), nothing(1)], nested(1), 1))
+    assert digest(amr_of([covered, nothing(1)], nested(1),
+                         1)) == digest(amr_of([nothing(0), nothing(1)], nested(1), 1))
 
 
 def test_boxes_in_levels():
@@ -262,9 +296,11 @@ def test_boxes_in_levels():
     wishes = [nothing(0), nothing(1)]
     wishes[0][:, :2, :2], wishes[1][:, :4, :4] = 1, 1
     end = [ORIGIN[0] + 2 * SPACING[0], ORIGIN[1] + 2 * SPACING[1], 100.0]
-    by_box = mesh_of(multiblock(fields(1), nested(1)), RefinementBoxes=[-100.0] * 3 + end + [1], **ALONE)
+    by_box = mesh_of(multiblock(fields(1), nested(1)), RefinementBoxes=[-100.0] * 3 + end + [1],
+                     **ALONE)
     by_array = amr_of(wishes, nested(1), 1)
-    assert digest(by_box) == digest(by_array) and by_box.field("ChosenCells") == by_array.field("ChosenCells")
+    assert digest(by_box) == digest(by_array) and by_box.field("ChosenCells") == by_array.field(
+        "ChosenCells")
 
 
 def test_wishes_finer_than_the_mesh_are_left():
@@ -277,7 +313,8 @@ def test_wrong_arrays():
     for value, text in ((np.nan, "nan"), (-1, "-1"), (1.5, "1.5"), (11, "11"), (np.inf, "inf")):
         wishes = CELLS.astype(float)
         wishes[3, 2, 1] = value
-        check_choice_error(data_of(wishes), "'wish' holds " + text, "(1, 2, 3)", "an integer from 0 to 10", RefinementArray="wish")
+        check_choice_error(data_of(wishes), "'wish' holds " + text, "(1, 2, 3)",
+                           "an integer from 0 to 10", RefinementArray="wish")
     check_choice_error(data_of(), "no numeric cell array 'wish'", RefinementArray="wish")
     vectors = data_of()
     add_array(vectors.GetCellData(), "wish", np.zeros((N, N, N, 3)))
@@ -285,15 +322,18 @@ def test_wrong_arrays():
     at_points = data_of()
     add_array(at_points.GetPointData(), "wish", np.zeros((N + 1, N + 1, N + 1)))
     check_choice_error(at_points, "'wish' is point data", RefinementArray="wish")
-    result = run(multiblock(fields(1), nested(1), extra=[{"wish": nothing(0)}, {}]), RefinementArray="wish", **ALONE)
+    result = run(multiblock(fields(1), nested(1), extra=[{"wish": nothing(0)}, {}]),
+                 RefinementArray="wish", **ALONE)
     assert len(result.errors) == 1 and "'wish'" in result.errors[0]
 
 
 def test_wrong_boxes():
-    check_choice_error(data_of(), "box 2", "along y", RefinementBoxes=box((1, 1, 1), (2, 2, 2)) + box((1, 2, 1), (2, 1, 2)))
+    check_choice_error(data_of(), "box 2", "along y",
+                       RefinementBoxes=box((1, 1, 1), (2, 2, 2)) + box((1, 2, 1), (2, 1, 2)))
     check_choice_error(data_of(), "box 1", "along z", RefinementBoxes=[0, 0, np.nan, 1, 1, 1, 1])
     for halvings in (-1, 0.5, 11, np.nan):
-        check_choice_error(data_of(), "box 1", "an integer from 0 to 10", RefinementBoxes=box((1, 1, 1), (2, 2, 2), halvings))
+        check_choice_error(data_of(), "box 1", "an integer from 0 to 10",
+                           RefinementBoxes=box((1, 1, 1), (2, 2, 2), halvings))
 
 
 main(globals())

@@ -1,4 +1,5 @@
-"""State that is conserved from input of every kind: levels, labels, graded grids, blocks, spray; to meshes finer and coarser than it."""
+"""State that is conserved from input of every kind: levels, labels, graded grids, blocks, spray; to
+meshes finer and coarser than it."""
 import os
 
 import numpy as np
@@ -7,21 +8,23 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 import amr_cases
 from conserve_cases import (
-    ARRAYS, CELLS, CONSERVE, DATA, FRACTIONS, MAKES, N, VOLUME, added, cells_of, check_balance, check_energy, close, conserved, state,
-    volumes_of)
+    ARRAYS, CELLS, CONSERVE, DATA, FRACTIONS, MAKES, N, VOLUME, added, cells_of, check_balance,
+    check_energy, close, conserved, state, volumes_of)
 from exodus_grids import hexes, shuffled
 from spyplot import split, write_spyplot
 from vfmtest import (
-    GHOST, HIDDEN, ORIGIN, SPACING, Result, at_points, collect, image, in_folder, labels, main, rectilinear, run, uniform,
-    VolumeFractionToHex)
+    GHOST, HIDDEN, ORIGIN, SPACING, Result, at_points, collect, image, in_folder, labels, main,
+    rectilinear, run, uniform, VolumeFractionToHex)
 
 BALL, PLATE = FRACTIONS[1], FRACTIONS[2]
-IMPACT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "impact.spcth")
+IMPACT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
+                      "impact.spcth")
 
 
 def test_finer_meshes():
     for kind in MAKES[:2]:
-        for properties in (uniform(1), {"Refinement": "Coarsen", "MaximumLevel": 1}, {"Refinement": "Automatic", "MaximumLevel": 1},
+        for properties in (uniform(1), {"Refinement": "Coarsen", "MaximumLevel": 1},
+                           {"Refinement": "Automatic", "MaximumLevel": 1},
                            {**uniform(1), "ChildFractions": "Parent"}):
             check_balance(conserved(**properties, **kind), CELLS)
 
@@ -34,11 +37,13 @@ def test_long_cells():
 
 
 def test_graded_grids():
-    nodes = [np.concatenate([[0], np.cumsum(0.25 + 0.1 * np.sin(np.arange(N) + a))]) for a in range(3)]
+    nodes = [np.concatenate([[0], np.cumsum(0.25 + 0.1 * np.sin(np.arange(N) + a))])
+             for a in range(3)]
     volume = np.einsum("k,j,i->kji", *(np.diff(x) for x in nodes[::-1]))
     cells = cells_of(FRACTIONS, ARRAYS, volume)
     for kind in MAKES:
-        check_balance(conserved(rectilinear({"ball": BALL, "plate": PLATE, **ARRAYS}, nodes), **kind), cells)
+        check_balance(conserved(rectilinear({"ball": BALL, "plate": PLATE, **ARRAYS}, nodes),
+                                **kind), cells)
 
 
 def test_labels():
@@ -47,11 +52,13 @@ def test_labels():
     cells = cells_of({label: (ids == label).astype(float) for label in (1, 2)}, ARRAYS, VOLUME)
     for kind in MAKES:
         for smoothing in (0, 3):
-            check_balance(conserved(data, MaterialIdArray="id", LabelSmoothing=smoothing, **kind), cells)
+            check_balance(conserved(data, MaterialIdArray="id", LabelSmoothing=smoothing, **kind),
+                          cells)
 
 
 def amr(levels=2):
-    """Blocks of several levels with state, what lies below finer ones being spoilt, and what the finest cells hold."""
+    """Blocks of several levels with state, what lies below finer ones being spoilt, and what the
+    finest cells hold."""
     fields, blocks = amr_cases.fields(levels), amr_cases.nested(levels)
     parts = []
     for level, arrays in enumerate(fields):
@@ -62,17 +69,21 @@ def amr(levels=2):
             own &= ~amr_cases.cover([block for block in blocks if block[0] > level], levels, level)
             arrays["density"] = np.where(own, arrays["density"], np.nan)
         parts.append(cells_of(
-            {0: (1 - arrays["ball"] - arrays["plate"])[own], 1: arrays["ball"][own], 2: arrays["plate"][own]},
-            {name: values[own] for name, values in arrays.items()}, np.prod(amr_cases.spacing(level))))
+            {0: (1 - arrays["ball"] - arrays["plate"])[own], 1: arrays["ball"][own],
+             2: arrays["plate"][own]},
+            {name: values[own] for name, values in arrays.items()},
+            np.prod(amr_cases.spacing(level))))
     return fields, blocks, added(parts)
 
 
 def test_levels():
-    """Cells of several levels, also of more than the mesh has: then their contents are summed up."""
+    """Cells of several levels, also of more than the mesh has: then their contents are summed
+    up."""
     fields, blocks, cells = amr()
     check_balance(conserved(amr_cases.overlapping(fields, blocks)), cells)
     data = amr_cases.multiblock(fields, blocks[::-1])
-    for properties in ({"MeshVoid": 1}, {"FineInterfaces": 0}, {"Refinement": "Off"}, {"Refinement": "Input Levels", "MaximumLevel": 1},
+    for properties in ({"MeshVoid": 1}, {"FineInterfaces": 0}, {"Refinement": "Off"},
+                       {"Refinement": "Input Levels", "MaximumLevel": 1},
                        {"ChildFractions": "Parent"}, {"Refinement": "Coarsen"}):
         check_balance(conserved(data, **properties), cells)
     for properties in ({}, {"Refinement": "Off"}):
@@ -85,23 +96,28 @@ def test_finer_than_all_levels():
 
 
 def test_fine_cells_are_averaged():
-    """Of stair steps on the coarse level each element has what its eight fine cells hold of its material."""
+    """Of stair steps on the coarse level each element has what its eight fine cells hold of its
+    material."""
     fields, blocks, _ = amr(1)
     blocks = amr_cases.everywhere(1)
-    fields[1].update(state(fields[1]["ball"].shape, seed=1), ball=np.ones_like(fields[1]["ball"]), plate=np.zeros_like(fields[1]["ball"]))
+    fields[1].update(state(fields[1]["ball"].shape, seed=1), ball=np.ones_like(fields[1]["ball"]),
+                     plate=np.zeros_like(fields[1]["ball"]))
     result = conserved(amr_cases.multiblock(fields, blocks), Refinement="Off", StairStep=1)
     mean = lambda values: amr_cases.means(values).ravel()
     fine = fields[1]
     density, capacity = mean(fine["density"]), mean(fine["density"] * fine["heat_capacity"])
-    close_to = lambda name, values: np.testing.assert_allclose(result.cells(name), values, rtol=1e-13)
+    close_to = lambda name, values: np.testing.assert_allclose(
+        result.cells(name), values, rtol=1e-13)
     close_to("density", density)
     close_to("energy", mean(fine["density"] * fine["energy"]) / density)
-    close_to("temperature", mean(fine["density"] * fine["heat_capacity"] * fine["temperature"]) / capacity)
+    close_to("temperature",
+             mean(fine["density"] * fine["heat_capacity"] * fine["temperature"]) / capacity)
     close_to("inertia", 8 * mean(fine["inertia"]))
 
 
 def spray():
-    """The ball and the plate with drops of ball, each too small for an element: within reach of the ball, and not."""
+    """The ball and the plate with drops of ball, each too small for an element: within reach of the
+    ball, and not."""
     ball = BALL.copy()
     ball[11, 11, 11], ball[0, 0, 11] = 0.3, 0.2
     plate = np.minimum(PLATE, 1 - ball)
@@ -109,29 +125,38 @@ def spray():
 
 
 def unmeshed(result):
-    names = {"volume": "Volume", "mass": "Mass", "energy": "InternalEnergy", "kinetic": "KineticEnergy"}
+    names = {"volume": "Volume", "mass": "Mass", "energy": "InternalEnergy",
+             "kinetic": "KineticEnergy"}
     told = {name: result.field("Unmeshed" + field) for name, field in names.items()}
     momentum = np.reshape(result.field("UnmeshedMomentum"), (-1, 3))
-    return {material: {"momentum": momentum[m], **{name: values[m] for name, values in told.items()}}
+    return {material: {"momentum": momentum[m],
+                       **{name: values[m] for name, values in told.items()}}
             for m, material in enumerate(result.field("MaterialIds"))}
 
 
 def test_what_is_not_meshed():
     fractions = spray()
-    data, cells = image({"ball": fractions[1], "plate": fractions[2], **ARRAYS}), cells_of(fractions, ARRAYS, VOLUME)
+    data, cells = image({"ball": fractions[1], "plate": fractions[2],
+                         **ARRAYS}), cells_of(fractions, ARRAYS, VOLUME)
     for kind in MAKES:
         for more in ({}, {"MinimumRegionCells": 3}):
             left = {}
             for choice in ("Give", "Drop"):
                 result = run(data, UnmeshedMaterial=choice, **CONSERVE, **more, **kind)
                 left[choice] = unmeshed(result)
-                check_balance(result, cells, skipped=("volume", "kinetic", "pressure", "inertia", "bulk", "heat_capacity", "temperature"), unmeshed=left[choice])
-                lost = np.sum(result.field("LostKineticEnergy")) + sum(own["energy"] + own["kinetic"] for own in left[choice].values())
+                check_balance(result, cells,
+                              skipped=("volume", "kinetic", "pressure", "inertia", "bulk",
+                                       "heat_capacity", "temperature"), unmeshed=left[choice])
+                lost = np.sum(result.field("LostKineticEnergy")) + sum(
+                    own["energy"] + own["kinetic"] for own in left[choice].values())
                 check_energy(result, cells, lost=lost)
                 told = [text for text in result.warnings if "left out" in text]
-                assert len(told) == (left[choice][1]["volume"] > 0) and not result.errors, (result.warnings, left)
+                assert len(told) == (left[choice][1]["volume"] > 0) and not result.errors, (
+                    result.warnings, left)
                 assert all("'ball' volume" in text and "mass" in text for text in told)
-            assert np.isclose(left["Drop"][1]["volume"], 0.5 * VOLUME) and np.isclose(left["Give"][1]["volume"], 0.2 * VOLUME), left
+            assert np.isclose(left["Drop"][1]["volume"],
+                              0.5 * VOLUME) and np.isclose(left["Give"][1]["volume"],
+                                                           0.2 * VOLUME), left
 
 
 def sorted_by_id(result, name):
@@ -139,7 +164,8 @@ def sorted_by_id(result, name):
 
 
 def test_the_way_of_the_input_is_nothing():
-    """Blocks with ghost cells, hexahedra in any order and points of images give the very values of the image."""
+    """Blocks with ghost cells, hexahedra in any order and points of images give the very values of
+    the image."""
     slabs = vtkMultiBlockDataSet()
     for b, (begin, end) in enumerate(((0, 5), (5, N))):
         wide = slice(max(begin - 1, 0), min(end + 1, N))
@@ -150,12 +176,14 @@ def test_the_way_of_the_input_is_nothing():
         block = image({**parts, "vtkGhostType": np.where(own[wide], 0, GHOST).astype(np.uint8)})
         block.SetOrigin(*ORIGIN[:2], ORIGIN[2] + wide.start * SPACING[2])
         slabs.SetBlock(b, block)
-    boxes = hexes({"ball": BALL, "plate": PLATE, **ARRAYS}, shuffled(), [x + h * np.arange(N + 1.0) for x, h in zip(ORIGIN, SPACING)])
+    boxes = hexes({"ball": BALL, "plate": PLATE, **ARRAYS}, shuffled(),
+                  [x + h * np.arange(N + 1.0) for x, h in zip(ORIGIN, SPACING)])
     reference = conserved()
     for data in (slabs, boxes, at_points(DATA)):
         result = conserved(data)
         for name in ("density", "velocity", "energy", "inertia", "bulk", "temperature"):
-            assert sorted_by_id(result, name).tobytes() == sorted_by_id(reference, name).tobytes(), name
+            assert sorted_by_id(result,
+                                name).tobytes() == sorted_by_id(reference, name).tobytes(), name
 
 
 def test_blanked_cells_give_nothing():
@@ -163,7 +191,8 @@ def test_blanked_cells_give_nothing():
     hidden[2:8, 4:8, 4:8] = HIDDEN
     arrays = {**ARRAYS, "density": np.where(hidden, np.nan, ARRAYS["density"])}
     cells = cells_of({m: np.where(hidden, 0, f) for m, f in FRACTIONS.items()}, arrays, VOLUME)
-    check_balance(conserved(image({"ball": BALL, "plate": PLATE, **arrays, "vtkGhostType": hidden})), cells)
+    check_balance(conserved(image({"ball": BALL, "plate": PLATE, **arrays,
+                                   "vtkGhostType": hidden})), cells)
 
 
 def test_turned_images():
@@ -175,17 +204,24 @@ def test_turned_images():
 @in_folder
 def test_spyplot_files_of_densities(at):
     """Density and energy a material, as SpyPlot files name them, by ParaView's reader."""
-    density, energy = ({m: (values * scale).astype(np.float32) for m, scale in ((1, 1), (2, 7))} for values in (ARRAYS["density"], ARRAYS["energy"]))
+    density, energy = ({m: (values * scale).astype(np.float32) for m, scale in ((1, 1), (2, 7))}
+                       for values in (ARRAYS["density"], ARRAYS["energy"]))
     fractions = {1: BALL.astype(np.float32), 2: np.minimum(PLATE, 1 - BALL).astype(np.float32)}
-    names = {"Material volume fraction": fractions, "Material density": density, "Material energy": energy}
-    step = {"%s - %d" % (name, m): values for name, own in names.items() for m, values in own.items()}
+    names = {"Material volume fraction": fractions, "Material density": density,
+             "Material energy": energy}
+    step = {"%s - %d" % (name, m): values for name, own in names.items()
+            for m, values in own.items()}
     nodes = [x + h * np.arange(N + 1) for x, h in zip(ORIGIN, SPACING)]
-    reader = simple.OpenDataFile(write_spyplot(at(""), "case", [0], split(nodes, [step], (2, 1, 2)), 2))
+    reader = simple.OpenDataFile(write_spyplot(at(""), "case", [0], split(nodes, [step], (2, 1, 2)),
+                                               2))
     reader.DownConvertVolumeFraction = 0
     reader.CellArrays = list(step)
     chosen = lambda name: ["%s - %d" % (name, m) for m in (1, 2)]
-    mesher = VolumeFractionToHex(Input=reader, VolumeFractionArrays=chosen("Material volume fraction"),
-                                 DensityArrays=chosen("Material density"), StateArrays=chosen("Material energy"), EnergyArray="Material energy - 2")
+    mesher = VolumeFractionToHex(Input=reader,
+                                 VolumeFractionArrays=chosen("Material volume fraction"),
+                                 DensityArrays=chosen("Material density"),
+                                 StateArrays=chosen("Material energy"),
+                                 EnergyArray="Material energy - 2")
     errors, _ = collect(mesher.GetClientSideObject())
     mesher.UpdatePipeline()
     assert not errors, errors
@@ -195,28 +231,37 @@ def test_spyplot_files_of_densities(at):
         own = result.cells("MaterialId") == m
         held = fraction.astype(float) * VOLUME * density[m]
         assert close(mass[own].sum(), held.sum(), held.sum()), m
-        assert close((mass * result.cells("Material energy"))[own].sum(), (held * energy[m]).sum(), (held * energy[m]).sum()), m
+        assert close((mass * result.cells("Material energy"))[own].sum(), (held * energy[m]).sum(),
+                     (held * energy[m]).sum()), m
 
 
 def test_impact():
-    """What SpyPlot's reader makes: fractions as bytes and one velocity, or as floats and each component alone."""
+    """What SpyPlot's reader makes: fractions as bytes and one velocity, or as floats and each
+    component alone."""
     for to_bytes in (0, 1):
         reader = simple.OpenDataFile(IMPACT)
         reader.DownConvertVolumeFraction = reader.MergeXYZComponents = to_bytes
         reader.CellArrays = reader.CellArrays.Available
         names = ["Material volume fraction - 1", "Material volume fraction - 2"]
-        mesher = VolumeFractionToHex(Input=reader, VolumeFractionArrays=names, StateTransfer="Conserve", VelocityArray=" velocity" if to_bytes else "X velocity",
+        mesher = VolumeFractionToHex(Input=reader, VolumeFractionArrays=names,
+                                     StateTransfer="Conserve",
+                                     VelocityArray=" velocity" if to_bytes else "X velocity",
                                      NodalVelocity=1)
         errors, _ = collect(mesher.GetClientSideObject())
         mesher.UpdatePipeline(reader.TimestepValues[2])
         mesh = mesher.GetClientSideObject().GetOutputDataObject(0)
-        field = lambda name: np.array([mesh.GetFieldData().GetArray(name).GetTuple(i) for i in range(2)])
+        field = lambda name: np.array([mesh.GetFieldData().GetArray(name).GetTuple(i)
+                                       for i in range(2)])
         assert not errors and mesh.GetNumberOfCells() > 3000, errors
-        gap = np.abs(field("InputMomentum") - field("MeshMomentum") - field("UnmeshedMomentum")).max()
-        assert gap <= 1e-13 * np.abs(field("InputMomentum")).max() and np.abs(field("InputMomentum")).min(axis=1).max() >= 0
-        assert np.allclose(field("InputKineticEnergy"), field("MeshKineticEnergy") + field("UnmeshedKineticEnergy") + field("LostKineticEnergy"),
-                           rtol=1e-13, atol=0)
-        assert (field("LostNodalKineticEnergy") > 0).all() and not mesh.GetFieldData().HasArray("InputMass")
+        gap = np.abs(field("InputMomentum") - field("MeshMomentum")
+                     - field("UnmeshedMomentum")).max()
+        assert gap <= 1e-13 * np.abs(field("InputMomentum")).max() and np.abs(
+            field("InputMomentum")).min(axis=1).max() >= 0
+        assert np.allclose(field("InputKineticEnergy"),
+                           field("MeshKineticEnergy") + field("UnmeshedKineticEnergy")
+                           + field("LostKineticEnergy"), rtol=1e-13, atol=0)
+        assert (field("LostNodalKineticEnergy") > 0).all() and not mesh.GetFieldData().HasArray(
+            "InputMass")
 
 
 main(globals())

@@ -1,4 +1,5 @@
-"""Meshes whose interfaces run through cells of several levels: fine cells where a place wants them, coarse ones elsewhere."""
+"""Meshes whose interfaces run through cells of several levels: fine cells where a place wants them,
+coarse ones elsewhere."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -8,8 +9,8 @@ from crossing_cases import AUTOMATIC, CROSSING, ball_with_film
 from mesh_sets import find_sets
 from sculptor_program import check_same, mesh_file
 from vfmtest import (
-    VolumeFractionFragments, VolumeFractionToHex, check_hexes, digest, elements, exodus_parts, facets, hex_volumes, image, in_folder, main,
-    mesh_of, points_of, producer, simple)
+    VolumeFractionFragments, VolumeFractionToHex, check_hexes, digest, elements, exodus_parts,
+    facets, hex_volumes, image, in_folder, main, mesh_of, points_of, producer, simple)
 
 N = 20
 
@@ -33,13 +34,15 @@ def pieces(result, material):
 def check_mesh(result, levels, least=0.5):
     check_hexes(result)
     counts = result.field("LevelCells")
-    assert len(counts) == levels + 1 and sum(counts) + result.field("TransitionCells")[0] == number_of_hexes(result), counts
+    assert len(counts) == levels + 1 and sum(counts) + result.field("TransitionCells")[
+        0] == number_of_hexes(result), counts
     assert np.allclose(result.field("MeshVolume"), result.field("TargetVolume"), rtol=1e-6, atol=0)
     assert result.field("MinimumScaledJacobian")[0] >= least, result.field("MinimumScaledJacobian")
 
 
 def inner_facets(result):
-    """Corners of the facets that are not on the domain's sides, and the coordinates of the surfaces' points."""
+    """Corners of the facets that are not on the domain's sides, and the coordinates of the
+    surfaces' points."""
     inside = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0
     return facets(result)[inside], vtk_to_numpy(result.surfaces.GetPoints().GetData())
 
@@ -52,7 +55,8 @@ def widths_at_interface(result):
 
 
 def distances_to_ball(result, centre, radius):
-    """Of the points of interfaces that are nearer to the ball than to anything else, in cells: the lower part of x."""
+    """Of the points of interfaces that are nearer to the ball than to anything else, in cells: the
+    lower part of x."""
     quads, points = inner_facets(result)
     x = points[np.unique(quads)]
     return np.abs(np.linalg.norm(x[x[:, 0] < centre[0]] - centre, axis=1) - radius)
@@ -62,19 +66,26 @@ def check_film(fin):
     body, centre, radius = ball_with_film(N, fin)
     data = lambda: cubes({"body": body})
     for void in (0, 1) if fin else (0,):
-        result, fine = mesh_of(data(), MeshVoid=void, **CROSSING), mesh_of(data(), MeshVoid=void, **AUTOMATIC)
+        result, fine = mesh_of(data(), MeshVoid=void,
+                               **CROSSING), mesh_of(data(), MeshVoid=void, **AUTOMATIC)
         check_mesh(result, 1)
         bodies = 1 if fin else 2
         assert pieces(result, 1) == bodies and pieces(result, 0) == void
         distance = distances_to_ball(result, centre, radius)
-        print("%s, void %d: %d hexes, %d with fine interfaces, min SJ %.3f, ball within %.3f cells" % (
-            "fin" if fin else "film beside", void, number_of_hexes(result), number_of_hexes(fine), result.field("MinimumScaledJacobian")[0],
-            distance.max()))
+        print("%s, void %d: %d hexes, %d with fine interfaces, min SJ %.3f, ball within %.3f cells"
+              % (
+            "fin" if fin else "film beside", void, number_of_hexes(result), number_of_hexes(fine),
+            result.field("MinimumScaledJacobian")[0], distance.max()))
         assert number_of_hexes(result) < 0.75 * number_of_hexes(fine)
         assert distance.max() < 0.1, distance.max()
         widths = widths_at_interface(result)
-        assert (widths < 0.6).sum() > 100 and (widths > 0.75).sum() > 100, np.percentile(widths, range(0, 101, 10))  # film and ball
-    assert mesh_of(data(), **{**AUTOMATIC, "Refinement": "Off"}).field("NumberOfFragments")[0] > bodies  # the film breaks
+        # film and ball
+        assert (widths < 0.6).sum() > 100 and (widths
+                                               > 0.75).sum() > 100, np.percentile(
+                                                   widths, range(0, 101, 10))
+    # the film breaks
+    assert mesh_of(data(),
+                   **{**AUTOMATIC, "Refinement": "Off"}).field("NumberOfFragments")[0] > bodies
 
 
 def test_film_beside_a_ball():
@@ -89,21 +100,25 @@ def test_fin_of_a_ball():
 def test_levels_of_the_input():
     inputs = {"VolumeFractionArrays": ["ball", "plate"]}
     for void in (0, 1):
-        make = lambda **properties: mesh_of(overlapping(fields(2), nested()), MeshVoid=void, **inputs, **properties)
+        make = lambda **properties: mesh_of(overlapping(fields(2), nested()), MeshVoid=void,
+                                            **inputs, **properties)
         result = make(FineInterfaces=0)
         check_mesh(result, 2)
         assert [pieces(result, material) for material in (0, 1, 2)] == [void, 1, 1]
         assert number_of_hexes(result) < 0.6 * number_of_hexes(make())
-        assert digest(mesh_of(multiblock(fields(2), nested()), MeshVoid=void, FineInterfaces=0, **inputs)) == digest(result)
+        assert digest(mesh_of(multiblock(fields(2), nested()), MeshVoid=void, FineInterfaces=0,
+                              **inputs)) == digest(result)
 
 
 def test_other_properties():
     body, _, _ = ball_with_film(N, True)
-    for properties in ({"StairStep": 1}, {"Smoothing": "Off"}, {"Smoothing": "Geometry Based"}, {"ConserveVolume": 0}, {"FineLayers": 4}):
+    for properties in ({"StairStep": 1}, {"Smoothing": "Off"}, {"Smoothing": "Geometry Based"},
+                       {"ConserveVolume": 0}, {"FineLayers": 4}):
         result = mesh_of(cubes({"body": body}), **CROSSING, **properties)
         check_hexes(result)
         assert result.field("NumberOfFragments") == [1] and result.field("LevelCells")[0] > 0
-    assert len({digest(mesh_of(cubes({"body": body}), NumberOfThreads=threads, **CROSSING)) for threads in (1, 3)}) == 1
+    assert len({digest(mesh_of(cubes({"body": body}), NumberOfThreads=threads, **CROSSING))
+                for threads in (1, 3)}) == 1
 
 
 # ---- state arrays
@@ -113,10 +128,11 @@ def centroids(result):
 
 
 def test_state_of_the_input():
-    """Fractions of AMR data without planes, on the finest level: where the cell of the centroid holds half of the material an
-    element has its state; else that of a cell that holds more."""
+    """Fractions of AMR data without planes, on the finest level: where the cell of the centroid
+    holds half of the material an element has its state; else that of a cell that holds more."""
     all_fields, blocks = fields(2), nested()
-    result = mesh_of(multiblock(all_fields, blocks), StateArrays=["number"], MeshVoid=1, FineInterfaces=0, ChildFractions="Parent")
+    result = mesh_of(multiblock(all_fields, blocks), StateArrays=["number"], MeshVoid=1,
+                     FineInterfaces=0, ChildFractions="Parent")
     finest = {name: doubled(doubled(all_fields[0][name])) for name in all_fields[0]}
     for level, box in [block for block in blocks if block[0] > 0]:
         window = tuple(slice(a << (2 - level), b << (2 - level)) for a, b in box)
@@ -129,7 +145,8 @@ def test_state_of_the_input():
     fractions = np.stack([finest[name] for name in ("void", "ball", "plate")])
     material, number = result.cells("MaterialId"), result.cells("number")
     there = fractions[material, k, j, i]
-    assert np.array_equal(number[there >= 0.5], finest["number"][k, j, i][there >= 0.5]) and (there < 0.5).sum() > 0
+    assert np.array_equal(number[there >= 0.5],
+                          finest["number"][k, j, i][there >= 0.5]) and (there < 0.5).sum() > 0
     flat = fractions.reshape(3, -1)
     order = np.argsort(finest["number"].ravel(), kind="stable")
     taken = order[np.searchsorted(finest["number"].ravel()[order], number)]
@@ -137,14 +154,16 @@ def test_state_of_the_input():
 
 
 def test_state_of_large_cells():
-    """Cells eight times as wide as those of the input: their elements have the state of cells of their material, those all of one
-    material that of the very cell around the centroid."""
-    labels = np.random.default_rng(5).choice([1, 2, 3], (24, 24, 24), p=(0.6, 0.2, 0.2)).astype(np.int32)
+    """Cells eight times as wide as those of the input: their elements have the state of cells of
+    their material, those all of one material that of the very cell around the centroid."""
+    labels = np.random.default_rng(5).choice([1, 2, 3], (24, 24, 24),
+                                             p=(0.6, 0.2, 0.2)).astype(np.int32)
     labels[:, :, 12:] = np.where(labels[:, :, 12:] == 1, 2, labels[:, :, 12:])
     labels[16:] = 1
     number = np.arange(labels.size).reshape(labels.shape)
     for stairs in (0, 1):
-        result = mesh_of(cubes({"id": labels, "number": number}), MaterialIdArray="id", StateArrays=["number"], StairStep=stairs,
+        result = mesh_of(cubes({"id": labels, "number": number}), MaterialIdArray="id",
+                         StateArrays=["number"], StairStep=stairs,
                          Refinement="Coarsen", MaximumLevel=3, FineInterfaces=0)
         assert result.field("LevelCells")[0] == number_of_hexes(result)
         taken, material = result.cells("number"), result.cells("MaterialId")
@@ -155,15 +174,18 @@ def test_state_of_large_cells():
 
 
 def test_state_of_large_transitions():
-    """With fine interfaces, too: far from them an element has the state of the cell around its centroid, however large its own."""
+    """With fine interfaces, too: far from them an element has the state of the cell around its
+    centroid, however large its own."""
     full = np.zeros((64, 16, 16))
     full[:4] = 1
     number = np.arange(full.size).reshape(full.shape)
-    result = mesh_of(cubes({"ball": full, "number": number}), VolumeFractionArrays=["ball"], MeshVoid=1, StateArrays=["number"],
-                     Refinement="Coarsen", MaximumLevel=3)
+    result = mesh_of(cubes({"ball": full, "number": number}), VolumeFractionArrays=["ball"],
+                     MeshVoid=1, StateArrays=["number"], Refinement="Coarsen", MaximumLevel=3)
     assert min(result.field("LevelCells")[0], result.field("TransitionCells")[0]) > 0
-    cells = np.stack([result.cells("number") // step % 16 if step < 256 else result.cells("number") // step for step in (1, 16, 256)], axis=1)
-    assert np.abs(centroids(result) - cells - 0.5).max() < 0.5 + 1e-9  # on faces of cells by rounding
+    cells = np.stack([result.cells("number") // step % 16 if step < 256
+                      else result.cells("number") // step for step in (1, 16, 256)], axis=1)
+    # on faces of cells by rounding
+    assert np.abs(centroids(result) - cells - 0.5).max() < 0.5 + 1e-9
 
 
 # ---- files, programs
@@ -179,11 +201,13 @@ def test_files(at):
     cells = {}
     for name, part in exodus_parts(at("mesh.exo")):
         cells[name] = cells.get(name, 0) + part.GetNumberOfCells()
-    assert cells == {name: (result.cells("MaterialId") == m).sum() for m, name in ((1, "ball"), (2, "plate"))}, cells
+    assert cells == {name: (result.cells("MaterialId") == m).sum()
+                     for m, name in ((1, "ball"), (2, "plate"))}, cells
     read = exodus_dump.join([exodus_dump.Dump(at("mesh.exo"))])
     sides, nodes = find_sets(result.mesh)
     assert read["sides"] == sides and read["node sets"] == nodes
-    assert {"ball_to_plate", "plate_to_ball", "plate_to_Void", "z_min"} <= {name for _, name in sides}
+    assert {"ball_to_plate", "plate_to_ball", "plate_to_Void",
+            "z_min"} <= {name for _, name in sides}
     table = VolumeFractionFragments(Input=hexes)
     table.UpdatePipeline()
     rows = table.GetClientSideObject().GetOutputDataObject(0)
@@ -197,7 +221,8 @@ def test_sculptor(at):
     body, _, _ = ball_with_film(16, True)
     data = cubes({"body": body})
     simple.SaveData(at("data.vti"), proxy=producer(data), DataMode="Binary")
-    mesh_file(at("data.vti"), at("out.vtu"), "--fractions", "body", "--set", "Refinement=Automatic", "--set", "FineInterfaces=off", ranks=2)
+    mesh_file(at("data.vti"), at("out.vtu"), "--fractions", "body", "--set", "Refinement=Automatic",
+              "--set", "FineInterfaces=off", ranks=2)
     check_same(at("out.vtu"), mesh_of(data, **{**CROSSING, "MaximumLevel": -1}).mesh)
 
 

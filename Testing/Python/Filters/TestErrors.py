@@ -11,7 +11,8 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 from amr_cases import set_boxes
 from vfmtest import (
-    GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, check_error, collect, failure_of, fraction_image, image, labels, main,
+    GHOST, ORIGIN, SPACING, add_array, at_points, ball_and_plate, check_error, collect, failure_of,
+    fraction_image, image, labels, main,
     producer, rectilinear, run, VolumeFractionFragments, VolumeFractionToHex, servermanager)
 
 N = 8
@@ -38,7 +39,8 @@ def blocks(*data):
 
 def half(part, spacing=SPACING, shift=0.0):
     """Half of the field along x; shift moves it along x."""
-    values = {name: array[:, :, part * N // 2:(part + 1) * N // 2].copy() for name, array in arrays().items()}
+    values = {name: array[:, :, part * N // 2:(part + 1) * N // 2].copy()
+              for name, array in arrays().items()}
     data = image(values)
     data.SetSpacing(spacing)
     data.SetOrigin(ORIGIN[0] + part * N // 2 * SPACING[0] + shift, *ORIGIN[1:])
@@ -46,7 +48,8 @@ def half(part, spacing=SPACING, shift=0.0):
 
 
 def test_no_array_chosen():
-    check_error(fraction_image(N), "No array is chosen", "Tick Volume Fraction Arrays", "Material Id Array", VolumeFractionArrays=[])
+    check_error(fraction_image(N), "No array is chosen", "Tick Volume Fraction Arrays",
+                "Material Id Array", VolumeFractionArrays=[])
 
 
 def test_both_ways_chosen():
@@ -75,17 +78,25 @@ def test_array_of_text():
 def test_point_data():
     data = fraction_image(N)
     add_array(data.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
-    check_error(data, "'nodal' is point data, and 'ball' is cell data", "of one kind", VolumeFractionArrays=["ball", "nodal"])
-    check_error(data, "'ball' is cell data, and 'nodal' is point data", VolumeFractionArrays=["nodal", "ball"])
-    check_error(data, "'ball' is cell data, and 'nodal' is point data", VolumeFractionArrays=["nodal"], StateArrays=["ball"])
-    check_error(data, "'ball' is cell data, and 'nodal' is point data", VolumeFractionArrays=["POINTS", "nodal", "CELLS", "ball"])
-    check_error(data, "no numeric point array 'ball'", "'nodal'", MaterialIdArray=["POINTS", "ball"])
+    check_error(data, "'nodal' is point data, and 'ball' is cell data", "of one kind",
+                VolumeFractionArrays=["ball", "nodal"])
+    check_error(data, "'ball' is cell data, and 'nodal' is point data",
+                VolumeFractionArrays=["nodal", "ball"])
+    check_error(data, "'ball' is cell data, and 'nodal' is point data",
+                VolumeFractionArrays=["nodal"], StateArrays=["ball"])
+    check_error(data, "'ball' is cell data, and 'nodal' is point data",
+                VolumeFractionArrays=["POINTS", "nodal", "CELLS", "ball"])
+    check_error(data, "no numeric point array 'ball'", "'nodal'",
+                MaterialIdArray=["POINTS", "ball"])
     check_error(data, "no numeric cell array 'nodal'", MaterialIdArray=["CELLS", "nodal"])
-    check_error(data, "'ball' is chosen as data of neither cells nor points", MaterialIdArray=["FIELD", "ball"])
+    check_error(data, "'ball' is chosen as data of neither cells nor points",
+                MaterialIdArray=["FIELD", "ball"])
     grid = rectilinear(arrays(), [np.arange(N + 1.0)] * 3)
     add_array(grid.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
-    check_error(grid, "is a vtkRectilinearGrid, and point data are chosen", "Resample To Image", VolumeFractionArrays=["nodal"])
-    check_error(blocks(image(arrays()), at_points(image(arrays()))), "'ball' is cell data in some blocks, and point data")
+    check_error(grid, "is a vtkRectilinearGrid, and point data are chosen", "Resample To Image",
+                VolumeFractionArrays=["nodal"])
+    check_error(blocks(image(arrays()), at_points(image(arrays()))),
+                "'ball' is cell data in some blocks, and point data")
 
 
 def test_several_components():
@@ -104,10 +115,12 @@ def test_array_of_wrong_length():
 
 def test_values_that_are_no_fractions():
     for value, text in ((np.nan, "nan"), (np.inf, "inf"), (-np.inf, "-inf")):
-        check_error(changed("ball", (1, 2, 3), value), "'ball' holds " + text, "cell (1, 2, 3)", "finite")
+        check_error(changed("ball", (1, 2, 3), value), "'ball' holds " + text, "cell (1, 2, 3)",
+                    "finite")
     for value in (-1e-5, 1 + 1e-5, 255.0):
         check_error(changed("plate", (7, 0, 4), value), "'plate' holds", "cell (7, 0, 4)", "[0, 1]")
-    check_error(changed("ball", (0, 0, 7), np.nan, np.float32), "'ball' holds nan", "cell (0, 0, 7)")
+    check_error(changed("ball", (0, 0, 7), np.nan, np.float32), "'ball' holds nan",
+                "cell (0, 0, 7)")
     check_error(changed("ball", (0, 0, 0), 2, np.int32), "'ball' holds 2", "cell (0, 0, 0)")
 
 
@@ -128,7 +141,8 @@ def test_values_that_are_clipped():
 
 
 def test_sums_over_one():
-    check_error(changed("ball", (3, 3, 0), 0.25), "cell (3, 3, 0) sum to 1.25", "separate materials")
+    check_error(changed("ball", (3, 3, 0), 0.25), "cell (3, 3, 0) sum to 1.25",
+                "separate materials")
     result = run(changed("ball", (3, 3, 0), 5e-4))
     assert not result.errors
     assert len(result.warnings) == 1 and "1 cells sum to slightly more than 1" in result.warnings[0]
@@ -137,22 +151,28 @@ def test_sums_over_one():
 
 def test_material_ids_that_are_not_whole_numbers():
     for dtype in (np.float32, np.float64):
-        for value, text in ((1.5, "1.5"), (-1, "-1"), (np.nan, "nan"), (np.inf, "inf"), (2.0 ** 31, "2.14748e+09")):
+        for value, text in ((1.5, "1.5"), (-1, "-1"), (np.nan, "nan"), (np.inf, "inf"),
+                            (2.0 ** 31, "2.14748e+09")):
             ids = labels(N).astype(dtype)
             ids[6, 5, 4] = value
-            check_error(image({"id": ids}), "'id' holds %s in cell (4, 5, 6)" % text, "material ids are integers", MaterialIdArray="id")
+            check_error(image({"id": ids}), "'id' holds %s in cell (4, 5, 6)" % text,
+                        "material ids are integers", MaterialIdArray="id")
 
 
 def test_arrays_that_hold_no_materials():
     marks = np.zeros((N, N, N), np.uint8)
-    data = image({**arrays(), "vtkGhostType": marks, "GlobalCellIds": np.arange(N ** 3).reshape(N, N, N)})
-    for properties in ({"VolumeFractionArrays": ["vtkGhostType"]}, {"VolumeFractionArrays": ["ball", "vtkGhostType"]},
+    data = image({**arrays(), "vtkGhostType": marks,
+                  "GlobalCellIds": np.arange(N ** 3).reshape(N, N, N)})
+    for properties in ({"VolumeFractionArrays": ["vtkGhostType"]},
+                       {"VolumeFractionArrays": ["ball", "vtkGhostType"]},
                        {"MaterialIdArray": "vtkGhostType"}, {"StateArrays": ["vtkGhostType"]},
                        {"Refinement": "Automatic", "RefinementArray": "vtkGhostType"}):
         check_error(data, "'vtkGhostType' only marks", **properties)
-    for properties in ({"VolumeFractionArrays": ["GlobalCellIds"]}, {"MaterialIdArray": "GlobalCellIds"}):
+    for properties in ({"VolumeFractionArrays": ["GlobalCellIds"]},
+                       {"MaterialIdArray": "GlobalCellIds"}):
         check_error(data, "'GlobalCellIds' holds ids", **properties)
-    data.GetCellData().SetGlobalIds(add_array(data.GetCellData(), "number", np.arange(N ** 3).reshape(N, N, N)))
+    data.GetCellData().SetGlobalIds(add_array(data.GetCellData(), "number",
+                                              np.arange(N ** 3).reshape(N, N, N)))
     check_error(data, "'number' holds ids", MaterialIdArray="number")
     assert not run(data, StateArrays=["number"]).errors
 
@@ -161,7 +181,8 @@ def test_material_ids_out_of_range():
     for value in (-1, 2 ** 31):
         ids = labels(N).astype(np.int64)
         ids[6, 5, 4] = value
-        check_error(image({"id": ids}), "'id' holds %d in cell (4, 5, 6)" % value, MaterialIdArray="id")
+        check_error(image({"id": ids}), "'id' holds %d in cell (4, 5, 6)" % value,
+                    MaterialIdArray="id")
 
 
 def test_flat_and_empty_grids():
@@ -178,12 +199,15 @@ def test_flat_and_empty_grids():
 
 
 def test_direction_matrices():
-    for matrix in ([[1, 0.1, 0], [0, 1, 0], [0, 0, 1]], [[2, 0, 0], [0, 1, 0], [0, 0, 1]], [[1, 0, 0]] * 3, [[np.nan] * 3] * 3):
-        check_error(at_points(fraction_image(N), matrix), "The input has the direction matrix", "sheared or scaled")
+    for matrix in ([[1, 0.1, 0], [0, 1, 0], [0, 0, 1]], [[2, 0, 0], [0, 1, 0], [0, 0, 1]],
+                   [[1, 0, 0]] * 3, [[np.nan] * 3] * 3):
+        check_error(at_points(fraction_image(N), matrix), "The input has the direction matrix",
+                    "sheared or scaled")
     turned = at_points(fraction_image(N), [[0, -1, 0], [1, 0, 0], [0, 0, 1]])
     check_error(blocks(at_points(fraction_image(N)), turned), "different direction matrices")
     oblique = at_points(fraction_image(N), [[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
-    check_error(oblique, "Refinement boxes have sides along x, y and z", Refinement="Automatic", RefinementBoxes=[0, 0, 0, 1, 1, 1, 1])
+    check_error(oblique, "Refinement boxes have sides along x, y and z", Refinement="Automatic",
+                RefinementBoxes=[0, 0, 0, 1, 1, 1, 1])
 
 
 def test_points_of_several_levels():
@@ -208,9 +232,10 @@ def test_blocks_that_do_not_tile():
     fine = half(1, spacing=[s / 2 for s in SPACING])
     check_error(blocks(half(0), fine), "leave a gap", "of level 0")
     check_error(blocks(half(0), half(1, shift=-0.1 * SPACING[0])), "does not fit", "along x")
-    check_error(blocks(half(0), half(1, shift=2 * SPACING[0])), "leave a gap", "64 of the 576 cells",
-                "cell (4, 0, 0) at (0, 0.5, 2)")
-    check_error(blocks(half(0), half(1, shift=-SPACING[0])), "Block 0 and Block 1 overlap at cell (3, 0, 0)")
+    check_error(blocks(half(0), half(1, shift=2 * SPACING[0])), "leave a gap",
+                "64 of the 576 cells", "cell (4, 0, 0) at (0, 0.5, 2)")
+    check_error(blocks(half(0), half(1, shift=-SPACING[0])),
+                "Block 0 and Block 1 overlap at cell (3, 0, 0)")
     check_error(blocks(half(0), half(1), half(1)), "Block 1 and Block 2 overlap")
 
 
@@ -245,7 +270,8 @@ def test_input_of_another_kind():
     hexes = VolumeFractionToHex(Input=producer(vtkPolyData()), VolumeFractionArrays=["ball"])
     collect(hexes.GetClientSideObject())
     errors = []
-    hexes.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    hexes.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent",
+                                                           lambda *_: errors.append(1))
     hexes.UpdatePipeline()
     assert errors
 
@@ -273,11 +299,13 @@ def test_writers_refuse_a_mesh_that_failed():
         for expected in (0, 0, 1):
             hexes.VolumeFractionArrays = ["ball"] if expected else ["none"]
             hexes.UpdateVTKObjects()
-            assert writer.Write() == expected == int(os.path.exists(path)) == int(writer.GetErrorCode() == 0)
+            assert writer.Write() == expected == int(os.path.exists(path)) == int(
+                writer.GetErrorCode() == 0)
         assert len(errors) == 2 and "Cannot write %s: The mesh could not be made: " % path in errors[0], errors
         failing = Failing()
         writer.SetInputConnection(failing.GetOutputPort())  # RequestData is not called at all
-        assert writer.Write() == 0 and "The input could not be made." in errors[2] and len(errors) == 3, errors
+        assert writer.Write() == 0 and "The input could not be made." in errors[2] and len(
+            errors) == 3, errors
 
 
 def test_filters_behind_a_mesh_that_failed():
@@ -287,12 +315,14 @@ def test_filters_behind_a_mesh_that_failed():
     errors, _ = collect(table.GetClientSideObject())
     table.UpdatePipeline()
     output = table.GetClientSideObject().GetOutputDataObject(0)
-    assert output.GetNumberOfRows() == 0 and failure_of(output).startswith("The input could not be made: ")
+    assert output.GetNumberOfRows() == 0 and failure_of(output).startswith(
+        "The input could not be made: ")
     assert len(errors) == 1 and failure_of(output) in errors[0]
 
 
 def test_the_same_filter_works_after_an_error():
-    hexes = VolumeFractionToHex(Input=producer(fraction_image(N)), VolumeFractionArrays=["ball", "none"])
+    hexes = VolumeFractionToHex(Input=producer(fraction_image(N)),
+                                VolumeFractionArrays=["ball", "none"])
     algorithm = hexes.GetClientSideObject()
     errors, _ = collect(algorithm)
     hexes.UpdatePipeline()

@@ -1,4 +1,5 @@
-"""The table of fragments: volumes, centroids, bounds, masses and neighbours against numpy, and as a file."""
+"""The table of fragments: volumes, centroids, bounds, masses and neighbours against numpy, and as a
+file."""
 import csv
 import os
 import tempfile
@@ -8,10 +9,12 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from mpi_run import mpi_run
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, VolumeFractionFragments, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect, elements,
+    ORIGIN, SPACING, TET_METHODS, VolumeFractionFragments, VolumeFractionToHex, VolumeFractionToTet,
+    ball_and_plate, collect, elements,
     fraction_image, image, labels, main, mesh_of, producer, surface_faces, tet_volumes, simple)
 
-CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]])
+CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1],
+                    [1, 1, 1], [-1, 1, 1]])
 
 
 def table_of(mesh, **properties):
@@ -22,7 +25,8 @@ def table_of(mesh, **properties):
     table.UpdatePipeline()
     output = algorithm.GetOutputDataObject(0)
     columns = [output.GetColumn(c) for c in range(output.GetNumberOfColumns())]
-    return {column.GetName(): [column.GetValue(row) for row in range(output.GetNumberOfRows())] for column in columns}, errors
+    return {column.GetName(): [column.GetValue(row) for row in range(output.GetNumberOfRows())]
+            for column in columns}, errors
 
 
 def moments(result):
@@ -38,17 +42,21 @@ def moments(result):
             for (w, ww) in zip(places, weights):
                 factors = 1 + CORNERS * (u, v, w)
                 shape = factors.prod(axis=1) / 8
-                slopes = np.stack([CORNERS[:, a] * factors[:, a - 2] * factors[:, a - 1] / 8 for a in range(3)])
+                slopes = np.stack([CORNERS[:, a] * factors[:, a - 2] * factors[:, a - 1] / 8
+                                   for a in range(3)])
                 determinant = np.linalg.det(np.einsum("ac,ecx->eax", slopes, points[cells]))
                 volumes += wu * wv * ww * determinant
-                firsts += (wu * wv * ww * determinant)[:, None] * np.einsum("c,ecx->ex", shape, points[cells])
+                firsts += (wu * wv * ww * determinant)[:,
+                                                       None] * np.einsum(
+                                                           "c,ecx->ex", shape, points[cells])
     return volumes, firsts
 
 
 def neighbours(result):
     """The fragments that share faces, of each."""
     found = {}
-    for pair in set(surface_faces(result.points("GlobalPointIds")[elements(result)], result.cells("FragmentId")).values()):
+    for pair in set(surface_faces(result.points("GlobalPointIds")[elements(result)],
+                                  result.cells("FragmentId")).values()):
         for one, other in (pair, pair[::-1]):
             if one > 0 and other > 0:
                 found.setdefault(one, set()).add(other)
@@ -68,7 +76,8 @@ def check(result, table):
         assert [row["MaterialId"]] == ids and row["Elements"] == own.sum()
         assert np.isclose(row["MeshVolume"], volumes[own].sum(), rtol=1e-9, atol=0)
         centroid = firsts[own].sum(axis=0) / volumes[own].sum()
-        assert np.allclose([row["Centroid" + a] for a in "XYZ"], centroid, rtol=0, atol=1e-8), (row, centroid)
+        assert np.allclose([row["Centroid" + a] for a in "XYZ"], centroid, rtol=0,
+                           atol=1e-8), (row, centroid)
         corners = points[np.unique(elements(result)[own])]
         assert [row["Min" + a] for a in "XYZ"] == corners.min(axis=0).tolist()
         assert [row["Max" + a] for a in "XYZ"] == corners.max(axis=0).tolist()
@@ -88,7 +97,8 @@ def test_hexes_and_tets():
         result = mesh_of(data, MaterialIdArray="id", **kind)
         table, errors = table_of(result.mesh)
         assert not errors and "Mass" not in table
-        assert len(table["FragmentId"]) == 3 and sorted(table["Neighbours"]) == ["", "1", "2"], table["Neighbours"]
+        assert len(table["FragmentId"]) == 3 and sorted(table["Neighbours"]) == [
+            "", "1", "2"], table["Neighbours"]
         assert set(table["Material"]) == {"Material 1", "Material 2"}
         check(result, table)
 
@@ -130,7 +140,8 @@ def test_exact():
     assert np.isclose(table["MeshVolume"][0], 24 * cell, rtol=1e-12)
     centre = np.array(ORIGIN) + np.array(SPACING) * (5, 3.5, 2)
     assert np.allclose([table["Centroid" + a][0] for a in "XYZ"], centre, rtol=0, atol=1e-10)
-    assert [table["Min" + a][0] for a in "XYZ"] == (np.array(ORIGIN) + np.array(SPACING) * (3, 2, 1)).tolist()
+    assert [table["Min" + a][0]
+            for a in "XYZ"] == (np.array(ORIGIN) + np.array(SPACING) * (3, 2, 1)).tolist()
     assert np.isclose(table["Mass"][0], cell * 6 * (4 + 5 + 6 + 7), rtol=1e-12)
 
 
@@ -143,7 +154,8 @@ def test_ids_are_no_densities():
 
 
 def test_density_of_each_material():
-    data = image({"id": three_parts(), "light": np.full((12, 12, 12), 2.0), "heavy": np.full((12, 12, 12), 7.0)})
+    data = image({"id": three_parts(), "light": np.full((12, 12, 12), 2.0),
+                  "heavy": np.full((12, 12, 12), 7.0)})
     mesh = mesh_of(data, MaterialIdArray="id", StateArrays=["light", "heavy"]).mesh
     table, _ = table_of(mesh, DensityArrays=["light", "heavy"])
     for mass, volume, material in zip(table["Mass"], table["MeshVolume"], table["MaterialId"]):
@@ -151,8 +163,10 @@ def test_density_of_each_material():
 
 
 def test_errors():
-    result = mesh_of(image({"id": three_parts(), "light": np.ones((12, 12, 12))}), MaterialIdArray="id", StateArrays=["light"])
-    for densities, text in ((["heavy"], "no array heavy"), (["light"] * 3, "3 density arrays and 2 materials")):
+    result = mesh_of(image({"id": three_parts(), "light": np.ones((12, 12, 12))}),
+                     MaterialIdArray="id", StateArrays=["light"])
+    for densities, text in ((["heavy"], "no array heavy"),
+                            (["light"] * 3, "3 density arrays and 2 materials")):
         table, errors = table_of(result.mesh, DensityArrays=densities)
         assert not table and len(errors) == 1 and text in errors[0], errors
     result.mesh.GetCellData().RemoveArray("FragmentId")
@@ -161,13 +175,16 @@ def test_errors():
 
 def test_file():
     """The table as a file, from the filter and from a mesh file."""
-    mesher = VolumeFractionToHex(Input=producer(box()), MaterialIdArray="id", StateArrays=["density"])
+    mesher = VolumeFractionToHex(Input=producer(box()), MaterialIdArray="id",
+                                 StateArrays=["density"])
     with tempfile.TemporaryDirectory() as folder:
         simple.SaveData(os.path.join(folder, "mesh.vtu"), proxy=mesher, DataMode="Binary")
         rows = []
-        for place, source in enumerate((mesher, simple.OpenDataFile(os.path.join(folder, "mesh.vtu")))):
+        for place, source in enumerate((mesher,
+                                        simple.OpenDataFile(os.path.join(folder, "mesh.vtu")))):
             path = os.path.join(folder, "fragments%d.csv" % place)
-            simple.SaveData(path, proxy=VolumeFractionFragments(Input=source, DensityArrays=["density"]))
+            simple.SaveData(path,
+                            proxy=VolumeFractionFragments(Input=source, DensityArrays=["density"]))
             with open(path, newline="") as file:
                 rows.append(list(csv.DictReader(file)))
     assert rows[0] == rows[1] and len(rows[0]) == 1
@@ -179,20 +196,24 @@ def test_sculptor():
     """The program's table has the same numbers, on one rank and on two."""
     ball, plate = ball_and_plate()
     data = image({"ball, hot": ball, "plate": plate, "density": 2.0 + ball})
-    mesh = mesh_of(data, VolumeFractionArrays=["ball, hot", "plate"], DensityArrays=["density"]).mesh
+    mesh = mesh_of(data, VolumeFractionArrays=["ball, hot", "plate"],
+                   DensityArrays=["density"]).mesh
     expected, _ = table_of(mesh, DensityArrays=["density"])
     with tempfile.TemporaryDirectory() as folder:
         path, output = os.path.join(folder, "in.vti"), os.path.join(folder, "fragments.csv")
         simple.SaveData(path, proxy=producer(data), DataMode="Binary")
-        command = [os.environ["VFM_SCULPTOR"], "--input", path, "--output", os.path.join(folder, "out.vtu")]
+        command = [os.environ["VFM_SCULPTOR"], "--input", path, "--output",
+                   os.path.join(folder, "out.vtu")]
         for ranks in (1, 2):
             result = mpi_run(ranks, command + ["--fragments", output, "--density", "density"])
             assert result.returncode == 0, result.stderr
             with open(output, newline="") as file:
                 rows = list(csv.DictReader(file))
-            assert {name: [type(expected[name][0])(row[name]) for row in rows] for name in rows[0]} == expected
+            assert {name: [type(expected[name][0])(row[name]) for row in rows]
+                    for name in rows[0]} == expected
         for extra, code, text in (
-                (["--fragments", os.path.join(folder, "none", "f.csv")], 4, "Cannot write the output"),
+                (["--fragments", os.path.join(folder, "none", "f.csv")], 4,
+                 "Cannot write the output"),
                 (["--fragments", folder], 4, "Cannot write the table"),
                 (["--fragments", output, "--density", "nothing"], 2, "'nothing' (--density)")):
             result = mpi_run(2, command + extra)

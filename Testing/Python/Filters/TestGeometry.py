@@ -1,4 +1,5 @@
-"""sculptor --geometry: the surfaces, curves and vertices of the filters' ports as one file, the same bytes from any number of ranks."""
+"""sculptor --geometry: the surfaces, curves and vertices of the filters' ports as one file, the
+same bytes from any number of ranks."""
 import glob
 import os
 
@@ -7,7 +8,8 @@ from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 from compare_meshes import difference, merge, read_pieces
 from sculptor_program import mesh_file, refused
-from vfmtest import VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, write, simple
+from vfmtest import (
+    VolumeFractionToTet, fraction_image, image, in_folder, main, mesh_of, write, simple)
 
 BLOCKS = ["Surfaces", "Curves", "Vertices"]
 
@@ -27,7 +29,8 @@ def write_on_ranks(at, path, *arguments):
     written = []
     for ranks in (1, 3, 8):
         mesh_file(path, at("mesh.vtu"), "--geometry", at("geometry.vtm"), *arguments, ranks=ranks)
-        files = sorted(glob.glob(at("geometry") + "*") + glob.glob(os.path.join(at("geometry"), "*")))
+        files = sorted(glob.glob(at("geometry") + "*")
+                       + glob.glob(os.path.join(at("geometry"), "*")))
         written.append({name: open(name, "rb").read() for name in files if os.path.isfile(name)})
         assert written[-1] == written[0], ranks
     return read_geometry(at("geometry.vtm"))
@@ -42,7 +45,8 @@ def check_ports(geometry, result):
         assert geometry[name].GetNumberOfCells() == port.GetNumberOfCells()
         problem = difference(merge([geometry[name]]), merge([port]))
         assert not problem, "%s: %s" % (name, problem)
-        assert geometry[name].GetCellData().GetScalars().GetName() == port.GetCellData().GetScalars().GetName()
+        assert geometry[
+            name].GetCellData().GetScalars().GetName() == port.GetCellData().GetScalars().GetName()
 
 
 @in_folder
@@ -79,10 +83,12 @@ def time_of(data):
 
 @in_folder
 def test_time(at):
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "impact.spcth")
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
+                        "impact.spcth")
     mesh_file(path, at("mesh.vtu"), "--geometry", at("geometry.vtm"), "--step", "1", ranks=2)
     time = time_of(read_pieces(at("mesh.vtu"))[0])
-    assert time > 0 and {time_of(block) for block in read_geometry(at("geometry.vtm")).values()} == {time}
+    assert time > 0 and {time_of(block)
+                         for block in read_geometry(at("geometry.vtm")).values()} == {time}
 
 
 @in_folder

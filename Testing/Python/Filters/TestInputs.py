@@ -9,8 +9,8 @@ from vtkmodules.vtkCommonDataModel import (
 
 from amr_cases import set_boxes
 from vfmtest import (
-    GHOST, HIDDEN, ORIGIN, SPACING, add_array, ball_and_plate, digest, fraction_image, image, labels,
-    main, mesh_of, rectilinear, run)
+    GHOST, HIDDEN, ORIGIN, SPACING, add_array, ball_and_plate, digest, fraction_image, image,
+    labels, main, mesh_of, rectilinear, run)
 
 N = 12
 
@@ -24,7 +24,8 @@ def uneven_coordinates():
 
 
 def block_ranges(ghosts):
-    """Eight boxes that tile the grid unevenly, grown by layers of ghosts inside it: (kept, grown)."""
+    """Eight boxes that tile the grid unevenly, grown by layers of ghosts inside it: (kept,
+    grown)."""
     cuts = [(0, 5, N), (0, 7, N), (0, 4, N)]  # z, y, x
     for c in np.ndindex(2, 2, 2):
         kept = [(cuts[a][c[a]], cuts[a][c[a] + 1]) for a in range(3)]
@@ -36,7 +37,8 @@ def cut(values, box):
 
 
 def split(arrays, ghosts, make):
-    """Eight blocks by make(arrays, box) in random order; ghost cells are marked and hold nonsense."""
+    """Eight blocks by make(arrays, box) in random order; ghost cells are marked and hold
+    nonsense."""
     blocks = []
     for kept, box in block_ranges(ghosts):
         own = np.zeros((N, N, N), bool)
@@ -170,7 +172,8 @@ def test_types_of_fractions():
     double = {name: values.astype(np.float64) for name, values in single.items()}
     assert digest(mesh_of(image(single))) == digest(mesh_of(image(double)))
     assert digest(mesh_of(image({"ball": single["ball"], "plate": double["plate"]}))) == REFERENCE
-    bytes_ = {"ball": np.floor(255 * ball).astype(np.uint8), "plate": np.floor(255 * plate).astype(np.uint8)}
+    bytes_ = {"ball": np.floor(255 * ball).astype(np.uint8),
+              "plate": np.floor(255 * plate).astype(np.uint8)}
     reals = {name: values / 255.0 for name, values in bytes_.items()}
     assert digest(mesh_of(image(bytes_))) == digest(mesh_of(image(reals)))
 
@@ -187,7 +190,8 @@ def half_and_half(value):
 def test_rounded_bytes_may_sum_over_one():
     result = mesh_of(image(half_and_half(128)))  # 256 / 255, as half a byte up twice
     assert result.field("NormalisedCells") == [0], result.warnings
-    assert len(result.warnings) == 1 and "'plate' (id 2)" in result.warnings[0], result.warnings  # all its cells are shared
+    # all its cells are shared
+    assert len(result.warnings) == 1 and "'plate' (id 2)" in result.warnings[0], result.warnings
     cell = np.prod(SPACING)
     assert np.allclose(result.field("TargetVolume"), [(N ** 3 - 4) * cell, 4 * cell], rtol=1e-12)
     reals = {name: values / 255.0 for name, values in half_and_half(128).items()}
@@ -196,10 +200,12 @@ def test_rounded_bytes_may_sum_over_one():
         assert len(errors) == 1 and "cell (5, 5, 5) " + text in errors[0], errors
     empty = {name: np.zeros((N, N, N), np.uint8) for name in ("third", "fourth")}
     four = {**half_and_half(128), **empty}
-    four["ball"][5, 5, 5] = 129  # 257 / 255: four materials would explain it, the two that are there do not
+    # 257 / 255: four materials would explain it, the two that are there do not
+    four["ball"][5, 5, 5] = 129
     result = mesh_of(image(four), VolumeFractionArrays=list(four))
     assert result.field("NormalisedCells") == [1]
-    assert sum("1 cells sum to slightly more than 1" in text for text in result.warnings) == 1, result.warnings
+    assert sum("1 cells sum to slightly more than 1" in text
+               for text in result.warnings) == 1, result.warnings
 
 
 def test_types_of_labels():
@@ -217,7 +223,8 @@ def test_arrays_that_are_not_plain_memory():
     bits.SetName("bits")
     for value in inside:
         bits.InsertNextValue(int(value))
-    data = image({"whole": inside.reshape(N, N, N).astype(np.float64), "id": inside.reshape(N, N, N).astype(np.int32)})
+    data = image({"whole": inside.reshape(N, N, N).astype(np.float64),
+                  "id": inside.reshape(N, N, N).astype(np.int32)})
     data.GetCellData().AddArray(bits)
     reference = digest(mesh_of(data, MaterialIdArray="id"))
     assert digest(mesh_of(data, MaterialIdArray="bits")) == reference
@@ -252,13 +259,15 @@ def test_labels_in_blocks_with_ghosts():
 def test_blanked_cells_are_void():
     hidden = np.zeros((N, N, N), np.uint8)
     hidden[:, :, : N // 2] = HIDDEN
-    data = image({"ball": ball_and_plate(N)[0], "plate": ball_and_plate(N)[1], "vtkGhostType": hidden})
+    data = image({"ball": ball_and_plate(N)[0], "plate": ball_and_plate(N)[1],
+                  "vtkGhostType": hidden})
     keep = hidden == 0
     expected = image({name: np.where(keep, values, 0) for name, values in arrays().items()})
     assert digest(mesh_of(data)) == digest(mesh_of(expected))
     ids = image({"id": labels(N), "vtkGhostType": hidden})
     cleared = image({"id": np.where(keep, labels(N), 0)})
-    assert digest(mesh_of(ids, MaterialIdArray="id")) == digest(mesh_of(cleared, MaterialIdArray="id"))
+    assert digest(mesh_of(ids,
+                          MaterialIdArray="id")) == digest(mesh_of(cleared, MaterialIdArray="id"))
 
 
 main(globals())

@@ -3,8 +3,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, check_surfaces, digest, facets, fraction_image, image, labels, main, mesh_of, run,
-    uniform, VolumeFractionToTet)
+    ORIGIN, SPACING, TET_METHODS, check_surfaces, digest, facets, fraction_image, image, labels,
+    main, mesh_of, run, uniform, VolumeFractionToTet)
 
 N = 16
 CELL = np.prod(SPACING)
@@ -21,7 +21,8 @@ def ball_labels():
 
 
 def crumbs():
-    """A block of 3 on a block of 5, with a cavity of three cells, and in the void a pair of 3 and a single 5."""
+    """A block of 3 on a block of 5, with a cavity of three cells, and in the void a pair of 3 and a
+    single 5."""
     ids = np.zeros((N, N, N), np.int32)
     ids[2:7, 3:13, 3:13], ids[7:12, 3:13, 3:13] = 5, 3
     ids[9, 8, 6:9] = 0
@@ -38,12 +39,14 @@ def mesh_labels(ids, make=None, **properties):
 
 def rms_distance(result):
     points = vtk_to_numpy(result.surfaces.GetPoints().GetData())
-    return np.sqrt(np.mean((np.linalg.norm(points[np.unique(facets(result))] - MIDDLE, axis=1) - RADIUS) ** 2))
+    return np.sqrt(np.mean((np.linalg.norm(points[np.unique(facets(result))] - MIDDLE,
+                                           axis=1) - RADIUS) ** 2))
 
 
 def check_volumes(result, ids):
     """Targets are the volumes of the cells, and met."""
-    for material, target, volume in zip(*map(result.field, ("MaterialIds", "TargetVolume", "MeshVolume"))):
+    for material, target, volume in zip(*map(result.field,
+                                             ("MaterialIds", "TargetVolume", "MeshVolume"))):
         expected = (ids == material).sum() * CELL
         assert abs(target - expected) < 1e-6 * expected, (material, target, expected)
         assert abs(volume - expected) < 1e-5 * expected, (material, volume, expected)
@@ -53,7 +56,8 @@ def test_label_smoothing():
     kinds = [{}] + [{"make": VolumeFractionToTet, "Method": method} for method in TET_METHODS]
     for kind in kinds:
         steps, smooth = (mesh_labels(BALL, LabelSmoothing=passes, **kind) for passes in (0, 2))
-        assert rms_distance(smooth) < 0.75 * rms_distance(steps), (kind, rms_distance(smooth), rms_distance(steps))
+        assert rms_distance(smooth) < 0.75 * rms_distance(steps), (
+            kind, rms_distance(smooth), rms_distance(steps))
         assert not smooth.warnings
         check_volumes(smooth, BALL)
         assert smooth.cells("ScaledJacobian").min() > 0 and set(smooth.cells("MaterialId")) == {7}
@@ -74,7 +78,8 @@ def test_volumes_of_noise():
 
 
 def test_refinement_of_smooth_labels():
-    rough, fine = (mesh_labels(BALL, **uniform(1), LabelSmoothing=passes, ConserveVolume=0) for passes in (0, 2))
+    rough, fine = (mesh_labels(BALL, **uniform(1), LabelSmoothing=passes, ConserveVolume=0)
+                   for passes in (0, 2))
     assert rms_distance(fine) < 0.7 * rms_distance(rough)
     assert np.allclose(fine.field("TargetVolume"), rough.field("TargetVolume"), rtol=1e-6)
 
@@ -85,16 +90,19 @@ def test_fractions_are_not_smoothed():
 
 
 def test_threads():
-    reference = digest(mesh_labels(CRUMBS, LabelSmoothing=2, MinimumRegionCells=3, NumberOfThreads=1))
+    reference = digest(mesh_labels(CRUMBS, LabelSmoothing=2, MinimumRegionCells=3,
+                                   NumberOfThreads=1))
     for threads in (2, 5):
-        assert digest(mesh_labels(CRUMBS, LabelSmoothing=2, MinimumRegionCells=3, NumberOfThreads=threads)) == reference
+        assert digest(mesh_labels(CRUMBS, LabelSmoothing=2, MinimumRegionCells=3,
+                                  NumberOfThreads=threads)) == reference
 
 
 def test_minimum_region():
     for minimum, regions, cells in ((0, 0, 0), (1, 0, 0), (2, 1, 1), (3, 2, 3), (4, 3, 6)):
         for smoothing in (0, 2):
             result = mesh_labels(CRUMBS, MinimumRegionCells=minimum, LabelSmoothing=smoothing)
-            assert result.field("RemovedRegions") == [regions] and result.field("RemovedCells") == [cells]
+            assert result.field("RemovedRegions") == [regions] and result.field("RemovedCells") == [
+                cells]
             assert result.field("NumberOfFragments") == [4 - min(regions, 2)]
     whole = CRUMBS.copy()
     whole[9, 8, 6:9], whole[14] = 3, 0
@@ -120,7 +128,8 @@ def test_iso_value_decides_what_a_region_is():
     water[:3] = 1.0
     water[5, 5, 5] = 0.4
     for iso, regions in ((0.5, 0), (0.3, 1)):
-        result = mesh_of(image({"water": water}), VolumeFractionArrays=["water"], MinimumRegionCells=2, IsoValue=iso)
+        result = mesh_of(image({"water": water}), VolumeFractionArrays=["water"],
+                         MinimumRegionCells=2, IsoValue=iso)
         assert result.field("RemovedRegions") == [regions], iso
 
 
@@ -128,7 +137,8 @@ def test_all_too_small():
     """What is left of a grid is one region, here void: an empty mesh and a word about it."""
     ids = np.zeros((6, 6, 6), np.int32)
     ids[2:4, 2:4, 2:4] = 1
-    result = run(image({"id": ids}), MaterialIdArray="id", MinimumRegionCells=1000, LabelSmoothing=2)
+    result = run(image({"id": ids}), MaterialIdArray="id", MinimumRegionCells=1000,
+                 LabelSmoothing=2)
     assert result.mesh.GetNumberOfCells() == 0 and not result.errors
     assert any("empty" in warning for warning in result.warnings)
 

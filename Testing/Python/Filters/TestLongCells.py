@@ -1,11 +1,12 @@
-"""Cells cut until no aspect ratio is above MaximumAspectRatio: fractions, labels and levels of input, and what elements carry."""
+"""Cells cut until no aspect ratio is above MaximumAspectRatio: fractions, labels and levels of
+input, and what elements carry."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from amr_cases import N, block_of, cover, fields, multiblock, nested
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToTet, add_array, ball_and_plate, check_hexes, digest, elements, fraction_image, hex_volumes, image,
-    labels, main, mesh_of, points_of, rectilinear, run, uniform)
+    ORIGIN, SPACING, VolumeFractionToTet, add_array, ball_and_plate, check_hexes, digest, elements,
+    fraction_image, hex_volumes, image, labels, main, mesh_of, points_of, rectilinear, run, uniform)
 
 LONG = {"MaximumAspectRatio": 1.5}  # cells of the tests are twice as long along z
 
@@ -37,13 +38,16 @@ def test_labels_are_those_of_cut_cells():
     ids = labels(12)
     parts = image({"id": in_halves(ids)})
     parts.SetSpacing(SPACING[0], SPACING[1], SPACING[2] / 2)
-    assert digest(mesh_of(image({"id": ids}), MaterialIdArray="id", **LONG)) == digest(mesh_of(parts, MaterialIdArray="id"))
+    assert digest(mesh_of(image({"id": ids}), MaterialIdArray="id",
+                          **LONG)) == digest(mesh_of(parts, MaterialIdArray="id"))
 
 
 def test_fractions_keep_their_volumes():
-    for properties in ({}, {"make": VolumeFractionToTet, "Method": "Lattice"}, uniform(1), {"Refinement": "Coarsen"}, {"ChildFractions": "Parent"}):
+    for properties in ({}, {"make": VolumeFractionToTet, "Method": "Lattice"}, uniform(1),
+                       {"Refinement": "Coarsen"}, {"ChildFractions": "Parent"}):
         whole, cut = (mesh_of(fraction_image(12), **properties, **more) for more in ({}, LONG))
-        assert np.allclose(cut.field("TargetVolume"), whole.field("TargetVolume"), rtol=1e-10, atol=0), properties
+        assert np.allclose(cut.field("TargetVolume"), whole.field("TargetVolume"), rtol=1e-10,
+                           atol=0), properties
         assert cut.field("DomainBounds") == whole.field("DomainBounds")
         if "make" not in properties:
             check_hexes(cut)
@@ -54,7 +58,8 @@ def test_small_regions_count_cells_of_the_input():
     speck[1:6, 1:6, 1:6] = 1
     speck[6:8, 7, 7] = 2  # two cells, four parts
     for least, removed in ((2, 0), (3, 1)):
-        result = mesh_of(image({"id": speck}), MaterialIdArray="id", MinimumRegionCells=least, **LONG)
+        result = mesh_of(image({"id": speck}), MaterialIdArray="id", MinimumRegionCells=least,
+                         **LONG)
         assert result.field("RemovedRegions") == [removed]
 
 
@@ -62,7 +67,8 @@ def test_layers_are_cut_each_into_its_own_number():
     """Only those that are long; elements carry the state of the cell of the input."""
     x = np.arange(7.0)
     z = np.array([0.0, 1.0, 2.0, 6.0, 7.2, 9.2])
-    data = rectilinear({"id": np.ones((5, 6, 6), np.int32), "number": np.arange(180).reshape(5, 6, 6)}, (x, x, z))
+    data = rectilinear({"id": np.ones((5, 6, 6), np.int32),
+                        "number": np.arange(180).reshape(5, 6, 6)}, (x, x, z))
     result = mesh_of(data, MaterialIdArray="id", StateArrays=["number"], StairStep=1, **LONG)
     nodes = np.unique(points_of(result)[:, 2])
     assert np.allclose(nodes, [0, 1, 2, 2 + 4 / 3, 2 + 8 / 3, 6, 7.2, 8.2, 9.2], rtol=1e-15)
@@ -80,7 +86,8 @@ def test_state_of_refined_cells():
     data.SetOrigin(0, 0, 0)
     grid = [h * np.arange(13.0) for h in (1, 1, 4)]
     for properties, parts in (({}, 3), (uniform(1), 24), ({"Refinement": "Coarsen"}, None)):
-        result = mesh_of(data, MaterialIdArray="id", StateArrays=["number"], StairStep=1, **LONG, **properties)
+        result = mesh_of(data, MaterialIdArray="id", StateArrays=["number"], StairStep=1, **LONG,
+                         **properties)
         i, j, k = cells_of(centres_of(result), grid)
         here = (k * 12 + j) * 12 + i
         if parts:
@@ -113,10 +120,12 @@ def test_levels_of_the_input_keep_their_ratios():
 
 def test_elements_of_labels_are_better():
     """A smooth ball of labels in cells 3 times as long as wide."""
-    z, y, x = np.meshgrid((np.arange(8) + 0.5) * 3, np.arange(24) + 0.5, np.arange(24) + 0.5, indexing="ij")
+    z, y, x = np.meshgrid((np.arange(8) + 0.5) * 3, np.arange(24) + 0.5, np.arange(24) + 0.5,
+                          indexing="ij")
     data = image({"id": ((x - 12) ** 2 + (y - 12.1) ** 2 + (z - 12) ** 2 < 81).astype(np.int32)})
     data.SetSpacing(1, 1, 3)
-    properties = {"make": VolumeFractionToTet, "Method": "Lattice", "MaterialIdArray": "id", "LabelSmoothing": 3}
+    properties = {"make": VolumeFractionToTet, "Method": "Lattice", "MaterialIdArray": "id",
+                  "LabelSmoothing": 3}
     whole, cut = (mesh_of(data, **properties, **more) for more in ({}, LONG))
     angles = [result.field("MinimumDihedralAngle")[0] for result in (whole, cut)]
     print("labels of a ball in cells of 1 x 1 x 3, Lattice: smallest dihedral angle %.1f, cut %.1f degrees" % tuple(angles))

@@ -2,7 +2,8 @@
 import numpy as np
 
 from vfmtest import (
-    ORIGIN, SPACING, ball_and_plate, box_along_axes, check_surfaces, digest, fraction_image, image, labels, list_defaults, main, mesh_of, points_of, producer, run,
+    ORIGIN, SPACING, ball_and_plate, box_along_axes, check_surfaces, digest, fraction_image, image,
+    labels, list_defaults, main, mesh_of, points_of, producer, run,
     simple, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
@@ -41,9 +42,11 @@ def test_names_and_defaults():
 
 def test_levels_by_number_and_word():
     hexes = VolumeFractionToHex(Input=producer(fraction_image(4)))
-    for value, word, number in ((2, "2", 2), (-1, "Automatic", -1), (3, "3", 3), ("Automatic", "Automatic", -1)):
+    for value, word, number in ((2, "2", 2), (-1, "Automatic", -1), (3, "3", 3),
+                                ("Automatic", "Automatic", -1)):
         hexes.MaximumLevel = value
-        assert hexes.MaximumLevel == word and hexes.SMProxy.GetProperty("MaximumLevel").GetElement(0) == number, value
+        assert hexes.MaximumLevel == word and hexes.SMProxy.GetProperty("MaximumLevel").GetElement(
+            0) == number, value
 
 
 def test_output_ports_have_names():
@@ -124,17 +127,22 @@ def test_smoothing():
 
 
 def test_sharp_edges():
-    """A box along the axes and off the grid: its fractions are products, its corners far from the mesh unless they are kept."""
+    """A box along the axes and off the grid: its fractions are products, its corners far from the
+    mesh unless they are kept."""
     low, high = np.array([2.3, 3.6, 2.8]), np.array([9.4, 8.7, 9.1])  # in cells
     box = image({"box": box_along_axes(low, high, N)})
     corners = [np.where([c & 1, c & 2, c & 4], high, low) for c in range(8)]
-    for filter, words in ((VolumeFractionToHex, {}), (VolumeFractionToTet, {"Method": "Lattice"}), (VolumeFractionToTet, {"Method": "Cells"})):
+    for filter, words in ((VolumeFractionToHex, {}), (VolumeFractionToTet, {"Method": "Lattice"}),
+                          (VolumeFractionToTet, {"Method": "Cells"})):
         farthest = {}
         for mode in ("Off", "On", "Automatic"):
-            points = points_of(mesh_of(box, filter, VolumeFractionArrays=["box"], SharpEdges=mode, **words))
+            points = points_of(mesh_of(box, filter, VolumeFractionArrays=["box"], SharpEdges=mode,
+                                       **words))
             places = (points - ORIGIN) / SPACING
-            farthest[mode] = max(np.linalg.norm(places - corner, axis=1).min() for corner in corners)
-        assert farthest["On"] == farthest["Automatic"] < 0.2 and farthest["Off"] > 0.6, (filter, words, farthest)
+            farthest[mode] = max(np.linalg.norm(places - corner, axis=1).min()
+                                 for corner in corners)
+        assert farthest["On"] == farthest["Automatic"] < 0.2 and farthest["Off"] > 0.6, (
+            filter, words, farthest)
 
 
 def test_target_scaled_jacobian():

@@ -1,5 +1,5 @@
-"""The arrays of all outputs, of hexahedra and of tetrahedra by every method: names, types, ids, quality, surfaces that
-close."""
+"""The arrays of all outputs, of hexahedra and of tetrahedra by every method: names, types, ids,
+quality, surfaces that close."""
 import os
 import tempfile
 
@@ -10,12 +10,13 @@ from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 
 from compare_meshes import read_pieces
 from vfmtest import (
-    SPACING, TET_METHODS, ball_and_plate, check_surfaces, elements, facets, fraction_image, image, main, mesh_of,
-    save_data, table_of, VolumeFractionToTet, simple)
+    SPACING, TET_METHODS, ball_and_plate, check_surfaces, elements, facets, fraction_image, image,
+    main, mesh_of, save_data, table_of, VolumeFractionToTet, simple)
 
 N = 12
 DATA = fraction_image(N)
-MESHES = [mesh_of(DATA)] + [mesh_of(DATA, VolumeFractionToTet, Method=method) for method in TET_METHODS]
+MESHES = [mesh_of(DATA)] + [mesh_of(DATA, VolumeFractionToTet, Method=method)
+                            for method in TET_METHODS]
 WITH_VOID = [mesh_of(DATA, MeshVoid=1)] + [
     mesh_of(DATA, VolumeFractionToTet, Method=method, MeshVoid=1) for method in TET_METHODS]
 
@@ -39,8 +40,10 @@ def area_vectors(corners):
 
 
 def cone_volumes(corners):
-    """From the origin to each facet; a quadrilateral is bilinear, the mean of its two cuts into triangles."""
-    cone = lambda *abc: np.einsum("ij,ij->i", corners[:, abc[0]], np.cross(corners[:, abc[1]], corners[:, abc[2]])) / 6
+    """From the origin to each facet; a quadrilateral is bilinear, the mean of its two cuts into
+    triangles."""
+    cone = lambda *abc: np.einsum("ij,ij->i", corners[:, abc[0]],
+                                  np.cross(corners[:, abc[1]], corners[:, abc[2]])) / 6
     if corners.shape[1] == 3:
         return cone(0, 1, 2)
     return (cone(0, 1, 2) + cone(0, 2, 3) + cone(1, 2, 3) + cone(1, 3, 0)) / 2
@@ -58,7 +61,8 @@ def test_arrays_of_the_mesh():
             "MaterialId": ("int", 1), "FragmentId": ("int", 1), "GlobalCellIds": ("idtype", 1),
             "ScaledJacobian": ("float", 1)}
         assert describe(result.mesh.GetPointData()) == {
-            "GlobalPointIds": ("idtype", 1), "GeometryDimension": ("int", 1), "GeometryId": ("int", 1)}
+            "GlobalPointIds": ("idtype", 1), "GeometryDimension": ("int", 1),
+            "GeometryId": ("int", 1)}
         assert result.mesh.GetCellData().GetGlobalIds().GetName() == "GlobalCellIds"
         assert result.mesh.GetPointData().GetGlobalIds().GetName() == "GlobalPointIds"
         assert len(np.unique(elements(result))) == result.mesh.GetNumberOfPoints()
@@ -74,33 +78,42 @@ def test_arrays_of_the_surfaces():
 
 def test_table_of_materials():
     assert list(table_of(MESHES[0].materials)) == [
-        "Name", "MaterialId", "TargetVolume", "MeshVolume", "VolumeError", "Elements", "Fragments", "MinimumScaledJacobian", "MeanScaledJacobian"]
+        "Name", "MaterialId", "TargetVolume", "MeshVolume", "VolumeError", "Elements", "Fragments",
+        "MinimumScaledJacobian", "MeanScaledJacobian"]
     for result in MESHES + WITH_VOID:
         table = table_of(result.materials)
         for name in ("TargetVolume", "MeshVolume", "VolumeError"):
             assert table[name] == result.field(name)
-        assert table["Name"] == result.field("MaterialNames") and table["MaterialId"] == result.field("MaterialIds")
+        assert table["Name"] == result.field("MaterialNames") and table[
+            "MaterialId"] == result.field("MaterialIds")
         quality = result.cells("ScaledJacobian").astype(float)
         for row, material in enumerate(table["MaterialId"]):
             own = result.cells("MaterialId") == material
-            assert table["Elements"][row] == own.sum() and table["Fragments"][row] == len(np.unique(result.cells("FragmentId")[own]))
+            assert table["Elements"][row] == own.sum() and table["Fragments"][row] == len(
+                np.unique(result.cells("FragmentId")[own]))
             assert table["MinimumScaledJacobian"][row] == quality[own].min()
             assert np.isclose(table["MeanScaledJacobian"][row], quality[own].mean(), rtol=1e-9)
-        assert sum(table["Elements"]) == result.mesh.GetNumberOfCells() and sum(table["Fragments"]) == result.field("NumberOfFragments")[0]
+        assert sum(table["Elements"]) == result.mesh.GetNumberOfCells() and sum(
+            table["Fragments"]) == result.field("NumberOfFragments")[0]
     bare = table_of(mesh_of(DATA, ComputeQuality=0).materials)
-    assert list(bare) == list(table_of(MESHES[0].materials))[:-2] and bare["Elements"] == table_of(MESHES[0].materials)["Elements"]
+    assert list(bare) == list(table_of(MESHES[0].materials))[:-2] and bare["Elements"] == table_of(
+        MESHES[0].materials)["Elements"]
 
 
 def test_material_without_an_element():
     ball, plate = ball_and_plate(N)
-    table = table_of(mesh_of(image({"ball": ball, "plate": plate, "dust": 0.01 * (ball == 0) * (plate == 0)}),
+    table = table_of(mesh_of(image({"ball": ball, "plate": plate,
+                                    "dust": 0.01 * (ball == 0) * (plate == 0)}),
                              VolumeFractionArrays=["ball", "dust", "plate"]).materials)
-    assert table["Elements"][1] == table["Fragments"][1] == table["MinimumScaledJacobian"][1] == table["MeanScaledJacobian"][1] == 0
-    assert table["TargetVolume"][1] > 0 and table["VolumeError"][1] == -1 and min(table["Elements"][::2]) > 0
+    assert table["Elements"][1] == table["Fragments"][1] == table["MinimumScaledJacobian"][
+        1] == table["MeanScaledJacobian"][1] == 0
+    assert table["TargetVolume"][1] > 0 and table["VolumeError"][1] == -1 and min(
+        table["Elements"][::2]) > 0
 
 
 def test_field_data_are_not_offered_as_colours():
-    """ParaView leaves arrays with this key out of its lists of arrays; scripts and files have them. So have filters behind, and files."""
+    """ParaView leaves arrays with this key out of its lists of arrays; scripts and files have them.
+    So have filters behind, and files."""
     mesh = simple.TrivialProducer()
     mesh.GetClientSideObject().SetOutput(MESHES[-1].mesh)
     clip = simple.Clip(Input=mesh)
@@ -108,10 +121,13 @@ def test_field_data_are_not_offered_as_colours():
     with tempfile.TemporaryDirectory() as folder:
         save_data(os.path.join(folder, "mesh.vtu"), mesh)
         read = read_pieces(os.path.join(folder, "mesh.vtu"))[0]
-    for data in (MESHES[-1].mesh, MESHES[-1].surfaces, MESHES[-1].curves, clip.GetClientSideObject().GetOutputDataObject(0), read):
+    for data in (MESHES[-1].mesh, MESHES[-1].surfaces, MESHES[-1].curves,
+                 clip.GetClientSideObject().GetOutputDataObject(0), read):
         field = data.GetFieldData()
         arrays = [field.GetAbstractArray(a) for a in range(field.GetNumberOfArrays())]
-        assert arrays and all(array.HasInformation() and array.GetInformation().Has(vtkAbstractArray.GUI_HIDE()) for array in arrays)
+        assert arrays and all(array.HasInformation()
+                              and array.GetInformation().Has(vtkAbstractArray.GUI_HIDE())
+                              for array in arrays)
 
 
 def column(data, name):
@@ -136,7 +152,8 @@ def curve_edges(result):
 
 def test_points_of_the_geometry_are_those_of_the_mesh():
     for result in MESHES + WITH_VOID:
-        places = dict(zip(result.points("GlobalPointIds").tolist(), vtk_to_numpy(result.mesh.GetPoints().GetData()).tolist()))
+        places = dict(zip(result.points("GlobalPointIds").tolist(),
+                          vtk_to_numpy(result.mesh.GetPoints().GetData()).tolist()))
         for data in (result.surfaces, result.curves, result.vertices):
             ids = vtk_to_numpy(data.GetPointData().GetGlobalIds()).tolist()
             assert len(set(ids)) == len(ids) > 0
@@ -146,15 +163,18 @@ def test_points_of_the_geometry_are_those_of_the_mesh():
 def test_curves():
     for result in MESHES + WITH_VOID:
         assert describe(result.curves.GetCellData()) == {"CurveId": ("int", 1)}
-        assert describe(result.curves.GetFieldData()) == {"CurveEnds": ("int", 1), "SurfaceCurves": ("int", 2)}
+        assert describe(result.curves.GetFieldData()) == {"CurveEnds": ("int", 1),
+                                                          "SurfaceCurves": ("int", 2)}
         curve = vtk_to_numpy(result.curves.GetCellData().GetArray("CurveId"))
-        assert (np.diff(curve) >= 0).all() and curve[0] == 1 and result.field("NumberOfCurves") == [curve[-1]]
+        assert (np.diff(curve) >= 0).all() and curve[0] == 1 and result.field("NumberOfCurves") == [
+            curve[-1]]
         edges, surfaces = curve_edges(result), {}
         for c, s in column(result.curves, "SurfaceCurves")[:, ::-1].tolist():
             surfaces.setdefault(c, set()).add(s)
         lines = point_ids(result.curves, result.curves.GetLines(), 2)
         assert (lines[:, 0] < lines[:, 1]).all() and len(lines) == len(edges)
-        assert {tuple(line): surfaces[c] for line, c in zip(lines.tolist(), curve.tolist())} == edges
+        assert {tuple(line): surfaces[c]
+                for line, c in zip(lines.tolist(), curve.tolist())} == edges
 
 
 def test_vertices():
@@ -169,9 +189,13 @@ def test_vertices():
         number = dict(zip(ids.tolist(), vertex.tolist()))
         curve = vtk_to_numpy(result.curves.GetCellData().GetArray("CurveId"))
         lines = point_ids(result.curves, result.curves.GetLines(), 2)
-        ends = [(c, number[p]) for line, c in zip(lines.tolist(), curve.tolist()) for p in line if p in number]
-        assert sorted(set(ends)) == list(map(tuple, column(result.vertices, "CurveVertices").tolist()))
-        assert column(result.curves, "CurveEnds").tolist() == np.bincount([c for c, _ in ends], minlength=curve[-1] + 1)[1:].tolist()
+        ends = [(c, number[p]) for line, c in zip(lines.tolist(), curve.tolist()) for p in line
+                if p in number]
+        assert sorted(set(ends)) == list(map(tuple,
+                                             column(result.vertices, "CurveVertices").tolist()))
+        assert column(result.curves,
+                      "CurveEnds").tolist() == np.bincount([c for c, _ in ends],
+                                                           minlength=curve[-1] + 1)[1:].tolist()
 
 
 def test_what_surfaces_bound():
@@ -181,9 +205,12 @@ def test_what_surfaces_bound():
         surface = surface_array(result, "SurfaceId") - 1
         assert np.array_equal(pairs[surface], surface_array(result, "MaterialPair"))
         assert np.array_equal(sides[surface], surface_array(result, "DomainSide"))
-        assert bounds.tolist() == sorted([v, s + 1] for s, both in enumerate(volumes.tolist()) for v in both if v > 0)
-        fragment_materials = dict(zip(result.cells("FragmentId").tolist(), result.cells("MaterialId").tolist()))
-        assert all(v == 0 or fragment_materials[v] == m for v, m in zip(volumes.ravel().tolist(), pairs.ravel().tolist()))
+        assert bounds.tolist() == sorted([v, s + 1] for s, both in enumerate(volumes.tolist())
+                                         for v in both if v > 0)
+        fragment_materials = dict(zip(result.cells("FragmentId").tolist(),
+                                      result.cells("MaterialId").tolist()))
+        assert all(v == 0 or fragment_materials[v] == m
+                   for v, m in zip(volumes.ravel().tolist(), pairs.ravel().tolist()))
 
 
 def test_field_data():
@@ -215,11 +242,13 @@ def test_volume_errors():
 def test_materials_without_elements_are_named():
     wall, names = np.ones((8, 8, 8)), ["wall", "trace", "none", "dust"]
     wall[4] = 0.5
-    data = image({"wall": wall, "trace": (1 - wall) * 0.6, "none": 0 * wall, "dust": (1 - wall) * 0.4})
+    data = image({"wall": wall, "trace": (1 - wall) * 0.6, "none": 0 * wall,
+                  "dust": (1 - wall) * 0.4})
     for kind in ({}, {"make": VolumeFractionToTet, "Method": "Lattice"}):
         result = mesh_of(data, VolumeFractionArrays=names, **kind)
         assert result.field("VolumeError")[1:] == [-1, 0, -1]
-        assert len(result.warnings) == 1 and "2 materials have no element" in result.warnings[0], result.warnings
+        assert len(result.warnings) == 1 and "2 materials have no element" in result.warnings[
+            0], result.warnings
         assert "'trace' (id 2), 'dust' (id 4)" in result.warnings[0], result.warnings
 
 
@@ -227,7 +256,8 @@ def test_ids_are_positive_and_unique():
     for result in MESHES:
         for ids in (result.cells("GlobalCellIds"), result.points("GlobalPointIds")):
             assert ids.min() >= 1 and len(np.unique(ids)) == len(ids)
-        assert set(result.cells("FragmentId")) == set(range(1, result.cells("FragmentId").max() + 1))
+        assert set(result.cells("FragmentId")) == set(range(1,
+                                                            result.cells("FragmentId").max() + 1))
 
 
 def test_scaled_jacobian_is_verdicts():
@@ -266,7 +296,8 @@ def test_normals_point_from_the_second_material_to_the_first():
         for material, volume in zip(result.field("MaterialIds"), result.field("MeshVolume")):
             outward = (pairs[:, 1] == material).astype(int) - (pairs[:, 0] == material)
             assert abs((outward * cone_volumes(corners)).sum() - volume) < 1e-9 * volume
-        edges = np.stack([facets(result), np.roll(facets(result), -1, axis=1)], axis=2).reshape(-1, 2)
+        edges = np.stack([facets(result), np.roll(facets(result), -1, axis=1)],
+                         axis=2).reshape(-1, 2)
         surface = np.repeat(surface_array(result, "SurfaceId"), corners.shape[1])
         directed = np.column_stack([surface, edges])
         assert len(np.unique(directed, axis=0)) == len(directed)

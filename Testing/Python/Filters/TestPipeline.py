@@ -9,8 +9,8 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 from exodus_dump import Dump
 from vfmtest import (
-    collect, digest, failure_of, fraction_image, ghost_cells, has_tetgen, main, mesh_of, producer, Result, save_data, VolumeFractionShapes,
-    VolumeFractionToHex, VolumeFractionToTet, simple)
+    collect, digest, failure_of, fraction_image, ghost_cells, has_tetgen, main, mesh_of, producer,
+    Result, save_data, VolumeFractionShapes, VolumeFractionToHex, VolumeFractionToTet, simple)
 
 
 N = 10
@@ -54,7 +54,8 @@ def test_one_run_for_all_ports_and_writers():
         for port in ("Surfaces", "Curves", "Vertices"):
             save_data(os.path.join(folder, port + ".vtp"), simple.OutputPort(hexes, port))
         hexes.UpdatePipeline()
-        again = simple.XMLPartitionedUnstructuredGridReader(FileName=[os.path.join(folder, "mesh.pvtu")])
+        again = simple.XMLPartitionedUnstructuredGridReader(
+            FileName=[os.path.join(folder, "mesh.pvtu")])
         again.UpdatePipeline()
         assert again.GetDataInformation().GetNumberOfCells() == hexes.GetDataInformation().GetNumberOfCells()
     assert len(runs) == 1, len(runs)
@@ -94,12 +95,15 @@ def test_exodus_round_trip():
         blocks = reader.GetOutput().GetBlock(0)
     assert blocks.GetNumberOfBlocks() == 3
     ids = []
-    for i, (material, name) in enumerate(((1, "ball"), (2, "plate"), (0, "Void"))):  # the void's number is the greatest
+    # the void's number is the greatest
+    for i, (material, name) in enumerate(((1, "ball"), (2, "plate"), (0, "Void"))):
         assert blocks.GetMetaData(i).Get(blocks.NAME()) == name
         block = blocks.GetBlock(i)
-        found = [block.GetCellData().GetArray("GlobalElementId").GetValue(c) for c in range(block.GetNumberOfCells())]
+        found = [block.GetCellData().GetArray("GlobalElementId").GetValue(c)
+                 for c in range(block.GetNumberOfCells())]
         assert len(found) == (result.cells("MaterialId") == material).sum()
-        assert set(found) == set(result.cells("GlobalCellIds")[result.cells("MaterialId") == material])
+        assert set(found) == set(
+            result.cells("GlobalCellIds")[result.cells("MaterialId") == material])
         ids += found
     assert len(ids) == result.mesh.GetNumberOfCells()
 
@@ -107,12 +111,14 @@ def test_exodus_round_trip():
 def test_exodus_series():
     """One file a time, each with its time."""
     source = simple.ProgrammableSource(
-        OutputDataSetType="vtkImageData", Script=GROWING, ScriptRequestInformation=GROWING_INFORMATION)
+        OutputDataSetType="vtkImageData", Script=GROWING,
+        ScriptRequestInformation=GROWING_INFORMATION)
     hexes = VolumeFractionToHex(Input=source, VolumeFractionArrays=["water"])
     with tempfile.TemporaryDirectory() as folder:
         simple.SaveData(os.path.join(folder, "mesh.exo"), proxy=hexes, Writetimestepsasfileseries=1)
         dumps = [Dump(os.path.join(folder, "mesh_%d.exo" % step)) for step in range(3)]
-        assert len(os.listdir(folder)) == 3 + os.path.exists(os.path.join(folder, "mesh.exo.series"))
+        assert len(os.listdir(folder)) == 3 + os.path.exists(
+            os.path.join(folder, "mesh.exo.series"))
     assert [dump.get("time_whole")[0] for dump in dumps] == [0, 1, 2]
     assert dumps[0].size("num_elem") < dumps[1].size("num_elem") < dumps[2].size("num_elem")
 
@@ -158,7 +164,8 @@ class Progress:
 
 
 def check_long_stage(proxy, text, least, threads):
-    """The stage tells its progress at least so often, in order; an abort in its midst ends it, without error or output."""
+    """The stage tells its progress at least so often, in order; an abort in its midst ends it,
+    without error or output."""
     proxy.NumberOfThreads = threads
     proxy.UpdateVTKObjects()
     algorithm = proxy.GetClientSideObject()
@@ -177,7 +184,8 @@ def check_long_stage(proxy, text, least, threads):
     output = algorithm.GetOutputDataObject(0)
     assert not errors and failure_of(output) is None
     assert output.GetNumberOfPoints() == 0 or output.GetCellData().GetNumberOfArrays() == 0
-    assert len([fraction for fraction, _ in progress.seen if middle < fraction < 1]) == 1, progress.seen
+    assert len([fraction for fraction, _ in progress.seen
+                if middle < fraction < 1]) == 1, progress.seen
     progress.stop_beyond = 2.0
     algorithm.Modified()
     algorithm.Update()
@@ -186,9 +194,11 @@ def check_long_stage(proxy, text, least, threads):
 
 def test_long_stages():
     for threads in (1, 2):
-        check_long_stage(VolumeFractionShapes(Preset="Sphere", Dimensions=[64, 64, 64]), "Computing fractions", 20, threads)
+        check_long_stage(VolumeFractionShapes(Preset="Sphere", Dimensions=[64, 64, 64]),
+                         "Computing fractions", 20, threads)
     if has_tetgen():
-        tets = VolumeFractionToTet(Input=producer(DATA), VolumeFractionArrays=["ball", "plate"], Method="TetGen")
+        tets = VolumeFractionToTet(Input=producer(DATA), VolumeFractionArrays=["ball", "plate"],
+                                   Method="TetGen")
         check_long_stage(tets, "Filling with TetGen", 20, 2)
 
 
@@ -211,12 +221,15 @@ def test_state_survives_a_second_run():
 
 
 def test_time_steps():
-    # Last test of the script: ParaView runs the source in this module and hides max, sorted and others.
+    # Last test of the script: ParaView runs the source in this module and hides max, sorted and
+    # others.
     source = simple.ProgrammableSource(
-        OutputDataSetType="vtkImageData", Script=GROWING, ScriptRequestInformation=GROWING_INFORMATION)
+        OutputDataSetType="vtkImageData", Script=GROWING,
+        ScriptRequestInformation=GROWING_INFORMATION)
     hexes = VolumeFractionToHex(Input=source, VolumeFractionArrays=["water"])
     hexes.UpdatePipelineInformation()
-    steps = hexes.GetClientSideObject().GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+    steps = hexes.GetClientSideObject().GetOutputInformation(0).Get(
+        vtkStreamingDemandDrivenPipeline.TIME_STEPS())
     assert list(steps) == [0, 1, 2]
     for time in (0, 2, 1):
         hexes.UpdatePipeline(time)

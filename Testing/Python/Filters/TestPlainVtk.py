@@ -9,7 +9,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
 sys.path.insert(0, os.environ["VFM_WRAPPERS"])
-from volumefractionmesh.vtkVolumeFractionMeshFilters import vtkVolumeFractionToHex, vtkVolumeFractionToTet
+from volumefractionmesh.vtkVolumeFractionMeshFilters import (
+    vtkVolumeFractionToHex, vtkVolumeFractionToTet)
 from volumefractionmesh.vtkVolumeFractionMeshIO import vtkVolumeFractionExodusWriter
 
 
@@ -36,7 +37,8 @@ def check_tets():
     tets.SetInputData(field())
     tets.Update()
     mesh, surfaces = tets.GetOutputDataObject(0), tets.GetOutputDataObject(1)
-    assert mesh.GetCellType(0) == 10 and mesh.GetNumberOfCells() > 100 and surfaces.GetNumberOfCells() >= 80
+    assert mesh.GetCellType(
+        0) == 10 and mesh.GetNumberOfCells() > 100 and surfaces.GetNumberOfCells() >= 80
 
 
 def check_exodus(mesh):
@@ -49,7 +51,8 @@ def check_exodus(mesh):
         reader = vtkExodusIIReader()
         reader.SetFileName(writer.GetFileName())
         reader.UpdateInformation()
-        assert reader.GetObjectName(reader.ELEM_BLOCK, 0) == "bar" and reader.GetTotalNumberOfElements() == mesh.GetNumberOfCells()
+        assert reader.GetObjectName(reader.ELEM_BLOCK,
+                                    0) == "bar" and reader.GetTotalNumberOfElements() == mesh.GetNumberOfCells()
         assert reader.GetObjectName(reader.SIDE_SET, 0) == "bar_to_Void"
         writer.SetFileName(os.path.join(folder, "missing", "mesh.exo"))
         messages = []
@@ -91,7 +94,8 @@ def main():
     assert set(vtk_to_numpy(mesh.GetCellData().GetArray("bar"))) == {1.0}
     check_tets()
     check_exodus(mesh)
-    print("%d hexahedra, %d quadrilaterals" % (mesh.GetNumberOfCells(), surfaces.GetNumberOfCells()))
+    print("%d hexahedra, %d quadrilaterals" % (mesh.GetNumberOfCells(),
+                                               surfaces.GetNumberOfCells()))
 
 
 main()

@@ -1,5 +1,5 @@
-"""Images with values at points mesh as the same values in cells; images with a direction matrix lie where the image lies; which arrays
-are offered, and chosen where nothing is."""
+"""Images with values at points mesh as the same values in cells; images with a direction matrix lie
+where the image lies; which arrays are offered, and chosen where nothing is."""
 import re
 
 import numpy as np
@@ -9,26 +9,31 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUniformGrid
 from exodus_dump import Dump, join
 from mesh_sets import find_sets
 from vfmtest import (
-    HIDDEN, ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, add_array, at_points, ball_and_plate, check_surfaces,
-    digest, elements, facets, hex_volumes, image, in_folder, labels, main, mesh_of, points_of, producer, rectilinear, run,
-    tet_volumes, simple)
+    HIDDEN, ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, add_array,
+    at_points, ball_and_plate, check_surfaces,
+    digest, elements, facets, hex_volumes, image, in_folder, labels, main, mesh_of, points_of,
+    producer, rectilinear, run, tet_volumes, simple)
 
 N = 12
 BALL, PLATE = ball_and_plate(N)
 RANDOM = np.random.default_rng(3)
 FIELDS = {"ball": BALL, "plate": PLATE}
-STATE = {"velocity": RANDOM.normal(size=(N, N, N, 3)).astype(np.float32), "number": RANDOM.integers(2 ** 60, size=(N, N, N))}
+STATE = {"velocity": RANDOM.normal(size=(N, N, N, 3)).astype(np.float32),
+         "number": RANDOM.integers(2 ** 60, size=(N, N, N))}
 METHODS = [{}] + [{"make": VolumeFractionToTet, "Method": method} for method in TET_METHODS]
 ROTATIONS = {  # the matrix, and whether it mirrors
-    "quarter": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "oblique": [[0.6, -0.8, 0], [0.48, 0.36, -0.8], [0.64, 0.48, 0.6]]}
-MIRRORS = {"along x": [[-1, 0, 0], [0, 1, 0], [0, 0, 1]], "swapped": [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
+    "quarter": [[0, -1, 0], [1, 0, 0], [0, 0, 1]],
+    "oblique": [[0.6, -0.8, 0], [0.48, 0.36, -0.8], [0.64, 0.48, 0.6]]}
+MIRRORS = {"along x": [[-1, 0, 0], [0, 1, 0], [0, 0, 1]],
+           "swapped": [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
            "oblique": [[0.6, 0.8, 0], [0.8, -0.6, 0], [0, 0, 1]]}
 CENTRE = np.array(ORIGIN) + 0.5 * np.array(SPACING)  # the first point, about which matrices turn
 
 
 def check_same(arrays, kind=image, **properties):
     """The mesh of the values at points is that of the values in cells."""
-    assert digest(mesh_of(at_points(image(arrays)), **properties)) == digest(mesh_of(image(arrays), **properties))
+    assert digest(mesh_of(at_points(image(arrays)),
+                          **properties)) == digest(mesh_of(image(arrays), **properties))
 
 
 def test_fractions():
@@ -40,17 +45,20 @@ def test_fractions():
 
 def test_labels_of_any_type():
     reference = digest(mesh_of(image({"id": labels(N)}), MaterialIdArray="id"))
-    for dtype in (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.int64, np.float32, np.float64):
+    for dtype in (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.int64, np.float32,
+                  np.float64):
         arrays = {"id": labels(N).astype(dtype)}
         for data in (image(arrays), at_points(image(arrays))):
             assert digest(mesh_of(data, MaterialIdArray="id")) == reference, dtype
-    check_same({"id": labels(N)}, MaterialIdArray="id", LabelSmoothing=2, make=VolumeFractionToTet, Method="Lattice")
+    check_same({"id": labels(N)}, MaterialIdArray="id", LabelSmoothing=2, make=VolumeFractionToTet,
+               Method="Lattice")
 
 
 def test_refinement():
     wish = np.zeros((N, N, N), np.int16)
     wish[2:4, 5:7, 5:7] = 1
-    check_same({**FIELDS, "wish": wish}, Refinement="Automatic", RefinementArray="wish", RefinementBoxes=[0, 1, 3, 1, 2, 4, 1])
+    check_same({**FIELDS, "wish": wish}, Refinement="Automatic", RefinementArray="wish",
+               RefinementBoxes=[0, 1, 3, 1, 2, 4, 1])
 
 
 def test_one_slice():
@@ -63,7 +71,8 @@ def split(arrays, shared):
     """Two blocks of points along x; shared: how many planes both have."""
     blocks = vtkMultiBlockDataSet()
     for i, (begin, end) in enumerate(((0, 5 + shared), (5, N))):
-        part = {name: np.ascontiguousarray(values[:, :, begin:end]) for name, values in arrays.items()}
+        part = {name: np.ascontiguousarray(values[:, :, begin:end])
+                for name, values in arrays.items()}
         data = at_points(image(part, kind=vtkUniformGrid))
         data.SetOrigin(data.GetOrigin()[0] + begin * SPACING[0], *data.GetOrigin()[1:])
         blocks.SetBlock(i, data)
@@ -87,17 +96,23 @@ def test_hidden_points():
 
 def test_forms_of_a_choice():
     both = at_points(image({"id": labels(N), **FIELDS}))
-    smaller = {"id": np.ones((N - 1,) * 3, np.int16), "ball": np.ones((N - 1,) * 3), "rest": np.zeros((N - 1,) * 3)}
+    smaller = {"id": np.ones((N - 1,) * 3, np.int16), "ball": np.ones((N - 1,) * 3),
+               "rest": np.zeros((N - 1,) * 3)}
     for name, values in smaller.items():
         add_array(both.GetCellData(), name, values)
     cells = lambda **chosen: mesh_of(both, StairStep=1, **chosen).mesh.GetNumberOfCells()
     of_cells, of_points = (N - 1) ** 3, np.count_nonzero(labels(N))
     assert cells(MaterialIdArray="id") == cells(MaterialIdArray=["CELLS", "id"]) == of_cells
     assert cells(MaterialIdArray=["POINTS", "id"]) == of_points
-    assert cells(VolumeFractionArrays=["ball", "rest"]) == cells(VolumeFractionArrays=["CELLS", "ball", "CELLS", "rest"]) == of_cells
+    assert cells(VolumeFractionArrays=["ball",
+                                       "rest"]) == cells(
+                                           VolumeFractionArrays=[
+                                               "CELLS", "ball", "CELLS", "rest"]) == of_cells
     expected = mesh_of(image(FIELDS), StairStep=1).mesh.GetNumberOfCells()
-    for words in (["ball", "plate"], ["POINTS", "ball", "plate"], ["POINTS", "ball", "POINTS", "plate"]):
-        assert cells(VolumeFractionArrays=words) == expected, words  # the first: plate is at points alone
+    for words in (["ball", "plate"], ["POINTS", "ball", "plate"],
+                  ["POINTS", "ball", "POINTS", "plate"]):
+        # the first: plate is at points alone
+        assert cells(VolumeFractionArrays=words) == expected, words
     hexes = VolumeFractionToHex(Input=producer(both), MaterialIdArray=["POINTS", "id"])
     assert list(hexes.MaterialIdArray) == ["POINTS", "id"]
     hexes.MaterialIdArray = "None"
@@ -118,7 +133,8 @@ def test_state_files_of_before(at):
     simple.SaveData(at("in.vti"), proxy=source, DataMode="Binary")
     simple.Delete(source)
     del source
-    VolumeFractionToHex(registrationName="mesh", Input=simple.OpenDataFile(at("in.vti")), MaterialIdArray="id")
+    VolumeFractionToHex(registrationName="mesh", Input=simple.OpenDataFile(at("in.vti")),
+                        MaterialIdArray="id")
     simple.SaveState(at("new.pvsm"))
     with open(at("new.pvsm")) as file:
         text = file.read()
@@ -132,7 +148,8 @@ def test_state_files_of_before(at):
         simple.LoadState(at(name))
         mesh = simple.FindSource("mesh")
         mesh.UpdatePipeline()
-        assert mesh.GetDataInformation().GetNumberOfCells() == mesh_of(data, MaterialIdArray="id").mesh.GetNumberOfCells()
+        assert mesh.GetDataInformation().GetNumberOfCells() == mesh_of(
+            data, MaterialIdArray="id").mesh.GetNumberOfCells()
 
 
 def turned(points, matrix):
@@ -145,34 +162,42 @@ def volumes_of(result):
 
 
 def outward_volume(result, material):
-    """What the facets around a material enclose, which is positive where their normals, reversed or not, point out of it."""
+    """What the facets around a material enclose, which is positive where their normals, reversed or
+    not, point out of it."""
     pairs = vtk_to_numpy(result.surfaces.GetCellData().GetArray("MaterialPair"))
     points = vtk_to_numpy(result.surfaces.GetPoints().GetData()) - CENTRE
     volume = 0.0
-    for sign, own in ((1, pairs[:, 1] == material), (-1, pairs[:, 0] == material)):  # normals point from the second to the first
+    # normals point from the second to the first
+    for sign, own in ((1, pairs[:, 1] == material), (-1, pairs[:, 0] == material)):
         corners = points[facets(result)[own]]
         for c in range(1, corners.shape[1] - 1):
-            volume += sign * np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, c], corners[:, c + 1])) / 6
+            volume += sign * np.einsum("ij,ij->", corners[:, 0],
+                                       np.cross(corners[:, c], corners[:, c + 1])) / 6
     return volume
 
 
 def check_turned(matrix, is_mirror, **method):
     arrays = {**FIELDS, **STATE}
     properties = {"StateArrays": ["velocity", "number"], **method}
-    plain, result = mesh_of(at_points(image(arrays)), **properties), mesh_of(at_points(image(arrays), matrix), **properties)
+    plain, result = mesh_of(at_points(image(arrays)),
+                            **properties), mesh_of(at_points(image(arrays), matrix), **properties)
     for output in ("mesh", "surfaces", "curves", "vertices"):
-        own, other = (vtk_to_numpy(getattr(r, output).GetPoints().GetData()) for r in (plain, result))
+        own, other = (vtk_to_numpy(getattr(r, output).GetPoints().GetData())
+                      for r in (plain, result))
         assert np.allclose(turned(own, matrix), other, rtol=0, atol=1e-12), output
         for of in ("GetPointData", "GetCellData"):
             attributes, others = (getattr(getattr(r, output), of)() for r in (plain, result))
             for i in range(attributes.GetNumberOfArrays()):
-                assert np.array_equal(vtk_to_numpy(attributes.GetArray(i)), vtk_to_numpy(others.GetArray(i))), attributes.GetArrayName(i)
+                assert np.array_equal(vtk_to_numpy(attributes.GetArray(i)),
+                                      vtk_to_numpy(others.GetArray(i))), attributes.GetArrayName(i)
     assert is_mirror != np.array_equal(elements(plain), elements(result))
     assert np.array_equal(np.sort(elements(plain)), np.sort(elements(result)))
-    assert volumes_of(result).min() > 0 and np.allclose(volumes_of(result), volumes_of(plain), rtol=1e-9)
+    assert volumes_of(result).min() > 0 and np.allclose(volumes_of(result), volumes_of(plain),
+                                                        rtol=1e-9)
     check_surfaces(result)
     for material, volume in zip(result.field("MaterialIds"), result.field("MeshVolume")):
-        assert np.isclose(outward_volume(result, material), volume, rtol=0.01), material  # quads are cut one way
+        # quads are cut one way
+        assert np.isclose(outward_volume(result, material), volume, rtol=0.01), material
     assert result.field("DomainBounds") == plain.field("DomainBounds")
     assert np.array_equal(result.field("DomainFrame"), [*np.ravel(matrix), *CENTRE])
     assert not plain.mesh.GetFieldData().HasArray("DomainFrame")
@@ -187,7 +212,8 @@ def test_turned_images():
     data, cells = image(FIELDS), at_points(image(FIELDS), MIRRORS["oblique"])
     data.SetDirectionMatrix(cells.GetDirectionMatrix())  # about the corner of the first cell
     corner = np.array(ORIGIN)
-    expected = (points_of(mesh_of(image(FIELDS))) - corner) @ np.array(MIRRORS["oblique"]).T + corner
+    expected = (points_of(mesh_of(image(FIELDS)))
+                - corner) @ np.array(MIRRORS["oblique"]).T + corner
     assert np.allclose(points_of(mesh_of(data)), expected, rtol=0, atol=1e-12)
 
 
@@ -210,10 +236,12 @@ def test_boxes_in_turned_images():
     box = np.array([[0.0, 1.0, 3.0], [1.0, 2.0, 4.0]])
     options = {"Refinement": "Automatic", "ThinCells": 0}
     plain = mesh_of(at_points(image(FIELDS)), RefinementBoxes=[*box[0], *box[1], 1], **options)
-    rounded = np.array(ROTATIONS["quarter"]) + 4e-8 * np.eye(3)  # as files in single precision have it
+    # as files in single precision have it
+    rounded = np.array(ROTATIONS["quarter"]) + 4e-8 * np.eye(3)
     for matrix in (ROTATIONS["quarter"], MIRRORS["swapped"], rounded):
         moved = turned(box, matrix)
-        result = mesh_of(at_points(image(FIELDS), matrix), RefinementBoxes=[*moved.min(axis=0), *moved.max(axis=0), 1], **options)
+        result = mesh_of(at_points(image(FIELDS), matrix),
+                         RefinementBoxes=[*moved.min(axis=0), *moved.max(axis=0), 1], **options)
         assert result.field("ChosenCells") == plain.field("ChosenCells") != [0]
         assert np.allclose(points_of(result), turned(points_of(plain), matrix), rtol=0, atol=1e-12)
 
@@ -224,7 +252,8 @@ def test_side_sets_of_turned_images(at):
     sides, nodes = find_sets(mesh_of(at_points(image(FIELDS))).mesh)
     assert any(name == "x_min" for _, name in sides)
     for i, matrix in enumerate((*ROTATIONS.values(), *MIRRORS.values())):
-        hexes = VolumeFractionToHex(Input=producer(at_points(image(FIELDS), matrix)), VolumeFractionArrays=["ball", "plate"])
+        hexes = VolumeFractionToHex(Input=producer(at_points(image(FIELDS), matrix)),
+                                    VolumeFractionArrays=["ball", "plate"])
         simple.SaveData(at("turned%d.exo" % i), proxy=hexes)
         found = join([Dump(at("turned%d.exo" % i))])
         assert found["sides"] == sides and found["node sets"] == nodes
@@ -236,13 +265,15 @@ def chosen_by_default(data, make=VolumeFractionToHex):
 
 
 def offered(data, name):
-    domain = VolumeFractionToHex(Input=producer(data)).GetProperty(name).FindDomain("vtkSMArrayListDomain")
-    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings()) if domain.GetString(i) != "None"]
+    domain = VolumeFractionToHex(Input=producer(data)).GetProperty(name).FindDomain(
+        "vtkSMArrayListDomain")
+    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings())
+            if domain.GetString(i) != "None"]
 
 
 def test_arrays_that_are_offered():
-    arrays = {"ball": BALL, "id": labels(N), "vtkOriginalCellIds": labels(N), "number": labels(N), "vtkGhostType": 0 * BALL.astype(np.uint8),
-              "velocity": STATE["velocity"]}
+    arrays = {"ball": BALL, "id": labels(N), "vtkOriginalCellIds": labels(N), "number": labels(N),
+              "vtkGhostType": 0 * BALL.astype(np.uint8), "velocity": STATE["velocity"]}
     for data in (image(arrays), at_points(image(arrays))):
         attributes = data.GetCellData() if data.GetCellData().GetNumberOfArrays() else data.GetPointData()
         attributes.SetPedigreeIds(attributes.GetArray("number"))
@@ -256,17 +287,24 @@ def test_arrays_that_are_offered():
 
 
 def test_a_single_array_is_chosen():
-    cases = [({"ball": BALL}, ["ball"], "None"), ({"id": labels(N)}, [], "id"), (FIELDS, [], "None"),
-             ({"ball": BALL, "density": 1000 * BALL}, ["ball"], "None"), ({"density": 1000 * BALL}, [], "None"),
-             ({"ball": BALL, "id": labels(N)}, [], "None"), ({"mask": 255 * labels(N).clip(0, 1).astype(np.uint8)}, [], "None"),
+    cases = [({"ball": BALL}, ["ball"], "None"), ({"id": labels(N)}, [], "id"),
+             (FIELDS, [], "None"),
+             ({"ball": BALL, "density": 1000 * BALL}, ["ball"], "None"),
+             ({"density": 1000 * BALL}, [], "None"),
+             ({"ball": BALL, "id": labels(N)}, [], "None"),
+             ({"mask": 255 * labels(N).clip(0, 1).astype(np.uint8)}, [], "None"),
              ({"ball": BALL, "vtkGhostType": np.zeros((N, N, N), np.uint8)}, ["ball"], "None")]
     for arrays, fractions, ids in cases:
         for data in (image(arrays), at_points(image(arrays))):
             for make in (VolumeFractionToHex, VolumeFractionToTet):
-                assert chosen_by_default(data, make) == (fractions, ids), (list(arrays), chosen_by_default(data, make))
-        result = run(image(arrays), VolumeFractionArrays=[])  # by the filter itself: nothing is ticked
+                assert chosen_by_default(data, make) == (fractions,
+                                                         ids), (list(arrays), chosen_by_default(
+                                                             data, make))
+        # by the filter itself: nothing is ticked
+        result = run(image(arrays), VolumeFractionArrays=[])
         if fractions or ids != "None":
-            chosen = {"MaterialIdArray": ids} if ids != "None" else {"VolumeFractionArrays": fractions}
+            chosen = {"MaterialIdArray": ids} if ids != "None" else {
+                "VolumeFractionArrays": fractions}
             assert not result.errors and digest(result) == digest(mesh_of(image(arrays), **chosen))
         else:
             assert len(result.errors) == 1 and "No array is chosen" in result.errors[0]
@@ -279,11 +317,13 @@ def test_what_is_chosen_counts():
     hexes.UpdatePipeline()
     expected = mesh_of(image({"ball": np.round(BALL)}), MaterialIdArray="ball")
     assert hexes.GetDataInformation().GetNumberOfCells() == expected.mesh.GetNumberOfCells()
-    assert hexes.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetAbstractArray("MaterialNames").GetValue(0) == "Material 1"
+    assert hexes.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetAbstractArray(
+        "MaterialNames").GetValue(0) == "Material 1"
     hexes = VolumeFractionToHex(Input=producer(image({"id": labels(N).clip(0, 1)})))
     hexes.VolumeFractionArrays = ["id"]
     hexes.UpdatePipeline()
-    assert hexes.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetAbstractArray("MaterialNames").GetValue(0) == "id"
+    assert hexes.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetAbstractArray(
+        "MaterialNames").GetValue(0) == "id"
 
 
 main(globals())

@@ -1,4 +1,5 @@
-"""Meshes of several levels: refined where the input is, or where criteria want it; coarser away from interfaces."""
+"""Meshes of several levels: refined where the input is, or where criteria want it; coarser away
+from interfaces."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -9,7 +10,8 @@ from compare_meshes import difference, merge, read_pieces
 from mesh_sets import find_sets
 from sculptor_program import check_same, mesh_file
 from vfmtest import (
-    VolumeFractionShapes, VolumeFractionToHex, add_array, check_hexes, collect, digest, elements, exodus_parts, facets, hex_volumes,
+    VolumeFractionShapes, VolumeFractionToHex, add_array, check_hexes, collect, digest, elements,
+    exodus_parts, facets, hex_volumes,
     image, in_folder, main, mesh_of, points_of, producer, rectilinear, run, save_data, simple)
 
 COARSEN = {"Refinement": "Coarsen"}
@@ -17,13 +19,15 @@ AUTOMATIC = {"Refinement": "Automatic", "MaximumLevel": 1}
 
 
 def fractions(text, n, names=("ball",)):
-    """{name: exact fractions (z, y, x)} of shapes in a box from -1 to 1 of n cells along each axis, or of n."""
+    """{name: exact fractions (z, y, x)} of shapes in a box from -1 to 1 of n cells along each axis,
+    or of n."""
     cells = [n] * 3 if isinstance(n, int) else n
     preset = {"Preset": text} if text[0].isupper() else {"Shapes": text}
     proxy = VolumeFractionShapes(Dimensions=cells, **preset)
     proxy.UpdatePipeline()
     arrays = proxy.GetClientSideObject().GetOutputDataObject(0).GetCellData()
-    return {name: vtk_to_numpy(arrays.GetArray("Material%d" % (m + 1))).reshape(cells[::-1]).copy() for m, name in enumerate(names)}
+    return {name: vtk_to_numpy(arrays.GetArray("Material%d" % (m + 1))).reshape(cells[::-1]).copy()
+            for m, name in enumerate(names)}
 
 
 def cubes(arrays, widths=1.0):
@@ -41,7 +45,8 @@ def surface_points(result):
 
 
 def interfaces(result):
-    """Facets between materials, or materials and void, by the ids of their points: corners' ids, coordinates, SurfaceId."""
+    """Facets between materials, or materials and void, by the ids of their points: corners' ids,
+    coordinates, SurfaceId."""
     data = result.surfaces.GetCellData()
     inner = vtk_to_numpy(data.GetArray("DomainSide")) < 0
     quads = facets(result)[inner]
@@ -55,7 +60,8 @@ def check_same_interfaces(one, other):
     for mine, its in zip(interfaces(one), interfaces(other)):
         assert mine.shape == its.shape and np.array_equal(mine, its)
     assert len(interfaces(one)[0]) > 0
-    for name in ("TargetVolume", "MeshVolume", "FragmentTargetVolume", "FlippedCells", "NumberOfFragments", "MaterialNames"):
+    for name in ("TargetVolume", "MeshVolume", "FragmentTargetVolume", "FlippedCells",
+                 "NumberOfFragments", "MaterialNames"):
         assert one.field(name) == other.field(name), name
 
 
@@ -70,10 +76,12 @@ def least(result):
 def check_levels(result, levels):
     """The counts of the levels add up."""
     counts = result.field("LevelCells")
-    assert len(counts) == levels + 1 and sum(counts) + result.field("TransitionCells")[0] == number_of_hexes(result), counts
+    assert len(counts) == levels + 1 and sum(counts) + result.field("TransitionCells")[
+        0] == number_of_hexes(result), counts
     for name in ("RefinedCells", "CellsAddedForBalance"):
         assert len(result.field(name)) == levels + 1 and min(result.field(name)) >= 0
-    assert all(a <= b for a, b in zip(result.field("CellsAddedForBalance"), result.field("RefinedCells")))
+    assert all(a <= b
+               for a, b in zip(result.field("CellsAddedForBalance"), result.field("RefinedCells")))
 
 
 def refined_mesh(data, levels, **properties):
@@ -90,15 +98,20 @@ def test_sphere_of_three_levels():
     n, radius = 64, 0.72
     amr = make_amr(3, 2, (4, 4, 4), fractions("sphere radius=%g" % radius, n), np.array([4.0] * 3))
     inputs = {"VolumeFractionArrays": ["ball"]}
-    whole, levels = mesh_of(vtk_amr(amr), Refinement="Uniform", **inputs), refined_mesh(vtk_amr(amr), 2, **inputs)
+    whole, levels = mesh_of(vtk_amr(amr), Refinement="Uniform",
+                            **inputs), refined_mesh(vtk_amr(amr), 2, **inputs)
 
     def errors(result):
-        distance = np.abs(np.linalg.norm(surface_points(result) - ORIGIN - n / 2, axis=1) - radius * n / 2)
+        distance = np.abs(np.linalg.norm(surface_points(result) - ORIGIN - n / 2,
+                                         axis=1) - radius * n / 2)
         volume = 4 / 3 * np.pi * (radius * n / 2) ** 3
-        return distance.max(), np.sqrt((distance ** 2).mean()), abs(result.field("MeshVolume")[0] - volume) / volume
+        return distance.max(), np.sqrt((distance ** 2).mean()), abs(
+            result.field("MeshVolume")[0] - volume) / volume
 
-    print("sphere, uniform: %d hexes, distance max %.4f rms %.5f cells, volume %.1e" % (number_of_hexes(whole), *errors(whole)))
-    print("sphere, 3 levels: %d hexes, distance max %.4f rms %.5f cells, volume %.1e, min SJ %.3f" % (
+    print("sphere, uniform: %d hexes, distance max %.4f rms %.5f cells, volume %.1e"
+          % (number_of_hexes(whole), *errors(whole)))
+    print("sphere, 3 levels: %d hexes, distance max %.4f rms %.5f cells, volume %.1e, min SJ %.3f"
+          % (
         number_of_hexes(levels), *errors(levels), least(levels)))
     assert number_of_hexes(levels) < number_of_hexes(whole)
     assert (np.array(errors(levels)) <= 1.2 * np.array(errors(whole)) + 1e-9).all()
@@ -112,8 +125,10 @@ def test_levels_of_the_input():
     inputs = {"VolumeFractionArrays": ["ball", "rest"]}
     finest = mesh_of(data(), Refinement="Uniform", **inputs)
     check_same_interfaces(refined_mesh(data(), 2, **inputs), finest)
-    check_same_interfaces(refined_mesh(data(), 1, MaximumLevel=1, **inputs), mesh_of(data(), Refinement="Uniform", MaximumLevel=1, **inputs))
-    assert digest(mesh_of(data(), MaximumLevel=0, **inputs)) == digest(mesh_of(data(), Refinement="Off", **inputs))
+    check_same_interfaces(refined_mesh(data(), 1, MaximumLevel=1, **inputs),
+                          mesh_of(data(), Refinement="Uniform", MaximumLevel=1, **inputs))
+    assert digest(mesh_of(data(), MaximumLevel=0,
+                          **inputs)) == digest(mesh_of(data(), Refinement="Off", **inputs))
     # Coarsening takes no heed of where the input is refined, and goes on below its level 0.
     check_same_interfaces(refined_mesh(data(), 3, MaximumLevel=3, **COARSEN, **inputs), finest)
 
@@ -123,7 +138,8 @@ def test_image_has_one_level():
     for properties in ({}, {"MaximumLevel": 3}, {"FineLayers": 5}):
         result = mesh_of(data, VolumeFractionArrays=["ball"], **properties)
         assert not result.mesh.GetFieldData().HasArray("LevelCells")
-        assert digest(result) == digest(mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Off"))
+        assert digest(result) == digest(mesh_of(data, VolumeFractionArrays=["ball"],
+                                                Refinement="Off"))
 
 
 # ---- coarsening
@@ -140,7 +156,8 @@ def test_coarsening_keeps_interfaces():
     data = two_materials(32, THICK)
     for void in (0, 1):
         off = mesh_of(data, MeshVoid=void)
-        results = [refined_mesh(data, levels, **COARSEN, MaximumLevel=maximum, MeshVoid=void) for maximum, levels in
+        results = [refined_mesh(data, levels, **COARSEN, MaximumLevel=maximum, MeshVoid=void)
+                   for maximum, levels in
                    ((1, 1), (2, 2), (3, 3))]
         results.append(refined_mesh(data, 3, **COARSEN, FineLayers=5, MeshVoid=void))
         for result in results:
@@ -155,7 +172,8 @@ def test_coarsening_keeps_interfaces():
 def test_coarsening_a_sphere():
     """Far fewer hexes of a larger grid."""
     data = cubes(fractions("sphere radius=0.72", 48))
-    off, coarse = (mesh_of(data, VolumeFractionArrays=["ball"], MeshVoid=1, Refinement=mode) for mode in ("Off", "Coarsen"))
+    off, coarse = (mesh_of(data, VolumeFractionArrays=["ball"], MeshVoid=1, Refinement=mode)
+                   for mode in ("Off", "Coarsen"))
     check_hexes(coarse)
     check_same_interfaces(coarse, off)
     ratio = number_of_hexes(off) / number_of_hexes(coarse)
@@ -172,9 +190,11 @@ def test_fine_layers():
     data = cubes({"low": inside})
     counts = []
     for layers in (2, 3, 5):
-        result = refined_mesh(data, 2, VolumeFractionArrays=["low"], MeshVoid=1, MaximumLevel=2, FineLayers=layers, **COARSEN)
+        result = refined_mesh(data, 2, VolumeFractionArrays=["low"], MeshVoid=1, MaximumLevel=2,
+                              FineLayers=layers, **COARSEN)
         z = points_of(result)[elements(result)][:, :, 2]
-        large = np.abs(z - n / 2).min(axis=1)[hex_volumes(points_of(result), elements(result)) > 1.1]
+        large = np.abs(z - n / 2).min(axis=1)[hex_volumes(points_of(result),
+                                                          elements(result)) > 1.1]
         assert large.min() >= layers - 1e-9, (layers, large.min())
         counts.append(number_of_hexes(result))
     assert counts[0] <= counts[1] < counts[2], counts
@@ -184,9 +204,11 @@ def test_sizes_that_do_not_divide():
     data = lambda n: cubes(fractions("sphere radius=0.6", n))
     off = mesh_of(data([24, 20, 24]), VolumeFractionArrays=["ball"])
     for maximum, levels, warned in ((2, 2, False), (3, 2, True), (-1, 2, False)):
-        result = refined_mesh(data([24, 20, 24]), levels, VolumeFractionArrays=["ball"], MaximumLevel=maximum, **COARSEN)
+        result = refined_mesh(data([24, 20, 24]), levels, VolumeFractionArrays=["ball"],
+                              MaximumLevel=maximum, **COARSEN)
         check_same_interfaces(result, off)
-        assert len(result.warnings) == warned and all("20 cells along y" in text for text in result.warnings), result.warnings
+        assert len(result.warnings) == warned and all("20 cells along y" in text
+                                                      for text in result.warnings), result.warnings
     odd = mesh_of(data([24, 24, 23]), VolumeFractionArrays=["ball"], MaximumLevel=1, **COARSEN)
     assert len(odd.warnings) == 1 and "23 cells along z" in odd.warnings[0], odd.warnings
     assert digest(odd) == digest(mesh_of(data([24, 24, 23]), VolumeFractionArrays=["ball"]))
@@ -198,24 +220,30 @@ def test_rectilinear_grid():
     halves = np.sort(np.concatenate([wide, (wide[1:] + wide[:-1]) / 2]))
     arrays = fractions("sphere radius=0.6", 24)
     uneven = lambda x: rectilinear(arrays, [np.arange(25.0), x, np.arange(25.0)])
-    result = refined_mesh(uneven(halves), 1, VolumeFractionArrays=["ball"], MaximumLevel=1, MeshVoid=1, **COARSEN)
+    result = refined_mesh(uneven(halves), 1, VolumeFractionArrays=["ball"], MaximumLevel=1,
+                          MeshVoid=1, **COARSEN)
     off = mesh_of(uneven(halves), VolumeFractionArrays=["ball"], MeshVoid=1)
     check_same_interfaces(result, off)
-    print("uneven cells: %d hexes, coarsened %d, min SJ %.3f" % (number_of_hexes(off), number_of_hexes(result), least(result)))
+    print("uneven cells: %d hexes, coarsened %d, min SJ %.3f"
+          % (number_of_hexes(off), number_of_hexes(result), least(result)))
     assert not result.warnings and number_of_hexes(result) < number_of_hexes(off)
     for maximum in (1, 2):
         other = uneven(1.02 ** np.arange(25) if maximum == 1 else halves)
         result = mesh_of(other, VolumeFractionArrays=["ball"], MaximumLevel=maximum, **COARSEN)
-        assert len(result.warnings) == 1 and "24 cells along y" in result.warnings[0] and "widths that vary" in result.warnings[0]
+        assert len(result.warnings) == 1 and "24 cells along y" in result.warnings[
+            0] and "widths that vary" in result.warnings[0]
 
 
 # ---- criteria
 
 def plate_case(normal, n=16):
-    """A plate one cell thick across a box of n cells: image, and the distance of points to its two planes in cells."""
+    """A plate one cell thick across a box of n cells: image, and the distance of points to its two
+    planes in cells."""
     normal = np.array(normal) / np.linalg.norm(normal)
     point = 0.03  # of the box: no symmetry
-    text = ";".join("halfspace point=%r,%r,%r normal=%r,%r,%r material=%d" % (*(normal * (point - s / n)).tolist(), *normal.tolist(), m) for s, m in ((1, 2), (-1, 1)))
+    text = ";".join("halfspace point=%r,%r,%r normal=%r,%r,%r material=%d"
+                    % (*(normal * (point - s / n)).tolist(), *normal.tolist(), m)
+                    for s, m in ((1, 2), (-1, 1)))
     arrays = fractions(text, n, ("plate", "below"))
     middle = n / 2 * (1 + normal * point)
 
@@ -234,10 +262,11 @@ def check_plate(normal):
     materials, fragments = with_void.cells("MaterialId"), with_void.cells("FragmentId")
     pieces = [len(np.unique(fragments[materials == m])) for m in (0, 1)]
     distance = distances(surface_points(result))
-    off, uniform = mesh_of(data, Refinement="Off", **inputs), mesh_of(data, Refinement="Uniform", **inputs)
+    off, uniform = mesh_of(data, Refinement="Off",
+                           **inputs), mesh_of(data, Refinement="Uniform", **inputs)
     print("plate %s: %d hexes (%d at one level, %d all fine; with void %d), min SJ %.3f, distance max %.3f rms %.4f h" % (
-        normal, number_of_hexes(result), number_of_hexes(off), number_of_hexes(uniform), number_of_hexes(with_void),
-        least(result), distance.max(), np.sqrt((distance ** 2).mean())))
+        normal, number_of_hexes(result), number_of_hexes(off), number_of_hexes(uniform),
+        number_of_hexes(with_void), least(result), distance.max(), np.sqrt((distance ** 2).mean())))
     assert result.field("NumberOfFragments") == [1] and pieces == [2, 1], pieces
     assert least(result) >= 0.4 and least(with_void) >= 0.4
     assert distance.max() <= 0.3
@@ -257,22 +286,31 @@ def test_thick_ball_asks_for_nothing():
     data = cubes(fractions("sphere radius=0.6", 20))
     off = digest(mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Off"))
     for maximum in (-1, 0, 1, 2):
-        result = mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Automatic", MaximumLevel=maximum)
+        result = mesh_of(data, VolumeFractionArrays=["ball"], Refinement="Automatic",
+                         MaximumLevel=maximum)
         assert digest(result) == off and not result.mesh.GetFieldData().HasArray("LevelCells")
     assert digest(mesh_of(data, VolumeFractionArrays=["ball"], ThinCells=0, **AUTOMATIC)) == off
 
 
 def test_every_criterion():
-    small, large = cubes(fractions("sphere radius=0.4", 16)), cubes(fractions("sphere radius=0.75", 16))
+    small, large = cubes(fractions("sphere radius=0.4",
+                                   16)), cubes(fractions("sphere radius=0.75", 16))
     inputs = {"VolumeFractionArrays": ["ball"]}
-    curved = refined_mesh(small, 1, CurvaturePerCell=0.2, **AUTOMATIC, **inputs)  # its radius is 3.2 cells
+    # its radius is 3.2 cells
+    curved = refined_mesh(small, 1, CurvaturePerCell=0.2, **AUTOMATIC, **inputs)
     check_same_interfaces(curved, mesh_of(small, Refinement="Uniform", **inputs))
-    assert digest(mesh_of(large, CurvaturePerCell=0.3, **AUTOMATIC, **inputs)) == digest(mesh_of(large, **inputs))  # 6 cells
-    two = refined_mesh(large, 2, Refinement="Automatic", MaximumLevel=2, InterfaceLayers=1, StairStep=1, **inputs)
-    check_same_interfaces(two, mesh_of(large, Refinement="Uniform", MaximumLevel=2, StairStep=1, **inputs))
+    # 6 cells
+    assert digest(mesh_of(large, CurvaturePerCell=0.3, **AUTOMATIC,
+                          **inputs)) == digest(mesh_of(large, **inputs))
+    two = refined_mesh(large, 2, Refinement="Automatic", MaximumLevel=2, InterfaceLayers=1,
+                       StairStep=1, **inputs)
+    check_same_interfaces(two,
+                          mesh_of(large, Refinement="Uniform", MaximumLevel=2, StairStep=1,
+                                  **inputs))
     flat = np.zeros((20, 20, 20))
     flat[:10] = 1
-    counts = [number_of_hexes(refined_mesh(cubes({"ball": flat}), 1, InterfaceLayers=layers, **AUTOMATIC, **inputs)) for layers in (1, 3, 5)]
+    counts = [number_of_hexes(refined_mesh(cubes({"ball": flat}), 1, InterfaceLayers=layers,
+                                           **AUTOMATIC, **inputs)) for layers in (1, 3, 5)]
     print("block of 10 layers: %s hexes with 1, 3, 5 halved" % counts)
     assert 4000 < counts[0] < counts[1] < counts[2] < 8 * 4000, counts
     noise = cubes({"id": np.random.default_rng(3).choice([0, 2, 3], (8, 8, 8)).astype(np.int32)})
@@ -287,56 +325,70 @@ def test_criteria_on_levels_of_the_input():
     film = fractions("plate thickness=0.07 normal=1,2,3", 32, ("film",))
     amr = make_amr(2, 2, (4, 4, 4), film, np.array([2.0] * 3))
     inputs = {"VolumeFractionArrays": ["film"]}
-    plain, finer = (refined_mesh(vtk_amr(amr), levels, Refinement=mode, MaximumLevel=levels, **inputs) for mode, levels in
+    plain, finer = (refined_mesh(vtk_amr(amr), levels, Refinement=mode, MaximumLevel=levels,
+                                 **inputs) for mode, levels in
                     (("Input Levels", 1), ("Automatic", 2)))
-    print("film on two levels: %d hexes, %d with one more" % (number_of_hexes(plain), number_of_hexes(finer)))
-    assert finer.field("NumberOfFragments") == [1] and number_of_hexes(finer) > 2 * number_of_hexes(plain)
+    print("film on two levels: %d hexes, %d with one more"
+          % (number_of_hexes(plain), number_of_hexes(finer)))
+    assert finer.field("NumberOfFragments") == [1] and number_of_hexes(finer) > 2 * number_of_hexes(
+        plain)
 
 
 # ---- other properties, files
 
 def test_other_properties():
     data = two_materials(16)
-    for properties in ({"StairStep": 1}, {"Smoothing": "Off"}, {"Smoothing": "Geometry Based"}, {"ConserveVolume": 0, "IsoValue": 0.3},
+    for properties in ({"StairStep": 1}, {"Smoothing": "Off"}, {"Smoothing": "Geometry Based"},
+                       {"ConserveVolume": 0, "IsoValue": 0.3},
                        {"ComputeQuality": 0, "TargetScaledJacobian": 0.3, "MinimumRegionCells": 5}):
         result = refined_mesh(data, 3, MeshVoid=1, **BALL_AND_PLATE, **COARSEN, **properties)
         check_same_interfaces(result, mesh_of(data, MeshVoid=1, **BALL_AND_PLATE, **properties))
     stairs = {"InterfaceLayers": 1, "StairStep": 1, **BALL_AND_PLATE}
-    check_same_interfaces(refined_mesh(data, 1, **AUTOMATIC, **stairs), mesh_of(data, Refinement="Uniform", **stairs))
+    check_same_interfaces(refined_mesh(data, 1, **AUTOMATIC, **stairs),
+                          mesh_of(data, Refinement="Uniform", **stairs))
 
 
 def test_labels():
     arrays = fractions("Ball and Plate", 24, ("ball", "plate"))
-    ids = np.where(arrays["ball"] + arrays["plate"] < 0.5, 0, np.where(arrays["ball"] >= arrays["plate"], 7, 3)).astype(np.int32)
+    ids = np.where(arrays["ball"] + arrays["plate"] < 0.5, 0,
+                   np.where(arrays["ball"] >= arrays["plate"], 7, 3)).astype(np.int32)
     for properties in ({}, {"LabelSmoothing": 3}):
         result = refined_mesh(cubes({"id": ids}), 3, MaterialIdArray="id", **COARSEN, **properties)
-        check_same_interfaces(result, mesh_of(cubes({"id": ids}), MaterialIdArray="id", **properties))
+        check_same_interfaces(result,
+                              mesh_of(cubes({"id": ids}), MaterialIdArray="id", **properties))
         assert result.field("MaterialIds") == [3, 7]
     noise = np.random.default_rng(5).choice([0, 2, 3, 5], (12, 12, 12)).astype(np.int32)
     noise[:, :, 8:] = 2
-    result = refined_mesh(cubes({"id": np.pad(noise, ((0, 0), (0, 0), (0, 20)), mode="edge")}), 2, MaterialIdArray="id", **COARSEN)
+    result = refined_mesh(cubes({"id": np.pad(noise, ((0, 0), (0, 0), (0, 20)), mode="edge")}), 2,
+                          MaterialIdArray="id", **COARSEN)
     assert least(result) >= 0.35, least(result)
 
 
 def test_threads():
     data = two_materials(16)
-    assert len({digest(mesh_of(data, NumberOfThreads=threads, MeshVoid=1, **COARSEN)) for threads in (1, 2, 5)}) == 1
+    assert len({digest(mesh_of(data, NumberOfThreads=threads, MeshVoid=1, **COARSEN))
+                for threads in (1, 2, 5)}) == 1
 
 
 def test_state_arrays():
-    """Large hexes have the values of the cell around their middle, hexes near interfaces those that they have at one level."""
+    """Large hexes have the values of the cell around their middle, hexes near interfaces those that
+    they have at one level."""
     n = 24
     arrays = fractions("Ball and Plate", n, ("ball", "plate"))
     number = np.arange(n ** 3, dtype=np.int64).reshape(n, n, n)
-    data = cubes({**arrays, "number": number, "vector": np.stack([number, -number, 2 * number], axis=3).astype(float)})
-    result, off = (mesh_of(data, StateArrays=["number", "vector"], MeshVoid=1, Refinement=mode) for mode in ("Coarsen", "Off"))
+    data = cubes({**arrays, "number": number,
+                  "vector": np.stack([number, -number, 2 * number], axis=3).astype(float)})
+    result, off = (mesh_of(data, StateArrays=["number", "vector"], MeshVoid=1, Refinement=mode)
+                   for mode in ("Coarsen", "Off"))
     at = dict(zip(off.cells("GlobalCellIds").tolist(), off.cells("number").tolist()))
     near = np.isin(result.cells("GlobalCellIds"), off.cells("GlobalCellIds"))
     ids = result.cells("GlobalCellIds")[near].tolist()
     assert near.sum() == result.field("LevelCells")[-1] and not near.all()
     i, j, k = np.floor(points_of(result)[elements(result)].mean(axis=1) + 1e-9).astype(int).T
-    differs = result.cells("number")[near] != [at[i] for i in ids]  # carried into another cell beside a transition
-    assert differs.sum() < 0.01 * len(differs) and np.array_equal(result.cells("number")[near][differs], number[k, j, i][near][differs])
+    # carried into another cell beside a transition
+    differs = result.cells("number")[near] != [at[i] for i in ids]
+    assert differs.sum() < 0.01 * len(differs) and np.array_equal(
+        result.cells("number")[near][differs], number[k, j, i][near][differs])
     assert np.array_equal(result.cells("number")[~near], number[k, j, i][~near])
     assert np.array_equal(result.cells("vector")[:, 1], -result.cells("number"))
 
@@ -353,11 +405,13 @@ def test_files(at):
     cells = {}
     for name, part in exodus_parts(at("mesh.exo")):
         cells[name] = cells.get(name, 0) + part.GetNumberOfCells()
-    assert cells == {name: (result.cells("MaterialId") == m).sum() for m, name in ((1, "ball"), (2, "plate"))}, cells
+    assert cells == {name: (result.cells("MaterialId") == m).sum()
+                     for m, name in ((1, "ball"), (2, "plate"))}, cells
     sides, nodes = find_sets(result.mesh)
     read = exodus_dump.join([exodus_dump.Dump(at("mesh.exo"))])
     assert read["sides"] == sides and read["node sets"] == nodes
-    assert {"ball_to_plate", "plate_to_ball", "plate_to_Void", "x_min", "z_min"} <= {name for _, name in sides}
+    assert {"ball_to_plate", "plate_to_ball", "plate_to_Void", "x_min",
+            "z_min"} <= {name for _, name in sides}
     simple.SaveData(at("mesh.inp"), proxy=hexes)
     with open(at("mesh.inp")) as file:
         assert file.read().count("\n") > number_of_hexes(result)
@@ -368,8 +422,10 @@ def test_sculptor(at):
     """The program's options are the filter's properties."""
     data = two_materials(16)
     simple.SaveData(at("data.vti"), proxy=producer(data), DataMode="Binary")
-    for words, properties in ((["Refinement=Coarsen"], COARSEN), (["Refinement=Coarsen", "MaximumLevel=2", "FineLayers=3"], {
-            **COARSEN, "MaximumLevel": 2, "FineLayers": 3}), (["Refinement=Automatic", "InterfaceLayers=1"], {
+    for words, properties in ((["Refinement=Coarsen"], COARSEN),
+                              (["Refinement=Coarsen", "MaximumLevel=2", "FineLayers=3"], {
+            **COARSEN, "MaximumLevel": 2, "FineLayers": 3}),
+            (["Refinement=Automatic", "InterfaceLayers=1"], {
             **AUTOMATIC, "InterfaceLayers": 1})):
         options = [word for pair in words for word in ("--set", pair)]
         result = mesh_of(data, **properties)
@@ -379,7 +435,8 @@ def test_sculptor(at):
 
 def test_malformed_values():
     data = two_materials(8)
-    for name, value in (("Refinement", "Coarse"), ("ChildFractions", "Plane"), ("MaximumLevel", "many"), ("FineLayers", None)):
+    for name, value in (("Refinement", "Coarse"), ("ChildFractions", "Plane"),
+                        ("MaximumLevel", "many"), ("FineLayers", None)):
         try:
             run(data, **{name: value})
         except (ValueError, TypeError):

@@ -5,10 +5,12 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkMassProperties, vtkReverseSense, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import (
+    vtkAppendPolyData, vtkMassProperties, vtkReverseSense, vtkTriangleFilter)
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkSphereSource
 
-from vfmtest import collect, failure_of, main, producer, VolumeFractionOfSurface, VolumeFractionShapes
+from vfmtest import (
+    collect, failure_of, main, producer, VolumeFractionOfSurface, VolumeFractionShapes)
 
 
 class Fractions:
@@ -97,9 +99,11 @@ def test_default_is_a_ball_and_a_plate():
 def test_every_preset_of_the_menu_is_the_one_named():
     ball = lambda radius: 4 / 3 * math.pi * radius ** 3
     volumes = {  # in the default bounds
-        "Sphere": [ball(0.75)], "Two Spheres": [2 * ball(0.4)], "Ellipsoid": [ball(1) * 0.8 * 0.5 * 0.35],
+        "Sphere": [ball(0.75)], "Two Spheres": [2 * ball(0.4)],
+        "Ellipsoid": [ball(1) * 0.8 * 0.5 * 0.35],
         "Ball and Plate": [ball(0.5), 1.6 * 1.6 * 0.4], "Three Sectors": [ball(0.75) / 3] * 3,
-        "Torus": [2 * math.pi ** 2 * 0.55 * 0.25 ** 2], "Half Sphere": [ball(0.75) / 2], "Gyroid": [4]}
+        "Torus": [2 * math.pi ** 2 * 0.55 * 0.25 ** 2], "Half Sphere": [ball(0.75) / 2],
+        "Gyroid": [4]}
     counts = {"Cylinder": 1, "Oblique Plate": 1, "Polycrystal": 20, "Eight Shapes": 8}
     names = list(VolumeFractionShapes().GetProperty("Preset").Available)
     assert set(names) == {"None"} | set(volumes) | set(counts), names
@@ -117,7 +121,8 @@ def test_every_preset_of_the_menu_is_the_one_named():
 
 def test_text_replaces_the_preset():
     text = "sphere radius=0.5  # first\nbox material=3 size=1,1,1 rotation=0,0,30"
-    result = of(VolumeFractionShapes(Shapes=text, Bounds=[-1, 1, -2, 2, -1, 2], Dimensions=[20, 30, 40]))
+    result = of(VolumeFractionShapes(Shapes=text, Bounds=[-1, 1, -2, 2, -1, 2],
+                                     Dimensions=[20, 30, 40]))
     assert result.names() == ["Material1", "Material2", "Material3"]
     assert result.image.GetDimensions() == (21, 31, 41)
     assert result.image.GetBounds() == (-1, 1, -2, 2, -1, 2)
@@ -129,7 +134,8 @@ def test_text_replaces_the_preset():
 def test_any_extent_gives_the_same_fractions():
     proxy = VolumeFractionShapes(Preset="Three Sectors", Dimensions=[24, 20, 22])
     whole = of(proxy)
-    algorithm = VolumeFractionShapes(Preset="Three Sectors", Dimensions=[24, 20, 22]).GetClientSideObject()
+    algorithm = VolumeFractionShapes(Preset="Three Sectors",
+                                     Dimensions=[24, 20, 22]).GetClientSideObject()
     algorithm.UpdateInformation()
     for extent in ([0, 24, 0, 20, 0, 22], [3, 17, 5, 20, 0, 9], [8, 9, 8, 9, 8, 9]):
         algorithm.Modified()  # or the larger one before would do
@@ -154,7 +160,8 @@ def test_threads_do_not_matter():
 def test_surface_volume_is_exact():
     for data in (sphere(), cube(), reversed_sense(sphere()), appended(sphere(), sphere(0.3, 2.0))):
         result = of(of_surface(data, Dimensions=[25] * 3))
-        assert abs(result.volume() / volume_inside(data) - 1) < 1e-12, (result.volume(), volume_inside(data))
+        assert abs(result.volume() / volume_inside(data)
+                   - 1) < 1e-12, (result.volume(), volume_inside(data))
         low, high = result.image.GetBounds()[::2], result.image.GetBounds()[1::2]
         width = result.image.GetSpacing()[0]
         assert result.image.GetSpacing() == (width, width, width)
@@ -172,14 +179,17 @@ def test_surface_on_cell_faces_is_exact():
 
 def test_cavity_is_void():
     result = of(of_surface(appended(sphere(0.5), reversed_sense(sphere(0.3)))))
-    assert abs(result.volume() / (volume_inside(sphere(0.5)) - volume_inside(sphere(0.3))) - 1) < 1e-12
+    assert abs(result.volume() / (volume_inside(sphere(0.5)) - volume_inside(sphere(0.3)))
+               - 1) < 1e-12
 
 
 def test_surfaces_follow_each_other_and_the_text():
     ball = volume_inside(sphere())
-    result = of(of_surface(sphere(), cube(2), FitToInput=0, Bounds=[-1.5, 1.5] * 3, Dimensions=[20] * 3))
+    result = of(of_surface(sphere(), cube(2), FitToInput=0, Bounds=[-1.5, 1.5] * 3,
+                           Dimensions=[20] * 3))
     assert abs(result.volume(1) - ball) < 1e-12 and abs(result.volume(2) - (8 - ball)) < 1e-4
-    result = of(of_surface(sphere(), Shapes="halfspace point=0,0,0 normal=1,0,0", Dimensions=[20] * 3))
+    result = of(of_surface(sphere(), Shapes="halfspace point=0,0,0 normal=1,0,0",
+                           Dimensions=[20] * 3))
     assert abs(result.volume(2) / (0.5 * ball) - 1) < 1e-4
     result = of(of_surface(sphere(), sphere(0.4, 2), SurfaceMaterial=3))
     assert result.names() == ["Material1", "Material2", "Material3"]
@@ -191,7 +201,8 @@ def expect_error(proxy, *words):
     assert len(result.errors) == 1, result.errors
     for word in words:
         assert word in result.errors[0], result.errors
-    assert result.image.GetCellData().GetNumberOfArrays() == 0 and failure_of(result.image) in result.errors[0]
+    assert result.image.GetCellData().GetNumberOfArrays() == 0 and failure_of(
+        result.image) in result.errors[0]
     assert result.names() == []
 
 

@@ -1,4 +1,5 @@
-"""State arrays: every element has the values of the cell that the rule names, and arrays stay what they are."""
+"""State arrays: every element has the values of the cell that the rule names, and arrays stay what
+they are."""
 import random
 
 import numpy as np
@@ -8,7 +9,8 @@ from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 from state_rule import graded_coordinates, of_labels, specks, state_cells, with_void
 from vfmtest import (
-    GHOST, HIDDEN, ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, check_error, digest, elements, fraction_image, image, labels,
+    GHOST, HIDDEN, ORIGIN, SPACING, TET_METHODS, add_array, ball_and_plate, check_error, digest,
+    elements, fraction_image, image, labels,
     main, mesh_of, producer, rectilinear, uniform, VolumeFractionToHex, VolumeFractionToTet)
 
 N = 12
@@ -49,7 +51,8 @@ def test_rule_with_labels():
     for ids in (labels(N), NOISE):
         coordinates = [x[:len(ids) + 1] for x in COORDINATES]
         for kind in KINDS:
-            moved = check_rule(with_numbers({"id": ids}), coordinates, of_labels(ids), MaterialIdArray="id", **kind)
+            moved = check_rule(with_numbers({"id": ids}), coordinates, of_labels(ids),
+                               MaterialIdArray="id", **kind)
             assert moved > 0, kind
 
 
@@ -57,13 +60,15 @@ def test_rule_on_graded_grids():
     speck, coordinates = specks(N), graded_coordinates(N)
     data = rectilinear({"speck": speck, "number": NUMBERS}, coordinates)
     for kind in KINDS:
-        moved = check_rule(data, coordinates, with_void({1: speck}), VolumeFractionArrays=["speck"], **kind)
+        moved = check_rule(data, coordinates, with_void({1: speck}), VolumeFractionArrays=["speck"],
+                           **kind)
         assert moved > 0, kind
 
 
 def test_stair_steps_keep_their_cells():
     ids = labels(N)
-    result = mesh_of(with_numbers({"id": ids}), MaterialIdArray="id", StateArrays=["number"], StairStep=1)
+    result = mesh_of(with_numbers({"id": ids}), MaterialIdArray="id", StateArrays=["number"],
+                     StairStep=1)
     assert (np.sort(result.cells("number")) == NUMBERS[ids > 0]).all()
 
 
@@ -71,8 +76,10 @@ def test_halves_of_cells_keep_the_values_of_the_whole():
     ids = labels(N)
     for refinement in (1, 2):
         result = mesh_of(
-            with_numbers({"id": ids}), MaterialIdArray="id", StateArrays=["number"], StairStep=1, **uniform(refinement))
-        assert (np.sort(result.cells("number")) == np.repeat(NUMBERS[ids > 0], 8 ** refinement)).all()
+            with_numbers({"id": ids}), MaterialIdArray="id", StateArrays=["number"], StairStep=1,
+            **uniform(refinement))
+        assert (np.sort(result.cells("number")) == np.repeat(
+            NUMBERS[ids > 0], 8 ** refinement)).all()
         centres = vtk_to_numpy(result.mesh.GetPoints().GetData())[elements(result)].mean(axis=1)
         i, j, k = ((centres - ORIGIN) / SPACING).astype(int).T
         assert (result.cells("number") == NUMBERS[k, j, i]).all()
@@ -82,7 +89,8 @@ def values_of(dtype, components):
     """Values that doubles and floats would not hold where the type holds them."""
     if np.issubdtype(dtype, np.integer):
         limits = np.iinfo(dtype)
-        values = np.random.default_rng(1).integers(limits.min, limits.max, (N, N, N, components), dtype, endpoint=True)
+        values = np.random.default_rng(1).integers(limits.min, limits.max, (N, N, N, components),
+                                                   dtype, endpoint=True)
     else:
         values = np.random.default_rng(1).normal(size=(N, N, N, components)).astype(dtype)
         values[0, 0, 0, 0], values[5, 5, 5, 0] = np.nan, np.inf
@@ -96,12 +104,14 @@ def check_values(data, values, name, **properties):
     flat = values.reshape(N ** 3, -1)
     assert found.GetNumberOfComponents() == flat.shape[1]
     expected = flat[result.cells("number")]
-    assert vtk_to_numpy(found).reshape(expected.shape).tobytes() == expected.tobytes(), (name, values.dtype)
+    assert vtk_to_numpy(found).reshape(expected.shape).tobytes() == expected.tobytes(), (
+        name, values.dtype)
     return found
 
 
 def test_types_and_components():
-    for dtype in (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64, np.uint64, np.float32, np.float64):
+    for dtype in (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64, np.uint64,
+                  np.float32, np.float64):
         for components in (1, 3, 9):
             values = values_of(dtype, components)
             data = with_numbers({"ball": BALL, "plate": PLATE})
@@ -143,7 +153,8 @@ def test_arrays_that_are_not_plain_memory():
     result = mesh_of(data, StateArrays=["bits", "number"])
     found = result.mesh.GetCellData().GetArray("bits")
     assert found.IsA("vtkBitArray") and found.GetNumberOfTuples() == result.mesh.GetNumberOfCells()
-    assert [found.GetValue(i) for i in range(found.GetNumberOfTuples())] == inside[result.cells("number")].tolist()
+    assert [found.GetValue(i)
+            for i in range(found.GetNumberOfTuples())] == inside[result.cells("number")].tolist()
 
 
 def cell_arrays(result):
@@ -163,7 +174,8 @@ def test_the_mesh_stays_what_it_is():
 
 def test_threads():
     for kind in KINDS:
-        one, two = (mesh_of(DATA, StateArrays=["number"], NumberOfThreads=n, **kind) for n in (1, 2))
+        one, two = (mesh_of(DATA, StateArrays=["number"], NumberOfThreads=n, **kind)
+                    for n in (1, 2))
         assert digest(one) == digest(two), kind
 
 
@@ -177,7 +189,8 @@ def blocks(ghosts):
         own = np.zeros((N, N, N), bool)
         own[tuple(slice(*span) for span in (z, y, x))] = True
         own = own[window]
-        parts = {name: np.where(own, values[window], -99).astype(values.dtype) for name, values in arrays.items()}
+        parts = {name: np.where(own, values[window], -99).astype(values.dtype)
+                 for name, values in arrays.items()}
         block = image({**parts, "vtkGhostType": np.where(own, 0, GHOST).astype(np.uint8)})
         block.SetOrigin([ORIGIN[a] + SPACING[a] * window[2 - a].start for a in range(3)])
         result.append(block)
@@ -196,7 +209,8 @@ def test_blocks_and_ghosts():
     for kind in KINDS:
         reference = digest(mesh_of(DATA, StateArrays=["number"], **kind))
         for ghosts in (0, 2):
-            assert digest(mesh_of(composite(blocks(ghosts)), StateArrays=["number"], **kind)) == reference, (kind, ghosts)
+            assert digest(mesh_of(composite(blocks(ghosts)), StateArrays=["number"],
+                                  **kind)) == reference, (kind, ghosts)
 
 
 def test_blanked_cells_give_their_values():
@@ -232,14 +246,16 @@ def test_list_of_the_property():
 
 def test_arrays_that_cannot_be_carried():
     data = fraction_image(N)
-    check_error(data, "no numeric cell array 'density'", "'ball', 'plate'", StateArrays=["ball", "density"])
+    check_error(data, "no numeric cell array 'density'", "'ball', 'plate'",
+                StateArrays=["ball", "density"])
     text = vtkStringArray()
     text.SetName("names")
     text.SetNumberOfValues(N ** 3)
     data.GetCellData().AddArray(text)
     check_error(data, "no numeric cell array 'names'", StateArrays=["names"])
     add_array(data.GetPointData(), "nodal", np.zeros((N + 1,) * 3))
-    check_error(data, "'nodal' is point data, and 'ball' is cell data", "Point Data to Cell Data", StateArrays=["nodal"])
+    check_error(data, "'nodal' is point data, and 'ball' is cell data", "Point Data to Cell Data",
+                StateArrays=["nodal"])
     add_array(data.GetCellData(), "short", np.zeros((2, 2, 2, 3)))
     check_error(data, "'short' has 8 values for 1728 cells", StateArrays=["short"])
 
@@ -254,18 +270,21 @@ def test_names_that_the_mesh_needs():
 
 def test_blocks_that_disagree():
     for change, words in (
-            (lambda cells: cells.GetArray("number").SetNumberOfComponents(2), "has 2 components of type"),
-            (lambda cells: add_array(cells, "number", np.zeros((cells.GetNumberOfTuples(), 1, 1)), np.float32),
+            (lambda cells: cells.GetArray("number").SetNumberOfComponents(2),
+             "has 2 components of type"),
+            (lambda cells: add_array(cells, "number", np.zeros((cells.GetNumberOfTuples(), 1, 1)),
+                                     np.float32),
              "has 1 component of type float")):
         parts = blocks(0)
         change(parts[6].GetCellData())
         if "2 components" in words:
             parts[6].GetCellData().GetArray("number").SetNumberOfTuples(parts[6].GetNumberOfCells())
-        check_error(composite(parts), "Block 6: the state array 'number' " + words, "in other blocks it has 1 component of",
-                    StateArrays=["ball", "number"])
+        check_error(composite(parts), "Block 6: the state array 'number' " + words,
+                    "in other blocks it has 1 component of", StateArrays=["ball", "number"])
     parts = blocks(0)
     parts[3].GetCellData().RemoveArray("number")
-    check_error(composite(parts), "Block 3 has no numeric cell array 'number'", StateArrays=["number"])
+    check_error(composite(parts), "Block 3 has no numeric cell array 'number'",
+                StateArrays=["number"])
 
 
 main(globals())

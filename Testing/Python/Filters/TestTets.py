@@ -1,20 +1,21 @@
-"""Tetrahedra: properties of the filter, angles, volumes, what cannot be meshed. What both filters have in common is in
-TestOutputs.py."""
+"""Tetrahedra: properties of the filter, angles, volumes, what cannot be meshed. What both filters
+have in common is in TestOutputs.py."""
 import functools
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, ball_and_plate, check_error, digest, elements, face_owners, facets, fraction_image,
+    ORIGIN, SPACING, TET_METHODS, ball_and_plate, check_error, digest, elements, face_owners,
+    facets, fraction_image,
     image, labels, list_defaults, main, mesh_of, producer, run, tet_volumes, VolumeFractionToTet)
 
 N = 12
 DATA = fraction_image(N)
 HAS_TETGEN = "TetGen" in TET_METHODS
 OUT_OF_RANGE = {
-    "RelativeSize": (0.0, -1.0), "Growth": (-0.1,), "RadiusEdgeRatio": (0.9,), "MinimumDihedralAngle": (-1.0, 61.0),
-    "OptimizationLevel": (-1, 11)}
+    "RelativeSize": (0.0, -1.0), "Growth": (-0.1,), "RadiusEdgeRatio": (0.9,),
+    "MinimumDihedralAngle": (-1.0, 61.0), "OptimizationLevel": (-1, 11)}
 FACE_PAIRS = [(a, b) for a in range(4) for b in range(a)]  # the faces at each of the six edges
 
 
@@ -59,7 +60,8 @@ def test_default_method():
 
 def test_fine_interfaces_are_for_hexahedra():
     for refinement in ("Coarsen", "Automatic"):
-        properties = {"Method": "Lattice", "Refinement": refinement, "InterfaceLayers": 1, "StairStep": 1}
+        properties = {"Method": "Lattice", "Refinement": refinement, "InterfaceLayers": 1,
+                      "StairStep": 1}
         fine, asked = (tets_of(DATA, FineInterfaces=on, **properties) for on in (1, 0))
         assert digest(fine) == digest(asked), refinement
         assert max(fine.field("RefinedCells")) > 0
@@ -81,15 +83,19 @@ def test_dihedral_angles():
         counts = result.field("DihedralAngles")
         assert len(counts) == 18 and sum(counts) == angles.size
         expected, _ = np.histogram(angles, np.arange(0, 181, 10))
-        assert np.abs(np.cumsum(counts) - np.cumsum(expected)).max() <= 0.02 * angles.size  # right angles are on a limit
-        assert angles.min() > {"TetGen": 10, "Cells": 15, "Lattice": 20}[method], (method, angles.min())  # cells are 1 x 1 x 2
+        # right angles are on a limit
+        assert np.abs(np.cumsum(counts) - np.cumsum(expected)).max() <= 0.02 * angles.size
+        # cells are 1 x 1 x 2
+        assert angles.min() > {"TetGen": 10, "Cells": 15,
+                               "Lattice": 20}[method], (method, angles.min())
 
 
 def test_without_quality():
     result = tets_of(DATA, Method="Cells", ComputeQuality=0)
     assert not result.mesh.GetCellData().HasArray("ScaledJacobian")
     field = result.mesh.GetFieldData()
-    for name in ("MinimumScaledJacobian", "MinimumDihedralAngle", "MaximumDihedralAngle", "DihedralAngles"):
+    for name in ("MinimumScaledJacobian", "MinimumDihedralAngle", "MaximumDihedralAngle",
+                 "DihedralAngles"):
         assert not field.HasArray(name), name
     assert field.HasArray("RefusedParts")
 
@@ -102,7 +108,8 @@ def test_hexahedra_have_no_angles():
 
 def test_cells_has_the_faces_of_the_hexahedra():
     """Two triangles for each quadrilateral inside the domain."""
-    inside = lambda result: (vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0).sum()
+    inside = lambda result: (
+        vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0).sum()
     assert inside(MESHES["Cells"]) == 2 * inside(mesh_of(DATA))
 
 
@@ -128,7 +135,8 @@ def test_mesh_void():
 
 def test_smoothing():
     for method in TET_METHODS:
-        off, facet_based = (tets_of(DATA, Method=method, Smoothing=kind) for kind in ("Off", "Geometry Based"))
+        off, facet_based = (tets_of(DATA, Method=method, Smoothing=kind)
+                            for kind in ("Off", "Geometry Based"))
         assert len({digest(result) for result in (off, facet_based, MESHES[method])}) == 3
         for result in (off, facet_based):
             check_mesh(result)
@@ -137,13 +145,17 @@ def test_smoothing():
 def test_target_scaled_jacobian_is_a_sine():
     for method in ("Cells", "Lattice"):
         low = tets_of(DATA, Method=method, TargetScaledJacobian=0.25)
-        assert low.field("MinimumDihedralAngle")[0] < MESHES[method].field("MinimumDihedralAngle")[0]  # automatic: over 0.5
+        # automatic: over 0.5
+        assert low.field("MinimumDihedralAngle")[0] < MESHES[method].field("MinimumDihedralAngle")[
+            0]
 
 
 def test_conserve_volume():
     for method in ("Cells", "Lattice"):
         free = tets_of(DATA, Method=method, ConserveVolume=0)
-        errors = [max(abs(mesh / target - 1) for mesh, target in zip(result.field("MeshVolume"), result.field("TargetVolume")))
+        errors = [max(abs(mesh / target - 1)
+                      for mesh, target in zip(result.field("MeshVolume"),
+                                              result.field("TargetVolume")))
                   for result in (MESHES[method], free)]
         assert errors[0] < 1e-3 < errors[1] < 0.1, errors
 
@@ -151,13 +163,15 @@ def test_conserve_volume():
 def test_number_of_threads_does_not_change_the_mesh():
     for method in TET_METHODS:
         for threads in (1, 3):
-            assert digest(tets_of(DATA, Method=method, NumberOfThreads=threads)) == digest(MESHES[method])
+            assert digest(tets_of(DATA, Method=method,
+                                  NumberOfThreads=threads)) == digest(MESHES[method])
 
 
 def test_properties_of_tetgen():
     if not HAS_TETGEN:
         return
-    count = lambda **properties: tets_of(DATA, Method="TetGen", **properties).mesh.GetNumberOfCells()
+    count = lambda **properties: tets_of(DATA, Method="TetGen",
+                                         **properties).mesh.GetNumberOfCells()
     usual = MESHES["TetGen"].mesh.GetNumberOfCells()
     assert count(Growth=0.0) > usual
     assert count(RelativeSize=0.6) > usual > count(RelativeSize=2.0)
@@ -206,13 +220,16 @@ def test_empty_field_is_no_error():
 
 
 def test_planes_on_round_numbers():
-    """Two layers that meet at 0.3 of a cell, where a lattice node is as near as nodes may be that the interface goes through."""
+    """Two layers that meet at 0.3 of a cell, where a lattice node is as near as nodes may be that
+    the interface goes through."""
     n = 8
     for height in (4.3, 4.7):
         low = np.broadcast_to(np.clip(height - np.arange(n), 0, 1)[:, None, None], (n, n, n)).copy()
-        result = mesh_of(image({"low": low, "high": 1 - low}), make=VolumeFractionToTet, Method="Lattice", VolumeFractionArrays=["low", "high"])
+        result = mesh_of(image({"low": low, "high": 1 - low}), make=VolumeFractionToTet,
+                         Method="Lattice", VolumeFractionArrays=["low", "high"])
         between = vtk_to_numpy(result.surfaces.GetCellData().GetArray("DomainSide")) < 0
-        z = vtk_to_numpy(result.surfaces.GetPoints().GetData())[np.unique(facets(result)[between]), 2]
+        z = vtk_to_numpy(result.surfaces.GetPoints().GetData())[
+            np.unique(facets(result)[between]), 2]
         off = np.abs((z - ORIGIN[2]) / SPACING[2] - height)
         assert off.max() < 0.06, off.max()
 

@@ -1,5 +1,6 @@
-"""What Apply does in the window, by Render alone: filters and sources that failed, even twice in a row, work again once they can; each
-failure is shown once on a rank, with nothing after it. On a screen; alone or mpiexec -n 3 pvbatch --sym TestApplies.py FOLDER."""
+"""What Apply does in the window, by Render alone: filters and sources that failed, even twice in a
+row, work again once they can; each failure is shown once on a rank, with nothing after it. On a
+screen; alone or mpiexec -n 3 pvbatch --sym TestApplies.py FOLDER."""
 import os
 import sys
 import tempfile
@@ -12,7 +13,8 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from vfmtest import failure_of, fraction_image, labels, main, reduced, write, VolumeFractionToHex
 from vfmtest import NumPyVoxelReader, VolumeFractionFragments, VolumeFractionShapes
 
-BALL_AND_PLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "ball_and_plate.vti")
+BALL_AND_PLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
+                              "ball_and_plate.vti")
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 FAILING = RANKS // 2  # the rank where one alone fails
@@ -55,7 +57,8 @@ class Shown:
 
 
 def check_recovers(shown, fail, mend, words, check=None):
-    """fail(time), twice; mend(). words: of the one message on this rank; or check: of its messages."""
+    """fail(time), twice; mend(). words: of the one message on this rank; or check: of its
+    messages."""
     for time in range(2):
         fail(time)
         errors = shown.render()
@@ -76,7 +79,8 @@ def test_three_applies():
     """Nothing is ticked; another property changes; the arrays are ticked."""
     hexes = VolumeFractionToHex(Input=ball_and_plate(), VolumeFractionArrays=[])
     check_recovers(Shown(hexes), lambda time: setattr(hexes, "StairStep", time),
-                   lambda: setattr(hexes, "VolumeFractionArrays", ["ball", "plate"]), "No array is chosen")
+                   lambda: setattr(hexes, "VolumeFractionArrays", ["ball", "plate"]),
+                   "No array is chosen")
 
 
 def make_input():
@@ -90,9 +94,11 @@ def make_input():
 
 def test_our_reader():
     """It shares with the other ranks what fails; the filter behind it has nothing to add."""
-    for behind in (lambda reader: reader, lambda reader: VolumeFractionToHex(Input=reader, MaterialIdArray="MaterialId")):
+    for behind in (lambda reader: reader,
+                   lambda reader: VolumeFractionToHex(Input=reader, MaterialIdArray="MaterialId")):
         reader = NumPyVoxelReader(FileName=["none"])
-        check_recovers(Shown(behind(reader)), lambda time: setattr(reader, "FileName", [at("none%d.npy" % time)]),
+        check_recovers(Shown(behind(reader)),
+                       lambda time: setattr(reader, "FileName", [at("none%d.npy" % time)]),
                        lambda: setattr(reader, "FileName", [at("good.npy")]), "Cannot read")
 
 
@@ -105,29 +111,36 @@ def test_another_reader():
 
     def set_name(time):
         """Another one on all ranks, which must update together."""
-        reader.FileName = [at("%s%d.vti" % ("none" if RANK == FAILING and time < 2 else "good", time))]
+        reader.FileName = [at("%s%d.vti" % ("none" if RANK == FAILING and time < 2 else "good",
+                                            time))]
 
     def check(errors):
         if RANK == FAILING:
-            return errors and not any("VolumeFraction" in error or "on rank" in error for error in errors)
+            return errors and not any("VolumeFraction" in error or "on rank" in error
+                                      for error in errors)
         return len(errors) == 1 and "The input could not be made on rank %d." % FAILING in errors[0]
 
     check_recovers(shown, set_name, lambda: set_name(2), None, check)
 
 
 def test_shapes():
-    for behind in (lambda shapes: shapes, lambda shapes: VolumeFractionToHex(Input=shapes, VolumeFractionArrays=["Material1"])):
+    for behind in (lambda shapes: shapes,
+                   lambda shapes: VolumeFractionToHex(Input=shapes,
+                                                      VolumeFractionArrays=["Material1"])):
         shapes = VolumeFractionShapes(Preset="Sphere")
-        check_recovers(Shown(behind(shapes)), lambda time: setattr(shapes, "Dimensions", [time, 0, 0]),
+        check_recovers(Shown(behind(shapes)),
+                       lambda time: setattr(shapes, "Dimensions", [time, 0, 0]),
                        lambda: setattr(shapes, "Dimensions", [12, 12, 12]), "Dimensions are")
-        check_recovers(Shown(behind(shapes)), lambda time: setattr(shapes, "Shapes", "cat %d" % time),
+        check_recovers(Shown(behind(shapes)),
+                       lambda time: setattr(shapes, "Shapes", "cat %d" % time),
                        lambda: setattr(shapes, "Shapes", ""), "Shapes, line 1")
 
 
 def test_filters_behind_add_nothing():
     hexes = VolumeFractionToHex(Input=ball_and_plate(), VolumeFractionArrays=[])
     assert is_everywhere(len(Shown(hexes).render()) == 1)
-    for make in (simple.Clip, simple.Slice, simple.Threshold, simple.MeshQuality, simple.ExtractSurface, simple.CellDatatoPointData, VolumeFractionFragments):
+    for make in (simple.Clip, simple.Slice, simple.Threshold, simple.MeshQuality,
+                 simple.ExtractSurface, simple.CellDatatoPointData, VolumeFractionFragments):
         behind = make(Input=hexes)
         shown = Shown(behind)
         if make is not VolumeFractionFragments:

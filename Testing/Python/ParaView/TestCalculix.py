@@ -1,8 +1,9 @@
 """CalculiX solves linear elastic problems with exact solutions on meshes written as .inp.
 
-Constant stress is exact on any valid mesh that conforms: a hanging node, an inverted or missing element, a face that lacks in a
-surface or a wrong number shows. ccx prints seven digits, so stresses are chosen that seven digits hold, with a first digit of 9:
-the deviation of a value that prints right is below 6e-8.
+Constant stress is exact on any valid mesh that conforms: a hanging node, an inverted or missing
+element, a face that lacks in a surface or a wrong number shows. ccx prints seven digits, so
+stresses are chosen that seven digits hold, with a first digit of 9: the deviation of a value that
+prints right is below 6e-8.
 """
 import os
 import sys
@@ -12,9 +13,12 @@ from paraview import simple
 
 from inp_file import InpFile
 from vfmtest import (
-    TET_METHODS, ball_and_plate, image, in_folder, main, producer, VolumeFractionShapes, VolumeFractionToHex, VolumeFractionToTet)
+    TET_METHODS, ball_and_plate, image, in_folder, main, producer, VolumeFractionShapes,
+    VolumeFractionToHex, VolumeFractionToTet)
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Examples"))
+sys.path.insert(0,
+                os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..",
+                             "Examples"))
 import calculix
 
 KINDS = ["Hex"] + TET_METHODS
@@ -29,10 +33,12 @@ class Model:
 
     def __init__(self, at, field, kind, arrays, velocity=None, **properties):
         properties.update(Input=field, VolumeFractionArrays=arrays)
-        mesher = VolumeFractionToHex(**properties) if kind == "Hex" else VolumeFractionToTet(Method=kind, **properties)
+        mesher = VolumeFractionToHex(**properties) if kind == "Hex" else VolumeFractionToTet(
+            Method=kind, **properties)
         self.mesh, self.deck, self.kind = at("mesh.inp"), at("deck.inp"), kind
         if velocity is not None:  # of all nodes
-            mesher = simple.Calculator(Input=mesher, ResultArrayName="velocity", Function="%g*iHat+%g*jHat+%g*kHat" % tuple(velocity))
+            mesher = simple.Calculator(Input=mesher, ResultArrayName="velocity",
+                                       Function="%g*iHat+%g*jHat+%g*kHat" % tuple(velocity))
         simple.SaveData(self.mesh, proxy=mesher)
         self.file = InpFile(self.mesh)
         self.points = self.file.nodes.astype(float)
@@ -42,13 +48,15 @@ class Model:
         calculix.run(self.deck, seconds=SECONDS)
         results = calculix.read_results(self.deck)
         assert results.displacements.shape == self.points.shape
-        assert results.stresses.shape == (len(self.file.elements), 8 if self.kind == "Hex" else 1, 6)
+        assert results.stresses.shape == (len(self.file.elements), 8 if self.kind == "Hex" else 1,
+                                          6)
         return results
 
     def deviation(self, name, stresses, exact):
         """The largest of any component at any integration point over the largest exact one."""
         found = abs(stresses - exact).max() / abs(np.array(exact)).max()
-        print("  %-24s %-8s %6d elements, deviation of the stress %.1e" % (name, self.kind, len(self.file.elements), found))
+        print("  %-24s %-8s %6d elements, deviation of the stress %.1e"
+              % (name, self.kind, len(self.file.elements), found))
         return found
 
 
@@ -66,7 +74,8 @@ def strain(stress, modulus, ratio):
 
 @in_folder
 def test_patch(at):
-    """A linear displacement of all nodes on the sides: the stress is constant, however the elements inside are shaped."""
+    """A linear displacement of all nodes on the sides: the stress is constant, however the elements
+    inside are shaped."""
     stress, modulus, ratio = [9.0, -4.0, 6.0, 2.0, 3.0, -5.0], 2000.0, 0.3
     spin = 1e-3 * np.array([[0, 1, -2], [-1, 0, 3], [2, -3, 0]])
     gradient = strain(stress, modulus, ratio) + spin
@@ -75,7 +84,8 @@ def test_patch(at):
         sides = [model.file.node_sets[side + end] for side in "XYZ" for end in ("_MIN", "_MAX")]
         nodes = sorted(set().union(*sides))
         assert 100 < len(nodes) < 0.9 * len(model.points)  # there are free ones
-        boundary = [(node, d + 1, d + 1, value) for node in nodes for d, value in enumerate(gradient @ model.points[node - 1])]
+        boundary = [(node, d + 1, d + 1, value) for node in nodes
+                    for d, value in enumerate(gradient @ model.points[node - 1])]
         results = model.solve({"BALL": (modulus, ratio), "MATRIX": (modulus, ratio)}, boundary)
         assert model.deviation("patch", results.stresses, stress) <= LIMIT
         assert np.allclose(results.displacements, model.points @ gradient.T, rtol=1e-6, atol=1e-8)
@@ -85,7 +95,8 @@ def test_patch(at):
 
 @in_folder
 def test_flight(at):
-    """Bodies that nothing holds fly on with the velocity of their nodes, which the file of the mesh tells."""
+    """Bodies that nothing holds fly on with the velocity of their nodes, which the file of the mesh
+    tells."""
     velocity = np.array([2.0, -3.0, 4.0])
     for kind in KINDS[:1] + KINDS[-1:]:
         model = Model(at, ball_in_matrix(), kind, ["ball", "matrix"], velocity=velocity)
@@ -94,35 +105,43 @@ def test_flight(at):
                        "MATERIAL=M\n*STEP\n*DYNAMIC, DIRECT\n0.05, 0.1\n*NODE PRINT, NSET=NALL, FREQUENCY=2\nU\n*END STEP\n")
         calculix.run(model.deck, seconds=SECONDS)
         moved = calculix.read_results(model.deck).displacements
-        assert len(moved) == len(model.points) and np.allclose(moved, 0.1 * velocity, rtol=1e-5), moved
+        assert len(moved) == len(model.points) and np.allclose(
+            moved, 0.1 * velocity, rtol=1e-5), moved
 
 
 @in_folder
 def test_layers_in_series(at):
-    """Two materials with the same ratio / modulus under tension: both shrink alike across, so the stress is the same in both."""
+    """Two materials with the same ratio / modulus under tension: both shrink alike across, so the
+    stress is the same in both."""
     low = np.repeat([1.0, 0.0], N // 2)[:, None, None] * np.ones((N, N, N))
     for kind in KINDS:
-        # Tetrahedra of a smoothed interface leave its plane by up to 2e-3 of a cell, which shows in the stress.
+        # Tetrahedra of a smoothed interface leave its plane by up to 2e-3 of a cell, which shows in
+        # the stress.
         model = Model(at, producer(image({"low": low, "high": 1 - low})), kind, ["low", "high"],
                       **({} if kind == "Hex" else {"Smoothing": "Off"}))
-        results = model.solve({"LOW": (1000.0, 0.15), "HIGH": (2000.0, 0.3)}, [("Z_MIN", 3, 3, 0), ("X_MIN", 1, 1, 0), ("Y_MIN", 2, 2, 0)],
+        results = model.solve({"LOW": (1000.0, 0.15), "HIGH": (2000.0, 0.3)},
+                              [("Z_MIN", 3, 3, 0), ("X_MIN", 1, 1, 0), ("Y_MIN", 2, 2, 0)],
                               pressures=[("Z_MAX", -PRESSURE)], reactions=["Z_MIN"])
-        assert model.deviation("layers in series", results.stresses, [0, 0, PRESSURE, 0, 0, 0]) <= LIMIT
+        assert model.deviation("layers in series", results.stresses,
+                               [0, 0, PRESSURE, 0, 0, 0]) <= LIMIT
         size = np.ptp(model.points, axis=0)
-        assert np.allclose(results.reactions["Z_MIN"], [0, 0, -PRESSURE * size[0] * size[1]], rtol=1e-6, atol=1e-6)
+        assert np.allclose(results.reactions["Z_MIN"], [0, 0, -PRESSURE * size[0] * size[1]],
+                           rtol=1e-6, atol=1e-6)
         strains = PRESSURE / np.array([1000.0, 2000.0])
         assert np.isclose(results.displacements[:, 2].max(), size[2] / 2 * strains.sum(), rtol=1e-6)
 
 
 @in_folder
 def test_names(at):
-    """Names as long as can be, and of the sides: no set takes the place of another in ccx, no load is lost."""
+    """Names as long as can be, and of the sides: no set takes the place of another in ccx, no load
+    is lost."""
     low = np.repeat([1.0, 0.0], 2)[:, None, None] * np.ones((4, 4, 4))
     arrays = ["z max", "y" * 90]
     model = Model(at, producer(image({arrays[0]: low, arrays[1]: 1 - low})), "Hex", arrays)
     sets = [name for name in model.file.element_sets if name != "EALL"]
     assert sets == ["Z_MAX_2", "Y" * 80] and "Z_MAX" in model.file.surfaces
-    results = model.solve({name: (1000.0, 0.0) for name in sets}, [("Z_MIN", 1, 3, 0)], pressures=[("Z_MAX", -PRESSURE)])
+    results = model.solve({name: (1000.0, 0.0) for name in sets}, [("Z_MIN", 1, 3, 0)],
+                          pressures=[("Z_MAX", -PRESSURE)])
     assert model.deviation("names", results.stresses, [0, 0, PRESSURE, 0, 0, 0]) <= LIMIT
 
 
@@ -134,12 +153,14 @@ def hold(points):
 
 @in_folder
 def test_ball_under_pressure(at):
-    """Pressure on the whole free surface, curved as it is: minus the pressure everywhere, since the loads of ccx on bilinear
-    faces are exact."""
+    """Pressure on the whole free surface, curved as it is: minus the pressure everywhere, since the
+    loads of ccx on bilinear faces are exact."""
     for kind in KINDS:
         model = Model(at, producer(image({"ball": ball_and_plate(N)[0]})), kind, ["ball"])
-        results = model.solve({"BALL": (1000.0, 0.3)}, hold(model.points), pressures=[("BALL_TO_VOID", PRESSURE)], reactions=["NALL"])
-        assert model.deviation("ball under pressure", results.stresses, [-PRESSURE] * 3 + [0] * 3) <= LIMIT
+        results = model.solve({"BALL": (1000.0, 0.3)}, hold(model.points),
+                              pressures=[("BALL_TO_VOID", PRESSURE)], reactions=["NALL"])
+        assert model.deviation("ball under pressure", results.stresses,
+                               [-PRESSURE] * 3 + [0] * 3) <= LIMIT
         assert abs(results.reactions["NALL"]).max() < 1e-9
 
 
@@ -148,14 +169,16 @@ def test_stiff_ball_in_matrix(at):
     """Runs to the end; the reaction is the load, and the ball takes more than its share."""
     for kind in KINDS:
         model = Model(at, ball_in_matrix(), kind, ["ball", "matrix"])
-        results = model.solve({"BALL": (20000.0, 0.3), "MATRIX": (2000.0, 0.3)}, [("Z_MIN", 1, 3, 0)],
+        results = model.solve({"BALL": (20000.0, 0.3), "MATRIX": (2000.0, 0.3)},
+                              [("Z_MIN", 1, 3, 0)],
                               pressures=[("Z_MAX", PRESSURE)], reactions=["Z_MIN"])
         size = np.ptp(model.points, axis=0)
         load = PRESSURE * size[0] * size[1]
         error = abs(results.reactions["Z_MIN"] - [0, 0, load]).max() / load
         stress = results.stresses.mean(axis=1)[:, 2]
         ball = stress[np.array(model.file.element_sets["BALL"]) - 1].mean()
-        print("  %-24s %-8s reaction off by %.1e, mean stress of the ball %.2f of %.2f" % ("stiff ball in matrix", kind, error, ball, -PRESSURE))
+        print("  %-24s %-8s reaction off by %.1e, mean stress of the ball %.2f of %.2f"
+              % ("stiff ball in matrix", kind, error, ball, -PRESSURE))
         assert error <= LIMIT and ball < -1.1 * PRESSURE
 
 
@@ -163,7 +186,8 @@ def pressure_inside(radius, outer, inside, outside, pressure):
     """Of a ball in a shell with pressure on it (Lame): u = C r + D / r^2 in the shell."""
     bulk, shear = ([f(*material) for material in (inside, outside)] for f in (
         lambda e, nu: e / (3 - 6 * nu), lambda e, nu: e / (2 + 2 * nu)))
-    rows = [[3 * bulk[1], -4 * shear[1] / outer ** 3, 0], [3 * bulk[1], -4 * shear[1] / radius ** 3, 1],
+    rows = [[3 * bulk[1], -4 * shear[1] / outer ** 3, 0],
+            [3 * bulk[1], -4 * shear[1] / radius ** 3, 1],
             [radius, radius ** -2, radius / (3 * bulk[0])]]  # unknown: C, D, pressure inside
     return np.linalg.solve(rows, [-pressure, 0, 0])[2]
 
@@ -176,9 +200,12 @@ def test_ball_in_shell(at):
     for kind in ("Hex", "Lattice"):
         errors = []
         for cells in (8, 16):
-            field = VolumeFractionShapes(Shapes="sphere radius=0.5 material=1; sphere radius=0.9 material=2", Dimensions=[cells] * 3)
+            field = VolumeFractionShapes(
+                Shapes="sphere radius=0.5 material=1; sphere radius=0.9 material=2",
+                Dimensions=[cells] * 3)
             model = Model(at, field, kind, ["Material1", "Material2"])
-            results = model.solve({"MATERIAL1": inside, "MATERIAL2": outside}, hold(model.points), pressures=[("MATERIAL2_TO_VOID", PRESSURE)])
+            results = model.solve({"MATERIAL1": inside, "MATERIAL2": outside}, hold(model.points),
+                                  pressures=[("MATERIAL2_TO_VOID", PRESSURE)])
             ball = results.stresses[np.array(model.file.element_sets["MATERIAL1"]) - 1]
             errors.append(np.sqrt(np.mean((ball - np.array([-exact] * 3 + [0] * 3)) ** 2)) / exact)
         print("  %-24s %-8s exact pressure in the ball %.4f, stress there off by %s (rms)" % (

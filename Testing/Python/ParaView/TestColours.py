@@ -1,13 +1,17 @@
-"""Colour maps of MaterialId and MaterialPair: categories with the names of the materials, and nothing that the user chose is lost.
+"""Colour maps of MaterialId and MaterialPair: categories with the names of the materials, and
+nothing that the user chose is lost.
 
-No view is rendered: colour maps are made where a mesh is shown, and follow it when its representation is updated.
+No view is rendered: colour maps are made where a mesh is shown, and follow it when its
+representation is updated.
 """
 import os
 import tempfile
 
 import numpy as np
 from paraview import simple
-from vfmtest import VolumeFractionShapes, VolumeFractionToHex, ball_and_plate, image, labels, main, producer, save_data
+from vfmtest import (
+    VolumeFractionShapes, VolumeFractionToHex, ball_and_plate, image, labels, main, producer,
+    save_data)
 
 BALL, PLATE = ball_and_plate()
 
@@ -23,7 +27,8 @@ def names(array="MaterialId"):
     """By id, as the legend shows them; None: the colours are continuous."""
     table = simple.GetColorTransferFunction(array)
     texts = list(table.Annotations)
-    return dict(zip(map(int, texts[::2]), texts[1::2])) if table.InterpretValuesAsCategories else None
+    return dict(zip(map(int, texts[::2]),
+                    texts[1::2])) if table.InterpretValuesAsCategories else None
 
 
 def colours(array="MaterialId"):
@@ -66,7 +71,8 @@ def test_names_follow_the_data():
 
 def test_all_that_comes_of_a_mesh():
     hexes = mesh()
-    show(simple.Threshold(Input=hexes, Scalars=["CELLS", "MaterialId"], LowerThreshold=2, UpperThreshold=2))
+    show(simple.Threshold(Input=hexes, Scalars=["CELLS", "MaterialId"], LowerThreshold=2,
+                          UpperThreshold=2))
     assert names() == {1: "ball", 2: "plate"}, names()
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mesh.vtu")
@@ -118,7 +124,8 @@ def test_choices_of_the_user_stay():
 def test_saved_states():
     """Names of the user and of the plugin come back, and a new material gets one."""
     shapes = VolumeFractionShapes(Dimensions=[12, 12, 12])
-    hexes = VolumeFractionToHex(Input=shapes, VolumeFractionArrays=["Material1", "Material2"], StairStep=1)
+    hexes = VolumeFractionToHex(Input=shapes, VolumeFractionArrays=["Material1", "Material2"],
+                                StairStep=1)
     show(hexes)
     simple.GetColorTransferFunction("MaterialId").Annotations = ["1", "steel", "2", "Material2"]
     with tempfile.TemporaryDirectory() as folder:
@@ -176,7 +183,9 @@ def test_separate_colour_maps():
         hexes.VolumeFractionArrays = arrays
         display = simple.Show(hexes, view)
         simple.ColorBy(display, ("CELLS", "MaterialId"), separate=True)
-        assert list(display.LookupTable.Annotations) == ["1", arrays[0]], list(display.LookupTable.Annotations)
+        assert list(display.LookupTable.Annotations) == ["1",
+                                                         arrays[0]], list(
+                                                             display.LookupTable.Annotations)
 
 
 def test_other_data():

@@ -1,6 +1,7 @@
-"""Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be; ball_under_pressure.py and cube_under_pressure.py
-solve where CalculiX is installed; write_exodus.py writes a mesh that was saved before; time_ranks.py times two ranks. The
-fields of Data and the demo can be made again."""
+"""Examples/mesh_series.py meshes all steps of a series, in order, and says so when one cannot be;
+ball_under_pressure.py and cube_under_pressure.py solve where CalculiX is installed; write_exodus.py
+writes a mesh that was saved before; time_ranks.py times two ranks. The fields of Data and the demo
+can be made again."""
 import contextlib
 import csv
 import io
@@ -16,10 +17,12 @@ import types
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import (
-    vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter)
+    vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLUnstructuredGridReader,
+    vtkXMLUnstructuredGridWriter)
 
 from mpi_run import mpi_run
-from vfmtest import exodus_parts, fraction_image, image, in_folder, main, mesh_of, tet_volumes, write
+from vfmtest import (
+    exodus_parts, fraction_image, image, in_folder, main, mesh_of, tet_volumes, write)
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Examples")
 DATA = os.path.join(EXAMPLES, "..", "Data")
@@ -44,7 +47,8 @@ def read_image(path):
 
 def run_script(folder, *options):
     files = [os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(".vti")]
-    command = ["pvbatch", SCRIPT, "--plugin", os.environ["VFM_PLUGIN"], "--out", os.path.join(folder, "out"), *options, *files]
+    command = ["pvbatch", SCRIPT, "--plugin", os.environ["VFM_PLUGIN"], "--out",
+               os.path.join(folder, "out"), *options, *files]
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
@@ -64,7 +68,8 @@ def test_all_steps_in_order():
     with tempfile.TemporaryDirectory() as folder:
         for step, size in ((2, 8), (10, 12), (9, 10)):
             write_image(fraction_image(size), os.path.join(folder, "dump_%d.vti" % step))
-        result = run_script(folder, "--array", "ball", "--array", "plate", "--exodus", "--fragments")
+        result = run_script(folder, "--array", "ball", "--array", "plate", "--exodus",
+                            "--fragments")
         assert result.returncode == 0, result
         assert result.stdout.count(" elements") == 3
         sizes = []
@@ -75,7 +80,8 @@ def test_all_steps_in_order():
             blocks = block_sizes(os.path.join(folder, "out", "mesh_%04d.e" % step))
             assert blocks == {"ball": ids.count(1), "plate": ids.count(2)}, blocks
             with open(os.path.join(folder, "out", "mesh_%04d.csv" % step), newline="") as file:
-                assert {row["Material"]: int(row["Elements"]) for row in csv.DictReader(file)} == blocks
+                assert {row["Material"]: int(row["Elements"])
+                        for row in csv.DictReader(file)} == blocks
             sizes.append(mesh.GetNumberOfCells())
         assert sizes == sorted(sizes) and sizes[0] < sizes[2], sizes  # dump_9 comes before dump_10
 
@@ -83,12 +89,14 @@ def test_all_steps_in_order():
 def test_tetrahedra():
     with tempfile.TemporaryDirectory() as folder:
         write_image(fraction_image(8), os.path.join(folder, "dump_0.vti"))
-        result = run_script(folder, "--array", "ball", "--array", "plate", "--exodus", "--tets", "Cells")
+        result = run_script(folder, "--array", "ball", "--array", "plate", "--exodus", "--tets",
+                            "Cells")
         assert result.returncode == 0, result
         mesh = read_vtu(folder, "mesh_0000.vtu")
         assert mesh.GetCellType(0) == 10
         blocks = block_sizes(os.path.join(folder, "out", "mesh_0000.e"))
-        assert set(blocks) == {"ball", "plate"} and sum(blocks.values()) == mesh.GetNumberOfCells(), blocks
+        assert set(blocks) == {"ball",
+                               "plate"} and sum(blocks.values()) == mesh.GetNumberOfCells(), blocks
 
 
 def test_steps_that_cannot_be_meshed():
@@ -115,8 +123,10 @@ def test_arguments():
 
 @in_folder
 def test_atlas(path):
-    """Each fourth voxel of the atlas, where its package is there; else a message that tells which."""
-    script = [os.path.join(EXAMPLES, "atlas.py"), "--plugin", os.environ["VFM_PLUGIN"], "--every", "4", "--mesh", path("atlas.exo")]
+    """Each fourth voxel of the atlas, where its package is there; else a message that tells
+    which."""
+    script = [os.path.join(EXAMPLES, "atlas.py"), "--plugin", os.environ["VFM_PLUGIN"], "--every",
+              "4", "--mesh", path("atlas.exo")]
     result = mpi_run(1, ["pvpython", *script])
     if not os.path.exists(ATLAS):
         assert result.returncode == 1 and "apt-get install mricron-data" in result.stderr and not result.stdout, result
@@ -126,17 +136,23 @@ def test_atlas(path):
     assert result.returncode == 0 and "     7 Precentral Gyrus " in result.stdout, result
     assert float(found[2]) > 0.3 and float(error[1]) < 1e-4, result.stdout
     blocks = block_sizes(path("atlas.exo"))
-    assert len(blocks) == 48 and sum(blocks.values()) == int(found[1]) and "precentral_gyrus" in blocks, blocks
+    assert len(blocks) == 48 and sum(blocks.values()) == int(
+        found[1]) and "precentral_gyrus" in blocks, blocks
 
 
 def test_ball_under_pressure():
-    """Of a block under pressure from above the mean of the stress along z is minus the pressure, whatever is in it."""
+    """Of a block under pressure from above the mean of the stress along z is minus the pressure,
+    whatever is in it."""
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "out")
         result = subprocess.run(
-            ["pvpython", os.path.join(EXAMPLES, "ball_under_pressure.py"), "--plugin", os.environ["VFM_PLUGIN"], "--cells", "8",
-             "--tets", "Lattice", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        assert os.path.getsize(os.path.join(out, "ball.inp")) > os.path.getsize(os.path.join(out, "press.inp")) > 0
+            ["pvpython", os.path.join(EXAMPLES, "ball_under_pressure.py"), "--plugin",
+             os.environ["VFM_PLUGIN"], "--cells", "8",
+             "--tets", "Lattice", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+             text=True)
+        assert os.path.getsize(os.path.join(out,
+                                            "ball.inp")) > os.path.getsize(
+                                                os.path.join(out, "press.inp")) > 0
         if not shutil.which("ccx"):
             assert result.returncode == 1 and "is not installed" in result.stderr, result
             return
@@ -144,7 +160,8 @@ def test_ball_under_pressure():
         mesh = read_vtu(folder, "press.vtu")
         cells = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 4)
         volumes = tet_volumes(vtk_to_numpy(mesh.GetPoints().GetData()), cells)
-        stress, equivalent = (vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("Stress", "VonMises"))
+        stress, equivalent = (vtk_to_numpy(mesh.GetCellData().GetArray(name))
+                              for name in ("Stress", "VonMises"))
         mean = (volumes[:, None] * stress).sum(axis=0) / volumes.sum()
         assert np.allclose(mean[:3], [0, 0, -1e7], atol=10), mean
         ball = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId")) == 1
@@ -155,24 +172,32 @@ def test_ball_under_pressure():
 
 
 def test_cube_under_pressure():
-    """The load on one face of a turned cube is the pressure times its area, and the opposite face bears it."""
+    """The load on one face of a turned cube is the pressure times its area, and the opposite face
+    bears it."""
     with tempfile.TemporaryDirectory() as folder:
         result = subprocess.run(
-            ["pvpython", os.path.join(EXAMPLES, "cube_under_pressure.py"), "--plugin", os.environ["VFM_PLUGIN"], "--cells", "16",
+            ["pvpython", os.path.join(EXAMPLES, "cube_under_pressure.py"), "--plugin",
+             os.environ["VFM_PLUGIN"], "--cells", "16",
              "--out", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        rows = re.findall(r"(MATERIAL1_TO_VOID_\d): area (\S+) m\^2, .* normal \((.*)\)", result.stdout)
-        assert len(rows) == 6 and all(abs(float(area) / 1.44 - 1) < 0.03 for _, area, _ in rows), result
+        rows = re.findall(r"(MATERIAL1_TO_VOID_\d): area (\S+) m\^2, .* normal \((.*)\)",
+                          result.stdout)
+        assert len(rows) == 6 and all(abs(float(area) / 1.44 - 1) < 0.03
+                                      for _, area, _ in rows), result
         with open(os.path.join(folder, "cube.inp"), encoding="ascii") as file:
             mesh = file.read()
-        assert all("*NSET, NSET=%s\n" % name in mesh and "*SURFACE, NAME=%s," % name in mesh for name, _, _ in rows)
+        assert all("*NSET, NSET=%s\n" % name in mesh and "*SURFACE, NAME=%s," % name in mesh
+                   for name, _, _ in rows)
         if not shutil.which("ccx"):
             assert result.returncode == 1 and "is not installed" in result.stderr, result
             return
-        found = re.search(r"(\S+) clamped, (\S+) loaded: reaction (\S+) N, .* \((\S+) %\), of its facets (\S+) N", result.stdout)
+        found = re.search(
+            r"(\S+) clamped, (\S+) loaded: reaction (\S+) N, .* \((\S+) %\), of its facets (\S+) N",
+            result.stdout)
         print("  " + found[0])
         normals = {name: np.array(normal.split(), dtype=float) for name, _, normal in rows}
         assert normals[found[1]] @ normals[found[2]] < -0.95
-        assert abs(float(found[4])) < 2 and abs(float(found[3]) / float(found[5]) - 1) < 1e-4, result
+        assert abs(float(found[4])) < 2 and abs(float(found[3]) / float(found[5])
+                                                - 1) < 1e-4, result
 
 
 @in_folder
@@ -180,7 +205,8 @@ def test_shapes_of_the_data(path):
     """Data/shapes.py makes the fields again that are in Data."""
     for scene, arrays in (("fin", ["body"]), ("ball_and_plate", ["ball", "plate"])):
         made = path(scene + ".vti")
-        subprocess.run(["pvpython", os.path.join(DATA, "shapes.py"), os.environ["VFM_PLUGIN"], scene, made], check=True)
+        subprocess.run(["pvpython", os.path.join(DATA, "shapes.py"), os.environ["VFM_PLUGIN"],
+                        scene, made], check=True)
         fields = [read_image(made), read_image(os.path.join(DATA, scene + ".vti"))]
         for array in arrays:
             new, old = (vtk_to_numpy(field.GetCellData().GetArray(array)) for field in fields)
@@ -191,10 +217,13 @@ def test_shapes_of_the_data(path):
 def test_demo(path):
     """One case of the demo: meshes in all formats, and pictures."""
     result = subprocess.run(
-        ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "pvpython", os.path.join(DATA, "..", "scripts", "demo.py"),
-         os.environ["VFM_PLUGIN"], path("out"), "fin"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "pvpython",
+         os.path.join(DATA, "..", "scripts", "demo.py"),
+         os.environ["VFM_PLUGIN"], path("out"), "fin"], stdout=subprocess.PIPE,
+         stderr=subprocess.STDOUT, text=True)
     assert result.returncode == 0 and "Traceback" not in result.stdout, result.stdout
-    names = ["fin" + kind + ending for kind in ("", "_tets") for ending in (".vtu", ".e", ".inp", ".csv", "_cut.png")]
+    names = ["fin" + kind + ending for kind in ("", "_tets")
+             for ending in (".vtu", ".e", ".inp", ".csv", "_cut.png")]
     assert sorted(os.listdir(path("out"))) == sorted(names + ["fin_surface.png"])
     assert re.search(r"^fin +body +10368 +0\.573 ", result.stdout, re.MULTILINE), result.stdout
 
@@ -203,16 +232,21 @@ def test_demo(path):
 def test_write_exodus(path):
     mesh = mesh_of(fraction_image(8)).mesh
     saved = write(mesh, path("mesh.vtu"), vtkXMLUnstructuredGridWriter)
-    result = mpi_run(1, ["pvpython", os.path.join(EXAMPLES, "write_exodus.py"), saved, path("mesh.exo")])
+    result = mpi_run(1,
+                     ["pvpython", os.path.join(EXAMPLES, "write_exodus.py"), saved,
+                      path("mesh.exo")])
     assert result.returncode == 0, result
     materials = vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId")).tolist()
-    assert block_sizes(path("mesh.exo")) == {"ball": materials.count(1), "plate": materials.count(2)}
+    assert block_sizes(path("mesh.exo")) == {"ball": materials.count(1),
+                                             "plate": materials.count(2)}
 
 
 def run_here(script, *arguments):
     """What a run of the script by Python would give, without another start of ParaView."""
     texts = io.StringIO(), io.StringIO()
-    before, sys.argv, sys.path = (sys.argv, sys.path), [script, *arguments], [os.path.dirname(script), *sys.path]
+    before, sys.argv, sys.path = (sys.argv, sys.path), [script,
+                                                        *arguments], [
+                                                            os.path.dirname(script), *sys.path]
     code = 0
     try:
         with contextlib.redirect_stdout(texts[0]), contextlib.redirect_stderr(texts[1]):
@@ -222,7 +256,8 @@ def run_here(script, *arguments):
         texts[1].write(message)
     finally:
         sys.argv, sys.path = before
-    return types.SimpleNamespace(returncode=code, stdout=texts[0].getvalue(), stderr=texts[1].getvalue())
+    return types.SimpleNamespace(returncode=code, stdout=texts[0].getvalue(),
+                                 stderr=texts[1].getvalue())
 
 
 @in_folder
@@ -230,15 +265,23 @@ def test_missing_files(path):
     """One message and exit status 1."""
     none, plugin, data = path("none"), os.environ["VFM_PLUGIN"], os.path.join(DATA, "fin.vti")
     for script, arguments in (
-            ("atlas.py", ["--plugin", plugin, "--atlas", none]), ("ball_under_pressure.py", ["--plugin", none]), ("cube_under_pressure.py", ["--plugin", none]), ("mesh_series.py", ["--plugin", none, "--array", "body", data]),
-            ("mesh_series.py", ["--plugin", plugin, "--array", "body", none]), ("gerris_to_vthb.py", [none, path("out.vthb")]),
-            ("time_ranks.py", [none]), ("write_exodus.py", [none, path("out.e")]), ("../Data/shapes.py", [none, "fin", path("out.vti")]),
-            ("../Data/impact.py", [none, path("out")]), ("../Data/OpenFOAM/foam_to_vti.py", [none, "0", path("out.vti")]),
-            ("../scripts/demo.py", [none, path("out")]), ("../scripts/run_document.py", [none, path("out")])):
+            ("atlas.py", ["--plugin", plugin, "--atlas", none]),
+            ("ball_under_pressure.py", ["--plugin", none]),
+            ("cube_under_pressure.py", ["--plugin", none]),
+            ("mesh_series.py", ["--plugin", none, "--array", "body", data]),
+            ("mesh_series.py", ["--plugin", plugin, "--array", "body", none]),
+            ("gerris_to_vthb.py", [none, path("out.vthb")]),
+            ("time_ranks.py", [none]), ("write_exodus.py", [none, path("out.e")]),
+            ("../Data/shapes.py", [none, "fin", path("out.vti")]),
+            ("../Data/impact.py", [none, path("out")]),
+            ("../Data/OpenFOAM/foam_to_vti.py", [none, "0", path("out.vti")]),
+            ("../scripts/demo.py", [none, path("out")]),
+            ("../scripts/run_document.py", [none, path("out")])):
         result = run_here(os.path.join(EXAMPLES, script), *arguments)
         lines = result.stderr.strip().splitlines()
         assert result.returncode == 1 and result.stdout == "" and len(lines) == 1, (script, result)
-        assert lines[0].startswith("%s: %s" % (os.path.basename(script), none)) and lines[0].endswith(": no such file"), lines
+        assert lines[0].startswith("%s: %s" % (os.path.basename(script),
+                                               none)) and lines[0].endswith(": no such file"), lines
     result = mpi_run(1, ["pvpython", os.path.join(EXAMPLES, "time_ranks.py")])
     assert result.returncode == 1 and "usage: " in result.stderr, result
 
@@ -246,19 +289,28 @@ def test_missing_files(path):
 @in_folder
 def test_bracket(path):
     """Edges and rims that are kept lie far nearer to the mesh; fillets stay as they are."""
-    result = subprocess.run(["pvbatch", os.path.join(EXAMPLES, "bracket.py"), path("out"), "--cells", "48", "--no-pictures",
-                             "--plugin", os.environ["VFM_PLUGIN"]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    result = subprocess.run(["pvbatch", os.path.join(EXAMPLES, "bracket.py"), path("out"),
+                             "--cells", "48", "--no-pictures",
+                             "--plugin", os.environ["VFM_PLUGIN"]], stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, text=True)
     assert result.returncode == 0, result
     number = r"(\d\.\d+)"
-    off, on = ([float(n) for n in re.search(r"\| %s \| %s/.* \| .*/%s \(.*\) \| .*/%s \(.*\) \| .*/%s \|" % (mode, *4 * (number,)), result.stdout).groups()]
+    off, on = ([float(n)
+                for n in re.search(r"\| %s \| %s/.* \| .*/%s \(.*\) \| .*/%s \(.*\) \| .*/%s \|"
+                                   % (mode, *4 * (number,)), result.stdout).groups()]
                for mode in ("Off", "On"))
-    assert on[0] > 0.4 and max(on[1:3]) < 0.045 and min(off[1:3]) > 0.35 and on[3] < 0.02, result.stdout
+    assert on[0] > 0.4 and max(on[1:3]) < 0.045 and min(off[1:3]) > 0.35 and on[
+        3] < 0.02, result.stdout
     assert "surfaces, curves and vertices: 10, 21, 10\n" in result.stdout and "on curves there: 0\n" in result.stdout, result.stdout
 
 
 def test_time_on_ranks():
-    result = mpi_run(2, ["pvbatch", "--sym", os.path.join(EXAMPLES, "time_ranks.py"), os.environ["VFM_PLUGIN"], "12"])
-    rows = re.findall(r"rank (\d) of 2: [\d.]+ s, (\d+) hexahedra, memory \d+ MB before, peak \d+ MB", result.stdout)
+    result = mpi_run(2,
+                     ["pvbatch", "--sym", os.path.join(EXAMPLES, "time_ranks.py"),
+                      os.environ["VFM_PLUGIN"], "12"])
+    rows = re.findall(
+        r"rank (\d) of 2: [\d.]+ s, (\d+) hexahedra, memory \d+ MB before, peak \d+ MB",
+        result.stdout)
     assert result.returncode == 0 and sorted(rank for rank, _ in rows) == ["0", "1"], result
     assert all(int(hexes) > 100 for _, hexes in rows), rows
 

@@ -1,4 +1,5 @@
-"""What Documentation/sculptor.md says that the program prints is what it prints, but for seconds."""
+"""What Documentation/sculptor.md says that the program prints is what it prints, but for
+seconds."""
 import os
 import re
 

@@ -1,4 +1,5 @@
-"""A figure of Sculptor's report as Documentation/report.md has it: the script makes the picture and prints the very rows of the page.
+"""A figure of Sculptor's report as Documentation/report.md has it: the script makes the picture and
+prints the very rows of the page.
 
 usage: pvpython TestReport.py Examples/report/figure_NN.py
 """
@@ -16,7 +17,8 @@ def main(script):
         page = set(file.read().splitlines())
     name = os.path.splitext(os.path.basename(script))[0]
     with tempfile.TemporaryDirectory() as out:
-        result = subprocess.run([*SCREEN, "pvpython", script, out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        result = subprocess.run([*SCREEN, "pvpython", script, out], stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True)
         print(result.stdout)
         assert result.returncode == 0, result.returncode
         assert os.path.getsize(os.path.join(out, name + ".png")) > 10000

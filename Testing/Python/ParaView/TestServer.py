@@ -1,7 +1,9 @@
-"""A client and a server of two ranks: meshes, their colour maps and writers with the plugin on both sides, on the server or on the client alone.
+"""A client and a server of two ranks: meshes, their colour maps and writers with the plugin on both
+sides, on the server or on the client alone.
 
 usage: pvpython TestServer.py
-       pvpython TestServer.py PORT SIDES    what a client does, which prints the names in its colour map and the writers
+       pvpython TestServer.py PORT SIDES    what a client does, which prints the names in its colour
+       map and the writers
 """
 import os
 import re
@@ -13,8 +15,10 @@ from paraview import simple
 from mpi_run import OF_THIS_PROCESS, SETTINGS
 
 PLUGIN = os.environ["VFM_PLUGIN"]
-FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "ball_and_plate.vti")
-MISSED = re.compile("Could not create object of type: vtkSMMesh(ArrayList)?Domain")  # by a client while it lacks the plugin
+FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
+                     "ball_and_plate.vti")
+# by a client while it lacks the plugin
+MISSED = re.compile("Could not create object of type: vtkSMMesh(ArrayList)?Domain")
 OURS = "ExodusAndSetsWriter"
 LIMIT = 300  # seconds; machines are shared
 
@@ -27,32 +31,45 @@ def act_as_client(port, sides):
             simple.LoadPlugin(PLUGIN, remote=remote, ns=globals())
     field = simple.OpenDataFile(FIELD)
     if "server" in sides:
-        shown = VolumeFractionToHex(Input=field, VolumeFractionArrays=["ball", "plate"], StairStep=1)
+        shown = VolumeFractionToHex(Input=field, VolumeFractionArrays=["ball", "plate"],
+                                    StairStep=1)
     else:
-        shown = simple.Calculator(Input=field, AttributeType="Cell Data", ResultArrayName="MaterialId", Function="ball")
+        shown = simple.Calculator(Input=field, AttributeType="Cell Data",
+                                  ResultArrayName="MaterialId", Function="ball")
     view = simple.CreateRenderView()
     simple.ColorBy(simple.Show(shown, view), ("CELLS", "MaterialId"))
     cells = shown.GetDataInformation().GetNumberOfCells()
     print("RESULT", cells > 0, list(simple.GetColorTransferFunction("MaterialId").Annotations))
     other = simple.Tetrahedralize(Input=simple.Wavelet())
-    print("WRITERS", *(simple.CreateWriter("mesh.e", source).GetXMLName() for source in (shown, other)))
+    print("WRITERS",
+          *(simple.CreateWriter("mesh.e", source).GetXMLName() for source in (shown, other)))
 
 
 def names_with(sides):
-    """What the client printed: of the colour map, and the writers of what it shows and of another mesh."""
-    plain = {name: value for name, value in os.environ.items() if not name.startswith(OF_THIS_PROCESS)}
-    server = subprocess.Popen(["mpiexec", "--oversubscribe", "--bind-to", "none", "-n", "2", "pvserver", "--server-port=0"],
-                              env={**plain, **SETTINGS}, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+    """What the client printed: of the colour map, and the writers of what it shows and of another
+    mesh."""
+    plain = {name: value for name, value in os.environ.items()
+             if not name.startswith(OF_THIS_PROCESS)}
+    server = subprocess.Popen(["mpiexec", "--oversubscribe", "--bind-to", "none", "-n", "2",
+                               "pvserver", "--server-port=0"],
+                              env={**plain, **SETTINGS}, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, text=True)
     try:
-        port = next(found[1] for found in (re.match(r"Accepting connection\(s\): .*:(\d+)", line) for line in server.stdout) if found)
-        client = subprocess.run(["pvpython", os.path.abspath(__file__), port, sides], env=plain, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=LIMIT)
+        port = next(found[1]
+                    for found in (re.match(r"Accepting connection\(s\): .*:(\d+)", line)
+                                  for line in server.stdout) if found)
+        client = subprocess.run(["pvpython", os.path.abspath(__file__), port, sides], env=plain,
+                                stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                timeout=LIMIT)
         server.wait(LIMIT)
     finally:
         server.kill()
-    errors = [line for line in client.stdout.splitlines() if "ERR|" in line and not MISSED.search(line)]
+    errors = [line for line in client.stdout.splitlines() if "ERR|" in line
+              and not MISSED.search(line)]
     assert client.returncode == 0 and not errors, client.stdout
-    return [re.search("^%s (.*)$" % what, client.stdout, re.MULTILINE)[1] for what in ("RESULT", "WRITERS")]
+    return [re.search("^%s (.*)$" % what, client.stdout, re.MULTILINE)[1]
+            for what in ("RESULT", "WRITERS")]
 
 
 def test_both():

@@ -1,4 +1,5 @@
-"""What a user does in ParaView's window, click by click: loads the plugin, opens a field, meshes it and saves the mesh by names of each end."""
+"""What a user does in ParaView's window, click by click: loads the plugin, opens a field, meshes it
+and saves the mesh by names of each end."""
 import os
 from xml.sax.saxutils import quoteattr
 
@@ -9,21 +10,28 @@ from exodus_of_mesh import check
 from mpi_run import mpi_run
 from vfmtest import in_folder, main, VolumeFractionToHex
 
-FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "fin.vti")
+FIELD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
+                     "fin.vti")
 MENUS, PANEL, MANAGER = "menubar/menu", "propertiesDock/propertiesPanel/", "PluginManagerDialog/"
 LOAD_PLUGIN = [
-    (MENUS + "Tools", "activate", "actionManage_Plugins"), (MANAGER + "splitter/localGroup/loadLocal", "activate", ""),
+    (MENUS + "Tools", "activate", "actionManage_Plugins"),
+    (MANAGER + "splitter/localGroup/loadLocal", "activate", ""),
     (MANAGER + "1pqFileDialog0", "filesSelected", os.path.realpath(os.environ["VFM_PLUGIN"])),
     (MANAGER + "buttonBox/1QPushButton0", "activate", "")]
 MAKE_MESH = [
-    (MENUS + "_File", "activate", "actionFileOpen"), ("FileOpenDialog", "filesSelected", os.path.realpath(FIELD)), (PANEL + "Accept", "activate", ""),
-    (MENUS + "Filters/Alphabetical", "activate", "VolumeFractionToHex"), (PANEL + "Accept", "activate", "")]
+    (MENUS + "_File", "activate", "actionFileOpen"),
+    ("FileOpenDialog", "filesSelected", os.path.realpath(FIELD)),
+    (PANEL + "Accept", "activate", ""),
+    (MENUS + "Filters/Alphabetical", "activate", "VolumeFractionToHex"),
+    (PANEL + "Accept", "activate", "")]
 
 
 def save(path):
     """Those of Exodus have a dialog of options."""
-    confirm = [] if path.endswith(".inp") else [("WriterSettingsDialog/widget/OKButton", "activate", "")]
-    return [(MENUS + "_File", "activate", "actionFileSaveData"), ("FileSaveDialog", "filesSelected", path)] + confirm
+    confirm = [] if path.endswith(".inp") else [("WriterSettingsDialog/widget/OKButton", "activate",
+                                                 "")]
+    return [(MENUS + "_File", "activate", "actionFileSaveData"),
+            ("FileSaveDialog", "filesSelected", path)] + confirm
 
 
 def play(clicks, folder):
@@ -32,10 +40,14 @@ def play(clicks, folder):
     with open(script, "w") as file:
         file.write('<?xml version="1.0"?>\n<pqevents>\n')
         for what, command, value in clicks:
-            file.write("<pqevent object=%s command=%s arguments=%s/>\n" % tuple(map(quoteattr, ("pqClientMainWindow/" + what, command, value))))
+            file.write("<pqevent object=%s command=%s arguments=%s/>\n"
+                       % tuple(map(quoteattr, ("pqClientMainWindow/" + what, command, value))))
         file.write("</pqevents>\n")
-    return mpi_run(1, ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "paraview", "--dr", "--test-directory=" + folder,
-                       "--test-script=" + script, "--exit"], HOME=folder, without=["PV_PLUGIN_PATH"])
+    return mpi_run(1,
+                   ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", "paraview", "--dr",
+                    "--test-directory=" + folder,
+                       "--test-script=" + script, "--exit"], HOME=folder,
+                       without=["PV_PLUGIN_PATH"])
 
 
 @in_folder

@@ -14,7 +14,8 @@ BOXES = [209, 302], [1136, 1450]  # elements and points, as it is and refined
 def test_built_in_test(at):
     for ranks in (1, 4, 12):
         result = sculptor("test", "--output", at("boxes.vtu"), ranks=ranks)
-        assert result.returncode == 0 and result.stderr == "" and result.stdout.endswith("\nPASS\n"), result
+        assert result.returncode == 0 and result.stderr == "" and result.stdout.endswith(
+            "\nPASS\n"), result
         assert "WRONG" not in result.stdout and result.stdout.count("right:") == 20
         for text, counts in zip(result.stdout.split("Refined 1"), BOXES):
             assert rows(text)["all"][:2] == counts, text
@@ -25,16 +26,19 @@ def test_built_in_test(at):
 
 
 def test_built_in_test_of_every_kind():
-    """Kinds of elements and of smoothing with every refinement on one rank; each of them also on two or four."""
+    """Kinds of elements and of smoothing with every refinement on one rank; each of them also on
+    two or four."""
     kinds = [[], *[["--tetmesh", method] for method in TET_METHODS]]
     smoothings = [[], ["--no-smooth"], ["--smooth", "2"], ["--stairstep"]]
     refinements = [[], ["--refine-cells"]]
-    for k, s, r in itertools.product(*[range(len(choices)) for choices in (kinds, smoothings, refinements)]):
+    for k, s, r in itertools.product(*[range(len(choices))
+                                       for choices in (kinds, smoothings, refinements)]):
         words = kinds[k] + smoothings[s] + refinements[r] + ["--material", "1"]
         outputs = []
         for ranks in (1, (2, 4)[(k + r) % 2]) if s == (k + 2 * r) % len(smoothings) else (1,):
             result = sculptor("test", *words, ranks=ranks)
-            assert result.returncode == 0 and result.stderr == "" and result.stdout.endswith("\nPASS\n"), (words, result)
+            assert result.returncode == 0 and result.stderr == "" and result.stdout.endswith(
+                "\nPASS\n"), (words, result)
             assert "WRONG" not in result.stdout and result.stdout.count("the elements conform") == 2
             outputs.append(result.stdout)
         assert outputs[0] == outputs[-1] or "TetGen" in words, words

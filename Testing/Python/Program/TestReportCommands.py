@@ -1,7 +1,9 @@
-"""Every command of the report's appendix B, and ours, which is run here: the table of Documentation/report.md.
+"""Every command of the report's appendix B, and ours, which is run here: the table of
+Documentation/report.md.
 
-A row of COMMANDS is the report's command, ours after the word sculptor, and what must come of it. Files: impact.spcth is the SpyPlot
-dump in Data, cube_mesh.exo.1.0 an Exodus file of hexahedra with element variables at two times.
+A row of COMMANDS is the report's command, ours after the word sculptor, and what must come of it.
+Files: impact.spcth is the SpyPlot dump in Data, cube_mesh.exo.1.0 an Exodus file of hexahedra with
+element variables at two times.
 """
 import os
 import shutil
@@ -65,13 +67,16 @@ def lists(*expected):
 
 
 def meshes(kind=VTK_HEXAHEDRON, material=1, least=0.0, same_as=None, other_than=None):
-    """Elements of one kind and material with volumes above a number, which add up to that of the fractions; the mesh is, or is not, that of
-    another command."""
+    """Elements of one kind and material with volumes above a number, which add up to that of the
+    fractions; the mesh is, or is not, that of another command."""
     def check(words):
         mesh = mesh_of(words)
-        assert mesh.kind == kind and len(mesh.elements) > 100 and mesh.materials == {material}, (words, mesh.materials)
+        assert mesh.kind == kind and len(mesh.elements) > 100 and mesh.materials == {material}, (
+            words, mesh.materials)
         assert mesh.volumes.min() > least, (words, mesh.volumes.min())
-        assert np.isclose(mesh.volumes.sum(), mesh.piece.GetFieldData().GetArray("MeshVolume").GetValue(material - 1), rtol=1e-9)
+        assert np.isclose(mesh.volumes.sum(),
+                          mesh.piece.GetFieldData().GetArray("MeshVolume").GetValue(material - 1),
+                          rtol=1e-9)
         if same_as:
             assert mesh.is_that_of(mesh_of(same_as)), words
         if other_than:
@@ -82,7 +87,8 @@ def meshes(kind=VTK_HEXAHEDRON, material=1, least=0.0, same_as=None, other_than=
 def steps(words):
     """Whole cells: each element is one."""
     mesh = mesh_of(words)
-    assert mesh.materials == {1} and len(mesh.elements) > 100 and np.allclose(mesh.volumes, CELL ** 3, rtol=1e-5)
+    assert mesh.materials == {1} and len(mesh.elements) > 100 and np.allclose(
+        mesh.volumes, CELL ** 3, rtol=1e-5)
 
 
 def at_time(time):
@@ -101,12 +107,14 @@ def bounds(words):
     reader.SetFileName(os.path.join(FOLDER, "geometry.vtm"))
     reader.Update()
     blocks = reader.GetOutput()
-    cells = {blocks.GetMetaData(b).Get(blocks.NAME()): blocks.GetBlock(b).GetNumberOfCells() for b in range(blocks.GetNumberOfBlocks())}
+    cells = {blocks.GetMetaData(b).Get(blocks.NAME()): blocks.GetBlock(b).GetNumberOfCells()
+             for b in range(blocks.GetNumberOfBlocks())}
     assert cells["Surfaces"] > 100 and cells["Curves"] > 10, cells
 
 
 def passes(elements=None, kind=None):
-    """PASS on 1, 2 and 4 ranks, and the same numbers; of box 2, which stays unrefined, the elements that it must have."""
+    """PASS on 1, 2 and 4 ranks, and the same numbers; of box 2, which stays unrefined, the elements
+    that it must have."""
     def check(words):
         outputs = [run(words, ranks) for ranks in (1, 2, 4)]
         assert all(out.endswith("\nPASS\n") and "WRONG" not in out for out in outputs), outputs
@@ -122,25 +130,31 @@ IMPACT, PLAIN = "impact.spcth out.vtu --step 3", "impact.spcth out.vtu --step 3 
 COMMANDS = [
     ('import volume fraction "impact.spcth"', "--list impact.spcth",
      lists("1 Material volume fraction - 1", "2 Material volume fraction - 2", "4 times")),
-    ('import volume fraction "cube_mesh.exo.1.0" variable "MAT_10"', "cube_mesh.exo.1.0 out.vtu --fractions MAT_10", at_time(0.5)),
-    ('import volume fraction "cube_mesh.exo.1.0" variable "MAT_10" time 2.0', "cube_mesh.exo.1.0 out.vtu --fractions MAT_10 --time 2.0",
-     at_time(2.0)),
+    ('import volume fraction "cube_mesh.exo.1.0" variable "MAT_10"',
+     "cube_mesh.exo.1.0 out.vtu --fractions MAT_10", at_time(0.5)),
+    ('import volume fraction "cube_mesh.exo.1.0" variable "MAT_10" time 2.0',
+     "cube_mesh.exo.1.0 out.vtu --fractions MAT_10 --time 2.0", at_time(2.0)),
     ("mesh volume fraction", PLAIN, meshes()),
     ("mesh volume fraction material 2", IMPACT + " --material 2", meshes(material=2)),
     ("mesh volume fraction stairstep", PLAIN + " --stairstep", steps),
     ("mesh volume fraction no_smooth", PLAIN + " --no-smooth", meshes(other_than=PLAIN)),
-    ("mesh volume fraction smooth 0", PLAIN + " --smooth 0", meshes(same_as=PLAIN + " --no-smooth")),
+    ("mesh volume fraction smooth 0", PLAIN + " --smooth 0",
+     meshes(same_as=PLAIN + " --no-smooth")),
     ("mesh volume fraction smooth 1", PLAIN + " --smooth 1", meshes(same_as=PLAIN)),
     ("mesh volume fraction smooth 2", PLAIN + " --smooth 2", meshes(other_than=PLAIN)),
     ("mesh volume fraction tetmesh", PLAIN + " --tetmesh Lattice", meshes(VTK_TETRA)),
-    ("mesh volume fraction material 2 smooth 2 tetmesh", IMPACT + " --material 2 --smooth 2 --tetmesh Lattice", meshes(VTK_TETRA, 2)),
+    ("mesh volume fraction material 2 smooth 2 tetmesh",
+     IMPACT + " --material 2 --smooth 2 --tetmesh Lattice", meshes(VTK_TETRA, 2)),
     ("mesh volume fraction test", "test", passes(432, VTK_HEXAHEDRON)),
     ("mesh volume fraction test tetmesh", "test --tetmesh", passes(kind=VTK_TETRA)),
     ("mesh volume fraction test no_smooth", "test --no-smooth", passes(432, VTK_HEXAHEDRON)),
-    ("mesh volume fraction test tetmesh no_smooth", "test --tetmesh --no-smooth", passes(kind=VTK_TETRA)),
-    ("set sculpt refine on; mesh volume fraction test", "test --refine-cells", passes(432, VTK_HEXAHEDRON)),
+    ("mesh volume fraction test tetmesh no_smooth", "test --tetmesh --no-smooth",
+     passes(kind=VTK_TETRA)),
+    ("set sculpt refine on; mesh volume fraction test", "test --refine-cells",
+     passes(432, VTK_HEXAHEDRON)),
     ("create mesh geom hex all feature 0", IMPACT + " --geometry geometry.vtm", bounds),
-    ("create mesh geom tet all feature 0", IMPACT + " --tetmesh Lattice --geometry geometry.vtm", bounds),
+    ("create mesh geom tet all feature 0", IMPACT + " --tetmesh Lattice --geometry geometry.vtm",
+     bounds),
 ]
 
 
@@ -148,7 +162,8 @@ def make_files():
     shutil.copy(os.path.join(DATA, "impact.spcth"), FOLDER)
     shutil.copytree(os.path.join(DATA, "impact"), os.path.join(FOLDER, "impact"))
     cells = shuffled()
-    path = write_exodus(os.path.join(FOLDER, "cube.exo"), lambda step: {"cube": hexes(fields(step), cells)})
+    path = write_exodus(os.path.join(FOLDER, "cube.exo"),
+                        lambda step: {"cube": hexes(fields(step), cells)})
     shutil.move(path, os.path.join(FOLDER, "cube_mesh.exo.1.0"))
 
 

@@ -1,4 +1,5 @@
-"""The program sculptor (VFM_SCULPTOR) on several ranks: its meshes are those of the filters, its messages and exit codes."""
+"""The program sculptor (VFM_SCULPTOR) on several ranks: its meshes are those of the filters, its
+messages and exit codes."""
 import ctypes
 import os
 import re
@@ -9,20 +10,23 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet, vtkRectilinearGrid, vtkUniformGrid)
 from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter
 from vtkmodules.vtkIOXML import (
-    vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter, vtkXMLUniformGridAMRWriter)
+    vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter,
+    vtkXMLUniformGridAMRWriter)
 
 from amr_cases import amr_data
 from compare_meshes import difference, merge, read_pieces
 from exodus_grids import hexes, shuffled, write_exodus
 from sculptor_program import check_same, mesh_file, refused, rows, sculptor
 from vfmtest import (
-    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate, box_along_axes, exodus_parts, fraction_image,
+    ORIGIN, SPACING, VolumeFractionToHex, VolumeFractionToTet, add_array, ball_and_plate,
+    box_along_axes, exodus_parts, fraction_image,
     image, in_folder, labels, main, mesh_of, rectilinear, uniform, write, simple)
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data")
 BALL_AND_PLATE = os.path.join(DATA, "ball_and_plate.vti")
 SPLASH = os.path.join(DATA, "splash_2ms.vti")
-NAMED = {"Refinement": "Automatic", "ThinCells": 0, "FineInterfaces": 0}  # what --refine-cells and --refine-box set
+# what --refine-cells and --refine-box set
+NAMED = {"Refinement": "Automatic", "ThinCells": 0, "FineInterfaces": 0}
 
 
 def filter_mesh(path, tets=False, **properties):
@@ -64,12 +68,15 @@ def test_options(at):
     path = write(fraction_image(), at("in.vti"))
     both = dict(VolumeFractionArrays=["ball", "plate"])
     cases = [
-        (["--iso", "0.3", "--void", "--smooth=geometrybased"], dict(IsoValue=0.3, MeshVoid=1, Smoothing="Geometry Based")),
+        (["--iso", "0.3", "--void", "--smooth=geometrybased"],
+         dict(IsoValue=0.3, MeshVoid=1, Smoothing="Geometry Based")),
         (["--set", "targetscaledjacobian = .3", "ConserveVolume=off", "--refine", "1"],
          dict(uniform(1), TargetScaledJacobian=0.3, ConserveVolume=0)),
         (["--aspect", "1.5", "--no-smooth"], dict(MaximumAspectRatio=1.5, Smoothing="Off")),
-        (["--refine-box", "-1,.5,2,0,1,4", "--refine-box=1,2,3,2,3,4,2", "--set", "FineInterfaces=on", "MaximumLevel=1"],
-         dict(NAMED, RefinementBoxes=[-1, 0.5, 2, 0, 1, 4, 1, 1, 2, 3, 2, 3, 4, 2], FineInterfaces=1, MaximumLevel=1)),
+        (["--refine-box", "-1,.5,2,0,1,4", "--refine-box=1,2,3,2,3,4,2", "--set",
+          "FineInterfaces=on", "MaximumLevel=1"],
+         dict(NAMED, RefinementBoxes=[-1, 0.5, 2, 0, 1, 4, 1, 1, 2, 3, 2, 3, 4, 2],
+              FineInterfaces=1, MaximumLevel=1)),
         (["--tetmesh", "lattice", "--refine-box", "-1,.5,2,0,1,4"],
          dict(NAMED, tets=True, Method="Lattice", RefinementBoxes=[-1, 0.5, 2, 0, 1, 4, 1])),
     ]
@@ -84,7 +91,8 @@ def test_options(at):
 @in_folder
 def test_sharp_edges(at):
     path = write(image({"box": box_along_axes((2.3, 3.6, 2.8), (9.4, 8.7, 9.1))}), at("in.vti"))
-    plain, sharp = (filter_mesh(path, VolumeFractionArrays=["box"], SharpEdges=mode) for mode in ("Off", "On"))
+    plain, sharp = (filter_mesh(path, VolumeFractionArrays=["box"], SharpEdges=mode)
+                    for mode in ("Off", "On"))
     assert difference(merge([plain]), merge([sharp]))
     mesh_file(path, at("out.vtu"), "--sharp-edges", "on")
     check_same(at("out.vtu"), sharp)
@@ -92,12 +100,14 @@ def test_sharp_edges(at):
 
 @in_folder
 def test_cells_to_refine(at):
-    """The array is none of the materials; readers of every kind read it, whatever else is asked for."""
+    """The array is none of the materials; readers of every kind read it, whatever else is asked
+    for."""
     arrays = dict(zip(("ball", "plate"), ball_and_plate()))
     arrays["wish"] = np.zeros((12, 12, 12))
     arrays["wish"][3:5, 5, 6:8] = 1
     path = write(image(arrays), at("in.vti"))
-    mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"], RefinementArray="wish", **NAMED)
+    mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"], RefinementArray="wish",
+                       **NAMED)
     for ranks, words in ((1, ()), (3, ("--fractions", "ball,plate"))):
         out = mesh_file(path, at("out.vtu"), "--refine-cells", "wish", *words, ranks=ranks)
         check_same(at("out.vtu"), mesh)
@@ -106,10 +116,11 @@ def test_cells_to_refine(at):
     exodus = write_exodus(at("in.e"), lambda step: {"all": hexes(arrays, cells)}, [0.0])
     mesh_file(exodus, at("out.vtu"), "--refine-cells", "wish", "--fractions", "ball,plate", ranks=2)
     check_same(at("out.vtu"), mesh, 0)
-    refused(2, "no numeric array 'missing' (--refine-cells)", path, at("no.vtu"), "--refine-cells", "missing", ranks=2)
+    refused(2, "no numeric array 'missing' (--refine-cells)", path, at("no.vtu"), "--refine-cells",
+            "missing", ranks=2)
     arrays["wish"][0, 0, 0] = 0.5
-    refused(3, "'wish' holds 0.5", write(image(arrays), at("half.vti")), at("no.vtu"), "--refine-cells", "wish",
-            "--fractions", "ball,plate", ranks=2)
+    refused(3, "'wish' holds 0.5", write(image(arrays), at("half.vti")), at("no.vtu"),
+            "--refine-cells", "wish", "--fractions", "ball,plate", ranks=2)
 
 
 @in_folder
@@ -118,15 +129,19 @@ def test_options_of_labels(at):
     ids[10, 1, 1] = 2
     path = write(image({"id": ids}), at("in.vti"))
     for arguments, properties in (
-            (["--label-smoothing", "2"], dict(LabelSmoothing=2)), (["--minimum-region", "2"], dict(MinimumRegionCells=2))):
+            (["--label-smoothing", "2"], dict(LabelSmoothing=2)),
+            (["--minimum-region", "2"], dict(MinimumRegionCells=2))):
         mesh_file(path, at("out.vtu"), "--labels", "id", *arguments, ranks=2)
         mesh = filter_mesh(path, MaterialIdArray="id", **properties)
-        assert difference(merge([mesh]), merge([filter_mesh(path, MaterialIdArray="id")])), "%s changes nothing" % arguments
+        assert difference(merge([mesh]),
+                          merge([filter_mesh(path,
+                                             MaterialIdArray="id")])), "%s changes nothing" % arguments
         check_same(at("out.vtu"), mesh)
 
 
 def write_formats(at):
-    """The same field in every format that can be written here: {name: path}; blocks are one by one in x."""
+    """The same field in every format that can be written here: {name: path}; blocks are one by one
+    in x."""
     ball, plate = ball_and_plate()
     arrays = {"ball": ball, "plate": plate}
     whole = image(arrays)
@@ -137,8 +152,10 @@ def write_formats(at):
         blocks.SetBlock(i, part)
     grid = vtkRectilinearGrid()
     grid.SetExtent(whole.GetExtent())
-    for a, set_nodes in enumerate((grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates)):
-        set_nodes(add_array(vtkMultiBlockDataSet().GetFieldData(), "x", ORIGIN[a] + SPACING[a] * np.arange(13.0)))
+    for a, set_nodes in enumerate((grid.SetXCoordinates, grid.SetYCoordinates,
+                                   grid.SetZCoordinates)):
+        set_nodes(add_array(vtkMultiBlockDataSet().GetFieldData(), "x",
+                            ORIGIN[a] + SPACING[a] * np.arange(13.0)))
     grid.GetCellData().ShallowCopy(whole.GetCellData())
     return {
         "vti": write(whole, at("image.vti")),
@@ -164,7 +181,8 @@ def uniform_grid(part, spacing):
 def amr(parts, fine=False):
     levels = [[uniform_grid(part, SPACING) for part in parts]]
     if fine:
-        arrays = {name: value[:12, :12, :8] for name, value in zip(("ball", "plate"), ball_and_plate(24))}
+        arrays = {name: value[:12, :12, :8]
+                  for name, value in zip(("ball", "plate"), ball_and_plate(24))}
         levels.append([uniform_grid(image(arrays), [h / 2 for h in SPACING])])
     return amr_data(levels, 2)
 
@@ -198,12 +216,15 @@ def test_empty_mesh(at):
     path = write(image({"ball": np.zeros((4, 4, 4))}), at("in.vti"))
     for kind, ranks in (("vtu", 1), ("vtu", 2), ("pvtu", 2)):
         result = sculptor("--input", path, "--output", at("out." + kind), ranks=ranks)
-        assert result.returncode == 0 and result.stderr.count("warning: The mesh is empty") == 1, result
+        assert result.returncode == 0 and result.stderr.count(
+            "warning: The mesh is empty") == 1, result
     result = sculptor("--input", path, "--output", at("out.inp"), ranks=2)
-    assert result.returncode == 4 and "The mesh is empty." in result.stderr and not os.path.exists(at("out.inp")), result
+    assert result.returncode == 4 and "The mesh is empty." in result.stderr and not os.path.exists(
+        at("out.inp")), result
     for ranks in (1, 2):
         result = sculptor("--input", path, "--output", at("out.e"), ranks=ranks)
-        assert result.returncode == 4 and result.stderr.count("sculptor: Cannot write the output") == 1, result
+        assert result.returncode == 4 and result.stderr.count(
+            "sculptor: Cannot write the output") == 1, result
 
 
 @in_folder
@@ -231,17 +252,20 @@ def read_exodus(path):
 def test_exodus(at):
     path = write(fraction_image(), at("in.vti"))
     mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"])
-    cells = {name: vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("GlobalCellIds", "MaterialId")}
+    cells = {name: vtk_to_numpy(mesh.GetCellData().GetArray(name))
+             for name in ("GlobalCellIds", "MaterialId")}
     ids = vtk_to_numpy(mesh.GetPointData().GetGlobalIds()).tolist()
     points = dict(zip(ids, map(tuple, vtk_to_numpy(mesh.GetPoints().GetData()).tolist())))
     for ranks, kind in ((1, ".e"), (2, ".ex2"), (3, ".exo")):
         output = at("mesh%d%s" % (ranks, kind))
         mesh_file(path, output, ranks=ranks)
-        assert ranks == 1 or sum(name.startswith("mesh%d" % ranks) for name in os.listdir(at(""))) == ranks
+        assert ranks == 1 or sum(name.startswith("mesh%d" % ranks)
+                                 for name in os.listdir(at(""))) == ranks
         found = read_exodus(output if ranks == 1 else "%s.%d.0" % (output, ranks))
         assert set(found) == {"ball", "plate"}
         for material, name in enumerate(("ball", "plate"), 1):
-            assert sorted(found[name][0]) == sorted(cells["GlobalCellIds"][cells["MaterialId"] == material].tolist())
+            assert sorted(found[name][0]) == sorted(
+                cells["GlobalCellIds"][cells["MaterialId"] == material].tolist())
         assert {**found["ball"][1], **found["plate"][1]} == points
 
 
@@ -268,7 +292,8 @@ def test_arrays_are_found(at):
     spy = {"Material volume fraction - %d" % i: value for i, value in ((10, plate), (9, ball))}
     path = write(image({"other": ball, **spy}), at("spy.vti"))
     mesh_file(path, at("out.vtu"))
-    assert names_of(at("out.vtu")) == ["Material volume fraction - 9", "Material volume fraction - 10"]
+    assert names_of(at("out.vtu")) == ["Material volume fraction - 9",
+                                       "Material volume fraction - 10"]
 
     path = write(image({"pressure": 1e5 * ball}), at("none.vti"))
     refused(2, "pressure (double, 0 to 100000)", "--input", path, "--output", at("no.vtu"), ranks=2)
@@ -279,7 +304,8 @@ def test_point_data_is_told(at):
     """That of grids which are no images, where a point is the centre of no cell."""
     data = rectilinear({"count": np.ones((4, 4, 4), np.int32)}, [np.arange(5.0)] * 3)
     add_array(data.GetPointData(), "phi", np.full((5, 5, 5), 0.25))
-    files = ["--input", write(data, at("in.vtr"), vtkXMLRectilinearGridWriter), "--output", at("no.vtu")]
+    files = ["--input", write(data, at("in.vtr"), vtkXMLRectilinearGridWriter), "--output",
+             at("no.vtu")]
     points = "Its point arrays, which cannot be meshed: phi (double, 0.25 to 0.25)."
     for ranks in (1, 2):
         refused(2, "Its cell arrays: count (int, 1 to 1). " + points, *files, ranks=ranks)
@@ -303,7 +329,8 @@ def test_clipped_fractions(at):
     for ranks in (1, 2):
         result = sculptor(*arguments, ranks=ranks)
         assert result.returncode == 0 and names_of(at("out.vtu")) == ["plate"]
-        assert result.stderr == ("sculptor: warning: Not taken for volume fractions: ball, with values up to 0.01 outside [0, 1]. "
+        assert result.stderr == (
+            "sculptor: warning: Not taken for volume fractions: ball, with values up to 0.01 outside [0, 1]. "
                                  "--clip T takes those that lie outside by no more than T.\n"), result
         result = sculptor(*arguments, "--clip", "0.01", ranks=ranks)
         assert result.returncode == 0 and names_of(at("out.vtu")) == ["ball", "plate"]
@@ -313,7 +340,8 @@ def test_clipped_fractions(at):
 @in_folder
 def test_long_names_are_told_in_full(at):
     ball, plate = ball_and_plate(8)
-    names = ["the name of a material that ends in aluminium", "the name of a material that ends in steel"]
+    names = ["the name of a material that ends in aluminium",
+             "the name of a material that ends in steel"]
     text = mesh_file(write(image(dict(zip(names, (ball, plate)))), at("in.vti")), at("out.vtu"))
     rows = [re.match(r"(\d) (.*?)  +\d+ ", line) for line in text.splitlines()]
     assert [row.groups() for row in rows if row][:2] == [("1", names[0]), ("2", names[1])], text
@@ -324,7 +352,8 @@ def test_long_names_are_told_in_full(at):
 @in_folder
 def test_files_without_options(at):
     path = write(fraction_image(8), at("in.vti"))
-    assert sculptor(path, at("out.vtu")).returncode == 0 and names_of(at("out.vtu")) == ["ball", "plate"]
+    assert sculptor(path,
+                    at("out.vtu")).returncode == 0 and names_of(at("out.vtu")) == ["ball", "plate"]
 
 
 def materials_of(output):
@@ -344,7 +373,8 @@ def test_material(at):
     for material in ("1,plate", "all"):
         mesh_file(path, at("out.vtu"), "--material", material)
         check_same(at("out.vtu"), filter_mesh(path, VolumeFractionArrays=["ball", "plate"]))
-    refused(1, "The materials are: 1 ball, 2 plate", "--input", path, "--output", at("no.vtu"), "--material", "3", ranks=2)
+    refused(1, "The materials are: 1 ball, 2 plate", "--input", path, "--output", at("no.vtu"),
+            "--material", "3", ranks=2)
 
 
 @in_folder
@@ -354,20 +384,24 @@ def test_labels(at):
     check_same(at("out.vtu"), filter_mesh(path, MaterialIdArray="id"))
     mesh_file(path, at("out.vtu"), "--labels", "id", "--material", "10", ranks=2)
     assert materials_of(at("out.vtu")) == {10}
-    refused(1, "It holds 5, 10.", "--input", path, "--output", at("no.vtu"), "--labels", "id", "--material", "7")
+    refused(1, "It holds 5, 10.", "--input", path, "--output", at("no.vtu"), "--labels", "id",
+            "--material", "7")
 
 
 @in_folder
 def test_state(at):
     ball, plate = ball_and_plate()
-    states = {"damage": 0.5 * ball + plate, "velocity": np.stack([ball, plate, ball + plate], axis=3)}
+    states = {"damage": 0.5 * ball + plate,
+              "velocity": np.stack([ball, plate, ball + plate], axis=3)}
     path = write(image({"ball": ball, "plate": plate, **states}), at("in.vti"))
     mesh = filter_mesh(path, VolumeFractionArrays=["ball", "plate"], StateArrays=list(states))
     for ranks in (1, 3):
-        mesh_file(path, at("out.vtu"), "--state", "damage,velocity", ranks=ranks)  # damage is no material then
+        # damage is no material then
+        mesh_file(path, at("out.vtu"), "--state", "damage,velocity", ranks=ranks)
         check_same(at("out.vtu"), mesh)
     files = ["--input", path, "--output", at("no.vtu")]
-    refused(1, "cannot carry 'ball'", *files, "--fractions", "ball,plate", "--state", "ball", "--material", "2", ranks=2)
+    refused(1, "cannot carry 'ball'", *files, "--fractions", "ball,plate", "--state", "ball",
+            "--material", "2", ranks=2)
 
 
 def reads_appended_data():
@@ -393,11 +427,13 @@ def test_times(at):
         writer.WriteNextTime(time)
     writer.Stop()
     first, second = (mesh_of(step, VolumeFractionArrays=["ball"]).mesh for step in steps)
-    for arguments, mesh in (([], first), (["--step", "1"], second), (["--time", "0.4"], first), (["--time", "0.6"], second)):
+    for arguments, mesh in (([], first), (["--step", "1"], second), (["--time", "0.4"], first),
+                            (["--time", "0.6"], second)):
         text = mesh_file(at("times.vti"), at("out.vtu"), *arguments, ranks=2)
         assert "time %d\n" % (mesh is second) in text
         check_same(at("out.vtu"), mesh, int(mesh is second))
-    refused(2, "no step 2: it has 2", "--input", at("times.vti"), "--output", at("no.vtu"), "--step", "2", ranks=2)
+    refused(2, "no step 2: it has 2", "--input", at("times.vti"), "--output", at("no.vtu"),
+            "--step", "2", ranks=2)
 
 
 @in_folder
@@ -407,21 +443,26 @@ def test_table(at):
     texts = [mesh_file(path, at("out.vtu"), ranks=ranks) for ranks in (1, 2, 4)]
     tables = [text[:text.index("seconds:")] for text in texts]
     assert tables[0] == tables[1] == tables[2]
-    assert re.search(r"^seconds: read \d+\.\d\d mesh \d+\.\d\d write \d+\.\d\d$", texts[2], re.MULTILINE)
+    assert re.search(r"^seconds: read \d+\.\d\d mesh \d+\.\d\d write \d+\.\d\d$", texts[2],
+                     re.MULTILINE)
     quality, material, fragment = (
-        vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("ScaledJacobian", "MaterialId", "FragmentId"))
+        vtk_to_numpy(mesh.GetCellData().GetArray(name))
+        for name in ("ScaledJacobian", "MaterialId", "FragmentId"))
     connectivity = vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 8)
-    field = {name: vtk_to_numpy(mesh.GetFieldData().GetArray(name)) for name in ("MeshVolume", "TargetVolume")}
+    field = {name: vtk_to_numpy(mesh.GetFieldData().GetArray(name))
+             for name in ("MeshVolume", "TargetVolume")}
     table = rows(tables[0])
     assert set(table) >= {"1 ball", "2 plate", "all"} and len(table) == 3 + fragment.max(), table
 
     def check(row, cells, volume):
-        expected = [cells.sum(), len(np.unique(connectivity[cells])), quality[cells].min(), quality[cells].mean(), volume]
+        expected = [cells.sum(), len(np.unique(connectivity[cells])), quality[cells].min(),
+                    quality[cells].mean(), volume]
         assert np.allclose(row[:5], expected, rtol=6e-6, atol=6e-5), (row, expected)
 
     for m, name in enumerate(("1 ball", "2 plate")):
         check(table[name], material == m + 1, field["MeshVolume"][m])
-        assert np.allclose(table[name][5], field["TargetVolume"][m], rtol=6e-6) and abs(table[name][6]) < 0.01
+        assert np.allclose(table[name][5], field["TargetVolume"][m],
+                           rtol=6e-6) and abs(table[name][6]) < 0.01
     check(table["all"], material > 0, field["MeshVolume"].sum())
     for f in range(1, fragment.max() + 1):
         m = material[fragment == f][0]
@@ -434,7 +475,8 @@ def test_table(at):
 def test_table_of_many_fragments(at):
     drops = np.zeros((13, 13, 13))
     drops[1::3, 1::3, 1:4:3] = 1
-    text = mesh_file(write(image({"drops": drops}), at("in.vti")), at("out.vtu"), "--stairstep", ranks=2)
+    text = mesh_file(write(image({"drops": drops}), at("in.vti")), at("out.vtu"), "--stairstep",
+                     ranks=2)
     assert "and 6 smaller fragments" in text and text.count(" of material 1") == 10, text
     assert rows(text)["all"][:2] == [16, 128]
 
@@ -444,7 +486,8 @@ def test_table_of_tets(at):
     path = write(fraction_image(), at("in.vti"))
     mesh = filter_mesh(path, tets=True, VolumeFractionArrays=["ball", "plate"], Method="Lattice")
     text = mesh_file(path, at("out.vtu"), "--tetmesh", "Lattice", ranks=2)
-    angles = [mesh.GetFieldData().GetArray(name).GetValue(0) for name in ("MinimumDihedralAngle", "MaximumDihedralAngle")]
+    angles = [mesh.GetFieldData().GetArray(name).GetValue(0)
+              for name in ("MinimumDihedralAngle", "MaximumDihedralAngle")]
     assert "dihedral angles: %.2f to %.2f degrees" % tuple(angles) in text
     counts = [int(n) for n in re.findall(r"^ +\d+ to +\d+ +(\d+)$", text, re.MULTILINE)]
     assert sum(counts) == 6 * mesh.GetNumberOfCells()
@@ -469,10 +512,11 @@ def test_wrong_arguments(at):
     """How the program ends; ArgumentsTest.cxx has each of them."""
     path = write(fraction_image(8), at("in.vti"))
     for ranks in (1, 3):
-        refused(1, "'--wrong' is no option. See sculptor --help.", path, at("no.vtu"), "--wrong", ranks=ranks)
+        refused(1, "'--wrong' is no option. See sculptor --help.", path, at("no.vtu"), "--wrong",
+                ranks=ranks)
     refused(1, "There is no material '2'", "test", "--material", "2")
-    refused(1, "Cells cannot be refined by 'plate'", path, at("no.vtu"), "--fractions", "ball,plate", "--refine-cells", "plate",
-            "--material", "ball", ranks=2)
+    refused(1, "Cells cannot be refined by 'plate'", path, at("no.vtu"), "--fractions",
+            "ball,plate", "--refine-cells", "plate", "--material", "ball", ranks=2)
     assert not os.path.exists(at("no.vtu"))
 
 
@@ -485,7 +529,8 @@ def test_unreadable_input(at):
         with open(at(name + ".vti"), "wb") as file:
             file.write(part)
     os.mkdir(at("folder.vti"))
-    for name, text in (("missing", "No such file"), ("folder", "Is a directory"), ("empty", "Cannot read the input"),
+    for name, text in (("missing", "No such file"), ("folder", "Is a directory"),
+                       ("empty", "Cannot read the input"),
                        ("text", "Cannot read the input"), ("cut", "Cannot read the input")):
         for ranks in ((1, 3) if name in ("missing", "cut") else (2,)):
             refused(2, text, "--input", at(name + ".vti"), "--output", at("no.vtu"), ranks=ranks)
@@ -512,8 +557,8 @@ def test_unwritable_output(at):
     os.symlink("/dev/full", at("full.vtu"))
     for name in ("folder.vtu", "folder.pvtu"):
         os.mkdir(at(name))
-    for name, text in (("missing/out.vtu", "No such file"), ("folder.vtu", "directory"), ("folder.pvtu", "directory"),
-                       ("full.vtu", "No space left")):
+    for name, text in (("missing/out.vtu", "No such file"), ("folder.vtu", "directory"),
+                       ("folder.pvtu", "directory"), ("full.vtu", "No space left")):
         refused(4, text, "--input", path, "--output", at(name), ranks=2)
     refused(4, "No space left", "--input", path, "--output", at("full.vtu"))
     os.symlink("/dev/full", at("full.inp"))

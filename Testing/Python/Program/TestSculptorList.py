@@ -5,13 +5,15 @@ import re
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter
-from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter, vtkXMLUniformGridAMRWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLMultiBlockDataWriter, vtkXMLRectilinearGridWriter, vtkXMLUniformGridAMRWriter)
 
 from amr_cases import fields, nested, overlapping
 from exodus_grids import fields as exodus_fields
 from exodus_grids import hexes, shuffled, write_exodus
 from sculptor_program import refused, sculptor
-from vfmtest import ORIGIN, SPACING, add_array, ball_and_plate, image, in_folder, labels, main, rectilinear, write
+from vfmtest import (
+    ORIGIN, SPACING, add_array, ball_and_plate, image, in_folder, labels, main, rectilinear, write)
 from voxels import SIZE, grains, write_numpy, write_text
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data")
@@ -33,7 +35,8 @@ def listed(path, *words, ranks=(1, 3)):
 def arrays_of(lines):
     """{name: (type, components, least and most)}"""
     begin = next(i for i, line in enumerate(lines) if line.startswith("cell array "))
-    rows = [re.fullmatch(r"(.*?) {2,}(.*?) {2,}(\d+)(.*)", line) for line in lines[begin + 1:lines.index("", begin)]]
+    rows = [re.fullmatch(r"(.*?) {2,}(.*?) {2,}(\d+)(.*)", line)
+            for line in lines[begin + 1:lines.index("", begin)]]
     return {row[1]: (row[2], int(row[3]), [float(x) for x in row[4].split()]) for row in rows}
 
 
@@ -44,7 +47,9 @@ def materials_of(lines):
 
 
 def bounds():
-    return "x %g to %g, y %g to %g, z %g to %g" % tuple(x for a in range(3) for x in (ORIGIN[a], ORIGIN[a] + N * SPACING[a]))
+    return "x %g to %g, y %g to %g, z %g to %g" % tuple(x for a in range(3)
+                                                        for x in (ORIGIN[a], ORIGIN[
+                                                            a] + N * SPACING[a]))
 
 
 def arrays():
@@ -60,7 +65,8 @@ def check_fractions(lines, more=()):
     assert list(found) == ["ball", "plate", *more], found
     assert found["ball"] == ("double", 1, [0, 1])
     head, materials = materials_of(lines)
-    assert "all cell arrays with values in [0, 1]" in head and materials == [["1", "ball"], ["2", "plate"]]
+    assert "all cell arrays with values in [0, 1]" in head and materials == [
+        ["1", "ball"], ["2", "plate"]]
 
 
 @in_folder
@@ -68,11 +74,14 @@ def test_images_and_grids(at):
     values = arrays()
     whole = image(values)
     add_array(whole.GetPointData(), "at points", np.zeros((N + 1, N + 1, N + 1)))
-    for path in (write(whole, at("image.vti")), write(whole, at("pieces.pvti"), vtkXMLPImageDataWriter, pieces=3)):
+    for path in (write(whole, at("image.vti")),
+                 write(whole, at("pieces.pvti"), vtkXMLPImageDataWriter, pieces=3)):
         lines = listed(path)
         assert lines[1] == "1728 cells, 12 x 12 x 12"
         check_fractions(lines, ("velocity", "heat"))
-        assert arrays_of(lines)["velocity"] == ("float", 3, []) and arrays_of(lines)["heat"] == ("double", 1, [300, 305])
+        assert arrays_of(lines)["velocity"] == ("float", 3,
+                                                []) and arrays_of(lines)["heat"] == (
+                                                    "double", 1, [300, 305])
     nodes = [ORIGIN[a] + SPACING[a] * np.arange(N + 1) for a in range(3)]
     grid = rectilinear({name: values[name] for name in ("ball", "plate")}, nodes)
     lines = listed(write(grid, at("grid.vtr"), vtkXMLRectilinearGridWriter))
@@ -85,47 +94,61 @@ def test_blocks_and_levels(at):
     values = {name: arrays()[name] for name in ("ball", "plate")}
     blocks = vtkMultiBlockDataSet()
     for i, (span, first) in enumerate(((slice(0, 5), (0, 0, 0)), (slice(5, 12), (5, 0, 0)))):
-        blocks.SetBlock(i, image({name: value[:, :, span] for name, value in values.items()}, first))
+        blocks.SetBlock(i,
+                        image({name: value[:, :, span] for name, value in values.items()}, first))
     lines = listed(write(blocks, at("blocks.vtm"), vtkXMLMultiBlockDataWriter))
     assert lines[1] == "1728 cells" and "2 blocks" in lines
     check_fractions(lines)
-    lines = listed(write(overlapping(fields(2), nested()), at("levels.vthb"), vtkXMLUniformGridAMRWriter))
+    lines = listed(write(overlapping(fields(2), nested()), at("levels.vthb"),
+                         vtkXMLUniformGridAMRWriter))
     cells = [216, 10 * 8 * 8 + 16, 12 * 12 * 8]
     assert lines[1] == "%d cells" % sum(cells) and "12 blocks of 3 levels" in lines
     for level, (count, blocks) in enumerate(zip(cells, (8, 3, 1))):
-        assert "  level %d: %d block%s, %d cells of %g x %g x %g" % (level, blocks, "s"[:blocks - 1], count, *(h / 2 ** level for h in SPACING)) in lines, lines
+        assert "  level %d: %d block%s, %d cells of %g x %g x %g" % (
+            level, blocks, "s"[:blocks - 1], count,
+            *(h / 2 ** level for h in SPACING)) in lines, lines
 
 
 @in_folder
 def test_labels(at):
-    lines = listed(write(image({"MaterialId": labels(N).astype(np.int32) * 5, "heat": 9 + ball_and_plate(N)[0]}), at("ids.vti")))
+    lines = listed(write(image({"MaterialId": labels(N).astype(np.int32) * 5,
+                                "heat": 9 + ball_and_plate(N)[0]}), at("ids.vti")))
     assert materials_of(lines) == ("materials from MaterialId (labels)", [["5"], ["10"]])
     assert arrays_of(lines)["MaterialId"] == ("int", 1, [0, 10])
     cells = grains()
     size = ",".join(map(str, SIZE))
-    for lines in (listed(write_text(at("grains.spn"), cells), "--dimensions", size), listed(write_numpy(at("grains.npy"), cells))):
+    for lines in (listed(write_text(at("grains.spn"), cells), "--dimensions", size),
+                  listed(write_numpy(at("grains.npy"), cells))):
         assert "%d cells, %d x %d x %d" % (np.prod(SIZE), *SIZE) in lines
-        assert materials_of(lines)[1] == [[str(i)] for i in sorted(set(cells.ravel().tolist()) - {0})]
+        assert materials_of(lines)[1] == [[str(i)]
+                                          for i in sorted(set(cells.ravel().tolist()) - {0})]
 
 
 @in_folder
 def test_exodus(at):
     cells = shuffled()
-    path = write_exodus(at("in.exo"), lambda step: {"left": hexes(exodus_fields(step), cells[:700]), "right": hexes(exodus_fields(step), cells[700:])})
+    path = write_exodus(at("in.exo"),
+                        lambda step: {"left": hexes(exodus_fields(step), cells[:700]),
+                                      "right": hexes(exodus_fields(step), cells[700:])})
     lines = listed(path)
-    assert lines[0] == "2 times" and lines[1].split()[:2] == ["0", "0.5"] and "of which" in lines[1] and lines[2].split() == ["1", "2"]
+    assert lines[0] == "2 times" and lines[1].split()[:2] == ["0", "0.5"] and "of which" in lines[
+        1] and lines[2].split() == ["1", "2"]
     assert "1728 cells" in lines and "2 blocks" in lines and bounds() in lines
     assert list(arrays_of(lines)) == ["MAT_10", "MAT_20", "number"]
     assert materials_of(lines)[1] == [["1", "MAT_10"], ["2", "MAT_20"]]
-    assert "of which" in listed(path, "--step", "1")[2] and "of which" in listed(path, "--time", "1.9")[2]
+    assert "of which" in listed(path, "--step",
+                                "1")[2] and "of which" in listed(path, "--time", "1.9")[2]
 
 
 def test_spyplot_and_plotfiles():
     lines = listed(os.path.join(DATA, "impact.spcth"))
     assert lines[0] == "4 times" and "8512 cells" in lines and "4 blocks" in lines
-    assert list(arrays_of(lines)) == ["Material volume fraction - 1", "Material volume fraction - 2", "X velocity", "Y velocity", "Z velocity"]
+    assert list(arrays_of(lines)) == ["Material volume fraction - 1",
+                                      "Material volume fraction - 2", "X velocity", "Y velocity",
+                                      "Z velocity"]
     head, materials = materials_of(lines)
-    assert "named Material volume fraction - N" in head and materials[1] == ["2", "Material volume fraction - 2"]
+    assert "named Material volume fraction - N" in head and materials[1] == [
+        "2", "Material volume fraction - 2"]
     lines = listed(os.path.join(DATA, "AMReX", "plt00011"))
     assert "22 blocks of 3 levels" in lines and "0.5" in lines[1]
     assert materials_of(lines)[0].startswith("materials: none is found") and "--clip" in lines[-1]
@@ -134,7 +157,8 @@ def test_spyplot_and_plotfiles():
 @in_folder
 def test_what_holds_no_materials(at):
     lines = listed(write(image({"heat": 9 + ball_and_plate(N)[0]}), at("heat.vti")))
-    assert materials_of(lines) == ("materials: none is found; name their arrays (--fractions A,B,.. or --labels ARRAY)", [])
+    assert materials_of(lines) == (
+        "materials: none is found; name their arrays (--fractions A,B,.. or --labels ARRAY)", [])
 
 
 @in_folder

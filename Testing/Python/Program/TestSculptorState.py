@@ -1,4 +1,5 @@
-"""State that the program sculptor (VFM_SCULPTOR) carries: as the filters do; what it prints of it, and refuses."""
+"""State that the program sculptor (VFM_SCULPTOR) carries: as the filters do; what it prints of it,
+and refuses."""
 import csv
 import re
 
@@ -14,40 +15,54 @@ def arrays_of_impact():
     x = np.linspace(0, 1, 12)
     ramp = x[:, None, None] + 0 * ball
     velocity = np.stack([ramp, -2 * ramp, 1 + ramp ** 2], -1)
-    return {"ball": ball, "plate": plate, "rho - 1": 2 + ramp, "rho - 2": 7 + 0 * ball, "velocity": velocity, "energy": 0.3 + ramp,
+    return {"ball": ball, "plate": plate, "rho - 1": 2 + ramp, "rho - 2": 7 + 0 * ball,
+            "velocity": velocity, "energy": 0.3 + ramp,
             "stress": 4 - 8 * ramp, "mark": np.arange(12 ** 3, dtype=np.int32).reshape(ball.shape)}
 
 
 @in_folder
 def test_conserved_state(at):
-    """Words of the command line are properties; the table of the program and that of fragments tell the sums."""
+    """Words of the command line are properties; the table of the program and that of fragments tell
+    the sums."""
     arrays = arrays_of_impact()
     path = write(image(arrays), at("in.vti"))
-    words = ["--fractions", "ball,plate", "--density", "rho - 1,rho - 2", "--state", "stress,mark", "--state-kinds",
-             "stress=volume", "--velocity", "velocity", "--energy", "energy", "--nodal-velocity", "--lost-kinetic-energy", "internalenergy",
+    words = ["--fractions", "ball,plate", "--density", "rho - 1,rho - 2", "--state", "stress,mark",
+             "--state-kinds",
+             "stress=volume", "--velocity", "velocity", "--energy", "energy", "--nodal-velocity",
+             "--lost-kinetic-energy", "internalenergy",
              "--unmeshed", "drop", "--state-order", "1", "--fragments", at("table.csv")]
-    mesh = mesh_of(image(arrays), DensityArrays=["rho - 1", "rho - 2"], StateArrays=["stress", "mark"], StateKinds=["stress=volume"],
-                   VelocityArray="velocity", EnergyArray="energy", NodalVelocity=1, LostKineticEnergy="Internal Energy",
-                   UnmeshedMaterial="Drop", StateOrder=1).mesh
+    mesh = mesh_of(image(arrays), DensityArrays=["rho - 1", "rho - 2"],
+                   StateArrays=["stress", "mark"], StateKinds=["stress=volume"],
+                   VelocityArray="velocity", EnergyArray="energy", NodalVelocity=1,
+                   LostKineticEnergy="Internal Energy", UnmeshedMaterial="Drop", StateOrder=1).mesh
     assert mesh.GetPointData().HasArray("velocity") and mesh.GetCellData().HasArray("rho")
     printed = [mesh_file(path, at("out.vtu"), *words, ranks=ranks) for ranks in (1, 3)]
     check_same(at("out.vtu"), mesh)
     state = [re.search(r"state .*?\n\n", text, re.S).group() for text in printed]
     assert state[0] == state[1], state
-    sums = {name: [float(x) for x in numbers.split()] for name, numbers in re.findall(r"^(\w+(?: \w+)?)((?: +[-\d.e+]+){3})$", state[0], re.M)}
+    sums = {name: [float(x) for x in numbers.split()]
+            for name, numbers in re.findall(r"^(\w+(?: \w+)?)((?: +[-\d.e+]+){3})$", state[0],
+                                            re.M)}
     cell = np.prod(SPACING)
-    masses = [(arrays[name] * arrays["rho - %d" % (i + 1)] * cell) for i, name in enumerate(("ball", "plate"))]
+    masses = [(arrays[name] * arrays["rho - %d" % (i + 1)] * cell)
+              for i, name in enumerate(("ball", "plate"))]
     mass = sum(masses)
     speeds = (arrays["velocity"] ** 2).sum(-1)
-    wanted = {"mass": mass.sum(), "momentum x": (mass * arrays["velocity"][..., 0]).sum(), "momentum z": (mass * arrays["velocity"][..., 2]).sum(),
-              "kinetic energy": (mass * speeds).sum() / 2, "internal energy": (mass * arrays["energy"]).sum()}
+    wanted = {"mass": mass.sum(), "momentum x": (mass * arrays["velocity"][..., 0]).sum(),
+              "momentum z": (mass * arrays["velocity"][..., 2]).sum(),
+              "kinetic energy": (mass * speeds).sum() / 2,
+              "internal energy": (mass * arrays["energy"]).sum()}
     for name, value in wanted.items():
         assert np.isclose(sums[name][0], value, rtol=1e-8), (name, sums[name], value)
     for name in ("mass", "momentum x", "momentum z"):
-        assert np.isclose(sums[name][1] + sums[name][2], wanted[name], rtol=1e-8), (name, sums[name])
+        assert np.isclose(sums[name][1] + sums[name][2], wanted[name],
+                          rtol=1e-8), (name, sums[name])
     energy = np.sum([sums["kinetic energy"], sums["internal energy"]], 0)
-    lost = [float(x) for x in re.search(r"lack: ([\d.e+-]+) in elements, ([\d.e+-]+) more at nodes", state[0]).groups()]
-    assert np.isclose(energy[0], energy[1] + energy[2] - lost[1], rtol=1e-6) and min(lost) > 0, (energy, lost)
+    lost = [float(x)
+            for x in re.search(r"lack: ([\d.e+-]+) in elements, ([\d.e+-]+) more at nodes",
+                               state[0]).groups()]
+    assert np.isclose(energy[0], energy[1] + energy[2] - lost[1],
+                      rtol=1e-6) and min(lost) > 0, (energy, lost)
     with open(at("table.csv"), newline="", encoding="utf-8") as file:
         table = list(csv.DictReader(file))
     assert np.isclose(sum(float(row["Mass"]) for row in table), mass.sum(), rtol=1e-9)
@@ -55,13 +70,17 @@ def test_conserved_state(at):
 
 @in_folder
 def test_masses_of_fragments(at):
-    """Of densities a material whose names part the materials in their middle, beside an array whose name both hold."""
+    """Of densities a material whose names part the materials in their middle, beside an array whose
+    name both hold."""
     arrays = arrays_of_impact()
     names = ["rho of %s (g)" % body for body in ("ball", "plate")]
-    path = write(image({**{body: arrays[body] for body in ("ball", "plate")}, names[0]: arrays["rho - 1"], names[1]: arrays["rho - 2"],
+    path = write(image({**{body: arrays[body] for body in ("ball", "plate")},
+                        names[0]: arrays["rho - 1"], names[1]: arrays["rho - 2"],
                         "r": arrays["energy"]}), at("in.vti"))
-    mesh_file(path, at("out.vtu"), "--fractions", "ball,plate", "--density", ",".join(names), "--state", "r", "--fragments", at("table.csv"))
-    mass = sum((arrays[body] * arrays["rho - %d" % (i + 1)]).sum() for i, body in enumerate(("ball", "plate"))) * np.prod(SPACING)
+    mesh_file(path, at("out.vtu"), "--fractions", "ball,plate", "--density", ",".join(names),
+              "--state", "r", "--fragments", at("table.csv"))
+    mass = sum((arrays[body] * arrays["rho - %d" % (i + 1)]).sum()
+               for i, body in enumerate(("ball", "plate"))) * np.prod(SPACING)
     with open(at("table.csv"), newline="", encoding="utf-8") as file:
         assert np.isclose(sum(float(row["Mass"]) for row in csv.DictReader(file)), mass, rtol=1e-9)
 
@@ -71,10 +90,13 @@ def test_state_is_copied_where_asked(at):
     path = write(image(arrays_of_impact()), at("in.vti"))
     words = ["--fractions", "ball,plate", "--state", "velocity", "--density", "rho - 2"]
     out = mesh_file(path, at("out.vtu"), *words, "--state-transfer", "copy")
-    check_same(at("out.vtu"), mesh_of(image(arrays_of_impact()), StateArrays=["velocity", "rho - 2"]).mesh)
+    check_same(at("out.vtu"),
+               mesh_of(image(arrays_of_impact()), StateArrays=["velocity", "rho - 2"]).mesh)
     assert not re.search(r"^state ", out, re.M)
     for code, text, more in ((2, "no numeric array 'weight' (--density)", ["--density", "weight"]),
-                             (3, "'velocity=heavy'", ["--state", "velocity", "--density", "energy", "--state-kinds", "velocity=heavy"])):
+                             (3, "'velocity=heavy'",
+                              ["--state", "velocity", "--density", "energy", "--state-kinds",
+                               "velocity=heavy"])):
         refused(code, text, path, at("no.vtu"), "--fractions", "ball,plate", *more, ranks=2)
 
 

@@ -1,6 +1,7 @@
 """Abaqus files of several ranks: mpiexec -n P pvbatch --sym TestAbaqusRanks.py FOLDER
 
-One rank keeps its file in FOLDER; those of more ranks must have the same bytes. Errors are those of all ranks.
+One rank keeps its file in FOLDER; those of more ranks must have the same bytes. Errors are those of
+all ranks.
 """
 import os
 import sys
@@ -8,7 +9,9 @@ import sys
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
-from vfmtest import ball_and_plate, collect, image, main, producer, reduced, VolumeFractionToHex, VolumeFractionToTet, simple
+from vfmtest import (
+    ball_and_plate, collect, image, main, producer, reduced, VolumeFractionToHex,
+    VolumeFractionToTet, simple)
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -21,7 +24,8 @@ def mesher(make=VolumeFractionToHex, ranks=RANKS, **properties):
     data = vtkMultiBlockDataSet()
     if RANK < ranks:
         begin, end = N * RANK // ranks, N * (RANK + 1) // ranks
-        parts = {name: values[begin:end] for name, values in zip(("ball", "plate"), ball_and_plate(N))}
+        parts = {name: values[begin:end]
+                 for name, values in zip(("ball", "plate"), ball_and_plate(N))}
         data.SetBlock(0, image(parts, (0, 0, begin)))
     return make(Input=producer(data), VolumeFractionArrays=["ball", "plate"], **properties)
 
@@ -73,7 +77,8 @@ def test_errors():
     failed_on_all(hexes, path_of("missing/mesh.inp"), "No such file")
     tets = output(mesher(VolumeFractionToTet, Method="Cells"))
     if RANKS > 1:
-        failed_on_all(tets if RANK == 1 else hexes, path_of("mixed.inp"), "all hexahedra or all tetrahedra")
+        failed_on_all(tets if RANK == 1 else hexes, path_of("mixed.inp"),
+                      "all hexahedra or all tetrahedra")
     bare = hexes.NewInstance()
     bare.ShallowCopy(hexes)
     if RANK == RANKS - 1:

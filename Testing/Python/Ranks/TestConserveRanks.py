@@ -1,7 +1,9 @@
-"""Conserved state on any number of ranks, whoever reads which cells: mpiexec -n P pvbatch --sym TestConserveRanks.py FOLDER
+"""Conserved state on any number of ranks, whoever reads which cells: mpiexec -n P pvbatch --sym
+TestConserveRanks.py FOLDER
 
-One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bits, of arrays of elements and nodes and of what is told
-of all. What TetGen makes depends on the ranks: of that sums alone are compared.
+One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bits, of arrays of
+elements and nodes and of what is told of all. What TetGen makes depends on the ranks: of that sums
+alone are compared.
 """
 import os
 import sys
@@ -14,7 +16,8 @@ import amr_cases
 from conserve_cases import BOTH, CONSERVE, close, state
 from gold_meshes import RANK, RANKS, check_gold, dealt, make_folder
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect, image, labels, main, producer, reduced, run)
+    ORIGIN, SPACING, TET_METHODS, VolumeFractionToHex, VolumeFractionToTet, ball_and_plate, collect,
+    image, labels, main, producer, reduced, run)
 
 FOLDER = os.path.join(sys.argv[1], "conserve")
 N = 14
@@ -27,11 +30,15 @@ AMR = amr_cases.fields(2)
 for level, arrays in enumerate(AMR):
     arrays.update(state(arrays["ball"].shape, seed=level))
 CASES = {
-    "hex": {}, "nodes": BOTH, "order 1": {"StateOrder": 1}, "dropped": {"UnmeshedMaterial": "Drop", "MeshVoid": 1},
-    "regions": {"MinimumRegionCells": 40}, "long cells": {"MaximumAspectRatio": 1.5}, "a material": {"DensityArrays": list(DENSITIES)},
-    "lattice": {**LATTICE, **BOTH}, "cells": {"Method": "Cells", "MeshVoid": 1}, "labels": {"LabelSmoothing": 2}}
+    "hex": {}, "nodes": BOTH, "order 1": {"StateOrder": 1},
+    "dropped": {"UnmeshedMaterial": "Drop", "MeshVoid": 1},
+    "regions": {"MinimumRegionCells": 40}, "long cells": {"MaximumAspectRatio": 1.5},
+    "a material": {"DensityArrays": list(DENSITIES)},
+    "lattice": {**LATTICE, **BOTH}, "cells": {"Method": "Cells", "MeshVoid": 1},
+    "labels": {"LabelSmoothing": 2}}
 LEVELS = {
-    "levels": BOTH, "averaged": {"Refinement": "Off"}, "one level": {"Refinement": "Input Levels", "MaximumLevel": 1},
+    "levels": BOTH, "averaged": {"Refinement": "Off"},
+    "one level": {"Refinement": "Input Levels", "MaximumLevel": 1},
     "crossing": {"FineInterfaces": 0}, "levels of tets": {**LATTICE, "Refinement": "Off"}}
 
 
@@ -41,7 +48,8 @@ def blocks(seed):
     cuts = [(z, x) for z in range(0, N, 2) for x in (0, N // 2)]
     for b, (z, x) in enumerate(dealt(cuts, seed)):
         window = (slice(z, z + 2), slice(None), slice(x, x + N // 2))
-        block = image({name: values[window].copy() for name, values in {**FIELDS, **DENSITIES}.items()})
+        block = image({name: values[window].copy()
+                       for name, values in {**FIELDS, **DENSITIES}.items()})
         block.SetOrigin(ORIGIN[0] + x * SPACING[0], ORIGIN[1], ORIGIN[2] + z * SPACING[2])
         result.SetBlock(b, block)
     return result
@@ -49,13 +57,16 @@ def blocks(seed):
 
 def mesher_of(data, name, properties):
     make = VolumeFractionToTet if "Method" in properties else VolumeFractionToHex
-    materials = {"MaterialIdArray": "id"} if name == "labels" else {"VolumeFractionArrays": ["ball", "plate"]}
+    materials = {"MaterialIdArray": "id"} if name == "labels" else {
+        "VolumeFractionArrays": ["ball", "plate"]}
     return make(Input=producer(data), **materials, **{**CONSERVE, **properties})
 
 
 def test_same_state():
     make_folder(FOLDER)
-    for cases, find in ((CASES, blocks), (LEVELS, lambda seed: amr_cases.multiblock(AMR, dealt(amr_cases.nested(), seed)))):
+    for cases, find in ((CASES, blocks),
+                        (LEVELS, lambda seed: amr_cases.multiblock(
+                            AMR, dealt(amr_cases.nested(), seed)))):
         for name, properties in cases.items():
             check_gold(mesher_of(find(RANKS), name, properties), FOLDER, name, True)
 
@@ -67,7 +78,8 @@ def test_tetgen_keeps_sums():
         problem = str(result.errors)
         if not result.errors:
             scale = np.abs(total("InputMomentum")).max()
-            right = close(total("MeshMass") + total("UnmeshedMass"), total("InputMass"), total("InputMass")) and close(
+            right = close(total("MeshMass") + total("UnmeshedMass"), total("InputMass"),
+                          total("InputMass")) and close(
                 total("MeshMomentum") + total("UnmeshedMomentum"), total("InputMomentum"), scale)
             problem = "" if right else "sums differ"
         assert reduced(int(bool(problem)), vtkCommunicator.SUM_OP) == 0, problem
@@ -76,7 +88,8 @@ def test_tetgen_keeps_sums():
 def test_errors():
     """One message, the same on all ranks."""
     for words, change in (
-            (("The density array 'density' is -1 in cell (2, 3, 4)", "'plate'"), lambda fields: fields["density"].__setitem__((4, 3, 2), -1.0)),
+            (("The density array 'density' is -1 in cell (2, 3, 4)", "'plate'"),
+             lambda fields: fields["density"].__setitem__((4, 3, 2), -1.0)),
             (("state kinds name 'nothing'",), None)):
         kept = {name: values.copy() for name, values in FIELDS.items()}
         if change:

@@ -1,4 +1,5 @@
-"""Meshes whose interfaces cross levels on several ranks, blocks dealt at random: mpiexec -n P pvbatch --sym TestCrossingRanks.py FOLDER
+"""Meshes whose interfaces cross levels on several ranks, blocks dealt at random: mpiexec -n P
+pvbatch --sym TestCrossingRanks.py FOLDER
 
 One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bit for bit.
 """
@@ -30,9 +31,12 @@ CASES = {  # fields, blocks, properties
     "film beside": (film(20, False), BLOCKS, CROSSING),
     "fin": (film(20, True), BLOCKS, {**CROSSING, "MeshVoid": 1}),
     "input levels": (fields(2), nested(), {**TWO, "MeshVoid": 1}),
-    "two more levels": (fields(1), nested(1), {**TWO, "Refinement": "Automatic", "MaximumLevel": 2, "CurvaturePerCell": 0.8}),
+    "two more levels": (fields(1), nested(1),
+                        {**TWO, "Refinement": "Automatic", "MaximumLevel": 2,
+                         "CurvaturePerCell": 0.8}),
     "noise": (noise(), [(0, box) for box in cut(8, 2)], {
-        "MaterialIdArray": "id", "FineInterfaces": 0, "Refinement": "Automatic", "ThinCells": 0, "RefineFlippedCells": 1}),
+        "MaterialIdArray": "id", "FineInterfaces": 0, "Refinement": "Automatic", "ThinCells": 0,
+        "RefineFlippedCells": 1}),
     "coarsened": (fields(0, 20), BLOCKS, {**TWO, "Refinement": "Coarsen", "MaximumLevel": 2}),
 }
 
@@ -42,7 +46,8 @@ def test_same_mesh():
     for name, (all_fields, blocks, properties) in CASES.items():
         for seed in (0, 1) if RANKS in (2, 3) else (0,):
             data = multiblock(all_fields, dealt(blocks, seed))
-            check_gold(VolumeFractionToHex(Input=producer(data), StateArrays=["number"], **properties), FOLDER, name, seed == 0)
+            check_gold(VolumeFractionToHex(Input=producer(data), StateArrays=["number"],
+                                           **properties), FOLDER, name, seed == 0)
 
 
 main(globals())

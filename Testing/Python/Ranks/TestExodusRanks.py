@@ -9,7 +9,8 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 from compare_meshes import read_pieces
 from exodus_dump import Dump, check_parts, join
 from vfmtest import (
-    ball_and_plate, collect, image, held_class, main, producer, reduced, save_data, VolumeFractionToHex, VolumeFractionToTet, servermanager, simple)
+    ball_and_plate, collect, image, held_class, main, producer, reduced, save_data,
+    VolumeFractionToHex, VolumeFractionToTet, servermanager, simple)
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -32,7 +33,9 @@ def mesher_of(make=VolumeFractionToHex, factor=1.0, n=12, **properties):
     low, high = n * RANK // RANKS, n * (RANK + 1) // RANKS
     arrays = dict(zip(("ball", "plate"), ball_and_plate(n)))
     blocks = vtkMultiBlockDataSet()
-    blocks.SetBlock(0, image({name: factor * array[low:high] for name, array in arrays.items()}, (0, 0, low)))
+    blocks.SetBlock(0,
+                    image({name: factor * array[low:high] for name, array in arrays.items()},
+                          (0, 0, low)))
     return make(Input=producer(blocks), VolumeFractionArrays=["ball", "plate"], **properties)
 
 
@@ -54,7 +57,8 @@ def check(parts, pieces, single):
     assert join(parts) == join([single])
     filled = [piece.GetNumberOfCells() for piece in pieces if piece.GetNumberOfCells()]
     assert [dump.size("num_elem") for dump in parts if dump.size("num_elem")] == filled
-    assert {"ball_to_plate", "plate_to_ball", "x_min"} <= set(parts[-1].names("ss")), parts[-1].names("ss")
+    assert {"ball_to_plate", "plate_to_ball",
+            "x_min"} <= set(parts[-1].names("ss")), parts[-1].names("ss")
 
 
 def make_folder():
@@ -63,7 +67,8 @@ def make_folder():
 
 def test_parts_and_single_file():
     on_first_rank(make_folder)
-    for name, mesher in (("hexes", mesher_of()), ("tets", mesher_of(VolumeFractionToTet, Method="Cells", MeshVoid=1))):
+    for name, mesher in (("hexes", mesher_of()),
+                         ("tets", mesher_of(VolumeFractionToTet, Method="Cells", MeshVoid=1))):
         files = save(mesher, name)
         on_first_rank(lambda: check(*files))
 
@@ -79,16 +84,19 @@ def test_rank_without_elements():
         parts, pieces, single = files
         check(parts, pieces, single)
         assert parts[-1].size("num_elem") == 0 < parts[0].size("num_elem")
-        assert parts[-1].names("eb") == ["ball", "plate"] and parts[-1].globals() == parts[0].globals()
+        assert parts[-1].names("eb") == ["ball",
+                                         "plate"] and parts[-1].globals() == parts[0].globals()
     on_first_rank(check_empty)
 
 
 def test_refused_on_all_ranks():
-    cases = ((mesher_of(), os.path.join("missing", "mesh.exo"), "No such file"), (mesher_of(factor=0.0), "void.exo", "mesh is empty"))
+    cases = ((mesher_of(), os.path.join("missing", "mesh.exo"), "No such file"),
+             (mesher_of(factor=0.0), "void.exo", "mesh is empty"))
     for mesher, name, text in cases:
         for single in (0, 1):
             path = os.path.join(FOLDER, name)
-            writer = servermanager.writers.VolumeFractionExodusWriter(Input=mesher, FileName=path, SingleFile=single)
+            writer = servermanager.writers.VolumeFractionExodusWriter(
+                Input=mesher, FileName=path, SingleFile=single)
             errors, _ = collect(held_class(writer))
             collect(mesher.GetClientSideObject())
             writer.UpdatePipeline()

@@ -8,15 +8,19 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
-from vfmtest import VolumeFractionFragments, VolumeFractionToHex, VolumeFractionToTet, collect, image, main, producer, reduced
+from vfmtest import (
+    VolumeFractionFragments, VolumeFractionToHex, VolumeFractionToTet, collect, image, main,
+    producer, reduced)
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 N = 12
 RANDOM = np.random.default_rng(5)
-IDS = np.kron(RANDOM.integers(0, 9, (4, 4, 4)), np.ones((3, 3, 3), int)).astype(np.int32)  # fragments that cross ranks
+# fragments that cross ranks
+IDS = np.kron(RANDOM.integers(0, 9, (4, 4, 4)), np.ones((3, 3, 3), int)).astype(np.int32)
 DENSITY = RANDOM.random((N, N, N))
-METHODS = {VolumeFractionToHex: {}, VolumeFractionToTet: {"Method": "Lattice"}}  # what TetGen makes depends on the ranks
+# what TetGen makes depends on the ranks
+METHODS = {VolumeFractionToHex: {}, VolumeFractionToTet: {"Method": "Lattice"}}
 
 
 def slab():
@@ -24,18 +28,22 @@ def slab():
     data, owners = vtkMultiBlockDataSet(), max(RANKS - 1, 1)
     if RANK < owners:
         begin, end = N * RANK // owners, N * (RANK + 1) // owners
-        data.SetBlock(0, image({"id": IDS[begin:end].copy(), "density": DENSITY[begin:end].copy()}, first=(0, 0, begin)))
+        data.SetBlock(0,
+                      image({"id": IDS[begin:end].copy(), "density": DENSITY[begin:end].copy()},
+                            first=(0, 0, begin)))
     return data
 
 
 def table_of(data, make, **properties):
-    mesher = make(Input=producer(data), MaterialIdArray="id", StateArrays=["density"], **METHODS[make])
+    mesher = make(Input=producer(data), MaterialIdArray="id", StateArrays=["density"],
+                  **METHODS[make])
     table = VolumeFractionFragments(Input=mesher, **properties)
     errors, _ = collect(table.GetClientSideObject())
     table.GetClientSideObject().Update()
     output = table.GetClientSideObject().GetOutputDataObject(0)
     columns = [output.GetColumn(c) for c in range(output.GetNumberOfColumns())]
-    return {column.GetName(): [column.GetValue(row) for row in range(output.GetNumberOfRows())] for column in columns}, errors
+    return {column.GetName(): [column.GetValue(row) for row in range(output.GetNumberOfRows())]
+            for column in columns}, errors
 
 
 def test_same_table():
@@ -48,7 +56,8 @@ def test_same_table():
                 json.dump(table, file)
         with open(gold) as file:
             expected = json.load(file)
-        good = not errors and len(expected["FragmentId"]) > 10 and table == (expected if RANK == 0 else {})
+        good = not errors and len(expected["FragmentId"]) > 10 and table == (
+            expected if RANK == 0 else {})
         assert reduced(int(not good), vtkCommunicator.SUM_OP) == 0, errors
 
 

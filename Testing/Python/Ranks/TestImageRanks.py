@@ -1,5 +1,5 @@
-"""Images read by several ranks, in parts or dealt by the first: the mesh is that of the same labels as cells; a bad file fails on all
-ranks alike.
+"""Images read by several ranks, in parts or dealt by the first: the mesh is that of the same labels
+as cells; a bad file fails on all ranks alike.
 
 mpiexec -n 3 pvbatch --sym TestImageRanks.py FOLDER
 """
@@ -15,7 +15,8 @@ from compare_meshes import difference
 from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
 from image_files import save, write_dream3d, write_meta, write_nifti, write_nrrd, write_tiff
 from vfmtest import (
-    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, held_class, main, reduced, write, simple)
+    ORIGIN, SPACING, LabelImageReader, VolumeFractionToHex, collect, image, held_class, main,
+    reduced, write, simple)
 from voxels import grains, turned
 
 FOLDER = os.path.join(sys.argv[1], "images")
@@ -57,17 +58,21 @@ def mesh(source, name="Labels"):
     mesher.UpdatePipeline()
     assert reduced(int(not errors), vtkCommunicator.MIN_OP) == 1, errors
     mine = source.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
-    assert reduced(mine, vtkCommunicator.MAX_OP) <= LABELS.size // RANKS + LABELS[0].size, "a rank keeps more than its part"
+    assert reduced(mine,
+                   vtkCommunicator.MAX_OP) <= LABELS.size // RANKS + LABELS[
+                       0].size, "a rank keeps more than its part"
     return whole_mesh(mesher, at("mesh.pvtu"))
 
 
 def test_same_mesh():
     gold = mesh(simple.OpenDataFile(at("cells.vti")))
     for name in ("a.nii.gz", "a.nrrd", "b.nrrd", "a.mha", "a.dream3d"):
-        merged = mesh(simple.OpenDataFile(at(name)), "FeatureIds" if name.endswith("dream3d") else "Labels")
+        merged = mesh(simple.OpenDataFile(at(name)),
+                      "FeatureIds" if name.endswith("dream3d") else "Labels")
         problem = difference(merged, gold) if RANK == 0 else ""
         assert not problem, "%s: %s" % (name, problem)
-    assert reduced(int(mesh(LabelImageReader(FileName=[at("a.tif")], Spacing=SPACING)) is None), vtkCommunicator.SUM_OP) == RANKS - 1
+    assert reduced(int(mesh(LabelImageReader(FileName=[at("a.tif")], Spacing=SPACING)) is None),
+                   vtkCommunicator.SUM_OP) == RANKS - 1
 
 
 def is_same_everywhere(texts):
@@ -76,8 +81,11 @@ def is_same_everywhere(texts):
 
 
 def test_refused():
-    """One message on all ranks, be the file bad in its header or where the first rank reads its values."""
-    for name, text in (("text.nii", "it is no NIfTI file"), ("cut.nrrd", "its compressed values are cut short"), ("none.mha", "No such file")):
+    """One message on all ranks, be the file bad in its header or where the first rank reads its
+    values."""
+    for name, text in (("text.nii", "it is no NIfTI file"),
+                       ("cut.nrrd", "its compressed values are cut short"),
+                       ("none.mha", "No such file")):
         source = LabelImageReader(FileName=[at(name)])
         errors, _ = collect(held_class(source))
         source.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: None)

@@ -1,4 +1,5 @@
-"""Input that is wrong on one rank, or over all: the same message on all ranks, empty outputs, and no rank waits.
+"""Input that is wrong on one rank, or over all: the same message on all ranks, empty outputs, and
+no rank waits.
 
 mpiexec -n 3 pvbatch --sym TestRankErrors.py
 """
@@ -11,8 +12,8 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 
 from amr_cases import set_boxes
 from vfmtest import (
-    ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, check_error, collect, image, labels, main, producer, reduced, run,
-    VolumeFractionToHex,
+    ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, check_error, collect, image, labels,
+    main, producer, reduced, run, VolumeFractionToHex,
     VolumeFractionToTet)
 
 N = 9
@@ -59,22 +60,24 @@ def set_value(name, cell, value):
 def test_nan_on_one_rank():
     for rank in range(RANKS):
         begin = N * rank // RANKS
-        check_error(blocks(slab(on(rank, set_value("ball", (1, 4, 5), np.nan)))), "'ball' holds nan",
-                    "cell (5, 4, %d)" % (begin + 1))
+        check_error(blocks(slab(on(rank, set_value("ball", (1, 4, 5), np.nan)))),
+                    "'ball' holds nan", "cell (5, 4, %d)" % (begin + 1))
 
 
 def test_bad_values_on_all_ranks():
-    check_error(blocks(slab(set_value("plate", (0, 0, 0), 2.0 + RANK))), "'plate' holds", "cell (0, 0, ")
+    check_error(blocks(slab(set_value("plate", (0, 0, 0), 2.0 + RANK))), "'plate' holds",
+                "cell (0, 0, ")
 
 
 def test_sum_over_one():
     turned = (RANK + 2) % RANKS  # rank 1 has the lowest slab, full of plate
-    check_error(blocks(slab(on(1, set_value("ball", (0, 1, 2), 1.0)), rank=turned)), "cell (2, 1, 0) sum to 2")
+    check_error(blocks(slab(on(1, set_value("ball", (0, 1, 2), 1.0)), rank=turned)),
+                "cell (2, 1, 0) sum to 2")
 
 
 def test_labels_out_of_range():
-    check_error(blocks(slab(on(2, set_value("id", (2, 3, 4), -6)))), "'id' holds -6 in cell (4, 3, 8)",
-                MaterialIdArray="id")
+    check_error(blocks(slab(on(2, set_value("id", (2, 3, 4), -6)))),
+                "'id' holds -6 in cell (4, 3, 8)", MaterialIdArray="id")
 
 
 def test_array_missing_on_one_rank():
@@ -88,9 +91,11 @@ def test_wrong_wishes():
     """Of cells that are to be refined: on one rank, missing on another, a box that all refuse."""
     wishes = {"RefinementArray": "wish", "Refinement": "Automatic"}
     hold = lambda value: lambda arrays: arrays.update(wish=np.full(arrays["ball"].shape, value))
-    check_error(slab(hold(-1.0 if RANK == 1 else 1.0)), "'wish' holds -1", "cell (0, 0, 3)", **wishes)
+    check_error(slab(hold(-1.0 if RANK == 1 else 1.0)), "'wish' holds -1", "cell (0, 0, 3)",
+                **wishes)
     check_error(slab(hold(1.0) if RANK != 2 else None), "no numeric cell array 'wish'", **wishes)
-    check_error(slab(), "refinement box 1", Refinement="Automatic", RefinementBoxes=[1, 0, 0, 0, 1, 1, 1])
+    check_error(slab(), "refinement box 1", Refinement="Automatic",
+                RefinementBoxes=[1, 0, 0, 0, 1, 1, 1])
 
 
 def set_state(dtype, components):
@@ -101,20 +106,26 @@ def set_state(dtype, components):
 
 def test_state_arrays_of_different_layouts():
     for one, other, words in (
-            ((np.float64, 3), (np.float32, 3), ("3 components of type float,", "3 components of type double")),
-            ((np.float32, 2), (np.float32, 1), ("1 component of type float,", "2 components of type float"))):
+            ((np.float64, 3), (np.float32, 3),
+             ("3 components of type float,", "3 components of type double")),
+            ((np.float32, 2), (np.float32, 1),
+             ("1 component of type float,", "2 components of type float"))):
         for rank in (1, 2):
             change = set_state(*(other if RANK == rank else one))
-            check_error(blocks(slab(change)), "Block 0 of rank %d: the state array 'state' has" % rank, *words,
+            check_error(blocks(slab(change)),
+                        "Block 0 of rank %d: the state array 'state' has" % rank, *words,
                         StateArrays=["ball", "state"])
     change = set_state(np.uint8, 1 + min(RANK, 1))
-    check_error(blocks(slab(change)), "Block 0 of rank 1: the state array 'state'", StateArrays=["state"])
+    check_error(blocks(slab(change)), "Block 0 of rank 1: the state array 'state'",
+                StateArrays=["state"])
 
 
 def test_state_array_missing_on_one_rank():
     for rank in range(RANKS):
         change = None if RANK == rank else set_state(np.float64, 1)
-        check_error(blocks(slab(change)), "Block 0 of rank %d has no numeric cell array 'state'" % rank, StateArrays=["state"])
+        check_error(blocks(slab(change)),
+                    "Block 0 of rank %d has no numeric cell array 'state'" % rank,
+                    StateArrays=["state"])
 
 
 def test_state_array_with_a_name_of_the_mesh():
@@ -131,22 +142,27 @@ def test_state_arrays_of_ranks_without_blocks():
 
 
 def test_other_kind_on_one_rank():
-    check_error(blocks(vtkPolyData() if RANK == 1 else slab()), "Block 0 of rank 1 is a vtkPolyData")
+    check_error(blocks(vtkPolyData() if RANK == 1 else slab()),
+                "Block 0 of rank 1 is a vtkPolyData")
 
 
 def test_points_and_matrices_of_ranks():
     """What decides on the grid is the same on all ranks."""
-    check_error(blocks(at_points(slab()) if RANK == 1 else slab()), "'ball' is cell data in some blocks, and point data")
+    check_error(blocks(at_points(slab()) if RANK == 1 else slab()),
+                "'ball' is cell data in some blocks, and point data")
     turned = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
-    check_error(blocks(at_points(slab(), turned if RANK == 2 else None)), "different direction matrices")
-    check_error(blocks(at_points(slab(), np.diag([1, 1, 2]) if RANK == 0 else None)), "Block 0 of rank 0 has the direction matrix")
+    check_error(blocks(at_points(slab(), turned if RANK == 2 else None)),
+                "different direction matrices")
+    check_error(blocks(at_points(slab(), np.diag([1, 1, 2]) if RANK == 0 else None)),
+                "Block 0 of rank 0 has the direction matrix")
     check_error(blocks(slab()), "No array is chosen", VolumeFractionArrays=[])
 
 
 def test_single_array_on_some_ranks():
     data = slab(lambda arrays: [arrays.pop(name) for name in ("plate", "id")])
     result = run(blocks(data), VolumeFractionArrays=[])
-    assert reduced(int(not result.errors and result.mesh.GetNumberOfCells() > 0), vtkCommunicator.MAX_OP) == 1, result.errors
+    assert reduced(int(not result.errors and result.mesh.GetNumberOfCells() > 0),
+                   vtkCommunicator.MAX_OP) == 1, result.errors
     more = slab(lambda arrays: [arrays.pop(name) for name in ("plate", "id") if RANK != 1])
     check_error(blocks(more), "No array is chosen", VolumeFractionArrays=[])
 
@@ -171,7 +187,8 @@ def test_gap_between_ranks():
 
 
 def test_overlap_of_ranks():
-    check_error(blocks(slab(shift=-1 if RANK == 2 else 0)), "Block 0 of rank 1 and Block 0 of rank 2 overlap")
+    check_error(blocks(slab(shift=-1 if RANK == 2 else 0)),
+                "Block 0 of rank 1 and Block 0 of rank 2 overlap")
 
 
 def test_no_cells_on_any_rank():
@@ -194,7 +211,8 @@ def test_option_out_of_range():
 
 def test_tetgen_that_was_not_built_in():
     if "TetGen" not in TET_METHODS:
-        check_error(blocks(slab()), "no TetGen", "Lattice", make=VolumeFractionToTet, Method="TetGen")
+        check_error(blocks(slab()), "no TetGen", "Lattice", make=VolumeFractionToTet,
+                    Method="TetGen")
 
 
 def test_normalised_cells_are_counted_once():
@@ -211,7 +229,8 @@ def test_empty_field_is_no_error():
 
 
 def test_the_same_filter_works_after_an_error():
-    hexes = VolumeFractionToHex(Input=producer(blocks(slab())), VolumeFractionArrays=["ball", "none"])
+    hexes = VolumeFractionToHex(Input=producer(blocks(slab())),
+                                VolumeFractionArrays=["ball", "none"])
     algorithm = hexes.GetClientSideObject()
     errors, _ = collect(algorithm)
     hexes.UpdatePipeline()

@@ -1,6 +1,8 @@
-"""What fails on one rank, in a filter or before it: the same message on all ranks, empty outputs, and the next run is right.
+"""What fails on one rank, in a filter or before it: the same message on all ranks, empty outputs,
+and the next run is right.
 
-mpiexec -n 3 pvbatch --sym TestRankFaults.py, with Testing/Support/FailingNew.cxx as the library in LD_PRELOAD. VFM_SWEEP: how many times as many faults.
+mpiexec -n 3 pvbatch --sym TestRankFaults.py, with Testing/Support/FailingNew.cxx as the library in
+LD_PRELOAD. VFM_SWEEP: how many times as many faults.
 """
 import ctypes
 import os
@@ -13,7 +15,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from vfmtest import (
-    ORIGIN, SPACING, ball_and_plate, collect, image, main, producer, reduced, VolumeFractionToHex, VolumeFractionToTet)
+    ORIGIN, SPACING, ball_and_plate, collect, image, main, producer, reduced, VolumeFractionToHex,
+    VolumeFractionToTet)
 
 N = 9
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
@@ -58,7 +61,8 @@ class Source(VTKPythonAlgorithmBase):
 def fingerprint(algorithm):
     """Of this rank's mesh."""
     mesh = algorithm.GetOutputDataObject(0)
-    return zlib.crc32(vtk_to_numpy(mesh.GetPoints().GetData()).tobytes()) if mesh.GetNumberOfCells() else 0
+    return zlib.crc32(
+        vtk_to_numpy(mesh.GetPoints().GetData()).tobytes()) if mesh.GetNumberOfCells() else 0
 
 
 def is_everywhere(condition):
@@ -71,10 +75,12 @@ def is_same_everywhere(text):
 
 
 def take_message(algorithm, errors):
-    """The one error of the last run, without the class; asserts that all ranks have the same and nothing in the outputs."""
+    """The one error of the last run, without the class; asserts that all ranks have the same and
+    nothing in the outputs."""
     message = errors[0].split("): ", 1)[1].strip() if errors else ""
     is_empty = all(algorithm.GetOutputDataObject(port).GetNumberOfPoints() == 0 for port in (0, 1))
-    same, empty, single = is_same_everywhere(message), is_everywhere(is_empty), is_everywhere(len(errors) == 1)
+    same, empty, single = is_same_everywhere(message), is_everywhere(is_empty), is_everywhere(
+        len(errors) == 1)
     assert same and empty and single, (message, errors, is_empty)
     errors.clear()
     return message
@@ -92,8 +98,10 @@ def test_input_that_fails_on_one_rank():
     good = fingerprint(algorithm)
     source = Source()
     algorithm.SetInputConnection(0, source.GetOutputPort())
-    assert is_everywhere(algorithm.GetExecutive().IsA("CollectivePipeline")), "ParaView took another executive"
-    for request in ("data object", "information", "data"):  # a failing update extent is nothing to VTK
+    assert is_everywhere(
+        algorithm.GetExecutive().IsA("CollectivePipeline")), "ParaView took another executive"
+    # a failing update extent is nothing to VTK
+    for request in ("data object", "information", "data"):
         for rank in range(RANKS):
             source.failing = request if RANK == rank else None
             source.Modified()
@@ -117,7 +125,8 @@ def test_input_that_fails_before_data_are_asked_for():
     source.failing = None
     source.Modified()
     algorithm.Update()
-    assert is_everywhere(not errors and algorithm.GetOutputDataObject(0).GetNumberOfCells() > 0), errors
+    assert is_everywhere(not errors
+                         and algorithm.GetOutputDataObject(0).GetNumberOfCells() > 0), errors
 
 
 def check_faults(kind, **properties):
@@ -150,7 +159,8 @@ def check_faults(kind, **properties):
         assert is_everywhere(not errors and fingerprint(algorithm) == good), (trial, errors)
     assert told >= 0.7 * FAULTS, told
     if RANK == 0:
-        print("%s: %d faults among %d calls, %d told on all ranks" % (kind.__name__, FAULTS, count, told), flush=True)
+        print("%s: %d faults among %d calls, %d told on all ranks"
+              % (kind.__name__, FAULTS, count, told), flush=True)
 
 
 def test_memory_that_runs_out_on_one_rank():

@@ -1,6 +1,8 @@
-"""What a user's script writes on several ranks: mpiexec -n P pvbatch TestRankOutputs.py FOLDER, not --sym.
+"""What a user's script writes on several ranks: mpiexec -n P pvbatch TestRankOutputs.py FOLDER, not
+--sym.
 
-FOLDER is that of TestRanks.py. Only the first rank runs this script, and the others what it asks of ParaView.
+FOLDER is that of TestRanks.py. Only the first rank runs this script, and the others what it asks of
+ParaView.
 """
 import csv
 import os
@@ -34,16 +36,20 @@ def test_pieces():
     assert len(pieces) == RANKS and sum(piece.GetNumberOfCells() > 0 for piece in pieces) > 1
     mesh = merge(pieces)
     information = HEXES.GetDataInformation()
-    assert len(mesh["cells"]) == information.GetNumberOfCells() == sum(piece.GetNumberOfCells() for piece in pieces)
-    assert len(mesh["points"]) < information.GetNumberOfPoints()  # points between ranks are in both pieces
+    assert len(mesh["cells"]) == information.GetNumberOfCells() == sum(
+        piece.GetNumberOfCells() for piece in pieces)
+    # points between ranks are in both pieces
+    assert len(mesh["points"]) < information.GetNumberOfPoints()
     assert not any(piece.GetCellData().HasArray("vtkGhostType") for piece in pieces)
 
 
 def test_geometry():
-    """Each facet, edge and vertex is in one piece, and all pieces tell the same of what bounds what."""
+    """Each facet, edge and vertex is in one piece, and all pieces tell the same of what bounds
+    what."""
     for port, name, least in ((1, "surfaces", 100), (2, "curves", 20), (3, "vertices", 4)):
         whole = merge(read_pieces(save(name + ".pvtp", simple.OutputPort(HEXES, port))))
-        assert len(whole["cells"]) == simple.OutputPort(HEXES, port).GetDataInformation().GetNumberOfCells() >= least
+        assert len(whole["cells"]) == simple.OutputPort(HEXES,
+                                                        port).GetDataInformation().GetNumberOfCells() >= least
         assert len(np.unique(whole["cells"], axis=0)) == len(whole["cells"]), name
 
 
@@ -53,8 +59,10 @@ def test_materials():
     assert table.GetDataInformation().GetNumberOfRows() == 2
     with open(save("materials.csv", table), newline="") as file:
         rows = list(csv.DictReader(file))
-    assert [(row["Name"], row["MaterialId"]) for row in rows] == [("ball", "1"), ("plate", "2")], rows
-    assert sum(int(row["Elements"]) for row in rows) == HEXES.GetDataInformation().GetNumberOfCells()
+    assert [(row["Name"], row["MaterialId"])
+            for row in rows] == [("ball", "1"), ("plate", "2")], rows
+    assert sum(int(row["Elements"])
+               for row in rows) == HEXES.GetDataInformation().GetNumberOfCells()
 
 
 def test_one_file():

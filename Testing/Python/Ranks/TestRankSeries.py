@@ -48,7 +48,8 @@ def test_time_series():
         write_dumps()
     CONTROLLER.Barrier()
     files = [os.path.join(FOLDER, "dump%d.vti" % dump) for dump in range(DUMPS)]
-    hexes = VolumeFractionToHex(Input=simple.XMLImageDataReader(FileName=files), VolumeFractionArrays=["ball"])
+    hexes = VolumeFractionToHex(Input=simple.XMLImageDataReader(FileName=files),
+                                VolumeFractionArrays=["ball"])
     errors, _ = collect(hexes.GetClientSideObject())
     path = os.path.join(FOLDER, "mesh.pvtu")
     memory = []
@@ -56,9 +57,11 @@ def test_time_series():
         hexes.UpdatePipeline(dump)
         save_data(path, hexes)
         field = hexes.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
-        volume, target = (field.GetArray(name).GetValue(0) for name in ("MeshVolume", "TargetVolume"))
+        volume, target = (field.GetArray(name).GetValue(0)
+                          for name in ("MeshVolume", "TargetVolume"))
         exact = 4 / 3 * np.pi * radius(dump) ** 3 * np.prod(SPACING)
-        assert abs(volume / target - 1) < 1e-6 and abs(volume / exact - 1) < 0.02, (dump, volume, target, exact)
+        assert abs(volume / target - 1) < 1e-6 and abs(volume / exact
+                                                       - 1) < 0.02, (dump, volume, target, exact)
         if RANK == 0:
             assert len(merge(read_pieces(path))["cells"]) > 500
         CONTROLLER.Barrier()

@@ -1,4 +1,5 @@
-"""SpyPlot files by ParaView's reader on several ranks, each of which reads its part, or none: the mesh is that of an image.
+"""SpyPlot files by ParaView's reader on several ranks, each of which reads its part, or none: the
+mesh is that of an image.
 
 mpiexec -n 3 pvbatch --sym TestRankSpyPlot.py FOLDER
 """
@@ -11,7 +12,8 @@ from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessControlle
 
 from compare_meshes import difference, merge, read_pieces
 from spyplot import split, write_spyplot
-from spyplot_cases import LAYOUTS, NODES, SPY, STATE, TIMES, data_of_step, refined_blocks, steps, without_reader_fields
+from spyplot_cases import (
+    LAYOUTS, NODES, SPY, STATE, TIMES, data_of_step, refined_blocks, steps, without_reader_fields)
 from vfmtest import VolumeFractionToHex, collect, main, producer, reduced, save_data, uniform
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
@@ -30,7 +32,8 @@ def write_case(name, blocks, files=1):
 
 
 def save(source, step, **properties):
-    """Where the mesh of the source's fractions at that time was written; without messages on any rank."""
+    """Where the mesh of the source's fractions at that time was written; without messages on any
+    rank."""
     hexes = VolumeFractionToHex(Input=source, VolumeFractionArrays=SPY, **properties)
     errors, warnings = collect(hexes.GetClientSideObject())
     path = os.path.join(FOLDER, "mesh.pvtu")
@@ -42,7 +45,8 @@ def save(source, step, **properties):
 
 def merged(path):
     """On the first rank."""
-    return merge([without_reader_fields(piece) for piece in read_pieces(path)]) if RANK == 0 else None
+    return merge([without_reader_fields(piece)
+                  for piece in read_pieces(path)]) if RANK == 0 else None
 
 
 def check(path, reference, what):
@@ -52,7 +56,8 @@ def check(path, reference, what):
 
 
 def test_same_as_image():
-    paths = [write_case("case%d" % i, split(NODES, steps(), counts), files) for i, (counts, files) in enumerate(LAYOUTS)]
+    paths = [write_case("case%d" % i, split(NODES, steps(), counts), files)
+             for i, (counts, files) in enumerate(LAYOUTS)]
     for to_bytes, step in ((True, 1), (False, 0), (False, 1)):
         whole = producer(data_of_step(step, to_bytes=to_bytes) if RANK == 0 else vtkImageData())
         reference = merged(save(whole, step, StateArrays=[STATE]))
@@ -62,7 +67,8 @@ def test_same_as_image():
                 reader = simple.OpenDataFile(path)
                 reader.CellArrays = [*SPY, STATE]
                 reader.DistributeFiles, reader.DownConvertVolumeFraction = by_file, int(to_bytes)
-                check(save(reader, step, StateArrays=[STATE]), reference, (layout, by_file, to_bytes, step))
+                check(save(reader, step, StateArrays=[STATE]), reference,
+                      (layout, by_file, to_bytes, step))
 
 
 def test_refined():

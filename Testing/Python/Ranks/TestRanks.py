@@ -1,7 +1,8 @@
-"""The same mesh on any number of ranks and however the input is split: mpiexec -n P pvbatch --sym TestRanks.py FOLDER
+"""The same mesh on any number of ranks and however the input is split: mpiexec -n P pvbatch --sym
+TestRanks.py FOLDER
 
-One rank meshes every case from one whole image and keeps the result in FOLDER; all other runs, on any number of
-ranks, must give the same mesh bit for bit. Of tetrahedra by TetGen only the surfaces.
+One rank meshes every case from one whole image and keeps the result in FOLDER; all other runs, on
+any number of ranks, must give the same mesh bit for bit. Of tetrahedra by TetGen only the surfaces.
 """
 import os
 import pickle
@@ -17,14 +18,16 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from compare_meshes import difference, joined, merge, piece_of, read_pieces
 from vfmtest import (
-    GHOST, ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, main, producer, reduced, save_data, surface_faces,
+    GHOST, ORIGIN, SPACING, TET_METHODS, at_points, ball_and_plate, collect, image, main, producer,
+    reduced, save_data, surface_faces,
     table_of, tet_volumes, uniform, VolumeFractionToHex, VolumeFractionToTet, simple)
 
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
 FOLDER = sys.argv[1]
-SPLASH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data", "splash_3500us.vti")
+SPLASH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "Data",
+                      "splash_3500us.vti")
 
 
 def sphere(n=16):
@@ -39,12 +42,15 @@ def grains(n=14, count=9):
     s = 3
     centres = np.random.default_rng(5).random((count, 3)) * n
     z, y, x = np.meshgrid(*[(np.arange(n * s) + 0.5) / s] * 3, indexing="ij")
-    nearest = np.argmin([(x - c[0]) ** 2 + (y - c[1]) ** 2 + (z - c[2]) ** 2 for c in centres], axis=0)
-    return {"grain%d" % g: (nearest == g).reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5)) for g in range(count)}
+    nearest = np.argmin([(x - c[0]) ** 2 + (y - c[1]) ** 2 + (z - c[2]) ** 2 for c in centres],
+                        axis=0)
+    return {"grain%d" % g: (nearest == g).reshape(n, s, n, s, n, s).mean(axis=(1, 3, 5))
+            for g in range(count)}
 
 
 def noise(n=9):
-    return {"id": np.random.default_rng(7).choice([0, 2, 3, 5, 11], (n + 2, n, n + 1)).astype(np.int32)}
+    return {"id": np.random.default_rng(7).choice([0, 2, 3, 5, 11],
+                                                  (n + 2, n, n + 1)).astype(np.int32)}
 
 
 def splash():
@@ -59,27 +65,32 @@ def splash():
 def with_state(arrays):
     """The arrays with those of STATE, random."""
     size, random = next(iter(arrays.values())).shape, np.random.default_rng(9)
-    return {**arrays, "velocity": random.normal(size=(*size, 3)).astype(np.float32), "number": random.integers(2 ** 60, size=size)}
+    return {**arrays, "velocity": random.normal(size=(*size, 3)).astype(np.float32),
+            "number": random.integers(2 ** 60, size=size)}
 
 
 STATE = ["velocity", "number"]  # carried along
 CASES = {
-    "sphere": sphere(), "ball_and_plate": dict(zip(("ball", "plate"), ball_and_plate(16))), "grains": grains(),
-    "noise": noise(), "splash": splash()}
+    "sphere": sphere(), "ball_and_plate": dict(zip(("ball", "plate"), ball_and_plate(16))),
+    "grains": grains(), "noise": noise(), "splash": splash()}
 CASES = {case: with_state(arrays) for case, arrays in CASES.items()}
-SPLIT_CASES = ["ball_and_plate", "noise"][:1 if RANKS > 3 else 2]  # fractions and labels: the meshes themselves are tested on threads
+# fractions and labels: the meshes themselves are tested on threads
+SPLIT_CASES = ["ball_and_plate", "noise"][:1 if RANKS > 3 else 2]
 MIRROR = [[0.6, 0.8, 0], [0.8, -0.6, 0], [0, 0, 1]]  # a direction matrix
 TINY = "fewer cells than ranks"
-TET_CASES = [("ball_and_plate", "Cells", "scattered"), ("sphere", "Lattice", "slabs"), ("grains", "Lattice", "scattered"),
-             ("noise", "Cells", "slabs")]
-CLEARED = [("noise", {"MinimumRegionCells": 8, "LabelSmoothing": 7}), ("splash", {"MinimumRegionCells": 20})]
+TET_CASES = [("ball_and_plate", "Cells", "scattered"), ("sphere", "Lattice", "slabs"),
+             ("grains", "Lattice", "scattered"), ("noise", "Cells", "slabs")]
+CLEARED = [("noise", {"MinimumRegionCells": 8, "LabelSmoothing": 7}),
+           ("splash", {"MinimumRegionCells": 20})]
 ALL_CASES = {**CASES, TINY: {"id": np.array([[[1, 2, 0]]], np.int32)}}
 
 
 def part(arrays, box, ghosts=0):
-    """The image of a box ((z0, z1), (y0, y1), (x0, x1)), with layers of marked ghost cells that hold rubbish."""
+    """The image of a box ((z0, z1), (y0, y1), (x0, x1)), with layers of marked ghost cells that
+    hold rubbish."""
     size = next(iter(arrays.values())).shape
-    wide = [(max(lower - ghosts, 0), min(upper + ghosts, size[a])) for a, (lower, upper) in enumerate(box)]
+    wide = [(max(lower - ghosts, 0), min(upper + ghosts, size[a]))
+            for a, (lower, upper) in enumerate(box)]
     window = tuple(slice(*span) for span in wide)
     values = {name: array[window].copy() for name, array in arrays.items()}
     if ghosts:
@@ -107,11 +118,13 @@ def deal(split, size):
     """The boxes of this rank and the ghost layers around them."""
     slabs = cut(size, (RANKS, 1, 1))
     if split == "boxes":
-        grid = {1: (1, 1, 1), 2: (1, 1, 2), 3: (1, 3, 1), 4: (2, 1, 2), 8: (2, 2, 2)}.get(RANKS, (RANKS, 1, 1))
+        grid = {1: (1, 1, 1), 2: (1, 1, 2), 3: (1, 3, 1), 4: (2, 1, 2),
+                8: (2, 2, 2)}.get(RANKS, (RANKS, 1, 1))
         return full([cut(size, grid)[RANK]]), 0
     if split == "scattered":
         order = np.random.default_rng(3).permutation(8)
-        dealt = [box for i, box in zip(order, cut([n - 3 for n in size], (2, 2, 2))) if i % RANKS == RANK]
+        dealt = [box for i, box in zip(order, cut([n - 3 for n in size], (2, 2, 2)))
+                 if i % RANKS == RANK]
         grow = lambda span, n: (span[0], n if span[1] == n - 3 else span[1])
         return [tuple(grow(span, n) for span, n in zip(box, size)) for box in dealt][::-1], 0
     if split == "one rank empty":
@@ -131,8 +144,8 @@ def split_input(arrays, split):
 
 
 def mesh_and_surfaces(source, case, **properties):
-    """Runs the filter, that of tetrahedra when a method is given; mesh and surfaces in pieces, none but on rank 0, and the table of
-    materials, whose rows rank 0 alone has."""
+    """Runs the filter, that of tetrahedra when a method is given; mesh and surfaces in pieces, none
+    but on rank 0, and the table of materials, whose rows rank 0 alone has."""
     arrays = ALL_CASES[case]
     fractions = [name for name in arrays if name not in STATE]
     chosen = {"MaterialIdArray": "id"} if "id" in arrays else {"VolumeFractionArrays": fractions}
@@ -146,7 +159,8 @@ def mesh_and_surfaces(source, case, **properties):
         save_data(path, simple.OutputPort(mesher, port))
         assert not errors, errors
         pieces = read_pieces(path) if RANK == 0 else []
-        assert RANK > 0 or RANKS == 1 or case == TINY or sum(piece.GetNumberOfCells() > 0 for piece in pieces) > 1
+        assert RANK > 0 or RANKS == 1 or case == TINY or sum(
+            piece.GetNumberOfCells() > 0 for piece in pieces) > 1
         result.append(pieces)
         CONTROLLER.Barrier()  # the next mesh goes to the same files
     table = mesher.GetClientSideObject().GetOutputDataObject(4)
@@ -176,7 +190,8 @@ def compare_with_gold(outputs, table, name, label):
 
 
 def on_first_rank(work):
-    """Calls work on rank 0, whose problem, when it returns one, is that of all ranks: they go on together."""
+    """Calls work on rank 0, whose problem, when it returns one, is that of all ranks: they go on
+    together."""
     try:
         problem = work() if RANK == 0 else ""
     except Exception:
@@ -186,8 +201,10 @@ def on_first_rank(work):
 
 def check(case, source, label, kind=None, **properties):
     outputs, table = mesh_and_surfaces(source, case, **properties)
-    parts = [case, kind, properties.get("Method"), "with void" if properties.get("MeshVoid") else None,
-             "refined" if properties.get("MaximumLevel") else None, "cleared" if properties.get("MinimumRegionCells") else None]
+    parts = [case, kind, properties.get("Method"),
+             "with void" if properties.get("MeshVoid") else None,
+             "refined" if properties.get("MaximumLevel") else None,
+             "cleared" if properties.get("MinimumRegionCells") else None]
     on_first_rank(lambda: compare_with_gold(outputs, table, " ".join(filter(None, parts)), label))
 
 
@@ -213,14 +230,16 @@ def test_whole():
         check("ball_and_plate", producer(image(CASES["ball_and_plate"])), "whole", **uniform(1))
         for case, properties in CLEARED:
             check(case, producer(image(CASES[case])), "whole", **properties)
-        check("ball_and_plate", producer(at_points(image(CASES["ball_and_plate"]), MIRROR)), "whole", "turned")
+        check("ball_and_plate", producer(at_points(image(CASES["ball_and_plate"]), MIRROR)),
+              "whole", "turned")
         for case, method, _ in TET_CASES:
             check(case, producer(image(CASES[case])), "whole", Method=method)
 
 
 def test_image_pieces():
     for case in ALL_CASES if RANKS <= 3 else [*SPLIT_CASES, TINY]:
-        check(case, simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, case + ".vti")]), "image pieces")
+        check(case, simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, case + ".vti")]),
+              "image pieces")
 
 
 def check_split(split):
@@ -255,13 +274,17 @@ def test_ghosts():
 
 
 def point_blocks(arrays, split):
-    """The blocks of this rank with the values at points: beside each other, with planes that they share, or with ghost points."""
+    """The blocks of this rank with the values at points: beside each other, with planes that they
+    share, or with ghost points."""
     size = next(iter(arrays.values())).shape
     boxes, ghosts = deal("ghosts" if split == "ghosts" else "scattered", size)
     blocks = vtkMultiBlockDataSet()
     for i, box in enumerate(boxes):
         more = split == "shared planes"
-        blocks.SetBlock(i, at_points(part(arrays, [(lower, min(upper + more, n)) for (lower, upper), n in zip(box, size)], ghosts)))
+        blocks.SetBlock(i,
+                        at_points(part(arrays,
+                                       [(lower, min(upper + more, n))
+                                        for (lower, upper), n in zip(box, size)], ghosts)))
     return producer(blocks)
 
 
@@ -276,7 +299,8 @@ def test_points():
     turned = simple.XMLImageDataReader(FileName=[os.path.join(FOLDER, "ball_and_plate turned.vti")])
     check("ball_and_plate", turned, "pieces of points", "turned")
     whole = at_points(image(CASES["ball_and_plate"]), MIRROR)
-    check("ball_and_plate", producer(whole if RANK == RANKS - 1 else vtkImageData()), "a whole and empty images", "turned")
+    check("ball_and_plate", producer(whole if RANK == RANKS - 1 else vtkImageData()),
+          "a whole and empty images", "turned")
     for case, method, _ in TET_CASES[:2]:
         check(case, point_blocks(CASES[case], "shared planes"), "points", Method=method)
 
@@ -288,7 +312,8 @@ def test_options():
 
 
 def test_refinement():
-    check("ball_and_plate", split_input(CASES["ball_and_plate"], "scattered"), "scattered", **uniform(1))
+    check("ball_and_plate", split_input(CASES["ball_and_plate"], "scattered"), "scattered",
+          **uniform(1))
 
 
 def test_regions_and_label_smoothing():
@@ -303,21 +328,31 @@ def test_tets():
 
 
 def check_conforming(meshes, surfaces):
-    """The pieces together: no tetrahedron is turned, and the faces that do not lie between two are those of the surfaces."""
-    points, cells = (joined(parts) for parts in zip(*[piece_of(mesh) for mesh in meshes if mesh.GetNumberOfCells() > 0]))
+    """The pieces together: no tetrahedron is turned, and the faces that do not lie between two are
+    those of the surfaces."""
+    points, cells = (joined(parts)
+                     for parts in zip(*[piece_of(mesh) for mesh in meshes
+                                        if mesh.GetNumberOfCells() > 0]))
     ids, first = np.unique(points["GlobalPointIds"], return_index=True)
-    assert tet_volumes(points["Points"][first], np.searchsorted(ids, cells["Connectivity"])).min() > 0
-    facets = joined([piece_of(surface)[1] for surface in surfaces if surface.GetNumberOfCells() > 0])["Connectivity"]
-    assert set(map(tuple, np.sort(facets, axis=1).tolist())) == set(surface_faces(cells["Connectivity"], cells["MaterialId"]))
+    assert tet_volumes(points["Points"][first],
+                       np.searchsorted(ids, cells["Connectivity"])).min() > 0
+    facets = joined([piece_of(surface)[1] for surface in surfaces
+                     if surface.GetNumberOfCells() > 0])["Connectivity"]
+    assert set(map(tuple,
+                   np.sort(facets,
+                           axis=1).tolist())) == set(
+                               surface_faces(cells["Connectivity"], cells["MaterialId"]))
 
 
 def test_tetgen():
     if "TetGen" not in TET_METHODS:
         return
     case = "ball_and_plate"
-    (meshes, surfaces), _ = mesh_and_surfaces(split_input(CASES[case], "scattered"), case, Method="TetGen")
+    (meshes, surfaces), _ = mesh_and_surfaces(split_input(CASES[case], "scattered"), case,
+                                              Method="TetGen")
     on_first_rank(lambda: check_conforming(meshes, surfaces))
-    on_first_rank(lambda: compare_with_gold([surfaces], {}, case + " TetGen", "whole" if RANKS == 1 else "scattered"))
+    on_first_rank(lambda: compare_with_gold([surfaces], {}, case + " TetGen",
+                                            "whole" if RANKS == 1 else "scattered"))
 
 
 def test_fewer_cells_than_ranks():
@@ -326,7 +361,8 @@ def test_fewer_cells_than_ranks():
 
 def test_exodus_in_pieces():
     hexes = VolumeFractionToHex(
-        Input=split_input(CASES["ball_and_plate"], "scattered"), VolumeFractionArrays=["ball", "plate"])
+        Input=split_input(CASES["ball_and_plate"], "scattered"),
+        VolumeFractionArrays=["ball", "plate"])
     hexes.UpdatePipeline()
     mesh = hexes.GetClientSideObject().GetOutputDataObject(0)
     path = os.path.join(FOLDER, "mesh%d.e" % RANKS)
@@ -355,5 +391,6 @@ def test_exodus_in_pieces():
 
 
 # Of more ranks the ways to deal the input alone.
-DEALS = ("image_pieces", "slabs", "boxes", "scattered", "one_rank_empty", "all_on_one_rank", "ghosts", "fewer_cells_than_ranks")
+DEALS = ("image_pieces", "slabs", "boxes", "scattered", "one_rank_empty", "all_on_one_rank",
+         "ghosts", "fewer_cells_than_ranks")
 main({"test_" + name: globals()["test_" + name] for name in DEALS} if RANKS > 3 else globals())

@@ -1,6 +1,8 @@
-"""Meshes of several levels on several ranks, blocks dealt at random: mpiexec -n P pvbatch --sym TestRefinementRanks.py FOLDER
+"""Meshes of several levels on several ranks, blocks dealt at random: mpiexec -n P pvbatch --sym
+TestRefinementRanks.py FOLDER
 
-One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bit for bit, and alike warnings.
+One rank alone keeps its meshes in FOLDER; any number of ranks must give the same bit for bit, and
+alike warnings.
 """
 import os
 import sys
@@ -45,35 +47,57 @@ def two(n):
 
 def wished(all_fields):
     """With an array of cells that are to be halved: a few at random, once or twice."""
-    draw = lambda shape: np.random.default_rng(11).choice([0, 1, 2], shape, p=[0.98, 0.015, 0.005]).astype(np.uint8)
+    draw = lambda shape: np.random.default_rng(11).choice([0, 1, 2], shape,
+                                                          p=[0.98, 0.015, 0.005]).astype(np.uint8)
     return [{**arrays, "wish": draw(arrays["ball"].shape)} for arrays in all_fields]
 
 
-SPHERE, TWO, SMALL, NOISE = ([numbered(arrays)] for arrays in (sphere(24), two(28), two(12), noise()))
-HALF = [(0, ((0, 8), (0, 8), (0, 7))), (0, ((0, 3), (0, 8), (7, 16))), (0, ((3, 8), (0, 8), (7, 16)))]
-CHOSEN = {"Refinement": "Automatic", "RefinementArray": "wish", "ThinCells": 0.0, "FineInterfaces": 0}
+SPHERE, TWO, SMALL, NOISE = ([numbered(arrays)]
+                             for arrays in (sphere(24), two(28), two(12), noise()))
+HALF = [(0, ((0, 8), (0, 8), (0, 7))), (0, ((0, 3), (0, 8), (7, 16))),
+        (0, ((3, 8), (0, 8), (7, 16)))]
+CHOSEN = {"Refinement": "Automatic", "RefinementArray": "wish", "ThinCells": 0.0,
+          "FineInterfaces": 0}
 CASES = {  # fields, blocks, properties
     "input levels": (fields(2), nested(), NAMES),
     "input levels and void": (fields(2), nested(), {**NAMES, "MeshVoid": 1, "FineLayers": 3}),
-    "automatic on input levels": (fields(1), nested(1), {**NAMES, "Refinement": "Automatic", "MaximumLevel": 2, "InterfaceLayers": 1}),
-    "coarsened once": (SPHERE, image_blocks(24), {"VolumeFractionArrays": ["ball"], "Refinement": "Coarsen", "MaximumLevel": 1}),
-    "coarsened thrice": (SPHERE, image_blocks(24), {"VolumeFractionArrays": ["ball"], "Refinement": "Coarsen", "MeshVoid": 1}),
-    "two materials": (TWO, image_blocks(28), {**NAMES, "Refinement": "Coarsen", "MaximumLevel": 2, "MeshVoid": 1}),
-    "noise": (NOISE, HALF, {"MaterialIdArray": "id", "Refinement": "Automatic", "RefineFlippedCells": 1}),
+    "automatic on input levels": (fields(1), nested(1),
+                                  {**NAMES, "Refinement": "Automatic", "MaximumLevel": 2,
+                                   "InterfaceLayers": 1}),
+    "coarsened once": (SPHERE, image_blocks(24),
+                       {"VolumeFractionArrays": ["ball"], "Refinement": "Coarsen",
+                        "MaximumLevel": 1}),
+    "coarsened thrice": (SPHERE, image_blocks(24),
+                         {"VolumeFractionArrays": ["ball"], "Refinement": "Coarsen",
+                          "MeshVoid": 1}),
+    "two materials": (TWO, image_blocks(28),
+                      {**NAMES, "Refinement": "Coarsen", "MaximumLevel": 2, "MeshVoid": 1}),
+    "noise": (NOISE, HALF,
+              {"MaterialIdArray": "id", "Refinement": "Automatic", "RefineFlippedCells": 1}),
     "levels of long cells": (fields(2), nested(), {**NAMES, "MaximumAspectRatio": 1.5}),
-    "labels of long cells": (NOISE, HALF, {"MaterialIdArray": "id", "LabelSmoothing": 2, "MaximumAspectRatio": 1.1, "Refinement": "Automatic",
+    "labels of long cells": (NOISE, HALF,
+                             {"MaterialIdArray": "id", "LabelSmoothing": 2,
+                              "MaximumAspectRatio": 1.1, "Refinement": "Automatic",
                                            "InterfaceLayers": 1}),
     "chosen cells": (wished(SMALL), image_blocks(12), {**NAMES, **CHOSEN}),
-    "chosen cells and boxes": (wished(SMALL), image_blocks(12), {**NAMES, **CHOSEN, "FineInterfaces": 1, "MaximumLevel": 1,
-                                                                 "RefinementBoxes": [-9, -9, -9, -0.2, 1.1, 3.3, 2], "ThinCells": 1.5}),
-    "chosen cells of levels": (wished(fields(1)), nested(1), {**NAMES, **CHOSEN, "MeshVoid": 1, "RefinementBoxes": [-0.2, 1.1, 3.3, 0.1, 1.4, 3.5, 1]}),
-    "stairs": (SMALL, image_blocks(12), {**NAMES, "Refinement": "Automatic", "InterfaceLayers": 2, "MaximumLevel": 2, "StairStep": 1}),
+    "chosen cells and boxes": (wished(SMALL), image_blocks(12),
+                               {**NAMES, **CHOSEN, "FineInterfaces": 1, "MaximumLevel": 1,
+                                                                 "RefinementBoxes": [
+                                                                     -9, -9, -9, -0.2, 1.1, 3.3, 2],
+                                                                     "ThinCells": 1.5}),
+    "chosen cells of levels": (wished(fields(1)), nested(1),
+                               {**NAMES, **CHOSEN, "MeshVoid": 1,
+                                "RefinementBoxes": [-0.2, 1.1, 3.3, 0.1, 1.4, 3.5, 1]}),
+    "stairs": (SMALL, image_blocks(12),
+               {**NAMES, "Refinement": "Automatic", "InterfaceLayers": 2, "MaximumLevel": 2,
+                "StairStep": 1}),
 }
 
 
 def mesher_of(name, seed):
     all_fields, blocks, properties = CASES[name]
-    return VolumeFractionToHex(Input=producer(multiblock(all_fields, dealt(blocks, seed))), StateArrays=["number"], **properties)
+    return VolumeFractionToHex(Input=producer(multiblock(all_fields, dealt(blocks, seed))),
+                               StateArrays=["number"], **properties)
 
 
 def test_same_mesh():
@@ -83,17 +107,22 @@ def test_same_mesh():
         check_gold(mesher, FOLDER, name, True)
         levels = mesher.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
         cells = vtk_to_numpy(levels.GetArray("LevelCells"))  # of all ranks
-        assert cells[-1] > 0 and cells[:-1].sum() + levels.GetArray("TransitionCells").GetValue(0) > 0, (name, cells)
+        assert cells[-1] > 0 and cells[:-1].sum() + levels.GetArray("TransitionCells").GetValue(
+            0) > 0, (name, cells)
 
 
 def test_warning():
     """One, of the first rank."""
     blocks = [(0, ((0, 4), (0, 12), (0, 8))), (0, ((4, 16), (0, 12), (0, 8)))]
-    data = multiblock([{"ball": np.ones((16, 12, 8))}], [block for i, block in enumerate(blocks) if i % RANKS == RANK])
-    hexes = VolumeFractionToHex(Input=producer(data), VolumeFractionArrays=["ball"], Refinement="Coarsen", MaximumLevel=3)
+    data = multiblock([{"ball": np.ones((16, 12, 8))}],
+                      [block for i, block in enumerate(blocks) if i % RANKS == RANK])
+    hexes = VolumeFractionToHex(Input=producer(data), VolumeFractionArrays=["ball"],
+                                Refinement="Coarsen", MaximumLevel=3)
     errors, warnings = collect(hexes.GetClientSideObject())
     hexes.UpdatePipeline()
-    right = not errors and len(warnings) == (RANK == 0) and all("12 cells along y" in text for text in warnings)
+    right = not errors and len(warnings) == (RANK
+                                             == 0) and all("12 cells along y" in text
+                                                           for text in warnings)
     assert reduced(int(right), vtkCommunicator.SUM_OP) == RANKS, (errors, warnings)
 
 

@@ -1,6 +1,8 @@
-"""State arrays on several ranks follow the rule, also where elements moved far: mpiexec -n P pvbatch --sym TestStateRanks.py
+"""State arrays on several ranks follow the rule, also where elements moved far: mpiexec -n P
+pvbatch --sym TestStateRanks.py
 
-Every rank checks its own elements against the fields of all ranks. Bits are compared in TestRanks.py.
+Every rank checks its own elements against the fields of all ranks. Bits are compared in
+TestRanks.py.
 """
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
@@ -42,14 +44,18 @@ def find_problem(result, fractions, limited):
         return ""
     expected, _ = state_cells(result, COORDINATES, fractions, limited)
     if (result.cells("number") != expected).any():
-        return "%d of %d cells are wrong" % ((result.cells("number") != expected).sum(), len(expected))
-    return "" if (result.cells("velocity") == FIELDS["velocity"].reshape(-1, 3)[expected]).all() else "wrong velocity"
+        return "%d of %d cells are wrong" % ((result.cells("number") != expected).sum(),
+                                             len(expected))
+    return "" if (
+        result.cells("velocity") == FIELDS["velocity"].reshape(-1, 3)[
+            expected]).all() else "wrong velocity"
 
 
 def check(data, fractions, **properties):
     result = run(data, StateArrays=["velocity", "number"], **properties)
     problem = find_problem(result, fractions, properties.get("Method") != "TetGen")
-    failed = reduced(int(bool(problem)), vtkCommunicator.SUM_OP)  # by all ranks, before any may fail
+    # by all ranks, before any may fail
+    failed = reduced(int(bool(problem)), vtkCommunicator.SUM_OP)
     filled = reduced(int(result.mesh.GetNumberOfCells() > 0), vtkCommunicator.SUM_OP)
     assert failed == 0, problem or "see the other ranks"
     assert filled == RANKS

@@ -1,4 +1,5 @@
-"""Voxels read in parts by several ranks: the mesh is that of an image file; a bad file fails on all ranks alike.
+"""Voxels read in parts by several ranks: the mesh is that of an image file; a bad file fails on all
+ranks alike.
 
 mpiexec -n 3 pvbatch --sym TestVoxelRanks.py FOLDER
 """
@@ -13,8 +14,8 @@ from vtkmodules.vtkParallelCore import vtkCommunicator
 from compare_meshes import difference
 from gold_meshes import CONTROLLER, RANK, RANKS, whole_mesh
 from vfmtest import (
-    ORIGIN, SPACING, NumPyVoxelReader, SculptVoxelReader, VolumeFractionToHex, VolumeFractionToTet, collect, image, held_class, main,
-    reduced, simple)
+    ORIGIN, SPACING, NumPyVoxelReader, SculptVoxelReader, VolumeFractionToHex, VolumeFractionToTet,
+    collect, image, held_class, main, reduced, simple)
 from voxels import SIZE, grains, turned, write_numpy, write_text
 
 FOLDER = os.path.join(sys.argv[1], "voxels")
@@ -62,14 +63,17 @@ def mesh(source, make, **properties):
     mine = source.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
     assert reduced(int(not errors), vtkCommunicator.MIN_OP) == 1, errors
     assert reduced(mine, vtkCommunicator.SUM_OP) == GRAINS.size
-    assert reduced(mine, vtkCommunicator.MAX_OP) <= GRAINS.size // RANKS + GRAINS[:, :, 0].size  # each reads its part
+    # each reads its part
+    assert reduced(mine, vtkCommunicator.MAX_OP) <= GRAINS.size // RANKS + GRAINS[:, :, 0].size
     return whole_mesh(mesher, at("mesh.pvtu"))
 
 
 def test_same_mesh():
-    for make, properties in ((VolumeFractionToHex, {}), (VolumeFractionToTet, {"Method": "Lattice"})):
+    for make, properties in ((VolumeFractionToHex, {}),
+                             (VolumeFractionToTet, {"Method": "Lattice"})):
         gold = mesh(simple.OpenDataFile(at("a.vti")), make, **properties)
-        for name, options in (("a.spn", TEXT), ("a.npy", PLACE), ("b.npy", dict(AxisOrder="ZYX", **PLACE))):
+        for name, options in (("a.spn", TEXT), ("a.npy", PLACE),
+                              ("b.npy", dict(AxisOrder="ZYX", **PLACE))):
             merged = mesh(simple.OpenDataFile(at(name), **options), make, **properties)
             problem = difference(merged, gold) if RANK == 0 else ""
             assert not problem, "%s: %s" % (name, problem)
@@ -90,17 +94,20 @@ def is_same_everywhere(texts):
 
 
 def check_refused(source, text):
-    """The reader fails with one message on all ranks, and is asked once; the filter fails alike, and nobody waits."""
+    """The reader fails with one message on all ranks, and is asked once; the filter fails alike,
+    and nobody waits."""
     mesher = labels_mesher(source)
     errors, _ = collect(held_class(source))
     source.GetClientSideObject().GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     filter_errors, _ = collect(mesher.GetClientSideObject())
     mesher.UpdatePipeline()
     # Each rank names its own file.
-    same = is_same_everywhere([error.split("Cannot read ")[1].split(": ", 1)[1] for error in errors])
+    same = is_same_everywhere([error.split("Cannot read ")[1].split(": ", 1)[1]
+                               for error in errors])
     same_filter = is_same_everywhere([error.split("): ", 1)[1] for error in filter_errors])
     assert same and len(set(errors)) == 1 and text in errors[0], (same, errors)
-    assert same_filter and len(errors) == len(filter_errors) == 1, (same_filter, errors, filter_errors)
+    assert same_filter and len(errors) == len(filter_errors) == 1, (
+        same_filter, errors, filter_errors)
     assert "The input could not be made: Cannot read " in filter_errors[0], filter_errors
     assert mesher.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells() == 0
 
@@ -110,7 +117,8 @@ def test_refused():
     check_refused(NumPyVoxelReader(FileName=[at("none.npy")]), "No such file")
     check_refused(simple.OpenDataFile(at("a.spn")), "Set Dimensions")
     check_refused(simple.OpenDataFile(at("a.spn"), Dimensions=(9, 11, 14)), "holds 1287 values")
-    check_refused(simple.OpenDataFile(at("bad_small.spn"), Dimensions=(1, 1, 2)), "the label -2 is negative")
+    check_refused(simple.OpenDataFile(at("bad_small.spn"), Dimensions=(1, 1, 2)),
+                  "the label -2 is negative")
     check_refused(simple.OpenDataFile(at("bad.spn"), **TEXT), "the label -4 is negative")
     check_refused(simple.OpenDataFile(at("bad.npy")), "the label of cell (8, 10, 12) is -4.")
 

@@ -1,5 +1,6 @@
-"""Python loads this module when it starts, if PYTHONPATH names the folder. It keeps ParaView from looking up the documentation of each
-of its functions, which takes half of the time that pvpython needs to start."""
+"""Python loads this module when it starts, if PYTHONPATH names the folder. It keeps ParaView from
+looking up the documentation of each of its functions, which takes half of the time that pvpython
+needs to start."""
 import importlib.util
 import sys
 

@@ -1,0 +1,87 @@
+"""Finds the prose of the sources: comments, docstrings, help texts and paragraphs of pages."""
+import ast
+import io
+import re
+import tokenize
+
+CODE = (".h", ".hpp", ".cxx", ".cpp", ".c")
+# A string or a character is matched too, so that what looks like a comment in it is none.
+CXX_TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)+'", re.DOTALL)
+DOXYGEN = re.compile(
+    r"[@\\](?:(?:param(?:\[[a-z,]*\])?|tparam|throws) \S+|note|pre|returns?|file|brief)")
+
+
+def join_lines(lines):
+    """The paragraphs of lines; an empty line, a list item or a tag of Doxygen begins a new one."""
+    paragraph = []
+    for line in [*lines, ""]:
+        line = line.strip()
+        if paragraph and (not line or line.startswith(("@", "\\", "- ", "* ", "usage:"))
+                          or re.match(r"\d+\. ", line)):
+            yield " ".join(paragraph)
+            paragraph = []
+        if line:
+            paragraph.append(re.sub(r"^(?:[-*]|\d+\.) ", "", line))
+
+
+def read_cxx(text):
+    """Comments of C++ and C; lines of one kind that follow each other are one comment."""
+    lines, last = [], (-2, "")
+    for match in CXX_TOKEN.finditer(text):
+        token = match.group()
+        if not token.startswith("/"):
+            continue
+        starts_line = not text[text.rfind("\n", 0, match.start()) + 1:match.start()].strip()
+        here = (text.count("\n", 0, match.start()), re.match("/[/*<]*", token).group())
+        if lines and not (starts_line and here == (last[0] + 1, last[1])):
+            yield from join_lines(lines)
+            lines = []
+        last = here
+        if token.startswith("/*"):
+            inside = token[2:-2].strip("*").split("\n")
+            yield from join_lines(re.sub(r"^\s*\*", "", line) for line in inside)
+        else:
+            lines.append(token.lstrip("/").lstrip("<! "))
+    yield from join_lines(lines)
+
+
+def read_python(text):
+    """Docstrings and comments of Python."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node,
+                      (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
+            prose = re.sub(r"^\s*(>>>|\.\.\.).*$|^-+$", "", ast.get_docstring(node),
+                           flags=re.MULTILINE)
+            yield from join_lines(prose.split("\n"))
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.COMMENT:
+            yield token.string.lstrip("#! ")
+
+
+def read_xml(text):
+    """Help texts of properties and proxies."""
+    for help_text in re.findall(r"<Documentation[^>]*>(.*?)</Documentation>", text, re.DOTALL):
+        yield from join_lines(re.sub(r"<[^>]+>", " ", help_text).split("\n"))
+
+
+def read_markdown(text):
+    """Paragraphs, list items and cells of tables, without code and addresses."""
+    text = re.sub(r"^```.*?^```|^ {4}.*?$", "", text, flags=re.DOTALL | re.MULTILINE)
+    text = re.sub(r"`[^`\n]+`", "X", re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text))
+    for line in re.findall(r"^\|.*$", text, re.MULTILINE):
+        yield from (cell.strip() for cell in line.strip("|").split("|"))
+    yield from join_lines(line for line in text.split("\n") if not line.startswith(("|", "#", "[")))
+
+
+def read_prose(path, text):
+    """All prose of a file, as paragraphs."""
+    if path.endswith(CODE):
+        found = read_cxx(text)
+    else:
+        found = {"py": read_python, "xml": read_xml,
+                 "md": read_markdown}[path.rsplit(".", 1)[1]](text)
+    yield from (DOXYGEN.sub("", paragraph) for paragraph in found)
+
+
+def split_sentences(paragraph):
+    return re.split(r"(?<=[.!?])\s+(?=[A-Z(*'\"])", paragraph)
