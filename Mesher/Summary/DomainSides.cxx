@@ -7,7 +7,7 @@ namespace vfm
 namespace
 {
 
-constexpr double SideTolerance = 1e-9; // of the domain's length; the mesh has the very coordinate
+constexpr double SideTolerance = 1e-9; // relative to the length of the domain
 
 } // namespace
 

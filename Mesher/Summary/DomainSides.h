@@ -1,5 +1,6 @@
 /**
- * DomainSides: the sides of the domain of a mesh and what lies on them, from its fields DomainBounds and DomainFrame.
+ * DomainSides: finds the points and faces on the sides of the domain, from the fields DomainBounds
+ * and DomainFrame of a mesh.
  */
 #pragma once
 
@@ -11,15 +12,16 @@ namespace vfm
 
 constexpr int NoSide = -1;
 
-/// Views the mesh. Sides are 0..5 for -x +x -y +y -z +z; of a turned image they are those of its own axes.
+/// Sides 0..5 are -x +x -y +y -z +z, in image axes if the image is rotated. Views the mesh, which
+/// must outlive this object.
 class DomainSides
 {
 public:
   explicit DomainSides(const MeshData& mesh);
 
-  /// Without the field DomainBounds nothing is on a side.
+  /// Returns whether a point is on a side; always false without the field DomainBounds.
   bool IsOnSide(Index point, int side) const;
-  /// The side on which all points of a face lie, or NoSide. Points below 0 are skipped.
+  /// Returns the side that contains all points of a face, or NoSide. Points below 0 are skipped.
   int SideOfFace(const std::array<Index, 4>& points) const;
 
 private:

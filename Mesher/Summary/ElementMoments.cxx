@@ -10,9 +10,9 @@ namespace
 using Corners = std::array<Vector3, 8>;
 
 constexpr double Gauss =
-  0.57735026918962576451; // exact to degree 3 in each of u, v, w, as both integrands are
+  0.57735026918962576451; // exact to degree 3 in u, v, w, the degree of both integrands
 
-/// VTK's order of the corners of a hexahedron, each +-1 along u, v, w.
+/// Reference coordinates (u, v, w) of the corners of a hexahedron in the order of VTK.
 constexpr double Signs[8][3] = { { -1, -1, -1 }, { 1, -1, -1 }, { 1, 1, -1 }, { -1, 1, -1 },
   { -1, -1, 1 }, { 1, -1, 1 }, { 1, 1, 1 }, { -1, 1, 1 } };
 
@@ -27,7 +27,7 @@ ElementMoments MomentsOfTet(const Corners& p)
   return { volume, 0.25 * volume * (((p[0] + p[1]) + p[2]) + p[3]) };
 }
 
-/// Position and Jacobian determinant at a point of the reference cube.
+/// Finds the position and the Jacobian determinant at a point of the reference cube.
 void MapPoint(const Corners& p, const double (&at)[3], Vector3& position, double& determinant)
 {
   Vector3 derivative[3] = {};

@@ -12,10 +12,10 @@ namespace vfm
 struct ElementMoments
 {
   double Volume;  ///< length units cubed
-  Vector3 Moment; ///< the integral of the position: the centroid times the volume
+  Vector3 Moment; ///< integral of the position: centroid times volume
 };
 
-/// The moments of each element.
+/// Returns the moments of each element.
 std::vector<ElementMoments> FindElementMoments(const MeshData& mesh);
 
 } // namespace vfm

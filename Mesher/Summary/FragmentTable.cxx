@@ -18,16 +18,19 @@ namespace
 
 using Moments = std::vector<ElementMoments>;
 
-/// Lengths and sums are taken in units of the mesh: sums of small and of large meshes are as exact. The unit of volumes is this share of
-/// the largest element, so that ExactSum keeps nearly all bits of the others.
+/// The unit of volumes is this fraction of the largest element, so that ExactSum keeps nearly all
+/// bits of the other elements.
 constexpr double VolumeShare = 0x1p-24;
+
+/// Units of the mesh in which sums are taken, so that their relative error does not depend
+/// on scale.
 struct Units
 {
   Vector3 Origin;
   double Length, Volume, Density, Speed;
 };
 
-/// Density and velocity of each element; empty where none were chosen.
+/// Density and velocity of each element; empty if not selected.
 struct ElementState
 {
   std::vector<double> Density;
@@ -57,7 +60,7 @@ std::vector<double> FindDensities(const MeshData& mesh, const std::vector<std::s
   {
     throw InputError("There are " + std::to_string(arrays.size()) + " density arrays and " +
       std::to_string(ids.size()) +
-      " materials. Choose one array for all materials, or one a material in their order.");
+      " materials. Choose one array for all materials, or one per material in their order.");
   }
   std::vector<double> densities(arrays.empty() ? 0 : mesh.NumberOfElements, 0.0);
   for (std::size_t e = 0; e < densities.size(); ++e)
@@ -84,7 +87,7 @@ ElementState FindState(const MeshData& mesh, const FragmentArrays& names)
   return state;
 }
 
-/// What the elements of this rank add to a fragment.
+/// Sums over the elements of a fragment on this rank.
 struct Sums
 {
   Index Elements = 0;
@@ -93,9 +96,9 @@ struct Sums
 };
 
 constexpr double Nowhere = -std::numeric_limits<double>::infinity();
-constexpr int Extremes = 7; // of a fragment: its material, then its bounds, minima negated
+constexpr int Extremes = 7; // values of a fragment: material, then bounds with negated minima
 
-/// extremes: six, minima negated.
+/// Extends bounds by a point; extremes: six values, minima negated.
 void WidenBounds(const double* point, double* extremes)
 {
   for (int a = 0; a < 3; ++a)
@@ -105,7 +108,7 @@ void WidenBounds(const double* point, double* extremes)
   }
 }
 
-/// Collective.
+/// Collective. Finds the units from the maxima over all ranks.
 Units FindUnits(
   const MeshData& mesh, const Moments& moments, const ElementState& state, Ranks& ranks)
 {
@@ -137,7 +140,7 @@ Units FindUnits(
   return units;
 }
 
-/// Over the elements of this rank; extremes: Extremes a fragment.
+/// Sums over the elements of this rank; extremes: Extremes values per fragment.
 void SumElements(const MeshData& mesh, const Moments& moments, const ElementState& state,
   const Units& units, std::vector<Sums>& sums, std::vector<double>& extremes)
 {
@@ -164,7 +167,7 @@ void SumElements(const MeshData& mesh, const Moments& moments, const ElementStat
   }
 }
 
-/// Collective: the sums and extremes of all ranks as fragments.
+/// Collective. Makes fragments from the sums and extremes of all ranks.
 std::vector<FragmentSummary> MergeFragments(
   const std::vector<Sums>& sums, std::vector<double>& extremes, const Units& units, Ranks& ranks)
 {
@@ -201,7 +204,7 @@ std::vector<FragmentSummary> MergeFragments(
   return fragments;
 }
 
-/// Collective.
+/// Collective. Finds the fragments that share faces.
 void FindNeighbours(const MeshData& mesh, Ranks& ranks, std::vector<FragmentSummary>& fragments)
 {
   using Pair = std::array<int, 2>;
@@ -229,7 +232,7 @@ std::string JoinIds(const std::vector<int>& ids)
   return text;
 }
 
-/// mesh: for its fields.
+/// Makes the columns of the table; mesh: source of fields.
 FieldArrays ListFragments(
   const std::vector<FragmentSummary>& fragments, const MeshData& mesh, bool hasMass)
 {

@@ -17,8 +17,8 @@ struct OwnCells
 {
   const char* Name;
   int Corners;
-  const Buffer<Index>& Points;   ///< of the mesh, Corners per cell
-  std::vector<MeshArray> Arrays; ///< the first is the number that cells are sorted by
+  const Buffer<Index>& Points;   ///< points of the mesh, Corners per cell
+  std::vector<MeshArray> Arrays; ///< cells are sorted by the first array
   FieldArrays Fields;
 };
 
@@ -45,7 +45,7 @@ void SetCellIds(std::vector<Index> ids, StoredMesh& cells)
   cells.Data.ElementArrays.back().Values = cells.Data.ElementIds;
 }
 
-/// The cells with the points that they use, and with ids from firstId on, which are the last array.
+/// Returns the cells with the points that they use, and ids from firstId on as last array.
 StoredMesh ViewCells(const Mesh& mesh, const OwnCells& own, Index firstId)
 {
   std::vector<Index> used(own.Points.begin(), own.Points.end()), elements, pointIds;
@@ -78,7 +78,7 @@ StoredMesh ViewCells(const Mesh& mesh, const OwnCells& own, Index firstId)
   return cells;
 }
 
-/// The cells in the order of their numbers, then of their points, without ids.
+/// Sorts cells by their numbers, then by their points, and removes their ids.
 StoredMesh SortCells(StoredMesh cells)
 {
   const MeshData& data = cells.Data;

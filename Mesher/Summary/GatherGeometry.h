@@ -16,9 +16,12 @@ struct GeometryPart
   StoredMesh Cells; ///< Corners: 4 or 3, 2, 1
 };
 
-/// Collective. Returns on rank 0 the parts that have cells. Cells are in the order of their SurfaceId, CurveId or VertexId, then of their
-/// points; points have GlobalPointIds and are in their order: the same from any number of ranks. Surfaces also have MaterialPair and
-/// DomainSide. The fields are those of ListSurfaces, ListCurves and ListVertices.
+/// Gathers the surfaces, curves and vertices on rank 0.
+/// Cells are ordered by SurfaceId, CurveId or VertexId, then by their points; points are ordered by
+/// GlobalPointIds. Surfaces also have MaterialPair and DomainSide. Fields: ListSurfaces, ListCurves
+/// and ListVertices. The result does not depend on the number of ranks.
+/// @return parts that have cells, on rank 0; an empty list on other ranks
+/// @pre Collective
 std::vector<GeometryPart> GatherGeometry(const Mesh& mesh, Ranks& ranks);
 
 } // namespace vfm

@@ -14,12 +14,12 @@ namespace
 
 using Pieces = std::vector<const MeshData*>;
 
-/// A point or an element of the whole mesh and where it comes from.
+/// A point or an element of the whole mesh, and its source.
 struct Item
 {
-  Index Id; ///< global
+  Index Id; ///< global id
   std::size_t Piece;
-  Index Place; ///< in the piece
+  Index Place; ///< index in the piece
 };
 
 bool IsBefore(const Item& item, const Item& other)
@@ -27,7 +27,7 @@ bool IsBefore(const Item& item, const Item& other)
   return item.Id < other.Id;
 }
 
-/// All points or elements in the order of their ids, each id once. ids, count: members of MeshData.
+/// Returns all points or elements ordered by id, each id once. ids, count: members of MeshData.
 std::vector<Item> SortItems(
   const Pieces& pieces, const Index* MeshData::*ids, Index MeshData::*count)
 {
@@ -51,13 +51,13 @@ Index PlaceOf(const std::vector<Item>& items, Index id)
   return std::lower_bound(items.begin(), items.end(), Item{ id, 0, 0 }, IsBefore) - items.begin();
 }
 
-/// Whether ids ascend.
+/// Returns whether ids are strictly ascending.
 bool IsInOrder(const Index* ids, Index count)
 {
   return std::adjacent_find(ids, ids + count, std::greater_equal<Index>()) == ids + count;
 }
 
-/// width: values of an item; valuesOf(piece).
+/// Merges the values of items; width: values per item; valuesOf(piece): values of a piece.
 template <class T, class Values>
 std::vector<T> MergeValues(
   const Pieces& pieces, const std::vector<Item>& items, Index width, const Values& valuesOf)
@@ -75,7 +75,7 @@ std::vector<T> MergeValues(
   return merged;
 }
 
-/// arrays: the member of MeshData.
+/// Merges the arrays of pieces; arrays: a member of MeshData.
 std::vector<MeshArray> MergeArrays(const Pieces& pieces, const std::vector<Item>& items,
   std::vector<MeshArray> MeshData::*arrays, StoredMesh& merged)
 {
@@ -139,7 +139,7 @@ void MergeFacets(const Pieces& pieces, const std::vector<Item>& elements, Stored
   merged.Memory.push_back(std::move(facets));
 }
 
-/// pieces: at least one, all with elements.
+/// Merges one or more pieces, all with elements.
 StoredMesh MergePieces(const Pieces& pieces)
 {
   const std::vector<Item> points =
@@ -185,7 +185,7 @@ void CheckIds(const char* name, const Index* ids, Index count)
   }
 }
 
-/// Collective.
+/// Collective. Checks that all ranks have the same kind of elements.
 void CheckCorners(const MeshData& mesh, Ranks& ranks)
 {
   const auto has = [&](int corners)
@@ -196,7 +196,7 @@ void CheckCorners(const MeshData& mesh, Ranks& ranks)
   }
 }
 
-/// Collective.
+/// Collective. Returns the latest time of all ranks, or 0.
 double AgreeOnTime(const MeshData& mesh, Ranks& ranks)
 {
   constexpr double none = -std::numeric_limits<double>::infinity();

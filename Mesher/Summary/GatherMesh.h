@@ -1,5 +1,5 @@
 /**
- * GatherMesh: a mesh made ready to be written, as the parts of the ranks or as one on rank 0.
+ * GatherMesh: prepares a mesh for writing, as one part per rank or as a whole on rank 0.
  */
 #pragma once
 
@@ -9,20 +9,27 @@
 namespace vfm
 {
 
-/// Collective: the mesh; on ranks without elements one with the fields and the arrays, without values, of the first rank
-/// that has elements. Throws InputError, on all ranks alike, when none has.
+/// Returns the mesh; on ranks without elements, an empty mesh with the fields of the first rank
+/// that has elements, and its arrays without values.
+/// @throws InputError if no rank has elements, on all ranks
+/// @pre Collective
 MeshData ShareHead(const MeshData& mesh, Ranks& ranks);
 
-/// Collective: this rank's part with points and elements in the order of their global ids, each once; Time is set, to 0 when no rank
-/// has a time; ranks without elements have the head (ShareHead). Views the mesh where it is in order.
-/// Throws InputError, on all ranks alike, when the mesh is empty, has no such ids from 1, or has hexahedra on one rank and
-/// tetrahedra on another.
+/// Returns the part of this rank, points and elements ordered by global id, each once.
+/// Views the mesh if it is ordered already. Sets Time, to 0 if no rank has a time. Ranks without
+/// elements get the head (ShareHead).
+/// @throws InputError if the mesh is empty, has no ids from 1, or has hexahedra on one rank and
+/// tetrahedra on another; on all ranks
+/// @pre Collective
 StoredMesh OrderMesh(const MeshData& mesh, Ranks& ranks);
 
-/// Collective: on rank 0 the whole mesh, points and elements in the order of their global ids, each once: the same from any number of
-/// ranks; with Facets where all parts have them. On other ranks without elements. One rank's mesh that is in order is viewed, not
-/// copied; else rank 0 needs the memory of the mesh three times. Throws InputError, on all ranks alike, when ids are missing or parts
-/// have different arrays.
+/// Gathers the whole mesh on rank 0, points and elements ordered by global id, each once.
+/// The result does not depend on the number of ranks. It has Facets if all parts have them.
+/// @return the whole mesh on rank 0, no elements on other ranks
+/// @throws InputError if ids are missing, or parts have different arrays; on all ranks
+/// @pre Collective
+/// @note An ordered mesh of a single rank is viewed, not copied. Otherwise rank 0 needs the memory
+/// of the mesh three times.
 StoredMesh GatherMesh(const MeshData& mesh, Ranks& ranks);
 
 } // namespace vfm

@@ -17,7 +17,7 @@ struct Face
   int Value;
 };
 
-/// The value of the partner of each face in the list.
+/// Returns the value of the partner of each face in the list.
 std::vector<int> MatchHere(const std::vector<Face>& faces)
 {
   std::vector<Index> order(faces.size());
@@ -44,7 +44,7 @@ std::vector<int> MatchHere(const std::vector<Face>& faces)
   return behind;
 }
 
-/// The rank where the elements of a face meet.
+/// Returns the rank that matches a face, from a hash of its ids.
 int MeetingRank(const FaceIds& ids, int count)
 {
   std::uint64_t hash = 0;
@@ -56,7 +56,7 @@ int MeetingRank(const FaceIds& ids, int count)
   return static_cast<int>(hash % static_cast<std::uint64_t>(count));
 }
 
-/// For the faces that each rank sent here, the values behind them.
+/// Returns the values behind the faces that each rank sent.
 std::vector<Bytes> Answer(const std::vector<Bytes>& questions)
 {
   std::vector<Face> faces;
@@ -94,7 +94,7 @@ std::vector<int> MatchFaces(
   {
     return behind;
   }
-  std::vector<std::vector<Face>> open(ranks.Count()); // by the rank where they meet
+  std::vector<std::vector<Face>> open(ranks.Count()); // unmatched faces of each matching rank
   std::vector<std::vector<std::size_t>> places(ranks.Count());
   for (std::size_t f = 0; f < faces.size(); ++f)
   {

@@ -1,5 +1,5 @@
 /**
- * MatchFaces: what lies behind the faces of elements, also where that is on another rank.
+ * MatchFaces: finds the elements on the other side of faces, also on other ranks.
  */
 #pragma once
 
@@ -12,9 +12,13 @@
 namespace vfm
 {
 
-/// Collective. ids: of the points of each face, global. values: >= 0, of the element to which each face belongs (its material, its fragment). Returns, for each
-/// face, the value of the element on its other side on any rank, or NothingBehind. Throws InputError, on all ranks alike, when a
-/// face belongs to more than two elements of one rank, or has no partner on each of three ranks.
+/// Finds the value of the element behind each face.
+/// @param ids sorted global ids of the points of each face
+/// @param values value >= 0 of the element of each face, such as its material or fragment
+/// @return value of the element on the other side of each face, on any rank, or NothingBehind
+/// @throws InputError if a face belongs to more than two elements of one rank, or to elements of
+/// three ranks; on all ranks
+/// @pre Collective
 std::vector<int> MatchFaces(
   const std::vector<FaceIds>& ids, const std::vector<int>& values, Ranks& ranks);
 

@@ -1,5 +1,5 @@
 /**
- * MeshArrays: the names under which outputs and files have the arrays of a mesh.
+ * MeshArrays: names of the arrays of a mesh in outputs and files.
  */
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace vfm
 {
 
-///@{ Calls visit(name, buffer) for each array, in the order of files. TheMesh: Mesh, const or not.
+///@{ Calls visit(name, buffer) for each array, in the order of files. TheMesh: Mesh or const Mesh.
 template <class TheMesh, class Visit>
 void VisitElementArrays(TheMesh& mesh, const Visit& visit)
 {

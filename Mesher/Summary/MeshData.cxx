@@ -16,7 +16,7 @@ auto FindByName(Arrays& arrays, const std::string& name)
   return found == arrays.end() ? nullptr : &*found;
 }
 
-/// The values of an array of one component as T.
+/// Sets a pointer to the values of an array of one component as T, or to null.
 template <class T>
 void SetPointer(StoredMesh& mesh, const std::vector<MeshArray>& arrays, const char* name,
   Index count, const T*& pointer)

@@ -1,7 +1,7 @@
 /**
- * MeshData: one rank's mesh with its named arrays, in the form that reports and files are made from.
+ * MeshData: one rank's mesh with its named arrays, as input of reports and file writers.
  *
- * All pointers are views: whoever made the MeshData owns the memory and keeps it. StoredMesh owns it.
+ * All pointers are views; the creator of a MeshData owns the memory. StoredMesh owns its memory.
  */
 #pragma once
 
@@ -27,36 +27,37 @@ struct MeshArray
   const void* Values = nullptr;
 };
 
-/// Pointers to arrays that the mesh lacks, or has no values of, are null.
+/// A view of a mesh. Pointers to missing arrays, and to arrays without values, are null.
 struct MeshData
 {
-  int Corners = 8; ///< of an element: 8 hexahedra, 4 tetrahedra
+  int Corners = 8; ///< corners of an element: 8 hexahedra, 4 tetrahedra
   Index NumberOfPoints = 0, NumberOfElements = 0;
   const double* Points = nullptr;         ///< (points, 3)
   const Index* Elements = nullptr;        ///< (elements, Corners), points from 0, VTK's order
-  const Index* PointIds = nullptr;        ///< global, from 1
-  const Index* ElementIds = nullptr;      ///< global, from 1
+  const Index* PointIds = nullptr;        ///< global ids of points, from 1
+  const Index* ElementIds = nullptr;      ///< global ids of elements, from 1
   const int* Material = nullptr;          ///< material id of each element; 0 void
-  const int* Fragment = nullptr;          ///< of each element, from 1
-  const int* GeometryDimension = nullptr; ///< of each point: 3 volume, 2 surface, 1 curve, 0 vertex
-  const int* GeometryId = nullptr;        ///< of each point, from 1 within its dimension
-  std::vector<MeshArray> PointArrays, ElementArrays; ///< all that files contain, those above too
-  std::vector<FieldArray> Fields;                    ///< of the whole mesh, the same on all ranks
+  const int* Fragment = nullptr;          ///< fragment of each element, from 1
+  const int* GeometryDimension = nullptr; ///< each point: 3 volume, 2 surface, 1 curve, 0 vertex
+  const int* GeometryId = nullptr;        ///< id of each point, from 1 within its dimension
+  std::vector<MeshArray> PointArrays, ElementArrays; ///< all arrays of files, also the ones above
+  std::vector<FieldArray> Fields; ///< arrays of the whole mesh, equal on all ranks
   std::optional<double> Time;
-  /// Ascending by element and side, where the mesher made the mesh; else they are searched for (MeshFacets.h).
+  /// Facets ascending by element and side, if the mesher made the mesh; null: MeshFacets.h
+  /// finds them.
   const std::vector<MeshFacet>* Facets = nullptr;
 
   const Index* Element(Index element) const { return this->Elements + this->Corners * element; }
   const double* Point(Index point) const { return this->Points + 3 * point; }
 };
 
-/// A mesh with the memory that its pointers view.
+/// A mesh that shares ownership of the memory of its pointers.
 struct StoredMesh
 {
   MeshData Data;
   std::vector<std::shared_ptr<const void>> Memory;
 
-  /// Keeps the values and returns a view of them.
+  /// Stores the values and returns a view of them.
   template <class T>
   const T* Store(std::vector<T> values)
   {
@@ -66,16 +67,17 @@ struct StoredMesh
   }
 };
 
-/// Sets the pointers of Data to its arrays of these names: views, or converted copies where their type is another. Arrays with several
-/// components, and arrays without values, count as missing.
+/// Sets the pointers of Data to its named arrays: views, or converted copies if types differ.
+/// Arrays with several components or without values count as missing.
 void FindKnownArrays(StoredMesh& mesh);
 
-/// The array of that name, or null.
+/// Returns the array with a name, or null.
 const MeshArray* FindArray(const std::vector<MeshArray>& arrays, const std::string& name);
-/// The same; throws InputError without one.
+/// Returns the array with a name. Throws InputError if it is missing.
 const MeshArray& GetArray(const std::vector<MeshArray>& arrays, const std::string& name);
+/// Throws InputError for a missing array.
 [[noreturn]] void RejectMissing(const std::string& name);
-/// A pointer of MeshData; throws InputError when it is null, though there are elements.
+/// Returns a pointer of MeshData. Throws InputError if it is null and the mesh has elements.
 template <class T>
 const T* Require(const T* values, const char* name, const MeshData& mesh)
 {
@@ -86,11 +88,12 @@ const T* Require(const T* values, const char* name, const MeshData& mesh)
   return values;
 }
 
+/// Returns a value of an array as double.
 double ValueAt(const MeshArray& array, Index tuple, int component = 0);
 
-/// The field of that name, or null.
+/// Returns the field with a name, or null.
 const FieldArray* FindField(const std::vector<FieldArray>& fields, const std::string& name);
-/// The numbers of a field tuple by tuple; none of texts and without such a field.
+/// Returns the numbers of a field, row-major; empty if it has texts or does not exist.
 std::vector<double> NumbersOfField(const std::vector<FieldArray>& fields, const std::string& name);
 
 } // namespace vfm

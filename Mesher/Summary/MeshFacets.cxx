@@ -11,7 +11,7 @@ namespace vfm
 namespace
 {
 
-/// The faces that can be on a surface.
+/// Returns the faces that can be on a surface.
 std::vector<FacetSide> CollectFaces(const MeshData& mesh)
 {
   const ElementFaces table(mesh.Corners);
@@ -44,7 +44,8 @@ FaceIds GlobalIds(const FacetSide& face, const MeshData& mesh)
   return ids;
 }
 
-/// Which smooth side of an interface a face is on: that of its points inside a surface, or what EdgeFacets says.
+/// Finds the smooth side of an interface that contains a face: the surface of its points inside a
+/// surface, or the entry of the face in EdgeFacets.
 class FaceSurfaces
 {
 public:

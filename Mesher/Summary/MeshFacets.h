@@ -1,5 +1,5 @@
 /**
- * MeshFacets: the faces of a mesh at which its materials change or it ends, across the ranks.
+ * MeshFacets: finds the faces between different materials and on the boundary of a mesh.
  */
 #pragma once
 
@@ -10,14 +10,20 @@
 namespace vfm
 {
 
-/// Collective: the faces of this rank's elements behind which there is another value, or nothing, by element and side; points around each. values: of the
-/// elements, >= 0. mesh: with PointIds; its GeometryDimension, when it is there, excludes faces with a point inside (3).
-/// Throws InputError, on all ranks alike, when an array is missing or a face belongs to more than two elements.
+/// Finds the faces of this rank's elements where values change or the mesh ends.
+/// @param mesh mesh with PointIds; faces with a point of GeometryDimension 3 are excluded if known
+/// @param values value >= 0 of each element
+/// @return faces ordered by element and side; the points of each go around it
+/// @throws InputError if an array is missing, or if MatchFaces does; on all ranks
+/// @pre Collective
 std::vector<FacetSide> FindMeshFaces(const MeshData& mesh, const int* values, Ranks& ranks);
 
-/// Collective: the facets of this rank's elements by element and side: mesh.Facets, or found by a search. A facet between elements of two
-/// ranks is in the lists of both. Without the field DomainBounds nothing is on the domain; without SurfaceParts and EdgeFacets all
-/// Surface are 0. Throws as FindMeshFaces.
+/// Returns the facets of this rank's elements: mesh.Facets, or the result of a search.
+/// The search needs the field DomainBounds to find sides of the domain, and SurfaceParts and
+/// EdgeFacets to find smooth sides; otherwise DomainSide is NoSide, and Surface is 0.
+/// @return facets ordered by element and side; facets between two ranks are in the lists of both
+/// @throws InputError if FindMeshFaces does
+/// @pre Collective
 std::vector<MeshFacet> FindMeshFacets(const MeshData& mesh, Ranks& ranks);
 
 } // namespace vfm

@@ -10,7 +10,7 @@ bool IsTetMesh(const Mesh& mesh)
   return mesh.Corners == 4;
 }
 
-/// Of the materials that are meshed.
+/// Returns the values of the materials that are meshed.
 template <class Value>
 std::vector<Value> TakeMeshed(const std::vector<Value>& values, bool meshVoid)
 {
@@ -41,7 +41,7 @@ void AddQuality(FieldArrays& fields, const Mesh& mesh, const MeshReport& report)
   }
 }
 
-/// get: the value of each item.
+/// Adds a column; get: returns the value of an item.
 template <class Item, class Get>
 void AddColumn(
   FieldArrays& fields, const char* name, const std::vector<Item>& items, const Get& get)
@@ -54,7 +54,7 @@ void AddColumn(
   fields.push_back({ name, std::move(values) });
 }
 
-/// Of a mesh of several levels.
+/// Adds the counts of a mesh of several levels.
 void AddLevels(FieldArrays& fields, const MeshReport& report)
 {
   using Level = MeshReport::Level;
@@ -83,7 +83,7 @@ std::vector<double> FindVolumeErrors(const MeshReport& report)
   return errors;
 }
 
-/// names: of the arrays of names and ids.
+/// Adds one value per material; names: names of the arrays of names and ids.
 void AddMaterials(FieldArrays& fields, const MeshReport& report, const Materials& table,
   bool meshVoid, std::array<const char*, 2> names)
 {

@@ -1,5 +1,6 @@
 /**
- * MeshFields: what was measured while a mesh was made, and what bounds what in it, as arrays.
+ * MeshFields: measurements of a mesh, and the relations of its surfaces, curves and vertices,
+ * as arrays.
  */
 #pragma once
 
@@ -15,38 +16,47 @@ namespace vfm
 
 using FieldArrays = std::vector<FieldArray>;
 
-/// MaterialNames, MaterialIds, TargetVolume, MeshVolume, VolumeError (of each material, void
-/// only when meshed; the error is MeshVolume / TargetVolume - 1, 0 of a material that the input has nowhere), FragmentTargetVolume
-/// (of fragments 1, 2, ...), NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, ChosenCells, FlippedCells,
-/// ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves, NumberOfVertices, EdgePoints and CornerPoints with SharpEdges, and MinimumScaledJacobian,
-/// MeanScaledJacobian if computed.
-/// Of tetrahedra also RefusedParts, and MinimumDihedralAngle, MaximumDihedralAngle, DihedralAngles if computed.
-/// mesh: tells the kind of its elements, its arrays may be gone.
+/// Lists the report of a mesh.
+/// - One value per material, void only if meshed: MaterialNames, MaterialIds, TargetVolume,
+///   MeshVolume, VolumeError (MeshVolume / TargetVolume - 1; 0 if the input has no such material)
+/// - One value per fragment: FragmentTargetVolume
+/// - Counts: NormalisedCells, ClippedCells, RemovedRegions, RemovedCells, ChosenCells,
+///   FlippedCells, ResolveRounds, NumberOfFragments, NumberOfSurfaces, NumberOfCurves,
+///   NumberOfVertices; EdgePoints and CornerPoints with SharpEdges; RefusedParts of tetrahedra
+/// - ComputeQuality adds MinimumScaledJacobian, MeanScaledJacobian; MinimumDihedralAngle,
+///   MaximumDihedralAngle and DihedralAngles of tetrahedra
+/// - Several levels add RefinedCells, CellsAddedForBalance, CellsAddedForValidity, LevelCells,
+///   TransitionCells
+/// @param mesh determines the kind of elements; its arrays may be empty
 FieldArrays ListReport(const Mesh& mesh, const MeshReport& report, const Materials& table,
   const MeshOptions& options, const CorrectedCells& corrected);
 
-/// Columns with a row a material, void only when meshed: Name, MaterialId, TargetVolume, MeshVolume (length units cubed), VolumeError,
-/// Elements, Fragments, and MinimumScaledJacobian, MeanScaledJacobian if computed (0 without an element).
+/// Lists columns with one row per material, void only if meshed: Name, MaterialId, TargetVolume,
+/// MeshVolume (length units cubed), VolumeError, Elements and Fragments. ComputeQuality adds
+/// MinimumScaledJacobian and MeanScaledJacobian, 0 for a material without elements.
 FieldArrays ListMaterials(
   const MeshReport& report, const Materials& table, const MeshOptions& options);
 
-/// SurfaceParts and EdgeFacets, which tell the surface of a face from its points; none unless interfaces have several.
+/// Lists SurfaceParts and EdgeFacets, from which MeshFacets.h finds the surface of a face; nothing
+/// if no interface has several smooth sides.
 FieldArrays ListSides(const GeometryTables& tables);
 
-/// SurfaceVolumes, SurfaceMaterials (two of each surface), SurfaceSides, SurfaceParts, SurfaceAreas, SurfaceCentroids and SurfaceNormals (three
-/// of each), VolumeSurfaces (pairs).
+/// Lists SurfaceVolumes and SurfaceMaterials (two per surface), SurfaceSides, SurfaceParts,
+/// SurfaceAreas, SurfaceCentroids and SurfaceNormals (three per surface), VolumeSurfaces (pairs).
 FieldArrays ListSurfaces(const GeometryTables& tables);
-/// CurveEnds, SurfaceCurves (pairs).
+/// Lists CurveEnds and SurfaceCurves (pairs).
 FieldArrays ListCurves(const GeometryTables& tables);
-/// CurveVertices (pairs).
+/// Lists CurveVertices (pairs).
 FieldArrays ListVertices(const GeometryTables& tables);
 
-/// DomainBounds: x from, to, y from, to, z from, to; nodes on a side of the domain have the very coordinate. Of turned images these
-/// are bounds in their own axes, and DomainFrame has twelve numbers: the matrix A, row by row, and the origin o. A point u in those axes stands
-/// at o + A (u - o).
+/// Lists the domain. DomainBounds: x min, max, y min, max, z min, max; nodes on a side of the
+/// domain have exactly this coordinate. Bounds of a rotated image are in image axes.
+/// DomainFrame then has the matrix A, row-major, and the origin o: x = o + A (u - o) for a
+/// point u in image axes.
 FieldArrays ListDomain(const CartesianGrid& grid, const ImageFrame& frame);
 
-/// A sentence with the names and ids of the materials of the input that have no element; "" where all have some.
+/// Returns a sentence with the materials of the input that have no element; "" if all
+/// have elements.
 std::string DescribeLostMaterials(const MeshReport& report, const Materials& table);
 
 } // namespace vfm

@@ -34,7 +34,7 @@ std::vector<int> FindMaterials(const MeshData& mesh, Ranks& ranks)
     [&]
     {
       const int* ids = Require(mesh.Material, "MaterialId", mesh);
-      int last = -1; // neighbours in the list are mostly of one material
+      int last = -1; // consecutive elements mostly have one material
       for (Index element = 0; element < mesh.NumberOfElements; ++element)
       {
         if (ids[element] != last)
@@ -62,7 +62,7 @@ int FindVoidId(const MeshData& mesh, Ranks& ranks)
   largest = ranks.Max(largest);
   if (largest >= std::numeric_limits<int>::max())
   {
-    throw InputError("No number is left for the void: a material has the greatest there is, " +
+    throw InputError("No number is left for the void: a material has the largest possible id, " +
       std::to_string(std::numeric_limits<int>::max()) + ".");
   }
   return static_cast<int>(largest) + 1;

@@ -1,5 +1,5 @@
 /**
- * MeshMaterials: the materials that a mesh has on all ranks together, their names, and the number of a meshed void.
+ * MeshMaterials: the materials of a mesh on all ranks, their names, and an id for a meshed void.
  */
 #pragma once
 
@@ -11,17 +11,20 @@
 namespace vfm
 {
 
-/// The names by material id: the fields MaterialNames and MaterialIds; "Void" of 0.
+/// Returns names by material id, from the fields MaterialNames and MaterialIds; 0 is "Void".
 std::map<int, std::string> NamesOfMaterials(const MeshData& mesh);
-/// "Material 7" where there is no name.
+/// Returns the name of a material; "Material 7" if it has no name.
 std::string NameOfMaterial(const std::map<int, std::string>& names, int material);
 
-/// Collective: the materials that elements have on any rank, ascending. Throws InputError, on all ranks alike, when the
-/// array MaterialId is missing or a value is negative.
+/// Returns the materials of the elements of all ranks, ascending.
+/// @throws InputError if the array MaterialId is missing or a value is negative, on all ranks
+/// @pre Collective
 std::vector<int> FindMaterials(const MeshData& mesh, Ranks& ranks);
 
-/// Collective: what stands for material 0, the void, where numbers must be positive: the number after the greatest one of the
-/// elements and of the field MaterialIds. Throws InputError, on all ranks alike, when there is none.
+/// Returns an id for the void (material 0) where ids must be positive: one more than the largest id
+/// of the elements and of the field MaterialIds.
+/// @throws InputError if no integer is left, on all ranks
+/// @pre Collective
 int FindVoidId(const MeshData& mesh, Ranks& ranks);
 
 } // namespace vfm

@@ -17,10 +17,10 @@ namespace
 constexpr const char* SideNames[6] = { "x_min", "x_max", "y_min", "y_max", "z_min", "z_max" };
 
 using Facets = std::vector<MeshFacet>;
-using Pair = std::array<int, 2>;     // of materials that touch; the faces are the first's
-using PairSide = std::array<int, 3>; // and a surface between them
+using Pair = std::array<int, 2>;     // adjacent materials; faces belong to the first
+using PairSide = std::array<int, 3>; // a pair and a surface between its materials
 
-/// Ids of pairs of materials, in the order of the pairs. voidId: the number of material 0 when it is the first.
+/// Returns the ids of pairs of materials; voidId: number of the void as first material.
 std::vector<int> NumberPairs(const std::vector<Pair>& pairs, int voidId)
 {
   const auto first = [voidId](const Pair& pair) { return pair[0] == 0 ? voidId : pair[0]; };
@@ -43,7 +43,7 @@ std::vector<int> NumberPairs(const std::vector<Pair>& pairs, int voidId)
   return ids;
 }
 
-/// Ids of smooth sides, in their order. pairIds: of their pairs; greatest: of all pairs.
+/// Returns the ids of smooth sides; pairIds: ids of their pairs; greatest: largest id of all pairs.
 std::vector<int> NumberSides(
   const std::vector<PairSide>& sides, const std::vector<int>& pairIds, int greatest)
 {
@@ -65,7 +65,7 @@ std::vector<int> NumberSides(
   return ids;
 }
 
-/// The keys of all ranks. Collective.
+/// Collective. Returns the keys of a map on all ranks.
 template <class Map>
 auto UnionOfKeys(Ranks& ranks, const Map& map)
 {
@@ -77,7 +77,7 @@ auto UnionOfKeys(Ranks& ranks, const Map& map)
   return UnionOverRanks(ranks, std::move(list));
 }
 
-/// Collective: the side sets of the sides of the domain, of pairs, and of the smooth sides of these.
+/// Collective. Makes the side sets of sides of the domain, pairs and smooth sides.
 std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
   std::map<int, std::vector<MeshSide>> ofDomain;
@@ -131,9 +131,9 @@ std::vector<SideSet> MakeSideSets(const MeshData& mesh, const Facets& facets, Ra
   return sets;
 }
 
-using SurfacePoint = std::array<Index, 2>; // surface and global id
+using SurfacePoint = std::array<Index, 2>; // surface and global id of a point
 
-/// Collective: the points at the rims of smooth sides, which are inside no surface, ascending.
+/// Collective. Returns the points on the edges of smooth sides (not inside a surface), ascending.
 std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, Ranks& ranks)
 {
   const ElementFaces table(mesh.Corners);
@@ -155,7 +155,7 @@ std::vector<SurfacePoint> FindRims(const MeshData& mesh, const Facets& facets, R
   return UnionOverRanks(ranks, std::move(rims));
 }
 
-/// Collective: the node sets of the sides of the domain and of smooth sides.
+/// Collective. Makes the node sets of sides of the domain and smooth sides.
 std::vector<NodeSet> MakeNodeSets(
   const MeshData& mesh, const Facets& facets, const std::vector<SideSet>& sideSets, Ranks& ranks)
 {

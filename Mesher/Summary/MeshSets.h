@@ -1,10 +1,17 @@
 /**
  * MeshSets: the side sets and node sets of a mesh, from its facets.
  *
- * Side sets: one for each ordered pair of materials that touch, "ball_to_plate", which holds the faces of the elements of the first
- * that lie against the second, and "ball_to_Void" for its free surface; where such an interface has several smooth sides, one more for
- * each, "ball_to_Void_3", 3 its surface; and one a side of the domain, "x_min" to "z_max", of all materials. Node sets: one a side of the domain, and one of the nodes of each smooth side, with its name and id. Faces on the domain are in no set of a pair.
- * Of a turned image (field DomainFrame) the sides are those of its own axes: x_min is where its first index begins.
+ * Side sets:
+ * - each ordered pair of adjacent materials: "ball_to_plate" has the faces of elements of the first
+ *   material that touch the second, "ball_to_Void" the free surface;
+ * - each smooth side of an interface with several smooth sides: "ball_to_Void_3" for surface 3;
+ * - each side of the domain, "x_min" to "z_max", with faces of all materials. These faces are in no
+ *   set of a pair.
+ *
+ * Node sets: each side of the domain, and each smooth side with the name and id of its side set.
+ *
+ * Sides of a rotated image (field DomainFrame) are in image axes: x_min is where the first
+ * index begins.
  */
 #pragma once
 
@@ -14,38 +21,47 @@
 namespace vfm
 {
 
+/// A side of an element.
 struct MeshSide
 {
-  Index Element; ///< of this rank
-  int Side;      ///< as MeshFacet::Side
+  Index Element; ///< element of this rank
+  int Side;      ///< side of the element, as MeshFacet::Side
 };
 
 struct SideSet
 {
   int Id;
   std::string Name;
-  int Surface;                 ///< of a smooth side, else 0
-  std::vector<MeshSide> Sides; ///< of this rank, ascending
+  int Surface;                 ///< surface of a smooth side; 0 otherwise
+  std::vector<MeshSide> Sides; ///< sides on this rank, ascending
 };
 
 struct NodeSet
 {
   int Id;
   std::string Name;
-  std::vector<Index> Points; ///< of this rank, ascending
+  std::vector<Index> Points; ///< points of this rank, ascending
 };
 
+/// All sets of a mesh.
 struct MeshSets
 {
   std::vector<SideSet> SideSets;
   std::vector<NodeSet> NodeSets;
 };
 
-/// Collective: the sets that are not empty on all ranks together, the same list of ids and names on each. Ids: 1 to 6 of the
-/// sides of the domain, x_min first; first * 1000 + second of two materials with ids below 1,000 (a greater power of ten for
-/// greater ids; counted from 7 where that does not fit 31 bits); the void is 0 as the second, FindVoidId() as the first. Of smooth sides the
-/// id of the pair * 1000 + surface (or a greater power of ten; counted on where that does not fit).
-/// The fields of the mesh must be the same on all ranks, also those without elements. Throws as FindMeshFacets.
+/// Finds the sets that have entries on any rank.
+/// Ids of side sets:
+/// - sides of the domain: 1 to 6, x_min first;
+/// - pairs: 1000 * first + second for material ids below 1,000, a greater power of ten for greater
+///   ids, or consecutive numbers from 7 if that exceeds 31 bits. The void is 0 as second,
+///   FindVoidId() as first material;
+/// - smooth sides: 1000 * (id of the pair) + surface, or a greater power of ten, or consecutive
+///   numbers after the pairs if that exceeds 31 bits.
+/// @param mesh part of this rank; its fields must be equal on all ranks, also without elements
+/// @return the same list of ids and names on all ranks
+/// @throws InputError if FindMeshFacets does
+/// @pre Collective
 MeshSets FindMeshSets(const MeshData& mesh, Ranks& ranks);
 
 } // namespace vfm

@@ -20,7 +20,7 @@ std::vector<double> GetField(const MeshData& mesh, const std::string& name)
   return NumbersOfField(mesh.Fields, name);
 }
 
-/// Of a number of each material, or of one component of it.
+/// Sums a field of numbers per material, or one component of it.
 double SumOfMaterials(const MeshData& mesh, const std::string& name, int component = 0)
 {
   const FieldArray* field = FindField(mesh.Fields, name);
@@ -33,7 +33,7 @@ double SumOfMaterials(const MeshData& mesh, const std::string& name, int compone
   return sum;
 }
 
-/// What the field data tells of a mesh whose state was conserved.
+/// Returns the conserved quantities of a mesh, from its fields.
 std::vector<StateTotal> FindStateTotals(const MeshData& mesh)
 {
   struct Quantity
@@ -64,7 +64,7 @@ double GetNumber(const MeshData& mesh, const char* name)
   return values.empty() ? 0.0 : values[0];
 }
 
-/// Sums over the elements of a part.
+/// Sums over the elements of a part of the mesh on this rank.
 struct PartSums
 {
   Index Elements = 0;
@@ -73,7 +73,9 @@ struct PartSums
   ExactSum Quality, Volume; ///< volumes in units of the mean element of the mesh
 };
 
-/// The parts of this rank's elements; moments, partOf: of each element, parts from 0.
+/// Sums over the parts of this rank's elements.
+/// @param partOf part of each element, from 0
+/// @param unit unit of volumes
 std::vector<PartSums> SumParts(const MeshData& mesh, const std::vector<ElementMoments>& moments,
   const std::vector<int>& partOf, std::size_t numberOfParts, double unit)
 {
@@ -95,7 +97,7 @@ std::vector<PartSums> SumParts(const MeshData& mesh, const std::vector<ElementMo
   return parts;
 }
 
-/// Over all ranks; points are those of each part.
+/// Merges the parts of all ranks; points: number of points of each part.
 std::vector<PartSummary> MergeParts(
   const std::vector<PartSums>& parts, const std::vector<Index>& points, double unit, Ranks& ranks)
 {
@@ -127,7 +129,7 @@ std::vector<PartSummary> MergeParts(
   return united;
 }
 
-/// The parts of a mesh that a number of each element tells.
+/// Summarises the parts of a mesh; partOf: part of each element, from 0.
 std::vector<PartSummary> SummariseParts(const MeshData& mesh,
   const std::vector<ElementMoments>& moments, const std::vector<int>& partOf,
   std::size_t numberOfParts, double unit, Ranks& ranks)
@@ -136,7 +138,7 @@ std::vector<PartSummary> SummariseParts(const MeshData& mesh,
     CountPoints(mesh, partOf, numberOfParts, ranks), unit, ranks);
 }
 
-/// values: of each element; place: of a value among the parts.
+/// Returns the part of each element; place: returns the part of a value.
 template <class Place>
 std::vector<int> FindParts(const MeshData& mesh, const int* values, const Place& place)
 {
@@ -145,7 +147,8 @@ std::vector<int> FindParts(const MeshData& mesh, const int* values, const Place&
   return parts;
 }
 
-/// The volume of a mean element, so that sums are as exact for small lengths as for large ones.
+/// Returns the mean volume of an element, a unit that makes sums independent of the scale
+/// of lengths.
 double FindUnit(const std::vector<double>& volumes, Index elements, Ranks& ranks)
 {
   const std::int64_t count = SumOverRanks(elements, ranks);

@@ -1,5 +1,5 @@
 /**
- * MeshSummary: what a mesh is, as numbers over all ranks.
+ * MeshSummary: size, quality, volume and conserved sums of a mesh over all ranks.
  */
 #pragma once
 
@@ -9,18 +9,19 @@
 namespace vfm
 {
 
-/// A material, a fragment, or the whole.
+/// Sums over a material, a fragment, or the whole mesh.
 struct PartSummary
 {
   std::string Name;
   int Material = 0;
-  Index Elements = 0, Points = 0; ///< points between parts count in each, points between ranks once
-  double MinimumQuality = 1.0;    ///< scaled Jacobian
+  /// Points between parts count in each part, points between ranks count once.
+  Index Elements = 0, Points = 0;
+  double MinimumQuality = 1.0; ///< minimum scaled Jacobian
   double MeanQuality = 0.0;
-  double Volume = 0.0, TargetVolume = 0.0; ///< length units cubed; targets not of fragments
+  double Volume = 0.0, TargetVolume = 0.0; ///< length units cubed; fragments have no target
 };
 
-/// A sum over all materials that was carried from the cells to the elements.
+/// A conserved quantity, summed over all materials.
 struct StateTotal
 {
   std::string Name;
@@ -32,13 +33,15 @@ struct MeshSummary
   bool IsTets = false, HasQuality = false;
   std::vector<PartSummary> Materials, Fragments; ///< Fragments[f] has FragmentId f + 1
   PartSummary Total;
-  double MinimumAngle = 0.0, MaximumAngle = 0.0;  ///< dihedral, degrees; of tets
-  std::vector<Index> Angles;                      ///< of tets: how many in each ten degrees
-  std::vector<StateTotal> State;                  ///< where state was conserved
-  double LostToElements = 0.0, LostToNodes = 0.0; ///< kinetic energy that the cells had
+  double MinimumAngle = 0.0, MaximumAngle = 0.0;  ///< dihedral angles of tets, degrees
+  std::vector<Index> Angles;                      ///< tets: histogram in steps of ten degrees
+  std::vector<StateTotal> State;                  ///< empty unless state was conserved
+  double LostToElements = 0.0, LostToNodes = 0.0; ///< lost kinetic energy
 };
 
-/// Collective. mesh: this rank's part of the mesh of a mesher, with its fields. Equal on all ranks, and for any number of them.
+/// Summarises a mesh. The result is equal on all ranks and for any number of ranks.
+/// @param mesh part of this rank, with the fields of RunMesher
+/// @pre Collective
 MeshSummary Summarise(const MeshData& mesh, Ranks& ranks);
 
 } // namespace vfm

@@ -54,7 +54,7 @@ void AddFields(const std::vector<FieldArray>& fields, Packer& packer)
   }
 }
 
-/// Fills the alternative of that number.
+/// Reads the values of a field whose variant has the index number.
 template <std::size_t Number = 0>
 void TakeValues(std::size_t number, Unpacker& unpacker, FieldArray& field)
 {

@@ -1,5 +1,5 @@
 /**
- * PackMesh: a mesh as bytes for other ranks.
+ * PackMesh: packs a mesh into a message for other ranks.
  */
 #pragma once
 
@@ -9,10 +9,11 @@
 namespace vfm
 {
 
-/// With all arrays, fields and facets; without the time.
+/// Packs all arrays, fields and facets, but not the time.
 Bytes PackMesh(const MeshData& mesh);
-/// The kind of elements, the arrays without values, and the fields.
+/// Packs the kind of elements, the arrays without values, and the fields.
 Bytes PackHead(const MeshData& mesh);
+/// Unpacks the result of PackMesh or PackHead.
 StoredMesh UnpackMesh(const Bytes& bytes);
 
 } // namespace vfm

@@ -10,7 +10,7 @@ namespace vfm
 namespace
 {
 
-using PartPoint = std::array<Index, 2>; // part, id
+using PartPoint = std::array<Index, 2>; // part and global id
 
 std::vector<PartPoint> FindOwnPoints(const MeshData& mesh, const std::vector<int>& partOf)
 {
@@ -27,7 +27,7 @@ std::vector<PartPoint> FindOwnPoints(const MeshData& mesh, const std::vector<int
   return found;
 }
 
-/// The points whose ids are this rank's to count.
+/// Returns the points whose ids this rank counts.
 std::vector<PartPoint> DistributePoints(const std::vector<PartPoint>& own, Ranks& ranks)
 {
   std::vector<std::vector<PartPoint>> shares(ranks.Count());

@@ -1,5 +1,5 @@
 /**
- * PointCounts: how many different points the parts of a mesh on several ranks have.
+ * PointCounts: counts the distinct points of parts of a mesh over all ranks.
  */
 #pragma once
 
@@ -9,8 +9,11 @@
 namespace vfm
 {
 
-/// Collective. partOf: the part of each element, from 0. The points of each part, known by GlobalPointIds; each rank counts
-/// those with its share of the ids, so a rank sends and receives no more than it has.
+/// Counts the points of each part by GlobalPointIds.
+/// @param partOf part of each element, from 0
+/// @pre Collective
+/// @note Each rank counts a share of the ids, so it sends and receives about as many ids as it
+/// has points.
 std::vector<Index> CountPoints(
   const MeshData& mesh, const std::vector<int>& partOf, std::size_t numberOfParts, Ranks& ranks);
 

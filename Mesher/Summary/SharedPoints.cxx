@@ -10,21 +10,21 @@ namespace vfm
 namespace
 {
 
-/// A point that this rank and another one have.
+/// A point that this rank shares with another rank.
 struct Meeting
 {
   Index Id;
-  Index Rank; ///< the other one
+  Index Rank; ///< the other rank
   bool operator<(const Meeting& other) const
   {
     return this->Id != other.Id ? this->Id < other.Id : this->Rank < other.Rank;
   }
 };
 
-/// For the ids that each rank sent here, those that others sent too.
+/// Returns, for each rank, the ids that it and others sent.
 std::vector<Bytes> FindMeetings(const std::vector<Bytes>& questions)
 {
-  std::vector<Meeting> all; // of each id, the ranks that have it
+  std::vector<Meeting> all; // the ranks of each id
   for (std::size_t rank = 0; rank < questions.size(); ++rank)
   {
     for (Index id : FromBytes<Index>(questions[rank]))
@@ -59,7 +59,7 @@ SharedPoints FindSharedPoints(const std::vector<Index>& ids, Ranks& ranks)
     return shared;
   }
   std::vector<std::vector<Index>> questions(ranks.Count());
-  std::vector<Meeting> places; // the ids in order; Rank: the place
+  std::vector<Meeting> places; // ascending ids; Rank: index in ids
   for (std::size_t p = 0; p < ids.size(); ++p)
   {
     questions[ids[p] % ranks.Count()].push_back(ids[p]);

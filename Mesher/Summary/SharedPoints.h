@@ -1,5 +1,5 @@
 /**
- * SharedPoints: which points of a mesh are on other ranks too.
+ * SharedPoints: finds the points of a mesh that are also on other ranks.
  */
 #pragma once
 
@@ -14,14 +14,17 @@ namespace vfm
 
 struct SharedPoints
 {
-  /// By rank: the places in ids of the points that this rank and that one have, in the order of their ids: the same points in
-  /// the same order as that rank's list of this one.
+  /// Common points with each other rank, as indices in ids, ordered by id. The list of the other
+  /// rank has the same points in the same order.
   std::map<int, std::vector<Index>> Places;
-  std::vector<char> IsOwned; ///< of each point: no lower rank has it
+  std::vector<char> IsOwned; ///< each point: 1 if no lower rank has it
 };
 
-/// Collective. ids: of this rank's points, >= 0, each once; they meet on the rank that the id tells, so that a rank sends and
-/// receives about as many as it has.
+/// Finds the points that this rank shares with other ranks.
+/// @param ids global ids >= 0 of this rank's points, each once
+/// @pre Collective
+/// @note An id determines the rank that compares it, so each rank sends and receives about as many
+/// ids as it has points.
 SharedPoints FindSharedPoints(const std::vector<Index>& ids, Ranks& ranks);
 
 } // namespace vfm
