@@ -11,7 +11,8 @@ namespace
 
 constexpr std::int64_t ThinnestBox = 2; // two neighbours of a box must not share a cell
 
-/// Of all ways to cut the grid into `ranks` boxes, that with the smallest cuts. All 0 when there is none.
+/// Of all ways to cut the grid into `ranks` boxes, that with the smallest cuts. All 0 when there is
+/// none.
 std::array<int, 3> ChooseCuts(const Index3& cells, int ranks)
 {
   std::array<int, 3> best{ 0, 0, 0 };
@@ -77,7 +78,8 @@ std::array<int, 6> Domain::GetNeighbours() const
   return ranks;
 }
 
-/// Calls visit(local index) for the cells of two layers from `first` (0: the lower ghosts) on, ghosts included.
+/// Calls visit(local index) for the cells of two layers from `first` (0: the lower ghosts) on,
+/// ghosts included.
 template <class Visit>
 void Domain::ForEachInLayers(int axis, std::int64_t first, Visit&& visit) const
 {
@@ -96,7 +98,8 @@ void Domain::ForEachInLayers(int axis, std::int64_t first, Visit&& visit) const
   }
 }
 
-/// Two boxes that touch share two layers: the outermost cells of each, which are the ghosts of the other.
+/// Two boxes that touch share two layers: the outermost cells of each, which are the ghosts of the
+/// other.
 template <class T>
 void Domain::SumAlong(int axis, std::vector<T>& values, int channels) const
 {

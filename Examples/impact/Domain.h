@@ -1,8 +1,9 @@
 /**
- * Domain: the uniform grid, cut into one box of cells for each rank, and what ranks tell each other about it.
+ * Domain: the uniform grid, cut into one box of cells for each rank, and what ranks tell each other
+ * about it.
  *
- * A local array holds the cells of the box and one layer of ghost cells around it, x fastest. The outermost ghosts lie
- * outside of the grid and are used as well: boundaries are open.
+ * A local array holds the cells of the box and one layer of ghost cells around it, x fastest. The
+ * outermost ghosts lie outside of the grid and are used as well: boundaries are open.
  */
 #pragma once
 
@@ -22,7 +23,8 @@ using Index3 = std::array<std::int64_t, 3>;
 class Domain
 {
 public:
-  /// Collective. Throws std::invalid_argument on all ranks when a box would be thinner than 2 cells.
+  /// Collective. Throws std::invalid_argument on all ranks when a box would be thinner than 2
+  /// cells.
   Domain(MPI_Comm communicator, const Index3& cells, double spacing);
   ~Domain();
   Domain(const Domain&) = delete;
@@ -58,16 +60,17 @@ public:
   template <class Visit>
   void ForEachCell(Visit&& visit) const;
 
-  /// Collective: adds up what ranks hold of the same cells, ghosts included, so that all of them hold the sums.
-  /// values: `channels` numbers a cell. With integers the result does not depend on the ranks.
+  /// Collective: adds up what ranks hold of the same cells, ghosts included, so that all of them
+  /// hold the sums. values: `channels` numbers a cell. With integers the result does not depend on
+  /// the ranks.
   template <class T>
   void SumShared(std::vector<T>& values, int channels) const;
   /// Collective: sets the ghosts to what their owners hold; 0 outside of the grid.
   template <class T>
   void FillGhosts(std::vector<T>& values, int channels) const;
 
-  /// Collective: hands points that left the box to the rank that owns their cell now; none may have moved more than a
-  /// cell. Points outside of the grid are taken out and returned.
+  /// Collective: hands points that left the box to the rank that owns their cell now; none may have
+  /// moved more than a cell. Points outside of the grid are taken out and returned.
   std::vector<MaterialPoint> Migrate(std::vector<MaterialPoint>& points) const;
 
   /// Collective sum over the ranks.

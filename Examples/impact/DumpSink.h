@@ -1,6 +1,7 @@
 /**
- * DumpSink: writes the fields as files that ParaView reads: FOLDER/NAME_SSSS.pvti and a .vti of every rank for each
- * output step, and FOLDER/NAME.pvd with the times. Binary data, so the numbers are the simulation's own bits.
+ * DumpSink: writes the fields as files that ParaView reads: FOLDER/NAME_SSSS.pvti and a .vti of
+ * every rank for each output step, and FOLDER/NAME.pvd with the times. Binary data, so the numbers
+ * are the simulation's own bits.
  */
 #pragma once
 
@@ -15,8 +16,8 @@ namespace impact
 class DumpSink : public Sink
 {
 public:
-  /// Collective. Makes the folder. withStates: those of each body instead of the means. Throws std::runtime_error on all ranks when
-  /// that fails on one.
+  /// Collective. Makes the folder. withStates: those of each body instead of the means. Throws
+  /// std::runtime_error on all ranks when that fails on one.
   DumpSink(
     const Domain& domain, const std::string& folder, const std::string& name, bool withStates);
 

@@ -19,9 +19,10 @@ struct StateField
   const double* Values;
 };
 
-/// The fields of the box of cells that a rank owns; no ghosts. Arrays run over its cells, x fastest, then y, then z;
-/// they are contiguous and stay where they are, with these values, until the next output step: no need to copy.
-/// Every rank owns at least 2 cells an axis; the boxes of all ranks tile the grid. Units: mm, microseconds, mg.
+/// The fields of the box of cells that a rank owns; no ghosts. Arrays run over its cells, x
+/// fastest, then y, then z; they are contiguous and stay where they are, with these values, until
+/// the next output step: no need to copy. Every rank owns at least 2 cells an axis; the boxes of
+/// all ranks tile the grid. Units: mm, microseconds, mg.
 struct Fields
 {
   std::int64_t Step = 0;
@@ -40,7 +41,8 @@ struct Fields
   const double* Density = nullptr;  ///< mass in the cell over its volume
   const double* Damage = nullptr;   ///< mean by mass, 0 intact to 1 failed
 
-  /// Where it was asked for: what each body needs to go on, of which the grid holds all mass, momentum and energy.
+  /// Where it was asked for: what each body needs to go on, of which the grid holds all mass,
+  /// momentum and energy.
   std::vector<StateField> States;
 
   std::int64_t NumberOfCells() const

@@ -14,7 +14,8 @@ namespace impact
 class History
 {
 public:
-  /// Collective. path: a .csv file, which rank 0 writes; empty: none. Throws std::runtime_error on all ranks when it cannot.
+  /// Collective. path: a .csv file, which rank 0 writes; empty: none. Throws std::runtime_error on
+  /// all ranks when it cannot.
   History(const Domain& domain, const std::string& path);
 
   /// Collective: a row of what is in the grid, and of what has left it.

@@ -156,7 +156,8 @@ double Hash(std::int64_t i, std::int64_t j, std::int64_t k)
   return static_cast<double>((h ^ h >> 33) >> 11) * 0x1p-53;
 }
 
-/// Low near the faces of a Voronoi diagram with one random seed in each cube of GrainSize, high inside its cells.
+/// Low near the faces of a Voronoi diagram with one random seed in each cube of GrainSize, high
+/// inside its cells.
 double ToughnessAt(const Vector& position)
 {
   std::int64_t cube[3];

@@ -13,8 +13,8 @@
 namespace impact
 {
 
-/// Collective. Throws std::invalid_argument where a sink is asked for that was not built, std::runtime_error where one
-/// cannot be made.
+/// Collective. Throws std::invalid_argument where a sink is asked for that was not built,
+/// std::runtime_error where one cannot be made.
 std::vector<std::unique_ptr<Sink>> MakeSinks(const Options& options, const Domain& domain);
 
 } // namespace impact

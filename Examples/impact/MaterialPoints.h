@@ -1,10 +1,12 @@
 /**
- * MaterialPoints: the state of a piece of material that moves with it, and the law that gives its stress.
+ * MaterialPoints: the state of a piece of material that moves with it, and the law that gives its
+ * stress.
  *
- * Pressure: Mie-Grueneisen equation of state on the linear shock Hugoniot. Strength: J2 plasticity with the hardening
- * and a linear form of the thermal softening of Johnson and Cook (1983); no dependence on rate. Failure: damage is
- * plastic strain over a failure strain that falls with triaxiality (Hancock and Mackenzie 1976), or at once when the
- * tension passes the spall stress. Failed points are rubble: pressure, but neither tension nor shear.
+ * Pressure: Mie-Grueneisen equation of state on the linear shock Hugoniot. Strength: J2 plasticity
+ * with the hardening and a linear form of the thermal softening of Johnson and Cook (1983); no
+ * dependence on rate. Failure: damage is plastic strain over a failure strain that falls with
+ * triaxiality (Hancock and Mackenzie 1976), or at once when the tension passes the spall stress.
+ * Failed points are rubble: pressure, but neither tension nor shear.
  */
 #pragma once
 
@@ -65,8 +67,8 @@ struct MaterialPoint
   bool IsFailed() const { return this->Damage >= 1.; }
 };
 
-/// Deforms the point by its velocity gradient for a time step and updates its stress. cellSize is the length over
-/// which the artificial viscosity spreads shocks.
+/// Deforms the point by its velocity gradient for a time step and updates its stress. cellSize is
+/// the length over which the artificial viscosity spreads shocks.
 void Deform(MaterialPoint& point, double timeStep, double cellSize);
 
 /// Sides of the axis-aligned box over which the point spreads now.

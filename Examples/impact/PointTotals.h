@@ -1,5 +1,6 @@
 /**
- * PointTotals: mass, momentum and energy of material points, the same bits in whatever order and on whichever ranks they are.
+ * PointTotals: mass, momentum and energy of material points, the same bits in whatever order and on
+ * whichever ranks they are.
  */
 #pragma once
 

@@ -1,6 +1,6 @@
 /**
- * SculptorSink: meshes ball and plate inside the simulation by the C interface (InSitu/Sculptor.h) at each output step,
- * writes the meshes as FOLDER/impact_SSSS.pvtu and tells how long that took.
+ * SculptorSink: meshes ball and plate inside the simulation by the C interface (InSitu/Sculptor.h)
+ * at each output step, writes the meshes as FOLDER/impact_SSSS.pvtu and tells how long that took.
  */
 #pragma once
 
@@ -23,7 +23,8 @@ public:
   SculptorSink(const SculptorSink&) = delete;
   SculptorSink& operator=(const SculptorSink&) = delete;
 
-  /// Throws std::runtime_error on all ranks when the fields cannot be meshed or the file not be written.
+  /// Throws std::runtime_error on all ranks when the fields cannot be meshed or the file not be
+  /// written.
   void Take(const Fields& fields) override;
 
 private:

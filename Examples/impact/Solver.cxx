@@ -159,7 +159,8 @@ void Solver::UpdateGrid()
   }
 }
 
-/// Bodies that approach each other in a cell that they fill get one velocity along the normal; across it, friction.
+/// Bodies that approach each other in a cell that they fill get one velocity along the normal;
+/// across it, friction.
 void Solver::Touch(const std::int64_t* sums, double* velocities) const
 {
   const double ball = static_cast<double>(sums[0]), plate = static_cast<double>(sums[BodyChannels]);

@@ -131,7 +131,8 @@ const Fields& VolumeFractions::Compute(
   return this->Result;
 }
 
-/// Boxes are shorter than two cells, so that they reach no further than the neighbours of the point's cell.
+/// Boxes are shorter than two cells, so that they reach no further than the neighbours of the
+/// point's cell.
 void VolumeFractions::Cover(const std::vector<MaterialPoint>& points)
 {
   std::fill(this->Sums.begin(), this->Sums.end(), 0);
@@ -200,7 +201,8 @@ void VolumeFractions::ForEachNeighbour(std::int64_t cell, Visit&& visit) const
   }
 }
 
-/// A cell over 1 gives its excess to its neighbours in proportion to their room, with the mixture that it has itself.
+/// A cell over 1 gives its excess to its neighbours in proportion to their room, with the mixture
+/// that it has itself.
 void VolumeFractions::SpreadExcess()
 {
   const auto room = [this](std::int64_t cell)

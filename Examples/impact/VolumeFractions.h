@@ -1,16 +1,18 @@
 /**
  * VolumeFractions: from points to what a cell holds of each body.
  *
- * Each point covers an axis-aligned box with its current volume; a cell gets the exact overlap. The box of rubble that
- * has come apart grows, but the volume of material in it does not: its fraction falls below 1. Where the material has
- * turned or sheared, boxes overlap or leave gaps, so that the sum in a full cell is a few percent off 1. Two steps mend
- * that: what is above 1 flows to neighbours with room (the volume is conserved), then cells that hold more than .8, as
- * do their six neighbours, are filled (it is not: the gain is that of the gaps). What is still above 1 is cut. So the
- * sum is 1 inside a body, and 1 to rounding at most.
+ * Each point covers an axis-aligned box with its current volume; a cell gets the exact overlap. The
+ * box of rubble that has come apart grows, but the volume of material in it does not: its fraction
+ * falls below 1. Where the material has turned or sheared, boxes overlap or leave gaps, so that the
+ * sum in a full cell is a few percent off 1. Two steps mend that: what is above 1 flows to
+ * neighbours with room (the volume is conserved), then cells that hold more than .8, as do their
+ * six neighbours, are filled (it is not: the gain is that of the gaps). What is still above 1 is
+ * cut. So the sum is 1 inside a body, and 1 to rounding at most.
  *
- * The state of a body, all that its points carry but their velocity gradients, are means by mass. It flows along with the volume, so that no
- * mass is without some. Specific energy is internal energy and what kinetic energy the mean velocity lacks; the ratio is volume over that at
- * rest, without the void in rubble.
+ * The state of a body, all that its points carry but their velocity gradients, are means by mass.
+ * It flows along with the volume, so that no mass is without some. Specific energy is internal
+ * energy and what kinetic energy the mean velocity lacks; the ratio is volume over that at rest,
+ * without the void in rubble.
  */
 #pragma once
 

@@ -1,8 +1,8 @@
 /**
  * The program: reads the command line, runs the impact, hands its fields to the sinks.
  *
- * Exit status 0: done; 1: the command line, a file, a mesh or a script, on all ranks alike, told by rank 0. Instability and lack of
- * memory, which may hit one rank alone, abort all of them.
+ * Exit status 0: done; 1: the command line, a file, a mesh or a script, on all ranks alike, told by
+ * rank 0. Instability and lack of memory, which may hit one rank alone, abort all of them.
  */
 #include "Impact.h"
 #include "MakeSinks.h"

@@ -1,7 +1,9 @@
-/* Meshes half a sphere with the ten calls of Sculptor's report alone, as hexahedra and as tetrahedra, on any number of ranks,
- * each with a box of the grid. half_sphere.cpp and half_sphere.f90 do and print the same.
+/* Meshes half a sphere with the ten calls of Sculptor's report alone, as hexahedra and as
+ * tetrahedra, on any number of ranks, each with a box of the grid. half_sphere.cpp and
+ * half_sphere.f90 do and print the same.
  *
- *   mpicc half_sphere.c $(pkg-config --cflags --libs sculptor) -o half_sphere && mpiexec -n 4 ./half_sphere
+ *   mpicc half_sphere.c $(pkg-config --cflags --libs sculptor) -o half_sphere && mpiexec -n 4
+ * ./half_sphere
  */
 #include <CMLPSculptor.c.h>
 

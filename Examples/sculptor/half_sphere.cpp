@@ -1,7 +1,9 @@
-/* Meshes half a sphere from C++ with the calls of Sculptor's report alone, as hexahedra and as tetrahedra, on any number of ranks,
- * each with a box of the grid. half_sphere.c and half_sphere.f90 do and print the same.
+/* Meshes half a sphere from C++ with the calls of Sculptor's report alone, as hexahedra and as
+ * tetrahedra, on any number of ranks, each with a box of the grid. half_sphere.c and
+ * half_sphere.f90 do and print the same.
  *
- *   mpicxx -std=c++11 half_sphere.cpp $(pkg-config --cflags --libs sculptor) -o half_sphere && mpiexec -n 4 ./half_sphere
+ *   mpicxx -std=c++11 half_sphere.cpp $(pkg-config --cflags --libs sculptor) -o half_sphere &&
+ * mpiexec -n 4 ./half_sphere
  */
 #include <CMLPSculptor.hpp>
 

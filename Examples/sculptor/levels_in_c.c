@@ -1,6 +1,8 @@
-/* Meshes a ball from C where the grid is refined: blocks of cells of two levels, dealt to any number of ranks.
+/* Meshes a ball from C where the grid is refined: blocks of cells of two levels, dealt to any
+ * number of ranks.
  *
- *   mpicc levels_in_c.c $(pkg-config --cflags --libs sculptor) -o levels_in_c && mpiexec -n 3 ./levels_in_c
+ *   mpicc levels_in_c.c $(pkg-config --cflags --libs sculptor) -o levels_in_c && mpiexec -n 3
+ * ./levels_in_c
  */
 #include <Sculptor.h>
 
@@ -66,7 +68,8 @@ int main(int argc, char** argv)
   double* fields[BLOCKS * BLOCKS * BLOCKS] = { NULL };
   check(sculptor_create(&sculptor), 0);
 
-  /* Where the grid changes from step to step, all of this comes after sculptor_clear_blocks, each time. */
+  /* Where the grid changes from step to step, all of this comes after sculptor_clear_blocks, each
+   * time. */
   for (int b = rank; b < BLOCKS * BLOCKS * BLOCKS; b += ranks)
   {
     const int at[3] = { b % BLOCKS, b / BLOCKS % BLOCKS, b / (BLOCKS * BLOCKS) };

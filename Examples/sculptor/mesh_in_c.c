@@ -1,7 +1,9 @@
-/* Meshes a ball on a plate from C as tetrahedra on any number of ranks, each with a slab of the grid; the temperature of the cells
- * goes to the elements. mesh_in_fortran.f90 does and prints the same.
+/* Meshes a ball on a plate from C as tetrahedra on any number of ranks, each with a slab of the
+ * grid; the temperature of the cells goes to the elements. mesh_in_fortran.f90 does and prints the
+ * same.
  *
- *   mpicc mesh_in_c.c $(pkg-config --cflags --libs sculptor) -o mesh_in_c && mpiexec -n 2 ./mesh_in_c
+ *   mpicc mesh_in_c.c $(pkg-config --cflags --libs sculptor) -o mesh_in_c && mpiexec -n 2
+ * ./mesh_in_c
  */
 #include <Sculptor.h>
 

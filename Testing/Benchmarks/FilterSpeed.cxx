@@ -1,10 +1,12 @@
 /**
- * How fast the filter makes meshes, and where its time goes: stair-steps of labels beside vtkThreshold, which makes cells of the same voxels, and
- * files of fractions. Cases run in turn, so that their ratios hold on a busy machine.
+ * How fast the filter makes meshes, and where its time goes: stair-steps of labels beside
+ * vtkThreshold, which makes cells of the same voxels, and files of fractions. Cases run in turn, so
+ * that their ratios hold on a busy machine.
  *
- * usage: FilterSpeed [cells along an axis of the labels, default 160] [rounds, default 5] [threads, default 1] [files.vti ...]
- *   seconds, CPU: of the median round; ratio: median over the rounds of cells a second of CPU to those of vtkThreshold;
- *   outside: share of the time that is not in the mesher itself. Then the stages, of the median round.
+ * usage: FilterSpeed [cells along an axis of the labels, default 160] [rounds, default 5] [threads,
+ * default 1] [files.vti ...] seconds, CPU: of the median round; ratio: median over the rounds of
+ * cells a second of CPU to those of vtkThreshold; outside: share of the time that is not in the
+ * mesher itself. Then the stages, of the median round.
  */
 #include "MeasureAlone.h"
 #include "MeshCases.h"
@@ -154,7 +156,8 @@ vtkSmartPointer<vtkImageData> MakeLabelImage(int n)
   return image;
 }
 
-/// Whatever else in a file is no array of the mesher's, such as coordinates, is found by the filter.
+/// Whatever else in a file is no array of the mesher's, such as coordinates, is found by the
+/// filter.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path)
 {
   vtkNew<vtkXMLImageDataReader> reader;

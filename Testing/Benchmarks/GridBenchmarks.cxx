@@ -1,9 +1,9 @@
 /**
- * Speed and memory of the mesher on one core. The reference run beside each is a plain copy of the arrays of
- * the mesh it makes: "of_copy" is how many such copies the time is worth.
+ * Speed and memory of the mesher on one core. The reference run beside each is a plain copy of the
+ * arrays of the mesh it makes: "of_copy" is how many such copies the time is worth.
  *
- * With the argument --table, prints the table of figures of the manufactured cases instead; with --table-tets
- * those of tetrahedra, by every method, and their dihedral angles.
+ * With the argument --table, prints the table of figures of the manufactured cases instead; with
+ * --table-tets those of tetrahedra, by every method, and their dihedral angles.
  */
 #include "Base/Vector3.h"
 #include "Fractions/RefineCells.h"
@@ -230,8 +230,9 @@ void Memory(benchmark::State& state)
 }
 BENCHMARK(Memory)->Arg(128)->Arg(256)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Bytes a finest cell of fractions and labels of n^3 cells halved `times` times, where a ball makes about 1 % of the cells
-/// near an interface (within two). ms: of halving, assigning, resolving, finding mixed nodes.
+/// Bytes a finest cell of fractions and labels of n^3 cells halved `times` times, where a ball
+/// makes about 1 % of the cells near an interface (within two). ms: of halving, assigning,
+/// resolving, finding mixed nodes.
 void FinestCells(benchmark::State& state)
 {
   const Index n = state.range(0);

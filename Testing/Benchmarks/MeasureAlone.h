@@ -1,5 +1,6 @@
 /**
- * What benchmarks measure with: the clock, the peak memory of a process, and processes of their own.
+ * What benchmarks measure with: the clock, the peak memory of a process, and processes of their
+ * own.
  */
 #pragma once
 
@@ -29,7 +30,8 @@ inline std::size_t PeakBytes()
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-/// What measure() returns, which runs in a process of its own, so that its peak memory is its own; empty where that fails.
+/// What measure() returns, which runs in a process of its own, so that its peak memory is its own;
+/// empty where that fails.
 template <class Measure>
 std::vector<double> MeasureAlone(std::size_t count, const Measure& measure)
 {

@@ -1,9 +1,12 @@
 /**
- * What refining a little costs: peak memory and time of meshing all of n^3 cells, and of the same halved once around a
- * small ball, whose families are about 1 % of the cells. Each runs in a process of its own.
+ * What refining a little costs: peak memory and time of meshing all of n^3 cells, and of the same
+ * halved once around a small ball, whose families are about 1 % of the cells. Each runs in a
+ * process of its own.
  *
- * usage: RefinedMemory [n, default 64] [n ...] [--block: the ball is tiny, a block beside it is refined]
- * [--place: the ball is large, a block that its surface runs through is refined alone] [--stages: when each began, and the peak then]
+ * usage: RefinedMemory [n, default 64] [n ...] [--block: the ball is tiny, a block beside it is
+ * refined]
+ * [--place: the ball is large, a block that its surface runs through is refined alone] [--stages:
+ * when each began, and the peak then]
  */
 #include "Fractions/RefineCells.h"
 #include "MeasureAlone.h"
@@ -56,7 +59,8 @@ enum class Scene
 
 constexpr double LargeRadius = 0.36; // of n
 
-/// Families of a cube of 1 % of n^3 cells, from a corner or around the end of the large ball along x.
+/// Families of a cube of 1 % of n^3 cells, from a corner or around the end of the large ball along
+/// x.
 std::vector<Index> ListBlock(Index n, Scene scene)
 {
   const CartesianGrid grid = MakeUnitGrid(n);

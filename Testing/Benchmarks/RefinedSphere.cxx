@@ -1,8 +1,9 @@
 /**
- * What levels save: a ball of radius .36 n in n^3 finest cells, meshed with all cells fine and with coarser cells away
- * from its surface; alone, and with the void around it.
+ * What levels save: a ball of radius .36 n in n^3 finest cells, meshed with all cells fine and with
+ * coarser cells away from its surface; alone, and with the void around it.
  *
- * usage: RefinedSphere [n, default 64] [refinements, default 2] [--levels: mesh only those, not all cells fine]
+ * usage: RefinedSphere [n, default 64] [refinements, default 2] [--levels: mesh only those, not all
+ * cells fine]
  *   [--counts: interfaces stay as they start]
  */
 #include "Base/Vector3.h"

@@ -4,9 +4,11 @@
  * usage: SharpEdges table|controls [hexes|Lattice|Cells [Off,On,Automatic [case...]]]
  *   SharpEdges table hexes Off,On "cube A 32" "L 16"
  *
- * table: a row for each solid, its cells and option. Lengths are in cells, each as largest/root mean square: nodes of the mesh's interface to
- * the true surface, the mesh's faces to it, true edges to these faces (with the 99th percentile) and to the nearest node, true
- * corners to the nearest node (largest). Then how many points of the mesh are drawn to edges and to corners, and the geometry. controls: how many points an option moves, and what it costs, of runs in turn.
+ * table: a row for each solid, its cells and option. Lengths are in cells, each as largest/root
+ * mean square: nodes of the mesh's interface to the true surface, the mesh's faces to it, true
+ * edges to these faces (with the 99th percentile) and to the nearest node, true corners to the
+ * nearest node (largest). Then how many points of the mesh are drawn to edges and to corners, and
+ * the geometry. controls: how many points an option moves, and what it costs, of runs in turn.
  */
 #include "Base/Vector3.h"
 #include "MeasureAlone.h"
@@ -163,7 +165,8 @@ void PrintTable(const Method& method, const std::vector<SharpEdges>& modes, cons
   }
 }
 
-/// Random fractions of cells, averaged over the 27 around each and spread to 0..1 again: surfaces with creases nowhere and everywhere.
+/// Random fractions of cells, averaged over the 27 around each and spread to 0..1 again: surfaces
+/// with creases nowhere and everywhere.
 FractionField MakeSmoothNoise(const CartesianGrid& grid)
 {
   constexpr double Spread = 4.0;
@@ -208,7 +211,8 @@ Control MakeControl(const std::string& name)
     name.find("smooth") == 0 ? MakeSmoothNoise(grid) : MakeRandomLabels(grid, 3, 0, 1) };
 }
 
-/// Points whose coordinates are not those of another mesh, and those farther than a distance in cells.
+/// Points whose coordinates are not those of another mesh, and those farther than a distance in
+/// cells.
 struct MovedPoints
 {
   Index Any = 0, Far = 0;

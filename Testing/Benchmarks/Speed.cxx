@@ -1,8 +1,10 @@
 /**
- * How fast meshes are made, with what effort, and how good they are: a row a case. Two builds are compared by scripts/compare_speed.
+ * How fast meshes are made, with what effort, and how good they are: a row a case. Two builds are
+ * compared by scripts/compare_speed.
  *
- * usage: Speed [CASE, list or all, default all] [runs, default 3] [threads, default 1] [ranks, default 1]
- *   seconds: of the fastest run; CPU: of all threads in it. Ranks are threads here, that have slabs along z.
+ * usage: Speed [CASE, list or all, default all] [runs, default 3] [threads, default 1] [ranks,
+ * default 1] seconds: of the fastest run; CPU: of all threads in it. Ranks are threads here, that
+ * have slabs along z.
  */
 #include "Atlas.h"
 #include "Base/ThreadRuntime.h"

@@ -1,9 +1,12 @@
 /**
- * What carrying state to a mesh costs beside making the mesh, on one core, and what is lost where elements copy the values of cells.
+ * What carrying state to a mesh costs beside making the mesh, on one core, and what is lost where
+ * elements copy the values of cells.
  *
- * The state has six arrays of eight components: density, velocity, specific energy, temperature, strain, pressure.
+ * The state has six arrays of eight components: density, velocity, specific energy, temperature,
+ * strain, pressure.
  *
- * usage: StateTransfer [diameter of the sphere in cells, default 64] [cells along an axis of the polycrystal, default 48]
+ * usage: StateTransfer [diameter of the sphere in cells, default 64] [cells along an axis of the
+ * polycrystal, default 48]
  */
 #include "Base/Vector3.h"
 #include "MeasureAlone.h"

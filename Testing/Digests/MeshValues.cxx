@@ -1,4 +1,5 @@
-/// Writes all values of five meshes, which TestDigests.py hashes: MeshValues FOLDER. Values, not memory: how VTK keeps them is its own.
+/// Writes all values of five meshes, which TestDigests.py hashes: MeshValues FOLDER. Values, not
+/// memory: how VTK keeps them is its own.
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -94,7 +95,8 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& name)
   return reader->GetOutput();
 }
 
-/// Fractions of a ball (Material1) on a plate (Material2) in cells of a box; no function of the C library takes part.
+/// Fractions of a ball (Material1) on a plate (Material2) in cells of a box; no function of the C
+/// library takes part.
 vtkSmartPointer<vtkImageData> BallOnPlate(const Point& low, const Point& high, int cells)
 {
   vtkNew<vtkVolumeFractionShapes> shapes;

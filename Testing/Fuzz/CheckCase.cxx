@@ -37,7 +37,8 @@ bool KnowsCells(const FuzzCase& c)
   return c.Make == MakeHexMesh || c.Options.Tets != TetMethod::TetGen;
 }
 
-/// Jacobians in volumes of the cells that the elements were made of; of TetGen in the grid's mean volume.
+/// Jacobians in volumes of the cells that the elements were made of; of TetGen in the grid's mean
+/// volume.
 std::string FindJacobianProblem(const FuzzCase& c, const Mesh& mesh, FuzzResult& result)
 {
   const double mean = std::pow(c.Grid.MeanWidth(), 3.0);
@@ -79,7 +80,8 @@ std::string FindPlaceProblem(const CartesianGrid& grid, const Mesh& mesh)
   return farthest == 0.0 ? "" : Describe("outside the domain by", farthest, id);
 }
 
-/// The materials have the volumes that the report tells, and fill the domain where nothing is left out.
+/// The materials have the volumes that the report tells, and fill the domain where nothing is left
+/// out.
 std::string FindVolumeProblem(const FuzzCase& c, const Mesh& mesh, const MeshReport& report)
 {
   const double domain = VolumeOf(c.Grid, c.Grid.Global());

@@ -12,7 +12,8 @@ namespace vfm
 namespace testing
 {
 
-/// Bytes flipped, numbers replaced, parts cut off, taken out, put in or repeated; once or a few times. Returns what was done.
+/// Bytes flipped, numbers replaced, parts cut off, taken out, put in or repeated; once or a few
+/// times. Returns what was done.
 std::string DamageBytes(std::string& bytes, RandomDraw& draw);
 
 } // namespace testing

@@ -87,7 +87,8 @@ Vector3 DrawNormal(RandomDraw& draw)
   return normal;
 }
 
-/// Sizes are in cells; the grid that shapes are put in has unit cells, so its cells' widths stretch them.
+/// Sizes are in cells; the grid that shapes are put in has unit cells, so its cells' widths stretch
+/// them.
 Shape DrawShape(const CartesianGrid& grid, int material, RandomDraw& draw)
 {
   const Index3& n = grid.Global().Upper;
@@ -200,7 +201,8 @@ FractionField DrawCheckerboard(const CartesianGrid& grid, int materials, RandomD
     });
 }
 
-/// Spray: single cells with something, alone or on the diagonal of each other, in void or a material.
+/// Spray: single cells with something, alone or on the diagonal of each other, in void or a
+/// material.
 FractionField DrawSpray(const CartesianGrid& grid, int materials, RandomDraw& draw)
 {
   const double chance = draw.Scale(0.01, 0.3);

@@ -3,10 +3,12 @@
  *
  *   FuzzFiles FOLDER [--seed S] [--count N] [--keep]
  *
- * FOLDER/inputs lists good inputs, one a line: a folder in FOLDER, the input in it, further words for sculptor. Each seed damages a
- * file of one of them, in a copy, and reads and meshes it in a process of its own: it must end there, in some seconds and a
- * gigabyte, with a mesh or with one message of one line. Prints a line for each seed that does not, and how many there were
- * of each end; returns 1 if any failed. --keep leaves the last copy in FOLDER/damaged, and prints what came of each.
+ * FOLDER/inputs lists good inputs, one a line: a folder in FOLDER, the input in it, further words
+ * for sculptor. Each seed damages a file of one of them, in a copy, and reads and meshes it in a
+ * process of its own: it must end there, in some seconds and a gigabyte, with a mesh or with one
+ * message of one line. Prints a line for each seed that does not, and how many there were of each
+ * end; returns 1 if any failed. --keep leaves the last copy in FOLDER/damaged, and prints what came
+ * of each.
  */
 #include "DamageFile.h"
 #include "RunApart.h"

@@ -3,9 +3,10 @@
  *
  *   FuzzMeshes [--seed S] [--count N] [--print]
  *
- * runs the seeds S .. S + N - 1, prints a line for each that fails and a table at the end, and returns 1 if any failed. The
- * seeds run in a process of their own, so that one that crashes or never ends is a failure like others. A single seed runs
- * in this process (for a debugger); --print writes its input first.
+ * runs the seeds S .. S + N - 1, prints a line for each that fails and a table at the end, and
+ * returns 1 if any failed. The seeds run in a process of their own, so that one that crashes or
+ * never ends is a failure like others. A single seed runs in this process (for a debugger); --print
+ * writes its input first.
  */
 #include "Outcome.h"
 

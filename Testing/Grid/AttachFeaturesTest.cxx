@@ -24,7 +24,8 @@ namespace
 const Shape Cube =
   MakeBox(1, { { 6.1, 5.9, 6.05 } }, { { 6.4, 6.6, 6.2 } }, { { 20.0, 35.0, 10.0 } });
 
-/// The face of the cube on one side along an axis of it, in the frame of a node there; its inside is the cube.
+/// The face of the cube on one side along an axis of it, in the frame of a node there; its inside
+/// is the cube.
 LocalQuadric FaceOfCube(int axis, double side, const Vector3& node)
 {
   const Vector3 out = side * Cube.Axes[axis];
@@ -179,7 +180,8 @@ TEST(FeaturePlaces, OfTwoPlanes)
   EXPECT_NEAR(Norm(edge->Point - Vector3{ { 0.5, 1.0, 0.3 } }), 0.0, 1e-14);
   EXPECT_NEAR(edge->Distance, std::sqrt(1.25), 1e-14);
   EXPECT_FALSE(FindCorner(both, inside));
-  // the plane x = .5 bounds the part below y = 1 of what is in both, and that above it of what is in either
+  // the plane x = .5 bounds the part below y = 1 of what is in both, and that above it of what is
+  // in either
   FeatureModel either = both;
   either.Composition = 1;
   for (const double y : { -1.0, 3.0 })
@@ -279,7 +281,8 @@ TEST(AttachFeatures, HexesHaveTheEdgesOfACube)
   }
 }
 
-/// The faces that points are drawn to, not the positions, tell sides apart: a carrier must stand between any two.
+/// The faces that points are drawn to, not the positions, tell sides apart: a carrier must stand
+/// between any two.
 TEST(AttachFeatures, NoMeshEdgeJoinsTwoSides)
 {
   Runtime runtime;

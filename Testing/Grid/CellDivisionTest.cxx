@@ -1,4 +1,5 @@
-/// Long cells cut before meshing: as few parts as serve, every volume kept, ranks agree, elements of good shape.
+/// Long cells cut before meshing: as few parts as serve, every volume kept, ranks agree, elements
+/// of good shape.
 #include "Fractions/CellDivision.h"
 #include "Base/Vector3.h"
 #include "Fractions/GhostFractions.h"
@@ -55,7 +56,8 @@ Index CountCells(const Coordinates& x)
   return static_cast<Index>((x[0].size() - 1) * (x[1].size() - 1) * (x[2].size() - 1));
 }
 
-/// The fewest cells of any division into at most so many parts that serves; two layers along x and y, one along z.
+/// The fewest cells of any division into at most so many parts that serves; two layers along x and
+/// y, one along z.
 Index FindFewestCells(const Coordinates& x, double ratio, Index most)
 {
   Index fewest = -1;
@@ -263,7 +265,8 @@ TEST(CellDivision, RanksHoldWhatTheWholeGridHolds)
 namespace
 {
 
-/// How far the surface of a material is from a shape: of nodes, in lengths, and of the normals of facets, in degrees; rms.
+/// How far the surface of a material is from a shape: of nodes, in lengths, and of the normals of
+/// facets, in degrees; rms.
 struct SurfaceError
 {
   double Distance = 0.0, Normal = 0.0;

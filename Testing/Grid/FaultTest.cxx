@@ -1,4 +1,5 @@
-/// Memory that runs out on one rank, at any call: all ranks end with the same message, and the next mesh on the same ranks is right.
+/// Memory that runs out on one rank, at any call: all ranks end with the same message, and the next
+/// mesh on the same ranks is right.
 #include "Faults.h"
 #include "MeshCases.h"
 #include "RankFields.h"

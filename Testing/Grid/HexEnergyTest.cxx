@@ -12,7 +12,8 @@ namespace
 
 constexpr double Target = 0.5;
 
-/// The 2^3 hexes around point 0, shaken, as many times as asked for, each time with other points around; widths: of all cells or of each.
+/// The 2^3 hexes around point 0, shaken, as many times as asked for, each time with other points
+/// around; widths: of all cells or of each.
 ActiveMesh MakeStar(double shake, int times, std::vector<Vector3> widths, unsigned seed = 1)
 {
   std::mt19937 engine(seed);
@@ -184,7 +185,8 @@ TEST(HexEnergyTest, EachHexHasItsWidthsAndDemand)
   ExpectDerivatives(mesh, { 8, 1.0, 0.01, 1, 0.0 }, Tolerance);
 }
 
-/// Floats would not do here: the determinant of a corner is a thousandth of the cell down to a millionth.
+/// Floats would not do here: the determinant of a corner is a thousandth of the cell down to a
+/// millionth.
 TEST(HexEnergyTest, NearlyInvertedCornersAreComputedInDoubles)
 {
   const SmoothingStage stage{ 1, 1.0, 0.1, 1, 0.0 };

@@ -1,5 +1,6 @@
 /**
- * Threads kept from loop to loop: every item once, exceptions, loops in loops, threads that sleep in between.
+ * Threads kept from loop to loop: every item once, exceptions, loops in loops, threads that sleep
+ * in between.
  */
 #include "Base/LoopThreads.h"
 

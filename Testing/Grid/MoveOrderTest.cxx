@@ -1,5 +1,6 @@
 /**
- * Neighbours move in the order of their colours, whatever the order of all, and none in two tasks of one step.
+ * Neighbours move in the order of their colours, whatever the order of all, and none in two tasks
+ * of one step.
  */
 #include "Smoothing/MoveOrder.h"
 #include "Smoothing/ActiveMeshBuilder.h"

@@ -1,4 +1,5 @@
-/// Velocities at the points of a mesh: momentum, kinetic energy and what becomes of it, on any ranks.
+/// Velocities at the points of a mesh: momentum, kinetic energy and what becomes of it, on any
+/// ranks.
 #include "Transfer/NodalVelocity.h"
 
 #include "Base/Vector3.h"

@@ -1,4 +1,5 @@
-/// What parts of elements lie in cells, against bodies cut plane by plane, and whole meshes against the cells that they fill.
+/// What parts of elements lie in cells, against bodies cut plane by plane, and whole meshes against
+/// the cells that they fill.
 #include "Transfer/Overlaps.h"
 
 #include "Base/ConvexClip.h"

@@ -1,4 +1,5 @@
-/// Cases that Sculpt's publications and logs give figures of, rebuilt from the exact shapes: the same counts.
+/// Cases that Sculpt's publications and logs give figures of, rebuilt from the exact shapes: the
+/// same counts.
 #include "MeshCases.h"
 
 #include <gtest/gtest.h>

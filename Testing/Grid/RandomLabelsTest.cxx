@@ -1,4 +1,5 @@
-/// Whatever the labels, the mesh is valid, conforming, and every material has a closed manifold boundary.
+/// Whatever the labels, the mesh is valid, conforming, and every material has a closed manifold
+/// boundary.
 #include "MeshChecks.h"
 #include "Sweep.h"
 

@@ -1,4 +1,5 @@
-/// Option SharpEdges: true edges and corners are near, what is smooth stays, and every mesh is valid and the same on any ranks.
+/// Option SharpEdges: true edges and corners are near, what is smooth stays, and every mesh is
+/// valid and the same on any ranks.
 #include "NearestTriangle.h"
 #include "RandomDraw.h"
 #include "RankMeshes.h"

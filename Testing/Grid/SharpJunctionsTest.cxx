@@ -1,4 +1,5 @@
-/// Option SharpEdges where edges end: on another material, at a side of the domain, on a finer level.
+/// Option SharpEdges where edges end: on another material, at a side of the domain, on a finer
+/// level.
 #include "MeshChecks.h"
 #include "SharpCases.h"
 
@@ -75,7 +76,8 @@ void ExpectSharp(const SharpCase& c, Index surfaces, Index curves, Index vertice
 
 } // namespace
 
-/// Of a box stuck in a plate: 5 sides above and 5 below, the plate's top, and 5 sides of the domain.
+/// Of a box stuck in a plate: 5 sides above and 5 below, the plate's top, and 5 sides of the
+/// domain.
 TEST(SharpJunctions, EdgesEndOnAnotherMaterial)
 {
   ExpectSharp(MakeBoxCase({ MakeHalfSpace(2, { { 0.0, 0.0, PlateTop } }, { { 0.0, 0.0, 1.0 } }) },

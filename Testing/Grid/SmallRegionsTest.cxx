@@ -64,8 +64,9 @@ Index FindSmallestRegion(
   return smallest;
 }
 
-/// A block of material 1 and one of 2 side by side in void, with a cavity of three cells in the first, a single cell of 2 in it, a
-/// pair of 1 in the void and a single cell of 3 between the blocks' faces.
+/// A block of material 1 and one of 2 side by side in void, with a cavity of three cells in the
+/// first, a single cell of 2 in it, a pair of 1 in the void and a single cell of 3 between the
+/// blocks' faces.
 int CrumbAt(const Index3& p)
 {
   const bool inFirst = p[0] >= 2 && p[0] < 8 && p[1] >= 2 && p[1] < 10 && p[2] >= 2 && p[2] < 10;
@@ -180,7 +181,8 @@ TEST(SmallRegions, RandomFractions)
   }
 }
 
-/// Water below, with an oblique surface, and two droplets above: one that fills two cells by more than half, one that fills none.
+/// Water below, with an oblique surface, and two droplets above: one that fills two cells by more
+/// than half, one that fills none.
 TEST(SmallRegions, SprayGoesWithAllItsFractions)
 {
   const CartesianGrid grid = MakeUnitGrid(10);

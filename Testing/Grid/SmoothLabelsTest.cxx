@@ -1,4 +1,5 @@
-/// Fractions from labels: nearer to the true surface than the steps, labels and volumes kept, ranks agree.
+/// Fractions from labels: nearer to the true surface than the steps, labels and volumes kept, ranks
+/// agree.
 #include "Labels/SmoothLabels.h"
 #include "Base/Vector3.h"
 #include "Labels/Labels.h"

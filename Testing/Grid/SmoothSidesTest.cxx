@@ -1,4 +1,5 @@
-/// Sides of interfaces with edges, and the geometry that they make, on faces of cells whose points carry edges as told by hand.
+/// Sides of interfaces with edges, and the geometry that they make, on faces of cells whose points
+/// carry edges as told by hand.
 #include "Mesh/SmoothSides.h"
 #include "Base/Vector3.h"
 #include "Labels/Fragments.h"

@@ -37,8 +37,8 @@ void ListCornersOfCentre(ActiveMesh& mesh)
   mesh.ListCorners();
 }
 
-/// The 24 tets at a node of the body-centred lattice, shaken: point 0 in the middle of cube corners 1..8
-/// and points 9..14 beyond its faces. The middle is any corner of its tets.
+/// The 24 tets at a node of the body-centred lattice, shaken: point 0 in the middle of cube
+/// corners 1..8 and points 9..14 beyond its faces. The middle is any corner of its tets.
 ActiveMesh Star(RandomDraw& random, double shake, bool uniform)
 {
   ActiveMesh mesh;
@@ -109,7 +109,8 @@ ActiveMesh SomeTets(const ActiveMesh& mesh, int first, int last)
   return part;
 }
 
-/// By definition, with roots, powers and angles. edgesFrom: the corner whose edges count, or -1 for all.
+/// By definition, with roots, powers and angles. edgesFrom: the corner whose edges count, or -1 for
+/// all.
 double Definition(
   const Vector3 corners[4], const Vector3& widths, const SmoothingStage& stage, int edgesFrom)
 {

@@ -1,5 +1,6 @@
 /**
- * TetGenFill: closed surfaces of many kinds are filled and their triangles kept; wrong ones are refused.
+ * TetGenFill: closed surfaces of many kinds are filled and their triangles kept; wrong ones are
+ * refused.
  */
 #include "TetGen/TetGenFill.h"
 
@@ -51,8 +52,8 @@ void AddQuad(TetGenPart& part, int a, int b, int c, int d, bool other = false)
 
 using Cell = std::array<int, 3>;
 
-/// The boundary of unit cubes; cubes may touch at edges and corners. The quads are cut one way or the
-/// other as the parity of their cell and side says.
+/// The boundary of unit cubes; cubes may touch at edges and corners. The quads are cut one way or
+/// the other as the parity of their cell and side says.
 TetGenPart BoundaryOfCells(const std::set<Cell>& cells, double width = 1.0)
 {
   TetGenPart part;
@@ -231,7 +232,8 @@ Shape Measure(const TetGenFill& fill)
   return shape;
 }
 
-/// Independent of the checks in TetGenFill: faces are oriented triples with the smallest corner first.
+/// Independent of the checks in TetGenFill: faces are oriented triples with the smallest corner
+/// first.
 void ExpectFilled(const TetGenPart& part, const TetGenFill& fill)
 {
   ASSERT_EQ(fill.Refusal, "");

@@ -75,7 +75,8 @@ TEST(TetQuality, OfTheBodyCentredLattice)
 
 TEST(TetQuality, AnglesStandAtTheirEdges)
 {
-  // a prism over a triangle with known angles, seen along edge 0 1, for every even order of the corners
+  // a prism over a triangle with known angles, seen along edge 0 1, for every even order of the
+  // corners
   const double obtuse = 130.0, height = 2.0;
   const Vector3 corners[4] = { O, height * Z, { { 1.5, 0.0, 0.7 } },
     { { std::cos(obtuse / Degrees), std::sin(obtuse / Degrees), 0.3 } } };

@@ -1,4 +1,5 @@
-/// Whatever the labels, the tets are positive and conforming, boundaries are closed manifolds and fragments are what they say.
+/// Whatever the labels, the tets are positive and conforming, boundaries are closed manifolds and
+/// fragments are what they say.
 #include "MeshCases.h"
 #include "Sweep.h"
 

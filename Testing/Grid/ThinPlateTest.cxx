@@ -147,7 +147,8 @@ TEST(ThinPlate, RodsAndRimsStayInOnePiece)
   }
 }
 
-/// The table of the documentation: --gtest_also_run_disabled_tests --gtest_filter='ThinPlate*Table'. Minutes.
+/// The table of the documentation: --gtest_also_run_disabled_tests
+/// --gtest_filter='ThinPlate*Table'. Minutes.
 TEST(ThinPlate, DISABLED_Table)
 {
   std::printf(

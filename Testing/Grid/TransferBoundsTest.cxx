@@ -20,7 +20,8 @@ namespace
 constexpr int Materials = 3;
 constexpr int Columns = 14; // of MakeCodeQuantities
 
-/// A field drawn at random and values in its cells, of which those of materials differ by up to 1e6.
+/// A field drawn at random and values in its cells, of which those of materials differ by up to
+/// 1e6.
 struct RandomState
 {
   explicit RandomState(unsigned seed) : Random(seed), Grid(MakeGrid()), Fractions(MakeFractions())

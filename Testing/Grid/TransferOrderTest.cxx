@@ -1,4 +1,5 @@
-/// How fast state on meshes gets better with finer cells: errors of smooth fields against their values at the centroids of elements.
+/// How fast state on meshes gets better with finer cells: errors of smooth fields against their
+/// values at the centroids of elements.
 #include "MeshCases.h"
 #include "SmoothState.h"
 
@@ -47,7 +48,8 @@ FractionField MakeFractions(const CartesianGrid& grid, bool isInBlock)
   return FractionsOfShapes(grid, shapes);
 }
 
-/// Whether a point is far from the interface and not at a side of the domain, beyond which there are no cells to take slopes from.
+/// Whether a point is far from the interface and not at a side of the domain, beyond which there
+/// are no cells to take slopes from.
 bool IsInside(const Vector3& x, double farFromInterface)
 {
   const double rim = 2.0 / 32.0;

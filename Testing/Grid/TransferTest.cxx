@@ -218,7 +218,8 @@ StateCase MakeSideCase(const CartesianGrid& grid, const FractionField& fractions
 
 } // namespace
 
-/// Their sides, apart from each other, have other volumes in the mesh than in the cells; in total these are the same.
+/// Their sides, apart from each other, have other volumes in the mesh than in the cells; in total
+/// these are the same.
 TEST(TransferState, HollowBodiesStayAsDenseAsTheyAre)
 {
   const CartesianGrid grid = MakeUnitGrid(24);

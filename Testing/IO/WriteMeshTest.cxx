@@ -1,4 +1,5 @@
-/// Files of meshes are the same from any number of ranks; a file that cannot be written is not left.
+/// Files of meshes are the same from any number of ranks; a file that cannot be written is not
+/// left.
 #include "Meshes/WriteMesh.h"
 #include "RankMeshes.h"
 #include "State/ViewMesh.h"

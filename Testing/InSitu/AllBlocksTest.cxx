@@ -17,8 +17,8 @@ namespace
 
 constexpr unsigned char Ghost = 1, Hidden = 32;
 
-/// Two boxes of level 0 of 4 x 4 x 2 cells in all, and one of level 1 over [1,3) x [1,3) x [0,1) with a layer of ghost cells
-/// towards +x.
+/// Two boxes of level 0 of 4 x 4 x 2 cells in all, and one of level 1 over [1,3) x [1,3) x [0,1)
+/// with a layer of ghost cells towards +x.
 struct Host
 {
   std::vector<double> Values = std::vector<double>(64, 0.5);

@@ -1,5 +1,6 @@
 /**
- * BlockHost: a host code with a refined grid, whose blocks are dealt to the ranks in some way and handed over by the C interface.
+ * BlockHost: a host code with a refined grid, whose blocks are dealt to the ranks in some way and
+ * handed over by the C interface.
  */
 #pragma once
 

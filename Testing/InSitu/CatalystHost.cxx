@@ -1,10 +1,13 @@
 /**
- * A small simulation with Catalyst inside, for TestCatalyst.py: a ball sinks into a plate, on 14 x 12 x 10 cells.
+ * A small simulation with Catalyst inside, for TestCatalyst.py: a ball sinks into a plate, on 14 x
+ * 12 x 10 cells.
  *
  * usage: CatalystHost [--boxes N] [--refined] [--bad-step S] SCRIPT ...
- * Takes 4 steps. The grid is cut along x into N boxes (default: two a rank), dealt out to the ranks in turn. Refined: there are
- * as many boxes of a finer level in the middle. In step S the last rank hands over a box outside of the grid. Prints a line for every step, and at the end how many were made
- * for the scripts. Exit status 0: every step went well; 3: some did not; 4: the ranks were told different things.
+ * Takes 4 steps. The grid is cut along x into N boxes (default: two a rank), dealt out to the ranks
+ * in turn. Refined: there are as many boxes of a finer level in the middle. In step S the last rank
+ * hands over a box outside of the grid. Prints a line for every step, and at the end how many were
+ * made for the scripts. Exit status 0: every step went well; 3: some did not; 4: the ranks were
+ * told different things.
  *
  * The adaptor may use the fields only while it is called: after it they are overwritten.
  */
@@ -32,7 +35,8 @@ struct Options
   std::vector<std::string> Scripts;
 };
 
-/// Fields of one box. The part of a cell in a body is that of its samples; all numbers are exact in binary.
+/// Fields of one box. The part of a cell in a body is that of its samples; all numbers are exact in
+/// binary.
 struct Box
 {
   int Level;

@@ -1,4 +1,5 @@
-/// How VTK reads what the second kind of Catalyst hands over: the filter makes the same mesh of it as of the host's boxes themselves.
+/// How VTK reads what the second kind of Catalyst hands over: the filter makes the same mesh of it
+/// as of the host's boxes themselves.
 #include "CatalystAdaptor.h"
 #include "CatalystDouble.h"
 #include "HostImages.h"

@@ -1,5 +1,5 @@
-/// What the second kind of Catalyst hands over: every box, field, level, number and time, in the host's memory; and what it tells when
-/// an implementation fails.
+/// What the second kind of Catalyst hands over: every box, field, level, number and time, in the
+/// host's memory; and what it tells when an implementation fails.
 #include "CatalystAdaptor.h"
 #include "CatalystDouble.h"
 
@@ -38,8 +38,8 @@ namespace
 constexpr Vector3 Origin{ { -0.7, 0.3, 2.1 } }, Spacing{ { 0.1, 0.125, 0.11 } };
 constexpr int Failed = 102; // a status of ParaView's
 
-/// Of the grid of 4 x 4 x 2 cells: its halves, and cells of level 1 above [1,3) x [1,3) x [0,1). On three ranks, the first has two
-/// boxes and the last none.
+/// Of the grid of 4 x 4 x 2 cells: its halves, and cells of level 1 above [1,3) x [1,3) x [0,1). On
+/// three ranks, the first has two boxes and the last none.
 struct Place
 {
   int Level;

@@ -1,6 +1,6 @@
 /**
- * HostFields: what a host code with a regular layout of ranks would hand over: a ball on a plate, with a state, on this
- * rank's box of a grid of 18 x 12 x 15 cells.
+ * HostFields: what a host code with a regular layout of ranks would hand over: a ball on a plate,
+ * with a state, on this rank's box of a grid of 18 x 12 x 15 cells.
  */
 #pragma once
 
@@ -35,7 +35,8 @@ constexpr Vector3 HostOrigin{ { -1.0, 0.5, 2.0 } }, HostSpacing{ { 0.1, 0.125, 0
 int MeshFromData(int sculptor, const HostFields& fields, double* fractions, int refine = 0,
   int stairStep = 0, int smooth = 1, int tets = 0);
 
-/// What a filter makes of the fields of a box that is the whole grid, in this process alone, is then at its ports.
+/// What a filter makes of the fields of a box that is the whole grid, in this process alone, is
+/// then at its ports.
 void MeshWhole(const HostFields& fields, vtkVolumeFractionMeshAlgorithm& mesher);
 
 /// Of this rank and their number, in MPI_COMM_WORLD.

@@ -1,5 +1,6 @@
 /**
- * HostGrid: VTK data that is the host's memory, at the same place on every rank; clear errors for wrong grids.
+ * HostGrid: VTK data that is the host's memory, at the same place on every rank; clear errors for
+ * wrong grids.
  */
 #include "ArrayMemory.h"
 #include "Base/Runtime.h"

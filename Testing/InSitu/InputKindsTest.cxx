@@ -1,4 +1,5 @@
-/// Every kind of data set that holds blocks, and of array that holds values, dealt to the ranks: the mesh is that of plain blocks.
+/// Every kind of data set that holds blocks, and of array that holds values, dealt to the ranks:
+/// the mesh is that of plain blocks.
 #include "BlockHost.h"
 #include "MeshView.h"
 #include "VtkMessages.h"
@@ -44,7 +45,8 @@ vtkSmartPointer<vtkMPIController> MakeController()
   return controller;
 }
 
-/// The filter on data that are dealt to the ranks, with "ball" and "plate" as fractions, or "id" as labels.
+/// The filter on data that are dealt to the ranks, with "ball" and "plate" as fractions, or "id" as
+/// labels.
 struct Mesher
 {
   explicit Mesher(vtkDataObject* data, bool ids = false)

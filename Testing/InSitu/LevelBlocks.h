@@ -1,6 +1,6 @@
 /**
- * LevelBlocks: what a host code with a refined grid would hand over: a ball on a plate on three levels, in any number of blocks,
- * and the same as vtkOverlappingAMR.
+ * LevelBlocks: what a host code with a refined grid would hand over: a ball on a plate on three
+ * levels, in any number of blocks, and the same as vtkOverlappingAMR.
  */
 #pragma once
 
@@ -19,7 +19,8 @@ namespace testing
 
 constexpr Index3 BaseCells{ { 6, 4, 5 } }; // of level 0
 
-/// Fields on a block of the grid. What coarse cells below finer blocks hold is wrong: nobody may look at it.
+/// Fields on a block of the grid. What coarse cells below finer blocks hold is wrong: nobody may
+/// look at it.
 struct LevelBlock
 {
   LevelBlock(int level, const IndexBox& cells, const Vector3& spacing);
@@ -45,8 +46,8 @@ std::vector<Place> CutPlaces();
 /// Two levels, with none of the coarser one below the finer.
 std::vector<Place> LeafPlaces();
 
-/// Of each level the blocks at the places, built from their fields and not from HostGrid; dealt in turn to the ranks, null where
-/// another has a block. spacing: of level 0.
+/// Of each level the blocks at the places, built from their fields and not from HostGrid; dealt in
+/// turn to the ranks, null where another has a block. spacing: of level 0.
 using LevelGrids = std::vector<std::vector<vtkSmartPointer<vtkUniformGrid>>>;
 LevelGrids MakeGrids(
   const std::vector<Place>& places, const Vector3& spacing, int rank = 0, int ranks = 1);
@@ -55,7 +56,8 @@ LevelGrids MakeGrids(
 vtkSmartPointer<vtkOverlappingAMR> MakeOverlapping(
   const std::vector<Place>& places, const Vector3& spacing, int rank = 0, int ranks = 1);
 
-/// The grids and boxes of other kinds of refined grids. Amr: vtkUniformGridAMR or what derives from it.
+/// The grids and boxes of other kinds of refined grids. Amr: vtkUniformGridAMR or what derives from
+/// it.
 template <class Amr>
 void SetGrids(const LevelGrids& grids, Amr* data)
 {

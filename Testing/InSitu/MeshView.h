@@ -1,5 +1,6 @@
 /**
- * MeshView: a mesh with the state "velocity", of a filter or of the C interface, as plain pointers, and a number that tells meshes apart.
+ * MeshView: a mesh with the state "velocity", of a filter or of the C interface, as plain pointers,
+ * and a number that tells meshes apart.
  */
 #pragma once
 
@@ -25,8 +26,8 @@ struct MeshView
 MeshView ViewOf(vtkUnstructuredGrid* mesh);
 MeshView ViewOf(int sculptor);
 
-/// A sum over the elements, so that it depends on neither their order nor their ranks: of their ids, materials, fragments and velocities, and of
-/// the ids and coordinates of their points.
+/// A sum over the elements, so that it depends on neither their order nor their ranks: of their
+/// ids, materials, fragments and velocities, and of the ids and coordinates of their points.
 std::uint64_t Digest(const MeshView& mesh);
 
 /// In MPI_COMM_WORLD. Collective.

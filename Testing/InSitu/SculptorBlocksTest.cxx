@@ -1,4 +1,5 @@
-/// Blocks of several levels by the C interface, dealt to the ranks in any way, against the filter on vtkOverlappingAMR: the same bits.
+/// Blocks of several levels by the C interface, dealt to the ranks in any way, against the filter
+/// on vtkOverlappingAMR: the same bits.
 #include "BlockHost.h"
 #include "MeshView.h"
 

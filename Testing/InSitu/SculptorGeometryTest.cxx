@@ -1,4 +1,5 @@
-/// Surfaces, curves and vertices by the C interface on several ranks: those of the filter in one process.
+/// Surfaces, curves and vertices by the C interface on several ranks: those of the filter in one
+/// process.
 #include "HostFields.h"
 #include "Sculptor.h"
 

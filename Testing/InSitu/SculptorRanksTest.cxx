@@ -1,4 +1,5 @@
-/// The C interface on several ranks against the filter alone: the same bits, each rank its own cells.
+/// The C interface on several ranks against the filter alone: the same bits, each rank its own
+/// cells.
 #include "HostFields.h"
 #include "MeshView.h"
 #include "Sculptor.h"

@@ -18,7 +18,8 @@ IndexBox MakeBox(const Index3& lower, const Index3& upper)
   return box;
 }
 
-/// The partition that every rank finds when rank r holds blocks[r] and those of cells that lie in them.
+/// The partition that every rank finds when rank r holds blocks[r] and those of cells that lie in
+/// them.
 std::vector<IndexBox> Partition(const IndexBox& global,
   const std::vector<std::vector<IndexBox>>& blocks, const std::vector<Index3>& cells)
 {

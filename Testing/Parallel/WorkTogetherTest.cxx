@@ -1,4 +1,5 @@
-/// A rank that fails at any place: the others do too, with its message, and all can go on afterwards.
+/// A rank that fails at any place: the others do too, with its message, and all can go on
+/// afterwards.
 #include "ThreadRanks.h"
 
 #include "Ranks/WorkTogether.h"
@@ -167,7 +168,8 @@ TEST(WorkTogether, SeveralRanksFail)
   }
 }
 
-/// Frames inside of others of which they do not know, as of another library. The filters swallow their errors, as VTK does.
+/// Frames inside of others of which they do not know, as of another library. The filters swallow
+/// their errors, as VTK does.
 TEST(WorkTogether, FramesInsideOfOthers)
 {
   constexpr int count = 4, filters = 3;
@@ -215,8 +217,8 @@ TEST(WorkTogether, FramesInsideOfOthers)
   }
 }
 
-/// A rank that does not come to what the others do together, since it failed where nobody tells: nobody waits for it, nor takes its
-/// later messages for those of the work.
+/// A rank that does not come to what the others do together, since it failed where nobody tells:
+/// nobody waits for it, nor takes its later messages for those of the work.
 TEST(WorkTogether, FailuresThatAreNotReported)
 {
   for (int count : { 2, 3, 5 })

@@ -177,7 +177,8 @@ Index3 AtlasPainter::DrawStart(bool onInterface)
   }
 }
 
-/// To the cell that is the nearest of those of size cells or fewer around the label so far; distance: of a cell, chance is added.
+/// To the cell that is the nearest of those of size cells or fewer around the label so far;
+/// distance: of a cell, chance is added.
 void AtlasPainter::Grow(
   const Index3& start, Index size, const std::function<double(const Index3&)>& distance)
 {

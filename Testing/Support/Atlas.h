@@ -11,9 +11,10 @@ namespace vfm
 namespace testing
 {
 
-/// n^3 unit cells. A warped ball of void around it holds about as many labels as asked for, by their kinds: 45 % are cells of a
-/// weighted Voronoi diagram (small ones lie nested in large ones) with rough sides, 30 % are rough blobs of 9 to 600 cells, 25 % are
-/// single cells to chains of 8, half of them on interfaces. Every label has a cell. The same on any machine.
+/// n^3 unit cells. A warped ball of void around it holds about as many labels as asked for, by
+/// their kinds: 45 % are cells of a weighted Voronoi diagram (small ones lie nested in large ones)
+/// with rough sides, 30 % are rough blobs of 9 to 600 cells, 25 % are single cells to chains of 8,
+/// half of them on interfaces. Every label has a cell. The same on any machine.
 FractionField MakeAtlas(const CartesianGrid& grid, int labels, unsigned seed);
 
 /// What became of the labels of one class of sizes, of [Smallest, Largest] cells.

@@ -1,5 +1,6 @@
-/// An operator new that fails once, at a chosen call. Loaded before all other libraries (LD_PRELOAD), it takes the place of theirs; tests
-/// reach it by ctypes. Memory of malloc, which C and Python use, does not fail.
+/// An operator new that fails once, at a chosen call. Loaded before all other libraries
+/// (LD_PRELOAD), it takes the place of theirs; tests reach it by ctypes. Memory of malloc, which C
+/// and Python use, does not fail.
 #include <cstdlib>
 #include <new>
 

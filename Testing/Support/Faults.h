@@ -1,5 +1,6 @@
 /**
- * Memory that runs out on one thread, on demand. For executables that link Faults.cxx, whose malloc takes the place of glibc's.
+ * Memory that runs out on one thread, on demand. For executables that link Faults.cxx, whose malloc
+ * takes the place of glibc's.
  */
 #pragma once
 

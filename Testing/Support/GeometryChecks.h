@@ -1,5 +1,6 @@
 /**
- * An independent look at the geometry of a mesh: its surfaces, curves, vertices, and what bounds what.
+ * An independent look at the geometry of a mesh: its surfaces, curves, vertices, and what bounds
+ * what.
  */
 #pragma once
 
@@ -10,8 +11,8 @@ namespace vfm
 namespace testing
 {
 
-/// "", or what does not follow from the elements and the facets with their surfaces: curves and vertices, the classification of points,
-/// the tables.
+/// "", or what does not follow from the elements and the facets with their surfaces: curves and
+/// vertices, the classification of points, the tables.
 std::string FindGeometryProblem(const MergedMesh& mesh);
 
 } // namespace testing

@@ -1,6 +1,6 @@
 /**
- * The manufactured cases with a known truth: fields of exact shapes, the distance to their true interfaces,
- * and the figures that a mesh of them must reach.
+ * The manufactured cases with a known truth: fields of exact shapes, the distance to their true
+ * interfaces, and the figures that a mesh of them must reach.
  */
 #pragma once
 
@@ -20,8 +20,8 @@ struct MeshCase
   FractionField Fractions;
   /// Distance of a point to the true interface of two materials, in cells.
   std::function<double(int, int, const Vector3&)> Distance;
-  /// Floors of the smallest and mean scaled Jacobian; ceilings of the distances (largest, rms; in cells) and of the
-  /// relative volume error of any material.
+  /// Floors of the smallest and mean scaled Jacobian; ceilings of the distances (largest, rms; in
+  /// cells) and of the relative volume error of any material.
   double MinimumJacobian, MeanJacobian, LargestDistance, RmsDistance, VolumeError;
 };
 
@@ -38,14 +38,16 @@ MeshCase MakeEightShapesCase(int n = 46);
 /// grains Voronoi cells fill n^3 unit cells.
 MeshCase MakePolycrystalCase(int grains, int n, unsigned seed = 1);
 
-/// Three concentric spheres of 10, 11 and 12 cm and the outside, as labels, in a cube of 26 cm and n^3 unit cells.
+/// Three concentric spheres of 10, 11 and 12 cm and the outside, as labels, in a cube of 26 cm and
+/// n^3 unit cells.
 FractionField MakeConcentricLabels(const CartesianGrid& grid, Index n);
 
 /// MakeHexMesh or MakeTetMesh.
 using MeshMaker = Mesh (*)(
   const CartesianGrid&, const FractionField&, const MeshOptions&, Runtime&, MeshReport&);
 
-/// Distances of the interface points between two materials, junctions left out, and of those on sides of the domain.
+/// Distances of the interface points between two materials, junctions left out, and of those on
+/// sides of the domain.
 void MeasureInterfaces(
   const MeshCase& c, const Mesh& mesh, Distances& distance, Distances& onSides);
 

@@ -69,7 +69,8 @@ double Jacobian(const Corners& x, const Vector3& at)
   return Dot(Derivative(x, 0, at), Cross(Derivative(x, 1, at), Derivative(x, 2, at)));
 }
 
-/// Smallest of the 27 Bernstein coefficients of the Jacobian in the box [low, high] of the unit cube.
+/// Smallest of the 27 Bernstein coefficients of the Jacobian in the box [low, high] of the unit
+/// cube.
 double SmallestCoefficient(const Corners& x, const Vector3& low, const Vector3& high)
 {
   double b[3][3][3];
@@ -174,7 +175,8 @@ double DepthInTet(const TetCorners& x, const Vector3& point)
   return depth;
 }
 
-/// The same of a hex: from the nearest of its faces, in its widths. Newton's method; outside where that does not end.
+/// The same of a hex: from the nearest of its faces, in its widths. Newton's method; outside where
+/// that does not end.
 double DepthInHex(const Corners& x, const Vector3& point)
 {
   Vector3 at{ { 0.5, 0.5, 0.5 } };

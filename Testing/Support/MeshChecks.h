@@ -1,5 +1,6 @@
 /**
- * Independent checks of a hexahedral or tetrahedral mesh: validity, conformity, manifold boundaries.
+ * Independent checks of a hexahedral or tetrahedral mesh: validity, conformity, manifold
+ * boundaries.
  */
 #pragma once
 
@@ -30,11 +31,13 @@ FractionField MakeRandomLabels(const CartesianGrid& grid, int materials, int low
 /// Smallest corner determinant over all hexes; of tets six volumes.
 double SmallestCornerDeterminant(const Mesh& mesh);
 
-/// Whether the trilinear map of every hex has a positive Jacobian everywhere: its Bernstein coefficients
-/// are positive, after subdivision where they are not (Johnen, Remacle, Geuzaine 2013). Tets: every volume is positive.
+/// Whether the trilinear map of every hex has a positive Jacobian everywhere: its Bernstein
+/// coefficients are positive, after subdivision where they are not (Johnen, Remacle, Geuzaine
+/// 2013). Tets: every volume is positive.
 bool IsPositiveEverywhere(const Mesh& mesh);
 
-/// Smallest of the 27 Bernstein coefficients of a hex's Jacobian, a bound below it; six volumes of a tet.
+/// Smallest of the 27 Bernstein coefficients of a hex's Jacobian, a bound below it; six volumes of
+/// a tet.
 double SmallestCoefficient(const Mesh& mesh, Index element);
 
 /// "" or what is wrong: a face on more than two elements, an unused point, ids that are not unique.
@@ -52,13 +55,16 @@ std::map<int, SurfaceDefects> CountBoundaryDefects(const Mesh& mesh);
 /// FindConformityProblem, or a boundary with defects.
 std::string FindTopologyProblem(const Mesh& mesh);
 
-/// "" or what is wrong: a fragment that its faces do not connect, two of one material that share a face.
+/// "" or what is wrong: a fragment that its faces do not connect, two of one material that share a
+/// face.
 std::string FindFragmentProblem(const Mesh& mesh);
 
-/// "" or what is wrong: facets that are not, one by one, the faces between fragments and those of one element alone.
+/// "" or what is wrong: facets that are not, one by one, the faces between fragments and those of
+/// one element alone.
 std::string FindFacetProblem(const Mesh& mesh);
 
-/// How deep a point beside void that is not meshed lies in an element that is not its own, in widths of it; 0: in none.
+/// How deep a point beside void that is not meshed lies in an element that is not its own, in
+/// widths of it; 0: in none.
 double DeepestOverlap(const Mesh& mesh);
 
 /// Volume of a material, exact for tets and trilinear hexes.

@@ -1,5 +1,6 @@
 /**
- * The distance of points to the nearest of many triangles, quick when these are about as large as the bins they are sorted into.
+ * The distance of points to the nearest of many triangles, quick when these are about as large as
+ * the bins they are sorted into.
  */
 #pragma once
 

@@ -56,8 +56,8 @@ FractionField MakePatchyFractions(const CartesianGrid& grid, int materials, unsi
 using FieldChange = std::function<void(const CartesianGrid& grid, const Partition& partition,
   Runtime& runtime, FractionField& fractions)>;
 
-/// "", or on how many ranks a change gives another field, ghost cells included, than on one. Tries 2, 3, 4 and 8 ranks, slabs,
-/// and a rank without cells.
+/// "", or on how many ranks a change gives another field, ghost cells included, than on one. Tries
+/// 2, 3, 4 and 8 ranks, slabs, and a rank without cells.
 std::string FindRankProblem(
   const CartesianGrid& whole, const FractionField& field, const FieldChange& change);
 

@@ -42,8 +42,9 @@ RankMesh MakeAlone(const CartesianGrid& whole, const FractionField& field,
 RankMesh MakeOnRanks(const CartesianGrid& whole, const FractionField& field,
   const std::vector<IndexBox>& boxes, const MeshOptions& options, MeshMaker make);
 
-/// "", or how many facets, with their points, edges of curves, vertices and tables are not, bit for bit, those of one process. These are
-/// the same from any number of ranks where the elements of TetGen are not.
+/// "", or how many facets, with their points, edges of curves, vertices and tables are not, bit for
+/// bit, those of one process. These are the same from any number of ranks where the elements of
+/// TetGen are not.
 std::string FindGeometryDifference(const MergedMesh& made, const MergedMesh& alone);
 
 /// "", or how many of these, of points, elements and reports are not.
@@ -70,14 +71,17 @@ std::size_t CountDifferences(const Map& a, const Map& b)
   return static_cast<std::size_t>(std::max(missing(a, b), missing(b, a)));
 }
 
-/// Coordinates by id of the points of facets between materials; those on the domain's sides may differ between meshes.
+/// Coordinates by id of the points of facets between materials; those on the domain's sides may
+/// differ between meshes.
 std::map<Index, std::array<double, 3>> InterfacePoints(const Mesh& mesh);
 
-/// Labels in blocks of 2^refinements cells: a fortieth of them random, of void and two materials, the others material 1.
+/// Labels in blocks of 2^refinements cells: a fortieth of them random, of void and two materials,
+/// the others material 1.
 FractionField MakeBlockLabels(const CartesianGrid& grid, int refinements, unsigned seed);
 
-/// Three materials, all nearly equal in every cell: the most by a hair is material 1 or, in a share of the cells, a random one. Labels are
-/// noise that costs next to nothing to change, so coarser cells and transitions stay where they are wanted.
+/// Three materials, all nearly equal in every cell: the most by a hair is material 1 or, in a share
+/// of the cells, a random one. Labels are noise that costs next to nothing to change, so coarser
+/// cells and transitions stay where they are wanted.
 FractionField MakeNearTies(const CartesianGrid& grid, double share, unsigned seed);
 
 /// Families of every level, with a chance (LevelPlan::Families).

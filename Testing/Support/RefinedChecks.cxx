@@ -42,7 +42,8 @@ void ForFamilies(const OctreeKeys& lattice, int level, const Visitor& visit)
   }
 }
 
-/// The family at each corner, in the middle of an edge or of a face along each axis, of a grid of n families.
+/// The family at each corner, in the middle of an edge or of a face along each axis, of a grid of n
+/// families.
 bool IsOnDomain(const Index3& q, Index n)
 {
   const std::set<Index3> families{ { { 0, 0, 0 } }, { { n - 1, n - 1, n - 1 } },
@@ -99,7 +100,8 @@ bool HasDuplicates(std::vector<Index> keys)
 /// The triangles that the hexes at a point cut off, by the other ends of their edges.
 using Link = std::vector<std::array<int, 3>>;
 
-/// Whether a link is one sphere, or one disc: by connection over edges, edges on more than two, Euler characteristic.
+/// Whether a link is one sphere, or one disc: by connection over edges, edges on more than two,
+/// Euler characteristic.
 bool IsSphereOrDisc(const Link& link)
 {
   std::map<std::array<int, 2>, std::vector<int>> edges;

@@ -43,10 +43,12 @@ struct WholeMesh
 };
 WholeMesh AddUntouchedCells(const OctreeKeys& lattice, const RefinedMesh& mesh);
 
-/// "" or what is wrong: faces on more than two hexes, single faces inside the domain, links of points that are no sphere
-/// or disc, an Euler characteristic other than 1, keys that are not unique, unused points.
+/// "" or what is wrong: faces on more than two hexes, single faces inside the domain, links of
+/// points that are no sphere or disc, an Euler characteristic other than 1, keys that are not
+/// unique, unused points.
 std::string FindTopologyProblem(const CartesianGrid& grid, const WholeMesh& mesh);
-/// "" or a child of a refined cell that is missing or not exact; whether the other hexes are transition hexes.
+/// "" or a child of a refined cell that is missing or not exact; whether the other hexes are
+/// transition hexes.
 std::string FindChildProblem(const OctantFamilies& sets, const WholeMesh& mesh);
 /// Over all hexes, in mean volumes of the cells of the base grid.
 double SmallestCornerDeterminant(const CartesianGrid& grid, const WholeMesh& mesh);

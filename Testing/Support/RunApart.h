@@ -17,7 +17,8 @@ struct ApartResult
   std::string Failure; ///< "" or how the process ended without returning
 };
 
-/// Forks; call it while there is one thread. memory: in bytes, what the work may ask for beside what this process has; 0: no limit.
+/// Forks; call it while there is one thread. memory: in bytes, what the work may ask for beside
+/// what this process has; 0: no limit.
 ApartResult RunApart(const std::function<std::string()>& work, int seconds, std::size_t memory = 0);
 
 } // namespace testing

@@ -1,8 +1,9 @@
 /**
- * Solids with edges and corners: their exact fractions, and how far a mesh is from their faces, edges and corners.
+ * Solids with edges and corners: their exact fractions, and how far a mesh is from their faces,
+ * edges and corners.
  *
- * Each is a prism over a plane figure, turned and put off the grid, 1.2 high and wide or about that in a cube of edge 2.6; lengths here are in cells
- * of the n^3 that this cube is cut into.
+ * Each is a prism over a plane figure, turned and put off the grid, 1.2 high and wide or about that
+ * in a cube of edge 2.6; lengths here are in cells of the n^3 that this cube is cut into.
  */
 #pragma once
 
@@ -28,7 +29,8 @@ struct SharpCase
 
 /// The names of all, without cells.
 std::vector<std::string> ListSharpCases();
-/// "cube A", "cube B" (turned), "cube C" (along the axes), "cube D" (its faces on those of cells), "L", "cylinder", "wedge 45" and "cube A in matrix". Throws InputError for others.
+/// "cube A", "cube B" (turned), "cube C" (along the axes), "cube D" (its faces on those of cells),
+/// "L", "cylinder", "wedge 45" and "cube A in matrix". Throws InputError for others.
 SharpCase MakeSharpCase(const std::string& name, int cells);
 
 /// In cells.

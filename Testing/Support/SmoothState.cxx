@@ -17,7 +17,8 @@ namespace
 
 constexpr int Samples = 8; // along each axis of a mixed cell
 
-/// Adds values to the means of a material: of density as they are, of what is per mass times density.
+/// Adds values to the means of a material: of density as they are, of what is per mass times
+/// density.
 class MeanOfMaterial
 {
 public:

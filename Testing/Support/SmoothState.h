@@ -1,5 +1,6 @@
 /**
- * A smooth state of every material on the unit cube, as codes hold it in cells: means over the part of each material.
+ * A smooth state of every material on the unit cube, as codes hold it in cells: means over the part
+ * of each material.
  */
 #pragma once
 
@@ -13,14 +14,16 @@ namespace vfm
 namespace testing
 {
 
-/// Density, velocity, specific energy, temperature, strain per mass, pressure per volume: six arrays of eight components.
+/// Density, velocity, specific energy, temperature, strain per mass, pressure per volume: six
+/// arrays of eight components.
 std::vector<StateQuantity> ListSmoothQuantities();
 constexpr int SmoothComponents = 8;
 
 /// Values at a point of a material.
 using StateFunction = std::function<void(const Vector3& x, int material, double* values)>;
 
-/// Of the unit cube: sines and products, different in each material; material 2 is 8 times as dense as the others.
+/// Of the unit cube: sines and products, different in each material; material 2 is 8 times as dense
+/// as the others.
 void EvaluateSmoothState(const Vector3& x, int material, double* values);
 
 /// Means of a function in the cells of a grid: of mixed ones by points of each material.

@@ -1,5 +1,6 @@
 /**
- * State carried from fields to meshes made of them, alone and on ranks, and what must be true of it.
+ * State carried from fields to meshes made of them, alone and on ranks, and what must be true of
+ * it.
  */
 #pragma once
 
@@ -56,14 +57,16 @@ StateOutcome TransferOnThreads(const StateCase& c);
 /// Totals of the mesh by material, as StateTotals, from values alone.
 std::vector<StateTotals> SumElements(const StateCase& c, const StateOutcome& outcome);
 
-/// "", or which total of which material is not that of the input without what is not meshed. tolerance: of the sum of magnitudes.
+/// "", or which total of which material is not that of the input without what is not meshed.
+/// tolerance: of the sum of magnitudes.
 std::string FindTotalsProblem(
   const StateCase& c, const StateOutcome& outcome, double tolerance = 1e-13);
 
 /// "", or how many elements have other bits; totals too.
 std::string FindOutcomeDifference(const StateOutcome& a, const StateOutcome& b);
 
-/// Density, velocity, specific energy, heat capacity, temperature, stress per volume, a sum per volume: as a code has them.
+/// Density, velocity, specific energy, heat capacity, temperature, stress per volume, a sum per
+/// volume: as a code has them.
 std::vector<StateQuantity> MakeCodeQuantities();
 
 } // namespace testing

@@ -10,11 +10,13 @@ namespace vfm
 namespace testing
 {
 
-/// The seeds 0..count-1, or one of several parts of them. In the environment, VFM_SWEEP multiplies their number (0.1: a tenth, at
-/// least one a part; 10: ten times as many), VFM_SEEDS=first:count gives them instead.
+/// The seeds 0..count-1, or one of several parts of them. In the environment, VFM_SWEEP multiplies
+/// their number (0.1: a tenth, at least one a part; 10: ten times as many), VFM_SEEDS=first:count
+/// gives them instead.
 std::vector<unsigned> ListSeeds(unsigned count, unsigned part = 0, unsigned parts = 1);
 
-/// Whether the environment leaves the sweeps at their size or longer: some things happen in many meshes only.
+/// Whether the environment leaves the sweeps at their size or longer: some things happen in many
+/// meshes only.
 bool IsWholeSweep();
 
 } // namespace testing

@@ -54,7 +54,7 @@ void ThreadTransport::Begin(Transfer& transfer) noexcept
 {
   if (transfer.IsSent)
   {
-    this->Hub.Put(transfer.Other, this->Rank, transfer);
+    this->Hub.Put(transfer.Other, this->Self, transfer);
   }
 }
 
@@ -62,11 +62,11 @@ void ThreadTransport::Wait(Transfer& transfer) noexcept
 {
   if (transfer.IsSent)
   {
-    this->Hub.WaitForTaken(transfer.Other, this->Rank, transfer);
+    this->Hub.WaitForTaken(transfer.Other, this->Self, transfer);
   }
   else
   {
-    this->Hub.Take(this->Rank, transfer.Other, transfer);
+    this->Hub.Take(this->Self, transfer.Other, transfer);
   }
 }
 

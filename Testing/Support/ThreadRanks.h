@@ -1,6 +1,6 @@
 /**
- * Ranks that are threads of one process: the same pipeline as under MPI, without it. A message waits until it is received, as large
- * ones do under MPI.
+ * Ranks that are threads of one process: the same pipeline as under MPI, without it. A message
+ * waits until it is received, as large ones do under MPI.
  */
 #pragma once
 
@@ -44,14 +44,14 @@ private:
 class ThreadTransport : public Transport
 {
 public:
-  ThreadTransport(ThreadHub& hub, int rank) : Hub(hub), Rank(rank) {}
+  ThreadTransport(ThreadHub& hub, int rank) : Hub(hub), Self(rank) {}
   void Begin(Transfer& transfer) noexcept override;
   void Wait(Transfer& transfer) noexcept override;
-  bool HasArrived(int from) noexcept override { return this->Hub.HasAny(this->Rank, from); }
+  bool HasArrived(int from) noexcept override { return this->Hub.HasAny(this->Self, from); }
 
 private:
   ThreadHub& Hub;
-  int Rank;
+  int Self;
 };
 
 class ThreadRanks : private ThreadTransport, public MessageRanks
@@ -63,7 +63,8 @@ public:
   }
 };
 
-/// Runs body(ranks) on count threads at once. Throws what the lowest rank threw, once all have ended.
+/// Runs body(ranks) on count threads at once. Throws what the lowest rank threw, once all have
+/// ended.
 void RunOnRanks(int count, const std::function<void(ThreadRanks&)>& body);
 
 } // namespace testing

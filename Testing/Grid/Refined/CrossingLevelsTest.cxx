@@ -25,7 +25,8 @@ MeshOptions CrossingOptions(int refinements)
   return options;
 }
 
-/// Families of every level in the lower part of the domain along x, that of each level shorter than the one before.
+/// Families of every level in the lower part of the domain along x, that of each level shorter than
+/// the one before.
 std::vector<std::vector<Index>> RefineBelow(
   const CartesianGrid& grid, int refinements, double share)
 {
@@ -213,7 +214,8 @@ class CrossingRanks : public ::testing::TestWithParam<CrossingRanksCase>
 
 } // namespace
 
-/// Of three ranks and more on one axis each has one or two base cells; with three there is one without cells, too.
+/// Of three ranks and more on one axis each has one or two base cells; with three there is one
+/// without cells, too.
 TEST_P(CrossingRanks, SameMesh)
 {
   const CrossingRanksCase& c = this->GetParam();

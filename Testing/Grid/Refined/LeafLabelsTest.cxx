@@ -1,4 +1,5 @@
-/// Labels of leaves: by mean fractions, alike within each leaf, every star passing, the same on any ranks.
+/// Labels of leaves: by mean fractions, alike within each leaf, every star passing, the same on any
+/// ranks.
 #include "RankMeshes.h"
 #include "Sweep.h"
 
@@ -148,7 +149,8 @@ Index CountMixedLeaves(const LeafGrid& levels, const LabelArray& labels)
   return std::unique(leaves.begin(), leaves.end()) - leaves.begin();
 }
 
-/// The sums of volume times fraction of each material, void first, over a box of cells, and the volume.
+/// The sums of volume times fraction of each material, void first, over a box of cells, and the
+/// volume.
 std::pair<std::vector<double>, double> SumFractions(
   const CartesianGrid& grid, const FractionField& fractions, const IndexBox& cells)
 {

@@ -1,4 +1,5 @@
-/// Volumes where labels belong to leaves: fragments near a leaf, their targets, and the hexes at the start.
+/// Volumes where labels belong to leaves: fragments near a leaf, their targets, and the hexes at
+/// the start.
 #include "Base/Partition.h"
 #include "RankMeshes.h"
 #include "Smoothing/CellLocator.h"
@@ -28,7 +29,8 @@ LevelPlan MakePlan(int refinements, const std::vector<std::vector<Index>>& famil
   return plan;
 }
 
-/// The label of every leaf that label(lowest finest cell) tells, in the local box and the layer around it.
+/// The label of every leaf that label(lowest finest cell) tells, in the local box and the layer
+/// around it.
 LabelArray LabelLeaves(const RefinedGrid& levels, const std::function<int(const Index3&)>& label)
 {
   const CartesianGrid& grid = levels.Finest();
@@ -74,7 +76,8 @@ struct RandomLeaves
   CellLocator Locator;
 };
 
-/// The fragments of a material that touch a leaf, by the squared distance of centres as FindNear tells.
+/// The fragments of a material that touch a leaf, by the squared distance of centres as FindNear
+/// tells.
 std::map<Index, std::set<int>> FindTouching(
   const RandomLeaves& leaves, const OctreeKeys::LevelIndex& leaf, int material)
 {
@@ -181,7 +184,8 @@ TEST(CellLocator, AreTheNearestLeaves)
 
 TEST(CellLocator, GiveACoarseLeafToTheAdjacentPiece)
 {
-  // two bodies of material 2: one beside the leaf at x 4..8 that holds a fifth of it everywhere, one far away
+  // two bodies of material 2: one beside the leaf at x 4..8 that holds a fifth of it everywhere,
+  // one far away
   const CartesianGrid grid = MakeUnitGrid(24, 4, 4);
   Runtime runtime;
   const Partition partition(grid, runtime.Group());
@@ -243,7 +247,8 @@ TEST(CellLocator, RanksAgree)
 namespace
 {
 
-/// Stairs where families on one side of the plane x = 16 alone are refined: material 1 below, void above.
+/// Stairs where families on one side of the plane x = 16 alone are refined: material 1 below, void
+/// above.
 struct Stairs
 {
   Stairs(const CartesianGrid& grid, Runtime& runtime) :

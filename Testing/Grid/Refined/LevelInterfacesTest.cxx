@@ -1,4 +1,5 @@
-/// Interfaces and targets on the grids of several levels: near the true surface, alike on parts of the grid.
+/// Interfaces and targets on the grids of several levels: near the true surface, alike on parts of
+/// the grid.
 #include "RankMeshes.h"
 
 #include "Base/Vector3.h"
@@ -235,8 +236,8 @@ TEST(LevelInterfaces, FindsTheNearestTarget)
     -1);
 }
 
-/// The gradient is that of the distance; distances are in cells of the level, so a step along the gradient of one finest cell is less
-/// of those of coarser levels.
+/// The gradient is that of the distance; distances are in cells of the level, so a step along the
+/// gradient of one finest cell is less of those of coarser levels.
 TEST(LevelDistances, GradientsFitTheDistances)
 {
   const CartesianGrid grid = MakeUnitGrid(Cells);

@@ -1,4 +1,5 @@
-/// Refinement before meshing: what a cell holds stays in its children, what is flat stays exact, ranks agree.
+/// Refinement before meshing: what a cell holds stays in its children, what is flat stays exact,
+/// ranks agree.
 #include "Fractions/RefineCells.h"
 #include "Base/Vector3.h"
 #include "MeshCases.h"
@@ -264,7 +265,8 @@ TEST(RefineCells, ThreePartsStayNear)
   }
 }
 
-/// Films of about a cell are found too, unless they lie within one layer of cells: then nothing tells where.
+/// Films of about a cell are found too, unless they lie within one layer of cells: then nothing
+/// tells where.
 TEST(RefineCells, FilmsStayNear)
 {
   const std::map<double, double> largest{ { 0.6, 0.06 }, { 0.9, 0.02 }, { 1.2, 1e-3 } };

@@ -1,4 +1,5 @@
-/// Meshes with coarser cells away from interfaces: valid, conforming, and at the interfaces those of the uniform grid.
+/// Meshes with coarser cells away from interfaces: valid, conforming, and at the interfaces those
+/// of the uniform grid.
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
 #include "Sweep.h"
@@ -142,7 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomFamilies, ::testing::Range(0u, 5u));
 namespace
 {
 
-/// Of n base cells of random widths, neighbouring ones by up to a factor apart, halved so many times.
+/// Of n base cells of random widths, neighbouring ones by up to a factor apart, halved so many
+/// times.
 std::vector<double> MakeGradedAxis(Index n, double factor, double width, std::mt19937& random)
 {
   std::uniform_real_distribution<double> exponent(-1.0, 1.0);
@@ -170,7 +172,8 @@ CartesianGrid MakeGradedGrid(Index n, int refinements, unsigned seed)
 
 } // namespace
 
-/// Where the transitions of stretched cells cannot be untangled, or cut into tets, more cells are refined.
+/// Where the transitions of stretched cells cannot be untangled, or cut into tets, more cells are
+/// refined.
 TEST(StretchedFamilies, MeshIsValid)
 {
   std::map<std::string, Index> added;

@@ -1,4 +1,5 @@
-/// Tets with coarser cells away from interfaces: valid, conforming, and at the interfaces those of the uniform grid.
+/// Tets with coarser cells away from interfaces: valid, conforming, and at the interfaces those of
+/// the uniform grid.
 #include "RankMeshes.h"
 #include "RefinedChecks.h"
 #include "Sweep.h"
@@ -123,7 +124,8 @@ TEST_P(CoarsenedTets, InterfacesAreThoseOfTheUniformMesh)
   {
     ExpectFull(mesh, c.Grid, c.Fractions.NumberOfMaterials());
   }
-  // the volumes of Lattice at the start are sums over other tets; energies in floats make more of that
+  // the volumes of Lattice at the start are sums over other tets; energies in floats make more of
+  // that
   EXPECT_LE(LargestDistance(InterfacePoints(mesh), InterfacePoints(fine)),
     p.Method == TetMethod::Lattice ? 1e-6 : 0.0);
   EXPECT_EQ(report.NumberOfFragments, fineReport.NumberOfFragments);

@@ -1,4 +1,5 @@
-/// Which cells ask to be halved: thin things do and thick ones do not, curvature, flipped labels, layers, families, ranks.
+/// Which cells ask to be halved: thin things do and thick ones do not, curvature, flipped labels,
+/// layers, families, ranks.
 #include "Labels/RefinementCriteria.h"
 #include "Base/Vector3.h"
 #include "Fractions/InterfaceCurvature.h"
@@ -95,8 +96,9 @@ std::vector<double> Thicknesses(
   return all;
 }
 
-/// Of the cells that a surface goes through the part that asks for so many halvings or more. Those near the sides of the domain
-/// are left out: there an oblique plate and its mirror image are one thick edge.
+/// Of the cells that a surface goes through the part that asks for so many halvings or more. Those
+/// near the sides of the domain are left out: there an oblique plate and its mirror image are one
+/// thick edge.
 double PartToRefine(const CartesianGrid& grid, const RefinementRequests& requests, int halvings,
   const std::function<bool(const Index3&)>& goesThrough)
 {
@@ -403,7 +405,8 @@ TEST(RefinementCriteria, ChosenCellsRequestTheirHalvings)
 namespace
 {
 
-/// Of each level, the families of all cells of the level that a place wants, in it and so many layers around.
+/// Of each level, the families of all cells of the level that a place wants, in it and so many
+/// layers around.
 std::vector<std::set<Index>> FamiliesAround(
   const OctreeKeys& lattice, const RefinementRequests& requests, int layers)
 {

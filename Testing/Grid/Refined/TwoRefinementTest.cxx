@@ -1,4 +1,5 @@
-/// Meshes across levels: conforming, exact where refined, positive, good, and the same in every part.
+/// Meshes across levels: conforming, exact where refined, positive, good, and the same in every
+/// part.
 #include "Fractions/RefineCells.h"
 #include "MeshChecks.h"
 #include "RankFields.h"
@@ -85,7 +86,8 @@ Mesh ToMesh(const RefinedMesh& refined)
   return mesh;
 }
 
-/// Makes and checks the mesh of a case; smallest: scaled Jacobian after smoothing, 0 where corners alone stay positive. Large meshes: checkTopology false.
+/// Makes and checks the mesh of a case; smallest: scaled Jacobian after smoothing, 0 where corners
+/// alone stay positive. Large meshes: checkTopology false.
 void CheckCase(
   const RefinedCase& c, double smallest = 0.5, bool print = true, bool checkTopology = true)
 {
@@ -258,7 +260,8 @@ TEST(TwoRefinement, RefinesAsRefineCellsDoes)
   }
 }
 
-/// What a rank makes of its cells is what the whole mesh has there; untangling reads two families around.
+/// What a rank makes of its cells is what the whole mesh has there; untangling reads two families
+/// around.
 TEST(TwoRefinement, PartsAreThoseOfTheWhole)
 {
   Runtime runtime;
@@ -379,7 +382,8 @@ TEST(TwoRefinement, RanksChangeNothing)
   }
 }
 
-/// The table of the documentation: --gtest_also_run_disabled_tests --gtest_filter='*Table'. Minutes.
+/// The table of the documentation: --gtest_also_run_disabled_tests --gtest_filter='*Table'.
+/// Minutes.
 TEST(TwoRefinement, DISABLED_Table)
 {
   PrintHeader();

@@ -1,5 +1,6 @@
 /**
- * CatalystDouble: an implementation of Catalyst for tests, which hands what it gets to the program that loaded it.
+ * CatalystDouble: an implementation of Catalyst for tests, which hands what it gets to the program
+ * that loaded it.
  */
 #pragma once
 

@@ -1,4 +1,5 @@
-/// Meshes a ball by the pipelines of Grid, as hexahedra and by each method as tetrahedra, and prints its volumes.
+/// Meshes a ball by the pipelines of Grid, as hexahedra and by each method as tetrahedra, and
+/// prints its volumes.
 #include <HexPipeline.h>
 #include <TetPipeline.h>
 
