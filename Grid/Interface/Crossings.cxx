@@ -10,17 +10,18 @@ namespace vfm
 namespace
 {
 
-constexpr double PureFraction = 0.003; // a cell nearer to 0 or 1 carries no plane
-constexpr double PairShare = 0.3;      // nor one where the pair fills less
-constexpr double SampleShare = 0.5;    // nor is one fitted to cells where it fills less
-constexpr double GoodFit = 0.1;      // rms error of fractions above: the surface around is no plane
-constexpr double LeastWeight = 0.01; // of crossings
-constexpr double SteepPlane =
-  0.25; // n.axis below: the plane's foot instead of its cut with the edge
-constexpr double SmallestSlope =
-  0.02; // n.axis of the crossing's normal below: turned by AddedSlope
+constexpr double PureFraction = 0.003; // a cell closer to 0 or 1 has no plane
+constexpr double PairShare = 0.3;      // least fraction of the pair in a cell with a plane
+// Least fraction of the pair in a cell that a plane is fitted to.
+constexpr double SampleShare = 0.5;
+constexpr double GoodFit = 0.1;      // largest rms error of fractions of a fitted plane
+constexpr double LeastWeight = 0.01; // least weight of a crossing
+// For a smaller n.axis, the foot of the plane replaces its cut with the edge.
+constexpr double SteepPlane = 0.25;
+// Normals of crossings with a smaller n.axis are turned by AddedSlope.
+constexpr double SmallestSlope = 0.02;
 constexpr double AddedSlope = 0.3;
-constexpr Index SearchRadius = 2; // of FindCrossingNear, in cells
+constexpr Index SearchRadius = 2; // distance of faces for FindCrossingNear, in cells
 
 /// One of the two cells of the dual edge.
 struct Side
@@ -29,10 +30,11 @@ struct Side
   Vector3 Centre; // grid coordinates
   Vector3 Widths; // grid coordinates
   double D;       // difference field
-  Vector3
-    Gradient; // of D in the cell's frame, at sides of the domain turned to the normal of the fitted plane
-  bool IsOneSided; // at a side of the domain
-  bool HasPlane;   // fitted
+  // Gradient of D in the frame of the cell; at sides of the domain turned to the normal
+  // of the fitted plane.
+  Vector3 Gradient;
+  bool IsOneSided; // whether the cell is at a side of the domain
+  bool HasPlane;   // whether a plane was fitted
 };
 
 struct Work
@@ -69,7 +71,7 @@ double Difference(const Work& work, Index cell)
     : work.Fractions.Fraction(cell, work.Second) - work.Fractions.Fraction(cell, work.First);
 }
 
-/// Over the cells of 3^3 in the domain.
+/// Returns the gradient over the 3^3 cells in the domain.
 Vector3 Gradient(const Work& work, const Side& side, const Index3& p)
 {
   GradientFit fit;
@@ -85,13 +87,13 @@ Vector3 Gradient(const Work& work, const Side& side, const Index3& p)
   return fit.Solve();
 }
 
-/// How much of a cell is of either label.
+/// Returns the fraction of a cell that both labels fill.
 double PairFills(const Work& work, Index cell)
 {
   return work.Fractions.Fraction(cell, work.First) + work.Fractions.Fraction(cell, work.Second);
 }
 
-/// Adds the first label's part of what the pair fills, unless that is little.
+/// Adds the share of the first label in the pair, unless the pair fills little of the cell.
 void AddSample(
   const Work& work, const Side& side, const Index3& p, std::vector<FractionSample>& samples)
 {
@@ -110,7 +112,8 @@ bool IsMixed(double fraction)
   return fraction > PureFraction && fraction < 1.0 - PureFraction;
 }
 
-/// Turns the gradient to the normal of the plane that fits the fractions over 3^3. False where none does.
+/// Turns the gradient to the normal of the plane that fits the fractions over 3^3 cells; returns
+/// false if no plane fits.
 bool TurnToPlane(const Work& work, const Index3& p, Side& side)
 {
   std::vector<FractionSample> samples;
@@ -152,7 +155,7 @@ Side MakeSide(const Work& work, Index cell)
   return side;
 }
 
-/// Where D changes sign along the dual edge, 0 at the lower cell, 1 at the upper.
+/// Returns where D changes sign along the dual edge: 0 at the lower cell, 1 at the upper.
 double LinearParameter(const Work& work, const Side& lower, const Side& upper)
 {
   const double sign = work.Face.LowerLabel == work.First ? 1.0 : -1.0;
@@ -164,7 +167,7 @@ double LinearParameter(const Work& work, const Side& lower, const Side& upper)
   return a > 0.0 && b > 0.0 ? 0.0 : (a < 0.0 && b < 0.0 ? 1.0 : 0.5);
 }
 
-/// The pair's share of the cell filled by its first label; false where the cell carries no plane.
+/// Sets the share of the first label in the pair; returns false if the cell has no plane.
 bool PlaneFraction(const Work& work, const Side& side, double& fraction)
 {
   if (work.First == 0)
@@ -184,7 +187,7 @@ bool PlaneFraction(const Work& work, const Side& side, double& fraction)
   return IsMixed(fraction) && Norm(side.Gradient) > 1e-12;
 }
 
-/// The cut of the cell's plane with the dual edge.
+/// Returns the cut of the plane of a cell with the dual edge.
 Vector3 CutOfPlane(const Work& work, const Side& side, double fraction)
 {
   const Vector3 n = Unit(side.Gradient);
@@ -223,7 +226,7 @@ Vector3 BlendNormals(const Work& work, const Side& lower, const Side& upper, dou
 {
   if (lower.IsOneSided && upper.IsOneSided && lower.HasPlane != upper.HasPlane)
   {
-    t = upper.HasPlane ? 1.0 : 0.0; // a gradient would tilt it
+    t = upper.HasPlane ? 1.0 : 0.0; // the gradient would tilt the normal
   }
   const Vector3 widths = 0.5 * (lower.Widths + upper.Widths);
   Vector3 n = Unit((1.0 - t) * Scaled(widths, Divided(lower.Gradient, lower.Widths)) +
@@ -232,7 +235,7 @@ Vector3 BlendNormals(const Work& work, const Side& lower, const Side& upper, dou
   if (sign * n[work.Face.Axis] < SmallestSlope)
   {
     n[work.Face.Axis] += sign * AddedSlope;
-    if (sign * n[work.Face.Axis] <= 0.0) // gradients that contradict the labels
+    if (sign * n[work.Face.Axis] <= 0.0) // the gradients contradict the labels
     {
       n = { { 0.0, 0.0, 0.0 } };
       n[work.Face.Axis] = sign;
@@ -241,14 +244,15 @@ Vector3 BlendNormals(const Work& work, const Side& lower, const Side& upper, dou
   return Unit(Divided(n, widths));
 }
 
-/// A face by its place from another one.
+/// Position of a face relative to another.
 struct FaceStep
 {
   Index3 Node;
   int Axis;
 };
 
-/// To the faces at most SearchRadius away from one across an axis, the nearest first.
+/// Lists the steps from a face across an axis to the faces at most SearchRadius
+/// away, the nearest first.
 std::vector<FaceStep> MakeSteps(int axis)
 {
   std::vector<FaceStep> steps;
@@ -263,7 +267,8 @@ std::vector<FaceStep> MakeSteps(int axis)
         steps.push_back({ p, a });
       }
     });
-  const auto square = [axis](const FaceStep& step) // of the distance of middles, in half cells
+  // Square of the distance of face centres, in half cells.
+  const auto square = [axis](const FaceStep& step)
   {
     Index sum = 0;
     for (int a = 0; a < 3; ++a)

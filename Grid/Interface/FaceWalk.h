@@ -1,5 +1,5 @@
 /**
- * FaceWalk: the interface faces of a pair of labels around nodes, one node after another.
+ * FaceWalk: finds the interface faces of a pair of labels around nodes, one node after another.
  */
 #pragma once
 
@@ -8,6 +8,7 @@
 namespace vfm
 {
 
+/// Search on one interface; each thread needs its own. Keeps a reference to the interface.
 class FaceWalk
 {
 public:
@@ -18,8 +19,12 @@ public:
   {
   }
 
-  /// Those of the pair at all nodes that are reached from a node over so many of them, and over allowed nodes alone; each once, in an
-  /// order that only they decide. allowed(position in Interface::Nodes()). Valid until the next call.
+  /// Returns the faces of a pair at all nodes that are connected to a node by such faces and
+  /// allowed nodes. Each face is listed once, in an order that depends only on the faces.
+  /// @param node  position in Interface::Nodes()
+  /// @param rings  largest number of faces on the way to a node
+  /// @param allowed  allowed(position in Interface::Nodes())
+  /// @return valid until the next call
   template <class Allowed>
   const std::vector<Index>& Find(
     Index node, int first, int second, int rings, const Allowed& allowed)
@@ -68,7 +73,7 @@ private:
 
   const Interface& Source;
   Index Walk = 0;
-  std::vector<Index> NodeWalks, FaceWalks; // the last that came by
+  std::vector<Index> NodeWalks, FaceWalks; // number of the last walk that visited each
   std::vector<Index> Nodes, Faces;
 };
 

@@ -8,9 +8,10 @@ namespace vfm
 namespace
 {
 
-constexpr double SmallestSlide =
-  0.1; // squared sine of the angle between interface and side of the domain
-constexpr double SmallestDistance = 0.05; // of a node to a crossing, in cells: caps its weight
+// Least squared sine of the angle between interface and side of the domain.
+constexpr double SmallestSlide = 0.1;
+// Least distance of a node to a crossing, in cells; limits its weight.
+constexpr double SmallestDistance = 0.05;
 
 } // namespace
 
@@ -118,8 +119,8 @@ void Interface::FindSurfacePoints(Runtime& runtime)
   }
 }
 
-/// For every pair at the node: the node projected onto the planes of the pair's crossings around it,
-/// averaged with weights 1 / distance^2.
+/// Adds a point per pair at the node: the mean of the node projected onto the planes of the
+/// crossings of the pair around it, with weights 1 / distance^2.
 void Interface::AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) const
 {
   const Index node = this->MixedNodes[n];
@@ -157,7 +158,7 @@ void Interface::AddSurfacePoints(Index n, std::vector<SurfacePoint>& points) con
   }
 }
 
-/// On a side of the domain the point moves in the tangent plane to the nearest place on that side.
+/// Moves a point at a side of the domain along its tangent plane to the nearest place on that side.
 void Interface::SlideIntoDomain(Index node, const Vector3& x, SurfacePoint& point) const
 {
   const int sides = this->TheGrid.DomainSides(this->TheGrid.Position(node));

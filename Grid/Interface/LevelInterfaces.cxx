@@ -9,11 +9,13 @@ namespace vfm
 namespace
 {
 
-constexpr int LevelGhosts = GhostLayers + 2; // which FindCrossingNear needs besides, above the base
-constexpr Index SearchRadius = 2;            // of FindTarget, in cells
-constexpr Index NearFamilies = 2; // around that of a node: 3 cells around the node, and more
+// The two further layers are for FindCrossingNear, on levels above the base.
+constexpr int LevelGhosts = GhostLayers + 2;
+constexpr Index SearchRadius = 2; // distance of nodes for FindTarget, in cells
+// Families around that of a node; at least 3 cells around the node.
+constexpr Index NearFamilies = 2;
 
-/// What the cells of a level are. Those of a family (OctreeKeys.h) are alike.
+/// Classifies the cells of a level. The cells of a family (OctreeKeys.h) are all of one class.
 class LevelCells
 {
 public:
@@ -24,13 +26,13 @@ public:
     return !this->IsInCoarserLeaf(cell) && !this->IsRefined(cell);
   }
 
-  /// Whether a cell is a leaf or lies in a coarser one that touches a leaf of the level.
+  /// Returns whether a cell is a leaf or lies in a coarser leaf that touches a leaf of the level.
   bool HasLeafLabel(const Index3& cell)
   {
     return !this->IsRefined(cell) && (!this->IsInCoarserLeaf(cell) || this->TouchesLeaf(cell));
   }
 
-  /// Whether a leaf is near the family of a node.
+  /// Returns whether a leaf is near the family of a node.
   bool IsNear(const Index3& node)
   {
     const Index3 family =
@@ -56,7 +58,7 @@ private:
       !this->Levels.Families().IsRefined(this->Level - 1, ParentOfCell(cell));
   }
 
-  /// Of the coarser leaf that a cell lies in.
+  /// Returns whether the coarser leaf that contains a cell touches a leaf of the level.
   bool TouchesLeaf(const Index3& cell)
   {
     const OctreeKeys::LevelIndex leaf =
@@ -65,14 +67,14 @@ private:
       this->Touching.try_emplace(this->Lattice().HexKey(leaf.Level, leaf.At, 0), false);
     if (at.second)
     {
-      // a leaf of the level before is one family
+      // A leaf of the previous level is one family.
       const IndexBox families = ChangeLevel(BoxOfCell(leaf.At), this->Level - 1 - leaf.Level);
       at.first->second = this->HasLeafAround(families, 1);
     }
     return at.first->second;
   }
 
-  /// Whether a leaf is in a box of families or in so many families around it.
+  /// Returns whether there is a leaf in a box of families, or in the families around it.
   bool HasLeafAround(const IndexBox& families, Index around) const
   {
     const IndexBox all = ChangeLevel(ChangeLevel(this->Levels.Base().Global(), this->Level), -1);
@@ -84,10 +86,12 @@ private:
 
   const RefinedGrid& Levels;
   int Level;
-  std::unordered_map<Index, bool> Near, Touching; // of the families and leaves that were asked for
+  // Results for the families and leaves checked so far.
+  std::unordered_map<Index, bool> Near, Touching;
 };
 
-/// Gives cells of a level the labels of the leaves, where they are to have them. finest: of the finest grid, 2^halvings times as fine.
+/// Sets the labels of leaves in the cells of a level that need them. The finest grid is 2^Halvings
+/// times as fine.
 struct Work
 {
   const CartesianGrid& Finest;
@@ -112,7 +116,8 @@ void Set(Work& work, Index cell, int label)
   }
 }
 
-/// Cells whose label is that of their lowest finest cell are passed over, in runs.
+/// Sets the labels in a row of cells. Cells with the same label as their lowest finest cell are
+/// skipped in runs.
 void ApplyToRow(Work& work, const Index3& start)
 {
   const Index row = work.Grid.Linear(start), size = work.Grid.Local().Size(0);
@@ -121,7 +126,7 @@ void ApplyToRow(Work& work, const Index3& start)
   const Index round = (Index(1) << work.Halvings) - 1;
   const auto cellFrom = [&](Index finest)
   { return row + ((finest - finestRow + round) >> work.Halvings); };
-  std::vector<std::array<Index, 2>> others; // cells and their leaves' labels
+  std::vector<std::array<Index, 2>> others; // cells, and the labels of their leaves
   std::vector<Index> found;
   work.FinestLabels.Visit(
     finestRow, finestRow + (size << work.Halvings),
@@ -151,7 +156,7 @@ void ApplyToRow(Work& work, const Index3& start)
   }
 }
 
-/// Returns the cells in coarser leaves that got another label, ascending.
+/// Sets the labels; returns the cells in coarser leaves that got another label, ascending.
 std::vector<Index> Apply(Work& work)
 {
   const IndexBox& box = work.Grid.Local();
@@ -159,7 +164,8 @@ std::vector<Index> Apply(Work& work)
   return std::move(work.Steps);
 }
 
-/// Steps from a node to those at most SearchRadius away along each axis, the shortest first.
+/// Lists the steps from a node to nodes at most SearchRadius away along each
+/// axis, the shortest first.
 std::vector<Index3> MakeSteps()
 {
   std::vector<Index3> steps;
@@ -198,7 +204,7 @@ LevelInterfaces::LevelInterfaces(const RefinedGrid& levels, const FractionField&
   this->AddLevel(levels.NumberOfRefinements(), finest, fractions, labels, isoValue, runtime);
 }
 
-/// labels: of the finest grid.
+/// Adds the interface of a level; labels are on the finest grid.
 void LevelInterfaces::AddLevel(int level, const CartesianGrid& grid, const FractionField& fractions,
   const LabelArray& labels, double isoValue, Runtime& runtime)
 {
@@ -227,7 +233,7 @@ std::vector<const Interface*> LevelInterfaces::All() const
   return all;
 }
 
-/// The number of the surface point of a pair at a node itself, or -1.
+/// Returns the number of the surface point of a pair at a node itself, or -1.
 Index LevelInterfaces::FindPoint(
   int level, const Index3& node, const std::array<int, 2>& labels) const
 {
@@ -243,7 +249,7 @@ Index LevelInterfaces::FindTarget(
   int level, const Index3& node, const std::array<int, 2>& labels) const
 {
   static const std::vector<Index3> steps = MakeSteps();
-  for (const Index3& step : steps) // the first leads nowhere
+  for (const Index3& step : steps) // the first step is 0
   {
     const Index found = this->FindPoint(
       level, { { node[0] + step[0], node[1] + step[1], node[2] + step[2] } }, labels);

@@ -1,10 +1,13 @@
 /**
- * LevelInterfaces: the interfaces of a refined grid, one Interface for each level that has some, on the grid of that level: of the finest
- * level alone, or where interfaces cross levels (LevelPlan::FineInterfaces false) of all.
+ * LevelInterfaces: interfaces of a refined grid, one Interface per level that has interfaces, on
+ * the grid of that level. These are all levels if interfaces cross levels
+ * (LevelPlan::FineInterfaces false), else only the finest.
  *
- * Labels of a level: in its leaves (RefinedGrid::LeafOf), and in coarser leaves that touch one, those of the leaves; elsewhere what the
- * mean fractions of the level say. So the faces of leaves between two labels are all there, and beyond them the interface goes on as if
- * the level were everywhere, for the fits. Interfaces have nodes near leaves of their level alone: three cells around, or a little more.
+ * A level has the labels of leaves (RefinedGrid::LeafOf) in its own leaves and in coarser leaves
+ * that touch one. Elsewhere its labels follow from the mean fractions. So it has all faces of
+ * leaves between two labels, and beyond them the interface continues for the fits, as if the
+ * level were everywhere. Interfaces have nodes only near leaves of their level: three cells
+ * around, or a little more.
  */
 #pragma once
 
@@ -17,24 +20,31 @@
 namespace vfm
 {
 
+/// Owns the interfaces and the grids of coarser levels; keeps a reference to the refined grid.
 class LevelInterfaces
 {
 public:
-  /// fractions, labels: of the finest grid, in all its ghost layers; labels are resolved, and those of all cells of a leaf are alike.
-  /// mixed: FindMixedNodes of them. Where interfaces cross levels the finest grid needs GhostLayers base cells around the owned ones to make the same on any number of ranks. Keeps a reference to
-  /// levels.
+  /// @param levels  must outlive this object
+  /// @param fractions  fractions of the finest grid, in all its ghost layers
+  /// @param labels  resolved labels of the same cells, equal in all cells of a leaf
+  /// @param mixed  FindMixedNodes of the labels
+  /// @note Reproducible on any number of ranks. If interfaces cross levels, the finest grid needs
+  ///   GhostLayers base cells around the owned ones for this.
   LevelInterfaces(const RefinedGrid& levels, const FractionField& fractions,
     const LabelArray& labels, const std::vector<Index>& mixed, double isoValue, Runtime& runtime);
   LevelInterfaces(const LevelInterfaces&) = delete;
   LevelInterfaces& operator=(const LevelInterfaces&) = delete;
 
-  /// The interface of a level.
+  /// Returns the interface of a level.
   const Interface& Of(int level) const { return *this->Interfaces[this->PositionOf(level)]; }
-  /// From the coarsest level that has some: what SurfaceTargets takes.
+  /// Returns the interfaces of all levels that have some, the coarsest first,
+  /// as SurfaceTargets takes them.
   std::vector<const Interface*> All() const;
 
-  /// The surface point of a pair at a node of a level: its number among those of all levels, level after level (SurfaceTargets). Where
-  /// the node has none, that of the nearest node of the level that has, at most two cells away along each axis; -1: none.
+  /// Returns the surface point of a pair at a node of a level. If the node has none, the nearest
+  /// node of the level that has one is used, at most two cells away along each axis.
+  /// @return number of the point among all levels, level after level, as in SurfaceTargets; -1 if
+  ///   there is none
   Index FindTarget(int level, const Index3& node, const std::array<int, 2>& labels) const;
 
 private:
@@ -47,9 +57,9 @@ private:
   Index FindPoint(int level, const Index3& node, const std::array<int, 2>& labels) const;
 
   const RefinedGrid& Levels;
-  std::deque<CartesianGrid> Grids; // of the levels below the finest
+  std::deque<CartesianGrid> Grids; // grids of the levels below the finest
   std::vector<std::unique_ptr<Interface>> Interfaces;
-  std::vector<Index> FirstPoint; // of each level, among all
+  std::vector<Index> FirstPoint; // first point of each level, among all
 };
 
 } // namespace vfm

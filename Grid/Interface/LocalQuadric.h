@@ -1,5 +1,6 @@
 /**
- * LocalQuadric: a surface over a plane, in the local frame of a node (Interface.h: lengths in cells, the node at 0).
+ * LocalQuadric: a quadric surface over a plane, in the local frame of a node (Interface.h: lengths
+ * are in cells, the node is at 0).
  *
  *   w = c0 + c1 u + c2 v + c3 u^2 + c4 u v + c5 v^2
  */
@@ -12,13 +13,15 @@
 namespace vfm
 {
 
+/// Quadric with its base plane.
 struct LocalQuadric
 {
-  Vector3 Base;    ///< where u = v = w = 0
-  Vector3 U, V, N; ///< unit vectors; N points to the second label
-  std::array<double, 6> C{};
+  Vector3 Base;              ///< point where u = v = w = 0
+  Vector3 U, V, N;           ///< unit vectors; N points to the second label
+  std::array<double, 6> C{}; ///< c0 to c5
 };
 
+/// Returns the plane through a point with a unit normal.
 inline LocalQuadric MakeLocalPlane(const Vector3& point, const Vector3& normal)
 {
   LocalQuadric plane{ point, {}, {}, normal, {} };
@@ -26,14 +29,15 @@ inline LocalQuadric MakeLocalPlane(const Vector3& point, const Vector3& normal)
   return plane;
 }
 
-/// The tangent plane over the foot of y along N: value and slopes along U and V.
+/// Height and slopes of a quadric over the projection of a point y onto its base plane.
 struct QuadricHeight
 {
-  double U, V;           ///< of y
-  double W;              ///< of the surface there
-  double AlongU, AlongV; ///< its slopes
+  double U, V;           ///< coordinates of y
+  double W;              ///< height of the surface there
+  double AlongU, AlongV; ///< slopes of the surface there
 };
 
+/// Returns height and slopes of a surface over y.
 inline QuadricHeight HeightAt(const LocalQuadric& s, const Vector3& y)
 {
   const Vector3 r = y - s.Base;
@@ -43,7 +47,8 @@ inline QuadricHeight HeightAt(const LocalQuadric& s, const Vector3& y)
     c[1] + 2.0 * c[3] * u + c[4] * v, c[2] + c[4] * u + 2.0 * c[5] * v };
 }
 
-/// Distance to the tangent plane over y, positive on the side of the second label; gradient: its unit normal.
+/// Returns the distance of y to the tangent plane over y, positive on the side of the second label.
+/// @param[out] gradient  unit normal of that plane
 inline double DistanceTo(const LocalQuadric& s, const Vector3& y, Vector3& gradient)
 {
   const QuadricHeight h = HeightAt(s, y);
@@ -52,7 +57,8 @@ inline double DistanceTo(const LocalQuadric& s, const Vector3& y, Vector3& gradi
   return steep * (Dot(y - s.Base, s.N) - h.W);
 }
 
-/// The point of a surface near y, by so many steps of Newton; normal: unit, where the last began.
+/// Returns the point of a surface near y after a number of Newton steps.
+/// @param[out] normal  unit normal where the last step began
 inline Vector3 FootOn(const LocalQuadric& s, Vector3 y, int steps, Vector3& normal)
 {
   for (int step = 0; step < steps; ++step)
@@ -63,7 +69,7 @@ inline Vector3 FootOn(const LocalQuadric& s, Vector3 y, int steps, Vector3& norm
   return y;
 }
 
-/// The same surface with its base on it, over or under y.
+/// Returns the same surface with its base on it, over or under y.
 inline LocalQuadric Recentred(const LocalQuadric& s, const Vector3& y)
 {
   const QuadricHeight h = HeightAt(s, y);
@@ -73,7 +79,8 @@ inline LocalQuadric Recentred(const LocalQuadric& s, const Vector3& y)
   return result;
 }
 
-/// The same surface in the frame of a node from which this one's lies at `from`.
+/// Returns the same surface in the frame of another node, where the node of its own
+/// frame is at `from`.
 inline LocalQuadric Moved(LocalQuadric s, const Vector3& from)
 {
   s.Base = s.Base + from;

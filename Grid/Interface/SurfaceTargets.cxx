@@ -10,22 +10,25 @@ namespace vfm
 namespace
 {
 
-constexpr double FitRadius = 1.2;      // of the Gaussian weight, in cells
-constexpr int Rings = 2;               // of interface faces whose crossings are fitted
-constexpr double SmallestCosine = 0.2; // between the normals of a crossing and the base plane
-constexpr double LargestHeight = 1.6;  // of a crossing over the base plane
-constexpr double SmallestSlide =
-  0.1; // squared sine of the angle between quadric and side of the domain
-constexpr double LinearBeyond = 1.5; // radius from which a quadric goes on as a plane
-constexpr double StandOff = 1.0 /
-  12.0; // half of what a bend needs so that facets between nodes on it, which cut it off, keep the volume of cells here;
-// the other half is left to the shift of whole interfaces (Volumes.h). All of it moves coarse levels too far
+constexpr double FitRadius = 1.2; // radius of the Gaussian weight, in cells
+constexpr int Rings = 2;          // rings of interface faces whose crossings are fitted
+// Least cosine between the normals of a crossing and the base plane.
+constexpr double SmallestCosine = 0.2;
+constexpr double LargestHeight = 1.6; // height of a crossing over the base plane
+// Least squared sine of the angle between quadric and side of the domain.
+constexpr double SmallestSlide = 0.1;
+constexpr double LinearBeyond = 1.5; // radius beyond which a quadric continues as a plane
+// Shift of a quadric per curvature. Facets between nodes on a bend cut it off, which changes the
+// volume in the cells. This is half of the shift that preserves it; the shift of entire interfaces
+// (Volumes.h) does the rest. The full shift would move coarse levels too far.
+constexpr double StandOff = 1.0 / 12.0;
 constexpr std::array<double, 6> Tikhonov{ { 1e-6, 1e-3, 1e-3, 0.02, 0.02, 0.02 } };
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// The point of the triangle nearest to 0. Ericson (2005), Real-Time Collision Detection, 5.1.5.
+/// Returns the point of a triangle nearest to 0. Ericson, Real-Time Collision
+/// Detection, 2005, section 5.1.5.
 Vector3 NearestOfTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 ab = b - a, ac = c - a;
@@ -131,7 +134,7 @@ void SurfaceTargets::FitQuadric(
   const Interface& interface = *level.Source;
   const SurfacePoint& base = interface.Points()[point];
   const Vector3 widths = interface.NodeWidths(interface.Nodes()[node]);
-  Frame frame; // in grid coordinates of its own grid until it is stored
+  Frame frame; // uses the coordinates of its own grid until it is stored
   frame.Base = base.Point;
   frame.InverseWidths = Divided({ { 1.0, 1.0, 1.0 } }, widths);
   frame.N = Unit(Scaled(base.Normal, widths));
@@ -182,7 +185,8 @@ void SurfaceTargets::FitQuadric(
   this->Frames[level.First + point] = frame;
 }
 
-/// In grid coordinates of the finest grid. On a side of the domain it stays there.
+/// Returns the surface point of a target moved onto its quadric, in grid coordinates of the finest
+/// grid. On a side of the domain it stays there.
 Vector3 SurfaceTargets::FindCorner(const Level& level, Index node, Index point) const
 {
   const Frame& frame = this->Frames[level.First + point];

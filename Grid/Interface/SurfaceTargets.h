@@ -1,18 +1,23 @@
 /**
- * What surface nodes are drawn to: for every surface node and every pair of labels that meets there, a
- * local model of the pair's interface and the signed distance to it.
+ * SurfaceTargets: surfaces that attract surface nodes. Each surface node has, for each
+ * pair of labels that meets there, a local model of the interface of the pair and the
+ * signed distance to it.
  *
- * Quadric: w = c0 + c1 u + c2 v + c3 u^2 + c4 u v + c5 v^2 in a frame at the surface point, fitted to the
- * crossings of the pair's faces at the nodes within two rings of them; beyond 1.5 cells it continues linearly.
- * Not to surface points: those are means over tangent planes, off to one side where the surface bends, and more so
- * at a side of the domain, where all planes are on one side of the node.
- * Facets: the quads between the surface points of the pair around the node, moved onto the quadrics there, as triangles.
+ * Quadric: w = c0 + c1 u + c2 v + c3 u^2 + c4 u v + c5 v^2 in a frame at the surface point. It is
+ * fitted to the crossings of the faces of the pair within two rings of nodes, and continues
+ * linearly beyond 1.5 cells. The fit uses crossings rather than surface points, because surface
+ * points are means over tangent planes. Where the surface bends, they are off to one side, and more
+ * so at a side of the domain, where all planes are on one side of the node.
  *
- * Distances are in the node's local frame (Interface.h), where a cell is a unit cube; positive on the
- * side of the second label.
+ * Facets: the quads between the surface points of the pair around the node, moved onto the quadrics
+ * there and divided into triangles.
  *
- * Interfaces may be those of several grids, each coarser than the one after it (LevelInterfaces.h). All positions and gradients are then in
- * the grid coordinates of the last one; distances stay in cells of the target's own grid.
+ * Distances are in the local frame of the node (Interface.h), where a cell is a unit cube; positive
+ * on the side of the second label.
+ *
+ * Interfaces may belong to several grids, each coarser than the next (LevelInterfaces.h). All
+ * positions and gradients are then in grid coordinates of the last grid; distances stay in cells of
+ * the grid of the target.
  */
 #pragma once
 
@@ -23,6 +28,8 @@
 namespace vfm
 {
 
+/// Targets of all surface points, numbered like Interface::Points(), the first interface first;
+/// added targets follow. Threads may call const functions at the same time.
 class SurfaceTargets
 {
 public:
@@ -32,35 +39,43 @@ public:
     Facets
   };
 
+  /// Fits the targets of one interface; facets keep a reference to it.
   SurfaceTargets(const Interface& interface, Kind kind, Runtime& runtime);
-  /// interfaces: of grids of the same domain, the finest last; at least one. Facets need them as long as the targets.
+  /// Fits the targets of the interfaces of several grids.
+  /// @param interfaces  one or more, on grids of one domain, the finest
+  ///   last; facets keep references
   SurfaceTargets(const std::vector<const Interface*>& interfaces, Kind kind, Runtime& runtime);
 
-  /// Targets are numbered like Interface::Points(), those of the first interface first.
+  /// Returns the number of targets.
   Index Count() const { return static_cast<Index>(this->Frames.size()); }
 
-  /// Signed distance of x (grid coordinates); gradient in grid coordinates.
+  /// Returns the signed distance of x to a target.
+  /// @param x  grid coordinates
+  /// @param[out] gradient  gradient in grid coordinates
   double Distance(Index target, const Vector3& x, Vector3& gradient) const;
 
-  /// The quadric that was fitted, in the local frame of a node with such an origin and widths (grid coordinates of the finest grid).
+  /// Returns the fitted quadric in the local frame of a node.
+  /// @param origin,widths  frame of the node, in grid coordinates of the finest grid
   LocalQuadric QuadricOf(Index target, const Vector3& origin, const Vector3& widths) const;
-  /// Appends a target, the quadric as it is: fitted ones stand off a little where they bend. Returns its number. Of quadrics only.
+  /// Appends a quadric to targets of kind Quadrics and returns its number. It is used as given;
+  /// fitted quadrics are shifted a little where they bend.
   Index Add(const LocalQuadric& quadric, const Vector3& origin, const Vector3& widths);
 
-  /// The unit of Distance in grid coordinates, along the normal: distance = length * LocalScale.
+  /// Returns the number of units of Distance per unit of grid coordinates along the normal:
+  /// distance = length * LocalScale.
   double LocalScale(Index target) const;
 
 private:
   struct Level
   {
     const Interface* Source;
-    double Ratio; // of its grid coordinates to those of the finest grid
-    Index First;  // of its targets
+    double Ratio; // factor from its grid coordinates to the coordinates of the finest grid
+    Index First;  // its first target
   };
   struct Frame
   {
     Vector3 Base;          // grid coordinates of the finest grid
-    Vector3 InverseWidths; // of the node's local frame, in the same
+    Vector3 InverseWidths; // inverse widths of the node, in the same coordinates
     Vector3 U, V, N;       // unit vectors of the local frame
     std::array<double, 6> C;
   };
@@ -75,11 +90,12 @@ private:
   Kind TheKind;
   std::vector<Level> Levels;
   std::vector<Frame> Frames;
-  std::vector<std::vector<Index>> Facets; // faces of its interface around each target
-  std::vector<Vector3> Corners; // of facets: each target's surface point moved onto its quadric
+  std::vector<std::vector<Index>> Facets; // interface faces around each target
+  // Surface point of each target, moved onto its quadric; only for facets.
+  std::vector<Vector3> Corners;
 };
 
-/// The kind of targets that the options ask for.
+/// Returns the kind of targets that a smoothing method uses.
 inline SurfaceTargets::Kind KindOfTargets(const MeshSettings& options)
 {
   return options.Method == Smoothing::GeometryBased ? SurfaceTargets::Kind::Facets
