@@ -11,9 +11,9 @@ namespace vfm
 namespace
 {
 
-constexpr double SideClearance = 0.01; // of points that do not lie on a side, in cells
+constexpr double SideClearance = 0.01; // distance kept by points that are not on a side, in cells
 
-/// Grid coordinates.
+/// Returns the widths of a cell in grid coordinates.
 Vector3 CellWidths(const CartesianGrid& grid, const Index3& cell)
 {
   return (1.0 / grid.MeanWidth()) *

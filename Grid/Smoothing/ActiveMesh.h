@@ -1,11 +1,13 @@
 /**
- * ActiveMesh: the part of a mesh that smoothing moves, and the rim that it needs, as compact arrays. The cost of
- * smoothing follows the interfaces, not the volume. ActiveMeshBuilder fills it.
+ * ActiveMesh: the part of a mesh that smoothing moves, with the fixed points of its elements (the
+ * rim), as compact arrays. Smoothing therefore costs time in proportion to the interfaces, not to
+ * the volume. ActiveMeshBuilder fills it.
  *
- * A rank moves the points of the nodes it owns; those of its neighbours come from them (PointExchange.h).
+ * A rank moves the points of the nodes that it owns and receives the positions of its neighbours'
+ * points (PointExchange.h).
  *
- * The points that may move come first, by node and id. Elements come in the order of their ids, and so do sums over those of
- * a point. Coordinates are grid coordinates (Interface.h).
+ * Points that may move come first, sorted by node and id. Elements, and sums over the elements at a
+ * point, are in the order of element ids. Coordinates are grid coordinates (Interface.h).
  */
 #pragma once
 
@@ -20,49 +22,56 @@
 namespace vfm
 {
 
-/// A surface point is drawn to the target of each pair of labels that meets there.
+/// Attraction of a surface point to the target of a pair of labels that meet at it.
 struct Attachment
 {
-  Index Target;                   ///< of SurfaceTargets
-  std::array<int, 2> Fragments{}; ///< of its first and second label; 0 where not meshed
-  double Offset = 0.0; ///< by which its zero level moves to the second label; in the target's frame
-  double Weight = 1.0; ///< of its squared distance, among those of all attachments
+  Index Target; ///< number in SurfaceTargets
+  /// Fragments of the first and second label; 0 if not meshed.
+  std::array<int, 2> Fragments{};
+  /// Shift of the target's zero level towards the second label, in the target's frame.
+  double Offset = 0.0;
+  double Weight = 1.0; ///< weight of the squared distance
 };
 
-/// A position in ActiveMesh::Elements.
+/// Position in ActiveMesh::Elements.
 using CornerPosition = std::uint32_t;
 
 struct ActiveMesh
 {
-  int Corners = 8;              ///< of an element: hexes 8, numbered by bits, x first; tets 4
-  std::vector<Vector3> X;       ///< of every point
-  std::vector<Index> MeshPoint; ///< its index in the mesh
-  std::vector<int>
-    PointOf; ///< of each mesh point: its index here, or -1; may go once all is attached
-  std::vector<unsigned char> Fixed; ///< bit a: coordinate a stays
-  /// Coordinates that are not fixed stay within: where void is not meshed nothing else holds points back.
+  /// Corners per element: 8 for hexes, numbered by bits, x lowest; 4 for tets.
+  int Corners = 8;
+  std::vector<Vector3> X;       ///< position of each point
+  std::vector<Index> MeshPoint; ///< index of each point in the mesh
+  /// Index here of each mesh point, or -1; may be freed once all is attached.
+  std::vector<int> PointOf;
+  std::vector<unsigned char> Fixed; ///< bit a is set if coordinate a is fixed
+  /// Bounds of coordinates that are not fixed. Where void is not meshed, nothing else holds
+  /// points back.
   Vector3 Lower{ { -1e300, -1e300, -1e300 } }, Upper{ { 1e300, 1e300, 1e300 } };
-  std::vector<unsigned char> IsActive; ///< of every point
-  std::vector<int> Elements;           ///< Corners points an element
-  std::vector<Vector3>
-    Widths; ///< of the cell of each element, grid coordinates; one entry when all are equal
-  std::vector<float>
-    Demands; ///< of each element: the share of the quality that the energy asks for; none: 1 of all
-  std::vector<Index>
-    CornerOffset; ///< corners at a point: CornerList[CornerOffset[p] .. CornerOffset[p + 1])
-  std::vector<CornerPosition>
-    CornerList;           ///< positions in Elements, ascending; none at points that are not active
-  HexRings Rings;         ///< of hexes; Smoother finds them
-  TetStars Stars;         ///< of tets
-  MoveOrder Order;        ///< of the owned nodes
-  PointExchange Exchange; ///< of the points that move
-  std::vector<Index> AttachmentOffset; ///< of each point, as CornerOffset
+  std::vector<unsigned char> IsActive; ///< whether each point may move
+  std::vector<int> Elements;           ///< Corners points per element
+  /// Widths of the cell of each element, grid coordinates; one entry if all are equal.
+  std::vector<Vector3> Widths;
+  /// Factor of each element's target quality, up to 1; empty if all are 1.
+  std::vector<float> Demands;
+  /// Corners at point p: CornerList[CornerOffset[p]] to before CornerList[CornerOffset[p + 1]].
+  std::vector<Index> CornerOffset;
+  /// Positions in Elements, ascending; points that are not active have no entries.
+  std::vector<CornerPosition> CornerList;
+  HexRings Rings;         ///< rings of hexes, found by Smoother
+  TetStars Stars;         ///< stars of tets
+  MoveOrder Order;        ///< order of the owned nodes
+  PointExchange Exchange; ///< exchange of the points that move
+  /// First attachment of each point, like CornerOffset.
+  std::vector<Index> AttachmentOffset;
   std::vector<Attachment> Attachments;
-  /// The faces between two fragments with which volumes are measured, on one rank each; their points are those here.
+  /// Faces between two fragments by which volumes are measured, each on one rank. Their points are
+  /// indices of this mesh.
   std::vector<Facet> Facets;
-  const double* MeshPoints = nullptr; ///< the points of the mesh
-  Vector3 Origin{};                   ///< of grid coordinates
-  double Scale = 1.0;                 ///< their unit
+  /// Points of the mesh, in length units of the grid.
+  const double* MeshPoints = nullptr;
+  Vector3 Origin{};   ///< origin of grid coordinates
+  double Scale = 1.0; ///< unit of grid coordinates
 
   /// Calls visit(point) for the points that this rank moves.
   template <class Visitor>
@@ -76,7 +85,8 @@ struct ActiveMesh
       }
     }
   }
-  /// Calls visit(other) for the points of the elements at an active point; for some more than once; the point itself may be left out.
+  /// Calls visit(other) for the points of the elements at an active point. Some are visited more
+  /// than once; the point itself may be left out.
   template <class Visitor>
   void ForAround(int point, const Visitor& visit) const
   {
@@ -104,7 +114,7 @@ struct ActiveMesh
   {
     return this->Widths[this->Widths.size() == 1 ? 0 : position / this->Corners];
   }
-  /// Whether all cells are cubes of one size.
+  /// Returns whether all cells are cubes of equal size.
   bool HasCubes() const
   {
     const Vector3& widths = this->Widths[0];
@@ -115,24 +125,25 @@ struct ActiveMesh
   {
     return this->Demands.empty() ? 1.0 : this->Demands[position / this->Corners];
   }
-  /// Fills X, Fixed, Lower and Upper: the points are where the mesh has them, and stay on the sides of the domain or a little
-  /// inside of them. Keeps a pointer to the points of the mesh.
+  /// Fills X, Fixed, Lower and Upper from the positions in the mesh. Points on sides of the domain
+  /// stay there; all others stay 0.01 cells inside. Keeps a pointer to the points of the mesh.
   void PlacePoints(const CartesianGrid& grid, const Mesh& mesh);
-  /// Where the mesh has a point.
+  /// Returns the position of a point in the mesh, grid coordinates.
   Vector3 StartOf(int point) const
   {
     const double* start = this->MeshPoints + 3 * this->MeshPoint[point];
     return { { (start[0] - this->Origin[0]) / this->Scale,
       (start[1] - this->Origin[1]) / this->Scale, (start[2] - this->Origin[2]) / this->Scale } };
   }
-  /// Fills CornerOffset and CornerList from Elements.
+  /// Fills CornerOffset, CornerList and Stars from Elements.
+  /// @throws InputError  if this rank has more corners than 32 bits can number
   void ListCorners();
-  /// Of each point of the mesh: whether it is active.
+  /// Returns whether each point of the mesh is active.
   std::vector<unsigned char> ListMoved(const Mesh& mesh) const
   {
     return this->OfMesh(this->IsActive, mesh);
   }
-  /// Values of the points here as those of the points of the mesh, T() of the others.
+  /// Returns values of the points here as values of all mesh points; T() for the others.
   template <class T>
   std::vector<T> OfMesh(const std::vector<T>& values, const Mesh& mesh) const
   {
@@ -143,24 +154,28 @@ struct ActiveMesh
     }
     return all;
   }
-  /// Writes the coordinates of the active points back into the mesh; those that did not change stay untouched, on all ranks alike.
+  /// Writes the coordinates of the active points to the mesh. Unchanged coordinates are not
+  /// written, so they stay bitwise identical on all ranks.
   void CopyTo(Mesh& mesh, const CartesianGrid& grid) const;
 };
 
-/// Bit f set when a point (length units of the grid) lies on side f of the domain.
+/// Returns the sides of the domain on which a point lies: bit f is set for side f.
+/// @param point  length units of the grid
 int FindDomainSides(const CartesianGrid& grid, const double* point);
-/// ActiveMesh::Fixed of a point on such sides.
+/// Returns ActiveMesh::Fixed of a point on these sides of the domain.
 unsigned char FixedOnSides(int sides);
 
-/// Grid coordinates of a point in length units of the grid.
+/// Converts a point from length units of the grid to grid coordinates.
 Vector3 ToGrid(const CartesianGrid& grid, const double* point);
 
-/// Whether all cells have the same widths.
+/// Returns whether all cells have equal widths along each axis, within 1e-9.
 bool IsUniform(const CartesianGrid& grid);
-/// ActiveMesh::Widths of elements of finest cells.
+/// Returns ActiveMesh::Widths of elements that were made in finest cells.
+/// @param elements  indices in the mesh
 std::vector<Vector3> WidthsOfCells(
   const CartesianGrid& grid, const Mesh& mesh, const std::vector<Index>& elements);
-/// The same of hexes of any level: of the cell that each is or lies in.
+/// Returns ActiveMesh::Widths of hexes of any level: widths of the cell that each hex is or
+/// lies in.
 std::vector<Vector3> WidthsOfHexes(
   const RefinedGrid& levels, const Mesh& mesh, const std::vector<Index>& hexes);
 

@@ -43,7 +43,7 @@ std::vector<Index> ActiveMeshBuilder::AddAround(const Mesh& mesh)
   return elements;
 }
 
-/// Of the owned movers alone: only they move here.
+/// Lists the nodes of the owned movers, because only they move on this rank.
 std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* partition) const
 {
   std::vector<MoveOrder::Node> nodes;
@@ -63,7 +63,7 @@ std::vector<MoveOrder::Node> ActiveMeshBuilder::ListNodes(const Partition* parti
   return nodes;
 }
 
-/// Movers of other ranks wake those here that share an element with them; most do with none.
+/// Requests the flags only of ghost movers that share an element with an owned mover; most do not.
 void ActiveMeshBuilder::RequestFlags(const std::vector<MoveOrder::Node>& nodes)
 {
   const ActiveMesh& mesh = this->Result;

@@ -1,7 +1,6 @@
 /**
- * ActiveMeshBuilder: makes an ActiveMesh of the points that move and the elements that are known of them.
- *
- * Widths of elements and places of points are given to the result, and what it is attached to.
+ * ActiveMeshBuilder: assembles an ActiveMesh from the points that may move and their elements. The
+ * caller adds widths of elements, positions of points and attachments to the result.
  */
 #pragma once
 
@@ -14,29 +13,38 @@ namespace vfm
 class ActiveMeshBuilder
 {
 public:
-  /// corners: of an element. points: how many the mesh has. Points of one node share their owner and colour; those of different
-  /// nodes and one colour share no element.
+  /// Starts with the movers and no elements.
+  /// @param corners  number of points per element: 8 for hexes, 4 for tets
+  /// @param points  number of points of the mesh
+  /// @param movers  points that may move, owned or ghost. Points of one node share their owner and
+  /// colour; points of different nodes with one colour share no element.
   ActiveMeshBuilder(int corners, std::size_t points, std::vector<Mover> movers);
 
-  /// Whether an element, given by its points in the mesh, has a mover.
+  /// Returns whether an element has a mover.
+  /// @param element  its points in the mesh
   template <class Point>
   bool HasMover(const Point* element) const;
 
-  /// Adds an element of the mesh (VTK order), and those of its points that are new.
+  /// Adds an element of the mesh, and its points that are new.
+  /// @param element  its points in the mesh, VTK order
   template <class Point>
   void Add(const Point* element);
 
-  /// Adds the elements of a mesh that have a mover; returns them.
+  /// Adds the elements of a mesh that have a mover; returns their indices.
   std::vector<Index> AddAround(const Mesh& mesh);
 
-  /// What the nodes of movers are.
+  /// Kind of the nodes of movers.
   enum class Nodes
   {
     Any,
-    OfGrid ///< Mover::Owner itself, its colour the parity; those that share an element are at most one apart along each axis
+    /// Mover::Owner is the node and its parity the colour. Nodes that share an element are at most
+    /// one apart along each axis.
+    OfGrid
   };
-  /// All but widths and places. partition: null where no rank shares the points. colours: as many on all ranks. Collective
-  /// among peers.
+  /// Returns the mesh, complete except for widths, positions and attachments.
+  /// @param partition  nullptr if ranks share no points
+  /// @param colours  number of colours, equal on all ranks
+  /// @pre Collective among the ranks that share movers.
   ActiveMesh Finish(const Partition* partition, int colours = 8, Nodes which = Nodes::Any);
 
 private:

@@ -9,9 +9,9 @@ namespace vfm
 namespace
 {
 
-constexpr Index PointsOfBlock = 1024; // that are attached by one thread
+constexpr Index PointsOfBlock = 1024; // points per task
 
-/// A pair of labels that meets at a point, the smaller first, and the fragments there.
+/// Pair of labels that meet at a point, the smaller first, and their fragments there.
 struct Pair
 {
   std::array<int, 2> Labels, Fragments;
@@ -33,7 +33,7 @@ Pair PairOf(const Facet& facet)
   return pair;
 }
 
-/// Calls visit(point) for the points of a facet of an interface that move.
+/// Calls visit(point) for the active points of a facet, if it is on an interface.
 template <class Visitor>
 void ForMoving(const Facet& facet, const ActiveMesh& active, const Visitor& visit)
 {
@@ -48,7 +48,7 @@ void ForMoving(const Facet& facet, const ActiveMesh& active, const Visitor& visi
   }
 }
 
-/// The facets at each point that moves.
+/// Returns the facets at each active point.
 Groups<int> FindFacetsAt(const std::vector<Facet>& facets, const ActiveMesh& active)
 {
   return MakeGroups<int>(active.X.size(),
@@ -61,7 +61,7 @@ Groups<int> FindFacetsAt(const std::vector<Facet>& facets, const ActiveMesh& act
     });
 }
 
-/// The distinct pairs of labels of some facets, ascending, each with its smallest fragments.
+/// Finds the distinct pairs of labels of some facets, ascending, each with its smallest fragments.
 void FindPairs(
   const std::vector<Facet>& facets, const int* begin, const int* end, std::vector<Pair>& pairs)
 {
@@ -106,7 +106,7 @@ void AttachToFacets(const std::vector<Facet>& facets, const FindTarget& findTarg
   active.Attachments = Joined(found);
 }
 
-/// Those between the same fragments in a row, so that their sums are few.
+/// Stores facets between the same fragments in sequence, so that Measure needs few sums.
 void SetFacets(const std::vector<Facet>& facets, ActiveMesh& active)
 {
   std::vector<int> measured;

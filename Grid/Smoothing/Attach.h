@@ -1,5 +1,6 @@
 /**
- * Ties an active mesh to its interfaces: which targets its points are drawn to, and the facets that volumes are measured with.
+ * Attaches the points of an active mesh to the targets of its interfaces, and lists the facets by
+ * which volumes are measured.
  */
 #pragma once
 
@@ -12,12 +13,13 @@
 namespace vfm
 {
 
-/// The target (SurfaceTargets) of a pair of labels, the smaller first, at a point of an active mesh; -1: none, the point stays free of
-/// that pair.
+/// Returns the target (SurfaceTargets) of a pair of labels, the smaller first, at a point of an
+/// active mesh; -1 if the point has no target for this pair.
 using FindTarget = std::function<Index(int point, const std::array<int, 2>& labels)>;
 
-/// Draws the points that move to the target of each pair of labels whose interface has a facet there. findTarget: may be called by several
-/// threads at once.
+/// Attaches the active points to the target of each pair of labels whose interface has a
+/// facet there.
+/// @param findTarget  is called by several threads at once
 void AttachToFacets(const std::vector<Facet>& facets, const FindTarget& findTarget,
   Runtime& runtime, ActiveMesh& active);
 

@@ -5,7 +5,8 @@ namespace vfm
 namespace
 {
 
-constexpr float SmallestDemand = 0.86f; // at hexes of acute edges, which they cannot fill well
+constexpr float SmallestDemand =
+  0.86f; // target of hexes at acute edges, which they cannot fill well
 
 SurfacePairs ListPairs(
   const InterfaceFeatures& features, const Mesh& mesh, const ActiveMesh& active)
@@ -31,7 +32,7 @@ SurfacePairs ListPairs(
   return pairs;
 }
 
-/// Replaces the attachments of pairs that are drawn to creases.
+/// Replaces the attachments of the pairs that are attracted to sharp features.
 void Rewrite(const std::vector<FeaturePull>& pulls, ActiveMesh& active)
 {
   std::vector<Attachment> attachments;
@@ -55,7 +56,8 @@ void Rewrite(const std::vector<FeaturePull>& pulls, ActiveMesh& active)
   active.AttachmentOffset.swap(offsets);
 }
 
-/// Asks less of the hexes at acute edges. bluntness: of each point.
+/// Lowers the target quality of the hexes at acute edges.
+/// @param bluntness  value of each point
 void SetDemands(std::vector<float> bluntness, ActiveMesh& active)
 {
   active.Exchange.SendAll([&](int mover) { return bluntness[mover]; },
@@ -85,7 +87,7 @@ std::vector<FeatureKind> AttachFeatures(const InterfaceFeatures& features,
   FeaturePulls pulls =
     PullToFeatures(features, ListPairs(features, mesh, active), facets, targets, runtime);
   Rewrite(pulls.OfPairs, active);
-  if (active.Corners == 8) // tets come near enough
+  if (active.Corners == 8) // tets fill acute edges well enough
   {
     SetDemands(std::move(pulls.Bluntness), active);
   }

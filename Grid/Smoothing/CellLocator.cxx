@@ -7,7 +7,8 @@
 namespace vfm
 {
 
-/// Looks at the leaves around one. Only those that touch it count: of other ranks' cells no more may be known here.
+/// Searches the leaves around one. Only leaves that touch it count, because this rank may not know
+/// cells of other ranks beyond them.
 class CellLocator::Search
 {
 public:
@@ -32,7 +33,7 @@ public:
   }
 
 private:
-  /// A cell as large as the leaf, or a part of it.
+  /// Visits a cell as large as the leaf, or its parts down to the leaves.
   void Visit(int level, const Index3& cell)
   {
     const RefinedGrid& levels = this->Locator.Levels;
@@ -63,7 +64,8 @@ private:
     return touches;
   }
 
-  /// All cells of the box are alike; some lie in HexBox, since the leaf is owned.
+  /// Compares a leaf with the best one so far. All its cells have one label and fragment; some are
+  /// in HexBox, because the searched leaf is owned.
   void Compare(const IndexBox& box)
   {
     const Index3 cell = Intersect(box, this->HexBox).Lower;
@@ -71,7 +73,7 @@ private:
     {
       return;
     }
-    Index distance = 0; // of the centres, in quarters of a squared cell
+    Index distance = 0; // squared distance of the centres, in half cells
     for (int a = 0; a < 3; ++a)
     {
       const Index d = box.Lower[a] + box.Upper[a] - this->LeafBox.Lower[a] - this->LeafBox.Upper[a];

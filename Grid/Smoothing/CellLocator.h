@@ -1,5 +1,6 @@
 /**
- * To which fragment the material in a cell belongs, where fragments are made of cells or of leaves of a refined grid.
+ * CellLocator: finds the fragment of the material in a cell, for fragments that consist of cells or
+ * of leaves of a refined grid.
  */
 #pragma once
 
@@ -9,7 +10,8 @@
 namespace vfm
 {
 
-/// Looks at the cells around a cell. Where interfaces cross levels: at the leaves that touch the leaf of the cell.
+/// Searches the cells around a cell. If interfaces cross levels, it searches the leaves that touch
+/// the leaf of the cell. Refers to all arguments of the constructor; thread safe.
 class CellLocator : public FragmentLocator
 {
 public:
@@ -21,8 +23,10 @@ public:
   {
     this->Pieces.ForRuns(j, k, body);
   }
-  /// Of an owned cell. Looks at the cells around its leaf, of the level of that leaf, and in refined ones at the leaves that touch
-  /// it. Of those with the material the one whose centre is nearest to that of the leaf counts; of equal ones the first, x fastest.
+  /// Returns the fragment of a material near an owned cell, or 0. Candidates are the cells around
+  /// its leaf on the level of that leaf, or their leaves that touch it if they are refined. The
+  /// candidate whose centre is nearest to the centre of the leaf counts; of equally near ones the
+  /// first, x fastest.
   int FindNear(const Index3& cell, int material) const override;
 
 private:

@@ -1,6 +1,6 @@
 /**
- * The energy that smoothing minimises, as a function of one point of the mesh: a barrier against bad elements.
- * HexEnergy and TetEnergy give it.
+ * ElementEnergy: the barrier energy against poor elements that smoothing minimises, as a function
+ * of one point of the mesh. HexEnergy, TetEnergy and UntangleEnergy implement it.
  */
 #pragma once
 
@@ -9,30 +9,36 @@
 namespace vfm
 {
 
-/// How far points step, and after which steps their neighbours are looked at again.
+/// Step lengths, and the steps after which the neighbours of a point are visited again.
 struct SmoothingPace
 {
-  double Relaxation = 1.0;       ///< factor of Newton steps, tried first
-  double LongestStretch = 1.0;   ///< their largest factor where the barrier rules
-  double MoveThatCounts = 0.005; ///< shorter steps, in cells, wake no neighbour
-  double FallThatCounts = 0.0;   ///< nor do those by which the energy at the point falls by less,
-  double PartThatCounts = 0.0;   ///< together with this part of that energy
+  /// Factor of Newton steps that is tried first.
+  double Relaxation = 1.0;
+  /// Largest factor of Newton steps where the barrier dominates.
+  double LongestStretch = 1.0;
+  /// Shorter steps, in cells, do not mark the neighbours.
+  double MoveThatCounts = 0.005;
+  /// Steps mark the neighbours only if they lower the energy at the point by at least
+  /// FallThatCounts + PartThatCounts * energy.
+  double FallThatCounts = 0.0;
+  double PartThatCounts = 0.0;
 };
 
-/// One stage of the ramp from a soft to a hard barrier.
+/// Stage of the ramp from a soft to a hard barrier.
 struct SmoothingStage
 {
   int HalfPower; ///< p / 2 of the barrier, a power of two
   double Lambda; ///< weight of the squared distances
   double Omega;  ///< weight of the shape term
   int Sweeps;
-  double SmallestMove; ///< ends the stage when no point moved farther, in cells; 0: all sweeps
+  /// The stage ends when no point moved farther, in cells; 0: all sweeps run.
+  double SmallestMove;
   SmoothingPace Pace{};
 };
 
 using SmoothingRamp = std::vector<SmoothingStage>;
 
-/// Derivatives of an energy in one point: value, gradient, Hessian (xx yy zz xy xz yz).
+/// Value, gradient and Hessian (xx yy zz xy xz yz) of an energy with respect to one point.
 struct Derivatives
 {
   double Value = 0.0;
@@ -40,23 +46,25 @@ struct Derivatives
   std::array<double, 6> Hessian{ { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 } };
 };
 
-/// The energy where an element is not positive.
+/// Energy at positions where an element is not positive.
 constexpr double InvalidEnergy = 1e300;
 
 class ElementEnergy
 {
 public:
   virtual ~ElementEnergy() = default;
-  /// Of the elements at an active point when it stands at x.
+  /// Returns the energy of the elements at an active point for position x.
   virtual double Evaluate(
     const ActiveMesh& mesh, int point, const Vector3& x, const SmoothingStage& stage) const = 0;
-  /// The same at its present place, with derivatives. There the elements must be positive.
+  /// Returns the energy and its derivatives for the current position of an active point.
+  /// @pre The elements at the point are positive.
   virtual Derivatives Differentiate(
     const ActiveMesh& mesh, int point, const SmoothingStage& stage) const = 0;
 
-  /// What moves must keep although the energy does not see it. Of all elements on this rank.
+  /// Returns whether the elements of this rank meet the conditions that the energy does
+  /// not contain.
   virtual bool IsKept(const ActiveMesh&, Runtime&) const { return true; }
-  /// Of those at a point, when it stands at x.
+  /// Returns whether the elements at a point meet these conditions for position x.
   virtual bool KeepsAt(const ActiveMesh&, int, const Vector3&) const { return true; }
 };
 

@@ -11,9 +11,10 @@ namespace
 
 constexpr double LeastCoefficient = 1e-6; // in cell volumes
 
-using Corners = std::array<const double*, 8>; // of a hex, by bits
+using Corners = std::array<const double*, 8>; // corners of a hex, by bits
 
-/// The four edges along each axis. Lanes: along x by the bits (z, y) of their ends, along y by (z, x), along z by (x, y).
+/// Four edges along each axis. Lanes: bits (z, y) of the position for edges along x, (z, x) for
+/// edges along y, (x, y) for edges along z.
 struct Edges
 {
   Lanes3 X, Y, Z;
@@ -49,12 +50,14 @@ VFM_INLINE Edges MakeEdges(const Corners& c)
   return e;
 }
 
-/// The Jacobian of a trilinear hex is the sum of all products dx . (dy x dz) of three of its edges, one along each axis.
-/// An edge has a position, 0 or 1, along each of the two other axes. The sums of these, along each axis of two edges, are the
-/// indices of the coefficient to which the product adds: 0, 1 or 2 along each axis, 27 in all. Lanes: of the edges along z.
+/// Products dx . (dy x dz) of three edges of a hex, one along each axis. An edge has a position, 0
+/// or 1, along each of the two other axes. Along each axis, the sum of the positions of two edges,
+/// 0, 1 or 2, is an index of the coefficient to which the product contributes. There are 27
+/// coefficients. Lanes: edges along z.
 struct EdgeProducts
 {
-  /// By the position of the y edge along x, of the x edge along y, and the sum of both along z.
+  /// Indices: position of the y edge along x, position of the x edge along y, sum of the positions
+  /// of both along z.
   Lanes Of[2][2][3];
 };
 
@@ -66,7 +69,8 @@ VFM_INLINE Lanes3 SplatLane(const Lanes3& a)
     __builtin_shuffle(a.Z, Lane) };
 }
 
-/// Of the y edges at a position along x, the first below the second: both with all x and z edges.
+/// Computes the products of two y edges at one position along x, low and high along z, with all x
+/// and z edges.
 VFM_INLINE void AddProducts(
   const Edges& edges, const Lanes3& low, const Lanes3& high, Lanes products[2][3])
 {
@@ -94,7 +98,7 @@ VFM_INLINE Lanes MinOf(const Lanes& a, const Lanes& b)
   return a < b ? a : b;
 }
 
-/// No coefficient is smaller.
+/// Returns a lower bound of all coefficients.
 VFM_INLINE double BoundOf(const EdgeProducts& products)
 {
   Lanes least = products.Of[0][0][0];
@@ -135,7 +139,7 @@ VFM_INLINE Corners CornersOf(const ActiveMesh& mesh, Index firstPosition)
   return corners;
 }
 
-/// What the coefficients of the hex at a position must exceed.
+/// Returns the value that the coefficients of the hex at a position must exceed.
 VFM_INLINE double LeastAt(const ActiveMesh& mesh, Index position)
 {
   const Vector3& widths = mesh.WidthsAt(position);
@@ -161,7 +165,7 @@ bool HexesExceed(const ActiveMesh& mesh, Index first, Index last)
   return true;
 }
 
-/// The smallest coefficient of the hex at a position of the corner list.
+/// Returns the smallest coefficient of the hex at a position of the corner list.
 VFM_INLINE double SmallestAt(const ActiveMesh& mesh, Index position)
 {
   return SmallestOf(MakeProducts(MakeEdges(CornersOf(mesh, position & ~7))));

@@ -1,6 +1,7 @@
 /**
- * The 27 Bernstein coefficients of the Jacobian of a trilinear hex, a polynomial of degree two along each axis: where all are
- * positive the hex is positive throughout, not at its corners alone.
+ * HexCoefficients: the 27 Bernstein coefficients of the Jacobian of a trilinear hex, a polynomial
+ * of degree two along each axis. If all are positive, the Jacobian is positive in the whole hex,
+ * not only at its corners.
  */
 #pragma once
 
@@ -9,13 +10,15 @@
 namespace vfm
 {
 
-/// The smallest coefficient of a hex, its corners by bits: nowhere in the hex is the Jacobian smaller.
+/// Returns the smallest coefficient of a hex, a lower bound of the Jacobian in it.
+/// @param corners  numbered by bits
 double SmallestCoefficient(const std::array<Vector3, 8>& corners);
 
-/// Whether all coefficients of all hexes are larger than 1e-6 cell volumes.
+/// Returns whether all coefficients of all hexes on this rank exceed 1e-6 cell volumes.
 bool HavePositiveCoefficients(const ActiveMesh& mesh, Runtime& runtime);
 
-/// Whether the hexes at a point have such coefficients, or none smaller than now, when the point stands at x.
+/// Returns whether the coefficients of each hex at a point, moved to x, exceed 1e-6 cell volumes or
+/// are not smaller than the smallest one at its current position.
 bool KeepPositiveCoefficients(const ActiveMesh& mesh, int point, const Vector3& x);
 
 } // namespace vfm

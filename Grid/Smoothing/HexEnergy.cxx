@@ -7,15 +7,15 @@ namespace vfm
 namespace
 {
 
-constexpr double SmallestDeterminant = 1e-9; // of a corner, in cell volumes
-// Where floats do: with determinants and an energy like these, what they round is far below what a step gains.
+constexpr double SmallestDeterminant = 1e-9; // smallest determinant of a corner, in cell volumes
+// Limits of float precision. Within them, rounding errors are far below the gain of a step.
 constexpr float SmallestInFloat = 1e-2f;
 constexpr double LargestInFloat = 1e4;
 
 constexpr int Next[3] = { 1, 2, 0 };
 constexpr int Previous[3] = { 2, 0, 1 };
 
-/// A corner of each hex that depends on the point.
+/// One corner per hex that depends on the point.
 template <class Real>
 struct Corner
 {
@@ -39,7 +39,7 @@ VFM_INLINE ArmLengths<Real> MeasureArms(const Hexes<Real>& h)
   return { { Dot(h.Arm[0], h.Arm[0]), Dot(h.Arm[1], h.Arm[1]), Dot(h.Arm[2], h.Arm[2]) } };
 }
 
-/// The corner at the other end of arm k.
+/// Returns the corner at the far end of arm k.
 template <class Real>
 VFM_INLINE Corner<Real> EndCorner(const Hexes<Real>& h, const ArmLengths<Real>& l, int k)
 {
@@ -74,7 +74,7 @@ VFM_INLINE L Power(L a, int half)
   return a;
 }
 
-/// The terms of the energy at a corner.
+/// Terms of the energy at a corner.
 template <class Real>
 struct Terms
 {
@@ -92,7 +92,7 @@ VFM_INLINE Terms<Real> ComputeTerms(const Corner<Real>& c, const Hexes<Real>& h,
   return t;
 }
 
-/// The terms of both ends of arm k.
+/// Returns the edge terms of both ends of arm k.
 template <class Real>
 VFM_INLINE LanesOf<Real> ComputeEdge(
   const Hexes<Real>& h, const LanesOf<Real>& inverseLength, int k)
@@ -108,7 +108,7 @@ VFM_INLINE L Least(const L& a, const L& b)
   return a < b ? a : b;
 }
 
-/// A sum over hexes, and the smallest determinant of their corners in cell volumes.
+/// Sum over hexes, and the smallest determinant of their corners in cell volumes.
 template <class Real>
 struct Barrier
 {
@@ -133,12 +133,14 @@ VFM_INLINE void AddValue(Barrier<Real>& sum, const Hexes<Real>& h, int halfPower
   sum.Least = Least(sum.Least, least * h.InverseVolume);
 }
 
-// Derivatives of the logarithms of the terms of a corner:
+// Derivatives of the logarithms of the terms of a corner, with e the edges that move:
 //   1/SJ:  gradient A - C, Hessian sum_e (I - 2 e e^T / l) / l + C C^T
 //   shape: gradient B - C, Hessian 3 k_e I / W - (2/3) B B^T + C C^T
-// with e the edges that move, A = sum e / l, B = 1.5 grad W / W, C = grad D / D = -n, n = Normal / D.
+//   A = sum e / l, B = 1.5 grad W / W, C = grad D / D = -n, n = Normal / D
 
-/// Adds those of the point's own corner but for what belongs to each arm alone; beta: of each arm, 3 k / W.
+/// Adds the derivatives at the point's own corner, except for the parts that depend on one
+/// arm only.
+/// @param beta  3 k / W of each arm
 template <class Real>
 VFM_INLINE void AddOwnCorner(DerivativeSums<Real>& d, const Hexes<Real>& h, const Corner<Real>& own,
   const Terms<Real>& t, const LanesOf<Real> (&inverse)[3], const LanesOf<Real> (&beta)[3], Real p)
@@ -158,8 +160,8 @@ VFM_INLINE void AddOwnCorner(DerivativeSums<Real>& d, const Hexes<Real>& h, cons
   d.AddOuter(pfa, a, Times<Real>(t.Shape * Real(1.0 / 3.0), b), b);
 }
 
-/// Adds value, gradient and Hessian. At the other end of an arm A and B are along it, so three coefficients of products of the arm and n
-/// hold all.
+/// Adds value, gradient and Hessian. At the far end of an arm, A and B are along the arm, so three
+/// coefficients of products of the arm and n represent the Hessian.
 template <class Real>
 VFM_INLINE void AddDerivatives(
   Barrier<Real>& sum, DerivativeSums<Real>& d, const Hexes<Real>& h, int halfPower)

@@ -11,10 +11,10 @@ namespace vfm
 namespace
 {
 
-// HexRings::Hex::Ends of corner 0, also with the first two axes exchanged.
+// HexRings::Hex::Ends of corner 0, in order and with the first two axes exchanged.
 constexpr int Ends[2][6] = { { 1, 2, 4, 3, 6, 5 }, { 2, 1, 4, 3, 5, 6 } };
 
-/// Numbers the points of one ring after another.
+/// Numbers the points of a ring; reused for one ring after another.
 class RingNumbers
 {
 public:
@@ -43,7 +43,7 @@ public:
     return slot.Number;
   }
 
-  std::vector<int> Points; // of the ring
+  std::vector<int> Points; // points of the ring
 
 private:
   static constexpr std::size_t Slots = 1024;
@@ -52,11 +52,13 @@ private:
     int Center, Point;
     std::uint8_t Number;
   };
-  std::vector<Slot> Seen = std::vector<Slot>(Slots, { -1, -1, 0 }); // of the last ring that came by
+  // Hash table; an entry with another centre is free.
+  std::vector<Slot> Seen = std::vector<Slot>(Slots, { -1, -1, 0 });
   int Center = -1;
 };
 
-/// Whether the edges at a corner of a hex, along its axes, form a left-handed frame: an odd number of bits.
+/// Returns whether the edges at a corner of a hex, along its axes, form a left-handed frame. It
+/// does if its number has an odd number of bits.
 bool IsLeftHanded(int corner)
 {
   return 0x96 >> corner & 1;
@@ -64,7 +66,7 @@ bool IsLeftHanded(int corner)
 
 using HexList = std::vector<HexRings::Hex>;
 
-/// Numbers lists of hexes, those that are alike once.
+/// Numbers the distinct lists of hexes.
 class ListNumbers
 {
 public:
@@ -90,7 +92,7 @@ private:
 
 } // namespace
 
-/// Finds the rings of a block of points. Places::Hexes are numbers of its lists.
+/// Finds the rings of a block of points. Place::Hexes is the number of a list of the block.
 class HexRings::Finder
 {
 public:
@@ -109,7 +111,7 @@ public:
       points.insert(points.end(), this->Ring.Points.begin(), this->Ring.Points.end());
     }
     this->Result.Places.push_back({ static_cast<std::uint32_t>(points.size()), 0, 0 });
-    this->Result.Points.assign(points.begin(), points.end()); // no larger than need be
+    this->Result.Points.assign(points.begin(), points.end()); // copied to drop spare capacity
     return std::move(this->Numbers.Lists);
   }
 
@@ -144,7 +146,7 @@ private:
   const ActiveMesh& Mesh;
   Block& Result;
   RingNumbers Ring;
-  std::size_t Near = 0; // points of the ring
+  std::size_t Near = 0; // points of the ring before the far corners
   HexList List;
   ListNumbers Numbers;
 };
@@ -154,7 +156,7 @@ HexRings::HexRings(const ActiveMesh& mesh, Runtime& runtime)
   Index count = static_cast<Index>(mesh.CornerOffset.size()) - 1;
   while (count > 0 && mesh.CornerOffset[count - 1] == mesh.CornerOffset[count])
   {
-    --count; // the rim
+    --count; // points of the rim
   }
   this->Blocks.resize((count + PointsOfBlock - 1) / PointsOfBlock);
   std::vector<std::vector<HexList>> lists(this->Blocks.size());
@@ -166,7 +168,7 @@ HexRings::HexRings(const ActiveMesh& mesh, Runtime& runtime)
         Finder(mesh, this->Blocks[b]).Find(static_cast<int>(first), static_cast<int>(last));
     });
   ListNumbers numbers;
-  std::vector<std::uint32_t> begins; // of the lists in Hexes
+  std::vector<std::uint32_t> begins; // first hex of each list
   for (std::size_t b = 0; b < lists.size(); ++b)
   {
     std::vector<std::uint32_t> beginOf;

@@ -1,9 +1,9 @@
 /**
- * What the active points of hexes see of them, in the order in which the energy reads it: the points around each, once each, and its
- * hexes as numbers of these.
+ * HexRings: lists the points around each active point of a hex mesh once each, and the hexes at the
+ * point as indices of this list, in the order in which HexEnergy reads them.
  *
- * Most points see the same: the hexes of a star of cells in the same order. So these numbers are kept once for all points that share
- * them.
+ * Most points have the hexes of an equal star of cells in equal order. Such lists of indices are
+ * stored once for all points that share them.
  */
 #pragma once
 
@@ -19,10 +19,12 @@ struct ActiveMesh;
 class HexRings
 {
 public:
-  /// A hex at a point. Its axes are those of the hex, the first two exchanged where that makes its edges a right-handed frame.
+  /// Hex at a point, with the axes of the hex. The first two axes are exchanged if that makes the
+  /// edges at the point a right-handed frame.
   struct Hex
   {
-    /// In the ring: the other ends of the edges along the axes, then the far corners of the faces along axes 0 and 1, 1 and 2, 2 and 0.
+    /// Indices in the ring: far ends of the edges along axes 0, 1, 2, then far corners of the faces
+    /// along axes 0 and 1, 1 and 2, 2 and 0.
     std::array<std::uint8_t, 6> Ends;
     std::uint8_t IsExchanged;
   };
@@ -30,11 +32,12 @@ public:
   static constexpr int LargestRing = 256;
 
   HexRings() = default;
-  /// Of a mesh of hexes whose corners are listed.
+  /// Finds the rings of all active points.
+  /// @pre The corners of the mesh are listed (ActiveMesh::ListCorners).
   HexRings(const ActiveMesh& mesh, Runtime& runtime);
 
   bool IsEmpty() const { return this->Blocks.empty(); }
-  /// The points around an active point; those from Near on are the far corners of its hexes alone.
+  /// Points around an active point. From Near on, they are only far corners of its hexes.
   struct Ring
   {
     const int *First, *Near, *Last;
@@ -47,7 +50,7 @@ public:
     return { points + place.First, points + place.Near,
       points + block.Places[point % PointsOfBlock + 1].First };
   }
-  /// As many as in ActiveMesh::CornerList, in its order.
+  /// Returns the hexes at an active point, in number and order of ActiveMesh::CornerList.
   const Hex* HexesAt(int point) const
   {
     return this->Hexes.data() +
@@ -56,14 +59,14 @@ public:
 
 private:
   static constexpr int PointsOfBlock = 2048;
-  /// Of a point in its block, and of its hexes among all.
+  /// Offsets of a point: in the points of its block, and of its hexes among all.
   struct Place
   {
     std::uint32_t First, Near, Hexes;
   };
   struct Block
   {
-    std::vector<Place> Places; // and the end
+    std::vector<Place> Places; // one per point, and the end
     std::vector<int> Points;
   };
   class Finder;

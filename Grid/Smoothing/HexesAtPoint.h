@@ -1,5 +1,6 @@
 /**
- * The hexes at a point as HexEnergy computes with them: several side by side, in floats or doubles. For its source alone.
+ * HexesAtPoint: the hexes at a point in SIMD lanes of floats or doubles. Only HexEnergy.cxx
+ * includes it.
  */
 #pragma once
 
@@ -18,19 +19,20 @@ struct BarrierWeights
   double Shape;  // omega
 };
 
-/// Hexes seen from a point, in right-handed axes: one a lane. Of lanes too many the weights are 0.
+/// Hexes relative to a point, in right-handed axes, one per lane. Weights are 0 in unused lanes.
 template <class Real>
 struct Hexes
 {
   using L = LanesOf<Real>;
-  VectorLanes<Real> Arm[3];      // k: to the other end of the edge along axis k of the hex
+  VectorLanes<Real> Arm[3];      // k: to the far end of the edge along axis k of the hex
   VectorLanes<Real> Diagonal[3]; // k: to the far corner of the face along axes k and k + 1
   L Target, Shape;               // s*^2; omega times the volume of the cell
-  L Scale[3], Edge[3];           // of the cell, along each axis: 1 / width^2, (l* width)^2
-  L InverseVolume;               // of the cell
+  // 1 / width^2 and (l* width)^2 of the cell, per axis.
+  L Scale[3], Edge[3];
+  L InverseVolume; // inverse volume of the cell
 };
 
-/// The hexes at an active point, as they are seen from a place, which need not be its own.
+/// Hexes at an active point relative to a position x, which may differ from its current position.
 template <class Real>
 class HexesAtPoint
 {
@@ -59,7 +61,7 @@ private:
   VFM_INLINE void SetCubes(Hexes<Real>& h, const L& isThere, const BarrierWeights& weights) const;
   VFM_INLINE void SetBoxes(
     Hexes<Real>& h, int first, const L& isThere, const BarrierWeights& weights) const;
-  /// Which hex stands in a lane.
+  /// Returns the index of the hex in a lane; unused lanes repeat the last hex.
   int HexAt(int first, int lane) const { return std::min(first + lane, this->Number - 1); }
 
   const ActiveMesh& TheMesh;
@@ -105,7 +107,7 @@ VFM_INLINE void HexesAtPoint<Real>::SetBoxes(
   }
 }
 
-/// As many hexes as there are lanes, from one on.
+/// Returns one hex per lane, beginning with hex `first`.
 template <class Real>
 VFM_INLINE Hexes<Real> HexesAtPoint<Real>::Get(int first, const BarrierWeights& weights) const
 {

@@ -9,11 +9,11 @@ namespace
 
 constexpr int CorrectionRounds = 6;
 constexpr int SweepsPerCorrection = 4;
-constexpr double VolumeTolerance = 2e-4; // relative, of the rounds with smoothing
-constexpr int SmallRounds = 40;          // for small fragments alone
-constexpr double SmallTolerance = 5e-3;  // relative, of a small fragment
+constexpr double VolumeTolerance = 2e-4; // relative error, in the rounds with smoothing
+constexpr int SmallRounds = 40;          // further rounds for small fragments only
+constexpr double SmallTolerance = 5e-3;  // relative error of a small fragment
 constexpr int Moves = 6;
-constexpr int MoreMoves = 4;            // where fragments were given up
+constexpr int MoreMoves = 4;            // if fragments were excluded
 constexpr double FinalTolerance = 1e-7; // relative
 
 std::vector<double> Multiplied(std::vector<double> values, double factor)
@@ -25,8 +25,9 @@ std::vector<double> Multiplied(std::vector<double> values, double factor)
   return values;
 }
 
-/// Shifts the targets and smooths, then moves the surface points themselves by the little that is left. Small fragments, whose
-/// surfaces the fractions place poorly and which resist, get more rounds and longer shifts.
+/// Shifts the targets and smooths, then moves the surface points to correct the remaining errors.
+/// Small fragments, whose surfaces are uncertain in the fractions and hard to move, get more rounds
+/// and longer shifts.
 void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clock)
 {
   FragmentVolumes& volumes = what.Volumes;
@@ -38,7 +39,7 @@ void CorrectVolumes(const Improvement& what, Smoother& smoother, StageClock& clo
   {
     if (!smoother.Follow(volumes.FindShifts(what.Active), isSmall, stage))
     {
-      break; // what is left the nudges make up for
+      break; // MoveAlongNormals corrects the rest
     }
     volumes.Measure(what.Active);
     clock.Update(0.8 + 0.02 * round);

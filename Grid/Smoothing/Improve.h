@@ -1,5 +1,6 @@
 /**
- * Improve: a mesh smoothed, and its interfaces moved until the volumes of its fragments are those of the fractions.
+ * Improve: smooths a mesh and moves its interfaces until the volumes of its fragments match
+ * the fractions.
  */
 #pragma once
 
@@ -10,7 +11,7 @@
 namespace vfm
 {
 
-/// What improves a mesh; all of it outlives the call.
+/// Arguments of Improve. All objects must outlive the call.
 struct Improvement
 {
   ActiveMesh& Active;
@@ -18,17 +19,23 @@ struct Improvement
   const ElementEnergy& Energy;
   const SmoothingRamp& Ramp;
   FragmentVolumes& Volumes;
-  MeshReport& Report; ///< gets what it took
+  /// Receives the number of points, sweeps and visits.
+  MeshReport& Report;
   bool ConserveVolume;
-  std::function<void(Smoother&, const SmoothingStage&, int)>
-    AfterSweep;                    ///< with the number of the sweep; may be empty
-  std::function<void()> AfterRamp; ///< before volumes are measured; may be empty
+  /// Is called after each sweep with its number in the stage, from 0; may be empty.
+  std::function<void(Smoother&, const SmoothingStage&, int)> AfterSweep;
+  /// Is called after the ramp, before volumes are measured; may be empty.
+  std::function<void()> AfterRamp;
 };
 
-/// Smooths, then moves the interfaces until the volumes of the fragments are those of the fractions. Collective.
+/// Smooths a mesh. If ConserveVolume is set, moves the interfaces until the relative errors of the
+/// volumes are at most 1e-7 or the rounds are used up.
+/// @param clock  receives the stages and their progress
+/// @pre Collective.
 void Improve(const Improvement& what, StageClock& clock, Runtime& runtime);
 
-/// Volumes per material and fragment in length units of the grid.
+/// Writes the volumes of materials and fragments into a report, in length units cubed, and the
+/// number of fragments per material.
 void ReportVolumes(const CartesianGrid& grid, const FragmentVolumes& volumes, MeshReport& report);
 
 } // namespace vfm

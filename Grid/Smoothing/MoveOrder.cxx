@@ -11,18 +11,18 @@ namespace
 
 using Node = MoveOrder::Node;
 
-constexpr Index GroupsOfTask = 32;  // of one colour
-constexpr Index LeastOfChunk = 256; // points: a chunk is worth a thread
+constexpr Index GroupsOfTask = 32;  // nodes of one colour
+constexpr Index LeastOfChunk = 256; // points; the smallest chunk that is worth a thread
 constexpr Index MaximumChunks = 32;
 constexpr Index EnoughChunks = 8;
 
-/// Even planes come before the odd ones next to them.
+/// Returns the position of a plane in the order: odd planes follow the even planes next to them.
 Index SlotOf(Index plane)
 {
   return (plane & 1) != 0 ? plane + 2 : plane;
 }
 
-/// Of all nodes, their neighbours and slots.
+/// Returns the box of all nodes, their neighbours and slots.
 IndexBox BoxAround(const std::vector<Node>& nodes)
 {
   IndexBox box = BoxOfCell(nodes.empty() ? Index3{} : nodes[0].At);
@@ -42,8 +42,9 @@ Index CountPoints(const Node& node)
   return node.Points.Last - node.Points.First;
 }
 
-/// Nodes, cut along an axis into chunks that begin and end with even planes, and the odd planes between them. First the chunks may
-/// move at the same time, then the planes; and so for each parity of the axes that come before.
+/// Division of nodes along an axis into chunks, which begin and end with even planes, and the odd
+/// planes between them. The chunks may move at the same time, then the planes between. This repeats
+/// for each combination of parities along the axes above this one.
 class Chunks
 {
 public:
@@ -61,12 +62,12 @@ public:
     this->Cut(points);
   }
 
-  /// Those of the largest chunk: how well they keep threads busy.
+  /// Return the points of the largest chunk, which limits the use of threads, and of all.
   Index Largest() const { return this->TheLargest; }
   Index Points() const { return this->Total; }
 
   int CountSteps() const { return 2 << (2 - this->Axis); }
-  Index CountTasks() const { return this->Count; } // of a step, at most
+  Index CountTasks() const { return this->Count; } // largest number of tasks of a step
   int StepOf(const Node& node) const
   {
     int step = this->IsBetween(node) ? 1 : 0;
@@ -79,7 +80,7 @@ public:
   Index TaskOf(const Node& node) const { return this->ChunkOfPair[this->PairOf(node)]; }
 
 private:
-  /// Of an even plane and the odd one after it.
+  /// Returns the number of the pair of an even plane and the odd one after it.
   Index PairOf(const Node& node) const { return (node.At[this->Axis] - this->First) / 2; }
   bool IsBetween(const Node& node) const
   {
@@ -88,7 +89,7 @@ private:
       this->ChunkOfPair[pair] != this->ChunkOfPair[pair + 1];
   }
 
-  /// By their points.
+  /// Cuts the pairs of planes into chunks with similar numbers of points.
   void Cut(const std::vector<Index>& points)
   {
     const Index pairs = static_cast<Index>(points.size());
@@ -114,7 +115,9 @@ private:
   std::vector<Index> ChunkOfPair;
 };
 
-/// Along the last axis that gives threads enough to share, since it takes the fewest steps; else the one that gives most.
+/// Returns chunks along the last axis if they are small enough for several threads, because
+/// these take the fewest steps. Otherwise an earlier axis is chosen if it more than halves the
+/// largest chunk.
 Chunks ChooseChunks(const std::vector<Node>& nodes)
 {
   Chunks best(nodes, 2);
@@ -126,7 +129,8 @@ Chunks ChooseChunks(const std::vector<Node>& nodes)
   return best;
 }
 
-/// The nodes that move before a node of some must: those themselves, and neighbours of lower colours, on and on.
+/// Set of the nodes that must move before any of the given nodes has moved: the given nodes and,
+/// recursively, neighbours of lower colours.
 class Forerunners
 {
 public:
@@ -149,12 +153,12 @@ public:
     }
   }
 
-  /// Whether each node is one of them.
+  /// Returns whether each node is in the set.
   std::vector<unsigned char> Find()
   {
     for (std::size_t colour = 8; colour-- > 0;)
     {
-      for (std::size_t node : this->OfColour[colour]) // adds to those of lower colours
+      for (std::size_t node : this->OfColour[colour]) // appends only to lists of lower colours
       {
         this->AddAround(node);
       }
@@ -184,12 +188,12 @@ private:
 
   const std::vector<Node>& Nodes;
   const IndexBox Box;
-  std::vector<std::array<Index, 2>> Places; // in the box, and the node
+  std::vector<std::array<Index, 2>> Places; // position in the box, node
   std::vector<unsigned char> IsOne;
   std::array<std::vector<std::size_t>, 8> OfColour;
 };
 
-/// Which nodes have a point that other ranks have too, or must move before such.
+/// Returns whether each node has a point that other ranks hold, or must move before such a node.
 std::vector<unsigned char> FindRim(const std::vector<Node>& nodes, const PointExchange& exchange)
 {
   int points = 0;

@@ -1,9 +1,11 @@
 /**
- * MoveOrder: in which order the nodes of a rank move in a sweep.
+ * MoveOrder: the order in which a sweep moves the nodes of a rank.
  *
- * Points move by colour, the parity of their node: z first, then y, then x. Only neighbours feel which of two nodes moves first, so any order
- * in which all neighbours of different colours keep theirs makes the same mesh, bit for bit. By planes: an odd plane comes right after
- * the even ones around it, so do the rows in a plane and the nodes in a row, and a sweep goes through memory once and not once a colour.
+ * Points move by colour, the parity of their node, of which z is the most significant, then y, then
+ * x. Only neighbours are affected by which of two nodes moves first. Any order that keeps
+ * neighbours of different colours in order therefore makes a bitwise identical mesh. In the order
+ * by planes, an odd plane follows the even planes on both sides of it; rows in a plane and nodes in
+ * a row follow the same rule. A sweep then passes through memory once, not once per colour.
  */
 #pragma once
 
@@ -19,30 +21,35 @@ class PointExchange;
 class MoveOrder
 {
 public:
-  /// The points of one node, moved one after another.
+  /// Points of one node, moved one after another.
   struct Group
   {
     int First, Last;
   };
-  /// A node that moves on this rank.
+  /// Node that moves on this rank.
   struct Node
   {
     Index3 At;
     int Colour;
     Group Points;
   };
-  /// Tasks that may run at the same time, each from Groups()[Tasks[t]] to before Groups()[Tasks[t + 1]].
+  /// Tasks that may run at the same time. Task t moves Groups()[Tasks[t]] to before
+  /// Groups()[Tasks[t + 1]].
   struct Step
   {
     std::vector<Index> Tasks;
-    int Colour; ///< whose points other ranks get afterwards, or -1
+    /// Colour whose points are sent to other ranks after the step, or -1.
+    int Colour;
   };
 
   MoveOrder() = default;
-  /// Nodes of one colour share no element.
+  /// Returns an order by colour, one step per colour.
+  /// @pre Nodes of one colour share no element.
   static MoveOrder ByColour(const std::vector<Node>& nodes, int colours);
-  /// Colours are parities of At, and nodes that share an element are neighbours: at most one apart along each axis. Points that other ranks
-  /// have too come first, colour by colour, with all that move before them.
+  /// Returns an order by planes. Nodes with points that other ranks hold move first, colour by
+  /// colour, together with all nodes that must move before them.
+  /// @pre Colours are parities of At. Nodes that share an element are at most one apart along
+  /// each axis.
   static MoveOrder ByPlanes(const std::vector<Node>& nodes, const PointExchange& exchange);
 
   const std::vector<Group>& Groups() const { return this->TheGroups; }

@@ -1,5 +1,5 @@
 /**
- * RowVolumes: exact sums of the volumes of cells along x, without a visit to each cell.
+ * RowVolumes: exact sums of the volumes of cells along x, found without a visit to each cell.
  */
 #pragma once
 
@@ -12,7 +12,8 @@
 namespace vfm
 {
 
-/// Sums of the volumes of cells in a row, in mean cells. Rows with cells of the same widths share theirs.
+/// Sums of the volumes of cells in a row, in mean cells. Rows of cells with equal widths share
+/// their sums. Not thread safe: Start changes the current row.
 class RowVolumes
 {
 public:
@@ -22,7 +23,7 @@ public:
   }
 
   double OfCell(const Index3& p) const { return this->Grid.CellVolume(p) * this->Scale; }
-  /// Goes to row (j, k) of the owned cells.
+  /// Selects row (j, k) of the owned cells.
   void Start(Index j, Index k)
   {
     if (this->Known.size() >= MaximumRows)
@@ -43,7 +44,7 @@ public:
       }
     }
   }
-  /// Of the owned cells from `first` to before `last` of the row.
+  /// Returns the volume of the owned cells from `first` to before `last` of the selected row.
   ExactSum Of(Index first, Index last) const
   {
     const Index lower = this->Grid.Owned().Lower[0];
@@ -56,7 +57,8 @@ private:
   static constexpr std::size_t MaximumRows = 256;
   const CartesianGrid& Grid;
   double Scale;
-  std::map<std::array<double, 2>, std::vector<ExactSum>> Known; // up to each cell, by widths
+  // By widths along y and z: sums of the cells before each cell of the row.
+  std::map<std::array<double, 2>, std::vector<ExactSum>> Known;
   std::vector<ExactSum>* Row = nullptr;
 };
 

@@ -12,20 +12,25 @@ namespace
 constexpr double TrustRadius = 0.2; // largest step, in cells
 constexpr double Backtrack = 0.4;   // factor of the line search
 constexpr int Backtracks = 8;
-constexpr double Armijo = 1e-4;       // share of the predicted decrease that a step must reach
-constexpr double Noise = 1e-6;        // of an energy, relative: it may be a sum of floats
-constexpr double SettledFalls = 4.0;  // falls that count; where less is promised a point settles
-constexpr double BarrierShare = 0.9;  // 1 - 1 / p, of the powers of a hard barrier
-constexpr double MoveRadius = 0.01;   // in mean cells
-constexpr double MovePrice = 1.05;    // factor by which a nudge may raise the barrier
-constexpr double OffsetAhead = 0.25;  // of an attachment, of 0 or of its point, in cells
-constexpr double LongestOffset = 1.0; // from 0
-constexpr double LargestPrice =
-  10.0;                          // energy of the elements at a point up to which long offsets grow
-constexpr double NoVisit = -1.0; // in place of a move: the point was not looked at in a sweep
-constexpr double ShiftThatCounts = 1e-3; // of a target, in mean cells; smaller ones wake no point
+constexpr double Armijo = 1e-4; // share of the predicted decrease that a step must reach
+constexpr double Noise = 1e-6;  // relative error of an energy, which may be a sum of floats
+// Multiple of the fall that counts, below which a point is settled.
+constexpr double SettledFalls = 4.0;
+constexpr double BarrierShare = 0.9; // 1 - 1 / p for the powers of a hard barrier
+constexpr double MoveRadius = 0.01;  // in mean cells
+// Factor by which MoveAlongNormals may raise the barrier.
+constexpr double MovePrice = 1.05;
+// Limit of an offset beyond 0 or beyond the position of its point, in cells.
+constexpr double OffsetAhead = 0.25;
+constexpr double LongestOffset = 1.0; // limit of long offsets, in cells
+// Energy of the elements at a point up to which long offsets grow.
+constexpr double LargestPrice = 10.0;
+// Returned instead of a length by points that are not visited.
+constexpr double NoVisit = -1.0;
+// Smallest shift of a target that marks its points, in mean cells.
+constexpr double ShiftThatCounts = 1e-3;
 
-/// H (xx yy zz xy xz yz) x = -g by L D L^T; whether H is positive definite.
+/// Solves H x = -g by L D L^T, H as xx yy zz xy xz yz; returns whether H is positive definite.
 bool SolvePositive(const std::array<double, 6>& h, const Vector3& g, Vector3& x)
 {
   const double first = 1.0 / h[0], l10 = h[3] * first, l20 = h[4] * first;
@@ -39,7 +44,7 @@ bool SolvePositive(const std::array<double, 6>& h, const Vector3& g, Vector3& x)
   return h[0] > 0.0 && d1 > 0.0 && d2 > 0.0;
 }
 
-/// -|H|^-1 g
+/// Returns -|H|^-1 g.
 Vector3 SolveIndefinite(const std::array<double, 6>& h, const Vector3& g)
 {
   Eigen::Matrix3d H;
@@ -53,7 +58,7 @@ Vector3 SolveIndefinite(const std::array<double, 6>& h, const Vector3& g)
   return { { x[0], x[1], x[2] } };
 }
 
-/// The Newton step, one of descent, along the axes that are not held.
+/// Returns the Newton step along the axes that are not held, always a direction of descent.
 Vector3 SolveNewton(int held, Derivatives& d)
 {
   constexpr int RowOf[3][2] = { { 3, 4 }, { 3, 5 }, { 4, 5 } };
@@ -70,15 +75,17 @@ Vector3 SolveNewton(int held, Derivatives& d)
   return SolvePositive(d.Hessian, d.Gradient, step) ? step : SolveIndefinite(d.Hessian, d.Gradient);
 }
 
-/// The fall of an energy from which on neighbours are woken.
+/// Returns the smallest decrease of an energy that marks the neighbours.
 double FallThatCounts(const SmoothingPace& pace, double energy)
 {
   return pace.FallThatCounts + pace.PartThatCounts * energy;
 }
 
-/// Which multiple of a Newton step to try first. fall: twice what its model promises; where that is little, an exact step leaves nothing
-/// to do. A barrier is nearly E = x^-p, on which Newton's steps grow x by the factor 1 + 1 / (p + 1) only; those of E^(1/p) have the same
-/// direction and are longer.
+/// Returns the multiple of a Newton step that is tried first. A barrier is nearly E = x^-p, on
+/// which Newton steps grow x only by the factor 1 + 1 / (p + 1). Newton steps of E^(1/p) have the
+/// same direction and are longer by the factor 1 / (1 - (1 - 1 / p) fall / E).
+/// @param fall  twice the decrease that the quadratic model predicts. If it is small, the step is
+/// not relaxed, because an exact step leaves nothing to do.
 double FirstFactor(const SmoothingPace& pace, double length, double fall, double energy)
 {
   const bool isRelaxed = length < TrustRadius && fall > SettledFalls * FallThatCounts(pace, energy);
@@ -96,7 +103,7 @@ Smoother::Smoother(
   Energy(energy),
   Run(runtime),
   Dirty(new unsigned char[mesh.X.size()]),
-  Woke(mesh.X.size(), 0)
+  Marked(mesh.X.size(), 0)
 {
   if (mesh.Corners == 8 && mesh.Rings.IsEmpty())
   {
@@ -109,7 +116,8 @@ void Smoother::MarkAll()
   std::fill_n(this->Dirty.get(), this->Mesh.X.size(), 1);
 }
 
-/// Moves points; once more from where they were, each move looked at, when that lost what must be kept.
+/// Moves points. If that violates the conditions of the energy, restores the points and moves again
+/// with each move checked.
 void Smoother::MoveAndCheck(const std::function<void()>& move)
 {
   const std::vector<Vector3> before = this->IsGuarded ? std::vector<Vector3>() : this->Mesh.X;
@@ -153,12 +161,13 @@ void Smoother::RunRamp(const SmoothingRamp& ramp)
   }
 }
 
-/// Calls move(point), a length or NoVisit, for the owned points in their order; returns the largest over all ranks.
+/// Calls move(point) for the owned active points in their order; move returns a length or NoVisit.
+/// Returns the largest length over all ranks.
 template <class Move>
 double Smoother::ForPoints(const Move& move)
 {
   std::atomic<double> largest(0.0);
-  std::fill(this->Woke.begin(), this->Woke.end(), 0);
+  std::fill(this->Marked.begin(), this->Marked.end(), 0);
   for (const MoveOrder::Step& step : this->Mesh.Order.Steps())
   {
     this->Run.For(0, static_cast<Index>(step.Tasks.size()) - 1,
@@ -184,14 +193,14 @@ double Smoother::ForPoints(const Move& move)
       });
     if (step.Colour >= 0)
     {
-      this->Mesh.Exchange.Send(
-        step.Colour, this->Mesh.X, this->Woke, [this](int point) { this->MarkNeighbours(point); });
+      this->Mesh.Exchange.Send(step.Colour, this->Mesh.X, this->Marked,
+        [this](int point) { this->MarkNeighbours(point); });
     }
   }
   return this->Run.Group().Max(largest);
 }
 
-/// Moves every point once; returns the largest move, in cells.
+/// Moves every marked point once; returns the largest move, in cells.
 double Smoother::Sweep(const SmoothingStage& stage)
 {
   ++this->NumberOfSweeps;
@@ -203,7 +212,7 @@ double Smoother::Sweep(const SmoothingStage& stage)
     });
 }
 
-/// Between which values the offset of a long attachment may be.
+/// Returns the lower and upper limit of the offset of an attachment with a long offset.
 std::array<double, 2> Smoother::LongRange(
   int point, const Attachment& a, const SmoothingStage& stage) const
 {
@@ -249,17 +258,18 @@ bool Smoother::Follow(
       {
         return NoVisit;
       }
-      this->Woke[point] = 1; // on all ranks: others may not know all that a point is attached to
+      // The mark is sent to other ranks, which may not know all attachments of the point.
+      this->Marked[point] = 1;
       this->MarkNeighbours(point);
       return NoVisit;
     });
   if (!this->Run.Group().Any(
-        std::find(this->Woke.begin(), this->Woke.end(), 1) != this->Woke.end()))
+        std::find(this->Marked.begin(), this->Marked.end(), 1) != this->Marked.end()))
   {
     return false;
   }
   const bool wasGuarded = this->IsGuarded;
-  this->IsGuarded = true; // cheaper than to check all elements, since few points move
+  this->IsGuarded = true; // cheaper than a check of all elements, because few points move
   this->RunSweeps(stage, [](double) {});
   this->IsGuarded = wasGuarded;
   return true;
@@ -304,7 +314,7 @@ void Smoother::MoveAlongNormal(
   }
 }
 
-/// One guarded Newton step; returns its length in cells.
+/// Moves a point by one Newton step with a line search; returns its length in cells.
 double Smoother::MovePoint(int point, const SmoothingStage& stage)
 {
   __atomic_store_n(&this->Dirty[point], 0, __ATOMIC_RELAXED);
@@ -343,7 +353,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
       if (move > stage.Pace.MoveThatCounts &&
         d.Value - energy >= FallThatCounts(stage.Pace, energy))
       {
-        this->Woke[point] = 1;
+        this->Marked[point] = 1;
         this->MarkNeighbours(point);
       }
       return move;
@@ -352,7 +362,7 @@ double Smoother::MovePoint(int point, const SmoothingStage& stage)
   return 0.0;
 }
 
-/// Bit a: the point is as far along axis a as it may, and would go on.
+/// Returns the axes (bit a) along which the point is at a bound and the step leads outwards.
 int Smoother::FixedAxes(int point, const Vector3& step) const
 {
   int held = 0;
@@ -366,7 +376,8 @@ int Smoother::FixedAxes(int point, const Vector3& step) const
   return held;
 }
 
-/// Where a step takes the point, as far as it may go. Where it stands beyond, it stays or comes back.
+/// Returns the position after a step, limited by the bounds. A point outside the bounds does not
+/// move farther out.
 Vector3 Smoother::Moved(int point, const Vector3& step) const
 {
   Vector3 x = this->Mesh.X[point] + step;
@@ -398,7 +409,7 @@ double Smoother::DistanceEnergy(int point, const Vector3& x, double lambda) cons
   return energy;
 }
 
-/// Gauss-Newton: the curvature of the target is left out of the Hessian.
+/// Adds the squared distances by Gauss-Newton: the Hessian omits the curvature of the targets.
 void Smoother::AddDistance(int point, double lambda, Derivatives& d) const
 {
   const std::vector<Index>& offsets = this->Mesh.AttachmentOffset;

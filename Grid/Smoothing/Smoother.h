@@ -1,12 +1,14 @@
 /**
- * Smoothing: the barrier energy of the elements and the squared distances of the surface points to their
- * targets, minimised point by point with Newton steps that keep every element positive.
+ * Smoother: minimises the barrier energy of the elements plus the squared distances of surface
+ * points to their targets. Newton steps of one point at a time keep every element positive.
  *
- * Points move by colour (parity of their grid node); points of one colour share no element, so the result
- * depends neither on the threads nor on the ranks, which exchange each colour. The points of one node move in order.
+ * Points move by colour, the parity of their grid node. Points of one colour share no element
+ * unless they share the node; the points of one node move in order. Ranks exchange the new
+ * positions after each colour, so the result depends on neither threads nor ranks.
  *
- * What elements keep that the energy does not see (hexes: to be positive between their corners) is looked at after each stage. Where
- * it got lost the stage begins anew, and from then on each move is looked at.
+ * Some conditions on elements are not part of the energy: hexes must also be positive between their
+ * corners (HexCoefficients.h). They are checked after each stage. A stage that violates them is
+ * repeated from its start, and from then on each move is checked.
  */
 #pragma once
 
@@ -22,32 +24,44 @@ namespace vfm
 class Smoother
 {
 public:
-  /// targets: nullptr when nothing is attached.
+  /// Stores references to all arguments. Finds the rings of a hex mesh if it has none.
+  /// @param targets  nullptr if no point is attached
   Smoother(
     ActiveMesh& mesh, const SurfaceTargets* targets, const ElementEnergy& energy, Runtime& runtime);
 
-  /// report(fraction) is called after every sweep.
+  /// Runs a stage from all points, until no point moves by more than SmallestMove or all sweeps
+  /// are done.
+  /// @param report  called after each sweep with the fraction of sweeps done
+  /// @pre Collective.
   void RunStage(const SmoothingStage& stage, const std::function<void(double)>& report);
 
-  /// The same, stage by stage.
+  /// Runs all stages of a ramp.
+  /// @pre Collective.
   void RunRamp(const SmoothingRamp& ramp);
 
-  /// Has the point and its neighbours looked at in the next sweep.
+  /// Marks a point and its neighbours for the next sweep.
   void MarkForUpdate(int point) { this->MarkNeighbours(point); }
 
-  /// Whether an attachment may have an offset of up to a cell.
+  /// Returns whether the offset of an attachment may be as long as a cell.
   using HasLongOffset = std::function<bool(const Attachment&)>;
-  /// Adds to the offsets of the attachments (grid coordinates, towards the second label), then runs a stage from the points whose targets
-  /// moved by a thousandth of a cell or more, and what they wake; whether there were some. Offsets stay within a quarter of a cell; long ones
-  /// may be as far ahead of where their points have come, while the elements there are good by the energy of a stage.
+  /// Adds shifts to the offsets of the attachments, then runs a stage that starts from the points
+  /// whose shift is at least 1e-3 mean cells. Offsets are limited to a quarter of a cell. Long
+  /// offsets are limited to one cell; they may lead the position of their point by a quarter of a
+  /// cell, and grow only while the energy of its elements is at most 10.
+  /// @param shifts  shift of each attachment, grid coordinates, towards the second label
+  /// @param isLong  selects the attachments with long offsets
+  /// @return false if no shift on any rank was large enough
+  /// @pre Collective.
   bool Follow(
     const std::vector<double>& shifts, const HasLongOffset& isLong, const SmoothingStage& stage);
 
-  /// Moves every surface point by the shifts of its attachments along their normals (grid coordinates), at most
-  /// a hundredth of a cell, where its elements stay as good by the energy of a stage.
+  /// Moves each surface point by the shifts of its attachments along their normals, at most 0.01
+  /// mean cells. A point stays if the energy of its elements would rise by more than 5 %.
+  /// @param shifts  shift of each attachment, grid coordinates
+  /// @pre Collective.
   void MoveAlongNormals(const std::vector<double>& shifts, const SmoothingStage& stage);
 
-  /// What was done so far on this rank.
+  /// Return the number of sweeps so far, and of visits to points of this rank in them.
   int Sweeps() const { return this->NumberOfSweeps; }
   Index Visits() const { return this->NumberOfVisits; }
 
@@ -62,7 +76,7 @@ private:
   void MoveAlongNormal(int point, const std::vector<double>& shifts, const SmoothingStage& stage);
   double Sweep(const SmoothingStage& stage);
   double MovePoint(int point, const SmoothingStage& stage);
-  /// Whether the point is within the mesh's bounds, and still is when it has made a step.
+  /// Returns whether the point is strictly inside the bounds of the mesh, before and after a step.
   bool StaysWithin(int point, const Vector3& step) const
   {
     const Vector3 &x = this->Mesh.X[point], &low = this->Mesh.Lower, &high = this->Mesh.Upper;
@@ -90,13 +104,13 @@ private:
   const SurfaceTargets* Targets;
   const ElementEnergy& Energy;
   Runtime& Run;
-  bool IsGuarded = false; // whether each move is looked at
+  bool IsGuarded = false; // whether each move is checked
   int NumberOfSweeps = 0;
-  std::atomic<Index> NumberOfVisits{ 0 }; // of points in sweeps
-  /// Set when a point of one of its elements moved since the point was last looked at.
+  std::atomic<Index> NumberOfVisits{ 0 }; // visits to points in sweeps
+  /// Set if a point of one of its elements has moved since the last visit.
   std::unique_ptr<unsigned char[]> Dirty;
-  /// Set when the point woke its neighbours in this sweep.
-  std::vector<unsigned char> Woke;
+  /// Set if the point marked its neighbours in this sweep.
+  std::vector<unsigned char> Marked;
 };
 
 } // namespace vfm

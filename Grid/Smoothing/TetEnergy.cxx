@@ -11,7 +11,8 @@ namespace
 {
 
 constexpr double SmallestDeterminant = 1e-9; // D, in cell volumes
-// Where floats do: in tets like these, what they round is far below what a step gains, and D is positive in doubles too.
+// Limits of float precision. Within them, rounding errors are far below the gain of a step, and D
+// is positive in doubles too.
 constexpr float SmallestInFloat = 1e-5f; // D
 constexpr float PoorestInFloat = 1e5f;   // 432 mu^3
 constexpr double LargestInFloat = 1e8;   // the energy
@@ -20,7 +21,7 @@ struct Request
 {
   const ActiveMesh& Mesh;
   int Point;
-  const Vector3& X; // where the point stands
+  const Vector3& X; // position of the point
   const TetQualityFloors& Floors;
   const SmoothingStage& Stage;
 };
@@ -36,7 +37,7 @@ VFM_INLINE VectorLanes<Real> Scaled(const VectorLanes<Real>& a, const VectorLane
   return { a.X * scale.X, a.Y * scale.Y, a.Z * scale.Z };
 }
 
-/// The tets at a point, eight at a time in floats.
+/// Tets at a point, eight at a time in floats.
 class TetsInFloat
 {
 public:
@@ -53,7 +54,8 @@ public:
     if (HasOneWidth(this->Mesh))
     {
       const Vector3& widths = this->Mesh.Widths[0];
-      const double z = 1.0 / widths[2]; // twice: valgrind does not know how a 0 behind it is made
+      // Used twice, because valgrind lacks the instruction that would fill in a 0.
+      const double z = 1.0 / widths[2];
       scale = Double4{ 1.0 / widths[0], 1.0 / widths[1], z, z };
       this->Scale = { Fill(static_cast<float>(scale[0])), Fill(static_cast<float>(scale[1])),
         Fill(static_cast<float>(scale[2])) };
@@ -86,7 +88,7 @@ public:
     this->At += TetStars::Width;
     return MakeTets(a, b, c);
   }
-  /// 1 / widths of the last tets taken.
+  /// Returns 1 / widths of the last tets taken.
   VFM_INLINE const VectorLanes<float>& Scales() const { return this->Scale; }
 
 private:
@@ -116,7 +118,8 @@ private:
   Float4 Near[TetStars::MaximumNeighbours];
 };
 
-/// The same, four at a time in doubles: the last four are filled up with the last tet, which then does not count.
+/// Tets at a point, four at a time in doubles. The last group is filled up with the last tet, whose
+/// repetitions have no weight.
 class TetsInDouble
 {
 public:
@@ -167,7 +170,7 @@ private:
   VectorLanes<double> Scale;
 };
 
-/// Of all tets so far: the energy of each lane, the smallest D and the poorest shape.
+/// Results per lane of the tets so far: energy, smallest D and poorest shape (largest 432 mu^3).
 template <class Real>
 struct Found
 {
@@ -182,7 +185,7 @@ struct Found
   }
 };
 
-/// Whether all are greater. False of what is no number.
+/// Returns whether all lanes of a exceed b; false if any is NaN.
 template <class L>
 VFM_INLINE bool AllExceed(const L& a, const L& b)
 {
@@ -201,7 +204,7 @@ VFM_INLINE bool IsGood(const Found<float>& found, double energy)
     AllExceed(Fill(PoorestInFloat), found.Poorest);
 }
 
-/// Returns the energy, as the other does.
+/// Computes the energy of all tets of a source; returns it too.
 template <class Source>
 VFM_INLINE double Compute(
   Source& source, const Request& what, Found<typename Source::Real>& found, double& energy)
@@ -216,7 +219,8 @@ VFM_INLINE double Compute(
   return energy = Sum(found.Value);
 }
 
-/// Adds what was summed in widths of the cells.
+/// Adds sums in cell widths, converted to grid coordinates.
+/// @param k  1 / widths
 template <class Real>
 VFM_INLINE void AddTo(Derivatives& d, const Sums<Real>& sum, const VectorLanes<Real>& k)
 {
@@ -255,7 +259,7 @@ VFM_INLINE double Compute(
   return d.Value = Sum(found.Value);
 }
 
-/// Whether floats do.
+/// Computes a result in floats; returns whether they are accurate enough.
 template <class Result>
 VFM_INLINE bool ComputeInFloat(const Request& what, Result& result)
 {
@@ -268,7 +272,7 @@ VFM_INLINE bool ComputeInFloat(const Request& what, Result& result)
   return IsGood(found, Compute(tets, what, found, result));
 }
 
-// Virtual functions cannot be compiled for several machines, so these are free.
+// Free functions, because VFM_CLONES does not support virtual functions.
 
 VFM_CLONES
 double EvaluateInDouble(const Request& what)

@@ -15,8 +15,9 @@ void TetStars::Build(const std::vector<int>& elements, const std::vector<Index>&
   this->FirstTets.assign(1, 0);
   this->FirstNeighbour.reserve(points + 1);
   this->FirstTets.reserve(points + 1);
-  std::vector<int> star, placeOf(points); // of each point, in the star of the point
-  std::vector<int> starOf(points, -1);    // in whose star it was found last
+  // Index of each point in the star in which it was found last, and the centre of that star.
+  std::vector<int> star, placeOf(points);
+  std::vector<int> starOf(points, -1);
   for (std::size_t p = 0; p < points; ++p)
   {
     star.clear();

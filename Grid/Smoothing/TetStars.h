@@ -1,7 +1,8 @@
 /**
- * TetStars: the tets around each point that moves, as its energy reads them: the other ends of the edges at the point, once each, and of
- * each tet which three of these are its corners, in positive order as seen with the point first. Eight tets stand side by side; the last
- * eight are filled up with the last tet.
+ * TetStars: the tets around each point that moves, in the layout that TetEnergy reads. A star lists
+ * the far ends of the edges at the point once each. Each tet has three indices into this list, its
+ * other corners, in positive order as seen with the point first. Eight tets form a SIMD group; the
+ * last group is filled up with the last tet.
  */
 #pragma once
 
@@ -16,12 +17,15 @@ class TetStars
 {
 public:
   static constexpr int Width = 8;
-  /// Points with more have no star.
+  /// Points with more neighbours have no star.
   static constexpr int MaximumNeighbours = 64;
-  /// k: places of corner k of each tet among the neighbours.
+  /// k: index of corner k of each tet among the neighbours.
   using Eight = std::array<std::array<unsigned char, Width>, 3>;
 
-  /// elements: four points a tet. The tets at point p: those at positions corners[begin[p] .. begin[p + 1]) in elements.
+  /// Finds the stars of all points.
+  /// @param elements  four points per tet
+  /// @param begin  first entry of each point in corners, and the end
+  /// @param corners  positions in elements of the tets at each point
   void Build(const std::vector<int>& elements, const std::vector<Index>& begin,
     const std::vector<std::uint32_t>& corners);
 
@@ -30,7 +34,7 @@ public:
     const int *FirstNeighbour, *LastNeighbour;
     const Eight* Tets;
   };
-  /// Whether the point moves, and has not too many neighbours.
+  /// Returns whether a point has a star: it moves and has at most MaximumNeighbours neighbours.
   bool Has(int point) const
   {
     return !this->Tets.empty() && this->FirstTets[point] < this->FirstTets[point + 1];

@@ -1,6 +1,6 @@
 /**
- * The terms of TetEnergy and their derivatives, tets side by side: the kernel, for floats and for doubles. Only for sources with
- * VFM_CLONES (Base/Lanes.h).
+ * TetTerms: the SIMD kernel of TetEnergy, its terms and their derivatives in floats or doubles.
+ * Only sources with VFM_CLONES (Base/Lanes.h) include it.
  */
 #pragma once
 
@@ -21,16 +21,18 @@ constexpr int Previous[3] = { 2, 0, 1 };
 template <class Real>
 struct Tets
 {
-  VectorLanes<Real>
-    Edge[6]; // k: from the moving point to corner k; 3 + k: opposite, from k + 1 to k + 2
-  VectorLanes<Real> Normal
-    [4]; // k: of the face without corner k, inwards; 3: of the face without the point, outwards
+  // k: from the moving point to corner k. 3 + k: the opposite edge, from corner k + 1 to k + 2.
+  VectorLanes<Real> Edge[6];
+  // k: normal of the face without corner k, inwards. 3: normal of the face without the moving
+  // point, outwards.
+  VectorLanes<Real> Normal[4];
   LanesOf<Real> Length[6]; // squared: l^2
   LanesOf<Real> Area[4];   // squared: N^2
   LanesOf<Real> D;
 };
 
-/// a, b, c: from the moving point to the others, in widths.
+/// Returns tets from the vectors to their other corners.
+/// @param a,b,c  vectors from the moving point to corners 0, 1, 2, in cell widths
 template <class Real>
 VFM_INLINE Tets<Real> MakeTets(
   const VectorLanes<Real>& a, const VectorLanes<Real>& b, const VectorLanes<Real>& c)
@@ -57,7 +59,7 @@ VFM_INLINE Tets<Real> MakeTets(
   return t;
 }
 
-/// Factors of the terms. All are 0 in a lane that does not count.
+/// Factors of the terms; 0 in unused lanes.
 template <class Real>
 struct Factors
 {
@@ -79,7 +81,7 @@ VFM_INLINE Factors<Real> MakeFactors(const TetQualityFloors& floors, const Smoot
     std::max(1, stage.HalfPower / 2) };
 }
 
-/// Only the first lanes count.
+/// Sets the factors to 0 except in the first `count` lanes.
 template <class Real>
 VFM_INLINE void KeepLanes(Factors<Real>& factors, Index count)
 {
@@ -95,14 +97,15 @@ VFM_INLINE void KeepLanes(Factors<Real>& factors, Index count)
   factors.ShortestEdge *= weight;
 }
 
-/// The terms of the energy of tets.
+/// Terms of the energy of tets.
 template <class Real>
 struct Terms
 {
   using L = LanesOf<Real>;
-  L Dihedral[6], Barrier, Shape; // at each edge; (m* mu)^3q, omega mu^3
-  L RightAngles;                 // s*^p: the dihedral terms at 90 degrees, together
-  L Short[3];                    // edges of the moving point
+  // Terms at each edge; (m* mu)^3q; omega mu^3.
+  L Dihedral[6], Barrier, Shape;
+  L RightAngles; // sum of s*^p, the dihedral terms at 90 degrees
+  L Short[3];    // edges of the moving point
   L InverseLength[6];
   L InverseD;
   L SumOfLengths; // squared
@@ -174,7 +177,7 @@ VFM_INLINE LanesOf<Real> Total(const Terms<Real>& t)
     (t.Short[0] + t.Short[1] + t.Short[2]);
 }
 
-/// A sum of gradients and Hessians.
+/// Sum of gradients and Hessians.
 template <class Real>
 struct Sums
 {
@@ -198,13 +201,14 @@ struct Sums
   }
 };
 
-/// Adds gradient and Hessian of the energy of tets, in widths of the cells. With grad and Hess in the moving point,
-/// n, e normal and opposite edge of a face at it, W the sum of l^2:
+/// Adds gradient and Hessian of the energy of tets, in cell widths. Derivatives are with respect
+/// to the moving point. n and e are the normal and the opposite edge of a face at it; W is the sum
+/// of l^2.
 ///   log D:   g = grad D / D,         Hess -g g^T
 ///   log N^2: h = 2 n x e / N^2,      Hess 2 e^2 n n^T / N^4 - h h^T / 2
 ///   log l^2: c = grad l^2 / l^2,     Hess 2 / l^2 - c c^T
 ///   log W:   u = grad W / W,         Hess 6 / W - u u^T
-/// (s* / s)^2 and mu^3 are products of these; a power F^r has gradient r F grad log F and
+/// (s* / s)^2 and mu^3 are products of these factors. A power F^r has gradient r F grad log F and
 /// Hessian r F (r grad log F (grad log F)^T + Hess log F).
 template <class Real>
 VFM_INLINE void AddDerivatives(

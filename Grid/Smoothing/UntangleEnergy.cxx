@@ -9,18 +9,18 @@ namespace
 
 constexpr double Target = 0.3;         // s*
 constexpr double ShortestEdge = 0.075; // l*, in cell widths
-constexpr double TinyLength = 1e-12;   // squared, in cells: keeps divisions finite
+constexpr double TinyLength = 1e-12;   // squared, in cells; keeps divisions finite
 
-/// A corner of a hex as one of its points moves. Edges leave the corner along x, y, z of the hex.
+/// Corner of a hex as a function of one moving point. Edges point along +x, +y, +z of the hex.
 struct Corner
 {
   Vector3 Q[3];
-  Vector3 Moves;    // of each edge, 1 where its end moves, -1 where its start does
+  Vector3 Moves;    // 1 for edges whose end moves, -1 for edges whose start moves
   double L[3];      // squared lengths
   double K[3];      // 1 / width^2 of the cell along the edge
   double Lengths;   // product of the lengths, in cell volumes
   double D;         // determinant, in cell volumes
-  Vector3 Gradient; // of D
+  Vector3 Gradient; // gradient of D
 };
 
 Corner MakeCorner(const ActiveMesh& mesh, const int* hex, int corner, int moving, const Vector3& x,
@@ -49,7 +49,7 @@ Corner MakeCorner(const ActiveMesh& mesh, const int* hex, int corner, int moving
   return k;
 }
 
-/// chi and its first two derivatives.
+/// Value of chi and its first two derivatives.
 struct Regularised
 {
   double Value, First, Second;
@@ -73,7 +73,7 @@ double ShapeOf(const Corner& k)
   return third * std::sqrt(third);
 }
 
-/// Of one end of an edge.
+/// Returns the term of one end of an edge.
 double EdgeOf(const Corner& k, int e)
 {
   const double s = ShortestEdge * ShortestEdge / (k.L[e] * k.K[e]);
@@ -98,7 +98,8 @@ void AddUnit(std::array<double, 6>& h, double weight)
   }
 }
 
-/// Adds a corner's terms: for F = exp(f), gradient F g and Hessian F (g g^T + H) with those of f.
+/// Adds the terms of a corner. F = exp(f) has gradient F g and Hessian F (g g^T + H), with gradient
+/// g and Hessian H of f.
 void AddCorner(Derivatives& d, const Corner& k, double omega, double eps)
 {
   const Regularised chi = Regularise(k.D, eps);

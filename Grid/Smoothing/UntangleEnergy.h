@@ -1,7 +1,11 @@
 /**
- * The energy of HexEnergy carried on to inverted hexes: the determinant d of a corner (in cell volumes) is replaced by
+ * UntangleEnergy: the energy of HexEnergy, extended to inverted hexes. The determinant d of a
+ * corner, in cell volumes, is replaced by
+ *
  *   chi(d) = (d + sqrt(d^2 + eps^2)) / 2,
- * which is positive everywhere and tends to d as eps goes to 0. Minimising it untangles (Garanzha et al. 2021).
+ *
+ * which is positive everywhere and tends to max(d, 0) as eps tends to 0. Minimising this energy
+ * untangles the hexes (Garanzha et al. 2021).
  */
 #pragma once
 
@@ -13,7 +17,7 @@ namespace vfm
 class UntangleEnergy : public ElementEnergy
 {
 public:
-  /// eps: in cell volumes.
+  /// Sets eps, in cell volumes.
   void SetRegularisation(double eps) { this->Eps = eps; }
   double Evaluate(const ActiveMesh& mesh, int point, const Vector3& x,
     const SmoothingStage& stage) const override;

@@ -10,14 +10,14 @@ namespace vfm
 namespace
 {
 
-constexpr Index FacetsOfBlock = 256; // that are summed up by one thread
+constexpr Index FacetsOfBlock = 256; // facets per task
 
 double AreaOf(const std::array<Vector3, 4>& q)
 {
   return 0.5 * Norm(Cross(q[2] - q[0], q[3] - q[1]));
 }
 
-/// Sums over facets in a row that lie between the same fragments.
+/// Sums over consecutive facets between the same fragments.
 struct FacetSum
 {
   std::array<int, 2> Fragments;
@@ -65,7 +65,7 @@ int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
 namespace
 {
 
-/// Adds up what the owned cells ask for.
+/// Sums the target volumes of the owned cells.
 class TargetSums
 {
 public:
@@ -90,9 +90,9 @@ public:
       [&](Index first, Index last, int fragment) { this->AddRun(first, last, j, k, fragment); });
   }
 
-  std::vector<ExactSum> Targets; // by fragment, [0] none
-  std::vector<ExactSum> Cells;   // by fragment
-  std::vector<ExactSum> Totals;  // by material
+  std::vector<ExactSum> Targets; // target of each fragment, [0] unused
+  std::vector<ExactSum> Cells;   // volume of the cells of each fragment
+  std::vector<ExactSum> Totals;  // total of each material
 
   void Add(const TargetSums& other)
   {
@@ -209,7 +209,8 @@ FragmentVolumes::FragmentVolumes(const CartesianGrid& grid, const FractionField&
   this->Aims = this->Targets;
 }
 
-/// Fractions with no cell of their material near go to all fragments of the material alike.
+/// Distributes fractions without a cell of their material nearby to all fragments of the material,
+/// in proportion to their targets.
 void FragmentVolumes::ShareOrphans()
 {
   std::vector<double> found(this->TotalOfMaterial.size(), 0.0);
@@ -253,7 +254,7 @@ void FragmentVolumes::Measure(const ActiveMesh& mesh)
   this->Areas = GatherPairSums(areas, this->Run.Group());
 }
 
-/// mu of every fragment, [0] outside.
+/// Returns mu of each fragment; [0] is the outside.
 std::vector<double> FragmentVolumes::FindPotentials() const
 {
   std::vector<double> lack(this->Targets.size(), 0.0);
@@ -282,7 +283,7 @@ double FragmentVolumes::ErrorOf(int fragment) const
   return std::fabs(this->VolumeOf(fragment) - this->Aims[fragment]) / this->Aims[fragment];
 }
 
-/// Largest error of the fragments that are small, or are not.
+/// Returns the largest error of the small fragments, or of the others.
 double FragmentVolumes::WorstOf(bool small) const
 {
   double worst = 0.0;

@@ -1,10 +1,10 @@
 /**
- * Volumes of fragments: what the fractions ask for, what the mesh has, and the shift of the interfaces
- * that makes them meet.
+ * FragmentVolumes: the volumes of fragments in the fractions (targets) and in the mesh, and the
+ * shifts of the interfaces that make them equal.
  *
- * Sums run in integers over all ranks, so they depend neither on the order nor on the ranks. Every rank holds the
- * volumes of all fragments and the areas of all pairs of fragments. Volumes are in grid coordinates
- * (Interface.h): one mean cell is 1.
+ * Sums are exact (ExactSum), so they depend on neither their order nor the number of ranks. Every
+ * rank holds the volumes of all fragments and the interface areas of all pairs of fragments.
+ * Volumes are in grid coordinates (Interface.h), where the volume of a mean cell is 1.
  */
 #pragma once
 
@@ -18,19 +18,21 @@
 namespace vfm
 {
 
-/// Says to which fragment the material in a cell belongs.
+/// Interface that finds the fragment of the material in a cell. Called by several threads at once.
 class FragmentLocator
 {
 public:
   virtual ~FragmentLocator() = default;
-  /// Calls body(first cell, last cell + 1, fragment) for row (j, k) of HexBox in order; 0 where not meshed.
+  /// Calls body(first cell, last cell + 1, fragment) for the runs of row (j, k) of HexBox in order;
+  /// the fragment is 0 where cells are not meshed.
   using Body = std::function<void(Index, Index, int)>;
   virtual void ForRuns(Index j, Index k, const Body& body) const = 0;
-  /// The fragment of a material near a cell whose own fragment has another; 0: none is near.
+  /// Returns the fragment of a material near a cell of another fragment, or 0.
   virtual int FindNear(const Index3& cell, int material) const = 0;
 };
 
-/// The first fragment > 0 that fragmentOf gives for the nearest of the 27 cells around a cell and in HexBox; 0: none.
+/// Returns the fragment of the nearest cell whose fragmentOf is positive, or 0. Candidates are the
+/// 27 cells around a cell that lie in HexBox; the first of equally near ones counts.
 int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   const std::function<int(const Index3&)>& fragmentOf);
 
@@ -39,42 +41,55 @@ class FragmentVolumes
   static constexpr double LargeFragment = 64.0; // cells
 
 public:
-  /// materials: of each fragment, [0] unused. Collective, like Measure.
+  /// Finds the target volumes of all fragments.
+  /// @param materials  material of each fragment, [0] unused
+  /// @param locator  is used only here
+  /// @pre Collective.
   FragmentVolumes(const CartesianGrid& grid, const FractionField& fractions,
     std::vector<int> materials, const FragmentLocator& locator, Runtime& runtime);
 
-  /// Says what the mesh has at the start, by fragment over all ranks. Without it: the volumes of the cells.
+  /// Sets the initial volumes of the mesh, by fragment over all ranks. Without this call they are
+  /// the volumes of the cells.
   void SetStart(std::vector<double> volumes) { this->StartVolumes = std::move(volumes); }
 
-  /// Measures the mesh: the start and what its facets have swept. Without it, volumes are those of the start.
+  /// Measures the mesh: the initial volumes plus the volumes that its facets have swept. Before the
+  /// first call, volumes are the initial ones.
+  /// @pre Collective.
   void Measure(const ActiveMesh& mesh);
 
-  /// The shift of every attachment (grid coordinates) that makes up for what the last measurement lacks: solves
+  /// Returns the shift of each attachment, in grid coordinates, that corrects the errors of the
+  /// last measurement. Solves
+  ///
   ///   sum_g A_fg (mu_f - mu_g) = target_f - volume_f
-  /// with the areas A of the interfaces, mu = 0 outside; an interface shifts by mu_f - mu_g.
+  ///
+  /// with the areas A of the interfaces and mu = 0 outside. An interface shifts by mu_f - mu_g.
   std::vector<double> FindShifts(const ActiveMesh& mesh) const;
 
-  /// Whether a fragment's target is less than 64 cells. 0, outside, is not small.
+  /// Returns whether the target of a fragment is below 64 cells; false for 0, the outside.
   bool IsSmall(int fragment) const
   {
     return fragment > 0 && this->Targets[fragment] < LargeFragment;
   }
 
-  /// Largest |volume - target| / target of a material, and of a fragment that is not small.
+  /// Returns the largest |volume - target| / target of all materials and of all fragments that are
+  /// not small.
   double WorstError() const;
-  /// The same of the small fragments.
+  /// Returns the largest |volume - target| / target of the small fragments.
   double WorstSmallError() const;
 
-  /// From now on, shifts leave the small fragments that are off by more than a relative error as they are, and give what they lack to
-  /// the other fragments of their material, in proportion to their targets. Whether there were some.
+  /// Excludes small fragments with a relative error above `error` from later shifts. The other
+  /// fragments of their material take over the missing volume in proportion to their targets.
+  /// @return whether any fragment was excluded
   bool ExcludeSmall(double error);
 
-  /// Per material from 0, in cells of mean size. Targets count every cell, also where no cell holds the label.
+  /// Return the volume per material from 0, in mean cells. Targets include cells without an element
+  /// of the material nearby.
   std::vector<double> MaterialTargets() const { return this->TotalOfMaterial; }
   std::vector<double> MaterialVolumes() const;
-  /// How many fragments each material has.
+  /// Returns the number of fragments per material.
   std::vector<Index> MaterialFragments() const;
-  /// By fragment, [0] unused, in cells of mean size: its cells' fractions, and its share of those near no fragment.
+  /// Returns the target of each fragment, [0] unused, in mean cells: the fractions in and near its
+  /// cells, plus a share of the fractions near no fragment.
   const std::vector<double>& FragmentTargets() const { return this->Targets; }
 
 private:
@@ -87,14 +102,14 @@ private:
   double ErrorOf(int fragment) const;
   double WorstOf(bool small) const;
 
-  const std::vector<int> Materials; // of each fragment
+  const std::vector<int> Materials; // material of each fragment
   Runtime& Run;
-  std::vector<double> Targets;         // by fragment, orphans shared out
-  std::vector<double> Aims;            // the same, what is given up shared out too
-  std::vector<double> StartVolumes;    // by fragment
-  std::vector<double> Swept;           // by fragment, since the start
-  std::vector<PairSum> Areas;          // of the interfaces of two fragments
-  std::vector<double> TotalOfMaterial; // from the fractions
+  std::vector<double> Targets;         // target of each fragment
+  std::vector<double> Aims;            // targets after ExcludeSmall
+  std::vector<double> StartVolumes;    // initial volume of each fragment
+  std::vector<double> Swept;           // volume that each fragment has gained since then
+  std::vector<PairSum> Areas;          // interface areas of pairs of fragments
+  std::vector<double> TotalOfMaterial; // total volume of each material in the fractions
 };
 
 } // namespace vfm
