@@ -45,6 +45,19 @@ def read_cxx(text):
     yield from join_lines(lines)
 
 
+def read_messages(text):
+    """String literals of C++ with three words or more; neighbouring literals are one."""
+    last, literals = -1, []
+    for match in CXX_TOKEN.finditer(text):
+        if match.group().startswith('"'):
+            if literals and text[last:match.start()].strip():
+                yield "".join(literals)
+                literals = []
+            literals.append(match.group()[1:-1].replace("\\n", " ").replace('\\"', "'"))
+            last = match.end()
+    yield "".join(literals)
+
+
 def read_python(text):
     """Docstrings and comments of Python."""
     for node in ast.walk(ast.parse(text)):
