@@ -28,8 +28,8 @@ constexpr int HexLayers = 2;
 /// memory. Stages that need values beyond the domain boundary (labels) copy them from the cell next
 /// to it into the outermost layer; see ForMirrors.
 ///
-/// Numbering. Corner c of cell n is node n + CornerOffset(c). Cell c of the star of node n is n -
-/// CornerOffset(7) + CornerOffset(c). Faces -x +x -y +y -z +z have the numbers 0 to 5.
+/// Numbering. Corner c of cell n is node n + CornerOffset(c). Cell c of the star of node n is
+/// n - CornerOffset(7) + CornerOffset(c). Faces -x +x -y +y -z +z have the numbers 0 to 5.
 ///
 /// Keys. NodeKey and CellKey are global numbers that do not depend on the number of ranks.
 class CartesianGrid
@@ -77,8 +77,8 @@ public:
   /// Returns the linear index of corner c of a cell minus the index of the cell.
   Index CornerOffset(int c) const { return this->Corners[c]; }
   Index NodeOfCell(Index cell, int c) const { return cell + this->Corners[c]; }
-  /// Returns cell c of the star of a node. Bit a of c is set if the cell is on the +
-  /// side of axis a.
+  /// Returns cell c of the star of a node. Bit a of c is set if the cell is on
+  /// the + side of axis a.
   Index CellOfNode(Index node, int c) const { return node + this->Corners[c] - this->Corners[7]; }
   /// Returns the cell across a face.
   Index Neighbour(Index cell, int face) const

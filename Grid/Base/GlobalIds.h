@@ -1,8 +1,8 @@
 /**
  * Global ids of points and elements, computed from grid keys without communication.
  *
- * - A point has a slot from 0 to PointSlots - 1 of a grid node: id = NodeKey * PointSlots
- *   + slot + 1.
+ * - A point has a slot from 0 to PointSlots - 1 of a grid node:
+ *   id = NodeKey * PointSlots + slot + 1.
  * - An element has a slot of a cell (hexes) or node (tets): id = key * ElementSlots + slot + 1.
  *
  * Points and elements of coarser levels have ids after all of these (RefinedGrid.h).

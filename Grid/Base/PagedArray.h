@@ -89,9 +89,9 @@ public:
   /// Copies the row of index `from` to the row of index `to`.
   void CopyRow(Index from, Index to);
 
-  /// Visits [first, last), which is in one row, in ascending order. Calls same(begin,
-  /// end, value) for ranges known to be uniform and each(begin, end, values) for others,
-  /// with values[0] at begin.
+  /// Visits [first, last), which is in one row, in ascending order. Calls
+  /// same(begin, end, value) for ranges known to be uniform and each(begin, end, values) for
+  /// others, with values[0] at begin.
   template <class Same, class Each>
   void Visit(Index first, Index last, const Same& same, const Each& each) const;
 

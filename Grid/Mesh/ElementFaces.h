@@ -1,5 +1,6 @@
 /**
- * ElementFaces: the faces of hexahedra and tetrahedra, numbered as vtkHexahedron and vtkTetra number them.
+ * ElementFaces: the faces of hexahedra and tetrahedra in the numbering of
+ * vtkHexahedron and vtkTetra.
  */
 #pragma once
 
@@ -10,18 +11,21 @@
 namespace vfm
 {
 
-/// The points of a face in ascending order; the first of a triangle is -1.
+/// Points of a face in ascending order. The first point of a triangle is -1.
 using FaceIds = std::array<Index, 4>;
 
-/// The faces of the elements with 8 or 4 corners.
+/// Faces of hexahedra or tetrahedra.
 struct ElementFaces
 {
+  /// @param corners  corners per element, 8 or 4
   explicit ElementFaces(int corners) :
     Count(corners == 8 ? 6 : 4), Corners(corners == 8 ? 4 : 3), Table(corners == 8 ? OfHex : OfTet)
   {
   }
 
-  /// The points around a face of an element, seen from outside counterclockwise; the last of a triangle is -1.
+  /// Returns the points of a face, counterclockwise seen from outside. The last point of
+  /// a triangle is -1.
+  /// @param element  points of the element in VTK's order
   std::array<Index, 4> PointsOf(const Index* element, int face) const
   {
     std::array<Index, 4> points{ { -1, -1, -1, -1 } };
@@ -30,7 +34,7 @@ struct ElementFaces
     return points;
   }
 
-  const int Count, Corners; ///< faces of an element, corners of a face
+  const int Count, Corners; ///< number of faces per element and of corners per face
 
 private:
   static constexpr int OfHex[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },

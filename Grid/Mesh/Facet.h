@@ -1,6 +1,6 @@
 /**
- * The faces of a mesh that matter: those on interfaces and on sides of the domain. They are found once, by topology (HexFacets,
- * TetFacets); what needs interfaces of the mesh reads the list: geometry, attachment, volumes.
+ * Facet: a face of a mesh on an interface or on a side of the domain. HexFacets and TetFacets list
+ * the facets once by topology; geometry, attachment and volumes use the list.
  */
 #pragma once
 
@@ -9,18 +9,20 @@
 namespace vfm
 {
 
-/// A face of elements between two materials, or on a side of the domain. "Behind" and "before" it: where its normal comes from and
-/// where it points.
+/// Face of elements between two materials or on a side of the domain. The normal points from the
+/// element behind the facet to the element before it.
 struct Facet
 {
-  std::array<Index, 4> Points;  ///< of the mesh or its active part; the last twice in triangles
-  std::array<int, 2> Materials; ///< behind and before it; 0: void, or beyond the domain
-  std::array<int, 2> Fragments; ///< the same; 0: not meshed, or beyond the domain
+  /// Points of the mesh or of its active part. Triangles repeat the last one.
+  std::array<Index, 4> Points;
+  std::array<int, 2> Materials; ///< material behind and before; 0: void or outside the domain
+  std::array<int, 2> Fragments; ///< fragment behind and before; 0: not meshed or outside the domain
   int DomainSide;               ///< -1, or 0..5 for -x +x -y +y -z +z
-  bool IsOwned;                 ///< one rank writes it and measures with it
+  bool IsOwned;                 ///< true on the one rank that writes and measures the facet
 };
 
-/// What lies on the two sides of a facet, the smaller first: fragments, 0 not meshed, -1 - side beyond a side of the domain.
+/// Returns the two sides of a facet, the smaller first: a fragment, 0 if not meshed, or
+/// -1 - DomainSide outside the domain.
 inline std::array<int, 2> SurfaceOf(const Facet& facet)
 {
   const int before = facet.DomainSide < 0 ? facet.Fragments[1] : -1 - facet.DomainSide;

@@ -10,7 +10,7 @@ bool IsBefore(const FacetSide& side, const FacetSide& other)
   return side.Points < other.Points;
 }
 
-/// Adds the side at which the material with that place in the pair is.
+/// Adds the side of a facet on which the material with position `own` in the pair is.
 void AddSide(const Mesh& mesh, std::size_t facet, int own, const FaceIds& points,
   std::vector<FacetSide>& sides)
 {
@@ -40,7 +40,7 @@ std::vector<FacetSide> ListFacetSides(const Mesh& mesh)
     FaceIds points{ { -1, -1, -1, -1 } };
     std::copy_n(mesh.Surfaces.Points.data() + corners * facet, corners, points.end() - corners);
     std::sort(points.begin(), points.end());
-    // beyond the rim of this rank's elements surfaces may have no number
+    // Facets outside the elements of this rank may be on surfaces without a number.
     if (points[4 - corners] >= 0 && mesh.Surfaces.SurfaceId[facet] <= surfaces)
     {
       AddSide(mesh, facet, 0, points, sides);

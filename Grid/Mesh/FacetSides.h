@@ -1,5 +1,5 @@
 /**
- * FacetSides: which sides of its elements the facets of a mesh are.
+ * FacetSides: the sides of elements that are facets of the mesh.
  */
 #pragma once
 
@@ -9,21 +9,24 @@
 namespace vfm
 {
 
-/// A facet as one of its elements has it.
+/// Side of an element that is a facet.
 struct FacetSide
 {
-  FaceIds Points;  ///< of the mesh
-  MeshFacet Facet; ///< its Behind is not the material of the element
+  FaceIds Points;  ///< points of the mesh
+  MeshFacet Facet; ///< Facet.Behind differs from the material of the element
 };
 
-/// The facets in Surfaces, each once for every meshed fragment at it; without their elements. Facets with a point below 0 are left out.
+/// Returns the facets in mesh.Surfaces, once for each meshed fragment at a facet, without their
+/// elements. Facets with a negative point are omitted.
 std::vector<FacetSide> ListFacetSides(const Mesh& mesh);
 
-/// The facets of the mesh (Mesh::Facets) with their points.
+/// Returns the facets in Mesh::Facets with their points.
 std::vector<FacetSide> ListPointsOfFacets(const Mesh& mesh);
 
-/// The facets of the elements of the mesh that have such a side, ascending by element and side.
-/// mesh: its GeometryDimension is below 3 at all points of the sides.
+/// Finds the elements of facets.
+/// @param sides  facets without elements
+/// @param mesh  GeometryDimension must be below 3 at all points of the facets
+/// @return facets of elements, ascending by element and side
 std::vector<MeshFacet> FindElements(std::vector<FacetSide> sides, const Mesh& mesh);
 
 } // namespace vfm

@@ -1,20 +1,21 @@
 /**
- * What a point of a mesh lies on where interfaces have edges.
+ * FeatureKind: the kind of sharp feature of an interface on which a mesh point lies.
  */
 #pragma once
 
 namespace vfm
 {
 
+/// Sharp feature at a mesh point.
 enum class FeatureKind : unsigned char
 {
   None,
-  Side, ///< one of the surfaces beside an edge
+  Side, ///< a smooth surface next to an edge
   Edge,
   Corner
 };
 
-/// Whether an edge runs through a point.
+/// Returns whether a point is a carrier: an edge runs through it or ends there.
 inline bool IsCarrier(FeatureKind kind)
 {
   return kind >= FeatureKind::Edge;

@@ -14,7 +14,8 @@ using Pair = GeometryTables::Pair;
 using SurfaceSet = std::vector<int>;
 using EdgeFacet = std::array<std::int64_t, 5>;
 
-/// A surface: what lies on its two sides (SurfaceOf), their materials, and its smooth side (FindSmoothSides).
+/// Key of a surface: its two sides (SurfaceOf), their materials, and the smooth
+/// side (FindSmoothSides).
 using SurfaceKey = std::array<int, 5>;
 
 SurfaceKey KeyOf(const Facet& facet, int side)
@@ -43,18 +44,18 @@ private:
   std::vector<Key> Keys;
 };
 
-/// The distinct keys of all ranks.
+/// Returns the numbering of the distinct keys of all ranks.
 template <class Key>
 Numbering<Key> Gather(Ranks& ranks, const std::vector<Key>& keys)
 {
   return Numbering<Key>(GatherItems(ranks, Numbering<Key>(keys).All()));
 }
 
-/// Numbers of surfaces looked up lately: facets near each other are of few.
+/// Cache of surface numbers. Facets close to each other belong to few surfaces.
 class RecentSurfaces
 {
 public:
-  /// lookUp(key) tells the number where it is not known.
+  /// Returns the number of a surface; calls lookUp(key) if it is not in the cache.
   template <class LookUp>
   int Find(const SurfaceKey& key, const LookUp& lookUp)
   {
@@ -78,7 +79,8 @@ private:
   std::array<Entry, 256> Entries{};
 };
 
-/// Sets are sent as their sizes and members one after another.
+/// Returns the numbering of the distinct sets of all ranks. A set is sent as its
+/// size and its members.
 Numbering<SurfaceSet> GatherSets(Ranks& ranks, const std::vector<SurfaceSet>& sets)
 {
   const Numbering<SurfaceSet> distinct(sets);
@@ -100,13 +102,13 @@ Numbering<SurfaceSet> GatherSets(Ranks& ranks, const std::vector<SurfaceSet>& se
 struct Work
 {
   const std::vector<Facet>& Facets;
-  const std::vector<int> Sides; // of the facets
+  const std::vector<int> Sides; // side of each facet
   Ranks& Group;
   Mesh& Result;
   const int Corners = Result.CornersOfFacet();
 };
 
-/// The smaller material first; the normal points to it.
+/// Stores a facet with the smaller material first; the normal points to it.
 void SetFacet(Work& work, std::size_t q, const Facet& facet)
 {
   Index* points = work.Result.Surfaces.Points.data() + work.Corners * q;
@@ -154,7 +156,7 @@ Index FillSurfaces(Work& work)
   RecentSurfaces known;
   for (std::size_t q = 0; q < work.Facets.size(); ++q)
   {
-    if (work.Facets[q].IsOwned) // what is beyond the rim is not known
+    if (work.Facets[q].IsOwned) // the sides of other facets may be unknown
     {
       known.Find(KeyOf(work.Facets[q], work.Sides[q]),
         [&keys](const SurfaceKey& key)
@@ -266,7 +268,7 @@ void FillCurveTables(Work& work, const std::vector<SurfaceSet>& curves)
   tables.CurveVertices = Gather(work.Group, pairs).All();
 }
 
-/// After the vertices.
+/// Fills the curves. The vertices must be classified already.
 Index FillCurves(Work& work, const Junctions& junctions)
 {
   std::vector<const Junction*> owned;
@@ -319,7 +321,7 @@ bool IsKnownFromPoints(const Work& work, std::size_t q)
   return inside > 0 && others == 0;
 }
 
-/// After points are classified.
+/// Fills EdgeFacets. The points must be classified already.
 void ListEdgeFacets(Work& work)
 {
   const Mesh& mesh = work.Result;

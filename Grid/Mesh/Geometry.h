@@ -1,11 +1,5 @@
 /**
- * The geometry that the mesh resolves: volumes, surfaces, curves and vertices.
- *
- * Volume: a fragment. Surface: the facets between two volumes, between a volume and what is not meshed, or on
- * one side of the domain; where an interface has edges, one of its smooth sides. Curve: the edges where the same surfaces meet. Vertex: a point where curves meet or end, or where surfaces
- * touch. A curve, or a surface, may be of several pieces. Their numbers are the same on every rank: each learns of all surfaces, curves
- * and vertices, and of what bounds what.
- * Every mesh point of an owned element is classified on the lowest-dimensional of them that it lies on.
+ * Geometry that the mesh resolves: volumes, surfaces, curves and vertices.
  */
 #pragma once
 
@@ -18,9 +12,26 @@
 namespace vfm
 {
 
-/// Fills mesh.Surfaces, mesh.Curves, mesh.Vertices, mesh.Tables, mesh.GeometryDimension, mesh.GeometryId of the points on facets (inside
-/// volumes they are their fragments), and the counts of the report. kinds: as of FindSmoothSides. mesh: points in their last places.
-/// Collective.
+/// Classifies the points of the mesh on volumes, surfaces, curves and vertices.
+///
+/// - Volume: a fragment.
+/// - Surface: the facets between two volumes, between a volume and unmeshed space, or on one side
+///   of the domain. An interface with edges consists of several surfaces, its smooth sides.
+/// - Curve: the facet edges where the same surfaces meet.
+/// - Vertex: a point where curves meet or end, or where surfaces touch.
+///
+/// A curve or surface may consist of several components. Every rank stores the tables of all
+/// surfaces, curves and vertices, with equal numbers. Each point of an owned element belongs to the
+/// lowest-dimensional entity on which it lies.
+///
+/// Fills mesh.Surfaces, Curves, Vertices, Tables, GeometryDimension, the GeometryId of points on
+/// facets, and the counts of the report.
+/// @param facets  facets of the mesh
+/// @param kinds  kind of every mesh point (FindSmoothSides)
+/// @param partition  partition of the finest grid
+/// @param[in,out] mesh  mesh with final point positions; GeometryId of points inside volumes is set
+/// @param[out] report  NumberOfSurfaces, NumberOfCurves and NumberOfVertices are set
+/// @pre Collective.
 void ClassifyGeometry(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Partition& partition, Mesh& mesh, MeshReport& report);
 

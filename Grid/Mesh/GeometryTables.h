@@ -1,5 +1,5 @@
 /**
- * What bounds what in the geometry that a mesh resolves: volumes, surfaces, curves, vertices. The same on every rank.
+ * GeometryTables: adjacency and measures of the volumes, surfaces, curves and vertices of a mesh.
  */
 #pragma once
 
@@ -11,28 +11,31 @@
 namespace vfm
 {
 
+/// Tables of the geometry of a mesh, equal on every rank.
 struct GeometryTables
 {
   using Pair = std::array<int, 2>;
 
-  ///@{ Of surfaces 1, 2, ...: what lies on the two sides, the smaller material first, as in facets.
-  std::vector<Pair> SurfaceVolumes;   ///< fragments; 0: not meshed, or beyond the domain
-  std::vector<Pair> SurfaceMaterials; ///< 0: void, or beyond the domain
+  ///@{ Columns of surfaces 1, 2, ..; a pair holds both sides, the smaller material first.
+  std::vector<Pair> SurfaceVolumes;   ///< fragments; 0: not meshed or outside the domain
+  std::vector<Pair> SurfaceMaterials; ///< materials; 0: void or outside the domain
   std::vector<int> SurfaceSides;      ///< -1, or the side of the domain, 0..5 for -x +x -y +y -z +z
-  std::vector<int> SurfaceParts;    ///< 0, or which smooth side of an interface with edges, from 1
-  std::vector<double> SurfaceAreas; ///< squared length units of the grid
-  std::vector<std::array<double, 3>> SurfaceCentroids; ///< of the area
-  /// Means of the normals over the area, from the second material to the first: of length 1 on a plane, 0 all around a volume.
+  std::vector<int> SurfaceParts;      ///< smooth side of an interface with edges, from 1; else 0
+  std::vector<double> SurfaceAreas;   ///< areas in squared length units of the grid
+  std::vector<std::array<double, 3>> SurfaceCentroids; ///< centroids of the area
+  /// Mean normals over the area, from the second material to the first. The length is 1 for a plane
+  /// and 0 for a closed surface.
   std::vector<std::array<double, 3>> SurfaceNormals;
   ///@}
-  /// Of curves 1, 2, ...: how many ends of its edges are vertices: none of a closed curve, two of an open one, more where the same
-  /// surfaces meet in several pieces.
+  /// Column of curves 1, 2, ..: the number of ends of curve edges at vertices. It is 0 for a closed
+  /// curve, 2 for an open one, and larger if the curve has several components.
   std::vector<int> CurveEnds;
-  ///@{ Each pair once, ascending: a volume and a surface that bounds it, and so on downwards.
+  ///@{ Pairs of a volume and a surface that bounds it, and so on; ascending, without duplicates.
   std::vector<Pair> VolumeSurfaces, SurfaceCurves, CurveVertices;
   ///@}
-  /// Facets of smooth sides whose points do not tell the surface, since none is inside one, or several inside several: global ids of the
-  /// points, ascending, of triangles -1 first, and the surface. Ascending.
+  /// Facets of smooth sides whose surface cannot be found from their points, because no point is
+  /// inside a surface or points are inside several. An entry holds the global ids of the points,
+  /// ascending (in triangles -1 first), and the surface. Entries are ascending.
   std::vector<std::array<std::int64_t, 5>> EdgeFacets;
 };
 

@@ -7,7 +7,7 @@ namespace vfm
 namespace
 {
 
-/// A point or an edge, and a facet that it is on.
+/// Point or edge and a facet that contains it.
 struct Incidence
 {
   std::array<Index, 2> Points;
@@ -15,7 +15,7 @@ struct Incidence
   bool operator<(const Incidence& other) const { return this->Points < other.Points; }
 };
 
-/// Of each mesh point: whether it is on several surfaces.
+/// Returns whether each mesh point is on several surfaces.
 std::vector<bool> FindShared(const Mesh& mesh)
 {
   const SurfaceFacets& surfaces = mesh.Surfaces;
@@ -44,7 +44,7 @@ std::array<Index, 4> KeyOfFacet(const Mesh& mesh, Index facet)
   return key;
 }
 
-/// Those of the places that are on several surfaces.
+/// Returns the points or edges that are on several surfaces.
 std::vector<Junction> FindJunctions(const Mesh& mesh, std::vector<Incidence> places)
 {
   std::sort(places.begin(), places.end());
@@ -97,19 +97,19 @@ Junctions::Junctions(const Mesh& mesh)
   }
   this->ThePoints = FindJunctions(mesh, std::move(points));
   this->TheEdges = FindJunctions(mesh, std::move(edges));
-  std::vector<int> all(this->ThePoints.size(), 0), alike(all);
+  std::vector<int> all(this->ThePoints.size(), 0), equal(all);
   for (const Junction& edge : this->TheEdges)
   {
     for (Index end : edge.Points)
     {
       const std::size_t point = this->Find(end);
       ++all[point];
-      alike[point] += edge.Surfaces == this->ThePoints[point].Surfaces;
+      equal[point] += edge.Surfaces == this->ThePoints[point].Surfaces;
     }
   }
   for (std::size_t p = 0; p < all.size(); ++p)
   {
-    this->IsThrough.push_back(all[p] == 2 && alike[p] == 2);
+    this->IsThrough.push_back(all[p] == 2 && equal[p] == 2);
   }
 }
 

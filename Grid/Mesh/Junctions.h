@@ -1,5 +1,5 @@
 /**
- * Junctions: where facets of several surfaces meet, in the facets of one rank.
+ * Junctions: the points and edges of one rank's facets where several surfaces meet.
  */
 #pragma once
 
@@ -8,12 +8,13 @@
 namespace vfm
 {
 
-/// An edge of facets, or a point, which is named twice.
+/// Edge of facets, or point, on several surfaces.
 struct Junction
 {
-  std::array<Index, 2> Points; ///< of the mesh, ascending
+  std::array<Index, 2> Points; ///< points of the mesh, ascending; equal for a point
   std::vector<int> Surfaces;   ///< two or more, ascending
-  Index First; ///< of the facets around it the one with the lowest points: no rank knows another
+  /// The adjacent facet with the lowest points, which is the same facet on all ranks.
+  Index First;
 };
 
 inline bool operator<(const Junction& a, const Junction& b)
@@ -21,18 +22,21 @@ inline bool operator<(const Junction& a, const Junction& b)
   return a.Points < b.Points;
 }
 
-/// The points and edges of mesh.Surfaces on several surfaces, in the order of their points; around points of owned elements all that there are.
+/// Points and edges of mesh.Surfaces on several surfaces, in the order of their points. The lists
+/// are complete around points of owned elements.
 class Junctions
 {
 public:
-  /// mesh: GeometryId of each point on surfaces is one of them.
+  /// @param mesh  GeometryId of each point on surfaces must be one of these surfaces
   explicit Junctions(const Mesh& mesh);
 
   const std::vector<Junction>& Points() const { return this->ThePoints; }
   const std::vector<Junction>& Edges() const { return this->TheEdges; }
-  /// Whether no curve goes through a point: on it are not just two edges, of its own surfaces.
+  /// Returns whether a point is a vertex. It is not if exactly two junction edges end there and
+  /// both are on the same surfaces as the point; then a curve runs through it.
   bool IsVertex(std::size_t point) const { return !this->IsThrough[point]; }
-  /// The position in Points() of a mesh point that is an end of an edge.
+  /// Returns the position in Points() of a mesh point.
+  /// @pre The point is an end of a junction edge.
   std::size_t Find(Index meshPoint) const;
 
 private:

@@ -7,7 +7,8 @@ namespace vfm
 namespace
 {
 
-/// The items whose index is kept, in order; several values an item.
+/// Returns the items with the given indices.
+/// @param width  values per item
 template <class T>
 Buffer<T> Select(const Buffer<T>& items, const std::vector<Index>& kept, Index width = 1)
 {

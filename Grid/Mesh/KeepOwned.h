@@ -1,5 +1,5 @@
 /**
- * KeepOwned: a mesh without what other ranks write.
+ * KeepOwned: removal of the elements that other ranks own.
  */
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace vfm
 {
 
-/// Finds Facets, then drops the elements, points and facets that belong to other ranks' cells.
+/// Fills mesh.Facets, then removes the elements, points and facets of cells that other ranks own.
 void KeepOwned(Mesh& mesh, const CartesianGrid& grid);
 
 } // namespace vfm

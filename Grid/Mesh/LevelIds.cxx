@@ -57,7 +57,7 @@ Index3 NodeOfCoarsePoint(const RefinedGrid& grid, Index id, Index slots)
   if (IsCoarseCentre(grid, id, slots))
   {
     const OctreeKeys::LevelIndex cell = CellOfCoarseCentre(grid, id, slots);
-    return grid.FinestCells(cell.Level, cell.At).Upper; // so the cell's owner owns the centre
+    return grid.FinestCells(cell.Level, cell.At).Upper; // the owner of the cell owns this node
   }
   const OctreeKeys::LevelIndex index = grid.Lattice().NodeOfKey(KeyOfPoint(grid, id, slots));
   return grid.FinestNode(index.Level, index.At);

@@ -1,8 +1,10 @@
 /**
- * LevelIds: ids of the points and elements of refined grids, in a mesh with so many slots a node or cell of the finest grid.
+ * LevelIds: ids of the points and elements of refined grids.
  *
- * The points and elements of finest cells have those of a mesh without levels; those of the coarse hexes follow, by the
- * keys of OctreeKeys. A lattice node that a fine cell has as a corner is a point of that cell.
+ * Points and elements of finest cells have the same ids as in a mesh without levels (GlobalIds.h).
+ * The ids of coarse hexes follow, computed from the keys of OctreeKeys. A lattice node that is a
+ * corner of a finest cell has the id of a point of that cell. The parameter `slots` is the number
+ * of slots per node or cell of the finest grid.
  */
 #pragma once
 
@@ -11,26 +13,29 @@
 namespace vfm
 {
 
-/// Of what has a key in the lattice.
+/// PointId and ElementId return the id of a point or element from its key in the lattice.
 Index PointId(const RefinedGrid& grid, Index key, Index slots, int slot = 0);
 Index ElementId(const RefinedGrid& grid, Index key, Index slots, int slot = 0);
-/// Whether a point or an element is one of the coarse hexes.
+/// IsCoarsePoint and IsCoarseElement return whether a point or element belongs to the coarse hexes.
 bool IsCoarsePoint(const RefinedGrid& grid, Index id, Index slots);
 bool IsCoarseElement(const RefinedGrid& grid, Index id, Index slots);
-/// Whether a point is a node of the lattice or a copy of one: no point of an interface.
+/// Returns whether a point is a lattice node or a copy of one, not a point of an interface.
 inline bool IsLatticePoint(const RefinedGrid& grid, Index id, Index slots)
 {
   return IsCoarsePoint(grid, id, slots) || (id - 1) % slots == 0;
 }
-/// The key of such a point, or of the node that it was split from, in the lattice.
+/// Returns the lattice key of a lattice point, or of the node that it is a copy of.
 Index KeyOfPoint(const RefinedGrid& grid, Index id, Index slots);
-/// The node, and the cell, that a point or an element of the coarse hexes stems from.
+/// NodeOfCoarsePoint returns the node of a point of coarse hexes; CellOfCoarseElement the cell
+/// of a coarse hex.
 Index3 NodeOfCoarsePoint(const RefinedGrid& grid, Index id, Index slots);
 OctreeKeys::LevelIndex CellOfCoarseElement(const RefinedGrid& grid, Index id, Index slots);
 
-/// The same of tets (CoarseTets.h): points that no finest cell of HexBox has go by their keys, the centres of coarse hexes are
-/// points after all others, a tet is number 0..23 of a hex.
+/// Number of tets per coarse hex.
 constexpr Index TetsOfHex = 24;
+/// The following functions are for tets (CoarseTets.h). Points without a finest cell in HexBox have
+/// ids computed from lattice keys. The centres of coarse hexes are points with ids after all
+/// others. A tet has a number from 0 to 23 in its hex.
 Index CoarsePointId(const RefinedGrid& grid, Index key, Index slots, int slot = 0);
 Index CentreId(const RefinedGrid& grid, Index hexKey, Index slots);
 Index TetId(const RefinedGrid& grid, Index hexKey, Index number, Index slots);
@@ -38,7 +43,7 @@ bool IsCoarseCentre(const RefinedGrid& grid, Index id, Index slots);
 bool IsCoarseTet(const RefinedGrid& grid, Index id, Index slots);
 OctreeKeys::LevelIndex CellOfCoarseCentre(const RefinedGrid& grid, Index id, Index slots);
 OctreeKeys::LevelIndex CellOfCoarseTet(const RefinedGrid& grid, Index id, Index slots);
-/// Larger than the id of any point of tets.
+/// Returns a number larger than the id of every point of tets.
 Index EndOfPointIds(const RefinedGrid& grid, Index slots);
 
 } // namespace vfm

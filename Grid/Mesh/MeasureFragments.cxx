@@ -6,7 +6,7 @@
 namespace vfm
 {
 
-// From the first corner, so that coordinates may be large.
+// Coordinates are relative to the first corner, which limits rounding errors if they are large.
 double VolumeOfElement(const Mesh& mesh, Index element, double unit)
 {
   std::array<Vector3, 8> x;

@@ -1,5 +1,5 @@
 /**
- * The volumes of the elements of a mesh and of its fragments.
+ * Volumes of the elements and fragments of a mesh.
  */
 #pragma once
 
@@ -9,11 +9,15 @@
 namespace vfm
 {
 
-/// The volume of an element, of hexes the trilinear one; unit: of lengths.
+/// Returns the volume of an element; for a hex the volume of the trilinear map.
+/// @param unit  unit of length of the result, in length units of the mesh
 double VolumeOfElement(const Mesh& mesh, Index element, double unit = 1.0);
 
-/// Of the owned elements of a mesh by fragment, [0] none, over all ranks, in mean cells: exact but for rounding. fragments: how many
-/// there are. Collective.
+/// Returns the volume of each fragment over all ranks, in units of the mean cell volume. [0] is not
+/// used. The sums do not depend on ranks and threads.
+/// @param mesh  mesh of which only the elements in owned cells are counted
+/// @param fragments  number of fragments over all ranks
+/// @pre Collective.
 std::vector<double> MeasureFragments(
   const Mesh& mesh, const CartesianGrid& grid, int fragments, Runtime& runtime);
 

@@ -10,10 +10,10 @@ void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report)
   const std::size_t materials = report.Materials.size();
   std::vector<std::int64_t> elements(materials, 0), perfect(materials, 0);
   std::vector<ExactSum> sums(materials);
-  std::vector<double> worst(materials, -1.0); // the smallest, negative
+  std::vector<double> worst(materials, -1.0); // minimum with changed sign
   const Index count = static_cast<Index>(mesh.Material.size());
   const bool isMeasured = !mesh.ScaledJacobian.empty();
-  for (Index first = 0, last = 0; first < count; first = last) // by runs of elements of a material
+  for (Index first = 0, last = 0; first < count; first = last) // runs of elements of one material
   {
     const int material = mesh.Material[first];
     std::int64_t ones = 0;

@@ -1,5 +1,5 @@
 /**
- * The elements of each material of a mesh, and how good they are.
+ * Number and quality of the elements of each material.
  */
 #pragma once
 
@@ -10,8 +10,11 @@
 namespace vfm
 {
 
-/// Sets Elements, and MinimumScaledJacobian and MeanScaledJacobian where they are computed, of report.Materials, which ReportVolumes
-/// makes: of the elements of all ranks, each of which is on one. Collective.
+/// Sets Elements in report.Materials over all ranks, and the scaled Jacobians if
+/// mesh.ScaledJacobian is computed.
+/// @param mesh  mesh with owned elements only
+/// @param[in,out] report  ReportVolumes must have made report.Materials
+/// @pre Collective.
 void MeasureMaterials(const Mesh& mesh, Ranks& ranks, MeshReport& report);
 
 } // namespace vfm

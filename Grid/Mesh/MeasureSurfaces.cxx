@@ -9,9 +9,9 @@ namespace vfm
 namespace
 {
 
-constexpr int SumsOfSurface = 7; // area, its first moments, its vector
+constexpr int SumsOfSurface = 7; // area, first moments, vector area
 
-/// In cells, from the lowest corner of the domain.
+/// Returns the sums of each surface over all ranks, in units of `unit` and relative to `origin`.
 std::vector<double> SumFacets(const Mesh& mesh, const Vector3& origin, double unit, Ranks& ranks)
 {
   std::vector<ExactSum> sums(SumsOfSurface * mesh.Tables.SurfaceVolumes.size());

@@ -1,5 +1,5 @@
 /**
- * Areas, centroids and mean normals of the surfaces of a mesh.
+ * MeasureSurfaces: areas, centroids and mean normals of surfaces.
  */
 #pragma once
 
@@ -9,8 +9,10 @@
 namespace vfm
 {
 
-/// Fills SurfaceAreas, SurfaceCentroids and SurfaceNormals of mesh.Tables; quads are two triangles. mesh: with Surfaces, points in their last
-/// places. Collective.
+/// Fills SurfaceAreas, SurfaceCentroids and SurfaceNormals of mesh.Tables. A quad
+/// counts as two triangles.
+/// @param[in,out] mesh  mesh with Surfaces and final point positions
+/// @pre Collective.
 void MeasureSurfaces(Mesh& mesh, Ranks& ranks);
 
 } // namespace vfm

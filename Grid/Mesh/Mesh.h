@@ -1,5 +1,5 @@
 /**
- * A hexahedral or tetrahedral mesh as plain arrays, ready to be adopted by vtkUnstructuredGrid.
+ * Mesh: a hexahedral or tetrahedral mesh in plain arrays, which vtkUnstructuredGrid can adopt.
  */
 #pragma once
 
@@ -19,59 +19,62 @@ namespace vfm
 
 class RefinedGrid;
 
-/// The faces between two volumes, or on a side of the domain: quads of hexes, triangles of tets.
-/// The normal of a facet points from the second material of its pair to the first.
+/// Facets of the mesh: faces between two volumes or on a side of the domain. Hexes have quads, tets
+/// have triangles. The normal of a facet points from the second material of its pair to the first.
 struct SurfaceFacets
 {
-  Buffer<Index> Points;               ///< Mesh::CornersOfFacet a facet: indices of mesh points
-  Buffer<int> SurfaceId;              ///< from 1, over all ranks
-  Buffer<int> MaterialPair;           ///< 2 a facet, the smaller first; 0 is void or outside
+  Buffer<Index> Points;               ///< mesh points, (facets, Mesh::CornersOfFacet)
+  Buffer<int> SurfaceId;              ///< surface of each facet, from 1 over all ranks
+  Buffer<int> MaterialPair;           ///< (facets, 2), the smaller first; 0 is void or outside
   std::vector<unsigned char> IsOwned; ///< whether this rank writes the facet
   Buffer<int> DomainSide;             ///< -1, or 0..5 for -x +x -y +y -z +z
 };
 
-/// The edges of the facets where the same surfaces meet. Each is on one rank alone.
+/// Facet edges where the same surfaces meet. Each edge is stored on one rank.
 struct CurveEdges
 {
-  Buffer<Index> Points; ///< 2 an edge: indices of mesh points, ascending
-  Buffer<int> CurveId;  ///< ascending, from 1, over all ranks
+  Buffer<Index> Points; ///< mesh points, (edges, 2), ascending in each edge
+  Buffer<int> CurveId;  ///< curve of each edge, from 1 over all ranks, ascending
 };
 
-/// The points where curves meet or end. Each is on one rank alone.
+/// Points where curves meet or end. Each point is stored on one rank.
 struct VertexPoints
 {
-  Buffer<Index> Points; ///< indices of mesh points, ascending
-  Buffer<int> VertexId; ///< ascending, from 1, over all ranks
+  Buffer<Index> Points; ///< mesh points, ascending
+  Buffer<int> VertexId; ///< vertex of each point, from 1 over all ranks, ascending
 };
 
+/// Mesh of one rank. It owns its arrays and can be moved, not copied. While it is made, it holds
+/// the elements of CartesianGrid::HexBox; KeepOwned leaves the elements of owned cells.
 struct Mesh
 {
-  int Corners = 8;               ///< of an element: 8 hexes, 4 tets
-  IdScheme Ids = HexIds;         ///< of points and elements
-  Buffer<double> Points;         ///< xyz a point, length units of the grid
-  Buffer<Index> PointIds;        ///< global, from 1, ascending
-  Buffer<int> GeometryDimension; ///< of each point: 3 volume, 2 surface, 1 curve, 0 vertex
-  Buffer<int> GeometryId;        ///< from 1 within its dimension; in volumes the fragment
-  Buffer<Index> Elements;        ///< point indices, Corners an element, VTK order
-  Buffer<Index> ElementIds;      ///< global, from 1, ascending
-  Buffer<int> Material;          ///< of each element; 0 void
-  Buffer<int> Fragment; ///< of each element: face-connected piece, numbered from 1 over all ranks
-  Buffer<float> ScaledJacobian; ///< verdict's, of each element; empty unless asked for
+  int Corners = 8;               ///< corners per element: 8 for hexes, 4 for tets
+  IdScheme Ids = HexIds;         ///< scheme of PointIds and ElementIds
+  Buffer<double> Points;         ///< coordinates, (points, 3), length units of the grid
+  Buffer<Index> PointIds;        ///< global ids, from 1, ascending
+  Buffer<int> GeometryDimension; ///< dimension per point: 3 volume, .., 0 vertex
+  Buffer<int> GeometryId;        ///< number per point in its dimension, from 1; 3: fragment
+  Buffer<Index> Elements;        ///< points, (elements, Corners), VTK order
+  Buffer<Index> ElementIds;      ///< global ids, from 1, ascending
+  Buffer<int> Material;          ///< material per element; 0 is void
+  Buffer<int> Fragment;          ///< fragment per element, from 1 over all ranks
+  Buffer<float> ScaledJacobian;  ///< quality per element (Quality.h); empty if not computed
   SurfaceFacets Surfaces;
-  /// The facets from the elements' point of view, ascending by element and side: one for each element of this rank at a facet, whichever
-  /// rank owns the facet.
+  /// Facets by element and side, ascending. A facet is listed for each adjacent element of this
+  /// rank, whichever rank owns the facet.
   std::vector<MeshFacet> Facets;
   CurveEdges Curves;
   VertexPoints Vertices;
-  GeometryTables Tables;        ///< of all ranks
-  std::vector<Index> RowOffset; ///< of hexes of the grid's own cells: the first of each row of
-                                ///< CartesianGrid::HexBox (x fastest), and the end
-  Index WholeCells = 0; ///< of the elements, from the first one on: cells of the grid, as they are
-  std::shared_ptr<const RefinedGrid> Levels; ///< which cells of the grid they are; never null
+  GeometryTables Tables; ///< tables of all ranks
+  /// Only for hexes of cells of the finest grid: the first hex of each row of CartesianGrid::HexBox
+  /// (y fastest), then the end.
+  std::vector<Index> RowOffset;
+  Index WholeCells = 0; ///< number of elements, from the first one, that are unchanged cells
+  std::shared_ptr<const RefinedGrid> Levels; ///< refined grid of the elements; never null
 
   int CornersOfFacet() const { return this->Corners == 8 ? 4 : 3; }
 
-  /// Makes room for points and their ids, and for elements, their ids and materials.
+  /// ResizePoints allocates points and their ids; ResizeElements elements, their ids and materials.
   void ResizePoints(Index count)
   {
     this->Points = Buffer<double>(3 * count);
@@ -93,7 +96,8 @@ struct Mesh
     std::copy(x.begin(), x.end(), this->Points.data() + 3 * point);
     this->PointIds[point] = id;
   }
-  /// points: in VTK order.
+  /// Sets an element.
+  /// @param points  mesh points in VTK order
   template <class ElementPoints>
   void SetElement(Index element, const ElementPoints& points, Index id, int material)
   {
@@ -103,15 +107,20 @@ struct Mesh
   }
 };
 
-/// The grid node that owns a point, from its id. Tets: the node of the block in which it starts.
+/// Returns the grid node of a point from its id; the owner of the node owns the point. For tets it
+/// is the node of the block in which the point starts.
 Index3 NodeOfPoint(const CartesianGrid& grid, const Mesh& mesh, Index id);
-/// The cells of the grid that an element was made of, from its id: one, or those that a coarser cell holds. A tet stands around
-/// a face of the grid: the cell above that face, on an upper side of the domain the one below. TetGen's tets know none.
+/// Returns the cells of the grid from which an element was made, by its id: one cell, or all finest
+/// cells in a coarser cell. For a tet, which surrounds a face of the grid, it is the cell above the
+/// face, on an upper side of the domain the cell below it.
+/// @pre The element was not made by TetGen.
 IndexBox CellsOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
-/// The lowest of them.
+/// Returns the lowest cell of CellsOfElement.
 Index3 CellOfElement(const CartesianGrid& grid, const Mesh& mesh, Index id);
 
-/// Throws InputError on all ranks when there are more points than 32 bits number on any. Collective.
+/// Checks that no rank has more points than 32-bit integers can number.
+/// @throws InputError  on all ranks if a rank has too many points
+/// @pre Collective.
 void CheckNumberOfPoints(Index points, Ranks& ranks);
 
 } // namespace vfm

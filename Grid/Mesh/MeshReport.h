@@ -1,5 +1,5 @@
 /**
- * What was measured while a mesh was made.
+ * MeshReport: measurements of a mesh and of the run that made it.
  */
 #pragma once
 
@@ -12,52 +12,54 @@
 namespace vfm
 {
 
+/// Measurements over all ranks. Volumes are in cubed length units of the grid. Quality is 0 unless
+/// MeshSettings::ComputeQuality is set.
 struct MeshReport
 {
-  std::vector<double>
-    TargetVolume; ///< per material from 0: sum of its fractions (length units cubed)
-  std::vector<double> MeshVolume;           ///< per material from 0: of its elements
-  std::vector<double> FragmentTargetVolume; ///< by fragment, [0] unused
+  std::vector<double> TargetVolume; ///< volume of the fractions of materials 0, 1, ..
+  std::vector<double> MeshVolume;   ///< volume of the elements of materials 0, 1, ..
+  /// Volume of the fractions of each fragment; [0] unused.
+  std::vector<double> FragmentTargetVolume;
   struct Material
   {
     Index Elements = 0, Fragments = 0;
-    double MinimumScaledJacobian = 0.0, MeanScaledJacobian = 0.0; ///< when asked for
+    double MinimumScaledJacobian = 0.0, MeanScaledJacobian = 0.0;
   };
-  std::vector<Material> Materials;            ///< from 0
-  Index RemovedRegions = 0, RemovedCells = 0; ///< small ones given to what is around them
-  Index ChosenCells = 0;                      ///< of the input, that were to be refined by name
-  Index FlippedCells = 0; ///< labels of cells or leaves changed to make the interfaces manifold
+  std::vector<Material> Materials; ///< materials from 0
+  /// Small regions that became part of their neighbours.
+  Index RemovedRegions = 0, RemovedCells = 0;
+  Index ChosenCells = 0;  ///< user-selected cells of the input to refine
+  Index FlippedCells = 0; ///< cells or leaves whose label was changed to make interfaces manifold
   int ResolveRounds = 0;
   Index NumberOfFragments = 0;
   Index NumberOfSurfaces = 0, NumberOfCurves = 0, NumberOfVertices = 0;
-  Index SmoothedPoints = 0; ///< that may move
-  int Sweeps = 0;           ///< of smoothing, those of the volume corrections included
-  Index Visits = 0;         ///< of points in them
-  Index EdgePoints = 0, CornerPoints = 0; ///< on edges of interfaces, and where these meet
-  double MinimumScaledJacobian = 0.0;     ///< over the elements, when asked for
+  Index SmoothedPoints = 0;               ///< points that may move
+  int Sweeps = 0;                         ///< sweeps of smoothing, including volume corrections
+  Index Visits = 0;                       ///< visits of points in all sweeps
+  Index EdgePoints = 0, CornerPoints = 0; ///< points on edges and on corners of interfaces
+  double MinimumScaledJacobian = 0.0;     ///< minimum over all elements
   double MeanScaledJacobian = 0.0;
-  double MinimumDihedralAngle = 0.0,
-         MaximumDihedralAngle = 0.0;      ///< degrees, of tets, when asked for
-  std::array<Index, 18> DihedralAngles{}; ///< of tets: how many in each ten degrees, when asked for
-  Index RefusedParts = 0;                 ///< parts that TetGen refused and that Cells meshed
+  double MinimumDihedralAngle = 0.0, MaximumDihedralAngle = 0.0; ///< only tets; degrees
+  std::array<Index, 18> DihedralAngles{}; ///< only tets: number of angles per ten degrees
+  Index RefusedParts = 0;                 ///< parts that TetGen rejected and that Cells meshed
   struct Level
   {
-    Index Families = 0; ///< refined to the next level
-    Index AddedForBalance =
-      0; ///< of those, the ones that were not asked for but that transitions need
-    Index AddedForValidity = 0; ///< and the ones where no valid mesh started otherwise
-    Index Cells = 0;            ///< elements that are, or are made in, whole cells of the level
+    Index Families = 0;         ///< families refined to the next level
+    Index AddedForBalance = 0;  ///< families refined only because transitions need it
+    Index AddedForValidity = 0; ///< families refined because no valid mesh started otherwise
+    Index Cells = 0;            ///< whole cells of the level that are hexes or filled by tets
   };
-  std::vector<Level> Levels; ///< from the base; empty without refinements
-  Index TransitionCells = 0; ///< elements of transitions
-  /// In which cells between levels were refined: where labels had to be changed, or no valid mesh started.
+  std::vector<Level> Levels; ///< levels from the base; empty without refinements
+  Index TransitionCells = 0; ///< hexes of transitions between levels; tets: the hexes they fill
+  /// Rounds that refined cells between levels because labels had to be changed or
+  /// no valid mesh started.
   int LevelRounds = 0;
   struct Stage
   {
     const char* Name;
     double Seconds;
   };
-  std::vector<Stage> Stages; ///< in the order they ran
+  std::vector<Stage> Stages; ///< stages in the order of the run
 };
 
 } // namespace vfm

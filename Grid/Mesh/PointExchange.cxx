@@ -7,7 +7,7 @@ namespace vfm
 namespace
 {
 
-/// Indices of the movers, by id.
+/// Index of the movers by id.
 class MoversById
 {
 public:

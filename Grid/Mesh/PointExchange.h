@@ -1,5 +1,5 @@
 /**
- * PointExchange: after a colour has moved, its new positions go to the ranks that hold the points as ghosts.
+ * PointExchange: sends the new positions of points to the ranks that hold them as ghosts.
  */
 #pragma once
 
@@ -13,39 +13,51 @@
 namespace vfm
 {
 
-/// A point that moves, and the node that it moves with: the points of one node move one after another.
+/// Point that moves, and its node. The points of one node move one after another.
 struct Mover
 {
-  Index MeshPoint; ///< its index in the mesh
-  Index Id;        ///< the same on all ranks; points of one node move in this order
+  Index MeshPoint; ///< index in the mesh
+  Index Id;        ///< id, equal on all ranks; points of one node move in this order
   Index Node;      ///< key of the node
-  Index3 Owner;    ///< node of the partition's grid: who owns it moves the point
-  int Colour;      ///< of the node
+  Index3 Owner;    ///< node of the partition's grid; its owner moves the point
+  int Colour;      ///< colour of the node
 };
 
+/// Exchange of movers by colour. The owner of a mover sends its position to the
+/// ranks that requested it.
 class PointExchange
 {
 public:
-  /// Nothing to exchange.
+  /// Makes an exchange without peers.
   PointExchange() = default;
-  /// Each rank asks the owners for the movers that it does not own; those know them. Collective among peers.
+  /// Requests the movers that this rank does not own from their owners.
+  /// @param movers  movers of this rank, owned or not; owners must have the
+  ///   movers that others request
+  /// @param colours  number of colours
+  /// @pre Collective among peers.
   PointExchange(const std::vector<Mover>& movers, const Partition& partition, int colours);
 
   bool HasPeers() const { return !this->Links.empty(); }
   int CountColours() const { return static_cast<int>(this->Links.size()); }
-  /// Calls visit(mover) for the movers that are sent; for one that goes to several ranks as often.
+  /// Calls visit(mover) for the movers that are sent, once per receiving rank.
   template <class Visitor>
   void ForSent(const Visitor& visit) const;
 
-  /// Says of which of the peers' movers flags are wanted; before, of all.
+  /// Selects the movers of peers whose flags Send reports. Initially all are selected.
+  /// @param ofMovers  nonzero for each selected mover
   void RequestFlags(const std::vector<unsigned char>& ofMovers);
 
-  /// Sends the positions of the movers of a colour and receives those of the peers' movers.
-  /// points, flags: those of the movers come first, in their order; flags are sent along. received(mover) is called where a flag was set
-  /// that is wanted.
+  /// Sends the positions and flags of the movers of a colour and receives the data
+  /// of the peers' movers.
+  /// @param[in,out] points  positions; the first entries are the movers in their order
+  /// @param flags  flags in the same order
+  /// @param received  received(mover) is called for each selected mover whose flag is set
+  /// @pre Collective among the peers that have movers of the colour in common.
   void Send(int colour, std::vector<Vector3>& points, const std::vector<unsigned char>& flags,
     const std::function<void(int)>& received) const;
-  /// Sends what pack(mover) returns of every mover, of all colours, and calls unpack(mover, value) with what comes of the peers' movers.
+  /// Sends the value pack(mover) of every mover, colour by colour, and calls unpack(mover, value)
+  /// for the values received.
+  /// @pre Collective among peers.
   template <class Pack, class Unpack>
   void SendAll(const Pack& pack, const Unpack& unpack) const;
 
@@ -55,20 +67,22 @@ private:
     Vector3 X;
     double Flag;
   };
-  /// The movers of one colour that go between this rank and another; both list them in the order in which they were asked for.
+  /// Movers of one colour that this rank sends to and receives from another rank. Both ranks list
+  /// them in the order of the requests.
   struct Link
   {
     std::vector<int> Outgoing, Incoming;
-    std::vector<unsigned char> NeedsFlag; // of the incoming ones
+    std::vector<unsigned char> NeedsFlag; // whether the flag of each incoming mover is selected
   };
 
-  /// Sends what pack(mover) returns of the movers of a colour; calls unpack(link, i, value) with what comes of its incoming movers.
+  /// Sends pack(mover) of the movers of a colour and calls unpack(link, i, value) for incoming
+  /// mover i of each link.
   template <class Pack, class Unpack>
   void SendColour(int colour, const Pack& pack, const Unpack& unpack) const;
 
   Ranks* Group = nullptr;
-  std::vector<std::vector<int>> Peers;  // by colour: the ranks with movers in common
-  std::vector<std::vector<Link>> Links; // by colour and peer; none without peers
+  std::vector<std::vector<int>> Peers;  // ranks with common movers, by colour
+  std::vector<std::vector<Link>> Links; // links by colour and peer; empty without peers
 };
 
 template <class Visitor>

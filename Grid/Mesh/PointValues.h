@@ -1,5 +1,5 @@
 /**
- * PointValues: values of points of a mesh, from the ranks that own them.
+ * PointValues: values of mesh points from the ranks that own the points.
  */
 #pragma once
 
@@ -9,14 +9,19 @@
 namespace vfm
 {
 
+/// Exchange of the values of selected points. The partition must outlive this object.
 class PointValues
 {
 public:
-  /// points: those of this rank's mesh whose values it wants to be as their owners have them. Collective among peers.
+  /// Requests points from the ranks that own their nodes.
+  /// @param points  points of the mesh of this rank; owned points are ignored
+  /// @pre Collective among peers.
   PointValues(const std::vector<Index>& points, const Mesh& mesh, const Partition& partition);
 
-  /// Calls received(point, value) with the owner's value of each point of another rank; T() where that has no such point. values: of every
-  /// point of the mesh. Collective among peers.
+  /// Calls received(point, value) with the owner's value of each requested point. The value is T()
+  /// if the owner does not have the point.
+  /// @param values  value of every point of the mesh
+  /// @pre Collective among peers.
   template <class T, class Received>
   void Fetch(const std::vector<T>& values, const Received& received) const
   {
@@ -33,8 +38,8 @@ public:
 
 private:
   const Partition& Parts;
-  std::vector<std::vector<Index>> Requested; // of each peer
-  std::vector<std::vector<Index>> ToSend;    // by each peer; -1: not here
+  std::vector<std::vector<Index>> Requested; // points requested from each peer
+  std::vector<std::vector<Index>> ToSend;    // points to send to each peer; -1: not in the mesh
 };
 
 } // namespace vfm

@@ -48,8 +48,9 @@ double HexScaledJacobian(const double* points, const Index* hex)
 namespace
 {
 
-/// Whether HexScaledJacobian of each cell is 1 but for less than float tells: no difference of coordinates is off by more than 2^-16 of itself,
-/// so that no angle is by more, and no product of squares leaves the range of double.
+/// Returns whether HexScaledJacobian of every cell rounds to 1 in single precision. The relative
+/// rounding errors of coordinate differences, and therefore the errors of angles, are below 2^-16.
+/// Products of squares stay in the range of double.
 bool AreCellsPerfect(const CartesianGrid& grid)
 {
   double largest = 0.0, narrowest = 1e300, widest = 0.0;
@@ -66,7 +67,8 @@ bool AreCellsPerfect(const CartesianGrid& grid)
   return narrowest >= 0x1p-34 * largest && narrowest > 1e-40 && widest < 1e40;
 }
 
-/// Returns how many, from the first on, have 1 because they are cells.
+/// Fills mesh.ScaledJacobian. Returns the number of hexes, from the first one, that have the value
+/// 1 because they are unchanged cells.
 Index MeasureHexes(Mesh& mesh, Runtime& runtime)
 {
   float* const values = mesh.ScaledJacobian.data();
@@ -83,7 +85,7 @@ Index MeasureHexes(Mesh& mesh, Runtime& runtime)
   return cells;
 }
 
-/// The dihedral angles too.
+/// Fills mesh.ScaledJacobian and the dihedral angles of the report.
 void MeasureAllTets(Mesh& mesh, Runtime& runtime, MeshReport& report)
 {
   AngleStatistics angles;
@@ -118,7 +120,7 @@ void ComputeQuality(Mesh& mesh, Runtime& runtime, MeshReport& report)
   {
     MeasureAllTets(mesh, runtime, report);
   }
-  std::vector<ExactSum> sums(2); // of the scaled Jacobians, and their number
+  std::vector<ExactSum> sums(2); // sum and number of the scaled Jacobians
   sums[0].Add(1.0, cells);
   double smallest = 1.0;
   for (const float* value = mesh.ScaledJacobian.begin() + cells; value < mesh.ScaledJacobian.end();

@@ -10,8 +10,8 @@ namespace vfm
 namespace
 {
 
-constexpr int LongestGap = 3;       // of an edge, in points from a carrier
-constexpr double SharpCosine = .77; // of 40 degrees between facets at a point
+constexpr int LongestGap = 3;       // maximum number of points from a carrier into a gap of an edge
+constexpr double SharpCosine = .77; // cosine of 40 degrees, between facets at a point
 
 bool IsInterface(const Facet& facet)
 {
@@ -20,7 +20,7 @@ bool IsInterface(const Facet& facet)
 
 using Pair = std::array<int, 2>;
 
-/// Where a point lies on the interfaces.
+/// Place of a point on the interfaces.
 enum class Place : unsigned char
 {
   None,
@@ -29,7 +29,7 @@ enum class Place : unsigned char
   Between ///< on several surfaces
 };
 
-/// The points of interfaces, ascending.
+/// Returns the points of interfaces, ascending.
 std::vector<Index> ListPoints(const std::vector<Facet>& facets, int corners)
 {
   std::vector<Index> points;
@@ -51,7 +51,7 @@ struct Work
   const Partition& Parts;
   const int Corners = Input.CornersOfFacet();
   const PointValues Shared{ ListPoints(Facets, Corners), Input, Parts };
-  std::vector<Place> PlaceOf{};  // of every point
+  std::vector<Place> PlaceOf{};  // place of every point
   std::vector<Pair> Cuts{};      // interfaces with edges, ascending
   std::vector<int> CutOfFacet{}; // position in Cuts, or -1
   std::vector<int> SideOfPoint{}, CutOfSide{};
@@ -100,7 +100,7 @@ bool IsSharp(const Work& work, const int* first, const int* last)
     });
 }
 
-/// Edges go on over points that carry none but around which the facets turn, for a few points.
+/// Extends edges over a few points that are not carriers but around which the facets turn.
 void CloseGaps(Work& work)
 {
   const Groups<int> around =
@@ -123,7 +123,7 @@ void CloseGaps(Work& work)
   }
 }
 
-/// The interfaces with edges.
+/// Finds the interfaces with edges on all ranks.
 void FindCuts(Work& work)
 {
   std::vector<Pair> cut;
@@ -171,7 +171,7 @@ void NumberPieces(Work& work, const std::vector<Piece>& pieces, const std::vecto
   }
 }
 
-/// Fills SideOfPoint, of points inside; 0 elsewhere.
+/// Fills SideOfPoint: the side of points inside sides, 0 for other points.
 void NumberPoints(Work& work)
 {
   const std::size_t count = work.PlaceOf.size();

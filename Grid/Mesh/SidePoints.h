@@ -1,8 +1,5 @@
 /**
- * SidePoints: which smooth sides of interfaces the points of facets are inside of.
- *
- * Points carry edges as they are told to; an edge also goes on over some points around which the facets turn, so that gaps close. The others
- * that are on one interface alone, joined over the edges of facets, are the pieces that edges leave: the sides (SmoothSides.h).
+ * SidePoints: the smooth sides of interfaces, as sets of the points inside them (SmoothSides.h).
  */
 #pragma once
 
@@ -16,10 +13,10 @@
 namespace vfm
 {
 
-/// Of a facet, unit, out of the larger of SurfaceOf.
+/// Returns the unit normal of a facet, out of the larger side in SurfaceOf.
 Vector3 NormalOf(const Mesh& mesh, const Facet& facet);
 
-/// The facets for which isListed(facet) holds at each point of the mesh.
+/// Returns, for each point of the mesh, the adjacent facets for which isListed(facet) is true.
 template <class Condition>
 Groups<int> ListFacetsAt(
   const std::vector<Facet>& facets, const Mesh& mesh, const Condition& isListed)
@@ -37,17 +34,22 @@ Groups<int> ListFacetsAt(
     });
 }
 
+/// Interfaces with edges, which are cut into sides, and the points inside the sides.
 struct SidePoints
 {
-  std::vector<int>
-    CutOf; ///< of each facet: its interface among those with edges, from 0; -1: it has none
-  int NumberOfCuts; ///< interfaces with edges
-  /// Of each point its side, numbered from 1 over all ranks by the lowest point; 0: on an edge, on several interfaces or on one without edges.
+  /// Cut interface of each facet, from 0; -1 if its interface has no edges.
+  std::vector<int> CutOf;
+  int NumberOfCuts; ///< number of interfaces with edges
+  /// Side of each point, numbered from 1 over all ranks by the lowest point. 0: the point is on an
+  /// edge, on several interfaces, or on an interface without edges.
   std::vector<int> SideOf;
-  std::vector<int> CutsOfSides; ///< the interface of each side; [0] unused
+  std::vector<int> CutsOfSides; ///< cut interface of each side; [0] is not used
 };
 
-/// As of FindSmoothSides. Collective.
+/// Finds the points inside smooth sides. Edges run over carriers (IsCarrier); gaps of a few points
+/// around which facets turn are closed. The remaining points on only one interface are joined over
+/// facet edges; their connected components are the sides. FindSmoothSides explains the parameters.
+/// @pre Collective.
 SidePoints FindSidePoints(const std::vector<Facet>& facets, const std::vector<FeatureKind>& kinds,
   const Mesh& mesh, const Partition& partition);
 

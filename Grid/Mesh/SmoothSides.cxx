@@ -15,16 +15,16 @@ namespace
 using Pair = std::array<int, 2>;
 
 constexpr int Undecided = -1;
-constexpr int FewestTriangles = 12;   // of a side; quads count as two
-constexpr int FewTriangles = 36;      // of one beside another that it goes on in smoothly somewhere
-constexpr double SmoothCosine = .906; // of 25 degrees between means of facets
+constexpr int FewestTriangles = 12;   // minimum size of a side; a quad counts as two triangles
+constexpr int FewTriangles = 36;      // minimum size if its border is smooth somewhere
+constexpr double SmoothCosine = .906; // cosine of 25 degrees, between mean normals of facets
 
-/// The border of two sides, the smaller first.
+/// Common border of two sides.
 struct Border
 {
-  Pair Sides;
-  std::int64_t Edges, SmoothEdges; ///< of facets
-  double Cosine;                   ///< the largest between normals across it
+  Pair Sides;                      ///< the smaller first
+  std::int64_t Edges, SmoothEdges; ///< numbers of facet edges
+  double Cosine;                   ///< largest cosine between normals of facets across the border
 };
 
 using Borders = std::map<Pair, Border>;
@@ -40,7 +40,7 @@ void AddBorder(const Border& more, Borders& borders)
   }
 }
 
-/// Disjoint sets of sides, with the number of their triangles.
+/// Disjoint sets of sides with their numbers of triangles.
 struct SideSets
 {
   std::vector<Index> Parent;
@@ -51,7 +51,8 @@ struct SideSets
   {
   }
   Index Root(Index side) { return FindRoot(this->Parent, side); }
-  /// cosine: the largest between its normals and those of a side beside it.
+  /// Returns whether a set is too small to remain a side.
+  /// @param cosine  largest cosine between its normals and the normals of an adjacent side
   bool IsSliver(Index root, double cosine) const
   {
     return this->Triangles[root] < (cosine > SmoothCosine ? FewTriangles : FewestTriangles);
@@ -64,7 +65,7 @@ struct SideSets
   }
 };
 
-/// Joins sides whose border is no edge: most of it is smooth.
+/// Joins sides if most of their border is smooth.
 void JoinSmooth(const Borders& borders, SideSets& sets)
 {
   for (const auto& [sides, border] : borders)
@@ -76,13 +77,13 @@ void JoinSmooth(const Borders& borders, SideSets& sets)
   }
 }
 
-/// Joins sides of few triangles with the nearest beside them until none is left that has one.
+/// Joins slivers with the adjacent side of the nearest normal until no sliver has an adjacent side.
 void JoinSlivers(const Borders& borders, SideSets& sets)
 {
   for (bool changes = true; changes;)
   {
     changes = false;
-    std::map<Index, std::pair<double, Index>> nearest; // of each sliver
+    std::map<Index, std::pair<double, Index>> nearest; // nearest side of each sliver
     for (const auto& [sides, border] : borders)
     {
       const Index ends[2] = { sets.Root(sides[0]), sets.Root(sides[1]) };
@@ -122,11 +123,12 @@ struct Work
   const Partition& Parts;
   const SidePoints Points;
   const int Corners = Input.CornersOfFacet();
-  /// The first side that is what is left of an interface.
+  /// Number of the first remainder side: each cut interface has one for facets
+  /// without an adjacent side.
   const int PiecesEnd = static_cast<int>(Points.CutsOfSides.size());
-  /// [0] unused; those of points, then one more of each interface.
+  /// Cut interface of each side; [0] is not used. Sides of points come first, then the remainders.
   std::vector<int> CutOfSide = Points.CutsOfSides;
-  std::vector<int> SideOf{}; // of every facet
+  std::vector<int> SideOf{}; // side of every facet
 };
 
 int SideOfPoints(const Work& work, const Facet& facet)
@@ -153,7 +155,7 @@ std::array<Index, 4> KeyOf(const Work& work, std::size_t f)
   return key;
 }
 
-/// The facets of the same interface at its points.
+/// Returns the facets of the same interface at the points of a facet.
 std::vector<int> ListAdjacent(const Work& work, std::size_t f, const Groups<int>& around)
 {
   std::vector<int> beside;
@@ -174,8 +176,9 @@ bool ShareEdge(const Work& work, std::size_t f, std::size_t g)
            [&](Index p) { return std::find(begin, end, p) != end; }) > 1;
 }
 
-/// Another side around a facet than its own, that which has most of its edges, the nearest normal where several do. Where there is none:
-/// what is left of the interface is one more side.
+/// Returns the adjacent side of a facet, other than its own, with the most common edges; among
+/// equals the one with the nearest normal. Without an adjacent side returns its own side, or the
+/// remainder of the interface.
 int NearestSide(const Work& work, std::size_t f, const Groups<int>& around)
 {
   struct Around
@@ -218,14 +221,14 @@ void TakeDecisions(Work& work, const std::vector<int>& loose, const std::vector<
     {
       work.SideOf[f] = static_cast<int>(at->Side);
     }
-    else if (work.SideOf[f] == Undecided) // beyond the rim nobody may have decided
+    else if (work.SideOf[f] == Undecided) // far from owned elements no rank may have decided
     {
       work.SideOf[f] = work.PiecesEnd + work.Points.CutOf[f];
     }
   }
 }
 
-/// The owner of a facet knows all those around it.
+/// Decides the sides of facets on their owners, which have all adjacent facets, and exchanges them.
 template <class Condition>
 void Decide(Work& work, const std::vector<int>& loose, const Groups<int>& around,
   const Condition& isRequested)
@@ -244,7 +247,8 @@ void Decide(Work& work, const std::vector<int>& loose, const Groups<int>& around
   TakeDecisions(work, loose, mine);
 }
 
-/// Whether facets of its side at one of its points are not joined to it over edges there.
+/// Returns whether other facets of its side touch a facet only at a point, not
+/// over common edges there.
 bool IsPinched(const Work& work, int f, const Groups<int>& around)
 {
   return std::any_of(work.Facets[f].Points.begin(), work.Facets[f].Points.end(),
@@ -265,7 +269,8 @@ bool IsPinched(const Work& work, int f, const Groups<int>& around)
     });
 }
 
-/// Facets whose points do not tell. Then those of them through which two parts of their side would touch in a point.
+/// Decides facets whose points do not determine the side. Then decides again those facets of them
+/// through which two parts of their side would touch at a point.
 void DecideOthers(Work& work)
 {
   std::vector<int> loose;
@@ -282,10 +287,11 @@ void DecideOthers(Work& work)
   Decide(work, loose, around, [&](int f) { return IsPinched(work, f, around); });
 }
 
-/// Of the facets of the side of f at the points that it shares with g; unit.
+/// Returns the unit mean normal of the facets of the side of f at the points that f and
+/// g have in common.
 Vector3 MeanNormal(const Work& work, std::size_t f, std::size_t g, const Groups<int>& around)
 {
-  std::vector<std::pair<std::array<Index, 4>, int>> beside; // in the order of ids
+  std::vector<std::pair<std::array<Index, 4>, int>> beside; // ordered by ids
   for (Index p : work.Facets[f].Points)
   {
     const std::array<Index, 4>& others = work.Facets[g].Points;
@@ -307,7 +313,7 @@ Vector3 MeanNormal(const Work& work, std::size_t f, std::size_t g, const Groups<
   return Unit(sum);
 }
 
-/// Of two facets that share it; the owner of that with the lower points counts it.
+/// Adds the common edge of two facets. The owner of the facet with the lower points counts it.
 void AddEdge(
   const Work& work, std::size_t f, std::size_t g, const Groups<int>& around, Borders& borders)
 {
@@ -324,7 +330,7 @@ void AddEdge(
   }
 }
 
-/// At edges of facets that this rank counts.
+/// Returns the borders from the facet edges that this rank counts.
 Borders FindBorders(const Work& work)
 {
   std::vector<std::pair<std::array<Index, 2>, std::size_t>> places; // edge, facet
@@ -376,7 +382,7 @@ void JoinSides(Work& work)
   SideSets sets(triangles);
   JoinSmooth(borders, sets);
   JoinSlivers(borders, sets);
-  std::vector<int> parts(work.Points.NumberOfCuts, 0); // sides of each interface
+  std::vector<int> parts(work.Points.NumberOfCuts, 0); // number of sides of each interface
   for (std::size_t side = 1; side < triangles.size(); ++side)
   {
     const Index root = sets.Root(side);

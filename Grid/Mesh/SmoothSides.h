@@ -1,10 +1,5 @@
 /**
- * SmoothSides: the smooth sides of interfaces that have edges, as the six of a cube.
- *
- * No edge of a facet joins two sides without a point that carries an edge. So the points of an interface that carry none and that no other
- * surface touches, joined over the edges of its facets, fall into pieces: the sides, however an edge winds from point to point. A facet is of
- * the side of its points; one of carriers alone, or with points of several sides, of the side around it whose facets have the nearest normal.
- * Sides join where most of their border turns out to be smooth, and those of a few facets the one beside them with the nearest normal. An edge that ends within a side cuts nothing.
+ * SmoothSides: the smooth sides of interfaces with edges, such as the six sides of a cube.
  */
 #pragma once
 
@@ -16,10 +11,23 @@
 namespace vfm
 {
 
-/// Of each facet the side that it is of, numbered from 1 over all ranks by their lowest points; 0 on interfaces (of two fragments, or of a
-/// fragment and what is not meshed) that are of a single side, and on sides of the domain. Right for facets at points of owned elements.
-/// kinds: of every point of the mesh, as far as it is on owned nodes; none: no point carries an edge. mesh: points in their last
-/// places. Collective.
+/// Divides interfaces along their edges into smooth sides.
+///
+/// An interface separates two fragments, or a fragment and unmeshed space. A facet edge between two
+/// sides has a carrier, a point on an edge of the interface (IsCarrier), at one end. Therefore the
+/// points of an interface that are not carriers and touch no other interface are joined over facet
+/// edges; the connected components are the sides. A facet belongs to the side of its points. If all
+/// its points are carriers, or its points belong to several sides, the facet gets the adjacent side
+/// with which it has most edges in common, or among equals the nearest normal. Sides are joined if
+/// most of their common border is smooth. A side of few facets is joined with the adjacent side
+/// that has the nearest normal. An edge that ends inside a side does not divide it.
+/// @param facets  facets of the mesh
+/// @param kinds  kind of every mesh point, valid for points of owned nodes; empty:
+///   there are no carriers
+/// @param mesh  mesh with final point positions
+/// @return smooth side of each facet, from 1 over all ranks by lowest point id; 0 on interfaces
+///   with one side and on the domain boundary; valid for facets at points of owned elements
+/// @pre Collective.
 std::vector<int> FindSmoothSides(const std::vector<Facet>& facets,
   const std::vector<FeatureKind>& kinds, const Mesh& mesh, const Partition& partition);
 

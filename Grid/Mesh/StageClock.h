@@ -1,5 +1,5 @@
 /**
- * StageClock: the stages of a pipeline, timed.
+ * StageClock: times the stages of a pipeline.
  */
 #pragma once
 
@@ -11,12 +11,15 @@
 namespace vfm
 {
 
-/// Names the running stage, times it and tells the progress.
+/// Clock of the running stage. It adds each stage to MeshReport::Stages and reports the progress.
 class StageClock
 {
 public:
   StageClock(Runtime& runtime, MeshReport& report) : Run(runtime), Report(report) {}
   ~StageClock() { this->Stop(); }
+  /// Ends the running stage and begins another.
+  /// @param name  string literal
+  /// @param fraction  progress, 0 to 1
   void Start(const char* name, double fraction)
   {
     this->Stop();
@@ -24,11 +27,12 @@ public:
     this->Begin = std::chrono::steady_clock::now();
     this->Update(fraction);
   }
+  /// Reports progress inside the running stage.
   void Update(double fraction)
   {
     this->Run.Progress(this->Share * fraction, this->Report.Stages.back().Name);
   }
-  /// What part of the whole run the fractions are of, from now on.
+  /// Sets the share of the whole run that later fractions are relative to.
   void SetShare(double share) { this->Share = share; }
 
 private:

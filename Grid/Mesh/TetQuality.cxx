@@ -33,7 +33,8 @@ TetShape ShapeOf(const double* points, const Index* tet)
   return shape;
 }
 
-/// largest: product of the squares of the lengths at a corner.
+/// Returns the scaled Jacobian.
+/// @param largest  largest product, over the corners, of the squared edge lengths
 VFM_INLINE double ScaledJacobianOf(double determinant, double largest)
 {
   return largest > 0.0 ? std::sqrt(2.0) * determinant / std::sqrt(largest) : 0.0;
@@ -63,13 +64,13 @@ void DihedralAngles(const double* points, const Index* tet, double angles[6])
 {
   const TetShape shape = ShapeOf(points, tet);
   const Vector3* edge = shape.Edge;
-  // outwards, or all inwards: of the faces opposite to corners 0..3
+  // Normals of the faces opposite to corners 0..3, all outward or all inward.
   const Vector3 normal[4] = { Cross(edge[3], edge[4]), Cross(edge[2], edge[1]),
     Cross(edge[0], edge[2]), Cross(edge[1], edge[0]) };
   for (int e = 0; e < 6; ++e)
   {
-    // the faces at an edge are those opposite to the ends of the other edge; |n x m| = 6 |V| l.
-    // 0 - 0 is +0, where the angle is 0
+    // The faces at an edge are opposite to the ends of the other edge; |n x m| = 6 |V| l. The
+    // difference 0.0 - 0.0 is +0, which makes the angle 0.
     const int* ends = EdgeEnds[5 - e];
     angles[e] = Degrees() *
       std::atan2(
@@ -94,7 +95,8 @@ constexpr int Width = ElementLanes<double>::Count;
 constexpr int Bins = std::tuple_size<decltype(AngleStatistics::Counts)>::value;
 constexpr double BelowLimit = 1e-6; // degrees
 
-// Angles are told by s, the square of their cotangent with its sign: no root, and it falls as they grow.
+// Angles are represented by s, the square of their cotangent with its sign. It needs no square root
+// and decreases with the angle.
 
 double SquareOfCotangent(double angle)
 {
@@ -107,7 +109,8 @@ double AngleOf(double square)
   return Degrees() * std::atan2(1.0, std::copysign(std::sqrt(std::fabs(square)), square));
 }
 
-/// In which ten degrees an angle is: steps of s / (1 + |s|), from -1 to 1, with at most one limit in each.
+/// Table that finds the bin of ten degrees of an angle. It has steps of s / (1 + |s|), from -1 to
+/// 1, with at most one bin limit per step.
 class AngleTable
 {
 public:
@@ -138,21 +141,21 @@ public:
 private:
   struct Step
   {
-    int Bin;      // before the limit
-    double Limit; // s from which on the next begins
+    int Bin;      // bin at the begin of the step
+    double Limit; // the next bin contains the values of s up to this limit
   };
   Step Of[Steps];
 };
 
-/// Four tets side by side.
+/// Shapes of four tets, one per lane.
 struct LaneShapes
 {
-  Double4 Length[6]; // squared
+  Double4 Length[6]; // squared lengths
   Double4 Across[6]; // product of the outward normals of the faces at the edge
   Double4 Determinant;
 };
 
-/// The corners c of four tets.
+/// Returns corner c of four tets.
 VFM_INLINE VectorLanes<double> CornersOf(
   const double* points, const Index* const (&tets)[Width], int c)
 {
@@ -205,7 +208,7 @@ VFM_INLINE void CopyScaledJacobians(const LaneShapes& shapes, int count, float* 
   }
 }
 
-/// The s of dihedral angles.
+/// Statistics of dihedral angles as values of s.
 struct Cotangents
 {
   const AngleTable Table;
@@ -242,7 +245,7 @@ struct Cotangents
   }
 };
 
-/// Of a tet that may be flat.
+/// Returns the statistics of a tet that may be flat.
 AngleStatistics AnglesOf(const double* points, const Index* tet)
 {
   AngleStatistics statistics;

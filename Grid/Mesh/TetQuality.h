@@ -1,6 +1,9 @@
 /**
- * Quality of tetrahedra: verdict's scaled Jacobian, and dihedral angles. points: xyz of all points of the mesh; tet: the four
- * corners of one tet in VTK's order, the volume positive where det(b - a, c - a, d - a) is.
+ * Quality of tetrahedra: Verdict's scaled Jacobian and dihedral angles.
+ *
+ * The parameter `points` holds the coordinates of all mesh points, (points, 3). The parameter `tet`
+ * holds the corners a, b, c, d of one tet in VTK's order. Its volume has the sign of
+ * det(b - a, c - a, d - a).
  */
 #pragma once
 
@@ -11,28 +14,35 @@
 namespace vfm
 {
 
-/// Corners of the face opposite to each corner of a positive tet, counterclockwise as seen from outside.
+/// Corners of the face opposite to each corner of a positive tet,
+/// counterclockwise seen from outside.
 constexpr int FaceOfTet[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
-/// sqrt(2) 6 V over the largest product, over the four corners, of the lengths of the three edges there: -1..1, 1 in the regular tet
-/// (Knupp 2000; verdict's tet_scaled_jacobian). 0 where no corner has three edges of some length (there verdict gives 1e30).
+/// Returns the scaled Jacobian of a tet, -1 to 1, with 1 for the regular tet: sqrt(2) 6 V over the
+/// largest product, over the four corners, of the lengths of the three edges there. It is 0 if each
+/// corner has an edge of length 0, where Verdict returns 1e30. Verdict's tet_scaled_jacobian;
+/// Knupp, Int. J. Numer. Methods Engrg. 48 (2000) 1165-1185.
 double TetScaledJacobian(const double* points, const Index* tet);
 
-/// Degrees, 0..180, at the edges 01 02 03 12 13 23; those of a mirrored tet are the same. 0 at edges where a face has no area.
+/// Computes the dihedral angles at the edges 01 02 03 12 13 23, in degrees, 0 to 180. They do not
+/// depend on the sign of the volume. The angle is 0 at edges of a face without area.
 void DihedralAngles(const double* points, const Index* tet, double angles[6]);
 
-/// The dihedral angles of some tets.
+/// Statistics of dihedral angles.
 struct AngleStatistics
 {
-  std::array<std::int64_t, 18>
-    Counts{}; ///< in each ten degrees; those at a limit or less than 1e-6 degrees below count above it
+  /// Number of angles per ten degrees. An angle less than 1e-6 degrees below a
+  /// limit counts above it.
+  std::array<std::int64_t, 18> Counts{};
   double Smallest = 180.0, Largest = 0.0;
 
-  /// That of others too.
+  /// Adds the angles of other tets.
   void Add(const AngleStatistics& other);
 };
 
-/// Fills the scaled Jacobians of tets, given by four points each.
+/// Computes the scaled Jacobians of tets and returns the statistics of their dihedral angles.
+/// @param tets  corners, (count, 4)
+/// @param[out] scaledJacobians  one value per tet
 AngleStatistics MeasureTets(
   const double* points, const Index* tets, Index count, float* scaledJacobians);
 
