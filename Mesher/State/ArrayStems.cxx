@@ -23,13 +23,13 @@ Kind KindOf(char c)
   return std::isdigit(u) ? Kind::Digit : std::isalpha(u) || u > 127 ? Kind::Letter : Kind::Other;
 }
 
-/// Whether a word or number goes on from one character to the next.
+/// Returns whether two adjacent characters belong to the same word or number.
 bool IsInside(char left, char right)
 {
   return KindOf(left) != Kind::Other && KindOf(left) == KindOf(right);
 }
 
-/// How many characters all begin with, not cutting a word or number.
+/// Returns the length of the common start of all names, without cutting a word or number.
 std::size_t CommonStart(const std::vector<std::string>& names)
 {
   std::size_t count = 0;
@@ -54,10 +54,10 @@ std::size_t CommonStart(const std::vector<std::string>& names)
   return count;
 }
 
-/// What each name has that the others have not.
+/// Returns the part of each name that differs from the others.
 std::vector<std::string> FindTokens(std::vector<std::string> names)
 {
-  for (int side = 0; side < 2; ++side) // from the front, then from the back
+  for (int side = 0; side < 2; ++side) // remove the common start, then the common end
   {
     const std::size_t common = CommonStart(names);
     for (std::string& name : names)
@@ -69,7 +69,7 @@ std::vector<std::string> FindTokens(std::vector<std::string> names)
   return names;
 }
 
-/// Whether a token that stands at a place of a name is a word of its own there: digits may end a name that they are written onto.
+/// Returns whether a token in a name is a separate word. Digits at the end need no separator.
 bool StandsAlone(const std::string& name, std::size_t at, const std::string& token)
 {
   const std::size_t end = at + token.size();
@@ -83,7 +83,7 @@ bool StandsAlone(const std::string& name, std::size_t at, const std::string& tok
   return before && after;
 }
 
-/// What is left of a name without a material, without separators at its ends or twice.
+/// Joins the parts of a name around a token, without separators at its ends or in a row.
 std::string JoinStem(std::string before, const std::string& after)
 {
   before.erase(before.find_last_not_of(Separators) + 1);
@@ -94,7 +94,8 @@ std::string JoinStem(std::string before, const std::string& after)
     : name.substr(first, name.find_last_not_of(Separators) + 1 - first);
 }
 
-/// Adds the stems of a name where one of some tokens stands alone in it.
+/// Adds the stems of a name in which a token is a separate word; tokens: its replacements in the
+/// names of all members.
 void AddStemsOf(const std::string& name, const std::string& token,
   const std::vector<std::string>& tokens, std::vector<ArrayStem>& stems)
 {

@@ -1,9 +1,12 @@
 /**
- * ArrayStems: names of arrays that differ only in the number or name of a material, as those of fractions do, or in an axis.
+ * ArrayStems: finds arrays whose names differ only in the number or name of a material, or in
+ * an axis.
  *
- * "Material volume fraction - 1" and "Material volume fraction - 2" tell that 1 and 2 name the materials, so "Material density - 1" is the
- * material density of the first; "frac_steel" and "frac_copper" that "rho_steel" is that of steel. " - " and the number of a material
- * at the end of a name does so, whatever the fractions are called. A lone x, y or z tells components: "X velocity", "velocity_x".
+ * The names of the fractions show which tokens name materials. "Material volume fraction - 1" and
+ * "Material volume fraction - 2": 1 and 2 name materials, so "Material density - 1" belongs to
+ * material 1. "frac_steel" and "frac_copper": "rho_steel" belongs to steel. A name that ends with
+ * " - " and the number of a material always belongs to this material. A separate x, y or z marks a
+ * component: "X velocity", "velocity_x".
  */
 #pragma once
 
@@ -14,30 +17,35 @@
 namespace vfm
 {
 
+/// The common part of array names, and the names.
 struct ArrayStem
 {
-  std::string Name;                 ///< what they share
-  std::vector<std::string> Members; ///< of each material from 1, or of x, y, z
+  std::string Name;                 ///< common part of the names
+  std::vector<std::string> Members; ///< array of each material from 1, or of x, y, z
 };
 
-/// The arrays of a vector by that of a component; nothing where a name has no axis.
+/// Returns the arrays of all components of a vector from one of them; nothing if its name has
+/// no axis.
 std::optional<ArrayStem> FindVector(const std::string& component);
 
-/// Whether a name is that of a vector, or of a component of it; the vector may be named by that of a component.
+/// Returns whether a name is that of a vector or of one of its components. The vector may be given
+/// by the name of a component.
 bool IsOfVector(const std::string& name, const std::string& vector);
 
+/// Tokens that name materials in array names.
 class MaterialStems
 {
 public:
-  /// names, labels: of void and each material (Materials). Of fewer than two materials there are no stems.
+  /// Finds the tokens. There are none for fewer than two materials.
+  /// @param names,labels names and labels of void and each material (Materials)
   MaterialStems(const std::vector<std::string>& names, const std::vector<int>& labels);
 
-  /// The stems that a name may be a member of, the likeliest first.
+  /// Returns the stems that may have a name as member, the most likely first.
   std::vector<ArrayStem> FindStems(const std::string& name) const;
 
 private:
-  std::vector<std::string> Tokens;  // of each material from 1: what its fractions' name has alone
-  std::vector<std::string> Numbers; // " - " and its number
+  std::vector<std::string> Tokens;  // part of the name of each material that the others lack
+  std::vector<std::string> Numbers; // " - " and the number of each material
 };
 
 } // namespace vfm

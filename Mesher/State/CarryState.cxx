@@ -38,7 +38,7 @@ OutputState GiveState(const StoredState& kept, const InputLevels& input, const M
   Runtime& runtime)
 {
   OutputState transferred;
-  std::map<std::size_t, TransferredArray> arrays; // by the first state of each
+  std::map<std::size_t, TransferredArray> arrays; // key: first state of an array
   auto copies = CopyState(input, kept.Copied, mesh, meshed, owners, runtime);
   for (std::size_t c = 0; c < copies.size(); ++c)
   {

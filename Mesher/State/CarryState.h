@@ -1,6 +1,7 @@
 /**
- * CarryState: state arrays of the input carried over to the mesh, copied or conserved as chosen. What the cells hold is kept before
- * the fractions change, and given to the elements once there is a mesh.
+ * CarryState: transfers state arrays of the input to the mesh, copied or conserved.
+ * StoreState stores the contents of cells before the fractions change; GiveState distributes
+ * them to the elements.
  */
 #pragma once
 
@@ -10,29 +11,37 @@
 namespace vfm
 {
 
+/// State of the input until there is a mesh.
 struct StoredState
 {
   std::vector<StateArray> Copied;
-  std::vector<std::size_t> Places;                 ///< in the choice, of each of these
+  std::vector<std::size_t> Places;                 ///< index of each copied array in the choice
   std::unique_ptr<const ConservedCells> Conserved; ///< null: nothing is conserved
 };
 
+/// State of a mesh.
 struct OutputState
 {
-  std::vector<TransferredArray> Arrays;          ///< a tuple an element, in the order of the choice
-  std::optional<TransferredArray> NodalVelocity; ///< a tuple a point
-  bool IsConserved = false;                      ///< any, so that there is a balance
+  std::vector<TransferredArray> Arrays;          ///< element arrays, in the order of the choice
+  std::optional<TransferredArray> NodalVelocity; ///< point array
+  bool IsConserved = false;                      ///< true if any array is conserved; sets Balance
   StateBalance Balance;
 };
 
-/// Collective: keeps what cells hold if anything is conserved. states: those of the choice. fields: as MakeLevelFields made them; setup: their
-/// levels. input and cells must outlive the result. owners: the cells of level 0 that the ranks mesh. Throws InputError, on all ranks
-/// alike, as PlanState and ConservedCells do.
+/// Plans the transfer, and stores the contents of cells if anything is conserved.
+/// @param input,cells must outlive the result
+/// @param states state arrays of the choice
+/// @param fields result of MakeLevelFields; setup: its levels
+/// @param owners cells of level 0 that each rank meshes
+/// @throws InputError if PlanState or ConservedCells do, on all ranks
+/// @pre Collective
 StoredState StoreState(const InputLevels& input, const LevelCells& cells, const StateChoice& choice,
   const std::vector<StateArray>& states, const LevelFields& fields, const LevelSetup& setup,
   bool meshVoid, const std::vector<BlockPlace>& owners, Runtime& runtime);
 
-/// Collective. mesh: of this rank's owned cells, in the axes of the input.
+/// Makes the state arrays of the mesh.
+/// @param mesh elements owned by this rank, in image axes
+/// @pre Collective
 OutputState GiveState(const StoredState& kept, const InputLevels& input, const Mesh& mesh,
   const MeshedGrid& meshed, const ConserveOptions& options, const std::vector<BlockPlace>& owners,
   Runtime& runtime);

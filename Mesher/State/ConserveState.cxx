@@ -24,7 +24,7 @@ std::vector<StateQuantity> ListQuantities(const StatePlan& plan)
   return quantities;
 }
 
-/// Of the components of what becomes of states.
+/// Returns the names of the components of an output array.
 std::vector<std::string> NamesFor(
   const ConservedArray& array, const std::vector<StateArray>& states)
 {
@@ -32,16 +32,16 @@ std::vector<std::string> NamesFor(
                         : states[array.States[0]].ComponentNames;
 }
 
-/// What the elements of a mesh take, and what becomes of kinetic energy.
+/// State of the elements, and lost kinetic energy.
 struct GivenState
 {
   TransferredState Taken;
-  Buffer<double> LostToElements; ///< of each element, where there is a velocity
+  Buffer<double> LostToElements; ///< lost kinetic energy of each element, if there is a velocity
   NodalVelocity Nodes;
-  bool HasNodes; ///< whether the points of the mesh get a velocity
+  bool HasNodes; ///< true if the points of the mesh get a velocity
 };
 
-/// Adds what a mean velocity lacks to the internal energy.
+/// Adds the lost kinetic energy to the internal energy.
 void AddLostEnergy(const StatePlan& plan, Runtime& runtime, GivenState& given)
 {
   Buffer<double>& energy = given.Taken.Values[plan.Energy];
@@ -54,7 +54,7 @@ void AddLostEnergy(const StatePlan& plan, Runtime& runtime, GivenState& given)
     });
 }
 
-/// Collective.
+/// Collective. Transfers the state and finds the lost kinetic energy.
 GivenState Transfer(const Mesh& mesh, const CartesianGrid& grid, const ConservedCells& cells,
   const ConserveOptions& options, Runtime& runtime)
 {
@@ -100,7 +100,7 @@ StateSums SumsOfElement(const StatePlan& plan, const GivenState& given, Index e)
   return sums;
 }
 
-/// From totals of the columns.
+/// Converts the totals of a material.
 StateSums SumsOfTotals(const InputContents& contents, const StateTotals& totals)
 {
   const StatePlan& plan = contents.GetPlan();
@@ -120,7 +120,7 @@ StateSums SumsOfTotals(const InputContents& contents, const StateTotals& totals)
   return sums;
 }
 
-/// Collective.
+/// Collective. Sums the state of the input, the mesh and unmeshed material.
 StateBalance FindBalance(
   const Mesh& mesh, const InputContents& contents, const GivenState& given, Ranks& ranks)
 {

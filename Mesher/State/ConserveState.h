@@ -1,5 +1,6 @@
 /**
- * ConserveState: arrays of the mesh that hold all that the cells of the input hold (Transfer/TransferState.h), and what was kept and lost.
+ * ConserveState: makes element arrays with the contents of the cells of the input
+ * (Transfer/TransferState.h), and the balance of contents.
  */
 #pragma once
 
@@ -13,17 +14,20 @@
 namespace vfm
 {
 
+/// Conserved arrays of a mesh.
 struct ConservedState
 {
-  std::vector<TransferredArray> Arrays; ///< a tuple an element, of type double
-  std::vector<std::size_t>
-    States; ///< of each the first state array of the input that it comes from
-  std::optional<TransferredArray> NodalVelocity; ///< a tuple a point
+  std::vector<TransferredArray> Arrays;          ///< element arrays of type double
+  std::vector<std::size_t> States;               ///< first state array of the input of each array
+  std::optional<TransferredArray> NodalVelocity; ///< point array
   StateBalance Balance;
 };
 
-/// Collective. mesh: of this rank's owned elements, in the axes of the input; grid: that it was made of. Lost energy stays lost where no
-/// array is the energy.
+/// Transfers the contents of cells to elements. Lost kinetic energy is only reported if no array is
+/// the energy.
+/// @param mesh elements owned by this rank, in image axes
+/// @param grid grid that the mesh was made on
+/// @pre Collective
 ConservedState ConserveState(const Mesh& mesh, const CartesianGrid& grid,
   const ConservedCells& cells, const ConserveOptions& options, Runtime& runtime);
 

@@ -32,7 +32,8 @@ ConservedCells::ConservedCells(const InputLevels& input, const LevelCells& cells
     });
 }
 
-/// Whether a part of what a cell of the input holds is to be known by what else is in it.
+/// Returns whether values are shared by the materials of an input cell, so that all its fractions
+/// are needed.
 bool ConservedCells::NeedsCoarseFields() const
 {
   const std::vector<ConservedArray>& arrays = this->Contents.GetPlan().Conserved;
@@ -40,7 +41,7 @@ bool ConservedCells::NeedsCoarseFields() const
     arrays.begin(), arrays.end(), [](const ConservedArray& array) { return array.IsShared(); });
 }
 
-/// Collective: fractions of finer levels, and of coarser ones where they are needed.
+/// Collective. Receives the fractions of finer levels, and of coarser levels if needed.
 void ConservedCells::Receive(const std::vector<BlockPlace>& owners, Ranks& ranks)
 {
   this->Levels.Received.resize(this->Levels.Input.Levels.size());
@@ -66,7 +67,7 @@ void ConservedCells::MakeCoarseFields()
   }
 }
 
-/// From coarse to fine: finer blocks count where they are.
+/// Sets the source of each cell, from coarse to fine, so that finer blocks replace coarser ones.
 void ConservedCells::PlaceSources()
 {
   int number = 0;
@@ -126,7 +127,8 @@ void ConservedCells::Read(const Index3& cell, int material, double* values) cons
   this->Contents.Read(this->FindInput(cell, source), material, values);
 }
 
-/// Throws InputError for the first cell of a row whose values are none. Fine contents were looked at before.
+/// Throws InputError for the first cell of a row with invalid values. Fine contents are
+/// checked before.
 void ConservedCells::CheckRow(Index j, Index k) const
 {
   std::vector<double> values(this->Contents.NumberOfColumns());
@@ -149,7 +151,8 @@ void ConservedCells::CheckRow(Index j, Index k) const
   }
 }
 
-/// Of the cells that this rank meshes; tells the first that is wrong, whatever threads find first.
+/// Checks the cells that this rank meshes; always reports the first invalid cell, on any number
+/// of threads.
 void ConservedCells::CheckOwned(Runtime& runtime) const
 {
   const IndexBox& owned = this->Grid.Owned();

@@ -1,9 +1,10 @@
 /**
- * ConservedCells: what the cells of the grid that gives hold of each material.
+ * ConservedCells: the state of each material in the cells of the donor grid.
  *
- * The grid is that of the fractions as they were read, before anything was removed, smoothed or cut: of the finest level of the input,
- * or of the finest cells of the mesh where these are larger. A cell of a coarser level of the input is several of its cells; where the
- * input is finer FineContents has the means.
+ * The donor grid has the fractions as read, before regions are removed, labels smoothed or cells
+ * divided. Its level is the finest of the input, or the finest of the mesh if that is coarser. A
+ * cell of a coarser level of the input is several cells of the grid. Where the input is finer,
+ * FineContents has means.
  */
 #pragma once
 
@@ -15,12 +16,18 @@
 namespace vfm
 {
 
+/// Values in the local box of the donor grid. Read() may be called by several threads.
 class ConservedCells : public StateCellValues
 {
 public:
-  /// Collective. fields: as MakeLevelFields made them, whose grid and fractions are copied; level: of that grid; cells: of the input;
-  /// owners: the cells of level 0 that the ranks mesh. input and cells must outlive this. Throws InputError, on all ranks alike,
-  /// where a material, or void if it is meshed, has values that are no numbers, or a density below 0.
+  /// Receives the values of cells from all ranks and checks the owned ones.
+  /// @param input,cells must outlive this object
+  /// @param fields result of MakeLevelFields; its grid and fractions are copied
+  /// @param level level of that grid
+  /// @param owners cells of level 0 that each rank meshes
+  /// @throws InputError if a material (also void, if meshed) has values that are not finite, or a
+  /// density below 0; on all ranks
+  /// @pre Collective
   ConservedCells(const InputLevels& input, const LevelCells& cells, InputContents contents,
     const LevelFields& fields, int level, bool meshVoid, const std::vector<BlockPlace>& owners,
     Runtime& runtime);
@@ -34,7 +41,7 @@ public:
   void Read(const Index3& cell, int material, double* values) const override;
 
 private:
-  /// Fractions of the input's own cells, on a level coarser than the grid.
+  /// Fractions of the input on a level coarser than the grid.
   struct CoarseField
   {
     CartesianGrid Grid;
@@ -53,14 +60,14 @@ private:
   const InputContents Contents;
   const CartesianGrid Grid;
   const FractionField Fractions;
-  const std::vector<std::string> Names; // of the materials
+  const std::vector<std::string> Names; // names of the materials
   const int Level, FirstMaterial;
   LevelsOfState Levels;
   std::vector<std::size_t>
-    FirstSources;        // of each level up to Level among their sources, and the end
-  PagedArray<int> Entry; // of each cell its source, or ~(number among the fine contents)
+    FirstSources;        // number of the first source of each level up to Level, and the end
+  PagedArray<int> Entry; // source of each cell, or ~(number in Fine)
   FineContents Fine;
-  std::vector<std::unique_ptr<CoarseField>> Coarse; // of each level below Level, where needed
+  std::vector<std::unique_ptr<CoarseField>> Coarse; // fields of levels below Level, if needed
 };
 
 } // namespace vfm

@@ -11,14 +11,14 @@ namespace vfm
 namespace
 {
 
-/// Where the values of an element are.
+/// Position of the values of an element.
 struct StatePlace
 {
   const StateBlock* Source;
   Index Place;
 };
 
-/// The finest cell of the input around the middle of a cell of a level. values: of each level.
+/// Finds the finest cell of the input at the centre of a cell of a level.
 StatePlace FindPlace(const Index3& cell, int level, const StateValues& values)
 {
   const int finest = static_cast<int>(values.size()) - 1;
@@ -37,7 +37,7 @@ StatePlace FindPlace(const Index3& cell, int level, const StateValues& values)
   throw InputError("A cell of the input has no state."); // the levels fill a box
 }
 
-/// number: of the array among all.
+/// Makes the array of a state; number: its index.
 TransferredArray MakeOutput(
   const StateArray& state, std::size_t number, const std::vector<StatePlace>& places)
 {

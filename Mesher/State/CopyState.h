@@ -1,5 +1,6 @@
 /**
- * CopyState: each element takes the values of one cell, unchanged (Transfer/StateCells.h), from whichever rank reads that cell.
+ * CopyState: copies the values of one cell to each element (Transfer/StateCells.h), also from cells
+ * that other ranks read.
  */
 #pragma once
 
@@ -13,19 +14,23 @@
 namespace vfm
 {
 
-/// The grid that a mesh was made of.
+/// The grid that a mesh was made on.
 struct MeshedGrid
 {
   const CartesianGrid& Grid;
   const FractionField& Fractions;
-  int Level;             ///< of the input, or beyond, before its cells were divided
-  CellDivision Division; ///< of the cells of that level into those of the grid
+  int Level; ///< level of the grid before its cells were divided, numbered as in the input
+  CellDivision Division; ///< division of the cells of that level into the cells of the grid
 };
 
-/// Collective: an array of each state, its type and components as in the input, a tuple an element, in the order of the elements.
-/// mesh: of this rank's owned cells. An element has the values of the finest cell of the input around the middle of its cell of the grid.
-/// owners: the cells of level 0 that the ranks mesh. Ghost cells give nothing, blanked cells what their arrays hold. Ranks
-/// send each other what their local boxes need; nothing is sent without states.
+/// Copies state arrays to the elements of a mesh.
+/// An element gets the values of the finest cell of the input at the centre of its cell of the
+/// grid. Ghost cells of the input are not used; blanked cells have the values of their arrays.
+/// @param mesh elements owned by this rank
+/// @param owners cells of level 0 that each rank meshes
+/// @return one array per state, with one tuple per element; type and components as in the input
+/// @pre Collective
+/// @note Without states, nothing is sent.
 std::vector<TransferredArray> CopyState(const InputLevels& input,
   const std::vector<StateArray>& states, const Mesh& mesh, const MeshedGrid& meshed,
   const std::vector<BlockPlace>& owners, Runtime& runtime);

@@ -5,15 +5,16 @@ namespace vfm
 namespace
 {
 
-constexpr int ChunkLevels = 3; // cells of a box are summed up so many halvings of a chunk at a time
+constexpr int ChunkLevels = 3; // cells are summed in chunks of 2^ChunkLevels cells along each axis
 
-/// Of each column: what multiplies its values in sums over cells. values: of a cell that holds so much of the material.
+/// Returns the weight of each column in sums over cells.
+/// @param values values of a cell; volume: volume of the material in the cell
 std::vector<double> FindWeights(const InputContents& contents, const double* values, double volume)
 {
   const StatePlan& plan = contents.GetPlan();
   const double mass =
     plan.Density < 0 ? volume : volume * values[contents.FirstColumn(plan.Density)];
-  std::vector<double> weights(contents.NumberOfColumns(), mass); // of |u|^2 / 2 too
+  std::vector<double> weights(contents.NumberOfColumns(), mass); // also for |u|^2 / 2
   for (std::size_t a = 0; a < plan.Conserved.size(); ++a)
   {
     const ConservedArray& array = plan.Conserved[a];
@@ -49,7 +50,8 @@ void FineContents::Add(
     });
 }
 
-/// What has the values of each cell of a box of a level; null where no block of that level, or one of a finer, covers it.
+/// Returns the source of each cell of a box of a level; null if no block of the level covers the
+/// cell, or if a finer block does. Empty if there is no source.
 std::vector<const StateBlock*> FineContents::FindSources(const IndexBox& box, int level) const
 {
   std::vector<const StateBlock*> sources;
@@ -77,7 +79,7 @@ std::vector<const StateBlock*> FineContents::FindSources(const IndexBox& box, in
   return sources;
 }
 
-/// In the order of the fine cells, whoever read them.
+/// Adds the cells of a finer level, in an order that does not depend on the ranks that read them.
 void FineContents::AddLevel(
   const IndexBox& chunk, int level, int finer, std::vector<std::vector<Sums>>& sums) const
 {
@@ -108,7 +110,7 @@ void FineContents::AddLevel(
     });
 }
 
-/// volume: of the material in the cell.
+/// Adds a fine cell to the sums of a material; volume: volume of the material in the cell.
 void FineContents::AddCell(
   const InputCell& cell, int level, double volume, int material, std::vector<Sums>& sums) const
 {

@@ -1,6 +1,6 @@
 /**
- * FineContents: what cells of a grid hold where blocks of finer levels of the input cover them: means of the fine cells, each weighted with
- * its volume or mass of the material, so that their sums are those of the fine cells.
+ * FineContents: the state of cells below finer blocks of the input: means over the fine cells,
+ * weighted by volume or mass of the material, so that sums are conserved.
  */
 #pragma once
 
@@ -13,45 +13,49 @@
 namespace vfm
 {
 
-/// What is known of the input's levels on this rank.
+/// The levels of the input on this rank, with received cells.
 struct LevelsOfState
 {
   const InputLevels& Input;
   const LevelCells& Cells;
-  std::vector<std::vector<SparseCells>>
-    Received; ///< of each level: fractions in blocks of other ranks
+  std::vector<std::vector<SparseCells>> Received; ///< fractions from other ranks, by level
   StateValues Values;
 };
 
+/// Stores the state of cells that Add() has visited, by number.
 class FineContents
 {
 public:
-  /// All must outlive this. names: of the materials; those from firstMaterial on are checked.
+  /// All references must outlive this object.
+  /// @param names names of the materials
+  /// @param firstMaterial first material whose values are checked
   FineContents(const InputContents& contents, const LevelsOfState& levels,
     const std::vector<std::string>& names, int firstMaterial) :
     Contents(contents), Levels(levels), Names(names), FirstMaterial(firstMaterial)
   {
   }
 
-  /// Adds the cells of a box of some level that finer blocks cover; visit(cell, number) is called for each.
+  /// Adds the cells of a box of a level below finer blocks; calls visit(cell, number) for each.
   void Add(const IndexBox& box, int level, const std::function<void(const Index3&, int)>& visit);
 
-  /// Of a material in the cell with a number; zeros where there is none of it.
+  /// Reads the values of a material in the cell with a number; zeros if the cell lacks
+  /// the material.
   void Read(int number, int material, double* values) const;
 
 private:
-  /// Sums over fine cells of what one cell holds of a material.
+  /// Sums of a material over the fine cells in one cell.
   struct Sums
   {
     int Material;
     double Volume = 0.0;
-    std::vector<double> Weights;         // of each column
-    std::vector<double> Weighted, Plain; // values times these, times volumes
+    std::vector<double> Weights;         // sum of weights, by column
+    std::vector<double> Weighted, Plain; // sums of values times weights, and times volumes
   };
+  /// A material in a cell.
   struct Part
   {
     int Material;
-    std::size_t First; // of Values
+    std::size_t First; // index of its first column in Values
   };
 
   void AddLevel(
@@ -65,7 +69,7 @@ private:
   const LevelsOfState& Levels;
   const std::vector<std::string>& Names;
   const int FirstMaterial;
-  std::vector<std::size_t> Offsets{ 0 }; // of each number in Parts, and the end
+  std::vector<std::size_t> Offsets{ 0 }; // index of each number in Parts, and the end
   std::vector<Part> Parts;
   std::vector<double> Values;
 };

@@ -19,14 +19,14 @@ double ReadAs(const char* bytes)
   return static_cast<double>(value);
 }
 
-/// type: of a carrier.
+/// Returns the reader of a type (CarrierType).
 double (*FindReader(int type))(const char*)
 {
   return VisitType(
     type, [](auto tag) -> double (*)(const char*) { return ReadAs<typename decltype(tag)::Type>; });
 }
 
-/// What a cell holds of a material, and of all but void.
+/// Fraction of a material in a cell, and of all materials except void.
 struct Filling
 {
   double Own = 0.0, All = 0.0;
@@ -102,7 +102,7 @@ double InputContents::ReadComponent(
   return this->Readers[state](source.Values[state] + (place * array.Components + component) * size);
 }
 
-/// From the value of a whole cell to one per volume of a material in it.
+/// Returns the factor from the value of a whole cell to a value per volume of a material in it.
 double InputContents::FindFactor(
   const InputCell& cell, const ConservedArray& array, int material) const
 {

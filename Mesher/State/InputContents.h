@@ -1,6 +1,6 @@
 /**
- * InputContents: what one cell of the input holds of a material, in the terms of what is conserved: each value per volume of the
- * material, or per mass.
+ * InputContents: reads the state of a material in one cell of the input, converted to values per
+ * volume of the material, or per mass.
  */
 #pragma once
 
@@ -11,31 +11,37 @@
 namespace vfm
 {
 
-/// A cell of some level of the input.
+/// A cell of any level of the input.
 struct InputCell
 {
   const StateBlock* Source;
   Index3 Cell;
   double Volume;                  ///< length units cubed
-  const FractionField* Fractions; ///< as read
-  Index At;                       ///< the cell in these
+  const FractionField* Fractions; ///< fractions as read
+  Index At;                       ///< index of the cell in Fractions
 };
 
+/// Reads cells by a plan. Read() may be called by several threads.
 class InputContents
 {
 public:
   InputContents(std::vector<StateArray> states, StatePlan plan);
 
-  /// Values lie one after another: those of the arrays of the plan, then |u|^2 / 2 where there is a velocity.
+  /// Returns the number of values of a cell: the components of all arrays of the plan, followed by
+  /// |u|^2 / 2 if there is a velocity.
   int NumberOfColumns() const { return this->Columns; }
   int FirstColumn(std::size_t array) const { return this->First[array]; }
   const std::vector<StateArray>& GetStates() const { return this->States; }
   const StatePlan& GetPlan() const { return this->Plan; }
 
-  /// material: 0 void, which has nothing of arrays a material, and a part of what materials share only where there are none.
+  /// Reads the values of a material in a cell. Void (0) has 0 in arrays per material, and in values
+  /// that materials share unless the cell contains nothing else.
   void Read(const InputCell& cell, int material, double* values) const;
 
-  /// Throws InputError when values are no numbers or densities below 0. names: of the materials from 0; level: -1 where there is one.
+  /// Checks values of a cell.
+  /// @param level level for messages; -1 if there is only one
+  /// @param names names of the materials from 0
+  /// @throws InputError if values are not finite, or a density is below 0
   void Check(const double* values, int material, const Index3& cell, int level,
     const std::vector<std::string>& names) const;
 
@@ -49,8 +55,8 @@ private:
 
   const std::vector<StateArray> States;
   const StatePlan Plan;
-  std::vector<ReadValue> Readers; // of each state
-  std::vector<int> First;         // column of each array
+  std::vector<ReadValue> Readers; // reader of each state
+  std::vector<int> First;         // first column of each array
   int Columns = 0;
 };
 

@@ -60,7 +60,7 @@ std::vector<StateArray> Unpack(const Bytes& bytes, const std::vector<std::string
   return states;
 }
 
-/// Collective: mine of the lowest rank that has any.
+/// Collective. Returns the list of the lowest rank that has any.
 std::vector<StateArray> AgreeOn(
   const std::vector<StateArray>& mine, const std::vector<std::string>& names, Ranks& ranks)
 {
@@ -76,7 +76,7 @@ std::vector<StateArray> AgreeOn(
   return {};
 }
 
-/// Calls visit for every block of this rank.
+/// Calls visit(block) for each block of this rank.
 void VisitBlocks(const InputLevels& input, const std::function<void(const InputBlock&)>& visit)
 {
   for (const InputBlocks& level : input.Levels)
@@ -121,7 +121,7 @@ std::vector<StateArray> FindStateArrays(
           }
         });
     });
-  mine.resize(std::min(mine.size(), names.size())); // those of the first block
+  mine.resize(std::min(mine.size(), names.size())); // arrays of the first block
   const std::vector<StateArray> states = AgreeOn(mine, names, ranks);
   WorkTogether(ranks,
     [&]

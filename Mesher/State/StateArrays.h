@@ -1,5 +1,5 @@
 /**
- * StateArray: an array of the input whose values the elements of the mesh carry, the same in all blocks of all ranks.
+ * StateArrays: arrays of the input that are transferred to the mesh.
  */
 #pragma once
 
@@ -11,26 +11,32 @@
 namespace vfm
 {
 
-/// The same on all ranks.
+/// A state array; equal in all blocks and on all ranks.
 struct StateArray
 {
   std::string Name;
-  int Type = 0; ///< of ValueType
+  int Type = 0; ///< one of ValueType
   int Components = 1;
-  std::vector<std::string> ComponentNames; ///< empty, or one a component, "" where it has none
+  std::vector<std::string> ComponentNames; ///< empty, or one per component; "" if unnamed
 };
 
-/// Collective. names: distinct arrays of any numeric type and number of components. Throws InputError, on all ranks alike, when a block has
-/// none, or blocks disagree on type or components. Component names: those of the lowest rank's first block of the coarsest level.
+/// Finds the state arrays with given names.
+/// @param names distinct names of arrays of any numeric type and number of components
+/// @return arrays in the order of names; component names are from the first block of the coarsest
+/// level on the lowest rank that has blocks
+/// @throws InputError if an array is missing in a block, or if types or components differ; on
+/// all ranks
+/// @pre Collective
 std::vector<StateArray> FindStateArrays(
   const InputLevels& input, const std::vector<std::string>& names, Ranks& ranks);
 
-/// Throws InputError when the mesh itself may have an array of that name.
+/// Throws InputError if a name is reserved for arrays of the mesh.
 void CheckNameOfState(const std::string& name);
 
-/// The type in which values travel: bits do so as bytes.
+/// Returns the type of values in messages and on the mesh: UnsignedChar for Bit, else the
+/// same type.
 int CarrierType(int type);
-/// In that type, in bytes.
+/// Returns the size of a tuple of this type, in bytes.
 std::size_t TupleSize(const StateArray& array);
 
 } // namespace vfm

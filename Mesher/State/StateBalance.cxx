@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr int NumberOfSums = 8;
-constexpr double SmallPart = 1e-12; // of a material; less is rounding
+constexpr double SmallPart = 1e-12; // fraction of a material; less is rounding
 
 using SumTerms = std::array<double, NumberOfSums>;
 
@@ -26,7 +26,7 @@ StateSums FromTerms(const SumTerms& terms)
     terms[7] };
 }
 
-/// Values of each material.
+/// Collects arrays with values of each material.
 class ColumnMaker
 {
 public:
@@ -43,7 +43,7 @@ public:
     this->Columns.push_back({ name, std::move(values) });
   }
 
-  /// get: several numbers of a material.
+  /// Adds an array of tuples; get: returns the tuple of a material.
   template <class Values, class Get>
   void AddTuples(const char* name, const std::vector<Values>& of, const Get& get)
   {
@@ -61,7 +61,7 @@ public:
   std::vector<FieldArray> Columns;
 
 private:
-  std::size_t First; // material
+  std::size_t First; // first material
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 /**
- * StateBalance: volume, mass, momentum and energy of each material, of the input, of the mesh, and of what is not meshed.
+ * StateBalance: volume, mass, momentum and energy of each material in the input, in the mesh,
+ * and unmeshed.
  */
 #pragma once
 
@@ -15,35 +16,41 @@
 namespace vfm
 {
 
-/// Of a material over all ranks, or of one element; in the units of the input.
+/// Sums of a material over all ranks, or the state of one element; in the units of the input.
 struct StateSums
 {
-  double Volume = 0.0; ///< not of the mesh: MeshReport has it
+  double Volume = 0.0; ///< not set for the mesh, see MeshReport
   double Mass = 0.0;
   Vector3 Momentum{ { 0.0, 0.0, 0.0 } };
-  double Kinetic = 0.0, Internal = 0.0; ///< energies; kinetic of the mesh: of its elements
-  double LostToElements = 0.0;          ///< kinetic energy of the cells that elements have not
-  double LostToNodes = 0.0;             ///< and of elements that nodes have not
+  double Kinetic = 0.0,
+         Internal = 0.0;       ///< energies; kinetic energy of the mesh is that of elements
+  double LostToElements = 0.0; ///< kinetic energy of cells that elements lack
+  double LostToNodes = 0.0;    ///< kinetic energy of elements that nodes lack
 };
 
 struct StateBalance
 {
   bool HasDensity = false, HasVelocity = false, HasEnergy = false, HasNodes = false;
-  std::vector<StateSums> Input, Mesh, Unmeshed; ///< of each material from 0
+  std::vector<StateSums> Input, Mesh, Unmeshed; ///< sums of each material from 0
   std::vector<std::array<double, 2>> Factors;   ///< TransferredState::Factors
 };
 
-/// Collective: sums over the elements of each material, whatever their order. find: of an element.
+/// Sums over the elements of each material; bitwise reproducible for any order of elements.
+/// @param find returns the state of an element
+/// @pre Collective
 std::vector<StateSums> SumElements(
   const Mesh& mesh, int materials, const std::function<StateSums(Index)>& find, Ranks& ranks);
 
-/// Of each material, void only when meshed: InputVolume, UnmeshedVolume, VolumeFactors (two each); with a density InputMass,
-/// MeshMass, UnmeshedMass; with a velocity InputMomentum, MeshMomentum, UnmeshedMomentum, InputKineticEnergy, MeshKineticEnergy,
-/// UnmeshedKineticEnergy, LostKineticEnergy; with an energy InputInternalEnergy, MeshInternalEnergy, UnmeshedInternalEnergy; with
-/// velocities of nodes LostNodalKineticEnergy.
+/// Lists the balance, one tuple per material, void only if meshed.
+/// - Always: InputVolume, UnmeshedVolume, VolumeFactors (two components)
+/// - Density: InputMass, MeshMass, UnmeshedMass
+/// - Velocity: InputMomentum, MeshMomentum, UnmeshedMomentum, InputKineticEnergy,
+///   MeshKineticEnergy, UnmeshedKineticEnergy, LostKineticEnergy
+/// - Velocity of nodes: LostNodalKineticEnergy
+/// - Energy: InputInternalEnergy, MeshInternalEnergy, UnmeshedInternalEnergy
 std::vector<FieldArray> ListBalance(const StateBalance& balance, bool meshVoid);
 
-/// How much of which materials is in no element; "" where that is nothing.
+/// Returns a sentence with the amount of each material that is in no element; "" if there is none.
 std::string DescribeUnmeshed(const StateBalance& balance, const Materials& table);
 
 } // namespace vfm

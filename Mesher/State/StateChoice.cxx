@@ -16,7 +16,7 @@ const StateCandidate* Find(const std::vector<StateCandidate>& arrays, const std:
   return found == arrays.end() ? nullptr : &*found;
 }
 
-/// The components of a velocity that no array holds as a whole.
+/// Returns the components of a velocity that is not a single array.
 std::optional<ArrayStem> FindComponents(
   const std::vector<StateCandidate>& arrays, const std::string& velocity)
 {
@@ -42,7 +42,7 @@ std::optional<ArrayStem> FindComponents(
   return std::nullopt;
 }
 
-/// Whether some of the listed arrays may be those of each material that a name is the stem of.
+/// Returns whether a name may be the common part of listed arrays, one per material.
 bool IsStem(const std::vector<std::string>& listed, const std::string& name)
 {
   return std::any_of(listed.begin(), listed.end(),

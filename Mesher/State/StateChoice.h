@@ -1,5 +1,5 @@
 /**
- * StateChoice: which arrays of the input are meant by the names of what is to be conserved.
+ * StateChoice: finds the arrays of the input that the options of state transfer name.
  */
 #pragma once
 
@@ -9,37 +9,42 @@
 namespace vfm
 {
 
+/// Selected state arrays and their roles.
 struct StateChoice
 {
-  bool IsConserved = false;        ///< else all arrays are copied
-  std::vector<std::string> Arrays; ///< distinct
+  bool IsConserved = false;        ///< false: all arrays are copied
+  std::vector<std::string> Arrays; ///< distinct names of all arrays
   std::vector<std::string> Densities;
-  std::vector<std::string> Kinds; ///< words name=kind
-  std::string Velocity, Energy;   ///< empty: none
+  std::vector<std::string> Kinds; ///< entries name=kind
+  std::string Velocity, Energy;   ///< empty: not selected
 };
 
-/// Whether state is conserved by an option where arrays are the densities.
+/// Returns whether state is conserved.
+/// @param densities selected density arrays
 bool ConservesState(StateTransfer how, const std::vector<std::string>& densities);
 
-/// What options say of state. arrays: that are carried whether they are conserved or not.
+/// Returns the selection of the options; arrays: state arrays that are transferred in any case.
 StateChoice ChooseState(const MesherOptions& options, std::vector<std::string> arrays);
 
-/// An array of the input that CompleteChoice asks for.
+/// An array of the input that may have a role (IsCandidate).
 struct StateCandidate
 {
   std::string Name;
   int Components;
 };
 
-/// Whether an array of that name may be what is chosen as velocity or energy, or a component of it.
+/// Returns whether an array of that name may be the selected velocity or energy, or a component.
 bool IsCandidate(const std::string& name, const StateChoice& choice);
 
-/// Adds the arrays of densities, velocity and energy to all, but what may be the stem of some that are listed. Of a velocity
-/// whose components are arrays of their own, by its name or that of one of them, these, and Velocity becomes that of x. candidates: those
-/// arrays of the input for which IsCandidate holds.
+/// Adds the arrays of densities, velocity and energy to Arrays, except names that may be the common
+/// part of listed arrays. If the components of the velocity are separate arrays, all three are
+/// added, and Velocity becomes the array of x.
+/// @param candidates arrays of the input for which IsCandidate is true
 StateChoice CompleteChoice(StateChoice choice, const std::vector<StateCandidate>& candidates);
 
-/// Collective: the same, by the arrays of all ranks.
+/// Completes the choice with the arrays of all ranks.
+/// @param mine arrays of this rank
+/// @pre Collective
 StateChoice CompleteChoice(StateChoice choice, const ArrayLists& mine, Ranks& ranks);
 
 } // namespace vfm

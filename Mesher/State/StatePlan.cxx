@@ -25,7 +25,7 @@ std::string Quote(const std::string& name)
   return "'" + name + "'";
 }
 
-/// What a word says of an array.
+/// The kind of an array, from an entry name=kind.
 struct StateKindWord
 {
   std::string Name;
@@ -40,7 +40,7 @@ struct StateKindWord
   }
 };
 
-/// From what stands behind the =; false when it is no kind.
+/// Reads the kind after the "="; returns false if it is not a kind.
 bool ReadKind(const std::string& text, StateKindWord& word)
 {
   const std::size_t star = text.find('*');
@@ -55,7 +55,8 @@ bool ReadKind(const std::string& text, StateKindWord& word)
   return word.IsCopy || found != Meanings.end();
 }
 
-/// Names may hold = themselves: the first one behind which a kind stands parts them.
+/// Reads an entry name=kind. Names may contain "=": the first "=" that precedes a kind
+/// separates them.
 StateKindWord ReadWord(const std::string& text)
 {
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1))
@@ -68,10 +69,10 @@ StateKindWord ReadWord(const std::string& text)
     }
   }
   throw InputError("The state kind " + Quote(text) +
-    " is none: write array=kind, as pressure=volume. Kinds are " + KindsText + ".");
+    " is not valid: write array=kind, such as pressure=volume. Kinds: " + KindsText + ".");
 }
 
-/// Arrays that become one of the output.
+/// State arrays that become one array of the mesh.
 struct StateGroup
 {
   std::string Name;
@@ -86,7 +87,7 @@ struct Work
   const Materials& Table;
   const MaterialStems Stems{ Table.Names, Table.Labels };
   std::map<std::string, StateKindWord> Words{};
-  std::vector<std::string> Weights{}; // of each conserved array
+  std::vector<std::string> Weights{}; // name of the weight of each conserved array
   StatePlan Plan{};
 };
 
@@ -96,7 +97,7 @@ const StateKindWord* FindWord(const Work& work, const std::string& name)
   return found == work.Words.end() ? nullptr : &found->second;
 }
 
-/// What is said of a group, by its name or that of any of its arrays.
+/// Returns the entry of a group, by its name or the name of one of its arrays.
 const StateKindWord* FindWord(const Work& work, const StateGroup& group)
 {
   const StateKindWord* word = FindWord(work, group.Name);
@@ -125,7 +126,7 @@ bool IsDensity(const Work& work, const StateGroup& group)
     [&](std::size_t s) { return IsDensity(work, work.States[s].Name); });
 }
 
-/// Whether it is the velocity or the energy, by its name or that of any of its arrays.
+/// Returns whether a group is the velocity or the energy, by its name or the name of an array.
 bool IsPerMass(const Work& work, const StateGroup& group)
 {
   const auto isChosen = [&](const std::string& name)
@@ -135,7 +136,7 @@ bool IsPerMass(const Work& work, const StateGroup& group)
       [&](std::size_t s) { return isChosen(work.States[s].Name); });
 }
 
-/// Whole numbers too, but where their role tells what they are.
+/// Returns whether a group is copied; integers are, unless they are density, velocity or energy.
 bool IsCopied(const Work& work, const StateGroup& group)
 {
   const StateKindWord* word = FindWord(work, group);
@@ -144,7 +145,7 @@ bool IsCopied(const Work& work, const StateGroup& group)
       !IsPerMass(work, group);
 }
 
-/// The place of a state, or -1.
+/// Returns the index of a state, or -1.
 int FindState(const Work& work, const std::string& name)
 {
   const auto found = std::find_if(work.States.begin(), work.States.end(),
@@ -152,7 +153,7 @@ int FindState(const Work& work, const std::string& name)
   return found == work.States.end() ? -1 : static_cast<int>(found - work.States.begin());
 }
 
-/// The arrays of the velocity's components, if it is chosen by that of its x.
+/// Returns the arrays of the components of the velocity, if its x component is an array.
 StateGroup FindVelocity(const Work& work)
 {
   StateGroup group;
@@ -164,14 +165,14 @@ StateGroup FindVelocity(const Work& work)
       !FindWord(work, work.Choice.Velocity))
     {
       throw InputError("The velocity array " + Quote(work.Choice.Velocity) +
-        " is a component of one material's velocity, by its name. Make a vector array of each "
-        "material's components, or tell what it is, for all materials alike (the state kind " +
+        " is a component of one material's velocity, by its name. Make one vector array per "
+        "material, or set its kind for all materials (state kind " +
         work.Choice.Velocity + "=mass).");
     }
     group = { vector->Name, {}, true };
     for (const std::string& member : vector->Members)
     {
-      group.States.push_back(FindState(work, member)); // which FindChosenState lists
+      group.States.push_back(FindState(work, member)); // CompleteChoice added all of them
     }
   }
   return group;
@@ -185,11 +186,11 @@ StateGroup FindVelocity(const Work& work)
     ++missing;
   }
   throw InputError("The state array " + Quote(name) +
-    " is that of one material, by its name, but of the material " +
-    Quote(work.Table.Names[missing + 1]) + " none is chosen: " + Quote(stem.Members[missing]) +
-    ". Choose one for every material, or tell what it is, for all materials alike (the state "
-    "kind " +
-    name + (IsDensity(work, name) ? "=volume" : "=mass") + ", or another).");
+    " belongs to one material, by its name, and of the material " +
+    Quote(work.Table.Names[missing + 1]) +
+    " no array is selected: " + Quote(stem.Members[missing]) +
+    ". Select the arrays of all materials, or set its kind for all materials (state kind " + name +
+    (IsDensity(work, name) ? "=volume" : "=mass") + ", or another).");
 }
 
 StateGroup FindGroup(const Work& work, std::size_t state)
@@ -224,7 +225,8 @@ StateGroup FindGroup(const Work& work, std::size_t state)
   return alone;
 }
 
-/// Arrays a material together, all others alone, in the order of the states.
+/// Returns the groups of arrays per material and of components, and single arrays, in the order of
+/// the states.
 std::vector<StateGroup> FindGroups(const Work& work)
 {
   std::vector<StateGroup> groups;
@@ -273,7 +275,8 @@ void Place(Work& work, const StateGroup& group)
   work.Plan.Conserved.push_back(std::move(array));
 }
 
-/// The conserved array with a name, its own or that of one of its states, but for blanks at the ends; -1: none.
+/// Returns the index of the conserved array with a name, its own or that of one of its states,
+/// without spaces at the ends; -1: none.
 int FindConserved(const Work& work, const std::string& name)
 {
   const std::vector<ConservedArray>& arrays = work.Plan.Conserved;
@@ -299,12 +302,12 @@ void CheckWords(const Work& work)
     if (!isOfState && FindConserved(work, word.first) < 0)
     {
       throw InputError(
-        "The state kinds name " + Quote(word.first) + ", which is no state array that is chosen.");
+        "The state kinds name " + Quote(word.first) + ", which is not a selected state array.");
     }
   }
 }
 
-/// Of what several arrays become.
+/// Checks the names of arrays that are made from several state arrays.
 void CheckNames(const Work& work)
 {
   for (const ConservedArray& array : work.Plan.Conserved)
@@ -341,9 +344,8 @@ void SetWeights(Work& work)
       work.Plan.Conserved[array.Weight].Components == 1;
     if (!isFit)
     {
-      throw InputError("The state array " + Quote(array.Name) + " cannot be weighed with " +
-        Quote(name) +
-        ": that must be another state array that is chosen, of one component and the kind mass.");
+      throw InputError("The state array " + Quote(array.Name) + " cannot be weighted with " +
+        Quote(name) + ": select another state array, of one component and the kind mass.");
     }
   }
 }
@@ -354,7 +356,7 @@ void CheckDensity(const ConservedArray& density)
   {
     throw InputError("The density array " + Quote(density.Name) + " has " +
       std::to_string(density.Components) +
-      " components: an array with one value a cell is needed.");
+      " components: an array with one value per cell is needed.");
   }
   if (density.Meaning == StateMeaning::PerMass)
   {
@@ -377,8 +379,8 @@ void SetDensity(Work& work)
     {
       throw InputError("The density arrays " + Quote(work.Choice.Densities[0]) + " and " +
         Quote(name) +
-        " are two: choose one for all materials, or one a material whose names differ in the "
-        "material alone, as those of the volume fractions do.");
+        " are not arrays of different materials. Select one array for all materials, or one per "
+        "material with names that differ only in the material.");
     }
     work.Plan.Density = found;
   }
@@ -388,7 +390,7 @@ void SetDensity(Work& work)
   }
 }
 
-/// what: for messages.
+/// Returns the index of the velocity or energy, or -1; what: its name in messages.
 int FindPerMass(const Work& work, const std::string& name, const std::string& what, int components)
 {
   if (name.empty())
@@ -400,7 +402,7 @@ int FindPerMass(const Work& work, const std::string& name, const std::string& wh
   if (found < 0 && FindState(work, name) < 0)
   {
     throw InputError(
-      array + " is neither an array of the input nor what names of state arrays have in common.");
+      array + " is neither an array of the input nor the common part of names of state arrays.");
   }
   if (found < 0 || work.Plan.Conserved[found].Meaning != StateMeaning::PerMass ||
     work.Plan.Conserved[found].Weight >= 0)

@@ -1,5 +1,6 @@
 /**
- * StatePlan: what is to be conserved of which arrays, from what is chosen and the names of arrays.
+ * StatePlan: decides which quantity of each state array is conserved, from the options and the
+ * names of arrays.
  */
 #pragma once
 
@@ -13,27 +14,30 @@
 namespace vfm
 {
 
-/// What the values of an array are.
+/// Meaning of the values of an array.
 enum class StateMeaning
 {
-  PerVolume, ///< of the material
+  PerVolume, ///< value per volume of the material
   PerMass,
-  PerCell,  ///< per volume of the whole cell
-  Extensive ///< sums
+  PerCell,  ///< value per volume of the whole cell
+  Extensive ///< sums over a cell
 };
 
+/// An array of the mesh with conserved contents, made from one or several state arrays.
 struct ConservedArray
 {
-  std::string Name; ///< of the output
+  std::string Name; ///< name on the mesh
   StateMeaning Meaning = StateMeaning::PerMass;
   int Components = 1;
-  int Weight = -1; ///< the conserved array that multiplies the mass; -1: none
-  std::vector<std::size_t>
-    States; ///< one for all materials, or one of each material from 1, or of each component
-  bool IsVector = false; ///< of each component
+  int Weight = -1; ///< index of the conserved array that multiplies the mass; -1: none
+  /// Indices of state arrays: one for all materials, one per material from 1, or one per component.
+  std::vector<std::size_t> States;
+  bool IsVector = false; ///< true if States has one array per component
 
+  /// Returns whether States has one array per material.
   bool IsOfMaterials() const { return this->States.size() > 1 && !this->IsVector; }
 
+  /// Returns whether the materials of a cell share its value.
   bool IsShared() const
   {
     return this->Meaning == StateMeaning::PerCell || this->Meaning == StateMeaning::Extensive;
@@ -43,12 +47,14 @@ struct ConservedArray
 struct StatePlan
 {
   std::vector<ConservedArray> Conserved;
-  std::vector<std::size_t> Copied;              ///< states
-  int Density = -1, Velocity = -1, Energy = -1; ///< conserved arrays
+  std::vector<std::size_t> Copied;              ///< indices of state arrays that are copied
+  int Density = -1, Velocity = -1, Energy = -1; ///< indices of conserved arrays; -1: none
 };
 
-/// states: of choice.Arrays, in their order. Throws InputError on words that are none, names that are not chosen, kinds or components that
-/// do not fit, arrays a material that lack a material.
+/// Makes the plan.
+/// @param states arrays of choice.Arrays, in the same order
+/// @throws InputError if kinds are invalid or name arrays that are not selected, if kinds or
+/// components do not fit, or if arrays per material lack a material
 StatePlan PlanState(
   const StateChoice& choice, const std::vector<StateArray>& states, const Materials& materials);
 

@@ -73,7 +73,7 @@ void LevelValues::AddBlocks()
   }
 }
 
-/// Of each block the box that is wanted, then its values, one array after the other.
+/// Packs the requested cells: for each block a box, then its values, array by array.
 Bytes LevelValues::Pack(const IndexBox& requested) const
 {
   Bytes message;

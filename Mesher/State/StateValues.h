@@ -1,5 +1,5 @@
 /**
- * StateValues: the values of arrays in the cells of the input that a rank needs, from whichever ranks read them.
+ * StateValues: the values of state arrays in the cells that a rank needs, also from other ranks.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace vfm
 {
 
-/// An array as plain memory, in its carrier's type: its own, or a copy of the cells of one block.
+/// An array in contiguous memory (CarrierType): a view, or a copy of the cells of one block.
 class PlainTuples
 {
 public:
@@ -24,10 +24,10 @@ private:
   Bytes Copy;
 };
 
-/// The cells of a block of this rank, or of a part of one that another sent, and the values of the arrays there.
+/// A block of this rank, or a received part of a block, with the values of the arrays.
 struct StateBlock
 {
-  IndexBox Box, Stored; ///< the cells; those of the arrays, of which they are some
+  IndexBox Box, Stored; ///< cells of the block, and the cells of its arrays, which include them
   std::vector<const char*> Values;
 
   Index Place(const Index3& cell) const { return IndexInBox(this->Stored, cell); }
@@ -37,18 +37,19 @@ struct StateBlock
 class LevelValues
 {
 public:
-  /// input, states: must outlive this.
+  /// input and states must outlive this object.
   LevelValues(const InputBlocks& input, const std::vector<StateArray>& states) :
     Input(input), States(states)
   {
   }
 
-  /// Collective: sends the parts of blocks that other ranks need, and receives what this rank needs. owners: the cells of the level that the
-  /// ranks mesh.
+  /// Sends the parts of blocks that other ranks need, and receives the parts that this rank needs.
+  /// @param owners cells of the level that each rank meshes
+  /// @pre Collective
   void Exchange(const std::vector<BlockPlace>& owners, Index ghostLayers, Ranks& ranks);
 
   const std::vector<StateBlock>& GetSources() const { return this->Sources; }
-  /// What has the values of a cell, or null.
+  /// Returns the source that contains a cell, or null.
   const StateBlock* Find(const Index3& cell);
 
 private:
@@ -61,20 +62,25 @@ private:
   std::deque<PlainTuples> Tuples;
   std::vector<Bytes> Messages; // some sources point into them
   std::vector<StateBlock> Sources;
-  std::size_t Last = 0; // the source found last: elements lie near each other
+  std::size_t Last = 0; // last source found; consecutive elements are near each other
 };
 
-/// Of each level of the input.
+/// The values of each level of the input.
 using StateValues = std::vector<std::unique_ptr<LevelValues>>;
 
-/// Layers of cells of a level of the input that hold the GhostLayers of another, be that finer or coarser.
+/// Returns the number of layers of a level of the input that contain the GhostLayers of
+/// another level.
 inline Index GhostLayersOn(int level, int other)
 {
   return Index(GhostLayers) << std::max(level - other, 0);
 }
 
-/// Collective: of the cells that this rank meshes and the GhostLayers around them in cells of a level; of coarser levels in their own cells.
-/// owners: the cells of level 0 that the ranks mesh. Ghost cells give nothing, blanked cells what their arrays hold.
+/// Receives the values in the cells that this rank meshes, and in ghost cells around them.
+/// Ghost cells of the input are not used; blanked cells have the values of their arrays.
+/// @param level level whose GhostLayers are included; coarser levels have as many layers of
+/// their own
+/// @param owners cells of level 0 that each rank meshes
+/// @pre Collective
 StateValues ExchangeState(const InputLevels& input, const std::vector<StateArray>& states,
   int level, const std::vector<BlockPlace>& owners, Ranks& ranks);
 

@@ -1,5 +1,5 @@
 /**
- * TransferredArray: values of the input that the elements or points of a mesh have.
+ * TransferredArray: a state array of the elements or points of a mesh.
  */
 #pragma once
 
@@ -15,13 +15,13 @@ namespace vfm
 struct TransferredArray
 {
   std::string Name;
-  int Type = ValueType::Double; ///< of ValueType
+  int Type = ValueType::Double; ///< one of ValueType
   int Components = 1;
-  std::vector<std::string> ComponentNames; ///< empty, or one a component, "" where it has none
-  Buffer<char> Values; ///< tuple by tuple, in the type in which they travel (CarrierType)
+  std::vector<std::string> ComponentNames; ///< empty, or one per component; "" if unnamed
+  Buffer<char> Values; ///< shape (tuples, Components), row-major, of type CarrierType(Type)
 };
 
-/// The same memory, whatever it holds.
+/// Returns the memory of a buffer as bytes, without a copy.
 template <class T>
 Buffer<char> TakeBytes(Buffer<T>& values)
 {

@@ -1,5 +1,5 @@
 /**
- * ViewMesh: a mesh and the state that its elements and points carry, in the form that reports and files are made from.
+ * ViewMesh: views a mesh and its state as MeshData, for reports and file writers.
  */
 #pragma once
 
@@ -9,7 +9,9 @@
 namespace vfm
 {
 
-/// mesh, state: must outlive what is returned. fields: of the whole mesh; copied.
+/// Returns a view of a mesh.
+/// @param mesh,state must outlive the result
+/// @param fields arrays of the whole mesh; copied
 MeshData ViewMesh(
   const Mesh& mesh, const OutputState& state, const std::vector<FieldArray>& fields);
 

@@ -129,7 +129,7 @@ WRONG = {
     "kinds": (
         dict(fractions=BALL, state={"T": BALL}, density=BALL, state_kinds={"T": "weight"}),
         ValueError,
-        "'T=weight' is none",
+        "'T=weight' is not valid",
     ),
     "kinds without state": (dict(fractions=BALL, state_kinds={"T": "mass"}), ValueError,
                             "no state is given"),

@@ -281,19 +281,19 @@ def test_extensive_arrays_a_material():
 
 def test_errors_of_the_choice():
     for word in ("pressure", "pressure=", "=volume", "pressure=weight", "pressure=mass*"):
-        check_conserve_error(DATA, "'%s' is none" % word, "write array=kind",
+        check_conserve_error(DATA, "'%s' is not valid" % word, "write array=kind",
                              "mass, volume, cell, extensive, copy", StateKinds=[word])
-    check_conserve_error(DATA, "name 'pressur', which is no state array",
+    check_conserve_error(DATA, "name 'pressur', which is not a selected state array",
                          StateKinds=["pressur=volume"])
     check_conserve_error(DATA, "name 'pressure' twice",
                          StateKinds=["pressure=volume", "pressure=mass"])
     for weight in ("nothing", "pressure", "velocity", "temperature"):
-        check_conserve_error(DATA, "'temperature' cannot be weighed with '%s'" % weight,
+        check_conserve_error(DATA, "'temperature' cannot be weighted with '%s'" % weight,
                              StateKinds=["pressure=volume", "temperature=mass*" + weight])
     check_conserve_error(DATA, "no numeric cell array 'rho'", DensityArrays=["rho"])
     check_conserve_error(DATA, "'density' cannot be copied", StateKinds=["density=copy"])
     check_conserve_error(DATA, "'density' cannot be of the kind mass", StateKinds=["density=mass"])
-    check_conserve_error(DATA, "'density' and 'pressure' are two",
+    check_conserve_error(DATA, "'density' and 'pressure' are not arrays of different materials",
                          DensityArrays=["density", "pressure"], StateKinds=[])
     check_conserve_error(DATA, "'velocity' has 3 components", DensityArrays=["velocity"],
                          VelocityArray="None", StateKinds=["velocity=volume"])
@@ -304,7 +304,7 @@ def test_errors_of_the_choice():
     check_conserve_error(DATA, "energy array 'pressure' must be of the kind mass",
                          EnergyArray="pressure")
     check_conserve_error(DATA,
-                         "energy array 'press' is neither an array of the input nor what names of state arrays have in common", EnergyArray="press")
+                         "energy array 'press' is neither an array of the input nor the common part of names of state arrays", EnergyArray="press")
 
 
 def test_errors_of_arrays_a_material():
@@ -312,9 +312,9 @@ def test_errors_of_arrays_a_material():
                   "rho": BALL + 1})
     fractions = {"VolumeFractionArrays": ["f1", "f2"], "VelocityArray": "None",
                  "EnergyArray": "None", "StateKinds": []}
-    check_conserve_error(data, "'rho1' is that of one material", "'f2'", "'rho2'", "rho1=volume",
+    check_conserve_error(data, "'rho1' belongs to one material", "'f2'", "'rho2'", "rho1=volume",
                          **fractions, DensityArrays=["rho1"], StateArrays=[])
-    check_conserve_error(data, "'u1' is that of one material", "'u2'", "u1=mass", **fractions,
+    check_conserve_error(data, "'u1' belongs to one material", "'u2'", "u1=mass", **fractions,
                          DensityArrays=["rho1", "rho2"], StateArrays=["u1"])
     kinds = {**fractions, "StateKinds": ["rho1=volume", "rho2=cell"]}
     check_conserve_error(data, "'rho1' and 'rho2' differ", "one array of the mesh, 'rho'", **kinds,
