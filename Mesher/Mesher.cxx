@@ -19,9 +19,9 @@ namespace vfm
 namespace
 {
 
-constexpr double LabelVolumeTolerance = 1e-6; // relative, of smoothed labels
+constexpr double LabelVolumeTolerance = 1e-6; // relative volume error of smoothed labels
 
-/// What all steps of a run use; they are collective.
+/// Data of a run that all steps use; all steps are collective.
 struct MesherJob
 {
   const MesherInput& Input;
@@ -52,7 +52,7 @@ LevelCells OpenCells(const MesherJob& job)
     : OpenFractions(levels, arrays.Fractions, job.Options.FractionTolerance, ranks);
 }
 
-/// The cells that are to be refined by name.
+/// Returns the user-selected cells that are to be refined.
 InputRequests FindRequests(const MesherJob& job)
 {
   const bool isAutomatic = job.Options.Where == Refinement::Automatic;
@@ -74,7 +74,7 @@ LevelSetup SetUpLevels(const MesherJob& job, const InputRequests& requests)
   return setup;
 }
 
-/// The cells of level 0 that the ranks mesh.
+/// Returns the cells of level 0 that each rank meshes.
 std::vector<BlockPlace> FindOwners(
   const MesherJob& job, const LevelCells& cells, const LevelSetup& setup)
 {
@@ -106,13 +106,14 @@ void SmoothFields(const MesherJob& job, LevelFields& fields)
   if (error > LabelVolumeTolerance)
   {
     std::ostringstream text;
-    text << "Smoothing could not keep the volumes of all labels: the worst is off by "
+    text << "Smoothing could not keep the volumes of all labels: the largest error is "
          << 100.0 * error << " %. Fewer passes, or MinimumRegionCells, may help.";
     Warn(job, text.str());
   }
 }
 
-/// Levels finer than the grid that criteria and wishes ask for; adds their families.
+/// Returns the number of levels finer than the grid that criteria and selected cells request; adds
+/// their families.
 int FindRefinements(const MesherJob& job, const LevelSetup& setup, const InputRequests& requests,
   int finer, LevelFields& fields)
 {
@@ -126,7 +127,7 @@ int FindRefinements(const MesherJob& job, const LevelSetup& setup, const InputRe
   return finer > 0 ? FindFinerLevels(fields, criteria, options.IsoValue, layers, job.Run) : finer;
 }
 
-/// Makes the grid as fine as the finest cells of the mesh, with the ghost layers that meshing needs.
+/// Refines the grid to the finest cells of the mesh, and adds the ghost layers that meshing needs.
 LevelPlan Refine(
   const MesherJob& job, const LevelSetup& setup, const InputRequests& requests, LevelFields& fields)
 {
@@ -162,8 +163,8 @@ Mesh MakeMesh(
   if (report.RefusedParts > 0)
   {
     Warn(job,
-      "TetGen refused " + std::to_string(report.RefusedParts) +
-        " parts of the mesh: they keep the tetrahedra of the method Cells.");
+      "TetGen rejected " + std::to_string(report.RefusedParts) +
+        " parts of the mesh; they keep the tetrahedra of the method Cells.");
   }
   return mesh;
 }
@@ -175,7 +176,7 @@ MeshedGrid DescribeGrid(const LevelFields& fields, const LevelSetup& setup, cons
     fields.Division.OfHalves(finest - setup.Base) };
 }
 
-/// Turns the mesh, and tells of it.
+/// Transforms the mesh to world coordinates, and lists its fields.
 void Finish(
   const MesherJob& job, const LevelFields& fields, const MeshOptions& options, MesherResult& result)
 {
@@ -197,7 +198,7 @@ void Finish(
   }
 }
 
-/// Of what may surprise in the mesh.
+/// Warns of corrected input, an empty mesh, and materials without elements.
 void WarnOfMesh(const MesherJob& job, const MeshReport& report, const InputField& field)
 {
   const CorrectedCells& corrected = field.Corrected;
@@ -226,7 +227,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
 {
   CheckOptions(given);
   MesherOptions options = given;
-  options.FineInterfaces |= options.Elements == ElementKind::Tets; // they know no others
+  options.FineInterfaces |= options.Elements == ElementKind::Tets; // tets support nothing else
   const MesherJob job{ input, options, runtime };
   const InputLevels& levels = input.Levels;
   const MesherArrays& arrays = input.Arrays;
@@ -246,7 +247,7 @@ MesherResult RunMesher(const MesherInput& input, const MesherOptions& given, Run
 
   const RemovedRegions removed = RemoveRegions(job, fields);
   SmoothFields(job, fields);
-  // after labels: the parts of a slice would keep its steps
+  // after labels are smoothed: the parts of a slice would keep its steps
   DivideFields(fields, options.MaximumAspectRatio, options.Children, runtime);
   const MeshOptions meshOptions{ options, Refine(job, setup, requests, fields) };
 

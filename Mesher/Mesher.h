@@ -1,5 +1,6 @@
 /**
- * Mesher: from blocks of cells to a mesh of every material, and all that is told of it. What the filters and the Python package share.
+ * Mesher: makes a mesh of all materials, with state and reports, from blocks of cells. The filters,
+ * the Python package, the command-line tool and the C library call it.
  */
 #pragma once
 
@@ -15,33 +16,43 @@
 namespace vfm
 {
 
-/// Which arrays of the blocks are read.
+/// Arrays of the blocks that are read.
 struct MesherArrays
 {
-  std::vector<std::string> Fractions; ///< one a material
-  std::string Labels;                 ///< not empty: instead of fractions
-  LabelNames Names;                   ///< of labels
+  std::vector<std::string> Fractions; ///< one array per material; empty: Labels is used
+  std::string Labels;                 ///< array of labels; empty: Fractions are used
+  LabelNames Names;                   ///< names of labels
   StateChoice State;
 };
 
+/// Input of a run.
 struct MesherInput
 {
   InputLevels Levels;
   MesherArrays Arrays;
-  bool StaysInPlace = false; ///< every rank meshes its own block (FindNeighbourLevels)
-  std::function<void(const std::string&)> Warn; ///< called on the first rank alone
+  bool StaysInPlace = false; ///< each rank meshes its own block (FindNeighbourLevels)
+  std::function<void(const std::string&)> Warn; ///< called only on rank 0; may be empty
 };
 
+/// Result of a run.
 struct MesherResult
 {
-  Mesh TheMesh; ///< in space, its materials by their labels
+  Mesh TheMesh; ///< elements of this rank, in world coordinates; materials have the ids of the user
   MeshReport Report;
   OutputState State;
   FieldArrays Fields;         ///< ListSides, ListReport, ListDomain, ListBalance
-  FieldArrays MaterialFields; ///< ListMaterials, ListBalance; a row a material
+  FieldArrays MaterialFields; ///< ListMaterials, ListBalance; one row per material
 };
 
-/// Collective. Throws InputError, on all ranks alike, as CheckOptions and what it calls do, and Aborted.
+/// Makes a mesh from the input.
+/// @param input blocks of this rank, with positions in the grid
+/// @param options user options; checked first (CheckOptions)
+/// @param runtime threads, ranks and progress
+/// @return elements of the cells that this rank meshes, their state, and reports equal on all ranks
+/// @throws InputError if options or input are not valid; the same message on all ranks
+/// @throws Aborted if progress reporting requests it
+/// @pre Collective over runtime.Group()
+/// @note Bitwise reproducible for any number of ranks and threads, except with TetGen.
 MesherResult RunMesher(const MesherInput& input, const MesherOptions& options, Runtime& runtime);
 
 } // namespace vfm
