@@ -61,10 +61,10 @@ FragmentVolumes FindVolumes(
   return volumes;
 }
 
-/// Of each point of the mesh.
+/// Data of each point of the mesh.
 struct SmoothedPoints
 {
-  std::vector<FeatureKind> Kinds;   ///< empty: none carries an edge
+  std::vector<FeatureKind> Kinds;   ///< empty: there are no carriers
   std::vector<unsigned char> Moved; ///< whether it may have been moved
 };
 
@@ -85,7 +85,7 @@ SmoothedPoints Smooth(MeshJob& job, const LabelledGrid& labelled, const std::vec
   std::vector<int>().swap(active.PointOf);
   if (KindOfTargets(job.Options) == SurfaceTargets::Kind::Quadrics)
   {
-    interfaces.reset(); // facets need it
+    interfaces.reset(); // only facets need them
   }
   const HexEnergy energy(TargetJacobian(job.Fractions, job.Options));
   Improve({ active, targets, energy, Ramp, volumes, job.Report,
@@ -134,7 +134,8 @@ Mesh MakeMesh(MeshJob& job)
   return mesh;
 }
 
-/// More ghost layers do no harm.
+/// Returns whether the grid has at least the required ghost layers and exactly
+/// the required hex layers.
 bool HasLayers(const CartesianGrid& grid, const GridLayers& layers)
 {
   const IndexBox needed = Grow(grid.Owned(), layers.Ghosts, grid.Global());
@@ -151,7 +152,7 @@ Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   report = MeshReport();
   if (!HasLayers(grid, LayersFor(options.Levels)))
   {
-    throw std::logic_error("The grid has fewer ghost layers than LayersFor asks for.");
+    throw std::logic_error("The grid has fewer ghost layers than LayersFor returns.");
   }
   MeshJob job{ grid, fractions, options, runtime, report };
   return MakeMesh(job);

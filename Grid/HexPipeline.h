@@ -1,5 +1,5 @@
 /**
- * From volume fractions to the hexahedral mesh: all stages in order.
+ * HexPipeline: makes a hexahedral mesh from volume fractions.
  */
 #pragma once
 
@@ -12,8 +12,16 @@
 namespace vfm
 {
 
-/// Meshes the owned cells of a grid with the ghost layers that LayersFor(options.Levels) tells. Throws InputError (options out of range, ids over 63 bits) and Aborted.
-/// The mesh is valid for any labels: every corner of every hex has a positive Jacobian.
+/// Makes the hexahedral mesh of the owned cells. The mesh is valid for any labels: every corner of
+/// every hex has a positive Jacobian.
+/// @param grid  grid with the ghost layers that LayersFor(options.Levels) returns
+/// @param fractions  fractions of the local cells
+/// @param[out] report  measurements over all ranks
+/// @return elements of the owned cells; each element is on one rank
+/// @throws InputError  if an option is out of range or ids exceed 63 bits
+/// @throws std::logic_error  if the grid has too few ghost layers
+/// @throws Aborted  if the user stops the run
+/// @pre Collective over runtime.Group().
 Mesh MakeHexMesh(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, Runtime& runtime, MeshReport& report);
 

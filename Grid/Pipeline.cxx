@@ -20,7 +20,7 @@ void CheckOptions(const MeshOptions& options)
   if (!(options.TargetScaledJacobian >= 0.0 && options.TargetScaledJacobian < 1.0))
   {
     throw InputError("TargetScaledJacobian is " + std::to_string(options.TargetScaledJacobian) +
-      ": it must lie in [0, 1), 0 chooses it automatically.");
+      ": it must lie in [0, 1); 0 selects it automatically.");
   }
   if (options.Levels.Refinements < 0 || options.Levels.FineLayers < 2)
   {
@@ -67,7 +67,7 @@ std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interfa
   {
     return std::vector<FeatureKind>(active.X.size(), FeatureKind::None);
   }
-  job.Clock.Start("Finding creases", 0.22);
+  job.Clock.Start("Finding sharp features", 0.22);
   const Index firstTarget = targets.Count() - static_cast<Index>(interface.Points().size());
   const SharpFeatures features(
     interface, job.Fractions, targets, firstTarget, options.Edges, job.Parts, job.Run);
@@ -80,7 +80,8 @@ std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interfa
 namespace
 {
 
-/// Whole cells of each level, then transition hexes. Tets: of those whose centres are points.
+/// Returns the number of whole cells of each level, then of transition hexes. In a mesh of tets,
+/// cells and hexes are counted if their centres are points.
 std::vector<std::int64_t> CountHexes(const Mesh& mesh)
 {
   const RefinedGrid& levels = *mesh.Levels;

@@ -1,5 +1,5 @@
 /**
- * What the pipelines of hexahedra and tetrahedra share.
+ * Pipeline: data and stages that the pipelines of hexahedra and tetrahedra have in common.
  */
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace vfm
 {
 
-/// What a mesh is made from, and what all stages use.
+/// Input of a mesh and data that all stages use. The referenced objects must outlive the job.
 struct MeshJob
 {
   const CartesianGrid& Grid;
@@ -28,22 +28,34 @@ struct MeshJob
   const Partition Parts{ Grid, Run.Group() };
 };
 
-/// Throws InputError when an option is out of range.
+/// Checks the options of the pipelines.
+/// @throws InputError  if an option is out of range
 void CheckOptions(const MeshOptions& options);
 
-/// Changes labels until a valid mesh can be made from them. Collective.
+/// Changes labels until a valid mesh can be made from them (ResolveLabels.h).
+/// @pre Collective.
 void Resolve(MeshJob& job, LabelArray& labels);
 
-/// If the options ask for it, finds the edges of interfaces and draws the attached points there to them. interface: that of the finest grid.
-/// Returns the kinds of all points of the active mesh. Collective.
+/// Finds the edges of interfaces, if the options request it, and attracts the
+/// attached points to them.
+/// @param interface  interface of the finest grid
+/// @param[in,out] targets,active  targets and attached points; points near edges get new targets
+/// @return kind of every point of the active mesh
+/// @pre Collective.
 std::vector<FeatureKind> AttachToFeatures(MeshJob& job, const Interface& interface,
   const std::vector<Facet>& facets, const Mesh& mesh, SurfaceTargets& targets, ActiveMesh& active);
 
-/// Families and hexes of each level, over all ranks; mesh: the owned hexes or tets; asked: LevelHexes::Asked. Collective.
+/// Fills MeshReport::Levels and TransitionCells: the families and hexes of each
+/// level over all ranks.
+/// @param mesh  mesh with owned elements only
+/// @param requested  LevelHexes::RequestedFamilies
+/// @pre Collective.
 void ReportLevels(
   const Mesh& mesh, const std::vector<Index>& requested, Ranks& ranks, MeshReport& report);
 
-/// Collective.
+/// Measures the quality of elements, if the options request it, and counts the
+/// elements per material.
+/// @pre Collective.
 void MeasureQuality(MeshJob& job, Mesh& mesh);
 
 } // namespace vfm

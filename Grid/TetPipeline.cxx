@@ -29,21 +29,22 @@ namespace vfm
 namespace
 {
 
-constexpr double ShareBeforeTetGen = 0.15; // of the progress, as of the time
+constexpr double ShareBeforeTetGen = 0.15; // share of the run time, and of the progress
 constexpr int LateFlips = 5;               // sweeps between two rounds of flips in the last stage
 
-/// The labels of the cells. First: before any was flipped, which the lattice does not know of; of refined lattices alone.
+/// Labels of the cells. First holds the labels before cells were flipped, because a lattice ignores
+/// flips; it is empty except for refined lattices.
 struct CellLabels
 {
   LabelArray Resolved, First;
 };
 
-/// The tets of Cells or Lattice.
+/// Tets of the methods Cells or Lattice.
 struct MadeTets
 {
   TetTopology Topology;
   TetFaces Faces;
-  std::vector<Index> RequestedFamilies; ///< LevelHexes::Asked
+  std::vector<Index> RequestedFamilies; ///< LevelHexes::RequestedFamilies
 };
 
 bool HasLevels(const MeshJob& job)
@@ -68,7 +69,9 @@ CellLabels AssignLabels(MeshJob& job)
   return labels;
 }
 
-/// nodes: of Lattice. Refines more until all tets start positive.
+/// Makes the tets of coarse cells. Refines more families until all tets start
+/// with positive volumes.
+/// @param nodes  nodes of the lattice; only for the method Lattice
 std::unique_ptr<const CoarseTets> MakeCoarse(MeshJob& job, const CellLabels& labels,
   const std::optional<LatticeNodes>& nodes, const TetEnergy& energy, LevelHexes& levels)
 {
@@ -126,7 +129,8 @@ std::vector<Facet> ListFacets(const MeshJob& job, const MadeTets& made)
   return ListFacets(made.Faces, job.Grid, job.Parts, made.Topology.Tets);
 }
 
-/// The fragment of a tet of Cells is that of its cell: the lower one of an inner face, where both have one label.
+/// Sets the fragment of each tet of the method Cells to the fragment of its cell. A tet between two
+/// cells of one label gets the fragment of the lower cell.
 void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& mesh)
 {
   mesh.Fragment = Buffer<int>(mesh.ElementIds.size());
@@ -141,7 +145,7 @@ void FillFragments(const CartesianGrid& grid, const Fragments& fragments, Mesh& 
   }
 }
 
-/// Fills those of the tets, too.
+/// Finds the fragments and their volumes, and fills the fragments of the tets.
 FragmentVolumes FindFragments(MeshJob& job, const LabelArray& labels, MadeTets& made)
 {
   job.Clock.Start("Finding fragments", 0.15);
@@ -164,7 +168,7 @@ FragmentVolumes FindFragments(MeshJob& job, const LabelArray& labels, MadeTets& 
   return volumes;
 }
 
-/// Returns the kinds of the active points.
+/// Attaches the active points to the interface. Returns their kinds.
 std::vector<FeatureKind> Attach(MeshJob& job, const Interface& interface, const MadeTets& made,
   SurfaceTargets& targets, ActiveMesh& active)
 {
@@ -181,7 +185,7 @@ std::vector<FeatureKind> Attach(MeshJob& job, const Interface& interface, const 
   return kinds;
 }
 
-/// Returns the kinds of the points of the mesh.
+/// Smooths the mesh. Returns the kinds of its points.
 std::vector<FeatureKind> Smooth(
   MeshJob& job, const LabelArray& labels, MadeTets& made, FragmentVolumes& volumes)
 {
@@ -203,7 +207,7 @@ std::vector<FeatureKind> Smooth(
     {
       if (stage.HalfPower < TetRamp().back().HalfPower || sweep % LateFlips == LateFlips - 1)
       {
-        flips->Run(stage, [&](int point) { smoother.Wake(point); });
+        flips->Run(stage, [&](int point) { smoother.MarkForUpdate(point); });
       }
     };
     improvement.AfterRamp = [&]
@@ -218,7 +222,7 @@ std::vector<FeatureKind> Smooth(
   return active.OfMesh(kinds, mesh);
 }
 
-/// The fragment of the points inside it.
+/// Sets the GeometryId of points inside fragments.
 void FillInside(Mesh& mesh)
 {
   mesh.GeometryId = Buffer<int>(mesh.PointIds.size());
@@ -252,7 +256,7 @@ Mesh MakeMesh(MeshJob& job)
   const CellLabels labels = AssignLabels(job);
   MadeTets made = MakeTets(job, labels);
   FragmentVolumes volumes = FindFragments(job, labels.Resolved, made);
-  std::vector<FeatureKind> kinds; // empty: none carries an edge
+  std::vector<FeatureKind> kinds; // empty: there are no carriers
   if (!job.Options.StairStep && job.Options.Method != Smoothing::Off)
   {
     kinds = Smooth(job, labels.Resolved, made, volumes);
@@ -312,7 +316,7 @@ Mesh MakeTetMesh(const CartesianGrid& grid, const FractionField& fractions,
   CheckTetGenOptions(options);
   report = MeshReport();
   MeshOptions own = options;
-  own.Levels.FineInterfaces = true; // tets know no others
+  own.Levels.FineInterfaces = true; // tets support no other setting
   MeshJob job{ grid, fractions, own, runtime, report };
   return MakeMesh(job);
 }

@@ -111,7 +111,7 @@ double SecondsOfFeatures(const MeshReport& report)
   double seconds = 0.0;
   for (const MeshReport::Stage& stage : report.Stages)
   {
-    seconds += std::strcmp(stage.Name, "Finding creases") == 0 ? stage.Seconds : 0.0;
+    seconds += std::strcmp(stage.Name, "Finding sharp features") == 0 ? stage.Seconds : 0.0;
   }
   return seconds;
 }
