@@ -1,6 +1,6 @@
 /**
- * ArrayMemory: the values of an array of VTK where they lie one after the other, of whatever type. They lie otherwise in arrays of bits, in
- * those with memory of its own for each component, and in those that compute their values.
+ * ArrayMemory: direct access to the values of VTK arrays that store them contiguously. Arrays of
+ * bits, arrays with separate memory per component and arrays that compute their values do not.
  */
 #pragma once
 
@@ -14,7 +14,7 @@ class vtkUnsignedCharArray;
 namespace vfm
 {
 
-/// All values, tuple by tuple; null where they lie otherwise.
+/// Returns the memory of all values, tuple by tuple; null if they are not stored contiguously.
 inline void* FindMemory(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -25,10 +25,11 @@ inline void* FindMemory(vtkDataArray* array)
   return nullptr;
 }
 
-/// What is said of cells or points (vtkGhostType), as it lies; null when nothing is. association: vtkDataObject::CELL or POINT.
+/// Returns the array vtkGhostType of cells or points, or null if there is none.
+/// @param association  vtkDataObject::CELL or vtkDataObject::POINT
 vtkDataArray* FindGhostTypes(vtkDataSet* data, int association);
 
-/// The same, copied where it lies otherwise; null of null.
+/// Returns the array if it is a vtkUnsignedCharArray, otherwise a copy that is; null for null.
 vtkSmartPointer<vtkUnsignedCharArray> InMemory(vtkDataArray* ghostTypes);
 
 } // namespace vfm

@@ -20,7 +20,7 @@ namespace vfm
 namespace
 {
 
-/// Whether it worked; an exception is a failure.
+/// Returns the result of work(), or false if it throws.
 template <class Work>
 bool Try(const Work& work) noexcept
 {
@@ -43,7 +43,7 @@ constexpr const char* Failed = "The input could not be made";
   throw InputError(ranks.Count() > 1 ? text : "The input could not be made.");
 }
 
-/// why: what the input says.
+/// Throws an error with the message of a failed input.
 [[noreturn]] void ThrowInputError(const char* why)
 {
   const bool isInputOfInput = std::strncmp(why, Failed, std::strlen(Failed)) == 0;
@@ -82,7 +82,8 @@ vtkTypeBool CollectivePipeline::ProcessRequest(
                                       : this->ProcessEarlyRequest(request, inInfo, outInfo);
 }
 
-/// Never fails, so that the data are asked for; does the request again next time.
+/// Processes a request before REQUEST_DATA. Always returns 1, so that VTK goes on to REQUEST_DATA.
+/// After a failure the request is repeated next time.
 vtkTypeBool CollectivePipeline::ProcessEarlyRequest(
   vtkInformation* request, vtkInformationVector** inInfo, vtkInformationVector* outInfo)
 {
@@ -111,7 +112,7 @@ vtkTypeBool CollectivePipeline::ProcessDataRequest(
     return worked;
   }
   this->HasInputFailed = true;
-  // CallAlgorithm, and what marks the outputs before and after it
+  // ExecuteData calls CallAlgorithm and marks the outputs before and after it.
   Try([&] { return this->vtkDemandDrivenPipeline::ExecuteData(request, inInfo, outInfo); });
   if (!this->HasJoined)
   {
@@ -126,7 +127,7 @@ vtkTypeBool CollectivePipeline::ProcessDataRequest(
 
 int CollectivePipeline::ForwardUpstream(vtkInformation* request)
 {
-  if (request->Has(REQUEST_DATA_OBJECT())) // the first of all requests
+  if (request->Has(REQUEST_DATA_OBJECT())) // the first request of an update
   {
     this->HasInputFailed = false;
   }
@@ -140,7 +141,8 @@ int CollectivePipeline::ForwardUpstream(vtkInformation* request)
   return !(isData && this->HasInputFailed);
 }
 
-/// Throws when there is no input, or none that was made; an algorithm without outputs, a writer, tells the latter with its file.
+/// Throws if the input is missing or failed. Algorithms without outputs (writers) report failed
+/// inputs themselves, together with their file.
 void CollectivePipeline::CheckInput(vtkInformationVector** inInfo, const Ranks& ranks)
 {
   if (this->HasInputFailed)
@@ -181,7 +183,7 @@ int CollectivePipeline::CallAlgorithm(vtkInformation* request, int direction,
       this->CheckInput(inInfo, ranks);
       hasInput = true;
       result = call();
-      hasReturned = true; // and has told what failed
+      hasReturned = true; // the algorithm has reported its errors
     };
     WorkTogether(ranks, work, Ranks::Frame::Filter);
   }
@@ -190,14 +192,15 @@ int CollectivePipeline::CallAlgorithm(vtkInformation* request, int direction,
     MarkFailed(outInfo, error.what());
     if (!hasReturned)
     {
-      // what made the input has told why, long ago when it is a writer that asks
+      // The source of the input has reported the error. For a writer that may be long ago.
       this->Report(error.what(), hasInput || outInfo->GetNumberOfInformationObjects() == 0);
     }
   }
   return result;
 }
 
-/// isShown: else only those who watch the algorithm are told.
+/// Reports an error of the algorithm.
+/// @param isShown  false: only observers of the algorithm receive the error
 void CollectivePipeline::Report(const char* text, bool isShown)
 {
   if (isShown || this->Algorithm->HasObserver(vtkCommand::ErrorEvent))

@@ -1,11 +1,6 @@
 /**
- * CollectivePipeline: the executive of an algorithm whose RequestData needs all processes of a controller.
- *
- * VTK does not run an algorithm whose input failed; other processes, where the input did not fail, would wait for it in
- * RequestData. Here it joins them (WorkTogether) with an error. What fails before, in the requests that come ahead of the data, is kept until the
- * data are asked for, since only then others are sure to come. Afterwards the outputs are as up to date as on the others, empty,
- * and say why (FailedOutput); so they are on a process that is alone, and where the input is itself such an output. The error is shown
- * where no other was.
+ * CollectivePipeline: the executive of an algorithm whose RequestData is
+ * collective over a controller.
  */
 #pragma once
 
@@ -20,15 +15,24 @@ namespace vfm
 
 class Ranks;
 
+/// Executive that handles errors on all ranks (WorkTogether). VTK does not run an algorithm whose
+/// input failed, and ranks whose input did not fail would wait for it in RequestData. This
+/// executive joins the other ranks with an error. Failures of requests before REQUEST_DATA are
+/// stored until then, because only then all ranks are certain to take part.
+///
+/// After a failure the outputs are up to date on all ranks, empty, and hold the message
+/// (FailedOutput). The same happens on a single rank, and if the input is itself such an output.
+/// The error is shown unless another one was.
 class CollectivePipeline : public CompositePipeline
 {
 public:
   static CollectivePipeline* New();
   vtkTypeMacro(CollectivePipeline, CompositePipeline);
 
-  /// getController: of the algorithm, when it is needed; may return null, then there is one process.
+  /// Function that returns the controller of the algorithm, or null for a single rank.
   using GetController = std::function<vtkMultiProcessController*()>;
-  /// For CreateDefaultExecutive.
+  /// Returns an executive for CreateDefaultExecutive; the caller owns it.
+  /// @param getController  called in each REQUEST_DATA
   static CollectivePipeline* Make(const GetController& getController);
 
   vtkTypeBool ProcessRequest(
@@ -38,7 +42,7 @@ public:
 
 protected:
   int ForwardUpstream(vtkInformation* request) override;
-  using Superclass::ForwardUpstream; // of one connection
+  using Superclass::ForwardUpstream; // overload for one connection
 
 private:
   vtkTypeBool ProcessEarlyRequest(
@@ -49,9 +53,9 @@ private:
   void Report(const char* text, bool isShown);
 
   GetController Controller = [] { return nullptr; };
-  bool HasInputFailed = false; // since data were asked for
-  bool IsDataNeeded = false;   // in the present request
-  bool HasJoined = false;      // the others, in the present request
+  bool HasInputFailed = false; // whether a request since REQUEST_DATA_OBJECT failed
+  bool IsDataNeeded = false;   // whether the current request needs data
+  bool HasJoined = false;      // whether this rank joined the others in the current request
 };
 
 } // namespace vfm

@@ -16,7 +16,8 @@ int CountProcesses(vtkMultiProcessController* controller)
   const int count = controller ? controller->GetNumberOfProcesses() : 1;
   if (count > 1 && !vtkMPIController::SafeDownCast(controller))
   {
-    throw InputError("Only a vtkMPIController can be used on several processes.");
+    throw InputError(
+      "The controller has several ranks but is not a vtkMPIController: use a vtkMPIController.");
   }
   return count;
 }

@@ -1,5 +1,5 @@
 /**
- * ControllerRanks: the processes of a vtkMultiProcessController as the Ranks of the Grid code.
+ * ControllerRanks: the ranks of a vtkMultiProcessController as Ranks of the Grid library.
  */
 #pragma once
 
@@ -11,7 +11,7 @@ class vtkMultiProcessController;
 namespace vfm
 {
 
-/// Messages of a vtkMPIController, of any size; null for one process.
+/// Transport over the communicator of a vtkMPIController; null for a single rank.
 class ControllerTransport : public Transport
 {
 public:
@@ -24,11 +24,13 @@ private:
   vtkMPIController* Controller;
 };
 
-/// Makes no use of memory, so that it can be made where there is none, on up to 4096 ranks.
+/// Ranks of a controller. On up to 4096 ranks the construction allocates no memory, so it works
+/// even if there is none left.
 class ControllerRanks : private ControllerTransport, public MessageRanks
 {
 public:
-  /// The controller must outlive this; null for one process. One of several processes is a vtkMPIController, or InputError is thrown.
+  /// @param controller  must outlive this object; null for a single rank
+  /// @throws InputError  if there are several ranks and the controller is not a vtkMPIController
   explicit ControllerRanks(vtkMultiProcessController* controller);
 };
 

@@ -49,7 +49,8 @@ void EmptyOutput(vtkInformation* port)
   }
   int* extent = port->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
   vtkImageData* image = vtkImageData::SafeDownCast(data);
-  if (image && extent && HasPoints(extent)) // VTK since 9.3 ends the program at fewer than none
+  // VTK 9.3 and later end the program at negative numbers of points.
+  if (image && extent && HasPoints(extent))
   {
     image->SetExtent(extent);
   }

@@ -1,5 +1,5 @@
 /**
- * EmptyOutput: outputs without anything that neither the pipeline nor the filters behind stumble over.
+ * EmptyOutput: empty outputs that the pipeline and downstream filters accept.
  */
 #pragma once
 
@@ -9,12 +9,12 @@ class vtkUnstructuredGrid;
 namespace vfm
 {
 
-/// Gives a mesh no elements, but beyond their end the memory of one without corners: vtkMeshQuality looks at the first element
-/// whether there is any or not.
+/// Removes all elements of a mesh, but keeps allocated memory for one element without corners,
+/// because vtkMeshQuality reads the first element even if there is none.
 void SetNoElements(vtkUnstructuredGrid* mesh);
 
-/// Initializes the output of a port; a mesh as above. An image gets the extent that is asked for, without values: for another VTK
-/// would ask again and again.
+/// Empties the output of a port. A mesh is emptied by SetNoElements. An image gets the requested
+/// extent, without values: VTK would repeat the request for any other extent forever.
 void EmptyOutput(vtkInformation* port);
 
 } // namespace vfm

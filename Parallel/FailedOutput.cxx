@@ -37,7 +37,7 @@ void MarkFailed(vtkInformationVector* outputs, const char* text) noexcept
         output->GetFieldData()->AddArray(array);
       }
     }
-    catch (const std::exception&) // no memory: empty, at least
+    catch (const std::exception&) // not enough memory: the output is at least empty
     {
     }
   }

@@ -1,6 +1,9 @@
 /**
- * What an algorithm leaves where it failed: empty outputs that say why. RequestData returns 1 then nevertheless. Of 0 VTK makes a
- * second message, runs no filter behind, and a view of ParaView that was told so twice in a row does not ask again.
+ * FailedOutput: the outputs of an algorithm that failed: empty, with the message
+ * in their field data.
+ *
+ * RequestData returns 1 nevertheless. If it returned 0, VTK would report a second error and would
+ * not run downstream filters, and a ParaView view would stop updating after two failures in a row.
  */
 #pragma once
 
@@ -11,13 +14,15 @@ class vtkInformationVector;
 namespace vfm
 {
 
-/// Empties the outputs of an algorithm, but for the extent of an image; the value of their field data MeshError (vtkStringArray) is the text.
+/// Empties the outputs of an algorithm (EmptyOutput) and sets the text as the field data array
+/// MeshError, a vtkStringArray.
 void MarkFailed(vtkInformationVector* outputs, const char* text) noexcept;
 
-/// And reports the error.
+/// Empties the outputs by MarkFailed and reports the error.
 void Fail(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const char* text);
 
-/// The text, "" of data that were made, or null. Valid as long as the data.
+/// Returns the text of a failed output; "" for null and for data without an error. It is valid as
+/// long as the data.
 const char* FindFailure(vtkDataObject* data) noexcept;
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * RequestPiece: what filters and writers of meshes ask of their input.
+ * RequestPiece: the request of filters and writers of meshes to their input.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace vfm
 {
 
-/// This process' piece of the first input, without ghost cells.
+/// Requests the piece of this rank from the first input, without ghost cells.
 inline void RequestPiece(vtkMultiProcessController* controller, vtkInformationVector** inputVector)
 {
   vtkInformation* input = inputVector[0]->GetInformationObject(0);

@@ -26,7 +26,7 @@ void AddOnce(std::vector<std::string>& list, const std::string& text)
   }
 }
 
-/// Gives the texts of errors and warnings to VtkMessages and drops all others.
+/// Output window that stores errors and warnings in VtkMessages and discards other texts.
 class MessageWindow : public vtkOutputWindow
 {
 public:
@@ -112,7 +112,8 @@ std::string VtkMessages::GetErrorText() const
 
 void VtkMessages::AddError(const std::string& message)
 {
-  // "Algorithm vtkName (0x...) returned failure for request: " and a dump of the request
+  // VTK writes "Algorithm vtkName (0x...) returned failure for request: " and a
+  // dump of the request.
   static const std::regex failure(
     "^Algorithm ([A-Za-z0-9_]+) ?\\([^)]*\\) returned failure for request");
   const std::string text = CleanVtkMessage(message);

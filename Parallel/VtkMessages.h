@@ -1,7 +1,5 @@
 /**
- * VtkMessages: what VTK objects report, kept as plain sentences instead of being printed.
- *
- * Not a vtkObject; watch and ask from one thread. Observers are taken off when this ends.
+ * VtkMessages: stores the errors and warnings of VTK objects instead of printing them.
  */
 #pragma once
 
@@ -17,9 +15,12 @@ class vtkObject;
 namespace vfm
 {
 
-/// A VTK message without "ERROR: In file, line", the class with its address, and blank ends.
+/// Returns a VTK message without "ERROR: In file, line", without the class and
+/// its address, and trimmed.
 std::string CleanVtkMessage(const std::string& message);
 
+/// Errors and warnings of observed VTK objects, as plain sentences. The destructor removes the
+/// observers. It is not thread-safe.
 class VtkMessages
 {
 public:
@@ -28,14 +29,16 @@ public:
   VtkMessages(const VtkMessages&) = delete;
   VtkMessages& operator=(const VtkMessages&) = delete;
 
-  /// From now on errors and warnings of the object, of an algorithm also its executive's, come here and are not printed.
+  /// Stores later errors and warnings of an object, and of the executive of an algorithm,
+  /// instead of printing them.
   void Watch(vtkObject* object);
 
-  /// In the order they came; each once. That an algorithm failed counts only when nothing else tells why.
+  /// Returns the errors in their order, without duplicates. Messages that an algorithm failed are
+  /// included only if there is no other error.
   const std::vector<std::string>& GetErrors() const;
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
   bool HasErrors() const { return !this->GetErrors().empty(); }
-  /// All errors as one line, or an empty text.
+  /// Returns all errors as one line; empty if there are none.
   std::string GetErrorText() const;
 
   void AddError(const std::string& message);
@@ -49,8 +52,9 @@ private:
   std::vector<vtkWeakPointer<vtkObject>> Watched;
 };
 
-/// While this lives VTK prints nothing at all, in the whole process: errors and warnings of objects that nobody watches
-/// go to the messages, which must outlive this. For programs; not for libraries in a host.
+/// Suppresses all output of VTK in the whole process as long as it exists. Errors and warnings of
+/// objects that are not observed are added to the messages, which must outlive this object. It is
+/// made for programs, not for libraries inside a host.
 class VtkSilence
 {
 public:

@@ -1,5 +1,6 @@
 /**
- * VtkVersions: what differs between versions of VTK and between builds with and without ParaView; no other file asks for them.
+ * VtkVersions: one interface to functions that differ between versions of VTK and between builds
+ * with and without ParaView. Only this file tests for versions.
  */
 #pragma once
 
@@ -18,18 +19,21 @@
 namespace vfm
 {
 
-/// The executive of algorithms whose input may have blocks. Proxies of ParaView put any but their own aside.
+/// Executive of algorithms whose input may have blocks. ParaView's proxies replace every
+/// executive except their own.
 #ifdef VFM_HAS_PARAVIEW
 using CompositePipeline = vtkPVCompositeDataPipeline;
 #else
 using CompositePipeline = vtkCompositeDataPipeline;
 #endif
 
-/// Since VTK 9.6 levels of refined grids (AMR) are blocks of a vtkPartitionedDataSetCollection, whose boxes are their partitions.
+/// Refined grids (AMR). Since VTK 9.6 their levels are blocks of a vtkPartitionedDataSetCollection,
+/// and their boxes are partitions.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 using RefinedGrids = vtkAMRDataObject;
 
-/// boxes: of each level.
+/// Allocates the levels and boxes of refined grids.
+/// @param boxes  number of boxes per level
 template <class Grids>
 void SetNumberOfBoxes(Grids* grids, const std::vector<unsigned int>& boxes)
 {
@@ -41,27 +45,28 @@ inline unsigned int NumberOfBoxes(RefinedGrids* grids, unsigned int level)
   return grids->GetNumberOfBlocks(level);
 }
 
-/// Null where the data are on another rank, or not read.
+/// Returns the data of a box; null if they are on another rank or not read.
 inline vtkDataSet* GetBox(RefinedGrids* grids, unsigned int level, unsigned int box)
 {
   return grids->GetPartition(level, box);
 }
 
-/// Of a vtkIOSSReader of several files: each may have blocks and variables of its own. Before it looks at them.
+/// Makes a vtkIOSSReader check all of its files, because each may have its own blocks and
+/// variables. Call it before the reader checks the files.
 template <class Reader>
 void LookAtAllFiles(Reader* reader)
 {
   reader->ReadAllFilesToDetermineStructureOn();
 }
 
-/// Of one that has looked at its files: not what holds for the mesh as a whole.
+/// Makes a vtkIOSSReader that has checked its files skip the fields of the whole mesh.
 template <class Reader>
 void ReadNoGlobalFields(Reader* reader)
 {
   reader->GetGlobalFieldSelection()->DisableAllArrays();
 }
 
-/// There are arrays that compute their values: vtkConstantArray, vtkAffineArray.
+/// Defined if VTK has arrays that compute their values: vtkConstantArray, vtkAffineArray.
 #define VFM_HAS_COMPUTED_ARRAYS
 #else
 using RefinedGrids = vtkUniformGridAMR;

@@ -5,16 +5,17 @@ namespace vfm
 namespace
 {
 
-constexpr int MessageTag = 7501; // of all messages; MPI keeps their order
+constexpr int MessageTag = 7501; // tag of all messages; MPI keeps their order
 
-static_assert(sizeof(MPI_Request) <= sizeof(Transport::Transfer::Request), "no place for requests");
+static_assert(sizeof(MPI_Request) <= sizeof(Transport::Transfer::Request),
+  "MPI_Request does not fit into Transfer::Request");
 
 MPI_Request* RequestOf(Transport::Transfer& transfer)
 {
   return reinterpret_cast<MPI_Request*>(&transfer.Request);
 }
 
-/// Where messages go that nobody wants.
+/// Returns memory that receives discarded messages.
 char* Waste()
 {
   static char waste[Transport::LongestPiece];

@@ -1,5 +1,5 @@
 /**
- * MpiTransport: messages of MessageRanks over a communicator of MPI; needs no VTK.
+ * MpiTransport: the transport of MessageRanks over an MPI communicator, without VTK.
  */
 #pragma once
 
@@ -10,6 +10,7 @@
 namespace vfm
 {
 
+/// Transport over an MPI communicator. It needs the tag 7501 for itself.
 class MpiTransport : public Transport
 {
 public:
@@ -22,11 +23,12 @@ private:
   MPI_Comm Communicator;
 };
 
-/// The processes of a communicator. These and a ControllerRanks of the same communicator hear of each other's failures.
+/// Ranks of an MPI communicator. They exchange failures also with a ControllerRanks of
+/// the same communicator.
 class MpiRanks : private MpiTransport, public MessageRanks
 {
 public:
-  /// The communicator must outlive this.
+  /// @param communicator  must outlive this object
   explicit MpiRanks(MPI_Comm communicator);
 };
 
