@@ -12,19 +12,20 @@ namespace vfm
 namespace
 {
 
-constexpr Index Rings = 2;            // cells around interfaces whose points move
-constexpr Index PointsOfBlock = 4096; // that are looked at by one thread
+constexpr Index Rings = 2;            // points within this number of cells around interfaces move
+constexpr Index PointsOfBlock = 4096; // points per task
 
-/// Which points move, and with which nodes.
+/// Data that determine which points move, and with which nodes.
 struct Work
 {
   const LabelledGrid& Labelled;
   const Mesh& Input;
   const CoarseHexes& Coarse = *Labelled.Levels.Coarse;
   const RefinedGrid& Levels = *Labelled.Levels.Grid;
-  /// From the coarsest level with interfaces to the finest.
+  /// Number of levels from the coarsest one with interfaces to the finest.
   const int Halvings = Levels.HasFineInterfaces() ? 0 : Levels.NumberOfRefinements();
-  /// By halvings; the last, of the coarsest, is wide enough for all points that move.
+  /// Nodes near interfaces by halvings. The last entry, for the coarsest level, includes all points
+  /// that move.
   std::vector<NodesNear> Near{};
 };
 

@@ -1,9 +1,10 @@
 /**
- * The active part of a hexahedral mesh: the points of nodes within two cells, of their own level, of an interface.
+ * ActiveHexes: the active part of a hexahedral mesh, which consists of the points of nodes within
+ * two cells of an interface, in cells of their own level.
  *
- * A point of finest cells alone moves with its grid node; all others with the node of a level that they stem from
- * (RefinedMesh::Anchors). Colours are the parities of these nodes, level by level: the points of a hex stem from corners of one
- * cell of each level.
+ * A point that only finest cells share moves with its grid node. All other points move with the
+ * node of a level from which they stem (RefinedMesh::Anchors). Colours are the parities of these
+ * nodes, level by level, because the points of a hex stem from corners of one cell per level.
  */
 #pragma once
 
@@ -15,11 +16,14 @@
 namespace vfm
 {
 
-/// mesh: as CoarseHexes::Fill left it. Collective among peers.
+/// Returns the active part of a mesh.
+/// @param mesh  result of BuildHexes, in its initial position
+/// @pre Collective among the ranks that share movers.
 ActiveMesh MakeActiveHexes(
   const LabelledGrid& labelled, const Partition& partition, const Mesh& mesh, Runtime& runtime);
 
-/// Draws the points on interfaces to the targets of their level.
+/// Attaches the points on interfaces to the targets of their level.
+/// @param[in,out] active  receives the attachments
 void AttachHexes(const LevelInterfaces& interfaces, const CoarseHexes& coarse, const Mesh& mesh,
   const std::vector<Facet>& facets, Runtime& runtime, ActiveMesh& active);
 

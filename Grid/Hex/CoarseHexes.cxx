@@ -36,7 +36,7 @@ CoarseHexes::CoarseHexes(
   this->NumberPoints();
 }
 
-/// Those of split nodes, unless there are no buffers, and of transitions.
+/// Sets Bad to the bad families of split nodes, if there are buffers, and of transitions.
 void CoarseHexes::FindBadFamilies(const std::vector<OctreeKeys::LevelIndex>& badCells)
 {
   if (this->HasBuffers)
@@ -50,9 +50,11 @@ void CoarseHexes::FindBadFamilies(const std::vector<OctreeKeys::LevelIndex>& bad
   }
 }
 
-/// A point on or in an owned cell is placed by all hexes around it. These lie in cells of its level around the cell of the level
-/// before that it was made in, so a cell is wanted where its parent is near. Void is not wanted unless it is meshed; the label of a
-/// cell that lies beyond the local box is not known, and its hexes are made.
+/// Returns whether the hexes of a cell are made. The position of a point on or in an owned cell
+/// depends on all hexes around it. These are in cells of its level around the cell of the
+/// previous level in which the point was made, so a cell is needed if its parent is near. Void is
+/// needed only if it is meshed. The label of a cell beyond the local box is unknown, and its
+/// hexes are made.
 bool CoarseHexes::IsRequested(const OctreeKeys::LevelIndex& cell) const
 {
   const bool isNear = cell.Level == 0 ? this->Grid.IsNear(0, cell.At)
@@ -60,7 +62,7 @@ bool CoarseHexes::IsRequested(const OctreeKeys::LevelIndex& cell) const
   return isNear && (this->MeshVoid || LabelOfLeaf(this->Grid, this->Labels, cell) != 0);
 }
 
-/// Calls visit(key, cell, corners) for all wanted hexes, by key.
+/// Calls visit(key, cell, corners) for all requested hexes, by key.
 template <class Visitor>
 void CoarseHexes::ForHexes(const Visitor& visit)
 {
@@ -106,14 +108,14 @@ void CoarseHexes::ForHexes(const Visitor& visit)
   visitUpTo(std::numeric_limits<Index>::max());
 }
 
-/// Of a point of Refined.
+/// Returns the number of a point of TheRefined.
 int& CoarseHexes::NumberOf(Index point, const OctreeKeys::LevelIndex& index)
 {
   return index.Level == 0 && index.Slot == 0 ? this->NodeNumber[this->Grid.Base().Linear(index.At)]
                                              : this->PointNumber[point];
 }
 
-/// Whether a point is a node of the lattice that finest cells have, too.
+/// Returns whether a point is a lattice node that finest cells also have.
 bool CoarseHexes::IsPointOfFine(const OctreeKeys::LevelIndex& node) const
 {
   const Index3 finest = this->Grid.FinestNode(node.Level, node.At);
@@ -121,7 +123,7 @@ bool CoarseHexes::IsPointOfFine(const OctreeKeys::LevelIndex& node) const
     this->Grid.TouchesFine(finest);
 }
 
-/// How many points a node has.
+/// Returns the number of points of a node.
 int CoarseHexes::CountPoints(Index key) const
 {
   const Index n = this->HasBuffers ? this->FindSplit(key) : -1;
@@ -225,7 +227,7 @@ OctreeKeys::LevelIndex CoarseHexes::AnchorOf(const Mesh& mesh, Index pointId) co
   return isCoarse ? this->Grid.Lattice().NodeOfKey(key) : finest;
 }
 
-/// Leaves only what Refined tells of.
+/// Frees all data except the parts that Refined promises.
 void CoarseHexes::DropParts()
 {
   RefinedMesh kept;
@@ -248,7 +250,8 @@ public:
   {
   }
 
-  /// The points of a node that no finest cell has; number: of the first.
+  /// Adds the points of a node that no finest cell has.
+  /// @param number  number of the first point
   void AddPoints(int number, Index key, const Vector3& x)
   {
     Index point = this->FirstPoint + number;
@@ -325,11 +328,12 @@ private:
   Mesh& Result;
   Index FirstPoint, Hex;
   const FinePoints& Finest;
-  int Label = UnknownLabel;              // of the hex at work
-  std::array<Index, 8> First{}, Inner{}; // its points, numbered by bits
+  int Label = UnknownLabel;              // label of the current hex
+  std::array<Index, 8> First{}, Inner{}; // points of the current hex, numbered by bits
 };
 
-/// The inner points of finest cells beside these hexes: they must be inside their labels here, too.
+/// Moves the inner points that finest cells share with these hexes, because they must also be
+/// inside their labels here.
 void CoarseHexes::SetFinePoints(Mesh& mesh, const FinePoints& finePoints)
 {
   const OctreeKeys& lattice = this->Grid.Lattice();

@@ -1,10 +1,12 @@
 /**
- * CoarseHexes: the hexes of a refined grid that are no finest cells: coarser cells, and transition hexes between levels.
- * Each lies in a cell of its level, and has the label of that cell. Where interfaces run through them they are split as
- * finest cells are (SplitNodes.h): the hex itself on inner points, and a buffer hex on each face towards another label.
+ * CoarseHexes: the hexes of a refined grid that are not finest cells, which are coarser cells and
+ * transition hexes between levels. Each hex lies in a cell of its level and has the label of that
+ * cell. Where interfaces cross such hexes, they are split like finest cells (SplitNodes.h): the hex
+ * itself on inner points, and a buffer hex on each face towards another label.
  *
- * Made for the owned base cells and those around them; a rank keeps its own at the end (KeepOwned).
- * Order: points and hexes by their keys in OctreeKeys, after those of the finest cells; ids ascend among the owned.
+ * They are made for the owned base cells and the cells around them; at the end a rank keeps only
+ * its own (KeepOwned). Points and hexes follow the finest cells, sorted by their keys in
+ * OctreeKeys; ids ascend among the owned ones.
  */
 #pragma once
 
@@ -22,75 +24,87 @@ class CoarseHexes
 public:
   struct Options
   {
-    bool MeshVoid = false;  ///< else there are no hexes of label 0
-    bool AsCubes = false;   ///< smooths transitions as if all cells were cubes (SmoothTransitions)
-    bool HasBuffers = true; ///< splits hexes on interfaces; else these run between unsplit ones
+    bool MeshVoid = false; ///< makes hexes of label 0
+    /// Smooths transitions as if all cells were cubes (SmoothTransitions).
+    bool AsCubes = false;
+    /// Splits hexes on interfaces; otherwise interfaces run between unsplit hexes.
+    bool HasBuffers = true;
   };
 
-  /// Makes and smooths the transitions; of a grid without refinements there are no coarse hexes. Where BadFamilies of any rank
-  /// tells of some these want to be refined first: no valid mesh starts. Collective. Throws InputError as SmoothTransitions does.
+  /// Makes and smooths the transitions. A grid without refinements has no coarse hexes. If
+  /// BadFamilies is not empty on any rank, no valid mesh can start before these families are
+  /// refined. Stores references to grid and labels.
+  /// @throws InputError  see SmoothTransitions
+  /// @pre Collective.
   CoarseHexes(
     const RefinedGrid& grid, const LabelArray& labels, const Options& options, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }
-  /// Families that owned cells want to refine because hexes there are not positive: of each refinement, in any order.
+  /// Returns the families per refinement, in any order, whose refinement owned cells request
+  /// because hexes there are not positive.
   const std::vector<std::vector<Index>>& BadFamilies() const { return this->Bad; }
-  /// What they are made of; once they are written only the keys and anchors of the points, and the touched cells.
+  /// Returns the refined mesh from which the hexes are made. After Fill or Visit it has only keys
+  /// and anchors of the points, and the touched cells.
   const RefinedMesh& Refined() const { return this->TheRefined; }
-  /// Of those that no finest cell of HexBox has.
+  /// Returns the number of points that no finest cell of HexBox has.
   Index NumberOfPoints() const { return this->PointCount; }
   Index NumberOfHexes() const { return this->HexCount; }
 
-  /// Which mesh points the nodes of finest cells have; nodes by linear index.
+  /// Mesh points of the nodes of finest cells, by linear index of the node.
   struct FinePoints
   {
-    std::function<Index(Index node)> First;            ///< the only one, or the one on interfaces
-    std::function<Index(Index node, int label)> Inner; ///< the one that hexes of a label have
+    std::function<Index(Index node)> First;            ///< only point, or point on the interface
+    std::function<Index(Index node, int label)> Inner; ///< point of the hexes of a label
   };
 
-  /// The node of a level that a point of a mesh of these and the finest hexes moves with: of finest cells alone its own, else the one that
-  /// it stems from (RefinedMesh::Anchors).
+  /// Returns the node of a level with which a point of the mesh moves: its own node for points that
+  /// only finest cells share, otherwise the node from which it stems (RefinedMesh::Anchors).
   OctreeKeys::LevelIndex AnchorOf(const Mesh& mesh, Index pointId) const;
 
-  /// Interfaces through these hexes; none where all cells at interfaces are finest ones.
+  /// Returns the interfaces through these hexes; empty if all cells at interfaces are finest ones.
   const SplitNodes& Splits() const { return this->TheSplits; }
-  /// Once they are written: the index in the mesh of the point S of each split node, its I follow; -1 where it is no point.
+  /// Returns the mesh index of point S of each split node, which its points I follow; -1 if it is
+  /// not a point of the mesh.
+  /// @pre Fill was called.
   const std::vector<Index>& SplitPoints() const { return this->SplitPoint; }
 
-  /// Writes points, hexes, their ids and materials into a mesh, from those positions on. To be called once, as it drops what it
-  /// has written.
+  /// Writes points, hexes, their ids and materials into a mesh. Only one call of Fill or Visit is
+  /// possible, because it frees what it has written.
+  /// @param[in,out] mesh  mesh with the finest cells and enough space
+  /// @param firstPoint,firstHex  first indices to write
   void Fill(Mesh& mesh, Index firstPoint, Index firstHex, const FinePoints& finePoints);
 
   using PointVisitor = std::function<void(Index key, const Vector3& x)>;
   using HexVisitor = std::function<void(
     Index key, const OctreeKeys::LevelIndex& cell, int label, const std::array<Index, 8>& corners)>;
-  /// Instead of Fill, of hexes that are not split: gives points and hexes one by one. corners: numbered by bits, positions in the
-  /// order of the points, or ~(linear index) of a node that a finest cell has.
+  /// Passes points and hexes one by one, instead of Fill. Only for hexes that are not split.
+  /// Corners are numbered by bits: indices in the order of the points, or ~(linear index) of a node
+  /// of finest cells.
   void Visit(const PointVisitor& onPoint, const HexVisitor& onHex);
 
 private:
   static constexpr int Unused = -1, Used = -2, Fine = -3;
 
-  /// Of a hex, numbered by bits.
+  /// Corner of a hex; corners are numbered by bits.
   struct Corner
   {
-    int* Number; // index of the point, or what it is
+    int* Number; // index of the point, or Unused, Used, Fine
     OctreeKeys::LevelIndex Node;
     Index Key;
   };
   class Writer;
 
   bool IsRequested(const OctreeKeys::LevelIndex& cell) const;
-  /// The number of the split node with a key, or -1.
+  /// Returns the number of the split node with a key, or -1.
   Index FindSplit(Index key) const { return this->TheSplits.Find(key); }
-  /// Bits of the faces of a hex that have buffer hexes.
+  /// Returns the faces of a hex (bits) that have buffer hexes.
   int BufferFaces(Index hexKey) const
   {
     return this->HasBuffers ? this->TheSplits.FacesOfHex(hexKey) : 0;
   }
   int CountPoints(Index key) const;
   bool IsPointOfFine(const OctreeKeys::LevelIndex& node) const;
-  /// Linear index of the finest grid.
+  /// Returns the linear index of a node in the finest grid.
   Index FinestNode(const OctreeKeys::LevelIndex& node) const
   {
     return this->Grid.Finest().Linear(this->Grid.FinestNode(node.Level, node.At));
@@ -111,10 +125,10 @@ private:
   bool MeshVoid;
   bool HasBuffers;
   IndexBox Region;                      // base cells whose hexes are made
-  RefinedMesh TheRefined;               // without the finest cells; wanted or not
-  std::vector<unsigned char> Requested; // of each hex of TheRefined
-  Buffer<int> NodeNumber;               // of base nodes: index of the point, or what it is
-  std::vector<int> PointNumber;         // of points of TheRefined that are no base nodes
+  RefinedMesh TheRefined;               // mesh without the finest cells, but with all other hexes
+  std::vector<unsigned char> Requested; // whether each hex of TheRefined is made
+  Buffer<int> NodeNumber;               // Corner::Number of each base node
+  std::vector<int> PointNumber;         // Corner::Number of all other points of TheRefined
   SplitNodes TheSplits;
   std::vector<std::vector<Index>> Bad;
   std::vector<Index> SplitPoint;

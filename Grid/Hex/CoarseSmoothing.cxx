@@ -17,15 +17,16 @@ namespace
 constexpr double TargetScaledJacobian = 0.7;
 
 const SmoothingStage AllHexes{ 2, 0.0, 0.05, 8, 1e-3 }, PoorHexes{ 8, 0.0, 0.01, 25, 1e-3 };
-constexpr double GoodScaledJacobian = 0.75; // at least: no poor hex
+constexpr double GoodScaledJacobian = 0.75; // lower limit; hexes below are poor
 
-/// The base nodes, most of them, at which all cells are known and none is refined or beside a refined one: they stay.
+/// Returns the base nodes at which all cells are known and no cell is refined or a neighbour of a
+/// refined one. Most base nodes are of this kind; they are fixed.
 std::vector<bool> FindNodesFarFromRefined(const CoarseHexes& coarse)
 {
   const CartesianGrid& base = coarse.Levels().Base();
   std::vector<bool> isFar(base.NumberOfEntries(), false);
   IndexBox inside = base.Extended(1);
-  inside.Lower = CornerOfCell(inside.Lower, 7); // nodes: none at the rim
+  inside.Lower = CornerOfCell(inside.Lower, 7); // nodes not at the rim
   ForCells(inside, [&](const Index3& node) { isFar[base.Linear(node)] = true; });
   for (Index key : coarse.Refined().TouchedCells)
   {
@@ -38,7 +39,7 @@ std::vector<bool> FindNodesFarFromRefined(const CoarseHexes& coarse)
   return isFar;
 }
 
-/// The points that move, and the hexes at them.
+/// Points that move, and the hexes at them.
 struct Work
 {
   const RefinedGrid& Levels;
@@ -47,7 +48,8 @@ struct Work
   ActiveMesh Active{};
 };
 
-/// Of each point: whether it moves and has a poor hex. All hexes of owned points are known, so ranks agree.
+/// Returns whether each point moves and has a poor hex. All hexes of owned points are known, so
+/// ranks agree.
 std::vector<unsigned char> ListPointsOfPoorHexes(const Work& work)
 {
   std::vector<unsigned char> isListed(work.Active.X.size(), 0);
@@ -65,8 +67,9 @@ std::vector<unsigned char> ListPointsOfPoorHexes(const Work& work)
   return isListed;
 }
 
-/// Whether a cell of the level `next` at a lattice node is refined. The hexes in it lie two levels below the node that the
-/// point moves with, so the owner may not know all of them: the point stays.
+/// Returns whether a cell of level `next` at a lattice node is refined. The hexes in it are two
+/// levels below the node with which the point moves, so the owner may not know all of them, and the
+/// point is fixed.
 bool TouchesFinerLevels(const Work& work, Index key, int next)
 {
   if (next >= work.Levels.NumberOfRefinements())
@@ -91,7 +94,7 @@ bool TouchesFinerLevels(const Work& work, Index key, int next)
   return false;
 }
 
-/// Also those that stay: other ranks may ask for them.
+/// Lists movers, including fixed ones, because other ranks may request them.
 std::vector<Mover> FindMovers(const Work& work, const std::vector<bool>& isFar)
 {
   std::vector<Mover> movers;

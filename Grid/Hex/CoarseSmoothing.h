@@ -1,10 +1,12 @@
 /**
- * CoarseSmoothing: the last smoothing of a refined grid. All points of transition hexes and those beside them move, also the
- * ones that they share with cells, whose hexes are then no exact boxes any more. Points that the interfaces moved stay.
+ * CoarseSmoothing: the last smoothing of a refined grid. All points of transition hexes and their
+ * neighbours move, including points shared with cells, whose hexes are then not exact boxes. Points
+ * that the interfaces have moved are fixed.
  *
- * The points of all levels take part in each sweep, for where two levels meet neither has room alone. Colours are those of
- * TransitionSmoothing.h, level after level: a hex there has points that stem from nodes of both. At last only the
- * points of hexes that are still poor move.
+ * The points of all levels move in each sweep, because where two levels meet, points of one level
+ * cannot move far enough. Colours are defined in TransitionSmoothing.h, level after level, because
+ * a hex at such a place has points that stem from nodes of both levels. Finally, only the points of
+ * hexes that are still poor move.
  */
 #pragma once
 
@@ -14,7 +16,9 @@
 namespace vfm
 {
 
-/// isFrozen: of the points of the mesh, those that stay. Only improves: hexes that are positive stay so. Collective.
+/// Smooths the transitions of a mesh. Hexes that are positive stay positive.
+/// @param isFrozen  whether each point of the mesh is fixed
+/// @pre Collective.
 void SmoothCoarse(const CoarseHexes& coarse, const std::vector<unsigned char>& isFrozen, Mesh& mesh,
   Runtime& runtime);
 

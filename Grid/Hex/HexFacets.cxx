@@ -22,7 +22,8 @@ void ForRowsOfHexes(const IndexBox& box, const Mesh& mesh, const Visitor& visit)
     });
 }
 
-/// Calls visit(hex, finest cell in it that is nearest to the owned ones) for the coarse hexes with such a cell in HexBox.
+/// Calls visit(hex, cell) for the coarse hexes with a cell in HexBox. The cell is the finest cell
+/// in the hex that is nearest to the owned ones.
 template <class Visitor>
 void ForCoarseHexes(const Mesh& mesh, const Visitor& visit)
 {
@@ -32,14 +33,15 @@ void ForCoarseHexes(const Mesh& mesh, const Visitor& visit)
     const OctreeKeys::LevelIndex leaf =
       CellOfCoarseElement(levels, mesh.ElementIds[h], mesh.Ids.ElementSlots);
     const Index3 cell = levels.NearestCell(leaf.Level, leaf.At);
-    if (levels.Finest().HexBox().Contains(cell)) // the others only serve smoothing
+    if (levels.Finest().HexBox().Contains(cell)) // the others are needed only for smoothing
     {
       visit(h, cell);
     }
   }
 }
 
-/// Of a row whose hexes are its meshed cells. Their lowest corners are all points inside the domain.
+/// Fills a row whose hexes are its meshed cells. Each point inside a fragment is the lowest corner
+/// of one hex.
 void FillRowOfCells(const CartesianGrid& grid, const PointNumbering& numbering,
   const Fragments& fragments, Index j, Index k, Index firstHex, Mesh& mesh)
 {
@@ -72,14 +74,14 @@ void FillRow(const CartesianGrid& grid, const Fragments& fragments, Index j, Ind
       fragment = fragments.FragmentOfCell({ { i, j, k } }, runEnd);
     }
     mesh.Fragment[h] = fragment;
-    if (place % HexIds.ElementSlots == 0) // hexes of slot 0 alone have a lowest corner of their own
+    if (place % HexIds.ElementSlots == 0) // only core hexes have a lowest corner of their own
     {
-      mesh.GeometryId[mesh.Elements[8 * h]] = fragment; // enough for points G inside the domain
+      mesh.GeometryId[mesh.Elements[8 * h]] = fragment; // sets every point G inside a fragment
     }
   }
 }
 
-/// Fragments of the points I.
+/// Sets the fragments of the points I.
 void FillInnerPoints(const LabelledGrid& labelled, const PointNumbering& numbering,
   const Fragments& fragments, Mesh& mesh)
 {
@@ -88,7 +90,7 @@ void FillInnerPoints(const LabelledGrid& labelled, const PointNumbering& numberi
   for (Index node : labelled.Mixed)
   {
     const Index3 p = grid.Position(node);
-    // Nodes of no cell in the box have no numbers.
+    // Nodes without a cell in the box have no numbers.
     const bool isSplit = box.Touches(p) && numbering.IsSplit(node);
     const std::array<int, 8> star = StarOfNode(grid, labelled.Labels, node);
     for (int c = 0; isSplit && c < 8; ++c)
@@ -115,7 +117,7 @@ struct Work
   std::vector<Facet> Found{};
 };
 
-/// What is not used is never touched.
+/// Reserves an upper bound; unused memory is never touched.
 void Reserve(Work& work)
 {
   Index sides = 0;
@@ -137,7 +139,9 @@ void AddDomainFacet(Work& work, Index hex, int face, int side, const Index3& cel
   work.Found.push_back(facet);
 }
 
-/// slot: 0 core hex, 1 + face buffer hex, whose faces along its own axis are not on the boundary.
+/// Adds the facets of a hex on sides of the domain. Faces of a buffer hex along its own axis are
+/// not on a side.
+/// @param slot  0: core hex; 1 + face: buffer hex
 void AddDomainFacets(Work& work, Index hex, int slot, const Index3& cell)
 {
   for (int a = 0; a < 3; ++a)
@@ -157,13 +161,13 @@ void AddDomainFacets(Work& work, Index hex, int slot, const Index3& cell)
   }
 }
 
-/// Of the hexes of a row of finest cells.
+/// Adds the facets on sides of the domain of a row of finest cells.
 void AddDomainFacets(Work& work, Index j, Index k, Index first, Index last)
 {
   const Index* ids = work.Input.ElementIds.data();
   const Index start = HexIds.ElementSlots * work.Grid.CellKey({ { 0, j, k } }) + 1;
   const Index3& n = work.Grid.Global().Upper;
-  Index begin = last, end = last; // of those between the first and the last cell
+  Index begin = last, end = last; // hexes between the first and the last cell
   if (j > 0 && k > 0 && j < n[1] - 1 && k < n[2] - 1)
   {
     begin = std::lower_bound(ids + first, ids + last, start + HexIds.ElementSlots) - ids;
@@ -184,7 +188,8 @@ void AddDomainFacets(Work& work, Index j, Index k, Index first, Index last)
   }
 }
 
-/// Of a coarse hex, which may lie in its cell in any way.
+/// Adds the facets on sides of the domain of a coarse hex, which may have any orientation in
+/// its cell.
 void AddDomainFacets(Work& work, Index hex, const Index3& cell)
 {
   std::array<int, 8> sides;
@@ -207,7 +212,7 @@ void AddDomainFacets(Work& work, Index hex, const Index3& cell)
   }
 }
 
-/// Of a face with a finest cell on a side.
+/// Adds the facet of a face if a finest cell is on a side of it.
 void AddFineFacet(Work& work, const InterfaceFace& face, const Index3& lower, const Index3& upper)
 {
   if (!work.Levels.IsFine(lower) && !work.Levels.IsFine(upper))
@@ -223,7 +228,7 @@ void AddFineFacet(Work& work, const InterfaceFace& face, const Index3& lower, co
   work.Found.push_back(facet);
 }
 
-/// Of a face between two coarse hexes.
+/// Adds the facet of a face between two coarse hexes.
 void AddCoarseFacet(Work& work, const SplitNodes::Face& face)
 {
   Facet facet{ {}, {}, {}, -1, false };

@@ -1,5 +1,5 @@
 /**
- * Fragments and facets of a hexahedral mesh.
+ * HexFacets: finds the fragments and facets of a hexahedral mesh.
  */
 #pragma once
 
@@ -15,8 +15,10 @@ namespace vfm
 void FillFragments(const LabelledGrid& labelled, const PointNumbering& numbering,
   const Fragments& fragments, Runtime& runtime, Mesh& mesh);
 
-/// The facets of the hexes in HexBox, as far as their cells on both sides are in it. mesh: with fragments. Order: those on sides of the
-/// domain by hex; those of finest cells by node and axis, normals along the axis; those between coarse hexes.
+/// Returns the facets of the hexes in HexBox whose cells on both sides are in it.
+/// @param mesh  mesh after FillFragments
+/// @return facets on sides of the domain, by hex; then facets of finest cells, by node and axis,
+/// with normals along the axis; then facets between coarse hexes
 std::vector<Facet> FindHexFacets(const LabelledGrid& labelled, const PointNumbering& numbering,
   const Fragments& fragments, const Partition& partition, const Mesh& mesh);
 

@@ -50,7 +50,8 @@ int HexStars::DomainSides(Index n) const
   return this->Refined.DomainSides[FindSorted(this->Refined.PointKeys, this->Keys[n])];
 }
 
-/// The points of Refined with several labels around them, and base nodes at untouched cells likewise.
+/// Finds the points of Refined with several labels around them, and such base nodes of
+/// untouched cells.
 void HexStars::FindNodes()
 {
   const std::vector<Index>& keys = this->Refined.PointKeys;
@@ -94,7 +95,8 @@ void HexStars::FindNodes()
   SortUnique(this->Keys);
 }
 
-/// Faces between base cells of which one is untouched: nodes that only such cells have are split at once.
+/// Splits the nodes of faces between base cells with different labels, at least one of them
+/// untouched. Nodes that only untouched cells have are added at once.
 void HexStars::CompareBaseCells(std::vector<int>& least, std::vector<int>& most)
 {
   ForCells(this->Region,
@@ -122,7 +124,7 @@ void HexStars::CompareBaseCells(std::vector<int>& least, std::vector<int>& most)
               this->Keys.push_back(key);
               continue;
             }
-            least[point] = -1; // whatever else is around
+            least[point] = -1; // splits the node in any case
             most[point] = std::max(most[point], 0);
           }
         }
@@ -152,7 +154,7 @@ HexStars::Hex HexStars::MakeHex(Kind kind, Index id) const
   return { kind, id, { cell, key, LabelOfLeaf(this->Grid, this->Labels, cell) } };
 }
 
-/// Keys of the untouched base cells, or of the finest cells, at a node.
+/// Adds the keys of the untouched base cells, or of the finest cells, at a node.
 void HexStars::AddCells(Kind kind, int level, const Index3& node, std::vector<Index>& cells) const
 {
   for (int c = 0; c < 8; ++c)
@@ -227,7 +229,8 @@ Vector3 HexStars::PointAt(const Hex& hex, int corner) const
   return this->Lattice.NodePoint(hex.Side.Cell.Level, CornerOfCell(hex.Side.Cell.At, corner));
 }
 
-/// Of the smallest cells at a node; transition hexes are about half as wide as theirs.
+/// Returns the smallest widths of the hexes at a node; transition hexes are about half as wide as
+/// their cell.
 Vector3 HexStars::WidthsAt(const Star& star) const
 {
   Vector3 least{ { 1e300, 1e300, 1e300 } };
@@ -244,7 +247,7 @@ Vector3 HexStars::WidthsAt(const Star& star) const
   return least;
 }
 
-/// The hexes at each node.
+/// Lists the hexes at each node.
 void HexStars::LinkHexes()
 {
   for (std::size_t h = 0; h < this->TheHexes.size(); ++h)

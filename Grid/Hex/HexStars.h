@@ -1,5 +1,6 @@
 /**
- * HexStars: the nodes of a refined grid with several labels around them that are no nodes of finest cells alone, and the hexes at each.
+ * HexStars: the nodes of a refined grid with several labels around them, except nodes that only
+ * finest cells share, and the hexes at each.
  */
 #pragma once
 
@@ -10,31 +11,33 @@
 namespace vfm
 {
 
-/// Where a label is too far away to be known.
+/// Label of cells that are too far away to be known.
 constexpr int UnknownLabel = -1;
 
-/// The label of a leaf, or of a cell that a hex of it lies in.
+/// Returns the label of a leaf, the cell that a hex is or lies in; UnknownLabel if it is outside
+/// the local box.
 int LabelOfLeaf(
   const RefinedGrid& grid, const LabelArray& labels, const OctreeKeys::LevelIndex& cell);
 
 class HexStars
 {
 public:
-  /// As in SplitNodes. Keeps references.
+  /// Finds the nodes and their hexes. Stores references to grid, refined and labels. The arguments
+  /// are explained at FindSplitNodes.
   HexStars(const RefinedGrid& grid, const RefinedMesh& refined, const IndexBox& region,
     const LabelArray& labels);
 
   enum class Kind
   {
-    Refined, ///< a hex of the refined mesh
-    Base,    ///< an untouched base cell
-    Fine     ///< a finest cell
+    Refined, ///< hex of the refined mesh
+    Base,    ///< untouched base cell
+    Fine     ///< finest cell
   };
-  /// What a face of a hex has on one side.
+  /// Hex on one side of a face.
   struct Side
   {
-    OctreeKeys::LevelIndex Cell; ///< that the hex is, or lies in
-    Index HexKey;                ///< OctreeKeys::HexKey; -1: a finest cell
+    OctreeKeys::LevelIndex Cell; ///< cell that the hex is or lies in
+    Index HexKey;                ///< OctreeKeys::HexKey, or -1 for a finest cell
     int Label;
   };
   struct Hex
@@ -45,30 +48,31 @@ public:
   };
   struct Corner
   {
-    Index Node; ///< its number
-    Index Hex;  ///< index
+    Index Node; ///< number of the node
+    Index Hex;  ///< index of the hex
     int Bits;
   };
   using Star = std::vector<Corner>;
 
-  /// Keys of the nodes (OctreeKeys::NodeOfKey), ascending; they are numbered by their place.
+  /// Returns the keys of the nodes (OctreeKeys::NodeOfKey), ascending. The number of a node is its
+  /// index here.
   const std::vector<Index>& Nodes() const { return this->Keys; }
-  /// The number of the node with a key, or -1.
+  /// Returns the number of the node with a key, or -1.
   Index Find(Index key) const;
-  /// The hexes with such a node.
+  /// Returns the hexes that have such a node.
   const std::vector<Hex>& Hexes() const { return this->TheHexes; }
-  /// The corners at a node, by hex.
+  /// Returns the corners at a node, by hex.
   Star StarOf(Index n) const
   {
     return Star(this->Corners.begin() + this->Begin[n], this->Corners.begin() + this->Begin[n + 1]);
   }
 
-  /// Key and place (length units of the grid) of a corner of a hex.
+  /// Return key and position (length units of the grid) of a corner of a hex.
   Index KeyAt(const Hex& hex, int corner) const;
   Vector3 PointAt(const Hex& hex, int corner) const;
-  /// Of the smallest hexes at a node.
+  /// Returns the widths of the smallest hexes at a node.
   Vector3 WidthsAt(const Star& star) const;
-  /// Bit f set when a node lies on side f of the domain.
+  /// Returns the sides of the domain on which a node lies: bit f is set for side f.
   int DomainSides(Index n) const;
 
 private:
@@ -94,11 +98,11 @@ private:
   const RefinedMesh& Refined;
   const IndexBox Region;
   const LabelArray& Labels;
-  std::vector<bool> IsTouched; // of the base cells of Region
+  std::vector<bool> IsTouched; // whether each base cell of Region is touched
   std::vector<Index> Keys;
   std::vector<Hex> TheHexes;
-  std::vector<Corner> Corners; // by node
-  std::vector<Index> Begin;    // of each node's corners, and the end
+  std::vector<Corner> Corners; // sorted by node
+  std::vector<Index> Begin;    // first corner of each node, and the end
 };
 
 } // namespace vfm

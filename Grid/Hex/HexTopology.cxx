@@ -17,7 +17,7 @@ Vector3 StartOfInnerPoint(
     {
       continue;
     }
-    // a normal occurs only where the node is inside the domain, so both widths exist
+    // normals occur only where the node is inside the domain, so both widths exist
     const double width = std::min(grid.Width(a, node[a] - 1), grid.Width(a, node[a]));
     x[a] += (normals.Minus >> a & 1 ? BufferThickness : -BufferThickness) * width;
   }
@@ -72,12 +72,13 @@ void PointNumbering::SetCodes(Index first, Index count, Index code, int step)
   }
 }
 
-/// Where a row of cells has hexes of its own: the codes of the nodes around it, from its first cell on, and its labels.
+/// Run of finest cells with one label in a row, and the codes of the nodes along its four edges
+/// from its first cell on.
 struct CellRun
 {
   Index3 First;
-  Index Cell; // the first
-  int Label;  // of all
+  Index Cell; // first cell
+  int Label;  // label of all cells
   std::array<const int*, 4> Codes;
   bool IsSplit(Index i) const
   {
@@ -104,8 +105,8 @@ struct Work
   Mesh Result{};
 };
 
-/// For the nodes of such cells in a row calls mixed(p, node) for a mixed one, plain(p, node, count, label) for those of one label between
-/// two.
+/// Visits the nodes of finest cells in row (j, k). Calls mixed(p, node) for each mixed node, and
+/// plain(p, node, count, label) for each run of nodes with one label between mixed ones.
 template <class Plain, class MixedOne>
 void ForNodes(const Work& work, Index j, Index k, const Plain& plain, const MixedOne& mixed)
 {
@@ -173,7 +174,7 @@ Index CountPoints(Work& work)
   return MakeOffsets(work.PointOffset);
 }
 
-/// Calls visit(run, length) for cells of one label that are hexes of their own.
+/// Calls visit(run, length) for the runs of meshed finest cells in row (j, k).
 template <class Visitor>
 void ForCells(const Work& work, Index j, Index k, const Visitor& visit)
 {
@@ -227,7 +228,7 @@ int CountBufferHexes(const Work& work, Index cell, int label)
   return count;
 }
 
-/// After the points.
+/// Counts the hexes. The points must have codes.
 Index CountHexes(Work& work)
 {
   std::vector<Index>& offset = work.Result.RowOffset;
@@ -252,7 +253,7 @@ Index CountHexes(Work& work)
   return total;
 }
 
-/// One at each of some nodes of a row.
+/// Writes one point at each of `count` nodes of a row.
 void FillPlainPoints(Work& work, const Index3& first, Index count, Index point)
 {
   const double* x = work.Grid.Coordinates(0).data() + first[0];
@@ -316,7 +317,7 @@ Index IdOfCell(const Work& work, const CellRun& run, Index i)
   return HexIds.ElementSlots * (work.Grid.CellKey(run.First) + i) + 1;
 }
 
-/// Of cells without split nodes, from the i-th of a run on.
+/// Writes the hexes of cells without split nodes, from cell i of a run on.
 void FillPlainHexes(Work& work, const CellRun& run, Index i, Index count, Index hex)
 {
   const int *a = run.Codes[0] + i, *b = run.Codes[1] + i, *c = run.Codes[2] + i,
@@ -339,7 +340,7 @@ void FillPlainHexes(Work& work, const CellRun& run, Index i, Index count, Index 
   std::fill_n(work.Result.Material.data() + hex, count, run.Label);
 }
 
-/// Writes the hexes of the i-th cell of a run from one on; returns the next.
+/// Writes the hexes of cell i of a run from index `hex` on; returns the next index.
 Index FillSplitCell(Work& work, const CellRun& run, Index i, Index hex)
 {
   const Index cell = run.Cell + i, id = IdOfCell(work, run, i);

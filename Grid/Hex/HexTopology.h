@@ -1,18 +1,22 @@
 /**
- * From labels to hexahedra: the points and hexes of the mesh, before anything moves.
+ * HexTopology: makes the points and hexes of a mesh from labels, in their initial position.
  *
- * A grid node with one label in its star becomes one point G (none where that label is not meshed).
- * A mixed node becomes one surface point S, shared by all, and one inner point I per meshed label of
- * its star, in the order of the labels. A meshed cell becomes its core hex on its eight G or I. Each of
- * its faces towards another label carries one buffer hex between the face's four I and four S (the
- * buffer layer, or pillow). Faces on the domain boundary carry none. So
+ * A grid node with one label in its star becomes one point G, or none if that label is not meshed.
+ * A mixed node becomes one surface point S, shared by all labels, and one inner point I per meshed
+ * label of its star, in the order of the labels. A meshed cell becomes its core hex on its eight
+ * points G or I. Each of its faces towards another label has one buffer hex between the four points
+ * I and the four points S of the face (the buffer layer, or pillow). Faces on the domain boundary
+ * have none. Hence
+ *
  *   hexes = meshed cells + one per interface face and meshed side.
- * In a stair-step mesh mixed nodes are one point like the others and there is no buffer layer.
  *
- * In a refined grid this is so for the fine cells alone; the coarse hexes follow (CoarseHexes.h).
+ * In a stair-step mesh, mixed nodes are one point like the others and there is no buffer
+ * layer. In a refined grid, all this applies only to the finest cells; the coarse hexes
+ * follow (CoarseHexes.h).
  *
- * Made for CartesianGrid::HexBox; a rank keeps those of its own cells at the end (KeepOwned).
- * Order: points by node, hexes by cell, core first, then the faces -x +x -y +y -z +z; ids ascend.
+ * Hexes are made for CartesianGrid::HexBox; at the end a rank keeps the hexes of its own cells
+ * (KeepOwned). Points are sorted by node and hexes by cell, the core hex first, then faces in
+ * order; ids ascend.
  */
 #pragma once
 
@@ -27,12 +31,14 @@ namespace vfm
 /// Thickness of the buffer layer before smoothing, in cell widths.
 constexpr double BufferThickness = 0.125;
 
-/// Where the inner point of a label starts at a node; the node itself where the label alone is around it.
+/// Returns the initial position of the inner point of a label at a node; the node itself if no
+/// other label is around it.
 Vector3 StartOfInnerPoint(
   const CartesianGrid& grid, const LabelArray& labels, const Index3& node, int label);
 
-/// The corners of the buffer hex on a face of a core hex: those on the face of the surface, the opposite ones inner ones.
-/// Numbered by bits.
+/// Returns the corners of the buffer hex on a face of a core hex: surface points on that face,
+/// inner points on the opposite one.
+/// @param surface,inner  points of the cell, numbered by bits like the result
 template <class T>
 std::array<T, 8> BufferHex(const std::array<T, 8>& surface, const std::array<T, 8>& inner, int face)
 {
@@ -46,11 +52,13 @@ std::array<T, 8> BufferHex(const std::array<T, 8>& surface, const std::array<T, 
   return corners;
 }
 
-/// Where the mesh points of a grid node are.
+/// Numbers of the mesh points of each grid node. Codes may be set by several threads for
+/// different rows.
 class PointNumbering
 {
 public:
-  /// isRefined: whether only some cells are hexes of their own: memory follows those.
+  /// @param isRefined  whether only some cells are hexes of their own; memory is then proportional
+  /// to these
   PointNumbering(
     const CartesianGrid& grid, const LabelArray& labels, bool meshVoid, bool isRefined) :
     Grid(grid), Labels(labels), MeshVoid(meshVoid)
@@ -66,28 +74,30 @@ public:
   }
 
   bool IsMeshed(int label) const { return vfm::IsMeshed(label, this->MeshVoid); }
-  /// A node with S and I points. In a stair-step mesh there is none.
+  /// Returns whether a node has points S and I; never in a stair-step mesh.
   bool IsSplit(Index node) const { return this->CodeOf(node) < 0; }
-  /// G or S.
+  /// Returns point G or S of a node.
   Index FirstPoint(Index node) const
   {
     const int code = this->CodeOf(node);
     return code < 0 ? ~code : code;
   }
-  /// G, or the I of the label.
+  /// Returns point G of a node, or point I of the label.
   Index InnerPoint(Index node, int label) const
   {
     const int code = this->CodeOf(node);
     return code >= 0 ? code : ~code + 1 + this->MeshedRank(node, label);
   }
 
-  /// How many points a node has: 0, 1, or S and its I.
+  /// Returns the number of points of a node: 0, 1, or S and its points I.
   int PointsAt(Index node) const;
 
-  /// FirstPoint of some nodes of a row where it is a G, below 0 elsewhere. copy: holds them where they are in pages.
+  /// Returns the codes of consecutive nodes of a row: FirstPoint where it is a point G,
+  /// negative elsewhere.
+  /// @param copy  holds the codes if they are stored in pages
   const int* CodesOf(Index first, Index count, std::vector<int>& copy) const;
 
-  /// What BuildHexes sets: the index of G, or ~(index of S).
+  /// Sets the code of a node: the index of G, or ~(index of S).
   void SetCode(Index node, int code)
   {
     if (this->Codes.empty())
@@ -97,7 +107,7 @@ public:
     }
     this->Codes[node] = code;
   }
-  /// Of nodes of a row: code, code + step ...
+  /// Sets the codes of consecutive nodes of a row to code, code + step, ..
   void SetCodes(Index first, Index count, Index code, int step);
 
 private:
@@ -110,16 +120,21 @@ private:
   const CartesianGrid& Grid;
   const LabelArray& Labels;
   bool MeshVoid;
-  // index of G, or ~(index of S), of each node: one of both
+  // Code of each node, in one of both: index of G, or ~(index of S).
   Buffer<int> Codes;
   PagedArray<int> SomeCodes;
 };
 
 class CoarseHexes;
 
-/// Makes points (grid nodes; I moved inwards by BufferThickness), ids, hexes and materials. mixed: all
-/// mixed nodes (FindMixedNodes). Every corner of every hex has a positive Jacobian when all stars pass the label condition.
-/// coarse: the hexes beside those of finest cells. Throws InputError when an id does not fit.
+/// Makes points, ids, hexes and materials. Points are at grid nodes; points I are moved inwards
+/// by BufferThickness. Each corner of each hex has a positive Jacobian if all stars pass the
+/// label condition.
+/// @param mixed  all mixed nodes (FindMixedNodes)
+/// @param[out] numbering  points of each grid node
+/// @param coarse  hexes other than finest cells; they are written into the mesh
+/// @throws InputError  if an id or the number of points is too large
+/// @pre Collective.
 Mesh BuildHexes(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& mixed, bool stairStep, PointNumbering& numbering, Runtime& runtime,
   CoarseHexes& coarse);

@@ -1,5 +1,6 @@
 /**
- * What hexahedra are made of: labels that pass the label condition, and the levels, which refer to them.
+ * LabelledGrid: the input of hexahedral meshes, labels that pass the label condition and the
+ * levels, which refer to these labels.
  */
 #pragma once
 
@@ -11,12 +12,13 @@
 namespace vfm
 {
 
-/// A refined grid and its coarse hexes: none without refinements.
+/// Refined grid and its coarse hexes; without refinements there are no coarse hexes.
 struct LevelHexes
 {
   std::shared_ptr<const RefinedGrid> Grid;
   std::unique_ptr<CoarseHexes> Coarse;
-  /// How many families were asked for, of each refinement, before any was added because no valid mesh started.
+  /// Number of families requested for each refinement, before any was added because no valid
+  /// mesh started.
   std::vector<Index> RequestedFamilies;
 };
 
@@ -27,7 +29,7 @@ struct LabelledGrid
   LabelledGrid& operator=(const LabelledGrid&) = delete;
 
   LabelArray Labels;
-  std::vector<Index> Mixed; ///< nodes of the grid with several labels around
+  std::vector<Index> Mixed; ///< nodes of the grid with several labels around them
   LevelHexes Levels;
 };
 

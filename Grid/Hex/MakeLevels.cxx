@@ -8,8 +8,8 @@ namespace vfm
 namespace
 {
 
-constexpr int FlipRounds =
-  4; // in which cells between levels are refined where labels had to be changed
+// Number of rounds that refine transition cells whose labels had to be changed.
+constexpr int FlipRounds = 4;
 
 } // namespace
 
@@ -66,7 +66,8 @@ void MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
 namespace
 {
 
-/// Adds transition cells whose label had to be changed at a price; whether any rank had some. In finer cells it costs less.
+/// Adds the families of transition cells whose label was changed at a high cost; in finer cells the
+/// cost is lower. Returns whether any rank added some.
 bool AddFlippedFamilies(
   const RefinedGrid& levels, const std::vector<Index3>& flips, LevelPlan& plan, Ranks& ranks)
 {

@@ -1,5 +1,5 @@
 /**
- * MakeLevels: the levels of a grid, refined until a valid mesh starts everywhere.
+ * MakeLevels: makes the levels of a grid and refines them until a valid mesh starts everywhere.
  */
 #pragma once
 
@@ -10,18 +10,26 @@
 namespace vfm
 {
 
-/// Where interfaces cross levels: leaves are refined until a valid mesh starts everywhere. Collective. Throws InputError as MakeLevels does.
+/// Makes levels and labels of leaves where interfaces may cross levels. Refines leaves until a
+/// valid mesh starts everywhere.
+/// @throws InputError  see RefinedGrid and CoarseHexes
+/// @pre Collective.
 void LabelLeaves(const CartesianGrid& grid, const FractionField& fractions,
   const MeshOptions& options, const Partition& partition, Runtime& runtime, MeshReport& report,
   LabelledGrid& result);
 
-/// Makes the levels that a plan asks for; adds to it what has to be refined so that a valid mesh starts. interfaces: as in RefinedGrid. hexes: as in
-/// CoarseHexes. levels: as they are made so far. Collective. Throws InputError as RefinedGrid and CoarseHexes do.
+/// Makes the levels that a plan requests. Adds families to the plan until a valid mesh starts.
+/// @param interfaces  mixed nodes, as in RefinedGrid
+/// @param[in,out] levels  is replaced; counts in RequestedFamilies are kept
+/// @throws InputError  see RefinedGrid and CoarseHexes
+/// @pre Collective.
 void MakeLevels(const CartesianGrid& grid, const LabelArray& labels,
   const std::vector<Index>& interfaces, const CoarseHexes::Options& hexes, LevelPlan& plan,
   Runtime& runtime, MeshReport& report, LevelHexes& levels);
 
-/// Adds families to a plan because no valid mesh starts there; whether any rank had some. Collective.
+/// Adds families to a plan because no valid mesh starts there.
+/// @return whether any rank added families
+/// @pre Collective.
 bool AddFamilies(const std::vector<std::vector<Index>>& families, LevelPlan& plan, Ranks& ranks);
 
 } // namespace vfm

@@ -23,7 +23,7 @@ NodesNear::NodesNear(
   this->Spread(this->Box.Size(0) * this->Box.Size(1), rings);
 }
 
-/// Adds so many nodes on both sides along an axis, and joins runs that touch.
+/// Extends the runs by `rings` nodes on both sides along an axis, and joins runs that touch.
 void NodesNear::Spread(Index stride, Index rings)
 {
   std::vector<Run> spread;

@@ -1,5 +1,6 @@
 /**
- * NodesNear: which nodes of a level lie near interfaces, as runs along x: memory follows the interfaces.
+ * NodesNear: the nodes of a level near interfaces as runs along x, so that memory is proportional
+ * to the interfaces.
  */
 #pragma once
 
@@ -11,7 +12,10 @@ namespace vfm
 class NodesNear
 {
 public:
-  /// mixed: nodes of the finest grid, linear indices; halvings: from the level to it; rings: cells of the level.
+  /// Finds the nodes within some cells of the mixed nodes.
+  /// @param mixed  linear indices of nodes of the finest grid
+  /// @param halvings  number of levels from this level to the finest
+  /// @param rings  distance in cells of the level
   NodesNear(
     const CartesianGrid& finest, const std::vector<Index>& mixed, int halvings, Index rings);
 
@@ -20,12 +24,12 @@ public:
 private:
   struct Run
   {
-    Index Begin, End; // IndexInBox
+    Index Begin, End; // positions by IndexInBox
     bool operator<(const Run& other) const { return this->Begin < other.Begin; }
   };
   void Spread(Index stride, Index rings);
 
-  IndexBox Box; // of nodes
+  IndexBox Box; // box of nodes
   std::vector<Run> Runs;
 };
 

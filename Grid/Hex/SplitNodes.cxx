@@ -13,9 +13,10 @@ namespace vfm
 namespace
 {
 
-constexpr double SmallestMargin = 0.1;       // of a visible direction
-constexpr double ThinnestMargin = 0.3;       // below it the buffer layer starts thinner
-constexpr double SmallestDeterminant = 1e-4; // of a hex at the start, in volumes of the cell
+constexpr double SmallestMargin = 0.1; // smallest margin of a visible direction
+constexpr double ThinnestMargin = 0.3; // margin below which the buffer layer starts thinner
+constexpr double SmallestDeterminant =
+  1e-4; // smallest determinant of initial hexes, in cell volumes
 
 } // namespace
 
@@ -48,9 +49,10 @@ using Corner = HexStars::Corner;
 
 using Star = HexStars::Star;
 
-using LabelNormal = std::pair<int, Vector3>; // out of the label
+using LabelNormal = std::pair<int, Vector3>; // label, normal out of it
 
-/// A face of a hex at a node: the far ends of its two edges there, the corner opposite, and whose it is.
+/// Face of a hex at a node: keys of the far ends of its two edges there and of the opposite corner,
+/// and the hex.
 struct FaceAt
 {
   std::array<Index, 3> Keys;
@@ -73,7 +75,7 @@ const Hex& HexOf(const Work& work, const Corner& at)
   return work.Stars.Hexes()[at.Hex];
 }
 
-/// By key, those that two hexes share beside each other.
+/// Lists the faces at a node by key. A face that two hexes share is listed twice in sequence.
 std::vector<FaceAt> ListFaces(const Work& work, const Star& star)
 {
   std::vector<FaceAt> faces;
@@ -94,7 +96,7 @@ std::vector<FaceAt> ListFaces(const Work& work, const Star& star)
   return faces;
 }
 
-/// Keeps a face where it is met at its node of the smallest key.
+/// Adds a face when it is visited at its node with the smallest key.
 void AddFace(Work& work, const FaceAt& a, const FaceAt& b)
 {
   const Hex& hexA = HexOf(work, *a.From);
@@ -121,7 +123,7 @@ void AddFace(Work& work, const FaceAt& a, const FaceAt& b)
     return;
   }
   const bool isFirst = hexA.Side.Label < hexB.Side.Label;
-  // at a corner of even bits they turn about an edge into A
+  // at a corner with an even number of bits, the normal by this order points into A
   if (((0x69 >> corner & 1) != 0) == isFirst)
   {
     std::swap(keys[1], keys[3]);
@@ -139,7 +141,7 @@ void AddFace(Work& work, const FaceAt& a, const FaceAt& b)
   work.Result.Faces.push_back(face);
 }
 
-/// The labels at a node, ascending.
+/// Returns the labels at a node, ascending.
 std::vector<int> ListLabels(const Work& work, const Star& star)
 {
   std::vector<int> labels;
@@ -151,7 +153,7 @@ std::vector<int> ListLabels(const Work& work, const Star& star)
   return labels;
 }
 
-/// The direction that leads out of a label at a node, on the sides of the domain along them.
+/// Returns the direction out of a label at a node. On sides of the domain it is tangential to them.
 VisibleDirection FindOutward(int label, int sides, const std::vector<LabelNormal>& normals)
 {
   std::vector<Vector3> own;
@@ -170,7 +172,8 @@ VisibleDirection FindOutward(int label, int sides, const std::vector<LabelNormal
   return own.empty() ? VisibleDirection{ {}, -1.0 } : FindVisibleDirection(own);
 }
 
-/// Finest cells number the inner points by the labels of the lattice: whether these are the labels at a node of theirs.
+/// Returns whether a node of finest cells has these labels in the lattice, by which finest cells
+/// number the inner points. True for all other nodes.
 bool HasLatticeLabels(const Work& work, Index n, const std::vector<int>& labels)
 {
   const CartesianGrid& finest = work.Grid.Finest();
@@ -184,7 +187,7 @@ bool HasLatticeLabels(const Work& work, Index n, const std::vector<int>& labels)
   return std::equal(labels.begin(), labels.end(), lattice.begin(), lattice.end());
 }
 
-/// Refines the coarser cells of a star.
+/// Requests refinement of the coarser cells of a star.
 void RequestFiner(Work& work, const Star& star)
 {
   for (const Corner& at : star)
@@ -197,7 +200,7 @@ void RequestFiner(Work& work, const Star& star)
   }
 }
 
-/// Owned hexes have all hexes around them in the region.
+/// Returns whether a hex is owned. All hexes around an owned hex are in the region.
 bool IsOwned(const Work& work, const Hex& hex)
 {
   return work.Grid.Finest().Owned().Contains(
@@ -229,7 +232,7 @@ void PlaceInnerPoints(
   }
 }
 
-/// Whether the hexes of some label hang together by edges or the node only.
+/// Returns whether the hexes of any label are connected only by edges or by the node.
 bool IsTorn(const Work& work, const Star& star, const std::vector<std::pair<Index, Index>>& joined)
 {
   std::vector<Index> parent = MakeSets(star.size());
@@ -256,7 +259,7 @@ void SplitNode(Work& work, Index n, const Star& star)
   const std::vector<FaceAt> faces = ListFaces(work, star);
   const Vector3 widths = work.Stars.WidthsAt(star);
   std::vector<LabelNormal> normals;
-  std::vector<std::pair<Index, Index>> joined; // hexes of one label
+  std::vector<std::pair<Index, Index>> joined; // pairs of neighbours with one label
   for (std::size_t f = 0; f + 1 < faces.size(); ++f)
   {
     const FaceAt &a = faces[f], &b = faces[f + 1];
@@ -307,7 +310,7 @@ int FacesAt(const Work& work, const Hex& hex)
   return faces;
 }
 
-/// Where the point of a core hex starts.
+/// Returns the initial position of a point of a core hex.
 Vector3 InnerAt(const Work& work, const Hex& hex, int corner)
 {
   const Index n = work.Result.Find(work.Stars.KeyAt(hex, corner));
@@ -344,7 +347,7 @@ bool IsPositive(const Work& work, const Hex& hex)
   return isGood;
 }
 
-/// Looks at the start of all owned hexes.
+/// Checks the initial shape of all owned hexes.
 void CheckHexes(Work& work)
 {
   for (const Hex& hex : work.Stars.Hexes())
@@ -364,7 +367,7 @@ void CheckHexes(Work& work)
   }
 }
 
-/// One entry a hex.
+/// Combines the faces of each hex into one entry.
 void SortFaces(Work& work)
 {
   std::vector<std::pair<Index, int>>& faces = work.Result.HexFaces;

@@ -1,14 +1,18 @@
 /**
- * SplitNodes: where interfaces run through coarser cells and transitions of a refined grid (LevelPlan::FineInterfaces false).
+ * SplitNodes: the interfaces through coarser cells and transitions of a refined grid
+ * (LevelPlan::FineInterfaces false).
  *
- * A node of the hexes with several labels around it is split, as a mixed grid node is (HexTopology.h): into a surface point S at
- * its place, and an inner point I for each label around it. In a regular star the label condition says where each I may
- * stand; in an irregular one that is tested: the corner normals of a label's interface faces at the node, outward, must have
- * a common visible direction d, all n.d > 0. Then S - t d is inside the label for small t. d is the direction of the point of the
- * normals' convex hull nearest to 0, which makes the smallest n.d as large as can be.
+ * A node of such hexes with several labels around it is split like a mixed grid node
+ * (HexTopology.h). It becomes a surface point S at its position and an inner point I per label
+ * around it. In a regular star, the label condition gives the position of each I. In an irregular
+ * star, this is tested: the outward normals n of a label's interface faces at the node must have a
+ * common visible direction d, with all n.d > 0. S - t d is then inside the label for small t. d is
+ * the direction of the point nearest to 0 in the convex hull of the normals, which maximises the
+ * smallest n.d.
  *
- * Where there is none, or a hex at such a node would not be positive everywhere, the leaves around want to be refined: in
- * cells that are fine all around the label condition holds, so this ends.
+ * If there is no such direction, or a hex at such a node would not be positive everywhere,
+ * refinement of the leaves around it is requested. This ends, because the label condition holds in
+ * cells that are fine all around.
  */
 #pragma once
 
@@ -20,42 +24,49 @@ namespace vfm
 struct SplitNodes
 {
   using Side = HexStars::Side;
-  /// A face between two labels; not both sides are finest cells.
+  /// Face between two labels; at most one side is a finest cell.
   struct Face
   {
-    /// Numbers of split nodes, around it; the normal points out of the first side.
+    /// Numbers of split nodes in circular order; the normal points out of the first side.
     std::array<Index, 4> Nodes;
-    std::array<Side, 2> Sides; ///< the first has the smaller label
+    /// The first side has the smaller label.
+    std::array<Side, 2> Sides;
   };
 
-  std::vector<Index> Keys; ///< of the nodes (OctreeKeys::NodeOfKey), ascending
+  std::vector<Index> Keys; ///< keys of the nodes (OctreeKeys::NodeOfKey), ascending
   std::vector<Index> LabelOffset{ 0 };
-  std::vector<int> Labels;    ///< around the nodes, ascending: those of n from LabelOffset[n] on
-  std::vector<Vector3> Inner; ///< of each label: where its I starts, length units of the grid
+  /// Labels around the nodes, ascending at each node; node n starts at LabelOffset[n].
+  std::vector<int> Labels;
+  /// Initial position of point I of each label, length units of the grid.
+  std::vector<Vector3> Inner;
   std::vector<Face> Faces;
-  /// Key and faces of hexes of the refined mesh and of untouched base cells, ascending: bit f set when face f (-x +x -y +y -z +z) is on an
-  /// interface.
+  /// Keys, ascending, and faces of hexes of the refined mesh and of untouched base cells: bit f is
+  /// set if face f (-x +x -y +y -z +z) is on an interface.
   std::vector<std::pair<Index, int>> HexFaces;
-  /// Families that owned cells want to refine because no valid mesh would start there: of each refinement, ascending.
+  /// Families per refinement, ascending, whose refinement owned cells request because no valid mesh
+  /// would start there.
   std::vector<std::vector<Index>> BadFamilies;
 
   Index Count() const { return static_cast<Index>(this->Keys.size()); }
-  /// The number of the node with a key, or -1 where it is not split.
+  /// Returns the number of the node with a key, or -1 if it is not split.
   Index Find(Index key) const;
-  /// The labels around a node, ascending.
+  /// Return the range of the labels around a node, ascending.
   const int* LabelsBegin(Index n) const { return this->Labels.data() + this->LabelOffset[n]; }
   const int* LabelsEnd(Index n) const { return this->Labels.data() + this->LabelOffset[n + 1]; }
-  /// Position of a label among them.
+  /// Returns the position of a label among the labels around a node.
   int RankOf(Index n, int label) const;
   const Vector3& InnerPoint(Index n, int rank) const
   {
     return this->Inner[this->LabelOffset[n] + rank];
   }
-  /// The faces of HexFaces of a hex.
+  /// Returns the entry of a hex in HexFaces, 0 if it has none.
   int FacesOfHex(Index hexKey) const;
 };
 
-/// refined: the hexes of the base cells of region, without the finest ones. labels: of the finest grid, alike in each leaf.
+/// Finds the split nodes of a refined grid.
+/// @param refined  hexes of the base cells of region, without the finest ones
+/// @param region  base cells
+/// @param labels  labels of the finest grid, equal in each leaf
 SplitNodes FindSplitNodes(const RefinedGrid& grid, const RefinedMesh& refined,
   const IndexBox& region, const LabelArray& labels, bool meshVoid);
 

@@ -16,17 +16,18 @@ namespace
 {
 
 constexpr double TargetScaledJacobian = 0.6;
-constexpr double SmallestDeterminant = 1e-8; // of a corner, in cell volumes
-/// Below it corners take part in untangling: from nearly flat hexes the barrier finds poor minima.
+constexpr double SmallestDeterminant = 1e-8; // smallest determinant of a corner, in cell volumes
+/// Corners below take part in untangling, because the barrier finds poor minima from nearly
+/// flat hexes.
 constexpr double FlatDeterminant = 1e-3;
 constexpr int UntangleSweeps = 24;
 constexpr double LargestEps = 0.05, SmallestEps = 1e-3; // halved after each sweep, in cell volumes
-constexpr double ShapeWeight = 0.3;                     // of untangling
+constexpr double ShapeWeight = 0.3;                     // weight in untangling
 
 const SmoothingRamp Ramp{ { 1, 0.0, 0.1, 5, 1e-3 }, { 2, 0.0, 0.05, 8, 1e-3 },
   { 8, 0.0, 0.01, 25, 1e-3 } };
 
-/// The free points, in their order.
+/// Lists the free points, in their order.
 std::vector<Mover> ListMovers(const OctreeKeys& lattice, const RefinedMesh& mesh)
 {
   std::vector<Mover> movers;
@@ -39,7 +40,8 @@ std::vector<Mover> ListMovers(const OctreeKeys& lattice, const RefinedMesh& mesh
   return movers;
 }
 
-/// The transition hexes and the points that move, in lattice coordinates or in lengths over the mean width.
+/// Transition hexes and the points that move, in lattice coordinates or in lengths over the
+/// mean width.
 struct Work
 {
   const OctreeKeys& Lattice;
@@ -49,10 +51,11 @@ struct Work
   const double Scale = Lattice.Base().MeanWidth();
   ActiveMesh Active{}; // free points first, in the order of RefinedMesh::FreePoints
   std::vector<unsigned char> IsFree{};
-  std::vector<unsigned char> IsOwned{}; // of each hex: whether this rank counts it
+  // Whether this rank counts each hex.
+  std::vector<unsigned char> IsOwned{};
 };
 
-/// Smallest corner determinant of a hex, in cell volumes.
+/// Returns the smallest corner determinant of a hex, in cell volumes.
 double SmallestCorner(const Work& work, std::size_t hex)
 {
   const Vector3& widths = work.Active.WidthsAt(static_cast<Index>(8 * hex));
@@ -70,7 +73,7 @@ double SmallestCorner(const Work& work, std::size_t hex)
   return smallest;
 }
 
-/// Leaves only the free points of flat and inverted hexes active; counts the hexes.
+/// Activates only the free points of flat and inverted hexes; counts these hexes.
 void ActivateFlat(Work& work, Index& flat, Index& inverted)
 {
   flat = inverted = 0;
@@ -141,7 +144,7 @@ void CopyBack(const Work& work)
   }
 }
 
-/// Counts a hex as that of the owner of its cell; returns its widths.
+/// Adds a hex that the owner of its cell counts; returns its widths.
 Vector3 AddCell(Work& work, const OctreeKeys::LevelIndex& cell)
 {
   work.IsOwned.push_back(work.Parts.OwnsCell(BaseCellOf(cell)));
@@ -181,7 +184,7 @@ void Activate(Work& work)
   work.IsFree = work.Active.IsActive;
 }
 
-/// How good the transition hexes are.
+/// Quality of the owned transition hexes.
 class TransitionQuality
 {
 public:
@@ -205,7 +208,8 @@ public:
 
   const std::vector<OctreeKeys::LevelIndex>& BadCells() const { return this->Bad; }
 
-  /// Over all ranks: fewer bad cells, or as many and better hexes. Collective.
+  /// Returns whether this mesh has fewer bad cells over all ranks, or as many and better hexes.
+  /// @pre Collective.
   bool IsBetterThan(const TransitionQuality& other, Ranks& ranks) const
   {
     std::vector<std::int64_t> bad{ static_cast<std::int64_t>(this->Bad.size()),
@@ -251,7 +255,8 @@ void MovePoints(const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& p
   CopyBack(work);
 }
 
-/// As cubes first, then by their own widths, unless that is worse: of oblong cells some centres suffer.
+/// Smooths by the widths of the cells, starting from the result for cubes. Restores that result if
+/// it is better, which can happen at points between cells of high aspect ratio.
 void MoveByWidths(const OctreeKeys& lattice, RefinedMesh& mesh, const Partition& partition,
   bool smooth, Runtime& runtime, TransitionReport& report)
 {

@@ -8,10 +8,11 @@ namespace
 {
 
 constexpr int Iterations = 400;
-constexpr double Converged = 1e-10; // of the squared length
-constexpr double Nowhere = 1e-8;    // length below which the hull holds 0
+constexpr double Converged = 1e-10; // accuracy of the squared length
+// Length below which the hull contains 0.
+constexpr double Nowhere = 1e-8;
 
-/// The normal that reaches least far along a direction.
+/// Returns the normal with the smallest component along a direction.
 const Vector3& FindLeast(const std::vector<Vector3>& normals, const Vector3& direction)
 {
   return *std::min_element(normals.begin(), normals.end(),

@@ -1,5 +1,5 @@
 /**
- * The direction that sees all faces at a node: d with n.d > 0 for all their unit normals n, and the smallest n.d as large as can be.
+ * VisibleDirection: the direction from which all faces at a node are visible.
  */
 #pragma once
 
@@ -10,11 +10,15 @@ namespace vfm
 
 struct VisibleDirection
 {
-  Vector3 Direction; ///< unit
-  double Margin;     ///< the smallest n.d; not positive: nothing sees all of them
+  Vector3 Direction; ///< unit vector
+  /// Smallest n.d of all normals n; no direction sees all faces unless it is positive.
+  double Margin;
 };
 
-/// normals: unit vectors, at least one. The direction is that of the point of their convex hull nearest to 0 (Gilbert 1966).
+/// Finds the direction d that maximises the smallest n.d of all normals n: the direction of the
+/// point nearest to 0 in the convex hull of the normals. After E. G. Gilbert, SIAM J. Control 4
+/// (1966) 61-80.
+/// @param normals  unit vectors, at least one
 VisibleDirection FindVisibleDirection(const std::vector<Vector3>& normals);
 
 } // namespace vfm
