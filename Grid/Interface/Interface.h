@@ -60,13 +60,13 @@ public:
   const std::vector<Crossing>& Crossings() const { return this->TheCrossings; }
   /// Returns the four nodes of a face (positions in Nodes()), in order around it.
   const std::array<Index, 4>& CornersOfFace(Index face) const { return this->FaceNodes[face]; }
-  /// Returns the start of the faces at the n-th node: FaceList()[FaceOffset(n) ..
-  /// FaceOffset(n + 1)), ascending.
+  /// Returns where the faces at the n-th node begin in FaceList(), ascending. They end where the faces
+  /// at the next node begin.
   Index FaceOffset(Index n) const { return this->FacesOfNodes.Begin[n]; }
   const std::vector<Index>& FaceList() const { return this->FacesOfNodes.Items; }
 
-  /// Returns the start of the surface points of the n-th node: Points()[PointOffset(n) ..
-  /// PointOffset(n + 1)), ascending by pair.
+  /// Returns where the surface points of the n-th node begin in Points(), ascending by pair. They
+  /// end where the points of the next node begin.
   Index PointOffset(Index n) const { return this->PointsAt[n]; }
   const std::vector<SurfacePoint>& Points() const { return this->SurfacePoints; }
   /// Returns the surface point of a pair at the n-th node, or nullptr.

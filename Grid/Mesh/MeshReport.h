@@ -16,8 +16,8 @@ namespace vfm
 /// MeshSettings::ComputeQuality is set.
 struct MeshReport
 {
-  std::vector<double> TargetVolume; ///< volume of the fractions of materials 0, 1, ..
-  std::vector<double> MeshVolume;   ///< volume of the elements of materials 0, 1, ..
+  std::vector<double> TargetVolume; ///< volume of the fractions of materials 0, 1, ...
+  std::vector<double> MeshVolume;   ///< volume of the elements of materials 0, 1, ...
   /// Volume of the fractions of each fragment; [0] unused.
   std::vector<double> FragmentTargetVolume;
   struct Material
