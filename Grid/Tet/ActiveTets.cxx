@@ -7,13 +7,14 @@ namespace vfm
 namespace
 {
 
+/// Returns whether a tet has a flagged point.
 bool HasPoint(const Mesh& mesh, Index tet, const std::vector<unsigned char>& flags)
 {
   const Index* points = mesh.Elements.data() + 4 * tet;
   return flags[points[0]] | flags[points[1]] | flags[points[2]] | flags[points[3]];
 }
 
-/// Of each point: whether it belongs to a tet with a flagged point.
+/// Returns flags of the points of all tets that have a flagged point.
 std::vector<unsigned char> Spread(const Mesh& mesh, const std::vector<unsigned char>& flags)
 {
   std::vector<unsigned char> near(flags.size(), 0);
@@ -34,8 +35,9 @@ bool IsOwned(
   return partition.OwnsNode(NodeOfPoint(grid, mesh, mesh.PointIds[point]));
 }
 
-/// Asks the owners which of the points within two tets of owned moving points move too: at the rim not all
-/// tets of a point are here. Collective among peers.
+/// Receives from the owners which ghost points move, among those within two tets of owned moving
+/// points. At the rim, this rank lacks some tets of a point and cannot decide. Collective among
+/// peers.
 void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& partition,
   std::vector<unsigned char>& moving)
 {
@@ -71,7 +73,8 @@ void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition&
   }
 }
 
-/// The points that may lie on interfaces, and those of the tets around them. Points of one block may share tets: they move in turn.
+/// Returns the points that may lie on interfaces, and all points of the tets around them. Points of
+/// one block may share tets, so they move one after another.
 std::vector<Mover> FindMovers(
   const TetTopology& topology, const CartesianGrid& grid, const Partition& partition)
 {

@@ -1,5 +1,6 @@
 /**
- * The active part of a tetrahedral mesh: the points that may lie on interfaces and those of the tets around them.
+ * ActiveTets: the part of a tetrahedral mesh that smoothing moves. These are the points that may
+ * lie on interfaces, and all points of the tets around them.
  */
 #pragma once
 
@@ -12,10 +13,12 @@ namespace vfm
 
 struct ActiveTets : ActiveMesh
 {
-  std::vector<Index> MeshElement; ///< of each tet: its index in the mesh
+  std::vector<Index> MeshElement; ///< index of each tet in the mesh
 };
 
-/// Points, tets and groups of points, of Cells or Lattice. Collective among peers.
+/// Returns the active part of a mesh of method Cells or Lattice, without attachments.
+/// @param topology  tets in CartesianGrid::HexBox of the grid
+/// @pre Collective among peers.
 ActiveTets MakeActiveTets(
   const TetTopology& topology, const CartesianGrid& grid, const Partition& partition);
 

@@ -1,5 +1,5 @@
 /**
- * The points of the tets that are made of blocks of the grid (TetTopology.h).
+ * BlockPoints: numbers and makes the points of tets, block by block (TetTopology.h).
  */
 #pragma once
 
@@ -13,13 +13,20 @@
 namespace vfm
 {
 
+/// Returns the number of bits that are set.
 inline int CountBits(std::uint64_t slots)
 {
   return static_cast<int>(slots < 4 ? (slots & 1) + (slots >> 1) : std::bitset<64>(slots).count());
 }
 
-/// Makes the points of the blocks of CartesianGrid::HexBox, and room for those of coarse tets after them; returns how many come before these.
-/// slotsOf(block, node): a bit a slot that is used. positionOf(block, node, slot). firstPoint: by node, gets the first of each block. Collective.
+/// Makes the points of the blocks of CartesianGrid::HexBox. Allocates the points of coarse tets
+/// after them, which CoarseTets::Fill writes.
+/// @param slotsOf  slotsOf(block, node) returns the slots in use, one bit per slot
+/// @param positionOf  positionOf(block, node, slot) returns the PointPosition of a point
+/// @param[out] firstPoint  first point of each block, by the linear index of its node
+/// @return number of points of blocks, which is the index of the first point of coarse tets
+/// @throws InputError  on all ranks if any rank has more points than 32 bits can number
+/// @pre Collective.
 template <class SlotsOf, class PositionOf, class FirstPoints>
 Index MakeBlockPoints(const CartesianGrid& grid, const CoarseTets& coarse, Runtime& runtime,
   const SlotsOf& slotsOf, const PositionOf& positionOf, FirstPoints& firstPoint,
@@ -35,7 +42,8 @@ Index MakeBlockPoints(const CartesianGrid& grid, const CoarseTets& coarse, Runti
       body(block, node, slotsOf(block, node));
     }
   };
-  std::vector<Index> firsts(blocks.Size(1) * blocks.Size(2) + 1, 0); // of each row, and the end
+  // First point of each row, and the end.
+  std::vector<Index> firsts(blocks.Size(1) * blocks.Size(2) + 1, 0);
   ForRows(runtime, blocks,
     [&](Index j, Index k, Index row)
     {

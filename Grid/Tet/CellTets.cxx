@@ -10,7 +10,7 @@ namespace vfm
 namespace
 {
 
-/// A face of the grid; the label of a side outside the domain is -1.
+/// Face of the grid. The label outside the domain is -1.
 struct Face : InterfaceFace
 {
   Index3 Block;
@@ -24,8 +24,9 @@ struct Work
   Runtime& Run;
   const CoarseTets& Coarse;
   const IndexBox Box = Grid.HexBox(), Nodes = NodesOf(Box);
-  Buffer<int> FirstPoint{ static_cast<std::size_t>(Grid.NumberOfEntries()), -1 }; // of each block
-  std::vector<Index> FirstTet{};                                                  // of each row
+  // First point of each block, and first tet of each row.
+  Buffer<int> FirstPoint{ static_cast<std::size_t>(Grid.NumberOfEntries()), -1 };
+  std::vector<Index> FirstTet{};
   TetTopology Result{};
 };
 
@@ -34,7 +35,7 @@ bool IsFine(const Work& work, const Index3& cell)
   return work.Coarse.Levels().IsFine(cell);
 }
 
-/// Bits of the slots that a block uses.
+/// Returns the slots in use of a block, one bit per slot.
 int SlotsOf(const Work& work, const Index3& p, Index node)
 {
   const bool isCentre =
@@ -71,7 +72,8 @@ PointPosition PositionOf(const Work& work, const Index3& p, Index node)
                : (work.Grid.DomainSides(p) != 0 ? PointPosition::OnDomain : PointPosition::Inside);
 }
 
-/// Calls body(face) for the faces of a row of blocks whose cells are all fine and in the box, in the order of ids.
+/// Calls body(face) for the faces of a row of blocks whose cells are all fine and in the box, in
+/// the order of ids.
 template <class Body>
 void OverFaces(const Work& work, Index j, Index k, const Body& body)
 {
@@ -120,7 +122,7 @@ Index Centre(const Work& work, Index cell)
   return first + (SlotOfPoint(work.Result.Tets.PointIds[first]) == VertexSlot);
 }
 
-/// The corners around a face, seen from above against the clock.
+/// Returns the corners of a face, counterclockwise as seen from above.
 std::array<Index, 4> CornersOf(const Work& work, const Face& face)
 {
   std::array<Index, 4> corners = NodesOfFace(work.Grid, face);
@@ -137,7 +139,7 @@ void SetTet(
     label);
 }
 
-/// Four tets around the edge between the centres.
+/// Makes the four tets around the edge between the centres.
 void FillInnerFace(Work& work, const Face& face, Index& tet)
 {
   if (!IsMeshed(face.LowerLabel, work.MeshVoid))
@@ -153,8 +155,9 @@ void FillInnerFace(Work& work, const Face& face, Index& tet)
   }
 }
 
-/// Two tets between the halves of the quad and the centre on one side. They stand one after the other, the halves
-/// (q0 q1 q2) and (q0 q2 q3) as seen from the centre against the clock: what DiagonalFlips relies on.
+/// Makes the two tets between the halves of a quad and the centre on one side. DiagonalFlips relies
+/// on their order: they are consecutive, with the halves (q0 q1 q2) and (q0 q2 q3),
+/// counterclockwise as seen from the centre.
 void FillHalves(Work& work, const Face& face, int label, int firstPiece, Index& tet)
 {
   if (!IsMeshed(label, work.MeshVoid))

@@ -1,5 +1,5 @@
 /**
- * The tets of the method Cells.
+ * CellTets: the tets of the method Cells, whose interfaces are faces of the grid.
  */
 #pragma once
 
@@ -12,8 +12,14 @@ namespace vfm
 
 class CoarseTets;
 
-/// Every meshed cell with its centre, cut along its faces. labels: after ResolveLabels. Interfaces are faces of the grid,
-/// each quad cut by the diagonal of its parity. coarse: the tets beside those of finest cells.
+/// Divides every meshed cell around its centre into tets. Four tets surround the edge between the
+/// centres of two cells of one label. A quad on an interface or the domain boundary is divided
+/// along the diagonal of its parity.
+/// @param labels  labels of the cells, after ResolveLabels
+/// @param coarse  tets of the coarse hexes; they are added after the tets of the finest cells
+/// @return points and tets in CartesianGrid::HexBox, ordered by id
+/// @throws InputError  if ids or numbers of points are too large
+/// @pre Collective.
 TetTopology BuildCellTets(const CartesianGrid& grid, const LabelArray& labels, bool meshVoid,
   Runtime& runtime, const CoarseTets& coarse);
 

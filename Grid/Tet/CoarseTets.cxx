@@ -13,7 +13,7 @@ namespace vfm
 namespace
 {
 
-constexpr double SmallestGain = 1e-6; // relative, by which another way must be better
+constexpr double SmallestGain = 1e-6; // relative gain required to change the way of a face
 
 } // namespace
 
@@ -24,7 +24,8 @@ CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& run
   {
     return;
   }
-  constexpr Index hexKeys = OctreeKeys::HexSlots * 8 / 7; // of all levels, a finest cell
+  // Keys of hexes of all levels, per finest cell.
+  constexpr Index hexKeys = OctreeKeys::HexSlots * 8 / 7;
   CheckIds(this->Grid.Finest(), TetIds.ElementSlots + TetsOfHex * hexKeys);
   this->TakeHexes(hexes);
   CheckNumberOfPoints(this->NumberOfPoints(), runtime.Group());
@@ -42,7 +43,8 @@ CoarseTets::CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& run
   this->ChooseWays(runtime);
 }
 
-/// Corners are ~(linear index) at vertices of fine cells, as long as those have no numbers.
+/// Stores the hexes near the owned cells. A corner that is a vertex of a fine cell is stored as
+/// ~(linear index), until AddCentres replaces it by a point.
 void CoarseTets::TakeHexes(CoarseHexes& hexes)
 {
   this->Local.Points = Buffer<double>(3 * hexes.NumberOfPoints());
@@ -82,7 +84,8 @@ int CoarseTets::FindFine(Index code) const
   return at < 0 ? -1 : static_cast<int>(this->NumberOfPoints() + at);
 }
 
-/// Vertices of fine cells that coarse hexes have, and the centres of the fine cells at them.
+/// Adds the vertices of fine cells that are corners of coarse hexes, and the centres of the fine
+/// cells around them.
 void CoarseTets::AddFinePoints()
 {
   const CartesianGrid& grid = this->Grid.Finest();
@@ -115,7 +118,7 @@ void CoarseTets::AddFinePoints()
   SortUnique(this->FineCodes);
   const Index known = this->NumberOfPoints();
   Buffer<double> points(3 * (known + this->FineCodes.size()));
-  std::copy(this->Local.Points.begin(), this->Local.Points.end(), points.begin()); // those of hexes
+  std::copy(this->Local.Points.begin(), this->Local.Points.end(), points.begin());
   this->Local.Points = std::move(points);
   for (std::size_t f = 0; f < this->FineCodes.size(); ++f)
   {
@@ -163,7 +166,7 @@ std::vector<CoarseTets::Face> CoarseTets::ListFaces() const
   return faces;
 }
 
-/// Pairs the faces of hexes. Those of the rim, where it is not known what lies beyond, are left out.
+/// Pairs the faces of hexes. Omits faces at the rim whose other side is unknown.
 void CoarseTets::FindFaces()
 {
   struct Half
@@ -231,7 +234,8 @@ void CoarseTets::AddFace(Face face)
   this->Faces.push_back(face);
 }
 
-/// The centre of the fine cell that shares a face with an coarse hex; -1: there is none.
+/// Returns the centre of the fine cell on the other side of a face of a coarse hex, or -1 if there
+/// is none.
 int CoarseTets::FineCentreBeyond(const Face& face) const
 {
   const CartesianGrid& grid = this->Grid.Finest();
@@ -269,7 +273,8 @@ int CoarseTets::FineCentreBeyond(const Face& face) const
                                             : -1;
 }
 
-/// The tets of a face, cut in one of the ways; on a face of the domain two.
+/// Writes the tets of a face that is divided in one way. Returns their number: 4, or 2 on the
+/// domain boundary.
 int CoarseTets::TetsOf(const Face& face, int way, Tet tets[4]) const
 {
   std::array<int, 4> q = face.Corners;
@@ -310,7 +315,7 @@ double CoarseTets::EnergyOf(const Face& face, int way) const
   {
     for (int c = 0; c < 4; ++c)
     {
-      corners[t][c] = this->PointAt(tets[t % count][c]); // two of them twice
+      corners[t][c] = this->PointAt(tets[t % count][c]); // repeats the tets if there are two
     }
   }
   const std::array<double, 4> e =
@@ -319,7 +324,7 @@ double CoarseTets::EnergyOf(const Face& face, int way) const
                                                                : (e[0] + e[1]) + (e[2] + e[3]);
 }
 
-/// Of a face: the present way unless another is better.
+/// Returns the best way to divide a face, which is the present way unless another is better.
 int CoarseTets::BestWay(const Face& face) const
 {
   if (face.IsPlain)
@@ -346,7 +351,8 @@ void CoarseTets::ChooseWays(Runtime& runtime)
     [this](Index f) { this->Faces[f].Way = this->BestWay(this->Faces[f]); });
 }
 
-/// Those of the cells of transition hexes at bad tets. A face is looked at by the owner of its tets.
+/// Finds the families of transition hexes that have tets of invalid energy. The owner of the tets
+/// checks a face.
 void CoarseTets::FindBadFamilies()
 {
   this->Bad.resize(this->Grid.NumberOfRefinements());
@@ -418,8 +424,9 @@ void CoarseTets::Fill(
   }
 }
 
-/// Copies of lattice nodes go with their node, centres of transition hexes with the upper node of their cell: so points of
-/// one colour share no tet unless they go with one node, and the owner of a cell has all tets at its points.
+/// Returns the points of a level that may move. A copy of a lattice node moves with this node, the
+/// centre of a transition hex with the upper node of its cell. So points of one colour share a tet
+/// only if they move with one node, and the owner of a cell has all tets at its points.
 std::vector<Mover> CoarseTets::FindMovers(int level) const
 {
   const OctreeKeys& lattice = this->Grid.Lattice();
@@ -450,7 +457,8 @@ std::vector<Mover> CoarseTets::FindMovers(int level) const
   return movers;
 }
 
-/// Level by level: points of one colour and different levels might share a tet. Collective.
+/// Moves points of poor tets, one level after another because points of one colour but different
+/// levels might share a tet. Collective.
 void CoarseTets::Improve(Runtime& runtime)
 {
   const TetList tets = [this](const auto& visit)

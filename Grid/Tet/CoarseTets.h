@@ -1,16 +1,20 @@
 /**
- * CoarseTets: the tets of a refined grid where its hexes are no finest cells (CoarseHexes.h).
+ * CoarseTets: the tets in the coarse hexes of a refined grid (CoarseHexes.h).
  *
- * They are made as those of the finest cells: around a face between two hexes, one of them a coarse one, stand four tets;
- * between a face of the domain and the centre of its hex two. Centres are the means of the corners. Around a face there are
- * three ways to cut: in four tets around the edge between the centres, or on either side in two along a diagonal. All three
- * have the same outside, so each face takes the one of the smallest energy (TetEnergy), which depends on its own two hexes
- * alone. Whole cells keep the first way.
+ * Tets are made like in finest cells. A face between two hexes, at least one of them coarse, has
+ * four tets. A face on the domain boundary has two, between its halves and the centre of its hex.
+ * The centre of a hex is the mean of its corners. A face between two hexes can be divided in three
+ * ways: into four tets around the edge between the centres, or into two tets on each side, along
+ * either diagonal. The three ways have the same outer surface, so each face takes the way with the
+ * smallest energy (TetEnergy). The choice depends only on the two hexes of the face. Faces of whole
+ * cells are not changed.
  *
- * Then the centres and free points of transition hexes move where tets are poor, level by level.
+ * Afterwards, level by level, the centres and free points of transition hexes are moved where tets
+ * are poor.
  *
- * Ids: RefinedGrid::CentreId and TetId; a tet belongs to the hex of the smaller key. Order: as the ids. The same bit for bit
- * on any number of ranks, like TransitionSmoothing.
+ * Ids are CentreId and TetId (LevelIds.h); a tet belongs to the hex with the smaller key. Points
+ * and tets are in the order of ids. Results are bitwise identical on any number of ranks, like
+ * TransitionSmoothing.
  */
 #pragma once
 
@@ -21,23 +25,31 @@
 namespace vfm
 {
 
+/// Tets of the coarse hexes near the owned cells. Does not change after construction. The grid of
+/// the hexes and the energy must outlive it.
 class CoarseTets
 {
 public:
-  /// None without refinements. Keeps a reference to the grid of the hexes. Where BadFamilies of any rank tells of some
-  /// these want to be refined first: the rest is not made. Collective.
+  /// Makes the tets, or none if the grid has no refinements. If BadFamilies is not empty on any
+  /// rank, some tets are not positive: refine these families, then make levels and tets again.
+  /// @param hexes  coarse hexes that are not split; they are consumed (CoarseHexes::Visit)
+  /// @throws InputError  if ids or numbers of points are too large
+  /// @pre Collective.
   CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }
-  /// Families that owned cells want to refine because tets there are not positive: of each refinement.
+  /// Returns the families to refine because tets in owned base cells are not positive, one list per
+  /// refinement.
   const std::vector<std::vector<Index>>& BadFamilies() const { return this->Bad; }
-  /// Of those that no finest cell of HexBox has.
+  /// Returns the number of points that do not belong to a finest cell of HexBox.
   Index NumberOfPoints() const { return static_cast<Index>(this->Local.PointIds.size()); }
   Index NumberOfTets() const;
 
-  /// The index of the mesh point of a vertex of the finest grid or of a centre of a fine cell; linear: of its block.
+  /// Returns the mesh point in a slot of a block, given by its linear index. The slot is VertexSlot
+  /// for a vertex of the finest grid and CentreSlot for the centre of a fine cell.
   using FinePoint = std::function<Index(Index linear, Index slot)>;
-  /// Writes points, their positions, tets, their ids and materials, from those positions on.
+  /// Writes points with ids and positions, and tets with ids and materials.
+  /// @param firstPoint,firstTet  indices from which points and tets are written
   void Fill(
     TetTopology& topology, Index firstPoint, Index firstTet, const FinePoint& finePoint) const;
 
@@ -49,16 +61,16 @@ private:
     Index Key;
     OctreeKeys::LevelIndex Cell;
     int Material;
-    bool IsWhole;                 // an untouched cell
-    std::array<Index, 8> Corners; // local points, by bits
+    bool IsWhole;                 // whether it is a cell, not a transition hex
+    std::array<Index, 8> Corners; // points of Local, numbered by bits
   };
   struct Face
   {
     int Hex, Side;
-    int Centre;                 // of the hex beyond; -1 on the domain
-    std::array<int, 4> Corners; // around it, against the clock as seen from beyond
-    bool IsPlain;               // between whole cells, or of one
-    int Way; // 0 around the edge between the centres, 1 + k along the diagonal from corner k
+    int Centre;                 // centre of the hex beyond the face; -1 on the domain boundary
+    std::array<int, 4> Corners; // counterclockwise as seen from beyond the face
+    bool IsPlain;               // whether its hexes are whole cells
+    int Way; // 0: around the edge between the centres; 1 + k: along the diagonal from corner k
   };
   Vector3 PointAt(int point) const;
   Vector3 WidthsOf(const Face& face) const;
@@ -80,11 +92,11 @@ private:
 
   const RefinedGrid& Grid;
   const TetEnergy& Energy;
-  Mesh Local;        // points: those of coarse hexes, centres, fine ones; ids of all but the last
-  int HexPoints = 0; // where the centres begin
-  std::vector<Index> FineCodes; // of the fine points, ascending: 2 linear + slot
-  std::vector<Hex> Hexes;       // by key
-  std::vector<Face> Faces;      // by hex and side
+  Mesh Local;        // points of coarse hexes, centres, and fine points, which have no ids
+  int HexPoints = 0; // number of points before the centres
+  std::vector<Index> FineCodes; // 2 linear + slot of each fine point, ascending
+  std::vector<Hex> Hexes;       // ordered by key
+  std::vector<Face> Faces;      // ordered by hex and side
   std::vector<std::vector<Index>> Bad;
 };
 

@@ -10,9 +10,10 @@ namespace vfm
 namespace
 {
 
-constexpr double PoorAngle = 20.0; // degrees off 0 or 180, of a dihedral angle
+constexpr double PoorAngle = 20.0; // distance of a dihedral angle from 0 or 180, degrees
 
-/// Measured like the energy, in widths of its cell. position: of the tet in active.Elements.
+/// Returns whether a tet has a dihedral angle near 0 or 180 degrees. Like the energy, angles are
+/// measured in widths of the tet's cell. position: in active.Elements.
 bool HasPoorAngle(const ActiveMesh& active, std::size_t position)
 {
   const Index corners[4] = { 0, 1, 2, 3 };
@@ -28,7 +29,8 @@ bool HasPoorAngle(const ActiveMesh& active, std::size_t position)
     angles, angles + 6, [](double angle) { return std::min(angle, 180.0 - angle) < PoorAngle; });
 }
 
-/// Of the movers of this rank those of poor tets move; returns whether there are poor tets.
+/// Restricts the active points of this rank to the movers of poor tets. Returns whether there are
+/// poor tets.
 bool ActivatePoor(ActiveMesh& active)
 {
   std::vector<unsigned char> isPoor(active.X.size(), 0);

@@ -1,5 +1,5 @@
 /**
- * The last step of CoarseTets: points of poor tets move.
+ * CoarseTetsImprove: the last step of CoarseTets, which moves the points of poor tets.
  */
 #pragma once
 
@@ -9,12 +9,16 @@
 namespace vfm
 {
 
-/// Calls its argument with the four points of each tet, in positive order, and the widths of its cells.
+/// Function that calls its argument for each tet with the four points, in positive orientation, and
+/// the widths of the cell, in mean widths of the grid.
 using TetList =
   std::function<void(const std::function<void(const std::array<int, 4>&, const Vector3&)>&)>;
 
-/// Moves the movers of the tets that have a dihedral angle near 0 or 180 degrees, so that their energy falls. mesh: its points are those of
-/// movers and tets. partition: of the grid of the movers' owners. Collective.
+/// Reduces the energy of tets with a dihedral angle within 20 degrees of 0 or 180, by moving their
+/// movers.
+/// @param partition  partition of the base grid, whose nodes own the movers (Mover::Owner)
+/// @param mesh  holds the points to which movers and tets refer
+/// @pre Collective.
 void ImproveCoarseTets(std::vector<Mover> movers, const TetList& tets, const CartesianGrid& finest,
   const Partition& partition, const ElementEnergy& energy, Runtime& runtime, Mesh& mesh);
 

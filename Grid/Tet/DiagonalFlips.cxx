@@ -7,11 +7,11 @@ namespace vfm
 namespace
 {
 
-constexpr double SmallestGain = 1e-6; // relative, of a flip
+constexpr double SmallestGain = 1e-6; // relative gain required of a flip
 
 } // namespace
 
-/// The halves of a quad stand side by side, those of its lower side first (CellTets.cxx).
+/// The tets at a quad are consecutive, the two tets on its lower side first (CellTets.cxx).
 DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEnergy& energy,
   const std::vector<FeatureKind>& kinds) :
   Active(active), Energy(energy), Kinds(kinds)
@@ -24,8 +24,8 @@ DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEner
     {
     }
     const Index point = active.MeshPoint[active.Elements[4 * first]];
-    const bool isHalf =
-      SlotOfPoint(mesh.PointIds[point]) == VertexSlot; // else a centre comes first
+    // The first point is a corner of the quad, or the centre of an inner face's lower cell.
+    const bool isHalf = SlotOfPoint(mesh.PointIds[point]) == VertexSlot;
     if (isHalf && (last - first) % 2 == 0)
     {
       this->Quads.push_back({ static_cast<Index>(first), static_cast<int>(last - first) / 2 });
@@ -36,7 +36,7 @@ DiagonalFlips::DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEner
 DiagonalFlips::Tets DiagonalFlips::TetsOf(const Quad& quad) const
 {
   Tets tets;
-  for (int t = 0; t < 4; ++t) // those of the one side twice
+  for (int t = 0; t < 4; ++t) // repeats the tets if there is one side
   {
     std::copy_n(
       this->Active.Elements.begin() + 4 * (quad.First + t % (2 * quad.Sides)), 4, tets[t].begin());
@@ -44,7 +44,7 @@ DiagonalFlips::Tets DiagonalFlips::TetsOf(const Quad& quad) const
   return tets;
 }
 
-/// From (q0 q1 q2 c) (q0 q2 q3 c) to (q1 q2 q3 c) (q1 q3 q0 c).
+/// Flips (q0 q1 q2 c) (q0 q2 q3 c) to (q1 q2 q3 c) (q1 q3 q0 c).
 DiagonalFlips::Tets DiagonalFlips::Flipped(const Tets& tets)
 {
   Tets flipped;
@@ -57,7 +57,7 @@ DiagonalFlips::Tets DiagonalFlips::Flipped(const Tets& tets)
   return flipped;
 }
 
-/// How many ends of the diagonal carry an edge.
+/// Returns the number of ends of the diagonal that are on a sharp edge.
 int DiagonalFlips::CarriersOf(const Tets& tets) const
 {
   return IsCarrier(this->Kinds[tets[0][0]]) + IsCarrier(this->Kinds[tets[0][2]]);
@@ -67,7 +67,7 @@ bool DiagonalFlips::IsBetter(
   const Quad& quad, const Tets& tets, const Tets& other, const SmoothingStage& stage) const
 {
   const int carriers = this->CarriersOf(tets), others = this->CarriersOf(other);
-  if (std::abs(carriers - others) == 2) // both of one, none of the other
+  if (std::abs(carriers - others) == 2) // both ends of one diagonal, no end of the other
   {
     return others == 2 && this->EnergyOf(quad, other, stage) < InvalidEnergy;
   }
@@ -104,7 +104,7 @@ void DiagonalFlips::Run(const SmoothingStage& stage, const std::function<void(in
         std::copy(
           other[t].begin(), other[t].end(), this->Active.Elements.begin() + 4 * (quad.First + t));
       }
-      // not the centre, which is near to points of ranks that do not know this quad
+      // Omits the centre, which is near points of ranks that do not have this quad.
       flipped.insert(flipped.end(), other[0].begin(), other[0].begin() + 3);
     }
   }

@@ -1,7 +1,8 @@
 /**
- * The diagonals of the quads on interfaces and sides of the domain of a Cells mesh: flipped where that lowers the energy of the
- * tets at the quad, both sides together. Quads do not share tets, so the result depends on no order, and all ranks
- * that hold a quad decide alike. Where an edge of the interface runs across a quad, from corner to corner, the diagonal does too.
+ * DiagonalFlips: flips diagonals of the quads of a Cells mesh, on interfaces and the domain
+ * boundary, where that reduces the total energy of the tets on both sides. Quads share no tets, so
+ * the result does not depend on their order, and all ranks that hold a quad make the same choice.
+ * If a sharp edge runs across a quad from corner to corner, the diagonal follows it.
  */
 #pragma once
 
@@ -12,14 +13,20 @@
 namespace vfm
 {
 
+/// Quads of an active mesh whose diagonals may be flipped. Changes only the tets of the active
+/// mesh, until CopyTo.
 class DiagonalFlips
 {
 public:
-  /// kinds: of the points of the active mesh. Keeps references to all but the mesh.
+  /// Finds the quads.
+  /// @param mesh  mesh of the active part; used only here
+  /// @param active,energy  must outlive this object
+  /// @param kinds  one kind per point of the active mesh; must outlive this object
   DiagonalFlips(const Mesh& mesh, ActiveTets& active, const TetEnergy& energy,
     const std::vector<FeatureKind>& kinds);
 
-  /// Flips what should be; calls changed(point) for every point of a flipped quad.
+  /// Flips each quad once if this reduces its energy at a stage.
+  /// @param changed  changed(point) is called for every corner of a flipped quad
   void Run(const SmoothingStage& stage, const std::function<void(int)>& changed);
 
   /// Writes the tets back into the mesh.
@@ -28,8 +35,8 @@ public:
 private:
   struct Quad
   {
-    Index First; // tet; two a side
-    int Sides;
+    Index First; // first of its tets, which are consecutive, two per side
+    int Sides;   // 1 on the domain boundary, 2 on interfaces
   };
   using Tets = std::array<std::array<int, 4>, 4>;
   Tets TetsOf(const Quad& quad) const;

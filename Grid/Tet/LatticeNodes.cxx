@@ -7,9 +7,11 @@ namespace vfm
 namespace
 {
 
-// Off round numbers: on a plane of the input that lies there rounding would decide for each node anew.
-constexpr double DiagonalReach = 0.45 - 1e-6; // of an edge from a vertex to a centre
-constexpr double AxisReach = 0.30 - 1e-6;     // of an edge along an axis
+// Fractions of an edge within which an interface is near, for edges from a vertex to a centre and
+// edges along an axis. They are not round numbers: if a plane of the input were exactly there,
+// rounding would decide differently from node to node.
+constexpr double DiagonalReach = 0.45 - 1e-6;
+constexpr double AxisReach = 0.30 - 1e-6;
 
 } // namespace
 
@@ -17,7 +19,8 @@ LatticeNodes::LatticeNodes(
   const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime) :
   Grid(grid), Fractions(fractions), IsoValue(isoValue), Run(runtime)
 {
-  // Longer by the way across a cell, so that all of the upper side have neighbours in memory.
+  // Extends arrays by the offset across a cell, so that nodes on the upper side have all neighbours
+  // in memory.
   const Index size = grid.NumberOfEntries() + grid.CornerOffset(7);
   for (auto& labels : this->Label)
   {
@@ -26,7 +29,7 @@ LatticeNodes::LatticeNodes(
   ForRows(runtime, grid.Local(), [this](Index j, Index k, Index) { this->LabelCentres(j, k); });
   const IndexBox box = grid.Extended(GhostLayers - 1);
   ForRows(runtime, NodesOf(box), [&](Index j, Index k, Index) { this->LabelVertices(box, j, k); });
-  // Each pass looks one level farther than it writes.
+  // Each pass reads one layer more than it writes.
   this->Snap(Centre, 0, HexLayers + 3);
   this->Snap(Centre, 1, HexLayers + 2);
   this->Snap(Vertex, 0, HexLayers + 1);
@@ -53,13 +56,14 @@ void LatticeNodes::LabelVertices(const IndexBox& box, Index j, Index k)
 {
   const IndexBox& local = this->Grid.Local();
   const Index count = box.Size(0) + 1;
-  Index rows[4]; // of the cells around, from one before the first vertex
+  Index rows[4]; // rows of cells around the vertices, from one cell before the first vertex
   for (int c = 0; c < 4; ++c)
   {
     const Index3 cell = local.Nearest({ { box.Lower[0], j - 1 + (c & 1), k - 1 + (c >> 1) } });
     rows[c] = this->Grid.Linear({ { box.Lower[0] - 1, cell[1], cell[2] } });
   }
-  const auto pureLabel = [&](Index i) // of the four cells of column i, or -1
+  // Returns the label of the four cells of column i, or -1 if any is mixed or they differ.
+  const auto pureLabel = [&](Index i)
   {
     const Index x = box.Lower[0] - 1 + i;
     i += (x < local.Lower[0]) - (x >= local.Upper[0]);
@@ -89,14 +93,15 @@ void LatticeNodes::LabelVertices(const IndexBox& box, Index j, Index k)
   }
 }
 
-/// The cells around a vertex, those outside the domain replaced by the nearest inside.
+/// Returns the cells around a vertex; a cell outside the domain is replaced by the nearest
+/// cell inside.
 std::array<Index, 8> LatticeNodes::StarOf(const Index3& vertex) const
 {
   const IndexBox& box = this->Grid.Local();
   Index low[3], high[3];
   for (int a = 0; a < 3; ++a)
   {
-    const Index cell = vertex[a] - box.Lower[a] + 1; // counted from the origin of the arrays
+    const Index cell = vertex[a] - box.Lower[a] + 1; // relative to the origin of the arrays
     low[a] = std::max<Index>(cell - 1, 1) * this->Grid.Stride(a);
     high[a] = std::min<Index>(cell, box.Size(a)) * this->Grid.Stride(a);
   }
@@ -145,7 +150,8 @@ double LatticeNodes::Fraction(const Node& node, int material) const
   return 0.125 * sum;
 }
 
-/// By how much a node is of its label rather than of the other, the measure of distance to their interface.
+/// Returns the lead of a node's label over another label in their fractions. It measures the
+/// distance to the interface between them.
 double LatticeNodes::Lead(const Node& node, int label, int other) const
 {
   if (label == 0 || other == 0)
@@ -155,12 +161,12 @@ double LatticeNodes::Lead(const Node& node, int label, int other) const
   return std::max(this->Fraction(node, label) - this->Fraction(node, other), 0.0);
 }
 
-/// Makes nodes of one kind and parity snapped, on the cells of Extended(level) or on their vertices.
+/// Snaps nodes of one kind and parity, among the cells of Extended(level) or their vertices.
 void LatticeNodes::Snap(Kind kind, int parity, int level)
 {
   const int extra = kind == Vertex;
   const IndexBox cells = this->Grid.Extended(level), box = extra ? NodesOf(cells) : cells;
-  Index offsets[14]; // to all neighbours: of the other kind, then along the axes
+  Index offsets[14]; // offsets of all neighbours: 8 of the other kind, then 6 along the axes
   const int* neighbours[14];
   for (int c = 0; c < 14; ++c)
   {

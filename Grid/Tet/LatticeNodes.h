@@ -1,15 +1,20 @@
 /**
- * LatticeNodes: the labels of the nodes of the body-centred lattice, and which of them are snapped.
+ * LatticeNodes: labels the nodes of the body-centred lattice and determines which are snapped.
  *
- * A node is a vertex of the grid or the centre of a cell. The fractions of a centre are those of its cell, the
- * fractions of a vertex the mean of its eight cells (clamped at the domain). Void where void is more than
- * 1 - isoValue, else the material of the largest fraction, ties to the smaller.
+ * A node is a vertex of the grid or the centre of a cell. A centre has the fractions of its cell; a
+ * vertex has the mean of its eight cells, clamped at the domain boundary. The label is void if the
+ * fraction of void exceeds 1 - isoValue, else the material with the largest fraction; ties go to
+ * the smaller number.
  *
- * A node is snapped when an interface passes near to it: on some edge to a node of another label, not snapped, the
- * interface lies within the first 45 % (vertex to centre) or 30 % (along an axis). A snapped node has no
- * label: the interface may run through it, and lattice tets around it need fewer cuts. Nodes become snapped in
- * four passes: even cells, odd cells, even vertices, odd vertices (parity of i + j + k). No two nodes of
- * one pass share a lattice edge, so the result depends on neither order nor ranks.
+ * A node is snapped if an interface is near. This means: on an edge to a node that has another
+ * label and is not snapped, the interface is within the first 45 % (edges between vertex and
+ * centre) or 30 % (edges along an axis). A snapped node has no label. The interface may run through
+ * it, so the lattice tets around it need fewer cuts. Nodes are snapped in four passes: even cells,
+ * odd cells, even vertices, odd vertices (parity of i + j + k). No two nodes of one pass share a
+ * lattice edge, so the result does not depend on order or ranks.
+ *
+ * Snapping follows F. Labelle and J. R. Shewchuk, Isosurface stuffing, ACM Transactions on Graphics
+ * 26 (2007), extended to several labels.
  */
 #pragma once
 
@@ -19,10 +24,12 @@
 namespace vfm
 {
 
+/// Labels of the nodes in and around CartesianGrid::HexBox. Only Unsnap changes them. Grid,
+/// fractions and runtime must outlive this object.
 class LatticeNodes
 {
 public:
-  /// What stands for the label of snapped nodes, and of nodes outside the domain.
+  /// Replaces the label of snapped nodes and of nodes outside the domain.
   static constexpr int Snapped = -1;
   enum Kind
   {
@@ -32,19 +39,22 @@ public:
   struct Node
   {
     Kind Type;
-    Index3 Position; ///< (i,j,k) of the vertex or of the cell
+    Index3 Position; ///< (i,j,k) of the vertex or the cell
   };
 
+  /// Labels and snaps the nodes.
+  /// @param isoValue  limit of void, in (0,1): a node is void if its materials fill less
   LatticeNodes(
     const CartesianGrid& grid, const FractionField& fractions, double isoValue, Runtime& runtime);
 
-  /// Labels by linear index of the grid. Valid on the cells of CartesianGrid::HexBox and their vertices.
+  /// Returns labels by linear index of the grid. Valid for the cells of CartesianGrid::HexBox and
+  /// their vertices.
   const int* Labels(Kind kind) const { return this->Label[kind].data(); }
 
-  /// Takes a node of HexBox out of the snapped: it gets its label.
+  /// Gives a snapped node of HexBox the label of its fractions.
   void Unsnap(const Node& node);
 
-  /// The label by the mean of the fractions of four nodes.
+  /// Returns the label of the mean of the fractions of four nodes.
   int LabelOfMean(const std::array<Node, 4>& nodes) const;
 
 private:
@@ -61,7 +71,7 @@ private:
   const FractionField& Fractions;
   double IsoValue;
   Runtime& Run;
-  std::array<std::vector<int, LargeAllocator<int>>, 2> Label; // of each kind
+  std::array<std::vector<int, LargeAllocator<int>>, 2> Label; // one array per kind
 };
 
 } // namespace vfm

@@ -9,23 +9,25 @@ namespace
 
 constexpr int Rounds = 10;
 
-/// What lies across a face: another tet of the list, else a label or nothing.
+/// Neighbour across a face.
 struct Neighbour
 {
-  int Tet = -1;
-  int Label = -1;
+  int Tet = -1;   // a snapped tet, or -1
+  int Label = -1; // label of any other tet; -1 if there is none
 };
 
 struct Work
 {
-  std::vector<SnappedTet>& Tets; // by id
+  std::vector<SnappedTet>& Tets; // ordered by id
   const CartesianGrid& Grid;
   const Partition& Parts;
   std::vector<std::array<Neighbour, 4>> Around;
-  std::vector<int> Owned{};                             // tets
-  std::vector<std::vector<int>> Incoming{}, Outgoing{}; // tets, by peer
+  std::vector<int> Owned{};                             // tets of this rank
+  std::vector<std::vector<int>> Incoming{}, Outgoing{}; // tets per peer
 };
 
+/// Returns the most frequent label of the neighbours of a tet, or its own label if no other is
+/// more frequent.
 int Majority(const Work& work, int tet)
 {
   const int own = work.Tets[tet].Label;
@@ -101,7 +103,7 @@ void FindNeighbours(Work& work, const std::vector<SnappedFace>& faces)
   }
 }
 
-/// Of the tets of other ranks the labels are asked for.
+/// Lists the owned tets, and the tets whose labels are exchanged with each peer.
 void FindOwners(Work& work)
 {
   std::vector<std::vector<Index>> requested(work.Parts.Peers().size());
@@ -130,7 +132,6 @@ void FindOwners(Work& work)
 
 } // namespace
 
-/// Collective.
 void SettleSnappedTets(std::vector<SnappedTet>& tets, const std::vector<SnappedFace>& faces,
   const CartesianGrid& grid, const Partition& partition)
 {

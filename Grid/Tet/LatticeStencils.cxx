@@ -13,7 +13,7 @@ int CountNodes(int set)
   return static_cast<int>(std::bitset<4>(set).count());
 }
 
-/// Corner q = 0..3 of a face, around it.
+/// Returns corner q = 0..3 of a face, in order around it.
 HalfPoint FaceCorner(int axis, int q)
 {
   HalfPoint corner{ { 0, 0, 0 } };
@@ -22,7 +22,7 @@ HalfPoint FaceCorner(int axis, int q)
   return corner;
 }
 
-/// The centre below (-1) or above (1) a face.
+/// Returns the centre below (-1) or above (1) a face.
 HalfPoint FaceCentre(int axis, int side)
 {
   HalfPoint centre{ { 1, 1, 1 } };
@@ -30,14 +30,16 @@ HalfPoint FaceCentre(int axis, int side)
   return centre;
 }
 
-/// The first axis along which the start has a value, or -1.
+/// Returns the first axis along which r has a value, or -1.
 int AxisWhere(const HalfPoint& r, int value)
 {
   return r[0] == value ? 0 : r[1] == value ? 1 : r[2] == value ? 2 : -1;
 }
 
-/// The slot of a point from its number of nodes and its start within the block, in parts of 1 / (2 count). So
-/// the middle of the block is at count.
+/// Returns the slot of a point.
+/// @param count  number of its nodes
+/// @param r  its start within the block, in units of 1 / (2 count) cells; the middle of the block
+/// is at count
 int SlotOf(int count, const HalfPoint& r)
 {
   if (count == 1)
@@ -66,7 +68,7 @@ int SlotOf(int count, const HalfPoint& r)
   }
   if (face >= 0)
   {
-    const bool alongFirst = r[(face + 1) % 3] == 4; // the edge of the face that the tet has
+    const bool alongFirst = r[(face + 1) % 3] == 4; // direction of the tet's edge on the face
     return 40 + 4 * face + (alongFirst ? 0 : 1) + (upperHalves(face) != 0 ? 2 : 0);
   }
   const int upper = AxisWhere(r, 7), lower = AxisWhere(r, 1);
@@ -74,6 +76,7 @@ int SlotOf(int count, const HalfPoint& r)
                     : 40 + 4 * lower + (upperHalves(lower) & 1);
 }
 
+/// Finds the block and slot of each point of a lattice tet.
 LatticeTet MakeTet(const std::array<HalfPoint, 4>& nodes)
 {
   LatticeTet tet;
@@ -89,7 +92,7 @@ LatticeTet MakeTet(const std::array<HalfPoint, 4>& nodes)
       {
         sum += (set >> i & 1) * nodes[i][a];
       }
-      tet.Block[set][a] = (sum + parts) / parts - 1; // rounded down: sum >= -parts
+      tet.Block[set][a] = (sum + parts) / parts - 1; // rounds down because sum >= -parts
       rest[a] = sum - parts * tet.Block[set][a];
     }
     tet.Slot[set] = SlotOf(parts / 2, rest);
@@ -97,10 +100,11 @@ LatticeTet MakeTet(const std::array<HalfPoint, 4>& nodes)
   return tet;
 }
 
-/// Positive when the points of four sets span a positive tet: their determinant in the lattice tet.
+/// Returns the determinant of the points of four sets in the lattice tet. It is positive if they
+/// span a positive tet.
 int Orientation(const std::array<std::uint8_t, 4>& sets)
 {
-  int m[4][4]; // barycentric, in parts of 12
+  int m[4][4]; // barycentric coordinates in units of 1 / 12
   for (int row = 0; row < 4; ++row)
   {
     for (int i = 0; i < 4; ++i)
@@ -109,7 +113,8 @@ int Orientation(const std::array<std::uint8_t, 4>& sets)
     }
   }
   int sum = 0;
-  for (int p = 0; p < 4; ++p) // expanded by pairs of columns of the first two and the last two rows
+  // Laplace expansion by pairs of columns of the first two and the last two rows.
+  for (int p = 0; p < 4; ++p)
   {
     for (int q = p + 1; q < 4; ++q)
     {
@@ -122,16 +127,18 @@ int Orientation(const std::array<std::uint8_t, 4>& sets)
   return sum;
 }
 
-using Polygon = std::vector<int>; // of sets, around it
+using Polygon = std::vector<int>; // sets of its corners, in order
 
-/// Cuts one lattice tet. Every region is convex at the start, so the fans below are positive.
+/// Division of one lattice tet. Every region is convex before points move, so the fans below are
+/// positive.
 struct Work
 {
   const LatticeTet& Tet;
-  std::array<int, 5> Members{}; // the nodes of each class
+  std::array<int, 5> Members{}; // set of nodes of each class
   LatticeStencil Result{};
 };
 
+/// Starts the region of a set of nodes.
 void Open(Work& work, int members)
 {
   int node = -1;
@@ -143,6 +150,7 @@ void Open(Work& work, int members)
   work.Result.List[work.Result.Count++] = { node, first, first, 0 };
 }
 
+/// Adds a tet to the last region.
 void Add(Work& work, int a, int b, int c, int d)
 {
   std::array<std::uint8_t, 4> sets{ { static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b),
@@ -156,7 +164,7 @@ void Add(Work& work, int a, int b, int c, int d)
   region.Points |= 1u << a | 1u << b | 1u << c | 1u << d;
 }
 
-/// Of two sets the one whose point has the smaller id, on any grid.
+/// Returns the one of two sets whose point has the smaller id, on any grid.
 int Lower(const Work& work, int a, int b)
 {
   const auto rank = [&](int set)
@@ -177,7 +185,8 @@ int Lowest(const Work& work, const Polygon& polygon)
   return lowest;
 }
 
-/// Joins the triangles of a polygon, fanned from its point of the smallest id, to a point.
+/// Divides a polygon into a fan of triangles from its point with the smallest id, and adds the tets
+/// between these triangles and a point.
 void AddFan(Work& work, int apex, const Polygon& polygon)
 {
   const int from = polygon.empty() ? 0 : Lowest(work, polygon);
@@ -191,7 +200,7 @@ void AddFan(Work& work, int apex, const Polygon& polygon)
   }
 }
 
-/// The nodes of a set, one by one.
+/// Returns the nodes of a set, each as a set of its own.
 std::array<int, 4> Split(int set)
 {
   std::array<int, 4> nodes{};
@@ -206,13 +215,14 @@ std::array<int, 4> Split(int set)
   return nodes;
 }
 
+/// Returns whether all nodes of a set are of one class.
 bool AreEqual(const Work& work, int set)
 {
   return std::any_of(
     work.Members.begin(), work.Members.end(), [&](int members) { return (set & ~members) == 0; });
 }
 
-/// The part of a triangle that belongs to some of the nodes.
+/// Returns the part of a triangle that belongs to a region.
 Polygon OnFace(const Work& work, int triangle, int members)
 {
   const int inside = triangle & members, outside = triangle & ~members;
@@ -232,7 +242,7 @@ Polygon OnFace(const Work& work, int triangle, int members)
   }
 }
 
-/// The interface between two regions of a tet without snapped nodes.
+/// Returns the interface between two regions of a tet without snapped nodes.
 Polygon Between(const Work& work, int a, int b)
 {
   const int rest = 15 & ~(a | b), both = CountNodes(a) + CountNodes(b);
@@ -255,6 +265,7 @@ Polygon Between(const Work& work, int a, int b)
   return { p[0] | s[0], p[0] | s[1], p[1] | s[1], p[1] | s[0] };
 }
 
+/// Divides the region of a set of nodes into tets, which form fans from the boundary of the region.
 void AddRegion(Work& work, int members)
 {
   const int snapped = work.Members[0], free = 15 & ~snapped;
@@ -295,7 +306,8 @@ void AddRegion(Work& work, int members)
   }
 }
 
-/// classes: 0 for snapped nodes, else nodes of one number have one label.
+/// Returns the stencil of a lattice tet.
+/// @param classes  class of each node: 0 if snapped; nodes with one label are in one class
 LatticeStencil MakeStencil(const LatticeTet& tet, const std::array<int, 4>& classes)
 {
   Work work{ tet };
@@ -318,7 +330,8 @@ LatticeStencil MakeStencil(const LatticeTet& tet, const std::array<int, 4>& clas
   return work.Result;
 }
 
-/// The axis of the face that tells which nodes a point has, since they differ on the domain; -1: they do not.
+/// Returns the axis of the face on which the nodes of a point depend: they differ if this face is
+/// on the domain boundary. Returns -1 if they never differ.
 int FaceAxis(int slot)
 {
   if (slot < 13 || (slot >= 28 && slot < 40))
@@ -372,7 +385,7 @@ void LatticeTables::AddShape(int shape, const std::array<HalfPoint, 4>& nodes, i
   for (int set = 1; set < 16; ++set)
   {
     PointNodes& source = this->Sources[domain + 1][tet.Slot[set]];
-    source.Count = 0; // any tet that has the point tells the same nodes
+    source.Count = 0; // all tets that have the point give the same nodes
     for (int i = 0; i < 4; ++i)
     {
       if (set >> i & 1)
@@ -387,14 +400,14 @@ void LatticeTables::AddShape(int shape, const std::array<HalfPoint, 4>& nodes, i
   }
 }
 
-/// A stencil of every shape for every way in which four labels may be snapped or equal.
+/// Makes the stencils of every shape, for every pattern of snapped and equal labels.
 void LatticeTables::AddPatterns()
 {
   std::vector<std::array<int, 4>> patterns;
   for (int code = 0; code < 625; ++code)
   {
     const std::array<int, 4> classes{ { code / 125, code / 25 % 5, code / 5 % 5, code % 5 } };
-    int known = 0; // classes are numbered as they come
+    int known = 0; // classes are numbered in the order of their first nodes
     bool isFirst = true;
     for (int c : classes)
     {
@@ -425,7 +438,7 @@ Vector3 LatticeTables::StartOf(const CartesianGrid& grid, const Index3& block, i
   if (axis >= 0)
   {
     Index3 face = block;
-    face[axis] += slot > 57 || (slot > 51 && (slot & 1)); // the face at the upper end of the cell
+    face[axis] += slot > 57 || (slot > 51 && (slot & 1)); // face on the upper side of the cell
     const bool onDomain = face[axis] == 0 || face[axis] == grid.Global().Upper[axis];
     source = onDomain ? 1 + Diagonal(face) : 0;
   }

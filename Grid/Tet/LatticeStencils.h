@@ -1,22 +1,25 @@
 /**
- * The combinatorics of the lattice, free of any grid: the shapes of lattice tets, the points at which they may be
- * cut, the tets that they are cut into.
+ * LatticeStencils: the combinatorics of the body-centred lattice, independent of any grid. These
+ * are the shapes of lattice tets, the points where they may be cut, and the resulting tets.
  *
- * Sets. A set of the four nodes of a lattice tet is a number 1..15, a bit a node. It names a point: of one node the node
- * itself, of two the cut between them, of three the point in their triangle, of four the point inside. All
- * start at the mean of their nodes.
+ * Sets. A set of the four nodes of a lattice tet is a number from 1 to 15 with one bit per node. It
+ * identifies a point: the node itself (one node), the cut on an edge (two), the point in a triangle
+ * (three) or inside the tet (four). Each point starts at the mean of the nodes in its set.
  *
- * Slots of a point within the block (i,j,k) in which it starts:
+ * Slots. A point that starts in block (i,j,k) has one of these slots:
  *    0       vertex (i,j,k)
- *    1       centre of the cell (i,j,k)
+ *    1       centre of cell (i,j,k)
  *    2..9    cut between corner c of the cell and its centre
- *   10..12   cut on the edge of the grid from (i,j,k) along an axis
- *   13..15   cut between the centres beside face `axis`; on a face of the domain on its diagonal
- *   16..27   4 a face: in the triangle of both centres and a corner; on a face of the domain in one of its halves
- *   28..39   in the triangle of the centre and an edge of the cell, 4 an axis
- *   40..51   4 a face: in a lattice tet of it (of the lower sides of the domain: 2)
- *   52..57   in the triangle of the centre and the diagonal of face -x +x -y +y -z +z of the cell on the domain
- *   58..63   2 an axis: in a lattice tet of the cell's face on an upper side of the domain
+ *   10..12   cut on the edge of the grid from (i,j,k) along each axis
+ *   13..15   cut between the two centres at face `axis`; on the domain boundary, cut on the
+ *            diagonal of the face
+ *   16..27   per face 4 points in the triangles of both centres and a corner; on the domain
+ *            boundary, points in the halves of the face
+ *   28..39   per axis 4 points in the triangles of the centre and an edge of the cell
+ *   40..51   per face 4 points in its lattice tets; 2 on the lower sides of the domain
+ *   52..57   point in the triangle of the centre and the diagonal of face -x +x -y +y -z +z of the
+ *            cell, if the face is on the domain boundary
+ *   58..63   per axis 2 points in the lattice tets of a face on the upper side of the domain
  */
 #pragma once
 
@@ -27,31 +30,33 @@
 namespace vfm
 {
 
-/// Twice the coordinates in cells, from a block: even those of a vertex, odd those of a centre.
+/// Twice the coordinates relative to a block, in cells. Coordinates are even at vertices and odd at
+/// centres.
 using HalfPoint = std::array<int, 3>;
 
-/// A lattice tet of a face of block (0,0,0).
+/// Lattice tet at a face of block (0,0,0).
 struct LatticeTet
 {
-  std::array<HalfPoint, 4> Nodes;  ///< in positive orientation
-  std::array<HalfPoint, 16> Block; ///< of the point of each set, in cells
-  std::array<int, 16> Slot;
+  std::array<HalfPoint, 4> Nodes;  ///< nodes in positive orientation
+  std::array<HalfPoint, 16> Block; ///< block of the point of each set, in cells
+  std::array<int, 16> Slot;        ///< slot of the point of each set
 };
 
-/// How a lattice tet is cut. Regions in the order of their first nodes.
+/// Division of a lattice tet into regions of one label each, ordered by their first nodes.
 struct LatticeStencil
 {
   struct Region
   {
-    int Node;             ///< one of its nodes with a label; -1 when all are snapped
-    int First, Last;      ///< its tets
-    std::uint32_t Points; ///< bit s: it has the point of set s
+    int Node;             ///< first node of the region; -1 if all nodes of the tet are snapped
+    int First, Last;      ///< first tet and end of the tets of the region
+    std::uint32_t Points; ///< bit s is set if the region has the point of set s
   };
-  int Count = 0;
+  int Count = 0; ///< number of regions
   std::array<Region, 4> List;
-  std::array<std::array<std::uint8_t, 4>, 24> Tets; ///< sets, in positive orientation
+  std::array<std::array<std::uint8_t, 4>, 24> Tets; ///< sets of the corners, positive orientation
 };
 
+/// Tables of all shapes and stencils. There is one constant instance, which threads may share.
 class LatticeTables
 {
 public:
@@ -59,14 +64,15 @@ public:
 
   static const LatticeTables& Get();
 
-  /// Shapes of an inner face: 4 from here on.
+  /// Returns the first of the 4 shapes of a face inside the domain.
   static int InnerShape(int axis) { return 12 * axis; }
-  /// Shapes of a face on the lower or upper side of the domain: 2 from here on.
+  /// Returns the first of the 2 shapes of a face on the lower (0) or upper (1) side of the domain.
   static int DomainShape(int axis, int upper, int diagonal)
   {
     return 12 * axis + 4 + 4 * upper + 2 * diagonal;
   }
-  /// Which diagonal cuts a face of the domain: 0 through its lowest corner, 1 the other.
+  /// Returns the diagonal that divides the faces of a block on the domain boundary: 0 runs through
+  /// the lowest corner, 1 is the other.
   static int Diagonal(const Index3& block)
   {
     return static_cast<int>((block[0] + block[1] + block[2]) & 1);
@@ -74,29 +80,32 @@ public:
 
   const LatticeTet& Shape(int shape) const { return this->Tets[shape]; }
 
-  /// labels: of the nodes, -1 snapped. Points of the stencil are fanned from those of the smallest id.
+  /// Returns the stencil of a shape. It divides polygons by fans from their point with the smallest
+  /// id, so that tets on both sides of a face match.
+  /// @param labels  labels of the four nodes, -1 if snapped
   const LatticeStencil& Stencil(int shape, const std::array<int, 4>& labels) const
   {
     return this->Stencils[shape * Patterns + this->PatternOfCode[Code(labels)]];
   }
 
-  /// Where a point of a block starts: the mean of its nodes, exactly in the plane when they all are in one.
+  /// Returns the initial position of a point: the mean of its nodes, in length units of the grid.
+  /// If all nodes have one coordinate in common, the point has exactly this coordinate.
   Vector3 StartOf(const CartesianGrid& grid, const Index3& block, int slot) const;
 
 private:
-  /// The nodes of a point, relative to its block.
+  /// Nodes of a point, relative to its block.
   struct PointNodes
   {
     int Count = 0;
     std::array<HalfPoint, 4> Nodes;
   };
 
-  static constexpr int Patterns = 52; // of equal labels and snapped nodes
+  static constexpr int Patterns = 52; // patterns of equal labels and snapped nodes
 
   LatticeTables();
   void AddShape(int shape, const std::array<HalfPoint, 4>& nodes, int domain);
   void AddPatterns();
-  /// Which labels are snapped and which equal.
+  /// Returns bits that describe which labels are snapped and which are equal.
   static int Code(const std::array<int, 4>& l)
   {
     return (l[0] < 0) | (l[1] < 0) << 1 | (l[2] < 0) << 2 | (l[3] < 0) << 3 | (l[0] == l[1]) << 4 |
@@ -105,7 +114,8 @@ private:
   }
 
   std::array<LatticeTet, Shapes> Tets;
-  std::array<std::array<PointNodes, 64>, 3> Sources; // inside the domain, on it with diagonal 0, 1
+  // Nodes of each slot: inside the domain, and on its boundary with diagonal 0 and 1.
+  std::array<std::array<PointNodes, 64>, 3> Sources;
   std::array<std::uint8_t, 1024> PatternOfCode{};
   std::vector<LatticeStencil> Stencils;
 };

@@ -12,22 +12,22 @@ namespace vfm
 namespace
 {
 
-/// The blocks of one row along x.
+/// Row of blocks along x.
 struct Row
 {
   Row(Index j, Index k) : J(j), K(k) {}
   Index J, K;
-  Index Tets = 0; // how many; then the first
+  Index Tets = 0; // number of tets, later index of the first
   std::vector<SnappedTet> Snapped;
   std::vector<SnappedFace> Faces;
 };
 
-/// A shape on this grid.
+/// Shape of a lattice tet on this grid, relative to its block.
 struct PlacedShape
 {
-  std::array<const int*, 4> Labels; // of its nodes, at the block
-  std::array<Index, 16> Block;      // of the point of each set, from the block
-  std::array<Index, 16> Key;        // the same in node keys
+  std::array<const int*, 4> Labels; // label of each node, indexed by the tet's block
+  std::array<Index, 16> Block;      // linear offset of the block of each set's point
+  std::array<Index, 16> Key;        // the same offset in node keys
   std::array<int, 16> Slot;
 };
 
@@ -44,7 +44,7 @@ struct Work
   const LatticeTables& Tables = LatticeTables::Get();
   std::array<PlacedShape, LatticeTables::Shapes> Shapes{};
   std::vector<Row> Rows{};
-  /// By block: the slots in use, and the first point.
+  // Slots in use and first point of each block.
   std::vector<std::atomic<std::uint64_t>, LargeAllocator<std::atomic<std::uint64_t>>> Slots =
     decltype(Slots)(Grid.NumberOfEntries());
   std::vector<int, LargeAllocator<int>> FirstPoint = decltype(FirstPoint)(Grid.NumberOfEntries());
@@ -58,12 +58,12 @@ void OverRows(Work& work, const Body& body)
   ForEach(work.Run, work.Rows.size(), [&](Index row) { body(work.Rows[row]); });
 }
 
-/// Whether the cells at the face along an axis are fine.
+/// Returns whether both cells at a face are fine. Beyond the domain, it is the cell inside.
 bool IsFineFace(const Work& work, const Index3& block, int axis)
 {
   Index3 below = block;
   --below[axis];
-  return work.Levels.IsFine(block) && work.Levels.IsFine(below); // beyond the domain as inside
+  return work.Levels.IsFine(block) && work.Levels.IsFine(below);
 }
 
 bool HasFineFaces(const Work& work, const Index3& block)
@@ -72,7 +72,7 @@ bool HasFineFaces(const Work& work, const Index3& block)
     (IsFineFace(work, block, 0) && IsFineFace(work, block, 1) && IsFineFace(work, block, 2));
 }
 
-/// Whether all lattice tets around a block's three faces have one label.
+/// Returns whether all lattice tets at a block's three faces exist and have one label.
 bool IsUniform(const Work& work, Index n, const Index3& block)
 {
   const int* vertices = work.Nodes.Labels(LatticeNodes::Vertex) + n;
@@ -91,7 +91,7 @@ bool IsUniform(const Work& work, Index n, const Index3& block)
   return !differs && HasFineFaces(work, block);
 }
 
-/// The points of a block that are used; other rows may add to them meanwhile.
+/// Marks slots of a block as used. Threads that process other rows may do so at the same time.
 void Mark(Work& work, Index block, std::uint64_t slots)
 {
   if (slots & ~work.Slots[block].load(std::memory_order_relaxed))
@@ -100,7 +100,8 @@ void Mark(Work& work, Index block, std::uint64_t slots)
   }
 }
 
-/// Points that coarse tets have in common with fine cells: at the rim no other tets may have them.
+/// Marks the points that coarse tets share with fine cells. At the rim, they may have no other tets
+/// on this rank.
 void MarkNextToCoarse(Work& work, const Row& row)
 {
   Index3 p{ { work.Box.Lower[0], row.J, row.K } };
@@ -124,7 +125,8 @@ void MarkNextToCoarse(Work& work, const Row& row)
   }
 }
 
-/// The first shape of a face and how many lattice tets it has: 4, 2 on the domain, 0 outside the box.
+/// Returns the first shape of a face, and sets count to the number of its lattice tets: 4 inside
+/// the domain, 2 on its boundary, 0 outside the box.
 int FirstShape(const Work& work, const Index3& block, int axis, int& count)
 {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -141,8 +143,8 @@ int FirstShape(const Work& work, const Index3& block, int axis, int& count)
   return LatticeTables::InnerShape(axis);
 }
 
-/// Calls whole(block, n) where all tets of a block have one label, else cut(block, n, shape, t, labels) for every lattice
-/// tet of the block.
+/// Calls whole(block, n) for a block if all its tets have one label. Else calls cut(block, n,
+/// shape, t, labels) for every lattice tet of the block.
 template <class Whole, class Cut>
 void OverTets(const Work& work, const Row& row, const Whole& whole, const Cut& cut)
 {
@@ -252,7 +254,7 @@ void Count(Work& work, Row& row)
     { CountTet(work, row, block, n, shape, tet, labels); });
 }
 
-/// Collective.
+/// Labels the snapped tets and marks their points. Collective.
 void SettleSnappedTets(Work& work)
 {
   std::vector<SnappedTet> tets;
@@ -290,6 +292,7 @@ PointPosition PositionOf(const Work& work, const Index3& block, Index n, int slo
                                                                            : PointPosition::Inside;
 }
 
+/// Returns the point in a slot of a block.
 Index PointAt(const Work& work, Index block, int slot)
 {
   const std::uint64_t below =
@@ -297,6 +300,7 @@ Index PointAt(const Work& work, Index block, int slot)
   return work.FirstPoint[block] + CountBits(below);
 }
 
+/// Makes the 12 tets of a block with one label.
 void FillUniform(Work& work, Index tet, Index n, Index id, int label)
 {
   Index vertices[8];
@@ -320,7 +324,8 @@ void FillUniform(Work& work, Index tet, Index n, Index id, int label)
   }
 }
 
-/// The pieces of a lattice tet; ownLabel: when all nodes are snapped.
+/// Makes the pieces of a lattice tet, with regions in the order of labels.
+/// @param ownLabel  label of the tet if all its nodes are snapped
 void FillCut(Work& work, Index& tet, Index n, int shape, Index id, const std::array<int, 4>& labels,
   int ownLabel)
 {
@@ -442,7 +447,8 @@ TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool
 
 } // namespace
 
-/// Ends: every round unsnaps a node, and where none is snapped nothing is non-manifold.
+/// The loop terminates: every round unsnaps a node, and boundaries without snapped nodes are
+/// manifolds.
 LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, bool meshVoid,
   const Partition& partition, Runtime& runtime, const CoarseTets& coarse)
 {

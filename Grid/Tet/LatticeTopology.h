@@ -1,5 +1,6 @@
 /**
- * The tets of the method Lattice.
+ * LatticeTopology: the tets of the method Lattice, whose interfaces cut tets of the body-centred
+ * lattice.
  */
 #pragma once
 
@@ -18,14 +19,23 @@ struct LatticeTets
   TetFaces Faces;
 };
 
-/// Every node of the lattice has a label of its own, from the fractions; lattice tets with several labels are cut. All tets
-/// positive for any fractions. Unsnaps nodes until the boundary of every material is a manifold. coarse: of a grid whose interfaces, where it is
-/// refined, are those of FindLatticeInterfaces. Collective.
+/// Makes the tets of labelled lattice nodes: lattice tets whose nodes have several labels are cut.
+/// All tets are positive for any fractions. The mesh is made again, with some nodes unsnapped,
+/// until the boundary of every material is a manifold.
+/// F. Labelle and J. R. Shewchuk, Isosurface stuffing, ACM Transactions on Graphics 26 (2007), here
+/// for several labels.
+/// @param nodes  labels of the nodes; nodes that make a boundary non-manifold are unsnapped
+/// @param coarse  tets of the coarse hexes. The nodes of FindLatticeInterfaces must be surrounded
+/// by finest cells.
+/// @return points and tets in CartesianGrid::HexBox, ordered by id, and their faces
+/// @throws InputError  if ids or numbers of points are too large
+/// @pre Collective.
 LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, bool meshVoid,
   const Partition& partition, Runtime& runtime, const CoarseTets& coarse);
 
-/// The vertices of the cells of HexBox that differ in label from a centre around them or are snapped or beside a snapped
-/// centre: only lattice tets at such vertices are cut or move. Linear indices, ascending.
+/// Returns the vertices at which lattice tets may be cut or move: they are snapped, or a centre
+/// around them is snapped or has another label.
+/// @return linear indices of vertices of the cells of HexBox, ascending
 std::vector<Index> FindLatticeInterfaces(const CartesianGrid& grid, const LatticeNodes& nodes);
 
 } // namespace vfm

@@ -10,12 +10,12 @@ namespace vfm
 namespace
 {
 
-/// A triangle of the boundary of a material, as one of its points sees it.
+/// Triangle of the boundary of a material, listed at one of its points.
 struct Corner
 {
   int Material;
   Index Point;
-  std::array<Index, 2> Others;
+  std::array<Index, 2> Others; // the other two points
   bool operator<(const Corner& other) const
   {
     return std::tie(this->Material, this->Point, this->Others) <
@@ -46,8 +46,8 @@ std::vector<Corner> ListCorners(const TetTopology& topology, const TetFaces& fac
   return corners;
 }
 
-/// Adds the points that pinch the triangles around one point: others that are not on two of them; where the fan is
-/// not one, the point itself.
+/// Checks the triangles around one point. Adds every neighbour that is not on two of them, and the
+/// point itself if the triangles do not form one closed fan.
 void CheckFan(const Corner* first, const Corner* last, std::vector<Index>& nonManifold)
 {
   std::vector<Index> ends;

@@ -1,5 +1,5 @@
 /**
- * Where the boundary of a material in a Lattice mesh touches itself.
+ * NonManifoldNodes: finds where the boundary of a material in a Lattice mesh touches itself.
  */
 #pragma once
 
@@ -9,9 +9,11 @@
 namespace vfm
 {
 
-/// The boundary of a material is a manifold where the triangles around each of its points form one fan, closed or ended by
-/// sides of the domain, and each edge has two of them. Looks at the points of owned blocks. Returns the ids of the snapped
-/// nodes that break the rule: points with no fan, and other ends of edges with another number of triangles.
+/// Returns the snapped nodes at which the boundary of a material is not a manifold. The boundary of
+/// a material, with its faces on sides of the domain, is a manifold if each edge has two triangles
+/// and the triangles around each point form one closed fan. Checks the points of owned blocks.
+/// @return ids of snapped nodes, ascending: points whose triangles form no such fan, and other ends
+/// of their edges that do not have two triangles
 std::vector<Index> FindNonManifoldNodes(const TetTopology& topology, const TetFaces& faces,
   const CartesianGrid& grid, const Partition& partition);
 

@@ -11,15 +11,16 @@ namespace vfm
 namespace
 {
 
-/// The surface point of the pair nearest to x among the nodes from one below a block to two above; -1: none.
+/// Returns the surface point of a pair of labels that is nearest to x, or -1 if there is none.
+/// Candidates are the nodes from one below a block to two above, along each axis.
 Index FindNearestTarget(const Interface& interface, const Index3& block, const Vector3& x,
   const std::array<int, 2>& labels)
 {
   const CartesianGrid& grid = interface.Grid();
   const std::vector<Index>& nodes = interface.Nodes();
+  // The cells whose nodes are the candidates.
   const IndexBox cells =
-    Intersect({ CellOfStar(block, 0), CornerOfCell(CornerOfCell(block, 7), 7) },
-      grid.Local()); // around the nodes
+    Intersect({ CellOfStar(block, 0), CornerOfCell(CornerOfCell(block, 7), 7) }, grid.Local());
   Index best = -1;
   double nearest = std::numeric_limits<double>::max();
   ForRows(NodesOf(cells),

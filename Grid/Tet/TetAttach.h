@@ -1,5 +1,5 @@
 /**
- * Ties an active tetrahedral mesh to its interfaces.
+ * TetAttach: attaches the points of an active tetrahedral mesh to targets on interfaces.
  */
 #pragma once
 
@@ -10,8 +10,13 @@
 namespace vfm
 {
 
-/// Draws every interface point to the target of each pair of labels that meets there: the one of the mixed node within two
-/// nodes whose surface point is nearest; in Cells that of its own node. Pairs without one stay free.
+/// Attaches every active point on interfaces to one target per pair of labels that meet there. In
+/// method Cells, it is the target of the point's own node, if there is one. Else it is the target
+/// of a mixed node, at most two nodes away, whose surface point is nearest. Pairs without a target
+/// have no attachment.
+/// @param mesh,facets  the whole mesh of this rank and its facets
+/// @param method  TetMethod::Lattice, or another value for meshes of Cells
+/// @param active  active part of the mesh; gets the attachments
 void AttachTets(const Interface& interface, const Mesh& mesh, const std::vector<Facet>& facets,
   TetMethod method, Runtime& runtime, ActiveMesh& active);
 

@@ -8,11 +8,12 @@ namespace vfm
 namespace
 {
 
+/// Face of one tet.
 struct HalfFace
 {
-  std::array<Index, 3> Key; // its points, ascending
+  std::array<Index, 3> Key; // points, ascending
   Index Tet;
-  int Corner; // opposite
+  int Corner; // opposite corner of the tet
   bool operator<(const HalfFace& other) const
   {
     return this->Key != other.Key ? this->Key < other.Key : this->Tet < other.Tet;
@@ -28,7 +29,8 @@ HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
   return half;
 }
 
-/// Faces whose points may all lie on interfaces or sides of the domain: no others can.
+/// Lists the faces without points inside a material. Only these can be on interfaces or the domain
+/// boundary.
 std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
 {
   const Mesh& mesh = topology.Tets;
@@ -55,6 +57,7 @@ std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
   return faces;
 }
 
+/// Returns the side of the domain on which all points of a face are, or -1.
 int DomainSideOf(const TetTopology& topology, const CartesianGrid& grid, const HalfFace& face)
 {
   int sides = 63;
@@ -124,7 +127,7 @@ std::vector<Facet> ListFacets(
 std::vector<Facet> JoinTriangles(
   const std::vector<Facet>& facets, const TetFaces& faces, const Mesh& mesh)
 {
-  std::vector<std::pair<Index, std::size_t>> order; // face of the grid, facet
+  std::vector<std::pair<Index, std::size_t>> order; // face of the grid and facet
   for (std::size_t f = 0; f < facets.size(); ++f)
   {
     order.emplace_back((mesh.ElementIds[faces.Faces[f].Inner] - 1) / (4 * PiecesPerTet), f);

@@ -16,13 +16,14 @@ bool IsCentrePoint(const Mesh& mesh, Index point)
   return IsCentre(mesh, mesh.PointIds[point]);
 }
 
-/// Whether the point is a node of the lattice inside a material: all tets at it are of one fragment.
+/// Returns whether a point is a node of the lattice inside a material. All tets at an anchor belong
+/// to one fragment.
 bool IsAnchor(const TetTopology& topology, Index point)
 {
   return topology.Positions[point] != PointPosition::OnInterface;
 }
 
-/// The first of a tet's points that are anchors; -1: it has none.
+/// Returns the first anchor of a tet, or -1 if it has none.
 Index AnchorOf(const TetTopology& topology, Index tet)
 {
   const Index* points = topology.Tets.Elements.data() + 4 * tet;
@@ -31,8 +32,9 @@ Index AnchorOf(const TetTopology& topology, Index tet)
   return anchor < points + 4 ? *anchor : -1;
 }
 
-/// Calls visit(cells, point) for the anchored centres that have tets: the cells of HexBox that the centre stands for. pieces: of
-/// each point.
+/// Calls visit(cells, point) for the centres that are anchors.
+/// @param pieces  local component of each point, -1 if it is not an anchor
+/// @param visit  gets the cells of HexBox in the cell or coarse hex of the centre
 template <class Visitor>
 void ForCentres(const TetTopology& topology, const CartesianGrid& grid,
   const std::vector<int>& pieces, const Visitor& visit)
@@ -76,13 +78,14 @@ TetFragments::TetFragments(TetTopology& topology, const TetFaces& faces, const C
   this->FindLocations(topology, fragments);
 }
 
-/// Tets are joined by the anchors that they share, and those that have none by faces. So the sets are of points, and of such tets behind them.
+/// Joins tets that share an anchor, and joins tets without anchors by faces. The items of the
+/// disjoint sets are all points, followed by the tets without anchors.
 std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const TetFaces& faces)
 {
   const Mesh& mesh = topology.Tets;
   const Index tets = static_cast<Index>(mesh.ElementIds.size()),
               points = static_cast<Index>(mesh.PointIds.size());
-  std::vector<Index> bare; // tets without anchors
+  std::vector<Index> bare; // tets without an anchor
   for (Index t = 0; t < tets; ++t)
   {
     if (AnchorOf(topology, t) < 0)
@@ -112,7 +115,7 @@ std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const T
   {
     Join(parent, itemOf(pair[0]), itemOf(pair[1]));
   }
-  std::vector<int> pieceOf(parent.size(), -1); // of the roots
+  std::vector<int> pieceOf(parent.size(), -1); // component of each root
   std::vector<Piece> pieces;
   this->PieceOf.reserve(tets);
   for (Index t = 0; t < tets; ++t)
@@ -133,7 +136,8 @@ std::vector<Piece> TetFragments::FindPieces(const TetTopology& topology, const T
   return pieces;
 }
 
-/// Pairs of pieces of different ranks that hold the same centre or, where a tet has none, the same tet.
+/// Returns the pairs of local components of different ranks that have the same centre, or the same
+/// tet if it has no centre that is an anchor.
 PiecePairs TetFragments::FindSame(const TetTopology& topology, Index offset) const
 {
   PiecePairs same;
@@ -163,7 +167,7 @@ PiecePairs TetFragments::FindSame(const TetTopology& topology, Index offset) con
   return same;
 }
 
-/// Asks the owners of tets without an anchored centre for their pieces.
+/// Requests the local component of each tet without an anchored centre from its owner.
 PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset) const
 {
   const Mesh& mesh = topology.Tets;
@@ -194,7 +198,8 @@ PiecePairs TetFragments::FindSameTets(const TetTopology& topology, Index offset)
   return same;
 }
 
-/// fragments: of the pieces.
+/// Finds the fragments in each cell.
+/// @param fragments  fragment of each local component
 void TetFragments::FindLocations(const TetTopology& topology, const std::vector<int>& fragments)
 {
   const Mesh& mesh = topology.Tets;
@@ -218,7 +223,7 @@ void TetFragments::FindLocations(const TetTopology& topology, const std::vector<
   std::sort(this->Locations.begin(), this->Locations.end());
 }
 
-/// In the cells beside its face.
+/// Adds the fragment of a tet to the cells on both sides of its face.
 void TetFragments::AddLocations(const Mesh& mesh, Index tet)
 {
   const Index id = mesh.ElementIds[tet] - 1;
@@ -248,7 +253,7 @@ void TetFragments::ForRuns(Index j, Index k, const Body& body) const
   }
 }
 
-/// In the cell itself, else around the nearest centre.
+/// Searches the cell first, then the nearest centre of the material.
 int TetFragments::FindNear(const Index3& cell, int material) const
 {
   const auto location = std::lower_bound(this->Locations.begin(), this->Locations.end(),

@@ -1,5 +1,5 @@
 /**
- * Fragments of a tetrahedral mesh that were not made of fragments of cells.
+ * TetFragments: fragments of a Lattice mesh, which are found by its tets.
  */
 #pragma once
 
@@ -11,22 +11,24 @@
 namespace vfm
 {
 
-/// Face-connected pieces of one material of a lattice mesh, numbered from 1 over all ranks by their lowest tet.
+/// Fragments of a Lattice mesh: face-connected sets of tets of one material, numbered from 1 over
+/// all ranks by their lowest tet. Grid and partition must outlive this object.
 class TetFragments : public FragmentLocator
 {
 public:
-  /// Fills mesh.Fragment. Collective.
+  /// Finds the fragments and fills Mesh::Fragment of the tets.
+  /// @pre Collective.
   TetFragments(TetTopology& topology, const TetFaces& faces, const CartesianGrid& grid,
     const Partition& partition);
 
-  /// Of every fragment; [0] unused.
+  /// Returns the material of every fragment; [0] is unused.
   const std::vector<int>& Materials() const { return this->MaterialOf; }
 
   void ForRuns(Index j, Index k, const Body& body) const override;
   int FindNear(const Index3& cell, int material) const override;
 
 private:
-  /// A fragment in a cell with several.
+  /// Fragment of a cell that interfaces run through.
   struct Location
   {
     Index Cell;
@@ -45,11 +47,11 @@ private:
 
   const CartesianGrid& Grid;
   const Partition& Parts;
-  std::vector<int> PieceOf; // of each tet
-  std::vector<int>
-    PieceAt; // of each point that is an anchor, else -1; while pieces become fragments
-  std::vector<int> MaterialOf;      // of each fragment
-  PagedArray<int> FragmentOfCentre; // by cell; 0 where the centre lies on an interface
+  std::vector<int> PieceOf; // local component of each tet
+  // Local component of each point, -1 if it is not an anchor; freed by FindLocations.
+  std::vector<int> PieceAt;
+  std::vector<int> MaterialOf;      // material of each fragment
+  PagedArray<int> FragmentOfCentre; // one per cell; 0 if its centre is on an interface
   std::vector<Location> Locations;  // sorted
 };
 

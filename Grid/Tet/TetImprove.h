@@ -1,5 +1,5 @@
 /**
- * Improvement of a tetrahedral mesh whose boundary stays.
+ * TetImprove: settings of the smoothing of tets, and smoothing of a mesh with a fixed boundary.
  */
 #pragma once
 
@@ -11,11 +11,14 @@
 namespace vfm
 {
 
-/// The floors that the options ask for, and the ramp of tetrahedra.
+/// Returns the floors of TetEnergy that match the options.
 TetQualityFloors FloorsOf(const MeshOptions& options);
+/// Returns the stages of smoothing of tets.
 const SmoothingRamp& TetRamp();
 
-/// Moves the points after the first `fixed`. Points in units of cells. progress(fraction) is called after every sweep.
+/// Moves the points of a mesh, except its first `fixed` ones, to reduce the energy of its tets.
+/// @param points  points in grid coordinates (Interface.h)
+/// @param progress  progress(fraction) is called after every sweep
 void ImproveInside(const TetEnergy& energy, std::size_t fixed,
   const std::vector<std::array<int, 4>>& tets, std::vector<Vector3>& points,
   const std::function<void(double)>& progress);

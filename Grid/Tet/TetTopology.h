@@ -1,20 +1,26 @@
 /**
- * From labels to tetrahedra: points and tets before anything moves. Two ways: Cells (CellTets.h) and Lattice (LatticeTopology.h).
+ * TetTopology: points and tets of a mesh before points move. CellTets.h and LatticeTopology.h make
+ * them by the methods Cells and Lattice.
  *
- * Both are made of the body-centred lattice of the grid: its nodes are the grid's nodes (vertices) and the centres of
- * cells. Each face of the grid belongs to the block (i,j,k) of its lowest corner: face `axis` of block b lies
- * between the cells b - e_axis and b. Around an inner face stand four lattice tets, t = 0..3: the two centres and
- * an edge of the face; on a face of the domain two, t = 0, 1: the one centre and half of the face, cut by
- * a diagonal.
+ * Both methods use the body-centred lattice of the grid. Its nodes are the nodes of the grid,
+ * called vertices, and the centres of cells. Each face of the grid belongs to the block (i,j,k) of
+ * its lowest corner: face `axis` of block b is between the cells b - e_axis and b. A face inside
+ * the domain has four lattice tets, t = 0..3, each of the two centres and an edge of the face. A
+ * face on the domain boundary has two, t = 0, 1, each of the centre and half of the face, which a
+ * diagonal divides.
  *
- * Ids. Every point belongs to the block (i,j,k) in which it starts (its coordinates in cells, rounded down), the
- * node of that index owns it: id = NodeKey * 64 + slot + 1. Every tet belongs to a face:
+ * Ids. A point belongs to the block (i,j,k) in which it starts: its coordinates in cells, rounded
+ * down. The node of that index owns it: id = NodeKey * 64 + slot + 1. A tet belongs to a face:
  * id = NodeKey * (12 * PiecesPerTet) + (4 axis + t) * PiecesPerTet + piece + 1.
- * Points whose blocks have the same parities share no tet (blocks of different index): these are the eight colours.
  *
- * In a refined grid this is so for faces of fine cells alone; the coarse tets follow (CoarseTets.h).
+ * Colours. Points of different blocks whose indices have equal parities share no tet. The eight
+ * combinations of parities are the colours.
  *
- * Made of the faces whose cells lie in CartesianGrid::HexBox (both, or the one in the domain). Order: points and tets by id.
+ * In a refined grid this holds for the faces of fine cells. The tets of coarse hexes follow after
+ * them (CoarseTets.h).
+ *
+ * A rank makes the tets of the faces whose cells in the domain, one or two, are in
+ * CartesianGrid::HexBox. Points and tets are in the order of ids.
  */
 #pragma once
 
@@ -23,31 +29,32 @@
 namespace vfm
 {
 
-/// Slots of the nodes of the lattice: vertices and centres.
+/// Slots of the nodes of the lattice.
 constexpr Index VertexSlot = 0, CentreSlot = 1;
-/// The slot of a point from its id.
+/// Returns the slot of a point from its id.
 inline Index SlotOfPoint(Index id)
 {
   return (id - 1) % TetIds.PointSlots;
 }
 
-/// Where a point may lie.
+/// Position of a point relative to interfaces and the domain boundary.
 enum class PointPosition : unsigned char
 {
-  Inside,   ///< inside a material and the domain
-  OnDomain, ///< inside a material, on a side of the domain
-  OnInterface
+  Inside,     ///< inside a material and the domain
+  OnDomain,   ///< inside a material, on the domain boundary
+  OnInterface ///< may be on an interface
 };
 
 struct TetTopology
 {
-  Mesh Tets;                            ///< points, ids, elements, ids, materials
-  std::vector<PointPosition> Positions; ///< of each point
+  Mesh Tets;                            ///< points and elements with ids and materials
+  std::vector<PointPosition> Positions; ///< one per point
 };
 
-/// Whether a point is the centre of a cell of the grid or of a coarse hex.
+/// Returns whether a point is the centre of a cell of the grid or of a coarse hex.
 bool IsCentre(const Mesh& mesh, Index pointId);
-/// Of a centre: the finest cell, of those of its hex the nearest to the owned ones.
+/// Returns the finest cell of a centre. In a coarse hex, it is the finest cell inside it that is
+/// nearest to the owned cells.
 Index3 CellOfCentre(const CartesianGrid& grid, const Mesh& mesh, Index pointId);
 
 } // namespace vfm
