@@ -9,7 +9,7 @@ namespace vfm
 namespace
 {
 
-/// Adds sorted keys to sorted keys; returns how many were new.
+/// Adds sorted keys to sorted keys; returns the number of new ones.
 Index Merge(std::vector<Index>& set, const std::vector<Index>& added)
 {
   std::vector<Index> all;
@@ -71,7 +71,7 @@ int OctantFamilies::FindSlabs(int level, const Index3& cell) const
   return slabs;
 }
 
-/// The families of a level that those of the next one need.
+/// Adds the families of a level that the families of the next level need.
 void OctantFamilies::AddBalance(int level)
 {
   std::vector<Index> needed;
@@ -93,8 +93,8 @@ void OctantFamilies::AddBalance(int level)
 
 void OctantFamilies::CloseNonManifoldEdges(int level)
 {
-  std::vector<Index> front =
-    this->Sets[level]; // a non-manifold edge has an end among those of the last round
+  // A non-manifold edge has an end among the families of the last round.
+  std::vector<Index> front = this->Sets[level];
   while (!front.empty())
   {
     std::vector<Index> added;

@@ -21,17 +21,17 @@ Index3 Position(Index n, Index nx, Index ny)
   return { { n % nx, n / nx % ny, n / nx / ny } };
 }
 
-/// The level whose keys begin at or before the key.
+/// Returns the last level whose keys begin at or before the key.
 int LevelOf(const std::vector<Index>& offsets, Index key)
 {
   return static_cast<int>(std::upper_bound(offsets.begin(), offsets.end(), key) - offsets.begin()) -
     1;
 }
 
-/// Throws InputError when keys do not fit.
+/// Throws InputError if keys need more than 64 bits.
 void CheckKeys(const CartesianGrid& base, int refinements)
 {
-  // Twice, since the coarser levels together take less than a level.
+  // The factor 2 covers the coarser levels, which together have fewer keys than the finest one.
   double bound = 2.0 * static_cast<double>(OctreeKeys::HexSlots);
   for (Index n : base.Global().Upper)
   {
@@ -43,7 +43,7 @@ void CheckKeys(const CartesianGrid& base, int refinements)
   }
 }
 
-/// Of the nodes of the finest level, when all cells are halved.
+/// Returns the coordinates of the nodes of the finest level if all cells are halved.
 std::array<std::vector<double>, 3> HalveOften(const CartesianGrid& base, int refinements)
 {
   CheckKeys(base, refinements);
@@ -113,7 +113,7 @@ Vector3 OctreeKeys::ToPoint(const Vector3& x) const
     const Index cell = std::min(std::max<Index>(static_cast<Index>(std::floor(fine)), 0), last);
     const double low = this->X[a][cell], high = this->X[a][cell + 1];
     const double part = fine - static_cast<double>(cell);
-    point[a] = part == 1.0 ? high : low + part * (high - low); // on the upper side exactly
+    point[a] = part == 1.0 ? high : low + part * (high - low); // exact on the upper side
   }
   return point;
 }

@@ -1,14 +1,20 @@
 /**
- * OctreeKeys: the cells and nodes of all levels of a refined Cartesian grid, and the keys of what refinement makes.
+ * OctreeKeys: the cells and nodes of all levels of a refined Cartesian grid, and keys of the points
+ * and hexes that refinement makes.
  *
- * Level 0 is the base grid; each level cuts the cells of the one before in two along every axis: in halves, as RefineCells
- * does, with the same coordinates bit for bit, or where the coordinates of the finest level say. A family of level l is the cells 2q .. 2q + 1 of it along each axis: a cell of level
- * l - 1, or where level 0 has an odd number of cells, one whose upper half lies outside.
+ * Level 0 is the base grid. Each level divides the cells of the previous level in two along every
+ * axis: into halves, with coordinates bitwise identical to RefineCells, or at the given coordinates
+ * of the finest level. A family of level l is the cells 2q to 2q + 1 of the level along each axis,
+ * which is a cell of level l - 1. If level 0 has an odd number of cells, the upper half of its last
+ * family is outside.
  *
- * Keys are global and need no communication. They number, level by level,
- *   nodes: 27 slots a lattice node. Slot 0 is the lattice node itself, keyed on the coarsest level that has it. The others
- *          are its copies (SlabPillow.h).
- *   hexes: 343 slots a cell. Slot 0 is what is left of the cell, or all of it; the others were made on its faces.
+ * Keys are global and need no communication. They number, level by level:
+ *
+ * Nodes: 27 slots per lattice node. Slot 0 is the lattice node itself, with a key of the coarsest
+ * level that has it. The other slots are its copies (SlabPillow.h).
+ *
+ * Hexes: 343 slots per cell. Slot 0 is the remaining part of the cell, or all of it. The other
+ * slots are hexes made on its faces.
  */
 #pragma once
 
@@ -22,7 +28,7 @@ class OctreeKeys
 public:
   static constexpr Index NodeSlots = 27, HexSlots = 343;
 
-  /// A node or cell of a level, and its slot.
+  /// Node or cell of a level, and its slot.
   struct LevelIndex
   {
     int Level;
@@ -30,10 +36,12 @@ public:
     int Slot;
   };
 
-  /// refinements: how many levels there are above level 0. Keeps a reference to the grid. Throws InputError
-  /// when keys do not fit.
+  /// Halves all cells. Stores a reference to the grid.
+  /// @param refinements  number of levels above level 0
+  /// @throws InputError  if keys need more than 64 bits
   OctreeKeys(const CartesianGrid& base, int refinements);
-  /// finest: coordinates of the nodes of the finest level, where they are not halves.
+  /// Uses given coordinates instead of halves.
+  /// @param finest  coordinates of the nodes of the finest level along each axis
   OctreeKeys(const CartesianGrid& base, int refinements, std::array<std::vector<double>, 3> finest);
 
   const CartesianGrid& Base() const { return this->Grid; }
@@ -44,27 +52,29 @@ public:
   bool HasCell(int level, const Index3& cell) const;
   bool HasFamily(int level, const Index3& family) const;
 
-  /// Length units of the grid.
+  /// Returns a coordinate of a node in length units of the grid.
   double Coordinate(int level, int axis, Index i) const
   {
     return this->X[axis][i << (this->NumberOfRefinements() - level)];
   }
   Vector3 NodePoint(int level, const Index3& node) const;
-  /// From lattice coordinates, in which the cells of level 0 are unit cubes cut in halves, to length units, and back.
+  /// Convert lattice coordinates, in which cells of level 0 are unit cubes divided into halves, to
+  /// length units and back.
   Vector3 ToPoint(const Vector3& x) const;
   Vector3 FromPoint(const Vector3& point) const;
   Vector3 CellWidths(int level, const Index3& cell) const;
-  /// Bit f set when the node lies on side f of the domain.
+  /// Returns the sides of the domain on which a node lies: bit f is set for side f.
   int DomainSides(int level, const Index3& node) const;
 
   Index FamilyKey(int level, const Index3& family) const;
-  /// Of the family that a cell is in.
+  /// Returns the key of the family of a cell.
   Index FamilyKeyOf(const LevelIndex& cell) const
   {
     return this->FamilyKey(cell.Level, ParentOfCell(cell.At));
   }
   Index3 FamilyOfKey(int level, Index key) const;
-  /// The key of a copy, or with slot 0 of the node as one of its level; LatticeKey is what the mesh calls the latter.
+  /// NodeKey returns the key of a copy, or for slot 0 the key of the node on this level. LatticeKey
+  /// returns the key of the node on its coarsest level, which meshes use.
   Index NodeKey(int level, const Index3& node, int slot) const;
   Index LatticeKey(int level, Index3 node) const;
   Index HexKey(int level, const Index3& cell, int slot) const;
@@ -73,11 +83,11 @@ public:
 
 private:
   const CartesianGrid& Grid;
-  std::array<std::vector<double>, 3> X;     // of the nodes of the finest level
-  std::vector<Index> NodeOffset, HexOffset; // of the keys of each level
+  std::array<std::vector<double>, 3> X;     // coordinates of the nodes of the finest level
+  std::vector<Index> NodeOffset, HexOffset; // first key of each level
 };
 
-/// The base cell around a cell of a level.
+/// Returns the base cell that contains a cell of a level.
 inline Index3 BaseCellOf(const OctreeKeys::LevelIndex& cell)
 {
   return { { cell.At[0] >> cell.Level, cell.At[1] >> cell.Level, cell.At[2] >> cell.Level } };

@@ -8,7 +8,7 @@ namespace vfm
 namespace
 {
 
-constexpr int BaseGhostLayers = 3; // one more than the base cells whose hexes are made
+constexpr int BaseGhostLayers = 3; // one more than the layers of base cells whose hexes are made
 
 } // namespace
 
@@ -28,7 +28,7 @@ RefinedGrid::RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
   }
 }
 
-/// The families of the last refinement around nodes.
+/// Returns the keys of the families of the last refinement around nodes.
 std::vector<Index> RefinedGrid::FindFamilies(const std::vector<Index>& interfaces, int layers) const
 {
   const int level = this->NumberOfRefinements() - 1;
@@ -83,7 +83,8 @@ void RefinedGrid::MarkFine()
   }
 }
 
-/// The row of families that holds a row of finest cells, or the one that a row beside the domain mirrors.
+/// Returns the row of families that contains a row of finest cells. A row outside the domain counts
+/// as the row that it mirrors.
 Index RefinedGrid::RowOfFamilies(Index j, Index k) const
 {
   const auto family = [this](int a, Index i)
@@ -141,7 +142,7 @@ IndexBox RefinedGrid::FinestCells(int level, const Index3& cell) const
 
 Index3 RefinedGrid::FinestNode(int level, const Index3& node) const
 {
-  // A node may lie below the grid: a negative number must not be shifted.
+  // Multiplied, because nodes below the grid have negative indices, which must not be shifted.
   const Index width = Index(1) << (this->NumberOfRefinements() - level);
   return { { node[0] * width, node[1] * width, node[2] * width } };
 }

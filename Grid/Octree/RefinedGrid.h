@@ -1,11 +1,13 @@
 /**
- * RefinedGrid: which cells of a grid stay fine, and where coarser cells take their place. Without refinements all stay.
+ * RefinedGrid: the cells of a grid that stay fine, and the coarser cells that replace the others.
+ * Without refinements, all cells stay fine.
  *
- * The stages see the CartesianGrid of the finest level. The base grid's cells are 2^refinements finest ones along each axis.
- * Where a family of the last refinement is refined (OctantFamilies.h) the finest cells are hexes of their own; everywhere else
- * stand the coarse hexes: coarser cells, and the transition hexes between levels (CoarseHexes.h). Where all interfaces get
- * finest cells, what finds, resolves and moves interfaces meets no coarse hexes; otherwise labels belong to leaves (LeafOf), and
- * interfaces run through coarse hexes too (SplitNodes.h).
+ * The stages use the CartesianGrid of the finest level. A cell of the base grid is 2^refinements
+ * finest cells along each axis. Where a family of the last refinement is refined
+ * (OctantFamilies.h), the finest cells are hexes of their own. Everywhere else are the coarse
+ * hexes: coarser cells, and transition hexes between levels (CoarseHexes.h). If all interfaces have
+ * finest cells, the stages that find, resolve and move interfaces meet no coarse hexes. Otherwise
+ * labels belong to leaves (LeafOf), and interfaces cross coarse hexes too (SplitNodes.h).
  */
 #pragma once
 
@@ -21,12 +23,16 @@ namespace vfm
 class RefinedGrid : public std::enable_shared_from_this<RefinedGrid>
 {
 public:
-  /// interfaces: the nodes of the finest grid that must have fine cells around, plan.FineLayers more than those at the node;
-  /// linear indices, those at owned cells count; none are looked at unless plan.FineInterfaces. Throws InputError when its boxes are not
-  /// whole base cells, or keys do not fit. Collective.
+  /// Finds and closes the families that the plan of all ranks and the interfaces require.
+  /// @param interfaces  linear indices of nodes of the finest grid that must have fine cells around
+  /// them, plan.FineLayers more than the cells at the node. Only nodes at owned cells count, and
+  /// only if plan.FineInterfaces.
+  /// @throws InputError  if the boxes of the grid are not whole base cells, or keys need more than
+  /// 64 bits
+  /// @pre Collective.
   RefinedGrid(const CartesianGrid& finest, const LevelPlan& plan,
     const std::vector<Index>& interfaces, Ranks& ranks);
-  /// Without refinements.
+  /// Makes a grid without refinements.
   RefinedGrid(const CartesianGrid& grid, Ranks& ranks) : RefinedGrid(grid, LevelPlan(), {}, ranks)
   {
   }
@@ -38,46 +44,49 @@ public:
   const OctreeKeys& Lattice() const { return this->TheLattice; }
   const OctantFamilies& Families() const { return this->Sets; }
   int NumberOfRefinements() const { return this->TheLattice.NumberOfRefinements(); }
-  /// Whether all cells at interfaces are finest ones.
+  /// Returns whether all cells at interfaces are finest ones.
   bool HasFineInterfaces() const { return this->FineInterfaces; }
-  /// Whether all cells are finest ones: a grid without refinements.
+  /// Returns whether all cells are finest ones, as in a grid without refinements.
   bool IsUniform() const { return this->Uniform; }
 
-  /// Whether a finest cell of the local box, or the one that a cell beside the domain mirrors, is a hex of its own.
+  /// Returns whether a finest cell of the local box is a hex of its own. A cell outside the domain
+  /// counts as the cell that it mirrors.
   bool IsFine(const Index3& cell) const { return this->Uniform || this->IsMarked(cell); }
-  /// Whether a cell at a node of the finest grid is a hex of its own.
+  /// Returns whether any cell at a node of the finest grid is a hex of its own.
   bool TouchesFine(const Index3& node) const
   {
     return this->Uniform || this->CountFineAround(node) > 0;
   }
 
-  /// Whether all of them are.
+  /// Returns whether all cells at a node of the finest grid are hexes of their own.
   bool IsFineAround(const Index3& node) const
   {
     return this->Uniform || this->CountFineAround(node) == 8;
   }
 
-  /// The leaf that a finest cell of the domain is or lies in: the coarsest cell around it that is not refined. Slot 0.
+  /// Returns the leaf that a finest cell of the domain is or lies in: the coarsest cell around it
+  /// that is not refined. Its slot is 0.
   OctreeKeys::LevelIndex LeafOf(const Index3& finestCell) const;
 
-  /// Calls visit(begin, end) for the runs of such cells in [first, last) of row j, k, and for the runs of nodes at such
-  /// cells. Rows without any cost nothing.
+  /// Call visit(begin, end) for the runs of cells in [first, last) of row (j, k) that are hexes of
+  /// their own, and for the runs of nodes at such cells. Rows without them cost nothing.
   template <class Visitor>
   void ForFineCells(Index j, Index k, Index first, Index last, const Visitor& visit) const;
   template <class Visitor>
   void ForFineNodes(Index j, Index k, Index first, Index last, const Visitor& visit) const;
 
-  /// The finest cells of a cell of a level.
+  /// Returns the finest cells of a cell of a level.
   IndexBox FinestCells(int level, const Index3& cell) const;
-  /// The node of the finest grid that a node of a level is.
+  /// Returns the node of the finest grid that is a node of a level.
   Index3 FinestNode(int level, const Index3& node) const;
-  /// Whether a cell of a level is one of the owned ones or has a node or more in common with one.
+  /// Returns whether a cell of a level contains or touches owned cells.
   bool IsNear(int level, const Index3& cell) const;
-  /// Of the finest cells of a cell, the one nearest to the owned ones.
+  /// Returns the finest cell of a cell that is nearest to the owned ones.
   Index3 NearestCell(int level, const Index3& cell) const;
 
 private:
-  /// A visitor of runs of cells that visits what of them, and of so many entries after them, lies in [first, last).
+  /// Returns a visitor of runs that extends each run by `after` entries and visits its part in
+  /// [first, last).
   template <class Visitor>
   static auto CutAt(Index first, Index last, Index after, const Visitor& visit)
   {
@@ -92,7 +101,7 @@ private:
     };
   }
   bool IsMarked(const Index3& cell) const;
-  /// Of the eight cells at a node.
+  /// Returns how many of the eight cells at a node are hexes of their own.
   int CountFineAround(const Index3& node) const;
   std::vector<Index> FindFamilies(const std::vector<Index>& interfaces, int layers) const;
   std::vector<std::vector<Index>> GatherFamilies(
@@ -106,15 +115,17 @@ private:
   CartesianGrid BaseGrid;
   OctreeKeys TheLattice;
   OctantFamilies Sets;
-  static constexpr int FamilyShift = 2; // a family is four finest cells along each axis
+  // A family of the last refinement has four finest cells along each axis.
+  static constexpr int FamilyShift = 2;
 
   bool Uniform, FineInterfaces;
-  IndexBox Marked;                    // families of the last refinement over the local box
-  std::vector<unsigned char> Fine;    // of each of them
-  std::vector<unsigned char> HasFine; // of each row of them
+  // Families of the last refinement that cover the local box.
+  IndexBox Marked;
+  std::vector<unsigned char> Fine;    // whether each of them is refined
+  std::vector<unsigned char> HasFine; // whether each row of them has refined ones
 };
 
-/// Calls visit(begin, end) for the runs of families where one of some rows is refined, in cells.
+/// Calls visit(begin, end), in cells, for the runs of families that are refined in any of the rows.
 template <class Visitor>
 void RefinedGrid::ForFineFamilies(const std::array<Index, 4>& rows, const Visitor& visit) const
 {

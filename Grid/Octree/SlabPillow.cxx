@@ -10,11 +10,12 @@ namespace vfm
 namespace
 {
 
-constexpr Index Halo = 4; // cells around the box on which positions in it depend
+// Number of cells around the box on which positions in it depend.
+constexpr Index Halo = 4;
 constexpr double Step = 0.5, ConcaveStep = 0.25;
 constexpr int PowersOf3[3] = { 1, 3, 9 }, PowersOf7[3] = { 1, 7, 49 };
 
-/// An old edge from a copied node, behind a pillow face in a local direction.
+/// Old edge from a copied node, behind a pillow face in a local direction.
 struct Spoke
 {
   int Copy, Direction;
@@ -27,9 +28,12 @@ struct Work
   const OctantFamilies& Sets;
   int Level, Axis;
   PillowedLevel& Mesh;
-  std::vector<unsigned char> Inside;      // of each hex: whether it belongs to the slab's set
-  std::vector<unsigned char> PillowFaces; // of each hex, a bit a local face
-  std::vector<std::array<int, 2>> Copies; // of each node, by digit - 1
+  // Whether each hex belongs to the set of the slab.
+  std::vector<unsigned char> Inside;
+  // Pillow faces of each hex, one bit per local face.
+  std::vector<unsigned char> PillowFaces;
+  // Copies of each node, by digit - 1.
+  std::vector<std::array<int, 2>> Copies;
   int NodesBefore;
 };
 
@@ -43,7 +47,7 @@ int FaceAt(int corner, int axis)
   return 2 * axis + (corner >> axis & 1);
 }
 
-/// Faces on the domain boundary are pillowed at the end of a slab only.
+/// Returns whether a face may be pillowed: on the domain boundary only at the end of a slab.
 bool MayPillow(const Work& work, std::size_t hex, int face)
 {
   int sides = 63;
@@ -59,7 +63,7 @@ bool MayPillow(const Work& work, std::size_t hex, int face)
   return sides == 0 || (sides & ends);
 }
 
-/// Outer faces of the hexes of each slab.
+/// Finds the outer faces of the hexes of each slab.
 void FindPillowFaces(Work& work)
 {
   struct Side
@@ -108,7 +112,7 @@ bool IsPillowed(const Work& work, std::size_t hex, int face)
   return work.PillowFaces[hex] >> face & 1;
 }
 
-/// The digit of the copies of a node in a slab, 1 or 2.
+/// Returns the digit of the copies of a node in a slab, 1 or 2.
 int DigitIn(const Work& work, int node, Index slab)
 {
   return work.Mesh.Nodes[node].Base[work.Axis] == 2 * slab ? 2 : 1;
@@ -145,14 +149,14 @@ void CopyNodes(Work& work)
   }
 }
 
-/// An order of the nodes that does not depend on what else the mesh holds.
+/// Orders nodes independently of what else the mesh contains.
 bool ComesBefore(const Work& work, int a, int b)
 {
   const PillowedLevel::Node &n = work.Mesh.Nodes[a], &m = work.Mesh.Nodes[b];
   return std::tie(n.Base, n.Slot) < std::tie(m.Base, m.Slot);
 }
 
-/// By copy, direction and end, each once.
+/// Lists the spokes once each, by copy, direction and end.
 std::vector<Spoke> ListSpokes(const Work& work)
 {
   std::vector<Spoke> spokes;
@@ -182,7 +186,8 @@ std::vector<Spoke> ListSpokes(const Work& work)
   return spokes;
 }
 
-/// Of each copy, bit 6 f + g: a hex corner there has pillow faces in both local directions.
+/// Returns bits of each copy: bit 6 f + g is set if a hex corner there has pillow faces in local
+/// directions f and g.
 std::vector<std::uint64_t> FindConvexPairs(const Work& work)
 {
   std::vector<std::uint64_t> pairs(work.Mesh.Nodes.size() - work.NodesBefore, 0);
@@ -218,7 +223,7 @@ void PlaceCopies(Work& work)
       ++count[spoke.Direction];
     }
     PillowedLevel::Node& node = work.Mesh.Nodes[copy];
-    const Vector3 start = node.X; // that of the original
+    const Vector3 start = node.X; // position of the original
     for (int f = 0; f < 6; ++f)
     {
       double step = count[f] ? Step : 0.0;
@@ -289,7 +294,7 @@ void Pillow(const OctantFamilies& sets, int level, int axis, const std::vector<i
   InsertHexes(work);
 }
 
-/// The touched cells of a box, ascending by key of their hexes.
+/// Returns the touched cells of a box, ascending by key of their hexes.
 std::vector<Index3> ListTouchedCells(const OctantFamilies& sets, int level, const IndexBox& box)
 {
   const OctreeKeys& lattice = sets.Lattice();
@@ -322,7 +327,7 @@ std::vector<Index3> ListTouchedCells(const OctantFamilies& sets, int level, cons
   return cells;
 }
 
-/// A hex a cell.
+/// Makes one hex per cell.
 PillowedLevel MakeCells(const OctantFamilies& sets, int level, const IndexBox& box)
 {
   const OctreeKeys& lattice = sets.Lattice();

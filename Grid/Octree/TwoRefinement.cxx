@@ -9,10 +9,11 @@ namespace vfm
 namespace
 {
 
-/// The cells of a level at a node.
+/// Properties of the cells of a level at a node.
 struct CellsAround
 {
-  bool AreTransitions, HaveTransition; ///< whether all, or any, consist of transition hexes
+  /// Whether all, or any, consist of transition hexes.
+  bool AreTransitions, HaveTransition;
 };
 
 CellsAround LookAround(const OctantFamilies& sets, int level, const Index3& node)
@@ -34,10 +35,10 @@ CellsAround LookAround(const OctantFamilies& sets, int level, const Index3& node
 struct Point
 {
   Index Key;
-  Index FreeAnchor; // of free points, else -1
+  Index FreeAnchor; // anchor of free points, otherwise -1
   int Sides;
   Vector3 X;
-  bool HasAnchor; // among AnchorsOfChildren
+  bool HasAnchor; // whether AnchorsOfChildren has its key
 };
 
 struct Hex
@@ -47,7 +48,7 @@ struct Hex
   bool IsTransition;
 };
 
-/// Collects points and hexes of all levels, then numbers them by key.
+/// Points and hexes of all levels, before they are numbered by key.
 struct Work
 {
   const OctantFamilies& Sets;
@@ -57,11 +58,12 @@ struct Work
   std::vector<Point> Points{};
   std::vector<Hex> Hexes{};
   std::vector<Index> TouchedCells{};
-  std::vector<std::pair<Index, Index>>
-    AnchorsOfChildren{}; // key of a node of the next level, anchor
+  // Key of a node of the next level, and its anchor.
+  std::vector<std::pair<Index, Index>> AnchorsOfChildren{};
 };
 
-/// The points of a level's nodes. Those of refined cells are nodes of the next level's lattice.
+/// Returns the points of a level's nodes. Points of refined cells are nodes of the next
+/// level's lattice.
 std::vector<Point> NamePoints(Work& work, int level, const PillowedLevel& mesh)
 {
   std::vector<Point> points;
@@ -94,7 +96,7 @@ std::vector<Point> NamePoints(Work& work, int level, const PillowedLevel& mesh)
       }
       point.Key = work.Lattice.LatticeKey(level + 1, node);
       point.FreeAnchor = -1;
-      point.X = work.Lattice.NodePoint(level + 1, node); // halves, without rounding on the way
+      point.X = work.Lattice.NodePoint(level + 1, node); // exact, without accumulated rounding
     }
   }
   return points;

@@ -1,12 +1,14 @@
 /**
- * TwoRefinement: a conforming mesh of hexes across the levels of a refined Cartesian grid.
+ * TwoRefinement: makes a conforming mesh of hexes across the levels of a refined Cartesian grid.
+ * SlabPillow.h names the paper.
  *
- * Every cell of a refined family is eight cells of the next level, exact ones; a cell of one level that shares a face or an
- * edge with a refined one of that level becomes transition hexes, which join both sides without hanging nodes. All other
- * cells of the base grid stay and are not stored: memory follows the refined families.
+ * Each cell of a refined family becomes eight exact cells of the next level. A cell that shares a
+ * face or an edge with a refined cell of its level becomes transition hexes, which join both sides
+ * without hanging nodes. All other cells of the base grid are unchanged and not stored, so memory
+ * is proportional to the refined families.
  *
- * A part of the mesh is made from the closed family sets alone, without the rest and without communication; points and
- * hexes are the same bit for bit in every part that has them.
+ * A part of the mesh is made from the closed family sets only, without the rest and without
+ * communication. Points and hexes are bitwise identical in all parts that have them.
  */
 #pragma once
 
@@ -17,38 +19,48 @@ namespace vfm
 
 struct RefinedMesh
 {
-  /// A point that only transition hexes have; all others are nodes of the lattice and stay there.
+  /// Point that only transition hexes have. All other points are nodes of the lattice and are
+  /// fixed there.
   struct FreePoint
   {
-    int Point;    ///< index
-    Index Anchor; ///< OctreeKeys::NodeKey on the level of its hexes, also of lattice nodes
+    int Point; ///< index of the point
+    /// OctreeKeys::NodeKey on the level of its hexes, also for lattice nodes.
+    Index Anchor;
   };
 
-  std::vector<double> Points;              ///< xyz a point, length units of the grid
-  std::vector<Index> PointKeys;            ///< ascending (OctreeKeys::NodeOfKey)
-  std::vector<unsigned char> DomainSides;  ///< of each point: bit f set on side f of the domain
-  std::vector<FreePoint> FreePoints;       ///< by Anchor: the copies of one lattice node in turn
-  std::vector<Index> Anchors;              ///< of each point (AnchorOfNode)
-  std::vector<Index> Hexes;                ///< 8 point indices a hex, VTK order
-  std::vector<Index> HexKeys;              ///< ascending (OctreeKeys::HexOfKey)
-  std::vector<unsigned char> IsTransition; ///< of each hex; else it is a cell of a level above 0
-  std::vector<Index> TouchedCells; ///< keys of the base cells that hexes stand for, ascending
+  std::vector<double> Points;   ///< xyz of each point, length units of the grid
+  std::vector<Index> PointKeys; ///< key of each point (OctreeKeys::NodeOfKey), ascending
+  /// Sides of the domain of each point: bit f is set on side f.
+  std::vector<unsigned char> DomainSides;
+  /// Free points, sorted by Anchor, so that copies of a lattice node are in sequence.
+  std::vector<FreePoint> FreePoints;
+  std::vector<Index> Anchors; ///< anchor of each point (AnchorOfNode)
+  std::vector<Index> Hexes;   ///< 8 point indices per hex, VTK order
+  std::vector<Index> HexKeys; ///< key of each hex (OctreeKeys::HexOfKey), ascending
+  /// Whether each hex is a transition hex; otherwise it is a cell of a level above 0.
+  std::vector<unsigned char> IsTransition;
+  /// Keys of the base cells that the hexes replace, ascending.
+  std::vector<Index> TouchedCells;
 
   Index NumberOfPoints() const { return static_cast<Index>(this->PointKeys.size()); }
   Index NumberOfHexes() const { return static_cast<Index>(this->HexKeys.size()); }
 };
 
-/// The anchor of a point is the lattice node with which it moves when transition hexes are smoothed: a corner of a cell that
-/// consists of transition hexes. A lattice node is its own anchor on the coarsest level where it is such a corner. Given
-/// the key of a node, returns its anchor as OctreeKeys::NodeKey on that level; -1: on none. A node that appears only when the cells
-/// of the level before are cut may have an anchor there, another node: RefinedMesh::Anchors knows these.
+/// Returns the anchor of a node, as OctreeKeys::NodeKey on its level; -1 if it has none. The anchor
+/// of a point is the lattice node with which it moves when transition hexes are smoothed, a corner
+/// of a cell that consists of transition hexes. A lattice node is its own anchor, on the coarsest
+/// level where it is such a corner. A node that appears only when cells of the previous level are
+/// divided may have another node of that level as anchor; only RefinedMesh::Anchors has these.
+/// @param key  key of the node
 Index AnchorOfNode(const OctantFamilies& sets, Index key);
 
-/// The same of any point, of the mesh or not: where the mesh has it, as the mesh knows it.
+/// Returns the anchor of any point, from the mesh if the mesh has the point, otherwise
+/// by AnchorOfNode.
 Index AnchorOfPoint(const OctantFamilies& sets, const RefinedMesh& mesh, Index key);
 
-/// The hexes in a box of base cells, before anything is untangled: all but those of untouched base cells. withFinest:
-/// false leaves out the cells of the last level, and those of their points that have no anchor and no other hex.
+/// Makes the hexes in a box of base cells, except untouched base cells, before untangling.
+/// @param withFinest  false: omits the cells of the last level, and points that have neither an
+/// anchor nor another hex
 RefinedMesh MakeRefinedMesh(
   const OctantFamilies& sets, const IndexBox& box, bool withFinest = true);
 inline RefinedMesh MakeRefinedMesh(const OctantFamilies& sets)
@@ -56,7 +68,7 @@ inline RefinedMesh MakeRefinedMesh(const OctantFamilies& sets)
   return MakeRefinedMesh(sets, sets.Lattice().Base().Global());
 }
 
-/// Calls visit(cell) for the base cells of the box that the mesh was made in and that it leaves as they are, by key.
+/// Calls visit(cell) for the untouched base cells of the box in which the mesh was made, by key.
 template <class Visitor>
 void ForUntouchedCells(
   const CartesianGrid& base, const IndexBox& box, const RefinedMesh& mesh, const Visitor& visit)
