@@ -19,6 +19,8 @@
 namespace vfm
 {
 
+/// Coarse hexes of the owned base cells and their neighbours. Refers to the grid and the labels,
+/// which must outlive it. Not thread safe.
 class CoarseHexes
 {
 public:

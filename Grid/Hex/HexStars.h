@@ -19,6 +19,8 @@ constexpr int UnknownLabel = -1;
 int LabelOfLeaf(
   const RefinedGrid& grid, const LabelArray& labels, const OctreeKeys::LevelIndex& cell);
 
+/// Nodes with several labels around them, with their hexes. Refers to grid, refined mesh and
+/// labels, which must outlive it.
 class HexStars
 {
 public:

@@ -22,6 +22,7 @@ struct LevelHexes
   std::vector<Index> RequestedFamilies;
 };
 
+/// Labels, mixed nodes and levels. It cannot be copied, because the levels refer to the labels.
 struct LabelledGrid
 {
   LabelledGrid() = default;

@@ -9,6 +9,7 @@
 namespace vfm
 {
 
+/// Set of nodes of one level. Thread safe once made.
 class NodesNear
 {
 public:

@@ -21,6 +21,7 @@
 namespace vfm
 {
 
+/// Split nodes, their labels, inner points and faces.
 struct SplitNodes
 {
   using Side = HexStars::Side;

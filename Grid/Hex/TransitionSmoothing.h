@@ -34,6 +34,7 @@ inline int ColourOfNode(const OctreeKeys::LevelIndex& anchor)
   return 8 * anchor.Level + CartesianGrid::Colour(anchor.At);
 }
 
+/// Result of SmoothTransitions.
 struct TransitionReport
 {
   /// Number of hexes with a corner that is not positive, before untangling, over all ranks.

@@ -8,6 +8,7 @@
 namespace vfm
 {
 
+/// Result of FindVisibleDirection.
 struct VisibleDirection
 {
   Vector3 Direction; ///< unit vector

@@ -25,9 +25,12 @@
 namespace vfm
 {
 
+/// Closed sets of refined families, equal on all ranks. Refers to the lattice, which must outlive
+/// it. Thread safe once made.
 class OctantFamilies
 {
 public:
+  /// Numbers of families of a level, by reason.
   struct LevelReport
   {
     Index Requested = 0;   ///< requested families

@@ -23,6 +23,8 @@
 namespace vfm
 {
 
+/// Coordinates and keys of all levels. Refers to the base grid, which must outlive it. Thread safe
+/// once made.
 class OctreeKeys
 {
 public:

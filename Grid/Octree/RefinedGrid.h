@@ -20,6 +20,8 @@
 namespace vfm
 {
 
+/// Finest and base grid, refined families, and the finest cells that are hexes of their own. Owns
+/// copies of both grids. Thread safe once made.
 class RefinedGrid : public std::enable_shared_from_this<RefinedGrid>
 {
 public:

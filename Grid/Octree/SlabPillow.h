@@ -33,6 +33,7 @@
 namespace vfm
 {
 
+/// Touched cells of a level, and the nodes and hexes made of them.
 struct PillowedLevel
 {
   struct Node

@@ -17,6 +17,8 @@
 namespace vfm
 {
 
+/// Hexes of a refined grid in a box of base cells, except untouched base cells. Plain arrays, owned
+/// by the object.
 struct RefinedMesh
 {
   /// Point that only transition hexes have. All other points are nodes of the lattice and are

@@ -36,6 +36,8 @@ struct Attachment
 /// Position in ActiveMesh::Elements.
 using CornerPosition = std::uint32_t;
 
+/// Active part of a mesh as compact arrays. It owns its arrays but refers to the points of the
+/// mesh, which must outlive it. Reading is thread safe; each point may be moved by one thread.
 struct ActiveMesh
 {
   /// Corners per element: 8 for hexes, numbered by bits, x lowest; 4 for tets.

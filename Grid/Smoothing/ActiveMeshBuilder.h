@@ -10,6 +10,7 @@
 namespace vfm
 {
 
+/// Builder of an ActiveMesh: add elements, then call Finish once. Not thread safe.
 class ActiveMeshBuilder
 {
 public:

@@ -49,6 +49,7 @@ struct Derivatives
 /// Energy at positions where an element is not positive.
 constexpr double InvalidEnergy = 1e300;
 
+/// Interface of the energies of elements. All functions are called by several threads at once.
 class ElementEnergy
 {
 public:

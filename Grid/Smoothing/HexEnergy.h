@@ -25,6 +25,7 @@
 namespace vfm
 {
 
+/// Barrier energy of valid hexes. The file comment gives the formula. Thread safe.
 class HexEnergy : public ElementEnergy
 {
 public:

@@ -16,6 +16,7 @@ namespace vfm
 
 struct ActiveMesh;
 
+/// Points and hexes around each active point. Thread safe once made.
 class HexRings
 {
 public:

@@ -18,6 +18,8 @@ namespace vfm
 
 class PointExchange;
 
+/// Steps of a sweep, each with tasks that may run at the same time. Each owned node is in exactly
+/// one step.
 class MoveOrder
 {
 public:

@@ -21,6 +21,8 @@
 namespace vfm
 {
 
+/// Moves the points of an ActiveMesh by threads of a Runtime. All ranks call its collective
+/// functions in the same order.
 class Smoother
 {
 public:

@@ -13,6 +13,7 @@
 namespace vfm
 {
 
+/// Neighbours and tets of each point that moves. Thread safe once made.
 class TetStars
 {
 public:

@@ -14,6 +14,7 @@
 namespace vfm
 {
 
+/// Energy of hexes that may be inverted; never InvalidEnergy. Evaluation is thread safe.
 class UntangleEnergy : public ElementEnergy
 {
 public:

@@ -36,6 +36,7 @@ public:
 int FindNearestCell(const CartesianGrid& grid, const Index3& cell,
   const std::function<int(const Index3&)>& fragmentOf);
 
+/// Target and current volumes of all fragments, equal on all ranks. Refers to the runtime.
 class FragmentVolumes
 {
   static constexpr double LargeFragment = 64.0; // cells
