@@ -25,7 +25,7 @@ void CheckPoints(const std::vector<Vector3>& points, const Triangles& triangles)
     {
       if (p < 0 || p >= count)
       {
-        throw InputError("A triangle has the point " + std::to_string(p) + " of " +
+        throw InputError("A triangle refers to point " + std::to_string(p) + ", but there are " +
           std::to_string(count) + " points.");
       }
       const Vector3& x = points[p];
@@ -37,7 +37,7 @@ void CheckPoints(const std::vector<Vector3>& points, const Triangles& triangles)
   }
 }
 
-/// Of points at one place all become the first.
+/// Replaces points at one place by the first of them.
 void MergePoints(const std::vector<Vector3>& points, Triangles& triangles)
 {
   std::vector<Index> order(points.size()), first(points.size());
@@ -66,7 +66,7 @@ void DropCollapsed(Triangles& triangles)
     triangles.end());
 }
 
-/// A side of a triangle; those that lie on each other are sorted together.
+/// Side of a triangle. Sorting brings equal sides together.
 struct Side
 {
   Index Low, High; // points
@@ -96,7 +96,7 @@ std::vector<Side> SortSides(const Triangles& triangles)
   return sides;
 }
 
-/// Two sides lie on each edge then, one after the other.
+/// Checks that each edge has exactly two sides, which follow each other in the sorted list.
 void CheckClosed(const std::vector<Side>& sides)
 {
   if (sides.empty())
@@ -125,14 +125,14 @@ void CheckClosed(const std::vector<Side>& sides)
   }
 }
 
-/// The triangle on the other side of an edge, and whether both face one way.
+/// Triangle on the other side of an edge, and whether both triangles face the same way.
 struct Neighbour
 {
   Index Triangle;
   bool IsSameTurn;
 };
 
-/// Three of each triangle.
+/// Returns three neighbours per triangle.
 std::vector<Neighbour> FindNeighbours(const std::vector<Side>& sides)
 {
   std::vector<Neighbour> neighbours(sides.size());
@@ -150,7 +150,7 @@ std::vector<Neighbour> FindNeighbours(const std::vector<Side>& sides)
   return neighbours;
 }
 
-/// Each part faces the way of its first triangle.
+/// Orients the triangles of each connected component like its first triangle.
 void OrientConsistently(const std::vector<Neighbour>& neighbours, Triangles& triangles)
 {
   std::vector<bool> isDone(triangles.size(), false), isTurned(triangles.size(), false);

@@ -1,6 +1,6 @@
 /**
- * ClosedSurface: a surface of triangles as files store it, with repeated corners and triangles that
- * face either way, made into the boundary of a solid.
+ * ClosedSurface: makes the boundary of a solid from a triangle surface of a file, in which corners
+ * are repeated and triangles face both ways.
  */
 #pragma once
 
@@ -11,26 +11,30 @@
 namespace vfm
 {
 
-/// The numbers of its points.
+/// Triangle given by the numbers of its points.
 using PointTriangle = std::array<Index, 3>;
 
-/// Its triangles face outwards, the walls of cavities into the cavities.
+/// Closed, consistently oriented surface. Its triangles face outwards; walls of cavities
+/// face into the cavities.
 struct ClosedSurface
 {
-  std::vector<Vector3>
-    Points; ///< those of the input; only the first of several at one place is used
+  /// Points of the input. If several are at one place, only the first is used.
+  std::vector<Vector3> Points;
   std::vector<PointTriangle> Triangles;
 };
 
-/// Merges points at the same place, drops triangles without area, turns the triangles of each
-/// connected part to face the same way as its first one, and all of them if the volume is negative
-/// then: the walls of a cavity must face against the outer wall. Throws InputError if a triangle
-/// has the number of no point, a coordinate is not finite, or the surface is empty, open or not
-/// manifold.
+/// Makes a closed surface. Merges points at the same place and removes triangles with two equal
+/// corners. Orients the triangles of each connected component like its first one. If the total
+/// volume is then negative, reverses all triangles. Therefore the walls of a cavity must face
+/// opposite to the outer wall in the input.
+/// @param points  coordinates
+/// @param triangles  points of each triangle, from 0
+/// @throws InputError  if a triangle refers to a point that does not exist, a coordinate is not
+///   finite, or the surface is empty, open or not manifold
 ClosedSurface CloseSurface(std::vector<Vector3> points, std::vector<PointTriangle> triangles);
 
-/// The solid inside the surface. distance: signed, negative inside; evaluated only where other
-/// shapes cut this one.
+/// Returns the solid inside a closed surface as a shape.
+/// @param distance  signed distance, negative inside; used only where other shapes cut this one
 Shape MakeSolid(
   int material, const ClosedSurface& surface, std::function<double(const Vector3&)> distance);
 

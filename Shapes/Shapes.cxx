@@ -77,7 +77,7 @@ HalfSpace MakePlane(const Vector3& point, const Vector3& normal, const char* sha
   return { n, Dot(n, point) };
 }
 
-/// The two faces across a local axis.
+/// Adds the two faces across a local axis.
 void AddFaces(Shape& shape, int axis, double halfWidth)
 {
   const Vector3& n = shape.Axes[axis];
@@ -117,7 +117,8 @@ double ConeRadius(const Shape& shape, double z)
     0.5 * (shape.Size[1] - shape.Size[0]) * z / shape.Size[2];
 }
 
-/// Exact distance to a box, from the offsets |p| - half edge along its axes.
+/// Returns the exact distance to a box.
+/// @param q  offsets |p| - half edge along the axes of the box
 double BoxDistance(const double* q, int dimension)
 {
   double largest = q[0], outside = 0.0;
@@ -129,7 +130,8 @@ double BoxDistance(const double* q, int dimension)
   return largest > 0.0 ? std::sqrt(outside) : largest;
 }
 
-/// Exact distance to a frustum: to the outline of its half section.
+/// Returns the exact distance to a frustum, which is the distance to the outline
+/// of its half section.
 double ConeDistance(const Shape& shape, const Vector3& p)
 {
   const double radius = std::hypot(p[0], p[1]), h = shape.Size[2];
@@ -148,8 +150,8 @@ double ConeDistance(const Shape& shape, const Vector3& p)
   return inside ? -nearest : nearest;
 }
 
-/// Exact distance to an ellipsoid: bisection for the root of D. Eberly, Distance from a Point to an
-/// Ellipse, an Ellipsoid, or a Hyperellipsoid (2013), eq. (19).
+/// Returns the exact distance to an ellipsoid, by bisection for the root of eq. (19) of D. Eberly,
+/// Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid (2013).
 double EllipsoidDistance(const Shape& shape, const Vector3& p)
 {
   const Vector3& e = shape.Size;
@@ -157,7 +159,8 @@ double EllipsoidDistance(const Shape& shape, const Vector3& p)
   double y[3], low = -INFINITY, scale2 = 0.0, value = -1.0;
   for (int a = 0; a < 3; ++a)
   {
-    y[a] = std::max(std::abs(p[a]), 1e-12 * smallest); // symmetric; off the degenerate planes
+    // The distance is symmetric. The limit keeps the point off the degenerate planes.
+    y[a] = std::max(std::abs(p[a]), 1e-12 * smallest);
     low = std::max(low, e[a] * y[a] - e[a] * e[a]);
     scale2 += e[a] * e[a] * y[a] * y[a];
     value += y[a] * y[a] / (e[a] * e[a]);
@@ -270,7 +273,7 @@ Shape MakeTorus(int material, const Vector3& center, double ringRadius, double t
   RequirePositive(tubeRadius, "torus", "radius of the tube");
   if (tubeRadius > ringRadius)
   {
-    throw InputError("torus: the radius of the tube exceeds that of the ring.");
+    throw InputError("torus: the radius of the tube is larger than the radius of the ring.");
   }
   Shape shape = Place(ShapeKind::Torus, "torus", material, center, rotation);
   shape.Size = { { ringRadius, tubeRadius, 0.0 } };

@@ -1,14 +1,10 @@
 /**
- * Solid shapes as implicit functions: what is inserted into a grid to get exact volume fractions.
+ * Shapes: solids as implicit functions, from which exact volume fractions are computed.
  *
- * A shape is the intersection of at most one curved body with any number of half-spaces. Functions
- * are negative inside; that of the body changes by no more than the distance walked (Lipschitz
- * constant 1), so one value tells whether a whole box lies on one side.
- *
- * Lengths are those of the grid. Rotations are Euler angles in degrees about x, y, z, in the order
- * of vtkProp3D: matrix Rz Rx Ry, applied before the translation to the center. Cylinder, cone and
- * torus have the local z axis. The makers throw InputError when a size is not positive or a number
- * not finite, or a material is below 1.
+ * Lengths are in length units of the grid. Rotations are Euler angles in degrees about x, y, z, in
+ * the order of vtkProp3D: the matrix Rz Rx Ry is applied before the translation to the center. The
+ * axis of cylinder, cone and torus is the local z axis. The functions that make shapes throw
+ * InputError if a size is not positive, a number is not finite, or a material is below 1.
  */
 #pragma once
 
@@ -21,6 +17,7 @@
 namespace vfm
 {
 
+/// Kind of a shape, and meaning of Shape::Size.
 enum class ShapeKind
 {
   Sphere,    ///< Size: radius
@@ -35,19 +32,22 @@ enum class ShapeKind
   Function
 };
 
-/// What a shape given by a function may know of a box from lower to upper.
+/// Optional functions of a shape of kind Function, for a box between two corners.
 struct BoxQueries
 {
-  /// Whether the surface may meet the box; false for every box inside a box for which it is false.
+  /// Returns whether the surface may meet the box. If it is false for a box, it is false
+  /// for every box inside.
   std::function<bool(const Vector3& lower, const Vector3& upper)> Meets;
-  /// Exact volume inside the shape.
+  /// Returns the exact volume of the shape in the box.
   std::function<double(const Vector3& lower, const Vector3& upper)> Volume;
-  /// The plane nearest to the surface in the box; returns about the volume between the two, 0 when
-  /// the half-space is the shape there, infinity when the surface is not near any plane.
+  /// Sets the plane nearest to the surface in the box. Returns an estimate of the volume between
+  /// plane and surface: 0 if the surface is the plane, infinity if it is not close to any plane.
   std::function<double(const Vector3& lower, const Vector3& upper, HalfSpace& plane)> FitPlane;
 };
 
-/// Made by the functions below.
+/// Intersection of at most one curved body with any number of half-spaces. Functions of shapes are
+/// negative inside. The function of the body has the Lipschitz constant 1: a single value can show
+/// that a whole box is on one side. The functions below make shapes.
 struct Shape
 {
   ShapeKind Kind = ShapeKind::Sphere;
@@ -55,12 +55,12 @@ struct Shape
   Vector3 Center{ { 0, 0, 0 } };
   std::array<Vector3, 3> Axes{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
   Vector3 Size{ { 0, 0, 0 } };
-  std::vector<HalfSpace> Planes; ///< the shape's own faces, then the cuts
-  std::size_t OwnPlanes = 0;
-  std::shared_ptr<const std::vector<Vector3>> Seeds; ///< of the Voronoi diagram
-  std::size_t Seed = 0;                              ///< of this cell
-  std::function<double(const Vector3&)> Distance;    ///< of ShapeKind::Function
-  BoxQueries Boxes;                                  ///< of ShapeKind::Function, or none
+  std::vector<HalfSpace> Planes;                     ///< faces of the kind of shape, then the cuts
+  std::size_t OwnPlanes = 0;                         ///< number of faces in Planes
+  std::shared_ptr<const std::vector<Vector3>> Seeds; ///< seeds of the Voronoi diagram
+  std::size_t Seed = 0;                              ///< seed of this Voronoi cell
+  std::function<double(const Vector3&)> Distance;    ///< only for ShapeKind::Function
+  BoxQueries Boxes;                                  ///< only for ShapeKind::Function; may be empty
 };
 
 Shape MakeSphere(int material, const Vector3& center, double radius);
@@ -70,40 +70,47 @@ Shape MakeBox(int material, const Vector3& center, const Vector3& edges,
   const Vector3& rotation = { { 0, 0, 0 } });
 Shape MakeCylinder(int material, const Vector3& center, double radius, double height,
   const Vector3& rotation = { { 0, 0, 0 } });
-/// A cone or frustum; one of the radii may be 0. The center is half way between bottom and top.
+/// Makes a cone or frustum. One of the radii may be 0. The center is halfway
+/// between bottom and top.
 Shape MakeCone(int material, const Vector3& center, double bottomRadius, double topRadius,
   double height, const Vector3& rotation = { { 0, 0, 0 } });
-/// tubeRadius <= ringRadius.
+/// Makes a torus with tubeRadius <= ringRadius.
 Shape MakeTorus(int material, const Vector3& center, double ringRadius, double tubeRadius,
   const Vector3& rotation = { { 0, 0, 0 } });
-/// The side of a plane that its normal (any length) points away from.
+/// Makes the half-space behind a plane, opposite to its normal. The normal may have any length.
 Shape MakeHalfSpace(int material, const Vector3& point, const Vector3& normal);
-/// sin x cos y + sin y cos z + sin z cos x < level, with 2 pi scaled to period; |level| < 1.5.
+/// Makes the solid sin x cos y + sin y cos z + sin z cos x < level, with 2 pi scaled to the period.
+/// @param level  |level| < 1.5
 Shape MakeGyroid(int material, const Vector3& center, double period, double level = 0.0,
   const Vector3& rotation = { { 0, 0, 0 } });
-/// The points nearer to seeds[seed] than to any other seed.
+/// Makes the cell of points nearer to seeds[seed] than to any other seed.
 Shape MakeVoronoiCell(
   int material, std::shared_ptr<const std::vector<Vector3>> seeds, std::size_t seed);
-/// distance: signed, negative inside, Lipschitz constant 1. boxes, all or none: spare the
-/// approximation where nothing else cuts a box. All callable by several threads at once.
+/// Makes a shape from a function. Several threads may call the functions at once.
+/// @param distance  signed distance, negative inside, with Lipschitz constant 1
+/// @param boxes  all three functions or none; they avoid approximation in boxes that
+///   no other shape cuts
 Shape MakeFunctionShape(
   int material, std::function<double(const Vector3&)> distance, BoxQueries boxes = BoxQueries());
-/// The part of the shape on the side of a plane that its normal points away from.
+/// Returns the part of a shape behind a plane, opposite to its normal.
 Shape CutShape(Shape shape, const Vector3& point, const Vector3& normal);
 
-/// Signed distance to the surface, negative inside. Exact; but to first order for the gyroid, and a
-/// lower bound outside near the edges of Voronoi cells and of shapes that were cut.
+/// Returns the signed distance to the surface, negative inside. It is exact, except for gyroids,
+/// where it is correct to first order. Outside, near edges of Voronoi cells and of cut shapes, it
+/// is a lower bound.
 double SignedDistance(const Shape& shape, const Vector3& point);
 
-/// Whether the shape has a curved body beside its planes.
+/// Returns whether the shape has a curved body.
 bool HasBody(const Shape& shape);
-/// The body's function: negative inside, Lipschitz constant 1.
+/// Returns the value of the body's function: negative inside, with Lipschitz constant 1.
 double EvaluateBody(const Shape& shape, const Vector3& point);
+/// Returns the number of planes, including planes between Voronoi cells.
 std::size_t CountPlanes(const Shape& shape);
-/// Plane i of the shape; false when there is none (a Voronoi cell against itself).
+/// Sets `plane` to plane i of the shape. Returns false if it does not exist
+/// (a Voronoi cell against itself).
 bool GetPlane(const Shape& shape, std::size_t i, HalfSpace& plane);
 
-/// The largest material number, 0 without shapes.
+/// Returns the largest material number; 0 without shapes.
 int CountMaterials(const std::vector<Shape>& shapes);
 
 } // namespace vfm

@@ -9,16 +9,15 @@ namespace vfm
 namespace
 {
 
-constexpr double LargestResidual =
-  0.1; // of a linear fit, against the span of the values in the box
+constexpr double LargestResidual = 0.1; // residual of a linear fit over the span of the values
 
-/// A linear function value + Gradient . (x - center).
+/// Linear function Value + Gradient . (x - center).
 struct LinearFit
 {
   double Value;
   Vector3 Gradient;
-  double Residual; // the largest at corners and center
-  double Span;     // half the difference between largest and smallest value in the box
+  double Residual; // largest residual at corners and center
+  double Span;     // half the difference of largest and smallest value in the box
 };
 
 LinearFit FitLinear(const Shape& shape, const BoxGeometry& box)
@@ -35,7 +34,7 @@ LinearFit FitLinear(const Shape& shape, const BoxGeometry& box)
     }
   }
   const double middle = EvaluateBody(shape, box.Center);
-  fit.Value = (2.0 * middle + mean) / 3.0; // the mean over the box of any quadratic
+  fit.Value = (2.0 * middle + mean) / 3.0; // exact mean over the box for quadratics
   fit.Residual = std::abs(middle - fit.Value);
   for (int c = 0; c < 8; ++c)
   {
@@ -49,8 +48,9 @@ LinearFit FitLinear(const Shape& shape, const BoxGeometry& box)
   return fit;
 }
 
-/// Bound on the volume between plane and surface that the faces of the box cut differently, where
-/// the surface deviates from the plane by no more than deviation.
+/// Returns a bound of the volume between plane and surface that the faces of
+/// the box cut differently.
+/// @param deviation  largest deviation of the surface from the plane
 double EstimateRimError(const BoxGeometry& box, const HalfSpace& plane, double deviation)
 {
   double error = 0.0;
@@ -84,7 +84,8 @@ BoxGeometry MakeBoxGeometry(const Vector3& lower, const Vector3& upper)
 double SurfaceFitter::MeasureHeight(
   const Shape& shape, double slope, double& deviation, double& area) const
 {
-  // Height = -value / slope. Midpoints of the sides of a triangle: exact for quadratics.
+  // The height is -value / slope. The rule of the midpoints of a triangle's sides
+  // is exact for quadratics.
   const std::vector<Vector3>& polygon = this->Section;
   const auto height = [&](const Vector3& p) { return -EvaluateBody(shape, p) / slope; };
   double lowest = INFINITY, highest = -INFINITY, integral = 0.0;

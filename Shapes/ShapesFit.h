@@ -1,6 +1,6 @@
 /**
- * A plane in place of a curved surface within a box, with an estimate of the volume that it gets
- * wrong.
+ * ShapesFit: approximates a curved surface in a box by a plane and estimates the
+ * error of the volume.
  */
 #pragma once
 
@@ -9,6 +9,7 @@
 namespace vfm
 {
 
+/// Box given by its center and half edges.
 struct BoxGeometry
 {
   Vector3 Center, Half;
@@ -20,7 +21,7 @@ struct BoxGeometry
       this->Center[1] + (c & 2 ? this->Half[1] : -this->Half[1]),
       this->Center[2] + (c & 4 ? this->Half[2] : -this->Half[2]) } };
   }
-  /// An eighth.
+  /// Returns eighth c of the box.
   BoxGeometry Child(int c) const
   {
     const Vector3 corner = this->Corner(c);
@@ -36,27 +37,30 @@ struct BoxGeometry
 
 BoxGeometry MakeBoxGeometry(const Vector3& lower, const Vector3& upper);
 
-/// What a plane gets wrong, as volumes.
+/// Error of a plane, as volumes.
 struct FitError
 {
-  double Rim = 0.0;   ///< along the faces of the box
-  double Sheet = 0.0; ///< between plane and surface: only their mean height is the same
+  double Rim = 0.0; ///< error along the faces of the box
+  /// Volume between plane and surface, of which only the mean heights are equal.
+  double Sheet = 0.0;
 };
 
+/// Fit of planes. It keeps memory between calls; use one object per thread.
 class SurfaceFitter
 {
 public:
-  /// Gives the plane that leaves the same volume behind it in the box as the shape's body, and an
-  /// estimate of the error; infinite when the surface is not near any plane.
+  /// Finds the plane with the same volume behind it in the box as the shape's body.
   ///
-  /// The gradient is fitted to the corners. Where the plane cuts the box, the height of the surface
-  /// over it, averaged over the polygon of the cut, shifts it to equal volume. What is left is of
-  /// second order in the height and arises along the faces of the box.
+  /// The gradient is fitted to the corners. If the plane cuts the box, it is shifted by the mean
+  /// height of the surface over the polygon of the cut, which makes the volumes equal. The
+  /// remaining error is of second order in the height and arises along the faces of the box.
+  /// @return estimate of the error; infinite if the surface is not close to any plane
   FitError Fit(const Shape& shape, const BoxGeometry& box, HalfSpace& plane);
 
 private:
-  /// Mean height over the plane of the surface; sets the largest difference from the mean and the
-  /// area.
+  /// Returns the mean height of the surface over the plane.
+  /// @param[out] deviation  largest deviation from the mean, at least the magnitude of the mean
+  /// @param[out] area  area of the polygon of the cut
   double MeasureHeight(const Shape& shape, double slope, double& deviation, double& area) const;
 
   ConvexPiece Inside, Outside;

@@ -16,23 +16,23 @@ using Parts = std::vector<FractionField::Part>;
 
 constexpr Index BlockWidth = 16;
 constexpr int MaximumDepth = 10;
-constexpr std::size_t MaximumSurfaces = 24; // cut exactly in one box; else it is halved first
-// What of the sheet error counts: where several surfaces cut the box, as each keeps its mean height
-// only in the box as a whole; and for functions that may have creases, where that mean is less
-// sure.
+constexpr std::size_t MaximumSurfaces = 24; // boxes with more surfaces are halved first
+// Weights of the sheet error. It counts if several surfaces cut the box, because each
+// keeps its mean height only over the whole box, and for functions with sharp edges, whose
+// mean is less accurate.
 constexpr double SheetOfSeveral = 0.25;
 constexpr double SheetOfFunction = 0.1;
 constexpr double NegligiblePart = 1e-12;
-constexpr int Body = -1; // beside the numbers of the planes
+constexpr int Body = -1; // number of the body among the surfaces; planes are numbered from 0
 
-/// The shapes that meet a box, and of each the surfaces that cut it. A shape without surfaces fills
-/// the box and is the last.
+/// Shapes that meet a box, and the surfaces of each shape that cut it. A shape without surfaces
+/// fills the box and is the last.
 struct Candidates
 {
   struct Item
   {
     int Shape;
-    std::size_t First, Last; // in Surfaces
+    std::size_t First, Last; // range in Surfaces
   };
   std::vector<Item> Items;
   std::vector<int> Surfaces; // Body or number of a plane
@@ -47,7 +47,7 @@ enum class Side
   Cut
 };
 
-/// The fractions of one cell, and the workspace for it.
+/// Computes the fractions of one cell; holds the memory for it.
 class CellWorker
 {
 public:
@@ -56,11 +56,13 @@ public:
   {
   }
 
-  /// Shapes and surfaces that matter in the box; from: those of a box around it, nullptr for all.
-  /// caution: factor on the size of the box for curved surfaces.
+  /// Selects the shapes and surfaces that meet a box.
+  /// @param from  candidates of a larger box; null for all shapes
+  /// @param caution  factor on the size of the box for curved surfaces
   void Select(const Candidates* from, const BoxGeometry& box, double caution, Candidates& to) const;
 
-  /// Parts in a cell given the candidates of a box around it.
+  /// Computes the parts in a cell.
+  /// @param from  candidates of a box around the cell
   void Compute(const Candidates& from, const BoxGeometry& cell, Parts& parts);
 
 private:
@@ -78,15 +80,15 @@ private:
   double Tolerance;
   double CellVolume = 0.0;
   std::vector<Candidates> Levels;
-  std::vector<HalfSpace> Fitted; // of every surface of the candidates of a box
-  std::vector<double> Sum;       // a material
+  std::vector<HalfSpace> Fitted; // planes of all surfaces of the candidates of a box
+  std::vector<double> Sum;       // volume per material
   std::vector<int> Touched;      // materials with a part
   SurfaceFitter Fitter;
   std::vector<ConvexPiece> Pieces, Rest;
   std::vector<Vector3> Section;
 };
 
-/// By the shape's own queries.
+/// Classifies a box by the functions of the shape.
 Side ClassifyByQueries(const Shape& shape, const BoxGeometry& box, double caution)
 {
   const Vector3 half = (caution > 1.0 ? 1.0 + 1e-9 : 1.0) * box.Half;
@@ -94,7 +96,7 @@ Side ClassifyByQueries(const Shape& shape, const BoxGeometry& box, double cautio
   {
     return Side::Cut;
   }
-  const Vector3 core = 1e-3 * box.Half; // all inside or all outside
+  const Vector3 core = 1e-3 * box.Half; // completely inside or outside
   const double volume = shape.Boxes.Volume(box.Center - core, box.Center + core);
   return volume > 4.0 * core[0] * core[1] * core[2] ? Side::Inside : Side::Outside;
 }
@@ -165,7 +167,7 @@ void CellWorker::Select(
       : Candidates::Item{ static_cast<int>(i), 0, CountPlanes(this->Shapes[i]) + 1 };
     if (this->SelectShape(from, item, box, caution, to))
     {
-      break; // filled
+      break; // the shape fills the box
     }
   }
 }
@@ -226,8 +228,8 @@ void CellWorker::Recurse(const Candidates& from, const BoxGeometry& box, int dep
   }
 }
 
-/// Where one shape that knows its volume in boxes cuts the box, over void or over a shape that
-/// fills it.
+/// Adds exact volumes if the box is cut only by a shape with BoxQueries::Volume, over void or over
+/// a shape that fills the box. Returns whether it is.
 bool CellWorker::AddExactly(const Candidates& candidates, const BoxGeometry& box)
 {
   const std::vector<Candidates::Item>& items = candidates.Items;
@@ -239,7 +241,7 @@ bool CellWorker::AddExactly(const Candidates& candidates, const BoxGeometry& box
   const double volume = std::min(
     std::max(shape.Boxes.Volume(box.Center - box.Half, box.Center + box.Half), 0.0), box.Volume());
   this->Add(items[0].Shape, volume);
-  if (items.size() > 1) // without surfaces of its own
+  if (items.size() > 1) // a shape that fills the box
   {
     this->Add(items[1].Shape, box.Volume() - volume);
   }
@@ -257,7 +259,7 @@ FitError CellWorker::FitBody(const Shape& shape, const BoxGeometry& box, HalfSpa
   return error;
 }
 
-/// Planes in place of all surfaces; whether they are good enough.
+/// Fits planes to all surfaces. Returns whether the error is within the tolerance.
 bool CellWorker::FitSurfaces(const Candidates& candidates, const BoxGeometry& box, int depth)
 {
   if (candidates.Surfaces.size() > MaximumSurfaces && depth < MaximumDepth)
@@ -265,8 +267,8 @@ bool CellWorker::FitSurfaces(const Candidates& candidates, const BoxGeometry& bo
     return false;
   }
   this->Fitted.resize(candidates.Surfaces.size());
-  // A halving makes about four times as many boxes on a surface and twice as many on an edge, and
-  // each gets its share of the tolerance.
+  // Each halving multiplies the boxes on a surface by about four, on an edge by two. The tolerance
+  // is divided among them.
   const double onSurface = std::pow(4.0, depth) / this->CellVolume;
   const double onEdge = std::pow(2.0, depth) / this->CellVolume;
   double error = 0.0;
@@ -321,7 +323,7 @@ void CellWorker::CutBox(const Candidates& candidates, const BoxGeometry& box)
   }
 }
 
-/// One block of cells, halved down to single cells where shapes cut it.
+/// Computes one block of cells, which is halved down to single cells where shapes cut it.
 class BlockWorker
 {
 public:
@@ -334,8 +336,8 @@ public:
   void Compute(const Candidates* from, const IndexBox& cells)
   {
     const BoxGeometry box = this->Geometry(cells);
-    // With the factor sqrt(2) a cell alone would drop all that is dropped here: of a cell in the
-    // box, |center - box center| + |half cell| <= sqrt(2) |half box|.
+    // The factor sqrt(2) ensures that every shape discarded here would be discarded for each cell
+    // of the box too: |center - box center| + |half cell| <= sqrt(2) |half box|.
     Candidates candidates;
     this->Cell.Select(from, box, 1.4143, candidates);
     if (candidates.Items.empty())
@@ -392,7 +394,8 @@ private:
   Parts Found;
 };
 
-/// How many blocks are done, which the thread that made this tells; when that throws the others stop too.
+/// Counter of finished blocks. The thread that made it reports the progress. If the report throws,
+/// the other threads stop too.
 class BlockCount
 {
 public:
@@ -425,7 +428,7 @@ private:
   const std::thread::id ReportingThread = std::this_thread::get_id();
   std::atomic<Index> Done{ 0 };
   std::atomic<bool> Stopped{ false };
-  Index Reported = 0; // percent
+  Index Reported = 0; // last reported progress, percent
 };
 
 void CheckTolerance(double tolerance)

@@ -1,13 +1,12 @@
 /**
- * Volume fractions of shapes in the cells of a grid.
+ * ShapesFractions: volume fractions of shapes in the cells of a grid.
  *
- * The first shape that contains a point owns it, so a shape gets what the ones before it left over.
- * Cells cut by planes only are exact. Elsewhere a cell is halved until each curved surface is, in
- * every part, near enough to the plane of equal volume; what "near enough" leaves is estimated to
- * stay below the tolerance, an absolute error of the fraction in a cell.
+ * A point belongs to the first shape that contains it. Cells that are cut only by planes are exact.
+ * Other cells are halved until each curved surface is close to a plane of equal volume in every
+ * part. The tolerance is a limit of the estimated absolute error of a fraction in a cell.
  *
- * The fractions of a cell depend on that cell alone: they are the same, bit for bit, whatever box
- * of cells is asked for and however many threads work.
+ * The fractions of a cell depend only on the cell. They are bitwise identical for any box of cells
+ * and any number of threads.
  */
 #pragma once
 
@@ -21,32 +20,44 @@ namespace vfm
 
 constexpr double DefaultShapeTolerance = 1e-4;
 
-/// Parts in one box from lower to upper, in the order of their materials, without void and without
-/// parts below 1e-12. Throws InputError unless 0 < tolerance < 1.
+/// Computes the fractions in one box.
+/// @param lower,upper  corners of the box
+/// @param tolerance  absolute error of a fraction, between 0 and 1
+/// @return parts in the order of materials, without void and without parts below 1e-12
+/// @throws InputError  unless 0 < tolerance < 1
 std::vector<FractionField::Part> ComputeShapeParts(const std::vector<Shape>& shapes,
   const Vector3& lower, const Vector3& upper, double tolerance = DefaultShapeTolerance);
 
-/// As above into an array: fractions[material - 1], CountMaterials(shapes) long.
+/// Computes the fractions in one box as an array.
+/// @param[out] fractions  fractions[material - 1], of length CountMaterials(shapes)
+/// @throws InputError  unless 0 < tolerance < 1
 void ShapeFractions(const std::vector<Shape>& shapes, const Vector3& lower, const Vector3& upper,
   double tolerance, double* fractions);
 
-/// Called with a box of cells that all have the parts given; boxes are disjoint, several threads
-/// may call at once.
+/// Function that receives a box of cells with equal parts. Boxes are disjoint. Several threads may
+/// call it at once.
 using ShapePartsSink =
   std::function<void(const IndexBox& cells, const std::vector<FractionField::Part>& parts)>;
 
-/// Fractions in the cells of a box of a grid whose node coordinates are given, one list an axis.
-/// Void cells are not told. Tells its progress, 0 to 1, and stops when that throws Aborted. Throws InputError unless 0 < tolerance < 1.
+/// Computes the fractions in the cells of a box.
+/// @param coordinates  node coordinates of the grid, one list per axis
+/// @param box  cells to compute
+/// @param runtime  receives the progress, 0 to 1
+/// @param sink  called for all cells except void cells
+/// @throws InputError  unless 0 < tolerance < 1
+/// @throws Aborted  if the user stops the run
 void ComputeShapeFractions(const std::array<std::vector<double>, 3>& coordinates,
   const IndexBox& box, const std::vector<Shape>& shapes, double tolerance, Runtime& runtime,
   const ShapePartsSink& sink);
 
-/// The same as an array per material of the cells of the box, x fastest.
+/// Computes the fractions in the cells of a box (ComputeShapeFractions).
+/// @return one array per material over the cells of the box, x fastest
 std::vector<Buffer<double>> FractionArraysOfShapes(
   const std::array<std::vector<double>, 3>& coordinates, const IndexBox& box,
   const std::vector<Shape>& shapes, double tolerance, Runtime& runtime);
 
-/// The fractions in the local box of a grid. materials: 0 for CountMaterials(shapes).
+/// Computes the fractions in the local box of a grid.
+/// @param materials  number of materials; 0 for CountMaterials(shapes)
 FractionField FractionsOfShapes(const CartesianGrid& grid, const std::vector<Shape>& shapes,
   int materials = 0, double tolerance = DefaultShapeTolerance);
 FractionField FractionsOfShapes(const CartesianGrid& grid, const std::vector<Shape>& shapes,

@@ -11,20 +11,20 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr int Trials = 8; // points drawn for a grain; the farthest from the others stays
+constexpr int Trials = 8; // random points per grain; the one farthest from the other seeds is used
 
 constexpr const char* SceneNames[] = { "Sphere", "Two Spheres", "Ellipsoid", "Ball and Plate",
   "Three Sectors", "Torus", "Cylinder", "Half Sphere", "Oblique Plate", "Gyroid", "Polycrystal",
   "Eight Shapes" };
 static_assert(
   sizeof(SceneNames) / sizeof(SceneNames[0]) == static_cast<std::size_t>(Scene::NumberOfScenes),
-  "one name a scene");
+  "one name per scene");
 
-/// Places points of the unit domain [-1,1]^3 about the middle of the real one.
+/// Maps the domain [-1,1]^3 to the largest cube at the center of a domain.
 struct Frame
 {
   Vector3 Center;
-  double Half; // of the shortest edge
+  double Half; // half of the shortest edge
 
   Vector3 At(double x, double y, double z) const
   {
@@ -32,8 +32,9 @@ struct Frame
   }
 };
 
-/// Box, wedge, sphere, cylinder, pyramid, ellipsoid, torus and cone. The wedge leans on the box, the pyramid stands on it,
-/// the cone on the cylinder; the torus lies around the top of the sphere.
+/// Makes a box, wedge, sphere, cylinder, pyramid, ellipsoid, torus and cone. The wedge and
+/// the pyramid touch the box, the cone touches the cylinder, and the torus surrounds the
+/// top of the sphere.
 std::vector<Shape> MakeEightShapes(const Frame& f)
 {
   const double h = f.Half;
@@ -147,7 +148,7 @@ std::vector<Shape> MakePolycrystal(int firstMaterial, const Vector3& lower, cons
       Vector3 point;
       for (int a = 0; a < 3; ++a)
       {
-        // Not std::uniform_real_distribution, which differs between libraries.
+        // std::uniform_real_distribution is not used, because it differs between libraries.
         const double t = static_cast<double>(random() >> 11) * 0x1p-53;
         point[a] = lower[a] + t * (upper[a] - lower[a]);
       }

@@ -1,5 +1,5 @@
 /**
- * Ready scenes of shapes, and shapes that are made of several.
+ * ShapesScenes: example scenes, and solids that consist of several shapes.
  */
 #pragma once
 
@@ -10,40 +10,44 @@
 namespace vfm
 {
 
+/// Example scene.
 enum class Scene
 {
   Sphere,
-  TwoSpheres, ///< with a gap of a twentieth of the domain
+  TwoSpheres, ///< their gap is a twentieth of the domain
   Ellipsoid,
   BallAndPlate, ///< 2 materials
   ThreeSectors, ///< a ball of 3 materials that meet along a line
   Torus,
   Cylinder,   ///< cut by the domain
-  HalfSphere, ///< on a side of the domain
+  HalfSphere, ///< lies on a side of the domain
   ObliquePlate,
   Gyroid,
   Polycrystal, ///< 20 grains that fill the domain
-  EightShapes, ///< 8 materials: one of each of CTH's bodies, some of which touch
+  EightShapes, ///< 8 materials: each kind of body of CTH once; some bodies touch
   NumberOfScenes
 };
 
-/// As people read it, for menus.
+/// Returns the name of a scene for menus.
 std::string GetSceneName(Scene scene);
 
-/// The scene in a domain; sizes follow its shortest edge.
+/// Makes a scene in a domain. Sizes are proportional to the shortest edge of the domain.
 std::vector<Shape> MakeScene(Scene scene, const Vector3& lower, const Vector3& upper);
 
-/// What lies between two parallel planes, half the thickness to either side of the center.
+/// Makes the plate between two parallel planes, each at half the thickness from the center.
 Shape MakePlate(int material, const Vector3& center, const Vector3& normal, double thickness);
 
-/// A ball in equal sectors about the z axis through its center, materials 1..sectors; the first
-/// sector begins at an angle (degrees from the x axis). sectors >= 2.
+/// Makes a ball divided into equal sectors about the z axis through its center.
+/// @param sectors  number of sectors, at least 2; sector n is material n, from 1
+/// @param startAngle  begin of the first sector, degrees from the x axis
 std::vector<Shape> MakeSectors(
   const Vector3& center, double radius, int sectors, double startAngle = 0.0);
 
-/// Voronoi cells of points spread at random, but not too near to each other: materials from
-/// firstMaterial on, one a grain. They fill all space; the points lie in the box. The same random
-/// seed gives the same grains everywhere. grains >= 1.
+/// Makes a polycrystal of Voronoi cells, which fill all space. Their seeds are random points of the
+/// box that are not too close to each other.
+/// @param firstMaterial  material of the first grain; each grain has its own material
+/// @param grains  number of grains, at least 1
+/// @param randomSeed  equal seeds produce equal grains on every machine
 std::vector<Shape> MakePolycrystal(int firstMaterial, const Vector3& lower, const Vector3& upper,
   int grains, unsigned int randomSeed = 1);
 

@@ -12,7 +12,7 @@ namespace vfm
 namespace
 {
 
-/// The words of one line; each is taken once.
+/// Parameters of one line. Each can be taken once.
 class Line
 {
 public:
@@ -41,7 +41,7 @@ public:
     const double value = this->TakeNumber(name, otherwise);
     if (!(value >= 0.0 && value <= 1e6) || value != static_cast<int>(value))
     {
-      this->Fail("'" + name + "' must be a whole number up to a million.");
+      this->Fail("'" + name + "' must be an integer from 0 to 1000000.");
     }
     return static_cast<int>(value);
   }
@@ -67,7 +67,7 @@ public:
   {
     if (!this->Values.empty())
     {
-      this->Fail("a " + this->Name + " has no word '" + this->Values.begin()->first + "'.");
+      this->Fail("a " + this->Name + " has no parameter '" + this->Values.begin()->first + "'.");
     }
   }
 
@@ -107,13 +107,14 @@ private:
     const auto it = this->Values.find(name);
     if (it == this->Values.end())
     {
-      this->Fail("a " + this->Name + " needs the word '" + name + "='.");
+      this->Fail("a " + this->Name + " requires the parameter '" + name + "='.");
     }
     const std::vector<double> values = it->second;
     if (values.size() != count)
     {
       this->Fail("'" + name + "' needs " + std::to_string(count) + " number" +
-        (count > 1 ? "s parted by commas" : "") + ", not " + std::to_string(values.size()) + ".");
+        (count > 1 ? "s separated by commas" : "") + ", not " + std::to_string(values.size()) +
+        ".");
     }
     this->Values.erase(it);
     return values;
@@ -167,8 +168,8 @@ Shape ParseShape(Line& line, int material)
       material, center, line.TakeNumber("period"), line.TakeNumber("level", 0.0), rotation);
   }
   line.Fail("'" + line.Name +
-    "' is no shape. Shapes are sphere, ellipsoid, box, cylinder, cone, torus, halfspace, plate, "
-    "gyroid, polycrystal.");
+    "' is not a shape. Shapes are sphere, ellipsoid, box, cylinder, cone, torus, halfspace, "
+    "plate, gyroid, polycrystal.");
 }
 
 void ParseLine(Line& line, const Vector3& lower, const Vector3& upper, std::vector<Shape>& shapes)

@@ -1,5 +1,5 @@
 /**
- * Shapes written as text, one a line (or parted by semicolons):
+ * ShapesText: shapes from text, with one shape per line or separated by semicolons:
  *
  *   sphere      radius=0.4 center=0,0,0
  *   ellipsoid   radii=0.4,0.3,0.2 center=0,0,0 rotation=0,0,45
@@ -12,11 +12,11 @@
  *   gyroid      period=1 level=0 center=0,0,0 rotation=0,0,0
  *   polycrystal grains=20 seed=1
  *
- * Each may have material=1 and any number of cut=x,y,z,nx,ny,nz, which keeps the part of the shape
- * on the side of the plane through (x,y,z) that the normal points away from. Where a center or
- * rotation is left out it is 0, material 1, level 0, seed 1; sizes and normals are needed. A
- * polycrystal takes a material a grain from its material on. What follows # is a comment.
- * Rotations: see Shapes.h.
+ * Each shape may have material=1 and any number of cut=x,y,z,nx,ny,nz. A cut keeps the part of the
+ * shape behind the plane through (x,y,z), opposite to its normal. Defaults: center and rotation 0,
+ * material 1, level 0, grains 20, seed 1. Sizes and normals are required. Each grain of a
+ * polycrystal has its own material, starting with the material of the polycrystal. Text after # is
+ * a comment. Shapes.h explains rotations.
  */
 #pragma once
 
@@ -27,8 +27,9 @@
 namespace vfm
 {
 
-/// lower, upper: the domain, where a polycrystal has its seeds. Throws InputError that names line
-/// and word.
+/// Makes shapes from text.
+/// @param lower,upper  domain, which contains the seeds of polycrystals
+/// @throws InputError  names the line and the wrong parameter
 std::vector<Shape> ParseShapes(const std::string& text, const Vector3& lower, const Vector3& upper);
 
 } // namespace vfm

@@ -7,19 +7,19 @@ namespace vfm
 namespace
 {
 
-constexpr int MaximumBins = 1024;       // along an axis
-constexpr double SamePlane = 1e-10;     // deviation against the box
-constexpr double LeastMeanNormal = 0.5; // of triangles that a plane may stand for
+constexpr int MaximumBins = 1024;       // maximum number of bins along an axis
+constexpr double SamePlane = 1e-10;     // deviation from a plane over the diagonal of the box
+constexpr double LeastMeanNormal = 0.5; // minimum length of the mean normal for a plane
 
-/// A convex polygon; a triangle clipped by the six planes of a box has at most nine corners.
+/// Convex polygon. A triangle clipped by the six planes of a box has at most nine corners.
 struct Polygon
 {
   int Size = 0;
   std::array<Vector3, 9> Corners;
 };
 
-/// The part below the value along an axis for sign 1, above it for -1; what lies at the value
-/// counts as below.
+/// Returns the part of a polygon below a value along an axis for sign 1, above it for sign -1.
+/// Points at the value count as below.
 Polygon ClipPolygon(const Polygon& polygon, int axis, double value, double sign)
 {
   Polygon part;
@@ -42,8 +42,8 @@ Polygon ClipPolygon(const Polygon& polygon, int axis, double value, double sign)
   return part;
 }
 
-/// Integral over the polygon's shadow on the yz plane of x - start, or of width when it is not
-/// negative; negative where the polygon faces -x.
+/// Returns the integral, over the projection of a polygon to the yz plane, of x - start, or of the
+/// width if it is not negative. The integral is negative if the polygon faces -x.
 double IntegrateShadow(const Polygon& polygon, double start, double width)
 {
   double sum = 0.0;
@@ -64,8 +64,8 @@ Polygon MakePolygon(const Triangle& triangle)
   return polygon;
 }
 
-/// Volume of the points of the box from which the ray to +x hits the triangle, negative where it
-/// faces -x.
+/// Returns the volume of the points of the box whose ray to +x hits the triangle; negative if
+/// the triangle faces -x.
 double MeasureShadow(const Triangle& triangle, const Vector3& lower, const Vector3& upper)
 {
   Polygon part = MakePolygon(triangle);
@@ -79,7 +79,7 @@ double MeasureShadow(const Triangle& triangle, const Vector3& lower, const Vecto
     IntegrateShadow(beyond, 0.0, upper[0] - lower[0]);
 }
 
-/// What of the triangle lies in the box.
+/// Returns the part of the triangle in the box.
 Polygon ClipToBox(const Triangle& triangle, const Vector3& lower, const Vector3& upper)
 {
   Polygon part = MakePolygon(triangle);
@@ -90,10 +90,10 @@ Polygon ClipToBox(const Triangle& triangle, const Vector3& lower, const Vector3&
   return part;
 }
 
-/// Sums over polygons that make the mean plane.
+/// Sums over polygons from which the mean plane is computed.
 struct SurfaceMoments
 {
-  Vector3 Normal{ { 0, 0, 0 } }, Center{ { 0, 0, 0 } }; // times the area
+  Vector3 Normal{ { 0, 0, 0 } }, Center{ { 0, 0, 0 } }; // mean values times the area
   double Area = 0.0;
 
   void Add(const Polygon& polygon)
@@ -148,7 +148,7 @@ TriangleSolid::TriangleSolid(std::vector<Triangle> triangles) : Triangles(std::m
     });
 }
 
-/// Calls visit(bin) for the bins that a box meets.
+/// Calls visit(bin) for the bins that overlap a box.
 template <class Visitor>
 void TriangleSolid::ForBins(const Bounds& box, const Visitor& visit) const
 {
@@ -202,7 +202,7 @@ void TriangleSolid::VisitColumn(
         {
           continue;
         }
-        // A triangle of several bins counts in the first that it shares with the column.
+        // A triangle in several bins is visited in the first of them in the column.
         if (j == std::max(y[0], this->FindBins(0, box.Lower[1], box.Lower[1])[0]) &&
           k == std::max(z[0], this->FindBins(1, box.Lower[2], box.Lower[2])[0]) &&
           visit(this->Members.Items[m]))

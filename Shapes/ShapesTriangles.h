@@ -1,5 +1,5 @@
 /**
- * The solid inside a closed surface of triangles: exact volumes in boxes.
+ * ShapesTriangles: exact volumes, in boxes, of the solid inside a closed triangle surface.
  */
 #pragma once
 
@@ -9,26 +9,28 @@
 namespace vfm
 {
 
-/// Corners counter-clockwise seen from outside.
+/// Triangle with its corners counter-clockwise seen from outside.
 using Triangle = std::array<Vector3, 3>;
 
-/// Triangles sorted into columns along x. A point is inside when its ray to +x leaves the solid
-/// once more often than it enters; so the volume in a box is a sum over the triangles beyond it,
-/// with no case apart.
+/// Solid whose triangles are sorted into columns along x. A point is inside if its ray to +x
+/// leaves the solid once more than it enters. Therefore the volume in a box is a sum over the
+/// triangles in and beyond the box, without special cases. The object is constant, so threads may
+/// use it at the same time.
 class TriangleSolid
 {
 public:
-  /// The triangles must close: what is inside is undefined else.
+  /// @param triangles  closed surface; otherwise the results are undefined
   explicit TriangleSolid(std::vector<Triangle> triangles);
 
-  /// Whether the bounds of a triangle touch the box.
+  /// Returns whether the bounds of a triangle touch the box.
   bool Meets(const Vector3& lower, const Vector3& upper) const;
-  /// Volume of the solid inside the box, to rounding.
+  /// Returns the volume of the solid inside the box, exact except for rounding.
   double MeasureVolume(const Vector3& lower, const Vector3& upper) const;
-  /// The plane of the mean normal through the centroid of the surface in the box; see
-  /// BoxQueries::FitPlane. Has an infinite offset when the solid fills all or nothing of the box.
+  /// Sets the plane through the centroid of the surface in the box, with its mean normal.
+  /// Its offset is infinite if the solid fills all of the box or nothing. Returns the value
+  /// of BoxQueries::FitPlane.
   double FitPlane(const Vector3& lower, const Vector3& upper, HalfSpace& plane) const;
-  /// Volume of the whole solid; negative when the triangles face inwards.
+  /// Returns the volume of the whole solid; negative if the triangles face inwards.
   double MeasureVolume() const;
 
 private:
@@ -36,23 +38,23 @@ private:
   {
     Vector3 Lower, Upper;
   };
-  /// Bins that an interval along y (0) or z (1) overlaps, from first to last.
   template <class Visitor>
   void ForBins(const Bounds& box, const Visitor& visit) const;
+  /// Returns the first and the last bin that an interval along y (0) or z (1) overlaps.
   std::array<int, 2> FindBins(int axis, double low, double high) const;
-  /// Calls visit(triangle) for triangles whose bounds overlap the box but for its upper x, each
-  /// once, until it returns true.
+  /// Calls visit(triangle), until it returns true, once for each triangle whose bounds overlap the
+  /// box extended to x = infinity.
   template <class Visit>
   void VisitColumn(const Vector3& lower, const Vector3& upper, const Visit& visit) const;
 
   std::vector<Triangle> Triangles;
-  std::vector<Bounds> Boxes; // of the triangles
+  std::vector<Bounds> Boxes; // bounds of the triangles
   Bounds All;
-  int Bins = 1;        // along y and z
+  int Bins = 1;        // number of bins along y and along z
   Groups<int> Members; // triangles by bin
 };
 
-/// What a shape made of the solid may know of boxes.
+/// Returns the functions for a shape that is the solid.
 BoxQueries QueriesOf(std::shared_ptr<const TriangleSolid> solid);
 
 } // namespace vfm
