@@ -1,4 +1,4 @@
-# The plugin of ParaView: build/lib/VolumeFractionMesh.so is the link to it.
+# Builds the ParaView plugin. build/lib/VolumeFractionMesh.so is a link to it.
 include(CMake/HelpPages.cmake)
 paraview_plugin_scan(
   PLUGIN_FILES      "${PROJECT_SOURCE_DIR}/Plugin/paraview.plugin"

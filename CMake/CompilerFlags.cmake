@@ -1,16 +1,16 @@
-# Flags of all our code: vfm_flags is linked privately by every target.
-option(VFM_WERROR "Warnings of the compiler are errors" OFF)
+# Compiler flags of all code of the project. Every target links vfm_flags privately.
+option(VFM_WERROR "Treat compiler warnings as errors" OFF)
 set(VFM_SANITIZE "" CACHE STRING "Sanitizers of GCC and Clang: address,undefined or thread")
 
-# -ffp-contract=off: the mesh is the same bit for bit on every machine of one architecture, but for exp, of which glibc has one for
-# processors with fused multiply-add and another for those without.
+# -ffp-contract=off: meshes are bitwise identical on every machine of one architecture. The
+# exception is exp, which glibc computes differently on processors with fused multiply-add.
 add_library(vfm_flags INTERFACE)
 target_compile_options(vfm_flags INTERFACE -Wall -Wextra -ffp-contract=off)
 if (VFM_WERROR)
   target_compile_options(vfm_flags INTERFACE -Werror)
 endif ()
 
-# What is instrumented must be so as a whole. The first report ends the program.
+# All code of a program must be instrumented. The first report ends the program.
 if (VFM_SANITIZE)
   add_compile_options("-fsanitize=${VFM_SANITIZE}" -fno-sanitize-recover=all -fno-omit-frame-pointer
     $<$<COMPILE_LANGUAGE:CXX>:-D_GLIBCXX_ASSERTIONS>)

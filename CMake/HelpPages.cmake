@@ -1,9 +1,10 @@
-# The pages that "?" in a panel opens, made of the server manager's XML.
+# Help pages, which "?" in a panel opens. ParaView makes them from the XML of the server manager.
 
-# Sets the variable to whether the tools are there that ParaView makes pages with: of Qt 5, which can be links to a chooser with nothing
-# behind, so one is tried; of Qt 6 since ParaView 6.
+# Sets the variable `found` to whether the tools that ParaView makes help pages with were found.
+# They are part of Qt 5, since ParaView 6 of Qt 6. A tool of Qt 5 can be a link to qtchooser without
+# the tool itself, so one tool is run.
 function (vfm_find_help_tools found)
-  set(qt Qt5) # ParaView 5.11 does not tell
+  set(qt Qt5) # ParaView 5.11 does not set PARAVIEW_QT_MAJOR_VERSION
   if (PARAVIEW_QT_MAJOR_VERSION GREATER 5)
     set(qt "Qt${PARAVIEW_QT_MAJOR_VERSION}")
   endif ()
@@ -17,7 +18,8 @@ function (vfm_find_help_tools found)
       DOC "Path to xmlpatterns")
     set(tool "${qt_xmlpatterns_executable}" -version)
   elseif (ParaView_VERSION VERSION_LESS 6)
-    message(STATUS "ParaView ${ParaView_VERSION} makes no help pages of plugins with ${qt}: the plugin has none")
+    message(STATUS "The plugin is built without help pages: ParaView ${ParaView_VERSION} "
+      "does not make them with ${qt}")
     return ()
   else ()
     set(packages "qt6-tools-dev, qt6-documentation-tools, xsltproc")
@@ -29,11 +31,13 @@ function (vfm_find_help_tools found)
   if ("${${qt}Help_FOUND}" AND result EQUAL 0)
     set("${found}" ON PARENT_SCOPE)
   else ()
-    message(STATUS "The tools that ParaView makes help pages with (packages ${packages}) were not found: the plugin has none")
+    message(STATUS "The plugin is built without help pages: the tools of ParaView for them "
+      "(packages ${packages}) were not found")
   endif ()
 endfunction ()
 
-# Makes the pages of a plugin anew when its XML changed, of which ParaView's rules do not know.
+# Makes the help pages of a plugin again after its XML changed.
+# ParaView's rules lack this dependency.
 # usage: vfm_renew_help_pages(PLUGIN XML ...)
 function (vfm_renew_help_pages plugin)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/paraview_help")

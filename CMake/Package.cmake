@@ -1,5 +1,6 @@
-# find_package(VolumeFractionMesh), in the build tree and in the installed one. Each component has an export of its own, so that who
-# wants one needs not what the others link; Filters and IO are exported by vtk_module_build.
+# Files for find_package(VolumeFractionMesh) in the build tree and in the installed tree. Each
+# component has its own export, so a project that uses one component does not need the libraries of
+# the others. vtk_module_build exports Filters and IO.
 include(CMakePackageConfigHelpers)
 set(vfm_exports sculptor Grid)
 if (TARGET vfm_catalyst)

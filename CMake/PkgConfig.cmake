@@ -1,5 +1,5 @@
-# Configures NAME.pc.in for the installed tree, which may be moved, and as NAME-uninstalled.pc, which pkg-config prefers, for
-# lib/pkgconfig of the build tree.
+# Configures NAME.pc.in twice: for the installed tree, which may be moved, and as
+# NAME-uninstalled.pc in lib/pkgconfig of the build tree. pkg-config prefers uninstalled files.
 # usage: vfm_add_pkg_config(NAME headers of the installed tree, headers of the source tree ...)
 function (vfm_add_pkg_config name installed_headers)
   set(prefix "\${pcfiledir}/../..")

@@ -1,11 +1,13 @@
-# Debian 13's ParaView says of its Python modules that they are NAME.so where they are NAME.cpython-313-x86_64-linux-gnu.so, and
-# find_package ends there. Copies of those few files with the names mended, included before, make the targets; the package's own files
-# leave targets alone that are there.
+# Workaround for ParaView of Debian 13. Its CMake files expect Python modules NAME.so, but
+# the modules are named NAME.cpython-313-x86_64-linux-gnu.so, and find_package fails.
+# Corrected copies of these files are included first and define the targets. The files of
+# the package skip targets that exist.
 
-# Mends what lies in a folder of a VTK's or ParaView's CMake files, where it needs that.
+# Corrects the files in a CMake folder of VTK or ParaView, if necessary.
 function (vfm_mend_python_targets folder)
   file(GLOB prefix_file "${folder}/*-prefix.cmake")
-  file(GLOB parts RELATIVE "${folder}" "${folder}/*Python*-targets-*.cmake") # one of each configuration
+  # There is one file per configuration.
+  file(GLOB parts RELATIVE "${folder}" "${folder}/*Python*-targets-*.cmake")
   if (NOT prefix_file OR NOT parts)
     return ()
   endif ()
@@ -24,15 +26,18 @@ function (vfm_mend_python_targets folder)
     file(WRITE "${copies}/${part}" "${text}")
     string(REGEX REPLACE "-targets-.*" "-targets.cmake" whole "${part}")
     file(READ "${folder}/${whole}" text)
-    string(REPLACE "\${CMAKE_CURRENT_LIST_FILE}" "${folder}/${whole}" text "${text}") # which tells where the package is
+    # The file computes the folder of the package from its own path.
+    string(REPLACE "\${CMAKE_CURRENT_LIST_FILE}" "${folder}/${whole}" text "${text}")
     file(WRITE "${copies}/${whole}" "${text}")
     include("${copies}/${whole}")
   endforeach ()
 endfunction ()
 
-# The same in ParaView's own folder and that of its VTK; where they lie is told by a small file there that names no targets.
+# Corrects the files in the CMake folders of ParaView and of its VTK. They are found by a small
+# file that does not define targets.
 macro (vfm_mend_paraview)
-  find_package(ParaViewFolder QUIET NAMES ParaView CONFIGS paraview-prefix.cmake HINTS "${ParaView_DIR}")
+  find_package(ParaViewFolder QUIET NAMES ParaView CONFIGS paraview-prefix.cmake
+    HINTS "${ParaView_DIR}")
   mark_as_advanced(ParaViewFolder_DIR)
   vfm_mend_python_targets("${ParaViewFolder_DIR}/vtk")
   vfm_mend_python_targets("${ParaViewFolder_DIR}")

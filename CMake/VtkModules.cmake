@@ -1,8 +1,9 @@
-# Scans our VTK modules and finds VTK with all that they and the programs need: the VTK of ParaView for the plugin, else a plain one.
+# Scans the VTK modules of the project and finds VTK with all components that they and the programs
+# need: the VTK of ParaView for the plugin, otherwise a plain VTK.
 include(CMake/PythonTargets.cmake)
 if (VFM_PLUGIN)
   vfm_mend_paraview()
-  # Naming a component keeps Qt out.
+  # Components are named so that Qt is not required.
   find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager
     OPTIONAL_COMPONENTS VTKExtensionsIOSPCTH)
   set(vfm_vtk_place PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
@@ -24,7 +25,7 @@ set(vfm_components ${vfm_required})
 list(TRANSFORM vfm_components REPLACE "^VTK::" "" REGEX "^VTK::")
 
 set(vfm_program_components CommonCore IOIOSS IOXML ParallelMPI)
-if (VFM_PLUGIN OR VFM_WRAP_PYTHON) # Catalyst runs Python too
+if (VFM_PLUGIN OR VFM_WRAP_PYTHON) # Catalyst also runs Python
   list(APPEND vfm_program_components Python WrappingPythonCore)
 endif ()
 find_package(VTK REQUIRED ${vfm_vtk_place} COMPONENTS ${vfm_components} ${vfm_program_components})
