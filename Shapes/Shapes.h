@@ -63,11 +63,15 @@ struct Shape
   BoxQueries Boxes;                                  ///< only for ShapeKind::Function; may be empty
 };
 
+/// Makes a sphere.
 Shape MakeSphere(int material, const Vector3& center, double radius);
+/// Makes an ellipsoid with its radii along the rotated axes.
 Shape MakeEllipsoid(int material, const Vector3& center, const Vector3& radii,
   const Vector3& rotation = { { 0, 0, 0 } });
+/// Makes a box with full edge lengths along the rotated axes.
 Shape MakeBox(int material, const Vector3& center, const Vector3& edges,
   const Vector3& rotation = { { 0, 0, 0 } });
+/// Makes a cylinder, centered halfway between bottom and top.
 Shape MakeCylinder(int material, const Vector3& center, double radius, double height,
   const Vector3& rotation = { { 0, 0, 0 } });
 /// Makes a cone or frustum. One of the radii may be 0. The center is halfway
