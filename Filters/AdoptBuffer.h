@@ -1,5 +1,5 @@
 /**
- * AdoptBuffer: numbers of the Grid code as an array of VTK, without a copy.
+ * AdoptBuffer: makes a VTK array from a buffer without a copy.
  */
 #pragma once
 
@@ -18,7 +18,7 @@
 namespace vfm
 {
 
-///@{ The array of VTK for values of a type. The functions are not defined.
+///@{ The VTK array type for values of a type. The functions are only declared.
 vtkDoubleArray* ArrayFor(double);
 vtkFloatArray* ArrayFor(float);
 vtkIdTypeArray* ArrayFor(Index);
@@ -28,7 +28,7 @@ template <class T>
 using ArrayOf = std::remove_pointer_t<decltype(ArrayFor(T()))>;
 ///@}
 
-/// A VTK array that owns the memory of the buffer from now on.
+/// Returns a VTK array that takes over the memory of a buffer, which is empty afterwards.
 template <class T, class Array = ArrayOf<T>>
 vtkSmartPointer<Array> AdoptBuffer(Buffer<T>& buffer, const char* name, int components = 1)
 {

@@ -22,7 +22,7 @@ static_assert(ValueType::Bit == VTK_BIT && ValueType::Char == VTK_CHAR &&
     ValueType::Double == VTK_DOUBLE && ValueType::Id == VTK_ID_TYPE &&
     ValueType::SignedChar == VTK_SIGNED_CHAR && ValueType::LongLong == VTK_LONG_LONG &&
     ValueType::UnsignedLongLong == VTK_UNSIGNED_LONG_LONG,
-  "types are numbered as VTK numbers them");
+  "types must have the numbers of VTK");
 
 class ArrayOfData : public BlockArray
 {
@@ -45,7 +45,7 @@ public:
     return this->Array->GetComponent(tuple, component);
   }
 
-  /// Value by value.
+  /// Copies value by value, since the array is not plain memory.
   void Copy(Index first, Index count, void* to) const override
   {
     const auto plain =
@@ -57,11 +57,11 @@ public:
     {
       const Index tuple = v / this->Components;
       const int c = static_cast<int>(v % this->Components);
-      if (this->Type == VTK_BIT) // these have no variants
+      if (this->Type == VTK_BIT) // bits have no variants
       {
         plain->SetComponent(tuple, c, this->Array->GetComponent(first + tuple, c));
       }
-      else // doubles do not hold all integers
+      else // doubles cannot represent all integers
       {
         plain->SetVariantValue(v, this->Array->GetVariantValue(first * this->Components + v));
       }
@@ -100,7 +100,7 @@ public:
     return found;
   }
 
-  /// By its name or as an attribute of VTK.
+  /// Returns whether an array holds ids, by its name or as a VTK attribute.
   bool HoldsIds(const std::string& name) const override
   {
     vtkDataSetAttributes* attributes = this->Attributes();

@@ -1,5 +1,5 @@
 /**
- * BlockArraysOfData: the arrays of cells or points of data of VTK as those of a block.
+ * BlockArraysOfData: the cell or point arrays of a VTK data object as BlockArrays.
  */
 #pragma once
 
@@ -14,7 +14,9 @@ namespace vfm
 
 class CellOrder;
 
-/// association: vtkDataObject::CELL or POINT. order: of the cells of a block; null: as they are. The data must not change.
+/// Views the arrays of a data object, which must not change.
+/// @param association vtkDataObject::CELL or POINT
+/// @param order order of the cells in blocks; null: as in the data object
 std::shared_ptr<const BlockArrays> ArraysOf(
   vtkDataObject* data, int association, std::shared_ptr<CellOrder> order = nullptr);
 

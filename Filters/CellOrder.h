@@ -1,5 +1,5 @@
 /**
- * CellOrder: the cell arrays of a data set in the order of blocks of a grid.
+ * CellOrder: arranges the cell arrays of a data set in the order of the blocks of a grid.
  */
 #pragma once
 
@@ -14,17 +14,18 @@
 namespace vfm
 {
 
+/// Not thread safe.
 class CellOrder
 {
 public:
-  /// cells: of the data set, each at most once.
+  /// cells: ids of cells of the data set in the new order, each at most once.
   explicit CellOrder(const std::vector<vtkIdType>& cells)
   {
     this->Cells->SetNumberOfIds(static_cast<vtkIdType>(cells.size()));
     std::copy(cells.begin(), cells.end(), this->Cells->GetPointer(0));
   }
 
-  /// The tuples of the cells; made when first asked for, so from one thread. array: of the data set, which must not change.
+  /// Returns the tuples of the cells. The result is stored; the array must not change.
   vtkDataArray* Arrange(vtkDataArray* array)
   {
     vtkSmartPointer<vtkDataArray>& arranged = this->Arranged[array];

@@ -1,5 +1,5 @@
 /**
- * ChosenArray: an array of the input, by its name and what its values belong to.
+ * ChosenArray: an array of the input, given by its name and association.
  */
 #ifndef ChosenArray_h
 #define ChosenArray_h
@@ -10,13 +10,14 @@
 namespace vfm
 {
 
-/// The cells' array of a name, or where cells have none the points'.
+/// Means the cell array with a name or, if there is none, the point array.
 constexpr int AnyAssociation = -1;
 
 struct ChosenArray
 {
   std::string Name;
-  int Association = AnyAssociation; ///< or vtkDataObject::FIELD_ASSOCIATION_CELLS, _POINTS
+  /// AnyAssociation, vtkDataObject::FIELD_ASSOCIATION_CELLS or _POINTS.
+  int Association = AnyAssociation;
 
   bool operator==(const ChosenArray& other) const
   {

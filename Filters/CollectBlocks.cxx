@@ -28,8 +28,8 @@ namespace vfm
 namespace
 {
 
-/// Of the nodes along the own axes of the image; where points are cells these are the middles between them, and half a spacing
-/// beyond.
+/// Returns the nodes along the axes of an image. If points are used as cells, nodes are the
+/// midpoints between points, and half a spacing beyond the outer points.
 std::array<std::vector<double>, 3> ImageCoordinates(
   vtkImageData* image, const InputReading& reading)
 {
@@ -71,9 +71,9 @@ bool IsFlat(const InputBlock& block)
 static_assert(CellMark::Ghost == vtkDataSetAttributes::DUPLICATECELL &&
     CellMark::Hidden == vtkDataSetAttributes::HIDDENCELL &&
     CellMark::Ghost == vtkDataSetAttributes::DUPLICATEPOINT,
-  "marks are those of VTK");
+  "marks must have the values of VTK");
 
-/// What is said of cells; where points are cells in the bits of cells. Null: nothing.
+/// Returns the marks of cells, or null. Marks of points are converted to the bits of cells.
 std::shared_ptr<const std::vector<unsigned char>> FindMarks(vtkDataSet* data, bool arePoints)
 {
   const auto marks =
@@ -89,7 +89,7 @@ std::shared_ptr<const std::vector<unsigned char>> FindMarks(vtkDataSet* data, bo
   return marks;
 }
 
-/// Sets Kept to the box of the cells that are no ghosts; false when there is none.
+/// Sets Kept to the box of the cells that are not ghost cells. Returns false if there are none.
 bool DropGhosts(InputBlock& block)
 {
   KeepAllCells(block);
@@ -129,7 +129,7 @@ bool DropGhosts(InputBlock& block)
   return kept > 0;
 }
 
-/// The data when it gives its cells by their corners, else null.
+/// Returns the data as a point set if it has explicit cells, else null.
 vtkPointSet* FindCorners(vtkDataObject* data)
 {
   if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(data))
@@ -142,13 +142,12 @@ vtkPointSet* FindCorners(vtkDataObject* data)
 [[noreturn]] void RejectPoints(const InputPart& part)
 {
   throw InputError(part.Name + " is a " + part.Data->GetClassName() +
-    ", and point data are chosen. A point is the centre of a cell in images (image data, uniform "
-    "grids) alone; of other grids cell data are needed. ParaView's filter Resample To Image makes "
-    "an image of them; Point Data to Cell Data averages, which serves volume fractions, not "
-    "labels.");
+    ", and point data are chosen. Points are the centres of cells only in images (image data, "
+    "uniform grids); other grids need cell data. ParaView's filter Resample To Image makes an "
+    "image; Point Data to Cell Data averages, which suits volume fractions, but not labels.");
 }
 
-/// Appends the blocks of a part unless it has no cells but ghosts.
+/// Appends the blocks of a part, unless all its cells are ghost cells.
 void AddBlocks(const InputPart& part, const InputReading& reading, std::vector<InputBlock>& blocks)
 {
   vtkImageData* image = vtkImageData::SafeDownCast(part.Data);
@@ -215,7 +214,7 @@ std::vector<InputPart> FindParts(vtkDataObject* input, int rank, bool isAlone)
   }
   else if (input)
   {
-    // flat when there are fewer cells than ranks
+    // a piece is flat if there are fewer cells than ranks
     parts.push_back({ input, -1, NameBlock(-1, rank, isAlone), !isAlone });
   }
   return parts;

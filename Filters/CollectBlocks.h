@@ -1,12 +1,14 @@
 /**
- * CollectBlocks: the blocks of a VTK data object.
+ * CollectBlocks: finds the blocks of a VTK data object.
  *
- * Taken are vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid and vtkStructuredGrid whose cells are
- * those of a Cartesian grid (RecogniseGrid), and composite data sets of them; extents may restart at 0 in every block.
- * Where point data of images are chosen, each point is the centre of a cell: the grid begins half a spacing lower, and has a
- * cell more along each axis than the image.
- * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped: in images and rectilinear grids they may only form layers on the
- * sides of a block. Blanked cells (HIDDENCELL) stay and are void.
+ * Supported data: vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid and
+ * vtkStructuredGrid with the cells of a Cartesian grid (RecogniseGrid), and composite data sets of
+ * these. Extents may restart at 0 in each block. If point arrays of images are selected, each point
+ * is the centre of a cell: the grid begins half a spacing before the image, and has one cell more
+ * along each axis.
+ *
+ * Ghost cells (vtkGhostType, DUPLICATECELL) are dropped. In images and rectilinear grids they may
+ * only form layers on the sides of a block. Blanked cells (HIDDENCELL) stay and are void.
  */
 #pragma once
 
@@ -21,31 +23,38 @@ class vtkDataArray;
 namespace vfm
 {
 
-/// A data object that is no composite.
+/// A data object that is not composite.
 struct InputPart
 {
   vtkDataObject* Data;
-  int Number;       ///< in a composite data set, else -1
-  std::string Name; ///< for messages
-  bool IsPiece;     ///< of an input that is dealt to several ranks: it may be flat or empty
+  int Number;       ///< number in a composite data set; -1: not in a composite data set
+  std::string Name; ///< name in messages
+  bool IsPiece;     ///< piece of an input on several ranks; it may be flat or empty
 
-  /// What has none has no cells either, and on a rank that has nothing may be without all else.
+  /// Returns whether the part has points. A part without points has no cells, and may lack all
+  /// other properties on a rank without data.
   bool HasPoints() const;
 };
 
-/// Of cells or points by the array vtkGhostType, in its order; null of null.
+/// Returns the values of an array vtkGhostType, or null for null.
 std::shared_ptr<std::vector<unsigned char>> MarksOf(vtkDataArray* ghostTypes);
 
-/// Of this rank alone. input: null for none.
+/// Returns the parts of an input on this rank.
+/// @param input null: no parts
+/// @param isAlone whether there is only one rank
 std::vector<InputPart> FindParts(vtkDataObject* input, int rank, bool isAlone);
 
-/// The arrays of the materials, of the state and of the cells to refine.
+/// Lists the arrays of materials, state and user-selected cells.
 ArraysToRead ListArrays(
   std::vector<ChosenArray> materials, const StateChoice& state, const MesherOptions& options);
 
-/// Collective; data: this rank's part, null for none. The blocks that have cells which are no ghosts. Throws InputError, on all ranks alike,
-/// on data of another kind, flat or empty grids, direction matrices that differ or are sheared, points of grids that are no images,
-/// arrays of points beside those of cells, coordinates that do not increase, ghost cells in the middle of a block, and as RecogniseGrid does.
+/// Finds the blocks that have cells other than ghost cells.
+/// @param data part of the input on this rank; null: none
+/// @throws InputError on all ranks, if the type of data is unsupported, a grid is flat or empty,
+/// coordinates do not increase, or ghost cells are inside a block. Also if direction matrices
+/// differ or are not orthonormal, if point arrays are selected on grids other than images or mixed
+/// with cell arrays, or if RecogniseGrid throws.
+/// @pre Collective
 CollectedBlocks CollectAllBlocks(vtkDataObject* data, const ArraysToRead& arrays, Ranks& ranks);
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * Numbers and texts of the mesher as arrays of VTK.
+ * FieldValues: numbers and texts of the mesher as VTK arrays.
  */
 #pragma once
 
@@ -13,9 +13,10 @@ class vtkTable;
 namespace vfm
 {
 
-/// For scripts and files: hidden from lists of arrays, since views are not to offer them among those of cells and points.
+/// Adds field data for scripts and files, hidden from lists of cell and point arrays (GUI_HIDE).
 void AddFields(const std::vector<FieldArray>& arrays, vtkFieldData* field);
 
+/// Adds the columns of a table.
 void AddColumns(const std::vector<FieldArray>& arrays, vtkTable* table);
 
 } // namespace vfm

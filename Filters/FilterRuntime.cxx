@@ -22,7 +22,7 @@ void FilterRuntime::Progress(double fraction, const char* stage)
 void FilterRuntime::Report(
   vtkAlgorithm* owner, vtkInformationVector* outputs, const std::function<void()>& work)
 {
-  owner->SetAbortExecute(0); // of an earlier run
+  owner->SetAbortExecute(0); // may be left from an earlier run
   try
   {
     work();

@@ -1,5 +1,5 @@
 /**
- * FilterRuntime: progress and abort through a vtkAlgorithm, and the frame of RequestData around the Grid code.
+ * FilterRuntime: progress and abort through a vtkAlgorithm, and error handling of RequestData.
  */
 #pragma once
 
@@ -17,17 +17,19 @@ namespace vfm
 class FilterRuntime : public ThreadRuntime
 {
 public:
-  /// ranks: null for one process; must outlive this.
+  /// owner and ranks must outlive this object; ranks null: a single rank.
   FilterRuntime(vtkAlgorithm* owner, int threads, Ranks* ranks = nullptr) :
     ThreadRuntime(threads, ranks), Owner(owner)
   {
   }
 
-  /// Does not stop when there are several ranks: the others would wait for this one.
+  /// Reports progress. Throws Aborted if the user aborts, except on several ranks: the others would
+  /// wait for this one.
   void Progress(double fraction, const char* stage) override;
 
-  /// Does the work(ranks) of a RequestData, together with the other processes of the controller. When it throws on any, the outputs are
-  /// emptied on all and, unless it was Aborted, say why (FailedOutput), and each owner reports the same error.
+  /// Calls work(ranks) for RequestData, together with the other ranks of the controller. If it
+  /// throws on any rank, the outputs are empty on all ranks. Unless the error is Aborted, the
+  /// outputs hold the message (FailedOutput), and each owner reports it.
   template <class Work>
   static void Execute(vtkAlgorithm* owner, vtkMultiProcessController* controller,
     vtkInformationVector* outputs, const Work& work)
@@ -37,7 +39,7 @@ public:
       ControllerRanks ranks(controller);
       WorkTogether(ranks, [&] { work(ranks); });
     };
-    Report(owner, outputs, std::cref(together)); // by reference: takes no memory
+    Report(owner, outputs, std::cref(together)); // a reference needs no memory
   }
 
 private:

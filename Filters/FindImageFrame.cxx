@@ -34,7 +34,7 @@ ImageFrame FindImageFrame(const std::vector<InputPart>& parts, Ranks& ranks)
     {
       for (const InputPart& part : parts)
       {
-        if (part.HasPoints()) // a rank without cells may have no matrix either
+        if (part.HasPoints()) // a rank without cells may lack the matrix
         {
           frames.push_back(FrameOf(part));
         }

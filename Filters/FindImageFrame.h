@@ -1,5 +1,5 @@
 /**
- * FindImageFrame: the axes of images of VTK.
+ * FindImageFrame: finds the axes of VTK images.
  */
 #pragma once
 
@@ -12,8 +12,9 @@ namespace vfm
 
 struct InputPart;
 
-/// Collective: of the images of all ranks; of grids of other kinds the identity. Throws InputError, on all ranks alike, on
-/// matrices that are not orthonormal, or that differ.
+/// Returns the common frame of the images of all ranks; the identity for other grids.
+/// @throws InputError if direction matrices are not orthonormal, or differ; on all ranks
+/// @pre Collective
 ImageFrame FindImageFrame(const std::vector<InputPart>& parts, Ranks& ranks);
 
 } // namespace vfm

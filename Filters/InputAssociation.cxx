@@ -16,14 +16,14 @@ namespace
 
 constexpr int Associations[2] = { vtkDataObject::POINT, vtkDataObject::CELL }; // 0 and 1
 
-/// Throws when an array can never be read.
+/// Throws InputError if an array can never be read.
 void CheckChoice(const ChosenArray& array)
 {
   if (IsGhostName(array.Name))
   {
     throw InputError("'" + array.Name +
-      "' only marks which cells are copies or blanked, and is heeded without being chosen. Choose "
-      "other arrays.");
+      "' only marks ghost cells and blanked cells, and is always used for that. Choose other "
+      "arrays.");
   }
   if (array.Association != AnyAssociation && array.Association != vtkDataObject::CELL &&
     array.Association != vtkDataObject::POINT)
@@ -32,13 +32,13 @@ void CheckChoice(const ChosenArray& array)
   }
 }
 
-/// Where an array is found.
+/// Associations of an array in the parts of the input.
 struct ArrayPlaces
 {
-  bool InAll[2], InSome[2]; ///< of the parts, by association
+  bool InAll[2], InSome[2]; ///< whether all or some parts have it, by association
 };
 
-/// Collective: of each array; of an association that is not admitted nothing.
+/// Collective. Finds the places of each array with an allowed association.
 std::vector<ArrayPlaces> FindPlaces(
   const std::vector<InputPart>& parts, const std::vector<ChosenArray>& arrays, Ranks& ranks)
 {
@@ -84,10 +84,10 @@ const char* NameOf(int association)
   throw InputError("'" + array.Name + "' is " + NameOf(association) + ", and '" + other.Name +
     "' is " + NameOf(OtherThan(association)) +
     ". The arrays that are chosen must be of one kind. ParaView's filters Point Data to Cell Data "
-    "and Cell Data to Point Data change the kind; they average, which does not serve labels.");
+    "and Cell Data to Point Data change the kind; they average, which is not suitable for labels.");
 }
 
-/// Throws when an array belongs to cells in some parts, and in the others to points.
+/// Throws InputError if an array belongs to cells in some parts, and to points in others.
 void CheckAllParts(const ChosenArray& array, const ArrayPlaces& places)
 {
   const int cell = vtkDataObject::CELL, point = vtkDataObject::POINT;
@@ -98,7 +98,8 @@ void CheckAllParts(const ChosenArray& array, const ArrayPlaces& places)
   }
 }
 
-/// Throws when an array belongs only, or is said to belong, to what the arrays of the materials do not belong to.
+/// Throws InputError if an array has only, or is selected with, the association that the arrays of
+/// materials lack.
 void CheckKind(
   const ChosenArray& array, const ArrayPlaces& places, int association, const ChosenArray& material)
 {
@@ -121,7 +122,7 @@ int FindAssociation(const std::vector<InputPart>& parts, const ArraysToRead& toR
   bool fits[2] = { true, true };
   const bool isSaid = materials.front().Association != AnyAssociation;
   const ChosenArray* known = isSaid ? &materials.front() : nullptr;
-  int found = isSaid ? known->Association : vtkDataObject::CELL; // where none fits: for messages
+  int found = isSaid ? known->Association : vtkDataObject::CELL; // used in messages if none fits
   for (std::size_t m = 0; m < materials.size(); ++m)
   {
     CheckAllParts(materials[m], places[m]);

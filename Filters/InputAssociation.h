@@ -1,9 +1,9 @@
 /**
- * InputAssociation: whether the arrays that are meshed belong to the cells of the input, or to its points, which then are the
+ * InputAssociation: decides whether cell arrays or point arrays are meshed; points are then used as
  * centres of cells.
  *
- * All arrays that are chosen have one association, for it decides what the grid is. Those that hold the materials tell: the
- * cells' if all blocks have all of them there, else the points'.
+ * All selected arrays must have one association, because it determines the grid. The arrays of the
+ * materials decide: cells, if all blocks have all these arrays as cell data; else points.
  */
 #pragma once
 
@@ -17,8 +17,11 @@ namespace vfm
 
 struct InputPart;
 
-/// Collective: vtkDataObject::CELL or POINT. Throws InputError, on all ranks alike, when some of the arrays belong to cells and others to
-/// points, or one is none that can be read. An array that is missing is no error here: what the others belong to is meant then, or cells.
+/// Returns vtkDataObject::CELL or POINT. Missing arrays are not an error here; the other arrays
+/// decide, or CELL is returned.
+/// @throws InputError if cell and point arrays are mixed, or if an array cannot be read
+/// (vtkGhostType); on all ranks
+/// @pre Collective
 int FindAssociation(const std::vector<InputPart>& parts, const ArraysToRead& toRead, Ranks& ranks);
 
 } // namespace vfm

@@ -22,12 +22,12 @@ namespace
 struct Candidate
 {
   ChosenArray Array;
-  int Type; // VTK_VOID: several
+  int Type; // VTK_VOID: several types
   MaterialGuess Guess;
 };
 
-/// Collective: the arrays that can be meshed: of one value a cell, ids and marks of ghosts left out, and points where they are no
-/// centres of cells.
+/// Collective. Returns the arrays with one value per cell, except ids and ghost marks; point arrays
+/// only of images.
 std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
 {
   std::map<int, ArrayLists> lists{ { vtkDataObject::CELL, {} }, { vtkDataObject::POINT, {} } };
@@ -72,7 +72,7 @@ std::vector<Candidate> FindCandidates(vtkDataObject* input, Ranks& ranks)
   return found;
 }
 
-/// Collective: that which alone can be meant.
+/// Collective. Returns the only array that can hold materials.
 MaterialArrays FindSingleArray(vtkDataObject* input, Ranks& ranks)
 {
   MaterialArrays found;
@@ -91,13 +91,13 @@ MaterialArrays FindSingleArray(vtkDataObject* input, Ranks& ranks)
   }
   if (candidates != 1 || (found.Fractions.empty() && !found.HasLabels()))
   {
-    throw InputError("No array is chosen. Tick Volume Fraction Arrays, one a material, or choose "
-                     "the Material Id Array, labels.");
+    throw InputError("No array is chosen. Tick Volume Fraction Arrays, one per material, or choose "
+                     "a Material Id Array (labels).");
   }
   return found;
 }
 
-/// Collective: of an array that is chosen for both.
+/// Collective. Decides the role of an array that is selected for both.
 MaterialArrays KeepOneRole(vtkDataObject* input, MaterialArrays chosen, Ranks& ranks)
 {
   const std::vector<Candidate> candidates = FindCandidates(input, ranks);

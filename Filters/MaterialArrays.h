@@ -1,9 +1,9 @@
 /**
- * MaterialArrays: which arrays of the input hold the materials, by what is chosen and what there is.
+ * MaterialArrays: decides which arrays of the input hold the materials.
  *
- * Where nothing is chosen and there is a single array that can hold them (MaterialGuess), it is meant. As a panel ticks that one by itself,
- * a script that names it in its other role, as labels and not as fractions, chooses it for both: then the role that it was not ticked for
- * is meant.
+ * If no array is selected and only one array can hold materials (MaterialGuess), it is used. A
+ * panel selects this array by default. If a script then selects it in the other role, such as
+ * labels instead of fractions, the array has both roles; the role of the script is used.
  */
 #pragma once
 
@@ -20,7 +20,7 @@ namespace vfm
 struct MaterialArrays
 {
   std::vector<ChosenArray> Fractions;
-  ChosenArray Labels; ///< without a name: none
+  ChosenArray Labels; ///< empty name: none
 
   bool HasLabels() const { return !this->Labels.Name.empty(); }
   std::vector<ChosenArray> List() const
@@ -29,8 +29,10 @@ struct MaterialArrays
   }
 };
 
-/// Collective: either fractions or labels. Throws InputError, on all ranks alike, when nothing is chosen and nothing or too much could be
-/// meant, or both are chosen.
+/// Returns the arrays of fractions, or the array of labels.
+/// @throws InputError if no array is selected and not exactly one can hold materials, or if both
+/// kinds are selected; on all ranks
+/// @pre Collective
 MaterialArrays FindMaterialArrays(vtkDataObject* input, MaterialArrays chosen, Ranks& ranks);
 
 } // namespace vfm

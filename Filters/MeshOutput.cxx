@@ -26,7 +26,7 @@ static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit
 
 vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
 {
-  Buffer<Index> offsets(buffer.size() / cellSize + 1); // VTK would make them on small pages
+  Buffer<Index> offsets(buffer.size() / cellSize + 1); // VTK would allocate them on small pages
   for (std::size_t c = 0; c < offsets.size(); ++c)
   {
     offsets[c] = cellSize * static_cast<Index>(c);
@@ -37,11 +37,11 @@ vtkSmartPointer<vtkCellArray> AdoptCells(Buffer<Index>& buffer, int cellSize)
   return cells;
 }
 
-/// Some of the numbers from 0 on, and the place of each among them.
+/// A subset of the numbers 0 .. end - 1, and the place of each in the subset.
 class Subset
 {
 public:
-  /// numbers: any below end, any number of times.
+  /// numbers: elements of the subset, in any order, also repeated.
   Subset(const Buffer<Index>& numbers, std::size_t end) : Bits((end + 63) / 64, 0)
   {
     for (Index n : numbers)
@@ -63,11 +63,12 @@ public:
 
 private:
   std::vector<std::uint64_t> Bits;
-  std::vector<Index> Before; // of each 64
+  std::vector<Index> Before; // number of elements before each block of 64 numbers
   Index Count = 0;
 };
 
-/// The points of the mesh that its surfaces, curves or vertices use, in the order of the mesh; what uses them is renumbered.
+/// Sets the points that surfaces, curves or vertices use, in the order of the mesh, and renumbers
+/// the users.
 void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
 {
   const Subset used(users, users.empty() ? 0 : mesh.PointIds.size());
@@ -86,7 +87,7 @@ void SetUsedPoints(Buffer<Index>& users, const Mesh& mesh, vtkPolyData* output)
   output->GetPointData()->SetGlobalIds(AdoptBuffer(usedIds, "GlobalPointIds"));
 }
 
-/// For VisitElementArrays, VisitPointArrays.
+/// Returns a visitor that adds arrays, for VisitElementArrays and VisitPointArrays.
 auto AdoptInto(vtkDataSetAttributes* arrays)
 {
   return [arrays](const char* name, auto& values) { arrays->AddArray(AdoptBuffer(values, name)); };

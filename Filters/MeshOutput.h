@@ -1,6 +1,6 @@
 /**
- * A mesh of hexahedra or tetrahedra as VTK data. The arrays of the mesh are adopted, not copied; they are empty
- * afterwards.
+ * A mesh of hexahedra or tetrahedra as VTK data. The arrays of the mesh are adopted, not copied;
+ * they are empty afterwards.
  */
 #pragma once
 
@@ -21,12 +21,15 @@ struct MeshOutputs
   vtkTable* Materials;
 };
 
-/// Fills them but Materials.
-/// Mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point data
-/// GlobalPointIds, GeometryDimension, GeometryId.
-/// Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide. Curves: lines of two points with cell data CurveId.
-/// Vertices: with cell data VertexId. All three have their own points, with GlobalPointIds; field data: ListSurfaces, ListCurves,
-/// ListVertices.
+/// Fills all outputs except Materials.
+/// - Mesh: cell data MaterialId, FragmentId, GlobalCellIds, ScaledJacobian (if computed); point
+///   data GlobalPointIds, GeometryDimension, GeometryId
+/// - Surfaces: quads or triangles with cell data SurfaceId, MaterialPair, DomainSide
+/// - Curves: lines of two points with cell data CurveId
+/// - Vertices: cell data VertexId
+///
+/// Surfaces, Curves and Vertices have their own points, with GlobalPointIds, and the field data of
+/// ListSurfaces, ListCurves and ListVertices.
 void SetMeshOutput(Mesh& mesh, const MeshOutputs& outputs);
 
 } // namespace vfm

@@ -31,7 +31,7 @@ constexpr const char* Advice =
   "back (ParaView's filter Transform), bring other meshes onto a grid (filter "
   "Resample To Image).";
 
-/// A cell and its place among the nodes of its data set.
+/// A cell and its position in the grid of its data set.
 struct PlacedCell
 {
   std::array<int, 3> Place;
@@ -57,7 +57,7 @@ public:
 
   const std::vector<double>& Coordinates(int axis) const { return this->X[axis]; }
 
-  /// In the order of the grid.
+  /// Returns the cells in the order of the grid.
   std::vector<PlacedCell> Place();
 
 private:
@@ -76,10 +76,10 @@ private:
   vtkPointSet* Data;
   const std::string& Name;
   std::vector<vtkIdType> Cells;
-  std::array<double, 3> Width{}; // of the smallest cell
+  std::array<double, 3> Width{}; // widths of the smallest cells
   std::array<std::vector<double>, 3> X;
-  std::array<std::vector<int>, 3> Nodes; // of each point, its position in X
-  vtkNew<vtkIdList> Points;              // of the cell last asked for
+  std::array<std::vector<int>, 3> Nodes; // index in X of each point
+  vtkNew<vtkIdList> Points;              // points of the cell of the last FindPoints
 };
 
 void Hexahedra::Reject(vtkIdType cell, const std::string& what) const
@@ -126,7 +126,7 @@ Hexahedra::Box Hexahedra::FindBox(vtkIdType cell)
   if (this->Points->GetNumberOfIds() != Corners ||
     std::any_of(points, points + Corners, [count](vtkIdType p) { return p < 0 || p >= count; }))
   {
-    this->Reject(cell, "has not eight points of the mesh.");
+    this->Reject(cell, "does not have eight points of the mesh.");
   }
   for (int c = 0; c < Corners; ++c)
   {
@@ -190,7 +190,8 @@ void Hexahedra::FindNodes()
   }
 }
 
-/// Sets the place of the cell, whose corners must be those of the box between two neighbouring nodes of each axis.
+/// Sets the position of a cell. Returns whether its corners are the corners of a box between
+/// adjacent nodes.
 bool Hexahedra::IsPlaced(PlacedCell& cell)
 {
   const vtkIdType* points = this->FindPoints(cell.Id);
@@ -202,7 +203,7 @@ bool Hexahedra::IsPlaced(PlacedCell& cell)
       cell.Place[a] = std::min(cell.Place[a], this->Nodes[a][points[c]]);
     }
   }
-  unsigned int found = 0; // a bit a corner
+  unsigned int found = 0; // one bit per corner
   for (int c = 0; c < Corners; ++c)
   {
     int corner = 0;
@@ -220,7 +221,7 @@ bool Hexahedra::IsPlaced(PlacedCell& cell)
   return found == 255u;
 }
 
-/// All corners lie on the sides of the cell's box.
+/// Checks that all corners lie on the sides of the bounding box of the cell.
 void Hexahedra::CheckSides(vtkIdType cell)
 {
   const Box box = this->FindBox(cell);
@@ -234,7 +235,7 @@ void Hexahedra::CheckSides(vtkIdType cell)
     {
       if (std::min(point[a] - box[a][0], box[a][1] - point[a]) > MatchTolerance * this->Width[a])
       {
-        text << "is no box with sides along the axes: its point " << points[c] << " at ("
+        text << "is not a box with sides along the axes: its point " << points[c] << " at ("
              << point[0] << ", " << point[1] << ", " << point[2] << ") lies between its "
              << AxisNames[a] << " sides at " << box[a][0] << " and " << box[a][1] << "." << Advice;
         this->Reject(cell, text.str());
@@ -243,7 +244,7 @@ void Hexahedra::CheckSides(vtkIdType cell)
   }
 }
 
-/// Of cells whose sides are good: why a cell has no place.
+/// Throws InputError with the reason why a cell has no position; CheckSides must have passed.
 void Hexahedra::RejectPlace(vtkIdType cell)
 {
   const Box box = this->FindBox(cell);
@@ -274,7 +275,7 @@ std::vector<PlacedCell> Hexahedra::Place()
     placed.push_back({ {}, id });
     if (!this->IsPlaced(placed.back()))
     {
-      for (vtkIdType cell : this->Cells) // a bent cell may be why others have no place
+      for (vtkIdType cell : this->Cells) // a distorted cell may be the reason
       {
         this->CheckSides(cell);
       }
@@ -295,19 +296,19 @@ std::vector<PlacedCell> Hexahedra::Place()
   return placed;
 }
 
-/// A box of cells; each of its rows along x is a run of the list of placed cells.
+/// A box of cells; each row along x is a run in the list of placed cells.
 struct CutBox
 {
   IndexBox Box;
-  std::vector<std::size_t> Rows; // where they begin in the list, y before z
+  std::vector<std::size_t> Rows; // first entry of each row in the list, y before z
 };
 
-/// Makes one box of those that follow on each other along an axis and are the same along the axes before it. boxes: in the
-/// order of their first cells, z before y before x.
+/// Joins boxes that are consecutive along an axis and equal along the axes before it.
+/// @param boxes ordered by their first cells, z before y before x
 std::vector<CutBox> Join(std::vector<CutBox> boxes, int axis)
 {
   std::vector<CutBox> joined;
-  std::map<std::vector<Index>, std::size_t> open; // what follows on a box -> its number
+  std::map<std::vector<Index>, std::size_t> open; // key of the box that would follow -> number
   for (CutBox& box : boxes)
   {
     std::vector<Index> key;
@@ -353,7 +354,7 @@ std::vector<CutBox> CutIntoBoxes(const std::vector<PlacedCell>& cells)
   return Join(Join(std::move(rows), 1), 2);
 }
 
-/// Null where that is the order of the data set.
+/// Returns the order of the cells in boxes; null if it is the order of the data set.
 std::shared_ptr<CellOrder> MakeOrder(
   const std::vector<PlacedCell>& cells, const std::vector<CutBox>& boxes, vtkPointSet* data)
 {

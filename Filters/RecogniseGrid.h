@@ -1,9 +1,10 @@
 /**
- * RecogniseGrid: finds the Cartesian grid whose cells the hexahedra of an unstructured or structured grid are.
+ * RecogniseGrid: finds the Cartesian grid that the hexahedra of an unstructured or structured
+ * grid form.
  *
- * The cells may come in any order and need not fill a box (a part of a decomposed mesh does not): they are cut into boxes,
- * rows along x first, which then grow along y and z. No file says where a cell lies in the grid; the coordinates
- * of its eight corners do.
+ * Cells may have any order and need not fill a box, as in a part of a decomposed mesh. The
+ * positions of cells follow from the coordinates of their eight corners. Cells are divided into
+ * boxes: rows along x, which are joined along y and then z.
  */
 #pragma once
 
@@ -14,10 +15,12 @@ class vtkPointSet;
 namespace vfm
 {
 
-/// The boxes as blocks of that number and name, with Arrays, Marks and FirstCell set. Cells of less than three dimensions
-/// and ghost cells (DUPLICATECELL) are left out; none when nothing remains. Nothing here communicates. Throws InputError on
-/// cells that are no hexahedra or voxels, or no boxes with sides along the axes, that lie in the same place, or that have nodes of
-/// other cells between their own.
+/// Returns the boxes as blocks with Arrays, Marks and FirstCell. Not collective.
+/// Cells of less than three dimensions and ghost cells (DUPLICATECELL) are ignored; the result may
+/// be empty.
+/// @param number,name number and name of all blocks
+/// @throws InputError if cells are not hexahedra or voxels, are not boxes with sides along the
+/// axes, lie in the same place, or have nodes of other cells between their nodes
 std::vector<InputBlock> RecogniseGrid(vtkPointSet* data, int number, const std::string& name);
 
 } // namespace vfm

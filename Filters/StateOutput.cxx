@@ -13,7 +13,7 @@ namespace vfm
 namespace
 {
 
-/// Which travel as bytes.
+/// Converts unsigned char to bits, which are transferred as unsigned char.
 vtkSmartPointer<vtkDataArray> PackBits(vtkDataArray* bytes)
 {
   auto bits = vtkSmartPointer<vtkBitArray>::New();

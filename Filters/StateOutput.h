@@ -1,5 +1,5 @@
 /**
- * StateOutput: values of the input that a mesh has, as arrays of VTK.
+ * StateOutput: adds the state of a mesh as VTK arrays.
  */
 #pragma once
 
@@ -10,7 +10,7 @@ class vtkUnstructuredGrid;
 namespace vfm
 {
 
-/// Cell arrays and, of nodes, a point array. Their memory is adopted, not copied.
+/// Adds cell arrays, and a point array of nodal velocities. Takes over their memory without a copy.
 void SetStateOutput(OutputState& state, vtkUnstructuredGrid* mesh);
 
 } // namespace vfm

@@ -63,7 +63,8 @@ vtkSmartPointer<vtkPolyData> MakePolyData(const ClosedSurface& surface)
   return data;
 }
 
-/// The distance by as many vtkImplicitPolyDataDistance as threads ask at once, as its evaluation is not thread safe.
+/// Distance to a surface. vtkImplicitPolyDataDistance is not thread safe, so each concurrent call
+/// uses an instance of its own.
 class SurfaceDistance
 {
 public:

@@ -1,5 +1,5 @@
 /**
- * A closed triangle surface as a shape of Grid.
+ * SurfaceShape: the solid inside a closed surface as a shape.
  */
 #pragma once
 
@@ -10,7 +10,8 @@ class vtkPolyData;
 namespace vfm
 {
 
-/// The solid inside the polygons of a surface, made closed by CloseSurface, whose errors it throws.
+/// Returns the solid inside the polygons of a surface.
+/// @throws InputError if CloseSurface does: the surface is empty, open or not manifold
 Shape MakeSurfaceShape(int material, vtkPolyData* polygons);
 
 } // namespace vfm

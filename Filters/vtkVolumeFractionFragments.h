@@ -2,13 +2,18 @@
  * @class   vtkVolumeFractionFragments
  * @brief   table of the fragments of a mesh
  *
- * Input: a mesh of vtkVolumeFractionToHex or vtkVolumeFractionToTet, also one read from a file. Output: a row a fragment, in the order of
- * their ids, with the columns FragmentId, MaterialId, Material, Elements, FractionVolume, MeshVolume, CentroidX, CentroidY, CentroidZ, MinX, MaxX,
- * MinY, MaxY, MinZ, MaxZ, Mass (when there are densities) and Neighbours (the fragments that share faces with it, blanks between). Lengths
- * are those of the mesh. FractionVolume is what the volume fractions ask of the fragment, MeshVolume what its elements have.
+ * Input: a mesh of vtkVolumeFractionToHex or vtkVolumeFractionToTet, also from a file.
  *
- * Under MPI process 0 has the table, the others an empty one; all must update together. The numbers do not depend on the processes. A mesh without the arrays
- * gives one error message on all.
+ * Output: one row per fragment, ordered by id, in the units of the mesh. Columns:
+ * - FragmentId, MaterialId, Material (name), Elements
+ * - FractionVolume: volume by the volume fractions; MeshVolume: volume of the elements
+ * - CentroidX, CentroidY, CentroidZ, MinX, MaxX, MinY, MaxY, MinZ, MaxZ
+ * - Mass, if there are densities
+ * - Neighbours: ids of the fragments that share faces with it, separated by spaces
+ *
+ * On several ranks, rank 0 has the table and the others an empty one; all must update together.
+ * Numbers do not depend on the number of ranks. A mesh without the required arrays gives one error
+ * message on all ranks.
  */
 #ifndef vtkVolumeFractionFragments_h
 #define vtkVolumeFractionFragments_h
@@ -30,8 +35,8 @@ public:
 
   ///@{
   /**
-   * Cell arrays of mass per volume, for the column Mass: one for all materials, or one a material in the order of the
-   * materials. The mesh has those that were among the StateArrays. Default: none.
+   * Cell arrays of mass per volume, for the column Mass: one for all materials, or one per material
+   * in the order of the materials. The mesh has arrays that were StateArrays. Default: none.
    */
   void AddDensityArray(const char* name);
   void ClearDensityArrays();
@@ -39,7 +44,7 @@ public:
 
   ///@{
   /**
-   * The processes that have pieces of the mesh. Default: the global controller.
+   * Ranks that have pieces of the mesh. Default: the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

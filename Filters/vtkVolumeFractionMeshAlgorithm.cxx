@@ -33,8 +33,8 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// Claimed on the output, so that a later request for ghost layers does not run the filter again.
-// The filter marks no cells as ghosts, whatever is asked.
+// Set on the output, so that a later request for ghost layers does not run the filter again. The
+// filter never marks ghost cells.
 constexpr int GhostLayersClaimed = 4;
 
 void LogStages(const vfm::MeshReport& report)
@@ -141,7 +141,7 @@ int vtkVolumeFractionMeshAlgorithm::RequestData(
   return 1;
 }
 
-/// On the first rank, unless the text is empty.
+/// Warns on rank 0, unless the text is empty.
 void vtkVolumeFractionMeshAlgorithm::Warn(const std::string& text, const vfm::Ranks& ranks) const
 {
   if (ranks.Rank() == 0 && !text.empty())
@@ -150,7 +150,7 @@ void vtkVolumeFractionMeshAlgorithm::Warn(const std::string& text, const vfm::Ra
   }
 }
 
-/// Collective.
+/// Collective. Finds the blocks of the input and their positions in the grid.
 vfm::InputLevels vtkVolumeFractionMeshAlgorithm::FindLevels(
   vtkDataObject* input, const vfm::ArraysToRead& arrays, vfm::Ranks& ranks) const
 {
@@ -184,7 +184,7 @@ void vtkVolumeFractionMeshAlgorithm::Run(
       vfm::SetMeshOutput(result.TheMesh, outputs);
       vfm::AddFields(result.Fields, outputs.Mesh->GetFieldData());
       vfm::SetStateOutput(result.State, outputs.Mesh);
-      if (ranks.Rank() == 0) // views show the rows of all ranks
+      if (ranks.Rank() == 0) // views append the rows of all ranks
       {
         vfm::AddColumns(result.MaterialFields, outputs.Materials);
       }

@@ -2,34 +2,41 @@
  * @class   vtkVolumeFractionMeshAlgorithm
  * @brief   base of the filters from cell-centred volume fractions to finite-element meshes
  *
- * Input: vtkImageData, vtkUniformGrid, vtkRectilinearGrid, vtkUnstructuredGrid or vtkStructuredGrid whose cells are those
- * of a Cartesian grid (hexahedra or voxels with sides along the axes, in any order, as Exodus files hold them), or a composite
- * data set of them whose blocks tile one grid, or several levels of a refined one: vtkOverlappingAMR, vtkNonOverlappingAMR and
- * any other whose blocks' cells are 2, 4, 8 .. times as wide as those of the finest. Where finer blocks are coarser data are ignored. Cells of less than three dimensions are left out. The materials come from cell arrays, or from
- * point arrays of images, whose points then are the centres of cells (one level only), either
- * - one volume fraction array a material (AddVolumeFractionArray), of any numeric type, values in
- *   [0,1], or 0..255 when unsigned char; material i is the i-th array added, counted from 1; what the
- *   arrays of a cell leave of 1 is void; or
- * - one array of whole numbers (MaterialIdArray) that names the material of each cell, 0 for void.
- * Images with a direction matrix, which must be orthonormal, are meshed in their own axes, and the mesh is turned; sides of the domain
- * and its bounds are those of their axes, state arrays are left as they are.
+ * **Grids.** Input is one of:
+ * - vtkImageData, vtkUniformGrid or vtkRectilinearGrid;
+ * - vtkUnstructuredGrid or vtkStructuredGrid whose cells form a Cartesian grid: hexahedra or voxels
+ *   with sides along the axes, in any order, as in Exodus files;
+ * - a composite data set of these whose blocks tile one grid, or the levels of a refined grid:
+ *   vtkOverlappingAMR, vtkNonOverlappingAMR, or any other with cells 2, 4, 8 .. times as wide as
+ *   the finest. Coarser data below finer blocks are ignored.
  *
- * Ghost cells (vtkGhostType) are dropped. Blanked cells are void.
+ * Cells of less than three dimensions and ghost cells (vtkGhostType) are ignored. Blanked cells
+ * are void. Images with a direction matrix, which must be orthonormal, are meshed in image axes;
+ * then the mesh is rotated. Sides and bounds of the domain are in image axes. State arrays are
+ * not rotated.
  *
- * Under MPI the input may be dealt to the processes of the Controller in any way, and some may have none: the cells
- * are shared out anew, one box a process, unless they already are so. All processes must update together. The mesh,
- * its ids and its field data do not depend on the number of processes. Each process gets its own cells; points
- * between processes are repeated with equal GlobalPointIds. A run on several processes cannot be aborted.
- * A host code that knows the processes across the faces of its boxes says so (FaceNeighbours); each then meshes its own
- * cells.
+ * **Materials.** They come from cell arrays, or from point arrays of images of one level, whose
+ * points are then the centres of cells:
+ * - one volume fraction array per material (AddVolumeFractionArray), of any numeric type, with
+ *   values in [0,1], or 0..255 if unsigned char. Material i is the i-th array, counted from 1; the
+ *   rest of a cell is void; or
+ * - one array of integers (MaterialIdArray) with the material of each cell, 0 for void.
  *
- * Output port 0: the mesh, vtkUnstructuredGrid. The geometry that it resolves, vtkPolyData: output port 1 its surfaces, port 2 the
- * curves where surfaces meet, port 3 the vertices where curves meet or end. Each facet, edge and vertex is on one process.
- * Their ids, and the tables of what bounds what, are the same on every process.
- * Output port 4: the materials, vtkTable, a row each, on the first process alone.
+ * **Ranks.** The input may have any distribution over the ranks of the Controller; ranks may be
+ * empty. Cells are redistributed, one box per rank, unless they already are distributed so. All
+ * ranks must update together. The mesh, its ids and its field data do not depend on the number of
+ * ranks. Each rank gets the elements of its cells; points between ranks are on each with equal
+ * GlobalPointIds. A run on several ranks cannot be aborted. A host code that knows the ranks across
+ * the faces of its boxes can set FaceNeighbours; each rank then meshes its own cells.
  *
- * Input that cannot be meshed, on any process, gives one error message and empty outputs on all, whose field data say why (MeshError). So does
- * input that failed. The update itself does not fail (Parallel/FailedOutput tells why).
+ * **Outputs.** Port 0: the mesh, vtkUnstructuredGrid. Ports 1, 2 and 3, vtkPolyData: its surfaces,
+ * the curves where surfaces meet, and the vertices where curves meet or end. Each facet, edge and
+ * vertex is on one rank; their ids and the tables of their relations are equal on all ranks. Port
+ * 4: vtkTable with one row per material, only on rank 0.
+ *
+ * **Errors.** Input that cannot be meshed, on any rank, gives one error message and empty outputs
+ * on all ranks, with the message in the field data MeshError. Input that failed does the same. The
+ * update itself does not fail (Parallel/FailedOutput.h has the reason).
  */
 #ifndef vtkVolumeFractionMeshAlgorithm_h
 #define vtkVolumeFractionMeshAlgorithm_h
@@ -44,8 +51,9 @@
 #include <vector> // for member
 
 /**
- * Sets and gets an option of the mesher by its name (Mesher/Options/OptionTable.cxx). Choices and whole numbers, but for those of
- * tetrahedra, are clamped to their range; other numbers out of range are an error of the update.
+ * Sets and returns an option of the mesher by name (Mesher/Options/OptionTable.cxx). Choices, and
+ * integers except options for tetrahedra, are clamped to their range. Other numbers out of range
+ * are errors of the update.
  */
 #define vfmNumberOption(name, type)                                                                \
   void Set##name(type value)                                                                       \
@@ -99,16 +107,20 @@ public:
 
   ///@{
   /**
-   * The arrays that hold the volume fraction of one material each, in the order of the materials: of the cells, or where cells
-   * have none of that name of the points of images. association: vtkDataObject::FIELD_ASSOCIATION_CELLS or _POINTS, whose alone are
-   * meant. All arrays that are chosen, of materials, state and refinement, must have one association.
-   * An array that is on the list already is not added again. Where nothing is chosen, no MaterialIdArray either, and the input has a
-   * single array that can hold materials (fractions in [0,1] of a real type, or whole numbers), that one is meshed.
+   * Arrays with the volume fraction of one material each, in the order of the materials. An array
+   * is cell data or, if there are no cell data of that name, point data of images. An association,
+   * vtkDataObject::FIELD_ASSOCIATION_CELLS or _POINTS, selects one of them. All selected arrays, of
+   * materials, state and refinement, must have one association.
+   *
+   * A name is added only once. If neither these arrays nor a MaterialIdArray are selected, and
+   * the input has a single array that can hold materials (reals in [0,1], or integers), that
+   * array is meshed.
    */
   void AddVolumeFractionArray(const char* name);
   void AddVolumeFractionArray(int association, const char* name);
   /**
-   * The same from lists of words: POINTS or CELLS tells what the arrays that follow belong to.
+   * Adds an array from a list of words; POINTS or CELLS sets the association of the
+   * following arrays.
    */
   void AddVolumeFractionWord(const char* word);
   void ClearVolumeFractionArrays();
@@ -118,10 +130,11 @@ public:
 
   ///@{
   /**
-   * The array that names the material of each cell by a whole number, of any type, instead of volume fractions; with an association as
-   * for those. Empty, or "None": use volume fractions. Default: empty. The form of five is that in which ParaView's panels choose arrays
-   * (SetInputArrayToProcess); the first three say nothing, and the association is a number or empty. Files of states of older versions
-   * have the name alone.
+   * Array with the material of each cell, integers in any numeric type, instead of volume
+   * fractions. An association selects cell or point data, as above. Empty, or "None": use volume
+   * fractions. Default: empty. ParaView's panels call the form with five arguments (as
+   * SetInputArrayToProcess): the first three are ignored, and the association is a number or empty.
+   * State files of older versions have only the name.
    */
   void SetMaterialIdArray(const char* name);
   void SetMaterialIdArray(int association, const char* name);
@@ -132,14 +145,16 @@ public:
 
   ///@{
   /**
-   * Arrays of any numeric type and number of components (velocity, density, temperature) that the mesh carries
-   * along as cell arrays of the same name. Copied (StateTransfer), they keep their type, piecewise constant: each element has the values of one
-   * cell, unchanged. That is the cell that holds its centroid (the mean of its corners), if the element's
-   * material fills at least half of it; else, of that cell and its 26 neighbours, the one with the greatest fraction
-   * of the element's material, of equal ones that with the nearest centre, then that with the lowest index. An
-   * element that smoothing moved over more than five cells looks in the fifth.
-   * All blocks need them, of one type and number of components. Blanked cells have the values of their arrays.
-   * A name that is on the list already is not added again. Default: none.
+   * Arrays of any numeric type and number of components (velocity, density, temperature) that are
+   * transferred to the mesh as cell arrays of the same name. All blocks must have them, with one
+   * type and number of components. Blanked cells have the values of their arrays. A name is added
+   * only once. Default: none.
+   *
+   * With STATE_COPY, arrays keep their type, and each element has the values of one cell. This is
+   * the cell that contains its centroid (the mean of its corners), if the material of the element
+   * fills at least half of it. Otherwise it is, of that cell and its 26 neighbours, the cell with
+   * the greatest fraction of the material; then the nearest centre; then the lowest index. For an
+   * element that smoothing moved by more than five cells, the fifth cell is used.
    */
   void AddStateArray(const char* name);
   void ClearStateArrays();
@@ -149,10 +164,11 @@ public:
 
   ///@{
   /**
-   * The density, mass per volume of the material (not of the cell, but for those of the kind "cell"): one array for all materials, or
-   * one a material with names as told at AddStateKind. Mass of a material in a cell is fraction x volume of the cell x density. They are
-   * carried as state arrays are, and need not be among them. Of one component; none may be negative. Without any, mass is the volume of the fractions.
-   * Default: none.
+   * Density, mass per volume of the material (per volume of the cell if the kind is "cell"). Select
+   * one array for all materials, or one per material with names as in AddStateKind. The mass of a
+   * material in a cell is fraction x cell volume x density. Densities have one component and must
+   * not be negative. They are transferred like state arrays, and need not be listed there. Without
+   * densities, mass means volume. Default: none.
    */
   void AddDensityArray(const char* name);
   void ClearDensityArrays();
@@ -162,20 +178,27 @@ public:
 
   ///@{
   /**
-   * What the values of an array are, and so what STATE_CONSERVE keeps of it: words name=kind, where name is that of an array, or the stem of
-   * arrays a material. Kinds:
-   * - mass: per mass, as velocity, specific energy, temperature: value x mass is kept. The default of arrays of real numbers.
-   * - mass*other: the same weighed with another state array, as temperature=mass*heat_capacity: value x mass x other is kept.
-   * - volume: per volume of the material, as density, pressure: value x volume of the material. The default of DensityArrays.
-   * - cell: per volume of the whole cell, as a bulk density: value x volume of the cell.
-   * - extensive: sums, as the mass in a cell; elements get sums.
-   * - copy: copied as by STATE_COPY. The default of arrays of whole numbers.
-   * Cell and extensive are shared by the materials of a cell in proportion to their volumes; void has a part only where nothing else is.
+   * Kinds of arrays, which determine the quantities that STATE_CONSERVE preserves. Entries are
+   * name=kind; name is an array, or the common part of arrays per material. Kinds:
+   * - mass: values per mass, such as velocity, specific energy or temperature; preserves value x
+   *   mass. Default for arrays of reals.
+   * - mass*other: weighted by another state array, such as temperature=mass*heat_capacity;
+   *   preserves value x mass x other.
+   * - volume: values per volume of the material, such as density or pressure; preserves value x
+   *   volume of the material. Default for DensityArrays.
+   * - cell: values per volume of the whole cell, such as a bulk density; preserves value x cell
+   *   volume.
+   * - extensive: sums, such as the mass in a cell; elements get sums.
+   * - copy: copied as with STATE_COPY. Default for arrays of integers.
    *
-   * Arrays a material: state or density arrays whose names differ only in the number or name of the material, as those of its
-   * fractions do ("Material volume fraction - 1" and "Material density - 1"), or in " - " and the number, become one array with the name
-   * of what they share ("Material density"): an element has it from the array of its material. There must be one for every material.
-   * Void has 0 of them.
+   * Values of the kinds cell and extensive are divided among the materials of a cell by volume.
+   * Void gets a share only if the cell contains nothing else.
+   *
+   * Arrays per material are state or density arrays whose names differ only in the number or name
+   * of the material, like the names of the fractions, or in " - " and the number. For example, the
+   * fractions "Material volume fraction - 1" and the densities "Material density - 1" belong to one
+   * material. These arrays become one array, named by their common part ("Material density"). Each
+   * element has the value of its material. All materials must have an array. Void has 0.
    */
   void AddStateKind(const char* word);
   void ClearStateKinds();
@@ -185,9 +208,10 @@ public:
 
   ///@{
   /**
-   * A file that names labels (MaterialIdArray), read by the first process: a text with a line for each, the label and its name, a label
-   * file of ITK-SNAP, a lookup table of FreeSurfer or MRIcron, or the XML of an atlas of FSL. Labels that it does not name are
-   * called "Material 7". Errors tell the line: no whole number, a label or a name twice. Default: none.
+   * File with names of labels (MaterialIdArray), read by rank 0. Formats: a text with a label and
+   * its name in each line, label files of ITK-SNAP, lookup tables of FreeSurfer and MRIcron, and
+   * the XML of an FSL atlas. Labels without an entry are called "Material 7". Errors state the
+   * line: a label is not an integer, or a label or name is repeated. Default: none.
    */
   void SetLabelNamesFile(const char* path);
   const char* GetLabelNamesFile();
@@ -195,9 +219,11 @@ public:
 
   ///@{
   /**
-   * Cells that REFINEMENT_AUTOMATIC refines as by RefinementArray: those of a box in space from the corner (x0, y0, z0) to (x1, y1, z1), in the unit of the input: all cells that it reaches into
-   * by more than a thousandth of their width along every axis, be their centres inside or not. A flat box chooses the cells that it cuts.
-   * Where the array or several boxes choose a cell the most halvings count. Default: no box.
+   * Boxes whose cells REFINEMENT_AUTOMATIC refines, as with RefinementArray. A box extends from
+   * the corner (x0, y0, z0) to (x1, y1, z1), in world coordinates. It selects all cells that it
+   * overlaps by more than 1e-3 of their width along every axis; a flat box selects the cells
+   * that it cuts. A cell gets the maximum number of halvings of all boxes and the array.
+   * Default: no box.
    */
   void AddRefinementBox(
     double x0, double y0, double z0, double x1, double y1, double z1, double halvings = 1.0);
@@ -205,7 +231,7 @@ public:
   int GetNumberOfRefinementBoxes();
   ///@}
 
-  // What the numbers of options stand for.
+  // Numbers of the options.
   enum StateTransferType
   {
     STATE_AUTOMATIC = 0,
@@ -390,7 +416,7 @@ public:
 
   ///@{
   /**
-   * The processes among which the input is distributed. Default: the global controller.
+   * Ranks over which the input is distributed. Default: the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -398,9 +424,10 @@ public:
 
   ///@{
   /**
-   * The processes across -x +x -y +y -z +z of this process' block, or -1 on the sides of the whole grid. Every
-   * process then has one block and meshes its cells, and ghost cells come from the processes around, found from these six.
-   * All processes must set them, or none. Default: not set, and the cells are shared out.
+   * Ranks across -x +x -y +y -z +z of the block of this rank, or -1 on the sides of the whole
+   * grid. Each rank then has one block and meshes its cells; ghost cells come from nearby ranks,
+   * which are found from these six. All ranks must set them, or no rank. Default: not set; the
+   * cells are redistributed.
    */
   void SetFaceNeighbours(const int ranks[6]);
   void ClearFaceNeighbours();
@@ -425,7 +452,7 @@ protected:
 
   vtkMultiProcessController* Controller = nullptr;
   std::vector<vfm::ChosenArray> VolumeFractionArrays;
-  int WordAssociation = vfm::AnyAssociation; // of the words to come
+  int WordAssociation = vfm::AnyAssociation; // association of the following words
   vfm::ChosenArray MaterialIdArray;
   std::vector<std::string> StateArrays;
   std::unique_ptr<vfm::MesherOptions> Options;

@@ -1,5 +1,5 @@
 /**
- * The options of vtkVolumeFractionMeshAlgorithm, and the arrays that it is told to read.
+ * Options and selected arrays of vtkVolumeFractionMeshAlgorithm.
  */
 #include "vtkVolumeFractionMeshAlgorithm.h"
 
@@ -17,7 +17,7 @@
 namespace
 {
 
-/// Adds what the list does not hold yet.
+/// Adds an item unless the list contains it.
 template <class Item>
 void AddItem(const Item& item, std::vector<Item>& items, vtkObject* owner)
 {
@@ -62,7 +62,7 @@ void PrintTexts(
   os << "\n";
 }
 
-/// As panels name an array, or none.
+/// Returns whether a text is the name of an array; panels use "None".
 bool IsNamed(const std::string& array)
 {
   return !array.empty() && array != "None";

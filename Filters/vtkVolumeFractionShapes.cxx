@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkVolumeFractionShapes);
 namespace
 {
 
-constexpr int Margin = 2; // cells around surfaces to which the grid is fitted
+constexpr int Margin = 2; // cells between surfaces and the sides of a fitted grid
 
 struct Placement
 {
@@ -45,7 +45,7 @@ Placement PlaceInBounds(const double bounds[6], const int dimensions[3])
   return place;
 }
 
-/// Cubic cells around all surfaces, centred.
+/// Places cubic cells around all surfaces, centred.
 Placement PlaceAround(const std::vector<vtkPolyData*>& surfaces, const int dimensions[3])
 {
   vtkBoundingBox box;
@@ -152,7 +152,7 @@ std::string vtkVolumeFractionShapes::FindGridError() const
 int vtkVolumeFractionShapes::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  // A grid that is none is told by RequestData, once.
+  // RequestData reports an invalid grid, once.
   const bool valid = this->FindGridError().empty();
   vtkInformation* info = outputVector->GetInformationObject(0);
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
@@ -163,7 +163,7 @@ int vtkVolumeFractionShapes::RequestInformation(
   info->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
   info->Remove(vtkDataObject::ORIGIN());
   info->Remove(vtkDataObject::SPACING());
-  if (valid && !this->FitToInput) // else known with the surfaces
+  if (valid && !this->FitToInput) // otherwise the surfaces are needed
   {
     const Placement place = PlaceInBounds(this->Bounds, this->Dimensions);
     info->Set(vtkDataObject::ORIGIN(), place.Origin, 3);
@@ -238,7 +238,7 @@ void vtkVolumeFractionShapes::Fill(
   image->SetExtent(const_cast<int*>(extent));
   image->SetOrigin(place.Origin);
   image->SetSpacing(place.Spacing);
-  const bool hasCells = HasCells(extent); // else the image may have flat ones
+  const bool hasCells = HasCells(extent); // otherwise the image may have flat cells
   std::vector<vfm::Buffer<double>> fractions(vfm::CountMaterials(shapes));
   if (hasCells)
   {

@@ -2,21 +2,21 @@
  * @class   vtkVolumeFractionShapes
  * @brief   exact volume fractions of solid shapes on a uniform grid
  *
- * Makes an image with one cell array a material, Material1, Material2, ... (double), which holds
- * the part of each cell that the material fills. Shapes are inserted in order: the first keeps its
- * volume, later ones get what is left of each cell, as in the material insertion of shock-physics
- * codes. The shapes come from a preset or from text, then from the closed surfaces on the optional,
+ * Makes an image with one cell array per material, Material1, Material2, ... (double), with the
+ * volume fraction of the material in each cell. Shapes are inserted in order: the first keeps its
+ * volume, and later ones get the rest of each cell, as in the material insertion of shock-physics
+ * codes. Shapes come from a preset or from text, then from closed surfaces on the optional,
  * repeatable input port.
  *
- * The grid is given by Dimensions (cells) and Bounds (length units). With FitToInput the grid is
- * instead put around the surfaces, with cubic cells and at least two cells of margin; Dimensions
- * stays as given.
+ * Dimensions (cells) and Bounds (length units) define the grid. With FitToInput, the grid is
+ * placed around the surfaces instead, with cubic cells and at least two cells of margin;
+ * Dimensions is used.
  *
- * Any extent can be asked for; a cell's fractions depend on neither the extent nor the threads. The
- * surfaces are wanted whole on every process.
+ * Any extent can be requested; fractions depend neither on the extent nor on threads. Each rank
+ * needs the whole surfaces.
  *
- * Errors (one message, empty output, failure): text that is no shape, sizes not above 0, Dimensions
- * below 1, empty Bounds, a surface that is empty, open or not manifold, no shape at all.
+ * Errors give one message and an empty output: invalid text, sizes that are not above 0, Dimensions
+ * below 1, empty Bounds, a surface that is empty, open or not manifold, or no shape.
  */
 #ifndef vtkVolumeFractionShapes_h
 #define vtkVolumeFractionShapes_h
@@ -35,7 +35,7 @@ public:
 
   ///@{
   /**
-   * Cells along x, y and z. Default 32 each.
+   * Number of cells along x, y and z. Default 32 each.
    */
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
@@ -51,7 +51,7 @@ public:
 
   ///@{
   /**
-   * Put the grid around the surfaces of the input instead of using Bounds. Default off.
+   * Place the grid around the surfaces of the input instead of using Bounds. Default off.
    */
   vtkSetMacro(FitToInput, bool);
   vtkGetMacro(FitToInput, bool);
@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * A ready scene, by number; 0 for none. Default 4, ball and plate. GetPresetName() tells the
-   * scenes, and is empty past the last.
+   * Number of a predefined scene; 0: none. Default 4, ball and plate. GetPresetName() returns the
+   * names, and "" after the last.
    */
   vtkSetMacro(Preset, int);
   vtkGetMacro(Preset, int);
@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Shapes as text, one a line or parted by semicolons, such as `sphere material=1 center=0,0,0
-   * radius=0.4`; Shapes/ShapesText.h tells all. Replaces the preset when not empty.
+   * Shapes as text, separated by lines or semicolons, such as `sphere material=1 center=0,0,0
+   * radius=0.4`; see Shapes/ShapesText.h. Replaces the preset unless empty.
    */
   vtkSetStdStringFromCharMacro(Shapes);
   vtkGetCharFromStdStringMacro(Shapes);
@@ -79,7 +79,7 @@ public:
 
   ///@{
   /**
-   * Material of the surfaces of the input. Default 0: each gets the next number that is free.
+   * Material of the surfaces of the input. Default 0: each gets the next free number.
    */
   vtkSetMacro(SurfaceMaterial, int);
   vtkGetMacro(SurfaceMaterial, int);
@@ -87,7 +87,7 @@ public:
 
   ///@{
   /**
-   * Largest error of a fraction where curved surfaces cut a cell; between 0 and 1. Default 1e-4.
+   * Maximum error of a fraction where curved surfaces cut a cell, between 0 and 1. Default 1e-4.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -95,7 +95,7 @@ public:
 
   ///@{
   /**
-   * Threads; default 0: all cores on one process, one thread on each of several.
+   * Number of threads. Default 0: all cores on one rank, one thread per rank on several.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);

@@ -2,31 +2,44 @@
  * @class   vtkVolumeFractionToHex
  * @brief   conforming hexahedral mesh of every material from cell-centred volume fractions
  *
- * The mesh follows the surfaces between the materials and the void, which it places by piecewise linear
- * interface calculation, and every hexahedron has a positive Jacobian at every corner, for any input.
- * Method: Owen, Staten, Sorensen, "Parallel hexahedral meshing from volume fractions", Engineering with
- * Computers 2014. See vtkVolumeFractionMeshAlgorithm for the input and the properties.
+ * The mesh follows the surfaces between the materials and the void, which are placed by
+ * piecewise linear interface calculation. Every hexahedron has a positive Jacobian at every
+ * corner, for any input. Method: Owen, Staten and Sorensen, "Parallel hexahedral meshing from
+ * volume fractions", Engineering with Computers, 2014. See vtkVolumeFractionMeshAlgorithm for
+ * the input and the properties.
  *
- * Port 0, hexahedra of all materials. Cell arrays: MaterialId (int), FragmentId (int, face-connected
- * pieces from 1), GlobalCellIds, ScaledJacobian (float, verdict's, when ComputeQuality is on). Point
- * arrays: GlobalPointIds, GeometryDimension (int; 3 volume, 2 surface, 1 curve, 0 vertex), GeometryId
- * (int). Field data: MaterialNames, MaterialIds, TargetVolume, MeshVolume (length units cubed) of each
- * material, and counts and extremes of the run; hidden from lists of arrays (vtkAbstractArray::GUI_HIDE).
+ * Port 0, hexahedra of all materials.
+ * - Cell arrays: MaterialId (int), FragmentId (int, from 1), GlobalCellIds; ScaledJacobian (float,
+ *   as defined by verdict) if ComputeQuality is on
+ * - Point arrays: GlobalPointIds, GeometryDimension (int; 3 volume, 2 surface, 1 curve, 0 vertex),
+ *   GeometryId (int)
+ * - Field data, hidden from lists of arrays (vtkAbstractArray::GUI_HIDE): MaterialNames,
+ *   MaterialIds, TargetVolume, MeshVolume (length units cubed) of each material; counts and
+ *   extremes of the run
  *
- * Port 1, the quadrilaterals of all surfaces. Cell arrays: SurfaceId (int, from 1), MaterialPair (int,
- * 2 components, the smaller first, 0 void or outside; the normal points from the second to the first),
- * DomainSide (int, -1 inside, 0..5 for -x +x -y +y -z +z).
+ * Port 1, quadrilaterals of all surfaces.
+ * - Cell arrays: SurfaceId (int, from 1); MaterialPair (int, 2 components, the smaller first, 0
+ *   void or outside; the normal points from the second to the first); DomainSide (int, -1 inside,
+ *   0..5 for -x +x -y +y -z +z)
+ * - Field data: SurfaceVolumes, SurfaceMaterials (2 components per surface: fragments and materials
+ *   on its sides as in MaterialPair, 0 not meshed or outside); SurfaceSides (its DomainSide);
+ *   VolumeSurfaces (pairs of a fragment and a surface around it)
  *
- * Port 2, the edges of all curves, lines of two points in the order of their curves. Cell array: CurveId (int, from 1).
- * Port 3, all vertices. Cell array: VertexId (int, from 1). Points of ports 1, 2 and 3: GlobalPointIds, those of the mesh.
+ * Port 2, edges of all curves, lines of two points ordered by curve.
+ * - Cell array: CurveId (int, from 1)
+ * - Field data: CurveEnds (number of ends of each curve at vertices, 0 closed); SurfaceCurves
+ *   (pairs)
  *
- * Field data of ports 1, 2 and 3, what bounds what (int, the same on every process). Of port 1: SurfaceVolumes, SurfaceMaterials
- * (2 components, a tuple a surface, as MaterialPair: fragments and materials on its sides, 0 not meshed or outside), SurfaceSides
- * (its DomainSide), VolumeSurfaces (2 components, a tuple each pair of a fragment and a surface around it). Of port 2: CurveEnds (a
- * value a curve: how many ends it has at vertices, 0 closed), SurfaceCurves (pairs). Of port 3: CurveVertices (pairs).
+ * Port 3, all vertices.
+ * - Cell array: VertexId (int, from 1)
+ * - Field data: CurveVertices (pairs)
  *
- * Port 4, the materials: Name, MaterialId, TargetVolume, MeshVolume (length units cubed), VolumeError (relative), Elements, Fragments,
- * and MinimumScaledJacobian, MeanScaledJacobian when ComputeQuality is on.
+ * Ports 1, 2 and 3 have the point array GlobalPointIds of the mesh. Their field data is of type int
+ * and equal on all ranks.
+ *
+ * Port 4, one row per material: Name, MaterialId, TargetVolume, MeshVolume (length units cubed),
+ * VolumeError (relative), Elements, Fragments; MinimumScaledJacobian and MeanScaledJacobian if
+ * ComputeQuality is on.
  */
 #ifndef vtkVolumeFractionToHex_h
 #define vtkVolumeFractionToHex_h

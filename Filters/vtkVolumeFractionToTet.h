@@ -2,30 +2,33 @@
  * @class   vtkVolumeFractionToTet
  * @brief   conforming tetrahedral mesh of every material from cell-centred volume fractions
  *
- * The mesh follows the surfaces between the materials and the void, and every tetrahedron has a positive volume,
- * for any input. Three methods:
- * - METHOD_LATTICE: a body-centred cubic lattice of cell centres and grid nodes, each with a label of its own, cut
- *   where labels differ and snapped where a cut would come too near. The best angles, and the nearest to the surface.
- * - METHOD_CELLS: every cell is cut into tetrahedra around its centre, so the surfaces have the faces and labels of
- *   vtkVolumeFractionToHex, each quadrilateral in two triangles.
- * - METHOD_TETGEN: the smoothed surfaces of METHOD_CELLS, filled by TetGen (Si, "TetGen, a Delaunay-based quality
- *   tetrahedral mesh generator", ACM Transactions on Mathematical Software 2015) with tetrahedra that grow
- *   away from the surfaces. Parts that TetGen refuses keep the tetrahedra of METHOD_CELLS, with a warning. Only
- *   where TetGen was built in (HasTetGen()); that library is under the GNU Affero General Public License.
+ * The mesh follows the surfaces between the materials and the void, and every tetrahedron has a
+ * positive volume, for any input. Methods:
+ * - METHOD_LATTICE: a body-centred cubic lattice of labelled cell centres and grid nodes. It is cut
+ *   where labels differ, and points are snapped where a cut would be too near. This method gives
+ *   the best angles and the closest fit to the surface.
+ * - METHOD_CELLS: each cell is cut into tetrahedra around its centre. The surfaces have the faces
+ *   and labels of vtkVolumeFractionToHex, with each quadrilateral split into two triangles.
+ * - METHOD_TETGEN: TetGen fills the smoothed surfaces of METHOD_CELLS with tetrahedra that grow
+ *   away from the surfaces (Si, "TetGen, a Delaunay-based quality tetrahedral mesh generator", ACM
+ *   Transactions on Mathematical Software 41, 2015). Parts that TetGen rejects keep the tetrahedra
+ *   of METHOD_CELLS, with a warning. Requires a build with TetGen (HasTetGen()), which has the GNU
+ *   Affero General Public License.
  *
- * The same mesh, bit for bit, on any number of processes: METHOD_CELLS and METHOD_LATTICE. With METHOD_TETGEN the
- * surfaces are the same, the tetrahedra between them follow the partition.
+ * With METHOD_CELLS and METHOD_LATTICE, the mesh is bitwise identical on any number of ranks. With
+ * METHOD_TETGEN, only the surfaces are; the tetrahedra between them depend on the partition.
  *
- * See vtkVolumeFractionMeshAlgorithm for the input and the properties. TargetScaledJacobian is here the sine of
- * the acute dihedral angles that smoothing strives for: .5 is 30 degrees; 0: a little more than .5. FineInterfaces has
- * no effect: all interfaces get the finest cells.
+ * See vtkVolumeFractionMeshAlgorithm for the input and the properties. TargetScaledJacobian is the
+ * target for the sine of the acute dihedral angles: 0.5 is 30 degrees, 0 means slightly above 0.5.
+ * FineInterfaces has no effect: all interfaces get the finest cells.
  *
- * Port 0, tetrahedra of all materials, with the arrays of vtkVolumeFractionToHex. Field data also:
- * MinimumDihedralAngle, MaximumDihedralAngle (double, degrees) and DihedralAngles (vtkIdType, 18 values: how many
- * angles lie in each ten degrees) when ComputeQuality is on, RefusedParts (vtkIdType).
+ * Port 0, tetrahedra of all materials, with the arrays of vtkVolumeFractionToHex. Additional field
+ * data: RefusedParts (vtkIdType); if ComputeQuality is on, MinimumDihedralAngle,
+ * MaximumDihedralAngle (double, degrees) and DihedralAngles (vtkIdType, histogram of 18 intervals
+ * of ten degrees).
  *
- * Port 1, the triangles of all surfaces; port 2, the edges of all curves; port 3, all vertices: with the arrays of
- * vtkVolumeFractionToHex.
+ * Port 1 has the triangles of all surfaces, port 2 the edges of all curves, port 3 all vertices,
+ * and port 4 the materials, with the arrays of vtkVolumeFractionToHex.
  */
 #ifndef vtkVolumeFractionToTet_h
 #define vtkVolumeFractionToTet_h
@@ -48,7 +51,7 @@ public:
   };
 
   /**
-   * Whether METHOD_TETGEN was built in; an error where it is asked for and was not.
+   * Returns whether TetGen was built in; otherwise METHOD_TETGEN is an error.
    */
   static bool HasTetGen();
 

@@ -23,7 +23,7 @@ namespace
 
 static_assert(sizeof(vtkIdType) == sizeof(Index), "VTK must be built with 64-bit ids");
 
-/// The values of an array in plain memory, as numbers of a type of VTK: its own, or a copy.
+/// Returns the values of an array in contiguous memory as a VTK type: a view, or a copy.
 const void* Store(vtkDataArray* array, int type, StoredMesh& mesh)
 {
   vtkSmartPointer<vtkDataArray> kept = array;
@@ -59,7 +59,7 @@ std::vector<MeshArray> ListArrays(vtkDataSetAttributes* data, StoredMesh& mesh)
   return arrays;
 }
 
-/// The values in the type of another array.
+/// Returns the values converted to the type of another array.
 template <class T, class Array>
 std::vector<T> CopyNumbers(vtkDataArray* array)
 {
@@ -111,7 +111,7 @@ std::vector<FieldArray> ListFields(vtkFieldData* data)
   return fields;
 }
 
-/// 8 or 4.
+/// Returns the number of corners of all cells, 8 or 4.
 int FindCorners(vtkUnstructuredGrid* mesh)
 {
   const int type = mesh->GetCellType(0);

@@ -1,5 +1,5 @@
 /**
- * MeshDataOfGrid: a mesh of VTK, also one read from a file, as MeshData.
+ * MeshDataOfGrid: views a VTK mesh, from a filter or a file, as MeshData.
  */
 #pragma once
 
@@ -10,9 +10,9 @@ class vtkUnstructuredGrid;
 namespace vfm
 {
 
-/// Views the memory of the mesh, which it keeps, and owns copies where types or layouts are others. Arrays without a name or without numbers
-/// are left out; so is the kind of an empty mesh (Corners are 8). Throws InputError when cells are not all hexahedra or
-/// all tetrahedra.
+/// Returns a view that shares ownership of the memory of a mesh, with copies if types or layouts
+/// differ. Arrays without a name or without numbers are ignored. Corners of an empty mesh are 8.
+/// @throws InputError if cells are neither all hexahedra nor all tetrahedra
 StoredMesh MeshDataOf(vtkUnstructuredGrid* mesh);
 
 } // namespace vfm

@@ -11,7 +11,7 @@ std::string DescribeMissingLevels(vtkDataObject* input, Ranks& ranks)
 {
   constexpr std::size_t maximumLevels = 64;
   std::vector<std::int64_t> counts(
-    2 * maximumLevels, 0); // of each level boxes, then those with data
+    2 * maximumLevels, 0); // boxes of each level, then boxes with data
   RefinedGrids* amr = RefinedGrids::SafeDownCast(input);
   const std::size_t levels = amr ? amr->GetNumberOfLevels() : 0;
   for (std::size_t level = 0; level < std::min(levels, maximumLevels); ++level)

@@ -1,5 +1,5 @@
 /**
- * MissingLevels: levels of a refined grid (AMR) whose boxes are known, but whose data the reader has not loaded.
+ * MissingLevels: finds levels of a refined grid (AMR) whose data the reader has not loaded.
  */
 #pragma once
 
@@ -12,7 +12,10 @@ class vtkDataObject;
 namespace vfm
 {
 
-/// Collective: empty, or which levels have boxes and on no rank data, and what to do. input: this rank's part, null for none.
+/// Returns a warning with the levels that have boxes, but no data on any rank; empty if there
+/// are none.
+/// @param input part of this rank; null: none
+/// @pre Collective
 std::string DescribeMissingLevels(vtkDataObject* input, Ranks& ranks);
 
 } // namespace vfm

@@ -2,10 +2,12 @@
  * @class   vtkVolumeFractionAbaqusWriter
  * @brief   writes a mesh as an input file of Abaqus and CalculiX (.inp)
  *
- * One file, also from several processes: nodes, elements C3D8 or C3D4 with an element set a material (all: EALL), node sets
- * of the sides of the domain (X_MIN to Z_MAX, all nodes: NALL), surfaces of these sides and of each material against each other
- * and the void (BALL_TO_PLATE, BALL_TO_VOID). The mesh alone: sections, materials and steps are the user's, in a file that
- * includes this one.
+ * Writes one file, also from several ranks:
+ * - nodes; elements C3D8 or C3D4 with one element set per material, and EALL for all;
+ * - node sets of the sides of the domain, X_MIN to Z_MAX, and NALL for all nodes;
+ * - surfaces of these sides, and of each pair of adjacent materials (BALL_TO_PLATE, BALL_TO_VOID).
+ *
+ * The file contains only the mesh. Sections, materials and steps belong in a file that includes it.
  */
 #ifndef vtkVolumeFractionAbaqusWriter_h
 #define vtkVolumeFractionAbaqusWriter_h

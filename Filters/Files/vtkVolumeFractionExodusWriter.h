@@ -2,10 +2,17 @@
  * @class vtkVolumeFractionExodusWriter
  * @brief writes a mesh as Exodus with element blocks, side sets and node sets
  *
- * One element block a material, named after it, its id the material's (the void, when it is meshed, gets the id after the
- * greatest); side sets where materials touch each other and the void, "ball_to_plate", "ball_to_Void", and on the sides of the domain,
- * "x_min" to "z_max"; node sets of these sides; global ids as element and node maps; cell and point arrays as variables. Under MPI
- * each process writes a file FileName.N.RANK with the communication maps of Nemesis, or all one, see SingleFile.
+ * The file contains:
+ * - one element block per material with its name and id; a meshed void gets the next id after the
+ *   largest;
+ * - side sets between adjacent materials and on free surfaces ("ball_to_plate", "ball_to_Void"),
+ *   and side sets and node sets on the sides of the domain ("x_min" to "z_max"); see
+ *   Summary/MeshSets.h;
+ * - global ids as element and node maps;
+ * - cell and point arrays as variables.
+ *
+ * On several ranks, each rank writes a file FileName.N.RANK with the communication maps of Nemesis,
+ * or all ranks write a single file (SingleFile).
  */
 #ifndef vtkVolumeFractionExodusWriter_h
 #define vtkVolumeFractionExodusWriter_h
@@ -23,7 +30,7 @@ public:
 
   ///@{
   /**
-   * One file of the whole mesh from several processes; the first needs memory for it. Default: off.
+   * Write one file from several ranks; rank 0 needs memory for the whole mesh. Default: off.
    */
   vtkSetMacro(SingleFile, bool);
   vtkGetMacro(SingleFile, bool);

@@ -1,25 +1,27 @@
 /**
  * @class   vtkVolumeFractionImageReader
- * @brief   reads images of labels or volume fractions: NIfTI, NRRD, MetaImage, TIFF stacks, DREAM.3D
+ * @brief   reads images of labels or volume fractions (NIfTI, NRRD, MetaImage, TIFF, DREAM.3D)
  *
- * Output: an image with spacing, origin and direction matrix of the file, and one array: 'Labels' of whole numbers, else 'Values',
- * at the points, each the centre of a voxel; of .dream3d the cell array that CellArray names. The suffix tells the format.
+ * Output: an image with the spacing, origin and direction matrix of the file, and one point array;
+ * points are the centres of voxels. The array is 'Labels' for integers, else 'Values'. From
+ * .dream3d files, the cell array CellArray is read. The suffix determines the format.
  *
- * | file | where the image lies | |
- * | .nii .nii.gz | sform, else (none, or sheared) qform, else spacing alone; RAS, mostly mm | scaled by slope and intercept |
- * | .nrrd .nhdr | space directions and origin, else spacings; the file's space, mostly LPS | raw and gzip |
+ * | file | position of the image | notes |
+ * | .nii .nii.gz | sform; else qform; else spacing; RAS, mostly mm | scaled by slope, intercept |
+ * | .nrrd .nhdr | space directions and origin, else spacings; mostly LPS | raw and gzip |
  * | .mha .mhd | Offset, TransformMatrix, ElementSpacing; mostly LPS | |
- * | .tif .tiff | resolution as mm, z as x: set Spacing | pages are slices; x to the right, y up |
+ * | .tif .tiff | resolution as mm, z as x: set Spacing | pages are slices; x right, y up |
  * | .dream3d | origin and spacing of the image geometry | DREAM.3D 6, DREAM3D-NX |
  *
- * Coordinates stay those of the file. Slices of left-handed NIfTI images are turned about.
+ * A missing or sheared sform of NIfTI is not used. Coordinates are not converted between RAS and
+ * LPS. The order of the slices of left-handed NIfTI images is reversed.
  *
- * Any extent can be asked for. Under MPI every process of the Controller opens the file and all must update together. NIfTI,
- * MetaImage and NRRD that are not compressed, and DREAM.3D are read by every process in its part; of others the first process reads the whole and
- * sends parts.
+ * Any extent can be requested. All ranks of the Controller open the file and must update together.
+ * Each rank reads its part of DREAM.3D files and of uncompressed NIfTI, MetaImage and NRRD files.
+ * Rank 0 reads other files and sends the parts.
  *
- * Errors (one message on all processes alike, empty output): the file cannot be read, is damaged, has several values a
- * point, several images, axes that are not at right angles.
+ * Errors give one message, the same on all ranks, and empty outputs: the file cannot be read, is
+ * damaged, has several values per point or several images, or axes that are not orthogonal.
  */
 #ifndef vtkVolumeFractionImageReader_h
 #define vtkVolumeFractionImageReader_h
@@ -39,7 +41,8 @@ public:
 
   ///@{
   /**
-   * The edges of a voxel, instead of those that the file tells. Default 0: the file's.
+   * Size of a voxel, length units; replaces the spacing of the file. Default 0: spacing of
+   * the file.
    */
   vtkSetVector3Macro(Spacing, double);
   vtkGetVector3Macro(Spacing, double);
@@ -47,7 +50,7 @@ public:
 
   ///@{
   /**
-   * Of .dream3d: the cell array to read, by its name or the end of its path. Default FeatureIds.
+   * Cell array to read from .dream3d files, by its name or the end of its path. Default FeatureIds.
    */
   vtkSetStdStringFromCharMacro(CellArray);
   vtkGetCharFromStdStringMacro(CellArray);

@@ -49,7 +49,7 @@ vtkTypeBool vtkVolumeFractionMeshWriter::ProcessRequest(
 
 int vtkVolumeFractionMeshWriter::Write()
 {
-  // Until RequestData is called, which it is not where the input failed.
+  // RequestData resets the error; it is not called if the input failed.
   this->SetErrorCode(vtkErrorCode::UserError);
   return this->Superclass::Write();
 }

@@ -2,9 +2,9 @@
  * @class   vtkVolumeFractionMeshWriter
  * @brief   base of the writers of meshes for finite-element codes
  *
- * Input: a mesh of vtkVolumeFractionToHex or vtkVolumeFractionToTet, also one read from a file. Under MPI every process of
- * the Controller has its piece and all must write together. A mesh that cannot be written, or a file, gives one
- * error message and Write returns 0, on all processes alike.
+ * Input: a mesh of vtkVolumeFractionToHex or vtkVolumeFractionToTet, also from a file. Each rank of
+ * the Controller has a piece of the mesh, and all ranks must write together. If the mesh or the
+ * file cannot be written, all ranks give the same error message, and Write returns 0.
  */
 #ifndef vtkVolumeFractionMeshWriter_h
 #define vtkVolumeFractionMeshWriter_h
@@ -30,20 +30,20 @@ public:
 
   ///@{
   /**
-   * The file to write.
+   * Path of the file.
    */
   vtkSetStdStringFromCharMacro(FileName);
   vtkGetCharFromStdStringMacro(FileName);
   ///@}
 
   /**
-   * 0 when it failed, also where the mesh could not be made.
+   * Writes the file. Returns 0 if it failed, also if the mesh could not be made.
    */
   int Write() override;
 
   ///@{
   /**
-   * The processes that have pieces of the mesh. Default: the global controller.
+   * Ranks that have pieces of the mesh. Default: the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -60,7 +60,7 @@ protected:
   void WriteData() override;
 
   /**
-   * Collective. Throws vfm::InputError on all ranks.
+   * Writes a mesh. Collective. Throws vfm::InputError on all ranks.
    */
   virtual void WriteMesh(const vfm::MeshData& mesh, const std::string& path, vfm::Ranks& ranks) = 0;
 

@@ -29,14 +29,15 @@ bool IsEmptyExtent(const int extent[6])
   return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
 }
 
-/// Of an extent that is not empty, its points.
+/// Returns the points of an extent that is not empty.
 vfm::IndexBox FindPoints(const int extent[6])
 {
   return { { { extent[0], extent[2], extent[4] } },
     { { vfm::Index(extent[1]) + 1, vfm::Index(extent[3]) + 1, vfm::Index(extent[5]) + 1 } } };
 }
 
-/// The cells of an extent of points; where it is flat, as VTK cuts pieces of less than a cell and slices, those beside it.
+/// Returns the cells of an extent of points. Next to a flat extent (VTK makes slices, and pieces of
+/// less than a cell), one layer of cells is returned.
 vfm::IndexBox FindCells(const int extent[6], const vfm::Index3& cells)
 {
   vfm::IndexBox box;
@@ -49,7 +50,7 @@ vfm::IndexBox FindCells(const int extent[6], const vfm::Index3& cells)
   return box;
 }
 
-/// Row by row; its columns are the axes of the image.
+/// Returns the direction matrix, row-major; its columns are the axes of the image.
 std::array<double, 9> GetDirection(const vfm::ImagePlace& place)
 {
   std::array<double, 9> direction;
@@ -60,7 +61,7 @@ std::array<double, 9> GetDirection(const vfm::ImagePlace& place)
   return direction;
 }
 
-/// Does a step(ranks) together with all processes; returns why it failed, or "".
+/// Calls step(ranks) together with all ranks. Returns the reason of a failure, or "".
 template <class Step>
 std::string FindProblem(vtkMultiProcessController* controller, const Step& step)
 {
@@ -106,7 +107,7 @@ int vtkVolumeFractionPartReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->Problem = FindProblem(this->Controller,
-    [this](vfm::Ranks&) { *this->Source = this->Open(); }); // RequestData tells it, once
+    [this](vfm::Ranks&) { *this->Source = this->Open(); }); // RequestData reports it, once
   if (!this->Problem.empty())
   {
     *this->Source = vfm::ImageSource();

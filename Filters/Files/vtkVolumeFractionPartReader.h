@@ -1,9 +1,9 @@
 /**
  * @class   vtkVolumeFractionPartReader
- * @brief   base of readers of one image, of which every process reads a part
+ * @brief   base of readers of one image, of which each rank reads a part
  *
- * Any extent can be asked for. Under MPI every process of the Controller opens the file and all must update together. Errors are one
- * message on all processes alike, with the name of the file; the output is empty.
+ * Any extent can be requested. All ranks of the Controller open the file and must update together.
+ * Errors give one message with the name of the file, the same on all ranks, and empty outputs.
  */
 #ifndef vtkVolumeFractionPartReader_h
 #define vtkVolumeFractionPartReader_h
@@ -30,7 +30,7 @@ public:
 
   ///@{
   /**
-   * The file to read.
+   * Path of the file.
    */
   vtkSetStdStringFromCharMacro(FileName);
   vtkGetCharFromStdStringMacro(FileName);
@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * The processes that read the file together. Default: the global controller.
+   * Ranks that read the file together. Default: the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -54,7 +54,7 @@ protected:
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* output) override;
 
   /**
-   * Returns the image in the file. Throws InputError without the path.
+   * Returns the image in the file. Messages of InputError do not contain the path.
    */
   virtual vfm::ImageSource Open() = 0;
 
@@ -68,7 +68,7 @@ private:
   void Read(const int extent[6], vfm::Ranks& ranks, vtkImageData* image);
 
   std::unique_ptr<vfm::ImageSource> Source;
-  std::string Problem; // why there is no image; the same on all processes
+  std::string Problem; // reason why there is no image; equal on all ranks
 };
 
 #endif

@@ -1,21 +1,23 @@
 /**
  * @class   vtkVolumeFractionVoxelReader
- * @brief   reads images of one value a cell: text of Sculpt (.spn) and NumPy arrays (.npy)
+ * @brief   reads images of one value per cell: text of Sculpt (.spn) and NumPy arrays (.npy)
  *
- * Output: an image with the integer cell array 'MaterialId', 0 for void, for vtkVolumeFractionToHex::SetMaterialIdArray. Of a NumPy
- * array of reals: 'VolumeFraction', or of a 4-D array, material first, 'VolumeFraction1', 'VolumeFraction2', ...
+ * Output: an image with the integer cell array 'MaterialId', 0 for void, for
+ * vtkVolumeFractionToHex::SetMaterialIdArray. NumPy arrays of reals give 'VolumeFraction'; 4-D
+ * arrays, material first, give 'VolumeFraction1', 'VolumeFraction2', ...
  *
- * A .spn file is a text of whole numbers with any white space between them, a cell each; it needs Dimensions. A .npy file is a
- * 3-D array of bool or of whole numbers or reals in either byte order, C or Fortran order, versions 1 to 3, and tells its own.
- * A file is taken for NumPy's by its suffix.
+ * A .spn file is a text with one integer per cell, separated by white space; set Dimensions. A .npy
+ * file is a 3-D array of bool, integers or reals, in any byte order, C or Fortran order, versions 1
+ * to 3; it has dimensions. The suffix determines the format.
  *
- * Any extent can be asked for and only that is kept. Under MPI every process of the Controller opens the file and all must update
- * together. Text, and NumPy types that can hold negative or too large labels, are read to the end by every process; of other
- * types only what it needs.
+ * Any extent can be requested, and only that is stored. All ranks of the Controller open the file
+ * and must update together. Each rank reads the whole file if it is text, or if the NumPy type can
+ * hold negative or too large labels; otherwise each rank reads only its part.
  *
- * Errors (one message on all processes alike, empty output, failure): the file cannot be read, has too few or too many values,
- * values that are no whole numbers, negative or over 2^31 - 1, is no NumPy file, or of a type or shape that is no image; no
- * Dimensions for text; Spacing not above 0.
+ * Errors give one message, the same on all ranks, and empty outputs:
+ * - the file cannot be read, is not a NumPy file, or has a type or shape that is not an image;
+ * - there are too few or too many values, or labels that are not integers from 0 to 2^31 - 1;
+ * - Dimensions are not set for text, or Spacing is not above 0.
  */
 #ifndef vtkVolumeFractionVoxelReader_h
 #define vtkVolumeFractionVoxelReader_h
@@ -33,7 +35,8 @@ public:
 
   ///@{
   /**
-   * Cells along x, y and z of a text: nelx, nely and nelz of Sculpt. Default 0, not told; NumPy files tell their own.
+   * Number of cells of a text along x, y and z: nelx, nely and nelz of Sculpt. Default 0: not set.
+   * Not used for NumPy files.
    */
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
@@ -41,7 +44,7 @@ public:
 
   ///@{
   /**
-   * The lower corner of the first cell. Default 0.
+   * Lower corner of the first cell. Default 0.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -49,14 +52,14 @@ public:
 
   ///@{
   /**
-   * Edges of a cell, above 0. Default 1.
+   * Size of a cell, above 0. Default 1.
    */
   vtkSetVector3Macro(Spacing, double);
   vtkGetVector3Macro(Spacing, double);
   ///@}
 
   /**
-   * Orders of the axes, with the numbers of Sculpt's spn_xyz_order.
+   * Orders of the axes, with the numbers of Sculpt's option spn_xyz_order.
    */
   enum AxisOrderType
   {
@@ -70,8 +73,9 @@ public:
 
   ///@{
   /**
-   * The axes as the indices of an array name them: XYZ is a[x][y][z]. In a text, the last axis changes fastest from value to value.
-   * Default XYZ, as Sculpt reads text without spn_xyz_order and automesh NumPy files; automesh's text is ZYX.
+   * Order of the axes in the indices of an array: XYZ is a[x][y][z]. In a text, the last axis
+   * changes fastest. Default XYZ, as in Sculpt without spn_xyz_order, and in NumPy files of
+   * automesh. Text of automesh is ZYX.
    */
   vtkSetClampMacro(AxisOrder, int, AXIS_ORDER_XYZ, AXIS_ORDER_ZYX);
   vtkGetMacro(AxisOrder, int);

@@ -192,9 +192,9 @@ def set_point(point, axis, value):
 
 
 def test_other_shapes():
-    check_input_error(moved(set_point(0, 0, -0.9)), "The input: cell 0 is no box",
+    check_input_error(moved(set_point(0, 0, -0.9)), "The input: cell 0 is not a box",
                       "its point 0 at (-0.9, 0.5, 2)", "Transform")
-    check_input_error(moved(turn), "cell 0 is no box with sides along the axes", "Transform",
+    check_input_error(moved(turn), "cell 0 is not a box with sides along the axes", "Transform",
                       "Resample To Image")
     check_input_error(moved(set_point(14, 2, np.nan)), "corner that is not finite", "point 14")
     check_input_error(moved(lambda points: points.__setitem__((slice(None), 1), 3.0)),
@@ -391,7 +391,7 @@ def test_sculptor_refuses(at):
     refused(2, "absent.e: No such file", at("absent.e"), no)
     refused(1, "unknown kind", at("parts.e.3.3"), no)
     skewed = write_exodus(at("skewed.e"), lambda step: {"all": moved(turn)}, [0.0])
-    refused(3, "Block 0 of rank 0: cell 0 is no box", skewed, no, "--fractions", "MAT_10", ranks=3)
+    refused(3, "Block 0 of rank 0: cell 0 is not a box", skewed, no, "--fractions", "MAT_10", ranks=3)
 
 
 @in_folder

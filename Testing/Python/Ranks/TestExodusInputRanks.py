@@ -88,7 +88,7 @@ def test_shape_on_one_rank():
         connectivity[:8] = connectivity[80:88]
 
     for rank in range(RANKS):
-        check_input_error(spoilt(rank, skew), "The input of rank %d: cell" % rank, "is no box",
+        check_input_error(spoilt(rank, skew), "The input of rank %d: cell" % rank, "is not a box",
                           "Transform")
         check_input_error(spoilt(rank, double),
                           "The input of rank %d: cell 0 and cell 10 lie in the same place" % rank)
