@@ -1,5 +1,5 @@
 /**
- * FileSuffix: the ends of file names, in lower or upper case.
+ * FileSuffix: tests of the suffix of a file name, in lower or upper case.
  */
 #pragma once
 
@@ -10,7 +10,8 @@
 namespace vfm
 {
 
-/// suffix: with its dot, in lower case.
+/// Tests whether a path ends with a suffix, in lower or upper case.
+/// @param suffix  suffix with its dot, in lower case
 inline bool HasSuffix(const std::string& path, const std::string& suffix)
 {
   const auto lower = [](char c)
@@ -20,7 +21,7 @@ inline bool HasSuffix(const std::string& path, const std::string& suffix)
       [&lower](char requested, char given) { return requested == lower(given); });
 }
 
-/// Whether it has any of these.
+/// Tests whether a path ends with any of the suffixes.
 inline bool HasSuffix(const std::string& path, const std::vector<std::string>& suffixes)
 {
   return std::any_of(suffixes.begin(), suffixes.end(),

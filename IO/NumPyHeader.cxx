@@ -22,7 +22,7 @@ constexpr std::size_t MagicSize = 6, LongestHeader = 1 << 20;
   throw InputError("its NumPy header has no " + text + ".");
 }
 
-/// What follows the key in the header, a Python dictionary of constants.
+/// Returns the text after a key of the header, which is a Python dictionary of constants.
 std::string FindValue(const std::string& header, const std::string& key)
 {
   std::size_t place = std::min(header.find("'" + key + "'"), header.find("\"" + key + "\""));
@@ -35,7 +35,7 @@ std::string FindValue(const std::string& header, const std::string& key)
   return header.substr(place);
 }
 
-/// The text in quotes at the begin; empty for a list of fields.
+/// Returns the quoted text at the beginning; empty for a list of fields.
 std::string ParseType(const std::string& value)
 {
   const std::size_t end = value.find(value[0], 1);
@@ -62,7 +62,7 @@ std::vector<Index> ParseShape(const std::string& value)
     const auto [stop, error] = std::from_chars(next, last, size);
     if (error != std::errc() || size < 0)
     {
-      RejectHeader("shape of whole numbers");
+      RejectHeader("shape of integers");
     }
     shape.push_back(size);
     next = stop;
@@ -83,7 +83,7 @@ void SetType(const std::string& type, NumPyHeader& header)
   header.SwapBytes = type[0] == (IsLittleEndian() ? '>' : '<');
 }
 
-/// The length of the header's text, little endian.
+/// Reads the length of the header's text, little endian.
 std::size_t ReadLength(std::istream& stream, int bytes)
 {
   std::size_t length = 0;
@@ -103,20 +103,20 @@ NumPyHeader ReadNumPyHeader(const std::string& path)
   stream.read(start, sizeof(start));
   if (!stream || std::memcmp(start, Magic, MagicSize) != 0)
   {
-    throw InputError("it is no NumPy file: it does not begin with \\x93NUMPY and a version.");
+    throw InputError("it is not a NumPy file: it does not begin with \\x93NUMPY and a version.");
   }
   const int version = static_cast<unsigned char>(start[MagicSize]);
   if (version < 1 || version > 3)
   {
-    throw InputError(
-      "it is a NumPy file of version " + std::to_string(version) + "; versions 1 to 3 are read.");
+    throw InputError("it is a NumPy file of version " + std::to_string(version) +
+      "; versions 1 to 3 are supported.");
   }
   const std::size_t length = ReadLength(stream, version == 1 ? 2 : 4);
   std::string text(stream && length <= LongestHeader ? length : 0, ' ');
   stream.read(&text[0], static_cast<std::streamsize>(text.size()));
   if (!stream || text.empty())
   {
-    throw InputError("its NumPy header is cut short.");
+    throw InputError("its NumPy header is truncated.");
   }
   NumPyHeader header;
   header.Offset = stream.tellg();

@@ -1,5 +1,5 @@
 /**
- * NumPyHeader: the header of a .npy file, versions 1.0, 2.0 and 3.0 (numpy.lib.format).
+ * NumPyHeader: reads the header of a .npy file, versions 1.0, 2.0 and 3.0 (numpy.lib.format).
  */
 #pragma once
 
@@ -11,18 +11,21 @@
 namespace vfm
 {
 
+/// Type and shape of the array of a .npy file, and the place of its values.
 struct NumPyHeader
 {
-  char Kind = 0;          ///< b bool, u unsigned, i signed, f real; of other types the first letter
-  int Size = 0;           ///< bytes a value
-  bool SwapBytes = false; ///< the values are not in the byte order of this machine
-  bool Fortran = false;   ///< the first index changes fastest
-  std::vector<Index> Shape;
-  Index Offset = 0; ///< of the first value, in bytes
-  std::string Type; ///< as written, "<i4"
+  char Kind = 0; ///< type code of NumPy: b bool, u unsigned, i signed, f real, or any other
+  int Size = 0;  ///< bytes per value
+  bool SwapBytes = false;   ///< the values are not in the byte order of this machine
+  bool Fortran = false;     ///< the first index changes fastest
+  std::vector<Index> Shape; ///< number of values along each index
+  Index Offset = 0;         ///< place of the first value in the file, bytes
+  std::string Type;         ///< type as written in the header, for instance "<i4"
 };
 
-/// Throws InputError, without the path, when it cannot be opened, is no NumPy file or has another header.
+/// Reads the header of a .npy file, without its values. Any type and shape are accepted.
+/// @throws InputError  if the file cannot be opened, is not a NumPy file or has a damaged header;
+///   the message does not contain the path
 NumPyHeader ReadNumPyHeader(const std::string& path);
 
 } // namespace vfm

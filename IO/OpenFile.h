@@ -1,5 +1,5 @@
 /**
- * OpenFile: a file for reading.
+ * OpenFile: opens a file for reading.
  */
 #pragma once
 
@@ -13,7 +13,8 @@
 namespace vfm
 {
 
-/// Throws InputError, which tells why but not the path.
+/// Opens a file for reading, in binary mode.
+/// @throws InputError  if it cannot be read or is empty; the message holds the reason, not the path
 inline std::ifstream OpenFile(const std::string& path)
 {
   errno = 0;

@@ -16,15 +16,15 @@ namespace
 {
 
 constexpr std::size_t BufferSize = 1 << 20;
-constexpr std::ptrdiff_t LongestNumber = 64; // in letters
-constexpr std::ptrdiff_t ShownLetters = 24;
+constexpr std::ptrdiff_t LongestNumber = 64; // characters
+constexpr std::ptrdiff_t ShownLetters = 24;  // characters of an invalid value in a message
 
 bool IsSpace(char c)
 {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// Calls work(begin, end) on the parts of a file, from its begin to the byte last.
+/// Calls work(begin, end) on consecutive parts of a file, from its beginning up to byte `last`.
 template <class Work>
 void ForParts(const std::string& path, Index last, const Work& work)
 {
@@ -37,6 +37,7 @@ void ForParts(const std::string& path, Index last, const Work& work)
   }
 }
 
+/// Counts the words of a file.
 Index CountValues(const std::string& path)
 {
   Index count = 0;
@@ -54,7 +55,7 @@ Index CountValues(const std::string& path)
   return count;
 }
 
-/// The labels of a file one by one.
+/// Reads the labels of a file one by one.
 class LabelStream
 {
 public:
@@ -63,7 +64,7 @@ public:
   {
   }
 
-  /// False at the end of the file.
+  /// Reads the next label; returns false at the end of the file.
   bool Read(int& label)
   {
     while (this->SkipSpaces() && this->End - this->Next < LongestNumber && this->Fill())
@@ -83,7 +84,7 @@ public:
   }
 
 private:
-  /// Skips what is in memory; always true.
+  /// Skips white space in the buffer. Always returns true.
   bool SkipSpaces()
   {
     while (this->Next < this->End && IsSpace(*this->Next))
@@ -93,7 +94,8 @@ private:
     return true;
   }
 
-  /// Puts more of the file behind what is left in memory; false at its end.
+  /// Moves the unread text to the front of the buffer and reads more of the file behind it. Returns
+  /// false at the end of the file.
   bool Fill()
   {
     const std::ptrdiff_t left = this->End - this->Next;
@@ -123,22 +125,22 @@ private:
         (word[0] == '-' ? " is negative." : " is larger than 2147483647."));
     }
     throw InputError(where + "'" + word + (end - this->Next > ShownLetters ? ".." : "") +
-      "' is no whole number. (With numpy.savetxt: fmt='%d'.)");
+      "' is not an integer. (With numpy.savetxt, set fmt='%d'.)");
   }
 
   std::string Path;
   std::ifstream Stream;
   std::vector<char> Buffer;
   const char *Next, *End;
-  Index Offset = 0; ///< of the buffer in the file
+  Index Offset = 0; ///< place of the buffer in the file, bytes
 };
 
 [[noreturn]] void RejectCount(const VoxelFile& file)
 {
   const Index values = CountValues(file.Path);
   throw InputError("it holds " + std::to_string(values) +
-    (values == 1 ? " value, but " : " values, but ") + DescribeCells(file.Cells) + " cells are " +
-    std::to_string(file.Cells[0] * file.Cells[1] * file.Cells[2]) + ".");
+    (values == 1 ? " value, but " : " values, but ") + DescribeCells(file.Cells) +
+    " cells require " + std::to_string(file.Cells[0] * file.Cells[1] * file.Cells[2]) + ".");
 }
 
 [[noreturn]] void RequireCells(const VoxelFile& file)
@@ -146,11 +148,11 @@ private:
   const Index values = CountValues(file.Path);
   const Index edge = std::lround(std::cbrt(static_cast<double>(values)));
   throw InputError(
-    "a text of voxels does not tell its size. Set Dimensions, the numbers of cells along "
-    "x, y and z; it holds " +
+    "a voxel text does not contain its size. Set Dimensions, the numbers of cells along x, y and "
+    "z; the file holds " +
     std::to_string(values) + " values" +
     (edge > 0 && edge * edge * edge == values
-        ? ", as " + DescribeCells({ edge, edge, edge }) + " cells have."
+        ? ", which fit " + DescribeCells({ edge, edge, edge }) + " cells."
         : "."));
 }
 
@@ -168,7 +170,7 @@ void CheckLabelCount(const VoxelFile& file)
   {
     throw InputError(DescribeCells(cells) + " cells are too many.");
   }
-  // Every value has a digit and a space, but for the last.
+  // Each value takes a digit and a space, except the last, which needs no space.
   if (static_cast<Index>(std::filesystem::file_size(file.Path)) <
     2 * cells[0] * cells[1] * cells[2] - 1)
   {

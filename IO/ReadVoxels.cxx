@@ -14,7 +14,7 @@ namespace vfm
 namespace
 {
 
-/// Whether values of this type can be no label.
+/// Returns whether a type can hold values that are not labels.
 template <class Stored>
 constexpr bool CanBeWrong()
 {
@@ -38,10 +38,10 @@ template <class Stored>
 {
   throw InputError("the label of cell (" + std::to_string(cell[0]) + ", " +
     std::to_string(cell[1]) + ", " + std::to_string(cell[2]) + ") is " + std::to_string(value) +
-    ". Labels are whole numbers from 0 to 2147483647.");
+    ". Labels are integers from 0 to 2147483647.");
 }
 
-/// Reads an array of a NumPy file, from where the stream is to the array's end.
+/// Reads an array of a NumPy file, which begins at the position of the stream.
 template <class Stored, class Kept>
 void ReadArray(std::istream& stream, bool swap, const VoxelRows& rows, void* cells)
 {
@@ -81,12 +81,12 @@ void ReadArray(std::istream& stream, bool swap, const VoxelRows& rows, void* cel
   }
 }
 
-/// How values of a type are read, and what they become.
+/// Type of values in a NumPy file, their type in memory, and the function that reads them.
 struct StoredType
 {
   char Kind;
   int Size;
-  int Type; ///< of ValueType, in memory
+  int Type; ///< type in memory, one of ValueType
   void (*Read)(std::istream& stream, bool swap, const VoxelRows& rows, void* cells);
 };
 
@@ -133,7 +133,7 @@ std::vector<TypedValues> ReadVoxels(const VoxelFile& file, const IndexBox& box)
   {
     return ReadNumPy(file, box);
   }
-  CheckLabelCount(file); // before memory is asked for
+  CheckLabelCount(file); // before memory is allocated
   std::vector<TypedValues> labels;
   labels.push_back(MakeValues("MaterialId", ValueType::Int, box.NumberOfCells()));
   ReadLabelText(file, box, reinterpret_cast<int*>(labels[0].Bytes.data()));

@@ -1,5 +1,5 @@
 /**
- * ReadVoxels: the values of a voxel file in a box of its cells.
+ * ReadVoxels: reads the values of a voxel file in a box of its cells.
  */
 #pragma once
 
@@ -11,13 +11,16 @@
 namespace vfm
 {
 
-/// A value a cell of the box, x fastest. Labels: one array 'MaterialId' of the narrowest type that holds those of the
-/// file's type, int for text. Fractions: 'VolumeFraction', or 'VolumeFraction1', 'VolumeFraction2', ... of a 4-D array.
-/// Only the box is kept in memory.
-///
-/// Throws InputError, without the path: Cells are not told, the number of values is another, a value is no whole number, negative
-/// or over 2^31 - 1. All values that can be wrong are read, whatever the box: processes that read parts of a file
-/// fail alike.
+/// Reads the values of a voxel file in a box of its cells. Only the box is stored. All values that
+/// may be invalid are read and checked, even outside the box: ranks that read parts of the same
+/// file fail with the same error.
+/// @param file  result of InspectVoxels
+/// @param box  cells to read, global indices
+/// @return arrays with one value per cell of the box, x fastest. Labels: one array 'MaterialId', of
+///   the narrowest type that holds every label of the file's type; int for text. Fractions:
+///   'VolumeFraction'; of a 4-D array 'VolumeFraction1', 'VolumeFraction2', ...
+/// @throws InputError  if file.Cells is not set, the number of values differs from the number of
+///   cells, or a label is not an integer from 0 to 2^31 - 1; the message does not contain the path
 std::vector<TypedValues> ReadVoxels(const VoxelFile& file, const IndexBox& box);
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * SwapBytes: values in the other order of bytes.
+ * SwapBytes: reverses the byte order of values.
  */
 #pragma once
 
@@ -9,6 +9,7 @@
 namespace vfm
 {
 
+/// Returns a value with its bytes in reverse order.
 template <class Value>
 Value SwapBytes(Value value)
 {
@@ -19,7 +20,7 @@ Value SwapBytes(Value value)
   return value;
 }
 
-/// Whether this machine stores the least byte first.
+/// Returns whether this machine stores the least significant byte first.
 inline bool IsLittleEndian()
 {
   const short one = 1;

@@ -41,7 +41,7 @@ void CheckType(const NumPyHeader& header)
   {
     throw InputError("its values are of the NumPy type " +
       (header.Type.empty() ? std::string("with fields") : "'" + header.Type + "'") +
-      ". Read are bool, whole numbers of 1 to 8 bytes, and reals of 4 or 8 bytes.");
+      ". Supported types: bool, integers of 1 to 8 bytes, floating point of 4 or 8 bytes.");
   }
 }
 
@@ -53,13 +53,13 @@ void CheckShape(const NumPyHeader& header)
     if (header.Fortran)
     {
       throw InputError(shape +
-        " in Fortran order. 4-D arrays are read in C order: save numpy.ascontiguousarray(a).");
+        " in Fortran order. 4-D arrays must be in C order: save numpy.ascontiguousarray(a).");
     }
   }
   else if (header.Shape.size() != 3)
   {
-    throw InputError(shape + ". Wanted is a value a cell, a 3-D array" +
-      (header.Kind == 'f' ? ", or 4-D, the first index the material." : "."));
+    throw InputError(shape + ". A 3-D array with one value per cell is required" +
+      (header.Kind == 'f' ? ", or a 4-D array whose first index is the material." : "."));
   }
   for (Index size : header.Shape)
   {
@@ -70,14 +70,14 @@ void CheckShape(const NumPyHeader& header)
   }
 }
 
-/// The values fill the rest of the file.
+/// Checks that the values fill the rest of the file.
 void CheckLength(const std::string& path, const NumPyHeader& header)
 {
   const Index there = static_cast<Index>(std::filesystem::file_size(path)) - header.Offset;
   Index requested = header.Size;
   for (Index size : header.Shape)
   {
-    // No file is as long as the largest number.
+    // On overflow the largest Index is used, which differs from the length of every file.
     requested = requested > std::numeric_limits<Index>::max() / size
       ? std::numeric_limits<Index>::max()
       : requested * size;
@@ -86,7 +86,7 @@ void CheckLength(const std::string& path, const NumPyHeader& header)
   {
     throw InputError("an array of shape " + DescribeShape(header.Shape) + " and type '" +
       header.Type + "' has " + std::to_string(requested) + " bytes, but the file " +
-      (there < requested ? "is cut short: it holds " : "holds ") + std::to_string(there) +
+      (there < requested ? "is truncated: it holds " : "holds ") + std::to_string(there) +
       " after its header.");
   }
 }

@@ -1,8 +1,9 @@
 /**
- * VoxelFile: what is known of a file of one value a cell before its values are read.
+ * VoxelFile: type, size and axes of a file with one value per cell, before its values are read.
  *
- * Text (.spn), the voxels of Sculpt: whole numbers with any white space between them, no header. NumPy (.npy): 3-D arrays of
- * whole numbers or of fractions, or 4-D arrays (material, then the axes) of fractions.
+ * Text (.spn), the voxel format of Sculpt: integers separated by white space, without a header.
+ * NumPy (.npy): 3-D arrays of integers or of fractions, or 4-D arrays (material, then the axes) of
+ * fractions.
  */
 #pragma once
 
@@ -16,10 +17,11 @@
 namespace vfm
 {
 
-/// The axes as the indices of an array a[.][.][.] name them, that is in text from the one that changes slowest to the one that
-/// changes fastest. Numbers and default are those of Sculpt's spn_xyz_order (`sculpt --help --spn_xyz_order`: "for i<nx, for
-/// j<ny, for k<nz, read next value"; as printed in autotwin/mesh, doc/npy_to_mesh.md). The program automesh disagrees
-/// in text: it reads and writes .spn with x fastest, ZYX, but .npy as a[x][y][z], XYZ.
+/// Order of the axes as indices of an array a[.][.][.]; in text, from the slowest axis to the
+/// fastest. Numbers and default equal Sculpt's spn_xyz_order (`sculpt --help --spn_xyz_order`: "for
+/// i<nx, for j<ny, for k<nz, read next value"; as printed in autotwin/mesh, doc/npy_to_mesh.md).
+/// The tool automesh differs for text: it reads and writes .spn with x fastest, ZYX, but .npy as
+/// a[x][y][z], XYZ.
 enum class AxisOrder
 {
   XYZ,
@@ -31,24 +33,30 @@ enum class AxisOrder
 };
 constexpr int NumberOfAxisOrders = 6;
 
+/// Layout of a voxel file.
 struct VoxelFile
 {
   std::string Path;
-  Index3 Cells{}; ///< along x, y and z; 0: not told
-  std::array<int, 3> Axes{ { 0, 1,
-    2 } }; ///< 0 x, 1 y, 2 z; from the slowest to the fastest as the values follow each other
-  std::optional<NumPyHeader> NumPy; ///< nothing: text
+  Index3 Cells{}; ///< number of cells along x, y and z; 0 if unknown
+  /// Axes (0 x, 1 y, 2 z) of the values in the file, from the slowest to the fastest.
+  std::array<int, 3> Axes{ { 0, 1, 2 } };
+  std::optional<NumPyHeader> NumPy; ///< header of a .npy file; empty for text
+  /// Returns whether the values are volume fractions; otherwise they are labels.
   bool IsFractions() const { return this->NumPy && this->NumPy->Kind == 'f'; }
 };
 
-/// By its suffix, .npy in lower or upper case.
+/// Tests whether the suffix is .npy, in lower or upper case.
 bool IsNumPyFile(const std::string& path);
 
-/// cells: of text, a NumPy file tells its own. Reads no values. Throws InputError, without the path: the file cannot be
-/// read, is no NumPy file, cut short or too long, or of a type or shape that is no image.
+/// Determines the layout of a voxel file without reading its values.
+/// @param path  file; the suffix .npy means NumPy, any other text
+/// @param cells  number of cells along x, y and z of a text, 0 if unknown; a NumPy file has its own
+/// @param order  order of the axes
+/// @throws InputError  if the file cannot be read, is not a NumPy file, is truncated or too long,
+///   or has a type or shape that is not an image; the message does not contain the path
 VoxelFile InspectVoxels(const std::string& path, const Index3& cells, AxisOrder order);
 
-/// "20 x 20 x 30"
+/// Returns the numbers of cells as text, for instance "20 x 20 x 30".
 std::string DescribeCells(const Index3& cells);
 
 } // namespace vfm

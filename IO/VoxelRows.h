@@ -1,7 +1,6 @@
 /**
- * VoxelRows: the rows of a voxel file, values along its fastest axis, and the cells of a box that they fill.
- *
- * The cells of the box are stored as VTK does, x fastest.
+ * VoxelRows: relates the rows of a voxel file, values along its fastest axis, to the cells of a
+ * box. The cells of the box are stored x fastest, as in VTK.
  */
 #pragma once
 
@@ -10,6 +9,8 @@
 namespace vfm
 {
 
+/// Position of the rows of a voxel file in a box of cells. A plane holds the rows at one index of
+/// the slowest axis.
 class VoxelRows
 {
 public:
@@ -23,17 +24,20 @@ public:
     }
   }
 
-  /// In a plane, that is at one index of the slowest axis; planes in the file, and values in a row.
   Index RowsInPlane() const { return this->Sizes[1]; }
   Index Planes() const { return this->Sizes[0]; }
+  /// Returns the number of values per row.
   Index Length() const { return this->Sizes[2]; }
+  /// Tests whether the box overlaps a plane.
   bool HasPlane(Index plane) const { return this->Has(0, plane); }
 
-  /// The values First to Last, without it, of a row go to the cells Cell, Cell + Stride, ...
+  /// Part of a row inside the box: its values First to Last - 1 belong to the cells Cell,
+  /// Cell + Stride, ... of the box.
   struct Part
   {
     Index First = 0, Last = 0, Cell = 0, Stride = 1;
   };
+  /// Returns the part of a row inside the box; an empty one if they do not overlap.
   Part Find(Index plane, Index row) const
   {
     if (!this->Has(0, plane) || !this->Has(1, row))
@@ -45,7 +49,7 @@ public:
       this->Strides[2] };
   }
 
-  /// The cell (i, j, k) of a value of a row.
+  /// Returns the cell (i, j, k) of a value of a row.
   Index3 Cell(Index plane, Index row, Index value) const
   {
     Index3 cell;
@@ -62,8 +66,8 @@ private:
     return index >= this->Lower(i) && index < this->Box.Upper[this->Axes[i]];
   }
 
-  std::array<int, 3> Axes; // slowest to fastest, as the next two
-  std::array<Index, 3> Sizes, Strides;
+  std::array<int, 3> Axes;             // axes from the slowest to the fastest
+  std::array<Index, 3> Sizes, Strides; // size of the file and stride in the box, in this order
   IndexBox Box;
 };
 
