@@ -12,14 +12,14 @@ namespace vfm
 namespace
 {
 
-constexpr int LargestCount = 1 << 24; // of arrays and blocks
+constexpr int LargestCount = 1 << 24; // largest number of arrays or blocks
 constexpr int LargestLevel = 40;
 
-/// How the values of a box are stored, and where: an array after the other.
+/// Place and format of the values of a box. The arrays follow one another.
 struct BoxValues
 {
   std::int64_t Position = 0;
-  int Width = 8; ///< bytes of a value
+  int Width = 8; ///< bytes per value
   bool SwapBytes = false;
 };
 
@@ -49,10 +49,11 @@ private:
 
   std::string Folder;
   Vector3 Origin{};
-  std::vector<Vector3> CellSizes; // by level
-  std::vector<Block> Blocks;      // from the first of level 0 on
+  std::vector<Vector3> CellSizes; // one per level
+  std::vector<Block> Blocks;      // in the order of the levels, level 0 first
 };
 
+/// Reads values and swaps their bytes if necessary.
 template <class Value>
 std::shared_ptr<const void> ReadValues(PlotfileText& file, Index count, bool swaps)
 {
@@ -84,7 +85,7 @@ void Plotfile::ReadHeader()
   if (file.Int(1, 3, "a number of dimensions") != 3)
   {
     throw InputError(
-      this->Folder + " is not of three dimensions. Cells in three dimensions are needed.");
+      this->Folder + " is not three-dimensional. Cells in three dimensions are needed.");
   }
   this->StepTimes = { file.Real("a time") };
   this->CellSizes.resize(1 + file.Int(0, LargestLevel, "the finest level"));
@@ -134,7 +135,7 @@ void Plotfile::ReadLevels(PlotfileText& file)
   for (int level = 0; level < static_cast<int>(this->CellSizes.size()); ++level)
   {
     const std::string place = " of level " + std::to_string(level);
-    file.Int(level, level, "the begin" + place);
+    file.Int(level, level, "the beginning" + place);
     const int count = static_cast<int>(file.Int(1, LargestCount, "the number of boxes" + place));
     file.Real("the time" + place);
     file.Int(0, std::numeric_limits<int>::max(), "the step" + place);
@@ -152,13 +153,14 @@ void Plotfile::ReadLevels(PlotfileText& file)
   }
 }
 
-/// prefix: such as Level_0/Cell.
+/// Reads the list of the boxes of a level.
+/// @param prefix  path of the level's files without their ends, for instance Level_0/Cell
 void Plotfile::ReadBlocks(const std::string& prefix, int level, int count)
 {
   const std::string path = this->Folder + "/" + prefix;
   PlotfileText file(path + "_H");
   file.Int(1, 1, "version 1 of its format");
-  file.Int(0, 1, "the way it was written");
+  file.Int(0, 1, "its storage mode, 0 or 1");
   const std::int64_t arrays = static_cast<std::int64_t>(this->ArrayNames.size());
   file.Int(arrays, arrays, "as many arrays as Header, " + std::to_string(arrays));
   file.Int(0, 0, "no ghost cells");
@@ -187,6 +189,7 @@ void Plotfile::ReadBlocks(const std::string& prefix, int level, int count)
   this->Blocks.insert(this->Blocks.end(), blocks.begin(), blocks.end());
 }
 
+/// Reads and checks the text line in front of the values of a box.
 BoxValues Plotfile::FindValues(PlotfileText& file, const Block& block) const
 {
   const std::string place = " at byte " + std::to_string(block.Position);
@@ -204,7 +207,7 @@ BoxValues Plotfile::FindValues(PlotfileText& file, const Block& block) const
   const std::int64_t formats[2][7] = { { 8, 23, 0, 1, 9, 0, 127 }, { 11, 52, 0, 1, 12, 0, 1023 } };
   for (std::int64_t i = 1; i < words; ++i)
   {
-    const std::int64_t part = formats[bits / 64][i - 1]; // of IEEE 754
+    const std::int64_t part = formats[bits / 64][i - 1]; // the format is IEEE 754
     file.Int(part, part, numbers);
   }
   file.Signs(")),(", numbers);
@@ -224,7 +227,7 @@ BoxValues Plotfile::FindValues(PlotfileText& file, const Block& block) const
   const IndexBox box = file.Box("a box" + place);
   if (box.Lower != block.Box.Lower || box.Upper != block.Box.Upper)
   {
-    file.Fail("the box" + place + " that the list of its level has");
+    file.Fail("the same box" + place + " as the list of its level");
   }
   const std::int64_t arrays = static_cast<std::int64_t>(this->ArrayNames.size());
   file.Int(arrays, arrays, std::to_string(arrays) + " arrays" + place);

@@ -9,7 +9,7 @@ namespace vfm
 
 bool IsPlotfile(const std::string& path)
 {
-  std::error_code error; // of a path that cannot be looked at: no
+  std::error_code error; // a path without access is not a plotfile
   return std::filesystem::is_regular_file(path + "/Header", error);
 }
 

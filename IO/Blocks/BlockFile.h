@@ -1,5 +1,6 @@
 /**
- * BlockFile: a file, or several, of blocks of cells on any number of levels, at one or more times.
+ * BlockFile: reads files of blocks of cells on any number of levels, at one or more times: SpyPlot
+ * files of CTH and AMReX plotfiles.
  */
 #pragma once
 
@@ -12,18 +13,24 @@
 namespace vfm
 {
 
+/// Input of blocks of cells, from one file or several. It holds the structure; values are read on
+/// demand. It does not change after it is opened.
 class BlockFile
 {
 public:
   virtual ~BlockFile() = default;
 
-  /// Times of all steps, ascending.
+  /// Returns the times of all steps, ascending.
   const std::vector<double>& Times() const { return this->StepTimes; }
-  /// Names of the arrays in cells, in the order of the file.
+  /// Returns the names of the cell arrays, in the order of the file.
   const std::vector<std::string>& Names() const { return this->ArrayNames; }
 
-  /// Collective. Returns this rank's part of the blocks of a step, with the arrays of these names,
-  /// without ghost cells. Throws InputError that names the file and the place.
+  /// Reads the blocks that this rank takes, without ghost cells.
+  /// @param step  index into Times()
+  /// @param names  arrays to read
+  /// @return blocks of this rank; their order and number depend on the number of ranks
+  /// @throws InputError  if a file cannot be read; the message contains the file and the place
+  /// @pre Collective
   virtual std::vector<InputBlock> Read(
     std::size_t step, const std::vector<std::string>& names, Ranks& ranks) const = 0;
 
@@ -34,24 +41,28 @@ protected:
 
 constexpr const char* SpyPlotSuffix = ".spcth";
 
-/// Whether it is a SpyPlot file (by its suffix .spcth), or the folder of an AMReX plotfile.
+/// Tests whether a path is a SpyPlot file (suffix .spcth) or the folder of an AMReX plotfile.
 bool IsBlockFile(const std::string& path);
 
-/// Checks the structure, on every rank of its part. Throws InputError.
+/// Opens a file or folder. Each rank checks the structure of the files that it will read.
+/// @throws InputError  if a file cannot be read, is damaged or has another format
 std::unique_ptr<BlockFile> OpenBlockFile(const std::string& path, const Ranks& ranks);
 
-/// Opens a case of the shock code CTH: a file that names binary files (SpyPlotFile), or one of these.
+/// Opens a case of the shock code CTH: a text that lists binary files (SpyPlotFile), or one binary
+/// file.
+/// @throws InputError  same conditions as OpenBlockFile
 std::unique_ptr<BlockFile> OpenSpyPlot(const std::string& path, const Ranks& ranks);
 
-/// Opens a plotfile of a code on AMReX (BoxLib).
+/// Opens a plotfile of a code based on AMReX (BoxLib).
 ///
-/// It is a folder. Its text file Header lists the arrays, the levels with their ratios and cell sizes,
-/// and the boxes of each level; Level_0/Cell_H and so on give the boxes as cells, and for each its place
-/// in a binary file of the same folder: a line of text, then the values, an array after the other, x
-/// fastest. Particles are ignored.
+/// A plotfile is a folder. Its text file Header lists the arrays, the levels with their ratios and
+/// cell sizes, and the boxes of each level. Level_0/Cell_H and so on list the cells of each box and
+/// its place in a binary file of the same folder. That file holds a line of text per box, then its
+/// values, one array after another, x fastest. Particles are ignored.
+/// @throws InputError  same conditions as OpenBlockFile
 std::unique_ptr<BlockFile> OpenPlotfile(const std::string& folder);
 
-/// Whether it is a folder that holds a file Header.
+/// Tests whether a path is a folder that contains a file Header.
 bool IsPlotfile(const std::string& path);
 
 } // namespace vfm

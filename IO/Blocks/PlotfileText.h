@@ -1,5 +1,5 @@
 /**
- * PlotfileText: words and numbers of a text file of an AMReX plotfile.
+ * PlotfileText: reads words and numbers of the text files of an AMReX plotfile.
  */
 #pragma once
 
@@ -14,7 +14,8 @@
 namespace vfm
 {
 
-/// Anything but what is expected is an error that names the place.
+/// Text of a plotfile, read item by item. Each function takes a description of the expected item.
+/// @throws InputError  if another item is found; the message contains the path and the description
 class PlotfileText
 {
 public:
@@ -26,7 +27,7 @@ public:
   [[noreturn]] void Fail(const std::string& expected)
   {
     throw InputError(
-      this->Path + " is cut, damaged or of another format: it should have " + expected + ".");
+      this->Path + " is truncated, damaged or of another format: it should have " + expected + ".");
   }
   std::string Word(const std::string& what)
   {
@@ -56,6 +57,7 @@ public:
     }
     return value;
   }
+  /// Reads the given characters, with white space between them or not.
   void Signs(const char* signs, const std::string& what)
   {
     for (char sign = 0; *signs; ++signs)
@@ -66,7 +68,7 @@ public:
       }
     }
   }
-  /// ((i,j,k) (i,j,k) (0,0,0)): first and last cell.
+  /// Reads a box written as ((i,j,k) (i,j,k) (0,0,0)), its first and last cell.
   IndexBox Box(const std::string& what)
   {
     IndexBox box;

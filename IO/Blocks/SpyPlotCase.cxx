@@ -14,14 +14,14 @@ namespace vfm
 namespace
 {
 
-/// Whether a text has characters that none is made of, which a terminal would obey.
+/// Tests whether a text contains control characters, which would act on a terminal.
 bool HasControls(const std::string& text)
 {
   return std::any_of(
     text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; });
 }
 
-/// Returns the binary files that a case file names; a binary file is its own only one.
+/// Returns the binary files that a case file lists; for a binary file, only this file.
 std::vector<std::string> FindFiles(const std::string& path)
 {
   std::ifstream stream = OpenFile(path);
@@ -33,7 +33,7 @@ std::vector<std::string> FindFiles(const std::string& path)
   }
   if (line.compare(0, 7, "spycase") != 0)
   {
-    throw InputError("it is no SpyPlot file: it begins neither with spycase nor with spydata.");
+    throw InputError("it is not a SpyPlot file: it begins neither with spycase nor with spydata.");
   }
   std::vector<std::string> files;
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -47,24 +47,25 @@ std::vector<std::string> FindFiles(const std::string& path)
     line = line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
     if (HasControls(line))
     {
-      throw InputError("it is cut or damaged: a line of it is no name of a file.");
+      throw InputError("it is truncated or damaged: one of its lines is not a file name.");
     }
     files.push_back((folder / line).string());
   }
   if (files.empty())
   {
-    throw InputError("it names no files.");
+    throw InputError("it lists no files.");
   }
   return files;
 }
 
-/// A file of the case and which of the ranks that share it this is.
+/// File of the case and the share of its blocks that this rank reads.
 struct SharedFile
 {
   SpyPlotFile File;
-  int Share = 0, Shares = 1;
+  int Share = 0, Shares = 1; ///< number of this share, and number of shares
 };
 
+/// Checks that two files hold the same times and arrays.
 void CheckSame(const SpyPlotFile& first, const SpyPlotFile& other)
 {
   const std::string which = ", see " + first.Path() + " and " + other.Path() + ".";
@@ -81,11 +82,11 @@ void CheckSame(const SpyPlotFile& first, const SpyPlotFile& other)
   }
 }
 
-/// The nodes of a block along one axis, evenly spaced; node 0 is the first of the ghost cell.
+/// Evenly spaced nodes of a block along one axis; node 0 is the outer node of the ghost cell.
 struct EvenAxis
 {
   double First, Spacing;
-  Index Cells; ///< with ghost cells
+  Index Cells; ///< number of cells, ghost cells included
 
   explicit EvenAxis(const std::vector<float>& nodes) :
     First(nodes.front()),
@@ -93,9 +94,9 @@ struct EvenAxis
     Cells(static_cast<Index>(nodes.size()) - 1)
   {
   }
-  /// Returns the nodes without ghost cells. They are counted from the first inside the domain, which is
-  /// that of the block unless its ghost cell lies outside: so blocks agree bit by bit at the sides of
-  /// the domain.
+  /// Returns the nodes without ghost cells. Spacings are counted from node 0 of the block, or from
+  /// node 1 if node 0 is outside the domain. Therefore coordinates at the sides of the domain are
+  /// bitwise identical in all blocks.
   std::vector<double> Inner(double domain) const
   {
     const int outside = this->First < domain ? 1 : 0;
@@ -145,7 +146,8 @@ public:
   }
 
 private:
-  /// Collective: returns the lower corner of the cells of all blocks that are evenly spaced.
+  /// Returns the lower corner of all evenly spaced blocks, without their ghost cells.
+  /// @pre Collective
   std::array<double, 3> FindDomain(
     const std::vector<std::vector<SpyPlotBlock>>& blocks, Ranks& ranks) const
   {
@@ -169,6 +171,7 @@ private:
     return lower;
   }
 
+  /// Appends the blocks of this rank's share of a file to `read`.
   void ReadShare(const SharedFile& shared, std::size_t step, const std::vector<std::string>& names,
     const std::vector<SpyPlotBlock>& blocks, const std::array<double, 3>& domain,
     std::vector<InputBlock>& read) const
@@ -202,7 +205,7 @@ private:
     }
   }
 
-  std::vector<SharedFile> Files; // of this rank
+  std::vector<SharedFile> Files; // files that this rank reads
 };
 
 } // namespace

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr int OldestVersion = 101, NewestVersion = 105;
-constexpr int GroupSize = 100; // times that a group header has room for
+constexpr int GroupSize = 100; // capacity of a group header, times
 constexpr int LargestLevel = 100, SmallestBlock = 3;
 
 std::string PlaceOfStep(std::size_t step)
@@ -23,7 +23,7 @@ std::string PlaceOfStep(std::size_t step)
 void SkipTracers(SpyPlotStream& file)
 {
   const int count = file.Int();
-  for (int chunk = 0; count > 0 && chunk < 7; ++chunk) // coordinates, block and cell in it
+  for (int chunk = 0; count > 0 && chunk < 7; ++chunk) // coordinates, block, cell in the block
   {
     file.Values(count);
   }
@@ -43,7 +43,8 @@ void SkipHistogram(SpyPlotStream& file)
   }
 }
 
-/// Returns the values of a block without its ghost cells. size: with them.
+/// Returns the values of a block without its ghost cells.
+/// @param size  number of cells along each axis, ghost cells included
 Buffer<float> ReadPlanes(SpyPlotStream& file, const Index3& size)
 {
   Buffer<float> values((size[0] - 2) * (size[1] - 2) * (size[2] - 2));
@@ -83,14 +84,14 @@ void SpyPlotFile::ReadHeader(SpyPlotStream& file)
   const auto reject = [this](const std::string& text) { throw InputError(this->FilePath + text); };
   if (file.Text(8) != "spydata")
   {
-    reject(" is no SpyPlot file: it does not begin with spydata.");
+    reject(" is not a SpyPlot file: it does not begin with spydata.");
   }
   file.Skip(128); // a description
   this->Version = file.Int();
   if (this->Version < OldestVersion || this->Version > NewestVersion)
   {
     reject(" is of version " + std::to_string(this->Version) + " of the format. Versions " +
-      std::to_string(OldestVersion) + " to " + std::to_string(NewestVersion) + " are read.");
+      std::to_string(OldestVersion) + " to " + std::to_string(NewestVersion) + " are supported.");
   }
   const int bits = this->Version >= 102 ? file.Int() : 64;
   if (bits != 32 && bits != 64)
@@ -144,7 +145,7 @@ void SpyPlotFile::ReadGroups(SpyPlotStream& file)
     count = file.Int();
     if (count < 0 || count > GroupSize)
     {
-      file.Fail(std::to_string(count) + " times are no number of times");
+      file.Fail(std::to_string(count) + " times are listed, 0 to 100 are possible");
     }
     file.Skip(4 * GroupSize); // cycles
     std::vector<Dump> dumps(GroupSize);
@@ -200,7 +201,7 @@ void SpyPlotFile::ReadDump(SpyPlotStream& file, Dump& dump)
   this->ReadBlocks(file);
 }
 
-/// 'NAME - N' for field NAME of material N.
+/// Returns the name of an array; 'NAME - N' for the array NAME of material N.
 std::string SpyPlotFile::FindName(const SpyPlotStream& file, int variable) const
 {
   const bool isOfCells = variable < static_cast<int>(this->CellFields.size());

@@ -1,11 +1,11 @@
 /**
- * SpyPlotFile: a binary file of the shock code CTH (SpyPlot), versions 101 to 105.
+ * SpyPlotFile: reads a binary file of the shock code CTH (SpyPlot), versions 101 to 105.
  *
- * After a header and two tables of arrays, group headers list the times, a hundred each. Every time has
- * its variables with their positions, tracers, a histogram, the blocks of cells, and the node
- * coordinates of these. A variable is a plane of cells after the other along z, a block after the other.
- * Coordinates, planes and tracers are run-length coded (SpyPlotStream). Every block has a layer of ghost
- * cells.
+ * The file begins with a header and two tables of arrays. Group headers list the times, up to 100
+ * each. Each time has its variables with their positions, tracers, a histogram, the blocks of cells
+ * and their node coordinates. A variable is stored block by block, and in a block plane by plane
+ * along z. Coordinates, planes and tracers are run-length coded (SpyPlotStream). Each block has one
+ * layer of ghost cells.
  */
 #pragma once
 
@@ -21,35 +21,43 @@
 namespace vfm
 {
 
+/// Block of cells that is in use at a step.
 struct SpyPlotBlock
 {
-  int Number = 0; ///< in the file
-  Index3 Size{};  ///< cells along each axis, with the layers of ghost cells
-  std::array<std::vector<float>, 3> Nodes; ///< (Size + 1)
+  int Number = 0; ///< number in the file, from 0
+  Index3 Size{};  ///< number of cells along each axis, ghost cells included
+  std::array<std::vector<float>, 3> Nodes; ///< node coordinates per axis, Size + 1 each
 };
 
+/// Structure of a SpyPlot file. It does not change after construction. Each function opens the file
+/// again, so that threads may read at the same time.
 class SpyPlotFile
 {
 public:
-  /// Checks all but the values in cells. Throws InputError: where and what is wrong.
+  /// Reads and checks the whole file, except the values in cells.
+  /// @throws InputError  contains the path, the place in the file and the problem
   explicit SpyPlotFile(const std::string& path);
 
   const std::string& Path() const { return this->FilePath; }
-  /// Whether it has a single block, whose nodes may be anywhere; those of more blocks are evenly spaced.
+  /// Returns whether the file has a single block, whose nodes may have any spacing. Several blocks
+  /// are evenly spaced.
   bool IsFlat() const { return this->NumberOfBlocks == 1; }
   std::vector<double> Times() const;
-  /// Names of the arrays, the same at every time.
+  /// Returns the names of the arrays, which are equal at all times.
   std::vector<std::string> Names() const;
 
-  /// Returns the blocks of a step that hold cells.
+  /// Returns the blocks that are in use at a step.
   std::vector<SpyPlotBlock> ReadBlocks(std::size_t step) const;
-  /// Returns the values of an array in the cells of the blocks first .. last, without last, of those
-  /// that hold cells; x fastest, without ghost cells. Throws InputError.
+  /// Reads the values of an array in some blocks of a step.
+  /// @param blocks  result of ReadBlocks(step)
+  /// @param first,last  range of indices into `blocks`, without `last`
+  /// @return one array per block of the range, x fastest, without ghost cells
+  /// @throws InputError  contains the path, the place in the file and the problem
   std::vector<Buffer<float>> ReadArray(std::size_t step, const std::string& name,
     const std::vector<SpyPlotBlock>& blocks, std::size_t first, std::size_t last) const;
 
 private:
-  struct Field // of cells, or of each material
+  struct Field // quantity of cells, or of each material in a cell
   {
     std::string Name;
     int Number;
@@ -62,7 +70,7 @@ private:
   struct Dump
   {
     double Time = 0.0;
-    std::int64_t Position = 0, Blocks = 0; // where it begins, and its list of blocks
+    std::int64_t Position = 0, Blocks = 0; // places of the step and of its list of blocks
     std::vector<Variable> Variables;
   };
 

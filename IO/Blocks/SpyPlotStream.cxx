@@ -14,9 +14,10 @@ namespace vfm
 namespace
 {
 
-constexpr int Width = 4; // bytes of a value
-constexpr int Singles = 128;
+constexpr int Width = 4;     // bytes per value
+constexpr int Singles = 128; // from this code on, different values follow
 
+/// Returns a value stored with its most significant byte first.
 float ToFloat(const unsigned char* bytes)
 {
   const std::uint32_t bits =
@@ -42,7 +43,7 @@ SpyPlotStream::SpyPlotStream(const std::string& path) : Path(path), Stream(path,
 
 void SpyPlotStream::Fail(const std::string& problem) const
 {
-  throw InputError(this->Path + " is cut or damaged in " + this->Place + " near byte " +
+  throw InputError(this->Path + " is truncated or damaged in " + this->Place + " near byte " +
     std::to_string(this->Position) + ": " + problem + ".");
 }
 
@@ -51,7 +52,7 @@ void SpyPlotStream::Reserve(std::int64_t count) const
   if (count < 0 || count > this->Size - this->Position)
   {
     this->Fail(
-      std::to_string(count) + " bytes are to follow, the file has " + std::to_string(this->Size));
+      std::to_string(count) + " bytes should follow, the file has " + std::to_string(this->Size));
   }
 }
 
@@ -78,7 +79,7 @@ void SpyPlotStream::Skip(std::int64_t count)
 {
   this->Reserve(count);
   this->Position += count;
-  this->Stream.ignore(count); // keeps what is buffered, as seeking does not
+  this->Stream.ignore(count); // keeps the buffer of the stream, which seeking discards
 }
 
 std::uint64_t SpyPlotStream::Number(int size)

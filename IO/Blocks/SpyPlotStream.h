@@ -1,8 +1,9 @@
 /**
- * SpyPlotStream: numbers, texts and run-length coded values of a SpyPlot file.
+ * SpyPlotStream: reads numbers, texts and run-length coded values of a SpyPlot file.
  *
- * Numbers are big endian, file positions are doubles. Run-length code: a byte n < 128 and a value that
- * counts n times, or 128 + n and n values, of 4 bytes.
+ * Numbers are big endian, file positions are doubles. Run-length code: a byte n < 128 is followed
+ * by one value, which is repeated n times; a byte 128 + n is followed by n values. Values have 4
+ * bytes.
  */
 #pragma once
 
@@ -14,7 +15,8 @@
 namespace vfm
 {
 
-/// Never reads past the end of the file. Every error is an InputError that names Place and the position.
+/// Stream of the items of a SpyPlot file. It never reads past the end of the file.
+/// @throws InputError  if the file ends early or an item is invalid; contains path, Place, position
 class SpyPlotStream
 {
 public:
@@ -28,16 +30,17 @@ public:
   double Double();
   /// Reads a position in the file.
   std::int64_t Offset();
-  /// Reads that many bytes, and returns those before the first 0.
+  /// Reads `size` bytes and returns the text before the first 0 in them.
   std::string Text(int size);
-  /// Reads a chunk, its length first, that holds that many values.
+  /// Reads a chunk, which begins with its length in bytes and must hold `count` values.
   std::vector<float> Values(std::int64_t count);
-  /// Reads a chunk of node coordinates: first node, step, and what to add to each node's steps.
+  /// Reads a chunk of node coordinates: a float that is not used, the spacing, and run-length coded
+  /// offsets. Node i is its offset plus i times the spacing.
   std::vector<float> Nodes(std::int64_t count);
-  /// Skips a chunk without a look at its values.
+  /// Skips a chunk without decoding its values.
   void SkipChunk() { this->Skip(this->Int()); }
 
-  std::string Place = "the header"; ///< for messages
+  std::string Place = "the header"; ///< place in the file, for messages
 
 private:
   std::vector<unsigned char> Bytes(std::int64_t count);

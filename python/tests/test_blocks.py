@@ -139,8 +139,8 @@ def test_damaged(tmp_path):
     size = os.path.getsize(path + ".1")
     os.truncate(path + ".1", size - 1)
     vfm.read(path)
-    with pytest.raises(ValueError,
-                       match="case.spcth.1 is cut or damaged in '.*' of step 1, block 2, plane "):
+    with pytest.raises(ValueError, match="case.spcth.1 is truncated or damaged in '.*' of step 1, "
+                       "block 2, plane "):
         vfm.read(path, step=1)
     shutil.copytree(PLOTFILE, tmp_path / "plt")
     os.remove(tmp_path / "plt" / "Level_0" / "Cell_H")

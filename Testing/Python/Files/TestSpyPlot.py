@@ -249,7 +249,7 @@ def test_damaged_files(at):
     mark = landmarks(content, blocks)
     volume = mark["fields"][1]  # of the first material; its first planes are all 0
     cases = [
-        (cut_at(0), "header near byte 0: 8 bytes are to follow, the file has 0"),
+        (cut_at(0), "header near byte 0: 8 bytes should follow, the file has 0"),
         (cut_at(5), "header near byte 0"),
         (cut_at(100), "header near byte 8: 128 bytes"),
         (cut_at(mark["tables"] - 3), "the header"),
@@ -278,19 +278,19 @@ def test_damaged_files(at):
         (int_at(mark["blocks"] + 52, -5), "block 1 has -5 x 6 x 5 cells"),
         (int_at(mark["blocks"] + 52, 7), "does not hold 8 values"),
         (int_at(mark["blocks"] + 72, 2 ** 30), "on level 1073741824"),
-        (int_at(mark["grids"], -1), "-1 bytes are to follow"),
-        (int_at(mark["grids"], 2 ** 31 - 1), "2147483647 bytes are to follow"),
+        (int_at(mark["grids"], -1), "-1 bytes should follow"),
+        (int_at(mark["grids"], 2 ** 31 - 1), "2147483647 bytes should follow"),
         (int_at(mark["grids"], 7), "a chunk of 7 bytes does not hold"),
         (int_at(volume, 2 ** 31 - 1),
          "'Material volume fraction - 1' of step 0, block 1, plane 0 near"),
         (int_at(volume, -1), "'Material volume fraction - 1' of step 0, block 1, plane 0 near"),
         (int_at(volume, 4), "a chunk of 4 bytes does not hold 36 values"),
-        (int_at(136, 100), "is of version 100 of the format. Versions 101 to 105 are read"),
+        (int_at(136, 100), "is of version 100 of the format. Versions 101 to 105 are supported"),
         (int_at(136, 106), "is of version 106 of the format"),
         (int_at(140, 16), "file positions have 16 bits"),
         (int_at(160, 2), "has 2 dimensions"),
         (int_at(mark["tables"] - 28, 1), "has markers of materials"),
-        (lambda content: b"garbage" + content[7:], "is no SpyPlot file"),
+        (lambda content: b"garbage" + content[7:], "is not a SpyPlot file"),
     ]
     for number, (change, text) in enumerate(cases):
         with open(path + ".0", "wb") as file:
@@ -322,13 +322,13 @@ def test_cut_in_last_time(at):
 def test_damaged_cases(at):
     for change, text in (
             (lambda: os.truncate(path + ".2", os.path.getsize(path + ".2") // 2),
-             "case.spcth.2 is cut or damaged"),
+             "case.spcth.2 is truncated or damaged"),
             (lambda: os.remove(path + ".1"), "case.spcth.1 cannot be read: No such file"),
             (lambda: (os.remove(path + ".1"), os.mkdir(path + ".1")),
              "case.spcth.1 cannot be read: Is a directory"),
-            (lambda: write_text(path, "spycase\n  \n"), "it names no files"),
-            (lambda: write_text(path, "spycase\n"), "it names no files"),
-            (lambda: write_text(path, "no case\n"), "it is no SpyPlot file"),
+            (lambda: write_text(path, "spycase\n  \n"), "it lists no files"),
+            (lambda: write_text(path, "spycase\n"), "it lists no files"),
+            (lambda: write_text(path, "no case\n"), "it is not a SpyPlot file"),
             (lambda: write_text(path, ""), "the file is empty")):
         path, _ = write_small(at, files=3)
         change()
