@@ -19,9 +19,10 @@ namespace vfm
 namespace
 {
 
-constexpr double FillShare = 0.8; // of the time of a part; its points are moved in the rest
+// Share of the time of a part that filling takes. The rest is for moving its points.
+constexpr double FillShare = 0.8;
 
-/// Wished edge length: that of the cells at interfaces, growing with the distance from them.
+/// Target edge length: the cell width at interfaces, increasing with the distance from them.
 class SizeField
 {
 public:
@@ -95,14 +96,14 @@ private:
 
   const CartesianGrid& Grid;
   const TetGenOptions& Options;
-  std::vector<unsigned char> Layer; // cells to the nearest interface
+  std::vector<unsigned char> Layer; // number of cells to the nearest interface
 };
 
-/// The tets of one fragment, and its boundary.
+/// Tets of a local fragment, and its boundary.
 struct Part
 {
   std::vector<Index> Tets;
-  std::vector<Index> Points; // on the boundary, of the mesh
+  std::vector<Index> Points; // mesh points on the boundary
   TetGenPart Surface;
 };
 
@@ -145,7 +146,7 @@ std::vector<Part> FindParts(const Mesh& mesh, const CartesianGrid& grid)
   return parts;
 }
 
-/// The new mesh, part after part.
+/// The new mesh, assembled part after part.
 class Refilled
 {
 public:
@@ -154,6 +155,7 @@ public:
   {
   }
 
+  /// Adds the tets of TetGen in a part.
   void AddPart(const Part& part, const TetGenFill& fill)
   {
     const Index first = part.Tets.front();
@@ -178,6 +180,7 @@ public:
     }
   }
 
+  /// Adds a part with its old tets.
   void StorePart(const Part& part)
   {
     for (Index t : part.Tets)
@@ -192,7 +195,7 @@ public:
     }
   }
 
-  /// Collective.
+  /// Writes the points, tets and facets into the mesh. Collective.
   void Finish(Ranks& ranks)
   {
     std::vector<Index> kept;
@@ -231,7 +234,7 @@ private:
   };
   struct Tet
   {
-    std::array<Index, 4> Points; // of the old mesh, or ~(new point)
+    std::array<Index, 4> Points; // points of the old mesh, or ~(new point)
     int Material, Fragment;
   };
 
@@ -294,7 +297,7 @@ private:
 
   Mesh& Old;
   const CartesianGrid& Grid;
-  std::vector<Index> NewIndex; // of each old point; -1 dropped
+  std::vector<Index> NewIndex; // new index of each old point, or -1 if it is dropped
   std::vector<NewPoint> Added;
   std::vector<Tet> Tets;
 };
@@ -307,7 +310,7 @@ void RefillTets(Mesh& mesh, const CartesianGrid& grid, const LabelArray& labels,
   const SizeField sizes(grid, labels, options);
   const TetEnergy energy(FloorsOf(options));
   const double share = 1.0 / std::max<double>(1.0, static_cast<double>(mesh.ElementIds.size()));
-  double done = 0.0; // of all tets
+  double done = 0.0; // share of all tets
   Refilled refilled(mesh, grid);
   Index rejected = 0;
   for (const Part& part : FindParts(mesh, grid))

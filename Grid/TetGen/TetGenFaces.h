@@ -1,5 +1,6 @@
 /**
- * Faces of tets and of the surface around them, sorted, so that equal ones are neighbours; disjoint sets.
+ * TetGenFaces: sorted lists of the faces of tets and of the surface around them, in which equal
+ * faces are consecutive; disjoint sets.
  */
 #pragma once
 
@@ -16,20 +17,21 @@ namespace vfm
 namespace tetfill
 {
 
-/// A tet's determinant is larger than this times its longest edge cubed.
+/// A tet is flat if its determinant is at most this factor times its longest edge cubed.
 constexpr double FlatTet = 1e-9;
 
+/// Returns six times the volume of a tet.
 inline double Determinant(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
   return Dot(Cross(b - a, c - a), d - a);
 }
 
-/// A face of a tet, or a triangle of the surface (Owner -1).
+/// Face of a tet, or triangle of the surface.
 struct Face
 {
-  Triangle Corners; ///< sorted
-  int Owner;        ///< the tet
-  bool IsOdd;       ///< parity of the outward order
+  Triangle Corners; ///< corners, ascending
+  int Owner;        ///< tet, or -1 for a triangle of the surface
+  bool IsOdd;       ///< whether sorting the outward order was an odd permutation
 
   Face(int a, int b, int c, int owner) : Corners{ { a, b, c } }, Owner(owner), IsOdd(false)
   {
@@ -49,6 +51,8 @@ struct Face
   }
 };
 
+/// Returns the triangles of a surface and all faces of tets, sorted by corners. Triangles precede
+/// equal faces.
 inline std::vector<Face> SortedFaces(const TetGenPart& part, const std::vector<Tet>& tets)
 {
   std::vector<Face> faces;
@@ -77,7 +81,7 @@ void ForGroups(const std::vector<Face>& faces, const Body& body)
     [](const Face& a, const Face& b) { return a.Corners == b.Corners; }, body);
 }
 
-/// Disjoint sets of 0..n-1.
+/// Disjoint sets of the numbers 0 to n - 1.
 class Sets
 {
 public:

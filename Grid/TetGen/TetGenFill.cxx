@@ -21,17 +21,17 @@ using namespace tetfill;
 namespace
 {
 
-constexpr int OutOfMemory = 1; // of TetGen's codes
+constexpr int OutOfMemory = 1; // error code of TetGen
 
-/// A tet is split when its longest edge is longer than this many wished lengths.
-/// Chosen so that the mean edge has the wished length.
+/// Ratio of longest edge to target length above which a tet is split. With this value, the mean
+/// edge has the target length.
 const double LongestOverWished = 1.55;
-/// Dihedral angle from which flips, smoothing and splits of slivers try to improve a tet, degrees.
+/// Dihedral angle, in degrees, above which flips, smoothing and splits of slivers improve a tet.
 const double LargestDihedral = 140.0;
-/// Limit on new points: for each point of the surface, and added to that.
+/// Limit on new points: number per point of the surface, and constant that is added.
 const int NewPointsPerPoint = 50, NewPointsAtLeast = 10000;
 
-/// TetGen's input; the arrays are ours, not its.
+/// Input of TetGen. This object, not TetGen, owns the arrays.
 class Input
 {
 public:
@@ -67,7 +67,8 @@ private:
   std::vector<tetgenio::facet> Facets;
 };
 
-/// How far the filling of a part is. TetGen calls back while it inserts points alone; the shares are the times that were measured.
+/// Progress of filling a part. TetGen calls back only while it inserts points, so the shares of its
+/// stages are measured times.
 class FillClock
 {
 public:
@@ -82,7 +83,7 @@ public:
     this->Progress(this->Done);
   }
 
-  /// One more call of the size function.
+  /// Counts a call of the size function.
   void Count()
   {
     if (++this->Calls % CallsPerProgress == 0)
@@ -97,14 +98,14 @@ public:
 
 private:
   static constexpr int CallsPerProgress = 5000;
-  static constexpr double CallsPerTriangle = 7.0; // of parts like balls; films have fewer
+  static constexpr double CallsPerTriangle = 7.0; // measured for balls; thin films have fewer
   const FillProgress& Progress;
   const double ExpectedCalls;
   std::int64_t Calls = 0;
   double Done = 0.0;
 };
 
-/// What the callback, a plain function, needs to know. Set under the mutex.
+/// Data of the callback, which is a plain function. Set while the mutex is held.
 struct SizeRequest
 {
   const SizeFunction* Size;
@@ -113,6 +114,7 @@ struct SizeRequest
 };
 thread_local const SizeRequest* CurrentRequest = nullptr;
 
+/// Callback of TetGen: returns whether a tet must be split because of its size.
 bool IsTooLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
 {
   const REAL* corner[4] = { a, b, c, d };
@@ -143,8 +145,8 @@ tetgenbehavior Switches(const TetGenOptions& options, int limit)
   tetgenbehavior b;
   b.plc = 1;
   b.quiet = 1;
-  b.nobisect = 1;   // -Y: no new points on the surface
-  b.nojettison = 1; // points keep their numbers
+  b.nobisect = 1;   // -Y: adds no points on the surface
+  b.nojettison = 1; // keeps the numbers of points
   b.nomergefacet = b.nomergevertex = 1;
   b.nofacewritten = 1;
   b.regionattrib = 1;
@@ -159,8 +161,8 @@ tetgenbehavior Switches(const TetGenOptions& options, int limit)
   return b;
 }
 
-/// Triangles that cross, as TetGen sees it with exact arithmetic. Asked first: they are what its asserts
-/// do not survive.
+/// Lets TetGen check with exact arithmetic that no triangles intersect. This is required first,
+/// because intersections make its asserts fail.
 std::string CheckCrossings(const LocalPart& local)
 {
   Input input(local, {});
@@ -180,7 +182,8 @@ std::string CheckCrossings(const LocalPart& local)
   return Text("the surface crosses itself near (%g, %g, %g)", p[0], p[1], p[2]);
 }
 
-/// Copies TetGen's output: new points behind the partPoints of the part.
+/// Copies TetGen's output. New points follow the partPoints points of the part. Returns an error,
+/// or an empty text.
 std::string TakeOutput(
   const tetgenio& output, const LocalPart& local, std::size_t partPoints, TetGenFill& fill)
 {
@@ -214,7 +217,7 @@ std::string TakeOutput(
       const int p = output.tetrahedronlist[4 * i + k];
       if (p < 0 || p >= output.numberofpoints)
       {
-        return "TetGen made a tetrahedron of points that there are not";
+        return "TetGen made a tetrahedron with a point that does not exist";
       }
       tet[k] = index[p];
     }
@@ -223,8 +226,8 @@ std::string TakeOutput(
   return "";
 }
 
-/// Connects tets over faces that are not of the surface. False if a face has too many tets, or tets on one
-/// side, or is of the surface and of no tet.
+/// Connects tets across faces that are not on the surface. Returns false if a face has more than
+/// two tets, or both on one side, or is on the surface and has no tet.
 bool Connect(const std::vector<Face>& faces, Sets& sets)
 {
   bool isGood = true;
@@ -242,8 +245,8 @@ bool Connect(const std::vector<Face>& faces, Sets& sets)
   return isGood;
 }
 
-/// Drops the tets of non-manifold holes. Checks that the rest has the surface as its boundary, all of it and
-/// nothing else, and lies on its inner side.
+/// Removes the tets in holes of a non-manifold surface. Checks that the boundary of the other tets
+/// is exactly the surface, and that they are on its inner side. Returns an error, or an empty text.
 std::string KeepInside(const TetGenPart& part, std::vector<Tet>& tets)
 {
   const std::vector<Face> faces = SortedFaces(part, tets);
@@ -293,7 +296,8 @@ std::string KeepInside(const TetGenPart& part, std::vector<Tet>& tets)
   return "";
 }
 
-/// All tets positive by a margin, and their volume that inside the surface.
+/// Checks that all tets are positive by a margin and that their total volume is the volume of the
+/// region. Returns an error, or an empty text.
 std::string CheckVolumes(const LocalPart& local, const TetGenFill& fill)
 {
   const std::vector<Vector3> points = LocalPoints(local, fill);
@@ -309,7 +313,7 @@ std::string CheckVolumes(const LocalPart& local, const TetGenFill& fill)
         longest = std::max(longest, Norm(points[t[k]] - points[t[m]]));
       }
     }
-    if (!(det > FlatTet * longest * longest * longest)) // also true of NaN
+    if (!(det > FlatTet * longest * longest * longest)) // also true for NaN
     {
       const Vector3& p = fill.Points[t[0]];
       return Text("TetGen left a flat tetrahedron at (%g, %g, %g)", p[0], p[1], p[2]);
@@ -321,7 +325,7 @@ std::string CheckVolumes(const LocalPart& local, const TetGenFill& fill)
     : Text("TetGen filled %.9g of the volume", volume / local.Volume);
 }
 
-/// Drops new points that no tet has.
+/// Removes new points that have no tets.
 void DropUnused(std::size_t old, TetGenFill& fill)
 {
   std::vector<int> index(fill.Points.size(), -1);
@@ -351,17 +355,18 @@ void DropUnused(std::size_t old, TetGenFill& fill)
   }
 }
 
+/// Returns the message for an error code of TetGen.
 const char* Reason(int code)
 {
   switch (code)
   {
     case 2:
-      return "TetGen found an error of its own";
+      return "TetGen found an internal error";
     case 3:
       return "TetGen found that the surface crosses itself";
     case 4:
     case 5:
-      return "TetGen found points or triangles of the surface too near to each other";
+      return "TetGen found points or triangles of the surface too close to each other";
     default:
       return "TetGen found an error in the surface";
   }
@@ -386,7 +391,7 @@ std::string RunOnce(const LocalPart& local, std::size_t partPoints, const TetGen
   return TakeOutput(output, local, partPoints, fill);
 }
 
-/// TetGen itself: one at a time.
+/// Runs TetGen, one thread at a time. Returns an error, or an empty text.
 std::string Run(const LocalPart& local, std::size_t partPoints, const TetGenOptions& options,
   const SizeFunction& size, FillClock& clock, TetGenFill& fill)
 {
@@ -401,7 +406,7 @@ std::string Run(const LocalPart& local, std::size_t partPoints, const TetGenOpti
   std::string refusal = RunOnce(local, partPoints, options, size, clock, fill);
   if (refusal.empty() && !fill.Complete)
   {
-    // Mostly a bound on angles that the surface does not allow: once more without.
+    // Usually the surface does not permit the bound on angles. Runs again without it.
     TetGenOptions modest = options;
     modest.MinimumDihedralAngle = 0.0;
     modest.RadiusEdgeRatio = std::max(2.0, options.RadiusEdgeRatio);
@@ -447,7 +452,7 @@ TetGenFill FillWithTetGen(const TetGenPart& part, const TetGenOptions& options,
   {
     if (code == OutOfMemory)
     {
-      throw std::bad_alloc(); // no fault of the part
+      throw std::bad_alloc(); // not an error of the part
     }
     fill.Refusal = Reason(code);
   }

@@ -1,9 +1,10 @@
 /**
- * TetGen behind an interface without its header: fills a closed surface with tetrahedra and leaves the
- * surface as it is, so that neighbouring regions match. Only in builds with VFM_HAS_TETGEN.
+ * TetGenFill: an interface to TetGen that does not include its header. It fills a closed surface
+ * with tetrahedra and keeps the surface, so that neighbouring regions match. Only in builds with
+ * VFM_HAS_TETGEN.
  *
- * TetGen reads some wrong inputs as an endless loop, an assert() or a crash; so the surface is checked
- * first, and every result is checked face by face. What fails is refused with a reason.
+ * Some invalid inputs make TetGen loop forever, fail an assert() or crash. Therefore the surface is
+ * checked first, and every result is checked face by face. Failures are returned with a reason.
  */
 #pragma once
 
@@ -15,33 +16,41 @@
 namespace vfm
 {
 
-/// A closed region.
+/// Closed region.
 struct TetGenPart
 {
-  std::vector<Vector3> Points; ///< all different where triangles use them
-  /// The whole boundary, normals outward. It may touch itself at shared edges and vertices, and have
-  /// several components; the inside of holes is outside the region.
+  std::vector<Vector3> Points; ///< points; all points that triangles use must differ
+  /// Whole boundary, with outward normals. It may touch itself at shared edges and vertices, and
+  /// have several components; the inside of holes is outside the region.
   std::vector<std::array<int, 3>> Triangles;
 };
 
-/// Wished edge length at a place; anything not > 0 means no wish. Called by one thread at a time.
+/// Returns the target edge length at a point. No target applies if the value is not positive.
+/// Called by one thread at a time.
 using SizeFunction = std::function<double(const Vector3&)>;
 
+/// Result of FillWithTetGen.
 struct TetGenFill
 {
-  std::vector<Vector3>
-    Points; ///< those of the part, bit by bit, then new ones, none on the boundary
-  std::vector<std::array<int, 4>> Tets; ///< det(b - a, c - a, d - a) > 0
-  std::string Refusal;                  ///< why there is no result; empty: done
-  bool Complete =
-    true; ///< false: the limit on new points ended refinement early; the mesh is valid
+  /// Points of the part, bitwise unchanged, followed by new points, none of them on the boundary.
+  std::vector<Vector3> Points;
+  std::vector<std::array<int, 4>> Tets; ///< tets with det(b - a, c - a, d - a) > 0
+  std::string Refusal;                  ///< reason of failure; empty on success
+  /// False if the limit on new points ended refinement early; the mesh is valid.
+  bool Complete = true;
 };
 
-/// What part of the work is done, 0 to 1, now and then, never less than before.
+/// Receives the fraction of the work that is done, 0 to 1. It is called at irregular times and
+/// never decreases.
 using FillProgress = std::function<void(double)>;
 
-/// One run at a time in the process, others wait: TetGen has global state. The result depends on the
-/// arguments only. Never throws but Aborted, when size or progress do (the way to stop a long run).
+/// Fills a region with tets. The result depends only on the arguments. Threads may call this at the
+/// same time, but only one runs TetGen, which has global state, while the others wait.
+/// H. Si, TetGen, a Delaunay-based quality tetrahedral mesh generator, ACM Transactions on
+/// Mathematical Software 41 (2015).
+/// @return points and tets, which are empty on failure
+/// @throws Aborted  if size or progress throws it, which is the way to stop a long run
+/// @throws std::bad_alloc  if memory is exhausted
 TetGenFill FillWithTetGen(
   const TetGenPart& part, const TetGenOptions& options, const SizeFunction& size,
   const FillProgress& progress = [](double) {});

@@ -9,12 +9,12 @@ namespace tetfill
 namespace
 {
 
-/// Cosine of the dihedral angle, 25 degrees, below which our own flips and splits improve a tet.
+/// Cosine of 25 degrees. Tets with a smaller dihedral angle are improved.
 const double PoorCosine = 0.906;
-/// Of tets around an edge that is split.
+/// Limit on the number of tets around an edge that is split.
 const std::size_t LargestRing = 30;
 
-/// Cosine of the smallest dihedral angle; 2 for a tet that is flat or inverted.
+/// Returns the cosine of the smallest dihedral angle, or 2 for a tet that is flat or inverted.
 double WorstCosine(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
   const Vector3* p[4] = { &a, &b, &c, &d };
@@ -39,9 +39,11 @@ double WorstCosine(const Vector3& a, const Vector3& b, const Vector3& c, const V
   return worst;
 }
 
-/// Two tets on one face, the first with the corner Top, the second with Bottom, become three around the
-/// edge between these, if that makes the smallest angle larger. TetGen leaves flat caps where three
-/// triangles of the surface meet; this opens them.
+/// Replaces two tets at a face by three tets around the edge between their opposite corners, top
+/// and bottom. TetGen leaves flat caps where three triangles of the surface meet; this flip opens
+/// them.
+/// @param[out] three  the new tets
+/// @return whether the flip increases the smallest angle
 bool FlipFace(const Face& face, const Tet& upper, const Tet& lower,
   const std::vector<Vector3>& points, Tet (&three)[3])
 {
@@ -57,7 +59,7 @@ bool FlipFace(const Face& face, const Tet& upper, const Tet& lower,
   double after = -1.0;
   for (int k = 0; k < 3; ++k)
   {
-    // Outward from upper the corners are counterclockwise unless odd.
+    // Seen from outside `upper`, the corners are counterclockwise unless the face is odd.
     const int p = face.Corners[k], q = face.Corners[(k + 1) % 3];
     three[k] = face.IsOdd ? Tet{ { p, q, bottom, top } } : Tet{ { q, p, bottom, top } };
     after = std::max(after, cosine(three[k]));
@@ -70,7 +72,7 @@ double WorstCosine(const Tet& t, const std::vector<Vector3>& points)
   return WorstCosine(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
 }
 
-/// FlipFace on the faces of poor tets, each tet once. True if anything changed.
+/// Flips faces of poor tets, each tet at most once. Returns whether any tet changed.
 bool FlipFaces(const TetGenPart& part, const LocalPart& local, TetGenFill& fill)
 {
   const std::vector<Vector3> points = LocalPoints(local, fill);
@@ -97,16 +99,17 @@ bool FlipFaces(const TetGenPart& part, const LocalPart& local, TetGenFill& fill)
   return fill.Tets.size() > before;
 }
 
-/// A split of the edge AB, which Ring surrounds, at Point.
+/// Split of the edge AB at Point.
 struct Split
 {
   int A = 0, B = 0;
-  std::vector<int> Ring;
+  std::vector<int> Ring; ///< tets around the edge
   Vector3 Point{};
-  double Cosine = 2.0; ///< of the worst new tet
+  double Cosine = 2.0; ///< largest WorstCosine of the new tets
 };
 
-/// The tets around the edge; empty if they are many, or if it is on the surface, where the ring is open.
+/// Returns the tets around an edge. The ring is empty if there are more than LargestRing, or if the
+/// edge is on the surface, where the ring is open.
 std::vector<int> Ring(const std::vector<Tet>& tets, const std::vector<int>& ofA, int b)
 {
   std::vector<int> ring, corners;
@@ -129,7 +132,7 @@ std::vector<int> Ring(const std::vector<Tet>& tets, const std::vector<int>& ofA,
   return ring;
 }
 
-/// Looks for the best place on the way from the middle of the edge to the centre of its ring.
+/// Finds the best point for a split, between the middle of the edge and the centre of its ring.
 void FindPoint(const std::vector<Tet>& tets, const std::vector<Vector3>& points, Split& split)
 {
   const Vector3 middle = 0.5 * (points[split.A] + points[split.B]);
@@ -161,7 +164,8 @@ void FindPoint(const std::vector<Tet>& tets, const std::vector<Vector3>& points,
   }
 }
 
-/// The best split of an edge of the tet; no ring if none makes the smallest angle larger.
+/// Returns the best split of an edge of a tet. Its ring is empty if no split increases the
+/// smallest angle.
 Split BestSplit(const std::vector<Tet>& tets, const std::vector<Vector3>& points,
   const std::vector<std::vector<int>>& tetsOf, const std::vector<bool>& isDone, const Tet& tet)
 {
@@ -186,7 +190,8 @@ Split BestSplit(const std::vector<Tet>& tets, const std::vector<Vector3>& points
   return best;
 }
 
-/// Splits edges of the poorest tets: slivers below two triangles of the surface, which TetGen leaves.
+/// Splits edges of poor tets, the poorest first. TetGen leaves such slivers below two triangles of
+/// the surface. Returns whether any tet changed.
 bool SplitEdges(const LocalPart& local, TetGenFill& fill)
 {
   std::vector<Vector3> points = LocalPoints(local, fill);

@@ -1,6 +1,6 @@
 /**
- * What TetGen's optimisation leaves undone near the surface: flips and splits that open the smallest
- * dihedral angles.
+ * TetGenImprove: flips and splits that increase the smallest dihedral angles, mostly near the
+ * surface, where TetGen's optimisation leaves poor tets.
  */
 #pragma once
 
@@ -11,11 +11,12 @@ namespace vfm
 namespace tetfill
 {
 
-/// Changes tets that have an angle below 25 degrees where that makes the smallest angle larger; new points
-/// are inside. True if anything changed.
+/// Changes tets that have a dihedral angle below 25 degrees, where this increases the smallest
+/// angle. New points are inside the surface.
+/// @return whether any tet changed
 bool Improve(const TetGenPart& part, const LocalPart& local, TetGenFill& fill);
 
-/// The points of fill in the local frame.
+/// Returns the points of fill in the local frame.
 std::vector<Vector3> LocalPoints(const LocalPart& local, const TetGenFill& fill);
 
 } // namespace tetfill

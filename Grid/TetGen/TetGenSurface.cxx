@@ -22,10 +22,11 @@ std::string Text(const char* format, double a, double b, double c)
 namespace
 {
 
-/// A triangle's height is larger than this times its longest edge. With needles of 1e-6 TetGen's flips
-/// have been seen to go round in circles for ever.
+/// A triangle is flat if its height is at most this factor times its longest edge. At 1e-6,
+/// TetGen's flips were seen to repeat forever.
 const double FlatTriangle = 1e-4;
 
+/// Checks the numbers and coordinates of points, and the points of triangles.
 std::string CheckNumbers(const TetGenPart& part)
 {
   const std::size_t limit = std::numeric_limits<int>::max() / 64;
@@ -62,7 +63,7 @@ std::string CheckNumbers(const TetGenPart& part)
   return "";
 }
 
-/// Fills all but Volume and Area.
+/// Fills all members except Volume and Area.
 std::string MakeLocal(const TetGenPart& part, LocalPart& local)
 {
   std::vector<int> localPoint(part.Points.size(), -1);
@@ -111,11 +112,13 @@ std::string MakeLocal(const TetGenPart& part, LocalPart& local)
   return "";
 }
 
+/// Returns the signed volume between a triangle and the origin.
 double VolumeUnder(const LocalPart& local, const Triangle& t)
 {
   return Dot(local.Points[t[0]], Cross(local.Points[t[1]], local.Points[t[2]])) / 6.0;
 }
 
+/// Checks that all points and all triangles differ and that no triangle is flat.
 std::string CheckTriangles(const LocalPart& local)
 {
   std::vector<Vector3> points = local.Points;
@@ -148,7 +151,8 @@ std::string CheckTriangles(const LocalPart& local)
   return "";
 }
 
-/// Each directed edge is matched by its opposite, and the volume inside is positive.
+/// Checks that each directed edge is matched by its opposite, and that the volume inside is
+/// positive. Sets Area and Volume.
 std::string CheckClosed(LocalPart& local)
 {
   std::vector<std::pair<int, int>> forward, backward;
@@ -178,7 +182,8 @@ std::string CheckClosed(LocalPart& local)
   return local.Volume > 0.0 ? "" : "the normals of the surface point inward";
 }
 
-/// Where the ray from p along d first meets a triangle; infinity if nowhere.
+/// Returns the distance, in units of d, at which the ray from p along d first meets a triangle;
+/// infinity if there is none.
 double FirstHit(const LocalPart& local, const Vector3& p, const Vector3& d, std::size_t except)
 {
   double first = std::numeric_limits<double>::infinity();
@@ -214,7 +219,7 @@ std::string MakeLocalPart(const TetGenPart& part, LocalPart& local)
 std::vector<Vector3> HoleSeeds(const LocalPart& local)
 {
   const std::size_t n = local.Triangles.size();
-  std::vector<std::array<int, 3>> edges; // lower point, upper point, triangle
+  std::vector<std::array<int, 3>> edges; // lower point, upper point and triangle of each edge
   for (std::size_t i = 0; i < n; ++i)
   {
     for (int k = 0; k < 3; ++k)

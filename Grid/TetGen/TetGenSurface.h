@@ -1,5 +1,6 @@
 /**
- * The closed surface as TetGen is given it: checked, in a local frame; and points in its holes.
+ * TetGenSurface: checks the closed surface, transforms it to a local frame for TetGen, and finds
+ * points in its holes.
  */
 #pragma once
 
@@ -16,16 +17,17 @@ namespace tetfill
 using Triangle = std::array<int, 3>;
 using Tet = std::array<int, 4>;
 
-/// The part in a frame where it starts at 0 and its longest side is 1 to 2, without unused points.
-/// The scale is a power of two: coordinates that are equal stay equal, planes of axes stay planes.
+/// Part without unused points, in a frame where its lower corner is 0 and its longest side is 1 to
+/// 2. The scale is a power of two, so equal coordinates remain equal and axis-aligned planes
+/// remain planes.
 struct LocalPart
 {
   Vector3 Origin{};
   int Exponent = 0;
   std::vector<Vector3> Points;
-  std::vector<int> PartPoint; ///< of each point
+  std::vector<int> PartPoint; ///< index of each point in the part
   std::vector<Triangle> Triangles;
-  double Volume = 0.0, Area = 0.0; ///< enclosed by the triangles, and theirs
+  double Volume = 0.0, Area = 0.0; ///< volume enclosed by the triangles, and their area
 
   Vector3 ToLocal(const Vector3& p) const
   {
@@ -41,13 +43,15 @@ struct LocalPart
   }
 };
 
-/// Fills local. Returns what is wrong with the surface, or nothing. Crossings are not looked for.
+/// Checks the surface and fills local. Does not search for self-intersections.
+/// @return error of the surface; empty if it is valid
 std::string MakeLocalPart(const TetGenPart& part, LocalPart& local);
 
-/// A point in each hole: behind the largest triangle of each component that encloses a negative volume.
+/// Returns a point in each hole. A hole is a component that encloses a negative volume; its point
+/// is behind its largest triangle.
 std::vector<Vector3> HoleSeeds(const LocalPart& local);
 
-/// A message with up to three numbers.
+/// Formats a message with up to three numbers, like printf.
 std::string Text(const char* format, double a, double b = 0.0, double c = 0.0);
 
 } // namespace tetfill

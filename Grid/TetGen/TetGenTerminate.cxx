@@ -1,7 +1,8 @@
 /**
- * TetGen's exit on errors, replaced. Its own version frees the mesh and throws; unwinding then frees the
- * mesh again and crashes. It is a weak symbol, so this one takes its place, if the dynamic linker sees it:
- * hence default visibility. This file must not include tetgen.h, where the other one is defined inline.
+ * Replaces TetGen's exit on errors, which frees the mesh and throws; unwinding then frees the mesh
+ * again and crashes. TetGen's function is a weak symbol, so this one replaces it if the dynamic
+ * linker sees it, which requires default visibility. This file must not include tetgen.h, which
+ * defines the function inline.
  */
 #include "TetGen/TetGenTerminate.h"
 

@@ -1,5 +1,6 @@
 /**
- * TetGen's exit on errors is replaced where this is referred to: then a linker takes its file out of a static library.
+ * TetGenTerminate: replaces TetGen's exit on errors. Code must refer to TetGenTerminateIsLinked,
+ * so that a linker takes the replacement from a static library.
  */
 #pragma once
 
