@@ -17,15 +17,17 @@ struct AtlasLabel
   std::string Index, Name;
 };
 
-/// What the parser has found so far.
+/// State of the parser.
 struct Atlas
 {
-  std::vector<std::string> Path; ///< names of the elements that are open
+  std::vector<std::string> Path; ///< names of the open elements, outermost first
   std::string Type;
   bool HasData = false;
   std::vector<AtlasLabel> Labels;
 };
 
+/// Tests whether the innermost open element is named `place`, or anything if that is empty, inside
+/// an element named `parent` of the root.
 bool IsIn(const Atlas& atlas, const char* place, const char* parent)
 {
   const std::size_t depth = atlas.Path.size();
@@ -69,7 +71,7 @@ void AddText(void* user, const XML_Char* text, int length)
   }
 }
 
-/// The words, which may fill several lines, with a blank between.
+/// Returns the words of a text, which may have several lines, separated by one space.
 std::string JoinWords(const std::string& text)
 {
   std::istringstream words(text);
@@ -96,7 +98,7 @@ void ReadAtlasXml(const std::string& text, LabelTable& table)
   {
     const std::string problem = isXml ? "" : XML_ErrorString(XML_GetErrorCode(parser.get()));
     table.Reject(0,
-      "it is no XML file of an atlas (header with a type, data)" +
+      "it is not the XML file of an atlas (header with a type, data)" +
         (isXml ? "."
                : "; line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + ": " +
               problem + "."));
@@ -121,7 +123,7 @@ void ReadAtlasXml(const std::string& text, LabelTable& table)
 
 void vfm::ReadAtlasXml(const std::string&, LabelTable& table)
 {
-  table.Reject(0, "this build reads no XML, for lack of expat.");
+  table.Reject(0, "this build cannot read XML, because it was made without expat.");
 }
 
 #endif

@@ -1,6 +1,6 @@
 /**
- * AtlasXml: the names of labels in the XML of an atlas of FSL. The images of such an atlas hold one more than its indices where it is of
- * probabilities.
+ * AtlasXml: reads names of labels from the XML file of an FSL atlas. In images of a probabilistic
+ * atlas the labels are the indices of the XML file plus 1.
  */
 #pragma once
 
@@ -9,8 +9,10 @@
 namespace vfm
 {
 
-/// Adds the labels of the file's text. Throws InputError when it is no such file, when a label has no index or name, and in a build
-/// without expat.
+/// Adds the labels and names of an atlas to a table.
+/// @param text  content of the XML file
+/// @throws InputError  if the text is not an atlas, if a label has no index or no name, or if the
+///   build has no expat
 void ReadAtlasXml(const std::string& text, LabelTable& table);
 
 } // namespace vfm

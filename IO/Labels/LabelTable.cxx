@@ -23,7 +23,7 @@ bool IsNumber(const std::string& text)
     text.find_first_of("0123456789") != std::string::npos;
 }
 
-/// Whether a line that begins with this word names columns.
+/// Tests whether a line that begins with this word is a title of columns.
 bool IsTitle(std::string word)
 {
   std::transform(word.begin(), word.end(), word.begin(),
@@ -32,7 +32,8 @@ bool IsTitle(std::string word)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// The name in what follows the label; end: what parts it from what follows.
+/// Returns the name in the text after a label.
+/// @param end  separator between the name and further columns
 std::string FindName(const std::string& rest, char end)
 {
   const std::size_t quote = rest.find('"'), last = rest.rfind('"');
@@ -78,7 +79,8 @@ void LabelTable::ReadLine(const std::string& line, int number)
       return;
     }
     this->Reject(number,
-      "it begins with '" + first.substr(0, 40) + "', which is no label: a whole number from 0 to " +
+      "it begins with '" + first.substr(0, 40) +
+        "', which is not a label. Labels are integers from 0 to " +
         std::to_string(std::numeric_limits<int>::max()) + ".");
   }
   Row row;
@@ -120,7 +122,8 @@ void LabelTable::ReadText(std::istream& stream)
   }
 }
 
-/// Whether all names are of one word, followed by as many numbers.
+/// Returns whether every label is followed by one word and N numbers, where N is 1 and the words
+/// differ, or N is 3 or 4.
 bool LabelTable::HasColumnsOfNumbers() const
 {
   std::set<std::string> words;
@@ -140,7 +143,7 @@ LabelNames LabelTable::MakeNames()
 {
   if (this->Rows.empty())
   {
-    this->Reject(0, "it holds none.");
+    this->Reject(0, "it contains no names of labels.");
   }
   const bool isWord = this->HasColumnsOfNumbers();
   std::map<int, int> places;
@@ -153,16 +156,16 @@ LabelNames LabelTable::MakeNames()
     if (!label.second)
     {
       this->Reject(row.Place,
-        "label " + std::to_string(row.Label) + " is in " + this->NamePlace(label.first->second) +
-          " too.");
+        "label " + std::to_string(row.Label) + " is also in " +
+          this->NamePlace(label.first->second) + ".");
     }
     const auto name = named.emplace(row.Name, &row);
     if (!name.second)
     {
       const Row& other = *name.first->second;
       this->Reject(row.Place,
-        "the name '" + row.Name + "' is that of label " + std::to_string(other.Label) + " in " +
-          this->NamePlace(other.Place) + " too.");
+        "the name '" + row.Name + "' also belongs to label " + std::to_string(other.Label) +
+          " in " + this->NamePlace(other.Place) + ".");
     }
     names[row.Label] = row.Name;
   }

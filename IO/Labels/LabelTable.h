@@ -1,11 +1,15 @@
 /**
- * LabelTable: what a table calls the labels of an image.
+ * LabelTable: parses a table of labels of an image and their names.
  *
- * A line is a label and its name, with blanks, a tab, a comma or a semicolon between; lines of # are comments, and a first line that begins
- * with id, index, label, number or value is a title. What follows the name is left out: after a comma or semicolon where such a one stands
- * before the name, else after a tab; outside of double quotes (label files of ITK-SNAP); and where all names are one word followed
- * by as many numbers, if these are one (an index; where the names differ without it), three or four (a colour, lookup tables of
- * FreeSurfer).
+ * Each line holds a label and its name, separated by spaces, a tab, a comma or a semicolon. Lines
+ * that begin with # are comments. A first line that begins with id, index, label, number or value
+ * is a title.
+ *
+ * Text that is ignored:
+ * - text after a comma or semicolon if the same sign separates label and name, otherwise after a tab
+ * - text outside of double quotes (label files of ITK-SNAP)
+ * - numbers, if each name is one word followed by N numbers. N is 1 (an index, if the names differ
+ *   without it), 3 or 4 (a colour, as in lookup tables of FreeSurfer).
  */
 #pragma once
 
@@ -20,32 +24,41 @@
 namespace vfm
 {
 
+/// Table of labels and names. Fill it by ReadText or AddElement, then call MakeNames once.
 class LabelTable
 {
 public:
-  /// For messages: path of the file, unit of its entries ("line ").
+  /// @param path  path of the file, for messages
+  /// @param unit  unit of the entries, for messages, for instance "line "
   LabelTable(const std::string& path, const std::string& unit) : Path(path), Unit(unit) {}
 
+  /// Adds the lines of a text.
+  /// @throws InputError  if a line has no label or no name
   void ReadText(std::istream& stream);
-  /// place: of the element in the file, from 1.
+  /// Adds one label.
+  /// @param place  number of the entry in the file, from 1
   void AddElement(int place, int label, const std::string& name);
-  /// Throws InputError when there is none, or a label or a name twice.
+  /// Returns the name of each label.
+  /// @throws InputError  if the table is empty, or contains a label or a name twice
   LabelNames MakeNames();
 
-  /// Throws InputError. place: of a line or element; 0: the whole table.
+  /// Reports a problem of the table.
+  /// @param place  number of the entry, 0 for the whole table
+  /// @throws InputError  always
   [[noreturn]] void Reject(int place, const std::string& problem) const;
 
-  /// A whole number from 0 that fills the text.
+  /// Returns the label that the whole text consists of, an integer from 0 to 2^31 - 1; nothing for
+  /// any other text.
   static std::optional<int> ParseLabel(const std::string& text);
 
 private:
   struct Row
   {
-    int Place = 0; ///< in the file, from 1
+    int Place = 0; ///< number of the entry in the file, from 1
     int Label = 0;
     std::string Name;
-    std::string Word;        ///< of what is one word and numbers; else empty
-    std::size_t Numbers = 0; ///< that follow the word
+    std::string Word; ///< first word after the label, if only numbers follow it; otherwise empty
+    std::size_t Numbers = 0; ///< number of words after the first
   };
 
   std::string NamePlace(int place) const { return this->Unit + std::to_string(place); }

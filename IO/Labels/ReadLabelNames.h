@@ -1,5 +1,6 @@
 /**
- * ReadLabelNames: what a file calls the labels of an image: a table (LabelTable), or the XML of an atlas (AtlasXml).
+ * ReadLabelNames: reads names of labels from a table (LabelTable) or from the XML file of an atlas
+ * (AtlasXml).
  */
 #pragma once
 
@@ -9,10 +10,15 @@
 namespace vfm
 {
 
-/// Throws InputError with path and line: no file, no label (a whole number from 0), a label or a name twice, no name.
+/// Reads the names of labels from a file.
+/// @throws InputError  if the file cannot be read, a line has no label or no name, or a label or a
+///   name occurs twice; the message contains path and line
 LabelNames ReadLabelNames(const std::string& path);
 
-/// Collective: as the first rank reads them; an empty path names none.
+/// Reads the names of labels on rank 0 and distributes them to all ranks.
+/// @param path  file; if empty, no names are returned
+/// @throws InputError  on all ranks, same conditions as ReadLabelNames
+/// @pre Collective
 LabelNames ShareLabelNames(const std::string& path, Ranks& ranks);
 
 } // namespace vfm

@@ -61,21 +61,22 @@ def test_fractions_have_their_own_names(at):
 def test_refused(at):
     for text, problem in (
             ("3 A\n7 B\nx C\n",
-             "line 3: it begins with 'x', which is no label: a whole number from 0 to 2147483647"),
+             "line 3: it begins with 'x', which is not a label. Labels are integers from 0 to "
+             "2147483647"),
             ("3 A\n-7 B\n", "line 2: it begins with '-7'"),
             ("Name 3\n3 A\n", "line 1: it begins with 'Name'"),
             ("3.5 A\n", "line 1: it begins with '3.5'"),
             ("9999999999 A\n", "line 1: it begins with '9999999999'"),
             ("3 A\n7\n", "line 2: label 7 has no name"),
-            ("3 A\n7 B\n3 C\n", "line 3: label 3 is in line 1 too"),
-            ("3 A\n# B\n\n7 A\n", "line 4: the name 'A' is that of label 3 in line 1 too"),
+            ("3 A\n7 B\n3 C\n", "line 3: label 3 is also in line 1."),
+            ("3 A\n# B\n\n7 A\n", "line 4: the name 'A' also belongs to label 3 in line 1."),
             ("3 Material 12\n7 B\n", "Labels 3 and 12 are both called 'Material 12'"),
-            ("", "the file is empty"), ("# nothing\n", "it holds none"),
-            ("<html><p>x</html>\n", "it is no XML file of an atlas"),
+            ("", "the file is empty"), ("# nothing\n", "it contains no names of labels"),
+            ("<html><p>x</html>\n", "it is not the XML file of an atlas"),
             ("<atlas><header><type>Label</type></header><data><label>A</label></data></atlas>\n",
              "element 1: it has no index or no name"),
             ("<atlas><header><type>Label</type></header><data><label index='3'>A</label><label index='3'>B</label></data></atlas>\n",
-             "element 2: label 3 is in element 1 too")):
+             "element 2: label 3 is also in element 1.")):
         result = run(DATA, MaterialIdArray="id", LabelNames=save(at("names"), text.encode()))
         assert len(result.errors) == 1 and problem in result.errors[0], (text, result.errors)
         assert result.mesh.GetNumberOfCells() == 0
@@ -101,7 +102,8 @@ def test_sculptor(at):
     assert {"POLE_FRONT_OF_IT", "POLE_FRONT_OF_IT_2", "X" * 80} <= set(sets), sorted(sets)
     save(at("bad.txt"), b"3 A\n3 B\n")
     for ranks in (1, 3):
-        refused(3, "bad.txt, line 2: label 3 is in line 1 too.", path, at("out.e"), "--label-names",
+        refused(3, "bad.txt, line 2: label 3 is also in line 1.", path, at("out.e"),
+                "--label-names",
                 at("bad.txt"), ranks=ranks)
 
 
