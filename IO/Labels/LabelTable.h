@@ -6,7 +6,7 @@
  * is a title.
  *
  * Text that is ignored:
- * - text after a comma or semicolon if the same sign separates label and name, otherwise after a tab
+ * - text after a comma or semicolon if the same sign separates label and name, else after a tab
  * - text outside of double quotes (label files of ITK-SNAP)
  * - numbers, if each name is one word followed by N numbers. N is 1 (an index, if the names differ
  *   without it), 3 or 4 (a colour, as in lookup tables of FreeSurfer).

@@ -103,8 +103,7 @@ def test_sculptor(at):
     save(at("bad.txt"), b"3 A\n3 B\n")
     for ranks in (1, 3):
         refused(3, "bad.txt, line 2: label 3 is also in line 1.", path, at("out.e"),
-                "--label-names",
-                at("bad.txt"), ranks=ranks)
+                "--label-names", at("bad.txt"), ranks=ranks)
 
 
 main(globals())
