@@ -10,11 +10,14 @@ namespace vfm
 namespace
 {
 
-constexpr Index SmallestBlock = 4, MaximumBlocks = 4000; // cells along an axis; of all ranks
-constexpr double Hold = 1e-6; // of the diagonal, added: a graph has no potential of its own
+// Smallest width of a block in cells, and largest number of blocks of all ranks.
+constexpr Index SmallestBlock = 4, MaximumBlocks = 4000;
+// Relative increase of the diagonal. It makes the matrix regular, because potentials are determined
+// only up to a constant.
+constexpr double Hold = 1e-6;
 constexpr int BitsOfWidth = 40;
 
-using BlockName = std::array<Index, 4>; // piece, place
+using BlockName = std::array<Index, 4>; // connected component, position in blocks
 
 BlockName NameOf(const FlowGraph& graph, std::size_t node, Index size)
 {
@@ -22,7 +25,7 @@ BlockName NameOf(const FlowGraph& graph, std::size_t node, Index size)
   return { { graph.Pieces[node], p[0] / size, p[1] / size, p[2] / size } };
 }
 
-/// Of all ranks.
+/// Returns the sorted names of the blocks of all ranks. Collective.
 std::vector<BlockName> GatherNames(const FlowGraph& graph, Index size, Ranks& ranks)
 {
   std::vector<BlockName> names;
@@ -46,7 +49,7 @@ struct Link
   }
 };
 
-/// One of links between the same blocks.
+/// Merges links between the same blocks.
 void JoinLinks(std::vector<Link>& links)
 {
   std::sort(links.begin(), links.end());
@@ -141,7 +144,8 @@ void CoarseGraph::MakeMatrix(const FlowGraph& graph, Ranks& ranks)
   this->Factors.compute(matrix);
 }
 
-/// Takes the mean of each part away: what parts have too much in all, by rounding, flows nowhere.
+/// Subtracts the mean of each connected component. A total excess of a component, due to rounding,
+/// cannot flow anywhere.
 void CoarseGraph::Centre(Eigen::VectorXd& values) const
 {
   for (std::size_t p = 0; p + 1 < this->Pieces.size(); ++p)

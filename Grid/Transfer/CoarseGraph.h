@@ -1,8 +1,7 @@
 /**
- * The nodes of a graph joined to blocks: what flows between blocks in all is found at once, so that a solver of the whole graph is left
- * with what is near.
- *
- * Every rank holds all blocks and their factors, some thousand. Their matrix and what they sum are integers: the same bits on any ranks.
+ * CoarseGraph: the coarse level of the solver in PotentialFlow.h. Nodes are grouped into blocks,
+ * and the total flows between blocks are found directly. The iterations on the whole graph then
+ * only have to find local flows.
  */
 #pragma once
 
@@ -13,16 +12,21 @@
 namespace vfm
 {
 
+/// Blocks of the nodes of a graph. Every rank stores all blocks of all ranks, up to some thousand,
+/// and the factors of their matrix. Widths are summed as integers, so results are bitwise identical
+/// on any number of ranks.
 class CoarseGraph
 {
 public:
-  /// Collective.
+  /// Makes the blocks and factorises their matrix. Does not keep the graph.
+  /// @pre Collective.
   CoarseGraph(const FlowGraph& graph, Ranks& ranks);
 
   int NumberOfBlocks() const { return this->Blocks; }
-  /// Of a node of this rank.
+  /// Returns the block of a node, owned or copy.
   int BlockOf(Index node) const { return this->BlockOfNode[node]; }
-  /// The potential of all blocks that some excess of theirs has.
+  /// Returns the potential of all blocks for an excess of each block. The mean excess of each
+  /// connected component is ignored.
   const Eigen::VectorXd& Solve(Eigen::VectorXd excess);
 
 private:
@@ -32,8 +36,8 @@ private:
   void Centre(Eigen::VectorXd& values) const;
 
   int Blocks = 0;
-  std::vector<Index> Pieces;    // the first block of each connected part, and the end
-  std::vector<int> BlockOfNode; // copies too
+  std::vector<Index> Pieces;    // first block of each connected component, and the end
+  std::vector<int> BlockOfNode; // block of each node, owned or copy
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Factors;
   Eigen::VectorXd Potential;
 };

@@ -46,10 +46,10 @@ std::vector<StateTotals> MaterialSums::Finish(Ranks& ranks)
 namespace
 {
 
-/// What a cell without a donor gives to one near it.
+/// Contents that a cell without a donor gives to a donor nearby.
 struct Gift
 {
-  Index From, To; // keys of cells
+  Index From, To; // keys of the two cells
   int Fragment;
   double Volume;
 };
@@ -63,13 +63,14 @@ struct Work
   MaterialSums &Input, &Unmeshed;
   const CartesianGrid& Grid = Source.Request.Grid;
   DonorValues Values{ Donors.Count(), Source.Columns };
-  /// Of the cell that is dealt.
+  // Values of the cell whose contents are distributed.
   std::vector<double> Own = std::vector<double>(Source.Columns.Count());
-  /// By peer; last those for donors of this rank.
+  // Gifts per peer, and their values; the last lists are for donors of this rank.
   std::vector<std::vector<Gift>> Gifts{ Parts.Peers().size() + 1 };
-  std::vector<std::vector<double>> GiftValues{ Parts.Peers().size() + 1 }; // of each
+  std::vector<std::vector<double>> GiftValues{ Parts.Peers().size() + 1 };
 };
 
+/// Returns four times the squared distance between the centres of two cells.
 double SquaredDistance(const Work& work, const Index3& p, const Index3& q)
 {
   double sum = 0.0;
@@ -82,7 +83,8 @@ double SquaredDistance(const Work& work, const Index3& p, const Index3& q)
   return sum;
 }
 
-/// The donor of a material whose cell is nearest; in it the largest. -1: none.
+/// Returns the donor of a material whose cell is nearest, and the largest in this cell; -1 if there
+/// is none.
 int FindNearest(const Work& work, const Index3& p, int material, int layers)
 {
   int nearest = -1;
@@ -111,6 +113,7 @@ int FindNearest(const Work& work, const Index3& p, int material, int layers)
   return nearest;
 }
 
+/// Gives the contents of a cell without a donor to the nearest donor. Returns whether there is one.
 bool Give(Work& work, const Index3& p, int material, double volume)
 {
   if (!work.Source.IsMeshed[material])
@@ -135,7 +138,7 @@ bool Give(Work& work, const Index3& p, int material, double volume)
   return true;
 }
 
-/// The content of a material in a cell.
+/// Distributes the content of a material in a cell.
 void Distribute(Work& work, const Index3& p, Index cell, int material, double fraction)
 {
   const double volume = fraction * work.Grid.CellVolume(p);
@@ -166,7 +169,7 @@ void Distribute(Work& work, const Index3& p, Index cell, int material, double fr
   }
 }
 
-/// The nearest cell with the material of a donor.
+/// Finds the nearest cell that contains the material of a donor. Returns whether there is one.
 bool FindMaterial(const Work& work, const Donor& donor, int layers, Index3& cell)
 {
   const Index3 p = work.Grid.Position(donor.Cell);
@@ -185,8 +188,8 @@ bool FindMaterial(const Work& work, const Donor& donor, int layers, Index3& cell
   return least < std::numeric_limits<double>::max();
 }
 
-/// Donors in cells without their material have values, though no volume: those of the nearest cell with some. They hold if nothing
-/// comes from elsewhere.
+/// Sets the values of donors in cells without their material, whose volume is 0, to the values of
+/// the nearest cell that contains it. They are used if the donor receives nothing.
 void FillEmpty(Work& work)
 {
   for (int s = 0; s < work.Donors.Count(); ++s)
@@ -201,7 +204,8 @@ void FillEmpty(Work& work)
   }
 }
 
-/// Those of this rank, which are last in sent, then those of its peers.
+/// Returns the items for this rank, the last list of sent, followed by the items received
+/// from peers.
 template <class T>
 std::vector<T> Receive(const Work& work, std::vector<std::vector<T>>& sent)
 {
@@ -212,7 +216,8 @@ std::vector<T> Receive(const Work& work, std::vector<std::vector<T>>& sent)
   return items;
 }
 
-/// Sends gifts to who owns the donors, and adds those for mine by the cells that they come from.
+/// Sends gifts to the owners of the donors. Adds the gifts to owned donors in the order of the
+/// cells that they come from.
 void ExchangeGifts(Work& work)
 {
   const std::vector<Gift> gifts = Receive(work, work.Gifts);

@@ -1,5 +1,6 @@
 /**
- * What donors hold at first: the contents of their cells, and of cells near them whose material has no donor of its own.
+ * DonorContents: fills donors with the contents of their cells, and of nearby cells whose material
+ * has no donor.
  */
 #pragma once
 
@@ -10,10 +11,13 @@
 namespace vfm
 {
 
-/// Cells from one that gives to what takes: material around a piece of the mesh, always; sprays and regions without a mesh, if asked for.
+/// Distances, in cells, over which a cell without a donor gives its contents. Material next to a
+/// fragment is always given (RimReach). Unresolved material and regions without elements are given
+/// if TransferRequest::GiveUnmeshed (GivingReach).
 constexpr int RimReach = 1, GivingReach = 3;
 
-/// What the cells hold, as all steps want it.
+/// Access to the contents of cells, for all steps of a transfer. The arguments of the constructor
+/// must outlive it.
 class StateSource
 {
 public:
@@ -22,23 +26,25 @@ public:
     Request(request), Columns(columns), IsMeshed(isMeshed)
   {
   }
-  /// The values of all columns in a cell that holds some of a material.
+  /// Reads the values of all columns for a material in a cell that contains it.
   void Read(const Index3& cell, int material, double* values) const;
-  /// Whether totals speak of a material: void only where it is meshed.
+  /// Returns whether totals include a material: void is included only if it is meshed.
   bool Counts(int material) const { return material > 0 || this->IsMeshed[0]; }
 
   const TransferRequest& Request;
   const StateColumns& Columns;
-  const std::vector<unsigned char>& IsMeshed; ///< by material
+  const std::vector<unsigned char>& IsMeshed; ///< one flag per material
 };
 
-/// Totals by material.
+/// Totals per material. They do not depend on the order of additions or on ranks.
 class MaterialSums
 {
 public:
   MaterialSums(int materials, const StateColumns& columns);
+  /// Adds the contents of a volume with these values.
   void Add(int material, double volume, const double* values);
-  /// Over all ranks, of each material. Collective.
+  /// Returns the totals of each material over all ranks.
+  /// @pre Collective.
   std::vector<StateTotals> Finish(Ranks& ranks);
 
 private:
@@ -48,7 +54,7 @@ private:
   std::vector<double> Contents;
 };
 
-/// The values of all donors, by donor.
+/// Values of all columns, per donor.
 class DonorValues
 {
 public:
@@ -70,7 +76,12 @@ private:
   std::vector<double> Values;
 };
 
-/// Fills the volumes and values of owned donors. input, unmeshed: get all that owned cells hold, and what no donor takes of it. Collective.
+/// Fills the volumes and values of the owned donors from the owned cells.
+/// @param donors  all donors that exist, copies too, with overlaps
+/// @param input  gets the contents of all owned cells
+/// @param unmeshed  gets the contents of owned cells that no donor or whole element takes
+/// @return values of all donors; only owned ones are set
+/// @pre Collective.
 DonorValues FillDonors(const StateSource& source, const WholeElements& whole,
   const Partition& partition, DonorTable& donors, MaterialSums& input, MaterialSums& unmeshed);
 

@@ -7,10 +7,10 @@ namespace vfm
 namespace
 {
 
-/// A part of an element in a cell of another rank.
+/// Part of an element in a cell of another rank.
 struct SentPart
 {
-  Index Id, Key; // of the element, of the cell
+  Index Id, Key; // id of the element, key of the cell
   int Fragment, Material;
   double Volume;
   Vector3 Centroid;
@@ -34,7 +34,8 @@ void AddPart(double volume, const Vector3& centroid, Donor& donor, DonorShape& s
 
 constexpr std::size_t ElementsAtOnce = 32768;
 
-/// Finds donors of parts; elements one after the other are mostly in the same cells.
+/// Finds the donors of parts. Stores recent ones, because consecutive elements are mostly in the
+/// same cells.
 class DonorFinder
 {
 public:
@@ -62,6 +63,7 @@ private:
   std::array<Last, 8> Recent;
 };
 
+/// Cuts some elements and makes the donors of their parts.
 DonorParts CutElements(const Mesh& mesh, std::vector<Index> elements, const CartesianGrid& grid,
   Runtime& runtime, DonorFinder& finder)
 {
@@ -83,7 +85,7 @@ DonorParts CutElements(const Mesh& mesh, std::vector<Index> elements, const Cart
   return some;
 }
 
-/// Calls body(element, part) for all.
+/// Calls body(element, part) for all parts.
 template <class Body>
 void ForParts(const std::vector<DonorParts>& pieces, const Body& body)
 {
@@ -99,7 +101,8 @@ void ForParts(const std::vector<DonorParts>& pieces, const Body& body)
   }
 }
 
-/// To the owners of the cells; what came for mine, by the ids of the elements.
+/// Sends parts in ghost cells to the owners of the cells. Returns the parts received for owned
+/// cells, in the order of element ids.
 std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<DonorParts>& pieces,
   const CartesianGrid& grid, const Partition& partition, const DonorTable& donors)
 {
@@ -125,7 +128,8 @@ std::vector<SentPart> ExchangeParts(const Mesh& mesh, const std::vector<DonorPar
   return received;
 }
 
-/// Sums anew, with the parts of other ranks between those of this one, where there are some.
+/// Adds the parts of other ranks. Donors that receive some are summed again, over the parts of all
+/// ranks in the order of element ids.
 void AddOthers(const std::vector<SentPart>& others, const std::vector<DonorParts>& pieces,
   const Mesh& mesh, const CartesianGrid& grid, DonorTable& donors, std::vector<DonorShape>& shapes)
 {

@@ -1,6 +1,6 @@
 /**
- * Which parts of elements lie in which donors, and what shape donors have from these: sums over elements in the order of their ids, so
- * that ranks change nothing.
+ * DonorParts: finds the parts of elements in donors, and the shapes of donors from these parts.
+ * Sums over elements are in the order of their ids, so results do not depend on ranks.
  */
 #pragma once
 
@@ -10,37 +10,45 @@
 namespace vfm
 {
 
+/// Part of an element in a donor.
 struct DonorPart
 {
-  double Volume;
-  Vector3 Centroid;
+  double Volume;    ///< length units cubed
+  Vector3 Centroid; ///< world coordinates
   int Donor;
 };
 
-/// Some elements and their parts: those of the i-th are Parts[Offsets[i]] to Parts[Offsets[i + 1]].
+/// Some elements and their parts. Element i has Parts[Offsets[i]] to before Parts[Offsets[i + 1]].
 struct DonorParts
 {
-  std::vector<Index> Elements; ///< ascending
+  std::vector<Index> Elements; ///< indices in the mesh, ascending
   std::vector<int> Offsets;
   std::vector<DonorPart> Parts;
 };
 
-/// Sums over the parts of elements in a donor; places are from the centre of its cell.
+/// Moments of the parts in a donor. Positions are the centroids of parts, relative to
+/// Donor::Centroid.
 struct DonorShape
 {
-  Vector3 First{};                ///< of volume x place
-  std::array<double, 6> Second{}; ///< of volume x place x place: xx yy zz xy xz yz
-  Vector3 Lower{ { 1e300, 1e300, 1e300 } },
-    Upper{ { -1e300, -1e300, -1e300 } }; ///< of the box around the places
+  Vector3 First{};                ///< sum of volume x position, before CentreShapes
+  std::array<double, 6> Second{}; ///< sum of volume x position x position: xx yy zz xy xz yz
+  /// Bounding box of the positions.
+  Vector3 Lower{ { 1e300, 1e300, 1e300 } }, Upper{ { -1e300, -1e300, -1e300 } };
 };
 
-/// Makes the donors that elements (ascending) need, and the sums over them: Overlap of those that this rank owns, and their shapes. What it
-/// returns is in pieces, so that memory is not moved. Collective.
+/// Cuts elements by cells, and makes the donors of their parts. Adds the parts to Donor::Overlap
+/// and to the shapes of owned donors.
+/// @param mesh  elements owned by this rank, with fragments
+/// @param elements  indices of the elements to cut, ascending
+/// @param shapes  shapes of all donors; extended to the new ones
+/// @return parts of all elements, in several lists to avoid reallocation
+/// @pre Collective.
 std::vector<DonorParts> FindDonorParts(const Mesh& mesh, const std::vector<Index>& elements,
   const CartesianGrid& grid, const Partition& partition, Runtime& runtime, DonorTable& donors,
   std::vector<DonorShape>& shapes);
 
-/// Sets the centroids of the donors, from which places in their shapes are from then on.
+/// Moves the centroid of each donor from the cell centre to the centroid of its parts, and makes
+/// shapes relative to it.
 void CentreShapes(DonorTable& donors, std::vector<DonorShape>& shapes);
 
 } // namespace vfm

@@ -34,9 +34,10 @@ int DonorTable::Get(Index cell, int fragment, int material)
 namespace
 {
 
+/// Owned donor as it is sent to ranks that make copies.
 struct DonorName
 {
-  Index Key; // of its cell
+  Index Key; // key of its cell
   int Fragment, Material;
   double Overlap;
   Vector3 Centroid;
@@ -78,7 +79,7 @@ DonorLinks::DonorLinks(const CartesianGrid& grid, const Partition& partition, Do
   partition.ExchangeBoxes(pack, unpack);
 }
 
-DonorLinks DonorLinks::Narrow(const std::function<bool(int donor)>& wants) const
+DonorLinks DonorLinks::Narrow(const std::function<bool(int donor)>& isNeeded) const
 {
   DonorLinks narrow = *this;
   std::vector<std::vector<Index>> requested(this->Copies.size());
@@ -87,18 +88,18 @@ DonorLinks DonorLinks::Narrow(const std::function<bool(int donor)>& wants) const
     narrow.Copies[p].clear();
     for (std::size_t i = 0; i < this->Copies[p].size(); ++i)
     {
-      if (wants(this->Copies[p][i]))
+      if (isNeeded(this->Copies[p][i]))
       {
         requested[p].push_back(static_cast<Index>(i));
         narrow.Copies[p].push_back(this->Copies[p][i]);
       }
     }
   }
-  const std::vector<std::vector<Index>> requested = this->Parts->Exchange(requested);
-  for (std::size_t p = 0; p < requested.size(); ++p)
+  const std::vector<std::vector<Index>> ofPeers = this->Parts->Exchange(requested);
+  for (std::size_t p = 0; p < ofPeers.size(); ++p)
   {
     narrow.Local[p].clear();
-    for (Index i : requested[p])
+    for (Index i : ofPeers[p])
     {
       narrow.Local[p].push_back(this->Local[p][i]);
     }

@@ -1,8 +1,11 @@
 /**
- * Donors: what a fragment has in a cell. Contents of cells are gathered there, moved between those of a fragment, and given from
- * there to the elements. There are donors only where elements are no whole cells, and near these.
+ * Donors: the contents of fragments in cells. A donor collects contents of its cell, exchanges
+ * contents with other donors of its fragment, and gives them to the elements in the cell. Elements
+ * that are not whole cells (WholeElements.h) have donors in all their cells. Whole elements have
+ * donors only near mismatch cells (MismatchCells.h) and in fragments that these divide
+ * (FlowNodes.h).
  *
- * The owner of a cell works on its donors; ranks that hold the cell as a ghost have copies.
+ * The owner of a cell processes its donors. Ranks that hold the cell as a ghost have copies.
  */
 #pragma once
 
@@ -14,18 +17,19 @@
 namespace vfm
 {
 
+/// Contents of a fragment in a cell. Volumes are in length units cubed.
 struct Donor
 {
   Index Cell; ///< CartesianGrid::Linear
   int Fragment, Material;
-  int Next;             ///< of the same cell, fragments ascending; -1: none
-  bool IsOwned;         ///< its cell is
-  double Volume = 0.0;  ///< of the material that it holds
-  double Overlap = 0.0; ///< of the fragment's elements in the cell
-  Vector3 Centroid{};   ///< of the latter; before that is known, of the cell
+  int Next;             ///< next donor of the cell, in the order of fragments, or -1
+  bool IsOwned;         ///< whether this rank owns the cell
+  double Volume = 0.0;  ///< volume of material that it contains
+  double Overlap = 0.0; ///< volume of the fragment's elements in the cell
+  Vector3 Centroid{};   ///< centroid of the overlap; the cell centre until CentreShapes
 };
 
-/// From a cell to the 27 around it, as CellAround.
+/// Returns the offsets from a cell to the 27 cells around it, in the order of CellAround.
 inline std::array<Index, 27> StepsAround(const CartesianGrid& grid)
 {
   std::array<Index, 27> steps;
@@ -38,12 +42,14 @@ inline std::array<Index, 27> StepsAround(const CartesianGrid& grid)
   return steps;
 }
 
+/// Donors of the local box of a grid, which must outlive the table. Adding donors may invalidate
+/// references to them, but not their numbers.
 class DonorTable
 {
 public:
   explicit DonorTable(const CartesianGrid& grid) : Grid(grid), Firsts(grid, -1) {}
 
-  /// -1: none.
+  /// Returns the donor of a fragment in a cell, or -1 if there is none.
   int Find(Index cell, int fragment) const
   {
     int donor = this->Firsts[cell];
@@ -53,10 +59,10 @@ public:
     }
     return donor;
   }
-  /// Makes it where there is none.
+  /// Returns the donor of a fragment in a cell, which is made if there is none.
   int Get(Index cell, int fragment, int material);
 
-  /// Calls body(donor) for those of a cell.
+  /// Calls body(donor) for the donors of a cell.
   template <class Body>
   void ForCell(Index cell, const Body& body) const
   {
@@ -72,25 +78,34 @@ public:
 
 private:
   const CartesianGrid& Grid;
-  PagedArray<int> Firsts; // by cell
+  PagedArray<int> Firsts; // first donor of each cell, or -1
   std::vector<Donor> Donors;
 };
 
-/// Donors that this rank owns and others hold, and those of others that it holds: by peer, in one order on both sides.
+/// Links between owned donors and their copies on other ranks. Two ranks list the donors that they
+/// share in one order.
 class DonorLinks
 {
 public:
-  /// All donors in cells that are held; makes the copies. Collective.
+  /// Links all donors in ghost cells, and makes the missing copies. Copies get overlaps and
+  /// centroids.
+  /// @param partition  must outlive this object
+  /// @pre Collective among peers.
   DonorLinks(const CartesianGrid& grid, const Partition& partition, DonorTable& donors);
 
-  /// Those of the copies that this rank wants. Collective.
-  DonorLinks Narrow(const std::function<bool(int donor)>& wants) const;
+  /// Returns the links of the copies for which isNeeded(donor) is true.
+  /// @pre Collective among peers.
+  DonorLinks Narrow(const std::function<bool(int donor)>& isNeeded) const;
 
-  /// Sends some numbers of each donor: pack(donor, numbers) of those owned, unpack(donor, numbers) of copies. Collective.
+  /// Sends numbers of each owned donor to its copies.
+  /// @param width  count of numbers per donor
+  /// @param pack  pack(donor, numbers) writes the numbers of an owned donor
+  /// @param unpack  unpack(donor, numbers) reads the numbers of a copy
+  /// @pre Collective among peers.
   template <class Pack, class Unpack>
   void Exchange(int width, const Pack& pack, const Unpack& unpack) const;
 
-  /// Calls body(donor) for the copies, as Exchange unpacks them.
+  /// Calls body(donor) for the copies, in the order in which Exchange unpacks them.
   template <class Body>
   void ForCopies(const Body& body) const
   {
@@ -102,7 +117,7 @@ public:
 
 private:
   const Partition* Parts;
-  std::vector<std::vector<int>> Local, Copies; // by peer
+  std::vector<std::vector<int>> Local, Copies; // owned donors and copies, per peer
 };
 
 template <class Pack, class Unpack>

@@ -62,7 +62,7 @@ void FlowNodes::AddNode(int donor)
   this->DonorOf.push_back(donor);
 }
 
-/// Returns which nodes hang together.
+/// Finds the neighbours of owned nodes. Returns the disjoint sets of connected nodes.
 std::vector<Index> FlowNodes::FindNeighbours()
 {
   std::vector<Index> parent = MakeSets(this->Count());
@@ -81,7 +81,8 @@ std::vector<Index> FlowNodes::FindNeighbours()
   return parent;
 }
 
-/// From the cell and the place among its donors, the same on all ranks; as ids of points.
+/// Returns an id that is equal on all ranks. It is formed like the id of a point, from the cell and
+/// the position among the donors of the cell.
 Index FlowNodes::IdOf(const Donor& donor) const
 {
   Index place = 0;
@@ -91,7 +92,7 @@ Index FlowNodes::IdOf(const Donor& donor) const
     std::min(place, TetIds.PointSlots - 1);
 }
 
-/// Pieces over all ranks.
+/// Numbers the connected components over all ranks. Collective.
 void FlowNodes::NumberPieces(std::vector<Index> parent, Ranks& ranks)
 {
   std::vector<Piece> pieces;
@@ -136,7 +137,7 @@ std::vector<int> FindDivided(const CartesianGrid& grid, const MismatchCells& mis
 {
   const FlowRegion region{ mismatches, {} };
   std::vector<int> fragments = FlowNodes(grid, region, links, donors, ranks).FragmentsOfPieces();
-  fragments.erase(fragments.begin()); // of no piece
+  fragments.erase(fragments.begin()); // entry 0 is unused
   std::sort(fragments.begin(), fragments.end());
   std::vector<int> divided;
   for (std::size_t p = 1; p < fragments.size(); ++p)

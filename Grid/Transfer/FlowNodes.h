@@ -1,6 +1,8 @@
 /**
- * The donors between which contents move, as nodes of a graph: those in cells near misfits, and all of fragments whose cells near misfits
- * do not hang together, as those of a shell. Such a fragment has its volume in total, but not at each of its sides.
+ * FlowNodes: the donors between which contents move, as nodes of a graph. These are the donors near
+ * mismatch cells. If the donors of a fragment near mismatch cells are not connected, as in a thick
+ * shell, all its donors are nodes. The volumes of such a fragment match in total, but not on each
+ * side.
  */
 #pragma once
 
@@ -10,36 +12,44 @@
 namespace vfm
 {
 
-/// Which donors are nodes.
+/// Determines which donors are nodes.
 struct FlowRegion
 {
   const MismatchCells& Mismatches;
-  std::vector<int> Divided; ///< fragments of which all donors are, ascending; the same on all ranks
+  /// Fragments whose donors are all nodes, ascending, equal on all ranks.
+  std::vector<int> Divided;
 
+  /// Returns whether a donor is a node.
   bool Holds(const Donor& donor) const;
+  /// Returns whether all donors of a fragment are nodes.
   bool HoldsAll(int fragment) const;
 };
 
+/// Nodes of the graph on this rank: owned donors first, then copies of their neighbours. Grid and
+/// donors must outlive this object.
 class FlowNodes
 {
 public:
-  /// links: of all donors. Collective.
+  /// Makes the nodes, and numbers their connected components over all ranks.
+  /// @param links  links of all donors
+  /// @pre Collective.
   FlowNodes(const CartesianGrid& grid, const FlowRegion& region, const DonorLinks& links,
     const DonorTable& donors, Ranks& ranks);
   FlowNodes(const FlowNodes&) = delete;
   FlowNodes& operator=(const FlowNodes&) = delete;
 
-  /// But for the widths.
+  /// Returns the graph. The caller sets its widths, which are 0.
   FlowGraph& Graph() { return this->TheGraph; }
-  /// Those of this rank come first, then copies.
+  /// Returns the number of nodes that this rank owns.
   std::size_t Owned() const { return this->TheGraph.Nodes.size(); }
+  /// Returns the number of nodes, copies included.
   std::size_t Count() const { return this->DonorOf.size(); }
   int DonorAt(std::size_t node) const { return this->DonorOf[node]; }
-  /// Of a donor; -1: none.
+  /// Returns the node of a donor, or -1 if it is not a node.
   int NodeOf(int donor) const { return this->Numbers[donor]; }
-  /// Between the donors of nodes and those of copies.
+  /// Returns the links between the donors of owned nodes and of copies.
   const DonorLinks& Links() const { return this->Ghosts; }
-  /// Of each piece over all ranks, as in FlowGraph::Pieces.
+  /// Returns the fragment of each connected component (FlowGraph::Pieces); [0] is unused.
   const std::vector<int>& FragmentsOfPieces() const { return this->PieceFragments; }
 
 private:
@@ -52,13 +62,15 @@ private:
   const CartesianGrid& Grid;
   const DonorTable& Donors;
   const DonorLinks Ghosts;
-  std::vector<int> Numbers; // of donors among the nodes
-  std::vector<int> DonorOf; // of nodes
+  std::vector<int> Numbers; // node of each donor, or -1
+  std::vector<int> DonorOf; // donor of each node
   FlowGraph TheGraph;
   std::vector<int> PieceFragments;
 };
 
-/// The fragments whose donors near misfits are in several pieces, ascending. Collective.
+/// Returns the fragments whose donors near mismatch cells form several connected components,
+/// ascending and equal on all ranks.
+/// @pre Collective.
 std::vector<int> FindDivided(const CartesianGrid& grid, const MismatchCells& mismatches,
   const DonorLinks& links, const DonorTable& donors, Ranks& ranks);
 

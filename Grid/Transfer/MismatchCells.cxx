@@ -5,9 +5,9 @@ namespace vfm
 namespace
 {
 
-constexpr double Rounding = 1e-12; // of a cell's volume
+constexpr double Rounding = 1e-12; // fraction of a cell's volume that counts as rounding
 
-/// Tells the misfits among the cells of this rank.
+/// State of the search for the mismatch cells that this rank owns.
 struct Work
 {
   const CartesianGrid& Grid;
@@ -18,6 +18,7 @@ struct Work
   std::vector<Index> Cells{};
 };
 
+/// Returns whether a cell is not a mismatch cell.
 bool Fits(const Work& work, Index cell, double volume)
 {
   if (work.Whole.Covers(cell))

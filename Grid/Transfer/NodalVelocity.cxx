@@ -9,7 +9,7 @@ namespace vfm
 namespace
 {
 
-/// What a point has.
+/// Mass and momentum of a point.
 struct Momentum
 {
   double Mass = 0.0;
@@ -22,7 +22,7 @@ struct Momentum
   }
 };
 
-/// What an element gives a point.
+/// Mass and momentum that an element gives to a point.
 struct Share
 {
   Index Point, Element; ///< ids
@@ -38,15 +38,16 @@ Vector3 VectorAt(const Buffer<double>& vectors, Index i)
   return { { vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2] } };
 }
 
-/// Adds what elements give to points, on whatever ranks, in the order of the elements' ids.
+/// Sums of the shares of all elements of all ranks at each point, in the order of element ids.
 struct Work
 {
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const Buffer<double>&Mass, &Velocity;
-  std::vector<Momentum> Sums = std::vector<Momentum>(TheMesh.PointIds.size()); // of each point
+  std::vector<Momentum> Sums = std::vector<Momentum>(TheMesh.PointIds.size()); // one per point
 };
 
+/// Calls body(point, element) for all corners of all elements.
 template <class Body>
 void ForShares(const Work& work, const Body& body)
 {
@@ -68,14 +69,14 @@ Share MakeShare(const Work& work, Index point, Index element)
   return { work.TheMesh.PointIds[point], work.TheMesh.ElementIds[element], GivenBy(work, element) };
 }
 
-/// Whether no other rank has the point: one that TetGen made.
+/// Returns whether no other rank has a point, because TetGen made it.
 bool IsAlone(const Work& work, Index id)
 {
   return work.TheMesh.Ids.ElementSlots == 0 &&
     id >= EndOfPointIds(*work.TheMesh.Levels, work.TheMesh.Ids.PointSlots);
 }
 
-/// Position in Peers() of the owner of each point; -1: this rank.
+/// Returns the position in Peers() of the owner of each point; -1 for this rank.
 std::vector<int> FindOwners(const Work& work, const Partition& partition)
 {
   std::vector<int> owners(work.TheMesh.PointIds.size(), -1);
@@ -91,7 +92,7 @@ std::vector<int> FindOwners(const Work& work, const Partition& partition)
   return owners;
 }
 
-/// -1: this rank does not have it.
+/// Returns the index of a point, or -1 if this rank does not have it.
 Index FindPoint(const Work& work, Index id)
 {
   const Buffer<Index>& ids = work.TheMesh.PointIds;
@@ -99,7 +100,7 @@ Index FindPoint(const Work& work, Index id)
   return at != ids.end() && *at == id ? at - ids.begin() : -1;
 }
 
-/// Adds the shares of this rank in the points of which there are some.
+/// Adds the shares of this rank at all points that have shares in the list.
 void AddOwnShares(const Work& work, std::vector<Share>& shares)
 {
   std::vector<char> isAsked(work.TheMesh.PointIds.size(), 0);
@@ -130,7 +131,7 @@ void WriteOwn(Work& work, const Share& sum)
   }
 }
 
-/// Of each peer's points, in the order of its shares, the sums over all ranks.
+/// Returns the sums over all ranks at the points of each peer, in the order of its shares.
 std::vector<std::vector<Momentum>> Answer(
   Work& work, const std::vector<std::vector<Share>>& requested)
 {
@@ -141,7 +142,7 @@ std::vector<std::vector<Momentum>> Answer(
   }
   AddOwnShares(work, all);
   std::sort(all.begin(), all.end());
-  std::vector<Share> sums; // one a point
+  std::vector<Share> sums; // one per point
   for (const Share& share : all)
   {
     if (sums.empty() || sums.back().Point != share.Point)
@@ -175,7 +176,8 @@ void Write(Work& work, const std::vector<Share>& shares, const std::vector<Momen
   }
 }
 
-/// The owner of a point, which need not have it, hears of all shares, and tells their sum.
+/// Adds the shares of other ranks. The owner of a point receives all shares and returns their sum,
+/// even if it has no element at the point.
 void AddOfPeers(Work& work, const Partition& partition)
 {
   const std::vector<int> owners = FindOwners(work, partition);

@@ -1,9 +1,6 @@
 /**
- * Velocities of the points of a mesh, for codes that move the points: from those of its elements, so that no momentum is lost.
- *
- * Lumped mass: an element gives each of its corners an equal part of its mass, and of its momentum. A point's velocity is the momentum
- * that it got over the mass. So the momenta of the points sum to those of the elements; kinetic energy is lost (Margolin and Shashkov
- * 2004), in each element what its corners' masses have in moving apart from their points.
+ * NodalVelocity: velocities of mesh points for codes with moving points. They are computed from the
+ * velocities of the elements and conserve momentum.
  */
 #pragma once
 
@@ -13,20 +10,35 @@
 namespace vfm
 {
 
+/// Result of FindNodalVelocity.
 struct NodalVelocity
 {
-  Buffer<double> Velocity; ///< xyz a point; 0 where it has no mass
-  Buffer<double> Mass;     ///< of each point, of the elements of all ranks
-  Buffer<double> Lost;     ///< >= 0, of each element: kinetic energy that its points do not have
+  Buffer<double> Velocity; ///< (points, 3); 0 if a point has no mass
+  Buffer<double> Mass;     ///< (points), summed over the elements of all ranks
+  Buffer<double> Lost;     ///< (elements), kinetic energy that the points lack, >= 0
 };
 
-/// mesh: of the owned elements; grid: that it was made on. mass: of each element, >= 0; velocity: xyz an element. The same bits on any ranks
-/// and threads. Collective.
+/// Returns velocities of mesh points that conserve the momentum of the elements.
+/// Lumped mass: each element adds an equal share of its mass and momentum to each of its corners.
+/// The velocity of a point is its momentum over its mass. Kinetic energy decreases: an element
+/// loses the energy of its corner masses relative to their points. L. G. Margolin and M. Shashkov,
+/// Computer Methods in Applied Mechanics and Engineering 193 (2004) 4139-4155.
+/// @param mesh  elements owned by this rank, points in their final position
+/// @param grid  grid that the mesh was made on; determines which rank owns a point
+/// @param mass  mass of each element, >= 0
+/// @param velocity  velocity of each element (elements, 3), row-major
+/// @pre Collective.
+/// @note Bitwise reproducible on any number of ranks and threads. Takes one gather and two
+/// exchanges with neighbours.
 NodalVelocity FindNodalVelocity(const Mesh& mesh, const CartesianGrid& grid,
   const Buffer<double>& mass, const Buffer<double>& velocity, Runtime& runtime);
 
-/// Of each element the kinetic energy that its cells had and its velocity has not. kinetic: |u|^2 / 2 carried from the cells as
-/// velocity was, by mass. Velocities of cells that are joined lose some; below 0 where limiters let these vary more than that.
+/// Returns the kinetic energy that the cells of each element had and its velocity lacks. It is
+/// usually positive, because velocities of several cells are averaged. It is negative where
+/// limiters permit velocity to vary more than its square.
+/// @param mass  mass of each element
+/// @param velocity  transferred velocity (elements, 3), row-major
+/// @param kinetic  |u|^2 / 2 of the cells, transferred per mass like velocity (elements)
 Buffer<double> FindLostKineticEnergy(const Buffer<double>& mass, const Buffer<double>& velocity,
   const Buffer<double>& kinetic, Runtime& runtime);
 

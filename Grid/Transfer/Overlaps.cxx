@@ -10,14 +10,15 @@ namespace vfm
 namespace
 {
 
-/// Of the box around an element; what is less is no part of it.
+/// Parts are dropped if they are at most this fraction of the volume of the element's bounding box.
 constexpr double Rounding = 4e-15;
 constexpr Index ElementsAtOnce = 1024;
 
-/// Corners of the faces of a tet, from outside counter-clockwise.
+/// Corners of the faces of a tet, counterclockwise as seen from outside.
 constexpr int TetFaces[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
 
-/// Where an edge crosses a plane, from its lower end: both triangles at the edge get the same point.
+/// Returns the point where an edge crosses a plane. It is computed from the lower end of the edge,
+/// so it is bitwise identical in both triangles at the edge.
 template <int Axis>
 Vector3 CutEdge(const Vector3& a, const Vector3& b, double plane)
 {
@@ -28,14 +29,15 @@ Vector3 CutEdge(const Vector3& a, const Vector3& b, double plane)
   return cut;
 }
 
-/// Of a cell, from pieces of an element's surface.
+/// Sums in a cell over pieces of an element's surface.
 struct CellSums
 {
-  /// Of cones times 6, 24, 24, 24; of columns times 6, 24, 24, 48.
+  // Volume and first moments, times 6, 24, 24, 24 for cones and 6, 24, 24, 48 for columns.
   double Volume = 0.0, X = 0.0, Y = 0.0, Z = 0.0;
-  double Area = 0.0, AreaX = 0.0, AreaY = 0.0; ///< of shadows, times 2, 6, 6
+  // Area and first moments of shadows, times 2, 6, 6.
+  double Area = 0.0, AreaX = 0.0, AreaY = 0.0;
 
-  /// The tet from the origin.
+  /// Adds the tet between the origin and a triangle.
   void AddCone(const Vector3& a, const Vector3& b, const Vector3& c)
   {
     const double volume = Dot(a, Cross(b, c));
@@ -45,7 +47,7 @@ struct CellSums
     this->Z += volume * (a[2] + b[2] + c[2]);
   }
 
-  /// What is along z between a triangle and z = 0.
+  /// Adds the column along z between a triangle and z = 0.
   void AddColumn(const Vector3& a, const Vector3& b, const Vector3& c)
   {
     const double area = TwiceShadow(a, b, c);
@@ -56,7 +58,7 @@ struct CellSums
     this->Z += area * (z * z + a[2] * a[2] + b[2] * b[2] + c[2] * c[2]);
   }
 
-  /// What it throws along z.
+  /// Adds the shadow of a triangle, its projection along z.
   void AddShadow(const Vector3& a, const Vector3& b, const Vector3& c)
   {
     const double area = TwiceShadow(a, b, c);
@@ -72,7 +74,8 @@ private:
   }
 };
 
-/// The cells that elements may lie in. On a graded grid smoothing may carry an element over many thin cells, farther than a rank sees.
+/// Cells in which elements may lie. On a graded grid, smoothing may move an element across many
+/// thin cells, out of the local box of a rank.
 class ElementReach
 {
 public:
@@ -121,20 +124,21 @@ private:
     return isGraded;
   }
 
-  static constexpr double MaximumGrading = 2.0; // with which no element leaves what ranks see
+  // Ratio of widths up to which elements stay in the local box.
+  static constexpr double MaximumGrading = 2.0;
 
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const bool IsLimited;
 };
 
-/// The intervals between coordinates that something spans.
+/// Range of cells along an axis, including Last.
 struct Span
 {
   Index First = 0, Last = 0;
 };
 
-/// Cuts elements, one after another.
+/// Cuts elements one after another.
 class ElementCutter
 {
 public:
@@ -182,7 +186,8 @@ private:
     }
   }
 
-  /// The cells from first to before end that the element spans along an axis. Elements come in an order in which the last span is near.
+  /// Finds the cells from first to before end that the element spans along an axis. The search
+  /// begins at the previous span, which is near in the order of elements.
   void FindSpan(int a, Index first, Index end)
   {
     const std::vector<double>& x = this->Grid.Coordinates(a);
@@ -203,7 +208,7 @@ private:
     }
   }
 
-  /// Whether it is a hex with sides along the axes.
+  /// Returns whether the hex is a box with sides along the axes.
   bool IsBox() const
   {
     for (int c = 0; c < 8; ++c)
@@ -235,7 +240,7 @@ private:
     }
   }
 
-  /// A box that is a cell is that cell, bit for bit.
+  /// Cuts a box. If it is a cell, its volume is bitwise identical to the volume of the cell.
   void CutBox(std::vector<OverlapPart>& parts) const
   {
     this->ForSpannedCells(
@@ -255,8 +260,9 @@ private:
       });
   }
 
-  /// From here on, lengths are from the first planes that cut the element, else from the lower sides of the box around it; from a corner
-  /// on all planes if there is one.
+  /// Finds the planes that cut the element, and makes coordinates relative to the origin. Along
+  /// each axis, the origin is on the first plane, or on the lower side of the bounding box if no
+  /// plane cuts the element. If a corner is on all planes, it is the origin.
   void MakePlanes()
   {
     std::size_t cells = 1;
@@ -284,7 +290,7 @@ private:
     }
   }
 
-  /// A corner on all planes, as tets of a lattice have; -1: none.
+  /// Returns a corner that is on all planes, or -1 if there is none. Lattice tets have one.
   int FindApex() const
   {
     for (int c = 0; c < this->TheMesh.Corners; ++c)
@@ -302,7 +308,7 @@ private:
     return -1;
   }
 
-  /// But for triangles at the apex, whose cones are flat.
+  /// Adds the triangles of the surface, except at the apex, where cones are flat.
   void AddSurface()
   {
     const auto& x = this->Corners;
@@ -336,9 +342,10 @@ private:
     this->IsStar ? this->AddToStar<0>(a, b, c, 0) : this->AddTriangle<0>(a, b, c, 0, 0);
   }
 
-  /// Where no more than one plane goes across each axis, all cells touch the origin, where the planes meet, and what bounds a part beside
-  /// the element's surface are planes through the origin. So the part is the cones from there.
-  /// octant: bit a where the triangle is above the plane across axis a, of those before this one.
+  /// Adds a triangle if at most one plane per axis cuts the element. Then all cells meet at the
+  /// origin. A part is bounded by the element's surface and planes through the origin, so it
+  /// consists of the cones from the origin to its surface.
+  /// @param octant  bit a is set if the triangle is above the plane of axis a, for a < Axis
   template <int Axis>
   void AddToStar(const Vector3& a, const Vector3& b, const Vector3& c, int octant)
   {
@@ -372,6 +379,7 @@ private:
     }
   }
 
+  /// Cuts a triangle by the plane of an axis, which separates its first corner from the others.
   template <int Axis>
   void CutInStar(const Vector3& a, const Vector3& b, const Vector3& c, int octant)
   {
@@ -383,7 +391,9 @@ private:
     this->AddToStar<Axis + 1>(ab, c, ac, far);
   }
 
-  /// Cuts a triangle by the planes along an axis from plane on, then by those along the axes that follow. cell: what it is in so far, in Sums.
+  /// Cuts a triangle by the planes of an axis, then by the planes of the next axes.
+  /// @param cell  index in Sums from the previous axes
+  /// @param plane  first plane that may cut the triangle
   template <int Axis>
   void AddTriangle(
     const Vector3& a, const Vector3& b, const Vector3& c, Index cell, std::size_t plane)
@@ -414,7 +424,7 @@ private:
     }
   }
 
-  /// Cuts a triangle in two where the plane parts its first corner from the others.
+  /// Cuts a triangle by a plane that separates its first corner from the others.
   template <int Axis>
   void CutCorner(
     const Vector3& a, const Vector3& b, const Vector3& c, Index cell, std::size_t plane)
@@ -448,8 +458,9 @@ private:
     }
   }
 
-  /// By the divergence theorem a part is the columns under the surface along z: in its own cell, to the floor, and in those below
-  /// as far as its shadow falls. The floor of the lowest layer is its roof.
+  /// Adds a triangle that is in one cell. A part consists, by the divergence theorem, of the
+  /// columns along z under its surface. A column reaches the floor of its own cell and crosses the
+  /// cells below, in its shadow. The floor of the lowest layer is its roof.
   void AddPiece(const Vector3& a, const Vector3& b, const Vector3& c, Index cell, std::size_t layer)
   {
     CellSums& sums = this->Sums[cell];
@@ -480,7 +491,7 @@ private:
     const Index layers = static_cast<Index>(planes.size()) + 1;
     for (std::size_t column = 0; column < this->Sums.size(); column += layers)
     {
-      double area = 0.0, areaX = 0.0, areaY = 0.0; // of shadows from above
+      double area = 0.0, areaX = 0.0, areaY = 0.0; // shadows of the layers above
       for (Index k = layers - 1; k >= 0; --k)
       {
         CellSums& s = this->Sums[column + k];
@@ -518,7 +529,8 @@ private:
       });
   }
 
-  /// A centroid, which in a part of hardly any volume is anywhere, to the box around the element and the cell.
+  /// Moves a centroid into the cell and the bounding box of the element. The centroid of a part
+  /// with almost no volume may be anywhere.
   Vector3 MoveInside(const Index3& cell, Vector3 x) const
   {
     for (int a = 0; a < 3; ++a)
@@ -533,14 +545,15 @@ private:
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const ElementReach& Reach;
-  std::array<Vector3, 8> Corners;            // of a hex by their bits
-  Vector3 Lower, Upper;                      // of the box around it
-  Vector3 Origin;                            // of coordinates while it is cut
-  std::array<Span, 3> Spans;                 // cells
-  std::array<std::vector<double>, 3> Planes; // between these, along each axis
-  bool IsStar = false;                       // no more than one of these along each axis
-  int Apex = -1;                             // the corner at the origin, of a star; -1: none
-  std::vector<CellSums> Sums;                // of these, of a star by bits, x first, else z fastest
+  std::array<Vector3, 8> Corners;            // corners; of hexes, numbered by bits
+  Vector3 Lower, Upper;                      // bounding box
+  Vector3 Origin;                            // origin of coordinates while the element is cut
+  std::array<Span, 3> Spans;                 // cells along each axis
+  std::array<std::vector<double>, 3> Planes; // planes between these cells
+  bool IsStar = false;                       // whether each axis has at most one plane
+  int Apex = -1;                             // corner of a star at the origin, or -1
+  // Sums of the cells; of a star, numbered by bits, x lowest, else with z fastest.
+  std::vector<CellSums> Sums;
 };
 
 } // namespace

@@ -1,9 +1,10 @@
 /**
- * What parts of the elements of a mesh lie in which cells of a grid: exact volumes and first moments.
+ * Overlaps: cuts the elements of a mesh by the cells of a grid. Volumes and first moments of the
+ * parts are exact.
  *
- * A hex is the solid between its six faces, each the four triangles around the mean of its corners: its volume is that of
- * the trilinear hex (HexVolume.h), and hexes that share a face share its triangles, so what the cells get of a mesh without gaps
- * fills them. A tet is itself.
+ * A hex is the solid between its six faces. A face consists of the four triangles around the mean
+ * of its corners. The volume is that of the trilinear hex (HexVolume.h). Hexes that share a face
+ * share its triangles, so the parts of a mesh without gaps fill the cells.
  */
 #pragma once
 
@@ -15,25 +16,29 @@
 namespace vfm
 {
 
-/// The part of an element in a cell.
+/// Part of an element in a cell.
 struct OverlapPart
 {
-  Index Cell = 0;      ///< its place in grid.Local() (IndexInBox)
+  Index Cell = 0;      ///< index of the cell in grid.Local() (IndexInBox)
   double Volume = 0.0; ///< > 0, length units cubed
-  Vector3 Centroid{};  ///< in the cell
+  Vector3 Centroid{};  ///< point in the cell
 };
 
-/// The parts of some elements: those of element i are Parts[Offsets[i]] to Parts[Offsets[i + 1]], ascending by cell.
+/// Parts of some elements. Element i has Parts[Offsets[i]] to before Parts[Offsets[i + 1]],
+/// ascending by cell.
 struct Overlaps
 {
   std::vector<Index> Offsets;
   std::vector<OverlapPart> Parts;
 };
 
-/// elements: their places in the mesh. grid: may be coarser or finer than that of the mesh, its cells of any widths. What lies beyond
-/// grid.Local(), or, on graded grids, more than StateReach cells from those that an element was made of (but TetGen's tets), goes to the
-/// cells at the rim of these. The parts of an element depend on nothing but its corners and the coordinates
-/// of the grid; their volumes sum to its volume but for rounding.
+/// Cuts elements by the cells of a grid. The parts of an element depend only on its corners and the
+/// coordinates of the grid. Their volumes sum to its volume, up to rounding. Parts outside
+/// grid.Local() are assigned to the cells at its rim. Except for TetGen's tets, parts on graded
+/// grids that are more than StateReach cells from the cells that the element was made of are
+/// assigned to the cells at this distance.
+/// @param elements  indices in the mesh
+/// @param grid  grid with cells of any widths, coarser or finer than the grid of the mesh
 Overlaps FindOverlaps(const Mesh& mesh, const std::vector<Index>& elements,
   const CartesianGrid& grid, Runtime& runtime);
 

@@ -9,38 +9,40 @@ namespace vfm
 namespace
 {
 
-constexpr double Accuracy = 3e-15; // rms, of the size of a node's cell
+// Target of the root mean square residual, relative to the volumes of cells.
+constexpr double Accuracy = 3e-15;
 constexpr int MaximumSteps = 20000;
-constexpr double Near =
-  1e8; // times what is small, in squares: from there on rounding may undo what steps do
-constexpr double Worse = 4.0; // times the least so far: it does
+// Near the target, rounding may undo progress. Iterations end if the squared residual was below
+// Near times its target and then exceeds Worse times its minimum.
+constexpr double Near = 1e8;
+constexpr double Worse = 4.0;
 constexpr int BitsOfSum = 36;
 
-/// In what unit integers sum numbers that are together as large as this.
+/// Returns the unit of integers for sums of about this magnitude.
 double UnitOf(double like)
 {
   return std::ldexp(1.0, std::ilogb(like) - BitsOfSum);
 }
 
-/// Conjugate gradients. Before each step, what nodes have too much is divided by the widths of their ways, and what blocks of nodes
-/// have in all flows between these.
+/// State of the conjugate gradients. The preconditioner divides the residual by the diagonal, and
+/// adds the potential of blocks of nodes.
 struct Work
 {
   const FlowGraph& Graph;
   const std::vector<double>& Sizes;
   Runtime& Run;
-  std::vector<double>
-    Residual; // by node of this rank, as Inverse (of the diagonal), Image, Correction
+  std::vector<double> Residual; // one per node of this rank
   CoarseGraph Blocks{ Graph, Run.Group() };
+  // Inverse of the diagonal, Laplacian of Direction, preconditioned residual, as Residual.
   std::vector<double> Inverse = std::vector<double>(Residual.size()), Image = Inverse,
                       Correction = Inverse;
-  /// Copies too.
+  // Values per node, copies included.
   std::vector<double> Direction = std::vector<double>(Residual.size() + Graph.Copies),
                       Potential = Direction;
-  double Largest = 0.0; // size
+  double Largest = 0.0; // largest size
 };
 
-/// Sums term(node) over the nodes of all ranks. like: about as large as the sum, or more.
+/// Sums term(node) over the nodes of all ranks. like: approximately the sum, or larger.
 template <class Term>
 double Sum(Work& work, double like, const Term& term)
 {
@@ -59,7 +61,7 @@ double Sum(Work& work, double like, const Term& term)
   return static_cast<double>(SumOverRanks(total, work.Run.Group())) * unit;
 }
 
-/// A sum of terms >= 0 whose size is not known.
+/// Sums terms >= 0 if the magnitude of the sum is unknown.
 template <class Term>
 double FirstSum(Work& work, const Term& term)
 {
@@ -72,7 +74,9 @@ double FirstSum(Work& work, const Term& term)
   return largest > 0.0 && std::isfinite(largest) ? Sum(work, largest, term) : 0.0;
 }
 
-/// Finds what to go on by; returns its product with the residual. residual: no less than any; product: the last one, 0 at first.
+/// Computes Correction, the preconditioned residual. Returns its product with the residual.
+/// @param residual  upper bound of all residuals
+/// @param product  previous result, 0 in the first step
 double Correct(Work& work, double residual, double product)
 {
   const double unit = UnitOf(residual);
@@ -96,6 +100,7 @@ double Correct(Work& work, double residual, double product)
   return product > 0.0 ? Sum(work, product, term) : FirstSum(work, term);
 }
 
+/// Updates Direction.
 void Turn(Work& work, double ratio)
 {
   ForEach(work.Run, work.Residual.size(),
@@ -103,6 +108,8 @@ void Turn(Work& work, double ratio)
   work.Graph.Update(work.Direction);
 }
 
+/// Computes Image. Returns its product with Direction, or 0 if like, its magnitude, is not
+/// positive.
 double FindCurvature(Work& work, double like)
 {
   return !(like > 0.0) ? 0.0
@@ -142,7 +149,7 @@ std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> ex
   };
   const double small = Accuracy * Accuracy * Sum(work, 1e9, [](Index) { return 1.0; });
   double square = FirstSum(work, mismatch), least = square;
-  double product = 0.0; // of residual and correction
+  double product = 0.0; // product of residual and correction
   for (int step = 0; step < MaximumSteps && square > small; ++step)
   {
     if (least < Near * small && square > Worse * least)

@@ -1,5 +1,7 @@
 /**
- * Volumes that flow between neighbours on a graph until what each has too much is gone: L phi = excess, with the Laplacian of the graph.
+ * PotentialFlow: finds the volumes that must flow between neighbours on a graph to remove the
+ * excess of each node. They are differences of a potential phi with L phi = excess, where L is the
+ * Laplacian of the graph.
  */
 #pragma once
 
@@ -11,26 +13,31 @@
 namespace vfm
 {
 
-/// A node of the graph: to which others, across the faces of its cell, and how wide the ways are.
+/// Node of the graph, with neighbours across the six faces of its cell.
 struct FlowNode
 {
-  std::array<int, 6> Others{};    ///< by face; where there is none any, such as the node itself
-  std::array<double, 6> Widths{}; ///< 0 where there is none
+  std::array<int, 6> Others{}; ///< neighbour per face; any node, such as itself, if there is none
+  std::array<double, 6> Widths{}; ///< weight of the edge to each neighbour; 0 if there is none
 };
 
 struct FlowGraph
 {
-  std::vector<FlowNode> Nodes; ///< of this rank
-  std::vector<Index3> Places;  ///< of these in the whole grid
-  std::vector<int> Pieces;     ///< of these: the connected part, over all ranks
-  int Copies = 0;              ///< nodes of other ranks, numbered after these
-  /// Sets the entries of the copies to those of their owners. Collective.
+  std::vector<FlowNode> Nodes; ///< nodes of this rank
+  std::vector<Index3> Places;  ///< cell (i,j,k) of each node of this rank
+  std::vector<int> Pieces;     ///< connected component, over all ranks, of each node and copy
+  int Copies = 0;              ///< number of copies, nodes of other ranks, which follow
+  /// Sets the values at copies to the values of their owners. Collective among peers.
   std::function<void(std::vector<double>&)> Update;
 };
 
-/// The potential at all nodes, copies too: volumes Widths x (phi - phi of the other) flow out. excess: of the nodes of this rank; zero in
-/// the sum over each connected part. sizes: volumes of their cells, to tell what is small. Conjugate gradients, until only rounding is
-/// left. Collective; the same bits on any ranks.
+/// Returns the potential of all nodes, copies too. The volume Widths * (phi - phi of the other)
+/// flows out of a node across a face.
+/// Conjugate gradients, preconditioned by the diagonal and by CoarseGraph, until only rounding
+/// remains. Sums are of integers, so results are bitwise identical on any number of ranks.
+/// @param excess  volume that must flow out of each node of this rank; the sum over each connected
+/// component is 0
+/// @param sizes  volume of the cell of each node, relative to which residuals are measured
+/// @pre Collective.
 std::vector<double> FindPotential(const FlowGraph& graph, std::vector<double> excess,
   const std::vector<double>& sizes, Runtime& runtime);
 

@@ -7,12 +7,13 @@ namespace vfm
 namespace
 {
 
-constexpr double Little =
-  1e-4; // of a donor's volume: what is in so little may be so large that its slopes would leave nothing but rounding
-constexpr double Flat =
-  1e-6; // of the largest eigenvalue: donors around lie in a plane or on a line
+// Fraction of a donor's volume below which neighbours are ignored. Values in such small volumes may
+// be so large that slopes from them would leave only rounding errors.
+constexpr double Little = 1e-4;
+// Fraction of the largest eigenvalue below which neighbours are in a plane or on a line.
+constexpr double Flat = 1e-6;
 
-/// Finds slopes, donor after donor.
+/// Finds the slopes of donors, one after another.
 class SlopeFinder
 {
 public:
@@ -27,7 +28,7 @@ public:
   {
   }
 
-  /// lines: 4 a column.
+  /// Finds the slopes of donor s. lines: gets 4 numbers per column.
   void Find(int s, double* lines)
   {
     this->FindAround(s);
@@ -50,15 +51,16 @@ private:
   struct Neighbour
   {
     int Donor;
-    Vector3 Place; // from the centroid
+    Vector3 Place; // position relative to the centroid
     double Weight;
   };
   struct ColumnSums
   {
     double Right[3] = { 0.0, 0.0, 0.0 };
-    double Least = 0.0, Most = 0.0; // differences of the values around, 0 among them
+    double Least = 0.0, Most = 0.0; // range of the differences to neighbours, which includes 0
   };
 
+  /// Lists the neighbours of a donor.
   void FindAround(int s)
   {
     const Donor& donor = this->Donors[s];
@@ -79,7 +81,8 @@ private:
     }
   }
 
-  /// Zero across a plane or a line on which all lie.
+  /// Returns the inverse of the least-squares matrix. It is zero across a plane or a line in which
+  /// all neighbours are.
   Eigen::Matrix3d InvertMatrix() const
   {
     Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
@@ -107,7 +110,7 @@ private:
     return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
   }
 
-  /// Sums over the donors around, all columns at once.
+  /// Sums the differences to neighbours, for all columns.
   void AddDifferences(int s)
   {
     const int count = this->Columns.Count();
@@ -130,7 +133,7 @@ private:
     }
   }
 
-  /// What the slopes of mass and value together add to the value's mean.
+  /// Returns the shift of a value that compensates the product of the slopes of mass and value.
   double FindShift(int s, int c, const double* lines) const
   {
     int base = this->Columns.Base(c);
@@ -151,7 +154,8 @@ private:
     return -sum / value;
   }
 
-  /// Makes a line so much flatter that in the box around the parts it stays between the values around.
+  /// Limits a slope, so that in the bounding box of the parts, values stay within the range of
+  /// neighbours.
   static void Limit(const DonorShape& shape, const ColumnSums& sums, double shift, double* line)
   {
     double low = shift, high = shift;
@@ -175,11 +179,12 @@ private:
   const DonorTable& Donors;
   const DonorValues& Values;
   const std::vector<DonorShape>& Shapes;
-  const std::array<Index, 27> Steps; // to the cells around
+  const std::array<Index, 27> Steps; // offsets of the cells around
   std::vector<Neighbour> Around;
-  std::vector<ColumnSums> Sums; // by column
+  std::vector<ColumnSums> Sums; // one per column
 };
 
+/// Returns whether all parts of a donor are at one position.
 bool IsPoint(const DonorShape& shape)
 {
   return !(shape.Lower[0] < shape.Upper[0] || shape.Lower[1] < shape.Upper[1] ||

@@ -1,10 +1,12 @@
 /**
- * How values vary in donors: linearly, with gradients by least squares over the donors around, limited as by Barth and Jespersen (The design
- * and application of upwind schemes on unstructured meshes, AIAA 89-0366, 1989): no part of an element gets what lies outside the
- * values of the donors around.
+ * Slopes: linear reconstruction of values in donors. Gradients are found by least squares over the
+ * donors around. They are limited as by T. J. Barth and D. C. Jespersen, The design and application
+ * of upwind schemes on unstructured meshes, AIAA 89-0366, 1989. No part of an element gets a value
+ * outside the range of the donors around.
  *
- * What a donor has in all stays: slopes per volume are about the centroid of its parts. A slope per mass, where density has one too, moves
- * momentum by the product of the two and the second moment of the parts; a shift of the value takes that back exactly.
+ * The contents of a donor are conserved. Slopes per volume are relative to the centroid of its
+ * parts. If both density and a value per mass have slopes, their product with the second moment of
+ * the parts would change the content. A shift of the value compensates this exactly.
  */
 #pragma once
 
@@ -14,19 +16,24 @@
 namespace vfm
 {
 
-/// The slopes in donors whose parts are not all at one place.
+/// Slopes of the donors whose parts are not all at one position. The columns must outlive it.
 class Slopes
 {
 public:
-  /// None: all values are constant in their donors.
+  /// Makes all values constant in their donors.
   explicit Slopes(const StateColumns& columns) : Columns(columns) {}
-  /// Of the donors that this rank owns; copies of those around have their values. Then of copies with parts of this rank's elements.
-  /// Collective.
+  /// Finds the slopes of owned donors, and receives the slopes of copies.
+  /// @param donors,values  donors and their values; copies around owned donors must be up to date
+  /// @param shapes  shapes of owned donors, after CentreShapes
+  /// @param links  links of the copies that have parts of elements of this rank
+  /// @pre Collective among peers.
   Slopes(const StateColumns& columns, const CartesianGrid& grid, const DonorTable& donors,
     const DonorValues& values, const std::vector<DonorShape>& shapes, const DonorLinks& links,
     Runtime& runtime);
 
-  /// The values of a donor at a place from its centroid, in place.
+  /// Changes the values of a donor to its values at a position.
+  /// @param x  position relative to the centroid of the donor
+  /// @param values  values of the donor, one per column
   void AddAt(int donor, const Vector3& x, double* values) const
   {
     const int place = this->Places.empty() ? -1 : this->Places[donor];
@@ -44,8 +51,8 @@ public:
 
 private:
   const StateColumns& Columns;
-  std::vector<int> Places;   // of donors in Lines; -1: constant
-  std::vector<double> Lines; // of each column a slope and a shift
+  std::vector<int> Places;   // position of each donor in Lines; -1 if it is constant
+  std::vector<double> Lines; // slope and shift of each column, per donor
 };
 
 } // namespace vfm

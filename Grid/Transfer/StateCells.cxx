@@ -7,7 +7,8 @@ namespace vfm
 namespace
 {
 
-constexpr double EnoughFraction = 0.5; // of the element's material in the cell of its centroid
+// Fraction of the element's material that is enough in the cell of its centroid.
+constexpr double EnoughFraction = 0.5;
 
 Vector3 FindCentroid(const Mesh& mesh, Index element)
 {
@@ -16,10 +17,10 @@ Vector3 FindCentroid(const Mesh& mesh, Index element)
   {
     sum = sum + mesh.PointAt(mesh.Elements[mesh.Corners * element + c]);
   }
-  return (1.0 / mesh.Corners) * sum; // 4 or 8: exact
+  return (1.0 / mesh.Corners) * sum; // exact for 4 or 8 corners
 }
 
-/// From the centre of a cell, squared.
+/// Returns the squared distance of a point from the centre of a cell.
 double SquaredDistance(const CartesianGrid& grid, const Index3& cell, const Vector3& point)
 {
   double sum = 0.0;
@@ -32,7 +33,7 @@ double SquaredDistance(const CartesianGrid& grid, const Index3& cell, const Vect
   return sum;
 }
 
-/// The cell that holds most of an element's material, of those that it was compared with.
+/// The cell with the largest fraction of an element's material, among the cells compared.
 class FullestCell
 {
 public:
@@ -101,7 +102,8 @@ public:
   }
 
 private:
-  /// The cells that the element was made of; of TetGen's tets all that the rank knows but for the last.
+  /// Returns the cells that the element was made of. For TetGen's tets, returns the local cells
+  /// except the outermost layer.
   IndexBox FindOwn(Index element) const
   {
     return this->TheMesh.Ids.ElementSlots == 0

@@ -53,7 +53,8 @@ void StateColumns::FindContents(double volume, const double* values, double* con
 namespace
 {
 
-/// Of two values with weights; from that of the larger weight on, so that a value in next to nothing does no harm.
+/// Returns the weighted mean of two values. It is computed from the value with the larger weight,
+/// so that a value with a tiny weight causes no rounding error.
 double MeanOf(double a, double weightA, double b, double weightB)
 {
   const double sum = weightA + weightB;

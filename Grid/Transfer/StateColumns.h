@@ -1,9 +1,11 @@
 /**
- * The components of all quantities of a transfer, one after another, and what each is multiplied with.
+ * StateColumns: the components of all quantities of a transfer, as columns, and the bases that they
+ * are multiplied with.
  *
- * A value is per volume, per mass, or per mass times a weight such as heat capacity. So what is conserved of it is a product along a
- * chain: volume x density x heat capacity x temperature. All that moves state, fluxes and reconstruction alike, moves volume, then
- * what is per volume, then what is per that: each a mean whose weights are what was moved before it. Means stay within bounds.
+ * A value is per volume, per mass, or per mass times a weight such as heat capacity. Its conserved
+ * content is a product along a chain: volume x density x heat capacity x temperature. Fluxes and
+ * reconstruction transfer volume first, then values per volume, then values per these. Each new
+ * value is a mean, weighted by the contents transferred before it, so it stays within bounds.
  */
 #pragma once
 
@@ -12,27 +14,33 @@
 namespace vfm
 {
 
+/// Columns of a transfer. Does not change after construction, so threads may share it.
 class StateColumns
 {
 public:
+  /// @param density  TransferRequest::Density
   StateColumns(const std::vector<StateQuantity>& quantities, int density);
 
-  /// Those of the quantities, and a last one where these have no density: 1, so that mass is the volume that cells have.
+  /// Returns the number of columns: all components of the quantities. Without a density, there is
+  /// one more column with the value 1, so that mass is the volume of material in cells.
   int Count() const { return static_cast<int>(this->Bases.size()); }
+  /// Returns the number of components of all quantities.
   int CountOfQuantities() const { return this->QuantityCount; }
-  /// The column whose content a column is multiplied with; -1 volume.
+  /// Returns the base of a column, the column whose content it is multiplied with; -1 for volume.
   int Base(int column) const { return this->Bases[column]; }
-  /// All columns, each after its base.
+  /// Returns all columns, each after its base.
   const std::vector<int>& Order() const { return this->Sequence; }
-  /// Whether another column's base, but not that of masses: constant in a cell, so that products have no more than two slopes.
+  /// Returns whether a column is the weight of a quantity. Such columns are constant in a cell, so
+  /// products have at most two slopes.
   bool IsConstant(int column) const { return this->Constant[column]; }
+  /// Returns the column of density.
   int Density() const { return this->DensityColumn; }
 
-  /// What is conserved of each column in a volume with these values.
+  /// Computes the conserved content of each column in a volume with these values.
   void FindContents(double volume, const double* values, double* contents) const;
 
-  /// Adds to a volume with these values another with others: means by what the values are per; where there is none of that (no mass) by
-  /// volume.
+  /// Adds another volume to a volume. The values become means, weighted by the contents of their
+  /// bases; if these are 0, as without mass, by volume.
   void Mix(double& volume, double* values, double otherVolume, const double* others) const;
 
 private:

@@ -8,7 +8,7 @@ namespace vfm
 namespace
 {
 
-/// By material, over all ranks.
+/// Returns which materials have elements on any rank. Collective.
 std::vector<unsigned char> FindMeshed(const Mesh& mesh, int materials, Ranks& ranks)
 {
   std::vector<std::int64_t> elements(materials + 1, 0);
@@ -23,7 +23,7 @@ std::vector<unsigned char> FindMeshed(const Mesh& mesh, int materials, Ranks& ra
   return isMeshed;
 }
 
-/// What an element gets, part after part.
+/// State of an element, summed over its parts.
 class ElementState
 {
 public:
@@ -42,9 +42,11 @@ public:
     std::fill(this->Contents.begin(), this->Contents.end(), 0.0);
     std::fill(this->Means.begin(), this->Means.end(), 0.0);
   }
-  /// Where the values of the next part are put.
+  /// Returns the array to which the caller writes the values of the next part.
   double* NextValues() { return this->Values.data(); }
-  /// inside: the volume of the element there; volume: of what it gets, but for rounding the same.
+  /// Adds a part.
+  /// @param inside  volume of the element in the part
+  /// @param volume  volume of the material that the part receives, equal up to rounding
   void Add(double inside, double volume)
   {
     this->Columns.FindContents(volume, this->Values.data(), this->Parts.data());
@@ -64,7 +66,7 @@ public:
     {
       return this->Contents[c] / weight;
     }
-    return this->Inside > 0.0 ? this->Means[c] / this->Inside : 0.0; // of what has no mass
+    return this->Inside > 0.0 ? this->Means[c] / this->Inside : 0.0; // volume mean without mass
   }
 
 private:
@@ -73,7 +75,7 @@ private:
   std::vector<double> Values, Contents, Parts, Means;
 };
 
-/// All steps, one after another.
+/// Data of all steps.
 struct Work
 {
   const Mesh& TheMesh;
@@ -82,7 +84,7 @@ struct Work
   const CartesianGrid& Grid = Request.Grid;
   const Partition Parts{ Grid, Run.Group() };
   const StateColumns Columns{ Request.Quantities, Request.Density };
-  /// By material.
+  // One flag per material.
   const std::vector<unsigned char> IsMeshed =
     FindMeshed(TheMesh, Request.Fractions.NumberOfMaterials(), Run.Group());
   const StateSource Source{ Request, Columns, IsMeshed };
@@ -90,6 +92,7 @@ struct Work
   DonorTable Donors{ Grid };
 };
 
+/// Cuts the elements for which wants(element) is true, and makes their donors. Collective.
 template <class IsNeeded>
 std::vector<DonorParts> FindParts(
   Work& work, const IsNeeded& wants, std::vector<DonorShape>& shapes)
@@ -106,6 +109,7 @@ std::vector<DonorParts> FindParts(
     work.TheMesh, elements, work.Grid, work.Parts, work.Run, work.Donors, shapes);
 }
 
+/// Returns whether a whole element has donors because mismatch cells are near.
 bool IsNear(const Work& work, const MismatchCells& mismatches, Index element)
 {
   bool isNear = false;
@@ -115,14 +119,15 @@ bool IsNear(const Work& work, const MismatchCells& mismatches, Index element)
   return isNear;
 }
 
-/// Between which donors contents move; donors of elements that are no whole cells, or near misfits, there are. Collective.
+/// Returns the region of donors between which contents move. The donors of elements that are not
+/// whole cells, and of whole elements near mismatch cells, exist already. Collective.
 FlowRegion FindRegion(Work& work, const MismatchCells& mismatches)
 {
   const DonorLinks links(work.Grid, work.Parts, work.Donors);
   return { mismatches, FindDivided(work.Grid, mismatches, links, work.Donors, work.Run.Group()) };
 }
 
-/// Gives copies what their owners hold now.
+/// Updates the volumes and values of copies from their owners.
 void UpdateCopies(Work& work, const DonorLinks& links, DonorValues& values)
 {
   links.Exchange(
@@ -139,6 +144,7 @@ void UpdateCopies(Work& work, const DonorLinks& links, DonorValues& values)
     });
 }
 
+/// Returns the links of the copies that have parts of some elements.
 DonorLinks LinksToParts(
   const Work& work, const DonorLinks& links, const std::vector<DonorParts>& moved)
 {
@@ -203,7 +209,7 @@ void FillFromDonors(Work& work, const std::vector<DonorParts>& pieces, const Slo
   }
 }
 
-/// Whole elements without donors.
+/// Copies the state of cells to whole elements without donors.
 void FillFromCells(Work& work, const FlowRegion& region, TransferredState& state)
 {
   work.Run.For(0, static_cast<Index>(work.TheMesh.Material.size()),

@@ -1,17 +1,23 @@
 /**
- * State carried from cells to elements so that nothing is lost: volume, mass, momentum, energy and whatever else is asked
- * for, of every material, to rounding; within the bounds of the cells; of second order; the same bits on any ranks and threads.
+ * TransferState: conservative transfer of state from cells to elements. For every material, volume,
+ * mass, momentum, energy and all requested quantities are conserved up to rounding. Values stay
+ * within the bounds of the cells. The transfer is of second order, and bitwise identical on any
+ * number of ranks and threads.
  *
- * A cell and an element agree on the volume of a material only in total, by fragment. So what cells hold is first moved, along
- * the faces of cells of a fragment, until each holds what the mesh has in it (VolumeFluxes.h); then each gives all it has to the
- * elements that overlap it (Overlaps.h), linearly reconstructed (Slopes.h). This is remapping by volume fluxes (Margolin and
- * Shashkov, Journal of Computational Physics 184, 2003), between cells instead of along moving faces, with the limiter of Barth and Jespersen
- * (AIAA 89-0366, 1989). Contents and bounds hold by construction, so nothing is left for a repair (Kucharik, Shashkov and Wendroff, Journal of
- * Computational Physics 188, 2003).
+ * Method. The volumes of a material in cells and elements agree only in total, per fragment. So
+ * contents first move across the faces of cells, within each fragment, until each cell contains the
+ * volume that the mesh has in it (VolumeFluxes.h). Then each cell gives its contents, linearly
+ * reconstructed (Slopes.h), to the elements that overlap it (Overlaps.h). This is remapping by
+ * volume fluxes (L. G. Margolin and M. Shashkov, Journal of Computational Physics 184, 2003),
+ * between cells instead of along moving faces. The limiter is by T. J. Barth and D. C. Jespersen
+ * (AIAA 89-0366, 1989). Conservation and bounds hold by construction, so no repair is required
+ * (M. Kucharik, M. Shashkov and B. Wendroff, Journal of Computational Physics 188, 2003).
  *
- * Bounds: values of cells of the material at most 3 cells from the element; 5 where spray is given, and more only where cells that hold
- * next to nothing pass on what they get. Values per volume are then multiplied by factors, which are told: 1 but for 1e-7 or so where the
- * mesh has each fragment's volume, 0 in a fragment whose cells hold nothing of its material.
+ * Bounds. A value stays within the range of the cells of the material at most 3 cells from the
+ * element, or 5 if unresolved material is given to it. The distance is larger only where cells with
+ * almost no content pass on what they receive. Values per volume are also multiplied by factors,
+ * which are returned. They are within about 1e-7 of 1 if the mesh conserves the volume of each
+ * fragment, and 0 in a fragment whose cells contain none of its material.
  */
 #pragma once
 
@@ -24,62 +30,71 @@
 namespace vfm
 {
 
-/// What the values of a quantity are, and so what is conserved.
+/// Kind of a quantity, which determines the conserved content.
 enum class StateKind
 {
-  PerVolume, ///< of the material's own volume, as density: value x volume
-  PerMass    ///< as velocity and specific energy: value x mass (without a density x volume)
+  PerVolume, ///< value per volume of the material, such as density; conserves value x volume
+  /// Value per mass, such as velocity or specific energy; conserves value x mass, or value x volume
+  /// without a density.
+  PerMass
 };
 
 struct StateQuantity
 {
   StateKind Kind = StateKind::PerMass;
   int Components = 1;
-  int Weight =
-    -1; ///< PerMass: the quantity, PerMass of one component (heat capacity), that multiplies the mass; -1: none
+  /// PerMass only: number of a quantity that multiplies the mass, such as heat capacity, or -1. It
+  /// is PerMass and has one component.
+  int Weight = -1;
 };
 
-/// The values in the cells of a grid.
+/// Interface that returns the values in the cells of a grid.
 class StateCellValues
 {
 public:
   virtual ~StateCellValues() = default;
-  /// The values of all quantities, one after another, of a material (0 void) in a cell of the local box that holds some of it.
-  /// Called by several threads.
+  /// Reads the values of all quantities, one after another, for a material in a cell of the local
+  /// box that contains it; 0 is void. Called by several threads at once.
   virtual void Read(const Index3& cell, int material, double* values) const = 0;
 };
 
 struct TransferRequest
 {
-  const CartesianGrid&
-    Grid; ///< of the cells that give, GhostLayers or more around those that this rank meshes
-  const FractionField&
-    Fractions; ///< in Grid.Local(), ghost cells too: as read, before anything was removed or smoothed
-  const StateCellValues& Values; ///< in Grid.Local()
+  /// Grid of the cells that give, with at least GhostLayers layers of ghost cells.
+  const CartesianGrid& Grid;
+  /// Fractions in Grid.Local(), ghost cells too, as read: before removal of small fragments and
+  /// smoothing.
+  const FractionField& Fractions;
+  const StateCellValues& Values; ///< values in Grid.Local()
   std::vector<StateQuantity> Quantities;
-  int Density =
-    -1; ///< the quantity, PerVolume of one component, >= 0, that gives mass; -1: mass is volume
-  int Order = 2; ///< 1: cells are constant; 2: linear, limited
-  bool GiveUnmeshed =
-    true; ///< what lies apart from all elements of its material goes to the nearest fragment within reach
+  /// Number of the density, a quantity PerVolume with one component, >= 0; -1: mass is volume.
+  int Density = -1;
+  int Order = 2; ///< 1: constant in each cell; 2: linear with limiter
+  /// Whether cells at most 3 cells from elements of their material give it to the nearest fragment;
+  /// if false, only cells next to such elements do.
+  bool GiveUnmeshed = true;
 };
 
-/// Totals of a material over all ranks: the volume, the mass, then what each component of each quantity conserves.
+/// Totals of a material over all ranks: volume, mass, then the content of each component of each
+/// quantity.
 using StateTotals = std::vector<double>;
 
 struct TransferredState
 {
-  std::vector<Buffer<double>> Values; ///< of each quantity: Components an element
-  Buffer<double> Mass; ///< of each element; without a density the volume that cells have in it
-  std::vector<StateTotals> Input;    ///< of each material from 0: of all cells
-  std::vector<StateTotals> Unmeshed; ///< of each material from 0: of cells that gave to no element
-  /// Of each material from 0 the smallest and largest factor, cells' volume over mesh's, that values PerVolume had to be multiplied
-  /// with because its pieces have other volumes as elements than as cells; 1 and 1 where they agree.
+  std::vector<Buffer<double>> Values; ///< values of each quantity, (elements, Components)
+  Buffer<double> Mass;                ///< mass of each element; without density, volume in cells
+  std::vector<StateTotals> Input;     ///< totals of all cells, per material from 0
+  std::vector<StateTotals> Unmeshed;  ///< totals not given to elements, per material from 0
+  /// Smallest and largest factor of values PerVolume of each material, from 0: volume in cells over
+  /// volume of elements of connected donors. Both are 1 if these volumes agree.
   std::vector<std::array<double, 2>> Factors;
 };
 
-/// Collective. mesh: of the owned elements. Materials that are not meshed give nothing and count as unmeshed; void counts only where
-/// it is meshed.
+/// Transfers the state of cells to elements. Materials without elements count as unmeshed. Void
+/// counts only if it is meshed.
+/// @param mesh  elements owned by this rank, points in their final position
+/// @return values of the elements and totals over all ranks
+/// @pre Collective.
 TransferredState TransferState(const Mesh& mesh, const TransferRequest& request, Runtime& runtime);
 
 } // namespace vfm

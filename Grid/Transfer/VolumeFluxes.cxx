@@ -8,11 +8,13 @@ namespace vfm
 namespace
 {
 
-constexpr int FinerBits = 30;        // than those of ExactSum
-constexpr double LeastPiece = 1e-13; // of a mean cell: what is told of
+constexpr int FinerBits = 30; // bits by which sums are finer than ExactSum
+// Overlap of a connected component, in mean cells, up to which its factor is not reported.
+constexpr double LeastPiece = 1e-13;
+// Fraction of the outflow that counts as nothing.
 constexpr double LeastLeft = 1e-12;
 
-/// The donors between which contents move.
+/// Donors between which contents move.
 struct Movers
 {
   const CartesianGrid& Grid;
@@ -25,7 +27,8 @@ struct Movers
   const Donor& DonorAt(std::size_t node) const { return this->Donors[this->Nodes.DonorAt(node)]; }
 };
 
-/// Of what nodes have, by piece and over all ranks, in mean cells.
+/// Sums values of nodes per connected component, over all ranks. Sums are in mean cells.
+/// Collective.
 std::vector<double> SumPieces(
   Movers& movers, const std::function<double(std::size_t node)>& valueOf)
 {
@@ -43,7 +46,8 @@ std::vector<double> SumPieces(
   return totals;
 }
 
-/// By what the volumes of each piece are to be divided so that they have the sum of the overlaps; 0: they cannot.
+/// Returns the factor by which the volumes of each component must be divided so that their sum is
+/// the sum of overlaps; 0 if there is no such factor. Collective.
 std::vector<double> FindPieceFactors(Movers& movers, const std::vector<double>& overlaps)
 {
   std::vector<double> factors =
@@ -55,11 +59,12 @@ std::vector<double> FindPieceFactors(Movers& movers, const std::vector<double>& 
   return factors;
 }
 
-/// Of materials, over all ranks.
+/// Returns the range of the factors of each material over all ranks. Collective.
 VolumeFactors FindRanges(Movers& movers, std::size_t materials, const std::vector<double>& overlaps,
   const std::vector<double>& factors)
 {
-  std::vector<double> ranges(2 * materials, -1.0); // -least, most
+  // Negative of the smallest factor of each material, then the largest.
+  std::vector<double> ranges(2 * materials, -1.0);
   std::fill(ranges.begin() + materials, ranges.end(), 1.0);
   for (std::size_t i = 0; i < movers.Nodes.Owned(); ++i)
   {
@@ -81,6 +86,7 @@ VolumeFactors FindRanges(Movers& movers, std::size_t materials, const std::vecto
   return found;
 }
 
+/// Divides volumes by factors, and multiplies values per volume by them.
 void DivideVolumes(const std::vector<double>& factors, Movers& movers)
 {
   for (std::size_t i = 0; i < movers.Nodes.Count(); ++i)
@@ -96,7 +102,8 @@ void DivideVolumes(const std::vector<double>& factors, Movers& movers)
   }
 }
 
-/// As wide as the smaller of two: little flows through a cell that holds little.
+/// Sets the width between two nodes from the smaller one, so that little flows through a cell with
+/// little content.
 void FindWidths(Movers& movers)
 {
   FlowGraph& graph = movers.Nodes.Graph();
@@ -120,14 +127,14 @@ void FindWidths(Movers& movers)
     });
 }
 
-/// What flows between nodes.
+/// Volumes that flow between nodes.
 struct Flows
 {
   const FlowGraph& Graph;
-  std::vector<double> Potential; ///< of nodes
-  std::vector<double> Outflow;   ///< of owned nodes, in total
+  std::vector<double> Potential; ///< potential of each node
+  std::vector<double> Outflow;   ///< total outflow of each owned node
 
-  /// Over a face of a node's cell; of the other side exactly the negative.
+  /// Returns the flow out of a node across a face; it is exactly the negative of the other side's.
   double Out(std::size_t i, int f) const
   {
     const FlowNode& node = this->Graph.Nodes[i];
@@ -135,6 +142,7 @@ struct Flows
   }
 };
 
+/// Finds the flows that make volumes equal to overlaps. Collective.
 Flows FindFlows(Movers& movers, const std::vector<double>& overlaps)
 {
   const FlowGraph& graph = movers.Nodes.Graph();
@@ -145,7 +153,8 @@ Flows FindFlows(Movers& movers, const std::vector<double>& overlaps)
     excess[i] = movers.DonorAt(i).Volume - movers.DonorAt(i).Overlap;
     sizes[i] = movers.Grid.CellVolume(graph.Places[i]);
   }
-  // What rounding leaves in all of a piece, or all of it where cells hold nothing, flows nowhere.
+  // Removes the total excess of each component, which cannot flow anywhere. It is due to rounding,
+  // or is all of the overlap if the cells contain nothing.
   const std::vector<double> rest =
     SumPieces(movers, [&excess](std::size_t i) { return excess[i]; });
   for (std::size_t i = 0; i < owned; ++i)
@@ -166,7 +175,8 @@ Flows FindFlows(Movers& movers, const std::vector<double>& overlaps)
   return flows;
 }
 
-/// shares: of nodes.
+/// Updates the shares and values of copies. Collective among peers.
+/// @param shares  one share per node
 void UpdateCopies(std::vector<double>& shares, Movers& movers)
 {
   const int count = movers.Columns.Count();
@@ -184,7 +194,7 @@ void UpdateCopies(std::vector<double>& shares, Movers& movers)
     });
 }
 
-/// What a node has after a round: the volume, and in values what is in it.
+/// Returns the volume of a node after a round, and writes its values.
 double Receive(const Movers& movers, const Flows& flows, const std::vector<double>& shares,
   std::size_t i, double* values)
 {
@@ -208,15 +218,18 @@ double Receive(const Movers& movers, const Flows& flows, const std::vector<doubl
   return volume;
 }
 
-/// Each gives what it has of what it must still give. left: what part of the outflow of owned nodes that is; shares: of the outflow of nodes, in
-/// this round. Whether some were short of it, and may get more: then to give once more makes sense, as often as there are steps down
-/// the potential.
+/// Runs a round, in which each node gives as much of its remaining outflow as it contains.
+/// Collective.
+/// @param left  fraction of the outflow that each owned node must still give
+/// @param shares  gets the fraction of the outflow that each node gives in this round
+/// @return whether some nodes contained too little and may still receive more, so that another
+/// round is useful. The number of rounds is at most the number of steps down the potential.
 bool MoveOnce(
   const Flows& flows, std::vector<double>& left, std::vector<double>& shares, Movers& movers)
 {
   const std::size_t owned = movers.Nodes.Owned();
   const int columns = movers.Columns.Count();
-  std::vector<std::int64_t> isAny(2, 0); // short, giving
+  std::vector<std::int64_t> isAny(2, 0); // whether any node contained too little, or gave some
   for (std::size_t i = 0; i < owned; ++i)
   {
     const double outflow = flows.Outflow[i];

@@ -1,16 +1,20 @@
 /**
- * Contents moved between the cells of a fragment until each holds the volume that the mesh has in it.
+ * VolumeFluxes: moves contents between the cells of a fragment until each cell contains the volume
+ * that the mesh has in it.
  *
- * A cell holds a, the elements of the fragment have O in it. Near the interfaces these differ, place by place, but hardly in total. The volumes
- * that flow over the faces of cells, the gradient of a potential, L phi = a - O, make them equal. With each volume goes what the
- * giving cell has in it: what a cell holds afterwards is a mean of what was in cells around it, so nothing is lost and no bound is left. Flows go
- * down the potential, so they never run in circles: whatever the volumes, a cell has what it must give once it got what it gets.
+ * A cell contains the volume a of a fragment, and the elements of the fragment have the volume O in
+ * the cell. Near interfaces, these differ locally, but hardly in total. Volumes that flow across
+ * the faces of cells make them equal. They are differences of a potential: L phi = a - O
+ * (PotentialFlow.h). Each volume takes its contents from the giving cell. The contents of a cell
+ * thus become a mean of the contents of cells around it, so nothing is lost and bounds hold. Flows
+ * go down the potential, so they have no cycles. For any volumes, a cell has enough to give after
+ * it has received all its inflow.
  *
- * What a connected piece of these cells (FlowNodes.h) has in total is made equal first: volumes are divided by a factor, values per volume
- * multiplied with it.
+ * First, the total volumes of each connected set of donors (FlowNodes.h) are made equal. Volumes
+ * are divided by a factor, and values per volume are multiplied by it.
  *
- * The same bits on any ranks: the potential is that of conjugate gradients whose sums are of integers; flows of a cell are summed
- * in the order of its faces.
+ * Results are bitwise identical on any number of ranks: PotentialFlow sums integers, and the flows
+ * of a cell are summed in the order of its faces.
  */
 #pragma once
 
@@ -20,10 +24,16 @@
 namespace vfm
 {
 
-/// Of each material the smallest and largest factor of values per volume; 1 where nothing was changed.
+/// Smallest and largest factor of values per volume, per material; 1 if nothing was changed.
 using VolumeFactors = std::vector<std::array<double, 2>>;
 
-/// Moves the contents of the owned donors; their volumes are then their overlaps, but for rounding. Collective.
+/// Moves contents between donors until the volumes of owned donors are equal to their overlaps, up
+/// to rounding.
+/// @param region  donors between which contents move
+/// @param links  links of all donors
+/// @param donors,values  contents of the owned donors; copies are not up to date afterwards
+/// @return factors per material over all ranks
+/// @pre Collective.
 VolumeFactors MoveContents(const StateSource& source, const FlowRegion& region,
   const DonorLinks& links, Runtime& runtime, DonorTable& donors, DonorValues& values);
 

@@ -52,7 +52,7 @@ IndexBox WholeElements::CellsOf(Index element) const
   return box;
 }
 
-/// Whether its corners are those of a box of cells of this rank.
+/// Returns whether the corners of an element are the corners of a box of owned cells, and sets box.
 bool WholeElements::FindBox(Index element, IndexBox& box) const
 {
   const Index* corners = this->TheMesh.Elements.data() + 8 * element;

@@ -1,6 +1,7 @@
 /**
- * Elements that are whole cells: nothing has moved their corners from nodes of the grid, and their cells hold their material alone.
- * Away from all others such elements take what is in their cells.
+ * WholeElements: the hexes that consist of whole cells. Their corners are still at nodes of the
+ * grid, and their cells contain only their material. Far from other elements, whole elements copy
+ * the state of their cells.
  */
 #pragma once
 
@@ -12,16 +13,19 @@
 namespace vfm
 {
 
+/// Table of the whole elements of a mesh. Mesh, grid and fractions must outlive it.
 class WholeElements
 {
 public:
+  /// Finds the whole elements.
+  /// @param mesh  elements owned by this rank; tets are never whole
   WholeElements(
     const Mesh& mesh, const CartesianGrid& grid, const FractionField& fractions, Runtime& runtime);
 
   bool IsWhole(Index element) const { return this->Lowest[element] >= 0; }
-  /// The cells that a whole element is.
+  /// Returns the cells of a whole element.
   IndexBox CellsOf(Index element) const;
-  /// Whether a cell is, or is part of, a whole element.
+  /// Returns whether a cell belongs to a whole element.
   bool Covers(Index cell) const { return this->Covered[cell]; }
 
 private:
@@ -31,9 +35,9 @@ private:
   const Mesh& TheMesh;
   const CartesianGrid& Grid;
   const FractionField& Fractions;
-  std::vector<Index>
-    Lowest; // of the cells of an element, its place in the grid's box; -1: not whole
-  PagedArray<unsigned char> Covered; // by cell
+  // Linear index of the lowest cell of each element; -1 if it is not whole.
+  std::vector<Index> Lowest;
+  PagedArray<unsigned char> Covered; // one flag per cell
 };
 
 } // namespace vfm
