@@ -361,8 +361,8 @@ public:
   /// get larger away from them. Uniform: everywhere, so that thin parts get more elements across.
   /// Allowed: Off, InputLevels, Automatic, Coarsen, Uniform (or 0 to 4); default InputLevels.
   vfmNumberOption(Refinement, int);
-  /// Maximum number of levels above the coarsest. Automatic (-1): all levels of the input, and for
-  /// a refined image 1, or the levels that user-selected cells request. Coarsen then makes as many
+  /// Maximum number of levels above the coarsest. Automatic (-1) uses all levels of the input. A
+  /// refined image gets 1 level, or as many as user-selected cells request. Coarsen makes as many
   /// as the numbers of cells allow, up to 3. Uniform multiplies the number of elements by eight per
   /// level. Finer data of the input are averaged. Allowed: an integer from -1 (automatic) to 10;
   /// default -1.
@@ -372,9 +372,9 @@ public:
   /// possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells. Allowed: on
   /// or off; default on.
   vfmSwitchOption(FineInterfaces);
-  /// Minimum number of finest cells between an interface and larger cells. Without Fine Interfaces:
-  /// number of fine cells around the places that Automatic refines. Allowed: an integer from 2 to
-  /// 64; default 2.
+  /// Minimum number of finest cells between an interface and larger cells. If Fine Interfaces is
+  /// off: number of fine cells around the places that Automatic refines. Allowed: an integer from 2
+  /// to 64; default 2.
   vfmNumberOption(FineLayers, int);
   /// Refinement Automatic halves cells at films, gaps, rods and small bodies thinner than this
   /// number of cells. 0: off. Allowed: a number from 0 (off) to 3; default 2.

@@ -60,7 +60,7 @@ public:
   /// the surfaces, which gives the best angles and the closest fit. Cells: each cell is cut into
   /// tetrahedra around its centre, so that the surfaces have the faces and labels of Volume
   /// Fraction To Hex. TetGen: TetGen fills the surfaces of Cells with tetrahedra that grow away
-  /// from them, which gives the fewest tetrahedra. TetGen is optional when this software is built.
+  /// from them, which gives the fewest tetrahedra. TetGen is an optional part of the build.
   /// Allowed: TetGen, Cells, Lattice (or 0 to 2); default Lattice.
   vfmNumberOption(Method, int);
   /// Target length of the edges next to the surfaces, in cells of the grid. The triangles of the

@@ -18,8 +18,8 @@ namespace
 
 using Colour = std::array<double, 3>;
 
-/// Of material 0, 1, 2, ...: a few by hand, then hues as far from each other as can be, in three tones. The same for an id in every
-/// mesh.
+/// Returns the colour of material 0, 1, 2, ...: a few selected colours, then hues with maximum
+/// distance, in three tones. An id has the same colour in all meshes.
 Colour ColourOf(int id)
 {
   constexpr std::array<Colour, 6> First = { { { 0.58, 0.50, 0.74 }, { 0.36, 0.62, 0.80 },
@@ -50,7 +50,7 @@ std::vector<double> ColoursWithoutValues(vtkSMProxy* colourMap)
   return points;
 }
 
-/// Whether it has the colours of a new one.
+/// Returns whether a colour map has the colours of a new one.
 bool IsUnchanged(vtkSMProxy* colourMap)
 {
   vtkSmartPointer<vtkSMProxy> fresh;
@@ -65,14 +65,14 @@ bool IsUnchanged(vtkSMProxy* colourMap)
     ColoursWithoutValues(colourMap) == ColoursWithoutValues(fresh);
 }
 
-/// Ids and names in turn, and the colours of the ids, which may be more.
+/// Alternating ids and names, and the colours of the ids; there may be more colours.
 struct Legend
 {
   std::vector<std::string> Texts;
   std::vector<double> Colours;
 };
 
-/// The place of the id in the legend; -1: has none.
+/// Returns the index of an id in the legend, or -1.
 int FindId(const Legend& legend, int id)
 {
   for (std::size_t t = 0; t + 1 < legend.Texts.size(); t += 2)
@@ -89,18 +89,18 @@ void AddColour(std::vector<double>& colours, std::size_t place, int id)
 {
   if (colours.size() >= 3 * (place + 1))
   {
-    return; // of a palette that the user chose
+    return; // the user chose a palette with this colour
   }
   for (std::size_t own = colours.size(); own > 0 && colours.size() < 3 * place;)
   {
-    colours.push_back(colours[colours.size() % own]); // a map of fewer colours repeats them
+    colours.push_back(colours[colours.size() % own]); // a map with fewer colours repeats them
   }
   colours.resize(3 * place);
   const Colour colour = ColourOf(id);
   colours.insert(colours.end(), colour.begin(), colour.end());
 }
 
-/// Whether anything changed.
+/// Adds names to a legend. Returns whether anything changed.
 bool AddNames(Legend& legend, const MaterialNames& names, MaterialNames& given)
 {
   bool changed = false;
@@ -118,7 +118,7 @@ bool AddNames(Legend& legend, const MaterialNames& names, MaterialNames& given)
       auto old = given.find(id);
       if (old == given.end() || old->second != legend.Texts[place + 1])
       {
-        continue; // the user's own
+        continue; // name given by the user
       }
       legend.Texts[place + 1] = name;
       changed = true;
@@ -159,7 +159,7 @@ void WriteLegend(vtkSMProxy* colourMap, const Legend& legend)
 
 bool NameMaterials(vtkSMProxy* colourMap, const MaterialNames& names, MaterialNames& given)
 {
-  constexpr std::size_t MaximumNames = 256; // a legend of more cannot be read
+  constexpr std::size_t MaximumNames = 256; // longer legends are unreadable
   vtkSMPropertyHelper categories(colourMap, "IndexedLookup");
   const bool isNew = categories.GetAsInt() == 0;
   if (names.empty() || (names.size() > MaximumNames && given.empty()) ||

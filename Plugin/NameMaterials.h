@@ -1,5 +1,5 @@
 /**
- * Writes the names of materials into the colour map of an array of material ids.
+ * NameMaterials: writes the names of materials into the colour map of an array of material ids.
  */
 #pragma once
 
@@ -11,13 +11,14 @@ class vtkSMProxy;
 namespace vfm
 {
 
-/// Names by ids.
+/// Names by material id.
 using MaterialNames = std::map<int, std::string>;
 
-/// Makes a colour map that nobody has changed one of categories; in one of categories each id that it lacks gets a colour and its
-/// name. What else is in it is of the user and stays, but for names that were given here: those follow the data.
-/// given: the names that this wrote into the map before; updated.
-/// Returns whether the map has now become one of categories.
+/// Adds colours and names for missing ids to a colour map of categories. A colour map that the user
+/// has not changed becomes one of categories. Entries of the user stay; names written before follow
+/// the data.
+/// @param given names that were written into the map before; updated
+/// @return whether the map became one of categories
 bool NameMaterials(vtkSMProxy* colourMap, const MaterialNames& names, MaterialNames& given);
 
 } // namespace vfm

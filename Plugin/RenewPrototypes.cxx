@@ -10,7 +10,7 @@ namespace vfm
 
 void RenewPrototypes()
 {
-  constexpr const char* Group = "writers_prototypes"; // ParaView's name of it
+  constexpr const char* Group = "writers_prototypes"; // name in ParaView
   constexpr const char* Name = "ExodusAndSetsWriter";
   if (vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT)
   {

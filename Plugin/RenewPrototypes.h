@@ -1,13 +1,16 @@
 /**
- * A client that loads the plugin after its server did has made of some proxies of the server a prototype, without the domains that it did
- * not know. By its prototype ParaView chooses a writer.
+ * RenewPrototypes: removes outdated prototypes of writers from a client.
+ *
+ * ParaView chooses writers by their prototypes. A client that loads the plugin after its server has
+ * already made prototypes of the server's proxies, without the domains of this plugin.
  */
 #pragma once
 
 namespace vfm
 {
 
-/// Called once, when the plugin is loaded; does nothing but on clients. ParaView makes the prototypes anew when they are asked for.
+/// Removes the prototypes; ParaView makes them again on request. Called once, when the plugin is
+/// loaded; does nothing except on clients.
 void RenewPrototypes();
 
 } // namespace vfm

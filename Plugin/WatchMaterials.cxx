@@ -30,13 +30,13 @@ vtkObjectBase* NewMaterialsInformation(void*)
   return vtkPVMaterialsInformation::New();
 }
 
-/// Servers make the information by its name.
+/// Registers vtkPVMaterialsInformation, which servers create by name.
 void AddInformation(vtkClientServerInterpreter* interpreter)
 {
   interpreter->AddNewInstanceFunction("vtkPVMaterialsInformation", NewMaterialsInformation);
 }
 
-/// Whether the server that has the proxy has this plugin too, and so the information.
+/// Returns whether the server of a proxy has loaded this plugin, and so the information.
 bool KnowsMaterials(vtkSMProxy* proxy)
 {
   vtkSMSessionProxyManager* manager = proxy->GetSessionProxyManager();
@@ -55,7 +55,8 @@ MaterialNames GatherNames(vtkSMProxy* representation)
   return information->GetNames();
 }
 
-/// The representations of data, and the colour maps of material ids; by the event that ParaView has registered one, or updated it.
+/// Observes representations of data and colour maps of material ids: events when ParaView registers
+/// or updates one.
 class Watch : public vtkCommand
 {
 public:
@@ -107,7 +108,7 @@ private:
     }
   }
 
-  /// In the colour maps of an array, that of all representations and that of this one alone, if there are some.
+  /// Writes names into the colour maps of a representation, both shared and separate ones.
   void NameIn(vtkSMProxy* representation)
   {
     vtkSMSessionProxyManager* manager = representation->GetSessionProxyManager();
@@ -139,7 +140,7 @@ private:
     }
   }
 
-  /// By the larger id of a pair, which on outer surfaces is that of the material.
+  /// Names pairs by their larger id, which is the material on outer surfaces.
   void NamePairs(vtkSMProxy* colourMap, MaterialNames names)
   {
     if (!names.empty())
@@ -157,7 +158,7 @@ private:
   MaterialNames& GivenTo(vtkSMProxy* colourMap)
   {
     Record& record = this->Given[colourMap];
-    if (record.first != colourMap) // a new one in the memory of one that is gone
+    if (record.first != colourMap) // a new map at the address of a deleted one
     {
       record = Record(colourMap, MaterialNames());
     }

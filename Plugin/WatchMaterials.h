@@ -1,14 +1,16 @@
 /**
- * Meshes of this plugin are coloured by material with the names of the materials, in the window and in scripts.
+ * WatchMaterials: adds the names of materials to the legends of meshes, in the ParaView GUI and
+ * in scripts.
  */
 #pragma once
 
 namespace vfm
 {
 
-/// Called once, when the plugin is loaded; does nothing but on clients. From then on the colour maps of MaterialId and MaterialPair get
-/// the names of the materials (NameMaterials) where a mesh is shown, and again whenever it changed: what is shown is asked for them
-/// when it gets a representation, when ParaView makes such a colour map, and after each update.
+/// Starts to add the names of materials to the colour maps of MaterialId and MaterialPair of shown
+/// meshes (NameMaterials). Names are read when data get a representation, when ParaView makes such
+/// a colour map, and after each update. Called once, when the plugin is loaded; does nothing except
+/// on clients.
 void WatchMaterials();
 
 } // namespace vfm

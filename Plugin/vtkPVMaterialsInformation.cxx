@@ -15,7 +15,7 @@ vtkStandardNewMacro(vtkPVMaterialsInformation);
 
 vtkPVMaterialsInformation::vtkPVMaterialsInformation()
 {
-  this->SetRootOnly(1); // all ranks name the same
+  this->SetRootOnly(1); // names are equal on all ranks
 }
 
 bool vtkPVMaterialsInformation::CopyFromFieldData(vtkFieldData* field)

@@ -1,6 +1,9 @@
 /**
- * The materials of the mesh that a source, filter or reader gave, as its field data name them (MaterialIds, MaterialNames):
- * what the client must know to write names into a legend, also of data that are on a server.
+ * @class   vtkPVMaterialsInformation
+ * @brief   transfers the names of materials from the server to the client
+ *
+ * The names come from the field data MaterialIds and MaterialNames of the output of a source,
+ * filter or reader. The client writes them into legends.
  */
 #pragma once
 
@@ -17,12 +20,12 @@ public:
   static vtkPVMaterialsInformation* New();
   vtkTypeMacro(vtkPVMaterialsInformation, vtkPVInformation);
 
-  /// Of any output port of an algorithm.
+  /// Reads the names from all output ports of an algorithm.
   void CopyFromObject(vtkObject* algorithm) override;
   void CopyToStream(vtkClientServerStream* stream) override;
   void CopyFromStream(const vtkClientServerStream* stream) override;
 
-  /// Names by ids; none: no mesh of this plugin.
+  /// Returns the names by id; empty if the data are not a mesh of this plugin.
   const std::map<int, std::string>& GetNames() const { return this->Names; }
 
   vtkPVMaterialsInformation(const vtkPVMaterialsInformation&) = delete;

@@ -294,10 +294,10 @@ OptionTable RefinementOptions()
       "and get larger away from them. Uniform: everywhere, so that thin parts get more elements "
       "across."),
     Row("MaximumLevel", Number<&M::MaximumLevel>(-1, MaximumHalvings),
-      "Maximum number of levels above the coarsest. Automatic (-1): all levels of the input, and "
-      "for a refined image 1, or the levels that user-selected cells request. Coarsen then makes "
-      "as many as the numbers of cells allow, up to 3. Uniform multiplies the number of elements "
-      "by eight per level. Finer data of the input are averaged.")
+      "Maximum number of levels above the coarsest. Automatic (-1) uses all levels of the input. A "
+      "refined image gets 1 level, or as many as user-selected cells request. Coarsen makes as "
+      "many as the numbers of cells allow, up to 3. Uniform multiplies the number of elements by "
+      "eight per level. Finer data of the input are averaged.")
       .Special(-1, "automatic")
       .Listed()
       .ShownIf("Refinement!=Off"),
@@ -310,8 +310,8 @@ OptionTable RefinementOptions()
       .NotOfTets()
       .OfTets("No effect on tetrahedra: all interfaces get the finest cells."),
     Row("FineLayers", Number<&M::FineLayers>(2, 64),
-      "Minimum number of finest cells between an interface and larger cells. Without Fine "
-      "Interfaces: number of fine cells around the places that Automatic refines.")
+      "Minimum number of finest cells between an interface and larger cells. If Fine Interfaces is "
+      "off: number of fine cells around the places that Automatic refines.")
       .ShownIf("Refinement=Input Levels,Automatic,Coarsen")
       .Advanced(),
     Row("ThinCells", Number<&M::ThinCells>(0, LargestThickness),
@@ -407,8 +407,7 @@ OptionTable TetrahedraOptions()
       "the surfaces, which gives the best angles and the closest fit. Cells: each cell is cut into "
       "tetrahedra around its centre, so that the surfaces have the faces and labels of Volume "
       "Fraction To Hex. TetGen: TetGen fills the surfaces of Cells with tetrahedra that grow away "
-      "from them, which gives the fewest tetrahedra. TetGen is optional when this software is "
-      "built."),
+      "from them, which gives the fewest tetrahedra. TetGen is an optional part of the build."),
     Row("RelativeSize", Number<&M::RelativeSize>(RelativeSizes),
       "Target length of the edges next to the surfaces, in cells of the grid. The triangles of the "
       "surfaces do not change.")

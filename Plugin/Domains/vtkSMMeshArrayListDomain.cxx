@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkSMMeshArrayListDomain);
 namespace
 {
 
-/// Whether the points of the data are the centres of cells: of images of one level.
+/// Returns whether points of the data can be centres of cells: images of one level.
 bool HasCentres(vtkPVDataInformation* info)
 {
   if (!info->IsCompositeDataSet())

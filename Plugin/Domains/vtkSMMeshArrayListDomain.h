@@ -1,11 +1,14 @@
 /**
  * @class   vtkSMMeshArrayListDomain
- * @brief   the arrays of the input that can be meshed
+ * @brief   lists the arrays of the input that can be meshed
  *
- * As vtkSMArrayListDomain, without arrays that mark ghosts and ids, and with point data of images alone, whose points are the centres of
- * cells. XML attribute role: "fractions" or "labels" of the property that takes such arrays. Of these the first choice is the array that
- * alone can hold the materials (MaterialGuess.h), in that role; of all others, and where there are several, none.
- * Two required properties with the functions Fractions and Labels, where one of them has a value already no choice is made.
+ * Lists arrays as vtkSMArrayListDomain does, without ids and arrays that mark ghosts. Point data
+ * are listed only for images, whose points are the centres of cells.
+ *
+ * The XML attribute role, "fractions" or "labels", selects a default: the array that can hold
+ * materials in this role (MaterialGuess.h), if it is the only one that can hold materials at all.
+ * The required properties with the functions Fractions and Labels disable the default if one of
+ * them has a value.
  */
 #ifndef vtkSMMeshArrayListDomain_h
 #define vtkSMMeshArrayListDomain_h
@@ -36,7 +39,7 @@ private:
   void operator=(const vtkSMMeshArrayListDomain&) = delete;
 
   /**
-   * Whether the property that a function names has a value that names an array.
+   * Returns whether the required property with a function has an array.
    */
   bool IsChosen(const char* function);
 

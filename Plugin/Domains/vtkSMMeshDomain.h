@@ -1,10 +1,12 @@
 /**
  * @class   vtkSMMeshDomain
- * @brief   whether the input is a mesh that writers of meshes can write
+ * @brief   accepts input that the mesh writers of this project can write
  *
- * It has the arrays that these writers need: MaterialId and GlobalCellIds of cells, GlobalPointIds of points. What a filter leaves where
- * no mesh could be made (FailedOutput.h) counts too: the writer tells why. Where ranks run the script alike (pvbatch --sym) and see their
- * own piece, one rank's mesh is enough, so that all take the same writer; they must ask together.
+ * The input must have the arrays that these writers need: MaterialId and GlobalCellIds of cells,
+ * and GlobalPointIds of points. The output of a filter that failed (FailedOutput.h) is accepted
+ * too; the writer then reports the reason. If all ranks run the script (pvbatch --sym), each sees
+ * its own piece; a mesh on one rank is enough, so that all ranks choose the same writer. The check
+ * is collective in this mode.
  */
 #ifndef vtkSMMeshDomain_h
 #define vtkSMMeshDomain_h

@@ -255,8 +255,8 @@ def hexes(
         get larger away from them. Uniform: everywhere, so that thin parts get more elements across.
     maximum_level : int, default -1
         An integer from -1 (automatic) to 10. Maximum number of levels above the coarsest. Automatic
-        (-1): all levels of the input, and for a refined image 1, or the levels that user-selected
-        cells request. Coarsen then makes as many as the numbers of cells allow, up to 3. Uniform
+        (-1) uses all levels of the input. A refined image gets 1 level, or as many as user-selected
+        cells request. Coarsen makes as many as the numbers of cells allow, up to 3. Uniform
         multiplies the number of elements by eight per level. Finer data of the input are averaged.
     fine_interfaces : bool, default True
         All interfaces get the finest cells. Off: each place gets the level of the input or of the
@@ -264,7 +264,7 @@ def hexes(
         possible. Hexahedra only: tetrahedra at interfaces are always of the finest cells.
     fine_layers : int, default 2
         An integer from 2 to 64. Minimum number of finest cells between an interface and larger
-        cells. Without fine_interfaces: number of fine cells around the places that Automatic
+        cells. If fine_interfaces is off: number of fine cells around the places that Automatic
         refines.
     thin_cells : float, default 2.0
         A number from 0 (off) to 3. Refinement Automatic halves cells at films, gaps, rods and small
@@ -332,15 +332,13 @@ def hexes(
         image_axes=image_axes, mesh_void=mesh_void, minimum_region_cells=minimum_region_cells,
         fraction_tolerance=fraction_tolerance, iso_value=iso_value, state_transfer=state_transfer,
         state_order=state_order, nodal_velocity=nodal_velocity,
-        lost_kinetic_energy=lost_kinetic_energy,
-        unmeshed_material=unmeshed_material, stair_step=stair_step, smoothing=smoothing,
-        sharp_edges=sharp_edges,
+        lost_kinetic_energy=lost_kinetic_energy, unmeshed_material=unmeshed_material,
+        stair_step=stair_step, smoothing=smoothing, sharp_edges=sharp_edges,
         label_smoothing=label_smoothing, conserve_volume=conserve_volume, refinement=refinement,
         maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
-        thin_cells=thin_cells,
-        curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
-        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
-        child_fractions=child_fractions,
+        thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
+        refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
+        maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
         threads=threads,
         # end of arguments
@@ -417,8 +415,7 @@ def tets(
         the surfaces, which gives the best angles and the closest fit. Cells: each cell is cut into
         tetrahedra around its centre, so that the surfaces have the faces and labels of Volume
         Fraction To Hex. TetGen: TetGen fills the surfaces of Cells with tetrahedra that grow away
-        from them, which gives the fewest tetrahedra. TetGen is optional when this software is
-        built.
+        from them, which gives the fewest tetrahedra. TetGen is an optional part of the build.
     relative_size : float, default 1.0
         A number from 0.1 to 1e6. Target length of the edges next to the surfaces, in cells of the
         grid. The triangles of the surfaces do not change.
@@ -443,19 +440,17 @@ def tets(
         image_axes=image_axes, mesh_void=mesh_void, minimum_region_cells=minimum_region_cells,
         fraction_tolerance=fraction_tolerance, iso_value=iso_value, state_transfer=state_transfer,
         state_order=state_order, nodal_velocity=nodal_velocity,
-        lost_kinetic_energy=lost_kinetic_energy,
-        unmeshed_material=unmeshed_material, stair_step=stair_step, smoothing=smoothing,
-        sharp_edges=sharp_edges,
+        lost_kinetic_energy=lost_kinetic_energy, unmeshed_material=unmeshed_material,
+        stair_step=stair_step, smoothing=smoothing, sharp_edges=sharp_edges,
         label_smoothing=label_smoothing, conserve_volume=conserve_volume, refinement=refinement,
         maximum_level=maximum_level, fine_interfaces=fine_interfaces, fine_layers=fine_layers,
-        thin_cells=thin_cells,
-        curvature_per_cell=curvature_per_cell, refine_flipped_cells=refine_flipped_cells,
-        interface_layers=interface_layers, maximum_aspect_ratio=maximum_aspect_ratio,
-        child_fractions=child_fractions,
+        thin_cells=thin_cells, curvature_per_cell=curvature_per_cell,
+        refine_flipped_cells=refine_flipped_cells, interface_layers=interface_layers,
+        maximum_aspect_ratio=maximum_aspect_ratio, child_fractions=child_fractions,
         target_scaled_jacobian=target_scaled_jacobian, compute_quality=compute_quality,
-        threads=threads, method=method,
-        relative_size=relative_size, growth=growth, radius_edge_ratio=radius_edge_ratio,
-        minimum_dihedral_angle=minimum_dihedral_angle, optimization_level=optimization_level,
+        threads=threads, method=method, relative_size=relative_size, growth=growth,
+        radius_edge_ratio=radius_edge_ratio, minimum_dihedral_angle=minimum_dihedral_angle,
+        optimization_level=optimization_level,
         # end of arguments
     )
     source = Source(fractions, labels, spacing, origin, coordinates, direction, order, names,

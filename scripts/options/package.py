@@ -2,7 +2,7 @@
 
 from options.table import allowed, common, label, of_tets, put, snake, wrap
 
-WIDTH = 120
+WIDTH = 100
 
 
 def in_python(table):
