@@ -36,8 +36,8 @@ bool IsOwned(
 }
 
 /// Receives from the owners which ghost points move, among those within two tets of owned moving
-/// points. At the rim, this rank lacks some tets of a point and cannot decide. Collective among
-/// peers.
+/// points. At the rim, this rank lacks some tets of a point and
+/// cannot decide. Collective among peers.
 void ReceiveMoving(const CartesianGrid& grid, const Mesh& mesh, const Partition& partition,
   std::vector<unsigned char>& moving)
 {

@@ -13,8 +13,8 @@
  * are poor.
  *
  * Ids are CentreId and TetId (LevelIds.h); a tet belongs to the hex with the smaller key. Points
- * and tets are in the order of ids. Results are bitwise identical on any number of ranks, like
- * TransitionSmoothing.
+ * and tets are in the order of ids. Results are bitwise identical on any
+ * number of ranks, like TransitionSmoothing.
  */
 #pragma once
 
@@ -38,8 +38,8 @@ public:
   CoarseTets(CoarseHexes& hexes, const TetEnergy& energy, Runtime& runtime);
 
   const RefinedGrid& Levels() const { return this->Grid; }
-  /// Returns the families to refine because tets in owned base cells are not positive, one list per
-  /// refinement.
+  /// Returns the families to refine because tets in owned base cells are not
+  /// positive, one list per refinement.
   const std::vector<std::vector<Index>>& BadFamilies() const { return this->Bad; }
   /// Returns the number of points that do not belong to a finest cell of HexBox.
   Index NumberOfPoints() const { return static_cast<Index>(this->Local.PointIds.size()); }

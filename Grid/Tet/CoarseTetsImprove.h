@@ -14,8 +14,8 @@ namespace vfm
 using TetList =
   std::function<void(const std::function<void(const std::array<int, 4>&, const Vector3&)>&)>;
 
-/// Reduces the energy of tets with a dihedral angle within 20 degrees of 0 or 180, by moving their
-/// movers.
+/// Reduces the energy of tets with a dihedral angle within 20 degrees of 0 or
+/// 180, by moving their movers.
 /// @param partition  partition of the base grid, whose nodes own the movers (Mover::Owner)
 /// @param mesh  holds the points to which movers and tets refer
 /// @pre Collective.

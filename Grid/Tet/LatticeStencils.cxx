@@ -129,8 +129,8 @@ int Orientation(const std::array<std::uint8_t, 4>& sets)
 
 using Polygon = std::vector<int>; // sets of its corners, in order
 
-/// Division of one lattice tet. Every region is convex before points move, so the fans below are
-/// positive.
+/// Division of one lattice tet. Every region is convex before points move, so
+/// the fans below are positive.
 struct Work
 {
   const LatticeTet& Tet;

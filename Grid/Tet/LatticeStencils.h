@@ -30,8 +30,8 @@
 namespace vfm
 {
 
-/// Twice the coordinates relative to a block, in cells. Coordinates are even at vertices and odd at
-/// centres.
+/// Twice the coordinates relative to a block, in cells. Coordinates are even at
+/// vertices and odd at centres.
 using HalfPoint = std::array<int, 3>;
 
 /// Lattice tet at a face of block (0,0,0).

@@ -447,8 +447,8 @@ TetTopology BuildTets(const CartesianGrid& grid, const LatticeNodes& nodes, bool
 
 } // namespace
 
-/// The loop terminates: every round unsnaps a node, and boundaries without snapped nodes are
-/// manifolds.
+/// The loop terminates: every round unsnaps a node, and boundaries
+/// without snapped nodes are manifolds.
 LatticeTets BuildLatticeTets(const CartesianGrid& grid, LatticeNodes& nodes, bool meshVoid,
   const Partition& partition, Runtime& runtime, const CoarseTets& coarse)
 {

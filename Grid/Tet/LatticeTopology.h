@@ -1,6 +1,6 @@
 /**
- * LatticeTopology: the tets of the method Lattice, whose interfaces cut tets of the body-centred
- * lattice.
+ * LatticeTopology: the tets of the method Lattice, whose interfaces cut
+ * tets of the body-centred lattice.
  */
 #pragma once
 

@@ -29,8 +29,8 @@ HalfFace MakeHalfFace(const Mesh& mesh, Index t, int corner)
   return half;
 }
 
-/// Lists the faces without points inside a material. Only these can be on interfaces or the domain
-/// boundary.
+/// Lists the faces without points inside a material. Only these can be on
+/// interfaces or the domain boundary.
 std::vector<HalfFace> ListHalfFaces(const TetTopology& topology)
 {
   const Mesh& mesh = topology.Tets;

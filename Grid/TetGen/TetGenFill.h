@@ -1,7 +1,7 @@
 /**
  * TetGenFill: an interface to TetGen that does not include its header. It fills a closed surface
- * with tetrahedra and keeps the surface, so that neighbouring regions match. Only in builds with
- * VFM_HAS_TETGEN.
+ * with tetrahedra and keeps the surface, so that neighbouring regions match.
+ * Only in builds with VFM_HAS_TETGEN.
  *
  * Some invalid inputs make TetGen loop forever, fail an assert() or crash. Therefore the surface is
  * checked first, and every result is checked face by face. Failures are returned with a reason.

@@ -40,8 +40,8 @@ double WorstCosine(const Vector3& a, const Vector3& b, const Vector3& c, const V
 }
 
 /// Replaces two tets at a face by three tets around the edge between their opposite corners, top
-/// and bottom. TetGen leaves flat caps where three triangles of the surface meet; this flip opens
-/// them.
+/// and bottom. TetGen leaves flat caps where three triangles of the surface
+/// meet; this flip opens them.
 /// @param[out] three  the new tets
 /// @return whether the flip increases the smallest angle
 bool FlipFace(const Face& face, const Tet& upper, const Tet& lower,

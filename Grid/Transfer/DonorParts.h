@@ -26,8 +26,8 @@ struct DonorParts
   std::vector<DonorPart> Parts;
 };
 
-/// Moments of the parts in a donor. Positions are the centroids of parts, relative to
-/// Donor::Centroid.
+/// Moments of the parts in a donor. Positions are the centroids
+/// of parts, relative to Donor::Centroid.
 struct DonorShape
 {
   Vector3 First{};                ///< sum of volume x position, before CentreShapes

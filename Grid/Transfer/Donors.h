@@ -2,8 +2,8 @@
  * Donors: the contents of fragments in cells. A donor collects contents of its cell, exchanges
  * contents with other donors of its fragment, and gives them to the elements in the cell. Elements
  * that are not whole cells (WholeElements.h) have donors in all their cells. Whole elements have
- * donors only near mismatch cells (MismatchCells.h) and in fragments that these divide
- * (FlowNodes.h).
+ * donors only near mismatch cells (MismatchCells.h) and in
+ * fragments that these divide (FlowNodes.h).
  *
  * The owner of a cell processes its donors. Ranks that hold the cell as a ghost have copies.
  */
@@ -87,8 +87,8 @@ private:
 class DonorLinks
 {
 public:
-  /// Links all donors in ghost cells, and makes the missing copies. Copies get overlaps and
-  /// centroids.
+  /// Links all donors in ghost cells, and makes the missing copies.
+  /// Copies get overlaps and centroids.
   /// @param partition  must outlive this object
   /// @pre Collective among peers.
   DonorLinks(const CartesianGrid& grid, const Partition& partition, DonorTable& donors);

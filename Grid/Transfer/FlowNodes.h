@@ -1,8 +1,8 @@
 /**
  * FlowNodes: the donors between which contents move, as nodes of a graph. These are the donors near
  * mismatch cells. If the donors of a fragment near mismatch cells are not connected, as in a thick
- * shell, all its donors are nodes. The volumes of such a fragment match in total, but not on each
- * side.
+ * shell, all its donors are nodes. The volumes of such a fragment match in total,
+ * but not on each side.
  */
 #pragma once
 

@@ -108,8 +108,8 @@ void Turn(Work& work, double ratio)
   work.Graph.Update(work.Direction);
 }
 
-/// Computes Image. Returns its product with Direction, or 0 if like, its magnitude, is not
-/// positive.
+/// Computes Image. Returns its product with Direction, or 0 if like,
+/// its magnitude, is not positive.
 double FindCurvature(Work& work, double like)
 {
   return !(like > 0.0) ? 0.0

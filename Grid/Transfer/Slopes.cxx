@@ -154,8 +154,8 @@ private:
     return -sum / value;
   }
 
-  /// Limits a slope, so that in the bounding box of the parts, values stay within the range of
-  /// neighbours.
+  /// Limits a slope, so that in the bounding box of the parts, values stay
+  /// within the range of neighbours.
   static void Limit(const DonorShape& shape, const ColumnSums& sums, double shift, double* line)
   {
     double low = shift, high = shift;

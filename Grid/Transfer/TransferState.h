@@ -62,8 +62,8 @@ struct TransferRequest
 {
   /// Grid of the cells that give, with at least GhostLayers layers of ghost cells.
   const CartesianGrid& Grid;
-  /// Fractions in Grid.Local(), ghost cells too, as read: before removal of small fragments and
-  /// smoothing.
+  /// Fractions in Grid.Local(), ghost cells too, as read: before removal
+  /// of small fragments and smoothing.
   const FractionField& Fractions;
   const StateCellValues& Values; ///< values in Grid.Local()
   std::vector<StateQuantity> Quantities;
@@ -75,8 +75,8 @@ struct TransferRequest
   bool GiveUnmeshed = true;
 };
 
-/// Totals of a material over all ranks: volume, mass, then the content of each component of each
-/// quantity.
+/// Totals of a material over all ranks: volume, mass, then the content of
+/// each component of each quantity.
 using StateTotals = std::vector<double>;
 
 struct TransferredState
