@@ -1,5 +1,5 @@
 /**
- * FileBlocks: blocks of cells that were read from a file, as Python holds them.
+ * FileBlocks: blocks of cells that were read from a file, for Python.
  */
 #pragma once
 
@@ -15,15 +15,17 @@ namespace vfm
 struct FileBlocks
 {
   std::string Path;
-  std::vector<double> Times; ///< of all steps
-  double Time = 0.0;         ///< of the step that was read
+  std::vector<double> Times; ///< times of all steps
+  double Time = 0.0;         ///< time of the step that was read
   std::vector<std::string> Names,
-    Fractions; ///< arrays that were read, and those that hold materials
+    Fractions; ///< arrays that were read, and the ones that hold materials
   std::vector<InputBlock> Blocks;
 };
 
-/// Reads a SpyPlot case or an AMReX plotfile. step: negative ones count from the end. names: all without
-/// them. Throws InputError when the file has no such step or array.
+/// Reads a SpyPlot case or an AMReX plotfile.
+/// @param step number of the step, from 0; negative numbers count from the end
+/// @param names arrays to read; without value: all
+/// @throws InputError if the file lacks the step or an array
 FileBlocks ReadFileBlocks(
   const std::string& path, int step, const std::optional<std::vector<std::string>>& names);
 

@@ -39,7 +39,7 @@ nb::object MeasureVolumes(const NumpyPoints& points, const NumpyCells& cells)
   return ToNumpy(volumes);
 }
 
-/// get: number a of a row's T.
+/// Makes a column of values; get(row, a): component a of a row.
 template <class T, class Get>
 nb::object MakeColumn(const std::vector<FragmentSummary>& rows, const Get& get, int components = 0)
 {

@@ -1,5 +1,5 @@
 /**
- * MeasureMesh: what is reported of a mesh in arrays of numpy.
+ * MeasureMesh: measures meshes in numpy arrays.
  */
 #pragma once
 

@@ -1,5 +1,5 @@
 /**
- * MeshResult: what a run made, as a dict of arrays of numpy.
+ * MeshResult: the result of a run as a dict of numpy arrays.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace vfm
 {
 
-/// The keys are those of _core.pyi. The memory of the mesh goes over to numpy.
+/// Converts a result; _core.pyi lists the keys. numpy takes over the memory of the mesh.
 nanobind::dict ToPython(MesherResult result);
 
 } // namespace vfm

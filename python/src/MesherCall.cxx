@@ -10,7 +10,7 @@ namespace
 
 namespace nb = nanobind;
 
-/// Sets a value where the dict has one of that name.
+/// Sets a value if the dict has a key with a name.
 template <class Value>
 void Read(const nb::dict& from, const char* name, Value& value)
 {

@@ -1,5 +1,5 @@
 /**
- * MesherCall: the arguments of a call from Python as the input of a run.
+ * MesherCall: converts the arguments of a call from Python to the input of a run.
  */
 #pragma once
 
@@ -13,10 +13,10 @@ namespace vfm
 
 class PythonRuntime;
 
-/// As _core.pyi tells them.
+/// Arguments of the function mesh, described in _core.pyi.
 struct MesherCall
 {
-  std::vector<InputBlock> Blocks; ///< of a file; none: one block of the arrays and coordinates
+  std::vector<InputBlock> Blocks; ///< blocks of a file; empty: one block of Arrays, Coordinates
   std::vector<std::pair<std::string, NumpyArray>> Arrays;
   std::array<std::vector<double>, 3> Coordinates;
   std::array<double, 9> Axes;
@@ -28,10 +28,12 @@ struct MesherCall
   StateChoice State;
 };
 
-/// Of a dict, or None.
+/// Reads a dict, or None.
 StateChoice ReadStateChoice(nanobind::handle state, StateTransfer transfer);
 
-/// Throws InputError as the functions of InputBlocks and InputLevels do. call must outlive what is returned.
+/// Makes the input of a run.
+/// @param call must outlive the result
+/// @throws InputError if FindInputLevels or MakeImageFrame do
 MesherInput MakeInput(const MesherCall& call, Runtime& runtime);
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * The module _core: its functions are told in _core.pyi.
+ * Module: the Python module _core; _core.pyi describes its functions.
  */
 #include "FileBlocks.h"
 #include "Labels/ReadLabelNames.h"
@@ -65,7 +65,7 @@ nb::dict MakeMesh(const vfm::FileBlocks* blocks,
   const vfm::MesherCall call{ blocks ? blocks->Blocks : std::vector<vfm::InputBlock>(), arrays,
     Copy(coordinates), axes, origin, arePoints, fractions, labels, names,
     vfm::ReadStateChoice(state, options.Transfer) };
-  const vfm::MesherOptions kept = options; // others may change them meanwhile
+  const vfm::MesherOptions kept = options; // other threads may change options during the run
   vfm::PythonRuntime runtime(kept.NumberOfThreads, progress);
   vfm::MesherResult result;
   runtime.Run(
@@ -102,7 +102,7 @@ nb::object FillTriangles(const Places& points, const Corners& triangles,
     Copy(coordinates),
     [&](const vfm::Vector3&, const vfm::Vector3&)
     {
-      // a single shape: no other cuts it, so nothing evaluates its distance
+      // the distance of a single shape is not evaluated, because no other shape cuts it
       return std::vector<vfm::Shape>{ vfm::MakeSolid(
         1, vfm::CloseSurface(places, corners), [](const vfm::Vector3&) { return 0.0; }) };
     },
@@ -132,7 +132,7 @@ void BindBlocks(nb::module_& module)
   module.def("read_blocks", ReadBlocks, "path"_a, "step"_a, "names"_a.none());
 }
 
-/// InputError as an exception of Python.
+/// Converts an InputError to a Python exception.
 void TranslateError(const std::exception_ptr& raised, void*)
 {
   try

@@ -9,7 +9,7 @@ namespace
 
 namespace nb = nanobind;
 
-/// Of ValueType.
+/// Returns the ValueType of an array.
 int TypeOf(const std::string& name, const NumpyArray& values)
 {
   const std::pair<nb::dlpack::dtype, int> types[] = { { nb::dtype<double>(), ValueType::Double },
@@ -29,9 +29,7 @@ int TypeOf(const std::string& name, const NumpyArray& values)
     }
   }
   throw InputError("The array '" + name +
-    "' is of a type without numbers that can be read: whole numbers of 8 to 64 bits, float32 and "
-    "float64 "
-    "can.");
+    "' has an unsupported type. Supported types: integers of 8 to 64 bits, float32 and float64.");
 }
 
 } // namespace
@@ -45,7 +43,7 @@ NumpyView::NumpyView(const std::string& name, const NumpyArray& values) :
   if (values.ndim() < 1 || values.ndim() > 2)
   {
     throw InputError("The array '" + name + "' has " + std::to_string(values.ndim()) +
-      " dimensions: one value a cell, or a row of components, is needed.");
+      " dimensions: one value per cell, or one row of components per cell, is needed.");
   }
   if (reinterpret_cast<std::uintptr_t>(values.data()) % values.itemsize() != 0)
   {

@@ -1,5 +1,5 @@
 /**
- * NumpyArrays: arrays of numpy as the arrays of a block of cells, which are not copied.
+ * NumpyArrays: numpy arrays as the arrays of a block of cells, without copies.
  */
 #pragma once
 
@@ -17,18 +17,19 @@ namespace vfm
 
 using NumpyArray = nanobind::ndarray<nanobind::ro, nanobind::c_contig, nanobind::device::cpu>;
 
-/// What an array is: type, one of ValueType, rows and values per row. Throws InputError on other shapes than (rows,) and
-/// (rows, components), and on other types.
+/// A view of an array of shape (rows,) or (rows, components).
 struct NumpyView
 {
+  /// name: name in messages. Throws InputError on other shapes, and on unsupported types.
   NumpyView(const std::string& name, const NumpyArray& values);
-  int Type, Components;
+  int Type, Components; ///< Type: one of ValueType
   Index Rows;
   const void* Values;
 };
 
-/// arrays: names and values of shape (cells,) or (cells, components), to outlive what is returned. Throws InputError on other shapes and
-/// types.
+/// Views arrays as BlockArrays.
+/// @param arrays names and values, shape (cells,) or (cells, components); must outlive the result
+/// @throws InputError if NumpyView does
 std::shared_ptr<const BlockArrays> MakeBlockArrays(
   Index cells, const std::vector<std::pair<std::string, NumpyArray>>& arrays);
 

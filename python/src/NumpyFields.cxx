@@ -10,7 +10,7 @@ namespace
 
 namespace nb = nanobind;
 
-/// That numpy knows.
+/// A type that numpy supports.
 template <class T>
 using PlainType = std::conditional_t<std::is_same<T, char>::value, signed char, T>;
 

@@ -1,5 +1,6 @@
 /**
- * NumpyFields: memory of a mesh as arrays of numpy, which own it from then on: nothing is copied.
+ * NumpyFields: makes numpy arrays from buffers of a mesh without copies; numpy then owns
+ * the memory.
  */
 #pragma once
 
@@ -13,7 +14,7 @@
 namespace vfm
 {
 
-/// An array of shape (n,), or of rows of so many columns; values is empty after.
+/// Returns an array of shape (n,), or (n, columns) if columns > 0; values is empty afterwards.
 template <class T>
 nanobind::object ToNumpy(Buffer<T>& values, int columns = 0)
 {
@@ -30,10 +31,10 @@ nanobind::object ToNumpy(Buffer<T>& values, int columns = 0)
   return nb::cast(nb::ndarray<nb::numpy, T>(data, columns > 0 ? 2 : 1, shape, owner));
 }
 
-/// In the type of the array, a row a tuple where it has several components.
+/// Returns an array of the same type, of shape (n,) or (n, Components); the values are then empty.
 nanobind::object ToNumpy(TransferredArray& array);
 
-/// By name: arrays of numpy, or lists of texts.
+/// Returns numpy arrays, or lists of texts, by name.
 nanobind::dict ToDict(const FieldArrays& fields);
 
 } // namespace vfm

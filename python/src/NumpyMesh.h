@@ -1,5 +1,5 @@
 /**
- * NumpyMesh: points and cells in memory of numpy as a mesh.
+ * NumpyMesh: views points and cells in numpy arrays as a mesh.
  */
 #pragma once
 
@@ -18,8 +18,8 @@ using NumpyPoints = nanobind::ndarray<const double, nanobind::shape<-1, 3>, nano
 using NumpyCells = nanobind::ndarray<const std::int64_t, nanobind::ndim<2>, nanobind::c_contig,
   nanobind::device::cpu>;
 
-/// Views points and elements, which must outlive the view. Raises ValueError when cells are not points of hexahedra (n, 8) or
-/// tetrahedra (n, 4).
+/// Views points and elements, which must outlive the view.
+/// @throws ValueError if cells are not points of hexahedra (n, 8) or tetrahedra (n, 4)
 inline MeshData ViewMesh(const NumpyPoints& points, const NumpyCells& cells)
 {
   MeshData mesh;

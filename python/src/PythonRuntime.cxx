@@ -9,9 +9,9 @@ namespace
 {
 
 constexpr std::chrono::milliseconds BetweenLooks(100), BetweenTellings(50);
-// Bodies may begin with something that takes as long as some hundredths of their loop: few pieces.
-constexpr int FirstPieces = 64; // the first piece is such a part of what a thread has to do
-constexpr int Growth = 8;       // of pieces that are short
+// Few pieces, because the start of a body can take some hundredths of the time of its loop.
+constexpr int FirstPieces = 64; // the first piece is this fraction of the work of a thread
+constexpr int Growth = 8;       // growth of the size after a short piece
 constexpr std::chrono::milliseconds LongPiece(200);
 
 int CountThreads(int threads)
@@ -39,7 +39,7 @@ void PythonRuntime::Run(const std::function<void()>& work)
   }
   catch (const Aborted&)
   {
-    std::rethrow_exception(std::exchange(this->Raised, nullptr)); // nothing else throws it
+    std::rethrow_exception(std::exchange(this->Raised, nullptr)); // only CallPython throws Aborted
   }
 }
 
@@ -58,7 +58,7 @@ void PythonRuntime::CallPython(const std::function<void()>& call)
   }
 }
 
-/// Throws Aborted when the run is to end.
+/// Throws Aborted if the run must stop; checks for signals on the calling thread.
 void PythonRuntime::Look(Clock::time_point now)
 {
   if (this->IsStopped)
@@ -88,7 +88,7 @@ void PythonRuntime::For(std::int64_t first, std::int64_t last,
     [&](std::int64_t begin, std::int64_t end) { this->RunPieces(begin, end, length, body); });
 }
 
-/// Begins with a piece of that length; as long as pieces take little time the next are longer.
+/// Runs a range in pieces of the given length, which grows while pieces take little time.
 void PythonRuntime::RunPieces(std::int64_t begin, std::int64_t end, std::int64_t length,
   const std::function<void(std::int64_t, std::int64_t)>& body)
 {

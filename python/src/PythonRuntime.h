@@ -1,8 +1,10 @@
 /**
- * PythonRuntime: loops on threads of their own without the lock of Python, progress told to a callable, and Ctrl-C.
+ * PythonRuntime: runs loops on threads without the GIL of Python, reports progress to a callable,
+ * and handles Ctrl-C.
  *
- * The thread that called asks Python for signals at the start of loops and inside of long ones, some ten times a second at most. What a signal,
- * the callable of progress or another call of Python raises stops all threads and is thrown on by Run as it was raised.
+ * The calling thread checks for signals at the start of loops and inside long loops, at most ten
+ * times per second. If a signal, the progress callable or another call of Python raises an
+ * exception, all threads stop, and Run throws the exception.
  */
 #pragma once
 
@@ -23,17 +25,19 @@ namespace vfm
 class PythonRuntime : public ThreadRuntime
 {
 public:
-  /// Made by the thread that runs. threads: 0 for all cores; progress: None, or callable(fraction, stage), to outlive this. Throws ValueError on
-  /// a negative number of threads.
+  /// Must be created by the thread that calls Run.
+  /// @param threads number of threads; 0: all cores
+  /// @param progress None, or callable(fraction, stage); must outlive this object
+  /// @throws ValueError if threads is negative
   PythonRuntime(int threads, nanobind::handle progress);
 
-  /// Does the work without the lock of Python, which the thread must have. Throws what Python raised meanwhile.
+  /// Calls work without the GIL, which the thread must hold. Throws exceptions that Python raised.
   void Run(const std::function<void()>& work);
 
-  /// Calls Python inside of Run, from the thread that called it. Throws Aborted when the call raises.
+  /// Calls Python inside Run, from the thread that called Run. Throws Aborted if Python raises.
   void CallPython(const std::function<void()>& call);
 
-  /// Long ranges are cut, also on one thread, so that they can be stopped.
+  /// Divides long ranges, also on one thread, so that they can be stopped.
   void For(std::int64_t first, std::int64_t last,
     const std::function<void(std::int64_t, std::int64_t)>& body) override;
   void Progress(double fraction, const char* stage) override;
@@ -48,9 +52,9 @@ private:
   const nanobind::handle Callable;
   const std::thread::id Caller = std::this_thread::get_id();
   std::atomic<bool> IsStopped{ false };
-  std::exception_ptr Raised; // by Python; set once
+  std::exception_ptr Raised; // exception of Python; set once
   Clock::time_point NextLook, NextReport;
-  std::string Reported; // the last stage
+  std::string Reported; // last reported stage
 };
 
 } // namespace vfm

@@ -18,9 +18,9 @@ namespace
 
 namespace nb = nanobind;
 
-using Box = std::array<double, 7>; // from, to, halvings
+using Box = std::array<double, 7>; // lower corner, upper corner, halvings
 
-/// Quadric Surface: quadric_surface.
+/// Converts "Quadric Surface" to "quadric_surface".
 std::string SnakeWord(std::string word)
 {
   for (char& c : word)
@@ -30,7 +30,7 @@ std::string SnakeWord(std::string word)
   return word;
 }
 
-/// The words of a choice.
+/// Returns the words of a choice.
 std::vector<std::string> WordsInPython(const Option& option)
 {
   std::vector<std::string> words;
@@ -38,7 +38,7 @@ std::vector<std::string> WordsInPython(const Option& option)
   return words;
 }
 
-/// What an option takes, in the words of Python.
+/// Returns the allowed values of an option, in Python notation.
 std::string AllowedInPython(const Option& option)
 {
   return option.Kind == OptionKind::Switch ? "True or False"
@@ -99,7 +99,7 @@ double ReadChoice(const Option& option, nb::handle value)
   return static_cast<double>(found - option.Words.begin());
 }
 
-/// Of a whole number or any; texts are none.
+/// Reads an integer or a real; rejects texts.
 double ReadNumber(const Option& option, nb::handle value)
 {
   const bool isText = nb::isinstance<nb::str>(value) || nb::isinstance<nb::bytes>(value);
@@ -162,7 +162,7 @@ void SetBoxes(MesherOptions& options, const std::vector<Box>& boxes)
   }
 }
 
-/// Those that have a name in Python.
+/// Returns the options with a Python name.
 std::vector<const Option*> ListOptions()
 {
   std::vector<const Option*> options;

@@ -1,5 +1,5 @@
 /**
- * RunOptions: the options of a run as a class of Python.
+ * RunOptions: the options of a run as a Python class.
  */
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace vfm
 {
 
-/// Options: MesherOptions by the names that the table has for Python; describe_options.
+/// Adds the class Options (MesherOptions, with the Python names of the table) and list_options.
 void BindOptions(nanobind::module_& module);
 
 } // namespace vfm

@@ -19,7 +19,7 @@ IndexBox CellsOf(const NodeCoordinates& coordinates)
     if (x.size() < 2 || !std::is_sorted(x.begin(), x.end(), std::less_equal<double>()))
     {
       throw InputError(std::string("The ") + AxisNames[a] +
-        " coordinates must be those of two nodes or more, and increase.");
+        " coordinates must have two nodes or more, and increase.");
     }
     cells.Lower[a] = 0;
     cells.Upper[a] = static_cast<Index>(x.size()) - 1;

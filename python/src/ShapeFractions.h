@@ -1,5 +1,5 @@
 /**
- * ShapeFractions: exact volume fractions of shapes and closed surfaces as arrays of numpy.
+ * ShapeFractions: exact volume fractions of shapes and closed surfaces as numpy arrays.
  */
 #pragma once
 
@@ -14,8 +14,9 @@ class PythonRuntime;
 
 using NodeCoordinates = std::array<std::vector<double>, 3>;
 
-/// An array a material, a value a cell, x fastest. Throws ValueError without shapes or cells, and as PythonRuntime::Run does.
-/// make: the shapes in a domain.
+/// Returns one array per material with one value per cell, x fastest.
+/// @param make returns the shapes for a domain
+/// @throws InputError if there are no shapes or cells; exceptions of PythonRuntime::Run
 nanobind::list ComputeFractions(const NodeCoordinates& coordinates,
   const std::function<std::vector<Shape>(const Vector3& lower, const Vector3& upper)>& make,
   double tolerance, PythonRuntime& runtime);

@@ -1,5 +1,5 @@
 /**
- * WriteFile: binds the writers of files of meshes.
+ * WriteFile: binds the writers of mesh files.
  */
 #pragma once
 
