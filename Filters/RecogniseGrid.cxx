@@ -27,8 +27,8 @@ namespace
 
 constexpr int Corners = 8;
 constexpr const char* Advice =
-  " Hexahedra must be the cells of a Cartesian grid: turn a rotated grid "
-  "back (ParaView's filter Transform), bring other meshes onto a grid (filter "
+  " Hexahedra must be the cells of a Cartesian grid: rotate a rotated grid "
+  "back (ParaView's filter Transform), resample other meshes onto a grid (filter "
   "Resample To Image).";
 
 /// A cell and its position in the grid of its data set.

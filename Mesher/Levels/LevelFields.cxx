@@ -307,7 +307,7 @@ void DivideFields(LevelFields& fields, double maximumAspectRatio, ChildRule rule
   {
     return;
   }
-  runtime.Progress(0.0, "Dividing long cells");
+  runtime.Progress(0.0, "Dividing cells of high aspect ratio");
   WorkTogether(runtime.Group(),
     [&] { fields.Division = DivideLongCells(fields.Base.Coordinates(), maximumAspectRatio); });
   if (fields.Division.IsNone())
