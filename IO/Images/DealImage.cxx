@@ -8,7 +8,7 @@ namespace vfm
 namespace
 {
 
-/// The values of a box of a whole image, as bytes.
+/// Returns the values in a box of a whole image, as bytes.
 Bytes Cut(const TypedValues& values, const Index3& size, const IndexBox& box)
 {
   const Index width = WidthOfType(values.Type);
@@ -25,6 +25,7 @@ Bytes Cut(const TypedValues& values, const Index3& size, const IndexBox& box)
   return part;
 }
 
+/// Converts the result of Cut to values.
 TypedValues Uncut(int type, const IndexBox& box, const Bytes& bytes)
 {
   TypedValues values = MakeValues("", type, box.NumberOfCells());
@@ -46,7 +47,8 @@ TypedValues ReadPart(const ImageFile& file, const IndexBox& box, Ranks& ranks)
   const TypedValues values = ranks.Rank() == 0 ? file.Read(whole) : TypedValues();
   const int type = GatherItems(ranks, std::vector<int>{ values.Type })[0];
   Bytes mine;
-  for (int rank = 1; rank < ranks.Count(); ++rank) // one at a time: a part is held twice, not all
+  // Parts are sent one by one, so that at most one of them is in memory twice.
+  for (int rank = 1; rank < ranks.Count(); ++rank)
   {
     if (ranks.Rank() == 0)
     {

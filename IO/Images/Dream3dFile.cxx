@@ -20,7 +20,7 @@ std::string CannotRead(const std::string& path)
   return path + " cannot be read.";
 }
 
-/// Of the links of a group.
+/// Returns the names of the links of a group.
 std::vector<std::string> ListNames(hid_t file, const std::string& group)
 {
   std::vector<std::string> names;
@@ -34,7 +34,7 @@ std::vector<std::string> ListNames(hid_t file, const std::string& group)
   return names;
 }
 
-/// kind: H5I_GROUP or H5I_DATASET.
+/// Tests whether a path exists and is of a kind, H5I_GROUP or H5I_DATASET.
 bool IsKind(hid_t file, const std::string& path, H5I_type_t kind)
 {
   const hid_t item = H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0
@@ -49,7 +49,7 @@ bool IsKind(hid_t file, const std::string& path, H5I_type_t kind)
   return isKind;
 }
 
-/// Three numbers of a data set, or of an attribute of a group when it has that name.
+/// Reads three numbers of a data set, or of an attribute of a group. Returns whether there is one.
 bool ReadThree(hid_t file, const std::string& group, const std::string& name, Vector3& numbers)
 {
   const std::string path = Join(group, name);
@@ -75,13 +75,15 @@ bool ReadThree(hid_t file, const std::string& group, const std::string& name, Ve
   return true;
 }
 
-/// A grid of cells, and the group that holds its arrays.
+/// Grid of cells, and the group that holds its arrays.
 struct Geometry
 {
   std::string Group;
   ImagePlace Place;
 };
 
+/// Reads the place of an image geometry; returns whether the group has one.
+/// @param names  names of size, spacing and origin
 bool ReadGeometry(
   hid_t file, const std::string& group, const std::array<const char*, 3>& names, ImagePlace& place)
 {
@@ -103,7 +105,9 @@ bool ReadGeometry(
   return true;
 }
 
-/// Those of DREAM.3D 6, /DataContainers/NAME/_SIMPL_GEOMETRY, and of DREAM3D-NX, groups of /DataStructure at any depth.
+/// Finds the image geometries below a group: in DREAM.3D 6, /DataContainers/NAME/_SIMPL_GEOMETRY;
+/// in DREAM3D-NX, groups of /DataStructure.
+/// @param depth  number of levels of nested groups that are searched
 void FindGeometries(hid_t file, const std::string& group, int depth, std::vector<Geometry>& found)
 {
   for (const std::string& name : ListNames(file, group))
@@ -127,7 +131,7 @@ void FindGeometries(hid_t file, const std::string& group, int depth, std::vector
   }
 }
 
-/// The sizes of a data set, from the index that changes slowest.
+/// Returns the sizes of a data set; the first index changes slowest.
 std::vector<hsize_t> GetShape(hid_t data)
 {
   const Hdf5Handle space(H5Dget_space(data), H5Sclose, "a shape cannot be read.");
@@ -136,7 +140,7 @@ std::vector<hsize_t> GetShape(hid_t data)
   return shape;
 }
 
-/// Whether it has one value a cell: z, y, x, and maybe 1.
+/// Tests whether a data set has one value per cell. Its shape must be z, y, x or z, y, x, 1.
 bool FitsCells(hid_t file, const std::string& path, const Index3& size)
 {
   const Hdf5Handle data(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, CannotRead(path));
@@ -155,7 +159,7 @@ struct CellArray
   ImagePlace Place;
 };
 
-/// Of all grids, with one value a cell.
+/// Lists the arrays of all grids that have one value per cell.
 std::vector<CellArray> ListCellArrays(hid_t file, const std::vector<Geometry>& geometries)
 {
   std::vector<CellArray> found;
@@ -177,14 +181,15 @@ std::vector<CellArray> ListCellArrays(hid_t file, const std::vector<Geometry>& g
   return found;
 }
 
-/// A type of values in memory, by ValueType and to HDF5.
+/// Type of values in memory, one of ValueType and the type of HDF5.
 struct MemoryType
 {
   int Type;
   hid_t Hdf5;
 };
 
-/// One that holds what is stored; of longer whole numbers more than labels may be, so that none becomes another.
+/// Returns a type in memory for a stored type. Integers that may exceed a label are read as long
+/// long, so that a value out of range does not become another label.
 MemoryType ChooseType(hid_t stored, const std::string& path)
 {
   const std::size_t size = H5Tget_size(stored);
@@ -204,7 +209,7 @@ MemoryType ChooseType(hid_t stored, const std::string& path)
   }
 }
 
-/// With whole names.
+/// Tests whether a path ends with `end`, which may not begin inside a name of the path.
 bool EndsWith(const std::string& path, const std::string& end)
 {
   const std::string whole = end.compare(0, 1, "/") == 0 ? end : "/" + end;
@@ -216,10 +221,10 @@ Hdf5Handle Open(const std::string& path)
 {
   OpenFile(path);
   return { H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-    "it is no HDF5 file, or damaged." };
+    "it is not an HDF5 file, or it is damaged." };
 }
 
-/// The one of that name.
+/// Returns the array whose path ends with a name; there must be exactly one.
 CellArray Choose(const std::vector<CellArray>& arrays, const std::string& name)
 {
   CellArray chosen;
@@ -237,13 +242,13 @@ CellArray Choose(const std::vector<CellArray>& arrays, const std::string& name)
     else
     {
       throw InputError("it holds two cell arrays " + name + ": " + chosen.Path + " and " +
-        array.Path + ". Name the one that is meant by its path.");
+        array.Path + ". Select one of them by its path.");
     }
   }
   if (chosen.Path.empty())
   {
     throw InputError("it holds no cell array '" + name +
-      "' of one value a cell. Others are: " + (others.empty() ? "none" : others) + ".");
+      "' with one value per cell. Other arrays: " + (others.empty() ? "none" : others) + ".");
   }
   return chosen;
 }
@@ -281,7 +286,7 @@ ImageFile OpenDream3d(const std::string& path, const std::string& array)
   const Hdf5Silence silence;
   const Hdf5Handle file = Open(path);
   std::vector<Geometry> geometries;
-  constexpr int depth = 4; // of groups in groups
+  constexpr int depth = 4; // levels of nested groups
   FindGeometries(file, "/DataContainers", 0, geometries);
   FindGeometries(file, "/DataStructure", depth, geometries);
   if (geometries.empty())

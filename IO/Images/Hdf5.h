@@ -1,5 +1,5 @@
 /**
- * Hdf5: handles of the HDF5 library that close themselves.
+ * Hdf5: handles of the HDF5 library that close themselves, and suppression of its error output.
  */
 #pragma once
 
@@ -11,10 +11,14 @@
 namespace vfm
 {
 
+/// Owner of a handle of the HDF5 library, which it closes.
 class Hdf5Handle
 {
 public:
-  /// problem: is thrown when the handle is none.
+  /// @param id  handle, owned from now on
+  /// @param close  function that closes it
+  /// @param problem  message of the error
+  /// @throws InputError  if the handle is invalid
   Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& problem) : Id(id), Close(close)
   {
     if (id < 0)
@@ -32,7 +36,7 @@ private:
   herr_t (*Close)(hid_t);
 };
 
-/// While this lives the library prints no errors.
+/// Prevents the library from printing errors during the lifetime of the object.
 class Hdf5Silence
 {
 public:

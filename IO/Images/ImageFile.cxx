@@ -46,7 +46,7 @@ ImageFile OpenImageFile(const std::string& path, const std::string& array)
       return format.Open(path, array);
     }
   }
-  throw InputError("its name ends in no suffix of an image that is read.");
+  throw InputError("its suffix is not one of a supported image format.");
 }
 
 const std::vector<std::string>& GetImageSuffixes()

@@ -1,5 +1,6 @@
 /**
- * ImageFile: a file of one image, one value a point or a cell, in any of the formats that images of labels come in.
+ * ImageFile: opens a file of one image, with one value per point or cell: NIfTI, NRRD, MetaImage,
+ * TIFF and DREAM.3D. Nothing here communicates.
  */
 #pragma once
 
@@ -13,35 +14,46 @@
 namespace vfm
 {
 
+/// Open image file: its place in space and a function that reads its values.
 struct ImageFile
 {
   ImagePlace Place;
-  /// Values are those of cells, and the origin is the corner of the first; else of points.
+  /// True: values belong to cells, and the origin is the corner of the first cell. False: values
+  /// belong to points, and the origin is the first point.
   bool IsOfCells = false;
-  /// False where the whole image must be read to have a part of it.
+  /// False: Read accepts only the box of the whole image.
   bool ReadsParts = true;
-  /// Returns the values in a box of the image, without a name. Throws InputError without the path.
+  /// Returns the values in a box of the image, x fastest, without a name. Throws InputError; the
+  /// message does not contain the path.
   std::function<TypedValues(const IndexBox& box)> Read;
 };
 
-/// By the end of its name. array: of a .dream3d file, the name of a cell array, or the end of its path. Throws InputError
-/// without the path, as all that follows. Nothing here communicates.
+/// Opens an image file; the suffix determines the format.
+/// @param array  name of a cell array of a .dream3d file, or the end of its path
+/// @throws InputError  if the suffix is unknown, or if the file cannot be read, is damaged or is
+///   not supported; the message does not contain the path
 ImageFile OpenImageFile(const std::string& path, const std::string& array);
 
-/// Such as ".nii".
+/// Returns all supported suffixes, for instance ".nii".
 const std::vector<std::string>& GetImageSuffixes();
+/// Tests whether a path has a supported suffix, in lower or upper case.
 bool IsImageFile(const std::string& path);
 
-/// NIfTI-1 and -2: millimetres, x to the right, y to the front, z up (RAS). The sform tells the place, or where there is none or it
-/// is sheared, the qform, or the spacing alone. The order of slices of left-handed ones is turned.
+/// Opens a NIfTI-1 or NIfTI-2 file. Coordinates are in millimetres, x to the right, y to the front,
+/// z up (RAS). They are taken from the sform; if it is missing or sheared, from the qform; without
+/// both, from the spacing. If the axes are left-handed, the order of the slices is reversed.
+/// @throws InputError  same conditions as OpenImageFile, also below
 ImageFile OpenNifti(const std::string& path);
-/// NRRD: space directions and space origin, or spacings, in the space that the file names (mostly LPS). Raw and gzip.
+/// Opens an NRRD file, encoding raw or gzip. Coordinates are taken from space directions and space
+/// origin, or from spacings, in the space that the file names (mostly LPS).
 ImageFile OpenNrrd(const std::string& path);
-/// MetaImage: Offset, ElementSpacing and TransformMatrix, the coordinates of the file (mostly LPS). Raw, zlib and text.
+/// Opens a MetaImage file, raw, zlib or text. Offset, ElementSpacing and TransformMatrix give the
+/// coordinates, in the space of the file (mostly LPS).
 ImageFile OpenMetaImage(const std::string& path);
-/// TIFF: a page is a slice, x to the right, y up, z from page to page. Resolution gives x and y in millimetres; z as x.
+/// Opens a TIFF file. Each page is a slice: x to the right, y up, z from page to page. The
+/// resolution gives the spacing in x and y, millimetres; the spacing in z equals that in x.
 ImageFile OpenTiff(const std::string& path);
-/// DREAM.3D 6 and DREAM3D-NX: the cell array of an image geometry.
+/// Opens a cell array of an image geometry of DREAM.3D 6 or DREAM3D-NX.
 ImageFile OpenDream3d(const std::string& path, const std::string& array);
 
 } // namespace vfm

@@ -15,10 +15,10 @@ namespace vfm
 namespace
 {
 
-constexpr double LargestCosine = 1e-4;  // 0.03 cells askew over an image of 300
-constexpr double LargestRatio = 5000.0; // of compression; LZW of TIFF may reach half of it
+constexpr double LargestCosine = 1e-4;  // an error of 0.03 cells over an image of 300 cells
+constexpr double LargestRatio = 5000.0; // compression ratio; LZW of TIFF can reach half of it
 
-/// Exact of a vector along an axis.
+/// Returns the length of a vector; exact for vectors along axes.
 double Length(const Vector3& a)
 {
   return std::hypot(a[0], a[1], a[2]);
@@ -27,7 +27,7 @@ double Length(const Vector3& a)
 Vector3 Direction(const Vector3& a)
 {
   const double length = Length(a);
-  // + 0.0: no -0
+  // Adding 0.0 turns -0.0 into 0.0.
   return { { a[0] / length + 0.0, a[1] / length + 0.0, a[2] / length + 0.0 } };
 }
 
@@ -38,7 +38,7 @@ bool AreAtRightAngles(const std::array<Vector3, 3>& steps)
   for (int a = 0; a < 3; ++a)
   {
     const Vector3 &one = steps[a], &other = steps[(a + 1) % 3];
-    // also on numbers that are not finite
+    // The negated comparison is also true for numbers that are not finite.
     if (!(std::abs(Dot(one, other)) <= LargestCosine * Length(one) * Length(other)) ||
       !(Length(one) > 0.0))
     {
@@ -74,7 +74,7 @@ void CheckPlace(const ImagePlace& place)
   {
     if (place.Size[a] < 1 || place.Size[a] > std::numeric_limits<int>::max() - 1)
     {
-      throw InputError("it tells of " + std::to_string(place.Size[0]) + " x " +
+      throw InputError("its size is " + std::to_string(place.Size[0]) + " x " +
         std::to_string(place.Size[1]) + " x " + std::to_string(place.Size[2]) + " values.");
     }
     if (!(place.Spacing[a] > 0.0) || !std::isfinite(place.Spacing[a]))
@@ -96,7 +96,7 @@ void CheckLength(const std::string& path, double offset, double bytes, bool areC
   if (!error && bytes > (areCompressed ? LargestRatio : 1.0) * there)
   {
     std::ostringstream text;
-    text << std::fixed << std::setprecision(0) << "its values are cut short: they have " << bytes
+    text << std::fixed << std::setprecision(0) << "its values are truncated: they have " << bytes
          << " bytes" << (areCompressed ? " uncompressed" : "") << ", but there are " << there
          << ".";
     throw InputError(text.str());

@@ -1,5 +1,5 @@
 /**
- * ImagePlace: where the values of an image lie.
+ * ImagePlace: size, origin, spacing and axes of an image, and checks of them.
  */
 #pragma once
 
@@ -11,30 +11,39 @@
 namespace vfm
 {
 
+/// Place of the values of an image in the coordinates of the file.
 struct ImagePlace
 {
-  Index3 Size{}; ///< values along each axis of the image
+  Index3 Size{}; ///< number of values along each axis of the image
   Vector3 Origin{ { 0.0, 0.0, 0.0 } };
   Vector3 Spacing{ { 1.0, 1.0, 1.0 } };
-  /// Unit vectors at right angles, in the file's coordinates; the third may point either way.
+  /// Directions of the axes, orthonormal; they may be left-handed.
   std::array<Vector3, 3> Axes{ { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } },
     { { 0.0, 0.0, 1.0 } } } };
 };
 
-/// Whether steps from value to value along the three axes are at right angles, to a ten-thousandth, and none is 0.
+/// Tests whether the three axes are at right angles, up to a cosine of 1e-4, and longer than 0.
+/// @param steps  vector from one value to the next along each axis
 bool AreAtRightAngles(const std::array<Vector3, 3>& steps);
 
-/// Spacing and axes from steps at right angles; what is left of others after rounding is taken from the second and third.
+/// Sets spacing and axes. The second and third axis are made exactly orthogonal (Gram-Schmidt).
+/// @param steps  vector from one value to the next along each axis; AreAtRightAngles
 void SetSteps(const std::array<Vector3, 3>& steps, ImagePlace& place);
 
-/// The size that a header tells; 0, which CheckPlace refuses, of one that no image can have.
+/// Converts a size read from a header; returns 0, which CheckPlace rejects, if it is negative or
+/// too large.
 Index ToSize(double told);
 
-/// Throws InputError on a size below 1 or beyond int, a spacing not above 0, numbers that are not finite.
+/// Checks the numbers of an image's place.
+/// @throws InputError  if a size is below 1 or exceeds int, if a spacing is not above 0, or if a
+///   number is not finite
 void CheckPlace(const ImagePlace& place);
 
-/// Throws InputError when the file at path ends before values of that many bytes, which begin at offset; of compressed ones, when it is
-/// so short that it could not hold them.
+/// Checks that a file is long enough for its values. For compressed values, a compression ratio of
+/// 5000 is assumed to be possible.
+/// @param offset  place of the first value in the file, bytes
+/// @param bytes  size of the values, uncompressed
+/// @throws InputError  if the file is too short
 void CheckLength(const std::string& path, double offset, double bytes, bool areCompressed);
 
 } // namespace vfm

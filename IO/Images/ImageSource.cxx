@@ -14,7 +14,8 @@ ImageSource OpenImage(const std::string& path, const Vector3& spacing, const std
   const bool isSet = spacing != Vector3{ { 0.0, 0.0, 0.0 } };
   if (isSet && !std::all_of(spacing.begin(), spacing.end(), [](double s) { return s > 0.0; }))
   {
-    throw InputError("Spacing must be above 0 along all axes, or 0 for that of the file.");
+    throw InputError(
+      "Spacing must be above 0 along all axes, or 0 along all to use that of the file.");
   }
   ImageFile file = OpenImageFile(path, array);
   file.Place.Spacing = isSet ? spacing : file.Place.Spacing;

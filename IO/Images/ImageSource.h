@@ -1,5 +1,5 @@
 /**
- * ImageSource: an image or voxels in a file, of which every rank reads a part.
+ * ImageSource: opens an image or voxel file of which each rank reads a part.
  */
 #pragma once
 
@@ -15,22 +15,32 @@
 namespace vfm
 {
 
+/// Open file: its place in space and a function that reads its arrays.
 struct ImageSource
 {
-  ImagePlace Place; ///< Size is 0 where a text does not state it; Read throws then
-  bool IsOfCells =
-    false; ///< values are those of cells, and the origin is the corner of the first; else of points
-  /// Collective: the arrays in each rank's box, x fastest; the box may be empty. Throws InputError without the path, maybe on some ranks
-  /// only.
+  ImagePlace Place; ///< Size is 0 if a text does not contain it; Read then throws
+  /// True: values belong to cells, and the origin is the corner of the first cell. False: values
+  /// belong to points, and the origin is the first point.
+  bool IsOfCells = false;
+  /// Returns the arrays in the box of each rank, which may be empty; x fastest. Collective. Throws
+  /// InputError, possibly only on some ranks; the message does not contain the path.
   std::function<std::vector<TypedValues>(const IndexBox& box, Ranks& ranks)> Read;
 };
 
-/// An image of OpenImageFile: the array of that name, else 'Labels' or 'Values' of points. spacing: 0 along all axes for that of the file.
-/// Throws InputError without the path.
+/// Opens an image, see OpenImageFile. Its array has the name `array` if it belongs to cells,
+/// otherwise 'Labels' (integers) or 'Values'.
+/// @param spacing  replaces the spacing of the file; 0 along all axes: spacing of the file
+/// @param array  name of a cell array of a .dream3d file, or the end of its path
+/// @throws InputError  if the file cannot be read or is not supported; the message does not contain
+///   the path
 ImageSource OpenImage(
   const std::string& path, const Vector3& spacing, const std::string& array = "FeatureIds");
 
-/// A file of InspectVoxels. Throws InputError without the path.
+/// Opens a voxel file, see InspectVoxels.
+/// @param cells  number of cells along x, y and z of a text, 0 if unknown
+/// @param order  order of the axes in the file
+/// @throws InputError  if the file cannot be read or is not supported, or if origin or spacing are
+///   invalid; the message does not contain the path
 ImageSource OpenVoxels(const std::string& path, const Index3& cells, const Vector3& origin,
   const Vector3& spacing, AxisOrder order);
 

@@ -17,12 +17,13 @@ namespace
 
 constexpr std::size_t LongestLine = 100000;
 
-/// The fields of the header, and what follows it.
+/// Fields of the header and its length.
 struct MetaHeader
 {
   std::map<std::string, std::string> Fields;
-  Index Length = 0; ///< up to the end of the line that names the values
+  Index Length = 0; ///< bytes up to the end of the line ElementDataFile
 
+  /// Returns the value of the first field that exists, or `without` if there is none.
   std::string Find(std::initializer_list<const char*> names, const std::string& without) const
   {
     for (const char* name : names)
@@ -40,7 +41,8 @@ struct MetaHeader
     const std::string value = this->Find(names, "False");
     return !value.empty() && (value[0] == 'T' || value[0] == 't' || value[0] == '1');
   }
-  /// That many numbers of the first field of these; without one each of these is without.
+  /// Returns `count` numbers of the first field that exists, or `count` times `without` if there is
+  /// none.
   std::vector<double> Numbers(
     std::initializer_list<const char*> names, std::size_t count, double without) const
   {
@@ -52,7 +54,7 @@ struct MetaHeader
       if (!(stream >> numbers[i]))
       {
         throw InputError(std::string("its header says '") + *names.begin() + " = " +
-          text.substr(0, 80) + "', where " + std::to_string(count) + " numbers are wanted.");
+          text.substr(0, 80) + "', where " + std::to_string(count) + " numbers are required.");
       }
     }
     return numbers;
@@ -88,8 +90,9 @@ MetaHeader ReadHeader(std::ifstream& stream)
       return header;
     }
   }
-  throw InputError("it is no MetaImage file: its header is no list of NAME = VALUE that ends with "
-                   "ElementDataFile.");
+  throw InputError(
+    "it is not a MetaImage file: its header is not a list of NAME = VALUE that ends with "
+    "ElementDataFile.");
 }
 
 int FindType(const std::string& name)
@@ -105,7 +108,7 @@ int FindType(const std::string& name)
   if (found == types.end())
   {
     throw InputError("its values are of type '" + name.substr(0, 80) +
-      "'. Read are MET_CHAR to MET_ULONG_LONG, MET_FLOAT and MET_DOUBLE.");
+      "'. Supported types: MET_CHAR to MET_ULONG_LONG, MET_FLOAT and MET_DOUBLE.");
   }
   return found->second;
 }
@@ -116,7 +119,7 @@ ImagePlace FindPlace(const MetaHeader& header)
   if (!(dimensions >= 1.0 && dimensions <= 3.0))
   {
     throw InputError("its image has " + header.Find({ "NDims" }, "no").substr(0, 20) +
-      " dimensions; wanted are three.");
+      " dimensions; three are required.");
   }
   const std::size_t n = static_cast<std::size_t>(dimensions);
   const std::vector<double> sizes = header.Numbers({ "DimSize" }, n, 0.0),
@@ -142,14 +145,15 @@ ImagePlace FindPlace(const MetaHeader& header)
   CheckPlace(place);
   if (!AreAtRightAngles(steps))
   {
-    throw InputError("its TransformMatrix is no rotation: the axes are not at right angles.");
+    throw InputError("its TransformMatrix is not a rotation: the axes are not at right angles.");
   }
   SetSteps(steps, place);
   return place;
 }
 
-/// Returns the files with the values, relative to the header: one, those of a list that follows the header, a slice each, or those
-/// of a pattern with first, last and step. None: the values follow the header.
+/// Returns the files with the values, relative to the folder of the header. They are one file, a
+/// list after the header with one file per slice, or a pattern with first, last and step. The
+/// result is empty if the values follow the header.
 std::vector<std::string> FindFiles(const MetaHeader& header, std::istream& stream, Index slices)
 {
   const std::string name = header.Find({ "ElementDataFile" }, "");
@@ -177,7 +181,7 @@ std::vector<std::string> FindFiles(const MetaHeader& header, std::istream& strea
   return { name };
 }
 
-/// Returns values that are written as text.
+/// Reads values that are stored as text.
 TypedValues ReadText(const StoredValues& stored, Index count)
 {
   TypedValues values = MakeValues("", stored.Type, count);
@@ -192,7 +196,7 @@ TypedValues ReadText(const StoredValues& stored, Index count)
         double number = 0.0;
         if (!(stream >> number))
         {
-          throw InputError("its values are cut short, or no numbers.");
+          throw InputError("its values are truncated, or not numbers.");
         }
         reinterpret_cast<Value*>(values.Bytes.data())[i] = static_cast<Value>(number);
       }
@@ -213,7 +217,7 @@ ImageFile OpenMetaImage(const std::string& path)
   if (values != 1.0)
   {
     throw InputError("it has " + std::to_string(static_cast<int>(values)) +
-      " values a point (a vector or a colour); wanted is one, a label or a volume fraction.");
+      " values per point (a vector or a colour); one is required, a label or a volume fraction.");
   }
   StoredValues stored;
   stored.Type = FindType(header.Find({ "ElementType" }, ""));
@@ -232,7 +236,7 @@ ImageFile OpenMetaImage(const std::string& path)
   }
   const double skip = header.Numbers({ "HeaderSize" }, 1, 0.0)[0];
   const bool isBinary = header.IsTrue({ "BinaryData" });
-  if (skip == -1.0 && stored.Files.size() == 1) // the values end the file
+  if (skip == -1.0 && stored.Files.size() == 1) // the values are at the end of the file
   {
     const double length = static_cast<double>(std::filesystem::file_size(stored.Files[0]));
     stored.Begin = ToSize(length - stored.CountBytes(size));
@@ -254,7 +258,7 @@ ImageFile OpenMetaImage(const std::string& path)
   image.Read = [stored, size, isBinary](const IndexBox& box)
   {
     return isBinary ? ReadStored(stored, size, box)
-                    : ReadText(stored, box.NumberOfCells()); // of the whole
+                    : ReadText(stored, box.NumberOfCells()); // box of the whole image
   };
   return image;
 }

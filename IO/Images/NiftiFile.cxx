@@ -18,7 +18,7 @@ namespace
 
 constexpr int Length1 = 348, Length2 = 540; // bytes of the headers of NIfTI-1 and -2
 
-/// Numbers of a header, in whose second version most are longer and elsewhere.
+/// Header of a NIfTI file. In NIfTI-2 most numbers are longer than in NIfTI-1 and at other places.
 class NiftiHeader
 {
 public:
@@ -40,10 +40,11 @@ public:
         return;
       }
     }
-    throw InputError("it is no NIfTI file.");
+    throw InputError("it is not a NIfTI file.");
   }
 
-  /// Of type Value1 at byte first in the first version, Value2 at second in the second.
+  /// Returns a number, of type Value1 at byte `first` in NIfTI-1, of type Value2 at byte `second`
+  /// in NIfTI-2.
   template <class Value1, class Value2>
   double Number(int first, int second, int index = 0) const
   {
@@ -56,7 +57,7 @@ public:
     return this->Number<float, double>(first, second, index);
   }
   double Dimension(int i) const { return this->Number<std::int16_t, std::int64_t>(40, 16, i); }
-  /// Of pixdim; 0 stands for 1.
+  /// Returns entry i of pixdim; 1 if it is 0.
   double Width(int i) const
   {
     const double width = this->Real(76, 104, i);
@@ -96,7 +97,7 @@ int FindType(const NiftiHeader& header)
     }
   }
   throw InputError("its values are of type " + std::to_string(told) +
-    " of NIfTI. Read are whole numbers of 1 to 8 bytes, and reals of 4 or 8.");
+    " of NIfTI. Supported types: integers of 1 to 8 bytes, floating point of 4 or 8 bytes.");
 }
 
 Index3 FindSize(const NiftiHeader& header)
@@ -105,30 +106,31 @@ Index3 FindSize(const NiftiHeader& header)
   if (!(dimensions >= 0.0 && dimensions <= 7.0))
   {
     throw InputError("its image has " + std::to_string(static_cast<int>(dimensions)) +
-      " dimensions; wanted are three.");
+      " dimensions; three are required.");
   }
   const auto size = [&](int i) { return i <= dimensions ? ToSize(header.Dimension(i)) : 1; };
   if (size(4) > 1)
   {
     throw InputError("it holds " + std::to_string(size(4)) +
-      " images (times, or maps of several regions). Save the one that is meant.");
+      " images (times, or maps of several regions). Save only one of them.");
   }
   const Index values = size(5);
   if (values > 1)
   {
     throw InputError("it has " + std::to_string(values) +
-      " values a point (a vector or a colour); wanted is one, a label or a volume fraction.");
+      " values per point (a vector or a colour); one is required, a label or a volume fraction.");
   }
   return { size(1), size(2), size(3) };
 }
 
-/// Axes of an image, and where its first value lies.
+/// Axes of an image and the position of its first value.
 struct Form
 {
-  std::array<Vector3, 3> Axes; ///< times the widths: the steps
+  std::array<Vector3, 3> Axes; ///< times the widths they are the steps from value to value
   Vector3 Origin;
 };
 
+/// Reads the qform.
 Form ReadQuaternion(const NiftiHeader& header)
 {
   const double b = header.Real(256, 352), c = header.Real(260, 360), d = header.Real(264, 368);
@@ -144,7 +146,7 @@ Form ReadQuaternion(const NiftiHeader& header)
     Vector3 row;
     for (int j = 0; j < 3; ++j)
     {
-      constexpr double rounding = 0x1p-22; // of single precision
+      constexpr double rounding = 0x1p-22; // rounding error of single precision
       row[j] = std::abs(rows[i][j] / all) < rounding ? 0.0 : rows[i][j] / all;
     }
     const double length = std::sqrt(Dot(row, row));
@@ -157,6 +159,7 @@ Form ReadQuaternion(const NiftiHeader& header)
   return form;
 }
 
+/// Reads the sform.
 Form ReadMatrix(const NiftiHeader& header)
 {
   Form form;
@@ -171,7 +174,8 @@ Form ReadMatrix(const NiftiHeader& header)
   return form;
 }
 
-/// Sets the place of an image whose slices are turned about where the file's axes are left-handed; returns whether they are.
+/// Sets the place of an image. If the axes of the file are left-handed, the place is that of the
+/// image with its slices in reverse order. Returns whether they are left-handed.
 bool SetPlace(const NiftiHeader& header, ImagePlace& place)
 {
   constexpr int sform = 0, qform = 1;
@@ -217,6 +221,7 @@ bool SetPlace(const NiftiHeader& header, ImagePlace& place)
   return isTurned;
 }
 
+/// Reverses the order of the slices.
 void TurnSlices(TypedValues& values, Index slices)
 {
   const Index slice = static_cast<Index>(values.Bytes.size()) / slices;
@@ -260,7 +265,7 @@ ImageFile OpenNifti(const std::string& path)
   CheckFiles(stored, image.Place.Size);
   const bool isTurned = SetPlace(header, image.Place);
   double slope = header.Real(112, 176), intercept = header.Real(116, 184);
-  if (slope == 0.0 || !std::isfinite(slope) || !std::isfinite(intercept)) // as they are stored
+  if (slope == 0.0 || !std::isfinite(slope) || !std::isfinite(intercept)) // no scaling
   {
     slope = 1.0;
     intercept = 0.0;

@@ -18,18 +18,20 @@ namespace
 constexpr std::size_t LongestLine = 100000;
 constexpr double LargestSkip = 1e15;
 
-/// A header that is cut or of another format.
+/// Rejects a line of a truncated header or of another format.
 void CheckLine(const std::string& line, bool hasEnd)
 {
   const bool isText = std::none_of(line.begin(), line.end(),
     [](unsigned char c) { return (c < ' ' && c != '\t' && c != '\r') || c == 127; });
   if (!hasEnd || line.size() > LongestLine || !isText)
   {
-    throw InputError("its header is no text that ends with an empty line or the end of a line.");
+    throw InputError(
+      "its header is not a text that ends with an empty line or with the end of a line.");
   }
 }
 
-/// The fields of the header by their names.
+/// Reads the fields of the header, by name.
+/// @param[out] length  length of the header, bytes
 std::map<std::string, std::string> ReadFields(const std::string& path, Index& length)
 {
   std::ifstream stream = OpenFile(path);
@@ -37,12 +39,12 @@ std::map<std::string, std::string> ReadFields(const std::string& path, Index& le
   std::getline(stream, line);
   if (line.compare(0, 4, "NRRD") != 0)
   {
-    throw InputError("it is no NRRD file.");
+    throw InputError("it is not an NRRD file.");
   }
   CheckLine(line, !stream.eof());
   std::map<std::string, std::string> fields;
   bool hasEnd = false, isList = false;
-  std::string& list = fields["LIST"]; // names of files, a line each
+  std::string& list = fields["LIST"]; // names of files, one per line
   while (!hasEnd && std::getline(stream, line))
   {
     CheckLine(line, !stream.eof());
@@ -66,7 +68,7 @@ std::map<std::string, std::string> ReadFields(const std::string& path, Index& le
   return fields;
 }
 
-/// As many numbers as the text begins with; signs, commas and brackets between them do not count.
+/// Returns all numbers at the beginning of a text; brackets and commas between them are ignored.
 std::vector<double> ParseNumbers(std::string text)
 {
   for (char& c : text)
@@ -82,7 +84,8 @@ std::vector<double> ParseNumbers(std::string text)
   return numbers;
 }
 
-/// n numbers, or an error.
+/// Returns the n numbers of a field.
+/// @throws InputError  if the field is missing or does not have n numbers
 std::vector<double> ParseField(
   const std::map<std::string, std::string>& fields, const std::string& name, std::size_t n)
 {
@@ -93,7 +96,7 @@ std::vector<double> ParseField(
   {
     throw InputError("its header says '" + name + ": " +
       (found == fields.end() ? "" : found->second.substr(0, 80)) + "', where " + std::to_string(n) +
-      (n == 1 ? " number is" : " numbers are") + " wanted.");
+      (n == 1 ? " number is" : " numbers are") + " required.");
   }
   return numbers;
 }
@@ -159,12 +162,12 @@ int FindType(const std::string& name)
   if (found == types.end())
   {
     throw InputError("its values are of type '" + name.substr(0, 80) +
-      "'. Read are whole numbers of 1 to 8 bytes, and reals of 4 or 8.");
+      "'. Supported types: integers of 1 to 8 bytes, floating point of 4 or 8 bytes.");
   }
   return found->second;
 }
 
-/// Whether values in an order of bytes are not in that of this machine.
+/// Returns whether a byte order, "little" or "big", differs from that of this machine.
 bool IsSwapped(const std::string& order)
 {
   if (order != "little" && order != "big")
@@ -174,7 +177,7 @@ bool IsSwapped(const std::string& order)
   return (order == "little") != IsLittleEndian();
 }
 
-/// Returns how many bytes of the data lie before the first value.
+/// Returns the number of bytes of the data before the first value.
 Index FindSkip(const std::map<std::string, std::string>& fields)
 {
   if (FindField(fields, "line skip", "0") != "0")
@@ -190,7 +193,7 @@ Index FindSkip(const std::map<std::string, std::string>& fields)
   return static_cast<Index>(skip);
 }
 
-/// Returns the files that hold the values: of a list, of a pattern with first, last and step, or one.
+/// Returns the files with the values: a list, a pattern with first, last and step, or one file.
 std::vector<std::string> FindFiles(const std::map<std::string, std::string>& fields, Index most)
 {
   const std::string name = FindField(fields, "data file", FindField(fields, "datafile", ""));
@@ -219,7 +222,7 @@ NrrdHeader ReadNrrdHeader(const std::string& path)
   if (dimension != 3.0)
   {
     throw InputError("its image has " + std::to_string(static_cast<int>(dimension)) +
-      " dimensions; wanted are three, with one value a point.");
+      " dimensions; three are required, with one value per point.");
   }
   const std::vector<double> sizes = ParseField(fields, "sizes", 3);
   for (std::size_t a = 0; a < 3; ++a)
@@ -231,7 +234,8 @@ NrrdHeader ReadNrrdHeader(const std::string& path)
   header.IsRaw = coded == "raw";
   if (!header.IsRaw && coded != "gzip" && coded != "gz")
   {
-    throw InputError("its encoding is '" + coded.substr(0, 80) + "'; read are raw and gzip.");
+    throw InputError(
+      "its encoding is '" + coded.substr(0, 80) + "'. Supported encodings: raw and gzip.");
   }
   header.Type = FindType(FindField(fields, "type", ""));
   header.IsSwapped = WidthOfType(header.Type) > 1 && IsSwapped(FindField(fields, "endian", ""));

@@ -14,7 +14,7 @@ namespace vfm
 namespace
 {
 
-/// The data of a file from a byte on, read forwards.
+/// Data of a file behind a given byte, read in ascending order of positions.
 class ByteStream
 {
 public:
@@ -38,7 +38,8 @@ public:
   ByteStream(const ByteStream&) = delete;
   ByteStream& operator=(const ByteStream&) = delete;
 
-  /// position: in the data, after decompression; not before the last.
+  /// Reads `count` bytes.
+  /// @param position  place in the uncompressed data; not before the end of the last read
   void Read(Index position, char* to, Index count)
   {
     if (!this->IsCompressed)
@@ -57,7 +58,7 @@ public:
     }
     else if (!this->Stream.read(to, count))
     {
-      throw InputError("its values are cut short.");
+      throw InputError("its values are truncated.");
     }
     this->Position = position + count;
   }
@@ -67,7 +68,7 @@ private:
 
   void Inflate(char* to, Index count)
   {
-    constexpr Index most = 1 << 30; // of a number of zlib
+    constexpr Index most = 1 << 30; // fits an unsigned of zlib
     for (Index done = 0; done < count;)
     {
       const Index part = std::min(count - done, most);
@@ -90,21 +91,21 @@ private:
       }
       const bool isAtEnd = this->Packed.avail_in == 0;
       const int state = inflate(&this->Packed, Z_NO_FLUSH);
-      if (state == Z_STREAM_END) // another may follow, as bgzip and pigz write
+      if (state == Z_STREAM_END) // another stream may follow, as written by bgzip and pigz
       {
         inflateReset(&this->Packed);
       }
       else if (isAtEnd || state != Z_OK)
       {
         throw InputError(
-          isAtEnd ? "its compressed values are cut short." : "its compressed values are damaged.");
+          isAtEnd ? "its compressed values are truncated." : "its compressed values are damaged.");
       }
     }
   }
 
   std::ifstream Stream;
   bool IsCompressed;
-  Index Position = 0; // in the data
+  Index Position = 0; // place in the uncompressed data
   z_stream Packed{};
   std::vector<char> Buffer = std::vector<char>(BufferSize);
 };
@@ -141,8 +142,8 @@ void CheckFiles(const StoredValues& stored, const Index3& size)
   const Index files = static_cast<Index>(stored.Files.size());
   if (files == 0 || size[2] % files != 0)
   {
-    throw InputError("its " + std::to_string(size[2]) + " slices lie in " + std::to_string(files) +
-      " files, which cannot be.");
+    throw InputError("it has " + std::to_string(size[2]) + " slices in " + std::to_string(files) +
+      " files; each file must hold the same number of slices.");
   }
   for (const std::string& file : stored.Files)
   {
@@ -158,7 +159,7 @@ TypedValues ReadStored(const StoredValues& stored, const Index3& size, const Ind
   const Index width = WidthOfType(stored.Type), row = box.Size(0) * width;
   const Index slices = size[2] / static_cast<Index>(stored.Files.size());
   std::unique_ptr<ByteStream> stream;
-  Index open = -1; // which file
+  Index open = -1; // index of the open file
   char* to = values.Bytes.data();
   ForRows(box,
     [&](Index j, Index k)

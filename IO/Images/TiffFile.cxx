@@ -14,7 +14,7 @@ namespace vfm
 namespace
 {
 
-/// What the pages of a stack must have in common.
+/// Format of a page, which must be equal for all pages of a stack.
 struct Page
 {
   std::uint32_t Width = 0, Height = 0;
@@ -39,7 +39,8 @@ struct Page
   }
 };
 
-/// How many images ImageJ says that it wrote; it may have put them all behind the first page. 1: it says nothing.
+/// Returns the number of images according to the description by ImageJ, or 1 without a description.
+/// ImageJ may store all of them behind the first page, without pages of their own.
 int CountDescribed(TIFF* file)
 {
   constexpr const char* key = "\nimages=";
@@ -60,23 +61,24 @@ TiffHandle Open(const std::string& path)
   TiffHandle file(TIFFOpen(path.c_str(), "r"), TIFFClose);
   if (!file)
   {
-    throw InputError("it is no TIFF file.");
+    throw InputError("it is not a TIFF file.");
   }
   return file;
 }
 
-/// Checks that all pages are like the first; returns how many there are.
+/// Checks that all pages have the format of the first; returns their number.
 int CheckPages(TIFF* file, const Page& first)
 {
   if (first.Samples != 1 || (first.Bits != 8 && first.Bits != 16 && first.Bits != 32))
   {
     throw InputError("it has " + std::to_string(first.Samples) + " values of " +
-      std::to_string(first.Bits) + " bits a point; wanted is one of 8, 16 or 32 bits.");
+      std::to_string(first.Bits) + " bits per point; one value of 8, 16 or 32 bits is required.");
   }
   if (!first.HasStrips)
   {
     throw InputError(
-      "its values are not stored in strips of rows (but in tiles, or it is damaged).");
+      "its values are not stored in strips of rows. It has tiles, which are not supported, or is "
+      "damaged.");
   }
   const int described = CountDescribed(file);
   const int pages = TIFFNumberOfDirectories(file);
@@ -84,14 +86,14 @@ int CheckPages(TIFF* file, const Page& first)
   {
     throw InputError("ImageJ wrote " + std::to_string(described) + " images, but it has " +
       std::to_string(pages) + (pages == 1 ? " page" : " pages") +
-      ". Save it as a stack with a page an image, or in another format.");
+      ". Save it as a stack with one page per image, or in another format.");
   }
   for (int page = 2; page <= pages; ++page)
   {
     if (!TIFFReadDirectory(file) || Page(file) != first)
     {
       throw InputError("page " + std::to_string(page) +
-        " is stored otherwise than the first, of another size or type, or damaged.");
+        " differs from the first in storage, size or type, or is damaged.");
     }
   }
   TIFFSetDirectory(file, 0);
@@ -114,7 +116,7 @@ int FindType(const Page& page)
                                             : ValueType::UnsignedInt;
 }
 
-/// Widths of voxels in millimetres; 1 where the file does not tell them.
+/// Returns the widths of voxels in millimetres; 1 if the file does not contain them.
 Vector3 FindSpacing(TIFF* file, int pages)
 {
   std::uint16_t unit = 0;
@@ -130,7 +132,8 @@ Vector3 FindSpacing(TIFF* file, int pages)
   return { { length / x, length / y, pages > 1 ? length / x : 1.0 } };
 }
 
-/// Reads one page as VTK does: the first row of the file is the lowest, unless the file says otherwise.
+/// Reads one page as VTK does: the first row of the file becomes the lowest; the last row does if
+/// the orientation is not top left.
 void ReadPage(TIFF* file, const Index3& size, Index width, char* to)
 {
   std::uint16_t orientation = 0, meaning = PHOTOMETRIC_MINISBLACK;
@@ -166,7 +169,7 @@ ImageFile OpenTiff(const std::string& path)
   const Index3 size = image.Place.Size;
   CheckLength(path, 0.0, double(size[0]) * double(size[1]) * double(size[2]) * double(width), true);
   image.ReadsParts = false;
-  image.Read = [path, type, width, size](const IndexBox& box) // of the whole
+  image.Read = [path, type, width, size](const IndexBox& box) // box of the whole image
   {
     TypedValues values = MakeValues("", type, box.NumberOfCells());
     const TiffHandle pagesOfFile = Open(path);

@@ -83,8 +83,8 @@ def is_same_everywhere(texts):
 def test_refused():
     """One message on all ranks, be the file bad in its header or where the first rank reads its
     values."""
-    for name, text in (("text.nii", "it is no NIfTI file"),
-                       ("cut.nrrd", "its compressed values are cut short"),
+    for name, text in (("text.nii", "it is not a NIfTI file"),
+                       ("cut.nrrd", "its compressed values are truncated"),
                        ("none.mha", "No such file")):
         source = LabelImageReader(FileName=[at(name)])
         errors, _ = collect(held_class(source))
