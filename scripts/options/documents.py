@@ -1,53 +1,99 @@
-"""The tables of the documents: Documentation/properties.md, the properties of all filters, sources, readers and writers, as the server
-manager's XML has them; the options of the mesher that have a name in the program sculptor.
+"""Generated parts of the pages: Documentation/reference/options.md, which explains the options of
+the mesher and the properties of the other filters, sources, readers and writers; and the table of
+options in Documentation/user/command-line.md.
+
+The options of the mesher come from the table of options, all other properties from the XML of the
+server manager.
 """
+import re
 import xml.etree.ElementTree as ElementTree
 
 from options.table import allowed, label, put, read
 
-FILES = ["VolumeFractionInput.xml", "VolumeFractionMesh.xml", "VolumeFractionToTet.xml", "VolumeFractionFragments.xml",
-         "VolumeFractionShapes.xml", "VolumeFractionReaders.xml", "VolumeFractionWriters.xml"]
+PAGE = "Documentation/reference/options.md"
+COMMAND_LINE = "Documentation/user/command-line.md"
+FILES = ["VolumeFractionInput.xml", "VolumeFractionMesh.xml", "VolumeFractionToTet.xml",
+         "VolumeFractionFragments.xml", "VolumeFractionShapes.xml", "VolumeFractionReaders.xml",
+         "VolumeFractionWriters.xml"]
 MESHERS = ("VolumeFractionToHex", "VolumeFractionToTet")
-HEAD = """# Properties
 
-Written by `scripts/generate` from the XML in `Plugin` and the table of options; the test `structure.Generated` tells when it is not current. Names are those of scripts; the panel shows them with blanks between the
-words. *advanced*: shown after a click on the gear beside the search line. What the choices are good for is told in the [user guide](user-guide.md#properties) and in [refined grids](refinement.md)."""
+# Properties of the meshers that are not in the table of options, by the group that they begin.
+INPUTS = {"Materials": ["VolumeFractionArrays", "MaterialIdArray"], "State": ["StateArrays"]}
+
+# Names in front ends that do not follow from the table of options.
+PYTHON = {"VolumeFractionArrays": "fractions", "MaterialIdArray": "labels", "StateArrays": "state",
+          "LabelNames": "names", "DensityArrays": "density", "VelocityArray": "velocity",
+          "EnergyArray": "energy", "StateKinds": "state_kinds",
+          "RefinementArray": "refinement_array", "RefinementBoxes": "refinement_boxes"}
+ARGUMENTS = {"VolumeFractionArrays": "--fractions A,B,..", "MaterialIdArray": "--labels ARRAY",
+             "StateArrays": "--state A,B,..", "RefinementArray": "--refine-cells ARRAY",
+             "RefinementBoxes": "--refine-box BOX", "Method": "--tetmesh [METHOD]"}
+CALLS = {"VolumeFractionArrays": "sculptor_add_material()",
+         "MaterialIdArray": "sculptor_set_material_ids()", "StateArrays": "sculptor_add_state()",
+         "RefinementArray": "sculptor_set_refinement()"}
+
+HEAD = """# Options
+
+`scripts/generate` writes this page from the table of options and the XML in `Plugin`; the test
+`structure.Generated` fails if it is not current. [Choosing](../user/choosing.md) says which options
+suit which data.
+
+Each option of the mesher has one name in ParaView and in C, one in Python, and often a short one in
+`sculptor`:
+
+| front end | name | values |
+|---|---|---|
+| ParaView, panel | *Iso Value*; the gear next to the search line shows *advanced* options | as listed |
+| ParaView, script | `IsoValue=0.4` | 0 and 1 for off and on; words as in the panel |
+| VTK in C++ and Python | `SetIsoValue(0.4)` | 0 and 1 for off and on; numbers of words, from 0 |
+| Python package | `iso_value=0.4` | `True` and `False`; words as `"quadric_surface"` |
+| command `vfmesh` | `--iso-value 0.4` | `--mesh-void`, `--no-mesh-void`; words as in Python |
+| command-line tool `sculptor` | `--iso 0.4`, or `--set IsoValue=0.4` | `on`, `off`; words without \
+spaces, or their numbers |
+| C, C++ and Fortran | `sculptor_set_option(s, "IsoValue", "0.4")` | as for `sculptor` |
+
+`sculptor` and C ignore upper and lower case. In ParaView scripts, *MaximumLevel* accepts a number,
+-1 for Automatic, and returns a word."""
 
 
 def plain(text):
-    """Of a Documentation element: one line, fit for a table."""
+    """Returns the text of a Documentation element as one line that fits into a table."""
     return " ".join(text.split()).replace("|", "\\|")
 
 
 def entries(element):
-    """Words of an enumeration by their values."""
+    """Returns the words of an enumeration by their values."""
     return {entry.get("value"): entry.get("text") for entry in element.iter("Entry")}
 
 
 def default_of(element):
-    default = element.get("default_values", "").split(element.get("default_values_delimiter") or "\n")[-1]
+    separator = element.get("default_values_delimiter") or "\n"
+    default = element.get("default_values", "").split(separator)[-1]
     if element.find("BooleanDomain") is not None:
         return {"0": "off", "1": "on"}[default]
     return entries(element).get(default, default)
 
 
-def values_of(element, numbers):
-    """What it takes. numbers: what options of the mesher that are numbers take."""
-    if element.get("name") in numbers and not entries(element):
-        return numbers[element.get("name")]
+def values_of(element):
+    """Returns the values that a property accepts."""
     if element.find("BooleanDomain") is not None:
         return "on, off"
     for domain, of in (("ArrayListDomain", "cell "), ("MeshArrayListDomain", "")):
         if element.find(domain) is not None:
-            return of + "arrays" if element.get("repeat_command") else "a cell array" if of else "an array"
+            one = "a cell array" if of else "an array"
+            return of + "arrays" if element.get("repeat_command") else one
     if entries(element):
         return ", ".join(entries(element).values())
-    kind = {"IntVectorProperty": "integer", "DoubleVectorProperty": "number", "StringVectorProperty": "text"}[element.tag]
-    count = int(element.get("number_of_elements") or element.get("number_of_elements_per_command", "1"))
+    kind = {"IntVectorProperty": "integer", "DoubleVectorProperty": "number",
+            "StringVectorProperty": "text"}[element.tag]
+    count = int(element.get("number_of_elements")
+                or element.get("number_of_elements_per_command", "1"))
     kind = kind if count == 1 else "%d %ss" % (count, kind)
     kind += " each" if element.get("repeat_command") else ""
     limits = next((d for d in element if d.tag.endswith("RangeDomain")), None)
-    low, high = (limits.get(side, "").split(" ")[0] for side in ("min", "max")) if limits is not None else ("", "")
+    low, high = "", ""
+    if limits is not None:
+        low, high = (limits.get(side, "").split(" ")[0] for side in ("min", "max"))
     if low and high:
         return "%s, %s to %s" % (kind, low, high)
     return "%s, %s or more" % (kind, low) if low else kind
@@ -63,46 +109,46 @@ def own_properties(proxy):
 
 
 def is_part(proxy):
-    """Whether it is no more than a part of others."""
+    """Returns whether a proxy is only a part of other proxies."""
     return proxy is not None and proxy.find("Documentation") is None
 
 
 def all_properties(proxy, proxies):
-    """Its own after those of what it is based on."""
+    """Returns the properties of the base of a proxy, then its own."""
     base = proxies.get(proxy.get("base_proxyname"))
     return {**(all_properties(base, proxies) if base is not None else {}), **own_properties(proxy)}
 
 
 def properties_of(proxy, proxies):
-    """Its own with those of its part, and those that it exposes of the proxy inside."""
+    """Returns the properties of a proxy and those that it exposes of the proxy inside."""
     base = proxies.get(proxy.get("base_proxyname"))
     properties = all_properties(proxy, proxies) if is_part(base) else own_properties(proxy)
     for sub in proxy.iter("SubProxy"):
-        held = all_properties(proxies[sub.find("Proxy").get("proxyname")], proxies)
-        properties.update((p.get("name"), held[p.get("name")]) for p in sub.find("ExposedProperties"))
+        inside = all_properties(proxies[sub.find("Proxy").get("proxyname")], proxies)
+        properties.update((p.get("name"), inside[p.get("name")])
+                          for p in sub.find("ExposedProperties"))
     return [p for p in properties.values() if is_shown(p)]
 
 
-def section(proxy, proxies, numbers):
-    documentation = proxy.find("Documentation")
+def write_section(proxy, proxies):
+    """Yields the section of a filter, source, reader or writer other than the meshers."""
     title = proxy.get("label") or label(proxy.get("name"))
-    yield "\n## %s\n`%s`. %s\n" % (title, proxy.get("name"), documentation.get("long_help"))
-    base = proxies.get(proxy.get("base_proxyname"))
-    if base is not None and not is_part(base):
-        yield "All properties of *%s*, of which these have other words, and its own:\n" % base.get("label")
+    help_text = proxy.find("Documentation").get("long_help")
+    yield "\n## %s\n`%s`. %s\n" % (title, proxy.get("name"), help_text)
     properties = properties_of(proxy, proxies)
     if not properties:
         yield "No properties.\n"
         return
-    yield "| property | takes | default | |\n|---|---|---|---|"
+    yield "| property | values | default | |\n|---|---|---|---|"
     for element in properties:
         advanced = " *advanced*" if element.get("panel_visibility") == "advanced" else ""
-        yield "| %s%s | %s | %s | %s |" % (element.get("name"), advanced, values_of(element, numbers), default_of(element),
+        yield "| %s%s | %s | %s | %s |" % (element.get("name"), advanced, values_of(element),
+                                           default_of(element),
                                            plain(element.find("Documentation").text))
 
 
 def read_proxies(texts=read):
-    """All proxies by name, in the order of the files. texts: of files by their paths."""
+    """Returns all proxies by name, in the order of the files. texts: returns the text of a path."""
     proxies = {}
     for name in FILES:
         for group in ElementTree.fromstring(texts("Plugin/" + name)).iter("ProxyGroup"):
@@ -110,25 +156,104 @@ def read_proxies(texts=read):
     return proxies
 
 
+def values_of_row(row):
+    """Returns the values that an option accepts, with words as panels show them."""
+    if row["kind"] == "choice":
+        return ", ".join(row["words"])
+    return {"switch": "on, off", "array": "an array", "arrays": "arrays",
+            "kinds": "array=kind, ..", "file": "file"}.get(row["kind"], allowed(row))
+
+
+def default_of_row(row):
+    if row["kind"] == "choice":
+        return row["words"][row["number"]]
+    if row["special"] is not None and str(row["special"]) == row["default"]:
+        return "%s (%s)" % (row["default"], row["meaning"])
+    return row["default"]
+
+
+def write_entry(name, is_advanced, names, values, default, paragraphs):
+    """Yields the heading of an option, the row of its names and values, and its explanation.
+    names: in Python, sculptor and C."""
+    yield "\n### %s" % name
+    yield "| ParaView | Python | `sculptor` | C | values | default |\n|---|---|---|---|---|---|"
+    shown = name + (" *advanced*" if is_advanced else "")
+    quoted = ["`%s`" % each for each in names]
+    yield "| %s | %s | %s | %s |" % (shown, " | ".join(quoted), values, default)
+    for paragraph in paragraphs:
+        yield "\n" + plain(paragraph)
+
+
+def write_input(element):
+    """Yields the entry of an input of the meshers that is not in the table of options."""
+    name = element.get("name")
+    yield from write_entry(name, False, (PYTHON[name], ARGUMENTS[name], CALLS[name]),
+                           values_of(element), default_of(element),
+                           [element.find("Documentation").text])
+
+
+def write_row(row):
+    """Yields the entry of an option."""
+    name = row["name"]
+    own = row["argument"] or ARGUMENTS.get(name) or "--set %s=.." % name
+    names = (row["python"] or PYTHON[name], own, CALLS.get(name, name))
+    paragraphs = [row["text"]]
+    if row["text_of_tets"]:
+        paragraphs.append("*Tetrahedra:* " + row["text_of_tets"])
+    yield from write_entry(name, row["advanced"], names, values_of_row(row), default_of_row(row),
+                           paragraphs)
+
+
+def group_rows(table):
+    """Returns the rows by the groups of the panel, in order."""
+    groups = {}
+    for row in table:
+        title = re.sub(r" *\(.*\)$", "", row["group"])
+        groups.setdefault("State" if title.startswith("State") else title, []).append(row)
+    return groups
+
+
+def write_options(table, proxies):
+    """Yields the sections of the options of the meshers."""
+    elements = all_properties(proxies["VolumeFractionToHex"], proxies)
+    groups = group_rows(table)
+    for title, rows in groups.items():
+        names = INPUTS.get(title, []) + [row["name"] for row in rows]
+        links = ["[%s](#%s)" % (name, name.lower()) for name in names]
+        yield "\n## %s\n%s" % (title, " · ".join(links))
+        for name in INPUTS.get(title, []):
+            yield from write_input(elements[name])
+        for row in rows:
+            yield from write_row(row)
+
+
 def make_page(table, texts):
     proxies = read_proxies(texts)
-    numbers = {row["name"]: allowed(row) for row in table if row["kind"] in ("integer", "real")}
-    lines = [HEAD]
+    lines = [HEAD, *write_options(table, proxies)]
     for name, proxy in proxies.items():
-        if not is_part(proxy):
-            lines += section(proxy, proxies, numbers if name in MESHERS else {})
+        if not is_part(proxy) and name not in MESHERS:
+            lines += write_section(proxy, proxies)
     return "\n".join(lines).rstrip() + "\n"
 
 
+def summary(row):
+    """Returns the first sentence of the explanation of an option."""
+    return re.match(r".*?\.(?= |$)", row["text"]).group()
+
+
 def write_arguments(text, table):
-    """The options of the mesher that the program sculptor has a name for."""
-    named = [row for row in table if row["argument"]]
-    lines = ["| `%(argument)s` | %(name)s | %(takes)s | %(default)s | %(text)s |" % {**row, "takes": allowed(row)} for row in named]
+    """Writes the options of the mesher that have an argument of sculptor."""
+    lines = ["| `%s` | [%s](../reference/options.md#%s) | %s | %s | %s |"
+             % (row["argument"], row["name"], row["name"].lower(), values_of_row(row),
+                default_of_row(row), summary(row))
+             for row in table if row["argument"]]
     return put(text, "options: generated", "end of options",
-               ["", "| option | sets | takes | default | |", "|---|---|---|---|---|"] + lines + [""])
+               ["", "| argument | option | values | default | |", "|---|---|---|---|---|"] + lines
+               + [""])
 
 
 def files(table, texts):
-    """How each file of the tree becomes current: a function of its text. texts: of all files by their paths."""
-    return {"Documentation/properties.md": lambda text: make_page(table, texts),
-            "Documentation/sculptor.md": lambda text: write_arguments(text, table)}
+    """Returns, for each generated page, a function that updates its text. texts: returns the text
+    of a path."""
+    return {PAGE: lambda text: make_page(table, texts),
+            COMMAND_LINE: lambda text: write_arguments(text, table)}
