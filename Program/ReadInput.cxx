@@ -81,8 +81,8 @@ const Format* FindFormat(const std::string& path)
   return found == formats.end() ? nullptr : &*found;
 }
 
-/// While this lives nothing is written to a standard stream: the Exodus library writes in many lines what the
-/// reader's message says in one.
+/// While this lives nothing is written to a standard stream: the Exodus library writes in many
+/// lines what the reader's message says in one.
 class QuietStream
 {
 public:
@@ -138,8 +138,8 @@ void CheckInputSuffix(const std::string& path)
     !IsBlockFile(path))
   {
     throw InputError(ErrorCode::WrongArguments,
-      "The input " + path + " is of an unknown kind. Read are " + JoinTexts(GetInputSuffixes()) +
-        ", and folders of AMReX plotfiles.");
+      "The input " + path + " is of an unknown format. Supported formats: " +
+        JoinTexts(GetInputSuffixes()) + ", and folders of AMReX plotfiles.");
   }
 }
 

@@ -1,5 +1,5 @@
 /**
- * AbaqusText: names and numbers as Abaqus and CalculiX read them.
+ * AbaqusText: formats names and numbers for Abaqus and CalculiX.
  */
 #pragma once
 
@@ -11,28 +11,31 @@
 namespace vfm
 {
 
-/// Names of sets, each given out once. CalculiX loses the load on a surface, without a word, when an element set has its name:
-/// so surfaces and element sets share one list.
+/// List of unique names of sets. Surfaces and element sets must share one list: if a surface and an
+/// element set have the same name, CalculiX ignores the load on the surface without a message.
 class AbaqusNames
 {
 public:
-  /// The name in capitals, letters and digits of ASCII, what lies between them as one '_', from a letter on ("S_" goes before
-  /// anything else), 80 characters at most. One that was given out ends in _2, _3 and so on.
+  /// Returns a valid name that was not returned before. It is in capitals and has at most 80
+  /// characters. Characters other than ASCII letters and digits become '_', several of them only
+  /// one. "S_" is prepended if it would not begin with a letter. A name that exists gets the ending
+  /// _2, _3 and so on.
   std::string Add(const std::string& name);
 
 private:
   std::set<std::string> Used;
 };
 
-/// Abaqus and CalculiX read 20 characters of a number and drop the others.
+/// Number of characters of a number that Abaqus and CalculiX read; they ignore further ones.
 constexpr std::size_t AbaqusNumberLength = 20;
 
-/// A number as text, without the heap.
+/// Number as text, without allocation.
 class AbaqusNumber
 {
 public:
-  /// The shortest text that reads back as the value or, where that is longer than 20 characters, the nearest value of those
-  /// that fit: the error is 5e-14 of the value at most (5e-13 where the exponent has three digits).
+  /// Formats a number as the shortest text that is read back as the same value. If that exceeds 20
+  /// characters, digits are removed until the text fits. The relative error is then at most 5e-14,
+  /// or 5e-13 if the exponent has three digits.
   explicit AbaqusNumber(double value);
   std::string_view Text() const { return { this->Characters.data(), this->Length }; }
 

@@ -11,13 +11,13 @@ namespace vfm
 namespace
 {
 
-/// Exodus' number of a face of a hexahedron, of a tetrahedron, by VTK's.
+// Numbers of the faces in Exodus, indexed by the numbers in VTK.
 constexpr Index HexSides[6] = { 4, 2, 1, 3, 5, 6 };
 constexpr Index TetSides[4] = { 1, 2, 3, 4 };
 
-constexpr std::size_t NameLength = 256, QaLength = 33, LineLength = 81; // with the final zero
+constexpr std::size_t NameLength = 256, QaLength = 33, LineLength = 81; // final zero included
 constexpr std::size_t LeastLongestName = 32;
-constexpr float LibraryVersion = 8.11f, NemesisVersion = 2.6f; // of the files that this describes
+constexpr float LibraryVersion = 8.11f, NemesisVersion = 2.6f; // versions of the described files
 constexpr int WideMaps = 0x0400, WideNumbers = 0x1000;         // bits of int64_status
 
 /// Dimensions that several variables have.
@@ -53,7 +53,7 @@ std::string Now(const char* format)
   return text;
 }
 
-/// Texts of one length each, filled with zeros.
+/// Returns a function that joins texts, each filled with zeros to the same length.
 std::function<NetcdfValues()> Texts(std::vector<std::string> texts, std::size_t length)
 {
   return [texts = std::move(texts), length]
@@ -116,7 +116,8 @@ Sizes AddSizes(NetcdfLayout& layout, const ExodusModel& model)
   return sizes;
 }
 
-/// Status (whether this part has some) and ids of blocks or sets. getCount: of the items of a block or set.
+/// Adds ids and status of blocks or sets; the status is 1 if this part has items of them.
+/// @param getCount  function that returns the number of items of a block or set
 template <class Entities, class GetCount>
 void AddIds(NetcdfLayout& layout, const std::string& prefix, std::size_t dimension,
   const Entities& entities, const GetCount& getCount)
@@ -193,7 +194,7 @@ std::vector<Index> CornersOf(const MeshData& mesh, const ExodusBlock& block)
   return corners;
 }
 
-/// @return the dimension of each block.
+/// Adds the element blocks and returns the dimension of each.
 std::vector<std::size_t> AddBlocks(NetcdfLayout& layout, const ExodusModel& model)
 {
   const MeshData& mesh = model.Mesh.Data;
@@ -252,7 +253,7 @@ void AddGlobalVariables(NetcdfLayout& layout, const ExodusModel& model, const Si
     });
 }
 
-/// Variables of nodes; files without nodes have none.
+/// Adds the variables of nodes, unless the file has no nodes.
 void AddPointVariables(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes)
 {
   const Index points = model.Mesh.Data.NumberOfPoints;
@@ -276,7 +277,7 @@ void AddPointVariables(NetcdfLayout& layout, const ExodusModel& model, const Siz
   }
 }
 
-/// All blocks have all variables.
+/// Adds the variables of elements; each block has all of them.
 void AddElementVariables(NetcdfLayout& layout, const ExodusModel& model, const Sizes& sizes,
   const std::vector<std::size_t>& blocks)
 {

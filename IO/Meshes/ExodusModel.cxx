@@ -16,8 +16,8 @@ namespace vfm
 namespace
 {
 
-constexpr std::size_t MaximumLetters = 255;   // of a name: the limit of the Exodus library
-constexpr double LargestArray = 4294967292.0; // bytes, of netCDF's format with 64-bit offsets
+constexpr std::size_t MaximumLetters = 255;   // limit of the Exodus library for names
+constexpr double LargestArray = 4294967292.0; // bytes; limit of netCDF with 64-bit offsets
 constexpr Index LargestPlainId = std::numeric_limits<std::int32_t>::max();
 
 std::string ToLower(std::string text)
@@ -27,7 +27,8 @@ std::string ToLower(std::string text)
   return text;
 }
 
-/// Appends the id to a name that is too long or that an earlier item has. Readers (IOSS) ignore case.
+/// Appends the id to names that are too long or equal to an earlier one. Like readers (IOSS), it
+/// ignores case.
 template <class Items>
 void NameItems(Items& items, std::size_t& longest)
 {
@@ -74,7 +75,7 @@ void MakeBlocks(ExodusModel& model, Ranks& ranks)
   }
 }
 
-/// Totals over the ranks, and the points that ranks share.
+/// Finds the totals over all ranks and the points that ranks share.
 void CountAll(ExodusModel& model, Ranks& ranks)
 {
   const MeshData& mesh = model.Mesh.Data;
@@ -108,7 +109,7 @@ void CountAll(ExodusModel& model, Ranks& ranks)
   model.NodeTotals.assign(next, counts.end());
 }
 
-/// The variables, the same on all ranks, with short names.
+/// Lists the variables, which must be equal on all ranks, and shortens their names.
 void ListArrays(ExodusModel& model, Ranks& ranks)
 {
   const MeshData& mesh = model.Mesh.Data;

@@ -1,6 +1,6 @@
 /**
- * ExodusModel: a rank's part of a mesh in the numbering of Exodus, which lists elements block by block, and what it must know of
- * the other parts.
+ * ExodusModel: the part of a mesh on one rank in the numbering of Exodus, which lists elements
+ * block by block, with the totals over all ranks.
  */
 #pragma once
 
@@ -11,32 +11,40 @@
 namespace vfm
 {
 
+/// Element block, which holds the elements of one material.
 struct ExodusBlock
 {
-  int Id; ///< the material's; of the void, material 0, FindVoidId()
+  int Id; ///< material id; for the void, material 0, FindVoidId()
   std::string Name;
-  std::vector<Index> Elements; ///< of the mesh of this rank, ascending
-  Index Total = 0;             ///< elements on all ranks
+  std::vector<Index> Elements; ///< elements of this rank, ascending
+  Index Total = 0;             ///< number of elements on all ranks
 };
 
+/// Contents of the Exodus file of one rank.
 struct ExodusModel
 {
-  StoredMesh Mesh;                 ///< of this rank; points and elements in the order of their ids
-  std::vector<ExodusBlock> Blocks; ///< the same on all ranks, by id
-  std::vector<Index> Numbers;      ///< of each element its number in the file, from 1
-  MeshSets Sets;                   ///< the same on all ranks, each name once
-  std::vector<Index> SideTotals;   ///< sides of each side set on all ranks
-  std::vector<Index> NodeTotals;   ///< nodes of each node set on all ranks, shared ones once
+  StoredMesh Mesh; ///< part of this rank; points and elements in the order of their ids
+  std::vector<ExodusBlock> Blocks; ///< list of blocks by id, equal on all ranks
+  std::vector<Index> Numbers;      ///< number of each element in the file, from 1
+  MeshSets Sets;                   ///< list of sets, equal on all ranks, with unique names
+  std::vector<Index> SideTotals;   ///< number of sides of each side set on all ranks
+  std::vector<Index> NodeTotals;   ///< number of different nodes of each node set on all ranks
   Index TotalNodes = 0, TotalElements = 0;
   SharedPoints Sharing;
   std::vector<ExodusVariable> PointVariables, ElementVariables;
   std::vector<ExodusNumber> GlobalVariables;
   std::size_t LongestName = 0;
-  bool HasWideIds = false;     ///< some id is greater than 2^31 - 1
-  bool HasLargeArrays = false; ///< some array is larger than the classic file format allows, 4 GiB
+  bool HasWideIds = false; ///< an id is greater than 2^31 - 1
+  /// An array exceeds the limit of the classic file format, 4 GiB.
+  bool HasLargeArrays = false;
 };
 
-/// Collective. mesh: of the mesher, or one that was read. Throws InputError on all ranks when it is no such mesh.
+/// Makes the contents of the file of this rank.
+/// @param mesh  part of this rank, made by the mesher or read from a file; its arrays must outlive
+///   the result
+/// @throws InputError  if the mesh is empty, lacks a required array, or has different arrays on
+///   different ranks; on all ranks
+/// @pre Collective
 ExodusModel MakeExodusModel(const MeshData& mesh, Ranks& ranks);
 
 } // namespace vfm

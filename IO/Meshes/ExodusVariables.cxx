@@ -9,7 +9,7 @@ namespace
 {
 
 constexpr std::size_t MaximumNumbers = 100;
-constexpr const char* TableNames[] = { "SurfaceParts", "EdgeFacets" }; // no numbers of the mesh
+constexpr const char* TableNames[] = { "SurfaceParts", "EdgeFacets" }; // not listed
 constexpr const char* IdNames[] = { "GlobalPointIds", "GlobalCellIds", "vtkGhostType" };
 
 template <std::size_t Count>
@@ -18,7 +18,7 @@ bool IsOneOf(const std::string& name, const char* const (&names)[Count])
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// place: from 0.
+/// Returns the ending of the name of component `place`, counted from 0.
 std::string Ending(std::size_t place, std::size_t count, bool hasAxes)
 {
   if (count == 1)

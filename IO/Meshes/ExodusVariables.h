@@ -1,5 +1,5 @@
 /**
- * ExodusVariables: the arrays of a mesh as variables of Exodus, which have one number per item.
+ * ExodusVariables: lists the components of the arrays of a mesh as variables of Exodus.
  */
 #pragma once
 
@@ -8,6 +8,7 @@
 namespace vfm
 {
 
+/// Component of an array of points or elements.
 struct ExodusVariable
 {
   std::string Name;
@@ -15,18 +16,22 @@ struct ExodusVariable
   int Component;
 };
 
-/// One per component of each array, except the global ids and the ghosts. Components have the endings that readers make vectors of
-/// again: _X, _Y, _Z of up to three, else _1, _2, .. as wide as the last. ids: values of the global ids. The arrays must outlive
-/// the list.
+/// Lists all components of all arrays, except global ids and ghost marks. Names of components have
+/// endings from which readers form vectors: _X, _Y, _Z for up to three components, otherwise _1,
+/// _2, ..., all of the same width.
+/// @param arrays  arrays of points or elements; they must outlive the list
+/// @param ids  values of the global ids, which may have any name
 std::vector<ExodusVariable> ListVariables(const std::vector<MeshArray>& arrays, const void* ids);
 
+/// Global variable.
 struct ExodusNumber
 {
   std::string Name;
   double Value;
 };
 
-/// The numbers of the fields with up to 100 numbers: NAME, or NAME_1, NAME_2, .. of several.
+/// Lists the numbers of all fields that have at most 100 numbers. The names are NAME, or NAME_1,
+/// NAME_2, ... if a field has several numbers.
 std::vector<ExodusNumber> ListNumbers(const std::vector<FieldArray>& fields);
 
 } // namespace vfm

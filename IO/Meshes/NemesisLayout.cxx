@@ -19,7 +19,7 @@ void AddNumbers(NetcdfLayout& layout, const std::string& name, NetcdfKind kind,
     [numbers = std::move(numbers)]() -> NetcdfValues { return numbers; });
 }
 
-/// The places, from 1, where the flag is set, or where it is not.
+/// Returns the places, from 1, whose flag equals isSet.
 Numbers Choose(const std::vector<char>& flags, bool isSet)
 {
   Numbers chosen;
@@ -46,7 +46,7 @@ std::vector<char> FindBorderNodes(const ExodusModel& model)
   return isBorder;
 }
 
-/// By their numbers in the file.
+/// Marks the elements that have border nodes, in the order of their numbers in the file.
 std::vector<char> FindBorderElements(const ExodusModel& model, const std::vector<char>& isBorder)
 {
   const MeshData& mesh = model.Mesh.Data;
@@ -71,7 +71,7 @@ Numbers IdsOf(const Items& items)
   return ids;
 }
 
-/// Ids and totals of node sets or side sets; the counts of distribution factors are 0.
+/// Adds ids and totals of node sets or side sets. There are no distribution factors.
 void AddSetTotals(NetcdfLayout& layout, const std::string& prefix, const std::string& count,
   NetcdfKind kind, std::size_t dimension, Numbers ids, const Numbers& totals)
 {
@@ -117,7 +117,8 @@ void AddNemesisHead(NetcdfLayout& layout, const ExodusModel& model, int ranks)
   const std::size_t blocks = add("num_el_blk_global", static_cast<Index>(model.Blocks.size()));
   const std::size_t nodeSets = add("num_ns_global", static_cast<Index>(model.NodeTotals.size()));
   const std::size_t sideSets = add("num_ss_global", static_cast<Index>(model.SideTotals.size()));
-  AddVariable(layout, "nem_ftype", NetcdfKind::Int, {}, [] { return Numbers{ 0 }; }); // parallel
+  // 0: file of a parallel computation
+  AddVariable(layout, "nem_ftype", NetcdfKind::Int, {}, [] { return Numbers{ 0 }; });
   const NetcdfKind kind = KindOfNumbers(model);
   Numbers totals;
   for (const ExodusBlock& block : model.Blocks)

@@ -1,5 +1,6 @@
 /**
- * NemesisLayout: what the file of one of several ranks says of the others: totals, and the nodes that ranks share.
+ * NemesisLayout: adds to the Exodus file of one of several ranks the totals over all ranks and the
+ * nodes that ranks share.
  */
 #pragma once
 
@@ -9,11 +10,11 @@
 namespace vfm
 {
 
-/// Numbers of files and totals, which readers need first.
+/// Adds the number of files and the totals, which must come first in a file.
 void AddNemesisHead(NetcdfLayout& layout, const ExodusModel& model, int ranks);
 
-/// Nodes and elements inside and on the border, and one communication map per neighbour, whose id is the neighbour's
-/// rank + 1.
+/// Adds the internal and border nodes and elements, and one communication map per neighbour rank.
+/// The id of a map is the neighbour rank + 1.
 void AddNemesis(NetcdfLayout& layout, const ExodusModel& model);
 
 } // namespace vfm

@@ -1,5 +1,5 @@
 /**
- * NetcdfLayout: the contents of a netCDF file, described before the file is written.
+ * NetcdfLayout: describes the contents of a netCDF file.
  */
 #pragma once
 
@@ -21,15 +21,17 @@ enum class NetcdfKind
   Real     ///< 64 bits
 };
 
-/// Characters of Text, numbers of Int and WideInt, numbers of Real; the last dimension varies fastest.
+/// Values of a variable: characters of Text, integers of Int and WideInt, or numbers of Real. The
+/// last dimension varies fastest.
 using NetcdfValues = std::variant<std::string, std::vector<Index>, std::vector<double>>;
 
 struct NetcdfDimension
 {
   std::string Name;
-  Index Length; ///< 0: the unlimited dimension, of length 1
+  Index Length; ///< length; 0 for the unlimited dimension, which has length 1
 };
 
+/// Attribute of a variable.
 struct NetcdfText
 {
   std::string Name, Value;
@@ -39,14 +41,15 @@ struct NetcdfVariable
 {
   std::string Name;
   NetcdfKind Kind;
-  std::vector<std::size_t> Dimensions;  ///< places in the layout; only the first may be unlimited
-  std::function<NetcdfValues()> Values; ///< called once, when the values are written
+  std::vector<std::size_t> Dimensions;  ///< indices in the layout; only the first may be unlimited
+  std::function<NetcdfValues()> Values; ///< function that is called once, to write the values
   std::vector<NetcdfText> Attributes;
 };
 
+/// Dimensions, variables and attributes of a file, in the order of the file.
 struct NetcdfLayout
 {
-  /// @return its place.
+  /// Appends a dimension and returns its index.
   std::size_t AddDimension(std::string name, Index length)
   {
     this->Dimensions.push_back({ std::move(name), length });

@@ -43,7 +43,7 @@ OutputFile::OutputFile(const std::string& path) : Path(path), File(std::fopen(pa
   {
     throw InputError(std::strerror(errno) + std::string("."));
   }
-  std::setvbuf(this->File, nullptr, _IONBF, 0); // the buffer is here
+  std::setvbuf(this->File, nullptr, _IONBF, 0); // this class has its own buffer
   this->Buffer.reserve(2 * BufferSize);
 }
 

@@ -1,5 +1,5 @@
 /**
- * OutputFile: a large file, written fast, and whole or not at all.
+ * OutputFile: writes a large file through a buffer; a file that is not completed is removed.
  */
 #pragma once
 
@@ -11,10 +11,11 @@
 namespace vfm
 {
 
-/// Makes a folder unless it is there. Throws InputError with the path and the reason.
+/// Creates a folder unless it exists.
+/// @throws InputError  if it cannot be created; contains the path and the reason
 void MakeFolder(const std::string& path);
 
-/// Removes a file in the destructor unless Keep was called. It never removes a device.
+/// Guard that removes a file in its destructor, unless Keep was called. It never removes a device.
 class UnfinishedFile
 {
 public:
@@ -30,8 +31,9 @@ private:
   bool IsKept = false;
 };
 
-/// The functions throw InputError, with the reason but without the path, when the file cannot be written. The destructor removes a
-/// file that was not closed.
+/// Buffered file. The destructor removes the file unless Close has returned.
+/// @throws InputError  (each function) if the file cannot be written; the message holds the reason,
+///   not the path
 class OutputFile
 {
 public:

@@ -48,9 +48,10 @@ std::string_view BytesOf(const Sizes& sizes)
 constexpr const char* HeadAttributes =
   "header_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\"";
 constexpr std::size_t BlockSize = 32768;
-constexpr int CompressionLevel = 5; // VTK's
+constexpr int CompressionLevel = 5; // default of VTK
 
-/// Number of blocks, size of each and of the last when that is shorter, compressed sizes; then the blocks.
+/// Adds compressed values: number of blocks, size of a block, size of the last block if it is
+/// shorter or 0, compressed sizes; then the blocks.
 void AddValues(OutputFile& file, std::string_view bytes)
 {
   const std::size_t blocks = (bytes.size() + BlockSize - 1) / BlockSize;
@@ -83,7 +84,7 @@ void AddValues(OutputFile& file, std::string_view bytes)
 
 #endif
 
-/// Such as type="Int32".
+/// Returns the attribute of a type, for instance type="Int32".
 template <class Value>
 std::string TypeAttribute()
 {
@@ -98,7 +99,7 @@ std::string IdAttribute()
   return TypeAttribute<Index>() + " IdType=\"1\"";
 }
 
-/// ParaView leaves hidden arrays out of its lists.
+/// Adds an XML element with values. ParaView does not list hidden arrays.
 void AddElement(OutputFile& file, const char* element, const std::string& attributes,
   std::string_view bytes, bool isHidden)
 {
@@ -142,7 +143,8 @@ std::string_view View(const T* values, Index count)
   return { reinterpret_cast<const char*>(values), sizeof(T) * static_cast<std::size_t>(count) };
 }
 
-/// Adds PointData or CellData. tuples: number of points or elements.
+/// Adds PointData or CellData.
+/// @param tuples  number of points or elements
 void AddArrays(
   OutputFile& file, const char* element, const std::vector<MeshArray>& arrays, Index tuples)
 {

@@ -1,5 +1,5 @@
 /**
- * VtuText: elements of VTK's XML files.
+ * VtuText: writes elements of VTK's XML files.
  */
 #pragma once
 
@@ -16,28 +16,32 @@ class OutputFile;
 constexpr const char* VtuPointAttributes =
   "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"";
 
-/// The first lines of a file. type: such as UnstructuredGrid; version: of files of that type.
+/// Returns the first lines of a file.
+/// @param type  type of the data, for instance UnstructuredGrid
+/// @param version  version of the format of this type
 std::string VtuHead(const std::string& type, const std::string& version = "0.1");
 
-/// The text for an attribute of XML.
+/// Returns a text with the escapes that an attribute of XML requires.
 std::string XmlText(const std::string& text);
 
-/// Attributes of a DataArray: type, name, components and their names.
+/// Returns the attributes of a DataArray: type, name, number and names of components.
 std::string DescribeVtuArray(const MeshArray& array);
 
-/// Adds a DataArray. bytes: of its values, which become base64, compressed by zlib in builds with it.
+/// Adds a DataArray. Values are encoded as base64, after compression if the build has zlib.
+/// @param attributes  result of DescribeVtuArray
+/// @param bytes  memory of the values
 void AddVtuArray(OutputFile& file, const std::string& attributes, std::string_view bytes);
 
-/// Adds FieldData, the fields and the time.
+/// Adds FieldData with the fields and the time.
 void AddVtuFields(OutputFile& file, const MeshData& mesh);
 
 /// Adds PointData, CellData and Points.
 void AddVtuMesh(OutputFile& file, const MeshData& mesh);
 
-/// Adds the arrays of the points of elements and of where each element ends in it.
+/// Adds the arrays of connectivity and offsets.
 void AddVtuElements(OutputFile& file, const MeshData& mesh);
 
-/// The attributes of PointData and CellData: which arrays are ids and scalars.
+/// Returns the attributes of PointData or CellData that mark arrays as global ids or scalars.
 std::string DescribeVtuRoles(const std::vector<MeshArray>& arrays);
 
 } // namespace vfm

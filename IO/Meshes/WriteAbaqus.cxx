@@ -19,8 +19,9 @@ namespace
 
 constexpr Index LargestNumber = 999999999;
 constexpr std::size_t NumbersInLine = 8;
-constexpr int LastDomainSide = 6; // of the ids in MeshSets.h
-/// The faces by VTK's numbers, with the numbers that Abaqus gives them: S1 of a hexahedron has its corners 1 to 4.
+constexpr int LastDomainSide = 6; // last id of sides of the domain in MeshSets.h
+/// Numbers of the faces in Abaqus, indexed by the numbers in VTK. S1 of a hexahedron has its
+/// corners 1 to 4.
 constexpr int HexFaces[6] = { 6, 4, 3, 5, 1, 2 };
 constexpr int TetFaces[4] = { 2, 3, 4, 1 };
 
@@ -32,7 +33,7 @@ bool IsVelocity(const MeshArray& array)
   return name.find("velocity") != std::string::npos && array.Components == 3;
 }
 
-/// The mesh with the arrays that the file is made of.
+/// Returns the mesh with only the arrays that the file needs.
 MeshData TakeMesh(MeshData mesh)
 {
   const std::set<std::string> taken{ "GlobalPointIds", "GeometryDimension", "GeometryId",
@@ -47,7 +48,7 @@ MeshData TakeMesh(MeshData mesh)
   return mesh;
 }
 
-/// A text for a comment line, without characters that could end or hide it.
+/// Returns a text for a comment line, without control characters or characters outside of ASCII.
 std::string PlainText(std::string text)
 {
   constexpr std::size_t longest = 120;
@@ -56,16 +57,16 @@ std::string PlainText(std::string text)
   return text.substr(0, longest);
 }
 
-/// The elements of a material.
+/// Elements of a material.
 struct Section
 {
   int Material;
-  std::string Name; ///< of the material
-  std::string Set;
+  std::string Name; ///< name of the material
+  std::string Set;  ///< name of the element set
   std::vector<Index> Elements;
 };
 
-/// By material.
+/// Returns one section per material, by material id.
 std::vector<Section> MakeSections(const MeshData& mesh, AbaqusNames& names)
 {
   std::map<int, std::vector<Index>> elements;
@@ -86,10 +87,10 @@ std::vector<Section> MakeSections(const MeshData& mesh, AbaqusNames& names)
 struct Surface
 {
   std::string Name;
-  const std::vector<MeshSide>* Sides; ///< of the side set
+  const std::vector<MeshSide>* Sides; ///< sides of a side set
 };
 
-/// The surfaces of the sides of the domain, or those of pairs of materials.
+/// Returns the surfaces of all sides of the domain, or all other surfaces.
 std::vector<Surface> MakeSurfaces(
   const std::vector<SideSet>& sets, AbaqusNames& names, bool ofDomain)
 {
@@ -133,7 +134,7 @@ void WriteNodes(OutputFile& file, const MeshData& mesh)
   }
 }
 
-/// The corners of C3D8 and C3D4 have VTK's order.
+/// Writes the elements of a section. The corners of C3D8 and C3D4 have the same order as in VTK.
 void WriteElements(OutputFile& file, const MeshData& mesh, const Section& section)
 {
   file.Add("*ELEMENT, TYPE=");
@@ -151,7 +152,7 @@ void WriteElements(OutputFile& file, const MeshData& mesh, const Section& sectio
   }
 }
 
-/// One set a line; the comma is for lines of one entry, which need it.
+/// Writes a set of all elements, one section per line. Lines with a single entry require a comma.
 void WriteAllElements(OutputFile& file, const std::vector<Section>& sections)
 {
   file.Add("*ELSET, ELSET=EALL\n");
@@ -171,7 +172,7 @@ void WriteNodeSet(OutputFile& file, const std::string& name, const std::vector<I
   }
 }
 
-/// Lines of a node, a direction from 1 and the component.
+/// Writes lines with a node, a direction from 1, and the component of the velocity.
 void WriteVelocity(OutputFile& file, const MeshData& mesh, const MeshArray& velocity)
 {
   file.Add("*INITIAL CONDITIONS, TYPE=VELOCITY\n");
@@ -201,7 +202,8 @@ void WriteSurface(OutputFile& file, const Surface& surface, bool ofHexes)
   }
 }
 
-/// mesh: the whole one. Names go to the sides of the domain first, so that X_MIN is one, then to materials and pairs.
+/// Writes the whole mesh. The sides of the domain get their names first, so that X_MIN is a side of
+/// the domain even if a material has this name.
 void WriteFile(const MeshData& mesh, const std::string& path)
 {
   if (std::max(mesh.NumberOfPoints, mesh.NumberOfElements) > LargestNumber)

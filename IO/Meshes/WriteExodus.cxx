@@ -13,7 +13,7 @@ namespace vfm
 namespace
 {
 
-/// path.N.RANK, the rank with as many digits as N.
+/// Returns path.N.RANK for several ranks; RANK has as many digits as N.
 std::string PartPath(const std::string& path, const Ranks& ranks)
 {
   if (ranks.Count() == 1)
@@ -24,7 +24,7 @@ std::string PartPath(const std::string& path, const Ranks& ranks)
   return path + "." + count + "." + std::string(count.size() - rank.size(), '0') + rank;
 }
 
-/// The message of a failure says which of several files it is.
+/// Writes the file of this rank. If there are several files, error messages contain its path.
 void WritePart(const ExodusModel& model, const std::string& part, int ranks)
 {
   const NetcdfFormat format =
@@ -33,7 +33,8 @@ void WritePart(const ExodusModel& model, const std::string& part, int ranks)
     [&] { WriteNetcdf(MakeExodusLayout(model, ranks), part, format); });
 }
 
-/// Collective: the files of all ranks, or none.
+/// Writes the files of all ranks, or none if one of them fails.
+/// @pre Collective
 void WriteParts(const MeshData& mesh, const std::string& path, Ranks& ranks)
 {
   const ExodusModel model = MakeExodusModel(mesh, ranks);
@@ -44,7 +45,7 @@ void WriteParts(const MeshData& mesh, const std::string& path, Ranks& ranks)
     {
       WritePart(model, part, ranks.Count());
       file.emplace(part);
-      ranks.Any(false); // throws where another rank failed
+      ranks.Any(false); // throws if another rank failed
     });
   file->Keep();
 }

@@ -64,7 +64,7 @@ std::string FindGeometryProblem(const std::string& path)
 {
   return HasSuffix(path, ".vtm")
     ? ""
-    : "The geometry " + path + " is of an unknown kind. Written is .vtm.";
+    : "The geometry " + path + " is of an unknown format. Supported format: .vtm.";
 }
 
 void WriteGeometry(

@@ -1,5 +1,5 @@
 /**
- * WriteGeometry: the surfaces, curves and vertices of a mesh as VTK's XML file of blocks, .vtm.
+ * WriteGeometry: writes the surfaces, curves and vertices of a mesh as VTK's XML file .vtm.
  */
 #pragma once
 
@@ -13,12 +13,17 @@ namespace vfm
 
 struct Mesh;
 
-/// Says why files of that name are not written; "" where they are.
+/// Returns the reason why a file of this name is not supported, or "" if it is.
 std::string FindGeometryProblem(const std::string& path);
 
-/// Collective: path, NAME.vtm, of the blocks of GatherGeometry, each of which is a file NAME/NAME_N.vtp. Rank 0 writes them, the same bytes
-/// from any number of ranks. mesh: this rank's part. time: of the data. Throws InputError, with the reason but without the path, on all
-/// ranks when the files cannot be written.
+/// Writes the blocks of GatherGeometry on rank 0: the file NAME.vtm and one file NAME/NAME_N.vtp
+/// per block. Their contents do not depend on the number of ranks.
+/// @param mesh  part of this rank
+/// @param time  time of the data
+/// @param path  path of NAME.vtm
+/// @throws InputError  if a file cannot be written, on all ranks; the message holds the reason, not
+///   the path
+/// @pre Collective
 void WriteGeometry(
   const Mesh& mesh, const std::optional<double>& time, const std::string& path, Ranks& ranks);
 

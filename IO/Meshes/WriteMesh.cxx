@@ -22,8 +22,8 @@ using Writer = void (*)(const MeshData&, const std::string& path, Ranks&);
 struct Format
 {
   const char* Suffix;
-  Writer Write;       ///< collective
-  Writer WriteSingle; ///< one file from several ranks; null when there is none such
+  Writer Write;       ///< function that writes the usual files; collective
+  Writer WriteSingle; ///< function that writes one file from several ranks; null if not supported
 };
 
 template <ExodusParts parts>
@@ -63,11 +63,11 @@ std::string FindOutputProblem(const std::string& path, OutputFiles files)
   const Format* format = FindFormat(path);
   if (!format)
   {
-    return "The output " + path + " is of an unknown kind. Written are " +
-      JoinTexts(GetOutputSuffixes()) + ".";
+    return "The output " + path +
+      " is of an unknown format. Supported formats: " + JoinTexts(GetOutputSuffixes()) + ".";
   }
   const bool isRejected = files == OutputFiles::Single && !format->WriteSingle;
-  return isRejected ? "The output " + path + " is always several files." : "";
+  return isRejected ? "The output " + path + " always consists of several files." : "";
 }
 
 std::string FindFolderProblem(const std::string& path)

@@ -1,5 +1,5 @@
 /**
- * WriteMesh: the mesh of all ranks as files, of the format that the suffix names.
+ * WriteMesh: writes the mesh of all ranks to files, in the format of the suffix.
  */
 #pragma once
 
@@ -14,20 +14,26 @@ namespace vfm
 
 enum class OutputFiles
 {
-  AsUsual, ///< of the format
-  Single   ///< one of the whole mesh, which rank 0 gathers
+  AsUsual, ///< usual number of files of the format
+  Single   ///< one file with the whole mesh, which rank 0 gathers
 };
 
-/// Such as ".vtu".
+/// Returns all supported suffixes, for instance ".vtu".
 std::vector<std::string> GetOutputSuffixes();
-/// Says why files of that name are not written, or not as a single one; "" where they are.
+/// Returns the reason why a file of this name, or a single one, is not supported; "" if it is.
 std::string FindOutputProblem(const std::string& path, OutputFiles files = OutputFiles::AsUsual);
-/// Says why no file can be made in the folder of the path; "" where one can.
+/// Returns the reason why no file can be created in the folder of a path; "" if it can.
 std::string FindFolderProblem(const std::string& path);
 
-/// Collective: .vtu, one file of the whole mesh, which rank 0 gathers; .pvtu with one piece per rank; .e, .ex2, .exo of Exodus, one
-/// file per rank (path.N.RANK when there are several) unless a single one is requested; .inp of Abaqus, one file. mesh: this rank's
-/// part. Throws InputError on all ranks, with the path and the reason.
+/// Writes a mesh. Number of files by suffix:
+/// - .vtu: one file of the whole mesh, which rank 0 gathers
+/// - .pvtu: one file, and one piece per rank that has elements
+/// - .e, .ex2, .exo (Exodus): one file per rank, path.N.RANK if there are several; one file if
+///   requested
+/// - .inp (Abaqus): one file
+/// @param mesh  part of this rank
+/// @throws InputError  if the files cannot be written, on all ranks; contains path and reason
+/// @pre Collective
 void WriteMesh(const MeshData& mesh, const std::string& path, Ranks& ranks,
   OutputFiles files = OutputFiles::AsUsual);
 

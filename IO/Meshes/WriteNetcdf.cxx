@@ -12,7 +12,7 @@ namespace vfm
 namespace
 {
 
-/// Number of a list and of a type in the format, and bytes of a value.
+// Codes of lists and types in the format. TypeOf and SizeOf (bytes) are indexed by NetcdfKind.
 constexpr int ListOfDimensions = 10, ListOfVariables = 11, ListOfAttributes = 12;
 constexpr int TypeOfInt = 4, TypeOfFloat = 5;
 constexpr int TypeOf[] = { 2, TypeOfInt, 10, 6 };
@@ -33,7 +33,7 @@ Index CountBytes(const NetcdfLayout& layout, const NetcdfVariable& variable)
   return size;
 }
 
-/// Appends a number with its highest byte first.
+/// Appends a number, most significant byte first.
 void AppendNumber(std::string& text, std::uint64_t number, int bytes)
 {
   for (int b = bytes - 1; b >= 0; --b)
@@ -50,7 +50,7 @@ void AppendBits(std::string& text, Number value)
   AppendNumber(text, bits, sizeof(Number));
 }
 
-/// The header of a classic file ("NetCDF Classic Format Specification", CDF-2 and CDF-5).
+/// Header of a classic file ("NetCDF Classic Format Specification", CDF-2 and CDF-5).
 class ClassicHeader
 {
 public:
@@ -74,7 +74,7 @@ public:
   }
 
   const std::string& Bytes() const { return this->Text; }
-  /// Variables in the order of their places in the file: those with records are last.
+  /// Returns the variables in the order of their places in the file: variables with records last.
   const std::vector<const NetcdfVariable*>& Order() const { return this->Ordered; }
 
 private:
@@ -110,7 +110,7 @@ private:
     this->AddCount(1);
     integer ? AppendBits(this->Text, *integer) : AppendBits(this->Text, std::get<float>(value));
   }
-  /// All but where the values begin, which depends on the size of the header.
+  /// Adds a variable, except the place of its values, which depends on the size of the header.
   void AddVariable(const NetcdfVariable& variable)
   {
     this->AddText(variable.Name);

@@ -19,7 +19,8 @@ namespace
 
 constexpr nc_type TypeOf[] = { NC_CHAR, NC_INT, NC_INT64, NC_DOUBLE };
 
-/// status: what a function of the library returned.
+/// Throws InputError if a function of the library has failed.
+/// @param status  result of the function
 void Check(int status)
 {
   if (status != NC_NOERR)
@@ -31,7 +32,7 @@ void Check(int status)
   }
 }
 
-/// An open file; the destructor closes it.
+/// Open file, which the destructor closes.
 struct OpenNetcdf
 {
   explicit OpenNetcdf(const std::string& path)

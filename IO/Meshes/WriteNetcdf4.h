@@ -1,5 +1,5 @@
 /**
- * WriteNetcdf4: a file of netCDF-4, written by the netCDF library.
+ * WriteNetcdf4: writes a file in the format netCDF-4 by the netCDF library.
  */
 #pragma once
 
@@ -8,8 +8,10 @@
 namespace vfm
 {
 
-/// @return false in builds without the library. Throws InputError, with the reason but without the path, when the file cannot be
-/// written; then it is removed.
+/// Writes a file.
+/// @return false in builds without the library, where no file is written
+/// @throws InputError  if the file cannot be written; the message holds the reason, not the path.
+///   An incomplete file is removed
 bool TryWriteNetcdf4(const NetcdfLayout& layout, const std::string& path);
 
 } // namespace vfm

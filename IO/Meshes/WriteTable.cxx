@@ -9,6 +9,7 @@ namespace vfm
 namespace
 {
 
+/// Returns a text, in quotes where necessary.
 std::string Print(const std::string& text)
 {
   if (text.find_first_of(",\"\r\n") == std::string::npos)
@@ -23,7 +24,7 @@ std::string Print(const std::string& text)
   return quoted + "\"";
 }
 
-/// The shortest text that reads back as the same number.
+/// Returns the shortest text that is read back as the same number.
 template <class Number>
 std::string Print(Number value)
 {

@@ -1,5 +1,5 @@
 /**
- * WriteTable: a table as comma-separated values.
+ * WriteTable: writes a table as comma-separated values.
  */
 #pragma once
 
@@ -11,8 +11,10 @@
 namespace vfm
 {
 
-/// A line of column names, then one line per row. Numbers have all their digits, texts have quotes where they need them (RFC 4180).
-/// columns: of one length, with one component. Throws InputError, with the reason, when the file cannot be written.
+/// Writes a line of column names, then one line per row. Numbers have all their digits. Texts are
+/// quoted where RFC 4180 requires it.
+/// @param columns  columns of equal length, with one component each
+/// @throws InputError  if the file cannot be written; the message holds the reason
 void WriteTable(const std::vector<FieldArray>& columns, const std::string& path);
 
 } // namespace vfm

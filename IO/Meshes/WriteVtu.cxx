@@ -13,7 +13,7 @@ namespace vfm
 namespace
 {
 
-constexpr char HexType = 12, TetType = 10; // of VTK's cells
+constexpr char HexType = 12, TetType = 10; // VTK_HEXAHEDRON, VTK_TETRA
 
 void WritePiece(const MeshData& mesh, const std::string& path)
 {
@@ -41,7 +41,7 @@ void AddArrayList(OutputFile& file, const char* element, const std::vector<MeshA
   file.Add(std::string("</") + element + ">\n");
 }
 
-/// The file that names the pieces which are filled.
+/// Writes the file that lists the pieces with elements.
 void WriteSummary(const MeshData& mesh, const std::string& path,
   const std::vector<std::string>& pieces, const std::vector<char>& isFilled)
 {
@@ -103,7 +103,7 @@ void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks)
         WriteSummary(part, path, pieces, isFilled);
         files.emplace_back(path);
       }
-      ranks.Any(false); // throws where another rank failed
+      ranks.Any(false); // throws if another rank failed
     });
   for (UnfinishedFile& file : files)
   {

@@ -1,9 +1,9 @@
 /**
- * WriteVtu: a mesh as VTK's XML files of unstructured grids, .vtu and .pvtu.
+ * WriteVtu: writes a mesh as VTK's XML files of unstructured grids, .vtu and .pvtu.
  *
- * All arrays of points and elements and the fields with their names, types, components and texts; GlobalPointIds and
- * GlobalCellIds are marked as global ids, MaterialId as the scalars, the time is the field TimeValue. Values are binary,
- * inline, compressed by zlib in builds with it.
+ * Files contain all arrays of points and elements and all fields. GlobalPointIds and GlobalCellIds
+ * are marked as global ids, MaterialId as scalars. The field TimeValue holds the time. Values are
+ * inline and binary, compressed if the build has zlib.
  */
 #pragma once
 
@@ -15,12 +15,19 @@
 namespace vfm
 {
 
-/// Collective: one file, by rank 0, which needs the memory of GatherMesh; its bytes do not depend on the number of ranks.
-/// mesh: this rank's part. Throws InputError, with the reason but without the path, on all ranks, when the parts do not make one mesh or
-/// the file cannot be written; then it is removed.
+/// Writes one file on rank 0. Its contents do not depend on the number of ranks.
+/// @param mesh  part of this rank
+/// @throws InputError  if the parts do not form one mesh, or if the file cannot be written; on all
+///   ranks. The message holds the reason, not the path. An incomplete file is removed
+/// @pre Collective
+/// @note Rank 0 needs the memory of GatherMesh.
 void WriteVtu(const MeshData& mesh, const std::string& path, Ranks& ranks);
 
-/// Collective: path, NAME.pvtu, and one file NAME/NAME_RANK.vtu per rank. mesh: this rank's part. Throws as WriteVtu.
+/// Writes the file NAME.pvtu, and one file NAME/NAME_RANK.vtu per rank that has elements.
+/// @param mesh  part of this rank
+/// @param path  path of NAME.pvtu
+/// @throws InputError  same conditions as WriteVtu
+/// @pre Collective
 void WritePvtu(const MeshData& mesh, const std::string& path, Ranks& ranks);
 
 } // namespace vfm

@@ -219,13 +219,13 @@ TEST(Arguments, RejectedWords)
       { "in.vti out.vtu c.vtu",
         "'c.vtu' is a file too many: the input and the output are named already." },
       { "in.vti out.vtu --output b.vtu", "--output is given twice." },
-      { "tset", "The input tset is of an unknown kind. Read are .vti" },
-      { "in.xyz out.vtu", "The input in.xyz is of an unknown kind. Read are .vti" },
-      { "in.vti no.stl", "The output no.stl is of an unknown kind. Written are .vtu" },
+      { "tset", "The input tset is of an unknown format. Supported formats: .vti" },
+      { "in.xyz out.vtu", "The input in.xyz is of an unknown format. Supported formats: .vti" },
+      { "in.vti no.stl", "The output no.stl is of an unknown format. Supported formats: .vtu" },
       { "in.vti no.stl", ".inp" },
-      { "in.vti out.pvtu --single-file", "The output out.pvtu is always several files." },
+      { "in.vti out.pvtu --single-file", "The output out.pvtu always consists of several files." },
       { "in.vti out.vtu --geometry g.vtu",
-        "The geometry g.vtu is of an unknown kind. Written is .vtm." } });
+        "The geometry g.vtu is of an unknown format. Supported format: .vtm." } });
   ExpectRefusals("in.vti out.vtu ",
     { { "--wrong", "'--wrong' is no option. See sculptor --help." },
       { "--wrong=1", "'--wrong' is no option." }, { "-q", "'-q' is no option." },
@@ -322,9 +322,9 @@ TEST(Arguments, RejectedTestsAndLists)
       { "--refine 1 --refine-cells", "--refine and --refine-cells exclude each other." },
       { "--refine-cells=a", "--refine-cells takes no value, but 'a' is given." },
       { "--refine -1", "--refine takes a whole number from 0 to 10, not '-1'." },
-      { "--output no.stl", "The output no.stl is of an unknown kind." } });
+      { "--output no.stl", "The output no.stl is of an unknown format." } });
   ExpectRefusals("--list ",
-    { { "", "--input FILE is missing." }, { "in.xyz", "The input in.xyz is of an unknown kind." },
+    { { "", "--input FILE is missing." }, { "in.xyz", "The input in.xyz is of an unknown format." },
       { "in.spn", "--dimensions NX,NY,NZ is missing." },
       { "in.vti out.vtu", "--list takes --input, --dimensions, " },
       { "in.vti out.vtu", "not --output." }, { "in.vti --void", "not --void." },

@@ -323,7 +323,7 @@ def test_sculptor_part_of_one(at):
             assert result.returncode == 0 and result.stderr == "" and "time 2\n" in result.stdout, result
             check_file(at("out.vtu"), expected, (name, ranks))
     sculptor_program.refused(2, "No such file", at("other.1.0"), at("no.vtu"), ranks=2)
-    sculptor_program.refused(1, "of an unknown kind", at("cube.1.1"), at("no.vtu"))
+    sculptor_program.refused(1, "of an unknown format", at("cube.1.1"), at("no.vtu"))
     grid = write(image(fields()), at("grid.vti"))
     sculptor_program.mesh_file(grid, at("ours.e"), "--fractions", "MAT_10,MAT_20", "--stairstep",
                                "--void", "--state", "number")
@@ -389,7 +389,7 @@ def test_sculptor_refuses(at):
         refused(2, "has no element variable 'heat'", path, no, "--state", "heat", ranks=ranks)
         refused(2, "has no step 2: it has 2, counted from 0", path, no, "--step", "2", ranks=ranks)
     refused(2, "absent.e: No such file", at("absent.e"), no)
-    refused(1, "unknown kind", at("parts.e.3.3"), no)
+    refused(1, "unknown format", at("parts.e.3.3"), no)
     skewed = write_exodus(at("skewed.e"), lambda step: {"all": moved(turn)}, [0.0])
     refused(3, "Block 0 of rank 0: cell 0 is not a box", skewed, no, "--fractions", "MAT_10", ranks=3)
 

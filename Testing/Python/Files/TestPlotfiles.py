@@ -39,7 +39,7 @@ def test_refused(at):
     refused(2, "no numeric array 'x' (--fractions). Its cell arrays: ball (double, 0 to 1), rest (double", "--input", folder, "--fractions", "x",
             "--output", at("no.vtu"), ranks=2)
     os.mkdir(at("empty"))
-    refused(1, "is of an unknown kind", "--input", at("empty"), "--output", at("no.vtu"))
+    refused(1, "is of an unknown format", "--input", at("empty"), "--output", at("no.vtu"))
     open(at("empty/Header"), "w").close()
     refused(2, "the file is empty", "--input", at("empty"), "--output", at("no.vtu"), ranks=2)
 
