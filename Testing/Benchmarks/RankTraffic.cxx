@@ -1,6 +1,6 @@
 /**
  * Counts what ranks send while they mesh a gyroid, per rank (the most of any rank): the figures
- * behind Documentation/scaling.md. Ranks are threads, so times mean nothing here.
+ * behind Documentation/theory/parallel.md. Ranks are threads, so times mean nothing here.
  *
  * usage: RankTraffic [cells a rank and axis, default 24]: weak scaling on 1, 2, 4, 8, 27 ranks
  */
